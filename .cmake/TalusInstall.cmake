@@ -1,0 +1,30 @@
+# What another CMake project gets from find_package(talus): talus::voxel, talus::protocol, talus::client.
+include(CMakePackageConfigHelpers)
+
+set(installed talus_voxel talus_protocol)
+install(DIRECTORY core/voxel/include/ protocol/include/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+install(FILES ${PROJECT_BINARY_DIR}/protocol/generated/talus/protocol/talus_generated.h
+  DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/talus/protocol)
+install(FILES protocol/schema/talus.fbs DESTINATION ${CMAKE_INSTALL_DATADIR}/talus)
+if(TALUS_CLIENT)
+  list(APPEND installed talus_client talus_asio)
+  install(DIRECTORY client_sample/library/include/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+  install(TARGETS talus-client RUNTIME)
+endif()
+if(TALUS_SERVER)
+  install(TARGETS talusd RUNTIME)
+  install(FILES server/talusd.toml DESTINATION ${CMAKE_INSTALL_SYSCONFDIR}/talus)
+endif()
+if(TALUS_TOOLS)
+  install(TARGETS talus-gen RUNTIME)
+endif()
+install(DIRECTORY core/worlds/ DESTINATION ${CMAKE_INSTALL_DATADIR}/talus/worlds)
+
+install(TARGETS ${installed} EXPORT talus-targets ARCHIVE LIBRARY)
+install(EXPORT talus-targets NAMESPACE talus:: DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/talus)
+configure_package_config_file(.cmake/talus-config.cmake.in ${PROJECT_BINARY_DIR}/talus-config.cmake
+  INSTALL_DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/talus)
+write_basic_package_version_file(${PROJECT_BINARY_DIR}/talus-config-version.cmake
+  COMPATIBILITY SameMinorVersion)
+install(FILES ${PROJECT_BINARY_DIR}/talus-config.cmake ${PROJECT_BINARY_DIR}/talus-config-version.cmake
+  DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/talus)

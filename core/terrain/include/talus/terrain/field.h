@@ -1,0 +1,60 @@
+// Rectangles of columns, and numbers over them.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include <talus/voxel/coords.h>
+
+namespace talus::terrain {
+
+/// Columns x to x + width - 1 and z to z + depth - 1, counted at `lod`.
+struct Region {
+  std::int64_t x = 0;
+  std::int64_t z = 0;
+  int width = 0;  // along x
+  int depth = 0;  // along z
+  Lod lod;
+
+  [[nodiscard]] std::size_t columns() const {
+    return static_cast<std::size_t>(width) * static_cast<std::size_t>(depth);
+  }
+  /// The region with `ring` more columns on every side.
+  [[nodiscard]] Region grown(int ring) const {
+    return {x - ring, z - ring, width + 2 * ring, depth + 2 * ring, lod};
+  }
+  bool operator==(const Region&) const = default;
+};
+
+/// One int32 a column, z slowest, then x: values[z * width + x].
+struct Field {
+  int width = 0;
+  int depth = 0;
+  std::vector<std::int32_t> values;
+
+  Field() = default;
+  Field(int width_, int depth_)
+      : width{width_},
+        depth{depth_},
+        values(static_cast<std::size_t>(width_) * static_cast<std::size_t>(depth_)) {}
+
+  [[nodiscard]] std::int32_t at(int x, int z) const { return values[index(x, z)]; }
+  [[nodiscard]] std::int32_t& at(int x, int z) { return values[index(x, z)]; }
+  [[nodiscard]] std::span<std::int32_t> row(int z) {
+    return {values.data() + index(0, z), static_cast<std::size_t>(width)};
+  }
+  [[nodiscard]] std::span<const std::int32_t> row(int z) const {
+    return {values.data() + index(0, z), static_cast<std::size_t>(width)};
+  }
+  /// The field without its outermost `ring` columns on every side.
+  [[nodiscard]] Field without_ring(int ring) const;
+
+ private:
+  [[nodiscard]] std::size_t index(int x, int z) const {
+    return static_cast<std::size_t>(z) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x);
+  }
+};
+
+}  // namespace talus::terrain

@@ -1,0 +1,94 @@
+// From a world to stacks to chunks: the whole method for a region of columns. Pure functions of their
+// arguments; call them from as many threads as you like.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include <talus/terrain/field.h>
+#include <talus/terrain/world.h>
+#include <talus/voxel/chunk.h>
+#include <talus/voxel/coords.h>
+
+namespace talus::terrain {
+
+/// Every intermediate result of the method over one region, for exports, pictures and tests. All fields
+/// are width x depth of the region, in subvoxels of the region's level.
+struct Terrain {
+  Region region;
+  Field surface;                             // H
+  Field slope;                               // eq. 1, rise over a run of one column
+  std::vector<MaterialId> strata_materials;  // bottom up, neighbours of one material merged
+  std::vector<Field> strata;                 // tops of all planes, cut at H; the last equals H
+  std::vector<Field> loose;                  // settled thickness, in the order of World::loose()
+};
+
+/// The stacks of a region (thesis 2.2.3): planes bottom up, over which every column has the same list of
+/// materials, with thickness 0 where one is absent. Water and air are not in it.
+struct Stacks {
+  Region region;
+  std::vector<MaterialId> materials;  // materials[k] lies between plane k - 1 and plane k
+  std::vector<Field> tops;            // subvoxels; no plane lies below the one before; the last is H
+
+  [[nodiscard]] std::size_t bytes() const;
+};
+
+/// Halo columns of surface around a region at `lod`: max over the loose materials of ceil(t_l / c).
+[[nodiscard]] int halo_columns(const World& world, Lod lod);
+
+/// The method with a halo of `halo` columns instead of the theorem's; for the test that shows what a
+/// smaller halo breaks. 1 <= halo.
+[[nodiscard]] Terrain generate_terrain_with_halo(const World& world, const Region& region, int halo);
+
+/// The whole method over a region: exactly what the endless plane has there. The region may be of any
+/// size that fits memory, anywhere with |base column| <= 2^36 + 2^16.
+[[nodiscard]] Terrain generate_terrain(const World& world, const Region& region);
+
+/// Loose layers inserted at the top of the strata (thesis 3.6): heaviest lowest, H unchanged.
+[[nodiscard]] Stacks stack_layers(const World& world, const Terrain& terrain);
+
+/// generate_terrain and stack_layers in one, without what only exports need.
+[[nodiscard]] Stacks generate_stacks(const World& world, const Region& region);
+
+/// The chunk `coord` of the region's level. Its 32 x 32 columns must lie inside stacks.region (asserted).
+[[nodiscard]] Chunk extract_chunk(const World& world, const Stacks& stacks, ChunkCoord coord);
+
+/// Chunk rows [first, last] outside which every chunk over these 32 x 32 columns is uniform: `below` under
+/// them, air above.
+struct MixedRange {
+  std::int32_t first = 0;
+  std::int32_t last = 0;  // first - 1 where no chunk is mixed
+  MaterialId below{};
+};
+[[nodiscard]] MixedRange mixed_range(const World& world, const Stacks& stacks, std::int32_t chunk_x,
+                                     std::int32_t chunk_z);
+
+/// The material of a chunk that is uniform whatever the surface does: all below the lowest or above the
+/// highest that this world can have. Costs nothing.
+[[nodiscard]] std::optional<MaterialId> uniform_everywhere(const World& world, ChunkKey key);
+
+/// Rows of base voxels between which everything but plain rock and air lies: below `low` all is the first
+/// layer's material, at and above `high` all is air.
+struct HeightRange {
+  std::int64_t low = 0;
+  std::int64_t high = 0;
+};
+[[nodiscard]] HeightRange height_range(const World& world);
+
+/// One chunk alone, from scratch.
+[[nodiscard]] Chunk generate_chunk(const World& world, ChunkKey key);
+
+/// H of single base columns, in subvoxels.
+struct BaseColumn {
+  std::int64_t x = 0;
+  std::int64_t z = 0;
+};
+[[nodiscard]] std::vector<std::int32_t> surface_heights(const World& world,
+                                                        std::span<const BaseColumn> columns);
+
+/// A dry, level place near the origin: the voxel in which feet stand, the first free one above the ground.
+/// Where no ground is dry within reach, on the water.
+[[nodiscard]] VoxelPos find_spawn(const World& world);
+
+}  // namespace talus::terrain

@@ -1,0 +1,146 @@
+// A world: what a checked world.toml says, and everything that follows from it before any column is
+// looked at. Immutable once parsed; share it between threads freely.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <tl/expected.hpp>
+
+#include <talus/voxel/content_hash.h>
+#include <talus/voxel/material.h>
+
+namespace talus::terrain {
+
+/// Changes when, and only when, the same spec gives other voxels than before.
+inline constexpr int kGeneratorVersion = 1;
+
+/// Heights are int32 in 1/256 voxel; names that hold one end in _fx.
+inline constexpr int kSubvoxels = 256;
+
+struct Colour {
+  std::uint8_t red = 0;
+  std::uint8_t green = 0;
+  std::uint8_t blue = 0;
+  bool operator==(const Colour&) const = default;
+};
+
+/// A surface of Perlin fBm raised to a power (thesis 3.1). Lengths in terrain units.
+struct SurfaceSpec {
+  double wavelength = 0;  // of the first octave
+  int octaves = 0;
+  double gain = 0;  // h = clamp(0.5 + gain * fBm, 0, 1)^exponent * amplitude
+  int exponent = 0;
+  double amplitude = 0;
+};
+
+/// Thesis 3.2.1. `_q16`: integers of 2^-16 terrain unit.
+struct StratifiedSpec {
+  std::string name;
+  Colour colour;
+  std::int64_t depth_q16 = 0;
+  std::int64_t thickness_q16 = 0;
+  double roughness = 0;
+};
+
+/// Thesis 3.2.2.
+struct ErodedSpec {
+  std::string name;
+  Colour colour;
+  double weight = 0;
+  std::int64_t thickness_q16 = 0;
+  double angle_of_repose = 0;  // degrees
+  double max_slope = 0;        // degrees
+};
+
+/// world.toml as it stands, in range and consistent (DESIGN.md section 2's bounds).
+struct WorldSpec {
+  std::uint64_t seed = 0;
+  int resolution = 0;               // voxels per terrain unit
+  double strata_wavelength = 0;     // terrain units, before roughness shortens it
+  std::optional<double> sea_level;  // terrain units above y = 0
+  SurfaceSpec surface;
+  std::vector<StratifiedSpec> stratified;
+  std::vector<ErodedSpec> eroded;
+};
+
+/// "FILE:LINE: key: what is wrong; what would be right". One line.
+struct SpecError {
+  std::string message;
+};
+
+enum class MaterialKind : std::uint8_t { air, water, stratified, eroded };
+
+/// A material of the world; its id is its place in World::materials().
+struct Material {
+  MaterialId id{};
+  std::string name;
+  Colour colour;
+  MaterialKind kind{};
+};
+
+/// One layer of the stratified sequence, before neighbours of one material are merged (thesis 3.4).
+struct StratumSpec {
+  MaterialId material{};
+  std::int64_t thickness_q16 = 0;
+  double roughness = 0;
+};
+
+/// An eroded material in the integers that settling works with.
+struct LooseSpec {
+  MaterialId material{};
+  double weight = 0;
+  std::int32_t t_fx = 0;  // thickness
+  std::int32_t S_fx = 0;  // rise over a run of one column above which nothing stays
+  std::int32_t c_fx = 0;  // largest difference of thickness between neighbours at rest
+};
+
+class World {
+ public:
+  /// Reads and checks a whole spec. `file` only names the source in errors.
+  [[nodiscard]] static tl::expected<World, SpecError> parse(std::string_view toml, std::string_view file);
+
+  [[nodiscard]] const WorldSpec& spec() const { return spec_; }
+  /// Air, water, stratified, eroded; materials()[to_integer(id)] is the material of that id.
+  [[nodiscard]] const std::vector<Material>& materials() const { return materials_; }
+  /// The sequence of layers from the bottom up, the same at every column; 1 to 256.
+  [[nodiscard]] const std::vector<StratumSpec>& strata() const { return strata_; }
+  /// Eroded materials in the order of the spec.
+  [[nodiscard]] const std::vector<LooseSpec>& loose() const { return loose_; }
+  /// Indices into loose(), heaviest first: the order in which they lie, bottom up.
+  [[nodiscard]] const std::vector<std::size_t>& loose_bottom_up() const { return loose_bottom_up_; }
+
+  /// Columns of surface that must be known around a region for its stacks to be exact, at level 0: the
+  /// halo theorem's A, 0 without eroded materials.
+  [[nodiscard]] int halo() const { return halo_; }
+  /// No surface is higher: amplitude * resolution in subvoxels.
+  [[nodiscard]] std::int32_t highest_fx() const { return highest_fx_; }
+  [[nodiscard]] std::optional<std::int32_t> sea_fx() const { return sea_fx_; }
+
+  /// Everything that decides a voxel, as text with one number a line; equal for specs that give equal
+  /// voxels by the same numbers. Names and colours are not in it.
+  [[nodiscard]] std::string canonical_form() const;
+  /// XXH3-128 of canonical_form(), which names the generator version.
+  [[nodiscard]] ContentHash fingerprint() const { return fingerprint_; }
+
+ private:
+  World() = default;
+  WorldSpec spec_;
+  std::vector<Material> materials_;
+  std::vector<StratumSpec> strata_;
+  std::vector<LooseSpec> loose_;
+  std::vector<std::size_t> loose_bottom_up_;
+  int halo_ = 0;
+  std::int32_t highest_fx_ = 0;
+  std::optional<std::int32_t> sea_fx_;
+  ContentHash fingerprint_;
+};
+
+/// core/worlds/default.toml, built into the library: the world that programs use when told nothing.
+[[nodiscard]] std::string_view default_world_toml();
+[[nodiscard]] const World& default_world();
+
+}  // namespace talus::terrain

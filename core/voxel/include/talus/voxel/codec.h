@@ -1,0 +1,44 @@
+// A chunk as bytes. FORMAT.md beside this room gives every byte and a worked example.
+//
+// The encoder is a pure function of the voxels' form: the same chunk gives the same bytes on every
+// machine and compiler, because no external compressor takes part. The decoder accepts any bytes.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include <tl/expected.hpp>
+
+#include <talus/voxel/chunk.h>
+
+namespace talus {
+
+inline constexpr std::uint8_t kCodecVersion = 1;  // the first byte of every payload
+
+/// The largest payload the encoder makes and the decoder reads: raw voxels after two header bytes.
+inline constexpr std::size_t kMaxPayloadBytes = 2 + sizeof(DenseVoxels);
+
+enum class DecodeError : std::uint8_t {
+  empty,             // no bytes at all
+  unknown_version,   // the first byte is a codec this library does not read
+  unknown_encoding,  // the second byte names no encoding
+  truncated,         // the bytes end before the chunk does
+  too_long,          // bytes follow the chunk's end, or there are more than kMaxPayloadBytes
+  bad_materials,  // the list of materials is empty, too long, unordered where it must not be, or not minimal
+  bad_number,     // a number is written with more bytes than it needs, or past its range
+};
+
+/// One line for people: what is wrong, and what would be right.
+[[nodiscard]] std::string_view describe(DecodeError error);
+
+/// Appends the smallest of the encodings to `out`. Never more than kMaxPayloadBytes.
+void encode(const Chunk& chunk, std::vector<std::byte>& out);
+
+/// Reads a whole payload. Any bytes are safe: what is not a chunk is an error, no byte past the payload
+/// is read, and no more memory is taken than one chunk's dense voxels (64 KiB) plus its list of materials.
+[[nodiscard]] tl::expected<Chunk, DecodeError> decode(std::span<const std::byte> payload);
+
+}  // namespace talus

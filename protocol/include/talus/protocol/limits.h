@@ -1,0 +1,25 @@
+// What the protocol allows before configuration narrows it. PROTOCOL.md explains each.
+#pragma once
+
+#include <cstdint>
+
+namespace talus::protocol {
+
+inline constexpr std::uint16_t kProtocolVersion = 1;  // newest version spoken
+inline constexpr std::uint16_t kOldestProtocol = 1;   // oldest version still spoken
+
+/// Frames from a client, prefix included: default, and what a server may be configured to.
+inline constexpr std::uint32_t kDefaultClientFrameBytes = 64U * 1024;
+inline constexpr std::uint32_t kLeastClientFrameBytes = 4U * 1024;
+
+/// Frames from a server, prefix included: a raw chunk with its envelope fits, and so do the heights of the
+/// largest request. A client refuses more.
+inline constexpr std::uint32_t kServerFrameBytes = 256U * 1024;
+
+/// GetHeights columns per request.
+inline constexpr std::uint32_t kMaxHeightsPerRequest = 4096;
+
+/// Strings from a client (token, name), in bytes.
+inline constexpr std::uint32_t kMaxStringBytes = 4096;
+
+}  // namespace talus::protocol
