@@ -1,0 +1,56 @@
+#include <bit>
+#include <cstdio>
+#include <sstream>
+
+#define XXH_STATIC_LINKING_ONLY
+#include <xxhash.h>
+
+#include "canonical_hash.h"
+
+#include <talus/terrain/strata.h>
+#include <talus/terrain/surface.h>
+#include <talus/terrain/world.h>
+
+namespace talus::terrain {
+namespace {
+
+// The bits of a float, so that no two numbers print alike.
+std::string bits_of(float value) {
+  char text[9];
+  std::snprintf(text, sizeof text, "%08x", std::bit_cast<std::uint32_t>(value));
+  return text;
+}
+
+}  // namespace
+
+std::string World::canonical_form() const {
+  const Surface surface = surface_of(spec_);
+  std::ostringstream form;
+  form << "talus world\n"
+       << "generator " << kGeneratorVersion << '\n'
+       << "seed " << spec_.seed << '\n'
+       << "surface period " << surface.noise.period << '\n'
+       << "surface octaves " << surface.noise.octaves << '\n'
+       << "surface gain " << bits_of(surface.gain) << '\n'
+       << "surface exponent " << surface.exponent << '\n'
+       << "surface highest_fx " << bits_of(surface.highest_fx) << '\n'
+       << "sea_fx " << (sea_fx_ ? std::to_string(*sea_fx_) : "none") << '\n';
+  for (std::size_t j = 0; j < strata_.size(); ++j) {
+    form << "layer " << to_integer(strata_[j].material) << " thickness_q16 " << strata_[j].thickness_q16
+         << " resolution " << spec_.resolution << " period "
+         << layer_noise(spec_, strata_[j].roughness, j).period << " swing "
+         << bits_of(static_cast<float>(2.0 * strata_[j].roughness)) << '\n';
+  }
+  for (const std::size_t i : loose_bottom_up_) {
+    form << "loose " << to_integer(loose_[i].material) << " t_fx " << loose_[i].t_fx << " S_fx "
+         << loose_[i].S_fx << " c_fx " << loose_[i].c_fx << '\n';
+  }
+  return form.str();
+}
+
+ContentHash hash_canonical_form(const std::string& form) {
+  const XXH128_hash_t hash = XXH3_128bits(form.data(), form.size());
+  return {hash.low64, hash.high64};
+}
+
+}  // namespace talus::terrain

@@ -1,0 +1,163 @@
+// Stacks -> voxels: boundaries become voxel rows (thesis 3.7), a chunk is its slab of them.
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <limits>
+
+#include <talus/terrain/stacks.h>
+
+namespace talus::terrain {
+namespace {
+
+using Rows = std::array<std::int32_t, kChunkArea>;
+
+// A voxel belongs to the material at its centre, so a boundary at b_fx lies between voxel rows.
+constexpr std::int32_t row_of(std::int32_t boundary_fx) {
+  return (boundary_fx + 127) >> 8;
+}
+
+// The boundary rows of 32 x 32 columns, plane by plane, in the region's level.
+class TileRows {
+ public:
+  TileRows(const World& world, const Stacks& stacks, std::int32_t chunk_x, std::int32_t chunk_z)
+      : stacks_{stacks},
+        x_{static_cast<int>(std::int64_t{chunk_x} * kChunkSize - stacks.region.x)},
+        z_{static_cast<int>(std::int64_t{chunk_z} * kChunkSize - stacks.region.z)},
+        coarse_{stacks.region.lod.value() > 0} {
+    assert(x_ >= 0 && z_ >= 0 && x_ + kChunkSize <= stacks.region.width &&
+           z_ + kChunkSize <= stacks.region.depth);
+    if (coarse_) find_crowns();
+    if (world.sea_fx()) sea_row_ = row_of(*world.sea_fx() >> stacks.region.lod.value());
+  }
+
+  [[nodiscard]] std::size_t planes() const { return stacks_.tops.size(); }
+  [[nodiscard]] MaterialId material(std::size_t plane) const { return stacks_.materials[plane]; }
+
+  void read(std::size_t plane, Rows& rows) const {
+    for (int z = 0; z < kChunkSize; ++z) {
+      const std::int32_t* tops = stacks_.tops[plane].row(z_ + z).data() + x_;
+      for (int x = 0; x < kChunkSize; ++x) rows[column_index(x, z)] = row_of(tops[x]);
+    }
+    if (!coarse_) return;
+    // Far hills keep their grass: the topmost solid voxel takes the material at the top of the stack, even
+    // where that is too thin to reach the voxel's centre.
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      rows[i] = plane < crown_[i] ? std::min(rows[i], ground_[i] - 1) : ground_[i];
+    }
+  }
+
+  /// Water stands from the ground up to the sea; equal to `ground` where there is none.
+  void read_sea(const Rows& ground, Rows& rows) const {
+    for (std::size_t i = 0; i < rows.size(); ++i) rows[i] = std::max(ground[i], sea_row_);
+  }
+
+ private:
+  void find_crowns() {
+    read_ground();
+    for (std::size_t plane = 1; plane < planes(); ++plane) {
+      for (int z = 0; z < kChunkSize; ++z) {
+        const std::int32_t* tops = stacks_.tops[plane].row(z_ + z).data() + x_;
+        const std::int32_t* below = stacks_.tops[plane - 1].row(z_ + z).data() + x_;
+        for (int x = 0; x < kChunkSize; ++x) {
+          if (tops[x] > below[x]) crown_[column_index(x, z)] = plane;
+        }
+      }
+    }
+  }
+
+  void read_ground() {
+    for (int z = 0; z < kChunkSize; ++z) {
+      const std::int32_t* tops = stacks_.tops.back().row(z_ + z).data() + x_;
+      for (int x = 0; x < kChunkSize; ++x) ground_[column_index(x, z)] = row_of(tops[x]);
+    }
+  }
+
+  const Stacks& stacks_;
+  int x_;
+  int z_;
+  bool coarse_;
+  std::int32_t sea_row_ = std::numeric_limits<std::int32_t>::min();
+  std::array<std::size_t, kChunkArea> crown_{};  // the plane of the material at the top of each stack
+  Rows ground_{};
+};
+
+}  // namespace
+
+Chunk extract_chunk(const World& world, const Stacks& stacks, ChunkCoord coord) {
+  const TileRows tile{world, stacks, coord.x, coord.z};
+  const std::int64_t floor_row = std::int64_t{coord.y} * kChunkSize;
+  Layers layers;
+  std::array<std::uint8_t, kChunkArea> below{};
+  const auto add_plane = [&](MaterialId material, const Rows& rows) {
+    std::array<std::uint8_t, kChunkArea> plane;
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      plane[i] = static_cast<std::uint8_t>(std::clamp<std::int64_t>(rows[i] - floor_row, 0, kChunkSize));
+    }
+    if (plane == below) return;
+    layers.materials.push_back(material);
+    layers.tops.insert(layers.tops.end(), plane.begin(), plane.end());
+    below = plane;
+  };
+  Rows rows{};
+  for (std::size_t plane = 0; plane < tile.planes(); ++plane) {
+    tile.read(plane, rows);
+    add_plane(tile.material(plane), rows);
+  }
+  Rows sea{};
+  tile.read_sea(rows, sea);
+  add_plane(kWater, sea);
+  layers.materials.push_back(kAir);
+
+  if (layers.materials.size() <= Layers::kMaxMaterials) return Chunk::from_layers(std::move(layers));
+  // More layers than the boundary view holds: thinner than a voxel each, so dense voxels say it shorter.
+  std::vector<MaterialId> voxels(kChunkVolume, kAir);
+  for (std::size_t p = layers.plane_count(); p-- > 0;) {
+    const auto plane = layers.plane(p);
+    for (std::size_t column = 0; column < kChunkArea; ++column) {
+      for (std::size_t y = 0; y < plane[column]; ++y) voxels[y * kChunkArea + column] = layers.materials[p];
+    }
+  }
+  return Chunk::from_dense(std::span<const MaterialId, kChunkVolume>{voxels});
+}
+
+MixedRange mixed_range(const World& world, const Stacks& stacks, std::int32_t chunk_x, std::int32_t chunk_z) {
+  const TileRows tile{world, stacks, chunk_x, chunk_z};
+  Rows rows{};
+  tile.read(0, rows);
+  const std::int32_t lowest = *std::min_element(rows.begin(), rows.end());
+  tile.read(tile.planes() - 1, rows);
+  Rows sea{};
+  tile.read_sea(rows, sea);
+  const std::int32_t highest = *std::max_element(sea.begin(), sea.end());
+  const auto chunk_row = [](std::int32_t row) {
+    return static_cast<std::int32_t>(floor_div(row, kChunkSize));
+  };
+  const std::int32_t first = chunk_row(lowest);
+  return {first, std::max(first - 1, chunk_row(highest - 1)), tile.material(0)};
+}
+
+HeightRange height_range(const World& world) {
+  return {0,
+          std::max<std::int64_t>(row_of(world.highest_fx()), world.sea_fx() ? row_of(*world.sea_fx()) : 0)};
+}
+
+std::optional<MaterialId> uniform_everywhere(const World& world, ChunkKey key) {
+  const int shift = key.lod.value();
+  // At coarse levels the topmost solid voxel may lie just below y = 0.
+  const std::int64_t low = shift == 0 ? 0 : -1;
+  const std::int64_t high =
+      std::max(row_of(world.highest_fx() >> shift), world.sea_fx() ? row_of(*world.sea_fx() >> shift) : 0);
+  const std::int64_t floor_row = std::int64_t{key.coord.y} * kChunkSize;
+  if (floor_row + kChunkSize <= low) return world.strata().front().material;
+  if (floor_row >= high) return kAir;
+  return std::nullopt;
+}
+
+Chunk generate_chunk(const World& world, ChunkKey key) {
+  if (const auto material = uniform_everywhere(world, key)) return Chunk::uniform(*material);
+  const VoxelPos origin = chunk_origin(key.coord);
+  const Region tile{origin.x, origin.z, kChunkSize, kChunkSize, key.lod};
+  return extract_chunk(world, generate_stacks(world, tile), key.coord);
+}
+
+}  // namespace talus::terrain

@@ -1,0 +1,232 @@
+#include "spec_reader.h"
+
+#include <algorithm>
+#include <cmath>
+#include <initializer_list>
+#include <limits>
+#include <set>
+#include <sstream>
+#include <string>
+
+#include <toml++/toml.h>
+
+namespace talus::terrain {
+namespace {
+
+struct Range {
+  double least;
+  double most;
+};
+
+constexpr double kFarthest = 32768;  // terrain units; R >= 1 keeps every height within 32,768 voxels
+
+std::string number(double value) {
+  std::ostringstream text;
+  text << value;
+  return text.str();
+}
+
+// One table of the file. The first thing wrong is kept; reading goes on with harmless values, so that a
+// reader of this code sees the keys and not the error paths.
+class TableReader {
+ public:
+  TableReader(std::string_view file, std::string name, const toml::table& table,
+              std::optional<SpecError>& error)
+      : file_{file}, name_{std::move(name)}, table_{table}, error_{error} {}
+
+  [[nodiscard]] int line() const { return static_cast<int>(table_.source().begin.line); }
+  [[nodiscard]] int line(std::string_view key) const {
+    const toml::node* node = table_.get(key);
+    return node == nullptr ? line() : line_of(*node);
+  }
+
+  void fail(int line, const std::string& key, const std::string& what) {
+    if (error_) return;
+    std::ostringstream message;
+    message << file_ << ':' << line << ": " << (name_.empty() ? "" : name_ + ".") << key << ": " << what;
+    error_ = SpecError{message.str()};
+  }
+
+  void only(std::initializer_list<std::string_view> known) {
+    for (const auto& [key, value] : table_) {
+      if (std::find(known.begin(), known.end(), key.str()) != known.end()) continue;
+      std::string list;
+      for (const std::string_view name : known) list += (list.empty() ? "" : ", ") + std::string{name};
+      fail(static_cast<int>(key.source().begin.line), std::string{key.str()},
+           "unknown key; known here: " + list);
+    }
+  }
+
+  [[nodiscard]] bool has(std::string_view key) const { return table_.contains(key); }
+
+  double real(const std::string& key, Range range) {
+    const toml::node* node = find(key, "a number");
+    if (node == nullptr) return range.least;
+    const auto value = node->is_number() ? node->value<double>() : std::nullopt;
+    if (!value) return wrong_type(*node, key, "a number"), range.least;
+    if (!(*value >= range.least && *value <= range.most)) {
+      fail(line_of(*node), key,
+           number(*value) + " is out of range; " + number(range.least) + " to " + number(range.most));
+      return range.least;
+    }
+    return *value;
+  }
+
+  std::int64_t integer(const std::string& key, std::int64_t least, std::int64_t most) {
+    const toml::node* node = find(key, "an integer");
+    if (node == nullptr) return least;
+    const auto value = node->is_integer() ? node->value<std::int64_t>() : std::nullopt;
+    if (!value) return wrong_type(*node, key, "an integer"), least;
+    if (*value < least || *value > most) {
+      fail(line_of(*node), key,
+           std::to_string(*value) + " is out of range; " + std::to_string(least) + " to " +
+               std::to_string(most));
+      return least;
+    }
+    return *value;
+  }
+
+  // Terrain units as integers of 2^-16, so that no sequence depends on binary fractions.
+  std::int64_t units_q16(const std::string& key, Range range) {
+    return static_cast<std::int64_t>(std::floor(real(key, range) * 65536.0 + 0.5));
+  }
+
+  std::string name(std::set<std::string>& taken) {
+    const toml::node* node = find("name", "a string");
+    if (node == nullptr) return {};
+    const auto value = node->is_string() ? node->value<std::string>() : std::nullopt;
+    if (!value) return wrong_type(*node, "name", "a string"), std::string{};
+    if (value->empty() || value->size() > 64) {
+      fail(line_of(*node), "name", "a name has 1 to 64 bytes, this has " + std::to_string(value->size()));
+    } else if (*value == "air" || *value == "water") {
+      fail(line_of(*node), "name", "'" + *value + "' is the world's own; choose another name");
+    } else if (!taken.insert(*value).second) {
+      fail(line_of(*node), "name", "'" + *value + "' names another material already; names are unique");
+    }
+    return *value;
+  }
+
+  Colour colour() {
+    const toml::node* node = find("colour", "a string such as \"#8d8478\"");
+    if (node == nullptr) return {};
+    const auto text = node->is_string() ? node->value<std::string>() : std::nullopt;
+    const bool shaped = text && text->size() == 7 && text->front() == '#' &&
+                        text->find_first_not_of("0123456789abcdefABCDEF", 1) == std::string::npos;
+    if (!shaped) return wrong_type(*node, "colour", "a string such as \"#8d8478\""), Colour{};
+    const auto channel = [&](std::size_t at) {
+      return static_cast<std::uint8_t>(std::stoi(text->substr(at, 2), nullptr, 16));
+    };
+    return {channel(1), channel(3), channel(5)};
+  }
+
+  const toml::table* table(const std::string& key) {
+    const toml::node* node = find(key, "a table [" + key + "]");
+    if (node == nullptr) return nullptr;
+    if (!node->is_table()) wrong_type(*node, key, "a table [" + key + "]");
+    return node->as_table();
+  }
+
+  // All tables of an array of tables, of which there must be at least one.
+  std::vector<const toml::table*> tables(const std::string& key) {
+    std::vector<const toml::table*> found;
+    const toml::node* node = find(key, "at least one [[" + key + "]]");
+    if (node == nullptr) return found;
+    if (!node->is_array()) return wrong_type(*node, key, "tables [[" + key + "]]"), found;
+    for (const toml::node& element : *node->as_array()) {
+      if (!element.is_table()) return wrong_type(element, key, "tables [[" + key + "]]"), found;
+      found.push_back(element.as_table());
+    }
+    if (found.empty()) fail(line_of(*node), key, "empty; at least one [[" + key + "]] is needed");
+    return found;
+  }
+
+ private:
+  static int line_of(const toml::node& node) { return static_cast<int>(node.source().begin.line); }
+
+  const toml::node* find(const std::string& key, const std::string& wanted) {
+    const toml::node* node = table_.get(key);
+    if (node == nullptr) fail(std::max(1, line()), key, "missing; " + wanted + " is needed");
+    return node;
+  }
+
+  void wrong_type(const toml::node& node, const std::string& key, const std::string& wanted) {
+    std::ostringstream kind;
+    kind << node.type();
+    fail(line_of(node), key, "is not right as it stands (" + kind.str() + "); " + wanted + " is needed");
+  }
+
+  std::string_view file_;
+  std::string name_;
+  const toml::table& table_;
+  std::optional<SpecError>& error_;
+};
+
+}  // namespace
+
+tl::expected<ReadSpec, SpecError> read_spec(std::string_view toml, std::string_view file) {
+  toml::table document;
+  try {
+    document = toml::parse(toml, file);
+  } catch (const toml::parse_error& bad) {
+    std::ostringstream message;
+    message << file << ':' << bad.source().begin.line << ": not TOML: " << bad.description();
+    return tl::unexpected(SpecError{message.str()});
+  }
+
+  std::optional<SpecError> error;
+  ReadSpec read;
+  WorldSpec& spec = read.spec;
+  TableReader root{file, "", document, error};
+  root.only({"seed", "resolution", "strata_wavelength", "sea_level", "surface", "stratified", "eroded"});
+  spec.seed = static_cast<std::uint64_t>(root.integer("seed", std::numeric_limits<std::int64_t>::min(),
+                                                      std::numeric_limits<std::int64_t>::max()));
+  spec.resolution = static_cast<int>(root.integer("resolution", 1, 32768));
+
+  if (const toml::table* table = root.table("surface")) {
+    TableReader surface{file, "surface", *table, error};
+    surface.only({"wavelength", "octaves", "gain", "exponent", "amplitude"});
+    spec.surface.wavelength = surface.real("wavelength", {1e-6, 16777216});
+    spec.surface.octaves = static_cast<int>(surface.integer("octaves", 1, 16));
+    spec.surface.gain = surface.real("gain", {0, 16});
+    spec.surface.exponent = static_cast<int>(surface.integer("exponent", 1, 8));
+    spec.surface.amplitude = surface.real("amplitude", {1e-6, kFarthest});
+    read.lines.wavelength = surface.line("wavelength");
+    read.lines.amplitude = surface.line("amplitude");
+  }
+  spec.strata_wavelength = root.has("strata_wavelength") ? root.real("strata_wavelength", {1e-6, 16777216})
+                                                         : spec.surface.wavelength;
+  if (root.has("sea_level")) spec.sea_level = root.real("sea_level", {0, kFarthest});
+
+  read.lines.strata_wavelength =
+      root.has("strata_wavelength") ? root.line("strata_wavelength") : read.lines.wavelength;
+  read.lines.sea_level = root.line("sea_level");
+
+  std::set<std::string> names;
+  for (const toml::table* table : root.tables("stratified")) {
+    TableReader material{file, "stratified[" + std::to_string(spec.stratified.size()) + "]", *table, error};
+    material.only({"name", "colour", "depth", "thickness", "roughness"});
+    if (spec.stratified.empty()) read.lines.stratified = material.line();
+    StratifiedSpec& stratified = spec.stratified.emplace_back();
+    stratified.name = material.name(names);
+    stratified.colour = material.colour();
+    stratified.depth_q16 = material.units_q16("depth", {-kFarthest, kFarthest});
+    stratified.thickness_q16 = material.units_q16("thickness", {1.0 / 65536, kFarthest});
+    stratified.roughness = material.real("roughness", {0, 16});
+  }
+  for (const toml::table* table : root.tables("eroded")) {
+    TableReader material{file, "eroded[" + std::to_string(spec.eroded.size()) + "]", *table, error};
+    material.only({"name", "colour", "weight", "thickness", "angle_of_repose", "max_slope"});
+    read.lines.eroded_thickness.push_back(material.line("thickness"));
+    ErodedSpec& eroded = spec.eroded.emplace_back();
+    eroded.name = material.name(names);
+    eroded.colour = material.colour();
+    eroded.weight = material.real("weight", {-1e9, 1e9});
+    eroded.thickness_q16 = material.units_q16("thickness", {1.0 / 65536, kFarthest});
+    eroded.angle_of_repose = material.real("angle_of_repose", {1, 89});
+    eroded.max_slope = material.real("max_slope", {1, 89});
+  }
+  if (error) return tl::unexpected(*error);
+  return read;
+}
+
+}  // namespace talus::terrain

@@ -1,0 +1,32 @@
+// world.toml -> WorldSpec, checked key by key. Private to the room.
+#pragma once
+
+#include <string_view>
+#include <vector>
+
+#include <tl/expected.hpp>
+
+#include <talus/terrain/world.h>
+
+namespace talus::terrain {
+
+/// Where the keys stand that World::parse judges together with others.
+struct SpecLines {
+  int wavelength = 0;
+  int amplitude = 0;
+  int strata_wavelength = 0;
+  int sea_level = 0;
+  int stratified = 0;
+  std::vector<int> eroded_thickness;  // one for each [[eroded]]
+};
+
+struct ReadSpec {
+  WorldSpec spec;
+  SpecLines lines;
+};
+
+/// Every key present, of the right type and in its own range, no unknown keys, no name twice. Bounds that
+/// span several keys are World::parse's.
+[[nodiscard]] tl::expected<ReadSpec, SpecError> read_spec(std::string_view toml, std::string_view file);
+
+}  // namespace talus::terrain

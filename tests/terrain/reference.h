@@ -1,0 +1,44 @@
+// The method as the thesis tells it, column by column and voxel by voxel, with no thought of speed. None of
+// it shares code with core/terrain but the types and the lattice's hashes.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include <talus/terrain/fbm.h>
+#include <talus/terrain/field.h>
+#include <talus/terrain/world.h>
+#include <talus/voxel/material.h>
+
+namespace talus::test::reference {
+
+/// Perlin fBm at one point, in double.
+[[nodiscard]] double fbm(const terrain::Fbm& noise, std::int64_t x, std::int64_t z);
+
+/// Equation 1 at one column that has eight neighbours.
+[[nodiscard]] std::int32_t slope(const terrain::Field& heights, int x, int z);
+
+/// Section 3.6: at any unstable column, remove what is needed to come to rest against its smallest
+/// neighbour; until nothing moves.
+void remove_until_stable(terrain::Field& thickness, std::int32_t repose_fx);
+
+/// One column's stack at the region's level, as (material, top in subvoxels) from the bottom up.
+struct Layer {
+  MaterialId material{};
+  std::int32_t top_fx = 0;
+};
+using Stack = std::vector<Layer>;
+
+/// Section 3.4 at one base column of height `height_fx`: layers piled up from y = 0 until they pass it, the
+/// last one cut, neighbours of one material as one.
+[[nodiscard]] Stack strata(const terrain::World& world, std::int64_t x, std::int64_t z,
+                           std::int32_t height_fx);
+
+/// Section 3.6, insertion: `thickness[m]` of each loose material at the top of `stack`, which gives way.
+[[nodiscard]] Stack insert(const terrain::World& world, const Stack& stack,
+                           const std::vector<std::int32_t>& thickness);
+
+/// Section 3.7: what the voxel in row y of a column is made of, at LOD 0 and above.
+[[nodiscard]] MaterialId voxel(const terrain::World& world, const Stack& stack, std::int64_t y, Lod lod);
+
+}  // namespace talus::test::reference

@@ -1,0 +1,146 @@
+#include <catch2/catch.hpp>
+
+#include <string>
+
+#include <talus/terrain/stacks.h>
+#include <talus/terrain/world.h>
+
+#include "worlds.h"
+
+namespace talus::terrain {
+namespace {
+
+std::string with(const std::string& from, const std::string& to) {
+  std::string text = test::small_world_text(1);
+  const std::size_t at = text.find(from);
+  REQUIRE(at != std::string::npos);
+  return text.replace(at, from.size(), to);
+}
+
+std::string error_of(const std::string& text) {
+  const auto world = World::parse(text, "w.toml");
+  return world ? "accepted" : world.error().message;
+}
+
+struct Wrong {
+  std::string from;
+  std::string to;
+  std::string message;
+};
+
+TEST_CASE("Every wrong spec is refused with file, line, key and what would be right") {
+  // seed stands on line 1, [surface] on 5, the first [[stratified]] on 11, the first [[eroded]] on 35.
+  const auto [from, to, message] = GENERATE(values<Wrong>({
+      {"seed = 1", "seed = ", "w.toml:1: not TOML"},
+      {"seed = 1", "seed = 1.5", "w.toml:1: seed: "},
+      {"seed = 1\n", "\n", "seed: missing; an integer is needed"},
+      {"resolution = 40", "resolution = 0", "w.toml:2: resolution: 0 is out of range; 1 to 32768"},
+      {"resolution = 40", "resolution = \"x\"", "w.toml:2: resolution: "},
+      {"resolution = 40", "resolution = 40\nresolutoin = 3",
+       "w.toml:3: resolutoin: unknown key; known here: seed, "},
+      {"sea_level = 0.3", "sea_level = -1", "w.toml:4: sea_level: -1 is out of range; 0 to 32768"},
+      {"sea_level = 0.3", "sea_level = 900",
+       "w.toml:4: sea_level: sea_level * resolution is 36000 voxels; at most 32768"},
+      {"strata_wavelength = 1.5", "strata_wavelength = 1e6",
+       "w.toml:3: strata_wavelength: strata_wavelength * resolution"},
+      {"wavelength = 2.0\noctaves", "octaves", "w.toml:5: surface.wavelength: missing; a number is needed"},
+      {"wavelength = 2.0\noctaves", "wavelength = 1e6\noctaves",
+       "w.toml:6: surface.wavelength: wavelength * resolution"},
+      {"wavelength = 2.0\noctaves", "wavelength = nan\noctaves",
+       "w.toml:6: surface.wavelength: nan is out of range"},
+      {"octaves = 5", "octaves = 17", "w.toml:7: surface.octaves: 17 is out of range; 1 to 16"},
+      {"gain = 1.0", "gain = true", "w.toml:8: surface.gain: "},
+      {"gain = 1.0", "gian = 1.0",
+       "w.toml:8: surface.gian: unknown key; known here: wavelength, octaves, gain"},
+      {"exponent = 2", "exponent = 9", "w.toml:9: surface.exponent: 9 is out of range; 1 to 8"},
+      {"exponent = 2", "exponent = 2.5", "w.toml:9: surface.exponent: "},
+      {"amplitude = 2.5", "amplitude = 1000",
+       "w.toml:10: surface.amplitude: amplitude * resolution is 40000 voxels; at most 32768"},
+      {"name = \"chalk\"", "name = \"basalt\"",
+       "stratified[1].name: 'basalt' names another material already"},
+      {"name = \"sand\"", "name = \"chalk\"", "eroded[1].name: 'chalk' names another material already"},
+      {"name = \"sand\"", "name = \"water\"", "eroded[1].name: 'water' is the world's own"},
+      {"name = \"sand\"", "name = \"\"", "eroded[1].name: a name has 1 to 64 bytes, this has 0"},
+      {"colour = \"#444444\"", "colour = \"grey\"", "w.toml:13: stratified[0].colour: "},
+      {"colour = \"#444444\"", "colour = 4", "w.toml:13: stratified[0].colour: "},
+      {"thickness = 0.5", "thickness = 0", "w.toml:15: stratified[0].thickness: 0 is out of range"},
+      {"thickness = 0.5", "thickness = inf", "w.toml:15: stratified[0].thickness: inf is out of range"},
+      {"roughness = 0.4", "roughness = -0.1",
+       "w.toml:16: stratified[0].roughness: -0.1 is out of range; 0 to 16"},
+      {"depth = 2.0\n", "", "w.toml:11: stratified[0].depth: missing; a number is needed"},
+      {"thickness = 0.20", "thickness = 200",
+       "eroded[0].thickness: thickness * resolution is 8000 voxels; at most 4096"},
+      {"thickness = 0.20", "thickness = 2",
+       "eroded[0].thickness: at this angle of repose it needs a halo of 103 columns; at most 64"},
+      {"angle_of_repose = 38", "angle_of_repose = 90",
+       "eroded[0].angle_of_repose: 90 is out of range; 1 to 89"},
+      {"max_slope = 50", "max_slope = 0.5", "eroded[0].max_slope: 0.5 is out of range; 1 to 89"},
+      {"weight = 2", "weight = \"heavy\"", "eroded[0].weight: "},
+  }));
+  INFO(from << " -> " << to);
+  const std::string error = error_of(with(from, to));
+  CHECK_THAT(error, Catch::Contains(message));
+  CHECK_THAT(error, Catch::StartsWith("w.toml:"));
+  CHECK(error.find('\n') == std::string::npos);
+}
+
+TEST_CASE("A world needs at least one material of each kind") {
+  std::string text = test::small_world_text(1);
+  const std::size_t eroded = text.find("[[eroded]]");
+  CHECK_THAT(error_of(text.substr(0, eroded)),
+             Catch::Contains("eroded: missing; at least one [[eroded]] is needed"));
+  const std::size_t stratified = text.find("[[stratified]]");
+  CHECK_THAT(error_of(text.substr(0, stratified) + text.substr(eroded)),
+             Catch::Contains("stratified: missing; at least one [[stratified]] is needed"));
+}
+
+TEST_CASE("A spec with too many layers or materials is refused") {
+  CHECK_THAT(error_of(with("thickness = 0.2\nroughness = 0.9", "thickness = 0.0001\nroughness = 0.9")),
+             Catch::Contains("more than 256 layers"));
+  std::string text = test::small_world_text(1);
+  for (int i = 0; i < 250; ++i) {
+    text += "[[stratified]]\nname = \"r" + std::to_string(i) +
+            "\"\ncolour = \"#000000\"\ndepth = 1\nthickness = 1\nroughness = 0\n";
+  }
+  CHECK_THAT(error_of(text), Catch::Contains("257 stratified and eroded materials; at most 255"));
+}
+
+TEST_CASE("The fingerprint covers what decides voxels, and no name or colour") {
+  const ContentHash plain = test::small_world(1).fingerprint();
+  const auto changed = [&](const std::string& from, const std::string& to) {
+    const auto world = World::parse(with(from, to), "w.toml");
+    REQUIRE(world);
+    return world->fingerprint() != plain;
+  };
+  CHECK_FALSE(changed("\"chalk\"", "\"marl\""));
+  CHECK_FALSE(changed("#eeeeee", "#eeeedd"));
+  CHECK_FALSE(changed("weight = 2", "weight = 7"));
+  CHECK_FALSE(changed("resolution = 40", "resolution = 40  # a comment"));
+  CHECK(changed("seed = 1", "seed = 2"));
+  CHECK(changed("weight = 2", "weight = 0"));
+  CHECK(changed("sea_level = 0.3", "sea_level = 0.31"));
+  CHECK(changed("sea_level = 0.3\n", ""));
+  CHECK(changed("gain = 1.0", "gain = 1.01"));
+  CHECK(changed("roughness = 1.5", "roughness = 1.6"));
+  CHECK(changed("angle_of_repose = 38", "angle_of_repose = 39"));
+}
+
+TEST_CASE("Materials are air, water, then stratified, then eroded in the order of the spec") {
+  const World world = test::small_world(1);
+  std::string names;
+  for (const Material& material : world.materials()) {
+    CHECK(&material == &world.materials()[to_integer(material.id)]);
+    names += material.name + " ";
+  }
+  CHECK(names == "air water basalt chalk clay limestone gravel sand soil ");
+  // Heaviest lowest; of equal weight the first of the spec on top.
+  CHECK(world.loose_bottom_up() == std::vector<std::size_t>{0, 2, 1});
+}
+
+TEST_CASE("The sample worlds parse, and the default one is built in") {
+  for (const char* name : {"default", "canyon", "hills"}) CHECK(test::sample_world(name).halo() > 0);
+  CHECK(default_world().fingerprint() == test::sample_world("default").fingerprint());
+}
+
+}  // namespace
+}  // namespace talus::terrain

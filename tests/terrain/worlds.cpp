@@ -1,0 +1,98 @@
+#include "worlds.h"
+
+#include <fstream>
+#include <map>
+#include <sstream>
+#include <stdexcept>
+
+namespace talus::test {
+namespace {
+
+terrain::World parsed(const std::string& text, const std::string& name) {
+  auto world = terrain::World::parse(text, name);
+  if (!world) throw std::runtime_error(world.error().message);
+  return *std::move(world);
+}
+
+}  // namespace
+
+std::string sample_world_text(const std::string& name) {
+  const std::string path = std::string{TALUS_SOURCE_DIR} + "/core/worlds/" + name + ".toml";
+  std::ifstream file{path};
+  if (!file) throw std::runtime_error("cannot open " + path);
+  std::ostringstream text;
+  text << file.rdbuf();
+  return text.str();
+}
+
+const terrain::World& sample_world(const std::string& name) {
+  static std::map<std::string, terrain::World> worlds;
+  const auto found = worlds.find(name);
+  if (found != worlds.end()) return found->second;
+  return worlds.emplace(name, parsed(sample_world_text(name), name + ".toml")).first->second;
+}
+
+std::string small_world_text(std::uint64_t seed) {
+  return "seed = " + std::to_string(static_cast<std::int64_t>(seed)) + R"(
+resolution = 40
+strata_wavelength = 1.5
+sea_level = 0.3
+[surface]
+wavelength = 2.0
+octaves = 5
+gain = 1.0
+exponent = 2
+amplitude = 2.5
+[[stratified]]
+name = "basalt"
+colour = "#444444"
+depth = 2.0
+thickness = 0.5
+roughness = 0.4
+[[stratified]]
+name = "chalk"
+colour = "#eeeeee"
+depth = 1.2
+thickness = 0.1
+roughness = 1.5
+[[stratified]]
+name = "clay"
+colour = "#aa5533"
+depth = 0.9
+thickness = 0.3
+roughness = 0.0
+[[stratified]]
+name = "limestone"
+colour = "#ccccaa"
+depth = 0.2
+thickness = 0.2
+roughness = 0.9
+[[eroded]]
+name = "gravel"
+colour = "#888888"
+weight = 2
+thickness = 0.20
+angle_of_repose = 38
+max_slope = 50
+[[eroded]]
+name = "sand"
+colour = "#ddcc88"
+weight = 1
+thickness = 0.15
+angle_of_repose = 30
+max_slope = 35
+[[eroded]]
+name = "soil"
+colour = "#66aa44"
+weight = 1
+thickness = 0.05
+angle_of_repose = 20
+max_slope = 60
+)";
+}
+
+terrain::World small_world(std::uint64_t seed) {
+  return parsed(small_world_text(seed), "small.toml");
+}
+
+}  // namespace talus::test

@@ -1,0 +1,18 @@
+// Worlds that tests use: the sample worlds from their files, and a small one with everything in it.
+#pragma once
+
+#include <string>
+
+#include <talus/terrain/world.h>
+
+namespace talus::test {
+
+/// core/worlds/NAME.toml.
+[[nodiscard]] std::string sample_world_text(const std::string& name);
+[[nodiscard]] const terrain::World& sample_world(const std::string& name);
+
+/// A busy spec of low resolution: four strata, three loose materials (two of one weight), sea.
+[[nodiscard]] std::string small_world_text(std::uint64_t seed);
+[[nodiscard]] terrain::World small_world(std::uint64_t seed);
+
+}  // namespace talus::test
