@@ -16,8 +16,8 @@ inline constexpr std::uint32_t kLeastClientFrameBytes = 4U * 1024;
 /// largest request. A client refuses more.
 inline constexpr std::uint32_t kServerFrameBytes = 256U * 1024;
 
-/// GetHeights columns per request.
-inline constexpr std::uint32_t kMaxHeightsPerRequest = 4096;
+/// GetHeights columns per request: 16 bytes each, so the largest fits the default frame from a client.
+inline constexpr std::uint32_t kMaxHeightsPerRequest = 2048;
 
 /// Strings from a client (token, name), in bytes.
 inline constexpr std::uint32_t kMaxStringBytes = 4096;

@@ -29,16 +29,18 @@ enum class DecodeError : std::uint8_t {
   too_long,          // bytes follow the chunk's end, or there are more than kMaxPayloadBytes
   bad_materials,  // the list of materials is empty, too long, unordered where it must not be, or not minimal
   bad_number,     // a number is written with more bytes than it needs, or past its range
+  bad_ending,     // the last bytes are not those with which the encoder ends this chunk
 };
 
 /// One line for people: what is wrong, and what would be right.
 [[nodiscard]] std::string_view describe(DecodeError error);
 
-/// Appends the smallest of the encodings to `out`. Never more than kMaxPayloadBytes.
+/// Appends `chunk` as layers where these take at most 1 KiB, else by the smallest of the encodings. Never
+/// more than kMaxPayloadBytes.
 void encode(const Chunk& chunk, std::vector<std::byte>& out);
 
-/// Reads a whole payload. Any bytes are safe: what is not a chunk is an error, no byte past the payload
-/// is read, and no more memory is taken than one chunk's dense voxels (64 KiB) plus its list of materials.
+/// Reads a whole payload. Any bytes are safe: what is not a chunk is an error, no byte past the payload is
+/// read, and the memory taken on the way is bounded by a constant (three chunks' dense voxels, 192 KiB).
 [[nodiscard]] tl::expected<Chunk, DecodeError> decode(std::span<const std::byte> payload);
 
 }  // namespace talus

@@ -1,0 +1,221 @@
+#include <algorithm>
+#include <cmath>
+#include <iomanip>
+#include <iostream>
+#include <unordered_set>
+
+#include <asio/experimental/as_tuple.hpp>
+#include <asio/steady_timer.hpp>
+#include <asio/this_coro.hpp>
+#include <asio/use_awaitable.hpp>
+#include <glm/geometric.hpp>
+
+#include <talus/client/chunk_store.h>
+#include <talus/client/client.h>
+
+#include "commands.h"
+#include "flight.h"
+#include "latency.h"
+#include "map_picture.h"
+#include "progress.h"
+#include "view_picture.h"
+
+namespace talus::cli {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+using std::chrono::milliseconds;
+
+constexpr milliseconds kTick{25};
+constexpr std::size_t kStoreBytes = std::size_t{1} << 30;
+constexpr int kViewWidth = 1280;
+constexpr int kViewHeight = 720;
+constexpr double kLookDown = 0.16;  // below the horizon, as a slope
+
+// What the flight gathers while chunks come and go.
+struct Gathered {
+  client::ChunkStore store{kStoreBytes};
+  std::optional<SurfaceMap> surface;
+  Latency latency;
+  std::unordered_set<ChunkKey> in_view;
+  std::vector<std::string> errors;
+  std::optional<std::string> lost;
+};
+
+client::Events events_into(Gathered& gathered) {
+  client::Events events;
+  events.on_chunk = [&gathered](const client::ReceivedChunk& received) {
+    gathered.latency.arrived(received.key, Clock::now());
+    gathered.in_view.insert(received.key);
+    gathered.store.put(received);
+    gathered.surface->add(received.key, *received.chunk);
+  };
+  events.on_left_view = [&gathered](ChunkKey key) {
+    gathered.in_view.erase(key);
+    gathered.store.erase(key);
+  };
+  events.on_error = [&gathered](const client::ClientError& error) {
+    gathered.errors.push_back(error.message);
+  };
+  events.on_disconnect = [&gathered](const client::ClientError& error, bool retrying) {
+    if (retrying) {
+      gathered.errors.push_back(error.message);
+    } else {
+      gathered.lost = error.message;
+    }
+  };
+  return events;
+}
+
+// Level 1 three times as far as level 0, level 2 beyond that: a voxel stays small in the picture.
+std::vector<client::LodRing> rings_out_to(int radius, int far_radius) {
+  std::vector<client::LodRing> rings;
+  const int near = std::min(radius * 3, far_radius);
+  if (near > radius) rings.push_back({Lod::of(1), static_cast<std::uint16_t>(near)});
+  if (far_radius > near) rings.push_back({Lod::of(2), static_cast<std::uint16_t>(far_radius)});
+  return rings;
+}
+
+class Flight {
+ public:
+  Flight(Course course, Altitude altitude) : course_{course}, altitude_{std::move(altitude)} {}
+
+  [[nodiscard]] Camera camera_at(double distance) const {
+    const glm::dvec2 place = course_.at(distance);
+    const glm::dvec2 ahead = course_.direction(distance);
+    return {{place.x, altitude_.at(distance), place.y},
+            glm::normalize(glm::dvec3{ahead.x, -kLookDown, ahead.y}),
+            62};
+  }
+
+ private:
+  Course course_;
+  Altitude altitude_;
+};
+
+asio::awaitable<tl::expected<Flight, std::string>> plan(client::Client& client,
+                                                        const client::WorldInfo& world,
+                                                        const FlyOptions& options) {
+  const glm::dvec2 start{static_cast<double>(world.spawn.x) + 0.5, static_cast<double>(world.spawn.z) + 0.5};
+  const double length = options.seconds * options.speed;
+  const auto scouted = co_await client.get_heights(scouting_columns(start, length));
+  if (!scouted) co_return tl::unexpected{scouted.error().message};
+  const Course course{start, choose_heading(*scouted), length};
+
+  std::vector<std::int32_t> heights;
+  const auto columns = course_columns(course);
+  const std::size_t most = std::max(1U, std::min(world.limits.heights_per_request, 1024U));
+  for (std::size_t first = 0; first < columns.size(); first += most) {
+    const std::size_t last = std::min(first + most, columns.size());
+    const auto part = co_await client.get_heights({columns.begin() + static_cast<std::ptrdiff_t>(first),
+                                                   columns.begin() + static_cast<std::ptrdiff_t>(last)});
+    if (!part) co_return tl::unexpected{part.error().message};
+    heights.insert(heights.end(), part->begin(), part->end());
+  }
+  co_return Flight{course, Altitude{heights, options.height}};
+}
+
+client::View view_of(const Camera& camera, const FlyOptions& options, const client::ServerLimits& limits) {
+  client::View view;
+  view.centre = {static_cast<std::int64_t>(std::floor(camera.position.x)),
+                 static_cast<std::int64_t>(std::floor(camera.position.y)),
+                 static_cast<std::int64_t>(std::floor(camera.position.z))};
+  view.direction = glm::vec3{camera.direction};
+  view.horizontal_radius =
+      std::min(static_cast<std::uint16_t>(options.radius), limits.view_horizontal_radius);
+  view.vertical_radius = std::min<std::uint16_t>(10, limits.view_vertical_radius);
+  view.rings = rings_out_to(view.horizontal_radius, options.far_radius);
+  while (!view.rings.empty() && client::ViewShape{view}.count() > limits.view_chunks) view.rings.pop_back();
+  return view;
+}
+
+bool same_chunk(const VoxelPos& a, const VoxelPos& b) {
+  return floor_div(a.x, kChunkSize) == floor_div(b.x, kChunkSize) &&
+         floor_div(a.y, kChunkSize) == floor_div(b.y, kChunkSize) &&
+         floor_div(a.z, kChunkSize) == floor_div(b.z, kChunkSize);
+}
+
+void print_summary(const Gathered& gathered, const client::Stats& stats, double seconds) {
+  const auto ms = [&](double part) { return gathered.latency.percentile(part).count(); };
+  std::cout << std::fixed << std::setprecision(1) << gathered.latency.count() << " chunks in " << seconds
+            << " s (" << static_cast<double>(gathered.latency.count()) / seconds << "/s), "
+            << static_cast<double>(stats.received_bytes) / 1e6 << " MB received ("
+            << static_cast<double>(stats.received_bytes) /
+                   static_cast<double>(std::max<std::size_t>(1, gathered.latency.count()))
+            << " bytes a chunk)\nfrom wanted to there: p50 " << ms(0.50) << " ms, p95 " << ms(0.95)
+            << " ms, p99 " << ms(0.99) << " ms\nbad chunks " << stats.bad_chunks << ", errors "
+            << gathered.errors.size() << ", connections " << stats.connections << '\n';
+  constexpr std::size_t kErrorsShown = 5;
+  for (std::size_t i = 0; i < std::min(kErrorsShown, gathered.errors.size()); ++i) {
+    std::cout << "  " << gathered.errors[i] << '\n';
+  }
+}
+
+Outcome save_pictures(const Gathered& gathered, const client::WorldInfo& world, const FlyOptions& options,
+                      const Camera& camera, const client::View& view, const std::vector<glm::dvec2>& path) {
+  if (!options.output.empty()) {
+    const auto written = write_png(
+        draw_map(*gathered.surface, world.materials, gathered.surface->extent(), path), options.output);
+    if (!written) return written;
+    std::cout << "map " << options.output.string() << '\n';
+  }
+  if (!options.view.empty()) {
+    const int reach = view.rings.empty() ? view.horizontal_radius : view.rings.back().radius;
+    const auto written =
+        write_png(draw_view(gathered.store, world.materials, camera, static_cast<double>(reach) * kChunkSize,
+                            kViewWidth, kViewHeight),
+                  options.view);
+    if (!written) return written;
+    std::cout << "view " << options.view.string() << '\n';
+  }
+  return {};
+}
+
+}  // namespace
+
+asio::awaitable<Outcome> fly(Connecting connecting, FlyOptions options) {
+  const auto executor = co_await asio::this_coro::executor;
+  Gathered gathered;
+  client::Client client{executor, connecting.options, events_into(gathered)};
+  const auto world = co_await client.connect(connecting.server.host, connecting.server.port);
+  if (!world) co_return tl::unexpected{world.error().message};
+  gathered.surface.emplace(world->materials);
+  const auto flight = co_await plan(client, *world, options);
+  if (!flight) co_return tl::unexpected{flight.error()};
+
+  Progress progress{"fly"};
+  asio::steady_timer tick{executor};
+  std::vector<glm::dvec2> path;
+  std::optional<client::View> view;
+  Camera camera;
+  const auto begun = Clock::now();
+  const auto elapsed = [&] { return std::chrono::duration<double>(Clock::now() - begun).count(); };
+  // After the flight the camera stands, at most as long again, until all that it could see is there.
+  const double patience = options.seconds * 2 + 20;
+  while (!gathered.lost && elapsed() < patience) {
+    const double flown = std::min(elapsed(), options.seconds);
+    camera = flight->camera_at(flown * options.speed);
+    const auto wanted = view_of(camera, options, world->limits);
+    if (!view || !same_chunk(view->centre, wanted.centre)) {
+      gathered.latency.wanted(wanted, Clock::now());
+      if (const auto set = client.set_view(wanted); !set) co_return tl::unexpected{set.error().message};
+      view = wanted;
+    }
+    path.emplace_back(camera.position.x, camera.position.z);
+    const auto missing =
+        client::ViewShape{*view}.count() - static_cast<std::int64_t>(gathered.in_view.size());
+    if (flown >= options.seconds && missing <= 0) break;
+    progress.show(
+        elapsed(), options.seconds,
+        std::to_string(gathered.latency.count()) + " chunks, " + std::to_string(missing) + " to come");
+    tick.expires_after(kTick);
+    co_await tick.async_wait(asio::experimental::as_tuple(asio::use_awaitable));
+  }
+  const double seconds = elapsed();
+  client.close();
+  if (gathered.lost) co_return tl::unexpected{*gathered.lost};
+  print_summary(gathered, client.stats(), seconds);
+  co_return save_pictures(gathered, *world, options, camera, *view, path);
+}
+
+}  // namespace talus::cli

@@ -1,0 +1,141 @@
+#include <algorithm>
+#include <deque>
+#include <iostream>
+#include <map>
+#include <optional>
+
+#include <asio/experimental/as_tuple.hpp>
+#include <asio/steady_timer.hpp>
+#include <asio/this_coro.hpp>
+#include <asio/use_awaitable.hpp>
+
+#include <talus/client/client.h>
+
+#include "commands.h"
+#include "map_picture.h"
+#include "progress.h"
+
+namespace talus::cli {
+namespace {
+
+// Asks for the chunks at the ground of every square of an extent, then upward until air is above it.
+class Survey {
+ public:
+  Survey(asio::any_io_executor executor, client::Client& client, const client::WorldInfo& world)
+      : client_{client}, world_{world}, surface_{world.materials}, changed_{executor} {}
+
+  asio::awaitable<tl::expected<SurfaceMap, std::string>> run(Extent extent) {
+    const auto first_x = static_cast<std::int32_t>(floor_div(extent.x, kChunkSize));
+    const auto first_z = static_cast<std::int32_t>(floor_div(extent.z, kChunkSize));
+    const auto last_x = static_cast<std::int32_t>(floor_div(extent.x + extent.width - 1, kChunkSize));
+    const auto last_z = static_cast<std::int32_t>(floor_div(extent.z + extent.depth - 1, kChunkSize));
+    const auto squares = std::int64_t{last_x - first_x + 1} * (last_z - first_z + 1);
+    Progress progress{"map"};
+    std::int32_t x = first_x;
+    std::int32_t z = first_z;
+    while (!error_ && (z <= last_z || open_ > 0)) {
+      // Enough to keep the server busy; more would only wait here.
+      for (; open_ < kMostOpen && z <= last_z; x == last_x ? (x = first_x, ++z) : ++x) start_square(x, z);
+      changed_.expires_at(std::chrono::steady_clock::time_point::max());
+      co_await changed_.async_wait(asio::experimental::as_tuple(asio::use_awaitable));
+      progress.show(static_cast<double>(finished_), static_cast<double>(squares),
+                    std::to_string(client_.stats().chunk_frames) + " chunks");
+    }
+    if (error_) co_return tl::unexpected{*error_};
+    co_return std::move(surface_);
+  }
+
+ private:
+  static constexpr int kMostOpen = 256;
+
+  void start_square(std::int32_t x, std::int32_t z) {
+    ++open_;
+    std::vector<client::Column> columns;
+    for (int dz = 0; dz < kChunkSize; ++dz) {
+      for (int dx = 0; dx < kChunkSize; ++dx) {
+        columns.push_back({std::int64_t{x} * kChunkSize + dx, std::int64_t{z} * kChunkSize + dz});
+      }
+    }
+    client_.get_heights(std::move(columns), [this, x, z](const auto& heights) {
+      if (!heights) return fail(heights.error());
+      constexpr std::int32_t kSubvoxelsPerChunk = 256 * kChunkSize;
+      const auto [low, high] = std::minmax_element(heights->begin(), heights->end());
+      const auto first = static_cast<std::int32_t>(floor_div(*low, kSubvoxelsPerChunk));
+      const auto last = static_cast<std::int32_t>(floor_div(*high, kSubvoxelsPerChunk));
+      for (std::int32_t y = first; y <= last; ++y) start_chunk({{x, y, z}, Lod{}});
+      finish_one();
+    });
+  }
+
+  void start_chunk(const ChunkKey& key) {
+    ++open_;
+    ++open_chunks_[key.coord.x][key.coord.z];
+    (void)client_.get(key, std::nullopt, [this, key](const auto& received) {
+      if (!received) return fail(received.error());
+      surface_.add(key, *received->chunk);
+      if (--open_chunks_[key.coord.x][key.coord.z] == 0) climb(key);
+      finish_one();
+    });
+  }
+
+  // All chunks of a square that were asked for are there: is air above them?
+  void climb(const ChunkKey& key) {
+    const auto above = surface_.next_row_up(key.coord.x, key.coord.z);
+    if (above && std::int64_t{*above} * kChunkSize <= world_.max_y) {
+      start_chunk({{key.coord.x, *above, key.coord.z}, Lod{}});
+    } else {
+      ++finished_;
+    }
+  }
+
+  void fail(const client::ClientError& error) {
+    if (!error_) error_ = error.message;
+    finish_one();
+  }
+
+  void finish_one() {
+    --open_;
+    changed_.cancel();
+  }
+
+  client::Client& client_;
+  const client::WorldInfo& world_;
+  SurfaceMap surface_;
+  asio::steady_timer changed_;
+  std::map<std::int32_t, std::map<std::int32_t, int>> open_chunks_;
+  int open_ = 0;
+  std::int64_t finished_ = 0;
+  std::optional<std::string> error_;
+};
+
+}  // namespace
+
+asio::awaitable<Outcome> map(Connecting connecting, MapOptions options) {
+  const auto executor = co_await asio::this_coro::executor;
+  client::Client client{executor, connecting.options};
+  const auto world = co_await client.connect(connecting.server.host, connecting.server.port);
+  if (!world) co_return tl::unexpected{world.error().message};
+
+  const std::int64_t center_x = options.at_spawn ? world->spawn.x : options.center_x;
+  const std::int64_t center_z = options.at_spawn ? world->spawn.z : options.center_z;
+  const Extent extent{center_x - options.width / 2, center_z - options.depth / 2, options.width,
+                      options.depth};
+  for (const std::int64_t corner : {std::int64_t{0}, std::int64_t{1}}) {
+    const auto inside = chunk_holding(
+        {extent.x + corner * (extent.width - 1), 0, extent.z + corner * (extent.depth - 1)}, Lod{});
+    if (!inside) co_return tl::unexpected{"--center and --size leave the world: " + inside.error().message};
+  }
+  Survey survey{executor, client, *world};
+  const auto surface = co_await survey.run(extent);
+  // Answers that are still to come would find the survey gone.
+  client.close();
+  if (!surface) co_return tl::unexpected{surface.error()};
+
+  const auto written = write_png(draw_map(*surface, world->materials, extent, {}), options.output);
+  if (!written) co_return written;
+  std::cout << options.output.string() << ": " << extent.width << " x " << extent.depth << " columns, "
+            << client.stats().chunk_frames << " chunks, " << client.stats().received_bytes << " bytes\n";
+  co_return Outcome{};
+}
+
+}  // namespace talus::cli

@@ -1,0 +1,77 @@
+// Chunks of several levels of detail laid out for rays: around a point, finest first.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include <glm/vec3.hpp>
+
+#include <talus/client/chunk_store.h>
+#include <talus/client/world_info.h>
+#include <talus/voxel/coords.h>
+
+namespace talus::cli {
+
+/// What a ray met. Coordinates count base voxels from Scene::origin().
+struct Hit {
+  double distance = 0;
+  glm::dvec3 point{};
+  glm::ivec3 voxel{};   // lowest corner of the voxel
+  int size = 1;         // its edge: 1, 2, 4, ...
+  glm::ivec3 normal{};  // of the face that was met
+  std::uint8_t material = 0;
+};
+
+class Scene {
+ public:
+  enum class Stop : std::uint8_t { at_anything, at_solid };
+
+  /// Takes the chunks that `store` holds, whatever their level. Rays must start near `centre`.
+  Scene(const client::ChunkStore& store, const std::vector<client::Material>& materials, VoxelPos centre);
+
+  [[nodiscard]] VoxelPos origin() const { return origin_; }
+
+  /// The first voxel along the ray that is not air (or, at_solid, not liquid either), if one lies within
+  /// `reach`. Where no chunk is known there is air. `direction` has length 1.
+  [[nodiscard]] std::optional<Hit> cast(const glm::dvec3& from, const glm::dvec3& direction, double reach,
+                                        Stop stop) const;
+
+  /// Whether the voxel that holds the point is solid.
+  [[nodiscard]] bool solid_at(const glm::ivec3& point) const;
+  [[nodiscard]] bool liquid(std::uint8_t material) const { return not_gas_[material] && !solid_[material]; }
+
+ private:
+  static constexpr std::int32_t kUnknown = -1;
+  using Voxels = std::array<std::uint8_t, kChunkVolume>;
+
+  // The chunks of one level. A cell is kUnknown, an index into chunks_, or for a chunk of one material
+  // that one, as -2 - material.
+  struct Level {
+    int shift = 0;  // of a base coordinate, to chunks of this level
+    glm::ivec3 low{};
+    glm::ivec3 size{};
+    std::vector<std::int32_t> cells;
+
+    [[nodiscard]] std::int32_t at(const glm::ivec3& cell) const;
+  };
+  struct Found {
+    const Level* level = nullptr;
+    glm::ivec3 cell{};
+    std::int32_t content = kUnknown;
+  };
+
+  void add_level(const client::ChunkStore& store, Lod lod);
+  [[nodiscard]] Found find(const glm::ivec3& point) const;
+  [[nodiscard]] std::uint8_t material_in(const Found& found, const glm::ivec3& point) const;
+  [[nodiscard]] std::uint8_t voxel(const Found& found, const glm::ivec3& local) const;
+
+  VoxelPos origin_;
+  std::array<bool, 256> solid_{};
+  std::array<bool, 256> not_gas_{};
+  std::vector<Level> levels_;
+  std::vector<Voxels> chunks_;
+};
+
+}  // namespace talus::cli

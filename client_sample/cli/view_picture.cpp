@@ -1,0 +1,196 @@
+#include "view_picture.h"
+
+#include <array>
+#include <atomic>
+#include <cmath>
+#include <thread>
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+#include "scene.h"
+#include "sky.h"
+
+namespace talus::cli {
+namespace {
+
+constexpr int kSamplesAcross = 2;
+constexpr double kShadowReach = 900.0;  // voxels
+const glm::vec3 kWaterDeep = to_light(0x123B4D);
+
+// The same voxel always has the same value, 0 to 1.
+float speckle(const glm::i64vec3& voxel) {
+  auto bits = static_cast<std::uint64_t>(voxel.x) * 0x9E3779B97F4A7C15U ^
+              static_cast<std::uint64_t>(voxel.y) * 0xC2B2AE3D27D4EB4FU ^
+              static_cast<std::uint64_t>(voxel.z) * 0x165667B19E3779F9U;
+  bits = (bits ^ (bits >> 29U)) * 0xBF58476D1CE4E5B9U;
+  return static_cast<float>((bits >> 40U) & 0xFFFFU) / 65535.0F;
+}
+
+class Painter {
+ public:
+  Painter(const client::ChunkStore& store, const std::vector<client::Material>& materials,
+          const Camera& camera, double visible_voxels)
+      : scene_{store,
+               materials,
+               {static_cast<std::int64_t>(std::floor(camera.position.x)),
+                static_cast<std::int64_t>(std::floor(camera.position.y)),
+                static_cast<std::int64_t>(std::floor(camera.position.z))}},
+        eye_{camera.position - glm::dvec3{to_vec(scene_.origin())}},
+        forward_{camera.direction},
+        right_{glm::normalize(glm::cross(camera.direction, glm::dvec3{0, 1, 0}))},
+        up_{glm::cross(right_, camera.direction)},
+        half_width_{std::tan(camera.field_of_view_degrees * 0.5 * 0.017453292519943295)},
+        reach_{visible_voxels} {
+    for (const auto& material : materials) {
+      if (to_integer(material.id) < colours_.size())
+        colours_[to_integer(material.id)] = to_light(material.colour);
+    }
+    // From behind the camera's left shoulder, low enough for long shadows.
+    const glm::dvec3 level = glm::normalize(glm::dvec3{forward_.x, 0, forward_.z});
+    sky_.to_sun = glm::normalize(glm::vec3{level * -0.35 - right_ * 0.95 + glm::dvec3{0, 0.62, 0}});
+  }
+
+  [[nodiscard]] glm::vec3 pixel(double x, double y, int width, int height) const {
+    glm::vec3 sum{0.0F};
+    for (int sub = 0; sub < kSamplesAcross * kSamplesAcross; ++sub) {
+      const double px = x + (sub % kSamplesAcross + 0.5) / kSamplesAcross;
+      const double py = y + (sub / kSamplesAcross + 0.5) / kSamplesAcross;
+      const double across = (2.0 * px / width - 1.0) * half_width_;
+      const double along = (1.0 - 2.0 * py / height) * half_width_ * height / width;
+      sum += exposed(light_along(glm::normalize(forward_ + right_ * across + up_ * along)));
+    }
+    return sum / static_cast<float>(kSamplesAcross * kSamplesAcross);
+  }
+
+ private:
+  [[nodiscard]] glm::vec3 light_along(const glm::dvec3& ray) const {
+    const glm::vec3 direction{ray};
+    const auto hit = scene_.cast(eye_, ray, reach_, Scene::Stop::at_anything);
+    if (!hit) return sky_.seen(direction);
+    const glm::vec3 light = scene_.liquid(hit->material) ? water(*hit, ray) : ground(*hit);
+    return hazed(light, hit->distance, direction);
+  }
+
+  [[nodiscard]] glm::vec3 hazed(const glm::vec3& light, double distance, const glm::vec3& direction) const {
+    const auto part = static_cast<float>(distance / reach_);
+    const float clear = std::exp(-0.55F * part - 3.2F * part * part * part * part);
+    return glm::mix(sky_.haze(direction), light, clear);
+  }
+
+  [[nodiscard]] glm::vec3 ground(const Hit& hit) const {
+    const glm::vec3 normal{hit.normal};
+    const float facing = std::max(0.0F, glm::dot(normal, sky_.to_sun));
+    const float sun = facing > 0 && sunlit(hit) ? facing : 0.0F;
+    return colour_of(hit) * (sky_.sunlight * sun + sky_.ambient(normal) * openness(hit));
+  }
+
+  // Under water the light is scattered: no shadow has an edge.
+  [[nodiscard]] glm::vec3 bed_light(const Hit& hit) const {
+    return colour_of(hit) * (sky_.sunlight * 0.35F + sky_.ambient(glm::vec3{hit.normal}) * openness(hit));
+  }
+
+  [[nodiscard]] glm::vec3 colour_of(const Hit& hit) const {
+    const glm::i64vec3 place = to_vec(scene_.origin()) + glm::i64vec3{hit.voxel};
+    const float grain = 0.90F + 0.20F * speckle(place);
+    // Patches a few voxels wide, so that a meadow is not one colour.
+    const float patch = 0.94F + 0.12F * speckle({place.x >> 3, place.y >> 3, place.z >> 3});
+    return colours_[hit.material] * (grain * patch);
+  }
+
+  [[nodiscard]] bool sunlit(const Hit& hit) const {
+    // The steps of a slope would throw a tooth of shadow each; the ray starts beyond the next few, whose
+    // shade openness() gives.
+    const glm::dvec3 from =
+        hit.point + glm::dvec3{hit.normal} * 0.02 + glm::dvec3{sky_.to_sun} * (1.8 * hit.size);
+    return !scene_.cast(from, glm::dvec3{sky_.to_sun}, kShadowReach, Scene::Stop::at_solid);
+  }
+
+  // How much of the sky a point of a face sees past the voxels beside it: each corner is darkened by the
+  // voxels around it, and the corners blend across the face.
+  [[nodiscard]] float openness(const Hit& hit) const {
+    const int axis = hit.normal.x != 0 ? 0 : hit.normal.y != 0 ? 1 : 2;
+    const int first = (axis + 1) % 3;
+    const int second = (axis + 2) % 3;
+    const glm::ivec3 before = hit.voxel + hit.normal * hit.size;
+    std::array<std::array<bool, 3>, 3> filled{};
+    for (int i = -1; i <= 1; ++i) {
+      for (int j = -1; j <= 1; ++j) {
+        glm::ivec3 at = before;
+        at[first] += i * hit.size;
+        at[second] += j * hit.size;
+        filled[static_cast<std::size_t>(i + 1)][static_cast<std::size_t>(j + 1)] =
+            (i != 0 || j != 0) && scene_.solid_at(at);
+      }
+    }
+    const auto corner = [&](std::size_t i, std::size_t j) {
+      const bool side_a = filled[i][1];
+      const bool side_b = filled[1][j];
+      const int covered = side_a && side_b ? 3 : int{side_a} + int{side_b} + int{filled[i][j]};
+      return 1.0F - 0.22F * static_cast<float>(covered);
+    };
+    const auto across = [&](int which) {
+      return static_cast<float>(glm::clamp((hit.point[which] - hit.voxel[which]) / hit.size, 0.0, 1.0));
+    };
+    const float u = across(first);
+    const float v = across(second);
+    return glm::mix(glm::mix(corner(0, 0), corner(2, 0), u), glm::mix(corner(0, 2), corner(2, 2), u), v);
+  }
+
+  [[nodiscard]] glm::vec3 water(const Hit& hit, const glm::dvec3& ray) const {
+    const auto bed = scene_.cast(hit.point + ray * 0.01, ray, 96.0, Scene::Stop::at_solid);
+    const double depth = bed ? bed->distance : 96.0;
+    const float clear = std::exp(-0.11F * static_cast<float>(depth));
+    const glm::vec3 below =
+        bed ? glm::mix(kWaterDeep, bed_light(*bed) * glm::vec3{0.55F, 0.8F, 0.85F}, clear) : kWaterDeep;
+    // Small waves: each voxel's surface leans a little its own way.
+    const glm::i64vec3 place = to_vec(scene_.origin()) + glm::i64vec3{hit.voxel};
+    const float lean_x = (speckle(place) - 0.5F) * 0.05F;
+    const float lean_z = (speckle({place.z, place.y, place.x}) - 0.5F) * 0.05F;
+    const glm::vec3 normal =
+        hit.normal.y > 0 ? glm::normalize(glm::vec3{lean_x, 1.0F, lean_z}) : glm::vec3{hit.normal};
+    const glm::vec3 direction{ray};
+    const float head_on = glm::clamp(-glm::dot(direction, normal), 0.0F, 1.0F);
+    const float mirror = 0.03F + 0.97F * std::pow(1.0F - head_on, 5.0F);
+    glm::vec3 back = glm::reflect(direction, normal);
+    back.y = std::abs(back.y);
+    const auto shore = scene_.cast(hit.point + glm::dvec3{0, 0.02, 0}, glm::normalize(glm::dvec3{back}),
+                                   500.0, Scene::Stop::at_solid);
+    const glm::vec3 mirrored =
+        shore ? hazed(ground(*shore), hit.distance + shore->distance, direction) : sky_.seen(back);
+    return glm::mix(below, mirrored, mirror);
+  }
+
+  // Highlights roll off instead of clipping.
+  [[nodiscard]] static glm::vec3 exposed(const glm::vec3& light) {
+    const glm::vec3 x = light * 0.72F;
+    return glm::clamp((x * (2.51F * x + 0.03F)) / (x * (2.43F * x + 0.59F) + 0.14F), 0.0F, 1.0F);
+  }
+
+  Scene scene_;
+  Sky sky_;
+  std::array<glm::vec3, 256> colours_{};
+  glm::dvec3 eye_, forward_, right_, up_;
+  double half_width_;
+  double reach_;
+};
+
+}  // namespace
+
+Picture draw_view(const client::ChunkStore& store, const std::vector<client::Material>& materials,
+                  const Camera& camera, double visible_voxels, int width, int height) {
+  const Painter painter{store, materials, camera, visible_voxels};
+  Picture picture{width, height};
+  std::atomic<int> next_row{0};
+  const auto paint = [&] {
+    for (int y = next_row++; y < height; y = next_row++) {
+      for (int x = 0; x < width; ++x) picture.at(x, y) = painter.pixel(x, y, width, height);
+    }
+  };
+  std::thread second{paint};
+  paint();
+  second.join();
+  return picture;
+}
+
+}  // namespace talus::cli

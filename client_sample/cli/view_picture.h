@@ -1,0 +1,27 @@
+// What a camera sees of the chunks that a client holds: a small ray caster.
+#pragma once
+
+#include <vector>
+
+#include <glm/vec3.hpp>
+
+#include <talus/client/chunk_store.h>
+#include <talus/client/world_info.h>
+
+#include "picture.h"
+
+namespace talus::cli {
+
+struct Camera {
+  glm::dvec3 position{};              // base voxels
+  glm::dvec3 direction{};             // of length 1, not straight up or down
+  double field_of_view_degrees = 62;  // across the picture
+};
+
+/// Draws on two threads; 2 x 2 rays a pixel. `visible_voxels` is how far the chunks reach: the haze is so
+/// dense that their end is not seen.
+[[nodiscard]] Picture draw_view(const client::ChunkStore& store,
+                                const std::vector<client::Material>& materials, const Camera& camera,
+                                double visible_voxels, int width, int height);
+
+}  // namespace talus::cli

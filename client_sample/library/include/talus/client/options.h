@@ -1,0 +1,30 @@
+// How a client connects, and how it behaves when the connection breaks.
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <string>
+
+namespace talus::client {
+
+/// After the n-th failure in a row the client waits first_delay * 2^(n-1), at most max_delay, less up to
+/// half of it at random, so that clients of one server do not all return at once.
+struct ReconnectPolicy {
+  int max_attempts = 0;  // failures in a row before it gives up; 0: never reconnect
+  std::chrono::milliseconds first_delay{250};
+  std::chrono::milliseconds max_delay{10'000};
+  std::uint64_t seed = 0;  // of the random part: the same seed gives the same delays
+};
+
+struct Options {
+  std::string token;                          // what the server's operator gave out; empty: none
+  std::string client_name = "talus::client";  // for the server's log
+  std::uint64_t window_bytes = 1U << 20;      // chunk bytes that may be under way; 0: the server's default
+  std::chrono::milliseconds connect_timeout{5'000};    // resolving and connecting
+  std::chrono::milliseconds handshake_timeout{5'000};  // from Hello to Welcome
+  std::chrono::milliseconds ping_interval{20'000};     // keeps the connection alive; < the server's limit
+  std::chrono::milliseconds silence_timeout{60'000};   // no byte from the server for this long: it is gone
+  ReconnectPolicy reconnect;
+};
+
+}  // namespace talus::client

@@ -1,0 +1,47 @@
+// What a server tells about its world when a client joins.
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include <talus/voxel/content_hash.h>
+#include <talus/voxel/coords.h>
+#include <talus/voxel/material.h>
+
+namespace talus::client {
+
+enum class Phase : std::uint8_t { gas, liquid, solid };
+
+struct Material {
+  MaterialId id{};
+  std::string name;
+  std::uint32_t colour = 0;  // 0xRRGGBB
+  Phase phase{};
+};
+
+/// What the server allows this connection; the client library keeps within it by itself.
+struct ServerLimits {
+  std::uint32_t frame_bytes = 0;
+  std::uint32_t requests_in_flight = 0;  // more get() calls than this wait inside the client
+  std::uint32_t heights_per_request = 0;
+  std::uint16_t view_horizontal_radius = 0;  // chunks
+  std::uint16_t view_vertical_radius = 0;    // chunks
+  std::uint32_t view_chunks = 0;             // of all levels in one View
+  std::uint64_t window_bytes = 0;
+  std::chrono::milliseconds idle_timeout{0};
+};
+
+struct WorldInfo {
+  ContentHash fingerprint;  // worlds of one fingerprint have equal voxels everywhere
+  ContentHash store_id;     // revisions of one store id may be compared
+  std::vector<Material> materials;
+  std::int64_t min_y = 0;  // below this row everything is one rock
+  std::int64_t max_y = 0;  // at and above this row everything is air
+  VoxelPos spawn;          // feet: the first free voxel above dry ground
+  ServerLimits limits;
+  std::string server;  // name and version
+};
+
+}  // namespace talus::client

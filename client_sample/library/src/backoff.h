@@ -1,0 +1,28 @@
+// How long to wait before the next attempt to connect.
+#pragma once
+
+#include <chrono>
+#include <optional>
+#include <random>
+
+#include <talus/client/options.h>
+
+namespace talus::client {
+
+class Backoff {
+ public:
+  explicit Backoff(const ReconnectPolicy& policy) : policy_{policy}, random_{policy.seed} {}
+
+  /// The wait after one more failure; none once the policy's attempts are used up.
+  [[nodiscard]] std::optional<std::chrono::milliseconds> next();
+
+  /// The connection was of use: count failures from zero again.
+  void reset() { failures_ = 0; }
+
+ private:
+  ReconnectPolicy policy_;
+  std::mt19937_64 random_;
+  int failures_ = 0;
+};
+
+}  // namespace talus::client

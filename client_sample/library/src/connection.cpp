@@ -1,0 +1,117 @@
+#include "connection.h"
+
+#include <asio/connect.hpp>
+#include <asio/experimental/as_tuple.hpp>
+#include <asio/use_awaitable.hpp>
+#include <asio/write.hpp>
+
+namespace talus::client {
+namespace {
+
+// Errors as values: what an operation gives is a tuple that begins with its error code.
+constexpr auto kAsTuple = asio::experimental::as_tuple(asio::use_awaitable);
+
+}  // namespace
+
+Connection::Connection(asio::any_io_executor executor, std::uint32_t frame_limit_bytes)
+    : resolver_{executor},
+      socket_{executor},
+      deadline_{executor},
+      work_{executor},
+      pause_{executor},
+      reader_{frame_limit_bytes} {}
+
+ClientError Connection::reason_or(ErrorKind kind, std::string message) const {
+  return reason_ ? *reason_ : ClientError{kind, std::move(message), {}};
+}
+
+asio::awaitable<Result<void>> Connection::open(const std::string& host, const std::string& port) {
+  const std::string where = host + ":" + port;
+  const auto [resolve_error, endpoints] = co_await resolver_.async_resolve(host, port, kAsTuple);
+  if (resolve_error || is_shut()) {
+    co_return tl::unexpected{
+        reason_or(ErrorKind::unreachable, where + ": no such host or port: " + resolve_error.message())};
+  }
+  const auto [connect_error, endpoint] = co_await asio::async_connect(socket_, endpoints, kAsTuple);
+  if (connect_error || is_shut()) {
+    co_return tl::unexpected{
+        reason_or(ErrorKind::unreachable, where + ": no server answers there: " + connect_error.message())};
+  }
+  std::error_code ignored;  // a connection without it is slower, not wrong
+  socket_.set_option(asio::ip::tcp::no_delay{true}, ignored);
+  last_received_ = std::chrono::steady_clock::now();
+  co_return Result<void>{};
+}
+
+asio::awaitable<Result<std::span<const std::byte>>> Connection::next_frame(Stats& stats) {
+  if (reader_.has_frame()) reader_.pop();
+  while (true) {
+    if (is_shut()) co_return tl::unexpected{*reason_};
+    const auto taken = reader_.feed(unread_);
+    if (!taken) {
+      co_return tl::unexpected{ClientError{
+          ErrorKind::broken_protocol, "the server broke the protocol: " + taken.error().message(), {}}};
+    }
+    unread_ = unread_.subspan(*taken);
+    if (reader_.has_frame()) co_return reader_.frame();
+
+    const auto [error, count] = co_await socket_.async_read_some(asio::buffer(buffer_), kAsTuple);
+    if (error) {
+      co_return tl::unexpected{reason_or(ErrorKind::disconnected,
+                                         reader_.mid_frame() ? "the connection ended in the middle of a frame"
+                                                             : "the connection ended: " + error.message())};
+    }
+    stats.received_bytes += count;
+    last_received_ = std::chrono::steady_clock::now();
+    unread_ = std::span{buffer_}.first(count);
+  }
+}
+
+asio::awaitable<Result<void>> Connection::write(std::span<const std::byte> bytes) {
+  const auto [error, count] =
+      co_await asio::async_write(socket_, asio::buffer(bytes.data(), bytes.size()), kAsTuple);
+  if (error) {
+    co_return tl::unexpected{reason_or(ErrorKind::disconnected, "the connection ended: " + error.message())};
+  }
+  co_return Result<void>{};
+}
+
+void Connection::shut(ClientError reason) {
+  if (!reason_) reason_ = std::move(reason);
+  std::error_code ignored;  // it is over, however the socket takes it
+  socket_.close(ignored);
+  resolver_.cancel();
+  deadline_.cancel();
+  work_.cancel();
+  pause_.cancel();
+}
+
+void Connection::set_deadline(const std::shared_ptr<Connection>& self, std::chrono::milliseconds after,
+                              ClientError reason) {
+  deadline_.expires_after(after);
+  deadline_.async_wait([self, reason = std::move(reason)](std::error_code error) {
+    if (!error) self->shut(reason);
+  });
+}
+
+void Connection::lift_deadline() {
+  deadline_.cancel();
+}
+
+asio::awaitable<void> Connection::wait_for_work() {
+  if (is_shut()) co_return;
+  work_.expires_at(std::chrono::steady_clock::time_point::max());
+  co_await work_.async_wait(kAsTuple);
+}
+
+void Connection::wake() {
+  work_.cancel();
+}
+
+asio::awaitable<void> Connection::pause(std::chrono::milliseconds time) {
+  if (is_shut()) co_return;
+  pause_.expires_after(time);
+  co_await pause_.async_wait(kAsTuple);
+}
+
+}  // namespace talus::client

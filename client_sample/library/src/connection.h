@@ -1,0 +1,69 @@
+// One TCP connection: frames in, bytes out, and the reason it ended.
+#pragma once
+
+#include <array>
+#include <chrono>
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include <asio/awaitable.hpp>
+#include <asio/ip/tcp.hpp>
+#include <asio/steady_timer.hpp>
+
+#include <talus/client/client.h>
+#include <talus/client/error.h>
+#include <talus/protocol/frame.h>
+
+namespace talus::client {
+
+/// Lives in a shared_ptr that every coroutine on it holds; its operations end soon after shut().
+class Connection {
+ public:
+  Connection(asio::any_io_executor executor, std::uint32_t frame_limit_bytes);
+
+  [[nodiscard]] asio::awaitable<Result<void>> open(const std::string& host, const std::string& port);
+
+  /// The next whole frame, valid until the next call.
+  [[nodiscard]] asio::awaitable<Result<std::span<const std::byte>>> next_frame(Stats& stats);
+
+  [[nodiscard]] asio::awaitable<Result<void>> write(std::span<const std::byte> bytes);
+
+  /// Ends the connection; whatever waits on it gets `reason`. The first reason stays.
+  void shut(ClientError reason);
+
+  /// Calls shut(reason) unless the deadline is moved or lifted first.
+  void set_deadline(const std::shared_ptr<Connection>& self, std::chrono::milliseconds after,
+                    ClientError reason);
+  void lift_deadline();
+
+  [[nodiscard]] bool is_shut() const { return reason_.has_value(); }
+
+  /// For whoever composes what is written: wait until there may be something to write, and say so.
+  [[nodiscard]] asio::awaitable<void> wait_for_work();
+  void wake();
+
+  /// Returns after `time`, or earlier when the connection ends.
+  [[nodiscard]] asio::awaitable<void> pause(std::chrono::milliseconds time);
+
+  [[nodiscard]] std::chrono::steady_clock::time_point last_received() const { return last_received_; }
+
+ private:
+  [[nodiscard]] ClientError reason_or(ErrorKind kind, std::string message) const;
+
+  asio::ip::tcp::resolver resolver_;
+  asio::ip::tcp::socket socket_;
+  asio::steady_timer deadline_;
+  asio::steady_timer work_;
+  asio::steady_timer pause_;
+  protocol::FrameReader reader_;
+  std::optional<ClientError> reason_;
+  std::chrono::steady_clock::time_point last_received_{};
+  std::array<std::byte, std::size_t{64} * 1024> buffer_{};
+  std::span<const std::byte> unread_;
+};
+
+}  // namespace talus::client

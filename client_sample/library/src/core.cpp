@@ -1,0 +1,287 @@
+// Keeping a connection up: connecting, joining, reading, writing, and coming back.
+#include "core.h"
+
+#include <algorithm>
+
+#include <asio/co_spawn.hpp>
+#include <asio/detached.hpp>
+#include <asio/experimental/as_tuple.hpp>
+#include <asio/post.hpp>
+#include <asio/use_awaitable.hpp>
+
+#include <talus/protocol/limits.h>
+
+#include "incoming.h"
+#include "outgoing.h"
+
+namespace talus::client {
+namespace {
+
+const ClientError kClosed{ErrorKind::not_connected, "the client was closed", {}};
+
+bool worth_retrying(const ClientError& error) {
+  return error.kind != ErrorKind::refused && error.kind != ErrorKind::world_changed;
+}
+
+}  // namespace
+
+Core::Core(asio::any_io_executor executor, Options options, Events events)
+    : executor_{std::move(executor)}, options_{std::move(options)}, events_{std::move(events)} {}
+
+void Core::connect(std::string host, std::string port, ConnectHandler handler) {
+  if (running_) {
+    ClientError error{
+        ErrorKind::not_connected, "connect() was called while the client is connected or connecting", {}};
+    asio::post(executor_, [handler = std::move(handler), error] { handler(tl::unexpected{error}); });
+    return;
+  }
+  running_ = true;
+  asio::co_spawn(executor_, run(std::move(host), std::move(port), std::move(handler)), asio::detached);
+}
+
+asio::awaitable<void> Core::run(std::string host, std::string port, ConnectHandler handler) {
+  const auto self = shared_from_this();
+  const Generation mine = generation_;
+  Backoff backoff{options_.reconnect};
+  bool was_joined = false;
+  while (mine == generation_) {
+    auto connection = std::make_shared<Connection>(executor_, protocol::kServerFrameBytes);
+    connection_ = connection;
+    Result<WorldInfo> world = co_await join(connection, host, port);
+    if (mine != generation_) break;
+    if (world && was_joined) {
+      if (const auto accepted = accept_world(*world); !accepted) world = tl::unexpected{accepted.error()};
+    }
+    std::optional<ClientError> why;
+    bool broke = false;
+    if (world) {
+      world_ = *world;
+      start_session(connection);
+      if (!was_joined) {
+        std::exchange(handler, nullptr)(*world);
+      } else if (events_.on_reconnect) {
+        events_.on_reconnect(*world);
+      }
+      was_joined = true;
+      if (mine != generation_) break;
+      why = co_await read_until_broken(connection);
+      if (mine != generation_) break;
+      broke = true;
+      end_session();
+      if (useful_) backoff.reset();
+    } else {
+      why = world.error();
+    }
+    connection->shut(*why);
+    if (!was_joined) {
+      running_ = false;
+      std::exchange(handler, nullptr)(tl::unexpected{*why});
+      co_return;
+    }
+    const auto delay = worth_retrying(*why) ? backoff.next() : std::nullopt;
+    if (!delay) {
+      end_run(*why);
+      co_return;
+    }
+    if (broke && events_.on_disconnect) events_.on_disconnect(*why, true);
+    if (mine != generation_) break;
+    retry_timer_ = std::make_shared<asio::steady_timer>(executor_);
+    const auto timer = retry_timer_;
+    timer->expires_after(std::max(*delay, why->retry_after));
+    co_await timer->async_wait(asio::experimental::as_tuple(asio::use_awaitable));
+  }
+  if (handler) handler(tl::unexpected{kClosed});
+}
+
+asio::awaitable<Result<WorldInfo>> Core::join(ConnectionPtr connection, std::string host, std::string port) {
+  const std::string where = host + ":" + port;
+  connection->set_deadline(connection, options_.connect_timeout,
+                           {ErrorKind::timed_out, where + ": no connection in time", {}});
+  const auto opened = co_await connection->open(host, port);
+  if (!opened) co_return tl::unexpected{opened.error()};
+
+  connection->set_deadline(connection, options_.handshake_timeout,
+                           {ErrorKind::timed_out, where + ": connected, but no Welcome came in time", {}});
+  const auto hello = hello_frame(options_);
+  const auto written = co_await connection->write(hello);
+  if (!written) co_return tl::unexpected{written.error()};
+  stats_.sent_bytes += hello.size();
+
+  const auto frame = co_await connection->next_frame(stats_);
+  connection->lift_deadline();
+  if (!frame) co_return tl::unexpected{frame.error()};
+  const auto message = protocol::read_message(*frame);
+  if (!message) co_return tl::unexpected{broken_protocol(std::string{protocol::describe(message.error())})};
+  if (const auto* error = (*message)->body_as_Error()) {
+    ClientError refusal = read_error(*error);
+    refusal.message = where + ": " + refusal.message;
+    co_return tl::unexpected{std::move(refusal)};
+  }
+  if (const auto* away = (*message)->body_as_GoAway()) {
+    co_return tl::unexpected{ClientError{ErrorKind::overloaded,
+                                         where + ": the server goes away: " + read_text(away->reason()),
+                                         std::chrono::milliseconds{away->retry_after_ms()}}};
+  }
+  const auto* welcome = (*message)->body_as_Welcome();
+  if (welcome == nullptr) {
+    co_return tl::unexpected{broken_protocol("the first message is not a Welcome")};
+  }
+  if (welcome->protocol() < protocol::kOldestProtocol || welcome->protocol() > protocol::kProtocolVersion) {
+    co_return tl::unexpected{broken_protocol(
+        "Welcome picks protocol version " + std::to_string(welcome->protocol()) + ", which was not offered")};
+  }
+  co_return read_welcome(*welcome);
+}
+
+Result<void> Core::accept_world(const WorldInfo& world) {
+  if (world.fingerprint == world_->fingerprint) return {};
+  return tl::unexpected{ClientError{ErrorKind::world_changed,
+                                    "the server now has world " + to_string(world.fingerprint) +
+                                        "; this client was in world " + to_string(world_->fingerprint),
+                                    {}}};
+}
+
+void Core::start_session(const ConnectionPtr& connection) {
+  ++stats_.connections;
+  joined_ = true;
+  useful_ = false;
+  taken_bytes_ = 0;
+  credited_bytes_ = 0;
+  view_to_send_ = tracker_.view().has_value();
+  parting_words_.reset();
+  const auto self = shared_from_this();
+  // The lambdas' frames keep self alive; the coroutines end when the connection is shut.
+  asio::co_spawn(
+      executor_, [self, connection] { return self->write_loop(connection); }, asio::detached);
+  asio::co_spawn(
+      executor_, [self, connection] { return self->ping_loop(connection); }, asio::detached);
+}
+
+// What belonged to the connection and not to the client.
+void Core::end_session() {
+  joined_ = false;
+  cancels_to_send_.clear();
+  pings_to_send_.clear();
+  const ClientError lost{ErrorKind::disconnected, "the connection ended before the server answered", {}};
+  for (const auto& [nonce, ping] : std::exchange(open_pings_, {})) {
+    if (ping.handler) ping.handler(tl::unexpected{lost});
+  }
+  const ClientError cancelled{ErrorKind::cancelled, "cancelled", {}};
+  for (const auto& request : requests_.send_again()) fail(request, cancelled);
+}
+
+void Core::end_run(const ClientError& why) {
+  ++generation_;
+  running_ = false;
+  joined_ = false;
+  for (const auto& request : requests_.take_all()) fail(request, why);
+  if (events_.on_disconnect) events_.on_disconnect(why, false);
+}
+
+void Core::close() {
+  if (!running_) return;
+  ++generation_;
+  running_ = false;
+  joined_ = false;
+  cancels_to_send_.clear();
+  pings_to_send_.clear();
+  if (retry_timer_) retry_timer_->cancel();
+  if (connection_) connection_->shut(kClosed);
+  // Not from inside close(): the caller may be in the middle of anything.
+  asio::post(executor_, [requests = requests_.take_all(), pings = std::exchange(open_pings_, {})] {
+    for (const auto& request : requests) fail(request, kClosed);
+    for (const auto& [nonce, ping] : pings) {
+      if (ping.handler) ping.handler(tl::unexpected{kClosed});
+    }
+  });
+}
+
+asio::awaitable<ClientError> Core::read_until_broken(ConnectionPtr connection) {
+  while (true) {
+    const auto frame = co_await connection->next_frame(stats_);
+    if (!frame) {
+      // A server that closes has said why just before.
+      const bool silent_end = frame.error().kind == ErrorKind::disconnected;
+      co_return silent_end&& parting_words_ ? *parting_words_ : frame.error();
+    }
+    const auto handled = handle(*frame);
+    if (!handled) co_return handled.error();
+  }
+}
+
+asio::awaitable<void> Core::write_loop(ConnectionPtr connection) {
+  const auto self = shared_from_this();
+  while (!connection->is_shut()) {
+    const auto bytes = compose();
+    if (bytes.empty()) {
+      co_await connection->wait_for_work();
+      continue;
+    }
+    const auto written = co_await connection->write(bytes);
+    // The reader sees the end as well, after what the server may still have said.
+    if (!written) co_return;
+    stats_.sent_bytes += bytes.size();
+  }
+}
+
+asio::awaitable<void> Core::ping_loop(ConnectionPtr connection) {
+  const auto self = shared_from_this();
+  while (true) {
+    co_await connection->pause(options_.ping_interval);
+    if (connection->is_shut()) co_return;
+    if (std::chrono::steady_clock::now() - connection->last_received() > options_.silence_timeout) {
+      connection->shut({ErrorKind::timed_out, "the server has said nothing for too long", {}});
+      co_return;
+    }
+    ping(nullptr);
+  }
+}
+
+void Core::wake() {
+  if (connection_) connection_->wake();
+}
+
+void Core::report(const ClientError& error) {
+  if (events_.on_error) events_.on_error(error);
+}
+
+std::vector<std::byte> Core::compose() {
+  std::vector<std::byte> out;
+  const auto append = [&](const protocol::Frame& frame) {
+    out.insert(out.end(), frame.begin(), frame.end());
+  };
+  for (const auto nonce : std::exchange(pings_to_send_, {})) {
+    open_pings_.at(nonce).sent = std::chrono::steady_clock::now();
+    append(ping_frame(nonce));
+  }
+  if (std::exchange(view_to_send_, false)) append(view_frame(*tracker_.view()));
+  compose_requests(out);
+  if (const auto ids = std::exchange(cancels_to_send_, {}); !ids.empty()) append(cancel_frame(ids));
+  // Half a window at a time: the server never runs dry, and credits are few.
+  if ((taken_bytes_ - credited_bytes_) * 2 >= world_->limits.window_bytes && taken_bytes_ > credited_bytes_) {
+    credited_bytes_ = taken_bytes_;
+    append(credit_frame(credited_bytes_));
+  }
+  return out;
+}
+
+void Core::compose_requests(std::vector<std::byte>& out) {
+  const auto append = [&](const protocol::Frame& frame) {
+    out.insert(out.end(), frame.begin(), frame.end());
+  };
+  const ServerLimits& limits = world_->limits;
+  const std::size_t most = std::max<std::size_t>(1, chunk_requests_per_frame(limits.frame_bytes));
+  std::vector<wire::ChunkRequest> chunks;
+  while (const auto id = requests_.send_next(std::max(1U, limits.requests_in_flight))) {
+    const Request& request = requests_.at(*id);
+    if (const auto* heights = std::get_if<HeightsRequest>(&request)) {
+      append(heights_frame(*id, *heights));
+      continue;
+    }
+    chunks.push_back(wire_request(*id, std::get<ChunkRequest>(request)));
+    if (chunks.size() == most) append(get_chunks_frame(std::exchange(chunks, {})));
+  }
+  if (!chunks.empty()) append(get_chunks_frame(chunks));
+}
+
+}  // namespace talus::client

@@ -1,0 +1,117 @@
+// What a Client is behind its header: the state that outlives a connection, and the coroutines that keep
+// one up. Held by shared_ptr, so that a Client may be destroyed inside its own callbacks.
+#pragma once
+
+#include <functional>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+#include <asio/awaitable.hpp>
+#include <asio/steady_timer.hpp>
+
+#include <talus/client/client.h>
+#include <talus/protocol/message.h>
+
+#include "backoff.h"
+#include "connection.h"
+#include "requests.h"
+#include "view_tracker.h"
+
+namespace talus::client {
+
+using ConnectHandler = std::function<void(Result<WorldInfo>)>;
+using PingHandler = std::function<void(Result<std::chrono::nanoseconds>)>;
+
+class Core : public std::enable_shared_from_this<Core> {
+ public:
+  Core(asio::any_io_executor executor, Options options, Events events);
+
+  void connect(std::string host, std::string port, ConnectHandler handler);
+  RequestId get(ChunkKey key, std::optional<ContentHash> known,
+                std::function<void(Result<ReceivedChunk>)> handler);
+  void cancel(RequestId request);
+  void get_heights(std::vector<Column> columns,
+                   std::function<void(Result<std::vector<std::int32_t>>)> handler);
+  [[nodiscard]] Result<void> set_view(const View& view);
+  void ping(PingHandler handler);
+  void close();
+
+  [[nodiscard]] bool connected() const { return joined_; }
+  [[nodiscard]] const WorldInfo* world() const { return world_ ? &*world_ : nullptr; }
+  [[nodiscard]] const Stats& stats() const { return stats_; }
+
+ private:
+  using ConnectionPtr = std::shared_ptr<Connection>;
+  // Raised by close(): a run that finds another number than its own has nothing left to do.
+  using Generation = std::uint64_t;
+
+  [[nodiscard]] asio::awaitable<void> run(std::string host, std::string port, ConnectHandler handler);
+  [[nodiscard]] asio::awaitable<Result<WorldInfo>> join(ConnectionPtr connection, std::string host,
+                                                        std::string port);
+  [[nodiscard]] asio::awaitable<ClientError> read_until_broken(ConnectionPtr connection);
+  [[nodiscard]] asio::awaitable<void> write_loop(ConnectionPtr connection);
+  [[nodiscard]] asio::awaitable<void> ping_loop(ConnectionPtr connection);
+
+  [[nodiscard]] Result<void> accept_world(const WorldInfo& world);
+  void start_session(const ConnectionPtr& connection);
+  void end_session();
+  void end_run(const ClientError& why);
+
+  // Each handles one message; an error ends the connection.
+  [[nodiscard]] Result<void> handle(std::span<const std::byte> frame);
+  [[nodiscard]] Result<void> handle_chunk(const wire::Chunk& chunk, std::size_t frame_bytes);
+  [[nodiscard]] Result<void> handle_unchanged(const wire::Unchanged& unchanged);
+  [[nodiscard]] Result<void> handle_column(const wire::Column& column);
+  [[nodiscard]] Result<void> handle_heights(const wire::Heights& heights);
+  [[nodiscard]] Result<void> handle_error(const wire::Error& error);
+  [[nodiscard]] Result<void> handle_edit(const wire::EditBroadcast& edit);
+  [[nodiscard]] Result<void> handle_pong(const wire::Pong& pong);
+  [[nodiscard]] Result<void> handle_go_away(const wire::GoAway& away);
+  void deliver(const ReceivedChunk& chunk);
+  void report(const ClientError& error);
+  [[nodiscard]] Result<ReceivedChunk> uniform(ChunkKey key, MaterialId material, std::uint64_t revision);
+
+  // Everything that waits to be sent, as bytes.
+  [[nodiscard]] std::vector<std::byte> compose();
+  void compose_requests(std::vector<std::byte>& out);
+  void wake();
+
+  asio::any_io_executor executor_;
+  Options options_;
+  Events events_;
+  Stats stats_;
+
+  Generation generation_ = 0;
+  bool running_ = false;
+  bool joined_ = false;
+  bool useful_ = false;  // the connection has answered something: its failure starts a new count
+  ConnectionPtr connection_;
+  std::shared_ptr<asio::steady_timer> retry_timer_;
+  std::optional<WorldInfo> world_;
+  std::optional<ClientError> parting_words_;  // what the server gave as the reason, before it closed
+
+  Requests requests_;
+  ViewTracker tracker_;
+  bool view_to_send_ = false;
+  std::vector<std::uint32_t> cancels_to_send_;
+  std::vector<std::uint64_t> pings_to_send_;
+  struct OpenPing {
+    std::chrono::steady_clock::time_point sent;
+    PingHandler handler;  // empty: only keeps the connection alive
+  };
+  std::map<std::uint64_t, OpenPing> open_pings_;
+  std::uint64_t last_nonce_ = 0;
+  std::uint64_t taken_bytes_ = 0;  // of chunk frames on this connection
+  std::uint64_t credited_bytes_ = 0;
+  struct UniformChunk {
+    std::shared_ptr<const Chunk> chunk;
+    ContentHash hash;
+  };
+  std::unordered_map<MaterialId, UniformChunk> uniform_chunks_;  // at most one a material of the world
+};
+
+}  // namespace talus::client

@@ -1,0 +1,133 @@
+#include "incoming.h"
+
+#include <talus/voxel/codec.h>
+
+namespace talus::client {
+namespace {
+
+constexpr std::size_t kMaxTextBytes = 300;
+
+ErrorKind kind_of(wire::ErrorCode code) {
+  switch (code) {
+    case wire::ErrorCode::version:
+    case wire::ErrorCode::unauthorized:
+      return ErrorKind::refused;
+    case wire::ErrorCode::malformed:
+    case wire::ErrorCode::unexpected:
+    case wire::ErrorCode::duplicate_id:
+      return ErrorKind::broken_protocol;
+    case wire::ErrorCode::too_large:
+    case wire::ErrorCode::out_of_range:
+      return ErrorKind::out_of_range;
+    case wire::ErrorCode::too_many_requests:
+    case wire::ErrorCode::overloaded:
+      return ErrorKind::overloaded;
+    case wire::ErrorCode::cancelled:
+      return ErrorKind::cancelled;
+    case wire::ErrorCode::timeout:
+      return ErrorKind::timed_out;
+    default:
+      return ErrorKind::server_failed;
+  }
+}
+
+Result<Material> read_material(const wire::Material& material) {
+  if (material.phase() > wire::Phase::MAX) {
+    return tl::unexpected{broken_protocol("Welcome has a material of an unknown phase")};
+  }
+  return Material{MaterialId{material.id()}, read_text(material.name()), material.colour() & 0xFFFFFFU,
+                  static_cast<Phase>(material.phase())};
+}
+
+ServerLimits read_limits(const wire::Limits& limits) {
+  return {limits.frame_bytes(),          limits.requests_in_flight(),
+          limits.heights_per_request(),  limits.view_horizontal_radius(),
+          limits.view_vertical_radius(), limits.view_chunks(),
+          limits.window_bytes(),         std::chrono::milliseconds{limits.idle_timeout_ms()}};
+}
+
+}  // namespace
+
+ClientError broken_protocol(std::string what) {
+  return {ErrorKind::broken_protocol, "the server broke the protocol: " + std::move(what), {}};
+}
+
+std::string read_text(const flatbuffers::String* text) {
+  if (text == nullptr) return {};
+  std::string line{text->string_view().substr(0, kMaxTextBytes)};
+  for (char& c : line) {
+    if (static_cast<unsigned char>(c) < 0x20 || c == 0x7F) c = ' ';
+  }
+  return line;
+}
+
+ContentHash read_hash(const wire::Hash128* hash) {
+  return hash == nullptr ? ContentHash{} : ContentHash{hash->low(), hash->high()};
+}
+
+Result<WorldInfo> read_welcome(const wire::Welcome& welcome) {
+  if (welcome.chunk_size() != kChunkSize) {
+    return tl::unexpected{ClientError{ErrorKind::refused,
+                                      "the server's chunks have " + std::to_string(welcome.chunk_size()) +
+                                          " voxels along an edge; this client reads chunks of 32",
+                                      {}}};
+  }
+  if (welcome.codec() != kCodecVersion) {
+    return tl::unexpected{broken_protocol("Welcome picks chunk codec " + std::to_string(welcome.codec()) +
+                                          ", which was not offered")};
+  }
+  if (welcome.fingerprint() == nullptr || welcome.materials() == nullptr || welcome.spawn() == nullptr ||
+      welcome.limits() == nullptr) {
+    return tl::unexpected{broken_protocol("Welcome lacks fingerprint, materials, spawn or limits")};
+  }
+  WorldInfo world;
+  world.fingerprint = read_hash(welcome.fingerprint());
+  world.store_id = read_hash(welcome.store_id());
+  for (const auto* material : *welcome.materials()) {
+    auto read = read_material(*material);
+    if (!read) return tl::unexpected{read.error()};
+    world.materials.push_back(std::move(*read));
+  }
+  world.min_y = welcome.min_y();
+  world.max_y = welcome.max_y();
+  world.spawn = {welcome.spawn()->x(), welcome.spawn()->y(), welcome.spawn()->z()};
+  world.limits = read_limits(*welcome.limits());
+  world.server = read_text(welcome.server());
+  return world;
+}
+
+Result<ChunkKey> read_key(const wire::ChunkKey* key) {
+  if (key == nullptr) return tl::unexpected{broken_protocol("a chunk without coordinates")};
+  const auto lod = Lod::checked(key->lod());
+  if (!lod) return tl::unexpected{broken_protocol(lod.error().message)};
+  auto checked = checked_chunk(key->x(), key->y(), key->z(), *lod);
+  if (!checked) return tl::unexpected{broken_protocol(checked.error().message)};
+  return *checked;
+}
+
+Result<ReceivedChunk> read_chunk(ChunkKey key, const wire::Chunk& message) {
+  const auto bad = [&](const std::string& why) {
+    return tl::unexpected{ClientError{ErrorKind::bad_chunk, "chunk " + to_string(key) + ": " + why, {}}};
+  };
+  const auto* payload = message.payload();
+  const auto bytes = payload == nullptr ? std::span<const std::byte>{}
+                                        : std::as_bytes(std::span{payload->data(), payload->size()});
+  auto chunk = decode(bytes);
+  if (!chunk) return bad(std::string{describe(chunk.error())});
+  const ContentHash promised = read_hash(message.hash());
+  const ContentHash found = content_hash(*chunk);
+  if (found != promised) {
+    return bad("its content has hash " + to_string(found) + " where the server promised " +
+               to_string(promised));
+  }
+  return ReceivedChunk{key, message.revision(), promised, std::make_shared<const Chunk>(std::move(*chunk))};
+}
+
+ClientError read_error(const wire::Error& error) {
+  const std::string text = read_text(error.text());
+  return {kind_of(error.code()),
+          "the server says: " + (text.empty() ? std::string{wire::EnumNameErrorCode(error.code())} : text),
+          std::chrono::milliseconds{error.retry_after_ms()}};
+}
+
+}  // namespace talus::client

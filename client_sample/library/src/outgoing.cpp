@@ -1,0 +1,85 @@
+#include "outgoing.h"
+
+#include <array>
+
+#include <talus/protocol/limits.h>
+#include <talus/voxel/codec.h>
+
+namespace talus::client {
+namespace {
+
+// More than prefix, root, tables and alignment of any message with one list.
+constexpr std::size_t kEnvelopeBytes = 128;
+
+std::size_t fitting(std::uint32_t frame_bytes, std::size_t element_bytes) {
+  return frame_bytes <= kEnvelopeBytes ? 0 : (frame_bytes - kEnvelopeBytes) / element_bytes;
+}
+
+}  // namespace
+
+protocol::Frame hello_frame(const Options& options) {
+  return protocol::make_frame([&](auto& b) {
+    const std::array codecs{kCodecVersion};
+    const auto codec_list = b.CreateVector(codecs.data(), codecs.size());
+    const auto token = b.CreateString(options.token);
+    const auto name = b.CreateString(options.client_name);
+    return wire::CreateHello(b, protocol::kOldestProtocol, protocol::kProtocolVersion, codec_list, token,
+                             name, options.window_bytes);
+  });
+}
+
+protocol::Frame view_frame(const View& view) {
+  return protocol::make_frame([&](auto& b) {
+    const wire::Voxel centre{view.centre.x, view.centre.y, view.centre.z};
+    const wire::Direction direction{view.direction.x, view.direction.y, view.direction.z};
+    std::vector<wire::LodRing> rings;
+    for (const auto& ring : view.rings) {
+      rings.emplace_back(static_cast<std::uint8_t>(ring.lod.value()), ring.radius);
+    }
+    const auto ring_list = b.CreateVectorOfStructs(rings);
+    return wire::CreateView(b, &centre, &direction, view.horizontal_radius, view.vertical_radius, ring_list);
+  });
+}
+
+protocol::Frame heights_frame(std::uint32_t id, const HeightsRequest& request) {
+  return protocol::make_frame([&](auto& b) {
+    std::vector<wire::Column2> columns;
+    columns.reserve(request.columns.size());
+    for (const auto& column : request.columns) columns.emplace_back(column.x, column.z);
+    return wire::CreateGetHeights(b, id, b.CreateVectorOfStructs(columns));
+  });
+}
+
+protocol::Frame get_chunks_frame(const std::vector<wire::ChunkRequest>& requests) {
+  return protocol::make_frame(
+      [&](auto& b) { return wire::CreateGetChunks(b, b.CreateVectorOfStructs(requests)); });
+}
+
+protocol::Frame cancel_frame(const std::vector<std::uint32_t>& ids) {
+  return protocol::make_frame([&](auto& b) { return wire::CreateCancel(b, b.CreateVector(ids)); });
+}
+
+protocol::Frame credit_frame(std::uint64_t total_bytes) {
+  return protocol::make_frame([&](auto& b) { return wire::CreateCredit(b, total_bytes); });
+}
+
+protocol::Frame ping_frame(std::uint64_t nonce) {
+  return protocol::make_frame([&](auto& b) { return wire::CreatePing(b, nonce); });
+}
+
+wire::ChunkRequest wire_request(std::uint32_t id, const ChunkRequest& request) {
+  const auto& [coord, lod] = request.key;
+  const auto known = request.known.value_or(ContentHash{});
+  return {id, wire::ChunkKey{coord.x, coord.y, coord.z, static_cast<std::uint8_t>(lod.value())},
+          request.known.has_value(), wire::Hash128{known.low, known.high}};
+}
+
+std::size_t chunk_requests_per_frame(std::uint32_t frame_bytes) {
+  return fitting(frame_bytes, sizeof(wire::ChunkRequest));
+}
+
+std::size_t columns_per_frame(std::uint32_t frame_bytes) {
+  return fitting(frame_bytes, sizeof(wire::Column2));
+}
+
+}  // namespace talus::client

@@ -1,0 +1,29 @@
+// The messages that a client sends, as frames. Pure functions.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include <talus/client/client.h>
+#include <talus/protocol/message.h>
+
+#include "requests.h"
+
+namespace talus::client {
+
+[[nodiscard]] protocol::Frame hello_frame(const Options& options);
+[[nodiscard]] protocol::Frame view_frame(const View& view);
+[[nodiscard]] protocol::Frame heights_frame(std::uint32_t id, const HeightsRequest& request);
+[[nodiscard]] protocol::Frame get_chunks_frame(const std::vector<wire::ChunkRequest>& requests);
+[[nodiscard]] protocol::Frame cancel_frame(const std::vector<std::uint32_t>& ids);
+[[nodiscard]] protocol::Frame credit_frame(std::uint64_t total_bytes);
+[[nodiscard]] protocol::Frame ping_frame(std::uint64_t nonce);
+
+[[nodiscard]] wire::ChunkRequest wire_request(std::uint32_t id, const ChunkRequest& request);
+
+/// What fits into one frame of `frame_bytes`.
+[[nodiscard]] std::size_t chunk_requests_per_frame(std::uint32_t frame_bytes);
+[[nodiscard]] std::size_t columns_per_frame(std::uint32_t frame_bytes);
+
+}  // namespace talus::client

@@ -1,0 +1,248 @@
+#include "command_line.h"
+
+#include <cstdint>
+#include <cstdio>
+#include <exception>
+#include <functional>
+#include <new>
+
+#include <CLI/CLI.hpp>
+
+#include "export.h"
+#include "failure.h"
+#include "image.h"
+#include "map.h"
+#include "option_values.h"
+#include "region_hash.h"
+#include "section.h"
+#include "world_file.h"
+
+namespace talus::tools {
+namespace {
+
+constexpr std::int64_t kMaxExportSide = std::int64_t{1} << 24;
+constexpr std::int64_t kMaxHashSide = std::int64_t{1} << 20;
+
+// What the options of all commands hold, as typed.
+struct Arguments {
+  std::string world;
+  std::string place;  // --center, --origin or --from
+  std::string size = "1024,1024";
+  std::int64_t lod = 0;
+  std::int64_t length = 1024;
+  std::string axis = "x";
+  int scale = 1;
+  int threads = 0;
+  std::string output;
+};
+
+Expected<void> run_map(const Arguments& arguments) {
+  const auto centre = parse_pair("--center", arguments.place);
+  if (!centre) return tl::make_unexpected(centre.error());
+  const auto size = parse_size("--size", arguments.size, kMaxPictureSide);
+  if (!size) return tl::make_unexpected(size.error());
+  if (auto fits = check_picture_size("--size", size->first, size->second); !fits) return fits;
+  const auto lod = parse_lod(arguments.lod);
+  if (!lod) return tl::make_unexpected(lod.error());
+  const auto region = region_around("--center", *centre, *size, *lod);
+  if (!region) return tl::make_unexpected(region.error());
+  const auto world = load_world(arguments.world);
+  if (!world) return tl::make_unexpected(world.error());
+  auto file = PngFile::create(arguments.output);
+  if (!file) return tl::make_unexpected(file.error());
+  Progress progress{"map", "columns"};
+  return file->write(render_map(*world, *region, {.threads = arguments.threads}, progress));
+}
+
+Expected<void> run_section(const Arguments& arguments) {
+  const auto from = parse_pair("--from", arguments.place);
+  if (!from) return tl::make_unexpected(from.error());
+  if (auto fits = check_picture_size("--length", arguments.length * arguments.scale, 1); !fits) return fits;
+  const IntegerPair size =
+      arguments.axis == "x" ? IntegerPair{arguments.length, 1} : IntegerPair{1, arguments.length};
+  const auto line = region_from_origin("--from", *from, size, Lod{});
+  if (!line) return tl::make_unexpected(line.error());
+  const auto world = load_world(arguments.world);
+  if (!world) return tl::make_unexpected(world.error());
+  auto file = PngFile::create(arguments.output);
+  if (!file) return tl::make_unexpected(file.error());
+  Progress progress{"section", "columns"};
+  const auto image =
+      render_section(*world, *line, {.threads = arguments.threads, .scale = arguments.scale}, progress);
+  if (!image) return tl::make_unexpected(image.error());
+  return file->write(*image);
+}
+
+Expected<void> run_export(const Arguments& arguments) {
+  const auto origin = parse_pair("--origin", arguments.place);
+  if (!origin) return tl::make_unexpected(origin.error());
+  const auto size = parse_size("--size", arguments.size, kMaxExportSide);
+  if (!size) return tl::make_unexpected(size.error());
+  const auto region = region_from_origin("--origin", *origin, *size, Lod{});
+  if (!region) return tl::make_unexpected(region.error());
+  const auto world = load_world(arguments.world);
+  if (!world) return tl::make_unexpected(world.error());
+  Progress progress{"export", "columns"};
+  return export_region(*world, *region, arguments.output, {.threads = arguments.threads}, progress);
+}
+
+Expected<void> run_hash(const Arguments& arguments) {
+  const auto origin = parse_pair("--origin", arguments.place);
+  if (!origin) return tl::make_unexpected(origin.error());
+  const auto size = parse_size("--size", arguments.size, kMaxHashSide);
+  if (!size) return tl::make_unexpected(size.error());
+  const auto lod = parse_lod(arguments.lod);
+  if (!lod) return tl::make_unexpected(lod.error());
+  const auto region = region_from_origin("--origin", *origin, *size, *lod);
+  if (!region) return tl::make_unexpected(region.error());
+  const auto world = load_world(arguments.world);
+  if (!world) return tl::make_unexpected(world.error());
+  std::string digits;
+  {
+    Progress progress{"hash", "chunk columns"};
+    digits = to_string(hash_region(*world, *region, {.threads = arguments.threads}, progress));
+  }
+  std::printf("%s\n", digits.c_str());
+  return {};
+}
+
+void add_common_options(CLI::App& command, Arguments& arguments) {
+  command.add_option("--world", arguments.world, "World spec (world.toml); default: the built-in world")
+      ->type_name("FILE");
+  command.add_option("--threads", arguments.threads, "Threads; 0: one a core")
+      ->check(CLI::Range(0, 1024))
+      ->type_name("N")
+      ->capture_default_str();
+}
+
+void add_place(CLI::App& command, Arguments& arguments, const char* option, const char* meaning) {
+  command.add_option(option, arguments.place, meaning)->type_name("X,Z")->required();
+}
+
+void add_size(CLI::App& command, Arguments& arguments, const char* meaning) {
+  command.add_option("--size", arguments.size, meaning)->type_name("W,H")->required();
+}
+
+void add_lod(CLI::App& command, Arguments& arguments) {
+  command.add_option("--lod", arguments.lod, "Level of detail, 0 to 6: one column spans 2^L base voxels")
+      ->type_name("L")
+      ->capture_default_str();
+}
+
+void add_output(CLI::App& command, Arguments& arguments, const char* meaning, const char* type) {
+  command.add_option("-o,--output", arguments.output, meaning)->type_name(type)->required();
+}
+
+CLI::App* add_map(CLI::App& app, Arguments& arguments) {
+  auto* map = app.add_subcommand("map", "Shaded material map from above, north (low z) at the top");
+  add_place(*map, arguments, "--center", "Base voxel at the middle of the picture, at every level of detail");
+  add_size(*map, arguments, "Pixels, each one column of the level of detail; at most 2^28 in all");
+  add_lod(*map, arguments);
+  add_output(*map, arguments, "Picture to write", "F.png");
+  return map;
+}
+
+CLI::App* add_section(CLI::App& app, Arguments& arguments) {
+  auto* section = app.add_subcommand("section", "Vertical cut that shows the layers, voxel by voxel");
+  add_place(*section, arguments, "--from", "Base voxel at the left end of the cut");
+  section->add_option("--length", arguments.length, "Columns, eastward (southward with --axis z)")
+      ->check(CLI::Range(std::int64_t{1}, kMaxPictureSide))
+      ->type_name("N")
+      ->required();
+  section->add_option("--axis", arguments.axis, "Direction of the cut: x (eastward) or z (southward)")
+      ->check(CLI::IsMember({"x", "z"}))
+      ->type_name("x|z")
+      ->capture_default_str();
+  section->add_option("--scale", arguments.scale, "Pixels a voxel, 1 to 64")
+      ->check(CLI::Range(1, 64))
+      ->type_name("S")
+      ->capture_default_str();
+  add_output(*section, arguments, "Picture to write", "F.png");
+  return section;
+}
+
+CLI::App* add_export(CLI::App& app, Arguments& arguments) {
+  auto* command = app.add_subcommand(
+      "export", "Surface, slope, loose material, strata and voxels of a region as NumPy arrays");
+  add_place(*command, arguments, "--origin", "Base voxel at the region's north-west corner");
+  add_size(*command, arguments, "Columns along x and z; refused where the arrays could pass 8 GiB");
+  add_output(*command, arguments, "Directory for the arrays and export.json; made where it is missing",
+             "DIR");
+  command->footer(
+      "Heights and thicknesses are int32 in 1/256 voxel.\n"
+      "  surface.npy [z][x]         slope.npy [z][x], rise over a run of one column\n"
+      "  eroded.npy [m][z][x], settled thickness, materials in the order of the spec\n"
+      "  strata.npy [layer][z][x], tops before loose material is inserted; the last is the surface\n"
+      "  voxels.npy [y][z][x], material ids (uint8; uint16 in worlds with ids over 255), from y = 0 up to\n"
+      "             the highest row that ground or sea reaches");
+  return command;
+}
+
+CLI::App* add_hash(CLI::App& app, Arguments& arguments) {
+  auto* hash = app.add_subcommand("hash", "One hash over the encoded chunks of a region: 32 hex digits");
+  add_place(*hash, arguments, "--origin", "Base voxel at the region's north-west corner, at every level");
+  add_size(*hash, arguments, "Columns of the level of detail along x and z; at most 2^20 a side");
+  add_lod(*hash, arguments);
+  hash->footer(
+      "Covers every chunk column that holds a column of the region. A column's hash is XXH3-128 over its\n"
+      "chunks from row -1 up to the row of the highest voxel that the world can have; each gives x, y, z "
+      "and\n"
+      "level (int32), the payload's length (uint32) and the payload. The region's hash is XXH3-128 over the\n"
+      "column hashes (low 64 bits, then high), z slowest, then x. All numbers little endian. The same for\n"
+      "any number of threads, on any machine.");
+  return hash;
+}
+
+int report(const Failure& failure, const std::string& command) {
+  std::fprintf(stderr, "talus-gen %s: %s\n", command.c_str(), failure.message.c_str());
+  return failure.exit_code;
+}
+
+int parse_failure(const CLI::App& app, const CLI::ParseError& error) {
+  if (error.get_exit_code() == static_cast<int>(CLI::ExitCodes::Success)) {
+    return app.exit(error);  // --help and --version arrive here
+  }
+  std::fprintf(stderr, "talus-gen: %s (see --help)\n", error.what());
+  return kExitWrongUse;
+}
+
+}  // namespace
+
+int run_command_line(int argc, const char* const* argv, const std::string& version) {
+  CLI::App app{
+      "The Talus terrain generator without a network: pictures, exports and hashes of a world.\n"
+      "Places are base voxels, x east and z south, and may be negative: --center -640,32. Exit codes: 0 "
+      "done,\n"
+      "1 failed, 2 wrong use."};
+  app.name("talus-gen");
+  app.set_version_flag("--version", "talus-gen " + version + " (generator version " +
+                                        std::to_string(terrain::kGeneratorVersion) + ")");
+  app.get_formatter()->column_width(34);
+
+  Arguments arguments;
+  using Run = std::function<Expected<void>(const Arguments&)>;
+  const std::vector<std::pair<CLI::App*, Run>> commands{{add_map(app, arguments), run_map},
+                                                        {add_section(app, arguments), run_section},
+                                                        {add_export(app, arguments), run_export},
+                                                        {add_hash(app, arguments), run_hash}};
+  for (const auto& [command, run] : commands) add_common_options(*command, arguments);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return parse_failure(app, error);
+  }
+  for (const auto& [command, run] : commands) {
+    if (!command->parsed()) continue;
+    try {
+      const Expected<void> done = run(arguments);
+      return done ? kExitDone : report(done.error(), command->get_name());
+    } catch (const std::bad_alloc&) {
+      return report({kExitFailed, "not enough memory; ask for a smaller region or fewer --threads"},
+                    command->get_name());
+    }
+  }
+  std::fputs("talus-gen: a command is needed: map, section, export or hash (see --help)\n", stderr);
+  return kExitWrongUse;
+}
+
+}  // namespace talus::tools

@@ -1,0 +1,112 @@
+#include "map.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include <talus/terrain/stacks.h>
+#include <glm/common.hpp>
+#include <glm/exponential.hpp>
+#include <glm/geometric.hpp>
+
+#include "ordered_work.h"
+#include "patch_grid.h"
+#include "relief.h"
+
+namespace talus::tools {
+namespace {
+
+const glm::vec3 kSunlight{0.74F, 0.68F, 0.58F};
+const glm::vec3 kSkylight{0.27F, 0.33F, 0.43F};
+// Terrain units of water that leave 1/e of the light; red goes first.
+const glm::vec3 kClearWater{0.012F, 0.024F, 0.032F};
+// What the surface itself takes, so that a shore shows even where the water is shallow.
+constexpr float kThroughSurface = 0.62F;
+
+glm::vec3 lit(glm::vec3 colour, Light light) {
+  return colour * (light.sun * kSunlight + light.sky * kSkylight);
+}
+
+// Bright slopes keep their colour instead of clipping, and the eye finds the strong colours calmer.
+glm::vec3 developed(glm::vec3 light) {
+  const float grey = glm::dot(light, glm::vec3{0.2126F, 0.7152F, 0.0722F});
+  const glm::vec3 calm = glm::mix(glm::vec3{grey}, light, 0.92F);
+  return calm * 1.18F / (1.0F + 0.25F * calm);
+}
+
+class MapPainter {
+ public:
+  MapPainter(const terrain::World& world, Lod lod)
+      : world_{world}, lod_{lod}, lights_{material_lights(world)} {
+    if (const auto sea_fx = world.sea_fx()) sea_fx_ = *sea_fx >> lod.value();
+  }
+
+  void paint(const terrain::Region& patch, Image& image, int image_x, int image_y) const {
+    const terrain::Stacks stacks = generate_stacks(world_, patch.grown(kReliefRing));
+    const terrain::Field& ground = stacks.tops.back();
+    terrain::Field seen = ground;  // the sea's surface where it covers the ground
+    if (sea_fx_) {
+      for (std::int32_t& height : seen.values) height = std::max(height, *sea_fx_);
+    }
+    for (int z = 0; z < patch.depth; ++z) {
+      for (int x = 0; x < patch.width; ++x) {
+        const int inner_x = x + kReliefRing;
+        const int inner_z = z + kReliefRing;
+        glm::vec3 pixel = lit(top_colour(stacks, inner_x, inner_z), light_at(ground, inner_x, inner_z));
+        const std::int32_t depth_fx = seen.at(inner_x, inner_z) - ground.at(inner_x, inner_z);
+        if (depth_fx > 0) pixel = under_water(pixel, depth_fx, light_at(seen, inner_x, inner_z));
+        image.set(image_x + x, image_y + z, to_colour(developed(pixel)));
+      }
+    }
+  }
+
+ private:
+  glm::vec3 top_colour(const terrain::Stacks& stacks, int x, int z) const {
+    const std::int32_t base_voxel_fx = terrain::kSubvoxels >> lod_.value();
+    std::int32_t top = stacks.tops.back().at(x, z);
+    const std::int32_t bottom = top - base_voxel_fx;
+    glm::vec3 sum{0};
+    for (std::size_t k = stacks.tops.size(); k-- > 0 && top > bottom;) {
+      // Under the lowest plane its material goes on without end.
+      const std::int32_t under = k == 0 ? bottom : std::max(bottom, stacks.tops[k - 1].at(x, z));
+      if (under >= top) continue;
+      sum += static_cast<float>(top - under) * lights_[to_integer(stacks.materials[k])];
+      top = under;
+    }
+    return sum / static_cast<float>(base_voxel_fx);
+  }
+
+  glm::vec3 under_water(glm::vec3 bed, std::int32_t depth_fx, Light light) const {
+    const float depth_units = std::ldexp(static_cast<float>(depth_fx), lod_.value()) /
+                              static_cast<float>(terrain::kSubvoxels * world_.spec().resolution);
+    const glm::vec3 through = kThroughSurface * glm::exp(-depth_units / kClearWater);
+    return lit(lights_[to_integer(kWater)], light) * (1.0F - through) + bed * through;
+  }
+
+  const terrain::World& world_;
+  Lod lod_;
+  std::vector<glm::vec3> lights_;
+  std::optional<std::int32_t> sea_fx_;
+};
+
+}  // namespace
+
+Image render_map(const terrain::World& world, const terrain::Region& region, const MapOptions& options,
+                 Progress& progress) {
+  Image image{region.width, region.depth};
+  const PatchGrid grid{region, options.patch_edge};
+  const MapPainter painter{world, region.lod};
+  progress.expect(region.columns());
+  const auto paint = [&](std::size_t index) {
+    const terrain::Region patch = grid.patch(index);
+    painter.paint(patch, image, static_cast<int>(patch.x - region.x), static_cast<int>(patch.z - region.z));
+    return patch.columns();
+  };
+  work_in_order(grid.count(), thread_count(options.threads), paint, [&](std::size_t, std::size_t columns) {
+    progress.advance(columns);
+    return true;
+  });
+  return image;
+}
+
+}  // namespace talus::tools

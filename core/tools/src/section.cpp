@@ -1,0 +1,123 @@
+#include "section.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <utility>
+#include <vector>
+
+#include <talus/terrain/stacks.h>
+#include <glm/common.hpp>
+
+#include "column_rows.h"
+#include "ordered_work.h"
+#include "patch_grid.h"
+
+namespace talus::tools {
+namespace {
+
+constexpr int kPatchColumns = 256;
+const terrain::Colour kZenith{120, 164, 210};
+const terrain::Colour kHorizon{222, 234, 240};
+
+struct RowRun {
+  MaterialId material{};
+  std::int32_t from = 0;
+  std::int32_t to = 0;
+};
+using Column = std::vector<RowRun>;
+
+std::vector<Column> cut_patch(const terrain::World& world, const terrain::Region& patch,
+                              std::int32_t bottom) {
+  const terrain::Stacks stacks = generate_stacks(world, patch);
+  const std::int32_t top = boundary_row(std::max(world.highest_fx(), world.sea_fx().value_or(0)));
+  std::vector<Column> columns(patch.columns());
+  for (int z = 0; z < patch.depth; ++z) {
+    for (int x = 0; x < patch.width; ++x) {
+      Column& column = columns[static_cast<std::size_t>(x + z)];
+      visit_column_rows(world, stacks, x, z, bottom, top,
+                        [&](MaterialId material, std::int32_t from, std::int32_t to) {
+                          column.push_back({material, from, to});
+                        });
+    }
+  }
+  return columns;
+}
+
+class SectionPainter {
+ public:
+  SectionPainter(const terrain::World& world, Image& image, int scale, std::int32_t bottom)
+      : lights_{material_lights(world)}, image_{image}, scale_{scale}, bottom_{bottom} {}
+
+  void paint_sky() {
+    const glm::vec3 zenith = to_light(kZenith);
+    const glm::vec3 horizon = to_light(kHorizon);
+    for (int y = 0; y < image_.height; ++y) {
+      const float down = static_cast<float>(y) / static_cast<float>(image_.height);
+      const terrain::Colour colour = to_colour(glm::mix(zenith, horizon, down));
+      for (int x = 0; x < image_.width; ++x) image_.set(x, y, colour);
+    }
+  }
+
+  void paint_column(int column, const Column& runs) {
+    for (const RowRun& run : runs) {
+      const glm::vec3 light = lights_[to_integer(run.material)];
+      for (std::int32_t row = run.from; row < run.to; ++row) {
+        fill(column, row, to_colour(run.material == kWater ? light * daylight(run.to - row) : light));
+      }
+    }
+  }
+
+ private:
+  // Water darkens with depth.
+  static float daylight(std::int32_t depth_rows) {
+    return 0.6F + 0.8F * std::exp(-static_cast<float>(depth_rows) / 12);
+  }
+
+  void fill(int column, std::int32_t row, terrain::Colour colour) {
+    const int left = column * scale_;
+    const int under = image_.height - (row - bottom_) * scale_;
+    for (int y = under - scale_; y < under; ++y) {
+      for (int x = left; x < left + scale_; ++x) image_.set(x, y, colour);
+    }
+  }
+
+  std::vector<glm::vec3> lights_;
+  Image& image_;
+  int scale_;
+  std::int32_t bottom_;
+};
+
+}  // namespace
+
+Expected<Image> render_section(const terrain::World& world, const terrain::Region& line,
+                               const SectionOptions& options, Progress& progress) {
+  const std::int32_t bottom = -8;
+  std::vector<Column> columns;
+  const PatchGrid grid{line, kPatchColumns};
+  progress.expect(line.columns());
+  const auto cut = [&](std::size_t index) { return cut_patch(world, grid.patch(index), bottom); };
+  work_in_order(grid.count(), thread_count(options.threads), cut, [&](std::size_t, std::vector<Column> cuts) {
+    progress.advance(cuts.size());
+    std::move(cuts.begin(), cuts.end(), std::back_inserter(columns));
+    return true;
+  });
+
+  std::int32_t highest = 0;
+  for (const Column& column : columns) {
+    if (!column.empty()) highest = std::max(highest, column.back().to);
+  }
+  const std::int32_t top = highest + std::max(8, highest / 6);
+  const std::int64_t width = std::int64_t{line.width} * line.depth * options.scale;
+  const std::int64_t height = std::int64_t{top - bottom} * options.scale;
+  if (auto fits = check_picture_size("--length, --scale", width, height); !fits) {
+    return tl::make_unexpected(fits.error());
+  }
+  Image image{static_cast<int>(width), static_cast<int>(height)};
+  SectionPainter painter{world, image, options.scale, bottom};
+  painter.paint_sky();
+  for (std::size_t i = 0; i < columns.size(); ++i) painter.paint_column(static_cast<int>(i), columns[i]);
+  return image;
+}
+
+}  // namespace talus::tools

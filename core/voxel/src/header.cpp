@@ -1,0 +1,46 @@
+#include "header.h"
+
+namespace talus::codec {
+
+void put_number(std::uint16_t number, std::vector<std::byte>& out) {
+  unsigned rest = number;
+  for (; rest >= 0x80; rest >>= 7) out.push_back(static_cast<std::byte>(rest | 0x80U));
+  out.push_back(static_cast<std::byte>(rest));
+}
+
+tl::expected<std::uint16_t, DecodeError> take_number(std::span<const std::byte>& bytes) {
+  std::uint32_t number = 0;
+  for (int shift = 0; shift <= 14; shift += 7) {
+    if (bytes.empty()) return tl::unexpected{DecodeError::truncated};
+    const auto byte = std::to_integer<std::uint32_t>(bytes.front());
+    bytes = bytes.subspan(1);
+    number |= (byte & 0x7FU) << shift;
+    if (byte >= 0x80) continue;
+    const bool minimal = byte != 0 || shift == 0;
+    if (!minimal || number > 0xFFFF) break;
+    return static_cast<std::uint16_t>(number);
+  }
+  return tl::unexpected{DecodeError::bad_number};
+}
+
+void put_materials(std::span<const MaterialId> materials, std::vector<std::byte>& out) {
+  put_number(static_cast<std::uint16_t>(materials.size()), out);
+  for (const MaterialId material : materials) put_number(to_integer(material), out);
+}
+
+tl::expected<std::vector<MaterialId>, DecodeError> take_materials(std::span<const std::byte>& bytes,
+                                                                  std::size_t most) {
+  const auto count = take_number(bytes);
+  if (!count) return tl::unexpected{count.error()};
+  if (*count == 0 || *count > most) return tl::unexpected{DecodeError::bad_materials};
+  std::vector<MaterialId> materials;
+  materials.reserve(*count);
+  while (materials.size() < *count) {
+    const auto id = take_number(bytes);
+    if (!id) return tl::unexpected{id.error()};
+    materials.push_back(MaterialId{*id});
+  }
+  return materials;
+}
+
+}  // namespace talus::codec

@@ -1,0 +1,28 @@
+// The numbers before the coded part: FORMAT.md, "Numbers".
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include <tl/expected.hpp>
+
+#include <talus/voxel/codec.h>
+#include <talus/voxel/material.h>
+
+namespace talus::codec {
+
+/// Seven bits a byte, lowest first; the high bit says that more follow.
+void put_number(std::uint16_t number, std::vector<std::byte>& out);
+
+/// Takes a number from the front of `bytes`.
+[[nodiscard]] tl::expected<std::uint16_t, DecodeError> take_number(std::span<const std::byte>& bytes);
+
+void put_materials(std::span<const MaterialId> materials, std::vector<std::byte>& out);
+
+/// Takes a count from 1 to `most`, then as many material ids, from the front of `bytes`.
+[[nodiscard]] tl::expected<std::vector<MaterialId>, DecodeError> take_materials(
+    std::span<const std::byte>& bytes, std::size_t most);
+
+}  // namespace talus::codec

@@ -1,0 +1,154 @@
+// An adaptive binary range coder. FORMAT.md, "The coder", gives the arithmetic in full.
+//
+// Encoder and decoder have the same face, so that a model is written once for both: `code(bit, value)`
+// returns the bit, which the encoder was given and the decoder finds.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include <talus/voxel/codec.h>
+
+namespace talus::codec {
+
+/// How likely a bit is 0, learned at two speeds: the fast estimate follows changes, the slow one is exact.
+/// A young model takes larger steps, because a chunk gives most models few bits to learn from.
+class BitModel {
+ public:
+  static constexpr int kBits = 12;
+
+  /// Of 2^kBits; never so near either end that a bit becomes impossible.
+  [[nodiscard]] std::uint32_t zero() const { return (std::uint32_t{fast_} + slow_) >> 5; }
+
+  void learn(bool bit) {
+    const int slow_shift = kShifts[age_];
+    const int fast_shift = std::min(slow_shift, kFastShift);
+    age_ = static_cast<std::uint16_t>(age_ + (age_ < kOldAge ? 1 : 0));
+    if (bit) {
+      fast_ = static_cast<std::uint16_t>(fast_ - (fast_ >> fast_shift));
+      slow_ = static_cast<std::uint16_t>(slow_ - (slow_ >> slow_shift));
+    } else {
+      fast_ = static_cast<std::uint16_t>(fast_ + ((0x10000 - fast_) >> fast_shift));
+      slow_ = static_cast<std::uint16_t>(slow_ + ((0x10000 - slow_) >> slow_shift));
+    }
+  }
+
+ private:
+  // The slow shift by age: how many binary digits age + 1 has. A table, because this is the hottest loop.
+  static constexpr std::array<std::uint8_t, 32> kShifts{1, 2, 2, 3, 3, 3, 3, 4, 4, 4, 4, 4, 4, 4, 4, 5,
+                                                        5, 5, 5, 5, 5, 5, 5, 5, 5, 5, 5, 5, 5, 5, 5, 6};
+  static constexpr int kFastShift = 4;
+  static constexpr std::uint16_t kOldAge = kShifts.size() - 1;
+
+  std::uint16_t fast_ = 0x8000;
+  std::uint16_t slow_ = 0x8000;
+  std::uint16_t age_ = 0;
+};
+
+inline constexpr std::uint32_t kLeastRange = 1U << 24;
+
+class Encoder {
+ public:
+  static constexpr bool kDecodes = false;
+
+  explicit Encoder(std::vector<std::byte>& out) : out_{out} {}
+
+  bool code(BitModel& model, bool bit) {
+    const std::uint32_t bound = (range_ >> BitModel::kBits) * model.zero();
+    if (bit) {
+      add(bound);
+      range_ -= bound;
+    } else {
+      range_ = bound;
+    }
+    model.learn(bit);
+    while (range_ < kLeastRange) {
+      put();
+      range_ <<= 8;
+    }
+    return bit;
+  }
+
+  /// Two bytes that keep any reader inside the last range, whatever follows them.
+  void finish() {
+    add(0xFFFF);
+    put();
+    put();
+  }
+
+ private:
+  void add(std::uint32_t amount) {
+    low_ += amount;
+    if (low_ >= amount) return;
+    // The carry runs back through bytes of 255 and stops at the first other one, which always exists.
+    std::size_t last = out_.size() - 1;
+    for (; out_[last] == std::byte{0xFF}; --last) out_[last] = std::byte{0};
+    out_[last] = static_cast<std::byte>(std::to_integer<unsigned>(out_[last]) + 1U);
+  }
+  void put() {
+    out_.push_back(static_cast<std::byte>(low_ >> 24));
+    low_ <<= 8;
+  }
+
+  std::vector<std::byte>& out_;
+  std::uint32_t low_ = 0;
+  std::uint32_t range_ = 0xFFFFFFFF;
+};
+
+class Decoder {
+ public:
+  static constexpr bool kDecodes = true;
+
+  explicit Decoder(std::span<const std::byte> bytes) : bytes_{bytes} {
+    for (int i = 0; i < 4; ++i) get();
+    possible_ = code_ < range_;
+  }
+
+  bool code(BitModel& model, bool = false) {
+    const std::uint32_t bound = (range_ >> BitModel::kBits) * model.zero();
+    const bool bit = code_ >= bound;
+    if (bit) {
+      code_ -= bound;
+      range_ -= bound;
+    } else {
+      range_ = bound;
+    }
+    model.learn(bit);
+    while (range_ < kLeastRange) {
+      get();
+      range_ <<= 8;
+    }
+    return bit;
+  }
+
+  /// More was asked for than the bytes hold: what is decoded from here on means nothing.
+  [[nodiscard]] bool starved() const { return next_ > bytes_.size() + 2; }
+
+  /// What is wrong with the bytes as a whole, once all bits are read.
+  [[nodiscard]] std::optional<DecodeError> fault() const {
+    if (starved()) return DecodeError::truncated;
+    if (next_ < bytes_.size() + 2) return DecodeError::too_long;
+    if (!possible_ || code_ > 0xFFFF) return DecodeError::bad_ending;
+    return std::nullopt;
+  }
+
+ private:
+  void get() {
+    const std::uint32_t byte = next_ < bytes_.size() ? std::to_integer<std::uint32_t>(bytes_[next_]) : 0U;
+    ++next_;
+    code_ = (code_ << 8) | byte;
+  }
+
+  std::span<const std::byte> bytes_;
+  std::size_t next_ = 0;
+  std::uint32_t code_ = 0;
+  std::uint32_t range_ = 0xFFFFFFFF;
+  bool possible_ = true;  // no encoder begins with four bytes of 255
+};
+
+}  // namespace talus::codec

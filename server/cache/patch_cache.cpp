@@ -1,0 +1,26 @@
+#include "cache/patch_cache.h"
+
+#include <utility>
+
+namespace talus::server {
+
+PatchCache::PatchCache(std::size_t capacity_bytes) : patches_{capacity_bytes} {}
+
+StacksPtr PatchCache::find(const PatchKey& key) {
+  const std::lock_guard lock{mutex_};
+  const StacksPtr* stacks = patches_.find(key);
+  return stacks == nullptr ? nullptr : *stacks;
+}
+
+void PatchCache::put(const PatchKey& key, StacksPtr stacks) {
+  const std::size_t bytes = stacks->bytes();
+  const std::lock_guard lock{mutex_};
+  patches_.put(key, std::move(stacks), bytes);
+}
+
+std::size_t PatchCache::bytes() const {
+  const std::lock_guard lock{mutex_};
+  return patches_.bytes();
+}
+
+}  // namespace talus::server

@@ -1,0 +1,31 @@
+// Stacks of patches in memory, bounded in bytes. Callable from any thread.
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <mutex>
+
+#include <talus/terrain/stacks.h>
+
+#include "cache/lru.h"
+#include "generation/patch.h"
+
+namespace talus::server {
+
+using StacksPtr = std::shared_ptr<const terrain::Stacks>;
+
+class PatchCache {
+ public:
+  explicit PatchCache(std::size_t capacity_bytes);
+
+  /// Null where the patch is not held.
+  [[nodiscard]] StacksPtr find(const PatchKey& key);
+  void put(const PatchKey& key, StacksPtr stacks);
+  [[nodiscard]] std::size_t bytes() const;
+
+ private:
+  mutable std::mutex mutex_;
+  Lru<PatchKey, StacksPtr> patches_;
+};
+
+}  // namespace talus::server

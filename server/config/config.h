@@ -1,0 +1,78 @@
+// What an operator can set. fields.h lists every member with its range, unit and meaning; talusd.toml
+// writes every default out.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include <talus/protocol/limits.h>
+
+#include "config/endpoint.h"
+
+namespace talus::server {
+
+inline constexpr std::uint16_t kDefaultPort = 4780;
+
+struct Threads {
+  std::uint64_t io = 0;         // 0: from the machine
+  std::uint64_t generator = 0;  // 0: from the machine
+  bool operator==(const Threads&) const = default;
+};
+
+struct Limits {
+  std::uint64_t connections = 2048;
+  std::uint64_t connections_per_address = 256;
+  std::uint64_t frame_bytes = protocol::kDefaultClientFrameBytes;
+  std::uint64_t requests_in_flight = 1024;
+  std::uint64_t handshake_timeout_ms = 10'000;
+  std::uint64_t idle_timeout_ms = 60'000;
+  std::uint64_t write_timeout_ms = 15'000;
+  std::uint64_t queued_bytes_per_session = 1U << 20;
+  std::uint64_t window_bytes = 4U << 20;
+  std::uint64_t heights_per_request = protocol::kMaxHeightsPerRequest;
+  std::uint64_t view_horizontal_radius = 48;
+  std::uint64_t view_vertical_radius = 16;
+  std::uint64_t view_chunks = 65'536;
+  bool operator==(const Limits&) const = default;
+};
+
+struct Cache {
+  std::uint64_t chunk_bytes = 256U << 20;
+  std::uint64_t patch_bytes = 256U << 20;
+  bool operator==(const Cache&) const = default;
+};
+
+struct Generation {
+  std::uint64_t patch_tiles = 4;
+  std::uint64_t queue_chunks = 65'536;
+  bool operator==(const Generation&) const = default;
+};
+
+struct Shutdown {
+  std::uint64_t drain_ms = 5'000;
+  bool operator==(const Shutdown&) const = default;
+};
+
+struct Log {
+  std::string level = "info";
+  bool operator==(const Log&) const = default;
+};
+
+struct Config {
+  Endpoint listen{"0.0.0.0", kDefaultPort};
+  std::optional<Endpoint> http;
+  std::optional<Endpoint> admin;
+  std::filesystem::path data;   // empty: nothing is kept on disk
+  std::filesystem::path world;  // empty: the world built into the program
+  Threads threads;
+  Limits limits;
+  Cache cache;
+  Generation generation;
+  Shutdown shutdown;
+  Log log;
+  bool operator==(const Config&) const = default;
+};
+
+}  // namespace talus::server

@@ -1,0 +1,13 @@
+// What somebody who mistyped a name probably meant.
+#pragma once
+
+#include <span>
+#include <string_view>
+
+namespace talus::server {
+
+/// The candidate with the fewest insertions, deletions and replacements from `word`; the first on a tie.
+/// `candidates` is not empty.
+[[nodiscard]] std::string_view nearest(std::string_view word, std::span<const std::string_view> candidates);
+
+}  // namespace talus::server

@@ -1,0 +1,147 @@
+#include "generation/chunk_service.h"
+
+#include <exception>
+#include <utility>
+
+namespace talus::server {
+
+ChunkService::ChunkService(std::unique_ptr<const Generator> generator, const ServiceSettings& settings,
+                           Logger log)
+    : generator_{std::move(generator)},
+      log_{std::move(log)},
+      chunks_{settings.chunk_cache_bytes},
+      patches_{settings.patch_cache_bytes},
+      queue_{settings.patch_tiles, settings.queue_chunks} {
+  for (std::size_t thread = 0; thread < settings.threads; ++thread) {
+    threads_.emplace_back([this] { work(); });
+  }
+}
+
+ChunkService::~ChunkService() {
+  {
+    const std::lock_guard lock{mutex_};
+    stopping_ = true;
+  }
+  work_waits_.notify_all();
+  for (std::thread& thread : threads_) thread.join();
+}
+
+EncodedChunkPtr ChunkService::find(ChunkKey key) {
+  EncodedChunkPtr chunk = generator_->instant(key);
+  return chunk != nullptr ? chunk : chunks_.find(key);
+}
+
+ChunkService::Submission ChunkService::submit(const ChunkClientPtr& client, ChunkKey key) {
+  EncodedChunkPtr finished;
+  {
+    const std::lock_guard lock{mutex_};
+    // A job puts its chunk in the cache before it ends, so a chunk is in one of both from its first job on.
+    if (!queue_.has_job(key)) finished = chunks_.find(key);
+    if (finished == nullptr && !queue_.add(client, key)) return Submission::refused;
+  }
+  if (finished != nullptr) {
+    client->chunk_ready(key, std::move(finished));
+  } else {
+    work_waits_.notify_one();
+  }
+  return Submission::queued;
+}
+
+void ChunkService::cancel(const ChunkClient& client, ChunkKey key) {
+  const std::lock_guard lock{mutex_};
+  queue_.cancel(client, key);
+}
+
+void ChunkService::submit_heights(HeightsTask task) {
+  {
+    const std::lock_guard lock{mutex_};
+    queue_.add(std::move(task));
+  }
+  work_waits_.notify_one();
+}
+
+void ChunkService::cancel_heights(const ChunkClient& client, std::uint64_t ticket) {
+  const std::lock_guard lock{mutex_};
+  queue_.cancel_heights(client, ticket);
+}
+
+void ChunkService::work() {
+  std::unique_lock lock{mutex_};
+  while (!stopping_) {
+    auto work = queue_.take();
+    if (!work) {
+      work_waits_.wait(lock);
+      continue;
+    }
+    lock.unlock();
+    std::visit([this](const auto& piece) { run(piece); }, *work);
+    const auto* batch = std::get_if<WorkQueue::Batch>(&*work);
+    lock.lock();
+    if (batch == nullptr) continue;
+    queue_.release(batch->patch);
+    // Jobs that came for this patch meanwhile could not be begun until now.
+    work_waits_.notify_one();
+  }
+}
+
+void ChunkService::run(const WorkQueue::Batch& batch) {
+  const StacksPtr stacks = stacks_of(batch.patch);
+  for (const ChunkKey key : batch.keys) {
+    {
+      const std::lock_guard lock{mutex_};
+      if (stopping_ || !queue_.begin(key)) continue;
+    }
+    const ChunkAnswer answer = make_chunk(stacks.get(), key);
+    std::vector<ChunkClientPtr> waiters;
+    {
+      const std::lock_guard lock{mutex_};
+      waiters = queue_.finish(key);
+    }
+    for (const ChunkClientPtr& waiter : waiters) deliver(*waiter, key, answer);
+  }
+}
+
+void ChunkService::deliver(ChunkClient& waiter, ChunkKey key, const ChunkAnswer& answer) {
+  // One client's trouble must not keep the answer from the others, nor end the thread.
+  try {
+    waiter.chunk_ready(key, answer);
+  } catch (const std::exception& error) {
+    log_->error("chunk {} could not be handed over: {}", to_string(key), error.what());
+  }
+}
+
+void ChunkService::run(const HeightsTask& task) {
+  try {
+    task.client->heights_ready(task.ticket, generator_->heights(task.columns));
+  } catch (const std::exception& error) {
+    log_->error("heights of {} columns failed: {}", task.columns.size(), error.what());
+    task.client->heights_ready(task.ticket, tl::make_unexpected(GenerationFailed{error.what()}));
+  }
+}
+
+StacksPtr ChunkService::stacks_of(const PatchKey& patch) {
+  StacksPtr stacks = patches_.find(patch);
+  if (stacks != nullptr) return stacks;
+  try {
+    stacks = std::make_shared<const terrain::Stacks>(generator_->make_patch(patch));
+    patches_.put(patch, stacks);
+  } catch (const std::exception& error) {
+    log_->error("patch ({}, {}) at level of detail {} failed: {}", patch.x, patch.z, patch.lod.value(),
+                error.what());
+  }
+  return stacks;
+}
+
+ChunkAnswer ChunkService::make_chunk(const terrain::Stacks* stacks, ChunkKey key) {
+  if (stacks == nullptr) return tl::make_unexpected(GenerationFailed{"its patch could not be generated"});
+  try {
+    EncodedChunkPtr chunk = generator_->make_chunk(*stacks, key);
+    chunks_.put(key, chunk);
+    return chunk;
+  } catch (const std::exception& error) {
+    log_->error("chunk {} failed: {}", to_string(key), error.what());
+    return tl::make_unexpected(GenerationFailed{error.what()});
+  }
+}
+
+}  // namespace talus::server

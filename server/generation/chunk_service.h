@@ -1,0 +1,71 @@
+// Where chunks come from: the memory cache, or a pool of generator threads. Callable from any thread.
+//
+// A chunk that is cached, or uniform whatever the surface does, is found with no lock but its shard's.
+// Otherwise a client waits for a job; the answer comes through its ChunkClient, on a generator thread.
+#pragma once
+
+#include <condition_variable>
+#include <cstddef>
+#include <memory>
+#include <mutex>
+#include <thread>
+#include <vector>
+
+#include "cache/chunk_cache.h"
+#include "cache/patch_cache.h"
+#include "generation/generator.h"
+#include "generation/work_queue.h"
+#include "log/logger.h"
+
+namespace talus::server {
+
+struct ServiceSettings {
+  std::size_t threads = 1;
+  int patch_tiles = 4;
+  std::size_t queue_chunks = 0;
+  std::size_t chunk_cache_bytes = 0;
+  std::size_t patch_cache_bytes = 0;
+};
+
+class ChunkService {
+ public:
+  ChunkService(std::unique_ptr<const Generator> generator, const ServiceSettings& settings, Logger log);
+  /// Waits for the threads; what still waits is not answered.
+  ~ChunkService();
+  ChunkService(const ChunkService&) = delete;
+  ChunkService& operator=(const ChunkService&) = delete;
+
+  /// The chunk where it is at hand; else null.
+  [[nodiscard]] EncodedChunkPtr find(ChunkKey key);
+
+  enum class Submission : std::uint8_t { queued, refused };
+  /// Lets `client` wait for the chunk. Refused where the queue is full: no answer will come.
+  [[nodiscard]] Submission submit(const ChunkClientPtr& client, ChunkKey key);
+  /// An answer that is on its way already may still come.
+  void cancel(const ChunkClient& client, ChunkKey key);
+
+  void submit_heights(HeightsTask task);
+  void cancel_heights(const ChunkClient& client, std::uint64_t ticket);
+
+ private:
+  void work();
+  void run(const WorkQueue::Batch& batch);
+  void run(const HeightsTask& task);
+  void deliver(ChunkClient& waiter, ChunkKey key, const ChunkAnswer& answer);
+  [[nodiscard]] StacksPtr stacks_of(const PatchKey& patch);
+  [[nodiscard]] ChunkAnswer make_chunk(const terrain::Stacks* stacks, ChunkKey key);
+
+  std::unique_ptr<const Generator> generator_;
+  Logger log_;
+  ChunkCache chunks_;
+  PatchCache patches_;
+
+  std::mutex mutex_;
+  std::condition_variable work_waits_;
+  WorkQueue queue_;
+  bool stopping_ = false;
+
+  std::vector<std::thread> threads_;
+};
+
+}  // namespace talus::server

@@ -1,0 +1,31 @@
+// What generator threads call to make terrain. Every function may be called by several threads at once
+// and may throw std::bad_alloc.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include <talus/terrain/stacks.h>
+#include <talus/voxel/coords.h>
+
+#include "cache/encoded_chunk.h"
+#include "generation/patch.h"
+
+namespace talus::server {
+
+class Generator {
+ public:
+  virtual ~Generator() = default;
+
+  /// The chunk where it costs nothing to know it; else null.
+  [[nodiscard]] virtual EncodedChunkPtr instant(ChunkKey key) const = 0;
+  [[nodiscard]] virtual terrain::Stacks make_patch(const PatchKey& patch) const = 0;
+  /// `stacks` is the patch over which the chunk stands.
+  [[nodiscard]] virtual EncodedChunkPtr make_chunk(const terrain::Stacks& stacks, ChunkKey key) const = 0;
+  /// Surface heights in subvoxels, one a column.
+  [[nodiscard]] virtual std::vector<std::int32_t> heights(
+      std::span<const terrain::BaseColumn> columns) const = 0;
+};
+
+}  // namespace talus::server

@@ -1,0 +1,33 @@
+#include "generation/terrain_generator.h"
+
+#include <utility>
+
+namespace talus::server {
+
+TerrainGenerator::TerrainGenerator(std::shared_ptr<const terrain::World> world, int patch_tiles)
+    : world_{std::move(world)}, patch_tiles_{patch_tiles} {
+  for (const terrain::Material& material : world_->materials()) {
+    uniform_.push_back(encode_shared(Chunk::uniform(material.id)));
+  }
+}
+
+EncodedChunkPtr TerrainGenerator::instant(ChunkKey key) const {
+  const auto material = terrain::uniform_everywhere(*world_, key);
+  return material ? uniform_[to_integer(*material)] : nullptr;
+}
+
+terrain::Stacks TerrainGenerator::make_patch(const PatchKey& patch) const {
+  return terrain::generate_stacks(*world_, region_of(patch, patch_tiles_));
+}
+
+EncodedChunkPtr TerrainGenerator::make_chunk(const terrain::Stacks& stacks, ChunkKey key) const {
+  const Chunk chunk = terrain::extract_chunk(*world_, stacks, key.coord);
+  if (chunk.is_uniform()) return uniform_[to_integer(chunk.at({}))];
+  return encode_shared(chunk);
+}
+
+std::vector<std::int32_t> TerrainGenerator::heights(std::span<const terrain::BaseColumn> columns) const {
+  return terrain::surface_heights(*world_, columns);
+}
+
+}  // namespace talus::server

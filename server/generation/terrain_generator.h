@@ -1,0 +1,29 @@
+// The generator of a world.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include <talus/terrain/world.h>
+
+#include "generation/generator.h"
+
+namespace talus::server {
+
+class TerrainGenerator final : public Generator {
+ public:
+  TerrainGenerator(std::shared_ptr<const terrain::World> world, int patch_tiles);
+
+  [[nodiscard]] EncodedChunkPtr instant(ChunkKey key) const override;
+  [[nodiscard]] terrain::Stacks make_patch(const PatchKey& patch) const override;
+  [[nodiscard]] EncodedChunkPtr make_chunk(const terrain::Stacks& stacks, ChunkKey key) const override;
+  [[nodiscard]] std::vector<std::int32_t> heights(
+      std::span<const terrain::BaseColumn> columns) const override;
+
+ private:
+  std::shared_ptr<const terrain::World> world_;
+  int patch_tiles_;
+  std::vector<EncodedChunkPtr> uniform_;  // by material id
+};
+
+}  // namespace talus::server

@@ -1,0 +1,20 @@
+#include "log/escape.h"
+
+#include <fmt/format.h>
+
+namespace talus::server {
+
+std::string escaped(std::string_view text, std::size_t most_bytes) {
+  std::string out;
+  for (const char c : text.substr(0, most_bytes)) {
+    if (c >= ' ' && c <= '~' && c != '"' && c != '\\') {
+      out += c;
+    } else {
+      out += fmt::format("\\x{:02x}", static_cast<unsigned char>(c));
+    }
+  }
+  if (text.size() > most_bytes) out += "...";
+  return out;
+}
+
+}  // namespace talus::server

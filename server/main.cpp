@@ -1,0 +1,69 @@
+// talusd: streams an endless world, generated on demand, to game clients.
+#include <csignal>
+#include <cstdio>
+#include <exception>
+#include <optional>
+
+#include <fmt/format.h>
+
+#include "config/command_line.h"
+#include "log/logger.h"
+#include "net/server.h"
+#include "store/data_directory.h"
+#include "world_file.h"
+
+namespace {
+
+using namespace talus::server;
+
+int failed(const std::string& line) {
+  fmt::print(stderr, "talusd: {}\n", line);
+  return 1;
+}
+
+int serve(const Command& command) {
+  const Config& config = command.config;
+  const auto world = load_world(config.world);
+  if (!world) return failed(world.error());
+  if (command.check_only) {
+    fmt::print("ok\n");
+    return 0;
+  }
+
+  std::optional<DataDirectory> data;
+  if (!config.data.empty()) {
+    auto opened = DataDirectory::open(config.data, (*world)->fingerprint());
+    if (!opened) return failed(opened.error());
+    data.emplace(*std::move(opened));
+  }
+  const Logger log = make_logger(config.log.level);
+  Server server{config, *world, data ? data->store_id() : talus::ContentHash{}, log};
+  const auto address = server.listen();
+  if (!address) return failed(address.error());
+
+  for (const std::string& warning : command.warnings) log->warn("{}", warning);
+  log->info("world {}, generator {}", to_string((*world)->fingerprint()), talus::terrain::kGeneratorVersion);
+  // On its own and whatever the log level: programs that start a server read this line.
+  fmt::print("listening on {}\n", *address);
+  std::fflush(stdout);
+  server.run();
+  log->info("ended");
+  return 0;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  // A log whose reader went away must not end the server.
+  std::signal(SIGPIPE, SIG_IGN);
+  const auto command = read_command_line(argc, argv, process_environment());
+  if (!command) {
+    fmt::print(command.error().status == 0 ? stdout : stderr, "{}", command.error().text);
+    return command.error().status;
+  }
+  try {
+    return serve(*command);
+  } catch (const std::exception& error) {
+    return failed(fmt::format("unexpected: {}", error.what()));
+  }
+}

@@ -1,0 +1,307 @@
+#include "net/connection.h"
+
+#include <netinet/in.h>
+#include <netinet/tcp.h>
+#include <sys/socket.h>
+
+#include <algorithm>
+#include <exception>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+#include <asio/buffer.hpp>
+#include <asio/co_spawn.hpp>
+#include <asio/post.hpp>
+#include <asio/redirect_error.hpp>
+#include <asio/use_awaitable.hpp>
+#include <asio/write.hpp>
+
+#include "log/escape.h"
+
+namespace talus::server {
+namespace {
+
+using std::chrono::milliseconds;
+
+constexpr std::size_t kGatherBytes = std::size_t{64} * 1024;
+constexpr int kUnsentLowWaterBytes = 16 * 1024;
+constexpr milliseconds kTimeToClose{2000};   // to write the last frames and to read the client's end
+constexpr milliseconds kViewInterval{20};    // a View is a sort of all its chunks: not for every frame
+constexpr milliseconds kRetryInterval{100};  // while the generators' queue is full
+
+milliseconds from_config(std::uint64_t ms) {
+  return milliseconds{static_cast<milliseconds::rep>(ms)};
+}
+
+void tune(asio::ip::tcp::socket& socket) {
+  std::error_code ignored;
+  socket.set_option(asio::ip::tcp::no_delay{true}, ignored);
+  // What the kernel holds cannot be overtaken, so it holds little and the outbox decides late.
+  ::setsockopt(socket.native_handle(), IPPROTO_TCP, TCP_NOTSENT_LOWAT, &kUnsentLowWaterBytes,
+               sizeof(kUnsentLowWaterBytes));
+}
+
+}  // namespace
+
+/// Carries answers from generator threads to the connection's own.
+class Connection::Port final : public ChunkClient {
+ public:
+  explicit Port(const std::shared_ptr<Connection>& connection)
+      : connection_{connection}, executor_{connection->socket_.get_executor()} {}
+
+  void chunk_ready(ChunkKey key, ChunkAnswer answer) override {
+    asio::post(executor_, [weak = connection_, key, answer = std::move(answer)] {
+      const auto connection = weak.lock();
+      if (connection == nullptr || !connection->open_) return;
+      connection->session_.chunk_ready(key, answer);
+      connection->work();
+    });
+  }
+
+  void heights_ready(std::uint64_t ticket, HeightsAnswer answer) override {
+    asio::post(executor_, [weak = connection_, ticket, answer = std::move(answer)] {
+      const auto connection = weak.lock();
+      if (connection == nullptr || !connection->open_) return;
+      connection->session_.heights_ready(ticket, answer);
+      connection->work();
+    });
+  }
+
+ private:
+  std::weak_ptr<Connection> connection_;
+  asio::any_io_executor executor_;
+};
+
+Connection::Connection(asio::ip::tcp::socket socket, std::string remote, ConnectionId id,
+                       const ConnectionContext& context, Admission::Place place)
+    : socket_{std::move(socket)},
+      remote_{std::move(remote)},
+      id_{id},
+      context_{context},
+      place_{std::move(place)},
+      frames_{static_cast<std::uint32_t>(context.session.limits.frame_bytes)},
+      session_{context.session},
+      output_waits_{socket_.get_executor()},
+      room_{socket_.get_executor()},
+      watch_timer_{socket_.get_executor()},
+      retry_timer_{socket_.get_executor()},
+      opened_{Clock::now()},
+      last_frame_{opened_} {
+  tune(socket_);
+}
+
+void Connection::start() {
+  asio::post(socket_.get_executor(), [self = shared_from_this()] {
+    self->session_.attach(std::make_shared<Port>(self));
+    self->spawn(&Connection::read);
+    self->spawn(&Connection::write);
+    self->spawn(&Connection::watch);
+  });
+}
+
+void Connection::go_away(std::string reason, std::uint32_t retry_after_ms) {
+  asio::post(socket_.get_executor(), [self = shared_from_this(), reason = std::move(reason), retry_after_ms] {
+    if (!self->open_) return;
+    self->session_.go_away(reason, retry_after_ms);
+    self->work();
+  });
+}
+
+void Connection::spawn(asio::awaitable<void> (Connection::*loop)()) {
+  asio::co_spawn(
+      socket_.get_executor(), [self = shared_from_this(), loop] { return ((*self).*loop)(); },
+      [self = shared_from_this()](const std::exception_ptr& thrown) {
+        if (!thrown) return;
+        try {
+          std::rethrow_exception(thrown);
+        } catch (const std::exception& error) {
+          self->end(fmt::format("failed: {}", error.what()));
+        }
+      });
+}
+
+asio::awaitable<void> Connection::read() {
+  while (open_) {
+    std::error_code failed;
+    const std::size_t bytes = co_await socket_.async_read_some(
+        asio::buffer(input_), asio::redirect_error(asio::use_awaitable, failed));
+    if (failed) {
+      end(failed == asio::error::eof
+              ? (frames_.mid_frame() ? "closed by the client inside a frame" : "closed by the client")
+              : failed.message());
+      co_return;
+    }
+    // What comes after the last word is read and dropped, so that closing does not reset the connection.
+    if (session_.closing()) continue;
+    co_await take_in(std::span{input_}.first(bytes));
+    work();
+    co_await take_up_view();
+  }
+}
+
+asio::awaitable<void> Connection::take_in(std::span<const std::byte> bytes) {
+  while (!bytes.empty() && open_ && !session_.closing()) {
+    const auto taken = frames_.feed(bytes);
+    if (!taken) {
+      session_.broken_frame(taken.error());
+      co_return;
+    }
+    bytes = bytes.subspan(*taken);
+    if (!frames_.has_frame()) continue;
+    session_.receive(frames_.frame());
+    frames_.pop();
+    last_frame_ = Clock::now();
+    note_greeting();
+    if (session_.queued_bytes() > context_.session.limits.queued_bytes_per_session) {
+      work();
+      co_await wait_for_room();
+    }
+  }
+}
+
+asio::awaitable<void> Connection::take_up_view() {
+  if (!open_ || !session_.view_waits()) co_return;
+  if (const auto due = last_view_ + kViewInterval; due > Clock::now()) {
+    room_.expires_at(due);
+    co_await wait(room_);
+  }
+  if (!open_) co_return;
+  session_.apply_view();
+  last_view_ = Clock::now();
+  work();
+}
+
+asio::awaitable<void> Connection::wait_for_room() {
+  reading_paused_ = true;
+  while (open_ && !session_.closing() &&
+         session_.queued_bytes() > context_.session.limits.queued_bytes_per_session) {
+    room_.expires_at(Clock::time_point::max());
+    co_await wait(room_);
+  }
+  reading_paused_ = false;
+  last_frame_ = Clock::now();
+}
+
+asio::awaitable<void> Connection::write() {
+  while (open_) {
+    if (!session_.sendable()) {
+      if (session_.closing()) break;
+      output_waits_.expires_at(Clock::time_point::max());
+      co_await wait(output_waits_);
+      continue;
+    }
+    const std::vector<protocol::Frame> frames = session_.take_output(kGatherBytes);
+    work();
+    std::vector<asio::const_buffer> buffers;
+    buffers.reserve(frames.size());
+    for (const protocol::Frame& frame : frames) buffers.push_back(asio::buffer(frame));
+
+    write_progress_ = Clock::now();
+    const auto progress = [this](const std::error_code& error, std::size_t) -> std::size_t {
+      write_progress_ = Clock::now();
+      return error ? 0 : kGatherBytes;
+    };
+    std::error_code failed;
+    co_await asio::async_write(socket_, buffers, progress, asio::redirect_error(asio::use_awaitable, failed));
+    write_progress_.reset();
+    if (failed) {
+      end(failed.message());
+      co_return;
+    }
+  }
+  std::error_code ignored;
+  if (open_) socket_.shutdown(asio::ip::tcp::socket::shutdown_send, ignored);
+}
+
+asio::awaitable<void> Connection::watch() {
+  while (open_) {
+    const auto now = Clock::now();
+    if (closing_since_ && now >= *closing_since_ + kTimeToClose) {
+      end("closed");
+    } else if (write_stalled(now)) {
+      end(fmt::format("timeout: the client read nothing for {} ms",
+                      context_.session.limits.write_timeout_ms));
+    } else if (now >= next_deadline(now)) {
+      time_out();
+    } else {
+      watch_timer_.expires_at(next_deadline(now));
+      co_await wait(watch_timer_);
+    }
+  }
+}
+
+asio::awaitable<void> Connection::wait(asio::steady_timer& timer) {
+  std::error_code cancelled;
+  co_await timer.async_wait(asio::redirect_error(asio::use_awaitable, cancelled));
+}
+
+void Connection::work() {
+  if (!open_) return;
+  session_.pump();
+  if (session_.closing() && !closing_since_) {
+    closing_since_ = Clock::now();
+    watch_timer_.cancel();
+  }
+  if (session_.sendable() || session_.closing()) output_waits_.cancel();
+  if (reading_paused_) room_.cancel();
+  if (session_.refused()) retry_soon();
+}
+
+void Connection::retry_soon() {
+  if (std::exchange(retry_armed_, true)) return;
+  retry_timer_.expires_after(kRetryInterval);
+  retry_timer_.async_wait([self = shared_from_this()](std::error_code) {
+    self->retry_armed_ = false;
+    self->work();
+  });
+}
+
+void Connection::time_out() {
+  const Limits& limits = context_.session.limits;
+  session_.timed_out(session_.greeted()
+                         ? fmt::format("no whole frame for {} ms; send Ping when there is nothing to say",
+                                       limits.idle_timeout_ms)
+                         : fmt::format("no whole Hello within {} ms", limits.handshake_timeout_ms));
+  work();
+}
+
+bool Connection::write_stalled(Clock::time_point now) const {
+  return write_progress_ && now >= *write_progress_ + from_config(context_.session.limits.write_timeout_ms);
+}
+
+Connection::Clock::time_point Connection::next_deadline(Clock::time_point now) const {
+  const Limits& limits = context_.session.limits;
+  if (closing_since_) return *closing_since_ + kTimeToClose;
+  const auto silent = !session_.greeted() ? opened_ + from_config(limits.handshake_timeout_ms)
+                      : reading_paused_   ? now + from_config(limits.idle_timeout_ms)
+                                          : last_frame_ + from_config(limits.idle_timeout_ms);
+  // Without a write under way one may begin before the next look.
+  return std::min(silent, write_progress_.value_or(now) + from_config(limits.write_timeout_ms));
+}
+
+void Connection::note_greeting() {
+  if (greeting_noted_ || !session_.greeted()) return;
+  greeting_noted_ = true;
+  watch_timer_.cancel();  // from here on it is the idle time that counts
+  context_.log->info("conn {} {}: hello from \"{}\", protocol {}", id_, remote_,
+                     escaped(session_.greeting()->client), session_.greeting()->protocol);
+}
+
+void Connection::end(std::string_view reason) {
+  if (!std::exchange(open_, false)) return;
+  std::error_code ignored;
+  socket_.close(ignored);
+  output_waits_.cancel();
+  room_.cancel();
+  watch_timer_.cancel();
+  retry_timer_.cancel();
+  const std::string& failure = session_.failure();
+  context_.log->info("conn {} {}: ended: {}", id_, remote_,
+                     failure.empty() ? std::string{reason} : escaped(failure, 300));
+  session_.abandon();
+  place_.reset();
+  context_.registry.remove(id_);
+}
+
+}  // namespace talus::server

@@ -1,0 +1,35 @@
+#include "net/io_pool.h"
+
+namespace talus::server {
+
+IoPool::IoPool(std::size_t threads) {
+  for (std::size_t thread = 0; thread < threads; ++thread) {
+    contexts_.push_back(std::make_unique<asio::io_context>(1));
+    guards_.emplace_back(contexts_.back()->get_executor());
+  }
+}
+
+IoPool::~IoPool() {
+  stop();
+  for (std::thread& thread : threads_) thread.join();
+}
+
+asio::io_context& IoPool::next() {
+  turn_ = (turn_ + 1) % contexts_.size();
+  return *contexts_[turn_];
+}
+
+void IoPool::run() {
+  for (std::size_t other = 1; other < contexts_.size(); ++other) {
+    threads_.emplace_back([context = contexts_[other].get()] { context->run(); });
+  }
+  control().run();
+  for (std::thread& thread : threads_) thread.join();
+  threads_.clear();
+}
+
+void IoPool::stop() {
+  for (const auto& context : contexts_) context->stop();
+}
+
+}  // namespace talus::server

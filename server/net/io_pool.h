@@ -1,0 +1,38 @@
+// One io_context for each thread that serves sockets. A socket stays on the context it was dealt to.
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <thread>
+#include <vector>
+
+#include <asio/executor_work_guard.hpp>
+#include <asio/io_context.hpp>
+
+namespace talus::server {
+
+class IoPool {
+ public:
+  explicit IoPool(std::size_t threads);
+  ~IoPool();
+  IoPool(const IoPool&) = delete;
+  IoPool& operator=(const IoPool&) = delete;
+
+  /// The context of the thread that calls run().
+  [[nodiscard]] asio::io_context& control() { return *contexts_.front(); }
+  /// The contexts in turn; for one thread to call.
+  [[nodiscard]] asio::io_context& next();
+
+  /// Runs every context until stop(), the control one in this thread.
+  void run();
+  /// Ends run() without waiting for work; callable from any thread.
+  void stop();
+
+ private:
+  std::vector<std::unique_ptr<asio::io_context>> contexts_;
+  std::vector<asio::executor_work_guard<asio::io_context::executor_type>> guards_;
+  std::vector<std::thread> threads_;
+  std::size_t turn_ = 0;
+};
+
+}  // namespace talus::server

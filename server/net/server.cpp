@@ -1,0 +1,173 @@
+#include "net/server.h"
+
+#include <algorithm>
+#include <csignal>
+#include <exception>
+#include <thread>
+#include <utility>
+
+#include <fmt/format.h>
+#include <asio/co_spawn.hpp>
+#include <asio/post.hpp>
+#include <asio/redirect_error.hpp>
+#include <asio/use_awaitable.hpp>
+
+#include "generation/terrain_generator.h"
+#include "net/descriptors.h"
+
+namespace talus::server {
+namespace {
+
+using asio::ip::tcp;
+using std::chrono::milliseconds;
+
+constexpr std::uint64_t kSpareDescriptors = 64;  // logs, the listening socket, what libraries open
+constexpr milliseconds kAcceptPause{100};        // when the system has no descriptor left
+constexpr std::chrono::seconds kRefusalLineInterval{1};
+constexpr std::uint32_t kRetryAfterMs = 5000;
+
+std::size_t io_threads(const Config& config) {
+  if (config.threads.io != 0) return config.threads.io;
+  return std::max(1U, std::thread::hardware_concurrency() / 4);
+}
+
+std::size_t generator_threads(const Config& config) {
+  if (config.threads.generator != 0) return config.threads.generator;
+  return std::max(1U, std::thread::hardware_concurrency());
+}
+
+WorldInfo describe_world(const terrain::World& world, ContentHash store_id) {
+  return {world.fingerprint(),        store_id,
+          world.materials(),          terrain::height_range(world),
+          terrain::find_spawn(world), "talusd " TALUS_VERSION};
+}
+
+ServiceSettings service_settings(const Config& config) {
+  return {generator_threads(config), static_cast<int>(config.generation.patch_tiles),
+          config.generation.queue_chunks, config.cache.chunk_bytes, config.cache.patch_bytes};
+}
+
+std::string to_text(const tcp::endpoint& endpoint) {
+  return to_string(Endpoint{endpoint.address().to_string(), endpoint.port()});
+}
+
+void rethrow(const std::exception_ptr& thrown) {
+  if (thrown) std::rethrow_exception(thrown);
+}
+
+}  // namespace
+
+Server::Server(const Config& config, std::shared_ptr<const terrain::World> world, ContentHash store_id,
+               Logger log)
+    : config_{config},
+      log_{std::move(log)},
+      world_{describe_world(*world, store_id)},
+      admission_{config.limits.connections, config.limits.connections_per_address},
+      io_{io_threads(config)},
+      chunks_{std::make_unique<TerrainGenerator>(std::move(world),
+                                                 static_cast<int>(config.generation.patch_tiles)),
+              service_settings(config), log_},
+      acceptor_{io_.control()},
+      signals_{io_.control(), SIGTERM, SIGINT},
+      drain_timer_{io_.control()},
+      accept_pause_{io_.control()} {}
+
+tl::expected<std::string, std::string> Server::listen() {
+  const auto failed = [&](const std::error_code& error) {
+    return tl::make_unexpected(fmt::format("listen {}: {}; choose another address with --listen HOST:PORT",
+                                           to_string(config_.listen), error.message()));
+  };
+  std::error_code error;
+  tcp::resolver resolver{io_.control()};
+  const auto found = resolver.resolve(config_.listen.host, std::to_string(config_.listen.port),
+                                      tcp::resolver::passive | tcp::resolver::numeric_service, error);
+  if (error) return failed(error);
+  const tcp::endpoint wanted = found.begin()->endpoint();
+  acceptor_.open(wanted.protocol(), error);
+  if (!error) acceptor_.set_option(tcp::acceptor::reuse_address{true}, error);
+  if (!error) acceptor_.bind(wanted, error);
+  if (!error) acceptor_.listen(asio::socket_base::max_listen_connections, error);
+  if (error) return failed(error);
+  return to_text(acceptor_.local_endpoint());
+}
+
+void Server::run() {
+  const std::uint64_t wanted = config_.limits.connections + kSpareDescriptors;
+  if (const std::uint64_t allowed = raise_descriptor_limit(wanted); allowed < wanted) {
+    log_->warn("the system allows {} open files, fewer than limits.connections {} needs; raise ulimit -n",
+               allowed, config_.limits.connections);
+  }
+  asio::co_spawn(io_.control(), accept(), rethrow);
+  asio::co_spawn(io_.control(), obey_signals(), rethrow);
+  io_.run();
+}
+
+asio::awaitable<void> Server::accept() {
+  while (acceptor_.is_open()) {
+    std::error_code failed;
+    tcp::socket socket =
+        co_await acceptor_.async_accept(io_.next(), asio::redirect_error(asio::use_awaitable, failed));
+    if (!acceptor_.is_open()) co_return;
+    if (!failed) {
+      admit(std::move(socket));
+    } else if (failed != asio::error::connection_aborted) {
+      log_->warn("cannot accept a connection: {}", failed.message());
+      accept_pause_.expires_after(kAcceptPause);
+      co_await accept_pause_.async_wait(asio::redirect_error(asio::use_awaitable, failed));
+    }
+  }
+}
+
+void Server::admit(tcp::socket socket) {
+  std::error_code gone;
+  const tcp::endpoint remote = socket.remote_endpoint(gone);
+  if (gone) return;
+  auto place = admission_.enter(remote.address());
+  if (!place) {
+    note_refusal(to_text(remote), place.error());
+    refusals_.refuse(std::move(socket), place.error());
+    return;
+  }
+  const ConnectionId id = ++last_id_;
+  log_->debug("conn {} {}: opened", id, to_text(remote));
+  const ConnectionContext context{{config_.limits, world_, chunks_}, registry_, log_};
+  const auto connection =
+      std::make_shared<Connection>(std::move(socket), to_text(remote), id, context, *std::move(place));
+  registry_.add(id, connection);
+  connection->start();
+}
+
+void Server::note_refusal(const std::string& remote, const std::string& reason) {
+  ++refusals_unsaid_;
+  const auto now = std::chrono::steady_clock::now();
+  if (now - last_refusal_line_ < kRefusalLineInterval) return;
+  last_refusal_line_ = now;
+  log_->warn("refused {}: {} ({} refused since the last such line)", remote, reason,
+             std::exchange(refusals_unsaid_, 0));
+}
+
+asio::awaitable<void> Server::obey_signals() {
+  const int first = co_await signals_.async_wait(asio::use_awaitable);
+  log_->info("{}: no new connections; {} are told to go away", first == SIGINT ? "SIGINT" : "SIGTERM",
+             admission_.connections());
+  drain();
+  co_await signals_.async_wait(asio::use_awaitable);
+  log_->warn("a second signal: ending at once");
+  io_.stop();
+}
+
+void Server::drain() {
+  std::error_code ignored;
+  acceptor_.close(ignored);
+  for (const auto& connection : registry_.all()) connection->go_away("the server is ending", kRetryAfterMs);
+  registry_.when_empty([this] { asio::post(io_.control(), [this] { io_.stop(); }); });
+  drain_timer_.expires_after(milliseconds{static_cast<milliseconds::rep>(config_.shutdown.drain_ms)});
+  drain_timer_.async_wait([this](std::error_code cancelled) {
+    if (cancelled) return;
+    log_->warn("{} connections were still open after {} ms", admission_.connections(),
+               config_.shutdown.drain_ms);
+    io_.stop();
+  });
+}
+
+}  // namespace talus::server

@@ -1,0 +1,65 @@
+// talusd from its first listening socket to its last answer.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+
+#include <asio/awaitable.hpp>
+#include <asio/ip/tcp.hpp>
+#include <asio/signal_set.hpp>
+#include <asio/steady_timer.hpp>
+#include <tl/expected.hpp>
+
+#include <talus/terrain/world.h>
+
+#include "config/config.h"
+#include "generation/chunk_service.h"
+#include "log/logger.h"
+#include "net/admission.h"
+#include "net/connection.h"
+#include "net/io_pool.h"
+#include "net/refusal.h"
+#include "net/registry.h"
+#include "session/world_info.h"
+
+namespace talus::server {
+
+class Server {
+ public:
+  Server(const Config& config, std::shared_ptr<const terrain::World> world, ContentHash store_id, Logger log);
+
+  /// Opens the listening socket; returns the address with its real port, or one line.
+  [[nodiscard]] tl::expected<std::string, std::string> listen();
+
+  /// Serves until SIGTERM or SIGINT, and then until every answer is sent or shutdown.drain_ms is over.
+  void run();
+
+ private:
+  [[nodiscard]] asio::awaitable<void> accept();
+  [[nodiscard]] asio::awaitable<void> obey_signals();
+  void admit(asio::ip::tcp::socket socket);
+  void note_refusal(const std::string& remote, const std::string& reason);
+  void drain();
+
+  // In the order in which they may be taken down, last first: generator threads post to the contexts, and
+  // connections in the contexts hold places and stand in the registry.
+  Config config_;
+  Logger log_;
+  WorldInfo world_;
+  Admission admission_;
+  Registry registry_;
+  Refusals refusals_;
+  IoPool io_;
+  ChunkService chunks_;
+
+  asio::ip::tcp::acceptor acceptor_;
+  asio::signal_set signals_;
+  asio::steady_timer drain_timer_;
+  asio::steady_timer accept_pause_;
+  ConnectionId last_id_ = 0;
+  std::chrono::steady_clock::time_point last_refusal_line_{};
+  std::uint64_t refusals_unsaid_ = 0;
+};
+
+}  // namespace talus::server

@@ -1,0 +1,63 @@
+#include "session/handshake.h"
+
+#include <algorithm>
+#include <string_view>
+#include <vector>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <talus/protocol/limits.h>
+#include <talus/voxel/codec.h>
+
+namespace talus::server {
+namespace {
+
+constexpr std::size_t kCodecsNamed = 16;  // of a client's list, in the text of an error
+
+std::string versions(unsigned oldest, unsigned newest) {
+  return oldest == newest ? fmt::format("version {}", oldest)
+                          : fmt::format("versions {} to {}", oldest, newest);
+}
+
+Rejection no_common_protocol(const wire::Hello& hello) {
+  return {wire::ErrorCode::version,
+          fmt::format("this server speaks protocol {}, this client {}",
+                      versions(protocol::kOldestProtocol, protocol::kProtocolVersion),
+                      versions(hello.protocol_min(), hello.protocol_max()))};
+}
+
+Rejection no_common_codec(const std::vector<unsigned>& codecs) {
+  const auto named =
+      codecs.size() <= kCodecsNamed ? codecs : std::vector(codecs.begin(), codecs.begin() + kCodecsNamed);
+  return {wire::ErrorCode::version,
+          fmt::format("this server sends chunk codec {}, this client decodes {}", unsigned{kCodecVersion},
+                      codecs.empty() ? "none" : fmt::format("{}", fmt::join(named, ", ")))};
+}
+
+bool too_long(const flatbuffers::String* text) {
+  return text != nullptr && text->size() > protocol::kMaxStringBytes;
+}
+
+}  // namespace
+
+tl::expected<Greeting, Rejection> greet(const wire::Hello& hello, const Limits& limits) {
+  const std::uint16_t chosen = protocol::choose_protocol(hello.protocol_min(), hello.protocol_max());
+  if (chosen == 0) return tl::make_unexpected(no_common_protocol(hello));
+
+  std::vector<unsigned> codecs;
+  if (hello.codecs() != nullptr) codecs.assign(hello.codecs()->begin(), hello.codecs()->end());
+  if (std::find(codecs.begin(), codecs.end(), unsigned{kCodecVersion}) == codecs.end()) {
+    return tl::make_unexpected(no_common_codec(codecs));
+  }
+  if (too_long(hello.token()) || too_long(hello.client())) {
+    return tl::make_unexpected(Rejection{
+        wire::ErrorCode::malformed,
+        fmt::format("Hello.token and Hello.client may have {} bytes each", protocol::kMaxStringBytes)});
+  }
+  const std::uint64_t window = hello.window_bytes() == 0 ? limits.window_bytes : hello.window_bytes();
+  return Greeting{chosen, kCodecVersion, std::min<std::uint64_t>(window, limits.window_bytes),
+                  hello.client() == nullptr ? std::string{} : hello.client()->str()};
+}
+
+}  // namespace talus::server

@@ -1,0 +1,82 @@
+#include "session/session.h"
+
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "session/replies.h"
+
+namespace talus::server {
+
+void Session::receive(std::span<const std::byte> frame) {
+  if (closing()) return;
+  const auto message = protocol::read_message(frame);
+  if (!message) return fail(wire::ErrorCode::malformed, protocol::describe(message.error()));
+
+  const wire::Message& verified = **message;
+  const wire::Body kind = verified.body_type();
+  if (!greeted() && kind != wire::Body::Hello) {
+    return fail(wire::ErrorCode::unexpected,
+                fmt::format("the first message must be Hello, not {}", wire::EnumNameBody(kind)));
+  }
+  switch (kind) {
+    case wire::Body::Hello:
+      return on(*verified.body_as_Hello());
+    case wire::Body::View:
+      return on(*verified.body_as_View());
+    case wire::Body::GetChunks:
+      return on(*verified.body_as_GetChunks());
+    case wire::Body::Cancel:
+      return on(*verified.body_as_Cancel());
+    case wire::Body::GetHeights:
+      return on(*verified.body_as_GetHeights());
+    case wire::Body::Credit:
+      return on(*verified.body_as_Credit());
+    case wire::Body::Edit:
+      return on(*verified.body_as_Edit());
+    case wire::Body::Ping:
+      return on(*verified.body_as_Ping());
+    default:
+      return fail(wire::ErrorCode::unexpected,
+                  fmt::format("{} is a message of servers", wire::EnumNameBody(kind)));
+  }
+}
+
+void Session::broken_frame(const protocol::FrameError& error) {
+  const bool huge = error.claimed_bytes > error.limit_bytes;
+  fail(huge ? wire::ErrorCode::too_large : wire::ErrorCode::malformed, error.message());
+}
+
+void Session::timed_out(std::string_view text) {
+  fail(wire::ErrorCode::timeout, text);
+}
+
+void Session::go_away(std::string_view reason, std::uint32_t retry_after_ms) {
+  if (closing() || going_away_) return;
+  outbox_.push_control(go_away_frame(reason, retry_after_ms));
+  going_away_ = true;
+  next_view_.reset();
+  drop_from_view(view_.replace({}));
+}
+
+void Session::fail(wire::ErrorCode code, std::string_view text) {
+  if (closing_) return;
+  outbox_.push_control(error_frame(code, text));
+  failure_ = fmt::format("{}: {}", wire::EnumNameErrorCode(code), text);
+  closing_ = true;
+  abandon();
+}
+
+void Session::abandon() {
+  closing_ = true;
+  for (const auto& [key, awaited] : awaited_) context_.chunks.cancel(*client_, key);
+  awaited_.clear();
+  for (const std::uint32_t id : requests_.ids()) {
+    if (const auto ticket = requests_.heights_ticket(id)) context_.chunks.cancel_heights(*client_, *ticket);
+  }
+  requests_.clear();
+  next_view_.reset();
+  outbox_.drop_chunks([](const Outbox::Entry&) { return true; });
+}
+
+}  // namespace talus::server

@@ -1,0 +1,132 @@
+// One client's conversation: messages in, frames out. The state machine of PROTOCOL.md.
+//
+// Knows no socket, no clock and no thread: net/connection.h feeds it, and calls it from one thread at a
+// time. What it holds is bounded by Limits, whatever the client sends.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+#include <talus/protocol/frame.h>
+#include <talus/protocol/message.h>
+
+#include "config/config.h"
+#include "generation/chunk_service.h"
+#include "session/handshake.h"
+#include "session/request_book.h"
+#include "session/world_info.h"
+#include "stream/credit.h"
+#include "stream/interest.h"
+#include "stream/outbox.h"
+#include "stream/view_stream.h"
+
+namespace talus::server {
+
+/// What sessions share; outlives them.
+struct SessionContext {
+  const Limits& limits;
+  const WorldInfo& world;
+  ChunkService& chunks;
+};
+
+class Session {
+ public:
+  /// Chunks of the View generated or waiting to be sent at once: few, so that a moved View soon counts.
+  static constexpr std::size_t kViewWindow = 64;
+  /// Chunks of this session that wait for a generator at once.
+  static constexpr std::size_t kServiceWindow = 128;
+
+  explicit Session(const SessionContext& context) : context_{context} {}
+
+  /// `client` hands answers back to chunk_ready() and heights_ready() on the session's own thread.
+  void attach(ChunkClientPtr client) { client_ = std::move(client); }
+
+  // ---- what happens to it
+  /// A whole frame, as FrameReader gives it.
+  void receive(std::span<const std::byte> frame);
+  void broken_frame(const protocol::FrameError& error);
+  void timed_out(std::string_view text);
+  void chunk_ready(ChunkKey key, const ChunkAnswer& answer);
+  void heights_ready(std::uint64_t ticket, const HeightsAnswer& answer);
+  /// Says GoAway, forgets the View, takes no more requests, and closes when those it has are answered.
+  void go_away(std::string_view reason, std::uint32_t retry_after_ms);
+  /// Leaves every queue; the connection is gone.
+  void abandon();
+
+  /// Whether a View came that apply_view() has not looked at.
+  [[nodiscard]] bool view_waits() const { return next_view_.has_value(); }
+  void apply_view();
+  /// Takes up as much work as the windows allow. Call it after anything above.
+  void pump();
+  /// Whether the generators' queue was full: pump() again in a while.
+  [[nodiscard]] bool refused() const { return refused_; }
+
+  // ---- what it has to say
+  [[nodiscard]] bool sendable() const { return outbox_.sendable(credit_); }
+  /// Frames to write now: `enough_bytes` and at most one frame more.
+  [[nodiscard]] std::vector<protocol::Frame> take_output(std::size_t enough_bytes);
+  /// Bytes that wait and that the client did not have to give credit for; above the limit, read no more.
+  [[nodiscard]] std::size_t queued_bytes() const {
+    return outbox_.control_bytes() + requests_.heights_bytes();
+  }
+
+  [[nodiscard]] bool greeted() const { return greeting_.has_value(); }
+  [[nodiscard]] const std::optional<Greeting>& greeting() const { return greeting_; }
+  /// What is sendable now is all that ever will be: write it and close.
+  [[nodiscard]] bool closing() const { return closing_ || (going_away_ && requests_.empty()); }
+  /// Why, for the log; empty where the client did nothing wrong.
+  [[nodiscard]] const std::string& failure() const { return failure_; }
+
+ private:
+  /// Who of this session waits for a chunk.
+  struct Awaited {
+    bool view = false;
+    std::vector<std::uint32_t> requests;
+  };
+
+  void on(const wire::Hello& hello);
+  void on(const wire::View& view);
+  void on(const wire::GetChunks& get);
+  void on(const wire::ChunkRequest& request);
+  void on(const wire::Cancel& cancel);
+  void on(const wire::GetHeights& get);
+  void on(const wire::Credit& credit);
+  void on(const wire::Edit& edit);
+  void on(const wire::Ping& ping);
+
+  void fail(wire::ErrorCode code, std::string_view text);
+  void refuse(std::uint32_t request_id, wire::ErrorCode code, std::string_view text,
+              std::uint32_t retry_after_ms = 0);
+  [[nodiscard]] bool admit(std::uint32_t id);
+  void drop_from_view(const std::vector<ChunkKey>& keys);
+
+  void start_request(std::uint32_t id);
+  [[nodiscard]] bool start_view_chunk(ChunkKey key);
+  /// The entry of those who wait for the chunk; null where the queue is full.
+  [[nodiscard]] Awaited* await(ChunkKey key);
+  void stop_awaiting(ChunkKey key, const Awaited& awaited);
+  void answer_request(std::uint32_t id, const ChunkAnswer& answer);
+  void answer_view(ChunkKey key, const ChunkAnswer& answer);
+
+  SessionContext context_;
+  ChunkClientPtr client_;
+  std::optional<Greeting> greeting_;
+  Credit credit_{0};
+  Outbox outbox_;
+  RequestBook requests_;
+  ViewStream view_;
+  std::optional<View> next_view_;
+  std::unordered_map<ChunkKey, Awaited> awaited_;
+  std::uint64_t heights_asked_ = 0;
+  bool refused_ = false;
+  bool going_away_ = false;
+  bool closing_ = false;
+  std::string failure_;
+};
+
+}  // namespace talus::server

@@ -1,0 +1,139 @@
+// How chunks are asked for, arrive and leave.
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "session/replies.h"
+#include "session/session.h"
+
+namespace talus::server {
+namespace {
+
+constexpr std::uint32_t kRetryAfterMs = 1000;
+
+}  // namespace
+
+void Session::apply_view() {
+  if (!next_view_) return;
+  const View view = *std::exchange(next_view_, std::nullopt);
+  drop_from_view(view_.replace(chunks_in_view(view)));
+}
+
+void Session::drop_from_view(const std::vector<ChunkKey>& keys) {
+  for (const ChunkKey key : keys) {
+    const auto found = awaited_.find(key);
+    if (found == awaited_.end()) continue;
+    found->second.view = false;
+    stop_awaiting(key, found->second);
+  }
+  outbox_.drop_chunks(
+      [&](const Outbox::Entry& entry) { return entry.request_id == 0 && !view_.under_way(entry.key); });
+}
+
+void Session::pump() {
+  refused_ = false;
+  while (!closing() && !refused_ && awaited_.size() < kServiceWindow &&
+         outbox_.chunk_bytes() < context_.limits.queued_bytes_per_session) {
+    if (const auto id = requests_.next_waiting()) {
+      start_request(*id);
+      continue;
+    }
+    if (view_.under_way_count() >= kViewWindow) return;
+    const auto key = view_.next();
+    if (!key) return;
+    refused_ = !start_view_chunk(*key);
+  }
+}
+
+void Session::start_request(std::uint32_t id) {
+  const ChunkKey key = requests_.chunk(id)->key;
+  if (EncodedChunkPtr chunk = context_.chunks.find(key)) {
+    answer_request(id, std::move(chunk));
+  } else if (Awaited* awaited = await(key)) {
+    awaited->requests.push_back(id);
+  } else {
+    refuse(id, wire::ErrorCode::overloaded, "too many chunks wait to be generated", kRetryAfterMs);
+    requests_.erase(id);
+  }
+}
+
+bool Session::start_view_chunk(ChunkKey key) {
+  if (EncodedChunkPtr chunk = context_.chunks.find(key)) {
+    answer_view(key, std::move(chunk));
+    return true;
+  }
+  if (Awaited* awaited = await(key)) {
+    awaited->view = true;
+    return true;
+  }
+  view_.put_back(key);
+  return false;
+}
+
+Session::Awaited* Session::await(ChunkKey key) {
+  if (const auto found = awaited_.find(key); found != awaited_.end()) return &found->second;
+  if (context_.chunks.submit(client_, key) == ChunkService::Submission::refused) return nullptr;
+  return &awaited_[key];
+}
+
+void Session::stop_awaiting(ChunkKey key, const Awaited& awaited) {
+  if (awaited.view || !awaited.requests.empty()) return;
+  context_.chunks.cancel(*client_, key);
+  awaited_.erase(key);
+}
+
+void Session::chunk_ready(ChunkKey key, const ChunkAnswer& answer) {
+  // Nobody may wait any more: the last one left when the answer was on its way.
+  const auto found = awaited_.extract(key);
+  if (found.empty()) return;
+  for (const std::uint32_t id : found.mapped().requests) answer_request(id, answer);
+  if (found.mapped().view) answer_view(key, answer);
+}
+
+void Session::answer_request(std::uint32_t id, const ChunkAnswer& answer) {
+  const RequestBook::ChunkRequest& request = *requests_.chunk(id);
+  if (!answer) {
+    refuse(id, wire::ErrorCode::internal, fmt::format("the chunk failed: {}", answer.error().reason),
+           kRetryAfterMs);
+  } else if (request.known == (*answer)->hash) {
+    outbox_.push_control(unchanged_frame(id, request.key, (*answer)->hash));
+  } else {
+    outbox_.push_chunk({id, request.key, *answer});
+    return;  // in flight until it is taken from the outbox
+  }
+  requests_.erase(id);
+}
+
+void Session::answer_view(ChunkKey key, const ChunkAnswer& answer) {
+  if (answer) return outbox_.push_chunk({0, key, *answer});
+  refuse(0, wire::ErrorCode::internal,
+         fmt::format("chunk {} of the View failed: {}", to_string(key), answer.error().reason),
+         kRetryAfterMs);
+  view_.done(key);
+}
+
+void Session::heights_ready(std::uint64_t ticket, const HeightsAnswer& answer) {
+  const auto id = static_cast<std::uint32_t>(ticket);
+  if (requests_.heights_ticket(id) != ticket) return;  // cancelled when the answer was on its way
+  if (answer) {
+    outbox_.push_control(heights_frame(id, *answer));
+  } else {
+    refuse(id, wire::ErrorCode::internal, fmt::format("the heights failed: {}", answer.error().reason),
+           kRetryAfterMs);
+  }
+  requests_.erase(id);
+}
+
+std::vector<protocol::Frame> Session::take_output(std::size_t enough_bytes) {
+  Outbox::Taken taken = outbox_.take(enough_bytes, credit_);
+  for (const Outbox::Entry& entry : taken.chunks) {
+    if (entry.request_id != 0) {
+      requests_.erase(entry.request_id);
+    } else {
+      view_.done(entry.key);
+    }
+  }
+  return std::move(taken.frames);
+}
+
+}  // namespace talus::server

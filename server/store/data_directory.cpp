@@ -1,0 +1,118 @@
+#include "store/data_directory.h"
+
+#include <fcntl.h>
+#include <sys/file.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <charconv>
+#include <optional>
+#include <random>
+#include <system_error>
+#include <utility>
+
+#include <fmt/format.h>
+#include <toml++/toml.h>
+
+#include "store/write_atomically.h"
+
+namespace talus::server {
+namespace {
+
+namespace fs = std::filesystem;
+
+tl::unexpected<std::string> system_failure(const fs::path& path, std::string_view what, int error) {
+  return tl::make_unexpected(fmt::format("data {}: {}: {}; give --data a directory that talusd may write",
+                                         path.string(), what, std::generic_category().message(error)));
+}
+
+ContentHash random_id() {
+  std::random_device device;
+  const auto half = [&] { return (std::uint64_t{device()} << 32) | device(); };
+  return {half(), half()};
+}
+
+std::optional<ContentHash> parse_hash(const std::optional<std::string>& text) {
+  constexpr std::size_t kHalfDigits = 16;
+  if (!text || text->size() != 2 * kHalfDigits) return std::nullopt;
+  ContentHash hash;
+  for (const auto& [half, at] : {std::pair{&hash.high, std::size_t{0}}, std::pair{&hash.low, kHalfDigits}}) {
+    const char* const begin = text->data() + at;
+    const auto [stop, error] = std::from_chars(begin, begin + kHalfDigits, *half, 16);
+    if (error != std::errc{} || stop != begin + kHalfDigits) return std::nullopt;
+  }
+  return hash;
+}
+
+std::string store_text(ContentHash id, ContentHash fingerprint) {
+  return fmt::format(
+      "# Made by talusd. Delete nothing here by hand: what the store holds belongs to this id and world.\n"
+      "store_id = \"{}\"\n"
+      "fingerprint = \"{}\"\n",
+      to_string(id), to_string(fingerprint));
+}
+
+/// The id of an existing store, which must be of this world.
+tl::expected<ContentHash, std::string> read_store(const fs::path& file, ContentHash fingerprint) {
+  std::optional<ContentHash> id;
+  std::optional<ContentHash> held;
+  try {
+    const toml::table table = toml::parse_file(file.string());
+    id = parse_hash(table["store_id"].value<std::string>());
+    held = parse_hash(table["fingerprint"].value<std::string>());
+  } catch (const toml::parse_error&) {
+    // Reported with the two keys below: all that can be right is a file that talusd wrote.
+  }
+  if (!id || !held) {
+    return tl::make_unexpected(fmt::format(
+        "{}: is not a store that talusd wrote; it needs store_id and fingerprint of 32 hexadecimal digits",
+        file.string()));
+  }
+  if (*held != fingerprint) {
+    return tl::make_unexpected(fmt::format(
+        "{}: the store is of the world with fingerprint {}, this world has {}; give --data another "
+        "directory or --world the store's world",
+        file.string(), to_string(*held), to_string(fingerprint)));
+  }
+  return *id;
+}
+
+tl::expected<ContentHash, std::string> read_or_make_store(const fs::path& path, ContentHash fingerprint) {
+  const fs::path file = path / "store.toml";
+  std::error_code error;
+  if (fs::exists(file, error)) return read_store(file, fingerprint);
+  const ContentHash id = random_id();
+  if (const int failed = write_atomically(file, store_text(id, fingerprint)); failed != 0) {
+    return system_failure(path, "cannot write store.toml", failed);
+  }
+  return id;
+}
+
+}  // namespace
+
+tl::expected<DataDirectory, std::string> DataDirectory::open(const fs::path& path, ContentHash fingerprint) {
+  std::error_code error;
+  fs::create_directories(path, error);
+  if (error) return system_failure(path, "cannot make the directory", error.value());
+
+  const int lock = ::open((path / "lock").c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644);
+  if (lock < 0) return system_failure(path, "cannot write into it", errno);
+  DataDirectory directory{lock, {}};
+  if (::flock(lock, LOCK_EX | LOCK_NB) != 0) {
+    return tl::make_unexpected(
+        fmt::format("data {}: another talusd uses it; give --data another directory", path.string()));
+  }
+  auto id = read_or_make_store(path, fingerprint);
+  if (!id) return tl::make_unexpected(id.error());
+  directory.store_id_ = *id;
+  return directory;
+}
+
+DataDirectory::DataDirectory(DataDirectory&& other) noexcept
+    : lock_{std::exchange(other.lock_, -1)}, store_id_{other.store_id_} {}
+
+DataDirectory::~DataDirectory() {
+  if (lock_ >= 0) ::close(lock_);
+}
+
+}  // namespace talus::server

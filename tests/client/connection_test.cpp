@@ -1,0 +1,177 @@
+#include <asio/use_awaitable.hpp>
+#include <catch2/catch.hpp>
+
+#include "peer.h"
+
+namespace talus::client {
+namespace {
+
+using namespace testing;
+using std::chrono::milliseconds;
+
+// What connect() gives when the server answers the Hello as `answer` does.
+Result<WorldInfo> answered_by(const std::function<asio::awaitable<void>(Peer&)>& answer,
+                              Options options = {}) {
+  asio::io_context io;
+  Peer peer{io};
+  std::optional<Result<WorldInfo>> joined;
+  const auto visit = [&]() -> asio::awaitable<void> {
+    Client client{io.get_executor(), options};
+    joined = co_await client.connect("127.0.0.1", peer.port());
+  };
+  run(io, {visit, [&] { return answer(peer); }});
+  return *joined;
+}
+
+}  // namespace
+
+TEST_CASE("a client says Hello with its versions, codecs, token and window") {
+  Options options;
+  options.token = "open sesame";
+  options.window_bytes = 12345;
+  (void)answered_by(
+      [](Peer& peer) -> asio::awaitable<void> {
+        co_await peer.accept();
+        const auto* hello = (co_await peer.receive())->body_as_Hello();
+        REQUIRE(hello != nullptr);
+        CHECK(hello->protocol_min() == 1);
+        CHECK(hello->protocol_max() == 1);
+        CHECK(hello->codecs()->Get(0) == 1);
+        CHECK(hello->token()->str() == "open sesame");
+        CHECK(hello->window_bytes() == 12345);
+        peer.hang_up();
+      },
+      options);
+}
+
+TEST_CASE("Welcome becomes WorldInfo") {
+  const auto world = answered_by([](Peer& peer) { return peer.welcome(42); });
+  REQUIRE(world.has_value());
+  CHECK(world->fingerprint == ContentHash{42, 0});
+  CHECK(world->materials.size() == 4);
+  CHECK(world->materials[2].name == "granite");
+  CHECK(world->materials[1].phase == Phase::liquid);
+  CHECK(world->spawn == VoxelPos{8, 70, -8});
+  CHECK(world->max_y == 320);
+  CHECK(world->limits.requests_in_flight == 64);
+}
+
+TEST_CASE("a refusal carries the server's words") {
+  const auto world = answered_by([](Peer& peer) -> asio::awaitable<void> {
+    co_await peer.accept();
+    (void)co_await peer.receive();
+    co_await peer.send(error_frame(wire::ErrorCode::version, "this server speaks 7\nand you speak 1"));
+  });
+  REQUIRE_FALSE(world.has_value());
+  CHECK(world.error().kind == ErrorKind::refused);
+  CHECK(world.error().message.find("this server speaks 7 and you speak 1") != std::string::npos);
+}
+
+TEST_CASE("a version that was not offered is refused") {
+  const auto world = answered_by([](Peer& peer) -> asio::awaitable<void> {
+    co_await peer.accept();
+    (void)co_await peer.receive();
+    co_await peer.send(protocol::make_frame([](auto& b) { return wire::CreateWelcome(b, 9, 1); }));
+  });
+  REQUIRE_FALSE(world.has_value());
+  CHECK(world.error().kind == ErrorKind::broken_protocol);
+}
+
+TEST_CASE("a Welcome without its tables is refused") {
+  const auto world = answered_by([](Peer& peer) -> asio::awaitable<void> {
+    co_await peer.accept();
+    (void)co_await peer.receive();
+    co_await peer.send(
+        protocol::make_frame([](auto& b) { return wire::CreateWelcome(b, 1, 1, nullptr, nullptr, 32); }));
+  });
+  REQUIRE_FALSE(world.has_value());
+  CHECK(world.error().kind == ErrorKind::broken_protocol);
+}
+
+TEST_CASE("a server that never answers the Hello is given up") {
+  Options options;
+  options.handshake_timeout = milliseconds{30};
+  const auto world = answered_by(
+      [](Peer& peer) -> asio::awaitable<void> {
+        co_await peer.accept();
+        co_await peer.until_closed();
+      },
+      options);
+  REQUIRE_FALSE(world.has_value());
+  CHECK(world.error().kind == ErrorKind::timed_out);
+}
+
+TEST_CASE("nobody at the port is one clear line") {
+  asio::io_context io;
+  std::string port;
+  {
+    Peer gone{io};
+    port = gone.port();
+  }
+  run(io, {[&]() -> asio::awaitable<void> {
+        Client client{io.get_executor()};
+        const auto world = co_await client.connect("127.0.0.1", port);
+        REQUIRE_FALSE(world.has_value());
+        CHECK(world.error().kind == ErrorKind::unreachable);
+        CHECK(world.error().message.find("127.0.0.1:" + port) == 0);
+      }});
+}
+
+TEST_CASE("ping measures the round trip") {
+  asio::io_context io;
+  Peer peer{io};
+  const auto visit = [&]() -> asio::awaitable<void> {
+    Client client{io.get_executor()};
+    co_await join(client, peer);
+    const auto time = co_await client.ping();
+    REQUIRE(time.has_value());
+    CHECK(time->count() > 0);
+  };
+  const auto serve = [&]() -> asio::awaitable<void> {
+    co_await peer.welcome();
+    const auto nonce = (co_await peer.receive())->body_as_Ping()->nonce();
+    co_await peer.send(protocol::make_frame([&](auto& b) { return wire::CreatePong(b, nonce); }));
+  };
+  run(io, {visit, serve});
+}
+
+TEST_CASE("a client with nothing to say sends Ping, and gives a silent server up") {
+  asio::io_context io;
+  Peer peer{io};
+  std::optional<ClientError> lost;
+  Options options;
+  options.ping_interval = milliseconds{10};
+  options.silence_timeout = milliseconds{35};
+  Events events;
+  events.on_disconnect = [&](const ClientError& error, bool) { lost = error; };
+  Client client{io.get_executor(), options, events};
+  const auto visit = [&]() -> asio::awaitable<void> { co_await join(client, peer); };
+  const auto serve = [&]() -> asio::awaitable<void> {
+    co_await peer.welcome();
+    const auto answer = co_await peer.receive();
+    REQUIRE(answer->body_type() == wire::Body::Ping);
+    co_await peer.until_closed();
+  };
+  run(io, {visit, serve});
+  REQUIRE(lost.has_value());
+  CHECK(lost->kind == ErrorKind::timed_out);
+}
+
+TEST_CASE("close answers what is open") {
+  asio::io_context io;
+  Peer peer{io};
+  const auto visit = [&]() -> asio::awaitable<void> {
+    Client client{io.get_executor()};
+    co_await join(client, peer);
+    client.get(key_at(0, 0, 0), std::nullopt, [&](const auto& chunk) {
+      REQUIRE_FALSE(chunk.has_value());
+      CHECK(chunk.error().kind == ErrorKind::not_connected);
+      io.stop();
+    });
+    client.close();
+    CHECK_FALSE(client.connected());
+  };
+  run(io, {visit, [&]() -> asio::awaitable<void> { co_await peer.welcome(); }});
+}
+
+}  // namespace talus::client

@@ -1,0 +1,71 @@
+// A server that a test writes down word by word, on a real socket in the test's own io_context.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include <asio/awaitable.hpp>
+#include <asio/io_context.hpp>
+#include <asio/ip/tcp.hpp>
+
+#include <talus/client/client.h>
+#include <talus/protocol/frame.h>
+#include <talus/protocol/message.h>
+#include <talus/voxel/chunk.h>
+#include <talus/voxel/coords.h>
+
+namespace talus::client::testing {
+
+class Peer {
+ public:
+  explicit Peer(asio::io_context& io);
+
+  [[nodiscard]] std::string port() const;
+  [[nodiscard]] asio::awaitable<void> accept();
+  /// The next message, valid until the next call. Throws when the client hangs up.
+  [[nodiscard]] asio::awaitable<const wire::Message*> receive();
+  [[nodiscard]] asio::awaitable<void> send(protocol::Frame frame);
+  /// accept, take the Hello, answer it.
+  [[nodiscard]] asio::awaitable<void> welcome(std::uint64_t fingerprint = 1,
+                                              std::uint64_t window_bytes = 1U << 20,
+                                              std::uint32_t requests_in_flight = 64);
+  /// Reads until the client closes.
+  [[nodiscard]] asio::awaitable<void> until_closed();
+  void hang_up();
+
+ private:
+  asio::ip::tcp::acceptor acceptor_;
+  asio::ip::tcp::socket socket_;
+  protocol::FrameReader reader_{protocol::kMaxFrameBytes};
+  std::array<std::byte, 4096> buffer_{};
+  std::span<const std::byte> unread_;
+};
+
+/// The client connects to the peer and is welcomed, or the test fails.
+//
+// Nothing is awaited inside Catch's macros: g++ 12 loses their temporaries over a suspension.
+[[nodiscard]] asio::awaitable<void> join(Client& client, const Peer& peer);
+
+using Script = std::function<asio::awaitable<void>()>;
+
+/// Runs the scripts side by side until all have ended; fails the test if that takes ten seconds. An
+/// exception in one fails the test too.
+void run(asio::io_context& io, const std::vector<Script>& scripts);
+
+[[nodiscard]] ChunkKey key_at(int x, int y, int z, int lod = 0);
+/// A chunk whose voxels depend on the key: layers of three materials.
+[[nodiscard]] Chunk some_chunk(const ChunkKey& key);
+
+[[nodiscard]] protocol::Frame welcome_frame(std::uint64_t fingerprint, std::uint64_t window_bytes,
+                                            std::uint32_t requests_in_flight);
+[[nodiscard]] protocol::Frame chunk_frame(std::uint32_t id, const ChunkKey& key, const Chunk& chunk);
+/// With any hash and payload.
+[[nodiscard]] protocol::Frame chunk_frame(std::uint32_t id, const ChunkKey& key, ContentHash hash,
+                                          const std::vector<std::byte>& payload);
+[[nodiscard]] protocol::Frame error_frame(wire::ErrorCode code, const std::string& text,
+                                          std::uint32_t id = 0);
+
+}  // namespace talus::client::testing

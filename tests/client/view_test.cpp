@@ -1,0 +1,158 @@
+#include <set>
+
+#include <rapidcheck.h>
+#include <asio/use_awaitable.hpp>
+#include <catch2/catch.hpp>
+
+#include "peer.h"
+
+namespace talus::client {
+namespace {
+
+using namespace testing;
+
+View view_at(std::int64_t x, std::uint16_t horizontal = 1, std::uint16_t vertical = 1) {
+  View view;
+  view.centre = {x, 0, 0};
+  view.horizontal_radius = horizontal;
+  view.vertical_radius = vertical;
+  return view;
+}
+
+protocol::Frame column_frame(int x, int z, const std::vector<wire::UniformRun>& runs) {
+  return protocol::make_frame(
+      [&](auto& b) { return wire::CreateColumn(b, x, z, 0, 0, b.CreateVectorOfStructs(runs)); });
+}
+
+// What on_chunk and on_left_view tell while `frames` come and the view then moves to `then`.
+struct Seen {
+  std::multiset<ChunkKey> came;
+  std::set<ChunkKey> left;
+  std::vector<ClientError> errors;
+};
+Seen watch(const View& view, const std::vector<protocol::Frame>& frames, const View& then) {
+  asio::io_context io;
+  Peer peer{io};
+  Seen seen;
+  Events events;
+  events.on_chunk = [&](const ReceivedChunk& chunk) { seen.came.insert(chunk.key); };
+  events.on_left_view = [&](ChunkKey key) { seen.left.insert(key); };
+  events.on_error = [&](const ClientError& error) { seen.errors.push_back(error); };
+  const auto visit = [&]() -> asio::awaitable<void> {
+    Client client{io.get_executor(), Options{}, events};
+    co_await join(client, peer);
+    REQUIRE(client.set_view(view).has_value());
+    (void)co_await client.get(key_at(1000, 0, 0));
+    REQUIRE(client.set_view(then).has_value());
+  };
+  const auto serve = [&]() -> asio::awaitable<void> {
+    co_await peer.welcome();
+    std::optional<std::uint32_t> last;
+    while (!last) {
+      if (const auto* get = (co_await peer.receive())->body_as_GetChunks())
+        last = get->requests()->Get(0)->id();
+    }
+    for (const auto& frame : frames) co_await peer.send(frame);
+    co_await peer.send(error_frame(wire::ErrorCode::internal, "the end", *last));
+  };
+  run(io, {visit, serve});
+  return seen;
+}
+
+protocol::Frame view_chunk(const ChunkKey& key) {
+  return chunk_frame(0, key, some_chunk(key));
+}
+
+}  // namespace
+
+TEST_CASE("chunks of the View are delivered, others are not") {
+  const auto seen =
+      watch(view_at(0), {view_chunk(key_at(1, 1, -1)), view_chunk(key_at(2, 0, 0))}, view_at(0));
+  CHECK(seen.came == std::multiset<ChunkKey>{key_at(1, 1, -1)});
+}
+
+TEST_CASE("what was delivered and is no longer covered leaves the View") {
+  const auto seen =
+      watch(view_at(0), {view_chunk(key_at(-1, 0, 0)), view_chunk(key_at(1, 0, 0))}, view_at(32));
+  CHECK(seen.left == std::set<ChunkKey>{key_at(-1, 0, 0)});
+}
+
+TEST_CASE("a Column's runs are delivered within the View, however long they claim to be") {
+  const wire::UniformRun endless{INT32_MIN, 0, 2};
+  const wire::UniformRun air{1, INT32_MAX, 0};
+  const auto seen = watch(view_at(0), {column_frame(0, 1, {endless, air})}, view_at(0));
+  CHECK(seen.came == std::multiset<ChunkKey>{key_at(0, -1, 1), key_at(0, 0, 1), key_at(0, 1, 1)});
+}
+
+TEST_CASE("a bad chunk of the View is an error and is not delivered") {
+  const auto seen =
+      watch(view_at(0), {chunk_frame(0, key_at(0, 0, 0), ContentHash{}, {std::byte{9}})}, view_at(0));
+  CHECK(seen.came.empty());
+  REQUIRE(seen.errors.size() == 1);
+  CHECK(seen.errors[0].kind == ErrorKind::bad_chunk);
+}
+
+TEST_CASE("a View beyond the server's limits is refused at once") {
+  asio::io_context io;
+  Peer peer{io};
+  const auto visit = [&]() -> asio::awaitable<void> {
+    Client client{io.get_executor()};
+    co_await join(client, peer);
+    CHECK(client.set_view(view_at(0, 33)).error().kind == ErrorKind::out_of_range);
+    CHECK(client.set_view(view_at(0, 32, 17)).error().kind == ErrorKind::out_of_range);
+    CHECK(client.set_view(view_at(0, 32, 16)).has_value());
+  };
+  run(io, {visit, [&]() -> asio::awaitable<void> { co_await peer.welcome(); }});
+}
+
+TEST_CASE("a shape covers exactly as many chunks as it counts") {
+  const bool held = rc::check("count is the number covered", [] {
+    View view;
+    view.centre = {*rc::gen::inRange<std::int64_t>(-3000, 3000), *rc::gen::inRange<std::int64_t>(-300, 300),
+                   *rc::gen::inRange<std::int64_t>(-3000, 3000)};
+    view.horizontal_radius = *rc::gen::inRange<std::uint16_t>(0, 5);
+    view.vertical_radius = *rc::gen::inRange<std::uint16_t>(0, 3);
+    view.rings = {{Lod::of(1), static_cast<std::uint16_t>(view.horizontal_radius + 3)},
+                  {Lod::of(3), static_cast<std::uint16_t>(view.horizontal_radius + 15)}};
+    const ViewShape shape{view};
+    std::int64_t covered = 0;
+    for (const int level : {0, 1, 2, 3}) {
+      const auto scale = std::int64_t{kChunkSize} << level;
+      const int reach = (25 >> level) + 2;
+      for (int dx = -reach; dx <= reach; ++dx) {
+        for (int dz = -reach; dz <= reach; ++dz) {
+          for (int dy = -4; dy <= 4; ++dy) {
+            covered += shape.covers(key_at(static_cast<int>(floor_div(view.centre.x, scale)) + dx,
+                                           static_cast<int>(floor_div(view.centre.y, scale)) + dy,
+                                           static_cast<int>(floor_div(view.centre.z, scale)) + dz, level));
+          }
+        }
+      }
+    }
+    RC_ASSERT(covered == shape.count());
+  });
+  REQUIRE(held);
+}
+
+TEST_CASE("every column within the outermost ring is covered by some level") {
+  const bool held = rc::check("no gaps", [] {
+    View view;
+    view.centre = {*rc::gen::inRange<std::int64_t>(-5000, 5000), 0,
+                   *rc::gen::inRange<std::int64_t>(-5000, 5000)};
+    view.horizontal_radius = 3;
+    view.rings = {{Lod::of(1), 7}, {Lod::of(2), 16}};
+    const ViewShape shape{view};
+    const auto cx = static_cast<int>(floor_div(view.centre.x, kChunkSize));
+    const auto cz = static_cast<int>(floor_div(view.centre.z, kChunkSize));
+    for (int x = cx - 16; x <= cx + 16; ++x) {
+      for (int z = cz - 16; z <= cz + 16; ++z) {
+        bool covered = false;
+        for (const int level : {0, 1, 2}) covered |= shape.covers(key_at(x >> level, 0, z >> level, level));
+        RC_ASSERT(covered);
+      }
+    }
+  });
+  REQUIRE(held);
+}
+
+}  // namespace talus::client

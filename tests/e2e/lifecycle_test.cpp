@@ -1,0 +1,202 @@
+// How talusd starts, refuses to start, and ends.
+#include <signal.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <filesystem>
+#include <fstream>
+
+#include <talus/terrain/world.h>
+#include <talus/voxel/content_hash.h>
+
+#include "messages.h"
+#include "raw_client.h"
+#include "server_process.h"
+
+using namespace talus;
+using namespace talus::e2e;
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A fresh directory, removed with its object.
+class ScratchDirectory {
+ public:
+  ScratchDirectory() {
+    std::string name = (fs::temp_directory_path() / "talus-e2e-XXXXXX").string();
+    REQUIRE(::mkdtemp(name.data()) != nullptr);
+    path_ = name;
+  }
+  ~ScratchDirectory() {
+    std::error_code ignored;
+    fs::remove_all(path_, ignored);
+  }
+  ScratchDirectory(const ScratchDirectory&) = delete;
+  ScratchDirectory& operator=(const ScratchDirectory&) = delete;
+
+  [[nodiscard]] std::string file(std::string_view name) const { return (path_ / name).string(); }
+  std::string write(std::string_view name, std::string_view text) const {
+    std::ofstream{file(name)} << text;
+    return file(name);
+  }
+
+ private:
+  fs::path path_;
+};
+
+/// Exit status 1 (2 for wrong use) and one line on stderr; returns the line.
+std::string one_line(const Ended& ended, int status = 1) {
+  CHECK(ended.status == status);
+  CHECK(std::count(ended.err.begin(), ended.err.end(), '\n') == 1);
+  return ended.err;
+}
+
+ContentHash store_id(const ServerProcess& server) {
+  RawClient client{server.port()};
+  REQUIRE(client.send(hello()));
+  return hash_of(*client.expect().as<wire::Welcome>().store_id());
+}
+
+std::string default_world_with_seed(int seed) {
+  std::ifstream in{TALUS_SOURCE_DIR "/core/worlds/default.toml"};
+  std::string text{std::istreambuf_iterator<char>{in}, {}};
+  const std::size_t at = text.find("seed = ");
+  REQUIRE(at != std::string::npos);
+  return text.replace(at, text.find('\n', at) - at, "seed = " + std::to_string(seed));
+}
+
+}  // namespace
+
+TEST_CASE("SIGTERM and SIGINT: GoAway, pending answers, exit 0") {
+  const int signal = GENERATE(SIGTERM, SIGINT);
+  ServerProcess server;
+  RawClient client = greeted(server.port(), 1);
+  RawClient idle{server.port()};
+  // The window of one byte holds the second chunk back until there is credit, so it is pending for sure.
+  REQUIRE(client.send(get_chunks({chunk_request(1, at(0, 0, 0)), chunk_request(2, at(0, 0, 0))})));
+  const std::size_t bytes = client.expect_kind<wire::Chunk>().bytes();
+  server.signal(signal);
+  (void)client.expect_kind<wire::GoAway>();
+  REQUIRE(client.send(credit(bytes)));
+  (void)client.expect_kind<wire::Chunk>();
+  CHECK(client.closed());
+  (void)idle.expect_kind<wire::GoAway>();
+  CHECK(idle.closed());
+  client.close();
+  idle.close();
+  CHECK(server.wait().status == 0);
+}
+
+TEST_CASE("a client that takes nothing cannot keep the server from ending") {
+  ServerProcess server{{{"TALUS_SHUTDOWN_DRAIN_MS", "100"}}};
+  RawClient client = greeted(server.port(), 1);
+  REQUIRE(client.send(get_chunks({chunk_request(1, at(0, 0, 0)), chunk_request(2, at(0, 0, 0))})));
+  (void)client.expect_kind<wire::Chunk>();
+  server.signal(SIGTERM);
+  CHECK(server.wait().status == 0);
+}
+
+TEST_CASE("a second signal ends the server at once") {
+  ServerProcess server{{{"TALUS_SHUTDOWN_DRAIN_MS", "3600000"}}};
+  RawClient client = greeted(server.port(), 1);
+  REQUIRE(client.send(get_chunks({chunk_request(1, at(0, 0, 0)), chunk_request(2, at(0, 0, 0))})));
+  (void)client.expect_kind<wire::Chunk>();
+  server.signal(SIGTERM);
+  (void)client.expect_kind<wire::GoAway>();
+  server.signal(SIGTERM);
+  CHECK(server.wait().status == 0);
+}
+
+TEST_CASE("requests after GoAway are refused by their ids") {
+  ServerProcess server;
+  RawClient client = greeted(server.port(), 1);
+  REQUIRE(client.send(get_chunks({chunk_request(1, at(0, 0, 0)), chunk_request(2, at(0, 0, 0))})));
+  (void)client.expect_kind<wire::Chunk>();
+  server.signal(SIGTERM);
+  (void)client.expect_kind<wire::GoAway>();
+  REQUIRE(client.send(get_chunks({chunk_request(3, at(0, 0, 0))})));
+  const Received received = client.expect();
+  CHECK(received.as<wire::Error>().request_id() == 3);
+  CHECK(received.as<wire::Error>().retry_after_ms() > 0);
+}
+
+TEST_CASE("a taken port is one line") {
+  const ServerProcess server;
+  const std::string address = "127.0.0.1:" + std::to_string(server.port());
+  CHECK_THAT(one_line(run_talusd({"--listen", address})), Catch::Contains(address));
+}
+
+TEST_CASE("a missing world is one line") {
+  CHECK_THAT(one_line(run_talusd({"--world", "/nowhere/world.toml"})),
+             Catch::Contains("/nowhere/world.toml"));
+}
+
+TEST_CASE("a wrong world is one line with its place") {
+  const ScratchDirectory scratch;
+  const std::string world = scratch.write("world.toml", "seed = \"many\"\n");
+  CHECK_THAT(one_line(run_talusd({"--world", world})), Catch::Contains(world + ":1"));
+}
+
+TEST_CASE("a data directory that cannot be written is one line") {
+  CHECK_THAT(one_line(run_talusd({"--data", "/proc/talus"})), Catch::Contains("/proc/talus"));
+}
+
+TEST_CASE("a store keeps its id over a restart") {
+  const ScratchDirectory scratch;
+  const std::vector<std::string> flags{"--data", scratch.file("data")};
+  ContentHash first;
+  {
+    ServerProcess server{{}, flags};
+    first = store_id(server);
+    server.signal(SIGTERM);
+    CHECK(server.wait().status == 0);
+  }
+  CHECK(first != ContentHash{});
+  CHECK(store_id(ServerProcess{{}, flags}) == first);
+}
+
+TEST_CASE("a store of another world is refused with both fingerprints") {
+  const ScratchDirectory scratch;
+  const std::string data = scratch.file("data");
+  {
+    ServerProcess server{{}, {"--data", data}};
+    server.signal(SIGTERM);
+    CHECK(server.wait().status == 0);
+  }
+  const std::string world = scratch.write("other.toml", default_world_with_seed(1));
+  const std::string line =
+      one_line(run_talusd({"--data", data, "--world", world, "--listen", "127.0.0.1:0"}));
+  CHECK_THAT(line, Catch::Contains(to_string(terrain::default_world().fingerprint())));
+}
+
+TEST_CASE("two servers do not share a data directory") {
+  const ScratchDirectory scratch;
+  const std::vector<std::string> flags{"--data", scratch.file("data"), "--listen", "127.0.0.1:0"};
+  const ServerProcess server{{}, {"--data", scratch.file("data")}};
+  CHECK_THAT(one_line(run_talusd(flags)), Catch::Contains("another talusd"));
+}
+
+TEST_CASE("--check-config says ok, or what is wrong and where") {
+  const ScratchDirectory scratch;
+  const std::string right = scratch.write("right.toml", "[limits]\nconnections = 5\n");
+  const std::string wrong = scratch.write("wrong.toml", "[limits]\nconections = 5\n");
+  const Ended ended = run_talusd({"--check-config", "--config", right});
+  CHECK(ended.status == 0);
+  CHECK(ended.out == "ok\n");
+  CHECK_THAT(one_line(run_talusd({"--check-config", "--config", wrong})),
+             Catch::Contains(wrong + ":2: limits.conections") && Catch::Contains("limits.connections?"));
+}
+
+TEST_CASE("wrong flags are wrong use") {
+  CHECK_THAT(one_line(run_talusd({"--lisen", "127.0.0.1:0"}), 2), Catch::Contains("--lisen"));
+  CHECK_THAT(one_line(run_talusd({"--http", "nowhere"}), 2), Catch::Contains("--http"));
+}
+
+TEST_CASE("--http and --admin are checked, and a line says that they are not served") {
+  ServerProcess server{{}, {"--http", "127.0.0.1:0", "--admin", "127.0.0.1:0"}};
+  server.signal(SIGTERM);
+  const std::string out = server.wait().out;
+  CHECK_THAT(out, Catch::Contains("http is not served") && Catch::Contains("admin is not served"));
+}

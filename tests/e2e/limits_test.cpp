@@ -1,0 +1,122 @@
+// What a client may take up: time, connections, requests.
+#include <catch2/catch.hpp>
+
+#include "messages.h"
+#include "raw_client.h"
+#include "server_process.h"
+
+using namespace talus;
+using namespace talus::e2e;
+using std::chrono::milliseconds;
+
+namespace {
+
+/// Sends `bytes` one at a time, with a pause only while nothing comes from the server; returns what came
+/// before they were all sent.
+std::optional<Received> drip(RawClient& client, const protocol::Frame& bytes) {
+  for (const std::byte each : bytes) {
+    if (!client.send({&each, 1})) break;
+    if (auto received = client.receive_within(milliseconds{20})) return received;
+  }
+  return client.receive_within(milliseconds{0});
+}
+
+void check_timeout(RawClient& client, const std::optional<Received>& received) {
+  REQUIRE(received.has_value());
+  CHECK(received->as<wire::Error>().code() == wire::ErrorCode::timeout);
+  CHECK(client.closed());
+}
+
+}  // namespace
+
+TEST_CASE("who says nothing is dropped") {
+  const ServerProcess server{{{"TALUS_LIMITS_HANDSHAKE_TIMEOUT_MS", "100"}}};
+  RawClient client{server.port()};
+  check_timeout(client, client.receive());
+}
+
+TEST_CASE("a Hello of one byte at a time is dropped") {
+  const ServerProcess server{{{"TALUS_LIMITS_HANDSHAKE_TIMEOUT_MS", "200"}}};
+  RawClient client{server.port()};
+  check_timeout(client, drip(client, hello({.client = std::string(1000, 'x')})));
+}
+
+TEST_CASE("who falls silent after Hello is dropped") {
+  const ServerProcess server{{{"TALUS_LIMITS_IDLE_TIMEOUT_MS", "100"}}};
+  RawClient client = greeted(server.port());
+  check_timeout(client, client.receive());
+}
+
+TEST_CASE("a frame of one byte at a time does not count as life") {
+  const ServerProcess server{{{"TALUS_LIMITS_IDLE_TIMEOUT_MS", "200"}}};
+  RawClient client = greeted(server.port());
+  check_timeout(client, drip(client, cancel(std::vector<std::uint32_t>(300, 1))));
+}
+
+TEST_CASE("one connection too many from an address is told so") {
+  const ServerProcess server{{{"TALUS_LIMITS_CONNECTIONS_PER_ADDRESS", "2"}}};
+  RawClient first = greeted(server.port());
+  RawClient second = greeted(server.port());
+  RawClient third{server.port()};
+  const Received refused = third.expect();
+  CHECK(refused.as<wire::Error>().code() == wire::ErrorCode::overloaded);
+  CHECK(refused.as<wire::Error>().retry_after_ms() > 0);
+  CHECK(third.closed());
+
+  REQUIRE(first.send(ping(1)));
+  (void)first.expect_kind<wire::Pong>();
+}
+
+TEST_CASE("a place is free again when its connection has ended") {
+  const ServerProcess server{{{"TALUS_LIMITS_CONNECTIONS", "1"}}};
+  {
+    RawClient first = greeted(server.port());
+    // The server closes this one, and the place is free before the client sees the end.
+    REQUIRE(first.send(hello()));
+    (void)first.expect_kind<wire::Error>();
+    CHECK(first.closed());
+  }
+  // The end of the first is known to the server when it has read it; until then it refuses.
+  for (;;) {
+    RawClient next{server.port()};
+    (void)next.send(hello());
+    const Received received = next.expect();
+    if (received.kind() == wire::Body::Welcome) break;
+    REQUIRE(received.as<wire::Error>().code() == wire::ErrorCode::overloaded);
+  }
+}
+
+TEST_CASE("requests over the limit are refused by their ids, the others answered") {
+  const ServerProcess server{{{"TALUS_LIMITS_REQUESTS_IN_FLIGHT", "3"}}};
+  RawClient client = greeted(server.port());
+  std::vector<wire::ChunkRequest> requests;
+  for (std::uint32_t id = 1; id <= 5; ++id) requests.push_back(chunk_request(id, at(0, 0, 0)));
+  REQUIRE(client.send(get_chunks(requests)));
+  int chunks = 0;
+  for (std::uint32_t answer = 1; answer <= 5; ++answer) {
+    const Received received = client.expect();
+    if (received.kind() == wire::Body::Chunk) {
+      ++chunks;
+    } else {
+      CHECK(received.as<wire::Error>().code() == wire::ErrorCode::too_many_requests);
+      CHECK(received.as<wire::Error>().request_id() > 3);
+    }
+  }
+  CHECK(chunks == 3);
+}
+
+TEST_CASE("heights over the limit are refused") {
+  const ServerProcess server{{{"TALUS_LIMITS_HEIGHTS_PER_REQUEST", "2"}}};
+  RawClient client = greeted(server.port());
+  REQUIRE(client.send(get_heights(6, {{0, 0}, {1, 0}, {2, 0}})));
+  const Received received = client.expect();
+  CHECK(received.as<wire::Error>().request_id() == 6);
+  CHECK(received.as<wire::Error>().code() == wire::ErrorCode::too_large);
+}
+
+TEST_CASE("a full generator queue refuses requests and delays a View") {
+  const ServerProcess server{{{"TALUS_GENERATION_QUEUE_CHUNKS", "1"}, {"TALUS_THREADS_GENERATOR", "1"}}};
+  RawClient client = greeted(server.port());
+  REQUIRE(client.send(view({.horizontal_radius = 1})));
+  for (int chunk = 0; chunk < 9; ++chunk) (void)client.expect_kind<wire::Chunk>();
+}

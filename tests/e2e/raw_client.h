@@ -1,0 +1,82 @@
+// A client that speaks frames and keeps no rule: what a test needs to break them.
+#pragma once
+
+#include <chrono>
+#include <cstddef>
+#include <cstdint>
+#include <deque>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include <talus/protocol/frame.h>
+#include <talus/protocol/message.h>
+
+namespace talus::e2e {
+
+/// A received frame and its verified message.
+class Received {
+ public:
+  explicit Received(protocol::Frame frame);
+  [[nodiscard]] wire::Body kind() const { return message_->body_type(); }
+  /// The body; fails the test if it is of another kind.
+  template <typename Table>
+  [[nodiscard]] const Table& as() const {
+    check_kind(wire::BodyTraits<Table>::enum_value);
+    return *static_cast<const Table*>(message_->body());
+  }
+  [[nodiscard]] std::size_t bytes() const { return frame_.size(); }
+
+ private:
+  void check_kind(wire::Body expected) const;
+
+  protocol::Frame frame_;
+  const wire::Message* message_;
+};
+
+class RawClient {
+ public:
+  /// Connects to 127.0.0.1.
+  explicit RawClient(std::uint16_t port);
+  ~RawClient();
+  RawClient(RawClient&& other) noexcept;
+  RawClient& operator=(RawClient&&) = delete;
+
+  /// Sends all of it; false where the server has closed the connection.
+  bool send(std::span<const std::byte> bytes);
+  /// Sends what fits into the socket now; the count, or none where the connection is closed.
+  [[nodiscard]] std::optional<std::size_t> send_some(std::span<const std::byte> bytes);
+
+  /// The next frame; none where the server has closed the connection. Fails the test where neither
+  /// happens for a long time.
+  [[nodiscard]] std::optional<Received> receive();
+  /// The next frame if it begins to come within `patience`.
+  [[nodiscard]] std::optional<Received> receive_within(std::chrono::milliseconds patience);
+  /// The next frame, which must be one.
+  [[nodiscard]] Received expect();
+  /// Whether the server closes the connection, having said nothing more.
+  [[nodiscard]] bool closed();
+
+  /// As expect(), and it must be of this kind: returns the frame.
+  template <typename Table>
+  [[nodiscard]] Received expect_kind() {
+    Received received = expect();
+    (void)received.as<Table>();
+    return received;
+  }
+
+  void close();
+
+ private:
+  [[nodiscard]] bool fill(int patience_ms);
+
+  int socket_;
+  bool ended_ = false;
+  protocol::FrameReader frames_{protocol::kMaxFrameBytes};
+  std::deque<protocol::Frame> whole_;
+};
+
+/// A client that has said Hello and heard Welcome.
+[[nodiscard]] RawClient greeted(std::uint16_t port, std::uint64_t window_bytes = 0);
+
+}  // namespace talus::e2e

@@ -1,0 +1,155 @@
+#include "server_process.h"
+
+#include <fcntl.h>
+#include <poll.h>
+#include <signal.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <catch2/catch.hpp>
+#include <fstream>
+#include <utility>
+
+namespace talus::e2e {
+namespace {
+
+constexpr int kPatienceMs = 60'000;  // sanitizers are slow; a server that works is not waited for
+
+struct Child {
+  pid_t pid;
+  int out;
+  int err;
+};
+
+std::vector<char*> pointers(std::vector<std::string>& texts) {
+  std::vector<char*> all;
+  for (std::string& text : texts) all.push_back(text.data());
+  all.push_back(nullptr);
+  return all;
+}
+
+std::vector<std::string> environment_of(const Settings& settings) {
+  std::vector<std::string> variables;
+  for (char** entry = environ; *entry != nullptr; ++entry) {
+    if (std::string_view{*entry}.substr(0, 6) != "TALUS_") variables.emplace_back(*entry);
+  }
+  for (const auto& [name, value] : settings) variables.push_back(name + "=" + value);
+  return variables;
+}
+
+Child start(const std::vector<std::string>& flags, const Settings& settings) {
+  std::vector<std::string> arguments{TALUSD_PATH};
+  arguments.insert(arguments.end(), flags.begin(), flags.end());
+  std::vector<std::string> variables = environment_of(settings);
+
+  std::array<int, 2> out{};
+  std::array<int, 2> err{};
+  REQUIRE(::pipe2(out.data(), O_CLOEXEC) == 0);
+  REQUIRE(::pipe2(err.data(), O_CLOEXEC) == 0);
+  posix_spawn_file_actions_t actions;
+  posix_spawn_file_actions_init(&actions);
+  posix_spawn_file_actions_adddup2(&actions, out[1], STDOUT_FILENO);
+  posix_spawn_file_actions_adddup2(&actions, err[1], STDERR_FILENO);
+  pid_t pid = -1;
+  const int failed = ::posix_spawn(&pid, TALUSD_PATH, &actions, nullptr, pointers(arguments).data(),
+                                   pointers(variables).data());
+  posix_spawn_file_actions_destroy(&actions);
+  ::close(out[1]);
+  ::close(err[1]);
+  REQUIRE(failed == 0);
+  return {pid, out[0], err[0]};
+}
+
+/// Appends what one read gives; false at the end of the stream.
+bool read_some(int fd, std::string& text) {
+  std::array<char, 4096> buffer{};
+  const ssize_t bytes = ::read(fd, buffer.data(), buffer.size());
+  if (bytes > 0) text.append(buffer.data(), static_cast<std::size_t>(bytes));
+  return bytes > 0;
+}
+
+/// Reads both streams to their ends, whichever has something, so that neither pipe fills up.
+void read_to_end(int out, int err, Ended& ended) {
+  std::array<pollfd, 2> streams{{{out, POLLIN, 0}, {err, POLLIN, 0}}};
+  while (streams[0].fd >= 0 || streams[1].fd >= 0) {
+    if (::poll(streams.data(), streams.size(), kPatienceMs) <= 0) return;
+    if (streams[0].revents != 0 && !read_some(out, ended.out)) streams[0].fd = -1;
+    if (streams[1].revents != 0 && !read_some(err, ended.err)) streams[1].fd = -1;
+  }
+}
+
+int reap(pid_t pid) {
+  int status = 0;
+  ::waitpid(pid, &status, 0);
+  return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+}
+
+}  // namespace
+
+Ended run_talusd(const std::vector<std::string>& flags, const Settings& settings) {
+  const Child child = start(flags, settings);
+  Ended ended;
+  read_to_end(child.out, child.err, ended);
+  ended.status = reap(child.pid);
+  ::close(child.out);
+  ::close(child.err);
+  return ended;
+}
+
+ServerProcess::ServerProcess(Settings settings, std::vector<std::string> flags) {
+  settings.emplace("TALUS_THREADS_IO", "2");  // so that connections are dealt, also on a small machine
+  flags.insert(flags.end(), {"--listen", "127.0.0.1:0"});
+  const Child child = start(flags, settings);
+  pid_ = child.pid;
+  out_ = child.out;
+  err_ = child.err;
+  await_listening_line();
+}
+
+ServerProcess::~ServerProcess() {
+  if (pid_ > 0) {
+    ::kill(pid_, SIGKILL);
+    reap(pid_);
+  }
+  ::close(out_);
+  ::close(err_);
+}
+
+void ServerProcess::await_listening_line() {
+  static constexpr std::string_view kSaid = "listening on 127.0.0.1:";
+  for (;;) {
+    const std::size_t at = said_.find(kSaid);
+    if (at != std::string::npos && said_.find('\n', at) != std::string::npos) {
+      port_ = static_cast<std::uint16_t>(std::stoi(said_.substr(at + kSaid.size())));
+      return;
+    }
+    pollfd stream{out_, POLLIN, 0};
+    const bool more = ::poll(&stream, 1, kPatienceMs) > 0 && read_some(out_, said_);
+    INFO(said_);
+    REQUIRE(more);
+  }
+}
+
+void ServerProcess::signal(int number) const {
+  ::kill(pid_, number);
+}
+
+Ended ServerProcess::wait() {
+  Ended ended;
+  ended.out = said_;
+  read_to_end(out_, err_, ended);
+  ended.status = reap(std::exchange(pid_, -1));
+  return ended;
+}
+
+std::size_t ServerProcess::resident_bytes() const {
+  std::ifstream in{"/proc/" + std::to_string(pid_) + "/statm"};
+  std::size_t size_pages = 0;
+  std::size_t resident_pages = 0;
+  in >> size_pages >> resident_pages;
+  return resident_pages * static_cast<std::size_t>(::sysconf(_SC_PAGESIZE));
+}
+
+}  // namespace talus::e2e

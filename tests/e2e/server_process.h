@@ -1,0 +1,53 @@
+// talusd as a child process.
+#pragma once
+
+#include <sys/types.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace talus::e2e {
+
+/// TALUS_* variables for the child; it gets no others.
+using Settings = std::map<std::string, std::string>;
+
+/// How a program that was not expected to go on ended.
+struct Ended {
+  int status = -1;  // exit status; 128 + n for signal n
+  std::string out;
+  std::string err;
+};
+
+/// Runs talusd to its end.
+[[nodiscard]] Ended run_talusd(const std::vector<std::string>& flags, const Settings& settings = {});
+
+/// A server on a free port of 127.0.0.1, killed with its object if it still runs.
+class ServerProcess {
+ public:
+  /// Returns when the server has said where it listens; fails the test if it does not.
+  explicit ServerProcess(Settings settings = {}, std::vector<std::string> flags = {});
+  ~ServerProcess();
+  ServerProcess(const ServerProcess&) = delete;
+  ServerProcess& operator=(const ServerProcess&) = delete;
+
+  [[nodiscard]] std::uint16_t port() const { return port_; }
+  void signal(int number) const;
+  /// Waits for the end and returns how it was.
+  [[nodiscard]] Ended wait();
+  /// Resident memory now.
+  [[nodiscard]] std::size_t resident_bytes() const;
+
+ private:
+  void await_listening_line();
+
+  pid_t pid_ = -1;
+  int out_ = -1;
+  int err_ = -1;
+  std::string said_;
+  std::uint16_t port_ = 0;
+};
+
+}  // namespace talus::e2e

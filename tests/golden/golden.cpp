@@ -1,0 +1,101 @@
+// Prints hashes of fixed regions of the sample worlds and compares them with golden.txt, which changes only
+// together with the generator or the codec version. `--write` prints without comparing.
+#include <xxhash.h>
+
+#include <fstream>
+#include <iostream>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include <talus/terrain/stacks.h>
+#include <talus/voxel/codec.h>
+#include <talus/voxel/content_hash.h>
+
+namespace {
+
+using namespace talus;
+
+std::string read_file(const std::string& path) {
+  std::ifstream file{path};
+  std::ostringstream text;
+  text << file.rdbuf();
+  return text.str();
+}
+
+struct Place {
+  const char* what;
+  std::int64_t chunk_x;
+  std::int64_t chunk_z;
+  int tiles;
+  int lod;
+};
+
+constexpr std::int64_t kEnd = std::int64_t{1} << 31;
+constexpr Place kPlaces[] = {
+    {"origin", -2, -2, 4, 0},
+    {"far", 1234567, -7654321, 2, 0},
+    {"upper end", kEnd - 2, kEnd - 2, 2, 0},
+    {"lower end", -kEnd, -kEnd, 2, 0},
+    {"level 1", -1, -1, 2, 1},
+    {"level 3", -1, -1, 2, 3},
+    {"level 6", -1, -1, 2, 6},
+    {"level 6 upper end", (kEnd >> 6) - 2, (kEnd >> 6) - 2, 2, 6},
+};
+
+void print_place(const terrain::World& world, const Place& place, std::ostream& out) {
+  const Lod lod = Lod::of(place.lod);
+  const int width = place.tiles * kChunkSize;
+  const terrain::Stacks stacks = terrain::generate_stacks(
+      world, {place.chunk_x * kChunkSize, place.chunk_z * kChunkSize, width, width, lod});
+  std::vector<std::uint64_t> content;
+  std::vector<std::byte> payloads;
+  for (int tz = 0; tz < place.tiles; ++tz) {
+    for (int tx = 0; tx < place.tiles; ++tx) {
+      const auto x = static_cast<std::int32_t>(place.chunk_x + tx);
+      const auto z = static_cast<std::int32_t>(place.chunk_z + tz);
+      const terrain::MixedRange rows = terrain::mixed_range(world, stacks, x, z);
+      for (std::int32_t y = rows.first - 1; y <= rows.last + 1; ++y) {
+        const Chunk chunk = terrain::extract_chunk(world, stacks, {x, y, z});
+        const ContentHash hash = content_hash(chunk);
+        content.insert(content.end(), {hash.low, hash.high});
+        encode(chunk, payloads);
+      }
+    }
+  }
+  const auto digest = [](const void* data, std::size_t bytes) {
+    const XXH128_hash_t hash = XXH3_128bits(data, bytes);
+    return to_string(ContentHash{hash.low64, hash.high64});
+  };
+  out << "  " << place.what << ": voxels " << digest(content.data(), content.size() * sizeof content[0])
+      << " payloads " << digest(payloads.data(), payloads.size()) << '\n';
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+#if defined(__AVX2__)
+  if (!__builtin_cpu_supports("avx2") || !__builtin_cpu_supports("fma")) {
+    std::cout << "skipped: this machine has no AVX2\n";
+    return 77;
+  }
+#endif
+  std::ostringstream text;
+  text << "generator " << terrain::kGeneratorVersion << " codec " << int{kCodecVersion} << '\n';
+  for (const char* name : {"default", "canyon", "hills"}) {
+    const std::string file = std::string{TALUS_SOURCE_DIR} + "/core/worlds/" + name + ".toml";
+    const auto world = terrain::World::parse(read_file(file), file);
+    if (!world) {
+      std::cerr << world.error().message << '\n';
+      return 1;
+    }
+    text << name << ' ' << to_string(world->fingerprint()) << '\n';
+    for (const Place& place : kPlaces) print_place(*world, place, text);
+  }
+  if (argc != 2) return std::cerr << "usage: golden GOLDEN.TXT | --write\n", 2;
+  if (std::string{argv[1]} == "--write") return std::cout << text.str(), 0;
+  const std::string expected = read_file(argv[1]);
+  if (text.str() == expected) return std::cout << "as in " << argv[1] << '\n', 0;
+  std::cout << text.str() << "differs from " << argv[1] << ":\n" << expected;
+  return 1;
+}

@@ -1,0 +1,127 @@
+#include "sample_frames.h"
+
+#include <array>
+#include <limits>
+
+namespace talus::protocol::testing {
+namespace {
+
+constexpr std::int32_t kFarthest = std::numeric_limits<std::int32_t>::min();
+const wire::ChunkKey kKey{-3, 1, kFarthest, 2};
+const wire::Hash128 kHash{0x0123456789ABCDEFU, 0xFEDCBA9876543210U};
+const wire::Voxel kVoxel{-(std::int64_t{1} << 36), 70, 12};
+
+const std::array<wire::VoxelWrite, 2> kWrites{wire::VoxelWrite{kVoxel, 3},
+                                              wire::VoxelWrite{wire::Voxel{0, 1, 2}, 65535}};
+
+Frame view() {
+  return make_frame([](auto& b) {
+    const wire::Direction direction{0.0F, -0.5F, 1.0F};
+    const std::array rings{wire::LodRing{1, 16}, wire::LodRing{2, 32}};
+    const auto ring_vector = b.CreateVectorOfStructs(rings.data(), rings.size());
+    return wire::CreateView(b, &kVoxel, &direction, 8, 4, ring_vector);
+  });
+}
+
+Frame get_chunks() {
+  return make_frame([](auto& b) {
+    const std::array requests{wire::ChunkRequest{7, kKey, true, kHash},
+                              wire::ChunkRequest{8, wire::ChunkKey{0, 0, 0, 0}, false, wire::Hash128{}}};
+    return wire::CreateGetChunks(b, b.CreateVectorOfStructs(requests.data(), requests.size()));
+  });
+}
+
+Frame get_heights() {
+  return make_frame([](auto& b) {
+    const std::array columns{wire::Column2{-5, 9}, wire::Column2{std::int64_t{1} << 36, 0}};
+    return wire::CreateGetHeights(b, 9, b.CreateVectorOfStructs(columns.data(), columns.size()));
+  });
+}
+
+Frame welcome() {
+  return make_frame([](auto& b) {
+    const std::vector materials{
+        wire::CreateMaterial(b, 0, b.CreateString("air"), 0, wire::Phase::gas),
+        wire::CreateMaterial(b, 2, b.CreateString("granite"), 0x6E6A6F, wire::Phase::solid)};
+    const auto material_vector = b.CreateVector(materials);
+    const auto limits = wire::CreateLimits(b, 65536, 256, 4096, 32, 16, 40000, 1U << 20, 60000);
+    const auto server = b.CreateString("talusd 0.1.0");
+    const wire::Hash128 store{1, 2};
+    return wire::CreateWelcome(b, 1, 1, &kHash, &store, 32, material_vector, 0, 320, &kVoxel, limits, server);
+  });
+}
+
+Frame column() {
+  return make_frame([](auto& b) {
+    const std::array runs{wire::UniformRun{kFarthest, -1, 2}, wire::UniformRun{10, 11, 0}};
+    return wire::CreateColumn(b, -4, 5, 1, 6, b.CreateVectorOfStructs(runs.data(), runs.size()));
+  });
+}
+
+Frame error() {
+  return make_frame([](auto& b) {
+    return wire::CreateError(b, wire::ErrorCode::overloaded, b.CreateString("come back later"), 7, 250);
+  });
+}
+
+Frame edit() {
+  return make_frame([](auto& b) {
+    return wire::CreateEdit(b, 11, b.CreateVectorOfStructs(kWrites.data(), kWrites.size()));
+  });
+}
+
+Frame edit_broadcast() {
+  return make_frame([](auto& b) {
+    const auto writes = b.CreateVectorOfStructs(kWrites.data(), kWrites.size());
+    return wire::CreateEditBroadcast(b, &kKey, 13, 12, writes);
+  });
+}
+
+}  // namespace
+
+Frame sample_hello() {
+  return make_frame([](auto& b) {
+    const std::array<std::uint8_t, 1> codecs{1};
+    const auto codec_vector = b.CreateVector(codecs.data(), codecs.size());
+    const auto token = b.CreateString("open sesame");
+    const auto client = b.CreateString("sample 1.0");
+    return wire::CreateHello(b, 1, 2, codec_vector, token, client, 1U << 20);
+  });
+}
+
+Frame sample_chunk() {
+  return make_frame([](auto& b) {
+    const std::array<std::uint8_t, 5> payload{1, 2, 3, 4, 5};
+    const auto payload_vector = b.CreateVector(payload.data(), payload.size());
+    return wire::CreateChunk(b, 7, &kKey, 42, &kHash, 1, payload_vector);
+  });
+}
+
+std::vector<Sample> sample_frames() {
+  using wire::Body;
+  const auto simple = [](Body kind, auto&& build) { return Sample{kind, make_frame(build)}; };
+  const std::vector<std::uint32_t> ids{7, 8};
+  const std::vector<std::int32_t> heights{0, -256, 1 << 23};
+  return {
+      {Body::Hello, sample_hello()},
+      {Body::View, view()},
+      {Body::GetChunks, get_chunks()},
+      simple(Body::Cancel, [&](auto& b) { return wire::CreateCancel(b, b.CreateVector(ids)); }),
+      {Body::GetHeights, get_heights()},
+      simple(Body::Credit, [](auto& b) { return wire::CreateCredit(b, std::uint64_t{1} << 40); }),
+      {Body::Edit, edit()},
+      simple(Body::Ping, [](auto& b) { return wire::CreatePing(b, 5); }),
+      {Body::Welcome, welcome()},
+      {Body::Chunk, sample_chunk()},
+      simple(Body::Unchanged, [](auto& b) { return wire::CreateUnchanged(b, 8, &kKey, 42, &kHash); }),
+      {Body::Column, column()},
+      simple(Body::Heights, [&](auto& b) { return wire::CreateHeights(b, 9, b.CreateVector(heights)); }),
+      {Body::Error, error()},
+      simple(Body::EditResult, [](auto& b) { return wire::CreateEditResult(b, 11, 43); }),
+      {Body::EditBroadcast, edit_broadcast()},
+      simple(Body::Pong, [](auto& b) { return wire::CreatePong(b, 5); }),
+      simple(Body::GoAway, [](auto& b) { return wire::CreateGoAway(b, b.CreateString("restart"), 3000); }),
+  };
+}
+
+}  // namespace talus::protocol::testing

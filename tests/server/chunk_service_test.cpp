@@ -1,0 +1,111 @@
+#include "generation/chunk_service.h"
+
+#include <catch2/catch.hpp>
+
+#include "fake_generator.h"
+
+using namespace talus;
+using namespace talus::server;
+
+namespace {
+
+ChunkKey at(std::int32_t x) {
+  return {{x, 0, 0}, Lod{}};
+}
+
+bool queued(ChunkService& service, const ChunkClientPtr& client, ChunkKey key) {
+  return service.submit(client, key) == ChunkService::Submission::queued;
+}
+
+}  // namespace
+
+TEST_CASE("many waiters, one generation") {
+  FakeService fake{3};
+  fake.work->close_gate();
+  std::vector<std::shared_ptr<WaitingClient>> clients;
+  for (int i = 0; i < 50; ++i) {
+    clients.push_back(std::make_shared<WaitingClient>());
+    REQUIRE(queued(fake.service, clients.back(), at(1)));
+  }
+  fake.work->open_gate();
+  for (const auto& client : clients) client->await(1);
+  CHECK(fake.work->chunks == 1);
+  CHECK(fake.work->patches == 1);
+}
+
+TEST_CASE("a generated chunk is at hand from then on") {
+  FakeService fake;
+  const auto client = std::make_shared<WaitingClient>();
+  CHECK(fake.service.find(at(1)) == nullptr);
+  REQUIRE(queued(fake.service, client, at(1)));
+  client->await(1);
+  CHECK(fake.service.find(at(1)) == *client->answers()[0].second);
+}
+
+TEST_CASE("chunks of one patch share it") {
+  FakeService fake{4};
+  const auto client = std::make_shared<WaitingClient>();
+  for (std::int32_t x = 0; x < 4; ++x) REQUIRE(queued(fake.service, client, at(x)));
+  client->await(4);
+  CHECK(fake.work->patches == 1);
+  CHECK(fake.work->chunks == 4);
+}
+
+TEST_CASE("a cancelled chunk is not generated") {
+  FakeService fake;
+  fake.work->close_gate();
+  const auto client = std::make_shared<WaitingClient>();
+  REQUIRE(queued(fake.service, client, at(0)));    // holds the only thread at the gate, now or soon
+  REQUIRE(queued(fake.service, client, at(100)));  // waits behind it
+  fake.service.cancel(*client, at(100));
+  fake.work->open_gate();
+  client->await(1);
+  REQUIRE(queued(fake.service, client, at(200)));
+  client->await(2);
+  CHECK(fake.work->chunks == 2);
+}
+
+TEST_CASE("a chunk cancelled while its patch is made is not generated") {
+  FakeService fake;
+  fake.work->close_gate();
+  const auto client = std::make_shared<WaitingClient>();
+  REQUIRE(queued(fake.service, client, at(100)));
+  fake.work->await_somebody_at_gate();  // the only thread: what comes now is taken together
+  REQUIRE(queued(fake.service, client, at(0)));
+  REQUIRE(queued(fake.service, client, at(1)));
+  fake.service.cancel(*client, at(100));
+  fake.work->open_gate();
+  client->await(2);
+  CHECK(fake.work->chunks == 2);
+}
+
+TEST_CASE("out of memory is an answer, and the next request may succeed") {
+  FakeService fake;
+  fake.work->out_of_memory = true;
+  const auto client = std::make_shared<WaitingClient>();
+  REQUIRE(queued(fake.service, client, at(0)));
+  client->await(1);
+  CHECK_FALSE(client->answers()[0].second.has_value());
+  fake.work->out_of_memory = false;
+  REQUIRE(queued(fake.service, client, at(0)));
+  client->await(2);
+  CHECK(client->answers()[1].second.has_value());
+}
+
+TEST_CASE("heights that fail are answered too") {
+  FakeService fake;
+  fake.work->out_of_memory = true;
+  const auto client = std::make_shared<WaitingClient>();
+  fake.service.submit_heights({client, 7, {{1, 2}}});
+  client->await(1);
+  CHECK(client->heights()[0].first == 7);
+  CHECK_FALSE(client->heights()[0].second.has_value());
+}
+
+TEST_CASE("a full queue refuses") {
+  FakeService fake{1, 1};
+  fake.work->close_gate();
+  const auto client = std::make_shared<WaitingClient>();
+  REQUIRE(queued(fake.service, client, at(0)));
+  CHECK_FALSE(queued(fake.service, client, at(1)));
+}

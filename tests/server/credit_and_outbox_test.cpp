@@ -1,0 +1,99 @@
+#include <algorithm>
+#include <catch2/catch.hpp>
+
+#include <rapidcheck.h>
+
+#include "stream/chunk_frame.h"
+#include "stream/credit.h"
+#include "stream/outbox.h"
+
+using namespace talus;
+using namespace talus::server;
+
+namespace {
+
+EncodedChunkPtr chunk_of(std::size_t payload_bytes) {
+  auto chunk = std::make_shared<EncodedChunk>();
+  chunk->payload.resize(payload_bytes);
+  return chunk;
+}
+
+Outbox::Entry entry(std::uint32_t id, std::size_t payload_bytes) {
+  return {id, {{static_cast<std::int32_t>(id), 0, 0}, Lod{}}, chunk_of(payload_bytes)};
+}
+
+constexpr std::size_t kAll = std::size_t{1} << 40;
+
+}  // namespace
+
+TEST_CASE("credit lets a window and at most one frame more go out") {
+  CHECK(rc::check([] {
+    const auto window = *rc::gen::inRange<std::uint64_t>(1, 5000);
+    Credit credit{window};
+    std::uint64_t sent = 0;
+    std::uint64_t taken = 0;
+    for (const int step : *rc::gen::container<std::vector<int>>(rc::gen::inRange(0, 2000))) {
+      const auto bytes = static_cast<std::uint64_t>(step) + 1;
+      if (credit.may_send()) {
+        RC_ASSERT(sent - taken < window);
+        credit.sent(bytes);
+        sent += bytes;
+      } else {
+        RC_ASSERT(sent - taken >= window);
+        taken += std::min(bytes, sent - taken);
+        RC_ASSERT(credit.taken(taken).has_value());
+      }
+    }
+  }));
+}
+
+TEST_CASE("credit refuses totals that cannot be") {
+  Credit credit{100};
+  credit.sent(80);
+  CHECK(credit.taken(50).has_value());
+  CHECK(credit.taken(50).has_value());
+  CHECK_FALSE(credit.taken(49).has_value());
+  CHECK_FALSE(credit.taken(81).has_value());
+  CHECK(credit.taken(80).has_value());
+}
+
+TEST_CASE("control frames go first and need no credit") {
+  Outbox outbox;
+  Credit none{0};
+  outbox.push_chunk(entry(1, 10));
+  outbox.push_control(protocol::Frame(7));
+  const auto taken = outbox.take(kAll, none);
+  REQUIRE(taken.frames.size() == 1);
+  CHECK(taken.frames[0].size() == 7);
+  CHECK_FALSE(outbox.sendable(none));
+  Credit some{1};
+  CHECK(outbox.sendable(some));
+}
+
+TEST_CASE("the outbox takes until there is enough, and counts what it sent") {
+  Outbox outbox;
+  Credit credit{kAll};
+  for (std::uint32_t id = 1; id <= 10; ++id) outbox.push_chunk(entry(id, 1000));
+  const std::size_t frame_bytes = chunk_frame(1, {}, *chunk_of(1000)).size();
+  const auto taken = outbox.take(3 * frame_bytes, credit);
+  CHECK(taken.frames.size() == 3);
+  CHECK(taken.chunks.size() == 3);
+  CHECK(credit.taken(3 * frame_bytes).has_value());
+  CHECK_FALSE(credit.taken(3 * frame_bytes + 1).has_value());
+}
+
+TEST_CASE("an emptied outbox counts no bytes, however it was emptied") {
+  CHECK(rc::check([] {
+    Outbox outbox;
+    Credit credit{kAll};
+    for (const auto id : *rc::gen::container<std::vector<std::uint32_t>>(rc::gen::inRange(0U, 50U))) {
+      outbox.push_chunk(entry(id, id));
+      outbox.push_control(protocol::Frame(id));
+    }
+    const auto dropped = *rc::gen::inRange(0U, 50U);
+    outbox.drop_chunks([&](const Outbox::Entry& each) { return each.request_id < dropped; });
+    for (const auto& each : outbox.take(kAll, credit).chunks) RC_ASSERT(each.request_id >= dropped);
+    RC_ASSERT(outbox.control_bytes() == 0);
+    RC_ASSERT(outbox.chunk_bytes() == 0);
+  }));
+}

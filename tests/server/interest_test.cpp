@@ -1,0 +1,158 @@
+#include "stream/interest.h"
+
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <limits>
+#include <set>
+
+#include <rapidcheck.h>
+
+using namespace talus;
+using namespace talus::server;
+
+namespace {
+
+View random_view() {
+  View view;
+  view.centre = {*rc::gen::inRange<std::int64_t>(-40, 40), *rc::gen::inRange<std::int64_t>(-40, 40),
+                 *rc::gen::inRange<std::int64_t>(-40, 40)};
+  view.direction = {static_cast<float>(*rc::gen::inRange(-3, 4)), 0.0F,
+                    static_cast<float>(*rc::gen::inRange(-3, 4))};
+  view.horizontal_radius = *rc::gen::inRange(0, 6);
+  view.vertical_radius = *rc::gen::inRange(0, 4);
+  int radius = view.horizontal_radius;
+  for (int level = 1; level <= 3; ++level) {
+    if (*rc::gen::inRange(0, 3) == 0) continue;
+    radius += *rc::gen::inRange(1, 8);
+    view.rings.push_back({Lod::of(level), radius});
+  }
+  return view;
+}
+
+/// Distance between the centres of a chunk and of the view's chunk, in base chunks.
+double distance(const View& view, ChunkKey key) {
+  const double size = std::exp2(key.lod.value());
+  const auto along = [&](std::int32_t at, std::int64_t centre) {
+    return (at + 0.5) * size - (static_cast<double>(centre) + 0.5);
+  };
+  return std::hypot(along(key.coord.x, view.centre.x), along(key.coord.y, view.centre.y),
+                    along(key.coord.z, view.centre.z));
+}
+
+/// The chunk of `lod` in which a base chunk lies.
+ChunkKey holding(glm::i64vec3 base, Lod lod) {
+  const auto down = [&](std::int64_t at) { return static_cast<std::int32_t>(at >> lod.value()); };
+  return {{down(base.x), down(base.y), down(base.z)}, lod};
+}
+
+/// Whether every base column of the chunk lies in a finer chunk of the set, at the view's own height.
+bool covered_by_finer(const View& view, const std::set<ChunkKey>& wanted, ChunkKey key) {
+  const std::int64_t size = std::int64_t{1} << key.lod.value();
+  for (std::int64_t z = 0; z < size; ++z) {
+    for (std::int64_t x = 0; x < size; ++x) {
+      const glm::i64vec3 base{key.coord.x * size + x, view.centre.y, key.coord.z * size + z};
+      bool held = false;
+      for (int level = 0; level < key.lod.value(); ++level) {
+        held = held || wanted.contains(holding(base, Lod::of(level)));
+      }
+      if (!held) return false;
+    }
+  }
+  return true;
+}
+
+}  // namespace
+
+TEST_CASE("a View's chunks come by distance, each once") {
+  CHECK(rc::check([] {
+    const View view = random_view();
+    const auto keys = chunks_in_view(view);
+    RC_ASSERT(std::set(keys.begin(), keys.end()).size() == keys.size());
+    RC_ASSERT(std::is_sorted(keys.begin(), keys.end(), [&](ChunkKey a, ChunkKey b) {
+      return std::floor(distance(view, a)) < std::floor(distance(view, b));
+    }));
+  }));
+}
+
+TEST_CASE("at one distance what lies ahead comes first") {
+  const View view{{0, 0, 0}, {1, 0, 0}, 4, 0, {}};
+  const auto keys = chunks_in_view(view);
+  const auto place = [&](ChunkCoord coord) {
+    return std::find(keys.begin(), keys.end(), ChunkKey{coord, {}});
+  };
+  CHECK(place({3, 0, 0}) < place({0, 0, 3}));
+  CHECK(place({0, 0, 3}) < place({-3, 0, 0}));
+}
+
+TEST_CASE("the chunks are as many as counted before") {
+  CHECK(rc::check([] {
+    const View view = random_view();
+    RC_ASSERT(chunks_in_view(view).size() == count_chunks(view));
+  }));
+}
+
+TEST_CASE("level 0 is exactly the box") {
+  CHECK(rc::check([] {
+    View view = random_view();
+    view.rings.clear();
+    const auto keys = chunks_in_view(view);
+    for (const ChunkKey key : keys) {
+      const glm::i64vec3 offset = to_vec(key.coord) - view.centre;
+      RC_ASSERT(std::max(std::abs(offset.x), std::abs(offset.z)) <= view.horizontal_radius);
+      RC_ASSERT(std::abs(offset.y) <= view.vertical_radius);
+    }
+    const auto side = static_cast<std::size_t>(2 * view.horizontal_radius + 1);
+    RC_ASSERT(keys.size() == side * side * static_cast<std::size_t>(2 * view.vertical_radius + 1));
+  }));
+}
+
+TEST_CASE("everything out to the last ring is covered") {
+  CHECK(rc::check([] {
+    const View view = random_view();
+    const auto keys = chunks_in_view(view);
+    const std::set<ChunkKey> wanted(keys.begin(), keys.end());
+    const int radius = view.rings.empty() ? view.horizontal_radius : view.rings.back().radius;
+    for (int step = 0; step < 50; ++step) {
+      const auto offset = [](int most) { return *rc::gen::inRange<std::int64_t>(-most, most + 1); };
+      const glm::i64vec3 base =
+          view.centre + glm::i64vec3{offset(radius), offset(view.vertical_radius), offset(radius)};
+      bool held = false;
+      for (int level = 0; level <= Lod::kMax; ++level) {
+        held = held || wanted.contains(holding(base, Lod::of(level)));
+      }
+      RC_ASSERT(held);
+    }
+  }));
+}
+
+TEST_CASE("no coarse chunk stands where finer ones cover it whole") {
+  CHECK(rc::check([] {
+    const View view = random_view();
+    const auto keys = chunks_in_view(view);
+    const std::set<ChunkKey> wanted(keys.begin(), keys.end());
+    for (const ChunkKey key : keys) {
+      if (key.lod != Lod{}) RC_ASSERT(!covered_by_finer(view, wanted, key));
+    }
+  }));
+}
+
+TEST_CASE("the world's end cuts a View off") {
+  const std::int64_t limit = chunk_limit(Lod{});
+  CHECK(chunks_in_view({{limit - 1, 0, 0}, {}, 1, 0, {}}).size() == 2 * 3);
+  CHECK(chunks_in_view({{-limit - 1, 0, 0}, {}, 1, 0, {}}).size() == 1 * 3);
+}
+
+TEST_CASE("a View far outside the world is empty, not undefined") {
+  const std::int64_t farthest = floor_div(std::numeric_limits<std::int64_t>::max(), kChunkSize);
+  CHECK(chunks_in_view({{farthest, -farthest, farthest}, {}, 3, 3, {{Lod::of(6), 100}}}).empty());
+}
+
+TEST_CASE("a direction that is no number is no preference") {
+  const float nan = std::numeric_limits<float>::quiet_NaN();
+  const float infinite = std::numeric_limits<float>::infinity();
+  const View plain{{0, 0, 0}, {}, 2, 1, {}};
+  View odd = plain;
+  odd.direction = {nan, infinite, 1};
+  CHECK(chunks_in_view(odd) == chunks_in_view(plain));
+}

@@ -1,0 +1,119 @@
+#include <stdio.h>
+#include <sys/wait.h>
+
+#include <algorithm>
+#include <array>
+#include <fstream>
+#include <memory>
+#include <string>
+
+#include <catch2/catch.hpp>
+
+#include "scratch_directory.h"
+
+namespace {
+
+struct Outcome {
+  int exit_code = -1;
+  std::string output;  // stdout and stderr together
+};
+
+Outcome talus_gen(const std::string& arguments) {
+  const std::string command = "'" TALUS_GEN "' " + arguments + " 2>&1";
+  Outcome outcome;
+  FILE* pipe = ::popen(command.c_str(), "r");
+  REQUIRE(pipe != nullptr);
+  std::array<char, 4096> buffer{};
+  for (std::size_t n = 0; (n = std::fread(buffer.data(), 1, buffer.size(), pipe)) > 0;) {
+    outcome.output.append(buffer.data(), n);
+  }
+  const int status = ::pclose(pipe);
+  if (WIFEXITED(status)) outcome.exit_code = WEXITSTATUS(status);
+  return outcome;
+}
+
+// One line that says what is wrong.
+void check_refused(const std::string& arguments, int exit_code, const std::string& part) {
+  const Outcome outcome = talus_gen(arguments);
+  INFO(arguments << "\n" << outcome.output);
+  CHECK(outcome.exit_code == exit_code);
+  CHECK(std::count(outcome.output.begin(), outcome.output.end(), '\n') == 1);
+  CHECK_THAT(outcome.output, Catch::StartsWith("talus-gen"));
+  CHECK_THAT(outcome.output, Catch::Contains(part));
+}
+
+std::string in(const ScratchDirectory& scratch, const std::string& name) {
+  return "'" + (scratch / name).string() + "'";
+}
+
+}  // namespace
+
+TEST_CASE("talus-gen explains itself") {
+  CHECK(talus_gen("--help").exit_code == 0);
+  CHECK_THAT(talus_gen("--version").output, Catch::StartsWith("talus-gen "));
+  for (const char* command : {"map", "section", "export", "hash"}) {
+    const Outcome outcome = talus_gen(std::string{command} + " --help");
+    CHECK(outcome.exit_code == 0);
+    CHECK_THAT(outcome.output, Catch::Contains("--world"));
+  }
+}
+
+TEST_CASE("Wrong use is one line and exit code 2") {
+  const ScratchDirectory scratch;
+  const std::string out = " -o " + in(scratch, "a.png");
+  check_refused("", 2, "a command is needed");
+  check_refused("paint", 2, "paint");
+  check_refused("map --size 8,8" + out, 2, "--center");
+  check_refused("map --center 0 --size 8,8" + out, 2, "'0' is not a pair of whole numbers");
+  check_refused("map --center 0,0 --size 0,8" + out, 2, "--size: 0 is not a length");
+  check_refused("map --center 0,0 --size 60000,60000" + out, 2, "60000 x 60000 pixels is too large");
+  check_refused("map --center 0,0 --size 8,8 --lod 7" + out, 2, "--lod: ");
+  check_refused("map --center 68719476736,0 --size 8,8" + out, 2, "x = 68719476736");
+  check_refused("section --from 0,0 --length 0" + out, 2, "--length");
+  check_refused("section --from 0,0 --length 9 --axis y" + out, 2, "--axis");
+  check_refused("export --origin 0,0 --size 1000000,1000000 -o " + in(scratch, "e"), 2, "GiB");
+  check_refused("hash --origin 0,-68719476737 --size 8,8", 2, "z = -68719476737");
+  CHECK(scratch.file_count() == 0);
+}
+
+TEST_CASE("What cannot be done is one line and exit code 1") {
+  const ScratchDirectory scratch;
+  const std::string map = "map --center 0,0 --size 8,8 ";
+  check_refused(map + "-o " + in(scratch, "missing/a.png"), 1, "a.png: cannot write: No such file");
+  check_refused(map + "-o " + in(scratch, ""), 1, "is a directory");
+  check_refused(map + "-o /dev/null", 1, "/dev/null: is not a regular file");
+  check_refused(map + "-o " + in(scratch, "a.png") + " --world " + in(scratch, "none.toml"), 1,
+                "none.toml: cannot read the world file: No such file");
+  check_refused(map + "-o " + in(scratch, "a.png") + " --world " + in(scratch, ""), 1, "is a directory");
+  std::ofstream{scratch / "file"} << "seed = ";
+  check_refused(map + "-o " + in(scratch, "a.png") + " --world " + in(scratch, "file"), 1, "file:1");
+  check_refused("export --origin 0,0 --size 8,8 -o " + in(scratch, "file"), 1, "cannot make the directory");
+  CHECK(scratch.file_count() == 1);
+}
+
+TEST_CASE("Negative places are values, not options") {
+  const ScratchDirectory scratch;
+  CHECK(talus_gen("map --center -5,-7 --size 16,8 -o " + in(scratch, "a.png")).exit_code == 0);
+  CHECK(talus_gen("section --from=-5,-7 --length 8 -o " + in(scratch, "b.png")).exit_code == 0);
+  CHECK(talus_gen("hash --origin -68719476736,68719476704 --size 32,32").exit_code == 0);
+}
+
+TEST_CASE("Commands write what they are asked for, and nothing else") {
+  const ScratchDirectory scratch;
+  const Outcome map = talus_gen("map --center 0,0 --size 16,8 --lod 2 -o " + in(scratch, "a.png"));
+  CHECK(map.exit_code == 0);
+  CHECK(map.output.empty());
+  CHECK_THAT(read_whole(scratch / "a.png"), Catch::StartsWith("\x89PNG\r\n"));
+  CHECK(talus_gen("export --origin 0,0 --size 8,8 -o " + in(scratch, "new/deep")).exit_code == 0);
+  CHECK(std::filesystem::exists(scratch / "new/deep/export.json"));
+  CHECK(scratch.file_count() == 2);
+}
+
+TEST_CASE("A hash is 32 hex digits, whatever the threads") {
+  const std::string region = "hash --origin -40,7 --size 100,60 --lod 1 --threads ";
+  const Outcome one = talus_gen(region + "1");
+  CHECK(one.exit_code == 0);
+  CHECK(one.output.size() == 33);
+  CHECK(one.output.find_first_not_of("0123456789abcdef\n") == std::string::npos);
+  CHECK(talus_gen(region + "5").output == one.output);
+}

@@ -1,0 +1,130 @@
+#include <catch2/catch.hpp>
+
+#include <talus/voxel/codec.h>
+
+#include "sample_chunks.h"
+
+namespace talus {
+namespace {
+
+using namespace testing;
+using Payload = std::vector<std::byte>;
+
+Payload bytes(std::initializer_list<int> values) {
+  Payload payload;
+  for (const int value : values) payload.push_back(static_cast<std::byte>(value));
+  return payload;
+}
+
+std::vector<Payload> sample_payloads() {
+  return {encoded(Chunk::uniform(MaterialId{300})), encoded(Chunk::from_layers(hill(1))),
+          encoded(Chunk::from_layers(hill(2))), encoded(Chunk::from_layers(random_layers(3, 5, 100))),
+          encoded(Chunk::from_dense(*random_voxels(4, 3, 400)))};
+}
+
+DecodeError fault_of(const Payload& payload) {
+  const auto chunk = decode(payload);
+  REQUIRE_FALSE(chunk.has_value());
+  return chunk.error();
+}
+
+}  // namespace
+
+TEST_CASE("every truncation of a payload is an error") {
+  for (const Payload& whole : sample_payloads()) {
+    for (std::size_t size = 0; size < whole.size(); ++size) {
+      CAPTURE(whole.size(), size);
+      REQUIRE_FALSE(decode(std::span{whole}.first(size)).has_value());
+    }
+  }
+}
+
+TEST_CASE("every flipped bit gives an error or another chunk") {
+  for (Payload payload : sample_payloads()) {
+    for (std::byte& byte : payload) {
+      for (unsigned bit = 0; bit < 8; ++bit) {
+        byte ^= std::byte{1} << bit;
+        const auto chunk = decode(payload);
+        if (chunk && chunk->layers() != nullptr) REQUIRE(chunk->layers()->valid());
+        byte ^= std::byte{1} << bit;
+      }
+    }
+  }
+}
+
+TEST_CASE("bytes after a payload's end are an error") {
+  for (Payload payload : sample_payloads()) {
+    payload.push_back(std::byte{0});
+    CHECK(fault_of(payload) == DecodeError::too_long);
+  }
+}
+
+TEST_CASE("no bytes") {
+  CHECK(fault_of({}) == DecodeError::empty);
+}
+
+TEST_CASE("a version that this library does not read") {
+  CHECK(fault_of(bytes({0, 0, 1, 0})) == DecodeError::unknown_version);
+  CHECK(fault_of(bytes({2})) == DecodeError::unknown_version);
+}
+
+TEST_CASE("an encoding that does not exist") {
+  CHECK(fault_of(bytes({1, 3, 1, 0})) == DecodeError::unknown_encoding);
+}
+
+TEST_CASE("headers that end early") {
+  CHECK(fault_of(bytes({1})) == DecodeError::truncated);
+  CHECK(fault_of(bytes({1, 0})) == DecodeError::truncated);
+  CHECK(fault_of(bytes({1, 0, 2, 5})) == DecodeError::truncated);
+  CHECK(fault_of(bytes({1, 0, 1, 0x85})) == DecodeError::truncated);
+  CHECK(fault_of(bytes({1, 0, 2, 5, 6})) == DecodeError::truncated);
+  CHECK(fault_of(bytes({1, 1, 2, 5, 6})) == DecodeError::truncated);
+  CHECK(fault_of(bytes({1, 2, 0, 0})) == DecodeError::truncated);
+}
+
+TEST_CASE("more bytes than any payload has") {
+  CHECK(fault_of(Payload(kMaxPayloadBytes + 1, std::byte{1})) == DecodeError::too_long);
+}
+
+TEST_CASE("lists of materials that cannot be") {
+  CHECK(fault_of(bytes({1, 0, 0})) == DecodeError::bad_materials);
+  CHECK(fault_of(bytes({1, 0, 65})) == DecodeError::bad_materials);
+  CHECK(fault_of(bytes({1, 0, 2, 5, 5})) == DecodeError::bad_materials);
+  CHECK(fault_of(bytes({1, 1, 0})) == DecodeError::bad_materials);
+  CHECK(fault_of(bytes({1, 1, 0x81, 2})) == DecodeError::bad_materials);
+  CHECK(fault_of(bytes({1, 1, 2, 5, 4})) == DecodeError::bad_materials);
+  CHECK(fault_of(bytes({1, 1, 2, 5, 5})) == DecodeError::bad_materials);
+}
+
+TEST_CASE("numbers longer than they need be or past 65,535") {
+  CHECK(fault_of(bytes({1, 0, 1, 0x80, 0})) == DecodeError::bad_number);
+  CHECK(fault_of(bytes({1, 0, 0x81, 0, 7})) == DecodeError::bad_number);
+  CHECK(fault_of(bytes({1, 0, 1, 0xFF, 0xFF, 4})) == DecodeError::bad_number);
+  CHECK(fault_of(bytes({1, 0, 1, 0xFF, 0xFF, 0x83, 0})) == DecodeError::bad_number);
+  CHECK(decode(bytes({1, 0, 1, 0xFF, 0xFF, 3})).value() == Chunk::uniform(MaterialId{0xFFFF}));
+}
+
+TEST_CASE("a voxel whose place in the palette is past its end") {
+  Payload payload = encoded(Chunk::from_dense(*random_voxels(6, 3, 50)));
+  REQUIRE(payload[1] == std::byte{1});
+  REQUIRE(payload[2] == std::byte{3});
+  // The first of the three materials is 0: one byte.
+  payload[2] = std::byte{2};
+  payload.erase(payload.begin() + 3);
+  CHECK(fault_of(payload) == DecodeError::bad_number);
+}
+
+TEST_CASE("an ending that the encoder would not write") {
+  Payload payload = encoded(Chunk::from_layers(hill(1)));
+  REQUIRE(payload.back() != std::byte{0xFF});
+  payload.back() = static_cast<std::byte>(std::to_integer<int>(payload.back()) + 1);
+  CHECK(fault_of(payload) == DecodeError::bad_ending);
+}
+
+TEST_CASE("every error describes itself") {
+  for (int error = 0; error <= static_cast<int>(DecodeError::bad_ending); ++error) {
+    CHECK(describe(static_cast<DecodeError>(error)).size() > 20);
+  }
+}
+
+}  // namespace talus

@@ -1,0 +1,100 @@
+// Frozen payloads: stored chunks and other people's decoders rely on these bytes. They change only
+// together with kCodecVersion.
+#include <algorithm>
+#include <fstream>
+#include <iterator>
+#include <sstream>
+#include <string>
+
+#include <catch2/catch.hpp>
+
+#include <talus/voxel/codec.h>
+#include <talus/voxel/content_hash.h>
+
+#include "sample_chunks.h"
+
+namespace talus {
+namespace {
+
+using namespace testing;
+
+std::string read_file(const std::string& path) {
+  std::ifstream file{std::string{TALUS_SOURCE_DIR "/"} + path, std::ios::binary};
+  REQUIRE(file.good());
+  return {std::istreambuf_iterator<char>{file}, {}};
+}
+
+std::vector<std::byte> frozen(const std::string& name) {
+  const std::string content = read_file("tests/voxel/golden/" + name + ".bin");
+  std::vector<std::byte> payload;
+  for (const char c : content) payload.push_back(static_cast<std::byte>(c));
+  return payload;
+}
+
+/// The bytes of the only ```hex block of a Markdown file.
+std::vector<std::byte> hex_block(const std::string& markdown) {
+  const std::string opening = "```hex\n";
+  const std::size_t start = markdown.find(opening);
+  REQUIRE(start != std::string::npos);
+  const std::size_t first = start + opening.size();
+  std::istringstream digits{markdown.substr(first, markdown.find("```", first) - first)};
+  std::vector<std::byte> payload;
+  unsigned value = 0;
+  while (digits >> std::hex >> value) payload.push_back(static_cast<std::byte>(value));
+  return payload;
+}
+
+/// FORMAT.md's worked example: sloping rock, soil of two rows that ends in the south, air.
+Chunk worked_example() {
+  Layers layers{{MaterialId{2}, MaterialId{300}, kAir}, {}};
+  layers.tops.resize(2 * kChunkArea);
+  for (int z = 0; z < kChunkSize; ++z) {
+    for (int x = 0; x < kChunkSize; ++x) {
+      const int rock = 10 + x / 8;
+      layers.tops[column_index(x, z)] = static_cast<std::uint8_t>(rock);
+      layers.tops[kChunkArea + column_index(x, z)] = static_cast<std::uint8_t>(z < 20 ? rock + 2 : rock);
+    }
+  }
+  return Chunk::from_layers(std::move(layers));
+}
+
+void check_frozen(const std::string& name, const Chunk& chunk, const std::string& hash) {
+  CAPTURE(name);
+  const auto payload = frozen(name);
+  const auto decoded = decode(payload);
+  REQUIRE(decoded.has_value());
+  CHECK(to_string(content_hash(*decoded)) == hash);
+  CHECK(encoded(*decoded) == payload);
+  CHECK(encoded(chunk) == payload);
+}
+
+}  // namespace
+
+TEST_CASE("the worked example in FORMAT.md is what encode gives") {
+  const auto payload = hex_block(read_file("core/voxel/FORMAT.md"));
+  CHECK(encoded(worked_example()) == payload);
+  CHECK(decode(payload).value() == worked_example());
+}
+
+TEST_CASE("FORMAT.md names the hash of its worked example") {
+  const std::string hash = to_string(content_hash(worked_example()));
+  CHECK(read_file("core/voxel/FORMAT.md").find(hash) != std::string::npos);
+}
+
+TEST_CASE("a frozen uniform chunk") {
+  check_frozen("uniform", Chunk::uniform(MaterialId{300}), "8fd40e1b20c8f07877ffa3ca1005ef6d");
+}
+
+TEST_CASE("frozen layers") {
+  check_frozen("hill", Chunk::from_layers(hill(1)), "86a412f7635065ddd535272aa6357d00");
+  check_frozen("rough", Chunk::from_layers(random_layers(3, 5, 100)), "73a0fbf0dede1e7e49092591490760f0");
+}
+
+TEST_CASE("frozen palettes") {
+  check_frozen("few_materials", Chunk::from_dense(*random_voxels(4, 3, 400)),
+               "0564daf8667aa83423445a05545e3b08");
+  check_frozen("many_materials", Chunk::from_dense(*random_voxels(5, 250, 900)),
+               "0ed79e2ad7c1f106b448eb03bdc4b1af");
+}
+
+}  // namespace talus

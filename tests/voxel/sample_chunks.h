@@ -1,0 +1,31 @@
+// Chunks of every kind that the codec meets, made from a seed: the same chunk from the same seed everywhere.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include <talus/voxel/chunk.h>
+
+namespace talus::testing {
+
+/// Planes of random rows, unordered materials, needless planes among them. `smoothness` 0 is noise; the
+/// higher, the more rarely a row differs from its neighbour's.
+[[nodiscard]] Layers random_layers(std::uint64_t seed, std::size_t planes, int smoothness);
+
+/// Strata, a loose layer that comes and goes, water and air: what the generator makes.
+[[nodiscard]] Layers hill(std::uint64_t seed);
+
+/// `materials` different ids in runs of `run` voxels on average along x.
+[[nodiscard]] std::unique_ptr<DenseVoxels> random_voxels(std::uint64_t seed, std::size_t materials,
+                                                         std::size_t run);
+
+[[nodiscard]] std::unique_ptr<DenseVoxels> voxels_of(const Chunk& chunk);
+
+[[nodiscard]] std::vector<std::byte> encoded(const Chunk& chunk);
+
+/// A chunk of any kind, chosen by RapidCheck.
+[[nodiscard]] Chunk any_chunk();
+
+}  // namespace talus::testing
