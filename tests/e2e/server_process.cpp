@@ -39,8 +39,8 @@ std::vector<std::string> environment_of(const Settings& settings) {
   return variables;
 }
 
-Child start(const std::vector<std::string>& flags, const Settings& settings) {
-  std::vector<std::string> arguments{TALUSD_PATH};
+Child start(const std::string& path, const std::vector<std::string>& flags, const Settings& settings) {
+  std::vector<std::string> arguments{path};
   arguments.insert(arguments.end(), flags.begin(), flags.end());
   std::vector<std::string> variables = environment_of(settings);
 
@@ -53,7 +53,7 @@ Child start(const std::vector<std::string>& flags, const Settings& settings) {
   posix_spawn_file_actions_adddup2(&actions, out[1], STDOUT_FILENO);
   posix_spawn_file_actions_adddup2(&actions, err[1], STDERR_FILENO);
   pid_t pid = -1;
-  const int failed = ::posix_spawn(&pid, TALUSD_PATH, &actions, nullptr, pointers(arguments).data(),
+  const int failed = ::posix_spawn(&pid, path.c_str(), &actions, nullptr, pointers(arguments).data(),
                                    pointers(variables).data());
   posix_spawn_file_actions_destroy(&actions);
   ::close(out[1]);
@@ -88,8 +88,8 @@ int reap(pid_t pid) {
 
 }  // namespace
 
-Ended run_talusd(const std::vector<std::string>& flags, const Settings& settings) {
-  const Child child = start(flags, settings);
+Ended run_program(const std::string& path, const std::vector<std::string>& flags, const Settings& settings) {
+  const Child child = start(path, flags, settings);
   Ended ended;
   read_to_end(child.out, child.err, ended);
   ended.status = reap(child.pid);
@@ -98,10 +98,14 @@ Ended run_talusd(const std::vector<std::string>& flags, const Settings& settings
   return ended;
 }
 
+Ended run_talusd(const std::vector<std::string>& flags, const Settings& settings) {
+  return run_program(TALUSD_PATH, flags, settings);
+}
+
 ServerProcess::ServerProcess(Settings settings, std::vector<std::string> flags) {
   settings.emplace("TALUS_THREADS_IO", "2");  // so that connections are dealt, also on a small machine
   flags.insert(flags.end(), {"--listen", "127.0.0.1:0"});
-  const Child child = start(flags, settings);
+  const Child child = start(TALUSD_PATH, flags, settings);
   pid_ = child.pid;
   out_ = child.out;
   err_ = child.err;

@@ -21,6 +21,9 @@ struct Ended {
   std::string err;
 };
 
+/// Runs a program to its end.
+[[nodiscard]] Ended run_program(const std::string& path, const std::vector<std::string>& flags,
+                                const Settings& settings = {});
 /// Runs talusd to its end.
 [[nodiscard]] Ended run_talusd(const std::vector<std::string>& flags, const Settings& settings = {});
 

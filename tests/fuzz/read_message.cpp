@@ -10,7 +10,7 @@
 #include <talus/protocol/limits.h>
 #include <talus/protocol/message.h>
 
-#include "../protocol/walk.h"
+#include "protocol/walk.h"
 
 namespace {
 

@@ -1,5 +1,5 @@
 #include <bit>
-#include <cstdio>
+#include <iomanip>
 #include <sstream>
 
 #define XXH_STATIC_LINKING_ONLY
@@ -16,9 +16,9 @@ namespace {
 
 // The bits of a float, so that no two numbers print alike.
 std::string bits_of(float value) {
-  char text[9];
-  std::snprintf(text, sizeof text, "%08x", std::bit_cast<std::uint32_t>(value));
-  return text;
+  std::ostringstream text;
+  text << std::hex << std::setw(8) << std::setfill('0') << std::bit_cast<std::uint32_t>(value);
+  return text.str();
 }
 
 }  // namespace
