@@ -6,8 +6,8 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
-#include <map>
 #include <random>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -98,7 +98,7 @@ TEST_CASE("talus-client gets the voxels that talus-gen exports, also at the worl
                               "--size", "32,32", "-o", export_folder});
     const std::string fetched = npy_bytes(client_file);
     const std::string exported = npy_bytes(std::filesystem::path{export_folder} / "voxels.npy");
-    REQUIRE(fetched.size() == kChunkVolume);
+    REQUIRE(fetched.size() == std::size_t{kChunkVolume});
     const bool same = fetched == rows_of_chunk(exported, chunk.y);
     CHECK(same);
   }
