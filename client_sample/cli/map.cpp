@@ -5,6 +5,7 @@
 #include <optional>
 
 #include <asio/experimental/as_tuple.hpp>
+#include <asio/post.hpp>
 #include <asio/steady_timer.hpp>
 #include <asio/this_coro.hpp>
 #include <asio/use_awaitable.hpp>
@@ -127,8 +128,9 @@ asio::awaitable<Outcome> map(Connecting connecting, MapOptions options) {
   }
   Survey survey{executor, client, *world};
   const auto surface = co_await survey.run(extent);
-  // Answers that are still to come would find the survey gone.
+  // Answers that are still to come would find the survey gone; close() posts them, so let them run first.
   client.close();
+  co_await asio::post(executor, asio::use_awaitable);
   if (!surface) co_return tl::unexpected{surface.error()};
 
   const auto written = write_png(draw_map(*surface, world->materials, extent, {}), options.output);

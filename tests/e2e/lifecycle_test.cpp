@@ -178,7 +178,7 @@ TEST_CASE("two servers do not share a data directory") {
   CHECK_THAT(one_line(run_talusd(flags)), Catch::Contains("another talusd"));
 }
 
-TEST_CASE("--check-config says ok, or what is wrong and where") {
+TEST_CASE("the flag --check-config says ok, or what is wrong and where") {
   const ScratchDirectory scratch;
   const std::string right = scratch.write("right.toml", "[limits]\nconnections = 5\n");
   const std::string wrong = scratch.write("wrong.toml", "[limits]\nconections = 5\n");
@@ -194,7 +194,7 @@ TEST_CASE("wrong flags are wrong use") {
   CHECK_THAT(one_line(run_talusd({"--http", "nowhere"}), 2), Catch::Contains("--http"));
 }
 
-TEST_CASE("--http and --admin are checked, and a line says that they are not served") {
+TEST_CASE("the flags --http and --admin are checked, and a line says that they are not served") {
   ServerProcess server{{}, {"--http", "127.0.0.1:0", "--admin", "127.0.0.1:0"}};
   server.signal(SIGTERM);
   const std::string out = server.wait().out;

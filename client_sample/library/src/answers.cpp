@@ -165,7 +165,7 @@ Result<void> Core::handle_edit(const wire::EditBroadcast& edit) {
   const auto weak = weak_from_this();
   get(*key, std::nullopt, [weak, key = *key](const Result<ReceivedChunk>& chunk) {
     const auto self = weak.lock();
-    if (!self || !self->tracker_.shape().covers(key)) return;
+    if (!self || !self->joined_ || !self->tracker_.shape().covers(key)) return;
     if (chunk) {
       self->deliver(*chunk);
     } else {

@@ -251,7 +251,9 @@ std::vector<std::byte> Core::compose() {
     out.insert(out.end(), frame.begin(), frame.end());
   };
   for (const auto nonce : std::exchange(pings_to_send_, {})) {
-    open_pings_.at(nonce).sent = std::chrono::steady_clock::now();
+    const auto open = open_pings_.find(nonce);
+    if (open == open_pings_.end()) continue;  // a hostile server answered before it was asked
+    open->second.sent = std::chrono::steady_clock::now();
     append(ping_frame(nonce));
   }
   if (std::exchange(view_to_send_, false)) append(view_frame(*tracker_.view()));

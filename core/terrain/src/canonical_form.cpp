@@ -1,5 +1,6 @@
 #include <bit>
 #include <iomanip>
+#include <locale>
 #include <sstream>
 
 #define XXH_STATIC_LINKING_ONLY
@@ -17,6 +18,7 @@ namespace {
 // The bits of a float, so that no two numbers print alike.
 std::string bits_of(float value) {
   std::ostringstream text;
+  text.imbue(std::locale::classic());
   text << std::hex << std::setw(8) << std::setfill('0') << std::bit_cast<std::uint32_t>(value);
   return text.str();
 }
@@ -26,6 +28,7 @@ std::string bits_of(float value) {
 std::string World::canonical_form() const {
   const Surface surface = surface_of(spec_);
   std::ostringstream form;
+  form.imbue(std::locale::classic());  // a host program's locale must not group the digits
   form << "talus world\n"
        << "generator " << kGeneratorVersion << '\n'
        << "seed " << spec_.seed << '\n'
