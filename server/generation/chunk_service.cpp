@@ -111,11 +111,15 @@ void ChunkService::deliver(ChunkClient& waiter, ChunkKey key, const ChunkAnswer&
 }
 
 void ChunkService::run(const HeightsTask& task) {
+  task.client->heights_ready(task.ticket, make_heights(task));
+}
+
+HeightsAnswer ChunkService::make_heights(const HeightsTask& task) {
   try {
-    task.client->heights_ready(task.ticket, generator_->heights(task.columns));
+    return generator_->heights(task.columns);
   } catch (const std::exception& error) {
     log_->error("heights of {} columns failed: {}", task.columns.size(), error.what());
-    task.client->heights_ready(task.ticket, tl::make_unexpected(GenerationFailed{error.what()}));
+    return tl::make_unexpected(GenerationFailed{error.what()});
   }
 }
 

@@ -54,6 +54,7 @@ class ChunkService {
   void deliver(ChunkClient& waiter, ChunkKey key, const ChunkAnswer& answer);
   [[nodiscard]] StacksPtr stacks_of(const PatchKey& patch);
   [[nodiscard]] ChunkAnswer make_chunk(const terrain::Stacks* stacks, ChunkKey key);
+  [[nodiscard]] HeightsAnswer make_heights(const HeightsTask& task);
 
   std::unique_ptr<const Generator> generator_;
   Logger log_;

@@ -162,17 +162,31 @@ Result<void> Core::handle_edit(const wire::EditBroadcast& edit) {
   const auto key = read_key(edit.key());
   if (!key) return tl::unexpected{key.error()};
   if (!tracker_.was_delivered(*key)) return {};
+  refetch(*key);
+  return {};
+}
+
+void Core::refetch(ChunkKey key) {
+  const auto [entry, fresh] = refetching_.try_emplace(key, false);
+  if (!fresh) {  // edited again while it is on its way: once more when it has come, however many edits
+    entry->second = true;
+    return;
+  }
   const auto weak = weak_from_this();
-  get(*key, std::nullopt, [weak, key = *key](const Result<ReceivedChunk>& chunk) {
+  get(key, std::nullopt, [weak, key](const Result<ReceivedChunk>& chunk) {
     const auto self = weak.lock();
-    if (!self || !self->joined_ || !self->tracker_.shape().covers(key)) return;
+    if (!self) return;
+    const auto done = self->refetching_.find(key);
+    const bool again = done->second;
+    self->refetching_.erase(done);
+    if (!self->joined_ || !self->tracker_.shape().covers(key)) return;
     if (chunk) {
       self->deliver(*chunk);
     } else {
       self->report(chunk.error());
     }
+    if (again && self->joined_) self->refetch(key);
   });
-  return {};
 }
 
 Result<void> Core::handle_pong(const wire::Pong& pong) {

@@ -258,7 +258,12 @@ std::vector<std::byte> Core::compose() {
   }
   if (std::exchange(view_to_send_, false)) append(view_frame(*tracker_.view()));
   compose_requests(out);
-  if (const auto ids = std::exchange(cancels_to_send_, {}); !ids.empty()) append(cancel_frame(ids));
+  // In pieces that fit the smallest frame a server may allow.
+  constexpr std::size_t kIdsAFrame = 512;
+  const auto ids = std::exchange(cancels_to_send_, {});
+  for (std::size_t first = 0; first < ids.size(); first += kIdsAFrame) {
+    append(cancel_frame(std::span{ids}.subspan(first, std::min(kIdsAFrame, ids.size() - first))));
+  }
   // Half a window at a time: the server never runs dry, and credits are few.
   if ((taken_bytes_ - credited_bytes_) * 2 >= world_->limits.window_bytes && taken_bytes_ > credited_bytes_) {
     credited_bytes_ = taken_bytes_;

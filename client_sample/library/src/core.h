@@ -69,6 +69,7 @@ class Core : public std::enable_shared_from_this<Core> {
   [[nodiscard]] Result<void> handle_heights(const wire::Heights& heights);
   [[nodiscard]] Result<void> handle_error(const wire::Error& error);
   [[nodiscard]] Result<void> handle_edit(const wire::EditBroadcast& edit);
+  void refetch(ChunkKey key);
   [[nodiscard]] Result<void> handle_pong(const wire::Pong& pong);
   [[nodiscard]] Result<void> handle_go_away(const wire::GoAway& away);
   void deliver(const ReceivedChunk& chunk);
@@ -98,6 +99,7 @@ class Core : public std::enable_shared_from_this<Core> {
   ViewTracker tracker_;
   bool view_to_send_ = false;
   std::vector<std::uint32_t> cancels_to_send_;
+  std::map<ChunkKey, bool> refetching_;  // edited chunks asked for anew, and whether edited again since
   std::vector<std::uint64_t> pings_to_send_;
   struct OpenPing {
     std::chrono::steady_clock::time_point sent;

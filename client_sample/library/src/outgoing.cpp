@@ -55,8 +55,9 @@ protocol::Frame get_chunks_frame(const std::vector<wire::ChunkRequest>& requests
       [&](auto& b) { return wire::CreateGetChunks(b, b.CreateVectorOfStructs(requests)); });
 }
 
-protocol::Frame cancel_frame(const std::vector<std::uint32_t>& ids) {
-  return protocol::make_frame([&](auto& b) { return wire::CreateCancel(b, b.CreateVector(ids)); });
+protocol::Frame cancel_frame(std::span<const std::uint32_t> ids) {
+  return protocol::make_frame(
+      [&](auto& b) { return wire::CreateCancel(b, b.CreateVector(ids.data(), ids.size())); });
 }
 
 protocol::Frame credit_frame(std::uint64_t total_bytes) {

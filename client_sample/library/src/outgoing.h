@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -16,7 +17,7 @@ namespace talus::client {
 [[nodiscard]] protocol::Frame view_frame(const View& view);
 [[nodiscard]] protocol::Frame heights_frame(std::uint32_t id, const HeightsRequest& request);
 [[nodiscard]] protocol::Frame get_chunks_frame(const std::vector<wire::ChunkRequest>& requests);
-[[nodiscard]] protocol::Frame cancel_frame(const std::vector<std::uint32_t>& ids);
+[[nodiscard]] protocol::Frame cancel_frame(std::span<const std::uint32_t> ids);
 [[nodiscard]] protocol::Frame credit_frame(std::uint64_t total_bytes);
 [[nodiscard]] protocol::Frame ping_frame(std::uint64_t nonce);
 
