@@ -54,6 +54,11 @@ double fbm(const terrain::Fbm& noise, std::int64_t x, std::int64_t z) {
   return sum / all;
 }
 
+double surface_fx(const terrain::WorldSpec& spec, double noise) {
+  const double level = std::clamp(0.5 + spec.surface.gain * noise, 0.0, 1.0);
+  return std::pow(level, spec.surface.exponent) * spec.surface.amplitude * spec.resolution * 256;
+}
+
 std::int32_t slope(const terrain::Field& heights, int x, int z) {
   std::int32_t greatest = 0;
   for (int dz = -1; dz <= 1; ++dz) {

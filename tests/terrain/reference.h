@@ -1,5 +1,6 @@
-// The method as the thesis tells it, column by column and voxel by voxel, with no thought of speed. None of
-// it shares code with core/terrain but the types and the lattice's hashes.
+// The method as the thesis tells it, column by column and voxel by voxel, with no thought of speed. It shares
+// the types, the lattice's hashes and the sequence of layers with core/terrain, and strata() draws its noise
+// there, since fbm(), the textbook's, agrees with that to float rounding and not to the bit.
 #pragma once
 
 #include <cstdint>
@@ -14,6 +15,9 @@ namespace talus::test::reference {
 
 /// Perlin fBm at one point, in double.
 [[nodiscard]] double fbm(const terrain::Fbm& noise, std::int64_t x, std::int64_t z);
+
+/// Section 3.1: clamp(0.5 + gain * noise, 0, 1)^exponent * amplitude in subvoxels, for noise as it came out.
+[[nodiscard]] double surface_fx(const terrain::WorldSpec& spec, double noise);
 
 /// Equation 1 at one column that has eight neighbours.
 [[nodiscard]] std::int32_t slope(const terrain::Field& heights, int x, int z);

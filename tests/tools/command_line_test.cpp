@@ -19,7 +19,7 @@ struct Outcome {
 };
 
 Outcome talus_gen(const std::string& arguments) {
-  const std::string command = "'" TALUS_GEN "' " + arguments + " 2>&1";
+  const std::string command = "'" TALUS_GEN_PATH "' " + arguments + " 2>&1";
   Outcome outcome;
   FILE* pipe = ::popen(command.c_str(), "r");
   REQUIRE(pipe != nullptr);

@@ -4,17 +4,13 @@
 #include <cassert>
 #include <limits>
 
+#include <talus/terrain/rounding.h>
 #include <talus/terrain/stacks.h>
 
 namespace talus::terrain {
 namespace {
 
 using Rows = std::array<std::int32_t, kChunkArea>;
-
-// A voxel belongs to the material at its centre, so a boundary at b_fx lies between voxel rows.
-constexpr std::int32_t row_of(std::int32_t boundary_fx) {
-  return (boundary_fx + 127) >> 8;
-}
 
 // The boundary rows of 32 x 32 columns, plane by plane, in the region's level.
 class TileRows {
@@ -27,7 +23,7 @@ class TileRows {
     assert(x_ >= 0 && z_ >= 0 && x_ + kChunkSize <= stacks.region.width &&
            z_ + kChunkSize <= stacks.region.depth);
     if (coarse_) find_crowns();
-    if (world.sea_fx()) sea_row_ = row_of(*world.sea_fx() >> stacks.region.lod.value());
+    if (world.sea_fx()) sea_row_ = boundary_row(*world.sea_fx() >> stacks.region.lod.value());
   }
 
   [[nodiscard]] std::size_t planes() const { return stacks_.tops.size(); }
@@ -36,7 +32,7 @@ class TileRows {
   void read(std::size_t plane, Rows& rows) const {
     for (int z = 0; z < kChunkSize; ++z) {
       const std::int32_t* tops = stacks_.tops[plane].row(z_ + z).data() + x_;
-      for (int x = 0; x < kChunkSize; ++x) rows[column_index(x, z)] = row_of(tops[x]);
+      for (int x = 0; x < kChunkSize; ++x) rows[column_index(x, z)] = boundary_row(tops[x]);
     }
     if (!coarse_) return;
     // Far hills keep their grass: the topmost solid voxel takes the material at the top of the stack, even
@@ -68,7 +64,7 @@ class TileRows {
   void read_ground() {
     for (int z = 0; z < kChunkSize; ++z) {
       const std::int32_t* tops = stacks_.tops.back().row(z_ + z).data() + x_;
-      for (int x = 0; x < kChunkSize; ++x) ground_[column_index(x, z)] = row_of(tops[x]);
+      for (int x = 0; x < kChunkSize; ++x) ground_[column_index(x, z)] = boundary_row(tops[x]);
     }
   }
 
@@ -137,16 +133,16 @@ MixedRange mixed_range(const World& world, const Stacks& stacks, std::int32_t ch
 }
 
 HeightRange height_range(const World& world) {
-  return {0,
-          std::max<std::int64_t>(row_of(world.highest_fx()), world.sea_fx() ? row_of(*world.sea_fx()) : 0)};
+  return {0, std::max<std::int64_t>(boundary_row(world.highest_fx()),
+                                    world.sea_fx() ? boundary_row(*world.sea_fx()) : 0)};
 }
 
 std::optional<MaterialId> uniform_everywhere(const World& world, ChunkKey key) {
   const int shift = key.lod.value();
   // At coarse levels the topmost solid voxel may lie just below y = 0.
   const std::int64_t low = shift == 0 ? 0 : -1;
-  const std::int64_t high =
-      std::max(row_of(world.highest_fx() >> shift), world.sea_fx() ? row_of(*world.sea_fx() >> shift) : 0);
+  const std::int64_t high = std::max(boundary_row(world.highest_fx() >> shift),
+                                     world.sea_fx() ? boundary_row(*world.sea_fx() >> shift) : 0);
   const std::int64_t floor_row = std::int64_t{key.coord.y} * kChunkSize;
   if (floor_row + kChunkSize <= low) return world.strata().front().material;
   if (floor_row >= high) return kAir;

@@ -2,6 +2,7 @@
 #include <array>
 #include <vector>
 
+#include <talus/terrain/rounding.h>
 #include <talus/terrain/slope.h>
 #include <talus/terrain/stacks.h>
 #include <talus/terrain/surface.h>
@@ -13,10 +14,6 @@ constexpr int kReach = 32;                              // candidates on each si
 constexpr std::array<int, 4> kSteps{4, 32, 256, 2048};  // columns between candidates
 constexpr std::int32_t kGentle_fx = 90;                 // rise a column, about 19 degrees
 constexpr std::int32_t kSteep_fx = 256 * 64;            // anything goes
-
-std::int64_t first_free_row(std::int32_t height_fx) {
-  return (height_fx + 127) >> 8;
-}
 
 std::int32_t slope_at(const Surface& surface, std::int64_t x, std::int64_t z) {
   Field around{3, 3};
@@ -50,14 +47,14 @@ VoxelPos find_spawn(const World& world) {
       });
       for (const Candidate& place : dry) {
         if (slope_at(surface, place.x, place.z) <= steepest_fx) {
-          return {place.x, first_free_row(place.height_fx), place.z};
+          return {place.x, boundary_row(place.height_fx), place.z};
         }
       }
     }
   }
   const BaseColumn origin{0, 0};
   const std::int32_t ground_fx = surface_heights(world, {&origin, 1}).front();
-  return {0, first_free_row(std::max(ground_fx, sea_fx)), 0};
+  return {0, boundary_row(std::max(ground_fx, sea_fx)), 0};
 }
 
 }  // namespace talus::terrain

@@ -189,7 +189,7 @@ tl::expected<ReadSpec, SpecError> read_spec(std::string_view toml, std::string_v
     spec.surface.octaves = static_cast<int>(surface.integer("octaves", 1, 16));
     spec.surface.gain = surface.real("gain", {0, 16});
     spec.surface.exponent = static_cast<int>(surface.integer("exponent", 1, 8));
-    spec.surface.amplitude = surface.real("amplitude", {1e-6, kFarthest});
+    spec.surface.amplitude = surface.real("amplitude", {1.0 / 65536, kFarthest});
     read.lines.wavelength = surface.line("wavelength");
     read.lines.amplitude = surface.line("amplitude");
   }

@@ -20,10 +20,6 @@ std::vector<std::int64_t> base_columns(std::int64_t first, int count, Lod lod) {
   return columns;
 }
 
-std::int32_t thickness_at(const LooseSpec& loose, Lod lod) {
-  return loose.t_fx >> lod.value();
-}
-
 // LOD 0 heights and slopes at the columns of a region.
 struct Ground {
   Field height;
@@ -59,7 +55,7 @@ Ground ground_of(const Surface& surface, const Region& region) {
 
 // The settled thickness of one material over the inside of `slope`, which reaches `ring` columns past it.
 Field settled(const LooseSpec& loose, Lod lod, const Field& slope, int ring) {
-  Field thickness = starting_thickness(slope, thickness_at(loose, lod), loose.S_fx);
+  Field thickness = starting_thickness(slope, loose.thickness_at(lod), loose.S_fx);
   settle(thickness, loose.c_fx);
   return thickness.without_ring(ring);
 }
@@ -74,9 +70,7 @@ std::size_t Stacks::bytes() const {
 
 int halo_columns(const World& world, Lod lod) {
   int halo = 0;
-  for (const LooseSpec& loose : world.loose()) {
-    halo = std::max(halo, (thickness_at(loose, lod) + loose.c_fx - 1) / loose.c_fx);
-  }
+  for (const LooseSpec& loose : world.loose()) halo = std::max(halo, loose.halo_at(lod));
   return halo;
 }
 

@@ -30,10 +30,6 @@ std::int64_t subvoxels_of(std::int64_t units_q16, int resolution) {
   return (units_q16 * resolution * kSubvoxels + 32768) >> 16;
 }
 
-std::int32_t ceil_div(std::int32_t a, std::int32_t b) {
-  return (a + b - 1) / b;
-}
-
 }  // namespace
 
 tl::expected<World, SpecError> World::parse(std::string_view toml, std::string_view file) {
@@ -110,7 +106,7 @@ tl::expected<World, SpecError> World::parse(std::string_view toml, std::string_v
     }
     LooseSpec loose{add_material(e.name, e.colour, MaterialKind::eroded), e.weight,
                     static_cast<std::int32_t>(t_fx), tangent_fx(e.max_slope), tangent_fx(e.angle_of_repose)};
-    const int halo = ceil_div(loose.t_fx, loose.c_fx);
+    const int halo = loose.halo_at(Lod{});
     if (halo > kMaxHalo) {
       return refuse(line, key, "at this angle of repose it needs a halo of ", halo, " columns; at most ",
                     kMaxHalo, ", so make the thickness smaller or the angle steeper");

@@ -4,14 +4,10 @@
 #include <algorithm>
 #include <cstdint>
 
+#include <talus/terrain/rounding.h>
 #include <talus/terrain/stacks.h>
 
 namespace talus::tools {
-
-/// The first voxel row whose centre is not below the boundary: 256 y + 128 >= boundary_fx.
-[[nodiscard]] constexpr std::int32_t boundary_row(std::int32_t boundary_fx) {
-  return (boundary_fx + terrain::kSubvoxels / 2 - 1) >> 8;
-}
 
 /// Calls visit(material, from, to) for the runs of column (x, z) between rows `bottom` and `top`, upward:
 /// solid material, then water where the sea stands over it. Rows that nobody visits are air. For level 0.
@@ -20,7 +16,7 @@ void visit_column_rows(const terrain::World& world, const terrain::Stacks& stack
                        std::int32_t bottom, std::int32_t top, const Visit& visit) {
   std::int32_t from = bottom;
   const auto fill_to = [&](MaterialId material, std::int32_t boundary_fx) {
-    const std::int32_t to = std::clamp(boundary_row(boundary_fx), from, top);
+    const std::int32_t to = std::clamp(terrain::boundary_row(boundary_fx), from, top);
     if (to > from) visit(material, from, to);
     from = to;
   };

@@ -98,7 +98,7 @@ class PatchWriter {
     const terrain::Region& patch = stacks.region;
     const auto& heights = stacks.tops.back().values;
     const std::int32_t highest_fx = *std::max_element(heights.begin(), heights.end());
-    const std::int32_t rows = boundary_row(std::max(highest_fx, world_.sea_fx().value_or(0)));
+    const std::int32_t rows = terrain::boundary_row(std::max(highest_fx, world_.sea_fx().value_or(0)));
     const auto width = static_cast<std::size_t>(patch.width);
     // One z at a time: [y][x], so that memory stays small and every row is one write.
     std::vector<Item> slab(static_cast<std::size_t>(rows) * width);
@@ -131,8 +131,8 @@ std::vector<MaterialId> strata_materials(const terrain::World& world, const terr
 
 Expected<void> check_bytes(const terrain::World& world, const terrain::Region& region, std::size_t planes,
                            std::uint64_t max_bytes) {
-  const auto rows =
-      static_cast<std::size_t>(boundary_row(std::max(world.highest_fx(), world.sea_fx().value_or(0))));
+  const auto rows = static_cast<std::size_t>(
+      terrain::boundary_row(std::max(world.highest_fx(), world.sea_fx().value_or(0))));
   const std::size_t column_bytes =
       (2 + world.loose().size() + planes) * sizeof(std::int32_t) + rows * item_bytes(voxel_type(world));
   if (region.columns() <= max_bytes / column_bytes) return {};

@@ -68,7 +68,7 @@ std::string_view describe(DecodeError error) {
 
 void encode(const Chunk& chunk, std::vector<std::byte>& out) {
   const std::size_t start = out.size();
-  std::size_t limit = sizeof(DenseVoxels);
+  std::size_t limit = sizeof(DenseVoxels) + 1;
   if (const Layers* layers = chunk.layers()) {
     put_header(Encoding::layered, out);
     codec::encode_layered(*layers, out);

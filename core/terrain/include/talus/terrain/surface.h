@@ -20,7 +20,7 @@ struct Surface {
 [[nodiscard]] Surface surface_of(const WorldSpec& spec);
 
 /// H in subvoxels at all (x, z) of two ascending lists of base columns, as sample_fbm orders them. H lies
-/// between 0 and highest_fx. From here on everything is integer.
+/// between 0 and highest_fx, rounded. From here on everything is integer.
 void sample_surface(const Surface& surface, std::span<const std::int64_t> xs,
                     std::span<const std::int64_t> zs, std::span<std::int32_t> heights_fx);
 

@@ -11,6 +11,7 @@
 #include <tl/expected.hpp>
 
 #include <talus/voxel/content_hash.h>
+#include <talus/voxel/coords.h>
 #include <talus/voxel/material.h>
 
 namespace talus::terrain {
@@ -56,7 +57,7 @@ struct ErodedSpec {
   double max_slope = 0;        // degrees
 };
 
-/// world.toml as it stands, in range and consistent (DESIGN.md section 2's bounds).
+/// world.toml as it stands, in range and consistent (docs/DESIGN.md, "Bounds").
 struct WorldSpec {
   std::uint64_t seed = 0;
   int resolution = 0;               // voxels per terrain unit
@@ -96,6 +97,11 @@ struct LooseSpec {
   std::int32_t t_fx = 0;  // thickness
   std::int32_t S_fx = 0;  // rise over a run of one column above which nothing stays
   std::int32_t c_fx = 0;  // largest difference of thickness between neighbours at rest
+
+  /// Thickness in subvoxels of a level.
+  [[nodiscard]] std::int32_t thickness_at(Lod lod) const { return t_fx >> lod.value(); }
+  /// Columns of surface around a region that can matter to it: the halo theorem's ceil(t / c).
+  [[nodiscard]] int halo_at(Lod lod) const { return (thickness_at(lod) + c_fx - 1) / c_fx; }
 };
 
 class World {
