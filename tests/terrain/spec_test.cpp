@@ -3,6 +3,7 @@
 #include <string>
 
 #include <talus/terrain/stacks.h>
+#include <talus/terrain/toml_bounds.h>
 #include <talus/terrain/world.h>
 
 #include "worlds.h"
@@ -27,6 +28,28 @@ struct Wrong {
   std::string to;
   std::string message;
 };
+
+TEST_CASE("A key with more parts than a parser's stack holds is refused before it is parsed") {
+  std::string key = "a";
+  for (int i = 0; i < 100'000; ++i) key += ".a";
+  CHECK(error_of(test::small_world_text(1) + key + " = 1\n").find(": a key of more than 64 parts") !=
+        std::string::npos);
+  CHECK(error_of(test::small_world_text(1) + "[" + key + "]\n").find(": a key of more than 64 parts") !=
+        std::string::npos);
+  // Dots in a string, in a comment or after an escaped quote are none of a key's.
+  const std::string dots(200, '.');
+  CHECK(World::parse(with("name = \"chalk\"", "name = \"ch\\\"alk\" # " + dots), "w.toml"));
+}
+
+TEST_CASE("A file past a mebibyte is refused") {
+  CHECK(error_of(std::string(kMaxTomlBytes + 1, '#')) == "w.toml:1: the file is longer than 1048576 bytes");
+}
+
+TEST_CASE("An error stays on one line, whatever the keys are called") {
+  const std::string error = error_of(with("seed = 1", "seed = 1\n\"a\\n\\u001b\" = 3"));
+  CHECK(error.find("a\\x0a\\x1b: unknown key") != std::string::npos);
+  CHECK(error.find('\n') == std::string::npos);
+}
 
 TEST_CASE("Every wrong spec is refused with file, line, key and what would be right") {
   // seed stands on line 1, [surface] on 5, the first [[stratified]] on 11, the first [[eroded]] on 35.

@@ -8,6 +8,7 @@
 #include <sstream>
 #include <string>
 
+#include <talus/terrain/toml_bounds.h>
 #include <toml++/toml.h>
 
 namespace talus::terrain {
@@ -19,6 +20,21 @@ struct Range {
 };
 
 constexpr double kFarthest = 32768;  // terrain units; R >= 1 keeps every height within 32,768 voxels
+
+// One line, whatever stood in the file: a key or a name may hold any character.
+SpecError error_of(const std::string& message) {
+  constexpr std::string_view kDigits = "0123456789abcdef";
+  SpecError error;
+  for (const char c : message) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (byte >= 0x20 && byte != 0x7F) {
+      error.message += c;
+    } else {
+      error.message += {'\\', 'x', kDigits[byte >> 4], kDigits[byte & 15]};
+    }
+  }
+  return error;
+}
 
 std::string number(double value) {
   std::ostringstream text;
@@ -44,7 +60,7 @@ class TableReader {
     if (error_) return;
     std::ostringstream message;
     message << file_ << ':' << line << ": " << (name_.empty() ? "" : name_ + ".") << key << ": " << what;
-    error_ = SpecError{message.str()};
+    error_ = error_of(message.str());
   }
 
   void only(std::initializer_list<std::string_view> known) {
@@ -164,13 +180,18 @@ class TableReader {
 }  // namespace
 
 tl::expected<ReadSpec, SpecError> read_spec(std::string_view toml, std::string_view file) {
+  if (const auto fault = passes_toml_bounds(toml)) {
+    std::ostringstream message;
+    message << file << ':' << fault->line << ": " << fault->what;
+    return tl::unexpected(error_of(message.str()));
+  }
   toml::table document;
   try {
     document = toml::parse(toml, file);
   } catch (const toml::parse_error& bad) {
     std::ostringstream message;
     message << file << ':' << bad.source().begin.line << ": not TOML: " << bad.description();
-    return tl::unexpected(SpecError{message.str()});
+    return tl::unexpected(error_of(message.str()));
   }
 
   std::optional<SpecError> error;

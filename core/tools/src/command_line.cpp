@@ -1,7 +1,9 @@
 #include "command_line.h"
 
+#include <cerrno>
 #include <cstdint>
 #include <cstdio>
+#include <cstring>
 #include <exception>
 #include <functional>
 #include <new>
@@ -102,7 +104,9 @@ Expected<void> run_hash(const Arguments& arguments) {
     Progress progress{"hash", "chunk columns"};
     digits = to_string(hash_region(*world, *region, {.threads = arguments.threads}, progress));
   }
-  std::printf("%s\n", digits.c_str());
+  if (std::printf("%s\n", digits.c_str()) < 0 || std::fflush(stdout) != 0) {
+    return failed(std::string{"standard output: cannot write the hash: "} + std::strerror(errno));
+  }
   return {};
 }
 

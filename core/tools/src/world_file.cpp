@@ -4,8 +4,10 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
-#include <iterator>
+#include <string>
 #include <system_error>
+
+#include <talus/terrain/toml_bounds.h>
 
 namespace talus::tools {
 
@@ -18,7 +20,10 @@ Expected<terrain::World> load_world(const std::string& path) {
   errno = 0;
   std::ifstream file{path, std::ios::binary};
   if (!file) return failed(path + ": cannot read the world file: " + std::strerror(errno));
-  const std::string text{std::istreambuf_iterator<char>{file}, {}};
+  // One byte past the bound is enough for the parser to refuse it; /dev/zero has no end.
+  std::string text(terrain::kMaxTomlBytes + 1, '\0');
+  file.read(text.data(), static_cast<std::streamsize>(text.size()));
+  text.resize(static_cast<std::size_t>(file.gcount()));
   if (file.bad()) return failed(path + ": cannot read the world file: " + std::strerror(errno));
   auto world = terrain::World::parse(text, path);
   if (!world) return failed(std::move(world.error().message));
