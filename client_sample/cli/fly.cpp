@@ -68,9 +68,11 @@ client::Events events_into(Gathered& gathered) {
 }
 
 // Level 1 three times as far as level 0, level 2 beyond that: a voxel stays small in the picture.
-std::vector<client::LodRing> rings_out_to(int radius, int far_radius) {
+std::vector<client::LodRing> rings_of(const FlyOptions& options, const client::ServerLimits& limits) {
+  const int radius = options.radius;
+  const int far_radius = options.far_radius;
   std::vector<client::LodRing> rings;
-  const int near = std::min(radius * 3, far_radius);
+  const int near = std::min({radius * 3, far_radius, limits.view_horizontal_radius * 2});
   if (near > radius) rings.push_back({Lod::of(1), static_cast<std::uint16_t>(near)});
   if (far_radius > near) rings.push_back({Lod::of(2), static_cast<std::uint16_t>(far_radius)});
   return rings;
@@ -121,11 +123,9 @@ client::View view_of(const Camera& camera, const FlyOptions& options, const clie
                  static_cast<std::int64_t>(std::floor(camera.position.y)),
                  static_cast<std::int64_t>(std::floor(camera.position.z))};
   view.direction = glm::vec3{camera.direction};
-  view.horizontal_radius =
-      std::min(static_cast<std::uint16_t>(options.radius), limits.view_horizontal_radius);
+  view.horizontal_radius = static_cast<std::uint16_t>(options.radius);
   view.vertical_radius = std::min<std::uint16_t>(10, limits.view_vertical_radius);
-  view.rings = rings_out_to(view.horizontal_radius, options.far_radius);
-  while (!view.rings.empty() && client::ViewShape{view}.count() > limits.view_chunks) view.rings.pop_back();
+  view.rings = rings_of(options, limits);
   return view;
 }
 
@@ -183,7 +183,7 @@ asio::awaitable<Outcome> fly(Connecting connecting, FlyOptions options) {
   const auto flight = co_await plan(client, *world, options);
   if (!flight) co_return tl::unexpected{flight.error()};
 
-  Progress progress{"fly"};
+  std::optional<Progress> progress{std::in_place, "fly"};
   asio::steady_timer tick{executor};
   std::vector<glm::dvec2> path;
   std::optional<client::View> view;
@@ -198,22 +198,27 @@ asio::awaitable<Outcome> fly(Connecting connecting, FlyOptions options) {
     const auto wanted = view_of(camera, options, world->limits);
     if (!view || !same_chunk(view->centre, wanted.centre)) {
       gathered.latency.wanted(wanted, Clock::now());
-      if (const auto set = client.set_view(wanted); !set) co_return tl::unexpected{set.error().message};
+      if (const auto set = client.set_view(wanted); !set) {
+        co_return tl::unexpected{"--radius and --far: " + set.error().message};
+      }
       view = wanted;
     }
     path.emplace_back(camera.position.x, camera.position.z);
     const auto missing =
         client::ViewShape{*view}.count() - static_cast<std::int64_t>(gathered.in_view.size());
     if (flown >= options.seconds && missing <= 0) break;
-    progress.show(
-        elapsed(), options.seconds,
-        std::to_string(gathered.latency.count()) + " chunks, " + std::to_string(missing) + " to come");
+    progress->show(elapsed() / options.seconds, gathered.latency.count(),
+                   std::to_string(missing) + " to come");
     tick.expires_after(kTick);
     co_await tick.async_wait(asio::experimental::as_tuple(asio::use_awaitable));
   }
   const double seconds = elapsed();
+  progress.reset();  // its line goes before others come
   client.close();
   if (gathered.lost) co_return tl::unexpected{*gathered.lost};
+  if (gathered.latency.count() == 0) {
+    co_return tl::unexpected{"no chunk came" + (gathered.errors.empty() ? "" : ": " + gathered.errors[0])};
+  }
   print_summary(gathered, client.stats(), seconds);
   co_return save_pictures(gathered, *world, options, camera, *view, path);
 }

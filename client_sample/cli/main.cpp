@@ -106,7 +106,9 @@ int main(int argc, char** argv) {
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : kWrongUse;
+    if (error.get_exit_code() == 0) return app.exit(error);  // --help and --version arrive here
+    std::cerr << "talus-client: " << error.what() << " (see --help)\n";
+    return kWrongUse;
   }
   const auto endpoint = parse_endpoint(server);
   if (!endpoint) {

@@ -26,21 +26,24 @@ class Survey {
       : client_{client}, world_{world}, surface_{world.materials}, changed_{executor} {}
 
   asio::awaitable<tl::expected<SurfaceMap, std::string>> run(Extent extent) {
-    const auto first_x = static_cast<std::int32_t>(floor_div(extent.x, kChunkSize));
-    const auto first_z = static_cast<std::int32_t>(floor_div(extent.z, kChunkSize));
-    const auto last_x = static_cast<std::int32_t>(floor_div(extent.x + extent.width - 1, kChunkSize));
-    const auto last_z = static_cast<std::int32_t>(floor_div(extent.z + extent.depth - 1, kChunkSize));
-    const auto squares = std::int64_t{last_x - first_x + 1} * (last_z - first_z + 1);
+    const std::int64_t first_x = floor_div(extent.x, kChunkSize);
+    const std::int64_t first_z = floor_div(extent.z, kChunkSize);
+    const std::int64_t last_x = floor_div(extent.x + extent.width - 1, kChunkSize);
+    const std::int64_t last_z = floor_div(extent.z + extent.depth - 1, kChunkSize);
+    const std::int64_t squares = (last_x - first_x + 1) * (last_z - first_z + 1);
     Progress progress{"map"};
-    std::int32_t x = first_x;
-    std::int32_t z = first_z;
+    // 64 bits, to count past the world's last chunk.
+    std::int64_t x = first_x;
+    std::int64_t z = first_z;
     while (!error_ && (z <= last_z || open_ > 0)) {
       // Enough to keep the server busy; more would only wait here.
-      for (; open_ < kMostOpen && z <= last_z; x == last_x ? (x = first_x, ++z) : ++x) start_square(x, z);
+      for (; open_ < kMostOpen && z <= last_z; x == last_x ? (x = first_x, ++z) : ++x) {
+        start_square(static_cast<std::int32_t>(x), static_cast<std::int32_t>(z));
+      }
       changed_.expires_at(std::chrono::steady_clock::time_point::max());
       co_await changed_.async_wait(asio::experimental::as_tuple(asio::use_awaitable));
-      progress.show(static_cast<double>(finished_), static_cast<double>(squares),
-                    std::to_string(client_.stats().chunk_frames) + " chunks");
+      progress.show(static_cast<double>(finished_) / static_cast<double>(squares),
+                    client_.stats().chunk_frames);
     }
     if (error_) co_return tl::unexpected{*error_};
     co_return std::move(surface_);
@@ -119,6 +122,9 @@ asio::awaitable<Outcome> map(Connecting connecting, MapOptions options) {
 
   const std::int64_t center_x = options.at_spawn ? world->spawn.x : options.center_x;
   const std::int64_t center_z = options.at_spawn ? world->spawn.z : options.center_z;
+  // Before any arithmetic, so that none can overflow.
+  const auto center = chunk_holding({center_x, 0, center_z}, Lod{});
+  if (!center) co_return tl::unexpected{"--center lies outside the world: " + center.error().message};
   const Extent extent{center_x - options.width / 2, center_z - options.depth / 2, options.width,
                       options.depth};
   for (const std::int64_t corner : {std::int64_t{0}, std::int64_t{1}}) {

@@ -4,32 +4,53 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iomanip>
 #include <iostream>
+#include <sstream>
 
 namespace talus::cli {
+namespace {
 
-Progress::Progress(std::string what) : what_{std::move(what)}, terminal_{::isatty(STDERR_FILENO) == 1} {}
+constexpr std::chrono::seconds kSilence{1};
+constexpr std::chrono::milliseconds kBetweenDraws{100};
+
+std::string duration(double seconds) {
+  const auto whole = std::llround(seconds);
+  if (whole < 60) return std::to_string(whole) + " s";
+  if (whole < 3600) return std::to_string(whole / 60) + " min " + std::to_string(whole % 60) + " s";
+  return std::to_string(whole / 3600) + " h " + std::to_string(whole / 60 % 60) + " min";
+}
+
+}  // namespace
+
+std::string progress_line(double part, std::uint64_t chunks, double seconds) {
+  constexpr int kCells = 24;
+  part = std::clamp(part, 0.0, 1.0);
+  const auto filled = static_cast<std::size_t>(part * kCells);
+  std::ostringstream line;
+  line << '[' << std::string(filled, '#') << std::string(kCells - filled, '.') << "] " << std::setw(3)
+       << static_cast<int>(part * 100) << " %";
+  if (seconds > 0) line << "  " << std::llround(static_cast<double>(chunks) / seconds) << " chunks/s";
+  if (part > 0) line << "  " << duration(seconds * (1 - part) / part) << " left";
+  return line.str();
+}
+
+Progress::Progress(std::string label)
+    : label_{std::move(label)}, terminal_{::isatty(STDERR_FILENO) == 1}, next_draw_{begun_ + kSilence} {}
 
 Progress::~Progress() {
   if (drawn_) std::cerr << "\r\x1b[K" << std::flush;
 }
 
-void Progress::show(double done, double total, const std::string& remark) {
-  constexpr std::chrono::milliseconds kBetween{100};
-  constexpr int kCells = 24;
+void Progress::show(double part, std::uint64_t chunks, const std::string& remark) {
+  if (!terminal_) return;
   const auto now = Clock::now();
-  if (!terminal_ || now - last_ < kBetween || total <= 0) return;
-  last_ = now;
+  if (now < next_draw_) return;
+  next_draw_ = now + kBetweenDraws;
   drawn_ = true;
-  const double part = std::clamp(done / total, 0.0, 1.0);
-  const auto filled = static_cast<int>(part * kCells);
-  std::string bar;
-  for (int cell = 0; cell < kCells; ++cell) bar += cell < filled ? "█" : "░";
-  const double elapsed = std::chrono::duration<double>(now - begun_).count();
-  const std::string left =
-      part > 0.02 ? ", " + std::to_string(std::lround(elapsed / part - elapsed)) + " s left" : "";
-  std::cerr << '\r' << what_ << ' ' << bar << ' ' << std::lround(part * 100) << " %" << left << "  " << remark
-            << "\x1b[K" << std::flush;
+  const double seconds = std::chrono::duration<double>(now - begun_).count();
+  std::cerr << '\r' << label_ << ' ' << progress_line(part, chunks, seconds) << (remark.empty() ? "" : "  ")
+            << remark << "\x1b[K" << std::flush;
 }
 
 }  // namespace talus::cli

@@ -1,29 +1,35 @@
-// A progress bar on a terminal; nothing anywhere else.
+// A progress bar, for people who wait.
 #pragma once
 
 #include <chrono>
+#include <cstdint>
 #include <string>
 
 namespace talus::cli {
 
+/// Draws on stderr where that is a terminal and the work takes over a second, a few times a second at most,
+/// and takes its line away at the end.
 class Progress {
  public:
-  /// `what` stands before the bar.
-  explicit Progress(std::string what);
+  /// `label` stands before the bar.
+  explicit Progress(std::string label);
   ~Progress();
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
-  /// `done` of `total`, and a remark at the end of the line. Draws a few times a second at most.
-  void show(double done, double total, const std::string& remark);
+  /// `part` of the work, 0 to 1, is done; `chunks` have come so far. `remark` ends the line.
+  void show(double part, std::uint64_t chunks, const std::string& remark = {});
 
  private:
   using Clock = std::chrono::steady_clock;
-  std::string what_;
+  std::string label_;
   bool terminal_;
   bool drawn_ = false;
   Clock::time_point begun_ = Clock::now();
-  Clock::time_point last_{};
+  Clock::time_point next_draw_;
 };
+
+/// "[#####.....]  50 %  120 chunks/s  3 s left": what the bar says after `seconds`.
+[[nodiscard]] std::string progress_line(double part, std::uint64_t chunks, double seconds);
 
 }  // namespace talus::cli

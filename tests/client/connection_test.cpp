@@ -157,6 +157,20 @@ TEST_CASE("a client with nothing to say sends Ping, and gives a silent server up
   CHECK(lost->kind == ErrorKind::timed_out);
 }
 
+TEST_CASE("a client says Ping before the server's idle time-out, however seldom it would by itself") {
+  asio::io_context io;
+  Peer peer{io};
+  Options options;
+  options.ping_interval = std::chrono::hours{1};
+  Client client{io.get_executor(), options};
+  const auto serve = [&]() -> asio::awaitable<void> {
+    co_await peer.welcome(1, 1U << 20, 64, 60);
+    const auto* first = co_await peer.receive();
+    CHECK(first->body_type() == wire::Body::Ping);
+  };
+  run(io, {[&] { return join(client, peer); }, serve});
+}
+
 TEST_CASE("close answers what is open") {
   asio::io_context io;
   Peer peer{io};

@@ -40,11 +40,11 @@ asio::awaitable<void> Peer::send(protocol::Frame frame) {
 }
 
 asio::awaitable<void> Peer::welcome(std::uint64_t fingerprint, std::uint64_t window_bytes,
-                                    std::uint32_t requests_in_flight) {
+                                    std::uint32_t requests_in_flight, std::uint32_t idle_timeout_ms) {
   co_await accept();
   const auto* hello = co_await receive();
   REQUIRE(hello->body_type() == wire::Body::Hello);
-  co_await send(welcome_frame(fingerprint, window_bytes, requests_in_flight));
+  co_await send(welcome_frame(fingerprint, window_bytes, requests_in_flight, idle_timeout_ms));
 }
 
 asio::awaitable<void> Peer::until_closed() {
@@ -97,7 +97,7 @@ Chunk some_chunk(const ChunkKey& key) {
 }
 
 protocol::Frame welcome_frame(std::uint64_t fingerprint, std::uint64_t window_bytes,
-                              std::uint32_t requests_in_flight) {
+                              std::uint32_t requests_in_flight, std::uint32_t idle_timeout_ms) {
   return protocol::make_frame([&](auto& b) {
     const auto material = [&](std::uint16_t id, const char* name, wire::Phase phase) {
       return wire::CreateMaterial(b, id, b.CreateString(name), 0x808080, phase);
@@ -107,7 +107,7 @@ protocol::Frame welcome_frame(std::uint64_t fingerprint, std::uint64_t window_by
         material(2, "granite", wire::Phase::solid), material(3, "grass", wire::Phase::solid)};
     const auto material_list = b.CreateVector(materials);
     const auto limits =
-        wire::CreateLimits(b, 65536, requests_in_flight, 2048, 32, 16, 65536, window_bytes, 60000);
+        wire::CreateLimits(b, 65536, requests_in_flight, 2048, 32, 16, 65536, window_bytes, idle_timeout_ms);
     const wire::Hash128 world{fingerprint, 0};
     const wire::Hash128 store{7, 7};
     const wire::Voxel spawn{8, 70, -8};

@@ -31,7 +31,8 @@ class Peer {
   /// accept, take the Hello, answer it.
   [[nodiscard]] asio::awaitable<void> welcome(std::uint64_t fingerprint = 1,
                                               std::uint64_t window_bytes = 1U << 20,
-                                              std::uint32_t requests_in_flight = 64);
+                                              std::uint32_t requests_in_flight = 64,
+                                              std::uint32_t idle_timeout_ms = 60'000);
   /// Reads until the client closes.
   [[nodiscard]] asio::awaitable<void> until_closed();
   void hang_up();
@@ -60,7 +61,7 @@ void run(asio::io_context& io, const std::vector<Script>& scripts);
 [[nodiscard]] Chunk some_chunk(const ChunkKey& key);
 
 [[nodiscard]] protocol::Frame welcome_frame(std::uint64_t fingerprint, std::uint64_t window_bytes,
-                                            std::uint32_t requests_in_flight);
+                                            std::uint32_t requests_in_flight, std::uint32_t idle_timeout_ms);
 [[nodiscard]] protocol::Frame chunk_frame(std::uint32_t id, const ChunkKey& key, const Chunk& chunk);
 /// With any hash and payload.
 [[nodiscard]] protocol::Frame chunk_frame(std::uint32_t id, const ChunkKey& key, ContentHash hash,

@@ -99,10 +99,90 @@ TEST_CASE("a View beyond the server's limits is refused at once") {
     Client client{io.get_executor()};
     co_await join(client, peer);
     CHECK(client.set_view(view_at(0, 33)).error().kind == ErrorKind::out_of_range);
-    CHECK(client.set_view(view_at(0, 32, 17)).error().kind == ErrorKind::out_of_range);
-    CHECK(client.set_view(view_at(0, 32, 16)).has_value());
+    CHECK(client.set_view(view_at(0, 1, 17)).error().kind == ErrorKind::out_of_range);
+    CHECK(client.set_view(view_at(0, 32, 0)).has_value());
+    CHECK(client.set_view(view_at(0, 1, 16)).has_value());
   };
   run(io, {visit, [&]() -> asio::awaitable<void> { co_await peer.welcome(); }});
+}
+
+TEST_CASE("a ring of level l reaches 2^l times the server's radius, and no farther") {
+  asio::io_context io;
+  Peer peer{io};
+  const auto visit = [&]() -> asio::awaitable<void> {
+    Client client{io.get_executor()};
+    co_await join(client, peer);
+    View view = view_at(0, 1, 0);
+    view.rings = {{Lod::of(1), 64}, {Lod::of(2), 128}};
+    CHECK(client.set_view(view).has_value());
+    view.rings[0].radius = 65;
+    CHECK(client.set_view(view).error().kind == ErrorKind::out_of_range);
+    view.rings = {{Lod::of(2), 129}};
+    CHECK(client.set_view(view).error().kind == ErrorKind::out_of_range);
+  };
+  run(io, {visit, [&]() -> asio::awaitable<void> { co_await peer.welcome(); }});
+}
+
+TEST_CASE("a View of more chunks than the server allows is refused, and the one before stays") {
+  asio::io_context io;
+  Peer peer{io};
+  const ChunkKey kept = key_at(0, 7, 0);
+  std::multiset<ChunkKey> came;
+  Events events;
+  events.on_chunk = [&](const ReceivedChunk& chunk) { came.insert(chunk.key); };
+  const auto visit = [&]() -> asio::awaitable<void> {
+    Client client{io.get_executor(), Options{}, events};
+    co_await join(client, peer);
+    CHECK(client.set_view(view_at(0, 32, 7)).has_value());  // 65 x 65 x 15 of 65,536 chunks
+    CHECK(client.set_view(view_at(3200, 32, 8)).error().kind == ErrorKind::out_of_range);
+    (void)co_await client.ping();
+  };
+  const auto serve = [&]() -> asio::awaitable<void> {
+    co_await peer.welcome();
+    for (const wire::Message* message = nullptr; message == nullptr || message->body_as_Ping() == nullptr;) {
+      message = co_await peer.receive();
+      if (const auto* view = message->body_as_View()) CHECK(view->centre()->x() == 0);
+      if (const auto* ping = message->body_as_Ping()) {
+        const auto nonce = ping->nonce();
+        co_await peer.send(view_chunk(kept));
+        co_await peer.send(protocol::make_frame([&](auto& b) { return wire::CreatePong(b, nonce); }));
+        break;
+      }
+    }
+  };
+  run(io, {visit, serve});
+  CHECK(came == std::multiset<ChunkKey>{kept});
+}
+
+TEST_CASE("a client that is closed in on_left_view hears no more of it") {
+  asio::io_context io;
+  Peer peer{io};
+  int left = 0;
+  std::optional<Client> client;
+  Events events;
+  events.on_left_view = [&](ChunkKey) {
+    ++left;
+    client->close();
+  };
+  client.emplace(io.get_executor(), Options{}, events);
+  const auto visit = [&]() -> asio::awaitable<void> {
+    co_await join(*client, peer);
+    REQUIRE(client->set_view(view_at(0)).has_value());
+    (void)co_await client->get(key_at(1000, 0, 0));
+    REQUIRE(client->set_view(view_at(3200)).has_value());
+  };
+  const auto serve = [&]() -> asio::awaitable<void> {
+    co_await peer.welcome();
+    std::optional<std::uint32_t> id;
+    while (!id) {
+      if (const auto* get = (co_await peer.receive())->body_as_GetChunks())
+        id = get->requests()->Get(0)->id();
+    }
+    for (const int x : {-1, 0, 1}) co_await peer.send(view_chunk(key_at(x, 0, 0)));
+    co_await peer.send(error_frame(wire::ErrorCode::internal, "the end", *id));
+  };
+  run(io, {visit, serve});
+  CHECK(left == 1);
 }
 
 TEST_CASE("a shape covers exactly as many chunks as it counts") {

@@ -16,6 +16,38 @@ ClientError beyond(const std::string& what, std::uint64_t asked, std::uint64_t l
       {}};
 }
 
+// The server's rules for a View: one that it would refuse must not become what the client believes in.
+Result<void> check_view(const View& view, const ServerLimits& limits) {
+  if (view.horizontal_radius > limits.view_horizontal_radius) {
+    return tl::unexpected{
+        beyond("a View of horizontal radius", view.horizontal_radius, limits.view_horizontal_radius)};
+  }
+  if (view.vertical_radius > limits.view_vertical_radius) {
+    return tl::unexpected{
+        beyond("a View of vertical radius", view.vertical_radius, limits.view_vertical_radius)};
+  }
+  Lod level;
+  std::uint16_t radius = view.horizontal_radius;
+  for (const auto& ring : view.rings) {
+    if (ring.lod <= level || ring.radius <= radius) {
+      return tl::unexpected{ClientError{
+          ErrorKind::out_of_range, "a View's rings must grow in level and in radius, from level 1 on", {}}};
+    }
+    level = ring.lod;
+    radius = ring.radius;
+    const std::uint32_t farthest = std::uint32_t{limits.view_horizontal_radius} << level.value();
+    if (radius > farthest) {
+      return tl::unexpected{beyond(
+          "a View with a ring of level " + std::to_string(level.value()) + " and radius", radius, farthest)};
+    }
+  }
+  const auto chunks = static_cast<std::uint64_t>(ViewShape{view}.count());
+  if (chunks > limits.view_chunks) {
+    return tl::unexpected{beyond("a View whose chunks number", chunks, limits.view_chunks)};
+  }
+  return {};
+}
+
 }  // namespace
 
 RequestId Core::get(ChunkKey key, std::optional<ContentHash> known,
@@ -69,32 +101,17 @@ void Core::get_heights(std::vector<Column> columns,
 
 Result<void> Core::set_view(const View& view) {
   if (!running_ || !world_) return tl::unexpected{kNotConnected};
-  const ServerLimits& limits = world_->limits;
-  if (view.horizontal_radius > limits.view_horizontal_radius) {
-    return tl::unexpected{
-        beyond("a View of horizontal radius", view.horizontal_radius, limits.view_horizontal_radius)};
-  }
-  if (view.vertical_radius > limits.view_vertical_radius) {
-    return tl::unexpected{
-        beyond("a View of vertical radius", view.vertical_radius, limits.view_vertical_radius)};
-  }
-  Lod level;
-  std::uint16_t radius = view.horizontal_radius;
-  for (const auto& ring : view.rings) {
-    if (ring.lod <= level || ring.radius <= radius) {
-      return tl::unexpected{ClientError{
-          ErrorKind::out_of_range, "a View's rings must grow in level and in radius, from level 1 on", {}}};
-    }
-    level = ring.lod;
-    radius = ring.radius;
-  }
+  if (auto checked = check_view(view, world_->limits); !checked) return checked;
   if (tracker_.view() && same_view(*tracker_.view(), view)) return {};
   const auto self = shared_from_this();
+  const Generation mine = generation_;
   const auto left = tracker_.replace(view);
   view_to_send_ = true;
   wake();
-  if (events_.on_left_view) {
-    for (const auto& key : left) events_.on_left_view(key);
+  if (!events_.on_left_view) return {};
+  for (const auto& key : left) {
+    events_.on_left_view(key);
+    if (mine != generation_) break;
   }
   return {};
 }

@@ -23,6 +23,13 @@ bool worth_retrying(const ClientError& error) {
   return error.kind != ErrorKind::refused && error.kind != ErrorKind::world_changed;
 }
 
+// A third of what the server allows: one Ping may be late and the next still comes in time.
+std::chrono::milliseconds ping_interval(const Options& options, const ServerLimits& limits) {
+  constexpr std::chrono::milliseconds kShortest{5};  // whatever the server claims, no flood
+  if (limits.idle_timeout.count() == 0) return options.ping_interval;
+  return std::min(options.ping_interval, std::max(limits.idle_timeout / 3, kShortest));
+}
+
 }  // namespace
 
 Core::Core(asio::any_io_executor executor, Options options, Events events)
@@ -36,12 +43,21 @@ void Core::connect(std::string host, std::string port, ConnectHandler handler) {
     return;
   }
   running_ = true;
-  asio::co_spawn(executor_, run(std::move(host), std::move(port), std::move(handler)), asio::detached);
+  // Nothing that was known of the server before holds for this one.
+  world_.reset();
+  tracker_ = {};
+  uniform_chunks_.clear();
+  // The lambda's frame keeps self alive until run() is over.
+  asio::co_spawn(
+      executor_,
+      [self = shared_from_this(), mine = generation_, host = std::move(host), port = std::move(port),
+       handler = std::move(handler)]() mutable {
+        return self->run(mine, std::move(host), std::move(port), std::move(handler));
+      },
+      asio::detached);
 }
 
-asio::awaitable<void> Core::run(std::string host, std::string port, ConnectHandler handler) {
-  const auto self = shared_from_this();
-  const Generation mine = generation_;
+asio::awaitable<void> Core::run(Generation mine, std::string host, std::string port, ConnectHandler handler) {
   Backoff backoff{options_.reconnect};
   bool was_joined = false;
   while (mine == generation_) {
@@ -68,6 +84,7 @@ asio::awaitable<void> Core::run(std::string host, std::string port, ConnectHandl
       if (mine != generation_) break;
       broke = true;
       end_session();
+      if (mine != generation_) break;
       if (useful_) backoff.reset();
     } else {
       why = world.error();
@@ -154,7 +171,11 @@ void Core::start_session(const ConnectionPtr& connection) {
   asio::co_spawn(
       executor_, [self, connection] { return self->write_loop(connection); }, asio::detached);
   asio::co_spawn(
-      executor_, [self, connection] { return self->ping_loop(connection); }, asio::detached);
+      executor_,
+      [self, connection, interval = ping_interval(options_, world_->limits)] {
+        return self->ping_loop(connection, interval);
+      },
+      asio::detached);
 }
 
 // What belonged to the connection and not to the client.
@@ -174,8 +195,10 @@ void Core::end_run(const ClientError& why) {
   ++generation_;
   running_ = false;
   joined_ = false;
-  for (const auto& request : requests_.take_all()) fail(request, why);
+  // The event first: those who wait for answers may close the client, and then no event comes any more.
+  const auto unanswered = requests_.take_all();
   if (events_.on_disconnect) events_.on_disconnect(why, false);
+  for (const auto& request : unanswered) fail(request, why);
 }
 
 void Core::close() {
@@ -224,10 +247,10 @@ asio::awaitable<void> Core::write_loop(ConnectionPtr connection) {
   }
 }
 
-asio::awaitable<void> Core::ping_loop(ConnectionPtr connection) {
+asio::awaitable<void> Core::ping_loop(ConnectionPtr connection, std::chrono::milliseconds interval) {
   const auto self = shared_from_this();
   while (true) {
-    co_await connection->pause(options_.ping_interval);
+    co_await connection->pause(interval);
     if (connection->is_shut()) co_return;
     if (std::chrono::steady_clock::now() - connection->last_received() > options_.silence_timeout) {
       connection->shut({ErrorKind::timed_out, "the server has said nothing for too long", {}});

@@ -46,15 +46,17 @@ class Core : public std::enable_shared_from_this<Core> {
 
  private:
   using ConnectionPtr = std::shared_ptr<Connection>;
-  // Raised by close(): a run that finds another number than its own has nothing left to do.
+  // Raised by close(): a run that finds another number than its own has nothing left to do. A run takes its
+  // number in connect(), since its coroutine may start only after close().
   using Generation = std::uint64_t;
 
-  [[nodiscard]] asio::awaitable<void> run(std::string host, std::string port, ConnectHandler handler);
+  [[nodiscard]] asio::awaitable<void> run(Generation mine, std::string host, std::string port,
+                                          ConnectHandler handler);
   [[nodiscard]] asio::awaitable<Result<WorldInfo>> join(ConnectionPtr connection, std::string host,
                                                         std::string port);
   [[nodiscard]] asio::awaitable<ClientError> read_until_broken(ConnectionPtr connection);
   [[nodiscard]] asio::awaitable<void> write_loop(ConnectionPtr connection);
-  [[nodiscard]] asio::awaitable<void> ping_loop(ConnectionPtr connection);
+  [[nodiscard]] asio::awaitable<void> ping_loop(ConnectionPtr connection, std::chrono::milliseconds interval);
 
   [[nodiscard]] Result<void> accept_world(const WorldInfo& world);
   void start_session(const ConnectionPtr& connection);

@@ -103,13 +103,13 @@ class Client {
   Client(Client&&) noexcept;
   Client& operator=(Client&&) noexcept;
 
-  /// Connects and joins. `port` is a number or a service name. Once at a time; after an error it may be
-  /// called again.
+  /// Connects and joins, without a View at first. `port` is a number or a service name. Once at a time;
+  /// after an error, on_disconnect that does not retry, or close() it may be called again.
   [[nodiscard]] asio::awaitable<Result<WorldInfo>> connect(std::string host, std::string port);
   void connect(std::string host, std::string port, std::function<void(Result<WorldInfo>)> handler);
 
   [[nodiscard]] bool connected() const;
-  /// What the last Welcome said; null before the first.
+  /// What the last Welcome said; null until connect() has brought one.
   [[nodiscard]] const WorldInfo* world() const;
 
   /// One chunk. With `known`, the hash of what the caller holds, the answer may be unchanged(). Any number
@@ -131,15 +131,16 @@ class Client {
                    std::function<void(Result<std::vector<std::int32_t>>)> handler);
 
   /// Says what the player wants around it, in place of what it wanted before. Cheap: only the newest View
-  /// is sent, and an equal one is not. An error when it goes beyond the server's limits, or before
-  /// connect(); while reconnecting it is kept.
+  /// is sent, and an equal one is not. An error, which leaves the View before, when it goes beyond the
+  /// server's limits, or before connect() has brought a world; while reconnecting it is kept.
   [[nodiscard]] Result<void> set_view(const View& view);
 
   /// Round-trip time.
   [[nodiscard]] asio::awaitable<Result<std::chrono::nanoseconds>> ping();
   void ping(std::function<void(Result<std::chrono::nanoseconds>)> handler);
 
-  /// Closes the connection for good. Unanswered requests fail; connect() may be called again.
+  /// Closes the connection for good. Unanswered requests fail; the View and what came for it are forgotten,
+  /// without on_left_view. connect() may be called again, to any server.
   void close();
 
   [[nodiscard]] const Stats& stats() const;

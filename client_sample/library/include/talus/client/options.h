@@ -22,8 +22,8 @@ struct Options {
   std::uint64_t window_bytes = 1U << 20;      // chunk bytes that may be under way; 0: the server's default
   std::chrono::milliseconds connect_timeout{5'000};    // resolving and connecting
   std::chrono::milliseconds handshake_timeout{5'000};  // from Hello to Welcome
-  std::chrono::milliseconds ping_interval{20'000};     // keeps the connection alive; < the server's limit
-  std::chrono::milliseconds silence_timeout{60'000};   // no byte from the server for this long: it is gone
+  std::chrono::milliseconds ping_interval{20'000};  // at most; a third of the server's idle time-out if less
+  std::chrono::milliseconds silence_timeout{60'000};  // no byte from the server for this long: it is gone
   ReconnectPolicy reconnect;
 };
 
