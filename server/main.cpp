@@ -27,6 +27,7 @@ int serve(const Command& command) {
   if (!world) return failed(world.error());
   if (command.check_only) {
     fmt::print("ok\n");
+    if (std::fflush(stdout) != 0) return failed("standard output: cannot write to it");
     return 0;
   }
 
@@ -56,13 +57,11 @@ int serve(const Command& command) {
 int main(int argc, char** argv) {
   // A log whose reader went away must not end the server.
   std::signal(SIGPIPE, SIG_IGN);
-  const auto command = read_command_line(argc, argv, process_environment());
-  if (!command) {
+  try {
+    const auto command = read_command_line(argc, argv, process_environment());
+    if (command) return serve(*command);
     fmt::print(command.error().status == 0 ? stdout : stderr, "{}", command.error().text);
     return command.error().status;
-  }
-  try {
-    return serve(*command);
   } catch (const std::exception& error) {
     return failed(fmt::format("unexpected: {}", error.what()));
   }

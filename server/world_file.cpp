@@ -1,9 +1,12 @@
 #include "world_file.h"
 
-#include <fstream>
-#include <iterator>
+#include <system_error>
 
 #include <fmt/format.h>
+
+#include <talus/terrain/toml_bounds.h>
+
+#include "store/read_file.h"
 
 namespace talus::server {
 
@@ -11,14 +14,12 @@ tl::expected<std::shared_ptr<const terrain::World>, std::string> load_world(
     const std::filesystem::path& file) {
   if (file.empty()) return std::make_shared<const terrain::World>(terrain::default_world());
 
-  std::error_code ignored;
-  std::ifstream in{file, std::ios::binary};
-  if (!in.is_open() || std::filesystem::is_directory(file, ignored)) {
-    return tl::make_unexpected(
-        fmt::format("{}: cannot read the world; give --world a readable TOML file", file.string()));
+  const auto text = read_file(file, terrain::kMaxTomlBytes);
+  if (!text) {
+    return tl::make_unexpected(fmt::format("{}: cannot read the world: {}; give --world a readable TOML file",
+                                           file.string(), std::generic_category().message(text.error())));
   }
-  const std::string text{std::istreambuf_iterator<char>{in}, {}};
-  auto world = terrain::World::parse(text, file.string());
+  auto world = terrain::World::parse(*text, file.string());
   if (!world) return tl::make_unexpected(world.error().message);
   return std::make_shared<const terrain::World>(*std::move(world));
 }

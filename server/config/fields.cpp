@@ -46,7 +46,7 @@ const std::array kFields{
     Field{"world", "file", "the world's spec; empty: the world built into talusd",
           PathTarget{[](Config& c) -> std::filesystem::path& { return c.world; }}},
 
-    Field{"threads.io", "threads", "threads that serve sockets; 0: a quarter of the machine's cores",
+    Field{"threads.io", "threads", "threads that serve sockets; 0: as many as the machine's cores",
           number<&Config::threads, &Threads::io>(0, 1024)},
     Field{"threads.generator", "threads", "threads that generate chunks; 0: as many as the machine's cores",
           number<&Config::threads, &Threads::generator>(0, 1024)},
@@ -142,6 +142,9 @@ struct AssignText {
     return {};
   }
   tl::expected<void, std::string> operator()(const PathTarget& target) const {
+    // The system would read the path only up to it.
+    if (text.find('\0') != std::string_view::npos)
+      return refused(field, fmt::format("\"{}\"", escaped(text)));
     target.at(config) = std::filesystem::path{text};
     return {};
   }

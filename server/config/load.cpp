@@ -1,17 +1,18 @@
 #include "config/load.h"
 
-#include <cerrno>
-#include <fstream>
-#include <iterator>
+#include <algorithm>
 #include <system_error>
 
 #include <fmt/format.h>
 #include <toml++/toml.h>
 #include <unistd.h>
 
+#include <talus/terrain/toml_bounds.h>
+
 #include "config/fields.h"
 #include "config/nearest.h"
 #include "log/escape.h"
+#include "store/read_file.h"
 
 namespace talus::server {
 namespace {
@@ -81,6 +82,9 @@ Environment process_environment() {
 }
 
 Done apply_toml(Config& config, std::string_view toml, std::string_view file) {
+  if (const auto fault = terrain::passes_toml_bounds(toml)) {
+    return tl::make_unexpected(fmt::format("{}:{}: {}", file, fault->line, fault->what));
+  }
   try {
     const toml::table table = toml::parse(toml, file);
     return apply_table(config, table, "", file);
@@ -90,15 +94,13 @@ Done apply_toml(Config& config, std::string_view toml, std::string_view file) {
 }
 
 Done apply_file(Config& config, const std::filesystem::path& file) {
-  std::ifstream in{file, std::ios::binary};
-  std::string text{std::istreambuf_iterator<char>{in}, {}};
-  if (!in.is_open() || in.bad() || std::filesystem::is_directory(file)) {
-    const int reason = std::filesystem::is_directory(file) ? EISDIR : errno;
+  const auto text = read_file(file, terrain::kMaxTomlBytes);
+  if (!text) {
     return tl::make_unexpected(
         fmt::format("{}: cannot read the configuration: {}; give --config a readable TOML file",
-                    file.string(), std::generic_category().message(reason)));
+                    file.string(), std::generic_category().message(text.error())));
   }
-  return apply_toml(config, text, file.string());
+  return apply_toml(config, *text, file.string());
 }
 
 Done apply_environment(Config& config, const Environment& environment) {

@@ -111,7 +111,12 @@ void ChunkService::deliver(ChunkClient& waiter, ChunkKey key, const ChunkAnswer&
 }
 
 void ChunkService::run(const HeightsTask& task) {
-  task.client->heights_ready(task.ticket, make_heights(task));
+  const HeightsAnswer answer = make_heights(task);
+  try {
+    task.client->heights_ready(task.ticket, answer);
+  } catch (const std::exception& error) {
+    log_->error("heights could not be handed over: {}", error.what());
+  }
 }
 
 HeightsAnswer ChunkService::make_heights(const HeightsTask& task) {

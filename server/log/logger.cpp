@@ -1,16 +1,17 @@
 #include "log/logger.h"
 
+#include <unistd.h>
+
 #include <string>
 
-#include <spdlog/sinks/stdout_sinks.h>
+#include "log/patient_sink.h"
 
 namespace talus::server {
 
 Logger make_logger(std::string_view level) {
-  auto logger = std::make_shared<spdlog::logger>("talusd", std::make_shared<spdlog::sinks::stdout_sink_mt>());
+  auto logger = std::make_shared<spdlog::logger>("talusd", std::make_shared<PatientSink>(STDOUT_FILENO));
   logger->set_pattern("%Y-%m-%dT%H:%M:%S.%e%z %l %v");
   logger->set_level(spdlog::level::from_str(std::string{level}));
-  logger->flush_on(spdlog::level::info);
   return logger;
 }
 

@@ -3,6 +3,7 @@
 #include <netinet/in.h>
 #include <netinet/tcp.h>
 #include <sys/socket.h>
+#include <time.h>
 
 #include <algorithm>
 #include <exception>
@@ -27,7 +28,6 @@ using std::chrono::milliseconds;
 constexpr std::size_t kGatherBytes = std::size_t{64} * 1024;
 constexpr int kUnsentLowWaterBytes = 16 * 1024;
 constexpr milliseconds kTimeToClose{2000};   // to write the last frames and to read the client's end
-constexpr milliseconds kViewInterval{20};    // a View is a sort of all its chunks: not for every frame
 constexpr milliseconds kRetryInterval{100};  // while the generators' queue is full
 
 milliseconds from_config(std::uint64_t ms) {
@@ -42,6 +42,13 @@ void tune(asio::ip::tcp::socket& socket) {
                sizeof(kUnsentLowWaterBytes));
 }
 
+/// What this thread has had of a core: what others took of it meanwhile does not count.
+std::chrono::nanoseconds thread_time() {
+  timespec spent{};
+  ::clock_gettime(CLOCK_THREAD_CPUTIME_ID, &spent);
+  return std::chrono::seconds{spent.tv_sec} + std::chrono::nanoseconds{spent.tv_nsec};
+}
+
 }  // namespace
 
 /// Carries answers from generator threads to the connection's own.
@@ -53,18 +60,16 @@ class Connection::Port final : public ChunkClient {
   void chunk_ready(ChunkKey key, ChunkAnswer answer) override {
     asio::post(executor_, [weak = connection_, key, answer = std::move(answer)] {
       const auto connection = weak.lock();
-      if (connection == nullptr || !connection->open_) return;
-      connection->session_.chunk_ready(key, answer);
-      connection->work();
+      if (connection == nullptr) return;
+      connection->react([&](Session& session) { session.chunk_ready(key, answer); });
     });
   }
 
   void heights_ready(std::uint64_t ticket, HeightsAnswer answer) override {
     asio::post(executor_, [weak = connection_, ticket, answer = std::move(answer)] {
       const auto connection = weak.lock();
-      if (connection == nullptr || !connection->open_) return;
-      connection->session_.heights_ready(ticket, answer);
-      connection->work();
+      if (connection == nullptr) return;
+      connection->react([&](Session& session) { session.heights_ready(ticket, answer); });
     });
   }
 
@@ -93,18 +98,18 @@ Connection::Connection(asio::ip::tcp::socket socket, std::string remote, Connect
 
 void Connection::start() {
   asio::post(socket_.get_executor(), [self = shared_from_this()] {
-    self->session_.attach(std::make_shared<Port>(self));
-    self->spawn(&Connection::read);
-    self->spawn(&Connection::write);
-    self->spawn(&Connection::watch);
+    self->react([&](Session& session) {
+      session.attach(std::make_shared<Port>(self));
+      self->spawn(&Connection::read);
+      self->spawn(&Connection::write);
+      self->spawn(&Connection::watch);
+    });
   });
 }
 
 void Connection::go_away(std::string reason, std::uint32_t retry_after_ms) {
   asio::post(socket_.get_executor(), [self = shared_from_this(), reason = std::move(reason), retry_after_ms] {
-    if (!self->open_) return;
-    self->session_.go_away(reason, retry_after_ms);
-    self->work();
+    self->react([&](Session& session) { session.go_away(reason, retry_after_ms); });
   });
 }
 
@@ -162,14 +167,16 @@ asio::awaitable<void> Connection::take_in(std::span<const std::byte> bytes) {
 
 asio::awaitable<void> Connection::take_up_view() {
   if (!open_ || !session_.view_waits()) co_return;
-  if (const auto due = last_view_ + kViewInterval; due > Clock::now()) {
-    room_.expires_at(due);
+  if (view_pace_.due() > Clock::now()) {
+    room_.expires_at(view_pace_.due());
     co_await wait(room_);
   }
   if (!open_) co_return;
+  const auto began = Clock::now();
+  const auto spent_before = thread_time();
   session_.apply_view();
-  last_view_ = Clock::now();
   work();
+  view_pace_.taken_up(began, thread_time() - spent_before);
 }
 
 asio::awaitable<void> Connection::wait_for_room() {
@@ -236,6 +243,17 @@ asio::awaitable<void> Connection::wait(asio::steady_timer& timer) {
   co_await timer.async_wait(asio::redirect_error(asio::use_awaitable, cancelled));
 }
 
+template <typename Happening>
+void Connection::react(Happening&& happening) {
+  if (!open_) return;
+  try {
+    happening(session_);
+    work();
+  } catch (const std::exception& error) {
+    end(fmt::format("failed: {}", error.what()));
+  }
+}
+
 void Connection::work() {
   if (!open_) return;
   session_.pump();
@@ -253,7 +271,7 @@ void Connection::retry_soon() {
   retry_timer_.expires_after(kRetryInterval);
   retry_timer_.async_wait([self = shared_from_this()](std::error_code) {
     self->retry_armed_ = false;
-    self->work();
+    self->react([](Session&) {});
   });
 }
 
@@ -290,6 +308,9 @@ void Connection::note_greeting() {
 
 void Connection::end(std::string_view reason) {
   if (!std::exchange(open_, false)) return;
+  // Before the socket closes: who sees the end finds the place free.
+  place_.reset();
+  context_.registry.remove(id_);
   std::error_code ignored;
   socket_.close(ignored);
   output_waits_.cancel();
@@ -300,8 +321,6 @@ void Connection::end(std::string_view reason) {
   context_.log->info("conn {} {}: ended: {}", id_, remote_,
                      failure.empty() ? std::string{reason} : escaped(failure, 300));
   session_.abandon();
-  place_.reset();
-  context_.registry.remove(id_);
 }
 
 }  // namespace talus::server

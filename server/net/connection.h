@@ -19,6 +19,7 @@
 #include "log/logger.h"
 #include "net/admission.h"
 #include "net/registry.h"
+#include "net/view_pace.h"
 #include "session/session.h"
 
 namespace talus::server {
@@ -53,6 +54,10 @@ class Connection : public std::enable_shared_from_this<Connection> {
   [[nodiscard]] asio::awaitable<void> wait(asio::steady_timer& timer);
   void spawn(asio::awaitable<void> (Connection::*loop)());
 
+  /// Lets `happening` change the session, in a handler of its own; what that throws ends this connection
+  /// and no other.
+  template <typename Happening>
+  void react(Happening&& happening);
   /// After anything that happened to the session.
   void work();
   void retry_soon();
@@ -78,7 +83,7 @@ class Connection : public std::enable_shared_from_this<Connection> {
 
   Clock::time_point opened_;
   Clock::time_point last_frame_;
-  Clock::time_point last_view_{};
+  ViewPace view_pace_;
   std::optional<Clock::time_point> write_progress_;  // while a write is under way
   std::optional<Clock::time_point> closing_since_;
   bool reading_paused_ = false;

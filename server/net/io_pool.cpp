@@ -1,8 +1,11 @@
 #include "net/io_pool.h"
 
+#include <exception>
+#include <utility>
+
 namespace talus::server {
 
-IoPool::IoPool(std::size_t threads) {
+IoPool::IoPool(std::size_t threads, Logger log) : log_{std::move(log)} {
   for (std::size_t thread = 0; thread < threads; ++thread) {
     contexts_.push_back(std::make_unique<asio::io_context>(1));
     guards_.emplace_back(contexts_.back()->get_executor());
@@ -21,11 +24,21 @@ asio::io_context& IoPool::next() {
 
 void IoPool::run() {
   for (std::size_t other = 1; other < contexts_.size(); ++other) {
-    threads_.emplace_back([context = contexts_[other].get()] { context->run(); });
+    threads_.emplace_back([this, other] { serve(*contexts_[other]); });
   }
-  control().run();
+  serve(control());
   for (std::thread& thread : threads_) thread.join();
   threads_.clear();
+}
+
+void IoPool::serve(asio::io_context& context) const {
+  while (!context.stopped()) {
+    try {
+      context.run();
+    } catch (const std::exception& error) {
+      log_->error("a handler failed: {}", error.what());
+    }
+  }
 }
 
 void IoPool::stop() {

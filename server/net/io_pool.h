@@ -9,11 +9,13 @@
 #include <asio/executor_work_guard.hpp>
 #include <asio/io_context.hpp>
 
+#include "log/logger.h"
+
 namespace talus::server {
 
 class IoPool {
  public:
-  explicit IoPool(std::size_t threads);
+  IoPool(std::size_t threads, Logger log);
   ~IoPool();
   IoPool(const IoPool&) = delete;
   IoPool& operator=(const IoPool&) = delete;
@@ -23,12 +25,16 @@ class IoPool {
   /// The contexts in turn; for one thread to call.
   [[nodiscard]] asio::io_context& next();
 
-  /// Runs every context until stop(), the control one in this thread.
+  /// Runs every context until stop(), the control one in this thread. What a handler throws is logged: it
+  /// must not end the thread, which serves others too.
   void run();
   /// Ends run() without waiting for work; callable from any thread.
   void stop();
 
  private:
+  void serve(asio::io_context& context) const;
+
+  Logger log_;
   std::vector<std::unique_ptr<asio::io_context>> contexts_;
   std::vector<asio::executor_work_guard<asio::io_context::executor_type>> guards_;
   std::vector<std::thread> threads_;

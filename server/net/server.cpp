@@ -21,14 +21,15 @@ namespace {
 using asio::ip::tcp;
 using std::chrono::milliseconds;
 
-constexpr std::uint64_t kSpareDescriptors = 64;  // logs, the listening socket, what libraries open
-constexpr milliseconds kAcceptPause{100};        // when the system has no descriptor left
+// Refusals being said, and the log, the listening socket, what libraries open.
+constexpr std::uint64_t kSpareDescriptors = Refusals::kMost + 64;
+constexpr milliseconds kAcceptPause{100};  // when the system has no descriptor left
 constexpr std::chrono::seconds kRefusalLineInterval{1};
 constexpr std::uint32_t kRetryAfterMs = 5000;
 
 std::size_t io_threads(const Config& config) {
   if (config.threads.io != 0) return config.threads.io;
-  return std::max(1U, std::thread::hardware_concurrency() / 4);
+  return std::max(1U, std::thread::hardware_concurrency());
 }
 
 std::size_t generator_threads(const Config& config) {
@@ -51,10 +52,6 @@ std::string to_text(const tcp::endpoint& endpoint) {
   return to_string(Endpoint{endpoint.address().to_string(), endpoint.port()});
 }
 
-void rethrow(const std::exception_ptr& thrown) {
-  if (thrown) std::rethrow_exception(thrown);
-}
-
 }  // namespace
 
 Server::Server(const Config& config, std::shared_ptr<const terrain::World> world, ContentHash store_id,
@@ -63,7 +60,7 @@ Server::Server(const Config& config, std::shared_ptr<const terrain::World> world
       log_{std::move(log)},
       world_{describe_world(*world, store_id)},
       admission_{config.limits.connections, config.limits.connections_per_address},
-      io_{io_threads(config)},
+      io_{io_threads(config), log_},
       chunks_{std::make_unique<TerrainGenerator>(std::move(world),
                                                  static_cast<int>(config.generation.patch_tiles)),
               service_settings(config), log_},
@@ -97,9 +94,17 @@ void Server::run() {
     log_->warn("the system allows {} open files, fewer than limits.connections {} needs; raise ulimit -n",
                allowed, config_.limits.connections);
   }
-  asio::co_spawn(io_.control(), accept(), rethrow);
-  asio::co_spawn(io_.control(), obey_signals(), rethrow);
+  // Without either the server would not be one.
+  std::exception_ptr failure;
+  const auto end = [&](const std::exception_ptr& thrown) {
+    if (!thrown) return;
+    failure = thrown;
+    io_.stop();
+  };
+  asio::co_spawn(io_.control(), accept(), end);
+  asio::co_spawn(io_.control(), obey_signals(), end);
   io_.run();
+  if (failure) std::rethrow_exception(failure);
 }
 
 asio::awaitable<void> Server::accept() {
@@ -109,7 +114,13 @@ asio::awaitable<void> Server::accept() {
         co_await acceptor_.async_accept(io_.next(), asio::redirect_error(asio::use_awaitable, failed));
     if (!acceptor_.is_open()) co_return;
     if (!failed) {
-      admit(std::move(socket));
+      const ConnectionId id = ++last_id_;
+      try {
+        admit(std::move(socket), id);
+      } catch (const std::exception& error) {
+        registry_.remove(id);
+        log_->error("conn {}: failed: {}", id, error.what());
+      }
     } else if (failed != asio::error::connection_aborted) {
       log_->warn("cannot accept a connection: {}", failed.message());
       accept_pause_.expires_after(kAcceptPause);
@@ -118,7 +129,7 @@ asio::awaitable<void> Server::accept() {
   }
 }
 
-void Server::admit(tcp::socket socket) {
+void Server::admit(tcp::socket socket, ConnectionId id) {
   std::error_code gone;
   const tcp::endpoint remote = socket.remote_endpoint(gone);
   if (gone) return;
@@ -128,7 +139,6 @@ void Server::admit(tcp::socket socket) {
     refusals_.refuse(std::move(socket), place.error());
     return;
   }
-  const ConnectionId id = ++last_id_;
   log_->debug("conn {} {}: opened", id, to_text(remote));
   const ConnectionContext context{{config_.limits, world_, chunks_}, registry_, log_};
   const auto connection =

@@ -38,7 +38,7 @@ class Server {
  private:
   [[nodiscard]] asio::awaitable<void> accept();
   [[nodiscard]] asio::awaitable<void> obey_signals();
-  void admit(asio::ip::tcp::socket socket);
+  void admit(asio::ip::tcp::socket socket, ConnectionId id);
   void note_refusal(const std::string& remote, const std::string& reason);
   void drain();
 

@@ -40,6 +40,8 @@ class Session {
   static constexpr std::size_t kViewWindow = 64;
   /// Chunks of this session that wait for a generator at once.
   static constexpr std::size_t kServiceWindow = 128;
+  /// What a chunk that waits for a generator is reckoned to cost, until a larger one has come.
+  static constexpr std::size_t kExpectedChunkBytes = 4096;
 
   explicit Session(const SessionContext& context) : context_{context} {}
 
@@ -103,6 +105,8 @@ class Session {
   void refuse(std::uint32_t request_id, wire::ErrorCode code, std::string_view text,
               std::uint32_t retry_after_ms = 0);
   [[nodiscard]] bool admit(std::uint32_t id);
+  /// Whether one more chunk may come to wait for the client: those under way will, too.
+  [[nodiscard]] bool has_room_for_chunk() const;
   void drop_from_view(const std::vector<ChunkKey>& keys);
 
   void start_request(std::uint32_t id);
@@ -122,6 +126,7 @@ class Session {
   ViewStream view_;
   std::optional<View> next_view_;
   std::unordered_map<ChunkKey, Awaited> awaited_;
+  std::size_t expected_chunk_bytes_ = kExpectedChunkBytes;
   std::uint64_t heights_asked_ = 0;
   bool refused_ = false;
   bool going_away_ = false;

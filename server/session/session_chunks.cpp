@@ -1,4 +1,5 @@
 // How chunks are asked for, arrive and leave.
+#include <algorithm>
 #include <utility>
 
 #include <fmt/format.h>
@@ -16,7 +17,7 @@ constexpr std::uint32_t kRetryAfterMs = 1000;
 void Session::apply_view() {
   if (!next_view_) return;
   const View view = *std::exchange(next_view_, std::nullopt);
-  drop_from_view(view_.replace(chunks_in_view(view)));
+  drop_from_view(view_.replace(Interest{view}));
 }
 
 void Session::drop_from_view(const std::vector<ChunkKey>& keys) {
@@ -32,8 +33,7 @@ void Session::drop_from_view(const std::vector<ChunkKey>& keys) {
 
 void Session::pump() {
   refused_ = false;
-  while (!closing() && !refused_ && awaited_.size() < kServiceWindow &&
-         outbox_.chunk_bytes() < context_.limits.queued_bytes_per_session) {
+  while (!closing() && !refused_ && has_room_for_chunk()) {
     if (const auto id = requests_.next_waiting()) {
       start_request(*id);
       continue;
@@ -43,6 +43,12 @@ void Session::pump() {
     if (!key) return;
     refused_ = !start_view_chunk(*key);
   }
+}
+
+bool Session::has_room_for_chunk() const {
+  const std::size_t to_come = awaited_.size() * expected_chunk_bytes_;
+  return awaited_.size() < kServiceWindow &&
+         outbox_.chunk_bytes() + to_come < context_.limits.queued_bytes_per_session;
 }
 
 void Session::start_request(std::uint32_t id) {
@@ -83,6 +89,7 @@ void Session::stop_awaiting(ChunkKey key, const Awaited& awaited) {
 }
 
 void Session::chunk_ready(ChunkKey key, const ChunkAnswer& answer) {
+  if (answer) expected_chunk_bytes_ = std::max(expected_chunk_bytes_, Outbox::cost(**answer));
   // Nobody may wait any more: the last one left when the answer was on its way.
   const auto found = awaited_.extract(key);
   if (found.empty()) return;

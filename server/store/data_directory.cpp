@@ -12,8 +12,10 @@
 #include <utility>
 
 #include <fmt/format.h>
+#include <talus/terrain/toml_bounds.h>
 #include <toml++/toml.h>
 
+#include "store/read_file.h"
 #include "store/write_atomically.h"
 
 namespace talus::server {
@@ -56,8 +58,10 @@ std::string store_text(ContentHash id, ContentHash fingerprint) {
 tl::expected<ContentHash, std::string> read_store(const fs::path& file, ContentHash fingerprint) {
   std::optional<ContentHash> id;
   std::optional<ContentHash> held;
+  const auto text = read_file(file, terrain::kMaxTomlBytes);
   try {
-    const toml::table table = toml::parse_file(file.string());
+    const bool sound = text && !terrain::passes_toml_bounds(*text);
+    const toml::table table = sound ? toml::parse(*text) : toml::table{};
     id = parse_hash(table["store_id"].value<std::string>());
     held = parse_hash(table["fingerprint"].value<std::string>());
   } catch (const toml::parse_error&) {
@@ -80,7 +84,12 @@ tl::expected<ContentHash, std::string> read_store(const fs::path& file, ContentH
 tl::expected<ContentHash, std::string> read_or_make_store(const fs::path& path, ContentHash fingerprint) {
   const fs::path file = path / "store.toml";
   std::error_code error;
-  if (fs::exists(file, error)) return read_store(file, fingerprint);
+  if (fs::exists(file, error)) {
+    // A pipe under this name would hold the server up for ever.
+    if (fs::is_regular_file(file, error)) return read_store(file, fingerprint);
+    return tl::make_unexpected(
+        fmt::format("{}: is no regular file; give --data a directory of talusd's own", file.string()));
+  }
   const ContentHash id = random_id();
   if (const int failed = write_atomically(file, store_text(id, fingerprint)); failed != 0) {
     return system_failure(path, "cannot write store.toml", failed);

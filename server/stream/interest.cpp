@@ -1,25 +1,13 @@
 #include "stream/interest.h"
 
 #include <algorithm>
-#include <array>
+#include <cassert>
 #include <cmath>
-#include <utility>
 
 #include <glm/geometric.hpp>
 
 namespace talus::server {
 namespace {
-
-/// Coordinates `first` to `last` along one axis; empty where last < first.
-struct Span {
-  std::int64_t first = 0;
-  std::int64_t last = -1;
-
-  [[nodiscard]] std::uint64_t size() const {
-    return last < first ? 0 : static_cast<std::uint64_t>(last - first) + 1;
-  }
-  [[nodiscard]] bool contains(std::int64_t at) const { return first <= at && at <= last; }
-};
 
 /// Chunks of `level` that touch the base chunks within `radius` of `centre`.
 Span touching(std::int64_t centre, int radius, int level) {
@@ -38,13 +26,6 @@ Span inside_world(Span span, Lod lod) {
   const std::int64_t limit = chunk_limit(lod);
   return {std::max(span.first, -limit), std::min(span.last, limit - 1)};
 }
-
-/// One level's chunks: a box without the columns of a smaller one.
-struct Shell {
-  Lod lod;
-  Span x, y, z;
-  Span hole_x, hole_z;
-};
 
 std::vector<Shell> shells_of(const View& view) {
   const int radius = view.horizontal_radius;
@@ -66,37 +47,10 @@ std::vector<Shell> shells_of(const View& view) {
   return shells;
 }
 
-/// Sorts as the chunk is wanted: distance in whole base chunks, then the angle to the view direction, then
-/// the exact distance.
-class Rank {
- public:
-  explicit Rank(const View& view) : centre_{view.centre} {
-    const float length = glm::length(view.direction);
-    if (std::isfinite(length) && length > 0.0F) direction_ = view.direction / length;
-  }
-
-  [[nodiscard]] std::uint64_t operator()(std::int64_t x, std::int64_t y, std::int64_t z, int level) const {
-    // From centre to centre, in half base chunks, so that it is whole.
-    const auto halves = [&](std::int64_t at, std::int64_t centre) {
-      return (2 * at + 1) * (std::int64_t{1} << level) - (2 * centre + 1);
-    };
-    const glm::i64vec3 offset{halves(x, centre_.x), halves(y, centre_.y), halves(z, centre_.z)};
-    const auto squared =
-        static_cast<std::uint64_t>(offset.x * offset.x + offset.y * offset.y + offset.z * offset.z);
-    const double distance = std::sqrt(static_cast<double>(squared));
-    const double along = glm::dot(glm::dvec3{direction_}, glm::dvec3{offset});
-    const double cosine = distance > 0 ? along / distance : 1.0;
-
-    constexpr double kAngleSteps = 32767.0;
-    const auto ring = static_cast<std::uint64_t>(distance / 2);
-    const auto aside = static_cast<std::uint64_t>((1.0 - std::clamp(cosine, -1.0, 1.0)) * kAngleSteps);
-    return (ring << 48) | (aside << 32) | std::min<std::uint64_t>(squared, 0xFFFF'FFFF);
-  }
-
- private:
-  glm::i64vec3 centre_;
-  glm::vec3 direction_{};
-};
+// A rank, from its highest bits: whole distance, angle, what is left of the distance, place.
+constexpr int kPlaceBits = 24;
+constexpr int kRestBits = 8;
+constexpr int kAngleBits = 16;
 
 }  // namespace
 
@@ -109,30 +63,74 @@ std::uint64_t count_chunks(const View& view) {
   return sum;
 }
 
-std::vector<ChunkKey> chunks_in_view(const View& view) {
-  const Rank rank{view};
-  std::vector<std::pair<std::uint64_t, ChunkKey>> ranked;
-  ranked.reserve(static_cast<std::size_t>(count_chunks(view)));
-  for (const Shell& shell : shells_of(view)) {
-    const Span xs = inside_world(shell.x, shell.lod);
-    const Span ys = inside_world(shell.y, shell.lod);
-    const Span zs = inside_world(shell.z, shell.lod);
-    for (std::int64_t z = zs.first; z <= zs.last; ++z) {
-      for (std::int64_t x = xs.first; x <= xs.last; ++x) {
-        if (shell.hole_x.contains(x) && shell.hole_z.contains(z)) continue;
-        for (std::int64_t y = ys.first; y <= ys.last; ++y) {
-          const ChunkCoord coord{static_cast<std::int32_t>(x), static_cast<std::int32_t>(y),
-                                 static_cast<std::int32_t>(z)};
-          ranked.emplace_back(rank(x, y, z, shell.lod.value()), ChunkKey{coord, shell.lod});
-        }
-      }
-    }
+Interest::Interest(const View& view) : centre_{view.centre} {
+  const float length = glm::length(view.direction);
+  if (std::isfinite(length) && length > 0.0F) direction_ = view.direction / length;
+  // A level's hole is at most a quarter of the level before it, so the boxes are at most 4/3 of the chunks.
+  std::uint64_t places = 0;
+  for (Shell shell : shells_of(view)) {
+    shell.x = inside_world(shell.x, shell.lod);
+    shell.y = inside_world(shell.y, shell.lod);
+    shell.z = inside_world(shell.z, shell.lod);
+    levels_.push_back({shell, static_cast<Place>(places)});
+    places += shell.box_size();
   }
-  std::sort(ranked.begin(), ranked.end());
-  std::vector<ChunkKey> keys;
-  keys.reserve(ranked.size());
-  for (const auto& [order, key] : ranked) keys.push_back(key);
-  return keys;
+  assert(places <= Place{1} << kPlaceBits);
+  places_ = static_cast<Place>(places);
+}
+
+std::optional<Interest::Place> Interest::place_of(ChunkKey key) const {
+  const Level* const level = level_of(key.lod);
+  const auto [x, y, z] = key.coord;
+  if (level == nullptr || !level->shell.has_column(x, z) || !level->shell.y.contains(y)) return std::nullopt;
+  return level->place_of(x, y, z);
+}
+
+const Interest::Level* Interest::level_of(Lod lod) const {
+  for (const Level& level : levels_) {
+    if (level.shell.lod == lod) return &level;
+  }
+  return nullptr;
+}
+
+glm::i64vec3 Interest::offset(ChunkKey key) const {
+  const std::int64_t size = std::int64_t{1} << key.lod.value();
+  const auto halves = [size](std::int64_t at, std::int64_t centre) {
+    return (2 * at + 1) * size - (2 * centre + 1);
+  };
+  return {halves(key.coord.x, centre_.x), halves(key.coord.y, centre_.y), halves(key.coord.z, centre_.z)};
+}
+
+std::uint64_t Interest::rank(ChunkKey key, Place place) const {
+  const glm::dvec3 to{offset(key)};
+  const double distance = glm::length(to);
+  const double cosine = distance > 0 ? std::clamp(glm::dot(direction_, to) / distance, -1.0, 1.0) : 1.0;
+
+  constexpr double kAngleSteps = (1 << (kAngleBits - 1)) - 1;
+  const auto angle = static_cast<std::uint64_t>((1.0 - cosine) * kAngleSteps);
+  const auto distance_fx = static_cast<std::uint64_t>(distance / 2 * (1 << kRestBits));
+  const std::uint64_t ring = distance_fx >> kRestBits;
+  const std::uint64_t rest = distance_fx & ((1 << kRestBits) - 1);
+  return (((ring << kAngleBits | angle) << kRestBits | rest) << kPlaceBits) | place;
+}
+
+std::uint64_t Interest::rough_rank(ChunkKey key, Place place) const {
+  const glm::i64vec3 to = offset(key);
+  return static_cast<std::uint64_t>(to.x * to.x + to.y * to.y + to.z * to.z) << kPlaceBits | place;
+}
+
+std::uint64_t Interest::end_of_ring(std::uint64_t rough_rank) {
+  const double distance = std::sqrt(static_cast<double>(rough_rank >> kPlaceBits)) / 2;
+  const auto next_ring = static_cast<std::uint64_t>(distance) + 1;
+  return 4 * next_ring * next_ring << kPlaceBits;
+}
+
+std::pair<ChunkKey, Interest::Place> Interest::ranked(std::uint64_t rank) const {
+  const auto place = static_cast<Place>(rank & ((std::uint64_t{1} << kPlaceBits) - 1));
+  const auto after = std::find_if(levels_.begin(), levels_.end(),
+                                  [place](const Level& level) { return level.first > place; });
+  const Level& level = *std::prev(after);
+  return {{level.shell.coord_of(place - level.first), level.shell.lod}, place};
 }
 
 }  // namespace talus::server

@@ -18,7 +18,7 @@ void Outbox::push_control(protocol::Frame frame) {
 }
 
 void Outbox::push_chunk(Entry entry) {
-  chunk_bytes_ += cost(entry);
+  chunk_bytes_ += cost(*entry.chunk);
   chunks_.push_back(std::move(entry));
 }
 
@@ -38,7 +38,7 @@ Outbox::Taken Outbox::take(std::size_t enough_bytes, Credit& credit) {
   while (!chunks_.empty() && bytes < enough_bytes && credit.may_send()) {
     Entry entry = std::move(chunks_.front());
     chunks_.pop_front();
-    chunk_bytes_ -= cost(entry);
+    chunk_bytes_ -= cost(*entry.chunk);
     taken.frames.push_back(chunk_frame(entry.request_id, entry.key, *entry.chunk));
     credit.sent(taken.frames.back().size());
     bytes += taken.frames.back().size();
@@ -47,8 +47,8 @@ Outbox::Taken Outbox::take(std::size_t enough_bytes, Credit& credit) {
   return taken;
 }
 
-std::size_t Outbox::cost(const Entry& entry) {
-  return sizeof(Entry) + sizeof(EncodedChunk) + entry.chunk->payload.size();
+std::size_t Outbox::cost(const EncodedChunk& chunk) {
+  return sizeof(Entry) + sizeof(EncodedChunk) + chunk.payload.size();
 }
 
 }  // namespace talus::server

@@ -38,7 +38,7 @@ class Outbox {
   void drop_chunks(Unwanted&& unwanted) {
     std::erase_if(chunks_, [&](const Entry& entry) {
       const bool drop = unwanted(entry);
-      if (drop) chunk_bytes_ -= cost(entry);
+      if (drop) chunk_bytes_ -= cost(*entry.chunk);
       return drop;
     });
   }
@@ -50,10 +50,10 @@ class Outbox {
   [[nodiscard]] std::size_t control_bytes() const { return control_bytes_; }
   /// Bytes of the chunks that wait, as if nobody else held them.
   [[nodiscard]] std::size_t chunk_bytes() const { return chunk_bytes_; }
+  /// What a waiting chunk adds to chunk_bytes().
+  [[nodiscard]] static std::size_t cost(const EncodedChunk& chunk);
 
  private:
-  [[nodiscard]] static std::size_t cost(const Entry& entry);
-
   std::deque<protocol::Frame> control_;
   std::deque<Entry> chunks_;
   std::size_t control_bytes_ = 0;

@@ -1,47 +1,73 @@
 #include "stream/view_stream.h"
 
 #include <algorithm>
-#include <unordered_set>
 #include <utility>
 
 namespace talus::server {
+namespace {
 
-std::vector<ChunkKey> ViewStream::replace(std::vector<ChunkKey> wanted) {
-  std::unordered_set<ChunkKey> done;
-  for (std::size_t place = 0; place < order_.size(); ++place) {
-    if (states_[place] == State::done) done.insert(order_[place]);
-  }
-  const auto before = std::exchange(under_way_, {});
-  order_ = std::move(wanted);
-  states_.assign(order_.size(), State::wanted);
-  cursor_ = 0;
-  for (std::size_t place = 0; place < order_.size(); ++place) {
-    const ChunkKey key = order_[place];
-    if (before.contains(key)) {
-      states_[place] = State::under_way;
-      under_way_.emplace(key, place);
-    } else if (done.contains(key)) {
-      states_[place] = State::done;
-    }
-  }
+constexpr std::size_t kNear = 1024;  // chunks put in order at once, or more
+
+}  // namespace
+
+std::vector<ChunkKey> ViewStream::replace(Interest wanted) {
+  std::vector<State> states(wanted.places(), State::wanted);
+  wanted.for_each_shared(interest_, [&](std::size_t place, std::size_t before, std::size_t count) {
+    std::copy_n(&states_[before], count, &states[place]);
+  });
+  states_ = std::move(states);
+  interest_ = std::move(wanted);
+
+  near_ = {};
+  near_end_ = 0;
+  far_.clear();
+  interest_.for_each([this](ChunkKey key, Interest::Place place) {
+    if (states_[place] == State::wanted) far_.push_back(interest_.rough_rank(key, place));
+  });
+
   std::vector<ChunkKey> dropped;
-  for (const auto& [key, place] : before) {
-    if (!under_way_.contains(key)) dropped.push_back(key);
+  for (const ChunkKey key : under_way_) {
+    if (!interest_.place_of(key)) dropped.push_back(key);
   }
+  for (const ChunkKey key : dropped) under_way_.erase(key);
   return dropped;
 }
 
 std::optional<ChunkKey> ViewStream::next() {
-  while (cursor_ < order_.size() && states_[cursor_] != State::wanted) ++cursor_;
-  if (cursor_ == order_.size()) return std::nullopt;
-  states_[cursor_] = State::under_way;
-  under_way_.emplace(order_[cursor_], cursor_);
-  return order_[cursor_];
+  if (near_.empty()) approach();
+  if (near_.empty()) return std::nullopt;
+  const auto [key, place] = interest_.ranked(near_.top());
+  near_.pop();
+  states_[place] = State::under_way;
+  under_way_.insert(key);
+  return key;
+}
+
+void ViewStream::approach() {
+  const std::size_t some = std::min(far_.size(), std::max(kNear, far_.size() / 16));
+  if (some == 0) return;
+  // Farthest first, so that the nearest are taken off the end; and rings are not torn.
+  const auto nth = far_.end() - static_cast<std::ptrdiff_t>(some);
+  std::nth_element(far_.begin(), nth, far_.end(), std::greater<>{});
+  near_end_ = Interest::end_of_ring(*nth);
+  const auto near =
+      std::partition(far_.begin(), nth, [this](std::uint64_t rough) { return rough >= near_end_; });
+  for (auto rough = near; rough != far_.end(); ++rough) {
+    const auto [key, place] = interest_.ranked(*rough);
+    near_.push(interest_.rank(key, place));
+  }
+  far_.erase(near, far_.end());
 }
 
 void ViewStream::put_back(ChunkKey key) {
-  cursor_ = std::min(cursor_, under_way_.at(key));
   leave(key, State::wanted);
+  const Interest::Place place = *interest_.place_of(key);
+  const std::uint64_t rough = interest_.rough_rank(key, place);
+  if (rough < near_end_) {
+    near_.push(interest_.rank(key, place));
+  } else {
+    far_.push_back(rough);
+  }
 }
 
 void ViewStream::done(ChunkKey key) {
@@ -49,9 +75,8 @@ void ViewStream::done(ChunkKey key) {
 }
 
 void ViewStream::leave(ChunkKey key, State state) {
-  const auto found = under_way_.find(key);
-  states_[found->second] = state;
-  under_way_.erase(found);
+  states_[*interest_.place_of(key)] = state;
+  under_way_.erase(key);
 }
 
 }  // namespace talus::server

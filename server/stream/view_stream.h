@@ -3,20 +3,23 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <optional>
-#include <unordered_map>
+#include <queue>
+#include <unordered_set>
 #include <vector>
 
 #include <talus/voxel/coords.h>
+
+#include "stream/interest.h"
 
 namespace talus::server {
 
 class ViewStream {
  public:
-  /// Replaces the wanted chunks by `wanted`, most wanted first, each once. What stays wanted keeps its
-  /// state; the result is what was under way and is wanted no more. A chunk that left is forgotten, so
-  /// that it is sent again when it comes back.
-  [[nodiscard]] std::vector<ChunkKey> replace(std::vector<ChunkKey> wanted);
+  /// Replaces what is wanted. What stays wanted keeps its state; the result is what was under way and is
+  /// wanted no more. A chunk that left is forgotten, so that it is sent again when it comes back.
+  [[nodiscard]] std::vector<ChunkKey> replace(Interest wanted);
 
   /// The most wanted chunk that is neither under way nor sent, now under way.
   [[nodiscard]] std::optional<ChunkKey> next();
@@ -32,12 +35,21 @@ class ViewStream {
   enum class State : std::uint8_t { wanted, under_way, done };
 
   void leave(ChunkKey key, State state);
+  /// Moves the nearest rings of far_ to near_.
+  void approach();
 
-  // A View may have many chunks, but only a few of them are under way: those alone can be found by key.
-  std::vector<ChunkKey> order_;
-  std::vector<State> states_;                            // of the chunks in order_
-  std::size_t cursor_ = 0;                               // no chunk before it is in state wanted
-  std::unordered_map<ChunkKey, std::size_t> under_way_;  // places in order_
+  using Ranks = std::priority_queue<std::uint64_t, std::vector<std::uint64_t>, std::greater<>>;
+
+  Interest interest_;
+  std::vector<State> states_;  // by place
+
+  // The chunks in state wanted. A View may have many, and is mostly replaced before its end is reached: so
+  // only the nearest rings are put in order, and the others when their turn comes.
+  Ranks near_;
+  std::vector<std::uint64_t> far_;  // rough ranks
+  std::uint64_t near_end_ = 0;      // the rough rank at which far_ begins
+
+  std::unordered_set<ChunkKey> under_way_;  // few
 };
 
 }  // namespace talus::server

@@ -102,6 +102,21 @@ TEST_CASE("heights that fail are answered too") {
   CHECK_FALSE(client->heights()[0].second.has_value());
 }
 
+TEST_CASE("a client that cannot take its answers harms nobody") {
+  struct Exhausted final : ChunkClient {
+    void chunk_ready(ChunkKey, ChunkAnswer) override { throw std::bad_alloc{}; }
+    void heights_ready(std::uint64_t, HeightsAnswer) override { throw std::bad_alloc{}; }
+  };
+  FakeService fake;
+  const auto exhausted = std::make_shared<Exhausted>();
+  REQUIRE(queued(fake.service, exhausted, at(1)));
+  fake.service.submit_heights({exhausted, 1, {{1, 2}}});
+  const auto client = std::make_shared<WaitingClient>();
+  REQUIRE(queued(fake.service, client, at(2)));
+  fake.service.submit_heights({client, 1, {{1, 2}}});
+  client->await(2);
+}
+
 TEST_CASE("a full queue refuses") {
   FakeService fake{1, 1};
   fake.work->close_gate();

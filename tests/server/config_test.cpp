@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <fstream>
 #include <iterator>
@@ -38,10 +39,11 @@ std::string other_than_default(const Field& field) {
 }  // namespace
 
 TEST_CASE("talusd.toml says the defaults") {
+  const Config defaults;
   Config config;
   config.limits.connections = 1;  // so that the file has to set something
   REQUIRE(apply_toml(config, shipped_file(), "talusd.toml").has_value());
-  CHECK(config == Config{});
+  CHECK(config == defaults);
 }
 
 TEST_CASE("talusd.toml has every field") {
@@ -63,9 +65,10 @@ TEST_CASE("talusd.toml has every field") {
 TEST_CASE("every field is set by its variable") {
   for (const Field& field : fields()) {
     CAPTURE(field.key);
+    const Config defaults;
     Config config;
     REQUIRE(apply_environment(config, {{variable_name(field), other_than_default(field)}}).has_value());
-    CHECK_FALSE(config == Config{});
+    CHECK_FALSE(config == defaults);
   }
 }
 
@@ -107,6 +110,21 @@ TEST_CASE("what is no TOML is one line with its place") {
   CHECK(line.find('\n') == std::string::npos);
 }
 
+TEST_CASE("a configuration that cannot be read is one line that names it and says why") {
+  const auto line = [](const std::string& file) {
+    const auto read = command({"--config", file.c_str()});
+    REQUIRE_FALSE(read.has_value());
+    CHECK(read.error().status == 1);
+    CHECK(std::count(read.error().text.begin(), read.error().text.end(), '\n') == 1);
+    CHECK_THAT(read.error().text, Catch::Contains(file));
+    return read.error().text;
+  };
+  CHECK_THAT(line(std::string(5000, 'x')), Catch::Contains("name too long"));
+  CHECK_THAT(line(TALUS_SOURCE_DIR), Catch::Contains("directory"));
+  CHECK_THAT(line(TALUS_SOURCE_DIR "/server/talusd.toml/x"), Catch::Contains("Not a directory"));
+  CHECK_THAT(line("/nowhere/talusd.toml"), Catch::Contains("No such file"));
+}
+
 TEST_CASE("flags win over variables, and variables over defaults") {
   const Environment environment{{"TALUS_LISTEN", "host:1"}, {"TALUS_DATA", "kept"}};
   const auto read = command({"--listen", "host:2"}, environment);
@@ -132,4 +150,14 @@ TEST_CASE("an unknown variable is a warning with the nearest name") {
 TEST_CASE("--help and --version are no failures") {
   CHECK(command({"--help"}).error().status == 0);
   CHECK(command({"--version"}).error().status == 0);
+}
+
+TEST_CASE("A key with more parts than the parser's stack holds is refused in one line") {
+  std::string key = "a";
+  for (int i = 0; i < 100'000; ++i) key += ".a";
+  CHECK(toml_error(key + " = 1") == "file.toml:1: a key of more than 64 parts");
+}
+
+TEST_CASE("A path with a zero byte in it is refused") {
+  CHECK_THAT(toml_error("data = \"a\\u0000b\""), Catch::Contains("a\\x00b"));
 }

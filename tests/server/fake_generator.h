@@ -19,6 +19,8 @@ struct FakeWork {
   std::atomic<int> patches{0};
   std::atomic<int> chunks{0};
   std::atomic<bool> out_of_memory{false};
+  std::atomic<bool> finding_throws{false};
+  std::atomic<std::size_t> payload_bytes{0};
 
   /// While closed, generator threads wait before they make a patch.
   void close_gate() { set_gate(false); }
@@ -51,7 +53,10 @@ class FakeGenerator final : public Generator {
  public:
   explicit FakeGenerator(std::shared_ptr<FakeWork> work) : work_{std::move(work)} {}
 
-  [[nodiscard]] EncodedChunkPtr instant(ChunkKey) const override { return nullptr; }
+  [[nodiscard]] EncodedChunkPtr instant(ChunkKey) const override {
+    if (work_->finding_throws) throw std::bad_alloc{};
+    return nullptr;
+  }
   [[nodiscard]] terrain::Stacks make_patch(const PatchKey&) const override {
     work_->pass_gate();
     ++work_->patches;
@@ -62,6 +67,7 @@ class FakeGenerator final : public Generator {
     ++work_->chunks;
     auto chunk = std::make_shared<EncodedChunk>();
     chunk->hash = {std::hash<ChunkKey>{}(key), 0};
+    chunk->payload.resize(work_->payload_bytes);
     return chunk;
   }
   [[nodiscard]] std::vector<std::int32_t> heights(

@@ -3,10 +3,13 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <glm/geometric.hpp>
 #include <limits>
 #include <set>
 
 #include <rapidcheck.h>
+
+#include "views.h"
 
 using namespace talus;
 using namespace talus::server;
@@ -30,14 +33,18 @@ View random_view() {
   return view;
 }
 
-/// Distance between the centres of a chunk and of the view's chunk, in base chunks.
-double distance(const View& view, ChunkKey key) {
+/// From the centre of the view's chunk to that of another, in base chunks; exact.
+glm::dvec3 way_to(const View& view, ChunkKey key) {
   const double size = std::exp2(key.lod.value());
   const auto along = [&](std::int32_t at, std::int64_t centre) {
     return (at + 0.5) * size - (static_cast<double>(centre) + 0.5);
   };
-  return std::hypot(along(key.coord.x, view.centre.x), along(key.coord.y, view.centre.y),
-                    along(key.coord.z, view.centre.z));
+  return {along(key.coord.x, view.centre.x), along(key.coord.y, view.centre.y),
+          along(key.coord.z, view.centre.z)};
+}
+
+double ring_of(const View& view, ChunkKey key) {
+  return std::floor(glm::length(way_to(view, key)));
 }
 
 /// The chunk of `lod` in which a base chunk lies.
@@ -69,9 +76,25 @@ TEST_CASE("a View's chunks come by distance, each once") {
     const View view = random_view();
     const auto keys = chunks_in_view(view);
     RC_ASSERT(std::set(keys.begin(), keys.end()).size() == keys.size());
-    RC_ASSERT(std::is_sorted(keys.begin(), keys.end(), [&](ChunkKey a, ChunkKey b) {
-      return std::floor(distance(view, a)) < std::floor(distance(view, b));
-    }));
+    RC_ASSERT(std::is_sorted(keys.begin(), keys.end(),
+                             [&](ChunkKey a, ChunkKey b) { return ring_of(view, a) < ring_of(view, b); }));
+  }));
+}
+
+TEST_CASE("a large View, too, comes ring by ring, and each ring from ahead to behind") {
+  const View view{{5, -3, 70}, {3, 1, -2}, 25, 6, {{Lod::of(1), 60}, {Lod::of(3), 200}}};
+  const auto keys = chunks_in_view(view);
+  CHECK(keys.size() == count_chunks(view));
+  const auto ahead = [&](ChunkKey key) {
+    const glm::dvec3 way = way_to(view, key);
+    return glm::length(way) > 0 ? glm::dot(glm::normalize(way), glm::normalize(glm::dvec3{view.direction}))
+                                : 1;
+  };
+  constexpr double kAngleStep = 1.0 / 16'384;
+  CHECK(std::is_sorted(keys.begin(), keys.end(), [&](ChunkKey a, ChunkKey b) {
+    const double ring_a = ring_of(view, a);
+    const double ring_b = ring_of(view, b);
+    return ring_a < ring_b || (ring_a == ring_b && ahead(a) > ahead(b) + kAngleStep);
   }));
 }
 

@@ -18,7 +18,7 @@ struct Bench {
   std::shared_ptr<WaitingClient> client = std::make_shared<WaitingClient>();
   Session session{{limits, world, fake.service}};
 
-  Bench() {
+  explicit Bench(std::size_t queue_chunks = 1000) : fake{1, queue_chunks} {
     session.attach(client);
     session.receive(protocol::make_frame([](auto& builder) {
       const auto codecs = builder.CreateVector(std::vector<std::uint8_t>{1});
@@ -131,4 +131,57 @@ TEST_CASE("after GoAway a session closes when its last request is answered") {
   bench.carry_over();
   CHECK(bench.output() == Kinds{wire::Body::GoAway, wire::Body::Chunk});
   CHECK(bench.session.closing());
+}
+
+TEST_CASE("a full generator queue refuses a request by its id, with a time to retry after") {
+  Bench bench{1};
+  bench.fake.work->close_gate();
+  bench.get_chunk(1, 5);
+  bench.get_chunk(2, 6);
+  const auto frames = bench.session.take_output(1 << 20);
+  REQUIRE(frames.size() == 1);
+  const auto* refusal = (*protocol::read_message(frames[0]))->body_as_Error();
+  REQUIRE(refusal != nullptr);
+  CHECK(refusal->code() == wire::ErrorCode::overloaded);
+  CHECK(refusal->request_id() == 2);
+  CHECK(refusal->retry_after_ms() > 0);
+}
+
+TEST_CASE("a full generator queue delays a View, and says nothing of it") {
+  Bench bench{1};
+  bench.fake.work->close_gate();
+  bench.look_at(0, 1);
+  CHECK(bench.session.refused());
+  bench.fake.work->open_gate();
+  Kinds sent;
+  for (std::size_t chunks = 1; chunks <= 9; ++chunks) {
+    bench.client->await(chunks);
+    bench.carry_over();
+    for (const wire::Body kind : bench.output()) sent.push_back(kind);
+    bench.session.pump();
+  }
+  CHECK(sent == Kinds(9, wire::Body::Chunk));
+  CHECK_FALSE(bench.session.refused());
+}
+
+TEST_CASE("chunks that are being made count against what may wait for the client") {
+  constexpr std::size_t kFit = 16;
+  Bench bench{kFit};  // one more than fit would be refused
+  bench.limits.queued_bytes_per_session = kFit * Session::kExpectedChunkBytes;
+  bench.fake.work->close_gate();
+  for (std::uint32_t id = 1; id <= 100; ++id) bench.get_chunk(id, static_cast<std::int32_t>(id));
+  CHECK(bench.output().empty());
+}
+
+TEST_CASE("chunks that are being made count as much as the largest that came") {
+  Bench bench{5};
+  bench.limits.queued_bytes_per_session = 64 * 1024;
+  bench.fake.work->payload_bytes = 15 * 1024;
+  bench.get_chunk(1, 1);
+  bench.client->await(1);
+  bench.carry_over();
+  (void)bench.output();
+  bench.fake.work->close_gate();
+  for (std::uint32_t id = 2; id <= 100; ++id) bench.get_chunk(id, static_cast<std::int32_t>(id));
+  CHECK(bench.output().empty());
 }

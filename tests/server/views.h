@@ -1,0 +1,19 @@
+// Views, and what they want.
+#pragma once
+
+#include <vector>
+
+#include "stream/view_stream.h"
+
+namespace talus::server {
+
+/// The View's chunks, most wanted first.
+[[nodiscard]] inline std::vector<ChunkKey> chunks_in_view(const View& view) {
+  ViewStream stream;
+  (void)stream.replace(Interest{view});
+  std::vector<ChunkKey> keys;
+  while (const auto key = stream.next()) keys.push_back(*key);
+  return keys;
+}
+
+}  // namespace talus::server
