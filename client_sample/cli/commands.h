@@ -4,12 +4,13 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 
 #include <asio/awaitable.hpp>
 #include <tl/expected.hpp>
 
-#include <talus/client/options.h>
+#include <talus/client/client.h>
 #include <talus/voxel/coords.h>
 
 #include "endpoint.h"
@@ -24,16 +25,19 @@ struct Connecting {
 };
 
 struct GetOptions {
-  std::int64_t x = 0, y = 0, z = 0;  // chunks of the level
-  std::int64_t lod = 0;
+  ChunkKey key;
   std::filesystem::path output;  // empty: print a summary
+  double timeout_seconds = 30;   // without an answer
 };
 [[nodiscard]] asio::awaitable<Outcome> get(Connecting connecting, GetOptions options);
 
 struct FlyOptions {
+  static constexpr int kRadius = 8;
+  static constexpr int kFarRadius = 48;
   double seconds = 8;
-  int radius = 8;                // chunks of level 0
-  int far_radius = 48;           // chunks of level 0 out to which coarser ones are wanted; 0: none
+  std::optional<int> radius;  // chunks of level 0; none: kRadius, or what the server allows
+  std::optional<int>
+      far_radius;                // chunks of level 0 out to which coarser ones are wanted; 0: no coarser ones
   double height = 45;            // voxels above the ground
   double speed = 60;             // voxels a second
   std::filesystem::path output;  // map; empty: none
@@ -42,10 +46,10 @@ struct FlyOptions {
 [[nodiscard]] asio::awaitable<Outcome> fly(Connecting connecting, FlyOptions options);
 
 struct MapOptions {
-  bool at_spawn = true;
-  std::int64_t center_x = 0, center_z = 0;  // base columns
+  std::optional<client::Column> center;     // none: the spawn point
   std::int64_t width = 1024, depth = 1024;  // base columns
   std::filesystem::path output;
+  double timeout_seconds = 30;  // without an answer
 };
 [[nodiscard]] asio::awaitable<Outcome> map(Connecting connecting, MapOptions options);
 

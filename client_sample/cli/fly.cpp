@@ -17,6 +17,7 @@
 #include "flight.h"
 #include "latency.h"
 #include "map_picture.h"
+#include "patience.h"
 #include "progress.h"
 #include "view_picture.h"
 
@@ -30,7 +31,8 @@ constexpr milliseconds kTick{25};
 constexpr std::size_t kStoreBytes = std::size_t{1} << 30;
 constexpr int kViewWidth = 1280;
 constexpr int kViewHeight = 720;
-constexpr double kLookDown = 0.16;  // below the horizon, as a slope
+constexpr double kGraceSeconds = 10;  // beyond the flight's own: for its plan, and to fill the last view
+constexpr double kLookDown = 0.16;    // below the horizon, as a slope
 
 // What the flight gathers while chunks come and go.
 struct Gathered {
@@ -67,15 +69,19 @@ client::Events events_into(Gathered& gathered) {
   return events;
 }
 
-// Level 1 three times as far as level 0, level 2 beyond that: a voxel stays small in the picture.
-std::vector<client::LodRing> rings_of(const FlyOptions& options, const client::ServerLimits& limits) {
-  const int radius = options.radius;
-  const int far_radius = options.far_radius;
-  std::vector<client::LodRing> rings;
-  const int near = std::min({radius * 3, far_radius, limits.view_horizontal_radius * 2});
-  if (near > radius) rings.push_back({Lod::of(1), static_cast<std::uint16_t>(near)});
-  if (far_radius > near) rings.push_back({Lod::of(2), static_cast<std::uint16_t>(far_radius)});
-  return rings;
+// Level 1 three times as far as level 0, level 2 beyond that: a voxel stays small in the picture. What the
+// user did not say adapts to the server; what the user did say the server may refuse.
+client::View view_shape(const FlyOptions& options, const client::ServerLimits& limits) {
+  const int most = limits.view_horizontal_radius;
+  const int radius = options.radius.value_or(std::min(FlyOptions::kRadius, most));
+  const int far_radius = options.far_radius.value_or(std::min(FlyOptions::kFarRadius, most * 4));
+  client::View view;
+  view.horizontal_radius = static_cast<std::uint16_t>(radius);
+  view.vertical_radius = std::min<std::uint16_t>(10, limits.view_vertical_radius);
+  const int near = std::min({radius * 3, far_radius, most * 2});
+  if (near > radius) view.rings.push_back({Lod::of(1), static_cast<std::uint16_t>(near)});
+  if (far_radius > near) view.rings.push_back({Lod::of(2), static_cast<std::uint16_t>(far_radius)});
+  return view;
 }
 
 class Flight {
@@ -95,13 +101,12 @@ class Flight {
   Altitude altitude_;
 };
 
-asio::awaitable<tl::expected<Flight, std::string>> plan(client::Client& client,
-                                                        const client::WorldInfo& world,
-                                                        const FlyOptions& options) {
+asio::awaitable<client::Result<Flight>> plan(client::Client& client, const client::WorldInfo& world,
+                                             const FlyOptions& options) {
   const glm::dvec2 start{static_cast<double>(world.spawn.x) + 0.5, static_cast<double>(world.spawn.z) + 0.5};
   const double length = options.seconds * options.speed;
   const auto scouted = co_await client.get_heights(scouting_columns(start, length));
-  if (!scouted) co_return tl::unexpected{scouted.error().message};
+  if (!scouted) co_return tl::unexpected{scouted.error()};
   const Course course{start, choose_heading(*scouted), length};
 
   std::vector<std::int32_t> heights;
@@ -111,22 +116,18 @@ asio::awaitable<tl::expected<Flight, std::string>> plan(client::Client& client,
     const std::size_t last = std::min(first + most, columns.size());
     const auto part = co_await client.get_heights({columns.begin() + static_cast<std::ptrdiff_t>(first),
                                                    columns.begin() + static_cast<std::ptrdiff_t>(last)});
-    if (!part) co_return tl::unexpected{part.error().message};
+    if (!part) co_return tl::unexpected{part.error()};
     heights.insert(heights.end(), part->begin(), part->end());
   }
   co_return Flight{course, Altitude{heights, options.height}};
 }
 
-client::View view_of(const Camera& camera, const FlyOptions& options, const client::ServerLimits& limits) {
-  client::View view;
-  view.centre = {static_cast<std::int64_t>(std::floor(camera.position.x)),
-                 static_cast<std::int64_t>(std::floor(camera.position.y)),
-                 static_cast<std::int64_t>(std::floor(camera.position.z))};
-  view.direction = glm::vec3{camera.direction};
-  view.horizontal_radius = static_cast<std::uint16_t>(options.radius);
-  view.vertical_radius = std::min<std::uint16_t>(10, limits.view_vertical_radius);
-  view.rings = rings_of(options, limits);
-  return view;
+client::View view_from(const Camera& camera, client::View shape) {
+  shape.centre = {static_cast<std::int64_t>(std::floor(camera.position.x)),
+                  static_cast<std::int64_t>(std::floor(camera.position.y)),
+                  static_cast<std::int64_t>(std::floor(camera.position.z))};
+  shape.direction = glm::vec3{camera.direction};
+  return shape;
 }
 
 bool same_chunk(const VoxelPos& a, const VoxelPos& b) {
@@ -180,9 +181,11 @@ asio::awaitable<Outcome> fly(Connecting connecting, FlyOptions options) {
   const auto world = co_await client.connect(connecting.server.host, connecting.server.port);
   if (!world) co_return tl::unexpected{world.error().message};
   gathered.surface.emplace(world->materials);
+  const Patience patience{executor, client, Patience::Seconds{options.seconds + kGraceSeconds}};
   const auto flight = co_await plan(client, *world, options);
-  if (!flight) co_return tl::unexpected{flight.error()};
+  if (!flight) co_return tl::unexpected{patience.explain(flight.error())};
 
+  const client::View shape = view_shape(options, world->limits);
   std::optional<Progress> progress{std::in_place, "fly"};
   asio::steady_timer tick{executor};
   std::vector<glm::dvec2> path;
@@ -190,12 +193,11 @@ asio::awaitable<Outcome> fly(Connecting connecting, FlyOptions options) {
   Camera camera;
   const auto begun = Clock::now();
   const auto elapsed = [&] { return std::chrono::duration<double>(Clock::now() - begun).count(); };
-  // After the flight the camera stands, at most as long again, until all that it could see is there.
-  const double patience = options.seconds * 2 + 20;
-  while (!gathered.lost && elapsed() < patience) {
+  // After the flight the camera stands until all that it could see is there, or patience is over.
+  while (!gathered.lost && !patience.is_over()) {
     const double flown = std::min(elapsed(), options.seconds);
     camera = flight->camera_at(flown * options.speed);
-    const auto wanted = view_of(camera, options, world->limits);
+    const auto wanted = view_from(camera, shape);
     if (!view || !same_chunk(view->centre, wanted.centre)) {
       gathered.latency.wanted(wanted, Clock::now());
       if (const auto set = client.set_view(wanted); !set) {

@@ -10,6 +10,7 @@
 #include "commands.h"
 #include "npy.h"
 #include "output_file.h"
+#include "patience.h"
 
 namespace talus::cli {
 namespace {
@@ -35,18 +36,15 @@ void summarise(const client::ReceivedChunk& received, const client::WorldInfo& w
 }  // namespace
 
 asio::awaitable<Outcome> get(Connecting connecting, GetOptions options) {
-  const auto lod = Lod::checked(options.lod);
-  if (!lod) co_return tl::unexpected{"--lod: " + lod.error().message};
-  const auto key = checked_chunk(options.x, options.y, options.z, *lod);
-  if (!key) co_return tl::unexpected{key.error().message};
-
-  client::Client client{co_await asio::this_coro::executor, connecting.options};
+  const auto executor = co_await asio::this_coro::executor;
+  client::Client client{executor, connecting.options};
+  const Patience patience{executor, client, Patience::Seconds{options.timeout_seconds}};
   const auto world = co_await client.connect(connecting.server.host, connecting.server.port);
-  if (!world) co_return tl::unexpected{world.error().message};
+  if (!world) co_return tl::unexpected{patience.explain(world.error())};
 
   const auto asked = std::chrono::steady_clock::now();
-  const auto chunk = co_await client.get(*key);
-  if (!chunk) co_return tl::unexpected{chunk.error().message};
+  const auto chunk = co_await client.get(options.key);
+  if (!chunk) co_return tl::unexpected{patience.explain(chunk.error())};
   const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - asked;
 
   if (options.output.empty()) {

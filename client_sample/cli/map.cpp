@@ -14,6 +14,7 @@
 
 #include "commands.h"
 #include "map_picture.h"
+#include "patience.h"
 #include "progress.h"
 
 namespace talus::cli {
@@ -22,8 +23,9 @@ namespace {
 // Asks for the chunks at the ground of every square of an extent, then upward until air is above it.
 class Survey {
  public:
-  Survey(asio::any_io_executor executor, client::Client& client, const client::WorldInfo& world)
-      : client_{client}, world_{world}, surface_{world.materials}, changed_{executor} {}
+  Survey(asio::any_io_executor executor, client::Client& client, const client::WorldInfo& world,
+         Patience& patience)
+      : client_{client}, world_{world}, patience_{patience}, surface_{world.materials}, changed_{executor} {}
 
   asio::awaitable<tl::expected<SurfaceMap, std::string>> run(Extent extent) {
     const std::int64_t first_x = floor_div(extent.x, kChunkSize);
@@ -67,6 +69,7 @@ class Survey {
       const auto first = static_cast<std::int32_t>(floor_div(*low, kSubvoxelsPerChunk));
       const auto last = static_cast<std::int32_t>(floor_div(*high, kSubvoxelsPerChunk));
       for (std::int32_t y = first; y <= last; ++y) start_chunk({{x, y, z}, Lod{}});
+      patience_.renew();
       finish_one();
     });
   }
@@ -78,6 +81,7 @@ class Survey {
       if (!received) return fail(received.error());
       surface_.add(key, *received->chunk);
       if (--open_chunks_[key.coord.x][key.coord.z] == 0) climb(key);
+      patience_.renew();
       finish_one();
     });
   }
@@ -93,7 +97,7 @@ class Survey {
   }
 
   void fail(const client::ClientError& error) {
-    if (!error_) error_ = error.message;
+    if (!error_) error_ = patience_.explain(error);
     finish_one();
   }
 
@@ -104,6 +108,7 @@ class Survey {
 
   client::Client& client_;
   const client::WorldInfo& world_;
+  Patience& patience_;
   SurfaceMap surface_;
   asio::steady_timer changed_;
   std::map<std::int32_t, std::map<std::int32_t, int>> open_chunks_;
@@ -117,31 +122,23 @@ class Survey {
 asio::awaitable<Outcome> map(Connecting connecting, MapOptions options) {
   const auto executor = co_await asio::this_coro::executor;
   client::Client client{executor, connecting.options};
+  Patience patience{executor, client, Patience::Seconds{options.timeout_seconds}};
   const auto world = co_await client.connect(connecting.server.host, connecting.server.port);
-  if (!world) co_return tl::unexpected{world.error().message};
+  if (!world) co_return tl::unexpected{patience.explain(world.error())};
 
-  const std::int64_t center_x = options.at_spawn ? world->spawn.x : options.center_x;
-  const std::int64_t center_z = options.at_spawn ? world->spawn.z : options.center_z;
-  // Before any arithmetic, so that none can overflow.
-  const auto center = chunk_holding({center_x, 0, center_z}, Lod{});
-  if (!center) co_return tl::unexpected{"--center lies outside the world: " + center.error().message};
-  const Extent extent{center_x - options.width / 2, center_z - options.depth / 2, options.width,
-                      options.depth};
-  for (const std::int64_t corner : {std::int64_t{0}, std::int64_t{1}}) {
-    const auto inside = chunk_holding(
-        {extent.x + corner * (extent.width - 1), 0, extent.z + corner * (extent.depth - 1)}, Lod{});
-    if (!inside) co_return tl::unexpected{"--center and --size leave the world: " + inside.error().message};
-  }
-  Survey survey{executor, client, *world};
-  const auto surface = co_await survey.run(extent);
+  const auto center = options.center.value_or(client::Column{world->spawn.x, world->spawn.z});
+  const auto extent = extent_around(center.x, center.z, options.width, options.depth);
+  if (!extent) co_return tl::unexpected{"the map leaves the world: " + extent.error().message};
+  Survey survey{executor, client, *world, patience};
+  const auto surface = co_await survey.run(*extent);
   // Answers that are still to come would find the survey gone; close() posts them, so let them run first.
   client.close();
   co_await asio::post(executor, asio::use_awaitable);
   if (!surface) co_return tl::unexpected{surface.error()};
 
-  const auto written = write_png(draw_map(*surface, world->materials, extent, {}), options.output);
+  const auto written = write_png(draw_map(*surface, world->materials, *extent, {}), options.output);
   if (!written) co_return written;
-  std::cout << options.output.string() << ": " << extent.width << " x " << extent.depth << " columns, "
+  std::cout << options.output.string() << ": " << extent->width << " x " << extent->depth << " columns, "
             << client.stats().chunk_frames << " chunks, " << client.stats().received_bytes << " bytes\n";
   co_return Outcome{};
 }

@@ -10,7 +10,8 @@
 
 namespace talus::cli {
 
-/// Writes beside `path` and renames; the error is one line that names the file.
+/// Writes a temporary file beside `path` and renames it. A symlink is followed; what is there and is no
+/// regular file is left alone. The error is one line that names the file.
 [[nodiscard]] tl::expected<void, std::string> write_file(const std::filesystem::path& path,
                                                          std::span<const std::byte> bytes);
 

@@ -12,6 +12,19 @@ ChunkKey square_key(std::int32_t x, std::int32_t z) {
 
 }  // namespace
 
+tl::expected<Extent, RangeError> extent_around(std::int64_t x, std::int64_t z, std::int64_t width,
+                                               std::int64_t depth) {
+  // The centre before any arithmetic, so that none can overflow.
+  const auto center = chunk_holding({x, 0, z}, Lod{});
+  if (!center) return tl::unexpected{center.error()};
+  const Extent extent{x - width / 2, z - depth / 2, width, depth};
+  for (const VoxelPos corner :
+       {VoxelPos{extent.x, 0, extent.z}, VoxelPos{extent.x + width - 1, 0, extent.z + depth - 1}}) {
+    if (const auto inside = chunk_holding(corner, Lod{}); !inside) return tl::unexpected{inside.error()};
+  }
+  return extent;
+}
+
 SurfaceMap::SurfaceMap(const std::vector<client::Material>& materials) {
   for (const auto& material : materials) {
     const std::size_t id = to_integer(material.id);

@@ -8,6 +8,8 @@
 #include <unordered_map>
 #include <vector>
 
+#include <tl/expected.hpp>
+
 #include <talus/client/world_info.h>
 #include <talus/voxel/chunk.h>
 #include <talus/voxel/coords.h>
@@ -29,6 +31,10 @@ struct Extent {
   std::int64_t width = 0;
   std::int64_t depth = 0;
 };
+
+/// The extent of that size around base column (x, z), or what says how it leaves the world.
+[[nodiscard]] tl::expected<Extent, RangeError> extent_around(std::int64_t x, std::int64_t z,
+                                                             std::int64_t width, std::int64_t depth);
 
 class SurfaceMap {
  public:

@@ -39,6 +39,13 @@ TEST_CASE("after a reset failures count from the first again") {
   CHECK(backoff.next().has_value());
 }
 
+TEST_CASE("a server may ask for a longer wait, but for none without end") {
+  Backoff backoff{{4, milliseconds{10}, milliseconds{10}, 0}};
+  CHECK(backoff.next(milliseconds{2'000}) == milliseconds{2'000});
+  CHECK(backoff.next(milliseconds{4'294'967'295}) == kLongestRetryAfter);
+  CHECK(backoff.next(milliseconds{0}) <= milliseconds{10});
+}
+
 TEST_CASE("without attempts there is no delay to wait for") {
   CHECK_FALSE(Backoff{ReconnectPolicy{}}.next().has_value());
 }

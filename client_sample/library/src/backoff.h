@@ -13,8 +13,9 @@ class Backoff {
  public:
   explicit Backoff(const ReconnectPolicy& policy) : policy_{policy}, random_{policy.seed} {}
 
-  /// The wait after one more failure; none once the policy's attempts are used up.
-  [[nodiscard]] std::optional<std::chrono::milliseconds> next();
+  /// The wait after one more failure, no shorter than the server asks for within kLongestRetryAfter; none
+  /// once the policy's attempts are used up.
+  [[nodiscard]] std::optional<std::chrono::milliseconds> next(std::chrono::milliseconds retry_after = {});
 
   /// The connection was of use: count failures from zero again.
   void reset() { failures_ = 0; }

@@ -95,7 +95,7 @@ asio::awaitable<void> Core::run(Generation mine, std::string host, std::string p
       std::exchange(handler, nullptr)(tl::unexpected{*why});
       co_return;
     }
-    const auto delay = worth_retrying(*why) ? backoff.next() : std::nullopt;
+    const auto delay = worth_retrying(*why) ? backoff.next(why->retry_after) : std::nullopt;
     if (!delay) {
       end_run(*why);
       co_return;
@@ -104,7 +104,7 @@ asio::awaitable<void> Core::run(Generation mine, std::string host, std::string p
     if (mine != generation_) break;
     retry_timer_ = std::make_shared<asio::steady_timer>(executor_);
     const auto timer = retry_timer_;
-    timer->expires_after(std::max(*delay, why->retry_after));
+    timer->expires_after(*delay);
     co_await timer->async_wait(asio::experimental::as_tuple(asio::use_awaitable));
   }
   if (handler) handler(tl::unexpected{kClosed});

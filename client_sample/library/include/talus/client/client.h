@@ -34,10 +34,11 @@
 // against what was asked, chunks against their hash. A chunk that fails is never delivered; a server that
 // breaks the protocol is dropped.
 //
-// When the connection breaks and Options::reconnect allows it, the client connects again. If the world
-// has the same fingerprint, the current View and every unanswered request are sent again, and on_chunk
-// comes again for all chunks of the View; the caller sees only on_disconnect and on_reconnect. Otherwise,
-// and when attempts run out, every unanswered request fails.
+// When the connection breaks and Options::reconnect allows it, the client connects again; where the server
+// asks for a wait first, up to kLongestRetryAfter, after that. If the world has the same fingerprint, the
+// current View and every unanswered request are sent again, and on_chunk comes again for all chunks of the
+// View; the caller sees only on_disconnect and on_reconnect. Otherwise, and when attempts run out, every
+// unanswered request fails.
 #pragma once
 
 #include <chrono>

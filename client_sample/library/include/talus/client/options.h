@@ -16,6 +16,10 @@ struct ReconnectPolicy {
   std::uint64_t seed = 0;  // of the random part: the same seed gives the same delays
 };
 
+/// A server that goes away, or has too much to do, may ask for a longer wait than the policy's; none is
+/// longer than this.
+inline constexpr std::chrono::milliseconds kLongestRetryAfter{60'000};
+
 struct Options {
   std::string token;                          // what the server's operator gave out; empty: none
   std::string client_name = "talus::client";  // for the server's log

@@ -1,0 +1,170 @@
+#include "command_line.h"
+
+#include <iomanip>
+#include <sstream>
+
+#include <CLI/CLI.hpp>
+
+#include "surface_map.h"
+
+namespace talus::cli {
+namespace {
+
+constexpr double kLongestSeconds = 86400;
+constexpr double kLongestFlight = 10e6;  // voxels: its heights are asked for and kept before it begins
+
+// As CLI::Range, which lets "nan" through.
+CLI::Validator within(double low, double high) {
+  std::ostringstream range;
+  range << low << " to " << std::setprecision(9) << high;
+  const auto check = [low, high, range = range.str()](const std::string& text) -> std::string {
+    double value = 0;
+    const bool inside = CLI::detail::lexical_cast(text, value) && low <= value && value <= high;
+    return inside ? "" : "Value " + text + " not in range " + range;
+  };
+  return {check, "in [" + range.str() + "]"};
+}
+
+// What the parser cannot hold in one option.
+struct Words {
+  std::string server = "localhost:4780";
+  std::int64_t x = 0, y = 0, z = 0, lod = 0;
+  std::vector<std::int64_t> center;
+  std::vector<std::int64_t> size{1024, 1024};
+};
+
+void add_timeout(CLI::App& command, double& seconds) {
+  command.add_option("--timeout", seconds, "Seconds without an answer after which to give up")
+      ->check(within(0.1, kLongestSeconds))
+      ->capture_default_str();
+}
+
+void add_get(CLI::App& app, GetOptions& options, Words& words) {
+  auto* command = app.add_subcommand("get", "Fetch one chunk");
+  command->add_option("x", words.x, "Chunk coordinates, in chunks of the level")->required();
+  command->add_option("y", words.y, "")->required();
+  command->add_option("z", words.z, "")->required();
+  command->add_option("--lod", words.lod, "Level of detail, 0 to 6: a voxel spans 2^L base voxels")
+      ->capture_default_str();
+  command->add_option("-o,--output", options.output,
+                      "Write the voxels as .npy, [y][z][x], instead of printing a summary");
+  add_timeout(*command, options.timeout_seconds);
+}
+
+void add_fly(CLI::App& app, FlyOptions& options) {
+  const auto or_less = [](int radius) {
+    return " (default: " + std::to_string(radius) + ", or as far as the server allows)";
+  };
+  auto* command = app.add_subcommand("fly", "Fly over the world, keeping the view filled");
+  command->add_option("--seconds", options.seconds, "Length of the flight, seconds")
+      ->check(within(0.1, kLongestSeconds))
+      ->capture_default_str();
+  command
+      ->add_option("--radius", options.radius,
+                   "Chunks of level 0 to each side" + or_less(FlyOptions::kRadius))
+      ->check(CLI::Range(1, 1000));
+  command
+      ->add_option(
+          "--far", options.far_radius,
+          "Chunks of level 0 out to which coarser ones fill the view" + or_less(FlyOptions::kFarRadius))
+      ->check(CLI::Range(0, 4096));
+  command->add_option("--height", options.height, "Voxels above the ground")
+      ->check(within(1, 10000))
+      ->capture_default_str();
+  command->add_option("--speed", options.speed, "Voxels a second")
+      ->check(within(0, 100000))
+      ->capture_default_str();
+  command->add_option("-o,--output", options.output, "Write a map of what came, as .png");
+  command->add_option("--view", options.view, "Write what the camera saw at the end, as .png");
+}
+
+void add_map(CLI::App& app, MapOptions& options, Words& words) {
+  auto* command = app.add_subcommand("map", "Draw a map of the ground");
+  command->add_option("--center", words.center, "X,Z in voxels (default: the spawn point)")
+      ->delimiter(',')
+      ->expected(2);
+  command->add_option("--size", words.size, "W,H in voxels, at most 8192 each (default: 1024,1024)")
+      ->delimiter(',')
+      ->expected(2)
+      ->check(CLI::Range(1, 8192));
+  command->add_option("-o,--output", options.output, "Where to write the .png")->required();
+  add_timeout(*command, options.timeout_seconds);
+}
+
+// What the parser cannot check. The error is one line.
+using Checked = tl::expected<CommandLine, std::string>;
+
+Checked check_get(CommandLine line, GetOptions options, const Words& words) {
+  const auto lod = Lod::checked(words.lod);
+  if (!lod) return tl::unexpected{"--lod: " + lod.error().message};
+  const auto key = checked_chunk(words.x, words.y, words.z, *lod);
+  if (!key) return tl::unexpected{key.error().message};
+  options.key = *key;
+  line.options = std::move(options);
+  return line;
+}
+
+Checked check_fly(CommandLine line, FlyOptions options) {
+  if (options.seconds * options.speed > kLongestFlight) {
+    std::ostringstream text;
+    text << "--seconds " << options.seconds << " at --speed " << options.speed << " is a flight longer than "
+         << std::fixed << std::setprecision(0) << kLongestFlight << " voxels";
+    return tl::unexpected{text.str()};
+  }
+  line.options = std::move(options);
+  return line;
+}
+
+Checked check_map(CommandLine line, MapOptions options, const Words& words) {
+  options.width = words.size[0];
+  options.depth = words.size[1];
+  if (!words.center.empty()) {
+    options.center = client::Column{words.center[0], words.center[1]};
+    const auto extent = extent_around(options.center->x, options.center->z, options.width, options.depth);
+    if (!extent) return tl::unexpected{"--center and --size leave the world: " + extent.error().message};
+  }
+  line.options = std::move(options);
+  return line;
+}
+
+}  // namespace
+
+tl::expected<CommandLine, Exit> read_command_line(int argc, const char* const* argv) {
+  constexpr int kWrongUse = 2;
+  CLI::App app{"Sample client of a Talus server."};
+  app.set_version_flag("--version", "talus-client " TALUS_VERSION);
+  app.require_subcommand(1);
+  app.fallthrough();
+  CommandLine line;
+  Words words;
+  line.connecting.options.client_name = "talus-client " TALUS_VERSION;
+  line.connecting.options.reconnect.max_attempts = 5;
+  app.add_option("--connect", words.server, "HOST:PORT of the server")->capture_default_str();
+  app.add_option("--token", line.connecting.options.token, "What the server's operator gave out");
+  GetOptions get_options;
+  FlyOptions fly_options;
+  MapOptions map_options;
+  add_get(app, get_options, words);
+  add_fly(app, fly_options);
+  add_map(app, map_options, words);
+
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::Success& wanted) {  // --help and --version arrive here
+    std::ostringstream out;
+    app.exit(wanted, out, out);
+    return tl::unexpected{Exit{0, out.str()}};
+  } catch (const CLI::ParseError& error) {
+    return tl::unexpected{Exit{kWrongUse, std::string{error.what()} + " (see --help)"}};
+  }
+  const auto endpoint = parse_endpoint(words.server);
+  if (!endpoint) return tl::unexpected{Exit{kWrongUse, endpoint.error()}};
+  line.connecting.server = *endpoint;
+
+  auto checked = app.got_subcommand("get")   ? check_get(std::move(line), get_options, words)
+                 : app.got_subcommand("fly") ? check_fly(std::move(line), fly_options)
+                                             : check_map(std::move(line), map_options, words);
+  return std::move(checked).map_error([](std::string text) { return Exit{kWrongUse, std::move(text)}; });
+}
+
+}  // namespace talus::cli
