@@ -64,14 +64,21 @@ class Survey {
     }
     client_.get_heights(std::move(columns), [this, x, z](const auto& heights) {
       if (!heights) return fail(heights.error());
-      constexpr std::int32_t kSubvoxelsPerChunk = 256 * kChunkSize;
       const auto [low, high] = std::minmax_element(heights->begin(), heights->end());
-      const auto first = static_cast<std::int32_t>(floor_div(*low, kSubvoxelsPerChunk));
-      const auto last = static_cast<std::int32_t>(floor_div(*high, kSubvoxelsPerChunk));
-      for (std::int32_t y = first; y <= last; ++y) start_chunk({{x, y, z}, Lod{}});
+      for (std::int32_t y = row_of_ground(*low); y <= row_of_ground(*high); ++y) {
+        start_chunk({{x, y, z}, Lod{}});
+      }
       patience_.renew();
       finish_one();
     });
+  }
+
+  // The chunk row of the topmost solid voxel y under a height, the highest with 256 y + 128 < height. Kept to
+  // the world's rows, whatever a server answers.
+  [[nodiscard]] std::int32_t row_of_ground(std::int32_t height_fx) const {
+    const std::int64_t voxel = ((std::int64_t{height_fx} + 127) >> 8) - 1;
+    const std::int64_t inside = std::max(std::min(voxel, world_.max_y), world_.min_y - 1);
+    return static_cast<std::int32_t>(floor_div(inside, kChunkSize));
   }
 
   void start_chunk(const ChunkKey& key) {

@@ -37,9 +37,9 @@ constexpr NumberTarget number(std::uint64_t least, std::uint64_t most) {
 const std::array kFields{
     Field{"listen", "HOST:PORT", "where game clients connect; port 0 takes a free one",
           EndpointTarget{[](Config& c) -> Endpoint& { return c.listen; }}},
-    Field{"http", "HOST:PORT", "public HTTP and WebSocket; empty: none",
+    Field{"http", "HOST:PORT", "public HTTP and WebSocket; accepted, not served yet; empty: none",
           OptionalEndpointTarget{[](Config& c) -> std::optional<Endpoint>& { return c.http; }}},
-    Field{"admin", "HOST:PORT", "metrics and health for operators; empty: none",
+    Field{"admin", "HOST:PORT", "metrics and health for operators; accepted, not served yet; empty: none",
           OptionalEndpointTarget{[](Config& c) -> std::optional<Endpoint>& { return c.admin; }}},
     Field{"data", "directory", "what must outlive the server; empty: nothing is kept",
           PathTarget{[](Config& c) -> std::filesystem::path& { return c.data; }}},
