@@ -155,17 +155,16 @@ void print_summary(const Gathered& gathered, const client::Stats& stats, double 
 Outcome save_pictures(const Gathered& gathered, const client::WorldInfo& world, const FlyOptions& options,
                       const Camera& camera, const client::View& view, const std::vector<glm::dvec2>& path) {
   if (!options.output.empty()) {
-    const auto written = write_png(
-        draw_map(*gathered.surface, world.materials, gathered.surface->extent(), path), options.output);
+    auto written = write_png(draw_map(*gathered.surface, world.materials, gathered.surface->extent(), path),
+                             options.output);
     if (!written) return written;
     std::cout << "map " << options.output.string() << '\n';
   }
   if (!options.view.empty()) {
     const int reach = view.rings.empty() ? view.horizontal_radius : view.rings.back().radius;
-    const auto written =
-        write_png(draw_view(gathered.store, world.materials, camera, static_cast<double>(reach) * kChunkSize,
-                            kViewWidth, kViewHeight),
-                  options.view);
+    auto written = write_png(draw_view(gathered.store, world.materials, camera,
+                                       static_cast<double>(reach) * kChunkSize, kViewWidth, kViewHeight),
+                             options.view);
     if (!written) return written;
     std::cout << "view " << options.view.string() << '\n';
   }

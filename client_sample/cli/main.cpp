@@ -28,7 +28,7 @@ Outcome run(const CommandLine& line) {
   asio::io_context io{1};
   Outcome outcome;
   std::exception_ptr thrown;
-  asio::co_spawn(io, start(line), [&](std::exception_ptr exception, Outcome result) {
+  asio::co_spawn(io, start(line), [&](const std::exception_ptr& exception, Outcome result) {
     thrown = exception;
     outcome = std::move(result);
   });

@@ -23,7 +23,7 @@ namespace {
 // Asks for the chunks at the ground of every square of an extent, then upward until air is above it.
 class Survey {
  public:
-  Survey(asio::any_io_executor executor, client::Client& client, const client::WorldInfo& world,
+  Survey(const asio::any_io_executor& executor, client::Client& client, const client::WorldInfo& world,
          Patience& patience)
       : client_{client}, world_{world}, patience_{patience}, surface_{world.materials}, changed_{executor} {}
 

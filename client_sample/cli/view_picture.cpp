@@ -54,8 +54,10 @@ class Painter {
   [[nodiscard]] glm::vec3 pixel(double x, double y, int width, int height) const {
     glm::vec3 sum{0.0F};
     for (int sub = 0; sub < kSamplesAcross * kSamplesAcross; ++sub) {
-      const double px = x + (sub % kSamplesAcross + 0.5) / kSamplesAcross;
-      const double py = y + (sub / kSamplesAcross + 0.5) / kSamplesAcross;
+      const int sub_x = sub % kSamplesAcross;
+      const int sub_y = sub / kSamplesAcross;
+      const double px = x + (sub_x + 0.5) / kSamplesAcross;
+      const double py = y + (sub_y + 0.5) / kSamplesAcross;
       const double across = (2.0 * px / width - 1.0) * half_width_;
       const double along = (1.0 - 2.0 * py / height) * half_width_ * height / width;
       sum += exposed(light_along(glm::normalize(forward_ + right_ * across + up_ * along)));

@@ -13,7 +13,7 @@ constexpr auto kAsTuple = asio::experimental::as_tuple(asio::use_awaitable);
 
 }  // namespace
 
-Connection::Connection(asio::any_io_executor executor, std::uint32_t frame_limit_bytes)
+Connection::Connection(const asio::any_io_executor& executor, std::uint32_t frame_limit_bytes)
     : resolver_{executor},
       socket_{executor},
       deadline_{executor},

@@ -23,7 +23,7 @@ namespace talus::client {
 /// Lives in a shared_ptr that every coroutine on it holds; its operations end soon after shut().
 class Connection {
  public:
-  Connection(asio::any_io_executor executor, std::uint32_t frame_limit_bytes);
+  Connection(const asio::any_io_executor& executor, std::uint32_t frame_limit_bytes);
 
   [[nodiscard]] asio::awaitable<Result<void>> open(const std::string& host, const std::string& port);
 
