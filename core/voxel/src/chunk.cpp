@@ -4,6 +4,8 @@
 #include <cassert>
 #include <cstring>
 
+#include "slices.h"
+
 namespace talus {
 namespace {
 
@@ -20,33 +22,6 @@ constexpr Plane kCeiling = filled_plane(kChunkSize);
 
 bool equal(const std::uint8_t* a, const std::uint8_t* b) {
   return std::memcmp(a, b, kChunkArea) == 0;
-}
-
-/// The rows of one line of 32 columns (one z) of a plane, and the lowest and highest of them.
-struct Line {
-  explicit Line(const std::uint8_t* first) : tops{first} {
-    low = high = *first;
-    for (int x = 1; x < kChunkSize; ++x) {
-      low = std::min(low, first[x]);
-      high = std::max(high, first[x]);
-    }
-  }
-  const std::uint8_t* tops;
-  std::uint8_t low;
-  std::uint8_t high;
-};
-
-/// Writes `material` over what lies beneath it: a row wholly above `lower` is filled, a row that cuts
-/// `lower` keeps the columns in which `lower` is higher. Nothing above `upper` is touched.
-void paint(MaterialId material, const Line& lower, const Line& upper, int z, MaterialId* voxels) {
-  for (int y = lower.low; y < upper.high; ++y) {
-    MaterialId* row = voxels + (y * kChunkSize + z) * kChunkSize;
-    if (y >= lower.high) {
-      std::fill_n(row, kChunkSize, material);
-    } else {
-      for (int x = 0; x < kChunkSize; ++x) row[x] = lower.tops[x] <= y ? material : row[x];
-    }
-  }
 }
 
 }  // namespace
@@ -140,21 +115,8 @@ void Chunk::copy_to(std::span<MaterialId, kChunkVolume> voxels) const {
     std::copy((*dense)->begin(), (*dense)->end(), voxels.begin());
     return;
   }
-  const Layers& stack = *layers();
-  if (stack.plane_count() == 0) {
-    std::fill(voxels.begin(), voxels.end(), stack.materials.front());
-    return;
-  }
-  for (int z = 0; z < kChunkSize; ++z) {
-    const std::size_t place = column_index(0, z);
-    Line lower{kFloor.data()};
-    for (std::size_t i = 0; i < stack.plane_count(); ++i) {
-      const Line upper{stack.plane(i).data() + place};
-      paint(stack.materials[i], lower, upper, z, voxels.data());
-      lower = upper;
-    }
-    paint(stack.materials.back(), lower, Line{kCeiling.data()}, z, voxels.data());
-  }
+  Slices slices{*layers()};
+  for (std::size_t y = 0; y < kChunkSize; ++y) slices.next(voxels.data() + y * kChunkArea);
 }
 
 bool operator==(const Chunk& a, const Chunk& b) {

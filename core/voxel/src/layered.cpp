@@ -10,54 +10,50 @@
 namespace talus::codec {
 namespace {
 
-using Residuals = std::array<std::int8_t, kChunkArea>;
-
 constexpr std::size_t kUnary = 12;
 
+// The context of a column, mixed into one number: which way the surface falls around it (three signs: west,
+// north and north-east), how much room its prediction has, the sign of the residual in the plane below, and
+// which of two neighbours touch the floor.
+constexpr std::size_t kTouching = 1;
+constexpr std::size_t kBelow = 4 * kTouching;
+constexpr std::size_t kRoom = 3 * kBelow;
+constexpr std::size_t kNorthEast = 3 * kRoom;
+constexpr std::size_t kNorth = 3 * kNorthEast;
+constexpr std::size_t kWest = 3 * kNorth;
+constexpr std::size_t kContexts = 3 * kWest;
+constexpr std::size_t kForm = kNorthEast;  // context / kForm: the three signs alone
+
 struct PlaneModels {
-  std::array<std::array<std::array<std::array<BitModel, 4>, 3>, 3>, 27>
-      differs;                                          // form, room, below, touching
-  std::array<BitModel, 27> falls;                       // form
+  std::array<BitModel, kContexts> differs;
+  std::array<BitModel, kContexts / kForm> falls;
   std::array<std::array<BitModel, kUnary>, 2> goes_on;  // falls, size
 };
 
-std::size_t sign(int value) {
-  return value < 0 ? 0U : value == 0 ? 1U : 2U;
+constexpr std::size_t sign(int value) {
+  return static_cast<std::size_t>((value > 0 ? 1 : 0) - (value < 0 ? 1 : 0) + 1);
 }
 
-/// The rows known around a column: as a picture, from above, north up.
-struct Around {
-  int corner, north, north_east, west;
-
-  /// The median of west, north and the plane through all three: keeps edges and follows slopes.
-  [[nodiscard]] int predicted() const {
-    const auto [low, high] = std::minmax(west, north);
-    return corner >= high ? low : corner <= low ? high : west + north - corner;
-  }
-  /// Which way the surface falls here, 0 to 26.
-  [[nodiscard]] std::size_t form() const {
-    return (sign(west - corner) * 3 + sign(north - corner)) * 3 + sign(north_east - north);
-  }
-};
-
-/// Beyond an edge lies what is nearest on this side of it; `first` stands for all before the first column.
-Around look_around(const std::uint8_t* plane, int x, int z, int first) {
-  const std::uint8_t* const at = plane + column_index(x, z);
-  if (z == 0) {
-    const int west = x > 0 ? at[-1] : first;
-    return {west, west, west, west};
-  }
-  const std::uint8_t* const north = at - kChunkSize;
-  const int north_east = x + 1 < kChunkSize ? north[1] : north[0];
-  if (x == 0) return {north[0], north[0], north_east, north[0]};
-  return {north[-1], north[0], north_east, at[-1]};
+/// The same of a and b, in bytes.
+template <class Byte>
+constexpr std::uint8_t byte_sign(Byte a, Byte b) {
+  return static_cast<std::uint8_t>(1 + (a > b ? 1 : 0) - (a < b ? 1 : 0));
 }
 
-/// Codes how far a column lies from its prediction; the result lies in `least` to `most`, both sides of 0.
+/// By west - corner + 32.
+constexpr auto kWestPart = [] {
+  std::array<std::uint16_t, 2 * kChunkSize + 1> parts{};
+  for (int i = 0; i <= 2 * kChunkSize; ++i) {
+    parts[static_cast<std::size_t>(i)] = static_cast<std::uint16_t>(sign(i - kChunkSize) * kWest);
+  }
+  return parts;
+}();
+
+/// Codes a residual that is not 0; the result lies in `least` to `most`, both sides of 0. Apart from its
+/// caller, whose loop is for the many columns that are as predicted.
 template <class Coder>
-int code_residual(Coder& coder, PlaneModels& models, BitModel& differs, std::size_t form, int least, int most,
-                  int residual) {
-  if (!coder.code(differs, residual != 0)) return 0;
+[[gnu::noinline]] int code_distance(Coder& coder, PlaneModels& models, std::size_t form, int least, int most,
+                                    int residual) {
   bool falls = most == 0;
   if (least < 0 && most > 0) falls = coder.code(models.falls[form], residual < 0);
   const int limit = falls ? -least : most;
@@ -72,46 +68,117 @@ int code_residual(Coder& coder, PlaneModels& models, BitModel& differs, std::siz
   return falls ? -found : found;
 }
 
-/// `floor` is the plane below, `below` its residuals; `residuals` are those of this plane.
+/// Codes plane after plane, each a row after a row. Encoder and decoder walk through the same contexts: what
+/// they do differently is where a residual comes from and where it goes to.
 template <class Coder, class Row>
-void code_plane(Coder& coder, PlaneModels& models, const std::uint8_t* floor, const Residuals& below,
-                Row* plane, Residuals& residuals) {
-  for (int z = 0; z < kChunkSize; ++z) {
+class PlaneCoder {
+ public:
+  PlaneCoder(Coder& coder, Row* tops) : coder_{coder}, tops_{tops} {}
+
+  void code_plane(std::size_t index) {
+    plane_ = tops_ + index * kChunkArea;
+    floor_ = index == 0 ? kGround.data() : plane_ - kChunkArea;
+    code_first_row();
+    for (int z = 1; z < kChunkSize; ++z) code_row(plane_ + z * kChunkSize, z);
+  }
+
+ private:
+  static constexpr std::array<std::uint8_t, kChunkArea> kGround{};
+
+  /// Nothing lies north of it: what is west stands for all around, and for the first column the floor.
+  void code_first_row() {
+    constexpr std::size_t kFlat = kWest + kNorth + kNorthEast;
+    int west = floor_[0];
+    std::size_t touching = 3;
     for (int x = 0; x < kChunkSize; ++x) {
-      const std::size_t i = column_index(x, z);
-      const int lowest = floor[i];
-      if (lowest == kChunkSize) {
-        residuals[i] = 0;
-        if constexpr (Coder::kDecodes) plane[i] = kChunkSize;
-        continue;
-      }
-      const Around around = look_around(plane, x, z, lowest);
-      const int predicted = std::clamp(around.predicted(), lowest, kChunkSize);
-      const std::size_t form = around.form();
-      const std::size_t room = predicted == lowest ? 0 : predicted == kChunkSize ? 2 : 1;
-      const bool touches_west = x == 0 || plane[i - 1] == floor[i - 1];
-      const bool touches_north = z == 0 || plane[i - kChunkSize] == floor[i - kChunkSize];
-      const std::size_t touching = (touches_west ? 1U : 0U) + (touches_north ? 2U : 0U);
-      const int residual = code_residual(coder, models, models.differs[form][room][sign(below[i])][touching],
-                                         form, lowest - predicted, kChunkSize - predicted,
-                                         Coder::kDecodes ? 0 : plane[i] - predicted);
-      residuals[i] = static_cast<std::int8_t>(residual);
-      if constexpr (Coder::kDecodes) plane[i] = static_cast<std::uint8_t>(predicted + residual);
+      const auto i = static_cast<std::size_t>(x);
+      const std::size_t context = kFlat + sign(below_[i]) * kBelow + touching * kTouching;
+      west = code_column(i, west, context);
+      touching = west == floor_[i] ? 3 : 2;
     }
   }
-}
+
+  void code_row(const std::uint8_t* row, int z) {
+    const std::size_t first = static_cast<std::size_t>(z) * kChunkSize;
+    // The row to the north, and once more what lies at its ends.
+    std::array<std::uint8_t, kChunkSize + 2> around;
+    std::copy_n(row - kChunkSize, kChunkSize, around.begin() + 1);
+    around.front() = around[1];
+    around.back() = around[kChunkSize];
+    const std::array<std::uint16_t, kChunkSize> known = context_of_north(around, first);
+    int west = around[1];
+    int corner = west;
+    std::size_t touches_west = 1;
+    for (std::size_t x = 0; x < kChunkSize; ++x) {
+      // The median of west, north and the plane through all three: keeps edges and follows slopes.
+      const int north = around[x + 1];
+      const int predicted = std::clamp(west + north - corner, std::min(west, north), std::max(west, north));
+      const std::size_t context = known[x] + kWestPart[static_cast<std::size_t>(west - corner + kChunkSize)] +
+                                  touches_west * kTouching;
+      corner = north;
+      west = code_column(first + x, predicted, context);
+      touches_west = west == floor_[first + x] ? 1 : 0;
+    }
+  }
+
+  /// What the rows before tell about every column of a row: plain loops over bytes, so that they run in
+  /// vectors.
+  std::array<std::uint16_t, kChunkSize> context_of_north(
+      const std::array<std::uint8_t, kChunkSize + 2>& around, std::size_t first) const {
+    std::array<std::uint8_t, kChunkSize> north{};
+    std::array<std::uint8_t, kChunkSize> north_east{};
+    std::array<std::uint8_t, kChunkSize> below{};
+    for (std::size_t x = 0; x < kChunkSize; ++x) {
+      north[x] = byte_sign(around[x + 1], around[x]);
+      north_east[x] = byte_sign(around[x + 2], around[x + 1]);
+      below[x] = byte_sign(below_[first + x], std::int8_t{0});
+    }
+    const std::uint8_t* const floor = floor_ + first - kChunkSize;
+    std::array<std::uint16_t, kChunkSize> known{};
+    for (std::size_t x = 0; x < kChunkSize; ++x) {
+      const auto touches = static_cast<std::uint8_t>(around[x + 1] == floor[x] ? 2 : 0);
+      const auto low =
+          static_cast<std::uint8_t>(below[x] * kBelow + touches * kTouching + north_east[x] * kNorthEast);
+      known[x] = static_cast<std::uint16_t>(low + north[x] * kNorth);
+    }
+    return known;
+  }
+
+  /// Returns the column's top.
+  int code_column(std::size_t i, int predicted, std::size_t context) {
+    const int lowest = floor_[i];
+    if (lowest == kChunkSize) {
+      below_[i] = 0;
+      if constexpr (Coder::kDecodes) plane_[i] = kChunkSize;
+      return kChunkSize;
+    }
+    predicted = std::clamp(predicted, lowest, kChunkSize);
+    const std::size_t room = predicted == lowest ? 0 : predicted == kChunkSize ? 2 : 1;
+    context += room * kRoom;
+    int residual = Coder::kDecodes ? 0 : plane_[i] - predicted;
+    if (coder_.code(models_.differs[context], residual != 0)) {
+      residual = code_distance(coder_, models_, context / kForm, lowest - predicted, kChunkSize - predicted,
+                               residual);
+    }
+    below_[i] = static_cast<std::int8_t>(residual);
+    if constexpr (Coder::kDecodes) plane_[i] = static_cast<std::uint8_t>(predicted + residual);
+    return predicted + residual;
+  }
+
+  Coder& coder_;
+  Row* tops_;
+  Row* plane_ = nullptr;
+  const std::uint8_t* floor_ = nullptr;          // the plane below
+  std::array<std::int8_t, kChunkArea> below_{};  // residuals: of the plane below, then of this one
+  PlaneModels models_;
+};
 
 /// False where the decoder ran out of bytes.
 template <class Coder, class Row>
 bool code_planes(Coder& coder, std::size_t count, Row* tops) {
-  constexpr std::array<std::uint8_t, kChunkArea> kFloor{};
-  PlaneModels models;
-  Residuals below{};
-  Residuals residuals{};
+  PlaneCoder<Coder, Row> planes{coder, tops};
   for (std::size_t p = 0; p < count; ++p) {
-    Row* const plane = tops + p * kChunkArea;
-    code_plane(coder, models, p == 0 ? kFloor.data() : plane - kChunkArea, below, plane, residuals);
-    below = residuals;
+    planes.code_plane(p);
     if constexpr (Coder::kDecodes) {
       if (coder.starved()) return false;
     }

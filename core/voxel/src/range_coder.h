@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -26,8 +27,7 @@ class BitModel {
   [[nodiscard]] std::uint32_t zero() const { return (std::uint32_t{fast_} + slow_) >> 5; }
 
   void learn(bool bit) {
-    const int slow_shift = kShifts[age_];
-    const int fast_shift = std::min(slow_shift, kFastShift);
+    const auto [slow_shift, fast_shift] = kShifts[age_];
     age_ = static_cast<std::uint16_t>(age_ + (age_ < kOldAge ? 1 : 0));
     if (bit) {
       fast_ = static_cast<std::uint16_t>(fast_ - (fast_ >> fast_shift));
@@ -39,11 +39,20 @@ class BitModel {
   }
 
  private:
-  // The slow shift by age: how many binary digits age + 1 has. A table, because this is the hottest loop.
-  static constexpr std::array<std::uint8_t, 32> kShifts{1, 2, 2, 3, 3, 3, 3, 4, 4, 4, 4, 4, 4, 4, 4, 5,
-                                                        5, 5, 5, 5, 5, 5, 5, 5, 5, 5, 5, 5, 5, 5, 5, 6};
-  static constexpr int kFastShift = 4;
-  static constexpr std::uint16_t kOldAge = kShifts.size() - 1;
+  struct Shifts {
+    std::uint8_t slow;
+    std::uint8_t fast;
+  };
+  static constexpr std::uint16_t kOldAge = 31;
+  // By age. A table, because this is the hottest loop.
+  static constexpr auto kShifts = [] {
+    std::array<Shifts, kOldAge + 1> shifts{};
+    for (unsigned age = 0; age <= kOldAge; ++age) {
+      const auto slow = static_cast<std::uint8_t>(std::bit_width(age + 1));  // of its binary digits
+      shifts[age] = {slow, std::min<std::uint8_t>(slow, 4)};
+    }
+    return shifts;
+  }();
 
   std::uint16_t fast_ = 0x8000;
   std::uint16_t slow_ = 0x8000;
@@ -58,7 +67,7 @@ class Encoder {
 
   explicit Encoder(std::vector<std::byte>& out) : out_{out} {}
 
-  bool code(BitModel& model, bool bit) {
+  [[gnu::always_inline]] bool code(BitModel& model, bool bit) {
     const std::uint32_t bound = (range_ >> BitModel::kBits) * model.zero();
     if (bit) {
       add(bound);
@@ -109,7 +118,7 @@ class Decoder {
     possible_ = code_ < range_;
   }
 
-  bool code(BitModel& model, bool = false) {
+  [[gnu::always_inline]] bool code(BitModel& model, bool = false) {
     const std::uint32_t bound = (range_ >> BitModel::kBits) * model.zero();
     const bool bit = code_ >= bound;
     if (bit) {
