@@ -1,0 +1,166 @@
+// The generator's stages, one thread unless said otherwise. Items are columns or noise samples.
+#include <array>
+#include <thread>
+#include <vector>
+
+#include <libnoise/noise.h>
+
+#include <talus/terrain/fbm.h>
+#include <talus/terrain/kernels.h>
+#include <talus/terrain/settle.h>
+#include <talus/terrain/slope.h>
+#include <talus/terrain/stacks.h>
+#include <talus/terrain/strata.h>
+#include <talus/terrain/surface.h>
+
+#include "fixtures.h"
+#include "loose_cells.h"
+#include "reference.h"
+#include "table.h"
+
+namespace {
+
+using namespace talus;
+using namespace talus::terrain;
+using benchmark::State;
+
+constexpr int kNoiseSide = 256;
+constexpr int kSide = 200;
+constexpr int kViewRadius = 16;
+constexpr int kPatchTiles = 4;
+
+const World& world() {
+  return default_world();
+}
+
+void noise(State& state) {
+  const Fbm fbm{42, 128, 6};
+  const auto columns = bench::line(0, kNoiseSide);
+  std::vector<float> out(columns.size() * columns.size());
+  for (auto _ : state) sample_fbm(fbm, columns, columns, out);
+  bench::works_on(state, "sample", kNoiseSide * kNoiseSide);
+}
+BENCHMARK(noise);
+
+void noise_libnoise(State& state) {
+  ::noise::module::Perlin perlin;
+  perlin.SetOctaveCount(6);
+  perlin.SetFrequency(1.0 / 128);
+  for (auto _ : state) {
+    for (int z = 0; z < kNoiseSide; ++z) {
+      for (int x = 0; x < kNoiseSide; ++x) benchmark::DoNotOptimize(perlin.GetValue(x, 0.5, z));
+    }
+  }
+  bench::works_on(state, "sample", kNoiseSide * kNoiseSide);
+}
+BENCHMARK(noise_libnoise)->Name("noise/vs:libnoise Perlin, 3D");
+
+void surface(State& state) {
+  const Surface surface = surface_of(world().spec());
+  const auto columns = bench::line(0, kSide);
+  Field heights{kSide, kSide};
+  for (auto _ : state) sample_surface(surface, columns, columns, heights.values);
+  bench::works_on(state, "column", kSide * kSide);
+}
+BENCHMARK(surface);
+
+Terrain terrain_of_side() {
+  return generate_terrain(world(), {0, 0, kSide, kSide, Lod{}});
+}
+
+void slope(State& state) {
+  const Field heights = terrain_of_side().surface;
+  for (auto _ : state) benchmark::DoNotOptimize(slope_inside(heights));
+  bench::works_on(state, "column", (kSide - 2) * (kSide - 2));
+}
+BENCHMARK(slope);
+
+Field unsettled() {
+  const LooseSpec& gravel = world().loose()[0];
+  return starting_thickness(terrain_of_side().slope, gravel.t_fx, gravel.S_fx);
+}
+
+// As the generator does it: its start included, which is a part of every patch.
+void settle(State& state) {
+  const LooseSpec& gravel = world().loose()[0];
+  const Field slope = terrain_of_side().slope;
+  LooseCells cells{instruction_set()};
+  for (auto _ : state) {
+    cells.start(slope, gravel.t_fx, gravel.S_fx);
+    cells.settle(gravel.c_fx);
+  }
+  bench::works_on(state, "column", kSide * kSide);
+}
+BENCHMARK(settle)->Name("start and settle");
+
+void settle_literal(State& state) {
+  const Field start = unsettled();
+  Field thickness;
+  for (auto _ : state) {
+    thickness = start;
+    test::reference::remove_until_stable(thickness, world().loose()[0].c_fx);
+  }
+  bench::works_on(state, "column", kSide * kSide);
+}
+BENCHMARK(settle_literal)->Name("start and settle/vs:removal until nothing moves");
+
+void whole(State& state) {
+  Generator generator{world()};
+  Stacks stacks;
+  for (auto _ : state) generator.generate({0, 0, kSide, kSide, Lod{}}, stacks);
+  bench::works_on(state, "column", kSide * kSide);
+}
+BENCHMARK(whole)->Name("whole method, 200 x 200");
+
+// A view filled from cold: its patches one after another.
+void stream(State& state) {
+  const auto patch_tiles = static_cast<int>(state.range(0));
+  const auto patches = bench::patches_of_view(kViewRadius, patch_tiles);
+  Generator generator{world()};
+  Stacks stacks;
+  for (auto _ : state) {
+    for (const Region& patch : patches) generator.generate(patch, stacks);
+  }
+  bench::works_on(state, "column", static_cast<std::int64_t>(patches.size() * patches.front().columns()));
+}
+BENCHMARK(stream)->Name("stream, tiles a patch side")->Arg(1)->Arg(2)->Arg(kPatchTiles)->Arg(8);
+
+// What of that is noise: the surface with its halo, and of each layer the rows and columns not yet full.
+void stream_noise(State& state) {
+  const auto patches = bench::patches_of_view(kViewRadius, kPatchTiles);
+  const Surface surface = surface_of(world().spec());
+  const int ring = world().halo();
+  constexpr int kColumns = kPatchTiles * kChunkSize;
+  Field heights{kColumns + 2 * ring, kColumns + 2 * ring};
+  for (auto _ : state) {
+    for (const Region& patch : patches) {
+      sample_surface(surface, bench::line(patch.x - ring, heights.width),
+                     bench::line(patch.z - ring, heights.depth), heights.values);
+    }
+  }
+  bench::works_on(state, "column", static_cast<std::int64_t>(patches.size() * patches.front().columns()));
+}
+BENCHMARK(stream_noise)->Name("stream, tiles a patch side/4/vs:its surface noise alone");
+
+void threads(State& state) {
+  const auto patches = bench::patches_of_view(kViewRadius, kPatchTiles);
+  const auto count = static_cast<std::size_t>(state.range(0));
+  for (auto _ : state) {
+    std::vector<std::jthread> pool;
+    for (std::size_t t = 0; t < count; ++t) {
+      pool.emplace_back([&, t] {
+        Generator generator{world()};
+        Stacks stacks;
+        for (std::size_t i = t; i < patches.size(); i += count) generator.generate(patches[i], stacks);
+      });
+    }
+  }
+  bench::works_on(state, "column", static_cast<std::int64_t>(patches.size() * patches.front().columns()));
+}
+BENCHMARK(threads)->Name("generator threads")->Arg(1)->Arg(2)->UseRealTime();
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  return talus::bench::run(argc, argv);
+}

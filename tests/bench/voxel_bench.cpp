@@ -1,0 +1,155 @@
+// Chunks: coding, hashing, voxelising. Items are chunks; "bytes" is the mean size of what was coded.
+#include <cstring>
+#include <memory>
+#include <vector>
+
+#include <lz4.h>
+#include <zstd.h>
+
+#include <talus/voxel/codec.h>
+#include <talus/voxel/content_hash.h>
+
+#include "fixtures.h"
+#include "table.h"
+
+namespace {
+
+using namespace talus;
+using benchmark::State;
+
+const std::vector<Chunk>& chunks() {
+  static const std::vector<Chunk> chunks = bench::mixed_chunks();
+  return chunks;
+}
+
+/// Runs `work(chunk)` over chunk after chunk; what it returns are bytes.
+template <class Work>
+void over_chunks(State& state, const Work& work) {
+  std::size_t i = 0;
+  std::size_t bytes = 0;
+  std::int64_t done = 0;
+  for (auto _ : state) {
+    bytes += work(i);
+    i = (i + 1) % chunks().size();
+    ++done;
+  }
+  bench::works_on(state, "chunk", 1);
+  state.counters["bytes"] = static_cast<double>(bytes) / static_cast<double>(done);
+}
+
+/// The usual way: a byte a voxel, in dense order.
+std::vector<std::vector<std::uint8_t>> dense_bytes() {
+  std::vector<std::vector<std::uint8_t>> all;
+  const auto voxels = std::make_unique<DenseVoxels>();
+  for (const Chunk& chunk : chunks()) {
+    chunk.copy_to(*voxels);
+    auto& bytes = all.emplace_back();
+    for (const MaterialId voxel : *voxels) bytes.push_back(static_cast<std::uint8_t>(to_integer(voxel)));
+  }
+  return all;
+}
+
+void encode_chunk(State& state) {
+  std::vector<std::byte> payload;
+  over_chunks(state, [&](std::size_t i) {
+    payload.clear();
+    encode(chunks()[i], payload);
+    return payload.size();
+  });
+}
+BENCHMARK(encode_chunk)->Name("encode");
+
+void encode_zstd(State& state) {
+  const auto dense = dense_bytes();
+  std::vector<char> out(ZSTD_compressBound(kChunkVolume));
+  over_chunks(state, [&](std::size_t i) {
+    return ZSTD_compress(out.data(), out.size(), dense[i].data(), kChunkVolume, 3);
+  });
+}
+BENCHMARK(encode_zstd)->Name("encode/vs:zstd -3 of dense bytes");
+
+void encode_lz4(State& state) {
+  const auto dense = dense_bytes();
+  std::vector<char> out(static_cast<std::size_t>(LZ4_compressBound(kChunkVolume)));
+  over_chunks(state, [&](std::size_t i) {
+    return static_cast<std::size_t>(LZ4_compress_default(reinterpret_cast<const char*>(dense[i].data()),
+                                                         out.data(), kChunkVolume,
+                                                         static_cast<int>(out.size())));
+  });
+}
+BENCHMARK(encode_lz4)->Name("encode/vs:LZ4 of dense bytes");
+
+void decode_chunk(State& state) {
+  std::vector<std::vector<std::byte>> payloads;
+  for (const Chunk& chunk : chunks()) encode(chunk, payloads.emplace_back());
+  const auto voxels = std::make_unique<DenseVoxels>();
+  over_chunks(state, [&](std::size_t i) {
+    decode(payloads[i])->copy_to(*voxels);
+    benchmark::DoNotOptimize(voxels->data());
+    return payloads[i].size();
+  });
+}
+BENCHMARK(decode_chunk)->Name("decode, to dense voxels");
+
+void decode_zstd(State& state) {
+  std::vector<std::vector<char>> payloads;
+  for (const auto& dense : dense_bytes()) {
+    auto& payload = payloads.emplace_back(ZSTD_compressBound(kChunkVolume));
+    payload.resize(ZSTD_compress(payload.data(), payload.size(), dense.data(), kChunkVolume, 3));
+  }
+  std::vector<std::uint8_t> out(kChunkVolume);
+  over_chunks(state, [&](std::size_t i) {
+    ZSTD_decompress(out.data(), out.size(), payloads[i].data(), payloads[i].size());
+    benchmark::DoNotOptimize(out.data());
+    return payloads[i].size();
+  });
+}
+BENCHMARK(decode_zstd)->Name("decode, to dense voxels/vs:zstd to bytes");
+
+void voxelise(State& state) {
+  const auto voxels = std::make_unique<DenseVoxels>();
+  over_chunks(state, [&](std::size_t i) {
+    chunks()[i].copy_to(*voxels);
+    benchmark::DoNotOptimize(voxels->data());
+    return sizeof(DenseVoxels);
+  });
+}
+BENCHMARK(voxelise);
+
+void voxelise_memset(State& state) {
+  const auto voxels = std::make_unique<DenseVoxels>();
+  over_chunks(state, [&](std::size_t i) {
+    std::memset(voxels->data(), static_cast<int>(i), sizeof(DenseVoxels));
+    benchmark::DoNotOptimize(voxels->data());
+    return sizeof(DenseVoxels);
+  });
+}
+BENCHMARK(voxelise_memset)->Name("voxelise/vs:memset of the same bytes");
+
+void hash(State& state) {
+  over_chunks(state, [&](std::size_t i) {
+    benchmark::DoNotOptimize(content_hash(chunks()[i]));
+    return sizeof(DenseVoxels);
+  });
+}
+BENCHMARK(hash)->Name("content hash");
+
+void extract(State& state) {
+  const auto& world = terrain::default_world();
+  const terrain::Stacks stacks = generate_stacks(world, {0, 0, 128, 128, Lod{}});
+  std::vector<ChunkCoord> coords;
+  for (std::int32_t i = 0; i < 16; ++i) {
+    const auto rows = mixed_range(world, stacks, i % 4, i / 4);
+    for (std::int32_t y = rows.first; y <= rows.last; ++y) coords.push_back({i % 4, y, i / 4});
+  }
+  std::size_t i = 0;
+  for (auto _ : state) benchmark::DoNotOptimize(extract_chunk(world, stacks, coords[i++ % coords.size()]));
+  bench::works_on(state, "chunk", 1);
+}
+BENCHMARK(extract)->Name("slab of a patch");
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  return talus::bench::run(argc, argv);
+}

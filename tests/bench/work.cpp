@@ -1,0 +1,96 @@
+// Fixed work for an instruction counter: bench_work STAGE does the stage's set-up and then its work in
+// talus_counted_work(), the only function whose instructions are collected.
+#include <cstdio>
+#include <functional>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <talus/terrain/fbm.h>
+#include <talus/terrain/kernels.h>
+#include <talus/terrain/stacks.h>
+#include <talus/voxel/codec.h>
+
+#include "fixtures.h"
+#include "loose_cells.h"
+
+namespace {
+
+using namespace talus;
+using Stage = std::pair<std::string, std::function<void()>>;
+
+void count_noise() {
+  const auto columns = bench::line(0, 256);
+  std::vector<float> out(columns.size() * columns.size());
+  talus_counted_work([&] { terrain::sample_fbm({42, 128, 6}, columns, columns, out); });
+}
+
+void count_settle() {
+  const auto& gravel = terrain::default_world().loose()[0];
+  const auto ground = generate_terrain(terrain::default_world(), {0, 0, 200, 200, Lod{}});
+  terrain::LooseCells cells{terrain::instruction_set()};
+  talus_counted_work([&] {
+    cells.start(ground.slope, gravel.t_fx, gravel.S_fx);
+    cells.settle(gravel.c_fx);
+  });
+}
+
+void count_whole() {
+  terrain::Generator generator{terrain::default_world()};
+  terrain::Stacks stacks;
+  generator.generate({0, 0, 200, 200, Lod{}}, stacks);
+  talus_counted_work([&] { generator.generate({0, 0, 200, 200, Lod{}}, stacks); });
+}
+
+void count_slabs() {
+  const auto& world = terrain::default_world();
+  const auto stacks = generate_stacks(world, {0, 0, 128, 128, Lod{}});
+  talus_counted_work([&] {
+    for (std::int32_t y = 0; y < 4; ++y) (void)extract_chunk(world, stacks, {1, y, 1});
+  });
+}
+
+void count_encode() {
+  const auto chunks = bench::mixed_chunks();
+  std::vector<std::byte> payload;
+  talus_counted_work([&] {
+    for (const Chunk& chunk : chunks) {
+      payload.clear();
+      encode(chunk, payload);
+    }
+  });
+}
+
+void count_decode() {
+  std::vector<std::vector<std::byte>> payloads;
+  for (const Chunk& chunk : bench::mixed_chunks()) encode(chunk, payloads.emplace_back());
+  talus_counted_work([&] {
+    for (const auto& payload : payloads) (void)decode(payload);
+  });
+}
+
+void count_voxelise() {
+  const auto chunks = bench::mixed_chunks();
+  const auto voxels = std::make_unique<DenseVoxels>();
+  talus_counted_work([&] {
+    for (const Chunk& chunk : chunks) chunk.copy_to(*voxels);
+  });
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  const std::vector<Stage> stages{
+      {"noise", count_noise},   {"settle", count_settle}, {"whole", count_whole},      {"slabs", count_slabs},
+      {"encode", count_encode}, {"decode", count_decode}, {"voxelise", count_voxelise}};
+  if (argc == 2 && std::string{argv[1]} == "--list") {
+    for (const Stage& stage : stages) std::printf("%s\n", stage.first.c_str());
+    return 0;
+  }
+  for (const Stage& stage : stages) {
+    if (argc == 2 && stage.first == argv[1]) return stage.second(), 0;
+  }
+  std::fprintf(stderr, "usage: bench_work STAGE; --list names the stages\n");
+  return 2;
+}
