@@ -17,7 +17,21 @@ EncodedChunkPtr TerrainGenerator::instant(ChunkKey key) const {
 }
 
 terrain::Stacks TerrainGenerator::make_patch(const PatchKey& patch) const {
-  return terrain::generate_stacks(*world_, region_of(patch, patch_tiles_));
+  std::unique_ptr<terrain::Generator> generator = take_generator();
+  terrain::Stacks stacks;
+  generator->generate(region_of(patch, patch_tiles_), stacks);
+  const std::lock_guard lock{idle_mutex_};
+  idle_.push_back(std::move(generator));
+  return stacks;
+}
+
+// As many as ever worked at once: their memory is worth keeping from patch to patch.
+std::unique_ptr<terrain::Generator> TerrainGenerator::take_generator() const {
+  const std::lock_guard lock{idle_mutex_};
+  if (idle_.empty()) return std::make_unique<terrain::Generator>(*world_);
+  auto generator = std::move(idle_.back());
+  idle_.pop_back();
+  return generator;
 }
 
 EncodedChunkPtr TerrainGenerator::make_chunk(const terrain::Stacks& stacks, ChunkKey key) const {

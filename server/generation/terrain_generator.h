@@ -2,8 +2,10 @@
 #pragma once
 
 #include <memory>
+#include <mutex>
 #include <vector>
 
+#include <talus/terrain/stacks.h>
 #include <talus/terrain/world.h>
 
 #include "generation/generator.h"
@@ -21,9 +23,13 @@ class TerrainGenerator final : public Generator {
       std::span<const terrain::BaseColumn> columns) const override;
 
  private:
+  [[nodiscard]] std::unique_ptr<terrain::Generator> take_generator() const;
+
   std::shared_ptr<const terrain::World> world_;
   int patch_tiles_;
   std::vector<EncodedChunkPtr> uniform_;  // by material id
+  mutable std::mutex idle_mutex_;
+  mutable std::vector<std::unique_ptr<terrain::Generator>> idle_;
 };
 
 }  // namespace talus::server

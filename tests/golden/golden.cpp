@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include <talus/terrain/kernels.h>
 #include <talus/terrain/stacks.h>
 #include <talus/voxel/codec.h>
 #include <talus/voxel/content_hash.h>
@@ -80,6 +81,11 @@ int main(int argc, char** argv) {
     return 77;
   }
 #endif
+  const auto forced = terrain::forced_instruction_set();
+  if (!forced) {
+    std::cout << "skipped: " << forced.error() << '\n';
+    return 77;
+  }
   std::ostringstream text;
   text << "generator " << terrain::kGeneratorVersion << " codec " << int{kCodecVersion} << '\n';
   for (const char* name : {"default", "canyon", "hills"}) {
@@ -95,7 +101,10 @@ int main(int argc, char** argv) {
   if (argc != 2) return std::cerr << "usage: golden GOLDEN.TXT | --write\n", 2;
   if (std::string{argv[1]} == "--write") return std::cout << text.str(), 0;
   const std::string expected = read_file(argv[1]);
-  if (text.str() == expected) return std::cout << "as in " << argv[1] << '\n', 0;
+  if (text.str() == expected) {
+    std::cout << "as in " << argv[1] << ", by " << to_string(terrain::instruction_set()) << '\n';
+    return 0;
+  }
   std::cout << text.str() << "differs from " << argv[1] << ":\n" << expected;
   return 1;
 }

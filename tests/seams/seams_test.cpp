@@ -87,10 +87,12 @@ int mismatches(const World& world, Lod lod, int halo) {
   const Region whole{-kTiles / 2 * kChunkSize, 0, kTiles * kChunkSize, kTiles * kChunkSize, lod};
   const Terrain plane = generate_terrain(world, whole);
   int differing = 0;
+  Generator generator{world};
+  Terrain alone;
   for (int tz = 0; tz < kTiles; ++tz) {
     for (int tx = 0; tx < kTiles; ++tx) {
       const Region tile{whole.x + tx * kChunkSize, whole.z + tz * kChunkSize, kChunkSize, kChunkSize, lod};
-      const Terrain alone = generate_terrain_with_halo(world, tile, halo);
+      generator.generate_with_halo(tile, halo, alone);
       for (std::size_t m = 0; m < alone.loose.size(); ++m) {
         for (int z = 0; z < kChunkSize; ++z) {
           for (int x = 0; x < kChunkSize; ++x) {

@@ -28,7 +28,7 @@ TEST_CASE("Loose layers lie on the strata by weight, and the surface does not mo
   CHECK(rc::check([] {
     const World world = test::small_world(*rc::gen::arbitrary<std::uint64_t>());
     const Terrain terrain = generate_terrain(world, any_region(40));
-    const Stacks stacks = stack_layers(world, terrain);
+    const Stacks stacks = generate_stacks(world, terrain.region);
     RC_ASSERT(stacks.tops.back().values == terrain.surface.values);
     for (int z = 0; z < terrain.region.depth; ++z) {
       for (int x = 0; x < terrain.region.width; ++x) {

@@ -2,21 +2,27 @@
 #include <algorithm>
 #include <array>
 #include <cassert>
-#include <limits>
 
-#include <talus/terrain/rounding.h>
+#include <talus/terrain/boundary_row.h>
 #include <talus/terrain/stacks.h>
+
+#include "kernels/columns.h"
 
 namespace talus::terrain {
 namespace {
 
 using Rows = std::array<std::int32_t, kChunkArea>;
+using ChunkPlane = std::array<std::uint8_t, kChunkArea>;
+
+// No surface and no sea lies farther from y = 0, and differences with it fit 32 bits.
+constexpr std::int32_t kFarRow = 1 << 24;
 
 // The boundary rows of 32 x 32 columns, plane by plane, in the region's level.
 class TileRows {
  public:
   TileRows(const World& world, const Stacks& stacks, std::int32_t chunk_x, std::int32_t chunk_z)
       : stacks_{stacks},
+        kernels_{column_kernels(instruction_set())},
         x_{static_cast<int>(std::int64_t{chunk_x} * kChunkSize - stacks.region.x)},
         z_{static_cast<int>(std::int64_t{chunk_z} * kChunkSize - stacks.region.z)},
         coarse_{stacks.region.lod.value() > 0} {
@@ -29,9 +35,10 @@ class TileRows {
   [[nodiscard]] std::size_t planes() const { return stacks_.tops.size(); }
   [[nodiscard]] MaterialId material(std::size_t plane) const { return stacks_.materials[plane]; }
 
+  /// Boundary rows of a plane.
   void read(std::size_t plane, Rows& rows) const {
     for (int z = 0; z < kChunkSize; ++z) {
-      const std::int32_t* tops = stacks_.tops[plane].row(z_ + z).data() + x_;
+      const std::int32_t* tops = line(plane, z);
       for (int x = 0; x < kChunkSize; ++x) rows[column_index(x, z)] = boundary_row(tops[x]);
     }
     if (!coarse_) return;
@@ -42,10 +49,25 @@ class TileRows {
     }
   }
 
-  /// Water stands from the ground up to the sea; equal to `ground` where there is none.
-  void read_sea(const Rows& ground, Rows& rows) const {
-    for (std::size_t i = 0; i < rows.size(); ++i) rows[i] = std::max(ground[i], sea_row_);
+  /// The same, counted from `floor_row` and cut to a chunk.
+  void cut(std::size_t plane, std::int32_t floor_row, ChunkPlane& rows) const {
+    if (!coarse_) {
+      for (int z = 0; z < kChunkSize; ++z) {
+        kernels_.cut(line(plane, z), kChunkSize, floor_row, rows.data() + column_index(0, z));
+      }
+      return;
+    }
+    Rows whole{};
+    read(plane, whole);
+    std::transform(whole.begin(), whole.end(), rows.begin(),
+                   [&](std::int32_t row) { return cut(row, floor_row); });
   }
+  static std::uint8_t cut(std::int32_t row, std::int32_t floor_row) {
+    return static_cast<std::uint8_t>(std::clamp(row - floor_row, 0, kChunkSize));
+  }
+
+  /// Water stands from the ground up to here; far below all where there is none.
+  [[nodiscard]] std::int32_t sea_row() const { return sea_row_; }
 
  private:
   void find_crowns() {
@@ -68,11 +90,16 @@ class TileRows {
     }
   }
 
+  [[nodiscard]] const std::int32_t* line(std::size_t plane, int z) const {
+    return stacks_.tops[plane].row(z_ + z).data() + x_;
+  }
+
   const Stacks& stacks_;
+  const ColumnKernels& kernels_;
   int x_;
   int z_;
   bool coarse_;
-  std::int32_t sea_row_ = std::numeric_limits<std::int32_t>::min();
+  std::int32_t sea_row_ = -kFarRow;
   std::array<std::size_t, kChunkArea> crown_{};  // the plane of the material at the top of each stack
   Rows ground_{};
 };
@@ -81,27 +108,24 @@ class TileRows {
 
 Chunk extract_chunk(const World& world, const Stacks& stacks, ChunkCoord coord) {
   const TileRows tile{world, stacks, coord.x, coord.z};
-  const std::int64_t floor_row = std::int64_t{coord.y} * kChunkSize;
+  const auto floor_row = static_cast<std::int32_t>(
+      std::clamp<std::int64_t>(std::int64_t{coord.y} * kChunkSize, -kFarRow, kFarRow));
   Layers layers;
-  std::array<std::uint8_t, kChunkArea> below{};
-  const auto add_plane = [&](MaterialId material, const Rows& rows) {
-    std::array<std::uint8_t, kChunkArea> plane;
-    for (std::size_t i = 0; i < rows.size(); ++i) {
-      plane[i] = static_cast<std::uint8_t>(std::clamp<std::int64_t>(rows[i] - floor_row, 0, kChunkSize));
-    }
+  ChunkPlane below{};
+  const auto add_plane = [&](MaterialId material, const ChunkPlane& plane) {
     if (plane == below) return;
     layers.materials.push_back(material);
     layers.tops.insert(layers.tops.end(), plane.begin(), plane.end());
     below = plane;
   };
-  Rows rows{};
+  ChunkPlane rows;
   for (std::size_t plane = 0; plane < tile.planes(); ++plane) {
-    tile.read(plane, rows);
+    tile.cut(plane, floor_row, rows);
     add_plane(tile.material(plane), rows);
   }
-  Rows sea{};
-  tile.read_sea(rows, sea);
-  add_plane(kWater, sea);
+  const std::uint8_t sea = TileRows::cut(tile.sea_row(), floor_row);
+  for (std::uint8_t& row : rows) row = std::max(row, sea);
+  add_plane(kWater, rows);
   layers.materials.push_back(kAir);
 
   if (layers.materials.size() <= Layers::kMaxMaterials) return Chunk::from_layers(std::move(layers));
@@ -122,9 +146,7 @@ MixedRange mixed_range(const World& world, const Stacks& stacks, std::int32_t ch
   tile.read(0, rows);
   const std::int32_t lowest = *std::min_element(rows.begin(), rows.end());
   tile.read(tile.planes() - 1, rows);
-  Rows sea{};
-  tile.read_sea(rows, sea);
-  const std::int32_t highest = *std::max_element(sea.begin(), sea.end());
+  const std::int32_t highest = std::max(*std::max_element(rows.begin(), rows.end()), tile.sea_row());
   const auto chunk_row = [](std::int32_t row) {
     return static_cast<std::int32_t>(floor_div(row, kChunkSize));
   };

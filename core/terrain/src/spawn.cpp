@@ -2,7 +2,7 @@
 #include <array>
 #include <vector>
 
-#include <talus/terrain/rounding.h>
+#include <talus/terrain/boundary_row.h>
 #include <talus/terrain/slope.h>
 #include <talus/terrain/stacks.h>
 #include <talus/terrain/surface.h>

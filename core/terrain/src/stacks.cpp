@@ -4,63 +4,66 @@
 #include <array>
 #include <utility>
 
-#include <talus/terrain/settle.h>
-#include <talus/terrain/slope.h>
 #include <talus/terrain/strata.h>
 #include <talus/terrain/surface.h>
+
+#include "ground.h"
+#include "kernels/columns.h"
+#include "layers_of_rock.h"
+#include "loose_cells.h"
+#include "surface_rows.h"
 
 namespace talus::terrain {
 namespace {
 
-std::vector<std::int64_t> base_columns(std::int64_t first, int count, Lod lod) {
-  std::vector<std::int64_t> columns(static_cast<std::size_t>(count));
-  for (std::size_t i = 0; i < columns.size(); ++i) {
-    columns[i] = (first + static_cast<std::int64_t>(i)) * (std::int64_t{1} << lod.value());
-  }
-  return columns;
+void base_columns(std::int64_t first, int count, Lod lod, std::vector<std::int64_t>& columns) {
+  columns.clear();
+  for (int i = 0; i < count; ++i) columns.push_back((first + i) * (std::int64_t{1} << lod.value()));
 }
 
-// LOD 0 heights and slopes at the columns of a region.
-struct Ground {
-  Field height;
-  Field slope;
-};
-
-Ground ground_of(const Surface& surface, const Region& region) {
-  if (region.lod.value() == 0) {
-    const Region around = region.grown(1);
-    Field heights{around.width, around.depth};
-    sample_surface(surface, base_columns(around.x, around.width, around.lod),
-                   base_columns(around.z, around.depth, around.lod), heights.values);
-    return {heights.without_ring(1), slope_inside(heights)};
-  }
-  // Coarse columns lie apart: each row takes three base rows, each column three base columns.
-  const std::vector<std::int64_t> xs = base_columns(region.x, region.width, region.lod);
-  const std::vector<std::int64_t> zs = base_columns(region.z, region.depth, region.lod);
-  std::vector<std::int64_t> triple_xs;
-  for (const std::int64_t x : xs) triple_xs.insert(triple_xs.end(), {x - 1, x, x + 1});
-  Ground ground{Field{region.width, region.depth}, Field{region.width, region.depth}};
-  Field triple{3 * region.width, 3};
-  for (int z = 0; z < region.depth; ++z) {
-    const std::int64_t base_z = zs[static_cast<std::size_t>(z)];
-    sample_surface(surface, triple_xs, std::array{base_z - 1, base_z, base_z + 1}, triple.values);
-    const Field slopes = slope_inside(triple);  // of base columns 1 to 3 * width - 2
-    for (int x = 0; x < region.width; ++x) {
-      ground.height.at(x, z) = triple.at(3 * x + 1, 1);
-      ground.slope.at(x, z) = slopes.at(3 * x, 0);
-    }
-  }
-  return ground;
+void lower(const ColumnKernels& kernels, std::span<const std::int32_t> top, const std::int16_t* thickness,
+           std::span<std::int32_t> lowered) {
+  kernels.lower_int16(top.data(), thickness, top.size(), lowered.data());
 }
 
-// The settled thickness of one material over the inside of `slope`, which reaches `ring` columns past it.
-Field settled(const LooseSpec& loose, Lod lod, const Field& slope, int ring) {
-  Field thickness = starting_thickness(slope, loose.thickness_at(lod), loose.S_fx);
-  settle(thickness, loose.c_fx);
-  return thickness.without_ring(ring);
+void lower(const ColumnKernels& kernels, std::span<const std::int32_t> top, const std::int32_t* thickness,
+           std::span<std::int32_t> lowered) {
+  kernels.lower_int32(top.data(), thickness, top.size(), lowered.data());
+}
+
+void copy_inside(const Field& field, int ring, Field& inside) {
+  inside.reshape(field.width - 2 * ring, field.depth - 2 * ring);
+  for (int z = 0; z < inside.depth; ++z) {
+    std::copy_n(field.row(z + ring).begin() + ring, inside.width, inside.row(z).begin());
+  }
+}
+
+void shift_right(Field& field, int shift) {
+  if (shift == 0) return;
+  for (std::int32_t& value : field.values) value >>= shift;
 }
 
 }  // namespace
+
+struct Generator::Scratch {
+  explicit Scratch(const World& world)
+      : set{instruction_set()},
+        ground{surface_of(world.spec()), set},
+        rock{world, set},
+        cells{set},
+        columns{column_kernels(set)} {}
+
+  InstructionSet set;
+  Ground ground;
+  LayersOfRock rock;
+  LooseCells cells;
+  const ColumnKernels& columns;
+  std::vector<std::int64_t> xs;
+  std::vector<std::int64_t> zs;
+  Field limit;
+  std::vector<Field> loose_tops;  // bottom up
+  std::vector<Field> spare;
+};
 
 std::size_t Stacks::bytes() const {
   std::size_t bytes = sizeof(Stacks) + materials.size() * sizeof(MaterialId) + tops.size() * sizeof(Field);
@@ -74,73 +77,103 @@ int halo_columns(const World& world, Lod lod) {
   return halo;
 }
 
-Terrain generate_terrain_with_halo(const World& world, const Region& region, int halo) {
-  const Surface surface = surface_of(world.spec());
-  const int ring = halo - 1;  // the outermost column of the halo serves the slope alone
-  const Ground ground = ground_of(surface, region.grown(ring));
-  const int shift = region.lod.value();
+Generator::Generator(const World& world) : world_{&world}, scratch_{std::make_unique<Scratch>(world)} {}
+Generator::~Generator() = default;
+Generator::Generator(Generator&&) noexcept = default;
+Generator& Generator::operator=(Generator&&) noexcept = default;
 
-  Terrain terrain;
+void Generator::generate(const Region& region, Terrain& terrain) {
+  generate_with_halo(region, std::max(1, halo_columns(*world_, region.lod)), terrain);
+}
+
+void Generator::generate_with_halo(const Region& region, int halo, Terrain& terrain) {
+  Scratch& s = *scratch_;
+  const int ring = halo - 1;  // the outermost column of the halo serves the slope alone
+  const int shift = region.lod.value();
+  s.ground.cover(region.grown(ring));
   terrain.region = region;
-  terrain.surface = ground.height.without_ring(ring);
-  Strata strata = lay_strata(world, base_columns(region.x, region.width, region.lod),
-                             base_columns(region.z, region.depth, region.lod), terrain.surface, shift);
-  terrain.strata_materials = std::move(strata.materials);
-  terrain.strata = std::move(strata.tops);
-  for (std::int32_t& height : terrain.surface.values) height >>= shift;
-  terrain.slope = ground.slope.without_ring(ring);
-  for (const LooseSpec& loose : world.loose()) {
-    terrain.loose.push_back(settled(loose, region.lod, ground.slope, ring));
+  copy_inside(s.ground.height(), ring, terrain.surface);
+  copy_inside(s.ground.slope(), ring, terrain.slope);
+
+  base_columns(region.x, region.width, region.lod, s.xs);
+  base_columns(region.z, region.depth, region.lod, s.zs);
+  Planes strata{terrain.strata_materials, terrain.strata, s.spare};
+  s.rock.lay(s.xs, s.zs, terrain.surface, LayersOfRock::Extent::all, strata);
+  for (Field& plane : terrain.strata) shift_right(plane, shift);
+  shift_right(terrain.surface, shift);
+
+  terrain.loose.resize(world_->loose().size());
+  for (std::size_t m = 0; m < terrain.loose.size(); ++m) {
+    const LooseSpec& loose = world_->loose()[m];
+    s.cells.start(s.ground.slope(), loose.thickness_at(region.lod), loose.S_fx);
+    s.cells.settle(loose.c_fx);
+    terrain.loose[m].reshape(region.width, region.depth);
+    for (int z = 0; z < region.depth; ++z) {
+      s.cells.with_row(z + ring, [&](const auto* row) {
+        std::copy_n(row + ring, region.width, terrain.loose[m].row(z).begin());
+      });
+    }
   }
-  return terrain;
+}
+
+void Generator::generate(const Region& region, Stacks& stacks) {
+  Scratch& s = *scratch_;
+  const int ring = std::max(1, halo_columns(*world_, region.lod)) - 1;
+  const int shift = region.lod.value();
+  s.ground.cover(region.grown(ring));
+  stacks.region = region;
+
+  // `limit` walks down from H: the top of the loose material whose turn it is, lightest first, then of rock.
+  copy_inside(s.ground.height(), ring, s.limit);
+  shift_right(s.limit, shift);
+  const std::vector<std::size_t>& bottom_up = world_->loose_bottom_up();
+  s.loose_tops.resize(bottom_up.size());
+  for (std::size_t i = bottom_up.size(); i-- > 0;) {
+    const LooseSpec& loose = world_->loose()[bottom_up[i]];
+    s.cells.start(s.ground.slope(), loose.thickness_at(region.lod), loose.S_fx);
+    s.cells.settle(loose.c_fx);
+    std::swap(s.loose_tops[i], s.limit);
+    s.limit.reshape(region.width, region.depth);
+    for (int z = 0; z < region.depth; ++z) {
+      s.cells.with_row(z + ring, [&](const auto* row) {
+        lower(s.columns, s.loose_tops[i].row(z), row + ring, s.limit.row(z));
+      });
+    }
+  }
+
+  base_columns(region.x, region.width, region.lod, s.xs);
+  base_columns(region.z, region.depth, region.lod, s.zs);
+  // Rock is laid in subvoxels of level 0.
+  if (shift > 0) {
+    for (std::int32_t& value : s.limit.values) value <<= shift;
+  }
+  Planes planes{stacks.materials, stacks.tops, s.spare};
+  s.rock.lay(s.xs, s.zs, s.limit, LayersOfRock::Extent::until_full, planes);
+  for (Field& plane : stacks.tops) shift_right(plane, shift);
+  for (std::size_t i = 0; i < bottom_up.size(); ++i) {
+    std::swap(planes.add(world_->loose()[bottom_up[i]].material), s.loose_tops[i]);
+  }
 }
 
 Terrain generate_terrain(const World& world, const Region& region) {
-  return generate_terrain_with_halo(world, region, std::max(1, halo_columns(world, region.lod)));
-}
-
-Stacks stack_layers(const World& world, const Terrain& terrain) {
-  // `lowered` walks down from H: the top of the material whose turn it is, lightest first.
-  Field lowered = terrain.surface;
-  std::vector<Field> loose_tops;  // top down
-  std::vector<MaterialId> loose_materials;
-  for (auto m = world.loose_bottom_up().rbegin(); m != world.loose_bottom_up().rend(); ++m) {
-    const Field& thickness = terrain.loose[*m];
-    loose_tops.push_back(lowered);
-    loose_materials.push_back(world.loose()[*m].material);
-    for (std::size_t i = 0; i < lowered.values.size(); ++i) {
-      lowered.values[i] = std::max(lowered.values[i] - thickness.values[i], 0);
-    }
-  }
-
-  Stacks stacks;
-  stacks.region = terrain.region;
-  const auto add_plane = [&](MaterialId material, Field top) {
-    // The first plane stays even where it is empty: its material goes on below y = 0.
-    if (!stacks.tops.empty() && top.values == stacks.tops.back().values) return;
-    stacks.materials.push_back(material);
-    stacks.tops.push_back(std::move(top));
-  };
-  for (std::size_t p = 0; p < terrain.strata.size(); ++p) {
-    Field top = terrain.strata[p];
-    for (std::size_t i = 0; i < top.values.size(); ++i) {
-      top.values[i] = std::min(top.values[i], lowered.values[i]);
-    }
-    add_plane(terrain.strata_materials[p], std::move(top));
-  }
-  for (std::size_t p = loose_tops.size(); p-- > 0;) add_plane(loose_materials[p], std::move(loose_tops[p]));
-  return stacks;
+  Terrain terrain;
+  Generator{world}.generate(region, terrain);
+  return terrain;
 }
 
 Stacks generate_stacks(const World& world, const Region& region) {
-  return stack_layers(world, generate_terrain(world, region));
+  Stacks stacks;
+  Generator{world}.generate(region, stacks);
+  return stacks;
 }
 
 std::vector<std::int32_t> surface_heights(const World& world, std::span<const BaseColumn> columns) {
   const Surface surface = surface_of(world.spec());
+  SurfaceRows rows{instruction_set()};
   std::vector<std::int32_t> heights(columns.size());
   for (std::size_t i = 0; i < columns.size(); ++i) {
-    sample_surface(surface, {&columns[i].x, 1}, {&columns[i].z, 1}, {&heights[i], 1});
+    rows.start(surface, {&columns[i].x, 1});
+    rows.row(columns[i].z, &heights[i]);
   }
   return heights;
 }

@@ -1,10 +1,8 @@
 #include <talus/terrain/surface.h>
 
-#include <algorithm>
 #include <cmath>
-#include <vector>
 
-#include <talus/terrain/rounding.h>
+#include "surface_rows.h"
 
 namespace talus::terrain {
 
@@ -22,14 +20,9 @@ Surface surface_of(const WorldSpec& spec) {
 
 void sample_surface(const Surface& surface, std::span<const std::int64_t> xs,
                     std::span<const std::int64_t> zs, std::span<std::int32_t> heights_fx) {
-  std::vector<float> noise(xs.size() * zs.size());
-  sample_fbm(surface.noise, xs, zs, noise);
-  for (std::size_t i = 0; i < noise.size(); ++i) {
-    const float level = std::min(std::max(0.5F + surface.gain * noise[i], 0.0F), 1.0F);
-    float power = level;
-    for (int e = 1; e < surface.exponent; ++e) power *= level;
-    heights_fx[i] = round_to_even(power * surface.highest_fx);
-  }
+  SurfaceRows rows{instruction_set()};
+  rows.start(surface, xs);
+  for (std::size_t j = 0; j < zs.size(); ++j) rows.row(zs[j], heights_fx.data() + j * xs.size());
 }
 
 }  // namespace talus::terrain

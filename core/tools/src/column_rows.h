@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cstdint>
 
-#include <talus/terrain/rounding.h>
+#include <talus/terrain/boundary_row.h>
 #include <talus/terrain/stacks.h>
 
 namespace talus::tools {

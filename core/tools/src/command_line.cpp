@@ -8,6 +8,7 @@
 #include <functional>
 #include <new>
 
+#include <talus/terrain/kernels.h>
 #include <CLI/CLI.hpp>
 
 #include "export.h"
@@ -213,6 +214,10 @@ int parse_failure(const CLI::App& app, const CLI::ParseError& error) {
 }  // namespace
 
 int run_command_line(int argc, const char* const* argv, const std::string& version) {
+  if (const auto set = terrain::forced_instruction_set(); !set) {
+    std::fprintf(stderr, "talus-gen: %s\n", std::string{set.error()}.c_str());
+    return kExitWrongUse;
+  }
   CLI::App app{
       "The Talus terrain generator without a network: pictures, exports and hashes of a world.\n"
       "Places are base voxels, x east and z south, and may be negative: --center -640,32. Exit codes: 0 "
@@ -220,7 +225,8 @@ int run_command_line(int argc, const char* const* argv, const std::string& versi
       "1 failed, 2 wrong use."};
   app.name("talus-gen");
   app.set_version_flag("--version", "talus-gen " + version + " (generator version " +
-                                        std::to_string(terrain::kGeneratorVersion) + ")");
+                                        std::to_string(terrain::kGeneratorVersion) + ", " +
+                                        std::string{to_string(terrain::instruction_set())} + " kernels)");
   app.get_formatter()->column_width(34);
 
   Arguments arguments;

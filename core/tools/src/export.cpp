@@ -59,7 +59,7 @@ class PatchWriter {
     if (auto done = write_field(arrays_.slope, 0, terrain.region, terrain.slope); !done) return error(done);
     if (auto done = write_fields(arrays_.eroded, terrain.region, terrain.loose); !done) return error(done);
     if (auto done = write_fields(arrays_.strata, terrain.region, terrain.strata); !done) return error(done);
-    const terrain::Stacks stacks = stack_layers(world_, terrain);
+    const terrain::Stacks stacks = generate_stacks(world_, terrain.region);
     return voxel_type(world_) == NpyType::uint8 ? write_voxels<std::uint8_t>(stacks)
                                                 : write_voxels<std::uint16_t>(stacks);
   }

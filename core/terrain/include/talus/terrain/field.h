@@ -40,6 +40,13 @@ struct Field {
         depth{depth_},
         values(static_cast<std::size_t>(width_) * static_cast<std::size_t>(depth_)) {}
 
+  /// Takes on a size and keeps its memory; the values are what they happen to be.
+  void reshape(int width_, int depth_) {
+    width = width_;
+    depth = depth_;
+    values.resize(static_cast<std::size_t>(width_) * static_cast<std::size_t>(depth_));
+  }
+
   [[nodiscard]] std::int32_t at(int x, int z) const { return values[index(x, z)]; }
   [[nodiscard]] std::int32_t& at(int x, int z) { return values[index(x, z)]; }
   [[nodiscard]] std::span<std::int32_t> row(int z) {

@@ -1,8 +1,9 @@
-// From a world to stacks to chunks: the whole method for a region of columns. Pure functions of their
-// arguments; call them from as many threads as you like.
+// From a world to stacks to chunks: the whole method for a region of columns. All results are pure functions
+// of world and region, whatever was generated before; free functions may be called from any thread.
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -37,18 +38,32 @@ struct Stacks {
 /// Halo columns of surface around a region at `lod`: max over the loose materials of ceil(t_l / c).
 [[nodiscard]] int halo_columns(const World& world, Lod lod);
 
-/// The method with a halo of `halo` columns instead of the theorem's; for the test that shows what a
-/// smaller halo breaks. 1 <= halo.
-[[nodiscard]] Terrain generate_terrain_with_halo(const World& world, const Region& region, int halo);
+/// The method for one world after another region, with the memory of the one before: after the first regions
+/// of a size nothing more is allocated. For one thread at a time; the world must outlive it.
+class Generator {
+ public:
+  explicit Generator(const World& world);
+  ~Generator();
+  Generator(Generator&&) noexcept;
+  Generator& operator=(Generator&&) noexcept;
 
-/// The whole method over a region: exactly what the endless plane has there. The region may be of any
-/// size that fits memory, anywhere with |base column| <= 2^36 + 2^16.
+  /// Exactly what the endless plane has over the region, which may be of any size that fits memory, anywhere
+  /// with |base column| <= 2^36 + 2^16. What `terrain` and `stacks` held before is overwritten.
+  void generate(const Region& region, Terrain& terrain);
+  void generate(const Region& region, Stacks& stacks);
+
+  /// With a halo of `halo` columns instead of the theorem's; for the test that shows what a smaller one
+  /// breaks. 1 <= halo.
+  void generate_with_halo(const Region& region, int halo, Terrain& terrain);
+
+ private:
+  struct Scratch;
+  const World* world_;
+  std::unique_ptr<Scratch> scratch_;
+};
+
+/// A generator's work, once.
 [[nodiscard]] Terrain generate_terrain(const World& world, const Region& region);
-
-/// Loose layers inserted at the top of the strata (thesis 3.6): heaviest lowest, H unchanged.
-[[nodiscard]] Stacks stack_layers(const World& world, const Terrain& terrain);
-
-/// generate_terrain and stack_layers in one, without what only exports need.
 [[nodiscard]] Stacks generate_stacks(const World& world, const Region& region);
 
 /// The chunk `coord` of the region's level. Its 32 x 32 columns must lie inside stacks.region (asserted).

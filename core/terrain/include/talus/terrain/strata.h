@@ -1,14 +1,11 @@
-// Stratified rock: the sequence of layers and how thick each is where (thesis 3.4).
+// Stratified rock: the sequence of layers and what varies each of them (thesis 3.4).
 #pragma once
 
 #include <cstdint>
 #include <span>
 #include <vector>
 
-#include <tl/expected.hpp>
-
 #include <talus/terrain/fbm.h>
-#include <talus/terrain/field.h>
 #include <talus/terrain/world.h>
 
 namespace talus::terrain {
@@ -24,17 +21,5 @@ inline constexpr std::size_t kMaxLayers = 256;
 
 /// The noise that varies layer j of a world, j counted before any merging.
 [[nodiscard]] Fbm layer_noise(const WorldSpec& spec, double roughness, std::size_t j);
-
-/// Planes of one kind of rock: tops[p] is where materials[p] ends.
-struct Strata {
-  std::vector<MaterialId> materials;  // bottom up, no two neighbours equal
-  std::vector<Field> tops;
-};
-
-/// The strata under `surface_fx` (LOD 0 heights at all (x, z) of the two lists of base columns, as
-/// sample_fbm orders them): layers stack up from y = 0, what passes the surface is cut, the last plane is
-/// the surface. Tops are shifted right by `shift` once they are exact. Needs no other column: no halo.
-[[nodiscard]] Strata lay_strata(const World& world, std::span<const std::int64_t> xs,
-                                std::span<const std::int64_t> zs, const Field& surface_fx, int shift);
 
 }  // namespace talus::terrain

@@ -17,7 +17,7 @@
 namespace talus::terrain {
 
 /// Changes when, and only when, the same spec gives other voxels than before.
-inline constexpr int kGeneratorVersion = 1;
+inline constexpr int kGeneratorVersion = 2;
 
 /// Heights are int32 in 1/256 voxel; names that hold one end in _fx.
 inline constexpr int kSubvoxels = 256;

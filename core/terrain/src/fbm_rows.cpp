@@ -1,0 +1,150 @@
+#include "fbm_rows.h"
+
+#include <algorithm>
+#include <utility>
+
+#include <talus/terrain/lattice_hash.h>
+#include <talus/voxel/coords.h>
+
+#include "kernels/instruction_set.h"
+
+namespace talus::terrain {
+namespace {
+
+// Perlin's quintic: first and second derivatives vanish at the lattice, so slopes have no creases.
+float fade(float t) {
+  return t * t * t * (t * (t * 6.0F - 15.0F) + 10.0F);
+}
+
+std::int64_t offset_of(std::uint64_t octave_seed, Axis axis, std::int64_t period) {
+  const std::uint64_t draw = derived_seed(octave_seed, static_cast<std::uint64_t>(axis)) >> 32;
+  return static_cast<std::int64_t>((draw * static_cast<std::uint64_t>(period)) >> 32);
+}
+
+std::int64_t position_of(std::int64_t coordinate, int k, std::int64_t offset) {
+  return coordinate * (std::int64_t{1} << k) + offset;
+}
+
+// A place in a lattice that mostly moves a little: stepping is cheaper than dividing.
+void step_to(std::int64_t distance, std::int64_t period, std::int64_t& cell, std::int64_t& inside) {
+  inside += distance;
+  if (inside >= period && inside < 2 * period) {
+    inside -= period;
+    ++cell;
+  } else if (inside < 0 || inside >= period) {
+    cell += floor_div(inside, period);
+    inside = floor_mod(inside, period);
+  }
+}
+
+// Grows and never shrinks, so that what a kernel reads past the end is always there.
+template <class T>
+void make_room(std::vector<T>& buffer, std::size_t size) {
+  if (buffer.size() < padded(size)) buffer.resize(padded(size));
+}
+
+}  // namespace
+
+void FbmRows::start(const Fbm& fbm, std::span<const std::int64_t> xs) {
+  fbm_ = fbm;
+  count_ = 0;
+  while (static_cast<int>(count_) < fbm.octaves && fbm.has_octave(static_cast<int>(count_))) ++count_;
+  if (octaves_.size() < count_) octaves_.resize(count_);
+  shares_.resize(count_);
+  make_room(noise_, xs.size());
+  make_room(gradients_, 4 * padded(xs.size()));
+  const double all_weights = 2.0 - 2.0 / static_cast<double>(std::int64_t{1} << fbm.octaves);
+  for (std::size_t i = 0; i < count_; ++i) {
+    const int k = static_cast<int>(i);
+    Octave& octave = octaves_[i];
+    octave.seed = derived_seed(fbm.seed, i);
+    octave.weight = static_cast<float>(1.0 / (static_cast<double>(std::int64_t{1} << k) * all_weights));
+    octave.z_offset = offset_of(octave.seed, Axis::z, fbm.period);
+    octave.z = 0;
+    octave.cell = floor_div(octave.z_offset, fbm.period);
+    octave.inside = floor_mod(octave.z_offset, fbm.period);
+    octave.drawn = false;
+    locate_columns(octave, k, xs);
+  }
+}
+
+void FbmRows::locate_columns(Octave& octave, int k, std::span<const std::int64_t> xs) const {
+  LatticeColumns& columns = octave.columns;
+  columns.width = xs.size();
+  columns.runs = 0;
+  make_room(columns.t, xs.size());
+  make_room(columns.faded, xs.size());
+  make_room(columns.run, xs.size());
+  make_room(columns.west_hash, xs.size());
+  make_room(columns.east_hash, xs.size());
+  for (LatticeLine& line : octave.lines) {
+    make_room(line.value, xs.size());
+    make_room(line.slope, xs.size());
+  }
+  const std::int64_t offset = offset_of(octave.seed, Axis::x, fbm_.period);
+  const float reciprocal = 1.0F / static_cast<float>(fbm_.period);
+  std::int64_t cell = 0;
+  std::int64_t inside = 0;
+  std::int64_t run_cell = 0;
+  std::int64_t previous = 0;
+  for (std::size_t i = 0; i < xs.size(); ++i) {
+    const std::int64_t position = position_of(xs[i], k, offset);
+    step_to(position - previous, fbm_.period, cell, inside);
+    previous = position;
+    if (i == 0 || cell != run_cell) {
+      const bool adjoins = i > 0 && cell == run_cell + 1;
+      columns.west_hash[columns.runs] =
+          adjoins ? columns.east_hash[columns.runs - 1] : axis_hash(octave.seed, Axis::x, cell);
+      columns.east_hash[columns.runs] = axis_hash(octave.seed, Axis::x, cell + 1);
+      run_cell = cell;
+      ++columns.runs;
+    }
+    columns.run[i] = static_cast<std::int32_t>(columns.runs - 1);
+    columns.t[i] = static_cast<float>(inside) * reciprocal;
+  }
+  for (std::size_t i = 0; i < xs.size(); ++i) columns.faded[i] = fade(columns.t[i]);
+  // Lanes past the end belong to the last run, so that they stay within a vector of it.
+  std::fill(columns.run.begin() + static_cast<std::ptrdiff_t>(xs.size()), columns.run.end(),
+            static_cast<std::int32_t>(columns.runs) - 1);
+}
+
+void FbmRows::draw(const Octave& octave, std::int64_t lattice_z, LatticeLine& line) {
+  const std::uint32_t hash = axis_hash(octave.seed, Axis::z, lattice_z);
+  kernels_->draw_line(octave.columns, (hash << 16) | (hash >> 16), octave.weight, gradients_.data(), line);
+}
+
+void FbmRows::move_to(Octave& octave, int k, std::int64_t z) {
+  const std::int64_t before = octave.cell;
+  step_to((z - octave.z) * (std::int64_t{1} << k), fbm_.period, octave.cell, octave.inside);
+  octave.z = z;
+  if (octave.drawn && octave.cell == before) return;
+  if (octave.drawn && octave.cell == before + 1) {
+    std::swap(octave.lines[0], octave.lines[1]);
+  } else {
+    draw(octave, octave.cell, octave.lines[0]);
+  }
+  draw(octave, octave.cell + 1, octave.lines[1]);
+  octave.drawn = true;
+}
+
+const float* FbmRows::row(std::int64_t z, std::size_t first, std::size_t last) {
+  const float reciprocal = 1.0F / static_cast<float>(fbm_.period);
+  for (std::size_t i = 0; i < count_; ++i) {
+    Octave& octave = octaves_[i];
+    move_to(octave, static_cast<int>(i), z);
+    const float v = static_cast<float>(octave.inside) * reciprocal;
+    const float f = fade(v);
+    shares_[i] = {octave.lines[0].value.data(),
+                  octave.lines[0].slope.data(),
+                  octave.lines[1].value.data(),
+                  octave.lines[1].slope.data(),
+                  1.0F - f,
+                  (1.0F - f) * v,
+                  f,
+                  f * (v - 1.0F)};
+  }
+  kernels_->blend(shares_.data(), count_, first, last, noise_.data());
+  return noise_.data();
+}
+
+}  // namespace talus::terrain

@@ -1,0 +1,98 @@
+#include "columns.h"
+
+#include <talus/voxel/coords.h>
+
+#include "instruction_set.h"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "kernels/columns.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
+#include "vectors-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace talus::terrain::HWY_NAMESPACE {
+namespace {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+using Ints = hn::ScalableTag<std::int32_t>;
+
+void slope(const std::int32_t* north, const std::int32_t* own, const std::int32_t* south, std::size_t width,
+           std::int32_t* out) {
+  over_row(Ints{}, width, [=](auto d, std::size_t x) HWY_ATTR {
+    // The greatest difference is toward the lowest or the highest of the nine.
+    const auto height = hn::LoadU(d, own + x + 1);
+    auto low = height;
+    auto high = height;
+    for (const std::int32_t* row : {north + x, own + x, south + x}) {
+      const auto west = hn::LoadU(d, row);
+      const auto middle = hn::LoadU(d, row + 1);
+      const auto east = hn::LoadU(d, row + 2);
+      low = hn::Min(low, hn::Min(hn::Min(west, middle), east));
+      high = hn::Max(high, hn::Max(hn::Max(west, middle), east));
+    }
+    hn::StoreU(hn::Max(hn::Sub(height, low), hn::Sub(high, height)), d, out + x);
+  });
+}
+
+bool raise(const float* noise, std::size_t width, const LayerShape& shape, const std::int32_t* surface,
+           const std::int32_t* below, std::int32_t* top) {
+  bool full = true;
+  over_row(hn::ScalableTag<float>{}, width, [&, shape](auto f, std::size_t x) HWY_ATTR {
+    const hn::RebindToSigned<decltype(f)> d;
+    const auto swell = hn::Add(hn::Set(f, 1.0F), hn::Mul(hn::Set(f, shape.swing), hn::LoadU(f, noise + x)));
+    const auto thickness = hn::Mul(hn::Set(f, shape.mean_fx), hn::Max(hn::Zero(f), swell));
+    const auto rise = round_to_even(f, hn::Min(thickness, hn::Set(f, shape.most_fx)));
+    const auto most = hn::LoadU(d, surface + x);
+    const auto reached = hn::Add(hn::LoadU(d, below + x), rise);
+    full = hn::AllFalse(d, hn::Lt(reached, most)) && full;
+    hn::StoreU(hn::Min(reached, most), d, top + x);
+  });
+  return full;
+}
+
+void cut(const std::int32_t* top, std::size_t width, std::int32_t floor_row, std::uint8_t* rows) {
+  over_row(Ints{}, width, [=](auto d, std::size_t x) HWY_ATTR {
+    const auto row = hn::ShiftRight<8>(hn::Add(hn::LoadU(d, top + x), hn::Set(d, 127)));
+    const auto above = hn::Sub(row, hn::Set(d, floor_row));
+    const auto kept = hn::Min(hn::Max(above, hn::Zero(d)), hn::Set(d, kChunkSize));
+    const hn::Rebind<std::uint8_t, decltype(d)> bytes;
+    hn::StoreU(hn::DemoteTo(bytes, kept), bytes, rows + x);
+  });
+}
+
+template <class Cell>
+void lower(const std::int32_t* top, const Cell* thickness, std::size_t width, std::int32_t* lowered) {
+  over_row(Ints{}, width, [=](auto d, std::size_t x) HWY_ATTR {
+    const hn::Rebind<Cell, decltype(d)> cells;
+    const auto thick = hn::LoadU(cells, thickness + x);
+    const auto below = [&] {
+      if constexpr (sizeof(Cell) == sizeof(std::int32_t)) {
+        return hn::Sub(hn::LoadU(d, top + x), thick);
+      } else {
+        return hn::Sub(hn::LoadU(d, top + x), hn::PromoteTo(d, thick));
+      }
+    }();
+    hn::StoreU(hn::Max(below, hn::Zero(d)), d, lowered + x);
+  });
+}
+
+}  // namespace
+
+constexpr ColumnKernels kColumns{slope, raise, cut, lower<std::int16_t>, lower<std::int32_t>};
+
+}  // namespace talus::terrain::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace talus::terrain {
+
+const ColumnKernels& column_kernels(InstructionSet set) {
+  static constexpr const ColumnKernels* kTables[] = TALUS_TABLES(kColumns);
+  return *kTables[static_cast<std::size_t>(set)];
+}
+
+}  // namespace talus::terrain
+#endif

@@ -1,0 +1,24 @@
+// Which instruction set a kernel table is taken for.
+#pragma once
+
+#include <talus/terrain/kernels.h>
+
+// Each kernel source is compiled once for every set below (Highway's foreach_target); a table exists for
+// those that this compiler can make. Highway gives code for the compiler's own baseline whatever it is.
+#undef HWY_DISABLED_TARGETS
+#define HWY_DISABLED_TARGETS (HWY_SSSE3 | HWY_AVX3_DL)
+
+namespace talus::terrain {
+
+/// Elements that kernels may touch past the end of the buffers that they call padded: a vector's worth.
+inline constexpr std::size_t kPadding = 32;
+
+[[nodiscard]] constexpr std::size_t padded(std::size_t size) {
+  return (size + kPadding - 1) / kPadding * kPadding + kPadding;
+}
+
+}  // namespace talus::terrain
+
+// The address of a table for each InstructionSet, null where this build has none. To be used where HWY_ONCE.
+#define TALUS_TABLES(table) \
+  { HWY_CHOOSE_FALLBACK(table), HWY_CHOOSE_SSE4(table), HWY_CHOOSE_AVX2(table), HWY_CHOOSE_AVX3(table) }

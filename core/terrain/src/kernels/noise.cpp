@@ -1,0 +1,147 @@
+#include "noise.h"
+
+#include "instruction_set.h"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "kernels/noise.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
+#include "vectors-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace talus::terrain::HWY_NAMESPACE {
+namespace {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+using Floats = hn::ScalableTag<float>;
+using Words = hn::RebindToUnsigned<Floats>;
+using Ints = hn::RebindToSigned<Floats>;
+
+// 16 directions of length sqrt(2), so that the noise spans -1 to 1; turned by half a step, so that none
+// lies along an axis or a diagonal, where the eye would find the lattice. The top two bits of a hash are the
+// quadrant, the next two the direction in it: of four magnitudes, sqrt(2) times the cosine of 11.25, 33.75,
+// 56.25 and 78.75 degrees, one is x and its complement z, the other way round in every second quadrant.
+HWY_ALIGN constexpr float kMagnitudes[4] = {1.38703985F, 1.17587560F, 0.78569496F, 0.27589938F};
+
+HWY_INLINE hn::Vec<Words> magnitude(hn::Vec<Words> index) {
+#if HWY_TARGET == HWY_SCALAR
+  return hn::BitCast(Words{}, hn::Set(Floats{}, kMagnitudes[hn::GetLane(index)]));
+#else
+  // Four byte indices a lane: 4 k + 3, 4 k + 2, 4 k + 1, 4 k for magnitude k.
+  const auto bytes = hn::Add(hn::Mul(index, hn::Set(Words{}, 0x04040404U)), hn::Set(Words{}, 0x03020100U));
+  return hn::TableLookupBytes(hn::BitCast(Words{}, hn::LoadDup128(Floats{}, kMagnitudes)), bytes);
+#endif
+}
+
+void draw_gradients(const std::uint32_t* hashes, std::size_t count, std::uint32_t z_hash, float* xs,
+                    float* zs) {
+  const Floats f;
+  const Words w;
+  const auto sign = hn::Set(w, 0x80000000U);
+  for (std::size_t i = 0; i < count; i += hn::Lanes(f)) {
+    auto hash = hn::Xor(hn::LoadU(w, hashes + i), hn::Set(w, z_hash));
+    hash = hn::Mul(hn::Xor(hash, hn::ShiftRight<16>(hash)), hn::Set(w, 0x7FEB352DU));
+    hash = hn::Mul(hn::Xor(hash, hn::ShiftRight<15>(hash)), hn::Set(w, 0x846CA68BU));
+    hash = hn::Xor(hash, hn::ShiftRight<16>(hash));
+    const auto second = hn::ShiftLeft<1>(hash);
+    const auto turned = hn::And(hn::Sub(hn::Zero(w), hn::ShiftRight<31>(second)), hn::Set(w, 3));
+    const auto chosen = hn::Xor(hn::And(hn::ShiftRight<28>(hash), hn::Set(w, 3)), turned);
+    const auto x = magnitude(chosen);
+    const auto z = magnitude(hn::Xor(chosen, hn::Set(w, 3)));
+    hn::StoreU(hn::BitCast(f, hn::Xor(x, hn::And(hn::Xor(hash, second), sign))), f, xs + i);
+    hn::StoreU(hn::BitCast(f, hn::Xor(z, hn::And(hash, sign))), f, zs + i);
+  }
+}
+
+void draw_line(const LatticeColumns& columns, std::uint32_t z_hash, float weight, float* gradients,
+               LatticeLine& line) {
+  const Floats f;
+  const Ints ints;
+  const std::size_t stride = padded(columns.runs);
+  float* const west_x = gradients;
+  float* const west_z = gradients + stride;
+  float* const east_x = gradients + 2 * stride;
+  float* const east_z = gradients + 3 * stride;
+  draw_gradients(columns.west_hash.data(), columns.runs, z_hash, west_x, west_z);
+  draw_gradients(columns.east_hash.data(), columns.runs, z_hash, east_x, east_z);
+  const auto w = hn::Set(f, weight);
+  const auto one = hn::Set(f, 1.0F);
+  for (std::size_t i = 0; i < columns.width; i += hn::Lanes(f)) {
+    // A vector of columns meets at most as many runs as it has lanes: they are loaded and spread.
+    const std::int32_t first = columns.run[i];
+    const auto lanes =
+        hn::IndicesFromVec(f, hn::Sub(hn::LoadU(ints, columns.run.data() + i), hn::Set(ints, first)));
+    const auto spread = [&](const float* of_runs) {
+      return hn::TableLookupLanes(hn::LoadU(f, of_runs + first), lanes);
+    };
+    const auto t = hn::LoadU(f, columns.t.data() + i);
+    const auto faded = hn::LoadU(f, columns.faded.data() + i);
+    const auto lerp = [&](auto a, auto b) { return hn::Add(a, hn::Mul(faded, hn::Sub(b, a))); };
+    const auto value = lerp(hn::Mul(spread(west_x), t), hn::Mul(spread(east_x), hn::Sub(t, one)));
+    const auto slope = lerp(spread(west_z), spread(east_z));
+    hn::StoreU(hn::Mul(w, value), f, line.value.data() + i);
+    hn::StoreU(hn::Mul(w, slope), f, line.slope.data() + i);
+  }
+}
+
+/// kVectors vectors of columns at once, so that an octave's shares are spread over them once.
+template <std::size_t kVectors>
+void blend_block(const OctaveRow* octaves, std::size_t count, std::size_t at, float* out) {
+  const Floats f;
+  hn::Vec<Floats> sums[kVectors];
+  for (auto& sum : sums) sum = hn::Zero(f);
+  for (const OctaveRow* octave = octaves; octave != octaves + count; ++octave) {
+    const auto value_0_share = hn::Set(f, octave->value_0_share);
+    const auto slope_0_share = hn::Set(f, octave->slope_0_share);
+    const auto value_1_share = hn::Set(f, octave->value_1_share);
+    const auto slope_1_share = hn::Set(f, octave->slope_1_share);
+    for (std::size_t v = 0; v < kVectors; ++v) {
+      const std::size_t i = at + v * hn::Lanes(f);
+      const auto line_0 = hn::Add(hn::Mul(hn::LoadU(f, octave->value_0 + i), value_0_share),
+                                  hn::Mul(hn::LoadU(f, octave->slope_0 + i), slope_0_share));
+      const auto line_1 = hn::Add(hn::Mul(hn::LoadU(f, octave->value_1 + i), value_1_share),
+                                  hn::Mul(hn::LoadU(f, octave->slope_1 + i), slope_1_share));
+      sums[v] = hn::Add(sums[v], hn::Add(line_0, line_1));
+    }
+  }
+  for (std::size_t v = 0; v < kVectors; ++v) hn::StoreU(sums[v], f, out + at + v * hn::Lanes(f));
+}
+
+void blend(const OctaveRow* octaves, std::size_t count, std::size_t first, std::size_t last, float* out) {
+  const std::size_t lanes = hn::Lanes(Floats{});
+  std::size_t i = first;
+  for (; i + 3 * lanes < last; i += 4 * lanes) blend_block<4>(octaves, count, i, out);
+  for (; i < last; i += lanes) blend_block<1>(octaves, count, i, out);
+}
+
+void shape(const float* noise, std::size_t width, float gain, int exponent, float highest_fx,
+           std::int32_t* heights_fx) {
+  over_row(Floats{}, width, [=](auto f, std::size_t i) HWY_ATTR {
+    const auto raised = hn::Add(hn::Set(f, 0.5F), hn::Mul(hn::Set(f, gain), hn::LoadU(f, noise + i)));
+    const auto level = hn::Min(hn::Max(raised, hn::Zero(f)), hn::Set(f, 1.0F));
+    auto power = level;
+    for (int e = 1; e < exponent; ++e) power = hn::Mul(power, level);
+    const hn::RebindToSigned<decltype(f)> ints;
+    hn::StoreU(round_to_even(f, hn::Mul(power, hn::Set(f, highest_fx))), ints, heights_fx + i);
+  });
+}
+
+}  // namespace
+
+constexpr NoiseKernels kNoise{draw_line, blend, shape};
+
+}  // namespace talus::terrain::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace talus::terrain {
+
+const NoiseKernels& noise_kernels(InstructionSet set) {
+  static constexpr const NoiseKernels* kTables[] = TALUS_TABLES(kNoise);
+  return *kTables[static_cast<std::size_t>(set)];
+}
+
+}  // namespace talus::terrain
+#endif

@@ -1,0 +1,232 @@
+#include "settle.h"
+
+#include <algorithm>
+
+#include "instruction_set.h"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "kernels/settle.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
+#include "vectors-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace talus::terrain::HWY_NAMESPACE {
+namespace {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+enum class Direction { east, west };
+
+template <class Cell>
+Cell capped(std::int64_t value) {
+  return static_cast<Cell>(std::min<std::int64_t>(value, kUnbounded<Cell>));
+}
+
+#if HWY_TARGET == HWY_SCALAR
+/// The running minimum of a row: every cell at most `repose` above the one before, along one direction.
+template <class Cell, Direction kDirection>
+class RunningMinimum {
+ public:
+  using Cells = hn::ScalableTag<Cell>;
+  using Vec = hn::Vec<Cells>;
+
+  explicit RunningMinimum(std::int32_t repose)
+      : step_{hn::Set(Cells{}, capped<Cell>(repose))}, carried_{hn::Set(Cells{}, kUnbounded<Cell>)} {}
+  void begin_row() { carried_ = hn::Set(Cells{}, kUnbounded<Cell>); }
+  Vec next(Vec v) { return carried_ = hn::Min(v, plus(carried_, step_)); }
+  static Vec plus(Vec a, Vec b) {
+    if constexpr (sizeof(Cell) == 2) {
+      return hn::SaturatedAdd(a, b);
+    } else {
+      return hn::Add(a, b);
+    }
+  }
+
+ private:
+  Vec step_;
+  Vec carried_;
+};
+#else
+/// The same in vectors: within blocks of 16 bytes by doubling steps, from block to block likewise, and from
+/// vector to vector by what is carried.
+template <class Cell, Direction kDirection>
+class RunningMinimum {
+ public:
+  using Cells = hn::ScalableTag<Cell>;
+  using Vec = hn::Vec<Cells>;
+
+  HWY_INLINE explicit RunningMinimum(std::int32_t repose)
+      : step_1_{steps(repose, 1)},
+        step_2_{steps(repose, 2)},
+        step_4_{steps(repose, 4)},
+        whole_vector_{steps(repose, kLanes)},
+        unbounded_{hn::Set(Cells{}, kUnbounded<Cell>)},
+        from_vector_{distances(repose, kLanes, 0)},
+        from_block_{distances(repose, kBlockLanes, 0)},
+        from_second_block_{distances(repose, kBlockLanes, kBlockLanes)},
+        carried_{unbounded_} {}
+
+  HWY_INLINE void begin_row() { carried_ = unbounded_; }
+
+  /// The next vector of the row, in the order of the direction.
+  HWY_INLINE Vec next(Vec v) {
+    v = hn::Min(v, plus(shifted<1>(v), step_1_));
+    v = hn::Min(v, plus(shifted<2>(v), step_2_));
+    if constexpr (kBlockLanes == 8) v = hn::Min(v, plus(shifted<4>(v), step_4_));
+    if constexpr (kBlocks > 1) v = hn::Min(v, plus(blocks_before<1>(last_of_blocks(v)), from_block_));
+    if constexpr (kBlocks > 2) v = hn::Min(v, plus(blocks_before<2>(last_of_blocks(v)), from_second_block_));
+    const Vec lowered = hn::Min(v, plus(carried_, from_vector_));
+    carried_ = hn::Min(last_of_vector(last_of_blocks(v)), plus(carried_, whole_vector_));
+    return lowered;
+  }
+
+  static HWY_INLINE Vec plus(Vec a, Vec b) {
+    if constexpr (sizeof(Cell) == 2) {
+      return hn::SaturatedAdd(a, b);
+    } else {
+      return hn::Add(a, b);
+    }
+  }
+
+ private:
+  using Words = hn::Repartition<std::int32_t, Cells>;
+  static constexpr int kLanes = static_cast<int>(hn::MaxLanes(Cells{}));
+  static constexpr int kBlockLanes = 16 / static_cast<int>(sizeof(Cell));
+  static constexpr int kBlocks = kLanes / kBlockLanes;
+
+  static HWY_INLINE Vec steps(std::int32_t repose, std::int32_t count) {
+    return hn::Set(Cells{}, capped<Cell>(std::int64_t{repose} * count));
+  }
+  /// Lane i of each `group` lanes, in the direction, lies i + 1 steps from the group before it, and that
+  /// `further`.
+  static HWY_INLINE Vec distances(std::int32_t repose, int group, int further) {
+    HWY_ALIGN Cell lanes[hn::MaxLanes(Cells{})];
+    for (int i = 0; i < kLanes; ++i) {
+      const int place = kDirection == Direction::east ? i : kLanes - 1 - i;
+      lanes[i] = capped<Cell>(std::int64_t{place % group + 1 + further} * repose);
+    }
+    return hn::Load(Cells{}, lanes);
+  }
+  /// Each lane takes the one that comes kCount before it in its block of 16 bytes.
+  template <int kCount>
+  HWY_INLINE Vec shifted(Vec v) const {
+    constexpr int kBytes = kCount * static_cast<int>(sizeof(Cell));
+    if constexpr (kDirection == Direction::east) {
+      return hn::CombineShiftRightBytes<16 - kBytes>(Cells{}, v, unbounded_);
+    } else {
+      return hn::CombineShiftRightBytes<kBytes>(Cells{}, unbounded_, v);
+    }
+  }
+  static HWY_INLINE Vec last_of_blocks(Vec v) {
+    return hn::Broadcast < kDirection == Direction::east ? kBlockLanes - 1 : 0 > (v);
+  }
+  /// Each block takes the one that comes kCount before it.
+  template <int kCount>
+  HWY_INLINE Vec blocks_before(Vec v) const {
+    if constexpr (2 * kCount == kBlocks) {
+      if constexpr (kDirection == Direction::east) {
+        return hn::ConcatLowerLower(Cells{}, v, unbounded_);
+      } else {
+        return hn::ConcatUpperUpper(Cells{}, unbounded_, v);
+      }
+    } else {
+      const Words words;
+      const auto lane = hn::Iota(words, 0);
+      const auto offset = hn::Set(words, 4 * kCount);
+      const auto from = kDirection == Direction::east ? hn::Sub(lane, offset) : hn::Add(lane, offset);
+      const auto exists =
+          hn::And(hn::Gt(from, hn::Set(words, -1)), hn::Lt(from, hn::Set(words, 4 * kBlocks)));
+      const auto taken = hn::TableLookupLanes(hn::BitCast(words, v),
+                                              hn::IndicesFromVec(words, hn::IfThenElseZero(exists, from)));
+      return hn::BitCast(Cells{}, hn::IfThenElse(exists, taken, hn::BitCast(words, unbounded_)));
+    }
+  }
+  /// The last block of what last_of_blocks gives, everywhere.
+  static HWY_INLINE Vec last_of_vector(Vec last) {
+    if constexpr (kBlocks == 1) {
+      return last;
+    } else {
+      const Words words;
+      const auto from = hn::Set(words, kDirection == Direction::east ? 4 * kBlocks - 1 : 0);
+      return hn::BitCast(Cells{},
+                         hn::TableLookupLanes(hn::BitCast(words, last), hn::IndicesFromVec(words, from)));
+    }
+  }
+
+  Vec step_1_, step_2_, step_4_, whole_vector_, unbounded_, from_vector_, from_block_, from_second_block_;
+  Vec carried_;
+};
+#endif
+
+/// own = min(own, smallest of the three cells beside it in `other` + repose), then the running minimum.
+template <class Cell, Direction kDirection>
+HWY_INLINE void settle_row(Cell* own, const Cell* other, std::size_t width, std::int32_t repose,
+                           RunningMinimum<Cell, kDirection>& minimum) {
+  using Minimum = RunningMinimum<Cell, kDirection>;
+  const typename Minimum::Cells d;
+  const auto step = hn::Set(d, capped<Cell>(repose));
+  minimum.begin_row();
+  const std::size_t vectors = (width + hn::Lanes(d) - 1) / hn::Lanes(d);
+  for (std::size_t v = 0; v < vectors; ++v) {
+    const std::size_t x = (kDirection == Direction::east ? v : vectors - 1 - v) * hn::Lanes(d);
+    const auto beside =
+        hn::Min(hn::Min(hn::LoadU(d, other + x - 1), hn::LoadU(d, other + x)), hn::LoadU(d, other + x + 1));
+    const auto lowered = hn::Min(hn::LoadU(d, own + x), Minimum::plus(beside, step));
+    hn::StoreU(minimum.next(lowered), d, own + x);
+  }
+}
+
+template <class Cell>
+void settle(const PaddedRows<Cell>& rows, std::int32_t repose) {
+  RunningMinimum<Cell, Direction::east> eastward{repose};
+  for (std::size_t z = 0; z < rows.depth; ++z) {
+    settle_row(rows.row(z), rows.row(z) - rows.stride, rows.width, repose, eastward);
+  }
+  RunningMinimum<Cell, Direction::west> westward{repose};
+  for (std::size_t z = rows.depth; z-- > 0;) {
+    settle_row(rows.row(z), rows.row(z) + rows.stride, rows.width, repose, westward);
+  }
+}
+
+// The quotient in doubles: t * room is exact below 2^53 and a quotient that is no integer lies at least 1 / S
+// from the next one, so half a unit more in the numerator leaves rounding no way past it.
+template <class Cell>
+void start(const std::int32_t* slope, std::size_t width, std::int32_t thickness_fx, std::int32_t max_slope_fx,
+           Cell* cells) {
+  const double thickness = thickness_fx;
+  const double part = 1.0 / max_slope_fx;
+  over_row(hn::ScalableTag<double>{}, width, [=](auto d, std::size_t i) HWY_ATTR {
+    const hn::Rebind<std::int32_t, decltype(d)> ints;
+    const auto steepness = hn::Min(hn::LoadU(ints, slope + i), hn::Set(ints, max_slope_fx));
+    const auto room = hn::PromoteTo(d, hn::Sub(hn::Set(ints, max_slope_fx), steepness));
+    const auto product = hn::Add(hn::Mul(room, hn::Set(d, thickness)), hn::Set(d, 0.5));
+    const auto quotient = hn::DemoteTo(ints, hn::Mul(product, hn::Set(d, part)));
+    const hn::Rebind<Cell, decltype(d)> out;
+    if constexpr (sizeof(Cell) == sizeof(std::int32_t)) {
+      hn::StoreU(quotient, out, cells + i);
+    } else {
+      hn::StoreU(hn::DemoteTo(out, quotient), out, cells + i);
+    }
+  });
+}
+
+}  // namespace
+
+constexpr SettleKernels kSettle{start<std::int16_t>, start<std::int32_t>, settle<std::int16_t>,
+                                settle<std::int32_t>};
+
+}  // namespace talus::terrain::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace talus::terrain {
+
+const SettleKernels& settle_kernels(InstructionSet set) {
+  static constexpr const SettleKernels* kTables[] = TALUS_TABLES(kSettle);
+  return *kTables[static_cast<std::size_t>(set)];
+}
+
+}  // namespace talus::terrain
+#endif

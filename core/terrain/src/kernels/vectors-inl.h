@@ -1,0 +1,44 @@
+// What the kernels of every instruction set share. Included once for each, hence no include guard but this:
+#if defined(TALUS_VECTORS_INL) == defined(HWY_TARGET_TOGGLE)
+#ifdef TALUS_VECTORS_INL
+#undef TALUS_VECTORS_INL
+#else
+#define TALUS_VECTORS_INL
+#endif
+
+#include <cstddef>
+
+#include <hwy/highway.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace talus::terrain::HWY_NAMESPACE {
+namespace {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+/// Calls body(tag, i) for vectors that cover [0, width), touching nothing past it: the last vector may
+/// overlap the one before, so that body must give the same when it runs twice.
+template <class Tag, class Body>
+HWY_INLINE void over_row(Tag tag, std::size_t width, const Body& body) {
+  const std::size_t lanes = hn::Lanes(tag);
+  if (width < lanes) {
+    for (std::size_t i = 0; i < width; ++i) body(hn::CappedTag<hn::TFromD<Tag>, 1>{}, i);
+    return;
+  }
+  std::size_t i = 0;
+  for (; i + lanes <= width; i += lanes) body(tag, i);
+  if (i < width) body(tag, width - lanes);
+}
+
+/// To the nearest integer, ties to even, for 0 <= value <= 2^23: rounding.h, in vectors.
+template <class Tag>
+HWY_INLINE auto round_to_even(Tag tag, hn::Vec<Tag> value) {
+  const auto no_fraction = hn::Set(tag, 8388608.0F);
+  return hn::ConvertTo(hn::RebindToSigned<Tag>{}, hn::Sub(hn::Add(value, no_fraction), no_fraction));
+}
+
+}  // namespace
+}  // namespace talus::terrain::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif

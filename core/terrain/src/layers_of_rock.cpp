@@ -1,0 +1,71 @@
+#include "layers_of_rock.h"
+
+#include <algorithm>
+
+#include <talus/terrain/strata.h>
+
+namespace talus::terrain {
+namespace {
+
+// Columns that are looked at together: ground which is already full pays for no more layers.
+constexpr std::size_t kSegment = 32;
+
+LayerShape shape_of(const World& world, const StratumSpec& layer) {
+  // Nothing reaches past the highest surface, so a thicker layer may stop there without a difference.
+  return {static_cast<float>(static_cast<double>(layer.thickness_q16) * world.spec().resolution * kSubvoxels /
+                             65536.0),
+          static_cast<float>(2.0 * layer.roughness), static_cast<float>(world.highest_fx())};
+}
+
+}  // namespace
+
+void LayersOfRock::lay(std::span<const std::int64_t> xs, std::span<const std::int64_t> zs,
+                       const Field& limit_fx, Extent extent, Planes& planes) {
+  const std::size_t width = xs.size();
+  ground_.values.assign(limit_fx.values.size(), 0);
+  open_.assign(zs.size(), {0, width});
+  bool full = false;
+  for (std::size_t j = 0; j < world_.strata().size(); ++j) {
+    if (full && extent == Extent::until_full) return;
+    const StratumSpec& layer = world_.strata()[j];
+    const bool joins = !planes.empty() && planes.top_material() == layer.material;
+    if (joins) std::swap(ground_, planes.top());
+    Field& top = joins ? planes.top() : planes.add(layer.material);
+    top.reshape(limit_fx.width, limit_fx.depth);
+    const bool fills = j + 1 == world_.strata().size();
+    if (full || fills) {
+      std::copy(limit_fx.values.begin(), limit_fx.values.end(), top.values.begin());
+      full = true;
+      continue;
+    }
+    // A layer lies on the plane below its own, or on what its own was before.
+    const Field& below = joins || planes.count() == 1 ? ground_ : planes.below_top();
+    noise_.start(layer_noise(world_.spec(), layer.roughness, j), xs);
+    const LayerShape shape = shape_of(world_, layer);
+    full = true;
+    for (std::size_t z = 0; z < zs.size(); ++z) {
+      const std::size_t row = z * width;
+      raise_row(zs[z], shape, limit_fx.values.data() + row, below.values.data() + row,
+                top.values.data() + row, width, open_[z]);
+      full = full && open_[z].none();
+    }
+  }
+}
+
+void LayersOfRock::raise_row(std::int64_t z, const LayerShape& shape, const std::int32_t* limit,
+                             const std::int32_t* below, std::int32_t* top, std::size_t width, Open& open) {
+  std::copy(limit, limit + open.first, top);
+  std::copy(limit + open.last, limit + width, top + open.last);
+  if (open.none()) return;
+  const float* noise = noise_.row(z, open.first, open.last);
+  Open still{};
+  for (std::size_t x = open.first; x < open.last; x += kSegment) {
+    const std::size_t count = std::min(kSegment, open.last - x);
+    if (kernels_.raise(noise + x, count, shape, limit + x, below + x, top + x)) continue;
+    if (still.none()) still.first = x;
+    still.last = x + count;
+  }
+  open = still;
+}
+
+}  // namespace talus::terrain

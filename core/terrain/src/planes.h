@@ -1,0 +1,46 @@
+// A list of planes that is filled anew for region after region.
+#pragma once
+
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+#include <talus/terrain/field.h>
+#include <talus/voxel/material.h>
+
+namespace talus::terrain {
+
+/// Empties `tops` and `materials` and adds to them, with fields from `spare`, to which the fields of earlier
+/// regions go.
+class Planes {
+ public:
+  Planes(std::vector<MaterialId>& materials, std::vector<Field>& tops, std::vector<Field>& spare)
+      : materials_{materials}, tops_{tops}, spare_{spare} {
+    for (Field& top : tops_) spare_.push_back(std::move(top));
+    tops_.clear();
+    materials_.clear();
+  }
+
+  [[nodiscard]] bool empty() const { return tops_.empty(); }
+  [[nodiscard]] std::size_t count() const { return tops_.size(); }
+  [[nodiscard]] MaterialId top_material() const { return materials_.back(); }
+  [[nodiscard]] Field& top() { return tops_.back(); }
+  /// The plane under the top one.
+  [[nodiscard]] const Field& below_top() const { return tops_[tops_.size() - 2]; }
+
+  /// A plane on top of all; its size and values are those of what it was before.
+  Field& add(MaterialId material) {
+    materials_.push_back(material);
+    if (spare_.empty()) return tops_.emplace_back();
+    tops_.push_back(std::move(spare_.back()));
+    spare_.pop_back();
+    return tops_.back();
+  }
+
+ private:
+  std::vector<MaterialId>& materials_;
+  std::vector<Field>& tops_;
+  std::vector<Field>& spare_;
+};
+
+}  // namespace talus::terrain

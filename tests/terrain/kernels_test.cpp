@@ -1,0 +1,164 @@
+// The kernels of every instruction set that this processor has give the bits of the scalar ones.
+#include <rapidcheck.h>
+#include <catch2/catch.hpp>
+
+#include <cstring>
+#include <vector>
+
+#include <talus/terrain/kernels.h>
+
+#include "fbm_rows.h"
+#include "kernels/columns.h"
+#include "loose_cells.h"
+
+namespace talus::terrain {
+namespace {
+
+std::vector<InstructionSet> vector_sets() {
+  std::vector<InstructionSet> sets;
+  for (const auto set : {InstructionSet::sse4, InstructionSet::avx2, InstructionSet::avx512}) {
+    if (runs_here(set)) sets.push_back(set);
+  }
+  return sets;
+}
+
+rc::Gen<std::int64_t> any_column() {
+  constexpr std::int64_t kFar = std::int64_t{1} << 36;
+  return rc::gen::oneOf(rc::gen::inRange<std::int64_t>(-300, 300),
+                        rc::gen::inRange<std::int64_t>(-kFar, kFar), rc::gen::just(kFar),
+                        rc::gen::just(-kFar));
+}
+
+std::vector<std::int64_t> any_line() {
+  std::vector<std::int64_t> line{*any_column()};
+  const int count = *rc::gen::inRange(1, 150);
+  const int widest = *rc::gen::element(1, 2, 64);
+  for (int i = 1; i < count; ++i) line.push_back(line.back() + *rc::gen::inRange(1, widest + 1));
+  return line;
+}
+
+Field any_field(int width, int depth, std::int32_t most) {
+  Field field{width, depth};
+  for (std::int32_t& value : field.values) value = *rc::gen::inRange(0, most + 1);
+  return field;
+}
+
+std::vector<float> noise_of(InstructionSet set, const Fbm& fbm, const std::vector<std::int64_t>& xs,
+                            const std::vector<std::int64_t>& zs) {
+  FbmRows rows{set};
+  std::vector<float> all;
+  rows.start(fbm, xs);
+  for (const std::int64_t z : zs) {
+    const float* row = rows.row(z, 0, xs.size());
+    all.insert(all.end(), row, row + xs.size());
+  }
+  return all;
+}
+
+TEST_CASE("Noise has the same bits from every instruction set") {
+  CHECK(rc::check([] {
+    Fbm fbm;
+    fbm.seed = *rc::gen::arbitrary<std::uint64_t>();
+    fbm.period =
+        *rc::gen::oneOf(rc::gen::inRange<std::int64_t>(2, 40), rc::gen::inRange<std::int64_t>(2, 1 << 24));
+    fbm.octaves = *rc::gen::inRange(1, 17);
+    const auto xs = any_line();
+    const auto zs = any_line();
+    const auto scalar = noise_of(InstructionSet::scalar, fbm, xs, zs);
+    for (const InstructionSet set : vector_sets()) {
+      const auto vectors = noise_of(set, fbm, xs, zs);
+      RC_ASSERT(std::memcmp(scalar.data(), vectors.data(), scalar.size() * sizeof(float)) == 0);
+    }
+  }));
+}
+
+TEST_CASE("Surfaces have the same bits from every instruction set, whatever the noise") {
+  CHECK(rc::check([] {
+    std::vector<float> noise;
+    const std::size_t width = *rc::gen::inRange<std::size_t>(1, 100);
+    for (std::size_t i = 0; i < width; ++i) {
+      noise.push_back(static_cast<float>(*rc::gen::inRange(-1000000, 1000001)) * 1e-6F);
+    }
+    const float gain = static_cast<float>(*rc::gen::inRange(0, 1601)) * 0.01F;
+    const int exponent = *rc::gen::inRange(1, 9);
+    const float highest = static_cast<float>(*rc::gen::inRange(1, 8388609));
+    std::vector<std::int32_t> scalar(width);
+    noise_kernels(InstructionSet::scalar).shape(noise.data(), width, gain, exponent, highest, scalar.data());
+    for (const InstructionSet set : vector_sets()) {
+      std::vector<std::int32_t> vectors(width);
+      noise_kernels(set).shape(noise.data(), width, gain, exponent, highest, vectors.data());
+      RC_ASSERT(vectors == scalar);
+    }
+  }));
+}
+
+std::vector<std::int32_t> settled(InstructionSet set, const Field& thickness, std::int32_t repose) {
+  LooseCells cells{set};
+  cells.start(thickness);
+  cells.settle(repose);
+  std::vector<std::int32_t> all;
+  for (int z = 0; z < thickness.depth; ++z) {
+    cells.with_row(z, [&](const auto* row) { all.insert(all.end(), row, row + thickness.width); });
+  }
+  return all;
+}
+
+TEST_CASE("Loose material settles to the same numbers by every instruction set, in 16 bits and in 32") {
+  CHECK(rc::check([] {
+    const std::int32_t most = *rc::gen::element(20, 5000, 32766, 32767, 1 << 20);
+    const Field thickness = any_field(*rc::gen::inRange(1, 140), *rc::gen::inRange(1, 12), most);
+    const std::int32_t repose = *rc::gen::oneOf(rc::gen::inRange(1, 300), rc::gen::inRange(1, 14668));
+    const auto scalar = settled(InstructionSet::scalar, thickness, repose);
+    for (const InstructionSet set : vector_sets()) RC_ASSERT(settled(set, thickness, repose) == scalar);
+  }));
+}
+
+TEST_CASE("The thickness before settling is an exact quotient, by every instruction set") {
+  CHECK(rc::check([] {
+    const std::int32_t most_slope = *rc::gen::inRange(1, 14668);
+    const std::int32_t thickness =
+        *rc::gen::oneOf(rc::gen::inRange(0, (1 << 20) + 1), rc::gen::inRange(0, 32768));
+    const Field slope = any_field(*rc::gen::inRange(1, 70), 1, 2 * most_slope);
+    for (const auto set :
+         {InstructionSet::scalar, InstructionSet::sse4, InstructionSet::avx2, InstructionSet::avx512}) {
+      if (!runs_here(set)) continue;
+      LooseCells cells{set};
+      cells.start(slope, thickness, most_slope);
+      cells.with_row(0, [&](const auto* row) {
+        for (int x = 0; x < slope.width; ++x) {
+          const std::int64_t room = std::max(0, most_slope - slope.at(x, 0));
+          RC_ASSERT(std::int64_t{row[x]} == thickness * room / most_slope);
+        }
+      });
+    }
+  }));
+}
+
+TEST_CASE("Slopes and strata have the same numbers from every instruction set") {
+  CHECK(rc::check([] {
+    const int width = *rc::gen::inRange(1, 70);
+    const auto count = static_cast<std::size_t>(width);
+    const Field heights = any_field(width + 2, 3, 1 << 23);
+    const Field limit = any_field(width, 1, 1 << 23);
+    const Field below = any_field(width, 1, 1 << 22);
+    std::vector<float> noise;
+    for (std::size_t i = 0; i < count; ++i)
+      noise.push_back(static_cast<float>(*rc::gen::inRange(-1000, 1001)) * 1e-3F);
+    const LayerShape shape{static_cast<float>(*rc::gen::inRange(1, 1 << 22)),
+                           static_cast<float>(*rc::gen::inRange(0, 33)), 8388608.0F};
+    const auto all_of = [&](InstructionSet set) {
+      const ColumnKernels& kernels = column_kernels(set);
+      std::vector<std::int32_t> out(2 * count);
+      kernels.slope(heights.row(0).data(), heights.row(1).data(), heights.row(2).data(), count, out.data());
+      const bool full = kernels.raise(noise.data(), count, shape, limit.values.data(), below.values.data(),
+                                      out.data() + count);
+      out.push_back(full ? 1 : 0);
+      return out;
+    };
+    const auto scalar = all_of(InstructionSet::scalar);
+    for (const InstructionSet set : vector_sets()) RC_ASSERT(all_of(set) == scalar);
+  }));
+}
+
+}  // namespace
+}  // namespace talus::terrain
