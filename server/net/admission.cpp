@@ -20,7 +20,7 @@ Admission::Admission(std::size_t most, std::size_t most_per_address)
     : most_{most}, most_per_address_{most_per_address} {}
 
 Admission::Place::Place(Place&& other) noexcept
-    : admission_{std::exchange(other.admission_, nullptr)}, counted_{other.counted_} {}
+    : admission_{std::exchange(other.admission_, nullptr)}, counted_{std::move(other.counted_)} {}
 
 Admission::Place::~Place() {
   if (admission_ != nullptr) admission_->leave(counted_);

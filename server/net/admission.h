@@ -22,7 +22,8 @@ class Admission {
   /// A connection's place; leaving it is giving it back. Must not outlive its Admission.
   class Place {
    public:
-    Place(Admission& admission, asio::ip::address counted) : admission_{&admission}, counted_{counted} {}
+    Place(Admission& admission, const asio::ip::address& counted)
+        : admission_{&admission}, counted_{counted} {}
     Place(Place&& other) noexcept;
     Place& operator=(Place&&) = delete;
     ~Place();

@@ -49,7 +49,7 @@ asio::awaitable<void> say_and_close(std::shared_ptr<Closing> closing) {
 
 }  // namespace
 
-void Refusals::refuse(asio::ip::tcp::socket socket, std::string text) {
+void Refusals::refuse(asio::ip::tcp::socket socket, const std::string& text) {
   if (under_way_.fetch_add(1) >= kMost) {
     --under_way_;
     return;

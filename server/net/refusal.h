@@ -16,7 +16,7 @@ class Refusals {
 
   /// Sends Error{overloaded, text} and closes once the client has had time to read it. Must outlive the
   /// socket's io_context.
-  void refuse(asio::ip::tcp::socket socket, std::string text);
+  void refuse(asio::ip::tcp::socket socket, const std::string& text);
 
  private:
   std::atomic<std::size_t> under_way_{0};

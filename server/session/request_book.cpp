@@ -6,7 +6,7 @@
 namespace talus::server {
 
 void RequestBook::add_chunk(std::uint32_t id, ChunkRequest request) {
-  requests_.emplace(id, Entry{std::move(request), 0, 0});
+  requests_.emplace(id, Entry{request, 0, 0});
   waiting_.push_back(id);
 }
 
