@@ -1,0 +1,99 @@
+// Loose material and noise by every instruction set of this processor: the same bits as by scalar code.
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <cstring>
+#include <span>
+#include <vector>
+
+#include "fbm_rows.h"
+#include "loose_cells.h"
+
+namespace {
+
+using namespace talus::terrain;
+
+/// Numbers out of the input, 0 where it has ended.
+class Input {
+ public:
+  explicit Input(std::span<const std::uint8_t> bytes) : bytes_{bytes} {}
+
+  template <class Number>
+  Number take() {
+    Number number = 0;
+    const std::size_t size = std::min(sizeof(Number), bytes_.size());
+    if (size > 0) std::memcpy(&number, bytes_.data(), size);
+    bytes_ = bytes_.subspan(size);
+    return number;
+  }
+
+ private:
+  std::span<const std::uint8_t> bytes_;
+};
+
+std::vector<std::int32_t> settled(InstructionSet set, const Field& start, std::int32_t repose) {
+  LooseCells cells{set};
+  cells.start(start);
+  cells.settle(repose);
+  std::vector<std::int32_t> all;
+  for (int z = 0; z < start.depth; ++z) {
+    cells.with_row(z, [&](const auto* row) { all.insert(all.end(), row, row + start.width); });
+  }
+  return all;
+}
+
+std::vector<float> noise(InstructionSet set, const Fbm& fbm, const std::vector<std::int64_t>& xs,
+                         std::int64_t first_z) {
+  FbmRows rows{set};
+  rows.start(fbm, xs);
+  std::vector<float> all;
+  for (std::int64_t z = first_z; z < first_z + 4; ++z) {
+    const float* row = rows.row(z, 0, xs.size());
+    all.insert(all.end(), row, row + xs.size());
+  }
+  return all;
+}
+
+void settle_everywhere(Input& input) {
+  Field start{1 + input.take<std::uint8_t>() % 80, 1 + input.take<std::uint8_t>() % 8};
+  const std::int32_t repose = 1 + input.take<std::uint16_t>() % 14667;
+  const std::uint32_t most = input.take<std::uint8_t>() % 2 == 0 ? 0x7FFF : 0x100000;
+  for (std::int32_t& value : start.values) {
+    value = static_cast<std::int32_t>(input.take<std::uint32_t>() % (most + 1));
+  }
+  const auto scalar = settled(InstructionSet::scalar, start, repose);
+  for (const auto set : {InstructionSet::sse4, InstructionSet::avx2, InstructionSet::avx512}) {
+    if (runs_here(set) && settled(set, start, repose) != scalar) std::abort();
+  }
+}
+
+void sample_everywhere(Input& input) {
+  constexpr std::int64_t kFar = std::int64_t{1} << 36;
+  Fbm fbm;
+  fbm.seed = input.take<std::uint64_t>();
+  fbm.period = 2 + input.take<std::uint32_t>() % (1 << 24);
+  fbm.octaves = 1 + input.take<std::uint8_t>() % 16;
+  const std::int64_t z = input.take<std::int64_t>() % kFar;
+  std::vector<std::int64_t> xs{input.take<std::int64_t>() % kFar};
+  const int count = 1 + input.take<std::uint8_t>() % 100;
+  for (int i = 1; i < count; ++i) xs.push_back(xs.back() + 1 + input.take<std::uint8_t>() % 64);
+  const auto scalar = noise(InstructionSet::scalar, fbm, xs, z);
+  for (const auto set : {InstructionSet::sse4, InstructionSet::avx2, InstructionSet::avx512}) {
+    if (!runs_here(set)) continue;
+    const auto vectors = noise(set, fbm, xs, z);
+    if (std::memcmp(scalar.data(), vectors.data(), scalar.size() * sizeof(float)) != 0) std::abort();
+  }
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  Input input{{data, size}};
+  if (input.take<std::uint8_t>() % 2 == 0) {
+    settle_everywhere(input);
+  } else {
+    sample_everywhere(input);
+  }
+  return 0;
+}
