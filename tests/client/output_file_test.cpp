@@ -9,33 +9,12 @@
 
 #include <catch2/catch.hpp>
 
+#include "scratch_directory.h"
+
 namespace talus::cli {
 namespace {
 
 namespace fs = std::filesystem;
-
-class Folder {
- public:
-  Folder() {
-    std::string pattern = (fs::temp_directory_path() / "talus-client-XXXXXX").string();
-    REQUIRE(::mkdtemp(pattern.data()) != nullptr);
-    path_ = pattern;
-  }
-  ~Folder() {
-    std::error_code ignored;
-    fs::remove_all(path_, ignored);
-  }
-  Folder(const Folder&) = delete;
-  Folder& operator=(const Folder&) = delete;
-
-  [[nodiscard]] fs::path operator/(const std::string& name) const { return path_ / name; }
-  [[nodiscard]] std::ptrdiff_t entries() const {
-    return std::distance(fs::directory_iterator{path_}, fs::directory_iterator{});
-  }
-
- private:
-  fs::path path_;
-};
 
 tl::expected<void, std::string> write(const fs::path& path, std::string_view text) {
   return write_file(path, std::as_bytes(std::span{text.data(), text.size()}));
@@ -49,31 +28,31 @@ std::string content(const fs::path& path) {
 }  // namespace
 
 TEST_CASE("a file is written, then replaced, and nothing is left beside it") {
-  const Folder folder;
+  const ScratchDirectory folder;
   const fs::path file = folder / "out";
   REQUIRE(write(file, "first").has_value());
   CHECK(content(file) == "first");
   REQUIRE(write(file, "second").has_value());
   CHECK(content(file) == "second");
-  CHECK(folder.entries() == 1);
+  CHECK(folder.file_count() == 1);
 }
 
 TEST_CASE("other files beside the one written are left alone") {
-  const Folder folder;
+  const ScratchDirectory folder;
   std::ofstream{folder / "out.part"} << "not ours";
   REQUIRE(write(folder / "out", "text").has_value());
   CHECK(content(folder / "out.part") == "not ours");
 }
 
 TEST_CASE("a name as long as names may be can be written") {
-  const Folder folder;
+  const ScratchDirectory folder;
   const fs::path file = folder / std::string(255, 'n');
   REQUIRE(write(file, "text").has_value());
   CHECK(content(file) == "text");
 }
 
 TEST_CASE("symlinks are followed, also to a file that is not there yet") {
-  const Folder folder;
+  const ScratchDirectory folder;
   fs::create_directory(folder / "inner");
   fs::create_symlink("inner/second", folder / "first");
   fs::create_symlink("file", folder / "inner" / "second");
@@ -86,7 +65,7 @@ TEST_CASE("symlinks are followed, also to a file that is not there yet") {
 }
 
 TEST_CASE("what is no regular file is refused in one line and left as it is") {
-  const Folder folder;
+  const ScratchDirectory folder;
   REQUIRE(::mkfifo((folder / "fifo").c_str(), 0600) == 0);
   fs::create_symlink("fifo", folder / "link");
   fs::create_symlink("loop", folder / "loop");
@@ -98,11 +77,11 @@ TEST_CASE("what is no regular file is refused in one line and left as it is") {
   }
   CHECK(fs::is_fifo(folder / "fifo"));
   CHECK(fs::is_symlink(folder / "loop"));
-  CHECK(folder.entries() == 4);
+  CHECK(folder.file_count() == 4);
 }
 
 TEST_CASE("a file in a folder that is not there is an error that says so") {
-  const Folder folder;
+  const ScratchDirectory folder;
   const auto written = write(folder / "none" / "out", "text");
   REQUIRE_FALSE(written.has_value());
   CHECK_THAT(written.error(), Catch::Contains("No such file or directory"));

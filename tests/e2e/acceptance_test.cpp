@@ -17,6 +17,7 @@
 
 #include "messages.h"
 #include "raw_client.h"
+#include "scratch_directory.h"
 #include "server_process.h"
 
 using namespace talus;
@@ -24,26 +25,6 @@ using namespace talus::e2e;
 
 #ifdef TALUS_CLIENT_PATH
 namespace {
-
-class ScratchFolder {
- public:
-  ScratchFolder() {
-    std::string pattern = (std::filesystem::temp_directory_path() / "talus-e2e-XXXXXX").string();
-    REQUIRE(::mkdtemp(pattern.data()) != nullptr);
-    path_ = pattern;
-  }
-  ~ScratchFolder() {
-    std::error_code ignored;
-    std::filesystem::remove_all(path_, ignored);
-  }
-  ScratchFolder(const ScratchFolder&) = delete;
-  ScratchFolder& operator=(const ScratchFolder&) = delete;
-
-  [[nodiscard]] std::filesystem::path operator/(const std::string& name) const { return path_ / name; }
-
- private:
-  std::filesystem::path path_;
-};
 
 /// The data of a .npy file of bytes, without its header.
 std::string npy_bytes(const std::filesystem::path& path) {
@@ -77,7 +58,7 @@ std::string rows_of_chunk(const std::string& exported, std::int32_t chunk_y) {
 
 TEST_CASE("talus-client gets the voxels that talus-gen exports, also at the world's ends") {
   const ServerProcess server;
-  const ScratchFolder scratch;
+  const ScratchDirectory scratch;
   const std::string client_file = (scratch / "chunk.npy").string();
   const std::string export_folder = (scratch / "export").string();
   constexpr std::int32_t kLast = 2147483647;

@@ -12,6 +12,7 @@
 
 #include "messages.h"
 #include "raw_client.h"
+#include "scratch_directory.h"
 #include "server_process.h"
 
 using namespace talus;
@@ -20,31 +21,6 @@ using namespace talus::e2e;
 namespace {
 
 namespace fs = std::filesystem;
-
-/// A fresh directory, removed with its object.
-class ScratchDirectory {
- public:
-  ScratchDirectory() {
-    std::string name = (fs::temp_directory_path() / "talus-e2e-XXXXXX").string();
-    REQUIRE(::mkdtemp(name.data()) != nullptr);
-    path_ = name;
-  }
-  ~ScratchDirectory() {
-    std::error_code ignored;
-    fs::remove_all(path_, ignored);
-  }
-  ScratchDirectory(const ScratchDirectory&) = delete;
-  ScratchDirectory& operator=(const ScratchDirectory&) = delete;
-
-  [[nodiscard]] std::string file(std::string_view name) const { return (path_ / name).string(); }
-  std::string write(std::string_view name, std::string_view text) const {
-    std::ofstream{file(name)} << text;
-    return file(name);
-  }
-
- private:
-  fs::path path_;
-};
 
 /// Exit status 1 (2 for wrong use) and one line on stderr; returns the line.
 std::string one_line(const Ended& ended, int status = 1) {
@@ -145,7 +121,7 @@ TEST_CASE("a data directory that cannot be written is one line") {
 
 TEST_CASE("a store keeps its id over a restart") {
   const ScratchDirectory scratch;
-  const std::vector<std::string> flags{"--data", scratch.file("data")};
+  const std::vector<std::string> flags{"--data", (scratch / "data").string()};
   ContentHash first;
   {
     ServerProcess server{{}, flags};
@@ -159,7 +135,7 @@ TEST_CASE("a store keeps its id over a restart") {
 
 TEST_CASE("a store of another world is refused with both fingerprints") {
   const ScratchDirectory scratch;
-  const std::string data = scratch.file("data");
+  const std::string data = (scratch / "data").string();
   {
     ServerProcess server{{}, {"--data", data}};
     server.signal(SIGTERM);
@@ -173,8 +149,8 @@ TEST_CASE("a store of another world is refused with both fingerprints") {
 
 TEST_CASE("two servers do not share a data directory") {
   const ScratchDirectory scratch;
-  const std::vector<std::string> flags{"--data", scratch.file("data"), "--listen", "127.0.0.1:0"};
-  const ServerProcess server{{}, {"--data", scratch.file("data")}};
+  const std::vector<std::string> flags{"--data", (scratch / "data").string(), "--listen", "127.0.0.1:0"};
+  const ServerProcess server{{}, {"--data", (scratch / "data").string()}};
   CHECK_THAT(one_line(run_talusd(flags)), Catch::Contains("another talusd"));
 }
 

@@ -1,10 +1,11 @@
 #include "store/data_directory.h"
 
-#include <stdlib.h>
+#include <filesystem>
 
 #include <catch2/catch.hpp>
 #include <fstream>
 
+#include "scratch_directory.h"
 #include "store/write_atomically.h"
 
 using namespace talus;
@@ -13,22 +14,6 @@ using namespace talus::server;
 namespace {
 
 namespace fs = std::filesystem;
-
-class ScratchDirectory {
- public:
-  ScratchDirectory() {
-    std::string name = (fs::temp_directory_path() / "talus-store-XXXXXX").string();
-    REQUIRE(::mkdtemp(name.data()) != nullptr);
-    path = name;
-  }
-  ~ScratchDirectory() {
-    std::error_code ignored;
-    fs::remove_all(path, ignored);
-  }
-  ScratchDirectory(const ScratchDirectory&) = delete;
-  ScratchDirectory& operator=(const ScratchDirectory&) = delete;
-  fs::path path;
-};
 
 constexpr ContentHash kWorld{1, 2};
 constexpr ContentHash kOther{3, 4};
@@ -43,33 +28,33 @@ ContentHash id_of(const fs::path& path, ContentHash world = kWorld) {
 
 TEST_CASE("a new store has an id of its own and keeps it") {
   const ScratchDirectory scratch;
-  const ContentHash id = id_of(scratch.path / "made" / "deep");
+  const ContentHash id = id_of(scratch / "made/deep");
   CHECK(id != ContentHash{});
-  CHECK(id_of(scratch.path / "made" / "deep") == id);
-  CHECK(id_of(scratch.path / "second") != id);
+  CHECK(id_of(scratch / "made/deep") == id);
+  CHECK(id_of(scratch / "second") != id);
 }
 
 TEST_CASE("a store refuses another world, naming both") {
   const ScratchDirectory scratch;
-  (void)id_of(scratch.path);
-  const auto refused = DataDirectory::open(scratch.path, kOther);
+  (void)id_of(scratch.path());
+  const auto refused = DataDirectory::open(scratch.path(), kOther);
   REQUIRE_FALSE(refused.has_value());
   CHECK_THAT(refused.error(), Catch::Contains(to_string(kWorld)) && Catch::Contains(to_string(kOther)));
 }
 
 TEST_CASE("a store in use is refused") {
   const ScratchDirectory scratch;
-  const auto first = DataDirectory::open(scratch.path, kWorld);
+  const auto first = DataDirectory::open(scratch.path(), kWorld);
   REQUIRE(first.has_value());
-  CHECK_FALSE(DataDirectory::open(scratch.path, kWorld).has_value());
+  CHECK_FALSE(DataDirectory::open(scratch.path(), kWorld).has_value());
 }
 
 TEST_CASE("a store.toml of somebody else is refused, not replaced") {
   const ScratchDirectory scratch;
   for (const char* text :
        {"", "not toml at all [", "store_id = \"12\"\nfingerprint = \"34\"\n", "store_id = 5"}) {
-    std::ofstream{scratch.path / "store.toml"} << text;
-    const auto refused = DataDirectory::open(scratch.path, kWorld);
+    std::ofstream{scratch / "store.toml"} << text;
+    const auto refused = DataDirectory::open(scratch.path(), kWorld);
     REQUIRE_FALSE(refused.has_value());
     CHECK_THAT(refused.error(), Catch::Contains("store.toml"));
   }
@@ -77,13 +62,13 @@ TEST_CASE("a store.toml of somebody else is refused, not replaced") {
 
 TEST_CASE("an atomic write replaces the whole file and leaves nothing beside it") {
   const ScratchDirectory scratch;
-  const fs::path file = scratch.path / "file";
+  const fs::path file = scratch / "file";
   REQUIRE(write_atomically(file, "a long first text") == 0);
   REQUIRE(write_atomically(file, "short") == 0);
   std::string text;
   std::getline(std::ifstream{file}, text);
   CHECK(text == "short");
-  CHECK(std::distance(fs::directory_iterator{scratch.path}, fs::directory_iterator{}) == 1);
+  CHECK(scratch.file_count() == 1);
 }
 
 TEST_CASE("an atomic write that fails says so") {

@@ -1,10 +1,8 @@
 #include <talus/terrain/stacks.h>
 
 #include <algorithm>
-#include <array>
 #include <utility>
 
-#include <talus/terrain/strata.h>
 #include <talus/terrain/surface.h>
 
 #include "ground.h"
@@ -29,13 +27,6 @@ void lower(const ColumnKernels& kernels, std::span<const std::int32_t> top, cons
 void lower(const ColumnKernels& kernels, std::span<const std::int32_t> top, const std::int32_t* thickness,
            std::span<std::int32_t> lowered) {
   kernels.lower_int32(top.data(), thickness, top.size(), lowered.data());
-}
-
-void copy_inside(const Field& field, int ring, Field& inside) {
-  inside.reshape(field.width - 2 * ring, field.depth - 2 * ring);
-  for (int z = 0; z < inside.depth; ++z) {
-    std::copy_n(field.row(z + ring).begin() + ring, inside.width, inside.row(z).begin());
-  }
 }
 
 void shift_right(Field& field, int shift) {
@@ -92,8 +83,8 @@ void Generator::generate_with_halo(const Region& region, int halo, Terrain& terr
   const int shift = region.lod.value();
   s.ground.cover(region.grown(ring));
   terrain.region = region;
-  copy_inside(s.ground.height(), ring, terrain.surface);
-  copy_inside(s.ground.slope(), ring, terrain.slope);
+  s.ground.height().copy_inside(ring, terrain.surface);
+  s.ground.slope().copy_inside(ring, terrain.slope);
 
   base_columns(region.x, region.width, region.lod, s.xs);
   base_columns(region.z, region.depth, region.lod, s.zs);
@@ -124,7 +115,7 @@ void Generator::generate(const Region& region, Stacks& stacks) {
   stacks.region = region;
 
   // `limit` walks down from H: the top of the loose material whose turn it is, lightest first, then of rock.
-  copy_inside(s.ground.height(), ring, s.limit);
+  s.ground.height().copy_inside(ring, s.limit);
   shift_right(s.limit, shift);
   const std::vector<std::size_t>& bottom_up = world_->loose_bottom_up();
   s.loose_tops.resize(bottom_up.size());

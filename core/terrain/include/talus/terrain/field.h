@@ -57,6 +57,8 @@ struct Field {
   }
   /// The field without its outermost `ring` columns on every side.
   [[nodiscard]] Field without_ring(int ring) const;
+  /// The same into `inside`, whose memory is kept.
+  void copy_inside(int ring, Field& inside) const;
 
  private:
   [[nodiscard]] std::size_t index(int x, int z) const {

@@ -1,3 +1,4 @@
+// Where a test may write.
 #pragma once
 
 #include <stdlib.h>
@@ -8,12 +9,15 @@
 #include <iterator>
 #include <string>
 
+#include <catch2/catch.hpp>
+
 /// An empty directory that goes away with its test.
 class ScratchDirectory {
  public:
   ScratchDirectory() {
-    std::string pattern = (std::filesystem::temp_directory_path() / "talus-tools-XXXXXX").string();
-    path_ = ::mkdtemp(pattern.data());
+    std::string pattern = (std::filesystem::temp_directory_path() / "talus-test-XXXXXX").string();
+    REQUIRE(::mkdtemp(pattern.data()) != nullptr);
+    path_ = pattern;
   }
   ScratchDirectory(const ScratchDirectory&) = delete;
   ScratchDirectory& operator=(const ScratchDirectory&) = delete;
@@ -23,6 +27,11 @@ class ScratchDirectory {
   }
 
   [[nodiscard]] std::filesystem::path operator/(const std::string& name) const { return path_ / name; }
+  /// Writes a file into it and returns its path.
+  std::string write(const std::string& name, const std::string& text) const {
+    std::ofstream{path_ / name, std::ios::binary} << text;
+    return (path_ / name).string();
+  }
   [[nodiscard]] const std::filesystem::path& path() const { return path_; }
   [[nodiscard]] std::size_t file_count() const {
     return static_cast<std::size_t>(
