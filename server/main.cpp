@@ -12,7 +12,7 @@
 #include "store/data_directory.h"
 #include "world_file.h"
 
-#include <talus/terrain/kernels.h>
+#include <talus/vectors/instruction_set.h>
 
 namespace {
 
@@ -25,8 +25,7 @@ int failed(const std::string& line) {
 
 int serve(const Command& command) {
   const Config& config = command.config;
-  if (const auto set = talus::terrain::forced_instruction_set(); !set)
-    return failed(std::string{set.error()});
+  if (const auto set = talus::forced_instruction_set(); !set) return failed(std::string{set.error()});
   const auto world = load_world(config.world);
   if (!world) return failed(world.error());
   if (command.check_only) {
@@ -48,7 +47,7 @@ int serve(const Command& command) {
 
   for (const std::string& warning : command.warnings) log->warn("{}", warning);
   log->info("world {}, generator {} with {} kernels", to_string((*world)->fingerprint()),
-            talus::terrain::kGeneratorVersion, to_string(talus::terrain::instruction_set()));
+            talus::terrain::kGeneratorVersion, to_string(talus::instruction_set()));
   // On its own and whatever the log level: programs that start a server read this line.
   fmt::print("listening on {}\n", *address);
   std::fflush(stdout);

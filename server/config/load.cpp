@@ -7,8 +7,8 @@
 #include <toml++/toml.h>
 #include <unistd.h>
 
-#include <talus/terrain/kernels.h>
 #include <talus/terrain/toml_bounds.h>
+#include <talus/vectors/instruction_set.h>
 
 #include "config/fields.h"
 #include "config/nearest.h"
@@ -123,7 +123,7 @@ std::vector<std::string> unknown_variables(const Environment& environment) {
 
   std::vector<std::string> lines;
   for (const auto& [name, value] : environment) {
-    if (name == terrain::kInstructionSetVariable) continue;  // the generator's own
+    if (name == kInstructionSetVariable) continue;  // read by core/vectors
     if (std::find(known.begin(), known.end(), name) == known.end()) {
       lines.push_back(
           fmt::format("{}: no such setting, ignored; did you mean {}?", escaped(name), nearest(name, known)));

@@ -1,6 +1,12 @@
 #include "fixtures.h"
 
 #include <algorithm>
+#include <array>
+#include <cstdlib>
+#include <fstream>
+#include <iterator>
+#include <memory>
+#include <random>
 
 void talus_counted_work(const std::function<void()>& work) {
   work();
@@ -14,13 +20,12 @@ std::vector<std::int64_t> line(std::int64_t first, int count) {
   return columns;
 }
 
-std::vector<Chunk> mixed_chunks() {
+std::vector<Chunk> mixed_chunks(const terrain::World& world, Lod lod) {
   constexpr int kTiles = 4;
-  const terrain::World& world = terrain::default_world();
   std::vector<Chunk> chunks;
   for (const std::int32_t place : {0, 40, 1000, -77}) {
     const terrain::Region patch{std::int64_t{place} * kChunkSize, std::int64_t{place} * kChunkSize,
-                                kTiles * kChunkSize, kTiles * kChunkSize, Lod{}};
+                                kTiles * kChunkSize, kTiles * kChunkSize, lod};
     const terrain::Stacks stacks = generate_stacks(world, patch);
     for (std::int32_t i = 0; i < kTiles * kTiles; ++i) {
       const std::int32_t x = place + i % kTiles;
@@ -33,6 +38,75 @@ std::vector<Chunk> mixed_chunks() {
   }
   std::erase_if(chunks, [](const Chunk& chunk) { return chunk.is_uniform(); });
   return chunks;
+}
+
+terrain::World sample_world(const std::string& name) {
+  std::ifstream file{TALUS_SOURCE_DIR "/core/worlds/" + name + ".toml"};
+  const std::string text{std::istreambuf_iterator<char>{file}, {}};
+  return terrain::World::parse(text, name).value();
+}
+
+Chunk with_hole(const Chunk& chunk) {
+  const Layers& whole = *chunk.layers();
+  Layers holed;
+  std::array<std::uint8_t, kChunkArea> floor{};
+  for (std::size_t m = 0; m < whole.materials.size(); ++m) {
+    const bool top = m + 1 == whole.materials.size();
+    std::array<std::uint8_t, kChunkArea> ceiling;
+    for (std::size_t i = 0; i < kChunkArea; ++i) ceiling[i] = top ? kChunkSize : whole.plane(m)[i];
+    if (whole.materials[m] != kAir) {
+      for (const bool high : {false, true}) {
+        holed.materials.push_back(high ? kAir : whole.materials[m]);
+        for (int i = 0; i < kChunkArea; ++i) {
+          const int x = i % kChunkSize;
+          const int middle_z = 10 + x * x / 37 % 13;
+          const int half = std::max(0, 5 - std::abs(i / kChunkSize - middle_z));
+          const int edge = half == 0 ? 0 : 12 + x / 8 + (high ? half : -half);
+          const auto column = static_cast<std::size_t>(i);
+          holed.tops.push_back(
+              static_cast<std::uint8_t>(std::clamp<int>(edge, floor[column], ceiling[column])));
+        }
+      }
+    }
+    holed.materials.push_back(whole.materials[m]);
+    if (!top) holed.tops.insert(holed.tops.end(), ceiling.begin(), ceiling.end());
+    floor = ceiling;
+  }
+  return Chunk::from_layers(std::move(holed));
+}
+
+Chunk edited(const Chunk& chunk) {
+  constexpr MaterialId kPlanks{200};
+  const auto voxels = std::make_unique<DenseVoxels>();
+  chunk.copy_to(*voxels);
+  const auto at = [&voxels](int x, int y, int z) -> MaterialId& {
+    return (*voxels)[static_cast<std::size_t>((y * kChunkSize + z) * kChunkSize + x)];
+  };
+  for (int y = 0; y < kChunkSize; ++y) {
+    for (int z = 0; z < kChunkSize; ++z) {
+      for (int x = 0; x < kChunkSize; ++x) {
+        const int dx = x - 9;
+        const int dy = y - 18;
+        const int dz = z - 11;
+        if (dx * dx + dy * dy + dz * dz < 36) at(x, y, z) = kAir;
+        const bool in_house = x >= 18 && x < 25 && y >= 14 && y < 19 && z >= 17 && z < 23;
+        const bool inside = x > 18 && x < 24 && y > 14 && y < 18 && z > 17 && z < 22;
+        if (in_house) at(x, y, z) = inside ? kAir : kPlanks;
+      }
+    }
+  }
+  return Chunk::from_dense(*voxels);
+}
+
+Chunk random_chunk(std::uint32_t seed, unsigned materials, unsigned run) {
+  std::mt19937 random{seed};
+  const auto voxels = std::make_unique<DenseVoxels>();
+  MaterialId material{};
+  for (MaterialId& voxel : *voxels) {
+    if (random() % run == 0) material = MaterialId{static_cast<std::uint16_t>(random() % materials)};
+    voxel = material;
+  }
+  return Chunk::from_dense(*voxels);
 }
 
 std::vector<terrain::Region> patches_of_view(int radius, int patch_tiles) {

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <string>
 #include <vector>
 
 #include <talus/terrain/stacks.h>
@@ -17,8 +18,21 @@ namespace talus::bench {
 /// `count` neighbouring columns from `first` on.
 [[nodiscard]] std::vector<std::int64_t> line(std::int64_t first, int count);
 
-/// The mixed chunks over 8 x 8 tiles of the default world, spread over four places far apart.
-[[nodiscard]] std::vector<Chunk> mixed_chunks();
+/// The mixed chunks over 8 x 8 tiles of a world, spread over four places far apart.
+[[nodiscard]] std::vector<Chunk> mixed_chunks(const terrain::World& world = terrain::default_world(),
+                                              Lod lod = {});
+
+/// A sample world: "canyon", "hills".
+[[nodiscard]] terrain::World sample_world(const std::string& name);
+
+/// The chunk with a winding tunnel through everything but air: still layers, with air between them.
+[[nodiscard]] Chunk with_hole(const Chunk& chunk);
+
+/// The chunk after somebody dug a pit and built a small house: dense voxels.
+[[nodiscard]] Chunk edited(const Chunk& chunk);
+
+/// Voxels of `materials` materials in runs of `run` on average.
+[[nodiscard]] Chunk random_chunk(std::uint32_t seed, unsigned materials, unsigned run);
 
 /// The patches that a view of `radius` chunks around the origin needs, nearest first.
 [[nodiscard]] std::vector<terrain::Region> patches_of_view(int radius, int patch_tiles);

@@ -6,12 +6,12 @@
 #include <libnoise/noise.h>
 
 #include <talus/terrain/fbm.h>
-#include <talus/terrain/kernels.h>
 #include <talus/terrain/settle.h>
 #include <talus/terrain/slope.h>
 #include <talus/terrain/stacks.h>
 #include <talus/terrain/strata.h>
 #include <talus/terrain/surface.h>
+#include <talus/vectors/instruction_set.h>
 
 #include "fixtures.h"
 #include "loose_cells.h"

@@ -1,6 +1,7 @@
 // Chunks: coding, hashing, voxelising. Items are chunks; "bytes" is the mean size of what was coded.
 #include <cstring>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include <lz4.h>
@@ -17,31 +18,69 @@ namespace {
 using namespace talus;
 using benchmark::State;
 
-const std::vector<Chunk>& chunks() {
-  static const std::vector<Chunk> chunks = bench::mixed_chunks();
+using Chunks = std::vector<Chunk>;
+
+const Chunks& chunks() {
+  static const Chunks chunks = bench::mixed_chunks();
   return chunks;
 }
 
-/// Runs `work(chunk)` over chunk after chunk; what it returns are bytes.
+template <class Change>
+Chunks changed(const Chunks& chunks, const Change& change) {
+  Chunks all;
+  for (const Chunk& chunk : chunks) all.push_back(change(chunk));
+  return all;
+}
+
+/// What else the codec meets, and what its bytes are compared for.
+struct Content {
+  const char* name;
+  Chunks (*make)();
+};
+constexpr Content kContents[] = {
+    {"canyon", [] { return bench::mixed_chunks(bench::sample_world("canyon")); }},
+    {"hills", [] { return bench::mixed_chunks(bench::sample_world("hills")); }},
+    {"default, level 2", [] { return bench::mixed_chunks(terrain::default_world(), Lod::of(2)); }},
+    {"default, with tunnels", [] { return changed(chunks(), bench::with_hole); }},
+    {"default, edited", [] { return changed(chunks(), bench::edited); }},
+    {"random, 4 materials",
+     [] {
+       Chunks all;
+       for (std::uint32_t seed = 1; seed <= 8; ++seed) all.push_back(bench::random_chunk(seed, 4, 1));
+       return all;
+     }},
+    {"random, runs of 20",
+     [] {
+       Chunks all;
+       for (std::uint32_t seed = 1; seed <= 8; ++seed) all.push_back(bench::random_chunk(seed, 4, 20));
+       return all;
+     }},
+};
+
+/// Runs `work(i)` for chunk after chunk of `count`; it returns bytes, whose mean over all is shown.
 template <class Work>
-void over_chunks(State& state, const Work& work) {
-  std::size_t i = 0;
+void over(State& state, std::size_t count, const Work& work) {
   std::size_t bytes = 0;
-  std::int64_t done = 0;
+  for (std::size_t i = 0; i < count; ++i) bytes += work(i);
+  std::size_t next = 0;
   for (auto _ : state) {
-    bytes += work(i);
-    i = (i + 1) % chunks().size();
-    ++done;
+    benchmark::DoNotOptimize(work(next));
+    next = (next + 1) % count;
   }
   bench::works_on(state, "chunk", 1);
-  state.counters["bytes"] = static_cast<double>(bytes) / static_cast<double>(done);
+  state.counters["bytes"] = static_cast<double>(bytes) / static_cast<double>(count);
+}
+
+template <class Work>
+void over_chunks(State& state, const Work& work) {
+  over(state, chunks().size(), work);
 }
 
 /// The usual way: a byte a voxel, in dense order.
-std::vector<std::vector<std::uint8_t>> dense_bytes() {
+std::vector<std::vector<std::uint8_t>> dense_bytes(const Chunks& chunks) {
   std::vector<std::vector<std::uint8_t>> all;
   const auto voxels = std::make_unique<DenseVoxels>();
-  for (const Chunk& chunk : chunks()) {
+  for (const Chunk& chunk : chunks) {
     chunk.copy_to(*voxels);
     auto& bytes = all.emplace_back();
     for (const MaterialId voxel : *voxels) bytes.push_back(static_cast<std::uint8_t>(to_integer(voxel)));
@@ -49,27 +88,35 @@ std::vector<std::vector<std::uint8_t>> dense_bytes() {
   return all;
 }
 
-void encode_chunk(State& state) {
+void encode_all(State& state, const Chunks& chunks) {
   std::vector<std::byte> payload;
-  over_chunks(state, [&](std::size_t i) {
+  over(state, chunks.size(), [&](std::size_t i) {
     payload.clear();
-    encode(chunks()[i], payload);
+    encode(chunks[i], payload);
     return payload.size();
   });
+}
+
+void zstd_all(State& state, const Chunks& chunks) {
+  const auto dense = dense_bytes(chunks);
+  std::vector<char> out(ZSTD_compressBound(kChunkVolume));
+  over(state, chunks.size(), [&](std::size_t i) {
+    return ZSTD_compress(out.data(), out.size(), dense[i].data(), kChunkVolume, 3);
+  });
+}
+
+void encode_chunk(State& state) {
+  encode_all(state, chunks());
 }
 BENCHMARK(encode_chunk)->Name("encode");
 
 void encode_zstd(State& state) {
-  const auto dense = dense_bytes();
-  std::vector<char> out(ZSTD_compressBound(kChunkVolume));
-  over_chunks(state, [&](std::size_t i) {
-    return ZSTD_compress(out.data(), out.size(), dense[i].data(), kChunkVolume, 3);
-  });
+  zstd_all(state, chunks());
 }
 BENCHMARK(encode_zstd)->Name("encode/vs:zstd -3 of dense bytes");
 
 void encode_lz4(State& state) {
-  const auto dense = dense_bytes();
+  const auto dense = dense_bytes(chunks());
   std::vector<char> out(static_cast<std::size_t>(LZ4_compressBound(kChunkVolume)));
   over_chunks(state, [&](std::size_t i) {
     return static_cast<std::size_t>(LZ4_compress_default(reinterpret_cast<const char*>(dense[i].data()),
@@ -93,7 +140,7 @@ BENCHMARK(decode_chunk)->Name("decode, to dense voxels");
 
 void decode_zstd(State& state) {
   std::vector<std::vector<char>> payloads;
-  for (const auto& dense : dense_bytes()) {
+  for (const auto& dense : dense_bytes(chunks())) {
     auto& payload = payloads.emplace_back(ZSTD_compressBound(kChunkVolume));
     payload.resize(ZSTD_compress(payload.data(), payload.size(), dense.data(), kChunkVolume, 3));
   }
@@ -151,5 +198,12 @@ BENCHMARK(extract)->Name("slab of a patch");
 }  // namespace
 
 int main(int argc, char** argv) {
+  for (const Content& content : kContents) {
+    const std::string name = std::string{"encode: "} + content.name;
+    benchmark::RegisterBenchmark(name.c_str(),
+                                 [make = content.make](State& state) { encode_all(state, make()); });
+    benchmark::RegisterBenchmark((name + "/vs:zstd -3 of dense bytes").c_str(),
+                                 [make = content.make](State& state) { zstd_all(state, make()); });
+  }
   return talus::bench::run(argc, argv);
 }

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include <talus/terrain/fbm.h>
-#include <talus/terrain/kernels.h>
 #include <talus/terrain/stacks.h>
+#include <talus/vectors/instruction_set.h>
 #include <talus/voxel/codec.h>
 
 #include "fixtures.h"
@@ -29,7 +29,7 @@ void count_noise() {
 void count_settle() {
   const auto& gravel = terrain::default_world().loose()[0];
   const auto ground = generate_terrain(terrain::default_world(), {0, 0, 200, 200, Lod{}});
-  terrain::LooseCells cells{terrain::instruction_set()};
+  terrain::LooseCells cells{instruction_set()};
   talus_counted_work([&] {
     cells.start(ground.slope, gravel.t_fx, gravel.S_fx);
     cells.settle(gravel.c_fx);

@@ -36,7 +36,9 @@ TEST_CASE("a client says Hello with its versions, codecs, token and window") {
         REQUIRE(hello != nullptr);
         CHECK(hello->protocol_min() == 1);
         CHECK(hello->protocol_max() == 1);
-        CHECK(hello->codecs()->Get(0) == 1);
+        REQUIRE(hello->codecs()->size() == 2);
+        CHECK(hello->codecs()->Get(0) == 2);
+        CHECK(hello->codecs()->Get(1) == 1);
         CHECK(hello->token()->str() == "open sesame");
         CHECK(hello->window_bytes() == 12345);
         peer.hang_up();

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include <talus/protocol/message.h>
+#include <talus/voxel/codec.h>
 #include <talus/voxel/content_hash.h>
 #include <talus/voxel/coords.h>
 
@@ -14,7 +15,7 @@ namespace talus::e2e {
 struct HelloFields {
   std::uint16_t oldest = 1;
   std::uint16_t newest = 1;
-  std::vector<std::uint8_t> codecs{1};
+  std::vector<std::uint8_t> codecs{kCodecVersion};
   std::uint64_t window_bytes = 0;
   std::string client = "raw client";
 };

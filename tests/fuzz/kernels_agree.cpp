@@ -12,6 +12,7 @@
 
 namespace {
 
+using namespace talus;
 using namespace talus::terrain;
 
 /// Numbers out of the input, 0 where it has ended.

@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include <talus/terrain/kernels.h>
 #include <talus/terrain/stacks.h>
+#include <talus/vectors/instruction_set.h>
 #include <talus/voxel/codec.h>
 #include <talus/voxel/content_hash.h>
 
@@ -81,7 +81,7 @@ int main(int argc, char** argv) {
     return 77;
   }
 #endif
-  const auto forced = terrain::forced_instruction_set();
+  const auto forced = forced_instruction_set();
   if (!forced) {
     std::cout << "skipped: " << forced.error() << '\n';
     return 77;
@@ -102,7 +102,7 @@ int main(int argc, char** argv) {
   if (std::string{argv[1]} == "--write") return std::cout << text.str(), 0;
   const std::string expected = read_file(argv[1]);
   if (text.str() == expected) {
-    std::cout << "as in " << argv[1] << ", by " << to_string(terrain::instruction_set()) << '\n';
+    std::cout << "as in " << argv[1] << ", by " << to_string(instruction_set()) << '\n';
     return 0;
   }
   std::cout << text.str() << "differs from " << argv[1] << ":\n" << expected;

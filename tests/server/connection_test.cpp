@@ -7,6 +7,8 @@
 #include <catch2/catch.hpp>
 #include <thread>
 
+#include <talus/voxel/codec.h>
+
 #include "fake_generator.h"
 
 using namespace talus;
@@ -58,7 +60,7 @@ TEST_CASE("what an answer's handler throws ends its connection, and no more") {
   Bench bench;
   bench.fake.work->close_gate();
   bench.send(protocol::make_frame([](auto& builder) {
-    const auto codecs = builder.CreateVector(std::vector<std::uint8_t>{1});
+    const auto codecs = builder.CreateVector(std::vector{kCodecVersion});
     return wire::CreateHello(builder, 1, 1, codecs);
   }));
   // One more than may wait for a generator, so that the first answer has the session look for another.

@@ -3,6 +3,8 @@
 
 #include <catch2/catch.hpp>
 
+#include <talus/voxel/codec.h>
+
 #include "fake_generator.h"
 
 using namespace talus;
@@ -21,7 +23,7 @@ struct Bench {
   explicit Bench(std::size_t queue_chunks = 1000) : fake{1, queue_chunks} {
     session.attach(client);
     session.receive(protocol::make_frame([](auto& builder) {
-      const auto codecs = builder.CreateVector(std::vector<std::uint8_t>{1});
+      const auto codecs = builder.CreateVector(std::vector{kCodecVersion});
       return wire::CreateHello(builder, 1, 1, codecs);
     }));
     (void)session.take_output(1 << 20);

@@ -2,10 +2,12 @@
 #include <rapidcheck.h>
 #include <catch2/catch.hpp>
 
+#include <algorithm>
 #include <cstring>
 #include <vector>
 
-#include <talus/terrain/kernels.h>
+#include <talus/terrain/boundary_row.h>
+#include <talus/vectors/instruction_set.h>
 
 #include "fbm_rows.h"
 #include "kernels/columns.h"
@@ -130,6 +132,49 @@ TEST_CASE("The thickness before settling is an exact quotient, by every instruct
           RC_ASSERT(std::int64_t{row[x]} == thickness * room / most_slope);
         }
       });
+    }
+  }));
+}
+
+TEST_CASE("Where nothing slopes the thickness before settling is the whole, in 16 bits and in 32") {
+  for (const std::int32_t thickness : {1, 32766, 32767, 32768, 1000003, 1 << 20}) {
+    for (const auto set :
+         {InstructionSet::scalar, InstructionSet::sse4, InstructionSet::avx2, InstructionSet::avx512}) {
+      if (!runs_here(set)) continue;
+      CAPTURE(thickness, to_string(set));
+      LooseCells cells{set};
+      cells.start(Field{77, 2}, thickness, 313);
+      cells.with_row(1, [&](const auto* row) {
+        for (int x = 0; x < 77; ++x) REQUIRE(std::int32_t{row[x]} == thickness);
+      });
+    }
+  }
+}
+
+TEST_CASE("Tops are lowered and cut into voxel rows by every instruction set as by the definition") {
+  CHECK(rc::check([] {
+    const int width = *rc::gen::inRange(1, 150);
+    const auto count = static_cast<std::size_t>(width);
+    const Field top = any_field(width, 1, 1 << 23);
+    const Field thickness = any_field(width, 1, *rc::gen::element(1 << 8, 32767, 1 << 20));
+    const Field thin = any_field(width, 1, 32767);
+    const std::vector<std::int16_t> thickness_16(thin.values.begin(), thin.values.end());
+    const std::int32_t floor_row = *rc::gen::inRange(-16, 1 << 15);
+    for (const auto set :
+         {InstructionSet::scalar, InstructionSet::sse4, InstructionSet::avx2, InstructionSet::avx512}) {
+      if (!runs_here(set)) continue;
+      const ColumnKernels& kernels = column_kernels(set);
+      std::array<std::vector<std::int32_t>, 2> lowered;
+      lowered.fill(std::vector<std::int32_t>(count));
+      std::vector<std::uint8_t> rows(count);
+      kernels.lower_int32(top.values.data(), thickness.values.data(), count, lowered[0].data());
+      kernels.lower_int16(top.values.data(), thickness_16.data(), count, lowered[1].data());
+      kernels.cut(top.values.data(), count, floor_row, rows.data());
+      for (std::size_t i = 0; i < count; ++i) {
+        RC_ASSERT(lowered[0][i] == std::max(top.values[i] - thickness.values[i], 0));
+        RC_ASSERT(lowered[1][i] == std::max(top.values[i] - thin.values[i], 0));
+        RC_ASSERT(rows[i] == std::clamp(boundary_row(top.values[i]) - floor_row, 0, kChunkSize));
+      }
     }
   }));
 }

@@ -1,3 +1,5 @@
+#include <random>
+
 #include <catch2/catch.hpp>
 
 #include <talus/voxel/codec.h>
@@ -65,11 +67,12 @@ TEST_CASE("no bytes") {
 
 TEST_CASE("a version that this library does not read") {
   CHECK(fault_of(bytes({0, 0, 1, 0})) == DecodeError::unknown_version);
-  CHECK(fault_of(bytes({2})) == DecodeError::unknown_version);
+  CHECK(fault_of(bytes({3})) == DecodeError::unknown_version);
 }
 
 TEST_CASE("an encoding that does not exist") {
   CHECK(fault_of(bytes({1, 3, 1, 0})) == DecodeError::unknown_encoding);
+  CHECK(fault_of(bytes({2, 3, 1, 0})) == DecodeError::unknown_encoding);
 }
 
 TEST_CASE("headers that end early") {
@@ -78,6 +81,7 @@ TEST_CASE("headers that end early") {
   CHECK(fault_of(bytes({1, 0, 2, 5})) == DecodeError::truncated);
   CHECK(fault_of(bytes({1, 0, 1, 0x85})) == DecodeError::truncated);
   CHECK(fault_of(bytes({1, 0, 2, 5, 6})) == DecodeError::truncated);
+  CHECK(fault_of(bytes({2, 0, 2, 5, 6, 1, 0, 0, 1, 0})) == DecodeError::truncated);
   CHECK(fault_of(bytes({1, 1, 2, 5, 6})) == DecodeError::truncated);
   CHECK(fault_of(bytes({1, 2, 0, 0})) == DecodeError::truncated);
 }
@@ -112,6 +116,24 @@ TEST_CASE("a voxel whose place in the palette is past its end") {
   payload[2] = std::byte{2};
   payload.erase(payload.begin() + 3);
   CHECK(fault_of(payload) == DecodeError::bad_number);
+}
+
+TEST_CASE("planes that leave the chunk or pass one another") {
+  // Whatever bytes follow, what is read from them is layers or an error, and some of them step out.
+  std::mt19937 random{7};
+  int outside = 0;
+  for (int i = 0; i < 2000; ++i) {
+    Payload payload = bytes({2, 0, 3, 5, 6, 7});
+    for (int k = 0; k < 400; ++k) payload.push_back(static_cast<std::byte>(random() & 0xFF));
+    const auto chunk = decode(payload);
+    if (!chunk && chunk.error() == DecodeError::bad_number) ++outside;
+    if (chunk && chunk->layers() != nullptr) REQUIRE(chunk->layers()->valid());
+  }
+  CHECK(outside > 100);
+}
+
+TEST_CASE("a state that no encoder begins with") {
+  CHECK(fault_of(bytes({2, 0, 2, 5, 6, 0, 255, 255, 1, 0, 0})) == DecodeError::bad_ending);
 }
 
 TEST_CASE("an ending that the encoder would not write") {

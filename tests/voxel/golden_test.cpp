@@ -6,11 +6,13 @@
 #include <sstream>
 #include <string>
 
+#include <rapidcheck.h>
 #include <catch2/catch.hpp>
 
 #include <talus/voxel/codec.h>
 #include <talus/voxel/content_hash.h>
 
+#include "format_decoder.h"
 #include "sample_chunks.h"
 
 namespace talus {
@@ -24,20 +26,17 @@ std::string read_file(const std::string& path) {
   return {std::istreambuf_iterator<char>{file}, {}};
 }
 
-std::vector<std::byte> frozen(const std::string& name) {
-  const std::string content = read_file("tests/voxel/golden/" + name + ".bin");
+/// Of codec version `version`.
+std::vector<std::byte> frozen(int version, const std::string& name) {
+  const std::string content =
+      read_file("tests/voxel/golden/v" + std::to_string(version) + "/" + name + ".bin");
   std::vector<std::byte> payload;
   for (const char c : content) payload.push_back(static_cast<std::byte>(c));
   return payload;
 }
 
-/// The bytes of the only ```hex block of a Markdown file.
-std::vector<std::byte> hex_block(const std::string& markdown) {
-  const std::string opening = "```hex\n";
-  const std::size_t start = markdown.find(opening);
-  REQUIRE(start != std::string::npos);
-  const std::size_t first = start + opening.size();
-  std::istringstream digits{markdown.substr(first, markdown.find("```", first) - first)};
+std::vector<std::byte> worked_payload() {
+  std::istringstream digits{block_of(format_document(), "hex")};
   std::vector<std::byte> payload;
   unsigned value = 0;
   while (digits >> std::hex >> value) payload.push_back(static_cast<std::byte>(value));
@@ -59,26 +58,41 @@ Chunk worked_example() {
 }
 
 void check_frozen(const std::string& name, const Chunk& chunk, const std::string& hash) {
-  CAPTURE(name);
-  const auto payload = frozen(name);
-  const auto decoded = decode(payload);
-  REQUIRE(decoded.has_value());
-  CHECK(to_string(content_hash(*decoded)) == hash);
-  CHECK(encoded(*decoded) == payload);
-  CHECK(encoded(chunk) == payload);
+  for (int version = 1; version <= kCodecVersion; ++version) {
+    CAPTURE(name, version);
+    const auto decoded = decode(frozen(version, name));
+    REQUIRE(decoded.has_value());
+    CHECK(*decoded == chunk);
+    CHECK(to_string(content_hash(*decoded)) == hash);
+  }
+  CHECK(encoded(chunk) == frozen(kCodecVersion, name));
 }
 
 }  // namespace
 
 TEST_CASE("the worked example in FORMAT.md is what encode gives") {
-  const auto payload = hex_block(read_file("core/voxel/FORMAT.md"));
+  const auto payload = worked_payload();
   CHECK(encoded(worked_example()) == payload);
   CHECK(decode(payload).value() == worked_example());
 }
 
 TEST_CASE("FORMAT.md names the hash of its worked example") {
-  const std::string hash = to_string(content_hash(worked_example()));
-  CHECK(read_file("core/voxel/FORMAT.md").find(hash) != std::string::npos);
+  CHECK(format_document().find(to_string(content_hash(worked_example()))) != std::string::npos);
+}
+
+TEST_CASE("a decoder that follows FORMAT.md reads what encode writes") {
+  const std::string document = format_document();
+  CHECK(rc::check([&document](std::uint64_t seed) {
+    const auto planes = *rc::gen::inRange<std::size_t>(0, 12).as("planes");
+    const int smoothness = *rc::gen::inRange(0, 64).as("smoothness");
+    const bool smooth = *rc::gen::arbitrary<bool>().as("a hill");
+    const Chunk chunk = Chunk::from_layers(smooth ? hill(seed) : random_layers(seed, planes, smoothness));
+    const auto payload = encoded(chunk);
+    RC_PRE(payload[1] == std::byte{0});
+    const Layers found = decode_by_document(document, payload);
+    RC_ASSERT(found.materials == chunk.layers()->materials);
+    RC_ASSERT(found.tops == chunk.layers()->tops);
+  }));
 }
 
 TEST_CASE("a frozen uniform chunk") {

@@ -19,7 +19,8 @@ std::size_t fitting(std::uint32_t frame_bytes, std::size_t element_bytes) {
 
 protocol::Frame hello_frame(const Options& options) {
   return protocol::make_frame([&](auto& b) {
-    const std::array codecs{kCodecVersion};
+    const std::array codecs{kCodecVersion, kOldestCodecVersion};  // decode reads both
+    static_assert(kCodecVersion == kOldestCodecVersion + 1);
     const auto codec_list = b.CreateVector(codecs.data(), codecs.size());
     const auto token = b.CreateString(options.token);
     const auto name = b.CreateString(options.client_name);

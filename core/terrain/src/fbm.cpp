@@ -2,10 +2,10 @@
 
 #include <algorithm>
 
-#include <talus/terrain/kernels.h>
+#include <talus/vectors/instruction_set.h>
 
+#include <talus/vectors/tables.h>
 #include "fbm_rows.h"
-#include "kernels/instruction_set.h"
 
 namespace talus::terrain {
 

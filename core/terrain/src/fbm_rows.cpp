@@ -6,7 +6,7 @@
 #include <talus/terrain/lattice_hash.h>
 #include <talus/voxel/coords.h>
 
-#include "kernels/instruction_set.h"
+#include <talus/vectors/tables.h>
 
 namespace talus::terrain {
 namespace {

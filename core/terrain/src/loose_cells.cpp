@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "kernels/instruction_set.h"
+#include <talus/vectors/tables.h>
 
 namespace talus::terrain {
 namespace {

@@ -8,7 +8,7 @@
 #include <functional>
 #include <new>
 
-#include <talus/terrain/kernels.h>
+#include <talus/vectors/instruction_set.h>
 #include <CLI/CLI.hpp>
 
 #include "export.h"
@@ -214,7 +214,7 @@ int parse_failure(const CLI::App& app, const CLI::ParseError& error) {
 }  // namespace
 
 int run_command_line(int argc, const char* const* argv, const std::string& version) {
-  if (const auto set = terrain::forced_instruction_set(); !set) {
+  if (const auto set = forced_instruction_set(); !set) {
     std::fprintf(stderr, "talus-gen: %s\n", std::string{set.error()}.c_str());
     return kExitWrongUse;
   }
@@ -226,7 +226,7 @@ int run_command_line(int argc, const char* const* argv, const std::string& versi
   app.name("talus-gen");
   app.set_version_flag("--version", "talus-gen " + version + " (generator version " +
                                         std::to_string(terrain::kGeneratorVersion) + ", " +
-                                        std::string{to_string(terrain::instruction_set())} + " kernels)");
+                                        std::string{to_string(instruction_set())} + " kernels)");
   app.get_formatter()->column_width(34);
 
   Arguments arguments;

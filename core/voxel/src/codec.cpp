@@ -49,7 +49,8 @@ std::string_view describe(DecodeError error) {
     case DecodeError::empty:
       return "the chunk payload is empty; it needs at least a codec version and an encoding";
     case DecodeError::unknown_version:
-      return "the chunk payload's first byte is no codec version known here; this library reads version 1";
+      return "the chunk payload's first byte is no codec version known here; this library reads versions 1 "
+             "and 2";
     case DecodeError::unknown_encoding:
       return "the chunk payload's second byte names no encoding; 0 is layered, 1 palette, 2 raw";
     case DecodeError::truncated:
@@ -71,9 +72,12 @@ void encode(const Chunk& chunk, std::vector<std::byte>& out) {
   std::size_t limit = sizeof(DenseVoxels) + 1;
   if (const Layers* layers = chunk.layers()) {
     put_header(Encoding::layered, out);
-    codec::encode_layered(*layers, out);
-    if (out.size() - start <= kGoodBytes) return;
-    limit = std::min(limit, out.size() - start - kHeaderBytes);
+    if (codec::encode_layered(*layers, out)) {
+      if (out.size() - start <= kGoodBytes) return;
+      limit = out.size() - start - kHeaderBytes;
+    } else {
+      out.resize(start);
+    }
   }
   const auto voxels = std::make_unique_for_overwrite<DenseVoxels>();
   chunk.copy_to(*voxels);
@@ -84,21 +88,22 @@ void encode(const Chunk& chunk, std::vector<std::byte>& out) {
     out.insert(out.end(), palette.begin(), palette.end());
     return;
   }
-  if (out.size() > start && out.size() - start <= kMaxPayloadBytes) return;
-  out.resize(start);
+  if (out.size() > start) return;
   put_header(Encoding::raw, out);
   encode_raw(*voxels, out);
 }
 
 tl::expected<Chunk, DecodeError> decode(std::span<const std::byte> payload) {
   if (payload.empty()) return tl::unexpected{DecodeError::empty};
-  if (payload[0] != std::byte{kCodecVersion}) return tl::unexpected{DecodeError::unknown_version};
+  const auto version = std::to_integer<unsigned>(payload[0]);
+  if (version < kOldestCodecVersion || version > kCodecVersion)
+    return tl::unexpected{DecodeError::unknown_version};
   if (payload.size() < kHeaderBytes) return tl::unexpected{DecodeError::truncated};
   if (payload.size() > kMaxPayloadBytes) return tl::unexpected{DecodeError::too_long};
   const std::span<const std::byte> body = payload.subspan(kHeaderBytes);
   switch (static_cast<Encoding>(payload[1])) {
     case Encoding::layered:
-      return codec::decode_layered(body);
+      return version == 1 ? codec::decode_layered_v1(body) : codec::decode_layered(body);
     case Encoding::palette:
       return codec::decode_palette(body);
     case Encoding::raw:

@@ -5,195 +5,226 @@
 #include <cstdlib>
 
 #include "header.h"
-#include "range_coder.h"
+#include "kernels.h"
+#include "layered_odds.h"
+#include "rans.h"
+#include "row_guess.h"
 
 namespace talus::codec {
 namespace {
 
-constexpr std::size_t kUnary = 12;
+// A further step lies at a place of the list 2, -2, 3, -3, ...; from kLastPlace on, the place itself follows.
+constexpr std::uint32_t kLastPlace = kFurther.size() - 2;
+constexpr std::uint32_t kPlaceShare = kOddsTotal / 64;
 
-// The context of a column, mixed into one number: which way the surface falls around it (three signs: west,
-// north and north-east), how much room its prediction has, the sign of the residual in the plane below, and
-// which of two neighbours touch the floor.
-constexpr std::size_t kTouching = 1;
-constexpr std::size_t kBelow = 4 * kTouching;
-constexpr std::size_t kRoom = 3 * kBelow;
-constexpr std::size_t kNorthEast = 3 * kRoom;
-constexpr std::size_t kNorth = 3 * kNorthEast;
-constexpr std::size_t kWest = 3 * kNorth;
-constexpr std::size_t kContexts = 3 * kWest;
-constexpr std::size_t kForm = kNorthEast;  // context / kForm: the three signs alone
+constexpr std::size_t kMostBytes = sizeof(DenseVoxels);  // more than that is better kept raw
+constexpr std::size_t kMaterialsBytes = 256;             // at least what a list of materials takes
+constexpr std::size_t kMostBytesOfColumn = 6;            // three symbols of up to two bytes
 
-struct PlaneModels {
-  std::array<BitModel, kContexts> differs;
-  std::array<BitModel, kContexts / kForm> falls;
-  std::array<std::array<BitModel, kUnary>, 2> goes_on;  // falls, size
-};
-
-constexpr std::size_t sign(int value) {
-  return static_cast<std::size_t>((value > 0 ? 1 : 0) - (value < 0 ? 1 : 0) + 1);
+constexpr std::uint32_t place_of(int step) {
+  const auto size = static_cast<std::uint32_t>(std::abs(step));
+  return 2 * (size - 2) + (step < 0 ? 1 : 0);
 }
 
-/// The same of a and b, in bytes.
-template <class Byte>
-constexpr std::uint8_t byte_sign(Byte a, Byte b) {
-  return static_cast<std::uint8_t>(1 + (a > b ? 1 : 0) - (a < b ? 1 : 0));
+constexpr int step_at(std::uint32_t place) {
+  const int size = static_cast<int>(place / 2) + 2;
+  return place % 2 == 0 ? size : -size;
 }
 
-/// By west - corner + 32.
-constexpr auto kWestPart = [] {
-  std::array<std::uint16_t, 2 * kChunkSize + 1> parts{};
-  for (int i = 0; i <= 2 * kChunkSize; ++i) {
-    parts[static_cast<std::size_t>(i)] = static_cast<std::uint16_t>(sign(i - kChunkSize) * kWest);
+/// Which of kOdds each context has, and each its odds.
+constexpr auto kOddsIndex = [] {
+  std::array<std::uint8_t, kContexts> index{};
+  for (std::size_t context = 0; context < kContexts; ++context) {
+    const char digit = kOddsOfContext[context];
+    const int value = digit <= '9' ? digit - '0' : digit <= 'Z' ? digit - 'A' + 10 : digit - 'a' + 36;
+    index[context] = static_cast<std::uint8_t>(value);
   }
-  return parts;
+  return index;
 }();
 
-/// Codes a residual that is not 0; the result lies in `least` to `most`, both sides of 0. Apart from its
-/// caller, whose loop is for the many columns that are as predicted.
-template <class Coder>
-[[gnu::noinline]] int code_distance(Coder& coder, PlaneModels& models, std::size_t form, int least, int most,
-                                    int residual) {
-  bool falls = most == 0;
-  if (least < 0 && most > 0) falls = coder.code(models.falls[form], residual < 0);
-  const int limit = falls ? -least : most;
-  const int size = std::abs(residual);
-  auto& goes_on = models.goes_on[falls ? 1 : 0];
-  int found = 1;
-  while (found < limit) {
-    BitModel& model = goes_on[std::min(static_cast<std::size_t>(found), kUnary) - 1];
-    if (!coder.code(model, size > found)) break;
-    ++found;
+struct alignas(8) AlignedOdds : Odds {};  // found by a shift
+
+constexpr auto kOddsByContext = [] {
+  std::array<AlignedOdds, kContexts> odds{};
+  for (std::size_t context = 0; context < kContexts; ++context) odds[context] = {kOdds[kOddsIndex[context]]};
+  return odds;
+}();
+
+constexpr auto kShares = [] {
+  std::array<std::array<Share, 4>, kOdds.size()> shares;
+  for (std::size_t i = 0; i < kOdds.size(); ++i) {
+    const Odds& odds = kOdds[i];
+    shares[i] = {Share{0, odds.up}, Share{odds.up, odds.down}, Share{odds.down, odds.further},
+                 Share{odds.further, kOddsTotal}};
   }
-  return falls ? -found : found;
+  return shares;
+}();
+
+constexpr auto kFurtherShares = [] {
+  std::array<Share, kFurther.size() - 1> shares;
+  for (std::size_t i = 0; i < shares.size(); ++i) shares[i] = {kFurther[i], kFurther[i + 1]};
+  return shares;
+}();
+
+constexpr Share place_share(std::uint32_t place) {
+  return {place * kPlaceShare, (place + 1) * kPlaceShare};
 }
 
-/// Codes plane after plane, each a row after a row. Encoder and decoder walk through the same contexts: what
-/// they do differently is where a residual comes from and where it goes to.
-template <class Coder, class Row>
-class PlaneCoder {
- public:
-  PlaneCoder(Coder& coder, Row* tops) : coder_{coder}, tops_{tops} {}
+// ---- Writing ----
 
-  void code_plane(std::size_t index) {
-    plane_ = tops_ + index * kChunkArea;
-    floor_ = index == 0 ? kGround.data() : plane_ - kChunkArea;
-    code_first_row();
-    for (int z = 1; z < kChunkSize; ++z) code_row(plane_ + z * kChunkSize, z);
+/// The rows of a plane are written from the last to the first, and so are their columns: everything that a
+/// reader will know of a row is known here anyway.
+class PlaneWriter {
+ public:
+  explicit PlaneWriter(RansWriter& coder) : coder_{coder} {}
+
+  void write(const std::uint8_t* plane, const std::uint8_t* below) {
+    RowGuess guess;
+    for (std::size_t z = 0; z < kChunkSize; ++z) {
+      kernels_.guess(RowsBefore::of(plane, below, z, steps_[z == 0 ? 0 : z - 1]), guess);
+      kernels_.classify(plane + z * kChunkSize, guess, steps_[z], symbols_[z]);
+    }
+    for (std::size_t z = kChunkSize; z-- > 0;) write_row(steps_[z], symbols_[z]);
   }
 
  private:
-  static constexpr std::array<std::uint8_t, kChunkArea> kGround{};
-
-  /// Nothing lies north of it: what is west stands for all around, and for the first column the floor.
-  void code_first_row() {
-    constexpr std::size_t kFlat = kWest + kNorth + kNorthEast;
-    int west = floor_[0];
-    std::size_t touching = 3;
-    for (int x = 0; x < kChunkSize; ++x) {
-      const auto i = static_cast<std::size_t>(x);
-      const std::size_t context = kFlat + sign(below_[i]) * kBelow + touching * kTouching;
-      west = code_column(i, west, context);
-      touching = west == floor_[i] ? 3 : 2;
+  void write_row(const Steps& steps, const RowSymbols& row) {
+    RansWriter coder = coder_;  // a copy that lives in registers
+    const auto write_column = [&](std::uint32_t & state, std::size_t x) __attribute__((always_inline)) {
+      if (row.symbol[x] == kFurtherOff) [[unlikely]] {
+        write_further(coder, state, further_step(steps, x));
+      }
+      coder.put(state, kShares[kOddsIndex[row.context[x]]][row.symbol[x]]);
+    };
+    for (std::size_t x = kChunkSize; x > 0; x -= 2) {
+      write_column(coder.odd, x - 1);
+      write_column(coder.even, x - 2);
     }
+    coder_ = coder;
   }
 
-  void code_row(const std::uint8_t* row, int z) {
-    const std::size_t first = static_cast<std::size_t>(z) * kChunkSize;
-    // The row to the north, and once more what lies at its ends.
-    std::array<std::uint8_t, kChunkSize + 2> around;
-    std::copy_n(row - kChunkSize, kChunkSize, around.begin() + 1);
-    around.front() = around[1];
-    around.back() = around[kChunkSize];
-    const std::array<std::uint16_t, kChunkSize> known = context_of_north(around, first);
-    int west = around[1];
-    int corner = west;
-    std::size_t touches_west = 1;
-    for (std::size_t x = 0; x < kChunkSize; ++x) {
-      // The median of west, north and the plane through all three: keeps edges and follows slopes.
-      const int north = around[x + 1];
-      const int predicted = std::clamp(west + north - corner, std::min(west, north), std::max(west, north));
-      const std::size_t context = known[x] + kWestPart[static_cast<std::size_t>(west - corner + kChunkSize)] +
-                                  touches_west * kTouching;
-      corner = north;
-      west = code_column(first + x, predicted, context);
-      touches_west = west == floor_[first + x] ? 1 : 0;
-    }
+  static int further_step(const Steps& steps, std::size_t x) {
+    const int west = steps.padded[x];
+    return steps.data()[x] - (west_of(west) == West::steep ? west : 0);
   }
 
-  /// What the rows before tell about every column of a row: plain loops over bytes, so that they run in
-  /// vectors.
-  std::array<std::uint16_t, kChunkSize> context_of_north(
-      const std::array<std::uint8_t, kChunkSize + 2>& around, std::size_t first) const {
-    std::array<std::uint8_t, kChunkSize> north{};
-    std::array<std::uint8_t, kChunkSize> north_east{};
-    std::array<std::uint8_t, kChunkSize> below{};
-    for (std::size_t x = 0; x < kChunkSize; ++x) {
-      north[x] = byte_sign(around[x + 1], around[x]);
-      north_east[x] = byte_sign(around[x + 2], around[x + 1]);
-      below[x] = byte_sign(below_[first + x], std::int8_t{0});
-    }
-    const std::uint8_t* const floor = floor_ + first - kChunkSize;
-    std::array<std::uint16_t, kChunkSize> known{};
-    for (std::size_t x = 0; x < kChunkSize; ++x) {
-      const auto touches = static_cast<std::uint8_t>(around[x + 1] == floor[x] ? 2 : 0);
-      const auto low =
-          static_cast<std::uint8_t>(below[x] * kBelow + touches * kTouching + north_east[x] * kNorthEast);
-      known[x] = static_cast<std::uint16_t>(low + north[x] * kNorth);
-    }
-    return known;
+  static void write_further(RansWriter& coder, std::uint32_t& state, int step) {
+    const std::uint32_t place = place_of(step);
+    if (place >= kLastPlace) coder.put(state, place_share(place));
+    coder.put(state, kFurtherShares[std::min(place, kLastPlace)]);
   }
 
-  /// Returns the column's top.
-  int code_column(std::size_t i, int predicted, std::size_t context) {
-    const int lowest = floor_[i];
-    if (lowest == kChunkSize) {
-      below_[i] = 0;
-      if constexpr (Coder::kDecodes) plane_[i] = kChunkSize;
-      return kChunkSize;
-    }
-    predicted = std::clamp(predicted, lowest, kChunkSize);
-    const std::size_t room = predicted == lowest ? 0 : predicted == kChunkSize ? 2 : 1;
-    context += room * kRoom;
-    int residual = Coder::kDecodes ? 0 : plane_[i] - predicted;
-    if (coder_.code(models_.differs[context], residual != 0)) {
-      residual = code_distance(coder_, models_, context / kForm, lowest - predicted, kChunkSize - predicted,
-                               residual);
-    }
-    below_[i] = static_cast<std::int8_t>(residual);
-    if constexpr (Coder::kDecodes) plane_[i] = static_cast<std::uint8_t>(predicted + residual);
-    return predicted + residual;
-  }
-
-  Coder& coder_;
-  Row* tops_;
-  Row* plane_ = nullptr;
-  const std::uint8_t* floor_ = nullptr;          // the plane below
-  std::array<std::int8_t, kChunkArea> below_{};  // residuals: of the plane below, then of this one
-  PlaneModels models_;
+  RansWriter& coder_;
+  const VoxelKernels& kernels_ = voxel_kernels();
+  std::array<Steps, kChunkSize> steps_;
+  std::array<RowSymbols, kChunkSize> symbols_;
 };
 
-/// False where the decoder ran out of bytes.
-template <class Coder, class Row>
-bool code_planes(Coder& coder, std::size_t count, Row* tops) {
-  PlaneCoder<Coder, Row> planes{coder, tops};
-  for (std::size_t p = 0; p < count; ++p) {
-    planes.code_plane(p);
-    if constexpr (Coder::kDecodes) {
-      if (coder.starved()) return false;
+// ---- Reading ----
+
+class PlaneReader {
+ public:
+  explicit PlaneReader(RansReader& coder) : coder_{coder} {}
+
+  /// False where a row lies below its floor or above the chunk.
+  [[nodiscard]] bool read(std::uint8_t* plane, const std::uint8_t* below) {
+    std::array<Steps, 2> steps;
+    RowGuess guess;
+    for (std::size_t z = 0; z < kChunkSize; ++z) {
+      const RowsBefore before = RowsBefore::of(plane, below, z, steps[(z + 1) % 2]);
+      kernels_.guess(before, guess);
+      Steps& found = steps[z % 2];
+      if (!read_row(guess.context, found)) return false;
+      if (!kernels_.apply(guess, found, before.floor, plane + z * kChunkSize)) return false;
     }
+    return true;
   }
-  return true;
-}
+
+ private:
+  [[nodiscard]] bool read_row(const std::array<std::uint16_t, kChunkSize>& contexts, Steps& steps) {
+    RansReader coder = coder_;  // a copy that lives in registers
+    std::size_t west = 0;       // the context of the column to the west
+    std::size_t level = 0;      // that of a column that is as predicted
+    int carried = 0;            // the step of the column to the west where it is steep
+    bool inside = true;
+    const auto read_column = [&](std::uint32_t & state, std::size_t x) __attribute__((always_inline)) {
+      const Odds& odds = kOddsByContext[contexts[x] + west];
+      const std::uint32_t place = RansReader::place(state);
+      int step = carried;
+      west = level;
+      if (place < odds.up) [[likely]] {
+        coder.took(state, 0, odds.up);
+      } else {
+        if (place < odds.further) [[likely]] {
+          // Which of the two nobody can foretell: chosen without a branch.
+          const bool down = place >= odds.down;
+          const std::uint32_t start = down ? odds.down : odds.up;
+          const std::uint32_t end = down ? odds.further : odds.down;
+          coder.took(state, start, end - start);
+          step += down ? -1 : 1;
+        } else {
+          coder.took(state, odds.further, kOddsTotal - odds.further);
+          step += read_further(coder, state);
+          inside &= std::abs(step) <= kChunkSize;
+        }
+        if (carried == 0 && place < odds.further) [[likely]] {
+          west = context_of(step > 0 ? West::up : West::down);
+        } else {
+          west = context_of(west_of(step));
+          const bool steep = west == context_of(West::steep);
+          carried = steep ? step : 0;
+          level = steep ? west : 0;
+        }
+      }
+      steps.data()[x] = static_cast<std::int8_t>(step);
+    };
+    for (std::size_t x = 0; x < kChunkSize; x += 4) {
+      read_column(coder.even, x);
+      read_column(coder.odd, x + 1);
+      read_column(coder.even, x + 2);
+      read_column(coder.odd, x + 3);
+    }
+    coder_ = coder;
+    return inside;
+  }
+
+  static int read_further(RansReader& coder, std::uint32_t& state) {
+    const std::uint32_t where = RansReader::place(state);
+    std::uint32_t place = 0;
+    while (kFurther[place + 1] <= where) ++place;
+    coder.took(state, kFurther[place], static_cast<std::uint32_t>(kFurther[place + 1] - kFurther[place]));
+    if (place == kLastPlace) {
+      place = RansReader::place(state) / kPlaceShare;
+      coder.took(state, place * kPlaceShare, kPlaceShare);
+    }
+    return step_at(place);
+  }
+
+  RansReader& coder_;
+  const VoxelKernels& kernels_ = voxel_kernels();
+};
 
 }  // namespace
 
-void encode_layered(const Layers& layers, std::vector<std::byte>& out) {
+bool encode_layered(const Layers& layers, std::vector<std::byte>& out) {
+  const std::size_t begin = out.size();
   put_materials(layers.materials, out);
-  if (layers.plane_count() == 0) return;
-  Encoder coder{out};
-  code_planes(coder, layers.plane_count(), layers.tops.data());
-  coder.finish();
+  if (layers.plane_count() == 0) return true;
+  // On the stack, where only what is written is touched; one plane past the limit still fits.
+  std::array<std::byte, kMostBytes + kChunkArea * kMostBytesOfColumn> buffer;
+  RansWriter coder{buffer};
+  PlaneWriter planes{coder};
+  const std::byte* const end = buffer.data() + buffer.size();
+  const std::uint8_t* const tops = layers.tops.data();
+  for (std::size_t p = layers.plane_count(); p-- > 0;) {
+    planes.write(tops + p * kChunkArea, p == 0 ? nullptr : tops + (p - 1) * kChunkArea);
+    if (static_cast<std::size_t>(end - coder.next()) > kMostBytes - kMaterialsBytes) {
+      out.resize(begin);
+      return false;
+    }
+  }
+  out.insert(out.end(), coder.finish(), end);
+  return true;
 }
 
 tl::expected<Chunk, DecodeError> decode_layered(std::span<const std::byte> body) {
@@ -208,9 +239,14 @@ tl::expected<Chunk, DecodeError> decode_layered(std::span<const std::byte> body)
   }
   Layers layers{std::move(*materials), {}};
   layers.tops.resize(layers.plane_count() * kChunkArea);
-  Decoder coder{body};
-  if (!code_planes(coder, layers.plane_count(), layers.tops.data())) {
-    return tl::unexpected{DecodeError::truncated};
+  RansReader coder{body};
+  if (const auto fault = coder.fault_of_beginning()) return tl::unexpected{*fault};
+  PlaneReader planes{coder};
+  for (std::size_t p = 0; p < layers.plane_count(); ++p) {
+    std::uint8_t* const plane = layers.tops.data() + p * kChunkArea;
+    const bool inside = planes.read(plane, p == 0 ? nullptr : plane - kChunkArea);
+    if (coder.starved()) return tl::unexpected{DecodeError::truncated};
+    if (!inside) return tl::unexpected{DecodeError::bad_number};
   }
   if (const auto fault = coder.fault()) return tl::unexpected{*fault};
   return Chunk::from_layers(std::move(layers));

@@ -12,9 +12,13 @@
 
 namespace talus::codec {
 
-/// Appends what follows the two header bytes.
-void encode_layered(const Layers& layers, std::vector<std::byte>& out);
+/// Appends what follows the two header bytes. False, with `out` as it was, where that would take more than
+/// raw voxels do.
+[[nodiscard]] bool encode_layered(const Layers& layers, std::vector<std::byte>& out);
 
 [[nodiscard]] tl::expected<Chunk, DecodeError> decode_layered(std::span<const std::byte> body);
+
+/// The same for payloads of codec version 1 (FORMAT.md, "Version 1"), which nobody writes any more.
+[[nodiscard]] tl::expected<Chunk, DecodeError> decode_layered_v1(std::span<const std::byte> body);
 
 }  // namespace talus::codec

@@ -8,6 +8,8 @@
 
 #include <talus/voxel/chunk.h>
 
+#include "kernels.h"
+
 namespace talus {
 
 class Slices {
@@ -19,22 +21,14 @@ class Slices {
   void next(MaterialId* slice);
 
  private:
-  /// Where one line of 32 columns of a plane lies.
-  struct Extent {
-    std::uint8_t low = 0;
-    std::uint8_t high = 0;
-  };
-  static constexpr std::size_t kMaxPlanes = Layers::kMaxMaterials - 1;
-
-  void write_line(std::size_t z, MaterialId* voxels);
-
   const Layers& layers_;
-  std::uint8_t y_ = 0;
-  /// Lines are put together in bytes: the material where all fit in one, else its place in the list.
-  bool bytes_are_materials_;
+  const VoxelKernels& kernels_;
+  /// Slices are put together in bytes: the material where all fit in one, else its place in the list.
   std::array<std::uint8_t, Layers::kMaxMaterials> bytes_;
-  std::array<std::array<Extent, kMaxPlanes>, kChunkSize> extents_;  // a line: of each plane
-  std::array<std::uint8_t, kChunkSize> under_{};  // a line: the first plane that does not lie wholly below y_
+  bool bytes_are_materials_;
+  std::array<Extent, Layers::kMaxMaterials - 1> extents_;  // of each plane
+  std::size_t first_ = 0;  // the first plane that does not lie wholly below the slice
+  std::uint8_t y_ = 0;
 };
 
 }  // namespace talus

@@ -2,20 +2,22 @@
 
 #include <talus/voxel/coords.h>
 
-#include "instruction_set.h"
+#include <talus/vectors/tables.h>
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "kernels/columns.cpp"
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
-#include "vectors-inl.h"
+#include <talus/vectors/vectors-inl.h>
 
 HWY_BEFORE_NAMESPACE();
 namespace talus::terrain::HWY_NAMESPACE {
 namespace {
 
 namespace hn = hwy::HWY_NAMESPACE;
+using talus::HWY_NAMESPACE::over_row;
+using talus::HWY_NAMESPACE::round_to_even;
 
 using Ints = hn::ScalableTag<std::int32_t>;
 

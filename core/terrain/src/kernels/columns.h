@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include <talus/terrain/kernels.h>
+#include <talus/vectors/instruction_set.h>
 
 namespace talus::terrain {
 

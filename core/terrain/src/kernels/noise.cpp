@@ -1,19 +1,21 @@
 #include "noise.h"
 
-#include "instruction_set.h"
+#include <talus/vectors/tables.h>
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "kernels/noise.cpp"
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
-#include "vectors-inl.h"
+#include <talus/vectors/vectors-inl.h>
 
 HWY_BEFORE_NAMESPACE();
 namespace talus::terrain::HWY_NAMESPACE {
 namespace {
 
 namespace hn = hwy::HWY_NAMESPACE;
+using talus::HWY_NAMESPACE::over_row;
+using talus::HWY_NAMESPACE::round_to_even;
 
 using Floats = hn::ScalableTag<float>;
 using Words = hn::RebindToUnsigned<Floats>;

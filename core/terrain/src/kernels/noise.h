@@ -11,7 +11,7 @@
 #include <cstdint>
 #include <vector>
 
-#include <talus/terrain/kernels.h>
+#include <talus/vectors/instruction_set.h>
 
 namespace talus::terrain {
 

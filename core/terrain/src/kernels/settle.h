@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <limits>
 
-#include <talus/terrain/kernels.h>
+#include <talus/vectors/instruction_set.h>
 
 namespace talus::terrain {
 

@@ -16,7 +16,11 @@
 
 namespace talus {
 
-inline constexpr std::uint8_t kCodecVersion = 1;  // the first byte of every payload
+/// The first byte of every payload: this is what encode writes.
+inline constexpr std::uint8_t kCodecVersion = 2;
+
+/// What decode still reads, down from kCodecVersion.
+inline constexpr std::uint8_t kOldestCodecVersion = 1;
 
 /// The largest payload the encoder makes and the decoder reads: raw voxels after two header bytes.
 inline constexpr std::size_t kMaxPayloadBytes = 2 + sizeof(DenseVoxels);

@@ -1,13 +1,13 @@
-#include <talus/terrain/kernels.h>
+#include <talus/vectors/instruction_set.h>
 
 #include <cstdlib>
 
-#include "instruction_set.h"
+#include <talus/vectors/tables.h>
 
 #include <hwy/highway.h>
 #include <hwy/targets.h>
 
-namespace talus::terrain {
+namespace talus {
 namespace {
 
 constexpr std::array kNames{std::string_view{"scalar"}, std::string_view{"sse4"}, std::string_view{"avx2"},
@@ -57,4 +57,4 @@ InstructionSet instruction_set() {
   return kSet;
 }
 
-}  // namespace talus::terrain
+}  // namespace talus

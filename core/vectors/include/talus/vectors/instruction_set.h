@@ -1,5 +1,5 @@
-// The loops in which generation spends its time exist once for each instruction set. All give the same
-// bits, so which one runs is a matter of speed alone.
+// The loops in which generation and coding spend their time exist once for each instruction set. All give the
+// same bits, so which one runs is a matter of speed alone.
 #pragma once
 
 #include <array>
@@ -9,7 +9,7 @@
 
 #include <tl/expected.hpp>
 
-namespace talus::terrain {
+namespace talus {
 
 /// Slowest first. `scalar` runs on every processor that the build is for.
 enum class InstructionSet : std::uint8_t { scalar, sse4, avx2, avx512 };
@@ -27,7 +27,7 @@ inline constexpr const char* kInstructionSetVariable = "TALUS_INSTRUCTION_SET";
 /// not known, or does not run here. Programs call it when they start.
 [[nodiscard]] tl::expected<InstructionSet, std::string_view> forced_instruction_set();
 
-/// The set that generation uses from the first call on: the forced one, or the fastest where that is wrong.
+/// The set that all kernels use from the first call on: the forced one, or the fastest where that is wrong.
 [[nodiscard]] InstructionSet instruction_set();
 
-}  // namespace talus::terrain
+}  // namespace talus

@@ -1,14 +1,14 @@
-// Which instruction set a kernel table is taken for.
+// How a kernel source gets a table of its functions for each instruction set.
 #pragma once
 
-#include <talus/terrain/kernels.h>
+#include <talus/vectors/instruction_set.h>
 
 // Each kernel source is compiled once for every set below (Highway's foreach_target); a table exists for
 // those that this compiler can make. Highway gives code for the compiler's own baseline whatever it is.
 #undef HWY_DISABLED_TARGETS
 #define HWY_DISABLED_TARGETS (HWY_SSSE3 | HWY_AVX3_DL)
 
-namespace talus::terrain {
+namespace talus {
 
 /// Elements that kernels may touch past the end of the buffers that they call padded: a vector's worth.
 inline constexpr std::size_t kPadding = 32;
@@ -17,7 +17,7 @@ inline constexpr std::size_t kPadding = 32;
   return (size + kPadding - 1) / kPadding * kPadding + kPadding;
 }
 
-}  // namespace talus::terrain
+}  // namespace talus
 
 // The address of a table for each InstructionSet, null where this build has none. To be used where HWY_ONCE.
 #define TALUS_TABLES(table) \

@@ -11,7 +11,7 @@
 #include <hwy/highway.h>
 
 HWY_BEFORE_NAMESPACE();
-namespace talus::terrain::HWY_NAMESPACE {
+namespace talus::HWY_NAMESPACE {
 namespace {
 
 namespace hn = hwy::HWY_NAMESPACE;
@@ -30,7 +30,7 @@ HWY_INLINE void over_row(Tag tag, std::size_t width, const Body& body) {
   if (i < width) body(tag, width - lanes);
 }
 
-/// To the nearest integer, ties to even, for 0 <= value <= 2^23: rounding.h, in vectors.
+/// To the nearest integer, ties to even, for 0 <= value <= 2^23: as std::nearbyint does.
 template <class Tag>
 HWY_INLINE auto round_to_even(Tag tag, hn::Vec<Tag> value) {
   const auto no_fraction = hn::Set(tag, 8388608.0F);
@@ -38,7 +38,7 @@ HWY_INLINE auto round_to_even(Tag tag, hn::Vec<Tag> value) {
 }
 
 }  // namespace
-}  // namespace talus::terrain::HWY_NAMESPACE
+}  // namespace talus::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #endif

@@ -1,0 +1,22 @@
+// FORMAT.md read by a machine: a slow decoder of layered payloads that takes the format's tables from the
+// document's own text and follows its words, so that the document stays true.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <string>
+
+#include <talus/voxel/chunk.h>
+
+namespace talus::testing {
+
+/// The text of FORMAT.md.
+[[nodiscard]] std::string format_document();
+
+/// What stands in the document's only ```NAME block.
+[[nodiscard]] std::string block_of(const std::string& document, const std::string& name);
+
+/// Layers of a valid layered payload; anything else throws std::runtime_error.
+[[nodiscard]] Layers decode_by_document(const std::string& document, std::span<const std::byte> payload);
+
+}  // namespace talus::testing
