@@ -44,6 +44,16 @@ constexpr Place kPlaces[] = {
     {"level 6 upper end", (kEnd >> 6) - 2, (kEnd >> 6) - 2, 2, 6},
 };
 
+/// A sample world's name, up to a comma, and keys that come before its own.
+struct Sample {
+  const char* name;
+  std::string more;
+};
+const Sample kWorlds[] = {{"default", ""},
+                          {"canyon", ""},
+                          {"hills", ""},
+                          {"default, eroded", "method = \"erosion\"\nerosion_steps = 8\n"}};
+
 void print_place(const terrain::World& world, const Place& place, std::ostream& out) {
   const Lod lod = Lod::of(place.lod);
   const int width = place.tiles * kChunkSize;
@@ -88,9 +98,10 @@ int main(int argc, char** argv) {
   }
   std::ostringstream text;
   text << "generator " << terrain::kGeneratorVersion << " codec " << int{kCodecVersion} << '\n';
-  for (const char* name : {"default", "canyon", "hills"}) {
-    const std::string file = std::string{TALUS_SOURCE_DIR} + "/core/worlds/" + name + ".toml";
-    const auto world = terrain::World::parse(read_file(file), file);
+  for (const auto& [name, more] : kWorlds) {
+    const std::string sample = std::string{name}.substr(0, std::string{name}.find(','));
+    const std::string file = std::string{TALUS_SOURCE_DIR} + "/core/worlds/" + sample + ".toml";
+    const auto world = terrain::World::parse(more + read_file(file), file);
     if (!world) {
       std::cerr << world.error().message << '\n';
       return 1;

@@ -50,9 +50,23 @@ Region patch_around(ChunkKey key, int tiles) {
           tiles * kChunkSize, key.lod};
 }
 
+World eroding_world(std::uint64_t seed, int steps) {
+  return World::parse("method = \"erosion\"\nerosion_steps = " + std::to_string(steps) + "\n" +
+                          test::small_world_text(seed),
+                      "eroding")
+      .value();
+}
+
+// By either method.
+World any_small_world() {
+  const auto seed = *rc::gen::arbitrary<std::uint64_t>();
+  const int steps = *rc::gen::inRange(0, 13);
+  return steps == 0 ? test::small_world(seed) : eroding_world(seed, steps);
+}
+
 TEST_CASE("A chunk alone has the bytes of the same chunk from any larger patch") {
   CHECK(rc::check([] {
-    const World& world = any_sample_world();
+    const World world = *rc::gen::arbitrary<bool>() ? any_sample_world() : any_small_world();
     const ChunkKey key = any_key(world);
     const Stacks patch = generate_stacks(world, patch_around(key, *rc::gen::inRange(2, 5)));
     RC_ASSERT(encoded(generate_chunk(world, key)) == encoded(extract_chunk(world, patch, key.coord)));
@@ -61,7 +75,7 @@ TEST_CASE("A chunk alone has the bytes of the same chunk from any larger patch")
 
 TEST_CASE("Any two overlapping regions agree on every field of every column they share") {
   CHECK(rc::check([] {
-    const World world = test::small_world(*rc::gen::arbitrary<std::uint64_t>());
+    const World world = any_small_world();
     const Lod lod = Lod::of(*rc::gen::inRange(0, Lod::kMax + 1));
     const std::int64_t x = std::int64_t{any_chunk_axis(lod)} * kChunkSize;
     const std::int64_t z = std::int64_t{any_chunk_axis(lod)} * kChunkSize;
@@ -128,6 +142,17 @@ TEST_CASE("Two columns less than the theorem's halo show mismatches") {
     const Lod lod = Lod::of(level);
     CHECK(mismatches(rough, lod, halo_columns(rough, lod)) == 0);
     CHECK(mismatches(rough, lod, halo_columns(rough, lod) - 2) > 0);
+  }
+}
+
+TEST_CASE("Erosion of K steps is exact with a halo of 2 K columns, and not with K + 1") {
+  for (const int steps : {3, 5}) {
+    const World world = eroding_world(3, steps);
+    for (int level = 0; level <= 2; ++level) {
+      INFO(steps << " steps at level " << level);
+      CHECK(mismatches(world, Lod::of(level), 2 * steps) == 0);
+      CHECK(mismatches(world, Lod::of(level), steps + 1) > 0);
+    }
   }
 }
 

@@ -131,6 +131,60 @@ Stack insert(const terrain::World& world, const Stack& stack, const std::vector<
   return all;
 }
 
+void erode_step(const std::vector<terrain::LooseRules>& rules, terrain::Neighbours neighbours,
+                terrain::LooseGround& ground) {
+  struct Pipe {
+    std::size_t material;
+    int x;
+    int z;
+    std::int32_t amount;
+  };
+  std::vector<Pipe> pipes;
+  const int width = ground.base.width;
+  const int depth = ground.base.depth;
+  const auto height = [&ground](std::size_t material, int x, int z) {
+    std::int32_t sum = ground.base.at(x, z);
+    for (std::size_t m = 0; m <= material; ++m) sum += ground.thickness[m].at(x, z);
+    return sum;
+  };
+  for (std::size_t m = rules.size(); m-- > 0;) {
+    for (int i = width * depth - 1; i >= 0; --i) {
+      const int x = i % width;
+      const int z = i / width;
+      std::vector<Pipe> lower;  // `amount` is how much
+      std::int64_t sum = 0;
+      for (int dz = -1; dz <= 1; ++dz) {
+        for (int dx = -1; dx <= 1; ++dx) {
+          if (dx == 0 && dz == 0) continue;
+          const bool straight = dx == 0 || dz == 0;
+          if (neighbours == terrain::Neighbours::von_neumann && !straight) continue;
+          if (neighbours == terrain::Neighbours::diagonal && straight) continue;
+          if (x + dx < 0 || x + dx >= width || z + dz < 0 || z + dz >= depth) continue;
+          const std::int32_t drop = height(m, x, z) - height(m, x + dx, z + dz);
+          if (drop <= rules[m].c_fx) continue;
+          lower.push_back({m, x + dx, z + dz, drop});
+          sum += drop;
+        }
+      }
+      const std::int32_t step = std::min(std::max(1, rules[m].c_fx / 8), ground.thickness[m].at(x, z));
+      if (lower.empty() || step == 0) continue;
+      std::int32_t left = step;
+      std::size_t steepest = 0;
+      for (std::size_t k = 0; k < lower.size(); ++k) {
+        if (lower[k].amount > lower[steepest].amount) steepest = k;
+      }
+      for (Pipe& pipe : lower) {
+        pipe.amount = static_cast<std::int32_t>(std::int64_t{step} * pipe.amount / sum);
+        left -= pipe.amount;
+      }
+      lower[steepest].amount += left;
+      pipes.insert(pipes.end(), lower.begin(), lower.end());
+      pipes.push_back({m, x, z, -step});
+    }
+  }
+  for (const Pipe& pipe : pipes) ground.thickness[pipe.material].at(pipe.x, pipe.z) += pipe.amount;
+}
+
 MaterialId voxel(const terrain::World& world, const Stack& stack, std::int64_t y, Lod lod) {
   const std::int64_t centre = 256 * y + 128;
   const std::int32_t height = stack.back().top_fx;

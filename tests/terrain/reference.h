@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <vector>
 
+#include <talus/terrain/erosion.h>
 #include <talus/terrain/fbm.h>
 #include <talus/terrain/field.h>
 #include <talus/terrain/world.h>
@@ -41,6 +42,11 @@ using Stack = std::vector<Layer>;
 /// Section 3.6, insertion: `thickness[m]` of each loose material at the top of `stack`, which gives way.
 [[nodiscard]] Stack insert(const terrain::World& world, const Stack& stack,
                            const std::vector<std::int32_t>& thickness);
+
+/// Section 3.5, one step with virtual pipes: every column puts into eight pipes what it gives away, last
+/// column first, and all pipes empty at once.
+void erode_step(const std::vector<terrain::LooseRules>& rules, terrain::Neighbours neighbours,
+                terrain::LooseGround& ground);
 
 /// Section 3.7: what the voxel in row y of a column is made of, at LOD 0 and above.
 [[nodiscard]] MaterialId voxel(const terrain::World& world, const Stack& stack, std::int64_t y, Lod lod);

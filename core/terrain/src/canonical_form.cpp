@@ -37,6 +37,7 @@ std::string World::canonical_form() const {
        << "surface gain " << bits_of(surface.gain) << '\n'
        << "surface exponent " << surface.exponent << '\n'
        << "surface highest_fx " << bits_of(surface.highest_fx) << '\n'
+       << (spec_.method == Method::erosion ? "erosion " + std::to_string(spec_.erosion_steps) + '\n' : "")
        << "sea_fx " << (sea_fx_ ? std::to_string(*sea_fx_) : "none") << '\n';
   for (std::size_t j = 0; j < strata_.size(); ++j) {
     form << "layer " << to_integer(strata_[j].material) << " thickness_q16 " << strata_[j].thickness_q16

@@ -154,20 +154,27 @@ MixedRange mixed_range(const World& world, const Stacks& stacks, std::int32_t ch
   return {first, std::max(first - 1, chunk_row(highest - 1)), tile.material(0)};
 }
 
+std::int64_t highest_row(const World& world, Lod lod) {
+  const int shift = lod.value();
+  return std::max(boundary_row((world.highest_fx() >> shift) + world.rise_fx()),
+                  world.sea_fx() ? boundary_row(*world.sea_fx() >> shift) : 0);
+}
+
 HeightRange height_range(const World& world) {
-  return {0, std::max<std::int64_t>(boundary_row(world.highest_fx()),
-                                    world.sea_fx() ? boundary_row(*world.sea_fx()) : 0)};
+  HeightRange range;
+  for (int level = 0; level <= Lod::kMax; ++level) {
+    range.high = std::max(range.high, highest_row(world, Lod::of(level)) << level);
+  }
+  return range;
 }
 
 std::optional<MaterialId> uniform_everywhere(const World& world, ChunkKey key) {
   const int shift = key.lod.value();
   // At coarse levels the topmost solid voxel may lie just below y = 0.
   const std::int64_t low = shift == 0 ? 0 : -1;
-  const std::int64_t high = std::max(boundary_row(world.highest_fx() >> shift),
-                                     world.sea_fx() ? boundary_row(*world.sea_fx() >> shift) : 0);
   const std::int64_t floor_row = std::int64_t{key.coord.y} * kChunkSize;
   if (floor_row + kChunkSize <= low) return world.strata().front().material;
-  if (floor_row >= high) return kAir;
+  if (floor_row >= highest_row(world, key.lod)) return kAir;
   return std::nullopt;
 }
 

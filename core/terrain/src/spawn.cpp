@@ -47,7 +47,10 @@ VoxelPos find_spawn(const World& world) {
       });
       for (const Candidate& place : dry) {
         if (slope_at(surface, place.x, place.z) <= steepest_fx) {
-          return {place.x, boundary_row(place.height_fx), place.z};
+          // Erosion may have changed the ground since.
+          const BaseColumn column{place.x, place.z};
+          const std::int32_t ground_fx = surface_heights(world, {&column, 1}).front();
+          return {place.x, boundary_row(std::max(ground_fx, sea_fx)), place.z};
         }
       }
     }

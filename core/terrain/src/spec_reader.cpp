@@ -19,7 +19,8 @@ struct Range {
   double most;
 };
 
-constexpr double kFarthest = 32768;  // terrain units; R >= 1 keeps every height within 32,768 voxels
+constexpr double kFarthest = 32768;    // terrain units; R >= 1 keeps every height within 32,768 voxels
+constexpr int kMostErosionSteps = 64;  // a halo of 128 columns
 
 // One line, whatever stood in the file: a key or a name may hold any character.
 SpecError error_of(const std::string& message) {
@@ -100,6 +101,23 @@ class TableReader {
       return least;
     }
     return *value;
+  }
+
+  // Which of `choices` the string is.
+  std::size_t one_of(const std::string& key, std::initializer_list<std::string_view> choices) {
+    std::string list;
+    for (const std::string_view choice : choices)
+      list += (list.empty() ? "\"" : ", \"") + std::string{choice} + '"';
+    const toml::node* node = find(key, "one of " + list);
+    if (node == nullptr) return 0;
+    const auto value = node->is_string() ? node->value<std::string>() : std::nullopt;
+    if (!value) return wrong_type(*node, key, "one of " + list), std::size_t{0};
+    const auto* const found = std::find(choices.begin(), choices.end(), *value);
+    if (found == choices.end()) {
+      fail(line_of(*node), key, "'" + *value + "' is none of those known; " + list);
+      return 0;
+    }
+    return static_cast<std::size_t>(found - choices.begin());
   }
 
   // Terrain units as integers of 2^-16, so that no sequence depends on binary fractions.
@@ -198,7 +216,8 @@ tl::expected<ReadSpec, SpecError> read_spec(std::string_view toml, std::string_v
   ReadSpec read;
   WorldSpec& spec = read.spec;
   TableReader root{file, "", document, error};
-  root.only({"seed", "resolution", "strata_wavelength", "sea_level", "surface", "stratified", "eroded"});
+  root.only({"seed", "resolution", "strata_wavelength", "sea_level", "method", "erosion_steps", "surface",
+             "stratified", "eroded"});
   spec.seed = static_cast<std::uint64_t>(root.integer("seed", std::numeric_limits<std::int64_t>::min(),
                                                       std::numeric_limits<std::int64_t>::max()));
   spec.resolution = static_cast<int>(root.integer("resolution", 1, 32768));
@@ -217,6 +236,15 @@ tl::expected<ReadSpec, SpecError> read_spec(std::string_view toml, std::string_v
   spec.strata_wavelength = root.has("strata_wavelength") ? root.real("strata_wavelength", {1e-6, 16777216})
                                                          : spec.surface.wavelength;
   if (root.has("sea_level")) spec.sea_level = root.real("sea_level", {0, kFarthest});
+  if (root.has("method")) {
+    spec.method = root.one_of("method", {"slope", "erosion"}) == 1 ? Method::erosion : Method::slope;
+  }
+  if (spec.method == Method::erosion) {
+    spec.erosion_steps = static_cast<int>(root.integer("erosion_steps", 1, kMostErosionSteps));
+  } else if (root.has("erosion_steps")) {
+    root.fail(root.line("erosion_steps"), "erosion_steps",
+              "is for method = \"erosion\"; leave it out or choose that method");
+  }
 
   read.lines.strata_wavelength =
       root.has("strata_wavelength") ? root.line("strata_wavelength") : read.lines.wavelength;

@@ -1,8 +1,10 @@
 #include <talus/terrain/stacks.h>
 
 #include <algorithm>
+#include <map>
 #include <utility>
 
+#include <talus/terrain/erosion.h>
 #include <talus/terrain/surface.h>
 
 #include "ground.h"
@@ -34,6 +36,11 @@ void shift_right(Field& field, int shift) {
   for (std::int32_t& value : field.values) value >>= shift;
 }
 
+void shift_left(Field& field, int shift) {
+  if (shift == 0) return;
+  for (std::int32_t& value : field.values) value <<= shift;
+}
+
 }  // namespace
 
 struct Generator::Scratch {
@@ -54,6 +61,10 @@ struct Generator::Scratch {
   Field limit;
   std::vector<Field> loose_tops;  // bottom up
   std::vector<Field> spare;
+  Eroder eroder;
+  Field around;  // H with its halo, before erosion
+  LooseGround loose_ground;
+  std::vector<LooseRules> rules;  // bottom up
 };
 
 std::size_t Stacks::bytes() const {
@@ -63,6 +74,7 @@ std::size_t Stacks::bytes() const {
 }
 
 int halo_columns(const World& world, Lod lod) {
+  if (world.spec().method == Method::erosion) return world.halo();
   int halo = 0;
   for (const LooseSpec& loose : world.loose()) halo = std::max(halo, loose.halo_at(lod));
   return halo;
@@ -79,12 +91,23 @@ void Generator::generate(const Region& region, Terrain& terrain) {
 
 void Generator::generate_with_halo(const Region& region, int halo, Terrain& terrain) {
   Scratch& s = *scratch_;
+  const bool erodes = world_->spec().method == Method::erosion;
   const int ring = halo - 1;  // the outermost column of the halo serves the slope alone
   const int shift = region.lod.value();
   s.ground.cover(region.grown(ring));
   terrain.region = region;
-  s.ground.height().copy_inside(ring, terrain.surface);
   s.ground.slope().copy_inside(ring, terrain.slope);
+  terrain.loose.resize(world_->loose().size());
+  if (erodes) {
+    erode(region, halo);
+    s.loose_ground.surface().copy_inside(halo, terrain.surface);
+    for (std::size_t i = 0; i < terrain.loose.size(); ++i) {
+      s.loose_ground.thickness[i].copy_inside(halo, terrain.loose[world_->loose_bottom_up()[i]]);
+    }
+    shift_left(terrain.surface, shift);
+  } else {
+    s.ground.height().copy_inside(ring, terrain.surface);
+  }
 
   base_columns(region.x, region.width, region.lod, s.xs);
   base_columns(region.z, region.depth, region.lod, s.zs);
@@ -92,8 +115,8 @@ void Generator::generate_with_halo(const Region& region, int halo, Terrain& terr
   s.rock.lay(s.xs, s.zs, terrain.surface, LayersOfRock::Extent::all, strata);
   for (Field& plane : terrain.strata) shift_right(plane, shift);
   shift_right(terrain.surface, shift);
+  if (erodes) return;
 
-  terrain.loose.resize(world_->loose().size());
   for (std::size_t m = 0; m < terrain.loose.size(); ++m) {
     const LooseSpec& loose = world_->loose()[m];
     s.cells.start(s.ground.slope(), loose.thickness_at(region.lod), loose.S_fx);
@@ -109,14 +132,35 @@ void Generator::generate_with_halo(const Region& region, int halo, Terrain& terr
 
 void Generator::generate(const Region& region, Stacks& stacks) {
   Scratch& s = *scratch_;
-  const int ring = std::max(1, halo_columns(*world_, region.lod)) - 1;
   const int shift = region.lod.value();
-  s.ground.cover(region.grown(ring));
   stacks.region = region;
+  if (world_->spec().method == Method::erosion) {
+    const int halo = halo_columns(*world_, region.lod);
+    erode(region, halo);
+    take_eroded(halo);
+  } else {
+    settle(region);
+  }
 
+  base_columns(region.x, region.width, region.lod, s.xs);
+  base_columns(region.z, region.depth, region.lod, s.zs);
+  shift_left(s.limit, shift);  // rock is laid in subvoxels of level 0
+  Planes planes{stacks.materials, stacks.tops, s.spare};
+  s.rock.lay(s.xs, s.zs, s.limit, LayersOfRock::Extent::until_full, planes);
+  for (Field& plane : stacks.tops) shift_right(plane, shift);
+  const std::vector<std::size_t>& bottom_up = world_->loose_bottom_up();
+  for (std::size_t i = 0; i < bottom_up.size(); ++i) {
+    std::swap(planes.add(world_->loose()[bottom_up[i]].material), s.loose_tops[i]);
+  }
+}
+
+void Generator::settle(const Region& region) {
+  Scratch& s = *scratch_;
+  const int ring = std::max(1, halo_columns(*world_, region.lod)) - 1;
+  s.ground.cover(region.grown(ring));
   // `limit` walks down from H: the top of the loose material whose turn it is, lightest first, then of rock.
   s.ground.height().copy_inside(ring, s.limit);
-  shift_right(s.limit, shift);
+  shift_right(s.limit, region.lod.value());
   const std::vector<std::size_t>& bottom_up = world_->loose_bottom_up();
   s.loose_tops.resize(bottom_up.size());
   for (std::size_t i = bottom_up.size(); i-- > 0;) {
@@ -131,18 +175,33 @@ void Generator::generate(const Region& region, Stacks& stacks) {
       });
     }
   }
+}
 
-  base_columns(region.x, region.width, region.lod, s.xs);
-  base_columns(region.z, region.depth, region.lod, s.zs);
-  // Rock is laid in subvoxels of level 0.
-  if (shift > 0) {
-    for (std::int32_t& value : s.limit.values) value <<= shift;
+void Generator::erode(const Region& region, int halo) {
+  Scratch& s = *scratch_;
+  s.ground.cover(region.grown(halo));
+  s.ground.height().copy_inside(0, s.around);
+  shift_right(s.around, region.lod.value());
+  s.rules.clear();
+  for (const std::size_t m : world_->loose_bottom_up()) {
+    const LooseSpec& loose = world_->loose()[m];
+    s.rules.push_back({loose.thickness_at(region.lod), loose.c_fx});
   }
-  Planes planes{stacks.materials, stacks.tops, s.spare};
-  s.rock.lay(s.xs, s.zs, s.limit, LayersOfRock::Extent::until_full, planes);
-  for (Field& plane : stacks.tops) shift_right(plane, shift);
-  for (std::size_t i = 0; i < bottom_up.size(); ++i) {
-    std::swap(planes.add(world_->loose()[bottom_up[i]].material), s.loose_tops[i]);
+  set_loose(s.around, s.rules, s.loose_ground);
+  for (int step = 0; step < world_->spec().erosion_steps; ++step) {
+    if (!s.eroder.step(s.rules, s.loose_ground)) break;
+  }
+}
+
+void Generator::take_eroded(int halo) {
+  Scratch& s = *scratch_;
+  s.loose_ground.base.copy_inside(halo, s.limit);
+  s.loose_tops.resize(s.rules.size());
+  for (std::size_t i = 0; i < s.rules.size(); ++i) {
+    Field& top = s.loose_tops[i];
+    s.loose_ground.thickness[i].copy_inside(halo, top);
+    const Field& below = i == 0 ? s.limit : s.loose_tops[i - 1];
+    for (std::size_t k = 0; k < top.values.size(); ++k) top.values[k] += below.values[k];
   }
 }
 
@@ -158,7 +217,33 @@ Stacks generate_stacks(const World& world, const Region& region) {
   return stacks;
 }
 
+namespace {
+
+std::vector<std::int32_t> eroded_heights(const World& world, std::span<const BaseColumn> columns) {
+  using Tile = std::pair<std::int64_t, std::int64_t>;
+  const auto tile_of = [](const BaseColumn& column) {
+    return Tile{floor_div(column.x, kChunkSize), floor_div(column.z, kChunkSize)};
+  };
+  std::map<Tile, std::vector<std::size_t>> by_tile;
+  for (std::size_t i = 0; i < columns.size(); ++i) by_tile[tile_of(columns[i])].push_back(i);
+  std::vector<std::int32_t> heights(columns.size());
+  Generator generator{world};
+  Stacks stacks;
+  for (const auto& [tile, asked] : by_tile) {
+    const Region region{tile.first * kChunkSize, tile.second * kChunkSize, kChunkSize, kChunkSize, Lod{}};
+    generator.generate(region, stacks);
+    for (const std::size_t i : asked) {
+      heights[i] = stacks.tops.back().at(static_cast<int>(columns[i].x - region.x),
+                                         static_cast<int>(columns[i].z - region.z));
+    }
+  }
+  return heights;
+}
+
+}  // namespace
+
 std::vector<std::int32_t> surface_heights(const World& world, std::span<const BaseColumn> columns) {
+  if (world.spec().method == Method::erosion) return eroded_heights(world, columns);
   const Surface surface = surface_of(world.spec());
   SurfaceRows rows{instruction_set()};
   std::vector<std::int32_t> heights(columns.size());

@@ -9,6 +9,7 @@
 #include "canonical_hash.h"
 #include "spec_reader.h"
 
+#include <talus/terrain/erosion.h>
 #include <talus/terrain/strata.h>
 #include <talus/terrain/surface.h>
 
@@ -107,7 +108,7 @@ tl::expected<World, SpecError> World::parse(std::string_view toml, std::string_v
     LooseSpec loose{add_material(e.name, e.colour, MaterialKind::eroded), e.weight,
                     static_cast<std::int32_t>(t_fx), tangent_fx(e.max_slope), tangent_fx(e.angle_of_repose)};
     const int halo = loose.halo_at(Lod{});
-    if (halo > kMaxHalo) {
+    if (halo > kMaxHalo && spec.method == Method::slope) {
       return refuse(line, key, "at this angle of repose it needs a halo of ", halo, " columns; at most ",
                     kMaxHalo, ", so make the thickness smaller or the angle steeper");
     }
@@ -122,6 +123,16 @@ tl::expected<World, SpecError> World::parse(std::string_view toml, std::string_v
     const double weight_b = world.loose_[b].weight;
     return weight_a != weight_b ? weight_a > weight_b : a > b;
   });
+  if (spec.method == Method::erosion) {
+    world.halo_ = 2 * spec.erosion_steps;
+    // A material alone never passes its highest column, but for what a step of 1 rounds up to (c below 8).
+    // What lies under others lifts them by what flows in: a step from each of eight neighbours.
+    world.rise_fx_ = 8;
+    for (std::size_t i = 0; i + 1 < world.loose_.size(); ++i) {
+      const LooseSpec& loose = world.loose_[world.loose_bottom_up_[i]];
+      world.rise_fx_ += spec.erosion_steps * 8 * erosion_step_fx(loose.c_fx);
+    }
+  }
   world.fingerprint_ = hash_canonical_form(world.canonical_form());
   return world;
 }

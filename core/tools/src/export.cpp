@@ -131,8 +131,7 @@ std::vector<MaterialId> strata_materials(const terrain::World& world, const terr
 
 Expected<void> check_bytes(const terrain::World& world, const terrain::Region& region, std::size_t planes,
                            std::uint64_t max_bytes) {
-  const auto rows = static_cast<std::size_t>(
-      terrain::boundary_row(std::max(world.highest_fx(), world.sea_fx().value_or(0))));
+  const auto rows = static_cast<std::size_t>(static_cast<std::int32_t>(highest_row(world, Lod{})));
   const std::size_t column_bytes =
       (2 + world.loose().size() + planes) * sizeof(std::int32_t) + rows * item_bytes(voxel_type(world));
   if (region.columns() <= max_bytes / column_bytes) return {};

@@ -63,7 +63,7 @@ terrain::Region chunks_over(const terrain::Region& region) {
 }
 
 std::int32_t highest_chunk_row(const terrain::World& world, Lod lod) {
-  const std::int64_t highest_voxel = (height_range(world).high - 1) >> lod.value();
+  const std::int64_t highest_voxel = highest_row(world, lod) - 1;
   return static_cast<std::int32_t>(floor_div(highest_voxel, kChunkSize));
 }
 

@@ -30,7 +30,7 @@ using Column = std::vector<RowRun>;
 std::vector<Column> cut_patch(const terrain::World& world, const terrain::Region& patch,
                               std::int32_t bottom) {
   const terrain::Stacks stacks = generate_stacks(world, patch);
-  const std::int32_t top = terrain::boundary_row(std::max(world.highest_fx(), world.sea_fx().value_or(0)));
+  const std::int32_t top = static_cast<std::int32_t>(highest_row(world, Lod{}));
   std::vector<Column> columns(patch.columns());
   for (int z = 0; z < patch.depth; ++z) {
     for (int x = 0; x < patch.width; ++x) {

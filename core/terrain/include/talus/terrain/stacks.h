@@ -18,8 +18,8 @@ namespace talus::terrain {
 /// are width x depth of the region, in subvoxels of the region's level.
 struct Terrain {
   Region region;
-  Field surface;                             // H
-  Field slope;                               // eq. 1, rise over a run of one column
+  Field surface;                             // H; with the erosion method as it is after erosion
+  Field slope;                               // eq. 1, rise over a run of one column, before erosion
   std::vector<MaterialId> strata_materials;  // bottom up, neighbours of one material merged
   std::vector<Field> strata;                 // tops of all planes, cut at H; the last equals H
   std::vector<Field> loose;                  // settled thickness, in the order of World::loose()
@@ -35,7 +35,8 @@ struct Stacks {
   [[nodiscard]] std::size_t bytes() const;
 };
 
-/// Halo columns of surface around a region at `lod`: max over the loose materials of ceil(t_l / c).
+/// Halo columns of surface around a region at `lod`: max over the loose materials of ceil(t_l / c); with the
+/// erosion method two for every step, since what a column receives depends on its neighbours' neighbours.
 [[nodiscard]] int halo_columns(const World& world, Lod lod);
 
 /// The method for one world after another region, with the memory of the one before: after the first regions
@@ -58,6 +59,14 @@ class Generator {
 
  private:
   struct Scratch;
+
+  /// Both methods leave the top of the rock in the scratch's `limit` and of each loose material above it,
+  /// over the region.
+  void settle(const Region& region);
+  /// With the halo still around everything, which take_eroded() takes off.
+  void erode(const Region& region, int halo);
+  void take_eroded(int halo);
+
   const World* world_;
   std::unique_ptr<Scratch> scratch_;
 };
@@ -83,8 +92,11 @@ struct MixedRange {
 /// highest that this world can have. Costs nothing.
 [[nodiscard]] std::optional<MaterialId> uniform_everywhere(const World& world, ChunkKey key);
 
-/// Rows of base voxels between which everything but plain rock and air lies: below `low` all is the first
-/// layer's material, at and above `high` all is air.
+/// The row of voxels of a level at and above which all is air.
+[[nodiscard]] std::int64_t highest_row(const World& world, Lod lod);
+
+/// Rows of base voxels between which everything but plain rock and air lies, at every level: below `low` all
+/// is the first layer's material, at and above `high` all is air.
 struct HeightRange {
   std::int64_t low = 0;
   std::int64_t high = 0;
@@ -94,7 +106,8 @@ struct HeightRange {
 /// One chunk alone, from scratch.
 [[nodiscard]] Chunk generate_chunk(const World& world, ChunkKey key);
 
-/// H of single base columns, in subvoxels.
+/// H of single base columns, in subvoxels. With the erosion method each tile of 32 x 32 columns that is asked
+/// into costs a region of its own with its halo.
 struct BaseColumn {
   std::int64_t x = 0;
   std::int64_t z = 0;

@@ -57,12 +57,18 @@ struct ErodedSpec {
   double max_slope = 0;        // degrees
 };
 
+/// How loose material comes to lie: by the slope of the ground (thesis 3.6), which leaves the surface as it
+/// is, or by moving down (3.5), which changes it.
+enum class Method : std::uint8_t { slope, erosion };
+
 /// world.toml as it stands, in range and consistent (docs/DESIGN.md, "Bounds").
 struct WorldSpec {
   std::uint64_t seed = 0;
   int resolution = 0;               // voxels per terrain unit
   double strata_wavelength = 0;     // terrain units, before roughness shortens it
   std::optional<double> sea_level;  // terrain units above y = 0
+  Method method = Method::slope;
+  int erosion_steps = 0;  // how far material has moved; 0 for the slope method
   SurfaceSpec surface;
   std::vector<StratifiedSpec> stratified;
   std::vector<ErodedSpec> eroded;
@@ -120,10 +126,13 @@ class World {
   [[nodiscard]] const std::vector<std::size_t>& loose_bottom_up() const { return loose_bottom_up_; }
 
   /// Columns of surface that must be known around a region for its stacks to be exact, at level 0: the
-  /// halo theorem's A, 0 without eroded materials.
+  /// halo theorem's A; with the erosion method two for every step.
   [[nodiscard]] int halo() const { return halo_; }
-  /// No surface is higher: amplitude * resolution in subvoxels.
+  /// No surface is higher before erosion: amplitude * resolution in subvoxels.
   [[nodiscard]] std::int32_t highest_fx() const { return highest_fx_; }
+  /// How far erosion can lift a surface above that, in subvoxels of any level: where heavy material creeps
+  /// under light.
+  [[nodiscard]] std::int32_t rise_fx() const { return rise_fx_; }
   [[nodiscard]] std::optional<std::int32_t> sea_fx() const { return sea_fx_; }
 
   /// Everything that decides a voxel, as text with one number a line; equal for specs that give equal
@@ -141,6 +150,7 @@ class World {
   std::vector<std::size_t> loose_bottom_up_;
   int halo_ = 0;
   std::int32_t highest_fx_ = 0;
+  std::int32_t rise_fx_ = 0;
   std::optional<std::int32_t> sea_fx_;
   ContentHash fingerprint_;
 };
