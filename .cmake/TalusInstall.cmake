@@ -2,7 +2,8 @@
 include(CMakePackageConfigHelpers)
 
 set(installed talus_vectors talus_voxel talus_protocol)
-install(DIRECTORY core/vectors/include/ core/voxel/include/ protocol/include/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+install(DIRECTORY core/vectors/include/ core/voxel/include/ protocol/include/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}
+  PATTERN tables.h EXCLUDE PATTERN vectors-inl.h EXCLUDE)  # what only kernel sources need
 install(FILES ${PROJECT_BINARY_DIR}/protocol/generated/talus/protocol/talus_generated.h
   DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/talus/protocol)
 install(FILES protocol/schema/talus.fbs DESTINATION ${CMAKE_INSTALL_DATADIR}/talus)

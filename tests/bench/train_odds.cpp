@@ -1,4 +1,4 @@
-// Finds the odds of the codec's planes: train_odds > core/voxel/src/layered_odds.h
+// Finds the odds of the codec's planes: train_odds | clang-format-14 > core/voxel/src/layered_odds.h
 //
 // It counts every step of the sample worlds' chunks in each of its contexts, then merges the contexts whose
 // odds are alike until few distributions are left, at each merge the one that costs the fewest bits. The
@@ -34,11 +34,6 @@ struct Statistics {
   std::array<double, kPlaces> further{};
 };
 
-void count_further(int step, double weight, Statistics& found) {
-  const auto place = static_cast<std::size_t>(2 * (std::abs(step) - 2) + (step < 0 ? 1 : 0));
-  found.further[std::min(place, kPlaces - 1)] += weight;
-}
-
 void count_plane(const std::uint8_t* plane, const std::uint8_t* below, double weight, Statistics& found) {
   std::array<codec::Steps, kChunkSize> steps;
   for (std::size_t z = 0; z < kChunkSize; ++z) {
@@ -48,10 +43,10 @@ void count_plane(const std::uint8_t* plane, const std::uint8_t* below, double we
     voxel_kernels().guess(before, guess);
     voxel_kernels().classify(plane + z * kChunkSize, guess, steps[z], row);
     for (std::size_t x = 0; x < kChunkSize; ++x) {
-      const int west = steps[z].padded[x];
-      const int step = steps[z].data()[x] - (codec::west_of(west) == codec::West::steep ? west : 0);
       found.steps[row.context[x]][row.symbol[x]] += weight;
-      if (row.symbol[x] == codec::kFurtherOff) count_further(step, weight, found);
+      if (row.symbol[x] != codec::kFurtherOff) continue;
+      const int change = codec::change_of(steps[z].data()[x], steps[z].padded[x]);
+      found.further[std::min<std::size_t>(codec::place_of(change), kPlaces - 1)] += weight;
     }
   }
 }
@@ -177,8 +172,9 @@ char digit(std::size_t value) {
 void print(const std::vector<std::array<int, 4>>& kept, const std::string& of_context,
            const std::array<int, kPlaces>& further) {
   std::printf(
-      R"(// How likely each step is in each context, as train_odds (tests/bench) found it on the sample worlds at levels
-// 0 to 4. Part of the payload's format: FORMAT.md lists the same numbers, and a change needs a new kCodecVersion.
+      R"(// How likely each step is in each context, as train_odds (tests/bench) found it on the sample worlds at
+// levels 0 to 4. Part of the payload's format: FORMAT.md lists the same numbers, and a change needs a new
+// kCodecVersion.
 #pragma once
 
 #include <array>

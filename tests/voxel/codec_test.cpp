@@ -53,6 +53,17 @@ TEST_CASE("a layered payload gives layers") {
   }));
 }
 
+TEST_CASE("a step from one end to the other and back comes back") {
+  for (const auto& [first, second] : {std::pair{32, 32}, {32, 2}, {2, 32}, {32, 0}}) {
+    Layers pillars{{MaterialId{3}, kAir}, std::vector<std::uint8_t>(kChunkArea)};
+    pillars.tops[column_index(10, 5)] = static_cast<std::uint8_t>(first);
+    pillars.tops[column_index(11, 6)] = static_cast<std::uint8_t>(second);
+    const Chunk chunk = Chunk::from_layers(pillars);
+    REQUIRE(decode(encoded(chunk)).has_value());
+    CHECK(*decode(encoded(chunk)) == chunk);
+  }
+}
+
 TEST_CASE("encode appends") {
   std::vector<std::byte> out{std::byte{1}, std::byte{2}};
   const Chunk chunk = Chunk::from_layers(hill(1));

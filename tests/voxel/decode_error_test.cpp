@@ -19,9 +19,13 @@ Payload bytes(std::initializer_list<int> values) {
 }
 
 std::vector<Payload> sample_payloads() {
-  return {encoded(Chunk::uniform(MaterialId{300})), encoded(Chunk::from_layers(hill(1))),
-          encoded(Chunk::from_layers(hill(2))), encoded(Chunk::from_layers(random_layers(3, 5, 100))),
-          encoded(Chunk::from_dense(*random_voxels(4, 3, 400)))};
+  return {encoded(Chunk::uniform(MaterialId{300})),
+          encoded(Chunk::from_layers(hill(1))),
+          encoded(Chunk::from_layers(hill(2))),
+          encoded(Chunk::from_layers(random_layers(3, 5, 100))),
+          encoded(Chunk::from_dense(*random_voxels(4, 3, 400))),
+          frozen(1, "hill"),
+          frozen(1, "rough")};
 }
 
 DecodeError fault_of(const Payload& payload) {
@@ -137,10 +141,12 @@ TEST_CASE("a state that no encoder begins with") {
 }
 
 TEST_CASE("an ending that the encoder would not write") {
-  Payload payload = encoded(Chunk::from_layers(hill(1)));
-  REQUIRE(payload.back() != std::byte{0xFF});
-  payload.back() = static_cast<std::byte>(std::to_integer<int>(payload.back()) + 1);
-  CHECK(fault_of(payload) == DecodeError::bad_ending);
+  for (Payload payload : {encoded(Chunk::from_layers(hill(1))),
+                          encoded(Chunk::from_dense(*random_voxels(4, 3, 400))), frozen(1, "hill")}) {
+    REQUIRE(payload.back() != std::byte{0xFF});
+    payload.back() = static_cast<std::byte>(std::to_integer<int>(payload.back()) + 1);
+    CHECK(fault_of(payload) == DecodeError::bad_ending);
+  }
 }
 
 TEST_CASE("every error describes itself") {

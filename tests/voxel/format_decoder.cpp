@@ -54,7 +54,7 @@ struct Tables {
     }
     std::istringstream shares{block_of(document, "further")};
     further.assign(std::istream_iterator<int>{shares}, {});
-    for (int i = 1; i <= 64; ++i) equal.push_back(64 * i);
+    for (int i = 1; i <= 128; ++i) equal.push_back(32 * i);
     if (of_context.size() != 1944 || ends.size() != 48 || further.size() != 16) fail("the tables' sizes");
   }
 
@@ -69,6 +69,7 @@ class Coder {
   explicit Coder(Bytes& bytes) : bytes_{bytes} {
     for (int& state : state_) {
       for (int i = 0; i < 3; ++i) state = state * 256 + bytes_.next();
+      if (state < 65536) fail("bad ending");
     }
   }
 
@@ -133,6 +134,7 @@ Plane read_plane(Coder& coder, const Tables& tables, const Plane& below) {
       const int predicted = bare == 1 ? f : std::max(N(x), f);
       const int change = read_change(coder, tables, west * 486 + bare * 243 + signs, x % 2);
       step[row][column] = carried + change;
+      if (std::abs(carried + change) > 32) fail("bad number");
       plane[row][column] = predicted + carried + change;
       if (plane[row][column] < f || plane[row][column] > 32) fail("bad number");
     }

@@ -16,7 +16,7 @@ namespace talus::testing {
 /// What stands in the document's only ```NAME block.
 [[nodiscard]] std::string block_of(const std::string& document, const std::string& name);
 
-/// Layers of a valid layered payload; anything else throws std::runtime_error.
+/// Layers of a valid layered payload. Most others throw std::runtime_error; none is read past its end.
 [[nodiscard]] Layers decode_by_document(const std::string& document, std::span<const std::byte> payload);
 
 }  // namespace talus::testing

@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <fstream>
+#include <iterator>
 #include <random>
+#include <stdexcept>
 
 #include <rapidcheck.h>
 
@@ -42,6 +45,27 @@ Layers random_layers(std::uint64_t seed, std::size_t planes, int smoothness) {
     for (std::uint8_t& top : floor) {
       if (random.within(0, smoothness) == 0) thickness = random.within(0, 8);
       top = row(top + thickness);
+    }
+    layers.tops.insert(layers.tops.end(), floor.begin(), floor.end());
+  }
+  return layers;
+}
+
+Layers leaping_layers(std::uint64_t seed, std::size_t planes) {
+  Random random{seed};
+  Layers layers;
+  for (std::size_t i = 0; i <= planes; ++i) {
+    layers.materials.push_back(MaterialId{static_cast<std::uint16_t>(i % 2 == 0 ? 7 : random.below(5))});
+  }
+  std::vector<std::uint8_t> floor(kChunkArea, 0);
+  for (std::size_t p = 0; p < planes; ++p) {
+    const std::size_t leaps = 1 + random.below(40);
+    int height = 0;
+    for (std::uint8_t& top : floor) {
+      if (random.below(leaps) == 0) {
+        height = random.below(2) == 0 ? random.within(0, kChunkSize) : kChunkSize * random.within(0, 1);
+      }
+      top = std::max(top, row(height));
     }
     layers.tops.insert(layers.tops.end(), floor.begin(), floor.end());
   }
@@ -101,9 +125,20 @@ std::vector<std::byte> encoded(const Chunk& chunk) {
   return payload;
 }
 
+std::vector<std::byte> frozen(int version, const std::string& name) {
+  std::ifstream file{TALUS_SOURCE_DIR "/tests/voxel/golden/v" + std::to_string(version) + "/" + name + ".bin",
+                     std::ios::binary};
+  if (!file) throw std::runtime_error("no golden payload " + name);
+  std::vector<std::byte> payload;
+  for (std::istreambuf_iterator<char> byte{file}, end; byte != end; ++byte) {
+    payload.push_back(static_cast<std::byte>(*byte));
+  }
+  return payload;
+}
+
 Chunk any_chunk() {
   const auto seed = *rc::gen::arbitrary<std::uint64_t>().as("seed of the chunk");
-  switch (*rc::gen::inRange(0, 5).as("kind of chunk")) {
+  switch (*rc::gen::inRange(0, 6).as("kind of chunk")) {
     case 0:
       return Chunk::uniform(MaterialId{static_cast<std::uint16_t>(seed)});
     case 1:
@@ -112,6 +147,8 @@ Chunk any_chunk() {
       const auto planes = *rc::gen::inRange<std::size_t>(1, Layers::kMaxMaterials).as("planes");
       return Chunk::from_layers(random_layers(seed, planes, *rc::gen::inRange(0, 64).as("smoothness")));
     }
+    case 5:
+      return Chunk::from_layers(leaping_layers(seed, *rc::gen::inRange<std::size_t>(1, 9).as("planes")));
     case 3:
       return Chunk::from_dense(*random_voxels(seed, *rc::gen::inRange<std::size_t>(1, 9).as("materials"),
                                               *rc::gen::inRange<std::size_t>(1, 200).as("run")));

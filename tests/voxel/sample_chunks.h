@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include <talus/voxel/chunk.h>
@@ -13,6 +14,9 @@ namespace talus::testing {
 /// Planes of random rows, unordered materials, needless planes among them. `smoothness` 0 is noise; the
 /// higher, the more rarely a row differs from its neighbour's.
 [[nodiscard]] Layers random_layers(std::uint64_t seed, std::size_t planes, int smoothness);
+
+/// Planes that often leap from any row to any other, 0 and 32 among them.
+[[nodiscard]] Layers leaping_layers(std::uint64_t seed, std::size_t planes);
 
 /// Strata, a loose layer that comes and goes, water and air: what the generator makes.
 [[nodiscard]] Layers hill(std::uint64_t seed);
@@ -24,6 +28,9 @@ namespace talus::testing {
 [[nodiscard]] std::unique_ptr<DenseVoxels> voxels_of(const Chunk& chunk);
 
 [[nodiscard]] std::vector<std::byte> encoded(const Chunk& chunk);
+
+/// tests/voxel/golden/vVERSION/NAME.bin.
+[[nodiscard]] std::vector<std::byte> frozen(int version, const std::string& name);
 
 /// A chunk of any kind, chosen by RapidCheck.
 [[nodiscard]] Chunk any_chunk();

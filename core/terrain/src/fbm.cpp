@@ -4,7 +4,6 @@
 
 #include <talus/vectors/instruction_set.h>
 
-#include <talus/vectors/tables.h>
 #include "fbm_rows.h"
 
 namespace talus::terrain {

@@ -1,6 +1,5 @@
 #include <talus/voxel/codec.h>
 
-#include <algorithm>
 #include <memory>
 
 #include "layered.h"

@@ -1,5 +1,8 @@
 #include "kernels.h"
 
+#include <algorithm>
+#include <array>
+
 #include <talus/vectors/tables.h>
 
 #undef HWY_TARGET_INCLUDE
@@ -32,7 +35,7 @@ HWY_INLINE Vec sign(Vec a, Vec b) {
   return hn::Add(hn::Sub(hn::Set(d, 1), above), below);
 }
 
-/// 3 * high + low.
+/// 3 * high + low. Past 127 the sign is wrong and the bits are right.
 template <class Vec>
 HWY_INLINE Vec digits(Vec high, Vec low) {
   return hn::Add(hn::Add(high, high), hn::Add(high, low));
@@ -91,7 +94,9 @@ void classify(const std::uint8_t* row, const codec::RowGuess& guess, codec::Step
   const auto one = hn::Set(d, 1);
   const auto minus_one = hn::Set(d, -1);
   const auto number_of = [&](auto step) HWY_ATTR {
-    // As West and Symbol count: level 0, up 1, down 2, further 3.
+    static_assert(codec::kOneUp == static_cast<int>(codec::West::up) &&
+                  codec::kOneDown == static_cast<int>(codec::West::down) &&
+                  codec::kFurtherOff == static_cast<int>(codec::West::steep));
     const auto flat = hn::Eq(step, hn::Zero(d));
     const auto up = hn::Eq(step, one);
     const auto down = hn::Eq(step, minus_one);
@@ -157,7 +162,7 @@ using Voxels = std::uint16_t;
 template <class Vec>
 HWY_INLINE void widen(Vec bytes, Voxels* out) {
   const Words d;
-#if HWY_TARGET == HWY_SCALAR
+#if HWY_TARGET == HWY_SCALAR  // a vector of one lane has no halves
   hn::StoreU(hn::PromoteTo(d, bytes), d, out);
 #else
   if constexpr (hn::MaxLanes(Words{}) == hn::MaxLanes(Bytes{})) {

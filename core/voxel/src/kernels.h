@@ -31,8 +31,8 @@ struct VoxelKernels {
   /// What a row is to its writer, whose steps are filled in as well.
   void (*classify)(const std::uint8_t* row, const codec::RowGuess& guess, codec::Steps& steps,
                    codec::RowSymbols& symbols);
-  /// row = predicted + steps, these at most 32 either way. False where a column lies below its floor or
-  /// above 32.
+  /// row = predicted + steps, these at most kMostStep either way. False where a column lies below its floor
+  /// or above 32.
   bool (*apply)(const codec::RowGuess& guess, const codec::Steps& steps, const std::uint8_t* floor,
                 std::uint8_t* row);
   Extent (*extent)(const std::uint8_t* plane);

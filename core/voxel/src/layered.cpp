@@ -13,20 +13,17 @@
 namespace talus::codec {
 namespace {
 
-// A further step lies at a place of the list 2, -2, 3, -3, ...; from kLastPlace on, the place itself follows.
+// From kLastPlace on, the place itself follows, as one of kPlaces equally likely ones.
 constexpr std::uint32_t kLastPlace = kFurther.size() - 2;
-constexpr std::uint32_t kPlaceShare = kOddsTotal / 64;
+constexpr std::uint32_t kPlaces = 128;
+constexpr std::uint32_t kPlaceShare = kOddsTotal / kPlaces;
+static_assert(place_of(2 * kMostStep) < kPlaces && place_of(-2 * kMostStep) < kPlaces);
 
 constexpr std::size_t kMostBytes = sizeof(DenseVoxels);  // more than that is better kept raw
 constexpr std::size_t kMaterialsBytes = 256;             // at least what a list of materials takes
 constexpr std::size_t kMostBytesOfColumn = 6;            // three symbols of up to two bytes
 
-constexpr std::uint32_t place_of(int step) {
-  const auto size = static_cast<std::uint32_t>(std::abs(step));
-  return 2 * (size - 2) + (step < 0 ? 1 : 0);
-}
-
-constexpr int step_at(std::uint32_t place) {
+constexpr int change_at(std::uint32_t place) {
   const int size = static_cast<int>(place / 2) + 2;
   return place % 2 == 0 ? size : -size;
 }
@@ -92,7 +89,7 @@ class PlaneWriter {
     RansWriter coder = coder_;  // a copy that lives in registers
     const auto write_column = [&](std::uint32_t & state, std::size_t x) __attribute__((always_inline)) {
       if (row.symbol[x] == kFurtherOff) [[unlikely]] {
-        write_further(coder, state, further_step(steps, x));
+        write_further(coder, state, change_of(steps.data()[x], steps.padded[x]));
       }
       coder.put(state, kShares[kOddsIndex[row.context[x]]][row.symbol[x]]);
     };
@@ -103,13 +100,8 @@ class PlaneWriter {
     coder_ = coder;
   }
 
-  static int further_step(const Steps& steps, std::size_t x) {
-    const int west = steps.padded[x];
-    return steps.data()[x] - (west_of(west) == West::steep ? west : 0);
-  }
-
-  static void write_further(RansWriter& coder, std::uint32_t& state, int step) {
-    const std::uint32_t place = place_of(step);
+  static void write_further(RansWriter& coder, std::uint32_t& state, int change) {
+    const std::uint32_t place = place_of(change);
     if (place >= kLastPlace) coder.put(state, place_share(place));
     coder.put(state, kFurtherShares[std::min(place, kLastPlace)]);
   }
@@ -165,11 +157,11 @@ class PlaneReader {
         } else {
           coder.took(state, odds.further, kOddsTotal - odds.further);
           step += read_further(coder, state);
-          inside &= std::abs(step) <= kChunkSize;
         }
         if (carried == 0 && place < odds.further) [[likely]] {
           west = context_of(step > 0 ? West::up : West::down);
         } else {
+          inside &= std::abs(step) <= kMostStep;
           west = context_of(west_of(step));
           const bool steep = west == context_of(West::steep);
           carried = steep ? step : 0;
@@ -197,7 +189,7 @@ class PlaneReader {
       place = RansReader::place(state) / kPlaceShare;
       coder.took(state, place * kPlaceShare, kPlaceShare);
     }
-    return step_at(place);
+    return change_at(place);
   }
 
   RansReader& coder_;

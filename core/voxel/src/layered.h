@@ -12,8 +12,8 @@
 
 namespace talus::codec {
 
-/// Appends what follows the two header bytes. False, with `out` as it was, where that would take more than
-/// raw voxels do.
+/// Appends what follows the two header bytes. False, with `out` as it was, where that would take about as
+/// much as raw voxels do.
 [[nodiscard]] bool encode_layered(const Layers& layers, std::vector<std::byte>& out);
 
 [[nodiscard]] tl::expected<Chunk, DecodeError> decode_layered(std::span<const std::byte> body);

@@ -1,4 +1,4 @@
-// An adaptive binary range coder. FORMAT.md, "The coder", gives the arithmetic in full.
+// An adaptive binary range coder. FORMAT.md, "Palette: the coder of voxels", gives the arithmetic in full.
 //
 // Encoder and decoder have the same face, so that a model is written once for both: `code(bit, value)`
 // returns the bit, which the encoder was given and the decoder finds.

@@ -64,6 +64,20 @@ constexpr West west_of(int step) {
   return step == -1 ? West::down : West::steep;
 }
 
+inline constexpr int kMostStep = kChunkSize;  // up or down
+
+/// A change further than one, as its place in the list 2, -2, 3, -3, ... A step of 32 after one of -32 is a
+/// change of 64.
+constexpr std::uint32_t place_of(int change) {
+  const auto size = static_cast<std::uint32_t>(change < 0 ? -change : change);
+  return 2 * (size - 2) + (change < 0 ? 1 : 0);
+}
+
+/// What a column's step is less what a steep column to the west carries on.
+constexpr int change_of(int step, int west) {
+  return step - (west_of(west) == West::steep ? west : 0);
+}
+
 /// What a column does, of its step less what a steep column to the west carries on.
 enum Symbol : std::uint8_t { kAsPredicted, kOneUp, kOneDown, kFurtherOff };
 
