@@ -93,28 +93,17 @@ void Generator::generate_with_halo(const Region& region, int halo, Terrain& terr
   Scratch& s = *scratch_;
   const bool erodes = world_->spec().method == Method::erosion;
   const int ring = halo - 1;  // the outermost column of the halo serves the slope alone
-  const int shift = region.lod.value();
   s.ground.cover(region.grown(ring));
   terrain.region = region;
   s.ground.slope().copy_inside(ring, terrain.slope);
   terrain.loose.resize(world_->loose().size());
   if (erodes) {
     erode(region, halo);
-    s.loose_ground.surface().copy_inside(halo, terrain.surface);
-    for (std::size_t i = 0; i < terrain.loose.size(); ++i) {
-      s.loose_ground.thickness[i].copy_inside(halo, terrain.loose[world_->loose_bottom_up()[i]]);
-    }
-    shift_left(terrain.surface, shift);
+    take_eroded(halo, terrain);
   } else {
     s.ground.height().copy_inside(ring, terrain.surface);
   }
-
-  base_columns(region.x, region.width, region.lod, s.xs);
-  base_columns(region.z, region.depth, region.lod, s.zs);
-  Planes strata{terrain.strata_materials, terrain.strata, s.spare};
-  s.rock.lay(s.xs, s.zs, terrain.surface, LayersOfRock::Extent::all, strata);
-  for (Field& plane : terrain.strata) shift_right(plane, shift);
-  shift_right(terrain.surface, shift);
+  lay_strata(terrain);
   if (erodes) return;
 
   for (std::size_t m = 0; m < terrain.loose.size(); ++m) {
@@ -128,6 +117,32 @@ void Generator::generate_with_halo(const Region& region, int halo, Terrain& terr
       });
     }
   }
+}
+
+/// `surface` is in subvoxels of level 0, and of the region's level from then on.
+void Generator::lay_strata(Terrain& terrain) {
+  Scratch& s = *scratch_;
+  const Region& region = terrain.region;
+  const int shift = region.lod.value();
+  base_columns(region.x, region.width, region.lod, s.xs);
+  base_columns(region.z, region.depth, region.lod, s.zs);
+  Planes strata{terrain.strata_materials, terrain.strata, s.spare};
+  s.rock.lay(s.xs, s.zs, terrain.surface, LayersOfRock::Extent::all, strata);
+  for (Field& plane : terrain.strata) shift_right(plane, shift);
+  shift_right(terrain.surface, shift);
+}
+
+std::int64_t Generator::generate_to_rest(const Region& region, Neighbours neighbours, Terrain& terrain) {
+  Scratch& s = *scratch_;
+  set_loose_over(region);
+  Eroder eroder{neighbours};
+  const std::int64_t steps = eroder.rest(s.rules, s.loose_ground);
+  terrain.region = region;
+  terrain.slope = s.ground.slope();
+  terrain.loose.resize(world_->loose().size());
+  take_eroded(0, terrain);
+  lay_strata(terrain);
+  return steps;
 }
 
 void Generator::generate(const Region& region, Stacks& stacks) {
@@ -179,7 +194,15 @@ void Generator::settle(const Region& region) {
 
 void Generator::erode(const Region& region, int halo) {
   Scratch& s = *scratch_;
-  s.ground.cover(region.grown(halo));
+  set_loose_over(region.grown(halo));
+  for (int step = 0; step < world_->spec().erosion_steps; ++step) {
+    if (!s.eroder.step(s.rules, s.loose_ground)) break;
+  }
+}
+
+void Generator::set_loose_over(const Region& region) {
+  Scratch& s = *scratch_;
+  s.ground.cover(region);
   s.ground.height().copy_inside(0, s.around);
   shift_right(s.around, region.lod.value());
   s.rules.clear();
@@ -188,8 +211,14 @@ void Generator::erode(const Region& region, int halo) {
     s.rules.push_back({loose.thickness_at(region.lod), loose.c_fx});
   }
   set_loose(s.around, s.rules, s.loose_ground);
-  for (int step = 0; step < world_->spec().erosion_steps; ++step) {
-    if (!s.eroder.step(s.rules, s.loose_ground)) break;
+}
+
+void Generator::take_eroded(int halo, Terrain& terrain) {
+  Scratch& s = *scratch_;
+  s.loose_ground.surface().copy_inside(halo, terrain.surface);
+  shift_left(terrain.surface, terrain.region.lod.value());
+  for (std::size_t i = 0; i < terrain.loose.size(); ++i) {
+    s.loose_ground.thickness[i].copy_inside(halo, terrain.loose[world_->loose_bottom_up()[i]]);
   }
 }
 

@@ -7,6 +7,7 @@
 #include <optional>
 #include <vector>
 
+#include <talus/terrain/erosion.h>
 #include <talus/terrain/field.h>
 #include <talus/terrain/world.h>
 #include <talus/voxel/chunk.h>
@@ -57,6 +58,10 @@ class Generator {
   /// breaks. 1 <= halo.
   void generate_with_halo(const Region& region, int halo, Terrain& terrain);
 
+  /// The erosion method on a map that ends at the region's edges, until nothing moves any more (thesis 3.5),
+  /// whatever method the world has. How many steps it took.
+  std::int64_t generate_to_rest(const Region& region, Neighbours neighbours, Terrain& terrain);
+
  private:
   struct Scratch;
 
@@ -65,7 +70,10 @@ class Generator {
   void settle(const Region& region);
   /// With the halo still around everything, which take_eroded() takes off.
   void erode(const Region& region, int halo);
+  void set_loose_over(const Region& region);
+  void take_eroded(int halo, Terrain& terrain);
   void take_eroded(int halo);
+  void lay_strata(Terrain& terrain);
 
   const World* world_;
   std::unique_ptr<Scratch> scratch_;
