@@ -13,6 +13,7 @@
 
 #include "export.h"
 #include "failure.h"
+#include "gallery.h"
 #include "image.h"
 #include "map.h"
 #include "option_values.h"
@@ -130,6 +131,13 @@ Expected<void> run_vox(const Arguments& arguments) {
                    {.threads = arguments.threads, .depth = arguments.depth}, progress);
 }
 
+Expected<void> run_gallery(const Arguments& arguments) {
+  const auto text = read_world_text(arguments.world);
+  if (!text) return tl::make_unexpected(text.error());
+  Progress progress{"gallery", "rows"};
+  return write_gallery(*text, arguments.output, arguments.threads, progress);
+}
+
 void add_common_options(CLI::App& command, Arguments& arguments) {
   command.add_option("--world", arguments.world, "World spec (world.toml); default: the built-in world")
       ->type_name("FILE");
@@ -237,6 +245,17 @@ CLI::App* add_vox(CLI::App& app, Arguments& arguments) {
   return vox;
 }
 
+CLI::App* add_gallery(CLI::App& app, Arguments& arguments) {
+  auto* gallery =
+      app.add_subcommand("gallery", "The figures of the thesis as pictures of this world's voxels");
+  add_output(*gallery, arguments, "Directory for the pictures; made where it is missing", "DIR");
+  gallery->footer(
+      "Draws gallery-NN-*.png, NN being the figure's number in the thesis. The places are those near the\n"
+      "origin that make the best pictures; figures may change the world's resolution, roughness or exponent\n"
+      "for a panel. The same world gives the same pictures.");
+  return gallery;
+}
+
 int report(const Failure& failure, const std::string& command) {
   std::fprintf(stderr, "talus-gen %s: %s\n", command.c_str(), failure.message.c_str());
   return failure.exit_code;
@@ -270,11 +289,10 @@ int run_command_line(int argc, const char* const* argv, const std::string& versi
 
   Arguments arguments;
   using Run = std::function<Expected<void>(const Arguments&)>;
-  const std::vector<std::pair<CLI::App*, Run>> commands{{add_map(app, arguments), run_map},
-                                                        {add_section(app, arguments), run_section},
-                                                        {add_export(app, arguments), run_export},
-                                                        {add_hash(app, arguments), run_hash},
-                                                        {add_vox(app, arguments), run_vox}};
+  const std::vector<std::pair<CLI::App*, Run>> commands{
+      {add_map(app, arguments), run_map},       {add_section(app, arguments), run_section},
+      {add_export(app, arguments), run_export}, {add_hash(app, arguments), run_hash},
+      {add_vox(app, arguments), run_vox},       {add_gallery(app, arguments), run_gallery}};
   for (const auto& [command, run] : commands) add_common_options(*command, arguments);
   try {
     app.parse(argc, argv);
@@ -291,7 +309,8 @@ int run_command_line(int argc, const char* const* argv, const std::string& versi
                     command->get_name());
     }
   }
-  std::fputs("talus-gen: a command is needed: map, section, export, hash or vox (see --help)\n", stderr);
+  std::fputs("talus-gen: a command is needed: map, section, export, hash, vox or gallery (see --help)\n",
+             stderr);
   return kExitWrongUse;
 }
 
