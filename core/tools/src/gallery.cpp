@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "gallery_figures.h"
+#include "palette.h"
 #include "world_variant.h"
 
 namespace talus::tools {
@@ -29,7 +30,7 @@ Expected<void> write_gallery(const WorldText& text, const std::filesystem::path&
   for (std::size_t i = 0; i < files.size(); ++i) {
     const auto image = gallery_figures()[i].draw(context);
     if (!image) return tl::make_unexpected(image.error());
-    if (auto written = files[i].write(*image); !written) return written;
+    if (auto written = files[i].write(to_palette(*image)); !written) return written;
   }
   return {};
 }

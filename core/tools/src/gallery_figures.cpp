@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 #include <optional>
 #include <vector>
 
@@ -28,7 +29,7 @@ constexpr PanelSize kThird{520, 420};
 
 constexpr double kGroundUnits = 0.09;       // terrain units of ground under the lowest surface
 constexpr double kClearWaterUnits = 0.025;  // of water that leave 1/e of the light
-constexpr double kLandscape = 2.0;          // terrain units along the side of a landscape
+constexpr double kLandscape = 2.4;          // terrain units along the side of a landscape
 
 // Planes in the manner of terrain::Stacks, whoever made them.
 struct Planes {
@@ -91,7 +92,7 @@ Expected<terrain::World> at_resolution(const GalleryContext& context, int resolu
 }
 
 Expected<Image> draw_landscape(const GalleryContext& context) {
-  const auto world = at_resolution(context, 200);
+  const auto world = at_resolution(context, 120);
   if (!world) return tl::make_unexpected(world.error());
   return draw_whole(context, *world, columns_of(scenic_place(*world, kLandscape), *world), kWhole);
 }
@@ -99,9 +100,9 @@ Expected<Image> draw_landscape(const GalleryContext& context) {
 // The surface alone: the noise as it is, and as its power makes it.
 Expected<Image> draw_surface(const GalleryContext& context) {
   std::vector<Image> panels;
-  const Place place = scenic_place(context.world, 2 * kLandscape);
+  const Place place = scenic_place(context.world, 3.2);
   for (const int exponent : {1, 4}) {
-    const auto world = world_variant(context.text, {.resolution = 80, .exponent = exponent});
+    const auto world = world_variant(context.text, {.resolution = 150, .exponent = exponent});
     if (!world) return tl::make_unexpected(world.error());
     terrain::Field surface = generate_terrain(*world, columns_of(place, *world)).surface;
     const Box box = box_over(*world, surface);
@@ -148,19 +149,23 @@ Planes layers(const terrain::World& world, const terrain::Terrain& terrain, std:
   return planes;
 }
 
-// The number of planes that fill a part of the space between the lowest and the highest of the surface.
-std::size_t planes_up_to(const terrain::Terrain& terrain, double part) {
-  const auto highest = [](const terrain::Field& field) {
-    return *std::max_element(field.values.begin(), field.values.end());
-  };
-  const double height = part * highest(terrain.surface);
-  std::size_t count = 1;
-  while (count < terrain.strata.size() && highest(terrain.strata[count - 1]) < height) ++count;
-  return count;
+// For each of the planes that can be told from the one below, how many lie up to it.
+std::vector<std::size_t> planes_that_show(const terrain::Terrain& terrain) {
+  std::vector<std::size_t> counts;
+  double below = 0;
+  for (std::size_t p = 0; p < terrain.strata.size(); ++p) {
+    const auto& tops = terrain.strata[p].values;
+    const double sum = std::accumulate(tops.begin(), tops.end(), 0.0);
+    const double all = std::accumulate(terrain.surface.values.begin(), terrain.surface.values.end(), 0.0);
+    if (sum - below < 0.005 * all) continue;
+    counts.push_back(p + 1);
+    below = sum;
+  }
+  return counts;
 }
 
 Expected<Image> draw_layer_by_layer(const GalleryContext& context) {
-  const auto world = at_resolution(context, 150);
+  const auto world = at_resolution(context, 90);
   if (!world) return tl::make_unexpected(world.error());
   const terrain::Terrain terrain =
       generate_terrain(*world, columns_of(scenic_place(*world, kLandscape), *world));
@@ -168,9 +173,10 @@ Expected<Image> draw_layer_by_layer(const GalleryContext& context) {
   const std::size_t all = terrain.strata.size();
   const std::size_t loose = world->loose().size();
   std::vector<Image> panels;
-  for (const double part : {0.12, 0.3, 0.55}) {
-    panels.push_back(draw(context, *world, layers(*world, terrain, planes_up_to(terrain, part), 0),
-                          std::nullopt, box, kThird));
+  const std::vector<std::size_t> shows = planes_that_show(terrain);
+  for (const std::size_t third : {0U, 1U, 2U}) {
+    const std::size_t count = shows[third * shows.size() / 3];
+    panels.push_back(draw(context, *world, layers(*world, terrain, count, 0), std::nullopt, box, kThird));
   }
   panels.push_back(draw(context, *world, layers(*world, terrain, all, 0), std::nullopt, box, kThird));
   panels.push_back(draw(context, *world, layers(*world, terrain, all, std::max<std::size_t>(1, loose / 3)),
@@ -181,9 +187,9 @@ Expected<Image> draw_layer_by_layer(const GalleryContext& context) {
 
 Expected<Image> draw_roughness(const GalleryContext& context) {
   std::vector<Image> panels;
-  const Place place = scenic_place(context.world, 1.5);
-  for (const double roughness : {0.0, 0.4, 0.9, 2.0}) {
-    const auto world = world_variant(context.text, {.resolution = 200, .roughness = roughness});
+  const Place place = scenic_place(context.world, 1.8);
+  for (const double roughness : {0.0, 0.5, 1.0, 1.6}) {
+    const auto world = world_variant(context.text, {.resolution = 110, .roughness = roughness});
     if (!world) return tl::make_unexpected(world.error());
     const terrain::Terrain terrain = generate_terrain(*world, columns_of(place, *world));
     const Box box = box_over(*world, terrain.surface);

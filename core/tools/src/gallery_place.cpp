@@ -12,28 +12,57 @@ namespace talus::tools {
 namespace {
 
 constexpr int kSquares = 12;  // that a place is judged by, along each side
-constexpr int kReach = 24;    // squares' steps from the origin at which places are looked at: 4 places a side
+constexpr int kReach = 48;    // squares from the origin at which places are looked at: 8 places a side
 
-// How good a view the squares from (x, z) give, in subvoxels.
-double score(const terrain::Field& heights, int x, int z, std::int32_t sea) {
-  double back = 0;
-  double front = 0;
-  int wet = 0;
-  std::int32_t lowest = heights.at(x, z);
-  std::int32_t highest = lowest;
-  for (int j = 0; j < kSquares; ++j) {
-    for (int i = 0; i < kSquares; ++i) {
-      const std::int32_t height = heights.at(x + i, z + j);
-      lowest = std::min(lowest, height);
-      highest = std::max(highest, height);
-      wet += height < sea ? 1 : 0;
-      (i + j < kSquares - 1 ? back : front) += height;
-    }
+// How high the strata differ: what lies over it is all of one rock.
+std::int32_t banded_height_fx(const terrain::World& world) {
+  std::int64_t sum_q16 = 0;
+  std::int64_t banded_q16 = 0;
+  for (std::size_t j = 0; j < world.strata().size(); ++j) {
+    sum_q16 += world.strata()[j].thickness_q16;
+    if (world.strata()[j].material != world.strata().back().material) banded_q16 = sum_q16;
   }
-  constexpr double kHalf = kSquares * kSquares / 2.0;
-  const double water = std::min(1.0, wet / (kHalf / 4)) - std::max(0.0, wet - kHalf) / kHalf;
-  return (back - front) / kHalf + 0.7 * (highest - lowest) * (1 + 0.25 * water);
+  return static_cast<std::int32_t>(
+      std::min<std::int64_t>(banded_q16 * world.spec().resolution / terrain::kSubvoxels, world.highest_fx()));
 }
+
+// How good a view squares of a field of heights give, in subvoxels.
+class View {
+ public:
+  explicit View(const terrain::World& world)
+      : sea_{world.sea_fx().value_or(0)},
+        highest_{world.highest_fx()},
+        enough_{banded_height_fx(world) + banded_height_fx(world) / 4} {}
+
+  [[nodiscard]] double score(const terrain::Field& heights, int x, int z) const {
+    double back = 0;
+    double front = 0;
+    int wet = 0;
+    int cut_off = 0;  // where the noise passed the world's highest, which leaves a table
+    std::int32_t lowest = heights.at(x, z);
+    std::int32_t highest = lowest;
+    for (int j = 0; j < kSquares; ++j) {
+      for (int i = 0; i < kSquares; ++i) {
+        const std::int32_t height = heights.at(x + i, z + j);
+        lowest = std::min(lowest, height);
+        highest = std::max(highest, height);
+        wet += height < sea_ ? 1 : 0;
+        cut_off += height >= highest_ ? 1 : 0;
+        (i + j < kSquares - 1 ? back : front) += std::min(height, enough_);
+      }
+    }
+    constexpr double kHalf = kSquares * kSquares / 2.0;
+    const double relief = highest - lowest;
+    const double shows = std::min<double>(relief, enough_) - 0.7 * std::max(0.0, relief - enough_);
+    const double water = std::min(1.0, wet / (kHalf / 4)) - 2 * std::max(0.0, wet - kHalf / 2) / kHalf;
+    return (back - front) / kHalf + shows * (1 + 0.5 * water) - 0.1 * cut_off * enough_;
+  }
+
+ private:
+  std::int32_t sea_;
+  std::int32_t highest_;
+  std::int32_t enough_;
+};
 
 }  // namespace
 
@@ -53,12 +82,13 @@ Place scenic_place(const terrain::World& world, double side) {
   }
   terrain::Field heights{kAcross, kAcross};
   heights.values = surface_heights(world, columns);
+  const View view{world};
   int best_x = 0;
   int best_z = 0;
   double best = -1e300;
   for (int z = 0; z + kSquares <= kAcross; ++z) {
     for (int x = 0; x + kSquares <= kAcross; ++x) {
-      const double here = score(heights, x, z, world.sea_fx().value_or(0));
+      const double here = view.score(heights, x, z);
       if (here <= best) continue;
       best = here;
       best_x = x;

@@ -22,7 +22,7 @@ constexpr float kElevation = 0.56F;  // radians over the horizon, 32 degrees
 constexpr float kMargin = 0.05F;     // of the picture, on each side
 const glm::vec3 kSunlight{1.02F, 0.93F, 0.78F};
 const glm::vec3 kSkylight{0.40F, 0.47F, 0.60F};
-const glm::vec3 kGroundlight{0.075F, 0.07F, 0.065F};
+const glm::vec3 kGroundlight{0.15F, 0.14F, 0.135F};  // thrown back by the terrain and the table
 const glm::vec3 kTableFar{0.70F, 0.77F, 0.84F};
 const glm::vec3 kTableNear{0.90F, 0.895F, 0.88F};
 
@@ -94,8 +94,9 @@ class BandPainter {
         options_{options},
         light_{rays},
         seam_{glm::clamp((camera.pixels_per_voxel() - 3) / 7, 0.0F, 1.0F)},
-        // Grains smaller than pixels are noise.
-        grain_{0.16F * glm::clamp(camera.pixels_per_voxel() / 4, 0.25F, 1.0F)} {}
+        // Grains and corners smaller than a few pixels are noise.
+        grain_{0.16F * glm::clamp((camera.pixels_per_voxel() - 1) / 5, 0.0F, 1.0F)},
+        corner_{glm::mix(0.22F, 0.45F, glm::clamp((camera.pixels_per_voxel() - 1) / 6, 0.0F, 1.0F))} {}
 
   [[nodiscard]] glm::vec3 pixel(int x, int y) {
     glm::vec3 sum{0};
@@ -127,7 +128,7 @@ class BandPainter {
   glm::vec3 lit(const Meeting& meeting, glm::vec3 point) {
     const float sun = light_.sun(point, meeting.face, sun_direction(sample_));
     const float sky = light_.sky(meeting);
-    return kSunlight * sun + kSkylight * sky + kGroundlight;
+    return kSunlight * sun + kSkylight * sky + kGroundlight * (meeting.face == Face::up ? 0.3F : 1.0F);
   }
 
   glm::vec3 solid(const Meeting& meeting, glm::vec3 point) {
@@ -139,7 +140,7 @@ class BandPainter {
     const float seam = glm::smoothstep(0.0F, 0.09F, std::min(rim.x, rim.y));
     const MaterialId material = rays_.grid().at(meeting.voxel.x, meeting.voxel.y, meeting.voxel.z);
     const float speckled = 1 + grain_ * (speckle(meeting.voxel) - 0.5F);
-    const float corners = 0.55F + 0.45F * light_.corners(meeting, place);
+    const float corners = 1 - corner_ * (1 - light_.corners(meeting, place));
     return lights_[to_integer(material)] * lit(meeting, point) * speckled * corners *
            (1 - 0.16F * seam_ * (1 - seam));
   }
@@ -173,6 +174,7 @@ class BandPainter {
   VoxelLight light_;
   float seam_;
   float grain_;
+  float corner_;
   std::size_t sample_ = 0;
 };
 
