@@ -51,7 +51,7 @@ std::string in(const ScratchDirectory& scratch, const std::string& name) {
 TEST_CASE("talus-gen explains itself") {
   CHECK(talus_gen("--help").exit_code == 0);
   CHECK_THAT(talus_gen("--version").output, Catch::StartsWith("talus-gen "));
-  for (const char* command : {"map", "section", "export", "hash"}) {
+  for (const char* command : {"map", "section", "export", "hash", "vox"}) {
     const Outcome outcome = talus_gen(std::string{command} + " --help");
     CHECK(outcome.exit_code == 0);
     CHECK_THAT(outcome.output, Catch::Contains("--world"));
@@ -73,6 +73,10 @@ TEST_CASE("Wrong use is one line and exit code 2") {
   check_refused("section --from 0,0 --length 9 --axis y" + out, 2, "--axis");
   check_refused("export --origin 0,0 --size 1000000,1000000 -o " + in(scratch, "e"), 2, "GiB");
   check_refused("hash --origin 0,-68719476737 --size 8,8", 2, "z = -68719476737");
+  const std::string vox = " -o " + in(scratch, "a.vox");
+  check_refused("vox --size 8,8" + vox, 2, "--origin");
+  check_refused("vox --origin 0,0 --size 2049,8" + vox, 2, "2049 is not a length from 1 to 2048");
+  check_refused("vox --origin 0,0 --size 8,8 --depth 0" + vox, 2, "--depth");
   CHECK(scratch.file_count() == 0);
 }
 
@@ -88,6 +92,7 @@ TEST_CASE("What cannot be done is one line and exit code 1") {
   std::ofstream{scratch / "file"} << "seed = ";
   check_refused(map + "-o " + in(scratch, "a.png") + " --world " + in(scratch, "file"), 1, "file:1");
   check_refused("export --origin 0,0 --size 8,8 -o " + in(scratch, "file"), 1, "cannot make the directory");
+  check_refused("vox --origin 0,0 --size 8,8 -o " + in(scratch, "missing/a.vox"), 1, "a.vox: cannot write");
   CHECK(scratch.file_count() == 1);
 }
 

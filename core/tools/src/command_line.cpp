@@ -13,11 +13,14 @@
 
 #include "export.h"
 #include "failure.h"
+#include "gallery.h"
 #include "image.h"
 #include "map.h"
 #include "option_values.h"
 #include "region_hash.h"
 #include "section.h"
+#include "vox.h"
+#include "vox_file.h"
 #include "world_file.h"
 
 namespace talus::tools {
@@ -35,6 +38,7 @@ struct Arguments {
   std::int64_t length = 1024;
   std::string axis = "x";
   int scale = 1;
+  int depth = VoxOptions{}.depth;
   int threads = 0;
   std::string output;
 };
@@ -109,6 +113,29 @@ Expected<void> run_hash(const Arguments& arguments) {
     return failed(std::string{"standard output: cannot write the hash: "} + std::strerror(errno));
   }
   return {};
+}
+
+Expected<void> run_vox(const Arguments& arguments) {
+  const auto origin = parse_pair("--origin", arguments.place);
+  if (!origin) return tl::make_unexpected(origin.error());
+  const auto size = parse_size("--size", arguments.size, kVoxSceneSide);
+  if (!size) return tl::make_unexpected(size.error());
+  const auto lod = parse_lod(arguments.lod);
+  if (!lod) return tl::make_unexpected(lod.error());
+  const auto region = region_from_origin("--origin", *origin, *size, *lod);
+  if (!region) return tl::make_unexpected(region.error());
+  const auto world = load_world(arguments.world);
+  if (!world) return tl::make_unexpected(world.error());
+  Progress progress{"vox", "models"};
+  return write_vox(*world, *region, arguments.output,
+                   {.threads = arguments.threads, .depth = arguments.depth}, progress);
+}
+
+Expected<void> run_gallery(const Arguments& arguments) {
+  const auto text = read_world_text(arguments.world);
+  if (!text) return tl::make_unexpected(text.error());
+  Progress progress{"gallery", "rows"};
+  return write_gallery(*text, arguments.output, arguments.threads, progress);
 }
 
 void add_common_options(CLI::App& command, Arguments& arguments) {
@@ -198,6 +225,37 @@ CLI::App* add_hash(CLI::App& app, Arguments& arguments) {
   return hash;
 }
 
+CLI::App* add_vox(CLI::App& app, Arguments& arguments) {
+  auto* vox = app.add_subcommand("vox", "The voxels of a region as MagicaVoxel models");
+  add_place(*vox, arguments, "--origin", "Base voxel at the region's north-west corner, at every level");
+  add_size(*vox, arguments, "Columns of the level of detail along x and z; at most 2048 a side");
+  add_lod(*vox, arguments);
+  vox->add_option("--depth", arguments.depth, "Voxels below the lowest ground, 1 to 4096")
+      ->check(CLI::Range(1, 4096))
+      ->type_name("N")
+      ->capture_default_str();
+  add_output(*vox, arguments, "File to write", "F.vox");
+  vox->footer(
+      "Holds the voxels that can be seen: those with a face to air, to water or to one of the region's four\n"
+      "sides. What lies inside is left out and the underside stays open. Water is a material like the\n"
+      "others; the bed under it is there, so it may be made glass. East is x, north is y, up is z, the\n"
+      "region's middle stands at x = y = 0 and its lowest row at z = 0. Over 256 voxels a side the region\n"
+      "becomes several models that the scene graph places, each named by the voxel (x y z) at its lowest,\n"
+      "north-western corner. A voxel's palette index is its material's id.");
+  return vox;
+}
+
+CLI::App* add_gallery(CLI::App& app, Arguments& arguments) {
+  auto* gallery =
+      app.add_subcommand("gallery", "The figures of the thesis as pictures of this world's voxels");
+  add_output(*gallery, arguments, "Directory for the pictures; made where it is missing", "DIR");
+  gallery->footer(
+      "Draws gallery-NN-*.png, NN being the figure's number in the thesis. The places are those near the\n"
+      "origin that make the best pictures; figures may change the world's resolution, roughness or exponent\n"
+      "for a panel. The same world gives the same pictures.");
+  return gallery;
+}
+
 int report(const Failure& failure, const std::string& command) {
   std::fprintf(stderr, "talus-gen %s: %s\n", command.c_str(), failure.message.c_str());
   return failure.exit_code;
@@ -219,7 +277,7 @@ int run_command_line(int argc, const char* const* argv, const std::string& versi
     return kExitWrongUse;
   }
   CLI::App app{
-      "The Talus terrain generator without a network: pictures, exports and hashes of a world.\n"
+      "The Talus terrain generator without a network: pictures, models, exports and hashes of a world.\n"
       "Places are base voxels, x east and z south, and may be negative: --center -640,32. Exit codes: 0 "
       "done,\n"
       "1 failed, 2 wrong use."};
@@ -231,10 +289,10 @@ int run_command_line(int argc, const char* const* argv, const std::string& versi
 
   Arguments arguments;
   using Run = std::function<Expected<void>(const Arguments&)>;
-  const std::vector<std::pair<CLI::App*, Run>> commands{{add_map(app, arguments), run_map},
-                                                        {add_section(app, arguments), run_section},
-                                                        {add_export(app, arguments), run_export},
-                                                        {add_hash(app, arguments), run_hash}};
+  const std::vector<std::pair<CLI::App*, Run>> commands{
+      {add_map(app, arguments), run_map},       {add_section(app, arguments), run_section},
+      {add_export(app, arguments), run_export}, {add_hash(app, arguments), run_hash},
+      {add_vox(app, arguments), run_vox},       {add_gallery(app, arguments), run_gallery}};
   for (const auto& [command, run] : commands) add_common_options(*command, arguments);
   try {
     app.parse(argc, argv);
@@ -251,7 +309,8 @@ int run_command_line(int argc, const char* const* argv, const std::string& versi
                     command->get_name());
     }
   }
-  std::fputs("talus-gen: a command is needed: map, section, export or hash (see --help)\n", stderr);
+  std::fputs("talus-gen: a command is needed: map, section, export, hash, vox or gallery (see --help)\n",
+             stderr);
   return kExitWrongUse;
 }
 

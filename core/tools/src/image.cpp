@@ -8,6 +8,8 @@
 #include <string>
 #include <utility>
 
+#include "palette.h"
+
 namespace talus::tools {
 namespace {
 
@@ -42,6 +44,20 @@ struct PngMemory {
   PngMemory& operator=(const PngMemory&) = delete;
   ~PngMemory() { png_image_free(&image); }
 };
+
+Expected<void> write_pixels(AtomicFile& file, PngMemory& png, int width, int height,
+                            const std::uint8_t* pixels, const std::uint8_t* palette) {
+  png.image.width = static_cast<png_uint_32>(width);
+  png.image.height = static_cast<png_uint_32>(height);
+  // The bound for incompressible pixels passes 32 bits in no picture of at most kMaxPixels.
+  std::vector<std::byte> bytes(PNG_IMAGE_PNG_SIZE_MAX(png.image));
+  png_alloc_size_t size = bytes.size();
+  if (png_image_write_to_memory(&png.image, bytes.data(), &size, 0, pixels, 0, palette) == 0) {
+    return failed(file.target().string() + ": cannot write: " + png.image.message);
+  }
+  if (auto written = file.write_at(0, std::span{bytes}.first(size)); !written) return written;
+  return file.commit();
+}
 
 }  // namespace
 
@@ -78,17 +94,19 @@ Expected<PngFile> PngFile::create(const std::filesystem::path& target) {
 
 Expected<void> PngFile::write(const Image& image) {
   PngMemory png;
-  png.image.width = static_cast<png_uint_32>(image.width);
-  png.image.height = static_cast<png_uint_32>(image.height);
   png.image.format = PNG_FORMAT_RGB;
-  // The bound for incompressible pixels passes 32 bits in no picture of at most kMaxPixels.
-  std::vector<std::byte> bytes(PNG_IMAGE_PNG_SIZE_MAX(png.image));
-  png_alloc_size_t size = bytes.size();
-  if (png_image_write_to_memory(&png.image, bytes.data(), &size, 0, image.rgb.data(), 0, nullptr) == 0) {
-    return failed(file_.target().string() + ": cannot write: " + png.image.message);
+  return write_pixels(file_, png, image.width, image.height, image.rgb.data(), nullptr);
+}
+
+Expected<void> PngFile::write(const PalettedImage& image) {
+  PngMemory png;
+  png.image.format = PNG_FORMAT_RGB_COLORMAP;
+  png.image.colormap_entries = static_cast<png_uint_32>(image.palette.size());
+  std::vector<std::uint8_t> palette;
+  for (const terrain::Colour colour : image.palette) {
+    palette.insert(palette.end(), {colour.red, colour.green, colour.blue});
   }
-  if (auto written = file_.write_at(0, std::span{bytes}.first(size)); !written) return written;
-  return file_.commit();
+  return write_pixels(file_, png, image.width, image.height, image.pixels.data(), palette.data());
 }
 
 }  // namespace talus::tools

@@ -57,6 +57,8 @@ struct Image {
 /// Refuses what has more than kMaxPixels or a side over kMaxPictureSide; `option` names the source.
 [[nodiscard]] Expected<void> check_picture_size(const char* option, std::int64_t width, std::int64_t height);
 
+struct PalettedImage;
+
 /// A PNG file that is not there yet. Made before the picture is, so that a path that cannot be written
 /// costs nobody the wait.
 class PngFile {
@@ -64,6 +66,7 @@ class PngFile {
   [[nodiscard]] static Expected<PngFile> create(const std::filesystem::path& target);
   /// Writes the whole file; then it takes its name.
   [[nodiscard]] Expected<void> write(const Image& image);
+  [[nodiscard]] Expected<void> write(const PalettedImage& image);
 
  private:
   explicit PngFile(AtomicFile file) : file_{std::move(file)} {}

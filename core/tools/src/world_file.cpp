@@ -6,13 +6,14 @@
 #include <fstream>
 #include <string>
 #include <system_error>
+#include <utility>
 
 #include <talus/terrain/toml_bounds.h>
 
 namespace talus::tools {
 
-Expected<terrain::World> load_world(const std::string& path) {
-  if (path.empty()) return terrain::default_world();
+Expected<WorldText> read_world_text(const std::string& path) {
+  if (path.empty()) return WorldText{std::string{terrain::default_world_toml()}, "the built-in world"};
   std::error_code ignored;
   if (std::filesystem::is_directory(path, ignored)) {
     return failed(path + ": is a directory; --world takes a world.toml file");
@@ -25,7 +26,14 @@ Expected<terrain::World> load_world(const std::string& path) {
   file.read(text.data(), static_cast<std::streamsize>(text.size()));
   text.resize(static_cast<std::size_t>(file.gcount()));
   if (file.bad()) return failed(path + ": cannot read the world file: " + std::strerror(errno));
-  auto world = terrain::World::parse(text, path);
+  return WorldText{std::move(text), path};
+}
+
+Expected<terrain::World> load_world(const std::string& path) {
+  if (path.empty()) return terrain::default_world();
+  const auto text = read_world_text(path);
+  if (!text) return tl::make_unexpected(text.error());
+  auto world = terrain::World::parse(text->toml, text->source);
   if (!world) return failed(std::move(world.error().message));
   return std::move(*world);
 }

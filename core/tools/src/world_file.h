@@ -9,7 +9,16 @@
 
 namespace talus::tools {
 
-/// The world spec in the file at `path`; the built-in default world where `path` is empty.
+/// A world spec as it was written, and how errors call it.
+struct WorldText {
+  std::string toml;
+  std::string source;
+};
+
+/// The spec in the file at `path`; that of the built-in default world where `path` is empty.
+[[nodiscard]] Expected<WorldText> read_world_text(const std::string& path);
+
+/// The world of read_world_text.
 [[nodiscard]] Expected<terrain::World> load_world(const std::string& path);
 
 }  // namespace talus::tools

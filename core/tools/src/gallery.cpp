@@ -1,0 +1,38 @@
+#include "gallery.h"
+
+#include <system_error>
+#include <utility>
+#include <vector>
+
+#include "gallery_figures.h"
+#include "palette.h"
+#include "world_variant.h"
+
+namespace talus::tools {
+
+Expected<void> write_gallery(const WorldText& text, const std::filesystem::path& directory, int threads,
+                             Progress& progress) {
+  const auto world = world_variant(text, {});
+  if (!world) return tl::make_unexpected(world.error());
+  std::error_code made;
+  std::filesystem::create_directories(directory, made);
+  if (made) return failed(directory.string() + ": cannot make the directory: " + made.message());
+  std::vector<PngFile> files;
+  std::uint64_t pixel_rows = 0;
+  for (const Figure& figure : gallery_figures()) {
+    auto file = PngFile::create(directory / figure.file);
+    if (!file) return tl::make_unexpected(file.error());
+    files.push_back(std::move(*file));
+    pixel_rows += static_cast<std::uint64_t>(figure.pixel_rows);
+  }
+  progress.expect(pixel_rows);
+  const GalleryContext context{text, *world, threads, progress};
+  for (std::size_t i = 0; i < files.size(); ++i) {
+    const auto image = gallery_figures()[i].draw(context);
+    if (!image) return tl::make_unexpected(image.error());
+    if (auto written = files[i].write(to_palette(*image)); !written) return written;
+  }
+  return {};
+}
+
+}  // namespace talus::tools

@@ -1,0 +1,262 @@
+#include "gallery_figures.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+#include <optional>
+#include <vector>
+
+#include <talus/terrain/boundary_row.h>
+#include <talus/terrain/settle.h>
+#include <talus/terrain/stacks.h>
+
+#include "isometric.h"
+#include "panels.h"
+#include "voxel_grid.h"
+#include "world_variant.h"
+
+namespace talus::tools {
+namespace {
+
+struct PanelSize {
+  int width;
+  int height;
+};
+constexpr PanelSize kWhole{1200, 860};
+constexpr PanelSize kHalf{760, 600};
+constexpr PanelSize kThird{520, 420};
+
+constexpr double kGroundUnits = 0.09;       // terrain units of ground under the lowest surface
+constexpr double kClearWaterUnits = 0.025;  // of water that leave 1/e of the light
+constexpr double kLandscape = 2.4;          // terrain units along the side of a landscape
+
+// Planes in the manner of terrain::Stacks, whoever made them.
+struct Planes {
+  std::vector<MaterialId> materials;
+  std::vector<terrain::Field> tops;
+  void add(MaterialId material, terrain::Field top) {
+    materials.push_back(material);
+    tops.push_back(std::move(top));
+  }
+};
+
+// The rows from which and to which a panel's box goes.
+struct Box {
+  std::int32_t bottom = 0;
+  int rows = 0;
+};
+
+Box box_over(const terrain::World& world, const terrain::Field& surface) {
+  const auto [lowest, highest] = std::minmax_element(surface.values.begin(), surface.values.end());
+  const auto ground = static_cast<std::int32_t>(std::lround(kGroundUnits * world.spec().resolution));
+  const std::int32_t bottom = terrain::boundary_row(*lowest) - std::max(2, ground);
+  const std::int32_t top = terrain::boundary_row(std::max(*highest, world.sea_fx().value_or(0)));
+  return {bottom, top - bottom};
+}
+
+Image draw(const GalleryContext& context, const terrain::World& world, const Planes& planes,
+           std::optional<std::int32_t> sea_fx, Box box, PanelSize size) {
+  const VoxelGrid grid = grid_of_planes(planes.materials, planes.tops, sea_fx, box.bottom, box.rows);
+  const IsometricOptions options{
+      .width = size.width,
+      .height = size.height,
+      .threads = context.threads,
+      .clear_water = static_cast<float>(kClearWaterUnits * world.spec().resolution)};
+  return render_isometric(grid, material_lights(world), options, context.progress);
+}
+
+Image draw_whole(const GalleryContext& context, const terrain::World& world, const terrain::Region& region,
+                 PanelSize size) {
+  terrain::Stacks stacks = generate_stacks(world, region);
+  const Box box = box_over(world, stacks.tops.back());
+  return draw(context, world, {std::move(stacks.materials), std::move(stacks.tops)}, world.sea_fx(), box,
+              size);
+}
+
+MaterialId palest_rock(const terrain::World& world) {
+  const auto brightness = [](const terrain::Material& material) {
+    return material.kind == terrain::MaterialKind::stratified
+               ? material.colour.red + material.colour.green + material.colour.blue
+               : -1;
+  };
+  const auto& materials = world.materials();
+  return std::max_element(materials.begin(), materials.end(),
+                          [&](const auto& a, const auto& b) { return brightness(a) < brightness(b); })
+      ->id;
+}
+
+// The world at a resolution whose squares are no larger than the original's would be.
+Expected<terrain::World> at_resolution(const GalleryContext& context, int resolution) {
+  return world_variant(context.text, {.resolution = resolution});
+}
+
+Expected<Image> draw_landscape(const GalleryContext& context) {
+  const auto world = at_resolution(context, 120);
+  if (!world) return tl::make_unexpected(world.error());
+  return draw_whole(context, *world, columns_of(scenic_place(*world, kLandscape), *world), kWhole);
+}
+
+// The surface alone: the noise as it is, and as its power makes it.
+Expected<Image> draw_surface(const GalleryContext& context) {
+  std::vector<Image> panels;
+  const Place place = scenic_place(context.world, 3.2);
+  for (const int exponent : {1, 4}) {
+    const auto world = world_variant(context.text, {.resolution = 150, .exponent = exponent});
+    if (!world) return tl::make_unexpected(world.error());
+    terrain::Field surface = generate_terrain(*world, columns_of(place, *world)).surface;
+    const Box box = box_over(*world, surface);
+    Planes planes;
+    planes.add(palest_rock(*world), std::move(surface));
+    panels.push_back(draw(context, *world, planes, std::nullopt, box, kHalf));
+  }
+  return join_panels(panels, 2);
+}
+
+Expected<Image> draw_resolutions(const GalleryContext& context) {
+  std::vector<Image> panels;
+  const Place place = scenic_place(context.world, 1.0);
+  for (const int resolution : {400, 100}) {
+    const auto world = at_resolution(context, resolution);
+    if (!world) return tl::make_unexpected(world.error());
+    panels.push_back(draw_whole(context, *world, columns_of(place, *world), kHalf));
+  }
+  return join_panels(panels, 2);
+}
+
+// The first `count` planes of rock, and the `loose_count` heaviest loose materials in their place at the top.
+Planes layers(const terrain::World& world, const terrain::Terrain& terrain, std::size_t count,
+              std::size_t loose_count) {
+  const auto& bottom_up = world.loose_bottom_up();
+  std::vector<terrain::Field> loose_tops;
+  terrain::Field limit = terrain.surface;
+  for (std::size_t i = loose_count; i-- > 0;) {
+    loose_tops.push_back(limit);
+    const auto& thickness = terrain.loose[bottom_up[i]].values;
+    for (std::size_t k = 0; k < limit.values.size(); ++k) limit.values[k] -= thickness[k];
+  }
+  Planes planes;
+  for (std::size_t p = 0; p < count; ++p) {
+    terrain::Field top = terrain.strata[p];
+    for (std::size_t k = 0; k < top.values.size(); ++k) {
+      top.values[k] = std::min(top.values[k], limit.values[k]);
+    }
+    planes.add(terrain.strata_materials[p], std::move(top));
+  }
+  for (std::size_t i = 0; i < loose_count; ++i) {
+    planes.add(world.loose()[bottom_up[i]].material, std::move(loose_tops[loose_count - 1 - i]));
+  }
+  return planes;
+}
+
+// For each of the planes that can be told from the one below, how many lie up to it.
+std::vector<std::size_t> planes_that_show(const terrain::Terrain& terrain) {
+  std::vector<std::size_t> counts;
+  double below = 0;
+  for (std::size_t p = 0; p < terrain.strata.size(); ++p) {
+    const auto& tops = terrain.strata[p].values;
+    const double sum = std::accumulate(tops.begin(), tops.end(), 0.0);
+    const double all = std::accumulate(terrain.surface.values.begin(), terrain.surface.values.end(), 0.0);
+    if (sum - below < 0.005 * all) continue;
+    counts.push_back(p + 1);
+    below = sum;
+  }
+  return counts;
+}
+
+Expected<Image> draw_layer_by_layer(const GalleryContext& context) {
+  const auto world = at_resolution(context, 90);
+  if (!world) return tl::make_unexpected(world.error());
+  const terrain::Terrain terrain =
+      generate_terrain(*world, columns_of(scenic_place(*world, kLandscape), *world));
+  const Box box = box_over(*world, terrain.surface);
+  const std::size_t all = terrain.strata.size();
+  const std::size_t loose = world->loose().size();
+  std::vector<Image> panels;
+  const std::vector<std::size_t> shows = planes_that_show(terrain);
+  for (const std::size_t third : {0U, 1U, 2U}) {
+    const std::size_t count = shows[third * shows.size() / 3];
+    panels.push_back(draw(context, *world, layers(*world, terrain, count, 0), std::nullopt, box, kThird));
+  }
+  panels.push_back(draw(context, *world, layers(*world, terrain, all, 0), std::nullopt, box, kThird));
+  panels.push_back(draw(context, *world, layers(*world, terrain, all, std::max<std::size_t>(1, loose / 3)),
+                        std::nullopt, box, kThird));
+  panels.push_back(draw(context, *world, layers(*world, terrain, all, loose), world->sea_fx(), box, kThird));
+  return join_panels(panels, 3);
+}
+
+Expected<Image> draw_roughness(const GalleryContext& context) {
+  std::vector<Image> panels;
+  const Place place = scenic_place(context.world, 1.8);
+  for (const double roughness : {0.0, 0.5, 1.0, 1.6}) {
+    const auto world = world_variant(context.text, {.resolution = 110, .roughness = roughness});
+    if (!world) return tl::make_unexpected(world.error());
+    const terrain::Terrain terrain = generate_terrain(*world, columns_of(place, *world));
+    const Box box = box_over(*world, terrain.surface);
+    panels.push_back(
+        draw(context, *world, layers(*world, terrain, terrain.strata.size(), 0), std::nullopt, box, kHalf));
+  }
+  return join_panels(panels, 2);
+}
+
+// The resolution at which the thickest loose material is `voxels` thick.
+int magnified_resolution(const terrain::World& world, double voxels) {
+  std::int64_t thickest_q16 = 1;
+  for (const auto& eroded : world.spec().eroded) thickest_q16 = std::max(thickest_q16, eroded.thickness_q16);
+  return std::clamp(static_cast<int>(std::lround(voxels * 65536 / static_cast<double>(thickest_q16))), 1,
+                    32768);
+}
+
+// Thicknesses piled on each other on level rock.
+Planes piles(const terrain::World& world, std::span<const terrain::Field> thickness, std::int32_t floor_fx) {
+  Planes planes;
+  terrain::Field top = thickness.front();
+  std::fill(top.values.begin(), top.values.end(), floor_fx);
+  planes.add(world.materials()[2].id, top);
+  for (const std::size_t m : world.loose_bottom_up()) {
+    for (std::size_t k = 0; k < top.values.size(); ++k) top.values[k] += thickness[m].values[k];
+    planes.add(world.loose()[m].material, top);
+  }
+  return planes;
+}
+
+// Loose material as equation 3 leaves it, and as it settles; lifted off the terrain onto a level floor.
+Expected<Image> draw_settling(const GalleryContext& context) {
+  constexpr int kSide = 64;
+  constexpr std::int32_t kFloorRows = 6;
+  const auto world = at_resolution(context, magnified_resolution(context.world, 16));
+  if (!world) return tl::make_unexpected(world.error());
+  const terrain::Region around = columns_of(scenic_place(*world, 1.0), *world);
+  const terrain::Terrain terrain = generate_terrain(*world, settling_place(*world, around, kSide));
+  std::vector<terrain::Field> started;
+  std::int32_t thickest_fx = 0;
+  for (const auto& loose : world->loose()) {
+    started.push_back(starting_thickness(terrain.slope, loose.t_fx, loose.S_fx));
+    thickest_fx += loose.t_fx;
+  }
+  const std::vector<terrain::Field>& settled = terrain.loose;
+  const Box box{0, kFloorRows + terrain::boundary_row(thickest_fx)};
+  std::vector<Image> panels;
+  for (const auto& thickness : {std::span<const terrain::Field>{started}, std::span{settled}}) {
+    panels.push_back(draw(context, *world, piles(*world, thickness, kFloorRows * terrain::kSubvoxels),
+                          std::nullopt, box, kHalf));
+  }
+  return join_panels(panels, 2);
+}
+
+constexpr std::array kFigures{
+    Figure{"gallery-01-landscape.png", kWhole.height, draw_landscape},
+    Figure{"gallery-06-surface.png", 2 * kHalf.height, draw_surface},
+    Figure{"gallery-07-resolutions.png", 2 * kHalf.height, draw_resolutions},
+    Figure{"gallery-08-layers.png", 6 * kThird.height, draw_layer_by_layer},
+    Figure{"gallery-09-roughness.png", 4 * kHalf.height, draw_roughness},
+    Figure{"gallery-13-settling.png", 2 * kHalf.height, draw_settling},
+};
+
+}  // namespace
+
+std::span<const Figure> gallery_figures() {
+  return kFigures;
+}
+
+}  // namespace talus::tools

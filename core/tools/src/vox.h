@@ -1,0 +1,28 @@
+// A region as MagicaVoxel models.
+#pragma once
+
+#include <filesystem>
+
+#include <talus/terrain/field.h>
+#include <talus/terrain/world.h>
+
+#include "failure.h"
+#include "progress.h"
+
+namespace talus::tools {
+
+struct VoxOptions {
+  int threads = 0;  // 0: one a core
+  int depth = 24;   // voxels below the lowest ground; at least 1
+};
+
+/// Writes the voxels of the region's chunks, at any level, that have a face to air, to water or to one of
+/// the region's four sides; what nobody can see from above or from a side is left out, so the models are
+/// hollow, and open below. East is x, north (low z) is y and up is z; the middle of the region stands at
+/// x = y = 0, its lowest row at z = 0. Regions over 256 voxels a side become several models. A voxel's
+/// palette index is its material's id. Memory: one model of voxels a thread.
+[[nodiscard]] Expected<void> write_vox(const terrain::World& world, const terrain::Region& region,
+                                       const std::filesystem::path& target, const VoxOptions& options,
+                                       Progress& progress);
+
+}  // namespace talus::tools

@@ -1,0 +1,62 @@
+// Straight lines through a grid of voxels: what they meet first.
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <vector>
+
+#include <talus/voxel/material.h>
+#include <glm/vec3.hpp>
+
+#include "voxel_grid.h"
+
+namespace talus::tools {
+
+/// The side of a voxel, named by where it looks.
+enum class Face : std::uint8_t { up, down, east, west, south, north };
+
+[[nodiscard]] glm::vec3 normal_of(Face face);
+
+struct Meeting {
+  float distance = 0;  // along the ray, in lengths of its direction
+  glm::ivec3 voxel{0};
+  Face face = Face::up;
+};
+
+/// The first solid voxel, and the water that was entered before it.
+struct Sight {
+  std::optional<Meeting> water;
+  std::optional<Meeting> solid;
+};
+
+/// Walks column by column, of which most are passed by one look at their height. The grid must outlive it.
+class VoxelRays {
+ public:
+  explicit VoxelRays(const VoxelGrid& grid);
+
+  [[nodiscard]] const VoxelGrid& grid() const { return *grid_; }
+  /// Rows of a column up to its highest voxel that is not air; 0 outside the grid.
+  [[nodiscard]] int top(int x, int z) const {
+    if (x < 0 || z < 0 || x >= grid_->width() || z >= grid_->depth()) return 0;
+    return tops_[static_cast<std::size_t>(z) * static_cast<std::size_t>(grid_->width()) +
+                 static_cast<std::size_t>(x)];
+  }
+  [[nodiscard]] int highest() const { return highest_; }
+  /// Whether a voxel is solid; outside the grid none is.
+  [[nodiscard]] bool solid_at(int x, int y, int z) const {
+    return y >= 0 && y < top(x, z) && is_solid(grid_->at(x, y, z));
+  }
+
+  /// `direction` has no zero component.
+  [[nodiscard]] Sight see(glm::vec3 origin, glm::vec3 direction) const;
+  /// Whether anything solid lies in the way.
+  [[nodiscard]] bool blocked(glm::vec3 origin, glm::vec3 direction) const;
+
+ private:
+  const VoxelGrid* grid_;
+  std::vector<int> tops_;
+  int highest_ = 0;
+};
+
+}  // namespace talus::tools

@@ -1,0 +1,23 @@
+// The same world with a number changed, for pictures that compare.
+#pragma once
+
+#include <optional>
+
+#include <talus/terrain/world.h>
+
+#include "failure.h"
+#include "world_file.h"
+
+namespace talus::tools {
+
+/// What to change; the rest of the spec stays as it is written, whatever it holds.
+struct WorldChanges {
+  std::optional<int> resolution{};
+  std::optional<int> exponent{};      // of the surface
+  std::optional<double> roughness{};  // of all stratified materials
+};
+
+/// Fails as World::parse does, where the text is wrong or the change leads out of its bounds.
+[[nodiscard]] Expected<terrain::World> world_variant(const WorldText& text, const WorldChanges& changes);
+
+}  // namespace talus::tools
