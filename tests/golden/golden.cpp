@@ -2,6 +2,7 @@
 // together with the generator or the codec version. `--write` prints without comparing.
 #include <xxhash.h>
 
+#include <filesystem>
 #include <fstream>
 #include <iostream>
 #include <sstream>
@@ -12,6 +13,8 @@
 #include <talus/vectors/instruction_set.h>
 #include <talus/voxel/codec.h>
 #include <talus/voxel/content_hash.h>
+
+#include "made_height_map.h"
 
 namespace {
 
@@ -88,14 +91,16 @@ int main(int argc, char** argv) {
   }
   std::ostringstream text;
   text << "generator " << terrain::kGeneratorVersion << " codec " << int{kCodecVersion} << '\n';
-  for (const char* name : {"default", "canyon", "hills"}) {
-    const std::string file = std::string{TALUS_SOURCE_DIR} + "/core/worlds/" + name + ".toml";
-    const auto world = terrain::World::parse(read_file(file), file);
+  for (const char* name :
+       {"core/worlds/default", "core/worlds/canyon", "core/worlds/hills", "tests/golden/worlds/ridged",
+        "tests/golden/worlds/warped", "tests/golden/worlds/height_map"}) {
+    const std::string file = std::string{TALUS_SOURCE_DIR} + "/" + name + ".toml";
+    const auto world = terrain::World::parse(read_file(file), file, test::made_height_maps());
     if (!world) {
       std::cerr << world.error().message << '\n';
       return 1;
     }
-    text << name << ' ' << to_string(world->fingerprint()) << '\n';
+    text << std::filesystem::path{name}.filename().string() << ' ' << to_string(world->fingerprint()) << '\n';
     for (const Place& place : kPlaces) print_place(*world, place, text);
   }
   if (argc != 2) return std::cerr << "usage: golden GOLDEN.TXT | --write\n", 2;

@@ -7,6 +7,7 @@
 #include <string>
 #include <system_error>
 
+#include <talus/height_files/height_files.h>
 #include <talus/terrain/toml_bounds.h>
 
 namespace talus::tools {
@@ -25,7 +26,7 @@ Expected<terrain::World> load_world(const std::string& path) {
   file.read(text.data(), static_cast<std::streamsize>(text.size()));
   text.resize(static_cast<std::size_t>(file.gcount()));
   if (file.bad()) return failed(path + ": cannot read the world file: " + std::strerror(errno));
-  auto world = terrain::World::parse(text, path);
+  auto world = terrain::World::parse(text, path, height_files::beside(path));
   if (!world) return failed(std::move(world.error().message));
   return std::move(*world);
 }
