@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <talus/height_files/height_files.h>
 #include <talus/terrain/toml_bounds.h>
 
 #include "store/read_file.h"
@@ -19,7 +20,7 @@ tl::expected<std::shared_ptr<const terrain::World>, std::string> load_world(
     return tl::make_unexpected(fmt::format("{}: cannot read the world: {}; give --world a readable TOML file",
                                            file.string(), std::generic_category().message(text.error())));
   }
-  auto world = terrain::World::parse(*text, file.string());
+  auto world = terrain::World::parse(*text, file.string(), height_files::beside(file));
   if (!world) return tl::make_unexpected(world.error().message);
   return std::make_shared<const terrain::World>(*std::move(world));
 }

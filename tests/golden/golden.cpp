@@ -2,6 +2,7 @@
 // together with the generator or the codec version. `--write` prints without comparing.
 #include <xxhash.h>
 
+#include <filesystem>
 #include <fstream>
 #include <iostream>
 #include <sstream>
@@ -12,6 +13,8 @@
 #include <talus/vectors/instruction_set.h>
 #include <talus/voxel/codec.h>
 #include <talus/voxel/content_hash.h>
+
+#include "made_height_map.h"
 
 namespace {
 
@@ -44,15 +47,19 @@ constexpr Place kPlaces[] = {
     {"level 6 upper end", (kEnd >> 6) - 2, (kEnd >> 6) - 2, 2, 6},
 };
 
-/// A sample world's name, up to a comma, and keys that come before its own.
 struct Sample {
   const char* name;
-  std::string more;
+  const char* spec;  // its file, without .toml
+  std::string more;  // keys that come before its own
 };
-const Sample kWorlds[] = {{"default", ""},
-                          {"canyon", ""},
-                          {"hills", ""},
-                          {"default, eroded", "method = \"erosion\"\nerosion_steps = 8\n"}};
+const Sample kWorlds[] = {
+    {"default", "core/worlds/default", ""},
+    {"canyon", "core/worlds/canyon", ""},
+    {"hills", "core/worlds/hills", ""},
+    {"default, eroded", "core/worlds/default", "method = \"erosion\"\nerosion_steps = 8\n"},
+    {"ridged", "tests/golden/worlds/ridged", ""},
+    {"warped", "tests/golden/worlds/warped", ""},
+    {"height_map", "tests/golden/worlds/height_map", ""}};
 
 void print_place(const terrain::World& world, const Place& place, std::ostream& out) {
   const Lod lod = Lod::of(place.lod);
@@ -98,10 +105,9 @@ int main(int argc, char** argv) {
   }
   std::ostringstream text;
   text << "generator " << terrain::kGeneratorVersion << " codec " << int{kCodecVersion} << '\n';
-  for (const auto& [name, more] : kWorlds) {
-    const std::string sample = std::string{name}.substr(0, std::string{name}.find(','));
-    const std::string file = std::string{TALUS_SOURCE_DIR} + "/core/worlds/" + sample + ".toml";
-    const auto world = terrain::World::parse(more + read_file(file), file);
+  for (const auto& [name, spec, more] : kWorlds) {
+    const std::string file = std::string{TALUS_SOURCE_DIR} + "/" + spec + ".toml";
+    const auto world = terrain::World::parse(more + read_file(file), file, test::made_height_maps());
     if (!world) {
       std::cerr << world.error().message << '\n';
       return 1;

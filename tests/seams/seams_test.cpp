@@ -57,11 +57,13 @@ World eroding_world(std::uint64_t seed, int steps) {
       .value();
 }
 
-// By either method.
+// The small world with any kind of surface, by either method.
 World any_small_world() {
-  const auto seed = *rc::gen::arbitrary<std::uint64_t>();
+  const std::uint64_t seed = *rc::gen::arbitrary<std::uint64_t>();
   const int steps = *rc::gen::inRange(0, 13);
-  return steps == 0 ? test::small_world(seed) : eroding_world(seed, steps);
+  if (steps > 6) return eroding_world(seed, steps - 6);
+  const auto surface = *rc::gen::element<std::string>("", "ridged", "warped", "mirror", "sea", "blend");
+  return surface.empty() ? test::small_world(seed) : test::small_world(seed, surface);
 }
 
 TEST_CASE("A chunk alone has the bytes of the same chunk from any larger patch") {

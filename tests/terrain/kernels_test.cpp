@@ -12,6 +12,8 @@
 #include "fbm_rows.h"
 #include "kernels/columns.h"
 #include "loose_cells.h"
+#include "surface_rows.h"
+#include "worlds.h"
 
 namespace talus::terrain {
 namespace {
@@ -91,6 +93,26 @@ TEST_CASE("Surfaces have the same bits from every instruction set, whatever the 
       noise_kernels(set).shape(noise.data(), width, gain, exponent, highest, vectors.data());
       RC_ASSERT(vectors == scalar);
     }
+  }));
+}
+
+TEST_CASE("Every kind of surface has the same bits from every instruction set") {
+  CHECK(rc::check([] {
+    const auto kind = *rc::gen::element<std::string>("perlin", "ridged", "warped", "blend");
+    const std::uint64_t seed = *rc::gen::arbitrary<std::uint64_t>();
+    const World world = kind == "perlin" ? test::small_world(seed) : test::small_world(seed, kind);
+    const Surface surface = surface_of(world.spec());
+    const auto xs = any_line();
+    const std::int64_t z = *any_column();
+    const auto row_of = [&](InstructionSet set) {
+      const auto rows = make_surface_rows(surface, set);
+      std::vector<std::int32_t> heights(xs.size());
+      rows->start(xs);
+      rows->row(z, heights.data());
+      return heights;
+    };
+    const auto scalar = row_of(InstructionSet::scalar);
+    for (const InstructionSet set : vector_sets()) RC_ASSERT(row_of(set) == scalar);
   }));
 }
 

@@ -30,28 +30,89 @@ std::int64_t offset_of(std::uint64_t octave_seed, Axis axis, std::int64_t period
   return static_cast<std::int64_t>((draw * static_cast<std::uint64_t>(period)) >> 32);
 }
 
+// One octave at a lattice position and a part of a column past it, between -1 and 1.
+double octave(const terrain::Fbm& noise, int k, std::int64_t x, std::int64_t z, double past_x = 0,
+              double past_z = 0) {
+  const std::uint64_t seed = terrain::derived_seed(noise.seed, static_cast<std::uint64_t>(k));
+  const std::int64_t px = x * (std::int64_t{1} << k) + offset_of(seed, Axis::x, noise.period);
+  const std::int64_t pz = z * (std::int64_t{1} << k) + offset_of(seed, Axis::z, noise.period);
+  const auto period = static_cast<double>(noise.period);
+  double u = (static_cast<double>(floor_mod(px, noise.period)) + past_x * std::pow(2.0, k)) / period;
+  double v = (static_cast<double>(floor_mod(pz, noise.period)) + past_z * std::pow(2.0, k)) / period;
+  const std::int64_t cx = floor_div(px, noise.period) + static_cast<std::int64_t>(std::floor(u));
+  const std::int64_t cz = floor_div(pz, noise.period) + static_cast<std::int64_t>(std::floor(v));
+  u -= std::floor(u);
+  v -= std::floor(v);
+  const double north = std::lerp(corner(seed, cx, cz, u, v), corner(seed, cx + 1, cz, u - 1, v), fade(u));
+  const double south =
+      std::lerp(corner(seed, cx, cz + 1, u, v - 1), corner(seed, cx + 1, cz + 1, u - 1, v - 1), fade(u));
+  return std::lerp(north, south, fade(v));
+}
+
 }  // namespace
 
-double fbm(const terrain::Fbm& noise, std::int64_t x, std::int64_t z) {
+double fbm(const terrain::Fbm& noise, std::int64_t x, std::int64_t z, double past_x, double past_z) {
   double sum = 0;
   double all = 0;
   for (int k = 0; k < noise.octaves; ++k) {
     const double weight = std::pow(0.5, k);
     all += weight;
     if (noise.period < (std::int64_t{2} << k)) continue;
-    const std::uint64_t seed = terrain::derived_seed(noise.seed, static_cast<std::uint64_t>(k));
-    const std::int64_t px = x * (std::int64_t{1} << k) + offset_of(seed, Axis::x, noise.period);
-    const std::int64_t pz = z * (std::int64_t{1} << k) + offset_of(seed, Axis::z, noise.period);
-    const std::int64_t cx = floor_div(px, noise.period);
-    const std::int64_t cz = floor_div(pz, noise.period);
-    const double u = static_cast<double>(px - cx * noise.period) / static_cast<double>(noise.period);
-    const double v = static_cast<double>(pz - cz * noise.period) / static_cast<double>(noise.period);
-    const double north = std::lerp(corner(seed, cx, cz, u, v), corner(seed, cx + 1, cz, u - 1, v), fade(u));
-    const double south =
-        std::lerp(corner(seed, cx, cz + 1, u, v - 1), corner(seed, cx + 1, cz + 1, u - 1, v - 1), fade(u));
-    sum += weight * std::lerp(north, south, fade(v));
+    sum += weight * octave(noise, k, x, z, past_x, past_z);
   }
   return sum / all;
+}
+
+double ridges(const terrain::Fbm& noise, double feedback, std::int64_t x, std::int64_t z) {
+  double sum = 0;
+  double all = 0;
+  double shown = 1;
+  for (int k = 0; k < noise.octaves; ++k) {
+    const double weight = std::pow(0.5, k);
+    all += weight;
+    if (noise.period < (std::int64_t{2} << k)) continue;
+    const double signal = std::pow(1 - std::abs(octave(noise, k, x, z)), 2) * shown;
+    sum += weight * signal;
+    shown = std::min(feedback * signal, 1.0);
+  }
+  return sum / all - 0.5;
+}
+
+double warped(const terrain::Surface& surface, std::int64_t x, std::int64_t z) {
+  const double reach = static_cast<double>(surface.warp.reach_fx) / 256;
+  return fbm(surface.noise, x, z, reach * fbm(surface.warp.east, x, z),
+             reach * fbm(surface.warp.south, x, z));
+}
+
+double catmull_rom(double before, double at, double after, double last, double t) {
+  return 0.5 * (2 * at + t * (after - before) + t * t * (2 * before - 5 * at + 4 * after - last) +
+                t * t * t * (3 * at - before - 3 * after + last));
+}
+
+double height_map(const terrain::PlacedMap& map, std::int64_t x, std::int64_t z) {
+  const terrain::Field& heights = *map.heights_fx;
+  const auto mirrored = [](std::int64_t i, int n) {
+    while (i < 0 || i >= n) i = i < 0 ? -i : 2 * (std::int64_t{n} - 1) - i;
+    return static_cast<int>(i);
+  };
+  const auto sample = [&](std::int64_t i, std::int64_t j) -> double {
+    const bool inside = i >= 0 && j >= 0 && i < heights.width && j < heights.depth;
+    if (!inside && map.outside == terrain::Outside::sea) return 0;
+    return heights.at(mirrored(i, heights.width), mirrored(j, heights.depth));
+  };
+  // Whole samples in integers, so that the parts of one are as good far out as at the origin.
+  const std::int64_t from_x = x * 65536 - map.x_q16;
+  const std::int64_t from_z = z * 65536 - map.z_q16;
+  const std::int64_t i = floor_div(from_x, map.spacing_x_q16);
+  const std::int64_t j = floor_div(from_z, map.spacing_z_q16);
+  const double u =
+      static_cast<double>(floor_mod(from_x, map.spacing_x_q16)) / static_cast<double>(map.spacing_x_q16);
+  const double v =
+      static_cast<double>(floor_mod(from_z, map.spacing_z_q16)) / static_cast<double>(map.spacing_z_q16);
+  const auto along = [&](std::int64_t row) {
+    return catmull_rom(sample(i - 1, row), sample(i, row), sample(i + 1, row), sample(i + 2, row), u);
+  };
+  return catmull_rom(along(j - 1), along(j), along(j + 1), along(j + 2), v);
 }
 
 double surface_fx(const terrain::WorldSpec& spec, double noise) {

@@ -9,13 +9,25 @@
 #include <talus/terrain/erosion.h>
 #include <talus/terrain/fbm.h>
 #include <talus/terrain/field.h>
+#include <talus/terrain/surface.h>
 #include <talus/terrain/world.h>
 #include <talus/voxel/material.h>
 
 namespace talus::test::reference {
 
-/// Perlin fBm at one point, in double.
-[[nodiscard]] double fbm(const terrain::Fbm& noise, std::int64_t x, std::int64_t z);
+/// Perlin fBm at one point, in double; at (x + past_x, z + past_z), columns.
+[[nodiscard]] double fbm(const terrain::Fbm& noise, std::int64_t x, std::int64_t z, double past_x = 0,
+                         double past_z = 0);
+
+/// What takes fBm's place in a ridged surface: Musgrave's ridged multifractal, 0 to 1, less 1/2.
+[[nodiscard]] double ridges(const terrain::Fbm& noise, double feedback, std::int64_t x, std::int64_t z);
+
+/// And in a warped one: fBm where two other noises say.
+[[nodiscard]] double warped(const terrain::Surface& surface, std::int64_t x, std::int64_t z);
+
+/// A height map's mirrored or drowned plane at one column, in subvoxels, by the textbook's cubic; not cut
+/// off.
+[[nodiscard]] double height_map(const terrain::PlacedMap& map, std::int64_t x, std::int64_t z);
 
 /// Section 3.1: clamp(0.5 + gain * noise, 0, 1)^exponent * amplitude in subvoxels, for noise as it came out.
 [[nodiscard]] double surface_fx(const terrain::WorldSpec& spec, double noise);

@@ -5,11 +5,13 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "made_height_map.h"
+
 namespace talus::test {
 namespace {
 
 terrain::World parsed(const std::string& text, const std::string& name) {
-  auto world = terrain::World::parse(text, name);
+  auto world = terrain::World::parse(text, name, made_height_maps());
   if (!world) throw std::runtime_error(world.error().message);
   return *std::move(world);
 }
@@ -93,6 +95,27 @@ max_slope = 60
 
 terrain::World small_world(std::uint64_t seed) {
   return parsed(small_world_text(seed), "small.toml");
+}
+
+std::string small_world_text(std::uint64_t seed, const std::string& surface) {
+  const std::string noise = "wavelength = 2.0\noctaves = 5\ngain = 1.0\nexponent = 2\n";
+  const std::string map = "[surface.height_map]\nfile = \"made.png\"\nx = -1.3\nz = 0.7\nspacing = 0.21\n";
+  std::string text = "[surface]\namplitude = 2.5\n";
+  if (surface == "ridged") {
+    text += "kind = \"ridged\"\nfeedback = 3\n" + noise;
+  } else if (surface == "warped") {
+    text += "kind = \"warped\"\nwarp = 0.8\nwarp_wavelength = 2.4\n" + noise;
+  } else if (surface == "blend") {
+    text += "kind = \"height_map\"\n" + noise + map + "outside = \"blend\"\nmargin = 1.5\n";
+  } else {
+    text += "kind = \"height_map\"\n" + map + "spacing_z = 0.17\noutside = \"" + surface + "\"\n";
+  }
+  const std::string whole = small_world_text(seed);
+  return whole.substr(0, whole.find("[surface]")) + text + whole.substr(whole.find("[[stratified]]"));
+}
+
+terrain::World small_world(std::uint64_t seed, const std::string& surface) {
+  return parsed(small_world_text(seed, surface), surface + ".toml");
 }
 
 }  // namespace talus::test

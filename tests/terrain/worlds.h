@@ -15,4 +15,9 @@ namespace talus::test {
 [[nodiscard]] std::string small_world_text(std::uint64_t seed);
 [[nodiscard]] terrain::World small_world(std::uint64_t seed);
 
+/// The same spec with another surface: "ridged", "warped", or a height map (made_height_map.h) with
+/// "mirror", "sea" or "blend" outside of it.
+[[nodiscard]] std::string small_world_text(std::uint64_t seed, const std::string& surface);
+[[nodiscard]] terrain::World small_world(std::uint64_t seed, const std::string& surface);
+
 }  // namespace talus::test

@@ -23,6 +23,28 @@ std::string bits_of(float value) {
   return text.str();
 }
 
+void add_noise(const Surface& surface, SurfaceKind kind, std::ostream& form) {
+  form << "surface period " << surface.noise.period << '\n'
+       << "surface octaves " << surface.noise.octaves << '\n'
+       << "surface gain " << bits_of(surface.gain) << '\n'
+       << "surface exponent " << surface.exponent << '\n';
+  if (kind == SurfaceKind::ridged) form << "surface ridged feedback " << bits_of(surface.feedback) << '\n';
+  if (kind == SurfaceKind::warped) {
+    form << "surface warped reach_fx " << bits_of(surface.warp.reach_fx) << " period "
+         << surface.warp.east.period << " octaves " << surface.warp.east.octaves << '\n';
+  }
+}
+
+void add_map(const PlacedMap& map, std::ostream& form) {
+  const Field& heights = *map.heights_fx;
+  const XXH128_hash_t hash =
+      XXH3_128bits(heights.values.data(), heights.values.size() * sizeof heights.values[0]);
+  form << "surface map " << heights.width << ' ' << heights.depth << " heights "
+       << to_string(ContentHash{hash.low64, hash.high64}) << " x_q16 " << map.x_q16 << " z_q16 " << map.z_q16
+       << " spacing_q16 " << map.spacing_x_q16 << ' ' << map.spacing_z_q16 << " outside "
+       << static_cast<int>(map.outside) << " margin_q16 " << map.margin_q16 << '\n';
+}
+
 }  // namespace
 
 std::string World::canonical_form() const {
@@ -31,12 +53,10 @@ std::string World::canonical_form() const {
   form.imbue(std::locale::classic());  // a host program's locale must not group the digits
   form << "talus world\n"
        << "generator " << kGeneratorVersion << '\n'
-       << "seed " << spec_.seed << '\n'
-       << "surface period " << surface.noise.period << '\n'
-       << "surface octaves " << surface.noise.octaves << '\n'
-       << "surface gain " << bits_of(surface.gain) << '\n'
-       << "surface exponent " << surface.exponent << '\n'
-       << "surface highest_fx " << bits_of(surface.highest_fx) << '\n'
+       << "seed " << spec_.seed << '\n';
+  if (const auto noise = spec_.surface.noise()) add_noise(surface, *noise, form);
+  if (spec_.surface.height_map) add_map(surface.map, form);
+  form << "surface highest_fx " << bits_of(surface.highest_fx) << '\n'
        << (spec_.method == Method::erosion ? "erosion " + std::to_string(spec_.erosion_steps) + '\n' : "")
        << "sea_fx " << (sea_fx_ ? std::to_string(*sea_fx_) : "none") << '\n';
   for (std::size_t j = 0; j < strata_.size(); ++j) {

@@ -3,38 +3,15 @@
 #include <algorithm>
 #include <utility>
 
-#include <talus/terrain/lattice_hash.h>
-#include <talus/voxel/coords.h>
-
 #include <talus/vectors/tables.h>
+
+#include "lattice_place.h"
 
 namespace talus::terrain {
 namespace {
 
-// Perlin's quintic: first and second derivatives vanish at the lattice, so slopes have no creases.
-float fade(float t) {
-  return t * t * t * (t * (t * 6.0F - 15.0F) + 10.0F);
-}
-
-std::int64_t offset_of(std::uint64_t octave_seed, Axis axis, std::int64_t period) {
-  const std::uint64_t draw = derived_seed(octave_seed, static_cast<std::uint64_t>(axis)) >> 32;
-  return static_cast<std::int64_t>((draw * static_cast<std::uint64_t>(period)) >> 32);
-}
-
 std::int64_t position_of(std::int64_t coordinate, int k, std::int64_t offset) {
   return coordinate * (std::int64_t{1} << k) + offset;
-}
-
-// A place in a lattice that mostly moves a little: stepping is cheaper than dividing.
-void step_to(std::int64_t distance, std::int64_t period, std::int64_t& cell, std::int64_t& inside) {
-  inside += distance;
-  if (inside >= period && inside < 2 * period) {
-    inside -= period;
-    ++cell;
-  } else if (inside < 0 || inside >= period) {
-    cell += floor_div(inside, period);
-    inside = floor_mod(inside, period);
-  }
 }
 
 // Grows and never shrinks, so that what a kernel reads past the end is always there.
@@ -45,7 +22,7 @@ void make_room(std::vector<T>& buffer, std::size_t size) {
 
 }  // namespace
 
-void FbmRows::start(const Fbm& fbm, std::span<const std::int64_t> xs) {
+void FbmRows::start(const Fbm& fbm, std::span<const std::int64_t> xs, Weights weights) {
   fbm_ = fbm;
   count_ = 0;
   while (static_cast<int>(count_) < fbm.octaves && fbm.has_octave(static_cast<int>(count_))) ++count_;
@@ -53,12 +30,11 @@ void FbmRows::start(const Fbm& fbm, std::span<const std::int64_t> xs) {
   shares_.resize(count_);
   make_room(noise_, xs.size());
   make_room(gradients_, 4 * padded(xs.size()));
-  const double all_weights = 2.0 - 2.0 / static_cast<double>(std::int64_t{1} << fbm.octaves);
   for (std::size_t i = 0; i < count_; ++i) {
     const int k = static_cast<int>(i);
     Octave& octave = octaves_[i];
     octave.seed = derived_seed(fbm.seed, i);
-    octave.weight = static_cast<float>(1.0 / (static_cast<double>(std::int64_t{1} << k) * all_weights));
+    octave.weight = weights == Weights::halving ? octave_weight(fbm, k) : 1.0F;
     octave.z_offset = offset_of(octave.seed, Axis::z, fbm.period);
     octave.z = 0;
     octave.cell = floor_div(octave.z_offset, fbm.period);
@@ -127,7 +103,7 @@ void FbmRows::move_to(Octave& octave, int k, std::int64_t z) {
   octave.drawn = true;
 }
 
-const float* FbmRows::row(std::int64_t z, std::size_t first, std::size_t last) {
+std::span<const OctaveRow> FbmRows::octaves(std::int64_t z) {
   const float reciprocal = 1.0F / static_cast<float>(fbm_.period);
   for (std::size_t i = 0; i < count_; ++i) {
     Octave& octave = octaves_[i];
@@ -143,7 +119,11 @@ const float* FbmRows::row(std::int64_t z, std::size_t first, std::size_t last) {
                   f,
                   f * (v - 1.0F)};
   }
-  kernels_->blend(shares_.data(), count_, first, last, noise_.data());
+  return shares_;
+}
+
+const float* FbmRows::row(std::int64_t z, std::size_t first, std::size_t last) {
+  kernels_->blend(octaves(z).data(), count_, first, last, noise_.data());
   return noise_.data();
 }
 

@@ -18,12 +18,18 @@ class FbmRows {
  public:
   explicit FbmRows(InstructionSet set) : kernels_{&noise_kernels(set)} {}
 
+  /// How much of the sum an octave is: half of the one before, or 1 for who sums by another rule.
+  enum class Weights { halving, one };
+
   /// From here on rows are of this noise over these ascending base columns.
-  void start(const Fbm& fbm, std::span<const std::int64_t> xs);
+  void start(const Fbm& fbm, std::span<const std::int64_t> xs, Weights weights = Weights::halving);
 
   /// The noise at (xs[i], z) for `first` <= i < `last`, at those indices of what is returned, which is valid
   /// until the next call. Rows close to the one before cost least.
   [[nodiscard]] const float* row(std::int64_t z, std::size_t first, std::size_t last);
+
+  /// What row() sums: the octaves that are not left out, each padded. Valid until the next call.
+  [[nodiscard]] std::span<const OctaveRow> octaves(std::int64_t z);
 
  private:
   struct Octave {

@@ -18,9 +18,9 @@ void Ground::cover(const Region& region) {
 void Ground::cover_base(const Region& region) {
   const Region around = region.grown(1);
   for (int i = 0; i < around.width; ++i) xs_.push_back(around.x + i);
-  rows_.start(surface_, xs_);
+  rows_->start(xs_);
   around_.reshape(around.width, around.depth);
-  for (int z = 0; z < around.depth; ++z) rows_.row(around.z + z, around_.row(z).data());
+  for (int z = 0; z < around.depth; ++z) rows_->row(around.z + z, around_.row(z).data());
   for (int z = 0; z < region.depth; ++z) {
     std::copy_n(around_.row(z + 1).begin() + 1, region.width, height_.row(z).begin());
     kernels_.slope(around_.row(z).data(), around_.row(z + 1).data(), around_.row(z + 2).data(),
@@ -35,11 +35,11 @@ void Ground::cover_coarse(const Region& region) {
     const std::int64_t x = (region.x + i) * step;
     xs_.insert(xs_.end(), {x - 1, x, x + 1});
   }
-  rows_.start(surface_, xs_);
+  rows_->start(xs_);
   around_.reshape(3 * region.width, 3);
   slopes_.resize(xs_.size() - 2);
   for (int z = 0; z < region.depth; ++z) {
-    for (int row = 0; row < 3; ++row) rows_.row((region.z + z) * step + row - 1, around_.row(row).data());
+    for (int row = 0; row < 3; ++row) rows_->row((region.z + z) * step + row - 1, around_.row(row).data());
     kernels_.slope(around_.row(0).data(), around_.row(1).data(), around_.row(2).data(), slopes_.size(),
                    slopes_.data());
     for (int x = 0; x < region.width; ++x) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include <talus/terrain/field.h>
@@ -15,7 +16,7 @@ namespace talus::terrain {
 class Ground {
  public:
   Ground(const Surface& surface, InstructionSet set)
-      : surface_{surface}, rows_{set}, kernels_{column_kernels(set)} {}
+      : rows_{make_surface_rows(surface, set)}, kernels_{column_kernels(set)} {}
 
   void cover(const Region& region);
 
@@ -26,8 +27,7 @@ class Ground {
   void cover_base(const Region& region);
   void cover_coarse(const Region& region);
 
-  Surface surface_;
-  SurfaceRows rows_;
+  std::unique_ptr<SurfaceRows> rows_;
   const ColumnKernels& kernels_;
   std::vector<std::int64_t> xs_;
   Field around_;

@@ -19,23 +19,11 @@ struct Range {
   double most;
 };
 
-constexpr double kFarthest = 32768;    // terrain units; R >= 1 keeps every height within 32,768 voxels
-constexpr int kMostErosionSteps = 64;  // a halo of 128 columns
-
-// One line, whatever stood in the file: a key or a name may hold any character.
-SpecError error_of(const std::string& message) {
-  constexpr std::string_view kDigits = "0123456789abcdef";
-  SpecError error;
-  for (const char c : message) {
-    const auto byte = static_cast<unsigned char>(c);
-    if (byte >= 0x20 && byte != 0x7F) {
-      error.message += c;
-    } else {
-      error.message += {'\\', 'x', kDigits[byte >> 4], kDigits[byte & 15]};
-    }
-  }
-  return error;
-}
+constexpr double kFarthest = 32768;           // terrain units; R >= 1 keeps every height within 32,768 voxels
+constexpr double kFarthestMap = 68719476736;  // terrain units; R >= 1 keeps a map within the world
+constexpr double kLongest = 16777216;         // terrain units
+constexpr double kMostSample = 1e18;          // of a height map
+constexpr int kMostErosionSteps = 64;         // a halo of 128 columns
 
 std::string number(double value) {
   std::ostringstream text;
@@ -64,7 +52,7 @@ class TableReader {
     error_ = error_of(message.str());
   }
 
-  void only(std::initializer_list<std::string_view> known) {
+  void only(const std::vector<std::string_view>& known) {
     for (const auto& [key, value] : table_) {
       if (std::find(known.begin(), known.end(), key.str()) != known.end()) continue;
       std::string list;
@@ -103,23 +91,6 @@ class TableReader {
     return *value;
   }
 
-  // Which of `choices` the string is.
-  std::size_t one_of(const std::string& key, std::initializer_list<std::string_view> choices) {
-    std::string list;
-    for (const std::string_view choice : choices)
-      list += (list.empty() ? "\"" : ", \"") + std::string{choice} + '"';
-    const toml::node* node = find(key, "one of " + list);
-    if (node == nullptr) return 0;
-    const auto value = node->is_string() ? node->value<std::string>() : std::nullopt;
-    if (!value) return wrong_type(*node, key, "one of " + list), std::size_t{0};
-    const auto* const found = std::find(choices.begin(), choices.end(), *value);
-    if (found == choices.end()) {
-      fail(line_of(*node), key, "'" + *value + "' is none of those known; " + list);
-      return 0;
-    }
-    return static_cast<std::size_t>(found - choices.begin());
-  }
-
   // Terrain units as integers of 2^-16, so that no sequence depends on binary fractions.
   std::int64_t units_q16(const std::string& key, Range range) {
     return static_cast<std::int64_t>(std::floor(real(key, range) * 65536.0 + 0.5));
@@ -151,6 +122,29 @@ class TableReader {
       return static_cast<std::uint8_t>(std::stoi(text->substr(at, 2), nullptr, 16));
     };
     return {channel(1), channel(3), channel(5)};
+  }
+
+  std::string text(const std::string& key, std::size_t longest) {
+    const toml::node* node = find(key, "a string");
+    if (node == nullptr) return {};
+    const auto value = node->is_string() ? node->value<std::string>() : std::nullopt;
+    if (!value) return wrong_type(*node, key, "a string"), std::string{};
+    if (value->empty() || value->size() > longest) {
+      fail(line_of(*node), key,
+           "1 to " + std::to_string(longest) + " bytes, this has " + std::to_string(value->size()));
+    }
+    return *value;
+  }
+
+  // The place in `names` of what the key says.
+  std::size_t choice(const std::string& key, std::initializer_list<std::string_view> names) {
+    const std::string chosen = text(key, 64);
+    const auto found = std::find(names.begin(), names.end(), chosen);
+    if (found != names.end()) return static_cast<std::size_t>(found - names.begin());
+    std::string list;
+    for (const std::string_view name : names) list += (list.empty() ? "" : ", ") + std::string{name};
+    fail(line(key), key, "'" + chosen + "' is none of: " + list);
+    return 0;
   }
 
   const toml::table* table(const std::string& key) {
@@ -195,7 +189,83 @@ class TableReader {
   std::optional<SpecError>& error_;
 };
 
+HeightMapSpec read_height_map(TableReader map) {
+  HeightMapSpec spec;
+  spec.outside = static_cast<Outside>(map.choice("outside", {"mirror", "sea", "blend"}));
+  if (spec.outside == Outside::blend) {
+    map.only({"file", "x", "z", "spacing", "spacing_z", "low", "high", "outside", "margin", "around"});
+    spec.margin = map.real("margin", {1e-6, kLongest});
+    if (map.has("around")) {
+      spec.around = static_cast<SurfaceKind>(map.choice("around", {"perlin", "ridged", "warped"}));
+    }
+  } else {
+    map.only({"file", "x", "z", "spacing", "spacing_z", "low", "high", "outside"});
+  }
+  spec.file = map.text("file", 1024);
+  spec.x = map.real("x", {-kFarthestMap, kFarthestMap});
+  spec.z = map.real("z", {-kFarthestMap, kFarthestMap});
+  spec.spacing_x = map.real("spacing", {1e-6, kLongest});
+  spec.spacing_z = map.has("spacing_z") ? map.real("spacing_z", {1e-6, kLongest}) : spec.spacing_x;
+  if (map.has("low")) spec.low = map.real("low", {-kMostSample, kMostSample});
+  if (map.has("high")) spec.high = map.real("high", {-kMostSample, kMostSample});
+  return spec;
+}
+
+// A key that its kind of surface has no use for is unknown, like any other.
+SurfaceSpec read_surface(TableReader& surface, std::string_view file, std::optional<SpecError>& error) {
+  SurfaceSpec spec;
+  if (surface.has("kind")) {
+    spec.kind =
+        static_cast<SurfaceKind>(surface.choice("kind", {"perlin", "ridged", "warped", "height_map"}));
+  }
+  if (spec.kind == SurfaceKind::height_map) {
+    const toml::table* map = surface.table("height_map");
+    if (map == nullptr) return spec;
+    spec.height_map = read_height_map({file, "surface.height_map", *map, error});
+  }
+  const auto noise = spec.noise();
+  std::vector<std::string_view> known;
+  if (noise) known = {"wavelength", "octaves", "gain", "exponent"};
+  known.insert(known.end(), {"amplitude", "kind"});
+  if (spec.height_map) known.push_back("height_map");
+  if (noise == SurfaceKind::ridged) known.push_back("feedback");
+  if (noise == SurfaceKind::warped) known.insert(known.end(), {"warp", "warp_wavelength", "warp_octaves"});
+  surface.only(known);
+
+  spec.amplitude = surface.real("amplitude", {1.0 / 65536, kFarthest});
+  if (!noise) return spec;
+  spec.wavelength = surface.real("wavelength", {1e-6, kLongest});
+  spec.octaves = static_cast<int>(surface.integer("octaves", 1, 16));
+  spec.gain = surface.real("gain", {0, 16});
+  spec.exponent = static_cast<int>(surface.integer("exponent", 1, 8));
+  if (noise == SurfaceKind::ridged) {
+    spec.feedback = surface.has("feedback") ? surface.real("feedback", {0, 16}) : 2;
+  }
+  if (noise == SurfaceKind::warped) {
+    spec.warp = surface.real("warp", {0, 16384});
+    spec.warp_wavelength =
+        surface.has("warp_wavelength") ? surface.real("warp_wavelength", {1e-6, kLongest}) : spec.wavelength;
+    spec.warp_octaves =
+        surface.has("warp_octaves") ? static_cast<int>(surface.integer("warp_octaves", 1, 16)) : 3;
+  }
+  return spec;
+}
+
 }  // namespace
+
+SpecError error_of(const std::string& message) {
+  constexpr std::string_view kDigits = "0123456789abcdef";
+  SpecError error;
+  for (const char c : message) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (byte >= 0x20 && byte != 0x7F) {
+      error.message += c;
+    } else {
+      error.message += {'\\', 'x', kDigits[byte >> 4], kDigits[byte & 15]};
+    }
+  }
+  return error;
+}
 
 tl::expected<ReadSpec, SpecError> read_spec(std::string_view toml, std::string_view file) {
   if (const auto fault = passes_toml_bounds(toml)) {
@@ -224,20 +294,19 @@ tl::expected<ReadSpec, SpecError> read_spec(std::string_view toml, std::string_v
 
   if (const toml::table* table = root.table("surface")) {
     TableReader surface{file, "surface", *table, error};
-    surface.only({"wavelength", "octaves", "gain", "exponent", "amplitude"});
-    spec.surface.wavelength = surface.real("wavelength", {1e-6, 16777216});
-    spec.surface.octaves = static_cast<int>(surface.integer("octaves", 1, 16));
-    spec.surface.gain = surface.real("gain", {0, 16});
-    spec.surface.exponent = static_cast<int>(surface.integer("exponent", 1, 8));
-    spec.surface.amplitude = surface.real("amplitude", {1.0 / 65536, kFarthest});
+    spec.surface = read_surface(surface, file, error);
     read.lines.wavelength = surface.line("wavelength");
     read.lines.amplitude = surface.line("amplitude");
+    read.lines.warp = surface.line("warp");
+    read.lines.height_map = surface.line("height_map");
   }
-  spec.strata_wavelength = root.has("strata_wavelength") ? root.real("strata_wavelength", {1e-6, 16777216})
-                                                         : spec.surface.wavelength;
+  // A surface without noise has no wavelength to borrow.
+  const bool own_strata_wavelength = root.has("strata_wavelength") || !spec.surface.noise();
+  spec.strata_wavelength =
+      own_strata_wavelength ? root.real("strata_wavelength", {1e-6, 16777216}) : spec.surface.wavelength;
   if (root.has("sea_level")) spec.sea_level = root.real("sea_level", {0, kFarthest});
   if (root.has("method")) {
-    spec.method = root.one_of("method", {"slope", "erosion"}) == 1 ? Method::erosion : Method::slope;
+    spec.method = root.choice("method", {"slope", "erosion"}) == 1 ? Method::erosion : Method::slope;
   }
   if (spec.method == Method::erosion) {
     spec.erosion_steps = static_cast<int>(root.integer("erosion_steps", 1, kMostErosionSteps));

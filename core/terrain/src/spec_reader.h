@@ -1,6 +1,7 @@
 // world.toml -> WorldSpec, checked key by key. Private to the room.
 #pragma once
 
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -16,6 +17,8 @@ struct SpecLines {
   int amplitude = 0;
   int strata_wavelength = 0;
   int sea_level = 0;
+  int warp = 0;
+  int height_map = 0;
   int stratified = 0;
   std::vector<int> eroded_thickness;  // one for each [[eroded]]
 };
@@ -24,6 +27,9 @@ struct ReadSpec {
   WorldSpec spec;
   SpecLines lines;
 };
+
+/// An error on one line, whatever stood in the file: a key or a name may hold any character.
+[[nodiscard]] SpecError error_of(const std::string& message);
 
 /// Every key present, of the right type and in its own range, no unknown keys, no name twice. Bounds that
 /// span several keys are World::parse's.

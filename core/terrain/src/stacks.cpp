@@ -273,12 +273,11 @@ std::vector<std::int32_t> eroded_heights(const World& world, std::span<const Bas
 
 std::vector<std::int32_t> surface_heights(const World& world, std::span<const BaseColumn> columns) {
   if (world.spec().method == Method::erosion) return eroded_heights(world, columns);
-  const Surface surface = surface_of(world.spec());
-  SurfaceRows rows{instruction_set()};
+  const auto rows = make_surface_rows(surface_of(world.spec()), instruction_set());
   std::vector<std::int32_t> heights(columns.size());
   for (std::size_t i = 0; i < columns.size(); ++i) {
-    rows.start(surface, {&columns[i].x, 1});
-    rows.row(columns[i].z, &heights[i]);
+    rows->start({&columns[i].x, 1});
+    rows->row(columns[i].z, &heights[i]);
   }
   return heights;
 }

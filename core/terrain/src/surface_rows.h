@@ -1,38 +1,28 @@
-// The surface over many columns, row after row.
+// What gives H: the one interface between a surface and those who need its heights.
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <span>
 
 #include <talus/terrain/surface.h>
-
-#include "fbm_rows.h"
+#include <talus/vectors/instruction_set.h>
 
 namespace talus::terrain {
 
-/// Keeps its memory from one start() to the next. For one thread at a time.
+/// A surface over many columns, row after row. H is a pure function of the column, so that no implementation
+/// needs a halo. Keeps its memory from one start() to the next. For one thread at a time.
 class SurfaceRows {
  public:
-  explicit SurfaceRows(InstructionSet set) : noise_{set}, kernels_{&noise_kernels(set)} {}
+  virtual ~SurfaceRows() = default;
 
-  /// From here on rows are of this surface over these ascending base columns.
-  void start(const Surface& surface, std::span<const std::int64_t> xs) {
-    surface_ = surface;
-    width_ = xs.size();
-    noise_.start(surface.noise, xs);
-  }
+  /// From here on rows are over these ascending base columns.
+  virtual void start(std::span<const std::int64_t> xs) = 0;
 
-  /// Writes H at (xs[i], z) for all i.
-  void row(std::int64_t z, std::int32_t* heights_fx) {
-    kernels_->shape(noise_.row(z, 0, width_), width_, surface_.gain, surface_.exponent, surface_.highest_fx,
-                    heights_fx);
-  }
-
- private:
-  FbmRows noise_;
-  const NoiseKernels* kernels_;
-  Surface surface_;
-  std::size_t width_ = 0;
+  /// Writes H at (xs[i], z) for all i: 0 to highest_fx, rounded. Rows close to the one before cost least.
+  virtual void row(std::int64_t z, std::int32_t* heights_fx) = 0;
 };
+
+[[nodiscard]] std::unique_ptr<SurfaceRows> make_surface_rows(const Surface& surface, InstructionSet set);
 
 }  // namespace talus::terrain

@@ -8,6 +8,7 @@
 
 #include "canonical_hash.h"
 #include "spec_reader.h"
+#include "surface_plan.h"
 
 #include <talus/terrain/erosion.h>
 #include <talus/terrain/strata.h>
@@ -33,7 +34,8 @@ std::int64_t subvoxels_of(std::int64_t units_q16, int resolution) {
 
 }  // namespace
 
-tl::expected<World, SpecError> World::parse(std::string_view toml, std::string_view file) {
+tl::expected<World, SpecError> World::parse(std::string_view toml, std::string_view file,
+                                            const LoadHeightMap& load) {
   auto read = read_spec(toml, file);
   if (!read) return tl::unexpected(read.error());
   const SpecLines& lines = read->lines;
@@ -41,7 +43,7 @@ tl::expected<World, SpecError> World::parse(std::string_view toml, std::string_v
     std::ostringstream message;
     message << file << ':' << line << ": " << key << ": ";
     (message << ... << what);
-    return tl::unexpected(SpecError{message.str()});
+    return tl::unexpected(error_of(message.str()));
   };
 
   World world;
@@ -53,8 +55,12 @@ tl::expected<World, SpecError> World::parse(std::string_view toml, std::string_v
     return refuse(lines.amplitude, "surface.amplitude", "amplitude * resolution is ",
                   spec.surface.amplitude * resolution, " voxels; at most 32768");
   }
+  if (const auto fault = complete_surface(world.spec_, lines, load)) {
+    return refuse(fault->line, fault->key, fault->what);
+  }
   const Surface surface = surface_of(spec);
-  if (surface.noise.period < 2 || surface.noise.period > kMaxPeriod) {
+  const bool wrong_period = surface.noise.period < 2 || surface.noise.period > kMaxPeriod;
+  if (spec.surface.noise() && wrong_period) {
     return refuse(lines.wavelength, "surface.wavelength", "wavelength * resolution is ", surface.noise.period,
                   " voxels; 2 to ", kMaxPeriod);
   }

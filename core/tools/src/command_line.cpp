@@ -5,12 +5,15 @@
 #include <cstdio>
 #include <cstring>
 #include <exception>
+#include <filesystem>
 #include <functional>
 #include <new>
+#include <span>
 
 #include <talus/vectors/instruction_set.h>
 #include <CLI/CLI.hpp>
 
+#include "atomic_file.h"
 #include "export.h"
 #include "failure.h"
 #include "gallery.h"
@@ -19,6 +22,7 @@
 #include "option_values.h"
 #include "region_hash.h"
 #include "section.h"
+#include "table1.h"
 #include "vox.h"
 #include "vox_file.h"
 #include "world_file.h"
@@ -40,6 +44,7 @@ struct Arguments {
   int scale = 1;
   int depth = VoxOptions{}.depth;
   int threads = 0;
+  int seeds = 20;
   std::string output;
 };
 
@@ -138,9 +143,41 @@ Expected<void> run_gallery(const Arguments& arguments) {
   return write_gallery(*text, arguments.output, arguments.threads, progress);
 }
 
-void add_common_options(CLI::App& command, Arguments& arguments) {
+Expected<void> write_whole(const std::filesystem::path& path, const std::string& text) {
+  auto file = AtomicFile::create(path);
+  if (!file) return tl::make_unexpected(file.error());
+  if (auto written = file->write_at(0, std::as_bytes(std::span{text})); !written) return written;
+  return file->commit();
+}
+
+Expected<void> run_table1_command(const Arguments& arguments) {
+  const auto text = read_world_text(arguments.world);
+  if (!text) return tl::make_unexpected(text.error());
+  const std::filesystem::path directory = arguments.output;
+  if (!directory.empty()) {
+    std::error_code made;
+    std::filesystem::create_directories(directory, made);
+    if (made) return failed(directory.string() + ": cannot make the directory: " + made.message());
+  }
+  const auto table = [&] {
+    Progress progress{"table1", "columns"};
+    return run_table1(*text, arguments.seeds, progress);
+  }();
+  if (!table) return tl::make_unexpected(table.error());
+  std::fputs(to_text(*table).c_str(), stdout);
+  if (std::fflush(stdout) != 0) return failed(std::string{"standard output: "} + std::strerror(errno));
+  if (directory.empty()) return {};
+  if (auto json = write_whole(directory / "table1.json", to_json(*table)); !json) return json;
+  return write_whole(directory / "table1.svg", to_svg(*table));
+}
+
+void add_world(CLI::App& command, Arguments& arguments) {
   command.add_option("--world", arguments.world, "World spec (world.toml); default: the built-in world")
       ->type_name("FILE");
+}
+
+void add_common_options(CLI::App& command, Arguments& arguments) {
+  add_world(command, arguments);
   command.add_option("--threads", arguments.threads, "Threads; 0: one a core")
       ->check(CLI::Range(0, 1024))
       ->type_name("N")
@@ -256,6 +293,26 @@ CLI::App* add_gallery(CLI::App& app, Arguments& arguments) {
   return gallery;
 }
 
+CLI::App* add_table1(CLI::App& app, Arguments& arguments) {
+  auto* table =
+      app.add_subcommand("table1", "Table 1 of the thesis, run again: what both methods take, by size");
+  table->add_option("--seeds", arguments.seeds, "Terrains of each size, with the seeds 1, 2, ...")
+      ->check(CLI::Range(1, 1000))
+      ->type_name("N")
+      ->capture_default_str();
+  table
+      ->add_option("-o,--output", arguments.output,
+                   "Directory for table1.json and table1.svg, a plot; made where missing")
+      ->type_name("DIR");
+  table->footer(
+      "Seconds for the whole terrain on one thread: 50 to 200 columns a side at as many voxels a terrain "
+      "unit,\n"
+      "so always one unit of the same terrain. The slope method as everywhere; the erosion method on a map "
+      "that\n"
+      "ends at its edges, to rest. Beside them what the thesis measured.");
+  return table;
+}
+
 int report(const Failure& failure, const std::string& command) {
   std::fprintf(stderr, "talus-gen %s: %s\n", command.c_str(), failure.message.c_str());
   return failure.exit_code;
@@ -289,11 +346,21 @@ int run_command_line(int argc, const char* const* argv, const std::string& versi
 
   Arguments arguments;
   using Run = std::function<Expected<void>(const Arguments&)>;
-  const std::vector<std::pair<CLI::App*, Run>> commands{
-      {add_map(app, arguments), run_map},       {add_section(app, arguments), run_section},
-      {add_export(app, arguments), run_export}, {add_hash(app, arguments), run_hash},
-      {add_vox(app, arguments), run_vox},       {add_gallery(app, arguments), run_gallery}};
-  for (const auto& [command, run] : commands) add_common_options(*command, arguments);
+  const std::vector<std::pair<CLI::App*, Run>> commands{{add_map(app, arguments), run_map},
+                                                        {add_section(app, arguments), run_section},
+                                                        {add_export(app, arguments), run_export},
+                                                        {add_hash(app, arguments), run_hash},
+                                                        {add_vox(app, arguments), run_vox},
+                                                        {add_gallery(app, arguments), run_gallery},
+                                                        {add_table1(app, arguments), run_table1_command}};
+  for (const auto& [command, run] : commands) {
+    // Times are taken on one thread.
+    if (command->get_name() == "table1") {
+      add_world(*command, arguments);
+    } else {
+      add_common_options(*command, arguments);
+    }
+  }
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
@@ -309,8 +376,9 @@ int run_command_line(int argc, const char* const* argv, const std::string& versi
                     command->get_name());
     }
   }
-  std::fputs("talus-gen: a command is needed: map, section, export, hash, vox or gallery (see --help)\n",
-             stderr);
+  std::fputs(
+      "talus-gen: a command is needed: map, section, export, hash, vox, gallery or table1 (see --help)\n",
+      stderr);
   return kExitWrongUse;
 }
 

@@ -8,6 +8,7 @@
 #include <system_error>
 #include <utility>
 
+#include <talus/height_files/height_files.h>
 #include <talus/terrain/toml_bounds.h>
 
 namespace talus::tools {
@@ -33,7 +34,7 @@ Expected<terrain::World> load_world(const std::string& path) {
   if (path.empty()) return terrain::default_world();
   const auto text = read_world_text(path);
   if (!text) return tl::make_unexpected(text.error());
-  auto world = terrain::World::parse(text->toml, text->source);
+  auto world = terrain::World::parse(text->toml, text->source, height_files::beside(path));
   if (!world) return failed(std::move(world.error().message));
   return std::move(*world);
 }

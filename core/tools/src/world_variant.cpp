@@ -4,13 +4,14 @@
 #include <string>
 #include <utility>
 
+#include <talus/height_files/height_files.h>
 #include <toml++/toml.h>
 
 namespace talus::tools {
 namespace {
 
 Expected<terrain::World> parse(const std::string& toml, const std::string& source) {
-  auto world = terrain::World::parse(toml, source);
+  auto world = terrain::World::parse(toml, source, height_files::beside(source));
   if (!world) return failed(std::move(world.error().message));
   return std::move(*world);
 }
@@ -23,6 +24,7 @@ Expected<terrain::World> world_variant(const WorldText& text, const WorldChanges
   if (!unchanged) return unchanged;
   toml::table document = toml::parse(text.toml);
   std::string source = text.source;
+  if (changes.seed) document.insert_or_assign("seed", *changes.seed);
   if (changes.resolution) {
     document.insert_or_assign("resolution", std::int64_t{*changes.resolution});
     source += " at resolution " + std::to_string(*changes.resolution);

@@ -1,6 +1,7 @@
 // The same world with a number changed, for pictures that compare.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 
 #include <talus/terrain/world.h>
@@ -12,6 +13,7 @@ namespace talus::tools {
 
 /// What to change; the rest of the spec stays as it is written, whatever it holds.
 struct WorldChanges {
+  std::optional<std::int64_t> seed{};
   std::optional<int> resolution{};
   std::optional<int> exponent{};      // of the surface
   std::optional<double> roughness{};  // of all stratified materials

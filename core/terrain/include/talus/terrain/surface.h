@@ -1,26 +1,53 @@
-// The height of the terrain (thesis 3.1): h = clamp(0.5 + gain * fBm, 0, 1)^exponent * amplitude.
+// The height of the terrain (thesis 3.1): h = clamp(0.5 + gain * noise, 0, 1)^exponent * amplitude, or what a
+// height map says.
 #pragma once
 
 #include <cstdint>
+#include <memory>
+#include <optional>
 #include <span>
 
 #include <talus/terrain/fbm.h>
+#include <talus/terrain/field.h>
 #include <talus/terrain/world.h>
 
 namespace talus::terrain {
 
+/// Where a warped surface looks for its noise: up to reach_fx subvoxels away along each axis.
+struct Warp {
+  Fbm east;
+  Fbm south;
+  float reach_fx = 0;  // at most 2^22, so that a displacement rounds by itself
+};
+
+/// A height map in the endless plane. `_q16`: integers of 2^-16 voxel.
+struct PlacedMap {
+  std::shared_ptr<const Field> heights_fx;
+  std::int64_t x_q16 = 0;  // of the first sample
+  std::int64_t z_q16 = 0;
+  std::int64_t spacing_x_q16 = 0;
+  std::int64_t spacing_z_q16 = 0;
+  Outside outside = Outside::mirror;
+  std::int64_t margin_q16 = 0;
+  SurfaceKind around = SurfaceKind::perlin;
+};
+
 /// The surface of a spec in the numbers it is computed with.
 struct Surface {
+  SurfaceKind kind = SurfaceKind::perlin;
   Fbm noise;
   float gain = 0;
   int exponent = 1;
   float highest_fx = 0;  // amplitude * resolution in subvoxels
+  float feedback = 0;
+  Warp warp;
+  PlacedMap map;  // of height_map alone
 };
 
 [[nodiscard]] Surface surface_of(const WorldSpec& spec);
 
 /// H in subvoxels at all (x, z) of two ascending lists of base columns, as sample_fbm orders them. H lies
-/// between 0 and highest_fx, rounded. From here on everything is integer.
+/// between 0 and highest_fx, rounded, and is a pure function of position. From here on everything is integer.
 void sample_surface(const Surface& surface, std::span<const std::int64_t> xs,
                     std::span<const std::int64_t> zs, std::span<std::int32_t> heights_fx);
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -10,6 +11,8 @@
 
 #include <tl/expected.hpp>
 
+#include <talus/terrain/field.h>
+#include <talus/terrain/height_map.h>
 #include <talus/voxel/content_hash.h>
 #include <talus/voxel/coords.h>
 #include <talus/voxel/material.h>
@@ -29,13 +32,46 @@ struct Colour {
   bool operator==(const Colour&) const = default;
 };
 
-/// A surface of Perlin fBm raised to a power (thesis 3.1). Lengths in terrain units.
+/// What gives the surface its heights.
+enum class SurfaceKind : std::uint8_t { perlin, ridged, warped, height_map };
+
+/// What lies outside of a height map.
+enum class Outside : std::uint8_t { mirror, sea, blend };
+
+/// A height map and its place. Lengths in terrain units.
+struct HeightMapSpec {
+  std::string file;  // as the spec names it
+  double x = 0;      // of the first sample
+  double z = 0;
+  double spacing_x = 0;  // from one sample to the next
+  double spacing_z = 0;
+  std::optional<double> low;   // the sample value that lies at y = 0, and
+  std::optional<double> high;  // at the amplitude; both set once the world is parsed
+  Outside outside = Outside::mirror;
+  double margin = 0;                         // over which the map gives way to the surface around it
+  SurfaceKind around = SurfaceKind::perlin;  // where outside is `blend`
+  std::shared_ptr<const Field> heights_fx;   // the samples, 0 to amplitude * resolution; set by World::parse
+};
+
+/// A surface of noise raised to a power (thesis 3.1), or a height map. Lengths in terrain units.
 struct SurfaceSpec {
-  double wavelength = 0;  // of the first octave
+  SurfaceKind kind = SurfaceKind::perlin;
+  double wavelength = 0;  // of the first octave; 0 where there is no noise
   int octaves = 0;
   double gain = 0;  // h = clamp(0.5 + gain * fBm, 0, 1)^exponent * amplitude
   int exponent = 0;
   double amplitude = 0;
+  double feedback = 0;  // ridged: how much an octave shows of the next
+  double warp = 0;      // warped: how far a position is displaced
+  double warp_wavelength = 0;
+  int warp_octaves = 0;
+  std::optional<HeightMapSpec> height_map;
+
+  /// The kind of noise that the surface has, or has around its height map; none where all is the map.
+  [[nodiscard]] std::optional<SurfaceKind> noise() const {
+    if (!height_map) return kind;
+    return height_map->outside == Outside::blend ? std::optional{height_map->around} : std::nullopt;
+  }
 };
 
 /// Thesis 3.2.1. `_q16`: integers of 2^-16 terrain unit.
@@ -112,8 +148,10 @@ struct LooseSpec {
 
 class World {
  public:
-  /// Reads and checks a whole spec. `file` only names the source in errors.
-  [[nodiscard]] static tl::expected<World, SpecError> parse(std::string_view toml, std::string_view file);
+  /// Reads and checks a whole spec. `file` only names the source in errors. Without `load` a spec with a
+  /// height map is refused.
+  [[nodiscard]] static tl::expected<World, SpecError> parse(std::string_view toml, std::string_view file,
+                                                            const LoadHeightMap& load = {});
 
   [[nodiscard]] const WorldSpec& spec() const { return spec_; }
   /// Air, water, stratified, eroded; materials()[to_integer(id)] is the material of that id.

@@ -1,0 +1,32 @@
+// One function a format. Private to the room.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <utility>
+
+#include <tl/expected.hpp>
+
+#include <talus/terrain/height_map.h>
+
+namespace talus::height_files {
+
+using Decoded = tl::expected<terrain::HeightMap, std::string>;
+
+[[nodiscard]] inline tl::unexpected<std::string> refused(std::string what) {
+  return tl::unexpected<std::string>{std::move(what)};
+}
+
+[[nodiscard]] bool is_png(std::span<const std::byte> bytes);
+[[nodiscard]] Decoded decode_png(std::span<const std::byte> bytes);
+
+[[nodiscard]] bool is_npy(std::span<const std::byte> bytes);
+[[nodiscard]] Decoded decode_npy(std::span<const std::byte> bytes);
+
+/// What is wrong with a size that a file claims, if anything.
+[[nodiscard]] std::optional<std::string> wrong_size(std::uint64_t width, std::uint64_t depth);
+
+}  // namespace talus::height_files

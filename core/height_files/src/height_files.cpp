@@ -1,0 +1,68 @@
+#include <talus/height_files/height_files.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+#include <system_error>
+#include <vector>
+
+#include "decoders.h"
+
+namespace talus::height_files {
+namespace {
+
+// The most samples at four bytes each, and room for a header.
+constexpr std::size_t kMaxFileBytes = terrain::kMaxHeightMapSamples * 4 + (std::size_t{1} << 20);
+
+tl::expected<std::vector<std::byte>, std::string> read_bytes(const std::filesystem::path& file) {
+  std::error_code ignored;
+  if (std::filesystem::is_directory(file, ignored)) return refused("is a directory");
+  errno = 0;
+  std::ifstream in{file, std::ios::binary};
+  if (!in) return refused(std::string{"cannot read it: "} + std::strerror(errno));
+  std::vector<std::byte> bytes;
+  std::array<char, 1 << 16> block{};
+  do {  // a file may have no size, as /dev/zero has
+    in.read(block.data(), block.size());
+    const auto read = std::as_bytes(std::span{block}).first(static_cast<std::size_t>(in.gcount()));
+    bytes.insert(bytes.end(), read.begin(), read.end());
+    if (bytes.size() > kMaxFileBytes) {
+      return refused("has more than " + std::to_string(kMaxFileBytes) + " bytes");
+    }
+  } while (in);
+  if (in.bad()) return refused(std::string{"cannot read it: "} + std::strerror(errno));
+  return bytes;
+}
+
+}  // namespace
+
+std::optional<std::string> wrong_size(std::uint64_t width, std::uint64_t depth) {
+  const std::uint64_t longest = terrain::kMaxHeightMapSide;
+  const bool fits = width >= 2 && depth >= 2 && width <= longest && depth <= longest &&
+                    width * depth <= terrain::kMaxHeightMapSamples;
+  if (fits) return std::nullopt;
+  return "has " + std::to_string(width) + " x " + std::to_string(depth) + " samples; 2 to " +
+         std::to_string(longest) + " a side and at most " + std::to_string(terrain::kMaxHeightMapSamples) +
+         " in all";
+}
+
+tl::expected<terrain::HeightMap, std::string> decode_height_map(std::span<const std::byte> bytes) {
+  if (is_png(bytes)) return decode_png(bytes);
+  if (is_npy(bytes)) return decode_npy(bytes);
+  return refused("is neither PNG nor .npy; a 16-bit greyscale PNG or an array of two axes is needed");
+}
+
+tl::expected<terrain::HeightMap, std::string> read_height_map(const std::filesystem::path& file) {
+  const auto bytes = read_bytes(file);
+  if (!bytes) return refused(bytes.error());
+  return decode_height_map(*bytes);
+}
+
+terrain::LoadHeightMap beside(const std::filesystem::path& world_file) {
+  return
+      [folder = world_file.parent_path()](const std::string& name) { return read_height_map(folder / name); };
+}
+
+}  // namespace talus::height_files

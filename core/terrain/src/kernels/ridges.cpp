@@ -1,0 +1,60 @@
+#include "ridges.h"
+
+#include <talus/vectors/tables.h>
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "kernels/ridges.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace talus::terrain::HWY_NAMESPACE {
+namespace {
+
+namespace hn = hwy::HWY_NAMESPACE;
+using Floats = hn::ScalableTag<float>;
+
+// The noise of one octave, as `blend` of kernels/noise.cpp has it.
+HWY_INLINE hn::Vec<Floats> noise_at(const OctaveRow& octave, std::size_t i) {
+  const Floats f;
+  const auto line_0 = hn::Add(hn::Mul(hn::LoadU(f, octave.value_0 + i), hn::Set(f, octave.value_0_share)),
+                              hn::Mul(hn::LoadU(f, octave.slope_0 + i), hn::Set(f, octave.slope_0_share)));
+  const auto line_1 = hn::Add(hn::Mul(hn::LoadU(f, octave.value_1 + i), hn::Set(f, octave.value_1_share)),
+                              hn::Mul(hn::LoadU(f, octave.slope_1 + i), hn::Set(f, octave.slope_1_share)));
+  return hn::Add(line_0, line_1);
+}
+
+void sum(const OctaveRow* octaves, const float* weights, std::size_t count, std::size_t width, float feedback,
+         float* out) {
+  const Floats f;
+  const auto one = hn::Set(f, 1.0F);
+  for (std::size_t i = 0; i < width; i += hn::Lanes(f)) {
+    auto total = hn::Set(f, -0.5F);
+    auto shown = one;  // how much the octave before shows of this one
+    for (std::size_t k = 0; k < count; ++k) {
+      const auto ridge = hn::Sub(one, hn::Abs(noise_at(octaves[k], i)));
+      const auto signal = hn::Mul(hn::Mul(ridge, ridge), shown);
+      total = hn::Add(total, hn::Mul(hn::Set(f, weights[k]), signal));
+      shown = hn::Min(hn::Mul(hn::Set(f, feedback), signal), one);
+    }
+    hn::StoreU(total, f, out + i);
+  }
+}
+
+}  // namespace
+
+constexpr RidgeKernels kRidges{sum};
+
+}  // namespace talus::terrain::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace talus::terrain {
+
+const RidgeKernels& ridge_kernels(InstructionSet set) {
+  static constexpr const RidgeKernels* kTables[] = TALUS_TABLES(kRidges);
+  return *kTables[static_cast<std::size_t>(set)];
+}
+
+}  // namespace talus::terrain
+#endif

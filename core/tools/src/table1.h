@@ -1,0 +1,51 @@
+// Table 1 of the thesis, run again: what both methods take, by the size of the terrain.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <talus/terrain/world.h>
+
+#include "failure.h"
+#include "progress.h"
+#include "world_file.h"
+
+namespace talus::tools {
+
+/// Seconds over the seeds.
+struct Taken {
+  double mean = 0;
+  double deviation = 0;  // standard, of the sample
+};
+
+struct Table1Row {
+  int side = 0;  // columns, and voxels a terrain unit: always one unit of terrain
+  Taken erosion;
+  Taken slope;
+  double erosion_steps = 0;  // mean
+  Taken thesis_erosion;
+  Taken thesis_slope;
+};
+
+struct Table1 {
+  std::vector<Table1Row> rows;
+  int seeds = 0;
+  /// Exponents p of seconds ~ side^p by least squares over the logarithms.
+  double erosion_growth = 0;
+  double slope_growth = 0;
+  double thesis_erosion_growth = 0;
+  double thesis_slope_growth = 0;
+};
+
+/// Whole generation of `seeds` terrains of each size by both methods, on one thread: surface, strata, loose
+/// material, by the erosion method to rest. Seeds are 1, 2, ...
+[[nodiscard]] Expected<Table1> run_table1(const WorldText& text, int seeds, Progress& progress);
+
+/// For people.
+[[nodiscard]] std::string to_text(const Table1& table);
+/// Everything in it, by name.
+[[nodiscard]] std::string to_json(const Table1& table);
+/// An SVG picture: seconds over the side, both axes logarithmic, with the thesis' figures beside.
+[[nodiscard]] std::string to_svg(const Table1& table);
+
+}  // namespace talus::tools
