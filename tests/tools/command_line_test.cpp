@@ -51,7 +51,7 @@ std::string in(const ScratchDirectory& scratch, const std::string& name) {
 TEST_CASE("talus-gen explains itself") {
   CHECK(talus_gen("--help").exit_code == 0);
   CHECK_THAT(talus_gen("--version").output, Catch::StartsWith("talus-gen "));
-  for (const char* command : {"map", "section", "export", "hash", "vox"}) {
+  for (const char* command : {"map", "section", "export", "hash", "vox", "gallery"}) {
     const Outcome outcome = talus_gen(std::string{command} + " --help");
     CHECK(outcome.exit_code == 0);
     CHECK_THAT(outcome.output, Catch::Contains("--world"));
@@ -77,6 +77,7 @@ TEST_CASE("Wrong use is one line and exit code 2") {
   check_refused("vox --size 8,8" + vox, 2, "--origin");
   check_refused("vox --origin 0,0 --size 2049,8" + vox, 2, "2049 is not a length from 1 to 2048");
   check_refused("vox --origin 0,0 --size 8,8 --depth 0" + vox, 2, "--depth");
+  check_refused("gallery", 2, "--output");
   CHECK(scratch.file_count() == 0);
 }
 
@@ -93,6 +94,8 @@ TEST_CASE("What cannot be done is one line and exit code 1") {
   check_refused(map + "-o " + in(scratch, "a.png") + " --world " + in(scratch, "file"), 1, "file:1");
   check_refused("export --origin 0,0 --size 8,8 -o " + in(scratch, "file"), 1, "cannot make the directory");
   check_refused("vox --origin 0,0 --size 8,8 -o " + in(scratch, "missing/a.vox"), 1, "a.vox: cannot write");
+  check_refused("gallery -o " + in(scratch, "file"), 1, "cannot make the directory");
+  check_refused("gallery -o " + in(scratch, "g") + " --world " + in(scratch, "file"), 1, "file:1");
   CHECK(scratch.file_count() == 1);
 }
 

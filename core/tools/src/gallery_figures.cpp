@@ -41,7 +41,7 @@ struct Planes {
   }
 };
 
-// The rows from which and to which a panel's box goes.
+// The rows that a panel's box holds.
 struct Box {
   std::int32_t bottom = 0;
   int rows = 0;
@@ -52,7 +52,8 @@ Box box_over(const terrain::World& world, const terrain::Field& surface) {
   const auto ground = static_cast<std::int32_t>(std::lround(kGroundUnits * world.spec().resolution));
   const std::int32_t bottom = terrain::boundary_row(*lowest) - std::max(2, ground);
   const std::int32_t top = terrain::boundary_row(std::max(*highest, world.sea_fx().value_or(0)));
-  return {bottom, top - bottom};
+  // No picture shows needles many times as high as wide, and memory would not hold their box.
+  return {bottom, std::min(top - bottom, 4 * std::max(surface.width, surface.depth))};
 }
 
 Image draw(const GalleryContext& context, const terrain::World& world, const Planes& planes,
@@ -86,7 +87,6 @@ MaterialId palest_rock(const terrain::World& world) {
       ->id;
 }
 
-// The world at a resolution whose squares are no larger than the original's would be.
 Expected<terrain::World> at_resolution(const GalleryContext& context, int resolution) {
   return world_variant(context.text, {.resolution = resolution});
 }
@@ -199,12 +199,21 @@ Expected<Image> draw_roughness(const GalleryContext& context) {
   return join_panels(panels, 2);
 }
 
-// The resolution at which the thickest loose material is `voxels` thick.
+// The resolution at which the thickest loose material is `voxels` thick, or the nearest to it that the
+// bounds of a spec allow.
 int magnified_resolution(const terrain::World& world, double voxels) {
-  std::int64_t thickest_q16 = 1;
-  for (const auto& eroded : world.spec().eroded) thickest_q16 = std::max(thickest_q16, eroded.thickness_q16);
-  return std::clamp(static_cast<int>(std::lround(voxels * 65536 / static_cast<double>(thickest_q16))), 1,
-                    32768);
+  constexpr double kOneQ16 = 65536;
+  constexpr double kMostColumns = 60;    // of halo
+  constexpr double kMostVoxels = 32768;  // from y = 0 to the highest summit
+  constexpr double kDegree = 3.14159265358979 / 180;
+  double thickest = 1 / kOneQ16;
+  double most = kMostVoxels / std::max(1.0, world.spec().surface.amplitude);
+  for (const terrain::ErodedSpec& eroded : world.spec().eroded) {
+    const double thickness = std::max(1.0, static_cast<double>(eroded.thickness_q16)) / kOneQ16;
+    thickest = std::max(thickest, thickness);
+    most = std::min(most, kMostColumns * std::tan(eroded.angle_of_repose * kDegree) / thickness);
+  }
+  return std::max(1, static_cast<int>(std::min(voxels / thickest, most)));
 }
 
 // Thicknesses piled on each other on level rock.
@@ -223,10 +232,12 @@ Planes piles(const terrain::World& world, std::span<const terrain::Field> thickn
 // Loose material as equation 3 leaves it, and as it settles; lifted off the terrain onto a level floor.
 Expected<Image> draw_settling(const GalleryContext& context) {
   constexpr int kSide = 64;
+  constexpr double kSearched = 512;
   constexpr std::int32_t kFloorRows = 6;
   const auto world = at_resolution(context, magnified_resolution(context.world, 16));
   if (!world) return tl::make_unexpected(world.error());
-  const terrain::Region around = columns_of(scenic_place(*world, 1.0), *world);
+  const terrain::Region around =
+      columns_of(scenic_place(*world, kSearched / world->spec().resolution), *world);
   const terrain::Terrain terrain = generate_terrain(*world, settling_place(*world, around, kSide));
   std::vector<terrain::Field> started;
   std::int32_t thickest_fx = 0;

@@ -37,6 +37,14 @@ float speckle(glm::ivec3 voxel) {
   return static_cast<float>(hash & 0xFFFFU) / 0xFFFF;
 }
 
+// Less than one step of 8 bits either way, in a pattern: smooth ground stays smooth in few colours.
+float dither(int x, int y) {
+  constexpr std::array<std::array<int, 4>, 4> kOrder{
+      {{0, 8, 2, 10}, {12, 4, 14, 6}, {3, 11, 1, 9}, {15, 7, 13, 5}}};
+  const int place = kOrder[static_cast<std::size_t>(y % 4)][static_cast<std::size_t>(x % 4)];
+  return 0.016F * ((static_cast<float>(place) + 0.5F) / 16 - 0.5F);
+}
+
 // Bright colours keep their hue instead of clipping.
 glm::vec3 developed(glm::vec3 light) {
   return light * 1.12F / (1.0F + 0.16F * light);
@@ -100,6 +108,7 @@ class BandPainter {
 
   [[nodiscard]] glm::vec3 pixel(int x, int y) {
     glm::vec3 sum{0};
+    dither_ = dither(x, y);
     const int n = options_.samples;
     for (int i = 0; i < n * n; ++i) {
       const float sub_x = (static_cast<float>(i % n) + 0.5F) / static_cast<float>(n);
@@ -164,7 +173,8 @@ class BandPainter {
     if (rays_.blocked(point + glm::vec3{0, 1e-2F, 0}, sun_direction(sample_))) shade *= 0.80F;
     const float down = place_y / static_cast<float>(options_.height);
     return glm::mix(kTableFar, kTableNear, glm::smoothstep(0.0F, 1.0F, down)) *
-           glm::mix(glm::vec3{0.78F, 0.86F, 1.0F}, glm::vec3{1}, shade) * shade;
+               glm::mix(glm::vec3{0.78F, 0.86F, 1.0F}, glm::vec3{1}, shade) * shade +
+           dither_;
   }
 
   const VoxelRays& rays_;
@@ -176,6 +186,7 @@ class BandPainter {
   float grain_;
   float corner_;
   std::size_t sample_ = 0;
+  float dither_ = 0;
 };
 
 }  // namespace

@@ -10,24 +10,33 @@
 namespace talus::tools {
 namespace {
 
-Expected<terrain::World> parse(const std::string& toml, const std::string& source) {
-  auto world = terrain::World::parse(toml, source, height_files::beside(source));
-  if (!world) return failed(std::move(world.error().message));
-  return std::move(*world);
+// What is changed, for errors: ": at resolution 400".
+std::string told(const WorldChanges& changes) {
+  std::string text;
+  const auto add = [&](const char* name, const auto& change) {
+    if (!change) return;
+    std::ostringstream value;
+    value << *change;
+    text += (text.empty() ? ": at " : ", ") + (name + (" " + value.str()));
+  };
+  add("seed", changes.seed);
+  add("resolution", changes.resolution);
+  add("exponent", changes.exponent);
+  add("roughness", changes.roughness);
+  return text;
 }
 
 }  // namespace
 
 Expected<terrain::World> world_variant(const WorldText& text, const WorldChanges& changes) {
   // Bounds and faults are the spec's own to find; what passes them is TOML.
-  auto unchanged = parse(text.toml, text.source);
-  if (!unchanged) return unchanged;
+  if (auto unchanged = terrain::World::parse(text.toml, text.source, height_files::beside(text.source)); !unchanged) {
+    return failed(std::move(unchanged.error().message));
+  }
   toml::table document = toml::parse(text.toml);
-  std::string source = text.source;
   if (changes.seed) document.insert_or_assign("seed", *changes.seed);
   if (changes.resolution) {
     document.insert_or_assign("resolution", std::int64_t{*changes.resolution});
-    source += " at resolution " + std::to_string(*changes.resolution);
   }
   if (auto* surface = document["surface"].as_table(); surface != nullptr && changes.exponent) {
     surface->insert_or_assign("exponent", std::int64_t{*changes.exponent});
@@ -39,7 +48,11 @@ Expected<terrain::World> world_variant(const WorldText& text, const WorldChanges
   }
   std::ostringstream changed;
   changed << document;
-  return parse(changed.str(), source);
+  auto world = terrain::World::parse(changed.str(), "", height_files::beside(text.source));
+  if (world) return std::move(*world);
+  // ":LINE: " counts the lines of a text that nobody wrote.
+  const std::string& message = world.error().message;
+  return failed(text.source + told(changes) + ": " + message.substr(message.find(": ") + 2));
 }
 
 }  // namespace talus::tools
