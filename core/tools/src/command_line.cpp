@@ -11,6 +11,7 @@
 #include <talus/vectors/instruction_set.h>
 #include <CLI/CLI.hpp>
 
+#include "erode_height_map.h"
 #include "export.h"
 #include "failure.h"
 #include "image.h"
@@ -25,6 +26,7 @@ namespace {
 
 constexpr std::int64_t kMaxExportSide = std::int64_t{1} << 24;
 constexpr std::int64_t kMaxHashSide = std::int64_t{1} << 20;
+constexpr std::int64_t kMaxDroplets = 1'000'000'000;
 
 // What the options of all commands hold, as typed.
 struct Arguments {
@@ -36,6 +38,9 @@ struct Arguments {
   std::string axis = "x";
   int scale = 1;
   int threads = 0;
+  std::string input;
+  std::int64_t droplets = 100000;
+  std::int64_t seed = 1;
   std::string output;
 };
 
@@ -109,6 +114,12 @@ Expected<void> run_hash(const Arguments& arguments) {
     return failed(std::string{"standard output: cannot write the hash: "} + std::strerror(errno));
   }
   return {};
+}
+
+Expected<void> run_erode(const Arguments& arguments) {
+  return erode_height_map(
+      arguments.input, arguments.output,
+      {static_cast<std::uint64_t>(arguments.droplets), static_cast<std::uint64_t>(arguments.seed)});
 }
 
 void add_common_options(CLI::App& command, Arguments& arguments) {
@@ -198,6 +209,25 @@ CLI::App* add_hash(CLI::App& app, Arguments& arguments) {
   return hash;
 }
 
+CLI::App* add_erode(CLI::App& app, Arguments& arguments) {
+  auto* erode = app.add_subcommand("erode-heightmap", "Hydraulic erosion of a height map by droplets");
+  erode->add_option("input", arguments.input, "16-bit grey PNG, or .npy of two axes (uint16, int32, float32)")
+      ->type_name("IN")
+      ->required();
+  erode->add_option("--droplets", arguments.droplets, "Droplets that fall; about one a sample is much")
+      ->check(CLI::Range(std::int64_t{0}, kMaxDroplets))
+      ->type_name("N")
+      ->capture_default_str();
+  erode->add_option("--seed", arguments.seed, "Decides where they fall")
+      ->type_name("S")
+      ->capture_default_str();
+  add_output(*erode, arguments, "Height map to write: .png for 16-bit samples, .npy for any", "OUT");
+  erode->footer(
+      "The same seed gives the same samples on every machine. What comes out is an input of a world\n"
+      "(surface.height_map.file) like any other.");
+  return erode;
+}
+
 int report(const Failure& failure, const std::string& command) {
   std::fprintf(stderr, "talus-gen %s: %s\n", command.c_str(), failure.message.c_str());
   return failure.exit_code;
@@ -234,8 +264,11 @@ int run_command_line(int argc, const char* const* argv, const std::string& versi
   const std::vector<std::pair<CLI::App*, Run>> commands{{add_map(app, arguments), run_map},
                                                         {add_section(app, arguments), run_section},
                                                         {add_export(app, arguments), run_export},
-                                                        {add_hash(app, arguments), run_hash}};
-  for (const auto& [command, run] : commands) add_common_options(*command, arguments);
+                                                        {add_hash(app, arguments), run_hash},
+                                                        {add_erode(app, arguments), run_erode}};
+  for (const auto& [command, run] : commands) {
+    if (command->get_name() != "erode-heightmap") add_common_options(*command, arguments);
+  }
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
@@ -251,7 +284,8 @@ int run_command_line(int argc, const char* const* argv, const std::string& versi
                     command->get_name());
     }
   }
-  std::fputs("talus-gen: a command is needed: map, section, export or hash (see --help)\n", stderr);
+  std::fputs("talus-gen: a command is needed: map, section, export, hash or erode-heightmap (see --help)\n",
+             stderr);
   return kExitWrongUse;
 }
 

@@ -77,14 +77,22 @@ Expected<PngFile> PngFile::create(const std::filesystem::path& target) {
 }
 
 Expected<void> PngFile::write(const Image& image) {
+  return write_pixels(image.width, image.height, PNG_FORMAT_RGB, image.rgb.data());
+}
+
+Expected<void> PngFile::write_grey(int width, int height, std::span<const std::uint16_t> samples) {
+  return write_pixels(width, height, PNG_FORMAT_LINEAR_Y, samples.data());
+}
+
+Expected<void> PngFile::write_pixels(int width, int height, unsigned format, const void* pixels) {
   PngMemory png;
-  png.image.width = static_cast<png_uint_32>(image.width);
-  png.image.height = static_cast<png_uint_32>(image.height);
-  png.image.format = PNG_FORMAT_RGB;
+  png.image.width = static_cast<png_uint_32>(width);
+  png.image.height = static_cast<png_uint_32>(height);
+  png.image.format = format;
   // The bound for incompressible pixels passes 32 bits in no picture of at most kMaxPixels.
   std::vector<std::byte> bytes(PNG_IMAGE_PNG_SIZE_MAX(png.image));
   png_alloc_size_t size = bytes.size();
-  if (png_image_write_to_memory(&png.image, bytes.data(), &size, 0, image.rgb.data(), 0, nullptr) == 0) {
+  if (png_image_write_to_memory(&png.image, bytes.data(), &size, 0, pixels, 0, nullptr) == 0) {
     return failed(file_.target().string() + ": cannot write: " + png.image.message);
   }
   if (auto written = file_.write_at(0, std::span{bytes}.first(size)); !written) return written;

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <span>
 #include <vector>
 
 #include <talus/terrain/world.h>
@@ -64,9 +65,13 @@ class PngFile {
   [[nodiscard]] static Expected<PngFile> create(const std::filesystem::path& target);
   /// Writes the whole file; then it takes its name.
   [[nodiscard]] Expected<void> write(const Image& image);
+  /// The same of grey samples of 16 bits, as they are.
+  [[nodiscard]] Expected<void> write_grey(int width, int height, std::span<const std::uint16_t> samples);
 
  private:
   explicit PngFile(AtomicFile file) : file_{std::move(file)} {}
+  [[nodiscard]] Expected<void> write_pixels(int width, int height, unsigned format, const void* pixels);
+
   AtomicFile file_;
 };
 
