@@ -100,12 +100,13 @@ TEST_CASE("Beyond a drowned map all is at the floor, and beyond a blended one th
   const auto same = [&](const WorldSpec& other, std::int64_t x, std::int64_t z) {
     return height_at(surface_of(blended.spec()), x, z) == height_at(surface_of(other), x, z);
   };
-  CHECK(same(around, -113, 100));
-  CHECK(same(around, 0, 28 - 61));
-  CHECK_FALSE(same(around, -100, 100));
-  CHECK_FALSE(same(mirrored, -100, 100));
-  CHECK(same(mirrored, -52, 28));
-  CHECK(same(mirrored, 100, 150));
+  CHECK(same(around, -53, 100));
+  CHECK(same(around, 0, 27));
+  CHECK(same(around, 184, 213));
+  CHECK_FALSE(same(around, -20, 100));
+  CHECK_FALSE(same(mirrored, -20, 100));
+  CHECK(same(mirrored, 8, 88));
+  CHECK(same(mirrored, 100, 130));
 }
 
 TEST_CASE("A blend has no step anywhere in its margin") {

@@ -3,13 +3,18 @@
 
 #include <algorithm>
 #include <array>
+#include <filesystem>
 #include <fstream>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include <catch2/catch.hpp>
 
+#include "height_map_file.h"
+#include "made_height_map.h"
 #include "scratch_directory.h"
+#include "worlds.h"
 
 namespace {
 
@@ -79,6 +84,50 @@ TEST_CASE("Wrong use is one line and exit code 2") {
   check_refused("vox --origin 0,0 --size 8,8 --depth 0" + vox, 2, "--depth");
   check_refused("gallery", 2, "--output");
   CHECK(scratch.file_count() == 0);
+}
+
+TEST_CASE("A world with a height map is read with the file beside it, and eroded files are such files") {
+  const ScratchDirectory scratch;
+  using talus::tools::write_height_map;
+  const auto made = talus::test::made_height_map();
+  REQUIRE(write_height_map(scratch / "made.png", made));
+  const std::string spec = talus::test::small_world_text(1, "mirror");
+  scratch.write("world.toml", spec);
+  const std::string world = " --world " + in(scratch, "world.toml");
+  const auto hash = talus_gen("hash --origin -64,0 --size 64,64" + world);
+  CHECK(hash.exit_code == 0);
+  CHECK(talus_gen("map --center 0,0 --size 20,20 -o " + in(scratch, "m.png") + world).exit_code == 0);
+  CHECK(talus_gen("section --from 0,0 --length 20 -o " + in(scratch, "s.png") + world).exit_code == 0);
+
+  const std::string erode = "erode-heightmap " + in(scratch, "made.png") + " --droplets 300 ";
+  REQUIRE(talus_gen(erode + "-o " + in(scratch, "made.npy")).exit_code == 0);
+  scratch.write("made.png", read_whole(scratch / "made.npy"));  // by its first bytes, not by its name
+  const auto eroded = talus_gen("hash --origin -64,0 --size 64,64" + world);
+  CHECK(eroded.exit_code == 0);
+  CHECK(eroded.output != hash.output);
+
+  scratch.write("made.png", read_whole(scratch / "made.npy").substr(0, 300));
+  check_refused("hash --origin 0,0 --size 8,8" + world, 1,
+                "surface.height_map.file: 'made.png': has 172 bytes of samples; its shape needs 1334");
+  check_refused("hash --origin 0,0 --size 8,8 --world '" TALUS_SOURCE_DIR "/docs/jacksboro.toml'", 1,
+                "'jacksboro.png': cannot read it: No such file");
+}
+
+TEST_CASE("erode-heightmap refuses what it cannot read or write") {
+  const ScratchDirectory scratch;
+  REQUIRE(talus::tools::write_height_map(scratch / "a.npy", {2, 2, std::vector<float>{1, 2, 3, 4}}));
+  const std::string a = "erode-heightmap " + in(scratch, "a.npy");
+  check_refused("erode-heightmap", 2, "input is required");
+  check_refused(a, 2, "--output");
+  check_refused(a + " --droplets -1 -o " + in(scratch, "b.npy"), 2, "--droplets");
+  check_refused(a + " -o " + in(scratch, "b.png"), 2, "give a .npy");
+  check_refused(a + " -o " + in(scratch, "b.txt"), 2, "neither .png nor .npy");
+  check_refused("erode-heightmap " + in(scratch, "c.npy") + " -o " + in(scratch, "b.npy"), 1,
+                "c.npy: cannot read it");
+  scratch.write("d.npy", "text");
+  check_refused("erode-heightmap " + in(scratch, "d.npy") + " -o " + in(scratch, "b.npy"), 1,
+                "neither PNG nor .npy");
+  CHECK_FALSE(std::filesystem::exists(scratch / "b.npy"));
 }
 
 TEST_CASE("What cannot be done is one line and exit code 1") {

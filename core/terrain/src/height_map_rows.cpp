@@ -47,9 +47,9 @@ HeightMapRows::Taps HeightMapRows::taps_at(std::int64_t column, std::int64_t ori
 std::int64_t HeightMapRows::share_of_map(std::int64_t column, std::int64_t origin_q16,
                                          std::int64_t spacing_q16, int samples) const {
   const std::int64_t distance = column * (std::int64_t{1} << kVoxelBits) - origin_q16;
-  const std::int64_t past = std::max({std::int64_t{0}, -distance, distance - (samples - 1) * spacing_q16});
-  if (past >= map_.margin_q16) return 0;
-  return smooth(((map_.margin_q16 - past) << 16) / map_.margin_q16);
+  const std::int64_t inside = std::min(distance, (samples - 1) * spacing_q16 - distance);
+  if (inside <= 0) return 0;
+  return inside >= map_.margin_q16 ? kAllMap : smooth((inside << 16) / map_.margin_q16);
 }
 
 void HeightMapRows::start(std::span<const std::int64_t> xs) {

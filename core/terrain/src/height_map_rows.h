@@ -11,7 +11,8 @@
 namespace talus::terrain {
 
 /// Outside of its samples the map is mirrored at its edge for good, or all its samples are 0 (`sea`).
-/// `blend` mirrors it over a margin, over which it gives way to the surface around it.
+/// `blend` has another surface there, to which the map gives way over a margin within its edge: past the edge
+/// it knows nothing, and a mirror shows.
 class HeightMapRows final : public SurfaceRows {
  public:
   /// `around` is there where surface.map.outside is `blend`, and only there.

@@ -14,6 +14,7 @@
 #include <CLI/CLI.hpp>
 
 #include "atomic_file.h"
+#include "erode_height_map.h"
 #include "export.h"
 #include "failure.h"
 #include "gallery.h"
@@ -32,6 +33,7 @@ namespace {
 
 constexpr std::int64_t kMaxExportSide = std::int64_t{1} << 24;
 constexpr std::int64_t kMaxHashSide = std::int64_t{1} << 20;
+constexpr std::int64_t kMaxDroplets = 1'000'000'000;
 
 // What the options of all commands hold, as typed.
 struct Arguments {
@@ -45,6 +47,9 @@ struct Arguments {
   int depth = VoxOptions{}.depth;
   int threads = 0;
   int seeds = 20;
+  std::string input;
+  std::int64_t droplets = 100000;
+  std::int64_t seed = 1;
   std::string output;
 };
 
@@ -169,6 +174,12 @@ Expected<void> run_table1_command(const Arguments& arguments) {
   if (directory.empty()) return {};
   if (auto json = write_whole(directory / "table1.json", to_json(*table)); !json) return json;
   return write_whole(directory / "table1.svg", to_svg(*table));
+}
+
+Expected<void> run_erode(const Arguments& arguments) {
+  return erode_height_map(
+      arguments.input, arguments.output,
+      {static_cast<std::uint64_t>(arguments.droplets), static_cast<std::uint64_t>(arguments.seed)});
 }
 
 void add_world(CLI::App& command, Arguments& arguments) {
@@ -313,6 +324,25 @@ CLI::App* add_table1(CLI::App& app, Arguments& arguments) {
   return table;
 }
 
+CLI::App* add_erode(CLI::App& app, Arguments& arguments) {
+  auto* erode = app.add_subcommand("erode-heightmap", "Hydraulic erosion of a height map by droplets");
+  erode->add_option("input", arguments.input, "16-bit grey PNG, or .npy of two axes (uint16, int32, float32)")
+      ->type_name("IN")
+      ->required();
+  erode->add_option("--droplets", arguments.droplets, "Droplets that fall; about one a sample is much")
+      ->check(CLI::Range(std::int64_t{0}, kMaxDroplets))
+      ->type_name("N")
+      ->capture_default_str();
+  erode->add_option("--seed", arguments.seed, "Decides where they fall")
+      ->type_name("S")
+      ->capture_default_str();
+  add_output(*erode, arguments, "Height map to write: .png for 16-bit samples, .npy for any", "OUT");
+  erode->footer(
+      "The same seed gives the same samples on every machine. What comes out is an input of a world\n"
+      "(surface.height_map.file) like any other.");
+  return erode;
+}
+
 int report(const Failure& failure, const std::string& command) {
   std::fprintf(stderr, "talus-gen %s: %s\n", command.c_str(), failure.message.c_str());
   return failure.exit_code;
@@ -352,11 +382,13 @@ int run_command_line(int argc, const char* const* argv, const std::string& versi
                                                         {add_hash(app, arguments), run_hash},
                                                         {add_vox(app, arguments), run_vox},
                                                         {add_gallery(app, arguments), run_gallery},
-                                                        {add_table1(app, arguments), run_table1_command}};
+                                                        {add_table1(app, arguments), run_table1_command},
+                                                        {add_erode(app, arguments), run_erode}};
   for (const auto& [command, run] : commands) {
-    // Times are taken on one thread.
-    if (command->get_name() == "table1") {
-      add_world(*command, arguments);
+    const std::string name = command->get_name();
+    if (name == "erode-heightmap") continue;  // no world in it
+    if (name == "table1") {
+      add_world(*command, arguments);  // times are taken on one thread
     } else {
       add_common_options(*command, arguments);
     }
@@ -377,7 +409,8 @@ int run_command_line(int argc, const char* const* argv, const std::string& versi
     }
   }
   std::fputs(
-      "talus-gen: a command is needed: map, section, export, hash, vox, gallery or table1 (see --help)\n",
+      "talus-gen: a command is needed: map, section, export, hash, vox, gallery, table1 or erode-heightmap "
+      "(see --help)\n",
       stderr);
   return kExitWrongUse;
 }

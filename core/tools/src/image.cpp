@@ -45,8 +45,8 @@ struct PngMemory {
   ~PngMemory() { png_image_free(&image); }
 };
 
-Expected<void> write_pixels(AtomicFile& file, PngMemory& png, int width, int height,
-                            const std::uint8_t* pixels, const std::uint8_t* palette) {
+Expected<void> write_pixels(AtomicFile& file, PngMemory& png, int width, int height, const void* pixels,
+                            const std::uint8_t* palette) {
   png.image.width = static_cast<png_uint_32>(width);
   png.image.height = static_cast<png_uint_32>(height);
   // The bound for incompressible pixels passes 32 bits in no picture of at most kMaxPixels.
@@ -96,6 +96,12 @@ Expected<void> PngFile::write(const Image& image) {
   PngMemory png;
   png.image.format = PNG_FORMAT_RGB;
   return write_pixels(file_, png, image.width, image.height, image.rgb.data(), nullptr);
+}
+
+Expected<void> PngFile::write_grey(int width, int height, std::span<const std::uint16_t> samples) {
+  PngMemory png;
+  png.image.format = PNG_FORMAT_LINEAR_Y;
+  return write_pixels(file_, png, width, height, samples.data(), nullptr);
 }
 
 Expected<void> PngFile::write(const PalettedImage& image) {

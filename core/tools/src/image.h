@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <span>
 #include <vector>
 
 #include <talus/terrain/world.h>
@@ -67,6 +68,8 @@ class PngFile {
   /// Writes the whole file; then it takes its name.
   [[nodiscard]] Expected<void> write(const Image& image);
   [[nodiscard]] Expected<void> write(const PalettedImage& image);
+  /// The same of grey samples of 16 bits, as they are.
+  [[nodiscard]] Expected<void> write_grey(int width, int height, std::span<const std::uint16_t> samples);
 
  private:
   explicit PngFile(AtomicFile file) : file_{std::move(file)} {}

@@ -18,6 +18,8 @@ const char* descriptor(NpyType type) {
       return "|u1";
     case NpyType::uint16:
       return "<u2";
+    case NpyType::float32:
+      return "<f4";
   }
   return "";
 }
@@ -32,6 +34,8 @@ std::size_t item_bytes(NpyType type) {
       return 1;
     case NpyType::uint16:
       return 2;
+    case NpyType::float32:
+      return 4;
   }
   return 0;
 }
@@ -75,6 +79,11 @@ Expected<void> NpyFile::write(std::size_t first_item, std::span<const std::uint8
 
 Expected<void> NpyFile::write(std::size_t first_item, std::span<const std::uint16_t> items) const {
   assert(type_ == NpyType::uint16);
+  return write_bytes(first_item, std::as_bytes(items));
+}
+
+Expected<void> NpyFile::write(std::size_t first_item, std::span<const float> items) const {
+  assert(type_ == NpyType::float32);
   return write_bytes(first_item, std::as_bytes(items));
 }
 

@@ -13,7 +13,7 @@
 
 namespace talus::tools {
 
-enum class NpyType : std::uint8_t { int32, uint8, uint16 };
+enum class NpyType : std::uint8_t { int32, uint8, uint16, float32 };
 
 [[nodiscard]] std::size_t item_bytes(NpyType type);
 
@@ -31,6 +31,7 @@ class NpyFile {
   [[nodiscard]] Expected<void> write(std::size_t first_item, std::span<const std::int32_t> items) const;
   [[nodiscard]] Expected<void> write(std::size_t first_item, std::span<const std::uint8_t> items) const;
   [[nodiscard]] Expected<void> write(std::size_t first_item, std::span<const std::uint16_t> items) const;
+  [[nodiscard]] Expected<void> write(std::size_t first_item, std::span<const float> items) const;
 
   /// Writes the header and gives the file its length; what lies past the shape is cut.
   [[nodiscard]] Expected<void> finish(std::span<const std::size_t> shape) const;

@@ -30,7 +30,8 @@ std::string told(const WorldChanges& changes) {
 
 Expected<terrain::World> world_variant(const WorldText& text, const WorldChanges& changes) {
   // Bounds and faults are the spec's own to find; what passes them is TOML.
-  if (auto unchanged = terrain::World::parse(text.toml, text.source, height_files::beside(text.source)); !unchanged) {
+  if (auto unchanged = terrain::World::parse(text.toml, text.source, height_files::beside(text.source));
+      !unchanged) {
     return failed(std::move(unchanged.error().message));
   }
   toml::table document = toml::parse(text.toml);

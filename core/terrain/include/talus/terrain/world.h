@@ -48,7 +48,7 @@ struct HeightMapSpec {
   std::optional<double> low;   // the sample value that lies at y = 0, and
   std::optional<double> high;  // at the amplitude; both set once the world is parsed
   Outside outside = Outside::mirror;
-  double margin = 0;                         // over which the map gives way to the surface around it
+  double margin = 0;                         // inside its edge: there it gives way to what lies around
   SurfaceKind around = SurfaceKind::perlin;  // where outside is `blend`
   std::shared_ptr<const Field> heights_fx;   // the samples, 0 to amplitude * resolution; set by World::parse
 };

@@ -1,0 +1,57 @@
+#include "height_map_file.h"
+
+#include <array>
+#include <cstddef>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "image.h"
+#include "npy.h"
+
+namespace talus::tools {
+namespace {
+
+NpyType type_of(const std::vector<std::uint16_t>&) {
+  return NpyType::uint16;
+}
+NpyType type_of(const std::vector<std::int32_t>&) {
+  return NpyType::int32;
+}
+NpyType type_of(const std::vector<float>&) {
+  return NpyType::float32;
+}
+
+template <class Sample>
+Expected<void> write_npy(const std::filesystem::path& target, const terrain::HeightMap& map,
+                         const std::vector<Sample>& samples) {
+  auto file = NpyFile::create(target, type_of(samples));
+  if (!file) return tl::make_unexpected(file.error());
+  if (auto written = file->write(0, std::span<const Sample>{samples}); !written) return written;
+  const std::array shape{static_cast<std::size_t>(map.depth), static_cast<std::size_t>(map.width)};
+  if (auto finished = file->finish(shape); !finished) return finished;
+  return file->commit();
+}
+
+}  // namespace
+
+Expected<void> check_height_map_name(const std::filesystem::path& target, const terrain::HeightMap& map) {
+  if (target.extension() == ".npy") return {};
+  if (target.extension() != ".png") {
+    return wrong_use("--output: '" + target.string() + "' ends in neither .png nor .npy");
+  }
+  if (std::holds_alternative<std::vector<std::uint16_t>>(map.samples)) return {};
+  return wrong_use("--output: a .png holds 16 bits a sample, and the input's have 32; give a .npy");
+}
+
+Expected<void> write_height_map(const std::filesystem::path& target, const terrain::HeightMap& map) {
+  if (auto fits = check_height_map_name(target, map); !fits) return fits;
+  if (target.extension() == ".npy") {
+    return std::visit([&](const auto& samples) { return write_npy(target, map, samples); }, map.samples);
+  }
+  auto file = PngFile::create(target);
+  if (!file) return tl::make_unexpected(file.error());
+  return file->write_grey(map.width, map.depth, std::get<std::vector<std::uint16_t>>(map.samples));
+}
+
+}  // namespace talus::tools
