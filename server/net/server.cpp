@@ -43,6 +43,16 @@ WorldInfo describe_world(const terrain::World& world, ContentHash store_id) {
           terrain::find_spawn(world), "talusd " TALUS_VERSION};
 }
 
+/// Each height of eroded land costs a region of its own with its halo: what a request may ask for stays a
+/// second's work.
+Config fitted_to(Config config, const terrain::World& world) {
+  constexpr std::uint64_t kErodedHeights = 64;
+  if (world.spec().method == terrain::Method::erosion) {
+    config.limits.heights_per_request = std::min(config.limits.heights_per_request, kErodedHeights);
+  }
+  return config;
+}
+
 ServiceSettings service_settings(const Config& config) {
   return {generator_threads(config), static_cast<int>(config.generation.patch_tiles),
           config.generation.queue_chunks, config.cache.chunk_bytes, config.cache.patch_bytes};
@@ -56,7 +66,7 @@ std::string to_text(const tcp::endpoint& endpoint) {
 
 Server::Server(const Config& config, std::shared_ptr<const terrain::World> world, ContentHash store_id,
                Logger log)
-    : config_{config},
+    : config_{fitted_to(config, *world)},
       log_{std::move(log)},
       world_{describe_world(*world, store_id)},
       admission_{config.limits.connections, config.limits.connections_per_address},

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numeric>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include <talus/terrain/boundary_row.h>
@@ -255,6 +256,78 @@ Expected<Image> draw_settling(const GalleryContext& context) {
   return join_panels(panels, 2);
 }
 
+// Rock up to what is loose, and the loose materials as they lie on it.
+Planes planes_of(const terrain::World& world, const terrain::Terrain& terrain) {
+  terrain::Field rock = terrain.surface;
+  for (const terrain::Field& loose : terrain.loose) {
+    for (std::size_t i = 0; i < rock.values.size(); ++i) rock.values[i] -= loose.values[i];
+  }
+  Planes planes;
+  for (std::size_t p = 0; p < terrain.strata.size(); ++p) {
+    terrain::Field top = terrain.strata[p];
+    for (std::size_t i = 0; i < top.values.size(); ++i)
+      top.values[i] = std::min(top.values[i], rock.values[i]);
+    planes.add(terrain.strata_materials[p], std::move(top));
+  }
+  terrain::Field top = std::move(rock);
+  for (const std::size_t m : world.loose_bottom_up()) {
+    for (std::size_t i = 0; i < top.values.size(); ++i) top.values[i] += terrain.loose[m].values[i];
+    planes.add(world.loose()[m].material, top);
+  }
+  return planes;
+}
+
+// One input by both methods: the slope method, and erosion to rest.
+Expected<Image> draw_methods(const GalleryContext& context) {
+  const auto world = at_resolution(context, 100);
+  if (!world) return tl::make_unexpected(world.error());
+  const terrain::Region region = columns_of(scenic_place(*world, 2.0), *world);
+  terrain::Terrain eroded;
+  terrain::Generator{*world}.generate_to_rest(region, terrain::Neighbours::all, eroded);
+  const std::vector<Image> panels{draw_whole(context, *world, region, kHalf),
+                                  draw(context, *world, planes_of(*world, eroded), world->sea_fx(),
+                                       box_over(*world, eroded.surface), kHalf)};
+  return join_panels(panels, 2);
+}
+
+// `part` of a terrain into the region that it lies in.
+void put(const terrain::Field& part, int x, int z, terrain::Field& whole) {
+  for (int row = 0; row < part.depth; ++row) {
+    std::copy_n(part.row(row).begin(), part.width, whole.row(z + row).begin() + x);
+  }
+}
+
+// Chunks that are eroded each for itself, and the endless land of the same steps.
+Expected<Image> draw_edges(const GalleryContext& context) {
+  constexpr int kTile = 40;
+  constexpr int kTiles = 4;
+  const auto uneroded = at_resolution(context, 100);  // looking about in eroded land is dear
+  if (!uneroded) return tl::make_unexpected(uneroded.error());
+  const auto world = world_variant(context.text, {.resolution = 100, .erosion_steps = 64});
+  if (!world) return tl::make_unexpected(world.error());
+  terrain::Region region = columns_of(scenic_place(*uneroded, 1.6), *uneroded);
+  region = {region.x, region.z, kTile * kTiles, kTile * kTiles, Lod{}};
+  const terrain::Terrain whole = generate_terrain(*world, region);
+  terrain::Terrain torn = whole;
+  terrain::Generator generator{*world};
+  terrain::Terrain tile;
+  for (int z = 0; z < region.depth; z += kTile) {
+    for (int x = 0; x < region.width; x += kTile) {
+      generator.generate_to_rest({region.x + x, region.z + z, kTile, kTile, Lod{}}, terrain::Neighbours::all,
+                                 tile);
+      put(tile.surface, x, z, torn.surface);
+      for (std::size_t m = 0; m < tile.loose.size(); ++m) put(tile.loose[m], x, z, torn.loose[m]);
+      for (std::size_t p = 0; p < tile.strata.size(); ++p) put(tile.strata[p], x, z, torn.strata[p]);
+    }
+  }
+  std::vector<Image> panels;
+  for (const terrain::Terrain* terrain : {&std::as_const(torn), &whole}) {
+    panels.push_back(draw(context, *world, planes_of(*world, *terrain), world->sea_fx(),
+                          box_over(*world, whole.surface), kHalf));
+  }
+  return join_panels(panels, 2);
+}
+
 constexpr std::array kFigures{
     Figure{"gallery-01-landscape.png", kWhole.height, draw_landscape},
     Figure{"gallery-06-surface.png", 2 * kHalf.height, draw_surface},
@@ -262,6 +335,8 @@ constexpr std::array kFigures{
     Figure{"gallery-08-layers.png", 6 * kThird.height, draw_layer_by_layer},
     Figure{"gallery-09-roughness.png", 4 * kHalf.height, draw_roughness},
     Figure{"gallery-13-settling.png", 2 * kHalf.height, draw_settling},
+    Figure{"gallery-16-methods.png", 2 * kHalf.height, draw_methods},
+    Figure{"gallery-17-edges.png", 2 * kHalf.height, draw_edges},
 };
 
 }  // namespace

@@ -23,6 +23,7 @@ std::string told(const WorldChanges& changes) {
   add("resolution", changes.resolution);
   add("exponent", changes.exponent);
   add("roughness", changes.roughness);
+  add("erosion_steps", changes.erosion_steps);
   return text;
 }
 
@@ -38,6 +39,10 @@ Expected<terrain::World> world_variant(const WorldText& text, const WorldChanges
   if (changes.seed) document.insert_or_assign("seed", *changes.seed);
   if (changes.resolution) {
     document.insert_or_assign("resolution", std::int64_t{*changes.resolution});
+  }
+  if (changes.erosion_steps) {
+    document.insert_or_assign("method", "erosion");
+    document.insert_or_assign("erosion_steps", std::int64_t{*changes.erosion_steps});
   }
   if (auto* surface = document["surface"].as_table(); surface != nullptr && changes.exponent) {
     surface->insert_or_assign("exponent", std::int64_t{*changes.exponent});

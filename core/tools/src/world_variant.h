@@ -15,8 +15,9 @@ namespace talus::tools {
 struct WorldChanges {
   std::optional<std::int64_t> seed{};
   std::optional<int> resolution{};
-  std::optional<int> exponent{};      // of the surface
-  std::optional<double> roughness{};  // of all stratified materials
+  std::optional<int> exponent{};       // of the surface
+  std::optional<double> roughness{};   // of all stratified materials
+  std::optional<int> erosion_steps{};  // by the erosion method
 };
 
 /// Fails as World::parse does, where the text is wrong or the change leads out of its bounds.
