@@ -32,6 +32,8 @@ struct Limits {
   std::uint64_t queued_bytes_per_session = 1U << 20;
   std::uint64_t window_bytes = 4U << 20;
   std::uint64_t heights_per_request = protocol::kMaxHeightsPerRequest;
+  /// Tiles of 32 x 32 columns in one GetHeights. No setting: the world decides (net/server.cpp).
+  std::uint64_t height_tiles_per_request = protocol::kMaxHeightsPerRequest;
   std::uint64_t view_horizontal_radius = 48;
   std::uint64_t view_vertical_radius = 16;
   std::uint64_t view_chunks = 65'536;

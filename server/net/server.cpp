@@ -43,12 +43,14 @@ WorldInfo describe_world(const terrain::World& world, ContentHash store_id) {
           terrain::find_spawn(world), "talusd " TALUS_VERSION};
 }
 
-/// Each height of eroded land costs a region of its own with its halo: what a request may ask for stays a
-/// second's work.
+/// In eroded land heights cost a region for each tile, with a halo of two columns a step and a pass over it
+/// for every step: what one request may ask for stays within about a second.
 Config fitted_to(Config config, const terrain::World& world) {
-  constexpr std::uint64_t kErodedHeights = 64;
+  constexpr std::uint64_t kColumnSteps = 100'000'000;
   if (world.spec().method == terrain::Method::erosion) {
-    config.limits.heights_per_request = std::min(config.limits.heights_per_request, kErodedHeights);
+    const auto side = static_cast<std::uint64_t>(kChunkSize + 2 * world.halo());
+    const std::uint64_t tile = side * side * static_cast<std::uint64_t>(world.spec().erosion_steps);
+    config.limits.height_tiles_per_request = std::max<std::uint64_t>(1, kColumnSteps / tile);
   }
   return config;
 }

@@ -1,6 +1,7 @@
 // What each message of a client does.
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <string>
 #include <unordered_set>
 #include <utility>
@@ -12,6 +13,14 @@
 
 namespace talus::server {
 namespace {
+
+std::size_t tiles_of(const std::vector<terrain::BaseColumn>& columns) {
+  std::set<std::pair<std::int64_t, std::int64_t>> tiles;
+  for (const terrain::BaseColumn& column : columns) {
+    tiles.emplace(floor_div(column.x, kChunkSize), floor_div(column.z, kChunkSize));
+  }
+  return tiles.size();
+}
 
 using wire::ErrorCode;
 
@@ -162,6 +171,11 @@ void Session::on(const wire::GetHeights& get) {
                                 column.x(), column.z()));
     }
     task.columns.push_back({column.x(), column.z()});
+  }
+  if (const std::size_t tiles = tiles_of(task.columns); tiles > context_.limits.height_tiles_per_request) {
+    return refuse(get.id(), ErrorCode::too_large,
+                  fmt::format("GetHeights reaches into {} tiles of 32 x 32 columns; in this world at most {}",
+                              tiles, context_.limits.height_tiles_per_request));
   }
   constexpr std::size_t kTaskBytes = 256;
   requests_.add_heights(get.id(), ticket,
