@@ -1,5 +1,9 @@
 #include "header.h"
 
+#include <algorithm>
+
+#include <talus/voxel/chunk.h>
+
 namespace talus::codec {
 
 void put_number(std::uint16_t number, std::vector<std::byte>& out) {
@@ -39,6 +43,14 @@ tl::expected<std::vector<MaterialId>, DecodeError> take_materials(std::span<cons
     const auto id = take_number(bytes);
     if (!id) return tl::unexpected{id.error()};
     materials.push_back(MaterialId{*id});
+  }
+  return materials;
+}
+
+tl::expected<std::vector<MaterialId>, DecodeError> take_layer_materials(std::span<const std::byte>& bytes) {
+  auto materials = take_materials(bytes, Layers::kMaxMaterials);
+  if (materials && std::adjacent_find(materials->begin(), materials->end()) != materials->end()) {
+    return tl::unexpected{DecodeError::bad_materials};
   }
   return materials;
 }

@@ -25,4 +25,8 @@ void put_materials(std::span<const MaterialId> materials, std::vector<std::byte>
 [[nodiscard]] tl::expected<std::vector<MaterialId>, DecodeError> take_materials(
     std::span<const std::byte>& bytes, std::size_t most);
 
+/// Takes the materials of layers, of which no two neighbours may be the same.
+[[nodiscard]] tl::expected<std::vector<MaterialId>, DecodeError> take_layer_materials(
+    std::span<const std::byte>& bytes);
+
 }  // namespace talus::codec

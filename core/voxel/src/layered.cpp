@@ -220,11 +220,8 @@ bool encode_layered(const Layers& layers, std::vector<std::byte>& out) {
 }
 
 tl::expected<Chunk, DecodeError> decode_layered(std::span<const std::byte> body) {
-  auto materials = take_materials(body, Layers::kMaxMaterials);
+  auto materials = take_layer_materials(body);
   if (!materials) return tl::unexpected{materials.error()};
-  if (std::adjacent_find(materials->begin(), materials->end()) != materials->end()) {
-    return tl::unexpected{DecodeError::bad_materials};
-  }
   if (materials->size() == 1) {
     if (!body.empty()) return tl::unexpected{DecodeError::too_long};
     return Chunk::uniform(materials->front());
