@@ -1,14 +1,33 @@
 #include "generation/chunk_service.h"
 
+#include <chrono>
 #include <exception>
 #include <utility>
 
 namespace talus::server {
+namespace {
+
+/// Counts one piece of work and the time from here to the end of the block.
+class Timed {
+ public:
+  Timed(Counter& pieces, Counter& ns) : ns_{ns} { pieces.add(); }
+  ~Timed() { ns_.add(static_cast<std::uint64_t>((Clock::now() - began_).count())); }
+  Timed(const Timed&) = delete;
+  Timed& operator=(const Timed&) = delete;
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  Counter& ns_;
+  Clock::time_point began_ = Clock::now();
+};
+
+}  // namespace
 
 ChunkService::ChunkService(std::unique_ptr<const Generator> generator, const ServiceSettings& settings,
-                           Logger log)
+                           Logger log, Metrics& metrics)
     : generator_{std::move(generator)},
       log_{std::move(log)},
+      metrics_{metrics},
       chunks_{settings.chunk_cache_bytes},
       patches_{settings.patch_cache_bytes},
       queue_{settings.patch_tiles, settings.queue_chunks} {
@@ -28,7 +47,13 @@ ChunkService::~ChunkService() {
 
 EncodedChunkPtr ChunkService::find(ChunkKey key) {
   EncodedChunkPtr chunk = generator_->instant(key);
-  return chunk != nullptr ? chunk : chunks_.find(key);
+  if (chunk != nullptr) {
+    metrics_.uniform_answers.add();
+    return chunk;
+  }
+  chunk = chunks_.find(key);
+  (chunk != nullptr ? metrics_.cache_hits : metrics_.cache_misses).add();
+  return chunk;
 }
 
 ChunkService::Submission ChunkService::submit(const ChunkClientPtr& client, ChunkKey key) {
@@ -37,7 +62,10 @@ ChunkService::Submission ChunkService::submit(const ChunkClientPtr& client, Chun
     const std::lock_guard lock{mutex_};
     // A job puts its chunk in the cache before it ends, so a chunk is in one of both from its first job on.
     if (!queue_.has_job(key)) finished = chunks_.find(key);
-    if (finished == nullptr && !queue_.add(client, key)) return Submission::refused;
+    if (finished == nullptr && !queue_.add(client, key)) {
+      metrics_.jobs_refused.add();
+      return Submission::refused;
+    }
   }
   if (finished != nullptr) {
     client->chunk_ready(key, std::move(finished));
@@ -49,7 +77,9 @@ ChunkService::Submission ChunkService::submit(const ChunkClientPtr& client, Chun
 
 void ChunkService::cancel(const ChunkClient& client, ChunkKey key) {
   const std::lock_guard lock{mutex_};
+  const std::size_t jobs = queue_.jobs();
   queue_.cancel(client, key);
+  if (queue_.jobs() < jobs) metrics_.jobs_cancelled.add();
 }
 
 void ChunkService::submit_heights(HeightsTask task) {
@@ -63,6 +93,16 @@ void ChunkService::submit_heights(HeightsTask task) {
 void ChunkService::cancel_heights(const ChunkClient& client, std::uint64_t ticket) {
   const std::lock_guard lock{mutex_};
   queue_.cancel_heights(client, ticket);
+}
+
+ChunkService::Status ChunkService::status() {
+  Status status;
+  status.chunk_cache_bytes = chunks_.bytes();
+  status.patch_cache_bytes = patches_.bytes();
+  const std::lock_guard lock{mutex_};
+  status.jobs = queue_.jobs();
+  status.clients = queue_.clients();
+  return status;
 }
 
 void ChunkService::work() {
@@ -89,7 +129,11 @@ void ChunkService::run(const WorkQueue::Batch& batch) {
   for (const ChunkKey key : batch.keys) {
     {
       const std::lock_guard lock{mutex_};
-      if (stopping_ || !queue_.begin(key)) continue;
+      if (stopping_) continue;
+      if (!queue_.begin(key)) {
+        metrics_.jobs_cancelled.add();
+        continue;
+      }
     }
     const ChunkAnswer answer = make_chunk(stacks.get(), key);
     std::vector<ChunkClientPtr> waiters;
@@ -132,6 +176,7 @@ StacksPtr ChunkService::stacks_of(const PatchKey& patch) {
   StacksPtr stacks = patches_.find(patch);
   if (stacks != nullptr) return stacks;
   try {
+    const Timed timed{metrics_.patches_made, metrics_.patch_ns};
     stacks = std::make_shared<const terrain::Stacks>(generator_->make_patch(patch));
     patches_.put(patch, stacks);
   } catch (const std::exception& error) {
@@ -144,6 +189,7 @@ StacksPtr ChunkService::stacks_of(const PatchKey& patch) {
 ChunkAnswer ChunkService::make_chunk(const terrain::Stacks* stacks, ChunkKey key) {
   if (stacks == nullptr) return tl::make_unexpected(GenerationFailed{"its patch could not be generated"});
   try {
+    const Timed timed{metrics_.chunks_made, metrics_.chunk_ns};
     EncodedChunkPtr chunk = generator_->make_chunk(*stacks, key);
     chunks_.put(key, chunk);
     return chunk;

@@ -16,6 +16,7 @@
 #include "generation/generator.h"
 #include "generation/work_queue.h"
 #include "log/logger.h"
+#include "metrics/metrics.h"
 
 namespace talus::server {
 
@@ -29,7 +30,9 @@ struct ServiceSettings {
 
 class ChunkService {
  public:
-  ChunkService(std::unique_ptr<const Generator> generator, const ServiceSettings& settings, Logger log);
+  /// `metrics` outlives it.
+  ChunkService(std::unique_ptr<const Generator> generator, const ServiceSettings& settings, Logger log,
+               Metrics& metrics);
   /// Waits for the threads; what still waits is not answered.
   ~ChunkService();
   ChunkService(const ChunkService&) = delete;
@@ -47,6 +50,14 @@ class ChunkService {
   void submit_heights(HeightsTask task);
   void cancel_heights(const ChunkClient& client, std::uint64_t ticket);
 
+  struct Status {
+    std::size_t jobs = 0;
+    std::size_t clients = 0;  // who wait for something
+    std::size_t chunk_cache_bytes = 0;
+    std::size_t patch_cache_bytes = 0;
+  };
+  [[nodiscard]] Status status();
+
  private:
   void work();
   void run(const WorkQueue::Batch& batch);
@@ -58,6 +69,7 @@ class ChunkService {
 
   std::unique_ptr<const Generator> generator_;
   Logger log_;
+  Metrics& metrics_;
   ChunkCache chunks_;
   PatchCache patches_;
 

@@ -54,7 +54,7 @@ bool Session::has_room_for_chunk() const {
 void Session::start_request(std::uint32_t id) {
   const ChunkKey key = requests_.chunk(id)->key;
   if (EncodedChunkPtr chunk = context_.chunks.find(key)) {
-    answer_request(id, std::move(chunk));
+    answer_request(id, std::move(chunk), {Clock::now(), false});
   } else if (Awaited* awaited = await(key)) {
     awaited->requests.push_back(id);
   } else {
@@ -65,7 +65,7 @@ void Session::start_request(std::uint32_t id) {
 
 bool Session::start_view_chunk(ChunkKey key) {
   if (EncodedChunkPtr chunk = context_.chunks.find(key)) {
-    answer_view(key, std::move(chunk));
+    answer_view(key, std::move(chunk), {Clock::now(), false});
     return true;
   }
   if (Awaited* awaited = await(key)) {
@@ -93,26 +93,28 @@ void Session::chunk_ready(ChunkKey key, const ChunkAnswer& answer) {
   // Nobody may wait any more: the last one left when the answer was on its way.
   const auto found = awaited_.extract(key);
   if (found.empty()) return;
-  for (const std::uint32_t id : found.mapped().requests) answer_request(id, answer);
-  if (found.mapped().view) answer_view(key, answer);
+  const Outbox::Wish wish{found.mapped().since, true};
+  for (const std::uint32_t id : found.mapped().requests) answer_request(id, answer, wish);
+  if (found.mapped().view) answer_view(key, answer, wish);
 }
 
-void Session::answer_request(std::uint32_t id, const ChunkAnswer& answer) {
+void Session::answer_request(std::uint32_t id, const ChunkAnswer& answer, Outbox::Wish wish) {
   const RequestBook::ChunkRequest& request = *requests_.chunk(id);
   if (!answer) {
     refuse(id, wire::ErrorCode::internal, fmt::format("the chunk failed: {}", answer.error().reason),
            kRetryAfterMs);
   } else if (request.known == (*answer)->hash) {
     outbox_.push_control(unchanged_frame(id, request.key, (*answer)->hash));
+    context_.metrics.unchanged_sent.add();
   } else {
-    outbox_.push_chunk({id, request.key, *answer});
+    outbox_.push_chunk({id, request.key, *answer, wish});
     return;  // in flight until it is taken from the outbox
   }
   requests_.erase(id);
 }
 
-void Session::answer_view(ChunkKey key, const ChunkAnswer& answer) {
-  if (answer) return outbox_.push_chunk({0, key, *answer});
+void Session::answer_view(ChunkKey key, const ChunkAnswer& answer, Outbox::Wish wish) {
+  if (answer) return outbox_.push_chunk({0, key, *answer, wish});
   refuse(0, wire::ErrorCode::internal,
          fmt::format("chunk {} of the View failed: {}", to_string(key), answer.error().reason),
          kRetryAfterMs);
@@ -133,6 +135,7 @@ void Session::heights_ready(std::uint64_t ticket, const HeightsAnswer& answer) {
 
 std::vector<protocol::Frame> Session::take_output(std::size_t enough_bytes) {
   Outbox::Taken taken = outbox_.take(enough_bytes, credit_);
+  if (!taken.chunks.empty()) note_sent(taken);
   for (const Outbox::Entry& entry : taken.chunks) {
     if (entry.request_id != 0) {
       requests_.erase(entry.request_id);
@@ -141,6 +144,16 @@ std::vector<protocol::Frame> Session::take_output(std::size_t enough_bytes) {
     }
   }
   return std::move(taken.frames);
+}
+
+void Session::note_sent(const Outbox::Taken& taken) {
+  Metrics& metrics = context_.metrics;
+  const Clock::time_point now = Clock::now();
+  for (const Outbox::Entry& entry : taken.chunks) {
+    (entry.wish.cold ? metrics.cold_latency : metrics.hot_latency).add(now - entry.wish.since);
+  }
+  metrics.chunks_sent.add(taken.chunks.size());
+  metrics.chunk_bytes_sent.add(taken.chunk_bytes);
 }
 
 }  // namespace talus::server

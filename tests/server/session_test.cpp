@@ -18,7 +18,7 @@ struct Bench {
   Limits limits;
   WorldInfo world;
   std::shared_ptr<WaitingClient> client = std::make_shared<WaitingClient>();
-  Session session{{limits, world, fake.service}};
+  Session session{{limits, world, fake.service, fake.metrics}};
 
   explicit Bench(std::size_t queue_chunks = 1000) : fake{1, queue_chunks} {
     session.attach(client);
