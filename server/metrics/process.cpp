@@ -38,13 +38,18 @@ class StatFields {
   std::vector<std::string> fields_;
 };
 
-double boot_seconds() {
-  std::ifstream file{"/proc/stat"};
-  for (std::string word; file >> word;) {
-    double seconds = 0;
-    if (word == "btime" && file >> seconds) return seconds;
-  }
-  return 0;
+double seconds_of(clockid_t clock) {
+  timespec now{};
+  ::clock_gettime(clock, &now);
+  return static_cast<double>(now.tv_sec) + static_cast<double>(now.tv_nsec) * 1e-9;
+}
+
+/// Since 1970. Without /proc/stat, which a hardened unit may hide.
+double start_of(const StatFields& stat) {
+  constexpr std::size_t kStartTicks = 22;
+  const auto ticks_a_second = static_cast<double>(::sysconf(_SC_CLK_TCK));
+  const double after_boot = static_cast<double>(stat.number(kStartTicks)) / ticks_a_second;
+  return seconds_of(CLOCK_REALTIME) - (seconds_of(CLOCK_BOOTTIME) - after_boot);
 }
 
 std::uint64_t open_descriptors() {
@@ -59,18 +64,16 @@ std::uint64_t open_descriptors() {
 
 ProcessReading read_process() {
   constexpr std::size_t kThreads = 20;
-  constexpr std::size_t kStartTicks = 22;
   constexpr std::size_t kVirtualBytes = 23;
   constexpr std::size_t kResidentPages = 24;
 
   ProcessReading reading;
-  timespec spent{};
-  ::clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &spent);
-  reading.cpu_seconds = static_cast<double>(spent.tv_sec) + static_cast<double>(spent.tv_nsec) * 1e-9;
+  reading.cpu_seconds = seconds_of(CLOCK_PROCESS_CPUTIME_ID);
 
   const StatFields stat;
-  const auto ticks_a_second = static_cast<double>(::sysconf(_SC_CLK_TCK));
-  reading.start_seconds = boot_seconds() + static_cast<double>(stat.number(kStartTicks)) / ticks_a_second;
+  // Once: it must not seem to change when the clock is set, or by what lies between two readings of it.
+  static const double start = start_of(stat);
+  reading.start_seconds = start;
   reading.threads = stat.number(kThreads);
   reading.virtual_bytes = stat.number(kVirtualBytes);
   reading.resident_bytes = stat.number(kResidentPages) * static_cast<std::uint64_t>(::sysconf(_SC_PAGESIZE));

@@ -1,7 +1,10 @@
 // What operators read: tallies, and their text.
 #include <catch2/catch.hpp>
 #include <chrono>
+#include <fstream>
+#include <iterator>
 #include <nlohmann/json.hpp>
+#include <regex>
 #include <sstream>
 #include <string>
 #include <thread>
@@ -105,6 +108,23 @@ TEST_CASE("every series has a help line and a type") {
     CHECK(line.starts_with(help));
     CHECK(help == type);
   }
+}
+
+TEST_CASE("alerts and dashboard ask for nothing that is not there") {
+  const std::string text = text_of({});
+  const std::string file = GENERATE(as<std::string>{}, "alerts.yml", "grafana/talus.json");
+  std::ifstream in{TALUS_SOURCE_DIR "/docker/" + file};
+  const std::string asked{std::istreambuf_iterator<char>{in}, {}};
+  const std::regex name{"\\b(talus|process)_[a-z_]+\\b"};
+  std::size_t names = 0;
+  for (auto found = std::sregex_iterator{asked.begin(), asked.end(), name}; found != std::sregex_iterator{};
+       ++found, ++names) {
+    CAPTURE(file, found->str());
+    const bool there = text.find("\n" + found->str() + " ") != std::string::npos ||
+                       text.find("\n" + found->str() + "{") != std::string::npos;
+    CHECK((there || text.starts_with("# HELP " + found->str() + " ")));
+  }
+  CHECK(names > 5);
 }
 
 TEST_CASE("the process knows its memory, its threads and its files") {
