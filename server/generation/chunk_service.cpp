@@ -7,6 +7,13 @@
 namespace talus::server {
 namespace {
 
+// Of the bytes for chunks, what is kept of columns beside them: a column takes less than the smallest chunk.
+constexpr std::size_t kShareOfRows = 16;
+
+ChunkKey column_of(ChunkKey key) {
+  return {{key.coord.x, 0, key.coord.z}, key.lod};
+}
+
 /// Counts one piece of work and the time from here to the end of the block.
 class Timed {
  public:
@@ -28,8 +35,10 @@ ChunkService::ChunkService(std::unique_ptr<const Generator> generator, const Ser
     : generator_{std::move(generator)},
       log_{std::move(log)},
       metrics_{metrics},
+      patch_tiles_{settings.patch_tiles},
       chunks_{settings.chunk_cache_bytes},
       patches_{settings.patch_cache_bytes},
+      rows_{settings.chunk_cache_bytes / kShareOfRows},
       queue_{settings.patch_tiles, settings.queue_chunks} {
   for (std::size_t thread = 0; thread < settings.threads; ++thread) {
     threads_.emplace_back([this] { work(); });
@@ -54,6 +63,11 @@ EncodedChunkPtr ChunkService::find(ChunkKey key) {
   chunk = chunks_.find(key);
   (chunk != nullptr ? metrics_.cache_hits : metrics_.cache_misses).add();
   return chunk;
+}
+
+terrain::MixedRange ChunkService::rows(ChunkKey key) {
+  const auto known = rows_.find(column_of(key));
+  return known ? *known : generator_->rows_anywhere(key.lod);
 }
 
 ChunkService::Submission ChunkService::submit(const ChunkClientPtr& client, ChunkKey key) {
@@ -178,12 +192,22 @@ StacksPtr ChunkService::stacks_of(const PatchKey& patch) {
   try {
     const Timed timed{metrics_.patches_made, metrics_.patch_ns};
     stacks = std::make_shared<const terrain::Stacks>(generator_->make_patch(patch));
+    note_rows(patch, *stacks);
     patches_.put(patch, stacks);
   } catch (const std::exception& error) {
     log_->error("patch ({}, {}) at level of detail {} failed: {}", patch.x, patch.z, patch.lod.value(),
                 error.what());
   }
   return stacks;
+}
+
+void ChunkService::note_rows(const PatchKey& patch, const terrain::Stacks& stacks) {
+  for (int z = 0; z < patch_tiles_; ++z) {
+    for (int x = 0; x < patch_tiles_; ++x) {
+      const ChunkKey column{{patch.x * patch_tiles_ + x, 0, patch.z * patch_tiles_ + z}, patch.lod};
+      rows_.put(column, generator_->rows(stacks, column), 0);
+    }
+  }
 }
 
 ChunkAnswer ChunkService::make_chunk(const terrain::Stacks* stacks, ChunkKey key) {

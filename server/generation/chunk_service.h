@@ -13,6 +13,7 @@
 
 #include "cache/chunk_cache.h"
 #include "cache/patch_cache.h"
+#include "cache/sharded_lru.h"
 #include "generation/generator.h"
 #include "generation/work_queue.h"
 #include "log/logger.h"
@@ -41,6 +42,10 @@ class ChunkService {
   /// The chunk where it is at hand; else null.
   [[nodiscard]] EncodedChunkPtr find(ChunkKey key);
 
+  /// Rows of chunks outside which every chunk of the key's column is known to be uniform: of one rock below
+  /// them, of air above. Exact once its terrain was generated, until that is forgotten.
+  [[nodiscard]] terrain::MixedRange rows(ChunkKey key);
+
   enum class Submission : std::uint8_t { queued, refused };
   /// Lets `client` wait for the chunk. Refused where the queue is full: no answer will come.
   [[nodiscard]] Submission submit(const ChunkClientPtr& client, ChunkKey key);
@@ -62,6 +67,7 @@ class ChunkService {
   void work();
   void run(const WorkQueue::Batch& batch);
   void run(const HeightsTask& task);
+  void note_rows(const PatchKey& patch, const terrain::Stacks& stacks);
   void deliver(ChunkClient& waiter, ChunkKey key, const ChunkAnswer& answer);
   [[nodiscard]] StacksPtr stacks_of(const PatchKey& patch);
   [[nodiscard]] ChunkAnswer make_chunk(const terrain::Stacks* stacks, ChunkKey key);
@@ -70,8 +76,10 @@ class ChunkService {
   std::unique_ptr<const Generator> generator_;
   Logger log_;
   Metrics& metrics_;
+  const int patch_tiles_;
   ChunkCache chunks_;
   PatchCache patches_;
+  ShardedLru<ChunkKey, terrain::MixedRange> rows_;  // of columns, by their chunk at y = 0
 
   std::mutex mutex_;
   std::condition_variable work_waits_;

@@ -105,6 +105,8 @@ void add_chunks(const Metrics& metrics, Page& page) {
   add_histogram(latency, "cold", metrics.cold_latency);
   page.counter("talus_chunks_sent_total", "Chunk messages.", metrics.chunks_sent);
   page.counter("talus_chunk_bytes_sent_total", "Bytes of Chunk messages.", metrics.chunk_bytes_sent);
+  page.counter("talus_columns_sent_total", "Column messages, which stand for a column's uniform chunks.",
+               metrics.columns_sent);
   page.counter("talus_unchanged_sent_total", "Unchanged messages.", metrics.unchanged_sent);
 }
 

@@ -23,6 +23,7 @@ struct Metrics {
   // ---- what clients are told
   std::array<Counter, static_cast<std::size_t>(wire::ErrorCode::MAX) + 1> errors;
   Counter chunks_sent;
+  Counter columns_sent;
   Counter unchanged_sent;
   Counter chunk_bytes_sent;  // of their frames
 

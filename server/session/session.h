@@ -43,6 +43,8 @@ class Session {
   static constexpr std::size_t kViewWindow = 64;
   /// Chunks of this session that wait for a generator at once.
   static constexpr std::size_t kServiceWindow = 128;
+  /// Bytes of control frames above which no Column is added: they need no credit.
+  static constexpr std::size_t kColumnBytes = std::size_t{16} * 1024;
   /// What a chunk that waits for a generator is reckoned to cost, until a larger one has come.
   static constexpr std::size_t kExpectedChunkBytes = 4096;
 
@@ -118,6 +120,11 @@ class Session {
 
   void start_request(std::uint32_t id);
   [[nodiscard]] bool start_view_chunk(ChunkKey key);
+  /// Where the chunk is known to be uniform: says so, with all that is uniform in its column and still
+  /// wanted.
+  [[nodiscard]] bool answer_by_column(ChunkKey key);
+  /// The View does not wait for the chunk any more; false where it did not.
+  bool give_up_for_view(ChunkKey key);
   /// The entry of those who wait for the chunk; null where the queue is full.
   [[nodiscard]] Awaited* await(ChunkKey key);
   void stop_awaiting(ChunkKey key, const Awaited& awaited);

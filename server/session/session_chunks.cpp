@@ -21,12 +21,7 @@ void Session::apply_view() {
 }
 
 void Session::drop_from_view(const std::vector<ChunkKey>& keys) {
-  for (const ChunkKey key : keys) {
-    const auto found = awaited_.find(key);
-    if (found == awaited_.end()) continue;
-    found->second.view = false;
-    stop_awaiting(key, found->second);
-  }
+  for (const ChunkKey key : keys) (void)give_up_for_view(key);
   outbox_.drop_chunks(
       [&](const Outbox::Entry& entry) { return entry.request_id == 0 && !view_.under_way(entry.key); });
 }
@@ -38,7 +33,7 @@ void Session::pump() {
       start_request(*id);
       continue;
     }
-    if (view_.under_way_count() >= kViewWindow) return;
+    if (view_.under_way_count() >= kViewWindow || outbox_.control_bytes() >= kColumnBytes) return;
     const auto key = view_.next();
     if (!key) return;
     refused_ = !start_view_chunk(*key);
@@ -64,6 +59,7 @@ void Session::start_request(std::uint32_t id) {
 }
 
 bool Session::start_view_chunk(ChunkKey key) {
+  if (answer_by_column(key)) return true;
   if (EncodedChunkPtr chunk = context_.chunks.find(key)) {
     answer_view(key, std::move(chunk), {Clock::now(), false});
     return true;
@@ -74,6 +70,35 @@ bool Session::start_view_chunk(ChunkKey key) {
   }
   view_.put_back(key);
   return false;
+}
+
+bool Session::answer_by_column(ChunkKey key) {
+  const terrain::MixedRange mixed = context_.chunks.rows(key);
+  const auto uniform = [&](std::int32_t y) { return y < mixed.first || y > mixed.last; };
+  if (!uniform(key.coord.y)) return false;
+  std::vector<wire::UniformRun> runs;
+  view_.done_in_column(key, [&](ChunkKey chunk, bool under_way) {
+    const std::int32_t y = chunk.coord.y;
+    if (!uniform(y)) return false;
+    if (under_way && chunk != key && !give_up_for_view(chunk)) return false;
+    const auto material = to_integer(y < mixed.first ? mixed.below : kAir);
+    const bool goes_on = !runs.empty() && runs.back().last_y() == y - 1 && runs.back().material() == material;
+    const std::int32_t first = goes_on ? runs.back().first_y() : y;
+    if (goes_on) runs.pop_back();
+    runs.emplace_back(first, y, material);
+    return true;
+  });
+  outbox_.push_control(column_frame(key, runs));
+  context_.metrics.columns_sent.add();
+  return true;
+}
+
+bool Session::give_up_for_view(ChunkKey key) {
+  const auto found = awaited_.find(key);
+  if (found == awaited_.end()) return false;  // it waits to be sent
+  found->second.view = false;
+  stop_awaiting(key, found->second);
+  return true;
 }
 
 Session::Awaited* Session::await(ChunkKey key) {
@@ -114,6 +139,8 @@ void Session::answer_request(std::uint32_t id, const ChunkAnswer& answer, Outbox
 }
 
 void Session::answer_view(ChunkKey key, const ChunkAnswer& answer, Outbox::Wish wish) {
+  // Its terrain is known now; it may not have been when the chunk was wished for.
+  if (answer && answer_by_column(key)) return;
   if (answer) return outbox_.push_chunk({0, key, *answer, wish});
   refuse(0, wire::ErrorCode::internal,
          fmt::format("chunk {} of the View failed: {}", to_string(key), answer.error().reason),
