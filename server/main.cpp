@@ -40,16 +40,19 @@ int serve(const Command& command) {
     if (!opened) return failed(opened.error());
     data.emplace(*std::move(opened));
   }
-  const Logger log = make_logger(config.log.level);
+  const Logger log = make_logger(config.log.level, config.log.format);
   Server server{config, *world, data ? data->store_id() : talus::ContentHash{}, log};
   const auto address = server.listen();
   if (!address) return failed(address.error());
+  const auto operators = server.listen_to_operators();
+  if (!operators) return failed(operators.error());
 
   for (const std::string& warning : command.warnings) log->warn("{}", warning);
   log->info("world {}, generator {} with {} kernels", to_string((*world)->fingerprint()),
             talus::terrain::kGeneratorVersion, to_string(talus::instruction_set()));
   // On its own and whatever the log level: programs that start a server read this line.
   fmt::print("listening on {}\n", *address);
+  if (!operators->empty()) fmt::print("metrics and health on http://{}\n", *operators);
   std::fflush(stdout);
   server.run();
   log->info("ended");

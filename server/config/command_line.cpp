@@ -82,7 +82,6 @@ tl::expected<Command, Exit> read_command_line(int argc, const char* const* argv,
 
   command.warnings = unknown_variables(environment);
   if (command.config.http) command.warnings.emplace_back("http is not served by this version; ignored");
-  if (command.config.admin) command.warnings.emplace_back("admin is not served by this version; ignored");
   return command;
 }
 

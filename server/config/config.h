@@ -59,6 +59,7 @@ struct Shutdown {
 
 struct Log {
   std::string level = "info";
+  std::string format = "text";
   bool operator==(const Log&) const = default;
 };
 

@@ -15,6 +15,7 @@ namespace {
 constexpr std::uint64_t kMebibyte = 1U << 20;
 constexpr std::uint64_t kDayMs = 86'400'000;
 
+constexpr std::array<std::string_view, 2> kLogFormats{"text", "json"};
 constexpr std::array<std::string_view, 6> kLevels{"trace", "debug", "info", "warning", "error", "off"};
 
 template <typename Group, Group Config::*group, std::uint64_t Group::*member>
@@ -39,7 +40,8 @@ const std::array kFields{
           EndpointTarget{[](Config& c) -> Endpoint& { return c.listen; }}},
     Field{"http", "HOST:PORT", "public HTTP and WebSocket; accepted, not served yet; empty: none",
           OptionalEndpointTarget{[](Config& c) -> std::optional<Endpoint>& { return c.http; }}},
-    Field{"admin", "HOST:PORT", "metrics and health for operators; accepted, not served yet; empty: none",
+    Field{"admin", "HOST:PORT",
+          "metrics and health for operators, over HTTP; not for the open network; empty: none",
           OptionalEndpointTarget{[](Config& c) -> std::optional<Endpoint>& { return c.admin; }}},
     Field{"data", "directory", "what must outlive the server; empty: nothing is kept",
           PathTarget{[](Config& c) -> std::filesystem::path& { return c.data; }}},
@@ -97,6 +99,8 @@ const std::array kFields{
 
     Field{"log.level", "", "the least important lines that are written",
           WordTarget{[](Config& c) -> std::string& { return c.log.level; }, kLevels}},
+    Field{"log.format", "", "how a line is written: for people, or one JSON object",
+          WordTarget{[](Config& c) -> std::string& { return c.log.format; }, kLogFormats}},
 };
 
 tl::unexpected<std::string> refused(const Field& field, std::string_view value) {

@@ -1,16 +1,44 @@
 #include "generation/chunk_service.h"
 
+#include <chrono>
 #include <exception>
 #include <utility>
 
 namespace talus::server {
+namespace {
+
+// Of the bytes for chunks, what is kept of columns beside them: a column takes less than the smallest chunk.
+constexpr std::size_t kShareOfRows = 16;
+
+ChunkKey column_of(ChunkKey key) {
+  return {{key.coord.x, 0, key.coord.z}, key.lod};
+}
+
+/// Counts one piece of work and the time from here to the end of the block.
+class Timed {
+ public:
+  Timed(Counter& pieces, Counter& ns) : ns_{ns} { pieces.add(); }
+  ~Timed() { ns_.add(static_cast<std::uint64_t>((Clock::now() - began_).count())); }
+  Timed(const Timed&) = delete;
+  Timed& operator=(const Timed&) = delete;
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  Counter& ns_;
+  Clock::time_point began_ = Clock::now();
+};
+
+}  // namespace
 
 ChunkService::ChunkService(std::unique_ptr<const Generator> generator, const ServiceSettings& settings,
-                           Logger log)
+                           Logger log, Metrics& metrics)
     : generator_{std::move(generator)},
       log_{std::move(log)},
+      metrics_{metrics},
+      patch_tiles_{settings.patch_tiles},
       chunks_{settings.chunk_cache_bytes},
       patches_{settings.patch_cache_bytes},
+      rows_{settings.chunk_cache_bytes / kShareOfRows},
       queue_{settings.patch_tiles, settings.queue_chunks} {
   for (std::size_t thread = 0; thread < settings.threads; ++thread) {
     threads_.emplace_back([this] { work(); });
@@ -28,7 +56,18 @@ ChunkService::~ChunkService() {
 
 EncodedChunkPtr ChunkService::find(ChunkKey key) {
   EncodedChunkPtr chunk = generator_->instant(key);
-  return chunk != nullptr ? chunk : chunks_.find(key);
+  if (chunk != nullptr) {
+    metrics_.uniform_answers.add();
+    return chunk;
+  }
+  chunk = chunks_.find(key);
+  (chunk != nullptr ? metrics_.cache_hits : metrics_.cache_misses).add();
+  return chunk;
+}
+
+terrain::MixedRange ChunkService::rows(ChunkKey key) {
+  const auto known = rows_.find(column_of(key));
+  return known ? *known : generator_->rows_anywhere(key.lod);
 }
 
 ChunkService::Submission ChunkService::submit(const ChunkClientPtr& client, ChunkKey key) {
@@ -37,7 +76,10 @@ ChunkService::Submission ChunkService::submit(const ChunkClientPtr& client, Chun
     const std::lock_guard lock{mutex_};
     // A job puts its chunk in the cache before it ends, so a chunk is in one of both from its first job on.
     if (!queue_.has_job(key)) finished = chunks_.find(key);
-    if (finished == nullptr && !queue_.add(client, key)) return Submission::refused;
+    if (finished == nullptr && !queue_.add(client, key)) {
+      metrics_.jobs_refused.add();
+      return Submission::refused;
+    }
   }
   if (finished != nullptr) {
     client->chunk_ready(key, std::move(finished));
@@ -49,7 +91,9 @@ ChunkService::Submission ChunkService::submit(const ChunkClientPtr& client, Chun
 
 void ChunkService::cancel(const ChunkClient& client, ChunkKey key) {
   const std::lock_guard lock{mutex_};
+  const std::size_t jobs = queue_.jobs();
   queue_.cancel(client, key);
+  if (queue_.jobs() < jobs) metrics_.jobs_cancelled.add();
 }
 
 void ChunkService::submit_heights(HeightsTask task) {
@@ -63,6 +107,16 @@ void ChunkService::submit_heights(HeightsTask task) {
 void ChunkService::cancel_heights(const ChunkClient& client, std::uint64_t ticket) {
   const std::lock_guard lock{mutex_};
   queue_.cancel_heights(client, ticket);
+}
+
+ChunkService::Status ChunkService::status() {
+  Status status;
+  status.chunk_cache_bytes = chunks_.bytes();
+  status.patch_cache_bytes = patches_.bytes();
+  const std::lock_guard lock{mutex_};
+  status.jobs = queue_.jobs();
+  status.clients = queue_.clients();
+  return status;
 }
 
 void ChunkService::work() {
@@ -89,7 +143,11 @@ void ChunkService::run(const WorkQueue::Batch& batch) {
   for (const ChunkKey key : batch.keys) {
     {
       const std::lock_guard lock{mutex_};
-      if (stopping_ || !queue_.begin(key)) continue;
+      if (stopping_) continue;
+      if (!queue_.begin(key)) {
+        metrics_.jobs_cancelled.add();
+        continue;
+      }
     }
     const ChunkAnswer answer = make_chunk(stacks.get(), key);
     std::vector<ChunkClientPtr> waiters;
@@ -132,7 +190,9 @@ StacksPtr ChunkService::stacks_of(const PatchKey& patch) {
   StacksPtr stacks = patches_.find(patch);
   if (stacks != nullptr) return stacks;
   try {
+    const Timed timed{metrics_.patches_made, metrics_.patch_ns};
     stacks = std::make_shared<const terrain::Stacks>(generator_->make_patch(patch));
+    note_rows(patch, *stacks);
     patches_.put(patch, stacks);
   } catch (const std::exception& error) {
     log_->error("patch ({}, {}) at level of detail {} failed: {}", patch.x, patch.z, patch.lod.value(),
@@ -141,9 +201,19 @@ StacksPtr ChunkService::stacks_of(const PatchKey& patch) {
   return stacks;
 }
 
+void ChunkService::note_rows(const PatchKey& patch, const terrain::Stacks& stacks) {
+  for (int z = 0; z < patch_tiles_; ++z) {
+    for (int x = 0; x < patch_tiles_; ++x) {
+      const ChunkKey column{{patch.x * patch_tiles_ + x, 0, patch.z * patch_tiles_ + z}, patch.lod};
+      rows_.put(column, generator_->rows(stacks, column), 0);
+    }
+  }
+}
+
 ChunkAnswer ChunkService::make_chunk(const terrain::Stacks* stacks, ChunkKey key) {
   if (stacks == nullptr) return tl::make_unexpected(GenerationFailed{"its patch could not be generated"});
   try {
+    const Timed timed{metrics_.chunks_made, metrics_.chunk_ns};
     EncodedChunkPtr chunk = generator_->make_chunk(*stacks, key);
     chunks_.put(key, chunk);
     return chunk;

@@ -13,9 +13,11 @@
 
 #include "cache/chunk_cache.h"
 #include "cache/patch_cache.h"
+#include "cache/sharded_lru.h"
 #include "generation/generator.h"
 #include "generation/work_queue.h"
 #include "log/logger.h"
+#include "metrics/metrics.h"
 
 namespace talus::server {
 
@@ -29,7 +31,9 @@ struct ServiceSettings {
 
 class ChunkService {
  public:
-  ChunkService(std::unique_ptr<const Generator> generator, const ServiceSettings& settings, Logger log);
+  /// `metrics` outlives it.
+  ChunkService(std::unique_ptr<const Generator> generator, const ServiceSettings& settings, Logger log,
+               Metrics& metrics);
   /// Waits for the threads; what still waits is not answered.
   ~ChunkService();
   ChunkService(const ChunkService&) = delete;
@@ -37,6 +41,10 @@ class ChunkService {
 
   /// The chunk where it is at hand; else null.
   [[nodiscard]] EncodedChunkPtr find(ChunkKey key);
+
+  /// Rows of chunks outside which every chunk of the key's column is known to be uniform: of one rock below
+  /// them, of air above. Exact once its terrain was generated, until that is forgotten.
+  [[nodiscard]] terrain::MixedRange rows(ChunkKey key);
 
   enum class Submission : std::uint8_t { queued, refused };
   /// Lets `client` wait for the chunk. Refused where the queue is full: no answer will come.
@@ -47,10 +55,19 @@ class ChunkService {
   void submit_heights(HeightsTask task);
   void cancel_heights(const ChunkClient& client, std::uint64_t ticket);
 
+  struct Status {
+    std::size_t jobs = 0;
+    std::size_t clients = 0;  // who wait for something
+    std::size_t chunk_cache_bytes = 0;
+    std::size_t patch_cache_bytes = 0;
+  };
+  [[nodiscard]] Status status();
+
  private:
   void work();
   void run(const WorkQueue::Batch& batch);
   void run(const HeightsTask& task);
+  void note_rows(const PatchKey& patch, const terrain::Stacks& stacks);
   void deliver(ChunkClient& waiter, ChunkKey key, const ChunkAnswer& answer);
   [[nodiscard]] StacksPtr stacks_of(const PatchKey& patch);
   [[nodiscard]] ChunkAnswer make_chunk(const terrain::Stacks* stacks, ChunkKey key);
@@ -58,8 +75,11 @@ class ChunkService {
 
   std::unique_ptr<const Generator> generator_;
   Logger log_;
+  Metrics& metrics_;
+  const int patch_tiles_;
   ChunkCache chunks_;
   PatchCache patches_;
+  ShardedLru<ChunkKey, terrain::MixedRange> rows_;  // of columns, by their chunk at y = 0
 
   std::mutex mutex_;
   std::condition_variable work_waits_;

@@ -20,6 +20,10 @@ class Generator {
 
   /// The chunk where it costs nothing to know it; else null.
   [[nodiscard]] virtual EncodedChunkPtr instant(ChunkKey key) const = 0;
+  /// Rows of chunks outside which every chunk of a column is uniform, for all that is known without looking.
+  [[nodiscard]] virtual terrain::MixedRange rows_anywhere(Lod lod) const = 0;
+  /// The same of the column of a chunk over this patch, exactly.
+  [[nodiscard]] virtual terrain::MixedRange rows(const terrain::Stacks& stacks, ChunkKey key) const = 0;
   [[nodiscard]] virtual terrain::Stacks make_patch(const PatchKey& patch) const = 0;
   /// `stacks` is the patch over which the chunk stands.
   [[nodiscard]] virtual EncodedChunkPtr make_chunk(const terrain::Stacks& stacks, ChunkKey key) const = 0;

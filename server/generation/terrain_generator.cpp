@@ -16,6 +16,14 @@ EncodedChunkPtr TerrainGenerator::instant(ChunkKey key) const {
   return material ? uniform_[to_integer(*material)] : nullptr;
 }
 
+terrain::MixedRange TerrainGenerator::rows_anywhere(Lod lod) const {
+  return terrain::mixed_range(*world_, lod);
+}
+
+terrain::MixedRange TerrainGenerator::rows(const terrain::Stacks& stacks, ChunkKey key) const {
+  return terrain::mixed_range(*world_, stacks, key.coord.x, key.coord.z);
+}
+
 terrain::Stacks TerrainGenerator::make_patch(const PatchKey& patch) const {
   std::unique_ptr<terrain::Generator> generator = take_generator();
   terrain::Stacks stacks;

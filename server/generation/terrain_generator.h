@@ -17,6 +17,8 @@ class TerrainGenerator final : public Generator {
   TerrainGenerator(std::shared_ptr<const terrain::World> world, int patch_tiles);
 
   [[nodiscard]] EncodedChunkPtr instant(ChunkKey key) const override;
+  [[nodiscard]] terrain::MixedRange rows_anywhere(Lod lod) const override;
+  [[nodiscard]] terrain::MixedRange rows(const terrain::Stacks& stacks, ChunkKey key) const override;
   [[nodiscard]] terrain::Stacks make_patch(const PatchKey& patch) const override;
   [[nodiscard]] EncodedChunkPtr make_chunk(const terrain::Stacks& stacks, ChunkKey key) const override;
   [[nodiscard]] std::vector<std::int32_t> heights(

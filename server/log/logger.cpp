@@ -2,15 +2,21 @@
 
 #include <unistd.h>
 
+#include <memory>
 #include <string>
 
+#include "log/json_lines.h"
 #include "log/patient_sink.h"
 
 namespace talus::server {
 
-Logger make_logger(std::string_view level) {
+Logger make_logger(std::string_view level, std::string_view format) {
   auto logger = std::make_shared<spdlog::logger>("talusd", std::make_shared<PatientSink>(STDOUT_FILENO));
-  logger->set_pattern("%Y-%m-%dT%H:%M:%S.%e%z %l %v");
+  if (format == "json") {
+    logger->set_formatter(std::make_unique<JsonLines>());
+  } else {
+    logger->set_pattern("%Y-%m-%dT%H:%M:%S.%e%z %l %v");
+  }
   logger->set_level(spdlog::level::from_str(std::string{level}));
   return logger;
 }

@@ -10,7 +10,8 @@ namespace talus::server {
 
 using Logger = std::shared_ptr<spdlog::logger>;
 
-/// `level` is one of the names that the configuration takes (trace, debug, info, warning, error, off).
-[[nodiscard]] Logger make_logger(std::string_view level);
+/// `level` (trace, debug, info, warning, error, off) and `format` (text, json) are names that the
+/// configuration takes.
+[[nodiscard]] Logger make_logger(std::string_view level, std::string_view format);
 
 }  // namespace talus::server

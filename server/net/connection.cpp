@@ -94,6 +94,8 @@ Connection::Connection(asio::ip::tcp::socket socket, std::string remote, Connect
       opened_{Clock::now()},
       last_frame_{opened_} {
   tune(socket_);
+  context_.session.metrics.accepted.add();
+  context_.session.metrics.open.rise();
 }
 
 void Connection::start() {
@@ -137,6 +139,7 @@ asio::awaitable<void> Connection::read() {
               : failed.message());
       co_return;
     }
+    context_.session.metrics.received_bytes.add(bytes);
     // What comes after the last word is read and dropped, so that closing does not reset the connection.
     if (session_.closing()) continue;
     co_await take_in(std::span{input_}.first(bytes));
@@ -210,7 +213,9 @@ asio::awaitable<void> Connection::write() {
       return error ? 0 : kGatherBytes;
     };
     std::error_code failed;
-    co_await asio::async_write(socket_, buffers, progress, asio::redirect_error(asio::use_awaitable, failed));
+    const std::size_t written = co_await asio::async_write(socket_, buffers, progress,
+                                                           asio::redirect_error(asio::use_awaitable, failed));
+    context_.session.metrics.sent_bytes.add(written);
     write_progress_.reset();
     if (failed) {
       end(failed.message());
@@ -301,6 +306,7 @@ Connection::Clock::time_point Connection::next_deadline(Clock::time_point now) c
 void Connection::note_greeting() {
   if (greeting_noted_ || !session_.greeted()) return;
   greeting_noted_ = true;
+  context_.session.metrics.greeted.rise();
   watch_timer_.cancel();  // from here on it is the idle time that counts
   context_.log->info("conn {} {}: hello from \"{}\", protocol {}", id_, remote_,
                      escaped(session_.greeting()->client), session_.greeting()->protocol);
@@ -311,6 +317,8 @@ void Connection::end(std::string_view reason) {
   // Before the socket closes: who sees the end finds the place free.
   place_.reset();
   context_.registry.remove(id_);
+  context_.session.metrics.open.fall();
+  if (greeting_noted_) context_.session.metrics.greeted.fall();
   std::error_code ignored;
   socket_.close(ignored);
   output_waits_.cancel();

@@ -12,7 +12,10 @@
 #include <asio/redirect_error.hpp>
 #include <asio/use_awaitable.hpp>
 
+#include <talus/vectors/instruction_set.h>
+
 #include "generation/terrain_generator.h"
+#include "metrics/exposition.h"
 #include "net/descriptors.h"
 
 namespace talus::server {
@@ -60,6 +63,13 @@ ServiceSettings service_settings(const Config& config) {
           config.generation.queue_chunks, config.cache.chunk_bytes, config.cache.patch_bytes};
 }
 
+tcp::endpoint resolved(const Endpoint& endpoint, asio::io_context& io, std::error_code& error) {
+  tcp::resolver resolver{io};
+  const auto found = resolver.resolve(endpoint.host, std::to_string(endpoint.port),
+                                      tcp::resolver::passive | tcp::resolver::numeric_service, error);
+  return error ? tcp::endpoint{} : found.begin()->endpoint();
+}
+
 std::string to_text(const tcp::endpoint& endpoint) {
   return to_string(Endpoint{endpoint.address().to_string(), endpoint.port()});
 }
@@ -75,7 +85,7 @@ Server::Server(const Config& config, std::shared_ptr<const terrain::World> world
       io_{io_threads(config), log_},
       chunks_{std::make_unique<TerrainGenerator>(std::move(world),
                                                  static_cast<int>(config.generation.patch_tiles)),
-              service_settings(config), log_},
+              service_settings(config), log_, metrics_},
       acceptor_{io_.control()},
       signals_{io_.control(), SIGTERM, SIGINT},
       drain_timer_{io_.control()},
@@ -87,17 +97,39 @@ tl::expected<std::string, std::string> Server::listen() {
                                            to_string(config_.listen), error.message()));
   };
   std::error_code error;
-  tcp::resolver resolver{io_.control()};
-  const auto found = resolver.resolve(config_.listen.host, std::to_string(config_.listen.port),
-                                      tcp::resolver::passive | tcp::resolver::numeric_service, error);
+  const tcp::endpoint wanted = resolved(config_.listen, io_.control(), error);
   if (error) return failed(error);
-  const tcp::endpoint wanted = found.begin()->endpoint();
   acceptor_.open(wanted.protocol(), error);
   if (!error) acceptor_.set_option(tcp::acceptor::reuse_address{true}, error);
   if (!error) acceptor_.bind(wanted, error);
   if (!error) acceptor_.listen(asio::socket_base::max_listen_connections, error);
   if (error) return failed(error);
   return to_text(acceptor_.local_endpoint());
+}
+
+tl::expected<std::string, std::string> Server::listen_to_operators() {
+  if (!config_.admin) return std::string{};
+  const auto failed = [&](const std::string& what) {
+    return tl::make_unexpected(fmt::format("admin {}: {}; choose another address with --admin HOST:PORT",
+                                           to_string(*config_.admin), what));
+  };
+  std::error_code error;
+  const tcp::endpoint wanted = resolved(*config_.admin, io_.control(), error);
+  if (error) return failed(error.message());
+  auto opened = AdminServer::open(io_.control(), wanted,
+                                  {[this] { return metrics_text(); }, [this] { return !draining_; }});
+  if (!opened) return failed(opened.error());
+  admin_.emplace(*std::move(opened));
+  return to_text(admin_->address());
+}
+
+std::string Server::metrics_text() {
+  const ChunkService::Status status = chunks_.status();
+  return prometheus_text(
+      metrics_, {status.jobs, status.clients, status.chunk_cache_bytes, status.patch_cache_bytes, draining_},
+      read_process(),
+      {TALUS_VERSION, terrain::kGeneratorVersion, to_string(world_.fingerprint),
+       std::string{to_string(instruction_set())}});
 }
 
 void Server::run() {
@@ -147,12 +179,13 @@ void Server::admit(tcp::socket socket, ConnectionId id) {
   if (gone) return;
   auto place = admission_.enter(remote.address());
   if (!place) {
+    metrics_.refused.add();
     note_refusal(to_text(remote), place.error());
     refusals_.refuse(std::move(socket), place.error());
     return;
   }
   log_->debug("conn {} {}: opened", id, to_text(remote));
-  const ConnectionContext context{{config_.limits, world_, chunks_}, registry_, log_};
+  const ConnectionContext context{{config_.limits, world_, chunks_, metrics_}, registry_, log_};
   const auto connection =
       std::make_shared<Connection>(std::move(socket), to_text(remote), id, context, *std::move(place));
   registry_.add(id, connection);
@@ -179,6 +212,7 @@ asio::awaitable<void> Server::obey_signals() {
 }
 
 void Server::drain() {
+  draining_ = true;
   std::error_code ignored;
   acceptor_.close(ignored);
   for (const auto& connection : registry_.all()) connection->go_away("the server is ending", kRetryAfterMs);

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include <asio/awaitable.hpp>
@@ -13,9 +14,11 @@
 
 #include <talus/terrain/world.h>
 
+#include "admin/admin_server.h"
 #include "config/config.h"
 #include "generation/chunk_service.h"
 #include "log/logger.h"
+#include "metrics/metrics.h"
 #include "net/admission.h"
 #include "net/connection.h"
 #include "net/io_pool.h"
@@ -31,11 +34,14 @@ class Server {
 
   /// Opens the listening socket; returns the address with its real port, or one line.
   [[nodiscard]] tl::expected<std::string, std::string> listen();
+  /// As listen(), for the operators' HTTP; an empty address where the config has none.
+  [[nodiscard]] tl::expected<std::string, std::string> listen_to_operators();
 
   /// Serves until SIGTERM or SIGINT, and then until every answer is sent or shutdown.drain_ms is over.
   void run();
 
  private:
+  [[nodiscard]] std::string metrics_text();
   [[nodiscard]] asio::awaitable<void> accept();
   [[nodiscard]] asio::awaitable<void> obey_signals();
   void admit(asio::ip::tcp::socket socket, ConnectionId id);
@@ -47,6 +53,7 @@ class Server {
   Config config_;
   Logger log_;
   WorldInfo world_;
+  Metrics metrics_;
   Admission admission_;
   Registry registry_;
   Refusals refusals_;
@@ -57,6 +64,8 @@ class Server {
   asio::signal_set signals_;
   asio::steady_timer drain_timer_;
   asio::steady_timer accept_pause_;
+  std::optional<AdminServer> admin_;
+  bool draining_ = false;
   ConnectionId last_id_ = 0;
   std::chrono::steady_clock::time_point last_refusal_line_{};
   std::uint64_t refusals_unsaid_ = 0;

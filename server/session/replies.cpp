@@ -75,6 +75,14 @@ protocol::Frame unchanged_frame(std::uint32_t request_id, ChunkKey key, ContentH
   });
 }
 
+protocol::Frame column_frame(ChunkKey column, const std::vector<wire::UniformRun>& runs) {
+  return protocol::make_frame([&](flatbuffers::FlatBufferBuilder& builder) {
+    const auto wire_runs = builder.CreateVectorOfStructs(runs);
+    return wire::CreateColumn(builder, column.coord.x, column.coord.z,
+                              static_cast<std::uint8_t>(column.lod.value()), 0, wire_runs);
+  });
+}
+
 protocol::Frame heights_frame(std::uint32_t request_id, std::span<const std::int32_t> heights) {
   return protocol::make_frame([&](flatbuffers::FlatBufferBuilder& builder) {
     const auto values = builder.CreateVector(heights.data(), heights.size());

@@ -61,6 +61,7 @@ void Session::go_away(std::string_view reason, std::uint32_t retry_after_ms) {
 
 void Session::fail(wire::ErrorCode code, std::string_view text) {
   if (closing_) return;
+  context_.metrics.error(code).add();
   outbox_.push_control(error_frame(code, text));
   failure_ = fmt::format("{}: {}", wire::EnumNameErrorCode(code), text);
   closing_ = true;

@@ -1,9 +1,10 @@
 // One client's conversation: messages in, frames out. The state machine of PROTOCOL.md.
 //
-// Knows no socket, no clock and no thread: net/connection.h feeds it, and calls it from one thread at a
-// time. What it holds is bounded by Limits, whatever the client sends.
+// Knows no socket and no thread, and does nothing by the clock: net/connection.h feeds it, and calls it from
+// one thread at a time. What it holds is bounded by Limits, whatever the client sends.
 #pragma once
 
+#include <chrono>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -17,6 +18,7 @@
 
 #include "config/config.h"
 #include "generation/chunk_service.h"
+#include "metrics/metrics.h"
 #include "session/handshake.h"
 #include "session/request_book.h"
 #include "session/world_info.h"
@@ -32,6 +34,7 @@ struct SessionContext {
   const Limits& limits;
   const WorldInfo& world;
   ChunkService& chunks;
+  Metrics& metrics;
 };
 
 class Session {
@@ -40,6 +43,8 @@ class Session {
   static constexpr std::size_t kViewWindow = 64;
   /// Chunks of this session that wait for a generator at once.
   static constexpr std::size_t kServiceWindow = 128;
+  /// Bytes of control frames above which no Column is added: they need no credit.
+  static constexpr std::size_t kColumnBytes = std::size_t{16} * 1024;
   /// What a chunk that waits for a generator is reckoned to cost, until a larger one has come.
   static constexpr std::size_t kExpectedChunkBytes = 4096;
 
@@ -85,8 +90,11 @@ class Session {
   [[nodiscard]] const std::string& failure() const { return failure_; }
 
  private:
+  using Clock = std::chrono::steady_clock;  // read for Metrics; nothing depends on it
+
   /// Who of this session waits for a chunk.
   struct Awaited {
+    Clock::time_point since = Clock::now();
     bool view = false;
     std::vector<std::uint32_t> requests;
   };
@@ -108,14 +116,20 @@ class Session {
   /// Whether one more chunk may come to wait for the client: those under way will, too.
   [[nodiscard]] bool has_room_for_chunk() const;
   void drop_from_view(const std::vector<ChunkKey>& keys);
+  void note_sent(const Outbox::Taken& taken);
 
   void start_request(std::uint32_t id);
   [[nodiscard]] bool start_view_chunk(ChunkKey key);
+  /// Where the chunk is known to be uniform: says so, with all that is uniform in its column and still
+  /// wanted.
+  [[nodiscard]] bool answer_by_column(ChunkKey key);
+  /// The View does not wait for the chunk any more; false where it did not.
+  bool give_up_for_view(ChunkKey key);
   /// The entry of those who wait for the chunk; null where the queue is full.
   [[nodiscard]] Awaited* await(ChunkKey key);
   void stop_awaiting(ChunkKey key, const Awaited& awaited);
-  void answer_request(std::uint32_t id, const ChunkAnswer& answer);
-  void answer_view(ChunkKey key, const ChunkAnswer& answer);
+  void answer_request(std::uint32_t id, const ChunkAnswer& answer, Outbox::Wish wish);
+  void answer_view(ChunkKey key, const ChunkAnswer& answer, Outbox::Wish wish);
 
   SessionContext context_;
   ChunkClientPtr client_;

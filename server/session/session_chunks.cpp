@@ -21,12 +21,7 @@ void Session::apply_view() {
 }
 
 void Session::drop_from_view(const std::vector<ChunkKey>& keys) {
-  for (const ChunkKey key : keys) {
-    const auto found = awaited_.find(key);
-    if (found == awaited_.end()) continue;
-    found->second.view = false;
-    stop_awaiting(key, found->second);
-  }
+  for (const ChunkKey key : keys) (void)give_up_for_view(key);
   outbox_.drop_chunks(
       [&](const Outbox::Entry& entry) { return entry.request_id == 0 && !view_.under_way(entry.key); });
 }
@@ -38,7 +33,7 @@ void Session::pump() {
       start_request(*id);
       continue;
     }
-    if (view_.under_way_count() >= kViewWindow) return;
+    if (view_.under_way_count() >= kViewWindow || outbox_.control_bytes() >= kColumnBytes) return;
     const auto key = view_.next();
     if (!key) return;
     refused_ = !start_view_chunk(*key);
@@ -54,7 +49,7 @@ bool Session::has_room_for_chunk() const {
 void Session::start_request(std::uint32_t id) {
   const ChunkKey key = requests_.chunk(id)->key;
   if (EncodedChunkPtr chunk = context_.chunks.find(key)) {
-    answer_request(id, std::move(chunk));
+    answer_request(id, std::move(chunk), {Clock::now(), false});
   } else if (Awaited* awaited = await(key)) {
     awaited->requests.push_back(id);
   } else {
@@ -64,8 +59,9 @@ void Session::start_request(std::uint32_t id) {
 }
 
 bool Session::start_view_chunk(ChunkKey key) {
+  if (answer_by_column(key)) return true;
   if (EncodedChunkPtr chunk = context_.chunks.find(key)) {
-    answer_view(key, std::move(chunk));
+    answer_view(key, std::move(chunk), {Clock::now(), false});
     return true;
   }
   if (Awaited* awaited = await(key)) {
@@ -74,6 +70,35 @@ bool Session::start_view_chunk(ChunkKey key) {
   }
   view_.put_back(key);
   return false;
+}
+
+bool Session::answer_by_column(ChunkKey key) {
+  const terrain::MixedRange mixed = context_.chunks.rows(key);
+  const auto uniform = [&](std::int32_t y) { return y < mixed.first || y > mixed.last; };
+  if (!uniform(key.coord.y)) return false;
+  std::vector<wire::UniformRun> runs;
+  view_.done_in_column(key, [&](ChunkKey chunk, bool under_way) {
+    const std::int32_t y = chunk.coord.y;
+    if (!uniform(y)) return false;
+    if (under_way && chunk != key && !give_up_for_view(chunk)) return false;
+    const auto material = to_integer(y < mixed.first ? mixed.below : kAir);
+    const bool goes_on = !runs.empty() && runs.back().last_y() == y - 1 && runs.back().material() == material;
+    const std::int32_t first = goes_on ? runs.back().first_y() : y;
+    if (goes_on) runs.pop_back();
+    runs.emplace_back(first, y, material);
+    return true;
+  });
+  outbox_.push_control(column_frame(key, runs));
+  context_.metrics.columns_sent.add();
+  return true;
+}
+
+bool Session::give_up_for_view(ChunkKey key) {
+  const auto found = awaited_.find(key);
+  if (found == awaited_.end()) return false;  // it waits to be sent
+  found->second.view = false;
+  stop_awaiting(key, found->second);
+  return true;
 }
 
 Session::Awaited* Session::await(ChunkKey key) {
@@ -93,26 +118,30 @@ void Session::chunk_ready(ChunkKey key, const ChunkAnswer& answer) {
   // Nobody may wait any more: the last one left when the answer was on its way.
   const auto found = awaited_.extract(key);
   if (found.empty()) return;
-  for (const std::uint32_t id : found.mapped().requests) answer_request(id, answer);
-  if (found.mapped().view) answer_view(key, answer);
+  const Outbox::Wish wish{found.mapped().since, true};
+  for (const std::uint32_t id : found.mapped().requests) answer_request(id, answer, wish);
+  if (found.mapped().view) answer_view(key, answer, wish);
 }
 
-void Session::answer_request(std::uint32_t id, const ChunkAnswer& answer) {
+void Session::answer_request(std::uint32_t id, const ChunkAnswer& answer, Outbox::Wish wish) {
   const RequestBook::ChunkRequest& request = *requests_.chunk(id);
   if (!answer) {
     refuse(id, wire::ErrorCode::internal, fmt::format("the chunk failed: {}", answer.error().reason),
            kRetryAfterMs);
   } else if (request.known == (*answer)->hash) {
     outbox_.push_control(unchanged_frame(id, request.key, (*answer)->hash));
+    context_.metrics.unchanged_sent.add();
   } else {
-    outbox_.push_chunk({id, request.key, *answer});
+    outbox_.push_chunk({id, request.key, *answer, wish});
     return;  // in flight until it is taken from the outbox
   }
   requests_.erase(id);
 }
 
-void Session::answer_view(ChunkKey key, const ChunkAnswer& answer) {
-  if (answer) return outbox_.push_chunk({0, key, *answer});
+void Session::answer_view(ChunkKey key, const ChunkAnswer& answer, Outbox::Wish wish) {
+  // Its terrain is known now; it may not have been when the chunk was wished for.
+  if (answer && answer_by_column(key)) return;
+  if (answer) return outbox_.push_chunk({0, key, *answer, wish});
   refuse(0, wire::ErrorCode::internal,
          fmt::format("chunk {} of the View failed: {}", to_string(key), answer.error().reason),
          kRetryAfterMs);
@@ -133,6 +162,7 @@ void Session::heights_ready(std::uint64_t ticket, const HeightsAnswer& answer) {
 
 std::vector<protocol::Frame> Session::take_output(std::size_t enough_bytes) {
   Outbox::Taken taken = outbox_.take(enough_bytes, credit_);
+  if (!taken.chunks.empty()) note_sent(taken);
   for (const Outbox::Entry& entry : taken.chunks) {
     if (entry.request_id != 0) {
       requests_.erase(entry.request_id);
@@ -141,6 +171,16 @@ std::vector<protocol::Frame> Session::take_output(std::size_t enough_bytes) {
     }
   }
   return std::move(taken.frames);
+}
+
+void Session::note_sent(const Outbox::Taken& taken) {
+  Metrics& metrics = context_.metrics;
+  const Clock::time_point now = Clock::now();
+  for (const Outbox::Entry& entry : taken.chunks) {
+    (entry.wish.cold ? metrics.cold_latency : metrics.hot_latency).add(now - entry.wish.since);
+  }
+  metrics.chunks_sent.add(taken.chunks.size());
+  metrics.chunk_bytes_sent.add(taken.chunk_bytes);
 }
 
 }  // namespace talus::server

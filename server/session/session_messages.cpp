@@ -217,6 +217,7 @@ bool Session::admit(std::uint32_t id) {
 
 void Session::refuse(std::uint32_t request_id, ErrorCode code, std::string_view text,
                      std::uint32_t retry_after_ms) {
+  context_.metrics.error(code).add();
   outbox_.push_control(error_frame(code, text, request_id, retry_after_ms));
 }
 

@@ -51,6 +51,9 @@ class Interest {
   [[nodiscard]] std::size_t places() const { return places_; }
   [[nodiscard]] std::optional<Place> place_of(ChunkKey key) const;
 
+  /// The rows of the level of `key`, which the View wants.
+  [[nodiscard]] Span rows_of(ChunkKey key) const { return level_of(key.lod)->shell.y; }
+
   /// Less for what is wanted sooner, and each chunk's own: by the distance of the centres in whole base
   /// chunks, the ring; then by the angle to the view direction; then by the exact distance.
   [[nodiscard]] std::uint64_t rank(ChunkKey key, Place place) const;

@@ -42,6 +42,7 @@ Outbox::Taken Outbox::take(std::size_t enough_bytes, Credit& credit) {
     taken.frames.push_back(chunk_frame(entry.request_id, entry.key, *entry.chunk));
     credit.sent(taken.frames.back().size());
     bytes += taken.frames.back().size();
+    taken.chunk_bytes += taken.frames.back().size();
     taken.chunks.push_back(std::move(entry));
   }
   return taken;

@@ -34,13 +34,21 @@ std::vector<ChunkKey> ViewStream::replace(Interest wanted) {
 }
 
 std::optional<ChunkKey> ViewStream::next() {
-  if (near_.empty()) approach();
+  settle_near();
   if (near_.empty()) return std::nullopt;
   const auto [key, place] = interest_.ranked(near_.top());
   near_.pop();
   states_[place] = State::under_way;
   under_way_.insert(key);
   return key;
+}
+
+void ViewStream::settle_near() {
+  for (;;) {
+    while (!near_.empty() && states_[interest_.ranked(near_.top()).second] != State::wanted) near_.pop();
+    if (!near_.empty() || far_.empty()) return;
+    approach();
+  }
 }
 
 void ViewStream::approach() {
@@ -54,7 +62,7 @@ void ViewStream::approach() {
       std::partition(far_.begin(), nth, [this](std::uint64_t rough) { return rough >= near_end_; });
   for (auto rough = near; rough != far_.end(); ++rough) {
     const auto [key, place] = interest_.ranked(*rough);
-    near_.push(interest_.rank(key, place));
+    if (states_[place] == State::wanted) near_.push(interest_.rank(key, place));
   }
   far_.erase(near, far_.end());
 }

@@ -28,6 +28,20 @@ class ViewStream {
   /// A chunk under way was sent, or will never be.
   void done(ChunkKey key);
 
+  /// Ends the chunks of `key`'s column that are wanted or under way and for which ends(chunk, under way)
+  /// holds, from below.
+  template <typename Ends>
+  void done_in_column(ChunkKey key, Ends&& ends) {
+    const Span rows = interest_.rows_of(key);
+    for (std::int64_t y = rows.first; y <= rows.last; ++y) {
+      const ChunkKey chunk{{key.coord.x, static_cast<std::int32_t>(y), key.coord.z}, key.lod};
+      State& state = states_[*interest_.place_of(chunk)];
+      if (state == State::done || !ends(chunk, state == State::under_way)) continue;
+      if (state == State::under_way) under_way_.erase(chunk);
+      state = State::done;
+    }
+  }
+
   [[nodiscard]] bool under_way(ChunkKey key) const { return under_way_.contains(key); }
   [[nodiscard]] std::size_t under_way_count() const { return under_way_.size(); }
 
@@ -35,6 +49,8 @@ class ViewStream {
   enum class State : std::uint8_t { wanted, under_way, done };
 
   void leave(ChunkKey key, State state);
+  /// Leaves out of near_ what was ended otherwise, and brings more when it is empty.
+  void settle_near();
   /// Moves the nearest rings of far_ to near_.
   void approach();
 
@@ -43,8 +59,9 @@ class ViewStream {
   Interest interest_;
   std::vector<State> states_;  // by place
 
-  // The chunks in state wanted. A View may have many, and is mostly replaced before its end is reached: so
-  // only the nearest rings are put in order, and the others when their turn comes.
+  // The chunks in state wanted, and some that have left it. A View may have many, and is mostly replaced
+  // before its end is reached: so only the nearest rings are put in order, and the others when their turn
+  // comes.
   Ranks near_;
   std::vector<std::uint64_t> far_;  // rough ranks
   std::uint64_t near_end_ = 0;      // the rough rank at which far_ begins

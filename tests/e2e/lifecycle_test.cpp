@@ -170,9 +170,9 @@ TEST_CASE("wrong flags are wrong use") {
   CHECK_THAT(one_line(run_talusd({"--http", "nowhere"}), 2), Catch::Contains("--http"));
 }
 
-TEST_CASE("the flags --http and --admin are checked, and a line says that they are not served") {
-  ServerProcess server{{}, {"--http", "127.0.0.1:0", "--admin", "127.0.0.1:0"}};
+TEST_CASE("the flag --http is checked, and a line says that it is not served") {
+  ServerProcess server{{}, {"--http", "127.0.0.1:0"}};
   server.signal(SIGTERM);
   const std::string out = server.wait().out;
-  CHECK_THAT(out, Catch::Contains("http is not served") && Catch::Contains("admin is not served"));
+  CHECK_THAT(out, Catch::Contains("http is not served"));
 }

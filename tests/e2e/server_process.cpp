@@ -109,7 +109,7 @@ ServerProcess::ServerProcess(Settings settings, std::vector<std::string> flags) 
   pid_ = child.pid;
   out_ = child.out;
   err_ = child.err;
-  await_listening_line();
+  port_ = await_port("listening on 127.0.0.1:");
 }
 
 ServerProcess::~ServerProcess() {
@@ -121,19 +121,21 @@ ServerProcess::~ServerProcess() {
   ::close(err_);
 }
 
-void ServerProcess::await_listening_line() {
-  static constexpr std::string_view kSaid = "listening on 127.0.0.1:";
+std::uint16_t ServerProcess::await_port(std::string_view before) {
   for (;;) {
-    const std::size_t at = said_.find(kSaid);
+    const std::size_t at = said_.find(before);
     if (at != std::string::npos && said_.find('\n', at) != std::string::npos) {
-      port_ = static_cast<std::uint16_t>(std::stoi(said_.substr(at + kSaid.size())));
-      return;
+      return static_cast<std::uint16_t>(std::stoi(said_.substr(at + before.size())));
     }
     pollfd stream{out_, POLLIN, 0};
     const bool more = ::poll(&stream, 1, kPatienceMs) > 0 && read_some(out_, said_);
     INFO(said_);
     REQUIRE(more);
   }
+}
+
+std::uint16_t ServerProcess::admin_port() {
+  return await_port("metrics and health on http://127.0.0.1:");
 }
 
 void ServerProcess::signal(int number) const {

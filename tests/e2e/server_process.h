@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <map>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace talus::e2e {
@@ -37,6 +38,8 @@ class ServerProcess {
   ServerProcess& operator=(const ServerProcess&) = delete;
 
   [[nodiscard]] std::uint16_t port() const { return port_; }
+  /// Of the operators' HTTP; the server must have been started with --admin.
+  [[nodiscard]] std::uint16_t admin_port();
   void signal(int number) const;
   /// Waits for the end and returns how it was.
   [[nodiscard]] Ended wait();
@@ -44,7 +47,8 @@ class ServerProcess {
   [[nodiscard]] std::size_t resident_bytes() const;
 
  private:
-  void await_listening_line();
+  /// Reads what the server says until a line has `before` in it; the number right after it.
+  [[nodiscard]] std::uint16_t await_port(std::string_view before);
 
   pid_t pid_ = -1;
   int out_ = -1;

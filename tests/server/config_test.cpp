@@ -33,7 +33,11 @@ std::string other_than_default(const Field& field) {
     Config defaults;
     return std::to_string(number->at(defaults) == number->most ? number->least : number->most);
   }
-  return std::holds_alternative<WordTarget>(field.target) ? "debug" : "somewhere:7";
+  const auto* word = std::get_if<WordTarget>(&field.target);
+  if (word == nullptr) return "somewhere:7";
+  Config defaults;
+  const bool first = word->at(defaults) == word->words.front();
+  return std::string{first ? word->words.back() : word->words.front()};
 }
 
 }  // namespace

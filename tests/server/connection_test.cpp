@@ -32,7 +32,7 @@ struct Bench {
     tcp::acceptor acceptor{io, {asio::ip::address_v4::loopback(), 0}};
     client.connect(acceptor.local_endpoint());
     const ConnectionContext context{
-        {limits, world, fake.service}, registry, std::make_shared<spdlog::logger>("silent")};
+        {limits, world, fake.service, fake.metrics}, registry, std::make_shared<spdlog::logger>("silent")};
     const auto connection = std::make_shared<Connection>(acceptor.accept(), "test", 1, context,
                                                          *admission.enter(asio::ip::address_v4::loopback()));
     registry.add(1, connection);

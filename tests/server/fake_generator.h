@@ -3,6 +3,7 @@
 
 #include <atomic>
 #include <condition_variable>
+#include <limits>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -21,6 +22,9 @@ struct FakeWork {
   std::atomic<bool> out_of_memory{false};
   std::atomic<bool> finding_throws{false};
   std::atomic<std::size_t> payload_bytes{0};
+  std::atomic<std::int32_t> last_mixed_anywhere{std::numeric_limits<std::int32_t>::max()};
+  std::atomic<std::int32_t> first_mixed{std::numeric_limits<std::int32_t>::min()};
+  std::atomic<std::int32_t> last_mixed{std::numeric_limits<std::int32_t>::max()};
 
   /// While closed, generator threads wait before they make a patch.
   void close_gate() { set_gate(false); }
@@ -56,6 +60,13 @@ class FakeGenerator final : public Generator {
   [[nodiscard]] EncodedChunkPtr instant(ChunkKey) const override {
     if (work_->finding_throws) throw std::bad_alloc{};
     return nullptr;
+  }
+  /// As if all were mixed, unless the test says from where on there is air.
+  [[nodiscard]] terrain::MixedRange rows_anywhere(Lod) const override {
+    return {std::numeric_limits<std::int32_t>::min(), work_->last_mixed_anywhere, MaterialId{2}};
+  }
+  [[nodiscard]] terrain::MixedRange rows(const terrain::Stacks&, ChunkKey) const override {
+    return {work_->first_mixed, work_->last_mixed, MaterialId{2}};
   }
   [[nodiscard]] terrain::Stacks make_patch(const PatchKey&) const override {
     work_->pass_gate();
@@ -117,12 +128,14 @@ class WaitingClient final : public ChunkClient {
 /// A service on a fake generator.
 struct FakeService {
   std::shared_ptr<FakeWork> work = std::make_shared<FakeWork>();
+  Metrics metrics;
   ChunkService service;
 
   explicit FakeService(std::size_t threads = 1, std::size_t queue_chunks = 1000)
       : service{std::make_unique<FakeGenerator>(work),
                 {threads, 4, queue_chunks, 1 << 20, 1 << 20},
-                std::make_shared<spdlog::logger>("silent")} {}
+                std::make_shared<spdlog::logger>("silent"),
+                metrics} {}
   /// Threads behind a closed gate would never end.
   ~FakeService() { work->open_gate(); }
 };

@@ -1,7 +1,10 @@
 // What the wire cannot show for certain: which answers a session waits for, and what it lets go.
 #include "session/session.h"
 
+#include <algorithm>
+#include <array>
 #include <catch2/catch.hpp>
+#include <set>
 
 #include <talus/voxel/codec.h>
 
@@ -18,7 +21,7 @@ struct Bench {
   Limits limits;
   WorldInfo world;
   std::shared_ptr<WaitingClient> client = std::make_shared<WaitingClient>();
-  Session session{{limits, world, fake.service}};
+  Session session{{limits, world, fake.service, fake.metrics}};
 
   explicit Bench(std::size_t queue_chunks = 1000) : fake{1, queue_chunks} {
     session.attach(client);
@@ -42,11 +45,11 @@ struct Bench {
     }));
     session.pump();
   }
-  void look_at(std::int64_t chunk_x, std::uint16_t radius) {
+  void look_at(std::int64_t chunk_x, std::uint16_t radius, std::uint16_t vertical_radius = 0) {
     session.receive(protocol::make_frame([&](auto& builder) {
       const wire::Voxel centre{chunk_x * kChunkSize, 0, 0};
       const wire::Direction none{0, 0, 0};
-      return wire::CreateView(builder, &centre, &none, radius, 0);
+      return wire::CreateView(builder, &centre, &none, radius, vertical_radius);
     }));
     session.apply_view();
     session.pump();
@@ -64,8 +67,83 @@ struct Bench {
 };
 
 using Kinds = std::vector<wire::Body>;
+using Runs = std::vector<std::array<std::int32_t, 3>>;  // first row, last row, material
+
+/// What the Columns of an output say, one after the other; other frames are passed over.
+Runs runs_of(const std::vector<protocol::Frame>& frames) {
+  Runs runs;
+  for (const auto& frame : frames) {
+    const wire::Message& message = **protocol::read_message(frame);
+    if (message.body_type() != wire::Body::Column) continue;
+    for (const wire::UniformRun* run : *message.body_as_Column()->runs()) {
+      runs.push_back({run->first_y(), run->last_y(), run->material()});
+    }
+  }
+  return runs;
+}
 
 }  // namespace
+
+TEST_CASE("air that is known without looking comes as one Column, before anything is generated") {
+  Bench bench;
+  bench.fake.work->close_gate();
+  bench.fake.work->last_mixed_anywhere = 0;
+  bench.look_at(0, 0, 3);
+  CHECK(runs_of(bench.session.take_output(1 << 20)) == Runs{{1, 3, 0}});
+  CHECK(bench.fake.service.status().jobs == 4);
+}
+
+TEST_CASE("what the terrain shows to be uniform comes in its column's one message, and is not made") {
+  Bench bench;
+  bench.fake.work->first_mixed = -1;
+  bench.fake.work->last_mixed = 0;
+  bench.fake.work->close_gate();
+  bench.look_at(0, 0, 3);  // rows -3 to 3, all mixed for all that is known
+  bench.fake.work->open_gate();
+  bench.client->await(7);
+  // The first answers are of uniform chunks: they tell of the whole column, also of those not answered yet.
+  const auto answers = bench.client->answers();
+  const auto above = std::find_if(answers.begin(), answers.end(),
+                                  [](const auto& answer) { return answer.first.coord.y == 2; });
+  bench.session.chunk_ready(above->first, above->second);
+  CHECK(runs_of(bench.session.take_output(1 << 20)) == Runs{{-3, -2, 2}, {1, 3, 0}});
+  bench.carry_over();
+  CHECK(bench.output() == Kinds{wire::Body::Chunk, wire::Body::Chunk});
+}
+
+TEST_CASE("a column that is known asks for no uniform chunk") {
+  Bench bench;
+  bench.fake.work->first_mixed = 0;
+  bench.fake.work->last_mixed = 0;
+  bench.get_chunk(1, 0);
+  bench.client->await(1);
+  bench.carry_over();
+  (void)bench.output();
+  const int made = bench.fake.work->chunks;
+  bench.look_at(0, 0, 5);
+  const auto frames = bench.session.take_output(1 << 20);
+  CHECK(runs_of(frames) == Runs{{-5, -1, 2}, {1, 5, 0}});
+  CHECK(frames.size() == 2);  // and the mixed one, which is at hand
+  CHECK(bench.fake.work->chunks == made);
+}
+
+TEST_CASE("Columns wait for a client that reads nothing") {
+  Bench bench;
+  bench.fake.work->last_mixed_anywhere = -10;  // air throughout the View
+  bench.look_at(0, 20, 5);
+  CHECK(bench.session.queued_bytes() < Session::kColumnBytes + 512);
+  std::set<std::pair<std::int32_t, std::int32_t>> columns;
+  for (bool more = true; more;) {
+    const auto frames = bench.session.take_output(4096);
+    bench.session.pump();
+    for (const auto& frame : frames) {
+      const wire::Column& column = *(**protocol::read_message(frame)).body_as_Column();
+      CHECK(columns.emplace(column.x(), column.z()).second);
+    }
+    more = !frames.empty();
+  }
+  CHECK(columns.size() == 41 * 41);
+}
 
 TEST_CASE("two requests for one chunk are one job and two answers") {
   Bench bench;

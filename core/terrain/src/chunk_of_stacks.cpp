@@ -168,13 +168,19 @@ HeightRange height_range(const World& world) {
   return range;
 }
 
-std::optional<MaterialId> uniform_everywhere(const World& world, ChunkKey key) {
-  const int shift = key.lod.value();
+MixedRange mixed_range(const World& world, Lod lod) {
   // At coarse levels the topmost solid voxel may lie just below y = 0.
-  const std::int64_t low = shift == 0 ? 0 : -1;
-  const std::int64_t floor_row = std::int64_t{key.coord.y} * kChunkSize;
-  if (floor_row + kChunkSize <= low) return world.strata().front().material;
-  if (floor_row >= highest_row(world, key.lod)) return kAir;
+  const std::int64_t low = lod.value() == 0 ? 0 : -1;
+  const std::int64_t first = floor_div(low, kChunkSize);
+  const std::int64_t last = floor_div(highest_row(world, lod) - 1, kChunkSize);
+  return {static_cast<std::int32_t>(first), static_cast<std::int32_t>(std::max(first - 1, last)),
+          world.strata().front().material};
+}
+
+std::optional<MaterialId> uniform_everywhere(const World& world, ChunkKey key) {
+  const MixedRange rows = mixed_range(world, key.lod);
+  if (key.coord.y < rows.first) return rows.below;
+  if (key.coord.y > rows.last) return kAir;
   return std::nullopt;
 }
 

@@ -96,6 +96,9 @@ struct MixedRange {
 [[nodiscard]] MixedRange mixed_range(const World& world, const Stacks& stacks, std::int32_t chunk_x,
                                      std::int32_t chunk_z);
 
+/// The same for every column of a level, whatever the surface does. Costs nothing.
+[[nodiscard]] MixedRange mixed_range(const World& world, Lod lod);
+
 /// The material of a chunk that is uniform whatever the surface does: all below the lowest or above the
 /// highest that this world can have. Costs nothing.
 [[nodiscard]] std::optional<MaterialId> uniform_everywhere(const World& world, ChunkKey key);

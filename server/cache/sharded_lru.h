@@ -1,0 +1,66 @@
+// A map bounded in bytes that forgets what was not used for longest. Callable from any thread; a call locks
+// one shard.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <functional>
+#include <mutex>
+#include <optional>
+#include <utility>
+
+#include "cache/lru.h"
+
+namespace talus::server {
+
+template <typename Key, typename Value>
+class ShardedLru {
+ public:
+  static constexpr std::size_t kShards = 16;
+
+  explicit ShardedLru(std::size_t capacity_bytes)
+      : shards_{make_shards(capacity_bytes / kShards, std::make_index_sequence<kShards>{})} {}
+
+  [[nodiscard]] std::optional<Value> find(const Key& key) {
+    Shard& shard = shard_of(key);
+    const std::lock_guard lock{shard.mutex};
+    const Value* const value = shard.values.find(key);
+    return value == nullptr ? std::nullopt : std::optional{*value};
+  }
+
+  /// `value_bytes` is what the value holds beside itself.
+  void put(const Key& key, Value value, std::size_t value_bytes) {
+    Shard& shard = shard_of(key);
+    const std::lock_guard lock{shard.mutex};
+    shard.values.put(key, std::move(value), value_bytes);
+  }
+
+  /// Bytes held now, overhead included; never more than the capacity.
+  [[nodiscard]] std::size_t bytes() const {
+    std::size_t sum = 0;
+    for (const Shard& shard : shards_) {
+      const std::lock_guard lock{shard.mutex};
+      sum += shard.values.bytes();
+    }
+    return sum;
+  }
+
+ private:
+  struct Shard {
+    explicit Shard(std::size_t capacity_bytes) : values{capacity_bytes} {}
+    mutable std::mutex mutex;
+    Lru<Key, Value> values;
+  };
+
+  template <std::size_t... kShard>
+  static std::array<Shard, kShards> make_shards(std::size_t capacity_bytes, std::index_sequence<kShard...>) {
+    return {((void)kShard, Shard{capacity_bytes})...};
+  }
+
+  // The map inside the shard uses the low bits of the same hash.
+  [[nodiscard]] Shard& shard_of(const Key& key) { return shards_[(std::hash<Key>{}(key) >> 40) % kShards]; }
+
+  std::array<Shard, kShards> shards_;
+};
+
+}  // namespace talus::server

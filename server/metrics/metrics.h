@@ -1,0 +1,49 @@
+// What talusd counts of its work. Every part adds to its own numbers, from any thread; exposition.h says what
+// each is called outside.
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+#include <talus/protocol/message.h>
+
+#include "metrics/tally.h"
+
+namespace talus::server {
+
+struct Metrics {
+  // ---- connections
+  Counter accepted;
+  Counter refused;  // no place for them
+  Level open;
+  Level greeted;  // of those open
+  Counter received_bytes;
+  Counter sent_bytes;
+
+  // ---- what clients are told
+  std::array<Counter, static_cast<std::size_t>(wire::ErrorCode::MAX) + 1> errors;
+  Counter chunks_sent;
+  Counter columns_sent;
+  Counter unchanged_sent;
+  Counter chunk_bytes_sent;  // of their frames
+
+  /// From when a session takes up a wish for a chunk to when its bytes go to the socket: with the chunk at
+  /// hand, or waiting for a generator.
+  LatencyTally hot_latency;
+  LatencyTally cold_latency;
+
+  // ---- where chunks come from
+  Counter cache_hits;
+  Counter cache_misses;
+  Counter uniform_answers;  // known without looking
+  Counter patches_made;
+  Counter patch_ns;
+  Counter chunks_made;
+  Counter chunk_ns;
+  Counter jobs_refused;
+  Counter jobs_cancelled;  // the last who waited left
+
+  Counter& error(wire::ErrorCode code) { return errors[static_cast<std::size_t>(code)]; }
+};
+
+}  // namespace talus::server

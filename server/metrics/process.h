@@ -1,0 +1,21 @@
+// What the system says about this process.
+#pragma once
+
+#include <cstdint>
+
+namespace talus::server {
+
+struct ProcessReading {
+  double cpu_seconds = 0;
+  double start_seconds = 0;  // since 1970
+  std::uint64_t resident_bytes = 0;
+  std::uint64_t virtual_bytes = 0;
+  std::uint64_t open_descriptors = 0;
+  std::uint64_t most_descriptors = 0;
+  std::uint64_t threads = 0;
+};
+
+/// Zeros where /proc does not tell.
+[[nodiscard]] ProcessReading read_process();
+
+}  // namespace talus::server

@@ -1,0 +1,99 @@
+// What operators get over HTTP.
+#include <signal.h>
+
+#include <asio/buffer.hpp>
+#include <asio/connect.hpp>
+#include <asio/io_context.hpp>
+#include <asio/ip/tcp.hpp>
+#include <asio/read.hpp>
+#include <asio/write.hpp>
+#include <catch2/catch.hpp>
+#include <string>
+
+#include "messages.h"
+#include "raw_client.h"
+#include "server_process.h"
+
+using namespace talus;
+using namespace talus::e2e;
+using asio::ip::tcp;
+
+namespace {
+
+/// All that the server says before it closes the connection.
+std::string ask(std::uint16_t port, const std::string& request) {
+  asio::io_context io;
+  tcp::socket socket{io};
+  socket.connect({asio::ip::address_v4::loopback(), port});
+  asio::write(socket, asio::buffer(request));
+  std::string reply;
+  std::error_code ended;
+  asio::read(socket, asio::dynamic_buffer(reply), ended);
+  return reply;
+}
+
+std::string get(std::uint16_t port, const std::string& path) {
+  return ask(port, "GET " + path + " HTTP/1.1\r\nHost: talus\r\nConnection: close\r\n\r\n");
+}
+
+double value_of(const std::string& text, const std::string& series) {
+  const std::size_t at = text.find("\n" + series + " ");
+  INFO(text);
+  REQUIRE(at != std::string::npos);
+  return std::stod(text.substr(at + series.size() + 2));
+}
+
+}  // namespace
+
+TEST_CASE("metrics count what a client was sent") {
+  ServerProcess server{{}, {"--admin", "127.0.0.1:0"}};
+  const std::uint16_t admin = server.admin_port();
+  RawClient client = greeted(server.port());
+  REQUIRE(client.send(get_chunks({chunk_request(1, at(0, 0, 0)), chunk_request(2, at(0, 1000, 0))})));
+  std::size_t bytes = client.expect_kind<wire::Chunk>().bytes();
+  bytes += client.expect_kind<wire::Chunk>().bytes();
+
+  const std::string text = get(admin, "/metrics");
+  CHECK(text.starts_with("HTTP/1.1 200 "));
+  CHECK(value_of(text, "talus_chunks_sent_total") == 2);
+  CHECK(value_of(text, "talus_chunk_bytes_sent_total") == static_cast<double>(bytes));
+  CHECK(value_of(text, R"(talus_sessions{state="greeted"})") == 1);
+  CHECK(value_of(text, "talus_uniform_answers_total") >= 1);
+  CHECK(value_of(text, "talus_chunks_generated_total") == 1);
+  CHECK(value_of(text, "process_cpu_seconds_total") > 0);
+}
+
+TEST_CASE("a server is healthy and ready until it drains") {
+  ServerProcess server{{{"TALUS_SHUTDOWN_DRAIN_MS", "3600000"}}, {"--admin", "127.0.0.1:0"}};
+  const std::uint16_t admin = server.admin_port();
+  CHECK(get(admin, "/-/healthy").starts_with("HTTP/1.1 200 "));
+  CHECK(get(admin, "/-/ready").starts_with("HTTP/1.1 200 "));
+  RawClient client = greeted(server.port(), 1);
+  REQUIRE(client.send(get_chunks({chunk_request(1, at(0, 0, 0)), chunk_request(2, at(0, 0, 0))})));
+  (void)client.expect_kind<wire::Chunk>();
+  server.signal(SIGTERM);
+  (void)client.expect_kind<wire::GoAway>();
+  CHECK(get(admin, "/-/healthy").starts_with("HTTP/1.1 200 "));
+  CHECK(get(admin, "/-/ready").starts_with("HTTP/1.1 503 "));
+}
+
+TEST_CASE("what is not there, not asked well or far too long gets an answer or an end, and harms nothing") {
+  ServerProcess server{{}, {"--admin", "127.0.0.1:0"}};
+  const std::uint16_t admin = server.admin_port();
+  CHECK(get(admin, "/metrics/..").starts_with("HTTP/1.1 404 "));
+  CHECK(ask(admin, "DELETE /metrics HTTP/1.1\r\nHost: a\r\nConnection: close\r\n\r\n")
+            .starts_with("HTTP/1.1 405 "));
+  CHECK_FALSE(ask(admin, "\x16\x03\x01 this is not HTTP\r\n\r\n").starts_with("HTTP/1.1 200"));
+  CHECK_FALSE(get(admin, "/" + std::string(100'000, 'a')).starts_with("HTTP/1.1 200"));
+  CHECK_FALSE(ask(admin, "POST /metrics HTTP/1.1\r\nHost: a\r\nContent-Length: 99999999\r\n\r\nabc")
+                  .starts_with("HTTP/1.1 200"));
+  CHECK(get(admin, "/-/healthy").starts_with("HTTP/1.1 200 "));
+}
+
+TEST_CASE("an address for operators that is taken is one line") {
+  const ServerProcess server;
+  const std::string address = "127.0.0.1:" + std::to_string(server.port());
+  const Ended ended = run_talusd({"--listen", "127.0.0.1:0", "--admin", address});
+  CHECK(ended.status == 1);
+  CHECK_THAT(ended.err, Catch::StartsWith("talusd: admin " + address + ": "));
+}
