@@ -26,7 +26,7 @@ constexpr int kPatchSide = 128;
 World world_with(const std::string& root, const std::string& surface, bool noise = true) {
   std::string text = root + std::string{default_world_toml()};
   const std::size_t table = text.find("[surface]");
-  const std::size_t amplitude = text.find("amplitude", table);
+  const std::size_t amplitude = text.find("\namplitude", table) + 1;
   const std::size_t begin = text.find('\n', table) + 1;
   if (!noise) text.erase(begin, amplitude - begin);
   text.insert(begin, surface);

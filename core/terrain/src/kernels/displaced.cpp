@@ -90,20 +90,36 @@ void add_octave(const DisplacedScratch& at, float weight, std::size_t width, flo
   const auto toward = [](const Gradient& corner, auto dx, auto dz)
                           HWY_ATTR { return hn::Add(hn::Mul(corner.x, dx), hn::Mul(corner.z, dz)); };
   const auto lerp = [](auto a, auto b, auto t) HWY_ATTR { return hn::Add(a, hn::Mul(t, hn::Sub(b, a))); };
+  struct Sides {
+    hn::Vec<Words> west;
+    hn::Vec<Words> east;
+    hn::Vec<Words> north;
+    hn::Vec<Words> south;
+  };
+  Sides known{};
+  Gradient north_west{};
+  Gradient north_east{};
+  Gradient south_west{};
+  Gradient south_east{};
   for (std::size_t i = 0; i < width; i += hn::Lanes(f)) {
     const auto u = hn::LoadU(f, at.u.data() + i);
     const auto v = hn::LoadU(f, at.v.data() + i);
-    const auto west = hn::LoadU(w, at.west_hash.data() + i);
-    const auto east = hn::LoadU(w, at.east_hash.data() + i);
-    const auto north = turned(hn::LoadU(w, at.north_hash.data() + i));
-    const auto south = turned(hn::LoadU(w, at.south_hash.data() + i));
+    const Sides sides{hn::LoadU(w, at.west_hash.data() + i), hn::LoadU(w, at.east_hash.data() + i),
+                      hn::LoadU(w, at.north_hash.data() + i), hn::LoadU(w, at.south_hash.data() + i)};
+    const auto moved = hn::Or(hn::Or(hn::Xor(sides.west, known.west), hn::Xor(sides.east, known.east)),
+                              hn::Or(hn::Xor(sides.north, known.north), hn::Xor(sides.south, known.south)));
+    if (i == 0 || !hn::AllTrue(w, hn::Eq(moved, hn::Zero(w)))) {
+      known = sides;
+      north_west = gradient_at(sides.west, turned(sides.north));
+      north_east = gradient_at(sides.east, turned(sides.north));
+      south_west = gradient_at(sides.west, turned(sides.south));
+      south_east = gradient_at(sides.east, turned(sides.south));
+    }
     const auto back_u = hn::Sub(u, one);
     const auto back_v = hn::Sub(v, one);
     const auto faded_u = faded(u);
-    const auto on_north =
-        lerp(toward(gradient_at(west, north), u, v), toward(gradient_at(east, north), back_u, v), faded_u);
-    const auto on_south = lerp(toward(gradient_at(west, south), u, back_v),
-                               toward(gradient_at(east, south), back_u, back_v), faded_u);
+    const auto on_north = lerp(toward(north_west, u, v), toward(north_east, back_u, v), faded_u);
+    const auto on_south = lerp(toward(south_west, u, back_v), toward(south_east, back_u, back_v), faded_u);
     const auto noise = hn::Mul(hn::Set(f, weight), lerp(on_north, on_south, faded(v)));
     hn::StoreU(hn::Add(hn::LoadU(f, out + i), noise), f, out + i);
   }
