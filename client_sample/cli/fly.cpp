@@ -101,25 +101,38 @@ class Flight {
   Altitude altitude_;
 };
 
-asio::awaitable<client::Result<Flight>> plan(client::Client& client, const client::WorldInfo& world,
-                                             const FlyOptions& options) {
-  const glm::dvec2 start{static_cast<double>(world.spawn.x) + 0.5, static_cast<double>(world.spawn.z) + 0.5};
-  const double length = options.seconds * options.speed;
-  const auto scouted = co_await client.get_heights(scouting_columns(start, length));
-  if (!scouted) co_return tl::unexpected{scouted.error()};
-  const Course course{start, choose_heading(*scouted), length};
+using Heights = client::Result<std::vector<std::int32_t>>;
 
+// Heights of any number of columns, in as many requests as the server wants: what it refuses is halved.
+asio::awaitable<Heights> heights_of(client::Client& client, const client::ServerLimits& limits,
+                                    Patience& patience, const std::vector<client::Column>& columns) {
   std::vector<std::int32_t> heights;
-  const auto columns = course_columns(course);
-  const std::size_t most = std::max(1U, std::min(world.limits.heights_per_request, 1024U));
-  for (std::size_t first = 0; first < columns.size(); first += most) {
-    const std::size_t last = std::min(first + most, columns.size());
-    const auto part = co_await client.get_heights({columns.begin() + static_cast<std::ptrdiff_t>(first),
-                                                   columns.begin() + static_cast<std::ptrdiff_t>(last)});
+  std::size_t most = std::max(1U, std::min(limits.heights_per_request, 256U));
+  while (heights.size() < columns.size()) {
+    const auto first = columns.begin() + static_cast<std::ptrdiff_t>(heights.size());
+    const std::size_t count = std::min(most, columns.size() - heights.size());
+    const auto part = co_await client.get_heights({first, first + static_cast<std::ptrdiff_t>(count)});
+    if (!part && part.error().kind == client::ErrorKind::out_of_range && count > 1) {
+      most = count / 2;  // in eroded land columns far apart are dear, and fewer may go into one request
+      continue;
+    }
     if (!part) co_return tl::unexpected{part.error()};
     heights.insert(heights.end(), part->begin(), part->end());
+    patience.renew();
   }
-  co_return Flight{course, Altitude{heights, options.height}};
+  co_return heights;
+}
+
+asio::awaitable<client::Result<Flight>> plan(client::Client& client, const client::WorldInfo& world,
+                                             const FlyOptions& options, Patience& patience) {
+  const glm::dvec2 start{static_cast<double>(world.spawn.x) + 0.5, static_cast<double>(world.spawn.z) + 0.5};
+  const double length = options.seconds * options.speed;
+  const auto scouted = co_await heights_of(client, world.limits, patience, scouting_columns(start, length));
+  if (!scouted) co_return tl::unexpected{scouted.error()};
+  const Course course{start, choose_heading(*scouted), length};
+  const auto heights = co_await heights_of(client, world.limits, patience, course_columns(course));
+  if (!heights) co_return tl::unexpected{heights.error()};
+  co_return Flight{course, Altitude{*heights, options.height}};
 }
 
 client::View view_from(const Camera& camera, client::View shape) {
@@ -180,8 +193,8 @@ asio::awaitable<Outcome> fly(Connecting connecting, FlyOptions options) {
   const auto world = co_await client.connect(connecting.server.host, connecting.server.port);
   if (!world) co_return tl::unexpected{world.error().message};
   gathered.surface.emplace(world->materials);
-  const Patience patience{executor, client, Patience::Seconds{options.seconds + kGraceSeconds}};
-  const auto flight = co_await plan(client, *world, options);
+  Patience patience{executor, client, Patience::Seconds{options.seconds + kGraceSeconds}};
+  const auto flight = co_await plan(client, *world, options, patience);
   if (!flight) co_return tl::unexpected{patience.explain(flight.error())};
 
   const client::View shape = view_shape(options, world->limits);

@@ -62,7 +62,8 @@ World any_small_world() {
   const std::uint64_t seed = *rc::gen::arbitrary<std::uint64_t>();
   const int steps = *rc::gen::inRange(0, 13);
   if (steps > 6) return eroding_world(seed, steps - 6);
-  const auto surface = *rc::gen::element<std::string>("", "ridged", "warped", "mirror", "sea", "blend");
+  const auto surface =
+      *rc::gen::element<std::string>("", "ridged", "warped", "mirror", "sea", "repeat", "blend");
   return surface.empty() ? test::small_world(seed) : test::small_world(seed, surface);
 }
 

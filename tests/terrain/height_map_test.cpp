@@ -57,7 +57,7 @@ TEST_CASE("The weights of a cubic sum to one, and reach one sample at a sample")
 
 TEST_CASE("A height map is the textbook's cubic between its samples, cut off at its range") {
   CHECK(rc::check([] {
-    const Surface surface = any_map(*rc::gen::element(Outside::mirror, Outside::sea));
+    const Surface surface = any_map(*rc::gen::element(Outside::mirror, Outside::sea, Outside::repeat));
     const PlacedMap& map = surface.map;
     // Within and around the map, to some of its own sizes away.
     const auto near = [](std::int64_t origin_q16, std::int64_t spacing_q16, int samples) {
@@ -107,6 +107,33 @@ TEST_CASE("Beyond a drowned map all is at the floor, and beyond a blended one th
   CHECK_FALSE(same(mirrored, -20, 100));
   CHECK(same(mirrored, 8, 88));
   CHECK(same(mirrored, 100, 130));
+}
+
+TEST_CASE("A repeated map is the same one period on, at both ends of the world too") {
+  CHECK(rc::check([] {
+    Surface surface = any_map(Outside::repeat);
+    PlacedMap& map = surface.map;
+    map.spacing_x_q16 = map.spacing_x_q16 >> 16 << 16;  // a period of whole columns
+    map.spacing_z_q16 = map.spacing_z_q16 >> 16 << 16;
+    const std::int64_t period_x = map.heights_fx->width * (map.spacing_x_q16 >> 16);
+    const std::int64_t period_z = map.heights_fx->depth * (map.spacing_z_q16 >> 16);
+    const std::int64_t x = *rc::gen::inRange<std::int64_t>(-kFar / 2, kFar / 2);
+    const std::int64_t z = *rc::gen::inRange<std::int64_t>(-kFar / 2, kFar / 2);
+    const std::int64_t turns = *rc::gen::inRange<std::int64_t>(-3, 4);
+    RC_ASSERT(height_at(surface, x, z) == height_at(surface, x + turns * period_x, z - turns * period_z));
+  }));
+}
+
+TEST_CASE("Across the seam of a repeated map lie samples that are neighbours") {
+  Surface surface;
+  surface.kind = SurfaceKind::height_map;
+  surface.highest_fx = 1000;
+  auto heights = std::make_shared<Field>(4, 2);
+  heights->values = {0, 100, 200, 100, 0, 100, 200, 100};
+  surface.map = {heights, 0, 0, 8 << 16, 8 << 16, Outside::repeat, 0, SurfaceKind::perlin};
+  // An even zigzag: as it rises from its first sample, so it falls past its last.
+  for (std::int64_t x = 0; x < 8; ++x) CHECK(height_at(surface, 24 + x, 3) == height_at(surface, 8 - x, 3));
+  CHECK(height_at(surface, 28, 3) == 38);  // (9 * 100 - 200 - 100) / 16, by the samples 200, 100, 0 and 100
 }
 
 TEST_CASE("A blend has no step anywhere in its margin") {

@@ -3,15 +3,19 @@
 #include <catch2/catch.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <vector>
 
 #include <talus/terrain/boundary_row.h>
 #include <talus/vectors/instruction_set.h>
+#include <talus/vectors/tables.h>
 
+#include "displaced_fbm.h"
 #include "fbm_rows.h"
 #include "kernels/columns.h"
 #include "loose_cells.h"
+#include "point_fbm.h"
 #include "surface_rows.h"
 #include "worlds.h"
 
@@ -113,6 +117,42 @@ TEST_CASE("Every kind of surface has the same bits from every instruction set") 
     };
     const auto scalar = row_of(InstructionSet::scalar);
     for (const InstructionSet set : vector_sets()) RC_ASSERT(row_of(set) == scalar);
+  }));
+}
+
+TEST_CASE("Displaced noise has the bits of the noise of its points, from every instruction set") {
+  CHECK(rc::check([] {
+    Fbm fbm;
+    fbm.seed = *rc::gen::arbitrary<std::uint64_t>();
+    fbm.period =
+        *rc::gen::oneOf(rc::gen::inRange<std::int64_t>(2, 40), rc::gen::inRange<std::int64_t>(2, 1 << 24));
+    fbm.octaves = *rc::gen::inRange(1, 17);
+    const auto xs = any_line();
+    const std::int64_t z = *any_column();
+    const auto reach_fx = static_cast<float>(*rc::gen::element(0, 1000, 1 << 22));
+    std::vector<float> east(padded(xs.size()));
+    std::vector<float> south(padded(xs.size()));
+    for (std::size_t i = 0; i < xs.size(); ++i) {
+      east[i] = static_cast<float>(*rc::gen::inRange(-10000, 10001)) * 1e-4F;
+      south[i] = static_cast<float>(*rc::gen::inRange(-10000, 10001)) * 1e-4F;
+    }
+    PointFbm points{fbm};
+    std::vector<float> expected;
+    for (std::size_t i = 0; i < xs.size(); ++i) {
+      const auto rounded = [&](float noise) {
+        return static_cast<std::int64_t>(std::nearbyint(noise * reach_fx));
+      };
+      expected.push_back(
+          points.at(xs[i] * kSubvoxels + rounded(east[i]), z * kSubvoxels + rounded(south[i])));
+    }
+    auto sets = vector_sets();
+    sets.push_back(InstructionSet::scalar);
+    for (const InstructionSet set : sets) {
+      DisplacedFbm rows{set};
+      rows.start(fbm, xs);
+      const float* row = rows.row(z, east.data(), south.data(), reach_fx);
+      RC_ASSERT(std::memcmp(expected.data(), row, expected.size() * sizeof(float)) == 0);
+    }
   }));
 }
 

@@ -98,6 +98,10 @@ double height_map(const terrain::PlacedMap& map, std::int64_t x, std::int64_t z)
   const auto sample = [&](std::int64_t i, std::int64_t j) -> double {
     const bool inside = i >= 0 && j >= 0 && i < heights.width && j < heights.depth;
     if (!inside && map.outside == terrain::Outside::sea) return 0;
+    if (map.outside == terrain::Outside::repeat) {
+      return heights.at(static_cast<int>(floor_mod(i, std::int64_t{heights.width})),
+                        static_cast<int>(floor_mod(j, std::int64_t{heights.depth})));
+    }
     return heights.at(mirrored(i, heights.width), mirrored(j, heights.depth));
   };
   // Whole samples in integers, so that the parts of one are as good far out as at the origin.

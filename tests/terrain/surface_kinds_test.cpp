@@ -116,7 +116,7 @@ TEST_CASE("A warp of nothing leaves fBm where it was, and a feedback of nothing 
 
 TEST_CASE("A row of any surface has the bits of its columns one by one, at both ends of the world too") {
   CHECK(rc::check([] {
-    const auto kind = *rc::gen::element<std::string>("ridged", "warped", "mirror", "sea", "blend");
+    const auto kind = *rc::gen::element<std::string>("ridged", "warped", "mirror", "sea", "repeat", "blend");
     const World world = test::small_world(*rc::gen::arbitrary<std::uint64_t>(), kind);
     const Surface surface = surface_of(world.spec());
     const auto xs = line(*any_column(), static_cast<std::size_t>(*rc::gen::inRange(1, 60)));

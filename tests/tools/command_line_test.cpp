@@ -56,7 +56,8 @@ std::string in(const ScratchDirectory& scratch, const std::string& name) {
 TEST_CASE("talus-gen explains itself") {
   CHECK(talus_gen("--help").exit_code == 0);
   CHECK_THAT(talus_gen("--version").output, Catch::StartsWith("talus-gen "));
-  for (const char* command : {"map", "section", "export", "hash", "vox", "gallery"}) {
+  for (const char* command :
+       {"map", "section", "export", "hash", "vox", "gallery", "table1", "likeness", "lod-error"}) {
     const Outcome outcome = talus_gen(std::string{command} + " --help");
     CHECK(outcome.exit_code == 0);
     CHECK_THAT(outcome.output, Catch::Contains("--world"));
@@ -128,6 +129,38 @@ TEST_CASE("erode-heightmap refuses what it cannot read or write") {
   check_refused("erode-heightmap " + in(scratch, "d.npy") + " -o " + in(scratch, "b.npy"), 1,
                 "neither PNG nor .npy");
   CHECK_FALSE(std::filesystem::exists(scratch / "b.npy"));
+}
+
+TEST_CASE("diamond-square-heightmap writes what a world takes, the same each time") {
+  const ScratchDirectory scratch;
+  const std::string make = "diamond-square-heightmap --seed 5 --size 32 -o ";
+  REQUIRE(talus_gen(make + in(scratch, "made.png")).exit_code == 0);
+  REQUIRE(talus_gen(make + in(scratch, "again.png")).exit_code == 0);
+  CHECK(read_whole(scratch / "made.png") == read_whole(scratch / "again.png"));
+  scratch.write("world.toml", talus::test::small_world_text(1, "repeat"));
+  CHECK(talus_gen("hash --origin -64,0 --size 64,64 --world " + in(scratch, "world.toml")).exit_code == 0);
+
+  const std::string out = " -o " + in(scratch, "b.npy");
+  check_refused("diamond-square-heightmap --size 500" + out, 2, "--size: 500 is not a power of two; 8, 16");
+  check_refused("diamond-square-heightmap --size 4" + out, 2, "--size");
+  check_refused("diamond-square-heightmap --roughness 1.5" + out, 2, "--roughness");
+  check_refused("diamond-square-heightmap --size 8 -o " + in(scratch, "b.txt"), 2, "neither .png nor .npy");
+  CHECK_FALSE(std::filesystem::exists(scratch / "b.npy"));
+}
+
+TEST_CASE("likeness and lod-error print their figures and write them as JSON") {
+  const ScratchDirectory scratch;
+  const Outcome likeness = talus_gen("likeness --seeds 1 -o " + in(scratch, "a.json"));
+  CHECK(likeness.exit_code == 0);
+  CHECK_THAT(likeness.output, Catch::Contains("mean +- standard deviation of 1 seeds"));
+  CHECK_THAT(read_whole(scratch / "a.json"), Catch::Contains("\"thickness_correlation\""));
+  const Outcome levels = talus_gen("lod-error --size 128 --center 999,-999 -o " + in(scratch, "b.json"));
+  CHECK(levels.exit_code == 0);
+  CHECK_THAT(levels.output, Catch::Contains("over 128 x 128 base columns"));
+  CHECK_THAT(read_whole(scratch / "b.json"), Catch::Contains("\"same_material_from_above\""));
+  check_refused("lod-error --size 100", 2, "--size: 100 is no multiple of 64");
+  check_refused("lod-error --center 68719476736,0", 2, "--center");
+  check_refused("likeness --seeds 0", 2, "--seeds");
 }
 
 TEST_CASE("What cannot be done is one line and exit code 1") {

@@ -63,6 +63,7 @@ struct File {
   std::map<int, std::vector<int>> groups;
   std::map<int, int> shapes;
   std::array<std::uint32_t, 256> palette{};
+  std::map<int, std::map<std::string, std::string>> materials;
   std::set<std::string> kinds;
 };
 
@@ -96,6 +97,22 @@ void read_palette(Bytes& content, File& file) {
     const auto rgba = static_cast<std::uint32_t>(content.number());
     if (i < 255) file.palette[i + 1] = rgba;
   }
+}
+
+void read_material(Bytes& content, File& file) {
+  const int index = content.number();
+  require(index >= 1 && index <= 256, "MATL: a palette index outside 1 to 256");
+  const auto properties = content.dictionary();
+  const std::set<std::string> types{"_diffuse", "_metal", "_glass", "_emit", "_blend", "_media", "_cloud"};
+  const auto type = properties.find("_type");
+  require(type != properties.end() && types.contains(type->second), "MATL: no type, or none that is known");
+  for (const auto& [key, value] : properties) {
+    if (key == "_type") continue;
+    std::size_t end = 0;
+    const double number = std::stod(value, &end);
+    require(end == value.size() && number >= 0, "MATL: " + key + " is no number");
+  }
+  require(file.materials.emplace(index, properties).second, "MATL: a palette index twice");
 }
 
 void read_transform(Bytes& content, File& file) {
@@ -141,6 +158,7 @@ void read_chunk(Bytes& chunks, File& file) {
   if (kind == "SIZE") read_size(content, file);
   if (kind == "XYZI") read_voxels(content, file);
   if (kind == "RGBA") read_palette(content, file);
+  if (kind == "MATL") read_material(content, file);
   if (kind == "nTRN") read_transform(content, file);
   if (kind == "nGRP") read_group(content, file);
   if (kind == "nSHP") read_shape(content, file);
@@ -192,6 +210,7 @@ Scene read(const std::string& bytes) {
   Scene scene;
   scene.models = file.models.size();
   scene.palette = file.palette;
+  scene.materials = file.materials;
   std::set<int> placed;
   place(file, 0, {}, placed, scene);
   require(placed.size() == file.models.size(), "a model outside the scene");

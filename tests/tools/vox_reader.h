@@ -16,6 +16,8 @@ struct Scene {
   std::map<std::array<int, 3>, int> voxels;
   /// RGBA by palette index; index 0 means nothing.
   std::array<std::uint32_t, 256> palette{};
+  /// What is said of a palette index beyond its colour.
+  std::map<int, std::map<std::string, std::string>> materials;
 };
 
 /// Throws std::runtime_error with what is wrong where the bytes break the format, name a node or model

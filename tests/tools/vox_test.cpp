@@ -136,6 +136,17 @@ TEST_CASE("A palette index is a material's id and has its colour") {
   for (std::size_t i = materials.size(); i < 256; ++i) CHECK(scene.palette[i] == 0);
 }
 
+TEST_CASE("Water is glass, so that its bed shows, and nothing else is") {
+  const vox_reader::Scene scene = scene_of({0, 0, 8, 8, Lod{}});
+  REQUIRE(scene.materials.size() == 1);
+  const auto& water = scene.materials.at(to_integer(kWater));
+  CHECK(water.at("_type") == "_glass");
+  for (const char* clarity : {"_weight", "_alpha", "_trans"}) {
+    CHECK(std::stod(water.at(clarity)) > 0.5);
+    CHECK(std::stod(water.at(clarity)) < 1);
+  }
+}
+
 TEST_CASE("A model does not depend on threads") {
   const terrain::Region region{-5, -5, 270, 40, Lod{}};
   CHECK(scene_of(region, {.threads = 1}).voxels == scene_of(region, {.threads = 3}).voxels);

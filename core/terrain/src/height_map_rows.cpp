@@ -27,6 +27,9 @@ HeightMapRows::HeightMapRows(const Surface& surface, std::unique_ptr<SurfaceRows
 std::int32_t HeightMapRows::sample_of(std::int64_t index, int samples) const {
   if (index >= 0 && index < samples) return static_cast<std::int32_t>(index);
   if (map_.outside == Outside::sea) return kNoSample;
+  if (map_.outside == Outside::repeat) {
+    return static_cast<std::int32_t>(floor_mod(index, std::int64_t{samples}));
+  }
   // There and back again; the samples at the edges count once.
   const std::int64_t turn = floor_mod(index, 2 * (std::int64_t{samples} - 1));
   return static_cast<std::int32_t>(turn < samples ? turn : 2 * (std::int64_t{samples} - 1) - turn);

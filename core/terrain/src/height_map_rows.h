@@ -10,7 +10,8 @@
 
 namespace talus::terrain {
 
-/// Outside of its samples the map is mirrored at its edge for good, or all its samples are 0 (`sea`).
+/// Outside of its samples the map is mirrored at its edge for good, or begins anew one spacing past its last
+/// sample (`repeat`), or all its samples are 0 (`sea`).
 /// `blend` has another surface there, to which the map gives way over a margin within its edge: past the edge
 /// it knows nothing, and a mirror shows.
 class HeightMapRows final : public SurfaceRows {

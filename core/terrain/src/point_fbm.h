@@ -1,4 +1,4 @@
-// fBm at positions between columns, one after another: what a warped surface stands on.
+// fBm at positions between columns, one after another; displaced_fbm.h has rows of them.
 #pragma once
 
 #include <array>

@@ -191,7 +191,7 @@ class TableReader {
 
 HeightMapSpec read_height_map(TableReader map) {
   HeightMapSpec spec;
-  spec.outside = static_cast<Outside>(map.choice("outside", {"mirror", "sea", "blend"}));
+  spec.outside = static_cast<Outside>(map.choice("outside", {"mirror", "sea", "blend", "repeat"}));
   if (spec.outside == Outside::blend) {
     map.only({"file", "x", "z", "spacing", "spacing_z", "low", "high", "outside", "margin", "around"});
     spec.margin = map.real("margin", {1e-6, kLongest});

@@ -2,10 +2,8 @@
 // ridges bend and valleys swirl.
 #pragma once
 
-#include <vector>
-
+#include "displaced_fbm.h"
 #include "fbm_rows.h"
-#include "point_fbm.h"
 #include "surface_rows.h"
 
 namespace talus::terrain {
@@ -23,10 +21,9 @@ class WarpedRows final : public SurfaceRows {
   Surface surface_;
   FbmRows east_;
   FbmRows south_;
-  PointFbm noise_;
+  DisplacedFbm noise_;
   const NoiseKernels* kernels_;
-  std::vector<std::int64_t> xs_;
-  std::vector<float> warped_;
+  std::size_t width_ = 0;
 };
 
 }  // namespace talus::terrain

@@ -12,6 +12,7 @@
 #include <talus/terrain/settle.h>
 #include <talus/terrain/stacks.h>
 
+#include "gallery_levels.h"
 #include "isometric.h"
 #include "panels.h"
 #include "voxel_grid.h"
@@ -337,6 +338,7 @@ constexpr std::array kFigures{
     Figure{"gallery-13-settling.png", 2 * kHalf.height, draw_settling},
     Figure{"gallery-16-methods.png", 2 * kHalf.height, draw_methods},
     Figure{"gallery-17-edges.png", 2 * kHalf.height, draw_edges},
+    Figure{"gallery-levels.png", 2 * kLevelsPanelHeight, draw_levels},
 };
 
 }  // namespace

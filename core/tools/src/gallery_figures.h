@@ -28,7 +28,7 @@ struct Figure {
   Expected<Image> (*draw)(const GalleryContext& context);
 };
 
-/// In the order of the thesis.
+/// In the order of the thesis; then what it has no figure of.
 [[nodiscard]] std::span<const Figure> gallery_figures();
 
 }  // namespace talus::tools

@@ -14,8 +14,8 @@ namespace {
 
 struct ThesisRow {
   int side;
-  Taken erosion;
-  Taken slope;
+  Spread erosion;
+  Spread slope;
 };
 // On an Intel Core i5-8400 at 2.80 GHz.
 constexpr std::array<ThesisRow, 7> kThesis{{{50, {1.003, 0.295}, {0.186, 0.018}},
@@ -32,17 +32,7 @@ double seconds_of(const std::function<void()>& work) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-Taken statistics(const std::vector<double>& seconds) {
-  Taken taken;
-  for (const double s : seconds) taken.mean += s;
-  taken.mean /= static_cast<double>(seconds.size());
-  double squares = 0;
-  for (const double s : seconds) squares += (s - taken.mean) * (s - taken.mean);
-  if (seconds.size() > 1) taken.deviation = std::sqrt(squares / static_cast<double>(seconds.size() - 1));
-  return taken;
-}
-
-double growth(const std::vector<Table1Row>& rows, Taken Table1Row::*column) {
+double growth(const std::vector<Table1Row>& rows, Spread Table1Row::*column) {
   double n = 0;
   double sum_x = 0;
   double sum_y = 0;
@@ -90,8 +80,8 @@ Expected<Table1> run_table1(const WorldText& text, int seeds, Progress& progress
       row.erosion_steps += static_cast<double>(steps) / seeds;
       progress.advance(static_cast<std::uint64_t>(thesis.side * thesis.side));
     }
-    row.slope = statistics(slope);
-    row.erosion = statistics(erosion);
+    row.slope = spread_of(slope);
+    row.erosion = spread_of(erosion);
     table.rows.push_back(row);
   }
   table.erosion_growth = growth(table.rows, &Table1Row::erosion);

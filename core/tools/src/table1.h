@@ -8,23 +8,19 @@
 
 #include "failure.h"
 #include "progress.h"
+#include "spread.h"
 #include "world_file.h"
 
 namespace talus::tools {
 
 /// Seconds over the seeds.
-struct Taken {
-  double mean = 0;
-  double deviation = 0;  // standard, of the sample
-};
-
 struct Table1Row {
   int side = 0;  // columns, and voxels a terrain unit: always one unit of terrain
-  Taken erosion;
-  Taken slope;
+  Spread erosion;
+  Spread slope;
   double erosion_steps = 0;  // mean
-  Taken thesis_erosion;
-  Taken thesis_slope;
+  Spread thesis_erosion;
+  Spread thesis_slope;
 };
 
 struct Table1 {

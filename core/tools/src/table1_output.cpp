@@ -19,8 +19,8 @@ std::string formatted(const char* format, auto... values) {
   return text.data();
 }
 
-Json json_of(const Taken& taken) {
-  return {{"mean_s", taken.mean}, {"deviation_s", taken.deviation}};
+Json json_of(const Spread& seconds) {
+  return {{"mean_s", seconds.mean}, {"deviation_s", seconds.deviation}};
 }
 
 // The picture: a decade of seconds is kDecade pixels high, the side runs from 50 to 200 in kWidth pixels.
@@ -43,7 +43,7 @@ struct Curve {
   const char* name;
   const char* colour;
   const char* dashes;
-  Taken Table1Row::*column;
+  Spread Table1Row::*column;
 };
 constexpr std::array<Curve, 4> kCurves{{{"erosion, thesis", "#c98a6b", "6 4", &Table1Row::thesis_erosion},
                                         {"slope, thesis", "#7f9dbb", "6 4", &Table1Row::thesis_slope},

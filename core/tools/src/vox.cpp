@@ -125,7 +125,7 @@ Expected<void> write_vox(const terrain::World& world, const terrain::Region& reg
         return outcome.has_value();
       });
   if (!outcome) return outcome;
-  return file->finish(*palette);
+  return file->finish(*palette, to_integer(kWater));
 }
 
 }  // namespace talus::tools

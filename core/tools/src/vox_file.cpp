@@ -65,6 +65,18 @@ Content transform(std::int32_t node, std::int32_t child, std::int32_t layer, con
   return content;
 }
 
+// Clear water, in the words of all versions that know a material of a palette index: 0.99 weighs the glass,
+// later ones give its transparency and write the refractive index in two ways.
+Content water_material(std::int32_t index) {
+  using Entry = std::pair<std::string_view, std::string>;
+  const std::array properties{Entry{"_type", "_glass"}, Entry{"_weight", "0.7"}, Entry{"_alpha", "0.7"},
+                              Entry{"_trans", "0.7"},   Entry{"_rough", "0.05"}, Entry{"_ior", "0.33"},
+                              Entry{"_ri", "1.33"}};
+  Content content;
+  content.number(index).dictionary(properties);
+  return content;
+}
+
 std::string to_text(glm::ivec3 vector) {
   return std::to_string(vector.x) + " " + std::to_string(vector.y) + " " + std::to_string(vector.z);
 }
@@ -106,7 +118,7 @@ Expected<void> VoxFile::add(const VoxModel& model) {
   return append(chunks.bytes());
 }
 
-Expected<void> VoxFile::finish(std::span<const terrain::Colour> colours) {
+Expected<void> VoxFile::finish(std::span<const terrain::Colour> colours, std::int32_t glass) {
   constexpr std::int32_t kRoot = 0;
   constexpr std::int32_t kGroup = 1;
   constexpr std::int32_t kNoLayer = -1;
@@ -132,6 +144,7 @@ Expected<void> VoxFile::finish(std::span<const terrain::Colour> colours) {
     palette.byte(colour.red).byte(colour.green).byte(colour.blue).byte(used ? 255 : 0);
   }
   scene.chunk("RGBA", palette);
+  scene.chunk("MATL", water_material(glass));
   if (auto done = append(scene.bytes()); !done) return done;
 
   Content header;

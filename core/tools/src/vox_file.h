@@ -46,8 +46,9 @@ class VoxFile {
   /// Models without voxels are left out. Refused where the file would pass the 2 GiB that its lengths can
   /// say.
   [[nodiscard]] Expected<void> add(const VoxModel& model);
-  /// Scene graph and palette: colours[i] is that of index i + 1. Then the file takes its name.
-  [[nodiscard]] Expected<void> finish(std::span<const terrain::Colour> colours);
+  /// Scene graph and palette: colours[i] is that of index i + 1, and index `glass` lets light through. Then
+  /// the file takes its name.
+  [[nodiscard]] Expected<void> finish(std::span<const terrain::Colour> colours, std::int32_t glass);
 
  private:
   struct Placed {

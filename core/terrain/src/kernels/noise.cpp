@@ -9,6 +9,8 @@
 
 #include <talus/vectors/vectors-inl.h>
 
+#include "kernels/gradients-inl.h"
+
 HWY_BEFORE_NAMESPACE();
 namespace talus::terrain::HWY_NAMESPACE {
 namespace {
@@ -17,43 +19,16 @@ namespace hn = hwy::HWY_NAMESPACE;
 using talus::HWY_NAMESPACE::over_row;
 using talus::HWY_NAMESPACE::round_to_even;
 
-using Floats = hn::ScalableTag<float>;
-using Words = hn::RebindToUnsigned<Floats>;
 using Ints = hn::RebindToSigned<Floats>;
-
-// 16 directions of length sqrt(2), so that the noise spans -1 to 1; turned by half a step, so that none
-// lies along an axis or a diagonal, where the eye would find the lattice. The top two bits of a hash are the
-// quadrant, the next two the direction in it: of four magnitudes, sqrt(2) times the cosine of 11.25, 33.75,
-// 56.25 and 78.75 degrees, one is x and its complement z, the other way round in every second quadrant.
-HWY_ALIGN constexpr float kMagnitudes[4] = {1.38703985F, 1.17587560F, 0.78569496F, 0.27589938F};
-
-HWY_INLINE hn::Vec<Words> magnitude(hn::Vec<Words> index) {
-#if HWY_TARGET == HWY_SCALAR
-  return hn::BitCast(Words{}, hn::Set(Floats{}, kMagnitudes[hn::GetLane(index)]));
-#else
-  // Four byte indices a lane: 4 k + 3, 4 k + 2, 4 k + 1, 4 k for magnitude k.
-  const auto bytes = hn::Add(hn::Mul(index, hn::Set(Words{}, 0x04040404U)), hn::Set(Words{}, 0x03020100U));
-  return hn::TableLookupBytes(hn::BitCast(Words{}, hn::LoadDup128(Floats{}, kMagnitudes)), bytes);
-#endif
-}
 
 void draw_gradients(const std::uint32_t* hashes, std::size_t count, std::uint32_t z_hash, float* xs,
                     float* zs) {
   const Floats f;
   const Words w;
-  const auto sign = hn::Set(w, 0x80000000U);
   for (std::size_t i = 0; i < count; i += hn::Lanes(f)) {
-    auto hash = hn::Xor(hn::LoadU(w, hashes + i), hn::Set(w, z_hash));
-    hash = hn::Mul(hn::Xor(hash, hn::ShiftRight<16>(hash)), hn::Set(w, 0x7FEB352DU));
-    hash = hn::Mul(hn::Xor(hash, hn::ShiftRight<15>(hash)), hn::Set(w, 0x846CA68BU));
-    hash = hn::Xor(hash, hn::ShiftRight<16>(hash));
-    const auto second = hn::ShiftLeft<1>(hash);
-    const auto turned = hn::And(hn::Sub(hn::Zero(w), hn::ShiftRight<31>(second)), hn::Set(w, 3));
-    const auto chosen = hn::Xor(hn::And(hn::ShiftRight<28>(hash), hn::Set(w, 3)), turned);
-    const auto x = magnitude(chosen);
-    const auto z = magnitude(hn::Xor(chosen, hn::Set(w, 3)));
-    hn::StoreU(hn::BitCast(f, hn::Xor(x, hn::And(hn::Xor(hash, second), sign))), f, xs + i);
-    hn::StoreU(hn::BitCast(f, hn::Xor(z, hn::And(hash, sign))), f, zs + i);
+    const Gradient gradient = gradient_at(hn::LoadU(w, hashes + i), hn::Set(w, z_hash));
+    hn::StoreU(gradient.x, f, xs + i);
+    hn::StoreU(gradient.z, f, zs + i);
   }
 }
 

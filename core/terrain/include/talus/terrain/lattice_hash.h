@@ -26,10 +26,18 @@ namespace talus::terrain {
 
 enum class Axis : std::uint8_t { x = 0, z = 1 };
 
+/// From the key of one lattice cell to that of the next.
+inline constexpr std::uint64_t kCellStep = 0x9E3779B97F4A7C15U;
+
+/// A lattice cell's coordinate along one axis, not yet mixed.
+[[nodiscard]] constexpr std::uint64_t axis_key(std::uint64_t seed, Axis axis, std::int64_t cell) {
+  const std::uint64_t salted = seed ^ (axis == Axis::x ? 0x632BE59BD9B4E019U : 0xA24BAED4963EE407U);
+  return salted + static_cast<std::uint64_t>(cell) * kCellStep;
+}
+
 /// What a lattice cell's coordinate along one axis adds to the hash of its corner.
 [[nodiscard]] constexpr std::uint32_t axis_hash(std::uint64_t seed, Axis axis, std::int64_t cell) {
-  const std::uint64_t salted = seed ^ (axis == Axis::x ? 0x632BE59BD9B4E019U : 0xA24BAED4963EE407U);
-  return static_cast<std::uint32_t>(mix64(salted + static_cast<std::uint64_t>(cell) * 0x9E3779B97F4A7C15U));
+  return static_cast<std::uint32_t>(mix64(axis_key(seed, axis, cell)));
 }
 
 /// The hash of a lattice corner from what its two axes add.

@@ -36,7 +36,7 @@ struct Colour {
 enum class SurfaceKind : std::uint8_t { perlin, ridged, warped, height_map };
 
 /// What lies outside of a height map.
-enum class Outside : std::uint8_t { mirror, sea, blend };
+enum class Outside : std::uint8_t { mirror, sea, blend, repeat };
 
 /// A height map and its place. Lengths in terrain units.
 struct HeightMapSpec {

@@ -1,0 +1,42 @@
+// A command of talus-gen: its options as people type them, and what it does with them.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <string>
+
+#include <CLI/CLI.hpp>
+
+#include "failure.h"
+
+namespace talus::tools {
+
+struct Command {
+  CLI::App* options = nullptr;  // belongs to the program's
+  std::function<Expected<void>()> run;
+};
+
+// Of a region of a world (region_commands.cpp).
+[[nodiscard]] Command add_map(CLI::App& app);
+[[nodiscard]] Command add_section(CLI::App& app);
+[[nodiscard]] Command add_export(CLI::App& app);
+[[nodiscard]] Command add_hash(CLI::App& app);
+[[nodiscard]] Command add_vox(CLI::App& app);
+
+// Of what is drawn and measured of a world (figure_commands.cpp).
+[[nodiscard]] Command add_gallery(CLI::App& app);
+[[nodiscard]] Command add_table1(CLI::App& app);
+[[nodiscard]] Command add_likeness(CLI::App& app);
+[[nodiscard]] Command add_lod_error(CLI::App& app);
+
+// Of height maps, without a world (height_map_commands.cpp).
+[[nodiscard]] Command add_erode(CLI::App& app);
+[[nodiscard]] Command add_diamond_square(CLI::App& app);
+
+// Options that several commands have.
+void add_world(CLI::App& command, std::string& world);
+void add_threads(CLI::App& command, int& threads);
+void add_lod(CLI::App& command, std::int64_t& lod);
+void add_output(CLI::App& command, std::string& output, const char* meaning, const char* type);
+
+}  // namespace talus::tools

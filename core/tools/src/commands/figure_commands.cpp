@@ -1,0 +1,208 @@
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <filesystem>
+#include <memory>
+#include <span>
+#include <string>
+#include <system_error>
+
+#include "atomic_file.h"
+#include "commands/command.h"
+#include "gallery.h"
+#include "likeness.h"
+#include "lod_error.h"
+#include "option_values.h"
+#include "table1.h"
+#include "world_file.h"
+
+namespace talus::tools {
+namespace {
+
+Expected<void> write_whole(const std::filesystem::path& path, const std::string& text) {
+  auto file = AtomicFile::create(path);
+  if (!file) return tl::make_unexpected(file.error());
+  if (auto written = file->write_at(0, std::as_bytes(std::span{text})); !written) return written;
+  return file->commit();
+}
+
+Expected<void> print(const std::string& text) {
+  std::fputs(text.c_str(), stdout);
+  if (std::fflush(stdout) != 0) return failed(std::string{"standard output: "} + std::strerror(errno));
+  return {};
+}
+
+// For people on standard output, and for programs into a file where one is asked for.
+template <class Figures>
+Expected<void> report(const Figures& figures, const std::string& json_path) {
+  if (auto printed = print(to_text(figures)); !printed) return printed;
+  return json_path.empty() ? Expected<void>{} : write_whole(json_path, to_json(figures));
+}
+
+struct GalleryArguments {
+  std::string world;
+  int threads = 0;
+  std::string output;
+};
+
+Expected<void> run_gallery(const GalleryArguments& arguments) {
+  const auto text = read_world_text(arguments.world);
+  if (!text) return tl::make_unexpected(text.error());
+  Progress progress{"gallery", "rows"};
+  return write_gallery(*text, arguments.output, arguments.threads, progress);
+}
+
+struct SeedsArguments {
+  std::string world;
+  int seeds = 20;
+  std::string output;
+};
+
+Expected<void> run_table1_command(const SeedsArguments& arguments) {
+  const auto text = read_world_text(arguments.world);
+  if (!text) return tl::make_unexpected(text.error());
+  const std::filesystem::path directory = arguments.output;
+  if (!directory.empty()) {
+    std::error_code made;
+    std::filesystem::create_directories(directory, made);
+    if (made) return failed(directory.string() + ": cannot make the directory: " + made.message());
+  }
+  const auto table = [&] {
+    Progress progress{"table1", "columns"};
+    return run_table1(*text, arguments.seeds, progress);
+  }();
+  if (!table) return tl::make_unexpected(table.error());
+  if (directory.empty()) return print(to_text(*table));
+  if (auto reported = report(*table, (directory / "table1.json").string()); !reported) return reported;
+  return write_whole(directory / "table1.svg", to_svg(*table));
+}
+
+Expected<void> run_likeness(const SeedsArguments& arguments) {
+  const auto text = read_world_text(arguments.world);
+  if (!text) return tl::make_unexpected(text.error());
+  const auto likeness = [&] {
+    Progress progress{"likeness", "seeds"};
+    return measure_likeness(*text, arguments.seeds, progress);
+  }();
+  if (!likeness) return tl::make_unexpected(likeness.error());
+  return report(*likeness, arguments.output);
+}
+
+struct LodErrorArguments {
+  std::string world;
+  std::string centre = "0,0";
+  std::int64_t size = 4096;
+  int threads = 0;
+  std::string output;
+};
+
+constexpr std::int64_t kCoarsest = 64;  // base columns to one of level 6
+
+Expected<void> run_lod_error(const LodErrorArguments& arguments) {
+  const auto centre = parse_pair("--center", arguments.centre);
+  if (!centre) return tl::make_unexpected(centre.error());
+  if (arguments.size % kCoarsest != 0) {
+    return wrong_use("--size: " + std::to_string(arguments.size) +
+                     " is no multiple of 64, level 6's columns");
+  }
+  const auto corner = [&](std::int64_t middle) {
+    return floor_div(middle - arguments.size / 2, kCoarsest) * kCoarsest;
+  };
+  const auto region = region_from_origin("--center", {corner(centre->first), corner(centre->second)},
+                                         {arguments.size, arguments.size}, Lod{});
+  if (!region) return tl::make_unexpected(region.error());
+  const auto world = load_world(arguments.world);
+  if (!world) return tl::make_unexpected(world.error());
+  const LodError error = [&] {
+    Progress progress{"lod-error", "columns"};
+    return measure_lod_error(*world, *region, arguments.threads, progress);
+  }();
+  return report(error, arguments.output);
+}
+
+void add_seeds(CLI::App& command, int& seeds, const char* meaning) {
+  command.add_option("--seeds", seeds, meaning)
+      ->check(CLI::Range(1, 1000))
+      ->type_name("N")
+      ->capture_default_str();
+}
+
+void add_json(CLI::App& command, std::string& output) {
+  command.add_option("-o,--output", output, "The same figures as JSON")->type_name("F.json");
+}
+
+}  // namespace
+
+Command add_gallery(CLI::App& app) {
+  auto* gallery =
+      app.add_subcommand("gallery", "The figures of the thesis as pictures of this world's voxels");
+  const auto arguments = std::make_shared<GalleryArguments>();
+  add_output(*gallery, arguments->output, "Directory for the pictures; made where it is missing", "DIR");
+  add_world(*gallery, arguments->world);
+  add_threads(*gallery, arguments->threads);
+  gallery->footer(
+      "Draws gallery-NN-*.png, NN being the figure's number in the thesis, and gallery-levels.png. The "
+      "places are\n"
+      "those near the origin that make the best pictures; figures may change the world's resolution, "
+      "roughness\n"
+      "or exponent for a panel. The same world gives the same pictures.");
+  return {gallery, [arguments] { return run_gallery(*arguments); }};
+}
+
+Command add_table1(CLI::App& app) {
+  auto* table =
+      app.add_subcommand("table1", "Table 1 of the thesis, run again: what both methods take, by size");
+  const auto arguments = std::make_shared<SeedsArguments>();
+  add_seeds(*table, arguments->seeds, "Terrains of each size, with the seeds 1, 2, ...");
+  table
+      ->add_option("-o,--output", arguments->output,
+                   "Directory for table1.json and table1.svg, a plot; made where missing")
+      ->type_name("DIR");
+  add_world(*table, arguments->world);
+  table->footer(
+      "Seconds for the whole terrain on one thread: 50 to 200 columns a side at as many voxels a terrain "
+      "unit,\n"
+      "so always one unit of the same terrain. The slope method as everywhere; the erosion method on a map "
+      "that\n"
+      "ends at its edges, to rest. Beside them what the thesis measured.");
+  return {table, [arguments] { return run_table1_command(*arguments); }};
+}
+
+Command add_likeness(CLI::App& app) {
+  auto* likeness =
+      app.add_subcommand("likeness", "How alike the loose layers of both methods are, in numbers");
+  const auto arguments = std::make_shared<SeedsArguments>();
+  add_seeds(*likeness, arguments->seeds, "Terrains, with the seeds 1, 2, ...");
+  add_json(*likeness, arguments->output);
+  add_world(*likeness, arguments->world);
+  likeness->footer(
+      "Two terrain units a side at 100 voxels a unit, by the slope method and by erosion to rest. A column "
+      "is\n"
+      "covered where it carries any of the material. Both / either: columns covered by both methods over "
+      "those\n"
+      "covered by one or both; of unrelated: what that would be if the two covers had nothing to do with "
+      "each\n"
+      "other. Thickness, r: Pearson's correlation over all columns.");
+  return {likeness, [arguments] { return run_likeness(*arguments); }};
+}
+
+Command add_lod_error(CLI::App& app) {
+  auto* error = app.add_subcommand("lod-error", "How far the levels of detail lie from level 0");
+  const auto arguments = std::make_shared<LodErrorArguments>();
+  error->add_option("--center", arguments->centre, "Base voxel at the middle of the region")
+      ->type_name("X,Z")
+      ->capture_default_str();
+  error->add_option("--size", arguments->size, "Base columns along each side: a multiple of 64, up to 65536")
+      ->check(CLI::Range(kCoarsest, std::int64_t{1} << 16))
+      ->type_name("N")
+      ->capture_default_str();
+  add_json(*error, arguments->output);
+  add_world(*error, arguments->world);
+  add_threads(*error, arguments->threads);
+  error->footer(
+      "Each base column is held against the column of the level that it is a part of. Surface: the heights\n"
+      "themselves; voxels: the tops of the highest solid voxels, which is what a client draws.");
+  return {error, [arguments] { return run_lod_error(*arguments); }};
+}
+
+}  // namespace talus::tools

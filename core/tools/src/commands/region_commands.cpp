@@ -1,0 +1,237 @@
+#include <cerrno>
+#include <cstdint>
+#include <cstdio>
+#include <cstring>
+#include <memory>
+#include <string>
+
+#include "commands/command.h"
+#include "export.h"
+#include "image.h"
+#include "map.h"
+#include "option_values.h"
+#include "region_hash.h"
+#include "section.h"
+#include "vox.h"
+#include "vox_file.h"
+#include "world_file.h"
+
+namespace talus::tools {
+namespace {
+
+constexpr std::int64_t kMaxExportSide = std::int64_t{1} << 24;
+constexpr std::int64_t kMaxHashSide = std::int64_t{1} << 20;
+
+struct Arguments {
+  std::string world;
+  std::string place;  // --center, --origin or --from
+  std::string size;
+  std::int64_t lod = 0;
+  int threads = 0;
+  std::string output;
+};
+
+struct WorldAndRegion {
+  terrain::World world;
+  terrain::Region region;
+};
+
+// The region from --origin and the world, of which the one may be wrong and the other missing.
+Expected<WorldAndRegion> at_origin(const Arguments& arguments, std::int64_t longest_side) {
+  const auto origin = parse_pair("--origin", arguments.place);
+  if (!origin) return tl::make_unexpected(origin.error());
+  const auto size = parse_size("--size", arguments.size, longest_side);
+  if (!size) return tl::make_unexpected(size.error());
+  const auto lod = parse_lod(arguments.lod);
+  if (!lod) return tl::make_unexpected(lod.error());
+  const auto region = region_from_origin("--origin", *origin, *size, *lod);
+  if (!region) return tl::make_unexpected(region.error());
+  auto world = load_world(arguments.world);
+  if (!world) return tl::make_unexpected(world.error());
+  return WorldAndRegion{*std::move(world), *region};
+}
+
+Expected<void> run_map(const Arguments& arguments) {
+  const auto centre = parse_pair("--center", arguments.place);
+  if (!centre) return tl::make_unexpected(centre.error());
+  const auto size = parse_size("--size", arguments.size, kMaxPictureSide);
+  if (!size) return tl::make_unexpected(size.error());
+  if (auto fits = check_picture_size("--size", size->first, size->second); !fits) return fits;
+  const auto lod = parse_lod(arguments.lod);
+  if (!lod) return tl::make_unexpected(lod.error());
+  const auto region = region_around("--center", *centre, *size, *lod);
+  if (!region) return tl::make_unexpected(region.error());
+  const auto world = load_world(arguments.world);
+  if (!world) return tl::make_unexpected(world.error());
+  auto file = PngFile::create(arguments.output);
+  if (!file) return tl::make_unexpected(file.error());
+  Progress progress{"map", "columns"};
+  return file->write(render_map(*world, *region, {.threads = arguments.threads}, progress));
+}
+
+struct SectionArguments : Arguments {
+  std::int64_t length = 1024;
+  std::string axis = "x";
+  int scale = 1;
+};
+
+Expected<void> run_section(const SectionArguments& arguments) {
+  const auto from = parse_pair("--from", arguments.place);
+  if (!from) return tl::make_unexpected(from.error());
+  if (auto fits = check_picture_size("--length", arguments.length * arguments.scale, 1); !fits) return fits;
+  const IntegerPair size =
+      arguments.axis == "x" ? IntegerPair{arguments.length, 1} : IntegerPair{1, arguments.length};
+  const auto line = region_from_origin("--from", *from, size, Lod{});
+  if (!line) return tl::make_unexpected(line.error());
+  const auto world = load_world(arguments.world);
+  if (!world) return tl::make_unexpected(world.error());
+  auto file = PngFile::create(arguments.output);
+  if (!file) return tl::make_unexpected(file.error());
+  Progress progress{"section", "columns"};
+  const auto image =
+      render_section(*world, *line, {.threads = arguments.threads, .scale = arguments.scale}, progress);
+  if (!image) return tl::make_unexpected(image.error());
+  return file->write(*image);
+}
+
+Expected<void> run_export(const Arguments& arguments) {
+  const auto where = at_origin(arguments, kMaxExportSide);
+  if (!where) return tl::make_unexpected(where.error());
+  Progress progress{"export", "columns"};
+  return export_region(where->world, where->region, arguments.output, {.threads = arguments.threads},
+                       progress);
+}
+
+Expected<void> run_hash(const Arguments& arguments) {
+  const auto where = at_origin(arguments, kMaxHashSide);
+  if (!where) return tl::make_unexpected(where.error());
+  std::string digits;
+  {
+    Progress progress{"hash", "chunk columns"};
+    digits = to_string(hash_region(where->world, where->region, {.threads = arguments.threads}, progress));
+  }
+  if (std::printf("%s\n", digits.c_str()) < 0 || std::fflush(stdout) != 0) {
+    return failed(std::string{"standard output: cannot write the hash: "} + std::strerror(errno));
+  }
+  return {};
+}
+
+struct VoxArguments : Arguments {
+  int depth = VoxOptions{}.depth;
+};
+
+Expected<void> run_vox(const VoxArguments& arguments) {
+  const auto where = at_origin(arguments, kVoxSceneSide);
+  if (!where) return tl::make_unexpected(where.error());
+  Progress progress{"vox", "models"};
+  return write_vox(where->world, where->region, arguments.output,
+                   {.threads = arguments.threads, .depth = arguments.depth}, progress);
+}
+
+void add_place(CLI::App& command, Arguments& arguments, const char* option, const char* meaning) {
+  command.add_option(option, arguments.place, meaning)->type_name("X,Z")->required();
+}
+
+void add_size(CLI::App& command, Arguments& arguments, const char* meaning) {
+  command.add_option("--size", arguments.size, meaning)->type_name("W,H")->required();
+}
+
+void add_common(CLI::App& command, Arguments& arguments) {
+  add_world(command, arguments.world);
+  add_threads(command, arguments.threads);
+}
+
+}  // namespace
+
+Command add_map(CLI::App& app) {
+  auto* map = app.add_subcommand("map", "Shaded material map from above, north (low z) at the top");
+  const auto arguments = std::make_shared<Arguments>();
+  add_place(*map, *arguments, "--center",
+            "Base voxel at the middle of the picture, at every level of detail");
+  add_size(*map, *arguments, "Pixels, each one column of the level of detail; at most 2^28 in all");
+  add_lod(*map, arguments->lod);
+  add_output(*map, arguments->output, "Picture to write", "F.png");
+  add_common(*map, *arguments);
+  return {map, [arguments] { return run_map(*arguments); }};
+}
+
+Command add_section(CLI::App& app) {
+  auto* section = app.add_subcommand("section", "Vertical cut that shows the layers, voxel by voxel");
+  const auto arguments = std::make_shared<SectionArguments>();
+  add_place(*section, *arguments, "--from", "Base voxel at the left end of the cut");
+  section->add_option("--length", arguments->length, "Columns, eastward (southward with --axis z)")
+      ->check(CLI::Range(std::int64_t{1}, kMaxPictureSide))
+      ->type_name("N")
+      ->required();
+  section->add_option("--axis", arguments->axis, "Direction of the cut: x (eastward) or z (southward)")
+      ->check(CLI::IsMember({"x", "z"}))
+      ->type_name("x|z")
+      ->capture_default_str();
+  section->add_option("--scale", arguments->scale, "Pixels a voxel, 1 to 64")
+      ->check(CLI::Range(1, 64))
+      ->type_name("S")
+      ->capture_default_str();
+  add_output(*section, arguments->output, "Picture to write", "F.png");
+  add_common(*section, *arguments);
+  return {section, [arguments] { return run_section(*arguments); }};
+}
+
+Command add_export(CLI::App& app) {
+  auto* command = app.add_subcommand(
+      "export", "Surface, slope, loose material, strata and voxels of a region as NumPy arrays");
+  const auto arguments = std::make_shared<Arguments>();
+  add_place(*command, *arguments, "--origin", "Base voxel at the region's north-west corner");
+  add_size(*command, *arguments, "Columns along x and z; refused where the arrays could pass 8 GiB");
+  add_output(*command, arguments->output,
+             "Directory for the arrays and export.json; made where it is missing", "DIR");
+  add_common(*command, *arguments);
+  command->footer(
+      "Heights and thicknesses are int32 in 1/256 voxel.\n"
+      "  surface.npy [z][x]         slope.npy [z][x], rise over a run of one column\n"
+      "  eroded.npy [m][z][x], settled thickness, materials in the order of the spec\n"
+      "  strata.npy [layer][z][x], tops before loose material is inserted; the last is the surface\n"
+      "  voxels.npy [y][z][x], material ids (uint8; uint16 in worlds with ids over 255), from y = 0 up to\n"
+      "             the highest row that ground or sea reaches");
+  return {command, [arguments] { return run_export(*arguments); }};
+}
+
+Command add_hash(CLI::App& app) {
+  auto* hash = app.add_subcommand("hash", "One hash over the encoded chunks of a region: 32 hex digits");
+  const auto arguments = std::make_shared<Arguments>();
+  add_place(*hash, *arguments, "--origin", "Base voxel at the region's north-west corner, at every level");
+  add_size(*hash, *arguments, "Columns of the level of detail along x and z; at most 2^20 a side");
+  add_lod(*hash, arguments->lod);
+  add_common(*hash, *arguments);
+  hash->footer(
+      "Covers every chunk column that holds a column of the region. A column's hash is XXH3-128 over its\n"
+      "chunks from row -1 up to the row of the highest voxel that the world can have; each gives x, y, z "
+      "and\n"
+      "level (int32), the payload's length (uint32) and the payload. The region's hash is XXH3-128 over the\n"
+      "column hashes (low 64 bits, then high), z slowest, then x. All numbers little endian. The same for\n"
+      "any number of threads, on any machine.");
+  return {hash, [arguments] { return run_hash(*arguments); }};
+}
+
+Command add_vox(CLI::App& app) {
+  auto* vox = app.add_subcommand("vox", "The voxels of a region as MagicaVoxel models");
+  const auto arguments = std::make_shared<VoxArguments>();
+  add_place(*vox, *arguments, "--origin", "Base voxel at the region's north-west corner, at every level");
+  add_size(*vox, *arguments, "Columns of the level of detail along x and z; at most 2048 a side");
+  add_lod(*vox, arguments->lod);
+  vox->add_option("--depth", arguments->depth, "Voxels below the lowest ground, 1 to 4096")
+      ->check(CLI::Range(1, 4096))
+      ->type_name("N")
+      ->capture_default_str();
+  add_output(*vox, arguments->output, "File to write", "F.vox");
+  add_common(*vox, *arguments);
+  vox->footer(
+      "Holds the voxels that can be seen: those with a face to air, to water or to one of the region's four\n"
+      "sides. What lies inside is left out and the underside stays open. Water is glass, through which the\n"
+      "bed shows when the scene is rendered. East is x, north is y, up is z, the region's middle stands at\n"
+      "x = y = 0 and its lowest row at z = 0. Over 256 voxels a side the region becomes several models that\n"
+      "the scene graph places, each named by the voxel (x y z) at its lowest, north-western corner. A\n"
+      "voxel's palette index is its material's id.");
+  return {vox, [arguments] { return run_vox(*arguments); }};
+}
+
+}  // namespace talus::tools

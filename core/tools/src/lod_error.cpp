@@ -1,0 +1,157 @@
+#include "lod_error.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+
+#include <talus/terrain/boundary_row.h>
+#include <talus/terrain/stacks.h>
+#include <nlohmann/json.hpp>
+
+#include "ordered_work.h"
+#include "patch_grid.h"
+
+namespace talus::tools {
+namespace {
+
+constexpr int kPatchSide = 512;  // base columns; a multiple of level 6's
+constexpr std::size_t kLevels = 6;
+
+// Sums of whole numbers, so that no order of patches shows in them.
+struct Sums {
+  std::int64_t surface_fx = 0;
+  std::int64_t most_surface_fx = 0;
+  std::int64_t rows = 0;
+  std::int64_t most_rows = 0;
+  std::int64_t same_material = 0;
+
+  void add(const Sums& other) {
+    surface_fx += other.surface_fx;
+    most_surface_fx = std::max(most_surface_fx, other.most_surface_fx);
+    rows += other.rows;
+    most_rows = std::max(most_rows, other.most_rows);
+    same_material += other.same_material;
+  }
+};
+
+class Ground {
+ public:
+  Ground(const terrain::World& world, const terrain::Region& region)
+      : stacks_{generate_stacks(world, region)} {
+    if (const auto sea_fx = world.sea_fx()) {
+      sea_row_ = terrain::boundary_row(*sea_fx >> region.lod.value());
+    }
+  }
+
+  [[nodiscard]] std::int64_t height_fx(int x, int z) const { return stacks_.tops.back().at(x, z); }
+  [[nodiscard]] std::int64_t row(int x, int z) const {
+    return terrain::boundary_row(stacks_.tops.back().at(x, z));
+  }
+
+  // The material of the highest voxel that is not air.
+  [[nodiscard]] MaterialId shown(int x, int z) const {
+    const std::int32_t top = stacks_.tops.back().at(x, z);
+    const std::int32_t row = terrain::boundary_row(top);
+    if (row < sea_row_) return kWater;
+    // At level 0 what the voxel's centre is in, above it what lies on top.
+    const std::int32_t centre = (row - 1) * terrain::kSubvoxels + terrain::kSubvoxels / 2;
+    const std::int32_t seen = stacks_.region.lod.value() == 0 ? centre : top - 1;
+    std::size_t k = 0;
+    while (k + 1 < stacks_.tops.size() && stacks_.tops[k].at(x, z) <= seen) ++k;
+    return stacks_.materials[k];
+  }
+
+ private:
+  terrain::Stacks stacks_;
+  std::int32_t sea_row_ = -1;
+};
+
+std::array<Sums, kLevels> compare(const terrain::World& world, const terrain::Region& patch) {
+  const Ground base{world, patch};
+  std::array<Sums, kLevels> levels;
+  for (std::size_t i = 0; i < kLevels; ++i) {
+    const int level = static_cast<int>(i) + 1;
+    const Ground coarse{
+        world,
+        {patch.x >> level, patch.z >> level, patch.width >> level, patch.depth >> level, Lod::of(level)}};
+    Sums& sums = levels[i];
+    for (int z = 0; z < patch.depth; ++z) {
+      for (int x = 0; x < patch.width; ++x) {
+        const int cx = x >> level;
+        const int cz = z >> level;
+        const std::int64_t surface = std::abs((coarse.height_fx(cx, cz) << level) - base.height_fx(x, z));
+        const std::int64_t rows = std::abs((coarse.row(cx, cz) << level) - base.row(x, z));
+        sums.surface_fx += surface;
+        sums.most_surface_fx = std::max(sums.most_surface_fx, surface);
+        sums.rows += rows;
+        sums.most_rows = std::max(sums.most_rows, rows);
+        sums.same_material += coarse.shown(cx, cz) == base.shown(x, z) ? 1 : 0;
+      }
+    }
+  }
+  return levels;
+}
+
+}  // namespace
+
+LodError measure_lod_error(const terrain::World& world, const terrain::Region& region, int threads,
+                           Progress& progress) {
+  const PatchGrid grid{region, kPatchSide};
+  progress.expect(region.columns());
+  std::array<Sums, kLevels> levels;
+  work_in_order(
+      grid.count(), thread_count(threads),
+      [&](std::size_t index) { return compare(world, grid.patch(index)); },
+      [&](std::size_t index, const std::array<Sums, kLevels>& patch) {
+        for (std::size_t i = 0; i < kLevels; ++i) levels[i].add(patch[i]);
+        progress.advance(grid.patch(index).columns());
+        return true;
+      });
+  LodError error;
+  error.side = region.width;
+  const auto columns = static_cast<double>(region.columns());
+  for (std::size_t i = 0; i < kLevels; ++i) {
+    const Sums& sums = levels[i];
+    error.rows.push_back({static_cast<int>(i) + 1,
+                          static_cast<double>(sums.surface_fx) / terrain::kSubvoxels / columns,
+                          static_cast<double>(sums.most_surface_fx) / terrain::kSubvoxels,
+                          static_cast<double>(sums.rows) / columns, static_cast<double>(sums.most_rows),
+                          static_cast<double>(sums.same_material) / columns});
+  }
+  return error;
+}
+
+std::string to_text(const LodError& error) {
+  std::array<char, 256> line{};
+  std::snprintf(line.data(), line.size(),
+                "height against level 0 in base voxels, over %d x %d base columns\n\n", error.side,
+                error.side);
+  std::string text = line.data();
+  text +=
+      "               surface             voxels           mean in the      same material\n"
+      "  level     mean  largest      mean  largest    level's voxels     from above\n";
+  for (const LodErrorRow& row : error.rows) {
+    std::snprintf(line.data(), line.size(), "  %5d  %7.2f  %7.1f   %7.2f  %7.0f    %14.2f     %8.1f %%\n",
+                  row.level, row.mean_surface, row.most_surface, row.mean_voxels, row.most_voxels,
+                  std::ldexp(row.mean_voxels, -row.level), 100 * row.same_material);
+    text += line.data();
+  }
+  return text;
+}
+
+std::string to_json(const LodError& error) {
+  nlohmann::ordered_json json{{"side", error.side}, {"levels", nlohmann::ordered_json::array()}};
+  for (const LodErrorRow& row : error.rows) {
+    json["levels"].push_back({{"level", row.level},
+                              {"mean_surface_voxels", row.mean_surface},
+                              {"most_surface_voxels", row.most_surface},
+                              {"mean_voxel_top_voxels", row.mean_voxels},
+                              {"most_voxel_top_voxels", row.most_voxels},
+                              {"same_material_from_above", row.same_material}});
+  }
+  return json.dump(2) + "\n";
+}
+
+}  // namespace talus::tools

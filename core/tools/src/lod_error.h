@@ -1,0 +1,39 @@
+// How far each level of detail lies from level 0.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <talus/terrain/world.h>
+
+#include "failure.h"
+#include "progress.h"
+
+namespace talus::tools {
+
+/// Lengths in base voxels, over all base columns of a region; a base column lies under the level's column of
+/// which it is a part.
+struct LodErrorRow {
+  int level = 0;
+  double mean_surface = 0;  // |H of the level - H of level 0|
+  double most_surface = 0;
+  double mean_voxels = 0;  // the same of the tops of their highest solid voxels: what is drawn
+  double most_voxels = 0;
+  double same_material = 0;  // share of the columns that show the same material from above
+};
+
+struct LodError {
+  int side = 0;                   // base columns
+  std::vector<LodErrorRow> rows;  // levels 1 to 6
+};
+
+/// Over the base columns of `region`, which is square, of level 0, and aligned to the columns of level 6.
+[[nodiscard]] LodError measure_lod_error(const terrain::World& world, const terrain::Region& region,
+                                         int threads, Progress& progress);
+
+/// For people.
+[[nodiscard]] std::string to_text(const LodError& error);
+/// Everything in it, by name.
+[[nodiscard]] std::string to_json(const LodError& error);
+
+}  // namespace talus::tools

@@ -1,0 +1,110 @@
+// What a world's choices cost: each kind of surface beside the thesis' Perlin, and the erosion method beside
+// the slope method, on patches as they stream.
+#include <cstdio>
+#include <cstdlib>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <talus/terrain/stacks.h>
+#include <talus/terrain/surface.h>
+
+#include "fixtures.h"
+#include "made_height_map.h"
+#include "point_fbm.h"
+#include "table.h"
+
+namespace {
+
+using namespace talus;
+using namespace talus::terrain;
+using benchmark::State;
+
+constexpr int kPatchSide = 128;
+
+// The default world with other keys in its [surface], or before it.
+World world_with(const std::string& root, const std::string& surface, bool noise = true) {
+  std::string text = root + std::string{default_world_toml()};
+  const std::size_t table = text.find("[surface]");
+  const std::size_t amplitude = text.find("\namplitude", table) + 1;
+  const std::size_t begin = text.find('\n', table) + 1;
+  if (!noise) text.erase(begin, amplitude - begin);
+  text.insert(begin, surface);
+  auto world = World::parse(text, "default", test::made_height_maps());
+  if (!world) {
+    std::fprintf(stderr, "%s\n", world.error().message.c_str());
+    std::abort();
+  }
+  return *std::move(world);
+}
+
+World of_kind(const std::string& kind) {
+  if (kind == "perlin") return default_world();
+  if (kind == "ridged") return world_with("", "kind = \"ridged\"\n");
+  if (kind == "warped") return world_with("", "kind = \"warped\"\nwarp = 0.6\n");
+  return world_with("",
+                    "kind = \"height_map\"\nheight_map = { file = \"made\", x = 0, z = 0, spacing = 0.05, "
+                    "outside = \"repeat\" }\n",
+                    false);
+}
+
+World by_method(int steps) {
+  if (steps == 0) return default_world();
+  return world_with("method = \"erosion\"\nerosion_steps = " + std::to_string(steps) + "\n", "");
+}
+
+void surface(State& state, const std::string& kind) {
+  const Surface surface = surface_of(of_kind(kind).spec());
+  const auto columns = bench::line(0, kPatchSide);
+  Field heights{kPatchSide, kPatchSide};
+  for (auto _ : state) sample_surface(surface, columns, columns, heights.values);
+  bench::works_on(state, "column", kPatchSide * kPatchSide);
+}
+
+// What a warped surface would pay for its own noise without vectors.
+void point_by_point(State& state) {
+  PointFbm noise{surface_of(default_world().spec()).noise};
+  for (auto _ : state) {
+    for (int z = 0; z < kPatchSide; ++z) {
+      for (int x = 0; x < kPatchSide; ++x) {
+        benchmark::DoNotOptimize(noise.at(x * kSubvoxels + 3 * z, z * kSubvoxels + 5 * x));
+      }
+    }
+  }
+  bench::works_on(state, "column", kPatchSide * kPatchSide);
+}
+
+void patch(State& state, const World& world) {
+  Generator generator{world};
+  Stacks stacks;
+  for (auto _ : state) generator.generate({0, 0, kPatchSide, kPatchSide, Lod{}}, stacks);
+  bench::works_on(state, "column", kPatchSide * kPatchSide);
+}
+
+void patch_of_kind(State& state, const std::string& kind) {
+  patch(state, of_kind(kind));
+}
+
+void patch_by_method(State& state, int steps) {
+  patch(state, by_method(steps));
+}
+
+BENCHMARK_CAPTURE(surface, ridged, "ridged")->Name("surface, ridged");
+BENCHMARK_CAPTURE(surface, ridged_vs, "perlin")->Name("surface, ridged/vs:perlin");
+BENCHMARK_CAPTURE(surface, warped, "warped")->Name("surface, warped");
+BENCHMARK_CAPTURE(surface, warped_vs, "perlin")->Name("surface, warped/vs:perlin");
+BENCHMARK(point_by_point)->Name("surface, warped/vs:its noise alone, a point at a time");
+BENCHMARK_CAPTURE(surface, height_map, "height_map")->Name("surface, height_map");
+BENCHMARK_CAPTURE(surface, height_map_vs, "perlin")->Name("surface, height_map/vs:perlin");
+BENCHMARK_CAPTURE(patch_of_kind, ridged, "ridged")->Name("patch, ridged");
+BENCHMARK_CAPTURE(patch_of_kind, ridged_vs, "perlin")->Name("patch, ridged/vs:perlin");
+BENCHMARK_CAPTURE(patch_of_kind, warped, "warped")->Name("patch, warped");
+BENCHMARK_CAPTURE(patch_of_kind, warped_vs, "perlin")->Name("patch, warped/vs:perlin");
+BENCHMARK_CAPTURE(patch_of_kind, height_map, "height_map")->Name("patch, height_map");
+BENCHMARK_CAPTURE(patch_of_kind, height_map_vs, "perlin")->Name("patch, height_map/vs:perlin");
+BENCHMARK_CAPTURE(patch_by_method, one, 1)->Name("patch, erosion of 1 step");
+BENCHMARK_CAPTURE(patch_by_method, one_vs, 0)->Name("patch, erosion of 1 step/vs:slope method");
+BENCHMARK_CAPTURE(patch_by_method, eight, 8)->Name("patch, erosion of 8 steps");
+BENCHMARK_CAPTURE(patch_by_method, eight_vs, 0)->Name("patch, erosion of 8 steps/vs:slope method");
+
+}  // namespace
