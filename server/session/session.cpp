@@ -56,6 +56,8 @@ void Session::go_away(std::string_view reason, std::uint32_t retry_after_ms) {
   outbox_.push_control(go_away_frame(reason, retry_after_ms));
   going_away_ = true;
   next_view_.reset();
+  unseen_views_.clear();
+  known_.clear();
   drop_from_view(view_.replace({}));
 }
 
@@ -77,6 +79,8 @@ void Session::abandon() {
   }
   requests_.clear();
   next_view_.reset();
+  unseen_views_.clear();
+  known_.clear();
   outbox_.drop_chunks([](const Outbox::Entry&) { return true; });
 }
 

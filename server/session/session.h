@@ -45,6 +45,10 @@ class Session {
   static constexpr std::size_t kServiceWindow = 128;
   /// Bytes of control frames above which no Column is added: they need no credit.
   static constexpr std::size_t kColumnBytes = std::size_t{16} * 1024;
+  /// Views that may come between two looks; with more, all that was sent is sent again.
+  static constexpr std::size_t kUnseenViews = 8;
+  /// Chunks that a client may say it knows; those beyond are sent.
+  static constexpr std::size_t kKnownChunks = 8192;
   /// What a chunk that waits for a generator is reckoned to cost, until a larger one has come.
   static constexpr std::size_t kExpectedChunkBytes = 4096;
 
@@ -82,6 +86,9 @@ class Session {
     return outbox_.control_bytes() + requests_.heights_bytes();
   }
 
+  /// Chunks that the client says it holds and that its View waits for.
+  [[nodiscard]] std::size_t known_chunks() const { return known_.size(); }
+
   [[nodiscard]] bool greeted() const { return greeting_.has_value(); }
   [[nodiscard]] const std::optional<Greeting>& greeting() const { return greeting_; }
   /// What is sendable now is all that ever will be: write it and close.
@@ -113,6 +120,8 @@ class Session {
   void refuse(std::uint32_t request_id, wire::ErrorCode code, std::string_view text,
               std::uint32_t retry_after_ms = 0);
   [[nodiscard]] bool admit(std::uint32_t id);
+  void pass_over(const View& view);
+  void note_known(const wire::KnownChunk& chunk);
   /// Whether one more chunk may come to wait for the client: those under way will, too.
   [[nodiscard]] bool has_room_for_chunk() const;
   void drop_from_view(const std::vector<ChunkKey>& keys);
@@ -123,6 +132,8 @@ class Session {
   /// Where the chunk is known to be uniform: says so, with all that is uniform in its column and still
   /// wanted.
   [[nodiscard]] bool answer_by_column(ChunkKey key);
+  /// Where the client knows the chunk, and it is still the same: says so instead of sending it.
+  [[nodiscard]] bool confirm_known(ChunkKey key, ContentHash hash);
   /// The View does not wait for the chunk any more; false where it did not.
   bool give_up_for_view(ChunkKey key);
   /// The entry of those who wait for the chunk; null where the queue is full.
@@ -139,6 +150,8 @@ class Session {
   RequestBook requests_;
   ViewStream view_;
   std::optional<View> next_view_;
+  std::vector<Interest> unseen_views_;               // that came before next_view_ and were not looked at
+  std::unordered_map<ChunkKey, ContentHash> known_;  // by the client; of chunks that its View wants
   std::unordered_map<ChunkKey, Awaited> awaited_;
   std::size_t expected_chunk_bytes_ = kExpectedChunkBytes;
   std::uint64_t heights_asked_ = 0;

@@ -17,7 +17,8 @@ constexpr std::uint32_t kRetryAfterMs = 1000;
 void Session::apply_view() {
   if (!next_view_) return;
   const View view = *std::exchange(next_view_, std::nullopt);
-  drop_from_view(view_.replace(Interest{view}));
+  drop_from_view(view_.replace(Interest{view}, std::exchange(unseen_views_, {})));
+  std::erase_if(known_, [&](const auto& chunk) { return !view_.wants(chunk.first); });
 }
 
 void Session::drop_from_view(const std::vector<ChunkKey>& keys) {
@@ -93,6 +94,18 @@ bool Session::answer_by_column(ChunkKey key) {
   return true;
 }
 
+bool Session::confirm_known(ChunkKey key, ContentHash hash) {
+  const auto known = known_.find(key);
+  if (known == known_.end()) return false;
+  const bool same = known->second == hash;
+  known_.erase(known);
+  if (!same) return false;
+  outbox_.push_control(unchanged_frame(0, key, hash));
+  context_.metrics.unchanged_sent.add();
+  view_.done(key);
+  return true;
+}
+
 bool Session::give_up_for_view(ChunkKey key) {
   const auto found = awaited_.find(key);
   if (found == awaited_.end()) return false;  // it waits to be sent
@@ -141,6 +154,7 @@ void Session::answer_request(std::uint32_t id, const ChunkAnswer& answer, Outbox
 void Session::answer_view(ChunkKey key, const ChunkAnswer& answer, Outbox::Wish wish) {
   // Its terrain is known now; it may not have been when the chunk was wished for.
   if (answer && answer_by_column(key)) return;
+  if (answer && confirm_known(key, (*answer)->hash)) return;
   if (answer) return outbox_.push_chunk({0, key, *answer, wish});
   refuse(0, wire::ErrorCode::internal,
          fmt::format("chunk {} of the View failed: {}", to_string(key), answer.error().reason),

@@ -106,7 +106,24 @@ void Session::on(const wire::View& view) {
     return fail(ErrorCode::malformed, checked.error().text);
   }
   if (!checked) return refuse(0, checked.error().code, checked.error().text);
-  if (!going_away_) next_view_ = *std::move(checked);
+  if (going_away_) return;
+  if (next_view_) pass_over(*next_view_);
+  next_view_ = *std::move(checked);
+  if (view.known() == nullptr) return;
+  for (const wire::KnownChunk* chunk : *view.known()) note_known(*chunk);
+}
+
+// What left in it has left, though nobody looked: the client has dropped it.
+void Session::pass_over(const View& view) {
+  if (unseen_views_.size() == kUnseenViews) unseen_views_ = {Interest{}};
+  unseen_views_.emplace_back(view);
+}
+
+void Session::note_known(const wire::KnownChunk& chunk) {
+  const wire::ChunkKey& at = chunk.key();
+  const auto lod = Lod::checked(at.lod());
+  if (!lod || known_.size() >= kKnownChunks) return;
+  known_[{{at.x(), at.y(), at.z()}, *lod}] = {chunk.hash().low(), chunk.hash().high()};
 }
 
 void Session::on(const wire::GetChunks& get) {

@@ -9,6 +9,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -80,16 +81,24 @@ class Interest {
     }
   }
 
-  /// Calls visit(place, place in other, count) for every run of chunks that `other` wants as well.
+  /// Calls visit(place, place in other, count) for every run of chunks that `other` and all of `between` want
+  /// as well.
   template <typename Visit>
-  void for_each_shared(const Interest& other, Visit&& visit) const {
+  void for_each_shared(const Interest& other, std::span<const Interest> between, Visit&& visit) const {
     for (const Level& mine : levels_) {
       const Level* const theirs = other.level_of(mine.shell.lod);
       if (theirs == nullptr) continue;
-      const Span ys = overlap(mine.shell.y, theirs->shell.y);
+      Span ys = overlap(mine.shell.y, theirs->shell.y);
+      for (const Interest& each : between) {
+        const Level* const level = each.level_of(mine.shell.lod);
+        ys = level == nullptr ? Span{} : overlap(ys, level->shell.y);
+      }
       if (ys.size() == 0) continue;
       mine.shell.for_each_column([&](std::int64_t x, std::int64_t z) {
         if (!theirs->shell.has_column(x, z)) return;
+        for (const Interest& each : between) {
+          if (!each.level_of(mine.shell.lod)->shell.has_column(x, z)) return;
+        }
         visit(mine.place_of(x, ys.first, z), theirs->place_of(x, ys.first, z), ys.size());
       });
     }

@@ -10,9 +10,9 @@ constexpr std::size_t kNear = 1024;  // chunks put in order at once, or more
 
 }  // namespace
 
-std::vector<ChunkKey> ViewStream::replace(Interest wanted) {
+std::vector<ChunkKey> ViewStream::replace(Interest wanted, std::span<const Interest> between) {
   std::vector<State> states(wanted.places(), State::wanted);
-  wanted.for_each_shared(interest_, [&](std::size_t place, std::size_t before, std::size_t count) {
+  wanted.for_each_shared(interest_, between, [&](std::size_t place, std::size_t before, std::size_t count) {
     std::copy_n(&states_[before], count, &states[place]);
   });
   states_ = std::move(states);
@@ -27,7 +27,8 @@ std::vector<ChunkKey> ViewStream::replace(Interest wanted) {
 
   std::vector<ChunkKey> dropped;
   for (const ChunkKey key : under_way_) {
-    if (!interest_.place_of(key)) dropped.push_back(key);
+    const auto place = interest_.place_of(key);
+    if (!place || states_[*place] != State::under_way) dropped.push_back(key);
   }
   for (const ChunkKey key : dropped) under_way_.erase(key);
   return dropped;

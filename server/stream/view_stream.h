@@ -6,6 +6,7 @@
 #include <functional>
 #include <optional>
 #include <queue>
+#include <span>
 #include <unordered_set>
 #include <vector>
 
@@ -18,8 +19,9 @@ namespace talus::server {
 class ViewStream {
  public:
   /// Replaces what is wanted. What stays wanted keeps its state; the result is what was under way and is
-  /// wanted no more. A chunk that left is forgotten, so that it is sent again when it comes back.
-  [[nodiscard]] std::vector<ChunkKey> replace(Interest wanted);
+  /// not any more. A chunk that left is forgotten, so that it is sent again when it comes back: also one
+  /// that left in one of the Views `between`, which nobody had looked at.
+  [[nodiscard]] std::vector<ChunkKey> replace(Interest wanted, std::span<const Interest> between = {});
 
   /// The most wanted chunk that is neither under way nor sent, now under way.
   [[nodiscard]] std::optional<ChunkKey> next();
@@ -42,6 +44,11 @@ class ViewStream {
     }
   }
 
+  /// Whether the View has the chunk, and it was neither sent nor otherwise ended.
+  [[nodiscard]] bool wants(ChunkKey key) const {
+    const auto place = interest_.place_of(key);
+    return place && states_[*place] != State::done;
+  }
   [[nodiscard]] bool under_way(ChunkKey key) const { return under_way_.contains(key); }
   [[nodiscard]] std::size_t under_way_count() const { return under_way_.size(); }
 

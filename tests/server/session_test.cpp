@@ -45,14 +45,20 @@ struct Bench {
     }));
     session.pump();
   }
-  void look_at(std::int64_t chunk_x, std::uint16_t radius, std::uint16_t vertical_radius = 0) {
+  void look_at(std::int64_t chunk_x, std::uint16_t radius, std::uint16_t vertical_radius = 0,
+               const std::vector<wire::KnownChunk>& known = {}) {
+    say_view(chunk_x, radius, vertical_radius, known);
+    session.apply_view();
+    session.pump();
+  }
+  void say_view(std::int64_t chunk_x, std::uint16_t radius, std::uint16_t vertical_radius = 0,
+                const std::vector<wire::KnownChunk>& known = {}) {
     session.receive(protocol::make_frame([&](auto& builder) {
       const wire::Voxel centre{chunk_x * kChunkSize, 0, 0};
       const wire::Direction none{0, 0, 0};
-      return wire::CreateView(builder, &centre, &none, radius, vertical_radius);
+      const auto held = builder.CreateVectorOfStructs(known);
+      return wire::CreateView(builder, &centre, &none, radius, vertical_radius, 0, held);
     }));
-    session.apply_view();
-    session.pump();
   }
   void carry_over() {
     for (const auto& [key, answer] : client->answers()) session.chunk_ready(key, answer);
@@ -125,6 +131,57 @@ TEST_CASE("a column that is known asks for no uniform chunk") {
   CHECK(runs_of(frames) == Runs{{-5, -1, 2}, {1, 5, 0}});
   CHECK(frames.size() == 2);  // and the mixed one, which is at hand
   CHECK(bench.fake.work->chunks == made);
+}
+
+TEST_CASE("what left in a View that nobody looked at is sent again") {
+  Bench bench;
+  bench.look_at(0, 0);
+  bench.client->await(1);
+  bench.carry_over();
+  CHECK(bench.output() == Kinds{wire::Body::Chunk});
+  const int away = GENERATE(0, 1, 5, 100);  // Views in between, of which the client forgot what it had
+  for (int view = 1; view <= away; ++view) bench.say_view(view * 1000, 0);
+  bench.look_at(0, 0);
+  CHECK(bench.output() == (away == 0 ? Kinds{} : Kinds{wire::Body::Chunk}));
+}
+
+TEST_CASE("what was under way when it left in a View that nobody looked at is still sent once") {
+  Bench bench;
+  bench.fake.work->close_gate();
+  bench.look_at(0, 0);
+  bench.say_view(1000, 0);
+  bench.look_at(0, 0);
+  bench.fake.work->open_gate();
+  bench.client->await(1);
+  bench.carry_over();
+  CHECK(bench.output() == Kinds{wire::Body::Chunk});
+}
+
+TEST_CASE("a chunk that the client holds is confirmed instead of sent, where it is still the same") {
+  Bench bench;
+  const bool same = GENERATE(true, false);
+  const wire::ChunkKey key{0, 0, 0, 0};
+  const auto hash = std::hash<ChunkKey>{}(ChunkKey{{0, 0, 0}, Lod{}});
+  bench.look_at(0, 0, 0, {wire::KnownChunk{key, wire::Hash128{hash, same ? 0U : 1U}}});
+  bench.client->await(1);
+  bench.carry_over();
+  CHECK(bench.output() == Kinds{same ? wire::Body::Unchanged : wire::Body::Chunk});
+  bench.look_at(0, 0);
+  CHECK(bench.output().empty());
+}
+
+TEST_CASE("what a client says it knows is bounded, and forgotten with the View") {
+  Bench bench;
+  bench.fake.work->close_gate();
+  std::vector<wire::KnownChunk> known;
+  for (std::int32_t x = 0; x < 1000; ++x) known.push_back({wire::ChunkKey{x, 0, 0, 0}, wire::Hash128{1, 2}});
+  known.push_back({wire::ChunkKey{0, 0, 0, 255}, wire::Hash128{1, 2}});  // no such level: passed over
+  bench.look_at(0, 2, 0, known);
+  CHECK(bench.session.known_chunks() == 3);
+  for (int again = 0; again < 20; ++again) bench.say_view(again * 5000, 0, 0, known);
+  CHECK(bench.session.known_chunks() <= Session::kKnownChunks);
+  bench.look_at(1'000'000, 0);
+  CHECK(bench.session.known_chunks() == 0);
 }
 
 TEST_CASE("Columns wait for a client that reads nothing") {
