@@ -36,10 +36,13 @@ struct Stacks {
   std::vector<Field> tops;            // subvoxels; no plane lies below the one before; the last is H
   CaveAir caves;
 
+  /// Whether the column is a cave's entrance: no roof, and dry wherever the sea stands.
+  [[nodiscard]] bool is_entrance(int x, int z) const {
+    return caves.has(x, z) && caves.roof.at(x, z) >= tops.back().at(x, z);
+  }
   /// Where the topmost solid material of a column ends, in subvoxels.
   [[nodiscard]] std::int32_t ground_fx(int x, int z) const {
-    const std::int32_t top = tops.back().at(x, z);
-    return caves.has(x, z) && caves.roof.at(x, z) >= top ? caves.floor.at(x, z) : top;
+    return is_entrance(x, z) ? caves.floor.at(x, z) : tops.back().at(x, z);
   }
   [[nodiscard]] std::size_t bytes() const;
 };
