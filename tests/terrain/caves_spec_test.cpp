@@ -56,8 +56,8 @@ TEST_CASE("Wrong caves are refused with file, line, key and what would be right"
        "w.toml:64: caves.chamber_threshold: 1.1 is out of range; 0 to 1"},
       {"chamber_height = 0.6", "chamber_height = 0.01",
        "w.toml:65: caves.chamber_height: chamber_height * resolution is 0.4 voxels; 1 to 4096"},
-      {"roof = 0.05", "roof = 0.04", "w.toml:66: caves.roof: roof * resolution is 1.6 voxels; 2 to 256"},
-      {"roof = 0.05", "roof = 7", "w.toml:66: caves.roof: roof * resolution is 280 voxels; 2 to 256"},
+      {"roof = 0.05", "roof = -1", "w.toml:66: caves.roof: -1 is out of range; 0 to 32768"},
+      {"roof = 0.05", "roof = 7", "w.toml:66: caves.roof: roof * resolution is 280 voxels; 0 to 256"},
       {"span = 0.4", "span = 0.01", "w.toml:67: caves.span: span * resolution is 0.4 voxels; 1 to 64"},
       {"span = 0.4", "span = 2", "w.toml:67: caves.span: span * resolution is 80 voxels; 1 to 64"},
       {"span = 0.4", "span = nan", "w.toml:67: caves.span: nan is out of range"},
@@ -71,9 +71,9 @@ TEST_CASE("Wrong caves are refused with file, line, key and what would be right"
   CHECK(error.find(message) == 0);
 }
 
-TEST_CASE("A roof is two voxels thick at least where the spec says nothing") {
+TEST_CASE("A roof is as thin as voxels allow where the spec says nothing") {
   CHECK(World::parse(with("roof = 0.05\n", ""), "w.toml")->fingerprint() ==
-        test::small_caves(1).fingerprint());
+        World::parse(with("roof = 0.05\n", "roof = 0\n"), "w.toml")->fingerprint());
 }
 
 TEST_CASE("Every key of the caves is in the fingerprint") {

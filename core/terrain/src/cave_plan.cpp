@@ -65,7 +65,7 @@ std::optional<SpecFault> fault_of_caves(const WorldSpec& spec, const SpecLines& 
                                {"height", caves.height, 1, kMaxOpening},
                                {"chamber_wavelength", caves.chamber_wavelength, 2, kMaxPeriod},
                                {"chamber_height", caves.chamber_height, 1, kMaxOpening},
-                               {"roof", caves.roof, 2, kMaxRoof},
+                               {"roof", caves.roof, 0, kMaxRoof},
                                {"span", caves.span, 1, kMaxSpan}}) {
     if (auto fault = out_of_range(lines.caves.find(length.key)->second, "caves", length.key, length.units,
                                   spec.resolution, length.least, length.most)) {

@@ -82,9 +82,8 @@ SurfaceSpec read_surface(TableReader& surface, std::string_view file, std::optio
   return spec;
 }
 
-CaveSpec read_caves(TableReader caves, int resolution, std::map<std::string, int, std::less<>>& lines) {
+CaveSpec read_caves(TableReader caves, std::map<std::string, int, std::less<>>& lines) {
   CaveSpec spec;
-  spec.roof = 2.0 / resolution;
   struct Key {
     const char* name;
     double& value;
@@ -99,7 +98,7 @@ CaveSpec read_caves(TableReader caves, int resolution, std::map<std::string, int
                       {"chamber_wavelength", spec.chamber_wavelength, {1e-6, kLongest}},
                       {"chamber_threshold", spec.chamber_threshold, {0, 1}},
                       {"chamber_height", spec.chamber_height, {1e-6, kFarthest}},
-                      {"roof", spec.roof, {1e-6, kFarthest}},
+                      {"roof", spec.roof, {0, kFarthest}},
                       {"span", spec.span, {1e-6, kFarthest}}};
   std::vector<std::string_view> known;
   for (const Key& key : keys) {
@@ -206,7 +205,7 @@ tl::expected<ReadSpec, SpecError> read_spec(std::string_view toml, std::string_v
   }
   if (root.has("caves")) {
     if (const toml::table* table = root.table("caves")) {
-      spec.caves = read_caves({file, "caves", *table, error}, spec.resolution, read.lines.caves);
+      spec.caves = read_caves({file, "caves", *table, error}, read.lines.caves);
     }
   }
   if (error) return tl::unexpected(*error);

@@ -104,7 +104,7 @@ struct CaveSpec {
   double chamber_wavelength = 0;
   double chamber_threshold = 0;  // of noise between -1 and 1 above which a chamber opens
   double chamber_height = 0;     // in its middle
-  double roof = 0;               // the thinnest that holds; what is thinner falls in
+  double roof = 0;               // the thinnest that holds, but two voxels; what is thinner falls in
   double span = 0;               // the farthest that a roof reaches from what carries it
 };
 
