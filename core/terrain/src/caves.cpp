@@ -51,6 +51,7 @@ void Caves::cover(const Region& region, int around, int open_ring, const Field& 
   roof_row_.reshape(judged.width, judged.depth);
   rock_row_.reshape(judged.width, judged.depth);
   kinds_.assign(judged.columns(), Kind::solid);
+  hollows_.assign(static_cast<std::size_t>(judged.depth), {});
   for (int z = 0; z < judged.depth; ++z) judge_row(z, height);
   find_carried();
 }
@@ -66,7 +67,12 @@ void Caves::judge_row(int z, const Field& height) {
   std::fill(roof_row_.row(z).begin(), roof_row_.row(z).end(), kFarBelow);
   const auto roof = roof_.row(z);
   for (int x = 0; x < surface_.width; ++x) {
-    if (roof[static_cast<std::size_t>(x)] != 0) judge(x, z, height);
+    if (roof[static_cast<std::size_t>(x)] == 0) continue;
+    judge(x, z, height);
+    if (kinds_[index(x, z)] == Kind::solid) continue;
+    Hollow& hollow = hollows_[static_cast<std::size_t>(z)];
+    if (hollow.last == 0) hollow.first = x;
+    hollow.last = x + 1;
   }
 }
 
@@ -124,8 +130,12 @@ void Caves::find_carried() {
     }
   };
   for (int z = first_z; z <= last_z; ++z) {
-    walk_row(z, first_x - reach, last_x, 1);
-    walk_row(z, last_x + reach, first_x, -1);
+    const Hollow hollow = hollows_[static_cast<std::size_t>(z)];
+    if (hollow.last == 0) continue;
+    const int west = std::max(hollow.first - 1, first_x - reach);
+    const int east = std::min(hollow.last, last_x + reach);
+    if (west < std::min(east, last_x)) walk_row(z, west, std::min(east, last_x), 1);
+    if (east > std::max(west, first_x)) walk_row(z, east, std::max(west, first_x), -1);
   }
   const auto walk_columns = [&](int from, int to, int step) {
     distances_.assign(static_cast<std::size_t>(region_.width), kNowhere);
@@ -133,7 +143,12 @@ void Caves::find_carried() {
       if (kinds_[index(x, from)] == Kind::solid) distances_[static_cast<std::size_t>(x - first_x)] = 0;
     }
     for (int z = from; z != to; z += step) {
-      for (int x = first_x; x <= last_x; ++x) {
+      const Hollow hollow = hollows_[static_cast<std::size_t>(z + step)];
+      const int first = std::clamp(hollow.first, first_x, last_x + 1);
+      const int last = std::clamp(hollow.last, first, last_x + 1);
+      std::fill(distances_.begin(), distances_.begin() + (first - first_x), 0);
+      std::fill(distances_.begin() + (last - first_x), distances_.end(), 0);
+      for (int x = first; x < last; ++x) {
         int& distance = distances_[static_cast<std::size_t>(x - first_x)];
         distance = carry(index(x, z), distance, index(x, z + step));
         if (distance <= span_) carried_[index(x, z + step)] = 1;

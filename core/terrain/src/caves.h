@@ -76,6 +76,12 @@ class Caves {
   Field rock_row_;  // where solid rock surely ends; far below in open ones
   std::vector<Kind> kinds_;
   std::vector<std::uint8_t> carried_;
+  /// Columns of a row outside which all are solid.
+  struct Hollow {
+    int first = 0;
+    int last = 0;  // exclusive
+  };
+  std::vector<Hollow> hollows_;
   std::vector<int> distances_;  // of a row
   Field surface_;               // of the level, over the judged columns
 };
