@@ -7,6 +7,7 @@
 #include <iterator>
 #include <memory>
 #include <random>
+#include <utility>
 
 void talus_counted_work(const std::function<void()>& work) {
   work();
@@ -40,10 +41,42 @@ std::vector<Chunk> mixed_chunks(const terrain::World& world, Lod lod) {
   return chunks;
 }
 
-terrain::World sample_world(const std::string& name) {
+std::string text_of_world(const std::string& name) {
   std::ifstream file{TALUS_SOURCE_DIR "/core/worlds/" + name + ".toml"};
-  const std::string text{std::istreambuf_iterator<char>{file}, {}};
+  return {std::istreambuf_iterator<char>{file}, {}};
+}
+
+terrain::World sample_world(const std::string& name) {
+  return terrain::World::parse(text_of_world(name), name).value();
+}
+
+terrain::World without_caves(const std::string& name) {
+  std::string text = text_of_world(name);
+  const std::size_t from = text.find("\n[caves]") + 1;
+  text.erase(from, text.find("\n[", from) - from);
   return terrain::World::parse(text, name).value();
+}
+
+std::vector<Chunk> cave_chunks(bool with_caves) {
+  constexpr int kTiles = 8;
+  const terrain::World world = sample_world("features");
+  const terrain::World twin = without_caves("features");
+  const terrain::Region patch{0, 0, kTiles * kChunkSize, kTiles * kChunkSize, Lod{}};
+  const terrain::Stacks stacks = generate_stacks(world, patch);
+  const terrain::Stacks twin_stacks = generate_stacks(twin, patch);
+  std::vector<Chunk> chunks;
+  for (std::int32_t i = 0; i < kTiles * kTiles; ++i) {
+    const std::int32_t x = i % kTiles;
+    const std::int32_t z = i / kTiles;
+    const terrain::MixedRange rows = mixed_range(world, stacks, x, z);
+    for (std::int32_t y = rows.first; y <= rows.last; ++y) {
+      Chunk chunk = extract_chunk(world, stacks, {x, y, z});
+      Chunk whole = extract_chunk(twin, twin_stacks, {x, y, z});
+      if (chunk == whole) continue;
+      chunks.push_back(std::move(with_caves ? chunk : whole));
+    }
+  }
+  return chunks;
 }
 
 Chunk with_hole(const Chunk& chunk) {

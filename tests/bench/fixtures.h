@@ -25,6 +25,12 @@ namespace talus::bench {
 /// A sample world: "canyon", "hills".
 [[nodiscard]] terrain::World sample_world(const std::string& name);
 
+/// The same without its [caves].
+[[nodiscard]] terrain::World without_caves(const std::string& name);
+
+/// The chunks over 8 x 8 tiles of the features world that its caves change; or what they would be without.
+[[nodiscard]] std::vector<Chunk> cave_chunks(bool with_caves);
+
 /// The chunk with a winding tunnel through everything but air: still layers, with air between them.
 [[nodiscard]] Chunk with_hole(const Chunk& chunk);
 

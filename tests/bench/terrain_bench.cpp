@@ -104,13 +104,27 @@ void settle_literal(State& state) {
 }
 BENCHMARK(settle_literal)->Name("start and settle/vs:removal until nothing moves");
 
-void whole(State& state) {
-  Generator generator{world()};
+void whole_of(State& state, const World& world) {
+  Generator generator{world};
   Stacks stacks;
   for (auto _ : state) generator.generate({0, 0, kSide, kSide, Lod{}}, stacks);
   bench::works_on(state, "column", kSide * kSide);
 }
+
+void whole(State& state) {
+  whole_of(state, world());
+}
 BENCHMARK(whole)->Name("whole method, 200 x 200");
+
+// What caves cost: the sample world that has them, and the same without.
+void with_caves(State& state) {
+  whole_of(state, bench::sample_world("features"));
+}
+BENCHMARK(with_caves)->Name("whole method with caves");
+void without_caves(State& state) {
+  whole_of(state, bench::without_caves("features"));
+}
+BENCHMARK(without_caves)->Name("whole method with caves/vs:the same world without");
 
 // A view filled from cold: its patches one after another.
 void stream(State& state) {

@@ -41,6 +41,8 @@ constexpr Content kContents[] = {
     {"canyon", [] { return bench::mixed_chunks(bench::sample_world("canyon")); }},
     {"hills", [] { return bench::mixed_chunks(bench::sample_world("hills")); }},
     {"default, level 2", [] { return bench::mixed_chunks(terrain::default_world(), Lod::of(2)); }},
+    {"chunks with caves", [] { return bench::cave_chunks(true); }},
+    {"those without their caves", [] { return bench::cave_chunks(false); }},
     {"default, with tunnels", [] { return changed(chunks(), bench::with_hole); }},
     {"default, edited", [] { return changed(chunks(), bench::edited); }},
     {"random, 4 materials",

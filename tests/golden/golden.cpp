@@ -56,6 +56,8 @@ const Sample kWorlds[] = {
     {"default", "core/worlds/default", ""},
     {"canyon", "core/worlds/canyon", ""},
     {"hills", "core/worlds/hills", ""},
+    {"features", "core/worlds/features", ""},
+    {"features, eroded", "core/worlds/features", "method = \"erosion\"\nerosion_steps = 8\n"},
     {"default, eroded", "core/worlds/default", "method = \"erosion\"\nerosion_steps = 8\n"},
     {"ridged", "tests/golden/worlds/ridged", ""},
     {"warped", "tests/golden/worlds/warped", ""},

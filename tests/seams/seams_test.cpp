@@ -25,7 +25,7 @@ Bytes encoded(const Chunk& chunk) {
 }
 
 const World& any_sample_world() {
-  return test::sample_world(*rc::gen::element<std::string>("default", "canyon", "hills"));
+  return test::sample_world(*rc::gen::element<std::string>("default", "canyon", "hills", "features"));
 }
 
 // Anywhere, around 0, and within a few chunks of either end of the world.
@@ -40,6 +40,12 @@ ChunkKey any_key(const World& world) {
   const Lod lod = Lod::of(*rc::gen::inRange(0, Lod::kMax + 1));
   const auto rows = static_cast<std::int32_t>((height_range(world).high >> lod.value()) / kChunkSize);
   return {{any_chunk_axis(lod), *rc::gen::inRange(-1, rows + 1), any_chunk_axis(lod)}, lod};
+}
+
+// Nothing where there is none, however that is said.
+std::array<std::int32_t, 2> air_at(const CaveAir& caves, int x, int z) {
+  if (!caves.has(x, z)) return {};
+  return {caves.floor.at(x, z), caves.roof.at(x, z)};
 }
 
 // The stacks of a patch that holds the chunk's tile somewhere inside it.
@@ -57,10 +63,11 @@ World eroding_world(std::uint64_t seed, int steps) {
       .value();
 }
 
-// The small world with any kind of surface, by either method.
+// The small world with any kind of surface or with caves, by either method.
 World any_small_world() {
   const std::uint64_t seed = *rc::gen::arbitrary<std::uint64_t>();
   const int steps = *rc::gen::inRange(0, 13);
+  if (*rc::gen::inRange(0, 3) == 0) return test::small_caves(seed, std::max(0, steps - 6));
   if (steps > 6) return eroding_world(seed, steps - 6);
   const auto surface =
       *rc::gen::element<std::string>("", "ridged", "warped", "mirror", "sea", "repeat", "blend");
@@ -94,11 +101,16 @@ TEST_CASE("Any two overlapping regions agree on every field of every column they
     for (std::size_t m = 0; m < inner.loose.size(); ++m) {
       RC_ASSERT(outer.loose[m].without_ring(ring).values == inner.loose[m].values);
     }
+    for (int row = 0; row < small.depth; ++row) {
+      for (int column = 0; column < small.width; ++column) {
+        RC_ASSERT(air_at(outer.caves, column + ring, row + ring) == air_at(inner.caves, column, row));
+      }
+    }
   }));
 }
 
-// Columns of 16 x 16 tiles whose loose thickness differs from the endless plane's when only `halo` columns
-// of surface are read around each tile.
+// Columns of 16 x 16 tiles whose loose thickness or cave differs from the endless plane's when only `halo`
+// columns of surface are read around each tile.
 int mismatches(const World& world, Lod lod, int halo) {
   constexpr int kTiles = 16;
   const Region whole{-kTiles / 2 * kChunkSize, 0, kTiles * kChunkSize, kTiles * kChunkSize, lod};
@@ -119,13 +131,19 @@ int mismatches(const World& world, Lod lod, int halo) {
           }
         }
       }
+      for (int z = 0; z < kChunkSize; ++z) {
+        for (int x = 0; x < kChunkSize; ++x) {
+          const auto whole_air = air_at(plane.caves, tx * kChunkSize + x, tz * kChunkSize + z);
+          differing += air_at(alone.caves, x, z) != whole_air ? 1 : 0;
+        }
+      }
     }
   }
   return differing;
 }
 
 TEST_CASE("The theorem's halo leaves no mismatch at any level") {
-  for (const char* name : {"default", "canyon", "hills"}) {
+  for (const char* name : {"default", "canyon", "hills", "features"}) {
     const World& world = test::sample_world(name);
     for (int level = 0; level <= 2; ++level) {
       INFO(name << " at level " << level);
@@ -155,6 +173,22 @@ TEST_CASE("Erosion of K steps is exact with a halo of 2 K columns, and not with 
       INFO(steps << " steps at level " << level);
       CHECK(mismatches(world, Lod::of(level), 2 * steps) == 0);
       CHECK(mismatches(world, Lod::of(level), steps + 1) > 0);
+    }
+  }
+}
+
+TEST_CASE("Caves are exact with a halo of their roofs' span, and not with less") {
+  // The span is 16 columns, and one more decides what water may reach; erosion of 4 steps needs 8.
+  for (const int steps : {0, 4}) {
+    const World world = test::small_caves(1, steps);
+    for (int level = 0; level <= 1; ++level) {
+      INFO(steps << " steps at level " << level);
+      const Lod lod = Lod::of(level);
+      const int loose_halo = halo_columns(steps == 0 ? test::small_world(1) : eroding_world(1, steps), lod);
+      const int cave_halo = (16 >> level) + 1;
+      CHECK(halo_columns(world, lod) == std::max(loose_halo, cave_halo));
+      CHECK(mismatches(world, lod, std::max(loose_halo, cave_halo)) == 0);
+      CHECK(mismatches(world, lod, cave_halo / 2) > 0);
     }
   }
 }

@@ -7,6 +7,7 @@
 #include <xxhash.h>
 
 #include "canonical_hash.h"
+#include "cave_plan.h"
 
 #include <talus/terrain/strata.h>
 #include <talus/terrain/surface.h>
@@ -69,6 +70,7 @@ std::string World::canonical_form() const {
     form << "loose " << to_integer(loose_[i].material) << " t_fx " << loose_[i].t_fx << " S_fx "
          << loose_[i].S_fx << " c_fx " << loose_[i].c_fx << '\n';
   }
+  if (spec_.caves) form << canonical_caves(caves_of(spec_));
   return form.str();
 }
 

@@ -2,17 +2,18 @@
 #include <algorithm>
 #include <array>
 #include <cassert>
+#include <utility>
 
 #include <talus/terrain/boundary_row.h>
 #include <talus/terrain/stacks.h>
 
+#include "inserts.h"
 #include "kernels/columns.h"
 
 namespace talus::terrain {
 namespace {
 
 using Rows = std::array<std::int32_t, kChunkArea>;
-using ChunkPlane = std::array<std::uint8_t, kChunkArea>;
 
 // No surface and no sea lies farther from y = 0, and differences with it fit 32 bits.
 constexpr std::int32_t kFarRow = 1 << 24;
@@ -49,14 +50,15 @@ class TileRows {
     }
   }
 
-  /// The same, counted from `floor_row` and cut to a chunk.
-  void cut(std::size_t plane, std::int32_t floor_row, ChunkPlane& rows) const {
-    if (!coarse_) {
-      for (int z = 0; z < kChunkSize; ++z) {
-        kernels_.cut(line(plane, z), kChunkSize, floor_row, rows.data() + column_index(0, z));
-      }
-      return;
+  /// The boundary rows of a field over the stacks, counted from `floor_row` and cut to a chunk.
+  void cut(const Field& field, std::int32_t floor_row, ChunkPlane& rows) const {
+    for (int z = 0; z < kChunkSize; ++z) {
+      kernels_.cut(field.row(z_ + z).data() + x_, kChunkSize, floor_row, rows.data() + column_index(0, z));
     }
+  }
+  /// The same of a plane, with the crowns of coarse levels.
+  void cut(std::size_t plane, std::int32_t floor_row, ChunkPlane& rows) const {
+    if (!coarse_) return cut(stacks_.tops[plane], floor_row, rows);
     Rows whole{};
     read(plane, whole);
     std::transform(whole.begin(), whole.end(), rows.begin(),
@@ -68,6 +70,19 @@ class TileRows {
 
   /// Water stands from the ground up to here; far below all where there is none.
   [[nodiscard]] std::int32_t sea_row() const { return sea_row_; }
+
+  /// The lowest row of a cave; far above all where there is none.
+  [[nodiscard]] std::int32_t lowest_cave() const {
+    std::int32_t lowest = kFarRow;
+    if (stacks_.caves.none()) return lowest;
+    for (int z = 0; z < kChunkSize; ++z) {
+      for (int x = 0; x < kChunkSize; ++x) {
+        if (!stacks_.caves.has(x_ + x, z_ + z)) continue;
+        lowest = std::min(lowest, boundary_row(stacks_.caves.floor.at(x_ + x, z_ + z)));
+      }
+    }
+    return lowest;
+  }
 
  private:
   void find_crowns() {
@@ -128,23 +143,18 @@ Chunk extract_chunk(const World& world, const Stacks& stacks, ChunkCoord coord) 
   add_plane(kWater, rows);
   layers.materials.push_back(kAir);
 
-  if (layers.materials.size() <= Layers::kMaxMaterials) return Chunk::from_layers(std::move(layers));
-  // More layers than the boundary view holds: thinner than a voxel each, so dense voxels say it shorter.
-  std::vector<MaterialId> voxels(kChunkVolume, kAir);
-  for (std::size_t p = layers.plane_count(); p-- > 0;) {
-    const auto plane = layers.plane(p);
-    for (std::size_t column = 0; column < kChunkArea; ++column) {
-      for (std::size_t y = 0; y < plane[column]; ++y) voxels[y * kChunkArea + column] = layers.materials[p];
-    }
-  }
-  return Chunk::from_dense(std::span<const MaterialId, kChunkVolume>{voxels});
+  if (stacks.caves.none()) return chunk_with(std::move(layers), {});
+  Insert air{kAir, {}, {}};
+  tile.cut(stacks.caves.floor, floor_row, air.from);
+  tile.cut(stacks.caves.roof, floor_row, air.to);
+  return chunk_with(std::move(layers), {&air, 1});
 }
 
 MixedRange mixed_range(const World& world, const Stacks& stacks, std::int32_t chunk_x, std::int32_t chunk_z) {
   const TileRows tile{world, stacks, chunk_x, chunk_z};
   Rows rows{};
   tile.read(0, rows);
-  const std::int32_t lowest = *std::min_element(rows.begin(), rows.end());
+  const std::int32_t lowest = std::min(*std::min_element(rows.begin(), rows.end()), tile.lowest_cave());
   tile.read(tile.planes() - 1, rows);
   const std::int32_t highest = std::max(*std::max_element(rows.begin(), rows.end()), tile.sea_row());
   const auto chunk_row = [](std::int32_t row) {

@@ -23,7 +23,7 @@ struct ExportOptions {
 
 /// Writes into `directory`, which is made where it is missing, over a region of level 0:
 ///
-/// - surface.npy  int32[z][x], subvoxels
+/// - surface.npy  int32[z][x], subvoxels: H, also where a cave opens to the sky; its air is in voxels.npy
 /// - slope.npy    int32[z][x], subvoxels of rise over a run of one column
 /// - eroded.npy   int32[m][z][x], settled thickness in subvoxels, in the order of the spec
 /// - strata.npy   int32[layer][z][x], tops of the strata in subvoxels before loose material is inserted,

@@ -17,9 +17,12 @@ Expected<void> write_gallery(const WorldText& text, const std::filesystem::path&
   std::error_code made;
   std::filesystem::create_directories(directory, made);
   if (made) return failed(directory.string() + ": cannot make the directory: " + made.message());
+  std::vector<Figure> figures;
   std::vector<PngFile> files;
   std::uint64_t pixel_rows = 0;
   for (const Figure& figure : gallery_figures()) {
+    if (figure.of_caves && !world->spec().caves) continue;
+    figures.push_back(figure);
     auto file = PngFile::create(directory / figure.file);
     if (!file) return tl::make_unexpected(file.error());
     files.push_back(std::move(*file));
@@ -28,7 +31,7 @@ Expected<void> write_gallery(const WorldText& text, const std::filesystem::path&
   progress.expect(pixel_rows);
   const GalleryContext context{text, *world, threads, progress};
   for (std::size_t i = 0; i < files.size(); ++i) {
-    const auto image = gallery_figures()[i].draw(context);
+    const auto image = figures[i].draw(context);
     if (!image) return tl::make_unexpected(image.error());
     if (auto written = files[i].write(to_palette(*image)); !written) return written;
   }

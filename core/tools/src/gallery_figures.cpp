@@ -12,6 +12,7 @@
 #include <talus/terrain/settle.h>
 #include <talus/terrain/stacks.h>
 
+#include "gallery_caves.h"
 #include "gallery_levels.h"
 #include "isometric.h"
 #include "panels.h"
@@ -58,9 +59,8 @@ Box box_over(const terrain::World& world, const terrain::Field& surface) {
   return {bottom, std::min(top - bottom, 4 * std::max(surface.width, surface.depth))};
 }
 
-Image draw(const GalleryContext& context, const terrain::World& world, const Planes& planes,
-           std::optional<std::int32_t> sea_fx, Box box, PanelSize size) {
-  const VoxelGrid grid = grid_of_planes(planes.materials, planes.tops, sea_fx, box.bottom, box.rows);
+Image draw(const GalleryContext& context, const terrain::World& world, const VoxelGrid& grid,
+           PanelSize size) {
   const IsometricOptions options{
       .width = size.width,
       .height = size.height,
@@ -69,12 +69,16 @@ Image draw(const GalleryContext& context, const terrain::World& world, const Pla
   return render_isometric(grid, material_lights(world), options, context.progress);
 }
 
+Image draw(const GalleryContext& context, const terrain::World& world, const Planes& planes,
+           std::optional<std::int32_t> sea_fx, Box box, PanelSize size) {
+  return draw(context, world, grid_of_planes(planes.materials, planes.tops, sea_fx, box.bottom, box.rows),
+              size);
+}
+
 Image draw_whole(const GalleryContext& context, const terrain::World& world, const terrain::Region& region,
                  PanelSize size) {
-  terrain::Stacks stacks = generate_stacks(world, region);
-  const Box box = box_over(world, stacks.tops.back());
-  return draw(context, world, {std::move(stacks.materials), std::move(stacks.tops)}, world.sea_fx(), box,
-              size);
+  const Box box = box_over(world, generate_stacks(world, region).tops.back());
+  return draw(context, world, grid_of_chunks(world, region, box.bottom, box.rows), size);
 }
 
 MaterialId palest_rock(const terrain::World& world) {
@@ -205,7 +209,7 @@ Expected<Image> draw_roughness(const GalleryContext& context) {
 // bounds of a spec allow.
 int magnified_resolution(const terrain::World& world, double voxels) {
   constexpr double kOneQ16 = 65536;
-  constexpr double kMostColumns = 60;    // of halo
+  constexpr double kMostColumns = 60;    // of halo, and under a cave's roof
   constexpr double kMostVoxels = 32768;  // from y = 0 to the highest summit
   constexpr double kDegree = 3.14159265358979 / 180;
   double thickest = 1 / kOneQ16;
@@ -215,6 +219,7 @@ int magnified_resolution(const terrain::World& world, double voxels) {
     thickest = std::max(thickest, thickness);
     most = std::min(most, kMostColumns * std::tan(eroded.angle_of_repose * kDegree) / thickness);
   }
+  if (const auto& caves = world.spec().caves) most = std::min(most, kMostColumns / caves->span);
   return std::max(1, static_cast<int>(std::min(voxels / thickest, most)));
 }
 
@@ -338,6 +343,7 @@ constexpr std::array kFigures{
     Figure{"gallery-13-settling.png", 2 * kHalf.height, draw_settling},
     Figure{"gallery-16-methods.png", 2 * kHalf.height, draw_methods},
     Figure{"gallery-17-edges.png", 2 * kHalf.height, draw_edges},
+    Figure{"gallery-caves.png", 2 * kCavesPanelHeight, draw_caves, true},
     Figure{"gallery-levels.png", 2 * kLevelsPanelHeight, draw_levels},
 };
 

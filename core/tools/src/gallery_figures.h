@@ -26,6 +26,7 @@ struct Figure {
   const char* file;  // in the gallery's directory
   int pixel_rows;    // of all its panels together
   Expected<Image> (*draw)(const GalleryContext& context);
+  bool of_caves = false;  // for worlds that have them
 };
 
 /// In the order of the thesis; then what it has no figure of.

@@ -43,10 +43,14 @@ class MapPainter {
 
   void paint(const terrain::Region& patch, Image& image, int image_x, int image_y) const {
     const terrain::Stacks stacks = generate_stacks(world_, patch.grown(kReliefRing));
-    const terrain::Field& ground = stacks.tops.back();
+    const terrain::Field ground = ground_of(stacks);
     terrain::Field seen = ground;  // the sea's surface where it covers the ground
     if (sea_fx_) {
-      for (std::int32_t& height : seen.values) height = std::max(height, *sea_fx_);
+      for (int z = 0; z < seen.depth; ++z) {
+        for (int x = 0; x < seen.width; ++x) {
+          if (!stacks.is_entrance(x, z)) seen.at(x, z) = std::max(seen.at(x, z), *sea_fx_);
+        }
+      }
     }
     for (int z = 0; z < patch.depth; ++z) {
       for (int x = 0; x < patch.width; ++x) {
@@ -61,9 +65,18 @@ class MapPainter {
   }
 
  private:
+  static terrain::Field ground_of(const terrain::Stacks& stacks) {
+    terrain::Field ground = stacks.tops.back();
+    if (stacks.caves.none()) return ground;
+    for (int z = 0; z < ground.depth; ++z) {
+      for (int x = 0; x < ground.width; ++x) ground.at(x, z) = stacks.ground_fx(x, z);
+    }
+    return ground;
+  }
+
   glm::vec3 top_colour(const terrain::Stacks& stacks, int x, int z) const {
     const std::int32_t base_voxel_fx = terrain::kSubvoxels >> lod_.value();
-    std::int32_t top = stacks.tops.back().at(x, z);
+    std::int32_t top = stacks.ground_fx(x, z);
     const std::int32_t bottom = top - base_voxel_fx;
     glm::vec3 sum{0};
     for (std::size_t k = stacks.tops.size(); k-- > 0 && top > bottom;) {
