@@ -6,6 +6,7 @@
 #define XXH_STATIC_LINKING_ONLY
 #include <xxhash.h>
 
+#include "bends.h"
 #include "canonical_hash.h"
 
 #include <talus/terrain/strata.h>
@@ -45,6 +46,26 @@ void add_map(const PlacedMap& map, std::ostream& form) {
        << static_cast<int>(map.outside) << " margin_q16 " << map.margin_q16 << '\n';
 }
 
+void add_bends(const WorldSpec& spec, std::ostream& form) {
+  const auto add_strike = [&form](const Strike& strike) {
+    form << " strike_q16 " << strike.cos_q16 << ' ' << strike.sin_q16;
+  };
+  if (spec.folds) {
+    const FoldField folds = fold_field(spec);
+    form << "folds amplitude_fx " << bits_of(folds.amplitude_fx) << " period " << folds.noise.period
+         << " octaves " << folds.noise.octaves << " shrink_q16 " << folds.shrink_q16;
+    add_strike(folds.strike);
+    form << '\n';
+  }
+  for (std::size_t i = 0; i < spec.faults.size(); ++i) {
+    const FaultField faults = fault_field(spec, i);
+    form << "faults throw_fx " << faults.throw_fx << " spacing_q16 " << faults.spacing_q16 << " waviness_fx "
+         << bits_of(faults.waviness_fx);
+    add_strike(faults.strike);
+    form << '\n';
+  }
+}
+
 }  // namespace
 
 std::string World::canonical_form() const {
@@ -65,6 +86,7 @@ std::string World::canonical_form() const {
          << layer_noise(spec_, strata_[j].roughness, j).period << " swing "
          << bits_of(static_cast<float>(2.0 * strata_[j].roughness)) << '\n';
   }
+  add_bends(spec_, form);
   for (const std::size_t i : loose_bottom_up_) {
     form << "loose " << to_integer(loose_[i].material) << " t_fx " << loose_[i].t_fx << " S_fx "
          << loose_[i].S_fx << " c_fx " << loose_[i].c_fx << '\n';

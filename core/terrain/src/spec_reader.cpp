@@ -211,6 +211,27 @@ HeightMapSpec read_height_map(TableReader map) {
   return spec;
 }
 
+FoldSpec read_folds(TableReader folds) {
+  folds.only({"amplitude", "wavelength", "octaves", "strike", "stretch"});
+  FoldSpec spec;
+  spec.amplitude_q16 = folds.units_q16("amplitude", {0, kFarthest});
+  spec.wavelength = folds.real("wavelength", {1e-6, kLongest});
+  spec.octaves = folds.has("octaves") ? static_cast<int>(folds.integer("octaves", 1, 8)) : 2;
+  spec.strike = folds.has("strike") ? folds.real("strike", {-360, 360}) : 0;
+  spec.stretch = folds.has("stretch") ? folds.real("stretch", {1, 64}) : 4;
+  return spec;
+}
+
+FaultSpec read_faults(TableReader faults) {
+  faults.only({"strike", "spacing", "throw", "waviness"});
+  FaultSpec spec;
+  spec.strike = faults.real("strike", {-360, 360});
+  spec.spacing_q16 = faults.units_q16("spacing", {1.0 / 65536, kLongest});
+  spec.throw_q16 = faults.units_q16("throw", {0, kFarthest});
+  spec.waviness_q16 = faults.has("waviness") ? faults.units_q16("waviness", {0, kFarthest}) : 0;
+  return spec;
+}
+
 // A key that its kind of surface has no use for is unknown, like any other.
 SurfaceSpec read_surface(TableReader& surface, std::string_view file, std::optional<SpecError>& error) {
   SurfaceSpec spec;
@@ -287,7 +308,7 @@ tl::expected<ReadSpec, SpecError> read_spec(std::string_view toml, std::string_v
   WorldSpec& spec = read.spec;
   TableReader root{file, "", document, error};
   root.only({"seed", "resolution", "strata_wavelength", "sea_level", "method", "erosion_steps", "surface",
-             "stratified", "eroded"});
+             "stratified", "eroded", "folds", "faults"});
   spec.seed = static_cast<std::uint64_t>(root.integer("seed", std::numeric_limits<std::int64_t>::min(),
                                                       std::numeric_limits<std::int64_t>::max()));
   spec.resolution = static_cast<int>(root.integer("resolution", 1, 32768));
@@ -342,6 +363,18 @@ tl::expected<ReadSpec, SpecError> read_spec(std::string_view toml, std::string_v
     eroded.thickness_q16 = material.units_q16("thickness", {1.0 / 65536, kFarthest});
     eroded.angle_of_repose = material.real("angle_of_repose", {1, 89});
     eroded.max_slope = material.real("max_slope", {1, 89});
+  }
+  if (root.has("folds")) {
+    read.lines.folds = root.line("folds");
+    if (const toml::table* table = root.table("folds"))
+      spec.folds = read_folds({file, "folds", *table, error});
+  }
+  if (root.has("faults")) {
+    for (const toml::table* table : root.tables("faults")) {
+      TableReader faults{file, "faults[" + std::to_string(spec.faults.size()) + "]", *table, error};
+      read.lines.faults.push_back(faults.line());
+      spec.faults.push_back(read_faults(faults));
+    }
   }
   if (error) return tl::unexpected(*error);
   return read;

@@ -20,6 +20,8 @@ struct SpecLines {
   int warp = 0;
   int height_map = 0;
   int stratified = 0;
+  int folds = 0;
+  std::vector<int> faults;            // one for each [[faults]]
   std::vector<int> eroded_thickness;  // one for each [[eroded]]
 };
 

@@ -6,9 +6,11 @@
 #include <numeric>
 #include <sstream>
 
+#include "bends.h"
 #include "canonical_hash.h"
 #include "spec_reader.h"
 #include "surface_plan.h"
+#include "underground_plan.h"
 
 #include <talus/terrain/erosion.h>
 #include <talus/terrain/strata.h>
@@ -68,6 +70,7 @@ tl::expected<World, SpecError> World::parse(std::string_view toml, std::string_v
     return refuse(lines.strata_wavelength, "strata_wavelength", "strata_wavelength * resolution is ",
                   layer_noise(spec, 0, 0).period, " voxels; at most ", kMaxPeriod);
   }
+  if (const auto fault = check_underground(spec, lines)) return refuse(fault->line, fault->key, fault->what);
   world.highest_fx_ = static_cast<std::int32_t>(std::floor(surface.highest_fx + 0.5F));
   if (spec.sea_level) {
     if (*spec.sea_level * resolution > kMaxHeight) {
@@ -94,13 +97,15 @@ tl::expected<World, SpecError> World::parse(std::string_view toml, std::string_v
   }
 
   const auto amplitude_q16 = static_cast<std::int64_t>(std::floor(spec.surface.amplitude * 65536.0 + 0.5));
-  for (const std::size_t i : layer_sequence(spec.stratified, amplitude_q16)) {
+  const std::int64_t bend_q16 = greatest_bend_q16(spec);
+  for (const std::size_t i : layer_sequence(spec.stratified, amplitude_q16, bend_q16)) {
     world.strata_.push_back(
         {stratified_ids[i], spec.stratified[i].thickness_q16, spec.stratified[i].roughness});
   }
   if (world.strata_.empty()) {
-    return refuse(lines.stratified, "stratified.thickness", "filling 1.25 * amplitude takes more than ",
-                  kMaxLayers, " layers; at most ", kMaxLayers, ", so make the thicknesses larger");
+    return refuse(lines.stratified, "stratified.thickness", "filling 1.25 * amplitude",
+                  bend_q16 > 0 ? " and the depth of folds and faults" : "", " takes more than ", kMaxLayers,
+                  " layers; at most ", kMaxLayers, ", so make the thicknesses larger");
   }
 
   for (std::size_t i = 0; i < spec.eroded.size(); ++i) {

@@ -93,6 +93,23 @@ struct ErodedSpec {
   double max_slope = 0;        // degrees
 };
 
+/// Strata bent into folds. Lengths in terrain units, angles in degrees.
+struct FoldSpec {
+  std::int64_t amplitude_q16 = 0;  // the farthest that strata are lifted or sunk
+  double wavelength = 0;           // across the folds
+  int octaves = 0;
+  double strike = 0;   // where their axes point: 0 north (-z), 90 east
+  double stretch = 0;  // how much longer they are along it
+};
+
+/// A set of nearly parallel faults that cut the strata into blocks.
+struct FaultSpec {
+  double strike = 0;              // where the faults run: 0 north (-z), 90 east
+  std::int64_t spacing_q16 = 0;   // from one to the next
+  std::int64_t throw_q16 = 0;     // the most that two blocks are offset
+  std::int64_t waviness_q16 = 0;  // how far a fault strays from a straight line
+};
+
 /// How loose material comes to lie: by the slope of the ground (thesis 3.6), which leaves the surface as it
 /// is, or by moving down (3.5), which changes it.
 enum class Method : std::uint8_t { slope, erosion };
@@ -108,6 +125,8 @@ struct WorldSpec {
   SurfaceSpec surface;
   std::vector<StratifiedSpec> stratified;
   std::vector<ErodedSpec> eroded;
+  std::optional<FoldSpec> folds;
+  std::vector<FaultSpec> faults;
 };
 
 /// "FILE:LINE: key: what is wrong; what would be right". One line.

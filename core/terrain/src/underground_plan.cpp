@@ -1,0 +1,71 @@
+#include "underground_plan.h"
+
+#include <sstream>
+
+#include "bends.h"
+
+namespace talus::terrain {
+namespace {
+
+constexpr double kMaxHeight = 32768;     // voxels
+constexpr double kMaxPeriod = 16777216;  // voxels
+constexpr double kMinPeriod = 16;        // voxels: twice the step at which folds are drawn
+constexpr double kMaxWaviness = 16384;   // voxels
+constexpr std::size_t kMaxFaults = 8;
+
+double units_of(std::int64_t q16) {
+  return static_cast<double>(q16) / 65536;
+}
+
+// A length of the spec that must come to `least` to `most` voxels.
+std::optional<SurfaceFault> out_of_range(int line, const std::string& table, const std::string& key,
+                                         double units, int resolution, double least, double most) {
+  const double voxels = units * resolution;
+  if (voxels >= least && voxels <= most) return std::nullopt;
+  std::ostringstream what;
+  what << key << " * resolution is " << voxels << " voxels; " << least << " to " << most;
+  return SurfaceFault{line, table + "." + key, what.str()};
+}
+
+std::optional<SurfaceFault> check_bends(const WorldSpec& spec, const SpecLines& lines) {
+  if (spec.folds) {
+    if (auto fault = out_of_range(lines.folds, "folds", "wavelength", spec.folds->wavelength, spec.resolution,
+                                  kMinPeriod, kMaxPeriod)) {
+      return fault;
+    }
+  }
+  if (spec.faults.size() > kMaxFaults) {
+    return SurfaceFault{
+        lines.faults[kMaxFaults], "faults",
+        std::to_string(spec.faults.size()) + " sets of faults; at most " + std::to_string(kMaxFaults)};
+  }
+  for (std::size_t i = 0; i < spec.faults.size(); ++i) {
+    const std::string table = "faults[" + std::to_string(i) + "]";
+    const FaultSpec& faults = spec.faults[i];
+    if (auto fault = out_of_range(lines.faults[i], table, "spacing", units_of(faults.spacing_q16),
+                                  spec.resolution, kMinPeriod, kMaxPeriod)) {
+      return fault;
+    }
+    if (auto fault = out_of_range(lines.faults[i], table, "waviness", units_of(faults.waviness_q16),
+                                  spec.resolution, 0, kMaxWaviness)) {
+      return fault;
+    }
+  }
+  const double bent = (units_of(greatest_bend_q16(spec)) + spec.surface.amplitude) * spec.resolution;
+  if (bent > kMaxHeight) {
+    std::ostringstream what;
+    what << "surface.amplitude, folds.amplitude and half of every throw, * resolution, are " << bent
+         << " voxels in all; at most " << kMaxHeight;
+    return spec.faults.empty() ? SurfaceFault{lines.folds, "folds.amplitude", what.str()}
+                               : SurfaceFault{lines.faults.front(), "faults[0].throw", what.str()};
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<SurfaceFault> check_underground(const WorldSpec& spec, const SpecLines& lines) {
+  return check_bends(spec, lines);
+}
+
+}  // namespace talus::terrain
