@@ -2,17 +2,18 @@
 #include <algorithm>
 #include <array>
 #include <cassert>
+#include <utility>
 
 #include <talus/terrain/boundary_row.h>
 #include <talus/terrain/stacks.h>
 
+#include "inserts.h"
 #include "kernels/columns.h"
 
 namespace talus::terrain {
 namespace {
 
 using Rows = std::array<std::int32_t, kChunkArea>;
-using ChunkPlane = std::array<std::uint8_t, kChunkArea>;
 
 // No surface and no sea lies farther from y = 0, and differences with it fit 32 bits.
 constexpr std::int32_t kFarRow = 1 << 24;
@@ -128,16 +129,7 @@ Chunk extract_chunk(const World& world, const Stacks& stacks, ChunkCoord coord) 
   add_plane(kWater, rows);
   layers.materials.push_back(kAir);
 
-  if (layers.materials.size() <= Layers::kMaxMaterials) return Chunk::from_layers(std::move(layers));
-  // More layers than the boundary view holds: thinner than a voxel each, so dense voxels say it shorter.
-  std::vector<MaterialId> voxels(kChunkVolume, kAir);
-  for (std::size_t p = layers.plane_count(); p-- > 0;) {
-    const auto plane = layers.plane(p);
-    for (std::size_t column = 0; column < kChunkArea; ++column) {
-      for (std::size_t y = 0; y < plane[column]; ++y) voxels[y * kChunkArea + column] = layers.materials[p];
-    }
-  }
-  return Chunk::from_dense(std::span<const MaterialId, kChunkVolume>{voxels});
+  return chunk_with(std::move(layers), {});
 }
 
 MixedRange mixed_range(const World& world, const Stacks& stacks, std::int32_t chunk_x, std::int32_t chunk_z) {
