@@ -41,6 +41,11 @@ constexpr Content kContents[] = {
     {"canyon", [] { return bench::mixed_chunks(bench::sample_world("canyon")); }},
     {"hills", [] { return bench::mixed_chunks(bench::sample_world("hills")); }},
     {"default, level 2", [] { return bench::mixed_chunks(terrain::default_world(), Lod::of(2)); }},
+    {"default, folds and faults",
+     [] {
+       return bench::mixed_chunks(bench::default_world_with(std::string{bench::kFolds} + bench::kFaults));
+     }},
+    {"default, four ores", [] { return bench::mixed_chunks(bench::default_world_with(bench::kOre)); }},
     {"default, with tunnels", [] { return changed(chunks(), bench::with_hole); }},
     {"default, edited", [] { return changed(chunks(), bench::edited); }},
     {"random, 4 materials",

@@ -8,6 +8,7 @@
 
 #include "bends.h"
 #include "canonical_hash.h"
+#include "ore_bodies.h"
 
 #include <talus/terrain/strata.h>
 #include <talus/terrain/surface.h>
@@ -66,6 +67,15 @@ void add_bends(const WorldSpec& spec, std::ostream& form) {
   }
 }
 
+void add_ores(const WorldSpec& spec, std::ostream& form) {
+  for (std::size_t i = 0; i < spec.veins.size(); ++i) {
+    const OreKind ore = ore_kind(spec, i);
+    form << "ore " << to_integer(ore.material) << " shape " << static_cast<int>(ore.shape) << " low_fx "
+         << ore.low_fx << " high_fx " << ore.high_fx << " size_fx " << ore.size_fx << " thickness_fx "
+         << ore.thickness_fx << " chance_q32 " << ore.chance_q32 << '\n';
+  }
+}
+
 }  // namespace
 
 std::string World::canonical_form() const {
@@ -91,6 +101,7 @@ std::string World::canonical_form() const {
     form << "loose " << to_integer(loose_[i].material) << " t_fx " << loose_[i].t_fx << " S_fx "
          << loose_[i].S_fx << " c_fx " << loose_[i].c_fx << '\n';
   }
+  add_ores(spec_, form);
   return form.str();
 }
 

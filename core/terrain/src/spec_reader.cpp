@@ -62,6 +62,23 @@ FaultSpec read_faults(TableReader faults) {
   return spec;
 }
 
+OreSpec read_veins(TableReader veins, std::set<std::string>& names) {
+  OreSpec spec;
+  spec.shape = static_cast<OreShape>(veins.choice("shape", {"pocket", "vein"}));
+  std::vector<std::string_view> known{"name", "colour", "shape", "low", "high", "size", "abundance"};
+  if (spec.shape == OreShape::vein) known.push_back("thickness");
+  veins.only(known);
+  spec.name = veins.name(names);
+  spec.colour = veins.colour();
+  spec.low_q16 = veins.units_q16("low", {0, kFarthest});
+  spec.high_q16 = veins.units_q16("high", {0, kFarthest});
+  spec.size_q16 = veins.units_q16("size", {1.0 / 65536, kFarthest});
+  if (spec.shape == OreShape::vein)
+    spec.thickness_q16 = veins.units_q16("thickness", {1.0 / 65536, kFarthest});
+  spec.abundance = veins.real("abundance", {0, 1});
+  return spec;
+}
+
 // A key that its kind of surface has no use for is unknown, like any other.
 SurfaceSpec read_surface(TableReader& surface, std::string_view file, std::optional<SpecError>& error) {
   SurfaceSpec spec;
@@ -138,7 +155,7 @@ tl::expected<ReadSpec, SpecError> read_spec(std::string_view toml, std::string_v
   WorldSpec& spec = read.spec;
   TableReader root{file, "", document, error};
   root.only({"seed", "resolution", "strata_wavelength", "sea_level", "method", "erosion_steps", "surface",
-             "stratified", "eroded", "folds", "faults"});
+             "stratified", "eroded", "folds", "faults", "veins"});
   spec.seed = static_cast<std::uint64_t>(root.integer("seed", std::numeric_limits<std::int64_t>::min(),
                                                       std::numeric_limits<std::int64_t>::max()));
   spec.resolution = static_cast<int>(root.integer("resolution", 1, 32768));
@@ -204,6 +221,13 @@ tl::expected<ReadSpec, SpecError> read_spec(std::string_view toml, std::string_v
       TableReader faults{file, "faults[" + std::to_string(spec.faults.size()) + "]", *table, error};
       read.lines.faults.push_back(faults.line());
       spec.faults.push_back(read_faults(faults));
+    }
+  }
+  if (root.has("veins")) {
+    for (const toml::table* table : root.tables("veins")) {
+      TableReader veins{file, "veins[" + std::to_string(spec.veins.size()) + "]", *table, error};
+      read.lines.veins.push_back(veins.line());
+      spec.veins.push_back(read_veins(veins, names));
     }
   }
   if (error) return tl::unexpected(*error);

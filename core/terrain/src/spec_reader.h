@@ -21,6 +21,7 @@ struct SpecLines {
   int height_map = 0;
   int stratified = 0;
   int folds = 0;
+  std::vector<int> veins;
   std::vector<int> faults;            // one for each [[faults]]
   std::vector<int> eroded_thickness;  // one for each [[eroded]]
 };

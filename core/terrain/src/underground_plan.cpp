@@ -12,6 +12,10 @@ constexpr double kMaxPeriod = 16777216;  // voxels
 constexpr double kMinPeriod = 16;        // voxels: twice the step at which folds are drawn
 constexpr double kMaxWaviness = 16384;   // voxels
 constexpr std::size_t kMaxFaults = 8;
+constexpr std::size_t kMaxOres = 16;
+// Four voxels: a chunk looks at no more than (32 / 4 + 2)^3 cubes of a kind.
+constexpr double kMinOre = 4;
+constexpr double kMaxOre = 1024;  // voxels
 
 double units_of(std::int64_t q16) {
   return static_cast<double>(q16) / 65536;
@@ -62,10 +66,40 @@ std::optional<SurfaceFault> check_bends(const WorldSpec& spec, const SpecLines& 
   return std::nullopt;
 }
 
+std::optional<SurfaceFault> check_veins(const WorldSpec& spec, const SpecLines& lines) {
+  if (spec.veins.size() > kMaxOres) {
+    return SurfaceFault{lines.veins[kMaxOres], "veins",
+                        std::to_string(spec.veins.size()) + " ores; at most " + std::to_string(kMaxOres)};
+  }
+  for (std::size_t i = 0; i < spec.veins.size(); ++i) {
+    const OreSpec& ore = spec.veins[i];
+    const int line = lines.veins[i];
+    const std::string table = "veins[" + std::to_string(i) + "]";
+    const auto check = [&](const std::string& key, std::int64_t units_q16, double least, double most) {
+      return out_of_range(line, table, key, units_of(units_q16), spec.resolution, least, most);
+    };
+    if (auto fault = check("size", ore.size_q16, kMinOre, kMaxOre)) return fault;
+    if (auto fault = check("high", ore.high_q16, 0, kMaxHeight)) return fault;
+    if (ore.shape == OreShape::vein) {
+      if (auto fault = check("thickness", ore.thickness_q16, 1, kMaxOre)) return fault;
+      if (ore.thickness_q16 > ore.size_q16 / 4) {
+        return SurfaceFault{line, table + ".thickness",
+                            "is more than a quarter of size; make it at most that"};
+      }
+    }
+    if (ore.high_q16 - ore.low_q16 < ore.size_q16) {
+      return SurfaceFault{line, table + ".high",
+                          "less than size above low, so that no body fits; make it low + size or more"};
+    }
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 std::optional<SurfaceFault> check_underground(const WorldSpec& spec, const SpecLines& lines) {
-  return check_bends(spec, lines);
+  if (auto fault = check_bends(spec, lines)) return fault;
+  return check_veins(spec, lines);
 }
 
 }  // namespace talus::terrain

@@ -80,9 +80,10 @@ tl::expected<World, SpecError> World::parse(std::string_view toml, std::string_v
     world.sea_fx_ = static_cast<std::int32_t>(std::floor(*spec.sea_level * resolution * kSubvoxels + 0.5));
   }
 
-  if (spec.stratified.size() + spec.eroded.size() > kMaxMaterials) {
-    return refuse(lines.stratified, "stratified", spec.stratified.size() + spec.eroded.size(),
-                  " stratified and eroded materials; at most ", kMaxMaterials);
+  const std::size_t materials = spec.stratified.size() + spec.eroded.size() + spec.veins.size();
+  if (materials > kMaxMaterials) {
+    return refuse(lines.stratified, "stratified", materials, " stratified and eroded materials",
+                  spec.veins.empty() ? "" : " and ores", "; at most ", kMaxMaterials);
   }
   const auto add_material = [&](const std::string& name, Colour colour, MaterialKind kind) {
     const MaterialId id{static_cast<std::uint16_t>(world.materials_.size())};
@@ -126,6 +127,7 @@ tl::expected<World, SpecError> World::parse(std::string_view toml, std::string_v
     world.halo_ = std::max(world.halo_, halo);
     world.loose_.push_back(loose);
   }
+  for (const OreSpec& ore : spec.veins) add_material(ore.name, ore.colour, MaterialKind::stratified);
   world.loose_bottom_up_.resize(world.loose_.size());
   std::iota(world.loose_bottom_up_.begin(), world.loose_bottom_up_.end(), std::size_t{0});
   // Heaviest lowest; of equal weight the first of the spec on top, so the last of the spec lowest.

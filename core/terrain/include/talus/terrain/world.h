@@ -110,6 +110,21 @@ struct FaultSpec {
   std::int64_t waviness_q16 = 0;  // how far a fault strays from a straight line
 };
 
+/// Pockets are lumps; veins are thin, long, tilted sheets with branches.
+enum class OreShape : std::uint8_t { pocket, vein };
+
+/// Ore in the rock, in bodies of which each lies wholly between two heights above y = 0.
+struct OreSpec {
+  std::string name;
+  Colour colour;
+  OreShape shape = OreShape::pocket;
+  std::int64_t low_q16 = 0;
+  std::int64_t high_q16 = 0;
+  std::int64_t size_q16 = 0;       // of the cube that holds a body
+  std::int64_t thickness_q16 = 0;  // of a vein
+  double abundance = 0;            // the chance that a cube of that size holds a body
+};
+
 /// How loose material comes to lie: by the slope of the ground (thesis 3.6), which leaves the surface as it
 /// is, or by moving down (3.5), which changes it.
 enum class Method : std::uint8_t { slope, erosion };
@@ -127,6 +142,7 @@ struct WorldSpec {
   std::vector<ErodedSpec> eroded;
   std::optional<FoldSpec> folds;
   std::vector<FaultSpec> faults;
+  std::vector<OreSpec> veins;
 };
 
 /// "FILE:LINE: key: what is wrong; what would be right". One line.
@@ -134,6 +150,7 @@ struct SpecError {
   std::string message;
 };
 
+/// Ore is stratified: it lies in the rock and does not move.
 enum class MaterialKind : std::uint8_t { air, water, stratified, eroded };
 
 /// A material of the world; its id is its place in World::materials().
@@ -173,7 +190,7 @@ class World {
                                                             const LoadHeightMap& load = {});
 
   [[nodiscard]] const WorldSpec& spec() const { return spec_; }
-  /// Air, water, stratified, eroded; materials()[to_integer(id)] is the material of that id.
+  /// Air, water, stratified, eroded, ores; materials()[to_integer(id)] is the material of that id.
   [[nodiscard]] const std::vector<Material>& materials() const { return materials_; }
   /// The sequence of layers from the bottom up, the same at every column; 1 to 256.
   [[nodiscard]] const std::vector<StratumSpec>& strata() const { return strata_; }
