@@ -7,6 +7,8 @@
 
 #include <talus/terrain/stacks.h>
 
+#include "worlds.h"
+
 namespace {
 
 std::atomic<std::size_t> allocations{0};
@@ -32,9 +34,9 @@ void operator delete(void* memory, std::size_t) noexcept {
 namespace talus::terrain {
 namespace {
 
-TEST_CASE("A generator that has seen a patch generates the next without an allocation") {
+void check_warm_generation(const World& world) {
   for (const int level : {0, 2}) {
-    Generator generator{default_world()};
+    Generator generator{world};
     Stacks stacks;
     const auto patch = [&](std::int64_t x) { return Region{x, -x, 128, 128, Lod::of(level)}; };
     for (const std::int64_t x : {0, 5000, 0}) generator.generate(patch(x), stacks);
@@ -42,6 +44,14 @@ TEST_CASE("A generator that has seen a patch generates the next without an alloc
     generator.generate(patch(0), stacks);
     CHECK(allocations == before);
   }
+}
+
+TEST_CASE("A generator that has seen a patch generates the next without an allocation") {
+  check_warm_generation(default_world());
+}
+
+TEST_CASE("Neither does one of a world with caves allocate") {
+  check_warm_generation(test::small_caves(1));
 }
 
 }  // namespace

@@ -141,6 +141,29 @@ terrain::World small_world(std::uint64_t seed) {
   return parsed(small_world_text(seed), "small.toml");
 }
 
+std::string small_caves_text(std::uint64_t seed, int erosion_steps) {
+  const std::string method =
+      erosion_steps == 0 ? ""
+                         : "method = \"erosion\"\nerosion_steps = " + std::to_string(erosion_steps) + "\n";
+  return method + small_world_text(seed) + R"([caves]
+low = 0.1
+high = 1.3
+climb_wavelength = 3.0
+wavelength = 1.5
+width = 0.2
+height = 0.25
+chamber_wavelength = 1.2
+chamber_threshold = 0.25
+chamber_height = 0.6
+roof = 0.05
+span = 0.4
+)";
+}
+
+terrain::World small_caves(std::uint64_t seed, int erosion_steps) {
+  return parsed(small_caves_text(seed, erosion_steps), "caves.toml");
+}
+
 std::string small_world_text(std::uint64_t seed, const std::string& surface) {
   const std::string noise = "wavelength = 2.0\noctaves = 5\ngain = 1.0\nexponent = 2\n";
   const std::string map = "[surface.height_map]\nfile = \"made.png\"\nx = -1.3\nz = 0.7\nspacing = 0.21\n";

@@ -15,6 +15,10 @@ namespace talus::test {
 [[nodiscard]] std::string small_world_text(std::uint64_t seed);
 [[nodiscard]] terrain::World small_world(std::uint64_t seed);
 
+/// The small world with tunnels, chambers and entrances, by the slope method or after some steps of erosion.
+[[nodiscard]] std::string small_caves_text(std::uint64_t seed, int erosion_steps = 0);
+[[nodiscard]] terrain::World small_caves(std::uint64_t seed, int erosion_steps = 0);
+
 /// The same spec with another surface: "ridged", "warped", or a height map (made_height_map.h) with
 /// "mirror", "sea" or "blend" outside of it.
 [[nodiscard]] std::string small_world_text(std::uint64_t seed, const std::string& surface);

@@ -8,6 +8,7 @@
 
 #include "bends.h"
 #include "canonical_hash.h"
+#include "cave_plan.h"
 #include "ore_bodies.h"
 
 #include <talus/terrain/strata.h>
@@ -102,6 +103,7 @@ std::string World::canonical_form() const {
          << loose_[i].S_fx << " c_fx " << loose_[i].c_fx << '\n';
   }
   add_ores(spec_, form);
+  if (spec_.caves) form << canonical_caves(caves_of(spec_));
   return form.str();
 }
 

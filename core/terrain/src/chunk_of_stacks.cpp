@@ -51,14 +51,15 @@ class TileRows {
     }
   }
 
-  /// The same, counted from `floor_row` and cut to a chunk.
-  void cut(std::size_t plane, std::int32_t floor_row, ChunkPlane& rows) const {
-    if (!coarse_) {
-      for (int z = 0; z < kChunkSize; ++z) {
-        kernels_.cut(line(plane, z), kChunkSize, floor_row, rows.data() + column_index(0, z));
-      }
-      return;
+  /// The boundary rows of a field over the stacks, counted from `floor_row` and cut to a chunk.
+  void cut(const Field& field, std::int32_t floor_row, ChunkPlane& rows) const {
+    for (int z = 0; z < kChunkSize; ++z) {
+      kernels_.cut(field.row(z_ + z).data() + x_, kChunkSize, floor_row, rows.data() + column_index(0, z));
     }
+  }
+  /// The same of a plane, with the crowns of coarse levels.
+  void cut(std::size_t plane, std::int32_t floor_row, ChunkPlane& rows) const {
+    if (!coarse_) return cut(stacks_.tops[plane], floor_row, rows);
     Rows whole{};
     read(plane, whole);
     std::transform(whole.begin(), whole.end(), rows.begin(),
@@ -70,6 +71,19 @@ class TileRows {
 
   /// Water stands from the ground up to here; far below all where there is none.
   [[nodiscard]] std::int32_t sea_row() const { return sea_row_; }
+
+  /// The lowest row of a cave; far above all where there is none.
+  [[nodiscard]] std::int32_t lowest_cave() const {
+    std::int32_t lowest = kFarRow;
+    if (stacks_.caves.none()) return lowest;
+    for (int z = 0; z < kChunkSize; ++z) {
+      for (int x = 0; x < kChunkSize; ++x) {
+        if (!stacks_.caves.has(x_ + x, z_ + z)) continue;
+        lowest = std::min(lowest, boundary_row(stacks_.caves.floor.at(x_ + x, z_ + z)));
+      }
+    }
+    return lowest;
+  }
 
  private:
   void find_crowns() {
@@ -133,16 +147,22 @@ Chunk extract_chunk(const World& world, const Stacks& stacks, ChunkCoord coord) 
   add_plane(kWater, rows);
   layers.materials.push_back(kAir);
 
-  if (world.spec().veins.empty()) return chunk_with(std::move(layers), {});
-  return chunk_with(std::move(layers), ore_inserts(world, {coord, stacks.region.lod}, rock));
+  std::vector<Insert> inserts;
+  if (!world.spec().veins.empty()) inserts = ore_inserts(world, {coord, stacks.region.lod}, rock);
+  if (!stacks.caves.none()) {
+    Insert& air = inserts.emplace_back(Insert{kAir, {}, {}});
+    tile.cut(stacks.caves.floor, floor_row, air.from);
+    tile.cut(stacks.caves.roof, floor_row, air.to);
+  }
+  return chunk_with(std::move(layers), inserts);
 }
 
 MixedRange mixed_range(const World& world, const Stacks& stacks, std::int32_t chunk_x, std::int32_t chunk_z) {
   const TileRows tile{world, stacks, chunk_x, chunk_z};
   Rows rows{};
   tile.read(0, rows);
-  const std::int32_t lowest =
-      std::min(*std::min_element(rows.begin(), rows.end()), lowest_ore_row(world, stacks.region.lod));
+  const std::int32_t lowest = std::min({*std::min_element(rows.begin(), rows.end()), tile.lowest_cave(),
+                                        lowest_ore_row(world, stacks.region.lod)});
   tile.read(tile.planes() - 1, rows);
   const std::int32_t highest = std::max(*std::max_element(rows.begin(), rows.end()), tile.sea_row());
   const auto chunk_row = [](std::int32_t row) {

@@ -3,19 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <sstream>
 #include <type_traits>
 
 #include "surface_plan.h"
 
 namespace talus::terrain {
 namespace {
-
-std::string text_of(const auto&... parts) {
-  std::ostringstream text;
-  (text << ... << parts);
-  return text.str();
-}
 
 std::optional<std::string> wrong_shape(const HeightMap& map, std::size_t samples) {
   if (map.width < 2 || map.depth < 2 || map.width > kMaxHeightMapSide || map.depth > kMaxHeightMapSide) {

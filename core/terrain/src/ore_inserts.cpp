@@ -134,8 +134,8 @@ std::vector<MaterialId> surface_ore(const World& world, const Stacks& stacks) {
       for (int z = north; z < south; ++z) {
         for (int x = west; x < east; ++x) {
           const auto span = lobe.at((region.x + x) * step, (region.z + z) * step);
-          // The voxel under the surface of the rock, at its centre.
-          const std::int32_t row = boundary_row(rock.at(x, z)) - 1;
+          // The voxel under the surface of the rock, or under the floor of an open cave, at its centre.
+          const std::int32_t row = boundary_row(std::min(rock.at(x, z), stacks.ground_fx(x, z))) - 1;
           if (span && row >= boundary_row(span->from_fx >> shift) &&
               row < boundary_row(span->to_fx >> shift)) {
             ore[static_cast<std::size_t>(z) * static_cast<std::size_t>(region.width) +

@@ -27,6 +27,8 @@ VoxelPos find_spawn(const World& world) {
   const Surface surface = surface_of(world.spec());
   const std::int32_t sea_fx = world.sea_fx().value_or(-1);
   const std::int32_t dry_fx = sea_fx < 0 ? 0 : sea_fx + 2 * kSubvoxels;  // feet stay dry beside the shore
+  std::int32_t loose_fx = 0;
+  for (const LooseSpec& loose : world.loose()) loose_fx += loose.t_fx;
   struct Candidate {
     std::int64_t x;
     std::int64_t z;
@@ -47,9 +49,11 @@ VoxelPos find_spawn(const World& world) {
       });
       for (const Candidate& place : dry) {
         if (slope_at(surface, place.x, place.z) <= steepest_fx) {
-          // Erosion may have changed the ground since.
+          // Erosion may have changed the ground since, by no more than what was loose; a cave's entrance lies
+          // deeper.
           const BaseColumn column{place.x, place.z};
           const std::int32_t ground_fx = surface_heights(world, {&column, 1}).front();
+          if (ground_fx < place.height_fx - loose_fx) continue;
           return {place.x, boundary_row(std::max(ground_fx, sea_fx)), place.z};
         }
       }

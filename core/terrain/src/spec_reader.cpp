@@ -1,6 +1,7 @@
 #include "spec_reader.h"
 
 #include <limits>
+#include <map>
 #include <set>
 #include <sstream>
 #include <string>
@@ -119,6 +120,36 @@ SurfaceSpec read_surface(TableReader& surface, std::string_view file, std::optio
   return spec;
 }
 
+CaveSpec read_caves(TableReader caves, int resolution, std::map<std::string, int, std::less<>>& lines) {
+  CaveSpec spec;
+  spec.roof = 2.0 / resolution;
+  struct Key {
+    const char* name;
+    double& value;
+    Range range;
+  };
+  const Key keys[] = {{"low", spec.low, {0, kFarthest}},
+                      {"high", spec.high, {0, kFarthest}},
+                      {"climb_wavelength", spec.climb_wavelength, {1e-6, kLongest}},
+                      {"wavelength", spec.wavelength, {1e-6, kLongest}},
+                      {"width", spec.width, {1e-6, kFarthest}},
+                      {"height", spec.height, {1e-6, kFarthest}},
+                      {"chamber_wavelength", spec.chamber_wavelength, {1e-6, kLongest}},
+                      {"chamber_threshold", spec.chamber_threshold, {0, 1}},
+                      {"chamber_height", spec.chamber_height, {1e-6, kFarthest}},
+                      {"roof", spec.roof, {1e-6, kFarthest}},
+                      {"span", spec.span, {1e-6, kFarthest}}};
+  std::vector<std::string_view> known;
+  for (const Key& key : keys) {
+    known.emplace_back(key.name);
+    lines[key.name] = caves.line(key.name);
+    if (std::string_view{key.name} == "roof" && !caves.has("roof")) continue;
+    key.value = caves.real(key.name, key.range);
+  }
+  caves.only(known);
+  return spec;
+}
+
 }  // namespace
 
 SpecError error_of(const std::string& message) {
@@ -155,7 +186,7 @@ tl::expected<ReadSpec, SpecError> read_spec(std::string_view toml, std::string_v
   WorldSpec& spec = read.spec;
   TableReader root{file, "", document, error};
   root.only({"seed", "resolution", "strata_wavelength", "sea_level", "method", "erosion_steps", "surface",
-             "stratified", "eroded", "folds", "faults", "veins"});
+             "stratified", "eroded", "caves", "folds", "faults", "veins"});
   spec.seed = static_cast<std::uint64_t>(root.integer("seed", std::numeric_limits<std::int64_t>::min(),
                                                       std::numeric_limits<std::int64_t>::max()));
   spec.resolution = static_cast<int>(root.integer("resolution", 1, 32768));
@@ -228,6 +259,11 @@ tl::expected<ReadSpec, SpecError> read_spec(std::string_view toml, std::string_v
       TableReader veins{file, "veins[" + std::to_string(spec.veins.size()) + "]", *table, error};
       read.lines.veins.push_back(veins.line());
       spec.veins.push_back(read_veins(veins, names));
+    }
+  }
+  if (root.has("caves")) {
+    if (const toml::table* table = root.table("caves")) {
+      spec.caves = read_caves({file, "caves", *table, error}, spec.resolution, read.lines.caves);
     }
   }
   if (error) return tl::unexpected(*error);

@@ -1,6 +1,8 @@
 // world.toml -> WorldSpec, checked key by key. Private to the room.
 #pragma once
 
+#include <functional>
+#include <map>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -22,8 +24,9 @@ struct SpecLines {
   int stratified = 0;
   int folds = 0;
   std::vector<int> veins;
-  std::vector<int> faults;            // one for each [[faults]]
-  std::vector<int> eroded_thickness;  // one for each [[eroded]]
+  std::vector<int> faults;                        // one for each [[faults]]
+  std::vector<int> eroded_thickness;              // one for each [[eroded]]
+  std::map<std::string, int, std::less<>> caves;  // by key; that of the table where a key is left out
 };
 
 struct ReadSpec {

@@ -1,12 +1,14 @@
 #include <talus/terrain/stacks.h>
 
 #include <algorithm>
-#include <map>
+#include <optional>
 #include <utility>
 
 #include <talus/terrain/erosion.h>
 #include <talus/terrain/surface.h>
 
+#include "cave_plan.h"
+#include "caves.h"
 #include "ground.h"
 #include "kernels/columns.h"
 #include "layers_of_rock.h"
@@ -31,6 +33,9 @@ void lower(const ColumnKernels& kernels, std::span<const std::int32_t> top, cons
   kernels.lower_int32(top.data(), thickness, top.size(), lowered.data());
 }
 
+// A slope on which nothing stays.
+constexpr std::int32_t kSheer_fx = 1 << 30;
+
 void shift_right(Field& field, int shift) {
   if (shift == 0) return;
   for (std::int32_t& value : field.values) value >>= shift;
@@ -49,20 +54,25 @@ struct Generator::Scratch {
         ground{surface_of(world.spec()), set},
         rock{world, set},
         cells{set},
-        columns{column_kernels(set)} {}
+        columns{column_kernels(set)} {
+    if (world.spec().caves) caves.emplace(world, set);
+  }
 
   InstructionSet set;
   Ground ground;
   LayersOfRock rock;
   LooseCells cells;
   const ColumnKernels& columns;
+  std::optional<Caves> caves;
+  int around = 0;  // columns around the region that `ground` covers
+  Field slope;     // with entrances, where there are any
   std::vector<std::int64_t> xs;
   std::vector<std::int64_t> zs;
   Field limit;
   std::vector<Field> loose_tops;  // bottom up
   std::vector<Field> spare;
   Eroder eroder;
-  Field around;  // H with its halo, before erosion
+  Field surface;  // H with its halo, before erosion
   LooseGround loose_ground;
   std::vector<LooseRules> rules;  // bottom up
 };
@@ -70,14 +80,23 @@ struct Generator::Scratch {
 std::size_t Stacks::bytes() const {
   std::size_t bytes = sizeof(Stacks) + materials.size() * sizeof(MaterialId) + tops.size() * sizeof(Field);
   for (const Field& plane : tops) bytes += plane.values.size() * sizeof(std::int32_t);
+  bytes += (caves.floor.values.size() + caves.roof.values.size()) * sizeof(std::int32_t);
   return bytes;
 }
 
-int halo_columns(const World& world, Lod lod) {
-  if (world.spec().method == Method::erosion) return world.halo();
+namespace {
+
+int loose_halo(const World& world, Lod lod) {
+  if (world.spec().method == Method::erosion) return 2 * world.spec().erosion_steps;
   int halo = 0;
   for (const LooseSpec& loose : world.loose()) halo = std::max(halo, loose.halo_at(lod));
   return halo;
+}
+
+}  // namespace
+
+int halo_columns(const World& world, Lod lod) {
+  return std::max(loose_halo(world, lod), cave_halo(world, lod));
 }
 
 Generator::Generator(const World& world) : world_{&world}, scratch_{std::make_unique<Scratch>(world)} {}
@@ -89,26 +108,52 @@ void Generator::generate(const Region& region, Terrain& terrain) {
   generate_with_halo(region, std::max(1, halo_columns(*world_, region.lod)), terrain);
 }
 
+void Generator::cover(const Region& region, int ring, int halo) {
+  Scratch& s = *scratch_;
+  const int for_caves = std::min(halo, cave_halo(*world_, region.lod));
+  s.around = for_caves == 0 ? ring : std::max(ring + s.caves->shore(), for_caves);
+  s.ground.cover(region.grown(s.around));
+  if (s.caves) s.caves->cover(region, s.around, ring, s.ground.height());
+}
+
+const Field& Generator::slope_for_loose(int ring) {
+  Scratch& s = *scratch_;
+  if (s.around == ring) return s.ground.slope();
+  s.ground.slope().copy_inside(s.around - ring, s.slope);
+  for (int z = 0; z < s.slope.depth; ++z) {
+    for (int x = 0; x < s.slope.width; ++x) {
+      if (s.caves->opens(x, z)) s.slope.at(x, z) = kSheer_fx;
+    }
+  }
+  return s.slope;
+}
+
 void Generator::generate_with_halo(const Region& region, int halo, Terrain& terrain) {
   Scratch& s = *scratch_;
   const bool erodes = world_->spec().method == Method::erosion;
-  const int ring = halo - 1;  // the outermost column of the halo serves the slope alone
-  s.ground.cover(region.grown(ring));
   terrain.region = region;
-  s.ground.slope().copy_inside(ring, terrain.slope);
   terrain.loose.resize(world_->loose().size());
   if (erodes) {
-    erode(region, halo);
-    take_eroded(halo, terrain);
-  } else {
-    s.ground.height().copy_inside(ring, terrain.surface);
+    const int ring = std::min(halo, loose_halo(*world_, region.lod));
+    erode(region, ring, halo);
+    s.ground.slope().copy_inside(s.around, terrain.slope);
+    take_eroded(ring, terrain);
+    lay_strata(terrain);
+    take_caves(ring, terrain.surface, terrain.caves);
+    return;
   }
-  lay_strata(terrain);
-  if (erodes) return;
 
+  // The outermost column of the halo serves the slope alone.
+  const int ring = std::clamp(loose_halo(*world_, region.lod), 1, halo) - 1;
+  cover(region, ring, halo);
+  s.ground.slope().copy_inside(s.around, terrain.slope);
+  s.ground.height().copy_inside(s.around, terrain.surface);
+  lay_strata(terrain);
+  take_caves(ring, terrain.surface, terrain.caves);
+  const Field& slope = slope_for_loose(ring);
   for (std::size_t m = 0; m < terrain.loose.size(); ++m) {
     const LooseSpec& loose = world_->loose()[m];
-    s.cells.start(s.ground.slope(), loose.thickness_at(region.lod), loose.S_fx);
+    s.cells.start(slope, loose.thickness_at(region.lod), loose.S_fx);
     s.cells.settle(loose.c_fx);
     terrain.loose[m].reshape(region.width, region.depth);
     for (int z = 0; z < region.depth; ++z) {
@@ -134,14 +179,15 @@ void Generator::lay_strata(Terrain& terrain) {
 
 std::int64_t Generator::generate_to_rest(const Region& region, Neighbours neighbours, Terrain& terrain) {
   Scratch& s = *scratch_;
-  set_loose_over(region);
+  set_loose_over(region, 0, halo_columns(*world_, region.lod));
   Eroder eroder{neighbours};
   const std::int64_t steps = eroder.rest(s.rules, s.loose_ground);
   terrain.region = region;
-  terrain.slope = s.ground.slope();
+  s.ground.slope().copy_inside(s.around, terrain.slope);
   terrain.loose.resize(world_->loose().size());
   take_eroded(0, terrain);
   lay_strata(terrain);
+  take_caves(0, terrain.surface, terrain.caves);
   return steps;
 }
 
@@ -149,10 +195,11 @@ void Generator::generate(const Region& region, Stacks& stacks) {
   Scratch& s = *scratch_;
   const int shift = region.lod.value();
   stacks.region = region;
-  if (world_->spec().method == Method::erosion) {
-    const int halo = halo_columns(*world_, region.lod);
-    erode(region, halo);
-    take_eroded(halo);
+  const bool erodes = world_->spec().method == Method::erosion;
+  const int ring = erodes ? loose_halo(*world_, region.lod) : 0;
+  if (erodes) {
+    erode(region, ring, halo_columns(*world_, region.lod));
+    take_eroded(ring);
   } else {
     settle(region);
   }
@@ -167,20 +214,22 @@ void Generator::generate(const Region& region, Stacks& stacks) {
   for (std::size_t i = 0; i < bottom_up.size(); ++i) {
     std::swap(planes.add(world_->loose()[bottom_up[i]].material), s.loose_tops[i]);
   }
+  take_caves(ring, stacks.tops.back(), stacks.caves);
 }
 
 void Generator::settle(const Region& region) {
   Scratch& s = *scratch_;
-  const int ring = std::max(1, halo_columns(*world_, region.lod)) - 1;
-  s.ground.cover(region.grown(ring));
+  const int ring = std::max(1, loose_halo(*world_, region.lod)) - 1;
+  cover(region, ring, halo_columns(*world_, region.lod));
+  const Field& slope = slope_for_loose(ring);
   // `limit` walks down from H: the top of the loose material whose turn it is, lightest first, then of rock.
-  s.ground.height().copy_inside(ring, s.limit);
+  s.ground.height().copy_inside(s.around, s.limit);
   shift_right(s.limit, region.lod.value());
   const std::vector<std::size_t>& bottom_up = world_->loose_bottom_up();
   s.loose_tops.resize(bottom_up.size());
   for (std::size_t i = bottom_up.size(); i-- > 0;) {
     const LooseSpec& loose = world_->loose()[bottom_up[i]];
-    s.cells.start(s.ground.slope(), loose.thickness_at(region.lod), loose.S_fx);
+    s.cells.start(slope, loose.thickness_at(region.lod), loose.S_fx);
     s.cells.settle(loose.c_fx);
     std::swap(s.loose_tops[i], s.limit);
     s.limit.reshape(region.width, region.depth);
@@ -192,45 +241,67 @@ void Generator::settle(const Region& region) {
   }
 }
 
-void Generator::erode(const Region& region, int halo) {
+void Generator::erode(const Region& region, int ring, int halo) {
   Scratch& s = *scratch_;
-  set_loose_over(region.grown(halo));
+  set_loose_over(region, ring, halo);
   for (int step = 0; step < world_->spec().erosion_steps; ++step) {
     if (!s.eroder.step(s.rules, s.loose_ground)) break;
   }
 }
 
-void Generator::set_loose_over(const Region& region) {
+void Generator::set_loose_over(const Region& region, int ring, int halo) {
   Scratch& s = *scratch_;
-  s.ground.cover(region);
-  s.ground.height().copy_inside(0, s.around);
-  shift_right(s.around, region.lod.value());
+  cover(region, ring, halo);
+  s.ground.height().copy_inside(s.around - ring, s.surface);
+  shift_right(s.surface, region.lod.value());
   s.rules.clear();
   for (const std::size_t m : world_->loose_bottom_up()) {
     const LooseSpec& loose = world_->loose()[m];
     s.rules.push_back({loose.thickness_at(region.lod), loose.c_fx});
   }
-  set_loose(s.around, s.rules, s.loose_ground);
-}
-
-void Generator::take_eroded(int halo, Terrain& terrain) {
-  Scratch& s = *scratch_;
-  s.loose_ground.surface().copy_inside(halo, terrain.surface);
-  shift_left(terrain.surface, terrain.region.lod.value());
-  for (std::size_t i = 0; i < terrain.loose.size(); ++i) {
-    s.loose_ground.thickness[i].copy_inside(halo, terrain.loose[world_->loose_bottom_up()[i]]);
+  set_loose(s.surface, s.rules, s.loose_ground);
+  if (!s.caves) return;
+  // Entrances are bare ground from the start.
+  for (int z = 0; z < s.surface.depth; ++z) {
+    for (int x = 0; x < s.surface.width; ++x) {
+      if (!s.caves->opens(x, z)) continue;
+      s.loose_ground.base.at(x, z) = s.caves->floor(x, z);
+      for (Field& thickness : s.loose_ground.thickness) thickness.at(x, z) = 0;
+    }
   }
 }
 
-void Generator::take_eroded(int halo) {
+void Generator::take_eroded(int ring, Terrain& terrain) {
   Scratch& s = *scratch_;
-  s.loose_ground.base.copy_inside(halo, s.limit);
+  s.loose_ground.surface().copy_inside(ring, terrain.surface);
+  shift_left(terrain.surface, terrain.region.lod.value());
+  for (std::size_t i = 0; i < terrain.loose.size(); ++i) {
+    s.loose_ground.thickness[i].copy_inside(ring, terrain.loose[world_->loose_bottom_up()[i]]);
+  }
+}
+
+void Generator::take_eroded(int ring) {
+  Scratch& s = *scratch_;
+  s.loose_ground.base.copy_inside(ring, s.limit);
   s.loose_tops.resize(s.rules.size());
   for (std::size_t i = 0; i < s.rules.size(); ++i) {
     Field& top = s.loose_tops[i];
-    s.loose_ground.thickness[i].copy_inside(halo, top);
+    s.loose_ground.thickness[i].copy_inside(ring, top);
     const Field& below = i == 0 ? s.limit : s.loose_tops[i - 1];
     for (std::size_t k = 0; k < top.values.size(); ++k) top.values[k] += below.values[k];
+  }
+}
+
+void Generator::take_caves(int ring, const Field& surface, CaveAir& air) {
+  Scratch& s = *scratch_;
+  if (!s.caves) return air.clear();
+  s.caves->take(air);
+  if (air.none() || world_->spec().method != Method::erosion) return;
+  // What has slid into an entrance lies on its floor.
+  for (int z = 0; z < surface.depth; ++z) {
+    for (int x = 0; x < surface.width; ++x) {
+      if (s.caves->opens(x + ring, z + ring)) air.floor.at(x, z) = surface.at(x, z);
+    }
   }
 }
 
@@ -244,42 +315,6 @@ Stacks generate_stacks(const World& world, const Region& region) {
   Stacks stacks;
   Generator{world}.generate(region, stacks);
   return stacks;
-}
-
-namespace {
-
-std::vector<std::int32_t> eroded_heights(const World& world, std::span<const BaseColumn> columns) {
-  using Tile = std::pair<std::int64_t, std::int64_t>;
-  const auto tile_of = [](const BaseColumn& column) {
-    return Tile{floor_div(column.x, kChunkSize), floor_div(column.z, kChunkSize)};
-  };
-  std::map<Tile, std::vector<std::size_t>> by_tile;
-  for (std::size_t i = 0; i < columns.size(); ++i) by_tile[tile_of(columns[i])].push_back(i);
-  std::vector<std::int32_t> heights(columns.size());
-  Generator generator{world};
-  Stacks stacks;
-  for (const auto& [tile, asked] : by_tile) {
-    const Region region{tile.first * kChunkSize, tile.second * kChunkSize, kChunkSize, kChunkSize, Lod{}};
-    generator.generate(region, stacks);
-    for (const std::size_t i : asked) {
-      heights[i] = stacks.tops.back().at(static_cast<int>(columns[i].x - region.x),
-                                         static_cast<int>(columns[i].z - region.z));
-    }
-  }
-  return heights;
-}
-
-}  // namespace
-
-std::vector<std::int32_t> surface_heights(const World& world, std::span<const BaseColumn> columns) {
-  if (world.spec().method == Method::erosion) return eroded_heights(world, columns);
-  const auto rows = make_surface_rows(surface_of(world.spec()), instruction_set());
-  std::vector<std::int32_t> heights(columns.size());
-  for (std::size_t i = 0; i < columns.size(); ++i) {
-    rows->start({&columns[i].x, 1});
-    rows->row(columns[i].z, &heights[i]);
-  }
-  return heights;
 }
 
 }  // namespace talus::terrain

@@ -1,7 +1,6 @@
 #include "surface_plan.h"
 
 #include <cmath>
-#include <sstream>
 
 #include <talus/terrain/surface.h>
 
@@ -14,23 +13,8 @@ constexpr double kFarthestMap = 68719476736;  // voxels: the world's end
 constexpr double kMaxSpacing = 4096;          // voxels
 constexpr double kMaxMargin = 1048576;        // voxels
 
-std::string text_of(const auto&... parts) {
-  std::ostringstream text;
-  (text << ... << parts);
-  return text.str();
-}
-
-// A length of the spec that must come to `least` to `most` voxels.
-std::optional<SurfaceFault> out_of_range(int line, const std::string& table, const std::string& key,
-                                         double units, int resolution, double least, double most) {
-  const double voxels = units * resolution;
-  if (voxels >= least && voxels <= most) return std::nullopt;
-  return SurfaceFault{line, table + "." + key,
-                      text_of(key, " * resolution is ", voxels, " voxels; ", least, " to ", most)};
-}
-
-std::optional<SurfaceFault> complete_map(HeightMapSpec& map, const WorldSpec& spec, const SpecLines& lines,
-                                         const LoadHeightMap& load) {
+std::optional<SpecFault> complete_map(HeightMapSpec& map, const WorldSpec& spec, const SpecLines& lines,
+                                      const LoadHeightMap& load) {
   const std::string table = "surface.height_map";
   const int line = lines.height_map;
   const auto check = [&](const std::string& key, double units, double least, double most) {
@@ -44,7 +28,7 @@ std::optional<SurfaceFault> complete_map(HeightMapSpec& map, const WorldSpec& sp
     if (auto fault = check("margin", map.margin, 1, kMaxMargin)) return fault;
   }
   const auto refuse = [&](const std::string& why) {
-    return SurfaceFault{line, table + ".file", "'" + map.file + "': " + why};
+    return SpecFault{line, table + ".file", "'" + map.file + "': " + why};
   };
   if (!load) return refuse("height maps cannot be read here; give a spec without one");
   const auto samples = load(map.file);
@@ -58,8 +42,8 @@ std::optional<SurfaceFault> complete_map(HeightMapSpec& map, const WorldSpec& sp
 
 }  // namespace
 
-std::optional<SurfaceFault> complete_surface(WorldSpec& spec, const SpecLines& lines,
-                                             const LoadHeightMap& load) {
+std::optional<SpecFault> complete_surface(WorldSpec& spec, const SpecLines& lines,
+                                          const LoadHeightMap& load) {
   SurfaceSpec& surface = spec.surface;
   if (surface.noise() == SurfaceKind::warped) {
     if (auto fault =

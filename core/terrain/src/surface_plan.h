@@ -11,20 +11,15 @@
 #include <talus/terrain/height_map.h>
 #include <talus/terrain/world.h>
 
+#include "spec_fault.h"
 #include "spec_reader.h"
 
 namespace talus::terrain {
 
-struct SurfaceFault {
-  int line = 0;
-  std::string key;
-  std::string what;
-};
-
 /// Fetches the height map, where there is one, and puts it into the spec. What is wrong with the surface
 /// otherwise; its amplitude has been checked.
-[[nodiscard]] std::optional<SurfaceFault> complete_surface(WorldSpec& spec, const SpecLines& lines,
-                                                           const LoadHeightMap& load);
+[[nodiscard]] std::optional<SpecFault> complete_surface(WorldSpec& spec, const SpecLines& lines,
+                                                        const LoadHeightMap& load);
 
 /// The samples as subvoxels: `low` is 0, `high` highest_fx, what lies outside of them is cut off. Where they
 /// are not set they become 0 and 65535 for uint16, else the least and the greatest sample.

@@ -26,8 +26,8 @@ struct Range {
   double most;
 };
 
-/// The first thing wrong is kept; reading goes on with harmless values, so that a reader of who uses this
-/// sees the keys and not the error paths.
+/// The first thing wrong is kept; reading goes on with harmless values, so that who reads on sees the keys
+/// and not the error paths.
 class TableReader {
  public:
   TableReader(std::string_view file, std::string name, const toml::table& table,

@@ -21,17 +21,7 @@ double units_of(std::int64_t q16) {
   return static_cast<double>(q16) / 65536;
 }
 
-// A length of the spec that must come to `least` to `most` voxels.
-std::optional<SurfaceFault> out_of_range(int line, const std::string& table, const std::string& key,
-                                         double units, int resolution, double least, double most) {
-  const double voxels = units * resolution;
-  if (voxels >= least && voxels <= most) return std::nullopt;
-  std::ostringstream what;
-  what << key << " * resolution is " << voxels << " voxels; " << least << " to " << most;
-  return SurfaceFault{line, table + "." + key, what.str()};
-}
-
-std::optional<SurfaceFault> check_bends(const WorldSpec& spec, const SpecLines& lines) {
+std::optional<SpecFault> check_bends(const WorldSpec& spec, const SpecLines& lines) {
   if (spec.folds) {
     if (auto fault = out_of_range(lines.folds, "folds", "wavelength", spec.folds->wavelength, spec.resolution,
                                   kMinPeriod, kMaxPeriod)) {
@@ -39,7 +29,7 @@ std::optional<SurfaceFault> check_bends(const WorldSpec& spec, const SpecLines& 
     }
   }
   if (spec.faults.size() > kMaxFaults) {
-    return SurfaceFault{
+    return SpecFault{
         lines.faults[kMaxFaults], "faults",
         std::to_string(spec.faults.size()) + " sets of faults; at most " + std::to_string(kMaxFaults)};
   }
@@ -60,16 +50,16 @@ std::optional<SurfaceFault> check_bends(const WorldSpec& spec, const SpecLines& 
     std::ostringstream what;
     what << "surface.amplitude, folds.amplitude and half of every throw, * resolution, are " << bent
          << " voxels in all; at most " << kMaxHeight;
-    return spec.faults.empty() ? SurfaceFault{lines.folds, "folds.amplitude", what.str()}
-                               : SurfaceFault{lines.faults.front(), "faults[0].throw", what.str()};
+    return spec.faults.empty() ? SpecFault{lines.folds, "folds.amplitude", what.str()}
+                               : SpecFault{lines.faults.front(), "faults[0].throw", what.str()};
   }
   return std::nullopt;
 }
 
-std::optional<SurfaceFault> check_veins(const WorldSpec& spec, const SpecLines& lines) {
+std::optional<SpecFault> check_veins(const WorldSpec& spec, const SpecLines& lines) {
   if (spec.veins.size() > kMaxOres) {
-    return SurfaceFault{lines.veins[kMaxOres], "veins",
-                        std::to_string(spec.veins.size()) + " ores; at most " + std::to_string(kMaxOres)};
+    return SpecFault{lines.veins[kMaxOres], "veins",
+                     std::to_string(spec.veins.size()) + " ores; at most " + std::to_string(kMaxOres)};
   }
   for (std::size_t i = 0; i < spec.veins.size(); ++i) {
     const OreSpec& ore = spec.veins[i];
@@ -83,13 +73,12 @@ std::optional<SurfaceFault> check_veins(const WorldSpec& spec, const SpecLines& 
     if (ore.shape == OreShape::vein) {
       if (auto fault = check("thickness", ore.thickness_q16, 1, kMaxOre)) return fault;
       if (ore.thickness_q16 > ore.size_q16 / 4) {
-        return SurfaceFault{line, table + ".thickness",
-                            "is more than a quarter of size; make it at most that"};
+        return SpecFault{line, table + ".thickness", "is more than a quarter of size; make it at most that"};
       }
     }
     if (ore.high_q16 - ore.low_q16 < ore.size_q16) {
-      return SurfaceFault{line, table + ".high",
-                          "less than size above low, so that no body fits; make it low + size or more"};
+      return SpecFault{line, table + ".high",
+                       "less than size above low, so that no body fits; make it low + size or more"};
     }
   }
   return std::nullopt;
@@ -97,7 +86,7 @@ std::optional<SurfaceFault> check_veins(const WorldSpec& spec, const SpecLines& 
 
 }  // namespace
 
-std::optional<SurfaceFault> check_underground(const WorldSpec& spec, const SpecLines& lines) {
+std::optional<SpecFault> check_underground(const WorldSpec& spec, const SpecLines& lines) {
   if (auto fault = check_bends(spec, lines)) return fault;
   return check_veins(spec, lines);
 }

@@ -5,12 +5,12 @@
 
 #include <talus/terrain/world.h>
 
+#include "spec_fault.h"
 #include "spec_reader.h"
-#include "surface_plan.h"
 
 namespace talus::terrain {
 
 /// What is wrong with what lies in the ground, once the surface's own bounds hold.
-[[nodiscard]] std::optional<SurfaceFault> check_underground(const WorldSpec& spec, const SpecLines& lines);
+[[nodiscard]] std::optional<SpecFault> check_underground(const WorldSpec& spec, const SpecLines& lines);
 
 }  // namespace talus::terrain

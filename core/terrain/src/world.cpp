@@ -8,6 +8,7 @@
 
 #include "bends.h"
 #include "canonical_hash.h"
+#include "cave_plan.h"
 #include "spec_reader.h"
 #include "surface_plan.h"
 #include "underground_plan.h"
@@ -146,6 +147,8 @@ tl::expected<World, SpecError> World::parse(std::string_view toml, std::string_v
       world.rise_fx_ += spec.erosion_steps * 8 * erosion_step_fx(loose.c_fx);
     }
   }
+  if (const auto fault = fault_of_caves(spec, lines)) return refuse(fault->line, fault->key, fault->what);
+  world.halo_ = std::max(world.halo_, cave_halo(world, Lod{}));
   world.fingerprint_ = hash_canonical_form(world.canonical_form());
   return world;
 }

@@ -7,6 +7,7 @@
 #include <optional>
 #include <vector>
 
+#include <talus/terrain/cave_air.h>
 #include <talus/terrain/erosion.h>
 #include <talus/terrain/field.h>
 #include <talus/terrain/world.h>
@@ -24,6 +25,7 @@ struct Terrain {
   std::vector<MaterialId> strata_materials;  // bottom up, neighbours of one material merged
   std::vector<Field> strata;                 // tops of all planes, cut at H; the last equals H
   std::vector<Field> loose;                  // settled thickness, in the order of World::loose()
+  CaveAir caves;  // surface and strata know nothing of it, but for erosion's entrances
 };
 
 /// The stacks of a region (thesis 2.2.3): planes bottom up, over which every column has the same list of
@@ -32,12 +34,19 @@ struct Stacks {
   Region region;
   std::vector<MaterialId> materials;  // materials[k] lies between plane k - 1 and plane k
   std::vector<Field> tops;            // subvoxels; no plane lies below the one before; the last is H
+  CaveAir caves;
 
+  /// Where the topmost solid material of a column ends, in subvoxels.
+  [[nodiscard]] std::int32_t ground_fx(int x, int z) const {
+    const std::int32_t top = tops.back().at(x, z);
+    return caves.has(x, z) && caves.roof.at(x, z) >= top ? caves.floor.at(x, z) : top;
+  }
   [[nodiscard]] std::size_t bytes() const;
 };
 
 /// Halo columns of surface around a region at `lod`: max over the loose materials of ceil(t_l / c); with the
-/// erosion method two for every step, since what a column receives depends on its neighbours' neighbours.
+/// erosion method two for every step, since what a column receives depends on its neighbours' neighbours; as
+/// many as a cave's roof may reach, and one more where water is, if those are more.
 [[nodiscard]] int halo_columns(const World& world, Lod lod);
 
 /// The method for one world after another region, with the memory of the one before: after the first regions
@@ -65,15 +74,22 @@ class Generator {
  private:
   struct Scratch;
 
+  /// Surface, slope and caves over the region, and what loose material needs of them `ring` columns around
+  /// it. At most `halo` columns more are read for the caves.
+  void cover(const Region& region, int ring, int halo);
+  /// The slope over the region and `ring` columns around it; entrances are too steep for anything to stay.
+  const Field& slope_for_loose(int ring);
   /// Both methods leave the top of the rock in the scratch's `limit` and of each loose material above it,
   /// over the region.
   void settle(const Region& region);
-  /// With the halo still around everything, which take_eroded() takes off.
-  void erode(const Region& region, int halo);
-  void set_loose_over(const Region& region);
-  void take_eroded(int halo, Terrain& terrain);
-  void take_eroded(int halo);
+  /// With `ring` columns still around everything, which take_eroded() takes off.
+  void erode(const Region& region, int ring, int halo);
+  void set_loose_over(const Region& region, int ring, int halo);
+  void take_eroded(int ring, Terrain& terrain);
+  void take_eroded(int ring);
   void lay_strata(Terrain& terrain);
+  /// `surface` lies over the region, in its level's subvoxels.
+  void take_caves(int ring, const Field& surface, CaveAir& air);
 
   const World* world_;
   std::unique_ptr<Scratch> scratch_;
@@ -86,8 +102,8 @@ class Generator {
 /// The chunk `coord` of the region's level. Its 32 x 32 columns must lie inside stacks.region (asserted).
 [[nodiscard]] Chunk extract_chunk(const World& world, const Stacks& stacks, ChunkCoord coord);
 
-/// The ore that each column of the region has at the top of its rock, kAir where it has none; z slowest. It
-/// is what shows on ground where no loose material lies.
+/// The ore that each column of the region has at the top of its rock, or in the floor of a cave that is open
+/// to the sky, kAir where it has none; z slowest. It is what shows on ground where no loose material lies.
 [[nodiscard]] std::vector<MaterialId> surface_ore(const World& world, const Stacks& stacks);
 
 /// Chunk rows [first, last] outside which every chunk over these 32 x 32 columns is uniform: `below` under
@@ -118,8 +134,9 @@ struct HeightRange {
 /// One chunk alone, from scratch.
 [[nodiscard]] Chunk generate_chunk(const World& world, ChunkKey key);
 
-/// H of single base columns, in subvoxels. With the erosion method each tile of 32 x 32 columns that is asked
-/// into costs a region of its own with its halo.
+/// The ground of single base columns, in subvoxels: H, or a cave's floor where it is open to the sky. With
+/// the erosion method each tile of 32 x 32 columns that is asked into costs a region of its own with its
+/// halo.
 struct BaseColumn {
   std::int64_t x = 0;
   std::int64_t z = 0;

@@ -125,6 +125,21 @@ struct OreSpec {
   double abundance = 0;            // the chance that a cube of that size holds a body
 };
 
+/// Tunnels and chambers (docs/DESIGN.md, "Caves"). Lengths in terrain units.
+struct CaveSpec {
+  double low = 0;               // between these heights
+  double high = 0;              // the middle of the caves
+  double climb_wavelength = 0;  // goes up and down
+  double wavelength = 0;        // of the network of tunnels
+  double width = 0;             // of a tunnel where the noise is as steep as it mostly is
+  double height = 0;            // of a tunnel in its middle
+  double chamber_wavelength = 0;
+  double chamber_threshold = 0;  // of noise between -1 and 1 above which a chamber opens
+  double chamber_height = 0;     // in its middle
+  double roof = 0;               // the thinnest that holds; what is thinner falls in
+  double span = 0;               // the farthest that a roof reaches from what carries it
+};
+
 /// How loose material comes to lie: by the slope of the ground (thesis 3.6), which leaves the surface as it
 /// is, or by moving down (3.5), which changes it.
 enum class Method : std::uint8_t { slope, erosion };
@@ -143,6 +158,7 @@ struct WorldSpec {
   std::optional<FoldSpec> folds;
   std::vector<FaultSpec> faults;
   std::vector<OreSpec> veins;
+  std::optional<CaveSpec> caves;
 };
 
 /// "FILE:LINE: key: what is wrong; what would be right". One line.
@@ -200,7 +216,8 @@ class World {
   [[nodiscard]] const std::vector<std::size_t>& loose_bottom_up() const { return loose_bottom_up_; }
 
   /// Columns of surface that must be known around a region for its stacks to be exact, at level 0: the
-  /// halo theorem's A; with the erosion method two for every step.
+  /// halo theorem's A; with the erosion method two for every step; as many as a cave's roof reaches if those
+  /// are more.
   [[nodiscard]] int halo() const { return halo_; }
   /// No surface is higher before erosion: amplitude * resolution in subvoxels.
   [[nodiscard]] std::int32_t highest_fx() const { return highest_fx_; }

@@ -1,0 +1,49 @@
+// The caves of a spec in the numbers they are computed with. Private to the room.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include <talus/terrain/fbm.h>
+#include <talus/terrain/world.h>
+
+#include "spec_fault.h"
+#include "spec_reader.h"
+
+namespace talus::terrain {
+
+/// Noise becomes an integer of this many parts.
+inline constexpr std::int32_t kNoiseOne = 1 << 14;
+
+/// `_noise`: in kNoiseOne parts of noise.
+struct CavePlan {
+  Fbm tunnels;
+  Fbm chambers;
+  Fbm climb;
+  std::int32_t low_fx = 0;
+  std::int32_t climb_fx = 0;  // from the lowest middle to the highest
+  std::int32_t half_width_noise = 0;
+  std::int32_t height_fx = 0;
+  std::int32_t threshold_noise = 0;
+  std::int32_t chamber_height_fx = 0;
+  std::int32_t roof_fx = 0;
+  int span = 0;  // columns of level 0
+
+  /// Columns that a roof reaches at a level; none means that the level has no caves.
+  [[nodiscard]] int span_at(Lod lod) const { return span >> lod.value(); }
+};
+
+/// Of a spec that has caves.
+[[nodiscard]] CavePlan caves_of(const WorldSpec& spec);
+
+/// What is wrong with the caves of a spec, beyond the range of single keys. None where it has none.
+[[nodiscard]] std::optional<SpecFault> fault_of_caves(const WorldSpec& spec, const SpecLines& lines);
+
+/// Everything that decides them, one number after the other.
+[[nodiscard]] std::string canonical_caves(const CavePlan& plan);
+
+/// Columns of surface around a region that decide its caves.
+[[nodiscard]] int cave_halo(const World& world, Lod lod);
+
+}  // namespace talus::terrain
