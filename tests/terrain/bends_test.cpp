@@ -211,7 +211,7 @@ TEST_CASE("Two blocks of a set are offset by no more than its throw, and by more
 
 TEST_CASE("Waviness moves a fault to and fro by no more than it says") {
   const World wavy = world_with(5, "[[faults]]\nstrike = 0\nspacing = 4\nthrow = 1\nwaviness = 0.5\n");
-  const auto columns = line(-1600, 3200);
+  const auto columns = line(-1680, 3200);  // half a block before the first fault
   const Field lift = lift_of(wavy, columns, line(0, 300));
   const auto first_step = [&](int z) {
     int x = 1;

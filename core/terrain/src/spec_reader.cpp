@@ -242,22 +242,30 @@ tl::expected<ReadSpec, SpecError> read_spec(std::string_view toml, std::string_v
     eroded.angle_of_repose = material.real("angle_of_repose", {1, 89});
     eroded.max_slope = material.real("max_slope", {1, 89});
   }
+  const auto note_lines = [&](const TableReader& table, const std::string& name,
+                              std::initializer_list<const char*> keys) {
+    for (const char* key : keys) read.lines.underground[name + '.' + key] = table.line(key);
+  };
   if (root.has("folds")) {
-    read.lines.folds = root.line("folds");
-    if (const toml::table* table = root.table("folds"))
-      spec.folds = read_folds({file, "folds", *table, error});
+    if (const toml::table* table = root.table("folds")) {
+      const TableReader folds{file, "folds", *table, error};
+      note_lines(folds, "folds", {"amplitude", "wavelength"});
+      spec.folds = read_folds(folds);
+    }
   }
   if (root.has("faults")) {
     for (const toml::table* table : root.tables("faults")) {
-      TableReader faults{file, "faults[" + std::to_string(spec.faults.size()) + "]", *table, error};
-      read.lines.faults.push_back(faults.line());
+      const std::string name = "faults[" + std::to_string(spec.faults.size()) + "]";
+      const TableReader faults{file, name, *table, error};
+      note_lines(faults, name, {"spacing", "throw", "waviness"});
       spec.faults.push_back(read_faults(faults));
     }
   }
   if (root.has("veins")) {
     for (const toml::table* table : root.tables("veins")) {
-      TableReader veins{file, "veins[" + std::to_string(spec.veins.size()) + "]", *table, error};
-      read.lines.veins.push_back(veins.line());
+      const std::string name = "veins[" + std::to_string(spec.veins.size()) + "]";
+      const TableReader veins{file, name, *table, error};
+      note_lines(veins, name, {"name", "size", "high", "thickness"});
       spec.veins.push_back(read_veins(veins, names));
     }
   }

@@ -1,6 +1,7 @@
 #include "underground_plan.h"
 
-#include <sstream>
+#include <string>
+#include <utility>
 
 #include "bends.h"
 
@@ -21,64 +22,76 @@ double units_of(std::int64_t q16) {
   return static_cast<double>(q16) / 65536;
 }
 
-std::optional<SpecFault> check_bends(const WorldSpec& spec, const SpecLines& lines) {
+// Refuses keys at the lines where they stand.
+class KeyChecks {
+ public:
+  KeyChecks(const WorldSpec& spec, const SpecLines& lines) : resolution_{spec.resolution}, lines_{lines} {}
+
+  [[nodiscard]] SpecFault fault(const std::string& key, std::string what) const {
+    const auto line = lines_.underground.find(key);
+    return {line == lines_.underground.end() ? 0 : line->second, key, std::move(what)};
+  }
+  // A length that must come to `least` to `most` voxels.
+  [[nodiscard]] std::optional<SpecFault> length(const std::string& table, const std::string& key,
+                                                double units, double least, double most) const {
+    auto found = out_of_range(0, table, key, units, resolution_, least, most);
+    if (found) found->line = fault(found->key, "").line;
+    return found;
+  }
+
+ private:
+  int resolution_;
+  const SpecLines& lines_;
+};
+
+std::optional<SpecFault> check_bends(const WorldSpec& spec, const KeyChecks& keys) {
   if (spec.folds) {
-    if (auto fault = out_of_range(lines.folds, "folds", "wavelength", spec.folds->wavelength, spec.resolution,
-                                  kMinPeriod, kMaxPeriod)) {
+    if (auto fault = keys.length("folds", "wavelength", spec.folds->wavelength, kMinPeriod, kMaxPeriod)) {
       return fault;
     }
   }
   if (spec.faults.size() > kMaxFaults) {
-    return SpecFault{
-        lines.faults[kMaxFaults], "faults",
-        std::to_string(spec.faults.size()) + " sets of faults; at most " + std::to_string(kMaxFaults)};
+    return keys.fault("faults[" + std::to_string(kMaxFaults) + "].spacing",
+                      text_of(spec.faults.size(), " sets of faults; at most ", kMaxFaults));
   }
   for (std::size_t i = 0; i < spec.faults.size(); ++i) {
     const std::string table = "faults[" + std::to_string(i) + "]";
     const FaultSpec& faults = spec.faults[i];
-    if (auto fault = out_of_range(lines.faults[i], table, "spacing", units_of(faults.spacing_q16),
-                                  spec.resolution, kMinPeriod, kMaxPeriod)) {
+    if (auto fault = keys.length(table, "spacing", units_of(faults.spacing_q16), kMinPeriod, kMaxPeriod)) {
       return fault;
     }
-    if (auto fault = out_of_range(lines.faults[i], table, "waviness", units_of(faults.waviness_q16),
-                                  spec.resolution, 0, kMaxWaviness)) {
+    if (auto fault = keys.length(table, "waviness", units_of(faults.waviness_q16), 0, kMaxWaviness))
       return fault;
-    }
   }
   const double bent = (units_of(greatest_bend_q16(spec)) + spec.surface.amplitude) * spec.resolution;
-  if (bent > kMaxHeight) {
-    std::ostringstream what;
-    what << "surface.amplitude, folds.amplitude and half of every throw, * resolution, are " << bent
-         << " voxels in all; at most " << kMaxHeight;
-    return spec.faults.empty() ? SpecFault{lines.folds, "folds.amplitude", what.str()}
-                               : SpecFault{lines.faults.front(), "faults[0].throw", what.str()};
-  }
-  return std::nullopt;
+  if (bent <= kMaxHeight) return std::nullopt;
+  return keys.fault(spec.folds ? "folds.amplitude" : "faults[0].throw",
+                    text_of("surface.amplitude, folds.amplitude and half of every throw, * resolution, are ",
+                            bent, " voxels in all; at most ", kMaxHeight));
 }
 
-std::optional<SpecFault> check_veins(const WorldSpec& spec, const SpecLines& lines) {
+std::optional<SpecFault> check_veins(const WorldSpec& spec, const KeyChecks& keys) {
   if (spec.veins.size() > kMaxOres) {
-    return SpecFault{lines.veins[kMaxOres], "veins",
-                     std::to_string(spec.veins.size()) + " ores; at most " + std::to_string(kMaxOres)};
+    return keys.fault("veins[" + std::to_string(kMaxOres) + "].name",
+                      text_of(spec.veins.size(), " ores; at most ", kMaxOres));
   }
   for (std::size_t i = 0; i < spec.veins.size(); ++i) {
     const OreSpec& ore = spec.veins[i];
-    const int line = lines.veins[i];
     const std::string table = "veins[" + std::to_string(i) + "]";
-    const auto check = [&](const std::string& key, std::int64_t units_q16, double least, double most) {
-      return out_of_range(line, table, key, units_of(units_q16), spec.resolution, least, most);
+    const auto check = [&](const char* key, std::int64_t units_q16, double least, double most) {
+      return keys.length(table, key, units_of(units_q16), least, most);
     };
     if (auto fault = check("size", ore.size_q16, kMinOre, kMaxOre)) return fault;
     if (auto fault = check("high", ore.high_q16, 0, kMaxHeight)) return fault;
     if (ore.shape == OreShape::vein) {
       if (auto fault = check("thickness", ore.thickness_q16, 1, kMaxOre)) return fault;
       if (ore.thickness_q16 > ore.size_q16 / 4) {
-        return SpecFault{line, table + ".thickness", "is more than a quarter of size; make it at most that"};
+        return keys.fault(table + ".thickness", "more than a quarter of size; make it at most that");
       }
     }
     if (ore.high_q16 - ore.low_q16 < ore.size_q16) {
-      return SpecFault{line, table + ".high",
-                       "less than size above low, so that no body fits; make it low + size or more"};
+      return keys.fault(table + ".high",
+                        "less than size above low, so that no body fits; make it low + size or more");
     }
   }
   return std::nullopt;
@@ -87,8 +100,9 @@ std::optional<SpecFault> check_veins(const WorldSpec& spec, const SpecLines& lin
 }  // namespace
 
 std::optional<SpecFault> check_underground(const WorldSpec& spec, const SpecLines& lines) {
-  if (auto fault = check_bends(spec, lines)) return fault;
-  return check_veins(spec, lines);
+  const KeyChecks keys{spec, lines};
+  if (auto fault = check_bends(spec, keys)) return fault;
+  return check_veins(spec, keys);
 }
 
 }  // namespace talus::terrain
