@@ -41,6 +41,11 @@ std::vector<Chunk> mixed_chunks(const terrain::World& world, Lod lod) {
   return chunks;
 }
 
+terrain::World default_world_with(const std::string& sections) {
+  return terrain::World::parse(std::string{terrain::default_world_toml()} + "\n" + sections, "default")
+      .value();
+}
+
 std::string text_of_world(const std::string& name) {
   std::ifstream file{TALUS_SOURCE_DIR "/core/worlds/" + name + ".toml"};
   return {std::istreambuf_iterator<char>{file}, {}};

@@ -22,6 +22,26 @@ namespace talus::bench {
 [[nodiscard]] std::vector<Chunk> mixed_chunks(const terrain::World& world = terrain::default_world(),
                                               Lod lod = {});
 
+/// Sections to add to the default world: what may lie in its ground.
+inline constexpr const char* kFolds =
+    "[folds]\namplitude = 0.16\nwavelength = 1.1\nstrike = 30\nstretch = 5\n";
+inline constexpr const char* kFaults =
+    "[[faults]]\nstrike = 20\nspacing = 0.7\nthrow = 0.14\nwaviness = 0.05\n"
+    "[[faults]]\nstrike = 110\nspacing = 1.6\nthrow = 0.2\nwaviness = 0.08\n";
+inline constexpr const char* kOre =
+    "[[veins]]\nname = \"coal\"\ncolour = \"#101014\"\nshape = \"vein\"\nlow = 0.1\nhigh = 1.4\nsize = 0.5\n"
+    "thickness = 0.025\nabundance = 0.5\n"
+    "[[veins]]\nname = \"silver\"\ncolour = \"#dfe8f5\"\nshape = \"vein\"\nlow = 0.0\nhigh = 0.9\nsize = "
+    "0.35\n"
+    "thickness = 0.015\nabundance = 0.35\n"
+    "[[veins]]\nname = \"copper\"\ncolour = \"#2fb39a\"\nshape = \"pocket\"\nlow = 0.0\nhigh = 0.8\nsize = "
+    "0.12\n"
+    "abundance = 0.06\n"
+    "[[veins]]\nname = \"gold\"\ncolour = \"#ffcf26\"\nshape = \"pocket\"\nlow = 0.0\nhigh = 1.2\nsize = "
+    "0.06\n"
+    "abundance = 0.03\n";
+[[nodiscard]] terrain::World default_world_with(const std::string& sections);
+
 /// A sample world: "canyon", "hills".
 [[nodiscard]] terrain::World sample_world(const std::string& name);
 

@@ -43,6 +43,11 @@ constexpr Content kContents[] = {
     {"default, level 2", [] { return bench::mixed_chunks(terrain::default_world(), Lod::of(2)); }},
     {"chunks with caves", [] { return bench::cave_chunks(true); }},
     {"those without their caves", [] { return bench::cave_chunks(false); }},
+    {"default, folds and faults",
+     [] {
+       return bench::mixed_chunks(bench::default_world_with(std::string{bench::kFolds} + bench::kFaults));
+     }},
+    {"default, four ores", [] { return bench::mixed_chunks(bench::default_world_with(bench::kOre)); }},
     {"default, with tunnels", [] { return changed(chunks(), bench::with_hole); }},
     {"default, edited", [] { return changed(chunks(), bench::edited); }},
     {"random, 4 materials",

@@ -62,7 +62,9 @@ const Sample kWorlds[] = {
     {"ridged", "tests/golden/worlds/ridged", ""},
     {"warped", "tests/golden/worlds/warped", ""},
     {"height_map", "tests/golden/worlds/height_map", ""},
-    {"repeated map", "tests/golden/worlds/repeated_map", ""}};
+    {"repeated map", "tests/golden/worlds/repeated_map", ""},
+    {"underground", "tests/golden/worlds/underground", ""},
+    {"underground, eroded", "tests/golden/worlds/underground", "method = \"erosion\"\nerosion_steps = 5\n"}};
 
 void print_place(const terrain::World& world, const Place& place, std::ostream& out) {
   const Lod lod = Lod::of(place.lod);

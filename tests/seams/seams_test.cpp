@@ -11,6 +11,7 @@
 #include <talus/terrain/stacks.h>
 #include <talus/voxel/codec.h>
 
+#include "made_height_map.h"
 #include "worlds.h"
 
 namespace talus::terrain {
@@ -56,22 +57,26 @@ Region patch_around(ChunkKey key, int tiles) {
           tiles * kChunkSize, key.lod};
 }
 
-World eroding_world(std::uint64_t seed, int steps) {
+World eroding_world(std::uint64_t seed, int steps, const std::string& underground = "") {
   return World::parse("method = \"erosion\"\nerosion_steps = " + std::to_string(steps) + "\n" +
-                          test::small_world_text(seed),
+                          test::small_world_text(seed) + underground,
                       "eroding")
       .value();
 }
 
-// The small world with any kind of surface or with caves, by either method.
+// The small world with any kind of surface, by either method, with caves, or with level strata or all that
+// strata can hold.
 World any_small_world() {
   const std::uint64_t seed = *rc::gen::arbitrary<std::uint64_t>();
   const int steps = *rc::gen::inRange(0, 13);
   if (*rc::gen::inRange(0, 3) == 0) return test::small_caves(seed, std::max(0, steps - 6));
-  if (steps > 6) return eroding_world(seed, steps - 6);
+  const std::string underground = *rc::gen::arbitrary<bool>() ? test::underground_text() : "";
+  if (steps > 6) return eroding_world(seed, steps - 6, underground);
   const auto surface =
       *rc::gen::element<std::string>("", "ridged", "warped", "mirror", "sea", "repeat", "blend");
-  return surface.empty() ? test::small_world(seed) : test::small_world(seed, surface);
+  const std::string text =
+      surface.empty() ? test::small_world_text(seed) : test::small_world_text(seed, surface);
+  return World::parse(text + underground, "any", test::made_height_maps()).value();
 }
 
 TEST_CASE("A chunk alone has the bytes of the same chunk from any larger patch") {

@@ -93,6 +93,50 @@ max_slope = 60
 )";
 }
 
+std::string underground_text() {
+  return R"([folds]
+amplitude = 0.6
+wavelength = 1.6
+octaves = 2
+strike = 30
+stretch = 4
+[[faults]]
+strike = 20
+spacing = 0.9
+throw = 0.5
+waviness = 0.1
+[[faults]]
+strike = 115
+spacing = 1.7
+throw = 0.4
+[[veins]]
+name = "coal"
+colour = "#101014"
+shape = "vein"
+low = 0.1
+high = 2.4
+size = 0.9
+thickness = 0.06
+abundance = 0.9
+[[veins]]
+name = "gold"
+colour = "#ffd020"
+shape = "pocket"
+low = 0
+high = 1.6
+size = 0.3
+abundance = 0.4
+[[veins]]
+name = "opal"
+colour = "#20e080"
+shape = "pocket"
+low = 0.2
+high = 2.5
+size = 0.12
+abundance = 0.2
+)";
+}
+
 terrain::World small_world(std::uint64_t seed) {
   return parsed(small_world_text(seed), "small.toml");
 }

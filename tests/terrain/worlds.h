@@ -24,4 +24,7 @@ namespace talus::test {
 [[nodiscard]] std::string small_world_text(std::uint64_t seed, const std::string& surface);
 [[nodiscard]] terrain::World small_world(std::uint64_t seed, const std::string& surface);
 
+/// Folds, two sets of faults, a vein and two pockets, to be added to the small world's text.
+[[nodiscard]] std::string underground_text();
+
 }  // namespace talus::test

@@ -6,8 +6,10 @@
 #define XXH_STATIC_LINKING_ONLY
 #include <xxhash.h>
 
+#include "bends.h"
 #include "canonical_hash.h"
 #include "cave_plan.h"
+#include "ore_bodies.h"
 
 #include <talus/terrain/strata.h>
 #include <talus/terrain/surface.h>
@@ -46,6 +48,35 @@ void add_map(const PlacedMap& map, std::ostream& form) {
        << static_cast<int>(map.outside) << " margin_q16 " << map.margin_q16 << '\n';
 }
 
+void add_bends(const WorldSpec& spec, std::ostream& form) {
+  const auto add_strike = [&form](const Strike& strike) {
+    form << " strike_q16 " << strike.cos_q16 << ' ' << strike.sin_q16;
+  };
+  if (spec.folds) {
+    const FoldField folds = fold_field(spec);
+    form << "folds amplitude_fx " << bits_of(folds.amplitude_fx) << " period " << folds.noise.period
+         << " octaves " << folds.noise.octaves << " shrink_q16 " << folds.shrink_q16;
+    add_strike(folds.strike);
+    form << '\n';
+  }
+  for (std::size_t i = 0; i < spec.faults.size(); ++i) {
+    const FaultField faults = fault_field(spec, i);
+    form << "faults throw_fx " << faults.throw_fx << " spacing_q16 " << faults.spacing_q16 << " waviness_fx "
+         << bits_of(faults.waviness_fx);
+    add_strike(faults.strike);
+    form << '\n';
+  }
+}
+
+void add_ores(const WorldSpec& spec, std::ostream& form) {
+  for (std::size_t i = 0; i < spec.veins.size(); ++i) {
+    const OreKind ore = ore_kind(spec, i);
+    form << "ore " << to_integer(ore.material) << " shape " << static_cast<int>(ore.shape) << " low_fx "
+         << ore.low_fx << " high_fx " << ore.high_fx << " size_fx " << ore.size_fx << " thickness_fx "
+         << ore.thickness_fx << " chance_q32 " << ore.chance_q32 << '\n';
+  }
+}
+
 }  // namespace
 
 std::string World::canonical_form() const {
@@ -66,10 +97,12 @@ std::string World::canonical_form() const {
          << layer_noise(spec_, strata_[j].roughness, j).period << " swing "
          << bits_of(static_cast<float>(2.0 * strata_[j].roughness)) << '\n';
   }
+  add_bends(spec_, form);
   for (const std::size_t i : loose_bottom_up_) {
     form << "loose " << to_integer(loose_[i].material) << " t_fx " << loose_[i].t_fx << " S_fx "
          << loose_[i].S_fx << " c_fx " << loose_[i].c_fx << '\n';
   }
+  add_ores(spec_, form);
   if (spec_.caves) form << canonical_caves(caves_of(spec_));
   return form.str();
 }

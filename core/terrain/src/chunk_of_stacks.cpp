@@ -9,6 +9,7 @@
 
 #include "inserts.h"
 #include "kernels/columns.h"
+#include "ore_inserts.h"
 
 namespace talus::terrain {
 namespace {
@@ -134,27 +135,34 @@ Chunk extract_chunk(const World& world, const Stacks& stacks, ChunkCoord coord) 
     below = plane;
   };
   ChunkPlane rows;
+  ChunkPlane rock;
+  const std::size_t top_of_rock = tile.planes() - 1 - world.loose().size();
   for (std::size_t plane = 0; plane < tile.planes(); ++plane) {
     tile.cut(plane, floor_row, rows);
     add_plane(tile.material(plane), rows);
+    if (plane == top_of_rock) rock = rows;
   }
   const std::uint8_t sea = TileRows::cut(tile.sea_row(), floor_row);
   for (std::uint8_t& row : rows) row = std::max(row, sea);
   add_plane(kWater, rows);
   layers.materials.push_back(kAir);
 
-  if (stacks.caves.none()) return chunk_with(std::move(layers), {});
-  Insert air{kAir, {}, {}};
-  tile.cut(stacks.caves.floor, floor_row, air.from);
-  tile.cut(stacks.caves.roof, floor_row, air.to);
-  return chunk_with(std::move(layers), {&air, 1});
+  std::vector<Insert> inserts;
+  if (!world.spec().veins.empty()) inserts = ore_inserts(world, {coord, stacks.region.lod}, rock);
+  if (!stacks.caves.none()) {
+    Insert& air = inserts.emplace_back(Insert{kAir, {}, {}});
+    tile.cut(stacks.caves.floor, floor_row, air.from);
+    tile.cut(stacks.caves.roof, floor_row, air.to);
+  }
+  return chunk_with(std::move(layers), inserts);
 }
 
 MixedRange mixed_range(const World& world, const Stacks& stacks, std::int32_t chunk_x, std::int32_t chunk_z) {
   const TileRows tile{world, stacks, chunk_x, chunk_z};
   Rows rows{};
   tile.read(0, rows);
-  const std::int32_t lowest = std::min(*std::min_element(rows.begin(), rows.end()), tile.lowest_cave());
+  const std::int32_t lowest = std::min({*std::min_element(rows.begin(), rows.end()), tile.lowest_cave(),
+                                        lowest_ore_row(world, stacks.region.lod)});
   tile.read(tile.planes() - 1, rows);
   const std::int32_t highest = std::max(*std::max_element(rows.begin(), rows.end()), tile.sea_row());
   const auto chunk_row = [](std::int32_t row) {

@@ -11,16 +11,34 @@ namespace {
 constexpr std::size_t kSegment = 32;
 
 LayerShape shape_of(const World& world, const StratumSpec& layer) {
-  // Nothing reaches past the highest surface, so a thicker layer may stop there without a difference.
+  // No layer reaches past the highest surface over the deepest bend, so a thicker one may stop there without
+  // a difference.
+  const std::int64_t bend_fx = (greatest_bend_q16(world.spec()) * world.spec().resolution + 255) >> 8;
   return {static_cast<float>(static_cast<double>(layer.thickness_q16) * world.spec().resolution * kSubvoxels /
                              65536.0),
-          static_cast<float>(2.0 * layer.roughness), static_cast<float>(world.highest_fx())};
+          static_cast<float>(2.0 * layer.roughness), static_cast<float>(world.highest_fx() + bend_fx)};
 }
 
 }  // namespace
 
 void LayersOfRock::lay(std::span<const std::int64_t> xs, std::span<const std::int64_t> zs,
                        const Field& limit_fx, Extent extent, Planes& planes) {
+  if (bends_.none()) return pile(xs, zs, limit_fx, extent, planes);
+  bends_.cover(xs, zs, lift_);
+  reach_.reshape(limit_fx.width, limit_fx.depth);
+  for (std::size_t i = 0; i < reach_.values.size(); ++i) {
+    reach_.values[i] = limit_fx.values[i] - lift_.values[i];
+  }
+  pile(xs, zs, reach_, extent, planes);
+  for (Field& top : planes.tops()) {
+    for (std::size_t i = 0; i < top.values.size(); ++i) {
+      top.values[i] = std::max(top.values[i] + lift_.values[i], 0);
+    }
+  }
+}
+
+void LayersOfRock::pile(std::span<const std::int64_t> xs, std::span<const std::int64_t> zs,
+                        const Field& limit_fx, Extent extent, Planes& planes) {
   const std::size_t width = xs.size();
   ground_.values.assign(limit_fx.values.size(), 0);
   open_.assign(zs.size(), {0, width});

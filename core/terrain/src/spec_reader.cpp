@@ -42,6 +42,44 @@ HeightMapSpec read_height_map(TableReader map) {
   return spec;
 }
 
+FoldSpec read_folds(TableReader folds) {
+  folds.only({"amplitude", "wavelength", "octaves", "strike", "stretch"});
+  FoldSpec spec;
+  spec.amplitude_q16 = folds.units_q16("amplitude", {0, kFarthest});
+  spec.wavelength = folds.real("wavelength", {1e-6, kLongest});
+  spec.octaves = folds.has("octaves") ? static_cast<int>(folds.integer("octaves", 1, 8)) : 2;
+  spec.strike = folds.has("strike") ? folds.real("strike", {-360, 360}) : 0;
+  spec.stretch = folds.has("stretch") ? folds.real("stretch", {1, 64}) : 4;
+  return spec;
+}
+
+FaultSpec read_faults(TableReader faults) {
+  faults.only({"strike", "spacing", "throw", "waviness"});
+  FaultSpec spec;
+  spec.strike = faults.real("strike", {-360, 360});
+  spec.spacing_q16 = faults.units_q16("spacing", {1.0 / 65536, kLongest});
+  spec.throw_q16 = faults.units_q16("throw", {0, kFarthest});
+  spec.waviness_q16 = faults.has("waviness") ? faults.units_q16("waviness", {0, kFarthest}) : 0;
+  return spec;
+}
+
+OreSpec read_veins(TableReader veins, std::set<std::string>& names) {
+  OreSpec spec;
+  spec.shape = static_cast<OreShape>(veins.choice("shape", {"pocket", "vein"}));
+  std::vector<std::string_view> known{"name", "colour", "shape", "low", "high", "size", "abundance"};
+  if (spec.shape == OreShape::vein) known.push_back("thickness");
+  veins.only(known);
+  spec.name = veins.name(names);
+  spec.colour = veins.colour();
+  spec.low_q16 = veins.units_q16("low", {0, kFarthest});
+  spec.high_q16 = veins.units_q16("high", {0, kFarthest});
+  spec.size_q16 = veins.units_q16("size", {1.0 / 65536, kFarthest});
+  if (spec.shape == OreShape::vein)
+    spec.thickness_q16 = veins.units_q16("thickness", {1.0 / 65536, kFarthest});
+  spec.abundance = veins.real("abundance", {0, 1});
+  return spec;
+}
+
 // A key that its kind of surface has no use for is unknown, like any other.
 SurfaceSpec read_surface(TableReader& surface, std::string_view file, std::optional<SpecError>& error) {
   SurfaceSpec spec;
@@ -147,7 +185,7 @@ tl::expected<ReadSpec, SpecError> read_spec(std::string_view toml, std::string_v
   WorldSpec& spec = read.spec;
   TableReader root{file, "", document, error};
   root.only({"seed", "resolution", "strata_wavelength", "sea_level", "method", "erosion_steps", "surface",
-             "stratified", "eroded", "caves"});
+             "stratified", "eroded", "caves", "folds", "faults", "veins"});
   spec.seed = static_cast<std::uint64_t>(root.integer("seed", std::numeric_limits<std::int64_t>::min(),
                                                       std::numeric_limits<std::int64_t>::max()));
   spec.resolution = static_cast<int>(root.integer("resolution", 1, 32768));
@@ -202,6 +240,33 @@ tl::expected<ReadSpec, SpecError> read_spec(std::string_view toml, std::string_v
     eroded.thickness_q16 = material.units_q16("thickness", {1.0 / 65536, kFarthest});
     eroded.angle_of_repose = material.real("angle_of_repose", {1, 89});
     eroded.max_slope = material.real("max_slope", {1, 89});
+  }
+  const auto note_lines = [&](const TableReader& table, const std::string& name,
+                              std::initializer_list<const char*> keys) {
+    for (const char* key : keys) read.lines.underground[name + '.' + key] = table.line(key);
+  };
+  if (root.has("folds")) {
+    if (const toml::table* table = root.table("folds")) {
+      const TableReader folds{file, "folds", *table, error};
+      note_lines(folds, "folds", {"amplitude", "wavelength"});
+      spec.folds = read_folds(folds);
+    }
+  }
+  if (root.has("faults")) {
+    for (const toml::table* table : root.tables("faults")) {
+      const std::string name = "faults[" + std::to_string(spec.faults.size()) + "]";
+      const TableReader faults{file, name, *table, error};
+      note_lines(faults, name, {"spacing", "throw", "waviness"});
+      spec.faults.push_back(read_faults(faults));
+    }
+  }
+  if (root.has("veins")) {
+    for (const toml::table* table : root.tables("veins")) {
+      const std::string name = "veins[" + std::to_string(spec.veins.size()) + "]";
+      const TableReader veins{file, name, *table, error};
+      note_lines(veins, name, {"name", "size", "high", "thickness"});
+      spec.veins.push_back(read_veins(veins, names));
+    }
   }
   if (root.has("caves")) {
     if (const toml::table* table = root.table("caves")) {

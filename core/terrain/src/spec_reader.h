@@ -22,8 +22,9 @@ struct SpecLines {
   int warp = 0;
   int height_map = 0;
   int stratified = 0;
-  std::vector<int> eroded_thickness;              // one for each [[eroded]]
-  std::map<std::string, int, std::less<>> caves;  // by key; that of the table where a key is left out
+  std::vector<int> eroded_thickness;                    // one for each [[eroded]]
+  std::map<std::string, int, std::less<>> caves;        // by key; that of the table where a key is left out
+  std::map<std::string, int, std::less<>> underground;  // of folds, faults and veins, by "folds.strike"
 };
 
 struct ReadSpec {

@@ -13,12 +13,12 @@ constexpr int kLayerOctaves = 4;
 }  // namespace
 
 std::vector<std::size_t> layer_sequence(std::span<const StratifiedSpec> stratified,
-                                        std::int64_t amplitude_q16) {
+                                        std::int64_t amplitude_q16, std::int64_t bend_q16) {
   std::int64_t depth = stratified.front().depth_q16;
   for (const StratifiedSpec& material : stratified) depth = std::max(depth, material.depth_q16);
   std::vector<std::size_t> sequence;
   std::int64_t laid = 0;
-  while (4 * laid < 5 * amplitude_q16) {
+  while (4 * (laid - bend_q16) < 5 * amplitude_q16) {
     if (sequence.size() == kMaxLayers) return {};
     std::size_t nearest = 0;
     for (std::size_t i = 1; i < stratified.size(); ++i) {

@@ -6,10 +6,12 @@
 #include <numeric>
 #include <sstream>
 
+#include "bends.h"
 #include "canonical_hash.h"
 #include "cave_plan.h"
 #include "spec_reader.h"
 #include "surface_plan.h"
+#include "underground_plan.h"
 
 #include <talus/terrain/erosion.h>
 #include <talus/terrain/strata.h>
@@ -69,6 +71,7 @@ tl::expected<World, SpecError> World::parse(std::string_view toml, std::string_v
     return refuse(lines.strata_wavelength, "strata_wavelength", "strata_wavelength * resolution is ",
                   layer_noise(spec, 0, 0).period, " voxels; at most ", kMaxPeriod);
   }
+  if (const auto fault = check_underground(spec, lines)) return refuse(fault->line, fault->key, fault->what);
   world.highest_fx_ = static_cast<std::int32_t>(std::floor(surface.highest_fx + 0.5F));
   if (spec.sea_level) {
     if (*spec.sea_level * resolution > kMaxHeight) {
@@ -78,9 +81,10 @@ tl::expected<World, SpecError> World::parse(std::string_view toml, std::string_v
     world.sea_fx_ = static_cast<std::int32_t>(std::floor(*spec.sea_level * resolution * kSubvoxels + 0.5));
   }
 
-  if (spec.stratified.size() + spec.eroded.size() > kMaxMaterials) {
-    return refuse(lines.stratified, "stratified", spec.stratified.size() + spec.eroded.size(),
-                  " stratified and eroded materials; at most ", kMaxMaterials);
+  const std::size_t materials = spec.stratified.size() + spec.eroded.size() + spec.veins.size();
+  if (materials > kMaxMaterials) {
+    return refuse(lines.stratified, "stratified", materials, " stratified and eroded materials",
+                  spec.veins.empty() ? "" : " and ores", "; at most ", kMaxMaterials);
   }
   const auto add_material = [&](const std::string& name, Colour colour, MaterialKind kind) {
     const MaterialId id{static_cast<std::uint16_t>(world.materials_.size())};
@@ -95,13 +99,15 @@ tl::expected<World, SpecError> World::parse(std::string_view toml, std::string_v
   }
 
   const auto amplitude_q16 = static_cast<std::int64_t>(std::floor(spec.surface.amplitude * 65536.0 + 0.5));
-  for (const std::size_t i : layer_sequence(spec.stratified, amplitude_q16)) {
+  const std::int64_t bend_q16 = greatest_bend_q16(spec);
+  for (const std::size_t i : layer_sequence(spec.stratified, amplitude_q16, bend_q16)) {
     world.strata_.push_back(
         {stratified_ids[i], spec.stratified[i].thickness_q16, spec.stratified[i].roughness});
   }
   if (world.strata_.empty()) {
-    return refuse(lines.stratified, "stratified.thickness", "filling 1.25 * amplitude takes more than ",
-                  kMaxLayers, " layers; at most ", kMaxLayers, ", so make the thicknesses larger");
+    return refuse(lines.stratified, "stratified.thickness", "filling 1.25 * amplitude",
+                  bend_q16 > 0 ? " and the depth of folds and faults" : "", " takes more than ", kMaxLayers,
+                  " layers; at most ", kMaxLayers, ", so make the thicknesses larger");
   }
 
   for (std::size_t i = 0; i < spec.eroded.size(); ++i) {
@@ -122,6 +128,7 @@ tl::expected<World, SpecError> World::parse(std::string_view toml, std::string_v
     world.halo_ = std::max(world.halo_, halo);
     world.loose_.push_back(loose);
   }
+  for (const OreSpec& ore : spec.veins) add_material(ore.name, ore.colour, MaterialKind::stratified);
   world.loose_bottom_up_.resize(world.loose_.size());
   std::iota(world.loose_bottom_up_.begin(), world.loose_bottom_up_.end(), std::size_t{0});
   // Heaviest lowest; of equal weight the first of the spec on top, so the last of the spec lowest.

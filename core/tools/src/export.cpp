@@ -8,13 +8,14 @@
 #include <system_error>
 #include <vector>
 
+#include <talus/terrain/boundary_row.h>
 #include <talus/terrain/stacks.h>
 
-#include "column_rows.h"
 #include "export_json.h"
 #include "npy.h"
 #include "ordered_work.h"
 #include "patch_grid.h"
+#include "voxel_grid.h"
 
 namespace talus::tools {
 namespace {
@@ -59,9 +60,8 @@ class PatchWriter {
     if (auto done = write_field(arrays_.slope, 0, terrain.region, terrain.slope); !done) return error(done);
     if (auto done = write_fields(arrays_.eroded, terrain.region, terrain.loose); !done) return error(done);
     if (auto done = write_fields(arrays_.strata, terrain.region, terrain.strata); !done) return error(done);
-    const terrain::Stacks stacks = generate_stacks(world_, terrain.region);
-    return voxel_type(world_) == NpyType::uint8 ? write_voxels<std::uint8_t>(stacks)
-                                                : write_voxels<std::uint16_t>(stacks);
+    return voxel_type(world_) == NpyType::uint8 ? write_voxels<std::uint8_t>(terrain)
+                                                : write_voxels<std::uint16_t>(terrain);
   }
 
  private:
@@ -94,26 +94,31 @@ class PatchWriter {
   }
 
   template <typename Item>
-  Expected<std::int32_t> write_voxels(const terrain::Stacks& stacks) const {
-    const terrain::Region& patch = stacks.region;
-    const auto& heights = stacks.tops.back().values;
+  Expected<std::int32_t> write_voxels(const terrain::Terrain& terrain) const {
+    const terrain::Region& patch = terrain.region;
+    const auto& heights = terrain.surface.values;
     const std::int32_t highest_fx = *std::max_element(heights.begin(), heights.end());
     const std::int32_t rows = terrain::boundary_row(std::max(highest_fx, world_.sea_fx().value_or(0)));
     const auto width = static_cast<std::size_t>(patch.width);
-    // One z at a time: [y][x], so that memory stays small and every row is one write.
+    // A row of chunks at a time, and of that one z: [y][x], so that memory stays small and every row is one
+    // write.
     std::vector<Item> slab(static_cast<std::size_t>(rows) * width);
-    for (int z = 0; z < patch.depth; ++z) {
-      std::fill(slab.begin(), slab.end(), Item{});
-      for (int x = 0; x < patch.width; ++x) {
-        visit_column_rows(
-            world_, stacks, x, z, 0, rows, [&](MaterialId material, std::int32_t from, std::int32_t to) {
-              for (auto y = static_cast<std::size_t>(from); y < static_cast<std::size_t>(to); ++y)
-                slab[y * width + static_cast<std::size_t>(x)] = static_cast<Item>(to_integer(material));
-            });
-      }
-      for (std::size_t y = 0; y < static_cast<std::size_t>(rows); ++y) {
-        const auto row = std::span<const Item>{slab}.subspan(y * width, width);
-        if (auto done = arrays_.voxels.write(item(patch, y, z), row); !done) return error(done);
+    for (int z = 0; z < patch.depth;) {
+      const int to_next_chunk = kChunkSize - static_cast<int>(floor_mod(patch.z + z, kChunkSize));
+      const int depth = std::min(to_next_chunk, patch.depth - z);
+      const VoxelGrid grid =
+          grid_of_chunks(world_, {patch.x, patch.z + z, patch.width, depth, patch.lod}, 0, rows);
+      for (int end = z + depth; z < end; ++z) {
+        for (std::size_t x = 0; x < width; ++x) {
+          const auto column = grid.column(static_cast<int>(x), z - end + depth);
+          for (std::size_t y = 0; y < column.size(); ++y) {
+            slab[y * width + x] = static_cast<Item>(to_integer(column[y]));
+          }
+        }
+        for (std::size_t y = 0; y < static_cast<std::size_t>(rows); ++y) {
+          const auto row = std::span<const Item>{slab}.subspan(y * width, width);
+          if (auto done = arrays_.voxels.write(item(patch, y, z), row); !done) return error(done);
+        }
       }
     }
     return rows;

@@ -44,6 +44,7 @@ class MapPainter {
   void paint(const terrain::Region& patch, Image& image, int image_x, int image_y) const {
     const terrain::Stacks stacks = generate_stacks(world_, patch.grown(kReliefRing));
     const terrain::Field ground = ground_of(stacks);
+    const std::vector<MaterialId> ore = surface_ore(world_, stacks);
     terrain::Field seen = ground;  // the sea's surface where it covers the ground
     if (sea_fx_) {
       for (int z = 0; z < seen.depth; ++z) {
@@ -56,7 +57,7 @@ class MapPainter {
       for (int x = 0; x < patch.width; ++x) {
         const int inner_x = x + kReliefRing;
         const int inner_z = z + kReliefRing;
-        glm::vec3 pixel = lit(top_colour(stacks, inner_x, inner_z), light_at(ground, inner_x, inner_z));
+        glm::vec3 pixel = lit(top_colour(stacks, ore, inner_x, inner_z), light_at(ground, inner_x, inner_z));
         const std::int32_t depth_fx = seen.at(inner_x, inner_z) - ground.at(inner_x, inner_z);
         if (depth_fx > 0) pixel = under_water(pixel, depth_fx, light_at(seen, inner_x, inner_z));
         image.set(image_x + x, image_y + z, to_colour(developed(pixel)));
@@ -74,7 +75,10 @@ class MapPainter {
     return ground;
   }
 
-  glm::vec3 top_colour(const terrain::Stacks& stacks, int x, int z) const {
+  glm::vec3 top_colour(const terrain::Stacks& stacks, const std::vector<MaterialId>& ore, int x,
+                       int z) const {
+    const MaterialId outcrop = ore[static_cast<std::size_t>(z * stacks.region.width + x)];
+    const std::size_t strata = stacks.tops.size() - world_.loose().size();
     const std::int32_t base_voxel_fx = terrain::kSubvoxels >> lod_.value();
     std::int32_t top = stacks.ground_fx(x, z);
     const std::int32_t bottom = top - base_voxel_fx;
@@ -83,7 +87,8 @@ class MapPainter {
       // Under the lowest plane its material goes on without end.
       const std::int32_t under = k == 0 ? bottom : std::max(bottom, stacks.tops[k - 1].at(x, z));
       if (under >= top) continue;
-      sum += static_cast<float>(top - under) * lights_[to_integer(stacks.materials[k])];
+      sum += static_cast<float>(top - under) *
+             lights_[to_integer(k < strata && outcrop != kAir ? outcrop : stacks.materials[k])];
       top = under;
     }
     return sum / static_cast<float>(base_voxel_fx);

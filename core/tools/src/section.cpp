@@ -9,9 +9,9 @@
 #include <talus/terrain/stacks.h>
 #include <glm/common.hpp>
 
-#include "column_rows.h"
 #include "ordered_work.h"
 #include "patch_grid.h"
+#include "voxel_grid.h"
 
 namespace talus::tools {
 namespace {
@@ -27,18 +27,24 @@ struct RowRun {
 };
 using Column = std::vector<RowRun>;
 
+// From the chunks, so that the picture has all that they have.
 std::vector<Column> cut_patch(const terrain::World& world, const terrain::Region& patch,
                               std::int32_t bottom) {
-  const terrain::Stacks stacks = generate_stacks(world, patch);
   const std::int32_t top = static_cast<std::int32_t>(highest_row(world, Lod{}));
+  const VoxelGrid grid = grid_of_chunks(world, patch, bottom, top - bottom);
   std::vector<Column> columns(patch.columns());
   for (int z = 0; z < patch.depth; ++z) {
     for (int x = 0; x < patch.width; ++x) {
-      Column& column = columns[static_cast<std::size_t>(x + z)];
-      visit_column_rows(world, stacks, x, z, bottom, top,
-                        [&](MaterialId material, std::int32_t from, std::int32_t to) {
-                          column.push_back({material, from, to});
-                        });
+      Column& runs = columns[static_cast<std::size_t>(x + z)];
+      const auto voxels = grid.column(x, z);
+      for (std::int32_t row = bottom; row < top; ++row) {
+        const MaterialId material = voxels[static_cast<std::size_t>(row - bottom)];
+        if (material == kAir) continue;
+        if (runs.empty() || runs.back().material != material || runs.back().to != row) {
+          runs.push_back({material, row, row});
+        }
+        runs.back().to = row + 1;
+      }
     }
   }
   return columns;

@@ -105,6 +105,10 @@ class Generator {
 /// The chunk `coord` of the region's level. Its 32 x 32 columns must lie inside stacks.region (asserted).
 [[nodiscard]] Chunk extract_chunk(const World& world, const Stacks& stacks, ChunkCoord coord);
 
+/// The ore that each column of the region has at the top of its rock, or in the floor of a cave that is open
+/// to the sky, kAir where it has none; z slowest. It is what shows on ground where no loose material lies.
+[[nodiscard]] std::vector<MaterialId> surface_ore(const World& world, const Stacks& stacks);
+
 /// Chunk rows [first, last] outside which every chunk over these 32 x 32 columns is uniform: `below` under
 /// them, air above.
 struct MixedRange {

@@ -93,6 +93,38 @@ struct ErodedSpec {
   double max_slope = 0;        // degrees
 };
 
+/// Strata bent into folds. Lengths in terrain units, angles in degrees.
+struct FoldSpec {
+  std::int64_t amplitude_q16 = 0;  // the farthest that strata are lifted or sunk
+  double wavelength = 0;           // across the folds
+  int octaves = 0;
+  double strike = 0;   // where their axes point: 0 north (-z), 90 east
+  double stretch = 0;  // how much longer they are along it
+};
+
+/// A set of nearly parallel faults that cut the strata into blocks.
+struct FaultSpec {
+  double strike = 0;              // where the faults run: 0 north (-z), 90 east
+  std::int64_t spacing_q16 = 0;   // from one to the next
+  std::int64_t throw_q16 = 0;     // the most that two blocks are offset
+  std::int64_t waviness_q16 = 0;  // how far a fault strays from a straight line
+};
+
+/// Pockets are lumps; veins are thin, long, tilted sheets with branches.
+enum class OreShape : std::uint8_t { pocket, vein };
+
+/// Ore in the rock, in bodies of which each lies wholly between two heights above y = 0.
+struct OreSpec {
+  std::string name;
+  Colour colour;
+  OreShape shape = OreShape::pocket;
+  std::int64_t low_q16 = 0;
+  std::int64_t high_q16 = 0;
+  std::int64_t size_q16 = 0;       // of the cube that holds a body
+  std::int64_t thickness_q16 = 0;  // of a vein
+  double abundance = 0;            // the chance that a cube of that size holds a body
+};
+
 /// Tunnels and chambers (docs/DESIGN.md, "Caves"). Lengths in terrain units.
 struct CaveSpec {
   double low = 0;               // between these heights
@@ -123,6 +155,9 @@ struct WorldSpec {
   SurfaceSpec surface;
   std::vector<StratifiedSpec> stratified;
   std::vector<ErodedSpec> eroded;
+  std::optional<FoldSpec> folds;
+  std::vector<FaultSpec> faults;
+  std::vector<OreSpec> veins;
   std::optional<CaveSpec> caves;
 };
 
@@ -131,6 +166,7 @@ struct SpecError {
   std::string message;
 };
 
+/// Ore is stratified: it lies in the rock and does not move.
 enum class MaterialKind : std::uint8_t { air, water, stratified, eroded };
 
 /// A material of the world; its id is its place in World::materials().
@@ -170,7 +206,7 @@ class World {
                                                             const LoadHeightMap& load = {});
 
   [[nodiscard]] const WorldSpec& spec() const { return spec_; }
-  /// Air, water, stratified, eroded; materials()[to_integer(id)] is the material of that id.
+  /// Air, water, stratified, eroded, ores; materials()[to_integer(id)] is the material of that id.
   [[nodiscard]] const std::vector<Material>& materials() const { return materials_; }
   /// The sequence of layers from the bottom up, the same at every column; 1 to 256.
   [[nodiscard]] const std::vector<StratumSpec>& strata() const { return strata_; }
