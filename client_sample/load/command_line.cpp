@@ -137,7 +137,8 @@ void add_results(CLI::App& app, Options& options, Words& words) {
   app.add_option("--compare", options.compare, "Print the ratios to what --json wrote before")
       ->check(CLI::ExistingFile);
   app.add_option("--fail-if", words.fail_if, "End with 1 where this holds, as in p99_ms>50; may be repeated")
-      ->allow_extra_args(false);
+      ->allow_extra_args(false)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
 }
 
 }  // namespace
@@ -147,6 +148,7 @@ tl::expected<Options, Exit> read_command_line(int argc, const char* const* argv)
   const auto wrong = [](const std::string& line) { return tl::unexpected{Exit{kWrongUse, line}}; };
   CLI::App app{"Load for a Talus server: players that check what they get and measure how long it takes."};
   app.set_version_flag("--version", "talus-load " TALUS_VERSION);
+  app.option_defaults()->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
   Options options;
   Words words;
   app.add_option("--connect", words.server, "HOST:PORT of the server")->capture_default_str();

@@ -1,9 +1,17 @@
 #include "compare.h"
 
+#include <string_view>
+
 #include <fmt/format.h>
 
 namespace talus::load {
 namespace {
+
+/// The table is to be read at a glance: what lies between the percentiles it shows is in the JSON.
+bool is_shown(std::string_view figure) {
+  const auto ends_with = [&](std::string_view end) { return figure.ends_with(end); };
+  return !ends_with("p95_ms") && !ends_with("p99_9_ms") && !figure.starts_with("harness_");
+}
 
 std::string ratio_of(double before, double now) {
   if (before == 0) return now == 0 ? "" : "new";
@@ -31,7 +39,7 @@ tl::expected<std::string, std::string> compare(const std::string& old_text, cons
     if (old == before["figures"].end() || !old->is_number()) continue;
     const double was = old->get<double>();
     const double is = value.get<double>();
-    if (was == 0 && is == 0) continue;
+    if (!is_shown(name) || (was == 0 && is == 0)) continue;
     text += fmt::format("  {:<28}{:>14.6g}{:>14.6g}{:>10}\n", name, was, is, ratio_of(was, is));
   }
   return text;

@@ -28,6 +28,10 @@ std::string escaped(const std::string& text) {
   return out;
 }
 
+std::string wait_text(double ms) {
+  return ms < 999.5 ? fmt::format("{:.3g} ms", ms) : fmt::format("{:.3g} s", ms / 1000);
+}
+
 struct Axes {
   double low_ms, high_ms;  // powers of ten
   int nines;               // the farthest percentile is 1 - 10^-nines
@@ -63,17 +67,19 @@ std::string grid(const Axes& axes) {
     const double y = axes.y(ms);
     svg += fmt::format("<line x1='{}' x2='{}' y1='{:.1f}' y2='{:.1f}' class='grid'/>\n", kLeft,
                        kWidth - kRight, y, y);
-    svg += fmt::format("<text x='{}' y='{:.1f}' class='tick' text-anchor='end'>{:g}{}</text>\n", kLeft - 10,
-                       y + 4, ms >= 1000 ? ms / 1000 : ms, ms >= 1000 ? " s" : " ms");
+    svg += fmt::format("<text x='{}' y='{:.1f}' class='tick' text-anchor='end'>{}</text>\n", kLeft - 10,
+                       y + 4, wait_text(ms));
   }
-  const std::array names{"0 %", "90 %", "99 %", "99.9 %", "99.99 %", "99.999 %", "99.9999 %"};
-  for (int nines = 0; nines <= axes.nines; ++nines) {
+  const auto upright = [&](double nines, const char* name) {
     const double x = axes.x(nines);
-    svg += fmt::format("<line x1='{:.1f}' x2='{:.1f}' y1='{}' y2='{}' class='grid'/>\n", x, x, kTop,
+    svg += fmt::format("<line x1='{0:.1f}' x2='{0:.1f}' y1='{1}' y2='{2}' class='grid'/>\n", x, kTop,
                        kHeight - kBottom);
     svg += fmt::format("<text x='{:.1f}' y='{}' class='tick' text-anchor='middle'>{}</text>\n", x,
-                       kHeight - kBottom + 20, names[static_cast<std::size_t>(nines)]);
-  }
+                       kHeight - kBottom + 20, name);
+  };
+  const std::array names{"0 %", "90 %", "99 %", "99.9 %", "99.99 %", "99.999 %", "99.9999 %"};
+  for (int nines = 0; nines <= axes.nines; ++nines) upright(nines, names[static_cast<std::size_t>(nines)]);
+  upright(std::log10(2), "50 %");
   return svg;
 }
 
@@ -128,8 +134,8 @@ std::string plot(const std::string& title, const std::string& subtitle, const st
     const double x = kWidth - kRight + 14;
     svg += fmt::format("<text x='{}' y='{:.1f}' class='name' fill='{}'>{}</text>\n", x, label.y + 4,
                        kColours[label.curve], escaped(curves[label.curve].name));
-    svg += fmt::format("<text x='{}' y='{:.1f}' class='tick'>p99 {:.3g} ms, max {:.3g} ms</text>\n", x,
-                       label.y + 19, waits.percentile_ms(0.99), waits.max_ms());
+    svg += fmt::format("<text x='{}' y='{:.1f}' class='tick'>p99 {}, max {}</text>\n", x, label.y + 19,
+                       wait_text(waits.percentile_ms(0.99)), wait_text(waits.max_ms()));
   }
   return svg + "</svg>\n";
 }

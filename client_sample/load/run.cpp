@@ -88,6 +88,7 @@ class Run {
   }
 
   tl::expected<Outcome, std::string> go() {
+    if (watch_.watches()) wait_until(Clock::now() + kBetweenLooks);  // until it has seen the scout leave
     auto before = watch_.sample();
     if (!before) return tl::unexpected{before.error()};
     outcome_.before = *before;
