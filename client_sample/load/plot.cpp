@@ -92,7 +92,7 @@ std::string line_of(const Axes& axes, const Histogram& waits) {
     const double ms = waits.percentile_ms(1 - std::pow(10, -nines));
     points += fmt::format("{:.1f},{:.1f} ", axes.x(nines), axes.y(ms));
   }
-  return points;
+  return points + fmt::format("{:.1f},{:.1f}", axes.x(last), axes.y(waits.max_ms()));
 }
 
 }  // namespace

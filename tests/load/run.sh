@@ -72,19 +72,23 @@ hot() {
   if command -v redis-server redis-benchmark >/dev/null; then redis; else echo "redis-server is not installed: no reference"; fi
 }
 
-# The same depth, as many connections and answers of 4 KiB; CPU seconds of the server alone.
+# The same depth and as many connections, with answers of 4 KiB and of what talusd's have; CPU seconds of the
+# server alone.
 redis() {
-  local port=4791 redis_pid before after count=2000000
+  local port=4791 redis_pid before after size count=2000000
   redis-server --port $port --save '' --appendonly no >/dev/null 2>&1 &
   redis_pid=$!
   until redis-cli -p $port ping >/dev/null 2>&1; do sleep 0.05; done
   cpu() { awk '{ print ($14 + $15) / 100 }' "/proc/$redis_pid/stat"; }
-  printf '\n== redis: GET of 4 KiB, 64 connections, 16 in flight\n'
-  redis-benchmark -p $port -t set -n 20000 -r 1024 -d 4096 -q
-  before="$(cpu)"
-  redis-benchmark -p $port -t get -n $count -r 1024 -d 4096 -c 64 -P 16 -q
-  after="$(cpu)"
-  awk -v a="$before" -v b="$after" -v n=$count 'BEGIN { printf "redis: %.2f CPU s a million GETs\n", (b - a) / n * 1e6 }'
+  printf '\n== redis: GET, 64 connections, 16 in flight\n'
+  for size in 4096 390; do
+    redis-benchmark -p $port -t set -n 20000 -r 1024 -d $size -q >/dev/null
+    before="$(cpu)"
+    redis-benchmark -p $port -t get -n $count -r 1024 -d $size -c 64 -P 16 -q | tr '\r' '\n' | grep 'requests per second'
+    after="$(cpu)"
+    awk -v a="$before" -v b="$after" -v n=$count -v s=$size \
+      'BEGIN { printf "redis: %.2f CPU s a million GETs of %d bytes\n", (b - a) / n * 1e6, s }'
+  done
   kill "$redis_pid"
   wait "$redis_pid" 2>/dev/null || true
 }
@@ -124,7 +128,7 @@ slow() {
 }
 
 churn() {
-  start
+  start TALUS_CACHE_CHUNK_BYTES=33554432 TALUS_CACHE_PATCH_BYTES=33554432  # full before the measured time begins
   load churn --players 100 --model walk=50,fly=25,teleport=25 --groups 20 --churn 10 --radius 6 --ramp-up 10 --warm-up 60 \
     --duration "${CHURN_SECONDS:-1800}" --verify 5 \
     --fail-if 'wrong>0' --fail-if 'errors>0' --fail-if 'files_left>0' --fail-if 'resident_growth_percent>5'
