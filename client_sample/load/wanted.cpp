@@ -23,8 +23,8 @@ void for_each(const Box& box, Visit&& visit) {
 
 Box box_around(const glm::i64vec3& centre, int horizontal_radius, int vertical_radius) {
   const glm::i64vec3 radius{horizontal_radius, vertical_radius, horizontal_radius};
-  const std::int64_t limit = chunk_limit(Lod{});
-  const auto inside = [limit](std::int64_t at) { return std::clamp(at, -limit, limit - 1); };
+  constexpr std::int64_t kLimit = chunk_limit(Lod{});
+  const auto inside = [](std::int64_t at) { return std::clamp(at, -kLimit, kLimit - 1); };
   const glm::i64vec3 low = centre - radius;
   const glm::i64vec3 high = centre + radius;
   return {{inside(low.x), inside(low.y), inside(low.z)}, {inside(high.x), inside(high.y), inside(high.z)}};
