@@ -10,7 +10,7 @@ install(FILES protocol/schema/talus.fbs DESTINATION ${CMAKE_INSTALL_DATADIR}/tal
 if(TALUS_CLIENT)
   list(APPEND installed talus_client talus_asio)
   install(DIRECTORY client_sample/library/include/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
-  install(TARGETS talus-client RUNTIME)
+  install(TARGETS talus-client talus-load RUNTIME)
 endif()
 if(TALUS_SERVER)
   install(TARGETS talusd RUNTIME)

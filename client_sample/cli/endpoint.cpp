@@ -4,9 +4,9 @@
 
 namespace talus::cli {
 
-tl::expected<Endpoint, std::string> parse_endpoint(std::string_view text) {
+tl::expected<Endpoint, std::string> parse_endpoint(std::string_view text, std::string_view option) {
   const auto wrong = [&](const std::string& why) {
-    return tl::unexpected{"--connect " + std::string{text} + ": " + why +
+    return tl::unexpected{std::string{option} + " " + std::string{text} + ": " + why +
                           "; write HOST:PORT, as in localhost:4780"};
   };
   const auto colon = text.rfind(':');

@@ -13,7 +13,9 @@ struct Endpoint {
   std::string port;
 };
 
-/// "host:port", "1.2.3.4:port" or "[::1]:port"; else one line that says what is wrong with it.
-[[nodiscard]] tl::expected<Endpoint, std::string> parse_endpoint(std::string_view text);
+/// "host:port", "1.2.3.4:port" or "[::1]:port"; else one line that says what is wrong with it, as of
+/// `option`.
+[[nodiscard]] tl::expected<Endpoint, std::string> parse_endpoint(std::string_view text,
+                                                                 std::string_view option = "--connect");
 
 }  // namespace talus::cli

@@ -77,6 +77,155 @@ TEST_CASE("what was delivered and is no longer covered leaves the View") {
   CHECK(seen.left == std::set<ChunkKey>{key_at(-1, 0, 0)});
 }
 
+namespace {
+
+protocol::Frame unchanged_frame(const ChunkKey& key, ContentHash hash) {
+  return protocol::make_frame([&](auto& b) {
+    const wire::ChunkKey wire_key{key.coord.x, key.coord.y, key.coord.z, 0};
+    const wire::Hash128 wire_hash{hash.low, hash.high};
+    return wire::CreateUnchanged(b, 0, &wire_key, 0, &wire_hash);
+  });
+}
+
+/// A client gets `key` for its View, walks away and comes back; the peer answers that with `then`.
+struct Return {
+  std::multiset<ChunkKey> came;
+  std::vector<wire::KnownChunk> said_known;  // with the last View
+  std::vector<ChunkKey> asked_for;           // by GetChunks, and answered
+  Stats stats;
+};
+struct Habits {
+  std::size_t keep_bytes = 1 << 20;
+  bool holds = true;  // what it is given, until it has walked away
+};
+Return walk_and_return(const ChunkKey& key, const protocol::Frame& then, Habits habits) {
+  asio::io_context io;
+  Peer peer{io};
+  Return seen;
+  std::vector<std::shared_ptr<const Chunk>> hands;
+  Events events;
+  events.on_chunk = [&](const ReceivedChunk& chunk) {
+    seen.came.insert(chunk.key);
+    if (habits.holds) hands.push_back(chunk.chunk);
+  };
+  Options options;
+  options.keep_bytes = habits.keep_bytes;
+  // Requests beyond x = 1000 mark how far the client is: what was sent before their answers has arrived.
+  const auto visit = [&]() -> asio::awaitable<void> {
+    Client client{io.get_executor(), options, events};
+    co_await join(client, peer);
+    std::int64_t x = 0;
+    for (int mark = 1000; mark < 1003; ++mark) {
+      (void)client.set_view(view_at(x));
+      (void)co_await client.get(key_at(mark, 0, 0));
+      x = x == 0 ? 100 * kChunkSize : 0;
+      if (mark == 1001) hands.clear();
+    }
+    (void)co_await client.get(key_at(1003, 0, 0));
+    seen.stats = client.stats();
+  };
+  const auto serve = [&]() -> asio::awaitable<void> {
+    co_await peer.welcome();
+    for (int mark = 0; mark != 1003;) {
+      const wire::Message* message = co_await peer.receive();
+      if (const auto* view = message->body_as_View()) {
+        seen.said_known.clear();
+        if (view->known() == nullptr) continue;
+        for (const auto* known : *view->known()) seen.said_known.push_back(*known);
+      }
+      const auto* get = message->body_as_GetChunks();
+      if (get == nullptr) continue;
+      std::vector<wire::ChunkRequest> requests;
+      for (const auto* request : *get->requests()) requests.push_back(*request);
+      for (const auto& request : requests) {
+        const wire::ChunkKey& at = request.key();
+        if (at.x() < 1000) {
+          seen.asked_for.push_back(key_at(at.x(), at.y(), at.z()));
+          co_await peer.send(chunk_frame(request.id(), key, some_chunk(key)));
+          continue;
+        }
+        mark = at.x();
+        if (mark == 1000) co_await peer.send(view_chunk(key));
+        if (mark == 1002 && !then.empty()) co_await peer.send(then);
+        co_await peer.send(error_frame(wire::ErrorCode::internal, "a mark", request.id()));
+      }
+    }
+  };
+  run(io, {visit, serve});
+  return seen;
+}
+
+const ChunkKey kKey = key_at(0, 1, 0);
+
+}  // namespace
+
+TEST_CASE("a chunk that left is kept: coming back, its hash is said and its confirmation brings it") {
+  const ContentHash hash = content_hash(some_chunk(kKey));
+  const Return seen = walk_and_return(kKey, unchanged_frame(kKey, hash), {});
+  REQUIRE(seen.said_known.size() == 1);
+  CHECK(seen.said_known[0].hash().low() == hash.low);
+  CHECK(seen.came.count(kKey) == 2);
+  CHECK(seen.asked_for.empty());
+  CHECK(seen.stats.kept_chunks == 1);
+  CHECK(seen.stats.chunk_frames == 1);
+}
+
+TEST_CASE("without room to keep it, or where nobody held it, nothing is said to be known") {
+  const Habits habits = GENERATE(Habits{0, true}, Habits{1 << 20, false});
+  const Return seen = walk_and_return(kKey, view_chunk(kKey), habits);
+  CHECK(seen.said_known.empty());
+  CHECK(seen.came.count(kKey) == 2);
+}
+
+TEST_CASE("a confirmation of what is not held, or not held so, has the chunk fetched") {
+  const bool held = GENERATE(true, false);
+  const Return seen = walk_and_return(kKey, unchanged_frame(kKey, {1, 2}), {held ? 1U << 20 : 0U, true});
+  CHECK(seen.asked_for == std::vector<ChunkKey>{kKey});
+  CHECK(seen.came.count(kKey) == 2);
+}
+
+TEST_CASE("a chunk that left and came back before a View was sent comes without the server") {
+  asio::io_context io;
+  Peer peer{io};
+  std::vector<std::shared_ptr<const Chunk>> came;
+  std::vector<ChunkKey> asked_for;
+  Events events;
+  const bool holds = GENERATE(true, false);
+  events.on_chunk = [&](const ReceivedChunk& chunk) { came.push_back(holds ? chunk.chunk : nullptr); };
+  const auto visit = [&]() -> asio::awaitable<void> {
+    Client client{io.get_executor(), Options{}, events};
+    co_await join(client, peer);
+    (void)client.set_view(view_at(0));
+    (void)co_await client.get(key_at(1000, 0, 0));
+    (void)client.set_view(view_at(100 * kChunkSize));
+    (void)client.set_view(view_at(0));
+    (void)co_await client.get(key_at(1001, 0, 0));
+  };
+  const auto serve = [&]() -> asio::awaitable<void> {
+    co_await peer.welcome();
+    for (int mark = 0; mark != 1001;) {
+      const auto* get = (co_await peer.receive())->body_as_GetChunks();
+      if (get == nullptr) continue;
+      std::vector<wire::ChunkRequest> requests;
+      for (const auto* request : *get->requests()) requests.push_back(*request);
+      for (const auto& request : requests) {
+        const wire::ChunkKey& at = request.key();
+        if (at.x() < 1000) {
+          asked_for.push_back(key_at(at.x(), at.y(), at.z()));
+          co_await peer.send(chunk_frame(request.id(), kKey, some_chunk(kKey)));
+          continue;
+        }
+        mark = at.x();
+        if (mark == 1000) co_await peer.send(view_chunk(kKey));
+        co_await peer.send(error_frame(wire::ErrorCode::internal, "a mark", request.id()));
+      }
+    }
+  };
+  run(io, {visit, serve});
+  CHECK(came.size() == 2);
+  CHECK(asked_for.size() == (holds ? 0 : 1));
+}
+
 TEST_CASE("a Column's runs are delivered within the View, however long they claim to be") {
   const wire::UniformRun endless{INT32_MIN, 0, 2};
   const wire::UniformRun air{1, INT32_MAX, 0};

@@ -73,6 +73,7 @@ Result<void> Core::handle_chunk(const wire::Chunk& chunk, std::size_t frame_byte
 Result<void> Core::handle_unchanged(const wire::Unchanged& unchanged) {
   const auto key = read_key(unchanged.key());
   if (!key) return tl::unexpected{key.error()};
+  if (unchanged.id() == 0) return confirm(*key, read_hash(unchanged.hash()));
   const auto* request = requests_.in_flight(unchanged.id());
   const auto* asked = request == nullptr ? nullptr : std::get_if<ChunkRequest>(request);
   const ContentHash hash = read_hash(unchanged.hash());
@@ -84,6 +85,20 @@ Result<void> Core::handle_unchanged(const wire::Unchanged& unchanged) {
   std::get<ChunkRequest>(requests_.take(unchanged.id()))
       .handler(ReceivedChunk{*key, unchanged.revision(), hash, nullptr});
   wake();
+  return {};
+}
+
+// A chunk of the View that this client said it holds. It may have let go of it since.
+Result<void> Core::confirm(ChunkKey key, ContentHash hash) {
+  if (!tracker_.shape().covers(key)) return {};
+  useful_ = true;
+  const auto held = tracker_.held(key);
+  if (!held || held->hash != hash) {
+    refetch(key);
+    return {};
+  }
+  ++stats_.kept_chunks;
+  deliver(*held);
   return {};
 }
 
@@ -208,7 +223,7 @@ Result<void> Core::handle_go_away(const wire::GoAway& away) {
 }
 
 void Core::deliver(const ReceivedChunk& chunk) {
-  tracker_.delivered(chunk.key);
+  tracker_.delivered(chunk);
   if (events_.on_chunk) events_.on_chunk(chunk);
 }
 

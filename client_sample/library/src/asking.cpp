@@ -107,13 +107,33 @@ Result<void> Core::set_view(const View& view) {
   const Generation mine = generation_;
   const auto left = tracker_.replace(view);
   view_to_send_ = true;
+  if (view_sent_) left_unsaid_.insert(left.begin(), left.end());
   wake();
-  if (!events_.on_left_view) return {};
   for (const auto& key : left) {
+    if (!events_.on_left_view) break;
     events_.on_left_view(key);
-    if (mine != generation_) break;
+    if (mine != generation_) return {};
   }
+  bring_back(mine);
   return {};
+}
+
+// The server never heard that they had left, so it will not send them again.
+void Core::bring_back(Generation mine) {
+  std::vector<ChunkKey> back;
+  for (const ChunkKey& key : left_unsaid_) {
+    if (tracker_.shape().covers(key)) back.push_back(key);
+  }
+  for (const ChunkKey& key : back) {
+    left_unsaid_.erase(key);
+    if (const auto held = tracker_.held(key)) {
+      ++stats_.kept_chunks;
+      deliver(*held);
+      if (mine != generation_) return;
+    } else {
+      refetch(key);
+    }
+  }
 }
 
 void Core::ping(PingHandler handler) {

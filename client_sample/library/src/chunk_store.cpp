@@ -119,6 +119,11 @@ std::shared_ptr<const Chunk> ChunkStore::find(const ChunkKey& key) {
   return held->second->chunk;
 }
 
+const ReceivedChunk* ChunkStore::look(const ChunkKey& key) const {
+  const auto held = held_.find(key);
+  return held == held_.end() ? nullptr : &*held->second;
+}
+
 ApronGaps ChunkStore::apron(const ChunkKey& key, int width, MaterialId filler, std::span<MaterialId> out) {
   assert(width >= 0 && width <= kMaxApron && out.size() == apron_volume(width));
   const Cube cube{out, width};

@@ -33,7 +33,10 @@ std::chrono::milliseconds ping_interval(const Options& options, const ServerLimi
 }  // namespace
 
 Core::Core(asio::any_io_executor executor, Options options, Events events)
-    : executor_{std::move(executor)}, options_{std::move(options)}, events_{std::move(events)} {}
+    : executor_{std::move(executor)},
+      options_{std::move(options)},
+      events_{std::move(events)},
+      tracker_{options_.keep_bytes} {}
 
 void Core::connect(std::string host, std::string port, ConnectHandler handler) {
   if (running_) {
@@ -45,7 +48,7 @@ void Core::connect(std::string host, std::string port, ConnectHandler handler) {
   running_ = true;
   // Nothing that was known of the server before holds for this one.
   world_.reset();
-  tracker_ = {};
+  tracker_ = ViewTracker{options_.keep_bytes};
   uniform_chunks_.clear();
   // The lambda's frame keeps self alive until run() is over.
   asio::co_spawn(
@@ -165,6 +168,8 @@ void Core::start_session(const ConnectionPtr& connection) {
   taken_bytes_ = 0;
   credited_bytes_ = 0;
   view_to_send_ = tracker_.view().has_value();
+  view_sent_ = false;
+  left_unsaid_.clear();
   parting_words_.reset();
   const auto self = shared_from_this();
   // The lambdas' frames keep self alive; the coroutines end when the connection is shut.
@@ -279,7 +284,11 @@ std::vector<std::byte> Core::compose() {
     open->second.sent = std::chrono::steady_clock::now();
     append(ping_frame(nonce));
   }
-  if (std::exchange(view_to_send_, false)) append(view_frame(*tracker_.view()));
+  if (std::exchange(view_to_send_, false)) {
+    const bool first = !std::exchange(view_sent_, true);
+    append(view_frame(*tracker_.view(), tracker_.known(known_per_frame(world_->limits.frame_bytes), first)));
+    left_unsaid_.clear();
+  }
   compose_requests(out);
   // In pieces that fit the smallest frame a server may allow.
   constexpr std::size_t kIdsAFrame = 512;

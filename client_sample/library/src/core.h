@@ -8,6 +8,7 @@
 #include <optional>
 #include <string>
 #include <unordered_map>
+#include <unordered_set>
 #include <vector>
 
 #include <asio/awaitable.hpp>
@@ -75,6 +76,8 @@ class Core : public std::enable_shared_from_this<Core> {
   [[nodiscard]] Result<void> handle_pong(const wire::Pong& pong);
   [[nodiscard]] Result<void> handle_go_away(const wire::GoAway& away);
   void deliver(const ReceivedChunk& chunk);
+  [[nodiscard]] Result<void> confirm(ChunkKey key, ContentHash hash);
+  void bring_back(Generation mine);
   void report(const ClientError& error);
   [[nodiscard]] Result<ReceivedChunk> uniform(ChunkKey key, MaterialId material, std::uint64_t revision);
 
@@ -100,6 +103,9 @@ class Core : public std::enable_shared_from_this<Core> {
   Requests requests_;
   ViewTracker tracker_;
   bool view_to_send_ = false;
+  bool view_sent_ = false;  // on this connection
+  std::unordered_set<ChunkKey>
+      left_unsaid_;  // left the View since one was sent: the server still has them in
   std::vector<std::uint32_t> cancels_to_send_;
   std::map<ChunkKey, bool> refetching_;  // edited chunks asked for anew, and whether edited again since
   std::vector<std::uint64_t> pings_to_send_;

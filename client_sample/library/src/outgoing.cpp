@@ -15,6 +15,10 @@ std::size_t fitting(std::uint32_t frame_bytes, std::size_t element_bytes) {
   return frame_bytes <= kEnvelopeBytes ? 0 : (frame_bytes - kEnvelopeBytes) / element_bytes;
 }
 
+wire::ChunkKey wire_key(const ChunkKey& key) {
+  return {key.coord.x, key.coord.y, key.coord.z, static_cast<std::uint8_t>(key.lod.value())};
+}
+
 }  // namespace
 
 protocol::Frame hello_frame(const Options& options) {
@@ -29,7 +33,7 @@ protocol::Frame hello_frame(const Options& options) {
   });
 }
 
-protocol::Frame view_frame(const View& view) {
+protocol::Frame view_frame(const View& view, const std::vector<ReceivedChunk>& known) {
   return protocol::make_frame([&](auto& b) {
     const wire::Voxel centre{view.centre.x, view.centre.y, view.centre.z};
     const wire::Direction direction{view.direction.x, view.direction.y, view.direction.z};
@@ -38,7 +42,14 @@ protocol::Frame view_frame(const View& view) {
       rings.emplace_back(static_cast<std::uint8_t>(ring.lod.value()), ring.radius);
     }
     const auto ring_list = b.CreateVectorOfStructs(rings);
-    return wire::CreateView(b, &centre, &direction, view.horizontal_radius, view.vertical_radius, ring_list);
+    std::vector<wire::KnownChunk> held;
+    held.reserve(known.size());
+    for (const ReceivedChunk& chunk : known) {
+      held.emplace_back(wire_key(chunk.key), wire::Hash128{chunk.hash.low, chunk.hash.high});
+    }
+    const auto held_list = held.empty() ? 0 : b.CreateVectorOfStructs(held);
+    return wire::CreateView(b, &centre, &direction, view.horizontal_radius, view.vertical_radius, ring_list,
+                            held_list);
   });
 }
 
@@ -70,14 +81,17 @@ protocol::Frame ping_frame(std::uint64_t nonce) {
 }
 
 wire::ChunkRequest wire_request(std::uint32_t id, const ChunkRequest& request) {
-  const auto& [coord, lod] = request.key;
   const auto known = request.known.value_or(ContentHash{});
-  return {id, wire::ChunkKey{coord.x, coord.y, coord.z, static_cast<std::uint8_t>(lod.value())},
-          request.known.has_value(), wire::Hash128{known.low, known.high}};
+  return {id, wire_key(request.key), request.known.has_value(), wire::Hash128{known.low, known.high}};
 }
 
 std::size_t chunk_requests_per_frame(std::uint32_t frame_bytes) {
   return fitting(frame_bytes, sizeof(wire::ChunkRequest));
+}
+
+std::size_t known_per_frame(std::uint32_t frame_bytes) {
+  constexpr std::uint32_t kViewBytes = 256;  // with a ring of each level
+  return frame_bytes < kViewBytes ? 0 : fitting(frame_bytes - kViewBytes, sizeof(wire::KnownChunk));
 }
 
 std::size_t columns_per_frame(std::uint32_t frame_bytes) {

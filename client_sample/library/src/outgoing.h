@@ -14,7 +14,8 @@
 namespace talus::client {
 
 [[nodiscard]] protocol::Frame hello_frame(const Options& options);
-[[nodiscard]] protocol::Frame view_frame(const View& view);
+/// `known`: chunks of the View that need not be sent where they are the same.
+[[nodiscard]] protocol::Frame view_frame(const View& view, const std::vector<ReceivedChunk>& known = {});
 [[nodiscard]] protocol::Frame heights_frame(std::uint32_t id, const HeightsRequest& request);
 [[nodiscard]] protocol::Frame get_chunks_frame(const std::vector<wire::ChunkRequest>& requests);
 [[nodiscard]] protocol::Frame cancel_frame(std::span<const std::uint32_t> ids);
@@ -26,5 +27,6 @@ namespace talus::client {
 /// What fits into one frame of `frame_bytes`.
 [[nodiscard]] std::size_t chunk_requests_per_frame(std::uint32_t frame_bytes);
 [[nodiscard]] std::size_t columns_per_frame(std::uint32_t frame_bytes);
+[[nodiscard]] std::size_t known_per_frame(std::uint32_t frame_bytes);
 
 }  // namespace talus::client

@@ -1,6 +1,7 @@
 #include "view_tracker.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace talus::client {
 
@@ -8,11 +9,45 @@ std::vector<ChunkKey> ViewTracker::replace(const View& view) {
   view_ = view;
   shape_ = ViewShape{view};
   std::vector<ChunkKey> left;
-  for (const auto& key : delivered_) {
-    if (!shape_.covers(key)) left.push_back(key);
+  for (const auto& [key, chunk] : delivered_) {
+    if (shape_.covers(key)) continue;
+    left.push_back(key);
+    const auto held = still_there(key, chunk);
+    // A uniform chunk costs next to nothing to send again.
+    if (keep_bytes_ > 0 && held && !held->chunk->is_uniform()) kept_.put(*held);
   }
   for (const auto& key : left) delivered_.erase(key);
   return left;
+}
+
+void ViewTracker::delivered(const ReceivedChunk& chunk) {
+  kept_.erase(chunk.key);
+  delivered_[chunk.key] = {chunk.revision, chunk.hash, chunk.chunk};
+}
+
+std::optional<ReceivedChunk> ViewTracker::still_there(const ChunkKey& key, const Delivered& chunk) {
+  auto held = chunk.chunk.lock();
+  if (held == nullptr) return std::nullopt;
+  return ReceivedChunk{key, chunk.revision, chunk.hash, std::move(held)};
+}
+
+std::optional<ReceivedChunk> ViewTracker::held(const ChunkKey& key) const {
+  if (const ReceivedChunk* kept = kept_.look(key)) return *kept;
+  const auto found = delivered_.find(key);
+  return found == delivered_.end() ? std::nullopt : still_there(key, found->second);
+}
+
+std::vector<ReceivedChunk> ViewTracker::known(std::size_t most, bool with_delivered) const {
+  std::vector<ReceivedChunk> known;
+  const auto add = [&](const ReceivedChunk& chunk) {
+    if (known.size() < most && shape_.covers(chunk.key) && !chunk.chunk->is_uniform()) known.push_back(chunk);
+  };
+  kept_.for_each(add);
+  if (!with_delivered) return known;
+  for (const auto& [key, chunk] : delivered_) {
+    if (const auto held = still_there(key, chunk)) add(*held);
+  }
+  return known;
 }
 
 bool same_view(const View& a, const View& b) {

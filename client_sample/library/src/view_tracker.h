@@ -1,10 +1,14 @@
-// Which chunks of the current View have been delivered.
+// Which chunks of the current View have been delivered, and which of those that left may be used again.
 #pragma once
 
+#include <cstddef>
+#include <memory>
 #include <optional>
-#include <unordered_set>
+#include <unordered_map>
 #include <vector>
 
+#include <talus/client/chunk_store.h>
+#include <talus/client/received_chunk.h>
 #include <talus/client/view.h>
 #include <talus/voxel/coords.h>
 
@@ -12,19 +16,38 @@ namespace talus::client {
 
 class ViewTracker {
  public:
+  /// Keeps about `keep_bytes` of chunks that left the View.
+  explicit ViewTracker(std::size_t keep_bytes) : keep_bytes_{keep_bytes}, kept_{keep_bytes} {}
+
   /// Puts `view` in place of the one before; returns the delivered chunks that it no longer covers.
   [[nodiscard]] std::vector<ChunkKey> replace(const View& view);
 
   [[nodiscard]] const std::optional<View>& view() const { return view_; }
   [[nodiscard]] const ViewShape& shape() const { return shape_; }
 
-  void delivered(const ChunkKey& key) { delivered_.insert(key); }
+  void delivered(const ReceivedChunk& chunk);
   [[nodiscard]] bool was_delivered(const ChunkKey& key) const { return delivered_.contains(key); }
 
+  /// The chunk where it is still held: kept after it left, or delivered and in somebody's hands.
+  [[nodiscard]] std::optional<ReceivedChunk> held(const ChunkKey& key) const;
+  /// Chunks of the View that are held, `most` of them at most, none of them uniform. After a new connection
+  /// the server has sent nothing yet, so those delivered count too.
+  [[nodiscard]] std::vector<ReceivedChunk> known(std::size_t most, bool with_delivered) const;
+
  private:
+  /// No more than a look at it: what nobody holds any more is gone.
+  struct Delivered {
+    std::uint64_t revision = 0;
+    ContentHash hash;
+    std::weak_ptr<const Chunk> chunk;
+  };
+  [[nodiscard]] static std::optional<ReceivedChunk> still_there(const ChunkKey& key, const Delivered& chunk);
+
   std::optional<View> view_;
   ViewShape shape_;
-  std::unordered_set<ChunkKey> delivered_;
+  std::unordered_map<ChunkKey, Delivered> delivered_;
+  std::size_t keep_bytes_;
+  ChunkStore kept_;
 };
 
 /// A and B ask for the same chunks in the same order.

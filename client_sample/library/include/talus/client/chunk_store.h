@@ -52,6 +52,10 @@ class ChunkStore {
   /// Null where the chunk is not held. Counts as a use.
   [[nodiscard]] std::shared_ptr<const Chunk> find(const ChunkKey& key);
 
+  /// All that was received of it; null where it is not held. Valid until the next change. Does not count as a
+  /// use.
+  [[nodiscard]] const ReceivedChunk* look(const ChunkKey& key) const;
+
   /// Whether the chunk is held; does not count as a use.
   [[nodiscard]] bool contains(const ChunkKey& key) const { return held_.contains(key); }
 

@@ -34,6 +34,9 @@
 // against what was asked, chunks against their hash. A chunk that fails is never delivered; a server that
 // breaks the protocol is dropped.
 //
+// Chunks that left the View are kept for a while, within Options::keep_bytes: when they come back, only
+// their hashes travel, unless they have changed.
+//
 // When the connection breaks and Options::reconnect allows it, the client connects again; where the server
 // asks for a wait first, up to kLongestRetryAfter, after that. If the world has the same fingerprint, the
 // current View and every unanswered request are sent again, and on_chunk comes again for all chunks of the
@@ -87,6 +90,7 @@ struct Stats {
   std::uint64_t chunk_frames = 0;
   std::uint64_t chunk_bytes = 0;     // of chunk frames
   std::uint64_t uniform_chunks = 0;  // that came in whole columns
+  std::uint64_t kept_chunks = 0;     // of a View, that had not to be sent again
   std::uint64_t bad_chunks = 0;      // not decoded, or not what their hash says
   std::uint64_t connections = 0;
 };

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <chrono>
+#include <cstddef>
 #include <cstdint>
 #include <string>
 
@@ -24,6 +25,9 @@ struct Options {
   std::string token;                          // what the server's operator gave out; empty: none
   std::string client_name = "talus::client";  // for the server's log
   std::uint64_t window_bytes = 1U << 20;      // chunk bytes that may be under way; 0: the server's default
+  /// Of decoded chunks that left the View: where they come back the same, the server says so in a few bytes,
+  /// and on_chunk brings them again. Only of chunks that somebody still held when they left; 0: none.
+  std::size_t keep_bytes = 32U << 20;
   std::chrono::milliseconds connect_timeout{5'000};    // resolving and connecting
   std::chrono::milliseconds handshake_timeout{5'000};  // from Hello to Welcome
   std::chrono::milliseconds ping_interval{20'000};  // at most; a third of the server's idle time-out if less

@@ -1,0 +1,194 @@
+#include "command_line.h"
+
+#include <sstream>
+
+#include <fmt/format.h>
+#include <CLI/CLI.hpp>
+
+#include "figures.h"
+
+namespace talus::load {
+namespace {
+
+// As CLI::Range, which lets "nan" through.
+CLI::Validator within(double low, double high) {
+  const std::string range = fmt::format("{:.9g} to {:.9g}", low, high);
+  const auto check = [low, high, range](const std::string& text) -> std::string {
+    double value = 0;
+    const bool inside = CLI::detail::lexical_cast(text, value) && low <= value && value <= high;
+    return inside ? "" : "Value " + text + " not in range " + range;
+  };
+  return {check, "in [" + range + "]"};
+}
+
+struct Words {
+  std::string server = "localhost:4780";
+  std::string metrics;
+  std::vector<std::string> fail_if;
+};
+
+constexpr double kDay = 86400;
+constexpr std::uint32_t kMostClients = 100'000;
+
+void add_players(CLI::App& app, Options& options) {
+  app.add_option("--players", options.players, "Players")
+      ->check(CLI::Range(0U, kMostClients))
+      ->capture_default_str();
+  app.add_option("--duration", options.seconds, "Seconds that are measured")
+      ->check(within(0.1, kDay))
+      ->capture_default_str();
+  app.add_option("--ramp-up", options.ramp_up_seconds, "Seconds in which the players join, evenly")
+      ->check(within(0, kDay))
+      ->capture_default_str();
+  app.add_option(
+         "--warm-up", options.warm_up_seconds,
+         "Measure from so many seconds after the last player was to join (default: from the first on, "
+         "the ramp-up included)")
+      ->check(within(0, kDay));
+  app.add_option("--drain", options.drain_seconds,
+                 "Seconds at the end for what is still to come; what does not is wrong")
+      ->check(within(0, kDay))
+      ->capture_default_str();
+  app.add_option(
+         "--model", options.model,
+         "How they move: stand, walk, fly, teleport, swarm (into one place), trace:FILE (lines of "
+         "\"seconds x y z\", voxels from the start), mixed, or shares as in walk=80,fly=15,teleport=5")
+      ->capture_default_str();
+  app.add_option("--speed", options.speed, "Voxels a second (default: walk 5, fly and swarm 20)")
+      ->check(within(0, 100'000));
+  app.add_option("--groups", options.groups,
+                 "Players stand and move in so many groups that share ground; 0: each alone")
+      ->check(CLI::Range(0U, kMostClients))
+      ->capture_default_str();
+  app.add_option("--radius", options.radius, "Chunks of the View to each side")
+      ->check(CLI::Range(0, 1000))
+      ->capture_default_str();
+  app.add_option("--vertical", options.vertical, "Chunks of the View up and down")
+      ->check(CLI::Range(0, 1000))
+      ->capture_default_str();
+  app.add_option(
+         "--tick", options.tick_hz,
+         "Times a second at which a player looks where it is; a View is sent in another chunk and after a "
+         "turn of 15 degrees")
+      ->check(within(0.1, 1000))
+      ->capture_default_str();
+  app.add_flag("--every-tick", options.every_tick, "Send a View at every tick, as a careless client does");
+  app.add_option("--dwell", options.dwell_seconds, "Seconds between a teleporter's jumps")
+      ->check(within(0.05, kDay))
+      ->capture_default_str();
+  app.add_option(
+         "--churn", options.churn_seconds,
+         "Players are cut off after so many seconds (mean), half of them by a reset, and come back within "
+         "one; 0: they stay")
+      ->check(within(0, kDay))
+      ->capture_default_str();
+}
+
+void add_others(CLI::App& app, Options& options) {
+  app.add_option("--idle", options.idle,
+                 "Connections beside that say Hello and Ping, there before the players")
+      ->check(CLI::Range(0U, kMostClients))
+      ->capture_default_str();
+  app.add_option("--greedy", options.greedy,
+                 "Clients beside that keep as many requests for fresh terrain open as the server lets them")
+      ->check(CLI::Range(0U, kMostClients))
+      ->capture_default_str();
+  app.add_option("--slow", options.slow, "Clients beside that walk and read slowly")
+      ->check(CLI::Range(0U, kMostClients))
+      ->capture_default_str();
+  app.add_option("--slow-rate", options.slow_kbit, "Kilobits a second that each slow one reads")
+      ->check(within(0.2, 1e6))
+      ->capture_default_str();
+  app.add_option("--in-flight", options.in_flight,
+                 "Requests instead of Views: each player keeps so many open, of a fixed set (a closed loop); "
+                 "0: Views")
+      ->check(CLI::Range(0U, 65535U))
+      ->capture_default_str();
+  app.add_option("--set", options.fixed_set, "Chunks of that set: of the ground around the spawn point")
+      ->check(CLI::Range(1U, 1'000'000U))
+      ->capture_default_str();
+  app.add_option("--seed", options.seed, "Decides where the players begin, and all else that is random")
+      ->capture_default_str();
+  app.add_option("--threads", options.threads, "Threads of this program")
+      ->check(CLI::Range(1U, 64U))
+      ->capture_default_str();
+  app.add_option("--from-addresses", options.from_addresses,
+                 "Connect from 127.0.0.1 and so many less one after it")
+      ->check(CLI::Range(1U, 65534U))
+      ->capture_default_str();
+}
+
+void add_results(CLI::App& app, Options& options, Words& words) {
+  app.add_option("--verify", options.verify_percent,
+                 "Percent of the chunks that are decoded and hashed; all of them cost more than the server")
+      ->check(within(0, 100))
+      ->capture_default_str();
+  app.add_option("--ring-tolerance", options.ring_tolerance,
+                 "Rings of chunks by which a chunk of a first View may come before a nearer one")
+      ->check(CLI::Range(0, 1000))
+      ->capture_default_str();
+  app.add_option("--metrics", words.metrics,
+                 "HOST:PORT at which the server gives /metrics, for its CPU time and memory");
+  app.add_option("--server-pid", options.server_pid,
+                 "The same from the system's tables, where the server runs here")
+      ->check(CLI::PositiveNumber);
+  app.add_option("--json", options.json, "Write all figures to this file");
+  app.add_option("--plot", options.plot, "Draw the waits by percentile, as .svg");
+  app.add_option("--compare", options.compare, "Print the ratios to what --json wrote before")
+      ->check(CLI::ExistingFile);
+  app.add_option("--fail-if", words.fail_if, "End with 1 where this holds, as in p99_ms>50; may be repeated")
+      ->allow_extra_args(false)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+}
+
+}  // namespace
+
+tl::expected<Options, Exit> read_command_line(int argc, const char* const* argv) {
+  constexpr int kWrongUse = 2;
+  const auto wrong = [](const std::string& line) { return tl::unexpected{Exit{kWrongUse, line}}; };
+  CLI::App app{"Load for a Talus server: players that check what they get and measure how long it takes."};
+  app.set_version_flag("--version", "talus-load " TALUS_VERSION);
+  app.option_defaults()->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
+  Options options;
+  Words words;
+  app.add_option("--connect", words.server, "HOST:PORT of the server")->capture_default_str();
+  app.add_option("--token", options.token, "What the server's operator gave out");
+  add_players(app, options);
+  add_others(app, options);
+  add_results(app, options, words);
+  app.footer(
+      "Waits are counted from when a View was due, not from when it could be sent.\n"
+      "Figures for --fail-if: " +
+      figure_names());
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::Success& wanted) {  // --help and --version arrive here
+    std::ostringstream out;
+    app.exit(wanted, out, out);
+    return tl::unexpected{Exit{0, out.str()}};
+  } catch (const CLI::ParseError& error) {
+    return wrong(std::string{error.what()} + " (see --help)");
+  }
+  const auto server = cli::parse_endpoint(words.server);
+  if (!server) return wrong(server.error());
+  options.server = *server;
+  if (!words.metrics.empty()) {
+    const auto metrics = cli::parse_endpoint(words.metrics, "--metrics");
+    if (!metrics) return wrong(metrics.error());
+    options.metrics = *metrics;
+  }
+  const auto mix = parse_mix(options.model);
+  if (!mix) return wrong(mix.error());
+  options.mix = *mix;
+  for (const std::string& text : words.fail_if) {
+    auto condition = parse_condition(text);
+    if (!condition) return wrong(condition.error());
+    options.fail_if.push_back(*std::move(condition));
+  }
+  if (options.players + options.idle + options.greedy + options.slow == 0) {
+    return wrong("--players 0 and nobody else: there is nothing to do");
+  }
+  return options;
+}
+
+}  // namespace talus::load

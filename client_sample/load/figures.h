@@ -1,0 +1,18 @@
+// What a run found, as numbers with names that do not change: for --fail-if, --compare and the JSON.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "conditions.h"
+#include "outcome.h"
+
+namespace talus::load {
+
+[[nodiscard]] Figures figures_of(const Outcome& outcome);
+
+[[nodiscard]] bool is_figure(const std::string& name);
+/// All names, for --help.
+[[nodiscard]] std::string figure_names();
+
+}  // namespace talus::load

@@ -1,0 +1,131 @@
+#include "link.h"
+
+#include <netinet/in.h>
+#include <sys/socket.h>
+
+#include <algorithm>
+#include <utility>
+
+#include <asio/buffer.hpp>
+
+#include <talus/protocol/limits.h>
+
+namespace talus::load {
+namespace {
+
+using asio::ip::tcp;
+
+constexpr int kPacedReceiveBuffer = 4096;
+
+std::string words_of(const std::error_code& error) {
+  if (error == asio::error::eof) return "closed by the server";
+  if (error == asio::error::connection_reset || error == asio::error::broken_pipe) return "reset";
+  if (error == asio::error::connection_refused) return "refused";
+  return error.message();
+}
+
+}  // namespace
+
+Link::Link(asio::io_context& io, std::span<std::byte> scratch, LinkOwner& owner)
+    : socket_{io}, scratch_{scratch}, owner_{owner}, frames_{protocol::kServerFrameBytes} {}
+
+void Link::open(const Opening& opening) {
+  close(false);
+  frames_ = protocol::FrameReader{protocol::kServerFrameBytes};
+  std::error_code error;
+  socket_.open(opening.server.protocol(), error);
+  if (!error && opening.from) {
+    // The port is chosen when the connection is made, or 64,512 would be all there are.
+    const int on = 1;
+    ::setsockopt(socket_.native_handle(), IPPROTO_IP, IP_BIND_ADDRESS_NO_PORT, &on, sizeof(on));
+    socket_.bind({*opening.from, 0}, error);
+  }
+  if (!error && opening.paced) {
+    socket_.set_option(asio::socket_base::receive_buffer_size{kPacedReceiveBuffer}, error);
+  }
+  if (!error) socket_.non_blocking(true, error);
+  if (error) return fail(words_of(error));
+  socket_.async_connect(opening.server,
+                        [this, mine = opening_, paced = opening.paced](std::error_code failed) {
+                          if (mine != opening_) return;
+                          if (failed) return fail(words_of(failed));
+                          std::error_code ignored;
+                          socket_.set_option(tcp::no_delay{true}, ignored);
+                          if (!paced) await_input();
+                          owner_.opened();
+                        });
+}
+
+void Link::send(std::span<const std::byte> frame) {
+  if (!socket_.is_open()) return;
+  if (unsent_.empty()) {
+    std::error_code error;
+    frame = frame.subspan(socket_.write_some(asio::buffer(frame.data(), frame.size()), error));
+    if (error && error != asio::error::would_block) return;  // a broken connection is found by reading
+  }
+  if (frame.empty()) return;
+  unsent_.insert(unsent_.end(), frame.begin(), frame.end());
+  if (!writing_) await_output();
+}
+
+void Link::await_output() {
+  writing_ = true;
+  socket_.async_wait(tcp::socket::wait_write, [this, mine = opening_](std::error_code failed) {
+    if (mine != opening_) return;
+    writing_ = false;
+    const std::vector<std::byte> rest = std::exchange(unsent_, {});
+    if (!failed) send(rest);
+  });
+}
+
+void Link::await_input() {
+  socket_.async_wait(tcp::socket::wait_read, [this, mine = opening_](std::error_code failed) {
+    if (mine != opening_) return;
+    if (failed) return fail(words_of(failed));
+    take(scratch_.size());
+    if (mine == opening_) await_input();
+  });
+}
+
+void Link::take(std::size_t most) {
+  if (!socket_.is_open()) return;
+  std::error_code error;
+  const std::size_t bytes =
+      socket_.read_some(asio::buffer(scratch_.data(), std::min(most, scratch_.size())), error);
+  if (error == asio::error::would_block) return;
+  if (error) return fail(words_of(error));
+  received_bytes_ += bytes;
+  feed(scratch_.first(bytes));
+}
+
+void Link::feed(std::span<const std::byte> bytes) {
+  const std::uint32_t mine = opening_;
+  while (!bytes.empty()) {
+    const auto taken = frames_.feed(bytes);
+    if (!taken) return fail(taken.error().message(), true);
+    bytes = bytes.subspan(*taken);
+    if (!frames_.has_frame()) continue;
+    const auto message = protocol::read_message(frames_.frame());
+    if (!message) return fail(std::string{protocol::describe(message.error())}, true);
+    owner_.received(**message, frames_.frame().size());
+    if (mine != opening_) return;
+    frames_.pop();
+  }
+  owner_.read_done();
+}
+
+void Link::fail(const std::string& reason, bool broken) {
+  close(false);
+  owner_.ended(reason, broken);
+}
+
+void Link::close(bool abruptly) {
+  ++opening_;
+  writing_ = false;
+  std::vector<std::byte>{}.swap(unsent_);
+  std::error_code ignored;
+  if (abruptly) socket_.set_option(asio::socket_base::linger{true, 0}, ignored);
+  socket_.close(ignored);
+}
+
+}  // namespace talus::load

@@ -1,0 +1,113 @@
+// talus-load: simulated players for a running server, and what they waited.
+#include <cstring>
+#include <fstream>
+#include <iostream>
+#include <sstream>
+
+#include "command_line.h"
+#include "compare.h"
+#include "figures.h"
+#include "output_file.h"
+#include "plot.h"
+#include "report.h"
+#include "run.h"
+#include "scout.h"
+
+namespace {
+
+using namespace talus;
+using namespace talus::load;
+
+int failed(const std::string& line, int status = 1) {
+  std::cerr << "talus-load: " << line << '\n';
+  return status;
+}
+
+tl::expected<std::string, std::string> read_whole(const std::string& path) {
+  std::ifstream in{path, std::ios::binary};
+  std::ostringstream text;
+  if (!in || !(text << in.rdbuf())) return tl::unexpected{path + ": cannot be read: " + std::strerror(errno)};
+  return text.str();
+}
+
+tl::expected<void, std::string> write_text(const std::string& path, const std::string& text) {
+  return cli::write_file(path, std::as_bytes(std::span{text}));
+}
+
+tl::expected<Plan, std::string> make_plan(const Options& options) {
+  Plan plan;
+  plan.options = options;
+  if (!options.mix.trace_file.empty()) {
+    const auto text = read_whole(options.mix.trace_file);
+    if (!text) return tl::unexpected{text.error()};
+    auto trace = parse_trace(*text);
+    if (!trace) return tl::unexpected{options.mix.trace_file + ":" + trace.error()};
+    plan.trace = std::make_shared<const Trace>(*std::move(trace));
+  }
+  if (const auto scouted = scout(plan); !scouted) return tl::unexpected{scouted.error()};
+  return plan;
+}
+
+std::string plot_of(const Plan& plan, const Outcome& outcome) {
+  const Tally players = outcome.players();
+  std::vector<Curve> curves;
+  const auto add = [&](std::string name, const Histogram& waits) {
+    if (waits.count() > 0) curves.push_back({std::move(name), &waits});
+  };
+  add("chunks of joins", players.join);
+  add("chunks of travel", players.travel);
+  add("requests", players.requests);
+  add("first chunk", players.first_chunk);
+  add("full view", players.full_view);
+  if (curves.empty()) return "";
+  std::ostringstream subtitle;
+  subtitle << plan.options.players << " players (" << plan.options.model << "), radius "
+           << plan.options.radius << ", seed " << plan.options.seed << ", " << plan.world.server;
+  return plot("How long chunks took", subtitle.str(), curves);
+}
+
+/// What is printed and written of a run; the lines say what went wrong with that.
+std::vector<std::string> tell(const Plan& plan, const Outcome& outcome) {
+  const Options& options = plan.options;
+  std::vector<std::string> failures;
+  const auto note = [&](const tl::expected<void, std::string>& written) {
+    if (!written) failures.push_back(written.error());
+  };
+  std::cout << report(plan, outcome);
+  const nlohmann::json json = report_json(plan, outcome);
+  if (!options.compare.empty()) {
+    const auto old = read_whole(options.compare);
+    const auto table = old ? compare(*old, json) : tl::unexpected{old.error()};
+    if (table) {
+      std::cout << "compared with " << options.compare << '\n' << *table;
+    } else {
+      failures.push_back((old ? options.compare + ": " : "") + table.error());
+    }
+  }
+  if (!options.json.empty()) note(write_text(options.json, json.dump(2) + "\n"));
+  if (!options.plot.empty()) note(write_text(options.plot, plot_of(plan, outcome)));
+  std::cout.flush();
+  if (!std::cout) failures.push_back("standard output: cannot be written");
+  return failures;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  const auto options = read_command_line(argc, argv);
+  if (!options && options.error().status != 0) return failed(options.error().text, options.error().status);
+  if (!options) {
+    std::cout << options.error().text;
+    return std::cout.flush() ? 0 : failed("standard output: cannot be written");
+  }
+  const auto plan = make_plan(*options);
+  if (!plan) return failed(plan.error());
+  const auto outcome = run(*plan);
+  if (!outcome) return failed(outcome.error());
+
+  auto failures = tell(*plan, *outcome);
+  for (const std::string& line : those_that_hold(options->fail_if, figures_of(*outcome)))
+    failures.push_back(line);
+  for (const std::string& line : failures) failed(line);
+  return failures.empty() ? 0 : 1;
+}

@@ -1,0 +1,57 @@
+// What the words after "talus-load" ask for.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "conditions.h"
+#include "endpoint.h"
+#include "mix.h"
+
+namespace talus::load {
+
+struct Options {
+  cli::Endpoint server;
+  std::string token;
+
+  std::uint32_t players = 100;
+  double seconds = 30;                    // measured
+  double ramp_up_seconds = 0;             // in which the players join
+  std::optional<double> warm_up_seconds;  // what is measured begins so long after the last join; else at once
+  double drain_seconds = 10;              // for what is still wanted at the end
+  std::uint64_t seed = 1;
+  std::uint32_t threads = 1;
+  std::uint32_t from_addresses = 1;
+
+  std::string model = "walk";
+  Mix mix;  // of `model`
+  std::uint32_t groups = 0;
+  std::optional<double> speed;  // voxels a second
+  std::uint16_t radius = 8;     // chunks
+  std::uint16_t vertical = 4;
+  double tick_hz = 10;
+  bool every_tick = false;
+  double dwell_seconds = 5;
+  double churn_seconds = 0;  // mean stay; 0: to the end
+
+  std::uint32_t idle = 0;
+  std::uint32_t greedy = 0;
+  std::uint32_t slow = 0;
+  double slow_kbit = 64;
+
+  std::uint32_t in_flight = 0;  // requests mode where not 0
+  std::uint32_t fixed_set = 1024;
+
+  double verify_percent = 1;
+  int ring_tolerance = 4;
+
+  std::optional<cli::Endpoint> metrics;
+  int server_pid = 0;
+
+  std::string json, plot, compare;
+  std::vector<Condition> fail_if;
+};
+
+}  // namespace talus::load

@@ -1,0 +1,27 @@
+// What all clients of a run know. Made before the first of them, and not changed then.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include <asio/ip/tcp.hpp>
+#include <glm/vec3.hpp>
+
+#include <talus/client/world_info.h>
+
+#include "movement.h"
+#include "options.h"
+
+namespace talus::load {
+
+struct Plan {
+  Options options;
+  asio::ip::tcp::endpoint server;
+  client::WorldInfo world;
+  std::shared_ptr<const Trace> trace;  // where the mix has one
+  std::vector<glm::dvec3> origins;     // where each group begins, on its ground
+  std::vector<ChunkKey> fixed_set;     // requests mode: chunks with a surface in them
+};
+
+}  // namespace talus::load

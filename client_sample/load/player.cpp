@@ -1,0 +1,209 @@
+#include "player.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include <fmt/format.h>
+#include <glm/geometric.hpp>
+
+#include "tally.h"
+#include "worker.h"
+
+namespace talus::load {
+namespace {
+
+constexpr double kWalkingSpeed = 5;  // voxels a second
+constexpr double kFlyingSpeed = 20;
+constexpr double kTurned = 0.966;  // cosine of the 15 degrees from which on a turn is worth a View
+
+MotionPlan motion_plan(const Plan& plan, const GuestProfile& profile) {
+  const Options& options = plan.options;
+  const bool walks = profile.role == Role::walk || profile.role == Role::slow;
+  MotionPlan motion;
+  motion.model = profile.role;
+  motion.origin = plan.origins[profile.role == Role::swarm && options.groups == 0 ? 0 : profile.group];
+  motion.heading = Random{options.seed ^ 0xC0FFEE, profile.group}.between(0, 6.283185307179586);
+  motion.speed = options.speed.value_or(walks ? kWalkingSpeed : kFlyingSpeed);
+  motion.dwell_seconds = options.dwell_seconds;
+  motion.trace = plan.trace;
+  return motion;
+}
+
+VoxelPos voxel_at(const glm::dvec3& place) {
+  const auto whole = [](double at) { return static_cast<std::int64_t>(std::floor(at)); };
+  return {whole(place.x), whole(place.y), whole(place.z)};
+}
+
+glm::i64vec3 chunk_at(const glm::dvec3& place) {
+  const VoxelPos voxel = voxel_at(place);
+  return {floor_div(voxel.x, kChunkSize), floor_div(voxel.y, kChunkSize), floor_div(voxel.z, kChunkSize)};
+}
+
+bool turned(const glm::dvec3& from, const glm::dvec3& to) {
+  const double lengths = glm::length(from) * glm::length(to);
+  return lengths > 0 && glm::dot(from, to) < kTurned * lengths;
+}
+
+}  // namespace
+
+Player::Player(Worker& worker, const GuestProfile& profile)
+    : Guest{worker, profile},
+      motion_{make_motion(motion_plan(worker.plan(), profile),
+                          Random{worker.plan().options.seed ^ 0xBEEF, profile.number})},
+      tick_{std::chrono::duration_cast<Clock::duration>(
+          std::chrono::duration<double>(1 / worker.plan().options.tick_hz))} {}
+
+void Player::joined(Time now) {
+  began_ = std::min(began_, join_due());
+  wanted_ = {};
+  first_to_come_ = true;
+  look_around(now, true);
+  // Its ticks stay where they were laid when it first was to join, however late the server is.
+  tick_due_ = motion_->moves() ? began_ + tick_ * ((now - began_) / tick_ + 1) : Time::max();
+}
+
+void Player::parted(bool lost) {
+  tick_due_ = Time::max();
+  const Time now = Clock::now();
+  for (const Wanted::Missed& missed : wanted_.give_up()) {
+    if (lost) record_missed(missed, now);
+  }
+}
+
+void Player::act_joined(Time now) {
+  for (; tick_due_ <= now; tick_due_ += tick_) {
+    if (worker().finishing()) {
+      tick_due_ = Time::max();
+      return;
+    }
+    look_around(tick_due_, false);
+  }
+}
+
+void Player::look_around(Time due, bool first) {
+  const Pose pose = motion_->at(std::chrono::duration<double>(due - began_).count());
+  const glm::i64vec3 centre = chunk_at(pose.place);
+  const bool moved = first || centre != chunk_at(pose_.place);
+  if (!moved && !turned(pose_.direction, pose.direction) && !worker().plan().options.every_tick) return;
+  pose_ = pose;
+  send_view(pose);
+  if (!moved) return;
+  const Options& options = worker().plan().options;
+  const Time jumped_before = wanted_.jumped();
+  for (const Wanted::Missed& missed :
+       wanted_.move_to(box_around(centre, options.radius, options.vertical), centre, due)) {
+    record_missed(missed, due);
+  }
+  if (wanted_.jumped() != jumped_before) {
+    full_to_come_ = true;
+    full_since_ = first ? join_due() : due;
+  }
+}
+
+void Player::send_view(const Pose& pose) {
+  const Options& options = worker().plan().options;
+  const VoxelPos voxel = voxel_at(pose.place);
+  const wire::Voxel centre{voxel.x, voxel.y, voxel.z};
+  const wire::Direction direction{static_cast<float>(pose.direction.x), static_cast<float>(pose.direction.y),
+                                  static_cast<float>(pose.direction.z)};
+  send(protocol::make_frame(
+      [&](auto& b) { return wire::CreateView(b, &centre, &direction, options.radius, options.vertical); }));
+}
+
+void Player::record_missed(const Wanted::Missed& missed, Time now) {
+  if (missed.returned) {
+    ++tally().unconfirmed;
+    return;
+  }
+  ++tally().missed;
+  if (worker().counts(missed.since)) (missed.join ? tally().join : tally().travel).record(now - missed.since);
+}
+
+void Player::take(const wire::Chunk& chunk) {
+  if (chunk.id() != 0 || chunk.key() == nullptr || chunk.key()->lod() != 0) {
+    return wrong(tally().outside, "a chunk for a request, without a key, or of another level");
+  }
+  (void)verify(chunk);
+  arrive({chunk.key()->x(), chunk.key()->y(), chunk.key()->z()}, Clock::now(), true);
+}
+
+void Player::take(const wire::Unchanged& unchanged) {
+  if (unchanged.id() != 0 || unchanged.key() == nullptr || unchanged.key()->lod() != 0) {
+    return wrong(tally().outside, "an Unchanged for a request, without a key, or of another level");
+  }
+  arrive({unchanged.key()->x(), unchanged.key()->y(), unchanged.key()->z()}, Clock::now(), true);
+}
+
+void Player::take(const wire::Column& column) {
+  if (column.lod() != 0 || column.runs() == nullptr) return;
+  const Time now = Clock::now();
+  const Box& box = wanted_.box();
+  const auto& materials = worker().plan().world.materials;
+  for (const wire::UniformRun* run : *column.runs()) {
+    const bool known = std::any_of(materials.begin(), materials.end(), [&](const client::Material& material) {
+      return to_integer(material.id) == run->material();
+    });
+    if (!known)
+      wrong(tally().bad_chunks, fmt::format("a Column of the unknown material {}", run->material()));
+    const std::int64_t last = std::min<std::int64_t>(run->last_y(), box.high.y);
+    for (std::int64_t y = std::max<std::int64_t>(run->first_y(), box.low.y); y <= last; ++y) {
+      arrive({column.x(), static_cast<std::int32_t>(y), column.z()}, now, false);
+    }
+  }
+}
+
+void Player::arrive(ChunkCoord chunk, Time now, bool alone) {
+  const Wanted::Arrival arrival = wanted_.arrive(chunk);
+  switch (arrival.verdict) {
+    case Wanted::Verdict::stale:
+      ++tally().stale;
+      return;
+    case Wanted::Verdict::repeated:
+      if (alone) ++tally().repeated;
+      return;
+    case Wanted::Verdict::duplicate:
+      // A run may cover rows that are held: it says nothing of how they came.
+      if (alone) wrong(tally().duplicates, fmt::format("chunk {} came twice", to_string(chunk)));
+      return;
+    case Wanted::Verdict::outside:
+      if (alone) wrong(tally().outside, fmt::format("chunk {} is in no View of it", to_string(chunk)));
+      return;
+    case Wanted::Verdict::came:
+      break;
+  }
+  if (!alone) {
+    ++tally().uniform;
+    Live::add(worker().live().uniform, 1);
+  }
+  if (alone && arrival.ring_gap >= 0) {
+    ++tally().ordered;
+    tally().worst_ring_gap = std::max(tally().worst_ring_gap, arrival.ring_gap);
+    if (arrival.ring_gap > worker().plan().options.ring_tolerance) ++tally().disordered;
+  }
+  if (worker().counts(arrival.since)) {
+    (arrival.join ? tally().join : tally().travel).record(now - arrival.since);
+    ++tally().late_steps[std::min<std::size_t>(arrival.steps_late, tally().late_steps.size() - 1)];
+  }
+  if (std::exchange(first_to_come_, false)) tally().first_chunk.record(now - join_due());
+  if (full_to_come_ && wanted_.waiting() == 0) {
+    full_to_come_ = false;
+    tally().full_view.record(now - full_since_);
+  }
+}
+
+bool Player::satisfied() const {
+  return !is_joined() || wanted_.waiting() == 0 || role() == Role::slow;  // which may take hours
+}
+
+void Player::give_up() {
+  const Time now = Clock::now();
+  for (const Wanted::Missed& missed : wanted_.give_up()) {
+    record_missed(missed, now);
+    if (missed.returned || role() == Role::slow) continue;
+    --tally().missed;
+    wrong(tally().unanswered, "a chunk of its View never came");
+  }
+}
+
+}  // namespace talus::load

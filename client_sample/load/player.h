@@ -1,0 +1,44 @@
+// A client with a View: walks, flies or stands, and looks at what comes for it.
+#pragma once
+
+#include <memory>
+
+#include "guest.h"
+#include "movement.h"
+#include "wanted.h"
+
+namespace talus::load {
+
+class Player final : public Guest {
+ public:
+  Player(Worker& worker, const GuestProfile& profile);
+  [[nodiscard]] bool satisfied() const override;
+
+ private:
+  void joined(Time now) override;
+  void parted(bool lost) override;
+  void act_joined(Time now) override;
+  [[nodiscard]] Time own_due() const override { return tick_due_; }
+  void take(const wire::Chunk& chunk) override;
+  void take(const wire::Column& column) override;
+  void take(const wire::Unchanged& unchanged) override;
+  void give_up() override;
+
+  void look_around(Time due, bool first);
+  void send_view(const Pose& pose);
+  void record_missed(const Wanted::Missed& missed, Time now);
+  /// A chunk of the View came by whatever message. `alone`: by one that was for it alone.
+  void arrive(ChunkCoord chunk, Time now, bool alone);
+
+  std::unique_ptr<Motion> motion_;
+  Clock::duration tick_;
+  Time began_ = Time::max();  // when it joined first: its time is counted from there
+  Time tick_due_ = Time::max();
+  Pose pose_;  // of the last View
+  Wanted wanted_;
+  bool first_to_come_ = false;
+  bool full_to_come_ = false;
+  Time full_since_{};
+};
+
+}  // namespace talus::load

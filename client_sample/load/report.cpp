@@ -1,0 +1,214 @@
+#include "report.h"
+
+#include <thread>
+
+#include <fmt/format.h>
+
+#include "figures.h"
+
+namespace talus::load {
+namespace {
+
+std::string row(const std::string& name, const Histogram& waits) {
+  if (waits.count() == 0) return "";
+  return fmt::format("  {:<22}{:>11}{:>10.3f}{:>10.3f}{:>10.3f}{:>10.3f}{:>10.3f}\n", name, waits.count(),
+                     waits.percentile_ms(0.5), waits.percentile_ms(0.95), waits.percentile_ms(0.99),
+                     waits.percentile_ms(0.999), waits.max_ms());
+}
+
+std::string waits_of(const Outcome& outcome) {
+  const Tally players = outcome.players();
+  std::string rows = row("chunks of joins", players.join) + row("chunks of travel", players.travel);
+  for (std::size_t role = 0; role < kRoles; ++role) {
+    const Tally& tally = outcome.tallies[role];
+    const std::string name{kRoleNames[role]};
+    if (tally.join.count() != players.join.count()) rows += row("  joins, " + name, tally.join);
+    if (tally.travel.count() != players.travel.count()) rows += row("  travel, " + name, tally.travel);
+    if (!is_player(static_cast<Role>(role))) rows += row("  requests, " + name, tally.requests);
+  }
+  rows += row("requests", players.requests) + row("first chunk", players.first_chunk) +
+          row("full view", players.full_view);
+  if (rows.empty()) return "";
+  return fmt::format("  {:<22}{:>11}{:>10}{:>10}{:>10}{:>10}{:>10}\n", "wait in ms", "count", "p50", "p95",
+                     "p99", "p99.9", "max") +
+         rows;
+}
+
+std::string counts_of(const std::map<std::string, std::uint64_t>& counts) {
+  if (counts.empty()) return "none";
+  std::string text;
+  for (const auto& [name, count] : counts)
+    text += fmt::format("{}{} {}", text.empty() ? "" : ", ", count, name);
+  return text;
+}
+
+std::string checks_of(const Plan& plan, const Outcome& outcome) {
+  const Tally all = outcome.all();
+  std::string text = fmt::format(
+      "  wrong: {} ({} chunks decoded and hashed, {} bad; {} outside, {} twice, {} never came, {} bad "
+      "messages)\n",
+      all.wrongs(), all.verified, all.bad_chunks, all.outside, all.duplicates, all.unanswered,
+      all.bad_messages);
+  if (!all.first_wrong.empty()) text += fmt::format("  first wrong: {}\n", all.first_wrong);
+  if (all.ordered > 0) {
+    text += fmt::format("  order: {} of {} chunks came over {} rings before a nearer one, {} at most\n",
+                        all.disordered, all.ordered, plan.options.ring_tolerance, all.worst_ring_gap);
+  }
+  text += fmt::format("  on the way: {} left the View before they came, {} came after they left it\n",
+                      all.missed, all.stale);
+  return text;
+}
+
+std::string troubles_of(const Outcome& outcome) {
+  const Tally players = outcome.players();
+  std::string text = fmt::format("  errors: {}\n  disconnects: {}\n", counts_of(players.errors),
+                                 counts_of(players.disconnects));
+  for (const Role role : {Role::slow, Role::greedy}) {
+    const Tally& tally = outcome.tallies[static_cast<std::size_t>(role)];
+    if (tally.joins == 0 && tally.disconnects.empty()) continue;
+    text += fmt::format("  {}: {} chunks; errors: {}; disconnects: {}\n", name_of(role), tally.chunks,
+                        counts_of(tally.errors), counts_of(tally.disconnects));
+  }
+  return text;
+}
+
+std::string server_of(const Figures& figures) {
+  std::string text;
+  const auto put = [&](const char* name, double scale, const char* format) {
+    const auto found = figures.find(name);
+    if (found == figures.end()) return;
+    text += (text.empty() ? "" : ", ") + fmt::format(fmt::runtime(format), found->second / scale);
+  };
+  put("cpu_s", 1, "{:.2f} CPU s");
+  put("cpu_s_per_million", 1, "{:.2f} CPU s a million chunks");
+  put("cpu_s_per_million_messages", 1, "{:.2f} a million Chunk messages");
+  put("resident_bytes", 1 << 20, "{:.0f} MiB resident");
+  put("resident_growth_percent", 1, "{:+.1f} % since the measured time began");
+  put("idle_bytes_each", 1024, "{:.1f} KiB an idle connection");
+  put("files_left", 1, "{:.0f} files left open");
+  return text.empty() ? "" : "  server: " + text + "\n";
+}
+
+nlohmann::json spread_json(const Histogram& waits) {
+  return {{"count", waits.count()},
+          {"p50", waits.percentile_ms(0.5)},
+          {"p95", waits.percentile_ms(0.95)},
+          {"p99", waits.percentile_ms(0.99)},
+          {"p99_9", waits.percentile_ms(0.999)},
+          {"max", waits.max_ms()},
+          {"mean", waits.mean_ms()}};
+}
+
+nlohmann::json tally_json(const Tally& tally) {
+  return {{"chunk_messages", tally.chunks},
+          {"chunk_bytes", tally.chunk_bytes},
+          {"uniform_chunks", tally.uniform},
+          {"unchanged", tally.unchanged},
+          {"stale", tally.stale},
+          {"repeated", tally.repeated},
+          {"missed", tally.missed},
+          {"unconfirmed", tally.unconfirmed},
+          {"verified", tally.verified},
+          {"wrong",
+           {{"bad_chunks", tally.bad_chunks},
+            {"outside", tally.outside},
+            {"duplicates", tally.duplicates},
+            {"unanswered", tally.unanswered},
+            {"bad_messages", tally.bad_messages}}},
+          {"order",
+           {{"looked_at", tally.ordered},
+            {"over_tolerance", tally.disordered},
+            {"worst_ring_gap", tally.worst_ring_gap}}},
+          {"late_steps", tally.late_steps},
+          {"joins", tally.joins},
+          {"cuts", tally.cuts},
+          {"errors", tally.errors},
+          {"disconnects", tally.disconnects},
+          {"wait_ms",
+           {{"join", spread_json(tally.join)},
+            {"travel", spread_json(tally.travel)},
+            {"request", spread_json(tally.requests)},
+            {"first_chunk", spread_json(tally.first_chunk)},
+            {"full_view", spread_json(tally.full_view)}}}};
+}
+
+nlohmann::json settings_json(const Options& options) {
+  return {
+      {"players", options.players},
+      {"duration_s", options.seconds},
+      {"ramp_up_s", options.ramp_up_seconds},
+      {"warm_up_s", options.warm_up_seconds ? nlohmann::json(*options.warm_up_seconds) : nlohmann::json()},
+      {"seed", options.seed},
+      {"threads", options.threads},
+      {"model", options.model},
+      {"groups", options.groups},
+      {"speed", options.speed ? nlohmann::json(*options.speed) : nlohmann::json()},
+      {"radius", options.radius},
+      {"vertical", options.vertical},
+      {"tick_hz", options.tick_hz},
+      {"every_tick", options.every_tick},
+      {"dwell_s", options.dwell_seconds},
+      {"churn_s", options.churn_seconds},
+      {"idle", options.idle},
+      {"greedy", options.greedy},
+      {"slow", options.slow},
+      {"slow_rate_kbit", options.slow_kbit},
+      {"in_flight", options.in_flight},
+      {"set", options.fixed_set},
+      {"verify_percent", options.verify_percent},
+      {"ring_tolerance", options.ring_tolerance},
+      {"from_addresses", options.from_addresses}};
+}
+
+}  // namespace
+
+std::string report(const Plan& plan, const Outcome& outcome) {
+  const Figures figures = figures_of(outcome);
+  const double seconds = outcome.end.seconds - outcome.begin.seconds;
+  std::string text = fmt::format(
+      "{} players ({}) of {}, seed {}, {:.1f} s measured{}, {} cores\n", plan.options.players,
+      plan.options.in_flight != 0 ? "requests" : plan.options.model, plan.world.server, plan.options.seed,
+      seconds, outcome.interrupted ? " (interrupted)" : "", std::thread::hardware_concurrency());
+  text += waits_of(outcome);
+  text += fmt::format("  rate: {:.0f} chunks/s ({:.0f} Chunk messages/s), {:.2f} MB/s\n",
+                      figures.at("chunks_per_s"), figures.at("chunk_messages_per_s"),
+                      figures.at("bytes_per_s") / 1e6);
+  const Tally players = outcome.players();
+  if (players.travel.count() + players.join.count() > 0) {
+    text += fmt::format(
+        "  late: {:.0f} chunks by more than one View step, {}{:.0f} steps at most\n",
+        figures.at("late_over_one_step"),
+        figures.at("late_steps_max") == static_cast<double>(players.late_steps.size() - 1) ? "over " : "",
+        figures.at("late_steps_max"));
+  }
+  text += checks_of(plan, outcome) + troubles_of(outcome) + server_of(figures);
+  text += fmt::format("  harness: {:.2f} CPU s, p99 {:.3f} ms behind its own schedule\n",
+                      figures.at("harness_cpu_s"), outcome.lateness.percentile_ms(0.99));
+  return text;
+}
+
+nlohmann::json report_json(const Plan& plan, const Outcome& outcome) {
+  nlohmann::json roles = nlohmann::json::object();
+  for (std::size_t role = 0; role < kRoles; ++role) {
+    const Tally& tally = outcome.tallies[role];
+    if (tally.joins > 0 || !tally.disconnects.empty())
+      roles[std::string{kRoleNames[role]}] = tally_json(tally);
+  }
+  nlohmann::json counters = nlohmann::json::object();
+  for (const auto& [name, value] : outcome.end.server.counters) {
+    const auto before = outcome.begin.server.counters.find(name);
+    counters[name] = value - (before == outcome.begin.server.counters.end() ? 0 : before->second);
+  }
+  return {{"format", 1},
+          {"program", "talus-load " TALUS_VERSION},
+          {"machine", {{"cores", std::thread::hardware_concurrency()}}},
+          {"server", {{"name", plan.world.server}, {"fingerprint", to_string(plan.world.fingerprint)}}},
+          {"settings", settings_json(plan.options)},
+          {"measured_s", outcome.end.seconds - outcome.begin.seconds},
+          {"interrupted", outcome.interrupted},
+          {"figures", figures_of(outcome)},
+          {"roles", roles},
+          {"server_counters", counters}};
+}
+
+}  // namespace talus::load

@@ -1,0 +1,222 @@
+#include "run.h"
+
+#include <sys/resource.h>
+
+#include <algorithm>
+#include <csignal>
+#include <memory>
+#include <thread>
+
+#include <fmt/format.h>
+#include <asio/io_context.hpp>
+#include <asio/signal_set.hpp>
+#include <asio/steady_timer.hpp>
+
+#include "progress.h"
+#include "worker.h"
+
+namespace talus::load {
+namespace {
+
+constexpr double kIdleJoinsPerSecond = 2000;
+constexpr std::chrono::seconds kIdlePatience{60};
+constexpr std::chrono::milliseconds kBetweenLooks{100};
+constexpr std::chrono::seconds kServerSettles{3};
+constexpr std::uint64_t kSpareFiles = 64;
+
+Clock::duration seconds(double count) {
+  return std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(count));
+}
+
+double own_cpu_seconds() {
+  rusage used{};
+  ::getrusage(RUSAGE_SELF, &used);
+  const auto in_seconds = [](const timeval& time) {
+    return static_cast<double>(time.tv_sec) + static_cast<double>(time.tv_usec) / 1e6;
+  };
+  return in_seconds(used.ru_utime) + in_seconds(used.ru_stime);
+}
+
+tl::expected<void, std::string> raise_file_limit(std::uint64_t needed) {
+  rlimit limit{};
+  ::getrlimit(RLIMIT_NOFILE, &limit);
+  if (limit.rlim_cur >= needed) return {};
+  limit.rlim_cur = needed;
+  limit.rlim_max = std::max(limit.rlim_max, needed);  // where this process may
+  if (::setrlimit(RLIMIT_NOFILE, &limit) == 0) return {};
+  return tl::unexpected{
+      fmt::format("{} open files are needed and the system allows fewer; raise ulimit -n", needed)};
+}
+
+std::vector<GuestProfile> profiles_of(const Plan& plan) {
+  const Options& options = plan.options;
+  std::vector<GuestProfile> profiles;
+  const auto add = [&](Role role, std::uint32_t group, Clock::duration joins_after) {
+    GuestProfile profile{role, static_cast<std::uint32_t>(profiles.size()), group, joins_after, std::nullopt};
+    if (options.from_addresses > 1) {
+      constexpr std::uint32_t kLoopback = 0x7F000001;
+      profile.from = asio::ip::address_v4{kLoopback + profile.number % options.from_addresses};
+    }
+    profiles.push_back(profile);
+  };
+  const auto group_of = [&](std::uint32_t client) {
+    return options.groups != 0 ? client % options.groups : client;
+  };
+  const std::vector<Role> models = deal(options.mix, options.players);
+  for (std::uint32_t i = 0; i < options.players; ++i) {
+    add(options.in_flight != 0 ? Role::requests : models[i], group_of(i),
+        seconds(options.ramp_up_seconds * i / options.players));
+  }
+  std::uint32_t client = options.players;
+  for (std::uint32_t i = 0; i < options.slow; ++i) add(Role::slow, group_of(client++), {});
+  for (std::uint32_t i = 0; i < options.greedy; ++i) add(Role::greedy, group_of(client++), {});
+  for (std::uint32_t i = 0; i < options.idle; ++i) add(Role::idle, 0, seconds(i / kIdleJoinsPerSecond));
+  return profiles;
+}
+
+class Run {
+ public:
+  explicit Run(const Plan& plan)
+      : plan_{plan}, watch_{plan.options.metrics, plan.options.server_pid}, signals_{io_, SIGINT, SIGTERM} {
+    for (std::uint32_t number = 0; number < plan.options.threads; ++number) {
+      workers_.push_back(std::make_unique<Worker>(plan, number));
+    }
+    const auto profiles = profiles_of(plan);
+    for (const GuestProfile& profile : profiles) workers_[profile.number % workers_.size()]->add(profile);
+    signals_.async_wait(
+        [this](std::error_code cancelled, int) { interrupted_ = interrupted_ || !cancelled; });
+  }
+
+  tl::expected<Outcome, std::string> go() {
+    if (watch_.watches()) wait_until(Clock::now() + kBetweenLooks);  // until it has seen the scout leave
+    auto before = watch_.sample();
+    if (!before) return tl::unexpected{before.error()};
+    outcome_.before = *before;
+    for (const auto& worker : workers_) worker->run();
+    if (plan_.options.idle > 0) {
+      if (const auto joined = join_idle(); !joined) return tl::unexpected{joined.error()};
+    }
+    measure();
+    leave();
+    return std::move(outcome_);
+  }
+
+ private:
+  template <typename Field>
+  [[nodiscard]] std::uint64_t sum(Field field) const {
+    std::uint64_t all = 0;
+    for (const auto& worker : workers_) all += (worker->live().*field).load(std::memory_order_relaxed);
+    return all;
+  }
+
+  tl::expected<void, std::string> join_idle() {
+    const std::uint64_t idle = plan_.options.idle;
+    const Time start = Clock::now();
+    for (const auto& worker : workers_) worker->begin(true, start, Time::max());
+    cli::Progress progress{"idle connections"};
+    while (sum(&Live::joined) < idle && Clock::now() < start + kIdlePatience && !interrupted_) {
+      wait_until(Clock::now() + kBetweenLooks);
+      progress.show(static_cast<double>(sum(&Live::joined)) / static_cast<double>(idle), 0);
+    }
+    outcome_.idle_joined = sum(&Live::joined);
+    if (outcome_.idle_joined < idle && !interrupted_) {
+      return tl::unexpected{
+          fmt::format("only {} of {} idle connections were taken; the server's limits.connections and "
+                      "limits.connections_per_address must allow them (--from-addresses spreads them)",
+                      outcome_.idle_joined, idle)};
+    }
+    outcome_.idle = watch_.sample().value_or(ServerSample{});
+    return {};
+  }
+
+  void measure() {
+    const Options& options = plan_.options;
+    start_ = Clock::now() + std::chrono::milliseconds{10};
+    const Time from = options.warm_up_seconds
+                          ? start_ + seconds(options.ramp_up_seconds + *options.warm_up_seconds)
+                          : start_;
+    const Time end = from + seconds(options.seconds);
+    for (const auto& worker : workers_) worker->begin(false, start_, from);
+    cli::Progress progress{"load"};
+    watch_progress(progress, from, end);
+    outcome_.begin = moment();
+    watch_progress(progress, end, end);
+    outcome_.end = moment();
+    outcome_.interrupted = interrupted_;
+    for (const auto& worker : workers_) worker->finish(Clock::now() + seconds(options.drain_seconds));
+  }
+
+  void watch_progress(cli::Progress& progress, Time until, Time end) {
+    while (Clock::now() < until && !interrupted_) {
+      const std::uint64_t chunks_before = sum(&Live::chunks) + sum(&Live::uniform);
+      const Time looked = Clock::now();
+      wait_until(std::min(until, looked + kBetweenLooks * 5));
+      const Time now = Clock::now();
+      const std::uint64_t chunks = sum(&Live::chunks) + sum(&Live::uniform);
+      const auto troubles = sum(&Live::troubles);
+      progress.show(
+          std::chrono::duration<double>(now - start_) / std::chrono::duration<double>(end - start_), chunks,
+          fmt::format("now {:.0f}/s  {} clients{}",
+                      static_cast<double>(chunks - chunks_before) /
+                          std::max(1e-3, std::chrono::duration<double>(now - looked).count()),
+                      sum(&Live::joined), troubles == 0 ? "" : fmt::format("  {} troubles", troubles)));
+    }
+  }
+
+  [[nodiscard]] Moment moment() const {
+    return {std::chrono::duration<double>(Clock::now() - start_).count(),
+            sum(&Live::chunks),
+            sum(&Live::uniform),
+            sum(&Live::bytes),
+            own_cpu_seconds(),
+            watch_.sample().value_or(ServerSample{})};
+  }
+
+  void leave() {
+    for (const auto& worker : workers_) worker->join();
+    for (const auto& worker : workers_) {
+      for (std::size_t role = 0; role < kRoles; ++role) outcome_.tallies[role].merge(worker->tallies()[role]);
+      outcome_.lateness.merge(worker->lateness());
+    }
+    workers_.clear();
+    if (!watch_.watches()) return;
+    // The server needs a moment to see that they left.
+    const Time patience = Clock::now() + kServerSettles;
+    do {
+      wait_until(Clock::now() + kBetweenLooks);
+      outcome_.after = watch_.sample().value_or(ServerSample{});
+    } while (outcome_.after.open_files.value_or(0) > outcome_.before.open_files.value_or(0) &&
+             Clock::now() < patience);
+  }
+
+  void wait_until(Time when) {
+    io_.restart();
+    asio::steady_timer timer{io_, when};
+    bool over = false;
+    timer.async_wait([&](std::error_code) { over = true; });
+    while (!over && !interrupted_) io_.run_one();
+    timer.cancel();
+    while (!over) io_.run_one();
+  }
+
+  const Plan& plan_;
+  ServerWatch watch_;
+  asio::io_context io_{1};
+  asio::signal_set signals_;
+  bool interrupted_ = false;
+  std::vector<std::unique_ptr<Worker>> workers_;
+  Time start_{};
+  Outcome outcome_;
+};
+
+}  // namespace
+
+tl::expected<Outcome, std::string> run(const Plan& plan) {
+  const Options& options = plan.options;
+  const std::uint64_t clients = std::uint64_t{options.players} + options.slow + options.greedy + options.idle;
+  if (const auto raised = raise_file_limit(clients + kSpareFiles); !raised)
+    return tl::unexpected{raised.error()};
+  return Run{plan}.go();
+}
+
+}  // namespace talus::load

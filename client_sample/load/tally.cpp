@@ -1,0 +1,51 @@
+#include "tally.h"
+
+#include <algorithm>
+
+namespace talus::load {
+namespace {
+
+using Counts = std::map<std::string, std::uint64_t>;
+
+std::uint64_t sum_of(const Counts& counts) {
+  std::uint64_t sum = 0;
+  for (const auto& [name, count] : counts) sum += count;
+  return sum;
+}
+
+}  // namespace
+
+void Tally::merge(const Tally& other) {
+  join.merge(other.join);
+  travel.merge(other.travel);
+  requests.merge(other.requests);
+  first_chunk.merge(other.first_chunk);
+  full_view.merge(other.full_view);
+  for (std::size_t i = 0; i < late_steps.size(); ++i) late_steps[i] += other.late_steps[i];
+  constexpr std::uint64_t Tally::*kCounts[] = {
+      &Tally::chunks,   &Tally::chunk_bytes, &Tally::uniform,      &Tally::unchanged, &Tally::stale,
+      &Tally::repeated, &Tally::missed,      &Tally::unconfirmed,  &Tally::verified,  &Tally::bad_chunks,
+      &Tally::outside,  &Tally::duplicates,  &Tally::unanswered,   &Tally::ordered,   &Tally::disordered,
+      &Tally::joins,    &Tally::cuts,        &Tally::bad_messages,
+  };
+  for (const auto count : kCounts) this->*count += other.*count;
+  worst_ring_gap = std::max(worst_ring_gap, other.worst_ring_gap);
+  if (first_wrong.empty()) first_wrong = other.first_wrong;
+  for (const auto& [code, count] : other.errors) errors[code] += count;
+  for (const auto& [reason, count] : other.disconnects) disconnects[reason] += count;
+}
+
+void Tally::wrong(std::uint64_t& counter, const std::string& what) {
+  ++counter;
+  if (first_wrong.empty()) first_wrong = what;
+}
+
+std::uint64_t Tally::error_count() const {
+  return sum_of(errors);
+}
+
+std::uint64_t Tally::disconnect_count() const {
+  return sum_of(disconnects);
+}
+
+}  // namespace talus::load

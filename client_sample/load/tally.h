@@ -1,0 +1,63 @@
+// What was seen, a role. Each worker has its own; they are merged at the end.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <string>
+
+#include "histogram.h"
+#include "role.h"
+
+namespace talus::load {
+
+struct Tally {
+  /// Waits of chunks from the scheduled time of the View that first wanted them: `join` for the first View
+  /// and after a jump, `travel` for what later steps added. What never came, or left the View before it
+  /// came, counts with the time for which it was waited.
+  Histogram join, travel;
+  Histogram requests;     // from GetChunks to its answer
+  Histogram first_chunk;  // from the scheduled time of connecting
+  Histogram full_view;    // to the last chunk of the first View, and of Views after a jump
+
+  /// Chunks that came n View steps after the one that wanted them; the last place counts all beyond.
+  std::array<std::uint64_t, 8> late_steps{};
+
+  std::uint64_t chunks = 0, chunk_bytes = 0;  // Chunk messages
+  std::uint64_t uniform = 0;                  // chunks that came in Columns
+  std::uint64_t unchanged = 0;
+  std::uint64_t stale = 0;        // left the View when they were on their way
+  std::uint64_t repeated = 0;     // came twice after leaving and coming back: allowed
+  std::uint64_t missed = 0;       // left the View before they came
+  std::uint64_t unconfirmed = 0;  // left and came back, and the server said no more: allowed
+  std::uint64_t verified = 0;     // decoded, and hashed
+
+  // Wrong, each of them.
+  std::uint64_t bad_chunks = 0;  // not decodable, of another hash or codec
+  std::uint64_t outside = 0;     // nobody asked for them
+  std::uint64_t duplicates = 0;
+  std::uint64_t unanswered = 0;  // wanted to the end
+  std::uint64_t bad_messages = 0;
+  std::string first_wrong;
+
+  std::uint64_t ordered = 0, disordered = 0;  // chunks whose order was looked at; those beyond the tolerance
+  std::int64_t worst_ring_gap = 0;
+
+  std::uint64_t joins = 0, cuts = 0;
+  std::map<std::string, std::uint64_t> errors;       // Error messages, by code
+  std::map<std::string, std::uint64_t> disconnects;  // not asked for, by reason
+
+  void merge(const Tally& other);
+  /// Counts and remembers the first.
+  void wrong(std::uint64_t& counter, const std::string& what);
+  [[nodiscard]] std::uint64_t wrongs() const {
+    return bad_chunks + outside + duplicates + unanswered + bad_messages;
+  }
+  [[nodiscard]] std::uint64_t error_count() const;
+  [[nodiscard]] std::uint64_t disconnect_count() const;
+};
+
+using Tallies = std::array<Tally, kRoles>;
+
+}  // namespace talus::load

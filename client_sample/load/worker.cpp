@@ -1,0 +1,123 @@
+#include "worker.h"
+
+#include <algorithm>
+
+#include <asio/post.hpp>
+
+#include "player.h"
+#include "requester.h"
+
+namespace talus::load {
+namespace {
+
+constexpr std::size_t kScratchBytes = std::size_t{256} * 1024;
+constexpr std::chrono::milliseconds kBetweenLooks{20};
+
+std::unique_ptr<Guest> make_guest(Worker& worker, const GuestProfile& profile) {
+  switch (profile.role) {
+    case Role::idle:
+      return std::make_unique<Guest>(worker, profile);
+    case Role::greedy:
+    case Role::requests:
+      return std::make_unique<Requester>(worker, profile);
+    default:
+      return std::make_unique<Player>(worker, profile);
+  }
+}
+
+}  // namespace
+
+Worker::Worker(const Plan& plan, std::uint32_t number)
+    : plan_{plan},
+      guard_{io_.get_executor()},
+      timer_{io_},
+      end_timer_{io_},
+      scratch_(kScratchBytes),
+      random_{plan.options.seed, 0xF00D + number} {}
+
+Worker::~Worker() {
+  io_.stop();
+  if (thread_.joinable()) thread_.join();
+}
+
+void Worker::add(const GuestProfile& profile) {
+  guests_.push_back(make_guest(*this, profile));
+}
+
+void Worker::run() {
+  thread_ = std::thread{[this] { io_.run(); }};
+}
+
+void Worker::join() {
+  thread_.join();
+}
+
+void Worker::begin(bool idle, Time from, Time measure_from) {
+  asio::post(io_, [this, idle, from, measure_from] {
+    measure_from_ = measure_from;
+    for (const auto& guest : guests_) {
+      if ((guest->role() == Role::idle) == idle) guest->start(from);
+    }
+  });
+}
+
+void Worker::finish(Time deadline) {
+  asio::post(io_, [this, deadline] {
+    finishing_ = true;
+    for (const auto& guest : guests_) guest->finish();
+    end_if_satisfied(deadline);
+  });
+}
+
+void Worker::end_if_satisfied(Time deadline) {
+  const auto satisfied = [](const auto& guest) { return guest->satisfied(); };
+  if (Clock::now() < deadline && !std::all_of(guests_.begin(), guests_.end(), satisfied)) {
+    end_timer_.expires_after(kBetweenLooks);
+    end_timer_.async_wait([this, deadline](std::error_code) { end_if_satisfied(deadline); });
+    return;
+  }
+  for (const auto& guest : guests_) guest->leave_for_good();
+  io_.stop();
+}
+
+bool Worker::picks_to_verify() {
+  const double percent = plan_.options.verify_percent;
+  return percent > 0 && random_.part() * 100 < percent;
+}
+
+void Worker::reschedule(Guest& guest) {
+  const Time due = guest.due();
+  if (due == guest.scheduled || due == Time::max()) return;
+  guest.scheduled = due;
+  entries_.push({due, &guest});
+  wake_at(due);
+}
+
+void Worker::wake_at(Time due) {
+  if (due >= timer_due_) return;
+  timer_due_ = due;
+  timer_.expires_at(due);
+  timer_.async_wait([this](std::error_code cancelled) {
+    if (!cancelled) act();
+  });
+}
+
+void Worker::act() {
+  timer_due_ = Time::max();
+  // One look at the sockets between batches, so that a crowd that is due does not keep answers waiting.
+  constexpr int kBatch = 64;
+  for (int done = 0; done < kBatch && !entries_.empty(); ++done) {
+    const Entry entry = entries_.top();
+    const Time now = Clock::now();
+    if (entry.due > now) break;
+    entries_.pop();
+    if (entry.guest->scheduled != entry.due) continue;
+    entry.guest->scheduled = Time::max();
+    lateness_.record(now - entry.due);
+    entry.guest->act(now);
+    reschedule(*entry.guest);
+  }
+  if (!entries_.empty()) wake_at(entries_.top().due);
+}
+
+}  // namespace talus::load

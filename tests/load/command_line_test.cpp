@@ -1,0 +1,57 @@
+#include "command_line.h"
+
+#include <catch2/catch.hpp>
+
+using namespace talus::load;
+
+namespace {
+
+auto read(std::vector<const char*> words) {
+  words.insert(words.begin(), "talus-load");
+  return read_command_line(static_cast<int>(words.size()), words.data());
+}
+
+}  // namespace
+
+TEST_CASE("the words that users rely on are taken") {
+  const auto options =
+      read({"--connect", "host:1", "--players", "7", "--duration", "3", "--speed", "9", "--radius", "5",
+            "--json", "f.json", "--fail-if", "p99_ms>50", "--fail-if", "errors>0"});
+  REQUIRE(options.has_value());
+  CHECK(options->server.host == "host");
+  CHECK(options->players == 7);
+  CHECK(options->seconds == 3);
+  CHECK(options->speed == 9);
+  CHECK(options->radius == 5);
+  CHECK(options->json == "f.json");
+  CHECK(options->fail_if.size() == 2);
+}
+
+TEST_CASE("help and version end well") {
+  CHECK(read({"--help"}).error().status == 0);
+  CHECK(read({"--help"}).error().text.find("p99_ms") != std::string::npos);
+  CHECK(read({"--version"}).error().text.find("talus-load") == 0);
+}
+
+TEST_CASE("wrong use is one line and 2") {
+  const std::vector<std::vector<const char*>> wrongs{
+      {"--connect", "nowhere"},  {"--players", "-1"},  {"--duration", "nan"}, {"--model", "run"},
+      {"--fail-if", "p99_ms"},   {"--metrics", "x"},   {"--players", "0"},    {"--verify", "101"},
+      {"--compare", "/no/such"}, {"--slow-rate", "0"}, {"--no-such-option"},  {"--threads", "0"},
+  };
+  for (const auto& words : wrongs) {
+    CAPTURE(words.front());
+    const auto options = read(words);
+    REQUIRE_FALSE(options.has_value());
+    CHECK(options.error().status == 2);
+    CHECK(options.error().text.find('\n') == std::string::npos);
+  }
+}
+
+TEST_CASE("the option whose address is wrong is named") {
+  CHECK(read({"--metrics", "x"}).error().text.find("--metrics x:") == 0);
+}
+
+TEST_CASE("of an option given twice the last counts") {
+  CHECK(read({"--players", "7", "--players", "8"})->players == 8);
+}

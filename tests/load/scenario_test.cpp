@@ -1,0 +1,164 @@
+// talus-load against talusd: short runs of every kind, in which all that comes is right. Never how fast.
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "fault_proxy.h"
+#include "scratch_directory.h"
+#include "server_process.h"
+
+using namespace talus;
+using namespace talus::load;
+using e2e::Ended;
+using e2e::ServerProcess;
+using Words = std::vector<std::string>;
+
+namespace {
+
+Ended run_load(std::uint16_t port, const Words& more) {
+  Words words{"--connect", "127.0.0.1:" + std::to_string(port), "--drain", "60", "--verify", "20"};
+  words.insert(words.end(), more.begin(), more.end());
+  return e2e::run_program(TALUS_LOAD_PATH, words);
+}
+
+/// All that came was right, and something did.
+void check_clean(const Words& more) {
+  const ServerProcess server;
+  Words words = more;
+  for (const char* condition : {"wrong>0", "errors>0", "disconnects>0", "unanswered>0", "chunks_per_s==0"}) {
+    words.insert(words.end(), {"--fail-if", condition});
+  }
+  const Ended ended = run_load(server.port(), words);
+  INFO(ended.out);
+  INFO(ended.err);
+  CHECK(ended.status == 0);
+}
+
+const Words kTwenty{"--players", "20", "--duration", "2", "--radius", "3", "--vertical", "2"};
+
+Words twenty(const Words& more) {
+  Words words = kTwenty;
+  words.insert(words.end(), more.begin(), more.end());
+  return words;
+}
+
+std::string said(const Ended& ended) {
+  return ended.out + ended.err;
+}
+
+}  // namespace
+
+TEST_CASE("players of all kinds get what is right") {
+  check_clean(twenty({"--model", "mixed"}));
+}
+
+TEST_CASE("players that fly in groups get what is right") {
+  check_clean(twenty({"--model", "fly", "--groups", "4", "--speed", "60", "--threads", "2"}));
+}
+
+TEST_CASE("players that walk to and fro over borders get what is right") {
+  check_clean(twenty({"--model", "walk", "--speed", "300", "--every-tick"}));
+}
+
+TEST_CASE("players that jump get what is right") {
+  check_clean(twenty({"--model", "teleport", "--dwell", "0.5"}));
+}
+
+TEST_CASE("players that meet in one place get what is right") {
+  check_clean(twenty({"--model", "swarm", "--speed", "500"}));
+}
+
+TEST_CASE("players that are cut off and come back get what is right") {
+  check_clean(twenty({"--model", "mixed", "--churn", "0.5"}));
+}
+
+TEST_CASE("requests get what is right") {
+  check_clean({"--players", "8", "--in-flight", "16", "--set", "64", "--duration", "2"});
+}
+
+TEST_CASE("a greedy client and a slow one beside players leave them what is right") {
+  check_clean(twenty({"--greedy", "1", "--slow", "2"}));
+}
+
+TEST_CASE("idle connections from several addresses beside players are kept") {
+  check_clean(twenty({"--idle", "200", "--from-addresses", "4"}));
+}
+
+TEST_CASE("players follow a trace") {
+  const ScratchDirectory scratch;
+  std::ofstream{scratch.path() / "way"} << "0 0 0 0\n1 100 0 0\n2 100 40 90\n";
+  check_clean(twenty({"--model", "trace:" + (scratch.path() / "way").string()}));
+}
+
+TEST_CASE("a condition that holds ends the program with 1 and one line") {
+  const ServerProcess server;
+  const Ended ended =
+      run_load(server.port(), {"--players", "1", "--duration", "0.2", "--fail-if", "joins>0"});
+  CHECK(ended.status == 1);
+  CHECK(ended.err == "talus-load: --fail-if joins>0: joins is 1\n");
+}
+
+TEST_CASE("the results are written, and compared with those before") {
+  const ServerProcess server;
+  const ScratchDirectory scratch;
+  const std::string json = (scratch.path() / "run.json").string();
+  const std::string plot = (scratch.path() / "run.svg").string();
+  const Words little{"--players", "2", "--duration", "0.2", "--radius", "1", "--vertical", "1"};
+  Words first = little;
+  first.insert(first.end(), {"--json", json, "--plot", plot});
+  REQUIRE(run_load(server.port(), first).status == 0);
+  const auto written = nlohmann::json::parse(std::ifstream{json});
+  CHECK(written["format"] == 1);
+  CHECK(written["settings"]["players"] == 2);
+  CHECK(written["figures"]["wrong"] == 0);
+  CHECK(written["roles"]["walk"]["chunk_messages"].get<int>() +
+            written["roles"]["walk"]["uniform_chunks"].get<int>() >=
+        54);
+  std::string begin;
+  std::getline(std::ifstream{plot}, begin);
+  CHECK(begin.find("<svg") == 0);
+
+  Words second = little;
+  second.insert(second.end(), {"--compare", json});
+  const Ended ended = run_load(server.port(), second);
+  CHECK(ended.status == 0);
+  CHECK(ended.out.find("compared with " + json) != std::string::npos);
+}
+
+TEST_CASE("flipped bits are found") {
+  const ServerProcess server;
+  Faults flip;
+  flip.flip_every = 9001;
+  const FaultProxy proxy{server.port(), {}, flip};
+  const Ended ended = run_load(proxy.port(), {"--players", "1", "--duration", "1", "--model", "stand",
+                                              "--verify", "100", "--drain", "0.5", "--fail-if", "wrong>0"});
+  INFO(said(ended));
+  CHECK(ended.status == 1);
+  CHECK(ended.err.find("--fail-if wrong>0") != std::string::npos);
+}
+
+TEST_CASE("connections that the network cuts are counted, and come back") {
+  const ServerProcess server;
+  Faults cut;
+  cut.cut_after = 20'001;
+  const FaultProxy proxy{server.port(), {}, cut, 4};
+  const Ended ended =
+      run_load(proxy.port(), {"--players", "3", "--duration", "3", "--radius", "4", "--vertical", "2",
+                              "--fail-if", "wrong>0", "--fail-if", "disconnects!=3"});
+  INFO(said(ended));
+  CHECK(ended.status == 0);
+}
+
+TEST_CASE("a server that is not there is one line and 1") {
+  const Ended ended = e2e::run_program(TALUS_LOAD_PATH, {"--connect", "127.0.0.1:1"});
+  CHECK(ended.status == 1);
+  CHECK(ended.err.find("talus-load: 127.0.0.1:1: ") == 0);
+  CHECK(std::count(ended.err.begin(), ended.err.end(), '\n') == 1);
+}
+
+TEST_CASE("a trace that is not there is named") {
+  const Ended ended = e2e::run_program(TALUS_LOAD_PATH, {"--model", "trace:/no/such"});
+  CHECK(ended.status == 1);
+  CHECK(ended.err.find("/no/such: cannot be read") != std::string::npos);
+}
