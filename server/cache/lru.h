@@ -29,10 +29,21 @@ class Lru {
   /// Keeps `value`, which costs `value_bytes`, in the place of what the key had. What is larger than the
   /// whole capacity is not kept.
   void put(const Key& key, Value value, std::size_t value_bytes) {
+    put(key, std::move(value), value_bytes, [](const Key&, Value&&) {});
+  }
+  /// The same; calls dropped(key, value) for each entry that had to make room.
+  template <typename Dropped>
+  void put(const Key& key, Value value, std::size_t value_bytes, Dropped&& dropped) {
     erase(key);
     const std::size_t cost = value_bytes + kEntryOverheadBytes;
     if (cost > capacity_bytes_) return;
-    while (bytes_ + cost > capacity_bytes_) drop_last();
+    while (bytes_ + cost > capacity_bytes_) {
+      Entry& last = entries_.back();
+      by_key_.erase(last.key);
+      bytes_ -= last.cost;
+      dropped(last.key, std::move(last.value));
+      entries_.pop_back();
+    }
     entries_.push_front({key, std::move(value), cost});
     by_key_.emplace(key, entries_.begin());
     bytes_ += cost;
@@ -54,12 +65,6 @@ class Lru {
     bytes_ -= found->second->cost;
     entries_.erase(found->second);
     by_key_.erase(found);
-  }
-
-  void drop_last() {
-    bytes_ -= entries_.back().cost;
-    by_key_.erase(entries_.back().key);
-    entries_.pop_back();
   }
 
   std::size_t capacity_bytes_;

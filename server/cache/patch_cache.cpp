@@ -12,10 +12,13 @@ StacksPtr PatchCache::find(const PatchKey& key) {
   return stacks == nullptr ? nullptr : *stacks;
 }
 
-void PatchCache::put(const PatchKey& key, StacksPtr stacks) {
+std::vector<std::pair<PatchKey, StacksPtr>> PatchCache::put(const PatchKey& key, StacksPtr stacks) {
   const std::size_t bytes = stacks->bytes();
+  std::vector<std::pair<PatchKey, StacksPtr>> dropped;
   const std::lock_guard lock{mutex_};
-  patches_.put(key, std::move(stacks), bytes);
+  patches_.put(key, std::move(stacks), bytes,
+               [&](const PatchKey& old, StacksPtr&& gone) { dropped.emplace_back(old, std::move(gone)); });
+  return dropped;
 }
 
 std::size_t PatchCache::bytes() const {

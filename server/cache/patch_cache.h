@@ -4,6 +4,8 @@
 #include <cstddef>
 #include <memory>
 #include <mutex>
+#include <utility>
+#include <vector>
 
 #include <talus/terrain/stacks.h>
 
@@ -20,7 +22,8 @@ class PatchCache {
 
   /// Null where the patch is not held.
   [[nodiscard]] StacksPtr find(const PatchKey& key);
-  void put(const PatchKey& key, StacksPtr stacks);
+  /// Returns the patches that had to make room.
+  [[nodiscard]] std::vector<std::pair<PatchKey, StacksPtr>> put(const PatchKey& key, StacksPtr stacks);
   [[nodiscard]] std::size_t bytes() const;
 
  private:

@@ -1,5 +1,6 @@
 #include "generation/chunk_service.h"
 
+#include <algorithm>
 #include <chrono>
 #include <exception>
 #include <utility>
@@ -9,6 +10,9 @@ namespace {
 
 // Of the bytes for chunks, what is kept of columns beside them: a column takes less than the smallest chunk.
 constexpr std::size_t kShareOfRows = 16;
+
+// Of a column, when its patch is dropped.
+constexpr std::int32_t kMostKeptRows = 8;
 
 ChunkKey column_of(ChunkKey key) {
   return {{key.coord.x, 0, key.coord.z}, key.lod};
@@ -193,7 +197,7 @@ StacksPtr ChunkService::stacks_of(const PatchKey& patch) {
     const Timed timed{metrics_.patches_made, metrics_.patch_ns};
     stacks = std::make_shared<const terrain::Stacks>(generator_->make_patch(patch));
     note_rows(patch, *stacks);
-    patches_.put(patch, stacks);
+    for (const auto& [old, gone] : patches_.put(patch, stacks)) keep_chunks(old, *gone);
   } catch (const std::exception& error) {
     log_->error("patch ({}, {}) at level of detail {} failed: {}", patch.x, patch.z, patch.lod.value(),
                 error.what());
@@ -201,11 +205,27 @@ StacksPtr ChunkService::stacks_of(const PatchKey& patch) {
   return stacks;
 }
 
+void ChunkService::keep_chunks(const PatchKey& patch, const terrain::Stacks& stacks) {
+  for_each_column(patch, [&](ChunkKey column) {
+    const terrain::MixedRange mixed = generator_->rows(stacks, column);
+    // Worlds can be far deeper than what anybody looks at.
+    const std::int32_t last = std::min(mixed.last, mixed.first + kMostKeptRows - 1);
+    for (std::int32_t y = mixed.first; y <= last; ++y) {
+      const ChunkKey key{{column.coord.x, y, column.coord.z}, column.lod};
+      if (chunks_.find(key) == nullptr) (void)make_chunk(&stacks, key);
+    }
+  });
+}
+
 void ChunkService::note_rows(const PatchKey& patch, const terrain::Stacks& stacks) {
+  for_each_column(patch, [&](ChunkKey column) { rows_.put(column, generator_->rows(stacks, column), 0); });
+}
+
+template <typename Visit>
+void ChunkService::for_each_column(const PatchKey& patch, Visit&& visit) const {
   for (int z = 0; z < patch_tiles_; ++z) {
     for (int x = 0; x < patch_tiles_; ++x) {
-      const ChunkKey column{{patch.x * patch_tiles_ + x, 0, patch.z * patch_tiles_ + z}, patch.lod};
-      rows_.put(column, generator_->rows(stacks, column), 0);
+      visit(ChunkKey{{patch.x * patch_tiles_ + x, 0, patch.z * patch_tiles_ + z}, patch.lod});
     }
   }
 }

@@ -67,6 +67,11 @@ class ChunkService {
   void work();
   void run(const WorkQueue::Batch& batch);
   void run(const HeightsTask& task);
+  /// Makes the chunks of a patch that is being dropped: they are a fiftieth of its size, and who looks at one
+  /// of its columns mostly comes to look at the others.
+  void keep_chunks(const PatchKey& patch, const terrain::Stacks& stacks);
+  template <typename Visit>
+  void for_each_column(const PatchKey& patch, Visit&& visit) const;
   void note_rows(const PatchKey& patch, const terrain::Stacks& stacks);
   void deliver(ChunkClient& waiter, ChunkKey key, const ChunkAnswer& answer);
   [[nodiscard]] StacksPtr stacks_of(const PatchKey& patch);

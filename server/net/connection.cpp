@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <exception>
+#include <mutex>
 #include <utility>
 #include <vector>
 
@@ -49,20 +50,32 @@ std::chrono::nanoseconds thread_time() {
   return std::chrono::seconds{spent.tv_sec} + std::chrono::nanoseconds{spent.tv_nsec};
 }
 
+/// One piece of memory for one call of the system: it takes few pieces at a time, and most frames are small.
+std::vector<std::byte> gathered(const std::vector<protocol::Frame>& frames) {
+  std::size_t bytes = 0;
+  for (const protocol::Frame& frame : frames) bytes += frame.size();
+  std::vector<std::byte> all;
+  all.reserve(bytes);
+  for (const protocol::Frame& frame : frames) all.insert(all.end(), frame.begin(), frame.end());
+  return all;
+}
+
 }  // namespace
 
-/// Carries answers from generator threads to the connection's own.
-class Connection::Port final : public ChunkClient {
+/// Carries answers from generator threads to the connection's own. Chunks that come while it has not got
+/// round to those before are carried together: waking a thread costs more than most chunks.
+class Connection::Port final : public ChunkClient, public std::enable_shared_from_this<Port> {
  public:
   explicit Port(const std::shared_ptr<Connection>& connection)
       : connection_{connection}, executor_{connection->socket_.get_executor()} {}
 
   void chunk_ready(ChunkKey key, ChunkAnswer answer) override {
-    asio::post(executor_, [weak = connection_, key, answer = std::move(answer)] {
-      const auto connection = weak.lock();
-      if (connection == nullptr) return;
-      connection->react([&](Session& session) { session.chunk_ready(key, answer); });
-    });
+    {
+      const std::lock_guard lock{mutex_};
+      ready_.emplace_back(key, std::move(answer));
+      if (ready_.size() > 1) return;  // somebody is on the way
+    }
+    asio::post(executor_, [self = shared_from_this()] { self->hand_over(); });
   }
 
   void heights_ready(std::uint64_t ticket, HeightsAnswer answer) override {
@@ -74,8 +87,25 @@ class Connection::Port final : public ChunkClient {
   }
 
  private:
+  using Ready = std::vector<std::pair<ChunkKey, ChunkAnswer>>;
+
+  void hand_over() {
+    Ready ready;
+    {
+      const std::lock_guard lock{mutex_};
+      ready.swap(ready_);
+    }
+    const auto connection = connection_.lock();
+    if (connection == nullptr) return;
+    connection->react([&](Session& session) {
+      for (const auto& [key, answer] : ready) session.chunk_ready(key, answer);
+    });
+  }
+
   std::weak_ptr<Connection> connection_;
   asio::any_io_executor executor_;
+  std::mutex mutex_;
+  Ready ready_;
 };
 
 Connection::Connection(asio::ip::tcp::socket socket, std::string remote, ConnectionId id,
@@ -201,11 +231,8 @@ asio::awaitable<void> Connection::write() {
       co_await wait(output_waits_);
       continue;
     }
-    const std::vector<protocol::Frame> frames = session_.take_output(kGatherBytes);
+    const std::vector<std::byte> output = gathered(session_.take_output(kGatherBytes));
     work();
-    std::vector<asio::const_buffer> buffers;
-    buffers.reserve(frames.size());
-    for (const protocol::Frame& frame : frames) buffers.push_back(asio::buffer(frame));
 
     write_progress_ = Clock::now();
     const auto progress = [this](const std::error_code& error, std::size_t) -> std::size_t {
@@ -213,7 +240,7 @@ asio::awaitable<void> Connection::write() {
       return error ? 0 : kGatherBytes;
     };
     std::error_code failed;
-    const std::size_t written = co_await asio::async_write(socket_, buffers, progress,
+    const std::size_t written = co_await asio::async_write(socket_, asio::buffer(output), progress,
                                                            asio::redirect_error(asio::use_awaitable, failed));
     context_.session.metrics.sent_bytes.add(written);
     write_progress_.reset();
