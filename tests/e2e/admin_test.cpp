@@ -20,14 +20,14 @@ using asio::ip::tcp;
 
 namespace {
 
-/// All that the server says before it closes the connection.
+/// All that the server says before it closes the connection, which it may do before it has read everything.
 std::string ask(std::uint16_t port, const std::string& request) {
   asio::io_context io;
   tcp::socket socket{io};
   socket.connect({asio::ip::address_v4::loopback(), port});
-  asio::write(socket, asio::buffer(request));
-  std::string reply;
   std::error_code ended;
+  asio::write(socket, asio::buffer(request), ended);
+  std::string reply;
   asio::read(socket, asio::dynamic_buffer(reply), ended);
   return reply;
 }
