@@ -51,6 +51,23 @@ TEST_CASE("chunks of one patch share it") {
   CHECK(fake.work->chunks == 4);
 }
 
+TEST_CASE("a patch that must make room leaves its mixed chunks") {
+  FakeService fake;
+  fake.work->patch_columns = 150'000;  // the cache holds one
+  fake.work->first_mixed = 2;
+  fake.work->last_mixed = 3;
+  const auto client = std::make_shared<WaitingClient>();
+  REQUIRE(queued(fake.service, client, {{0, 2, 0}, Lod{}}));
+  client->await(1);
+  CHECK(fake.service.find({{3, 3, 3}, Lod{}}) == nullptr);
+  REQUIRE(queued(fake.service, client, {{100, 2, 100}, Lod{}}));
+  client->await(2);
+  const int tiles = 4 * 4;
+  CHECK(fake.work->chunks == 2 * tiles + 1);  // each of the first patch's once, and the second's one
+  CHECK(fake.service.find({{3, 3, 3}, Lod{}}) != nullptr);
+  CHECK(fake.service.find({{3, 4, 3}, Lod{}}) == nullptr);
+}
+
 TEST_CASE("a cancelled chunk is not generated") {
   FakeService fake;
   fake.work->close_gate();

@@ -22,6 +22,7 @@ struct FakeWork {
   std::atomic<bool> out_of_memory{false};
   std::atomic<bool> finding_throws{false};
   std::atomic<std::size_t> payload_bytes{0};
+  std::atomic<int> patch_columns{0};  // 4 bytes each
   std::atomic<std::int32_t> last_mixed_anywhere{std::numeric_limits<std::int32_t>::max()};
   std::atomic<std::int32_t> first_mixed{std::numeric_limits<std::int32_t>::min()};
   std::atomic<std::int32_t> last_mixed{std::numeric_limits<std::int32_t>::max()};
@@ -72,7 +73,9 @@ class FakeGenerator final : public Generator {
     work_->pass_gate();
     ++work_->patches;
     if (work_->out_of_memory) throw std::bad_alloc{};
-    return {};
+    terrain::Stacks stacks;
+    if (work_->patch_columns > 0) stacks.tops.emplace_back(work_->patch_columns, 1);
+    return stacks;
   }
   [[nodiscard]] EncodedChunkPtr make_chunk(const terrain::Stacks&, ChunkKey key) const override {
     ++work_->chunks;
