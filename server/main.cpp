@@ -29,6 +29,7 @@ int serve(const Command& command) {
   const auto world = load_world(config.world);
   if (!world) return failed(world.error());
   if (command.check_only) {
+    for (const std::string& warning : command.warnings) fmt::print(stderr, "talusd: warning: {}\n", warning);
     fmt::print("ok\n");
     if (std::fflush(stdout) != 0) return failed("standard output: cannot write to it");
     return 0;

@@ -1,5 +1,6 @@
 #include "command_line.h"
 
+#include <charconv>
 #include <sstream>
 
 #include <fmt/format.h>
@@ -108,6 +109,14 @@ void add_others(CLI::App& app, Options& options) {
       ->check(CLI::Range(1U, 1'000'000U))
       ->capture_default_str();
   app.add_option("--seed", options.seed, "Decides where the players begin, and all else that is random")
+      ->check([](const std::string& text) {  // CLI11 takes one past 64 bits for the largest
+        std::uint64_t seed = 0;
+        const char* const end = text.data() + text.size();
+        const auto [stop, error] = std::from_chars(text.data(), end, seed);
+        return error == std::errc{} && stop == end
+                   ? std::string{}
+                   : "'" + text + "' is no seed; give a whole number from 0 to 18446744073709551615";
+      })
       ->capture_default_str();
   app.add_option("--threads", options.threads, "Threads of this program")
       ->check(CLI::Range(1U, 64U))

@@ -1,11 +1,13 @@
 #include "scout.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <exception>
 
 #include <asio/co_spawn.hpp>
 #include <asio/io_context.hpp>
+#include <asio/steady_timer.hpp>
 
 #include <talus/client/client.h>
 
@@ -15,6 +17,7 @@ namespace {
 using client::Column;
 
 constexpr std::int64_t kGroupsApart = 8192;  // voxels
+constexpr std::chrono::seconds kTimeToLook{30};
 
 struct Failed {
   std::string line;
@@ -51,6 +54,7 @@ asio::awaitable<std::vector<std::int32_t>> heights_of(client::Client& client,
                                                       const std::vector<Column>& columns) {
   // A world may allow few tiles a request: the size that it takes is found by halving.
   std::size_t most = client.world()->limits.heights_per_request;
+  if (most == 0) throw Failed{"the server allows no heights in a request: limits.heights_per_request is 0"};
   std::vector<std::int32_t> heights;
   while (heights.size() < columns.size()) {
     const auto from = columns.begin() + static_cast<std::ptrdiff_t>(heights.size());
@@ -67,30 +71,9 @@ asio::awaitable<std::vector<std::int32_t>> heights_of(client::Client& client,
   co_return heights;
 }
 
-asio::awaitable<void> look(asio::io_context& io, Plan& plan) {
+/// Once connected: whether the server takes what is asked for, and where players begin.
+asio::awaitable<void> look_around(client::Client& client, Plan& plan) {
   const Options& options = plan.options;
-  asio::ip::tcp::resolver resolver{io};
-  const auto found = resolver.resolve(options.server.host, options.server.port);
-  client::Options connecting;
-  connecting.token = options.token;
-  connecting.client_name = "talus-load " TALUS_VERSION;
-  client::Client client{io.get_executor(), connecting};
-  // The first address that answers is the players', too.
-  std::string why;
-  for (const auto& entry : found) {
-    const auto endpoint = entry.endpoint();
-    const auto world =
-        co_await client.connect(endpoint.address().to_string(), std::to_string(endpoint.port()));
-    if (!world) {
-      why = world.error().message;
-      continue;
-    }
-    plan.server = endpoint;
-    plan.world = *world;
-    break;
-  }
-  if (client.world() == nullptr || !client.connected()) throw Failed{why};
-
   const auto& limits = plan.world.limits;
   if (options.radius > limits.view_horizontal_radius || options.vertical > limits.view_vertical_radius) {
     throw Failed{"the server allows --radius up to " + std::to_string(limits.view_horizontal_radius) +
@@ -116,6 +99,48 @@ asio::awaitable<void> look(asio::io_context& io, Plan& plan) {
                                        floor_div(middles[i].z, kChunkSize), Lod{})) {
       plan.fixed_set.push_back(*key);
     }
+  }
+}
+
+asio::awaitable<void> look(asio::io_context& io, Plan& plan) {
+  const Options& options = plan.options;
+  asio::ip::tcp::resolver resolver{io};
+  const auto found = resolver.resolve(options.server.host, options.server.port);
+  client::Options connecting;
+  connecting.token = options.token;
+  connecting.client_name = "talus-load " TALUS_VERSION;
+  client::Client client{io.get_executor(), connecting};
+  // The first address that answers is the players', too.
+  std::string why;
+  for (const auto& entry : found) {
+    const auto endpoint = entry.endpoint();
+    const auto world =
+        co_await client.connect(endpoint.address().to_string(), std::to_string(endpoint.port()));
+    if (!world) {
+      why = world.error().message;
+      continue;
+    }
+    plan.server = endpoint;
+    plan.world = *world;
+    break;
+  }
+  if (client.world() == nullptr || !client.connected()) {
+    throw Failed{why.empty() ? "the server ended the connection right after Welcome" : why};
+  }
+  // A server that never answers must not keep everybody waiting.
+  asio::steady_timer deadline{io, kTimeToLook};
+  bool late = false;
+  deadline.async_wait([&](std::error_code cancelled) {
+    if (cancelled) return;
+    late = true;
+    client.close();
+  });
+  try {
+    co_await look_around(client, plan);
+  } catch (const Failed&) {
+    if (late)
+      throw Failed{"the server has not said within 30 s how high the ground is where players are to be"};
+    throw;
   }
 }
 

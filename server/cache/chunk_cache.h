@@ -16,6 +16,8 @@ class ChunkCache {
 
   /// Null where the chunk is not held.
   [[nodiscard]] EncodedChunkPtr find(ChunkKey key) { return chunks_.find(key).value_or(nullptr); }
+  /// Not a use.
+  [[nodiscard]] bool holds(ChunkKey key) { return chunks_.holds(key); }
   void put(ChunkKey key, EncodedChunkPtr chunk);
 
   /// Bytes held now, overhead included; never more than the capacity.

@@ -49,6 +49,9 @@ class Lru {
     bytes_ += cost;
   }
 
+  /// Not a use.
+  [[nodiscard]] bool holds(const Key& key) const { return by_key_.contains(key); }
+
   [[nodiscard]] std::size_t bytes() const { return bytes_; }
   [[nodiscard]] std::size_t size() const { return entries_.size(); }
 

@@ -12,9 +12,9 @@ StacksPtr PatchCache::find(const PatchKey& key) {
   return stacks == nullptr ? nullptr : *stacks;
 }
 
-std::vector<std::pair<PatchKey, StacksPtr>> PatchCache::put(const PatchKey& key, StacksPtr stacks) {
+DroppedPatches PatchCache::put(const PatchKey& key, StacksPtr stacks) {
   const std::size_t bytes = stacks->bytes();
-  std::vector<std::pair<PatchKey, StacksPtr>> dropped;
+  DroppedPatches dropped;
   const std::lock_guard lock{mutex_};
   patches_.put(key, std::move(stacks), bytes,
                [&](const PatchKey& old, StacksPtr&& gone) { dropped.emplace_back(old, std::move(gone)); });

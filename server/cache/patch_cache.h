@@ -16,6 +16,8 @@ namespace talus::server {
 
 using StacksPtr = std::shared_ptr<const terrain::Stacks>;
 
+using DroppedPatches = std::vector<std::pair<PatchKey, StacksPtr>>;
+
 class PatchCache {
  public:
   explicit PatchCache(std::size_t capacity_bytes);
@@ -23,7 +25,7 @@ class PatchCache {
   /// Null where the patch is not held.
   [[nodiscard]] StacksPtr find(const PatchKey& key);
   /// Returns the patches that had to make room.
-  [[nodiscard]] std::vector<std::pair<PatchKey, StacksPtr>> put(const PatchKey& key, StacksPtr stacks);
+  [[nodiscard]] DroppedPatches put(const PatchKey& key, StacksPtr stacks);
   [[nodiscard]] std::size_t bytes() const;
 
  private:

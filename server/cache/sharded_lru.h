@@ -28,6 +28,13 @@ class ShardedLru {
     return value == nullptr ? std::nullopt : std::optional{*value};
   }
 
+  /// Not a use.
+  [[nodiscard]] bool holds(const Key& key) {
+    Shard& shard = shard_of(key);
+    const std::lock_guard lock{shard.mutex};
+    return shard.values.holds(key);
+  }
+
   /// `value_bytes` is what the value holds beside itself.
   void put(const Key& key, Value value, std::size_t value_bytes) {
     Shard& shard = shard_of(key);

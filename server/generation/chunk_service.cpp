@@ -153,7 +153,8 @@ void ChunkService::work() {
 }
 
 void ChunkService::run(const WorkQueue::Batch& batch) {
-  const StacksPtr stacks = stacks_of(batch.patch);
+  DroppedPatches dropped;
+  const StacksPtr stacks = stacks_of(batch.patch, dropped);
   for (const ChunkKey key : batch.keys) {
     {
       const std::lock_guard lock{mutex_};
@@ -171,6 +172,8 @@ void ChunkService::run(const WorkQueue::Batch& batch) {
     }
     for (const ChunkClientPtr& waiter : waiters) deliver(*waiter, key, answer);
   }
+  // When nobody waits for this thread any more.
+  for (const auto& [patch, gone] : dropped) keep_chunks(patch, *gone);
 }
 
 void ChunkService::deliver(ChunkClient& waiter, ChunkKey key, const ChunkAnswer& answer) {
@@ -200,13 +203,13 @@ HeightsAnswer ChunkService::make_heights(const HeightsTask& task) {
   }
 }
 
-StacksPtr ChunkService::stacks_of(const PatchKey& patch) {
+StacksPtr ChunkService::stacks_of(const PatchKey& patch, DroppedPatches& dropped) {
   StacksPtr stacks = patches_.find(patch);
   if (stacks != nullptr) return stacks;
   try {
     stacks = make_patch(patch);
     note_rows(patch, *stacks);
-    for (const auto& [old, gone] : patches_.put(patch, stacks)) keep_chunks(old, *gone);
+    dropped = patches_.put(patch, stacks);
   } catch (const std::exception& error) {
     log_->error("patch ({}, {}) at level of detail {} failed: {}", patch.x, patch.z, patch.lod.value(),
                 error.what());
@@ -226,7 +229,7 @@ void ChunkService::keep_chunks(const PatchKey& patch, const terrain::Stacks& sta
     const std::int32_t last = std::min(mixed.last, mixed.first + kMostKeptRows - 1);
     for (std::int32_t y = mixed.first; y <= last; ++y) {
       const ChunkKey key{{column.coord.x, y, column.coord.z}, column.lod};
-      if (chunks_.find(key) == nullptr) (void)make_chunk(&stacks, key);
+      if (!chunks_.holds(key)) (void)make_chunk(&stacks, key);
     }
   });
 }

@@ -75,7 +75,7 @@ class ChunkService {
   void note_rows(const PatchKey& patch, const terrain::Stacks& stacks);
   void deliver(ChunkClient& waiter, ChunkKey key, const ChunkAnswer& answer);
   [[nodiscard]] StacksPtr make_patch(const PatchKey& patch);
-  [[nodiscard]] StacksPtr stacks_of(const PatchKey& patch);
+  [[nodiscard]] StacksPtr stacks_of(const PatchKey& patch, DroppedPatches& dropped);
   [[nodiscard]] ChunkAnswer make_chunk(const terrain::Stacks* stacks, ChunkKey key);
   [[nodiscard]] HeightsAnswer make_heights(const HeightsTask& task);
 

@@ -98,9 +98,9 @@ void add_connections(const Metrics& metrics, Page& page) {
 }
 
 void add_chunks(const Metrics& metrics, Page& page) {
-  MetricFamily& latency =
-      page.histograms("talus_chunk_latency_seconds",
-                      "From when a session takes up a wish for a chunk to when its bytes go to the socket.");
+  MetricFamily& latency = page.histograms(
+      "talus_chunk_latency_seconds",
+      "From when a session takes up a wish for a chunk to when the chunk is ready to be sent.");
   add_histogram(latency, "hot", metrics.hot_latency);
   add_histogram(latency, "cold", metrics.cold_latency);
   page.counter("talus_chunks_sent_total", "Chunk messages.", metrics.chunks_sent);

@@ -27,8 +27,8 @@ struct Metrics {
   Counter unchanged_sent;
   Counter chunk_bytes_sent;  // of their frames
 
-  /// From when a session takes up a wish for a chunk to when its bytes go to the socket: with the chunk at
-  /// hand, or waiting for a generator.
+  /// From when a session takes up a wish for a chunk to when the chunk is ready to go: with the chunk at
+  /// hand, or waiting for a generator. How long the client's link then takes is not the server's.
   LatencyTally hot_latency;
   LatencyTally cold_latency;
 

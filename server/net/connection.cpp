@@ -75,7 +75,14 @@ class Connection::Port final : public ChunkClient, public std::enable_shared_fro
       ready_.emplace_back(key, std::move(answer));
       if (ready_.size() > 1) return;  // somebody is on the way
     }
-    asio::post(executor_, [self = shared_from_this()] { self->hand_over(); });
+    try {
+      asio::post(executor_, [self = shared_from_this()] { self->hand_over(); });
+    } catch (...) {
+      // Or nobody would ever be on the way again. The chunk service logs it.
+      const std::lock_guard lock{mutex_};
+      ready_.clear();
+      throw;
+    }
   }
 
   void heights_ready(std::uint64_t ticket, HeightsAnswer answer) override {

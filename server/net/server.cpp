@@ -180,6 +180,7 @@ void Server::admit(tcp::socket socket, ConnectionId id) {
   auto place = admission_.enter(remote.address());
   if (!place) {
     metrics_.refused.add();
+    metrics_.error(wire::ErrorCode::overloaded).add();
     note_refusal(to_text(remote), place.error());
     refusals_.refuse(std::move(socket), place.error());
     return;

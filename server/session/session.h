@@ -45,7 +45,7 @@ class Session {
   static constexpr std::size_t kServiceWindow = 128;
   /// Bytes of control frames above which no Column is added: they need no credit.
   static constexpr std::size_t kColumnBytes = std::size_t{16} * 1024;
-  /// Views that may come between two looks; with more, all that was sent is sent again.
+  /// Views of other chunks that may come between two looks; with more, all that was sent is sent again.
   static constexpr std::size_t kUnseenViews = 8;
   /// Chunks that a client may say it knows; those beyond are sent.
   static constexpr std::size_t kKnownChunks = 8192;
@@ -125,7 +125,8 @@ class Session {
   /// Whether one more chunk may come to wait for the client: those under way will, too.
   [[nodiscard]] bool has_room_for_chunk() const;
   void drop_from_view(const std::vector<ChunkKey>& keys);
-  void note_sent(const Outbox::Taken& taken);
+  /// The chunk if it is at hand.
+  [[nodiscard]] EncodedChunkPtr find(ChunkKey key);
 
   void start_request(std::uint32_t id);
   [[nodiscard]] bool start_view_chunk(ChunkKey key);
@@ -139,8 +140,8 @@ class Session {
   /// The entry of those who wait for the chunk; null where the queue is full.
   [[nodiscard]] Awaited* await(ChunkKey key);
   void stop_awaiting(ChunkKey key, const Awaited& awaited);
-  void answer_request(std::uint32_t id, const ChunkAnswer& answer, Outbox::Wish wish);
-  void answer_view(ChunkKey key, const ChunkAnswer& answer, Outbox::Wish wish);
+  void answer_request(std::uint32_t id, const ChunkAnswer& answer);
+  void answer_view(ChunkKey key, const ChunkAnswer& answer);
 
   SessionContext context_;
   ChunkClientPtr client_;

@@ -49,8 +49,8 @@ bool Session::has_room_for_chunk() const {
 
 void Session::start_request(std::uint32_t id) {
   const ChunkKey key = requests_.chunk(id)->key;
-  if (EncodedChunkPtr chunk = context_.chunks.find(key)) {
-    answer_request(id, std::move(chunk), {Clock::now(), false});
+  if (EncodedChunkPtr chunk = find(key)) {
+    answer_request(id, std::move(chunk));
   } else if (Awaited* awaited = await(key)) {
     awaited->requests.push_back(id);
   } else {
@@ -61,8 +61,8 @@ void Session::start_request(std::uint32_t id) {
 
 bool Session::start_view_chunk(ChunkKey key) {
   if (answer_by_column(key)) return true;
-  if (EncodedChunkPtr chunk = context_.chunks.find(key)) {
-    answer_view(key, std::move(chunk), {Clock::now(), false});
+  if (EncodedChunkPtr chunk = find(key)) {
+    answer_view(key, std::move(chunk));
     return true;
   }
   if (Awaited* awaited = await(key)) {
@@ -131,12 +131,12 @@ void Session::chunk_ready(ChunkKey key, const ChunkAnswer& answer) {
   // Nobody may wait any more: the last one left when the answer was on its way.
   const auto found = awaited_.extract(key);
   if (found.empty()) return;
-  const Outbox::Wish wish{found.mapped().since, true};
-  for (const std::uint32_t id : found.mapped().requests) answer_request(id, answer, wish);
-  if (found.mapped().view) answer_view(key, answer, wish);
+  context_.metrics.cold_latency.add(Clock::now() - found.mapped().since);
+  for (const std::uint32_t id : found.mapped().requests) answer_request(id, answer);
+  if (found.mapped().view) answer_view(key, answer);
 }
 
-void Session::answer_request(std::uint32_t id, const ChunkAnswer& answer, Outbox::Wish wish) {
+void Session::answer_request(std::uint32_t id, const ChunkAnswer& answer) {
   const RequestBook::ChunkRequest& request = *requests_.chunk(id);
   if (!answer) {
     refuse(id, wire::ErrorCode::internal, fmt::format("the chunk failed: {}", answer.error().reason),
@@ -145,17 +145,17 @@ void Session::answer_request(std::uint32_t id, const ChunkAnswer& answer, Outbox
     outbox_.push_control(unchanged_frame(id, request.key, (*answer)->hash));
     context_.metrics.unchanged_sent.add();
   } else {
-    outbox_.push_chunk({id, request.key, *answer, wish});
+    outbox_.push_chunk({id, request.key, *answer});
     return;  // in flight until it is taken from the outbox
   }
   requests_.erase(id);
 }
 
-void Session::answer_view(ChunkKey key, const ChunkAnswer& answer, Outbox::Wish wish) {
+void Session::answer_view(ChunkKey key, const ChunkAnswer& answer) {
   // Its terrain is known now; it may not have been when the chunk was wished for.
   if (answer && answer_by_column(key)) return;
   if (answer && confirm_known(key, (*answer)->hash)) return;
-  if (answer) return outbox_.push_chunk({0, key, *answer, wish});
+  if (answer) return outbox_.push_chunk({0, key, *answer});
   refuse(0, wire::ErrorCode::internal,
          fmt::format("chunk {} of the View failed: {}", to_string(key), answer.error().reason),
          kRetryAfterMs);
@@ -176,7 +176,8 @@ void Session::heights_ready(std::uint64_t ticket, const HeightsAnswer& answer) {
 
 std::vector<protocol::Frame> Session::take_output(std::size_t enough_bytes) {
   Outbox::Taken taken = outbox_.take(enough_bytes, credit_);
-  if (!taken.chunks.empty()) note_sent(taken);
+  context_.metrics.chunks_sent.add(taken.chunks.size());
+  context_.metrics.chunk_bytes_sent.add(taken.chunk_bytes);
   for (const Outbox::Entry& entry : taken.chunks) {
     if (entry.request_id != 0) {
       requests_.erase(entry.request_id);
@@ -187,14 +188,11 @@ std::vector<protocol::Frame> Session::take_output(std::size_t enough_bytes) {
   return std::move(taken.frames);
 }
 
-void Session::note_sent(const Outbox::Taken& taken) {
-  Metrics& metrics = context_.metrics;
-  const Clock::time_point now = Clock::now();
-  for (const Outbox::Entry& entry : taken.chunks) {
-    (entry.wish.cold ? metrics.cold_latency : metrics.hot_latency).add(now - entry.wish.since);
-  }
-  metrics.chunks_sent.add(taken.chunks.size());
-  metrics.chunk_bytes_sent.add(taken.chunk_bytes);
+EncodedChunkPtr Session::find(ChunkKey key) {
+  const Clock::time_point asked = Clock::now();
+  EncodedChunkPtr chunk = context_.chunks.find(key);
+  if (chunk != nullptr) context_.metrics.hot_latency.add(Clock::now() - asked);
+  return chunk;
 }
 
 }  // namespace talus::server

@@ -107,7 +107,7 @@ void Session::on(const wire::View& view) {
   }
   if (!checked) return refuse(0, checked.error().code, checked.error().text);
   if (going_away_) return;
-  if (next_view_) pass_over(*next_view_);
+  if (next_view_ && !same_chunks(*next_view_, *checked)) pass_over(*next_view_);
   next_view_ = *std::move(checked);
   if (view.known() == nullptr) return;
   for (const wire::KnownChunk* chunk : *view.known()) note_known(*chunk);

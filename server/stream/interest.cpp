@@ -54,6 +54,15 @@ constexpr int kAngleBits = 16;
 
 }  // namespace
 
+bool same_chunks(const View& a, const View& b) {
+  const auto same_ring = [](const ViewRing& p, const ViewRing& q) {
+    return p.lod == q.lod && p.radius == q.radius;
+  };
+  return a.centre == b.centre && a.horizontal_radius == b.horizontal_radius &&
+         a.vertical_radius == b.vertical_radius &&
+         std::equal(a.rings.begin(), a.rings.end(), b.rings.begin(), b.rings.end(), same_ring);
+}
+
 std::uint64_t count_chunks(const View& view) {
   std::uint64_t sum = 0;
   for (const Shell& shell : shells_of(view)) {

@@ -35,6 +35,9 @@ struct View {
   std::vector<ViewRing> rings;  // levels and radii growing
 };
 
+/// Whether both have the same chunks, whatever their order.
+[[nodiscard]] bool same_chunks(const View& a, const View& b);
+
 /// How many chunks the view has where the world's edge cuts none off. Costs nothing.
 [[nodiscard]] std::uint64_t count_chunks(const View& view);
 

@@ -2,7 +2,6 @@
 // which go while the client's credit lasts. Chunks are shared with the cache, not copied. No I/O.
 #pragma once
 
-#include <chrono>
 #include <cstddef>
 #include <cstdint>
 #include <deque>
@@ -18,18 +17,11 @@ namespace talus::server {
 
 class Outbox {
  public:
-  /// When a chunk was wished for, and whether a generator had to make it.
-  struct Wish {
-    std::chrono::steady_clock::time_point since;
-    bool cold = false;
-  };
-
   /// A chunk that waits for credit.
   struct Entry {
     std::uint32_t request_id = 0;  // 0: for the View
     ChunkKey key;
     EncodedChunkPtr chunk;
-    Wish wish{};
   };
 
   /// Frames to write at once, and the chunks that are among them.

@@ -62,8 +62,10 @@ TEST_CASE("a patch that must make room leaves its mixed chunks") {
   CHECK(fake.service.find({{3, 3, 3}, Lod{}}) == nullptr);
   REQUIRE(queued(fake.service, client, {{100, 2, 100}, Lod{}}));
   client->await(2);
+  REQUIRE(queued(fake.service, client, {{101, 2, 101}, Lod{}}));
+  client->await(3);  // of the only thread, which has done with the first patch by then
   const int tiles = 4 * 4;
-  CHECK(fake.work->chunks == 2 * tiles + 1);  // each of the first patch's once, and the second's one
+  CHECK(fake.work->chunks == 2 * tiles + 2);  // each of the first patch's once, and two of the second's
   CHECK(fake.service.find({{3, 3, 3}, Lod{}}) != nullptr);
   CHECK(fake.service.find({{3, 4, 3}, Lod{}}) == nullptr);
 }

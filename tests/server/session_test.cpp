@@ -145,6 +145,17 @@ TEST_CASE("what left in a View that nobody looked at is sent again") {
   CHECK(bench.output() == (away == 0 ? Kinds{} : Kinds{wire::Body::Chunk}));
 }
 
+TEST_CASE("any number of Views of the same chunks between two looks has nothing sent again") {
+  Bench bench;
+  bench.look_at(0, 0);
+  bench.client->await(1);
+  bench.carry_over();
+  CHECK(bench.output() == Kinds{wire::Body::Chunk});
+  for (int view = 0; view < 100; ++view) bench.say_view(0, 0);
+  bench.look_at(0, 0);
+  CHECK(bench.output().empty());
+}
+
 TEST_CASE("what was under way when it left in a View that nobody looked at is still sent once") {
   Bench bench;
   bench.fake.work->close_gate();

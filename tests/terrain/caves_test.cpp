@@ -150,6 +150,29 @@ TEST_CASE("Loose material does not end in a wall beside an entrance") {
   CHECK(beside > 0);
 }
 
+TEST_CASE("Entrances are bare without a sea, and where roofs span less than loose material reaches") {
+  std::string text = test::small_caves_text(2, 0);
+  const std::string sea = "sea_level = 0.3\n";
+  const std::string span =
+      "span = 0.4";  // 16 columns; 0.05 are 2, fewer than the small world's gravel has in its halo
+  text.erase(text.find(sea), sea.size());
+  text.replace(text.find(span), span.size(), "span = 0.05");
+  const World world = World::parse(text, "dry").value();
+  const Lod lod = Lod::of(GENERATE(0, 1));
+  Terrain terrain;
+  Generator{world}.generate({-96, -96, kSide, kSide, lod}, terrain);
+  int open = 0;
+  for (int z = 0; z < kSide; ++z) {
+    for (int x = 0; x < kSide; ++x) {
+      const auto& air = terrain.caves;
+      if (air.none() || !air.has(x, z) || air.roof.at(x, z) < terrain.surface.at(x, z)) continue;
+      ++open;
+      for (const Field& loose : terrain.loose) REQUIRE(loose.at(x, z) == 0);
+    }
+  }
+  CHECK(open > 0);
+}
+
 TEST_CASE("Entrances are bare until material slides into them") {
   const World world = test::small_caves(2, 1);
   Terrain terrain;

@@ -19,12 +19,16 @@ constexpr std::size_t kMaxFileBytes = terrain::kMaxHeightMapSamples * 4 + (std::
 tl::expected<std::vector<std::byte>, std::string> read_bytes(const std::filesystem::path& file) {
   std::error_code ignored;
   if (std::filesystem::is_directory(file, ignored)) return refused("is a directory");
+  // A pipe may never end, and a device has no end.
+  if (std::filesystem::exists(file, ignored) && !std::filesystem::is_regular_file(file, ignored)) {
+    return refused("is not a regular file");
+  }
   errno = 0;
   std::ifstream in{file, std::ios::binary};
   if (!in) return refused(std::string{"cannot read it: "} + std::strerror(errno));
   std::vector<std::byte> bytes;
   std::array<char, 1 << 16> block{};
-  do {  // a file may have no size, as /dev/zero has
+  do {  // a file may have another size than it says, as those of /proc have
     in.read(block.data(), block.size());
     const auto read = std::as_bytes(std::span{block}).first(static_cast<std::size_t>(in.gcount()));
     bytes.insert(bytes.end(), read.begin(), read.end());

@@ -25,16 +25,16 @@ Caves::Caves(const World& world, InstructionSet set)
 void Caves::cover(const Region& region, int around, int open_ring, const Field& height) {
   const int level = region.lod.value();
   region_ = region;
-  judged_ = around - shore_;
   open_ring_ = open_ring;
   span_ = plan_.span_at(region.lod);
-  assert(judged_ >= open_ring);
   loose_fx_ = 0;
   for (const std::int32_t t_fx : loose_thickness_fx_) loose_fx_ += t_fx >> level;
   // Two rows at least, so that the topmost can be of loose material and rock is under it.
   least_rows_ = std::max(2, ((plan_.roof_fx >> level) + kSubvoxels - 1) / kSubvoxels);
   any_ = false;
   if (span_ == 0) return;
+  judged_ = around - shore_;
+  assert(judged_ >= open_ring);
 
   const Region judged = region.grown(judged_);
   const std::int64_t step = std::int64_t{1} << level;

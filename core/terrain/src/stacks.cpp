@@ -118,7 +118,7 @@ void Generator::cover(const Region& region, int ring, int halo) {
 
 const Field& Generator::slope_for_loose(int ring) {
   Scratch& s = *scratch_;
-  if (s.around == ring) return s.ground.slope();
+  if (!s.caves) return s.ground.slope();
   s.ground.slope().copy_inside(s.around - ring, s.slope);
   for (int z = 0; z < s.slope.depth; ++z) {
     for (int x = 0; x < s.slope.width; ++x) {

@@ -39,32 +39,38 @@ struct Sums {
 class Ground {
  public:
   Ground(const terrain::World& world, const terrain::Region& region)
-      : stacks_{generate_stacks(world, region)} {
+      : stacks_{generate_stacks(world, region)},
+        ore_{surface_ore(world, stacks_)},
+        rock_planes_{stacks_.tops.size() - world.loose().size()} {
     if (const auto sea_fx = world.sea_fx()) {
       sea_row_ = terrain::boundary_row(*sea_fx >> region.lod.value());
     }
   }
 
-  [[nodiscard]] std::int64_t height_fx(int x, int z) const { return stacks_.tops.back().at(x, z); }
+  [[nodiscard]] std::int64_t height_fx(int x, int z) const { return stacks_.ground_fx(x, z); }
   [[nodiscard]] std::int64_t row(int x, int z) const {
-    return terrain::boundary_row(stacks_.tops.back().at(x, z));
+    return terrain::boundary_row(stacks_.ground_fx(x, z));
   }
 
   // The material of the highest voxel that is not air.
   [[nodiscard]] MaterialId shown(int x, int z) const {
-    const std::int32_t top = stacks_.tops.back().at(x, z);
+    const std::int32_t top = stacks_.ground_fx(x, z);
     const std::int32_t row = terrain::boundary_row(top);
-    if (row < sea_row_) return kWater;
+    if (row < sea_row_ && !stacks_.is_entrance(x, z)) return kWater;
     // At level 0 what the voxel's centre is in, above it what lies on top.
     const std::int32_t centre = (row - 1) * terrain::kSubvoxels + terrain::kSubvoxels / 2;
     const std::int32_t seen = stacks_.region.lod.value() == 0 ? centre : top - 1;
     std::size_t k = 0;
     while (k + 1 < stacks_.tops.size() && stacks_.tops[k].at(x, z) <= seen) ++k;
-    return stacks_.materials[k];
+    const MaterialId ore = ore_[static_cast<std::size_t>(z) * static_cast<std::size_t>(stacks_.region.width) +
+                                static_cast<std::size_t>(x)];
+    return k < rock_planes_ && ore != kAir ? ore : stacks_.materials[k];
   }
 
  private:
   terrain::Stacks stacks_;
+  std::vector<MaterialId> ore_;
+  std::size_t rock_planes_;
   std::int32_t sea_row_ = -1;
 };
 

@@ -25,6 +25,11 @@ struct IntegerPair {
 [[nodiscard]] Expected<IntegerPair> parse_size(std::string_view option, std::string_view text,
                                                std::int64_t longest);
 
+/// What is wrong with a seed, for CLI11's check(): it takes one past 64 bits for the largest. Empty: nothing.
+[[nodiscard]] std::string fault_of_seed(const std::string& text);
+/// The same of a number from `least` to `most`: CLI::Range lets nan through.
+[[nodiscard]] std::string fault_of_number(const std::string& text, double least, double most);
+
 [[nodiscard]] Expected<Lod> parse_lod(std::int64_t level);
 
 /// Columns of `lod`, the first of which holds base column `base`. Refused where a column lies outside the

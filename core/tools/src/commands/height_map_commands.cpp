@@ -7,6 +7,7 @@
 #include "diamond_square.h"
 #include "erode_height_map.h"
 #include "height_map_file.h"
+#include "option_values.h"
 
 namespace talus::tools {
 namespace {
@@ -56,6 +57,7 @@ Command add_erode(CLI::App& app) {
       ->type_name("N")
       ->capture_default_str();
   erode->add_option("--seed", arguments->seed, "Decides where they fall")
+      ->check(fault_of_seed)
       ->type_name("S")
       ->capture_default_str();
   add_output(*erode, arguments->output, "Height map to write: .png for 16-bit samples, .npy for any", "OUT");
@@ -70,6 +72,7 @@ Command add_diamond_square(CLI::App& app) {
                                      "A fractal height map by midpoint displacement, which repeats");
   const auto arguments = std::make_shared<DiamondArguments>();
   diamond->add_option("--seed", arguments->seed, "Decides the heights")
+      ->check(fault_of_seed)
       ->type_name("S")
       ->capture_default_str();
   diamond->add_option("--size", arguments->size, "Samples a side: a power of two, 8 to 8192")
@@ -79,7 +82,7 @@ Command add_diamond_square(CLI::App& app) {
   diamond
       ->add_option("--roughness", arguments->roughness,
                    "0 to 1: how far a grid's points are displaced, over those of the grid twice as wide")
-      ->check(CLI::Range(0.0, 1.0))
+      ->check([](const std::string& text) { return fault_of_number(text, 0, 1); })
       ->type_name("R")
       ->capture_default_str();
   add_output(*diamond, arguments->output, "Height map to write, of 16 bits a sample: .png or .npy", "OUT");
