@@ -19,6 +19,7 @@ namespace {
 constexpr int kPatchColumns = 256;
 const terrain::Colour kZenith{120, 164, 210};
 const terrain::Colour kHorizon{222, 234, 240};
+const terrain::Colour kUnderRoof{66, 60, 82};  // air in a cave; the sky's colours could be an ore's
 
 struct RowRun {
   MaterialId material{};
@@ -66,7 +67,10 @@ class SectionPainter {
   }
 
   void paint_column(int column, const Column& runs) {
+    std::int32_t above = bottom_;
     for (const RowRun& run : runs) {
+      for (std::int32_t row = above; row < run.from; ++row) fill(column, row, kUnderRoof);
+      above = run.to;
       const glm::vec3 light = lights_[to_integer(run.material)];
       for (std::int32_t row = run.from; row < run.to; ++row) {
         fill(column, row, to_colour(run.material == kWater ? light * daylight(run.to - row) : light));
