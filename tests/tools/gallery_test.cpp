@@ -1,11 +1,14 @@
+#include <filesystem>
 #include <set>
 #include <string>
 
 #include <talus/terrain/stacks.h>
 #include <catch2/catch.hpp>
 
+#include "gallery.h"
 #include "gallery_figures.h"
 #include "gallery_place.h"
+#include "scratch_directory.h"
 
 using namespace talus;
 using namespace talus::tools;
@@ -49,4 +52,14 @@ TEST_CASE("A scenic place has high ground at the back and low ground in front") 
     return surface_heights(world, {&column, 1}).front();
   };
   CHECK(height(40, 40) > 2 * height(160, 160));
+}
+
+TEST_CASE("A figure that is not there is named, and nothing is made") {
+  const WorldText text{std::string{terrain::default_world_toml()}, "here.toml"};
+  Progress progress{"gallery", "rows"};
+  const ScratchDirectory scratch;
+  const auto written = write_gallery(text, "no such", scratch / "gallery", 1, progress);
+  REQUIRE_FALSE(written);
+  CHECK_THAT(written.error().message, Catch::Contains("--only no such"));
+  CHECK_FALSE(std::filesystem::exists(scratch / "gallery"));
 }

@@ -1,5 +1,7 @@
 #include "gallery.h"
 
+#include <algorithm>
+#include <string_view>
 #include <system_error>
 #include <utility>
 #include <vector>
@@ -10,10 +12,19 @@
 
 namespace talus::tools {
 
-Expected<void> write_gallery(const WorldText& text, const std::filesystem::path& directory, int threads,
-                             Progress& progress) {
+Expected<void> write_gallery(const WorldText& text, const std::string& only,
+                             const std::filesystem::path& directory, int threads, Progress& progress) {
   const auto world = world_variant(text, {});
   if (!world) return tl::make_unexpected(world.error());
+  const auto meant = [&](const Figure& figure) {
+    return std::string_view{figure.file}.find(only) != std::string_view::npos &&
+           (!figure.of_caves || world->spec().caves);
+  };
+  if (std::none_of(gallery_figures().begin(), gallery_figures().end(), meant)) {
+    return wrong_use("--only " + only +
+                     ": no figure of this world has that in its name; they are gallery-NN-*.png, " +
+                     "gallery-levels.png, and gallery-caves.png of worlds with caves");
+  }
   std::error_code made;
   std::filesystem::create_directories(directory, made);
   if (made) return failed(directory.string() + ": cannot make the directory: " + made.message());
@@ -21,7 +32,7 @@ Expected<void> write_gallery(const WorldText& text, const std::filesystem::path&
   std::vector<PngFile> files;
   std::uint64_t pixel_rows = 0;
   for (const Figure& figure : gallery_figures()) {
-    if (figure.of_caves && !world->spec().caves) continue;
+    if (!meant(figure)) continue;
     figures.push_back(figure);
     auto file = PngFile::create(directory / figure.file);
     if (!file) return tl::make_unexpected(file.error());

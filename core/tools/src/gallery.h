@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 
 #include "failure.h"
 #include "progress.h"
@@ -9,9 +10,11 @@
 
 namespace talus::tools {
 
-/// Writes every figure of gallery_figures.h into `directory`, which is made where it is missing. The same
-/// world gives the same pictures, for any number of threads (0: one a core).
-[[nodiscard]] Expected<void> write_gallery(const WorldText& text, const std::filesystem::path& directory,
-                                           int threads, Progress& progress);
+/// Writes the figures of gallery_figures.h that have `only` in their files' names into `directory`, which is
+/// made where it is missing. The same world gives the same pictures, for any number of threads (0: one a
+/// core). An error where no figure is meant.
+[[nodiscard]] Expected<void> write_gallery(const WorldText& text, const std::string& only,
+                                           const std::filesystem::path& directory, int threads,
+                                           Progress& progress);
 
 }  // namespace talus::tools

@@ -43,13 +43,14 @@ struct GalleryArguments {
   std::string world;
   int threads = 0;
   std::string output;
+  std::string only;
 };
 
 Expected<void> run_gallery(const GalleryArguments& arguments) {
   const auto text = read_world_text(arguments.world);
   if (!text) return tl::make_unexpected(text.error());
   Progress progress{"gallery", "rows"};
-  return write_gallery(*text, arguments.output, arguments.threads, progress);
+  return write_gallery(*text, arguments.only, arguments.output, arguments.threads, progress);
 }
 
 struct SeedsArguments {
@@ -140,6 +141,8 @@ Command add_gallery(CLI::App& app) {
   add_output(*gallery, arguments->output, "Directory for the pictures; made where it is missing", "DIR");
   add_world(*gallery, arguments->world);
   add_threads(*gallery, arguments->threads);
+  gallery->add_option("--only", arguments->only, "Only figures with TEXT in their names; default: all")
+      ->type_name("TEXT");
   gallery->footer(
       "Draws gallery-NN-*.png, NN being the figure's number in the thesis, and gallery-levels.png. The "
       "places are\n"
