@@ -6,7 +6,7 @@
 #include <talus/voxel/coords.h>
 
 #include "cache/encoded_chunk.h"
-#include "cache/sharded_lru.h"
+#include "cache/sharded_cache.h"
 
 namespace talus::server {
 
@@ -24,7 +24,7 @@ class ChunkCache {
   [[nodiscard]] std::size_t bytes() const { return chunks_.bytes(); }
 
  private:
-  ShardedLru<ChunkKey, EncodedChunkPtr> chunks_;
+  ShardedCache<ChunkKey, EncodedChunkPtr> chunks_;
 };
 
 }  // namespace talus::server

@@ -1,18 +1,40 @@
-// A chunk as it goes out: shared by the cache and by every session that sends it.
+// A chunk as it goes out: a whole Chunk message, made once, shared by the cache and by every session that
+// sends it. Only the request and the place in it differ from one sending to the next.
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <memory>
+#include <span>
 #include <vector>
 
+#include <talus/protocol/message.h>
 #include <talus/voxel/chunk.h>
 #include <talus/voxel/content_hash.h>
+#include <talus/voxel/coords.h>
 
 namespace talus::server {
 
-struct EncodedChunk {
-  ContentHash hash;
-  std::vector<std::byte> payload;  // of codec kCodecVersion
+class EncodedChunk {
+ public:
+  /// `payload` is of codec kCodecVersion.
+  EncodedChunk(ContentHash hash, std::span<const std::byte> payload);
+
+  [[nodiscard]] ContentHash hash() const { return hash_; }
+  [[nodiscard]] std::size_t frame_bytes() const { return frame_.size(); }
+  /// What it occupies, for whoever accounts for it.
+  [[nodiscard]] std::size_t bytes() const { return sizeof(EncodedChunk) + frame_.capacity(); }
+
+  /// Appends the frame. `request_id` 0: sent for the View.
+  void append_frame(std::vector<std::byte>& output, std::uint32_t request_id, ChunkKey key) const;
+  /// Has the processor fetch the frame's beginning while the caller goes on.
+  void prefetch() const { __builtin_prefetch(frame_.data()); }
+
+ private:
+  ContentHash hash_;
+  std::uint32_t id_at_ = 0;  // where in the frame
+  std::uint32_t key_at_ = 0;
+  protocol::Frame frame_;
 };
 using EncodedChunkPtr = std::shared_ptr<const EncodedChunk>;
 

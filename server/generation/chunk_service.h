@@ -13,7 +13,7 @@
 
 #include "cache/chunk_cache.h"
 #include "cache/patch_cache.h"
-#include "cache/sharded_lru.h"
+#include "cache/sharded_cache.h"
 #include "generation/generator.h"
 #include "generation/work_queue.h"
 #include "log/logger.h"
@@ -85,7 +85,7 @@ class ChunkService {
   const int patch_tiles_;
   ChunkCache chunks_;
   PatchCache patches_;
-  ShardedLru<ChunkKey, terrain::MixedRange> rows_;  // of columns, by their chunk at y = 0
+  ShardedCache<ChunkKey, terrain::MixedRange> rows_;  // of columns, by their chunk at y = 0
 
   std::mutex mutex_;
   std::condition_variable work_waits_;

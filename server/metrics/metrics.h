@@ -28,7 +28,8 @@ struct Metrics {
   Counter chunk_bytes_sent;  // of their frames
 
   /// From when a session takes up a wish for a chunk to when the chunk is ready to go: with the chunk at
-  /// hand, or waiting for a generator. How long the client's link then takes is not the server's.
+  /// hand (those of one turn together: they go together), or waiting for a generator. How long the client's
+  /// link then takes is not the server's.
   LatencyTally hot_latency;
   LatencyTally cold_latency;
 

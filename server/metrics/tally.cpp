@@ -4,20 +4,38 @@
 
 namespace talus::server {
 
-void LatencyTally::add(std::chrono::nanoseconds time) {
+std::size_t stripe() {
+  static std::atomic<std::size_t> threads{0};
+  thread_local const std::size_t mine = threads.fetch_add(1, std::memory_order_relaxed) % kStripes;
+  return mine;
+}
+
+std::uint64_t Counter::total() const {
+  std::uint64_t sum = 0;
+  for (const Stripe& each : stripes_) sum += each.total.load(std::memory_order_relaxed);
+  return sum;
+}
+
+void LatencyTally::add(std::chrono::nanoseconds time, std::uint64_t things) {
   const auto ns = static_cast<std::uint64_t>(std::max<std::int64_t>(0, time.count()));
   const double seconds = static_cast<double>(ns) * 1e-9;
   const auto bound = std::lower_bound(kBoundsSeconds.begin(), kBoundsSeconds.end(), seconds);
-  counts_[static_cast<std::size_t>(bound - kBoundsSeconds.begin())].fetch_add(1, std::memory_order_relaxed);
-  sum_ns_.fetch_add(ns, std::memory_order_relaxed);
+  Stripe& mine = stripes_[stripe()];
+  mine.counts[static_cast<std::size_t>(bound - kBoundsSeconds.begin())].fetch_add(things,
+                                                                                  std::memory_order_relaxed);
+  mine.sum_ns.fetch_add(ns * things, std::memory_order_relaxed);
 }
 
 LatencyTally::Reading LatencyTally::read() const {
   Reading reading;
-  for (std::size_t i = 0; i < counts_.size(); ++i) {
-    reading.counts[i] = counts_[i].load(std::memory_order_relaxed);
+  std::uint64_t sum_ns = 0;
+  for (const Stripe& each : stripes_) {
+    for (std::size_t i = 0; i < each.counts.size(); ++i) {
+      reading.counts[i] += each.counts[i].load(std::memory_order_relaxed);
+    }
+    sum_ns += each.sum_ns.load(std::memory_order_relaxed);
   }
-  reading.sum_seconds = static_cast<double>(sum_ns_.load(std::memory_order_relaxed)) * 1e-9;
+  reading.sum_seconds = static_cast<double>(sum_ns) * 1e-9;
   return reading;
 }
 

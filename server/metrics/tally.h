@@ -9,14 +9,24 @@
 
 namespace talus::server {
 
+/// Threads add in stripes apart, as a line of memory that cores take from each other costs more than the
+/// addition.
+inline constexpr std::size_t kStripes = 4;
+inline constexpr std::size_t kStripeBytes = 64;
+/// This thread's; threads take them in turn.
+[[nodiscard]] std::size_t stripe();
+
 /// A total that only grows.
 class Counter {
  public:
-  void add(std::uint64_t more = 1) { total_.fetch_add(more, std::memory_order_relaxed); }
-  [[nodiscard]] std::uint64_t total() const { return total_.load(std::memory_order_relaxed); }
+  void add(std::uint64_t more = 1) { stripes_[stripe()].total.fetch_add(more, std::memory_order_relaxed); }
+  [[nodiscard]] std::uint64_t total() const;
 
  private:
-  std::atomic<std::uint64_t> total_{0};
+  struct alignas(kStripeBytes) Stripe {
+    std::atomic<std::uint64_t> total{0};
+  };
+  std::array<Stripe, kStripes> stripes_;
 };
 
 /// How many there are now.
@@ -38,7 +48,8 @@ class LatencyTally {
                                                          2e-3, 5e-3, 0.01, 0.02, 0.05, 0.1,  0.2,
                                                          0.5,  1.0,  2.0,  5.0,  10.0};
 
-  void add(std::chrono::nanoseconds time);
+  /// `things` that took so long each.
+  void add(std::chrono::nanoseconds time, std::uint64_t things = 1);
 
   struct Reading {
     std::array<std::uint64_t, kBoundsSeconds.size() + 1> counts{};  // of each bucket alone
@@ -47,8 +58,11 @@ class LatencyTally {
   [[nodiscard]] Reading read() const;
 
  private:
-  std::array<std::atomic<std::uint64_t>, kBoundsSeconds.size() + 1> counts_{};
-  std::atomic<std::uint64_t> sum_ns_{0};
+  struct alignas(kStripeBytes) Stripe {
+    std::array<std::atomic<std::uint64_t>, kBoundsSeconds.size() + 1> counts{};
+    std::atomic<std::uint64_t> sum_ns{0};
+  };
+  std::array<Stripe, kStripes> stripes_;
 };
 
 }  // namespace talus::server

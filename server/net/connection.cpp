@@ -50,16 +50,6 @@ std::chrono::nanoseconds thread_time() {
   return std::chrono::seconds{spent.tv_sec} + std::chrono::nanoseconds{spent.tv_nsec};
 }
 
-/// One piece of memory for one call of the system: it takes few pieces at a time, and most frames are small.
-std::vector<std::byte> gathered(const std::vector<protocol::Frame>& frames) {
-  std::size_t bytes = 0;
-  for (const protocol::Frame& frame : frames) bytes += frame.size();
-  std::vector<std::byte> all;
-  all.reserve(bytes);
-  for (const protocol::Frame& frame : frames) all.insert(all.end(), frame.begin(), frame.end());
-  return all;
-}
-
 }  // namespace
 
 /// Carries answers from generator threads to the connection's own. Chunks that come while it has not got
@@ -238,7 +228,7 @@ asio::awaitable<void> Connection::write() {
       co_await wait(output_waits_);
       continue;
     }
-    const std::vector<std::byte> output = gathered(session_.take_output(kGatherBytes));
+    const std::vector<std::byte> output = session_.take_output(kGatherBytes);
     work();
 
     write_progress_ = Clock::now();

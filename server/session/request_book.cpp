@@ -5,13 +5,25 @@
 
 namespace talus::server {
 
+void RequestBook::add(std::uint32_t id, const Entry& entry) {
+  if (spare_.empty()) {
+    requests_.emplace(id, entry);
+    return;
+  }
+  Requests::node_type node = std::move(spare_.back());
+  spare_.pop_back();
+  node.key() = id;
+  node.mapped() = entry;
+  requests_.insert(std::move(node));
+}
+
 void RequestBook::add_chunk(std::uint32_t id, ChunkRequest request) {
-  requests_.emplace(id, Entry{request, 0, 0});
+  add(id, {request, 0, 0});
   waiting_.push_back(id);
 }
 
 void RequestBook::add_heights(std::uint32_t id, std::uint64_t ticket, std::size_t bytes) {
-  requests_.emplace(id, Entry{std::nullopt, ticket, bytes});
+  add(id, {std::nullopt, ticket, bytes});
   heights_bytes_ += bytes;
 }
 
@@ -37,7 +49,8 @@ void RequestBook::erase(std::uint32_t id) {
   const auto found = requests_.find(id);
   if (found == requests_.end()) return;
   heights_bytes_ -= found->second.heights_bytes;
-  requests_.erase(found);
+  Requests::node_type node = requests_.extract(found);
+  if (spare_.size() < kSpareNodes) spare_.push_back(std::move(node));
   // Ids leave in any order, but those that still wait are few, and most leave from the front before.
   const auto place = std::find(waiting_.begin(), waiting_.end(), id);
   if (place != waiting_.end()) waiting_.erase(place);

@@ -50,8 +50,14 @@ class RequestBook {
     std::uint64_t heights_ticket = 0;
     std::size_t heights_bytes = 0;
   };
-  std::unordered_map<std::uint32_t, Entry> requests_;
-  std::deque<std::uint32_t> waiting_;  // ids of the book
+  using Requests = std::unordered_map<std::uint32_t, Entry>;
+  static constexpr std::size_t kSpareNodes = 16;
+
+  void add(std::uint32_t id, const Entry& entry);
+
+  Requests requests_;
+  std::vector<Requests::node_type> spare_;  // of answered requests, for the next: a client asks all the time
+  std::deque<std::uint32_t> waiting_;       // ids of the book
   std::size_t heights_bytes_ = 0;
 };
 

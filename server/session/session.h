@@ -79,8 +79,8 @@ class Session {
 
   // ---- what it has to say
   [[nodiscard]] bool sendable() const { return outbox_.sendable(credit_); }
-  /// Frames to write now: `enough_bytes` and at most one frame more.
-  [[nodiscard]] std::vector<protocol::Frame> take_output(std::size_t enough_bytes);
+  /// Frames to write now, one after the other: `enough_bytes` and at most one frame more.
+  [[nodiscard]] std::vector<std::byte> take_output(std::size_t enough_bytes);
   /// Bytes that wait and that the client did not have to give credit for; above the limit, read no more.
   [[nodiscard]] std::size_t queued_bytes() const {
     return outbox_.control_bytes() + requests_.heights_bytes();
@@ -122,6 +122,7 @@ class Session {
   [[nodiscard]] bool admit(std::uint32_t id);
   void pass_over(const View& view);
   void note_known(const wire::KnownChunk& chunk);
+  void take_up_work();
   /// Whether one more chunk may come to wait for the client: those under way will, too.
   [[nodiscard]] bool has_room_for_chunk() const;
   void drop_from_view(const std::vector<ChunkKey>& keys);
@@ -140,8 +141,8 @@ class Session {
   /// The entry of those who wait for the chunk; null where the queue is full.
   [[nodiscard]] Awaited* await(ChunkKey key);
   void stop_awaiting(ChunkKey key, const Awaited& awaited);
-  void answer_request(std::uint32_t id, const ChunkAnswer& answer);
-  void answer_view(ChunkKey key, const ChunkAnswer& answer);
+  void answer_request(std::uint32_t id, ChunkAnswer answer);
+  void answer_view(ChunkKey key, ChunkAnswer answer);
 
   SessionContext context_;
   ChunkClientPtr client_;
@@ -155,6 +156,7 @@ class Session {
   std::unordered_map<ChunkKey, ContentHash> known_;  // by the client; of chunks that its View wants
   std::unordered_map<ChunkKey, Awaited> awaited_;
   std::size_t expected_chunk_bytes_ = kExpectedChunkBytes;
+  std::size_t found_ = 0;  // chunks at hand since pump() began
   std::uint64_t heights_asked_ = 0;
   bool refused_ = false;
   bool going_away_ = false;

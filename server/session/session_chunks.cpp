@@ -28,6 +28,13 @@ void Session::drop_from_view(const std::vector<ChunkKey>& keys) {
 }
 
 void Session::pump() {
+  const Clock::time_point began = Clock::now();
+  take_up_work();
+  const std::size_t found = std::exchange(found_, 0);
+  if (found > 0) context_.metrics.hot_latency.add(Clock::now() - began, found);
+}
+
+void Session::take_up_work() {
   refused_ = false;
   while (!closing() && !refused_ && has_room_for_chunk()) {
     if (const auto id = requests_.next_waiting()) {
@@ -136,26 +143,26 @@ void Session::chunk_ready(ChunkKey key, const ChunkAnswer& answer) {
   if (found.mapped().view) answer_view(key, answer);
 }
 
-void Session::answer_request(std::uint32_t id, const ChunkAnswer& answer) {
+void Session::answer_request(std::uint32_t id, ChunkAnswer answer) {
   const RequestBook::ChunkRequest& request = *requests_.chunk(id);
   if (!answer) {
     refuse(id, wire::ErrorCode::internal, fmt::format("the chunk failed: {}", answer.error().reason),
            kRetryAfterMs);
-  } else if (request.known == (*answer)->hash) {
-    outbox_.push_control(unchanged_frame(id, request.key, (*answer)->hash));
+  } else if (request.known == (*answer)->hash()) {
+    outbox_.push_control(unchanged_frame(id, request.key, (*answer)->hash()));
     context_.metrics.unchanged_sent.add();
   } else {
-    outbox_.push_chunk({id, request.key, *answer});
+    outbox_.push_chunk({id, request.key, *std::move(answer)});
     return;  // in flight until it is taken from the outbox
   }
   requests_.erase(id);
 }
 
-void Session::answer_view(ChunkKey key, const ChunkAnswer& answer) {
+void Session::answer_view(ChunkKey key, ChunkAnswer answer) {
   // Its terrain is known now; it may not have been when the chunk was wished for.
   if (answer && answer_by_column(key)) return;
-  if (answer && confirm_known(key, (*answer)->hash)) return;
-  if (answer) return outbox_.push_chunk({0, key, *answer});
+  if (answer && confirm_known(key, (*answer)->hash())) return;
+  if (answer) return outbox_.push_chunk({0, key, *std::move(answer)});
   refuse(0, wire::ErrorCode::internal,
          fmt::format("chunk {} of the View failed: {}", to_string(key), answer.error().reason),
          kRetryAfterMs);
@@ -174,24 +181,28 @@ void Session::heights_ready(std::uint64_t ticket, const HeightsAnswer& answer) {
   requests_.erase(id);
 }
 
-std::vector<protocol::Frame> Session::take_output(std::size_t enough_bytes) {
-  Outbox::Taken taken = outbox_.take(enough_bytes, credit_);
-  context_.metrics.chunks_sent.add(taken.chunks.size());
-  context_.metrics.chunk_bytes_sent.add(taken.chunk_bytes);
-  for (const Outbox::Entry& entry : taken.chunks) {
+std::vector<std::byte> Session::take_output(std::size_t enough_bytes) {
+  std::vector<std::byte> output;
+  output.reserve(std::min(enough_bytes, outbox_.control_bytes() + outbox_.chunk_bytes()));
+  std::size_t chunks = 0;
+  std::size_t chunk_bytes = 0;
+  outbox_.take(enough_bytes, credit_, output, [&](const Outbox::Entry& entry, std::size_t frame_bytes) {
+    ++chunks;
+    chunk_bytes += frame_bytes;
     if (entry.request_id != 0) {
       requests_.erase(entry.request_id);
     } else {
       view_.done(entry.key);
     }
-  }
-  return std::move(taken.frames);
+  });
+  context_.metrics.chunks_sent.add(chunks);
+  context_.metrics.chunk_bytes_sent.add(chunk_bytes);
+  return output;
 }
 
 EncodedChunkPtr Session::find(ChunkKey key) {
-  const Clock::time_point asked = Clock::now();
   EncodedChunkPtr chunk = context_.chunks.find(key);
-  if (chunk != nullptr) context_.metrics.hot_latency.add(Clock::now() - asked);
+  if (chunk != nullptr) ++found_;
   return chunk;
 }
 

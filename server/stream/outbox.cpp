@@ -2,8 +2,6 @@
 
 #include <utility>
 
-#include "stream/chunk_frame.h"
-
 namespace talus::server {
 namespace {
 
@@ -18,6 +16,7 @@ void Outbox::push_control(protocol::Frame frame) {
 }
 
 void Outbox::push_chunk(Entry entry) {
+  entry.chunk->prefetch();  // it is written soon, together with others that lie as far apart
   chunk_bytes_ += cost(*entry.chunk);
   chunks_.push_back(std::move(entry));
 }
@@ -26,30 +25,17 @@ bool Outbox::sendable(const Credit& credit) const {
   return !control_.empty() || (!chunks_.empty() && credit.may_send());
 }
 
-Outbox::Taken Outbox::take(std::size_t enough_bytes, Credit& credit) {
-  Taken taken;
-  std::size_t bytes = 0;
-  while (!control_.empty() && bytes < enough_bytes) {
-    bytes += control_.front().size();
-    control_bytes_ -= control_.front().size() + kFrameOverheadBytes;
-    taken.frames.push_back(std::move(control_.front()));
+void Outbox::take_control(std::size_t enough_bytes, std::vector<std::byte>& output) {
+  while (!control_.empty() && output.size() < enough_bytes) {
+    const protocol::Frame& frame = control_.front();
+    output.insert(output.end(), frame.begin(), frame.end());
+    control_bytes_ -= frame.size() + kFrameOverheadBytes;
     control_.pop_front();
   }
-  while (!chunks_.empty() && bytes < enough_bytes && credit.may_send()) {
-    Entry entry = std::move(chunks_.front());
-    chunks_.pop_front();
-    chunk_bytes_ -= cost(*entry.chunk);
-    taken.frames.push_back(chunk_frame(entry.request_id, entry.key, *entry.chunk));
-    credit.sent(taken.frames.back().size());
-    bytes += taken.frames.back().size();
-    taken.chunk_bytes += taken.frames.back().size();
-    taken.chunks.push_back(std::move(entry));
-  }
-  return taken;
 }
 
 std::size_t Outbox::cost(const EncodedChunk& chunk) {
-  return sizeof(Entry) + sizeof(EncodedChunk) + chunk.payload.size();
+  return sizeof(Entry) + chunk.bytes();
 }
 
 }  // namespace talus::server

@@ -24,13 +24,6 @@ class Outbox {
     EncodedChunkPtr chunk;
   };
 
-  /// Frames to write at once, and the chunks that are among them.
-  struct Taken {
-    std::vector<protocol::Frame> frames;
-    std::vector<Entry> chunks;
-    std::size_t chunk_bytes = 0;  // of their frames
-  };
-
   void push_control(protocol::Frame frame);
   void push_chunk(Entry entry);
 
@@ -45,8 +38,20 @@ class Outbox {
   }
 
   [[nodiscard]] bool sendable(const Credit& credit) const;
-  /// Takes frames until they have `enough_bytes` or nothing is sendable; the last may exceed it.
-  [[nodiscard]] Taken take(std::size_t enough_bytes, Credit& credit);
+  /// Appends frames to `output` until it has `enough_bytes` or nothing is sendable; the last may exceed it.
+  /// Calls sent(entry, frame_bytes) for each chunk among them.
+  template <typename Sent>
+  void take(std::size_t enough_bytes, Credit& credit, std::vector<std::byte>& output, Sent&& sent) {
+    take_control(enough_bytes, output);
+    while (!chunks_.empty() && output.size() < enough_bytes && credit.may_send()) {
+      const Entry entry = std::move(chunks_.front());
+      chunks_.pop_front();
+      chunk_bytes_ -= cost(*entry.chunk);
+      entry.chunk->append_frame(output, entry.request_id, entry.key);
+      credit.sent(entry.chunk->frame_bytes());
+      sent(entry, entry.chunk->frame_bytes());
+    }
+  }
 
   [[nodiscard]] std::size_t control_bytes() const { return control_bytes_; }
   /// Bytes of the chunks that wait, as if nobody else held them.
@@ -55,6 +60,8 @@ class Outbox {
   [[nodiscard]] static std::size_t cost(const EncodedChunk& chunk);
 
  private:
+  void take_control(std::size_t enough_bytes, std::vector<std::byte>& output);
+
   std::deque<protocol::Frame> control_;
   std::deque<Entry> chunks_;
   std::size_t control_bytes_ = 0;

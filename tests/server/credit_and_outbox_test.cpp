@@ -3,7 +3,6 @@
 
 #include <rapidcheck.h>
 
-#include "stream/chunk_frame.h"
 #include "stream/credit.h"
 #include "stream/outbox.h"
 
@@ -13,9 +12,7 @@ using namespace talus::server;
 namespace {
 
 EncodedChunkPtr chunk_of(std::size_t payload_bytes) {
-  auto chunk = std::make_shared<EncodedChunk>();
-  chunk->payload.resize(payload_bytes);
-  return chunk;
+  return std::make_shared<const EncodedChunk>(ContentHash{}, std::vector<std::byte>(payload_bytes));
 }
 
 Outbox::Entry entry(std::uint32_t id, std::size_t payload_bytes) {
@@ -23,6 +20,18 @@ Outbox::Entry entry(std::uint32_t id, std::size_t payload_bytes) {
 }
 
 constexpr std::size_t kAll = std::size_t{1} << 40;
+
+struct Taken {
+  std::vector<std::byte> bytes;
+  std::vector<std::uint32_t> ids;
+};
+
+Taken take(Outbox& outbox, std::size_t enough_bytes, Credit& credit) {
+  Taken taken;
+  outbox.take(enough_bytes, credit, taken.bytes,
+              [&](const Outbox::Entry& entry, std::size_t) { taken.ids.push_back(entry.request_id); });
+  return taken;
+}
 
 }  // namespace
 
@@ -62,9 +71,7 @@ TEST_CASE("control frames go first and need no credit") {
   Credit none{0};
   outbox.push_chunk(entry(1, 10));
   outbox.push_control(protocol::Frame(7));
-  const auto taken = outbox.take(kAll, none);
-  REQUIRE(taken.frames.size() == 1);
-  CHECK(taken.frames[0].size() == 7);
+  CHECK(take(outbox, kAll, none).bytes.size() == 7);
   CHECK_FALSE(outbox.sendable(none));
   Credit some{1};
   CHECK(outbox.sendable(some));
@@ -74,10 +81,10 @@ TEST_CASE("the outbox takes until there is enough, and counts what it sent") {
   Outbox outbox;
   Credit credit{kAll};
   for (std::uint32_t id = 1; id <= 10; ++id) outbox.push_chunk(entry(id, 1000));
-  const std::size_t frame_bytes = chunk_frame(1, {}, *chunk_of(1000)).size();
-  const auto taken = outbox.take(3 * frame_bytes, credit);
-  CHECK(taken.frames.size() == 3);
-  CHECK(taken.chunks.size() == 3);
+  const std::size_t frame_bytes = chunk_of(1000)->frame_bytes();
+  const Taken taken = take(outbox, 3 * frame_bytes, credit);
+  CHECK(taken.bytes.size() == 3 * frame_bytes);
+  CHECK(taken.ids == std::vector<std::uint32_t>{1, 2, 3});
   CHECK(credit.taken(3 * frame_bytes).has_value());
   CHECK_FALSE(credit.taken(3 * frame_bytes + 1).has_value());
 }
@@ -92,7 +99,7 @@ TEST_CASE("an emptied outbox counts no bytes, however it was emptied") {
     }
     const auto dropped = *rc::gen::inRange(0U, 50U);
     outbox.drop_chunks([&](const Outbox::Entry& each) { return each.request_id < dropped; });
-    for (const auto& each : outbox.take(kAll, credit).chunks) RC_ASSERT(each.request_id >= dropped);
+    for (const std::uint32_t id : take(outbox, kAll, credit).ids) RC_ASSERT(id >= dropped);
     RC_ASSERT(outbox.control_bytes() == 0);
     RC_ASSERT(outbox.chunk_bytes() == 0);
   }));

@@ -79,10 +79,8 @@ class FakeGenerator final : public Generator {
   }
   [[nodiscard]] EncodedChunkPtr make_chunk(const terrain::Stacks&, ChunkKey key) const override {
     ++work_->chunks;
-    auto chunk = std::make_shared<EncodedChunk>();
-    chunk->hash = {std::hash<ChunkKey>{}(key), 0};
-    chunk->payload.resize(work_->payload_bytes);
-    return chunk;
+    return std::make_shared<const EncodedChunk>(ContentHash{std::hash<ChunkKey>{}(key), 0},
+                                                std::vector<std::byte>(work_->payload_bytes));
   }
   [[nodiscard]] std::vector<std::int32_t> heights(
       std::span<const terrain::BaseColumn> columns) const override {

@@ -6,6 +6,8 @@
 #include <catch2/catch.hpp>
 #include <set>
 
+#include <talus/protocol/frame.h>
+#include <talus/protocol/limits.h>
 #include <talus/voxel/codec.h>
 
 #include "fake_generator.h"
@@ -14,6 +16,19 @@ using namespace talus;
 using namespace talus::server;
 
 namespace {
+
+/// The frames of an output, one after the other.
+std::vector<protocol::Frame> cut(std::span<const std::byte> output) {
+  std::vector<protocol::Frame> frames;
+  protocol::FrameReader reader{protocol::kServerFrameBytes};
+  while (!output.empty()) {
+    output = output.subspan(reader.feed(output).value());
+    if (!reader.has_frame()) continue;
+    frames.emplace_back(reader.frame().begin(), reader.frame().end());
+    reader.pop();
+  }
+  return frames;
+}
 
 /// A greeted session on a fake service; answers are carried over by hand.
 struct Bench {
@@ -63,9 +78,12 @@ struct Bench {
   void carry_over() {
     for (const auto& [key, answer] : client->answers()) session.chunk_ready(key, answer);
   }
+  [[nodiscard]] std::vector<protocol::Frame> frames(std::size_t enough_bytes = 1 << 20) {
+    return cut(session.take_output(enough_bytes));
+  }
   [[nodiscard]] std::vector<wire::Body> output() {
     std::vector<wire::Body> kinds;
-    for (const auto& frame : session.take_output(1 << 20)) {
+    for (const auto& frame : frames()) {
       kinds.push_back((*protocol::read_message(frame))->body_type());
     }
     return kinds;
@@ -95,7 +113,7 @@ TEST_CASE("air that is known without looking comes as one Column, before anythin
   bench.fake.work->close_gate();
   bench.fake.work->last_mixed_anywhere = 0;
   bench.look_at(0, 0, 3);
-  CHECK(runs_of(bench.session.take_output(1 << 20)) == Runs{{1, 3, 0}});
+  CHECK(runs_of(bench.frames()) == Runs{{1, 3, 0}});
   CHECK(bench.fake.service.status().jobs == 4);
 }
 
@@ -112,7 +130,7 @@ TEST_CASE("what the terrain shows to be uniform comes in its column's one messag
   const auto above = std::find_if(answers.begin(), answers.end(),
                                   [](const auto& answer) { return answer.first.coord.y == 2; });
   bench.session.chunk_ready(above->first, above->second);
-  CHECK(runs_of(bench.session.take_output(1 << 20)) == Runs{{-3, -2, 2}, {1, 3, 0}});
+  CHECK(runs_of(bench.frames()) == Runs{{-3, -2, 2}, {1, 3, 0}});
   bench.carry_over();
   CHECK(bench.output() == Kinds{wire::Body::Chunk, wire::Body::Chunk});
 }
@@ -127,7 +145,7 @@ TEST_CASE("a column that is known asks for no uniform chunk") {
   (void)bench.output();
   const int made = bench.fake.work->chunks;
   bench.look_at(0, 0, 5);
-  const auto frames = bench.session.take_output(1 << 20);
+  const auto frames = bench.frames();
   CHECK(runs_of(frames) == Runs{{-5, -1, 2}, {1, 5, 0}});
   CHECK(frames.size() == 2);  // and the mixed one, which is at hand
   CHECK(bench.fake.work->chunks == made);
@@ -202,7 +220,7 @@ TEST_CASE("Columns wait for a client that reads nothing") {
   CHECK(bench.session.queued_bytes() < Session::kColumnBytes + 512);
   std::set<std::pair<std::int32_t, std::int32_t>> columns;
   for (bool more = true; more;) {
-    const auto frames = bench.session.take_output(4096);
+    const auto frames = bench.frames(4096);
     bench.session.pump();
     for (const auto& frame : frames) {
       const wire::Column& column = *(**protocol::read_message(frame)).body_as_Column();
@@ -286,7 +304,7 @@ TEST_CASE("a full generator queue refuses a request by its id, with a time to re
   bench.fake.work->close_gate();
   bench.get_chunk(1, 5);
   bench.get_chunk(2, 6);
-  const auto frames = bench.session.take_output(1 << 20);
+  const auto frames = bench.frames();
   REQUIRE(frames.size() == 1);
   const auto* refusal = (*protocol::read_message(frames[0]))->body_as_Error();
   REQUIRE(refusal != nullptr);

@@ -1,5 +1,5 @@
-// A map bounded in bytes that forgets what was not used for longest. Callable from any thread; a call locks
-// one shard.
+// A map bounded in bytes that forgets what nobody used of late. Callable from any thread; a call locks one
+// shard.
 #pragma once
 
 #include <array>
@@ -9,16 +9,16 @@
 #include <optional>
 #include <utility>
 
-#include "cache/lru.h"
+#include "cache/clock_cache.h"
 
 namespace talus::server {
 
 template <typename Key, typename Value>
-class ShardedLru {
+class ShardedCache {
  public:
   static constexpr std::size_t kShards = 16;
 
-  explicit ShardedLru(std::size_t capacity_bytes)
+  explicit ShardedCache(std::size_t capacity_bytes)
       : shards_{make_shards(capacity_bytes / kShards, std::make_index_sequence<kShards>{})} {}
 
   [[nodiscard]] std::optional<Value> find(const Key& key) {
@@ -56,7 +56,7 @@ class ShardedLru {
   struct Shard {
     explicit Shard(std::size_t capacity_bytes) : values{capacity_bytes} {}
     mutable std::mutex mutex;
-    Lru<Key, Value> values;
+    ClockCache<Key, Value> values;
   };
 
   template <std::size_t... kShard>

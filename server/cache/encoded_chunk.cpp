@@ -1,0 +1,54 @@
+#include "cache/encoded_chunk.h"
+
+#include <cstring>
+
+#include <talus/voxel/codec.h>
+
+namespace talus::server {
+namespace {
+
+constexpr std::uint32_t kAnyRequest = 1;  // not 0, which FlatBuffers would leave out
+
+protocol::Frame frame_of(ContentHash hash, std::span<const std::byte> payload) {
+  constexpr std::size_t kEnvelopeBytes = 128;
+  flatbuffers::FlatBufferBuilder builder{payload.size() + kEnvelopeBytes};
+  const auto bytes =
+      builder.CreateVector(reinterpret_cast<const std::uint8_t*>(payload.data()), payload.size());
+  const wire::ChunkKey anywhere;
+  const wire::Hash128 wire_hash{hash.low, hash.high};
+  const auto body = wire::CreateChunk(builder, kAnyRequest, &anywhere, 0, &wire_hash, kCodecVersion, bytes);
+  return protocol::finish_frame(builder, body);
+}
+
+std::uint32_t distance(const protocol::Frame& frame, const void* inside) {
+  return static_cast<std::uint32_t>(static_cast<const std::byte*>(inside) - frame.data());
+}
+
+}  // namespace
+
+EncodedChunk::EncodedChunk(ContentHash hash, std::span<const std::byte> payload)
+    : hash_{hash}, frame_{frame_of(hash, payload)} {
+  const auto& chunk = *flatbuffers::GetSizePrefixedRoot<wire::Message>(frame_.data())->body_as_Chunk();
+  id_at_ =
+      distance(frame_, reinterpret_cast<const flatbuffers::Table&>(chunk).GetAddressOf(wire::Chunk::VT_ID));
+  key_at_ = distance(frame_, chunk.key());
+}
+
+void EncodedChunk::append_frame(std::vector<std::byte>& output, std::uint32_t request_id,
+                                ChunkKey key) const {
+  output.insert(output.end(), frame_.begin(), frame_.end());
+  std::byte* const frame = &*(output.end() - static_cast<std::ptrdiff_t>(frame_.size()));
+  const wire::ChunkKey wire_key{key.coord.x, key.coord.y, key.coord.z,
+                                static_cast<std::uint8_t>(key.lod.value())};
+  const auto wire_id = flatbuffers::EndianScalar(request_id);
+  std::memcpy(frame + id_at_, &wire_id, sizeof(wire_id));
+  std::memcpy(frame + key_at_, &wire_key, sizeof(wire_key));
+}
+
+EncodedChunkPtr encode_shared(const Chunk& chunk) {
+  std::vector<std::byte> payload;
+  encode(chunk, payload);
+  return std::make_shared<const EncodedChunk>(content_hash(chunk), payload);
+}
+
+}  // namespace talus::server
