@@ -42,7 +42,9 @@ constexpr Place kPlaces[] = {
     {"upper end", kEnd - 2, kEnd - 2, 2, 0},
     {"lower end", -kEnd, -kEnd, 2, 0},
     {"level 1", -1, -1, 2, 1},
+    {"level 2", -1, -1, 2, 2},
     {"level 3", -1, -1, 2, 3},
+    {"level 4", -1, -1, 2, 4},
     {"level 6", -1, -1, 2, 6},
     {"level 6 upper end", (kEnd >> 6) - 2, (kEnd >> 6) - 2, 2, 6},
 };
