@@ -28,6 +28,11 @@ void Session::drop_from_view(const std::vector<ChunkKey>& keys) {
 }
 
 void Session::pump() {
+  take_up_work();
+  note_memory();
+}
+
+void Session::take_up_work() {
   refused_ = false;
   while (!closing() && !refused_ && has_room_for_chunk()) {
     if (const auto id = requests_.next_waiting()) {
@@ -54,7 +59,9 @@ void Session::start_request(std::uint32_t id) {
   } else if (Awaited* awaited = await(key)) {
     awaited->requests.push_back(id);
   } else {
-    refuse(id, wire::ErrorCode::overloaded, "too many chunks wait to be generated", kRetryAfterMs);
+    refuse(id, wire::ErrorCode::overloaded,
+           context_.chunks.memory().takes_work() ? "too many chunks wait to be generated" : kNoMemory,
+           kRetryAfterMs);
     requests_.erase(id);
   }
 }
@@ -174,8 +181,15 @@ void Session::heights_ready(std::uint64_t ticket, const HeightsAnswer& answer) {
   requests_.erase(id);
 }
 
-std::vector<protocol::Frame> Session::take_output(std::size_t enough_bytes) {
-  Outbox::Taken taken = outbox_.take(enough_bytes, credit_);
+Session::Clock::time_point Session::sendable_at(Clock::time_point now) {
+  if (outbox_.has_control()) return now;
+  if (!outbox_.sendable(credit_)) return Clock::time_point::max();
+  return rates_.chunks_due(now);
+}
+
+std::vector<protocol::Frame> Session::take_output(std::size_t enough_bytes, Clock::time_point now) {
+  Outbox::Taken taken = outbox_.take(enough_bytes, credit_, rates_.allowance(now));
+  rates_.sent(now, taken.chunks.size(), taken.bytes);
   context_.metrics.chunks_sent.add(taken.chunks.size());
   context_.metrics.chunk_bytes_sent.add(taken.chunk_bytes);
   for (const Outbox::Entry& entry : taken.chunks) {

@@ -26,7 +26,7 @@ bool Outbox::sendable(const Credit& credit) const {
   return !control_.empty() || (!chunks_.empty() && credit.may_send());
 }
 
-Outbox::Taken Outbox::take(std::size_t enough_bytes, Credit& credit) {
+Outbox::Taken Outbox::take(std::size_t enough_bytes, Credit& credit, ChunkAllowance allowance) {
   Taken taken;
   std::size_t bytes = 0;
   while (!control_.empty() && bytes < enough_bytes) {
@@ -35,7 +35,8 @@ Outbox::Taken Outbox::take(std::size_t enough_bytes, Credit& credit) {
     taken.frames.push_back(std::move(control_.front()));
     control_.pop_front();
   }
-  while (!chunks_.empty() && bytes < enough_bytes && credit.may_send()) {
+  while (!chunks_.empty() && bytes < enough_bytes && credit.may_send() &&
+         taken.chunks.size() < allowance.chunks && taken.chunk_bytes < allowance.bytes) {
     Entry entry = std::move(chunks_.front());
     chunks_.pop_front();
     chunk_bytes_ -= cost(*entry.chunk);
@@ -45,6 +46,7 @@ Outbox::Taken Outbox::take(std::size_t enough_bytes, Credit& credit) {
     taken.chunk_bytes += taken.frames.back().size();
     taken.chunks.push_back(std::move(entry));
   }
+  taken.bytes = bytes;
   return taken;
 }
 

@@ -15,6 +15,13 @@
 
 namespace talus::server {
 
+/// How much of the chunk lane may be taken, beside what the client's credit allows; the last chunk may pass
+/// `bytes`.
+struct ChunkAllowance {
+  std::size_t chunks = SIZE_MAX;
+  std::size_t bytes = SIZE_MAX;
+};
+
 class Outbox {
  public:
   /// A chunk that waits for credit.
@@ -29,6 +36,7 @@ class Outbox {
     std::vector<protocol::Frame> frames;
     std::vector<Entry> chunks;
     std::size_t chunk_bytes = 0;  // of their frames
+    std::size_t bytes = 0;        // of all frames
   };
 
   void push_control(protocol::Frame frame);
@@ -45,8 +53,9 @@ class Outbox {
   }
 
   [[nodiscard]] bool sendable(const Credit& credit) const;
+  [[nodiscard]] bool has_control() const { return !control_.empty(); }
   /// Takes frames until they have `enough_bytes` or nothing is sendable; the last may exceed it.
-  [[nodiscard]] Taken take(std::size_t enough_bytes, Credit& credit);
+  [[nodiscard]] Taken take(std::size_t enough_bytes, Credit& credit, ChunkAllowance allowance = {});
 
   [[nodiscard]] std::size_t control_bytes() const { return control_bytes_; }
   /// Bytes of the chunks that wait, as if nobody else held them.

@@ -15,6 +15,7 @@ usage: tests/load/run.sh [SCENARIO...]
   idle     10,000 idle connections, and 20 new players among them
   greedy   100 walkers without and with one greedy client
   slow     100 walkers without and with four readers at 64 kbit/s
+  pong     how long a Pong waits behind a View, on links of several speeds
   churn    joining, jumping and being cut off, CHURN_SECONDS long (1800 unless told otherwise)
 
 All of them unless told otherwise. BUILD=DIR: the build to take the programs from (build/release).
@@ -24,6 +25,7 @@ USAGE
 build="${BUILD:-build/release}"
 talusd="$build/server/talusd"
 talus_load="$build/client_sample/load/talus-load"
+talus_pong="$build/tests/load/talus-pong"
 out=out/load
 pid=""
 
@@ -48,6 +50,10 @@ start() {
   done
 }
 
+# What a closed loop of requests needs, or a thousand players from one address.
+no_session_rates=(TALUS_RATES_SESSION_CHUNKS=0 TALUS_RATES_SESSION_BYTES=0 TALUS_RATES_SESSION_REQUESTS=0)
+no_address_rates=(TALUS_RATES_ADDRESS_CHUNKS=0 TALUS_RATES_ADDRESS_BYTES=0 TALUS_RATES_ADDRESS_REQUESTS=0)
+
 # load NAME ARGUMENT...: prints the command without what is always there, then what it printed.
 load() {
   local name="$1"
@@ -66,7 +72,7 @@ join() {
 
 hot() {
   local clients=(--players 64 --in-flight 16 --verify 0)
-  start
+  start "${no_session_rates[@]}" "${no_address_rates[@]}"
   load hot-warm-up "${clients[@]}" --duration 2
   load hot "${clients[@]}" --duration 10
   if command -v redis-server redis-benchmark >/dev/null; then redis; else echo "redis-server is not installed: no reference"; fi
@@ -94,13 +100,13 @@ redis() {
 }
 
 groups() {
-  start
+  start "${no_address_rates[@]}"
   load groups --players 1000 --groups 50 --model fly --speed 20 --radius 8 --ramp-up 30 --warm-up 10 --duration 60 --verify 0.2 \
     --fail-if 'p99_ms>50' --fail-if 'late_over_one_step>0' --fail-if 'wrong>0'
 }
 
 alone() {
-  start
+  start "${no_address_rates[@]}"
   load alone --players 300 --model fly --speed 20 --radius 8 --ramp-up 60 --warm-up 10 --duration 60 --verify 0.2 \
     --fail-if 'p99_ms>50' --fail-if 'late_over_one_step>0' --fail-if 'wrong>0'
 }
@@ -127,14 +133,23 @@ slow() {
   load slow "${walkers[@]}" --slow 4 --slow-rate 64 --compare "$out/walkers.json" --fail-if 'wrong>0'
 }
 
+pong() {
+  start
+  local kilobits
+  for kilobits in 1000 10000 0; do
+    printf '\n== pong: talus-pong PORT %s 24\n' "$kilobits"
+    "$talus_pong" "${address##*:}" "$kilobits" 24
+  done
+}
+
 churn() {
-  start TALUS_CACHE_CHUNK_BYTES=33554432 TALUS_CACHE_PATCH_BYTES=33554432  # full before the measured time begins
+  start "${no_address_rates[@]}" TALUS_CACHE_CHUNK_BYTES=33554432 TALUS_CACHE_PATCH_BYTES=33554432  # full before the measured time begins
   load churn --players 100 --model walk=50,fly=25,teleport=25 --groups 20 --churn 10 --radius 6 --ramp-up 10 --warm-up 60 \
     --duration "${CHURN_SECONDS:-1800}" --verify 5 \
     --fail-if 'wrong>0' --fail-if 'errors>0' --fail-if 'files_left>0' --fail-if 'resident_growth_percent>5'
 }
 
-scenarios=(join hot groups alone idle greedy slow churn)
+scenarios=(join hot groups alone idle greedy slow pong churn)
 for scenario in "$@"; do
   [[ " ${scenarios[*]} " == *" $scenario "* ]] || { usage >&2; exit 2; }
 done

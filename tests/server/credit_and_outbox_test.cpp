@@ -97,3 +97,16 @@ TEST_CASE("an emptied outbox counts no bytes, however it was emptied") {
     RC_ASSERT(outbox.chunk_bytes() == 0);
   }));
 }
+
+TEST_CASE("an allowance bounds the chunks that are taken, and no control frame") {
+  Outbox outbox;
+  Credit credit{kAll};
+  outbox.push_control(protocol::Frame(10));
+  for (std::uint32_t id = 1; id <= 5; ++id) outbox.push_chunk(entry(id, 100));
+  CHECK(outbox.take(kAll, credit, {0, kAll}).frames.size() == 1);
+  CHECK(outbox.take(kAll, credit, {2, kAll}).chunks.size() == 2);
+  CHECK(outbox.take(kAll, credit, {kAll, 0}).chunks.empty());
+  const auto one = outbox.take(kAll, credit, {kAll, 1});
+  CHECK(one.chunks.size() == 1);
+  CHECK(one.bytes == one.frames[0].size());
+}
