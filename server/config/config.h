@@ -43,13 +43,13 @@ struct Limits {
 
 /// A second, of one session and of all sessions of one address; 0: no limit.
 struct Rates {
-  std::uint64_t session_chunks = 4096;
-  std::uint64_t session_bytes = 4U << 20;
-  std::uint64_t session_requests = 8192;
-  std::uint64_t address_chunks = 32'768;
-  std::uint64_t address_bytes = 32U << 20;
-  std::uint64_t address_requests = 65'536;
-  std::uint64_t burst_ms = 16'000;
+  std::uint64_t session_chunks = 1024;
+  std::uint64_t session_bytes = 2U << 20;
+  std::uint64_t session_requests = 2048;
+  std::uint64_t address_chunks = 8192;
+  std::uint64_t address_bytes = 16U << 20;
+  std::uint64_t address_requests = 16'384;
+  std::uint64_t burst_ms = 32'000;
   bool operator==(const Rates&) const = default;
 };
 

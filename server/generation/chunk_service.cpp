@@ -8,6 +8,8 @@
 #include <exception>
 #include <utility>
 
+#include "metrics/thread_time.h"
+
 namespace talus::server {
 namespace {
 
@@ -38,23 +40,22 @@ void give_way() {
   ::setpriority(PRIO_PROCESS, static_cast<id_t>(::gettid()), kNiceness);  // of this thread alone, on Linux
 }
 
-/// Counts one piece of work and the time from here to the end of the block.
+/// Counts a piece of work and the thread's time from here to the end of the block.
 class Timed {
  public:
   Timed(Counter& pieces, Counter& ns, std::size_t count = 1) : pieces_{pieces}, ns_{ns}, count_{count} {}
   ~Timed() {
-    ns_.add(static_cast<std::uint64_t>((Clock::now() - began_).count()));
+    ns_.add(static_cast<std::uint64_t>((thread_time() - began_).count()));
     pieces_.add(count_);
   }
   Timed(const Timed&) = delete;
   Timed& operator=(const Timed&) = delete;
 
  private:
-  using Clock = std::chrono::steady_clock;
   Counter& pieces_;
   Counter& ns_;
   std::size_t count_;
-  Clock::time_point began_ = Clock::now();
+  std::chrono::nanoseconds began_ = thread_time();
 };
 
 }  // namespace
@@ -163,9 +164,9 @@ void ChunkService::work() {
       continue;
     }
     lock.unlock();
-    const auto began = std::chrono::steady_clock::now();
+    const auto began = thread_time();
     std::visit([this](const auto& piece) { run(piece); }, work->what);
-    const auto took = std::chrono::steady_clock::now() - began;
+    const auto took = thread_time() - began;
     const auto* batch = std::get_if<WorkQueue::Batch>(&work->what);
     lock.lock();
     queue_.settle(*work, static_cast<std::uint64_t>(took.count()));

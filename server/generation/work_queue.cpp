@@ -125,11 +125,13 @@ void WorkQueue::end_turn() {
   turns_.pop_front();
   const auto client = clients_.find(id);
   client->second.in_turn = false;
-  if (client->second.idle() && client->second.balance >= 0) {
+  const bool faded = client->second.idle() && client->second.balance >= 0;
+  if (faded && std::exchange(client->second.fading, true)) {
     clients_.erase(client);
-  } else {
-    turns_.push_back(id);
+    return;
   }
+  client->second.fading = faded;
+  turns_.push_back(id);
 }
 
 // Where nobody waits, nobody is owed anything.
@@ -164,7 +166,7 @@ void WorkQueue::release(const PatchKey& patch) {
 WorkQueue::Client& WorkQueue::enter(const ChunkClientPtr& client) {
   const auto [found, added] = clients_.try_emplace(client.get());
   Client& state = found->second;
-  if (added) turns_.push_back(client.get());
+  if (added) turns_.push_front(client.get());
   // What another owed who was in the same place of memory is not this one's debt.
   if (state.self.expired()) state.balance = 0;
   state.self = client;

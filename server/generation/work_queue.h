@@ -6,8 +6,10 @@
 // Clients take turns by deficit round robin (Shreedhar and Varghese, 1995). A turn brings a client as much
 // as a new patch costs; it spends that on patches and heights of its own, in the order in which it asked,
 // until nothing is left. The last piece may overdraw, which its next turns pay off, also if it has left
-// meanwhile. So clients get equal time of the generators, whatever they ask for. Who else waits for chunks of
-// the patch gets them with it, for nothing: a job is done in the turn of the waiter whose turn comes first.
+// meanwhile. Who had nothing waiting goes first, once in a round (as flows in FQ-CoDel, RFC 8290): a walker's
+// few chunks do not wait for those who always want more. So clients get equal time of the generators,
+// whatever they ask for. Who else waits for chunks of the patch gets them with it, for nothing: a job is done
+// in the turn of the waiter whose turn comes first.
 #pragma once
 
 #include <cstddef>
@@ -86,7 +88,8 @@ class WorkQueue {
     std::weak_ptr<ChunkClient> self;
     std::int64_t balance = 0;  // what it may spend; negative: what it owes
     bool in_turn = false;
-    std::deque<PatchKey> order;                        // exactly the keys of `jobs`
+    bool fading = false;         // had nothing waiting when its turn ended; forgotten if so again
+    std::deque<PatchKey> order;  // exactly the keys of `jobs`
     std::unordered_map<PatchKey, std::uint32_t> jobs;  // waiting ones, a patch
     std::deque<HeightsTask> heights;
     [[nodiscard]] bool idle() const { return order.empty() && heights.empty(); }

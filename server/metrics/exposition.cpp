@@ -127,7 +127,7 @@ void add_generation(const Metrics& metrics, const Depths& depths, Page& page) {
   page.counter("talus_patches_generated_total", "Patches of terrain generated.", metrics.patches_made);
   page.counter("talus_chunks_generated_total", "Chunks cut and encoded.", metrics.chunks_made);
   page.counters(
-      "talus_generation_seconds_total", "Wall time of generator threads, by what they did.",
+      "talus_generation_seconds_total", "CPU time of generator threads, by what they did.",
       {{{{"stage", "patch"}}, static_cast<double>(metrics.patch_ns.total()) * kSecondsInNanosecond},
        {{{"stage", "chunk"}}, static_cast<double>(metrics.chunk_ns.total()) * kSecondsInNanosecond},
        {{{"stage", "heights"}}, static_cast<double>(metrics.heights_ns.total()) * kSecondsInNanosecond}});

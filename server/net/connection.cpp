@@ -3,7 +3,6 @@
 #include <netinet/in.h>
 #include <netinet/tcp.h>
 #include <sys/socket.h>
-#include <time.h>
 
 #include <algorithm>
 #include <exception>
@@ -20,6 +19,7 @@
 #include <asio/write.hpp>
 
 #include "log/escape.h"
+#include "metrics/thread_time.h"
 
 namespace talus::server {
 namespace {
@@ -40,13 +40,6 @@ void tune(asio::ip::tcp::socket& socket) {
   // What the kernel holds cannot be overtaken, so it holds little and the outbox decides late.
   ::setsockopt(socket.native_handle(), IPPROTO_TCP, TCP_NOTSENT_LOWAT, &kUnsentLowWaterBytes,
                sizeof(kUnsentLowWaterBytes));
-}
-
-/// What this thread has had of a core: what others took of it meanwhile does not count.
-std::chrono::nanoseconds thread_time() {
-  timespec spent{};
-  ::clock_gettime(CLOCK_THREAD_CPUTIME_ID, &spent);
-  return std::chrono::seconds{spent.tv_sec} + std::chrono::nanoseconds{spent.tv_nsec};
 }
 
 /// One piece of memory for one call of the system: it takes few pieces at a time, and most frames are small.

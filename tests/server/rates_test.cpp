@@ -231,7 +231,9 @@ TEST_CASE("a burst is what the rate earns in its time, and never nothing") {
   CHECK_FALSE(limits.address.bytes.limited());
 }
 
-TEST_CASE("the default burst holds a whole View of the largest size, and its frames") {
+TEST_CASE("the default burst holds the mixed chunks of a View of the largest radius") {
   const Config config;
-  CHECK(rate_limits(config.rates).session.chunks.burst >= config.limits.view_chunks);
+  const std::uint64_t columns =
+      (2 * config.limits.view_horizontal_radius + 1) * (2 * config.limits.view_horizontal_radius + 1);
+  CHECK(rate_limits(config.rates).session.chunks.burst >= 3 * columns);
 }
