@@ -20,6 +20,8 @@ class ChunkCache {
   [[nodiscard]] bool holds(ChunkKey key) { return chunks_.holds(key); }
   void put(ChunkKey key, EncodedChunkPtr chunk);
 
+  /// Forgets at once what is too much.
+  void set_capacity(std::size_t capacity_bytes) { chunks_.set_capacity(capacity_bytes); }
   /// Bytes held now, overhead included; never more than the capacity.
   [[nodiscard]] std::size_t bytes() const { return chunks_.bytes(); }
 

@@ -55,7 +55,7 @@ class ClockCache {
     if (const std::size_t at = place_of(key); at != kNowhere) drop(at);
     const std::size_t cost = value_bytes + kEntryOverheadBytes;
     if (cost > capacity_bytes_) return;
-    while (bytes_ + cost > capacity_bytes_) drop_unused();
+    shrink_to(capacity_bytes_ - cost);
     std::uint32_t slot = static_cast<std::uint32_t>(slots_.size());
     if (vacant_.empty()) {
       slots_.emplace_back();
@@ -68,6 +68,12 @@ class ClockCache {
     ++size_;
     if (4 * size_ > 3 * places_.size()) grow();
     settle({tag_of(key), slot});
+  }
+
+  /// Forgets at once what is too much.
+  void set_capacity(std::size_t capacity_bytes) {
+    capacity_bytes_ = capacity_bytes;
+    shrink_to(capacity_bytes);
   }
 
   [[nodiscard]] std::size_t bytes() const { return bytes_; }
@@ -104,12 +110,12 @@ class ClockCache {
     }
   }
 
-  void drop_unused() {
-    for (bool dropped = false; !dropped; hand_ = (hand_ + 1) % slots_.size()) {
+  void shrink_to(std::size_t bytes) {
+    while (bytes_ > bytes) {
       Slot& slot = slots_[hand_];
-      dropped = slot.cost > 0 && !slot.used;
+      if (slot.cost > 0 && !slot.used) drop(place_of(slot.key));
       slot.used = false;
-      if (dropped) drop(place_of(slot.key));
+      hand_ = (hand_ + 1) % slots_.size();
     }
   }
 

@@ -37,16 +37,16 @@ class Lru {
     erase(key);
     const std::size_t cost = value_bytes + kEntryOverheadBytes;
     if (cost > capacity_bytes_) return;
-    while (bytes_ + cost > capacity_bytes_) {
-      Entry& last = entries_.back();
-      by_key_.erase(last.key);
-      bytes_ -= last.cost;
-      dropped(last.key, std::move(last.value));
-      entries_.pop_back();
-    }
+    shrink_to(capacity_bytes_ - cost, dropped);
     entries_.push_front({key, std::move(value), cost});
     by_key_.emplace(key, entries_.begin());
     bytes_ += cost;
+  }
+
+  /// Forgets at once what is too much.
+  void set_capacity(std::size_t capacity_bytes) {
+    capacity_bytes_ = capacity_bytes;
+    shrink_to(capacity_bytes, [](const Key&, Value&&) {});
   }
 
   /// Not a use.
@@ -61,6 +61,17 @@ class Lru {
     Value value;
     std::size_t cost;
   };
+
+  template <typename Dropped>
+  void shrink_to(std::size_t bytes, Dropped&& dropped) {
+    while (bytes_ > bytes) {
+      Entry& last = entries_.back();
+      by_key_.erase(last.key);
+      bytes_ -= last.cost;
+      dropped(last.key, std::move(last.value));
+      entries_.pop_back();
+    }
+  }
 
   void erase(const Key& key) {
     const auto found = by_key_.find(key);

@@ -12,6 +12,11 @@ StacksPtr PatchCache::find(const PatchKey& key) {
   return stacks == nullptr ? nullptr : *stacks;
 }
 
+bool PatchCache::holds(const PatchKey& key) const {
+  const std::lock_guard lock{mutex_};
+  return patches_.holds(key);
+}
+
 DroppedPatches PatchCache::put(const PatchKey& key, StacksPtr stacks) {
   const std::size_t bytes = stacks->bytes();
   DroppedPatches dropped;
@@ -19,6 +24,11 @@ DroppedPatches PatchCache::put(const PatchKey& key, StacksPtr stacks) {
   patches_.put(key, std::move(stacks), bytes,
                [&](const PatchKey& old, StacksPtr&& gone) { dropped.emplace_back(old, std::move(gone)); });
   return dropped;
+}
+
+void PatchCache::set_capacity(std::size_t capacity_bytes) {
+  const std::lock_guard lock{mutex_};
+  patches_.set_capacity(capacity_bytes);
 }
 
 std::size_t PatchCache::bytes() const {

@@ -24,8 +24,12 @@ class PatchCache {
 
   /// Null where the patch is not held.
   [[nodiscard]] StacksPtr find(const PatchKey& key);
+  /// Not a use.
+  [[nodiscard]] bool holds(const PatchKey& key) const;
   /// Returns the patches that had to make room.
   [[nodiscard]] DroppedPatches put(const PatchKey& key, StacksPtr stacks);
+  /// Forgets at once what is too much.
+  void set_capacity(std::size_t capacity_bytes);
   [[nodiscard]] std::size_t bytes() const;
 
  private:

@@ -42,6 +42,14 @@ class ShardedCache {
     shard.values.put(key, std::move(value), value_bytes);
   }
 
+  /// Forgets at once what is too much.
+  void set_capacity(std::size_t capacity_bytes) {
+    for (Shard& shard : shards_) {
+      const std::lock_guard lock{shard.mutex};
+      shard.values.set_capacity(capacity_bytes / kShards);
+    }
+  }
+
   /// Bytes held now, overhead included; never more than the capacity.
   [[nodiscard]] std::size_t bytes() const {
     std::size_t sum = 0;

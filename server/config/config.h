@@ -37,7 +37,20 @@ struct Limits {
   std::uint64_t view_horizontal_radius = 48;
   std::uint64_t view_vertical_radius = 16;
   std::uint64_t view_chunks = 65'536;
+  std::uint64_t memory_bytes = 2U << 30;  // 0: no limit
   bool operator==(const Limits&) const = default;
+};
+
+/// A second, of one session and of all sessions of one address; 0: no limit.
+struct Rates {
+  std::uint64_t session_chunks = 1024;
+  std::uint64_t session_bytes = 2U << 20;
+  std::uint64_t session_requests = 2048;
+  std::uint64_t address_chunks = 8192;
+  std::uint64_t address_bytes = 16U << 20;
+  std::uint64_t address_requests = 16'384;
+  std::uint64_t burst_ms = 32'000;
+  bool operator==(const Rates&) const = default;
 };
 
 struct Cache {
@@ -71,6 +84,7 @@ struct Config {
   std::filesystem::path world;  // empty: the world built into the program
   Threads threads;
   Limits limits;
+  Rates rates;
   Cache cache;
   Generation generation;
   Shutdown shutdown;

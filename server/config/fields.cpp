@@ -14,6 +14,7 @@ namespace {
 
 constexpr std::uint64_t kMebibyte = 1U << 20;
 constexpr std::uint64_t kDayMs = 86'400'000;
+constexpr std::uint64_t kMostPerSecond = 0xFFFF'FFFF;  // rates/token_bucket.h
 
 constexpr std::array<std::string_view, 2> kLogFormats{"text", "json"};
 constexpr std::array<std::string_view, 6> kLevels{"trace", "debug", "info", "warning", "error", "off"};
@@ -81,6 +82,25 @@ const std::array kFields{
           number<&Config::limits, &Limits::view_vertical_radius>(0, 512)},
     Field{"limits.view_chunks", "chunks", "of all levels in one View",
           number<&Config::limits, &Limits::view_chunks>(1, 4'194'304)},
+    Field{"limits.memory_bytes", "bytes",
+          "of memory in all: near it caches shrink, then new work and connections are refused; 0: no limit",
+          number<&Config::limits, &Limits::memory_bytes>(0, 1024 * 1024 * kMebibyte)},
+
+    Field{"rates.session_chunks", "chunks a second", "sent to one session; 0: no limit",
+          number<&Config::rates, &Rates::session_chunks>(0, kMostPerSecond)},
+    Field{"rates.session_bytes", "bytes a second", "sent to one session; chunks wait for it; 0: no limit",
+          number<&Config::rates, &Rates::session_bytes>(0, kMostPerSecond)},
+    Field{"rates.session_requests", "requests a second",
+          "of one session; those beyond are refused; 0: no limit",
+          number<&Config::rates, &Rates::session_requests>(0, kMostPerSecond)},
+    Field{"rates.address_chunks", "chunks a second", "sent to all sessions of one address; 0: no limit",
+          number<&Config::rates, &Rates::address_chunks>(0, kMostPerSecond)},
+    Field{"rates.address_bytes", "bytes a second", "sent to all sessions of one address; 0: no limit",
+          number<&Config::rates, &Rates::address_bytes>(0, kMostPerSecond)},
+    Field{"rates.address_requests", "requests a second", "of all sessions of one address; 0: no limit",
+          number<&Config::rates, &Rates::address_requests>(0, kMostPerSecond)},
+    Field{"rates.burst_ms", "ms", "of each rate, saved up for when more is wanted at once",
+          number<&Config::rates, &Rates::burst_ms>(1, 600'000)},
 
     Field{"cache.chunk_bytes", "bytes", "of encoded chunks kept in memory",
           number<&Config::cache, &Cache::chunk_bytes>(kMebibyte, 1024 * 1024 * kMebibyte)},

@@ -8,6 +8,8 @@
 #include <exception>
 #include <utility>
 
+#include "metrics/thread_time.h"
+
 namespace talus::server {
 namespace {
 
@@ -16,6 +18,17 @@ constexpr std::size_t kShareOfRows = 16;
 
 // Of a column, when its patch is dropped.
 constexpr std::int32_t kMostKeptRows = 8;
+
+// A job with its place in each map, one waiter.
+constexpr std::size_t kJobBytes = 384;
+
+// A generator at work, in the bytes of what it makes: fields of a patch and its halo, and the patch itself.
+constexpr std::size_t kPatchesAtWork = 3;
+
+// What work costs before any was measured.
+constexpr std::uint64_t kFirstPatchNs = 2'000'000;
+constexpr std::uint64_t kFirstChunkNs = 20'000;
+constexpr std::uint64_t kFirstHeightNs = 500;
 
 ChunkKey column_of(ChunkKey key) {
   return {{key.coord.x, 0, key.coord.z}, key.lod};
@@ -27,18 +40,22 @@ void give_way() {
   ::setpriority(PRIO_PROCESS, static_cast<id_t>(::gettid()), kNiceness);  // of this thread alone, on Linux
 }
 
-/// Counts one piece of work and the time from here to the end of the block.
+/// Counts a piece of work and the thread's time from here to the end of the block.
 class Timed {
  public:
-  Timed(Counter& pieces, Counter& ns) : ns_{ns} { pieces.add(); }
-  ~Timed() { ns_.add(static_cast<std::uint64_t>((Clock::now() - began_).count())); }
+  Timed(Counter& pieces, Counter& ns, std::size_t count = 1) : pieces_{pieces}, ns_{ns}, count_{count} {}
+  ~Timed() {
+    ns_.add(static_cast<std::uint64_t>((thread_time() - began_).count()));
+    pieces_.add(count_);
+  }
   Timed(const Timed&) = delete;
   Timed& operator=(const Timed&) = delete;
 
  private:
-  using Clock = std::chrono::steady_clock;
+  Counter& pieces_;
   Counter& ns_;
-  Clock::time_point began_ = Clock::now();
+  std::size_t count_;
+  std::chrono::nanoseconds began_ = thread_time();
 };
 
 }  // namespace
@@ -48,7 +65,9 @@ ChunkService::ChunkService(std::unique_ptr<const Generator> generator, const Ser
     : generator_{std::move(generator)},
       log_{std::move(log)},
       metrics_{metrics},
-      patch_tiles_{settings.patch_tiles},
+      settings_{settings},
+      memory_{settings.memory_bytes},
+      fitted_bytes_{settings.chunk_cache_bytes + settings.patch_cache_bytes},
       chunks_{settings.chunk_cache_bytes},
       patches_{settings.patch_cache_bytes},
       rows_{settings.chunk_cache_bytes / kShareOfRows},
@@ -89,10 +108,12 @@ ChunkService::Submission ChunkService::submit(const ChunkClientPtr& client, Chun
     const std::lock_guard lock{mutex_};
     // A job puts its chunk in the cache before it ends, so a chunk is in one of both from its first job on.
     if (!queue_.has_job(key)) finished = chunks_.find(key);
-    if (finished == nullptr && !queue_.add(client, key)) {
+    const bool room = queue_.has_job(key) || memory_.takes_work();
+    if (finished == nullptr && (!room || !queue_.add(client, key))) {
       metrics_.jobs_refused.add();
       return Submission::refused;
     }
+    note_jobs();
   }
   if (finished != nullptr) {
     client->chunk_ready(key, std::move(finished));
@@ -107,6 +128,7 @@ void ChunkService::cancel(const ChunkClient& client, ChunkKey key) {
   const std::size_t jobs = queue_.jobs();
   queue_.cancel(client, key);
   if (queue_.jobs() < jobs) metrics_.jobs_cancelled.add();
+  note_jobs();
 }
 
 void ChunkService::submit_heights(HeightsTask task) {
@@ -136,20 +158,66 @@ void ChunkService::work() {
   give_way();
   std::unique_lock lock{mutex_};
   while (!stopping_) {
-    auto work = queue_.take();
+    auto work = queue_.take(prices());
     if (!work) {
       work_waits_.wait(lock);
       continue;
     }
     lock.unlock();
-    std::visit([this](const auto& piece) { run(piece); }, *work);
-    const auto* batch = std::get_if<WorkQueue::Batch>(&*work);
+    const auto began = thread_time();
+    std::visit([this](const auto& piece) { run(piece); }, work->what);
+    const auto took = thread_time() - began;
+    const auto* batch = std::get_if<WorkQueue::Batch>(&work->what);
     lock.lock();
+    queue_.settle(*work, static_cast<std::uint64_t>(took.count()));
+    note_jobs();
     if (batch == nullptr) continue;
     queue_.release(batch->patch);
     // Jobs that came for this patch meanwhile could not be begun until now.
     work_waits_.notify_one();
   }
+}
+
+WorkPrices ChunkService::prices() const {
+  const auto mean = [](const Counter& ns, const Counter& pieces, std::uint64_t first) {
+    const std::uint64_t count = pieces.total();
+    return count == 0 ? first : std::max<std::uint64_t>(1, ns.total() / count);
+  };
+  return {mean(metrics_.patch_ns, metrics_.patches_made, kFirstPatchNs),
+          mean(metrics_.chunk_ns, metrics_.chunks_made, kFirstChunkNs),
+          mean(metrics_.heights_ns, metrics_.heights_made, kFirstHeightNs),
+          [this](const PatchKey& patch) { return patches_.holds(patch); }};
+}
+
+void ChunkService::note_jobs() {
+  memory_.set(MemoryUse::jobs, queue_.jobs() * kJobBytes);
+}
+
+void ChunkService::note_patch(std::size_t bytes) {
+  std::size_t largest = largest_patch_bytes_.load();
+  while (bytes > largest && !largest_patch_bytes_.compare_exchange_weak(largest, bytes)) {
+  }
+  memory_.set(MemoryUse::generators, settings_.threads * kPatchesAtWork * std::max(bytes, largest));
+}
+
+void ChunkService::fit_caches() {
+  const std::unique_lock lock{fitting_, std::try_to_lock};
+  if (!lock) return;  // somebody is at it
+  const std::uint64_t wanted = settings_.chunk_cache_bytes + settings_.patch_cache_bytes;
+  const std::uint64_t allowed = memory_.for_caches(wanted);
+  const std::uint64_t apart = allowed > fitted_bytes_ ? allowed - fitted_bytes_ : fitted_bytes_ - allowed;
+  if (apart > wanted / 256 || (allowed == wanted && apart > 0)) {
+    const auto part = [&](std::size_t bytes) {
+      return static_cast<std::size_t>(static_cast<double>(bytes) * static_cast<double>(allowed) /
+                                      static_cast<double>(wanted));
+    };
+    chunks_.set_capacity(part(settings_.chunk_cache_bytes - settings_.chunk_cache_bytes / kShareOfRows));
+    rows_.set_capacity(part(settings_.chunk_cache_bytes / kShareOfRows));
+    patches_.set_capacity(part(settings_.patch_cache_bytes));
+    fitted_bytes_ = allowed;
+  }
+  memory_.set(MemoryUse::chunk_cache, chunks_.bytes() + rows_.bytes());
+  memory_.set(MemoryUse::patch_cache, patches_.bytes());
 }
 
 void ChunkService::run(const WorkQueue::Batch& batch) {
@@ -196,6 +264,7 @@ void ChunkService::run(const HeightsTask& task) {
 
 HeightsAnswer ChunkService::make_heights(const HeightsTask& task) {
   try {
+    const Timed timed{metrics_.heights_made, metrics_.heights_ns, task.columns.size()};
     return generator_->heights(task.columns);
   } catch (const std::exception& error) {
     log_->error("heights of {} columns failed: {}", task.columns.size(), error.what());
@@ -208,6 +277,7 @@ StacksPtr ChunkService::stacks_of(const PatchKey& patch, DroppedPatches& dropped
   if (stacks != nullptr) return stacks;
   try {
     stacks = make_patch(patch);
+    note_patch(stacks->bytes());
     note_rows(patch, *stacks);
     dropped = patches_.put(patch, stacks);
   } catch (const std::exception& error) {
@@ -240,9 +310,10 @@ void ChunkService::note_rows(const PatchKey& patch, const terrain::Stacks& stack
 
 template <typename Visit>
 void ChunkService::for_each_column(const PatchKey& patch, Visit&& visit) const {
-  for (int z = 0; z < patch_tiles_; ++z) {
-    for (int x = 0; x < patch_tiles_; ++x) {
-      visit(ChunkKey{{patch.x * patch_tiles_ + x, 0, patch.z * patch_tiles_ + z}, patch.lod});
+  for (int z = 0; z < settings_.patch_tiles; ++z) {
+    for (int x = 0; x < settings_.patch_tiles; ++x) {
+      visit(
+          ChunkKey{{patch.x * settings_.patch_tiles + x, 0, patch.z * settings_.patch_tiles + z}, patch.lod});
     }
   }
 }

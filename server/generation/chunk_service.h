@@ -4,8 +4,10 @@
 // Otherwise a client waits for a job; the answer comes through its ChunkClient, on a generator thread.
 #pragma once
 
+#include <atomic>
 #include <condition_variable>
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <mutex>
 #include <thread>
@@ -17,6 +19,7 @@
 #include "generation/generator.h"
 #include "generation/work_queue.h"
 #include "log/logger.h"
+#include "memory/memory_budget.h"
 #include "metrics/metrics.h"
 
 namespace talus::server {
@@ -27,6 +30,7 @@ struct ServiceSettings {
   std::size_t queue_chunks = 0;
   std::size_t chunk_cache_bytes = 0;
   std::size_t patch_cache_bytes = 0;
+  std::uint64_t memory_bytes = 0;  // of everything; 0: no limit
 };
 
 class ChunkService {
@@ -55,6 +59,12 @@ class ChunkService {
   void submit_heights(HeightsTask task);
   void cancel_heights(const ChunkClient& client, std::uint64_t ticket);
 
+  /// The whole server's. New jobs are refused where it takes no work.
+  [[nodiscard]] MemoryBudget& memory() { return memory_; }
+  /// Makes the caches as large as the budget now allows. Call it now and then: they shrink before anything is
+  /// refused.
+  void fit_caches();
+
   struct Status {
     std::size_t jobs = 0;
     std::size_t clients = 0;  // who wait for something
@@ -67,6 +77,10 @@ class ChunkService {
   void work();
   void run(const WorkQueue::Batch& batch);
   void run(const HeightsTask& task);
+  /// Means of what was measured so far.
+  [[nodiscard]] WorkPrices prices() const;
+  void note_jobs();
+  void note_patch(std::size_t bytes);
   /// Makes the chunks of a patch that is being dropped: they are a fiftieth of its size, and who looks at one
   /// of its columns mostly comes to look at the others.
   void keep_chunks(const PatchKey& patch, const terrain::Stacks& stacks);
@@ -82,7 +96,11 @@ class ChunkService {
   std::unique_ptr<const Generator> generator_;
   Logger log_;
   Metrics& metrics_;
-  const int patch_tiles_;
+  const ServiceSettings settings_;
+  MemoryBudget memory_;
+  std::mutex fitting_;
+  std::uint64_t fitted_bytes_ = 0;
+  std::atomic<std::size_t> largest_patch_bytes_{0};
   ChunkCache chunks_;
   PatchCache patches_;
   ShardedCache<ChunkKey, terrain::MixedRange> rows_;  // of columns, by their chunk at y = 0

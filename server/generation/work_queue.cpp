@@ -20,14 +20,14 @@ bool WorkQueue::add(const ChunkClientPtr& client, ChunkKey key) {
   if (std::find(job.waiters.begin(), job.waiters.end(), client) != job.waiters.end()) return true;
   job.waiters.push_back(client);
   if (!job.taken) {
-    Client& state = enter(*client);
+    Client& state = enter(client);
     if (++state.jobs[job.patch] == 1) state.order.push_back(job.patch);
   }
   return true;
 }
 
 void WorkQueue::add(HeightsTask task) {
-  enter(*task.client).heights.push_back(std::move(task));
+  enter(task.client).heights.push_back(std::move(task));
 }
 
 void WorkQueue::cancel(const ChunkClient& client, ChunkKey key) {
@@ -57,28 +57,93 @@ void WorkQueue::cancel_heights(const ChunkClient& client, std::uint64_t ticket) 
   const auto task = std::find_if(heights.begin(), heights.end(),
                                  [&](const HeightsTask& each) { return each.ticket == ticket; });
   if (task == heights.end()) return;
-  const ChunkClientPtr alive = task->client;
   heights.erase(task);
-  leave_if_idle(client);
 }
 
-std::optional<WorkQueue::Work> WorkQueue::take() {
-  for (std::size_t turn = 0; turn < turns_.size(); ++turn) {
-    const ChunkClient* const id = turns_.front();
-    turns_.pop_front();
-    turns_.push_back(id);
-    Client& client = clients_.at(id);
-    if (!client.heights.empty()) {
-      HeightsTask task = std::move(client.heights.front());
-      client.heights.pop_front();
-      leave_if_idle(*id);
-      return Work{std::move(task)};
+std::optional<WorkQueue::Work> WorkQueue::take(const WorkPrices& prices) {
+  const auto quantum = static_cast<std::int64_t>(prices.patch);
+  for (;;) {
+    std::optional<std::int64_t> least_debt;  // of those who could begin something
+    for (std::size_t turn = turns_.size(); turn > 0; --turn) {
+      Client& client = clients_.at(turns_.front());
+      if (!std::exchange(client.in_turn, true)) {
+        client.balance = std::min(client.balance + quantum, quantum);
+      }
+      if (client.balance > 0) {
+        if (auto work = take_of(client, prices)) return work;
+      } else if (may_begin(client)) {
+        least_debt = std::min(least_debt.value_or(-client.balance), -client.balance);
+      }
+      end_turn();
     }
-    const auto free = std::find_if(client.order.begin(), client.order.end(),
-                                   [&](const PatchKey& patch) { return !patches_.at(patch).taken; });
-    if (free != client.order.end()) return Work{take_patch(PatchKey{*free})};
+    if (!least_debt) {
+      forget_idle();
+      return std::nullopt;
+    }
+    // All who could go on owe something: so many rounds would pass before the first may.
+    for (auto& [id, client] : clients_) client.balance += *least_debt / quantum * quantum;
   }
-  return std::nullopt;
+}
+
+void WorkQueue::settle(const Work& work, std::uint64_t cost) {
+  const auto found = clients_.find(work.client.get());
+  if (found == clients_.end()) return;
+  found->second.balance += static_cast<std::int64_t>(work.price) - static_cast<std::int64_t>(cost);
+}
+
+std::optional<WorkQueue::Work> WorkQueue::take_of(Client& client, const WorkPrices& prices) {
+  const ChunkClientPtr self = client.self.lock();
+  Work work{{}, self, 0};
+  if (!client.heights.empty()) {
+    HeightsTask task = std::move(client.heights.front());
+    client.heights.pop_front();
+    work.price = prices.height * task.columns.size();
+    work.what = std::move(task);
+  } else {
+    const auto patch = free_patch(client);
+    if (patch == client.order.end()) return std::nullopt;
+    Batch batch = take_patch(PatchKey{*patch}, self);
+    const bool at_hand = prices.at_hand && prices.at_hand(batch.patch);
+    work.price = (at_hand ? 0 : prices.patch) + prices.chunk * batch.keys.size();
+    work.what = std::move(batch);
+  }
+  client.balance -= static_cast<std::int64_t>(work.price);
+  return work;
+}
+
+std::deque<PatchKey>::const_iterator WorkQueue::free_patch(const Client& client) const {
+  return std::find_if(client.order.begin(), client.order.end(),
+                      [&](const PatchKey& patch) { return !patches_.at(patch).taken; });
+}
+
+bool WorkQueue::may_begin(const Client& client) const {
+  return !client.heights.empty() || free_patch(client) != client.order.end();
+}
+
+void WorkQueue::end_turn() {
+  const ChunkClient* const id = turns_.front();
+  turns_.pop_front();
+  const auto client = clients_.find(id);
+  client->second.in_turn = false;
+  const bool faded = client->second.idle() && client->second.balance >= 0;
+  if (faded && std::exchange(client->second.fading, true)) {
+    clients_.erase(client);
+    return;
+  }
+  client->second.fading = faded;
+  turns_.push_back(id);
+}
+
+// Where nobody waits, nobody is owed anything.
+void WorkQueue::forget_idle() {
+  if (clients() > 0) return;
+  clients_.clear();
+  turns_.clear();
+}
+
+std::size_t WorkQueue::clients() const {
+  return static_cast<std::size_t>(
+      std::count_if(clients_.begin(), clients_.end(), [](const auto& each) { return !each.second.idle(); }));
 }
 
 bool WorkQueue::begin(ChunkKey key) {
@@ -98,10 +163,14 @@ void WorkQueue::release(const PatchKey& patch) {
   drop_if_unused(patch);
 }
 
-WorkQueue::Client& WorkQueue::enter(const ChunkClient& client) {
-  const auto [found, added] = clients_.try_emplace(&client);
-  if (added) turns_.push_back(&client);
-  return found->second;
+WorkQueue::Client& WorkQueue::enter(const ChunkClientPtr& client) {
+  const auto [found, added] = clients_.try_emplace(client.get());
+  Client& state = found->second;
+  if (added) turns_.push_front(client.get());
+  // What another owed who was in the same place of memory is not this one's debt.
+  if (state.self.expired()) state.balance = 0;
+  state.self = client;
+  return state;
 }
 
 void WorkQueue::leave(const ChunkClient& client, const PatchKey& patch) {
@@ -110,20 +179,16 @@ void WorkQueue::leave(const ChunkClient& client, const PatchKey& patch) {
   if (--jobs->second > 0) return;
   state.jobs.erase(jobs);
   state.order.erase(std::find(state.order.begin(), state.order.end(), patch));
-  leave_if_idle(client);
 }
 
-void WorkQueue::leave_if_idle(const ChunkClient& client) {
-  const auto found = clients_.find(&client);
-  if (!found->second.idle()) return;
-  clients_.erase(found);
-  turns_.erase(std::find(turns_.begin(), turns_.end(), &client));
-}
-
-WorkQueue::Batch WorkQueue::take_patch(const PatchKey& patch) {
+WorkQueue::Batch WorkQueue::take_patch(const PatchKey& patch, const ChunkClientPtr& client) {
   PatchWork& work = patches_.at(patch);
   work.taken = true;
   Batch batch{patch, std::exchange(work.waiting, {})};
+  std::stable_partition(batch.keys.begin(), batch.keys.end(), [&](ChunkKey key) {
+    const auto& waiters = jobs_.at(key).waiters;
+    return std::find(waiters.begin(), waiters.end(), client) != waiters.end();
+  });
   for (const ChunkKey key : batch.keys) {
     Job& job = jobs_.at(key);
     job.taken = true;

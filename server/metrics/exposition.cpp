@@ -95,6 +95,11 @@ void add_connections(const Metrics& metrics, Page& page) {
                       static_cast<double>(metrics.errors[code].total())});
   }
   page.counters("talus_errors_total", "Error messages to clients, by code.", errors);
+  std::vector<Labelled> held;
+  for (std::size_t rate = 0; rate < kRateNames.size(); ++rate) {
+    held.push_back({{{"rate", kRateNames[rate]}}, static_cast<double>(metrics.rates_held[rate].total())});
+  }
+  page.counters("talus_rates_held_total", "How often a rate refused a request or made chunks wait.", held);
 }
 
 void add_chunks(const Metrics& metrics, Page& page) {
@@ -122,9 +127,11 @@ void add_generation(const Metrics& metrics, const Depths& depths, Page& page) {
   page.counter("talus_patches_generated_total", "Patches of terrain generated.", metrics.patches_made);
   page.counter("talus_chunks_generated_total", "Chunks cut and encoded.", metrics.chunks_made);
   page.counters(
-      "talus_generation_seconds_total", "Wall time of generator threads, by what they did.",
+      "talus_generation_seconds_total", "CPU time of generator threads, by what they did.",
       {{{{"stage", "patch"}}, static_cast<double>(metrics.patch_ns.total()) * kSecondsInNanosecond},
-       {{{"stage", "chunk"}}, static_cast<double>(metrics.chunk_ns.total()) * kSecondsInNanosecond}});
+       {{{"stage", "chunk"}}, static_cast<double>(metrics.chunk_ns.total()) * kSecondsInNanosecond},
+       {{{"stage", "heights"}}, static_cast<double>(metrics.heights_ns.total()) * kSecondsInNanosecond}});
+  page.counter("talus_heights_generated_total", "Columns whose height was looked up.", metrics.heights_made);
   page.gauge("talus_jobs", "Chunks that wait for a generator or are in one.",
              static_cast<double>(depths.jobs));
   page.gauge("talus_waiting_sessions", "Sessions with something waiting for a generator.",
@@ -133,6 +140,16 @@ void add_generation(const Metrics& metrics, const Depths& depths, Page& page) {
                metrics.jobs_refused);
   page.counter("talus_jobs_cancelled_total", "Jobs dropped because nobody waited any more.",
                metrics.jobs_cancelled);
+}
+
+void add_memory(const Depths& depths, Page& page) {
+  std::vector<Labelled> used;
+  for (std::size_t use = 0; use < kMemoryUses.size(); ++use) {
+    used.push_back({{{"use", kMemoryUses[use]}}, static_cast<double>(depths.memory_bytes[use])});
+  }
+  page.gauges("talus_memory_bytes", "Memory that the server knows it holds, by what for.", used);
+  page.gauge("talus_memory_limit_bytes", "What it may hold; 0 where there is no limit.",
+             static_cast<double>(depths.memory_limit_bytes));
 }
 
 void add_process(const ProcessReading& process, Page& page) {
@@ -160,6 +177,7 @@ std::string prometheus_text(const Metrics& metrics, const Depths& depths, const 
   add_connections(metrics, page);
   add_chunks(metrics, page);
   add_generation(metrics, depths, page);
+  add_memory(depths, page);
   add_process(process, page);
   return page.text();
 }

@@ -1,9 +1,11 @@
 // Metrics as the text that Prometheus reads.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <string>
 
+#include "memory/memory_budget.h"
 #include "metrics/metrics.h"
 #include "metrics/process.h"
 
@@ -16,6 +18,8 @@ struct Depths {
   std::uint64_t chunk_cache_bytes = 0;
   std::uint64_t patch_cache_bytes = 0;
   bool draining = false;
+  std::array<std::uint64_t, kMemoryUses.size()> memory_bytes{};
+  std::uint64_t memory_limit_bytes = 0;  // 0: none
 };
 
 /// What never changes while a server runs.

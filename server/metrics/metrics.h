@@ -4,12 +4,25 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 
 #include <talus/protocol/message.h>
 
 #include "metrics/tally.h"
 
 namespace talus::server {
+
+/// Which of the rates of config.h.
+enum class RateKind : std::uint8_t {
+  session_chunks,
+  session_bytes,
+  session_requests,
+  address_chunks,
+  address_bytes,
+  address_requests
+};
+inline constexpr std::array<const char*, 6> kRateNames{"session_chunks", "session_bytes", "session_requests",
+                                                       "address_chunks", "address_bytes", "address_requests"};
 
 struct Metrics {
   // ---- connections
@@ -41,9 +54,15 @@ struct Metrics {
   Counter patch_ns;
   Counter chunks_made;
   Counter chunk_ns;
+  Counter heights_made;  // columns
+  Counter heights_ns;
   Counter jobs_refused;
   Counter jobs_cancelled;  // the last who waited left
 
+  /// How often a rate refused a request or made chunks wait.
+  std::array<Counter, kRateNames.size()> rates_held;
+
+  Counter& held(RateKind kind) { return rates_held[static_cast<std::size_t>(kind)]; }
   Counter& error(wire::ErrorCode code) { return errors[static_cast<std::size_t>(code)]; }
 };
 

@@ -16,11 +16,13 @@ asio::ip::address counted_as(const asio::ip::address& address) {
   return asio::ip::address_v6{bytes};
 }
 
-Admission::Admission(std::size_t most, std::size_t most_per_address)
-    : most_{most}, most_per_address_{most_per_address} {}
+Admission::Admission(std::size_t most, std::size_t most_per_address, std::chrono::milliseconds memory)
+    : most_{most}, most_per_address_{most_per_address}, memory_{memory} {}
 
 Admission::Place::Place(Place&& other) noexcept
-    : admission_{std::exchange(other.admission_, nullptr)}, counted_{std::move(other.counted_)} {}
+    : admission_{std::exchange(other.admission_, nullptr)},
+      counted_{std::move(other.counted_)},
+      rates_{std::move(other.rates_)} {}
 
 Admission::Place::~Place() {
   if (admission_ != nullptr) admission_->leave(counted_);
@@ -32,14 +34,15 @@ tl::expected<Admission::Place, std::string> Admission::enter(const asio::ip::add
   if (connections_ >= most_) {
     return tl::make_unexpected(fmt::format("this server has {} connections, all it takes", most_));
   }
-  std::size_t& here = by_address_[counted];
-  if (here >= most_per_address_) {
+  forget();
+  Address& here = by_address_[counted];
+  if (here.connections >= most_per_address_) {
     return tl::make_unexpected(fmt::format(
         "your address has {} connections, all that this server takes from one", most_per_address_));
   }
-  ++here;
+  ++here.connections;
   ++connections_;
-  return Place{*this, counted};
+  return Place{*this, counted, here.rates};
 }
 
 std::size_t Admission::connections() const {
@@ -50,8 +53,30 @@ std::size_t Admission::connections() const {
 void Admission::leave(const asio::ip::address& counted) {
   const std::lock_guard lock{mutex_};
   --connections_;
-  const auto found = by_address_.find(counted);
-  if (--found->second == 0) by_address_.erase(found);
+  Address& here = by_address_.at(counted);
+  if (--here.connections == 0) {
+    here.forget_at = Clock::now() + memory_;
+    if (!std::exchange(here.listed, true)) left_.push_back(counted);
+  }
+  forget();
+}
+
+void Admission::forget() {
+  for (; !left_.empty(); left_.pop_front()) {
+    const auto first = by_address_.find(left_.front());
+    if (first->second.connections > 0) {
+      first->second.listed = false;
+    } else if (first->second.forget_at <= Clock::now() || left_.size() > kMostRemembered) {
+      by_address_.erase(first);
+    } else {
+      return;
+    }
+  }
+}
+
+std::size_t Admission::addresses() const {
+  const std::lock_guard lock{mutex_};
+  return by_address_.size();
 }
 
 }  // namespace talus::server

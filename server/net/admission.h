@@ -1,13 +1,17 @@
 // How many connections there are, in all and from each address. Callable from any thread.
 #pragma once
 
+#include <chrono>
 #include <cstddef>
+#include <deque>
 #include <map>
 #include <mutex>
 #include <string>
 
 #include <asio/ip/address.hpp>
 #include <tl/expected.hpp>
+
+#include "rates/rates.h"
 
 namespace talus::server {
 
@@ -17,35 +21,56 @@ namespace talus::server {
 
 class Admission {
  public:
-  Admission(std::size_t most, std::size_t most_per_address);
+  /// Addresses without a connection whose rates are remembered, so that coming back does not fill them.
+  static constexpr std::size_t kMostRemembered = 4096;
+
+  /// An address is remembered for `memory` after its last connection: as long as its rates need to fill.
+  Admission(std::size_t most, std::size_t most_per_address, std::chrono::milliseconds memory = {});
 
   /// A connection's place; leaving it is giving it back. Must not outlive its Admission.
   class Place {
    public:
-    Place(Admission& admission, const asio::ip::address& counted)
-        : admission_{&admission}, counted_{counted} {}
+    Place(Admission& admission, const asio::ip::address& counted, AddressBucketsPtr rates)
+        : admission_{&admission}, counted_{counted}, rates_{std::move(rates)} {}
     Place(Place&& other) noexcept;
     Place& operator=(Place&&) = delete;
     ~Place();
 
+    /// Shared with the address's other connections.
+    [[nodiscard]] const AddressBucketsPtr& rates() const { return rates_; }
+
    private:
     Admission* admission_;
     asio::ip::address counted_;
+    AddressBucketsPtr rates_;
   };
 
   /// A place, or a line that says which limit is reached.
   [[nodiscard]] tl::expected<Place, std::string> enter(const asio::ip::address& address);
 
   [[nodiscard]] std::size_t connections() const;
+  /// With a connection, or remembered.
+  [[nodiscard]] std::size_t addresses() const;
 
  private:
+  using Clock = std::chrono::steady_clock;
+  struct Address {
+    std::size_t connections = 0;
+    AddressBucketsPtr rates = std::make_shared<AddressBuckets>();
+    Clock::time_point forget_at{};  // while without connections
+    bool listed = false;            // in left_
+  };
+
   void leave(const asio::ip::address& counted);
+  void forget();
 
   const std::size_t most_;
   const std::size_t most_per_address_;
+  const std::chrono::milliseconds memory_;
   mutable std::mutex mutex_;
   std::size_t connections_ = 0;
-  std::map<asio::ip::address, std::size_t> by_address_;
+  std::map<asio::ip::address, Address> by_address_;
+  std::deque<asio::ip::address> left_;  // who had no connection, each once; some are back
 };
 
 }  // namespace talus::server

@@ -3,7 +3,6 @@
 #include <netinet/in.h>
 #include <netinet/tcp.h>
 #include <sys/socket.h>
-#include <time.h>
 
 #include <algorithm>
 #include <exception>
@@ -20,13 +19,13 @@
 #include <asio/write.hpp>
 
 #include "log/escape.h"
+#include "metrics/thread_time.h"
 
 namespace talus::server {
 namespace {
 
 using std::chrono::milliseconds;
 
-constexpr std::size_t kGatherBytes = std::size_t{64} * 1024;
 constexpr int kUnsentLowWaterBytes = 16 * 1024;
 constexpr milliseconds kTimeToClose{2000};   // to write the last frames and to read the client's end
 constexpr milliseconds kRetryInterval{100};  // while the generators' queue is full
@@ -41,13 +40,6 @@ void tune(asio::ip::tcp::socket& socket) {
   // What the kernel holds cannot be overtaken, so it holds little and the outbox decides late.
   ::setsockopt(socket.native_handle(), IPPROTO_TCP, TCP_NOTSENT_LOWAT, &kUnsentLowWaterBytes,
                sizeof(kUnsentLowWaterBytes));
-}
-
-/// What this thread has had of a core: what others took of it meanwhile does not count.
-std::chrono::nanoseconds thread_time() {
-  timespec spent{};
-  ::clock_gettime(CLOCK_THREAD_CPUTIME_ID, &spent);
-  return std::chrono::seconds{spent.tv_sec} + std::chrono::nanoseconds{spent.tv_nsec};
 }
 
 }  // namespace
@@ -113,7 +105,7 @@ Connection::Connection(asio::ip::tcp::socket socket, std::string remote, Connect
       context_{context},
       place_{std::move(place)},
       frames_{static_cast<std::uint32_t>(context.session.limits.frame_bytes)},
-      session_{context.session},
+      session_{context.session, place_->rates()},
       output_waits_{socket_.get_executor()},
       room_{socket_.get_executor()},
       watch_timer_{socket_.get_executor()},
@@ -184,9 +176,9 @@ asio::awaitable<void> Connection::take_in(std::span<const std::byte> bytes) {
     }
     bytes = bytes.subspan(*taken);
     if (!frames_.has_frame()) continue;
-    session_.receive(frames_.frame());
-    frames_.pop();
     last_frame_ = Clock::now();
+    session_.receive(frames_.frame(), last_frame_);
+    frames_.pop();
     note_greeting();
     if (session_.queued_bytes() > context_.session.limits.queued_bytes_per_session) {
       work();
@@ -222,25 +214,29 @@ asio::awaitable<void> Connection::wait_for_room() {
 
 asio::awaitable<void> Connection::write() {
   while (open_) {
-    if (!session_.sendable()) {
-      if (session_.closing()) break;
-      output_waits_.expires_at(Clock::time_point::max());
+    const auto now = Clock::now();
+    if (const auto due = session_.sendable_at(now); due > now) {
+      if (session_.closing() && due == Clock::time_point::max()) break;
+      output_waits_.expires_at(due);
       co_await wait(output_waits_);
       continue;
     }
-    const std::vector<std::byte> output = session_.take_output(kGatherBytes);
+    const std::vector<std::byte> output = session_.take_output(gather_.bytes(), now);
     work();
 
     write_progress_ = Clock::now();
-    const auto progress = [this](const std::error_code& error, std::size_t) -> std::size_t {
+    bool at_once = true;
+    const auto progress = [&](const std::error_code& error, std::size_t bytes) -> std::size_t {
       write_progress_ = Clock::now();
-      return error ? 0 : kGatherBytes;
+      at_once = at_once && (bytes == 0 || bytes == output.size());
+      return error ? 0 : output.size();
     };
     std::error_code failed;
     const std::size_t written = co_await asio::async_write(socket_, asio::buffer(output), progress,
                                                            asio::redirect_error(asio::use_awaitable, failed));
     context_.session.metrics.sent_bytes.add(written);
     write_progress_.reset();
+    gather_.wrote(output.size(), at_once);
     if (failed) {
       end(failed.message());
       co_return;

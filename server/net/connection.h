@@ -18,6 +18,7 @@
 
 #include "log/logger.h"
 #include "net/admission.h"
+#include "net/gather_size.h"
 #include "net/registry.h"
 #include "net/view_pace.h"
 #include "session/session.h"
@@ -84,6 +85,7 @@ class Connection : public std::enable_shared_from_this<Connection> {
   Clock::time_point opened_;
   Clock::time_point last_frame_;
   ViewPace view_pace_;
+  GatherSize gather_;
   std::optional<Clock::time_point> write_progress_;  // while a write is under way
   std::optional<Clock::time_point> closing_since_;
   bool reading_paused_ = false;

@@ -17,6 +17,7 @@
 #include "generation/terrain_generator.h"
 #include "metrics/exposition.h"
 #include "net/descriptors.h"
+#include "session/replies.h"
 
 namespace talus::server {
 namespace {
@@ -28,6 +29,7 @@ using std::chrono::milliseconds;
 constexpr std::uint64_t kSpareDescriptors = Refusals::kMost + 64;
 constexpr milliseconds kAcceptPause{100};  // when the system has no descriptor left
 constexpr std::chrono::seconds kRefusalLineInterval{1};
+constexpr milliseconds kMemoryInterval{50};
 constexpr std::uint32_t kRetryAfterMs = 5000;
 
 std::size_t io_threads(const Config& config) {
@@ -59,8 +61,9 @@ Config fitted_to(Config config, const terrain::World& world) {
 }
 
 ServiceSettings service_settings(const Config& config) {
-  return {generator_threads(config), static_cast<int>(config.generation.patch_tiles),
-          config.generation.queue_chunks, config.cache.chunk_bytes, config.cache.patch_bytes};
+  return {generator_threads(config),      static_cast<int>(config.generation.patch_tiles),
+          config.generation.queue_chunks, config.cache.chunk_bytes,
+          config.cache.patch_bytes,       config.limits.memory_bytes};
 }
 
 tcp::endpoint resolved(const Endpoint& endpoint, asio::io_context& io, std::error_code& error) {
@@ -81,7 +84,9 @@ Server::Server(const Config& config, std::shared_ptr<const terrain::World> world
     : config_{fitted_to(config, *world)},
       log_{std::move(log)},
       world_{describe_world(*world, store_id)},
-      admission_{config.limits.connections, config.limits.connections_per_address},
+      rates_{rate_limits(config.rates)},
+      admission_{config.limits.connections, config.limits.connections_per_address,
+                 milliseconds{static_cast<milliseconds::rep>(config.rates.burst_ms)}},
       io_{io_threads(config), log_},
       chunks_{std::make_unique<TerrainGenerator>(std::move(world),
                                                  static_cast<int>(config.generation.patch_tiles)),
@@ -89,7 +94,8 @@ Server::Server(const Config& config, std::shared_ptr<const terrain::World> world
       acceptor_{io_.control()},
       signals_{io_.control(), SIGTERM, SIGINT},
       drain_timer_{io_.control()},
-      accept_pause_{io_.control()} {}
+      accept_pause_{io_.control()},
+      memory_timer_{io_.control()} {}
 
 tl::expected<std::string, std::string> Server::listen() {
   const auto failed = [&](const std::error_code& error) {
@@ -125,11 +131,15 @@ tl::expected<std::string, std::string> Server::listen_to_operators() {
 
 std::string Server::metrics_text() {
   const ChunkService::Status status = chunks_.status();
-  return prometheus_text(
-      metrics_, {status.jobs, status.clients, status.chunk_cache_bytes, status.patch_cache_bytes, draining_},
-      read_process(),
-      {TALUS_VERSION, terrain::kGeneratorVersion, to_string(world_.fingerprint),
-       std::string{to_string(instruction_set())}});
+  const MemoryBudget& memory = chunks_.memory();
+  Depths depths{status.jobs, status.clients, status.chunk_cache_bytes, status.patch_cache_bytes, draining_};
+  for (std::size_t use = 0; use < kMemoryUses.size(); ++use) {
+    depths.memory_bytes[use] = memory.used(static_cast<MemoryUse>(use));
+  }
+  depths.memory_limit_bytes = memory.limit_bytes();
+  return prometheus_text(metrics_, depths, read_process(),
+                         {TALUS_VERSION, terrain::kGeneratorVersion, to_string(world_.fingerprint),
+                          std::string{to_string(instruction_set())}});
 }
 
 void Server::run() {
@@ -147,6 +157,7 @@ void Server::run() {
   };
   asio::co_spawn(io_.control(), accept(), end);
   asio::co_spawn(io_.control(), obey_signals(), end);
+  watch_memory();
   io_.run();
   if (failure) std::rethrow_exception(failure);
 }
@@ -177,7 +188,8 @@ void Server::admit(tcp::socket socket, ConnectionId id) {
   std::error_code gone;
   const tcp::endpoint remote = socket.remote_endpoint(gone);
   if (gone) return;
-  auto place = admission_.enter(remote.address());
+  auto place = chunks_.memory().takes_connections() ? admission_.enter(remote.address())
+                                                    : tl::make_unexpected(std::string{kNoMemory});
   if (!place) {
     metrics_.refused.add();
     metrics_.error(wire::ErrorCode::overloaded).add();
@@ -186,7 +198,7 @@ void Server::admit(tcp::socket socket, ConnectionId id) {
     return;
   }
   log_->debug("conn {} {}: opened", id, to_text(remote));
-  const ConnectionContext context{{config_.limits, world_, chunks_, metrics_}, registry_, log_};
+  const ConnectionContext context{{config_.limits, world_, chunks_, metrics_, rates_}, registry_, log_};
   const auto connection =
       std::make_shared<Connection>(std::move(socket), to_text(remote), id, context, *std::move(place));
   registry_.add(id, connection);
@@ -200,6 +212,14 @@ void Server::note_refusal(const std::string& remote, const std::string& reason) 
   last_refusal_line_ = now;
   log_->warn("refused {}: {} ({} refused since the last such line)", remote, reason,
              std::exchange(refusals_unsaid_, 0));
+}
+
+void Server::watch_memory() {
+  chunks_.fit_caches();
+  memory_timer_.expires_after(kMemoryInterval);
+  memory_timer_.async_wait([this](std::error_code cancelled) {
+    if (!cancelled) watch_memory();
+  });
 }
 
 asio::awaitable<void> Server::obey_signals() {

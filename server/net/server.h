@@ -44,6 +44,8 @@ class Server {
   [[nodiscard]] std::string metrics_text();
   [[nodiscard]] asio::awaitable<void> accept();
   [[nodiscard]] asio::awaitable<void> obey_signals();
+  /// Lets caches give way to everything else, all the time.
+  void watch_memory();
   void admit(asio::ip::tcp::socket socket, ConnectionId id);
   void note_refusal(const std::string& remote, const std::string& reason);
   void drain();
@@ -54,6 +56,7 @@ class Server {
   Logger log_;
   WorldInfo world_;
   Metrics metrics_;
+  RateLimits rates_;
   Admission admission_;
   Registry registry_;
   Refusals refusals_;
@@ -64,6 +67,7 @@ class Server {
   asio::signal_set signals_;
   asio::steady_timer drain_timer_;
   asio::steady_timer accept_pause_;
+  asio::steady_timer memory_timer_;
   std::optional<AdminServer> admin_;
   bool draining_ = false;
   ConnectionId last_id_ = 0;

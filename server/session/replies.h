@@ -17,6 +17,9 @@ namespace talus::server {
 
 [[nodiscard]] protocol::Frame welcome_frame(const Greeting& greeting, const WorldInfo& world,
                                             const Limits& limits);
+/// Why new work is refused near limits.memory_bytes.
+inline constexpr std::string_view kNoMemory = "this server's memory is all in use";
+
 /// `request_id` 0: not about a request. `retry_after_ms` 0: retrying does not help.
 [[nodiscard]] protocol::Frame error_frame(wire::ErrorCode code, std::string_view text,
                                           std::uint32_t request_id = 0, std::uint32_t retry_after_ms = 0);

@@ -8,8 +8,9 @@
 
 namespace talus::server {
 
-void Session::receive(std::span<const std::byte> frame) {
+void Session::receive(std::span<const std::byte> frame, Clock::time_point now) {
   if (closing()) return;
+  received_at_ = now;
   const auto message = protocol::read_message(frame);
   if (!message) return fail(wire::ErrorCode::malformed, protocol::describe(message.error()));
 
@@ -61,10 +62,10 @@ void Session::go_away(std::string_view reason, std::uint32_t retry_after_ms) {
   drop_from_view(view_.replace({}));
 }
 
-void Session::fail(wire::ErrorCode code, std::string_view text) {
+void Session::fail(wire::ErrorCode code, std::string_view text, std::uint32_t retry_after_ms) {
   if (closing_) return;
   context_.metrics.error(code).add();
-  outbox_.push_control(error_frame(code, text));
+  outbox_.push_control(error_frame(code, text, 0, retry_after_ms));
   failure_ = fmt::format("{}: {}", wire::EnumNameErrorCode(code), text);
   closing_ = true;
   abandon();
@@ -82,6 +83,13 @@ void Session::abandon() {
   unseen_views_.clear();
   known_.clear();
   outbox_.drop_chunks([](const Outbox::Entry&) { return true; });
+}
+
+void Session::note_memory() {
+  constexpr std::size_t kPerRequest = 128;  // in the book and in the queue of generators
+  constexpr std::size_t kPerKnown = 64;
+  memory_.hold(kIdleBytes + queued_bytes() + outbox_.chunk_bytes() + view_.bytes() +
+               (requests_.size() + awaited_.size()) * kPerRequest + known_.size() * kPerKnown);
 }
 
 }  // namespace talus::server

@@ -1,7 +1,8 @@
 // One client's conversation: messages in, frames out. The state machine of PROTOCOL.md.
 //
-// Knows no socket and no thread, and does nothing by the clock: net/connection.h feeds it, and calls it from
-// one thread at a time. What it holds is bounded by Limits, whatever the client sends.
+// Knows no socket, no thread and no timer: net/connection.h feeds it, and calls it from one thread at a time.
+// Only rates go by the clock, and it is passed in. What it holds is bounded by Limits, whatever the client
+// sends.
 #pragma once
 
 #include <chrono>
@@ -11,6 +12,7 @@
 #include <span>
 #include <string>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
 #include <talus/protocol/frame.h>
@@ -18,7 +20,9 @@
 
 #include "config/config.h"
 #include "generation/chunk_service.h"
+#include "memory/memory_budget.h"
 #include "metrics/metrics.h"
+#include "rates/rates.h"
 #include "session/handshake.h"
 #include "session/request_book.h"
 #include "session/world_info.h"
@@ -35,6 +39,7 @@ struct SessionContext {
   const WorldInfo& world;
   ChunkService& chunks;
   Metrics& metrics;
+  const RateLimits& rates = kUnlimited;
 };
 
 class Session {
@@ -52,14 +57,23 @@ class Session {
   /// What a chunk that waits for a generator is reckoned to cost, until a larger one has come.
   static constexpr std::size_t kExpectedChunkBytes = 4096;
 
-  explicit Session(const SessionContext& context) : context_{context} {}
+  /// What one costs that says and wants nothing, its connection and coroutines included.
+  static constexpr std::size_t kIdleBytes = std::size_t{16} * 1024;
+
+  using Clock = std::chrono::steady_clock;
+
+  /// `address` has the rates that it shares with others; null: none.
+  explicit Session(const SessionContext& context, AddressBucketsPtr address = nullptr)
+      : context_{context},
+        rates_{context.rates, std::move(address), context.metrics},
+        memory_{context.chunks.memory(), MemoryUse::sessions} {}
 
   /// `client` hands answers back to chunk_ready() and heights_ready() on the session's own thread.
   void attach(ChunkClientPtr client) { client_ = std::move(client); }
 
   // ---- what happens to it
   /// A whole frame, as FrameReader gives it.
-  void receive(std::span<const std::byte> frame);
+  void receive(std::span<const std::byte> frame, Clock::time_point now = Clock::now());
   void broken_frame(const protocol::FrameError& error);
   void timed_out(std::string_view text);
   void chunk_ready(ChunkKey key, const ChunkAnswer& answer);
@@ -78,9 +92,16 @@ class Session {
   [[nodiscard]] bool refused() const { return refused_; }
 
   // ---- what it has to say
-  [[nodiscard]] bool sendable() const { return outbox_.sendable(credit_); }
+  /// When something may be written, all other things equal: by `now` at once, later where a rate holds the
+  /// chunks, never (max) where nothing waits or the client gives no credit.
+  [[nodiscard]] Clock::time_point sendable_at(Clock::time_point now = Clock::now());
+  [[nodiscard]] bool sendable() {
+    const auto now = Clock::now();
+    return sendable_at(now) <= now;
+  }
   /// Frames to write now, one after the other: `enough_bytes` and at most one frame more.
-  [[nodiscard]] std::vector<std::byte> take_output(std::size_t enough_bytes);
+  [[nodiscard]] std::vector<std::byte> take_output(std::size_t enough_bytes,
+                                                   Clock::time_point now = Clock::now());
   /// Bytes that wait and that the client did not have to give credit for; above the limit, read no more.
   [[nodiscard]] std::size_t queued_bytes() const {
     return outbox_.control_bytes() + requests_.heights_bytes();
@@ -97,8 +118,6 @@ class Session {
   [[nodiscard]] const std::string& failure() const { return failure_; }
 
  private:
-  using Clock = std::chrono::steady_clock;  // read for Metrics; nothing depends on it
-
   /// Who of this session waits for a chunk.
   struct Awaited {
     Clock::time_point since = Clock::now();
@@ -116,13 +135,16 @@ class Session {
   void on(const wire::Edit& edit);
   void on(const wire::Ping& ping);
 
-  void fail(wire::ErrorCode code, std::string_view text);
+  void fail(wire::ErrorCode code, std::string_view text, std::uint32_t retry_after_ms = 0);
   void refuse(std::uint32_t request_id, wire::ErrorCode code, std::string_view text,
               std::uint32_t retry_after_ms = 0);
   [[nodiscard]] bool admit(std::uint32_t id);
+  /// Whether the rates allow one request more; where not, it is refused here. `id` 0: it has none.
+  [[nodiscard]] bool within_rates(std::uint32_t id);
+  void take_up_work();
+  void note_memory();
   void pass_over(const View& view);
   void note_known(const wire::KnownChunk& chunk);
-  void take_up_work();
   /// Whether one more chunk may come to wait for the client: those under way will, too.
   [[nodiscard]] bool has_room_for_chunk() const;
   void drop_from_view(const std::vector<ChunkKey>& keys);
@@ -155,6 +177,9 @@ class Session {
   std::vector<Interest> unseen_views_;               // that came before next_view_ and were not looked at
   std::unordered_map<ChunkKey, ContentHash> known_;  // by the client; of chunks that its View wants
   std::unordered_map<ChunkKey, Awaited> awaited_;
+  SessionRates rates_;
+  MemoryShare memory_;
+  Clock::time_point received_at_{};  // what is being looked at
   std::size_t expected_chunk_bytes_ = kExpectedChunkBytes;
   std::size_t found_ = 0;  // chunks at hand since pump() began
   std::uint64_t heights_asked_ = 0;

@@ -32,6 +32,7 @@ void Session::pump() {
   take_up_work();
   const std::size_t found = std::exchange(found_, 0);
   if (found > 0) context_.metrics.hot_latency.add(Clock::now() - began, found);
+  note_memory();
 }
 
 void Session::take_up_work() {
@@ -61,7 +62,9 @@ void Session::start_request(std::uint32_t id) {
   } else if (Awaited* awaited = await(key)) {
     awaited->requests.push_back(id);
   } else {
-    refuse(id, wire::ErrorCode::overloaded, "too many chunks wait to be generated", kRetryAfterMs);
+    refuse(id, wire::ErrorCode::overloaded,
+           context_.chunks.memory().takes_work() ? "too many chunks wait to be generated" : kNoMemory,
+           kRetryAfterMs);
     requests_.erase(id);
   }
 }
@@ -181,20 +184,29 @@ void Session::heights_ready(std::uint64_t ticket, const HeightsAnswer& answer) {
   requests_.erase(id);
 }
 
-std::vector<std::byte> Session::take_output(std::size_t enough_bytes) {
+Session::Clock::time_point Session::sendable_at(Clock::time_point now) {
+  if (outbox_.has_control()) return now;
+  if (!outbox_.sendable(credit_)) return Clock::time_point::max();
+  return rates_.chunks_due(now);
+}
+
+std::vector<std::byte> Session::take_output(std::size_t enough_bytes, Clock::time_point now) {
   std::vector<std::byte> output;
   output.reserve(std::min(enough_bytes, outbox_.control_bytes() + outbox_.chunk_bytes()));
   std::size_t chunks = 0;
   std::size_t chunk_bytes = 0;
-  outbox_.take(enough_bytes, credit_, output, [&](const Outbox::Entry& entry, std::size_t frame_bytes) {
-    ++chunks;
-    chunk_bytes += frame_bytes;
-    if (entry.request_id != 0) {
-      requests_.erase(entry.request_id);
-    } else {
-      view_.done(entry.key);
-    }
-  });
+  const auto allowance = rates_.allowance(now);
+  outbox_.take(enough_bytes, credit_, allowance, output,
+               [&](const Outbox::Entry& entry, std::size_t frame_bytes) {
+                 ++chunks;
+                 chunk_bytes += frame_bytes;
+                 if (entry.request_id != 0) {
+                   requests_.erase(entry.request_id);
+                 } else {
+                   view_.done(entry.key);
+                 }
+               });
+  rates_.sent(now, chunks, output.size());
   context_.metrics.chunks_sent.add(chunks);
   context_.metrics.chunk_bytes_sent.add(chunk_bytes);
   return output;

@@ -101,6 +101,7 @@ void Session::on(const wire::Hello& hello) {
 }
 
 void Session::on(const wire::View& view) {
+  if (!within_rates(0)) return;
   auto checked = checked_view(view, context_.limits);
   if (!checked && checked.error().code == ErrorCode::malformed) {
     return fail(ErrorCode::malformed, checked.error().text);
@@ -171,6 +172,9 @@ void Session::on(const wire::Cancel& cancel) {
 void Session::on(const wire::GetHeights& get) {
   if (get.id() == 0) return fail(ErrorCode::malformed, "GetHeights.id is 0; ids begin at 1");
   if (!admit(get.id())) return;
+  if (!context_.chunks.memory().takes_work()) {
+    return refuse(get.id(), ErrorCode::overloaded, kNoMemory, kRetryAfterMs);
+  }
   const std::size_t count = get.columns() == nullptr ? 0 : get.columns()->size();
   if (count > context_.limits.heights_per_request) {
     return refuse(get.id(), ErrorCode::too_large,
@@ -207,15 +211,34 @@ void Session::on(const wire::Credit& credit) {
 }
 
 void Session::on(const wire::Edit& edit) {
+  if (!within_rates(edit.id())) return;
   refuse(edit.id(), ErrorCode::unsupported, "this server does not take edits yet");
 }
 
 void Session::on(const wire::Ping& ping) {
+  if (!within_rates(0)) return;
   outbox_.push_control(pong_frame(ping.nonce()));
 }
 
+bool Session::within_rates(std::uint32_t id) {
+  const auto refusal = rates_.refuse_request(received_at_);
+  if (!refusal) return true;
+  const auto retry_after_ms =
+      static_cast<std::uint32_t>(std::chrono::ceil<std::chrono::milliseconds>(refusal->wait).count());
+  const std::string_view rate = kRateNames[static_cast<std::size_t>(refusal->kind)];
+  if (refusal->flooding) {
+    fail(ErrorCode::overloaded, fmt::format("flooding: refused by rates.{} and still asking", rate),
+         retry_after_ms);
+  } else {
+    refuse(id, ErrorCode::overloaded, fmt::format("over rates.{}", rate), retry_after_ms);
+  }
+  return false;
+}
+
 bool Session::admit(std::uint32_t id) {
-  if (requests_.contains(id)) {
+  const bool open = requests_.contains(id);
+  if (!within_rates(open ? 0 : id)) return false;
+  if (open) {
     refuse(id, ErrorCode::duplicate_id, fmt::format("request {} is still in flight", id));
     return false;
   }

@@ -15,6 +15,13 @@
 
 namespace talus::server {
 
+/// How much of the chunk lane may be taken, beside what the client's credit allows; the last chunk may pass
+/// `bytes`.
+struct ChunkAllowance {
+  std::size_t chunks = SIZE_MAX;
+  std::size_t bytes = SIZE_MAX;
+};
+
 class Outbox {
  public:
   /// A chunk that waits for credit.
@@ -38,17 +45,23 @@ class Outbox {
   }
 
   [[nodiscard]] bool sendable(const Credit& credit) const;
-  /// Appends frames to `output` until it has `enough_bytes` or nothing is sendable; the last may exceed it.
-  /// Calls sent(entry, frame_bytes) for each chunk among them.
+  [[nodiscard]] bool has_control() const { return !control_.empty(); }
+  /// Appends frames to `output` until it has `enough_bytes` or nothing is sendable or allowed; the last may
+  /// exceed it. Calls sent(entry, frame_bytes) for each chunk among them.
   template <typename Sent>
-  void take(std::size_t enough_bytes, Credit& credit, std::vector<std::byte>& output, Sent&& sent) {
+  void take(std::size_t enough_bytes, Credit& credit, ChunkAllowance allowance,
+            std::vector<std::byte>& output, Sent&& sent) {
     take_control(enough_bytes, output);
-    while (!chunks_.empty() && output.size() < enough_bytes && credit.may_send()) {
+    std::size_t chunks = 0;
+    const std::size_t control_bytes = output.size();
+    while (!chunks_.empty() && output.size() < enough_bytes && credit.may_send() &&
+           chunks < allowance.chunks && output.size() - control_bytes < allowance.bytes) {
       const Entry entry = std::move(chunks_.front());
       chunks_.pop_front();
       chunk_bytes_ -= cost(*entry.chunk);
       entry.chunk->append_frame(output, entry.request_id, entry.key);
       credit.sent(entry.chunk->frame_bytes());
+      ++chunks;
       sent(entry, entry.chunk->frame_bytes());
     }
   }

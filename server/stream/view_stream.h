@@ -50,6 +50,11 @@ class ViewStream {
     return place && states_[*place] != State::done;
   }
   [[nodiscard]] bool under_way(ChunkKey key) const { return under_way_.contains(key); }
+  /// What it holds in memory, about.
+  [[nodiscard]] std::size_t bytes() const {
+    return states_.capacity() * sizeof(State) + (far_.capacity() + near_.size()) * sizeof(std::uint64_t) +
+           under_way_.size() * 64;
+  }
   [[nodiscard]] std::size_t under_way_count() const { return under_way_.size(); }
 
  private:

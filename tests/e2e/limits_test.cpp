@@ -1,4 +1,5 @@
 // What a client may take up: time, connections, requests.
+#include <algorithm>
 #include <catch2/catch.hpp>
 
 #include "messages.h"
@@ -119,4 +120,77 @@ TEST_CASE("a full generator queue delays a View") {
   RawClient client = greeted(server.port());
   REQUIRE(client.send(view({.horizontal_radius = 1})));
   for (int chunk = 0; chunk < 9; ++chunk) (void)client.expect_kind<wire::Chunk>();
+}
+
+TEST_CASE("who asks faster than its rate is refused with a time, and served after it") {
+  const ServerProcess server{{{"TALUS_RATES_SESSION_REQUESTS", "20"}, {"TALUS_RATES_BURST_MS", "100"}}};
+  RawClient client = greeted(server.port());
+  REQUIRE(client.send(get_chunks(
+      {chunk_request(1, at(0, 0, 0)), chunk_request(2, at(0, 0, 0)), chunk_request(3, at(0, 0, 0))})));
+  int refused = 0;
+  milliseconds wait{0};
+  for (int answer = 0; answer < 3; ++answer) {
+    const Received received = client.expect();
+    if (received.kind() != wire::Body::Error) continue;
+    ++refused;
+    CHECK(received.as<wire::Error>().code() == wire::ErrorCode::overloaded);
+    wait = milliseconds{received.as<wire::Error>().retry_after_ms()};
+  }
+  CHECK(refused >= 1);
+  CHECK(wait > milliseconds{0});
+  CHECK(wait <= milliseconds{50});
+  CHECK_FALSE(client.receive_within(wait + milliseconds{50}).has_value());
+  REQUIRE(client.send(get_chunks({chunk_request(4, at(0, 0, 0))})));
+  (void)client.expect_kind<wire::Chunk>();
+}
+
+TEST_CASE("a View over its rate of chunks comes whole, later") {
+  const ServerProcess server{{{"TALUS_RATES_SESSION_CHUNKS", "100"}, {"TALUS_RATES_BURST_MS", "100"}}};
+  RawClient client = greeted(server.port());
+  REQUIRE(client.send(view({.horizontal_radius = 2})));
+  for (int chunk = 0; chunk < 25; ++chunk) (void)client.expect_kind<wire::Chunk>();
+}
+
+TEST_CASE("connections of one address share its rates") {
+  const ServerProcess server{{{"TALUS_RATES_ADDRESS_REQUESTS", "1"}, {"TALUS_RATES_BURST_MS", "2000"}}};
+  RawClient first = greeted(server.port());
+  REQUIRE(first.send(ping(1)));
+  REQUIRE(first.send(ping(2)));
+  (void)first.expect_kind<wire::Pong>();
+  (void)first.expect_kind<wire::Pong>();
+  first.close();
+  RawClient second = greeted(server.port());
+  REQUIRE(second.send(ping(3)));
+  (void)second.expect_kind<wire::Error>();
+}
+
+TEST_CASE("a server without memory to spare refuses connections, and says when to come back") {
+  const ServerProcess server{{{"TALUS_LIMITS_MEMORY_BYTES", "33554432"}}};
+  RawClient client{server.port()};
+  const Received refused = client.expect();
+  CHECK(refused.as<wire::Error>().code() == wire::ErrorCode::overloaded);
+  CHECK(refused.as<wire::Error>().retry_after_ms() > 0);
+  CHECK(client.closed());
+}
+
+TEST_CASE("memory stays within its budget, though caches would take more") {
+  constexpr std::size_t kBudget = std::size_t{128} << 20;
+  const ServerProcess server{{{"TALUS_LIMITS_MEMORY_BYTES", std::to_string(kBudget)}}};
+  RawClient client = greeted(server.port());
+  constexpr std::int32_t kPatchChunks = 4;
+  constexpr std::uint32_t kAtOnce = 100;
+  std::size_t most = 0;
+  for (std::int32_t round = 0; round < 8; ++round) {
+    std::vector<wire::ChunkRequest> requests;
+    for (std::uint32_t id = 1; id <= kAtOnce; ++id) {
+      requests.push_back(chunk_request(
+          id, at((round * static_cast<std::int32_t>(kAtOnce) + static_cast<std::int32_t>(id)) * kPatchChunks,
+                 1, 0)));
+    }
+    REQUIRE(client.send(get_chunks(requests)));
+    for (std::uint32_t answer = 0; answer < kAtOnce; ++answer) (void)client.expect_kind<wire::Chunk>();
+    most = std::max(most, server.resident_bytes());
+  }
+  CAPTURE(most >> 20);
+  CHECK(most < kBudget);
 }

@@ -23,8 +23,6 @@ using asio::ip::tcp;
 using Clock = std::chrono::steady_clock;
 
 constexpr std::size_t kReadBytes = 4096;
-constexpr std::size_t kMostHeld =
-    std::size_t{256} * 1024;  // beyond it the sender is held up, as by a full pipe
 
 }  // namespace
 
@@ -60,7 +58,7 @@ struct FaultProxy::Lane {
   asio::awaitable<void> read() {
     std::array<std::byte, kReadBytes> buffer{};
     for (std::error_code failed; !failed;) {
-      while (held > kMostHeld && to.is_open()) co_await wait();
+      while (held > faults.queue_bytes && to.is_open()) co_await wait();
       const std::size_t bytes = co_await from.async_read_some(
           asio::buffer(buffer), asio::redirect_error(asio::use_awaitable, failed));
       if (bytes == 0) continue;
@@ -179,6 +177,12 @@ asio::awaitable<void> FaultProxy::accept() {
 asio::awaitable<void> FaultProxy::serve(tcp::socket client, std::uint64_t number) {
   const auto pair = std::make_shared<Pair>(std::move(client), io_);
   std::error_code failed;
+  // A short queue must not be made long by the system's own.
+  if (to_client_.queue_bytes < Faults{}.queue_bytes) {
+    pair->server.open(server_.protocol(), failed);
+    pair->server.set_option(asio::socket_base::receive_buffer_size{static_cast<int>(to_client_.queue_bytes)},
+                            failed);
+  }
   co_await pair->server.async_connect(server_, asio::redirect_error(asio::use_awaitable, failed));
   if (failed) co_return pair->reset();
   for (tcp::socket* socket : {&pair->client, &pair->server}) socket->set_option(tcp::no_delay{true}, failed);

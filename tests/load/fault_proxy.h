@@ -22,7 +22,9 @@ struct Faults {
   std::uint64_t bytes_per_second = 0;             // 0: as fast as they come
   std::optional<std::uint64_t> cut_after;         // bytes: then both ends are reset
   std::optional<std::uint64_t> half_close_after;  // bytes: then this direction ends, and the other goes on
-  std::uint64_t flip_every = 0;                   // bytes: the last of so many has a bit flipped; 0: none
+  std::uint64_t queue_bytes =
+      256 * 1024;                // on their way; beyond them the sender is held up, as by a full pipe
+  std::uint64_t flip_every = 0;  // bytes: the last of so many has a bit flipped; 0: none
 };
 
 class FaultProxy {

@@ -15,6 +15,7 @@ usage: tests/load/run.sh [--short] [SCENARIO...]
   idle     10,000 idle connections, and 20 new players among them
   greedy   100 walkers without and with one greedy client
   slow     100 walkers without and with four readers at 64 kbit/s
+  pong     how long a Pong waits behind a View, on links of several speeds
   churn    joining, jumping and being cut off, CHURN_SECONDS long (1800 unless told otherwise)
 
 All of them unless told otherwise. BUILD=DIR: the build to take the programs from (build/release).
@@ -27,6 +28,7 @@ USAGE
 build="${BUILD:-build/release}"
 talusd="$build/server/talusd"
 talus_load="$build/client_sample/load/talus-load"
+talus_pong="$build/tests/load/talus-pong"
 out=out/load
 pid=""
 short=""
@@ -57,6 +59,10 @@ start() {
   done
 }
 
+# What a closed loop of requests needs, or a thousand players from one address.
+no_session_rates=(TALUS_RATES_SESSION_CHUNKS=0 TALUS_RATES_SESSION_BYTES=0 TALUS_RATES_SESSION_REQUESTS=0)
+no_address_rates=(TALUS_RATES_ADDRESS_CHUNKS=0 TALUS_RATES_ADDRESS_BYTES=0 TALUS_RATES_ADDRESS_REQUESTS=0)
+
 # load NAME ARGUMENT...: prints the command without what is always there, then what it printed.
 load() {
   local name="$1"
@@ -83,7 +89,7 @@ join() {
 
 hot() {
   local clients=(--players "$(pick 64 8)" --in-flight 16 --verify 0)
-  start
+  start "${no_session_rates[@]}" "${no_address_rates[@]}"
   load hot-warm-up "${clients[@]}" --duration 2
   load hot "${clients[@]}" --duration "$(pick 10 3)"
   [[ -z "$short" ]] || return 0
@@ -113,14 +119,14 @@ redis() {
 
 groups() {
   expect 'p99_ms>50' 'late_over_one_step>0'
-  start
+  start "${no_address_rates[@]}"
   load groups --players "$(pick 1000 20)" --groups "$(pick 50 4)" --model fly --speed 20 --radius "$(pick 8 4)" \
     --ramp-up "$(pick 30 2)" --warm-up "$(pick 10 1)" --duration "$(pick 60 5)" --verify "$(pick 0.2 5)" "${expected[@]}"
 }
 
 alone() {
   expect 'p99_ms>50' 'late_over_one_step>0'
-  start
+  start "${no_address_rates[@]}"
   load alone --players "$(pick 300 8)" --model fly --speed 20 --radius "$(pick 8 4)" --ramp-up "$(pick 60 2)" \
     --warm-up "$(pick 10 1)" --duration "$(pick 60 5)" --verify "$(pick 0.2 5)" "${expected[@]}"
 }
@@ -152,15 +158,24 @@ slow() {
   load slow "${players[@]}" --slow 4 --slow-rate 64 --compare "$out/walkers.json" "${expected[@]}"
 }
 
+pong() {
+  start
+  local kilobits
+  for kilobits in 1000 10000 0; do
+    printf '\n== pong: talus-pong PORT %s 24\n' "$kilobits"
+    "$talus_pong" "${address##*:}" "$kilobits" 24
+  done
+}
+
 churn() {
   expect 'errors>0' 'files_left>0' 'resident_growth_percent>5'
-  start TALUS_CACHE_CHUNK_BYTES=33554432 TALUS_CACHE_PATCH_BYTES=33554432  # full before the measured time begins
+  start "${no_address_rates[@]}" TALUS_CACHE_CHUNK_BYTES=33554432 TALUS_CACHE_PATCH_BYTES=33554432  # full before the measured time begins
   load churn --players "$(pick 100 10)" --model walk=50,fly=25,teleport=25 --groups "$(pick 20 4)" --churn "$(pick 10 2)" \
     --radius "$(pick 6 4)" --ramp-up "$(pick 10 1)" --warm-up "$(pick 60 1)" --duration "${CHURN_SECONDS:-$(pick 1800 10)}" \
     --verify 5 "${expected[@]}"
 }
 
-scenarios=(join hot groups alone idle greedy slow churn)
+scenarios=(join hot groups alone idle greedy slow pong churn)
 if [[ "${1:-}" == --short ]]; then
   short=yes
   shift

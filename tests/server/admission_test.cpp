@@ -33,3 +33,33 @@ TEST_CASE("places run out and come back, in all and for each address") {
   { const Admission::Place given_back = *std::move(first); }
   CHECK(admission.enter(here).has_value());
 }
+
+TEST_CASE("connections of one address share its rates, also over a time without any") {
+  Admission admission{10, 10, std::chrono::hours{1}};
+  const auto address = asio::ip::make_address("192.0.2.1");
+  AddressBucketsPtr rates;
+  {
+    const auto first = admission.enter(address);
+    const auto second = admission.enter(address);
+    rates = first->rates();
+    CHECK(second->rates() == rates);
+  }
+  CHECK(admission.enter(address)->rates() == rates);
+  CHECK(admission.enter(asio::ip::make_address("192.0.2.2"))->rates() != rates);
+}
+
+TEST_CASE("addresses that left are forgotten when their time is over") {
+  Admission admission{10, 10};
+  { const auto place = admission.enter(asio::ip::make_address("192.0.2.1")); }
+  CHECK(admission.addresses() == 0);
+}
+
+TEST_CASE("however many addresses come and go, few are remembered") {
+  Admission admission{10, 10, std::chrono::hours{1}};
+  const auto here = admission.enter(asio::ip::make_address("192.0.2.1"));
+  for (std::uint32_t address = 0; address < 3 * Admission::kMostRemembered; ++address) {
+    (void)admission.enter(asio::ip::address_v4{address});
+  }
+  CHECK(admission.addresses() <= Admission::kMostRemembered + 1);
+  CHECK(admission.enter(asio::ip::make_address("192.0.2.1"))->rates() == here->rates());
+}

@@ -1,10 +1,12 @@
 // What a socket's own tests cannot bring about: trouble in the midst of a session's work.
 #include "net/connection.h"
 
+#include <algorithm>
 #include <asio/io_context.hpp>
 #include <asio/read.hpp>
 #include <asio/write.hpp>
 #include <catch2/catch.hpp>
+#include <cstdint>
 #include <thread>
 
 #include <talus/voxel/codec.h>
@@ -95,4 +97,80 @@ TEST_CASE("what an answer's handler throws ends its connection, and no more") {
   bench.await_end();
   CHECK(bench.registry.all().empty());
   CHECK(bench.admission.connections() == 0);
+}
+
+TEST_CASE("what is gathered grows while the kernel takes it whole, and is little as soon as it does not") {
+  GatherSize gather;
+  CHECK(gather.bytes() == GatherSize::kLeast);
+  gather.wrote(gather.bytes() - 1, true);  // there was no more to say
+  CHECK(gather.bytes() == GatherSize::kLeast);
+  for (int write = 0; write < 10; ++write) gather.wrote(gather.bytes() + 100, true);
+  CHECK(gather.bytes() == GatherSize::kMost);
+  gather.wrote(100, false);
+  CHECK(gather.bytes() == GatherSize::kLeast);
+}
+
+TEST_CASE("however much one client takes, another's Pong waits for two of its turns at most") {
+  // Both connections and both clients in this thread: what happens between two steps is all that happens.
+  FakeService fake;
+  fake.work->payload_bytes = 20'000;
+  Limits limits;
+  limits.window_bytes = std::uint64_t{1} << 30;
+  limits.queued_bytes_per_session = std::uint64_t{1} << 30;
+  WorldInfo world;
+  Admission admission{2, 2};
+  Registry registry;
+  asio::io_context io{1};
+  tcp::acceptor acceptor{io, {asio::ip::address_v4::loopback(), 0}};
+  const ConnectionContext context{
+      {limits, world, fake.service, fake.metrics}, registry, std::make_shared<spdlog::logger>("silent")};
+  std::vector<tcp::socket> clients;
+  for (ConnectionId id = 0; id < 2; ++id) {
+    clients.emplace_back(io).connect(acceptor.local_endpoint());
+    const auto connection = std::make_shared<Connection>(acceptor.accept(), "test", id, context,
+                                                         *admission.enter(asio::ip::address_v4::loopback()));
+    registry.add(id, connection);
+    connection->start();
+    asio::write(clients[id], asio::buffer(protocol::make_frame([](auto& builder) {
+                  const auto codecs = builder.CreateVector(std::vector{kCodecVersion});
+                  return wire::CreateHello(builder, 1, 1, codecs);
+                })));
+    clients[id].non_blocking(true);
+  }
+  std::vector<std::byte> buffer(1 << 20);
+  std::array<std::uint64_t, 2> got{};
+  const auto drain = [&](std::size_t who) {
+    for (std::error_code none;;) {
+      const std::size_t bytes = clients[who].read_some(asio::buffer(buffer), none);
+      if (none) return;
+      got[who] += bytes;
+    }
+  };
+  // The greedy one wants more than ever comes, and takes everything as soon as it comes.
+  asio::write(clients[0], asio::buffer(protocol::make_frame([](auto& builder) {
+                const wire::Voxel centre{};
+                return wire::CreateView(builder, &centre, nullptr, 40, 0);
+              })));
+  const auto run_until = [&](auto&& holds) {
+    while (!holds()) {
+      io.run_one();
+      drain(0);
+      drain(1);
+    }
+  };
+  run_until([&] { return got[0] > 1'000'000 && got[1] > 0; });
+  std::uint64_t longest = 0;
+  for (int ping = 0; ping < 50; ++ping) {
+    const std::uint64_t greedy_before = fake.metrics.sent_bytes.total();
+    const std::uint64_t before = got[1];
+    asio::write(
+        clients[1],
+        asio::buffer(protocol::make_frame([](auto& builder) { return wire::CreatePing(builder, 1); })));
+    run_until([&] { return got[1] > before; });
+    longest = std::max(longest, fake.metrics.sent_bytes.total() - greedy_before);
+  }
+  CHECK(longest <= 2 * (GatherSize::kMost + 20'000 + 1000));
+  for (const auto& connection : registry.all()) connection->go_away("the test is over", 0);
+  for (tcp::socket& client : clients) client.close();
+  while (!registry.all().empty()) io.run_one();
 }

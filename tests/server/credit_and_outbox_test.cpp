@@ -26,9 +26,9 @@ struct Taken {
   std::vector<std::uint32_t> ids;
 };
 
-Taken take(Outbox& outbox, std::size_t enough_bytes, Credit& credit) {
+Taken take(Outbox& outbox, std::size_t enough_bytes, Credit& credit, ChunkAllowance allowance = {}) {
   Taken taken;
-  outbox.take(enough_bytes, credit, taken.bytes,
+  outbox.take(enough_bytes, credit, allowance, taken.bytes,
               [&](const Outbox::Entry& entry, std::size_t) { taken.ids.push_back(entry.request_id); });
   return taken;
 }
@@ -103,4 +103,15 @@ TEST_CASE("an emptied outbox counts no bytes, however it was emptied") {
     RC_ASSERT(outbox.control_bytes() == 0);
     RC_ASSERT(outbox.chunk_bytes() == 0);
   }));
+}
+
+TEST_CASE("an allowance bounds the chunks that are taken, and no control frame") {
+  Outbox outbox;
+  Credit credit{kAll};
+  outbox.push_control(protocol::Frame(10));
+  for (std::uint32_t id = 1; id <= 5; ++id) outbox.push_chunk(entry(id, 100));
+  CHECK(take(outbox, kAll, credit, {0, kAll}).bytes.size() == 10);
+  CHECK(take(outbox, kAll, credit, {2, kAll}).ids.size() == 2);
+  CHECK(take(outbox, kAll, credit, {kAll, 0}).ids.empty());
+  CHECK(take(outbox, kAll, credit, {kAll, 1}).ids.size() == 1);
 }

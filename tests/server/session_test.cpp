@@ -6,29 +6,15 @@
 #include <catch2/catch.hpp>
 #include <set>
 
-#include <talus/protocol/frame.h>
-#include <talus/protocol/limits.h>
 #include <talus/voxel/codec.h>
 
 #include "fake_generator.h"
+#include "frames.h"
 
 using namespace talus;
 using namespace talus::server;
 
 namespace {
-
-/// The frames of an output, one after the other.
-std::vector<protocol::Frame> cut(std::span<const std::byte> output) {
-  std::vector<protocol::Frame> frames;
-  protocol::FrameReader reader{protocol::kServerFrameBytes};
-  while (!output.empty()) {
-    output = output.subspan(reader.feed(output).value());
-    if (!reader.has_frame()) continue;
-    frames.emplace_back(reader.frame().begin(), reader.frame().end());
-    reader.pop();
-  }
-  return frames;
-}
 
 /// A greeted session on a fake service; answers are carried over by hand.
 struct Bench {
@@ -197,6 +183,37 @@ TEST_CASE("a chunk that the client holds is confirmed instead of sent, where it 
   CHECK(bench.output() == Kinds{same ? wire::Body::Unchanged : wire::Body::Chunk});
   bench.look_at(0, 0);
   CHECK(bench.output().empty());
+}
+
+TEST_CASE("a walk to and fro over a border has no chunk sent twice to a client that says what it holds") {
+  Bench bench;
+  std::set<std::int32_t> held;  // x of the chunks that came
+  std::size_t waited = 0;
+  for (int step = 0; step < 40; ++step) {
+    const std::int64_t centre = step % 2;
+    std::vector<wire::KnownChunk> known;
+    for (const std::int32_t x : held) {
+      if (x < centre - 2 || x > centre + 2) continue;
+      for (std::int32_t z = -2; z <= 2; ++z) {
+        const auto hash = std::hash<ChunkKey>{}(ChunkKey{{x, 0, z}, Lod{}});
+        known.push_back({wire::ChunkKey{x, 0, z, 0}, wire::Hash128{hash, 0}});
+      }
+    }
+    bench.look_at(centre, 2, 0, known);
+    if (step < 2) bench.client->await(waited += step == 0 ? 25 : 5);
+    bench.carry_over();
+    std::size_t chunks = 0;
+    std::size_t confirmed = 0;
+    for (const wire::Body kind : bench.output()) {
+      chunks += kind == wire::Body::Chunk ? 1 : 0;
+      confirmed += kind == wire::Body::Unchanged ? 1 : 0;
+    }
+    for (std::int64_t x = centre - 2; x <= centre + 2; ++x) held.insert(static_cast<std::int32_t>(x));
+    CAPTURE(step);
+    CHECK(chunks == (step == 0 ? 25 : step == 1 ? 5 : 0));
+    CHECK(confirmed == (step < 2 ? 0 : 5));
+  }
+  CHECK(bench.fake.work->chunks == 30);
 }
 
 TEST_CASE("what a client says it knows is bounded, and forgotten with the View") {

@@ -1,0 +1,51 @@
+#include "memory/memory_budget.h"
+
+#include <algorithm>
+
+namespace talus::server {
+
+MemoryBudget::MemoryBudget(std::uint64_t limit_bytes)
+    : limit_{limit_bytes},
+      work_{limit_bytes / 4 * 3, limit_bytes / 8 * 5},
+      connections_{limit_bytes / 8 * 5, limit_bytes / 2} {
+  set(MemoryUse::program, kProgramBytes);
+}
+
+std::uint64_t MemoryBudget::used(MemoryUse use) const {
+  const std::int64_t bytes = used_[static_cast<std::size_t>(use)].load(std::memory_order_relaxed);
+  return static_cast<std::uint64_t>(std::max<std::int64_t>(0, bytes));
+}
+
+std::uint64_t MemoryBudget::beside_caches() const {
+  return used(MemoryUse::program) + used(MemoryUse::sessions) + used(MemoryUse::jobs) +
+         used(MemoryUse::generators);
+}
+
+std::uint64_t MemoryBudget::used() const {
+  return beside_caches() + used(MemoryUse::chunk_cache) + used(MemoryUse::patch_cache);
+}
+
+void MemoryBudget::add(MemoryUse use, std::int64_t bytes) {
+  used_[static_cast<std::size_t>(use)].fetch_add(bytes, std::memory_order_relaxed);
+}
+
+void MemoryBudget::set(MemoryUse use, std::uint64_t bytes) {
+  used_[static_cast<std::size_t>(use)].store(static_cast<std::int64_t>(bytes), std::memory_order_relaxed);
+}
+
+bool MemoryBudget::takes_work() {
+  return limit_ == 0 || work_.open(beside_caches());
+}
+
+bool MemoryBudget::takes_connections() {
+  return limit_ == 0 || connections_.open(beside_caches());
+}
+
+std::uint64_t MemoryBudget::for_caches(std::uint64_t wanted) const {
+  if (limit_ == 0) return wanted;
+  const std::uint64_t most = limit_ / 8 * 7;
+  const std::uint64_t left = most - std::min(most, beside_caches());
+  return std::min(wanted, std::max(left, limit_ / 16));
+}
+
+}  // namespace talus::server
