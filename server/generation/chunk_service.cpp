@@ -48,12 +48,15 @@ ChunkService::ChunkService(std::unique_ptr<const Generator> generator, const Ser
     : generator_{std::move(generator)},
       log_{std::move(log)},
       metrics_{metrics},
+      thread_count_{settings.threads},
       patch_tiles_{settings.patch_tiles},
       chunks_{settings.chunk_cache_bytes},
       patches_{settings.patch_cache_bytes},
       rows_{settings.chunk_cache_bytes / kShareOfRows},
-      queue_{settings.patch_tiles, settings.queue_chunks} {
-  for (std::size_t thread = 0; thread < settings.threads; ++thread) {
+      queue_{settings.patch_tiles, settings.queue_chunks} {}
+
+void ChunkService::start() {
+  while (threads_.size() < thread_count_) {
     threads_.emplace_back([this] { work(); });
   }
 }

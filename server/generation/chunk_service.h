@@ -31,9 +31,11 @@ struct ServiceSettings {
 
 class ChunkService {
  public:
-  /// `metrics` outlives it.
+  /// `metrics` outlives it. Nothing is generated before start().
   ChunkService(std::unique_ptr<const Generator> generator, const ServiceSettings& settings, Logger log,
                Metrics& metrics);
+  /// Starts the threads; once.
+  void start();
   /// Waits for the threads; what still waits is not answered.
   ~ChunkService();
   ChunkService(const ChunkService&) = delete;
@@ -82,6 +84,7 @@ class ChunkService {
   std::unique_ptr<const Generator> generator_;
   Logger log_;
   Metrics& metrics_;
+  const std::size_t thread_count_;
   const int patch_tiles_;
   ChunkCache chunks_;
   PatchCache patches_;

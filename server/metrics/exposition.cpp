@@ -95,6 +95,13 @@ void add_connections(const Metrics& metrics, Page& page) {
                       static_cast<double>(metrics.errors[code].total())});
   }
   page.counters("talus_errors_total", "Error messages to clients, by code.", errors);
+  const auto denied = [&](Denial denial) {
+    return static_cast<double>(metrics.tokens_denied[static_cast<std::size_t>(denial)].total());
+  };
+  page.counters("talus_tokens_refused_total", "Clients turned away or sent away for their token, by reason.",
+                {{{{"reason", "missing"}}, denied(Denial::missing)},
+                 {{{"reason", "expired"}}, denied(Denial::expired)},
+                 {{{"reason", "not_accepted"}}, denied(Denial::not_accepted)}});
 }
 
 void add_chunks(const Metrics& metrics, Page& page) {

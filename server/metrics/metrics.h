@@ -7,6 +7,7 @@
 
 #include <talus/protocol/message.h>
 
+#include "access/denial.h"
 #include "metrics/tally.h"
 
 namespace talus::server {
@@ -22,6 +23,7 @@ struct Metrics {
 
   // ---- what clients are told
   std::array<Counter, static_cast<std::size_t>(wire::ErrorCode::MAX) + 1> errors;
+  std::array<Counter, kDenials> tokens_denied;
   Counter chunks_sent;
   Counter columns_sent;
   Counter unchanged_sent;
@@ -43,6 +45,7 @@ struct Metrics {
   Counter jobs_refused;
   Counter jobs_cancelled;  // the last who waited left
 
+  Counter& denied(Denial denial) { return tokens_denied[static_cast<std::size_t>(denial)]; }
   Counter& error(wire::ErrorCode code) { return errors[static_cast<std::size_t>(code)]; }
 };
 

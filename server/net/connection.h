@@ -83,6 +83,7 @@ class Connection : public std::enable_shared_from_this<Connection> {
 
   Clock::time_point opened_;
   Clock::time_point last_frame_;
+  std::optional<Clock::time_point> token_ends_;
   ViewPace view_pace_;
   std::optional<Clock::time_point> write_progress_;  // while a write is under way
   std::optional<Clock::time_point> closing_since_;

@@ -22,6 +22,7 @@ struct Bench {
   FakeService fake;
   Limits limits;
   WorldInfo world;
+  AccessControl access{Access{}, *load_keys(Access{})};
   Admission admission{1, 1};
   Registry registry;
   asio::io_context io{1};
@@ -31,8 +32,9 @@ struct Bench {
   Bench() {
     tcp::acceptor acceptor{io, {asio::ip::address_v4::loopback(), 0}};
     client.connect(acceptor.local_endpoint());
-    const ConnectionContext context{
-        {limits, world, fake.service, fake.metrics}, registry, std::make_shared<spdlog::logger>("silent")};
+    const ConnectionContext context{{limits, world, fake.service, fake.metrics, access},
+                                    registry,
+                                    std::make_shared<spdlog::logger>("silent")};
     const auto connection = std::make_shared<Connection>(acceptor.accept(), "test", 1, context,
                                                          *admission.enter(asio::ip::address_v4::loopback()));
     registry.add(1, connection);
