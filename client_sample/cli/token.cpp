@@ -2,15 +2,19 @@
 
 #include <array>
 #include <cerrno>
+#include <cstdlib>
 #include <cstring>
 #include <fstream>
 #include <string_view>
 
 #include <CLI/CLI.hpp>
 
-#include <talus/protocol/limits.h>
-
 namespace talus::cli {
+namespace {
+
+constexpr std::size_t kMostBytes = 4096;  // what the protocol takes
+
+}  // namespace
 
 void add_token_options(CLI::App& app, TokenWords& words) {
   // A flag takes the place of both variables, so they are looked at where no flag was.
@@ -34,15 +38,14 @@ tl::expected<std::string, std::string> token_of(const TokenWords& words) {
     return tl::unexpected{"--token-file " + words.file + ": " + std::string{what}};
   };
   std::ifstream in{words.file, std::ios::binary};
-  std::array<char, protocol::kMaxStringBytes + 3> bytes{};
+  std::array<char, kMostBytes + 3> bytes{};
   in.read(bytes.data(), bytes.size());
   if (!in.is_open() || in.bad()) return wrong(std::string{"cannot be read: "} + std::strerror(errno));
   std::string_view text{bytes.data(), static_cast<std::size_t>(in.gcount())};
   if (text.ends_with('\n')) text.remove_suffix(1);
   if (text.ends_with('\r')) text.remove_suffix(1);
-  if (text.empty() || text.size() > protocol::kMaxStringBytes) {
-    return wrong("holds no token; give a file with 1 to " + std::to_string(protocol::kMaxStringBytes) +
-                 " bytes");
+  if (text.empty() || text.size() > kMostBytes) {
+    return wrong("holds no token; give a file with 1 to " + std::to_string(kMostBytes) + " bytes");
   }
   return std::string{text};
 }

@@ -96,7 +96,7 @@ TEST_CASE("no byte of a stranger's changes the log") {
   server.signal(SIGTERM);
   const std::string log = server.wait().out;
   INFO(log);
-  CHECK(log.find("x\\x0a2026") != std::string::npos ? format == "text" : format == "json");
+  CHECK(log.find("\\x0a2026") != std::string::npos);
   CHECK(log.find("forged") != std::string::npos);
   for (const char c : log) CHECK((c == '\n' || (c >= ' ' && c <= '~')));
   std::size_t from = 0;
