@@ -3,7 +3,7 @@
 #include <jwt.h>
 
 #include <algorithm>
-#include <cerrno>
+#include <charconv>
 #include <cstdint>
 #include <cstdlib>
 #include <memory>
@@ -21,7 +21,7 @@ using std::chrono::seconds;
 using std::chrono::sys_seconds;
 
 using Jwt = std::unique_ptr<jwt_t, decltype(&jwt_free)>;
-using CText = std::unique_ptr<char, decltype(&std::free)>;
+using Json = std::unique_ptr<char, decltype(&std::free)>;
 
 const unsigned char* data_of(const Secret& key) {
   return reinterpret_cast<const unsigned char*>(key.bytes().data());
@@ -40,19 +40,18 @@ bool spelled_like_one(std::string_view token) {
          std::count(token.begin(), token.end(), '.') == 2;
 }
 
-bool has_header(jwt_t* jwt, const char* name) {
-  return CText{jwt_get_headers_json(jwt, name), &std::free} != nullptr;
-}
-
-bool has_claim(jwt_t* jwt, const char* name) {
-  return CText{jwt_get_grants_json(jwt, name), &std::free} != nullptr;
+/// The claim as JSON; null where it is missing. Of a claim of another type than asked for, libjwt makes a 0.
+Json claim(jwt_t* jwt, const char* name) {
+  return {jwt_get_grants_json(jwt, name), &std::free};
 }
 
 /// None where the claim is no whole number, or missing.
-std::optional<sys_seconds> time_of(jwt_t* jwt, const char* claim) {
-  errno = 0;
-  const long value = jwt_get_grant_int(jwt, claim);
-  if (errno != 0) return std::nullopt;
+std::optional<sys_seconds> time_of(jwt_t* jwt, const char* name) {
+  const Json json = claim(jwt, name);
+  const std::string_view text = json == nullptr ? std::string_view{} : json.get();
+  std::int64_t value = 0;
+  const auto [stop, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (text.empty() || error != std::errc{} || stop != text.data() + text.size()) return std::nullopt;
   return sys_seconds{seconds{value}};
 }
 
@@ -71,16 +70,17 @@ tl::expected<Claims, TokenFault> read_signed_token(const Secret& key, std::strin
   }
   const Jwt jwt{decoded, &jwt_free};
   if (jwt_get_alg(jwt.get()) != JWT_ALG_HS256) return refused("it is not signed by HS256");
-  if (has_header(jwt.get(), "crit")) return refused("its header asks for extensions");
+  if (Json{jwt_get_headers_json(jwt.get(), "crit"), &std::free} != nullptr)
+    return refused("its header asks for extensions");
 
   const auto expires = time_of(jwt.get(), "exp");
   const auto not_before = time_of(jwt.get(), "nbf");
   const char* const subject = jwt_get_grant(jwt.get(), "sub");
   const char* const words = jwt_get_grant(jwt.get(), "rights");
   if (!expires || *expires < sys_seconds{}) return refused("its exp is missing or no whole number from 0 on");
-  if (!not_before && has_claim(jwt.get(), "nbf")) return refused("its nbf is no whole number");
-  if (subject == nullptr && has_claim(jwt.get(), "sub")) return refused("its sub is no text");
-  if (words == nullptr && has_claim(jwt.get(), "rights")) return refused("its rights are no text");
+  if (!not_before && claim(jwt.get(), "nbf") != nullptr) return refused("its nbf is no whole number");
+  if (subject == nullptr && claim(jwt.get(), "sub") != nullptr) return refused("its sub is no text");
+  if (words == nullptr && claim(jwt.get(), "rights") != nullptr) return refused("its rights are no text");
   if (now - kClockSkew >= *expires) {
     return tl::make_unexpected(
         TokenFault{true, fmt::format("it expired {} s ago", (now - *expires).count())});
@@ -108,7 +108,7 @@ tl::expected<std::string, std::string> make_signed_token(const Secret& key, cons
                     jwt_add_grant(made, "rights", to_string(claims.rights).c_str()) == 0 &&
                     jwt_add_grant_int(made, "iat", time(now)) == 0 &&
                     jwt_add_grant_int(made, "exp", time(claims.expires)) == 0;
-  const CText text{done ? jwt_encode_str(made) : nullptr, &std::free};
+  const Json text{done ? jwt_encode_str(made) : nullptr, &std::free};
   if (text == nullptr) {
     return tl::make_unexpected(std::string{"the token cannot be made; is the subject UTF-8?"});
   }

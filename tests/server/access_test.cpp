@@ -172,7 +172,9 @@ TEST_CASE("claims and headers that mean something else than they should are not 
         R"({"exp": 1800009999, "rights": ["read"]})", R"({"exp": 1800009999, "rights": "none"})",
         R"({"exp": 1800009999, "rights": "edit"})", R"({"exp": 1800009999, "rights": "read,fly"})"}) {
     CAPTURE(claims);
-    CHECK_FALSE(read(odd_token(JWT_ALG_HS256, claims)).has_value());
+    const auto claimed = read(odd_token(JWT_ALG_HS256, claims));
+    REQUIRE_FALSE(claimed.has_value());
+    CHECK_FALSE(claimed.error().expired);
   }
   CHECK_FALSE(read(odd_token(JWT_ALG_HS256, R"({"exp": 1800009999})", R"({"crit": ["b64"]})")).has_value());
   CHECK(read(odd_token(JWT_ALG_HS256, R"({"exp": 9223372036854775807})")).has_value());
