@@ -202,6 +202,17 @@ TEST_CASE("a token with anything changed, left out or added is not accepted") {
   }));
 }
 
+TEST_CASE("a token with an empty part is not even looked at") {
+  const std::string good = token({"a", {Right::read}, kNow + 1h});
+  const std::size_t first = good.find('.');
+  const std::size_t second = good.rfind('.');
+  for (const std::string& bad : {good.substr(first), good.substr(0, first + 1) + good.substr(second),
+                                 good.substr(0, second + 1), std::string{".."}}) {
+    CAPTURE(bad);
+    CHECK(read(bad).error().why == "it is no signed token");
+  }
+}
+
 TEST_CASE("no text does harm, however long") {
   CHECK(rc::check([](const std::string& text) { RC_ASSERT(!read(text).has_value()); }));
   for (const std::size_t dots : {0, 1, 2, 3}) {
