@@ -285,6 +285,7 @@ TEST_CASE("a reload takes the new keys, and keeps all old ones where one is bad"
   CHECK_THAT(failed.error(), Catch::Contains("access.signing_key_file") && Catch::Contains("old keys stay"));
   CHECK(access.admit(fresh, kNow).has_value());
   CHECK(access.admit(token({"a", {Right::read}, kNow + 1h}), kNow).has_value());
+  CHECK_FALSE(access.admit("", kNow).has_value());
 }
 
 TEST_CASE("rights are read back from their text, and read is among them") {
