@@ -1,14 +1,24 @@
 // talusd: streams an endless world, generated on demand, to game clients.
+#include <unistd.h>
+
+#include <chrono>
 #include <csignal>
 #include <cstdio>
 #include <exception>
 #include <optional>
+#include <string_view>
+#include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 
+#include "access/access_control.h"
+#include "access/token_command.h"
 #include "config/command_line.h"
 #include "log/logger.h"
 #include "net/server.h"
+#include "privileges/account.h"
+#include "privileges/privileges.h"
 #include "store/data_directory.h"
 #include "world_file.h"
 
@@ -23,32 +33,82 @@ int failed(const std::string& line) {
   return 1;
 }
 
+/// Whom the configuration asks for; none where it asks for nobody.
+tl::expected<std::optional<Account>, std::string> wanted_account(const Config& config) {
+  if (config.user.empty()) return std::nullopt;
+  return find_account(config.user).map([](Account account) { return std::optional{std::move(account)}; });
+}
+
+/// Gives up what root may do, and opens the data directory as whoever that leaves.
+tl::expected<std::optional<DataDirectory>, std::string> settle_in(const Config& config,
+                                                                  const std::optional<Account>& account,
+                                                                  talus::ContentHash fingerprint) {
+  if (account) {
+    if (runs_as_root() && !config.data.empty()) {
+      if (const auto made = DataDirectory::make_for(config.data, account->uid, account->gid); !made) {
+        return tl::make_unexpected(made.error());
+      }
+    }
+    if (const auto done = become(*account); !done) return tl::make_unexpected(done.error());
+  }
+  if (config.data.empty()) return std::nullopt;
+  auto data = DataDirectory::open(config.data, fingerprint);
+  if (!data && account) {
+    return tl::make_unexpected(fmt::format("{}; talusd runs as user {}", data.error(), account->name));
+  }
+  return std::move(data).map([](DataDirectory opened) { return std::optional{std::move(opened)}; });
+}
+
+/// Lines for the log: what an operator should know of how the server was started.
+std::vector<std::string> warnings_of(const Command& command, const std::vector<std::string>& of_keys) {
+  std::vector<std::string> warnings = command.warnings;
+  warnings.insert(warnings.end(), of_keys.begin(), of_keys.end());
+  for (const auto& file : {command.config.access.secret_file, command.config.access.signing_key_file}) {
+    if (file.empty() || ::access(file.c_str(), R_OK) == 0) continue;
+    warnings.push_back(fmt::format(
+        "{}: the user that talusd runs as cannot read it: a reload will keep the old key", file.string()));
+  }
+  if (command.config.user.empty() && runs_as_root()) {
+    warnings.emplace_back(
+        "talusd runs as root and needs nothing of it; set user, or start it as another user");
+  }
+  return warnings;
+}
+
 int serve(const Command& command) {
   const Config& config = command.config;
+  if (const auto done = renounce_new_privileges(); !done) return failed(done.error());
   if (const auto set = talus::forced_instruction_set(); !set) return failed(std::string{set.error()});
   const auto world = load_world(config.world);
   if (!world) return failed(world.error());
+  const auto account = wanted_account(config);
+  if (!account) return failed(account.error());
+  auto keys = load_keys(config.access);
+  if (!keys) return failed(keys.error());
   if (command.check_only) {
-    for (const std::string& warning : command.warnings) fmt::print(stderr, "talusd: warning: {}\n", warning);
+    for (const std::string& warning : warnings_of(command, keys->warnings))
+      fmt::print(stderr, "talusd: warning: {}\n", warning);
     fmt::print("ok\n");
     if (std::fflush(stdout) != 0) return failed("standard output: cannot write to it");
     return 0;
   }
 
-  std::optional<DataDirectory> data;
-  if (!config.data.empty()) {
-    auto opened = DataDirectory::open(config.data, (*world)->fingerprint());
-    if (!opened) return failed(opened.error());
-    data.emplace(*std::move(opened));
-  }
+  if (keys->any()) hide_memory();
+  const std::vector<std::string> of_keys = keys->warnings;
+  AccessControl access{config.access, *std::move(keys)};
   const Logger log = make_logger(config.log.level, config.log.format);
-  Server server{config, *world, data ? data->store_id() : talus::ContentHash{}, log};
+  Server server{config, *world, access, log};
   const auto address = server.listen();
   if (!address) return failed(address.error());
   const auto operators = server.listen_to_operators();
   if (!operators) return failed(operators.error());
 
-  for (const std::string& warning : command.warnings) log->warn("{}", warning);
+  // Addresses and keys are what root may be needed for. No thread runs yet.
+  const auto data = settle_in(config, *account, (*world)->fingerprint());
+  if (!data) return failed(data.error());
+  if (*data) server.keep_in((*data)->store_id());
+
+  for (const std::string& warning : warnings_of(command, of_keys)) log->warn("{}", warning);
   log->info("world {}, generator {} with {} kernels", to_string((*world)->fingerprint()),
             talus::terrain::kGeneratorVersion, to_string(talus::instruction_set()));
   // On its own and whatever the log level: programs that start a server read this line.
@@ -60,12 +120,22 @@ int serve(const Command& command) {
   return 0;
 }
 
+int print_token(int argc, const char* const* argv) {
+  const auto now = std::chrono::floor<std::chrono::seconds>(std::chrono::system_clock::now());
+  const auto token = token_command(argc, argv, now);
+  fmt::print(token || token.error().status == 0 ? stdout : stderr, "{}",
+             token ? *token + "\n" : token.error().text);
+  if (std::fflush(stdout) != 0) return failed("standard output: cannot write to it");
+  return token ? 0 : token.error().status;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
   // A log whose reader went away must not end the server.
   std::signal(SIGPIPE, SIG_IGN);
   try {
+    if (argc > 1 && std::string_view{argv[1]} == "token") return print_token(argc - 1, argv + 1);
     const auto command = read_command_line(argc, argv, process_environment());
     if (command) return serve(*command);
     fmt::print(command.error().status == 0 ? stdout : stderr, "{}", command.error().text);

@@ -6,6 +6,7 @@
 #include <CLI/CLI.hpp>
 
 #include "surface_map.h"
+#include "token.h"
 
 namespace talus::cli {
 namespace {
@@ -140,7 +141,8 @@ tl::expected<CommandLine, Exit> read_command_line(int argc, const char* const* a
   line.connecting.options.client_name = "talus-client " TALUS_VERSION;
   line.connecting.options.reconnect.max_attempts = 5;
   app.add_option("--connect", words.server, "HOST:PORT of the server")->capture_default_str();
-  app.add_option("--token", line.connecting.options.token, "What the server's operator gave out");
+  TokenWords token;
+  add_token_options(app, token);
   GetOptions get_options;
   FlyOptions fly_options;
   MapOptions map_options;
@@ -160,6 +162,9 @@ tl::expected<CommandLine, Exit> read_command_line(int argc, const char* const* a
   const auto endpoint = parse_endpoint(words.server);
   if (!endpoint) return tl::unexpected{Exit{kWrongUse, endpoint.error()}};
   line.connecting.server = *endpoint;
+  auto shown = token_of(token);
+  if (!shown) return tl::unexpected{Exit{kWrongUse, shown.error()}};
+  line.connecting.options.token = *std::move(shown);
 
   auto checked = app.got_subcommand("get")   ? check_get(std::move(line), get_options, words)
                  : app.got_subcommand("fly") ? check_fly(std::move(line), fly_options)

@@ -7,6 +7,7 @@
 #include <CLI/CLI.hpp>
 
 #include "figures.h"
+#include "token.h"
 
 namespace talus::load {
 namespace {
@@ -161,7 +162,8 @@ tl::expected<Options, Exit> read_command_line(int argc, const char* const* argv)
   Options options;
   Words words;
   app.add_option("--connect", words.server, "HOST:PORT of the server")->capture_default_str();
-  app.add_option("--token", options.token, "What the server's operator gave out");
+  cli::TokenWords token;
+  cli::add_token_options(app, token);
   add_players(app, options);
   add_others(app, options);
   add_results(app, options, words);
@@ -181,6 +183,9 @@ tl::expected<Options, Exit> read_command_line(int argc, const char* const* argv)
   const auto server = cli::parse_endpoint(words.server);
   if (!server) return wrong(server.error());
   options.server = *server;
+  auto shown = cli::token_of(token);
+  if (!shown) return wrong(shown.error());
+  options.token = *std::move(shown);
   if (!words.metrics.empty()) {
     const auto metrics = cli::parse_endpoint(words.metrics, "--metrics");
     if (!metrics) return wrong(metrics.error());

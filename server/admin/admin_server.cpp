@@ -9,7 +9,6 @@
 namespace talus::server {
 namespace {
 
-constexpr std::size_t kMostConnections = 32;
 constexpr std::chrono::seconds kTimeToAsk{5};
 constexpr std::size_t kMostUrlBytes = 1024;
 constexpr std::size_t kMostFields = 64;

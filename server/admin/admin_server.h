@@ -1,6 +1,7 @@
 // The operators' HTTP: /metrics, /-/healthy, /-/ready. Nothing of it is for players or for the open network.
 #pragma once
 
+#include <cstddef>
 #include <functional>
 #include <memory>
 #include <string>
@@ -13,6 +14,9 @@ namespace talus::server {
 
 class AdminServer {
  public:
+  /// Open at once.
+  static constexpr std::size_t kMostConnections = 32;
+
   /// Asked on the io_context's thread, for each request.
   struct Answers {
     std::function<std::string()> metrics;

@@ -35,6 +35,7 @@ tl::expected<Command, Exit> read_command_line(int argc, const char* const* argv,
   app.set_version_flag("--version", "talusd " TALUS_VERSION);
   app.footer(
       "Every setting of talusd.toml is also a variable: limits.connections is TALUS_LIMITS_CONNECTIONS.\n"
+      "talusd token --help tells how to make tokens for clients.\n"
       "Flags win over variables, variables over the file, the file over the defaults.\n"
       "SIGTERM and SIGINT end the server after pending answers are sent; a second signal ends it at once.\n"
       "Exit status: 0 done, 1 failed, 2 wrong use.");

@@ -53,6 +53,15 @@ struct Rates {
   bool operator==(const Rates&) const = default;
 };
 
+/// Who may come in: access/access_control.h.
+struct Access {
+  std::filesystem::path secret_file;  // empty: no shared secret
+  std::string secret_rights = "read";
+  std::filesystem::path signing_key_file;  // empty: no signed tokens
+  std::string without_token = "auto";
+  bool operator==(const Access&) const = default;
+};
+
 struct Cache {
   std::uint64_t chunk_bytes = 256U << 20;
   std::uint64_t patch_bytes = 256U << 20;
@@ -82,6 +91,8 @@ struct Config {
   std::optional<Endpoint> admin;
   std::filesystem::path data;   // empty: nothing is kept on disk
   std::filesystem::path world;  // empty: the world built into the program
+  std::string user;             // empty: stays who it is
+  Access access;
   Threads threads;
   Limits limits;
   Rates rates;

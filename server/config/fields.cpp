@@ -18,6 +18,8 @@ constexpr std::uint64_t kMostPerSecond = 0xFFFF'FFFF;  // rates/token_bucket.h
 
 constexpr std::array<std::string_view, 2> kLogFormats{"text", "json"};
 constexpr std::array<std::string_view, 6> kLevels{"trace", "debug", "info", "warning", "error", "off"};
+constexpr std::array<std::string_view, 3> kRights{"read", "read,edit", "read,edit,admin"};
+constexpr std::array<std::string_view, 4> kRightsWithoutToken{"auto", "none", "read", "read,edit"};
 
 template <typename Group, Group Config::*group, std::uint64_t Group::*member>
 std::uint64_t& number_at(Config& config) {
@@ -48,6 +50,20 @@ const std::array kFields{
           PathTarget{[](Config& c) -> std::filesystem::path& { return c.data; }}},
     Field{"world", "file", "the world's spec; empty: the world built into talusd",
           PathTarget{[](Config& c) -> std::filesystem::path& { return c.world; }}},
+    Field{"user", "user, as NAME, UID or UID:GID",
+          "whom talusd becomes where root starts it, when it has its addresses and keys; empty: nobody else",
+          TextTarget{[](Config& c) -> std::string& { return c.user; }}},
+
+    Field{"access.secret_file", "file", "the secret that clients may show as their token; empty: none",
+          PathTarget{[](Config& c) -> std::filesystem::path& { return c.access.secret_file; }}},
+    Field{"access.secret_rights", "rights", "of clients that show the secret",
+          WordTarget{[](Config& c) -> std::string& { return c.access.secret_rights; }, kRights}},
+    Field{"access.signing_key_file", "file",
+          "the key of signed tokens, as talusd token makes them; empty: none",
+          PathTarget{[](Config& c) -> std::filesystem::path& { return c.access.signing_key_file; }}},
+    Field{"access.without_token", "rights",
+          "of clients without a token; auto: none where one of the files is given, else read",
+          WordTarget{[](Config& c) -> std::string& { return c.access.without_token; }, kRightsWithoutToken}},
 
     Field{"threads.io", "threads", "threads that serve sockets; 0: as many as the machine's cores",
           number<&Config::threads, &Threads::io>(0, 1024)},
@@ -179,6 +195,10 @@ struct AssignText {
     target.at(config) = std::string{text};
     return {};
   }
+  tl::expected<void, std::string> operator()(const TextTarget& target) const {
+    target.at(config) = std::string{text};
+    return {};
+  }
 };
 
 /// Describes what each kind of target takes.
@@ -194,6 +214,7 @@ struct Describe {
   std::string operator()(const WordTarget& target) const {
     return fmt::format("one of \"{}\"", fmt::join(target.words, "\", \""));
   }
+  std::string operator()(const TextTarget&) const { return fmt::format("a {} in quotes", unit); }
 };
 
 }  // namespace

@@ -38,11 +38,17 @@ struct WordTarget {
   std::span<const std::string_view> words;
 };
 
+/// What other parts understand.
+struct TextTarget {
+  std::string& (*at)(Config&);
+};
+
 struct Field {
   std::string_view key;   // "limits.connections"
   std::string_view unit;  // "" where the value has none
   std::string_view help;
-  std::variant<NumberTarget, EndpointTarget, OptionalEndpointTarget, PathTarget, WordTarget> target;
+  std::variant<NumberTarget, EndpointTarget, OptionalEndpointTarget, PathTarget, WordTarget, TextTarget>
+      target;
 };
 
 [[nodiscard]] std::span<const Field> fields();

@@ -123,7 +123,8 @@ std::vector<std::string> unknown_variables(const Environment& environment) {
 
   std::vector<std::string> lines;
   for (const auto& [name, value] : environment) {
-    if (name == kInstructionSetVariable) continue;  // read by core/vectors
+    if (name == kInstructionSetVariable) continue;                      // read by core/vectors
+    if (name == "TALUS_TOKEN" || name == "TALUS_TOKEN_FILE") continue;  // read by clients: a health check's
     if (std::find(known.begin(), known.end(), name) == known.end()) {
       lines.push_back(
           fmt::format("{}: no such setting, ignored; did you mean {}?", escaped(name), nearest(name, known)));

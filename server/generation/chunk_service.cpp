@@ -71,8 +71,10 @@ ChunkService::ChunkService(std::unique_ptr<const Generator> generator, const Ser
       chunks_{settings.chunk_cache_bytes},
       patches_{settings.patch_cache_bytes},
       rows_{settings.chunk_cache_bytes / kShareOfRows},
-      queue_{settings.patch_tiles, settings.queue_chunks} {
-  for (std::size_t thread = 0; thread < settings.threads; ++thread) {
+      queue_{settings.patch_tiles, settings.queue_chunks} {}
+
+void ChunkService::start() {
+  while (threads_.size() < settings_.threads) {
     threads_.emplace_back([this] { work(); });
   }
 }

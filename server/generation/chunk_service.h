@@ -35,9 +35,11 @@ struct ServiceSettings {
 
 class ChunkService {
  public:
-  /// `metrics` outlives it.
+  /// `metrics` outlives it. Nothing is generated before start().
   ChunkService(std::unique_ptr<const Generator> generator, const ServiceSettings& settings, Logger log,
                Metrics& metrics);
+  /// Starts the threads; once.
+  void start();
   /// Waits for the threads; what still waits is not answered.
   ~ChunkService();
   ChunkService(const ChunkService&) = delete;

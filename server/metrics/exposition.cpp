@@ -100,6 +100,13 @@ void add_connections(const Metrics& metrics, Page& page) {
     held.push_back({{{"rate", kRateNames[rate]}}, static_cast<double>(metrics.rates_held[rate].total())});
   }
   page.counters("talus_rates_held_total", "How often a rate refused a request or made chunks wait.", held);
+  const auto denied = [&](Denial denial) {
+    return static_cast<double>(metrics.tokens_denied[static_cast<std::size_t>(denial)].total());
+  };
+  page.counters("talus_tokens_refused_total", "Clients turned away or sent away for their token, by reason.",
+                {{{{"reason", "missing"}}, denied(Denial::missing)},
+                 {{{"reason", "expired"}}, denied(Denial::expired)},
+                 {{{"reason", "not_accepted"}}, denied(Denial::not_accepted)}});
 }
 
 void add_chunks(const Metrics& metrics, Page& page) {

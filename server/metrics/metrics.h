@@ -8,6 +8,7 @@
 
 #include <talus/protocol/message.h>
 
+#include "access/denial.h"
 #include "metrics/tally.h"
 
 namespace talus::server {
@@ -35,6 +36,7 @@ struct Metrics {
 
   // ---- what clients are told
   std::array<Counter, static_cast<std::size_t>(wire::ErrorCode::MAX) + 1> errors;
+  std::array<Counter, kDenials> tokens_denied;
   Counter chunks_sent;
   Counter columns_sent;
   Counter unchanged_sent;
@@ -63,6 +65,7 @@ struct Metrics {
   std::array<Counter, kRateNames.size()> rates_held;
 
   Counter& held(RateKind kind) { return rates_held[static_cast<std::size_t>(kind)]; }
+  Counter& denied(Denial denial) { return tokens_denied[static_cast<std::size_t>(denial)]; }
   Counter& error(wire::ErrorCode code) { return errors[static_cast<std::size_t>(code)]; }
 };
 

@@ -18,6 +18,7 @@
 #include <asio/use_awaitable.hpp>
 #include <asio/write.hpp>
 
+#include "access/signed_token.h"
 #include "log/escape.h"
 #include "metrics/thread_time.h"
 
@@ -40,6 +41,19 @@ void tune(asio::ip::tcp::socket& socket) {
   // What the kernel holds cannot be overtaken, so it holds little and the outbox decides late.
   ::setsockopt(socket.native_handle(), IPPROTO_TCP, TCP_NOTSENT_LOWAT, &kUnsentLowWaterBytes,
                sizeof(kUnsentLowWaterBytes));
+}
+
+/// How long a session may last by its token. A timer cannot count as far as a token can: a century is for
+/// ever.
+std::chrono::nanoseconds left_of(std::chrono::sys_seconds expires) {
+  constexpr std::chrono::seconds kCentury{std::int64_t{36'525} * 86'400};
+  const auto now = std::chrono::floor<std::chrono::seconds>(std::chrono::system_clock::now());
+  return std::clamp(expires - now, -kClockSkew, kCentury) + kClockSkew;
+}
+
+std::string described(const Grant& grant) {
+  const std::string whose = grant.subject.empty() ? "" : fmt::format(" of \"{}\"", escaped(grant.subject));
+  return fmt::format("rights{} {}", whose, to_string(grant.rights));
 }
 
 }  // namespace
@@ -254,6 +268,8 @@ asio::awaitable<void> Connection::watch() {
     } else if (write_stalled(now)) {
       end(fmt::format("timeout: the client read nothing for {} ms",
                       context_.session.limits.write_timeout_ms));
+    } else if (!closing_since_ && token_ends_ && now >= *token_ends_) {
+      react([](Session& session) { session.token_expired(); });
     } else if (now >= next_deadline(now)) {
       time_out();
     } else {
@@ -320,7 +336,8 @@ Connection::Clock::time_point Connection::next_deadline(Clock::time_point now) c
                       : reading_paused_   ? now + from_config(limits.idle_timeout_ms)
                                           : last_frame_ + from_config(limits.idle_timeout_ms);
   // Without a write under way one may begin before the next look.
-  return std::min(silent, write_progress_.value_or(now) + from_config(limits.write_timeout_ms));
+  return std::min({silent, token_ends_.value_or(silent),
+                   write_progress_.value_or(now) + from_config(limits.write_timeout_ms)});
 }
 
 void Connection::note_greeting() {
@@ -328,8 +345,10 @@ void Connection::note_greeting() {
   greeting_noted_ = true;
   context_.session.metrics.greeted.rise();
   watch_timer_.cancel();  // from here on it is the idle time that counts
-  context_.log->info("conn {} {}: hello from \"{}\", protocol {}", id_, remote_,
-                     escaped(session_.greeting()->client), session_.greeting()->protocol);
+  const Greeting& greeting = *session_.greeting();
+  if (greeting.grant.expires) token_ends_ = Clock::now() + left_of(*greeting.grant.expires);
+  context_.log->info("conn {} {}: hello from \"{}\", protocol {}, {}", id_, remote_, escaped(greeting.client),
+                     greeting.protocol, described(greeting.grant));
 }
 
 void Connection::end(std::string_view reason) {

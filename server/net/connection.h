@@ -84,6 +84,7 @@ class Connection : public std::enable_shared_from_this<Connection> {
 
   Clock::time_point opened_;
   Clock::time_point last_frame_;
+  std::optional<Clock::time_point> token_ends_;
   ViewPace view_pace_;
   GatherSize gather_;
   std::optional<Clock::time_point> write_progress_;  // while a write is under way

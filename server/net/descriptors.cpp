@@ -4,12 +4,23 @@
 
 #include <algorithm>
 
+#include "admin/admin_server.h"
+#include "net/refusal.h"
+
 namespace talus::server {
 
-std::uint64_t raise_descriptor_limit(std::uint64_t wanted) {
+std::uint64_t descriptors_needed(std::uint64_t connections, std::size_t io_threads) {
+  // An io_context's: what it waits on, a timer and an alarm.
+  constexpr std::uint64_t kPerThread = 3;
+  // Standard streams, listening sockets, the signals' pipe, the store, key files while they are read, and
+  // what libraries open.
+  constexpr std::uint64_t kOwn = 32;
+  return connections + Refusals::kMost + AdminServer::kMostConnections + kPerThread * io_threads + kOwn;
+}
+
+std::uint64_t set_descriptor_limit(std::uint64_t wanted) {
   rlimit limit{};
   if (getrlimit(RLIMIT_NOFILE, &limit) != 0) return 0;
-  if (limit.rlim_cur >= wanted) return limit.rlim_cur;
   limit.rlim_cur = std::min<rlim_t>(wanted, limit.rlim_max);
   if (setrlimit(RLIMIT_NOFILE, &limit) != 0) getrlimit(RLIMIT_NOFILE, &limit);
   return limit.rlim_cur;

@@ -25,8 +25,6 @@ namespace {
 using asio::ip::tcp;
 using std::chrono::milliseconds;
 
-// Refusals being said, and the log, the listening socket, what libraries open.
-constexpr std::uint64_t kSpareDescriptors = Refusals::kMost + 64;
 constexpr milliseconds kAcceptPause{100};  // when the system has no descriptor left
 constexpr std::chrono::seconds kRefusalLineInterval{1};
 constexpr milliseconds kMemoryInterval{50};
@@ -42,8 +40,8 @@ std::size_t generator_threads(const Config& config) {
   return std::max(1U, std::thread::hardware_concurrency());
 }
 
-WorldInfo describe_world(const terrain::World& world, ContentHash store_id) {
-  return {world.fingerprint(),        store_id,
+WorldInfo describe_world(const terrain::World& world) {
+  return {world.fingerprint(),        {},
           world.materials(),          terrain::height_range(world),
           terrain::find_spawn(world), "talusd " TALUS_VERSION};
 }
@@ -79,11 +77,12 @@ std::string to_text(const tcp::endpoint& endpoint) {
 
 }  // namespace
 
-Server::Server(const Config& config, std::shared_ptr<const terrain::World> world, ContentHash store_id,
+Server::Server(const Config& config, std::shared_ptr<const terrain::World> world, AccessControl& access,
                Logger log)
     : config_{fitted_to(config, *world)},
       log_{std::move(log)},
-      world_{describe_world(*world, store_id)},
+      access_{access},
+      world_{describe_world(*world)},
       rates_{rate_limits(config.rates)},
       admission_{config.limits.connections, config.limits.connections_per_address,
                  milliseconds{static_cast<milliseconds::rep>(config.rates.burst_ms)}},
@@ -143,11 +142,14 @@ std::string Server::metrics_text() {
 }
 
 void Server::run() {
-  const std::uint64_t wanted = config_.limits.connections + kSpareDescriptors;
-  if (const std::uint64_t allowed = raise_descriptor_limit(wanted); allowed < wanted) {
-    log_->warn("the system allows {} open files, fewer than limits.connections {} needs; raise ulimit -n",
-               allowed, config_.limits.connections);
+  const std::uint64_t wanted = descriptors_needed(config_.limits.connections, io_threads(config_));
+  if (const std::uint64_t allowed = set_descriptor_limit(wanted); allowed < wanted) {
+    log_->warn(
+        "the system allows {} open files, fewer than the {} that limits.connections {} needs; raise ulimit "
+        "-n",
+        allowed, wanted, config_.limits.connections);
   }
+  chunks_.start();
   // Without either the server would not be one.
   std::exception_ptr failure;
   const auto end = [&](const std::exception_ptr& thrown) {
@@ -198,7 +200,8 @@ void Server::admit(tcp::socket socket, ConnectionId id) {
     return;
   }
   log_->debug("conn {} {}: opened", id, to_text(remote));
-  const ConnectionContext context{{config_.limits, world_, chunks_, metrics_, rates_}, registry_, log_};
+  const ConnectionContext context{
+      {config_.limits, world_, chunks_, metrics_, access_, rates_}, registry_, log_};
   const auto connection =
       std::make_shared<Connection>(std::move(socket), to_text(remote), id, context, *std::move(place));
   registry_.add(id, connection);

@@ -14,6 +14,7 @@
 
 #include <talus/terrain/world.h>
 
+#include "access/access_control.h"
 #include "admin/admin_server.h"
 #include "config/config.h"
 #include "generation/chunk_service.h"
@@ -30,12 +31,17 @@ namespace talus::server {
 
 class Server {
  public:
-  Server(const Config& config, std::shared_ptr<const terrain::World> world, ContentHash store_id, Logger log);
+  /// `access` outlives it. No thread is started before run().
+  Server(const Config& config, std::shared_ptr<const terrain::World> world, AccessControl& access,
+         Logger log);
 
   /// Opens the listening socket; returns the address with its real port, or one line.
   [[nodiscard]] tl::expected<std::string, std::string> listen();
   /// As listen(), for the operators' HTTP; an empty address where the config has none.
   [[nodiscard]] tl::expected<std::string, std::string> listen_to_operators();
+
+  /// The store that clients are told of: before run().
+  void keep_in(ContentHash store_id) { world_.store_id = store_id; }
 
   /// Serves until SIGTERM or SIGINT, and then until every answer is sent or shutdown.drain_ms is over.
   void run();
@@ -54,6 +60,7 @@ class Server {
   // connections in the contexts hold places and stand in the registry.
   Config config_;
   Logger log_;
+  AccessControl& access_;
   WorldInfo world_;
   Metrics metrics_;
   RateLimits rates_;

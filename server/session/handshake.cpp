@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -41,7 +42,8 @@ bool too_long(const flatbuffers::String* text) {
 
 }  // namespace
 
-tl::expected<Greeting, Rejection> greet(const wire::Hello& hello, const Limits& limits) {
+tl::expected<Greeting, Rejection> greet(const wire::Hello& hello, const Limits& limits,
+                                        const AccessControl& access, std::chrono::sys_seconds now) {
   const std::uint16_t chosen = protocol::choose_protocol(hello.protocol_min(), hello.protocol_max());
   if (chosen == 0) return tl::make_unexpected(no_common_protocol(hello));
 
@@ -55,9 +57,16 @@ tl::expected<Greeting, Rejection> greet(const wire::Hello& hello, const Limits& 
         wire::ErrorCode::malformed,
         fmt::format("Hello.token and Hello.client may have {} bytes each", protocol::kMaxStringBytes)});
   }
+  const std::string_view token = hello.token() == nullptr ? std::string_view{} : hello.token()->string_view();
+  auto grant = access.admit(token, now);
+  if (!grant) {
+    const Denial denial = grant.error().denial;
+    return tl::make_unexpected(Rejection{wire::ErrorCode::unauthorized, std::string{describe(denial)},
+                                         std::move(grant.error().why), denial});
+  }
   const std::uint64_t window = hello.window_bytes() == 0 ? limits.window_bytes : hello.window_bytes();
   return Greeting{chosen, kCodecVersion, std::min<std::uint64_t>(window, limits.window_bytes),
-                  hello.client() == nullptr ? std::string{} : hello.client()->str()};
+                  hello.client() == nullptr ? std::string{} : hello.client()->str(), *std::move(grant)};
 }
 
 }  // namespace talus::server

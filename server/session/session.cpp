@@ -52,6 +52,11 @@ void Session::timed_out(std::string_view text) {
   fail(wire::ErrorCode::timeout, text);
 }
 
+void Session::token_expired() {
+  context_.metrics.denied(Denial::expired).add();
+  fail(wire::ErrorCode::unauthorized, describe(Denial::expired));
+}
+
 void Session::go_away(std::string_view reason, std::uint32_t retry_after_ms) {
   if (closing() || going_away_) return;
   outbox_.push_control(go_away_frame(reason, retry_after_ms));
@@ -62,11 +67,13 @@ void Session::go_away(std::string_view reason, std::uint32_t retry_after_ms) {
   drop_from_view(view_.replace({}));
 }
 
-void Session::fail(wire::ErrorCode code, std::string_view text, std::uint32_t retry_after_ms) {
+void Session::fail(wire::ErrorCode code, std::string_view text, std::uint32_t retry_after_ms,
+                   std::string_view why) {
   if (closing_) return;
   context_.metrics.error(code).add();
   outbox_.push_control(error_frame(code, text, 0, retry_after_ms));
   failure_ = fmt::format("{}: {}", wire::EnumNameErrorCode(code), text);
+  if (!why.empty()) failure_ += fmt::format(" ({})", why);
   closing_ = true;
   abandon();
 }

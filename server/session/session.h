@@ -1,8 +1,8 @@
 // One client's conversation: messages in, frames out. The state machine of PROTOCOL.md.
 //
 // Knows no socket, no thread and no timer: net/connection.h feeds it, and calls it from one thread at a time.
-// Only rates go by the clock, and it is passed in. What it holds is bounded by Limits, whatever the client
-// sends.
+// Only rates go by the clock, which is passed in, and a token when it comes. What it holds is bounded by
+// Limits, whatever the client sends.
 #pragma once
 
 #include <chrono>
@@ -39,6 +39,7 @@ struct SessionContext {
   const WorldInfo& world;
   ChunkService& chunks;
   Metrics& metrics;
+  const AccessControl& access;
   const RateLimits& rates = kUnlimited;
 };
 
@@ -76,6 +77,7 @@ class Session {
   void receive(std::span<const std::byte> frame, Clock::time_point now = Clock::now());
   void broken_frame(const protocol::FrameError& error);
   void timed_out(std::string_view text);
+  void token_expired();
   void chunk_ready(ChunkKey key, const ChunkAnswer& answer);
   void heights_ready(std::uint64_t ticket, const HeightsAnswer& answer);
   /// Says GoAway, forgets the View, takes no more requests, and closes when those it has are answered.
@@ -135,7 +137,9 @@ class Session {
   void on(const wire::Edit& edit);
   void on(const wire::Ping& ping);
 
-  void fail(wire::ErrorCode code, std::string_view text, std::uint32_t retry_after_ms = 0);
+  /// `why` is added for the log alone.
+  void fail(wire::ErrorCode code, std::string_view text, std::uint32_t retry_after_ms = 0,
+            std::string_view why = {});
   void refuse(std::uint32_t request_id, wire::ErrorCode code, std::string_view text,
               std::uint32_t retry_after_ms = 0);
   [[nodiscard]] bool admit(std::uint32_t id);

@@ -1,5 +1,6 @@
 // What each message of a client does.
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <set>
 #include <string>
@@ -93,8 +94,13 @@ tl::expected<View, Rejection> checked_view(const wire::View& view, const Limits&
 
 void Session::on(const wire::Hello& hello) {
   if (greeted()) return fail(ErrorCode::unexpected, "a second Hello");
-  auto greeting = greet(hello, context_.limits);
-  if (!greeting) return fail(greeting.error().code, greeting.error().text);
+  const auto now = std::chrono::floor<std::chrono::seconds>(std::chrono::system_clock::now());
+  auto greeting = greet(hello, context_.limits, context_.access, now);
+  if (!greeting) {
+    const Rejection& rejection = greeting.error();
+    if (rejection.denial) context_.metrics.denied(*rejection.denial).add();
+    return fail(rejection.code, rejection.text, 0, rejection.why);
+  }
   greeting_ = *std::move(greeting);
   credit_ = Credit{greeting_->window_bytes};
   outbox_.push_control(welcome_frame(*greeting_, context_.world, context_.limits));
@@ -212,6 +218,9 @@ void Session::on(const wire::Credit& credit) {
 
 void Session::on(const wire::Edit& edit) {
   if (!within_rates(edit.id())) return;
+  if (!greeting_->grant.rights.has(Right::edit)) {
+    return refuse(edit.id(), ErrorCode::forbidden, "this session has no right to edit; its token gives none");
+  }
   refuse(edit.id(), ErrorCode::unsupported, "this server does not take edits yet");
 }
 

@@ -2,6 +2,7 @@
 
 #include <fcntl.h>
 #include <sys/file.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -59,6 +60,8 @@ tl::expected<ContentHash, std::string> read_store(const fs::path& file, ContentH
   std::optional<ContentHash> id;
   std::optional<ContentHash> held;
   const auto text = read_file(file, terrain::kMaxTomlBytes);
+  if (!text && text.error() == EACCES)
+    return system_failure(file.parent_path(), "cannot read store.toml", EACCES);
   try {
     const bool sound = text && !terrain::passes_toml_bounds(*text);
     const toml::table table = sound ? toml::parse(*text) : toml::table{};
@@ -98,6 +101,25 @@ tl::expected<ContentHash, std::string> read_or_make_store(const fs::path& path, 
 }
 
 }  // namespace
+
+tl::expected<void, std::string> DataDirectory::make_for(const fs::path& path, uid_t user, gid_t group) {
+  std::error_code error;
+  const fs::path absolute = fs::absolute(path, error).lexically_normal();
+  // "/data/" is "/data".
+  const fs::path leaf = absolute.has_filename() ? absolute : absolute.parent_path();
+  if (fs::exists(leaf, error)) return {};
+  fs::create_directories(leaf.parent_path(), error);
+  if (error) return system_failure(path, "cannot make the directory", error.value());
+  constexpr mode_t kOwnersAndGroups = 0750;
+  if (::mkdir(leaf.c_str(), kOwnersAndGroups) != 0)
+    return system_failure(path, "cannot make the directory", errno);
+  // Whoever may rename it meanwhile must not have another one given away.
+  const int made = ::open(leaf.c_str(), O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC);
+  const int failed = made >= 0 && ::fchown(made, user, group) == 0 ? 0 : errno;
+  if (made >= 0) ::close(made);
+  if (failed != 0) return system_failure(path, "cannot give the directory to its user", failed);
+  return {};
+}
 
 tl::expected<DataDirectory, std::string> DataDirectory::open(const fs::path& path, ContentHash fingerprint) {
   std::error_code error;

@@ -3,6 +3,8 @@
 // store.toml in it holds the store's id, which Welcome says, and the fingerprint of its world.
 #pragma once
 
+#include <sys/types.h>
+
 #include <filesystem>
 #include <string>
 
@@ -14,6 +16,9 @@ namespace talus::server {
 
 class DataDirectory {
  public:
+  /// Makes the directory for another user where it is missing; one that is there already is left as it is.
+  [[nodiscard]] static tl::expected<void, std::string> make_for(const std::filesystem::path& path, uid_t user,
+                                                                gid_t group);
   /// Makes the directory and its store.toml where they are missing, and locks it. One line says why not:
   /// it cannot be written, another server has it, or it belongs to a world of another fingerprint.
   [[nodiscard]] static tl::expected<DataDirectory, std::string> open(const std::filesystem::path& path,

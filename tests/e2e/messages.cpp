@@ -15,7 +15,9 @@ protocol::Frame hello(const HelloFields& fields) {
   return protocol::make_frame([&](FlatBufferBuilder& builder) {
     const auto codecs = builder.CreateVector(fields.codecs);
     const auto client = builder.CreateString(fields.client);
-    return wire::CreateHello(builder, fields.oldest, fields.newest, codecs, 0, client, fields.window_bytes);
+    const auto token = builder.CreateString(fields.token);
+    return wire::CreateHello(builder, fields.oldest, fields.newest, codecs, token, client,
+                             fields.window_bytes);
   });
 }
 

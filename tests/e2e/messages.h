@@ -18,6 +18,7 @@ struct HelloFields {
   std::vector<std::uint8_t> codecs{kCodecVersion};
   std::uint64_t window_bytes = 0;
   std::string client = "raw client";
+  std::string token{};
 };
 [[nodiscard]] protocol::Frame hello(const HelloFields& fields = {});
 

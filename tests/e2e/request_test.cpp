@@ -165,9 +165,10 @@ TEST_CASE("heights outside the world are refused") {
   CHECK(error_for(client, 8) == wire::ErrorCode::out_of_range);
 }
 
-TEST_CASE("an edit is refused by its id") {
-  const ServerProcess server;
+TEST_CASE("an edit is refused by its id, whether the client may edit or not") {
+  const bool may = GENERATE(true, false);
+  const ServerProcess server{{{"TALUS_ACCESS_WITHOUT_TOKEN", may ? "read,edit" : "read"}}};
   RawClient client = greeted(server.port());
   REQUIRE(client.send(edit(12)));
-  CHECK(error_for(client, 12) == wire::ErrorCode::unsupported);
+  CHECK(error_for(client, 12) == (may ? wire::ErrorCode::unsupported : wire::ErrorCode::forbidden));
 }

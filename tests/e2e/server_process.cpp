@@ -9,6 +9,7 @@
 
 #include <array>
 #include <catch2/catch.hpp>
+#include <filesystem>
 #include <fstream>
 #include <utility>
 
@@ -148,6 +149,17 @@ Ended ServerProcess::wait() {
   read_to_end(out_, err_, ended);
   ended.status = reap(std::exchange(pid_, -1));
   return ended;
+}
+
+std::vector<std::string> ServerProcess::of_threads(std::string_view field) const {
+  std::vector<std::string> found;
+  for (const auto& thread : std::filesystem::directory_iterator{"/proc/" + std::to_string(pid_) + "/task"}) {
+    std::ifstream in{thread.path() / "status"};
+    for (std::string line; std::getline(in, line);) {
+      if (line.starts_with(field)) found.push_back(line.substr(field.size()));
+    }
+  }
+  return found;
 }
 
 std::size_t ServerProcess::resident_bytes() const {

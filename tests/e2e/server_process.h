@@ -43,6 +43,8 @@ class ServerProcess {
   void signal(int number) const;
   /// Waits for the end and returns how it was.
   [[nodiscard]] Ended wait();
+  /// What /proc says of each of its threads: the rest of the line that begins with `field`.
+  [[nodiscard]] std::vector<std::string> of_threads(std::string_view field) const;
   /// Resident memory now.
   [[nodiscard]] std::size_t resident_bytes() const;
 

@@ -151,6 +151,12 @@ TEST_CASE("an unknown variable is a warning with the nearest name") {
   CHECK_THAT(read->warnings[0], Catch::Contains("TALUS_LISTEN?"));
 }
 
+TEST_CASE("variables of clients are no mistake of the server's") {
+  const auto read = command({}, {{"TALUS_TOKEN", "x"}, {"TALUS_TOKEN_FILE", "x"}});
+  REQUIRE(read.has_value());
+  CHECK(read->warnings.empty());
+}
+
 TEST_CASE("--help and --version are no failures") {
   CHECK(command({"--help"}).error().status == 0);
   CHECK(command({"--version"}).error().status == 0);

@@ -24,6 +24,7 @@ struct Bench {
   FakeService fake;
   Limits limits;
   WorldInfo world;
+  AccessControl access{Access{}, *load_keys(Access{})};
   Admission admission{1, 1};
   Registry registry;
   asio::io_context io{1};
@@ -33,8 +34,9 @@ struct Bench {
   Bench() {
     tcp::acceptor acceptor{io, {asio::ip::address_v4::loopback(), 0}};
     client.connect(acceptor.local_endpoint());
-    const ConnectionContext context{
-        {limits, world, fake.service, fake.metrics}, registry, std::make_shared<spdlog::logger>("silent")};
+    const ConnectionContext context{{limits, world, fake.service, fake.metrics, access},
+                                    registry,
+                                    std::make_shared<spdlog::logger>("silent")};
     const auto connection = std::make_shared<Connection>(acceptor.accept(), "test", 1, context,
                                                          *admission.enter(asio::ip::address_v4::loopback()));
     registry.add(1, connection);
@@ -123,7 +125,7 @@ TEST_CASE("however much one client takes, another's Pong waits for two of its tu
   asio::io_context io{1};
   tcp::acceptor acceptor{io, {asio::ip::address_v4::loopback(), 0}};
   const ConnectionContext context{
-      {limits, world, fake.service, fake.metrics}, registry, std::make_shared<spdlog::logger>("silent")};
+      {limits, world, fake.service, fake.metrics, access}, registry, std::make_shared<spdlog::logger>("silent")};
   std::vector<tcp::socket> clients;
   for (ConnectionId id = 0; id < 2; ++id) {
     clients.emplace_back(io).connect(acceptor.local_endpoint());

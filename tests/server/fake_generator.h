@@ -136,7 +136,9 @@ struct FakeService {
       : service{std::make_unique<FakeGenerator>(work),
                 {threads, 4, queue_chunks, 1 << 20, 1 << 20},
                 std::make_shared<spdlog::logger>("silent"),
-                metrics} {}
+                metrics} {
+    service.start();
+  }
   /// Threads behind a closed gate would never end.
   ~FakeService() { work->open_gate(); }
 };

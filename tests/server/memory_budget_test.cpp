@@ -8,6 +8,7 @@
 
 #include <talus/voxel/codec.h>
 
+#include "access/access_control.h"
 #include "fake_generator.h"
 #include "frames.h"
 #include "session/session.h"
@@ -37,9 +38,11 @@ struct Bench {
   Limits limits;
   WorldInfo world;
   std::shared_ptr<WaitingClient> client = std::make_shared<WaitingClient>();
-  Session session{{limits, world, service, metrics}};
+  AccessControl access{Access{}, *load_keys(Access{})};
+  Session session{{limits, world, service, metrics, access}};
 
   Bench() {
+    service.start();
     session.attach(client);
     receive([](auto& builder) {
       const auto codecs = builder.CreateVector(std::vector{kCodecVersion});

@@ -5,6 +5,7 @@
 
 #include <talus/voxel/codec.h>
 
+#include "access/access_control.h"
 #include "fake_generator.h"
 #include "frames.h"
 #include "session/session.h"
@@ -32,10 +33,11 @@ struct Bench {
   RateLimits rates;
   std::shared_ptr<WaitingClient> client = std::make_shared<WaitingClient>();
   Session::Clock::time_point now = kStart;
+  AccessControl access{Access{}, *load_keys(Access{})};
   Session session;
 
   explicit Bench(const RateLimits& some, const AddressBucketsPtr& address = nullptr)
-      : rates{some}, session{{limits, world, fake.service, fake.metrics, rates}, address} {
+      : rates{some}, session{{limits, world, fake.service, fake.metrics, access, rates}, address} {
     session.attach(client);
     receive([](auto& builder) {
       const auto codecs = builder.CreateVector(std::vector{kCodecVersion});

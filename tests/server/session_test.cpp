@@ -21,8 +21,9 @@ struct Bench {
   FakeService fake;
   Limits limits;
   WorldInfo world;
+  AccessControl access{Access{}, *load_keys(Access{})};
   std::shared_ptr<WaitingClient> client = std::make_shared<WaitingClient>();
-  Session session{{limits, world, fake.service, fake.metrics}};
+  Session session{{limits, world, fake.service, fake.metrics, access}};
 
   explicit Bench(std::size_t queue_chunks = 1000) : fake{1, queue_chunks} {
     session.attach(client);

@@ -11,6 +11,7 @@ ErrorKind kind_of(wire::ErrorCode code) {
   switch (code) {
     case wire::ErrorCode::version:
     case wire::ErrorCode::unauthorized:
+    case wire::ErrorCode::forbidden:
       return ErrorKind::refused;
     case wire::ErrorCode::malformed:
     case wire::ErrorCode::unexpected:

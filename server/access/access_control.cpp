@@ -1,0 +1,125 @@
+#include "access/access_control.h"
+
+#include <openssl/crypto.h>
+#include <openssl/sha.h>
+
+#include <utility>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "access/signed_token.h"
+
+namespace talus::server {
+namespace {
+
+/// Of the shared secret: what is shorter could be guessed, what is longer would not fit a Hello beside all
+/// else.
+constexpr KeyBounds kSecretBounds{16, 1024};
+
+SecretDigest digest_of(std::string_view text) {
+  SecretDigest digest{};
+  ::SHA256(reinterpret_cast<const unsigned char*>(text.data()), text.size(), digest.data());
+  return digest;
+}
+
+/// In a time that depends on neither.
+bool same(const SecretDigest& a, const SecretDigest& b) {
+  return ::CRYPTO_memcmp(a.data(), b.data(), a.size()) == 0;
+}
+
+/// Words that the configuration has checked.
+Rights rights_of(std::string_view words) {
+  return Rights::parse(words).value_or(Rights{});
+}
+
+Rights without_token(const Access& settings, const Keys& keys) {
+  if (settings.without_token != "auto") return rights_of(settings.without_token);
+  return keys.any() ? Rights{} : Rights{Right::read};
+}
+
+/// Reads a key file, if the setting names one, and keeps its warning.
+tl::expected<std::optional<Secret>, std::string> load(std::string_view setting,
+                                                      const std::filesystem::path& file, KeyBounds bounds,
+                                                      std::vector<std::string>& warnings) {
+  if (file.empty()) return std::optional<Secret>{};
+  auto read = read_key_file(file, bounds);
+  if (!read) return tl::make_unexpected(fmt::format("{} {}", setting, read.error()));
+  if (read->warning) warnings.push_back(fmt::format("{} {}", setting, *read->warning));
+  return std::optional<Secret>{std::move(read->secret)};
+}
+
+}  // namespace
+
+tl::expected<Keys, std::string> load_keys(const Access& settings) {
+  Keys keys;
+  const auto secret = load("access.secret_file", settings.secret_file, kSecretBounds, keys.warnings);
+  if (!secret) return tl::make_unexpected(secret.error());
+  if (*secret) keys.shared_secret = digest_of((*secret)->bytes());
+  auto signing = load("access.signing_key_file", settings.signing_key_file, kSigningKeyBounds, keys.warnings);
+  if (!signing) return tl::make_unexpected(signing.error());
+  if (*signing) keys.signing_key.emplace(*std::move(*signing));
+  if (without_token(settings, keys) == Rights{} && !keys.any()) {
+    return tl::make_unexpected(
+        std::string{"access.without_token: \"none\" without access.secret_file or access.signing_key_file "
+                    "lets nobody in; set "
+                    "one of them, or \"read\""});
+  }
+  return keys;
+}
+
+std::string_view describe(Denial denial) {
+  switch (denial) {
+    case Denial::missing:
+      return "this server asks for a token";
+    case Denial::expired:
+      return "the token has expired";
+    case Denial::not_accepted:
+      break;
+  }
+  return "the token is not accepted";
+}
+
+AccessControl::AccessControl(const Access& settings, Keys keys)
+    : settings_{settings},
+      secret_rights_{rights_of(settings.secret_rights)},
+      keys_{std::make_shared<const Keys>(std::move(keys))} {}
+
+tl::expected<Grant, Denied> AccessControl::admit(std::string_view token, std::chrono::sys_seconds now) const {
+  const std::shared_ptr<const Keys> known = keys();
+  if (token.empty() || !known->any()) {
+    const Rights rights = without_token(settings_, *known);
+    if (rights == Rights{}) return tl::make_unexpected(Denied{Denial::missing, {}});
+    return Grant{rights, {}, {}};
+  }
+  if (known->shared_secret && same(digest_of(token), *known->shared_secret))
+    return Grant{secret_rights_, {}, {}};
+  if (!known->signing_key)
+    return tl::make_unexpected(Denied{Denial::not_accepted, "it is not the shared secret"});
+  auto claims = read_signed_token(*known->signing_key, token, now);
+  if (!claims) {
+    return tl::make_unexpected(Denied{claims.error().expired ? Denial::expired : Denial::not_accepted,
+                                      std::move(claims.error().why)});
+  }
+  return Grant{claims->rights, std::move(claims->subject), claims->expires};
+}
+
+tl::expected<std::string, std::string> AccessControl::reload() {
+  auto fresh = load_keys(settings_);
+  if (!fresh) return tl::make_unexpected(fmt::format("{}; the tokens' old keys stay in use", fresh.error()));
+  std::string line = !fresh->any()             ? "no token keys are configured"
+                     : fresh->warnings.empty() ? "the tokens' keys were read again"
+                                               : fmt::format("the tokens' keys were read again; {}",
+                                                             fmt::join(fresh->warnings, "; "));
+  auto shared = std::make_shared<const Keys>(*std::move(fresh));
+  const std::lock_guard lock{mutex_};
+  keys_ = std::move(shared);
+  return line;
+}
+
+std::shared_ptr<const Keys> AccessControl::keys() const {
+  const std::lock_guard lock{mutex_};
+  return keys_;
+}
+
+}  // namespace talus::server

@@ -1,0 +1,43 @@
+// Secrets in files: not in the configuration, the environment or the list of processes.
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include <tl/expected.hpp>
+
+namespace talus::server {
+
+/// Bytes that are wiped when they are let go.
+class Secret {
+ public:
+  explicit Secret(std::string_view bytes) : bytes_{bytes} {}
+  Secret(Secret&& other) noexcept { bytes_.swap(other.bytes_); }
+  Secret& operator=(Secret&&) = delete;
+  ~Secret();
+
+  [[nodiscard]] std::string_view bytes() const { return bytes_; }
+
+ private:
+  std::string bytes_;
+};
+
+struct KeyFile {
+  Secret secret;
+  std::optional<std::string> warning;  // a line: others than the owner's may read or change the file
+};
+
+struct KeyBounds {
+  std::size_t least_bytes;
+  std::size_t most_bytes;
+};
+
+/// The file's bytes without the line's end at their end. An error is one line that begins with the file: it
+/// cannot be read, is no regular file, or its length is out of bounds.
+[[nodiscard]] tl::expected<KeyFile, std::string> read_key_file(const std::filesystem::path& file,
+                                                               KeyBounds bounds);
+
+}  // namespace talus::server

@@ -1,0 +1,45 @@
+// What a client may do.
+#pragma once
+
+#include <cstdint>
+#include <initializer_list>
+#include <string>
+#include <string_view>
+
+#include <tl/expected.hpp>
+
+namespace talus::server {
+
+enum class Right : std::uint8_t {
+  read,   // to come in, look and ask
+  edit,   // to change voxels
+  admin,  // of no use yet
+};
+
+/// A set of rights. Whoever has any may read.
+class Rights {
+ public:
+  constexpr Rights() = default;
+  constexpr Rights(std::initializer_list<Right> rights) {
+    for (const Right right : rights) bits_ |= bit(right);
+  }
+
+  /// "none", or words apart by commas, "read" among them: "read,edit". The error says what is wrong and what
+  /// would be right.
+  [[nodiscard]] static tl::expected<Rights, std::string> parse(std::string_view text);
+
+  [[nodiscard]] constexpr bool has(Right right) const { return (bits_ & bit(right)) != 0; }
+  bool operator==(const Rights&) const = default;
+
+ private:
+  [[nodiscard]] static constexpr std::uint8_t bit(Right right) {
+    return static_cast<std::uint8_t>(1U << static_cast<unsigned>(right));
+  }
+
+  std::uint8_t bits_ = 0;
+};
+
+/// The form that parse reads.
+[[nodiscard]] std::string to_string(Rights rights);
+
+}  // namespace talus::server

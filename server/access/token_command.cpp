@@ -1,0 +1,85 @@
+#include "access/token_command.h"
+
+#include <charconv>
+#include <cstdint>
+#include <sstream>
+
+#include <fmt/format.h>
+#include <CLI/CLI.hpp>
+
+#include "access/signed_token.h"
+#include "log/escape.h"
+
+namespace talus::server {
+namespace {
+
+constexpr int kFailed = 1;
+constexpr int kWrongUse = 2;
+
+tl::unexpected<Exit> one_line(std::string_view text, int status) {
+  return tl::make_unexpected(Exit{fmt::format("talusd token: {}\n", text), status});
+}
+
+}  // namespace
+
+tl::expected<std::chrono::seconds, std::string> parse_validity(std::string_view text) {
+  constexpr std::int64_t kDay = 86'400;
+  constexpr std::int64_t kTenYears = 3'650 * kDay;
+  const char unit = text.empty() ? ' ' : text.back();
+  const std::int64_t seconds = unit == 's'   ? 1
+                               : unit == 'm' ? 60
+                               : unit == 'h' ? 3'600
+                               : unit == 'd' ? kDay
+                                             : 0;
+  std::int64_t count = 0;
+  const char* const end = text.data() + text.size() - (text.empty() ? 0 : 1);
+  const auto [stop, error] = std::from_chars(text.data(), end, count);
+  if (seconds == 0 || error != std::errc{} || stop != end || count < 1 || count > kTenYears / seconds) {
+    return tl::make_unexpected(
+        fmt::format("\"{}\" is wrong; give 90s, 30m, 12h or 7d, at most 3650d", escaped(text)));
+  }
+  return std::chrono::seconds{count * seconds};
+}
+
+tl::expected<std::string, Exit> token_command(int argc, const char* const* argv,
+                                              std::chrono::sys_seconds now) {
+  CLI::App app{"Makes a signed token, which lets a client in until it expires, and prints it.",
+               "talusd token"};
+  app.footer(
+      "The key is that of access.signing_key_file; \"openssl rand -base64 32\" makes one.\n"
+      "Exit status: 0 done, 1 failed, 2 wrong use.");
+  std::string key_file;
+  std::string subject;
+  std::string words = "read";
+  std::string valid;
+  app.add_option("--key-file", key_file, "the key that the server has")->required()->type_name("FILE");
+  app.add_option("--subject", subject, "whom it is for, as the server's log says it")
+      ->required()
+      ->type_name("NAME");
+  app.add_option("--rights", words, "read, edit and admin, apart by commas; read is always among them")
+      ->type_name("RIGHTS")
+      ->capture_default_str();
+  app.add_option("--valid", valid, "from now on: 90s, 30m, 12h, 7d")->required()->type_name("TIME");
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::Success& wanted) {
+    std::ostringstream out;
+    app.exit(wanted, out, out);
+    return tl::make_unexpected(Exit{out.str(), 0});
+  } catch (const CLI::ParseError& error) {
+    return one_line(fmt::format("{}; see talusd token --help", error.what()), kWrongUse);
+  }
+
+  const auto rights = Rights::parse(words);
+  if (!rights) return one_line(fmt::format("--rights: {}", rights.error()), kWrongUse);
+  if (!rights->has(Right::read)) return one_line("--rights: a token without rights is of no use", kWrongUse);
+  const auto validity = parse_validity(valid);
+  if (!validity) return one_line(fmt::format("--valid: {}", validity.error()), kWrongUse);
+  const auto key = read_key_file(key_file, kSigningKeyBounds);
+  if (!key) return one_line(key.error(), kFailed);
+  auto token = make_signed_token(key->secret, {subject, *rights, now + *validity}, now);
+  if (!token) return one_line(token.error(), kFailed);
+  return *std::move(token);
+}
+
+}  // namespace talus::server

@@ -1,0 +1,20 @@
+// `talusd token`: makes a signed token for somebody.
+#pragma once
+
+#include <chrono>
+#include <string>
+
+#include <tl/expected.hpp>
+
+#include "config/command_line.h"
+
+namespace talus::server {
+
+/// The token that the words ask for; `argv[0]` is "token". Else what to print, and the status to exit with.
+[[nodiscard]] tl::expected<std::string, Exit> token_command(int argc, const char* const* argv,
+                                                            std::chrono::sys_seconds now);
+
+/// "90s", "30m", "12h" or "7d", from a second to ten years. The error says what would be right.
+[[nodiscard]] tl::expected<std::chrono::seconds, std::string> parse_validity(std::string_view text);
+
+}  // namespace talus::server
