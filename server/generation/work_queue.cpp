@@ -64,8 +64,8 @@ std::optional<WorkQueue::Work> WorkQueue::take(const WorkPrices& prices) {
   const auto quantum = static_cast<std::int64_t>(prices.patch);
   for (;;) {
     std::optional<std::int64_t> least_debt;  // of those who could begin something
-    for (std::size_t turn = turns_.size(); turn > 0; --turn) {
-      Client& client = clients_.at(turns_.front());
+    for (std::size_t turn = clients_.size(); turn > 0; --turn) {
+      Client& client = clients_.at(turns().front());
       if (!std::exchange(client.in_turn, true)) {
         client.balance = std::min(client.balance + quantum, quantum);
       }
@@ -121,8 +121,8 @@ bool WorkQueue::may_begin(const Client& client) const {
 }
 
 void WorkQueue::end_turn() {
-  const ChunkClient* const id = turns_.front();
-  turns_.pop_front();
+  const ChunkClient* const id = turns().front();
+  turns().pop_front();
   const auto client = clients_.find(id);
   client->second.in_turn = false;
   const bool faded = client->second.idle() && client->second.balance >= 0;
@@ -138,6 +138,7 @@ void WorkQueue::end_turn() {
 void WorkQueue::forget_idle() {
   if (clients() > 0) return;
   clients_.clear();
+  fresh_.clear();
   turns_.clear();
 }
 
@@ -166,7 +167,7 @@ void WorkQueue::release(const PatchKey& patch) {
 WorkQueue::Client& WorkQueue::enter(const ChunkClientPtr& client) {
   const auto [found, added] = clients_.try_emplace(client.get());
   Client& state = found->second;
-  if (added) turns_.push_front(client.get());
+  if (added) fresh_.push_back(client.get());
   // What another owed who was in the same place of memory is not this one's debt.
   if (state.self.expired()) state.balance = 0;
   state.self = client;

@@ -103,6 +103,8 @@ class WorkQueue {
   [[nodiscard]] bool may_begin(const Client& client) const;
   [[nodiscard]] std::deque<PatchKey>::const_iterator free_patch(const Client& client) const;
   [[nodiscard]] Batch take_patch(const PatchKey& patch, const ChunkClientPtr& client);
+  /// Whose turn it is, of those there are.
+  [[nodiscard]] std::deque<const ChunkClient*>& turns() { return fresh_.empty() ? turns_ : fresh_; }
   void end_turn();
   void forget_idle();
   void drop_if_unused(const PatchKey& patch);
@@ -113,7 +115,9 @@ class WorkQueue {
   std::unordered_map<PatchKey, PatchWork> patches_;
   // Those with something waiting, and until their turn comes those that had; who owes stays until it is paid.
   std::unordered_map<const ChunkClient*, Client> clients_;
-  std::deque<const ChunkClient*> turns_;  // exactly the keys of clients_
+  // Exactly the keys of clients_ between them. Those who had nothing waiting go before all others.
+  std::deque<const ChunkClient*> fresh_;
+  std::deque<const ChunkClient*> turns_;
 };
 
 }  // namespace talus::server
