@@ -120,12 +120,14 @@ TEST_CASE("however much one client takes, another's Pong waits for two of its tu
   limits.window_bytes = std::uint64_t{1} << 30;
   limits.queued_bytes_per_session = std::uint64_t{1} << 30;
   WorldInfo world;
+  AccessControl access{Access{}, *load_keys(Access{})};
   Admission admission{2, 2};
   Registry registry;
   asio::io_context io{1};
   tcp::acceptor acceptor{io, {asio::ip::address_v4::loopback(), 0}};
-  const ConnectionContext context{
-      {limits, world, fake.service, fake.metrics, access}, registry, std::make_shared<spdlog::logger>("silent")};
+  const ConnectionContext context{{limits, world, fake.service, fake.metrics, access},
+                                  registry,
+                                  std::make_shared<spdlog::logger>("silent")};
   std::vector<tcp::socket> clients;
   for (ConnectionId id = 0; id < 2; ++id) {
     clients.emplace_back(io).connect(acceptor.local_endpoint());
