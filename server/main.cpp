@@ -9,6 +9,7 @@
 #include "config/command_line.h"
 #include "log/logger.h"
 #include "net/server.h"
+#include "net/tls_context.h"
 #include "store/data_directory.h"
 #include "world_file.h"
 
@@ -28,6 +29,12 @@ int serve(const Command& command) {
   if (const auto set = talus::forced_instruction_set(); !set) return failed(std::string{set.error()});
   const auto world = load_world(config.world);
   if (!world) return failed(world.error());
+  std::optional<TlsIdentity> tls;
+  if (config.tls.wanted()) {
+    auto loaded = load_tls(config.tls.certificate, config.tls.key);
+    if (!loaded) return failed(loaded.error());
+    tls = *std::move(loaded);
+  }
   if (command.check_only) {
     for (const std::string& warning : command.warnings) fmt::print(stderr, "talusd: warning: {}\n", warning);
     fmt::print("ok\n");
@@ -42,7 +49,7 @@ int serve(const Command& command) {
     data.emplace(*std::move(opened));
   }
   const Logger log = make_logger(config.log.level, config.log.format);
-  Server server{config, *world, data ? data->store_id() : talus::ContentHash{}, log};
+  Server server{config, *world, data ? data->store_id() : talus::ContentHash{}, tls, log};
   const auto address = server.listen();
   if (!address) return failed(address.error());
   const auto operators = server.listen_to_operators();
@@ -51,6 +58,8 @@ int serve(const Command& command) {
   for (const std::string& warning : command.warnings) log->warn("{}", warning);
   log->info("world {}, generator {} with {} kernels", to_string((*world)->fingerprint()),
             talus::terrain::kGeneratorVersion, to_string(talus::instruction_set()));
+  if (tls && tls->valid_now) log->info("TLS with {}", tls->description);
+  if (tls && !tls->valid_now) log->warn("TLS with {}: clients will refuse it today", tls->description);
   // On its own and whatever the log level: programs that start a server read this line.
   fmt::print("listening on {}\n", *address);
   if (!operators->empty()) fmt::print("metrics and health on http://{}\n", *operators);

@@ -162,6 +162,11 @@ tl::expected<Options, Exit> read_command_line(int argc, const char* const* argv)
   Words words;
   app.add_option("--connect", words.server, "HOST:PORT of the server")->capture_default_str();
   app.add_option("--token", options.token, "What the server's operator gave out");
+  app.add_flag("--tls", options.tls.on, "Connect by TLS");
+  app.add_option("--ca", options.tls.ca_file,
+                 "By TLS, trusting the certificates in this PEM file (default: those the system trusts)");
+  app.add_option("--tls-name", options.tls.server_name,
+                 "By TLS, with a certificate for this name (default: the host of --connect)");
   add_players(app, options);
   add_others(app, options);
   add_results(app, options, words);
@@ -181,6 +186,7 @@ tl::expected<Options, Exit> read_command_line(int argc, const char* const* argv)
   const auto server = cli::parse_endpoint(words.server);
   if (!server) return wrong(server.error());
   options.server = *server;
+  options.tls.on = options.tls.on || !options.tls.ca_file.empty() || !options.tls.server_name.empty();
   if (!words.metrics.empty()) {
     const auto metrics = cli::parse_endpoint(words.metrics, "--metrics");
     if (!metrics) return wrong(metrics.error());

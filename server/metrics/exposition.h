@@ -16,6 +16,7 @@ struct Depths {
   std::uint64_t chunk_cache_bytes = 0;
   std::uint64_t patch_cache_bytes = 0;
   bool draining = false;
+  std::int64_t certificate_expires = 0;  // seconds since 1970; 0: no TLS
 };
 
 /// What never changes while a server runs.

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 
 #include <talus/protocol/message.h>
 
@@ -11,10 +12,23 @@
 
 namespace talus::server {
 
+/// Why a connection was turned away before it had a session.
+enum class Refusal : std::uint8_t {
+  places,      // of connections, in all or from its address
+  pace,        // its address begins them too fast
+  handshakes,  // too many under way
+  proxy,       // a proxy that does not say for whom it speaks
+};
+inline constexpr std::size_t kRefusals = 4;
+
 struct Metrics {
   // ---- connections
   Counter accepted;
-  Counter refused;  // no place for them
+  std::array<Counter, kRefusals> refused;
+  Level handshakes;        // of proxies and of TLS, under way
+  Counter tls_handshakes;  // done
+  Counter tls_failed;
+  Counter tls_late;
   Level open;
   Level greeted;  // of those open
   Counter received_bytes;
@@ -43,6 +57,7 @@ struct Metrics {
   Counter jobs_refused;
   Counter jobs_cancelled;  // the last who waited left
 
+  Counter& refused_for(Refusal why) { return refused[static_cast<std::size_t>(why)]; }
   Counter& error(wire::ErrorCode code) { return errors[static_cast<std::size_t>(code)]; }
 };
 

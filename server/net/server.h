@@ -1,6 +1,7 @@
 // talusd from its first listening socket to its last answer.
 #pragma once
 
+#include <atomic>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -21,31 +22,35 @@
 #include "metrics/metrics.h"
 #include "net/admission.h"
 #include "net/connection.h"
+#include "net/door.h"
 #include "net/io_pool.h"
-#include "net/refusal.h"
 #include "net/registry.h"
+#include "net/tls_context.h"
 #include "session/world_info.h"
 
 namespace talus::server {
 
 class Server {
  public:
-  Server(const Config& config, std::shared_ptr<const terrain::World> world, ContentHash store_id, Logger log);
+  /// `tls`: of config.tls; none where connections are plain.
+  Server(const Config& config, std::shared_ptr<const terrain::World> world, ContentHash store_id,
+         std::optional<TlsIdentity> tls, Logger log);
 
   /// Opens the listening socket; returns the address with its real port, or one line.
   [[nodiscard]] tl::expected<std::string, std::string> listen();
   /// As listen(), for the operators' HTTP; an empty address where the config has none.
   [[nodiscard]] tl::expected<std::string, std::string> listen_to_operators();
 
-  /// Serves until SIGTERM or SIGINT, and then until every answer is sent or shutdown.drain_ms is over.
+  /// Serves until SIGTERM or SIGINT, and then until every answer is sent or shutdown.drain_ms is over. SIGHUP
+  /// reads certificate and key again.
   void run();
 
  private:
   [[nodiscard]] std::string metrics_text();
   [[nodiscard]] asio::awaitable<void> accept();
   [[nodiscard]] asio::awaitable<void> obey_signals();
-  void admit(asio::ip::tcp::socket socket, ConnectionId id);
-  void note_refusal(const std::string& remote, const std::string& reason);
+  [[nodiscard]] asio::awaitable<void> renew_identity();
+  void welcome(Guest guest);
   void drain();
 
   // In the order in which they may be taken down, last first: generator threads post to the contexts, and
@@ -56,19 +61,19 @@ class Server {
   Metrics metrics_;
   Admission admission_;
   Registry registry_;
-  Refusals refusals_;
+  std::optional<TlsIdentity> tls_;
+  Door door_;
   IoPool io_;
   ChunkService chunks_;
 
   asio::ip::tcp::acceptor acceptor_;
   asio::signal_set signals_;
+  asio::signal_set hangups_;
   asio::steady_timer drain_timer_;
   asio::steady_timer accept_pause_;
   std::optional<AdminServer> admin_;
-  bool draining_ = false;
+  std::atomic<bool> draining_ = false;
   ConnectionId last_id_ = 0;
-  std::chrono::steady_clock::time_point last_refusal_line_{};
-  std::uint64_t refusals_unsaid_ = 0;
 };
 
 }  // namespace talus::server

@@ -43,6 +43,8 @@ class ServerProcess {
   void signal(int number) const;
   /// Waits for the end and returns how it was.
   [[nodiscard]] Ended wait();
+  /// Reads what the server says until a line has `part` in it; the line. Fails the test if none comes.
+  std::string await_line(std::string_view part);
   /// Resident memory now.
   [[nodiscard]] std::size_t resident_bytes() const;
 
@@ -54,6 +56,7 @@ class ServerProcess {
   int out_ = -1;
   int err_ = -1;
   std::string said_;
+  std::size_t looked_at_ = 0;  // of `said_`, by await_line
   std::uint16_t port_ = 0;
 };
 

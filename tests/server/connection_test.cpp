@@ -33,8 +33,10 @@ struct Bench {
     client.connect(acceptor.local_endpoint());
     const ConnectionContext context{
         {limits, world, fake.service, fake.metrics}, registry, std::make_shared<spdlog::logger>("silent")};
-    const auto connection = std::make_shared<Connection>(acceptor.accept(), "test", 1, context,
-                                                         *admission.enter(asio::ip::address_v4::loopback()));
+    const auto connection = std::make_shared<Connection>(
+        Guest{1, Wire{acceptor.accept()}, "test", *admission.enter(asio::ip::address_v4::loopback()),
+              std::chrono::steady_clock::now()},
+        context);
     registry.add(1, connection);
     connection->start();
     thread = std::thread{[this] { io.run(); }};
