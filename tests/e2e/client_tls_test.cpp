@@ -38,7 +38,9 @@ TEST_CASE("talus-client gets a chunk by TLS, and the same one") {
   const Ended by_tls = get(secure.server, {"--ca", secure.certificate, "--tls-name", "talus.example"});
   INFO(by_tls.err);
   CHECK(by_tls.status == 0);
-  CHECK(by_tls.out == get(ServerProcess{}, {}).out);
+  const auto hash = [](const Ended& ended) { return ended.out.substr(0, ended.out.find("revision")); };
+  CHECK_THAT(hash(by_tls), Catch::Contains("hash "));
+  CHECK(hash(by_tls) == hash(get(ServerProcess{}, {})));
 }
 
 TEST_CASE("talus-client says in one line why it does not trust a server") {
