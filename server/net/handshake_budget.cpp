@@ -17,11 +17,13 @@ std::uint64_t mixed(std::uint64_t value) {
   return value ^ value >> 33;
 }
 
-std::array<std::uint64_t, 2> halves(const asio::ip::address& counted) {
+using Key = std::array<std::uint64_t, 2>;
+
+Key halves(const asio::ip::address& counted) {
   const auto bytes = counted.is_v4()
                          ? asio::ip::make_address_v6(asio::ip::v4_mapped, counted.to_v4()).to_bytes()
                          : counted.to_v6().to_bytes();
-  return std::bit_cast<std::array<std::uint64_t, 2>>(bytes);
+  return std::bit_cast<Key>(bytes);
 }
 
 }  // namespace
@@ -35,16 +37,16 @@ HandshakeBudget::HandshakeBudget(std::uint64_t per_second, std::uint64_t burst, 
 
 HandshakeBudget::Clock::duration HandshakeBudget::take(const asio::ip::address& address,
                                                        Clock::time_point now) {
-  const auto [high, low] = halves(counted_as(address));
-  const std::uint64_t hash = mixed(mixed(seed_ ^ high) ^ low);
+  const Key key = halves(counted_as(address));
+  const std::uint64_t hash = mixed(mixed(seed_ ^ key[0]) ^ key[1]);
   const std::lock_guard lock{mutex_};
   const std::span places = std::span{buckets_}.subspan(hash % kSets * kPlaces, kPlaces);
-  auto bucket = std::find_if(places.begin(), places.end(),
-                             [&](const Bucket& each) { return each.high == high && each.low == low; });
+  auto bucket =
+      std::find_if(places.begin(), places.end(), [&](const Bucket& each) { return each.address == key; });
   if (bucket == places.end()) {
     bucket = std::min_element(places.begin(), places.end(),
                               [](const Bucket& a, const Bucket& b) { return a.full < b.full; });
-    *bucket = {high, low, now};
+    *bucket = {key, now};
   }
   const Clock::time_point full = std::max(bucket->full, now) + interval_;
   if (full > now + depth_) return full - (now + depth_);

@@ -2,6 +2,7 @@
 // thread.
 #pragma once
 
+#include <array>
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
@@ -31,7 +32,7 @@ class HandshakeBudget {
  private:
   /// A bucket as one number: when it will be full. Each token taken is one interval later.
   struct Bucket {
-    std::uint64_t high = 0, low = 0;  // the address
+    std::array<std::uint64_t, 2> address{};
     Clock::time_point full{};
   };
 

@@ -37,6 +37,13 @@ Config with(std::uint64_t Limits::*limit, std::uint64_t value, const std::string
   return config;
 }
 
+Config one_a_second() {
+  Config config;
+  config.limits.handshakes_per_address_per_second = 1;
+  config.limits.handshakes_per_address_burst = 1;
+  return config;
+}
+
 /// A guest is told its address, and what it says is said again. It stays until it leaves.
 asio::awaitable<void> echo(std::shared_ptr<Guest> guest) {
   co_await asio::async_write(guest->wire, asio::buffer(guest->address + "\n"), asio::use_awaitable);
@@ -203,27 +210,35 @@ TEST_CASE("who does not finish TLS in time is closed upon, and its place is free
 }
 
 TEST_CASE("who begins connections faster than its budget is told so, and when to come again") {
-  House house{with(&Limits::handshakes_per_address_burst, 1)};
-  Visitor first{house};
-  (void)first.line();
-  Visitor second{house};
-  const auto error = only_frame(second.rest());
-  CHECK_THAT(text_of(error), Catch::Contains("20 a second"));
+  House house{one_a_second()};
+  // However slow this machine is, some time the next comes within a second.
+  std::string said;
+  while (house.refused(Refusal::pace) == 0) {
+    Visitor visitor{house};
+    std::error_code ended;
+    visitor.socket.shutdown(tcp::socket::shutdown_send, ended);
+    said = visitor.rest();
+  }
+  const auto error = only_frame(said);
+  CHECK_THAT(text_of(error), Catch::Contains("faster than 1 a second"));
   const auto* body = (*protocol::read_message(error))->body_as_Error();
   CHECK(body->code() == wire::ErrorCode::overloaded);
   CHECK(body->retry_after_ms() > 0);
-  CHECK(body->retry_after_ms() <= 50);
-  CHECK(house.refused(Refusal::pace) == 1);
+  CHECK(body->retry_after_ms() <= 1000);
 }
 
 TEST_CASE("where TLS is wanted, who is beyond its budget is closed upon without a word") {
-  House house{with(&Limits::handshakes_per_address_burst, 1), true};
-  Visitor first{house};
-  const TlsVisitor secured{first, house.own.certificate};
-  REQUIRE_FALSE(secured.failed);
-  Visitor second{house};
-  CHECK(second.rest().empty());
-  CHECK(house.refused(Refusal::pace) == 1);
+  House house{one_a_second(), true};
+  std::error_code failed;
+  std::string said;
+  while (house.refused(Refusal::pace) == 0) {
+    Visitor visitor{house};
+    failed = TlsVisitor{visitor, house.own.certificate}.failed;
+    if (failed) said = visitor.rest();
+  }
+  CHECK(failed);
+  CHECK(said.empty());
+  CHECK(house.metrics.tls_failed.total() == 0);
 }
 
 TEST_CASE("there are only so many handshakes under way") {
