@@ -17,6 +17,7 @@
 #include "config/command_line.h"
 #include "log/logger.h"
 #include "net/server.h"
+#include "net/tls_context.h"
 #include "privileges/account.h"
 #include "privileges/privileges.h"
 #include "store/data_directory.h"
@@ -63,10 +64,12 @@ tl::expected<std::optional<DataDirectory>, std::string> settle_in(const Config& 
 std::vector<std::string> warnings_of(const Command& command, const std::vector<std::string>& of_keys) {
   std::vector<std::string> warnings = command.warnings;
   warnings.insert(warnings.end(), of_keys.begin(), of_keys.end());
-  for (const auto& file : {command.config.access.secret_file, command.config.access.signing_key_file}) {
+  const Config& config = command.config;
+  for (const auto& file :
+       {config.access.secret_file, config.access.signing_key_file, config.tls.certificate, config.tls.key}) {
     if (file.empty() || ::access(file.c_str(), R_OK) == 0) continue;
     warnings.push_back(fmt::format(
-        "{}: the user that talusd runs as cannot read it: a reload will keep the old key", file.string()));
+        "{}: the user that talusd runs as cannot read it: a reload will keep the old one", file.string()));
   }
   if (command.config.user.empty() && runs_as_root()) {
     warnings.emplace_back(
@@ -85,6 +88,12 @@ int serve(const Command& command) {
   if (!account) return failed(account.error());
   auto keys = load_keys(config.access);
   if (!keys) return failed(keys.error());
+  std::optional<TlsIdentity> tls;
+  if (config.tls.wanted()) {
+    auto loaded = load_tls(config.tls.certificate, config.tls.key);
+    if (!loaded) return failed(loaded.error());
+    tls = *std::move(loaded);
+  }
   if (command.check_only) {
     for (const std::string& warning : warnings_of(command, keys->warnings))
       fmt::print(stderr, "talusd: warning: {}\n", warning);
@@ -93,11 +102,11 @@ int serve(const Command& command) {
     return 0;
   }
 
-  if (keys->any()) hide_memory();
+  if (keys->any() || tls) hide_memory();
   const std::vector<std::string> of_keys = keys->warnings;
   AccessControl access{config.access, *std::move(keys)};
   const Logger log = make_logger(config.log.level, config.log.format);
-  Server server{config, *world, access, log};
+  Server server{config, *world, access, tls, log};
   const auto address = server.listen();
   if (!address) return failed(address.error());
   const auto operators = server.listen_to_operators();
@@ -111,6 +120,8 @@ int serve(const Command& command) {
   for (const std::string& warning : warnings_of(command, of_keys)) log->warn("{}", warning);
   log->info("world {}, generator {} with {} kernels", to_string((*world)->fingerprint()),
             talus::terrain::kGeneratorVersion, to_string(talus::instruction_set()));
+  if (tls && tls->valid_now) log->info("TLS with {}", tls->description);
+  if (tls && !tls->valid_now) log->warn("TLS with {}: clients will refuse it today", tls->description);
   // On its own and whatever the log level: programs that start a server read this line.
   fmt::print("listening on {}\n", *address);
   if (!operators->empty()) fmt::print("metrics and health on http://{}\n", *operators);

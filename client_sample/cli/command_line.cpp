@@ -143,6 +143,12 @@ tl::expected<CommandLine, Exit> read_command_line(int argc, const char* const* a
   app.add_option("--connect", words.server, "HOST:PORT of the server")->capture_default_str();
   TokenWords token;
   add_token_options(app, token);
+  client::TlsOptions& tls = line.connecting.options.tls;
+  app.add_flag("--tls", tls.on, "Connect by TLS");
+  app.add_option("--ca", tls.ca_file,
+                 "By TLS, trusting the certificates in this PEM file (default: those the system trusts)");
+  app.add_option("--tls-name", tls.server_name,
+                 "By TLS, with a certificate for this name (default: the host of --connect)");
   GetOptions get_options;
   FlyOptions fly_options;
   MapOptions map_options;
@@ -159,6 +165,7 @@ tl::expected<CommandLine, Exit> read_command_line(int argc, const char* const* a
   } catch (const CLI::ParseError& error) {
     return tl::unexpected{Exit{kWrongUse, std::string{error.what()} + " (see --help)"}};
   }
+  tls.on = tls.on || !tls.ca_file.empty() || !tls.server_name.empty();
   const auto endpoint = parse_endpoint(words.server);
   if (!endpoint) return tl::unexpected{Exit{kWrongUse, endpoint.error()}};
   line.connecting.server = *endpoint;

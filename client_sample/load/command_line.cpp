@@ -164,6 +164,11 @@ tl::expected<Options, Exit> read_command_line(int argc, const char* const* argv)
   app.add_option("--connect", words.server, "HOST:PORT of the server")->capture_default_str();
   cli::TokenWords token;
   cli::add_token_options(app, token);
+  app.add_flag("--tls", options.tls.on, "Connect by TLS");
+  app.add_option("--ca", options.tls.ca_file,
+                 "By TLS, trusting the certificates in this PEM file (default: those the system trusts)");
+  app.add_option("--tls-name", options.tls.server_name,
+                 "By TLS, with a certificate for this name (default: the host of --connect)");
   add_players(app, options);
   add_others(app, options);
   add_results(app, options, words);
@@ -186,6 +191,7 @@ tl::expected<Options, Exit> read_command_line(int argc, const char* const* argv)
   auto shown = cli::token_of(token);
   if (!shown) return wrong(shown.error());
   options.token = *std::move(shown);
+  options.tls.on = options.tls.on || !options.tls.ca_file.empty() || !options.tls.server_name.empty();
   if (!words.metrics.empty()) {
     const auto metrics = cli::parse_endpoint(words.metrics, "--metrics");
     if (!metrics) return wrong(metrics.error());

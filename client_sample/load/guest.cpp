@@ -104,7 +104,8 @@ void Guest::connect(Time now) {
   window_ = taken_ = credited_ = 0;
   const bool slow = profile_.role == Role::slow;
   read_due_ = slow ? now + kBetweenReads : Time::max();
-  link_.open({worker_.plan().server, profile_.from, slow});
+  const Plan& plan = worker_.plan();
+  link_.open({plan.server, profile_.from, slow, plan.tls, plan.options.tls});
 }
 
 void Guest::opened() {

@@ -45,22 +45,52 @@ void Link::open(const Opening& opening) {
   }
   if (!error) socket_.non_blocking(true, error);
   if (error) return fail(words_of(error));
-  socket_.async_connect(opening.server,
-                        [this, mine = opening_, paced = opening.paced](std::error_code failed) {
-                          if (mine != opening_) return;
-                          if (failed) return fail(words_of(failed));
-                          std::error_code ignored;
-                          socket_.set_option(tcp::no_delay{true}, ignored);
-                          if (!paced) await_input();
-                          owner_.opened();
-                        });
+  paced_ = opening.paced;
+  if (opening.tls != nullptr) {
+    tls_.emplace(client::new_tls(opening.tls, opening.tls_options, opening.server.address().to_string()),
+                 socket_.native_handle());
+  }
+  socket_.async_connect(opening.server, [this, mine = opening_](std::error_code failed) {
+    if (mine != opening_) return;
+    if (failed) return fail(words_of(failed));
+    std::error_code ignored;
+    socket_.set_option(tcp::no_delay{true}, ignored);
+    if (tls_) return shake_hands();
+    established();
+  });
+}
+
+void Link::shake_hands() {
+  std::error_code error;
+  tls_->handshake(error);
+  if (!error) return established();
+  if (error != asio::error::would_block) return fail(tls_->failure(error));
+  const auto ready = tls_->waits_to_write() ? tcp::socket::wait_write : tcp::socket::wait_read;
+  socket_.async_wait(ready, [this, mine = opening_](std::error_code failed) {
+    if (mine != opening_) return;
+    if (failed) return fail(words_of(failed));
+    shake_hands();
+  });
+}
+
+void Link::established() {
+  if (!paced_) await_input();
+  owner_.opened();
+}
+
+std::size_t Link::read_some(std::span<std::byte> into, std::error_code& error) {
+  return tls_ ? tls_->read(into, error) : socket_.read_some(asio::buffer(into.data(), into.size()), error);
+}
+
+std::size_t Link::write_some(std::span<const std::byte> from, std::error_code& error) {
+  return tls_ ? tls_->write(from, error) : socket_.write_some(asio::buffer(from.data(), from.size()), error);
 }
 
 void Link::send(std::span<const std::byte> frame) {
   if (!socket_.is_open()) return;
   if (unsent_.empty()) {
     std::error_code error;
-    frame = frame.subspan(socket_.write_some(asio::buffer(frame.data(), frame.size()), error));
+    frame = frame.subspan(write_some(frame, error));
     if (error && error != asio::error::would_block) return;  // a broken connection is found by reading
   }
   if (frame.empty()) return;
@@ -82,7 +112,9 @@ void Link::await_input() {
   socket_.async_wait(tcp::socket::wait_read, [this, mine = opening_](std::error_code failed) {
     if (mine != opening_) return;
     if (failed) return fail(words_of(failed));
-    take(scratch_.size());
+    do {
+      take(scratch_.size());
+    } while (mine == opening_ && tls_ && tls_->has_more());
     if (mine == opening_) await_input();
   });
 }
@@ -90,8 +122,7 @@ void Link::await_input() {
 void Link::take(std::size_t most) {
   if (!socket_.is_open()) return;
   std::error_code error;
-  const std::size_t bytes =
-      socket_.read_some(asio::buffer(scratch_.data(), std::min(most, scratch_.size())), error);
+  const std::size_t bytes = read_some(scratch_.first(std::min(most, scratch_.size())), error);
   if (error == asio::error::would_block) return;
   if (error) return fail(words_of(error));
   received_bytes_ += bytes;
@@ -125,6 +156,7 @@ void Link::close(bool abruptly) {
   std::vector<std::byte>{}.swap(unsent_);
   std::error_code ignored;
   if (abruptly) socket_.set_option(asio::socket_base::linger{true, 0}, ignored);
+  tls_.reset();
   socket_.close(ignored);
 }
 

@@ -15,6 +15,8 @@
 #include <talus/protocol/frame.h>
 #include <talus/protocol/message.h>
 
+#include "tls_stream.h"
+
 namespace talus::load {
 
 /// Called by its Link; may call it back, close() included.
@@ -37,7 +39,9 @@ class Link {
   struct Opening {
     asio::ip::tcp::endpoint server;
     std::optional<asio::ip::address> from;
-    bool paced = false;  // bytes are read by take() alone, and the kernel is asked to keep few
+    bool paced = false;        // bytes are read by take() alone, and the kernel is asked to keep few
+    client::TlsContext tls{};  // null: plain
+    client::TlsOptions tls_options{};
   };
   void open(const Opening& opening);
   void send(std::span<const std::byte> frame);
@@ -49,12 +53,19 @@ class Link {
   [[nodiscard]] std::uint64_t received_bytes() const { return received_bytes_; }
 
  private:
+  void shake_hands();
+  void established();
   void await_input();
   void await_output();
   void feed(std::span<const std::byte> bytes);
   void fail(const std::string& reason, bool broken = false);
 
+  [[nodiscard]] std::size_t read_some(std::span<std::byte> into, std::error_code& error);
+  [[nodiscard]] std::size_t write_some(std::span<const std::byte> from, std::error_code& error);
+
   asio::ip::tcp::socket socket_;
+  std::optional<TlsStream> tls_;
+  bool paced_ = false;
   std::span<std::byte> scratch_;
   LinkOwner& owner_;
   protocol::FrameReader frames_;

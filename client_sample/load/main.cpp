@@ -1,4 +1,5 @@
 // talus-load: simulated players for a running server, and what they waited.
+#include <csignal>
 #include <cstring>
 #include <fstream>
 #include <iostream>
@@ -94,6 +95,8 @@ std::vector<std::string> tell(const Plan& plan, const Outcome& outcome) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  // OpenSSL writes to sockets that the server may have closed.
+  std::signal(SIGPIPE, SIG_IGN);
   const auto options = read_command_line(argc, argv);
   if (!options && options.error().status != 0) return failed(options.error().text, options.error().status);
   if (!options) {

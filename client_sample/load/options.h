@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include <talus/client/options.h>
+
 #include "conditions.h"
 #include "endpoint.h"
 #include "mix.h"
@@ -15,6 +17,7 @@ namespace talus::load {
 struct Options {
   cli::Endpoint server;
   std::string token;
+  client::TlsOptions tls;
 
   std::uint32_t players = 100;
   double seconds = 30;                    // measured

@@ -8,6 +8,7 @@
 #include <asio/ip/tcp.hpp>
 #include <glm/vec3.hpp>
 
+#include <talus/client/tls.h>
 #include <talus/client/world_info.h>
 
 #include "movement.h"
@@ -18,6 +19,7 @@ namespace talus::load {
 struct Plan {
   Options options;
   asio::ip::tcp::endpoint server;
+  client::TlsContext tls;  // null: plain
   client::WorldInfo world;
   std::shared_ptr<const Trace> trace;  // where the mix has one
   std::vector<glm::dvec3> origins;     // where each group begins, on its ground

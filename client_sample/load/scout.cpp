@@ -109,6 +109,15 @@ asio::awaitable<void> look(asio::io_context& io, Plan& plan) {
   client::Options connecting;
   connecting.token = options.token;
   connecting.client_name = "talus-load " TALUS_VERSION;
+  connecting.tls = options.tls;
+  if (options.tls.on) {
+    // Players connect to the address that was found, and expect who was named.
+    if (connecting.tls.server_name.empty()) connecting.tls.server_name = options.server.host;
+    plan.options.tls = connecting.tls;
+    const auto context = client::make_tls_context(connecting.tls);
+    if (!context) throw Failed{context.error().message};
+    plan.tls = *context;
+  }
   client::Client client{io.get_executor(), connecting};
   // The first address that answers is the players', too.
   std::string why;

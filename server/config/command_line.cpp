@@ -53,8 +53,9 @@ tl::expected<Command, Exit> read_command_line(int argc, const char* const* argv,
         app.add_option(fmt::format("--{}", flag.key), flag.text, help_of(*find_field(flag.key), fallback))
             ->type_name(std::string{flag.type});
   }
-  app.add_flag("--check-config", command.check_only,
-               "check settings and world, but neither address nor data directory; print ok, and exit");
+  app.add_flag(
+      "--check-config", command.check_only,
+      "check settings, world and certificate, but neither address nor data directory; print ok, and exit");
 
   try {
     app.parse(argc, argv);

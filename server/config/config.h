@@ -10,6 +10,7 @@
 #include <talus/protocol/limits.h>
 
 #include "config/endpoint.h"
+#include "config/networks.h"
 
 namespace talus::server {
 
@@ -24,6 +25,9 @@ struct Threads {
 struct Limits {
   std::uint64_t connections = 2048;
   std::uint64_t connections_per_address = 256;
+  std::uint64_t handshakes_per_address_per_second = 20;
+  std::uint64_t handshakes_per_address_burst = 256;
+  std::uint64_t handshakes_under_way = 1024;
   std::uint64_t frame_bytes = protocol::kDefaultClientFrameBytes;
   std::uint64_t requests_in_flight = 1024;
   std::uint64_t handshake_timeout_ms = 10'000;
@@ -62,6 +66,14 @@ struct Access {
   bool operator==(const Access&) const = default;
 };
 
+/// Both or neither; without them connections are plain.
+struct Tls {
+  std::filesystem::path certificate;
+  std::filesystem::path key;
+  [[nodiscard]] bool wanted() const { return !certificate.empty() || !key.empty(); }
+  bool operator==(const Tls&) const = default;
+};
+
 struct Cache {
   std::uint64_t chunk_bytes = 256U << 20;
   std::uint64_t patch_bytes = 256U << 20;
@@ -93,6 +105,8 @@ struct Config {
   std::filesystem::path world;  // empty: the world built into the program
   std::string user;             // empty: stays who it is
   Access access;
+  Networks proxies;  // whose PROXY headers are believed, and asked for
+  Tls tls;
   Threads threads;
   Limits limits;
   Rates rates;

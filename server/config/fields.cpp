@@ -65,6 +65,15 @@ const std::array kFields{
           "of clients without a token; auto: none where one of the files is given, else read",
           WordTarget{[](Config& c) -> std::string& { return c.access.without_token; }, kRightsWithoutToken}},
 
+    Field{"proxies", "networks",
+          "whose PROXY headers (version 2) are believed, and without which they are refused; empty: nobody's",
+          NetworksTarget{[](Config& c) -> Networks& { return c.proxies; }}},
+
+    Field{"tls.certificate", "file", "PEM, with the chain; SIGHUP reads it again; empty: no TLS",
+          PathTarget{[](Config& c) -> std::filesystem::path& { return c.tls.certificate; }}},
+    Field{"tls.key", "file", "PEM, without passphrase, of the certificate",
+          PathTarget{[](Config& c) -> std::filesystem::path& { return c.tls.key; }}},
+
     Field{"threads.io", "threads", "threads that serve sockets; 0: as many as the machine's cores",
           number<&Config::threads, &Threads::io>(0, 1024)},
     Field{"threads.generator", "threads", "threads that generate chunks; 0: as many as the machine's cores",
@@ -74,11 +83,20 @@ const std::array kFields{
           number<&Config::limits, &Limits::connections>(1, 1'000'000)},
     Field{"limits.connections_per_address", "connections", "from one IPv4 address or one IPv6 /64 network",
           number<&Config::limits, &Limits::connections_per_address>(1, 1'000'000)},
+    Field{"limits.handshakes_per_address_per_second", "connections",
+          "that an address, counted as above, may begin in the long run",
+          number<&Config::limits, &Limits::handshakes_per_address_per_second>(1, 1'000'000)},
+    Field{"limits.handshakes_per_address_burst", "connections", "that it may begin at once after a rest",
+          number<&Config::limits, &Limits::handshakes_per_address_burst>(1, 1'000'000)},
+    Field{"limits.handshakes_under_way", "connections",
+          "in all whose TLS handshake or PROXY header is not done; one more is refused",
+          number<&Config::limits, &Limits::handshakes_under_way>(1, 1'000'000)},
     Field{"limits.frame_bytes", "bytes", "of one frame from a client, its length prefix included",
           number<&Config::limits, &Limits::frame_bytes>(protocol::kLeastClientFrameBytes, 16 * kMebibyte)},
     Field{"limits.requests_in_flight", "requests", "chunk and height requests of a session not yet answered",
           number<&Config::limits, &Limits::requests_in_flight>(1, 65'536)},
-    Field{"limits.handshake_timeout_ms", "ms", "from the connection to a whole Hello",
+    Field{"limits.handshake_timeout_ms", "ms",
+          "from the connection to a whole Hello, PROXY header and TLS included",
           number<&Config::limits, &Limits::handshake_timeout_ms>(10, kDayMs)},
     Field{"limits.idle_timeout_ms", "ms", "without a whole frame from the client",
           number<&Config::limits, &Limits::idle_timeout_ms>(10, kDayMs)},
@@ -188,6 +206,12 @@ struct AssignText {
     target.at(config) = std::filesystem::path{text};
     return {};
   }
+  tl::expected<void, std::string> operator()(const NetworksTarget& target) const {
+    auto networks = Networks::parse(text);
+    if (!networks) return tl::make_unexpected(networks.error());
+    target.at(config) = *std::move(networks);
+    return {};
+  }
   tl::expected<void, std::string> operator()(const WordTarget& target) const {
     if (std::find(target.words.begin(), target.words.end(), text) == target.words.end()) {
       return refused(field, fmt::format("\"{}\"", escaped(text)));
@@ -211,6 +235,9 @@ struct Describe {
   std::string operator()(const EndpointTarget&) const { return "\"HOST:PORT\""; }
   std::string operator()(const OptionalEndpointTarget&) const { return "\"HOST:PORT\" or \"\" for none"; }
   std::string operator()(const PathTarget&) const { return fmt::format("the name of a {} in quotes", unit); }
+  std::string operator()(const NetworksTarget&) const {
+    return "addresses and networks in one string, with commas between, or \"\" for none";
+  }
   std::string operator()(const WordTarget& target) const {
     return fmt::format("one of \"{}\"", fmt::join(target.words, "\", \""));
   }

@@ -32,6 +32,10 @@ struct OptionalEndpointTarget {
 struct PathTarget {
   std::filesystem::path& (*at)(Config&);
 };
+/// An empty string stands for none.
+struct NetworksTarget {
+  Networks& (*at)(Config&);
+};
 /// One of a few words.
 struct WordTarget {
   std::string& (*at)(Config&);
@@ -47,7 +51,8 @@ struct Field {
   std::string_view key;   // "limits.connections"
   std::string_view unit;  // "" where the value has none
   std::string_view help;
-  std::variant<NumberTarget, EndpointTarget, OptionalEndpointTarget, PathTarget, WordTarget, TextTarget>
+  std::variant<NumberTarget, EndpointTarget, OptionalEndpointTarget, PathTarget, NetworksTarget, WordTarget,
+               TextTarget>
       target;
 };
 

@@ -1,5 +1,6 @@
 #include "metrics/exposition.h"
 
+#include <array>
 #include <utility>
 #include <vector>
 
@@ -85,8 +86,12 @@ void add_connections(const Metrics& metrics, Page& page) {
   page.gauges("talus_sessions", "Connections open now, by how far they are.",
               {{{{"state", "handshake"}}, open - greeted}, {{{"state", "greeted"}}, greeted}});
   page.counter("talus_connections_total", "Connections that got a place.", metrics.accepted);
-  page.counter("talus_connections_refused_total", "Connections for which there was no place.",
-               metrics.refused);
+  constexpr std::array<const char*, kRefusals> kReasons{"places", "memory", "pace", "handshakes", "proxy"};
+  std::vector<Labelled> refused;
+  for (std::size_t why = 0; why < kRefusals; ++why) {
+    refused.push_back({{{"reason", kReasons[why]}}, static_cast<double>(metrics.refused[why].total())});
+  }
+  page.counters("talus_connections_refused_total", "Connections turned away, by reason.", refused);
   page.counter("talus_received_bytes_total", "Bytes received from clients.", metrics.received_bytes);
   page.counter("talus_sent_bytes_total", "Bytes written to clients.", metrics.sent_bytes);
   std::vector<Labelled> errors;
@@ -107,6 +112,18 @@ void add_connections(const Metrics& metrics, Page& page) {
                 {{{{"reason", "missing"}}, denied(Denial::missing)},
                  {{{"reason", "expired"}}, denied(Denial::expired)},
                  {{{"reason", "not_accepted"}}, denied(Denial::not_accepted)}});
+}
+
+void add_handshakes(const Metrics& metrics, const Depths& depths, Page& page) {
+  page.gauge("talus_handshakes", "Handshakes with proxies and by TLS that are under way.",
+             static_cast<double>(metrics.handshakes.now()));
+  page.counters("talus_tls_handshakes_total", "TLS handshakes, by how they ended.",
+                {{{{"result", "done"}}, static_cast<double>(metrics.tls_handshakes.total())},
+                 {{{"result", "failed"}}, static_cast<double>(metrics.tls_failed.total())},
+                 {{{"result", "late"}}, static_cast<double>(metrics.tls_late.total())}});
+  if (depths.certificate_expires == 0) return;
+  page.gauge("talus_tls_certificate_expiry_timestamp_seconds", "When the certificate ends, since 1970.",
+             static_cast<double>(depths.certificate_expires));
 }
 
 void add_chunks(const Metrics& metrics, Page& page) {
@@ -182,6 +199,7 @@ std::string prometheus_text(const Metrics& metrics, const Depths& depths, const 
                 1}});
   page.gauge("talus_draining", "1 from the signal to end until the end.", depths.draining ? 1 : 0);
   add_connections(metrics, page);
+  add_handshakes(metrics, depths, page);
   add_chunks(metrics, page);
   add_generation(metrics, depths, page);
   add_memory(depths, page);

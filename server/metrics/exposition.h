@@ -20,6 +20,7 @@ struct Depths {
   bool draining = false;
   std::array<std::uint64_t, kMemoryUses.size()> memory_bytes{};
   std::uint64_t memory_limit_bytes = 0;  // 0: none
+  std::int64_t certificate_expires = 0;  // seconds since 1970; 0: no TLS
 };
 
 /// What never changes while a server runs.

@@ -24,11 +24,24 @@ enum class RateKind : std::uint8_t {
 };
 inline constexpr std::array<const char*, 6> kRateNames{"session_chunks", "session_bytes", "session_requests",
                                                        "address_chunks", "address_bytes", "address_requests"};
+/// Why a connection was turned away before it had a session.
+enum class Refusal : std::uint8_t {
+  places,      // of connections, in all or from its address
+  memory,      // is all in use
+  pace,        // its address begins them too fast
+  handshakes,  // too many under way
+  proxy,       // a proxy that does not say for whom it speaks
+};
+inline constexpr std::size_t kRefusals = 5;
 
 struct Metrics {
   // ---- connections
   Counter accepted;
-  Counter refused;  // no place for them
+  std::array<Counter, kRefusals> refused;
+  Level handshakes;        // of proxies and of TLS, under way
+  Counter tls_handshakes;  // done
+  Counter tls_failed;
+  Counter tls_late;
   Level open;
   Level greeted;  // of those open
   Counter received_bytes;
@@ -66,6 +79,7 @@ struct Metrics {
 
   Counter& held(RateKind kind) { return rates_held[static_cast<std::size_t>(kind)]; }
   Counter& denied(Denial denial) { return tokens_denied[static_cast<std::size_t>(denial)]; }
+  Counter& refused_for(Refusal why) { return refused[static_cast<std::size_t>(why)]; }
   Counter& error(wire::ErrorCode code) { return errors[static_cast<std::size_t>(code)]; }
 };
 

@@ -63,7 +63,7 @@ std::string described(const Grant& grant) {
 class Connection::Port final : public ChunkClient, public std::enable_shared_from_this<Port> {
  public:
   explicit Port(const std::shared_ptr<Connection>& connection)
-      : connection_{connection}, executor_{connection->socket_.get_executor()} {}
+      : connection_{connection}, executor_{connection->wire_.get_executor()} {}
 
   void chunk_ready(ChunkKey key, ChunkAnswer answer) override {
     {
@@ -111,28 +111,27 @@ class Connection::Port final : public ChunkClient, public std::enable_shared_fro
   Ready ready_;
 };
 
-Connection::Connection(asio::ip::tcp::socket socket, std::string remote, ConnectionId id,
-                       const ConnectionContext& context, Admission::Place place)
-    : socket_{std::move(socket)},
-      remote_{std::move(remote)},
-      id_{id},
+Connection::Connection(Guest guest, const ConnectionContext& context)
+    : wire_{std::move(guest.wire)},
+      remote_{std::move(guest.address)},
+      id_{guest.id},
       context_{context},
-      place_{std::move(place)},
+      place_{std::move(guest.place)},
       frames_{static_cast<std::uint32_t>(context.session.limits.frame_bytes)},
       session_{context.session, place_->rates()},
-      output_waits_{socket_.get_executor()},
-      room_{socket_.get_executor()},
-      watch_timer_{socket_.get_executor()},
-      retry_timer_{socket_.get_executor()},
-      opened_{Clock::now()},
+      output_waits_{wire_.get_executor()},
+      room_{wire_.get_executor()},
+      watch_timer_{wire_.get_executor()},
+      retry_timer_{wire_.get_executor()},
+      opened_{guest.came},
       last_frame_{opened_} {
-  tune(socket_);
+  tune(wire_.socket());
   context_.session.metrics.accepted.add();
   context_.session.metrics.open.rise();
 }
 
 void Connection::start() {
-  asio::post(socket_.get_executor(), [self = shared_from_this()] {
+  asio::post(wire_.get_executor(), [self = shared_from_this()] {
     self->react([&](Session& session) {
       session.attach(std::make_shared<Port>(self));
       self->spawn(&Connection::read);
@@ -143,14 +142,14 @@ void Connection::start() {
 }
 
 void Connection::go_away(std::string reason, std::uint32_t retry_after_ms) {
-  asio::post(socket_.get_executor(), [self = shared_from_this(), reason = std::move(reason), retry_after_ms] {
+  asio::post(wire_.get_executor(), [self = shared_from_this(), reason = std::move(reason), retry_after_ms] {
     self->react([&](Session& session) { session.go_away(reason, retry_after_ms); });
   });
 }
 
 void Connection::spawn(asio::awaitable<void> (Connection::*loop)()) {
   asio::co_spawn(
-      socket_.get_executor(), [self = shared_from_this(), loop] { return ((*self).*loop)(); },
+      wire_.get_executor(), [self = shared_from_this(), loop] { return ((*self).*loop)(); },
       [self = shared_from_this()](const std::exception_ptr& thrown) {
         if (!thrown) return;
         try {
@@ -164,7 +163,7 @@ void Connection::spawn(asio::awaitable<void> (Connection::*loop)()) {
 asio::awaitable<void> Connection::read() {
   while (open_) {
     std::error_code failed;
-    const std::size_t bytes = co_await socket_.async_read_some(
+    const std::size_t bytes = co_await wire_.async_read_some(
         asio::buffer(input_), asio::redirect_error(asio::use_awaitable, failed));
     if (failed) {
       end(failed == asio::error::eof
@@ -246,7 +245,7 @@ asio::awaitable<void> Connection::write() {
       return error ? 0 : output.size();
     };
     std::error_code failed;
-    const std::size_t written = co_await asio::async_write(socket_, asio::buffer(output), progress,
+    const std::size_t written = co_await asio::async_write(wire_, asio::buffer(output), progress,
                                                            asio::redirect_error(asio::use_awaitable, failed));
     context_.session.metrics.sent_bytes.add(written);
     write_progress_.reset();
@@ -257,7 +256,9 @@ asio::awaitable<void> Connection::write() {
     }
   }
   std::error_code ignored;
-  if (open_) socket_.shutdown(asio::ip::tcp::socket::shutdown_send, ignored);
+  if (open_ && wire_.by_tls())
+    co_await wire_.async_say_end(asio::redirect_error(asio::use_awaitable, ignored));
+  if (open_) wire_.shutdown();
 }
 
 asio::awaitable<void> Connection::watch() {
@@ -358,8 +359,7 @@ void Connection::end(std::string_view reason) {
   context_.registry.remove(id_);
   context_.session.metrics.open.fall();
   if (greeting_noted_) context_.session.metrics.greeted.fall();
-  std::error_code ignored;
-  socket_.close(ignored);
+  wire_.close();
   output_waits_.cancel();
   room_.cancel();
   watch_timer_.cancel();

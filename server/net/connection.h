@@ -13,14 +13,14 @@
 #include <string>
 
 #include <asio/awaitable.hpp>
-#include <asio/ip/tcp.hpp>
 #include <asio/steady_timer.hpp>
 
 #include "log/logger.h"
-#include "net/admission.h"
+#include "net/door.h"
 #include "net/gather_size.h"
 #include "net/registry.h"
 #include "net/view_pace.h"
+#include "net/wire.h"
 #include "session/session.h"
 
 namespace talus::server {
@@ -34,8 +34,7 @@ struct ConnectionContext {
 
 class Connection : public std::enable_shared_from_this<Connection> {
  public:
-  Connection(asio::ip::tcp::socket socket, std::string remote, ConnectionId id,
-             const ConnectionContext& context, Admission::Place place);
+  Connection(Guest guest, const ConnectionContext& context);
 
   /// Once, from any thread.
   void start();
@@ -68,7 +67,7 @@ class Connection : public std::enable_shared_from_this<Connection> {
   void note_greeting();
   void end(std::string_view reason);
 
-  asio::ip::tcp::socket socket_;
+  Wire wire_;
   std::string remote_;
   ConnectionId id_;
   ConnectionContext context_;

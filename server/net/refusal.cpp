@@ -19,7 +19,6 @@ namespace talus::server {
 namespace {
 
 constexpr std::chrono::milliseconds kTimeToRead{1000};
-constexpr std::uint32_t kRetryAfterMs = 5000;
 
 /// A socket that closes itself when the time is over.
 struct Closing {
@@ -49,7 +48,7 @@ asio::awaitable<void> say_and_close(std::shared_ptr<Closing> closing) {
 
 }  // namespace
 
-void Refusals::refuse(asio::ip::tcp::socket socket, const std::string& text) {
+void Refusals::refuse(asio::ip::tcp::socket socket, const std::string& text, std::uint32_t retry_after_ms) {
   if (under_way_.fetch_add(1) >= kMost) {
     --under_way_;
     return;
@@ -57,7 +56,7 @@ void Refusals::refuse(asio::ip::tcp::socket socket, const std::string& text) {
   const auto executor = socket.get_executor();
   auto closing =
       std::make_shared<Closing>(Closing{std::move(socket), asio::steady_timer{executor},
-                                        error_frame(wire::ErrorCode::overloaded, text, 0, kRetryAfterMs)});
+                                        error_frame(wire::ErrorCode::overloaded, text, 0, retry_after_ms)});
   asio::co_spawn(
       executor, [closing] { return say_and_close(closing); },
       [this](const std::exception_ptr&) { --under_way_; });

@@ -3,6 +3,7 @@
 
 #include <atomic>
 #include <cstddef>
+#include <cstdint>
 #include <string>
 
 #include <asio/ip/tcp.hpp>
@@ -14,9 +15,9 @@ class Refusals {
   /// Refusals under way; beyond them a socket is closed without a word.
   static constexpr std::size_t kMost = 64;
 
-  /// Sends Error{overloaded, text} and closes once the client has had time to read it. Must outlive the
-  /// socket's io_context.
-  void refuse(asio::ip::tcp::socket socket, const std::string& text);
+  /// Sends Error{overloaded, text, retry_after_ms} and closes once the client has had time to read it. Must
+  /// outlive the socket's io_context.
+  void refuse(asio::ip::tcp::socket socket, const std::string& text, std::uint32_t retry_after_ms);
 
  private:
   std::atomic<std::size_t> under_way_{0};

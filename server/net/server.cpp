@@ -26,9 +26,9 @@ using asio::ip::tcp;
 using std::chrono::milliseconds;
 
 constexpr milliseconds kAcceptPause{100};  // when the system has no descriptor left
-constexpr std::chrono::seconds kRefusalLineInterval{1};
 constexpr milliseconds kMemoryInterval{50};
 constexpr std::uint32_t kRetryAfterMs = 5000;
+constexpr const char* kGoingAway = "the server is ending";
 
 std::size_t io_threads(const Config& config) {
   if (config.threads.io != 0) return config.threads.io;
@@ -78,7 +78,7 @@ std::string to_text(const tcp::endpoint& endpoint) {
 }  // namespace
 
 Server::Server(const Config& config, std::shared_ptr<const terrain::World> world, AccessControl& access,
-               Logger log)
+               std::optional<TlsIdentity> tls, Logger log)
     : config_{fitted_to(config, *world)},
       log_{std::move(log)},
       access_{access},
@@ -86,12 +86,20 @@ Server::Server(const Config& config, std::shared_ptr<const terrain::World> world
       rates_{rate_limits(config.rates)},
       admission_{config.limits.connections, config.limits.connections_per_address,
                  milliseconds{static_cast<milliseconds::rep>(config.rates.burst_ms)}},
+      tls_{std::move(tls)},
+      door_{config_,
+            admission_,
+            metrics_,
+            log_,
+            [this] { return chunks_.memory().takes_connections(); },
+            [this](Guest guest) { welcome(std::move(guest)); }},
       io_{io_threads(config), log_},
       chunks_{std::make_unique<TerrainGenerator>(std::move(world),
                                                  static_cast<int>(config.generation.patch_tiles)),
               service_settings(config), log_, metrics_},
       acceptor_{io_.control()},
       signals_{io_.control(), SIGTERM, SIGINT},
+      hangups_{io_.control(), SIGHUP},
       drain_timer_{io_.control()},
       accept_pause_{io_.control()},
       memory_timer_{io_.control()} {}
@@ -136,13 +144,16 @@ std::string Server::metrics_text() {
     depths.memory_bytes[use] = memory.used(static_cast<MemoryUse>(use));
   }
   depths.memory_limit_bytes = memory.limit_bytes();
+  depths.certificate_expires = tls_ ? tls_->expires : 0;
   return prometheus_text(metrics_, depths, read_process(),
                          {TALUS_VERSION, terrain::kGeneratorVersion, to_string(world_.fingerprint),
                           std::string{to_string(instruction_set())}});
 }
 
 void Server::run() {
-  const std::uint64_t wanted = descriptors_needed(config_.limits.connections, io_threads(config_));
+  // Who has not yet shown a PROXY header has no place among the connections, and a socket all the same.
+  const std::uint64_t wanted = descriptors_needed(config_.limits.connections, io_threads(config_)) +
+                               (config_.proxies.empty() ? 0 : config_.limits.handshakes_under_way);
   if (const std::uint64_t allowed = set_descriptor_limit(wanted); allowed < wanted) {
     log_->warn(
         "the system allows {} open files, fewer than the {} that limits.connections {} needs; raise ulimit "
@@ -160,6 +171,7 @@ void Server::run() {
   asio::co_spawn(io_.control(), accept(), end);
   asio::co_spawn(io_.control(), obey_signals(), end);
   watch_memory();
+  asio::co_spawn(io_.control(), obey_hangups(), end);
   io_.run();
   if (failure) std::rethrow_exception(failure);
 }
@@ -173,9 +185,8 @@ asio::awaitable<void> Server::accept() {
     if (!failed) {
       const ConnectionId id = ++last_id_;
       try {
-        admit(std::move(socket), id);
+        door_.knock(std::move(socket), id, tls_ ? tls_->context : nullptr);
       } catch (const std::exception& error) {
-        registry_.remove(id);
         log_->error("conn {}: failed: {}", id, error.what());
       }
     } else if (failed != asio::error::connection_aborted) {
@@ -186,35 +197,43 @@ asio::awaitable<void> Server::accept() {
   }
 }
 
-void Server::admit(tcp::socket socket, ConnectionId id) {
-  std::error_code gone;
-  const tcp::endpoint remote = socket.remote_endpoint(gone);
-  if (gone) return;
-  auto place = chunks_.memory().takes_connections() ? admission_.enter(remote.address())
-                                                    : tl::make_unexpected(std::string{kNoMemory});
-  if (!place) {
-    metrics_.refused.add();
-    metrics_.error(wire::ErrorCode::overloaded).add();
-    note_refusal(to_text(remote), place.error());
-    refusals_.refuse(std::move(socket), place.error());
-    return;
-  }
-  log_->debug("conn {} {}: opened", id, to_text(remote));
+void Server::welcome(Guest guest) {
+  const ConnectionId id = guest.id;
+  log_->debug("conn {} {}: opened", id, guest.address);
   const ConnectionContext context{
       {config_.limits, world_, chunks_, metrics_, access_, rates_}, registry_, log_};
-  const auto connection =
-      std::make_shared<Connection>(std::move(socket), to_text(remote), id, context, *std::move(place));
-  registry_.add(id, connection);
-  connection->start();
+  try {
+    const auto connection = std::make_shared<Connection>(std::move(guest), context);
+    registry_.add(id, connection);
+    connection->start();
+    // drain() may have looked before it stood there.
+    if (draining_) connection->go_away(kGoingAway, kRetryAfterMs);
+  } catch (...) {
+    registry_.remove(id);
+    throw;
+  }
 }
 
-void Server::note_refusal(const std::string& remote, const std::string& reason) {
-  ++refusals_unsaid_;
-  const auto now = std::chrono::steady_clock::now();
-  if (now - last_refusal_line_ < kRefusalLineInterval) return;
-  last_refusal_line_ = now;
-  log_->warn("refused {}: {} ({} refused since the last such line)", remote, reason,
-             std::exchange(refusals_unsaid_, 0));
+asio::awaitable<void> Server::obey_hangups() {
+  for (;;) {
+    co_await hangups_.async_wait(asio::use_awaitable);
+    if (const auto keys = access_.reload()) {
+      log_->info("SIGHUP: {}", *keys);
+    } else {
+      log_->error("SIGHUP: {}", keys.error());
+    }
+    if (tls_) renew_identity();
+  }
+}
+
+void Server::renew_identity() {
+  auto renewed = load_tls(config_.tls.certificate, config_.tls.key);
+  if (renewed) {
+    tls_ = *std::move(renewed);
+    log_->info("SIGHUP: TLS with {} from now on", tls_->description);
+  } else {
+    log_->error("SIGHUP: {}; new connections still get the old one: {}", renewed.error(), tls_->description);
+  }
 }
 
 void Server::watch_memory() {
@@ -239,7 +258,7 @@ void Server::drain() {
   draining_ = true;
   std::error_code ignored;
   acceptor_.close(ignored);
-  for (const auto& connection : registry_.all()) connection->go_away("the server is ending", kRetryAfterMs);
+  for (const auto& connection : registry_.all()) connection->go_away(kGoingAway, kRetryAfterMs);
   registry_.when_empty([this] { asio::post(io_.control(), [this] { io_.stop(); }); });
   drain_timer_.expires_after(milliseconds{static_cast<milliseconds::rep>(config_.shutdown.drain_ms)});
   drain_timer_.async_wait([this](std::error_code cancelled) {

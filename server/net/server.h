@@ -1,6 +1,7 @@
 // talusd from its first listening socket to its last answer.
 #pragma once
 
+#include <atomic>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -22,18 +23,20 @@
 #include "metrics/metrics.h"
 #include "net/admission.h"
 #include "net/connection.h"
+#include "net/door.h"
 #include "net/io_pool.h"
-#include "net/refusal.h"
 #include "net/registry.h"
+#include "net/tls_context.h"
 #include "session/world_info.h"
 
 namespace talus::server {
 
 class Server {
  public:
-  /// `access` outlives it. No thread is started before run().
+  /// `access` outlives it. `tls`: of config.tls; none where connections are plain. No thread is started
+  /// before run().
   Server(const Config& config, std::shared_ptr<const terrain::World> world, AccessControl& access,
-         Logger log);
+         std::optional<TlsIdentity> tls, Logger log);
 
   /// Opens the listening socket; returns the address with its real port, or one line.
   [[nodiscard]] tl::expected<std::string, std::string> listen();
@@ -43,7 +46,8 @@ class Server {
   /// The store that clients are told of: before run().
   void keep_in(ContentHash store_id) { world_.store_id = store_id; }
 
-  /// Serves until SIGTERM or SIGINT, and then until every answer is sent or shutdown.drain_ms is over.
+  /// Serves until SIGTERM or SIGINT, and then until every answer is sent or shutdown.drain_ms is over. SIGHUP
+  /// reads certificates and keys again.
   void run();
 
  private:
@@ -52,8 +56,9 @@ class Server {
   [[nodiscard]] asio::awaitable<void> obey_signals();
   /// Lets caches give way to everything else, all the time.
   void watch_memory();
-  void admit(asio::ip::tcp::socket socket, ConnectionId id);
-  void note_refusal(const std::string& remote, const std::string& reason);
+  [[nodiscard]] asio::awaitable<void> obey_hangups();
+  void renew_identity();
+  void welcome(Guest guest);
   void drain();
 
   // In the order in which they may be taken down, last first: generator threads post to the contexts, and
@@ -66,20 +71,20 @@ class Server {
   RateLimits rates_;
   Admission admission_;
   Registry registry_;
-  Refusals refusals_;
+  std::optional<TlsIdentity> tls_;
+  Door door_;
   IoPool io_;
   ChunkService chunks_;
 
   asio::ip::tcp::acceptor acceptor_;
   asio::signal_set signals_;
+  asio::signal_set hangups_;
   asio::steady_timer drain_timer_;
   asio::steady_timer accept_pause_;
   asio::steady_timer memory_timer_;
   std::optional<AdminServer> admin_;
-  bool draining_ = false;
+  std::atomic<bool> draining_ = false;
   ConnectionId last_id_ = 0;
-  std::chrono::steady_clock::time_point last_refusal_line_{};
-  std::uint64_t refusals_unsaid_ = 0;
 };
 
 }  // namespace talus::server

@@ -167,6 +167,8 @@ TEST_CASE("under siege a good client is served and memory stays in bounds") {
   REQUIRE(setrlimit(RLIMIT_NOFILE, &files) == 0);
 
   ServerProcess server{{{"TALUS_LIMITS_CONNECTIONS_PER_ADDRESS", "700"},
+                        {"TALUS_LIMITS_HANDSHAKES_PER_ADDRESS_PER_SECOND", "100000"},
+                        {"TALUS_LIMITS_HANDSHAKES_PER_ADDRESS_BURST", "100000"},
                         {"TALUS_LIMITS_HANDSHAKE_TIMEOUT_MS", "3600000"},
                         {"TALUS_CACHE_CHUNK_BYTES", std::to_string(16 * kMebibyte)},
                         {"TALUS_CACHE_PATCH_BYTES", std::to_string(32 * kMebibyte)},

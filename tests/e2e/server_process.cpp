@@ -139,6 +139,21 @@ std::uint16_t ServerProcess::admin_port() {
   return await_port("metrics and health on http://127.0.0.1:");
 }
 
+std::string ServerProcess::await_line(std::string_view part) {
+  for (;;) {
+    for (std::size_t end = said_.find('\n', looked_at_); end != std::string::npos;
+         end = said_.find('\n', looked_at_)) {
+      const std::string line = said_.substr(looked_at_, end - looked_at_);
+      looked_at_ = end + 1;
+      if (line.find(part) != std::string::npos) return line;
+    }
+    pollfd stream{out_, POLLIN, 0};
+    const bool more = ::poll(&stream, 1, kPatienceMs) > 0 && read_some(out_, said_);
+    INFO(said_);
+    REQUIRE(more);
+  }
+}
+
 void ServerProcess::signal(int number) const {
   ::kill(pid_, number);
 }

@@ -45,6 +45,8 @@ class ServerProcess {
   [[nodiscard]] Ended wait();
   /// What /proc says of each of its threads: the rest of the line that begins with `field`.
   [[nodiscard]] std::vector<std::string> of_threads(std::string_view field) const;
+  /// Reads what the server says until a line has `part` in it; the line. Fails the test if none comes.
+  std::string await_line(std::string_view part);
   /// Resident memory now.
   [[nodiscard]] std::size_t resident_bytes() const;
 
@@ -56,6 +58,7 @@ class ServerProcess {
   int out_ = -1;
   int err_ = -1;
   std::string said_;
+  std::size_t looked_at_ = 0;  // of `said_`, by await_line
   std::uint16_t port_ = 0;
 };
 

@@ -18,7 +18,7 @@ usage: tests/load/run.sh [--short] [SCENARIO...]
   pong     how long a Pong waits behind a View, on links of several speeds
   churn    joining, jumping and being cut off, CHURN_SECONDS long (1800 unless told otherwise)
 
-All of them unless told otherwise. BUILD=DIR: the build to take the programs from (build/release).
+All of them unless told otherwise. BUILD=DIR: the build to take the programs from (build/release). TLS=1: by TLS.
 
   --short  a few players for a few seconds each, for builds with sanitizers: judges what came and how the server
            ended, not how fast; the first failure ends the run
@@ -35,6 +35,16 @@ short=""
 
 # pick LONG SHORT
 pick() { if [[ -n "$short" ]]; then echo "$2"; else echo "$1"; fi; }
+server_tls=()
+client_tls=()
+
+# A certificate of this run's own, which the harness trusts.
+make_certificate() {
+  openssl req -x509 -newkey ec -pkeyopt ec_paramgen_curve:P-256 -nodes -days 2 -subj /CN=localhost \
+    -addext subjectAltName=DNS:localhost,IP:127.0.0.1 -keyout "$out/key.pem" -out "$out/certificate.pem" 2>/dev/null
+  server_tls=(TALUS_TLS_CERTIFICATE="$out/certificate.pem" TALUS_TLS_KEY="$out/key.pem")
+  client_tls=(--ca "$out/certificate.pem")
+}
 
 stop() {
   [[ -n "$pid" ]] || return 0
@@ -50,7 +60,9 @@ trap stop EXIT
 start() {
   stop
   : >"$out/talusd.log"
-  env TALUS_LOG_LEVEL=warning TALUS_LIMITS_CONNECTIONS=20000 TALUS_LIMITS_CONNECTIONS_PER_ADDRESS=20000 "$@" \
+  env TALUS_LOG_LEVEL=warning TALUS_LIMITS_CONNECTIONS=20000 TALUS_LIMITS_CONNECTIONS_PER_ADDRESS=20000 \
+    TALUS_LIMITS_HANDSHAKES_PER_ADDRESS_PER_SECOND=20000 TALUS_LIMITS_HANDSHAKES_PER_ADDRESS_BURST=20000 \
+    TALUS_LIMITS_HANDSHAKES_UNDER_WAY=20000 "${server_tls[@]}" "$@" \
     "$talusd" --listen 127.0.0.1:0 >"$out/talusd.log" 2>&1 &
   pid=$!
   until address="$(sed -n 's/.*listening on \([^ ]*\).*/\1/p' "$out/talusd.log")" && [[ -n "$address" ]]; do
@@ -68,7 +80,7 @@ load() {
   local name="$1"
   shift
   printf '\n== %s: talus-load %s\n' "$name" "$*"
-  "$talus_load" --connect "$address" --server-pid "$pid" --json "$out/$name.json" --plot "$out/$name.svg" "$@" ||
+  "$talus_load" --connect "$address" "${client_tls[@]}" --server-pid "$pid" --json "$out/$name.json" --plot "$out/$name.svg" "$@" ||
     [[ -z "$short" ]]
 }
 
@@ -184,4 +196,5 @@ for scenario in "$@"; do
   [[ " ${scenarios[*]} " == *" $scenario "* ]] || { usage >&2; exit 2; }
 done
 mkdir -p "$out"
+[[ -z "${TLS:-}" ]] || make_certificate
 for scenario in "${@:-${scenarios[@]}}"; do "$scenario"; done

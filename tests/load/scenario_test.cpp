@@ -4,6 +4,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "certificates.h"
 #include "fault_proxy.h"
 #include "scratch_directory.h"
 #include "server_process.h"
@@ -76,6 +77,31 @@ TEST_CASE("players that meet in one place get what is right") {
 
 TEST_CASE("players that are cut off and come back get what is right") {
   check_clean(twenty({"--model", "mixed", "--churn", "0.5"}));
+}
+
+TEST_CASE("players of all kinds get what is right by TLS") {
+  const ScratchDirectory scratch;
+  const TestCertificate own = make_certificate(1);
+  const std::string certificate = scratch.write("c.pem", own.certificate);
+  const ServerProcess server{
+      {{"TALUS_TLS_CERTIFICATE", certificate}, {"TALUS_TLS_KEY", scratch.write("k.pem", own.key)}}};
+  Words words = twenty({"--model", "mixed", "--churn", "0.5", "--slow", "2", "--ca", certificate});
+  for (const char* condition : {"wrong>0", "errors>0", "disconnects>0", "chunks_per_s==0"}) {
+    words.insert(words.end(), {"--fail-if", condition});
+  }
+  const Ended ended = run_load(server.port(), words);
+  INFO(said(ended));
+  CHECK(ended.status == 0);
+}
+
+TEST_CASE("load by TLS without the authority says what to give") {
+  const ScratchDirectory scratch;
+  const TestCertificate own = make_certificate(1);
+  const ServerProcess server{{{"TALUS_TLS_CERTIFICATE", scratch.write("c.pem", own.certificate)},
+                              {"TALUS_TLS_KEY", scratch.write("k.pem", own.key)}}};
+  const Ended ended = run_load(server.port(), twenty({"--tls"}));
+  CHECK(ended.status == 1);
+  CHECK_THAT(ended.err, Catch::Contains("certificate verify failed") && Catch::Contains("--ca FILE"));
 }
 
 TEST_CASE("requests get what is right") {

@@ -33,6 +33,7 @@ std::string other_than_default(const Field& field) {
     Config defaults;
     return std::to_string(number->at(defaults) == number->most ? number->least : number->most);
   }
+  if (std::holds_alternative<NetworksTarget>(field.target)) return "192.0.2.0/24";
   const auto* word = std::get_if<WordTarget>(&field.target);
   if (word == nullptr) return "somewhere:7";
   Config defaults;

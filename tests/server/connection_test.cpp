@@ -37,8 +37,10 @@ struct Bench {
     const ConnectionContext context{{limits, world, fake.service, fake.metrics, access},
                                     registry,
                                     std::make_shared<spdlog::logger>("silent")};
-    const auto connection = std::make_shared<Connection>(acceptor.accept(), "test", 1, context,
-                                                         *admission.enter(asio::ip::address_v4::loopback()));
+    const auto connection = std::make_shared<Connection>(
+        Guest{1, Wire{acceptor.accept()}, "test", *admission.enter(asio::ip::address_v4::loopback()),
+              std::chrono::steady_clock::now()},
+        context);
     registry.add(1, connection);
     connection->start();
     thread = std::thread{[this] { io.run(); }};
@@ -131,8 +133,10 @@ TEST_CASE("however much one client takes, another's Pong waits for two of its tu
   std::vector<tcp::socket> clients;
   for (ConnectionId id = 0; id < 2; ++id) {
     clients.emplace_back(io).connect(acceptor.local_endpoint());
-    const auto connection = std::make_shared<Connection>(acceptor.accept(), "test", id, context,
-                                                         *admission.enter(asio::ip::address_v4::loopback()));
+    const auto connection = std::make_shared<Connection>(
+        Guest{id, Wire{acceptor.accept()}, "test", *admission.enter(asio::ip::address_v4::loopback()),
+              std::chrono::steady_clock::now()},
+        context);
     registry.add(id, connection);
     connection->start();
     asio::write(clients[id], asio::buffer(protocol::make_frame([](auto& builder) {

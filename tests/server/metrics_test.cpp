@@ -28,7 +28,8 @@ std::string value_of(const std::string& text, const std::string& series) {
 }
 
 std::string text_of(const Metrics& metrics) {
-  return prometheus_text(metrics, {}, read_process(), {"1.2.3", 2, "abc", "avx2"});
+  return prometheus_text(metrics, {.certificate_expires = 1'900'000'000}, read_process(),
+                         {"1.2.3", 2, "abc", "avx2"});
 }
 
 std::string json_line(const std::string& text) {
@@ -147,4 +148,22 @@ TEST_CASE("a log line is one JSON object, whatever its text") {
   CHECK(object.at("level") == "warning");
   if (text.find('\xff') == std::string::npos) CHECK(object.at("text") == text);
   CHECK(object.at("time").get<std::string>().size() == std::string{"2026-01-01T00:00:00.000Z"}.size());
+}
+
+TEST_CASE("who was turned away at the door, and how TLS ended, is counted by reason") {
+  Metrics metrics;
+  metrics.refused_for(Refusal::pace).add(3);
+  metrics.tls_late.add(2);
+  metrics.handshakes.rise();
+  const std::string text = text_of(metrics);
+  CHECK(value_of(text, "talus_connections_refused_total{reason=\"pace\"}") == "3");
+  CHECK(value_of(text, "talus_connections_refused_total{reason=\"places\"}") == "0");
+  CHECK(value_of(text, "talus_tls_handshakes_total{result=\"late\"}") == "2");
+  CHECK(value_of(text, "talus_handshakes") == "1");
+  CHECK(value_of(text, "talus_tls_certificate_expiry_timestamp_seconds") == "1900000000");
+}
+
+TEST_CASE("without a certificate there is no series of its end") {
+  const std::string text = prometheus_text({}, {}, read_process(), {"1.2.3", 2, "abc", "avx2"});
+  CHECK(text.find("certificate") == std::string::npos);
 }

@@ -8,6 +8,7 @@
 
 #include "access/signed_token.h"
 #include "fake_generator.h"
+#include "frames.h"
 #include "net/connection.h"
 #include "scratch_directory.h"
 #include "session/session.h"
@@ -60,7 +61,7 @@ struct Bench : Shared {
 
   /// Its output, which must be one Error.
   SaidError error() {
-    const auto frames = session.take_output(1 << 20);
+    const auto frames = cut(session.take_output(1 << 20));
     REQUIRE(frames.size() == 1);
     const wire::Message& message = **protocol::read_message(frames[0]);
     REQUIRE(message.body_type() == wire::Body::Error);

@@ -25,22 +25,48 @@ ClientError Connection::reason_or(ErrorKind kind, std::string message) const {
   return reason_ ? *reason_ : ClientError{kind, std::move(message), {}};
 }
 
-asio::awaitable<Result<void>> Connection::open(const std::string& host, const std::string& port) {
-  const std::string where = host + ":" + port;
+asio::awaitable<Result<void>> Connection::open(const std::string& host, const std::string& port,
+                                               const TlsOptions& tls) {
+  where_ = host + ":" + port;
   const auto [resolve_error, endpoints] = co_await resolver_.async_resolve(host, port, kAsTuple);
   if (resolve_error || is_shut()) {
     co_return tl::unexpected{
-        reason_or(ErrorKind::unreachable, where + ": no such host or port: " + resolve_error.message())};
+        reason_or(ErrorKind::unreachable, where_ + ": no such host or port: " + resolve_error.message())};
   }
   const auto [connect_error, endpoint] = co_await asio::async_connect(socket_, endpoints, kAsTuple);
   if (connect_error || is_shut()) {
     co_return tl::unexpected{
-        reason_or(ErrorKind::unreachable, where + ": no server answers there: " + connect_error.message())};
+        reason_or(ErrorKind::unreachable, where_ + ": no server answers there: " + connect_error.message())};
   }
   std::error_code ignored;  // a connection without it is slower, not wrong
   socket_.set_option(asio::ip::tcp::no_delay{true}, ignored);
   last_received_ = std::chrono::steady_clock::now();
+  if (!tls.on) co_return Result<void>{};
+  auto secured = co_await shake_hands(host, tls);
+  if (!secured && !is_shut()) secured.error().message = where_ + ": " + secured.error().message;
+  co_return secured;
+}
+
+asio::awaitable<Result<void>> Connection::shake_hands(const std::string& host, const TlsOptions& options) {
+  const auto context = make_tls_context(options);
+  if (!context) co_return tl::unexpected{context.error()};
+  tls_.emplace(socket_, new_tls(*context, options, host).release());
+  const auto [error] = co_await tls_->async_handshake(asio::ssl::stream_base::client, kAsTuple);
+  if (is_shut()) co_return tl::unexpected{*reason_};
+  if (error) co_return tl::unexpected{handshake_failure(tls_->native_handle(), error)};
   co_return Result<void>{};
+}
+
+// Outside the coroutines: g++ 12 destroys what a condition in a co_await chose twice.
+asio::awaitable<Connection::Transferred> Connection::read_some() {
+  if (tls_) return tls_->async_read_some(asio::buffer(buffer_), kAsTuple);
+  return socket_.async_read_some(asio::buffer(buffer_), kAsTuple);
+}
+
+asio::awaitable<Connection::Transferred> Connection::write_all(std::span<const std::byte> bytes) {
+  const auto buffer = asio::buffer(bytes.data(), bytes.size());
+  if (tls_) return asio::async_write(*tls_, buffer, kAsTuple);
+  return asio::async_write(socket_, buffer, kAsTuple);
 }
 
 asio::awaitable<Result<std::span<const std::byte>>> Connection::next_frame(Stats& stats) {
@@ -55,12 +81,18 @@ asio::awaitable<Result<std::span<const std::byte>>> Connection::next_frame(Stats
     unread_ = unread_.subspan(*taken);
     if (reader_.has_frame()) co_return reader_.frame();
 
-    const auto [error, count] = co_await socket_.async_read_some(asio::buffer(buffer_), kAsTuple);
+    const auto [error, count] = co_await read_some();
+    if (error && !heard_ && !tls_) {
+      co_return tl::unexpected{reason_or(ErrorKind::disconnected,
+                                         where_ + ": the server ended the connection without a word (" +
+                                             error.message() + "); if it wants TLS, connect by TLS (--tls)")};
+    }
     if (error) {
       co_return tl::unexpected{reason_or(ErrorKind::disconnected,
                                          reader_.mid_frame() ? "the connection ended in the middle of a frame"
                                                              : "the connection ended: " + error.message())};
     }
+    heard_ = true;
     stats.received_bytes += count;
     last_received_ = std::chrono::steady_clock::now();
     unread_ = std::span{buffer_}.first(count);
@@ -68,8 +100,7 @@ asio::awaitable<Result<std::span<const std::byte>>> Connection::next_frame(Stats
 }
 
 asio::awaitable<Result<void>> Connection::write(std::span<const std::byte> bytes) {
-  const auto [error, count] =
-      co_await asio::async_write(socket_, asio::buffer(bytes.data(), bytes.size()), kAsTuple);
+  const auto [error, count] = co_await write_all(bytes);
   if (error) {
     co_return tl::unexpected{reason_or(ErrorKind::disconnected, "the connection ended: " + error.message())};
   }

@@ -1,4 +1,4 @@
-// One TCP connection: frames in, bytes out, and the reason it ended.
+// One connection, plain or by TLS: frames in, bytes out, and the reason it ended.
 #pragma once
 
 #include <array>
@@ -8,14 +8,19 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <system_error>
+#include <tuple>
 #include <vector>
 
 #include <asio/awaitable.hpp>
 #include <asio/ip/tcp.hpp>
+#include <asio/ssl/stream.hpp>
 #include <asio/steady_timer.hpp>
 
 #include <talus/client/client.h>
 #include <talus/client/error.h>
+#include <talus/client/options.h>
+#include <talus/client/tls.h>
 #include <talus/protocol/frame.h>
 
 namespace talus::client {
@@ -25,7 +30,8 @@ class Connection {
  public:
   Connection(const asio::any_io_executor& executor, std::uint32_t frame_limit_bytes);
 
-  [[nodiscard]] asio::awaitable<Result<void>> open(const std::string& host, const std::string& port);
+  [[nodiscard]] asio::awaitable<Result<void>> open(const std::string& host, const std::string& port,
+                                                   const TlsOptions& tls);
 
   /// The next whole frame, valid until the next call.
   [[nodiscard]] asio::awaitable<Result<std::span<const std::byte>>> next_frame(Stats& stats);
@@ -52,10 +58,17 @@ class Connection {
   [[nodiscard]] std::chrono::steady_clock::time_point last_received() const { return last_received_; }
 
  private:
+  [[nodiscard]] asio::awaitable<Result<void>> shake_hands(const std::string& host, const TlsOptions& options);
+  using Transferred = std::tuple<std::error_code, std::size_t>;
+  [[nodiscard]] asio::awaitable<Transferred> read_some();
+  [[nodiscard]] asio::awaitable<Transferred> write_all(std::span<const std::byte> bytes);
   [[nodiscard]] ClientError reason_or(ErrorKind kind, std::string message) const;
 
   asio::ip::tcp::resolver resolver_;
   asio::ip::tcp::socket socket_;
+  std::optional<asio::ssl::stream<asio::ip::tcp::socket&>> tls_;
+  std::string where_;   // HOST:PORT
+  bool heard_ = false;  // a byte from the server
   asio::steady_timer deadline_;
   asio::steady_timer work_;
   asio::steady_timer pause_;

@@ -20,7 +20,8 @@ namespace {
 const ClientError kClosed{ErrorKind::not_connected, "the client was closed", {}};
 
 bool worth_retrying(const ClientError& error) {
-  return error.kind != ErrorKind::refused && error.kind != ErrorKind::world_changed;
+  return error.kind != ErrorKind::refused && error.kind != ErrorKind::untrusted &&
+         error.kind != ErrorKind::world_changed;
 }
 
 // A third of what the server allows: one Ping may be late and the next still comes in time.
@@ -117,7 +118,7 @@ asio::awaitable<Result<WorldInfo>> Core::join(ConnectionPtr connection, std::str
   const std::string where = host + ":" + port;
   connection->set_deadline(connection, options_.connect_timeout,
                            {ErrorKind::timed_out, where + ": no connection in time", {}});
-  const auto opened = co_await connection->open(host, port);
+  const auto opened = co_await connection->open(host, port, options_.tls);
   if (!opened) co_return tl::unexpected{opened.error()};
 
   connection->set_deadline(connection, options_.handshake_timeout,

@@ -12,6 +12,7 @@ namespace talus::client {
 enum class ErrorKind : std::uint8_t {
   unreachable,      // the name does not resolve, or nobody answers there
   refused,          // the server will not have this client: version, token, too many connections
+  untrusted,        // by TLS: the server could not prove that it is who it should be
   disconnected,     // the connection broke, or the server closed it
   timed_out,        // no answer in time while connecting, or silence afterwards
   world_changed,    // a reconnect met a server with another world

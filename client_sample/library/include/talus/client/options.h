@@ -21,6 +21,14 @@ struct ReconnectPolicy {
 /// longer than this.
 inline constexpr std::chrono::milliseconds kLongestRetryAfter{60'000};
 
+/// Encrypted, and with a server that proves who it is. Only TLS 1.3 is spoken.
+struct TlsOptions {
+  bool on = false;
+  std::string ca_file;      // PEM: certificates to trust, such as one's own; empty: those the system trusts
+  std::string server_name;  // that the certificate must be for; empty: the host given to connect()
+  bool verify = true;       // false: anybody may pose as the server
+};
+
 struct Options {
   std::string token;                          // what the server's operator gave out; empty: none
   std::string client_name = "talus::client";  // for the server's log
@@ -28,7 +36,8 @@ struct Options {
   /// Of decoded chunks that left the View: where they come back the same, the server says so in a few bytes,
   /// and on_chunk brings them again. Only of chunks that somebody still held when they left; 0: none.
   std::size_t keep_bytes = 32U << 20;
-  std::chrono::milliseconds connect_timeout{5'000};    // resolving and connecting
+  TlsOptions tls;
+  std::chrono::milliseconds connect_timeout{5'000};    // resolving, connecting, and TLS
   std::chrono::milliseconds handshake_timeout{5'000};  // from Hello to Welcome
   std::chrono::milliseconds ping_interval{20'000};  // at most; a third of the server's idle time-out if less
   std::chrono::milliseconds silence_timeout{60'000};  // no byte from the server for this long: it is gone

@@ -1,0 +1,189 @@
+#include "net/tls_context.h"
+
+#include <openssl/err.h>
+#include <openssl/pem.h>
+#include <openssl/ssl.h>
+#include <openssl/x509.h>
+#include <time.h>
+
+#include <cerrno>
+#include <chrono>
+#include <system_error>
+#include <utility>
+
+#include <fmt/chrono.h>
+#include <fmt/format.h>
+
+#include "log/escape.h"
+#include "store/read_file.h"
+
+namespace talus::server {
+namespace {
+
+constexpr std::size_t kMostPemBytes = std::size_t{1} << 20;
+constexpr const char* kCiphers = "TLS_AES_128_GCM_SHA256:TLS_AES_256_GCM_SHA384:TLS_CHACHA20_POLY1305_SHA256";
+constexpr const char* kGroups = "X25519:P-256:P-384";
+
+template <auto free>
+struct Free {
+  template <typename T>
+  void operator()(T* held) const {
+    free(held);
+  }
+};
+using Bio = std::unique_ptr<BIO, Free<BIO_free>>;
+using Certificate = std::unique_ptr<X509, Free<X509_free>>;
+using Key = std::unique_ptr<EVP_PKEY, Free<EVP_PKEY_free>>;
+
+struct FreeChain {
+  void operator()(STACK_OF(X509) * chain) const { sk_X509_pop_free(chain, X509_free); }
+};
+using Chain = std::unique_ptr<STACK_OF(X509), FreeChain>;
+
+/// What OpenSSL says last went wrong; its queue is empty then.
+std::string reason() {
+  const unsigned long code = ERR_peek_last_error();
+  ERR_clear_error();
+  const char* const text = ERR_reason_error_string(code);
+  return text == nullptr ? "OpenSSL refuses it" : text;
+}
+
+tl::unexpected<std::string> wrong(std::string_view setting, const std::filesystem::path& file,
+                                  std::string_view what) {
+  return tl::make_unexpected(fmt::format("{} {}: {}", setting, escaped(file.string(), 500), what));
+}
+
+/// Never a question on the terminal: a server has nobody to ask.
+int no_passphrase(char*, int, int, void* asked) {
+  *static_cast<bool*>(asked) = true;
+  return -1;
+}
+
+struct CertificateFile {
+  Certificate certificate;
+  Chain chain;
+};
+
+tl::expected<std::string, std::string> read(std::string_view setting, const std::filesystem::path& file) {
+  auto text = read_file(file, kMostPemBytes);
+  if (text) return *std::move(text);
+  return wrong(setting, file,
+               fmt::format("cannot be read: {}; give a PEM file that talusd may read",
+                           std::generic_category().message(text.error())));
+}
+
+tl::expected<CertificateFile, std::string> read_certificate(const std::filesystem::path& file) {
+  constexpr std::string_view kSetting = "tls.certificate";
+  const auto text = read(kSetting, file);
+  if (!text) return tl::make_unexpected(text.error());
+  const Bio bio{BIO_new_mem_buf(text->data(), static_cast<int>(text->size()))};
+  CertificateFile read{Certificate{PEM_read_bio_X509(bio.get(), nullptr, nullptr, nullptr)},
+                       Chain{sk_X509_new_null()}};
+  const std::string failure = read.certificate ? "" : reason();
+  if (!read.certificate) {
+    return wrong(
+        kSetting, file,
+        fmt::format("holds no certificate ({}); give a PEM file with the server's certificate and then "
+                    "those that vouch for it",
+                    failure));
+  }
+  while (X509* const next = PEM_read_bio_X509(bio.get(), nullptr, nullptr, nullptr)) {
+    sk_X509_push(read.chain.get(), next);
+  }
+  if (ERR_GET_REASON(ERR_peek_last_error()) != PEM_R_NO_START_LINE) {
+    return wrong(kSetting, file,
+                 fmt::format("certificate {} in it is damaged ({}); copy it anew",
+                             sk_X509_num(read.chain.get()) + 2, reason()));
+  }
+  ERR_clear_error();
+  return read;
+}
+
+tl::expected<Key, std::string> read_key(const std::filesystem::path& file) {
+  constexpr std::string_view kSetting = "tls.key";
+  auto text = read(kSetting, file);
+  if (!text) return tl::make_unexpected(text.error());
+  bool asked = false;
+  const Bio bio{BIO_new_mem_buf(text->data(), static_cast<int>(text->size()))};
+  Key key{PEM_read_bio_PrivateKey(bio.get(), nullptr, no_passphrase, &asked)};
+  OPENSSL_cleanse(text->data(), text->size());
+  if (asked) {
+    ERR_clear_error();
+    return wrong(
+        kSetting, file,
+        "has a passphrase, and nobody is there to type it; take it off with openssl pkey, and keep the "
+        "file to talusd's user");
+  }
+  if (!key) {
+    return wrong(kSetting, file,
+                 fmt::format("holds no private key ({}); give the PEM file with the key of tls.certificate",
+                             reason()));
+  }
+  return key;
+}
+
+std::int64_t seconds_since_1970(const ASN1_TIME* time) {
+  tm broken_down{};
+  return ASN1_TIME_to_tm(time, &broken_down) == 1 ? ::timegm(&broken_down) : 0;
+}
+
+tl::expected<TlsContext, std::string> new_context() {
+  TlsContext context{SSL_CTX_new(TLS_server_method()), SSL_CTX_free};
+  const bool made = context != nullptr && SSL_CTX_set_min_proto_version(context.get(), TLS1_3_VERSION) == 1 &&
+                    SSL_CTX_set_ciphersuites(context.get(), kCiphers) == 1 &&
+                    SSL_CTX_set1_groups_list(context.get(), kGroups) == 1 &&
+                    SSL_CTX_set_num_tickets(context.get(), 0) == 1;
+  if (!made)
+    return tl::make_unexpected(fmt::format("TLS: this OpenSSL cannot do what is needed: {}", reason()));
+  SSL_CTX_set_session_cache_mode(context.get(), SSL_SESS_CACHE_OFF);
+  // A connection cut short is seen by its frames. A client with fast AES takes the first cipher; one that
+  // prefers ChaCha20 has none.
+  SSL_CTX_set_options(context.get(), SSL_OP_NO_TICKET | SSL_OP_NO_RENEGOTIATION | SSL_OP_NO_COMPRESSION |
+                                         SSL_OP_IGNORE_UNEXPECTED_EOF | SSL_OP_CIPHER_SERVER_PREFERENCE |
+                                         SSL_OP_PRIORITIZE_CHACHA);
+  // An idle session keeps no buffers; a write goes on a record at a time, from wherever the rest is then.
+  SSL_CTX_set_mode(context.get(), SSL_MODE_RELEASE_BUFFERS | SSL_MODE_ENABLE_PARTIAL_WRITE |
+                                      SSL_MODE_ACCEPT_MOVING_WRITE_BUFFER);
+  return context;
+}
+
+}  // namespace
+
+tl::expected<TlsIdentity, std::string> load_tls(const std::filesystem::path& certificate_file,
+                                                const std::filesystem::path& key_file) {
+  ERR_clear_error();
+  if (certificate_file.empty()) {
+    return wrong("tls.key", key_file, "is set and tls.certificate is not; set both for TLS, or neither");
+  }
+  if (key_file.empty()) {
+    return wrong("tls.certificate", certificate_file,
+                 "is set and tls.key is not; set both for TLS, or neither");
+  }
+  auto certificate = read_certificate(certificate_file);
+  if (!certificate) return tl::make_unexpected(certificate.error());
+  const auto key = read_key(key_file);
+  if (!key) return tl::make_unexpected(key.error());
+  X509* const own = certificate->certificate.get();
+  if (X509_check_private_key(own, key->get()) != 1) {
+    ERR_clear_error();
+    return wrong("tls.key", key_file,
+                 fmt::format("is not the key of the certificate in {}; give the key that it was made with",
+                             escaped(certificate_file.string(), 500)));
+  }
+  auto context = new_context();
+  if (!context) return tl::make_unexpected(context.error());
+  if (SSL_CTX_use_cert_and_key(context->get(), own, key->get(), certificate->chain.get(), 1) != 1) {
+    return wrong("tls.certificate", certificate_file,
+                 fmt::format("cannot be used: {}; make one with a P-256 or RSA-2048 key", reason()));
+  }
+  const std::int64_t begins = seconds_since_1970(X509_get0_notBefore(own));
+  const std::int64_t expires = seconds_since_1970(X509_get0_notAfter(own));
+  const auto now = std::chrono::system_clock::to_time_t(std::chrono::system_clock::now());
+  return TlsIdentity{
+      *std::move(context),
+      fmt::format("certificate of {}, valid until {:%Y-%m-%d %H:%M} UTC",
+                  escaped(certificate_file.string(), 500), fmt::gmtime(static_cast<std::time_t>(expires))),
+      expires, begins <= now && now < expires};
+}
+
+}  // namespace talus::server

@@ -1,0 +1,31 @@
+// The server's certificate and key, and the rules of TLS, as OpenSSL keeps them.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <string>
+
+#include <tl/expected.hpp>
+
+struct ssl_ctx_st;  // OpenSSL's SSL_CTX
+
+namespace talus::server {
+
+/// Not changed once made; sessions of any thread share it and keep it alive.
+using TlsContext = std::shared_ptr<ssl_ctx_st>;
+
+struct TlsIdentity {
+  TlsContext context;
+  std::string description;   // one line, for the log
+  std::int64_t expires = 0;  // seconds since 1970
+  bool valid_now = false;    // of the certificate's dates alone
+};
+
+/// Reads a certificate with its chain, and its key, both PEM. TLS 1.3 alone. Without session tickets: a
+/// client that comes back proves itself anew, which costs a signature, and the server keeps no secret that
+/// would open what was said before. An error names the file, what is wrong with it, and what would be right.
+[[nodiscard]] tl::expected<TlsIdentity, std::string> load_tls(const std::filesystem::path& certificate,
+                                                              const std::filesystem::path& key);
+
+}  // namespace talus::server
