@@ -248,7 +248,7 @@ TEST_CASE("where TLS is wanted, who is beyond its budget is closed upon without 
 }
 
 TEST_CASE("where the server's memory is all in use nobody comes in, and is told so") {
-  House house{{}};
+  House house{with(&Limits::connections, 10)};
   house.has_room = false;
   Visitor visitor{house};
   CHECK_THAT(text_of(only_frame(visitor.rest())), Catch::Contains("memory"));

@@ -130,8 +130,10 @@ TEST_CASE("a session ends when its token does") {
   tcp::acceptor acceptor{io, {asio::ip::address_v4::loopback(), 0}};
   client.connect(acceptor.local_endpoint());
   const ConnectionContext context{shared.context, registry, std::make_shared<spdlog::logger>("silent")};
-  const auto connection = std::make_shared<Connection>(acceptor.accept(), "test", 1, context,
-                                                       *admission.enter(asio::ip::address_v4::loopback()));
+  const auto connection = std::make_shared<Connection>(
+      Guest{1, Wire{acceptor.accept()}, "test", *admission.enter(asio::ip::address_v4::loopback()),
+            std::chrono::steady_clock::now()},
+      context);
   registry.add(1, connection);
   connection->start();
   std::thread thread{[&] { io.run(); }};
