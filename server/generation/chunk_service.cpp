@@ -173,9 +173,8 @@ void ChunkService::work() {
     lock.lock();
     queue_.settle(*work, static_cast<std::uint64_t>(took.count()));
     note_jobs();
-    if (batch == nullptr) continue;
-    queue_.release(batch->patch);
-    // Jobs that came for this patch meanwhile could not be begun until now.
+    if (batch != nullptr) queue_.release(batch->patch);
+    // What could not be begun until now: jobs that came for this patch meanwhile, and its client's next.
     work_waits_.notify_one();
   }
 }
@@ -188,7 +187,8 @@ WorkPrices ChunkService::prices() const {
   return {mean(metrics_.patch_ns, metrics_.patches_made, kFirstPatchNs),
           mean(metrics_.chunk_ns, metrics_.chunks_made, kFirstChunkNs),
           mean(metrics_.heights_ns, metrics_.heights_made, kFirstHeightNs),
-          [this](const PatchKey& patch) { return patches_.holds(patch); }};
+          [this](const PatchKey& patch) { return patches_.holds(patch); },
+          settings_.threads > 1 && metrics_.greeted.now() > 1 ? settings_.threads - 1 : settings_.threads};
 }
 
 void ChunkService::note_jobs() {

@@ -71,7 +71,7 @@ std::optional<WorkQueue::Work> WorkQueue::take(const WorkPrices& prices) {
       }
       if (client.balance > 0) {
         if (auto work = take_of(client, prices)) return work;
-      } else if (may_begin(client)) {
+      } else if (may_begin(client, prices)) {
         least_debt = std::min(least_debt.value_or(-client.balance), -client.balance);
       }
       end_turn();
@@ -88,10 +88,12 @@ std::optional<WorkQueue::Work> WorkQueue::take(const WorkPrices& prices) {
 void WorkQueue::settle(const Work& work, std::uint64_t cost) {
   const auto found = clients_.find(work.client.get());
   if (found == clients_.end()) return;
+  --found->second.under_way;
   found->second.balance += static_cast<std::int64_t>(work.price) - static_cast<std::int64_t>(cost);
 }
 
 std::optional<WorkQueue::Work> WorkQueue::take_of(Client& client, const WorkPrices& prices) {
+  if (client.under_way >= prices.most_at_once) return std::nullopt;
   const ChunkClientPtr self = client.self.lock();
   Work work{{}, self, 0};
   if (!client.heights.empty()) {
@@ -108,6 +110,7 @@ std::optional<WorkQueue::Work> WorkQueue::take_of(Client& client, const WorkPric
     work.what = std::move(batch);
   }
   client.balance -= static_cast<std::int64_t>(work.price);
+  ++client.under_way;
   return work;
 }
 
@@ -116,7 +119,8 @@ std::deque<PatchKey>::const_iterator WorkQueue::free_patch(const Client& client)
                       [&](const PatchKey& patch) { return !patches_.at(patch).taken; });
 }
 
-bool WorkQueue::may_begin(const Client& client) const {
+bool WorkQueue::may_begin(const Client& client, const WorkPrices& prices) const {
+  if (client.under_way >= prices.most_at_once) return false;
   return !client.heights.empty() || free_patch(client) != client.order.end();
 }
 
@@ -125,7 +129,7 @@ void WorkQueue::end_turn() {
   turns().pop_front();
   const auto client = clients_.find(id);
   client->second.in_turn = false;
-  const bool faded = client->second.idle() && client->second.balance >= 0;
+  const bool faded = client->second.idle() && client->second.under_way == 0 && client->second.balance >= 0;
   if (faded && std::exchange(client->second.fading, true)) {
     clients_.erase(client);
     return;
@@ -136,7 +140,8 @@ void WorkQueue::end_turn() {
 
 // Where nobody waits, nobody is owed anything.
 void WorkQueue::forget_idle() {
-  if (clients() > 0) return;
+  const auto busy = [](const auto& each) { return !each.second.idle() || each.second.under_way > 0; };
+  if (std::any_of(clients_.begin(), clients_.end(), busy)) return;
   clients_.clear();
   fresh_.clear();
   turns_.clear();
@@ -169,7 +174,10 @@ WorkQueue::Client& WorkQueue::enter(const ChunkClientPtr& client) {
   Client& state = found->second;
   if (added) fresh_.push_back(client.get());
   // What another owed who was in the same place of memory is not this one's debt.
-  if (state.self.expired()) state.balance = 0;
+  if (state.self.expired()) {
+    state.balance = 0;
+    state.under_way = 0;
+  }
   state.self = client;
   return state;
 }

@@ -35,6 +35,7 @@ struct WorkPrices {
   std::uint64_t chunk = 0;
   std::uint64_t height = 0;                        // a column's
   std::function<bool(const PatchKey&)> at_hand{};  // whether the patch need not be made; unset: none is
+  std::size_t most_at_once = SIZE_MAX;             // pieces of one client's that may be under way
 };
 
 class WorkQueue {
@@ -86,7 +87,8 @@ class WorkQueue {
   };
   struct Client {
     std::weak_ptr<ChunkClient> self;
-    std::int64_t balance = 0;  // what it may spend; negative: what it owes
+    std::int64_t balance = 0;   // what it may spend; negative: what it owes
+    std::size_t under_way = 0;  // pieces taken in its turns and not settled
     bool in_turn = false;
     bool fading = false;         // had nothing waiting when its turn ended; forgotten if so again
     std::deque<PatchKey> order;  // exactly the keys of `jobs`
@@ -100,7 +102,7 @@ class WorkQueue {
   /// The first piece of the client's own that may be begun.
   [[nodiscard]] std::optional<Work> take_of(Client& client, const WorkPrices& prices);
   /// Whether it has one.
-  [[nodiscard]] bool may_begin(const Client& client) const;
+  [[nodiscard]] bool may_begin(const Client& client, const WorkPrices& prices) const;
   [[nodiscard]] std::deque<PatchKey>::const_iterator free_patch(const Client& client) const;
   [[nodiscard]] Batch take_patch(const PatchKey& patch, const ChunkClientPtr& client);
   /// Whose turn it is, of those there are.

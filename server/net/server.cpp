@@ -217,12 +217,18 @@ void Server::welcome(Guest guest) {
 asio::awaitable<void> Server::obey_hangups() {
   for (;;) {
     co_await hangups_.async_wait(asio::use_awaitable);
-    if (const auto keys = access_.reload()) {
-      log_->info("SIGHUP: {}", *keys);
-    } else {
-      log_->error("SIGHUP: {}", keys.error());
-    }
+    const bool has_keys = config_.access.wanted();
+    if (!has_keys && !tls_) log_->info("SIGHUP: nothing to read again: no keys and no certificate are set");
+    if (has_keys) renew_keys();
     if (tls_) renew_identity();
+  }
+}
+
+void Server::renew_keys() {
+  if (const auto renewed = access_.reload()) {
+    log_->info("SIGHUP: {}", *renewed);
+  } else {
+    log_->error("SIGHUP: {}", renewed.error());
   }
 }
 

@@ -57,6 +57,7 @@ class Server {
   /// Lets caches give way to everything else, all the time.
   void watch_memory();
   [[nodiscard]] asio::awaitable<void> obey_hangups();
+  void renew_keys();
   void renew_identity();
   void welcome(Guest guest);
   void drain();

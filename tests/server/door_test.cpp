@@ -212,7 +212,7 @@ TEST_CASE("who does not finish TLS in time is closed upon, and its place is free
   visitor.say("\x16\x03\x01");  // the beginning of a ClientHello
   CHECK(visitor.rest().empty());
   CHECK(house.metrics.tls_late.total() == 1);
-  CHECK(house.admission.connections() == 0);
+  while (house.admission.connections() > 0) std::this_thread::yield();  // it is given back a moment later
 }
 
 TEST_CASE("who begins connections faster than its budget is told so, and when to come again") {

@@ -101,6 +101,28 @@ TEST_CASE("clients take turns, however much one of them wants") {
   CHECK(take_batch(queue).keys == std::vector{at(-1)});
 }
 
+TEST_CASE("of one client only so many pieces are under way, so that the next who comes finds a thread") {
+  WorkQueue queue{kPatch, 1000};
+  const auto greedy = std::make_shared<Nobody>();
+  const auto walker = std::make_shared<Nobody>();
+  for (std::int32_t patch = 0; patch < 10; ++patch) REQUIRE(queue.add(greedy, at(patch * kPatch)));
+  WorkPrices prices{100, 10, 0, {}};
+  prices.most_at_once = 2;
+  const auto first = queue.take(prices);
+  REQUIRE(first.has_value());
+  REQUIRE(queue.take(prices).has_value());
+  CHECK_FALSE(queue.take(prices).has_value());
+  REQUIRE(queue.add(walker, at(1000 * kPatch)));
+  const auto walkers = queue.take(prices);
+  REQUIRE(walkers.has_value());
+  CHECK(walkers->client == walker);
+  CHECK_FALSE(queue.take(prices).has_value());
+  queue.settle(*first, 110);
+  const auto next = queue.take(prices);
+  REQUIRE(next.has_value());
+  CHECK(next->client == greedy);
+}
+
 TEST_CASE("turns weigh what they cost: cheap pieces go several to a turn") {
   WorkQueue queue{kPatch, 1000};
   const auto walker = std::make_shared<Nobody>();
