@@ -6,6 +6,7 @@
 #include <map>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <talus/terrain/boundary_row.h>
@@ -62,33 +63,47 @@ bool is_ore(const World& world, MaterialId id) {
   return to_integer(id) >= world.materials().size() - world.spec().veins.size();
 }
 
-// The ore at the centres of a column's voxels, from bodies looked for far and wide.
-std::vector<MaterialId> ore_of_column(const World& world, ChunkKey key, int x, int z) {
-  const int shift = key.lod.value();
-  const VoxelPos origin = chunk_origin(key.coord);
-  const std::int64_t base_x = (origin.x + x) * (1 << shift);
-  const std::int64_t base_z = (origin.z + z) * (1 << shift);
-  std::vector<MaterialId> ore(kChunkSize, kAir);
-  for (std::size_t i = world.spec().veins.size(); i-- > 0;) {
-    const OreKind kind = ore_kind(world.spec(), i);
-    if (!kind.shows_at(key.lod)) continue;
-    const std::int64_t wide = 2 * kind.size_fx / kSubvoxels + 1;
-    std::vector<OreLobe> lobes;
-    add_lobes(kind, {base_x - wide, base_x + wide, base_z - wide, base_z + wide, -1'000'000, 100'000'000},
-              lobes);
-    for (const OreLobe& lobe : lobes) {
-      const auto span = lobe.at(base_x, base_z);
-      if (!span) continue;
-      for (int y = 0; y < kChunkSize; ++y) {
-        const std::int64_t row = origin.y + y;
-        if (row >= boundary_row(span->from_fx >> shift) && row < boundary_row(span->to_fx >> shift)) {
-          ore[static_cast<std::size_t>(y)] = kind.material;
+// Bodies looked for far and wide around a chunk, by kind, the last of the spec first.
+class BodiesAround {
+ public:
+  BodiesAround(const World& world, ChunkKey key) : key_{key} {
+    const VoxelPos origin = chunk_origin(key.coord);
+    const std::int64_t side = std::int64_t{kChunkSize} << key.lod.value();
+    const std::int64_t x = origin.x * (1 << key.lod.value());
+    const std::int64_t z = origin.z * (1 << key.lod.value());
+    for (std::size_t i = world.spec().veins.size(); i-- > 0;) {
+      const OreKind kind = ore_kind(world.spec(), i);
+      if (!kind.shows_at(key.lod)) continue;
+      const std::int64_t wide = 2 * kind.size_fx / kSubvoxels + 1;
+      auto& [material, lobes] = kinds_.emplace_back(kind.material, std::vector<OreLobe>{});
+      add_lobes(kind, {x - wide, x + side + wide, z - wide, z + side + wide, -1'000'000, 100'000'000}, lobes);
+    }
+  }
+
+  // The ore at the centres of a column's voxels.
+  [[nodiscard]] std::vector<MaterialId> ore_of_column(int x, int z) const {
+    const int shift = key_.lod.value();
+    const VoxelPos origin = chunk_origin(key_.coord);
+    std::vector<MaterialId> ore(kChunkSize, kAir);
+    for (const auto& [material, lobes] : kinds_) {
+      for (const OreLobe& lobe : lobes) {
+        const auto span = lobe.at((origin.x + x) * (1 << shift), (origin.z + z) * (1 << shift));
+        if (!span) continue;
+        for (int y = 0; y < kChunkSize; ++y) {
+          const std::int64_t row = origin.y + y;
+          if (row >= boundary_row(span->from_fx >> shift) && row < boundary_row(span->to_fx >> shift)) {
+            ore[static_cast<std::size_t>(y)] = material;
+          }
         }
       }
     }
+    return ore;
   }
-  return ore;
-}
+
+ private:
+  ChunkKey key_;
+  std::vector<std::pair<MaterialId, std::vector<OreLobe>>> kinds_;
+};
 
 TEST_CASE(
     "A rock voxel is ore where a body has its centre, the first of the spec's, and nothing else changes") {
@@ -100,8 +115,9 @@ TEST_CASE(
     const ChunkKey key = any_key();
     const auto with = voxels_of(generate_chunk(world, key));
     const auto without = voxels_of(generate_chunk(barren, key));
+    const BodiesAround bodies{world, key};
     for (int column = 0; column < kChunkArea; ++column) {
-      const auto ore = ore_of_column(world, key, column % kChunkSize, column / kChunkSize);
+      const auto ore = bodies.ore_of_column(column % kChunkSize, column / kChunkSize);
       for (std::size_t y = 0; y < kChunkSize; ++y) {
         const std::size_t voxel = y * kChunkArea + static_cast<std::size_t>(column);
         const bool rock = world.materials()[to_integer(without[voxel])].kind == MaterialKind::stratified;
@@ -189,13 +205,14 @@ TEST_CASE("Veins are thin and long, pockets are lumps") {
   const auto widths = [](const OreKind& kind) {
     std::vector<OreLobe> lobes;
     add_lobes(kind, {0, 2000, 0, 2000, 0, kind.high_fx}, lobes);
+    const std::int64_t wide = kind.size_fx / kSubvoxels + 1;
     double columns = 0;
     double rows = 0;
     for (const OreLobe& lobe : lobes) {
       const std::int64_t x = lobe.x_fx / kSubvoxels;
       const std::int64_t z = lobe.z_fx / kSubvoxels;
-      for (std::int64_t dz = -40; dz <= 40; ++dz) {
-        for (std::int64_t dx = -40; dx <= 40; ++dx) {
+      for (std::int64_t dz = -wide; dz <= wide; ++dz) {
+        for (std::int64_t dx = -wide; dx <= wide; ++dx) {
           const auto span = lobe.at(x + dx, z + dz);
           if (!span) continue;
           columns += 1;

@@ -33,7 +33,7 @@ struct Command {
 [[nodiscard]] Command add_erode(CLI::App& app);
 [[nodiscard]] Command add_diamond_square(CLI::App& app);
 
-// Options that several commands have.
+// Options that several commands have (command_line.cpp: each file that has CLI11 takes long to compile).
 void add_world(CLI::App& command, std::string& world);
 void add_threads(CLI::App& command, int& threads);
 void add_lod(CLI::App& command, std::int64_t& lod);
