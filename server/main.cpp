@@ -13,8 +13,10 @@
 #include <fmt/format.h>
 
 #include "access/access_control.h"
+#include "access/key_file.h"
 #include "access/token_command.h"
 #include "config/command_line.h"
+#include "log/escape.h"
 #include "log/logger.h"
 #include "net/server.h"
 #include "net/tls_context.h"
@@ -61,15 +63,23 @@ tl::expected<std::optional<DataDirectory>, std::string> settle_in(const Config& 
 }
 
 /// Lines for the log: what an operator should know of how the server was started.
-std::vector<std::string> warnings_of(const Command& command, const std::vector<std::string>& of_keys) {
+std::vector<std::string> warnings_of(const Command& command, const std::vector<std::string>& of_keys,
+                                     const std::optional<TlsIdentity>& tls) {
   std::vector<std::string> warnings = command.warnings;
   warnings.insert(warnings.end(), of_keys.begin(), of_keys.end());
   const Config& config = command.config;
+  if (tls && !tls->valid_now) {
+    warnings.push_back(fmt::format("TLS with {}: clients will refuse it today", tls->description));
+  }
+  if (tls) {
+    if (auto warning = open_to_others(config.tls.key)) warnings.push_back(*std::move(warning));
+  }
   for (const auto& file :
        {config.access.secret_file, config.access.signing_key_file, config.tls.certificate, config.tls.key}) {
     if (file.empty() || ::access(file.c_str(), R_OK) == 0) continue;
-    warnings.push_back(fmt::format(
-        "{}: the user that talusd runs as cannot read it: a reload will keep the old one", file.string()));
+    warnings.push_back(
+        fmt::format("{}: the user that talusd runs as cannot read it: a reload will keep the old one",
+                    escaped(file.string(), 500)));
   }
   if (command.config.user.empty() && runs_as_root()) {
     warnings.emplace_back(
@@ -95,7 +105,7 @@ int serve(const Command& command) {
     tls = *std::move(loaded);
   }
   if (command.check_only) {
-    for (const std::string& warning : warnings_of(command, keys->warnings))
+    for (const std::string& warning : warnings_of(command, keys->warnings, tls))
       fmt::print(stderr, "talusd: warning: {}\n", warning);
     fmt::print("ok\n");
     if (std::fflush(stdout) != 0) return failed("standard output: cannot write to it");
@@ -117,11 +127,10 @@ int serve(const Command& command) {
   if (!data) return failed(data.error());
   if (*data) server.keep_in((*data)->store_id());
 
-  for (const std::string& warning : warnings_of(command, of_keys)) log->warn("{}", warning);
+  for (const std::string& warning : warnings_of(command, of_keys, tls)) log->warn("{}", warning);
   log->info("world {}, generator {} with {} kernels", to_string((*world)->fingerprint()),
             talus::terrain::kGeneratorVersion, to_string(talus::instruction_set()));
   if (tls && tls->valid_now) log->info("TLS with {}", tls->description);
-  if (tls && !tls->valid_now) log->warn("TLS with {}: clients will refuse it today", tls->description);
   // On its own and whatever the log level: programs that start a server read this line.
   fmt::print("listening on {}\n", *address);
   if (!operators->empty()) fmt::print("metrics and health on http://{}\n", *operators);

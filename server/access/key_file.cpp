@@ -11,6 +11,8 @@
 
 #include <fmt/format.h>
 
+#include "log/escape.h"
+
 namespace talus::server {
 namespace {
 
@@ -51,10 +53,15 @@ std::string_view without_line_end(std::string_view text) {
 std::optional<std::string> too_open(const std::filesystem::path& file, mode_t mode) {
   if ((mode & (S_IROTH | S_IWOTH | S_IWGRP)) == 0) return std::nullopt;
   return fmt::format("{}: may be read or changed by others (mode {:03o}); chmod 600 it, or 640",
-                     file.string(), mode & 0777U);
+                     escaped(file.string(), 500), mode & 0777U);
 }
 
 }  // namespace
+
+std::optional<std::string> open_to_others(const std::filesystem::path& file) {
+  struct stat about {};
+  return ::stat(file.c_str(), &about) == 0 ? too_open(file, about.st_mode) : std::nullopt;
+}
 
 Secret::~Secret() {
   OPENSSL_cleanse(bytes_.data(), bytes_.size());
@@ -63,8 +70,8 @@ Secret::~Secret() {
 tl::expected<KeyFile, std::string> read_key_file(const std::filesystem::path& file, KeyBounds bounds) {
   const auto unreadable = [&](int error) {
     return tl::make_unexpected(
-        fmt::format("{}: cannot be read: {}; give a file that the user of talusd may read", file.string(),
-                    std::generic_category().message(error)));
+        fmt::format("{}: cannot be read: {}; give a file that the user of talusd may read",
+                    escaped(file.string(), 500), std::generic_category().message(error)));
   };
   // Without waiting: a pipe under this name would hold the server up for ever.
   const int descriptor = ::open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NOCTTY | O_NONBLOCK);
@@ -78,12 +85,13 @@ tl::expected<KeyFile, std::string> read_key_file(const std::filesystem::path& fi
   if (failed != 0) return unreadable(failed);
   if (!regular) {
     return tl::make_unexpected(
-        fmt::format("{}: is no regular file; give one with the secret in it", file.string()));
+        fmt::format("{}: is no regular file; give one with the secret in it", escaped(file.string(), 500)));
   }
   const std::string_view bytes = without_line_end(buffer.text());
   if (bytes.size() < bounds.least_bytes || bytes.size() > bounds.most_bytes) {
     return tl::make_unexpected(fmt::format(
-        "{}: has {} bytes; {} to {} are right, as of \"openssl rand -base64 32\"", file.string(),
+        "{}: has {} bytes; {} to {} are right, as of \"openssl rand -base64 32\"",
+        escaped(file.string(), 500),
         bytes.size() > kMostBytes ? fmt::format("over {}", kMostBytes) : fmt::to_string(bytes.size()),
         bounds.least_bytes, bounds.most_bytes));
   }

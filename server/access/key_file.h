@@ -40,4 +40,7 @@ struct KeyBounds {
 [[nodiscard]] tl::expected<KeyFile, std::string> read_key_file(const std::filesystem::path& file,
                                                                KeyBounds bounds);
 
+/// A line where others than its owner may read or change the file.
+[[nodiscard]] std::optional<std::string> open_to_others(const std::filesystem::path& file);
+
 }  // namespace talus::server

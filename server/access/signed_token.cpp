@@ -92,7 +92,8 @@ tl::expected<Claims, TokenFault> read_signed_token(const Secret& key, std::strin
   Claims claims{subject == nullptr ? "" : subject, {Right::read}, *expires};
   if (words != nullptr) {
     const auto rights = Rights::parse(words);
-    if (!rights || !rights->has(Right::read)) return refused("its rights are not of read, edit, admin");
+    if (!rights || !rights->has(Right::read))
+      return refused("its rights are not of read, edit, admin, with read among them");
     claims.rights = *rights;
   }
   return claims;

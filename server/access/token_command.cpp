@@ -56,7 +56,7 @@ tl::expected<std::string, Exit> token_command(int argc, const char* const* argv,
   app.add_option("--subject", subject, "whom it is for, as the server's log says it")
       ->required()
       ->type_name("NAME");
-  app.add_option("--rights", words, "read, edit and admin, apart by commas; read is always among them")
+  app.add_option("--rights", words, "read, edit and admin, apart by commas; read must be among them")
       ->type_name("RIGHTS")
       ->capture_default_str();
   app.add_option("--valid", valid, "from now on: 90s, 30m, 12h, 7d")->required()->type_name("TIME");

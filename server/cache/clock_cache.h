@@ -74,6 +74,7 @@ class ClockCache {
   void set_capacity(std::size_t capacity_bytes) {
     capacity_bytes_ = capacity_bytes;
     shrink_to(capacity_bytes);
+    if (vacant_.size() > slots_.size() / 2) pack();
   }
 
   [[nodiscard]] std::size_t bytes() const { return bytes_; }
@@ -117,6 +118,19 @@ class ClockCache {
       slot.used = false;
       hand_ = (hand_ + 1) % slots_.size();
     }
+  }
+
+  /// Gives back the memory of vacant slots.
+  void pack() {
+    std::deque<Slot> before = std::exchange(slots_, {});
+    vacant_ = {};
+    places_ = {};
+    hand_ = 0;
+    for (Slot& slot : before) {
+      if (slot.cost > 0) slots_.push_back(std::move(slot));
+    }
+    while (4 * slots_.size() > 3 * places_.size()) grow();
+    for (std::uint32_t slot = 0; slot < slots_.size(); ++slot) settle({tag_of(slots_[slot].key), slot});
   }
 
   void drop(std::size_t at) {

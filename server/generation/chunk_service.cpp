@@ -13,6 +13,8 @@
 namespace talus::server {
 namespace {
 
+using Clock = std::chrono::steady_clock;
+
 // Of the bytes for chunks, what is kept of columns beside them: a column takes less than the smallest chunk.
 constexpr std::size_t kShareOfRows = 16;
 
@@ -61,14 +63,14 @@ class Timed {
 }  // namespace
 
 ChunkService::ChunkService(std::unique_ptr<const Generator> generator, const ServiceSettings& settings,
-                           Logger log, Metrics& metrics)
+                           Logger log, Metrics& metrics, MemoryBudget& memory)
     : generator_{std::move(generator)},
       log_{std::move(log)},
       metrics_{metrics},
       settings_{settings},
-      memory_{settings.memory_bytes},
+      memory_{memory},
       fitted_bytes_{settings.chunk_cache_bytes + settings.patch_cache_bytes},
-      chunks_{settings.chunk_cache_bytes},
+      chunks_{settings.chunk_cache_bytes - settings.chunk_cache_bytes / kShareOfRows},
       patches_{settings.patch_cache_bytes},
       rows_{settings.chunk_cache_bytes / kShareOfRows},
       queue_{settings.patch_tiles, settings.queue_chunks} {}
@@ -115,6 +117,7 @@ ChunkService::Submission ChunkService::submit(const ChunkClientPtr& client, Chun
       metrics_.jobs_refused.add();
       return Submission::refused;
     }
+    if (std::exchange(last_client_, client.get()) != client.get()) last_other_ = Clock::now();
     note_jobs();
   }
   if (finished != nullptr) {
@@ -187,8 +190,13 @@ WorkPrices ChunkService::prices() const {
   return {mean(metrics_.patch_ns, metrics_.patches_made, kFirstPatchNs),
           mean(metrics_.chunk_ns, metrics_.chunks_made, kFirstChunkNs),
           mean(metrics_.heights_ns, metrics_.heights_made, kFirstHeightNs),
-          [this](const PatchKey& patch) { return patches_.holds(patch); },
-          settings_.threads > 1 && metrics_.greeted.now() > 1 ? settings_.threads - 1 : settings_.threads};
+          [this](const PatchKey& patch) { return patches_.holds(patch); }, most_at_once()};
+}
+
+std::size_t ChunkService::most_at_once() const {
+  constexpr std::chrono::seconds kLately{1};
+  const bool alone = Clock::now() - last_other_ > kLately;
+  return alone || settings_.threads == 1 ? settings_.threads : settings_.threads - 1;
 }
 
 void ChunkService::note_jobs() {

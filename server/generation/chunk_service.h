@@ -5,6 +5,7 @@
 #pragma once
 
 #include <atomic>
+#include <chrono>
 #include <condition_variable>
 #include <cstddef>
 #include <cstdint>
@@ -30,14 +31,13 @@ struct ServiceSettings {
   std::size_t queue_chunks = 0;
   std::size_t chunk_cache_bytes = 0;
   std::size_t patch_cache_bytes = 0;
-  std::uint64_t memory_bytes = 0;  // of everything; 0: no limit
 };
 
 class ChunkService {
  public:
-  /// `metrics` outlives it. Nothing is generated before start().
+  /// `metrics` and `memory`, the whole server's, outlive it. Nothing is generated before start().
   ChunkService(std::unique_ptr<const Generator> generator, const ServiceSettings& settings, Logger log,
-               Metrics& metrics);
+               Metrics& metrics, MemoryBudget& memory);
   /// Starts the threads; once.
   void start();
   /// Waits for the threads; what still waits is not answered.
@@ -81,6 +81,8 @@ class ChunkService {
   void run(const HeightsTask& task);
   /// Means of what was measured so far.
   [[nodiscard]] WorkPrices prices() const;
+  /// One client gets all threads only while nobody else asks: who asks next should find one.
+  [[nodiscard]] std::size_t most_at_once() const;
   void note_jobs();
   void note_patch(std::size_t bytes);
   /// Makes the chunks of a patch that is being dropped: they are a fiftieth of its size, and who looks at one
@@ -99,7 +101,7 @@ class ChunkService {
   Logger log_;
   Metrics& metrics_;
   const ServiceSettings settings_;
-  MemoryBudget memory_;
+  MemoryBudget& memory_;
   std::mutex fitting_;
   std::uint64_t fitted_bytes_ = 0;
   std::atomic<std::size_t> largest_patch_bytes_{0};
@@ -111,6 +113,9 @@ class ChunkService {
   std::condition_variable work_waits_;
   WorkQueue queue_;
   bool stopping_ = false;
+  // Who asked last, and when somebody else did than before; under the mutex too.
+  const ChunkClient* last_client_ = nullptr;
+  std::chrono::steady_clock::time_point last_other_{};
 
   std::vector<std::thread> threads_;
 };

@@ -96,14 +96,16 @@ std::optional<WorkQueue::Work> WorkQueue::take_of(Client& client, const WorkPric
   if (client.under_way >= prices.most_at_once) return std::nullopt;
   const ChunkClientPtr self = client.self.lock();
   Work work{{}, self, 0};
-  if (!client.heights.empty()) {
+  const auto patch = free_patch(client);
+  const bool chunks = patch != client.order.end();
+  client.heights_next = !client.heights.empty() && (client.heights_next || !chunks);
+  if (std::exchange(client.heights_next, !client.heights_next)) {
     HeightsTask task = std::move(client.heights.front());
     client.heights.pop_front();
     work.price = prices.height * task.columns.size();
     work.what = std::move(task);
   } else {
-    const auto patch = free_patch(client);
-    if (patch == client.order.end()) return std::nullopt;
+    if (!chunks) return std::nullopt;
     Batch batch = take_patch(PatchKey{*patch}, self);
     const bool at_hand = prices.at_hand && prices.at_hand(batch.patch);
     work.price = (at_hand ? 0 : prices.patch) + prices.chunk * batch.keys.size();

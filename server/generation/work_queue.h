@@ -4,12 +4,12 @@
 // patch, and a patch is worked on by one thread at a time.
 //
 // Clients take turns by deficit round robin (Shreedhar and Varghese, 1995). A turn brings a client as much
-// as a new patch costs; it spends that on patches and heights of its own, in the order in which it asked,
-// until nothing is left. The last piece may overdraw, which its next turns pay off, also if it has left
-// meanwhile. Who had nothing waiting goes first, once in a round (as flows in FQ-CoDel, RFC 8290): a walker's
-// few chunks do not wait for those who always want more. So clients get equal time of the generators,
-// whatever they ask for. Who else waits for chunks of the patch gets them with it, for nothing: a job is done
-// in the turn of the waiter whose turn comes first.
+// as a new patch costs; it spends that on patches of its own, in the order in which it asked, and between
+// them on heights, until nothing is left. The last piece may overdraw, which its next turns pay off, also if
+// it has left meanwhile. Who had nothing waiting goes first, once in a round (as flows in FQ-CoDel, RFC
+// 8290): a walker's few chunks do not wait for those who always want more. So clients get equal time of the
+// generators, whatever they ask for. Who else waits for chunks of the patch gets them with it, for nothing: a
+// job is done in the turn of the waiter whose turn comes first.
 #pragma once
 
 #include <cstddef>
@@ -94,6 +94,7 @@ class WorkQueue {
     std::deque<PatchKey> order;  // exactly the keys of `jobs`
     std::unordered_map<PatchKey, std::uint32_t> jobs;  // waiting ones, a patch
     std::deque<HeightsTask> heights;
+    bool heights_next = true;  // heights and patches take turns, where it waits for both
     [[nodiscard]] bool idle() const { return order.empty() && heights.empty(); }
   };
 

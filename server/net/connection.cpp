@@ -238,10 +238,11 @@ asio::awaitable<void> Connection::write() {
     work();
 
     write_progress_ = Clock::now();
-    bool at_once = true;
+    bool in_one_piece = true;
+    const std::size_t waits = wire_.write_waits();
     const auto progress = [&](const std::error_code& error, std::size_t bytes) -> std::size_t {
       write_progress_ = Clock::now();
-      at_once = at_once && (bytes == 0 || bytes == output.size());
+      in_one_piece = in_one_piece && (bytes == 0 || bytes == output.size());
       return error ? 0 : output.size();
     };
     std::error_code failed;
@@ -249,7 +250,8 @@ asio::awaitable<void> Connection::write() {
                                                            asio::redirect_error(asio::use_awaitable, failed));
     context_.session.metrics.sent_bytes.add(written);
     write_progress_.reset();
-    gather_.wrote(output.size(), at_once);
+    // TLS writes record by record, however much the kernel takes.
+    gather_.wrote(output.size(), wire_.by_tls() ? wire_.write_waits() == waits : in_one_piece);
     if (failed) {
       end(failed.message());
       co_return;

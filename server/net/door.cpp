@@ -58,6 +58,7 @@ struct Door::Visit {
   Clock::time_point came = Clock::now();
   std::optional<Admission::Place> place;
   bool late = false;
+  bool done = false;  // let in: the wire is another's
 };
 
 Door::Door(const Config& config, Admission& admission, Metrics& metrics, Logger log, HasRoom has_room,
@@ -104,7 +105,7 @@ asio::awaitable<void> Door::receive(VisitPtr visit) {
       visit->wire.get_executor(),
       visit->came + milliseconds{static_cast<milliseconds::rep>(config_.limits.handshake_timeout_ms)}};
   deadline.async_wait([visit](std::error_code cancelled) {
-    if (cancelled) return;
+    if (cancelled || visit->done) return;  // what has expired already can no more be cancelled
     visit->late = true;
     visit->wire.close();
   });
@@ -177,6 +178,7 @@ bool Door::admit(Visit& visit) {
 }
 
 void Door::let_in(Visit& visit) {
+  visit.done = true;
   welcome_(
       Guest{visit.id, std::move(visit.wire), to_text(visit.client), *std::move(visit.place), visit.came});
 }

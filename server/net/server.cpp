@@ -59,9 +59,8 @@ Config fitted_to(Config config, const terrain::World& world) {
 }
 
 ServiceSettings service_settings(const Config& config) {
-  return {generator_threads(config),      static_cast<int>(config.generation.patch_tiles),
-          config.generation.queue_chunks, config.cache.chunk_bytes,
-          config.cache.patch_bytes,       config.limits.memory_bytes};
+  return {generator_threads(config), static_cast<int>(config.generation.patch_tiles),
+          config.generation.queue_chunks, config.cache.chunk_bytes, config.cache.patch_bytes};
 }
 
 tcp::endpoint resolved(const Endpoint& endpoint, asio::io_context& io, std::error_code& error) {
@@ -86,17 +85,18 @@ Server::Server(const Config& config, std::shared_ptr<const terrain::World> world
       rates_{rate_limits(config.rates)},
       admission_{config.limits.connections, config.limits.connections_per_address,
                  milliseconds{static_cast<milliseconds::rep>(config.rates.burst_ms)}},
+      memory_{config.limits.memory_bytes},
       tls_{std::move(tls)},
       door_{config_,
             admission_,
             metrics_,
             log_,
-            [this] { return chunks_.memory().takes_connections(); },
+            [this] { return memory_.takes_connections(); },
             [this](Guest guest) { welcome(std::move(guest)); }},
       io_{io_threads(config), log_},
       chunks_{std::make_unique<TerrainGenerator>(std::move(world),
                                                  static_cast<int>(config.generation.patch_tiles)),
-              service_settings(config), log_, metrics_},
+              service_settings(config), log_, metrics_, memory_},
       acceptor_{io_.control()},
       signals_{io_.control(), SIGTERM, SIGINT},
       hangups_{io_.control(), SIGHUP},
@@ -138,12 +138,11 @@ tl::expected<std::string, std::string> Server::listen_to_operators() {
 
 std::string Server::metrics_text() {
   const ChunkService::Status status = chunks_.status();
-  const MemoryBudget& memory = chunks_.memory();
   Depths depths{status.jobs, status.clients, status.chunk_cache_bytes, status.patch_cache_bytes, draining_};
   for (std::size_t use = 0; use < kMemoryUses.size(); ++use) {
-    depths.memory_bytes[use] = memory.used(static_cast<MemoryUse>(use));
+    depths.memory_bytes[use] = memory_.used(static_cast<MemoryUse>(use));
   }
-  depths.memory_limit_bytes = memory.limit_bytes();
+  depths.memory_limit_bytes = memory_.limit_bytes();
   depths.certificate_expires = tls_ ? tls_->expires : 0;
   return prometheus_text(metrics_, depths, read_process(),
                          {TALUS_VERSION, terrain::kGeneratorVersion, to_string(world_.fingerprint),

@@ -72,6 +72,7 @@ class Server {
   RateLimits rates_;
   Admission admission_;
   Registry registry_;
+  MemoryBudget memory_;  // connections give back to it
   std::optional<TlsIdentity> tls_;
   Door door_;
   IoPool io_;

@@ -65,6 +65,11 @@ struct CertificateFile {
 };
 
 tl::expected<std::string, std::string> read(std::string_view setting, const std::filesystem::path& file) {
+  std::error_code ignored;
+  const auto type = std::filesystem::status(file, ignored).type();
+  if (type != std::filesystem::file_type::regular && type != std::filesystem::file_type::not_found) {
+    return wrong(setting, file, "is no regular file; give a PEM file");  // a pipe would not end
+  }
   auto text = read_file(file, kMostPemBytes);
   if (text) return *std::move(text);
   return wrong(setting, file,
@@ -144,6 +149,8 @@ tl::expected<TlsContext, std::string> new_context() {
   // An idle session keeps no buffers; a write goes on a record at a time, from wherever the rest is then.
   SSL_CTX_set_mode(context.get(), SSL_MODE_RELEASE_BUFFERS | SSL_MODE_ENABLE_PARTIAL_WRITE |
                                       SSL_MODE_ACCEPT_MOVING_WRITE_BUFFER);
+  // After a record that carries no data, as a change of keys, the others on the thread have their turn.
+  SSL_CTX_clear_mode(context.get(), SSL_MODE_AUTO_RETRY);
   return context;
 }
 

@@ -11,6 +11,7 @@
 
 #include <asio/buffer.hpp>
 #include <asio/compose.hpp>
+#include <asio/error.hpp>
 #include <asio/ip/tcp.hpp>
 #include <asio/post.hpp>
 
@@ -67,6 +68,9 @@ class Wire {
     return compose([](TlsSession& tls) { return tls.say_end(); }, std::forward<Token>(token));
   }
 
+  /// How often a write by TLS had to wait until the kernel took more.
+  [[nodiscard]] std::size_t write_waits() const { return write_waits_; }
+
   /// Nothing more is written.
   void shutdown() {
     std::error_code ignored;
@@ -75,7 +79,7 @@ class Wire {
   /// What is under way ends with an error.
   void close() {
     std::error_code ignored;
-    if (tls_) (void)tls_->say_end();  // if it still goes: nobody waits for it
+    if (tls_ && socket_.is_open()) (void)tls_->say_end();  // if it still goes: nobody waits for it
     socket_.close(ignored);
   }
 
@@ -92,9 +96,12 @@ class Wire {
     template <typename Self>
     void operator()(Self& self, std::error_code failed = {}) {
       using Next = TlsStep::Next;
+      // Two waits can end in one look at the socket, and the first may close it: its number may be another's.
+      if (!wire.socket_.is_open()) failed = asio::error::operation_aborted;
       if (!posted) last = failed ? TlsStep{Next::none, failed} : step(*wire.tls_);
       if (last.next != Next::none) {
         waited = true;
+        if (last.next == Next::wait_to_write) ++wire.write_waits_;
         const auto ready = last.next == Next::wait_to_read ? asio::ip::tcp::socket::wait_read
                                                            : asio::ip::tcp::socket::wait_write;
         wire.socket_.async_wait(ready, std::move(self));
@@ -114,6 +121,7 @@ class Wire {
 
   asio::ip::tcp::socket socket_;
   std::optional<TlsSession> tls_;
+  std::size_t write_waits_ = 0;
 };
 
 }  // namespace talus::server

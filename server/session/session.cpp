@@ -95,7 +95,7 @@ void Session::abandon() {
 void Session::note_memory() {
   constexpr std::size_t kPerRequest = 128;  // in the book and in the queue of generators
   constexpr std::size_t kPerKnown = 64;
-  memory_.hold(kIdleBytes + queued_bytes() + outbox_.chunk_bytes() + view_.bytes() +
+  memory_.hold(kIdleBytes + writing_bytes_ + queued_bytes() + outbox_.chunk_bytes() + view_.bytes() +
                (requests_.size() + awaited_.size()) * kPerRequest + known_.size() * kPerKnown);
 }
 

@@ -59,7 +59,7 @@ class Session {
   static constexpr std::size_t kExpectedChunkBytes = 4096;
 
   /// What one costs that says and wants nothing, its connection and coroutines included.
-  static constexpr std::size_t kIdleBytes = std::size_t{16} * 1024;
+  static constexpr std::size_t kIdleBytes = std::size_t{32} * 1024;
 
   using Clock = std::chrono::steady_clock;
 
@@ -185,7 +185,8 @@ class Session {
   MemoryShare memory_;
   Clock::time_point received_at_{};  // what is being looked at
   std::size_t expected_chunk_bytes_ = kExpectedChunkBytes;
-  std::size_t found_ = 0;  // chunks at hand since pump() began
+  std::size_t writing_bytes_ = 0;  // taken last
+  std::size_t found_ = 0;          // chunks at hand since pump() began
   std::uint64_t heights_asked_ = 0;
   bool refused_ = false;
   bool going_away_ = false;

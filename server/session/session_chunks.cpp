@@ -207,6 +207,7 @@ std::vector<std::byte> Session::take_output(std::size_t enough_bytes, Clock::tim
                  }
                });
   rates_.sent(now, chunks, output.size());
+  writing_bytes_ = output.capacity();
   context_.metrics.chunks_sent.add(chunks);
   context_.metrics.chunk_bytes_sent.add(chunk_bytes);
   return output;

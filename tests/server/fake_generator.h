@@ -130,13 +130,15 @@ class WaitingClient final : public ChunkClient {
 struct FakeService {
   std::shared_ptr<FakeWork> work = std::make_shared<FakeWork>();
   Metrics metrics;
+  MemoryBudget memory{0};
   ChunkService service;
 
   explicit FakeService(std::size_t threads = 1, std::size_t queue_chunks = 1000)
       : service{std::make_unique<FakeGenerator>(work),
                 {threads, 4, queue_chunks, 1 << 20, 1 << 20},
                 std::make_shared<spdlog::logger>("silent"),
-                metrics} {
+                metrics,
+                memory} {
     service.start();
   }
   /// Threads behind a closed gate would never end.

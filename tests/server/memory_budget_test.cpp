@@ -30,11 +30,12 @@ void hold(MemoryBudget& budget, std::uint64_t bytes) {
 struct Bench {
   std::shared_ptr<FakeWork> work = std::make_shared<FakeWork>();
   Metrics metrics;
+  MemoryBudget budget{kBudget};
   ChunkService service{std::make_unique<FakeGenerator>(work),
-                       {1, 4, 1000, 64 * kMebibyte, 64 * kMebibyte, kBudget},
+                       {1, 4, 1000, 64 * kMebibyte, 64 * kMebibyte},
                        std::make_shared<spdlog::logger>("silent"),
-                       metrics};
-  MemoryBudget& budget = service.memory();
+                       metrics,
+                       budget};
   Limits limits;
   WorldInfo world;
   std::shared_ptr<WaitingClient> client = std::make_shared<WaitingClient>();

@@ -2,7 +2,9 @@
 #include <openssl/ssl.h>
 #include <openssl/x509v3.h>
 
+#include <filesystem>
 #include <new>
+#include <system_error>
 
 #include <talus/client/tls.h>
 
@@ -45,6 +47,14 @@ Result<TlsContext> make_tls_context(const TlsOptions& options) {
   TlsContext context{SSL_CTX_new(TLS_client_method()), SSL_CTX_free};
   if (context == nullptr || SSL_CTX_set_min_proto_version(context.get(), TLS1_3_VERSION) != 1) {
     return tl::unexpected{ClientError{ErrorKind::untrusted, "TLS 1.3: " + last_reason(), {}}};
+  }
+  std::error_code ignored;
+  if (!options.ca_file.empty() && std::filesystem::exists(options.ca_file, ignored) &&
+      !std::filesystem::is_regular_file(options.ca_file, ignored)) {
+    return tl::unexpected{
+        ClientError{ErrorKind::untrusted,
+                    options.ca_file + ": is no regular file; give a PEM file of those to trust",
+                    {}}};
   }
   const bool trusted = options.ca_file.empty()
                            ? SSL_CTX_set_default_verify_paths(context.get()) == 1
