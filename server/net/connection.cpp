@@ -250,6 +250,7 @@ asio::awaitable<void> Connection::write() {
                                                            asio::redirect_error(asio::use_awaitable, failed));
     context_.session.metrics.sent_bytes.add(written);
     write_progress_.reset();
+    session_.written();
     // TLS writes record by record, however much the kernel takes.
     gather_.wrote(output.size(), wire_.by_tls() ? wire_.write_waits() == waits : in_one_piece);
     if (failed) {

@@ -104,6 +104,11 @@ class Session {
   /// Frames to write now, one after the other: `enough_bytes` and at most one frame more.
   [[nodiscard]] std::vector<std::byte> take_output(std::size_t enough_bytes,
                                                    Clock::time_point now = Clock::now());
+  /// What was taken is written, and its memory free.
+  void written() {
+    writing_bytes_ = 0;
+    note_memory();
+  }
   /// Bytes that wait and that the client did not have to give credit for; above the limit, read no more.
   [[nodiscard]] std::size_t queued_bytes() const {
     return outbox_.control_bytes() + requests_.heights_bytes();

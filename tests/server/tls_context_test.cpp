@@ -56,7 +56,7 @@ TEST_CASE("a missing file is named, with why") {
              Catch::StartsWith("tls.certificate /nowhere/c.pem: ") && Catch::Contains("No such file"));
   CHECK_THAT(files.refusal(files.certificate, "/nowhere/k.pem"),
              Catch::StartsWith("tls.key /nowhere/k.pem: "));
-  CHECK_THAT(files.refusal("/dev/zero", files.key), Catch::Contains("too large"));
+  CHECK_THAT(files.refusal("/dev/zero", files.key), Catch::Contains("no regular file"));
 }
 
 TEST_CASE("another certificate's key is refused with both names") {
