@@ -18,6 +18,9 @@ using Clock = std::chrono::steady_clock;
 // Of the bytes for chunks, what is kept of columns beside them: a column takes less than the smallest chunk.
 constexpr std::size_t kShareOfRows = 16;
 
+// In which who asks is taken to go on asking.
+constexpr std::chrono::seconds kLately{1};
+
 // Of a column, when its patch is dropped.
 constexpr std::int32_t kMostKeptRows = 8;
 
@@ -117,7 +120,7 @@ ChunkService::Submission ChunkService::submit(const ChunkClientPtr& client, Chun
       metrics_.jobs_refused.add();
       return Submission::refused;
     }
-    if (std::exchange(last_client_, client.get()) != client.get()) last_other_ = Clock::now();
+    note_client(*client);
     note_jobs();
   }
   if (finished != nullptr) {
@@ -194,9 +197,15 @@ WorkPrices ChunkService::prices() const {
 }
 
 std::size_t ChunkService::most_at_once() const {
-  constexpr std::chrono::seconds kLately{1};
-  const bool alone = Clock::now() - last_other_ > kLately;
+  const bool alone = Clock::now() - last_together_ > kLately;
   return alone || settings_.threads == 1 ? settings_.threads : settings_.threads - 1;
+}
+
+void ChunkService::note_client(const ChunkClient& client) {
+  const Clock::time_point now = Clock::now();
+  const bool another = std::exchange(last_client_, &client) != &client;
+  if (another && now - last_asked_ < kLately) last_together_ = now;
+  last_asked_ = now;
 }
 
 void ChunkService::note_jobs() {

@@ -83,6 +83,7 @@ class ChunkService {
   [[nodiscard]] WorkPrices prices() const;
   /// One client gets all threads only while nobody else asks: who asks next should find one.
   [[nodiscard]] std::size_t most_at_once() const;
+  void note_client(const ChunkClient& client);
   void note_jobs();
   void note_patch(std::size_t bytes);
   /// Makes the chunks of a patch that is being dropped: they are a fiftieth of its size, and who looks at one
@@ -113,9 +114,10 @@ class ChunkService {
   std::condition_variable work_waits_;
   WorkQueue queue_;
   bool stopping_ = false;
-  // Who asked last, and when somebody else did than before; under the mutex too.
+  // Who asked last, when, and when two last asked within kLately of each other; under the mutex too.
   const ChunkClient* last_client_ = nullptr;
-  std::chrono::steady_clock::time_point last_other_{};
+  std::chrono::steady_clock::time_point last_asked_{};
+  std::chrono::steady_clock::time_point last_together_{};
 
   std::vector<std::thread> threads_;
 };
