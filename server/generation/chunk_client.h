@@ -22,11 +22,16 @@ struct GenerationFailed {
 using ChunkAnswer = tl::expected<EncodedChunkPtr, GenerationFailed>;
 using HeightsAnswer = tl::expected<std::vector<std::int32_t>, GenerationFailed>;
 
-/// Called on any thread, mostly a generator's: hand the answer over to your own thread and return.
+struct ReadyChunk {
+  ChunkKey key;
+  ChunkAnswer answer;
+};
+
+/// Called on any thread, mostly a generator's: hand the answers over to your own thread and return.
 class ChunkClient {
  public:
   virtual ~ChunkClient() = default;
-  virtual void chunk_ready(ChunkKey key, ChunkAnswer answer) = 0;
+  virtual void chunks_ready(std::vector<ReadyChunk> chunks) = 0;
   virtual void heights_ready(std::uint64_t ticket, HeightsAnswer answer) = 0;
 };
 using ChunkClientPtr = std::shared_ptr<ChunkClient>;

@@ -8,6 +8,7 @@
 #include <exception>
 #include <utility>
 
+#include "generation/handover.h"
 #include "metrics/thread_time.h"
 
 namespace talus::server {
@@ -45,14 +46,16 @@ void give_way() {
   ::setpriority(PRIO_PROCESS, static_cast<id_t>(::gettid()), kNiceness);  // of this thread alone, on Linux
 }
 
-/// Counts a piece of work and the thread's time from here to the end of the block.
+/// Counts pieces of work and the thread's time from here to the end of the block. Asking for the time costs a
+/// call of the kernel, so chunks are timed a patch at a time.
 class Timed {
  public:
-  Timed(Counter& pieces, Counter& ns, std::size_t count = 1) : pieces_{pieces}, ns_{ns}, count_{count} {}
+  Timed(Counter& pieces, Counter& ns, std::size_t count) : pieces_{pieces}, ns_{ns}, count_{count} {}
   ~Timed() {
     ns_.add(static_cast<std::uint64_t>((thread_time() - began_).count()));
     pieces_.add(count_);
   }
+  void one_more() { ++count_; }
   Timed(const Timed&) = delete;
   Timed& operator=(const Timed&) = delete;
 
@@ -124,7 +127,7 @@ ChunkService::Submission ChunkService::submit(const ChunkClientPtr& client, Chun
     note_jobs();
   }
   if (finished != nullptr) {
-    client->chunk_ready(key, std::move(finished));
+    client->chunks_ready({{key, std::move(finished)}});
   } else {
     work_waits_.notify_one();
   }
@@ -242,6 +245,14 @@ void ChunkService::fit_caches() {
 void ChunkService::run(const WorkQueue::Batch& batch) {
   DroppedPatches dropped;
   const StacksPtr stacks = stacks_of(batch.patch, dropped);
+  make_chunks(batch, stacks.get());
+  // When nobody waits for this thread any more.
+  for (const auto& [patch, gone] : dropped) keep_chunks(patch, *gone);
+}
+
+void ChunkService::make_chunks(const WorkQueue::Batch& batch, const terrain::Stacks* stacks) {
+  Timed timed{metrics_.chunks_made, metrics_.chunk_ns, 0};
+  Handover handover{log_};
   for (const ChunkKey key : batch.keys) {
     {
       const std::lock_guard lock{mutex_};
@@ -251,25 +262,16 @@ void ChunkService::run(const WorkQueue::Batch& batch) {
         continue;
       }
     }
-    const ChunkAnswer answer = make_chunk(stacks.get(), key);
+    const ChunkAnswer answer = make_chunk(stacks, key);
+    if (answer) timed.one_more();
     std::vector<ChunkClientPtr> waiters;
     {
       const std::lock_guard lock{mutex_};
       waiters = queue_.finish(key);
     }
-    for (const ChunkClientPtr& waiter : waiters) deliver(*waiter, key, answer);
+    handover.add(waiters, key, answer);
   }
-  // When nobody waits for this thread any more.
-  for (const auto& [patch, gone] : dropped) keep_chunks(patch, *gone);
-}
-
-void ChunkService::deliver(ChunkClient& waiter, ChunkKey key, const ChunkAnswer& answer) {
-  // One client's trouble must not keep the answer from the others, nor end the thread.
-  try {
-    waiter.chunk_ready(key, answer);
-  } catch (const std::exception& error) {
-    log_->error("chunk {} could not be handed over: {}", to_string(key), error.what());
-  }
+  handover.flush();
 }
 
 void ChunkService::run(const HeightsTask& task) {
@@ -307,18 +309,20 @@ StacksPtr ChunkService::stacks_of(const PatchKey& patch, DroppedPatches& dropped
 }
 
 StacksPtr ChunkService::make_patch(const PatchKey& patch) {
-  const Timed timed{metrics_.patches_made, metrics_.patch_ns};
+  const Timed timed{metrics_.patches_made, metrics_.patch_ns, 1};
   return std::make_shared<const terrain::Stacks>(generator_->make_patch(patch));
 }
 
 void ChunkService::keep_chunks(const PatchKey& patch, const terrain::Stacks& stacks) {
+  Timed timed{metrics_.chunks_made, metrics_.chunk_ns, 0};
   for_each_column(patch, [&](ChunkKey column) {
     const terrain::MixedRange mixed = generator_->rows(stacks, column);
     // Worlds can be far deeper than what anybody looks at.
     const std::int32_t last = std::min(mixed.last, mixed.first + kMostKeptRows - 1);
     for (std::int32_t y = mixed.first; y <= last; ++y) {
       const ChunkKey key{{column.coord.x, y, column.coord.z}, column.lod};
-      if (!chunks_.holds(key)) (void)make_chunk(&stacks, key);
+      if (chunks_.holds(key)) continue;
+      if (make_chunk(&stacks, key)) timed.one_more();
     }
   });
 }
@@ -340,7 +344,6 @@ void ChunkService::for_each_column(const PatchKey& patch, Visit&& visit) const {
 ChunkAnswer ChunkService::make_chunk(const terrain::Stacks* stacks, ChunkKey key) {
   if (stacks == nullptr) return tl::make_unexpected(GenerationFailed{"its patch could not be generated"});
   try {
-    const Timed timed{metrics_.chunks_made, metrics_.chunk_ns};
     EncodedChunkPtr chunk = generator_->make_chunk(*stacks, key);
     chunks_.put(key, chunk);
     return chunk;

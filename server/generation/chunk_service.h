@@ -79,6 +79,8 @@ class ChunkService {
   void work();
   void run(const WorkQueue::Batch& batch);
   void run(const HeightsTask& task);
+  /// And hands them over to those who still wait.
+  void make_chunks(const WorkQueue::Batch& batch, const terrain::Stacks* stacks);
   /// Means of what was measured so far.
   [[nodiscard]] WorkPrices prices() const;
   /// One client gets all threads only while nobody else asks: who asks next should find one.
@@ -92,7 +94,6 @@ class ChunkService {
   template <typename Visit>
   void for_each_column(const PatchKey& patch, Visit&& visit) const;
   void note_rows(const PatchKey& patch, const terrain::Stacks& stacks);
-  void deliver(ChunkClient& waiter, ChunkKey key, const ChunkAnswer& answer);
   [[nodiscard]] StacksPtr make_patch(const PatchKey& patch);
   [[nodiscard]] StacksPtr stacks_of(const PatchKey& patch, DroppedPatches& dropped);
   [[nodiscard]] ChunkAnswer make_chunk(const terrain::Stacks* stacks, ChunkKey key);

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <exception>
+#include <iterator>
 #include <mutex>
 #include <utility>
 #include <vector>
@@ -65,11 +66,12 @@ class Connection::Port final : public ChunkClient, public std::enable_shared_fro
   explicit Port(const std::shared_ptr<Connection>& connection)
       : connection_{connection}, executor_{connection->wire_.get_executor()} {}
 
-  void chunk_ready(ChunkKey key, ChunkAnswer answer) override {
+  void chunks_ready(std::vector<ReadyChunk> chunks) override {
     {
       const std::lock_guard lock{mutex_};
-      ready_.emplace_back(key, std::move(answer));
-      if (ready_.size() > 1) return;  // somebody is on the way
+      const bool on_the_way = !ready_.empty();
+      std::move(chunks.begin(), chunks.end(), std::back_inserter(ready_));
+      if (on_the_way) return;
     }
     try {
       asio::post(executor_, [self = shared_from_this()] { self->hand_over(); });
@@ -90,10 +92,8 @@ class Connection::Port final : public ChunkClient, public std::enable_shared_fro
   }
 
  private:
-  using Ready = std::vector<std::pair<ChunkKey, ChunkAnswer>>;
-
   void hand_over() {
-    Ready ready;
+    std::vector<ReadyChunk> ready;
     {
       const std::lock_guard lock{mutex_};
       ready.swap(ready_);
@@ -108,7 +108,7 @@ class Connection::Port final : public ChunkClient, public std::enable_shared_fro
   std::weak_ptr<Connection> connection_;
   asio::any_io_executor executor_;
   std::mutex mutex_;
-  Ready ready_;
+  std::vector<ReadyChunk> ready_;
 };
 
 Connection::Connection(Guest guest, const ConnectionContext& context)

@@ -123,7 +123,7 @@ TEST_CASE("heights that fail are answered too") {
 
 TEST_CASE("a client that cannot take its answers harms nobody") {
   struct Exhausted final : ChunkClient {
-    void chunk_ready(ChunkKey, ChunkAnswer) override { throw std::bad_alloc{}; }
+    void chunks_ready(std::vector<ReadyChunk>) override { throw std::bad_alloc{}; }
     void heights_ready(std::uint64_t, HeightsAnswer) override { throw std::bad_alloc{}; }
   };
   FakeService fake;

@@ -95,9 +95,9 @@ class FakeGenerator final : public Generator {
 /// Keeps what it is given until a test waits for it.
 class WaitingClient final : public ChunkClient {
  public:
-  void chunk_ready(ChunkKey key, ChunkAnswer answer) override {
+  void chunks_ready(std::vector<ReadyChunk> chunks) override {
     const std::lock_guard lock{mutex_};
-    answers_.emplace_back(key, std::move(answer));
+    for (ReadyChunk& chunk : chunks) answers_.emplace_back(chunk.key, std::move(chunk.answer));
     changed_.notify_all();
   }
   void heights_ready(std::uint64_t ticket, HeightsAnswer answer) override {

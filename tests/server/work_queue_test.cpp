@@ -14,7 +14,7 @@ namespace {
 
 class Nobody final : public ChunkClient {
  public:
-  void chunk_ready(ChunkKey, ChunkAnswer) override {}
+  void chunks_ready(std::vector<ReadyChunk>) override {}
   void heights_ready(std::uint64_t, HeightsAnswer) override {}
 };
 

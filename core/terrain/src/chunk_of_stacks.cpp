@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 #include <cassert>
+#include <numeric>
 #include <utility>
 
 #include <talus/terrain/boundary_row.h>
@@ -37,31 +38,21 @@ class TileRows {
   [[nodiscard]] std::size_t planes() const { return stacks_.tops.size(); }
   [[nodiscard]] MaterialId material(std::size_t plane) const { return stacks_.materials[plane]; }
 
-  /// Boundary rows of a plane.
-  void read(std::size_t plane, Rows& rows) const {
-    for (int z = 0; z < kChunkSize; ++z) {
-      const std::int32_t* tops = line(plane, z);
-      for (int x = 0; x < kChunkSize; ++x) rows[column_index(x, z)] = boundary_row(tops[x]);
-    }
-    if (!coarse_) return;
-    // Far hills keep their grass: the topmost solid voxel takes the material at the top of the stack, even
-    // where that is too thin to reach the voxel's centre.
-    for (std::size_t i = 0; i < rows.size(); ++i) {
-      rows[i] = plane < crown_[i] ? std::min(rows[i], ground_[i] - 1) : ground_[i];
-    }
+  [[nodiscard]] std::int32_t lowest(std::size_t plane) const {
+    return extreme(plane, [](std::int32_t a, std::int32_t b) { return std::min(a, b); });
+  }
+  [[nodiscard]] std::int32_t highest(std::size_t plane) const {
+    return extreme(plane, [](std::int32_t a, std::int32_t b) { return std::max(a, b); });
   }
 
   /// The boundary rows of a field over the stacks, counted from `floor_row` and cut to a chunk.
   void cut(const Field& field, std::int32_t floor_row, ChunkPlane& rows) const {
-    for (int z = 0; z < kChunkSize; ++z) {
-      kernels_.cut(field.row(z_ + z).data() + x_, kChunkSize, floor_row, rows.data() + column_index(0, z));
-    }
+    kernels_.cut(field.row(z_).data() + x_, static_cast<std::size_t>(field.width), floor_row, rows.data());
   }
   /// The same of a plane, with the crowns of coarse levels.
   void cut(std::size_t plane, std::int32_t floor_row, ChunkPlane& rows) const {
     if (!coarse_) return cut(stacks_.tops[plane], floor_row, rows);
-    Rows whole{};
-    read(plane, whole);
+    const Rows whole = read(plane);
     std::transform(whole.begin(), whole.end(), rows.begin(),
                    [&](std::int32_t row) { return cut(row, floor_row); });
   }
@@ -86,6 +77,35 @@ class TileRows {
   }
 
  private:
+  /// The boundary row of a plane that `pick` keeps of all.
+  template <typename Pick>
+  [[nodiscard]] std::int32_t extreme(std::size_t plane, Pick&& pick) const {
+    if (coarse_) {
+      const Rows rows = read(plane);
+      return std::accumulate(rows.begin(), rows.end(), rows[0], pick);
+    }
+    std::int32_t kept_fx = line(plane, 0)[0];
+    for (int z = 0; z < kChunkSize; ++z) {
+      const std::int32_t* tops = line(plane, z);
+      for (int x = 0; x < kChunkSize; ++x) kept_fx = pick(kept_fx, tops[x]);
+    }
+    return boundary_row(kept_fx);
+  }
+
+  /// Boundary rows of a plane of a coarse level. Far hills keep their grass: the topmost solid voxel takes
+  /// the material at the top of the stack, even where that is too thin to reach the voxel's centre.
+  [[nodiscard]] Rows read(std::size_t plane) const {
+    Rows rows;
+    for (int z = 0; z < kChunkSize; ++z) {
+      const std::int32_t* tops = line(plane, z);
+      for (int x = 0; x < kChunkSize; ++x) {
+        const std::size_t i = column_index(x, z);
+        rows[i] = plane < crown_[i] ? std::min(boundary_row(tops[x]), ground_[i] - 1) : ground_[i];
+      }
+    }
+    return rows;
+  }
+
   void find_crowns() {
     read_ground();
     for (std::size_t plane = 1; plane < planes(); ++plane) {
@@ -120,51 +140,83 @@ class TileRows {
   Rows ground_{};
 };
 
+// The layers of a chunk, bottom up. No plane lies below the one before, so where two are cut alike, so are
+// all between them, and need not be looked at: of most chunks that is more than half.
+class LayerPicker {
+ public:
+  LayerPicker(const TileRows& tile, std::int32_t floor_row) : tile_{tile}, floor_row_{floor_row} {}
+
+  /// All planes; `top` becomes the last of them.
+  void add_planes(ChunkPlane& top) {
+    const std::size_t last = tile_.planes() - 1;
+    ChunkPlane bottom;
+    tile_.cut(0, floor_row_, bottom);
+    add(tile_.material(0), bottom);
+    tile_.cut(last, floor_row_, top);
+    add_between(0, bottom, last, top);
+    add(tile_.material(last), top);
+  }
+  /// Where it does not lie on the plane before, in all columns.
+  void add(MaterialId material, const ChunkPlane& plane) {
+    if (plane == below_) return;
+    layers_.materials.push_back(material);
+    layers_.tops.insert(layers_.tops.end(), plane.begin(), plane.end());
+    below_ = plane;
+  }
+  [[nodiscard]] Layers take() {
+    layers_.materials.push_back(kAir);
+    return std::move(layers_);
+  }
+
+ private:
+  void add_between(std::size_t low, const ChunkPlane& low_rows, std::size_t high,
+                   const ChunkPlane& high_rows) {
+    if (high - low < 2 || low_rows == high_rows) return;
+    const std::size_t middle = (low + high) / 2;
+    ChunkPlane rows;
+    tile_.cut(middle, floor_row_, rows);
+    add_between(low, low_rows, middle, rows);
+    add(tile_.material(middle), rows);
+    add_between(middle, rows, high, high_rows);
+  }
+
+  const TileRows& tile_;
+  std::int32_t floor_row_;
+  Layers layers_;
+  ChunkPlane below_{};
+};
+
 }  // namespace
 
 Chunk extract_chunk(const World& world, const Stacks& stacks, ChunkCoord coord) {
   const TileRows tile{world, stacks, coord.x, coord.z};
   const auto floor_row = static_cast<std::int32_t>(
       std::clamp<std::int64_t>(std::int64_t{coord.y} * kChunkSize, -kFarRow, kFarRow));
-  Layers layers;
-  ChunkPlane below{};
-  const auto add_plane = [&](MaterialId material, const ChunkPlane& plane) {
-    if (plane == below) return;
-    layers.materials.push_back(material);
-    layers.tops.insert(layers.tops.end(), plane.begin(), plane.end());
-    below = plane;
-  };
+  LayerPicker layers{tile, floor_row};
   ChunkPlane rows;
-  ChunkPlane rock;
-  const std::size_t top_of_rock = tile.planes() - 1 - world.loose().size();
-  for (std::size_t plane = 0; plane < tile.planes(); ++plane) {
-    tile.cut(plane, floor_row, rows);
-    add_plane(tile.material(plane), rows);
-    if (plane == top_of_rock) rock = rows;
-  }
+  layers.add_planes(rows);
   const std::uint8_t sea = TileRows::cut(tile.sea_row(), floor_row);
   for (std::uint8_t& row : rows) row = std::max(row, sea);
-  add_plane(kWater, rows);
-  layers.materials.push_back(kAir);
+  layers.add(kWater, rows);
 
   std::vector<Insert> inserts;
-  if (!world.spec().veins.empty()) inserts = ore_inserts(world, {coord, stacks.region.lod}, rock);
+  if (!world.spec().veins.empty()) {
+    tile.cut(tile.planes() - 1 - world.loose().size(), floor_row, rows);  // the top of rock
+    inserts = ore_inserts(world, {coord, stacks.region.lod}, rows);
+  }
   if (!stacks.caves.none()) {
     Insert& air = inserts.emplace_back(Insert{kAir, {}, {}});
     tile.cut(stacks.caves.floor, floor_row, air.from);
     tile.cut(stacks.caves.roof, floor_row, air.to);
   }
-  return chunk_with(std::move(layers), inserts);
+  return chunk_with(layers.take(), inserts);
 }
 
 MixedRange mixed_range(const World& world, const Stacks& stacks, std::int32_t chunk_x, std::int32_t chunk_z) {
   const TileRows tile{world, stacks, chunk_x, chunk_z};
-  Rows rows{};
-  tile.read(0, rows);
-  const std::int32_t lowest = std::min({*std::min_element(rows.begin(), rows.end()), tile.lowest_cave(),
-                                        lowest_ore_row(world, stacks.region.lod)});
-  tile.read(tile.planes() - 1, rows);
-  const std::int32_t highest = std::max(*std::max_element(rows.begin(), rows.end()), tile.sea_row());
+  const std::int32_t lowest =
+      std::min({tile.lowest(0), tile.lowest_cave(), lowest_ore_row(world, stacks.region.lod)});
+  const std::int32_t highest = std::max(tile.highest(tile.planes() - 1), tile.sea_row());
   const auto chunk_row = [](std::int32_t row) {
     return static_cast<std::int32_t>(floor_div(row, kChunkSize));
   };

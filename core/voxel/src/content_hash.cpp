@@ -8,6 +8,9 @@
 // The state of a hash in parts, without an allocation of its own.
 #define XXH_STATIC_LINKING_ONLY
 #include <xxhash.h>
+#if defined(__x86_64__) && __has_include(<xxh_x86dispatch.h>)
+#include <xxh_x86dispatch.h>  // the same functions in the vectors of the machine it runs on
+#endif
 
 #include "slices.h"
 

@@ -55,14 +55,20 @@ bool raise(const float* noise, std::size_t width, const LayerShape& shape, const
   return full;
 }
 
-void cut(const std::int32_t* top, std::size_t width, std::int32_t floor_row, std::uint8_t* rows) {
-  over_row(Ints{}, width, [=](auto d, std::size_t x) HWY_ATTR {
-    const auto row = hn::ShiftRight<8>(hn::Add(hn::LoadU(d, top + x), hn::Set(d, 127)));
-    const auto above = hn::Sub(row, hn::Set(d, floor_row));
-    const auto kept = hn::Min(hn::Max(above, hn::Zero(d)), hn::Set(d, kChunkSize));
-    const hn::Rebind<std::uint8_t, decltype(d)> bytes;
-    hn::StoreU(hn::DemoteTo(bytes, kept), bytes, rows + x);
-  });
+void cut(const std::int32_t* tops, std::size_t stride, std::int32_t floor_row, std::uint8_t* rows) {
+  const hn::CappedTag<std::int32_t, kChunkSize> d;
+  const hn::Rebind<std::uint8_t, decltype(d)> bytes;
+  const auto rounding = hn::Set(d, 127);
+  const auto floor = hn::Set(d, floor_row);
+  const auto most = hn::Set(bytes, kChunkSize);
+  for (int z = 0; z < kChunkSize; ++z, tops += stride) {
+    for (std::size_t x = 0; x < kChunkSize; x += hn::Lanes(d), rows += hn::Lanes(d)) {
+      const auto row = hn::ShiftRight<8>(hn::Add(hn::LoadU(d, tops + x), rounding));
+      // What lies below the floor becomes 0 as it is made a byte, what lies above a chunk at most 255.
+      const auto kept = hn::DemoteTo(bytes, hn::Sub(row, floor));
+      hn::StoreU(hn::Min(kept, most), bytes, rows);
+    }
+  }
 }
 
 template <class Cell>

@@ -23,8 +23,9 @@ struct ColumnKernels {
   /// have reached the surface.
   bool (*raise)(const float* noise, std::size_t width, const LayerShape& shape, const std::int32_t* surface,
                 const std::int32_t* below, std::int32_t* top);
-  /// The boundary rows of `top` counted from `floor_row`, none below 0 or above 32 (boundary_row.h).
-  void (*cut)(const std::int32_t* top, std::size_t width, std::int32_t floor_row, std::uint8_t* rows);
+  /// The boundary rows of 32 rows of 32 columns counted from `floor_row`, none below 0 or above 32
+  /// (boundary_row.h). A row of `tops` begins `stride` after the one before; `rows` are without gaps.
+  void (*cut)(const std::int32_t* tops, std::size_t stride, std::int32_t floor_row, std::uint8_t* rows);
   /// lowered = max(top - thickness, 0).
   void (*lower_int16)(const std::int32_t* top, const std::int16_t* thickness, std::size_t width,
                       std::int32_t* lowered);
