@@ -52,7 +52,9 @@ Player::Player(Worker& worker, const GuestProfile& profile)
       motion_{make_motion(motion_plan(worker.plan(), profile),
                           Random{worker.plan().options.seed ^ 0xBEEF, profile.number})},
       tick_{std::chrono::duration_cast<Clock::duration>(
-          std::chrono::duration<double>(1 / worker.plan().options.tick_hz))} {}
+          std::chrono::duration<double>(1 / worker.plan().options.tick_hz))},
+      phase_{std::chrono::duration_cast<Clock::duration>(
+          tick_ * Random{worker.plan().options.seed ^ 0x71C5, profile.number}.part())} {}
 
 void Player::joined(Time now) {
   began_ = std::min(began_, join_due());
@@ -60,7 +62,8 @@ void Player::joined(Time now) {
   first_to_come_ = true;
   look_around(now, true);
   // Its ticks stay where they were laid when it first was to join, however late the server is.
-  tick_due_ = motion_->moves() ? began_ + tick_ * ((now - began_) / tick_ + 1) : Time::max();
+  const Time first_tick = began_ + phase_;
+  tick_due_ = motion_->moves() ? first_tick + tick_ * ((now - first_tick) / tick_ + 1) : Time::max();
 }
 
 void Player::parted(bool lost) {

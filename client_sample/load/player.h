@@ -32,6 +32,7 @@ class Player final : public Guest {
 
   std::unique_ptr<Motion> motion_;
   Clock::duration tick_;
+  Clock::duration phase_;     // of its ticks: players join evenly, and their clocks are not one
   Time began_ = Time::max();  // when it joined first: its time is counted from there
   Time tick_due_ = Time::max();
   Pose pose_;  // of the last View
