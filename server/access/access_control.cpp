@@ -56,9 +56,13 @@ tl::expected<Keys, std::string> load_keys(const Access& settings) {
   const auto secret = load("access.secret_file", settings.secret_file, kSecretBounds, keys.warnings);
   if (!secret) return tl::make_unexpected(secret.error());
   if (*secret) keys.shared_secret = digest_of((*secret)->bytes());
-  auto signing = load("access.signing_key_file", settings.signing_key_file, kSigningKeyBounds, keys.warnings);
-  if (!signing) return tl::make_unexpected(signing.error());
-  if (*signing) keys.signing_key.emplace(*std::move(*signing));
+  for (const auto& [setting, file] :
+       {std::pair{"access.signing_key_file", &settings.signing_key_file},
+        std::pair{"access.previous_signing_key_file", &settings.previous_signing_key_file}}) {
+    auto signing = load(setting, *file, kSigningKeyBounds, keys.warnings);
+    if (!signing) return tl::make_unexpected(signing.error());
+    if (*signing) keys.signing_keys.push_back(*std::move(*signing));
+  }
   if (without_token(settings, keys) == Rights{} && !keys.any()) {
     return tl::make_unexpected(
         std::string{"access.without_token: \"none\" without access.secret_file or access.signing_key_file "
@@ -94,14 +98,14 @@ tl::expected<Grant, Denied> AccessControl::admit(std::string_view token, std::ch
   }
   if (known->shared_secret && same(digest_of(token), *known->shared_secret))
     return Grant{secret_rights_, {}, {}};
-  if (!known->signing_key)
-    return tl::make_unexpected(Denied{Denial::not_accepted, "it is not the shared secret"});
-  auto claims = read_signed_token(*known->signing_key, token, now);
-  if (!claims) {
-    return tl::make_unexpected(Denied{claims.error().expired ? Denial::expired : Denial::not_accepted,
-                                      std::move(claims.error().why)});
+  Denied denied{Denial::not_accepted, "it is not the shared secret"};
+  for (const Secret& key : known->signing_keys) {
+    auto claims = read_signed_token(key, token, now);
+    if (claims) return Grant{claims->rights, std::move(claims->subject), claims->expires};
+    denied = {claims.error().expired ? Denial::expired : Denial::not_accepted, std::move(claims.error().why)};
+    if (claims.error().expired) break;  // it was signed by this key
   }
-  return Grant{claims->rights, std::move(claims->subject), claims->expires};
+  return tl::make_unexpected(std::move(denied));
 }
 
 tl::expected<std::string, std::string> AccessControl::reload() {

@@ -25,10 +25,10 @@ using SecretDigest = std::array<unsigned char, 32>;
 /// What the key files of the configuration hold.
 struct Keys {
   std::optional<SecretDigest> shared_secret;
-  std::optional<Secret> signing_key;
+  std::vector<Secret> signing_keys;  // the present one first
   std::vector<std::string> warnings;  // lines about the files
 
-  [[nodiscard]] bool any() const { return shared_secret || signing_key; }
+  [[nodiscard]] bool any() const { return shared_secret || !signing_keys.empty(); }
 };
 
 /// An error is one line that names the setting and the file, or the settings that leave nobody a way in.
@@ -52,7 +52,7 @@ class AccessControl {
   /// `keys` as load_keys(settings) gave them.
   AccessControl(const Access& settings, Keys keys);
 
-  /// What a Hello with this token may do; an empty token is none. Whoever has the shared secret or the
+  /// What a Hello with this token may do; an empty token is none. Whoever has the shared secret or a
   /// signing key is let in; where there is neither, a token means nothing and nobody needs one.
   [[nodiscard]] tl::expected<Grant, Denied> admit(std::string_view token, std::chrono::sys_seconds now) const;
 

@@ -63,7 +63,10 @@ struct Access {
   std::string secret_rights = "read";
   std::filesystem::path signing_key_file;  // empty: no signed tokens
   std::string without_token = "auto";
-  [[nodiscard]] bool wanted() const { return !secret_file.empty() || !signing_key_file.empty(); }
+  std::filesystem::path previous_signing_key_file{};  // empty: tokens of one key alone
+  [[nodiscard]] bool wanted() const {
+    return !secret_file.empty() || !signing_key_file.empty() || !previous_signing_key_file.empty();
+  }
   bool operator==(const Access&) const = default;
 };
 

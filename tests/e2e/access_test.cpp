@@ -59,6 +59,32 @@ TEST_CASE("a token that talusd makes gives the rights that it names") {
   }
 }
 
+TEST_CASE("after SIGHUP new keys let in, old ones no more, and who is in stays") {
+  const ScratchDirectory scratch;
+  const std::string key = scratch.write("key", "0123456789abcdef0123456789abcdef");
+  ServerProcess server{{{"TALUS_ACCESS_SIGNING_KEY_FILE", key}}};
+  const std::string old = made(key, "alice", "read");
+  RawClient before{server.port()};
+  REQUIRE(answer_to(before, old).kind() == wire::Body::Welcome);
+
+  scratch.write("key", "fedcba9876543210fedcba9876543210");
+  server.signal(SIGHUP);
+  (void)server.await_line("SIGHUP: the tokens' keys were read again");
+  RawClient stranger{server.port()};
+  CHECK(answer_to(stranger, old).as<wire::Error>().code() == wire::ErrorCode::unauthorized);
+  const std::string fresh = made(key, "bob", "read");
+  RawClient after{server.port()};
+  CHECK(answer_to(after, fresh).kind() == wire::Body::Welcome);
+
+  scratch.write("key", "short");
+  server.signal(SIGHUP);
+  CHECK_THAT(server.await_line("SIGHUP: "), Catch::Contains("error") && Catch::Contains("old keys stay"));
+  RawClient still{server.port()};
+  CHECK(answer_to(still, fresh).kind() == wire::Body::Welcome);
+  REQUIRE(before.send(ping(7)));
+  CHECK(before.expect().kind() == wire::Body::Pong);
+}
+
 TEST_CASE("a bad key file is one line, also where the configuration is only checked") {
   const ScratchDirectory scratch;
   const Settings settings{{"TALUS_ACCESS_SECRET_FILE", scratch.write("secret", "short")}};

@@ -288,6 +288,24 @@ TEST_CASE("a reload takes the new keys, and keeps all old ones where one is bad"
   CHECK_FALSE(access.admit("", kNow).has_value());
 }
 
+TEST_CASE("tokens of the key before are good beside those of the present one, and of no third") {
+  Files files;
+  const std::string before = "fedcba9876543210fedcba9876543210";
+  files.settings.previous_signing_key_file = files.scratch.write("key.before", before);
+  AccessControl access = control_of(files.settings);
+  const Claims claims{"a", {Right::read}, kNow + 1h};
+  CHECK(access.admit(token(claims), kNow).has_value());
+  CHECK(access.admit(token(claims, before), kNow).has_value());
+  CHECK(denied(access.admit(token(claims, std::string(32, 'x')), kNow)).denial == Denial::not_accepted);
+  CHECK(denied(access.admit(token(claims, before), kNow + 2h)).denial == Denial::expired);
+  CHECK(denied(access.admit(token(claims), kNow + 2h)).denial == Denial::expired);
+
+  files.scratch.write("key.before", kKeyText);
+  REQUIRE(access.reload().has_value());
+  CHECK_FALSE(access.admit(token(claims, before), kNow).has_value());
+  CHECK(access.admit(token(claims), kNow).has_value());
+}
+
 TEST_CASE("rights are read back from their text, and read is among them") {
   for (const char* text : {"none", "read", "read,edit", "read,admin", "read,edit,admin"}) {
     CHECK(to_string(*Rights::parse(text)) == text);
