@@ -50,6 +50,13 @@ class Lru {
   }
 
   /// Not a use.
+  void erase(const Key& key) {
+    const auto found = by_key_.find(key);
+    if (found == by_key_.end()) return;
+    bytes_ -= found->second->cost;
+    entries_.erase(found->second);
+    by_key_.erase(found);
+  }
   [[nodiscard]] bool holds(const Key& key) const { return by_key_.contains(key); }
 
   [[nodiscard]] std::size_t bytes() const { return bytes_; }
@@ -71,14 +78,6 @@ class Lru {
       dropped(last.key, std::move(last.value));
       entries_.pop_back();
     }
-  }
-
-  void erase(const Key& key) {
-    const auto found = by_key_.find(key);
-    if (found == by_key_.end()) return;
-    bytes_ -= found->second->cost;
-    entries_.erase(found->second);
-    by_key_.erase(found);
   }
 
   std::size_t capacity_bytes_;

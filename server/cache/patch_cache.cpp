@@ -26,6 +26,11 @@ DroppedPatches PatchCache::put(const PatchKey& key, StacksPtr stacks) {
   return dropped;
 }
 
+void PatchCache::drop(const PatchKey& key) {
+  const std::lock_guard lock{mutex_};
+  patches_.erase(key);
+}
+
 void PatchCache::set_capacity(std::size_t capacity_bytes) {
   const std::lock_guard lock{mutex_};
   patches_.set_capacity(capacity_bytes);

@@ -28,6 +28,7 @@ class PatchCache {
   [[nodiscard]] bool holds(const PatchKey& key) const;
   /// Returns the patches that had to make room.
   [[nodiscard]] DroppedPatches put(const PatchKey& key, StacksPtr stacks);
+  void drop(const PatchKey& key);
   /// Forgets at once what is too much.
   void set_capacity(std::size_t capacity_bytes);
   [[nodiscard]] std::size_t bytes() const;

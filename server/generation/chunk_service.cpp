@@ -28,8 +28,9 @@ constexpr std::int32_t kMostKeptRows = 8;
 // A job with its place in each map, one waiter.
 constexpr std::size_t kJobBytes = 384;
 
-// A generator at work, in the bytes of what it makes: fields of a patch and its halo, and the patch itself.
-constexpr std::size_t kPatchesAtWork = 3;
+// A generator at work, in the bytes of what it makes: fields of a patch and its halo, the patch itself, and
+// one to spare.
+constexpr std::size_t kPatchesAtWork = 4;
 
 // What work costs before any was measured.
 constexpr std::uint64_t kFirstPatchNs = 2'000'000;
@@ -77,6 +78,7 @@ ChunkService::ChunkService(std::unique_ptr<const Generator> generator, const Ser
       memory_{memory},
       fitted_bytes_{settings.chunk_cache_bytes + settings.patch_cache_bytes},
       chunks_{settings.chunk_cache_bytes - settings.chunk_cache_bytes / kShareOfRows},
+      spare_patches_{settings.threads},
       patches_{settings.patch_cache_bytes},
       rows_{settings.chunk_cache_bytes / kShareOfRows},
       queue_{settings.patch_tiles, settings.queue_chunks} {}
@@ -246,6 +248,7 @@ void ChunkService::run(const WorkQueue::Batch& batch) {
   DroppedPatches dropped;
   const StacksPtr stacks = stacks_of(batch.patch, dropped);
   make_chunks(batch, stacks.get());
+  if (stacks != nullptr && used_up(batch.patch, *stacks)) patches_.drop(batch.patch);
   // When nobody waits for this thread any more.
   for (const auto& [patch, gone] : dropped) keep_chunks(patch, *gone);
 }
@@ -310,7 +313,9 @@ StacksPtr ChunkService::stacks_of(const PatchKey& patch, DroppedPatches& dropped
 
 StacksPtr ChunkService::make_patch(const PatchKey& patch) {
   const Timed timed{metrics_.patches_made, metrics_.patch_ns, 1};
-  return std::make_shared<const terrain::Stacks>(generator_->make_patch(patch));
+  auto stacks = spare_patches_.take();
+  generator_->make_patch(patch, *stacks);
+  return spare_patches_.share(std::move(stacks));
 }
 
 void ChunkService::keep_chunks(const PatchKey& patch, const terrain::Stacks& stacks) {
@@ -325,6 +330,20 @@ void ChunkService::keep_chunks(const PatchKey& patch, const terrain::Stacks& sta
       if (make_chunk(&stacks, key)) timed.one_more();
     }
   });
+}
+
+bool ChunkService::used_up(const PatchKey& patch, const terrain::Stacks& stacks) {
+  bool all_kept = true;
+  for_each_column(patch, [&](ChunkKey column) {
+    if (!all_kept) return;
+    const auto known = rows_.find(column);
+    const terrain::MixedRange mixed = known ? *known : generator_->rows(stacks, column);
+    all_kept = std::int64_t{mixed.last} - mixed.first < kMostKeptRows;
+    for (std::int32_t y = mixed.first; all_kept && y <= mixed.last; ++y) {
+      all_kept = chunks_.holds({{column.coord.x, y, column.coord.z}, column.lod});
+    }
+  });
+  return all_kept;
 }
 
 void ChunkService::note_rows(const PatchKey& patch, const terrain::Stacks& stacks) {

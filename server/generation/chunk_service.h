@@ -17,6 +17,7 @@
 #include "cache/chunk_cache.h"
 #include "cache/patch_cache.h"
 #include "cache/sharded_cache.h"
+#include "cache/spare_patches.h"
 #include "generation/generator.h"
 #include "generation/work_queue.h"
 #include "log/logger.h"
@@ -91,6 +92,8 @@ class ChunkService {
   /// Makes the chunks of a patch that is being dropped: they are a fiftieth of its size, and who looks at one
   /// of its columns mostly comes to look at the others.
   void keep_chunks(const PatchKey& patch, const terrain::Stacks& stacks);
+  /// Whether all mixed chunks of the patch are in the cache, where they stay longer for their size.
+  [[nodiscard]] bool used_up(const PatchKey& patch, const terrain::Stacks& stacks);
   template <typename Visit>
   void for_each_column(const PatchKey& patch, Visit&& visit) const;
   void note_rows(const PatchKey& patch, const terrain::Stacks& stacks);
@@ -108,6 +111,7 @@ class ChunkService {
   std::uint64_t fitted_bytes_ = 0;
   std::atomic<std::size_t> largest_patch_bytes_{0};
   ChunkCache chunks_;
+  SparePatches spare_patches_;
   PatchCache patches_;
   ShardedCache<ChunkKey, terrain::MixedRange> rows_;  // of columns, by their chunk at y = 0
 

@@ -24,7 +24,8 @@ class Generator {
   [[nodiscard]] virtual terrain::MixedRange rows_anywhere(Lod lod) const = 0;
   /// The same of the column of a chunk over this patch, exactly.
   [[nodiscard]] virtual terrain::MixedRange rows(const terrain::Stacks& stacks, ChunkKey key) const = 0;
-  [[nodiscard]] virtual terrain::Stacks make_patch(const PatchKey& patch) const = 0;
+  /// Into `stacks`, whose memory is used again.
+  virtual void make_patch(const PatchKey& patch, terrain::Stacks& stacks) const = 0;
   /// `stacks` is the patch over which the chunk stands.
   [[nodiscard]] virtual EncodedChunkPtr make_chunk(const terrain::Stacks& stacks, ChunkKey key) const = 0;
   /// Surface heights in subvoxels, one a column.

@@ -24,13 +24,11 @@ terrain::MixedRange TerrainGenerator::rows(const terrain::Stacks& stacks, ChunkK
   return terrain::mixed_range(*world_, stacks, key.coord.x, key.coord.z);
 }
 
-terrain::Stacks TerrainGenerator::make_patch(const PatchKey& patch) const {
+void TerrainGenerator::make_patch(const PatchKey& patch, terrain::Stacks& stacks) const {
   std::unique_ptr<terrain::Generator> generator = take_generator();
-  terrain::Stacks stacks;
   generator->generate(region_of(patch, patch_tiles_), stacks);
   const std::lock_guard lock{idle_mutex_};
   idle_.push_back(std::move(generator));
-  return stacks;
 }
 
 // As many as ever worked at once: their memory is worth keeping from patch to patch.

@@ -19,7 +19,7 @@ class TerrainGenerator final : public Generator {
   [[nodiscard]] EncodedChunkPtr instant(ChunkKey key) const override;
   [[nodiscard]] terrain::MixedRange rows_anywhere(Lod lod) const override;
   [[nodiscard]] terrain::MixedRange rows(const terrain::Stacks& stacks, ChunkKey key) const override;
-  [[nodiscard]] terrain::Stacks make_patch(const PatchKey& patch) const override;
+  void make_patch(const PatchKey& patch, terrain::Stacks& stacks) const override;
   [[nodiscard]] EncodedChunkPtr make_chunk(const terrain::Stacks& stacks, ChunkKey key) const override;
   [[nodiscard]] std::vector<std::int32_t> heights(
       std::span<const terrain::BaseColumn> columns) const override;

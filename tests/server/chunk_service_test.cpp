@@ -3,6 +3,7 @@
 #include <catch2/catch.hpp>
 
 #include "fake_generator.h"
+#include "generation/handover.h"
 
 using namespace talus;
 using namespace talus::server;
@@ -68,6 +69,50 @@ TEST_CASE("a patch that must make room leaves its mixed chunks") {
   CHECK(fake.work->chunks == 2 * tiles + 2);  // each of the first patch's once, and two of the second's
   CHECK(fake.service.find({{3, 3, 3}, Lod{}}) != nullptr);
   CHECK(fake.service.find({{3, 4, 3}, Lod{}}) == nullptr);
+}
+
+TEST_CASE("a patch whose mixed chunks are all kept is let go, and its memory serves the next") {
+  FakeService fake;
+  fake.work->patch_columns = 1000;
+  fake.work->first_mixed = 0;
+  fake.work->last_mixed = 1;
+  const auto client = std::make_shared<WaitingClient>();
+  std::size_t asked = 0;
+  for (std::int32_t i = 0; i < 4 * 4 * 2; ++i) {
+    REQUIRE(queued(fake.service, client, {{i % 4, i / 16, i / 4 % 4}, Lod{}}));
+    ++asked;
+  }
+  client->await(asked);
+  const ChunkKey elsewhere{{100, 0, 100}, Lod{}};
+  REQUIRE(queued(fake.service, client, elsewhere));
+  client->await(asked + 1);  // of the only thread, which has done with the first patch by then
+  const std::size_t one_patch = fake.service.status().patch_cache_bytes;
+  CHECK(one_patch >= 4000);
+  CHECK(one_patch < 8000);
+  for (std::int32_t i = 0; i < 4 * 4 * 2; ++i) {
+    CHECK(fake.service.find({{i % 4, i / 16, i / 4 % 4}, Lod{}}) != nullptr);
+  }
+  CHECK(fake.work->lent == 1);
+}
+
+TEST_CASE("answers made together come to each who waits, in the order in which they were made") {
+  const auto one = std::make_shared<WaitingClient>();
+  const auto other = std::make_shared<WaitingClient>();
+  const Logger log = std::make_shared<spdlog::logger>("silent");
+  Handover handover{log};
+  const ChunkAnswer answer = tl::make_unexpected(GenerationFailed{"of no use here"});
+  for (std::int32_t x = 0; x < 5; ++x) {
+    handover.add(x % 2 == 0 ? std::vector<ChunkClientPtr>{one, other} : std::vector<ChunkClientPtr>{one},
+                 at(x), answer);
+  }
+  handover.flush();
+  const auto keys = [](const WaitingClient& client) {
+    std::vector<std::int32_t> xs;
+    for (const auto& [key, chunk] : client.answers()) xs.push_back(key.coord.x);
+    return xs;
+  };
+  CHECK(keys(*one) == std::vector<std::int32_t>{0, 1, 2, 3, 4});
+  CHECK(keys(*other) == std::vector<std::int32_t>{0, 2, 4});
 }
 
 TEST_CASE("a cancelled chunk is not generated") {

@@ -19,6 +19,7 @@ namespace talus::server {
 struct FakeWork {
   std::atomic<int> patches{0};
   std::atomic<int> chunks{0};
+  std::atomic<int> lent{0};  // patches that were given memory of others
   std::atomic<bool> out_of_memory{false};
   std::atomic<bool> finding_throws{false};
   std::atomic<std::size_t> payload_bytes{0};
@@ -69,13 +70,13 @@ class FakeGenerator final : public Generator {
   [[nodiscard]] terrain::MixedRange rows(const terrain::Stacks&, ChunkKey) const override {
     return {work_->first_mixed, work_->last_mixed, MaterialId{2}};
   }
-  [[nodiscard]] terrain::Stacks make_patch(const PatchKey&) const override {
+  void make_patch(const PatchKey&, terrain::Stacks& stacks) const override {
     work_->pass_gate();
     ++work_->patches;
     if (work_->out_of_memory) throw std::bad_alloc{};
-    terrain::Stacks stacks;
+    if (!stacks.tops.empty()) ++work_->lent;
+    stacks.tops.clear();
     if (work_->patch_columns > 0) stacks.tops.emplace_back(work_->patch_columns, 1);
-    return stacks;
   }
   [[nodiscard]] EncodedChunkPtr make_chunk(const terrain::Stacks&, ChunkKey key) const override {
     ++work_->chunks;
