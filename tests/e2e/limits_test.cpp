@@ -184,8 +184,9 @@ TEST_CASE("memory stays within its budget, though caches would take more") {
   RawClient client = greeted(server.port());
   constexpr std::int32_t kPatchChunks = 4;
   constexpr std::uint32_t kAtOnce = 100;
+  constexpr std::int32_t kRounds = kSanitized ? 1 : 8;
   std::size_t most = 0;
-  for (std::int32_t round = 0; round < 8; ++round) {
+  for (std::int32_t round = 0; round < kRounds; ++round) {
     std::vector<wire::ChunkRequest> requests;
     for (std::uint32_t id = 1; id <= kAtOnce; ++id) {
       requests.push_back(chunk_request(
@@ -197,5 +198,5 @@ TEST_CASE("memory stays within its budget, though caches would take more") {
     most = std::max(most, server.resident_bytes());
   }
   CAPTURE(most >> 20);
-  CHECK(most < kBudget);
+  if (!kSanitized) CHECK(most < kBudget);
 }
