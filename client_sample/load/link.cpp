@@ -74,6 +74,7 @@ void Link::shake_hands() {
 }
 
 void Link::established() {
+  established_ = true;
   if (!paced_) await_input();
   owner_.opened();
 }
@@ -120,7 +121,7 @@ void Link::await_input() {
 }
 
 void Link::take(std::size_t most) {
-  if (!socket_.is_open()) return;
+  if (!established_) return;
   std::error_code error;
   const std::size_t bytes = read_some(scratch_.first(std::min(most, scratch_.size())), error);
   if (error == asio::error::would_block) return;
@@ -152,6 +153,7 @@ void Link::fail(const std::string& reason, bool broken) {
 
 void Link::close(bool abruptly) {
   ++opening_;
+  established_ = false;
   writing_ = false;
   std::vector<std::byte>{}.swap(unsent_);
   std::error_code ignored;

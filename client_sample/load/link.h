@@ -45,7 +45,8 @@ class Link {
   };
   void open(const Opening& opening);
   void send(std::span<const std::byte> frame);
-  /// Reads `most` bytes at most, of those that are there.
+  /// Reads `most` bytes at most, of those that are there. Nothing before opened(): what comes until then is
+  /// the handshake's.
   void take(std::size_t most);
   /// `abruptly`: by a reset, as a connection that is cut.
   void close(bool abruptly);
@@ -66,6 +67,7 @@ class Link {
   asio::ip::tcp::socket socket_;
   std::optional<TlsStream> tls_;
   bool paced_ = false;
+  bool established_ = false;
   std::span<std::byte> scratch_;
   LinkOwner& owner_;
   protocol::FrameReader frames_;

@@ -306,7 +306,8 @@ void Connection::work() {
     closing_since_ = Clock::now();
     watch_timer_.cancel();
   }
-  if (session_.sendable() || session_.closing()) output_waits_.cancel();
+  // Also for what a rate still holds: write() may wait for nothing at all, and must learn until when.
+  if (session_.sendable_at() < output_waits_.expiry() || session_.closing()) output_waits_.cancel();
   if (reading_paused_) room_.cancel();
   if (session_.refused()) retry_soon();
 }

@@ -172,6 +172,11 @@ void Server::run() {
   watch_memory();
   asio::co_spawn(io_.control(), obey_hangups(), end);
   io_.run();
+  // Nobody obeys any more, and caches take their time to go: by default a SIGHUP would now kill what ends
+  // well.
+  std::error_code ignored;
+  hangups_.clear(ignored);
+  std::signal(SIGHUP, SIG_IGN);
   if (failure) std::rethrow_exception(failure);
 }
 

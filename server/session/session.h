@@ -97,10 +97,6 @@ class Session {
   /// When something may be written, all other things equal: by `now` at once, later where a rate holds the
   /// chunks, never (max) where nothing waits or the client gives no credit.
   [[nodiscard]] Clock::time_point sendable_at(Clock::time_point now = Clock::now());
-  [[nodiscard]] bool sendable() {
-    const auto now = Clock::now();
-    return sendable_at(now) <= now;
-  }
   /// Frames to write now, one after the other: `enough_bytes` and at most one frame more.
   [[nodiscard]] std::vector<std::byte> take_output(std::size_t enough_bytes,
                                                    Clock::time_point now = Clock::now());

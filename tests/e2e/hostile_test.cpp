@@ -22,12 +22,6 @@ using Clock = std::chrono::steady_clock;
 
 constexpr std::size_t kMebibyte = std::size_t{1} << 20;
 
-#if defined(__SANITIZE_THREAD__) || defined(__SANITIZE_ADDRESS__)
-constexpr bool kSanitized = true;  // shadow memory is no measure of the server
-#else
-constexpr bool kSanitized = false;
-#endif
-
 protocol::Frame bytes_of(std::initializer_list<unsigned> values) {
   protocol::Frame frame;
   for (const unsigned value : values) frame.push_back(static_cast<std::byte>(value));

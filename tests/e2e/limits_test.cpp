@@ -151,6 +151,19 @@ TEST_CASE("a View over its rate of chunks comes whole, later") {
   for (int chunk = 0; chunk < 25; ++chunk) (void)client.expect_kind<wire::Chunk>();
 }
 
+TEST_CASE(
+    "a chunk that is ready while its rate holds it comes when the rate allows it, without another word") {
+  const ServerProcess server{{{"TALUS_RATES_SESSION_CHUNKS", "2"}, {"TALUS_RATES_BURST_MS", "500"}}};
+  RawClient client = greeted(server.port());
+  REQUIRE(client.send(get_chunks({chunk_request(1, at(0, 0, 0))})));
+  (void)client.expect_kind<wire::Chunk>();
+  // All is written, and nothing waits for the half second that the next chunk has to wait.
+  REQUIRE(client.send(get_chunks({chunk_request(2, at(0, 0, 0))})));
+  const auto second = client.receive_within(std::chrono::seconds{20});
+  REQUIRE(second.has_value());
+  CHECK(second->as<wire::Chunk>().id() == 2);
+}
+
 TEST_CASE("connections of one address share its rates") {
   const ServerProcess server{{{"TALUS_RATES_ADDRESS_REQUESTS", "1"}, {"TALUS_RATES_BURST_MS", "20000"}}};
   RawClient first = greeted(server.port());
@@ -184,8 +197,9 @@ TEST_CASE("memory stays within its budget, though caches would take more") {
   RawClient client = greeted(server.port());
   constexpr std::int32_t kPatchChunks = 4;
   constexpr std::uint32_t kAtOnce = 100;
+  constexpr std::int32_t kRounds = kSanitized ? 1 : 8;
   std::size_t most = 0;
-  for (std::int32_t round = 0; round < 8; ++round) {
+  for (std::int32_t round = 0; round < kRounds; ++round) {
     std::vector<wire::ChunkRequest> requests;
     for (std::uint32_t id = 1; id <= kAtOnce; ++id) {
       requests.push_back(chunk_request(
@@ -197,5 +211,5 @@ TEST_CASE("memory stays within its budget, though caches would take more") {
     most = std::max(most, server.resident_bytes());
   }
   CAPTURE(most >> 20);
-  CHECK(most < kBudget);
+  if (!kSanitized) CHECK(most < kBudget);
 }

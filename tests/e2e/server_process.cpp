@@ -9,6 +9,7 @@
 
 #include <array>
 #include <catch2/catch.hpp>
+#include <chrono>
 #include <filesystem>
 #include <fstream>
 #include <utility>
@@ -17,6 +18,7 @@ namespace talus::e2e {
 namespace {
 
 constexpr int kPatienceMs = 60'000;  // sanitizers are slow; a server that works is not waited for
+constexpr int kTimeToEndMs = 1000;
 
 struct Child {
   pid_t pid;
@@ -71,14 +73,16 @@ bool read_some(int fd, std::string& text) {
   return bytes > 0;
 }
 
-/// Reads both streams to their ends, whichever has something, so that neither pipe fills up.
-void read_to_end(int out, int err, Ended& ended) {
+/// Reads both streams to their ends, whichever has something, so that neither pipe fills up; false where
+/// nothing came for so long.
+bool read_to_end(int out, int err, Ended& ended, int patience_ms = kPatienceMs) {
   std::array<pollfd, 2> streams{{{out, POLLIN, 0}, {err, POLLIN, 0}}};
   while (streams[0].fd >= 0 || streams[1].fd >= 0) {
-    if (::poll(streams.data(), streams.size(), kPatienceMs) <= 0) return;
+    if (::poll(streams.data(), streams.size(), patience_ms) <= 0) return false;
     if (streams[0].revents != 0 && !read_some(out, ended.out)) streams[0].fd = -1;
     if (streams[1].revents != 0 && !read_some(err, ended.err)) streams[1].fd = -1;
   }
+  return true;
 }
 
 int reap(pid_t pid) {
@@ -92,7 +96,7 @@ int reap(pid_t pid) {
 Ended run_program(const std::string& path, const std::vector<std::string>& flags, const Settings& settings) {
   const Child child = start(path, flags, settings);
   Ended ended;
-  read_to_end(child.out, child.err, ended);
+  (void)read_to_end(child.out, child.err, ended);
   ended.status = reap(child.pid);
   ::close(child.out);
   ::close(child.err);
@@ -115,8 +119,19 @@ ServerProcess::ServerProcess(Settings settings, std::vector<std::string> flags) 
 
 ServerProcess::~ServerProcess() {
   if (pid_ > 0) {
-    ::kill(pid_, SIGKILL);
-    reap(pid_);
+    // A second signal ends it at once, whoever is still connected; it may also meet it on its way out.
+    Ended ended;
+    const auto patience_ends = std::chrono::steady_clock::now() + std::chrono::milliseconds{kPatienceMs};
+    bool over = false;
+    while (!over && std::chrono::steady_clock::now() < patience_ends) {
+      signal(SIGTERM);
+      over = read_to_end(out_, err_, ended, kTimeToEndMs);
+    }
+    if (!over) signal(SIGKILL);
+    ended.status = reap(pid_);
+    if (ended.status != 0 && ended.status != 128 + SIGTERM) {
+      FAIL_CHECK("talusd ended with " << ended.status << ":\n" << said_ << ended.out << ended.err);
+    }
   }
   ::close(out_);
   ::close(err_);
@@ -161,7 +176,7 @@ void ServerProcess::signal(int number) const {
 Ended ServerProcess::wait() {
   Ended ended;
   ended.out = said_;
-  read_to_end(out_, err_, ended);
+  (void)read_to_end(out_, err_, ended);
   ended.status = reap(std::exchange(pid_, -1));
   return ended;
 }

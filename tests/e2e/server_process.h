@@ -12,6 +12,13 @@
 
 namespace talus::e2e {
 
+/// Whether sanitizers watch: their shadow memory is no measure of the server.
+#if defined(__SANITIZE_THREAD__) || defined(__SANITIZE_ADDRESS__)
+inline constexpr bool kSanitized = true;
+#else
+inline constexpr bool kSanitized = false;
+#endif
+
 /// TALUS_* variables for the child; it gets no others.
 using Settings = std::map<std::string, std::string>;
 
@@ -28,7 +35,8 @@ struct Ended {
 /// Runs talusd to its end.
 [[nodiscard]] Ended run_talusd(const std::vector<std::string>& flags, const Settings& settings = {});
 
-/// A server on a free port of 127.0.0.1, killed with its object if it still runs.
+/// A server on a free port of 127.0.0.1. If it still runs it ends with its object, and the test fails if it
+/// ends with an error: what a sanitizer found does not pass unseen.
 class ServerProcess {
  public:
   /// Returns when the server has said where it listens; fails the test if it does not.

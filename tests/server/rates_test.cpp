@@ -90,6 +90,7 @@ RateLimits requests(Rate rate) {
 
 TEST_CASE("a request over the rate is refused by its id, with the time after which there is room") {
   Bench bench{requests({10, 2})};
+  bench.fake.work->close_gate();  // or the chunk may be at hand for the last request
   for (std::uint32_t id = 1; id <= 3; ++id) bench.get_chunk(id);
   const auto said = bench.output();
   REQUIRE(said.size() == 1);
