@@ -25,7 +25,7 @@ using SecretDigest = std::array<unsigned char, 32>;
 /// What the key files of the configuration hold.
 struct Keys {
   std::optional<SecretDigest> shared_secret;
-  std::vector<Secret> signing_keys;  // the present one first
+  std::vector<Secret> signing_keys;   // the present one first
   std::vector<std::string> warnings;  // lines about the files
 
   [[nodiscard]] bool any() const { return shared_secret || !signing_keys.empty(); }
