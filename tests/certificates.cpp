@@ -32,8 +32,8 @@ void add_extension(X509* certificate, int kind, const std::string& value) {
 
 }  // namespace
 
-TestCertificate make_certificate(long serial, const std::string& name, int hours) {
-  const std::unique_ptr<EVP_PKEY, decltype(&EVP_PKEY_free)> key{EVP_EC_gen("P-256"), EVP_PKEY_free};
+TestCertificate make_certificate(long serial, const std::string& name, int hours, const char* curve) {
+  const std::unique_ptr<EVP_PKEY, decltype(&EVP_PKEY_free)> key{EVP_EC_gen(curve), EVP_PKEY_free};
   const std::unique_ptr<X509, decltype(&X509_free)> made{X509_new(), X509_free};
   must(key != nullptr && made != nullptr);
   X509* const certificate = made.get();

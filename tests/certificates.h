@@ -3,7 +3,7 @@
 
 #include <string>
 
-/// PEM. Each has a key of its own (P-256), vouches for itself, and is good for an hour.
+/// PEM. Each has a key of its own, vouches for itself, and is good for an hour.
 struct TestCertificate {
   std::string certificate;
   std::string key;
@@ -11,4 +11,4 @@ struct TestCertificate {
 
 /// For localhost and 127.0.0.1 unless another name is given; `hours` below 0: ended so long ago.
 [[nodiscard]] TestCertificate make_certificate(long serial, const std::string& name = "localhost",
-                                               int hours = 1);
+                                               int hours = 1, const char* curve = "P-256");

@@ -1,11 +1,14 @@
 #include "net/tls_context.h"
 
 #include <openssl/err.h>
+#include <openssl/evp.h>
+#include <openssl/obj_mac.h>
 #include <openssl/pem.h>
 #include <openssl/ssl.h>
 #include <openssl/x509.h>
 #include <time.h>
 
+#include <array>
 #include <cerrno>
 #include <chrono>
 #include <system_error>
@@ -104,6 +107,26 @@ tl::expected<CertificateFile, std::string> read_certificate(const std::filesyste
   return read;
 }
 
+/// Whether TLS 1.3 can sign by it. With another key all would load, and every handshake fail.
+bool signs_tls13(const EVP_PKEY* key) {
+  switch (EVP_PKEY_get_base_id(key)) {
+    case EVP_PKEY_RSA:
+    case EVP_PKEY_RSA_PSS:
+    case EVP_PKEY_ED25519:
+    case EVP_PKEY_ED448:
+      return true;
+    case EVP_PKEY_EC: {
+      std::array<char, 64> curve{};
+      std::size_t length = 0;
+      if (EVP_PKEY_get_group_name(key, curve.data(), curve.size(), &length) != 1) return false;
+      const std::string_view name{curve.data(), length};
+      return name == SN_X9_62_prime256v1 || name == SN_secp384r1 || name == SN_secp521r1;
+    }
+    default:
+      return false;
+  }
+}
+
 tl::expected<Key, std::string> read_key(const std::filesystem::path& file) {
   constexpr std::string_view kSetting = "tls.key";
   auto text = read(kSetting, file);
@@ -123,6 +146,11 @@ tl::expected<Key, std::string> read_key(const std::filesystem::path& file) {
     return wrong(kSetting, file,
                  fmt::format("holds no private key ({}); give the PEM file with the key of tls.certificate",
                              reason()));
+  }
+  if (!signs_tls13(key.get())) {
+    return wrong(
+        kSetting, file,
+        "is of a kind that TLS 1.3 does not sign by; make one of RSA, P-256, P-384, P-521 or Ed25519");
   }
   return key;
 }

@@ -9,7 +9,8 @@ usage() {
 usage: tests/load/run.sh [--short] [SCENARIO...]
 
   join     a full View of radius 16, cold and hot
-  hot      64 connections, 16 requests in flight, all cached; beside redis-benchmark where it is installed
+  hot      64 connections, 16 requests in flight, all cached, with answers of 0.4 and of 4 KiB; beside
+           redis-benchmark where it is installed
   groups   1,000 players flying in 50 groups
   alone    300 players flying, each over ground of its own
   idle     10,000 idle connections, and 20 new players among them
@@ -101,12 +102,19 @@ join() {
 }
 
 hot() {
-  local clients=(--players "$(pick 64 8)" --in-flight 16 --verify 0)
-  start "${no_session_rates[@]}" "${no_address_rates[@]}"
-  load hot-warm-up "${clients[@]}" --duration 2
-  load hot "${clients[@]}" --duration "$(pick 10 3)"
+  hot_over hot 2
   [[ -z "$short" ]] || return 0
+  hot_over hot-4k 8 TALUS_WORLD=tests/load/rough.toml
   if command -v redis-server redis-benchmark >/dev/null; then redis; else echo "redis-server is not installed: no reference"; fi
+}
+
+# hot_over NAME WARM-UP-SECONDS [VARIABLE=value...]
+hot_over() {
+  local name="$1" warm_up="$2" clients=(--players "$(pick 64 8)" --in-flight 16 --verify 0)
+  shift 2
+  start "${no_session_rates[@]}" "${no_address_rates[@]}" "$@"
+  load "$name-warm-up" "${clients[@]}" --duration "$warm_up"
+  load "$name" "${clients[@]}" --duration "$(pick 10 3)"
 }
 
 # The same depth and as many connections, with answers of 4 KiB and of what talusd's have; CPU seconds of the

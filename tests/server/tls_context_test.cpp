@@ -88,6 +88,15 @@ TEST_CASE("a key with a passphrase is refused, and nobody is asked for it") {
   CHECK_THAT(files.refusal(files.certificate, locked), Catch::Contains("passphrase"));
 }
 
+TEST_CASE("a key that TLS 1.3 does not sign by is refused, and the kinds that it does are said") {
+  const Files files;
+  const TestCertificate odd = make_certificate(4, "localhost", 1, "secp256k1");
+  CHECK_THAT(files.refusal(files.scratch.write("c", odd.certificate), files.scratch.write("k", odd.key)),
+             Catch::StartsWith("tls.key ") && Catch::Contains("P-256"));
+  const TestCertificate larger = make_certificate(5, "localhost", 1, "P-521");
+  CHECK(load_tls(files.scratch.write("c", larger.certificate), files.scratch.write("k", larger.key)));
+}
+
 TEST_CASE("a certificate out of its dates is an identity that says so") {
   const Files files;
   const TestCertificate ended = make_certificate(3, "localhost", -1);
