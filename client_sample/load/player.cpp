@@ -63,7 +63,7 @@ void Player::joined(Time now) {
   look_around(now, true);
   // Its ticks stay where they were laid when it first was to join, however late the server is.
   const Time first_tick = began_ + phase_;
-  tick_due_ = motion_->moves() ? first_tick + tick_ * ((now - first_tick) / tick_ + 1) : Time::max();
+  tick_due_ = motion_->moves() ? first_tick + tick_ * ((now - first_tick + tick_) / tick_) : Time::max();
 }
 
 void Player::parted(bool lost) {

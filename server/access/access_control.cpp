@@ -103,7 +103,7 @@ tl::expected<Grant, Denied> AccessControl::admit(std::string_view token, std::ch
     auto claims = read_signed_token(key, token, now);
     if (claims) return Grant{claims->rights, std::move(claims->subject), claims->expires};
     denied = {claims.error().expired ? Denial::expired : Denial::not_accepted, std::move(claims.error().why)};
-    if (claims.error().expired) break;  // it was signed by this key
+    if (claims.error().ours) break;  // no other key says better why
   }
   return tl::make_unexpected(std::move(denied));
 }

@@ -57,18 +57,22 @@ std::optional<sys_seconds> time_of(jwt_t* jwt, const char* name) {
   return sys_seconds{seconds{value}};
 }
 
+tl::unexpected<TokenFault> foreign(std::string why) {
+  return tl::make_unexpected(TokenFault{false, false, std::move(why)});
+}
+
 tl::unexpected<TokenFault> refused(std::string why) {
-  return tl::make_unexpected(TokenFault{false, std::move(why)});
+  return tl::make_unexpected(TokenFault{true, false, std::move(why)});
 }
 
 }  // namespace
 
 tl::expected<Claims, TokenFault> read_signed_token(const Secret& key, std::string_view token,
                                                    sys_seconds now) {
-  if (!spelled_like_one(token)) return refused("it is no signed token");
+  if (!spelled_like_one(token)) return foreign("it is no signed token");
   jwt_t* decoded = nullptr;
   if (jwt_decode(&decoded, std::string{token}.c_str(), data_of(key), size_of(key)) != 0) {
-    return refused("its signature is not of this server's key, or it is no signed token");
+    return foreign("its signature is not of this server's key, or it is no signed token");
   }
   const Jwt jwt{decoded, &jwt_free};
   if (jwt_get_alg(jwt.get()) != JWT_ALG_HS256) return refused("it is not signed by HS256");
@@ -85,7 +89,7 @@ tl::expected<Claims, TokenFault> read_signed_token(const Secret& key, std::strin
   if (words == nullptr && claim(jwt.get(), "rights") != nullptr) return refused("its rights are no text");
   if (now - kClockSkew >= *expires) {
     return tl::make_unexpected(
-        TokenFault{true, fmt::format("it expired {} s ago", (now - *expires).count())});
+        TokenFault{true, true, fmt::format("it expired {} s ago", (now - *expires).count())});
   }
   if (not_before && now + kClockSkew < *not_before) return refused("its time has not come: nbf");
 

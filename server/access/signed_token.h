@@ -30,7 +30,8 @@ struct Claims {
 };
 
 struct TokenFault {
-  bool expired = false;  // signed by the key, and its time is over
+  bool ours = false;     // signed by the key
+  bool expired = false;  // ours, and its time is over
   std::string why;       // for the operator's log, not for the client
 };
 

@@ -49,7 +49,6 @@ class Lru {
     shrink_to(capacity_bytes, [](const Key&, Value&&) {});
   }
 
-  /// Not a use.
   void erase(const Key& key) {
     const auto found = by_key_.find(key);
     if (found == by_key_.end()) return;
@@ -57,6 +56,7 @@ class Lru {
     entries_.erase(found->second);
     by_key_.erase(found);
   }
+  /// Not a use.
   [[nodiscard]] bool holds(const Key& key) const { return by_key_.contains(key); }
 
   [[nodiscard]] std::size_t bytes() const { return bytes_; }

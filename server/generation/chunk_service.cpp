@@ -28,9 +28,9 @@ constexpr std::int32_t kMostKeptRows = 8;
 // A job with its place in each map, one waiter.
 constexpr std::size_t kJobBytes = 384;
 
-// A generator at work, in the bytes of what it makes: fields of a patch and its halo, the patch itself, and
-// one to spare.
-constexpr std::size_t kPatchesAtWork = 4;
+// A generator at work, in the bytes of what it makes: fields of a patch and its halo, planes for the next,
+// the patch itself, and one to spare.
+constexpr std::size_t kPatchesAtWork = 5;
 
 // What work costs before any was measured.
 constexpr std::uint64_t kFirstPatchNs = 2'000'000;
@@ -47,23 +47,17 @@ void give_way() {
   ::setpriority(PRIO_PROCESS, static_cast<id_t>(::gettid()), kNiceness);  // of this thread alone, on Linux
 }
 
-/// Counts pieces of work and the thread's time from here to the end of the block. Asking for the time costs a
-/// call of the kernel, so chunks are timed a patch at a time.
+/// Counts the thread's time from here to the end of the block. Asking for it costs a call of the kernel, so
+/// chunks are timed a patch at a time.
 class Timed {
  public:
-  Timed(Counter& pieces, Counter& ns, std::size_t count) : pieces_{pieces}, ns_{ns}, count_{count} {}
-  ~Timed() {
-    ns_.add(static_cast<std::uint64_t>((thread_time() - began_).count()));
-    pieces_.add(count_);
-  }
-  void one_more() { ++count_; }
+  explicit Timed(Counter& ns) : ns_{ns} {}
+  ~Timed() { ns_.add(static_cast<std::uint64_t>((thread_time() - began_).count())); }
   Timed(const Timed&) = delete;
   Timed& operator=(const Timed&) = delete;
 
  private:
-  Counter& pieces_;
   Counter& ns_;
-  std::size_t count_;
   std::chrono::nanoseconds began_ = thread_time();
 };
 
@@ -100,13 +94,22 @@ ChunkService::~ChunkService() {
 
 EncodedChunkPtr ChunkService::find(ChunkKey key) {
   EncodedChunkPtr chunk = generator_->instant(key);
-  if (chunk != nullptr) {
-    metrics_.uniform_answers.add();
-    return chunk;
+  if (chunk == nullptr) {
+    chunk = chunks_.find(key);
+    if (chunk != nullptr) {
+      metrics_.cache_hits.add();
+      return chunk;
+    }
+    chunk = uniform_by_rows(key);
   }
-  chunk = chunks_.find(key);
-  (chunk != nullptr ? metrics_.cache_hits : metrics_.cache_misses).add();
+  (chunk != nullptr ? metrics_.uniform_answers : metrics_.cache_misses).add();
   return chunk;
+}
+
+EncodedChunkPtr ChunkService::uniform_by_rows(ChunkKey key) {
+  const auto known = rows_.find(column_of(key));
+  if (!known || (key.coord.y >= known->first && key.coord.y <= known->last)) return nullptr;
+  return generator_->uniform(key.coord.y < known->first ? known->below : kAir);
 }
 
 terrain::MixedRange ChunkService::rows(ChunkKey key) {
@@ -254,7 +257,7 @@ void ChunkService::run(const WorkQueue::Batch& batch) {
 }
 
 void ChunkService::make_chunks(const WorkQueue::Batch& batch, const terrain::Stacks* stacks) {
-  Timed timed{metrics_.chunks_made, metrics_.chunk_ns, 0};
+  const Timed timed{metrics_.chunk_ns};
   Handover handover{log_};
   for (const ChunkKey key : batch.keys) {
     {
@@ -266,7 +269,6 @@ void ChunkService::make_chunks(const WorkQueue::Batch& batch, const terrain::Sta
       }
     }
     const ChunkAnswer answer = make_chunk(stacks, key);
-    if (answer) timed.one_more();
     std::vector<ChunkClientPtr> waiters;
     {
       const std::lock_guard lock{mutex_};
@@ -288,7 +290,8 @@ void ChunkService::run(const HeightsTask& task) {
 
 HeightsAnswer ChunkService::make_heights(const HeightsTask& task) {
   try {
-    const Timed timed{metrics_.heights_made, metrics_.heights_ns, task.columns.size()};
+    const Timed timed{metrics_.heights_ns};
+    metrics_.heights_made.add(task.columns.size());
     return generator_->heights(task.columns);
   } catch (const std::exception& error) {
     log_->error("heights of {} columns failed: {}", task.columns.size(), error.what());
@@ -312,22 +315,22 @@ StacksPtr ChunkService::stacks_of(const PatchKey& patch, DroppedPatches& dropped
 }
 
 StacksPtr ChunkService::make_patch(const PatchKey& patch) {
-  const Timed timed{metrics_.patches_made, metrics_.patch_ns, 1};
+  const Timed timed{metrics_.patch_ns};
+  metrics_.patches_made.add();
   auto stacks = spare_patches_.take();
   generator_->make_patch(patch, *stacks);
   return spare_patches_.share(std::move(stacks));
 }
 
 void ChunkService::keep_chunks(const PatchKey& patch, const terrain::Stacks& stacks) {
-  Timed timed{metrics_.chunks_made, metrics_.chunk_ns, 0};
+  const Timed timed{metrics_.chunk_ns};
   for_each_column(patch, [&](ChunkKey column) {
     const terrain::MixedRange mixed = generator_->rows(stacks, column);
     // Worlds can be far deeper than what anybody looks at.
     const std::int32_t last = std::min(mixed.last, mixed.first + kMostKeptRows - 1);
     for (std::int32_t y = mixed.first; y <= last; ++y) {
       const ChunkKey key{{column.coord.x, y, column.coord.z}, column.lod};
-      if (chunks_.holds(key)) continue;
-      if (make_chunk(&stacks, key)) timed.one_more();
+      if (!chunks_.holds(key)) (void)make_chunk(&stacks, key);
     }
   });
 }
@@ -363,6 +366,7 @@ void ChunkService::for_each_column(const PatchKey& patch, Visit&& visit) const {
 ChunkAnswer ChunkService::make_chunk(const terrain::Stacks* stacks, ChunkKey key) {
   if (stacks == nullptr) return tl::make_unexpected(GenerationFailed{"its patch could not be generated"});
   try {
+    metrics_.chunks_made.add();
     EncodedChunkPtr chunk = generator_->make_chunk(*stacks, key);
     chunks_.put(key, chunk);
     return chunk;

@@ -77,6 +77,9 @@ class ChunkService {
   [[nodiscard]] Status status();
 
  private:
+  /// The chunk where its column's terrain was generated once and the key lies below or above all that is
+  /// mixed.
+  [[nodiscard]] EncodedChunkPtr uniform_by_rows(ChunkKey key);
   void work();
   void run(const WorkQueue::Batch& batch);
   void run(const HeightsTask& task);
@@ -92,7 +95,8 @@ class ChunkService {
   /// Makes the chunks of a patch that is being dropped: they are a fiftieth of its size, and who looks at one
   /// of its columns mostly comes to look at the others.
   void keep_chunks(const PatchKey& patch, const terrain::Stacks& stacks);
-  /// Whether all mixed chunks of the patch are in the cache, where they stay longer for their size.
+  /// Whether all mixed chunks of the patch are in the cache, where they stay longer for their size, and no
+  /// column has more of them than are kept.
   [[nodiscard]] bool used_up(const PatchKey& patch, const terrain::Stacks& stacks);
   template <typename Visit>
   void for_each_column(const PatchKey& patch, Visit&& visit) const;

@@ -20,6 +20,8 @@ class Generator {
 
   /// The chunk where it costs nothing to know it; else null.
   [[nodiscard]] virtual EncodedChunkPtr instant(ChunkKey key) const = 0;
+  /// The chunk that is of one material, air among them.
+  [[nodiscard]] virtual EncodedChunkPtr uniform(MaterialId material) const = 0;
   /// Rows of chunks outside which every chunk of a column is uniform, for all that is known without looking.
   [[nodiscard]] virtual terrain::MixedRange rows_anywhere(Lod lod) const = 0;
   /// The same of the column of a chunk over this patch, exactly.

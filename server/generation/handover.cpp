@@ -1,7 +1,7 @@
 #include "generation/handover.h"
 
-#include <algorithm>
 #include <exception>
+#include <utility>
 
 namespace talus::server {
 namespace {
@@ -11,30 +11,30 @@ constexpr std::chrono::microseconds kSoon{500};
 
 }  // namespace
 
+// One client's trouble must not keep the answers from the others, nor end the thread.
+template <typename Step>
+void Handover::log_failure(std::size_t chunks, Step&& step) {
+  try {
+    step();
+  } catch (const std::exception& error) {
+    log_->error("{} chunks could not be handed over: {}", chunks, error.what());
+  }
+}
+
 void Handover::add(const std::vector<ChunkClientPtr>& waiters, ChunkKey key, const ChunkAnswer& answer) {
-  for (const ChunkClientPtr& waiter : waiters) parcel_of(waiter).push_back({key, answer});
-  if (Clock::now() - handed_over_ >= kSoon) flush();
+  for (const ChunkClientPtr& waiter : waiters) {
+    log_failure(1, [&] { parcels_[waiter].push_back({key, answer}); });
+  }
+  if (!parcels_.empty() && Clock::now() - handed_over_ >= kSoon) flush();
 }
 
 void Handover::flush() {
   for (auto& [client, chunks] : parcels_) {
-    const std::size_t count = chunks.size();
-    // One client's trouble must not keep the answers from the others, nor end the thread.
-    try {
-      client->chunks_ready(std::move(chunks));
-    } catch (const std::exception& error) {
-      log_->error("{} chunks could not be handed over: {}", count, error.what());
-    }
+    log_failure(chunks.size(),
+                [&, waiter = client.get(), made = &chunks] { waiter->chunks_ready(std::move(*made)); });
   }
   parcels_.clear();
   handed_over_ = Clock::now();
-}
-
-std::vector<ReadyChunk>& Handover::parcel_of(const ChunkClientPtr& client) {
-  const auto found = std::find_if(parcels_.begin(), parcels_.end(),
-                                  [&](const auto& parcel) { return parcel.first == client; });
-  if (found != parcels_.end()) return found->second;
-  return parcels_.emplace_back(client, std::vector<ReadyChunk>{}).second;
 }
 
 }  // namespace talus::server

@@ -2,7 +2,8 @@
 #pragma once
 
 #include <chrono>
-#include <utility>
+#include <cstddef>
+#include <unordered_map>
 #include <vector>
 
 #include "generation/chunk_client.h"
@@ -11,12 +12,13 @@
 namespace talus::server {
 
 /// Waking a client's thread costs as much as many a chunk, and on a busy core it takes the generator's place.
-/// So what is made soon after something was handed over waits for the next chunk of the same piece of work.
+/// So what is made soon after something was handed over goes with the next chunk of the same piece of work.
 /// Of one thread, for one piece of work; flush() ends it.
 class Handover {
  public:
   explicit Handover(const Logger& log) : log_{log} {}
 
+  /// A waiter for whom there is no memory goes without, which the log says.
   void add(const std::vector<ChunkClientPtr>& waiters, ChunkKey key, const ChunkAnswer& answer);
   /// Hands over what was added since.
   void flush();
@@ -24,10 +26,11 @@ class Handover {
  private:
   using Clock = std::chrono::steady_clock;
 
-  std::vector<ReadyChunk>& parcel_of(const ChunkClientPtr& client);
+  template <typename Step>
+  void log_failure(std::size_t chunks, Step&& step);
 
   const Logger& log_;
-  std::vector<std::pair<ChunkClientPtr, std::vector<ReadyChunk>>> parcels_;
+  std::unordered_map<ChunkClientPtr, std::vector<ReadyChunk>> parcels_;
   Clock::time_point handed_over_{};
 };
 

@@ -13,7 +13,11 @@ TerrainGenerator::TerrainGenerator(std::shared_ptr<const terrain::World> world, 
 
 EncodedChunkPtr TerrainGenerator::instant(ChunkKey key) const {
   const auto material = terrain::uniform_everywhere(*world_, key);
-  return material ? uniform_[to_integer(*material)] : nullptr;
+  return material ? uniform(*material) : nullptr;
+}
+
+EncodedChunkPtr TerrainGenerator::uniform(MaterialId material) const {
+  return uniform_[to_integer(material)];
 }
 
 terrain::MixedRange TerrainGenerator::rows_anywhere(Lod lod) const {
@@ -42,7 +46,7 @@ std::unique_ptr<terrain::Generator> TerrainGenerator::take_generator() const {
 
 EncodedChunkPtr TerrainGenerator::make_chunk(const terrain::Stacks& stacks, ChunkKey key) const {
   const Chunk chunk = terrain::extract_chunk(*world_, stacks, key.coord);
-  if (chunk.is_uniform()) return uniform_[to_integer(chunk.at({}))];
+  if (chunk.is_uniform()) return uniform(chunk.at({}));
   return encode_shared(chunk);
 }
 

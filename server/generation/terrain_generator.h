@@ -17,6 +17,7 @@ class TerrainGenerator final : public Generator {
   TerrainGenerator(std::shared_ptr<const terrain::World> world, int patch_tiles);
 
   [[nodiscard]] EncodedChunkPtr instant(ChunkKey key) const override;
+  [[nodiscard]] EncodedChunkPtr uniform(MaterialId material) const override;
   [[nodiscard]] terrain::MixedRange rows_anywhere(Lod lod) const override;
   [[nodiscard]] terrain::MixedRange rows(const terrain::Stacks& stacks, ChunkKey key) const override;
   void make_patch(const PatchKey& patch, terrain::Stacks& stacks) const override;

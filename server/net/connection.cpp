@@ -69,9 +69,12 @@ class Connection::Port final : public ChunkClient, public std::enable_shared_fro
   void chunks_ready(std::vector<ReadyChunk> chunks) override {
     {
       const std::lock_guard lock{mutex_};
-      const bool on_the_way = !ready_.empty();
-      std::move(chunks.begin(), chunks.end(), std::back_inserter(ready_));
-      if (on_the_way) return;
+      if (!ready_.empty()) {  // somebody is on the way
+        ready_.insert(ready_.end(), std::make_move_iterator(chunks.begin()),
+                      std::make_move_iterator(chunks.end()));
+        return;
+      }
+      ready_ = std::move(chunks);
     }
     try {
       asio::post(executor_, [self = shared_from_this()] { self->hand_over(); });

@@ -63,6 +63,9 @@ class FakeGenerator final : public Generator {
     if (work_->finding_throws) throw std::bad_alloc{};
     return nullptr;
   }
+  [[nodiscard]] EncodedChunkPtr uniform(MaterialId) const override {
+    return std::make_shared<const EncodedChunk>(ContentHash{}, std::vector<std::byte>{});
+  }
   /// As if all were mixed, unless the test says from where on there is air.
   [[nodiscard]] terrain::MixedRange rows_anywhere(Lod) const override {
     return {std::numeric_limits<std::int32_t>::min(), work_->last_mixed_anywhere, MaterialId{2}};

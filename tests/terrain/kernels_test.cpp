@@ -218,8 +218,14 @@ TEST_CASE("Tops are cut into voxel rows by every instruction set as by the defin
   CHECK(rc::check([] {
     const int width = *rc::gen::inRange(kChunkSize, 150);
     const int first = *rc::gen::inRange(0, width - kChunkSize + 1);
-    const Field top = any_field(width, kChunkSize, 1 << 23);
-    const std::int32_t floor_row = *rc::gen::inRange(-16, 1 << 15);
+    Field top = any_field(width, kChunkSize, 1 << 23);
+    // Where the difference passes 15 or 16 bits, and half of the columns together.
+    const std::int32_t floor_row = *rc::gen::oneOf(
+        rc::gen::inRange(-16, 1 << 15), rc::gen::element(0, -32768, -32767, -65536, -(1 << 24), 1 << 24));
+    const std::int32_t edge_fx = *rc::gen::element(0, 127, 128, 31 << 8, 1 << 22, (1 << 23) - 256, 1 << 23);
+    for (std::size_t i = 0; i < top.values.size(); i += 2) {
+      top.values[i] = edge_fx + static_cast<std::int32_t>(i % (40 << 8));
+    }
     for (const auto set :
          {InstructionSet::scalar, InstructionSet::sse4, InstructionSet::avx2, InstructionSet::avx512}) {
       if (!runs_here(set)) continue;

@@ -47,6 +47,29 @@ TEST_CASE("Loose layers lie on the strata by weight, and the surface does not mo
   }));
 }
 
+TEST_CASE("Stacks that are filled again, by whichever generator, are as fresh ones") {
+  CHECK(rc::check([] {
+    const World world = test::small_caves(*rc::gen::arbitrary<std::uint64_t>());
+    std::array<Generator, 2> generators{Generator{world}, Generator{world}};
+    std::array<Stacks, 2> kept;
+    for (int round = 0; round < 6; ++round) {
+      const Region region = any_region(40);
+      Stacks& stacks = kept[*rc::gen::inRange<std::size_t>(0, 2)];
+      generators[*rc::gen::inRange<std::size_t>(0, 2)].generate(region, stacks);
+      const Stacks fresh = generate_stacks(world, region);
+      RC_ASSERT(stacks.materials == fresh.materials);
+      RC_ASSERT(stacks.tops.size() == fresh.tops.size());
+      for (std::size_t plane = 0; plane < fresh.tops.size(); ++plane) {
+        RC_ASSERT(stacks.tops[plane].width == fresh.tops[plane].width);
+        RC_ASSERT(stacks.tops[plane].values == fresh.tops[plane].values);
+      }
+      RC_ASSERT(stacks.caves.floor.values == fresh.caves.floor.values);
+      RC_ASSERT(stacks.caves.roof.values == fresh.caves.roof.values);
+      RC_ASSERT(stacks.ground_fx(0, 0) == fresh.ground_fx(0, 0));
+    }
+  }));
+}
+
 TEST_CASE("Settled loose material is at rest, and starts from equation 3 in the endless plane") {
   CHECK(rc::check([] {
     const World world = test::small_world(*rc::gen::arbitrary<std::uint64_t>());

@@ -20,6 +20,12 @@ class Planes {
     tops_.clear();
     materials_.clear();
   }
+  /// No more is kept than the list has: others may bring fields that go to other lists.
+  ~Planes() {
+    if (spare_.size() > tops_.size()) spare_.resize(tops_.size());
+  }
+  Planes(const Planes&) = delete;
+  Planes& operator=(const Planes&) = delete;
 
   [[nodiscard]] bool empty() const { return tops_.empty(); }
   [[nodiscard]] std::size_t count() const { return tops_.size(); }

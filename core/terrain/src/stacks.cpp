@@ -79,8 +79,8 @@ struct Generator::Scratch {
 
 std::size_t Stacks::bytes() const {
   std::size_t bytes = sizeof(Stacks) + materials.size() * sizeof(MaterialId) + tops.size() * sizeof(Field);
-  for (const Field& plane : tops) bytes += plane.values.size() * sizeof(std::int32_t);
-  bytes += (caves.floor.values.size() + caves.roof.values.size()) * sizeof(std::int32_t);
+  for (const Field& plane : tops) bytes += plane.values.capacity() * sizeof(std::int32_t);
+  bytes += (caves.floor.values.capacity() + caves.roof.values.capacity()) * sizeof(std::int32_t);
   return bytes;
 }
 

@@ -60,13 +60,13 @@ void cut(const std::int32_t* tops, std::size_t stride, std::int32_t floor_row, s
   const hn::Rebind<std::uint8_t, decltype(d)> bytes;
   const auto rounding = hn::Set(d, 127);
   const auto floor = hn::Set(d, floor_row);
-  const auto most = hn::Set(bytes, kChunkSize);
+  const auto most = hn::Set(d, kChunkSize);
   for (int z = 0; z < kChunkSize; ++z, tops += stride) {
     for (std::size_t x = 0; x < kChunkSize; x += hn::Lanes(d), rows += hn::Lanes(d)) {
       const auto row = hn::ShiftRight<8>(hn::Add(hn::LoadU(d, tops + x), rounding));
-      // What lies below the floor becomes 0 as it is made a byte, what lies above a chunk at most 255.
-      const auto kept = hn::DemoteTo(bytes, hn::Sub(row, floor));
-      hn::StoreU(hn::Min(kept, most), bytes, rows);
+      // What lies below the floor becomes 0 as it is made a byte. What lies above must be cut before: of
+      // numbers past 15 bits some targets drop the highest.
+      hn::StoreU(hn::DemoteTo(bytes, hn::Min(hn::Sub(row, floor), most)), bytes, rows);
     }
   }
 }
