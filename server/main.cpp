@@ -1,4 +1,5 @@
 // talusd: streams an endless world, generated on demand, to game clients.
+#include <malloc.h>
 #include <unistd.h>
 
 #include <chrono>
@@ -149,9 +150,20 @@ int print_token(int argc, const char* const* argv) {
   return token ? 0 : token.error().status;
 }
 
+/// What writes and patches gave back serves the next ones. By default glibc hands the top of its heaps to the
+/// system from 128 KiB on, and a page fault for every 4 KiB of it costs more than an answer does.
+void keep_freed_memory() {
+#ifdef __GLIBC__
+  constexpr int kMebibyte = 1 << 20;
+  ::mallopt(M_TRIM_THRESHOLD, 16 * kMebibyte);
+  ::mallopt(M_MMAP_THRESHOLD, kMebibyte);
+#endif
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
+  keep_freed_memory();
   // A log whose reader went away must not end the server.
   std::signal(SIGPIPE, SIG_IGN);
   try {
