@@ -48,7 +48,7 @@ TEST_CASE("talus-client says in one line why it does not trust a server") {
   check_refused(
       get(secure.server, {"--tls", "--tls-name", "talus.example"}),
       "certificate verify failed: self-signed certificate; give the certificate of who vouches for it "
-      "(--ca FILE)");
+      "--ca FILE)");
   check_refused(get(secure.server, {"--ca", secure.certificate}), "--tls-name NAME");
 }
 

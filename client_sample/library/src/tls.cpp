@@ -30,9 +30,11 @@ ClientError untrusted(long result) {
   const bool date = result == X509_V_ERR_CERT_HAS_EXPIRED || result == X509_V_ERR_CERT_NOT_YET_VALID;
   return {ErrorKind::untrusted,
           std::string{"certificate verify failed: "} + X509_verify_cert_error_string(result) +
-              (name   ? "; give the name that it was made for (--tls-name NAME)"
+              (name   ? "; give the name that it was made for (TlsOptions::server_name; of the programs "
+                        "--tls-name NAME)"
                : date ? "; the server's operator must renew it"
-                      : "; give the certificate of who vouches for it (--ca FILE)"),
+                      : "; give the certificate of who vouches for it (TlsOptions::ca_file; of the programs "
+                        "--ca FILE)"),
           {}};
 }
 
