@@ -1,5 +1,6 @@
 #include "cache/encoded_chunk.h"
 
+#include <cassert>
 #include <cstring>
 
 #include <talus/voxel/codec.h>
@@ -32,12 +33,24 @@ EncodedChunk::EncodedChunk(ContentHash hash, std::span<const std::byte> payload)
   id_at_ =
       distance(frame_, reinterpret_cast<const flatbuffers::Table&>(chunk).GetAddressOf(wire::Chunk::VT_ID));
   key_at_ = distance(frame_, chunk.key());
+  // FlatBuffers are built from their end: what was made first, the payload, lies last.
+  head_bytes_ = distance(frame_, chunk.payload()->data());
+  assert(id_at_ < head_bytes_ && key_at_ < head_bytes_);
 }
 
 void EncodedChunk::append_frame(std::vector<std::byte>& output, std::uint32_t request_id,
                                 ChunkKey key) const {
-  output.insert(output.end(), frame_.begin(), frame_.end());
-  std::byte* const frame = &*(output.end() - static_cast<std::ptrdiff_t>(frame_.size()));
+  append_first(frame_.size(), output, request_id, key);
+}
+
+void EncodedChunk::append_head(std::vector<std::byte>& output, std::uint32_t request_id, ChunkKey key) const {
+  append_first(head_bytes_, output, request_id, key);
+}
+
+void EncodedChunk::append_first(std::size_t bytes, std::vector<std::byte>& output, std::uint32_t request_id,
+                                ChunkKey key) const {
+  output.insert(output.end(), frame_.begin(), frame_.begin() + static_cast<std::ptrdiff_t>(bytes));
+  std::byte* const frame = &*(output.end() - static_cast<std::ptrdiff_t>(bytes));
   const wire::ChunkKey wire_key{key.coord.x, key.coord.y, key.coord.z,
                                 static_cast<std::uint8_t>(key.lod.value())};
   const auto wire_id = flatbuffers::EndianScalar(request_id);

@@ -27,13 +27,21 @@ class EncodedChunk {
 
   /// Appends the frame. `request_id` 0: sent for the View.
   void append_frame(std::vector<std::byte>& output, std::uint32_t request_id, ChunkKey key) const;
+  /// The frame in two: its head, in which request and place stand, and its tail, the payload, as it lies
+  /// here.
+  void append_head(std::vector<std::byte>& output, std::uint32_t request_id, ChunkKey key) const;
+  [[nodiscard]] std::span<const std::byte> tail() const { return std::span{frame_}.subspan(head_bytes_); }
   /// Has the processor fetch the frame's beginning while the caller goes on.
   void prefetch() const { __builtin_prefetch(frame_.data()); }
 
  private:
+  void append_first(std::size_t bytes, std::vector<std::byte>& output, std::uint32_t request_id,
+                    ChunkKey key) const;
+
   ContentHash hash_;
   std::uint32_t id_at_ = 0;  // where in the frame
   std::uint32_t key_at_ = 0;
+  std::uint32_t head_bytes_ = 0;
   protocol::Frame frame_;
 };
 using EncodedChunkPtr = std::shared_ptr<const EncodedChunk>;

@@ -98,8 +98,9 @@ class Session {
   /// chunks, never (max) where nothing waits or the client gives no credit.
   [[nodiscard]] Clock::time_point sendable_at(Clock::time_point now = Clock::now());
   /// Frames to write now, one after the other: `enough_bytes` and at most one frame more.
-  [[nodiscard]] std::vector<std::byte> take_output(std::size_t enough_bytes,
-                                                   Clock::time_point now = Clock::now());
+  /// Chunks of `shared_from` bytes and more are not copied.
+  [[nodiscard]] Output take_output(std::size_t enough_bytes, Clock::time_point now = Clock::now(),
+                                   std::size_t shared_from = Output::kCopyAll);
   /// What was taken is written, and its memory free.
   void written() {
     writing_bytes_ = 0;

@@ -190,8 +190,8 @@ Session::Clock::time_point Session::sendable_at(Clock::time_point now) {
   return rates_.chunks_due(now);
 }
 
-std::vector<std::byte> Session::take_output(std::size_t enough_bytes, Clock::time_point now) {
-  std::vector<std::byte> output;
+Output Session::take_output(std::size_t enough_bytes, Clock::time_point now, std::size_t shared_from) {
+  Output output{shared_from};
   output.reserve(std::min(enough_bytes, outbox_.control_bytes() + outbox_.chunk_bytes()));
   std::size_t chunks = 0;
   std::size_t chunk_bytes = 0;
@@ -207,7 +207,7 @@ std::vector<std::byte> Session::take_output(std::size_t enough_bytes, Clock::tim
                  }
                });
   rates_.sent(now, chunks, output.size());
-  writing_bytes_ = output.capacity();
+  writing_bytes_ = output.size();
   context_.metrics.chunks_sent.add(chunks);
   context_.metrics.chunk_bytes_sent.add(chunk_bytes);
   return output;

@@ -25,10 +25,10 @@ bool Outbox::sendable(const Credit& credit) const {
   return !control_.empty() || (!chunks_.empty() && credit.may_send());
 }
 
-void Outbox::take_control(std::size_t enough_bytes, std::vector<std::byte>& output) {
+void Outbox::take_control(std::size_t enough_bytes, Output& output) {
   while (!control_.empty() && output.size() < enough_bytes) {
     const protocol::Frame& frame = control_.front();
-    output.insert(output.end(), frame.begin(), frame.end());
+    output.append(frame);
     control_bytes_ -= frame.size() + kFrameOverheadBytes;
     control_.pop_front();
   }

@@ -12,6 +12,7 @@
 
 #include "cache/encoded_chunk.h"
 #include "stream/credit.h"
+#include "stream/output.h"
 
 namespace talus::server {
 
@@ -49,8 +50,7 @@ class Outbox {
   /// Appends frames to `output` until it has `enough_bytes` or nothing is sendable or allowed; the last may
   /// exceed it. Calls sent(entry, frame_bytes) for each chunk among them.
   template <typename Sent>
-  void take(std::size_t enough_bytes, Credit& credit, ChunkAllowance allowance,
-            std::vector<std::byte>& output, Sent&& sent) {
+  void take(std::size_t enough_bytes, Credit& credit, ChunkAllowance allowance, Output& output, Sent&& sent) {
     take_control(enough_bytes, output);
     std::size_t chunks = 0;
     const std::size_t control_bytes = output.size();
@@ -59,7 +59,7 @@ class Outbox {
       const Entry entry = std::move(chunks_.front());
       chunks_.pop_front();
       chunk_bytes_ -= cost(*entry.chunk);
-      entry.chunk->append_frame(output, entry.request_id, entry.key);
+      output.append(entry.chunk, entry.request_id, entry.key);
       credit.sent(entry.chunk->frame_bytes());
       ++chunks;
       sent(entry, entry.chunk->frame_bytes());
@@ -73,7 +73,7 @@ class Outbox {
   [[nodiscard]] static std::size_t cost(const EncodedChunk& chunk);
 
  private:
-  void take_control(std::size_t enough_bytes, std::vector<std::byte>& output);
+  void take_control(std::size_t enough_bytes, Output& output);
 
   std::deque<protocol::Frame> control_;
   std::deque<Entry> chunks_;

@@ -3,6 +3,7 @@
 
 #include <rapidcheck.h>
 
+#include "frames.h"
 #include "stream/credit.h"
 #include "stream/outbox.h"
 
@@ -28,8 +29,10 @@ struct Taken {
 
 Taken take(Outbox& outbox, std::size_t enough_bytes, Credit& credit, ChunkAllowance allowance = {}) {
   Taken taken;
-  outbox.take(enough_bytes, credit, allowance, taken.bytes,
+  Output output;
+  outbox.take(enough_bytes, credit, allowance, output,
               [&](const Outbox::Entry& entry, std::size_t) { taken.ids.push_back(entry.request_id); });
+  taken.bytes = flat(output);
   return taken;
 }
 
@@ -114,4 +117,31 @@ TEST_CASE("an allowance bounds the chunks that are taken, and no control frame")
   CHECK(take(outbox, kAll, credit, {2, kAll}).ids.size() == 2);
   CHECK(take(outbox, kAll, credit, {kAll, 0}).ids.empty());
   CHECK(take(outbox, kAll, credit, {kAll, 1}).ids.size() == 1);
+}
+
+TEST_CASE("a write has the same bytes whether large chunks are copied into it or not") {
+  CHECK(rc::check([] {
+    const std::size_t shared_from = *rc::gen::inRange<std::size_t>(0, 700);
+    Output copied;
+    Output shared{shared_from};
+    std::size_t large = 0;
+    for (const std::size_t size :
+         *rc::gen::container<std::vector<std::size_t>>(rc::gen::inRange<std::size_t>(0, 600))) {
+      const ChunkKey key{{static_cast<std::int32_t>(size), 2, -3}, Lod{}};
+      if (size % 4 == 0) {
+        const std::vector<std::byte> control(size + 1, std::byte{7});
+        for (Output* output : {&copied, &shared}) output->append(control);
+        continue;
+      }
+      const auto chunk =
+          std::make_shared<const EncodedChunk>(ContentHash{size, 1}, std::vector<std::byte>(size));
+      large += chunk->frame_bytes() >= shared_from ? 1 : 0;
+      for (Output* output : {&copied, &shared}) output->append(chunk, static_cast<std::uint32_t>(size), key);
+    }
+    RC_ASSERT(flat(shared) == flat(copied));
+    RC_ASSERT(shared.size() == copied.size());
+    RC_ASSERT(shared.size() == flat(shared).size());
+    RC_ASSERT(copied.pieces().size() == (copied.size() > 0 ? 1U : 0U));
+    RC_ASSERT(shared.pieces().size() >= 2 * large);
+  }));
 }

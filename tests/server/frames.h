@@ -9,6 +9,8 @@
 #include <talus/protocol/limits.h>
 #include <talus/protocol/message.h>
 
+#include "stream/output.h"
+
 namespace talus::server {
 
 [[nodiscard]] inline std::vector<protocol::Frame> cut(std::span<const std::byte> output) {
@@ -21,6 +23,17 @@ namespace talus::server {
     reader.pop();
   }
   return frames;
+}
+
+/// All of a write's bytes.
+[[nodiscard]] inline std::vector<std::byte> flat(const Output& output) {
+  std::vector<std::byte> bytes;
+  for (const auto piece : output.pieces()) bytes.insert(bytes.end(), piece.begin(), piece.end());
+  return bytes;
+}
+
+[[nodiscard]] inline std::vector<protocol::Frame> cut(const Output& output) {
+  return cut(flat(output));
 }
 
 }  // namespace talus::server
