@@ -166,6 +166,8 @@ int main(int argc, char** argv) {
   keep_freed_memory();
   // A log whose reader went away must not end the server.
   std::signal(SIGPIPE, SIG_IGN);
+  // A reload may be asked for before there is anything to read again.
+  std::signal(SIGHUP, SIG_IGN);
   try {
     if (argc > 1 && std::string_view{argv[1]} == "token") return print_token(argc - 1, argv + 1);
     const auto command = read_command_line(argc, argv, process_environment());

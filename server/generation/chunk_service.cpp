@@ -32,6 +32,9 @@ constexpr std::size_t kJobBytes = 384;
 // the patch itself, and one to spare.
 constexpr std::size_t kPatchesAtWork = 5;
 
+// At most this part of the memory budget is reckoned to generators.
+constexpr std::uint64_t kGeneratorsShare = 8;
+
 // What work costs before any was measured.
 constexpr std::uint64_t kFirstPatchNs = 2'000'000;
 constexpr std::uint64_t kFirstChunkNs = 20'000;
@@ -224,7 +227,17 @@ void ChunkService::note_patch(std::size_t bytes) {
   std::size_t largest = largest_patch_bytes_.load();
   while (bytes > largest && !largest_patch_bytes_.compare_exchange_weak(largest, bytes)) {
   }
-  memory_.set(MemoryUse::generators, settings_.threads * kPatchesAtWork * std::max(bytes, largest));
+  const std::uint64_t wanted = settings_.threads * kPatchesAtWork * std::max(bytes, largest);
+  // More would leave no room for anybody, for good.
+  const std::uint64_t most = memory_.limit_bytes() == 0 ? wanted : memory_.limit_bytes() / kGeneratorsShare;
+  if (wanted > most && !warned_of_generators_.exchange(true)) {
+    log_->warn(
+        "generators at work may take {} MiB, more than an eighth of limits.memory_bytes ({} MiB): raise "
+        "that, or "
+        "set fewer threads.generator or a smaller generation.patch_tiles",
+        wanted >> 20U, memory_.limit_bytes() >> 20U);
+  }
+  memory_.set(MemoryUse::generators, std::min(wanted, most));
 }
 
 void ChunkService::fit_caches() {

@@ -114,6 +114,7 @@ class ChunkService {
   std::mutex fitting_;
   std::uint64_t fitted_bytes_ = 0;
   std::atomic<std::size_t> largest_patch_bytes_{0};
+  std::atomic<bool> warned_of_generators_{false};
   ChunkCache chunks_;
   SparePatches spare_patches_;
   PatchCache patches_;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <csignal>
+#include <cstdlib>
 #include <exception>
 #include <thread>
 #include <utility>
@@ -172,11 +173,15 @@ void Server::run() {
   watch_memory();
   asio::co_spawn(io_.control(), obey_hangups(), end);
   io_.run();
-  // Nobody obeys any more, and caches take their time to go: by default a SIGHUP would now kill what ends
+  // Nobody obeys any more, and caches take their time to go: by default a signal would now kill what ends
   // well.
   std::error_code ignored;
   hangups_.clear(ignored);
   std::signal(SIGHUP, SIG_IGN);
+  signals_.clear(ignored);
+  for (const int signal : {SIGTERM, SIGINT}) {
+    std::signal(signal, [](int) { std::_Exit(0); });  // as a second one does while clients are told
+  }
   if (failure) std::rethrow_exception(failure);
 }
 

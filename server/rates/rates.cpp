@@ -10,6 +10,9 @@ namespace {
 using std::chrono::nanoseconds;
 using Time = SessionRates::Time;
 
+// Of the control lane. A burst may be smaller than the Welcome alone.
+constexpr std::int64_t kFewFrames = 8192;
+
 template <typename Change>
 auto change(std::atomic<TokenBucket>& shared, Change&& how) {
   TokenBucket before = shared.load(std::memory_order_relaxed);
@@ -51,7 +54,7 @@ std::optional<SessionRates::Refusal> SessionRates::refuse_request(Time now) {
   // Who took answers far beyond its bytes, all in the control lane, which no rate holds, asks no more.
   if (session.bytes.limited()) {
     const std::int64_t debt = -bytes_.level(session.bytes, now);
-    if (debt > static_cast<std::int64_t>(session.bytes.burst)) {
+    if (debt > std::max(static_cast<std::int64_t>(session.bytes.burst), kFewFrames)) {
       return refuse(RateKind::session_bytes, bytes_.wait(session.bytes, now));
     }
   }

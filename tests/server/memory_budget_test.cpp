@@ -206,3 +206,22 @@ TEST_CASE("a session tells what it holds, and gives it back") {
   bench.session.pump();
   CHECK(bench.budget.used(MemoryUse::sessions) < idle + 10'000);
 }
+
+TEST_CASE("generators are reckoned with an eighth of the budget at most, so that somebody can come") {
+  const auto work = std::make_shared<FakeWork>();
+  work->patch_columns = 4'000'000;
+  Metrics metrics;
+  MemoryBudget budget{128 * kMebibyte};
+  ChunkService service{std::make_unique<FakeGenerator>(work),
+                       {2, 4, 1000, kMebibyte, kMebibyte},
+                       std::make_shared<spdlog::logger>("silent"),
+                       metrics,
+                       budget};
+  service.start();
+  const auto client = std::make_shared<WaitingClient>();
+  REQUIRE(service.submit(client, {{1, 2, 3}, Lod{}}) == ChunkService::Submission::queued);
+  client->await(1);
+  CHECK(budget.used(MemoryUse::generators) == 16 * kMebibyte);
+  CHECK(budget.takes_connections());
+  CHECK(budget.takes_work());
+}
