@@ -155,7 +155,7 @@ int print_token(int argc, const char* const* argv) {
 void keep_freed_memory() {
 #ifdef __GLIBC__
   constexpr int kMebibyte = 1 << 20;
-  ::mallopt(M_TRIM_THRESHOLD, 16 * kMebibyte);
+  ::mallopt(M_TRIM_THRESHOLD, kMebibyte);
   ::mallopt(M_MMAP_THRESHOLD, kMebibyte);
 #endif
 }
