@@ -1,17 +1,14 @@
 #include "access/key_file.h"
 
-#include <fcntl.h>
 #include <openssl/crypto.h>
 #include <sys/stat.h>
-#include <unistd.h>
 
 #include <array>
-#include <cerrno>
-#include <system_error>
 
 #include <fmt/format.h>
 
 #include "log/escape.h"
+#include "store/regular_file.h"
 
 namespace talus::server {
 namespace {
@@ -26,16 +23,8 @@ class Buffer {
   Buffer& operator=(const Buffer&) = delete;
   ~Buffer() { OPENSSL_cleanse(bytes_.data(), bytes_.size()); }
 
-  /// Reads to the end, or until there is no room; 0 or the errno.
-  int fill(int descriptor) {
-    while (size_ < bytes_.size()) {
-      const ssize_t got = ::read(descriptor, bytes_.data() + size_, bytes_.size() - size_);
-      if (got < 0 && errno == EINTR) continue;
-      if (got < 0) return errno;
-      if (got == 0) break;
-      size_ += static_cast<std::size_t>(got);
-    }
-    return 0;
+  tl::expected<void, std::string> fill(const RegularFile& file) {
+    return file.read(bytes_).map([this](std::size_t size) { size_ = size; });
   }
   [[nodiscard]] std::string_view text() const { return {bytes_.data(), size_}; }
 
@@ -67,35 +56,25 @@ Secret::~Secret() {
   OPENSSL_cleanse(bytes_.data(), bytes_.size());
 }
 
-tl::expected<KeyFile, std::string> read_key_file(const std::filesystem::path& file, KeyBounds bounds) {
-  const auto unreadable = [&](int error) {
+tl::expected<KeyFile, std::string> read_key_file(const std::filesystem::path& path, KeyBounds bounds) {
+  const auto wrong = [&](const std::string& what) {
     return tl::make_unexpected(
-        fmt::format("{}: cannot be read: {}; give a file that the user of talusd may read",
-                    escaped(file.string(), 500), std::generic_category().message(error)));
+        fmt::format("{}: {}; give a file with the secret in it that talusd's user may read",
+                    escaped(path.string(), 500), what));
   };
-  // Without waiting: a pipe under this name would hold the server up for ever.
-  const int descriptor = ::open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NOCTTY | O_NONBLOCK);
-  if (descriptor < 0) return unreadable(errno);
-  struct stat about {};
+  const auto file = RegularFile::open(path);
+  if (!file) return wrong(file.error());
   Buffer buffer;
-  int failed = ::fstat(descriptor, &about) == 0 ? 0 : errno;
-  const bool regular = failed == 0 && S_ISREG(about.st_mode);
-  if (regular) failed = buffer.fill(descriptor);
-  ::close(descriptor);
-  if (failed != 0) return unreadable(failed);
-  if (!regular) {
-    return tl::make_unexpected(
-        fmt::format("{}: is no regular file; give one with the secret in it", escaped(file.string(), 500)));
-  }
+  if (const auto filled = buffer.fill(*file); !filled) return wrong(filled.error());
   const std::string_view bytes = without_line_end(buffer.text());
   if (bytes.size() < bounds.least_bytes || bytes.size() > bounds.most_bytes) {
     return tl::make_unexpected(fmt::format(
         "{}: has {} bytes; {} to {} are right, as of \"openssl rand -base64 32\"",
-        escaped(file.string(), 500),
+        escaped(path.string(), 500),
         bytes.size() > kMostBytes ? fmt::format("over {}", kMostBytes) : fmt::to_string(bytes.size()),
         bounds.least_bytes, bounds.most_bytes));
   }
-  return KeyFile{Secret{bytes}, too_open(file, about.st_mode)};
+  return KeyFile{Secret{bytes}, too_open(path, file->mode())};
 }
 
 }  // namespace talus::server

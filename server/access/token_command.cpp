@@ -2,7 +2,6 @@
 
 #include <charconv>
 #include <cstdint>
-#include <sstream>
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
@@ -12,9 +11,6 @@
 
 namespace talus::server {
 namespace {
-
-constexpr int kFailed = 1;
-constexpr int kWrongUse = 2;
 
 tl::unexpected<Exit> one_line(std::string_view text, int status) {
   return tl::make_unexpected(Exit{fmt::format("talusd token: {}\n", text), status});
@@ -60,15 +56,7 @@ tl::expected<std::string, Exit> token_command(int argc, const char* const* argv,
       ->type_name("RIGHTS")
       ->capture_default_str();
   app.add_option("--valid", valid, "from now on: 90s, 30m, 12h, 7d")->required()->type_name("TIME");
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::Success& wanted) {
-    std::ostringstream out;
-    app.exit(wanted, out, out);
-    return tl::make_unexpected(Exit{out.str(), 0});
-  } catch (const CLI::ParseError& error) {
-    return one_line(fmt::format("{}; see talusd token --help", error.what()), kWrongUse);
-  }
+  if (auto exit = parse_flags(app, argc, argv)) return tl::make_unexpected(*std::move(exit));
 
   const auto rights = Rights::parse(words);
   if (!rights) return one_line(fmt::format("--rights: {}", rights.error()), kWrongUse);

@@ -6,7 +6,7 @@
 
 #include <tl/expected.hpp>
 
-#include "config/command_line.h"
+#include "config/parse_flags.h"
 
 namespace talus::server {
 

@@ -8,9 +8,6 @@
 namespace talus::server {
 namespace {
 
-constexpr int kFailed = 1;
-constexpr int kWrongUse = 2;
-
 /// A flag that sets a field of the table.
 struct Flag {
   std::string_view key;
@@ -31,7 +28,7 @@ Exit one_line(std::string text, int status) {
 
 tl::expected<Command, Exit> read_command_line(int argc, const char* const* argv,
                                               const Environment& environment) {
-  CLI::App app{"talusd streams an endless world, generated on demand, to game clients."};
+  CLI::App app{"talusd streams an endless world, generated on demand, to game clients.", "talusd"};
   app.set_version_flag("--version", "talusd " TALUS_VERSION);
   app.footer(
       "Every setting of talusd.toml is also a variable: limits.connections is TALUS_LIMITS_CONNECTIONS.\n"
@@ -57,15 +54,7 @@ tl::expected<Command, Exit> read_command_line(int argc, const char* const* argv,
       "--check-config", command.check_only,
       "check settings, world and certificate, but neither address nor data directory; print ok, and exit");
 
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::Success& wanted) {
-    std::ostringstream out;
-    app.exit(wanted, out, out);
-    return tl::make_unexpected(Exit{out.str(), 0});
-  } catch (const CLI::ParseError& error) {
-    return tl::make_unexpected(one_line(fmt::format("{}; see talusd --help", error.what()), kWrongUse));
-  }
+  if (auto exit = parse_flags(app, argc, argv)) return tl::make_unexpected(*std::move(exit));
 
   if (!config_file.empty()) {
     if (auto done = apply_file(command.config, config_file); !done) {

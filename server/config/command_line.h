@@ -9,6 +9,7 @@
 
 #include "config/config.h"
 #include "config/load.h"
+#include "config/parse_flags.h"
 
 namespace talus::server {
 
@@ -17,12 +18,6 @@ struct Command {
   Config config;
   bool check_only = false;
   std::vector<std::string> warnings;
-};
-
-/// Text to print and the status to exit with: help, version, or an error.
-struct Exit {
-  std::string text;
-  int status = 0;
 };
 
 /// Reads flags, environment and file. Wrong flags exit with 2, a wrong file or variable with 1.

@@ -9,16 +9,15 @@
 #include <time.h>
 
 #include <array>
-#include <cerrno>
 #include <chrono>
-#include <system_error>
 #include <utility>
+#include <vector>
 
 #include <fmt/chrono.h>
 #include <fmt/format.h>
 
 #include "log/escape.h"
-#include "store/read_file.h"
+#include "store/regular_file.h"
 
 namespace talus::server {
 namespace {
@@ -67,24 +66,40 @@ struct CertificateFile {
   Chain chain;
 };
 
-tl::expected<std::string, std::string> read(std::string_view setting, const std::filesystem::path& file) {
-  std::error_code ignored;
-  const auto type = std::filesystem::status(file, ignored).type();
-  if (type != std::filesystem::file_type::regular && type != std::filesystem::file_type::not_found) {
-    return wrong(setting, file, "is no regular file; give a PEM file");  // a pipe would not end
+/// A PEM file's text, wiped when it is done with: there may be a key in it.
+class Pem {
+ public:
+  Pem() : bytes_(kMostPemBytes + 1) {}
+  Pem(Pem&&) = default;
+  Pem& operator=(Pem&&) = delete;
+  ~Pem() { OPENSSL_cleanse(bytes_.data(), bytes_.size()); }
+
+  [[nodiscard]] static tl::expected<Pem, std::string> read(std::string_view setting,
+                                                           const std::filesystem::path& path) {
+    const auto failed = [&](const std::string& what) {
+      return wrong(setting, path, what + "; give a PEM file that talusd may read");
+    };
+    const auto file = RegularFile::open(path);
+    if (!file) return failed(file.error());
+    Pem pem;
+    const auto size = file->read(pem.bytes_);
+    if (!size) return failed(size.error());
+    pem.size_ = *size;
+    if (*size > kMostPemBytes) return failed("has over 1 MiB");
+    return pem;
   }
-  auto text = read_file(file, kMostPemBytes);
-  if (text) return *std::move(text);
-  return wrong(setting, file,
-               fmt::format("cannot be read: {}; give a PEM file that talusd may read",
-                           std::generic_category().message(text.error())));
-}
+  [[nodiscard]] Bio bio() const { return Bio{BIO_new_mem_buf(bytes_.data(), static_cast<int>(size_))}; }
+
+ private:
+  std::vector<char> bytes_;
+  std::size_t size_ = 0;
+};
 
 tl::expected<CertificateFile, std::string> read_certificate(const std::filesystem::path& file) {
   constexpr std::string_view kSetting = "tls.certificate";
-  const auto text = read(kSetting, file);
-  if (!text) return tl::make_unexpected(text.error());
-  const Bio bio{BIO_new_mem_buf(text->data(), static_cast<int>(text->size()))};
+  const auto pem = Pem::read(kSetting, file);
+  if (!pem) return tl::make_unexpected(pem.error());
+  const Bio bio = pem->bio();
   CertificateFile read{Certificate{PEM_read_bio_X509(bio.get(), nullptr, nullptr, nullptr)},
                        Chain{sk_X509_new_null()}};
   const std::string failure = read.certificate ? "" : reason();
@@ -129,12 +144,11 @@ bool signs_tls13(const EVP_PKEY* key) {
 
 tl::expected<Key, std::string> read_key(const std::filesystem::path& file) {
   constexpr std::string_view kSetting = "tls.key";
-  auto text = read(kSetting, file);
-  if (!text) return tl::make_unexpected(text.error());
+  const auto pem = Pem::read(kSetting, file);
+  if (!pem) return tl::make_unexpected(pem.error());
   bool asked = false;
-  const Bio bio{BIO_new_mem_buf(text->data(), static_cast<int>(text->size()))};
+  const Bio bio = pem->bio();
   Key key{PEM_read_bio_PrivateKey(bio.get(), nullptr, no_passphrase, &asked)};
-  OPENSSL_cleanse(text->data(), text->size());
   if (asked) {
     ERR_clear_error();
     return wrong(

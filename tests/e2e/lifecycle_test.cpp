@@ -1,5 +1,6 @@
 // How talusd starts, refuses to start, and ends.
 #include <signal.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -83,6 +84,29 @@ TEST_CASE("a second signal ends the server at once") {
   (void)client.expect_kind<wire::GoAway>();
   server.signal(SIGTERM);
   CHECK(server.wait().status == 0);
+}
+
+TEST_CASE("signals that come when nobody is served any more do not make a failure of the end") {
+  ServerProcess server;
+  server.signal(SIGTERM);
+  (void)server.await_line("ended");
+  server.signal(SIGHUP);
+  server.signal(SIGTERM);
+  CHECK(server.wait().status == 0);
+}
+
+TEST_CASE("SIGHUP before the server is up does not end it") {
+  const ScratchDirectory scratch;
+  const std::string world = scratch.write("world.toml", default_world_with_seed(1));
+  const std::string pipe = (scratch.path() / "pipe").string();
+  REQUIRE(::mkfifo(pipe.c_str(), 0600) == 0);
+  ServerProcess server{{}, {"--world", pipe}, [&](const ServerProcess& starting) {
+                         // Returns when the server reads its world, and not before.
+                         std::ofstream writer{pipe};
+                         starting.signal(SIGHUP);
+                         writer << std::ifstream{world}.rdbuf();
+                       }};
+  CHECK(greeted(server.port(), 1).send(get_chunks({chunk_request(1, at(0, 0, 0))})));
 }
 
 TEST_CASE("requests after GoAway are refused by their ids") {

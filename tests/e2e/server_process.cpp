@@ -107,13 +107,15 @@ Ended run_talusd(const std::vector<std::string>& flags, const Settings& settings
   return run_program(TALUSD_PATH, flags, settings);
 }
 
-ServerProcess::ServerProcess(Settings settings, std::vector<std::string> flags) {
+ServerProcess::ServerProcess(Settings settings, std::vector<std::string> flags,
+                             const std::function<void(const ServerProcess&)>& meanwhile) {
   settings.emplace("TALUS_THREADS_IO", "2");  // so that connections are dealt, also on a small machine
   flags.insert(flags.end(), {"--listen", "127.0.0.1:0"});
   const Child child = start(TALUSD_PATH, flags, settings);
   pid_ = child.pid;
   out_ = child.out;
   err_ = child.err;
+  if (meanwhile) meanwhile(*this);
   port_ = await_port("listening on 127.0.0.1:");
 }
 

@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <string>
 #include <string_view>
@@ -39,8 +40,10 @@ struct Ended {
 /// ends with an error: what a sanitizer found does not pass unseen.
 class ServerProcess {
  public:
-  /// Returns when the server has said where it listens; fails the test if it does not.
-  explicit ServerProcess(Settings settings = {}, std::vector<std::string> flags = {});
+  /// Returns when the server has said where it listens; fails the test if it does not. `meanwhile` is called
+  /// when the process is there, which it is from its first instruction on.
+  explicit ServerProcess(Settings settings = {}, std::vector<std::string> flags = {},
+                         const std::function<void(const ServerProcess&)>& meanwhile = {});
   ~ServerProcess();
   ServerProcess(const ServerProcess&) = delete;
   ServerProcess& operator=(const ServerProcess&) = delete;

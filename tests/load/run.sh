@@ -55,7 +55,7 @@ stop() {
   wait "$server" 2>/dev/null || status=$?
   [[ -z "$short" || $status == 0 ]] || { cat "$out/talusd.log" >&2; echo "talusd ended with $status" >&2; exit 1; }
 }
-trap stop EXIT
+trap 'stop_redis; stop' EXIT
 
 # start [VARIABLE=value...]: a fresh server.
 start() {
@@ -102,40 +102,67 @@ join() {
 }
 
 hot() {
-  hot_over hot 2
-  [[ -z "$short" ]] || return 0
-  hot_over hot-4k 8 TALUS_WORLD=tests/load/rough.toml
-  if command -v redis-server redis-benchmark >/dev/null; then redis; else echo "redis-server is not installed: no reference"; fi
+  hot_beside hot 390 2
+  [[ -n "$short" ]] || hot_beside hot-4k 4096 8 TALUS_WORLD=tests/load/rough.toml
 }
 
-# hot_over NAME WARM-UP-SECONDS [VARIABLE=value...]
-hot_over() {
-  local name="$1" warm_up="$2" clients=(--players "$(pick 64 8)" --in-flight 16 --verify 0)
-  shift 2
+# hot_beside NAME BYTES WARM-UP-SECONDS [VARIABLE=value...]: talusd and, by turns, redis with answers of BYTES, as many
+# connections and the same depth. What a machine does at one moment it does not do at another, so turns are compared.
+hot_beside() {
+  local name="$1" bytes="$2" warm_up="$3" clients=(--players "$(pick 64 8)" --in-flight 16 --verify 0) turn
+  shift 3
   start "${no_session_rates[@]}" "${no_address_rates[@]}" "$@"
   load "$name-warm-up" "${clients[@]}" --duration "$warm_up"
-  load "$name" "${clients[@]}" --duration "$(pick 10 3)"
+  if [[ -n "$short" ]] || ! command -v redis-server redis-benchmark >/dev/null; then
+    load "$name" "${clients[@]}" --duration "$(pick 10 3)"
+    [[ -n "$short" ]] || echo "redis-server is not installed: no reference"
+    return
+  fi
+  start_redis "$bytes"
+  : >"$out/$name-turns"
+  for turn in 1 2 3 4 5; do
+    load "$name" "${clients[@]}" --duration 5
+    printf '%s %s\n' "$(sed -n 's/.*"cpu_s_per_million": *\([0-9.]*\).*/\1/p' "$out/$name.json")" "$(redis_turn "$bytes")" |
+      tee -a "$out/$name-turns" |
+      awk -v bytes="$bytes" '{ printf "turn '$turn': talusd %.2f, redis %.2f CPU s a million (redis: GETs of %d bytes)\n", $1, $2, bytes }'
+  done
+  stop_redis
+  awk '{ ratio[NR] = $1 / $2; talusd[NR] = $1; redis[NR] = $2 }
+    function median(of, i, j, t) {
+      for (i = 2; i <= NR; ++i) for (j = i; j > 1 && of[j - 1] > of[j]; --j) { t = of[j]; of[j] = of[j - 1]; of[j - 1] = t }
+      return of[int((NR + 1) / 2)]
+    }
+    END { printf "medians of %d turns: talusd %.2f, redis %.2f CPU s a million, ratio %.2f\n", NR, median(talusd), median(redis), median(ratio) }' "$out/$name-turns"
 }
 
-# The same depth and as many connections, with answers of 4 KiB and of what talusd's have; CPU seconds of the
-# server alone.
-redis() {
-  local port=4791 redis_pid before after size count=2000000
-  redis-server --port $port --save '' --appendonly no >/dev/null 2>&1 &
+redis_port=4791
+redis_pid=""
+
+# start_redis BYTES: a redis with 1,024 values of so many, in which nothing else listens at its port.
+start_redis() {
+  redis-server --port $redis_port --save '' --appendonly no >/dev/null 2>&1 &
   redis_pid=$!
-  until redis-cli -p $port ping >/dev/null 2>&1; do sleep 0.05; done
-  cpu() { awk '{ print ($14 + $15) / 100 }' "/proc/$redis_pid/stat"; }
-  printf '\n== redis: GET, 64 connections, 16 in flight\n'
-  for size in 4096 390; do
-    redis-benchmark -p $port -t set -n 20000 -r 1024 -d $size -q >/dev/null
-    before="$(cpu)"
-    redis-benchmark -p $port -t get -n $count -r 1024 -d $size -c 64 -P 16 -q | tr '\r' '\n' | grep 'requests per second'
-    after="$(cpu)"
-    awk -v a="$before" -v b="$after" -v n=$count -v s=$size \
-      'BEGIN { printf "redis: %.2f CPU s a million GETs of %d bytes\n", (b - a) / n * 1e6, s }'
+  until redis-cli -p $redis_port ping >/dev/null 2>&1; do
+    kill -0 "$redis_pid" 2>/dev/null || { echo "redis-server did not start at port $redis_port" >&2; exit 1; }
+    sleep 0.05
   done
-  kill "$redis_pid"
+  redis-benchmark -p $redis_port -t set -n 20000 -r 1024 -d "$1" -q >/dev/null
+}
+
+stop_redis() {
+  [[ -n "$redis_pid" ]] || return 0
+  kill "$redis_pid" 2>/dev/null || true
   wait "$redis_pid" 2>/dev/null || true
+  redis_pid=""
+}
+
+# redis_turn BYTES: CPU seconds of the server alone, a million GETs.
+redis_turn() {
+  local count=1500000 before
+  cpu() { awk '{ print ($14 + $15) / 100 }' "/proc/$redis_pid/stat"; }
+  before="$(cpu)"
+  redis-benchmark -p $redis_port -t get -n $count -r 1024 -d "$1" -c 64 -P 16 -q >/dev/null
+  awk -v a="$before" -v b="$(cpu)" -v n=$count 'BEGIN { printf "%.3f\n", (b - a) / n * 1e6 }'
 }
 
 groups() {

@@ -180,6 +180,14 @@ TEST_CASE("a Pong is not held by rates of chunks and bytes") {
   CHECK(said[0].kind == wire::Body::Pong);
 }
 
+TEST_CASE("a burst smaller than a frame does not keep anybody from asking") {
+  Bench bench{{{{}, {1000, 10}, {}}, {}}};
+  for (int ask = 0; ask < 10; ++ask) {
+    bench.ping();
+    CHECK(bench.output().at(0).kind == wire::Body::Pong);
+  }
+}
+
 TEST_CASE("who is far over its bytes by answers that no rate holds may not ask more") {
   Bench bench{{{{}, {1000, 1000}, {}}, {}}};
   int pongs = 0;

@@ -1,5 +1,7 @@
 #include "net/tls_context.h"
 
+#include <sys/stat.h>
+
 #include <algorithm>
 #include <catch2/catch.hpp>
 
@@ -57,6 +59,9 @@ TEST_CASE("a missing file is named, with why") {
   CHECK_THAT(files.refusal(files.certificate, "/nowhere/k.pem"),
              Catch::StartsWith("tls.key /nowhere/k.pem: "));
   CHECK_THAT(files.refusal("/dev/zero", files.key), Catch::Contains("no regular file"));
+  const std::string pipe = (files.scratch.path() / "pipe").string();
+  REQUIRE(::mkfifo(pipe.c_str(), 0600) == 0);
+  CHECK_THAT(files.refusal(files.certificate, pipe), Catch::Contains("no regular file"));
 }
 
 TEST_CASE("another certificate's key is refused with both names") {

@@ -1,0 +1,25 @@
+#include "config/parse_flags.h"
+
+#include <sstream>
+
+#include <fmt/format.h>
+#include <CLI/CLI.hpp>
+
+namespace talus::server {
+
+std::optional<Exit> parse_flags(CLI::App& app, int argc, const char* const* argv) {
+  // Else it takes the path that it was started by.
+  const std::string name = app.get_name();
+  try {
+    app.parse(argc, argv);
+    return std::nullopt;
+  } catch (const CLI::Success& wanted) {  // --help and --version arrive here
+    std::ostringstream out;
+    app.exit(wanted, out, out);
+    return Exit{out.str(), 0};
+  } catch (const CLI::ParseError& error) {
+    return Exit{fmt::format("{}: {}; see {} --help\n", name, error.what(), name), kWrongUse};
+  }
+}
+
+}  // namespace talus::server
