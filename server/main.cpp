@@ -151,14 +151,12 @@ int print_token(int argc, const char* const* argv) {
 }
 
 /// What writes and patches gave back serves the next ones. By default glibc hands the top of its heaps to the
-/// system from 128 KiB on, and a page fault for every 4 KiB of it costs more than an answer does; and a heap
-/// for each thread keeps what another one lacks.
+/// system from 128 KiB on, and a page fault for every 4 KiB of it costs more than an answer does.
 void keep_freed_memory() {
 #ifdef __GLIBC__
   constexpr int kMebibyte = 1 << 20;
   ::mallopt(M_TRIM_THRESHOLD, kMebibyte);
   ::mallopt(M_MMAP_THRESHOLD, kMebibyte);
-  ::mallopt(M_ARENA_MAX, 2);
 #endif
 }
 
