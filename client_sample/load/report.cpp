@@ -157,7 +157,8 @@ nlohmann::json settings_json(const Options& options) {
       {"set", options.fixed_set},
       {"verify_percent", options.verify_percent},
       {"ring_tolerance", options.ring_tolerance},
-      {"from_addresses", options.from_addresses}};
+      {"from_addresses", options.from_addresses},
+      {"tls", options.tls.on}};
 }
 
 }  // namespace

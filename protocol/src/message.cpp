@@ -24,6 +24,8 @@ bool vectors_aligned(const wire::Message& message) {
   switch (message.body_type()) {
     case wire::Body::GetChunks:
       return aligned(message.body_as_GetChunks()->requests());
+    case wire::Body::View:
+      return aligned(message.body_as_View()->known());
     case wire::Body::GetHeights:
       return aligned(message.body_as_GetHeights()->columns());
     case wire::Body::Edit:

@@ -3,35 +3,15 @@
 #include <openssl/crypto.h>
 #include <sys/stat.h>
 
-#include <array>
-
 #include <fmt/format.h>
 
 #include "log/escape.h"
-#include "store/regular_file.h"
+#include "store/wiped_file.h"
 
 namespace talus::server {
 namespace {
 
 constexpr std::size_t kMostBytes = 8192;  // of any file that is taken for a key
-
-/// Where a file's bytes lie until they are a Secret.
-class Buffer {
- public:
-  Buffer() = default;
-  Buffer(const Buffer&) = delete;
-  Buffer& operator=(const Buffer&) = delete;
-  ~Buffer() { OPENSSL_cleanse(bytes_.data(), bytes_.size()); }
-
-  tl::expected<void, std::string> fill(const RegularFile& file) {
-    return file.read(bytes_).map([this](std::size_t size) { size_ = size; });
-  }
-  [[nodiscard]] std::string_view text() const { return {bytes_.data(), size_}; }
-
- private:
-  std::array<char, kMostBytes + 1> bytes_{};
-  std::size_t size_ = 0;
-};
 
 std::string_view without_line_end(std::string_view text) {
   if (text.ends_with('\n')) text.remove_suffix(1);
@@ -56,25 +36,18 @@ Secret::~Secret() {
   OPENSSL_cleanse(bytes_.data(), bytes_.size());
 }
 
-tl::expected<KeyFile, std::string> read_key_file(const std::filesystem::path& path, KeyBounds bounds) {
+tl::expected<KeyFile, std::string> read_key_file(const std::filesystem::path& file, KeyBounds bounds) {
   const auto wrong = [&](const std::string& what) {
-    return tl::make_unexpected(
-        fmt::format("{}: {}; give a file with the secret in it that talusd's user may read",
-                    escaped(path.string(), 500), what));
+    return tl::make_unexpected(fmt::format("{}: {}", escaped(file.string(), 500), what));
   };
-  const auto file = RegularFile::open(path);
-  if (!file) return wrong(file.error());
-  Buffer buffer;
-  if (const auto filled = buffer.fill(*file); !filled) return wrong(filled.error());
-  const std::string_view bytes = without_line_end(buffer.text());
+  const auto read = WipedFile::read(file, kMostBytes);
+  if (!read) return wrong(read.error() + "; give a file with the secret in it that talusd's user may read");
+  const std::string_view bytes = without_line_end(read->text());
   if (bytes.size() < bounds.least_bytes || bytes.size() > bounds.most_bytes) {
-    return tl::make_unexpected(fmt::format(
-        "{}: has {} bytes; {} to {} are right, as of \"openssl rand -base64 32\"",
-        escaped(path.string(), 500),
-        bytes.size() > kMostBytes ? fmt::format("over {}", kMostBytes) : fmt::to_string(bytes.size()),
-        bounds.least_bytes, bounds.most_bytes));
+    return wrong(fmt::format("has {} bytes; {} to {} are right, as of \"openssl rand -base64 32\"",
+                             bytes.size(), bounds.least_bytes, bounds.most_bytes));
   }
-  return KeyFile{Secret{bytes}, too_open(path, file->mode())};
+  return KeyFile{Secret{bytes}, too_open(file, read->mode())};
 }
 
 }  // namespace talus::server

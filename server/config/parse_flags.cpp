@@ -8,8 +8,6 @@
 namespace talus::server {
 
 std::optional<Exit> parse_flags(CLI::App& app, int argc, const char* const* argv) {
-  // Else it takes the path that it was started by.
-  const std::string name = app.get_name();
   try {
     app.parse(argc, argv);
     return std::nullopt;
@@ -18,7 +16,7 @@ std::optional<Exit> parse_flags(CLI::App& app, int argc, const char* const* argv
     app.exit(wanted, out, out);
     return Exit{out.str(), 0};
   } catch (const CLI::ParseError& error) {
-    return Exit{fmt::format("{}: {}; see {} --help\n", name, error.what(), name), kWrongUse};
+    return Exit{fmt::format("{0}: {1}; see {0} --help\n", app.get_name(), error.what()), kWrongUse};
   }
 }
 

@@ -19,8 +19,8 @@ struct Exit {
 inline constexpr int kFailed = 1;
 inline constexpr int kWrongUse = 2;
 
-/// Reads the flags into what `app` was told; else what to print. A wrong flag is one line with the app's
-/// name, and exits with kWrongUse.
+/// Reads the flags into what `app` was told; else what to print. A wrong flag is one line with the name,
+/// which `app` must have, and exits with kWrongUse.
 [[nodiscard]] std::optional<Exit> parse_flags(CLI::App& app, int argc, const char* const* argv);
 
 }  // namespace talus::server

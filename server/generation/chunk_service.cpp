@@ -1,5 +1,6 @@
 #include "generation/chunk_service.h"
 
+#include <signal.h>
 #include <sys/resource.h>
 #include <unistd.h>
 
@@ -48,6 +49,13 @@ ChunkKey column_of(ChunkKey key) {
 void give_way() {
   constexpr int kNiceness = 5;
   ::setpriority(PRIO_PROCESS, static_cast<id_t>(::gettid()), kNiceness);  // of this thread alone, on Linux
+}
+
+/// They are for the main thread, which alone knows what they mean at the end.
+void leave_signals_alone() {
+  sigset_t all;
+  ::sigfillset(&all);
+  ::pthread_sigmask(SIG_BLOCK, &all, nullptr);
 }
 
 /// Counts the thread's time from here to the end of the block. Asking for it costs a call of the kernel, so
@@ -175,6 +183,7 @@ ChunkService::Status ChunkService::status() {
 
 void ChunkService::work() {
   give_way();
+  leave_signals_alone();
   std::unique_lock lock{mutex_};
   while (!stopping_) {
     auto work = queue_.take(prices());

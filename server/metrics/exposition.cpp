@@ -160,7 +160,8 @@ void add_generation(const Metrics& metrics, const Depths& depths, Page& page) {
              static_cast<double>(depths.jobs));
   page.gauge("talus_waiting_sessions", "Sessions with something waiting for a generator.",
              static_cast<double>(depths.waiting_clients));
-  page.counter("talus_jobs_refused_total", "Wishes refused because the generators' queue was full.",
+  page.counter("talus_jobs_refused_total",
+               "Wishes refused because the generators' queue was full or memory all in use.",
                metrics.jobs_refused);
   page.counter("talus_jobs_cancelled_total", "Jobs dropped because nobody waited any more.",
                metrics.jobs_cancelled);

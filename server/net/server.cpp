@@ -173,16 +173,25 @@ void Server::run() {
   watch_memory();
   asio::co_spawn(io_.control(), obey_hangups(), end);
   io_.run();
-  // Nobody obeys any more, and caches take their time to go: by default a signal would now kill what ends
-  // well.
+  leave_signals();
+  if (failure) std::rethrow_exception(failure);
+}
+
+// Nobody obeys any more, and caches take their time to go: by default a signal would now kill what ends well.
+void Server::leave_signals() {
+  sigset_t ours;
+  sigset_t before;
+  sigemptyset(&ours);
+  for (const int signal : {SIGHUP, SIGTERM, SIGINT}) sigaddset(&ours, signal);
+  ::pthread_sigmask(SIG_BLOCK, &ours, &before);  // asio puts the default back first; generators take none
   std::error_code ignored;
   hangups_.clear(ignored);
-  std::signal(SIGHUP, SIG_IGN);
   signals_.clear(ignored);
+  std::signal(SIGHUP, SIG_IGN);
   for (const int signal : {SIGTERM, SIGINT}) {
     std::signal(signal, [](int) { std::_Exit(0); });  // as a second one does while clients are told
   }
-  if (failure) std::rethrow_exception(failure);
+  ::pthread_sigmask(SIG_SETMASK, &before, nullptr);
 }
 
 asio::awaitable<void> Server::accept() {

@@ -59,6 +59,7 @@ class Server {
   [[nodiscard]] asio::awaitable<void> obey_hangups();
   void renew_keys();
   void renew_identity();
+  void leave_signals();
   void welcome(Guest guest);
   void drain();
 

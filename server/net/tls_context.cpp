@@ -1,5 +1,6 @@
 #include "net/tls_context.h"
 
+#include <openssl/bio.h>
 #include <openssl/err.h>
 #include <openssl/evp.h>
 #include <openssl/pem.h>
@@ -9,18 +10,17 @@
 
 #include <chrono>
 #include <utility>
-#include <vector>
 
 #include <fmt/chrono.h>
 #include <fmt/format.h>
 
 #include "log/escape.h"
-#include "store/regular_file.h"
+#include "store/wiped_file.h"
 
 namespace talus::server {
 namespace {
 
-constexpr std::size_t kMostPemBytes = std::size_t{1} << 20;
+constexpr std::size_t kMostPemBytes = 1'000'000;
 constexpr const char* kCiphers = "TLS_AES_128_GCM_SHA256:TLS_AES_256_GCM_SHA384:TLS_CHACHA20_POLY1305_SHA256";
 constexpr const char* kGroups = "X25519:P-256:P-384";
 
@@ -34,7 +34,7 @@ struct Free {
 using Bio = std::unique_ptr<BIO, Free<BIO_free>>;
 using Certificate = std::unique_ptr<X509, Free<X509_free>>;
 using Key = std::unique_ptr<EVP_PKEY, Free<EVP_PKEY_free>>;
-using Session = std::unique_ptr<SSL, Free<SSL_free>>;
+using Tls = std::unique_ptr<SSL, Free<SSL_free>>;
 
 struct FreeChain {
   void operator()(STACK_OF(X509) * chain) const { sk_X509_pop_free(chain, X509_free); }
@@ -65,40 +65,21 @@ struct CertificateFile {
   Chain chain;
 };
 
-/// A PEM file's text, wiped when it is done with: there may be a key in it.
-class Pem {
- public:
-  Pem() : bytes_(kMostPemBytes + 1) {}
-  Pem(Pem&&) = default;
-  Pem& operator=(Pem&&) = delete;
-  ~Pem() { OPENSSL_cleanse(bytes_.data(), bytes_.size()); }
+tl::expected<WipedFile, std::string> read_pem(std::string_view setting, const std::filesystem::path& file) {
+  auto pem = WipedFile::read(file, kMostPemBytes);
+  if (pem) return pem;
+  return wrong(setting, file, pem.error() + "; give a PEM file that talusd may read");
+}
 
-  [[nodiscard]] static tl::expected<Pem, std::string> read(std::string_view setting,
-                                                           const std::filesystem::path& path) {
-    const auto failed = [&](const std::string& what) {
-      return wrong(setting, path, what + "; give a PEM file that talusd may read");
-    };
-    const auto file = RegularFile::open(path);
-    if (!file) return failed(file.error());
-    Pem pem;
-    const auto size = file->read(pem.bytes_);
-    if (!size) return failed(size.error());
-    pem.size_ = *size;
-    if (*size > kMostPemBytes) return failed("has over 1 MiB");
-    return pem;
-  }
-  [[nodiscard]] Bio bio() const { return Bio{BIO_new_mem_buf(bytes_.data(), static_cast<int>(size_))}; }
-
- private:
-  std::vector<char> bytes_;
-  std::size_t size_ = 0;
-};
+Bio bio_of(const WipedFile& pem) {
+  return Bio{BIO_new_mem_buf(pem.text().data(), static_cast<int>(pem.text().size()))};
+}
 
 tl::expected<CertificateFile, std::string> read_certificate(const std::filesystem::path& file) {
   constexpr std::string_view kSetting = "tls.certificate";
-  const auto pem = Pem::read(kSetting, file);
+  const auto pem = read_pem(kSetting, file);
   if (!pem) return tl::make_unexpected(pem.error());
-  const Bio bio = pem->bio();
+  const Bio bio = bio_of(*pem);
   CertificateFile read{Certificate{PEM_read_bio_X509(bio.get(), nullptr, nullptr, nullptr)},
                        Chain{sk_X509_new_null()}};
   const std::string failure = read.certificate ? "" : reason();
@@ -123,10 +104,10 @@ tl::expected<CertificateFile, std::string> read_certificate(const std::filesyste
 
 tl::expected<Key, std::string> read_key(const std::filesystem::path& file) {
   constexpr std::string_view kSetting = "tls.key";
-  const auto pem = Pem::read(kSetting, file);
+  const auto pem = read_pem(kSetting, file);
   if (!pem) return tl::make_unexpected(pem.error());
   bool asked = false;
-  const Bio bio = pem->bio();
+  const Bio bio = bio_of(*pem);
   Key key{PEM_read_bio_PrivateKey(bio.get(), nullptr, no_passphrase, &asked)};
   if (asked) {
     ERR_clear_error();
@@ -137,7 +118,8 @@ tl::expected<Key, std::string> read_key(const std::filesystem::path& file) {
   }
   if (!key) {
     ERR_clear_error();
-    return wrong(kSetting, file, "holds no private key; give the PEM file with the key of tls.certificate");
+    return wrong(kSetting, file,
+                 "holds no private key that can be read; give the PEM file with the key of tls.certificate");
   }
   return key;
 }
@@ -173,8 +155,8 @@ tl::expected<TlsContext, std::string> new_context() {
 /// by, or bound to what nobody wants, all would load and every handshake fail.
 bool shakes_hands(SSL_CTX* context) {
   const TlsContext clients{SSL_CTX_new(TLS_client_method()), SSL_CTX_free};
-  const Session client{clients ? SSL_new(clients.get()) : nullptr};
-  const Session server{SSL_new(context)};
+  const Tls client{clients ? SSL_new(clients.get()) : nullptr};
+  const Tls server{SSL_new(context)};
   BIO* to_server = nullptr;
   BIO* to_client = nullptr;
   if (!client || !server || BIO_new_bio_pair(&to_server, 0, &to_client, 0) != 1) return false;
@@ -182,10 +164,11 @@ bool shakes_hands(SSL_CTX* context) {
   SSL_set_bio(server.get(), to_client, to_client);
   SSL_set_connect_state(client.get());
   SSL_set_accept_state(server.get());
-  // A turn moves at least what a pair holds, 17 KiB, of a chain of at most 1 MiB in PEM.
-  for (int turn = 0; turn < 100; ++turn) {
+  // A turn moves what a pair holds, 17 KiB, and a client takes chains of up to 100 KiB.
+  for (int turn = 0; turn < 20; ++turn) {
     bool done = true;
-    for (const Session* side : {&client, &server}) {
+    for (const Tls* side : {&client, &server}) {
+      ERR_clear_error();  // SSL_get_error looks at all that is there
       const int result = SSL_do_handshake(side->get());
       const int error = result == 1 ? SSL_ERROR_NONE : SSL_get_error(side->get(), result);
       if (error != SSL_ERROR_NONE && error != SSL_ERROR_WANT_READ && error != SSL_ERROR_WANT_WRITE)
@@ -227,10 +210,11 @@ tl::expected<TlsIdentity, std::string> load_tls(const std::filesystem::path& cer
                  fmt::format("cannot be used: {}; make one with a P-256 or RSA-2048 key", reason()));
   }
   if (!shakes_hands(context->get())) {
-    return wrong(
-        "tls.key", key_file,
-        fmt::format("makes no handshake by TLS 1.3: {}; make one of RSA, P-256, P-384, P-521 or Ed25519",
-                    reason()));
+    return wrong("tls.key", key_file,
+                 fmt::format("makes no handshake by TLS 1.3, with tls.certificate: {}; a key of RSA, P-256, "
+                             "P-384, P-521 or Ed25519 and a chain of "
+                             "less than 100 KiB do",
+                             reason()));
   }
   const std::int64_t begins = seconds_since_1970(X509_get0_notBefore(own));
   const std::int64_t expires = seconds_since_1970(X509_get0_notAfter(own));

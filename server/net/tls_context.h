@@ -24,7 +24,8 @@ struct TlsIdentity {
 
 /// Reads a certificate with its chain, and its key, both PEM. TLS 1.3 alone. Without session tickets: a
 /// client that comes back proves itself anew, which costs a signature, and the server keeps no secret that
-/// would open what was said before. An error names the file, what is wrong with it, and what would be right.
+/// would open what was said before. The key is tried by a handshake in memory, of a millisecond or two. An
+/// error names the file, what is wrong with it, and what would be right.
 [[nodiscard]] tl::expected<TlsIdentity, std::string> load_tls(const std::filesystem::path& certificate,
                                                               const std::filesystem::path& key);
 

@@ -16,7 +16,7 @@
 #include <talus/terrain/toml_bounds.h>
 #include <toml++/toml.h>
 
-#include "store/read_file.h"
+#include "store/wiped_file.h"
 #include "store/write_atomically.h"
 
 namespace talus::server {
@@ -59,12 +59,14 @@ std::string store_text(ContentHash id, ContentHash fingerprint) {
 tl::expected<ContentHash, std::string> read_store(const fs::path& file, ContentHash fingerprint) {
   std::optional<ContentHash> id;
   std::optional<ContentHash> held;
-  const auto text = read_file(file, terrain::kMaxTomlBytes);
-  if (!text && text.error() == EACCES)
-    return system_failure(file.parent_path(), "cannot read store.toml", EACCES);
+  const auto read = WipedFile::read(file, terrain::kMaxTomlBytes);
+  if (!read) {
+    return tl::make_unexpected(
+        fmt::format("{}: {}; give --data a directory of talusd's own", file.string(), read.error()));
+  }
   try {
-    const bool sound = text && !terrain::passes_toml_bounds(*text);
-    const toml::table table = sound ? toml::parse(*text) : toml::table{};
+    const bool sound = !terrain::passes_toml_bounds(read->text());
+    const toml::table table = sound ? toml::parse(read->text()) : toml::table{};
     id = parse_hash(table["store_id"].value<std::string>());
     held = parse_hash(table["fingerprint"].value<std::string>());
   } catch (const toml::parse_error&) {
@@ -87,12 +89,7 @@ tl::expected<ContentHash, std::string> read_store(const fs::path& file, ContentH
 tl::expected<ContentHash, std::string> read_or_make_store(const fs::path& path, ContentHash fingerprint) {
   const fs::path file = path / "store.toml";
   std::error_code error;
-  if (fs::exists(file, error)) {
-    // A pipe under this name would hold the server up for ever.
-    if (fs::is_regular_file(file, error)) return read_store(file, fingerprint);
-    return tl::make_unexpected(
-        fmt::format("{}: is no regular file; give --data a directory of talusd's own", file.string()));
-  }
+  if (fs::exists(file, error)) return read_store(file, fingerprint);
   const ContentHash id = random_id();
   if (const int failed = write_atomically(file, store_text(id, fingerprint)); failed != 0) {
     return system_failure(path, "cannot write store.toml", failed);

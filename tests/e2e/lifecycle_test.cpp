@@ -1,10 +1,13 @@
 // How talusd starts, refuses to start, and ends.
+#include <fcntl.h>
 #include <signal.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <catch2/catch.hpp>
+#include <cerrno>
+#include <chrono>
 #include <filesystem>
 #include <fstream>
 
@@ -97,16 +100,26 @@ TEST_CASE("signals that come when nobody is served any more do not make a failur
 
 TEST_CASE("SIGHUP before the server is up does not end it") {
   const ScratchDirectory scratch;
-  const std::string world = scratch.write("world.toml", default_world_with_seed(1));
   const std::string pipe = (scratch.path() / "pipe").string();
   REQUIRE(::mkfifo(pipe.c_str(), 0600) == 0);
-  ServerProcess server{{}, {"--world", pipe}, [&](const ServerProcess& starting) {
-                         // Returns when the server reads its world, and not before.
-                         std::ofstream writer{pipe};
-                         starting.signal(SIGHUP);
-                         writer << std::ifstream{world}.rdbuf();
-                       }};
-  CHECK(greeted(server.port(), 1).send(get_chunks({chunk_request(1, at(0, 0, 0))})));
+  const ServerProcess server{
+      {}, {"--world", pipe}, [&](const ServerProcess& starting) {
+        // While nobody reads, the pipe cannot be opened so; who reads his world from it is not up.
+        int writer = -1;
+        const auto patience_ends = std::chrono::steady_clock::now() + std::chrono::seconds{60};
+        while ((writer = ::open(pipe.c_str(), O_WRONLY | O_NONBLOCK | O_CLOEXEC)) < 0) {
+          REQUIRE(errno == ENXIO);
+          REQUIRE(std::chrono::steady_clock::now() < patience_ends);
+        }
+        starting.signal(SIGHUP);
+        ::signal(SIGPIPE, SIG_IGN);
+        const std::string world = default_world_with_seed(1);
+        CHECK(::write(writer, world.data(), world.size()) == static_cast<ssize_t>(world.size()));
+        ::close(writer);
+      }};
+  RawClient client = greeted(server.port(), 1);
+  REQUIRE(client.send(get_chunks({chunk_request(1, at(0, 0, 0))})));
+  (void)client.expect_kind<wire::Chunk>();
 }
 
 TEST_CASE("requests after GoAway are refused by their ids") {

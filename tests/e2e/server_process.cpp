@@ -20,12 +20,6 @@ namespace {
 constexpr int kPatienceMs = 60'000;  // sanitizers are slow; a server that works is not waited for
 constexpr int kTimeToEndMs = 1000;
 
-struct Child {
-  pid_t pid;
-  int out;
-  int err;
-};
-
 std::vector<char*> pointers(std::vector<std::string>& texts) {
   std::vector<char*> all;
   for (std::string& text : texts) all.push_back(text.data());
@@ -42,7 +36,7 @@ std::vector<std::string> environment_of(const Settings& settings) {
   return variables;
 }
 
-Child start(const std::string& path, const std::vector<std::string>& flags, const Settings& settings) {
+ChildProcess start(const std::string& path, const std::vector<std::string>& flags, const Settings& settings) {
   std::vector<std::string> arguments{path};
   arguments.insert(arguments.end(), flags.begin(), flags.end());
   std::vector<std::string> variables = environment_of(settings);
@@ -85,6 +79,12 @@ bool read_to_end(int out, int err, Ended& ended, int patience_ms = kPatienceMs) 
   return true;
 }
 
+ChildProcess start_server(Settings settings, std::vector<std::string> flags) {
+  settings.emplace("TALUS_THREADS_IO", "2");  // so that connections are dealt, also on a small machine
+  flags.insert(flags.end(), {"--listen", "127.0.0.1:0"});
+  return start(TALUSD_PATH, flags, settings);
+}
+
 int reap(pid_t pid) {
   int status = 0;
   ::waitpid(pid, &status, 0);
@@ -94,7 +94,7 @@ int reap(pid_t pid) {
 }  // namespace
 
 Ended run_program(const std::string& path, const std::vector<std::string>& flags, const Settings& settings) {
-  const Child child = start(path, flags, settings);
+  const ChildProcess child = start(path, flags, settings);
   Ended ended;
   (void)read_to_end(child.out, child.err, ended);
   ended.status = reap(child.pid);
@@ -108,13 +108,8 @@ Ended run_talusd(const std::vector<std::string>& flags, const Settings& settings
 }
 
 ServerProcess::ServerProcess(Settings settings, std::vector<std::string> flags,
-                             const std::function<void(const ServerProcess&)>& meanwhile) {
-  settings.emplace("TALUS_THREADS_IO", "2");  // so that connections are dealt, also on a small machine
-  flags.insert(flags.end(), {"--listen", "127.0.0.1:0"});
-  const Child child = start(TALUSD_PATH, flags, settings);
-  pid_ = child.pid;
-  out_ = child.out;
-  err_ = child.err;
+                             const std::function<void(const ServerProcess&)>& meanwhile)
+    : ServerProcess{start_server(std::move(settings), std::move(flags))} {
   if (meanwhile) meanwhile(*this);
   port_ = await_port("listening on 127.0.0.1:");
 }

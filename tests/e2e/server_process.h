@@ -30,6 +30,13 @@ struct Ended {
   std::string err;
 };
 
+/// A program under way, and what it says.
+struct ChildProcess {
+  pid_t pid = -1;
+  int out = -1;
+  int err = -1;
+};
+
 /// Runs a program to its end.
 [[nodiscard]] Ended run_program(const std::string& path, const std::vector<std::string>& flags,
                                 const Settings& settings = {});
@@ -41,7 +48,7 @@ struct Ended {
 class ServerProcess {
  public:
   /// Returns when the server has said where it listens; fails the test if it does not. `meanwhile` is called
-  /// when the process is there, which it is from its first instruction on.
+  /// as soon as the process runs, before it has said anything.
   explicit ServerProcess(Settings settings = {}, std::vector<std::string> flags = {},
                          const std::function<void(const ServerProcess&)>& meanwhile = {});
   ~ServerProcess();
@@ -62,12 +69,15 @@ class ServerProcess {
   [[nodiscard]] std::size_t resident_bytes() const;
 
  private:
+  /// From here on there is an object, so whatever fails after this ends the process.
+  explicit ServerProcess(const ChildProcess& child) : pid_{child.pid}, out_{child.out}, err_{child.err} {}
+
   /// Reads what the server says until a line has `before` in it; the number right after it.
   [[nodiscard]] std::uint16_t await_port(std::string_view before);
 
-  pid_t pid_ = -1;
-  int out_ = -1;
-  int err_ = -1;
+  pid_t pid_;
+  int out_;
+  int err_;
   std::string said_;
   std::size_t looked_at_ = 0;  // of `said_`, by await_line
   std::uint16_t port_ = 0;

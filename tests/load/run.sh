@@ -80,6 +80,7 @@ no_address_rates=(TALUS_RATES_ADDRESS_CHUNKS=0 TALUS_RATES_ADDRESS_BYTES=0 TALUS
 load() {
   local name="$1"
   shift
+  rm -f "$out/$name.json"
   printf '\n== %s: talus-load %s\n' "$name" "$*"
   # A server with sanitizers may be far behind at the end; who got all does not wait.
   "$talus_load" --connect "$address" "${client_tls[@]}" --server-pid "$pid" --json "$out/$name.json" --plot "$out/$name.svg" \
@@ -109,22 +110,28 @@ hot() {
 # hot_beside NAME BYTES WARM-UP-SECONDS [VARIABLE=value...]: talusd and, by turns, redis with answers of BYTES, as many
 # connections and the same depth. What a machine does at one moment it does not do at another, so turns are compared.
 hot_beside() {
-  local name="$1" bytes="$2" warm_up="$3" clients=(--players "$(pick 64 8)" --in-flight 16 --verify 0) turn
+  local name="$1" bytes="$2" warm_up="$3" clients=(--players "$(pick 64 8)" --in-flight 16 --verify 0)
   shift 3
   start "${no_session_rates[@]}" "${no_address_rates[@]}" "$@"
   load "$name-warm-up" "${clients[@]}" --duration "$warm_up"
-  if [[ -n "$short" ]] || ! command -v redis-server redis-benchmark >/dev/null; then
+  local why=""
+  [[ -z "${TLS:-}" ]] || why="redis here speaks plain TCP: no reference"
+  has redis-server redis-cli redis-benchmark || why="redis is not installed: no reference"
+  if [[ -n "$short$why" ]]; then
     load "$name" "${clients[@]}" --duration "$(pick 10 3)"
-    [[ -n "$short" ]] || echo "redis-server is not installed: no reference"
+    [[ -n "$short" ]] || echo "$why"
     return
   fi
   start_redis "$bytes"
   : >"$out/$name-turns"
+  local turn ours theirs
   for turn in 1 2 3 4 5; do
     load "$name" "${clients[@]}" --duration 5
-    printf '%s %s\n' "$(sed -n 's/.*"cpu_s_per_million": *\([0-9.]*\).*/\1/p' "$out/$name.json")" "$(redis_turn "$bytes")" |
-      tee -a "$out/$name-turns" |
-      awk -v bytes="$bytes" '{ printf "turn '$turn': talusd %.2f, redis %.2f CPU s a million (redis: GETs of %d bytes)\n", $1, $2, bytes }'
+    ours="$(sed -n 's/.*"cpu_s_per_million": *\([0-9.]*\).*/\1/p' "$out/$name.json")"
+    theirs="$(redis_turn "$bytes")"
+    [[ -n "$ours" && -n "$theirs" ]] || { echo "$name: turn $turn gave no figure" >&2; exit 1; }
+    printf 'turn %s: talusd %.2f, redis %.2f CPU s a million (GETs of %s bytes)\n' "$turn" "$ours" "$theirs" "$bytes"
+    echo "$ours $theirs" >>"$out/$name-turns"
   done
   stop_redis
   awk '{ ratio[NR] = $1 / $2; talusd[NR] = $1; redis[NR] = $2 }
@@ -132,18 +139,26 @@ hot_beside() {
       for (i = 2; i <= NR; ++i) for (j = i; j > 1 && of[j - 1] > of[j]; --j) { t = of[j]; of[j] = of[j - 1]; of[j - 1] = t }
       return of[int((NR + 1) / 2)]
     }
-    END { printf "medians of %d turns: talusd %.2f, redis %.2f CPU s a million, ratio %.2f\n", NR, median(talusd), median(redis), median(ratio) }' "$out/$name-turns"
+    END {
+      printf "medians of %d turns: talusd %.2f, redis %.2f CPU s a million; of their ratios: %.2f\n",
+        NR, median(talusd), median(redis), median(ratio)
+    }' "$out/$name-turns"
+}
+
+has() {
+  local program
+  for program in "$@"; do command -v "$program" >/dev/null || return 1; done
 }
 
 redis_port=4791
 redis_pid=""
 
-# start_redis BYTES: a redis with 1,024 values of so many, in which nothing else listens at its port.
+# start_redis BYTES: a redis of this run's own, with 1,024 values of so many.
 start_redis() {
   redis-server --port $redis_port --save '' --appendonly no >/dev/null 2>&1 &
   redis_pid=$!
-  until redis-cli -p $redis_port ping >/dev/null 2>&1; do
-    kill -0 "$redis_pid" 2>/dev/null || { echo "redis-server did not start at port $redis_port" >&2; exit 1; }
+  until redis-cli -p $redis_port info server 2>/dev/null | grep -q "^process_id:$redis_pid[^0-9]"; do
+    kill -0 "$redis_pid" 2>/dev/null || { echo "redis-server did not start at port $redis_port; is it taken?" >&2; exit 1; }
     sleep 0.05
   done
   redis-benchmark -p $redis_port -t set -n 20000 -r 1024 -d "$1" -q >/dev/null
@@ -156,14 +171,17 @@ stop_redis() {
   redis_pid=""
 }
 
-# redis_turn BYTES: CPU seconds of the server alone, a million GETs.
+# redis_turn BYTES: CPU seconds of the server alone, a million GETs; nothing where it failed.
 redis_turn() {
-  local count=1500000 before
-  cpu() { awk '{ print ($14 + $15) / 100 }' "/proc/$redis_pid/stat"; }
-  before="$(cpu)"
-  redis-benchmark -p $redis_port -t get -n $count -r 1024 -d "$1" -c 64 -P 16 -q >/dev/null
-  awk -v a="$before" -v b="$(cpu)" -v n=$count 'BEGIN { printf "%.3f\n", (b - a) / n * 1e6 }'
+  local count=1500000 before after
+  before="$(redis_ticks)" || return 0
+  redis-benchmark -p $redis_port -t get -n $count -r 1024 -d "$1" -c 64 -P 16 -q >/dev/null || return 0
+  after="$(redis_ticks)" || return 0
+  awk -v ticks=$((after - before)) -v a_second="$(getconf CLK_TCK)" -v n=$count \
+    'BEGIN { printf "%.3f\n", ticks / a_second / n * 1e6 }'
 }
+
+redis_ticks() { awk '{ print $14 + $15 }' "/proc/$redis_pid/stat"; }
 
 groups() {
   expect 'p99_ms>50' 'late_over_one_step>0'

@@ -106,25 +106,46 @@ TEST_CASE("a body of a kind from the future is refused") {
   CHECK(read_message(frame).error() == MessageError::no_body);
 }
 
-TEST_CASE("a list of structs that lies askew is refused") {
-  Frame frame = make_frame([](auto& b) {
-    const std::array columns{wire::Column2{1, 2}, wire::Column2{3, 4}};
-    return wire::CreateGetHeights(b, 1, b.CreateVectorOfStructs(columns.data(), columns.size()));
-  });
-  const auto* columns = read_message(frame).value()->body_as_GetHeights()->columns();
-  const auto list = static_cast<std::size_t>(reinterpret_cast<const std::byte*>(columns) - frame.data());
+namespace {
+
+/// Four bytes before the list move its 64-bit elements off their grid, while every length still fits.
+template <typename List>
+MessageError refusal_of_askew(Frame frame, List&& list_of) {
+  const auto* vector = list_of(**read_message(frame));
+  const auto list = static_cast<std::size_t>(reinterpret_cast<const std::byte*>(vector) - frame.data());
   const auto read = [&](std::size_t at) { return flatbuffers::ReadScalar<std::uint32_t>(frame.data() + at); };
   const auto write = [&](std::size_t at, std::size_t value) {
     flatbuffers::WriteScalar(frame.data() + at, static_cast<std::uint32_t>(value));
   };
   std::size_t offset = kPrefixBytes;
   while (offset + read(offset) != list) offset += 4;
-
-  // Four bytes before the list move its 64-bit elements off their grid, while every length still fits.
   write(offset, read(offset) + 4);
   frame.insert(frame.begin() + static_cast<std::ptrdiff_t>(list), 4, std::byte{0});
   write(0, frame.size() - kPrefixBytes);
-  CHECK(read_message(frame).error() == MessageError::not_flatbuffers);
+  const auto message = read_message(frame);
+  REQUIRE_FALSE(message.has_value());
+  return message.error();
+}
+
+}  // namespace
+
+TEST_CASE("a list of structs that lies askew is refused") {
+  const Frame heights = make_frame([](auto& b) {
+    const std::array columns{wire::Column2{1, 2}, wire::Column2{3, 4}};
+    return wire::CreateGetHeights(b, 1, b.CreateVectorOfStructs(columns.data(), columns.size()));
+  });
+  CHECK(refusal_of_askew(heights, [](const wire::Message& message) {
+          return message.body_as_GetHeights()->columns();
+        }) == MessageError::not_flatbuffers);
+  const Frame view = make_frame([](auto& b) {
+    const std::array known{wire::KnownChunk{{1, 2, 3, 0}, {4, 5}}};
+    const wire::Voxel centre{};
+    return wire::CreateView(b, &centre, nullptr, 1, 1, 0,
+                            b.CreateVectorOfStructs(known.data(), known.size()));
+  });
+  CHECK(refusal_of_askew(view, [](const wire::Message& message) {
+          return message.body_as_View()->known();
+        }) == MessageError::not_flatbuffers);
 }
 
 TEST_CASE("the newest common version is chosen") {

@@ -37,6 +37,7 @@ class Digest {
   void one(const wire::ChunkRequest& request) {
     add(request.id(), request.key(), request.has_known(), request.known());
   }
+  void one(const wire::KnownChunk& chunk) { add(chunk.key(), chunk.hash()); }
   void one(const wire::Material& material) {
     add(material.id(), material.name(), material.colour(), material.phase());
   }
@@ -71,7 +72,7 @@ void walk_from_client(const wire::Message& message, Digest& digest) {
     digest.add(m->protocol_min(), m->protocol_max(), m->codecs(), m->token(), m->client(), m->window_bytes());
   } else if (const auto* view = message.body_as_View()) {
     digest.add(view->centre(), view->direction(), view->horizontal_radius(), view->vertical_radius(),
-               view->rings());
+               view->rings(), view->known());
   } else if (const auto* chunks = message.body_as_GetChunks()) {
     digest.add(chunks->requests());
   } else if (const auto* cancel = message.body_as_Cancel()) {
