@@ -89,15 +89,6 @@ TEST_CASE("a second signal ends the server at once") {
   CHECK(server.wait().status == 0);
 }
 
-TEST_CASE("signals that come when nobody is served any more do not make a failure of the end") {
-  ServerProcess server;
-  server.signal(SIGTERM);
-  (void)server.await_line("ended");
-  server.signal(SIGHUP);
-  server.signal(SIGTERM);
-  CHECK(server.wait().status == 0);
-}
-
 TEST_CASE("SIGHUP before the server is up does not end it") {
   const ScratchDirectory scratch;
   const std::string pipe = (scratch.path() / "pipe").string();
