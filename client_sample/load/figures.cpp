@@ -64,12 +64,8 @@ void put_server(Figures& figures, const Outcome& outcome) {
     if (chunks > 0) figures["cpu_s_per_million"] = cpu / chunks * 1e6;
     if (messages > 0) figures["cpu_s_per_million_messages"] = cpu / messages * 1e6;
   }
-  if (to.resident_bytes) {
-    figures["resident_bytes"] = *to.resident_bytes;
-    if (from.resident_bytes) {
-      figures["resident_growth_percent"] = (*to.resident_bytes / *from.resident_bytes - 1) * 100;
-    }
-  }
+  if (to.resident_bytes) figures["resident_bytes"] = *to.resident_bytes;
+  if (const auto growth = outcome.resident_growth_percent()) figures["resident_growth_percent"] = *growth;
   if (outcome.idle_joined > 0 && outcome.idle.resident_bytes && outcome.before.resident_bytes) {
     figures["idle_bytes_each"] = (*outcome.idle.resident_bytes - *outcome.before.resident_bytes) /
                                  static_cast<double>(outcome.idle_joined);

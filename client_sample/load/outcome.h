@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -21,12 +22,17 @@ struct Moment {
 
 struct Outcome {
   Tallies tallies;
-  Histogram lateness;          // of the harness itself
-  ServerSample before, after;  // before the first client; when all had left
-  ServerSample idle;           // with the idle connections, before the players
-  Moment begin, end;           // of what is measured
+  Histogram lateness;                  // of the harness itself
+  ServerSample before, after;          // before the first client; when all had left
+  ServerSample idle;                   // with the idle connections, before the players
+  Moment begin, end;                   // of what is measured
+  std::vector<double> resident_bytes;  // the server's, about once a second of it
   std::uint64_t idle_joined = 0;
   bool interrupted = false;
+
+  /// How much more was resident in the last tenth of the measured time than in the first, means of each: from
+  /// one second to the next it goes up and down by what an allocator keeps.
+  [[nodiscard]] std::optional<double> resident_growth_percent() const;
 
   /// The players' alone, and everybody's.
   [[nodiscard]] Tally players() const;

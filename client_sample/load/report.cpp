@@ -83,7 +83,7 @@ std::string server_of(const Figures& figures) {
   put("cpu_s_per_million", 1, "{:.2f} CPU s a million chunks");
   put("cpu_s_per_million_messages", 1, "{:.2f} a million Chunk messages");
   put("resident_bytes", 1 << 20, "{:.0f} MiB resident");
-  put("resident_growth_percent", 1, "{:+.1f} % since the measured time began");
+  put("resident_growth_percent", 1, "{:+.1f} % from the first tenth to the last");
   put("idle_bytes_each", 1024, "{:.1f} KiB an idle connection");
   put("files_left", 1, "{:.0f} files left open");
   return text.empty() ? "" : "  server: " + text + "\n";

@@ -140,6 +140,7 @@ class Run {
     cli::Progress progress{"load"};
     watch_progress(progress, from, end);
     outcome_.begin = moment();
+    outcome_.resident_bytes.clear();
     watch_progress(progress, end, end);
     outcome_.end = moment();
     outcome_.interrupted = interrupted_;
@@ -154,6 +155,8 @@ class Run {
       const Time now = Clock::now();
       const std::uint64_t chunks = sum(&Live::chunks) + sum(&Live::uniform);
       const auto troubles = sum(&Live::troubles);
+      const auto sample = watch_.sample();
+      if (sample && sample->resident_bytes) outcome_.resident_bytes.push_back(*sample->resident_bytes);
       progress.show(
           std::chrono::duration<double>(now - start_) / std::chrono::duration<double>(end - start_), chunks,
           fmt::format("now {:.0f}/s  {} clients{}",

@@ -87,3 +87,17 @@ TEST_CASE("what anybody finds wrong is wrong") {
   CHECK(figures_of(outcome).at("wrong") == 1);
   CHECK(outcome.all().first_wrong == "slow 3: a chunk");
 }
+
+TEST_CASE("what is resident grows by the means of the first tenth and the last") {
+  Outcome outcome;
+  for (int second = 0; second < 30; ++second) {
+    // Up and down by a tenth, from second to second; 20 % more in the end.
+    const double base = second < 15 ? 100 : 120;
+    outcome.resident_bytes.push_back(base * (second % 3 == 0 ? 0.9 : second % 3 == 1 ? 1.0 : 1.1));
+  }
+  CHECK(figures_of(outcome).at("resident_growth_percent") == Approx(20));
+  outcome.resident_bytes = {100, 103};
+  CHECK(figures_of(outcome).at("resident_growth_percent") == Approx(3));
+  outcome.resident_bytes = {100};
+  CHECK(figures_of(outcome).count("resident_growth_percent") == 0);
+}
