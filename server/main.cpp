@@ -173,6 +173,7 @@ int main(int argc, char** argv) {
     const auto command = read_command_line(argc, argv, process_environment());
     if (command) return serve(*command);
     fmt::print(command.error().status == 0 ? stdout : stderr, "{}", command.error().text);
+    if (std::fflush(stdout) != 0) return failed("standard output: cannot write to it");
     return command.error().status;
   } catch (const std::exception& error) {
     return failed(fmt::format("unexpected: {}", error.what()));

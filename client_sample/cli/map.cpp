@@ -146,7 +146,8 @@ asio::awaitable<Outcome> map(Connecting connecting, MapOptions options) {
   const auto written = write_png(draw_map(*surface, world->materials, *extent, {}), options.output);
   if (!written) co_return written;
   std::cout << options.output.string() << ": " << extent->width << " x " << extent->depth << " columns, "
-            << client.stats().chunk_frames << " chunks, " << client.stats().received_bytes << " bytes\n";
+            << "received " << client.stats().chunk_frames << " chunks in " << client.stats().received_bytes
+            << " bytes\n";
   co_return Outcome{};
 }
 

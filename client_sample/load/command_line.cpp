@@ -175,7 +175,11 @@ tl::expected<Options, Exit> read_command_line(int argc, const char* const* argv)
   app.footer(
       "Waits are counted from when a View was due, not from when it could be sent.\n"
       "Figures for --fail-if: " +
-      figure_names());
+      figure_names() +
+      "\nMany players from one address need --from-addresses, or a server whose "
+      "limits.connections_per_address and "
+      "rates.address_* allow them.\n"
+      "Exit status: 0 done, whatever was found; 1 failed, or a --fail-if holds; 2 wrong use.");
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& wanted) {  // --help and --version arrive here

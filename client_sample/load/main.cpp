@@ -1,6 +1,9 @@
 // talus-load: simulated players for a running server, and what they waited.
+#include <unistd.h>
+
 #include <csignal>
 #include <cstring>
+#include <filesystem>
 #include <fstream>
 #include <iostream>
 #include <sstream>
@@ -33,6 +36,27 @@ tl::expected<std::string, std::string> read_whole(const std::string& path) {
 
 tl::expected<void, std::string> write_text(const std::string& path, const std::string& text) {
   return cli::write_file(path, std::as_bytes(std::span{text}));
+}
+
+/// Before the work, so that none is lost: where results cannot go, or what they cannot be compared with.
+tl::expected<void, std::string> check_files(const Options& options) {
+  for (const std::string& path : {options.json, options.plot}) {
+    if (path.empty()) continue;
+    const auto folder = std::filesystem::absolute(path).parent_path();
+    if (::access(folder.c_str(), W_OK) != 0) {
+      return tl::unexpected{path + ": cannot be written: " + std::strerror(errno) +
+                            "; give a folder that is there"};
+    }
+  }
+  if (options.compare.empty()) return {};
+  const auto old = read_whole(options.compare);
+  if (!old) return tl::unexpected{old.error()};
+  const nlohmann::json nothing{
+      {"format", 1}, {"settings", nlohmann::json::object()}, {"figures", nlohmann::json::object()}};
+  if (const auto table = compare(*old, nothing); !table) {
+    return tl::unexpected{options.compare + ": " + table.error()};
+  }
+  return {};
 }
 
 tl::expected<Plan, std::string> make_plan(const Options& options) {
@@ -103,6 +127,7 @@ int main(int argc, char** argv) {
     std::cout << options.error().text;
     return std::cout.flush() ? 0 : failed("standard output: cannot be written");
   }
+  if (const auto checked = check_files(*options); !checked) return failed(checked.error());
   const auto plan = make_plan(*options);
   if (!plan) return failed(plan.error());
   const auto outcome = run(*plan);

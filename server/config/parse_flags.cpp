@@ -5,6 +5,8 @@
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
+#include "log/escape.h"
+
 namespace talus::server {
 
 std::optional<Exit> parse_flags(CLI::App& app, int argc, const char* const* argv) {
@@ -16,7 +18,8 @@ std::optional<Exit> parse_flags(CLI::App& app, int argc, const char* const* argv
     app.exit(wanted, out, out);
     return Exit{out.str(), 0};
   } catch (const CLI::ParseError& error) {
-    return Exit{fmt::format("{0}: {1}; see {0} --help\n", app.get_name(), error.what()), kWrongUse};
+    return Exit{fmt::format("{0}: {1}; see {0} --help\n", app.get_name(), escaped(error.what(), 500)),
+                kWrongUse};
   }
 }
 

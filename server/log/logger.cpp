@@ -21,4 +21,8 @@ Logger make_logger(std::string_view level, std::string_view format) {
   return logger;
 }
 
+Logger for_clients(const Logger& log) {
+  return log->clone(std::string{PatientSink::kOfClients});
+}
+
 }  // namespace talus::server

@@ -13,5 +13,7 @@ using Logger = std::shared_ptr<spdlog::logger>;
 /// `level` (trace, debug, info, warning, error, off) and `format` (text, json) are names that the
 /// configuration takes.
 [[nodiscard]] Logger make_logger(std::string_view level, std::string_view format);
+/// The same log, for what clients cause: its info lines are rationed, so that they bury nothing else.
+[[nodiscard]] Logger for_clients(const Logger& log);
 
 }  // namespace talus::server

@@ -13,7 +13,9 @@
 namespace talus::server {
 
 bool PatientSink::within_budget(const spdlog::details::log_msg& message) {
-  if (message.level != spdlog::level::info) return true;
+  if (message.level != spdlog::level::info ||
+      std::string_view{message.logger_name.data(), message.logger_name.size()} != kOfClients)
+    return true;
   if (message.time - second_ >= std::chrono::seconds{1}) {
     second_ = message.time;
     info_lines_ = 0;

@@ -3,17 +3,19 @@
 
 #include <cstdint>
 #include <mutex>
+#include <string_view>
 
 #include <spdlog/sinks/base_sink.h>
 
 namespace talus::server {
 
 /// Writes lines to `descriptor` and never waits for its reader: what does not fit at once is left out, and so
-/// are info lines past kInfoLinesASecond, since clients cause those. How many were is said when there is
-/// room again. Any thread.
+/// are info lines of the logger kOfClients past kInfoLinesASecond, as strangers cause those. How many were is
+/// said when there is room again. Any thread.
 class PatientSink final : public spdlog::sinks::base_sink<std::mutex> {
  public:
   static constexpr std::uint32_t kInfoLinesASecond = 200;
+  static constexpr std::string_view kOfClients = "clients";
 
   /// The descriptor must stay open as long as the sink.
   explicit PatientSink(int descriptor) : descriptor_{descriptor} {}

@@ -23,7 +23,6 @@ namespace {
 using asio::ip::tcp;
 using std::chrono::milliseconds;
 
-constexpr std::chrono::seconds kRefusalLineInterval{1};
 constexpr std::uint32_t kRetryAfterMs = 5000;
 
 std::uint64_t secret() {
@@ -193,12 +192,20 @@ void Door::refuse(Visit& visit, Refusal why, const std::string& text, std::uint3
 }
 
 void Door::note_refusal(const std::string& who, const std::string& why) {
+  {
+    const std::lock_guard lock{refusal_lines_};
+    ++refusals_unsaid_;
+    last_refused_ = fmt::format("{}: {}", who, why);
+  }
+  tell_refusals();
+}
+
+void Door::tell_refusals(Clock::duration since_the_last) {
   const std::lock_guard lock{refusal_lines_};
-  ++refusals_unsaid_;
   const auto now = Clock::now();
-  if (now - last_refusal_line_ < kRefusalLineInterval) return;
+  if (refusals_unsaid_ == 0 || now - last_refusal_line_ < since_the_last) return;
   last_refusal_line_ = now;
-  log_->warn("refused {}: {} ({} refused since the last such line)", who, why,
+  log_->warn("refused {} ({} refused since the last such line)", last_refused_,
              std::exchange(refusals_unsaid_, 0));
 }
 

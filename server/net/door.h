@@ -51,6 +51,10 @@ class Door {
   /// socket is welcomed, refused, or closed within limits.handshake_timeout_ms. From one thread at a time.
   void knock(asio::ip::tcp::socket socket, ConnectionId id, const TlsContext& tls);
 
+  /// Logs how many were refused and whom last, where that is not said and the line before so long ago. Any
+  /// thread.
+  void tell_refusals(Clock::duration since_the_last = std::chrono::seconds{1});
+
  private:
   struct Visit;
   using VisitPtr = std::shared_ptr<Visit>;
@@ -75,6 +79,7 @@ class Door {
   std::mutex refusal_lines_;
   Clock::time_point last_refusal_line_{};
   std::uint64_t refusals_unsaid_ = 0;
+  std::string last_refused_;  // who, and why
 };
 
 }  // namespace talus::server

@@ -27,7 +27,7 @@ using asio::ip::tcp;
 using std::chrono::milliseconds;
 
 constexpr milliseconds kAcceptPause{100};  // when the system has no descriptor left
-constexpr milliseconds kMemoryInterval{50};
+constexpr milliseconds kWatchInterval{50};
 constexpr std::uint32_t kRetryAfterMs = 5000;
 constexpr const char* kGoingAway = "the server is ending";
 
@@ -81,6 +81,7 @@ Server::Server(const Config& config, std::shared_ptr<const terrain::World> world
                std::optional<TlsIdentity> tls, Logger log)
     : config_{fitted_to(config, *world)},
       log_{std::move(log)},
+      log_of_clients_{for_clients(log_)},
       access_{access},
       world_{describe_world(*world)},
       rates_{rate_limits(config.rates)},
@@ -91,7 +92,7 @@ Server::Server(const Config& config, std::shared_ptr<const terrain::World> world
       door_{config_,
             admission_,
             metrics_,
-            log_,
+            log_of_clients_,
             [this] { return memory_.takes_connections(); },
             [this](Guest guest) { welcome(std::move(guest)); }},
       io_{io_threads(config), log_},
@@ -103,7 +104,7 @@ Server::Server(const Config& config, std::shared_ptr<const terrain::World> world
       hangups_{io_.control(), SIGHUP},
       drain_timer_{io_.control()},
       accept_pause_{io_.control()},
-      memory_timer_{io_.control()} {}
+      watch_timer_{io_.control()} {}
 
 tl::expected<std::string, std::string> Server::listen() {
   const auto failed = [&](const std::error_code& error) {
@@ -170,10 +171,11 @@ void Server::run() {
   };
   asio::co_spawn(io_.control(), accept(), end);
   asio::co_spawn(io_.control(), obey_signals(), end);
-  watch_memory();
+  keep_watch();
   asio::co_spawn(io_.control(), obey_hangups(), end);
   io_.run();
   leave_signals();
+  door_.tell_refusals({});
   if (failure) std::rethrow_exception(failure);
 }
 
@@ -219,7 +221,7 @@ void Server::welcome(Guest guest) {
   const ConnectionId id = guest.id;
   log_->debug("conn {} {}: opened", id, guest.address);
   const ConnectionContext context{
-      {config_.limits, world_, chunks_, metrics_, access_, rates_}, registry_, log_};
+      {config_.limits, world_, chunks_, metrics_, access_, rates_}, registry_, log_of_clients_};
   try {
     const auto connection = std::make_shared<Connection>(std::move(guest), context);
     registry_.add(id, connection);
@@ -260,11 +262,12 @@ void Server::renew_identity() {
   }
 }
 
-void Server::watch_memory() {
+void Server::keep_watch() {
   chunks_.fit_caches();
-  memory_timer_.expires_after(kMemoryInterval);
-  memory_timer_.async_wait([this](std::error_code cancelled) {
-    if (!cancelled) watch_memory();
+  door_.tell_refusals();
+  watch_timer_.expires_after(kWatchInterval);
+  watch_timer_.async_wait([this](std::error_code cancelled) {
+    if (!cancelled) keep_watch();
   });
 }
 

@@ -54,8 +54,8 @@ class Server {
   [[nodiscard]] std::string metrics_text();
   [[nodiscard]] asio::awaitable<void> accept();
   [[nodiscard]] asio::awaitable<void> obey_signals();
-  /// Lets caches give way to everything else, all the time.
-  void watch_memory();
+  /// Lets caches give way to everything else, and tells of refusals, all the time.
+  void keep_watch();
   [[nodiscard]] asio::awaitable<void> obey_hangups();
   void renew_keys();
   void renew_identity();
@@ -67,6 +67,7 @@ class Server {
   // connections in the contexts hold places and stand in the registry.
   Config config_;
   Logger log_;
+  Logger log_of_clients_;
   AccessControl& access_;
   WorldInfo world_;
   Metrics metrics_;
@@ -84,7 +85,7 @@ class Server {
   asio::signal_set hangups_;
   asio::steady_timer drain_timer_;
   asio::steady_timer accept_pause_;
-  asio::steady_timer memory_timer_;
+  asio::steady_timer watch_timer_;
   std::optional<AdminServer> admin_;
   std::atomic<bool> draining_ = false;
   ConnectionId last_id_ = 0;

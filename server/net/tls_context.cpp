@@ -5,7 +5,7 @@
 #include <openssl/evp.h>
 #include <openssl/pem.h>
 #include <openssl/ssl.h>
-#include <openssl/x509.h>
+#include <openssl/x509v3.h>
 #include <time.h>
 
 #include <chrono>
@@ -80,7 +80,8 @@ tl::expected<CertificateFile, std::string> read_certificate(const std::filesyste
   const auto pem = read_pem(kSetting, file);
   if (!pem) return tl::make_unexpected(pem.error());
   const Bio bio = bio_of(*pem);
-  CertificateFile read{Certificate{PEM_read_bio_X509(bio.get(), nullptr, nullptr, nullptr)},
+  bool asked = false;
+  CertificateFile read{Certificate{PEM_read_bio_X509(bio.get(), nullptr, no_passphrase, &asked)},
                        Chain{sk_X509_new_null()}};
   const std::string failure = read.certificate ? "" : reason();
   if (!read.certificate) {
@@ -90,7 +91,7 @@ tl::expected<CertificateFile, std::string> read_certificate(const std::filesyste
                     "those that vouch for it",
                     failure));
   }
-  while (X509* const next = PEM_read_bio_X509(bio.get(), nullptr, nullptr, nullptr)) {
+  while (X509* const next = PEM_read_bio_X509(bio.get(), nullptr, no_passphrase, &asked)) {
     sk_X509_push(read.chain.get(), next);
   }
   if (ERR_GET_REASON(ERR_peek_last_error()) != PEM_R_NO_START_LINE) {
@@ -151,10 +152,22 @@ tl::expected<TlsContext, std::string> new_context() {
   return context;
 }
 
+/// A client that takes what this server offers, whatever the machine's openssl.cnf says of others.
+TlsContext new_client_context() {
+  TlsContext client{SSL_CTX_new(TLS_client_method()), SSL_CTX_free};
+  const bool made = client != nullptr && SSL_CTX_set_min_proto_version(client.get(), TLS1_3_VERSION) == 1 &&
+                    SSL_CTX_set_max_proto_version(client.get(), TLS1_3_VERSION) == 1 &&
+                    SSL_CTX_set_ciphersuites(client.get(), kCiphers) == 1 &&
+                    SSL_CTX_set1_groups_list(client.get(), kGroups) == 1;
+  if (!made) return nullptr;
+  SSL_CTX_set_verify(client.get(), SSL_VERIFY_NONE, nullptr);
+  return client;
+}
+
 /// Whether a client and the server come to terms, in memory. By a key of a kind that TLS 1.3 does not sign
 /// by, or bound to what nobody wants, all would load and every handshake fail.
 bool shakes_hands(SSL_CTX* context) {
-  const TlsContext clients{SSL_CTX_new(TLS_client_method()), SSL_CTX_free};
+  const TlsContext clients = new_client_context();
   const Tls client{clients ? SSL_new(clients.get()) : nullptr};
   const Tls server{SSL_new(context)};
   BIO* to_server = nullptr;
@@ -208,6 +221,12 @@ tl::expected<TlsIdentity, std::string> load_tls(const std::filesystem::path& cer
   if (SSL_CTX_use_cert_and_key(context->get(), own, key->get(), certificate->chain.get(), 1) != 1) {
     return wrong("tls.certificate", certificate_file,
                  fmt::format("cannot be used: {}; make one with a P-256 or RSA-2048 key", reason()));
+  }
+  if (X509_check_purpose(own, X509_PURPOSE_SSL_SERVER, 0) != 1) {
+    ERR_clear_error();
+    return wrong("tls.certificate", certificate_file,
+                 "is not for servers, by its key usages; give one that has serverAuth among its extended "
+                 "ones, or none");
   }
   if (!shakes_hands(context->get())) {
     return wrong("tls.key", key_file,

@@ -88,8 +88,11 @@ tl::expected<ContentHash, std::string> read_store(const fs::path& file, ContentH
 
 tl::expected<ContentHash, std::string> read_or_make_store(const fs::path& path, ContentHash fingerprint) {
   const fs::path file = path / "store.toml";
+  // Nothing under that name, not even a link that leads nowhere: what cannot be looked at is somebody's
+  // store.
   std::error_code error;
-  if (fs::exists(file, error)) return read_store(file, fingerprint);
+  if (fs::symlink_status(file, error).type() != fs::file_type::not_found)
+    return read_store(file, fingerprint);
   const ContentHash id = random_id();
   if (const int failed = write_atomically(file, store_text(id, fingerprint)); failed != 0) {
     return system_failure(path, "cannot write store.toml", failed);

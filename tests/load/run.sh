@@ -56,6 +56,7 @@ stop() {
   [[ -z "$short" || $status == 0 ]] || { cat "$out/talusd.log" >&2; echo "talusd ended with $status" >&2; exit 1; }
 }
 trap 'stop_redis; stop' EXIT
+trap 'exit 130' INT TERM
 
 # start [VARIABLE=value...]: a fresh server.
 start() {
@@ -157,11 +158,11 @@ redis_pid=""
 start_redis() {
   redis-server --port $redis_port --save '' --appendonly no >/dev/null 2>&1 &
   redis_pid=$!
-  until redis-cli -p $redis_port info server 2>/dev/null | grep -q "^process_id:$redis_pid[^0-9]"; do
+  until timeout 2 redis-cli -p $redis_port info server 2>/dev/null | grep -q "^process_id:$redis_pid[^0-9]"; do
     kill -0 "$redis_pid" 2>/dev/null || { echo "redis-server did not start at port $redis_port; is it taken?" >&2; exit 1; }
     sleep 0.05
   done
-  redis-benchmark -p $redis_port -t set -n 20000 -r 1024 -d "$1" -q >/dev/null
+  timeout 120 redis-benchmark -p $redis_port -t set -n 20000 -r 1024 -d "$1" -q >/dev/null
 }
 
 stop_redis() {
@@ -175,7 +176,7 @@ stop_redis() {
 redis_turn() {
   local count=1500000 before after
   before="$(redis_ticks)" || return 0
-  redis-benchmark -p $redis_port -t get -n $count -r 1024 -d "$1" -c 64 -P 16 -q >/dev/null || return 0
+  timeout 120 redis-benchmark -p $redis_port -t get -n $count -r 1024 -d "$1" -c 64 -P 16 -q >/dev/null || return 0
   after="$(redis_ticks)" || return 0
   awk -v ticks=$((after - before)) -v a_second="$(getconf CLK_TCK)" -v n=$count \
     'BEGIN { printf "%.3f\n", ticks / a_second / n * 1e6 }'

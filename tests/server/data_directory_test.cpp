@@ -49,6 +49,15 @@ TEST_CASE("a store in use is refused") {
   CHECK_FALSE(DataDirectory::open(scratch.path(), kWorld).has_value());
 }
 
+TEST_CASE("a store.toml that cannot be looked at is refused, not replaced") {
+  const ScratchDirectory scratch;
+  std::filesystem::create_symlink("nowhere.toml", scratch / "store.toml");
+  const auto refused = DataDirectory::open(scratch.path(), kWorld);
+  REQUIRE_FALSE(refused.has_value());
+  CHECK_THAT(refused.error(), Catch::Contains("store.toml") && Catch::Contains("No such file"));
+  CHECK(std::filesystem::is_symlink(scratch / "store.toml"));
+}
+
 TEST_CASE("a store.toml of somebody else is refused, not replaced") {
   const ScratchDirectory scratch;
   for (const char* text :

@@ -22,7 +22,7 @@ class LoggedPipe {
     REQUIRE(::pipe2(ends_.data(), O_CLOEXEC) == 0);
     REQUIRE(::fcntl(ends_[0], F_SETFL, O_NONBLOCK) == 0);
     sink_ = std::make_shared<PatientSink>(ends_[1]);
-    logger_ = std::make_unique<spdlog::logger>("test", sink_);
+    logger_ = std::make_unique<spdlog::logger>(std::string{PatientSink::kOfClients}, sink_);
     logger_->set_pattern("%l %v");
   }
   ~LoggedPipe() {
@@ -60,16 +60,18 @@ TEST_CASE("A log that nobody reads holds nobody up, and tells what it lost when 
   CHECK(after.find("warning after\n") != std::string::npos);
 }
 
-TEST_CASE("Info lines past the budget of a second are left out and counted; warnings never") {
+TEST_CASE("Clients' info lines past the budget of a second are left out and counted; all else is said") {
   LoggedPipe pipe;
   const auto most = PatientSink::kInfoLinesASecond;
   // Twice two seconds' budget, in case a second ends on the way.
   for (std::uint32_t i = 0; i < 4 * most; ++i) pipe.log().info("x");
   pipe.log().warn("still here");
+  pipe.log().clone("talusd")->info("ended");
   const std::string text = pipe.read_all();
   CHECK(std::count(text.begin(), text.end(), 'x') < 4 * most);
   CHECK(text.find("log lines were left out") != std::string::npos);
   CHECK(text.find("warning still here\n") != std::string::npos);
+  CHECK(text.find("info ended\n") != std::string::npos);
 }
 
 TEST_CASE("A line longer than a pipe takes at once is cut, not torn") {

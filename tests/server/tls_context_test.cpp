@@ -64,6 +64,17 @@ TEST_CASE("a missing file is named, with why") {
   CHECK_THAT(files.refusal(files.certificate, pipe), Catch::Contains("no regular file"));
 }
 
+TEST_CASE("a certificate with a passphrase is refused, and nobody is asked for it") {
+  const Files files;
+  std::string locked = files.own.certificate;
+  locked.insert(locked.find('\n') + 1,
+                "Proc-Type: 4,ENCRYPTED\nDEK-Info: AES-256-CBC,00112233445566778899AABBCCDDEEFF\n\n");
+  CHECK_THAT(files.refusal(files.scratch.write("locked", locked), files.key),
+             Catch::Contains("bad password read"));
+  CHECK_THAT(files.refusal(files.scratch.write("chain", files.own.certificate + locked), files.key),
+             Catch::Contains("certificate 2 in it is damaged"));
+}
+
 TEST_CASE("another certificate's key is refused with both names") {
   const Files files;
   const std::string other = files.scratch.write("other.pem", make_certificate(2).key);
