@@ -1,65 +1,85 @@
-// Finds the odds of the codec's planes: train_odds | clang-format-14 > core/voxel/src/layered_odds.h
+// Finds the weights of the codec's planes: train_odds | clang-format-14 > core/voxel/src/plane_weights.h
 //
-// It counts every step of the sample worlds' chunks in each of its contexts, then merges the contexts whose
-// odds are alike until few distributions are left, at each merge the one that costs the fewest bits. The
-// result is part of the payload's format: FORMAT.md lists it, and a change needs a new kCodecVersion.
+// It fits the weights to the steps of the sample worlds' chunks, then counts what each class of scores comes
+// to. The result is part of the payload's format: FORMAT.md lists it, and a change needs a new kCodecVersion.
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
-#include <cstdlib>
 #include <fstream>
 #include <iterator>
-#include <limits>
+#include <map>
 #include <string>
 #include <vector>
 
 #include <talus/terrain/stacks.h>
 
-#include "kernels.h"
+#include "plane_model.h"
 
 namespace {
 
 using namespace talus;
+using namespace talus::codec;
 
-constexpr std::size_t kKept = 48;
-constexpr std::size_t kPlaces = 16;
-constexpr int kTotal = 4096;
-constexpr int kLeastShare = 3;  // a step that training never met stays affordable
+// A score counts sixteenths of log odds. From even odds on it is this far to the middle of all classes.
+constexpr double kUnit = 16;
+constexpr int kSameStart = 40;
+constexpr int kUpStart = 64;
+constexpr int kSweeps = 40;
+constexpr double kOddsBits = 8;
 
-using Counts = std::array<double, 4>;  // as predicted, one up, one down, further
-
-struct Statistics {
-  std::vector<Counts> steps = std::vector<Counts>(codec::kContexts);
-  std::array<double, kPlaces> further{};
+/// By its place in the table of each pair: what a column did, weighted.
+using Places = std::array<std::uint8_t, kPairs.size()>;
+using Counts = std::array<double, 4>;
+struct Context {
+  Places places;
+  Counts counts;
 };
+using Contexts = std::vector<Context>;
+using Columns = std::map<Places, Counts>;
+/// By kind of row; of even and of odd columns.
+template <class Each>
+using ByKind = std::array<std::array<Each, 2>, kRowKinds>;
 
-void count_plane(const std::uint8_t* plane, const std::uint8_t* below, double weight, Statistics& found) {
-  std::array<codec::Steps, kChunkSize> steps;
-  for (std::size_t z = 0; z < kChunkSize; ++z) {
-    codec::RowGuess guess;
-    codec::RowSymbols row;
-    const auto before = codec::RowsBefore::of(plane, below, z, steps[z == 0 ? 0 : z - 1]);
-    voxel_kernels().guess(before, guess);
-    voxel_kernels().classify(plane + z * kChunkSize, guess, steps[z], row);
-    for (std::size_t x = 0; x < kChunkSize; ++x) {
-      found.steps[row.context[x]][row.symbol[x]] += weight;
-      if (row.symbol[x] != codec::kFurtherOff) continue;
-      const int change = codec::change_of(steps[z].data()[x], steps[z].padded[x]);
-      found.further[std::min<std::size_t>(codec::place_of(change), kPlaces - 1)] += weight;
+void add_row(const RowsBefore& before, const Steps& steps, RowKind kind, double weight,
+             ByKind<Columns>& found) {
+  std::array<Symbol, kChunkSize> symbols;
+  for (std::size_t x = 0; x < kChunkSize; ++x) {
+    symbols[x] = symbol_of(steps[x] - (kind != kLevel && x > 0 ? steps[x - 1] : 0));
+  }
+  for (std::size_t x = 0; x < kChunkSize; ++x) {
+    const Signs signs = signs_of(before, symbols, static_cast<int>(x));
+    Places places{};
+    for (std::size_t p = 0; p < pairs_of(x); ++p) {
+      places[p] = static_cast<std::uint8_t>(place_of_pair(signs[kPairs[p][0]], signs[kPairs[p][1]]));
     }
+    found[kind][x % 2][places][symbols[x]] += weight;
   }
 }
 
-void count_chunk(const Chunk& chunk, double weight, Statistics& found) {
+void add_plane(const std::uint8_t* plane, const std::uint8_t* below, double weight, ByKind<Columns>& found) {
+  Steps north{};
+  for (std::size_t z = 0; z < kChunkSize; ++z) {
+    const RowsBefore before = RowsBefore::of(plane, below, z, north);
+    Steps steps;
+    for (std::size_t x = 0; x < kChunkSize; ++x) {
+      steps[x] = static_cast<std::int8_t>(plane[z * kChunkSize + x] - predicted_row(before, x));
+    }
+    add_row(before, steps, z == 0 ? kFirst : better_kind(steps), weight, found);
+    north = steps;
+  }
+}
+
+void add_chunk(const Chunk& chunk, double weight, ByKind<Columns>& found) {
+  static constexpr std::array<std::uint8_t, kChunkArea> kGround{};
   const Layers* const layers = chunk.layers();
   for (std::size_t p = 0; p < layers->plane_count(); ++p) {
-    count_plane(layers->plane(p).data(), p == 0 ? nullptr : layers->plane(p - 1).data(), weight, found);
+    add_plane(layers->plane(p).data(), p == 0 ? kGround.data() : layers->plane(p - 1).data(), weight, found);
   }
 }
 
 /// Patches of 4 x 4 tiles, spread over the world.
-void count_world(const terrain::World& world, Lod lod, int patches, double weight, Statistics& found) {
+void add_world(const terrain::World& world, Lod lod, int patches, double weight, ByKind<Columns>& found) {
   constexpr int kTiles = 4;
   for (std::int64_t patch = 0; patch < patches; ++patch) {
     const std::int64_t tile_x = (patch * 7919 % 40 - 20) * 32 * (patch % 2 == 0 ? 37 : 1);
@@ -71,163 +91,81 @@ void count_world(const terrain::World& world, Lod lod, int patches, double weigh
       const auto z = static_cast<std::int32_t>(tile_z + i / kTiles);
       const terrain::MixedRange rows = mixed_range(world, stacks, x, z);
       for (std::int32_t y = rows.first; y <= rows.last; ++y) {
-        count_chunk(extract_chunk(world, stacks, {x, y, z}), weight, found);
+        add_chunk(extract_chunk(world, stacks, {x, y, z}), weight, found);
       }
     }
   }
 }
 
+using Tables = std::array<std::array<double, 16>, kPairs.size()>;
+
 double total(const Counts& counts) {
-  return counts[0] + counts[1] + counts[2] + counts[3];
+  return counts[kSame] + counts[kUp] + counts[kDown] + counts[kOther];
 }
 
-Counts sum(const Counts& a, const Counts& b) {
-  return {a[0] + b[0], a[1] + b[1], a[2] + b[2], a[3] + b[3]};
-}
-
-/// Bits of all counted steps by their own odds.
-double cost(const Counts& counts) {
-  double bits = 0;
-  for (const double count : counts) {
-    if (count > 0) bits -= count * std::log2(count / total(counts));
-  }
-  return bits;
-}
-
-/// Shares of kTotal, none below kLeastShare.
-template <std::size_t size>
-std::array<int, size> shares(const std::array<double, size>& counts) {
-  double sum = 0;
-  for (const double count : counts) sum += count;
-  std::array<int, size> shares{};
-  int given = 0;
-  for (std::size_t i = 0; i < size; ++i) {
-    shares[i] = std::max(kLeastShare, static_cast<int>(std::lround(counts[i] / sum * kTotal)));
-    given += shares[i];
-  }
-  *std::max_element(shares.begin(), shares.end()) += kTotal - given;
-  return shares;
-}
-
-/// Merges groups of contexts until kKept are left. Each group remembers its cheapest partner.
-std::vector<Counts> merged(std::vector<Counts> groups) {
-  struct Partner {
-    std::size_t index = 0;
-    double loss = std::numeric_limits<double>::infinity();
-  };
-  const auto find_partner = [&groups](std::size_t i) {
-    Partner best;
-    for (std::size_t j = 0; j < groups.size(); ++j) {
-      if (j == i || total(groups[j]) == 0) continue;
-      const double loss = cost(sum(groups[i], groups[j])) - cost(groups[i]) - cost(groups[j]);
-      if (loss < best.loss) best = {j, loss};
-    }
-    return best;
-  };
-  std::erase_if(groups, [](const Counts& counts) { return total(counts) == 0; });
-  std::vector<Partner> partners;
-  for (std::size_t i = 0; i < groups.size(); ++i) partners.push_back(find_partner(i));
-  for (std::size_t left = groups.size(); left > kKept; --left) {
-    const auto cheapest = static_cast<std::size_t>(
-        std::min_element(partners.begin(), partners.end(),
-                         [](const Partner& a, const Partner& b) { return a.loss < b.loss; }) -
-        partners.begin());
-    const std::size_t taken = partners[cheapest].index;
-    groups[cheapest] = sum(groups[cheapest], groups[taken]);
-    groups[taken] = {};
-    partners[taken] = {};
-    partners[cheapest] = find_partner(cheapest);
-    for (std::size_t i = 0; i < groups.size(); ++i) {
-      if (total(groups[i]) == 0 || i == cheapest) continue;
-      if (partners[i].index == taken || partners[i].index == cheapest) partners[i] = find_partner(i);
+/// Weights by which the sum over a context's pairs is the log odds of `is` within `of`, both parts of its
+/// counts: each table in turn takes the step of Newton's method that is best for it.
+template <class Is, class Of>
+Tables fitted(const Contexts& contexts, const Is& is, const Of& of) {
+  Tables tables{};
+  std::vector<double> scores(contexts.size());
+  for (int sweep = 0; sweep < kSweeps; ++sweep) {
+    for (std::size_t p = 0; p < kPairs.size(); ++p) {
+      std::array<double, 16> slope{};
+      std::array<double, 16> bend{};
+      for (std::size_t i = 0; i < contexts.size(); ++i) {
+        const double odds = 1 / (1 + std::exp(-scores[i]));
+        const double all = of(contexts[i].counts);
+        slope[contexts[i].places[p]] += is(contexts[i].counts) - all * odds;
+        bend[contexts[i].places[p]] += all * odds * (1 - odds);
+      }
+      std::array<double, 16> step{};
+      for (std::size_t v = 0; v < step.size(); ++v) {
+        step[v] = std::clamp((slope[v] - 0.02 * tables[p][v]) / (bend[v] + 0.5), -2.0, 2.0);
+        tables[p][v] += step[v];
+      }
+      for (std::size_t i = 0; i < contexts.size(); ++i) scores[i] += step[contexts[i].places[p]];
     }
   }
-  std::erase_if(groups, [](const Counts& counts) { return total(counts) == 0; });
-  std::sort(groups.begin(), groups.end(),
-            [](const Counts& a, const Counts& b) { return a[0] / total(a) > b[0] / total(b); });
-  return groups;
+  return tables;
 }
 
-/// Of `kept`, the one whose shares cost a context's steps least; what was never met goes by `usual`.
-std::size_t best_of(const std::vector<std::array<int, 4>>& kept, const Counts& counts, const Counts& usual) {
-  std::size_t best = 0;
-  double least = std::numeric_limits<double>::infinity();
-  for (std::size_t k = 0; k < kept.size(); ++k) {
-    double bits = 0;
-    for (std::size_t s = 0; s < counts.size(); ++s) {
-      bits -= (counts[s] + usual[s] / total(usual) / 1000) * std::log2(kept[k][s]);
-    }
-    if (bits < least) {
-      least = bits;
-      best = k;
+using Rounded = std::array<std::array<std::int8_t, 16>, kPairs.size()>;
+
+/// In units, with where scores start in the first pair, of which every column has a value.
+Rounded rounded(const Tables& tables, int start) {
+  Rounded all{};
+  for (std::size_t p = 0; p < kPairs.size(); ++p) {
+    for (std::size_t v = 0; v < 16; ++v) {
+      const auto value = static_cast<int>(std::lround(tables[p][v] * kUnit)) + (p == 0 ? start : 0);
+      all[p][v] = static_cast<std::int8_t>(std::clamp(value, -127, 127));
     }
   }
-  return best;
+  return all;
 }
 
-char digit(std::size_t value) {
-  return "0123456789ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijkl"[value];
+std::size_t class_in(const Rounded& weights, const Places& places) {
+  int score = 0;
+  for (std::size_t p = 0; p < kPairs.size(); ++p) score = add_weight(score, weights[p][places[p]]);
+  return class_of(score);
 }
 
-void print(const std::vector<std::array<int, 4>>& kept, const std::string& of_context,
-           const std::array<int, kPlaces>& further) {
-  std::printf(
-      R"(// How likely each step is in each context, as train_odds (tests/bench) found it on the sample worlds at
-// levels 0 to 4. Part of the payload's format: FORMAT.md lists the same numbers, and a change needs a new
-// kCodecVersion.
-#pragma once
+void print(const std::array<std::int8_t, 16>& weights) {
+  std::printf("{");
+  for (const int weight : weights) std::printf("%d,", weight);
+  std::printf("},");
+}
 
-#include <array>
-#include <cstdint>
-#include <string_view>
-
-#include "row_guess.h"
-
-namespace talus::codec {
-
-/// Of 4096: where the shares of "one up", "one down" and "further" begin; "as predicted" begins at 0.
-struct Odds {
-  std::uint16_t up;
-  std::uint16_t down;
-  std::uint16_t further;
-};
-
-// clang-format off
-inline constexpr std::array<Odds, %zu> kOdds{{
-)",
-      kept.size());
-  for (std::size_t k = 0; k < kept.size(); ++k) {
-    const auto& share = kept[k];
-    std::printf("%s{%d, %d, %d},%s", k % 4 == 0 ? "    " : " ", share[0], share[0] + share[1],
-                share[0] + share[1] + share[2], k % 4 == 3 ? "\n" : "");
-  }
-  std::printf(
-      "}};\n\n/// By context, which of kOdds: 0 to 9, A to Z, a to l.\n"
-      "inline constexpr std::string_view kOddsOfContext =\n");
-  constexpr std::size_t kLine = 81;
-  for (std::size_t i = 0; i < of_context.size(); i += kLine) {
-    std::printf("    \"%s\"%s\n", of_context.substr(i, kLine).c_str(),
-                i + kLine >= of_context.size() ? ";" : "");
-  }
-  std::printf(
-      "static_assert(kOddsOfContext.size() == kContexts);\n\n"
-      "/// Of 4096: where the share of each place of the list 2, -2, 3, -3, ... begins; the last share, up "
-      "to\n"
-      "/// 4096, is that of all places from 15 on.\n"
-      "inline constexpr std::array<std::uint16_t, %zu> kFurther{\n   ",
-      kPlaces + 1);
-  int start = 0;
-  for (const int share : further) {
-    std::printf(" %d,", start);
-    start += share;
-  }
-  std::printf(" %d};\n// clang-format on\n\n}  // namespace talus::codec\n", start);
+void print(const char* comment, const char* name, const std::array<int, kClasses>& shares) {
+  std::printf("/// %s\ninline constexpr std::array<std::uint8_t, kClasses> %s{", comment, name);
+  for (const int share : shares) std::printf("%d,", share);
+  std::printf("};\n");
 }
 
 }  // namespace
 
 int main() {
-  Statistics found;
+  ByKind<Columns> found;
   for (const std::string name : {"default", "canyon", "hills"}) {
     std::ifstream file{std::string{TALUS_SOURCE_DIR "/core/worlds/"} + name + ".toml"};
     const std::string text{std::istreambuf_iterator<char>{file}, {}};
@@ -235,14 +173,96 @@ int main() {
     if (!world) return std::fprintf(stderr, "core/worlds/%s.toml is no world\n", name.c_str()), 1;
     for (int level = 0; level <= 4; ++level) {
       std::fprintf(stderr, "%s, level %d\n", name.c_str(), level);
-      count_world(*world, Lod::of(level), level == 0 ? 16 : 5, level == 0 ? 1 : 0.3, found);
+      add_world(*world, Lod::of(level), level == 0 ? 16 : 5, level == 0 ? 1 : 0.3, found);
     }
   }
-  Counts usual{};
-  for (const Counts& counts : found.steps) usual = sum(usual, counts);
-  std::vector<std::array<int, 4>> kept;
-  for (const Counts& group : merged(found.steps)) kept.push_back(shares(group));
-  std::string of_context;
-  for (const Counts& counts : found.steps) of_context += digit(best_of(kept, counts, usual));
-  print(kept, of_context, shares(found.further));
+  ByKind<Contexts> contexts;
+  ByKind<Rounded> same;
+  ByKind<Rounded> up;
+  std::array<Counts, kClasses> by_same{};
+  std::array<Counts, kClasses> by_up{};
+  for (std::size_t kind = 0; kind < kRowKinds; ++kind) {
+    for (const std::size_t odd : {0U, 1U}) {
+      Contexts& all = contexts[kind][odd];
+      for (const auto& [places, counts] : found[kind][odd]) all.push_back({places, counts});
+      same[kind][odd] = rounded(fitted(
+                                    all, [](const Counts& n) { return n[kSame]; }, total),
+                                kSameStart);
+      up[kind][odd] = rounded(
+          fitted(
+              all, [](const Counts& n) { return n[kUp]; }, [](const Counts& n) { return n[kUp] + n[kDown]; }),
+          kUpStart);
+      for (const Context& context : all) {
+        for (const Symbol symbol : {kSame, kUp, kDown, kOther}) {
+          by_same[class_in(same[kind][odd], context.places)][symbol] += context.counts[symbol];
+          by_up[class_in(up[kind][odd], context.places)][symbol] += context.counts[symbol];
+        }
+      }
+    }
+  }
+  const auto share = [](double part, double whole) {
+    return static_cast<int>(std::lround(part / std::max(whole, 1e-9) * kOddsTotal));
+  };
+  std::array<int, kClasses> same_end{};
+  std::array<int, kClasses> other_start{};
+  std::array<int, kClasses> up_share{};
+  for (std::size_t c = 0; c < kClasses; ++c) {
+    const auto& n = by_same[c];
+    other_start[c] = kOddsTotal - std::max(1, share(n[kOther], total(n)));
+    same_end[c] = std::clamp(share(n[kSame], total(n)), 1, other_start[c] - 2);
+    up_share[c] = std::clamp(share(by_up[c][kUp], by_up[c][kUp] + by_up[c][kDown]), 1, 255);
+  }
+
+  std::printf(
+      R"(// What train_odds (tests/bench) found on the sample worlds at levels 0 to 4. Part of the payload's format:
+// FORMAT.md lists the same numbers, and a change needs a new kCodecVersion.
+#pragma once
+
+#include "plane_model.h"
+
+namespace talus::codec {
+
+// clang-format off
+/// By kind of row; of even and of odd columns; by pair.
+inline constexpr std::array<std::array<Weights, 2>, kRowKinds> kWeights{{
+)");
+  for (std::size_t kind = 0; kind < kRowKinds; ++kind) {
+    std::printf("{{\n");
+    for (const std::size_t odd : {0U, 1U}) {
+      std::printf("  {{\n");
+      for (std::size_t p = 0; p < pairs_of(odd); ++p) {
+        std::printf("    {");
+        print(same[kind][odd][p]);
+        std::printf("\n     ");
+        print(up[kind][odd][p]);
+        std::printf("},\n");
+      }
+      std::printf("  }},\n");
+    }
+    std::printf("}},\n");
+  }
+  std::printf("}};\n\n");
+  print("By class of the score of kSame: where its share ends.", "kSameEnd", same_end);
+  print("Where the share of kOther begins.", "kOtherStart", other_start);
+  print("By class of the score of kUp: of 256, its part of what lies between.", "kUpShare", up_share);
+  std::printf("// clang-format on\n\n}  // namespace talus::codec\n");
+
+  double bits = 0;
+  double columns = 0;
+  for (std::size_t kind = 0; kind < kRowKinds; ++kind) {
+    for (const std::size_t odd : {0U, 1U}) {
+      for (const auto& [places, counts] : contexts[kind][odd]) {
+        const std::size_t c = class_in(same[kind][odd], places);
+        const std::size_t d = class_in(up[kind][odd], places);
+        const int down = same_end[c] + 1 + ((other_start[c] - same_end[c] - 2) * up_share[d] >> 8);
+        const std::array<int, 5> starts{0, same_end[c], down, other_start[c], kOddsTotal};
+        for (const Symbol symbol : {kSame, kUp, kDown, kOther}) {
+          const int size = starts[symbol + 1U] - starts[symbol];
+          bits += counts[symbol] * (kOddsBits - std::log2(size) + (symbol == kOther ? 8 : 0));
+        }
+        columns += total(counts);
+      }
+    }
+  }
+  std::fprintf(stderr, "%.4f bits a column\n", bits / columns);
 }

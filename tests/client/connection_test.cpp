@@ -1,6 +1,8 @@
 #include <asio/use_awaitable.hpp>
 #include <catch2/catch.hpp>
 
+#include <talus/voxel/codec.h>
+
 #include "peer.h"
 
 namespace talus::client {
@@ -37,8 +39,8 @@ TEST_CASE("a client says Hello with its versions, codecs, token and window") {
         CHECK(hello->protocol_min() == 1);
         CHECK(hello->protocol_max() == 1);
         REQUIRE(hello->codecs()->size() == 2);
-        CHECK(hello->codecs()->Get(0) == 2);
-        CHECK(hello->codecs()->Get(1) == 1);
+        CHECK(hello->codecs()->Get(0) == kCodecVersion);
+        CHECK(hello->codecs()->Get(1) == kOldestCodecVersion);
         CHECK(hello->token()->str() == "open sesame");
         CHECK(hello->window_bytes() == 12345);
         peer.hang_up();
@@ -73,7 +75,8 @@ TEST_CASE("a version that was not offered is refused") {
   const auto world = answered_by([](Peer& peer) -> asio::awaitable<void> {
     co_await peer.accept();
     (void)co_await peer.receive();
-    co_await peer.send(protocol::make_frame([](auto& b) { return wire::CreateWelcome(b, 9, 1); }));
+    co_await peer.send(
+        protocol::make_frame([](auto& b) { return wire::CreateWelcome(b, 9, kCodecVersion); }));
   });
   REQUIRE_FALSE(world.has_value());
   CHECK(world.error().kind == ErrorKind::broken_protocol);
@@ -83,8 +86,8 @@ TEST_CASE("a Welcome without its tables is refused") {
   const auto world = answered_by([](Peer& peer) -> asio::awaitable<void> {
     co_await peer.accept();
     (void)co_await peer.receive();
-    co_await peer.send(
-        protocol::make_frame([](auto& b) { return wire::CreateWelcome(b, 1, 1, nullptr, nullptr, 32); }));
+    co_await peer.send(protocol::make_frame(
+        [](auto& b) { return wire::CreateWelcome(b, 1, kCodecVersion, nullptr, nullptr, 32); }));
   });
   REQUIRE_FALSE(world.has_value());
   CHECK(world.error().kind == ErrorKind::broken_protocol);

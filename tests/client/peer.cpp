@@ -112,7 +112,8 @@ protocol::Frame welcome_frame(std::uint64_t fingerprint, std::uint64_t window_by
     const wire::Hash128 store{7, 7};
     const wire::Voxel spawn{8, 70, -8};
     const auto server = b.CreateString("a test");
-    return wire::CreateWelcome(b, 1, 1, &world, &store, 32, material_list, 0, 320, &spawn, limits, server);
+    return wire::CreateWelcome(b, 1, kCodecVersion, &world, &store, 32, material_list, 0, 320, &spawn, limits,
+                               server);
   });
 }
 

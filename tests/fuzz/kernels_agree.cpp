@@ -1,4 +1,5 @@
-// Loose material and noise by every instruction set of this processor: the same bits as by scalar code.
+// Loose material, noise and the planes of a chunk by every instruction set of this processor: the same bits
+// as by scalar code.
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
@@ -9,6 +10,7 @@
 
 #include "fbm_rows.h"
 #include "loose_cells.h"
+#include "plane_plain.h"
 
 namespace {
 
@@ -28,6 +30,8 @@ class Input {
     bytes_ = bytes_.subspan(size);
     return number;
   }
+
+  [[nodiscard]] bool empty() const { return bytes_.empty(); }
 
  private:
   std::span<const std::uint8_t> bytes_;
@@ -87,14 +91,62 @@ void sample_everywhere(Input& input) {
   }
 }
 
+/// A plane out of the input's bytes, and one above it out of the rest; what can be read is written again.
+void read_everywhere(Input& input) {
+  using namespace talus::codec;
+  std::vector<std::uint8_t> bytes;
+  PlaneSource source;
+  for (std::uint16_t& state : source.states) {
+    state = static_cast<std::uint16_t>(std::max<std::uint32_t>(input.take<std::uint16_t>(), kLeastState));
+  }
+  while (!input.empty() && bytes.size() < kMostBytesOfPlane) bytes.push_back(input.take<std::uint8_t>());
+  const std::size_t size = bytes.size();
+  bytes.resize(size + kReadAhead);
+  source.next = bytes.data();
+  source.end = bytes.data() + size;
+
+  std::vector<std::uint8_t> below(kChunkArea);
+  for (int planes = 0; planes < 2; ++planes) {
+    std::vector<std::uint8_t> plane(kChunkArea);
+    PlaneSource after = source;
+    const PlaneFault fault = read_plane_plainly(after, below.data(), plane.data());
+    PlaneShares shares;
+    if (fault == PlaneFault::none) weigh_plane_plainly(plane.data(), below.data(), shares);
+    for (const auto set : {InstructionSet::sse4, InstructionSet::avx2, InstructionSet::avx512}) {
+      if (!runs_here(set)) continue;
+      const PlaneKernels& kernels = plane_kernels(set);
+      std::vector<std::uint8_t> other(kChunkArea);
+      PlaneSource other_after = source;
+      if (kernels.read(other_after, below.data(), other.data()) != fault) std::abort();
+      if (fault != PlaneFault::none) continue;
+      if (other != plane || other_after.states != after.states || other_after.next != after.next)
+        std::abort();
+      PlaneShares found;
+      kernels.weigh(plane.data(), below.data(), found);
+      if (found.start != shares.start || found.size != shares.size || found.others != shares.others ||
+          found.carried != shares.carried) {
+        std::abort();
+      }
+    }
+    if (fault != PlaneFault::none) return;
+    below = plane;
+    source = after;
+  }
+}
+
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   Input input{{data, size}};
-  if (input.take<std::uint8_t>() % 2 == 0) {
-    settle_everywhere(input);
-  } else {
-    sample_everywhere(input);
+  switch (input.take<std::uint8_t>() % 3) {
+    case 0:
+      settle_everywhere(input);
+      break;
+    case 1:
+      sample_everywhere(input);
+      break;
+    default:
+      read_everywhere(input);
   }
   return 0;
 }

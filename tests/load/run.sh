@@ -14,8 +14,8 @@ usage: tests/load/run.sh [--short] [SCENARIO...]
   groups   1,000 players flying in 50 groups
   alone    300 players flying, each over ground of its own
   idle     10,000 idle connections, and 20 new players among them
-  greedy   100 walkers without and with one greedy client
-  slow     100 walkers without and with four readers at 64 kbit/s
+  greedy   100 walkers with one greedy client and without, by turns
+  slow     100 walkers with four readers at 64 kbit/s and without, by turns
   pong     how long a Pong waits behind a View, on links of several speeds
   churn    joining, jumping and being cut off, CHURN_SECONDS long (1800 unless told otherwise)
 
@@ -128,22 +128,33 @@ hot_beside() {
   local turn ours theirs
   for turn in 1 2 3 4 5; do
     load "$name" "${clients[@]}" --duration 5
-    ours="$(sed -n 's/.*"cpu_s_per_million": *\([0-9.]*\).*/\1/p' "$out/$name.json")"
+    ours="$(figure "$name" cpu_s_per_million)"
     theirs="$(redis_turn "$bytes")"
     [[ -n "$ours" && -n "$theirs" ]] || { echo "$name: turn $turn gave no figure" >&2; exit 1; }
     printf 'turn %s: talusd %.2f, redis %.2f CPU s a million (GETs of %s bytes)\n' "$turn" "$ours" "$theirs" "$bytes"
     echo "$ours $theirs" >>"$out/$name-turns"
   done
   stop_redis
-  awk '{ ratio[NR] = $1 / $2; talusd[NR] = $1; redis[NR] = $2 }
+  medians "$name" talusd redis 'CPU s a million' 0
+}
+
+# figure NAME KEY: what the last run of that name came to.
+figure() { sed -n "s/^ *\"$2\": *\([0-9.]*\).*/\1/p" "$out/$1.json"; }
+
+# medians NAME FIRST SECOND UNIT MOST: of the turns' two figures and of their ratios. False where that is above MOST, if
+# not 0.
+medians() {
+  awk -v first="$2" -v second="$3" -v unit="$4" -v most="$5" '
+    { ratio[NR] = $1 / $2; one[NR] = $1; other[NR] = $2 }
     function median(of, i, j, t) {
       for (i = 2; i <= NR; ++i) for (j = i; j > 1 && of[j - 1] > of[j]; --j) { t = of[j]; of[j] = of[j - 1]; of[j - 1] = t }
       return of[int((NR + 1) / 2)]
     }
     END {
-      printf "medians of %d turns: talusd %.2f, redis %.2f CPU s a million; of their ratios: %.2f\n",
-        NR, median(talusd), median(redis), median(ratio)
-    }' "$out/$name-turns"
+      printf "medians of %d turns: %s %.2f, %s %.2f %s; of their ratios: %.2f\n",
+        NR, first, median(one), second, median(other), unit, median(ratio)
+      if (most > 0 && median(ratio) > most) { print "failed: their ratio is above " most; exit 1 }
+    }' "$out/$1-turns"
 }
 
 has() {
@@ -205,25 +216,30 @@ idle() {
     --duration "$(pick 15 4)" "${expected[@]}"
 }
 
-walkers() {
-  players=(--players "$(pick 100 10)" --model walk --radius "$(pick 8 4)" --ramp-up "$(pick 10 2)" --warm-up "$(pick 5 1)" --duration "$(pick 30 5)")
-  start
-  load walkers "${players[@]}"
+# beside_walkers NAME MOST ARGUMENT...: 100 walkers with what the arguments add and, by turns, without. Their p99 with it is
+# to be at most MOST times that without.
+beside_walkers() {
+  local name="$1" most="$2" turn with without
+  shift 2
+  local players=(--players "$(pick 100 10)" --model walk --radius "$(pick 8 4)" --ramp-up "$(pick 5 2)"
+    --warm-up "$(pick 5 1)" --duration "$(pick 20 5)")
+  expect
+  : >"$out/$name-turns"
+  for ((turn = 1; turn <= $(pick 5 1); ++turn)); do
+    start
+    load walkers "${players[@]}" "${expected[@]}"
+    start
+    load "$name" "${players[@]}" "$@" --compare "$out/walkers.json" "${expected[@]}"
+    with="$(figure "$name" p99_ms)" without="$(figure walkers p99_ms)"
+    printf 'turn %s: p99 %s ms with, %s without\n' "$turn" "$with" "$without"
+    echo "$with $without" >>"$out/$name-turns"
+  done
+  [[ -n "$short" ]] || medians "$name" with without 'ms p99' "$most"
 }
 
-greedy() {
-  expect
-  walkers
-  start
-  load greedy "${players[@]}" --greedy 1 --compare "$out/walkers.json" "${expected[@]}"
-}
+greedy() { beside_walkers greedy 1.5 --greedy 1; }
 
-slow() {
-  expect
-  walkers
-  start
-  load slow "${players[@]}" --slow 4 --slow-rate 64 --compare "$out/walkers.json" "${expected[@]}"
-}
+slow() { beside_walkers slow 1.5 --slow 4 --slow-rate 64; }
 
 pong() {
   [[ -z "${TLS:-}" ]] || { printf '\n== pong: left out: talus-pong speaks plain TCP alone\n'; return 0; }

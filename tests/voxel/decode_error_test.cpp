@@ -1,9 +1,11 @@
+#include <algorithm>
 #include <random>
 
 #include <catch2/catch.hpp>
 
 #include <talus/voxel/codec.h>
 
+#include "layered.h"
 #include "sample_chunks.h"
 
 namespace talus {
@@ -24,8 +26,8 @@ std::vector<Payload> sample_payloads() {
           encoded(Chunk::from_layers(hill(2))),
           encoded(Chunk::from_layers(random_layers(3, 5, 100))),
           encoded(Chunk::from_dense(*random_voxels(4, 3, 400))),
-          frozen(1, "hill"),
-          frozen(1, "rough")};
+          frozen(2, "hill"),
+          frozen(2, "rough")};
 }
 
 DecodeError fault_of(const Payload& payload) {
@@ -70,46 +72,46 @@ TEST_CASE("no bytes") {
 }
 
 TEST_CASE("a version that this library does not read") {
-  CHECK(fault_of(bytes({0, 0, 1, 0})) == DecodeError::unknown_version);
-  CHECK(fault_of(bytes({3})) == DecodeError::unknown_version);
+  CHECK(fault_of(bytes({1, 0, 1, 0})) == DecodeError::unknown_version);
+  CHECK(fault_of(bytes({4})) == DecodeError::unknown_version);
 }
 
 TEST_CASE("an encoding that does not exist") {
-  CHECK(fault_of(bytes({1, 3, 1, 0})) == DecodeError::unknown_encoding);
   CHECK(fault_of(bytes({2, 3, 1, 0})) == DecodeError::unknown_encoding);
+  CHECK(fault_of(bytes({3, 3, 1, 0})) == DecodeError::unknown_encoding);
 }
 
 TEST_CASE("headers that end early") {
-  CHECK(fault_of(bytes({1})) == DecodeError::truncated);
-  CHECK(fault_of(bytes({1, 0})) == DecodeError::truncated);
-  CHECK(fault_of(bytes({1, 0, 2, 5})) == DecodeError::truncated);
-  CHECK(fault_of(bytes({1, 0, 1, 0x85})) == DecodeError::truncated);
-  CHECK(fault_of(bytes({1, 0, 2, 5, 6})) == DecodeError::truncated);
+  CHECK(fault_of(bytes({3})) == DecodeError::truncated);
+  CHECK(fault_of(bytes({3, 0})) == DecodeError::truncated);
+  CHECK(fault_of(bytes({3, 0, 2, 5})) == DecodeError::truncated);
+  CHECK(fault_of(bytes({3, 0, 1, 0x85})) == DecodeError::truncated);
+  CHECK(fault_of(bytes({3, 0, 2, 5, 6})) == DecodeError::truncated);
   CHECK(fault_of(bytes({2, 0, 2, 5, 6, 1, 0, 0, 1, 0})) == DecodeError::truncated);
-  CHECK(fault_of(bytes({1, 1, 2, 5, 6})) == DecodeError::truncated);
-  CHECK(fault_of(bytes({1, 2, 0, 0})) == DecodeError::truncated);
+  CHECK(fault_of(bytes({3, 1, 2, 5, 6})) == DecodeError::truncated);
+  CHECK(fault_of(bytes({3, 2, 0, 0})) == DecodeError::truncated);
 }
 
 TEST_CASE("more bytes than any payload has") {
-  CHECK(fault_of(Payload(kMaxPayloadBytes + 1, std::byte{1})) == DecodeError::too_long);
+  CHECK(fault_of(Payload(kMaxPayloadBytes + 1, std::byte{2})) == DecodeError::too_long);
 }
 
 TEST_CASE("lists of materials that cannot be") {
-  CHECK(fault_of(bytes({1, 0, 0})) == DecodeError::bad_materials);
-  CHECK(fault_of(bytes({1, 0, 65})) == DecodeError::bad_materials);
-  CHECK(fault_of(bytes({1, 0, 2, 5, 5})) == DecodeError::bad_materials);
-  CHECK(fault_of(bytes({1, 1, 0})) == DecodeError::bad_materials);
-  CHECK(fault_of(bytes({1, 1, 0x81, 2})) == DecodeError::bad_materials);
-  CHECK(fault_of(bytes({1, 1, 2, 5, 4})) == DecodeError::bad_materials);
-  CHECK(fault_of(bytes({1, 1, 2, 5, 5})) == DecodeError::bad_materials);
+  CHECK(fault_of(bytes({3, 0, 0})) == DecodeError::bad_materials);
+  CHECK(fault_of(bytes({3, 0, 65})) == DecodeError::bad_materials);
+  CHECK(fault_of(bytes({3, 0, 2, 5, 5})) == DecodeError::bad_materials);
+  CHECK(fault_of(bytes({3, 1, 0})) == DecodeError::bad_materials);
+  CHECK(fault_of(bytes({3, 1, 0x81, 2})) == DecodeError::bad_materials);
+  CHECK(fault_of(bytes({3, 1, 2, 5, 4})) == DecodeError::bad_materials);
+  CHECK(fault_of(bytes({3, 1, 2, 5, 5})) == DecodeError::bad_materials);
 }
 
 TEST_CASE("numbers longer than they need be or past 65,535") {
-  CHECK(fault_of(bytes({1, 0, 1, 0x80, 0})) == DecodeError::bad_number);
-  CHECK(fault_of(bytes({1, 0, 0x81, 0, 7})) == DecodeError::bad_number);
-  CHECK(fault_of(bytes({1, 0, 1, 0xFF, 0xFF, 4})) == DecodeError::bad_number);
-  CHECK(fault_of(bytes({1, 0, 1, 0xFF, 0xFF, 0x83, 0})) == DecodeError::bad_number);
-  CHECK(decode(bytes({1, 0, 1, 0xFF, 0xFF, 3})).value() == Chunk::uniform(MaterialId{0xFFFF}));
+  CHECK(fault_of(bytes({3, 0, 1, 0x80, 0})) == DecodeError::bad_number);
+  CHECK(fault_of(bytes({3, 0, 0x81, 0, 7})) == DecodeError::bad_number);
+  CHECK(fault_of(bytes({3, 0, 1, 0xFF, 0xFF, 4})) == DecodeError::bad_number);
+  CHECK(fault_of(bytes({3, 0, 1, 0xFF, 0xFF, 0x83, 0})) == DecodeError::bad_number);
+  CHECK(decode(bytes({3, 0, 1, 0xFF, 0xFF, 3})).value() == Chunk::uniform(MaterialId{0xFFFF}));
 }
 
 TEST_CASE("a voxel whose place in the palette is past its end") {
@@ -125,27 +127,78 @@ TEST_CASE("a voxel whose place in the palette is past its end") {
 TEST_CASE("planes that leave the chunk or pass one another") {
   // Whatever bytes follow, what is read from them is layers or an error, and some of them step out.
   std::mt19937 random{7};
-  int outside = 0;
-  for (int i = 0; i < 2000; ++i) {
-    Payload payload = bytes({2, 0, 3, 5, 6, 7});
-    for (int k = 0; k < 400; ++k) payload.push_back(static_cast<std::byte>(random() & 0xFF));
-    const auto chunk = decode(payload);
-    if (!chunk && chunk.error() == DecodeError::bad_number) ++outside;
-    if (chunk && chunk->layers() != nullptr) REQUIRE(chunk->layers()->valid());
+  const auto some = [&random](Payload& payload, int count, std::uint32_t least) {
+    for (int i = 0; i < count; ++i)
+      payload.push_back(
+          static_cast<std::byte>(std::max(static_cast<std::uint32_t>(random()) & 0xFFU, least)));
+  };
+  for (const int version : {2, 3}) {
+    CAPTURE(version);
+    int outside = 0;
+    for (int i = 0; i < 2000; ++i) {
+      Payload payload = bytes({version, 0, 3, 5, 6, 7});
+      if (version == 3) {
+        some(payload, 32, 1);             // states of 256 and more
+        payload.push_back(std::byte{0});  // no carried rows
+      }
+      some(payload, 400, 0);
+      const auto chunk = decode(payload);
+      if (!chunk && chunk.error() == DecodeError::bad_number) ++outside;
+      if (chunk && chunk->layers() != nullptr) REQUIRE(chunk->layers()->valid());
+    }
+    CHECK(outside > 100);
   }
-  CHECK(outside > 100);
+}
+
+TEST_CASE("rows of kinds that are not") {
+  Payload payload = bytes({3, 0, 2, 5, 6});
+  payload.resize(payload.size() + 32, std::byte{1});
+  Payload first_carried = payload;
+  for (const int byte : {1, 1}) first_carried.push_back(static_cast<std::byte>(byte));
+  CHECK(fault_of(first_carried) == DecodeError::bad_number);
+  payload.push_back(std::byte{16});
+  CHECK(fault_of(payload) == DecodeError::bad_number);
 }
 
 TEST_CASE("a state that no encoder begins with") {
   CHECK(fault_of(bytes({2, 0, 2, 5, 6, 0, 255, 255, 1, 0, 0})) == DecodeError::bad_ending);
+  Payload payload = bytes({3, 0, 2, 5, 6});
+  payload.resize(payload.size() + 32, std::byte{1});
+  payload[payload.size() - 1] = std::byte{0};
+  CHECK(fault_of(payload) == DecodeError::bad_ending);
 }
 
 TEST_CASE("an ending that the encoder would not write") {
-  for (Payload payload : {encoded(Chunk::from_layers(hill(1))),
-                          encoded(Chunk::from_dense(*random_voxels(4, 3, 400))), frozen(1, "hill")}) {
+  // So many materials are not told by how the states end.
+  for (Payload payload : {encoded(Chunk::from_layers(random_layers(3, 20, 100))),
+                          encoded(Chunk::from_dense(*random_voxels(4, 3, 400))), frozen(2, "hill")}) {
     REQUIRE(payload.back() != std::byte{0xFF});
     payload.back() = static_cast<std::byte>(std::to_integer<int>(payload.back()) + 1);
     CHECK(fault_of(payload) == DecodeError::bad_ending);
+  }
+}
+
+TEST_CASE("materials that the states tell") {
+  const Chunk chunk = Chunk::from_layers(hill(1));
+  const Layers& layers = *chunk.layers();
+  const Payload payload = encoded(chunk);
+  REQUIRE(std::to_integer<int>(payload[2]) == 64 + static_cast<int>(layers.materials.size()));
+  SECTION("are as many as the list says") {
+    for (const int count : {65, 129}) {
+      Payload other = payload;
+      other[2] = static_cast<std::byte>(count);
+      if (count > 127) other.insert(other.begin() + 3, std::byte{1});
+      CHECK(fault_of(other) == DecodeError::bad_materials);
+    }
+  }
+  SECTION("differ from their neighbours") {
+    // Ids are the ends of states, and these come out as they went in.
+    Layers alike = layers;
+    for (MaterialId& material : alike.materials) material = MaterialId{9};
+    std::vector<std::byte> body;
+    REQUIRE(codec::encode_layered(alike, body));
+    body.insert(body.begin(), {std::byte{3}, std::byte{0}});
+    CHECK(fault_of(body) == DecodeError::bad_materials);
   }
 }
 

@@ -39,104 +39,169 @@ class Bytes {
   std::size_t at_ = 0;
 };
 
-struct Tables {
-  std::string of_context;
-  std::vector<std::vector<int>> ends;  // of each set of odds, where its four shares end
-  std::vector<int> further;
-  std::vector<int> equal;
-
-  explicit Tables(const std::string& document) {
-    std::istringstream lines{block_of(document, "contexts")};
-    for (std::string line; lines >> line;) of_context += line;
-    std::istringstream odds{block_of(document, "odds")};
-    for (std::array<int, 3> starts{}; odds >> starts[0] >> starts[1] >> starts[2];) {
-      ends.push_back({starts[0], starts[1], starts[2], 4096});
-    }
-    std::istringstream shares{block_of(document, "further")};
-    further.assign(std::istream_iterator<int>{shares}, {});
-    for (int i = 1; i <= 128; ++i) equal.push_back(32 * i);
-    if (of_context.size() != 1944 || ends.size() != 48 || further.size() != 16) fail("the tables' sizes");
+std::vector<std::vector<int>> lines_of(const std::string& document, const std::string& block) {
+  std::vector<std::vector<int>> all;
+  std::istringstream lines{block_of(document, block)};
+  for (std::string line; std::getline(lines, line);) {
+    std::istringstream numbers{line};
+    all.emplace_back(std::istream_iterator<int>{numbers}, std::istream_iterator<int>{});
+    if (all.back().size() != 16) fail("a line of " + block);
   }
+  return all;
+}
 
-  [[nodiscard]] const std::vector<int>& of(int context) const {
-    const char c = of_context.at(static_cast<std::size_t>(context));
-    return ends.at(static_cast<std::size_t>(c <= '9' ? c - '0' : c <= 'Z' ? c - 'A' + 10 : c - 'a' + 36));
+enum Kind { level, carried, first };
+
+struct Tables {
+  std::array<std::array<std::vector<std::vector<int>>, 2>, 3> weights;  // by kind; of even and odd columns
+  std::vector<std::vector<int>> shares;
+
+  explicit Tables(const std::string& document) : shares{lines_of(document, "shares")} {
+    const std::array<std::string, 3> kinds{"level", "carried", "first"};
+    for (std::size_t kind = 0; kind < kinds.size(); ++kind) {
+      weights[kind][0] = lines_of(document, "weights-" + kinds[kind] + "-even");
+      weights[kind][1] = lines_of(document, "weights-" + kinds[kind] + "-odd");
+      if (weights[kind][0].size() != 18 || weights[kind][1].size() != 26) fail("the tables' sizes");
+    }
+    if (shares.size() != 3) fail("the shares' lines");
   }
 };
 
 class Coder {
  public:
   explicit Coder(Bytes& bytes) : bytes_{bytes} {
-    for (int& state : state_) {
-      for (int i = 0; i < 3; ++i) state = state * 256 + bytes_.next();
-      if (state < 65536) fail("bad ending");
+    for (int& state : states_) {
+      state = bytes_.next();
+      state += 256 * bytes_.next();
+      if (state < 256) fail("bad ending");
     }
   }
 
-  int read(const std::vector<int>& ends, int i) {
-    int& state = state_[static_cast<std::size_t>(i)];
-    const int place = state % 4096;
+  int read(const std::array<int, 5>& starts, int i) {
+    int& state = states_[static_cast<std::size_t>(i)];
+    const int place = state % 256;
     std::size_t symbol = 0;
-    while (ends.at(symbol) <= place) ++symbol;
-    const int start = symbol == 0 ? 0 : ends[symbol - 1];
-    state = (ends[symbol] - start) * (state / 4096) + place - start;
-    while (state < 65536) state = state * 256 + bytes_.next();
+    while (starts[symbol + 1] <= place) ++symbol;
+    state = (starts[symbol + 1] - starts[symbol]) * (state / 256) + place - starts[symbol];
+    if (state < 256) state = state * 256 + bytes_.next();
     return static_cast<int>(symbol);
   }
 
-  [[nodiscard]] bool at_end() const { return state_[0] == 65536 && state_[1] == 65536 && bytes_.at_end(); }
+  /// Byte i of what the states tell at the end.
+  [[nodiscard]] int end(std::size_t i) const {
+    if (states_[i] >= 512) fail("bad ending");
+    return states_[i] - 256;
+  }
 
  private:
   Bytes& bytes_;
-  std::array<int, 2> state_{};
+  std::array<int, 16> states_{};
 };
 
 int sign(int v) {
   return v < 0 ? 0 : v == 0 ? 1 : 2;
 }
 
-int read_change(Coder& coder, const Tables& tables, int context, int i) {
-  const int symbol = coder.read(tables.of(context), i);
-  if (symbol < 3) return symbol == 2 ? -1 : symbol;
-  int place = coder.read(tables.further, i);
-  if (place == 15) place = coder.read(tables.equal, i);
-  const int size = place / 2 + 2;
-  return place % 2 == 0 ? size : -size;
+int class_of(int score) {
+  return std::max(score, 0) / 8;
 }
 
-using Plane = std::array<std::array<int, kChunkSize>, kChunkSize>;  // [z][x]
+using Row = std::array<int, kChunkSize>;
+using Plane = std::array<Row, kChunkSize>;  // [z][x]
 
-Plane read_plane(Coder& coder, const Tables& tables, const Plane& below) {
+/// A row beyond its ends.
+int at(const Row& row, int x) {
+  return row[static_cast<std::size_t>(std::clamp(x, 0, kChunkSize - 1))];
+}
+
+struct Before {
+  Row N;
+  Row S;
+  Row F;
+  Row G;
+};
+
+std::array<int, 5> shares_of(const Tables& tables, const Before& before, Kind kind, const Row& symbol,
+                             int x) {
+  const auto& [N, S, F, G] = before;
+  const auto step = [&](int dx) { return sign(x + dx < 0 || x + dx > 31 ? 0 : at(S, x + dx)); };
+  const auto thick = [&](int dx) { return std::min(at(N, x + dx) - at(G, x + dx), 2); };
+  const int west = sign(at(N, x) - at(N, x - 1));
+  const int east = sign(at(N, x + 1) - at(N, x));
+  const int far_east = sign(at(N, x + 2) - at(N, x));
+  const int floor = sign(at(F, x) - at(G, x));
+  const int symbol_west = x % 2 == 0 ? 0 : at(symbol, x - 1);
+  const int symbol_east = x % 2 == 0 || x == 31 ? 0 : at(symbol, x + 1);
+  const std::array<std::array<int, 2>, 13> pairs{{{step(-1), step(1)},
+                                                  {floor, thick(1)},
+                                                  {west, east},
+                                                  {step(0), step(-2)},
+                                                  {far_east, step(2)},
+                                                  {thick(-1), thick(1)},
+                                                  {west, thick(0)},
+                                                  {east, thick(0)},
+                                                  {floor, thick(0)},
+                                                  {west, symbol_west},
+                                                  {east, symbol_east},
+                                                  {thick(0), symbol_west},
+                                                  {thick(0), symbol_east}}};
+  const auto& weights = tables.weights[kind][static_cast<std::size_t>(x % 2)];
+  std::array<int, 2> scores{};
+  for (std::size_t line = 0; line < weights.size(); ++line) {
+    const auto [one, other] = pairs[line / 2];
+    int& score = scores[line % 2];
+    score = std::clamp(score + weights[line][static_cast<std::size_t>(one + 4 * other)], -128, 127);
+  }
+  const auto share = [&](std::size_t line, std::size_t score) {
+    return tables.shares[line].at(static_cast<std::size_t>(class_of(scores[score])));
+  };
+  const int a = share(0, 0);
+  const int o = share(1, 0);
+  const int u = share(2, 1);
+  return {0, a, a + 1 + (o - a - 2) * u / 256, o, 256};
+}
+
+/// The rows that are carried.
+std::array<bool, kChunkSize> read_carried(Bytes& bytes) {
+  std::array<bool, kChunkSize> rows{};
+  const int present = bytes.next();
+  if (present > 15) fail("bad number");
+  for (std::size_t b = 0; b < 4; ++b) {
+    if ((present >> b) % 2 == 0) continue;
+    const int byte = bytes.next();
+    for (std::size_t r = 0; r < 8; ++r) rows[8 * b + r] = (byte >> r) % 2 == 1;
+  }
+  if (rows[0]) fail("bad number");
+  return rows;
+}
+
+Plane read_plane(Bytes& bytes, Coder& coder, const Tables& tables, const Plane& below) {
+  const auto is_carried = read_carried(bytes);
   Plane plane{};
-  Plane step{};
-  for (int z = 0; z < kChunkSize; ++z) {
-    const auto row = static_cast<std::size_t>(z);
-    const auto& F = below[row];
-    const auto& G = z == 0 ? F : below[row - 1];
-    const auto& northern = z == 0 ? F : plane[row - 1];
-    const auto N = [&](int x) { return northern[static_cast<std::size_t>(std::clamp(x, 0, 31))]; };
-    const auto S = [&](int x) {
-      if (x < 0 || x > 31) return 0;
-      return z == 0 ? 1 : step[row - 1][static_cast<std::size_t>(x)];
-    };
-    for (int x = 0; x < kChunkSize; ++x) {
-      const auto column = static_cast<std::size_t>(x);
-      const int f = F[column];
-      const int g = G[column];
-      const int west_step = x == 0 ? 0 : step[row][column - 1];
-      const int bare = N(x) == g ? 1 : 0;
-      const int west = west_step == 0 ? 0 : west_step == 1 ? 1 : west_step == -1 ? 2 : 3;
-      const int signs =
-          (((sign(N(x) - N(x - 1)) * 3 + sign(N(x + 2) - N(x))) * 3 + sign(S(x + 1))) * 3 + sign(S(x - 1))) *
-              3 +
-          sign(f - g);
-      const int carried = std::abs(west_step) >= 2 ? west_step : 0;
-      const int predicted = bare == 1 ? f : std::max(N(x), f);
-      const int change = read_change(coder, tables, west * 486 + bare * 243 + signs, x % 2);
-      step[row][column] = carried + change;
-      if (std::abs(carried + change) > 32) fail("bad number");
-      plane[row][column] = predicted + carried + change;
-      if (plane[row][column] < f || plane[row][column] > 32) fail("bad number");
+  Row step{};
+  for (std::size_t z = 0; z < kChunkSize; ++z) {
+    const Row& F = below[z];
+    const Before before{z == 0 ? F : plane[z - 1], z == 0 ? Row{} : step, F, z == 0 ? F : below[z - 1]};
+    const Kind kind = z == 0 ? first : is_carried[z] ? carried : level;
+    Row symbol{};
+    for (const int odd : {0, 1}) {
+      for (int x = odd; x < kChunkSize; x += 2) {
+        symbol[static_cast<std::size_t>(x)] = coder.read(shares_of(tables, before, kind, symbol, x), x / 2);
+      }
+    }
+    for (std::size_t x = 0; x < kChunkSize; ++x) {
+      constexpr std::array<int, 3> kChanges{0, 1, -1};
+      int change = 0;
+      if (symbol[x] < 3) {
+        change = kChanges[static_cast<std::size_t>(symbol[x])];
+      } else {
+        change = bytes.next();
+        if (change >= 128) change -= 256;
+      }
+      step[x] = change + (kind == level || x == 0 ? 0 : step[x - 1]);
+      const bool absent = before.N[x] == before.G[x];
+      plane[z][x] = (absent ? F[x] : std::max(before.N[x], F[x])) + step[x];
+      if (plane[z][x] < F[x] || plane[z][x] > 32) fail("bad number");
     }
   }
   return plane;
@@ -160,21 +225,30 @@ std::string block_of(const std::string& document, const std::string& name) {
 Layers decode_by_document(const std::string& document, std::span<const std::byte> payload) {
   const Tables tables{document};
   Bytes bytes{payload};
-  if (bytes.next() != 2 || bytes.next() != 0) fail("not a layered payload of version 2");
+  if (bytes.next() != 3 || bytes.next() != 0) fail("not a layered payload of version 3");
   Layers layers;
-  for (int count = bytes.number(); count > 0; --count) {
-    layers.materials.push_back(MaterialId{static_cast<std::uint16_t>(bytes.number())});
-  }
-  if (layers.materials.size() == 1) return layers;
+  const auto add = [&](int id) { layers.materials.push_back(MaterialId{static_cast<std::uint16_t>(id)}); };
+  int count = bytes.number();
+  const bool in_states = count > 64;
+  if (in_states) count -= 64;
+  for (int i = 0; i < count && !in_states; ++i) add(bytes.number());
+  if (count == 1) return layers;
   Coder coder{bytes};
   Plane below{};
-  for (std::size_t p = 0; p < layers.plane_count(); ++p) {
-    below = read_plane(coder, tables, below);
+  for (int p = 1; p < count; ++p) {
+    below = read_plane(bytes, coder, tables, below);
     for (const auto& row : below) {
       for (const int top : row) layers.tops.push_back(static_cast<std::uint8_t>(top));
     }
   }
-  if (!coder.at_end()) fail("bad ending");
+  std::vector<std::byte> ends;
+  for (std::size_t i = 0; i < 16; ++i) ends.push_back(static_cast<std::byte>(coder.end(i)));
+  Bytes ids{ends};
+  for (int i = 0; i < count && in_states; ++i) add(ids.number());
+  while (!ids.at_end()) {
+    if (ids.next() != 0) fail("bad ending");
+  }
+  if (!bytes.at_end()) fail("too long");
   return layers;
 }
 

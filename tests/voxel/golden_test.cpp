@@ -41,7 +41,7 @@ Chunk worked_example() {
 }
 
 void check_frozen(const std::string& name, const Chunk& chunk, const std::string& hash) {
-  for (int version = 1; version <= kCodecVersion; ++version) {
+  for (int version = kOldestCodecVersion; version <= kCodecVersion; ++version) {
     CAPTURE(name, version);
     const auto decoded = decode(frozen(version, name));
     REQUIRE(decoded.has_value());

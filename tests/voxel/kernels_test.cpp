@@ -1,8 +1,14 @@
 // The kernels of every instruction set that this processor has do what the scalar ones do.
+#include <algorithm>
+#include <tuple>
+#include <vector>
+
 #include <rapidcheck.h>
 #include <catch2/catch.hpp>
 
 #include "kernels.h"
+#include "plane_plain.h"
+#include "sample_chunks.h"
 
 namespace talus {
 namespace {
@@ -29,48 +35,91 @@ Row any_row() {
   return row;
 }
 
-codec::Steps any_steps() {
-  codec::Steps steps;
-  for (std::size_t x = 0; x < kChunkSize; ++x) {
-    steps.data()[x] = static_cast<std::int8_t>(
-        *rc::gen::weightedElement<int>({{8, 0}, {2, 1}, {2, -1}, {1, 5}, {1, -5}, {1, 32}, {1, -32}}));
-  }
-  return steps;
+/// Planes of all sorts, and what lies below the first: the ground.
+std::vector<std::uint8_t> any_planes() {
+  const auto seed = *rc::gen::arbitrary<std::uint64_t>();
+  const auto planes = *rc::gen::inRange<std::size_t>(1, 5);
+  std::vector<std::uint8_t> tops(kChunkArea, 0);
+  const auto layers = *rc::gen::inRange(0, 3) == 0
+                          ? testing::leaping_layers(seed, planes)
+                          : testing::random_layers(seed, planes, *rc::gen::inRange(0, 100));
+  tops.insert(tops.end(), layers.tops.begin(), layers.tops.end());
+  return tops;
 }
 
 }  // namespace
 
-TEST_CASE("rows are guessed, classified and applied alike by every instruction set") {
-  const VoxelKernels& scalar = voxel_kernels(InstructionSet::scalar);
-  CHECK(rc::check([&scalar] {
-    const Row north = any_row();
-    const Row floor = any_row();
-    const Row floor_north = *rc::gen::arbitrary<bool>() ? north : any_row();
-    const Row row = any_row();
-    const codec::Steps before = any_steps();
-    const codec::Steps after = any_steps();
-    const codec::RowsBefore rows{north.data(), &before, floor.data(), floor_north.data()};
+TEST_CASE("planes are weighed and written alike by every instruction set") {
+  CHECK(rc::check([] {
+    const auto tops = any_planes();
+    for (std::size_t at = kChunkArea; at < tops.size(); at += kChunkArea) {
+      codec::PlaneShares expected;
+      codec::weigh_plane_plainly(tops.data() + at, tops.data() + at - kChunkArea, expected);
+      const auto write = [&](const auto& kernel) {
+        std::vector<std::uint8_t> bytes(codec::kMostBytesOfPlane);
+        codec::PlaneSink sink{{}, bytes.data() + bytes.size()};
+        sink.states.fill(codec::kLeastState);
+        kernel(expected, sink);
+        const std::vector<std::uint8_t> written(sink.next, bytes.data() + bytes.size());
+        return std::pair{written, sink.states};
+      };
+      const auto written = write(codec::write_plane_plainly);
+      for (const InstructionSet set : vector_sets()) {
+        const codec::PlaneKernels& kernels = codec::plane_kernels(set);
+        codec::PlaneShares found;
+        kernels.weigh(tops.data() + at, tops.data() + at - kChunkArea, found);
+        RC_ASSERT(found.start == expected.start);
+        RC_ASSERT(found.size == expected.size);
+        RC_ASSERT(found.others == expected.others);
+        RC_ASSERT(found.carried == expected.carried);
+        for (std::size_t i = 0; i < kChunkArea; ++i) {
+          const bool told = (expected.others[i / kChunkSize] >> i % kChunkSize & 1U) != 0;
+          RC_ASSERT(!told || found.changes[i] == expected.changes[i]);
+        }
+        RC_ASSERT(write(kernels.write) == written);
+      }
+    }
+  }));
+}
+
+TEST_CASE("any bytes are read as the same plane, or the same fault, by every instruction set") {
+  CHECK(rc::check([] {
+    const auto tops = any_planes();
+    const std::uint8_t* const plane_above = tops.data() + tops.size() - kChunkArea;
+    const std::uint8_t* const below = plane_above - kChunkArea;
+    codec::PlaneShares shares;
+    codec::weigh_plane_plainly(plane_above, below, shares);
+    std::vector<std::uint8_t> bytes(codec::kMostBytesOfPlane);
+    codec::PlaneSink sink{{}, bytes.data() + bytes.size()};
+    sink.states.fill(codec::kLeastState);
+    codec::write_plane_plainly(shares, sink);
+    bytes.erase(bytes.begin(), bytes.begin() + (sink.next - bytes.data()));
+    const bool cut = *rc::gen::inRange(0, 4) == 0;
+    if (cut) bytes.resize(*rc::gen::inRange<std::size_t>(1, bytes.size() + 1));
+    for (int flips = *rc::gen::inRange(0, 3); flips > 0; --flips) {
+      const auto bit = *rc::gen::inRange(0, 8);
+      bytes[*rc::gen::inRange<std::size_t>(0, bytes.size())] ^= static_cast<std::uint8_t>(1U << bit);
+    }
+    const std::size_t size = bytes.size();
+    bytes.resize(size + codec::kReadAhead);
+    const codec::PlaneSource source{sink.states, bytes.data(), bytes.data() + size};
+    const auto read = [&](const auto& kernel) {
+      codec::PlaneSource from = source;
+      std::vector<std::uint8_t> plane(kChunkArea);
+      const codec::PlaneFault fault = kernel(from, below, plane.data());
+      if (fault != codec::PlaneFault::none) return std::tuple{fault, plane, from.states, std::ptrdiff_t{}};
+      return std::tuple{fault, plane, from.states, from.next - bytes.data()};
+    };
+    const auto same = [](const auto& a, const auto& b) {
+      if (std::get<0>(a) != std::get<0>(b)) return false;
+      return std::get<0>(a) != codec::PlaneFault::none || a == b;
+    };
+    const auto expected = read(codec::read_plane_plainly);
+    RC_CLASSIFY(std::get<0>(expected) == codec::PlaneFault::none, "read");
+    RC_CLASSIFY(std::get<0>(expected) == codec::PlaneFault::truncated, "truncated");
+    RC_CLASSIFY(std::get<0>(expected) == codec::PlaneFault::bad_number, "bad number");
     for (const InstructionSet set : vector_sets()) {
-      const VoxelKernels& kernels = voxel_kernels(set);
-      codec::RowGuess expected;
-      codec::RowGuess found;
-      scalar.guess(rows, expected);
-      kernels.guess(rows, found);
-      RC_ASSERT(found.predicted == expected.predicted);
-      RC_ASSERT(found.context == expected.context);
-
-      std::array<codec::Steps, 2> steps;
-      std::array<codec::RowSymbols, 2> symbols;
-      scalar.classify(row.data(), expected, steps[0], symbols[0]);
-      kernels.classify(row.data(), expected, steps[1], symbols[1]);
-      RC_ASSERT(steps[0].padded == steps[1].padded);
-      RC_ASSERT(symbols[0].context == symbols[1].context);
-      RC_ASSERT(symbols[0].symbol == symbols[1].symbol);
-
-      std::array<Row, 2> tops{};
-      const bool inside = scalar.apply(expected, after, floor.data(), tops[0].data());
-      RC_ASSERT(kernels.apply(expected, after, floor.data(), tops[1].data()) == inside);
-      RC_ASSERT(tops[0] == tops[1]);
+      RC_ASSERT(same(read(codec::plane_kernels(set).read), expected));
     }
   }));
 }

@@ -48,8 +48,8 @@ std::string_view describe(DecodeError error) {
     case DecodeError::empty:
       return "the chunk payload is empty; it needs at least a codec version and an encoding";
     case DecodeError::unknown_version:
-      return "the chunk payload's first byte is no codec version known here; this library reads versions 1 "
-             "and 2";
+      return "the chunk payload's first byte is no codec version known here; this library reads versions 2 "
+             "and 3";
     case DecodeError::unknown_encoding:
       return "the chunk payload's second byte names no encoding; 0 is layered, 1 palette, 2 raw";
     case DecodeError::truncated:
@@ -102,7 +102,7 @@ tl::expected<Chunk, DecodeError> decode(std::span<const std::byte> payload) {
   const std::span<const std::byte> body = payload.subspan(kHeaderBytes);
   switch (static_cast<Encoding>(payload[1])) {
     case Encoding::layered:
-      return version == 1 ? codec::decode_layered_v1(body) : codec::decode_layered(body);
+      return version == 2 ? codec::decode_layered_v2(body) : codec::decode_layered(body);
     case Encoding::palette:
       return codec::decode_palette(body);
     case Encoding::raw:

@@ -26,118 +26,6 @@ const std::int8_t* rows(const std::uint8_t* bytes) {
   return reinterpret_cast<const std::int8_t*>(bytes);
 }
 
-/// 0, 1 or 2 for a below, equal to or above b.
-template <class Vec>
-HWY_INLINE Vec sign(Vec a, Vec b) {
-  const Rows d;
-  const auto above = hn::VecFromMask(d, hn::Gt(a, b));  // -1 where true
-  const auto below = hn::VecFromMask(d, hn::Lt(a, b));
-  return hn::Add(hn::Sub(hn::Set(d, 1), above), below);
-}
-
-/// 3 * high + low. Past 127 the sign is wrong and the bits are right.
-template <class Vec>
-HWY_INLINE Vec digits(Vec high, Vec low) {
-  return hn::Add(hn::Add(high, high), hn::Add(high, low));
-}
-
-void guess(const codec::RowsBefore& before, codec::RowGuess& guess) {
-  const Rows d;
-  const std::size_t lanes = hn::Lanes(d);
-  // x from -1 to 33, the row's ends once more beyond them.
-  HWY_ALIGN std::array<std::int8_t, kChunkSize + 4> north;
-  for (std::size_t x = 0; x < kChunkSize; x += lanes) {
-    hn::StoreU(hn::LoadU(d, rows(before.north) + x), d, north.data() + 1 + x);
-  }
-  north[0] = north[1];
-  north[kChunkSize + 1] = north[kChunkSize + 2] = north[kChunkSize];
-
-  HWY_ALIGN std::array<std::uint8_t, kChunkSize> signs;
-  HWY_ALIGN std::array<std::uint8_t, kChunkSize> bareness;
-  const std::int8_t* const steps = before.steps_north->padded.data();
-  for (std::size_t x = 0; x < kChunkSize; x += lanes) {
-    const auto here = hn::LoadU(d, north.data() + x + 1);
-    const auto floor = hn::LoadU(d, rows(before.floor) + x);
-    const auto floor_north = hn::LoadU(d, rows(before.floor_north) + x);
-    const auto bare = hn::Eq(here, floor_north);
-    const auto predicted = hn::IfThenElse(bare, floor, hn::Max(here, floor));
-    hn::StoreU(predicted, d, reinterpret_cast<std::int8_t*>(guess.predicted.data()) + x);
-
-    auto all = sign(here, hn::LoadU(d, north.data() + x));
-    all = digits(all, sign(hn::LoadU(d, north.data() + x + 3), here));
-    all = digits(all, sign(hn::LoadU(d, steps + x + 2), hn::Zero(d)));
-    all = digits(all, sign(hn::LoadU(d, steps + x), hn::Zero(d)));
-    all = digits(all, sign(floor, floor_north));
-    const Bytes bytes;
-    const auto half = hn::Set(bytes, static_cast<std::uint8_t>(codec::kRowContexts / 2));
-    hn::StoreU(hn::BitCast(bytes, all), bytes, signs.data() + x);
-    hn::StoreU(hn::And(hn::BitCast(bytes, hn::VecFromMask(d, bare)), half), bytes, bareness.data() + x);
-  }
-  const Words words;
-  const HalfBytes halves;
-  for (std::size_t x = 0; x < kChunkSize; x += hn::Lanes(words)) {
-    const auto low = hn::PromoteTo(words, hn::LoadU(halves, signs.data() + x));
-    const auto high = hn::PromoteTo(words, hn::LoadU(halves, bareness.data() + x));
-    hn::StoreU(hn::Add(low, high), words, guess.context.data() + x);
-  }
-}
-
-void classify(const std::uint8_t* row, const codec::RowGuess& guess, codec::Steps& steps,
-              codec::RowSymbols& symbols) {
-  const Rows d;
-  const std::size_t lanes = hn::Lanes(d);
-  for (std::size_t x = 0; x < kChunkSize; x += lanes) {
-    const auto predicted = hn::LoadU(d, rows(guess.predicted.data()) + x);
-    hn::StoreU(hn::Sub(hn::LoadU(d, rows(row) + x), predicted), d, steps.data() + x);
-  }
-  HWY_ALIGN std::array<std::uint8_t, kChunkSize> wests;
-  const auto one = hn::Set(d, 1);
-  const auto minus_one = hn::Set(d, -1);
-  const auto number_of = [&](auto step) HWY_ATTR {
-    static_assert(codec::kOneUp == static_cast<int>(codec::West::up) &&
-                  codec::kOneDown == static_cast<int>(codec::West::down) &&
-                  codec::kFurtherOff == static_cast<int>(codec::West::steep));
-    const auto flat = hn::Eq(step, hn::Zero(d));
-    const auto up = hn::Eq(step, one);
-    const auto down = hn::Eq(step, minus_one);
-    const auto not_up = hn::IfThenElse(down, hn::Set(d, 2), hn::Set(d, 3));
-    return hn::IfThenZeroElse(flat, hn::IfThenElse(up, one, not_up));
-  };
-  for (std::size_t x = 0; x < kChunkSize; x += lanes) {
-    const auto west = hn::LoadU(d, steps.padded.data() + x);
-    const auto kind = number_of(west);
-    const auto carried = hn::IfThenElseZero(hn::Eq(kind, hn::Set(d, 3)), west);
-    const Bytes bytes;
-    const auto symbol = number_of(hn::Sub(hn::LoadU(d, steps.data() + x), carried));
-    hn::StoreU(hn::BitCast(bytes, symbol), bytes, symbols.symbol.data() + x);
-    hn::StoreU(hn::BitCast(bytes, kind), bytes, wests.data() + x);
-  }
-  const Words words;
-  const HalfBytes halves;
-  const auto contexts = hn::Set(words, static_cast<std::uint16_t>(codec::kRowContexts));
-  for (std::size_t x = 0; x < kChunkSize; x += hn::Lanes(words)) {
-    const auto west = hn::PromoteTo(words, hn::LoadU(halves, wests.data() + x));
-    const auto context = hn::Add(hn::LoadU(words, guess.context.data() + x), hn::Mul(west, contexts));
-    hn::StoreU(context, words, symbols.context.data() + x);
-  }
-}
-
-bool apply(const codec::RowGuess& guess, const codec::Steps& steps, const std::uint8_t* floor,
-           std::uint8_t* row) {
-  const Rows d;
-  bool inside = true;
-  for (std::size_t x = 0; x < kChunkSize; x += hn::Lanes(d)) {
-    // -32 to 64: no byte with a sign overflows.
-    const auto top = hn::Add(hn::LoadU(d, rows(guess.predicted.data()) + x), hn::LoadU(d, steps.data() + x));
-    const auto least = hn::LoadU(d, rows(floor) + x);
-    const auto low = hn::Lt(top, least);
-    const auto high = hn::Gt(top, hn::Set(d, kChunkSize));
-    inside = hn::AllFalse(d, hn::Or(low, high)) && inside;
-    hn::StoreU(top, d, reinterpret_cast<std::int8_t*>(row) + x);
-  }
-  return inside;
-}
-
 Extent extent(const std::uint8_t* plane) {
   const Bytes d;
   auto low = hn::LoadU(d, plane);
@@ -221,7 +109,7 @@ void slice_bytes(const CutSlice& slice, std::uint8_t* out) {
 
 }  // namespace
 
-constexpr VoxelKernels kVoxels{guess, classify, apply, extent, slice, slice_bytes};
+constexpr VoxelKernels kVoxels{extent, slice, slice_bytes};
 
 }  // namespace talus::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

@@ -1,4 +1,4 @@
-// The loops over rows of 32 columns, once for each instruction set.
+// Planes as voxels, once for each instruction set.
 #pragma once
 
 #include <array>
@@ -7,8 +7,6 @@
 
 #include <talus/vectors/instruction_set.h>
 #include <talus/voxel/chunk.h>
-
-#include "row_guess.h"
 
 namespace talus {
 
@@ -27,14 +25,6 @@ struct CutSlice {
 };
 
 struct VoxelKernels {
-  void (*guess)(const codec::RowsBefore& before, codec::RowGuess& guess);
-  /// What a row is to its writer, whose steps are filled in as well.
-  void (*classify)(const std::uint8_t* row, const codec::RowGuess& guess, codec::Steps& steps,
-                   codec::RowSymbols& symbols);
-  /// row = predicted + steps, these at most kMostStep either way. False where a column lies below its floor
-  /// or above 32.
-  bool (*apply)(const codec::RowGuess& guess, const codec::Steps& steps, const std::uint8_t* floor,
-                std::uint8_t* row);
   Extent (*extent)(const std::uint8_t* plane);
   /// The 1024 voxels of a slice: materials whose numbers are the bytes.
   void (*slice)(const CutSlice& slice, MaterialId* voxels);

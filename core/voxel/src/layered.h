@@ -18,7 +18,7 @@ namespace talus::codec {
 
 [[nodiscard]] tl::expected<Chunk, DecodeError> decode_layered(std::span<const std::byte> body);
 
-/// The same for payloads of codec version 1 (FORMAT.md, "Version 1"), which nobody writes any more.
-[[nodiscard]] tl::expected<Chunk, DecodeError> decode_layered_v1(std::span<const std::byte> body);
+/// The same for payloads of codec version 2 (FORMAT.md, "Version 2"), which nobody writes any more.
+[[nodiscard]] tl::expected<Chunk, DecodeError> decode_layered_v2(std::span<const std::byte> body);
 
 }  // namespace talus::codec

@@ -17,10 +17,10 @@
 namespace talus {
 
 /// The first byte of every payload: this is what encode writes.
-inline constexpr std::uint8_t kCodecVersion = 2;
+inline constexpr std::uint8_t kCodecVersion = 3;
 
 /// What decode still reads, down from kCodecVersion.
-inline constexpr std::uint8_t kOldestCodecVersion = 1;
+inline constexpr std::uint8_t kOldestCodecVersion = 2;
 
 /// The largest payload the encoder makes and the decoder reads: raw voxels after two header bytes.
 inline constexpr std::size_t kMaxPayloadBytes = 2 + sizeof(DenseVoxels);

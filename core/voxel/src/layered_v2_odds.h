@@ -7,8 +7,6 @@
 #include <cstdint>
 #include <string_view>
 
-#include "row_guess.h"
-
 namespace talus::codec {
 
 /// Of 4096: where the shares of "one up", "one down" and "further" begin; "as predicted" begins at 0.
@@ -60,7 +58,7 @@ inline constexpr std::string_view kOddsOfContext =
     "iiEiiiiikiiiilliiliEEiikiQiiiEiiiiiiiiliiliZiiiiiibiaiiiiiiiiiiiiMiiliiiiiiiiliWb"
     "ikEilEiiEilEbbiihbilEbhkiLEibEiliiiEilEPbliElblEPPbiEkibEbliiiEilkZbhiihZhEQLbiFk"
     "iEEEkEEEEiEEbckikEEEES0EihEikEl0EiEEhEEbbiiYEiEELbEicEiEEllEiEElkEYbbilElEELbEEUE";
-static_assert(kOddsOfContext.size() == kContexts);
+static_assert(kOddsOfContext.size() == 1944);
 
 /// Of 4096: where the share of each place of the list 2, -2, 3, -3, ... begins; the last share, up to
 /// 4096, is that of all places from 15 on.

@@ -1,0 +1,114 @@
+// Planes to odds and back, a row of 32 columns at a time, once for each instruction set: FORMAT.md,
+// "Layered".
+#pragma once
+
+#include <array>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+
+#include <talus/vectors/instruction_set.h>
+#include <talus/voxel/coords.h>
+
+#include "plane_model.h"
+
+namespace talus::codec {
+
+inline constexpr std::size_t kLanes = kChunkSize / 2;  // even columns are read at once, then odd ones
+inline constexpr std::uint32_t kLeastState = 256;
+
+/// Where reading has come to. The bytes go on for kReadAhead past `end`, whatever they hold.
+struct PlaneSource {
+  alignas(64) std::array<std::uint16_t, kLanes> states{};  // each kLeastState or more
+  const std::uint8_t* next = nullptr;
+  const std::uint8_t* end = nullptr;
+};
+
+/// At least what a row takes, with the kinds of the plane's rows before it, and a vector past that.
+inline constexpr std::size_t kReadAhead = 128;
+
+enum class PlaneFault : std::uint8_t { none, truncated, bad_number };
+
+/// What is written of a plane, each row's even columns before its odd ones.
+struct PlaneShares {
+  std::array<std::uint16_t, kChunkArea> start;   // of kOddsTotal
+  std::array<std::uint16_t, kChunkArea> size;    // 1 to 255
+  std::array<std::uint32_t, kChunkSize> others;  // by row: bit x is set where a change follows
+  std::array<std::int8_t, kChunkArea> changes;   // by column, in rows that have any
+  std::uint32_t carried = 0;                     // bit z: of rows after the first, those that are
+};
+
+/// Where writing has come to: backwards, so that what is read last is written first.
+struct PlaneSink {
+  alignas(64) std::array<std::uint16_t, kLanes> states{};
+  std::uint8_t* next = nullptr;  // what was written begins here; room for kMostBytesOfPlane lies before it
+};
+
+inline constexpr std::size_t kMostBytesOfPlane =
+    5 + 2 * kChunkArea;  // kinds; of a column its state's, and its change
+
+struct PlaneKernels {
+  /// Reads the plane above `below`. Where a fault is found, the rows from there on mean nothing.
+  PlaneFault (*read)(PlaneSource& source, const std::uint8_t* below, std::uint8_t* plane);
+  void (*weigh)(const std::uint8_t* plane, const std::uint8_t* below, PlaneShares& shares);
+  void (*write)(const PlaneShares& shares, PlaneSink& sink);
+};
+
+[[nodiscard]] const PlaneKernels& plane_kernels(InstructionSet set);
+
+/// Those of instruction_set().
+[[nodiscard]] const PlaneKernels& plane_kernels();
+
+/// Takes which rows of a plane are carried from the front of a source: bit z for row z, never the first,
+/// which has a kind of its own. Any other bit is a fault.
+[[nodiscard]] inline std::uint32_t take_carried(PlaneSource& source, bool& fault) {
+  const std::uint32_t present = *source.next++;
+  std::uint32_t carried = 0;
+  for (std::uint32_t byte = 0; byte < 4; ++byte) {
+    if ((present >> byte & 1U) != 0) carried |= std::uint32_t{*source.next++} << (8 * byte);
+  }
+  fault = present > 15 || (carried & 1U) != 0;
+  return carried;
+}
+
+/// The same, written.
+inline void put_carried(PlaneSink& sink, std::uint32_t carried) {
+  std::uint32_t present = 0;
+  for (std::uint32_t byte = 4; byte-- > 0;) {
+    const std::uint32_t rows = carried >> (8 * byte) & 0xFFU;
+    if (rows == 0) continue;
+    *--sink.next = static_cast<std::uint8_t>(rows);
+    present |= 1U << byte;
+  }
+  *--sink.next = static_cast<std::uint8_t>(present);
+}
+
+/// Writes the changes that follow row z.
+inline void put_others(PlaneSink& sink, const PlaneShares& shares, std::size_t z) {
+  for (std::uint32_t others = shares.others[z]; others != 0;) {
+    const auto x = static_cast<std::uint32_t>(std::bit_width(others) - 1);
+    *--sink.next = static_cast<std::uint8_t>(shares.changes[z * kChunkSize + x]);
+    others ^= 1U << x;
+  }
+}
+
+[[nodiscard]] constexpr RowKind kind_of(std::uint32_t carried, std::size_t z) {
+  if (z == 0) return kFirst;
+  return (carried >> z & 1U) != 0 ? kCarried : kLevel;
+}
+
+/// Mends a row's steps, which are as its symbols say alone: reads the changes that follow for those that are
+/// kOther, and sums up what is carried. Steps past what a byte holds stay out of every plane's range.
+inline void finish_steps(PlaneSource& source, std::uint32_t others, RowKind kind, Steps& steps) {
+  for (; others != 0; others &= others - 1) {
+    steps[static_cast<std::size_t>(std::countr_zero(others))] = static_cast<std::int8_t>(*source.next++);
+  }
+  if (kind == kLevel) return;
+  int step = 0;
+  for (std::int8_t& each : steps) {
+    step = std::clamp(step + each, -128, 127);
+    each = static_cast<std::int8_t>(step);
+  }
+}
+
+}  // namespace talus::codec
