@@ -106,11 +106,11 @@ double total(const Counts& counts) {
 /// Weights by which the sum over a context's pairs is the log odds of `is` within `of`, both parts of its
 /// counts: each table in turn takes the step of Newton's method that is best for it.
 template <class Is, class Of>
-Tables fitted(const Contexts& contexts, const Is& is, const Of& of) {
+Tables fitted(const Contexts& contexts, std::size_t pairs, const Is& is, const Of& of) {
   Tables tables{};
   std::vector<double> scores(contexts.size());
   for (int sweep = 0; sweep < kSweeps; ++sweep) {
-    for (std::size_t p = 0; p < kPairs.size(); ++p) {
+    for (std::size_t p = 0; p < pairs; ++p) {
       std::array<double, 16> slope{};
       std::array<double, 16> bend{};
       for (std::size_t i = 0; i < contexts.size(); ++i) {
@@ -144,9 +144,9 @@ Rounded rounded(const Tables& tables, int start) {
   return all;
 }
 
-std::size_t class_in(const Rounded& weights, const Places& places) {
+std::size_t class_in(const Rounded& weights, const Places& places, std::size_t odd) {
   int score = 0;
-  for (std::size_t p = 0; p < kPairs.size(); ++p) score = add_weight(score, weights[p][places[p]]);
+  for (std::size_t p = 0; p < pairs_of(odd); ++p) score = add_weight(score, weights[p][places[p]]);
   return class_of(score);
 }
 
@@ -186,16 +186,16 @@ int main() {
       Contexts& all = contexts[kind][odd];
       for (const auto& [places, counts] : found[kind][odd]) all.push_back({places, counts});
       same[kind][odd] = rounded(fitted(
-                                    all, [](const Counts& n) { return n[kSame]; }, total),
+                                    all, pairs_of(odd), [](const Counts& n) { return n[kSame]; }, total),
                                 kSameStart);
-      up[kind][odd] = rounded(
-          fitted(
-              all, [](const Counts& n) { return n[kUp]; }, [](const Counts& n) { return n[kUp] + n[kDown]; }),
-          kUpStart);
+      up[kind][odd] = rounded(fitted(
+                                  all, pairs_of(odd), [](const Counts& n) { return n[kUp]; },
+                                  [](const Counts& n) { return n[kUp] + n[kDown]; }),
+                              kUpStart);
       for (const Context& context : all) {
         for (const Symbol symbol : {kSame, kUp, kDown, kOther}) {
-          by_same[class_in(same[kind][odd], context.places)][symbol] += context.counts[symbol];
-          by_up[class_in(up[kind][odd], context.places)][symbol] += context.counts[symbol];
+          by_same[class_in(same[kind][odd], context.places, odd)][symbol] += context.counts[symbol];
+          by_up[class_in(up[kind][odd], context.places, odd)][symbol] += context.counts[symbol];
         }
       }
     }
@@ -252,8 +252,8 @@ inline constexpr std::array<std::array<Weights, 2>, kRowKinds> kWeights{{
   for (std::size_t kind = 0; kind < kRowKinds; ++kind) {
     for (const std::size_t odd : {0U, 1U}) {
       for (const auto& [places, counts] : contexts[kind][odd]) {
-        const std::size_t c = class_in(same[kind][odd], places);
-        const std::size_t d = class_in(up[kind][odd], places);
+        const std::size_t c = class_in(same[kind][odd], places, odd);
+        const std::size_t d = class_in(up[kind][odd], places, odd);
         const int down = same_end[c] + 1 + ((other_start[c] - same_end[c] - 2) * up_share[d] >> 8);
         const std::array<int, 5> starts{0, same_end[c], down, other_start[c], kOddsTotal};
         for (const Symbol symbol : {kSame, kUp, kDown, kOther}) {

@@ -1,11 +1,13 @@
 // Loose material, noise and the planes of a chunk by every instruction set of this processor: the same bits
 // as by scalar code.
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
 #include <cstring>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "fbm_rows.h"
@@ -91,6 +93,16 @@ void sample_everywhere(Input& input) {
   }
 }
 
+/// What is written before `states`, and what they are then.
+template <class Write>
+auto written(const Write& write, const codec::PlaneShares& shares,
+             const std::array<std::uint16_t, codec::kLanes>& states) {
+  std::vector<std::uint8_t> bytes(codec::kMostBytesOfPlane);
+  codec::PlaneSink sink{states, bytes.data() + bytes.size()};
+  write(shares, sink);
+  return std::pair{std::vector<std::uint8_t>(sink.next, bytes.data() + bytes.size()), sink.states};
+}
+
 /// A plane out of the input's bytes, and one above it out of the rest; what can be read is written again.
 void read_everywhere(Input& input) {
   using namespace talus::codec;
@@ -112,7 +124,8 @@ void read_everywhere(Input& input) {
     const PlaneFault fault = read_plane_plainly(after, below.data(), plane.data());
     PlaneShares shares;
     if (fault == PlaneFault::none) weigh_plane_plainly(plane.data(), below.data(), shares);
-    for (const auto set : {InstructionSet::sse4, InstructionSet::avx2, InstructionSet::avx512}) {
+    for (const auto set :
+         {InstructionSet::scalar, InstructionSet::sse4, InstructionSet::avx2, InstructionSet::avx512}) {
       if (!runs_here(set)) continue;
       const PlaneKernels& kernels = plane_kernels(set);
       std::vector<std::uint8_t> other(kChunkArea);
@@ -125,6 +138,9 @@ void read_everywhere(Input& input) {
       kernels.weigh(plane.data(), below.data(), found);
       if (found.start != shares.start || found.size != shares.size || found.others != shares.others ||
           found.carried != shares.carried) {
+        std::abort();
+      }
+      if (written(kernels.write, found, after.states) != written(write_plane_plainly, shares, after.states)) {
         std::abort();
       }
     }

@@ -26,6 +26,7 @@ All of them unless told otherwise. BUILD=DIR: the build to take the programs fro
 USAGE
 }
 
+failed=""
 build="${BUILD:-build/release}"
 talusd="$build/server/talusd"
 talus_load="$build/client_sample/load/talus-load"
@@ -104,7 +105,7 @@ join() {
 }
 
 hot() {
-  hot_beside hot 390 2
+  hot_beside hot 450 2
   [[ -n "$short" ]] || hot_beside hot-4k 4096 8 TALUS_WORLD=tests/load/rough.toml
 }
 
@@ -231,10 +232,11 @@ beside_walkers() {
     start
     load "$name" "${players[@]}" "$@" --compare "$out/walkers.json" "${expected[@]}"
     with="$(figure "$name" p99_ms)" without="$(figure walkers p99_ms)"
+    [[ -n "$with" && -n "$without" ]] || { echo "$name: turn $turn gave no figure" >&2; exit 1; }
     printf 'turn %s: p99 %s ms with, %s without\n' "$turn" "$with" "$without"
     echo "$with $without" >>"$out/$name-turns"
   done
-  [[ -n "$short" ]] || medians "$name" with without 'ms p99' "$most"
+  [[ -n "$short" ]] || medians "$name" with without 'ms p99' "$most" || failed=yes
 }
 
 greedy() { beside_walkers greedy 1.5 --greedy 1; }
@@ -270,3 +272,4 @@ done
 mkdir -p "$out"
 [[ -z "${TLS:-}" ]] || make_certificate
 for scenario in "${@:-${scenarios[@]}}"; do "$scenario"; done
+[[ -z "$failed" ]]

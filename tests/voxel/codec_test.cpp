@@ -53,6 +53,22 @@ TEST_CASE("a layered payload gives layers") {
   }));
 }
 
+TEST_CASE("materials whose ids take up to sixteen bytes are told by how the states end") {
+  // Nine materials, of ids of one byte or of two.
+  for (std::size_t large = 0; large <= 8; ++large) {
+    Layers layers;
+    for (std::size_t m = 0; m < 9; ++m) {
+      layers.materials.push_back(MaterialId{static_cast<std::uint16_t>(m + (m < large ? 200 : 1))});
+      if (m > 0) layers.tops.insert(layers.tops.end(), kChunkArea, static_cast<std::uint8_t>(3 * m));
+    }
+    const auto payload = encoded(Chunk::from_layers(layers));
+    CAPTURE(large);
+    CHECK(std::to_integer<int>(payload[2]) == (9 + large <= 16 ? 64 + 9 : 9));
+    REQUIRE(decode(payload).has_value());
+    CHECK(decode(payload)->layers()->materials == layers.materials);
+  }
+}
+
 TEST_CASE("a step from one end to the other and back comes back") {
   for (const auto& [first, second] : {std::pair{32, 32}, {32, 2}, {2, 32}, {32, 0}}) {
     Layers pillars{{MaterialId{3}, kAir}, std::vector<std::uint8_t>(kChunkArea)};

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <random>
 
 #include <catch2/catch.hpp>
@@ -6,6 +7,7 @@
 #include <talus/voxel/codec.h>
 
 #include "layered.h"
+#include "plane_plain.h"
 #include "sample_chunks.h"
 
 namespace talus {
@@ -169,9 +171,7 @@ TEST_CASE("a state that no encoder begins with") {
 }
 
 TEST_CASE("an ending that the encoder would not write") {
-  // So many materials are not told by how the states end.
-  for (Payload payload : {encoded(Chunk::from_layers(random_layers(3, 20, 100))),
-                          encoded(Chunk::from_dense(*random_voxels(4, 3, 400))), frozen(2, "hill")}) {
+  for (Payload payload : {encoded(Chunk::from_dense(*random_voxels(4, 3, 400))), frozen(2, "hill")}) {
     REQUIRE(payload.back() != std::byte{0xFF});
     payload.back() = static_cast<std::byte>(std::to_integer<int>(payload.back()) + 1);
     CHECK(fault_of(payload) == DecodeError::bad_ending);
@@ -191,6 +191,16 @@ TEST_CASE("materials that the states tell") {
       CHECK(fault_of(other) == DecodeError::bad_materials);
     }
   }
+  SECTION("are no more than sixteen bytes tell") {
+    Payload other = payload;
+    other[2] = std::byte{81};
+    CHECK(fault_of(other) == DecodeError::bad_materials);
+  }
+  SECTION("are told by no version before") {
+    Payload other = payload;
+    other[0] = std::byte{2};
+    CHECK(fault_of(other) == DecodeError::bad_materials);
+  }
   SECTION("differ from their neighbours") {
     // Ids are the ends of states, and these come out as they went in.
     Layers alike = layers;
@@ -200,6 +210,57 @@ TEST_CASE("materials that the states tell") {
     body.insert(body.begin(), {std::byte{3}, std::byte{0}});
     CHECK(fault_of(body) == DecodeError::bad_materials);
   }
+}
+
+/// A level plane of 0 rows above the ground, written from the states on with which it ends.
+Payload ended_with(const std::array<std::uint16_t, codec::kLanes>& states,
+                   std::initializer_list<int> list = {3, 0, 66}) {
+  const std::vector<std::uint8_t> ground(kChunkArea, 0);
+  std::vector<std::uint8_t> plane(kChunkArea, 5);
+  codec::PlaneShares shares;
+  codec::weigh_plane_plainly(plane.data(), ground.data(), shares);
+  std::vector<std::uint8_t> written(codec::kMostBytesOfPlane);
+  codec::PlaneSink sink{states, written.data() + written.size()};
+  codec::write_plane_plainly(shares, sink);
+  Payload payload = bytes(list);
+  for (const std::uint16_t state : sink.states) {
+    payload.push_back(static_cast<std::byte>(state & 0xFF));
+    payload.push_back(static_cast<std::byte>(state >> 8));
+  }
+  for (const std::uint8_t* next = sink.next; next != written.data() + written.size(); ++next) {
+    payload.push_back(std::byte{*next});
+  }
+  return payload;
+}
+
+TEST_CASE("states that tell nothing end at 256") {
+  std::array<std::uint16_t, codec::kLanes> states;
+  states.fill(codec::kLeastState);
+  REQUIRE(decode(ended_with(states, {3, 0, 2, 7, 9})).has_value());
+  for (std::uint16_t& state : states) {
+    ++state;
+    CHECK(fault_of(ended_with(states, {3, 0, 2, 7, 9})) == DecodeError::bad_ending);
+    --state;
+  }
+}
+
+TEST_CASE("states that end at no materials") {
+  std::array<std::uint16_t, codec::kLanes> states;
+  states.fill(codec::kLeastState);
+  states[0] += 7;
+  states[1] += 9;
+  REQUIRE(decode(ended_with(states)).has_value());
+  CHECK(decode(ended_with(states))->layers()->materials == std::vector{MaterialId{7}, MaterialId{9}});
+  SECTION("a state that is no byte past its beginning") {
+    states[1] = 2 * codec::kLeastState;
+  }
+  SECTION("an id that is too long") {
+    states[1] = states[2] = states[3] = codec::kLeastState + 0xFF;
+  }
+  SECTION("bytes behind the ids") {
+    states[15] += 1;
+  }
+  CHECK(fault_of(ended_with(states)) == DecodeError::bad_ending);
 }
 
 TEST_CASE("every error describes itself") {

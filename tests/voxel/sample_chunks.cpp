@@ -51,6 +51,13 @@ Layers random_layers(std::uint64_t seed, std::size_t planes, int smoothness) {
   return layers;
 }
 
+Layers with_large_ids(Layers layers) {
+  for (MaterialId& material : layers.materials) {
+    material = MaterialId{static_cast<std::uint16_t>(to_integer(material) + 20000)};
+  }
+  return layers;
+}
+
 Layers leaping_layers(std::uint64_t seed, std::size_t planes) {
   Random random{seed};
   Layers layers;

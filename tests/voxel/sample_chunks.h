@@ -30,6 +30,9 @@ namespace talus::testing {
 [[nodiscard]] std::vector<std::byte> encoded(const Chunk& chunk);
 
 /// tests/voxel/golden/vVERSION/NAME.bin.
+/// The same with ids that take three bytes each as numbers.
+[[nodiscard]] Layers with_large_ids(Layers layers);
+
 [[nodiscard]] std::vector<std::byte> frozen(int version, const std::string& name);
 
 /// A chunk of any kind, chosen by RapidCheck.

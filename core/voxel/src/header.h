@@ -1,4 +1,4 @@
-// The numbers before the coded part: FORMAT.md, "Numbers".
+// The numbers before the coded part: FORMAT.md, "Numbers and lists".
 #pragma once
 
 #include <cstddef>

@@ -14,8 +14,8 @@ constexpr std::size_t kMostBytes = sizeof(DenseVoxels);  // more than that is be
 constexpr std::size_t kMaterialsBytes = 256;             // at least what a list of materials takes
 constexpr std::size_t kStatesBytes = kLanes * sizeof(std::uint16_t);
 
-// A count past it says that the states end at the bytes of the materials' ids, which take no others then.
-constexpr std::size_t kInStates = Layers::kMaxMaterials;
+// Added to the count of materials where the states end at the bytes of their ids, and none stand in front.
+constexpr std::size_t kCountToldByStates = Layers::kMaxMaterials;
 
 constexpr std::array<std::uint8_t, kChunkArea> kGround{};
 
@@ -54,7 +54,7 @@ bool encode_layered(const Layers& layers, std::vector<std::byte>& out) {
   const std::size_t begin = out.size();
   EndBytes ends{};
   if (layers.plane_count() > 0 && put_in_states(layers.materials, ends)) {
-    put_number(static_cast<std::uint16_t>(kInStates + layers.materials.size()), out);
+    put_number(static_cast<std::uint16_t>(kCountToldByStates + layers.materials.size()), out);
   } else {
     put_materials(layers.materials, out);
     if (layers.plane_count() == 0) return true;
@@ -89,11 +89,12 @@ bool encode_layered(const Layers& layers, std::vector<std::byte>& out) {
 tl::expected<Chunk, DecodeError> decode_layered(std::span<const std::byte> body) {
   std::span<const std::byte> after_count = body;
   const auto count = take_number(after_count);
-  const bool in_states = count && *count > kInStates + 1 && *count <= 2 * kInStates;
+  // Sixteen bytes tell sixteen ids at most.
+  const bool in_states = count && *count > kCountToldByStates + 1 && *count <= kCountToldByStates + kLanes;
   Layers layers;
   if (in_states) {
     body = after_count;
-    layers.materials.resize(*count - kInStates);
+    layers.materials.resize(*count - kCountToldByStates);
   } else {
     auto materials = take_layer_materials(body);
     if (!materials) return tl::unexpected{materials.error()};

@@ -1,6 +1,4 @@
-// How likely each step is in each context, as train_odds (tests/bench) found it on the sample worlds at
-// levels 0 to 4. Part of the payload's format: FORMAT.md lists the same numbers, and a change needs a new
-// kCodecVersion.
+// How likely each step is in each context of codec version 2: FORMAT.md, "Version 2", lists the same numbers.
 #pragma once
 
 #include <array>

@@ -178,11 +178,10 @@ class Scores {
   HWY_INLINE void add(const PairWeights& weights, HalfVec place) {
     const Rows d;
     const auto at = hn::BitCast(d, twice(place));
+    both_ = hn::SaturatedAdd(both_, hn::TableLookupBytes(hn::LoadU(d, weights.same.data()), at));
 #if TALUS_TWICE
-    static_assert(sizeof(PairWeights) == 2 * kLanes);
-    both_ = hn::SaturatedAdd(both_, hn::TableLookupBytes(hn::LoadU(d, weights.same.data()), at));
+    static_assert(sizeof(PairWeights) == 2 * kLanes);  // both tables at once
 #else
-    both_ = hn::SaturatedAdd(both_, hn::TableLookupBytes(hn::LoadU(d, weights.same.data()), at));
     up_ = hn::SaturatedAdd(up_, hn::TableLookupBytes(hn::LoadU(d, weights.up.data()), at));
 #endif
   }
@@ -351,7 +350,7 @@ HWY_INLINE void refill(WordParts& states, const std::uint8_t*& next) {
   const Half d;
   WordParts takes;
   for (std::size_t p = 0; p < kParts; ++p) {
-    // States of 2^15 and more are below 0.
+    // Of the state itself a comparison with a sign would be wrong.
     const auto high = hn::BitCast(compared, hn::ShiftRight<8>(states.part[p]));
     takes.part[p] = hn::BitCast(words, hn::VecFromMask(compared, hn::Eq(high, hn::Zero(compared))));
   }

@@ -19,13 +19,17 @@ inline constexpr std::uint32_t kLeastState = 256;
 
 /// Where reading has come to. The bytes go on for kReadAhead past `end`, whatever they hold.
 struct PlaneSource {
-  alignas(64) std::array<std::uint16_t, kLanes> states{};  // each kLeastState or more
+  std::array<std::uint16_t, kLanes> states{};  // each kLeastState or more
   const std::uint8_t* next = nullptr;
   const std::uint8_t* end = nullptr;
 };
 
-/// At least what a row takes, with the kinds of the plane's rows before it, and a vector past that.
+inline constexpr std::size_t kMostBytesOfKinds = 5;
+
+/// A row may take a byte for each column's state and one for its change, after the kinds of the plane's rows;
+/// where the bytes have ended that shows behind it. A vector of bytes goes past that.
 inline constexpr std::size_t kReadAhead = 128;
+static_assert(kReadAhead >= kMostBytesOfKinds + 2 * kChunkSize + kLanes);
 
 enum class PlaneFault : std::uint8_t { none, truncated, bad_number };
 
@@ -40,12 +44,12 @@ struct PlaneShares {
 
 /// Where writing has come to: backwards, so that what is read last is written first.
 struct PlaneSink {
-  alignas(64) std::array<std::uint16_t, kLanes> states{};
+  std::array<std::uint16_t, kLanes> states{};
   std::uint8_t* next = nullptr;  // what was written begins here; room for kMostBytesOfPlane lies before it
 };
 
-inline constexpr std::size_t kMostBytesOfPlane =
-    5 + 2 * kChunkArea;  // kinds; of a column its state's, and its change
+/// Of a column its state's byte and its change.
+inline constexpr std::size_t kMostBytesOfPlane = kMostBytesOfKinds + 2 * kChunkArea;
 
 struct PlaneKernels {
   /// Reads the plane above `below`. Where a fault is found, the rows from there on mean nothing.

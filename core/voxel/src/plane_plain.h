@@ -1,4 +1,5 @@
-// Planes column by column, for processors without vectors, and to hold the others against.
+// Planes column by column: where the compiler makes no vectors of sixteen bytes, and to hold the others
+// against.
 #pragma once
 
 #include "plane_kernels.h"
