@@ -1,14 +1,11 @@
 #include "generation/chunk_service.h"
 
-#include <signal.h>
-#include <sys/resource.h>
-#include <unistd.h>
-
 #include <algorithm>
 #include <chrono>
 #include <exception>
 #include <utility>
 
+#include "generation/background_thread.h"
 #include "generation/handover.h"
 #include "metrics/thread_time.h"
 
@@ -43,19 +40,6 @@ constexpr std::uint64_t kFirstHeightNs = 500;
 
 ChunkKey column_of(ChunkKey key) {
   return {{key.coord.x, 0, key.coord.z}, key.lod};
-}
-
-/// Sockets are served first where both want a core: what is at hand must not wait for what is being made.
-void give_way() {
-  constexpr int kNiceness = 5;
-  ::setpriority(PRIO_PROCESS, static_cast<id_t>(::gettid()), kNiceness);  // of this thread alone, on Linux
-}
-
-/// They are for the main thread, which alone knows what they mean at the end.
-void leave_signals_alone() {
-  sigset_t all;
-  ::sigfillset(&all);
-  ::pthread_sigmask(SIG_BLOCK, &all, nullptr);
 }
 
 /// Counts the thread's time from here to the end of the block. Asking for it costs a call of the kernel, so
@@ -182,8 +166,7 @@ ChunkService::Status ChunkService::status() {
 }
 
 void ChunkService::work() {
-  give_way();
-  leave_signals_alone();
+  be_in_background();
   std::unique_lock lock{mutex_};
   while (!stopping_) {
     auto work = queue_.take(prices());
