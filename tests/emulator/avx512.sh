@@ -26,7 +26,7 @@ for program in "$root"/programs/*; do ldd "$program" | grep -oE '/lib[^ ]+'; don
   cp -L "$library" "$root$library"
 done
 cp -r core/worlds "$root$repository/core"
-cp tests/golden/golden.txt "$root$repository/tests/golden"
+cp -r tests/golden/golden.txt tests/golden/worlds "$root$repository/tests/golden"
 cat >"$root/init" <<INIT
 #!/bin/sh
 /bin/busybox --install -s /bin
