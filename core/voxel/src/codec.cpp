@@ -12,8 +12,8 @@ enum class Encoding : std::uint8_t { layered, palette, raw };
 
 constexpr std::size_t kHeaderBytes = 2;
 
-// Layers that code this well are kept without trying the palette: it takes twice the time, and of terrain's
-// chunks it was smaller for one in 300, by a byte or two.
+// Layers that code this well are kept without trying the palette: it takes tens of times as long, and was
+// smaller for a quarter of the sample worlds' chunks of levels 0 and 2, by some 20 bytes.
 constexpr std::size_t kGoodBytes = 1024;
 
 void put_header(Encoding encoding, std::vector<std::byte>& out) {
