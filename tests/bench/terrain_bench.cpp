@@ -80,6 +80,16 @@ Field unsettled() {
   return starting_thickness(terrain_of_side().slope, gravel.t_fx, gravel.S_fx);
 }
 
+// What it does depends on no thickness, so that ground at rest takes as long as any.
+void settle_alone(State& state) {
+  const LooseSpec& gravel = world().loose()[0];
+  LooseCells cells{instruction_set()};
+  cells.start(terrain_of_side().slope, gravel.t_fx, gravel.S_fx);
+  for (auto _ : state) cells.settle(gravel.c_fx);
+  bench::works_on(state, "column", kSide * kSide);
+}
+BENCHMARK(settle_alone)->Name("settle");
+
 // As the generator does it: its start included, which is a part of every patch.
 void settle(State& state) {
   const LooseSpec& gravel = world().loose()[0];

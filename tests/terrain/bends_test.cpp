@@ -81,7 +81,7 @@ TEST_CASE("Bent strata fill the ground: planes in order, none under y = 0, the l
   CHECK(rc::check([] {
     const World bent = world_with(*rc::gen::arbitrary<std::uint64_t>(), test::underground_text());
     const Terrain terrain = generate_terrain(bent, {any_column(), any_column(), 40, 40, Lod{}});
-    std::vector<std::int32_t> below(terrain.region.columns(), 0);
+    Field::Values below(terrain.region.columns(), 0);
     for (const Field& plane : terrain.strata) {
       for (std::size_t i = 0; i < below.size(); ++i) RC_ASSERT(plane.values[i] >= below[i]);
       below = plane.values;

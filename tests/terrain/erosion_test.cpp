@@ -155,7 +155,7 @@ TEST_CASE("A larger step sends material back and forth for ever") {
   thickness.values = {1000, 849};
   const auto run = [](Field material, std::int32_t step_fx) {
     Eroder eroder;
-    std::set<std::vector<std::int32_t>> seen;
+    std::set<Field::Values> seen;
     bool moved = true;
     while (moved && seen.insert(material.values).second) {
       const Field surface = material;

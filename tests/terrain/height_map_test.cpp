@@ -154,12 +154,12 @@ tl::expected<std::shared_ptr<const Field>, std::string> scaled(const HeightMap& 
 
 TEST_CASE("Samples of every type come to the range between low and high") {
   const HeightMap words{2, 2, std::vector<std::uint16_t>{0, 65535, 32768, 13}};
-  CHECK((*scaled(words))->values == std::vector<std::int32_t>{0, 1000, 500, 0});
-  CHECK((*scaled(words, 13.0, 32768.0))->values == std::vector<std::int32_t>{0, 1000, 1000, 0});
+  CHECK((*scaled(words))->values == Field::Values{0, 1000, 500, 0});
+  CHECK((*scaled(words, 13.0, 32768.0))->values == Field::Values{0, 1000, 1000, 0});
   const HeightMap whole{2, 2, std::vector<std::int32_t>{-2000000000, 2000000000, 0, 1000000000}};
-  CHECK((*scaled(whole))->values == std::vector<std::int32_t>{0, 1000, 500, 750});
+  CHECK((*scaled(whole))->values == Field::Values{0, 1000, 500, 750});
   const HeightMap real{2, 2, std::vector<float>{-1.5F, 2.5F, 0.5F, -1.5F}};
-  CHECK((*scaled(real))->values == std::vector<std::int32_t>{0, 1000, 500, 0});
+  CHECK((*scaled(real))->values == Field::Values{0, 1000, 500, 0});
 }
 
 TEST_CASE("Samples that are no heights are refused by their place") {

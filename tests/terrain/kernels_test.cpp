@@ -15,6 +15,7 @@
 #include "fbm_rows.h"
 #include "inserts.h"
 #include "kernels/columns.h"
+#include "kernels/strata.h"
 #include "loose_cells.h"
 #include "point_fbm.h"
 #include "surface_rows.h"
@@ -266,29 +267,72 @@ TEST_CASE("Tops are lowered by every instruction set as by the definition") {
   }));
 }
 
-TEST_CASE("Slopes and strata have the same numbers from every instruction set") {
+TEST_CASE("Slopes have the same numbers from every instruction set") {
   CHECK(rc::check([] {
     const int width = *rc::gen::inRange(1, 70);
     const auto count = static_cast<std::size_t>(width);
     const Field heights = any_field(width + 2, 3, 1 << 23);
-    const Field limit = any_field(width, 1, 1 << 23);
-    const Field below = any_field(width, 1, 1 << 22);
-    std::vector<float> noise;
-    for (std::size_t i = 0; i < count; ++i)
-      noise.push_back(static_cast<float>(*rc::gen::inRange(-1000, 1001)) * 1e-3F);
-    const LayerShape shape{static_cast<float>(*rc::gen::inRange(1, 1 << 22)),
-                           static_cast<float>(*rc::gen::inRange(0, 33)), 8388608.0F};
-    const auto all_of = [&](InstructionSet set) {
-      const ColumnKernels& kernels = column_kernels(set);
-      std::vector<std::int32_t> out(2 * count);
-      kernels.slope(heights.row(0).data(), heights.row(1).data(), heights.row(2).data(), count, out.data());
-      const bool full = kernels.raise(noise.data(), count, shape, limit.values.data(), below.values.data(),
-                                      out.data() + count);
-      out.push_back(full ? 1 : 0);
+    const auto slopes = [&](InstructionSet set) {
+      std::vector<std::int32_t> out(count);
+      column_kernels(set).slope(heights.row(0).data(), heights.row(1).data(), heights.row(2).data(), count,
+                                out.data());
       return out;
     };
-    const auto scalar = all_of(InstructionSet::scalar);
-    for (const InstructionSet set : vector_sets()) RC_ASSERT(all_of(set) == scalar);
+    const auto scalar = slopes(InstructionSet::scalar);
+    for (const InstructionSet set : vector_sets()) RC_ASSERT(slopes(set) == scalar);
+  }));
+}
+
+// The layer over one column, as LayerShape has it.
+std::int32_t laid(float noise, const LayerShape& shape, std::int32_t below, std::int32_t limit) {
+  const float thickness = shape.mean_fx * std::max(0.0F, 1.0F + shape.swing * noise);
+  return std::min(below + static_cast<std::int32_t>(std::nearbyint(std::min(thickness, shape.most_fx))),
+                  limit);
+}
+
+TEST_CASE("Layers are laid by every instruction set as by the definition, where ground is open") {
+  CHECK(rc::check([] {
+    const auto xs = any_line();
+    const auto width = static_cast<int>(xs.size());
+    const std::int64_t z = *any_column();
+    const Field limit = any_field(width, 1, 1 << 23);
+    Field below = any_field(width, 1, *rc::gen::element(1 << 10, 1 << 23));
+    const LayerShape shape{static_cast<float>(*rc::gen::inRange(1, 1 << 22)),
+                           static_cast<float>(*rc::gen::inRange(0, 33)), 8388608.0F};
+    const Fbm fbm{*rc::gen::arbitrary<std::uint64_t>(), *rc::gen::inRange<std::int64_t>(8, 400), 4};
+    std::vector<std::uint8_t> open(xs.size() / kSegment + 1);
+    for (auto& segment : open) segment = *rc::gen::element<std::uint8_t>(0, 1);
+    for (std::size_t x = 0; x < xs.size(); ++x) {
+      const bool is_open = open[x / kSegment] != 0;
+      below.values[x] = is_open ? std::min(below.values[x], limit.values[x]) : limit.values[x];
+    }
+    auto sets = vector_sets();
+    sets.push_back(InstructionSet::scalar);
+    for (const InstructionSet set : sets) {
+      FbmRows rows{set};
+      rows.start(fbm, xs);
+      const auto octaves = rows.octaves(z);
+      auto left = open;
+      std::vector<std::int32_t> tops(xs.size() + 1, -1);  // one more, that nothing may touch
+      const bool any =
+          strata_kernels(set).lay(octaves.data(), octaves.size(), shape, xs.size(), limit.values.data(),
+                                  below.values.data(), left.data(), tops.data());
+      RC_ASSERT(tops.back() == -1);
+      const float* noise = rows.row(z);
+      bool any_expected = false;
+      for (std::size_t first = 0; first < xs.size(); first += kSegment) {
+        const std::size_t segment = first / kSegment;
+        bool missing = false;
+        for (std::size_t x = first; x < std::min(first + kSegment, xs.size()); ++x) {
+          const std::int32_t top = laid(noise[x], shape, below.values[x], limit.values[x]);
+          RC_ASSERT(tops[x] == top);
+          missing = missing || top < limit.values[x];
+        }
+        RC_ASSERT((left[segment] != 0) == missing);
+        any_expected = any_expected || missing;
+      }
+      RC_ASSERT(any == any_expected);
+    }
   }));
 }
 

@@ -49,7 +49,7 @@ TEST_CASE("The starting thickness is equation 3 rounded down") {
   Field slope{5, 1};
   slope.values = {0, 1, 128, 256, 257};
   const Field g = starting_thickness(slope, 1000, 256);
-  CHECK(g.values == std::vector<std::int32_t>{1000, 996, 500, 0, 0});
+  CHECK(g.values == Field::Values{1000, 996, 500, 0, 0});
   CHECK(starting_thickness(slope, 1 << 20, 14667).values[0] == 1 << 20);
 }
 

@@ -9,7 +9,7 @@ using namespace talus::tools;
 
 namespace {
 
-terrain::Field row(const std::vector<std::int32_t>& values) {
+terrain::Field row(const terrain::Field::Values& values) {
   terrain::Field field{static_cast<int>(values.size()), 1};
   field.values = values;
   return field;

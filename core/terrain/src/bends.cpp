@@ -146,7 +146,7 @@ void Bends::fault(const FaultField& faults, std::span<const std::int64_t> xs,
   std::int64_t end = 0;
   std::int32_t block_lift_fx = 0;
   for (std::size_t z = 0; z < zs.size(); ++z) {
-    const float* noise = straight ? nullptr : wander_.row(zs[z], 0, xs.size());
+    const float* noise = straight ? nullptr : wander_.row(zs[z]);
     const auto row = lift_fx.row(static_cast<int>(z));
     for (std::size_t x = 0; x < xs.size(); ++x) {
       std::int64_t place = faults.strike.across_q16(xs[x], zs[z]);

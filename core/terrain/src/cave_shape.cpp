@@ -39,8 +39,8 @@ void CaveShape::start(std::span<const std::int64_t> xs) {
 bool CaveShape::row(std::int64_t z, std::int32_t* floor_fx, std::int32_t* roof_fx) {
   std::fill_n(floor_fx, width_, 0);
   std::fill_n(roof_fx, width_, 0);
-  const float* tunnels = tunnels_.row(z, 0, width_);
-  const float* chambers = chambers_.row(z, 0, width_);
+  const float* tunnels = tunnels_.row(z);
+  const float* chambers = chambers_.row(z);
   for (std::size_t i = 0; i < width_; ++i) {
     tunnel_noise_[i] = std::abs(noise_of(tunnels[i]));
     chamber_noise_[i] = noise_of(chambers[i]);

@@ -13,7 +13,7 @@ void sample_fbm(const Fbm& fbm, std::span<const std::int64_t> xs, std::span<cons
   FbmRows rows{instruction_set()};
   rows.start(fbm, xs);
   for (std::size_t j = 0; j < zs.size(); ++j) {
-    std::copy_n(rows.row(zs[j], 0, xs.size()), xs.size(), out.data() + j * xs.size());
+    std::copy_n(rows.row(zs[j]), xs.size(), out.data() + j * xs.size());
   }
 }
 

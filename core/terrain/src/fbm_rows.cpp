@@ -16,7 +16,7 @@ std::int64_t position_of(std::int64_t coordinate, int k, std::int64_t offset) {
 
 // Grows and never shrinks, so that what a kernel reads past the end is always there.
 template <class T>
-void make_room(std::vector<T>& buffer, std::size_t size) {
+void make_room(AlignedVector<T>& buffer, std::size_t size) {
   if (buffer.size() < padded(size)) buffer.resize(padded(size));
 }
 
@@ -24,6 +24,7 @@ void make_room(std::vector<T>& buffer, std::size_t size) {
 
 void FbmRows::start(const Fbm& fbm, std::span<const std::int64_t> xs, Weights weights) {
   fbm_ = fbm;
+  width_ = xs.size();
   count_ = 0;
   while (static_cast<int>(count_) < fbm.octaves && fbm.has_octave(static_cast<int>(count_))) ++count_;
   if (octaves_.size() < count_) octaves_.resize(count_);

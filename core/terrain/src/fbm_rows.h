@@ -24,8 +24,9 @@ class FbmRows {
   /// From here on rows are of this noise over these ascending base columns.
   void start(const Fbm& fbm, std::span<const std::int64_t> xs, Weights weights = Weights::halving);
 
-  /// The noise at (xs[i], z) for `first` <= i < `last`, at those indices of what is returned, which is valid
-  /// until the next call. Rows close to the one before cost least.
+  /// The noise at (xs[i], z) for every i, valid until the next call. Rows close to the one before cost least.
+  [[nodiscard]] const float* row(std::int64_t z) { return row(z, 0, width_); }
+  /// The same for `first` <= i < `last` alone, at those indices.
   [[nodiscard]] const float* row(std::int64_t z, std::size_t first, std::size_t last);
 
   /// What row() sums: the octaves that are not left out, each padded. Valid until the next call.
@@ -50,11 +51,12 @@ class FbmRows {
 
   const NoiseKernels* kernels_;
   Fbm fbm_;
+  std::size_t width_ = 0;
   std::size_t count_ = 0;  // octaves in use; more may be kept for their memory
   std::vector<Octave> octaves_;
   std::vector<OctaveRow> shares_;
-  std::vector<float> gradients_;
-  std::vector<float> noise_;
+  AlignedVector<float> gradients_;
+  AlignedVector<float> noise_;
 };
 
 }  // namespace talus::terrain

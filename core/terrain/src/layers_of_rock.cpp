@@ -7,9 +7,6 @@
 namespace talus::terrain {
 namespace {
 
-// Columns that are looked at together: ground which is already full pays for no more layers.
-constexpr std::size_t kSegment = 32;
-
 LayerShape shape_of(const World& world, const StratumSpec& layer) {
   // No layer reaches past the highest surface over the deepest bend, so a thicker one may stop there without
   // a difference.
@@ -41,7 +38,9 @@ void LayersOfRock::pile(std::span<const std::int64_t> xs, std::span<const std::i
                         const Field& limit_fx, Extent extent, Planes& planes) {
   const std::size_t width = xs.size();
   ground_.values.assign(limit_fx.values.size(), 0);
-  open_.assign(zs.size(), {0, width});
+  const std::size_t segments = (width + kSegment - 1) / kSegment;
+  open_rows_.assign(zs.size(), 1);
+  open_segments_.assign(zs.size() * segments, 1);
   bool full = false;
   for (std::size_t j = 0; j < world_.strata().size(); ++j) {
     if (full && extent == Extent::until_full) return;
@@ -63,27 +62,18 @@ void LayersOfRock::pile(std::span<const std::int64_t> xs, std::span<const std::i
     full = true;
     for (std::size_t z = 0; z < zs.size(); ++z) {
       const std::size_t row = z * width;
-      raise_row(zs[z], shape, limit_fx.values.data() + row, below.values.data() + row,
-                top.values.data() + row, width, open_[z]);
-      full = full && open_[z].none();
+      if (open_rows_[z] == 0) {
+        std::copy_n(limit_fx.values.data() + row, width, top.values.data() + row);
+        continue;
+      }
+      const auto octaves = noise_.octaves(zs[z]);
+      const bool open = kernels_.lay(octaves.data(), octaves.size(), shape, width,
+                                     limit_fx.values.data() + row, below.values.data() + row,
+                                     open_segments_.data() + z * segments, top.values.data() + row);
+      open_rows_[z] = open ? 1 : 0;
+      full = full && !open;
     }
   }
-}
-
-void LayersOfRock::raise_row(std::int64_t z, const LayerShape& shape, const std::int32_t* limit,
-                             const std::int32_t* below, std::int32_t* top, std::size_t width, Open& open) {
-  std::copy(limit, limit + open.first, top);
-  std::copy(limit + open.last, limit + width, top + open.last);
-  if (open.none()) return;
-  const float* noise = noise_.row(z, open.first, open.last);
-  Open still{};
-  for (std::size_t x = open.first; x < open.last; x += kSegment) {
-    const std::size_t count = std::min(kSegment, open.last - x);
-    if (kernels_.raise(noise + x, count, shape, limit + x, below + x, top + x)) continue;
-    if (still.none()) still.first = x;
-    still.last = x + count;
-  }
-  open = still;
 }
 
 }  // namespace talus::terrain

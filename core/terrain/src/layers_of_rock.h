@@ -11,7 +11,7 @@
 
 #include "bends.h"
 #include "fbm_rows.h"
-#include "kernels/columns.h"
+#include "kernels/strata.h"
 #include "planes.h"
 
 namespace talus::terrain {
@@ -23,7 +23,7 @@ class LayersOfRock {
   enum class Extent { until_full, all };
 
   LayersOfRock(const World& world, InstructionSet set)
-      : world_{world}, bends_{world.spec(), set}, noise_{set}, kernels_{column_kernels(set)} {}
+      : world_{world}, bends_{world.spec(), set}, noise_{set}, kernels_{strata_kernels(set)} {}
 
   /// Adds the tops of the strata to `planes`, in subvoxels of level 0: layers of one material as one, all cut
   /// at `limit_fx`, the last plane equal to it. Columns are all (x, z) of the two lists of base columns.
@@ -36,24 +36,15 @@ class LayersOfRock {
   void pile(std::span<const std::int64_t> xs, std::span<const std::int64_t> zs, const Field& limit_fx,
             Extent extent, Planes& planes);
 
-  /// Columns of a row that are not known to have reached the limit.
-  struct Open {
-    std::size_t first = 0;
-    std::size_t last = 0;
-    [[nodiscard]] bool none() const { return first == last; }
-  };
-
-  void raise_row(std::int64_t z, const LayerShape& shape, const std::int32_t* limit,
-                 const std::int32_t* below, std::int32_t* top, std::size_t width, Open& open);
-
   const World& world_;
   Bends bends_;
   Field lift_;   // of the strata by folds and faults
   Field reach_;  // of the strata above that: the limit less the lift
   FbmRows noise_;
-  const ColumnKernels& kernels_;
-  std::vector<Open> open_;  // a row
-  Field ground_;            // what the layer in work lies on, where no plane holds it
+  const StrataKernels& kernels_;
+  std::vector<std::uint8_t> open_rows_;      // 1 where a row has not reached the limit everywhere
+  std::vector<std::uint8_t> open_segments_;  // and where kSegment columns of it have not
+  Field ground_;                             // what the layer in work lies on, where no plane holds it
 };
 
 }  // namespace talus::terrain

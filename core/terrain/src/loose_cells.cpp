@@ -9,7 +9,7 @@ namespace {
 
 // Everything around the rows, and between a row's width and the next row, becomes unbounded.
 template <class Cell>
-PaddedRows<Cell> lay_out(std::vector<Cell>& cells, std::size_t width, std::size_t depth) {
+PaddedRows<Cell> lay_out(AlignedVector<Cell>& cells, std::size_t width, std::size_t depth) {
   PaddedRows<Cell> rows;
   rows.width = width;
   rows.depth = depth;
@@ -68,11 +68,21 @@ void LooseCells::start(const Field& thickness) {
 }
 
 void LooseCells::settle(std::int32_t repose_fx) {
+  if (repose_fx > kSteepest<std::int16_t>) widen();
   if (narrow_) {
     kernels_->settle_int16(narrow_rows_, repose_fx);
   } else {
-    kernels_->settle_int32(wide_rows_, repose_fx);
+    kernels_->settle_int32(wide_rows_, std::min(repose_fx, kSteepest<std::int32_t>));
   }
+}
+
+void LooseCells::widen() {
+  if (!narrow_) return;
+  wide_rows_ = lay_out(wide_cells_, narrow_rows_.width, narrow_rows_.depth);
+  for (std::size_t z = 0; z < wide_rows_.depth; ++z) {
+    std::copy_n(narrow_rows_.row(z), wide_rows_.width, wide_rows_.row(z));
+  }
+  narrow_ = false;
 }
 
 }  // namespace talus::terrain

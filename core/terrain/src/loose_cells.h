@@ -4,9 +4,9 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <vector>
 
 #include <talus/terrain/field.h>
+#include <talus/vectors/aligned.h>
 
 #include "kernels/settle.h"
 
@@ -35,11 +35,12 @@ class LooseCells {
 
  private:
   void reshape(int width, int depth, std::int32_t most_fx);
+  void widen();
 
   const SettleKernels* kernels_;
   bool narrow_ = true;
-  std::vector<std::int16_t> narrow_cells_;
-  std::vector<std::int32_t> wide_cells_;
+  AlignedVector<std::int16_t> narrow_cells_;
+  AlignedVector<std::int32_t> wide_cells_;
   PaddedRows<std::int16_t> narrow_rows_;
   PaddedRows<std::int32_t> wide_rows_;
 };

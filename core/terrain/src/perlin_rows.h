@@ -17,8 +17,7 @@ class PerlinRows final : public SurfaceRows {
   }
 
   void row(std::int64_t z, std::int32_t* heights_fx) override {
-    kernels_->shape(noise_.row(z, 0, width_), width_, surface_.gain, surface_.exponent, surface_.highest_fx,
-                    heights_fx);
+    kernels_->shape(noise_.row(z), width_, surface_.gain, surface_.exponent, surface_.highest_fx, heights_fx);
   }
 
  private:

@@ -2,7 +2,7 @@
 // sharp crests where the noise passes zero, smooth ground in the valleys between them.
 #pragma once
 
-#include <vector>
+#include <talus/vectors/aligned.h>
 
 #include "fbm_rows.h"
 #include "kernels/ridges.h"
@@ -25,8 +25,8 @@ class RidgedRows final : public SurfaceRows {
   FbmRows noise_;
   const NoiseKernels* shape_;
   const RidgeKernels* ridges_;
-  std::vector<float> weights_;  // an octave
-  std::vector<float> sums_;     // padded
+  AlignedVector<float> weights_;  // an octave
+  AlignedVector<float> sums_;     // padded
   std::size_t width_ = 0;
 };
 

@@ -13,8 +13,8 @@ void WarpedRows::start(std::span<const std::int64_t> xs) {
 }
 
 void WarpedRows::row(std::int64_t z, std::int32_t* heights_fx) {
-  const float* east = east_.row(z, 0, width_);
-  const float* south = south_.row(z, 0, width_);
+  const float* east = east_.row(z);
+  const float* south = south_.row(z);
   kernels_->shape(noise_.row(z, east, south, surface_.warp.reach_fx), width_, surface_.gain,
                   surface_.exponent, surface_.highest_fx, heights_fx);
 }

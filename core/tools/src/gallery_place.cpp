@@ -81,7 +81,8 @@ Place scenic_place(const terrain::World& world, double side) {
     for (int i = 0; i < kAcross; ++i) columns.push_back({column(i), column(j)});
   }
   terrain::Field heights{kAcross, kAcross};
-  heights.values = surface_heights(world, columns);
+  const auto all = surface_heights(world, columns);
+  heights.values.assign(all.begin(), all.end());
   const View view{world};
   int best_x = 0;
   int best_z = 0;

@@ -17,7 +17,6 @@ namespace {
 
 namespace hn = hwy::HWY_NAMESPACE;
 using talus::HWY_NAMESPACE::over_row;
-using talus::HWY_NAMESPACE::round_to_even;
 
 using Ints = hn::ScalableTag<std::int32_t>;
 
@@ -37,22 +36,6 @@ void slope(const std::int32_t* north, const std::int32_t* own, const std::int32_
     }
     hn::StoreU(hn::Max(hn::Sub(height, low), hn::Sub(high, height)), d, out + x);
   });
-}
-
-bool raise(const float* noise, std::size_t width, const LayerShape& shape, const std::int32_t* surface,
-           const std::int32_t* below, std::int32_t* top) {
-  bool full = true;
-  over_row(hn::ScalableTag<float>{}, width, [&, shape](auto f, std::size_t x) HWY_ATTR {
-    const hn::RebindToSigned<decltype(f)> d;
-    const auto swell = hn::Add(hn::Set(f, 1.0F), hn::Mul(hn::Set(f, shape.swing), hn::LoadU(f, noise + x)));
-    const auto thickness = hn::Mul(hn::Set(f, shape.mean_fx), hn::Max(hn::Zero(f), swell));
-    const auto rise = round_to_even(f, hn::Min(thickness, hn::Set(f, shape.most_fx)));
-    const auto most = hn::LoadU(d, surface + x);
-    const auto reached = hn::Add(hn::LoadU(d, below + x), rise);
-    full = hn::AllFalse(d, hn::Lt(reached, most)) && full;
-    hn::StoreU(hn::Min(reached, most), d, top + x);
-  });
-  return full;
 }
 
 void cut(const std::int32_t* tops, std::size_t stride, std::int32_t floor_row, std::uint8_t* rows) {
@@ -89,7 +72,7 @@ void lower(const std::int32_t* top, const Cell* thickness, std::size_t width, st
 
 }  // namespace
 
-constexpr ColumnKernels kColumns{slope, raise, cut, lower<std::int16_t>, lower<std::int32_t>};
+constexpr ColumnKernels kColumns{slope, cut, lower<std::int16_t>, lower<std::int32_t>};
 
 }  // namespace talus::terrain::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

@@ -1,4 +1,4 @@
-// What is done to columns one by one: slope, strata, planes, voxel rows.
+// What is done to columns one by one: slope, planes, voxel rows.
 #pragma once
 
 #include <cstddef>
@@ -8,21 +8,10 @@
 
 namespace talus::terrain {
 
-/// How the noise of a layer becomes its thickness: min(mean_fx * max(0, 1 + swing * noise), most_fx).
-struct LayerShape {
-  float mean_fx = 0;
-  float swing = 0;
-  float most_fx = 0;
-};
-
 struct ColumnKernels {
   /// Eq. 1 for columns 1 to width of three rows of width + 2.
   void (*slope)(const std::int32_t* north, const std::int32_t* own, const std::int32_t* south,
                 std::size_t width, std::int32_t* out);
-  /// top = min(below + thickness, surface); `below` may be `top` itself or null for 0. Whether all columns
-  /// have reached the surface.
-  bool (*raise)(const float* noise, std::size_t width, const LayerShape& shape, const std::int32_t* surface,
-                const std::int32_t* below, std::int32_t* top);
   /// The boundary rows of 32 rows of 32 columns counted from `floor_row`, none below 0 or above 32
   /// (boundary_row.h). A row of `tops` begins `stride` after the one before; `rows` are without gaps.
   void (*cut)(const std::int32_t* tops, std::size_t stride, std::int32_t floor_row, std::uint8_t* rows);

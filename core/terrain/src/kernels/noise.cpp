@@ -10,6 +10,7 @@
 #include <talus/vectors/vectors-inl.h>
 
 #include "kernels/gradients-inl.h"
+#include "kernels/octaves-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace talus::terrain::HWY_NAMESPACE {
@@ -63,34 +64,13 @@ void draw_line(const LatticeColumns& columns, std::uint32_t z_hash, float weight
   }
 }
 
-/// kVectors vectors of columns at once, so that an octave's shares are spread over them once.
-template <std::size_t kVectors>
-void blend_block(const OctaveRow* octaves, std::size_t count, std::size_t at, float* out) {
-  const Floats f;
-  hn::Vec<Floats> sums[kVectors];
-  for (auto& sum : sums) sum = hn::Zero(f);
-  for (const OctaveRow* octave = octaves; octave != octaves + count; ++octave) {
-    const auto value_0_share = hn::Set(f, octave->value_0_share);
-    const auto slope_0_share = hn::Set(f, octave->slope_0_share);
-    const auto value_1_share = hn::Set(f, octave->value_1_share);
-    const auto slope_1_share = hn::Set(f, octave->slope_1_share);
-    for (std::size_t v = 0; v < kVectors; ++v) {
-      const std::size_t i = at + v * hn::Lanes(f);
-      const auto line_0 = hn::Add(hn::Mul(hn::LoadU(f, octave->value_0 + i), value_0_share),
-                                  hn::Mul(hn::LoadU(f, octave->slope_0 + i), slope_0_share));
-      const auto line_1 = hn::Add(hn::Mul(hn::LoadU(f, octave->value_1 + i), value_1_share),
-                                  hn::Mul(hn::LoadU(f, octave->slope_1 + i), slope_1_share));
-      sums[v] = hn::Add(sums[v], hn::Add(line_0, line_1));
-    }
-  }
-  for (std::size_t v = 0; v < kVectors; ++v) hn::StoreU(sums[v], f, out + at + v * hn::Lanes(f));
-}
-
 void blend(const OctaveRow* octaves, std::size_t count, std::size_t first, std::size_t last, float* out) {
-  const std::size_t lanes = hn::Lanes(Floats{});
+  const Floats f;
+  const std::size_t lanes = hn::Lanes(f);
   std::size_t i = first;
-  for (; i + 3 * lanes < last; i += 4 * lanes) blend_block<4>(octaves, count, i, out);
-  for (; i < last; i += lanes) blend_block<1>(octaves, count, i, out);
+  const auto store = [&](std::size_t v, auto sum) HWY_ATTR { hn::StoreU(sum, f, out + i + v * lanes); };
+  for (; i + 3 * lanes < last; i += 4 * lanes) with_noise<4>(f, octaves, count, i, store);
+  for (; i < last; i += lanes) with_noise<1>(f, octaves, count, i, store);
 }
 
 void shape(const float* noise, std::size_t width, float gain, int exponent, float highest_fx,

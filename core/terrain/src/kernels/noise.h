@@ -9,8 +9,8 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <vector>
 
+#include <talus/vectors/aligned.h>
 #include <talus/vectors/instruction_set.h>
 
 namespace talus::terrain {
@@ -20,17 +20,17 @@ namespace talus::terrain {
 struct LatticeColumns {
   std::size_t width = 0;
   std::size_t runs = 0;
-  std::vector<float> t;                  // a column: 0 to 1 within its cell
-  std::vector<float> faded;              // a column: fade(t)
-  std::vector<std::int32_t> run;         // a column: which run it belongs to
-  std::vector<std::uint32_t> west_hash;  // a run: what the cell's west side adds to the hash of a corner
-  std::vector<std::uint32_t> east_hash;
+  AlignedVector<float> t;                  // a column: 0 to 1 within its cell
+  AlignedVector<float> faded;              // a column: fade(t)
+  AlignedVector<std::int32_t> run;         // a column: which run it belongs to
+  AlignedVector<std::uint32_t> west_hash;  // a run: what the cell's west side adds to the hash of a corner
+  AlignedVector<std::uint32_t> east_hash;
 };
 
 /// What the corners on one lattice line along x add to the noise of each column. Padded.
 struct LatticeLine {
-  std::vector<float> value;  // on the line itself
-  std::vector<float> slope;  // and with each cell of distance from it, toward greater z
+  AlignedVector<float> value;  // on the line itself
+  AlignedVector<float> slope;  // and with each cell of distance from it, toward greater z
 };
 
 /// One octave of one row: the lines on both sides of it, and how much of each.

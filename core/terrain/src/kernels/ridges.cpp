@@ -7,22 +7,14 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
+#include "kernels/octaves-inl.h"
+
 HWY_BEFORE_NAMESPACE();
 namespace talus::terrain::HWY_NAMESPACE {
 namespace {
 
 namespace hn = hwy::HWY_NAMESPACE;
 using Floats = hn::ScalableTag<float>;
-
-// The noise of one octave, as `blend` of kernels/noise.cpp has it.
-HWY_INLINE hn::Vec<Floats> noise_at(const OctaveRow& octave, std::size_t i) {
-  const Floats f;
-  const auto line_0 = hn::Add(hn::Mul(hn::LoadU(f, octave.value_0 + i), hn::Set(f, octave.value_0_share)),
-                              hn::Mul(hn::LoadU(f, octave.slope_0 + i), hn::Set(f, octave.slope_0_share)));
-  const auto line_1 = hn::Add(hn::Mul(hn::LoadU(f, octave.value_1 + i), hn::Set(f, octave.value_1_share)),
-                              hn::Mul(hn::LoadU(f, octave.slope_1 + i), hn::Set(f, octave.slope_1_share)));
-  return hn::Add(line_0, line_1);
-}
 
 void sum(const OctaveRow* octaves, const float* weights, std::size_t count, std::size_t width, float feedback,
          float* out) {
@@ -32,7 +24,7 @@ void sum(const OctaveRow* octaves, const float* weights, std::size_t count, std:
     auto total = hn::Set(f, -0.5F);
     auto shown = one;  // how much the octave before shows of this one
     for (std::size_t k = 0; k < count; ++k) {
-      const auto ridge = hn::Sub(one, hn::Abs(noise_at(octaves[k], i)));
+      const auto ridge = hn::Sub(one, hn::Abs(noise_at(f, octaves[k], i)));
       const auto signal = hn::Mul(hn::Mul(ridge, ridge), shown);
       total = hn::Add(total, hn::Mul(hn::Set(f, weights[k]), signal));
       shown = hn::Min(hn::Mul(hn::Set(f, feedback), signal), one);

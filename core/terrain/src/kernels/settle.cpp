@@ -1,6 +1,7 @@
 #include "settle.h"
 
 #include <algorithm>
+#include <array>
 
 #include <talus/vectors/tables.h>
 
@@ -20,29 +21,32 @@ using talus::HWY_NAMESPACE::over_row;
 
 enum class Direction { east, west };
 
-template <class Cell>
-Cell capped(std::int64_t value) {
-  return static_cast<Cell>(std::min<std::int64_t>(value, kUnbounded<Cell>));
+template <class Cell, class Vec>
+HWY_INLINE Vec plus(Vec a, Vec b) {
+  if constexpr (sizeof(Cell) == 2) {
+    return hn::SaturatedAdd(a, b);
+  } else {
+    return hn::Add(a, b);
+  }
 }
 
+// The running minimum of a row: every cell at most `repose` above the one before, along one direction. Cells
+// come levelled: less what the repose adds up to from the vector's first to them, so that "at most repose
+// above" becomes "not above", and what is left is shifts and minima.
 #if HWY_TARGET == HWY_SCALAR
-/// The running minimum of a row: every cell at most `repose` above the one before, along one direction.
 template <class Cell, Direction kDirection>
 class RunningMinimum {
  public:
   using Cells = hn::ScalableTag<Cell>;
   using Vec = hn::Vec<Cells>;
 
-  explicit RunningMinimum(std::int32_t repose)
-      : step_{hn::Set(Cells{}, capped<Cell>(repose))}, carried_{hn::Set(Cells{}, kUnbounded<Cell>)} {}
+  explicit RunningMinimum(std::int32_t repose) : step_{hn::Set(Cells{}, static_cast<Cell>(repose))} {}
+  [[nodiscard]] Vec ramp() const { return hn::Zero(Cells{}); }
   void begin_row() { carried_ = hn::Set(Cells{}, kUnbounded<Cell>); }
-  Vec next(Vec v) { return carried_ = hn::Min(v, plus(carried_, step_)); }
-  static Vec plus(Vec a, Vec b) {
-    if constexpr (sizeof(Cell) == 2) {
-      return hn::SaturatedAdd(a, b);
-    } else {
-      return hn::Add(a, b);
-    }
+  Vec next(Vec levelled) {
+    const Vec lowered = hn::Min(levelled, carried_);
+    carried_ = plus<Cell>(lowered, step_);
+    return lowered;
   }
 
  private:
@@ -50,8 +54,8 @@ class RunningMinimum {
   Vec carried_;
 };
 #else
-/// The same in vectors: within blocks of 16 bytes by doubling steps, from block to block likewise, and from
-/// vector to vector by what is carried.
+/// In vectors: within blocks of 16 bytes by doubling steps, from block to block likewise, and from vector to
+/// vector by what is carried.
 template <class Cell, Direction kDirection>
 class RunningMinimum {
  public:
@@ -59,54 +63,42 @@ class RunningMinimum {
   using Vec = hn::Vec<Cells>;
 
   HWY_INLINE explicit RunningMinimum(std::int32_t repose)
-      : step_1_{steps(repose, 1)},
-        step_2_{steps(repose, 2)},
-        step_4_{steps(repose, 4)},
-        whole_vector_{steps(repose, kLanes)},
+      : ramp_{ramp_of(repose)},
+        whole_vector_{
+            hn::Set(Cells{}, static_cast<Cell>(std::min<std::int32_t>(repose * kLanes, kUnbounded<Cell>)))},
         unbounded_{hn::Set(Cells{}, kUnbounded<Cell>)},
-        from_vector_{distances(repose, kLanes, 0)},
-        from_block_{distances(repose, kBlockLanes, 0)},
-        from_second_block_{distances(repose, kBlockLanes, kBlockLanes)},
         carried_{unbounded_} {}
+
+  /// By how much the lanes of a vector are levelled.
+  [[nodiscard]] HWY_INLINE Vec ramp() const { return ramp_; }
 
   HWY_INLINE void begin_row() { carried_ = unbounded_; }
 
-  /// The next vector of the row, in the order of the direction.
+  /// The next vector of the row, in the order of the direction, levelled; what comes out is not.
   HWY_INLINE Vec next(Vec v) {
-    v = hn::Min(v, plus(shifted<1>(v), step_1_));
-    v = hn::Min(v, plus(shifted<2>(v), step_2_));
-    if constexpr (kBlockLanes == 8) v = hn::Min(v, plus(shifted<4>(v), step_4_));
-    if constexpr (kBlocks > 1) v = hn::Min(v, plus(blocks_before<1>(last_of_blocks(v)), from_block_));
-    if constexpr (kBlocks > 2) v = hn::Min(v, plus(blocks_before<2>(last_of_blocks(v)), from_second_block_));
-    const Vec lowered = hn::Min(v, plus(carried_, from_vector_));
-    carried_ = hn::Min(last_of_vector(last_of_blocks(v)), plus(carried_, whole_vector_));
+    v = hn::Min(v, shifted<1>(v));
+    v = hn::Min(v, shifted<2>(v));
+    if constexpr (kBlockLanes == 8) v = hn::Min(v, shifted<4>(v));
+    if constexpr (kBlocks > 1) v = hn::Min(v, blocks_before<1>(last_of_blocks(v)));
+    if constexpr (kBlocks > 2) v = hn::Min(v, blocks_before<2>(last_of_blocks(v)));
+    const Vec lowered = hn::Add(hn::Min(v, carried_), ramp_);
+    carried_ = plus<Cell>(hn::Min(last_of_vector(last_of_blocks(v)), carried_), whole_vector_);
     return lowered;
-  }
-
-  static HWY_INLINE Vec plus(Vec a, Vec b) {
-    if constexpr (sizeof(Cell) == 2) {
-      return hn::SaturatedAdd(a, b);
-    } else {
-      return hn::Add(a, b);
-    }
   }
 
  private:
   using Words = hn::Repartition<std::int32_t, Cells>;
+  using Bytes = hn::Repartition<std::uint8_t, Cells>;
   static constexpr int kLanes = static_cast<int>(hn::MaxLanes(Cells{}));
   static constexpr int kBlockLanes = 16 / static_cast<int>(sizeof(Cell));
   static constexpr int kBlocks = kLanes / kBlockLanes;
+  static_assert(std::int64_t{kSteepest<Cell>} * (kLanes - 1) <= kUnbounded<Cell>);
 
-  static HWY_INLINE Vec steps(std::int32_t repose, std::int32_t count) {
-    return hn::Set(Cells{}, capped<Cell>(std::int64_t{repose} * count));
-  }
-  /// Lane i of each `group` lanes, in the direction, lies i + 1 steps from the group before it, and that
-  /// `further`.
-  static HWY_INLINE Vec distances(std::int32_t repose, int group, int further) {
+  static HWY_INLINE Vec ramp_of(std::int32_t repose) {
     HWY_ALIGN Cell lanes[hn::MaxLanes(Cells{})];
     for (int i = 0; i < kLanes; ++i) {
       const int place = kDirection == Direction::east ? i : kLanes - 1 - i;
-      lanes[i] = capped<Cell>(std::int64_t{place % group + 1 + further} * repose);
+      lanes[i] = static_cast<Cell>(place * repose);
     }
     return hn::Load(Cells{}, lanes);
   }
@@ -121,26 +113,32 @@ class RunningMinimum {
     }
   }
   static HWY_INLINE Vec last_of_blocks(Vec v) {
-    return hn::Broadcast < kDirection == Direction::east ? kBlockLanes - 1 : 0 > (v);
+    HWY_ALIGN static constexpr auto kLast = [] {
+      std::array<std::uint8_t, 16> bytes{};
+      for (std::size_t i = 0; i < bytes.size(); ++i) {
+        const std::size_t within = i % sizeof(Cell);
+        bytes[i] =
+            static_cast<std::uint8_t>(kDirection == Direction::east ? 16 - sizeof(Cell) + within : within);
+      }
+      return bytes;
+    }();
+    return hn::TableLookupBytes(v, hn::BitCast(Cells{}, hn::LoadDup128(Bytes{}, kLast.data())));
   }
   /// Each block takes the one that comes kCount before it.
   template <int kCount>
   HWY_INLINE Vec blocks_before(Vec v) const {
     if constexpr (2 * kCount == kBlocks) {
-      if constexpr (kDirection == Direction::east) {
-        return hn::ConcatLowerLower(Cells{}, v, unbounded_);
-      } else {
-        return hn::ConcatUpperUpper(Cells{}, unbounded_, v);
-      }
+      return kDirection == Direction::east ? hn::ConcatLowerLower(Cells{}, v, unbounded_)
+                                           : hn::ConcatUpperUpper(Cells{}, unbounded_, v);
     } else {
       const Words words;
       const auto lane = hn::Iota(words, 0);
-      const auto offset = hn::Set(words, 4 * kCount);
-      const auto from = kDirection == Direction::east ? hn::Sub(lane, offset) : hn::Add(lane, offset);
-      const auto exists =
-          hn::And(hn::Gt(from, hn::Set(words, -1)), hn::Lt(from, hn::Set(words, 4 * kBlocks)));
-      const auto taken = hn::TableLookupLanes(hn::BitCast(words, v),
-                                              hn::IndicesFromVec(words, hn::IfThenElseZero(exists, from)));
+      const auto shift = hn::Set(words, kDirection == Direction::east ? -4 * kCount : 4 * kCount);
+      const auto from = hn::And(hn::Add(lane, shift), hn::Set(words, 4 * kBlocks - 1));
+      const auto exists = kDirection == Direction::east
+                              ? hn::Gt(lane, hn::Set(words, 4 * kCount - 1))
+                              : hn::Lt(lane, hn::Set(words, 4 * (kBlocks - kCount)));
+      const auto taken = hn::TableLookupLanes(hn::BitCast(words, v), hn::IndicesFromVec(words, from));
       return hn::BitCast(Cells{}, hn::IfThenElse(exists, taken, hn::BitCast(words, unbounded_)));
     }
   }
@@ -156,8 +154,7 @@ class RunningMinimum {
     }
   }
 
-  Vec step_1_, step_2_, step_4_, whole_vector_, unbounded_, from_vector_, from_block_, from_second_block_;
-  Vec carried_;
+  Vec ramp_, whole_vector_, unbounded_, carried_;
 };
 #endif
 
@@ -165,17 +162,17 @@ class RunningMinimum {
 template <class Cell, Direction kDirection>
 HWY_INLINE void settle_row(Cell* own, const Cell* other, std::size_t width, std::int32_t repose,
                            RunningMinimum<Cell, kDirection>& minimum) {
-  using Minimum = RunningMinimum<Cell, kDirection>;
-  const typename Minimum::Cells d;
-  const auto step = hn::Set(d, capped<Cell>(repose));
+  const hn::ScalableTag<Cell> d;
+  const auto ramp = minimum.ramp();
+  const auto step = hn::Sub(hn::Set(d, static_cast<Cell>(repose)), ramp);
   minimum.begin_row();
   const std::size_t vectors = (width + hn::Lanes(d) - 1) / hn::Lanes(d);
   for (std::size_t v = 0; v < vectors; ++v) {
     const std::size_t x = (kDirection == Direction::east ? v : vectors - 1 - v) * hn::Lanes(d);
     const auto beside =
         hn::Min(hn::Min(hn::LoadU(d, other + x - 1), hn::LoadU(d, other + x)), hn::LoadU(d, other + x + 1));
-    const auto lowered = hn::Min(hn::LoadU(d, own + x), Minimum::plus(beside, step));
-    hn::StoreU(minimum.next(lowered), d, own + x);
+    const auto levelled = hn::Min(hn::Sub(hn::LoadU(d, own + x), ramp), plus<Cell>(beside, step));
+    hn::StoreU(minimum.next(levelled), d, own + x);
   }
 }
 

@@ -4,8 +4,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
-#include <vector>
 
+#include <talus/vectors/aligned.h>
 #include <talus/voxel/coords.h>
 
 namespace talus::terrain {
@@ -30,9 +30,11 @@ struct Region {
 
 /// One int32 a column, z slowest, then x: values[z * width + x].
 struct Field {
+  using Values = AlignedVector<std::int32_t>;
+
   int width = 0;
   int depth = 0;
-  std::vector<std::int32_t> values;
+  Values values;
 
   Field() = default;
   Field(int width_, int depth_)

@@ -33,8 +33,10 @@ HWY_INLINE void over_row(Tag tag, std::size_t width, const Body& body) {
 /// To the nearest integer, ties to even, for 0 <= value <= 2^23: as std::nearbyint does.
 template <class Tag>
 HWY_INLINE auto round_to_even(Tag tag, hn::Vec<Tag> value) {
+  // From 2^23 to 2^24 floats have no fraction, and their bits count up with them.
+  const hn::RebindToSigned<Tag> integers;
   const auto no_fraction = hn::Set(tag, 8388608.0F);
-  return hn::ConvertTo(hn::RebindToSigned<Tag>{}, hn::Sub(hn::Add(value, no_fraction), no_fraction));
+  return hn::Sub(hn::BitCast(integers, hn::Add(value, no_fraction)), hn::BitCast(integers, no_fraction));
 }
 
 }  // namespace

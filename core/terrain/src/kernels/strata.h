@@ -1,0 +1,30 @@
+// Layers of rock, a row at a time (thesis 3.4).
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "kernels/noise.h"
+
+namespace talus::terrain {
+
+/// Columns that are looked at together: ground that is full pays for no more layers.
+inline constexpr std::size_t kSegment = 32;
+
+/// How the noise of a layer becomes its thickness: min(mean_fx * max(0, 1 + swing * noise), most_fx).
+struct LayerShape {
+  float mean_fx = 0;
+  float swing = 0;
+  float most_fx = 0;
+};
+
+struct StrataKernels {
+  /// Lays a layer over the segments of a row that are open: top = min(below + thickness, limit). Those which
+  /// are full with it are open no more; `top` is the limit where they were so before. Whether any is left.
+  bool (*lay)(const OctaveRow* octaves, std::size_t count, const LayerShape& shape, std::size_t width,
+              const std::int32_t* limit, const std::int32_t* below, std::uint8_t* open, std::int32_t* top);
+};
+
+[[nodiscard]] const StrataKernels& strata_kernels(InstructionSet set);
+
+}  // namespace talus::terrain
