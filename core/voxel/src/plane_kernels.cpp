@@ -158,6 +158,15 @@ HWY_INLINE HalfVec narrow(const WordParts& words) {
   return once(hn::ConcatEven(d, hn::BitCast(d, words.part[kParts - 1]), hn::BitCast(d, words.part[0])));
 }
 
+/// Of words that are below 128, or all ones: sooner.
+HWY_INLINE HalfVec narrow_small(const WordParts& words) {
+#if TALUS_TWICE
+  return hn::BitCast(Half{}, hn::DemoteTo(HalfRows{}, hn::BitCast(SignedWords{}, words.part[0])));
+#else
+  return narrow(words);
+#endif
+}
+
 struct OddsParts {
   WordParts up;
   WordParts down;
@@ -346,6 +355,15 @@ HWY_INLINE Known known_of(const std::uint8_t* below) {
 /// The states with a byte more where they are below kLeastState, lane after lane.
 HWY_INLINE void refill(WordParts& states, const std::uint8_t*& next) {
   const Words words;
+#if HWY_TARGET == HWY_AVX3
+  // One instruction deals the bytes out to the lanes.
+  auto& state = states.part[0];
+  const auto takes = hn::Lt(state, hn::Set(words, kLeastState));
+  const __m512i bytes = _mm512_cvtepu8_epi32(hn::LoadU(Half{}, next).raw);
+  const WordVec more{_mm512_cvtepi32_epi16(_mm512_maskz_expand_epi32(takes.raw, bytes))};
+  state = hn::Or(hn::IfThenElse(takes, hn::ShiftLeft<8>(state), state), more);
+  next += std::popcount(static_cast<std::uint16_t>(takes.raw));
+#else
   const SignedWords compared;
   const Half d;
   WordParts takes;
@@ -354,7 +372,7 @@ HWY_INLINE void refill(WordParts& states, const std::uint8_t*& next) {
     const auto high = hn::BitCast(compared, hn::ShiftRight<8>(states.part[p]));
     takes.part[p] = hn::BitCast(words, hn::VecFromMask(compared, hn::Eq(high, hn::Zero(compared))));
   }
-  const HalfVec taking = narrow(takes);  // -1 in the lanes that take a byte
+  const HalfVec taking = narrow_small(takes);  // -1 in the lanes that take a byte
   // How many do so up to each lane, less than 0.
   HalfVec sum = taking;
   sum = hn::Add(sum, hn::ShiftLeftBytes<1>(d, sum));
@@ -369,39 +387,40 @@ HWY_INLINE void refill(WordParts& states, const std::uint8_t*& next) {
     states.part[p] =
         hn::Or(hn::IfThenElse(mask, hn::ShiftLeft<8>(states.part[p]), states.part[p]), more.part[p]);
   }
+#endif
 }
 
 /// The symbols of half a row.
 HWY_INLINE HalfVec take_symbols(WordParts& states, const OddsParts& odds, const std::uint8_t*& next) {
   const Words d;
-  const SignedWords compared;
-  const auto below = [&](WordVec a, WordVec b) HWY_ATTR {
-    return hn::BitCast(d,
-                       hn::VecFromMask(compared, hn::Lt(hn::BitCast(compared, a), hn::BitCast(compared, b))));
-  };
+  const SignedWords signed_words;
   WordParts symbols;
   for (std::size_t p = 0; p < kParts; ++p) {
     const auto state = states.part[p];
     const auto place = hn::And(state, hn::Set(d, kOddsTotal - 1));
+    // All ones where the place lies before where a symbol's share starts. None of them is above kOddsTotal.
+    const auto is_before = [&](WordVec start) HWY_ATTR {
+      const auto a = hn::BitCast(signed_words, place);
+      return hn::BitCast(d, hn::VecFromMask(signed_words, hn::Lt(a, hn::BitCast(signed_words, start))));
+    };
     const auto up = odds.up.part[p];
     const auto down = odds.down.part[p];
     const auto other = odds.other.part[p];
-    const auto before_up = below(place, up);
-    const auto before_down = below(place, down);
-    const auto before_other = below(place, other);
-    const auto if_up = hn::MaskFromVec(before_up);
-    const auto if_down = hn::MaskFromVec(before_down);
-    const auto if_other = hn::MaskFromVec(before_other);
-    const auto start =
-        hn::IfThenZeroElse(if_up, hn::IfThenElse(if_down, up, hn::IfThenElse(if_other, down, other)));
-    const auto end = hn::IfThenElse(
-        if_up, up, hn::IfThenElse(if_down, down, hn::IfThenElse(if_other, other, hn::Set(d, kOddsTotal))));
+    const auto before_up = is_before(up);
+    const auto before_down = is_before(down);
+    const auto before_other = is_before(other);
+    // The last that is not after the place, and the first that is.
+    const auto start = hn::Max(hn::AndNot(before_up, up),
+                               hn::Max(hn::AndNot(before_down, down), hn::AndNot(before_other, other)));
+    const auto end = hn::Min(hn::Min(hn::Or(hn::Not(before_up), up), hn::Or(hn::Not(before_down), down)),
+                             hn::Min(hn::Or(hn::Not(before_other), other), hn::Set(d, kOddsTotal)));
     states.part[p] = hn::Add(hn::Mul(hn::Sub(end, start), hn::ShiftRight<8>(state)), hn::Sub(place, start));
     symbols.part[p] =
         hn::Add(hn::Add(hn::Set(d, std::uint16_t{kOther}), before_up), hn::Add(before_down, before_other));
   }
+  const HalfVec taken = narrow_small(symbols);
   refill(states, next);
-  return narrow(symbols);
+  return taken;
 }
 
 /// 0, 1, -1; 0 for kOther, too.
@@ -414,6 +433,29 @@ HWY_INLINE RowVec steps_of(HalfVec symbols) {
 HWY_INLINE hn::Mask<HalfRows> outside(RowVec row, RowVec floor) {
   const HalfRows d;
   return hn::Or(hn::Lt(row, floor), hn::Gt(row, hn::Set(d, kChunkSize)));
+}
+
+/// Each column's step from how each differs from the one to its west. What a byte does not hold stays out of
+/// every plane's range, as its end does here.
+HWY_INLINE RowHalves summed(RowHalves changes) {
+  const hn::Half<Half> bytes;
+  const hn::RebindToSigned<decltype(bytes)> half;
+  const hn::Repartition<std::int16_t, HalfRows> words;
+  const auto sums_of_8 = [&](auto v) HWY_ATTR {
+    v = hn::Add(v, hn::ShiftLeftLanes<1>(words, v));
+    v = hn::Add(v, hn::ShiftLeftLanes<2>(words, v));
+    return hn::Add(v, hn::ShiftLeftLanes<4>(words, v));
+  };
+  const auto even_low = hn::PromoteTo(words, hn::LowerHalf(half, changes.even));
+  const auto even_high = hn::PromoteTo(words, hn::UpperHalf(half, changes.even));
+  const auto odd_low = hn::PromoteTo(words, hn::LowerHalf(half, changes.odd));
+  const auto odd_high = hn::PromoteTo(words, hn::UpperHalf(half, changes.odd));
+  const auto low = sums_of_8(hn::Add(even_low, odd_low));
+  const auto high = hn::Add(sums_of_8(hn::Add(even_high, odd_high)), hn::Broadcast<7>(low));
+  const auto as_bytes = [&](auto a, auto b) HWY_ATTR {
+    return hn::Combine(HalfRows{}, hn::DemoteTo(half, b), hn::DemoteTo(half, a));
+  };
+  return {as_bytes(hn::Sub(low, odd_low), hn::Sub(high, odd_high)), as_bytes(low, high)};
 }
 
 PlaneFault read(PlaneSource& source, const std::uint8_t* below, std::uint8_t* plane) {
@@ -441,15 +483,13 @@ PlaneFault read(PlaneSource& source, const std::uint8_t* below, std::uint8_t* pl
     hear(of_odd, kWeights[kind][1], even);
     const HalfVec odd = take_symbols(states, of_odd.scores.odds(), next);
     RowHalves steps{steps_of(even), steps_of(odd)};
-    const bool told = hn::AllFalse(d, hn::Or(hn::Eq(even, other), hn::Eq(odd, other)));
-    if (HWY_UNLIKELY(!told || kind != kLevel)) {
-      source.next = next;
-      Steps found;
-      store_row(steps, reinterpret_cast<std::uint8_t*>(found.data()));
-      finish_steps(source, columns_of_other(even, odd), kind, found);
-      next = source.next;
-      steps = load_row(reinterpret_cast<const std::uint8_t*>(found.data()));
+    if (HWY_UNLIKELY(!hn::AllFalse(d, hn::Or(hn::Eq(even, other), hn::Eq(odd, other))))) {
+      Steps mended;
+      store_row(steps, reinterpret_cast<std::uint8_t*>(mended.data()));
+      next = take_others(next, columns_of_other(even, odd), mended);
+      steps = load_row(reinterpret_cast<const std::uint8_t*>(mended.data()));
     }
+    if (HWY_UNLIKELY(kind != kLevel)) steps = summed(steps);
     if (HWY_UNLIKELY(next > source.end)) return PlaneFault::truncated;
     // What is too large for a byte stays outside.
     const RowHalves row{

@@ -101,18 +101,13 @@ inline void put_others(PlaneSink& sink, const PlaneShares& shares, std::size_t z
   return (carried >> z & 1U) != 0 ? kCarried : kLevel;
 }
 
-/// Mends a row's steps, which are as its symbols say alone: reads the changes that follow for those that are
-/// kOther, and sums up what is carried. Steps past what a byte holds stay out of every plane's range.
-inline void finish_steps(PlaneSource& source, std::uint32_t others, RowKind kind, Steps& steps) {
+/// Mends a row's steps, which are as its symbols say alone: takes those of the symbols kOther. Where the bytes
+/// go on.
+inline const std::uint8_t* take_others(const std::uint8_t* next, std::uint32_t others, Steps& steps) {
   for (; others != 0; others &= others - 1) {
-    steps[static_cast<std::size_t>(std::countr_zero(others))] = static_cast<std::int8_t>(*source.next++);
+    steps[static_cast<std::size_t>(std::countr_zero(others))] = static_cast<std::int8_t>(*next++);
   }
-  if (kind == kLevel) return;
-  int step = 0;
-  for (std::int8_t& each : steps) {
-    step = std::clamp(step + each, -128, 127);
-    each = static_cast<std::int8_t>(step);
-  }
+  return next;
 }
 
 }  // namespace talus::codec

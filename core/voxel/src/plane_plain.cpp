@@ -40,6 +40,16 @@ Symbol take_symbol(PlaneSource& source, std::size_t lane, const Starts& starts) 
   return static_cast<Symbol>(symbol);
 }
 
+/// Each column's step from how each differs from the one to its west. Steps past what a byte holds stay out of
+/// every plane's range.
+void sum_up(Steps& steps) {
+  int step = 0;
+  for (std::int8_t& each : steps) {
+    step = std::clamp(step + each, -128, 127);
+    each = static_cast<std::int8_t>(step);
+  }
+}
+
 }  // namespace
 
 PlaneFault read_plane_plainly(PlaneSource& source, const std::uint8_t* below, std::uint8_t* plane) {
@@ -60,7 +70,8 @@ PlaneFault read_plane_plainly(PlaneSource& source, const std::uint8_t* below, st
       if (symbols[x] == kOther) others |= 1U << x;
       steps[x] = static_cast<std::int8_t>(symbols[x] == kUp ? 1 : symbols[x] == kDown ? -1 : 0);
     }
-    finish_steps(source, others, kind, steps);
+    source.next = take_others(source.next, others, steps);
+    if (kind != kLevel) sum_up(steps);
     if (source.next > source.end) return PlaneFault::truncated;
     for (std::size_t x = 0; x < kChunkSize; ++x) {
       const int top = predicted_row(before, x) + steps[x];
