@@ -17,9 +17,9 @@ namespace {
 namespace hn = hwy::HWY_NAMESPACE;
 
 // Rows are 0 to 32, so that bytes with a sign hold them, and compare in one instruction.
-using Bytes = hn::CappedTag<std::uint8_t, kChunkSize>;
+using Bytes = hn::ScalableTag<std::uint8_t>;
 using Rows = hn::RebindToSigned<Bytes>;
-using Words = hn::CappedTag<std::uint16_t, kChunkSize>;
+using Words = hn::ScalableTag<std::uint16_t>;
 using HalfBytes = hn::Rebind<std::uint8_t, Words>;
 
 const std::int8_t* rows(const std::uint8_t* bytes) {
@@ -35,8 +35,8 @@ Extent extent(const std::uint8_t* plane) {
     low = hn::Min(low, more);
     high = hn::Max(high, more);
   }
-  std::array<std::uint8_t, kChunkSize> lows;
-  std::array<std::uint8_t, kChunkSize> highs;
+  std::array<std::uint8_t, hn::MaxLanes(Bytes{})> lows;
+  std::array<std::uint8_t, hn::MaxLanes(Bytes{})> highs;
   hn::StoreU(low, d, lows.data());
   hn::StoreU(high, d, highs.data());
   const auto lanes = static_cast<std::ptrdiff_t>(hn::Lanes(d));
@@ -53,13 +53,9 @@ HWY_INLINE void widen(Vec bytes, Voxels* out) {
 #if HWY_TARGET == HWY_SCALAR  // a vector of one lane has no halves
   hn::StoreU(hn::PromoteTo(d, bytes), d, out);
 #else
-  if constexpr (hn::MaxLanes(Words{}) == hn::MaxLanes(Bytes{})) {
-    hn::StoreU(hn::PromoteTo(d, bytes), d, out);
-  } else {
-    const HalfBytes halves;
-    hn::StoreU(hn::PromoteTo(d, hn::LowerHalf(halves, bytes)), d, out);
-    hn::StoreU(hn::PromoteTo(d, hn::UpperHalf(halves, bytes)), d, out + hn::Lanes(d));
-  }
+  const HalfBytes halves;
+  hn::StoreU(hn::PromoteTo(d, hn::LowerHalf(halves, bytes)), d, out);
+  hn::StoreU(hn::PromoteTo(d, hn::UpperHalf(halves, bytes)), d, out + hn::Lanes(d));
 #endif
 }
 
@@ -75,8 +71,7 @@ HWY_INLINE void over_planes(const CutSlice& slice, const Write& write) {
     auto bytes = hn::Set(d, slice.bytes[0]);
     for (std::size_t p = 0; p < planes; ++p) {
       const auto tops = hn::LoadU(compared, rows(slice.tops) + p * kChunkArea + i);
-      const auto higher = hn::VecFromMask(compared, hn::Gt(tops, y));
-      bytes = hn::IfThenElse(hn::MaskFromVec(hn::BitCast(d, higher)), bytes, hn::Set(d, slice.bytes[p + 1]));
+      bytes = hn::IfThenElse(hn::RebindMask(d, hn::Gt(tops, y)), bytes, hn::Set(d, slice.bytes[p + 1]));
     }
     write(bytes, i);
   }
