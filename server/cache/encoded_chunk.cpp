@@ -59,7 +59,8 @@ void EncodedChunk::append_first(std::size_t bytes, std::vector<std::byte>& outpu
 }
 
 EncodedChunkPtr encode_shared(const Chunk& chunk) {
-  std::vector<std::byte> payload;
+  thread_local std::vector<std::byte> payload;  // of the chunk before; a frame takes a copy
+  payload.clear();
   encode(chunk, payload);
   return std::make_shared<const EncodedChunk>(content_hash(chunk), payload);
 }

@@ -45,9 +45,12 @@ std::unique_ptr<terrain::Generator> TerrainGenerator::take_generator() const {
 }
 
 EncodedChunkPtr TerrainGenerator::make_chunk(const terrain::Stacks& stacks, ChunkKey key) const {
-  const Chunk chunk = terrain::extract_chunk(*world_, stacks, key.coord);
-  if (chunk.is_uniform()) return uniform(chunk.at({}));
-  return encode_shared(chunk);
+  // Each chunk is made in the memory of the one before.
+  thread_local Layers memory;
+  Chunk chunk = terrain::extract_chunk(*world_, stacks, key.coord, std::move(memory));
+  EncodedChunkPtr encoded = chunk.is_uniform() ? uniform(chunk.at({})) : encode_shared(chunk);
+  memory = std::move(chunk).take_layers();
+  return encoded;
 }
 
 std::vector<std::int32_t> TerrainGenerator::heights(std::span<const terrain::BaseColumn> columns) const {

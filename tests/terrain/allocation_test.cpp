@@ -4,8 +4,11 @@
 #include <atomic>
 #include <cstdlib>
 #include <new>
+#include <utility>
+#include <vector>
 
 #include <talus/terrain/stacks.h>
+#include <talus/voxel/codec.h>
 
 #include "worlds.h"
 
@@ -23,6 +26,15 @@ void* operator new(std::size_t size) {
 void* operator new(std::size_t size, const std::nothrow_t&) noexcept {
   ++allocations;
   return std::malloc(size);
+}
+void* operator new(std::size_t size, std::align_val_t alignment) {
+  ++allocations;
+  const auto unit = static_cast<std::size_t>(alignment);
+  if (void* memory = std::aligned_alloc(unit, (size + unit - 1) / unit * unit)) return memory;
+  throw std::bad_alloc{};
+}
+void operator delete(void* memory, std::align_val_t) noexcept {
+  std::free(memory);
 }
 void operator delete(void* memory) noexcept {
   std::free(memory);
@@ -52,6 +64,33 @@ TEST_CASE("A generator that has seen a patch generates the next without an alloc
 
 TEST_CASE("Neither does one of a world with caves allocate") {
   check_warm_generation(test::small_caves(1));
+}
+
+TEST_CASE("A chunk that is made in another's memory is extracted and coded without an allocation") {
+  const World& world = default_world();
+  const Stacks stacks = generate_stacks(world, {0, 0, 128, 128, Lod{}});
+  Layers memory;
+  std::vector<std::byte> payload;
+  std::size_t mixed = 0;
+  const auto make_all = [&] {
+    for (std::int32_t i = 0; i < 16; ++i) {
+      const std::int32_t x = i % 4;
+      const std::int32_t z = i / 4;
+      const MixedRange rows = mixed_range(world, stacks, x, z);
+      for (std::int32_t y = rows.first; y <= rows.last; ++y) {
+        Chunk chunk = extract_chunk(world, stacks, {x, y, z}, std::move(memory));
+        payload.clear();
+        encode(chunk, payload);
+        memory = std::move(chunk).take_layers();
+        ++mixed;
+      }
+    }
+  };
+  make_all();
+  CHECK(mixed > 16);
+  const std::size_t before = allocations;
+  make_all();
+  CHECK(allocations == before);
 }
 
 }  // namespace

@@ -144,7 +144,11 @@ class TileRows {
 // all between them, and need not be looked at: of most chunks that is more than half.
 class LayerPicker {
  public:
-  LayerPicker(const TileRows& tile, std::int32_t floor_row) : tile_{tile}, floor_row_{floor_row} {}
+  LayerPicker(const TileRows& tile, std::int32_t floor_row, Layers memory)
+      : tile_{tile}, floor_row_{floor_row}, layers_{std::move(memory)} {
+    layers_.materials.clear();
+    layers_.tops.clear();
+  }
 
   /// All planes; `top` becomes the last of them.
   void add_planes(ChunkPlane& top) {
@@ -188,11 +192,11 @@ class LayerPicker {
 
 }  // namespace
 
-Chunk extract_chunk(const World& world, const Stacks& stacks, ChunkCoord coord) {
+Chunk extract_chunk(const World& world, const Stacks& stacks, ChunkCoord coord, Layers memory) {
   const TileRows tile{world, stacks, coord.x, coord.z};
   const auto floor_row = static_cast<std::int32_t>(
       std::clamp<std::int64_t>(std::int64_t{coord.y} * kChunkSize, -kFarRow, kFarRow));
-  LayerPicker layers{tile, floor_row};
+  LayerPicker layers{tile, floor_row, std::move(memory)};
   ChunkPlane rows;
   layers.add_planes(rows);
   const std::uint8_t sea = TileRows::cut(tile.sea_row(), floor_row);

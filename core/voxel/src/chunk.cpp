@@ -70,6 +70,11 @@ Chunk Chunk::from_dense(std::span<const MaterialId, kChunkVolume> voxels) {
   return Chunk{Dense{std::move(dense)}};
 }
 
+Layers Chunk::take_layers() && {
+  Layers* const layers = std::get_if<Layers>(&form_);
+  return layers == nullptr ? Layers{} : std::move(*layers);
+}
+
 bool Chunk::is_uniform() const {
   return layers() != nullptr && layers()->plane_count() == 0;
 }

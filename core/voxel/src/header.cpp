@@ -1,15 +1,22 @@
 #include "header.h"
 
 #include <algorithm>
+#include <array>
 
 #include <talus/voxel/chunk.h>
 
 namespace talus::codec {
 
-void put_number(std::uint16_t number, std::vector<std::byte>& out) {
+std::byte* put_number(std::uint16_t number, std::byte* out) {
   unsigned rest = number;
-  for (; rest >= 0x80; rest >>= 7) out.push_back(static_cast<std::byte>(rest | 0x80U));
-  out.push_back(static_cast<std::byte>(rest));
+  for (; rest >= 0x80; rest >>= 7) *out++ = static_cast<std::byte>(rest | 0x80U);
+  *out++ = static_cast<std::byte>(rest);
+  return out;
+}
+
+void put_number(std::uint16_t number, std::vector<std::byte>& out) {
+  std::array<std::byte, kMostBytesOfNumber> bytes;
+  out.insert(out.end(), bytes.data(), put_number(number, bytes.data()));
 }
 
 tl::expected<std::uint16_t, DecodeError> take_number(std::span<const std::byte>& bytes) {

@@ -13,7 +13,10 @@
 
 namespace talus::codec {
 
-/// Seven bits a byte, lowest first; the high bit says that more follow.
+/// Seven bits a byte, lowest first; the high bit says that more follow. Writes up to kMostBytesOfNumber to
+/// `out`, and gives where they end.
+inline constexpr std::size_t kMostBytesOfNumber = 3;
+std::byte* put_number(std::uint16_t number, std::byte* out);
 void put_number(std::uint16_t number, std::vector<std::byte>& out);
 
 /// Takes a number from the front of `bytes`.

@@ -40,8 +40,8 @@ Symbol take_symbol(PlaneSource& source, std::size_t lane, const Starts& starts) 
   return static_cast<Symbol>(symbol);
 }
 
-/// Each column's step from how each differs from the one to its west. Steps past what a byte holds stay out of
-/// every plane's range.
+/// Each column's step from how each differs from the one to its west. Steps past what a byte holds stay out
+/// of every plane's range.
 void sum_up(Steps& steps) {
   int step = 0;
   for (std::int8_t& each : steps) {

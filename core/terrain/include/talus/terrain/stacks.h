@@ -102,8 +102,11 @@ class Generator {
 [[nodiscard]] Terrain generate_terrain(const World& world, const Region& region);
 [[nodiscard]] Stacks generate_stacks(const World& world, const Region& region);
 
-/// The chunk `coord` of the region's level. Its 32 x 32 columns must lie inside stacks.region (asserted).
-[[nodiscard]] Chunk extract_chunk(const World& world, const Stacks& stacks, ChunkCoord coord);
+/// The chunk `coord` of the region's level. Its 32 x 32 columns must lie inside stacks.region (asserted). It
+/// is made in the memory of `memory`, whatever that holds: with a chunk's own (Chunk::take_layers) nothing is
+/// allocated, but where there are caves or ores.
+[[nodiscard]] Chunk extract_chunk(const World& world, const Stacks& stacks, ChunkCoord coord,
+                                  Layers memory = {});
 
 /// The ore that each column of the region has at the top of its rock, or in the floor of a cave that is open
 /// to the sky, kAir where it has none; z slowest. It is what shows on ground where no loose material lies.
