@@ -20,7 +20,8 @@ struct LayerShape {
 
 struct StrataKernels {
   /// Lays a layer over the segments of a row that are open: top = min(below + thickness, limit). Those which
-  /// are full with it are open no more; `top` is the limit where they were so before. Whether any is left.
+  /// are full with it are open no more (a last one of fewer columns may stay so as long as the one before
+  /// it); `top` is the limit where they were so before. Whether any is left.
   bool (*lay)(const OctaveRow* octaves, std::size_t count, const LayerShape& shape, std::size_t width,
               const std::int32_t* limit, const std::int32_t* below, std::uint8_t* open, std::int32_t* top);
 };
