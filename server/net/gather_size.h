@@ -1,5 +1,6 @@
 // How much is written at once. What is gathered cannot be overtaken any more, so a client that takes it
-// slowly gets little at a time; for one that takes it all at once, fewer calls of the system are worth more.
+// slowly soon gets little at a time; for one that takes it all at once, fewer calls of the system are worth
+// more.
 #pragma once
 
 #include <algorithm>
@@ -17,7 +18,7 @@ class GatherSize {
   /// So many bytes were written; `at_once`: the kernel took them in one piece.
   void wrote(std::size_t bytes, bool at_once) {
     if (!at_once) {
-      bytes_ = kLeast;
+      bytes_ = std::max(kLeast, bytes_ / 2);
     } else if (bytes >= bytes_) {
       bytes_ = std::min(kMost, bytes_ * 2);
     }

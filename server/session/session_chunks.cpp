@@ -192,7 +192,7 @@ Session::Clock::time_point Session::sendable_at(Clock::time_point now) {
 
 Output Session::take_output(std::size_t enough_bytes, Clock::time_point now, std::size_t shared_from) {
   Output output{shared_from};
-  output.reserve(std::min(enough_bytes, outbox_.control_bytes() + outbox_.chunk_bytes()));
+  output.reserve(std::min(enough_bytes, outbox_.bytes_to_copy(shared_from)));
   std::size_t chunks = 0;
   std::size_t chunk_bytes = 0;
   const auto allowance = rates_.allowance(now);

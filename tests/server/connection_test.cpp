@@ -103,7 +103,7 @@ TEST_CASE("what an answer's handler throws ends its connection, and no more") {
   CHECK(bench.admission.connections() == 0);
 }
 
-TEST_CASE("what is gathered grows while the kernel takes it whole, and is little as soon as it does not") {
+TEST_CASE("what is gathered grows while the kernel takes it whole, and shrinks while it does not") {
   GatherSize gather;
   CHECK(gather.bytes() == GatherSize::kLeast);
   gather.wrote(gather.bytes() - 1, true);  // there was no more to say
@@ -111,6 +111,8 @@ TEST_CASE("what is gathered grows while the kernel takes it whole, and is little
   for (int write = 0; write < 10; ++write) gather.wrote(gather.bytes() + 100, true);
   CHECK(gather.bytes() == GatherSize::kMost);
   gather.wrote(100, false);
+  CHECK(gather.bytes() == GatherSize::kMost / 2);
+  for (int write = 0; write < 10; ++write) gather.wrote(100, false);
   CHECK(gather.bytes() == GatherSize::kLeast);
 }
 
