@@ -46,6 +46,7 @@ class EncodedChunk {
 };
 using EncodedChunkPtr = std::shared_ptr<const EncodedChunk>;
 
+/// Each thread keeps the memory in which the payload is made.
 [[nodiscard]] EncodedChunkPtr encode_shared(const Chunk& chunk);
 
 }  // namespace talus::server

@@ -35,8 +35,8 @@ void Outbox::take_control(std::size_t enough_bytes, Output& output) {
 }
 
 std::size_t Outbox::bytes_to_copy(std::size_t shared_from) const {
-  constexpr std::size_t kHeadBytes = 160;
-  const bool shares = chunk_bytes_ / shared_from > chunks_.size();
+  constexpr std::size_t kHeadBytes = 160;  // what stands before a chunk's payload, and a little more
+  const bool shares = shared_from == 0 || chunk_bytes_ / shared_from > chunks_.size();
   return control_bytes_ + (shares ? kHeadBytes * chunks_.size() : chunk_bytes_);
 }
 

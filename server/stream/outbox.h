@@ -69,7 +69,8 @@ class Outbox {
   [[nodiscard]] std::size_t control_bytes() const { return control_bytes_; }
   /// Bytes of the chunks that wait, as if nobody else held them.
   [[nodiscard]] std::size_t chunk_bytes() const { return chunk_bytes_; }
-  /// About what an output of all that waits would copy, if it shares chunks of `shared_from` bytes and more.
+  /// About what an output of all that waits would copy, if it shares chunks of `shared_from` bytes and more:
+  /// by their mean size.
   [[nodiscard]] std::size_t bytes_to_copy(std::size_t shared_from) const;
   /// What a waiting chunk adds to chunk_bytes().
   [[nodiscard]] static std::size_t cost(const EncodedChunk& chunk);

@@ -92,6 +92,21 @@ TEST_CASE("the outbox takes until there is enough, and counts what it sent") {
   CHECK_FALSE(credit.taken(3 * frame_bytes + 1).has_value());
 }
 
+TEST_CASE("what an output would copy is all that waits, but of large chunks their heads alone") {
+  Outbox outbox;
+  CHECK(outbox.bytes_to_copy(Output::kCopyAll) == 0);
+  CHECK(outbox.bytes_to_copy(0) == 0);
+  for (std::uint32_t id = 1; id <= 10; ++id) outbox.push_chunk(entry(id, 10'000));
+  outbox.push_control(protocol::Frame(100));
+  CHECK(outbox.bytes_to_copy(Output::kCopyAll) == outbox.control_bytes() + outbox.chunk_bytes());
+  CHECK(outbox.bytes_to_copy(20'000) == outbox.control_bytes() + outbox.chunk_bytes());
+  for (const std::size_t shared_from : {std::size_t{0}, std::size_t{2000}}) {
+    const std::size_t told = outbox.bytes_to_copy(shared_from);
+    CHECK(told > 10 * 64);
+    CHECK(told < 10 * 1000);
+  }
+}
+
 TEST_CASE("an emptied outbox counts no bytes, however it was emptied") {
   CHECK(rc::check([] {
     Outbox outbox;

@@ -130,5 +130,20 @@ TEST_CASE("Outside its mixed range every chunk of a column is uniform") {
   }));
 }
 
+TEST_CASE("A chunk is the same whatever memory it is made in, and gives its own away") {
+  const World& world = default_world();
+  const Stacks stacks = generate_stacks(world, {0, 0, 64, 32, Lod{}});
+  Layers memory{{kAir, kWater, kAir}, std::vector<std::uint8_t>(5)};  // anything, not even valid
+  for (std::int32_t y = -1; y < 5; ++y) {
+    for (std::int32_t x = 0; x < 2; ++x) {
+      Chunk chunk = extract_chunk(world, stacks, {x, y, 0}, std::move(memory));
+      CHECK(chunk == extract_chunk(world, stacks, {x, y, 0}));
+      const std::vector<MaterialId> materials = chunk.layers()->materials;
+      memory = std::move(chunk).take_layers();
+      CHECK(memory.materials == materials);
+    }
+  }
+}
+
 }  // namespace
 }  // namespace talus::terrain

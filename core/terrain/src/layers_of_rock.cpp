@@ -11,6 +11,7 @@ LayerShape shape_of(const World& world, const StratumSpec& layer) {
   // No layer reaches past the highest surface over the deepest bend, so a thicker one may stop there without
   // a difference.
   const std::int64_t bend_fx = (greatest_bend_q16(world.spec()) * world.spec().resolution + 255) >> 8;
+  // Rounded up twice, that is 2^23 + 1 at most, which becomes an integer as 2^23 does.
   return {static_cast<float>(static_cast<double>(layer.thickness_q16) * world.spec().resolution * kSubvoxels /
                              65536.0),
           static_cast<float>(2.0 * layer.roughness), static_cast<float>(world.highest_fx() + bend_fx)};

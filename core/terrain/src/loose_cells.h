@@ -21,6 +21,7 @@ class LooseCells {
   void start(const Field& slope, std::int32_t thickness_fx, std::int32_t max_slope_fx);
   /// Any field of 0 to 2^20 instead.
   void start(const Field& thickness);
+  /// May change the type of the cells, as a steep repose asks for wide ones.
   void settle(std::int32_t repose_fx);
 
   /// Calls visit(cells) with a pointer to the cells of row z, of the type that they have.

@@ -13,9 +13,10 @@
 
 namespace talus::codec {
 
-/// Seven bits a byte, lowest first; the high bit says that more follow. Writes up to kMostBytesOfNumber to
-/// `out`, and gives where they end.
 inline constexpr std::size_t kMostBytesOfNumber = 3;
+
+/// Seven bits a byte, lowest first; the high bit says that more follow. `out` has room for
+/// kMostBytesOfNumber; gives where what was written ends.
 std::byte* put_number(std::uint16_t number, std::byte* out);
 void put_number(std::uint16_t number, std::vector<std::byte>& out);
 

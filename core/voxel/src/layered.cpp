@@ -23,11 +23,12 @@ using EndBytes = std::array<std::uint8_t, kLanes>;
 
 /// The ids as numbers where these fit the states' ends, which are 0 past them.
 bool put_in_states(std::span<const MaterialId> materials, EndBytes& ends) {
-  std::array<std::byte, kMostBytesOfNumber * Layers::kMaxMaterials> numbers;
-  std::byte* end = numbers.data();
-  for (const MaterialId material : materials) end = put_number(to_integer(material), end);
-  const auto size = static_cast<std::size_t>(end - numbers.data());
-  if (size > ends.size()) return false;
+  std::array<std::byte, kLanes + kMostBytesOfNumber> numbers;
+  std::size_t size = 0;
+  for (const MaterialId material : materials) {
+    size = static_cast<std::size_t>(put_number(to_integer(material), numbers.data() + size) - numbers.data());
+    if (size > ends.size()) return false;
+  }
   std::memcpy(ends.data(), numbers.data(), size);
   return true;
 }

@@ -435,8 +435,9 @@ HWY_INLINE hn::Mask<HalfRows> outside(RowVec row, RowVec floor) {
   return hn::Or(hn::Lt(row, floor), hn::Gt(row, hn::Set(d, kChunkSize)));
 }
 
-/// Each column's step from how each differs from the one to its west. What a byte does not hold stays out of
-/// every plane's range, as its end does here.
+/// Each column's step from how each differs from the one to its west. A step that a byte does not hold
+/// becomes the byte's end, which lies out of every plane's range: that row is a fault, whatever its other
+/// columns are.
 HWY_INLINE RowHalves summed(RowHalves changes) {
   const hn::Half<Half> bytes;
   const hn::RebindToSigned<decltype(bytes)> half;

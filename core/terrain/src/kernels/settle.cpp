@@ -64,8 +64,7 @@ class RunningMinimum {
 
   HWY_INLINE explicit RunningMinimum(std::int32_t repose)
       : ramp_{ramp_of(repose)},
-        whole_vector_{
-            hn::Set(Cells{}, static_cast<Cell>(std::min<std::int32_t>(repose * kLanes, kUnbounded<Cell>)))},
+        whole_vector_{hn::Set(Cells{}, static_cast<Cell>(repose * kLanes))},
         unbounded_{hn::Set(Cells{}, kUnbounded<Cell>)},
         carried_{unbounded_} {}
 
@@ -92,7 +91,7 @@ class RunningMinimum {
   static constexpr int kLanes = static_cast<int>(hn::MaxLanes(Cells{}));
   static constexpr int kBlockLanes = 16 / static_cast<int>(sizeof(Cell));
   static constexpr int kBlocks = kLanes / kBlockLanes;
-  static_assert(std::int64_t{kSteepest<Cell>} * (kLanes - 1) <= kUnbounded<Cell>);
+  static_assert(std::int64_t{kSteepest<Cell>} * kLanes <= kUnbounded<Cell>);
 
   static HWY_INLINE Vec ramp_of(std::int32_t repose) {
     HWY_ALIGN Cell lanes[hn::MaxLanes(Cells{})];

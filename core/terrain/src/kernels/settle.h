@@ -18,12 +18,10 @@ inline constexpr Cell kUnbounded = Cell{1} << 30;
 template <>
 inline constexpr std::int16_t kUnbounded<std::int16_t> = std::numeric_limits<std::int16_t>::max();
 
-/// The steepest repose that settles in such cells: what it adds up to along a vector still fits one. In int32
-/// it binds nothing, as no thickness is above 2^20.
+/// The steepest repose that settles in such cells: what it adds up to from one vector to the next, 32 cells
+/// at most, still fits one. In int32 it binds nothing, as no thickness is above 2^20.
 template <class Cell>
-inline constexpr std::int32_t kSteepest = 1 << 25;
-template <>
-inline constexpr std::int32_t kSteepest<std::int16_t> = kUnbounded<std::int16_t> / 31;
+inline constexpr std::int32_t kSteepest = kUnbounded<Cell> / 32;
 
 /// Rows of a field with unbounded cells around: before each row, after it up to the stride, and one row
 /// above and below. `cells` points at the first cell of the first row.
@@ -43,8 +41,8 @@ struct SettleKernels {
                       std::int32_t max_slope_fx, std::int16_t* cells);
   void (*start_int32)(const std::int32_t* slope, std::size_t width, std::int32_t thickness_fx,
                       std::int32_t max_slope_fx, std::int32_t* cells);
-  /// Lowers every cell to what rests there: at most `repose_fx` above each of its 8 neighbours, which is
-  /// kSteepest<Cell> or less. Leaves numbers without meaning between a row's width and its stride.
+  /// Lowers every cell to what rests there: at most `repose_fx` above each of its 8 neighbours. It
+  /// is kSteepest<Cell> or less. Leaves numbers without meaning between a row's width and its stride.
   void (*settle_int16)(const PaddedRows<std::int16_t>& rows, std::int32_t repose_fx);
   void (*settle_int32)(const PaddedRows<std::int32_t>& rows, std::int32_t repose_fx);
 };

@@ -22,7 +22,7 @@ using talus::HWY_NAMESPACE::round_to_even;
 
 bool lay(const OctaveRow* octaves, std::size_t count, const LayerShape& shape, std::size_t width,
          const std::int32_t* limit, const std::int32_t* below, std::uint8_t* open, std::int32_t* top) {
-  /// Whether kVectors vectors of columns from `at` on have reached the limit.
+  // Whether kVectors vectors of columns from `at` on have reached the limit.
   const auto lay_at = [=, &shape]<std::size_t kVectors>(auto f, std::size_t at) HWY_ATTR {
     const hn::RebindToSigned<decltype(f)> d;
     auto missing = hn::Zero(d);  // less than 0 where the limit is not reached

@@ -19,9 +19,11 @@ struct LayerShape {
 };
 
 struct StrataKernels {
-  /// Lays a layer over the segments of a row that are open: top = min(below + thickness, limit). Those which
-  /// are full with it are open no more (a last one of fewer columns may stay so as long as the one before
-  /// it); `top` is the limit where they were so before. Whether any is left.
+  /// Lays a layer over the segments of a row that are open: top = min(below + thickness, limit), in
+  /// subvoxels. `open` has a byte for each segment, 1 or 0; where it is 0 `below` is the limit already, and
+  /// `top` becomes it. Those which are full with this layer are open no more; a last one of fewer columns may
+  /// stay so as long as the one before it. Whether any is left. The three rows have `width` numbers and no
+  /// padding; `top` is none of the others, as columns near the row's end are laid twice.
   bool (*lay)(const OctaveRow* octaves, std::size_t count, const LayerShape& shape, std::size_t width,
               const std::int32_t* limit, const std::int32_t* below, std::uint8_t* open, std::int32_t* top);
 };

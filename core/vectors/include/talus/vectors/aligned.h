@@ -1,7 +1,8 @@
-// Memory that vectors are loaded from without straddling two cache lines.
+// Memory that begins at a cache line, so that no vector of a row that begins there straddles two.
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <new>
 #include <vector>
 
@@ -10,23 +11,33 @@ namespace talus {
 /// The largest vector of any instruction set, and a cache line.
 inline constexpr std::size_t kVectorBytes = 64;
 
+/// An allocator of such memory, for the standard containers.
 template <class T>
 struct AlignedAllocator {
+  static_assert(alignof(T) <= kVectorBytes);
   using value_type = T;
 
   AlignedAllocator() = default;
   template <class U>
   explicit(false) AlignedAllocator(const AlignedAllocator<U>& /*other*/) {}
 
+  // Aligned by hand, as glibc's heaps do not fill their holes with memory that is asked for aligned, and
+  // grow. Where the memory began stands before the line at which the elements begin.
   [[nodiscard]] T* allocate(std::size_t count) {
-    return static_cast<T*>(::operator new (count * sizeof(T), std::align_val_t{kVectorBytes}));
+    static_assert(__STDCPP_DEFAULT_NEW_ALIGNMENT__ >= sizeof(void*));
+    void* const memory = ::operator new(count * sizeof(T) + kVectorBytes);
+    const auto begin = reinterpret_cast<std::uintptr_t>(memory);
+    auto* const elements = reinterpret_cast<void**>((begin + kVectorBytes) / kVectorBytes * kVectorBytes);
+    elements[-1] = memory;
+    return reinterpret_cast<T*>(elements);
   }
-  void deallocate(T* memory, std::size_t /*count*/) {
-    ::operator delete (memory, std::align_val_t{kVectorBytes});
+  void deallocate(T* elements, std::size_t /*count*/) {
+    ::operator delete(reinterpret_cast<void**>(elements)[-1]);
   }
   bool operator==(const AlignedAllocator& /*other*/) const { return true; }
 };
 
+/// A std::vector whose elements begin at a cache line.
 template <class T>
 using AlignedVector = std::vector<T, AlignedAllocator<T>>;
 
