@@ -92,6 +92,8 @@ TEST_CASE("Every wrong spec is refused with file, line, key and what would be ri
       {"name = \"sand\"", "name = \"chalk\"", "eroded[1].name: 'chalk' names another material already"},
       {"name = \"sand\"", "name = \"water\"", "eroded[1].name: 'water' is the world's own"},
       {"name = \"sand\"", "name = \"\"", "eroded[1].name: a name has 1 to 64 bytes, this has 0"},
+      {"name = \"sand\"", R"(name = "\u001b[2J")",
+       "eroded[1].name: a name is printed as it is, so it holds no control characters"},
       {"colour = \"#444444\"", "colour = \"grey\"", "w.toml:13: stratified[0].colour: "},
       {"colour = \"#444444\"", "colour = 4", "w.toml:13: stratified[0].colour: "},
       {"thickness = 0.5", "thickness = 0", "w.toml:15: stratified[0].thickness: 0 is out of range"},

@@ -98,6 +98,9 @@ class TableReader {
     if (!value) return wrong_type(*node, "name", "a string"), std::string{};
     if (value->empty() || value->size() > 64) {
       fail(line_of(*node), "name", "a name has 1 to 64 bytes, this has " + std::to_string(value->size()));
+    } else if (std::any_of(value->begin(), value->end(),
+                           [](char c) { return (c >= 0 && c < ' ') || c == '\x7F'; })) {
+      fail(line_of(*node), "name", "a name is printed as it is, so it holds no control characters");
     } else if (*value == "air" || *value == "water") {
       fail(line_of(*node), "name", "'" + *value + "' is the world's own; choose another name");
     } else if (!taken.insert(*value).second) {

@@ -104,7 +104,8 @@ class Generator {
 
 /// The chunk `coord` of the region's level. Its 32 x 32 columns must lie inside stacks.region (asserted). It
 /// is made in the memory of `memory`, whatever that holds: with that of chunks before (Chunk::take_layers)
-/// only what is missing is allocated, and more where caves, ores or too many layers for the boundary view are.
+/// only what is missing is allocated, and more where caves, ores or too many layers for the boundary view
+/// are.
 [[nodiscard]] Chunk extract_chunk(const World& world, const Stacks& stacks, ChunkCoord coord,
                                   Layers memory = {});
 
