@@ -1,5 +1,6 @@
 // The generator's stages, one thread unless said otherwise. Items are columns or noise samples.
 #include <array>
+#include <atomic>
 #include <thread>
 #include <utility>
 #include <vector>
@@ -167,20 +168,23 @@ void stream_noise(State& state) {
 }
 BENCHMARK(stream_noise)->Name("stream, tiles a patch side/4/vs:its surface noise alone");
 
-// Each keeps its generator and its memory from view to view, as a server's do.
+// Each keeps its generator and its memory from view to view, and takes the next patch when it is done with
+// one, as a server's do.
 void threads(State& state) {
   const auto patches = bench::patches_of_view(kViewRadius, kPatchTiles);
   const auto count = static_cast<std::size_t>(state.range(0));
   std::vector<std::pair<Generator, Stacks>> kept;
   for (std::size_t t = 0; t < count; ++t) kept.emplace_back(Generator{world()}, Stacks{});
   const auto fill_view = [&] {
+    std::atomic<std::size_t> next{0};
     std::vector<std::jthread> pool;
     for (std::size_t t = 0; t < count; ++t) {
       pool.emplace_back([&, t] {
         auto& [generator, stacks] = kept[t];
-        for (std::size_t i = t; i < patches.size(); i += count) generator.generate(patches[i], stacks);
+        for (std::size_t i = next++; i < patches.size(); i = next++) generator.generate(patches[i], stacks);
       });
     }
+    pool.clear();  // they end before what they count with
   };
   fill_view();
   for (auto _ : state) fill_view();

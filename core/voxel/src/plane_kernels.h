@@ -101,8 +101,8 @@ inline void put_others(PlaneSink& sink, const PlaneShares& shares, std::size_t z
   return (carried >> z & 1U) != 0 ? kCarried : kLevel;
 }
 
-/// Mends a row's steps, which are as its symbols say alone: takes those of the symbols kOther. Where the bytes
-/// go on.
+/// Mends a row's steps, which are as its symbols say alone: takes those of the symbols kOther. Where the
+/// bytes go on.
 inline const std::uint8_t* take_others(const std::uint8_t* next, std::uint32_t others, Steps& steps) {
   for (; others != 0; others &= others - 1) {
     steps[static_cast<std::size_t>(std::countr_zero(others))] = static_cast<std::int8_t>(*next++);

@@ -61,8 +61,8 @@ class Chunk {
 
   /// The boundary view, or null where the chunk is held as dense voxels.
   [[nodiscard]] const Layers* layers() const { return std::get_if<Layers>(&form_); }
-  /// The boundary view, for the sake of its memory; without materials where the chunk is held as dense voxels.
-  /// The chunk can then only be assigned to or destroyed.
+  /// The boundary view, for the sake of its memory; without materials where the chunk is held as dense
+  /// voxels. The chunk can then only be assigned to or destroyed.
   [[nodiscard]] Layers take_layers() &&;
 
   /// The same voxels, whatever the form.
