@@ -5,8 +5,8 @@
 
 #include <talus/voxel/coords.h>
 
-#include "cache/encoded_chunk.h"
 #include "cache/sharded_cache.h"
+#include "chunks/encoded_chunk.h"
 
 namespace talus::server {
 

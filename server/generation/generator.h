@@ -9,7 +9,7 @@
 #include <talus/terrain/stacks.h>
 #include <talus/voxel/coords.h>
 
-#include "cache/encoded_chunk.h"
+#include "chunks/encoded_chunk.h"
 #include "generation/patch.h"
 
 namespace talus::server {

@@ -10,7 +10,7 @@
 #include <talus/protocol/message.h>
 #include <talus/voxel/coords.h>
 
-#include "cache/encoded_chunk.h"
+#include "chunks/encoded_chunk.h"
 #include "stream/credit.h"
 #include "stream/output.h"
 

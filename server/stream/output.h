@@ -12,7 +12,7 @@
 
 #include <talus/voxel/coords.h>
 
-#include "cache/encoded_chunk.h"
+#include "chunks/encoded_chunk.h"
 
 namespace talus::server {
 

@@ -1,4 +1,4 @@
-#include "cache/encoded_chunk.h"
+#include "chunks/encoded_chunk.h"
 
 #include <cassert>
 #include <cstring>

@@ -1,0 +1,62 @@
+// Where a session gets chunks and heights. BaseChunks (generation/) gives them as generated; edited chunks
+// will stand before it, as another ChunkSource with a cache of its own, keyed by revision.
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <vector>
+
+#include <talus/terrain/stacks.h>
+#include <talus/voxel/coords.h>
+#include <talus/voxel/material.h>
+
+#include "chunks/encoded_chunk.h"
+#include "chunks/mailbox.h"
+
+namespace talus::server {
+
+/// Rows of chunks of one column outside which every chunk is known to be uniform, at revision 0.
+struct MixedRows {
+  std::int32_t first = std::numeric_limits<std::int32_t>::min();
+  std::int32_t last = std::numeric_limits<std::int32_t>::max();  // first - 1 where none is mixed
+  MaterialId below{};  // of every chunk under `first`; air is above `last`
+
+  /// The material of a uniform row; none where the row may hold anything.
+  [[nodiscard]] std::optional<MaterialId> uniform_at(std::int32_t y) const {
+    if (y < first) return below;
+    if (y > last) return kAir;
+    return std::nullopt;
+  }
+};
+
+/// Callable from any thread. No call generates, reads a disk, or waits for who does.
+class ChunkSource {
+ public:
+  virtual ~ChunkSource() = default;
+
+  /// The newest version of the chunk where it is in memory or costs nothing to know; else null.
+  [[nodiscard]] virtual EncodedChunkPtr find(ChunkKey key) = 0;
+
+  /// A version newer than `revision`, where there is one in memory; else null, as always where chunks never
+  /// change. Asked when a chunk that waited is written.
+  [[nodiscard]] virtual EncodedChunkPtr newer(ChunkKey key, std::uint64_t revision) = 0;
+
+  /// What is known of the key's column. A source that has edited chunks counts their rows as mixed.
+  [[nodiscard]] virtual MixedRows column(ChunkKey key) = 0;
+
+  enum class Submission : std::uint8_t { queued, refused };
+  /// Lets the mailbox's owner wait for the chunk: one ChunkReady comes. Refused where the queue is full or
+  /// memory short: no answer comes, but a QueueHasRoom when it is worth another try.
+  [[nodiscard]] virtual Submission submit(const MailboxPtr& mailbox, ChunkKey key) = 0;
+  /// An answer already in the mailbox may still be found there.
+  virtual void cancel(ClientId client, ChunkKey key) = 0;
+
+  /// Surface heights of base columns, as generated; one HeightsReady comes. The caller never gives a ticket
+  /// twice.
+  virtual void submit_heights(const MailboxPtr& mailbox, std::uint64_t ticket,
+                              std::vector<terrain::BaseColumn> columns) = 0;
+  virtual void cancel_heights(ClientId client, std::uint64_t ticket) = 0;
+};
+
+}  // namespace talus::server

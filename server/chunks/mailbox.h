@@ -1,0 +1,93 @@
+// What other threads tell a session: chunks, heights, and that the generators' queue has room again.
+//
+// One mailbox a session. Generator threads put() answers and wake() the owner; the owner takes all that
+// waits at once. Waking a thread costs as much as generating many a chunk, so put() does not wake, and a
+// wake() while one is pending does nothing.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include <tl/expected.hpp>
+
+#include <talus/voxel/coords.h>
+
+#include "chunks/encoded_chunk.h"
+
+namespace talus::server {
+
+/// Who waits for chunks. Never used twice in one process, so nobody inherits another's place or debt.
+enum class ClientId : std::uint64_t {};
+
+/// The generator could not answer (out of memory); asking again may help.
+struct GenerationFailed {
+  std::string reason;
+};
+using ChunkAnswer = tl::expected<EncodedChunkPtr, GenerationFailed>;
+using HeightsAnswer = tl::expected<std::vector<std::int32_t>, GenerationFailed>;
+
+struct ChunkReady {
+  ChunkKey key;
+  ChunkAnswer answer;
+};
+struct HeightsReady {
+  std::uint64_t ticket = 0;
+  HeightsAnswer answer;
+};
+/// A submission was refused because the queue was full; it may be tried again.
+struct QueueHasRoom {};
+using Mail = std::variant<ChunkReady, HeightsReady, QueueHasRoom>;
+
+class Mailbox {
+ public:
+  /// `wake` is called on the thread that calls wake(), never twice without a take() between. It may throw;
+  /// then the owner counts as not woken.
+  Mailbox(ClientId owner, std::function<void()> wake) : owner_{owner}, wake_{std::move(wake)} {}
+
+  [[nodiscard]] ClientId owner() const { return owner_; }
+
+  /// Any thread. The owner finds it at its next take().
+  void put(Mail mail) {
+    const std::lock_guard lock{mutex_};
+    mail_.push_back(std::move(mail));
+  }
+
+  /// Any thread. Wakes the owner where mail waits and no wake-up is pending.
+  void wake() {
+    {
+      const std::lock_guard lock{mutex_};
+      if (mail_.empty() || std::exchange(woken_, true)) return;
+    }
+    try {
+      wake_();
+    } catch (...) {
+      const std::lock_guard lock{mutex_};
+      woken_ = false;
+      throw;
+    }
+  }
+
+  /// The owner's thread. All that waits, oldest first.
+  [[nodiscard]] std::vector<Mail> take() {
+    const std::lock_guard lock{mutex_};
+    woken_ = false;
+    return std::exchange(mail_, {});
+  }
+
+ private:
+  const ClientId owner_;
+  const std::function<void()> wake_;
+  std::mutex mutex_;
+  std::vector<Mail> mail_;
+  bool woken_ = false;
+};
+using MailboxPtr = std::shared_ptr<Mailbox>;
+
+}  // namespace talus::server
