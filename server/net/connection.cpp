@@ -7,9 +7,9 @@
 #include <algorithm>
 #include <exception>
 #include <iterator>
-#include <mutex>
 #include <span>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include <fmt/format.h>
@@ -30,8 +30,7 @@ namespace {
 using std::chrono::milliseconds;
 
 constexpr int kUnsentLowWaterBytes = 16 * 1024;
-constexpr milliseconds kTimeToClose{2000};   // to write the last frames and to read the client's end
-constexpr milliseconds kRetryInterval{100};  // while the generators' queue is full
+constexpr milliseconds kTimeToClose{2000};  // to write the last frames and to read the client's end
 
 // A piece more for the system costs as much as copying some 2 KiB that lie far away. Below 64 pieces a write
 // of the most that is gathered stays one call.
@@ -68,61 +67,6 @@ std::string described(const Grant& grant) {
 
 }  // namespace
 
-/// Carries answers from generator threads to the connection's own. Chunks that come while it has not got
-/// round to those before are carried together: waking a thread costs more than most chunks.
-class Connection::Port final : public ChunkClient, public std::enable_shared_from_this<Port> {
- public:
-  explicit Port(const std::shared_ptr<Connection>& connection)
-      : connection_{connection}, executor_{connection->wire_.get_executor()} {}
-
-  void chunks_ready(std::vector<ReadyChunk> chunks) override {
-    {
-      const std::lock_guard lock{mutex_};
-      if (!ready_.empty()) {  // somebody is on the way
-        ready_.insert(ready_.end(), std::make_move_iterator(chunks.begin()),
-                      std::make_move_iterator(chunks.end()));
-        return;
-      }
-      ready_ = std::move(chunks);
-    }
-    try {
-      asio::post(executor_, [self = shared_from_this()] { self->hand_over(); });
-    } catch (...) {
-      // Or nobody would ever be on the way again. The chunk service logs it.
-      const std::lock_guard lock{mutex_};
-      ready_.clear();
-      throw;
-    }
-  }
-
-  void heights_ready(std::uint64_t ticket, HeightsAnswer answer) override {
-    asio::post(executor_, [weak = connection_, ticket, answer = std::move(answer)] {
-      const auto connection = weak.lock();
-      if (connection == nullptr) return;
-      connection->react([&](Session& session) { session.heights_ready(ticket, answer); });
-    });
-  }
-
- private:
-  void hand_over() {
-    std::vector<ReadyChunk> ready;
-    {
-      const std::lock_guard lock{mutex_};
-      ready.swap(ready_);
-    }
-    const auto connection = connection_.lock();
-    if (connection == nullptr) return;
-    connection->react([&](Session& session) {
-      for (const auto& [key, answer] : ready) session.chunk_ready(key, answer);
-    });
-  }
-
-  std::weak_ptr<Connection> connection_;
-  asio::any_io_executor executor_;
-  std::mutex mutex_;
-  std::vector<ReadyChunk> ready_;
-};
-
 Connection::Connection(Guest guest, const ConnectionContext& context)
     : wire_{std::move(guest.wire)},
       remote_{std::move(guest.address)},
@@ -134,7 +78,6 @@ Connection::Connection(Guest guest, const ConnectionContext& context)
       output_waits_{wire_.get_executor()},
       room_{wire_.get_executor()},
       watch_timer_{wire_.get_executor()},
-      retry_timer_{wire_.get_executor()},
       opened_{guest.came},
       last_frame_{opened_} {
   tune(wire_.socket());
@@ -145,7 +88,14 @@ Connection::Connection(Guest guest, const ConnectionContext& context)
 void Connection::start() {
   asio::post(wire_.get_executor(), [self = shared_from_this()] {
     self->react([&](Session& session) {
-      session.attach(std::make_shared<Port>(self));
+      const std::weak_ptr<Connection> weak = self;
+      self->mailbox_ =
+          std::make_shared<Mailbox>(ClientId{self->id_}, [weak, executor = self->wire_.get_executor()] {
+            asio::post(executor, [weak] {
+              if (const auto connection = weak.lock()) connection->take_mail();
+            });
+          });
+      session.attach(self->mailbox_);
       self->spawn(&Connection::read);
       self->spawn(&Connection::write);
       self->spawn(&Connection::watch);
@@ -309,6 +259,18 @@ asio::awaitable<void> Connection::wait(asio::steady_timer& timer) {
   co_await timer.async_wait(asio::redirect_error(asio::use_awaitable, cancelled));
 }
 
+void Connection::take_mail() {
+  struct Deliver {
+    Session& session;
+    void operator()(const ChunkReady& ready) const { session.chunk_ready(ready.key, ready.answer); }
+    void operator()(const HeightsReady& ready) const { session.heights_ready(ready.ticket, ready.answer); }
+    void operator()(QueueHasRoom) const {}  // pump() follows
+  };
+  react([&](Session& session) {
+    for (const Mail& mail : mailbox_->take()) std::visit(Deliver{session}, mail);
+  });
+}
+
 template <typename Happening>
 void Connection::react(Happening&& happening) {
   if (!open_) return;
@@ -330,16 +292,6 @@ void Connection::work() {
   // Also for what a rate still holds: write() may wait for nothing at all, and must learn until when.
   if (session_.sendable_at() < output_waits_.expiry() || session_.closing()) output_waits_.cancel();
   if (reading_paused_) room_.cancel();
-  if (session_.refused()) retry_soon();
-}
-
-void Connection::retry_soon() {
-  if (std::exchange(retry_armed_, true)) return;
-  retry_timer_.expires_after(kRetryInterval);
-  retry_timer_.async_wait([self = shared_from_this()](std::error_code) {
-    self->retry_armed_ = false;
-    self->react([](Session&) {});
-  });
 }
 
 void Connection::time_out() {
@@ -388,7 +340,6 @@ void Connection::end(std::string_view reason) {
   output_waits_.cancel();
   room_.cancel();
   watch_timer_.cancel();
-  retry_timer_.cancel();
   const std::string& failure = session_.failure();
   context_.log->info("conn {} {}: ended: {}", id_, remote_,
                      failure.empty() ? std::string{reason} : escaped(failure, 300));

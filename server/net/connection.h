@@ -43,7 +43,6 @@ class Connection : public std::enable_shared_from_this<Connection> {
 
  private:
   using Clock = std::chrono::steady_clock;
-  class Port;
 
   [[nodiscard]] asio::awaitable<void> read();
   [[nodiscard]] asio::awaitable<void> take_in(std::span<const std::byte> bytes);
@@ -60,7 +59,7 @@ class Connection : public std::enable_shared_from_this<Connection> {
   void react(Happening&& happening);
   /// After anything that happened to the session.
   void work();
-  void retry_soon();
+  void take_mail();
   void time_out();
   [[nodiscard]] Clock::time_point next_deadline(Clock::time_point now) const;
   [[nodiscard]] bool write_stalled(Clock::time_point now) const;
@@ -74,12 +73,12 @@ class Connection : public std::enable_shared_from_this<Connection> {
   std::optional<Admission::Place> place_;
   protocol::FrameReader frames_;
   Session session_;
+  MailboxPtr mailbox_;
 
   // Signals: a waiting coroutine goes on when its timer is cancelled.
   asio::steady_timer output_waits_;
   asio::steady_timer room_;
   asio::steady_timer watch_timer_;
-  asio::steady_timer retry_timer_;
 
   Clock::time_point opened_;
   Clock::time_point last_frame_;
@@ -89,7 +88,6 @@ class Connection : public std::enable_shared_from_this<Connection> {
   std::optional<Clock::time_point> write_progress_;  // while a write is under way
   std::optional<Clock::time_point> closing_since_;
   bool reading_paused_ = false;
-  bool retry_armed_ = false;
   bool greeting_noted_ = false;
   bool open_ = true;
   std::array<std::byte, 8192> input_;

@@ -59,7 +59,7 @@ Config fitted_to(Config config, const terrain::World& world) {
   return config;
 }
 
-ServiceSettings service_settings(const Config& config) {
+GenerationSettings generation_settings(const Config& config) {
   return {generator_threads(config), static_cast<int>(config.generation.patch_tiles),
           config.generation.queue_chunks, config.cache.chunk_bytes, config.cache.patch_bytes};
 }
@@ -98,7 +98,11 @@ Server::Server(const Config& config, std::shared_ptr<const terrain::World> world
       io_{io_threads(config), log_},
       chunks_{std::make_unique<TerrainGenerator>(std::move(world),
                                                  static_cast<int>(config.generation.patch_tiles)),
-              service_settings(config), log_, metrics_, memory_},
+              generation_settings(config),
+              log_,
+              metrics_,
+              memory_,
+              clock_},
       acceptor_{io_.control()},
       signals_{io_.control(), SIGTERM, SIGINT},
       hangups_{io_.control(), SIGHUP},
@@ -139,7 +143,7 @@ tl::expected<std::string, std::string> Server::listen_to_operators() {
 }
 
 std::string Server::metrics_text() {
-  const ChunkService::Status status = chunks_.status();
+  const BaseChunks::Status status = chunks_.status();
   Depths depths{status.jobs, status.clients, status.chunk_cache_bytes, status.patch_cache_bytes, draining_};
   for (std::size_t use = 0; use < kMemoryUses.size(); ++use) {
     depths.memory_bytes[use] = memory_.used(static_cast<MemoryUse>(use));
@@ -221,7 +225,7 @@ void Server::welcome(Guest guest) {
   const ConnectionId id = guest.id;
   log_->debug("conn {} {}: opened", id, guest.address);
   const ConnectionContext context{
-      {config_.limits, world_, chunks_, metrics_, access_, rates_}, registry_, log_of_clients_};
+      {config_.limits, world_, chunks_, memory_, metrics_, access_, rates_}, registry_, log_of_clients_};
   try {
     const auto connection = std::make_shared<Connection>(std::move(guest), context);
     registry_.add(id, connection);

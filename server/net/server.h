@@ -18,7 +18,7 @@
 #include "access/access_control.h"
 #include "admin/admin_server.h"
 #include "config/config.h"
-#include "generation/chunk_service.h"
+#include "generation/base_chunks.h"
 #include "log/logger.h"
 #include "metrics/metrics.h"
 #include "net/admission.h"
@@ -78,7 +78,8 @@ class Server {
   std::optional<TlsIdentity> tls_;
   Door door_;
   IoPool io_;
-  ChunkService chunks_;
+  SystemClock clock_;
+  BaseChunks chunks_;
 
   asio::ip::tcp::acceptor acceptor_;
   asio::signal_set signals_;

@@ -80,10 +80,11 @@ void Session::fail(wire::ErrorCode code, std::string_view text, std::uint32_t re
 
 void Session::abandon() {
   closing_ = true;
-  for (const auto& [key, awaited] : awaited_) context_.chunks.cancel(*client_, key);
+  for (const auto& [key, awaited] : awaited_) context_.chunks.cancel(mailbox_->owner(), key);
   awaited_.clear();
   for (const std::uint32_t id : requests_.ids()) {
-    if (const auto ticket = requests_.heights_ticket(id)) context_.chunks.cancel_heights(*client_, *ticket);
+    if (const auto ticket = requests_.heights_ticket(id))
+      context_.chunks.cancel_heights(mailbox_->owner(), *ticket);
   }
   requests_.clear();
   next_view_.reset();

@@ -18,9 +18,9 @@
 #include <talus/protocol/frame.h>
 #include <talus/protocol/message.h>
 
+#include "chunks/chunk_source.h"
 #include "config/config.h"
-#include "generation/chunk_service.h"
-#include "memory/memory_budget.h"
+#include "memory/memory_reservation.h"
 #include "metrics/metrics.h"
 #include "rates/rates.h"
 #include "session/handshake.h"
@@ -37,7 +37,8 @@ namespace talus::server {
 struct SessionContext {
   const Limits& limits;
   const WorldInfo& world;
-  ChunkService& chunks;
+  ChunkSource& chunks;
+  MemoryBudget& memory;
   Metrics& metrics;
   const AccessControl& access;
   const RateLimits& rates = kUnlimited;
@@ -67,10 +68,10 @@ class Session {
   explicit Session(const SessionContext& context, AddressBucketsPtr address = nullptr)
       : context_{context},
         rates_{context.rates, std::move(address), context.metrics},
-        memory_{context.chunks.memory(), MemoryUse::sessions} {}
+        memory_{context.memory, MemoryUse::sessions} {}
 
-  /// `client` hands answers back to chunk_ready() and heights_ready() on the session's own thread.
-  void attach(ChunkClientPtr client) { client_ = std::move(client); }
+  /// Whose owner takes answers out on the session's own thread, for chunk_ready() and heights_ready().
+  void attach(MailboxPtr mailbox) { mailbox_ = std::move(mailbox); }
 
   // ---- what happens to it
   /// A whole frame, as FrameReader gives it.
@@ -90,7 +91,7 @@ class Session {
   void apply_view();
   /// Takes up as much work as the windows allow. Call it after anything above.
   void pump();
-  /// Whether the generators' queue was full: pump() again in a while.
+  /// Whether the generators' queue was full: pump() again when QueueHasRoom comes.
   [[nodiscard]] bool refused() const { return refused_; }
 
   // ---- what it has to say
@@ -173,7 +174,7 @@ class Session {
   void answer_view(ChunkKey key, ChunkAnswer answer);
 
   SessionContext context_;
-  ChunkClientPtr client_;
+  MailboxPtr mailbox_;
   std::optional<Greeting> greeting_;
   Credit credit_{0};
   Outbox outbox_;
@@ -184,7 +185,7 @@ class Session {
   std::unordered_map<ChunkKey, ContentHash> known_;  // by the client; of chunks that its View wants
   std::unordered_map<ChunkKey, Awaited> awaited_;
   SessionRates rates_;
-  MemoryShare memory_;
+  MemoryReservation memory_;
   Clock::time_point received_at_{};  // what is being looked at
   std::size_t expected_chunk_bytes_ = kExpectedChunkBytes;
   std::size_t writing_bytes_ = 0;  // taken last

@@ -63,8 +63,7 @@ void Session::start_request(std::uint32_t id) {
     awaited->requests.push_back(id);
   } else {
     refuse(id, wire::ErrorCode::overloaded,
-           context_.chunks.memory().takes_work() ? "too many chunks wait to be generated" : kNoMemory,
-           kRetryAfterMs);
+           context_.memory.takes_work() ? "too many chunks wait to be generated" : kNoMemory, kRetryAfterMs);
     requests_.erase(id);
   }
 }
@@ -84,7 +83,7 @@ bool Session::start_view_chunk(ChunkKey key) {
 }
 
 bool Session::answer_by_column(ChunkKey key) {
-  const terrain::MixedRange mixed = context_.chunks.rows(key);
+  const MixedRows mixed = context_.chunks.column(key);
   const auto uniform = [&](std::int32_t y) { return y < mixed.first || y > mixed.last; };
   if (!uniform(key.coord.y)) return false;
   std::vector<wire::UniformRun> runs;
@@ -126,13 +125,13 @@ bool Session::give_up_for_view(ChunkKey key) {
 
 Session::Awaited* Session::await(ChunkKey key) {
   if (const auto found = awaited_.find(key); found != awaited_.end()) return &found->second;
-  if (context_.chunks.submit(client_, key) == ChunkService::Submission::refused) return nullptr;
+  if (context_.chunks.submit(mailbox_, key) == ChunkSource::Submission::refused) return nullptr;
   return &awaited_[key];
 }
 
 void Session::stop_awaiting(ChunkKey key, const Awaited& awaited) {
   if (awaited.view || !awaited.requests.empty()) return;
-  context_.chunks.cancel(*client_, key);
+  context_.chunks.cancel(mailbox_->owner(), key);
   awaited_.erase(key);
 }
 

@@ -165,7 +165,7 @@ void Session::on(const wire::Cancel& cancel) {
         stop_awaiting(found->first, found->second);
       }
     } else if (const auto ticket = requests_.heights_ticket(id)) {
-      context_.chunks.cancel_heights(*client_, *ticket);
+      context_.chunks.cancel_heights(mailbox_->owner(), *ticket);
     }
     requests_.erase(id);
     cancelled.insert(id);
@@ -178,7 +178,7 @@ void Session::on(const wire::Cancel& cancel) {
 void Session::on(const wire::GetHeights& get) {
   if (get.id() == 0) return fail(ErrorCode::malformed, "GetHeights.id is 0; ids begin at 1");
   if (!admit(get.id())) return;
-  if (!context_.chunks.memory().takes_work()) {
+  if (!context_.memory.takes_work()) {
     return refuse(get.id(), ErrorCode::overloaded, kNoMemory, kRetryAfterMs);
   }
   const std::size_t count = get.columns() == nullptr ? 0 : get.columns()->size();
@@ -188,8 +188,8 @@ void Session::on(const wire::GetHeights& get) {
                               context_.limits.heights_per_request));
   }
   const std::uint64_t ticket = (++heights_asked_ << 32) | get.id();
-  HeightsTask task{client_, ticket, {}};
-  task.columns.reserve(count);
+  std::vector<terrain::BaseColumn> columns;
+  columns.reserve(count);
   for (flatbuffers::uoffset_t i = 0; i < count; ++i) {
     const wire::Column2& column = *get.columns()->Get(i);
     if (!in_world(column)) {
@@ -197,9 +197,9 @@ void Session::on(const wire::GetHeights& get) {
                     fmt::format("column ({}, {}) is outside the world; x and z are -2^36 to 2^36 - 1",
                                 column.x(), column.z()));
     }
-    task.columns.push_back({column.x(), column.z()});
+    columns.push_back({column.x(), column.z()});
   }
-  if (const std::size_t tiles = tiles_of(task.columns); tiles > context_.limits.height_tiles_per_request) {
+  if (const std::size_t tiles = tiles_of(columns); tiles > context_.limits.height_tiles_per_request) {
     return refuse(get.id(), ErrorCode::too_large,
                   fmt::format("GetHeights reaches into {} tiles of 32 x 32 columns; in this world at most {}",
                               tiles, context_.limits.height_tiles_per_request));
@@ -207,7 +207,7 @@ void Session::on(const wire::GetHeights& get) {
   constexpr std::size_t kTaskBytes = 256;
   requests_.add_heights(get.id(), ticket,
                         kTaskBytes + count * (sizeof(terrain::BaseColumn) + sizeof(std::int32_t)));
-  context_.chunks.submit_heights(std::move(task));
+  context_.chunks.submit_heights(mailbox_, ticket, std::move(columns));
 }
 
 void Session::on(const wire::Credit& credit) {
