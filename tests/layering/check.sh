@@ -20,7 +20,7 @@ breaks core/voxel 'talus/(terrain|height_files|protocol|client|tools)' 'core/vox
 breaks core/terrain 'talus/(height_files|protocol|client|tools)' 'core/terrain knows core/voxel and core/vectors'
 breaks core/height_files 'talus/(protocol|client|tools)' 'core/height_files knows core/terrain alone'
 breaks core/tools 'talus/(protocol|client)' 'core/tools knows core alone'
-breaks protocol 'talus/(voxel|terrain|height_files|client|tools)' 'protocol knows nobody'
+breaks protocol 'talus/(files|progress|voxel|terrain|height_files|client|tools)' 'protocol knows nobody'
 breaks server 'talus/(client|tools)' 'the server knows core and protocol'
 breaks client_sample 'talus/(terrain|height_files|tools)' 'a client knows core/voxel and protocol'
 for pure in core/vectors core/voxel core/terrain protocol; do
