@@ -1,13 +1,12 @@
 #include "world_file.h"
 
-#include <system_error>
+#include <utility>
 
 #include <fmt/format.h>
 
+#include <talus/files/read_file.h>
 #include <talus/height_files/height_files.h>
 #include <talus/terrain/toml_bounds.h>
-
-#include "store/read_file.h"
 
 namespace talus::server {
 
@@ -15,10 +14,10 @@ tl::expected<std::shared_ptr<const terrain::World>, std::string> load_world(
     const std::filesystem::path& file) {
   if (file.empty()) return std::make_shared<const terrain::World>(terrain::default_world());
 
-  const auto text = read_file(file, terrain::kMaxTomlBytes);
+  const auto text = files::read_file(file, terrain::kMaxTomlBytes);
   if (!text) {
     return tl::make_unexpected(fmt::format("{}: cannot read the world: {}; give --world a readable TOML file",
-                                           file.string(), std::generic_category().message(text.error())));
+                                           file.string(), text.error().code.message()));
   }
   auto world = terrain::World::parse(*text, file.string(), height_files::beside(file));
   if (!world) return tl::make_unexpected(world.error().message);

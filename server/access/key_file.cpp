@@ -5,8 +5,9 @@
 
 #include <fmt/format.h>
 
+#include <talus/files/secret_file.h>
+
 #include "log/escape.h"
-#include "store/wiped_file.h"
 
 namespace talus::server {
 namespace {
@@ -40,8 +41,9 @@ tl::expected<KeyFile, std::string> read_key_file(const std::filesystem::path& fi
   const auto wrong = [&](const std::string& what) {
     return tl::make_unexpected(fmt::format("{}: {}", escaped(file.string(), 500), what));
   };
-  const auto read = WipedFile::read(file, kMostBytes);
-  if (!read) return wrong(read.error() + "; give a file with the secret in it that talusd's user may read");
+  const auto read = files::SecretFile::read(file, kMostBytes);
+  if (!read)
+    return wrong(read.error().reason + "; give a file with the secret in it that talusd's user may read");
   const std::string_view bytes = without_line_end(read->text());
   if (bytes.size() < bounds.least_bytes || bytes.size() > bounds.most_bytes) {
     return wrong(fmt::format("has {} bytes; {} to {} are right, as of \"openssl rand -base64 32\"",

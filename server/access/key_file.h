@@ -36,7 +36,7 @@ struct KeyBounds {
 };
 
 /// The file's bytes without the line's end at their end. An error is one line that begins with the file: it
-/// cannot be read, is no regular file, or its length is out of bounds.
+/// cannot be read, is not a regular file, or its length is out of bounds.
 [[nodiscard]] tl::expected<KeyFile, std::string> read_key_file(const std::filesystem::path& file,
                                                                KeyBounds bounds);
 

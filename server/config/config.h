@@ -7,9 +7,9 @@
 #include <optional>
 #include <string>
 
+#include <talus/protocol/endpoint.h>
 #include <talus/protocol/limits.h>
 
-#include "config/endpoint.h"
 #include "config/networks.h"
 
 namespace talus::server {
@@ -102,9 +102,9 @@ struct Log {
 };
 
 struct Config {
-  Endpoint listen{"0.0.0.0", kDefaultPort};
-  std::optional<Endpoint> http;
-  std::optional<Endpoint> admin;
+  protocol::Endpoint listen{"0.0.0.0", kDefaultPort};
+  std::optional<protocol::Endpoint> http;
+  std::optional<protocol::Endpoint> admin;
   std::filesystem::path data;   // empty: nothing is kept on disk
   std::filesystem::path world;  // empty: the world built into the program
   std::string user;             // empty: stays who it is

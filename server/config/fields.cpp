@@ -40,12 +40,12 @@ constexpr NumberTarget number(std::uint64_t least, std::uint64_t most) {
 
 const std::array kFields{
     Field{"listen", "HOST:PORT", "where game clients connect; port 0 takes a free one",
-          EndpointTarget{[](Config& c) -> Endpoint& { return c.listen; }}},
+          EndpointTarget{[](Config& c) -> protocol::Endpoint& { return c.listen; }}},
     Field{"http", "HOST:PORT", "public HTTP and WebSocket; accepted, not served yet; empty: none",
-          OptionalEndpointTarget{[](Config& c) -> std::optional<Endpoint>& { return c.http; }}},
+          OptionalEndpointTarget{[](Config& c) -> std::optional<protocol::Endpoint>& { return c.http; }}},
     Field{"admin", "HOST:PORT",
           "metrics and health for operators, over HTTP; not for the open network; empty: none",
-          OptionalEndpointTarget{[](Config& c) -> std::optional<Endpoint>& { return c.admin; }}},
+          OptionalEndpointTarget{[](Config& c) -> std::optional<protocol::Endpoint>& { return c.admin; }}},
     Field{"data", "directory", "what must outlive the server; empty: nothing is kept",
           PathTarget{[](Config& c) -> std::filesystem::path& { return c.data; }}},
     Field{"world", "file", "the world's spec; empty: the world built into talusd",
@@ -183,12 +183,16 @@ struct AssignText {
   Config& config;
   std::string_view text;
 
+  [[nodiscard]] tl::unexpected<std::string> refused_endpoint(const std::string& reason) const {
+    return tl::make_unexpected(fmt::format("\"{}\": {}", escaped(text), reason));
+  }
+
   tl::expected<void, std::string> operator()(const NumberTarget& target) const {
     return assign_number(field, target, config, text);
   }
   tl::expected<void, std::string> operator()(const EndpointTarget& target) const {
-    auto endpoint = parse_endpoint(text);
-    if (!endpoint) return tl::make_unexpected(endpoint.error());
+    auto endpoint = protocol::parse_endpoint(text);
+    if (!endpoint) return refused_endpoint(endpoint.error());
     target.at(config) = *std::move(endpoint);
     return {};
   }
@@ -197,8 +201,8 @@ struct AssignText {
       target.at(config).reset();
       return {};
     }
-    auto endpoint = parse_endpoint(text);
-    if (!endpoint) return tl::make_unexpected(endpoint.error());
+    auto endpoint = protocol::parse_endpoint(text);
+    if (!endpoint) return refused_endpoint(endpoint.error());
     target.at(config) = *std::move(endpoint);
     return {};
   }

@@ -23,11 +23,11 @@ struct NumberTarget {
   std::uint64_t most;
 };
 struct EndpointTarget {
-  Endpoint& (*at)(Config&);
+  protocol::Endpoint& (*at)(Config&);
 };
 /// An empty string stands for none.
 struct OptionalEndpointTarget {
-  std::optional<Endpoint>& (*at)(Config&);
+  std::optional<protocol::Endpoint>& (*at)(Config&);
 };
 struct PathTarget {
   std::filesystem::path& (*at)(Config&);

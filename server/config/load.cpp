@@ -7,13 +7,13 @@
 #include <toml++/toml.h>
 #include <unistd.h>
 
+#include <talus/files/read_file.h>
 #include <talus/terrain/toml_bounds.h>
 #include <talus/vectors/instruction_set.h>
 
 #include "config/fields.h"
 #include "config/nearest.h"
 #include "log/escape.h"
-#include "store/read_file.h"
 
 namespace talus::server {
 namespace {
@@ -95,11 +95,11 @@ Done apply_toml(Config& config, std::string_view toml, std::string_view file) {
 }
 
 Done apply_file(Config& config, const std::filesystem::path& file) {
-  const auto text = read_file(file, terrain::kMaxTomlBytes);
+  const auto text = files::read_file(file, terrain::kMaxTomlBytes);
   if (!text) {
     return tl::make_unexpected(
         fmt::format("{}: cannot read the configuration: {}; give --config a readable TOML file",
-                    file.string(), std::generic_category().message(text.error())));
+                    file.string(), text.error().code.message()));
   }
   return apply_toml(config, *text, file.string());
 }

@@ -64,7 +64,7 @@ ServiceSettings service_settings(const Config& config) {
           config.generation.queue_chunks, config.cache.chunk_bytes, config.cache.patch_bytes};
 }
 
-tcp::endpoint resolved(const Endpoint& endpoint, asio::io_context& io, std::error_code& error) {
+tcp::endpoint resolved(const protocol::Endpoint& endpoint, asio::io_context& io, std::error_code& error) {
   tcp::resolver resolver{io};
   const auto found = resolver.resolve(endpoint.host, std::to_string(endpoint.port),
                                       tcp::resolver::passive | tcp::resolver::numeric_service, error);
@@ -72,7 +72,7 @@ tcp::endpoint resolved(const Endpoint& endpoint, asio::io_context& io, std::erro
 }
 
 std::string to_text(const tcp::endpoint& endpoint) {
-  return to_string(Endpoint{endpoint.address().to_string(), endpoint.port()});
+  return to_string(protocol::Endpoint{endpoint.address().to_string(), endpoint.port()});
 }
 
 }  // namespace

@@ -13,11 +13,10 @@
 #include <utility>
 
 #include <fmt/format.h>
+#include <talus/files/atomic_file.h>
+#include <talus/files/secret_file.h>
 #include <talus/terrain/toml_bounds.h>
 #include <toml++/toml.h>
-
-#include "store/wiped_file.h"
-#include "store/write_atomically.h"
 
 namespace talus::server {
 namespace {
@@ -59,10 +58,10 @@ std::string store_text(ContentHash id, ContentHash fingerprint) {
 tl::expected<ContentHash, std::string> read_store(const fs::path& file, ContentHash fingerprint) {
   std::optional<ContentHash> id;
   std::optional<ContentHash> held;
-  const auto read = WipedFile::read(file, terrain::kMaxTomlBytes);
+  const auto read = files::SecretFile::read(file, terrain::kMaxTomlBytes);
   if (!read) {
     return tl::make_unexpected(
-        fmt::format("{}: {}; give --data a directory of talusd's own", file.string(), read.error()));
+        fmt::format("{}: {}; give --data a directory of talusd's own", file.string(), read.error().reason));
   }
   try {
     const bool sound = !terrain::passes_toml_bounds(read->text());
@@ -86,7 +85,8 @@ tl::expected<ContentHash, std::string> read_store(const fs::path& file, ContentH
   return *id;
 }
 
-tl::expected<ContentHash, std::string> read_or_make_store(const fs::path& path, ContentHash fingerprint) {
+tl::expected<ContentHash, std::string> read_or_make_store(const fs::path& path, ContentHash fingerprint,
+                                                          files::FileLayer& layer) {
   const fs::path file = path / "store.toml";
   // Nothing under that name, not even a link that leads nowhere: what cannot be looked at is somebody's
   // store.
@@ -94,8 +94,8 @@ tl::expected<ContentHash, std::string> read_or_make_store(const fs::path& path, 
   if (fs::symlink_status(file, error).type() != fs::file_type::not_found)
     return read_store(file, fingerprint);
   const ContentHash id = random_id();
-  if (const int failed = write_atomically(file, store_text(id, fingerprint)); failed != 0) {
-    return system_failure(path, "cannot write store.toml", failed);
+  if (const auto written = files::write_file(file, store_text(id, fingerprint), layer); !written) {
+    return system_failure(path, "cannot write store.toml", written.error().code.value());
   }
   return id;
 }
@@ -121,7 +121,8 @@ tl::expected<void, std::string> DataDirectory::make_for(const fs::path& path, ui
   return {};
 }
 
-tl::expected<DataDirectory, std::string> DataDirectory::open(const fs::path& path, ContentHash fingerprint) {
+tl::expected<DataDirectory, std::string> DataDirectory::open(const fs::path& path, ContentHash fingerprint,
+                                                             files::FileLayer& layer) {
   std::error_code error;
   fs::create_directories(path, error);
   if (error) return system_failure(path, "cannot make the directory", error.value());
@@ -133,7 +134,7 @@ tl::expected<DataDirectory, std::string> DataDirectory::open(const fs::path& pat
     return tl::make_unexpected(
         fmt::format("data {}: another talusd uses it; give --data another directory", path.string()));
   }
-  auto id = read_or_make_store(path, fingerprint);
+  auto id = read_or_make_store(path, fingerprint, layer);
   if (!id) return tl::make_unexpected(id.error());
   directory.store_id_ = *id;
   return directory;

@@ -10,6 +10,7 @@
 
 #include <tl/expected.hpp>
 
+#include <talus/files/file_layer.h>
 #include <talus/voxel/content_hash.h>
 
 namespace talus::server {
@@ -21,8 +22,9 @@ class DataDirectory {
                                                                 gid_t group);
   /// Makes the directory and its store.toml where they are missing, and locks it. One line says why not:
   /// it cannot be written, another server has it, or it belongs to a world of another fingerprint.
-  [[nodiscard]] static tl::expected<DataDirectory, std::string> open(const std::filesystem::path& path,
-                                                                     ContentHash fingerprint);
+  [[nodiscard]] static tl::expected<DataDirectory, std::string> open(
+      const std::filesystem::path& path, ContentHash fingerprint,
+      files::FileLayer& layer = files::system_files());
 
   DataDirectory(DataDirectory&& other) noexcept;
   DataDirectory& operator=(DataDirectory&&) = delete;

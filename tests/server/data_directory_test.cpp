@@ -6,7 +6,6 @@
 #include <fstream>
 
 #include "scratch_directory.h"
-#include "store/write_atomically.h"
 
 using namespace talus;
 using namespace talus::server;
@@ -67,19 +66,4 @@ TEST_CASE("a store.toml of somebody else is refused, not replaced") {
     REQUIRE_FALSE(refused.has_value());
     CHECK_THAT(refused.error(), Catch::Contains("store.toml"));
   }
-}
-
-TEST_CASE("an atomic write replaces the whole file and leaves nothing beside it") {
-  const ScratchDirectory scratch;
-  const fs::path file = scratch / "file";
-  REQUIRE(write_atomically(file, "a long first text") == 0);
-  REQUIRE(write_atomically(file, "short") == 0);
-  std::string text;
-  std::getline(std::ifstream{file}, text);
-  CHECK(text == "short");
-  CHECK(scratch.file_count() == 1);
-}
-
-TEST_CASE("an atomic write that fails says so") {
-  CHECK(write_atomically("/nowhere/at/all", "text") == ENOENT);
 }

@@ -97,7 +97,7 @@ struct House {
   Config config;
   Metrics metrics;
   Admission admission;
-  TlsContext tls;
+  tls::Context tls;
   std::atomic<bool> has_room = true;
   Door door;
   asio::io_context io{1};

@@ -3,7 +3,6 @@
 
 #include <rapidcheck.h>
 
-#include "config/endpoint.h"
 #include "config/nearest.h"
 #include "log/escape.h"
 
@@ -20,22 +19,6 @@ TEST_CASE("escaped text is printable ASCII and bounded, whatever it was") {
 TEST_CASE("printable text is left as it is") {
   CHECK(escaped("talus-client 1.0 (x86)") == "talus-client 1.0 (x86)");
   CHECK(escaped("a\nb\"\\") == "a\\x0ab\\x22\\x5c");
-}
-
-TEST_CASE("an endpoint is read back from its text") {
-  for (const char* text : {"127.0.0.1:4780", "localhost:0", "[::]:65535", "[fe80::1%eth0]:1"}) {
-    const auto endpoint = parse_endpoint(text);
-    REQUIRE(endpoint.has_value());
-    CHECK(to_string(*endpoint) == text);
-  }
-}
-
-TEST_CASE("what is not HOST:PORT is refused") {
-  for (const char* text : {"", ":", "host", "host:", ":80", "host:65536", "host:-1", "host:8 0", "::1:80",
-                           "[::1]", "[]:80", "ho st:80", "host:80x"}) {
-    CAPTURE(text);
-    CHECK_FALSE(parse_endpoint(text).has_value());
-  }
 }
 
 TEST_CASE("the nearest name is the one with the fewest changes") {
