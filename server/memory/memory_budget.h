@@ -9,6 +9,7 @@
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
+#include <string_view>
 
 namespace talus::server {
 
@@ -29,8 +30,8 @@ class Floodgate {
 };
 
 enum class MemoryUse : std::uint8_t { program, sessions, jobs, generators, chunk_cache, patch_cache };
-inline constexpr std::array<const char*, 6> kMemoryUses{"program",    "sessions",    "jobs",
-                                                        "generators", "chunk_cache", "patch_cache"};
+inline constexpr std::array<std::string_view, 6> kMemoryUses{"program",    "sessions",    "jobs",
+                                                             "generators", "chunk_cache", "patch_cache"};
 
 class MemoryBudget {
  public:

@@ -81,7 +81,7 @@ void Door::knock(tcp::socket socket, ConnectionId id, const tls::Context& tls) {
     return;
   }
   // Who only has its place to wait for needs no coroutine; these do, and there are only so many.
-  if (metrics_.handshakes.now() >= static_cast<std::int64_t>(config_.limits.handshakes_under_way)) {
+  if (metrics_.handshakes.now() >= static_cast<std::int64_t>(config_.limits.handshakes_in_flight)) {
     refuse(*visit, Refusal::handshakes, "this server has as many handshakes under way as it takes",
            kRetryAfterMs);
     return;
@@ -100,9 +100,7 @@ void Door::knock(tcp::socket socket, ConnectionId id, const tls::Context& tls) {
 }
 
 asio::awaitable<void> Door::receive(VisitPtr visit) {
-  asio::steady_timer deadline{
-      visit->wire.get_executor(),
-      visit->came + milliseconds{static_cast<milliseconds::rep>(config_.limits.handshake_timeout_ms)}};
+  asio::steady_timer deadline{visit->wire.get_executor(), visit->came + config_.limits.handshake_timeout};
   deadline.async_wait([visit](std::error_code cancelled) {
     if (cancelled || visit->done) return;  // what has expired already can no more be cancelled
     visit->late = true;

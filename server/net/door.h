@@ -19,6 +19,7 @@
 #include "net/admission.h"
 #include "net/handshake_budget.h"
 #include "net/refusal.h"
+#include "net/refusal_reason.h"
 #include "net/registry.h"
 #include "net/tls_context.h"
 #include "net/wire.h"
