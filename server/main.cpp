@@ -37,23 +37,22 @@ int failed(const std::string& line) {
   return 1;
 }
 
-/// Whom the configuration asks for; none where it asks for nobody.
-tl::expected<std::optional<Account>, std::string> wanted_account(const Config& config) {
+/// The user to switch to, if one is configured.
+tl::expected<std::optional<Account>, std::string> configured_account(const Config& config) {
   if (config.user.empty()) return std::nullopt;
   return find_account(config.user).map([](Account account) { return std::optional{std::move(account)}; });
 }
 
-/// Gives up what root may do, and opens the data directory as whoever that leaves.
-tl::expected<std::optional<DataDirectory>, std::string> settle_in(const Config& config,
-                                                                  const std::optional<Account>& account,
-                                                                  talus::ContentHash fingerprint) {
+/// Switches user, if one is configured, and opens the data directory.
+tl::expected<std::optional<DataDirectory>, std::string> drop_privileges_and_open_data(
+    const Config& config, const std::optional<Account>& account, talus::ContentHash fingerprint) {
   if (account) {
     if (runs_as_root() && !config.data.empty()) {
       if (const auto made = DataDirectory::make_for(config.data, account->uid, account->gid); !made) {
         return tl::make_unexpected(made.error());
       }
     }
-    if (const auto done = become(*account); !done) return tl::make_unexpected(done.error());
+    if (const auto done = switch_user(*account); !done) return tl::make_unexpected(done.error());
   }
   if (config.data.empty()) return std::nullopt;
   auto data = DataDirectory::open(config.data, fingerprint);
@@ -79,37 +78,40 @@ std::vector<std::string> warnings_of(const Command& command, const std::vector<s
                            config.access.previous_signing_key_file, config.tls.certificate, config.tls.key}) {
     if (file.empty() || ::access(file.c_str(), R_OK) == 0) continue;
     warnings.push_back(
-        fmt::format("{}: the user that talusd runs as cannot read it: a reload will keep the old one",
+        fmt::format("{}: the user that talusd runs as cannot read it; a reload will keep the old one",
                     escaped(file.string(), 500)));
   }
   if (command.config.user.empty() && runs_as_root()) {
     warnings.emplace_back(
-        "talusd runs as root and needs nothing of it; set user, or start it as another user");
+        "talusd runs as root and does not need to: set user in the configuration file or TALUS_USER, or "
+        "start it as "
+        "another user");
   }
   return warnings;
 }
 
 int serve(const Command& command) {
   const Config& config = command.config;
-  if (const auto done = renounce_new_privileges(); !done) return failed(done.error());
-  if (const auto set = talus::forced_instruction_set(); !set) return failed(std::string{set.error()});
+  const auto fail = [&](const std::string& line) { return failed(command.origins.locate(line)); };
+  if (const auto done = set_no_new_privs(); !done) return fail(done.error());
+  if (const auto set = talus::forced_instruction_set(); !set) return fail(std::string{set.error()});
   const auto world = load_world(config.world);
-  if (!world) return failed(world.error());
-  const auto account = wanted_account(config);
-  if (!account) return failed(account.error());
+  if (!world) return fail(world.error());
+  const auto account = configured_account(config);
+  if (!account) return fail(account.error());
   auto keys = load_keys(config.access);
-  if (!keys) return failed(keys.error());
+  if (!keys) return fail(keys.error());
   std::optional<TlsIdentity> tls;
   if (config.tls.wanted()) {
     auto loaded = load_tls(config.tls.certificate, config.tls.key);
-    if (!loaded) return failed(loaded.error());
+    if (!loaded) return fail(loaded.error());
     tls = *std::move(loaded);
   }
   if (command.check_only) {
     for (const std::string& warning : warnings_of(command, keys->warnings, tls))
       fmt::print(stderr, "talusd: warning: {}\n", warning);
     fmt::print("ok\n");
-    if (std::fflush(stdout) != 0) return failed("standard output: cannot write to it");
+    if (std::fflush(stdout) != 0) return fail("standard output: cannot write to it");
     return 0;
   }
 
@@ -119,13 +121,13 @@ int serve(const Command& command) {
   const Logger log = make_logger(config.log.level, config.log.format);
   Server server{config, *world, access, tls, log};
   const auto address = server.listen();
-  if (!address) return failed(address.error());
+  if (!address) return fail(address.error());
   const auto operators = server.listen_to_operators();
-  if (!operators) return failed(operators.error());
+  if (!operators) return fail(operators.error());
 
   // Addresses and keys are what root may be needed for. No thread runs yet.
-  const auto data = settle_in(config, *account, (*world)->fingerprint());
-  if (!data) return failed(data.error());
+  const auto data = drop_privileges_and_open_data(config, *account, (*world)->fingerprint());
+  if (!data) return fail(data.error());
   if (*data) server.keep_in((*data)->store_id());
 
   for (const std::string& warning : warnings_of(command, of_keys, tls)) log->warn("{}", warning);

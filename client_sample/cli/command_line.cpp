@@ -5,30 +5,22 @@
 
 #include <CLI/CLI.hpp>
 
+#include "command_line/connect_options.h"
+#include "command_line/parse.h"
 #include "surface_map.h"
-#include "token.h"
 
 namespace talus::cli {
 namespace {
 
+using command_line::Exit;
+using command_line::kExitWrongUse;
+using command_line::within;
+
 constexpr double kLongestSeconds = 86400;
 constexpr double kLongestFlight = 10e6;  // voxels: its heights are asked for and kept before it begins
 
-// As CLI::Range, which lets "nan" through.
-CLI::Validator within(double low, double high) {
-  std::ostringstream range;
-  range << low << " to " << std::setprecision(9) << high;
-  const auto check = [low, high, range = range.str()](const std::string& text) -> std::string {
-    double value = 0;
-    const bool inside = CLI::detail::lexical_cast(text, value) && low <= value && value <= high;
-    return inside ? "" : "Value " + text + " not in range " + range;
-  };
-  return {check, "in [" + range.str() + "]"};
-}
-
 // What the parser cannot hold in one option.
 struct Words {
-  std::string server = "localhost:4780";
   std::int64_t x = 0, y = 0, z = 0, lod = 0;
   std::vector<std::int64_t> center;
   std::vector<std::int64_t> size{1024, 1024};
@@ -131,7 +123,6 @@ Checked check_map(CommandLine line, MapOptions options, const Words& words) {
 }  // namespace
 
 tl::expected<CommandLine, Exit> read_command_line(int argc, const char* const* argv) {
-  constexpr int kWrongUse = 2;
   CLI::App app{"Sample client of a Talus server."};
   app.set_version_flag("--version", "talus-client " TALUS_VERSION);
   app.require_subcommand(1);
@@ -140,15 +131,8 @@ tl::expected<CommandLine, Exit> read_command_line(int argc, const char* const* a
   Words words;
   line.connecting.options.client_name = "talus-client " TALUS_VERSION;
   line.connecting.options.reconnect.max_attempts = 5;
-  app.add_option("--connect", words.server, "HOST:PORT of the server")->capture_default_str();
-  TokenWords token;
-  add_token_options(app, token);
-  client::TlsOptions& tls = line.connecting.options.tls;
-  app.add_flag("--tls", tls.on, "Connect by TLS");
-  app.add_option("--ca", tls.ca_file,
-                 "By TLS, trusting the certificates in this PEM file (default: those the system trusts)");
-  app.add_option("--tls-name", tls.server_name,
-                 "By TLS, with a certificate for this name (default: the host of --connect)");
+  command_line::ConnectWords connect;
+  command_line::add_connect_options(app, connect);
   GetOptions get_options;
   FlyOptions fly_options;
   MapOptions map_options;
@@ -156,27 +140,17 @@ tl::expected<CommandLine, Exit> read_command_line(int argc, const char* const* a
   add_fly(app, fly_options);
   add_map(app, map_options, words);
 
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::Success& wanted) {  // --help and --version arrive here
-    std::ostringstream out;
-    app.exit(wanted, out, out);
-    return tl::unexpected{Exit{0, out.str()}};
-  } catch (const CLI::ParseError& error) {
-    return tl::unexpected{Exit{kWrongUse, std::string{error.what()} + " (see --help)"}};
-  }
-  tls.on = tls.on || !tls.ca_file.empty() || !tls.server_name.empty();
-  const auto endpoint = parse_endpoint(words.server);
-  if (!endpoint) return tl::unexpected{Exit{kWrongUse, endpoint.error()}};
-  line.connecting.server = *endpoint;
-  auto shown = token_of(token);
-  if (!shown) return tl::unexpected{Exit{kWrongUse, shown.error()}};
-  line.connecting.options.token = *std::move(shown);
+  if (auto exit = command_line::parse(app, argc, argv)) return tl::unexpected{*std::move(exit)};
+  auto connecting = command_line::read_connect_options(connect);
+  if (!connecting) return tl::unexpected{Exit{kExitWrongUse, connecting.error()}};
+  line.connecting.server = std::move(connecting->server);
+  line.connecting.options.token = std::move(connecting->token);
+  line.connecting.options.tls = std::move(connecting->tls);
 
   auto checked = app.got_subcommand("get")   ? check_get(std::move(line), get_options, words)
                  : app.got_subcommand("fly") ? check_fly(std::move(line), fly_options)
                                              : check_map(std::move(line), map_options, words);
-  return std::move(checked).map_error([](std::string text) { return Exit{kWrongUse, std::move(text)}; });
+  return std::move(checked).map_error([](std::string text) { return Exit{kExitWrongUse, std::move(text)}; });
 }
 
 }  // namespace talus::cli

@@ -1,11 +1,11 @@
 // What the words after "talus-client" ask for.
 #pragma once
 
-#include <string>
 #include <variant>
 
 #include <tl/expected.hpp>
 
+#include "command_line/parse.h"
 #include "commands.h"
 
 namespace talus::cli {
@@ -15,12 +15,7 @@ struct CommandLine {
   std::variant<GetOptions, FlyOptions, MapOptions> options;
 };
 
-/// The end of a program that has nothing to do: help or a version with status 0, one line with status 2.
-struct Exit {
-  int status = 0;
-  std::string text;
-};
-
-[[nodiscard]] tl::expected<CommandLine, Exit> read_command_line(int argc, const char* const* argv);
+[[nodiscard]] tl::expected<CommandLine, command_line::Exit> read_command_line(int argc,
+                                                                              const char* const* argv);
 
 }  // namespace talus::cli

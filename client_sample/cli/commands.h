@@ -11,16 +11,15 @@
 #include <tl/expected.hpp>
 
 #include <talus/client/client.h>
+#include <talus/protocol/endpoint.h>
 #include <talus/voxel/coords.h>
-
-#include "endpoint.h"
 
 namespace talus::cli {
 
 using Outcome = tl::expected<void, std::string>;
 
 struct Connecting {
-  Endpoint server;
+  protocol::Endpoint server;
   client::Options options;
 };
 

@@ -13,12 +13,12 @@
 #include <talus/client/chunk_store.h>
 #include <talus/client/client.h>
 
+#include <talus/progress/progress_bar.h>
 #include "commands.h"
 #include "flight.h"
 #include "latency.h"
 #include "map_picture.h"
 #include "patience.h"
-#include "progress.h"
 #include "view_picture.h"
 
 namespace talus::cli {
@@ -190,7 +190,7 @@ asio::awaitable<Outcome> fly(Connecting connecting, FlyOptions options) {
   const auto executor = co_await asio::this_coro::executor;
   Gathered gathered;
   client::Client client{executor, connecting.options, events_into(gathered)};
-  const auto world = co_await client.connect(connecting.server.host, connecting.server.port);
+  const auto world = co_await client.connect(connecting.server.host, std::to_string(connecting.server.port));
   if (!world) co_return tl::unexpected{world.error().message};
   gathered.surface.emplace(world->materials);
   Patience patience{executor, client, Patience::Seconds{options.seconds + kGraceSeconds}};
@@ -198,7 +198,7 @@ asio::awaitable<Outcome> fly(Connecting connecting, FlyOptions options) {
   if (!flight) co_return tl::unexpected{patience.explain(flight.error())};
 
   const client::View shape = view_shape(options, world->limits);
-  std::optional<Progress> progress{std::in_place, "fly"};
+  std::optional<ProgressBar> progress{std::in_place, "fly", "chunks"};
   asio::steady_timer tick{executor};
   std::vector<glm::dvec2> path;
   std::optional<client::View> view;

@@ -1,15 +1,17 @@
+#include <algorithm>
+#include <array>
 #include <chrono>
 #include <iostream>
 #include <map>
+#include <vector>
 
 #include <asio/this_coro.hpp>
 #include <asio/use_awaitable.hpp>
 
 #include <talus/client/client.h>
+#include <talus/files/npy_file.h>
 
 #include "commands.h"
-#include "npy.h"
-#include "output_file.h"
 #include "patience.h"
 
 namespace talus::cli {
@@ -33,13 +35,35 @@ void summarise(const client::ReceivedChunk& received, const client::WorldInfo& w
   }
 }
 
+/// Shape (32, 32, 32), axes y, z, x: uint8 where every material of the world has an id below 256, as
+/// talus-gen export writes it, else uint16.
+tl::expected<void, files::FileError> write_npy(const std::filesystem::path& path, const Chunk& chunk,
+                                               const std::vector<client::Material>& materials) {
+  const bool narrow = std::all_of(materials.begin(), materials.end(),
+                                  [](const auto& material) { return to_integer(material.id) < 256; });
+  auto file = files::NpyFile::create(path, narrow ? files::NpyType::uint8 : files::NpyType::uint16);
+  if (!file) return tl::unexpected{file.error()};
+  std::vector<MaterialId> voxels(kChunkVolume);
+  chunk.copy_to(std::span<MaterialId, kChunkVolume>{voxels});
+  const auto write = [&](auto id) {
+    std::vector<decltype(id)> ids(voxels.size());
+    std::transform(voxels.begin(), voxels.end(), ids.begin(),
+                   [](MaterialId voxel) { return static_cast<decltype(id)>(to_integer(voxel)); });
+    return file->write(0, ids);
+  };
+  if (auto written = narrow ? write(std::uint8_t{}) : write(std::uint16_t{}); !written) return written;
+  constexpr std::array<std::size_t, 3> kShape{kChunkSize, kChunkSize, kChunkSize};
+  if (auto finished = file->finish(kShape); !finished) return finished;
+  return file->commit();
+}
+
 }  // namespace
 
 asio::awaitable<Outcome> get(Connecting connecting, GetOptions options) {
   const auto executor = co_await asio::this_coro::executor;
   client::Client client{executor, connecting.options};
   const Patience patience{executor, client, Patience::Seconds{options.timeout_seconds}};
-  const auto world = co_await client.connect(connecting.server.host, connecting.server.port);
+  const auto world = co_await client.connect(connecting.server.host, std::to_string(connecting.server.port));
   if (!world) co_return tl::unexpected{patience.explain(world.error())};
 
   const auto asked = std::chrono::steady_clock::now();
@@ -51,7 +75,9 @@ asio::awaitable<Outcome> get(Connecting connecting, GetOptions options) {
     summarise(*chunk, *world, client.stats(), took.count());
     co_return Outcome{};
   }
-  co_return write_file(options.output, npy_of(*chunk->chunk, world->materials));
+  co_return write_npy(options.output, *chunk->chunk, world->materials).map_error([](const auto& error) {
+    return error.message();
+  });
 }
 
 }  // namespace talus::cli

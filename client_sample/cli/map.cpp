@@ -12,10 +12,10 @@
 
 #include <talus/client/client.h>
 
+#include <talus/progress/progress_bar.h>
 #include "commands.h"
 #include "map_picture.h"
 #include "patience.h"
-#include "progress.h"
 
 namespace talus::cli {
 namespace {
@@ -33,7 +33,7 @@ class Survey {
     const std::int64_t last_x = floor_div(extent.x + extent.width - 1, kChunkSize);
     const std::int64_t last_z = floor_div(extent.z + extent.depth - 1, kChunkSize);
     const std::int64_t squares = (last_x - first_x + 1) * (last_z - first_z + 1);
-    Progress progress{"map"};
+    ProgressBar progress{"map", "chunks"};
     // 64 bits, to count past the world's last chunk.
     std::int64_t x = first_x;
     std::int64_t z = first_z;
@@ -130,7 +130,7 @@ asio::awaitable<Outcome> map(Connecting connecting, MapOptions options) {
   const auto executor = co_await asio::this_coro::executor;
   client::Client client{executor, connecting.options};
   Patience patience{executor, client, Patience::Seconds{options.timeout_seconds}};
-  const auto world = co_await client.connect(connecting.server.host, connecting.server.port);
+  const auto world = co_await client.connect(connecting.server.host, std::to_string(connecting.server.port));
   if (!world) co_return tl::unexpected{patience.explain(world.error())};
 
   const auto center = options.center.value_or(client::Column{world->spawn.x, world->spawn.z});

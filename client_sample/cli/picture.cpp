@@ -7,7 +7,7 @@
 
 #include <glm/common.hpp>
 
-#include "output_file.h"
+#include <talus/files/atomic_file.h>
 
 namespace talus::cli {
 namespace {
@@ -45,7 +45,9 @@ tl::expected<void, std::string> write_png(const Picture& picture, const std::fil
   if (png_image_write_to_memory(&image, file.data(), &bytes, 0, rgb.data(), 0, nullptr) == 0) {
     return tl::unexpected{path.string() + ": the picture cannot be encoded: " + image.message};
   }
-  return write_file(path, std::span{file}.first(bytes));
+  return files::write_file(path, std::span{file}.first(bytes)).map_error([](const auto& error) {
+    return error.message();
+  });
 }
 
 }  // namespace talus::cli

@@ -6,25 +6,17 @@
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
+#include "command_line/connect_options.h"
+#include "command_line/parse.h"
 #include "figures.h"
-#include "token.h"
 
 namespace talus::load {
 namespace {
 
-// As CLI::Range, which lets "nan" through.
-CLI::Validator within(double low, double high) {
-  const std::string range = fmt::format("{:.9g} to {:.9g}", low, high);
-  const auto check = [low, high, range](const std::string& text) -> std::string {
-    double value = 0;
-    const bool inside = CLI::detail::lexical_cast(text, value) && low <= value && value <= high;
-    return inside ? "" : "Value " + text + " not in range " + range;
-  };
-  return {check, "in [" + range + "]"};
-}
+using command_line::Exit;
+using command_line::within;
 
 struct Words {
-  std::string server = "localhost:4780";
   std::string metrics;
   std::vector<std::string> fail_if;
 };
@@ -154,21 +146,16 @@ void add_results(CLI::App& app, Options& options, Words& words) {
 }  // namespace
 
 tl::expected<Options, Exit> read_command_line(int argc, const char* const* argv) {
-  constexpr int kWrongUse = 2;
-  const auto wrong = [](const std::string& line) { return tl::unexpected{Exit{kWrongUse, line}}; };
+  const auto wrong = [](const std::string& line) {
+    return tl::unexpected{Exit{command_line::kExitWrongUse, line}};
+  };
   CLI::App app{"Load for a Talus server: players that check what they get and measure how long it takes."};
   app.set_version_flag("--version", "talus-load " TALUS_VERSION);
   app.option_defaults()->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
   Options options;
   Words words;
-  app.add_option("--connect", words.server, "HOST:PORT of the server")->capture_default_str();
-  cli::TokenWords token;
-  cli::add_token_options(app, token);
-  app.add_flag("--tls", options.tls.on, "Connect by TLS");
-  app.add_option("--ca", options.tls.ca_file,
-                 "By TLS, trusting the certificates in this PEM file (default: those the system trusts)");
-  app.add_option("--tls-name", options.tls.server_name,
-                 "By TLS, with a certificate for this name (default: the host of --connect)");
+  command_line::ConnectWords connect;
+  command_line::add_connect_options(app, connect);
   add_players(app, options);
   add_others(app, options);
   add_results(app, options, words);
@@ -180,24 +167,12 @@ tl::expected<Options, Exit> read_command_line(int argc, const char* const* argv)
       "limits.connections_per_address and "
       "rates.address_* allow them.\n"
       "Exit status: 0 done, whatever was found; 1 failed, or a --fail-if holds; 2 wrong use.");
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::Success& wanted) {  // --help and --version arrive here
-    std::ostringstream out;
-    app.exit(wanted, out, out);
-    return tl::unexpected{Exit{0, out.str()}};
-  } catch (const CLI::ParseError& error) {
-    return wrong(std::string{error.what()} + " (see --help)");
-  }
-  const auto server = cli::parse_endpoint(words.server);
-  if (!server) return wrong(server.error());
-  options.server = *server;
-  auto shown = cli::token_of(token);
-  if (!shown) return wrong(shown.error());
-  options.token = *std::move(shown);
-  options.tls.on = options.tls.on || !options.tls.ca_file.empty() || !options.tls.server_name.empty();
+  if (auto exit = command_line::parse(app, argc, argv)) return tl::unexpected{*std::move(exit)};
+  auto connecting = command_line::read_connect_options(connect);
+  if (!connecting) return wrong(connecting.error());
+  options.connect = *std::move(connecting);
   if (!words.metrics.empty()) {
-    const auto metrics = cli::parse_endpoint(words.metrics, "--metrics");
+    const auto metrics = command_line::read_server_address("--metrics", words.metrics);
     if (!metrics) return wrong(metrics.error());
     options.metrics = *metrics;
   }

@@ -105,13 +105,13 @@ void Guest::connect(Time now) {
   const bool slow = profile_.role == Role::slow;
   read_due_ = slow ? now + kBetweenReads : Time::max();
   const Plan& plan = worker_.plan();
-  link_.open({plan.server, profile_.from, slow, plan.tls, plan.options.tls});
+  link_.open({plan.server, profile_.from, slow, plan.tls, plan.options.connect.tls});
 }
 
 void Guest::opened() {
   state_ = State::greeting;
   deadline_ = Clock::now() + kPatience;
-  send(hello_frame(worker_.plan().options.token));
+  send(hello_frame(worker_.plan().options.connect.token));
   worker_.reschedule(*this);
 }
 

@@ -24,6 +24,12 @@ std::string words_of(const std::error_code& error) {
   return error.message();
 }
 
+std::error_code error_of(const tls::Step& step) {
+  if (step.waits()) return asio::error::would_block;
+  if (step.result == tls::Step::Result::closed) return asio::error::eof;
+  return step.error;
+}
+
 }  // namespace
 
 Link::Link(asio::io_context& io, std::span<std::byte> scratch, LinkOwner& owner)
@@ -61,11 +67,11 @@ void Link::open(const Opening& opening) {
 }
 
 void Link::shake_hands() {
-  std::error_code error;
-  tls_->handshake(error);
-  if (!error) return established();
-  if (error != asio::error::would_block) return fail(tls_->failure(error));
-  const auto ready = tls_->waits_to_write() ? tcp::socket::wait_write : tcp::socket::wait_read;
+  const tls::Step step = tls_->handshake();
+  if (step.result == tls::Step::Result::done) return established();
+  if (!step.waits()) return fail(client::handshake_failure(tls_->handle(), error_of(step)).message);
+  const bool to_write = step.result == tls::Step::Result::wait_to_write;
+  const auto ready = to_write ? tcp::socket::wait_write : tcp::socket::wait_read;
   socket_.async_wait(ready, [this, mine = opening_](std::error_code failed) {
     if (mine != opening_) return;
     if (failed) return fail(words_of(failed));
@@ -80,11 +86,23 @@ void Link::established() {
 }
 
 std::size_t Link::read_some(std::span<std::byte> into, std::error_code& error) {
-  return tls_ ? tls_->read(into, error) : socket_.read_some(asio::buffer(into.data(), into.size()), error);
+  if (!tls_) return socket_.read_some(asio::buffer(into.data(), into.size()), error);
+  std::size_t all = 0;
+  while (all < into.size()) {  // a record at a time
+    const tls::Step step = tls_->read(into.subspan(all));
+    error = error_of(step);
+    if (error) break;
+    all += step.bytes;
+  }
+  if (all > 0) error.clear();  // what stopped it comes again
+  return all;
 }
 
 std::size_t Link::write_some(std::span<const std::byte> from, std::error_code& error) {
-  return tls_ ? tls_->write(from, error) : socket_.write_some(asio::buffer(from.data(), from.size()), error);
+  if (!tls_) return socket_.write_some(asio::buffer(from.data(), from.size()), error);
+  const tls::Step step = tls_->write(from);
+  error = error_of(step);
+  return step.bytes;
 }
 
 void Link::send(std::span<const std::byte> frame) {

@@ -15,7 +15,8 @@
 #include <talus/protocol/frame.h>
 #include <talus/protocol/message.h>
 
-#include "tls_stream.h"
+#include <talus/client/tls.h>
+#include <talus/tls/session.h>
 
 namespace talus::load {
 
@@ -39,8 +40,8 @@ class Link {
   struct Opening {
     asio::ip::tcp::endpoint server;
     std::optional<asio::ip::address> from;
-    bool paced = false;        // bytes are read by take() alone, and the kernel is asked to keep few
-    client::TlsContext tls{};  // null: plain
+    bool paced = false;  // bytes are read by take() alone, and the kernel is asked to keep few
+    tls::Context tls{};  // null: plain
     client::TlsOptions tls_options{};
   };
   void open(const Opening& opening);
@@ -65,7 +66,7 @@ class Link {
   [[nodiscard]] std::size_t write_some(std::span<const std::byte> from, std::error_code& error);
 
   asio::ip::tcp::socket socket_;
-  std::optional<TlsStream> tls_;
+  std::optional<tls::Session> tls_;
   bool paced_ = false;
   bool established_ = false;
   std::span<std::byte> scratch_;

@@ -4,14 +4,15 @@
 #include <csignal>
 #include <cstring>
 #include <filesystem>
-#include <fstream>
 #include <iostream>
 #include <sstream>
+
+#include <talus/files/atomic_file.h>
+#include <talus/files/read_file.h>
 
 #include "command_line.h"
 #include "compare.h"
 #include "figures.h"
-#include "output_file.h"
 #include "plot.h"
 #include "report.h"
 #include "run.h"
@@ -28,14 +29,8 @@ int failed(const std::string& line, int status = 1) {
 }
 
 tl::expected<std::string, std::string> read_whole(const std::string& path) {
-  std::ifstream in{path, std::ios::binary};
-  std::ostringstream text;
-  if (!in || !(text << in.rdbuf())) return tl::unexpected{path + ": cannot be read: " + std::strerror(errno)};
-  return text.str();
-}
-
-tl::expected<void, std::string> write_text(const std::string& path, const std::string& text) {
-  return cli::write_file(path, std::as_bytes(std::span{text}));
+  constexpr std::size_t kMaxBytes = 256U << 20;  // of a trace, or of figures
+  return files::read_file(path, kMaxBytes).map_error([](const auto& error) { return error.message(); });
 }
 
 /// Before the work, so that none is lost: where results cannot go, or what they cannot be compared with.
@@ -95,8 +90,8 @@ std::string plot_of(const Plan& plan, const Outcome& outcome) {
 std::vector<std::string> tell(const Plan& plan, const Outcome& outcome) {
   const Options& options = plan.options;
   std::vector<std::string> failures;
-  const auto note = [&](const tl::expected<void, std::string>& written) {
-    if (!written) failures.push_back(written.error());
+  const auto note = [&](const tl::expected<void, files::FileError>& written) {
+    if (!written) failures.push_back(written.error().message());
   };
   std::cout << report(plan, outcome);
   const nlohmann::json json = report_json(plan, outcome);
@@ -109,8 +104,8 @@ std::vector<std::string> tell(const Plan& plan, const Outcome& outcome) {
       failures.push_back((old ? options.compare + ": " : "") + table.error());
     }
   }
-  if (!options.json.empty()) note(write_text(options.json, json.dump(2) + "\n"));
-  if (!options.plot.empty()) note(write_text(options.plot, plot_of(plan, outcome)));
+  if (!options.json.empty()) note(files::write_file(options.json, json.dump(2) + "\n"));
+  if (!options.plot.empty()) note(files::write_file(options.plot, plot_of(plan, outcome)));
   std::cout.flush();
   if (!std::cout) failures.push_back("standard output: cannot be written");
   return failures;

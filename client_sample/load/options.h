@@ -6,18 +6,14 @@
 #include <string>
 #include <vector>
 
-#include <talus/client/options.h>
-
+#include "command_line/connect_options.h"
 #include "conditions.h"
-#include "endpoint.h"
 #include "mix.h"
 
 namespace talus::load {
 
 struct Options {
-  cli::Endpoint server;
-  std::string token;
-  client::TlsOptions tls;
+  command_line::ConnectOptions connect;
 
   std::uint32_t players = 100;
   double seconds = 30;                    // measured
@@ -50,7 +46,7 @@ struct Options {
   double verify_percent = 1;
   int ring_tolerance = 4;
 
-  std::optional<cli::Endpoint> metrics;
+  std::optional<protocol::Endpoint> metrics;
   int server_pid = 0;
 
   std::string json, plot, compare;

@@ -19,7 +19,7 @@ namespace talus::load {
 struct Plan {
   Options options;
   asio::ip::tcp::endpoint server;
-  client::TlsContext tls;  // null: plain
+  tls::Context tls;  // null: plain
   client::WorldInfo world;
   std::shared_ptr<const Trace> trace;  // where the mix has one
   std::vector<glm::dvec3> origins;     // where each group begins, on its ground

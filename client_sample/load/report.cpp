@@ -158,7 +158,7 @@ nlohmann::json settings_json(const Options& options) {
       {"verify_percent", options.verify_percent},
       {"ring_tolerance", options.ring_tolerance},
       {"from_addresses", options.from_addresses},
-      {"tls", options.tls.on}};
+      {"tls", options.connect.tls.on}};
 }
 
 }  // namespace

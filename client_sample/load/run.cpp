@@ -12,7 +12,7 @@
 #include <asio/signal_set.hpp>
 #include <asio/steady_timer.hpp>
 
-#include "progress.h"
+#include <talus/progress/progress_bar.h>
 #include "worker.h"
 
 namespace talus::load {
@@ -113,10 +113,10 @@ class Run {
     const std::uint64_t idle = plan_.options.idle;
     const Time start = Clock::now();
     for (const auto& worker : workers_) worker->begin(true, start, Time::max());
-    cli::Progress progress{"idle connections"};
+    ProgressBar progress{"idle", "connections"};
     while (sum(&Live::joined) < idle && Clock::now() < start + kIdlePatience && !interrupted_) {
       wait_until(Clock::now() + kBetweenLooks);
-      progress.show(static_cast<double>(sum(&Live::joined)) / static_cast<double>(idle), 0);
+      progress.show(static_cast<double>(sum(&Live::joined)) / static_cast<double>(idle), sum(&Live::joined));
     }
     outcome_.idle_joined = sum(&Live::joined);
     if (outcome_.idle_joined < idle && !interrupted_) {
@@ -137,7 +137,7 @@ class Run {
                           : start_;
     const Time end = from + seconds(options.seconds);
     for (const auto& worker : workers_) worker->begin(false, start_, from);
-    cli::Progress progress{"load"};
+    ProgressBar progress{"load", "chunks"};
     watch_progress(progress, from, end);
     outcome_.begin = moment();
     outcome_.resident_bytes.clear();
@@ -147,7 +147,7 @@ class Run {
     for (const auto& worker : workers_) worker->finish(Clock::now() + seconds(options.drain_seconds));
   }
 
-  void watch_progress(cli::Progress& progress, Time until, Time end) {
+  void watch_progress(ProgressBar& progress, Time until, Time end) {
     while (Clock::now() < until && !interrupted_) {
       const std::uint64_t chunks_before = sum(&Live::chunks) + sum(&Live::uniform);
       const Time looked = Clock::now();

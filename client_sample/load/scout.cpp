@@ -105,15 +105,16 @@ asio::awaitable<void> look_around(client::Client& client, Plan& plan) {
 asio::awaitable<void> look(asio::io_context& io, Plan& plan) {
   const Options& options = plan.options;
   asio::ip::tcp::resolver resolver{io};
-  const auto found = resolver.resolve(options.server.host, options.server.port);
+  const auto found =
+      resolver.resolve(options.connect.server.host, std::to_string(options.connect.server.port));
   client::Options connecting;
-  connecting.token = options.token;
+  connecting.token = options.connect.token;
   connecting.client_name = "talus-load " TALUS_VERSION;
-  connecting.tls = options.tls;
-  if (options.tls.on) {
+  connecting.tls = options.connect.tls;
+  if (options.connect.tls.on) {
     // Players connect to the address that was found, and expect who was named.
-    if (connecting.tls.server_name.empty()) connecting.tls.server_name = options.server.host;
-    plan.options.tls = connecting.tls;
+    if (connecting.tls.server_name.empty()) connecting.tls.server_name = options.connect.server.host;
+    plan.options.connect.tls = connecting.tls;
     const auto context = client::make_tls_context(connecting.tls);
     if (!context) throw Failed{context.error().message};
     plan.tls = *context;
@@ -165,8 +166,7 @@ tl::expected<void, std::string> scout(Plan& plan) {
   } catch (const Failed& failed) {
     return tl::unexpected{failed.line};
   } catch (const std::system_error& error) {
-    return tl::unexpected{plan.options.server.host + ":" + plan.options.server.port + ": " +
-                          error.code().message()};
+    return tl::unexpected{to_string(plan.options.connect.server) + ": " + error.code().message()};
   }
   return {};
 }

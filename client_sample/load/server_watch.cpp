@@ -39,12 +39,12 @@ void read_process(int pid, ServerSample& sample) {
   if (!error) sample.open_files = static_cast<double>(std::distance(begin(files), end(files)));
 }
 
-tl::expected<std::string, std::string> fetch(const cli::Endpoint& from) {
-  const std::string where = "http://" + from.host + ":" + from.port + "/metrics";
+tl::expected<std::string, std::string> fetch(const protocol::Endpoint& from) {
+  const std::string where = "http://" + to_string(from) + "/metrics";
   try {
     asio::ip::tcp::iostream stream;
     stream.expires_after(std::chrono::seconds{2});
-    stream.connect(from.host, from.port);
+    stream.connect(from.host, std::to_string(from.port));
     stream << "GET /metrics HTTP/1.1\r\nHost: " << from.host << "\r\nConnection: close\r\n\r\n" << std::flush;
     std::ostringstream answer;
     answer << stream.rdbuf();

@@ -7,7 +7,7 @@
 
 #include <tl/expected.hpp>
 
-#include "endpoint.h"
+#include <talus/protocol/endpoint.h>
 
 namespace talus::load {
 
@@ -19,14 +19,14 @@ struct ServerSample {
 class ServerWatch {
  public:
   /// `pid` 0 and no `metrics`: nothing is known. Both: the metrics say what they know, the pid the rest.
-  ServerWatch(std::optional<cli::Endpoint> metrics, int pid) : metrics_{std::move(metrics)}, pid_{pid} {}
+  ServerWatch(std::optional<protocol::Endpoint> metrics, int pid) : metrics_{std::move(metrics)}, pid_{pid} {}
 
   [[nodiscard]] bool watches() const { return metrics_ || pid_ != 0; }
   /// Blocks for as long as the server takes to answer, two seconds at most. An error is one line.
   [[nodiscard]] tl::expected<ServerSample, std::string> sample() const;
 
  private:
-  std::optional<cli::Endpoint> metrics_;
+  std::optional<protocol::Endpoint> metrics_;
   int pid_;
 };
 

@@ -40,10 +40,6 @@ asio::const_buffer buffer_of(std::span<const std::byte> piece) {
   return {piece.data(), piece.size()};
 }
 
-milliseconds from_config(std::uint64_t ms) {
-  return milliseconds{static_cast<milliseconds::rep>(ms)};
-}
-
 void tune(asio::ip::tcp::socket& socket) {
   std::error_code ignored;
   socket.set_option(asio::ip::tcp::no_delay{true}, ignored);
@@ -242,7 +238,7 @@ asio::awaitable<void> Connection::watch() {
       end("closed");
     } else if (write_stalled(now)) {
       end(fmt::format("timeout: the client read nothing for {} ms",
-                      context_.session.limits.write_timeout_ms));
+                      context_.session.limits.write_timeout.count()));
     } else if (!closing_since_ && token_ends_ && now >= *token_ends_) {
       react([](Session& session) { session.token_expired(); });
     } else if (now >= next_deadline(now)) {
@@ -298,24 +294,24 @@ void Connection::time_out() {
   const Limits& limits = context_.session.limits;
   session_.timed_out(session_.greeted()
                          ? fmt::format("no whole frame for {} ms; send Ping when there is nothing to say",
-                                       limits.idle_timeout_ms)
-                         : fmt::format("no whole Hello within {} ms", limits.handshake_timeout_ms));
+                                       limits.idle_timeout.count())
+                         : fmt::format("no whole Hello within {} ms", limits.handshake_timeout.count()));
   work();
 }
 
 bool Connection::write_stalled(Clock::time_point now) const {
-  return write_progress_ && now >= *write_progress_ + from_config(context_.session.limits.write_timeout_ms);
+  return write_progress_ && now >= *write_progress_ + context_.session.limits.write_timeout;
 }
 
 Connection::Clock::time_point Connection::next_deadline(Clock::time_point now) const {
   const Limits& limits = context_.session.limits;
   if (closing_since_) return *closing_since_ + kTimeToClose;
-  const auto silent = !session_.greeted() ? opened_ + from_config(limits.handshake_timeout_ms)
-                      : reading_paused_   ? now + from_config(limits.idle_timeout_ms)
-                                          : last_frame_ + from_config(limits.idle_timeout_ms);
+  const auto silent = !session_.greeted() ? opened_ + limits.handshake_timeout
+                      : reading_paused_   ? now + limits.idle_timeout
+                                          : last_frame_ + limits.idle_timeout;
   // Without a write under way one may begin before the next look.
-  return std::min({silent, token_ends_.value_or(silent),
-                   write_progress_.value_or(now) + from_config(limits.write_timeout_ms)});
+  return std::min(
+      {silent, token_ends_.value_or(silent), write_progress_.value_or(now) + limits.write_timeout});
 }
 
 void Connection::note_greeting() {

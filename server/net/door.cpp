@@ -31,7 +31,7 @@ std::uint64_t secret() {
 }
 
 std::string to_text(const tcp::endpoint& endpoint) {
-  return to_string(Endpoint{endpoint.address().to_string(), endpoint.port()});
+  return to_string(protocol::Endpoint{endpoint.address().to_string(), endpoint.port()});
 }
 
 /// What came after a handshake that failed is read away: closing over it would reset the connection and could
@@ -46,14 +46,14 @@ void drop_input(tcp::socket& socket) {
 }  // namespace
 
 struct Door::Visit {
-  Visit(tcp::socket socket, const tcp::endpoint& from, ConnectionId number, TlsContext context)
+  Visit(tcp::socket socket, const tcp::endpoint& from, ConnectionId number, tls::Context context)
       : id{number}, wire{std::move(socket)}, peer{from}, client{from}, tls{std::move(context)} {}
 
   ConnectionId id;
   Wire wire;
   tcp::endpoint peer;
   tcp::endpoint client;  // `peer`, or for whom it speaks
-  TlsContext tls;        // null: plain
+  tls::Context tls;      // null: plain
   Clock::time_point came = Clock::now();
   std::optional<Admission::Place> place;
   bool late = false;
@@ -71,7 +71,7 @@ Door::Door(const Config& config, Admission& admission, Metrics& metrics, Logger 
       budget_{config.limits.handshakes_per_address_per_second, config.limits.handshakes_per_address_burst,
               secret()} {}
 
-void Door::knock(tcp::socket socket, ConnectionId id, const TlsContext& tls) {
+void Door::knock(tcp::socket socket, ConnectionId id, const tls::Context& tls) {
   std::error_code gone;
   const tcp::endpoint peer = socket.remote_endpoint(gone);
   if (gone) return;
@@ -81,7 +81,7 @@ void Door::knock(tcp::socket socket, ConnectionId id, const TlsContext& tls) {
     return;
   }
   // Who only has its place to wait for needs no coroutine; these do, and there are only so many.
-  if (metrics_.handshakes.now() >= static_cast<std::int64_t>(config_.limits.handshakes_under_way)) {
+  if (metrics_.handshakes.now() >= static_cast<std::int64_t>(config_.limits.handshakes_in_flight)) {
     refuse(*visit, Refusal::handshakes, "this server has as many handshakes under way as it takes",
            kRetryAfterMs);
     return;
@@ -100,9 +100,7 @@ void Door::knock(tcp::socket socket, ConnectionId id, const TlsContext& tls) {
 }
 
 asio::awaitable<void> Door::receive(VisitPtr visit) {
-  asio::steady_timer deadline{
-      visit->wire.get_executor(),
-      visit->came + milliseconds{static_cast<milliseconds::rep>(config_.limits.handshake_timeout_ms)}};
+  asio::steady_timer deadline{visit->wire.get_executor(), visit->came + config_.limits.handshake_timeout};
   deadline.async_wait([visit](std::error_code cancelled) {
     if (cancelled || visit->done) return;  // what has expired already can no more be cancelled
     visit->late = true;

@@ -19,6 +19,7 @@
 #include "net/admission.h"
 #include "net/handshake_budget.h"
 #include "net/refusal.h"
+#include "net/refusal_reason.h"
 #include "net/registry.h"
 #include "net/tls_context.h"
 #include "net/wire.h"
@@ -49,7 +50,7 @@ class Door {
 
   /// Takes a socket up and returns at once, whatever the peer does; by TLS where there is a context. Each
   /// socket is welcomed, refused, or closed within limits.handshake_timeout_ms. From one thread at a time.
-  void knock(asio::ip::tcp::socket socket, ConnectionId id, const TlsContext& tls);
+  void knock(asio::ip::tcp::socket socket, ConnectionId id, const tls::Context& tls);
 
   /// Logs how many were refused and whom last, where that is not said and the line before so long ago. Any
   /// thread.

@@ -16,7 +16,7 @@
 #include <talus/vectors/instruction_set.h>
 
 #include "generation/terrain_generator.h"
-#include "metrics/exposition.h"
+#include "metrics/metrics_page.h"
 #include "net/descriptors.h"
 #include "session/replies.h"
 
@@ -41,22 +41,24 @@ std::size_t generator_threads(const Config& config) {
   return std::max(1U, std::thread::hardware_concurrency());
 }
 
-WorldInfo describe_world(const terrain::World& world) {
-  return {world.fingerprint(),        {},
-          world.materials(),          terrain::height_range(world),
-          terrain::find_spawn(world), "talusd " TALUS_VERSION};
+/// With erosion, heights cost a region for each tile, with a halo of two columns for each step and a pass
+/// over it for every step: one request may take about a second.
+std::uint64_t height_tiles_per_request(const terrain::World& world) {
+  if (world.spec().method != terrain::Method::erosion) return protocol::kMaxHeightsPerRequest;
+  constexpr std::uint64_t kColumnSteps = 100'000'000;
+  const auto side = static_cast<std::uint64_t>(kChunkSize + 2 * world.halo());
+  const std::uint64_t tile = side * side * static_cast<std::uint64_t>(world.spec().erosion_steps);
+  return std::max<std::uint64_t>(1, kColumnSteps / tile);
 }
 
-/// In eroded land heights cost a region for each tile, with a halo of two columns a step and a pass over it
-/// for every step: what one request may ask for stays within about a second.
-Config fitted_to(Config config, const terrain::World& world) {
-  constexpr std::uint64_t kColumnSteps = 100'000'000;
-  if (world.spec().method == terrain::Method::erosion) {
-    const auto side = static_cast<std::uint64_t>(kChunkSize + 2 * world.halo());
-    const std::uint64_t tile = side * side * static_cast<std::uint64_t>(world.spec().erosion_steps);
-    config.limits.height_tiles_per_request = std::max<std::uint64_t>(1, kColumnSteps / tile);
-  }
-  return config;
+WorldInfo describe_world(const terrain::World& world) {
+  return {world.fingerprint(),
+          {},
+          world.materials(),
+          terrain::height_range(world),
+          terrain::find_spawn(world),
+          "talusd " TALUS_VERSION,
+          height_tiles_per_request(world)};
 }
 
 GenerationSettings generation_settings(const Config& config) {
@@ -64,7 +66,7 @@ GenerationSettings generation_settings(const Config& config) {
           config.generation.queue_chunks, config.cache.chunk_bytes, config.cache.patch_bytes};
 }
 
-tcp::endpoint resolved(const Endpoint& endpoint, asio::io_context& io, std::error_code& error) {
+tcp::endpoint resolved(const protocol::Endpoint& endpoint, asio::io_context& io, std::error_code& error) {
   tcp::resolver resolver{io};
   const auto found = resolver.resolve(endpoint.host, std::to_string(endpoint.port),
                                       tcp::resolver::passive | tcp::resolver::numeric_service, error);
@@ -72,21 +74,20 @@ tcp::endpoint resolved(const Endpoint& endpoint, asio::io_context& io, std::erro
 }
 
 std::string to_text(const tcp::endpoint& endpoint) {
-  return to_string(Endpoint{endpoint.address().to_string(), endpoint.port()});
+  return to_string(protocol::Endpoint{endpoint.address().to_string(), endpoint.port()});
 }
 
 }  // namespace
 
 Server::Server(const Config& config, std::shared_ptr<const terrain::World> world, AccessControl& access,
                std::optional<TlsIdentity> tls, Logger log)
-    : config_{fitted_to(config, *world)},
+    : config_{config},
       log_{std::move(log)},
       log_of_clients_{for_clients(log_)},
       access_{access},
       world_{describe_world(*world)},
       rates_{rate_limits(config.rates)},
-      admission_{config.limits.connections, config.limits.connections_per_address,
-                 milliseconds{static_cast<milliseconds::rep>(config.rates.burst_ms)}},
+      admission_{config.limits.connections, config.limits.connections_per_address, config.rates.burst},
       memory_{config.limits.memory_bytes},
       tls_{std::move(tls)},
       door_{config_,
@@ -144,21 +145,27 @@ tl::expected<std::string, std::string> Server::listen_to_operators() {
 
 std::string Server::metrics_text() {
   const BaseChunks::Status status = chunks_.status();
-  Depths depths{status.jobs, status.clients, status.chunk_cache_bytes, status.patch_cache_bytes, draining_};
+  RuntimeGauges gauges{status.jobs, status.clients, status.chunk_cache_bytes, status.patch_cache_bytes,
+                       draining_};
   for (std::size_t use = 0; use < kMemoryUses.size(); ++use) {
-    depths.memory_bytes[use] = memory_.used(static_cast<MemoryUse>(use));
+    gauges.memory_bytes.push_back(memory_.used(static_cast<MemoryUse>(use)));
   }
-  depths.memory_limit_bytes = memory_.limit_bytes();
-  depths.certificate_expires = tls_ ? tls_->expires : 0;
-  return prometheus_text(metrics_, depths, read_process(),
-                         {TALUS_VERSION, terrain::kGeneratorVersion, to_string(world_.fingerprint),
-                          std::string{to_string(instruction_set())}});
+  gauges.memory_limit_bytes = memory_.limit_bytes();
+  gauges.certificate_expires = tls_ ? tls_->expires : 0;
+  std::vector<std::string_view> error_codes{""};  // "none" is no error
+  for (std::size_t code = 1; code <= static_cast<std::size_t>(wire::ErrorCode::MAX); ++code) {
+    error_codes.emplace_back(wire::EnumNameErrorCode(static_cast<wire::ErrorCode>(code)));
+  }
+  const MetricLabels labels{kRefusalNames, error_codes, kAuthFailureNames, kRateNames, kMemoryUses};
+  const BuildInfo build{TALUS_VERSION, terrain::kGeneratorVersion, to_string(world_.fingerprint),
+                        std::string{to_string(instruction_set())}};
+  return metrics_page({metrics_, gauges, read_process(), build, labels});
 }
 
 void Server::run() {
   // Who has not yet shown a PROXY header has no place among the connections, and a socket all the same.
   const std::uint64_t wanted = descriptors_needed(config_.limits.connections, io_threads(config_)) +
-                               (config_.proxies.empty() ? 0 : config_.limits.handshakes_under_way);
+                               (config_.proxies.empty() ? 0 : config_.limits.handshakes_in_flight);
   if (const std::uint64_t allowed = set_descriptor_limit(wanted); allowed < wanted) {
     log_->warn(
         "the system allows {} open files, fewer than the {} that limits.connections {} needs; raise ulimit "
@@ -291,11 +298,11 @@ void Server::drain() {
   acceptor_.close(ignored);
   for (const auto& connection : registry_.all()) connection->go_away(kGoingAway, kRetryAfterMs);
   registry_.when_empty([this] { asio::post(io_.control(), [this] { io_.stop(); }); });
-  drain_timer_.expires_after(milliseconds{static_cast<milliseconds::rep>(config_.shutdown.drain_ms)});
+  drain_timer_.expires_after(config_.shutdown.drain);
   drain_timer_.async_wait([this](std::error_code cancelled) {
     if (cancelled) return;
     log_->warn("{} connections were still open after {} ms", admission_.connections(),
-               config_.shutdown.drain_ms);
+               config_.shutdown.drain.count());
     io_.stop();
   });
 }

@@ -14,8 +14,9 @@
 #include <fmt/chrono.h>
 #include <fmt/format.h>
 
+#include <talus/files/secret_file.h>
+
 #include "log/escape.h"
-#include "store/wiped_file.h"
 
 namespace talus::server {
 namespace {
@@ -34,19 +35,15 @@ struct Free {
 using Bio = std::unique_ptr<BIO, Free<BIO_free>>;
 using Certificate = std::unique_ptr<X509, Free<X509_free>>;
 using Key = std::unique_ptr<EVP_PKEY, Free<EVP_PKEY_free>>;
-using Tls = std::unique_ptr<SSL, Free<SSL_free>>;
 
 struct FreeChain {
   void operator()(STACK_OF(X509) * chain) const { sk_X509_pop_free(chain, X509_free); }
 };
 using Chain = std::unique_ptr<STACK_OF(X509), FreeChain>;
 
-/// What OpenSSL says last went wrong; its queue is empty then.
 std::string reason() {
-  const unsigned long code = ERR_peek_last_error();
-  ERR_clear_error();
-  const char* const text = ERR_reason_error_string(code);
-  return text == nullptr ? "OpenSSL refuses it" : text;
+  const std::string text = tls::last_reason();
+  return text.empty() ? "OpenSSL refuses it" : text;
 }
 
 tl::unexpected<std::string> wrong(std::string_view setting, const std::filesystem::path& file,
@@ -65,13 +62,14 @@ struct CertificateFile {
   Chain chain;
 };
 
-tl::expected<WipedFile, std::string> read_pem(std::string_view setting, const std::filesystem::path& file) {
-  auto pem = WipedFile::read(file, kMostPemBytes);
-  if (pem) return pem;
-  return wrong(setting, file, pem.error() + "; give a PEM file that talusd may read");
+tl::expected<files::SecretFile, std::string> read_pem(std::string_view setting,
+                                                      const std::filesystem::path& file) {
+  auto pem = files::SecretFile::read(file, kMostPemBytes);
+  if (pem) return *std::move(pem);
+  return wrong(setting, file, pem.error().reason + "; give a PEM file that talusd may read");
 }
 
-Bio bio_of(const WipedFile& pem) {
+Bio bio_of(const files::SecretFile& pem) {
   return Bio{BIO_new_mem_buf(pem.text().data(), static_cast<int>(pem.text().size()))};
 }
 
@@ -130,33 +128,25 @@ std::int64_t seconds_since_1970(const ASN1_TIME* time) {
   return ASN1_TIME_to_tm(time, &broken_down) == 1 ? ::timegm(&broken_down) : 0;
 }
 
-tl::expected<TlsContext, std::string> new_context() {
-  TlsContext context{SSL_CTX_new(TLS_server_method()), SSL_CTX_free};
-  const bool made = context != nullptr && SSL_CTX_set_min_proto_version(context.get(), TLS1_3_VERSION) == 1 &&
-                    SSL_CTX_set_ciphersuites(context.get(), kCiphers) == 1 &&
+tl::expected<tls::Context, std::string> new_context() {
+  tls::Context context = tls::new_context(tls::Role::server);
+  const bool made = context != nullptr && SSL_CTX_set_ciphersuites(context.get(), kCiphers) == 1 &&
                     SSL_CTX_set1_groups_list(context.get(), kGroups) == 1 &&
                     SSL_CTX_set_num_tickets(context.get(), 0) == 1;
   if (!made)
     return tl::make_unexpected(fmt::format("TLS: this OpenSSL cannot do what is needed: {}", reason()));
-  SSL_CTX_set_session_cache_mode(context.get(), SSL_SESS_CACHE_OFF);
-  // A connection cut short is seen by its frames. A client with fast AES takes the first cipher; one that
-  // prefers ChaCha20 has none.
-  SSL_CTX_set_options(context.get(), SSL_OP_NO_TICKET | SSL_OP_NO_RENEGOTIATION | SSL_OP_NO_COMPRESSION |
-                                         SSL_OP_IGNORE_UNEXPECTED_EOF | SSL_OP_CIPHER_SERVER_PREFERENCE |
-                                         SSL_OP_PRIORITIZE_CHACHA);
-  // An idle session keeps no buffers; a write goes on a record at a time, from wherever the rest is then.
-  SSL_CTX_set_mode(context.get(), SSL_MODE_RELEASE_BUFFERS | SSL_MODE_ENABLE_PARTIAL_WRITE |
-                                      SSL_MODE_ACCEPT_MOVING_WRITE_BUFFER);
+  // A client with fast AES takes the first cipher; one that prefers ChaCha20 has none.
+  SSL_CTX_set_options(context.get(), SSL_OP_NO_RENEGOTIATION | SSL_OP_NO_COMPRESSION |
+                                         SSL_OP_CIPHER_SERVER_PREFERENCE | SSL_OP_PRIORITIZE_CHACHA);
   // After a record that carries no data, as a change of keys, the others on the thread have their turn.
   SSL_CTX_clear_mode(context.get(), SSL_MODE_AUTO_RETRY);
   return context;
 }
 
 /// A client that takes what this server offers, whatever the machine's openssl.cnf says of others.
-TlsContext new_client_context() {
-  TlsContext client{SSL_CTX_new(TLS_client_method()), SSL_CTX_free};
-  const bool made = client != nullptr && SSL_CTX_set_min_proto_version(client.get(), TLS1_3_VERSION) == 1 &&
-                    SSL_CTX_set_max_proto_version(client.get(), TLS1_3_VERSION) == 1 &&
+tls::Context new_client_context() {
+  tls::Context client = tls::new_context(tls::Role::client);
+  const bool made = client != nullptr && SSL_CTX_set_max_proto_version(client.get(), TLS1_3_VERSION) == 1 &&
                     SSL_CTX_set_ciphersuites(client.get(), kCiphers) == 1 &&
                     SSL_CTX_set1_groups_list(client.get(), kGroups) == 1;
   if (!made) return nullptr;
@@ -167,9 +157,9 @@ TlsContext new_client_context() {
 /// Whether a client and the server come to terms, in memory. By a key of a kind that TLS 1.3 does not sign
 /// by, or bound to what nobody wants, all would load and every handshake fail.
 bool shakes_hands(SSL_CTX* context) {
-  const TlsContext clients = new_client_context();
-  const Tls client{clients ? SSL_new(clients.get()) : nullptr};
-  const Tls server{SSL_new(context)};
+  const tls::Context clients = new_client_context();
+  const tls::Handle client{clients ? SSL_new(clients.get()) : nullptr};
+  const tls::Handle server{SSL_new(context)};
   BIO* to_server = nullptr;
   BIO* to_client = nullptr;
   if (!client || !server || BIO_new_bio_pair(&to_server, 0, &to_client, 0) != 1) return false;
@@ -180,7 +170,7 @@ bool shakes_hands(SSL_CTX* context) {
   // A turn moves what a pair holds, 17 KiB, and a client takes chains of up to 100 KiB.
   for (int turn = 0; turn < 20; ++turn) {
     bool done = true;
-    for (const Tls* side : {&client, &server}) {
+    for (const tls::Handle* side : {&client, &server}) {
       ERR_clear_error();  // SSL_get_error looks at all that is there
       const int result = SSL_do_handshake(side->get());
       const int error = result == 1 ? SSL_ERROR_NONE : SSL_get_error(side->get(), result);

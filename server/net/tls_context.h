@@ -3,20 +3,16 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <memory>
 #include <string>
 
 #include <tl/expected.hpp>
 
-struct ssl_ctx_st;  // OpenSSL's SSL_CTX
+#include <talus/tls/context.h>
 
 namespace talus::server {
 
-/// Not changed once made; sessions of any thread share it and keep it alive.
-using TlsContext = std::shared_ptr<ssl_ctx_st>;
-
 struct TlsIdentity {
-  TlsContext context;
+  tls::Context context;
   std::string description;   // one line, for the log
   std::int64_t expires = 0;  // seconds since 1970
   bool valid_now = false;    // of the certificate's dates alone

@@ -15,7 +15,7 @@
 #include <asio/ip/tcp.hpp>
 #include <asio/post.hpp>
 
-#include "net/tls_session.h"
+#include <talus/tls/session.h>
 
 namespace talus::server {
 
@@ -30,14 +30,14 @@ class Wire {
 
   [[nodiscard]] bool by_tls() const { return tls_.has_value(); }
   /// From here on by TLS; async_handshake() comes first.
-  void use_tls(const TlsContext& context) {
+  void use_tls(const tls::Context& context) {
     socket_.native_non_blocking(true);
-    tls_.emplace(context, socket_.native_handle());
+    tls_.emplace(context, tls::Role::server, socket_.native_handle());
   }
 
   template <typename Token>
   auto async_handshake(Token&& token) {
-    return compose([](TlsSession& tls) { return tls.handshake(); }, std::forward<Token>(token));
+    return compose([](tls::Session& session) { return session.handshake(); }, std::forward<Token>(token));
   }
 
   template <typename Buffers, typename Token>
@@ -45,8 +45,8 @@ class Wire {
     if (!tls_) return socket_.async_read_some(buffers, std::forward<Token>(token));
     const asio::mutable_buffer into{*asio::buffer_sequence_begin(buffers)};
     return compose(
-        [into](TlsSession& tls) {
-          return tls.read({static_cast<std::byte*>(into.data()), into.size()});
+        [into](tls::Session& session) {
+          return session.read({static_cast<std::byte*>(into.data()), into.size()});
         },
         std::forward<Token>(token));
   }
@@ -56,8 +56,8 @@ class Wire {
     if (!tls_) return socket_.async_write_some(buffers, std::forward<Token>(token));
     const asio::const_buffer from{*asio::buffer_sequence_begin(buffers)};
     return compose(
-        [from](TlsSession& tls) {
-          return tls.write({static_cast<const std::byte*>(from.data()), from.size()});
+        [from](tls::Session& session) {
+          return session.write({static_cast<const std::byte*>(from.data()), from.size()});
         },
         std::forward<Token>(token));
   }
@@ -65,7 +65,7 @@ class Wire {
   /// By TLS alone: the last word. shutdown() comes then.
   template <typename Token>
   auto async_say_end(Token&& token) {
-    return compose([](TlsSession& tls) { return tls.say_end(); }, std::forward<Token>(token));
+    return compose([](tls::Session& session) { return session.close_notify(); }, std::forward<Token>(token));
   }
 
   /// How often a write by TLS had to wait until the kernel took more.
@@ -79,7 +79,7 @@ class Wire {
   /// What is under way ends with an error.
   void close() {
     std::error_code ignored;
-    if (tls_ && socket_.is_open()) (void)tls_->say_end();  // if it still goes: nobody waits for it
+    if (tls_ && socket_.is_open()) (void)tls_->close_notify();  // if it still goes: nobody waits for it
     socket_.close(ignored);
   }
 
@@ -89,26 +89,26 @@ class Wire {
   struct Operation {
     Wire& wire;
     Step step;
-    TlsStep last{};
+    tls::Step last{};
     bool waited = false;
     bool posted = false;
 
     template <typename Self>
     void operator()(Self& self, std::error_code failed = {}) {
-      using Next = TlsStep::Next;
+      using Result = tls::Step::Result;
       // Two waits can end in one look at the socket, and the first may close it: its number may be another's.
       if (!wire.socket_.is_open()) failed = asio::error::operation_aborted;
-      if (!posted) last = failed ? TlsStep{Next::none, failed} : step(*wire.tls_);
-      if (last.next != Next::none) {
+      if (!posted) last = failed ? tls::Step{Result::failed, failed} : step(*wire.tls_);
+      if (last.waits()) {
         waited = true;
-        if (last.next == Next::wait_to_write) ++wire.write_waits_;
-        const auto ready = last.next == Next::wait_to_read ? asio::ip::tcp::socket::wait_read
-                                                           : asio::ip::tcp::socket::wait_write;
+        if (last.result == Result::wait_to_write) ++wire.write_waits_;
+        const auto ready = last.result == Result::wait_to_read ? asio::ip::tcp::socket::wait_read
+                                                               : asio::ip::tcp::socket::wait_write;
         wire.socket_.async_wait(ready, std::move(self));
       } else if (!waited && !std::exchange(posted, true)) {
         asio::post(wire.socket_.get_executor(), std::move(self));  // never from inside the call
       } else {
-        self.complete(last.error, last.bytes);
+        self.complete(last.result == Result::closed ? asio::error::eof : last.error, last.bytes);
       }
     }
   };
@@ -120,7 +120,7 @@ class Wire {
   }
 
   asio::ip::tcp::socket socket_;
-  std::optional<TlsSession> tls_;
+  std::optional<tls::Session> tls_;
   std::size_t write_waits_ = 0;
 };
 

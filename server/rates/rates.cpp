@@ -23,8 +23,9 @@ auto change(std::atomic<TokenBucket>& shared, Change&& how) {
   }
 }
 
-Rate rate_of(std::uint64_t per_second, std::uint64_t burst_ms) {
-  return {per_second, std::max<std::uint64_t>(1, per_second * burst_ms / 1000)};
+Rate rate_of(std::uint64_t per_second, std::chrono::milliseconds burst) {
+  return {per_second,
+          std::max<std::uint64_t>(1, per_second * static_cast<std::uint64_t>(burst.count()) / 1000)};
 }
 
 std::size_t room(const TokenBucket& bucket, const Rate& rate, Time now) {
@@ -35,7 +36,7 @@ std::size_t room(const TokenBucket& bucket, const Rate& rate, Time now) {
 }  // namespace
 
 RateLimits rate_limits(const Rates& config) {
-  const auto rate = [&](std::uint64_t per_second) { return rate_of(per_second, config.burst_ms); };
+  const auto rate = [&](std::uint64_t per_second) { return rate_of(per_second, config.burst); };
   return {{rate(config.session_chunks), rate(config.session_bytes), rate(config.session_requests)},
           {rate(config.address_chunks), rate(config.address_bytes), rate(config.address_requests)}};
 }
@@ -45,7 +46,7 @@ SessionRates::SessionRates(const RateLimits& limits, AddressBucketsPtr address, 
 
 std::optional<SessionRates::Refusal> SessionRates::refuse_request(Time now) {
   const auto refuse = [&](RateKind kind, nanoseconds wait) {
-    metrics_.held(kind).add();
+    metrics_.throttled(kind).add();
     const Rate& rate =
         limits_.session.requests.limited() ? limits_.session.requests : limits_.address.requests;
     return Refusal{kind, wait, !refusals_.take(rate, now)};
@@ -86,7 +87,7 @@ Time SessionRates::chunks_due(Time now) {
     consider(RateKind::address_bytes, address_->bytes.load(std::memory_order_relaxed), limits_.address.bytes);
   }
   const bool held = longest > nanoseconds{};
-  if (held && !held_) metrics_.held(kind).add();
+  if (held && !held_) metrics_.throttled(kind).add();
   held_ = held;
   return now + longest;
 }

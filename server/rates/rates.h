@@ -11,6 +11,7 @@
 
 #include "config/config.h"
 #include "metrics/metrics.h"
+#include "rates/rate_kind.h"
 #include "rates/token_bucket.h"
 #include "stream/outbox.h"
 

@@ -28,8 +28,8 @@ struct Greeting {
 struct Rejection {
   wire::ErrorCode code{};
   std::string text;
-  std::string why{};               // more, for the log alone
-  std::optional<Denial> denial{};  // where it is for the token
+  std::string why{};                          // more, for the log alone
+  std::optional<AuthFailure> auth_failure{};  // where the token is the reason
 };
 
 /// The token is looked at last, as of `now`.

@@ -36,7 +36,7 @@ protocol::Frame welcome_frame(const Greeting& greeting, const WorldInfo& world, 
                            static_cast<std::uint16_t>(limits.view_horizontal_radius),
                            static_cast<std::uint16_t>(limits.view_vertical_radius),
                            static_cast<std::uint32_t>(limits.view_chunks), greeting.window_bytes,
-                           static_cast<std::uint32_t>(limits.idle_timeout_ms));
+                           static_cast<std::uint32_t>(limits.idle_timeout.count()));
     const auto server = builder.CreateString(world.server);
 
     const wire::Hash128 fingerprint{world.fingerprint.low, world.fingerprint.high};

@@ -53,8 +53,8 @@ void Session::timed_out(std::string_view text) {
 }
 
 void Session::token_expired() {
-  context_.metrics.denied(Denial::expired).add();
-  fail(wire::ErrorCode::unauthorized, describe(Denial::expired));
+  context_.metrics.denied(AuthFailure::expired).add();
+  fail(wire::ErrorCode::unauthorized, describe(AuthFailure::expired));
 }
 
 void Session::go_away(std::string_view reason, std::uint32_t retry_after_ms) {

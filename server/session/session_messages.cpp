@@ -98,7 +98,7 @@ void Session::on(const wire::Hello& hello) {
   auto greeting = greet(hello, context_.limits, context_.access, now);
   if (!greeting) {
     const Rejection& rejection = greeting.error();
-    if (rejection.denial) context_.metrics.denied(*rejection.denial).add();
+    if (rejection.auth_failure) context_.metrics.denied(*rejection.auth_failure).add();
     return fail(rejection.code, rejection.text, 0, rejection.why);
   }
   greeting_ = *std::move(greeting);
@@ -199,10 +199,10 @@ void Session::on(const wire::GetHeights& get) {
     }
     columns.push_back({column.x(), column.z()});
   }
-  if (const std::size_t tiles = tiles_of(columns); tiles > context_.limits.height_tiles_per_request) {
+  if (const std::size_t tiles = tiles_of(columns); tiles > context_.world.height_tiles_per_request) {
     return refuse(get.id(), ErrorCode::too_large,
                   fmt::format("GetHeights reaches into {} tiles of 32 x 32 columns; in this world at most {}",
-                              tiles, context_.limits.height_tiles_per_request));
+                              tiles, context_.world.height_tiles_per_request));
   }
   constexpr std::size_t kTaskBytes = 256;
   requests_.add_heights(get.id(), ticket,

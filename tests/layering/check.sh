@@ -1,34 +1,52 @@
 #!/usr/bin/env bash
-# The arrows of the house, checked on every include: a room includes only the rooms it may know, and the pure
-# rooms touch no clock, thread, file or socket. CMake's include paths say the same; this says it in one line.
+# Holds every #include against docs/modules.txt: a module includes only what the table lets it, private headers stay
+# private, pure modules touch no clock, thread, file or socket, dependencies form no cycle and each is used.
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 
-failed=0
-# breaks FOLDER PATTERN WHY: complains about every include under FOLDER that matches PATTERN.
-breaks() {
-  local found
-  found="$(grep -rnE --include='*.h' --include='*.cpp' "^\s*#\s*include\s*[<\"]($2)" "$1" || true)"
-  [[ -z "$found" ]] && return
-  printf '%s\n' "$found" | sed "s|\$|    <- $3|"
-  failed=1
+usage() {
+  cat <<'USAGE'
+usage: tests/layering/check.sh [--write | --found]
+
+  --write   puts the table of docs/modules.txt into docs/DESIGN.md
+  --found   prints the lines for docs/modules.txt as the includes would have them, right or wrong
+USAGE
 }
 
-impure='thread|mutex|shared_mutex|condition_variable|future|atomic|chrono|ctime|time\.h|fstream|cstdio|iostream|filesystem|random|asio|spdlog|sys/|unistd\.h|png\.h'
-breaks core/vectors 'talus/(voxel|terrain|height_files|protocol|client|tools)' 'core/vectors knows nobody'
-breaks core/voxel 'talus/(terrain|height_files|protocol|client|tools)' 'core/voxel knows core/vectors alone'
-breaks core/terrain 'talus/(height_files|protocol|client|tools)' 'core/terrain knows core/voxel and core/vectors'
-breaks core/height_files 'talus/(protocol|client|tools)' 'core/height_files knows core/terrain alone'
-breaks core/tools 'talus/(protocol|client)' 'core/tools knows core alone'
-breaks protocol 'talus/(voxel|terrain|height_files|client|tools)' 'protocol knows nobody'
-breaks server 'talus/(client|tools)' 'the server knows core and protocol'
-breaks client_sample 'talus/(terrain|height_files|tools)' 'a client knows core/voxel and protocol'
-for pure in core/vectors core/voxel core/terrain protocol; do
-  breaks "$pure" "($impure)[>\"]?" 'a pure room has no I/O, threads or clock'
-done
-# A relative include could walk out of its room unseen.
-breaks . '\.\./' 'includes name rooms, not paths'
-if find . -path ./build -prune -o -type d \( -name utils -o -name common -o -name helpers \) -print | grep .; then
+first='<!-- modules: written by tests/layering/check.sh --write -->'
+last='<!-- end of modules -->'
+
+# files: every header and source of a module, tests apart.
+files() { find core protocol server client_sample \( -name '*.h' -o -name '*.cpp' \) -print | LC_ALL=C sort; }
+includes() { files | xargs grep -nHE '^[[:space:]]*#[[:space:]]*include[[:space:]]*[<"]'; }
+judge() { awk -v MODE="$1" -f tests/layering/modules.awk docs/modules.txt <(files) <(includes); }
+# printed: the lines of docs/DESIGN.md between the two marks.
+printed() { awk -v first="$first" -v last="$last" '$0 == last { inside = 0 } inside { print } $0 == first { inside = 1 }' docs/DESIGN.md; }
+
+write() {
+  local table written
+  table="$(judge table)"
+  written="$(awk -v first="$first" -v last="$last" -v table="$table" '
+    $0 == last { inside = 0 }
+    !inside { print }
+    $0 == first { inside = 1; print table }' docs/DESIGN.md)"
+  printf '%s\n' "$written" >docs/DESIGN.md
+}
+
+case "${1:-}" in
+  "") ;;
+  --write) write; exit ;;
+  --found) judge found; exit ;;
+  *) usage >&2; exit 2 ;;
+esac
+
+failed=0
+judge check || failed=1
+if [[ "$(judge table)" != "$(printed)" ]]; then
+  echo "docs/DESIGN.md: its table of modules is not that of docs/modules.txt; tests/layering/check.sh --write"
+  failed=1
+fi
+if find core protocol server client_sample tests docs -type d \( -name utils -o -name common -o -name helpers \) -print | grep .; then
   echo "a thing lives with what it serves: no utils, common or helpers"
   failed=1
 fi

@@ -1,12 +1,14 @@
 #include "store/data_directory.h"
 
+#include <sys/stat.h>
+#include <unistd.h>
+
 #include <filesystem>
 
 #include <catch2/catch.hpp>
 #include <fstream>
 
 #include "scratch_directory.h"
-#include "store/write_atomically.h"
 
 using namespace talus;
 using namespace talus::server;
@@ -69,17 +71,20 @@ TEST_CASE("a store.toml of somebody else is refused, not replaced") {
   }
 }
 
-TEST_CASE("an atomic write replaces the whole file and leaves nothing beside it") {
+TEST_CASE("a directory created for another user belongs to that user, and one that exists keeps its owner") {
+  if (::geteuid() != 0) {
+    WARN("only root can give a directory to another user: not tested");
+    return;
+  }
   const ScratchDirectory scratch;
-  const fs::path file = scratch / "file";
-  REQUIRE(write_atomically(file, "a long first text") == 0);
-  REQUIRE(write_atomically(file, "short") == 0);
-  std::string text;
-  std::getline(std::ifstream{file}, text);
-  CHECK(text == "short");
-  CHECK(scratch.file_count() == 1);
-}
-
-TEST_CASE("an atomic write that fails says so") {
-  CHECK(write_atomically("/nowhere/at/all", "text") == ENOENT);
+  const auto owner_of = [](const std::filesystem::path& path) {
+    struct stat about {};
+    REQUIRE(::stat(path.c_str(), &about) == 0);
+    return about.st_uid;
+  };
+  REQUIRE(DataDirectory::make_for(scratch / "a/b/", 4780, 4780).has_value());
+  CHECK(owner_of(scratch / "a") == 0);
+  CHECK(owner_of(scratch / "a/b") == 4780);
+  REQUIRE(DataDirectory::make_for(scratch / "a", 4780, 4780).has_value());
+  CHECK(owner_of(scratch / "a") == 0);
 }

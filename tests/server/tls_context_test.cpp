@@ -58,10 +58,10 @@ TEST_CASE("a missing file is named, with why") {
              Catch::StartsWith("tls.certificate /nowhere/c.pem: ") && Catch::Contains("No such file"));
   CHECK_THAT(files.refusal(files.certificate, "/nowhere/k.pem"),
              Catch::StartsWith("tls.key /nowhere/k.pem: "));
-  CHECK_THAT(files.refusal("/dev/zero", files.key), Catch::Contains("no regular file"));
+  CHECK_THAT(files.refusal("/dev/zero", files.key), Catch::Contains("not a regular file"));
   const std::string pipe = (files.scratch.path() / "pipe").string();
   REQUIRE(::mkfifo(pipe.c_str(), 0600) == 0);
-  CHECK_THAT(files.refusal(files.certificate, pipe), Catch::Contains("no regular file"));
+  CHECK_THAT(files.refusal(files.certificate, pipe), Catch::Contains("not a regular file"));
 }
 
 TEST_CASE("a certificate with a passphrase is refused, and nobody is asked for it") {

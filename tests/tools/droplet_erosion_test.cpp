@@ -32,7 +32,7 @@ HeightGrid cone(int width, int depth) {
 }
 
 void eroded(HeightGrid& grid, std::uint64_t droplets, std::uint64_t seed) {
-  Progress progress{"erode-heightmap", "droplets"};
+  ProgressBar progress{"erode-heightmap", "droplets"};
   erode(grid, {droplets, seed}, progress);
 }
 

@@ -21,7 +21,7 @@ const terrain::Region kRegion{-45, -7, 70, 50, Lod{}};
 constexpr std::size_t kColumns = 70 * 50;
 
 Expected<void> export_to(const std::filesystem::path& directory, const ExportOptions& options = {}) {
-  Progress progress{"export", "columns"};
+  ProgressBar progress{"export", "columns"};
   return export_region(terrain::default_world(), kRegion, directory, options, progress);
 }
 

@@ -17,7 +17,7 @@ namespace {
 
 Image draw(const Figure& figure, int threads) {
   const WorldText text{std::string{terrain::default_world_toml()}, "here.toml"};
-  Progress progress{"gallery", "rows"};
+  ProgressBar progress{"gallery", "rows"};
   auto image = figure.draw({text, terrain::default_world(), threads, progress});
   REQUIRE(image);
   return std::move(*image);
@@ -56,7 +56,7 @@ TEST_CASE("A scenic place has high ground at the back and low ground in front") 
 
 TEST_CASE("A figure that is not there is named, and nothing is made") {
   const WorldText text{std::string{terrain::default_world_toml()}, "here.toml"};
-  Progress progress{"gallery", "rows"};
+  ProgressBar progress{"gallery", "rows"};
   const ScratchDirectory scratch;
   const auto written = write_gallery(text, "no such", scratch / "gallery", 1, progress);
   REQUIRE_FALSE(written);

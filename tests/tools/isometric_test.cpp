@@ -13,7 +13,7 @@ const std::vector<glm::vec3> kLights{{0, 0, 0}, {0.1F, 0.2F, 0.6F}, {0.5F, 0.1F,
 constexpr MaterialId kRed{2};
 
 Image picture_of(const VoxelGrid& grid, int threads = 1) {
-  Progress progress{"picture", "rows"};
+  ProgressBar progress{"picture", "rows"};
   return render_isometric(grid, kLights, {.width = 120, .height = 100, .threads = threads}, progress);
 }
 

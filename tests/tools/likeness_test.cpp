@@ -42,7 +42,7 @@ TEST_CASE("Even layers have no correlation, and empty ones nothing in which to d
 
 TEST_CASE("Both methods lay their loose material in the same places more than by chance") {
   const WorldText text{std::string{terrain::default_world_toml()}, "here.toml"};
-  Progress progress{"likeness", "seeds"};
+  ProgressBar progress{"likeness", "seeds"};
   const auto likeness = measure_likeness(text, 2, progress);
   REQUIRE(likeness);
   REQUIRE(likeness->rows.size() == 1 + terrain::default_world().loose().size());

@@ -12,7 +12,7 @@ using namespace talus::tools;
 namespace {
 
 LodError measured(const terrain::Region& region, int threads = 1) {
-  Progress progress{"lod-error", "columns"};
+  ProgressBar progress{"lod-error", "columns"};
   return measure_lod_error(terrain::default_world(), region, threads, progress);
 }
 

@@ -3,7 +3,7 @@
 #include <rapidcheck.h>
 #include <catch2/catch.hpp>
 
-#include "progress.h"
+#include <talus/progress/progress_bar.h>
 
 using namespace talus;
 using namespace talus::tools;
@@ -11,7 +11,7 @@ using namespace talus::tools;
 namespace {
 
 Image map_of(const terrain::Region& region, const MapOptions& options = {}) {
-  Progress progress{"map", "columns"};
+  ProgressBar progress{"map", "columns"};
   return render_map(terrain::default_world(), region, options, progress);
 }
 

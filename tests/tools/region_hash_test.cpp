@@ -8,7 +8,7 @@ using namespace talus::tools;
 namespace {
 
 ContentHash hash_of(const terrain::Region& region, const HashOptions& options = {}) {
-  Progress progress{"hash", "chunk columns"};
+  ProgressBar progress{"hash", "chunk columns"};
   return hash_region(terrain::default_world(), region, options, progress);
 }
 

@@ -9,7 +9,7 @@ using namespace talus::tools;
 namespace {
 
 Image section_of(const terrain::Region& line, const SectionOptions& options = {}) {
-  Progress progress{"section", "columns"};
+  ProgressBar progress{"section", "columns"};
   auto image = render_section(terrain::default_world(), line, options, progress);
   REQUIRE(image);
   return std::move(*image);

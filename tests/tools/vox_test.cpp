@@ -37,7 +37,7 @@ class ChunkVoxels {
 
 vox_reader::Scene scene_of(const terrain::Region& region, VoxOptions options = {}) {
   const ScratchDirectory scratch;
-  Progress progress{"vox", "models"};
+  ProgressBar progress{"vox", "models"};
   REQUIRE(write_vox(terrain::default_world(), region, scratch / "a.vox", options, progress));
   CHECK(scratch.file_count() == 1);
   return vox_reader::read(read_whole(scratch / "a.vox"));
@@ -168,7 +168,7 @@ TEST_CASE("A world of more materials than a palette has colours is refused by nu
   INFO((world ? "" : world.error().message));
   REQUIRE(world);
   const ScratchDirectory scratch;
-  Progress progress{"vox", "models"};
+  ProgressBar progress{"vox", "models"};
   const auto outcome = write_vox(*world, {0, 0, 8, 8, Lod{}}, scratch / "a.vox", {}, progress);
   REQUIRE_FALSE(outcome);
   CHECK(outcome.error().message ==

@@ -11,12 +11,6 @@
 namespace talus::client {
 namespace {
 
-std::string last_reason() {
-  const char* const text = ERR_reason_error_string(ERR_peek_last_error());
-  ERR_clear_error();
-  return text == nullptr ? "unknown" : text;
-}
-
 /// Gives the name to check; false where OpenSSL will not have it.
 bool expect(SSL* tls, const std::string& name) {
   if (X509_VERIFY_PARAM_set1_ip_asc(SSL_get0_param(tls), name.c_str()) == 1) return true;
@@ -40,22 +34,17 @@ ClientError untrusted(long result) {
 
 }  // namespace
 
-void FreeTls::operator()(ssl_st* tls) const {
-  SSL_free(tls);
-}
-
-Result<TlsContext> make_tls_context(const TlsOptions& options) {
-  ERR_clear_error();
-  TlsContext context{SSL_CTX_new(TLS_client_method()), SSL_CTX_free};
-  if (context == nullptr || SSL_CTX_set_min_proto_version(context.get(), TLS1_3_VERSION) != 1) {
-    return tl::unexpected{ClientError{ErrorKind::untrusted, "TLS 1.3: " + last_reason(), {}}};
+Result<tls::Context> make_tls_context(const TlsOptions& options) {
+  tls::Context context = tls::new_context(tls::Role::client);
+  if (context == nullptr) {
+    return tl::unexpected{ClientError{ErrorKind::untrusted, "TLS 1.3: " + tls::last_reason(), {}}};
   }
   std::error_code ignored;
   if (!options.ca_file.empty() && std::filesystem::exists(options.ca_file, ignored) &&
       !std::filesystem::is_regular_file(options.ca_file, ignored)) {
     return tl::unexpected{
         ClientError{ErrorKind::untrusted,
-                    options.ca_file + ": is no regular file; give a PEM file of those to trust",
+                    options.ca_file + ": is not a regular file; give a PEM file of those to trust",
                     {}}};
   }
   const bool trusted = options.ca_file.empty()
@@ -63,29 +52,24 @@ Result<TlsContext> make_tls_context(const TlsOptions& options) {
                            : SSL_CTX_load_verify_file(context.get(), options.ca_file.c_str()) == 1;
   if (!trusted) {
     return tl::unexpected{ClientError{ErrorKind::untrusted,
-                                      options.ca_file + ": cannot be read as certificates: " + last_reason() +
-                                          "; give a PEM file of those to trust",
+                                      options.ca_file + ": cannot be read as certificates: " +
+                                          tls::last_reason() + "; give a PEM file of those to trust",
                                       {}}};
   }
   SSL_CTX_set_verify(context.get(), options.verify ? SSL_VERIFY_PEER : SSL_VERIFY_NONE, nullptr);
-  // Frames have lengths, so a connection cut short is seen without TLS's help.
-  SSL_CTX_set_options(context.get(), SSL_OP_NO_TICKET | SSL_OP_IGNORE_UNEXPECTED_EOF);
-  SSL_CTX_set_session_cache_mode(context.get(), SSL_SESS_CACHE_OFF);
-  SSL_CTX_set_mode(context.get(), SSL_MODE_RELEASE_BUFFERS | SSL_MODE_ENABLE_PARTIAL_WRITE |
-                                      SSL_MODE_ACCEPT_MOVING_WRITE_BUFFER);
   return context;
 }
 
-Tls new_tls(const TlsContext& context, const TlsOptions& options, const std::string& host) {
-  Tls tls{SSL_new(context.get())};
-  if (tls == nullptr) throw std::bad_alloc{};
-  if (!expect(tls.get(), options.server_name.empty() ? host : options.server_name)) {
+tls::Handle new_tls(const tls::Context& context, const TlsOptions& options, const std::string& host) {
+  tls::Handle handle{SSL_new(context.get())};
+  if (handle == nullptr) throw std::bad_alloc{};
+  if (!expect(handle.get(), options.server_name.empty() ? host : options.server_name)) {
     // No name is left to be right: the handshake fails rather than trust anybody.
     ERR_clear_error();
-    SSL_set1_host(tls.get(), "invalid.");
+    SSL_set1_host(handle.get(), "invalid.");
   }
-  SSL_set_connect_state(tls.get());
-  return tls;
+  SSL_set_connect_state(handle.get());
+  return handle;
 }
 
 ClientError handshake_failure(const ssl_st* tls, const std::error_code& error) {

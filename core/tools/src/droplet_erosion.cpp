@@ -146,7 +146,7 @@ double part(std::uint64_t hash) {
 
 }  // namespace
 
-void erode(HeightGrid& grid, const DropletOptions& options, Progress& progress) {
+void erode(HeightGrid& grid, const DropletOptions& options, ProgressBar& progress) {
   const auto [least, greatest] = std::minmax_element(grid.heights.begin(), grid.heights.end());
   const double floor = *least;
   const double relief = *greatest - floor;

@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "progress.h"
+#include <talus/progress/progress_bar.h>
 
 namespace talus::tools {
 
@@ -28,6 +28,6 @@ struct DropletOptions {
 /// the edge is lost, nothing else is. Steepness is reckoned with the map's whole relief as one cell's length,
 /// so that the unit of the heights does not matter. In doubles, in one order, with no function but sqrt: the
 /// same heights on every machine.
-void erode(HeightGrid& grid, const DropletOptions& options, Progress& progress);
+void erode(HeightGrid& grid, const DropletOptions& options, ProgressBar& progress);
 
 }  // namespace talus::tools

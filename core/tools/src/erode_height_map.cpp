@@ -31,7 +31,7 @@ Expected<void> erode_samples(const std::filesystem::path& input, int width, int 
   const bool numbers = std::all_of(grid.heights.begin(), grid.heights.end(),
                                    [](double height) { return std::isfinite(height); });
   if (!numbers) return failed(input.string() + ": has samples that are no numbers; only numbers are heights");
-  Progress progress{"erode-heightmap", "droplets"};
+  ProgressBar progress{"erode-heightmap", "droplets"};
   erode(grid, options, progress);
   std::transform(grid.heights.begin(), grid.heights.end(), samples.begin(), sample_of<Sample>);
   return {};

@@ -8,11 +8,12 @@
 #include <system_error>
 #include <vector>
 
+#include <talus/files/atomic_file.h>
+#include <talus/files/npy_file.h>
 #include <talus/terrain/boundary_row.h>
 #include <talus/terrain/stacks.h>
 
 #include "export_json.h"
-#include "npy.h"
 #include "ordered_work.h"
 #include "patch_grid.h"
 #include "voxel_grid.h"
@@ -21,27 +22,27 @@ namespace talus::tools {
 namespace {
 
 struct Arrays {
-  NpyFile surface;
-  NpyFile slope;
-  NpyFile eroded;
-  NpyFile strata;
-  NpyFile voxels;
+  files::NpyFile surface;
+  files::NpyFile slope;
+  files::NpyFile eroded;
+  files::NpyFile strata;
+  files::NpyFile voxels;
 };
 
-NpyType voxel_type(const terrain::World& world) {
-  return world.materials().size() > 256 ? NpyType::uint16 : NpyType::uint8;
+files::NpyType voxel_type(const terrain::World& world) {
+  return world.materials().size() > 256 ? files::NpyType::uint16 : files::NpyType::uint8;
 }
 
 Expected<Arrays> create_arrays(const terrain::World& world, const std::filesystem::path& directory) {
-  auto surface = NpyFile::create(directory / "surface.npy", NpyType::int32);
+  auto surface = files::NpyFile::create(directory / "surface.npy", files::NpyType::int32);
   if (!surface) return tl::make_unexpected(surface.error());
-  auto slope = NpyFile::create(directory / "slope.npy", NpyType::int32);
+  auto slope = files::NpyFile::create(directory / "slope.npy", files::NpyType::int32);
   if (!slope) return tl::make_unexpected(slope.error());
-  auto eroded = NpyFile::create(directory / "eroded.npy", NpyType::int32);
+  auto eroded = files::NpyFile::create(directory / "eroded.npy", files::NpyType::int32);
   if (!eroded) return tl::make_unexpected(eroded.error());
-  auto strata = NpyFile::create(directory / "strata.npy", NpyType::int32);
+  auto strata = files::NpyFile::create(directory / "strata.npy", files::NpyType::int32);
   if (!strata) return tl::make_unexpected(strata.error());
-  auto voxels = NpyFile::create(directory / "voxels.npy", voxel_type(world));
+  auto voxels = files::NpyFile::create(directory / "voxels.npy", voxel_type(world));
   if (!voxels) return tl::make_unexpected(voxels.error());
   return Arrays{std::move(*surface), std::move(*slope), std::move(*eroded), std::move(*strata),
                 std::move(*voxels)};
@@ -60,13 +61,13 @@ class PatchWriter {
     if (auto done = write_field(arrays_.slope, 0, terrain.region, terrain.slope); !done) return error(done);
     if (auto done = write_fields(arrays_.eroded, terrain.region, terrain.loose); !done) return error(done);
     if (auto done = write_fields(arrays_.strata, terrain.region, terrain.strata); !done) return error(done);
-    return voxel_type(world_) == NpyType::uint8 ? write_voxels<std::uint8_t>(terrain)
-                                                : write_voxels<std::uint16_t>(terrain);
+    return voxel_type(world_) == files::NpyType::uint8 ? write_voxels<std::uint8_t>(terrain)
+                                                       : write_voxels<std::uint16_t>(terrain);
   }
 
  private:
-  static tl::unexpected<Failure> error(const Expected<void>& failed) {
-    return tl::make_unexpected(failed.error());
+  static tl::unexpected<Failure> error(const tl::expected<void, files::FileError>& failed) {
+    return tl::unexpected{Failure{failed.error()}};
   }
 
   // The item of column (x, z) of the patch in the region's array, on its `slice`th plane.
@@ -77,16 +78,17 @@ class PatchWriter {
     return (slice * static_cast<std::size_t>(region_.depth) + region_z) * width + region_x;
   }
 
-  Expected<void> write_field(const NpyFile& file, std::size_t slice, const terrain::Region& patch,
-                             const terrain::Field& field) const {
+  tl::expected<void, files::FileError> write_field(const files::NpyFile& file, std::size_t slice,
+                                                   const terrain::Region& patch,
+                                                   const terrain::Field& field) const {
     for (int z = 0; z < patch.depth; ++z) {
       if (auto done = file.write(item(patch, slice, z), field.row(z)); !done) return done;
     }
     return {};
   }
 
-  Expected<void> write_fields(const NpyFile& file, const terrain::Region& patch,
-                              const std::vector<terrain::Field>& fields) const {
+  tl::expected<void, files::FileError> write_fields(const files::NpyFile& file, const terrain::Region& patch,
+                                                    const std::vector<terrain::Field>& fields) const {
     for (std::size_t slice = 0; slice < fields.size(); ++slice) {
       if (auto done = write_field(file, slice, patch, fields[slice]); !done) return done;
     }
@@ -150,8 +152,9 @@ Expected<void> check_bytes(const terrain::World& world, const terrain::Region& r
   return wrong_use(text.data());
 }
 
-Expected<void> finish(Arrays& arrays, const terrain::World& world, const terrain::Region& region,
-                      std::size_t planes, std::size_t rows) {
+tl::expected<void, files::FileError> finish(Arrays& arrays, const terrain::World& world,
+                                            const terrain::Region& region, std::size_t planes,
+                                            std::size_t rows) {
   const auto w = static_cast<std::size_t>(region.width);
   const auto d = static_cast<std::size_t>(region.depth);
   const std::array plane_shape{d, w};
@@ -163,7 +166,8 @@ Expected<void> finish(Arrays& arrays, const terrain::World& world, const terrain
   if (auto done = arrays.eroded.finish(eroded_shape); !done) return done;
   if (auto done = arrays.strata.finish(strata_shape); !done) return done;
   if (auto done = arrays.voxels.finish(voxel_shape); !done) return done;
-  for (NpyFile* file : {&arrays.surface, &arrays.slope, &arrays.eroded, &arrays.strata, &arrays.voxels}) {
+  for (files::NpyFile* file :
+       {&arrays.surface, &arrays.slope, &arrays.eroded, &arrays.strata, &arrays.voxels}) {
     if (auto done = file->commit(); !done) return done;
   }
   return {};
@@ -173,7 +177,7 @@ Expected<void> finish(Arrays& arrays, const terrain::World& world, const terrain
 
 Expected<void> export_region(const terrain::World& world, const terrain::Region& region,
                              const std::filesystem::path& directory, const ExportOptions& options,
-                             Progress& progress) {
+                             ProgressBar& progress) {
   const std::vector<MaterialId> layers = strata_materials(world, region);
   if (auto fits = check_bytes(world, region, layers.size(), options.max_bytes); !fits) return fits;
   std::error_code made;
@@ -181,7 +185,7 @@ Expected<void> export_region(const terrain::World& world, const terrain::Region&
   if (made) return failed(directory.string() + ": cannot make the directory: " + made.message());
   auto arrays = create_arrays(world, directory);
   if (!arrays) return tl::make_unexpected(arrays.error());
-  auto json = AtomicFile::create(directory / "export.json");
+  auto json = files::AtomicFile::create(directory / "export.json");
   if (!json) return tl::make_unexpected(json.error());
 
   const PatchGrid grid{region, options.patch_edge};
@@ -204,10 +208,10 @@ Expected<void> export_region(const terrain::World& world, const terrain::Region&
                 });
   if (!outcome) return outcome;
   if (auto done = finish(*arrays, world, region, layers.size(), static_cast<std::size_t>(rows)); !done)
-    return done;
+    return outcome_of(done);
   const std::string text = export_json(world, region, layers);
-  if (auto done = json->write_at(0, std::as_bytes(std::span{text})); !done) return done;
-  return json->commit();
+  if (auto done = json->write_at(0, std::as_bytes(std::span{text})); !done) return outcome_of(done);
+  return outcome_of(json->commit());
 }
 
 }  // namespace talus::tools

@@ -7,8 +7,8 @@
 #include <talus/terrain/field.h>
 #include <talus/terrain/world.h>
 
+#include <talus/progress/progress_bar.h>
 #include "failure.h"
-#include "progress.h"
 
 namespace talus::tools {
 
@@ -36,6 +36,6 @@ struct ExportOptions {
 /// some patches a thread; voxels go straight to their place in the file.
 [[nodiscard]] Expected<void> export_region(const terrain::World& world, const terrain::Region& region,
                                            const std::filesystem::path& directory,
-                                           const ExportOptions& options, Progress& progress);
+                                           const ExportOptions& options, ProgressBar& progress);
 
 }  // namespace talus::tools

@@ -6,6 +6,8 @@
 
 #include <tl/expected.hpp>
 
+#include <talus/files/file_error.h>
+
 namespace talus::tools {
 
 inline constexpr int kExitDone = 0;
@@ -15,10 +17,20 @@ inline constexpr int kExitWrongUse = 2;
 struct Failure {
   int exit_code = kExitFailed;
   std::string message;  // one line, no full stop, no line end
+
+  Failure(int code, std::string line) : exit_code{code}, message{std::move(line)} {}
+  /// A file that cannot be read or written fails the command: functions return it as it is.
+  Failure(const files::FileError& error) : message{error.message()} {}
 };
 
 template <typename Value>
 using Expected = tl::expected<Value, Failure>;
+
+/// What was done with a file, as the command's outcome.
+[[nodiscard]] inline Expected<void> outcome_of(const tl::expected<void, files::FileError>& done) {
+  if (!done) return tl::unexpected{Failure{done.error()}};
+  return {};
+}
 
 /// The command was right, but it could not be done.
 [[nodiscard]] inline tl::unexpected<Failure> failed(std::string message) {

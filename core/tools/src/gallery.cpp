@@ -13,7 +13,7 @@
 namespace talus::tools {
 
 Expected<void> write_gallery(const WorldText& text, const std::string& only,
-                             const std::filesystem::path& directory, int threads, Progress& progress) {
+                             const std::filesystem::path& directory, int threads, ProgressBar& progress) {
   const auto world = world_variant(text, {});
   if (!world) return tl::make_unexpected(world.error());
   const auto meant = [&](const Figure& figure) {

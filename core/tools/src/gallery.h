@@ -4,8 +4,8 @@
 #include <filesystem>
 #include <string>
 
+#include <talus/progress/progress_bar.h>
 #include "failure.h"
-#include "progress.h"
 #include "world_file.h"
 
 namespace talus::tools {
@@ -15,6 +15,6 @@ namespace talus::tools {
 /// core). An error where no figure is meant.
 [[nodiscard]] Expected<void> write_gallery(const WorldText& text, const std::string& only,
                                            const std::filesystem::path& directory, int threads,
-                                           Progress& progress);
+                                           ProgressBar& progress);
 
 }  // namespace talus::tools

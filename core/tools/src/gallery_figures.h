@@ -6,10 +6,10 @@
 
 #include <talus/terrain/world.h>
 
+#include <talus/progress/progress_bar.h>
 #include "failure.h"
 #include "gallery_place.h"
 #include "image.h"
-#include "progress.h"
 #include "world_file.h"
 
 namespace talus::tools {
@@ -19,7 +19,7 @@ struct GalleryContext {
   const WorldText& text;        // for figures of the same world with a number changed
   const terrain::World& world;  // what it says
   int threads = 0;              // 0: one a core
-  Progress& progress;           // told of each row of pixels
+  ProgressBar& progress;        // told of each row of pixels
 };
 
 struct Figure {

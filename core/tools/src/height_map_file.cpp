@@ -6,31 +6,32 @@
 #include <utility>
 #include <vector>
 
+#include <talus/files/npy_file.h>
+
 #include "image.h"
-#include "npy.h"
 
 namespace talus::tools {
 namespace {
 
-NpyType type_of(const std::vector<std::uint16_t>&) {
-  return NpyType::uint16;
+files::NpyType type_of(const std::vector<std::uint16_t>&) {
+  return files::NpyType::uint16;
 }
-NpyType type_of(const std::vector<std::int32_t>&) {
-  return NpyType::int32;
+files::NpyType type_of(const std::vector<std::int32_t>&) {
+  return files::NpyType::int32;
 }
-NpyType type_of(const std::vector<float>&) {
-  return NpyType::float32;
+files::NpyType type_of(const std::vector<float>&) {
+  return files::NpyType::float32;
 }
 
 template <class Sample>
 Expected<void> write_npy(const std::filesystem::path& target, const terrain::HeightMap& map,
                          const std::vector<Sample>& samples) {
-  auto file = NpyFile::create(target, type_of(samples));
+  auto file = files::NpyFile::create(target, type_of(samples));
   if (!file) return tl::make_unexpected(file.error());
-  if (auto written = file->write(0, std::span<const Sample>{samples}); !written) return written;
+  if (auto written = file->write(0, std::span<const Sample>{samples}); !written) return outcome_of(written);
   const std::array shape{static_cast<std::size_t>(map.depth), static_cast<std::size_t>(map.width)};
-  if (auto finished = file->finish(shape); !finished) return finished;
-  return file->commit();
+  if (auto finished = file->finish(shape); !finished) return outcome_of(finished);
+  return outcome_of(file->commit());
 }
 
 }  // namespace

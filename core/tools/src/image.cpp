@@ -45,8 +45,8 @@ struct PngMemory {
   ~PngMemory() { png_image_free(&image); }
 };
 
-Expected<void> write_pixels(AtomicFile& file, PngMemory& png, int width, int height, const void* pixels,
-                            const std::uint8_t* palette) {
+Expected<void> write_pixels(files::AtomicFile& file, PngMemory& png, int width, int height,
+                            const void* pixels, const std::uint8_t* palette) {
   png.image.width = static_cast<png_uint_32>(width);
   png.image.height = static_cast<png_uint_32>(height);
   // The bound for incompressible pixels passes 32 bits in no picture of at most kMaxPixels.
@@ -55,8 +55,8 @@ Expected<void> write_pixels(AtomicFile& file, PngMemory& png, int width, int hei
   if (png_image_write_to_memory(&png.image, bytes.data(), &size, 0, pixels, 0, palette) == 0) {
     return failed(file.target().string() + ": cannot write: " + png.image.message);
   }
-  if (auto written = file.write_at(0, std::span{bytes}.first(size)); !written) return written;
-  return file.commit();
+  if (auto written = file.write_at(0, std::span{bytes}.first(size)); !written) return outcome_of(written);
+  return outcome_of(file.commit());
 }
 
 }  // namespace
@@ -87,7 +87,7 @@ Expected<void> check_picture_size(const char* option, std::int64_t width, std::i
 }
 
 Expected<PngFile> PngFile::create(const std::filesystem::path& target) {
-  auto file = AtomicFile::create(target);
+  auto file = files::AtomicFile::create(target);
   if (!file) return tl::make_unexpected(file.error());
   return PngFile{std::move(*file)};
 }

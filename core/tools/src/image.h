@@ -10,7 +10,8 @@
 #include <talus/terrain/world.h>
 #include <glm/vec3.hpp>
 
-#include "atomic_file.h"
+#include <talus/files/atomic_file.h>
+
 #include "failure.h"
 
 namespace talus::tools {
@@ -72,8 +73,8 @@ class PngFile {
   [[nodiscard]] Expected<void> write_grey(int width, int height, std::span<const std::uint16_t> samples);
 
  private:
-  explicit PngFile(AtomicFile file) : file_{std::move(file)} {}
-  AtomicFile file_;
+  explicit PngFile(files::AtomicFile file) : file_{std::move(file)} {}
+  files::AtomicFile file_;
 };
 
 }  // namespace talus::tools

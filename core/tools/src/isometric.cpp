@@ -192,7 +192,7 @@ class BandPainter {
 }  // namespace
 
 Image render_isometric(const VoxelGrid& grid, std::span<const glm::vec3> lights,
-                       const IsometricOptions& options, Progress& progress) {
+                       const IsometricOptions& options, ProgressBar& progress) {
   Image image{options.width, options.height};
   const VoxelRays rays{grid};
   const Camera camera{grid, options.width, options.height};

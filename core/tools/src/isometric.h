@@ -5,8 +5,8 @@
 
 #include <glm/vec3.hpp>
 
+#include <talus/progress/progress_bar.h>
 #include "image.h"
-#include "progress.h"
 #include "voxel_grid.h"
 
 namespace talus::tools {
@@ -24,6 +24,6 @@ struct IsometricOptions {
 /// where they are large enough to be told apart. `lights` are the materials' colours by id. The same
 /// picture for any number of threads; progress counts rows of pixels, which the caller expects.
 [[nodiscard]] Image render_isometric(const VoxelGrid& grid, std::span<const glm::vec3> lights,
-                                     const IsometricOptions& options, Progress& progress);
+                                     const IsometricOptions& options, ProgressBar& progress);
 
 }  // namespace talus::tools

@@ -104,7 +104,7 @@ Alike alike(const terrain::Field& a, const terrain::Field& b) {
   return alike;
 }
 
-Expected<Likeness> measure_likeness(const WorldText& text, int seeds, Progress& progress) {
+Expected<Likeness> measure_likeness(const WorldText& text, int seeds, ProgressBar& progress) {
   progress.expect(static_cast<std::uint64_t>(seeds));
   std::vector<Seeds> rows;
   std::vector<std::string> names;

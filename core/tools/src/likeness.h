@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
+#include <talus/progress/progress_bar.h>
 #include "failure.h"
-#include "progress.h"
 #include "spread.h"
 #include "world_file.h"
 
@@ -40,7 +40,7 @@ struct Likeness {
 
 /// The slope method (a) beside erosion to rest (b) on the world's surface with the seeds 1, 2, ..., over a
 /// square of two terrain units from the origin on. Erosion takes the square for a map that ends.
-[[nodiscard]] Expected<Likeness> measure_likeness(const WorldText& text, int seeds, Progress& progress);
+[[nodiscard]] Expected<Likeness> measure_likeness(const WorldText& text, int seeds, ProgressBar& progress);
 
 /// For people.
 [[nodiscard]] std::string to_text(const Likeness& likeness);

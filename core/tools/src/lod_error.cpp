@@ -103,7 +103,7 @@ std::array<Sums, kLevels> compare(const terrain::World& world, const terrain::Re
 }  // namespace
 
 LodError measure_lod_error(const terrain::World& world, const terrain::Region& region, int threads,
-                           Progress& progress) {
+                           ProgressBar& progress) {
   const PatchGrid grid{region, kPatchSide};
   progress.expect(region.columns());
   std::array<Sums, kLevels> levels;

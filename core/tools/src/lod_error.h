@@ -6,8 +6,8 @@
 
 #include <talus/terrain/world.h>
 
+#include <talus/progress/progress_bar.h>
 #include "failure.h"
-#include "progress.h"
 
 namespace talus::tools {
 
@@ -29,7 +29,7 @@ struct LodError {
 
 /// Over the base columns of `region`, which is square, of level 0, and aligned to the columns of level 6.
 [[nodiscard]] LodError measure_lod_error(const terrain::World& world, const terrain::Region& region,
-                                         int threads, Progress& progress);
+                                         int threads, ProgressBar& progress);
 
 /// For people.
 [[nodiscard]] std::string to_text(const LodError& error);

@@ -110,7 +110,7 @@ class MapPainter {
 }  // namespace
 
 Image render_map(const terrain::World& world, const terrain::Region& region, const MapOptions& options,
-                 Progress& progress) {
+                 ProgressBar& progress) {
   Image image{region.width, region.depth};
   const PatchGrid grid{region, options.patch_edge};
   const MapPainter painter{world, region.lod};

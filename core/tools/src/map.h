@@ -4,8 +4,8 @@
 #include <talus/terrain/field.h>
 #include <talus/terrain/world.h>
 
+#include <talus/progress/progress_bar.h>
 #include "image.h"
-#include "progress.h"
 
 namespace talus::tools {
 
@@ -18,6 +18,6 @@ struct MapOptions {
 /// base voxel of its stack, so thin soil lets the rock shine through; the sea lets its bed shine through
 /// where it is shallow. Memory: the picture, and some patches a thread.
 [[nodiscard]] Image render_map(const terrain::World& world, const terrain::Region& region,
-                               const MapOptions& options, Progress& progress);
+                               const MapOptions& options, ProgressBar& progress);
 
 }  // namespace talus::tools

@@ -104,7 +104,7 @@ std::vector<ContentHash> hash_patch(const terrain::World& world, const terrain::
 }  // namespace
 
 ContentHash hash_region(const terrain::World& world, const terrain::Region& region,
-                        const HashOptions& options, Progress& progress) {
+                        const HashOptions& options, ProgressBar& progress) {
   const PatchGrid grid{chunks_over(region), options.patch_chunks};
   progress.expect(grid.region().columns());
   Hasher hasher;

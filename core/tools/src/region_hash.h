@@ -7,7 +7,7 @@
 #include <talus/terrain/world.h>
 #include <talus/voxel/content_hash.h>
 
-#include "progress.h"
+#include <talus/progress/progress_bar.h>
 
 namespace talus::tools {
 
@@ -26,6 +26,6 @@ struct HashOptions {
 ///
 /// All numbers little endian. Memory: 16 bytes a chunk along the region's width, and some patches a thread.
 [[nodiscard]] ContentHash hash_region(const terrain::World& world, const terrain::Region& region,
-                                      const HashOptions& options, Progress& progress);
+                                      const HashOptions& options, ProgressBar& progress);
 
 }  // namespace talus::tools

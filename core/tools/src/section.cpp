@@ -101,7 +101,7 @@ class SectionPainter {
 }  // namespace
 
 Expected<Image> render_section(const terrain::World& world, const terrain::Region& line,
-                               const SectionOptions& options, Progress& progress) {
+                               const SectionOptions& options, ProgressBar& progress) {
   const std::int32_t bottom = -8;
   std::vector<Column> columns;
   const PatchGrid grid{line, kPatchColumns};

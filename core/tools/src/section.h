@@ -6,9 +6,9 @@
 #include <talus/terrain/field.h>
 #include <talus/terrain/world.h>
 
+#include <talus/progress/progress_bar.h>
 #include "failure.h"
 #include "image.h"
-#include "progress.h"
 
 namespace talus::tools {
 
@@ -21,6 +21,6 @@ struct SectionOptions {
 /// rows are those of the chunks. Cut from a few rows under y = 0 to a few above the highest surface.
 /// Refused where the picture would pass the limits of image.h.
 [[nodiscard]] Expected<Image> render_section(const terrain::World& world, const terrain::Region& line,
-                                             const SectionOptions& options, Progress& progress);
+                                             const SectionOptions& options, ProgressBar& progress);
 
 }  // namespace talus::tools

@@ -52,7 +52,7 @@ double growth(const std::vector<Table1Row>& rows, Spread Table1Row::*column) {
 
 }  // namespace
 
-Expected<Table1> run_table1(const WorldText& text, int seeds, Progress& progress) {
+Expected<Table1> run_table1(const WorldText& text, int seeds, ProgressBar& progress) {
   Table1 table;
   table.seeds = seeds;
   std::uint64_t columns = 0;

@@ -6,8 +6,8 @@
 
 #include <talus/terrain/world.h>
 
+#include <talus/progress/progress_bar.h>
 #include "failure.h"
-#include "progress.h"
 #include "spread.h"
 #include "world_file.h"
 
@@ -35,7 +35,7 @@ struct Table1 {
 
 /// Whole generation of `seeds` terrains of each size by both methods, on one thread: surface, strata, loose
 /// material, by the erosion method to rest. Seeds are 1, 2, ...
-[[nodiscard]] Expected<Table1> run_table1(const WorldText& text, int seeds, Progress& progress);
+[[nodiscard]] Expected<Table1> run_table1(const WorldText& text, int seeds, ProgressBar& progress);
 
 /// For people.
 [[nodiscard]] std::string to_text(const Table1& table);

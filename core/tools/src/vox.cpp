@@ -107,7 +107,8 @@ RowRange rows_of_region(const terrain::World& world, const terrain::Region& regi
 }  // namespace
 
 Expected<void> write_vox(const terrain::World& world, const terrain::Region& region,
-                         const std::filesystem::path& target, const VoxOptions& options, Progress& progress) {
+                         const std::filesystem::path& target, const VoxOptions& options,
+                         ProgressBar& progress) {
   const auto palette = palette_of(world);
   if (!palette) return tl::make_unexpected(palette.error());
   auto file = VoxFile::create(target);

@@ -6,8 +6,8 @@
 #include <talus/terrain/field.h>
 #include <talus/terrain/world.h>
 
+#include <talus/progress/progress_bar.h>
 #include "failure.h"
-#include "progress.h"
 
 namespace talus::tools {
 
@@ -23,6 +23,6 @@ struct VoxOptions {
 /// palette index is its material's id. Memory: one model of voxels a thread.
 [[nodiscard]] Expected<void> write_vox(const terrain::World& world, const terrain::Region& region,
                                        const std::filesystem::path& target, const VoxOptions& options,
-                                       Progress& progress);
+                                       ProgressBar& progress);
 
 }  // namespace talus::tools

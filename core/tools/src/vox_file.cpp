@@ -84,7 +84,7 @@ std::string to_text(glm::ivec3 vector) {
 }  // namespace
 
 Expected<VoxFile> VoxFile::create(const std::filesystem::path& target) {
-  auto file = AtomicFile::create(target);
+  auto file = files::AtomicFile::create(target);
   if (!file) return tl::make_unexpected(file.error());
   VoxFile vox{std::move(*file)};
   vox.bytes_ = kHeaderBytes + kChunkHeaderBytes;  // written last, when the length is known
@@ -98,7 +98,7 @@ Expected<void> VoxFile::append(std::span<const std::byte> bytes) {
         file_.target().string() +
         ": a .vox file holds at most 2 GiB; ask for a smaller --size or --depth, or a higher --lod");
   }
-  if (auto written = file_.write_at(bytes_, bytes); !written) return written;
+  if (auto written = file_.write_at(bytes_, bytes); !written) return outcome_of(written);
   bytes_ += bytes.size();
   return {};
 }
@@ -150,8 +150,8 @@ Expected<void> VoxFile::finish(std::span<const terrain::Colour> colours, std::in
   Content header;
   header.text("VOX ").number(kVersion);
   header.text("MAIN").number(0).number(static_cast<std::int32_t>(bytes_ - kHeaderBytes - kChunkHeaderBytes));
-  if (auto done = file_.write_at(0, header.bytes()); !done) return done;
-  return file_.commit();
+  if (auto done = file_.write_at(0, header.bytes()); !done) return outcome_of(done);
+  return outcome_of(file_.commit());
 }
 
 }  // namespace talus::tools

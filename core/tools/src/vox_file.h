@@ -12,7 +12,7 @@
 #include <talus/terrain/world.h>
 #include <glm/vec3.hpp>
 
-#include "atomic_file.h"
+#include <talus/files/atomic_file.h>
 #include "failure.h"
 
 namespace talus::tools {
@@ -55,10 +55,10 @@ class VoxFile {
     std::string name;
     glm::ivec3 translation{0};
   };
-  explicit VoxFile(AtomicFile file) : file_{std::move(file)} {}
+  explicit VoxFile(files::AtomicFile file) : file_{std::move(file)} {}
   [[nodiscard]] Expected<void> append(std::span<const std::byte> bytes);
 
-  AtomicFile file_;
+  files::AtomicFile file_;
   std::uint64_t bytes_ = 0;
   std::vector<Placed> placed_;
 };

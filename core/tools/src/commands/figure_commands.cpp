@@ -7,7 +7,8 @@
 #include <string>
 #include <system_error>
 
-#include "atomic_file.h"
+#include <talus/files/atomic_file.h>
+
 #include "commands/command.h"
 #include "gallery.h"
 #include "likeness.h"
@@ -19,13 +20,6 @@
 namespace talus::tools {
 namespace {
 
-Expected<void> write_whole(const std::filesystem::path& path, const std::string& text) {
-  auto file = AtomicFile::create(path);
-  if (!file) return tl::make_unexpected(file.error());
-  if (auto written = file->write_at(0, std::as_bytes(std::span{text})); !written) return written;
-  return file->commit();
-}
-
 Expected<void> print(const std::string& text) {
   std::fputs(text.c_str(), stdout);
   if (std::fflush(stdout) != 0) return failed(std::string{"standard output: "} + std::strerror(errno));
@@ -36,7 +30,8 @@ Expected<void> print(const std::string& text) {
 template <class Figures>
 Expected<void> report(const Figures& figures, const std::string& json_path) {
   if (auto printed = print(to_text(figures)); !printed) return printed;
-  return json_path.empty() ? Expected<void>{} : write_whole(json_path, to_json(figures));
+  if (json_path.empty()) return {};
+  return outcome_of(files::write_file(json_path, to_json(figures)));
 }
 
 struct GalleryArguments {
@@ -49,7 +44,7 @@ struct GalleryArguments {
 Expected<void> run_gallery(const GalleryArguments& arguments) {
   const auto text = read_world_text(arguments.world);
   if (!text) return tl::make_unexpected(text.error());
-  Progress progress{"gallery", "rows"};
+  ProgressBar progress{"gallery", "rows"};
   return write_gallery(*text, arguments.only, arguments.output, arguments.threads, progress);
 }
 
@@ -69,20 +64,20 @@ Expected<void> run_table1_command(const SeedsArguments& arguments) {
     if (made) return failed(directory.string() + ": cannot make the directory: " + made.message());
   }
   const auto table = [&] {
-    Progress progress{"table1", "columns"};
+    ProgressBar progress{"table1", "columns"};
     return run_table1(*text, arguments.seeds, progress);
   }();
   if (!table) return tl::make_unexpected(table.error());
   if (directory.empty()) return print(to_text(*table));
   if (auto reported = report(*table, (directory / "table1.json").string()); !reported) return reported;
-  return write_whole(directory / "table1.svg", to_svg(*table));
+  return outcome_of(files::write_file(directory / "table1.svg", to_svg(*table)));
 }
 
 Expected<void> run_likeness(const SeedsArguments& arguments) {
   const auto text = read_world_text(arguments.world);
   if (!text) return tl::make_unexpected(text.error());
   const auto likeness = [&] {
-    Progress progress{"likeness", "seeds"};
+    ProgressBar progress{"likeness", "seeds"};
     return measure_likeness(*text, arguments.seeds, progress);
   }();
   if (!likeness) return tl::make_unexpected(likeness.error());
@@ -115,7 +110,7 @@ Expected<void> run_lod_error(const LodErrorArguments& arguments) {
   const auto world = load_world(arguments.world);
   if (!world) return tl::make_unexpected(world.error());
   const LodError error = [&] {
-    Progress progress{"lod-error", "columns"};
+    ProgressBar progress{"lod-error", "columns"};
     return measure_lod_error(*world, *region, arguments.threads, progress);
   }();
   return report(error, arguments.output);

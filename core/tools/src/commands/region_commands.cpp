@@ -65,7 +65,7 @@ Expected<void> run_map(const Arguments& arguments) {
   if (!world) return tl::make_unexpected(world.error());
   auto file = PngFile::create(arguments.output);
   if (!file) return tl::make_unexpected(file.error());
-  Progress progress{"map", "columns"};
+  ProgressBar progress{"map", "columns"};
   return file->write(render_map(*world, *region, {.threads = arguments.threads}, progress));
 }
 
@@ -87,7 +87,7 @@ Expected<void> run_section(const SectionArguments& arguments) {
   if (!world) return tl::make_unexpected(world.error());
   auto file = PngFile::create(arguments.output);
   if (!file) return tl::make_unexpected(file.error());
-  Progress progress{"section", "columns"};
+  ProgressBar progress{"section", "columns"};
   const auto image =
       render_section(*world, *line, {.threads = arguments.threads, .scale = arguments.scale}, progress);
   if (!image) return tl::make_unexpected(image.error());
@@ -97,7 +97,7 @@ Expected<void> run_section(const SectionArguments& arguments) {
 Expected<void> run_export(const Arguments& arguments) {
   const auto where = at_origin(arguments, kMaxExportSide);
   if (!where) return tl::make_unexpected(where.error());
-  Progress progress{"export", "columns"};
+  ProgressBar progress{"export", "columns"};
   return export_region(where->world, where->region, arguments.output, {.threads = arguments.threads},
                        progress);
 }
@@ -107,7 +107,7 @@ Expected<void> run_hash(const Arguments& arguments) {
   if (!where) return tl::make_unexpected(where.error());
   std::string digits;
   {
-    Progress progress{"hash", "chunk columns"};
+    ProgressBar progress{"hash", "chunk columns"};
     digits = to_string(hash_region(where->world, where->region, {.threads = arguments.threads}, progress));
   }
   if (std::printf("%s\n", digits.c_str()) < 0 || std::fflush(stdout) != 0) {
@@ -123,7 +123,7 @@ struct VoxArguments : Arguments {
 Expected<void> run_vox(const VoxArguments& arguments) {
   const auto where = at_origin(arguments, kVoxSceneSide);
   if (!where) return tl::make_unexpected(where.error());
-  Progress progress{"vox", "models"};
+  ProgressBar progress{"vox", "models"};
   return write_vox(where->world, where->region, arguments.output,
                    {.threads = arguments.threads, .depth = arguments.depth}, progress);
 }

@@ -1,0 +1,137 @@
+# How every target of this project is compiled.
+find_package(PkgConfig REQUIRED)
+find_package(Threads REQUIRED)
+find_package(glm REQUIRED)
+find_package(tl-expected REQUIRED)
+
+# Debian's glm and flatbuffers packages put their headers in /usr/include; tl::expected ships a target.
+add_library(talus_flags INTERFACE)
+target_compile_features(talus_flags INTERFACE cxx_std_20)
+# No fused multiply-add anywhere: generation is the same to the bit on every machine (docs/DESIGN.md).
+target_compile_options(talus_flags INTERFACE
+  -Wall -Wextra -Wpedantic -Wconversion -Wshadow -ffp-contract=off
+  # g++ 12 sees overlapping copies in "literal" + std::string where there are none (GCC bug 105651).
+  $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>
+  # Where it inlines one of a coroutine frame's new and delete, it takes them for a pair that is none.
+  $<$<CXX_COMPILER_ID:GNU>:-Wno-mismatched-new-delete>
+  # libstdc++ silences these three for its own char_traits by pragmas, which g++ loses in a precompiled header.
+  # Builds without precompiled headers keep them: release-plain and those of the sanitizers.
+  "$<$<AND:$<CXX_COMPILER_ID:GNU>,$<NOT:$<BOOL:${CMAKE_DISABLE_PRECOMPILE_HEADERS}>>>:-Wno-array-bounds;-Wno-stringop-overflow;-Wno-stringop-overread>"
+  $<$<BOOL:${TALUS_WARNINGS_AS_ERRORS}>:-Werror>)
+if(TALUS_SANITIZE)
+  target_compile_options(talus_flags INTERFACE -fsanitize=${TALUS_SANITIZE} -fno-sanitize-recover=all
+    -fno-omit-frame-pointer)
+  target_link_options(talus_flags INTERFACE -fsanitize=${TALUS_SANITIZE})
+  if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+    # Instrumented code confuses these; the sanitizers see better. Asio's fences (-Wtsan) stand beside locks.
+    target_compile_options(talus_flags INTERFACE -Wno-maybe-uninitialized -Wno-tsan)
+  endif()
+endif()
+
+# What most test files read, parsed once instead of once for each file. Every file still includes what it uses: the
+# builds of clang and the sanitizers have neither precompiled headers nor unity sources.
+set(talus_precompiled <algorithm> <array> <chrono> <cmath> <cstdint> <filesystem> <fstream> <functional> <map> <memory>
+  <optional> <span> <sstream> <string> <string_view> <unordered_map> <utility> <vector> <glm/vec3.hpp> <tl/expected.hpp>)
+set(talus_precompiled_net ${talus_precompiled} <asio/awaitable.hpp> <asio/co_spawn.hpp> <asio/io_context.hpp>
+  <asio/ip/tcp.hpp> <asio/steady_timer.hpp> <asio/use_awaitable.hpp> <asio/write.hpp> <talus/protocol/message.h>)
+
+# Unity builds (CMAKE_UNITY_BUILD, on in the release preset): a target's sources are compiled together, up to this many
+# at once, so that what they include is parsed and instantiated once. Names in anonymous namespaces are then shared.
+if(NOT DEFINED CMAKE_UNITY_BUILD_BATCH_SIZE)
+  set(CMAKE_UNITY_BUILD_BATCH_SIZE 24)
+endif()
+if(CMAKE_UNITY_BUILD)
+  # In a unity source every file but the unity source itself counts as a header.
+  target_compile_options(talus_flags INTERFACE $<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage>)
+endif()
+
+# talus_alone(SOURCE...): sources that stay out of unity builds.
+function(talus_alone)
+  set_source_files_properties(${ARGV} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
+endfunction()
+
+# talus_brief_sources(SOURCE...): sources that run once, or seldom, and instantiate libraries that take many seconds to
+# optimise. They go without the precompiled headers, which are for the target's own level.
+function(talus_brief_sources)
+  set_source_files_properties(${ARGV} PROPERTIES COMPILE_OPTIONS $<$<CONFIG:Release>:-O1> SKIP_PRECOMPILE_HEADERS ON)
+endfunction()
+
+# talus_module(NAME SOURCES ... PUBLIC modules and libraries ... PRIVATE ...): a static library whose headers
+# lie in include/talus/<module>, known to those who link talus::NAME and to nobody else.
+function(talus_module name)
+  cmake_parse_arguments(MODULE "" "" "SOURCES;PUBLIC;PRIVATE" ${ARGN})
+  add_library(talus_${name} STATIC ${MODULE_SOURCES})
+  add_library(talus::${name} ALIAS talus_${name})
+  set_target_properties(talus_${name} PROPERTIES EXPORT_NAME ${name} POSITION_INDEPENDENT_CODE ON)
+  target_compile_features(talus_${name} PUBLIC cxx_std_20)
+  target_include_directories(talus_${name}
+    PUBLIC $<BUILD_INTERFACE:${CMAKE_CURRENT_SOURCE_DIR}/include> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>
+    PRIVATE ${CMAKE_CURRENT_SOURCE_DIR}/src)
+  target_link_libraries(talus_${name} PUBLIC ${MODULE_PUBLIC} PRIVATE $<BUILD_INTERFACE:talus_flags> ${MODULE_PRIVATE})
+  # A kernel source includes itself once for each instruction set (Highway's foreach_target.h): one to a compilation.
+  foreach(source IN LISTS MODULE_SOURCES)
+    if(source MATCHES "kernels\\.cpp$|kernels/.*\\.cpp$")
+      talus_alone(${source})
+    endif()
+  endforeach()
+endfunction()
+
+# talus_server_module(NAME [BRIEF] SOURCES ... LINK libraries ...): the folder server/NAME as a target talus_server_NAME,
+# which links the modules of the server that docs/modules.txt lets it include, so that a test links a module by itself.
+# BRIEF: all of it runs once or seldom and is compiled by -O1.
+function(talus_server_module name)
+  cmake_parse_arguments(MODULE "BRIEF" "" "SOURCES;LINK" ${ARGN})
+  set(target talus_server_${name})
+  talus_dependencies(server/${name} depends)
+  list(FILTER depends INCLUDE REGEX "^server/")
+  list(TRANSFORM depends REPLACE "^server/" "talus_server_")
+  if(NOT MODULE_SOURCES)
+    add_library(${target} INTERFACE)
+    target_include_directories(${target} INTERFACE ${PROJECT_SOURCE_DIR}/server)
+    target_link_libraries(${target} INTERFACE ${depends} ${MODULE_LINK})
+    return()
+  endif()
+  add_library(${target} STATIC ${MODULE_SOURCES})
+  target_include_directories(${target} PUBLIC ${PROJECT_SOURCE_DIR}/server)
+  target_compile_definitions(${target} PRIVATE TALUS_VERSION="${PROJECT_VERSION}")
+  target_link_libraries(${target} PUBLIC ${depends} ${MODULE_LINK} PRIVATE talus_flags)
+  if(MODULE_BRIEF)
+    target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)
+  endif()
+endfunction()
+
+# talus_dependencies(MODULE VARIABLE): the modules that docs/modules.txt lets MODULE include.
+function(talus_dependencies module variable)
+  set(table ${PROJECT_SOURCE_DIR}/docs/modules.txt)
+  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${table})
+  file(STRINGS ${table} line REGEX "^${module} *\\|")
+  if(NOT line)
+    message(FATAL_ERROR "${module} is not in docs/modules.txt")
+  endif()
+  string(REGEX REPLACE "^[^|]*\\|([^|]*)\\|.*$" "\\1" depends "${line}")
+  string(STRIP "${depends}" depends)
+  separate_arguments(depends)
+  set(${variable} ${depends} PARENT_SCOPE)
+endfunction()
+
+macro(talus_room)
+  talus_module(${ARGV})
+endmacro()
+
+# talus_program(NAME SOURCES ... LINK ...): an executable.
+function(talus_program name)
+  cmake_parse_arguments(PROGRAM "" "" "SOURCES;LINK" ${ARGN})
+  add_executable(${name} ${PROGRAM_SOURCES})
+  target_compile_definitions(${name} PRIVATE TALUS_VERSION="${PROJECT_VERSION}")
+  target_link_libraries(${name} PRIVATE talus_flags ${PROGRAM_LINK})
+endfunction()
+
+# Asio without Boost. clang with libstdc++ needs to be told that it has coroutines.
+add_library(talus_asio INTERFACE)
+add_library(talus::asio ALIAS talus_asio)
+set_target_properties(talus_asio PROPERTIES EXPORT_NAME asio)
+# Whether Asio uses aligned_alloc depends on what was included before it; a frame made in one file and freed in
+# another would then be freed the wrong way.
+target_compile_definitions(talus_asio INTERFACE ASIO_STANDALONE ASIO_NO_DEPRECATED ASIO_DISABLE_STD_ALIGNED_ALLOC
+  $<$<CXX_COMPILER_ID:Clang>:ASIO_HAS_CO_AWAIT=1> $<$<CXX_COMPILER_ID:Clang>:ASIO_HAS_STD_COROUTINE=1>)
+target_link_libraries(talus_asio INTERFACE Threads::Threads)

@@ -1,0 +1,77 @@
+#include "command_line/connect_options.h"
+
+#include <cstdlib>
+
+#include <CLI/CLI.hpp>
+
+#include <talus/files/read_file.h>
+#include <talus/protocol/limits.h>
+
+namespace talus::command_line {
+namespace {
+
+constexpr std::size_t kMaxTokenBytes = protocol::kMaxStringBytes;
+
+tl::expected<std::string, std::string> read_token(const ConnectWords& words) {
+  if (words.token_file.empty()) return words.token;
+  const auto wrong = [&](const std::string& what) {
+    return tl::unexpected{"--token-file " + words.token_file + ": " + what};
+  };
+  constexpr std::size_t kLineEndBytes = 2;
+  auto text = files::read_file(words.token_file, kMaxTokenBytes + kLineEndBytes);
+  if (!text && text.error().code != std::errc::file_too_large) return wrong(text.error().reason);
+  if (text && text->ends_with('\n')) text->pop_back();
+  if (text && text->ends_with('\r')) text->pop_back();
+  if (!text || text->empty() || text->size() > kMaxTokenBytes) {
+    return wrong("holds no token; give a file with 1 to " + std::to_string(kMaxTokenBytes) + " bytes");
+  }
+  return *std::move(text);
+}
+
+}  // namespace
+
+void add_connect_options(CLI::App& app, ConnectWords& words) {
+  app.add_option("--connect", words.connect, "HOST:PORT of the server")->capture_default_str();
+  // A flag takes the place of both variables, so they are looked at where no flag was.
+  auto* file =
+      app.add_option("--token-file", words.token_file,
+                     "File with the token that the server's operator gave out, or $TALUS_TOKEN_FILE");
+  auto* token = app.add_option(
+      "--token", words.token,
+      "The token itself, which all users of this machine can see, or $TALUS_TOKEN, which they cannot");
+  file->excludes(token);
+  app.callback([&words, file, token] {
+    if (file->count() != 0 || token->count() != 0) return;
+    if (const char* text = std::getenv("TALUS_TOKEN")) words.token = text;
+    if (const char* name = std::getenv("TALUS_TOKEN_FILE"); name != nullptr && words.token.empty())
+      words.token_file = name;
+  });
+  app.add_flag("--tls", words.tls.on, "Connect by TLS");
+  app.add_option(
+      "--ca", words.tls.ca_file,
+      "Connect by TLS and trust the certificates in this PEM file (default: those the system trusts)");
+  app.add_option("--tls-name", words.tls.server_name,
+                 "Connect by TLS and expect a certificate for this name (default: the host of --connect)");
+}
+
+tl::expected<ConnectOptions, std::string> read_connect_options(const ConnectWords& words) {
+  auto server = read_server_address("--connect", words.connect);
+  if (!server) return tl::unexpected{server.error()};
+  auto token = read_token(words);
+  if (!token) return tl::unexpected{token.error()};
+  ConnectOptions options{*std::move(server), *std::move(token), words.tls};
+  options.tls.on = words.tls.on || !words.tls.ca_file.empty() || !words.tls.server_name.empty();
+  return options;
+}
+
+tl::expected<protocol::Endpoint, std::string> read_server_address(std::string_view option,
+                                                                  std::string_view text) {
+  auto endpoint = protocol::parse_endpoint(text);
+  const bool listens = endpoint && endpoint->port != 0;
+  if (listens) return endpoint;
+  const std::string reason =
+      endpoint ? "no server listens on port 0; give one from 1 to 65535" : endpoint.error();
+  return tl::unexpected{std::string{option} + " " + std::string{text} + ": " + reason};
+}
+
+}  // namespace talus::command_line

@@ -1,0 +1,44 @@
+// Which server to connect to, by TLS or not, and what to show it.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include <tl/expected.hpp>
+
+#include <talus/client/options.h>
+#include <talus/protocol/endpoint.h>
+
+namespace CLI {
+class App;
+}
+
+namespace talus::command_line {
+
+/// As the user typed it.
+struct ConnectWords {
+  std::string connect = "localhost:4780";
+  std::string token;
+  std::string token_file;
+  client::TlsOptions tls;
+};
+
+/// Adds --connect, --token-file (or TALUS_TOKEN_FILE), --token (or TALUS_TOKEN), --tls, --ca and --tls-name.
+/// Variables, unlike words, are not in the list of processes; flags win over them. `words` outlives the
+/// parsing.
+void add_connect_options(CLI::App& app, ConnectWords& words);
+
+struct ConnectOptions {
+  protocol::Endpoint server;
+  std::string token;  // empty: none
+  client::TlsOptions tls;
+};
+
+/// The error is one line that names the option.
+[[nodiscard]] tl::expected<ConnectOptions, std::string> read_connect_options(const ConnectWords& words);
+
+/// HOST:PORT of a server that listens, so not port 0. The error names `option`.
+[[nodiscard]] tl::expected<protocol::Endpoint, std::string> read_server_address(std::string_view option,
+                                                                                std::string_view text);
+
+}  // namespace talus::command_line

@@ -1,0 +1,19 @@
+// Why a file could not be read or written.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <system_error>
+
+namespace talus::files {
+
+struct FileError {
+  std::filesystem::path path;  // as the caller gave it
+  std::string reason;          // "cannot write: No space left on device", "is not a regular file"
+  std::error_code code;        // the system's error; empty where the file was refused without one
+
+  /// One line: "PATH: REASON".
+  [[nodiscard]] std::string message() const;
+};
+
+}  // namespace talus::files

@@ -1,0 +1,45 @@
+// A progress bar with rate and time left.
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <string>
+
+namespace talus {
+
+/// Draws on stderr where that is a terminal and the work takes over a second, ten times a second at most; the
+/// destructor erases the line. For one thread.
+class ProgressBar {
+ public:
+  /// `label` stands before the bar; `unit` names what is counted, as "columns".
+  ProgressBar(std::string label, std::string unit);
+  ProgressBar(const ProgressBar&) = delete;
+  ProgressBar& operator=(const ProgressBar&) = delete;
+  ~ProgressBar();
+
+  /// How much there is to count.
+  void expect(std::uint64_t total) { total_ = total; }
+  void advance(std::uint64_t amount);
+
+  /// For work whose end is no count: `part` of it, 0 to 1, is done, and `count` units so far. `remark` ends
+  /// the line.
+  void show(double part, std::uint64_t count, const std::string& remark = {});
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  std::string label_;
+  std::string unit_;
+  bool terminal_;
+  bool drawn_ = false;
+  std::uint64_t total_ = 0;
+  std::uint64_t done_ = 0;
+  Clock::time_point started_ = Clock::now();
+  Clock::time_point next_draw_;
+};
+
+/// "[#####.....]  50 %  1.2 k columns/s  3 s left": what the bar says after `seconds`.
+[[nodiscard]] std::string progress_line(double part, std::uint64_t count, double seconds,
+                                        const std::string& unit);
+
+}  // namespace talus

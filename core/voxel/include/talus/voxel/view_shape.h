@@ -1,0 +1,102 @@
+// Which chunks a View has. Server and client both use this: what the server sends is exactly what the client
+// expects. Pure functions of values; any thread may call them. Test vectors for other implementations:
+// core/voxel/vectors.
+//
+// A View has a centre, which is a base chunk c (the chunk of level 0 that holds the wire's centre voxel,
+// floor(voxel / 32) along each axis), a horizontal radius h, a vertical radius v, both in base chunks, and
+// rings (l_1, r_1), (l_2, r_2), ... of a level and a radius in base chunks, both growing from ring to ring.
+// With l_0 = 0 and r_0 = h, level l_i of the View has, in chunks of that level and with floor division:
+//
+//   outer box:  X_i = (c.x - r_i) / 2^l_i  to  (c.x + r_i) / 2^l_i      both ends included; Z_i alike
+//               Y_i = (c.y - v)   / 2^l_i  to  (c.y + v)   / 2^l_i
+//   inner box:  the columns of level l_i that lie wholly inside the columns of the level before, which are
+//   the base (i > 0)     columns from  b = first(X_(i-1)) * 2^l_(i-1)  up to, but not with,  e =
+//   (last(X_(i-1)) + 1) * 2^l_(i-1).
+//               Along x they are  ceil(b / 2^l_i)  to  floor(e / 2^l_i) - 1; along z alike. Either may be
+//               empty.
+//
+// A chunk (x, y, z) of level l_i belongs to the View where x is in X_i, y in Y_i and z in Z_i, unless x and z
+// are both in the inner box. The inner box is made from the level before as it is aligned to that level's
+// chunks, which is more than r_(i-1) base chunks wide, and it covers all rows. Chunks outside the world,
+// beyond chunk_limit(level), are left out last.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include <glm/vec3.hpp>
+
+#include <talus/voxel/coords.h>
+
+namespace talus {
+
+/// Chunk coordinates along one axis, both ends included; empty where last < first.
+struct ChunkRange {
+  std::int64_t first = 0;
+  std::int64_t last = -1;
+
+  [[nodiscard]] std::uint64_t size() const {
+    return last < first ? 0 : static_cast<std::uint64_t>(last - first) + 1;
+  }
+  [[nodiscard]] bool contains(std::int64_t at) const { return first <= at && at <= last; }
+  bool operator==(const ChunkRange&) const = default;
+};
+
+[[nodiscard]] inline ChunkRange overlap(ChunkRange a, ChunkRange b) {
+  return {std::max(a.first, b.first), std::min(a.last, b.last)};
+}
+
+/// Chunks of a coarser level around a View.
+struct ViewRing {
+  Lod lod;         // 1 and up
+  int radius = 0;  // base chunks
+  bool operator==(const ViewRing&) const = default;
+};
+
+/// What decides which chunks a View has.
+struct ViewExtent {
+  glm::i64vec3 centre{};  // base chunk; each component within +-2^59, in the world or not
+  int horizontal_radius = 0;
+  int vertical_radius = 0;
+  std::vector<ViewRing> rings;  // levels and radii growing; radii below 2^24
+};
+
+/// The chunks of one level of a View: the outer box without the columns of the inner one.
+struct LevelBox {
+  Lod lod;
+  ChunkRange x, y, z;
+  ChunkRange inner_x, inner_z;
+
+  /// Whether the View has the column at this level; if so it has it in all rows y.
+  [[nodiscard]] bool has_column(std::int64_t at_x, std::int64_t at_z) const {
+    return x.contains(at_x) && z.contains(at_z) && !(inner_x.contains(at_x) && inner_z.contains(at_z));
+  }
+  [[nodiscard]] bool contains(ChunkCoord chunk) const {
+    return y.contains(chunk.y) && has_column(chunk.x, chunk.z);
+  }
+  [[nodiscard]] std::uint64_t count() const;
+
+  /// Calls visit(x, z) for every column, z slowest.
+  template <typename Visit>
+  void for_each_column(Visit&& visit) const {
+    for (std::int64_t at_z = z.first; at_z <= z.last; ++at_z) {
+      for (std::int64_t at_x = x.first; at_x <= x.last; ++at_x) {
+        if (has_column(at_x, at_z)) visit(at_x, at_z);
+      }
+    }
+  }
+};
+
+/// Whether the world's edge cuts a View off. Limits on the size of a View count it uncut.
+enum class WorldEdge : std::uint8_t { cuts, ignored };
+
+/// Level 0 and then each ring. Costs nothing that grows with the radii. With WorldEdge::cuts every range lies
+/// inside the world, and may be empty.
+[[nodiscard]] std::vector<LevelBox> level_boxes(const ViewExtent& view, WorldEdge edge = WorldEdge::cuts);
+
+/// How many chunks all levels have together.
+[[nodiscard]] std::uint64_t count_chunks(std::span<const LevelBox> boxes);
+
+}  // namespace talus

@@ -1,0 +1,113 @@
+#include "command_line/connect_options.h"
+
+#include <stdlib.h>
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+#include <catch2/catch.hpp>
+
+#include "command_line/parse.h"
+#include "scratch_directory.h"
+
+namespace talus::command_line {
+namespace {
+
+/// A variable for as long as a test needs it.
+class Variable {
+ public:
+  Variable(const char* name, const std::string& value) : name_{name} { ::setenv(name, value.c_str(), 1); }
+  Variable(const Variable&) = delete;
+  Variable& operator=(const Variable&) = delete;
+  ~Variable() { ::unsetenv(name_); }
+
+ private:
+  const char* name_;
+};
+
+/// What the words after the program's name say, after its variables.
+ConnectWords parsed(std::vector<const char*> words) {
+  words.insert(words.begin(), "program");
+  CLI::App app;
+  ConnectWords connect;
+  add_connect_options(app, connect);
+  REQUIRE_FALSE(parse(app, static_cast<int>(words.size()), words.data()));
+  return connect;
+}
+
+ConnectWords token_in(const std::string& file) {
+  ConnectWords words;
+  words.token_file = file;
+  return words;
+}
+
+std::string token(std::vector<const char*> words) {
+  const auto options = read_connect_options(parsed(std::move(words)));
+  REQUIRE(options.has_value());
+  return options->token;
+}
+
+}  // namespace
+
+TEST_CASE("a token comes from a file, a word or a variable, and flags win") {
+  const ScratchDirectory scratch;
+  const std::string file = scratch.write("token", "from a file\r\n");
+  CHECK(token({}).empty());
+  CHECK(token({"--token-file", file.c_str()}) == "from a file");
+  CHECK(token({"--token", "a word"}) == "a word");
+  const Variable of_file{"TALUS_TOKEN_FILE", file};
+  CHECK(token({}) == "from a file");
+  const Variable variable{"TALUS_TOKEN", "a variable"};
+  CHECK(token({}) == "a variable");
+  CHECK(token({"--token", "a word"}) == "a word");
+  CHECK(token({"--token-file", file.c_str()}) == "from a file");
+}
+
+TEST_CASE("a token file that is none is one line") {
+  const ScratchDirectory scratch;
+  for (const std::string& file :
+       {std::string{"/nowhere"}, scratch.path().string(), scratch.write("empty", "\n"),
+        scratch.write("long", std::string(4097, 'x'))}) {
+    const auto none = read_connect_options(token_in(file));
+    REQUIRE_FALSE(none.has_value());
+    CHECK_THAT(none.error(), Catch::StartsWith("--token-file " + file + ": ") && !Catch::Contains("\n"));
+  }
+  const std::string longest = scratch.write("longest", std::string(4096, 'x') + "\n");
+  CHECK(read_connect_options(token_in(longest))->token.size() == 4096);
+}
+
+TEST_CASE("--ca and --tls-name turn TLS on") {
+  CHECK_FALSE(read_connect_options(parsed({}))->tls.on);
+  CHECK(read_connect_options(parsed({"--tls"}))->tls.on);
+  CHECK(read_connect_options(parsed({"--ca", "file"}))->tls.on);
+  CHECK(read_connect_options(parsed({"--tls-name", "name"}))->tls.on);
+}
+
+TEST_CASE("a server's address that is none names the option and what is wrong") {
+  for (const char* text : {"host", "host:0", "::1:80", ":80", "host:x"}) {
+    CAPTURE(text);
+    const auto address = read_server_address("--connect", text);
+    REQUIRE_FALSE(address.has_value());
+    CHECK_THAT(address.error(), Catch::StartsWith(std::string{"--connect "} + text + ": "));
+  }
+  CHECK(read_server_address("--connect", "[::1]:4780") == protocol::Endpoint{"::1", 4780});
+}
+
+TEST_CASE("a range refuses what is no number") {
+  CLI::App app;
+  double value = 0;
+  app.add_option("--value", value)->check(within(0, 5));
+  for (const char* text : {"nan", "inf", "-1", "5.1", "x", ""}) {
+    CAPTURE(text);
+    const std::array words{"program", "--value", text};
+    const auto exit = parse(app, 3, words.data());
+    REQUIRE(exit);
+    CHECK(exit->status == kExitWrongUse);
+  }
+  const std::array words{"program", "--value", "5"};
+  CHECK_FALSE(parse(app, 3, words.data()));
+}
+
+}  // namespace talus::command_line
