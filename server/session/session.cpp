@@ -7,6 +7,39 @@
 #include "session/replies.h"
 
 namespace talus::server {
+namespace {
+
+/// Puts a service's answers into a mailbox.
+class MailboxClient final : public ChunkClient {
+ public:
+  explicit MailboxClient(MailboxPtr mailbox) : mailbox_{std::move(mailbox)} {}
+  void chunks_ready(std::vector<ReadyChunk> chunks) override {
+    for (ReadyChunk& chunk : chunks) mailbox_->put(ChunkReady{chunk.key, std::move(chunk.answer)});
+    mailbox_->wake();
+  }
+  void heights_ready(std::uint64_t ticket, HeightsAnswer answer) override {
+    mailbox_->put(HeightsReady{ticket, std::move(answer)});
+    mailbox_->wake();
+  }
+
+ private:
+  MailboxPtr mailbox_;
+};
+
+}  // namespace
+
+Session::Session(const SessionContext& context, const MailboxPtr& mailbox, AddressBucketsPtr address)
+    : Session{context, std::move(address)} {
+  mailbox_ = mailbox;
+  client_ = std::make_shared<MailboxClient>(mailbox);
+}
+
+void Session::take_mail() {
+  for (const Mail& mail : mailbox_->take()) {
+    if (const auto* chunk = std::get_if<ChunkReady>(&mail)) chunk_ready(chunk->key, chunk->answer);
+    if (const auto* heights = std::get_if<HeightsReady>(&mail)) heights_ready(heights->ticket, heights->answer);
+  }
+}
 
 void Session::receive(std::span<const std::byte> frame, Clock::time_point now) {
   if (closing()) return;

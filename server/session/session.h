@@ -18,6 +18,8 @@
 #include <talus/protocol/frame.h>
 #include <talus/protocol/message.h>
 
+#include "chunks/mailbox.h"
+#include "clock/clock.h"
 #include "config/config.h"
 #include "generation/chunk_service.h"
 #include "memory/memory_budget.h"
@@ -33,6 +35,8 @@
 
 namespace talus::server {
 
+inline const SystemClock kSystemClock;
+
 /// What sessions share; outlives them.
 struct SessionContext {
   const Limits& limits;
@@ -41,6 +45,7 @@ struct SessionContext {
   Metrics& metrics;
   const AccessControl& access;
   const RateLimits& rates = kUnlimited;
+  const Clock& clock = kSystemClock;
 };
 
 class Session {
@@ -68,6 +73,13 @@ class Session {
       : context_{context},
         rates_{context.rates, std::move(address), context.metrics},
         memory_{context.chunks.memory(), MemoryUse::sessions} {}
+
+  /// Answers come by `mailbox`: take_mail().
+  Session(const SessionContext& context, const MailboxPtr& mailbox, AddressBucketsPtr address);
+  void take_mail();
+  void go_away(std::string_view reason, std::chrono::milliseconds retry_after) {
+    go_away(reason, static_cast<std::uint32_t>(retry_after.count()));
+  }
 
   /// `client` hands answers back to chunk_ready() and heights_ready() on the session's own thread.
   void attach(ChunkClientPtr client) { client_ = std::move(client); }
@@ -101,6 +113,9 @@ class Session {
   /// Chunks of `shared_from` bytes and more are not copied.
   [[nodiscard]] Output take_output(std::size_t enough_bytes, Clock::time_point now = Clock::now(),
                                    std::size_t shared_from = Output::kCopyAll);
+  [[nodiscard]] Output take_output(std::size_t enough_bytes, std::size_t shared_from) {
+    return take_output(enough_bytes, Clock::now(), shared_from);
+  }
   /// What was taken is written, and its memory free.
   void written() {
     writing_bytes_ = 0;
@@ -173,6 +188,7 @@ class Session {
   void answer_view(ChunkKey key, ChunkAnswer answer);
 
   SessionContext context_;
+  MailboxPtr mailbox_;
   ChunkClientPtr client_;
   std::optional<Greeting> greeting_;
   Credit credit_{0};

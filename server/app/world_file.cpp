@@ -1,4 +1,4 @@
-#include "world_file.h"
+#include "app/world_file.h"
 
 #include <system_error>
 

@@ -1,4 +1,4 @@
-#include "net/refusal.h"
+#include "net/refusals.h"
 
 #include <array>
 #include <chrono>
@@ -27,7 +27,7 @@ struct Closing {
   protocol::Frame error;
 };
 
-asio::awaitable<void> say_and_close(std::shared_ptr<Closing> closing) {
+asio::awaitable<void> send_and_close(std::shared_ptr<Closing> closing) {
   closing->deadline.expires_after(kTimeToRead);
   closing->deadline.async_wait([closing](std::error_code cancelled) {
     std::error_code ignored;
@@ -48,18 +48,19 @@ asio::awaitable<void> say_and_close(std::shared_ptr<Closing> closing) {
 
 }  // namespace
 
-void Refusals::refuse(asio::ip::tcp::socket socket, const std::string& text, std::uint32_t retry_after_ms) {
-  if (under_way_.fetch_add(1) >= kMost) {
-    --under_way_;
+void Refusals::refuse(asio::ip::tcp::socket socket, const std::string& text, std::chrono::milliseconds retry_after) {
+  if (in_flight_.fetch_add(1) >= kMax) {
+    --in_flight_;
     return;
   }
   const auto executor = socket.get_executor();
   auto closing =
       std::make_shared<Closing>(Closing{std::move(socket), asio::steady_timer{executor},
-                                        error_frame(wire::ErrorCode::overloaded, text, 0, retry_after_ms)});
+                                        error_frame(wire::ErrorCode::overloaded, text, 0,
+                                                    static_cast<std::uint32_t>(retry_after.count()))});
   asio::co_spawn(
-      executor, [closing] { return say_and_close(closing); },
-      [this](const std::exception_ptr&) { --under_way_; });
+      executor, [closing] { return send_and_close(closing); },
+      [this](const std::exception_ptr&) { --in_flight_; });
 }
 
 }  // namespace talus::server
