@@ -3,24 +3,14 @@
 
 #include <cstdint>
 #include <memory>
-#include <string>
 #include <vector>
-
-#include <tl/expected.hpp>
 
 #include <talus/terrain/stacks.h>
 #include <talus/voxel/coords.h>
 
-#include "chunks/encoded_chunk.h"
+#include "chunks/mailbox.h"
 
 namespace talus::server {
-
-/// The generator could not answer (out of memory); asking again may help.
-struct GenerationFailed {
-  std::string reason;
-};
-using ChunkAnswer = tl::expected<EncodedChunkPtr, GenerationFailed>;
-using HeightsAnswer = tl::expected<std::vector<std::int32_t>, GenerationFailed>;
 
 struct ReadyChunk {
   ChunkKey key;

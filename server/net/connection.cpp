@@ -31,7 +31,6 @@ using std::chrono::milliseconds;
 
 constexpr int kUnsentLowWaterBytes = 16 * 1024;
 constexpr milliseconds kTimeToClose{2000};   // to write the last frames and to read the client's end
-constexpr milliseconds kRetryInterval{100};  // while the generators' queue is full
 
 // A piece more for the system costs as much as copying some 2 KiB that lie far away. Below 64 pieces a write
 // of the most that is gathered stays one call.
@@ -68,59 +67,17 @@ std::string described(const Grant& grant) {
 
 }  // namespace
 
-/// Carries answers from generator threads to the connection's own. Chunks that come while it has not got
-/// round to those before are carried together: waking a thread costs more than most chunks.
-class Connection::Port final : public ChunkClient, public std::enable_shared_from_this<Port> {
- public:
-  explicit Port(const std::shared_ptr<Connection>& connection)
-      : connection_{connection}, executor_{connection->wire_.get_executor()} {}
+struct Connection::Self {
+  asio::any_io_executor executor;
+  std::weak_ptr<Connection> connection;  // set by start()
 
-  void chunks_ready(std::vector<ReadyChunk> chunks) override {
-    {
-      const std::lock_guard lock{mutex_};
-      if (!ready_.empty()) {  // somebody is on the way
-        ready_.insert(ready_.end(), std::make_move_iterator(chunks.begin()),
-                      std::make_move_iterator(chunks.end()));
-        return;
+  static void take_mail(const std::shared_ptr<Self>& self) {
+    asio::post(self->executor, [self] {
+      if (const auto connection = self->connection.lock()) {
+        connection->react([](Session& session) { session.take_mail(); });
       }
-      ready_ = std::move(chunks);
-    }
-    try {
-      asio::post(executor_, [self = shared_from_this()] { self->hand_over(); });
-    } catch (...) {
-      // Or nobody would ever be on the way again. The chunk service logs it.
-      const std::lock_guard lock{mutex_};
-      ready_.clear();
-      throw;
-    }
-  }
-
-  void heights_ready(std::uint64_t ticket, HeightsAnswer answer) override {
-    asio::post(executor_, [weak = connection_, ticket, answer = std::move(answer)] {
-      const auto connection = weak.lock();
-      if (connection == nullptr) return;
-      connection->react([&](Session& session) { session.heights_ready(ticket, answer); });
     });
   }
-
- private:
-  void hand_over() {
-    std::vector<ReadyChunk> ready;
-    {
-      const std::lock_guard lock{mutex_};
-      ready.swap(ready_);
-    }
-    const auto connection = connection_.lock();
-    if (connection == nullptr) return;
-    connection->react([&](Session& session) {
-      for (const auto& [key, answer] : ready) session.chunk_ready(key, answer);
-    });
-  }
-
-  std::weak_ptr<Connection> connection_;
-  asio::any_io_executor executor_;
-  std::mutex mutex_;
-  std::vector<ReadyChunk> ready_;
 };
 
 Connection::Connection(Guest guest, const ConnectionContext& context)
@@ -129,12 +86,14 @@ Connection::Connection(Guest guest, const ConnectionContext& context)
       id_{guest.id},
       context_{context},
       place_{std::move(guest.place)},
-      frames_{static_cast<std::uint32_t>(context.session.limits.frame_bytes)},
-      session_{context.session, place_->rates()},
+      frames_{context.session.limits.frame_bytes},
+      self_{std::make_shared<Self>(Self{wire_.get_executor(), {}})},
+      session_{context.session,
+               std::make_shared<Mailbox>(ClientId{id_}, [self = self_] { Self::take_mail(self); }),
+               place_->rates()},
       output_waits_{wire_.get_executor()},
       room_{wire_.get_executor()},
       watch_timer_{wire_.get_executor()},
-      retry_timer_{wire_.get_executor()},
       opened_{guest.came},
       last_frame_{opened_} {
   tune(wire_.socket());
@@ -144,8 +103,8 @@ Connection::Connection(Guest guest, const ConnectionContext& context)
 
 void Connection::start() {
   asio::post(wire_.get_executor(), [self = shared_from_this()] {
-    self->react([&](Session& session) {
-      session.attach(std::make_shared<Port>(self));
+    self->react([&](Session&) {
+      self->self_->connection = self;
       self->spawn(&Connection::read);
       self->spawn(&Connection::write);
       self->spawn(&Connection::watch);
@@ -153,9 +112,9 @@ void Connection::start() {
   });
 }
 
-void Connection::go_away(std::string reason, std::uint32_t retry_after_ms) {
-  asio::post(wire_.get_executor(), [self = shared_from_this(), reason = std::move(reason), retry_after_ms] {
-    self->react([&](Session& session) { session.go_away(reason, retry_after_ms); });
+void Connection::go_away(std::string reason, std::chrono::milliseconds retry_after) {
+  asio::post(wire_.get_executor(), [self = shared_from_this(), reason = std::move(reason), retry_after] {
+    self->react([&](Session& session) { session.go_away(reason, retry_after); });
   });
 }
 
@@ -202,10 +161,10 @@ asio::awaitable<void> Connection::take_in(std::span<const std::byte> bytes) {
     bytes = bytes.subspan(*taken);
     if (!frames_.has_frame()) continue;
     last_frame_ = Clock::now();
-    session_.receive(frames_.frame(), last_frame_);
+    session_.receive(frames_.frame());
     frames_.pop();
     note_greeting();
-    if (session_.queued_bytes() > context_.session.limits.queued_bytes_per_session) {
+    if (session_.queued_bytes() > context_.session.limits.queued_bytes) {
       work();
       co_await wait_for_room();
     }
@@ -229,7 +188,7 @@ asio::awaitable<void> Connection::take_up_view() {
 asio::awaitable<void> Connection::wait_for_room() {
   reading_paused_ = true;
   while (open_ && !session_.closing() &&
-         session_.queued_bytes() > context_.session.limits.queued_bytes_per_session) {
+         session_.queued_bytes() > context_.session.limits.queued_bytes) {
     room_.expires_at(Clock::time_point::max());
     co_await wait(room_);
   }
@@ -240,14 +199,14 @@ asio::awaitable<void> Connection::wait_for_room() {
 asio::awaitable<void> Connection::write() {
   while (open_) {
     const auto now = Clock::now();
-    if (const auto due = session_.sendable_at(now); due > now) {
+    if (const auto due = session_.sendable_at(); due > now) {
       if (session_.closing() && due == Clock::time_point::max()) break;
       output_waits_.expires_at(due);
       co_await wait(output_waits_);
       continue;
     }
     const Output output =
-        session_.take_output(gather_.bytes(), now, wire_.by_tls() ? Output::kCopyAll : kSharedFrom);
+        session_.take_output(gather_.bytes(), wire_.by_tls() ? Output::kCopyAll : kSharedFrom);
     const std::vector<std::span<const std::byte>> pieces = output.pieces();
     work();
 
@@ -292,7 +251,7 @@ asio::awaitable<void> Connection::watch() {
       end("closed");
     } else if (write_stalled(now)) {
       end(fmt::format("timeout: the client read nothing for {} ms",
-                      context_.session.limits.write_timeout_ms));
+                      context_.limits.write_timeout_ms));
     } else if (!closing_since_ && token_ends_ && now >= *token_ends_) {
       react([](Session& session) { session.token_expired(); });
     } else if (now >= next_deadline(now)) {
@@ -330,21 +289,11 @@ void Connection::work() {
   // Also for what a rate still holds: write() may wait for nothing at all, and must learn until when.
   if (session_.sendable_at() < output_waits_.expiry() || session_.closing()) output_waits_.cancel();
   if (reading_paused_) room_.cancel();
-  if (session_.refused()) retry_soon();
-}
-
-void Connection::retry_soon() {
-  if (std::exchange(retry_armed_, true)) return;
-  retry_timer_.expires_after(kRetryInterval);
-  retry_timer_.async_wait([self = shared_from_this()](std::error_code) {
-    self->retry_armed_ = false;
-    self->react([](Session&) {});
-  });
 }
 
 void Connection::time_out() {
-  const Limits& limits = context_.session.limits;
-  session_.timed_out(session_.greeted()
+  const Limits& limits = context_.limits;
+  session_.timed_out(session_.greeting()
                          ? fmt::format("no whole frame for {} ms; send Ping when there is nothing to say",
                                        limits.idle_timeout_ms)
                          : fmt::format("no whole Hello within {} ms", limits.handshake_timeout_ms));
@@ -352,13 +301,13 @@ void Connection::time_out() {
 }
 
 bool Connection::write_stalled(Clock::time_point now) const {
-  return write_progress_ && now >= *write_progress_ + from_config(context_.session.limits.write_timeout_ms);
+  return write_progress_ && now >= *write_progress_ + from_config(context_.limits.write_timeout_ms);
 }
 
 Connection::Clock::time_point Connection::next_deadline(Clock::time_point now) const {
-  const Limits& limits = context_.session.limits;
+  const Limits& limits = context_.limits;
   if (closing_since_) return *closing_since_ + kTimeToClose;
-  const auto silent = !session_.greeted() ? opened_ + from_config(limits.handshake_timeout_ms)
+  const auto silent = !session_.greeting() ? opened_ + from_config(limits.handshake_timeout_ms)
                       : reading_paused_   ? now + from_config(limits.idle_timeout_ms)
                                           : last_frame_ + from_config(limits.idle_timeout_ms);
   // Without a write under way one may begin before the next look.
@@ -367,7 +316,7 @@ Connection::Clock::time_point Connection::next_deadline(Clock::time_point now) c
 }
 
 void Connection::note_greeting() {
-  if (greeting_noted_ || !session_.greeted()) return;
+  if (greeting_noted_ || !session_.greeting()) return;
   greeting_noted_ = true;
   context_.session.metrics.greeted.rise();
   watch_timer_.cancel();  // from here on it is the idle time that counts
@@ -388,7 +337,6 @@ void Connection::end(std::string_view reason) {
   output_waits_.cancel();
   room_.cancel();
   watch_timer_.cancel();
-  retry_timer_.cancel();
   const std::string& failure = session_.failure();
   context_.log->info("conn {} {}: ended: {}", id_, remote_,
                      failure.empty() ? std::string{reason} : escaped(failure, 300));

@@ -15,6 +15,7 @@
 #include <asio/awaitable.hpp>
 #include <asio/steady_timer.hpp>
 
+#include "config/config.h"
 #include "log/logger.h"
 #include "net/door.h"
 #include "net/gather_size.h"
@@ -28,6 +29,7 @@ namespace talus::server {
 /// What connections share; outlives them.
 struct ConnectionContext {
   SessionContext session;
+  const Limits& limits;
   Registry& registry;
   Logger log;
 };
@@ -39,11 +41,12 @@ class Connection : public std::enable_shared_from_this<Connection> {
   /// Once, from any thread.
   void start();
   /// From any thread: says GoAway and closes when what was asked is answered.
-  void go_away(std::string reason, std::uint32_t retry_after_ms);
+  void go_away(std::string reason, std::chrono::milliseconds retry_after);
 
  private:
   using Clock = std::chrono::steady_clock;
-  class Port;
+  /// Where the mailbox finds the connection.
+  struct Self;
 
   [[nodiscard]] asio::awaitable<void> read();
   [[nodiscard]] asio::awaitable<void> take_in(std::span<const std::byte> bytes);
@@ -60,7 +63,6 @@ class Connection : public std::enable_shared_from_this<Connection> {
   void react(Happening&& happening);
   /// After anything that happened to the session.
   void work();
-  void retry_soon();
   void time_out();
   [[nodiscard]] Clock::time_point next_deadline(Clock::time_point now) const;
   [[nodiscard]] bool write_stalled(Clock::time_point now) const;
@@ -73,13 +75,13 @@ class Connection : public std::enable_shared_from_this<Connection> {
   ConnectionContext context_;
   std::optional<Admission::Place> place_;
   protocol::FrameReader frames_;
+  std::shared_ptr<Self> self_;
   Session session_;
 
   // Signals: a waiting coroutine goes on when its timer is cancelled.
   asio::steady_timer output_waits_;
   asio::steady_timer room_;
   asio::steady_timer watch_timer_;
-  asio::steady_timer retry_timer_;
 
   Clock::time_point opened_;
   Clock::time_point last_frame_;
@@ -89,7 +91,6 @@ class Connection : public std::enable_shared_from_this<Connection> {
   std::optional<Clock::time_point> write_progress_;  // while a write is under way
   std::optional<Clock::time_point> closing_since_;
   bool reading_paused_ = false;
-  bool retry_armed_ = false;
   bool greeting_noted_ = false;
   bool open_ = true;
   std::array<std::byte, 8192> input_;

@@ -15,7 +15,7 @@
 #include <asio/use_awaitable.hpp>
 
 #include "net/proxy_header.h"
-#include "session/replies.h"
+#include "session/reply_frames.h"
 
 namespace talus::server {
 namespace {
@@ -23,7 +23,7 @@ namespace {
 using asio::ip::tcp;
 using std::chrono::milliseconds;
 
-constexpr std::uint32_t kRetryAfterMs = 5000;
+
 
 std::uint64_t secret() {
   std::random_device device;
@@ -83,7 +83,7 @@ void Door::knock(tcp::socket socket, ConnectionId id, const TlsContext& tls) {
   // Who only has its place to wait for needs no coroutine; these do, and there are only so many.
   if (metrics_.handshakes.now() >= static_cast<std::int64_t>(config_.limits.handshakes_under_way)) {
     refuse(*visit, Refusal::handshakes, "this server has as many handshakes under way as it takes",
-           kRetryAfterMs);
+           retry_after::kServerFull);
     return;
   }
   metrics_.handshakes.rise();
@@ -130,7 +130,7 @@ asio::awaitable<bool> Door::ask_proxy(Visit& visit) {
     if (failed) prefix = tl::make_unexpected(std::string_view{"sent no whole PROXY header of version 2"});
   }
   if (!prefix) {
-    refuse(visit, Refusal::proxy, fmt::format("it is one of `proxies` and {}", prefix.error()), 0);
+    refuse(visit, Refusal::proxy, fmt::format("it is one of `proxies` and {}", prefix.error()), retry_after::kNever);
     co_return false;
   }
   visit.client = proxied_client(*prefix, body).value_or(visit.peer);
@@ -155,21 +155,20 @@ asio::awaitable<bool> Door::shake_hands(Visit& visit) {
 
 bool Door::admit(Visit& visit) {
   if (!has_room_()) {
-    refuse(visit, Refusal::memory, std::string{kNoMemory}, kRetryAfterMs);
+    refuse(visit, Refusal::memory, std::string{kNoMemory}, retry_after::kServerFull);
     return false;
   }
   auto place = admission_.enter(visit.client.address());
   if (!place) {
-    refuse(visit, Refusal::places, place.error(), kRetryAfterMs);
+    refuse(visit, Refusal::places, place.error(), retry_after::kServerFull);
     return false;
   }
   const auto wait = budget_.take(visit.client.address(), Clock::now());
   if (wait > Clock::duration::zero()) {
-    const auto ms = std::chrono::ceil<milliseconds>(wait).count();
     refuse(visit, Refusal::pace,
            fmt::format("your address begins connections faster than {} a second",
                        config_.limits.handshakes_per_address_per_second),
-           static_cast<std::uint32_t>(ms));
+           std::chrono::ceil<milliseconds>(wait));
     return false;
   }
   visit.place.emplace(*std::move(place));
@@ -182,13 +181,13 @@ void Door::let_in(Visit& visit) {
       Guest{visit.id, std::move(visit.wire), to_text(visit.client), *std::move(visit.place), visit.came});
 }
 
-void Door::refuse(Visit& visit, Refusal why, const std::string& text, std::uint32_t retry_after_ms) {
+void Door::refuse(Visit& visit, Refusal why, const std::string& text, std::chrono::milliseconds retry_after) {
   metrics_.refused_for(why).add();
   note_refusal(to_text(visit.client), text);
   // To say it by TLS would cost the handshake that is refused, and a proxy that keeps no rule hears nothing.
   if (visit.tls != nullptr || why == Refusal::proxy) return visit.wire.close();
   metrics_.error(wire::ErrorCode::overloaded).add();
-  refusals_.refuse(std::move(visit.wire.socket()), text, retry_after_ms);
+  refusals_.refuse(std::move(visit.wire.socket()), text, retry_after);
 }
 
 void Door::note_refusal(const std::string& who, const std::string& why) {

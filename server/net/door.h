@@ -65,7 +65,7 @@ class Door {
   /// A place for the visitor, within its budget; else it has been refused.
   [[nodiscard]] bool admit(Visit& visit);
   void let_in(Visit& visit);
-  void refuse(Visit& visit, Refusal why, const std::string& text, std::uint32_t retry_after_ms);
+  void refuse(Visit& visit, Refusal why, const std::string& text, std::chrono::milliseconds retry_after);
   void note_refusal(const std::string& who, const std::string& why);
 
   const Config& config_;

@@ -13,7 +13,7 @@
 #include <asio/use_awaitable.hpp>
 #include <asio/write.hpp>
 
-#include "session/replies.h"
+#include "session/reply_frames.h"
 
 namespace talus::server {
 namespace {
@@ -48,7 +48,7 @@ asio::awaitable<void> say_and_close(std::shared_ptr<Closing> closing) {
 
 }  // namespace
 
-void Refusals::refuse(asio::ip::tcp::socket socket, const std::string& text, std::uint32_t retry_after_ms) {
+void Refusals::refuse(asio::ip::tcp::socket socket, const std::string& text, std::chrono::milliseconds retry_after) {
   if (under_way_.fetch_add(1) >= kMost) {
     --under_way_;
     return;
@@ -56,7 +56,7 @@ void Refusals::refuse(asio::ip::tcp::socket socket, const std::string& text, std
   const auto executor = socket.get_executor();
   auto closing =
       std::make_shared<Closing>(Closing{std::move(socket), asio::steady_timer{executor},
-                                        error_frame(wire::ErrorCode::overloaded, text, 0, retry_after_ms)});
+                                        error_frame(wire::ErrorCode::overloaded, text, 0, retry_after)});
   asio::co_spawn(
       executor, [closing] { return say_and_close(closing); },
       [this](const std::exception_ptr&) { --under_way_; });

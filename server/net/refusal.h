@@ -2,6 +2,7 @@
 #pragma once
 
 #include <atomic>
+#include <chrono>
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -15,9 +16,9 @@ class Refusals {
   /// Refusals under way; beyond them a socket is closed without a word.
   static constexpr std::size_t kMost = 64;
 
-  /// Sends Error{overloaded, text, retry_after_ms} and closes once the client has had time to read it. Must
+  /// Sends Error{overloaded, text, retry_after} and closes once the client has had time to read it. Must
   /// outlive the socket's io_context.
-  void refuse(asio::ip::tcp::socket socket, const std::string& text, std::uint32_t retry_after_ms);
+  void refuse(asio::ip::tcp::socket socket, const std::string& text, std::chrono::milliseconds retry_after);
 
  private:
   std::atomic<std::size_t> under_way_{0};

@@ -15,10 +15,11 @@
 
 #include <talus/vectors/instruction_set.h>
 
+#include "app/session_settings.h"
 #include "generation/terrain_generator.h"
 #include "metrics/exposition.h"
 #include "net/descriptors.h"
-#include "session/replies.h"
+#include "session/retry_after.h"
 
 namespace talus::server {
 namespace {
@@ -28,7 +29,6 @@ using std::chrono::milliseconds;
 
 constexpr milliseconds kAcceptPause{100};  // when the system has no descriptor left
 constexpr milliseconds kWatchInterval{50};
-constexpr std::uint32_t kRetryAfterMs = 5000;
 constexpr const char* kGoingAway = "the server is ending";
 
 std::size_t io_threads(const Config& config) {
@@ -41,8 +41,8 @@ std::size_t generator_threads(const Config& config) {
   return std::max(1U, std::thread::hardware_concurrency());
 }
 
-WorldInfo describe_world(const terrain::World& world) {
-  return {world.fingerprint(),        {},
+WorldInfo describe_world(const terrain::World& world, ContentHash store_id) {
+  return {world.fingerprint(),        store_id,
           world.materials(),          terrain::height_range(world),
           terrain::find_spawn(world), "talusd " TALUS_VERSION};
 }
@@ -83,7 +83,8 @@ Server::Server(const Config& config, std::shared_ptr<const terrain::World> world
       log_{std::move(log)},
       log_of_clients_{for_clients(log_)},
       access_{access},
-      world_{describe_world(*world)},
+      terrain_{std::move(world)},
+      session_limits_{session_limits(config_.limits)},
       rates_{rate_limits(config.rates)},
       admission_{config.limits.connections, config.limits.connections_per_address,
                  milliseconds{static_cast<milliseconds::rep>(config.rates.burst_ms)}},
@@ -96,7 +97,7 @@ Server::Server(const Config& config, std::shared_ptr<const terrain::World> world
             [this] { return memory_.takes_connections(); },
             [this](Guest guest) { welcome(std::move(guest)); }},
       io_{io_threads(config), log_},
-      chunks_{std::make_unique<TerrainGenerator>(std::move(world),
+      chunks_{std::make_unique<TerrainGenerator>(terrain_,
                                                  static_cast<int>(config.generation.patch_tiles)),
               service_settings(config), log_, metrics_, memory_},
       acceptor_{io_.control()},
@@ -147,7 +148,7 @@ std::string Server::metrics_text() {
   depths.memory_limit_bytes = memory_.limit_bytes();
   depths.certificate_expires = tls_ ? tls_->expires : 0;
   return prometheus_text(metrics_, depths, read_process(),
-                         {TALUS_VERSION, terrain::kGeneratorVersion, to_string(world_.fingerprint),
+                         {TALUS_VERSION, terrain::kGeneratorVersion, to_string(terrain_->fingerprint()),
                           std::string{to_string(instruction_set())}});
 }
 
@@ -161,6 +162,7 @@ void Server::run() {
         "-n",
         allowed, wanted, config_.limits.connections);
   }
+  world_.emplace(describe_world(*terrain_, store_id_));
   chunks_.start();
   // Without either the server would not be one.
   std::exception_ptr failure;
@@ -221,13 +223,16 @@ void Server::welcome(Guest guest) {
   const ConnectionId id = guest.id;
   log_->debug("conn {} {}: opened", id, guest.address);
   const ConnectionContext context{
-      {config_.limits, world_, chunks_, metrics_, access_, rates_}, registry_, log_of_clients_};
+      {session_limits_, *world_, source_, memory_, metrics_, access_, rates_, clock_},
+      config_.limits,
+      registry_,
+      log_of_clients_};
   try {
     const auto connection = std::make_shared<Connection>(std::move(guest), context);
     registry_.add(id, connection);
     connection->start();
     // drain() may have looked before it stood there.
-    if (draining_) connection->go_away(kGoingAway, kRetryAfterMs);
+    if (draining_) connection->go_away(kGoingAway, retry_after::kShutdown);
   } catch (...) {
     registry_.remove(id);
     throw;
@@ -264,6 +269,7 @@ void Server::renew_identity() {
 
 void Server::keep_watch() {
   chunks_.fit_caches();
+  source_.tell_of_room();
   door_.tell_refusals();
   watch_timer_.expires_after(kWatchInterval);
   watch_timer_.async_wait([this](std::error_code cancelled) {
@@ -285,7 +291,7 @@ void Server::drain() {
   draining_ = true;
   std::error_code ignored;
   acceptor_.close(ignored);
-  for (const auto& connection : registry_.all()) connection->go_away(kGoingAway, kRetryAfterMs);
+  for (const auto& connection : registry_.all()) connection->go_away(kGoingAway, retry_after::kShutdown);
   registry_.when_empty([this] { asio::post(io_.control(), [this] { io_.stop(); }); });
   drain_timer_.expires_after(milliseconds{static_cast<milliseconds::rep>(config_.shutdown.drain_ms)});
   drain_timer_.async_wait([this](std::error_code cancelled) {

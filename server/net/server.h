@@ -17,11 +17,13 @@
 
 #include "access/access_control.h"
 #include "admin/admin_server.h"
+#include "clock/clock.h"
 #include "config/config.h"
 #include "generation/chunk_service.h"
 #include "log/logger.h"
 #include "metrics/metrics.h"
 #include "net/admission.h"
+#include "net/chunk_service_source.h"
 #include "net/connection.h"
 #include "net/door.h"
 #include "net/io_pool.h"
@@ -44,7 +46,7 @@ class Server {
   [[nodiscard]] tl::expected<std::string, std::string> listen_to_operators();
 
   /// The store that clients are told of: before run().
-  void keep_in(ContentHash store_id) { world_.store_id = store_id; }
+  void keep_in(ContentHash store_id) { store_id_ = store_id; }
 
   /// Serves until SIGTERM or SIGINT, and then until every answer is sent or shutdown.drain_ms is over. SIGHUP
   /// reads certificates and keys again.
@@ -69,7 +71,11 @@ class Server {
   Logger log_;
   Logger log_of_clients_;
   AccessControl& access_;
-  WorldInfo world_;
+  std::shared_ptr<const terrain::World> terrain_;
+  ContentHash store_id_;
+  std::optional<const WorldInfo> world_;  // from run() on
+  SystemClock clock_;
+  SessionLimits session_limits_;
   Metrics metrics_;
   RateLimits rates_;
   Admission admission_;
@@ -79,6 +85,7 @@ class Server {
   Door door_;
   IoPool io_;
   ChunkService chunks_;
+  ChunkServiceSource source_{chunks_};
 
   asio::ip::tcp::acceptor acceptor_;
   asio::signal_set signals_;
