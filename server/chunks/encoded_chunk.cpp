@@ -10,14 +10,15 @@ namespace {
 
 constexpr std::uint32_t kAnyRequest = 1;  // not 0, which FlatBuffers would leave out
 
-protocol::Frame frame_of(ContentHash hash, std::span<const std::byte> payload) {
+protocol::Frame frame_of(ContentHash hash, std::span<const std::byte> payload, std::uint64_t revision) {
   constexpr std::size_t kEnvelopeBytes = 128;
   flatbuffers::FlatBufferBuilder builder{payload.size() + kEnvelopeBytes};
   const auto bytes =
       builder.CreateVector(reinterpret_cast<const std::uint8_t*>(payload.data()), payload.size());
   const wire::ChunkKey anywhere;
   const wire::Hash128 wire_hash{hash.low, hash.high};
-  const auto body = wire::CreateChunk(builder, kAnyRequest, &anywhere, 0, &wire_hash, kCodecVersion, bytes);
+  const auto body =
+      wire::CreateChunk(builder, kAnyRequest, &anywhere, revision, &wire_hash, kCodecVersion, bytes);
   return protocol::finish_frame(builder, body);
 }
 
@@ -27,8 +28,8 @@ std::uint32_t distance(const protocol::Frame& frame, const void* inside) {
 
 }  // namespace
 
-EncodedChunk::EncodedChunk(ContentHash hash, std::span<const std::byte> payload)
-    : hash_{hash}, frame_{frame_of(hash, payload)} {
+EncodedChunk::EncodedChunk(ContentHash hash, std::span<const std::byte> payload, std::uint64_t revision)
+    : hash_{hash}, revision_{revision}, frame_{frame_of(hash, payload, revision)} {
   const auto& chunk = *flatbuffers::GetSizePrefixedRoot<wire::Message>(frame_.data())->body_as_Chunk();
   id_at_ =
       distance(frame_, reinterpret_cast<const flatbuffers::Table&>(chunk).GetAddressOf(wire::Chunk::VT_ID));

@@ -18,9 +18,11 @@ namespace talus::server {
 class EncodedChunk {
  public:
   /// `payload` is of codec kCodecVersion.
-  EncodedChunk(ContentHash hash, std::span<const std::byte> payload);
+  EncodedChunk(ContentHash hash, std::span<const std::byte> payload, std::uint64_t revision = 0);
 
   [[nodiscard]] ContentHash hash() const { return hash_; }
+  /// 0: as generated; a later version of the same chunk has a larger one.
+  [[nodiscard]] std::uint64_t revision() const { return revision_; }
   [[nodiscard]] std::size_t frame_bytes() const { return frame_.size(); }
   /// What it occupies, for whoever accounts for it.
   [[nodiscard]] std::size_t bytes() const { return sizeof(EncodedChunk) + frame_.capacity(); }
@@ -39,6 +41,7 @@ class EncodedChunk {
                     ChunkKey key) const;
 
   ContentHash hash_;
+  std::uint64_t revision_ = 0;
   std::uint32_t id_at_ = 0;  // where in the frame
   std::uint32_t key_at_ = 0;
   std::uint32_t head_bytes_ = 0;

@@ -3,15 +3,11 @@
 
 #include <cstdint>
 #include <memory>
-#include <string>
 #include <vector>
-
-#include <tl/expected.hpp>
 
 #include <talus/terrain/stacks.h>
 #include <talus/voxel/coords.h>
 
-#include "chunks/encoded_chunk.h"
 #include "chunks/mailbox.h"
 
 namespace talus::server {

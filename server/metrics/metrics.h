@@ -10,20 +10,10 @@
 
 #include "access/denial.h"
 #include "metrics/tally.h"
+#include "rates/rate_kind.h"
 
 namespace talus::server {
 
-/// Which of the rates of config.h.
-enum class RateKind : std::uint8_t {
-  session_chunks,
-  session_bytes,
-  session_requests,
-  address_chunks,
-  address_bytes,
-  address_requests
-};
-inline constexpr std::array<const char*, 6> kRateNames{"session_chunks", "session_bytes", "session_requests",
-                                                       "address_chunks", "address_bytes", "address_requests"};
 /// Why a connection was turned away before it had a session.
 enum class Refusal : std::uint8_t {
   places,      // of connections, in all or from its address

@@ -13,7 +13,7 @@
 #include <asio/use_awaitable.hpp>
 #include <asio/write.hpp>
 
-#include "session/replies.h"
+#include "session/reply_frames.h"
 
 namespace talus::server {
 namespace {
@@ -56,8 +56,7 @@ void Refusals::refuse(asio::ip::tcp::socket socket, const std::string& text, std
   const auto executor = socket.get_executor();
   auto closing =
       std::make_shared<Closing>(Closing{std::move(socket), asio::steady_timer{executor},
-                                        error_frame(wire::ErrorCode::overloaded, text, 0,
-                                                    static_cast<std::uint32_t>(retry_after.count()))});
+                                        error_frame(wire::ErrorCode::overloaded, text, 0, retry_after)});
   asio::co_spawn(
       executor, [closing] { return send_and_close(closing); },
       [this](const std::exception_ptr&) { --in_flight_; });

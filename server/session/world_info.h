@@ -1,7 +1,8 @@
-// What every Welcome says about the world; made once at startup.
+// What every Welcome says about the world. Immutable: whoever makes it knows all of it, the store included.
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include <talus/terrain/stacks.h>
 #include <talus/terrain/world.h>
@@ -11,12 +12,12 @@
 namespace talus::server {
 
 struct WorldInfo {
-  ContentHash fingerprint;
-  ContentHash store_id;  // 0: nothing is kept
-  std::vector<terrain::Material> materials;
-  terrain::HeightRange heights;
-  VoxelPos spawn;
-  std::string server;  // name and version
+  const ContentHash fingerprint{};
+  const ContentHash store_id{};  // 0: nothing is stored
+  const std::vector<terrain::Material> materials{};
+  const terrain::HeightRange heights{};
+  const VoxelPos spawn{};
+  const std::string server{};  // name and version
 };
 
 }  // namespace talus::server

@@ -1,4 +1,4 @@
-#include "stream/output.h"
+#include "view/output.h"
 
 namespace talus::server {
 

@@ -1,4 +1,6 @@
-// A session's requests that are not yet answered. No I/O.
+// A session's requests that are not answered yet, by their id. No I/O.
+//
+// A chunk request is unstarted until next_unstarted() returns it.
 #pragma once
 
 #include <cstddef>
@@ -13,31 +15,31 @@
 
 namespace talus::server {
 
-class RequestBook {
+class PendingRequests {
  public:
   struct ChunkRequest {
     ChunkKey key;
-    std::optional<ContentHash> known;  // what the client holds there
+    std::optional<ContentHash> known;  // of what the client holds there
   };
 
   [[nodiscard]] bool contains(std::uint32_t id) const { return requests_.contains(id); }
   [[nodiscard]] std::size_t size() const { return requests_.size(); }
   [[nodiscard]] bool empty() const { return requests_.empty(); }
 
-  /// `id` must not be in the book.
+  /// REQUIRES: no request `id` is pending.
   void add_chunk(std::uint32_t id, ChunkRequest request);
-  /// `bytes` is what the request and its answer occupy.
+  /// REQUIRES: no request `id` is pending. `bytes` is the memory of the request and its answer.
   void add_heights(std::uint32_t id, std::uint64_t ticket, std::size_t bytes);
 
-  /// The chunk request that has waited longest to be worked on, now no longer waiting.
-  [[nodiscard]] std::optional<std::uint32_t> next_waiting();
+  /// The oldest unstarted chunk request, which is started now.
+  [[nodiscard]] std::optional<std::uint32_t> next_unstarted();
 
-  /// Null where the id is not in the book, or is of heights.
+  /// Null where `id` is not pending, or is a request for heights.
   [[nodiscard]] const ChunkRequest* chunk(std::uint32_t id) const;
-  /// The ticket of a heights request; none where the id is not in the book, or is of a chunk.
+  /// None where `id` is not pending, or is a request for a chunk.
   [[nodiscard]] std::optional<std::uint64_t> heights_ticket(std::uint32_t id) const;
 
-  /// The request is answered. No effect where the id is not in the book.
+  /// The request is answered. No effect where `id` is not pending.
   void erase(std::uint32_t id);
   void clear();
   [[nodiscard]] std::vector<std::uint32_t> ids() const;
@@ -51,13 +53,13 @@ class RequestBook {
     std::size_t heights_bytes = 0;
   };
   using Requests = std::unordered_map<std::uint32_t, Entry>;
-  static constexpr std::size_t kSpareNodes = 16;
+  static constexpr std::size_t kMaxSpareNodes = 16;
 
   void add(std::uint32_t id, const Entry& entry);
 
   Requests requests_;
-  std::vector<Requests::node_type> spare_;  // of answered requests, for the next: a client asks all the time
-  std::deque<std::uint32_t> waiting_;       // ids of the book
+  std::vector<Requests::node_type> spare_;  // nodes of answered requests, reused: requests come all the time
+  std::deque<std::uint32_t> unstarted_;     // oldest first; each is in requests_
   std::size_t heights_bytes_ = 0;
 };
 

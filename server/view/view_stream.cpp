@@ -1,4 +1,4 @@
-#include "stream/view_stream.h"
+#include "view/view_stream.h"
 
 #include <algorithm>
 #include <utility>
@@ -6,12 +6,12 @@
 namespace talus::server {
 namespace {
 
-constexpr std::size_t kNear = 1024;  // chunks put in order at once, or more
+constexpr std::size_t kMinSorted = 1024;  // chunks that are put in order at once, at least
 
 }  // namespace
 
 std::vector<ChunkKey> ViewStream::replace(Interest wanted, std::span<const Interest> between) {
-  std::vector<State> states(wanted.places(), State::wanted);
+  std::vector<State> states(wanted.places(), State::to_send);
   wanted.for_each_shared(interest_, between, [&](std::size_t place, std::size_t before, std::size_t count) {
     std::copy_n(&states_[before], count, &states[place]);
   });
@@ -21,41 +21,42 @@ std::vector<ChunkKey> ViewStream::replace(Interest wanted, std::span<const Inter
   near_ = {};
   near_end_ = 0;
   far_.clear();
+  if (far_.capacity() / 4 > interest_.places()) far_ = {};  // of a much larger View
   interest_.for_each([this](ChunkKey key, Interest::Place place) {
-    if (states_[place] == State::wanted) far_.push_back(interest_.rough_rank(key, place));
+    if (states_[place] == State::to_send) far_.push_back(interest_.rough_rank(key, place));
   });
 
   std::vector<ChunkKey> dropped;
-  for (const ChunkKey key : under_way_) {
+  for (const ChunkKey key : in_flight_) {
     const auto place = interest_.place_of(key);
-    if (!place || states_[*place] != State::under_way) dropped.push_back(key);
+    if (!place || states_[*place] != State::in_flight) dropped.push_back(key);
   }
-  for (const ChunkKey key : dropped) under_way_.erase(key);
+  for (const ChunkKey key : dropped) in_flight_.erase(key);
   return dropped;
 }
 
 std::optional<ChunkKey> ViewStream::next() {
-  settle_near();
+  refill_near();
   if (near_.empty()) return std::nullopt;
   const auto [key, place] = interest_.ranked(near_.top());
   near_.pop();
-  states_[place] = State::under_way;
-  under_way_.insert(key);
+  states_[place] = State::in_flight;
+  in_flight_.insert(key);
   return key;
 }
 
-void ViewStream::settle_near() {
+void ViewStream::refill_near() {
   for (;;) {
-    while (!near_.empty() && states_[interest_.ranked(near_.top()).second] != State::wanted) near_.pop();
+    while (!near_.empty() && states_[interest_.ranked(near_.top()).second] != State::to_send) near_.pop();
     if (!near_.empty() || far_.empty()) return;
-    approach();
+    move_near();
   }
 }
 
-void ViewStream::approach() {
-  const std::size_t some = std::min(far_.size(), std::max(kNear, far_.size() / 16));
+void ViewStream::move_near() {
+  const std::size_t some = std::min(far_.size(), std::max(kMinSorted, far_.size() / 16));
   if (some == 0) return;
-  // Farthest first, so that the nearest are taken off the end; and rings are not torn.
+  // Farthest first, so that the nearest are taken off the end. A ring of equal distance is never split.
   const auto nth = far_.end() - static_cast<std::ptrdiff_t>(some);
   std::nth_element(far_.begin(), nth, far_.end(), std::greater<>{});
   near_end_ = Interest::end_of_ring(*nth);
@@ -63,13 +64,13 @@ void ViewStream::approach() {
       std::partition(far_.begin(), nth, [this](std::uint64_t rough) { return rough >= near_end_; });
   for (auto rough = near; rough != far_.end(); ++rough) {
     const auto [key, place] = interest_.ranked(*rough);
-    if (states_[place] == State::wanted) near_.push(interest_.rank(key, place));
+    if (states_[place] == State::to_send) near_.push(interest_.rank(key, place));
   }
   far_.erase(near, far_.end());
 }
 
 void ViewStream::put_back(ChunkKey key) {
-  leave(key, State::wanted);
+  leave(key, State::to_send);
   const Interest::Place place = *interest_.place_of(key);
   const std::uint64_t rough = interest_.rough_rank(key, place);
   if (rough < near_end_) {
@@ -85,7 +86,7 @@ void ViewStream::done(ChunkKey key) {
 
 void ViewStream::leave(ChunkKey key, State state) {
   states_[*interest_.place_of(key)] = state;
-  under_way_.erase(key);
+  in_flight_.erase(key);
 }
 
 }  // namespace talus::server

@@ -1,8 +1,8 @@
-// What one write carries: frames, one after the other.
+// What one write sends: frames, one after the other.
 //
-// Small ones are copied into one piece of memory, as the system takes one piece faster than many. Of large
-// chunks only the beginning is copied, where request and place stand, and the rest is written from where the
-// cache has it.
+// Small frames are copied into one buffer, because the kernel takes one buffer faster than many. Of a large
+// chunk only the head, where request id and key stand, is copied; its payload is written from the cache's own
+// memory.
 #pragma once
 
 #include <cstddef>
@@ -25,16 +25,16 @@ class Output {
 
   void reserve(std::size_t bytes) { copied_.reserve(bytes); }
   void append(std::span<const std::byte> frame);
-  /// `request_id` 0: sent for the View. The chunk lives as long as this does, where it is not copied.
+  /// `request_id` 0: sent for the View. A chunk that is not copied is kept alive as long as this.
   void append(const EncodedChunkPtr& chunk, std::uint32_t request_id, ChunkKey key);
 
   [[nodiscard]] std::size_t size() const { return size_; }
-  /// Of memory in order; they point into this.
+  /// The buffers to write, in order; they point into this.
   [[nodiscard]] std::vector<std::span<const std::byte>> pieces() const;
 
  private:
   struct Shared {
-    std::size_t after;  // so many copied bytes
+    std::size_t after;  // copied bytes that go before it
     EncodedChunkPtr chunk;
   };
 

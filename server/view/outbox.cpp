@@ -1,11 +1,11 @@
-#include "stream/outbox.h"
+#include "view/outbox.h"
 
 #include <utility>
 
 namespace talus::server {
 namespace {
 
-// A small frame costs more than its bytes: its vector and what the allocator adds.
+// Of a frame beside its bytes: its vector, and what the allocator adds.
 constexpr std::size_t kFrameOverheadBytes = 48;
 
 }  // namespace
@@ -16,7 +16,7 @@ void Outbox::push_control(protocol::Frame frame) {
 }
 
 void Outbox::push_chunk(Entry entry) {
-  entry.chunk->prefetch();  // it is written soon, together with others that lie as far apart
+  entry.chunk->prefetch();  // it is written soon, among others that lie as far apart in memory
   chunk_bytes_ += cost(*entry.chunk);
   chunks_.push_back(std::move(entry));
 }
@@ -35,7 +35,7 @@ void Outbox::take_control(std::size_t enough_bytes, Output& output) {
 }
 
 std::size_t Outbox::bytes_to_copy(std::size_t shared_from) const {
-  constexpr std::size_t kHeadBytes = 160;  // what stands before a chunk's payload, and a little more
+  constexpr std::size_t kHeadBytes = 160;  // more than what stands before a chunk's payload
   const bool shares = shared_from == 0 || chunk_bytes_ / shared_from > chunks_.size();
   return control_bytes_ + (shares ? kHeadBytes * chunks_.size() : chunk_bytes_);
 }

@@ -1,4 +1,4 @@
-#include "stream/credit.h"
+#include "view/credit.h"
 
 #include <fmt/format.h>
 

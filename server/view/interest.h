@@ -17,7 +17,7 @@
 
 #include <talus/voxel/coords.h>
 
-#include "stream/shell.h"
+#include "view/shell.h"
 
 namespace talus::server {
 

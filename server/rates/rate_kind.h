@@ -1,0 +1,27 @@
+// The rates that an operator sets, by name.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+namespace talus::server {
+
+enum class RateKind : std::uint8_t {
+  session_chunks,
+  session_bytes,
+  session_requests,
+  address_chunks,
+  address_bytes,
+  address_requests
+};
+
+/// Their keys in the section [rates] of the configuration, and their label in metrics.
+inline constexpr std::array<const char*, 6> kRateNames{"session_chunks", "session_bytes", "session_requests",
+                                                       "address_chunks", "address_bytes", "address_requests"};
+
+[[nodiscard]] constexpr const char* name(RateKind kind) {
+  return kRateNames[static_cast<std::size_t>(kind)];
+}
+
+}  // namespace talus::server
