@@ -14,13 +14,13 @@ class ChunkCache {
  public:
   explicit ChunkCache(std::size_t capacity_bytes) : chunks_{capacity_bytes} {}
 
-  /// Null where the chunk is not held.
+  /// Null where the chunk is not cached.
   [[nodiscard]] EncodedChunkPtr find(ChunkKey key) { return chunks_.find(key).value_or(nullptr); }
   /// Not a use.
   [[nodiscard]] bool holds(ChunkKey key) { return chunks_.holds(key); }
   void put(ChunkKey key, EncodedChunkPtr chunk);
 
-  /// Forgets at once what is too much.
+  /// Evicts at once what is too much.
   void set_capacity(std::size_t capacity_bytes) { chunks_.set_capacity(capacity_bytes); }
   /// Bytes held now, overhead included; never more than the capacity.
   [[nodiscard]] std::size_t bytes() const { return chunks_.bytes(); }

@@ -1,5 +1,4 @@
-// A map bounded in bytes that forgets what nobody used of late. Callable from any thread; a call locks one
-// shard.
+// A map bounded in bytes that evicts by CLOCK. Callable from any thread; a call locks one shard.
 #pragma once
 
 #include <array>
@@ -42,7 +41,7 @@ class ShardedCache {
     shard.values.put(key, std::move(value), value_bytes);
   }
 
-  /// Forgets at once what is too much.
+  /// Evicts at once what is too much.
   void set_capacity(std::size_t capacity_bytes) {
     for (Shard& shard : shards_) {
       const std::lock_guard lock{shard.mutex};

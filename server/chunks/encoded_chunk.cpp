@@ -34,8 +34,9 @@ EncodedChunk::EncodedChunk(ContentHash hash, std::span<const std::byte> payload,
   id_at_ =
       distance(frame_, reinterpret_cast<const flatbuffers::Table&>(chunk).GetAddressOf(wire::Chunk::VT_ID));
   key_at_ = distance(frame_, chunk.key());
-  // FlatBuffers are built from their end: what was made first, the payload, lies last.
+  // A FlatBuffer is built from its end: the payload, created first, comes last.
   head_bytes_ = distance(frame_, chunk.payload()->data());
+  payload_bytes_ = chunk.payload()->size();
   assert(id_at_ < head_bytes_ && key_at_ < head_bytes_);
 }
 
@@ -59,11 +60,11 @@ void EncodedChunk::append_first(std::size_t bytes, std::vector<std::byte>& outpu
   std::memcpy(frame + key_at_, &wire_key, sizeof(wire_key));
 }
 
-EncodedChunkPtr encode_shared(const Chunk& chunk) {
-  thread_local std::vector<std::byte> payload;  // of the chunk before; a frame takes a copy
+EncodedChunkPtr encode_shared(const Chunk& chunk, std::uint64_t revision) {
+  thread_local std::vector<std::byte> payload;
   payload.clear();
   encode(chunk, payload);
-  return std::make_shared<const EncodedChunk>(content_hash(chunk), payload);
+  return std::make_shared<const EncodedChunk>(content_hash(chunk), payload, revision);
 }
 
 }  // namespace talus::server

@@ -4,14 +4,18 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
+#include <algorithm>
+
 namespace talus::server {
 
-void be_in_background() {
-  // Sockets are served first where both want a core: what is at hand must not wait for what is being made.
-  constexpr int kNiceness = 5;
-  ::setpriority(PRIO_PROCESS, static_cast<id_t>(::gettid()), kNiceness);  // of this thread alone, on Linux
+void lower_priority() {
+  // On Linux niceness is a thread's, against POSIX.
+  const auto thread = static_cast<id_t>(::gettid());
+  const int niceness = std::max(kBackgroundNiceness, ::getpriority(PRIO_PROCESS, thread));
+  ::setpriority(PRIO_PROCESS, thread, niceness);
+}
 
-  // Signals are for the main thread, which alone knows what they mean at the end.
+void block_signals() {
   sigset_t all;
   ::sigfillset(&all);
   ::pthread_sigmask(SIG_BLOCK, &all, nullptr);

@@ -1,5 +1,6 @@
-// What generator threads call to make terrain. Every function may be called by several threads at once
-// and may throw std::bad_alloc.
+// What generator threads call to make terrain. Any function may be called by several threads at once, and may
+// throw std::bad_alloc. Equal arguments give equal chunks, for ever: nothing made from them needs to be
+// invalidated.
 #pragma once
 
 #include <cstdint>
@@ -9,6 +10,7 @@
 #include <talus/terrain/stacks.h>
 #include <talus/voxel/coords.h>
 
+#include "chunks/chunk_source.h"
 #include "chunks/encoded_chunk.h"
 #include "generation/patch.h"
 
@@ -22,15 +24,15 @@ class Generator {
   [[nodiscard]] virtual EncodedChunkPtr instant(ChunkKey key) const = 0;
   /// The chunk that is of one material, air among them.
   [[nodiscard]] virtual EncodedChunkPtr uniform(MaterialId material) const = 0;
-  /// Rows of chunks outside which every chunk of a column is uniform, for all that is known without looking.
-  [[nodiscard]] virtual terrain::MixedRange rows_anywhere(Lod lod) const = 0;
-  /// The same of the column of a chunk over this patch, exactly.
-  [[nodiscard]] virtual terrain::MixedRange rows(const terrain::Stacks& stacks, ChunkKey key) const = 0;
-  /// Into `stacks`, whose memory is used again.
+  /// Of any column of the level, for all that is known without looking.
+  [[nodiscard]] virtual MixedRows mixed_rows_anywhere(Lod lod) const = 0;
+  /// Of the key's column over this patch, exactly.
+  [[nodiscard]] virtual MixedRows mixed_rows(const terrain::Stacks& stacks, ChunkKey key) const = 0;
+  /// Fills `stacks`, whose memory is reused.
   virtual void make_patch(const PatchKey& patch, terrain::Stacks& stacks) const = 0;
   /// `stacks` is the patch over which the chunk stands.
   [[nodiscard]] virtual EncodedChunkPtr make_chunk(const terrain::Stacks& stacks, ChunkKey key) const = 0;
-  /// Surface heights in subvoxels, one a column.
+  /// Surface heights in subvoxels (1/256 voxel), one a column.
   [[nodiscard]] virtual std::vector<std::int32_t> heights(
       std::span<const terrain::BaseColumn> columns) const = 0;
 };

@@ -21,8 +21,23 @@ struct PatchKey {
 /// The patch, `patch_tiles` tiles along each edge, over which the chunk stands.
 [[nodiscard]] PatchKey patch_of(ChunkKey chunk, int patch_tiles);
 
-/// Its columns.
+/// Its columns of voxels.
 [[nodiscard]] terrain::Region region_of(const PatchKey& patch, int patch_tiles);
+
+/// The key that stands for a chunk's whole column of chunks.
+[[nodiscard]] constexpr ChunkKey column_of(ChunkKey chunk) {
+  return {{chunk.coord.x, 0, chunk.coord.z}, chunk.lod};
+}
+
+/// Calls visit(column_of(chunk)) for each column of chunks over the patch, x fastest.
+template <typename Visit>
+void for_each_column(const PatchKey& patch, int patch_tiles, Visit&& visit) {
+  for (int z = 0; z < patch_tiles; ++z) {
+    for (int x = 0; x < patch_tiles; ++x) {
+      visit(ChunkKey{{patch.x * patch_tiles + x, 0, patch.z * patch_tiles + z}, patch.lod});
+    }
+  }
+}
 
 }  // namespace talus::server
 

@@ -3,6 +3,13 @@
 #include <utility>
 
 namespace talus::server {
+namespace {
+
+MixedRows rows_of(const terrain::MixedRange& range) {
+  return {range.first, range.last, range.below};
+}
+
+}  // namespace
 
 TerrainGenerator::TerrainGenerator(std::shared_ptr<const terrain::World> world, int patch_tiles)
     : world_{std::move(world)}, patch_tiles_{patch_tiles} {
@@ -20,12 +27,12 @@ EncodedChunkPtr TerrainGenerator::uniform(MaterialId material) const {
   return uniform_[to_integer(material)];
 }
 
-terrain::MixedRange TerrainGenerator::rows_anywhere(Lod lod) const {
-  return terrain::mixed_range(*world_, lod);
+MixedRows TerrainGenerator::mixed_rows_anywhere(Lod lod) const {
+  return rows_of(terrain::mixed_range(*world_, lod));
 }
 
-terrain::MixedRange TerrainGenerator::rows(const terrain::Stacks& stacks, ChunkKey key) const {
-  return terrain::mixed_range(*world_, stacks, key.coord.x, key.coord.z);
+MixedRows TerrainGenerator::mixed_rows(const terrain::Stacks& stacks, ChunkKey key) const {
+  return rows_of(terrain::mixed_range(*world_, stacks, key.coord.x, key.coord.z));
 }
 
 void TerrainGenerator::make_patch(const PatchKey& patch, terrain::Stacks& stacks) const {
@@ -35,7 +42,7 @@ void TerrainGenerator::make_patch(const PatchKey& patch, terrain::Stacks& stacks
   idle_.push_back(std::move(generator));
 }
 
-// As many as ever worked at once: their memory is worth keeping from patch to patch.
+// There are as many as ever worked at once: their memory is worth keeping from patch to patch.
 std::unique_ptr<terrain::Generator> TerrainGenerator::take_generator() const {
   const std::lock_guard lock{idle_mutex_};
   if (idle_.empty()) return std::make_unique<terrain::Generator>(*world_);
@@ -45,7 +52,7 @@ std::unique_ptr<terrain::Generator> TerrainGenerator::take_generator() const {
 }
 
 EncodedChunkPtr TerrainGenerator::make_chunk(const terrain::Stacks& stacks, ChunkKey key) const {
-  // Each chunk is made in the memory of the one before.
+  // Each chunk is made in the memory of the one before it.
   thread_local Layers memory;
   Chunk chunk = terrain::extract_chunk(*world_, stacks, key.coord, std::move(memory));
   EncodedChunkPtr encoded = chunk.is_uniform() ? uniform(chunk.at({})) : encode_shared(chunk);

@@ -1,4 +1,4 @@
-// The generator of a world.
+// The Generator of a terrain::World.
 #pragma once
 
 #include <memory>
@@ -14,12 +14,14 @@ namespace talus::server {
 
 class TerrainGenerator final : public Generator {
  public:
+  /// Patches have `patch_tiles` tiles along each edge.
   TerrainGenerator(std::shared_ptr<const terrain::World> world, int patch_tiles);
 
   [[nodiscard]] EncodedChunkPtr instant(ChunkKey key) const override;
+  /// `material` is one of the world's.
   [[nodiscard]] EncodedChunkPtr uniform(MaterialId material) const override;
-  [[nodiscard]] terrain::MixedRange rows_anywhere(Lod lod) const override;
-  [[nodiscard]] terrain::MixedRange rows(const terrain::Stacks& stacks, ChunkKey key) const override;
+  [[nodiscard]] MixedRows mixed_rows_anywhere(Lod lod) const override;
+  [[nodiscard]] MixedRows mixed_rows(const terrain::Stacks& stacks, ChunkKey key) const override;
   void make_patch(const PatchKey& patch, terrain::Stacks& stacks) const override;
   [[nodiscard]] EncodedChunkPtr make_chunk(const terrain::Stacks& stacks, ChunkKey key) const override;
   [[nodiscard]] std::vector<std::int32_t> heights(
@@ -28,8 +30,8 @@ class TerrainGenerator final : public Generator {
  private:
   [[nodiscard]] std::unique_ptr<terrain::Generator> take_generator() const;
 
-  std::shared_ptr<const terrain::World> world_;
-  int patch_tiles_;
+  const std::shared_ptr<const terrain::World> world_;
+  const int patch_tiles_;
   std::vector<EncodedChunkPtr> uniform_;  // by material id
   mutable std::mutex idle_mutex_;
   mutable std::vector<std::unique_ptr<terrain::Generator>> idle_;

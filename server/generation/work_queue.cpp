@@ -4,40 +4,47 @@
 #include <utility>
 
 namespace talus::server {
+namespace {
 
-WorkQueue::WorkQueue(int patch_tiles, std::size_t most_jobs)
-    : patch_tiles_{patch_tiles}, most_jobs_{most_jobs} {}
+auto waiter_of(std::vector<MailboxPtr>& waiters, ClientId client) {
+  return std::find_if(waiters.begin(), waiters.end(),
+                      [&](const MailboxPtr& each) { return each->owner() == client; });
+}
 
-bool WorkQueue::add(const ChunkClientPtr& client, ChunkKey key) {
+}  // namespace
+
+WorkQueue::WorkQueue(int patch_tiles, std::size_t max_jobs)
+    : patch_tiles_{patch_tiles}, max_jobs_{max_jobs}, gate_{max_jobs, max_jobs - max_jobs / 4} {}
+
+bool WorkQueue::add(const MailboxPtr& mailbox, ChunkKey key) {
   auto found = jobs_.find(key);
   if (found == jobs_.end()) {
-    if (jobs_.size() >= most_jobs_) return false;
+    if (full()) return false;
     const PatchKey patch = patch_of(key, patch_tiles_);
     found = jobs_.emplace(key, Job{patch, {}, false}).first;
     patches_[patch].waiting.push_back(key);
+    note_jobs();
   }
   Job& job = found->second;
-  if (std::find(job.waiters.begin(), job.waiters.end(), client) != job.waiters.end()) return true;
-  job.waiters.push_back(client);
+  if (waiter_of(job.waiters, mailbox->owner()) != job.waiters.end()) return true;
+  job.waiters.push_back(mailbox);
   if (!job.taken) {
-    Client& state = enter(client);
-    if (++state.jobs[job.patch] == 1) state.order.push_back(job.patch);
+    Client& client = enter(mailbox->owner());
+    if (++client.jobs[job.patch] == 1) client.order.push_back(job.patch);
   }
   return true;
 }
 
 void WorkQueue::add(HeightsTask task) {
-  enter(task.client).heights.push_back(std::move(task));
+  enter(task.mailbox->owner()).heights.push_back(std::move(task));
 }
 
-void WorkQueue::cancel(const ChunkClient& client, ChunkKey key) {
+void WorkQueue::cancel(ClientId client, ChunkKey key) {
   const auto found = jobs_.find(key);
   if (found == jobs_.end()) return;
   Job& job = found->second;
-  const auto waiter = std::find_if(job.waiters.begin(), job.waiters.end(),
-                                   [&](const ChunkClientPtr& each) { return each.get() == &client; });
+  const auto waiter = waiter_of(job.waiters, client);
   if (waiter == job.waiters.end()) return;
-  const ChunkClientPtr alive = *waiter;
   job.waiters.erase(waiter);
   if (job.taken) return;  // begin() or finish() ends it
 
@@ -45,74 +52,59 @@ void WorkQueue::cancel(const ChunkClient& client, ChunkKey key) {
   leave(client, patch);
   if (!job.waiters.empty()) return;
   jobs_.erase(found);
+  note_jobs();
   auto& waiting = patches_.at(patch).waiting;
   waiting.erase(std::find(waiting.begin(), waiting.end(), key));
   drop_if_unused(patch);
 }
 
-void WorkQueue::cancel_heights(const ChunkClient& client, std::uint64_t ticket) {
-  const auto found = clients_.find(&client);
+void WorkQueue::cancel_heights(ClientId client, std::uint64_t ticket) {
+  const auto found = clients_.find(client);
   if (found == clients_.end()) return;
-  auto& heights = found->second.heights;
-  const auto task = std::find_if(heights.begin(), heights.end(),
-                                 [&](const HeightsTask& each) { return each.ticket == ticket; });
-  if (task == heights.end()) return;
-  heights.erase(task);
+  std::erase_if(found->second.heights, [&](const HeightsTask& task) { return task.ticket == ticket; });
+  drop_if_done(found);
 }
 
-std::optional<WorkQueue::Work> WorkQueue::take(const WorkPrices& prices) {
-  const auto quantum = static_cast<std::int64_t>(prices.patch);
-  for (;;) {
-    std::optional<std::int64_t> least_debt;  // of those who could begin something
-    for (std::size_t turn = clients_.size(); turn > 0; --turn) {
-      Client& client = clients_.at(turns().front());
-      if (!std::exchange(client.in_turn, true)) {
-        client.balance = std::min(client.balance + quantum, quantum);
-      }
-      if (client.balance > 0) {
-        if (auto work = take_of(client, prices)) return work;
-      } else if (may_begin(client, prices)) {
-        least_debt = std::min(least_debt.value_or(-client.balance), -client.balance);
-      }
-      end_turn();
-    }
-    if (!least_debt) {
-      forget_idle();
-      return std::nullopt;
-    }
-    // All who could go on owe something: so many rounds would pass before the first may.
-    for (auto& [id, client] : clients_) client.balance += *least_debt / quantum * quantum;
-  }
+std::optional<WorkQueue::Work> WorkQueue::take(const WorkCosts& costs) {
+  const auto next = turns_.next(
+      static_cast<std::int64_t>(costs.patch),
+      [&](ClientId id) {
+        const auto client = clients_.find(id);
+        return client != clients_.end() && can_begin(client->second, costs);
+      },
+      [&](ClientId id) { return clients_.contains(id); });
+  if (!next) return std::nullopt;
+  Work work = take_of(*next, costs);
+  turns_.charge(*next, static_cast<std::int64_t>(work.price));
+  return work;
 }
 
-void WorkQueue::settle(const Work& work, std::uint64_t cost) {
-  const auto found = clients_.find(work.client.get());
-  if (found == clients_.end()) return;
-  --found->second.under_way;
-  found->second.balance += static_cast<std::int64_t>(work.price) - static_cast<std::int64_t>(cost);
+void WorkQueue::reconcile(const Work& work, std::uint64_t cost) {
+  turns_.charge(work.client, static_cast<std::int64_t>(cost) - static_cast<std::int64_t>(work.price));
+  const auto client = clients_.find(work.client);
+  --client->second.in_flight;
+  drop_if_done(client);
 }
 
-std::optional<WorkQueue::Work> WorkQueue::take_of(Client& client, const WorkPrices& prices) {
-  if (client.under_way >= prices.most_at_once) return std::nullopt;
-  const ChunkClientPtr self = client.self.lock();
-  Work work{{}, self, 0};
+WorkQueue::Work WorkQueue::take_of(ClientId id, const WorkCosts& costs) {
+  Client& client = clients_.at(id);
+  ++client.in_flight;
+  Work work{{}, id, 0};
   const auto patch = free_patch(client);
   const bool chunks = patch != client.order.end();
-  client.heights_next = !client.heights.empty() && (client.heights_next || !chunks);
-  if (std::exchange(client.heights_next, !client.heights_next)) {
+  const bool heights = !client.heights.empty() && (client.heights_next || !chunks);
+  client.heights_next = !heights;
+  if (heights) {
     HeightsTask task = std::move(client.heights.front());
     client.heights.pop_front();
-    work.price = prices.height * task.columns.size();
+    work.price = costs.height * task.columns.size();
     work.what = std::move(task);
   } else {
-    if (!chunks) return std::nullopt;
-    Batch batch = take_patch(PatchKey{*patch}, self);
-    const bool at_hand = prices.at_hand && prices.at_hand(batch.patch);
-    work.price = (at_hand ? 0 : prices.patch) + prices.chunk * batch.keys.size();
+    Batch batch = take_patch(PatchKey{*patch}, id);
+    const bool in_memory = costs.in_memory && costs.in_memory(batch.patch);
+    work.price = (in_memory ? 0 : costs.patch) + costs.chunk * batch.keys.size();
     work.what = std::move(batch);
   }
-  client.balance -= static_cast<std::int64_t>(work.price);
-  ++client.under_way;
   return work;
 }
 
@@ -121,32 +113,9 @@ std::deque<PatchKey>::const_iterator WorkQueue::free_patch(const Client& client)
                       [&](const PatchKey& patch) { return !patches_.at(patch).taken; });
 }
 
-bool WorkQueue::may_begin(const Client& client, const WorkPrices& prices) const {
-  if (client.under_way >= prices.most_at_once) return false;
+bool WorkQueue::can_begin(const Client& client, const WorkCosts& costs) const {
+  if (client.in_flight >= costs.max_in_flight) return false;
   return !client.heights.empty() || free_patch(client) != client.order.end();
-}
-
-void WorkQueue::end_turn() {
-  const ChunkClient* const id = turns().front();
-  turns().pop_front();
-  const auto client = clients_.find(id);
-  client->second.in_turn = false;
-  const bool faded = client->second.idle() && client->second.under_way == 0 && client->second.balance >= 0;
-  if (faded && std::exchange(client->second.fading, true)) {
-    clients_.erase(client);
-    return;
-  }
-  client->second.fading = faded;
-  turns_.push_back(id);
-}
-
-// Where nobody waits, nobody is owed anything.
-void WorkQueue::forget_idle() {
-  const auto busy = [](const auto& each) { return !each.second.idle() || each.second.under_way > 0; };
-  if (std::any_of(clients_.begin(), clients_.end(), busy)) return;
-  clients_.clear();
-  fresh_.clear();
-  turns_.clear();
 }
 
 std::size_t WorkQueue::clients() const {
@@ -158,11 +127,13 @@ bool WorkQueue::begin(ChunkKey key) {
   const auto found = jobs_.find(key);
   if (!found->second.waiters.empty()) return true;
   jobs_.erase(found);
+  note_jobs();
   return false;
 }
 
-std::vector<ChunkClientPtr> WorkQueue::finish(ChunkKey key) {
+std::vector<MailboxPtr> WorkQueue::finish(ChunkKey key) {
   auto job = jobs_.extract(key);
+  note_jobs();
   return std::move(job.mapped().waiters);
 }
 
@@ -171,39 +142,37 @@ void WorkQueue::release(const PatchKey& patch) {
   drop_if_unused(patch);
 }
 
-WorkQueue::Client& WorkQueue::enter(const ChunkClientPtr& client) {
-  const auto [found, added] = clients_.try_emplace(client.get());
-  Client& state = found->second;
-  if (added) fresh_.push_back(client.get());
-  // What another owed who was in the same place of memory is not this one's debt.
-  if (state.self.expired()) {
-    state.balance = 0;
-    state.under_way = 0;
-  }
-  state.self = client;
-  return state;
+WorkQueue::Client& WorkQueue::enter(ClientId client) {
+  turns_.enter(client);
+  return clients_[client];
 }
 
-void WorkQueue::leave(const ChunkClient& client, const PatchKey& patch) {
-  Client& state = clients_.at(&client);
+void WorkQueue::leave(ClientId client, const PatchKey& patch) {
+  const auto found = clients_.find(client);
+  Client& state = found->second;
   const auto jobs = state.jobs.find(patch);
   if (--jobs->second > 0) return;
   state.jobs.erase(jobs);
   state.order.erase(std::find(state.order.begin(), state.order.end(), patch));
+  drop_if_done(found);
 }
 
-WorkQueue::Batch WorkQueue::take_patch(const PatchKey& patch, const ChunkClientPtr& client) {
+void WorkQueue::drop_if_done(Clients::iterator client) {
+  if (client->second.idle() && client->second.in_flight == 0) clients_.erase(client);
+}
+
+WorkQueue::Batch WorkQueue::take_patch(const PatchKey& patch, ClientId client) {
   PatchWork& work = patches_.at(patch);
   work.taken = true;
   Batch batch{patch, std::exchange(work.waiting, {})};
   std::stable_partition(batch.keys.begin(), batch.keys.end(), [&](ChunkKey key) {
-    const auto& waiters = jobs_.at(key).waiters;
-    return std::find(waiters.begin(), waiters.end(), client) != waiters.end();
+    auto& waiters = jobs_.at(key).waiters;
+    return waiter_of(waiters, client) != waiters.end();
   });
   for (const ChunkKey key : batch.keys) {
     Job& job = jobs_.at(key);
     job.taken = true;
-    for (const ChunkClientPtr& waiter : job.waiters) leave(*waiter, patch);
+    for (const MailboxPtr& waiter : job.waiters) leave(waiter->owner(), patch);
   }
   return batch;
 }

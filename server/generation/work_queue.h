@@ -1,41 +1,38 @@
-// What the generators have yet to do, and whose turn it is. No threads here: ChunkService locks.
+// What the generators have yet to do, and whose turn it is. For one thread; GenerationPool locks.
 //
-// A job is one chunk, however many clients wait for it; it dies with its last waiter. Jobs are grouped by
-// patch, and a patch is worked on by one thread at a time.
+// A job is one chunk, however many clients wait for it; it is dropped with its last waiter. Jobs are grouped
+// by patch, and a patch is worked on by one thread at a time.
 //
-// Clients take turns by deficit round robin (Shreedhar and Varghese, 1995). A turn brings a client as much
-// as a new patch costs; it spends that on patches of its own, in the order in which it asked, and between
-// them on heights, until nothing is left. The last piece may overdraw, which its next turns pay off, also if
-// it has left meanwhile. Who had nothing waiting goes first, once in a round (as flows in FQ-CoDel, RFC
-// 8290): a walker's few chunks do not wait for those who always want more. So clients get equal time of the
-// generators, whatever they ask for. Who else waits for chunks of the patch gets them with it, for nothing: a
-// job is done in the turn of the waiter whose turn comes first.
+// Clients take turns by deficit round robin. A turn is worth a new patch; a client spends it on patches of
+// its own, in the order in which it asked, and between them on heights. Whoever else waits for chunks of the
+// patch gets them with it, for nothing: a job is done in the turn of the waiter whose turn comes first.
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
 #include <deque>
-#include <functional>
-#include <memory>
 #include <optional>
 #include <unordered_map>
 #include <variant>
 #include <vector>
 
+#include <talus/terrain/stacks.h>
 #include <talus/voxel/coords.h>
 
-#include "generation/chunk_client.h"
+#include "chunks/mailbox.h"
+#include "generation/deficit_round_robin.h"
 #include "generation/patch.h"
+#include "generation/work_costs.h"
+#include "memory/hysteresis_gate.h"
 
 namespace talus::server {
 
-/// What work is likely to cost, in any unit.
-struct WorkPrices {
-  std::uint64_t patch = 1;  // to make one; at least 1
-  std::uint64_t chunk = 0;
-  std::uint64_t height = 0;                        // a column's
-  std::function<bool(const PatchKey&)> at_hand{};  // whether the patch need not be made; unset: none is
-  std::size_t most_at_once = SIZE_MAX;             // pieces of one client's that may be under way
+/// Columns whose heights the mailbox's owner waits for. It never gives a ticket twice, so that an answer
+/// which a cancellation missed is told from a later one.
+struct HeightsTask {
+  MailboxPtr mailbox;
+  std::uint64_t ticket = 0;
+  std::vector<terrain::BaseColumn> columns;
 };
 
 class WorkQueue {
@@ -46,39 +43,45 @@ class WorkQueue {
   };
   struct Work {
     std::variant<Batch, HeightsTask> what;
-    ChunkClientPtr client;    // whose turn it was
+    ClientId client{};        // whose turn it was
     std::uint64_t price = 0;  // what it has paid
   };
 
-  WorkQueue(int patch_tiles, std::size_t most_jobs);
+  /// Full with `max_jobs` jobs, until fewer than three quarters of them are left.
+  WorkQueue(int patch_tiles, std::size_t max_jobs);
 
-  /// Lets `client` wait for the chunk; once, however often it asks. False where the queue is full.
-  [[nodiscard]] bool add(const ChunkClientPtr& client, ChunkKey key);
+  /// Lets the mailbox's owner wait for the chunk; once, however often it asks. False where that needs a new
+  /// job and the queue is full.
+  [[nodiscard]] bool add(const MailboxPtr& mailbox, ChunkKey key);
   void add(HeightsTask task);
   [[nodiscard]] bool has_job(ChunkKey key) const { return jobs_.contains(key); }
+  [[nodiscard]] bool full() const { return !gate_.open(); }
 
-  void cancel(const ChunkClient& client, ChunkKey key);
+  /// No effect where the client does not wait for the chunk.
+  void cancel(ClientId client, ChunkKey key);
   /// No effect where the task is not waiting any more.
-  void cancel_heights(const ChunkClient& client, std::uint64_t ticket);
+  void cancel_heights(ClientId client, std::uint64_t ticket);
 
   /// The next piece of work, if any may be begun. A Batch's patch is the taker's until release().
-  [[nodiscard]] std::optional<Work> take(const WorkPrices& prices = {});
-  /// What the piece did cost: its client pays the difference, or gets it back.
-  void settle(const Work& work, std::uint64_t cost);
+  [[nodiscard]] std::optional<Work> take(const WorkCosts& costs = {});
+  /// The piece is done and did cost `cost`: its client pays the difference, or gets it back.
+  void reconcile(const Work& work, std::uint64_t cost);
   /// Whether somebody still waits for a chunk of a taken batch; where not, the job is gone.
   [[nodiscard]] bool begin(ChunkKey key);
   /// Ends the job; its waiters are the caller's to answer.
-  [[nodiscard]] std::vector<ChunkClientPtr> finish(ChunkKey key);
+  [[nodiscard]] std::vector<MailboxPtr> finish(ChunkKey key);
   void release(const PatchKey& patch);
 
   [[nodiscard]] std::size_t jobs() const { return jobs_.size(); }
-  /// Who have something waiting.
+  /// How many jobs more it would take.
+  [[nodiscard]] std::size_t free_jobs() const { return full() ? 0 : max_jobs_ - jobs_.size(); }
+  /// Those with something waiting.
   [[nodiscard]] std::size_t clients() const;
 
  private:
   struct Job {
     PatchKey patch;
-    std::vector<ChunkClientPtr> waiters;
+    std::vector<MailboxPtr> waiters;
     bool taken = false;
   };
   struct PatchWork {
@@ -86,41 +89,36 @@ class WorkQueue {
     bool taken = false;
   };
   struct Client {
-    std::weak_ptr<ChunkClient> self;
-    std::int64_t balance = 0;   // what it may spend; negative: what it owes
-    std::size_t under_way = 0;  // pieces taken in its turns and not settled
-    bool in_turn = false;
-    bool fading = false;         // had nothing waiting when its turn ended; forgotten if so again
-    std::deque<PatchKey> order;  // exactly the keys of `jobs`
-    std::unordered_map<PatchKey, std::uint32_t> jobs;  // waiting ones, a patch
+    std::deque<PatchKey> order;                        // exactly the keys of `jobs`
+    std::unordered_map<PatchKey, std::uint32_t> jobs;  // waiting ones of each patch
     std::deque<HeightsTask> heights;
-    bool heights_next = true;  // heights and patches take turns, where it waits for both
+    bool heights_next = true;   // heights and patches take turns, where it waits for both
+    std::size_t in_flight = 0;  // pieces taken in its turns and not reconciled
     [[nodiscard]] bool idle() const { return order.empty() && heights.empty(); }
   };
+  using Clients = std::unordered_map<ClientId, Client>;
 
-  Client& enter(const ChunkClientPtr& client);
-  void leave(const ChunkClient& client, const PatchKey& patch);
-  /// The first piece of the client's own that may be begun.
-  [[nodiscard]] std::optional<Work> take_of(Client& client, const WorkPrices& prices);
-  /// Whether it has one.
-  [[nodiscard]] bool may_begin(const Client& client, const WorkPrices& prices) const;
+  Client& enter(ClientId client);
+  /// The client waits for one job less of the patch.
+  void leave(ClientId client, const PatchKey& patch);
+  void drop_if_done(Clients::iterator client);
+  [[nodiscard]] bool can_begin(const Client& client, const WorkCosts& costs) const;
   [[nodiscard]] std::deque<PatchKey>::const_iterator free_patch(const Client& client) const;
-  [[nodiscard]] Batch take_patch(const PatchKey& patch, const ChunkClientPtr& client);
-  /// Whose turn it is, of those there are.
-  [[nodiscard]] std::deque<const ChunkClient*>& turns() { return fresh_.empty() ? turns_ : fresh_; }
-  void end_turn();
-  void forget_idle();
+  /// The first piece of a client that can begin one.
+  [[nodiscard]] Work take_of(ClientId id, const WorkCosts& costs);
+  [[nodiscard]] Batch take_patch(const PatchKey& patch, ClientId client);
   void drop_if_unused(const PatchKey& patch);
+  void note_jobs() {
+    gate_.update([this] { return jobs_.size(); });
+  }
 
-  int patch_tiles_;
-  std::size_t most_jobs_;
+  const int patch_tiles_;
+  const std::size_t max_jobs_;
+  HysteresisGate gate_;
   std::unordered_map<ChunkKey, Job> jobs_;
   std::unordered_map<PatchKey, PatchWork> patches_;
-  // Those with something waiting, and until their turn comes those that had; who owes stays until it is paid.
-  std::unordered_map<const ChunkClient*, Client> clients_;
-  // Exactly the keys of clients_ between them. Those who had nothing waiting go before all others.
-  std::deque<const ChunkClient*> fresh_;
-  std::deque<const ChunkClient*> turns_;
+  Clients clients_;  // those with something waiting or in flight
+  DeficitRoundRobin<ClientId> turns_;
 };
 
 }  // namespace talus::server

@@ -1,6 +1,7 @@
 #include "memory/memory_budget.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace talus::server {
 
@@ -12,7 +13,7 @@ MemoryBudget::MemoryBudget(std::uint64_t limit_bytes)
 }
 
 std::uint64_t MemoryBudget::used(MemoryUse use) const {
-  const std::int64_t bytes = used_[static_cast<std::size_t>(use)].load(std::memory_order_relaxed);
+  const std::int64_t bytes = used_[static_cast<std::size_t>(use)].load();
   return static_cast<std::uint64_t>(std::max<std::int64_t>(0, bytes));
 }
 
@@ -26,19 +27,27 @@ std::uint64_t MemoryBudget::used() const {
 }
 
 void MemoryBudget::add(MemoryUse use, std::int64_t bytes) {
-  used_[static_cast<std::size_t>(use)].fetch_add(bytes, std::memory_order_relaxed);
+  used_[static_cast<std::size_t>(use)].fetch_add(bytes);
+  update_gates();
 }
 
 void MemoryBudget::set(MemoryUse use, std::uint64_t bytes) {
-  used_[static_cast<std::size_t>(use)].store(static_cast<std::int64_t>(bytes), std::memory_order_relaxed);
+  used_[static_cast<std::size_t>(use)].store(static_cast<std::int64_t>(bytes));
+  update_gates();
 }
 
-bool MemoryBudget::takes_work() {
-  return limit_ == 0 || work_.open(beside_caches());
+void MemoryBudget::update_gates() {
+  if (limit_ == 0) return;
+  const auto level = [this] { return beside_caches(); };
+  connections_.update(level);
+  if (!work_.update(level)) return;
+  const std::lock_guard lock{resumed_mutex_};
+  if (resumed_) resumed_();
 }
 
-bool MemoryBudget::takes_connections() {
-  return limit_ == 0 || connections_.open(beside_caches());
+void MemoryBudget::when_work_resumes(std::function<void()> resumed) {
+  const std::lock_guard lock{resumed_mutex_};
+  resumed_ = std::move(resumed);
 }
 
 std::uint64_t MemoryBudget::for_caches(std::uint64_t wanted) const {

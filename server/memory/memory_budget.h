@@ -1,32 +1,21 @@
-// What talusd knows that it holds in memory, against what it may hold. Callable from any thread, no locks.
+// The memory that talusd accounts for, against limits.memory_bytes. Callable from any thread; no locks but
+// where new work is let in again.
 //
-// Caches give way first: they may have what everything else leaves. New work, and before it new connections,
-// are refused when everything else has come near the budget, until it is well below again; so what is under
-// way can end, and nothing flaps.
+// Caches give way first: they may have what everything else leaves. When everything else comes near the
+// limit, new connections are refused, and after them new work, each until it is well below again: what is in
+// flight can end, and nothing flaps.
 #pragma once
 
 #include <array>
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
+#include <mutex>
+
+#include "memory/hysteresis_gate.h"
 
 namespace talus::server {
-
-/// Closes when `used` reaches `stop`, opens when it is below `resume`.
-class Floodgate {
- public:
-  Floodgate(std::uint64_t stop, std::uint64_t resume) : stop_{stop}, resume_{resume} {}
-  [[nodiscard]] bool open(std::uint64_t used) {
-    const bool was_closed = closed_.load(std::memory_order_relaxed);
-    const bool closed = used >= (was_closed ? resume_ : stop_);
-    if (closed != was_closed) closed_.store(closed, std::memory_order_relaxed);
-    return !closed;
-  }
-
- private:
-  const std::uint64_t stop_, resume_;
-  std::atomic<bool> closed_{false};
-};
 
 enum class MemoryUse : std::uint8_t { program, sessions, jobs, generators, chunk_cache, patch_cache };
 inline constexpr std::array<const char*, 6> kMemoryUses{"program",    "sessions",    "jobs",
@@ -37,59 +26,41 @@ class MemoryBudget {
   /// What the program takes before it serves anybody: its code, its threads, its log.
   static constexpr std::uint64_t kProgramBytes = std::uint64_t{24} << 20;
 
-  /// 0: none, nothing is ever refused.
+  /// 0: no limit, nothing is ever refused.
   explicit MemoryBudget(std::uint64_t limit_bytes);
 
   [[nodiscard]] std::uint64_t limit_bytes() const { return limit_; }
   [[nodiscard]] std::uint64_t used(MemoryUse use) const;
   [[nodiscard]] std::uint64_t used() const;
 
+  /// Both may call the function given to when_work_resumes(): hold no lock that it takes.
   void add(MemoryUse use, std::int64_t bytes);
   void set(MemoryUse use, std::uint64_t bytes);
 
-  /// Whether new chunks and heights may be asked of generators; false from 3/4 of the budget on, until below
+  /// Whether generators may be asked for new chunks and heights: not from 3/4 of the limit on, until below
   /// 5/8.
-  [[nodiscard]] bool takes_work();
-  /// Whether new connections may be; false from 5/8 on, until below 1/2: those that are there need room to
+  [[nodiscard]] bool takes_work() const { return work_.open(); }
+  /// Whether new connections may come: not from 5/8 on, until below 1/2. Those that are there need memory to
   /// work.
-  [[nodiscard]] bool takes_connections();
+  [[nodiscard]] bool takes_connections() const { return connections_.open(); }
+  /// `resumed` is called when takes_work() becomes true again, on the thread that gave memory back; it must
+  /// not wait, throw, or change the budget. Replaces the function before, and returns when no thread is in
+  /// it.
+  void when_work_resumes(std::function<void()> resumed);
 
-  /// How much of `wanted` bytes caches may hold now: what everything else leaves of 7/8 of the budget, and at
+  /// How much of `wanted` bytes caches may hold now: what everything else leaves of 7/8 of the limit, and at
   /// least 1/16 of it.
   [[nodiscard]] std::uint64_t for_caches(std::uint64_t wanted) const;
 
  private:
   [[nodiscard]] std::uint64_t beside_caches() const;
+  void update_gates();
 
   const std::uint64_t limit_;
   std::array<std::atomic<std::int64_t>, kMemoryUses.size()> used_{};
-  Floodgate work_, connections_;
-};
-
-/// What one holder has told a budget; given back with it.
-class MemoryShare {
- public:
-  MemoryShare(MemoryBudget& budget, MemoryUse use) : budget_{budget}, use_{use} {}
-  ~MemoryShare() { tell(0); }
-  MemoryShare(const MemoryShare&) = delete;
-  MemoryShare& operator=(const MemoryShare&) = delete;
-
-  /// Changes below a page are kept to itself.
-  void hold(std::uint64_t bytes) {
-    constexpr std::uint64_t kWorthTelling = 4096;
-    const std::uint64_t apart = bytes > told_ ? bytes - told_ : told_ - bytes;
-    if (apart >= kWorthTelling) tell(bytes);
-  }
-
- private:
-  void tell(std::uint64_t bytes) {
-    budget_.add(use_, static_cast<std::int64_t>(bytes) - static_cast<std::int64_t>(told_));
-    told_ = bytes;
-  }
-
-  MemoryBudget& budget_;
-  MemoryUse use_;
-  std::uint64_t told_ = 0;
+  HysteresisGate work_, connections_;
+  std::mutex resumed_mutex_;
+  std::function<void()> resumed_;
 };
 
 }  // namespace talus::server

@@ -34,7 +34,7 @@ struct Bench {
   Bench() {
     tcp::acceptor acceptor{io, {asio::ip::address_v4::loopback(), 0}};
     client.connect(acceptor.local_endpoint());
-    const ConnectionContext context{{limits, world, fake.service, fake.metrics, access},
+    const ConnectionContext context{{limits, world, fake.service, fake.memory, fake.metrics, access},
                                     registry,
                                     std::make_shared<spdlog::logger>("silent")};
     const auto connection = std::make_shared<Connection>(
@@ -129,7 +129,7 @@ TEST_CASE("however much one client takes, another's Pong waits for two of its tu
   Registry registry;
   asio::io_context io{1};
   tcp::acceptor acceptor{io, {asio::ip::address_v4::loopback(), 0}};
-  const ConnectionContext context{{limits, world, fake.service, fake.metrics, access},
+  const ConnectionContext context{{limits, world, fake.service, fake.memory, fake.metrics, access},
                                   registry,
                                   std::make_shared<spdlog::logger>("silent")};
   std::vector<tcp::socket> clients;

@@ -4,22 +4,24 @@
 #include <atomic>
 #include <condition_variable>
 #include <limits>
-#include <map>
 #include <memory>
 #include <mutex>
 #include <new>
+#include <utility>
+#include <variant>
 #include <vector>
 
-#include "generation/chunk_service.h"
+#include "clock/manual_clock.h"
+#include "generation/base_chunks.h"
 #include "generation/generator.h"
 
 namespace talus::server {
 
-/// What the fake does; shared by the test and the service.
+/// What the fake does; shared by the test and the generator.
 struct FakeWork {
   std::atomic<int> patches{0};
   std::atomic<int> chunks{0};
-  std::atomic<int> lent{0};  // patches that were given memory of others
+  std::atomic<int> reused{0};  // patches made in memory of others
   std::atomic<bool> out_of_memory{false};
   std::atomic<bool> finding_throws{false};
   std::atomic<std::size_t> payload_bytes{0};
@@ -67,17 +69,17 @@ class FakeGenerator final : public Generator {
     return std::make_shared<const EncodedChunk>(ContentHash{}, std::vector<std::byte>{});
   }
   /// As if all were mixed, unless the test says from where on there is air.
-  [[nodiscard]] terrain::MixedRange rows_anywhere(Lod) const override {
+  [[nodiscard]] MixedRows mixed_rows_anywhere(Lod) const override {
     return {std::numeric_limits<std::int32_t>::min(), work_->last_mixed_anywhere, MaterialId{2}};
   }
-  [[nodiscard]] terrain::MixedRange rows(const terrain::Stacks&, ChunkKey) const override {
+  [[nodiscard]] MixedRows mixed_rows(const terrain::Stacks&, ChunkKey) const override {
     return {work_->first_mixed, work_->last_mixed, MaterialId{2}};
   }
   void make_patch(const PatchKey&, terrain::Stacks& stacks) const override {
     work_->pass_gate();
     ++work_->patches;
     if (work_->out_of_memory) throw std::bad_alloc{};
-    if (!stacks.tops.empty()) ++work_->lent;
+    if (!stacks.tops.empty()) ++work_->reused;
     stacks.tops.clear();
     if (work_->patch_columns > 0) stacks.tops.emplace_back(work_->patch_columns, 1);
   }
@@ -96,53 +98,89 @@ class FakeGenerator final : public Generator {
   std::shared_ptr<FakeWork> work_;
 };
 
-/// Keeps what it is given until a test waits for it.
-class WaitingClient final : public ChunkClient {
+/// A client that keeps its answers until a test waits for them.
+class WaitingClient {
  public:
-  void chunks_ready(std::vector<ReadyChunk> chunks) override {
-    const std::lock_guard lock{mutex_};
-    for (ReadyChunk& chunk : chunks) answers_.emplace_back(chunk.key, std::move(chunk.answer));
-    changed_.notify_all();
-  }
-  void heights_ready(std::uint64_t ticket, HeightsAnswer answer) override {
-    const std::lock_guard lock{mutex_};
-    heights_.emplace_back(ticket, std::move(answer));
-    changed_.notify_all();
-  }
+  explicit WaitingClient(ClientId id = next_id())
+      : mailbox_{std::make_shared<Mailbox>(id, [this] {
+          const std::lock_guard lock{mutex_};
+          woken_ = true;
+          changed_.notify_all();
+        })} {}
+  WaitingClient(const WaitingClient&) = delete;
+  WaitingClient& operator=(const WaitingClient&) = delete;
+
+  [[nodiscard]] const MailboxPtr& mailbox() const { return mailbox_; }
+  [[nodiscard]] ClientId id() const { return mailbox_->owner(); }
+
   /// Waits until there are `count` answers of both kinds.
   void await(std::size_t count) {
-    std::unique_lock lock{mutex_};
-    changed_.wait(lock, [&] { return answers_.size() + heights_.size() >= count; });
+    await_until([&] { return answers_.size() + heights_.size() >= count; });
   }
-  [[nodiscard]] std::vector<std::pair<ChunkKey, ChunkAnswer>> answers() const {
-    const std::lock_guard lock{mutex_};
-    return answers_;
+  void await_room() {
+    await_until([&] { return rooms_ > 0; });
   }
-  [[nodiscard]] std::vector<std::pair<std::uint64_t, HeightsAnswer>> heights() const {
-    const std::lock_guard lock{mutex_};
+  /// Takes what has come so far.
+  void take_mail() {
+    for (Mail& mail : mailbox_->take()) {
+      if (auto* chunk = std::get_if<ChunkReady>(&mail)) {
+        answers_.emplace_back(chunk->key, std::move(chunk->answer));
+      } else if (auto* heights = std::get_if<HeightsReady>(&mail)) {
+        heights_.emplace_back(heights->ticket, std::move(heights->answer));
+      } else {
+        ++rooms_;
+      }
+    }
+  }
+
+  using Answer = std::pair<ChunkKey, ChunkAnswer>;
+  [[nodiscard]] const std::vector<Answer>& answers() const { return answers_; }
+  [[nodiscard]] const std::vector<std::pair<std::uint64_t, HeightsAnswer>>& heights() const {
     return heights_;
   }
+  /// How often it was told that the queue has room.
+  [[nodiscard]] int rooms() const { return rooms_; }
 
  private:
-  mutable std::mutex mutex_;
+  static ClientId next_id() {
+    static std::atomic<std::uint64_t> last{0};
+    return ClientId{++last};
+  }
+  template <typename Enough>
+  void await_until(Enough&& enough) {
+    for (take_mail(); !enough(); take_mail()) {
+      std::unique_lock lock{mutex_};
+      changed_.wait(lock, [&] { return std::exchange(woken_, false); });
+    }
+  }
+
+  std::mutex mutex_;
   std::condition_variable changed_;
-  std::vector<std::pair<ChunkKey, ChunkAnswer>> answers_;
+  bool woken_ = false;
+  MailboxPtr mailbox_;
+  std::vector<Answer> answers_;
   std::vector<std::pair<std::uint64_t, HeightsAnswer>> heights_;
+  int rooms_ = 0;
 };
 
-/// A service on a fake generator.
+/// Base chunks of a fake generator. Its clock stands still, so that only the first answer of a piece of work
+/// and its end wake anybody.
 struct FakeService {
   std::shared_ptr<FakeWork> work = std::make_shared<FakeWork>();
   Metrics metrics;
-  MemoryBudget memory{0};
-  ChunkService service;
+  MemoryBudget memory;
+  ManualClock clock;
+  BaseChunks service;
 
-  explicit FakeService(std::size_t threads = 1, std::size_t queue_chunks = 1000)
-      : service{std::make_unique<FakeGenerator>(work),
-                {threads, 4, queue_chunks, 1 << 20, 1 << 20},
+  explicit FakeService(std::size_t threads = 1, std::size_t queue_chunks = 1000,
+                       std::uint64_t memory_bytes = 0, std::size_t cache_bytes = 1 << 20)
+      : memory{memory_bytes},
+        service{std::make_unique<FakeGenerator>(work),
+                {threads, 4, queue_chunks, cache_bytes, cache_bytes},
                 std::make_shared<spdlog::logger>("silent"),
                 metrics,
-                memory} {
+                memory,
+                clock} {
     service.start();
   }
   /// Threads behind a closed gate would never end.

@@ -37,8 +37,9 @@ struct Bench {
   Session session;
 
   explicit Bench(const RateLimits& some, const AddressBucketsPtr& address = nullptr)
-      : rates{some}, session{{limits, world, fake.service, fake.metrics, access, rates}, address} {
-    session.attach(client);
+      : rates{some},
+        session{{limits, world, fake.service, fake.memory, fake.metrics, access, rates}, address} {
+    session.attach(client->mailbox());
     receive([](auto& builder) {
       const auto codecs = builder.CreateVector(std::vector{kCodecVersion});
       return wire::CreateHello(builder, 1, 1, codecs);

@@ -51,13 +51,15 @@ struct Shared {
   FakeService fake;
   Limits limits;
   WorldInfo world;
-  SessionContext context{limits, world, fake.service, fake.metrics, access};
+  SessionContext context{limits, world, fake.service, fake.memory, fake.metrics, access};
 };
 
 struct Bench : Shared {
   Session session{context};
 
-  Bench() { session.attach(std::make_shared<WaitingClient>()); }
+  Bench() {
+    session.attach(std::make_shared<Mailbox>(ClientId{1}, [] {}));
+  }
 
   /// Its output, which must be one Error.
   SaidError error() {

@@ -23,10 +23,10 @@ struct Bench {
   WorldInfo world;
   AccessControl access{Access{}, *load_keys(Access{})};
   std::shared_ptr<WaitingClient> client = std::make_shared<WaitingClient>();
-  Session session{{limits, world, fake.service, fake.metrics, access}};
+  Session session{{limits, world, fake.service, fake.memory, fake.metrics, access}};
 
   explicit Bench(std::size_t queue_chunks = 1000) : fake{1, queue_chunks} {
-    session.attach(client);
+    session.attach(client->mailbox());
     session.receive(protocol::make_frame([](auto& builder) {
       const auto codecs = builder.CreateVector(std::vector{kCodecVersion});
       return wire::CreateHello(builder, 1, 1, codecs);

@@ -4,6 +4,7 @@
 #include <catch2/catch.hpp>
 #include <map>
 #include <set>
+#include <string>
 
 #include <rapidcheck.h>
 
@@ -12,11 +13,11 @@ using namespace talus::server;
 
 namespace {
 
-class Nobody final : public ChunkClient {
- public:
-  void chunks_ready(std::vector<ReadyChunk>) override {}
-  void heights_ready(std::uint64_t, HeightsAnswer) override {}
-};
+/// Of a client that nobody wakes; each has an id of its own.
+MailboxPtr client_box() {
+  static std::uint64_t last = 0;
+  return std::make_shared<Mailbox>(ClientId{++last}, [] {});
+}
 
 ChunkKey at(std::int32_t x, std::int32_t y = 0) {
   return {{x, y, 0}, Lod{}};
@@ -34,8 +35,7 @@ constexpr int kPatch = 4;
 
 TEST_CASE("one job, however many wait") {
   WorkQueue queue{kPatch, 100};
-  const std::vector<ChunkClientPtr> clients{std::make_shared<Nobody>(), std::make_shared<Nobody>(),
-                                            std::make_shared<Nobody>()};
+  const std::vector<MailboxPtr> clients{client_box(), client_box(), client_box()};
   for (const auto& client : clients) {
     REQUIRE(queue.add(client, at(1)));
     REQUIRE(queue.add(client, at(1)));
@@ -48,7 +48,7 @@ TEST_CASE("one job, however many wait") {
 
 TEST_CASE("a batch is all that waits for a patch") {
   WorkQueue queue{kPatch, 100};
-  const auto client = std::make_shared<Nobody>();
+  const auto client = client_box();
   for (const ChunkKey key : {at(0), at(7), at(3, 9), at(-1)}) REQUIRE(queue.add(client, key));
   CHECK(take_batch(queue).keys == std::vector{at(0), at(3, 9)});
   CHECK(take_batch(queue).keys == std::vector{at(7)});
@@ -57,7 +57,7 @@ TEST_CASE("a batch is all that waits for a patch") {
 
 TEST_CASE("a patch is nobody else's until it is released") {
   WorkQueue queue{kPatch, 100};
-  const auto client = std::make_shared<Nobody>();
+  const auto client = client_box();
   REQUIRE(queue.add(client, at(0)));
   const auto batch = take_batch(queue);
   REQUIRE(queue.add(client, at(1)));
@@ -69,23 +69,23 @@ TEST_CASE("a patch is nobody else's until it is released") {
 
 TEST_CASE("a job dies with its last waiter") {
   WorkQueue queue{kPatch, 100};
-  const auto first = std::make_shared<Nobody>();
-  const auto second = std::make_shared<Nobody>();
+  const auto first = client_box();
+  const auto second = client_box();
   REQUIRE(queue.add(first, at(1)));
   REQUIRE(queue.add(second, at(1)));
-  queue.cancel(*first, at(1));
+  queue.cancel(first->owner(), at(1));
   CHECK(queue.jobs() == 1);
-  queue.cancel(*second, at(1));
+  queue.cancel(second->owner(), at(1));
   CHECK(queue.jobs() == 0);
   CHECK_FALSE(queue.take().has_value());
 }
 
 TEST_CASE("a job whose waiters left while it was taken is not begun") {
   WorkQueue queue{kPatch, 100};
-  const auto client = std::make_shared<Nobody>();
+  const auto client = client_box();
   REQUIRE(queue.add(client, at(1)));
   const auto batch = take_batch(queue);
-  queue.cancel(*client, at(1));
+  queue.cancel(client->owner(), at(1));
   CHECK_FALSE(queue.begin(at(1)));
   queue.release(batch.patch);
   CHECK(queue.jobs() == 0);
@@ -93,71 +93,71 @@ TEST_CASE("a job whose waiters left while it was taken is not begun") {
 
 TEST_CASE("clients take turns, however much one of them wants") {
   WorkQueue queue{kPatch, 1000};
-  const auto greedy = std::make_shared<Nobody>();
-  const auto modest = std::make_shared<Nobody>();
+  const auto greedy = client_box();
+  const auto modest = client_box();
   for (std::int32_t patch = 0; patch < 50; ++patch) REQUIRE(queue.add(greedy, at(patch * kPatch)));
   REQUIRE(queue.add(modest, at(-1)));
   (void)take_batch(queue);
   CHECK(take_batch(queue).keys == std::vector{at(-1)});
 }
 
-TEST_CASE("of one client only so many pieces are under way, so that the next who comes finds a thread") {
+TEST_CASE("of one client only so many pieces are in flight, so that the next who comes finds a thread") {
   WorkQueue queue{kPatch, 1000};
-  const auto greedy = std::make_shared<Nobody>();
-  const auto walker = std::make_shared<Nobody>();
+  const auto greedy = client_box();
+  const auto walker = client_box();
   for (std::int32_t patch = 0; patch < 10; ++patch) REQUIRE(queue.add(greedy, at(patch * kPatch)));
-  WorkPrices prices{100, 10, 0, {}};
-  prices.most_at_once = 2;
-  const auto first = queue.take(prices);
+  WorkCosts costs{100, 10, 0, {}};
+  costs.max_in_flight = 2;
+  const auto first = queue.take(costs);
   REQUIRE(first.has_value());
-  REQUIRE(queue.take(prices).has_value());
-  CHECK_FALSE(queue.take(prices).has_value());
+  REQUIRE(queue.take(costs).has_value());
+  CHECK_FALSE(queue.take(costs).has_value());
   REQUIRE(queue.add(walker, at(1000 * kPatch)));
-  const auto walkers = queue.take(prices);
+  const auto walkers = queue.take(costs);
   REQUIRE(walkers.has_value());
-  CHECK(walkers->client == walker);
-  CHECK_FALSE(queue.take(prices).has_value());
-  queue.settle(*first, 110);
-  const auto next = queue.take(prices);
+  CHECK(walkers->client == walker->owner());
+  CHECK_FALSE(queue.take(costs).has_value());
+  queue.reconcile(*first, 110);
+  const auto next = queue.take(costs);
   REQUIRE(next.has_value());
-  CHECK(next->client == greedy);
+  CHECK(next->client == greedy->owner());
 }
 
-TEST_CASE("turns weigh what they cost: cheap pieces go several to a turn") {
+TEST_CASE("turns are worth time, not pieces: cheap pieces go several to a turn") {
   WorkQueue queue{kPatch, 1000};
-  const auto walker = std::make_shared<Nobody>();
-  const auto explorer = std::make_shared<Nobody>();
-  // The walker's patches are at hand, the explorer's are not.
-  WorkPrices prices{100, 10, 0, [](const PatchKey& patch) { return patch.x >= 1000; }};
+  const auto walker = client_box();
+  const auto explorer = client_box();
+  // The walker's patches are in memory, the explorer's are not.
+  WorkCosts costs{100, 10, 0, [](const PatchKey& patch) { return patch.x >= 1000; }};
   for (std::int32_t patch = 0; patch < 40; ++patch) {
     REQUIRE(queue.add(explorer, at(patch * kPatch)));
     REQUIRE(queue.add(walker, at((1000 + patch) * kPatch)));
   }
-  std::map<const ChunkClient*, int> pieces;
+  std::map<ClientId, int> pieces;
   for (int piece = 0; piece < 33; ++piece) {
-    const auto work = queue.take(prices);
+    const auto work = queue.take(costs);
     REQUIRE(work.has_value());
-    ++pieces[work->client.get()];
+    ++pieces[work->client];
   }
   // A turn is worth one piece of 110 and a little debt, or ten of 10.
-  CHECK(pieces[explorer.get()] == 3);
-  CHECK(pieces[walker.get()] == 30);
+  CHECK(pieces[explorer->owner()] == 3);
+  CHECK(pieces[walker->owner()] == 30);
 }
 
 TEST_CASE(
     "whatever pieces cost, clients that always have some get the same time but for a turn and a piece") {
   CHECK(rc::check([] {
     WorkQueue queue{1, 100'000};
-    const auto prices =
-        WorkPrices{*rc::gen::inRange<std::uint64_t>(1, 1000), *rc::gen::inRange<std::uint64_t>(0, 10), 0, {}};
+    const auto expected =
+        WorkCosts{*rc::gen::inRange<std::uint64_t>(1, 1000), *rc::gen::inRange<std::uint64_t>(0, 10), 0, {}};
     const auto costs = *rc::gen::container<std::vector<std::uint64_t>>(
         *rc::gen::inRange<std::size_t>(2, 6), rc::gen::inRange<std::uint64_t>(1, 5000));
-    std::map<const ChunkClient*, std::size_t> numbers;
-    std::vector<ChunkClientPtr> clients;
+    std::map<ClientId, std::size_t> numbers;
+    std::vector<MailboxPtr> clients;
     std::vector<std::uint64_t> spent(costs.size());
     for (std::size_t number = 0; number < costs.size(); ++number) {
-      clients.push_back(std::make_shared<Nobody>());
-      numbers[clients.back().get()] = number;
+      clients.push_back(client_box());
+      numbers[clients.back()->owner()] = number;
     }
     std::int32_t next = 0;
     const auto ask = [&](std::size_t number) { RC_ASSERT(queue.add(clients[number], at(++next))); };
@@ -166,70 +166,71 @@ TEST_CASE(
       ask(number);
     }
     const std::uint64_t dearest =
-        std::max(*std::max_element(costs.begin(), costs.end()), prices.patch + prices.chunk);
+        std::max(*std::max_element(costs.begin(), costs.end()), expected.patch + expected.chunk);
     for (int piece = 0; piece < 300; ++piece) {
-      auto work = queue.take(prices);
+      auto work = queue.take(expected);
       RC_ASSERT(work.has_value());
-      const std::size_t number = numbers.at(work->client.get());
+      const std::size_t number = numbers.at(work->client);
       const auto& batch = std::get<WorkQueue::Batch>(work->what);
       for (const ChunkKey key : batch.keys) (void)queue.finish(key);
       queue.release(batch.patch);
-      queue.settle(*work, costs[number]);
+      queue.reconcile(*work, costs[number]);
       spent[number] += costs[number];
       ask(number);
       const auto [least, most] = std::minmax_element(spent.begin(), spent.end());
-      RC_ASSERT(*most - *least <= 2 * (prices.patch + dearest));
+      RC_ASSERT(*most - *least <= 2 * (expected.patch + dearest));
     }
   }));
 }
 
-TEST_CASE("who left owing pays when it comes back") {
+TEST_CASE("a client that left owing pays when it comes back") {
   WorkQueue queue{kPatch, 1000};
-  const auto debtor = std::make_shared<Nobody>();
-  const auto other = std::make_shared<Nobody>();
+  const auto debtor = client_box();
+  const auto other = client_box();
   for (std::int32_t patch = 0; patch < 20; ++patch) REQUIRE(queue.add(other, at(patch * kPatch)));
   REQUIRE(queue.add(debtor, at(-1)));
-  const WorkPrices prices{10, 0, 0, {}};
-  (void)queue.take(prices);
-  const auto dear = queue.take(prices);
-  REQUIRE(dear->client == debtor);
-  queue.settle(*dear, 50);
-  CHECK(queue.take(prices)->client == other);  // which takes it through a turn in which it has nothing
+  const WorkCosts costs{10, 0, 0, {}};
+  (void)queue.take(costs);
+  const auto dear = queue.take(costs);
+  REQUIRE(dear->client == debtor->owner());
+  queue.reconcile(*dear, 50);
+  CHECK(queue.take(costs)->client ==
+        other->owner());  // which takes it through a turn in which it has nothing
   REQUIRE(queue.add(debtor, at(-100)));
   int others = 1;
-  while (queue.take(prices)->client == other) ++others;
+  while (queue.take(costs)->client == other->owner()) ++others;
   CHECK(others >= 4);
 }
 
-TEST_CASE("who had nothing waiting goes before those who always have") {
+TEST_CASE("a client that had nothing waiting goes before those that always have") {
   WorkQueue queue{kPatch, 1000};
-  std::vector<std::shared_ptr<Nobody>> greedy;
+  std::vector<MailboxPtr> greedy;
   for (std::int32_t i = 0; i < 5; ++i) {
-    greedy.push_back(std::make_shared<Nobody>());
+    greedy.push_back(client_box());
     for (std::int32_t patch = 0; patch < 10; ++patch) {
       REQUIRE(queue.add(greedy.back(), at((i * 10 + patch) * kPatch)));
     }
   }
   for (int piece = 0; piece < 7; ++piece) (void)queue.take();
-  const auto walker = std::make_shared<Nobody>();
+  const auto walker = client_box();
   REQUIRE(queue.add(walker, at(-1)));
-  CHECK(queue.take()->client == walker);
+  CHECK(queue.take()->client == walker->owner());
 }
 
-TEST_CASE("who asks for one thing after the other goes first once in a round") {
+TEST_CASE("a client that asks for one thing after the other goes first once in a round") {
   WorkQueue queue{kPatch, 1000};
-  std::vector<std::shared_ptr<Nobody>> others;
+  std::vector<MailboxPtr> others;
   for (std::int32_t i = 0; i < 5; ++i) {
-    others.push_back(std::make_shared<Nobody>());
+    others.push_back(client_box());
     for (std::int32_t patch = 0; patch < 20; ++patch) {
       REQUIRE(queue.add(others.back(), at((i * 20 + patch) * kPatch)));
     }
   }
-  const auto sly = std::make_shared<Nobody>();
+  const auto sly = client_box();
   int turns = 0;
   for (std::int32_t piece = 0; piece < 60; ++piece) {
     REQUIRE(queue.add(sly, at(-1 - piece * kPatch)));
-    if (queue.take()->client == sly) ++turns;
+    if (queue.take()->client == sly->owner()) ++turns;
   }
   CHECK(turns <= 11);  // one of six, and the first
 }
@@ -237,8 +238,8 @@ TEST_CASE("who asks for one thing after the other goes first once in a round") {
 TEST_CASE("the same asked in the same order is done in the same order") {
   const auto order = [] {
     WorkQueue queue{kPatch, 1000};
-    std::vector<std::shared_ptr<Nobody>> clients;
-    for (int i = 0; i < 7; ++i) clients.push_back(std::make_shared<Nobody>());
+    std::vector<MailboxPtr> clients;
+    for (int i = 0; i < 7; ++i) clients.push_back(client_box());
     for (std::int32_t i = 0; i < 100; ++i) {
       REQUIRE(queue.add(clients[static_cast<std::size_t>(i * i % 7)], at(i * 37 % 101 * kPatch)));
     }
@@ -253,20 +254,20 @@ TEST_CASE("the same asked in the same order is done in the same order") {
 
 TEST_CASE("a job for which two wait is done when the more urgent one's turn comes") {
   WorkQueue queue{kPatch, 1000};
-  const auto patient = std::make_shared<Nobody>();
-  const auto urgent = std::make_shared<Nobody>();
+  const auto patient = client_box();
+  const auto urgent = client_box();
   for (std::int32_t patch = 1; patch <= 10; ++patch) REQUIRE(queue.add(patient, at(patch * kPatch)));
   REQUIRE(queue.add(patient, at(0)));  // after ten others
   REQUIRE(queue.add(urgent, at(0)));   // at once
   (void)take_batch(queue);
   CHECK(take_batch(queue).keys == std::vector{at(0)});
-  CHECK(queue.finish(at(0)) == std::vector<ChunkClientPtr>{patient, urgent});
+  CHECK(queue.finish(at(0)) == std::vector<MailboxPtr>{patient, urgent});
 }
 
 TEST_CASE("in a batch the chunks of the client whose turn it is come first") {
   WorkQueue queue{kPatch, 1000};
-  const auto first = std::make_shared<Nobody>();
-  const auto second = std::make_shared<Nobody>();
+  const auto first = client_box();
+  const auto second = client_box();
   REQUIRE(queue.add(first, at(100)));
   for (std::int32_t y = 0; y < 5; ++y) REQUIRE(queue.add(first, at(0, y)));
   REQUIRE(queue.add(second, at(0, 9)));
@@ -276,17 +277,63 @@ TEST_CASE("in a batch the chunks of the client whose turn it is come first") {
 
 TEST_CASE("a full queue refuses new jobs, not new waiters") {
   WorkQueue queue{kPatch, 1};
-  REQUIRE(queue.add(std::make_shared<Nobody>(), at(1)));
-  CHECK(queue.add(std::make_shared<Nobody>(), at(1)));
-  CHECK_FALSE(queue.add(std::make_shared<Nobody>(), at(2)));
+  REQUIRE(queue.add(client_box(), at(1)));
+  CHECK(queue.add(client_box(), at(1)));
+  CHECK_FALSE(queue.add(client_box(), at(2)));
+}
+
+TEST_CASE("a full queue refuses until a quarter of its jobs are gone") {
+  WorkQueue queue{kPatch, 8};
+  const auto client = client_box();
+  for (std::int32_t y = 0; y < 8; ++y) REQUIRE(queue.add(client, at(0, y)));
+  CHECK(queue.full());
+  CHECK(queue.free_jobs() == 0);
+  const auto batch = take_batch(queue);
+  for (std::int32_t y = 0; y < 2; ++y) (void)queue.finish(at(0, y));
+  CHECK_FALSE(queue.add(client, at(1)));
+  (void)queue.finish(at(0, 2));
+  CHECK_FALSE(queue.full());
+  CHECK(queue.free_jobs() == 3);
+  CHECK(queue.add(client, at(1)));
+}
+
+TEST_CASE("a queue of one job is full with it, and not without it") {
+  WorkQueue queue{kPatch, 1};
+  const auto client = client_box();
+  REQUIRE(queue.add(client, at(1)));
+  CHECK(queue.full());
+  queue.cancel(client->owner(), at(1));
+  CHECK_FALSE(queue.full());
+}
+
+TEST_CASE("a client that waits for both gets heights and patches in turns") {
+  WorkQueue queue{kPatch, 100};
+  const auto client = client_box();
+  for (std::uint64_t i = 0; i < 3; ++i) {
+    REQUIRE(queue.add(client, at(static_cast<std::int32_t>(i) * kPatch)));
+    queue.add(HeightsTask{client, i, {{0, 0}}});
+  }
+  std::string order;
+  while (const auto work = queue.take()) order += std::holds_alternative<HeightsTask>(work->what) ? 'h' : 'p';
+  CHECK(order == "hphphp");
+}
+
+TEST_CASE("cancelled heights are not begun") {
+  WorkQueue queue{kPatch, 100};
+  const auto client = client_box();
+  queue.add(HeightsTask{client, 1, {{0, 0}}});
+  queue.add(HeightsTask{client, 2, {{0, 0}}});
+  queue.cancel_heights(client->owner(), 1);
+  queue.cancel_heights(client->owner(), 7);
+  CHECK(std::get<HeightsTask>(queue.take()->what).ticket == 2);
+  CHECK_FALSE(queue.take().has_value());
 }
 
 TEST_CASE("every job is taken once or cancelled, and nothing is left behind") {
   CHECK(rc::check([] {
     WorkQueue queue{kPatch, 1000};
-    const std::vector<std::shared_ptr<Nobody>> clients{std::make_shared<Nobody>(), std::make_shared<Nobody>(),
-                                                       std::make_shared<Nobody>()};
-    std::map<ChunkKey, std::set<const ChunkClient*>> waiting;
+    const std::vector<MailboxPtr> clients{client_box(), client_box(), client_box()};
+    std::map<ChunkKey, std::set<ClientId>> waiting;
     std::vector<WorkQueue::Batch> taken;
     const auto finish = [&](const WorkQueue::Batch& batch) {
       for (const ChunkKey key : batch.keys) {
@@ -294,8 +341,8 @@ TEST_CASE("every job is taken once or cancelled, and nothing is left behind") {
         waiting.erase(key);
         RC_ASSERT(queue.begin(key) == !expected.empty());
         if (expected.empty()) continue;
-        std::set<const ChunkClient*> got;
-        for (const auto& client : queue.finish(key)) got.insert(client.get());
+        std::set<ClientId> got;
+        for (const auto& client : queue.finish(key)) got.insert(client->owner());
         RC_ASSERT(got == expected);
       }
       queue.release(batch.patch);
@@ -306,10 +353,10 @@ TEST_CASE("every job is taken once or cancelled, and nothing is left behind") {
       const auto& client = clients[static_cast<std::size_t>(who)];
       if (step < 3) {
         RC_ASSERT(queue.add(client, at(where)));
-        waiting[at(where)].insert(client.get());
+        waiting[at(where)].insert(client->owner());
       } else if (step == 3) {
-        queue.cancel(*client, at(where));
-        if (waiting.contains(at(where))) waiting[at(where)].erase(client.get());
+        queue.cancel(client->owner(), at(where));
+        if (waiting.contains(at(where))) waiting[at(where)].erase(client->owner());
       } else if (step == 4) {
         if (auto work = queue.take()) taken.push_back(std::get<WorkQueue::Batch>(std::move(work)->what));
       } else if (!taken.empty()) {

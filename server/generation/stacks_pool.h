@@ -1,4 +1,4 @@
-// The memory of patches that nobody needs any more, for those that come. Callable from any thread.
+// The memory of patches that nobody needs any more, for the next patches. Callable from any thread.
 #pragma once
 
 #include <cstddef>
@@ -8,25 +8,27 @@
 
 #include <talus/terrain/stacks.h>
 
-#include "cache/patch_cache.h"
-
 namespace talus::server {
 
-/// A sixth of the time of a cold View went into memory fresh from the system: a page fault for every 4 KiB.
-class SparePatches {
- public:
-  explicit SparePatches(std::size_t most);
+using StacksPtr = std::shared_ptr<const terrain::Stacks>;
 
-  /// A patch to be made: one of old, if there is one.
+/// A sixth of the time of a cold View went into memory fresh from the system: a page fault for every 4 KiB.
+class StacksPool {
+ public:
+  /// Keeps at most `max_spare` patches that nobody uses.
+  explicit StacksPool(std::size_t max_spare);
+
+  /// Stacks to fill: spare ones, if there are any.
   [[nodiscard]] std::unique_ptr<terrain::Stacks> take();
-  /// As it is from now on. When the last lets go of it, it comes back here; this must outlive that.
+  /// Makes filled stacks shared and immutable. When the last owner lets go of them they come back here; the
+  /// pool must outlive that.
   [[nodiscard]] StacksPtr share(std::unique_ptr<terrain::Stacks> stacks);
 
  private:
   void give_back(std::unique_ptr<terrain::Stacks> stacks);
 
   std::mutex mutex_;
-  std::size_t most_;
+  const std::size_t max_spare_;
   std::vector<std::unique_ptr<terrain::Stacks>> spare_;
 };
 

@@ -1,14 +1,14 @@
-#include "cache/spare_patches.h"
+#include "generation/stacks_pool.h"
 
 #include <utility>
 
 namespace talus::server {
 
-SparePatches::SparePatches(std::size_t most) : most_{most} {
-  spare_.reserve(most);  // so that giving back never fails
+StacksPool::StacksPool(std::size_t max_spare) : max_spare_{max_spare} {
+  spare_.reserve(max_spare);  // so that giving back never fails
 }
 
-std::unique_ptr<terrain::Stacks> SparePatches::take() {
+std::unique_ptr<terrain::Stacks> StacksPool::take() {
   {
     const std::lock_guard lock{mutex_};
     if (!spare_.empty()) {
@@ -20,14 +20,14 @@ std::unique_ptr<terrain::Stacks> SparePatches::take() {
   return std::make_unique<terrain::Stacks>();
 }
 
-StacksPtr SparePatches::share(std::unique_ptr<terrain::Stacks> stacks) {
+StacksPtr StacksPool::share(std::unique_ptr<terrain::Stacks> stacks) {
   return std::shared_ptr<terrain::Stacks>{
       stacks.release(), [this](terrain::Stacks* done) { give_back(std::unique_ptr<terrain::Stacks>{done}); }};
 }
 
-void SparePatches::give_back(std::unique_ptr<terrain::Stacks> stacks) {
+void StacksPool::give_back(std::unique_ptr<terrain::Stacks> stacks) {
   const std::lock_guard lock{mutex_};
-  if (spare_.size() < most_) spare_.push_back(std::move(stacks));
+  if (spare_.size() < max_spare_) spare_.push_back(std::move(stacks));
 }
 
 }  // namespace talus::server

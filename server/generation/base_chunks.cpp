@@ -1,0 +1,117 @@
+#include "generation/base_chunks.h"
+
+#include <utility>
+
+namespace talus::server {
+namespace {
+
+// Of the bytes for chunks, what goes to rows of columns: a column takes less than the smallest chunk.
+constexpr std::size_t kRowsShare = 16;
+
+std::size_t bytes_of_rows(const GenerationSettings& settings) {
+  return settings.chunk_cache_bytes / kRowsShare;
+}
+
+std::size_t bytes_of_chunks(const GenerationSettings& settings) {
+  return settings.chunk_cache_bytes - bytes_of_rows(settings);
+}
+
+}  // namespace
+
+BaseChunks::BaseChunks(std::unique_ptr<const Generator> generator, const GenerationSettings& settings,
+                       Logger log, Metrics& metrics, MemoryBudget& memory, const Clock& clock)
+    : generator_{std::move(generator)},
+      settings_{settings},
+      metrics_{metrics},
+      memory_{memory},
+      fitted_bytes_{settings.chunk_cache_bytes + settings.patch_cache_bytes},
+      chunks_{bytes_of_chunks(settings)},
+      rows_{*generator_, settings.patch_tiles, bytes_of_rows(settings)},
+      maker_{*generator_, chunks_, metrics, log},
+      generator_memory_{memory, settings.threads, log},
+      patches_{{*generator_, maker_, chunks_, rows_, generator_memory_, metrics, clock},
+               log,
+               settings.patch_tiles,
+               settings.patch_cache_bytes,
+               settings.threads},
+      pool_{{maker_, patches_, chunks_, metrics, memory, clock},
+            {settings.threads, settings.patch_tiles, settings.queue_chunks},
+            log} {
+  memory_.when_work_resumes([this] { pool_.work_resumes(); });
+}
+
+BaseChunks::~BaseChunks() {
+  memory_.when_work_resumes(nullptr);
+}
+
+void BaseChunks::start() {
+  pool_.start();
+}
+
+EncodedChunkPtr BaseChunks::find(ChunkKey key) {
+  EncodedChunkPtr chunk = generator_->instant(key);
+  if (chunk == nullptr) {
+    chunk = chunks_.find(key);
+    if (chunk != nullptr) {
+      metrics_.cache_hits.add();
+      return chunk;
+    }
+    const auto rows = rows_.exact(key);
+    const auto material = rows ? rows->uniform_at(key.coord.y) : std::nullopt;
+    if (material) chunk = generator_->uniform(*material);
+  }
+  (chunk != nullptr ? metrics_.uniform_answers : metrics_.cache_misses).add();
+  return chunk;
+}
+
+EncodedChunkPtr BaseChunks::newer(ChunkKey, std::uint64_t) {
+  return nullptr;
+}
+
+MixedRows BaseChunks::column(ChunkKey key) {
+  return rows_.known(key);
+}
+
+ChunkSource::Submission BaseChunks::submit(const MailboxPtr& mailbox, ChunkKey key) {
+  return pool_.submit(mailbox, key);
+}
+
+void BaseChunks::cancel(ClientId client, ChunkKey key) {
+  pool_.cancel(client, key);
+}
+
+void BaseChunks::submit_heights(const MailboxPtr& mailbox, std::uint64_t ticket,
+                                std::vector<terrain::BaseColumn> columns) {
+  pool_.submit_heights({mailbox, ticket, std::move(columns)});
+}
+
+void BaseChunks::cancel_heights(ClientId client, std::uint64_t ticket) {
+  pool_.cancel_heights(client, ticket);
+}
+
+void BaseChunks::fit_caches() {
+  const std::unique_lock lock{fitting_, std::try_to_lock};
+  if (!lock) return;  // another thread is at it
+  const std::uint64_t configured = settings_.chunk_cache_bytes + settings_.patch_cache_bytes;
+  const std::uint64_t allowed = memory_.for_caches(configured);
+  const std::uint64_t change = allowed > fitted_bytes_ ? allowed - fitted_bytes_ : fitted_bytes_ - allowed;
+  if (change > configured / 256 || (allowed == configured && change > 0)) {
+    const auto share = [&](std::size_t bytes) {
+      return static_cast<std::size_t>(static_cast<double>(bytes) * static_cast<double>(allowed) /
+                                      static_cast<double>(configured));
+    };
+    chunks_.set_capacity(share(bytes_of_chunks(settings_)));
+    rows_.set_capacity(share(bytes_of_rows(settings_)));
+    patches_.set_capacity(share(settings_.patch_cache_bytes));
+    fitted_bytes_ = allowed;
+  }
+  memory_.set(MemoryUse::chunk_cache, chunks_.bytes() + rows_.bytes());
+  memory_.set(MemoryUse::patch_cache, patches_.bytes());
+}
+
+BaseChunks::Status BaseChunks::status() {
+  const GenerationPool::Status pool = pool_.status();
+  return {pool.jobs, pool.clients, chunks_.bytes(), patches_.bytes()};
+}
+
+}  // namespace talus::server

@@ -1,0 +1,88 @@
+// The ChunkSource of chunks as generated: caches in memory before a pool of generator threads.
+//
+// A chunk that is cached, or uniform whatever the surface does, is found with no lock but its shard's.
+// Otherwise a client waits for a job, and the answer comes into its mailbox. Nothing here is ever
+// invalidated: chunks as generated are immutable, all of revision kBaseRevision.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <mutex>
+#include <vector>
+
+#include "cache/chunk_cache.h"
+#include "chunks/chunk_source.h"
+#include "clock/clock.h"
+#include "generation/chunk_maker.h"
+#include "generation/column_rows.h"
+#include "generation/generation_pool.h"
+#include "generation/generator.h"
+#include "generation/generator_memory.h"
+#include "generation/patch_store.h"
+#include "log/logger.h"
+#include "memory/memory_budget.h"
+#include "metrics/metrics.h"
+
+namespace talus::server {
+
+struct GenerationSettings {
+  std::size_t threads = 1;
+  int patch_tiles = 4;           // along each edge of a patch
+  std::size_t queue_chunks = 0;  // jobs of all clients together
+  std::size_t chunk_cache_bytes = 0;
+  std::size_t patch_cache_bytes = 0;
+};
+
+class BaseChunks final : public ChunkSource {
+ public:
+  /// `metrics`, `memory` and `clock` outlive this. Nothing is generated before start().
+  BaseChunks(std::unique_ptr<const Generator> generator, const GenerationSettings& settings, Logger log,
+             Metrics& metrics, MemoryBudget& memory, const Clock& clock);
+  /// Starts the threads; once.
+  void start();
+  /// Waits for the threads; what still waits is not answered.
+  ~BaseChunks() override;
+  BaseChunks(const BaseChunks&) = delete;
+  BaseChunks& operator=(const BaseChunks&) = delete;
+
+  [[nodiscard]] EncodedChunkPtr find(ChunkKey key) override;
+  /// Always null: there is one version.
+  [[nodiscard]] EncodedChunkPtr newer(ChunkKey key, std::uint64_t revision) override;
+  /// Exact once the column's terrain was generated, until that is evicted.
+  [[nodiscard]] MixedRows column(ChunkKey key) override;
+  [[nodiscard]] Submission submit(const MailboxPtr& mailbox, ChunkKey key) override;
+  void cancel(ClientId client, ChunkKey key) override;
+  void submit_heights(const MailboxPtr& mailbox, std::uint64_t ticket,
+                      std::vector<terrain::BaseColumn> columns) override;
+  void cancel_heights(ClientId client, std::uint64_t ticket) override;
+
+  /// Makes the caches as large as the budget now allows. Call it now and then: they shrink before anything is
+  /// refused.
+  void fit_caches();
+
+  struct Status {
+    std::size_t jobs = 0;
+    std::size_t clients = 0;  // with something waiting
+    std::size_t chunk_cache_bytes = 0;
+    std::size_t patch_cache_bytes = 0;
+  };
+  [[nodiscard]] Status status();
+
+ private:
+  const std::unique_ptr<const Generator> generator_;
+  const GenerationSettings settings_;
+  Metrics& metrics_;
+  MemoryBudget& memory_;
+  std::mutex fitting_;
+  std::uint64_t fitted_bytes_;
+  // In the order of their use: each is used by those after it.
+  ChunkCache chunks_;
+  ColumnRows rows_;
+  ChunkMaker maker_;
+  GeneratorMemory generator_memory_;
+  PatchStore patches_;
+  GenerationPool pool_;
+};
+
+}  // namespace talus::server

@@ -1,0 +1,30 @@
+#include "generation/chunk_maker.h"
+
+#include <exception>
+
+namespace talus::server {
+
+ChunkAnswer ChunkMaker::chunk(const terrain::Stacks* stacks, ChunkKey key) {
+  if (stacks == nullptr) return tl::make_unexpected(GenerationFailed{"its patch could not be generated"});
+  try {
+    metrics_.chunks_made.add();
+    EncodedChunkPtr chunk = generator_.make_chunk(*stacks, key);
+    cache_.put(key, chunk);
+    return chunk;
+  } catch (const std::exception& error) {
+    log_->error("chunk {} failed: {}", to_string(key), error.what());
+    return tl::make_unexpected(GenerationFailed{error.what()});
+  }
+}
+
+HeightsAnswer ChunkMaker::heights(std::span<const terrain::BaseColumn> columns) {
+  try {
+    metrics_.heights_made.add(columns.size());
+    return generator_.heights(columns);
+  } catch (const std::exception& error) {
+    log_->error("heights of {} columns failed: {}", columns.size(), error.what());
+    return tl::make_unexpected(GenerationFailed{error.what()});
+  }
+}
+
+}  // namespace talus::server

@@ -1,0 +1,35 @@
+// Makes chunks and heights by a Generator: counted, with failures as answers. Callable from any thread.
+#pragma once
+
+#include <span>
+
+#include <talus/terrain/stacks.h>
+#include <talus/voxel/coords.h>
+
+#include "cache/chunk_cache.h"
+#include "chunks/mailbox.h"
+#include "generation/generator.h"
+#include "log/logger.h"
+#include "metrics/metrics.h"
+
+namespace talus::server {
+
+class ChunkMaker {
+ public:
+  /// All but the log outlive this.
+  ChunkMaker(const Generator& generator, ChunkCache& cache, Metrics& metrics, Logger log)
+      : generator_{generator}, cache_{cache}, metrics_{metrics}, log_{std::move(log)} {}
+
+  /// The chunk over its patch's stacks, which is in the cache when this returns. Null `stacks`: the patch
+  /// could not be made.
+  [[nodiscard]] ChunkAnswer chunk(const terrain::Stacks* stacks, ChunkKey key);
+  [[nodiscard]] HeightsAnswer heights(std::span<const terrain::BaseColumn> columns);
+
+ private:
+  const Generator& generator_;
+  ChunkCache& cache_;
+  Metrics& metrics_;
+  const Logger log_;
+};
+
+}  // namespace talus::server

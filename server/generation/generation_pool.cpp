@@ -1,0 +1,216 @@
+#include "generation/generation_pool.h"
+
+#include <algorithm>
+#include <utility>
+#include <variant>
+
+#include "generation/answer_batcher.h"
+#include "generation/background_thread.h"
+
+namespace talus::server {
+namespace {
+
+// A job with its place in each map, one waiter.
+constexpr std::int64_t kJobBytes = 384;
+
+void add_time(Counter& counter, std::chrono::nanoseconds time) {
+  counter.add(static_cast<std::uint64_t>(time.count()));
+}
+
+}  // namespace
+
+GenerationPool::GenerationPool(const Parts& parts, const Settings& settings, Logger log)
+    : parts_{parts},
+      settings_{settings},
+      log_{std::move(log)},
+      queue_{settings.patch_tiles, settings.max_jobs} {}
+
+void GenerationPool::start() {
+  while (threads_.size() < settings_.threads) {
+    threads_.emplace_back([this] { work(); });
+  }
+}
+
+GenerationPool::~GenerationPool() {
+  {
+    const std::lock_guard lock{mutex_};
+    stopping_ = true;
+  }
+  work_waits_.notify_all();
+  for (std::thread& thread : threads_) thread.join();
+}
+
+ChunkSource::Submission GenerationPool::submit(const MailboxPtr& mailbox, ChunkKey key) {
+  EncodedChunkPtr finished;
+  std::int64_t job_bytes = 0;
+  {
+    const std::lock_guard lock{mutex_};
+    const bool joins = queue_.has_job(key);
+    if (!joins) finished = parts_.chunks.find(key);
+    if (finished == nullptr) {
+      if ((!joins && !parts_.memory.takes_work()) || !queue_.add(mailbox, key)) {
+        parts_.metrics.jobs_refused.add();
+        refused_.remember(mailbox);
+        return ChunkSource::Submission::refused;
+      }
+      job_bytes = job_bytes_change();
+    }
+    recent_clients_.asked(mailbox->owner(), parts_.clock.now());
+  }
+  if (finished != nullptr) {
+    deliver(mailbox, ChunkReady{key, std::move(finished)}, log_);
+  } else {
+    parts_.memory.add(MemoryUse::jobs, job_bytes);
+    work_waits_.notify_one();
+  }
+  return ChunkSource::Submission::queued;
+}
+
+void GenerationPool::cancel(ClientId client, ChunkKey key) {
+  std::int64_t job_bytes = 0;
+  std::vector<MailboxPtr> with_room;
+  {
+    const std::lock_guard lock{mutex_};
+    const std::size_t jobs = queue_.jobs();
+    queue_.cancel(client, key);
+    if (queue_.jobs() == jobs) return;
+    job_bytes = job_bytes_change();
+    with_room = clients_with_room();
+  }
+  parts_.metrics.jobs_cancelled.add();
+  parts_.memory.add(MemoryUse::jobs, job_bytes);
+  tell_of_room(with_room);
+}
+
+void GenerationPool::submit_heights(HeightsTask task) {
+  {
+    const std::lock_guard lock{mutex_};
+    queue_.add(std::move(task));
+  }
+  work_waits_.notify_one();
+}
+
+void GenerationPool::cancel_heights(ClientId client, std::uint64_t ticket) {
+  const std::lock_guard lock{mutex_};
+  queue_.cancel_heights(client, ticket);
+}
+
+void GenerationPool::work_resumes() {
+  std::vector<MailboxPtr> with_room;
+  {
+    const std::lock_guard lock{mutex_};
+    with_room = clients_with_room();
+  }
+  tell_of_room(with_room);
+}
+
+GenerationPool::Status GenerationPool::status() {
+  const std::lock_guard lock{mutex_};
+  return {queue_.jobs(), queue_.clients()};
+}
+
+void GenerationPool::work() {
+  lower_priority();
+  block_signals();
+  std::unique_lock lock{mutex_};
+  while (!stopping_) {
+    const auto work = queue_.take(costs());
+    if (!work) {
+      work_waits_.wait(lock);
+      continue;
+    }
+    lock.unlock();
+    MeasuredWork measured;
+    const auto began = parts_.clock.thread_cpu();
+    std::visit([&](const auto& piece) { run(piece, measured); }, work->what);
+    const auto took = parts_.clock.thread_cpu() - began;
+    count(measured);
+    lock.lock();
+    measured_costs_.add(measured);
+    queue_.reconcile(*work, static_cast<std::uint64_t>(took.count()));
+    if (const auto* batch = std::get_if<WorkQueue::Batch>(&work->what)) queue_.release(batch->patch);
+    const std::int64_t job_bytes = job_bytes_change();
+    const std::vector<MailboxPtr> with_room = clients_with_room();
+    lock.unlock();
+    // What could not be begun until now: jobs that came for this patch meanwhile, and its client's next.
+    work_waits_.notify_one();
+    parts_.memory.add(MemoryUse::jobs, job_bytes);
+    tell_of_room(with_room);
+    lock.lock();
+  }
+}
+
+void GenerationPool::run(const WorkQueue::Batch& batch, MeasuredWork& measured) {
+  const PatchStore::Loan loan = parts_.patches.obtain(batch.patch, measured);
+  make_chunks(batch, loan.stacks.get(), measured);
+  parts_.patches.finish(loan, measured);
+}
+
+void GenerationPool::make_chunks(const WorkQueue::Batch& batch, const terrain::Stacks* stacks,
+                                 MeasuredWork& measured) {
+  const auto began = parts_.clock.thread_cpu();
+  AnswerBatcher answers{log_, parts_.clock};
+  for (const ChunkKey key : batch.keys) {
+    if (!begin(key)) continue;
+    const ChunkAnswer answer = parts_.maker.chunk(stacks, key);
+    if (answer) ++measured.chunks;
+    std::vector<MailboxPtr> waiters;
+    {
+      const std::lock_guard lock{mutex_};
+      waiters = queue_.finish(key);
+    }
+    answers.add(waiters, key, answer);
+  }
+  answers.wake();
+  measured.chunk_time += parts_.clock.thread_cpu() - began;
+}
+
+void GenerationPool::run(const HeightsTask& task, MeasuredWork& measured) {
+  const auto began = parts_.clock.thread_cpu();
+  HeightsAnswer answer = parts_.maker.heights(task.columns);
+  if (answer) measured.heights += task.columns.size();
+  measured.height_time += parts_.clock.thread_cpu() - began;
+  deliver(task.mailbox, HeightsReady{task.ticket, std::move(answer)}, log_);
+}
+
+bool GenerationPool::begin(ChunkKey key) {
+  const std::lock_guard lock{mutex_};
+  if (stopping_) return false;
+  const bool wanted = queue_.begin(key);
+  if (!wanted) parts_.metrics.jobs_cancelled.add();
+  return wanted;
+}
+
+void GenerationPool::count(const MeasuredWork& measured) {
+  add_time(parts_.metrics.patch_ns, measured.patch_time);
+  add_time(parts_.metrics.chunk_ns, measured.chunk_time);
+  add_time(parts_.metrics.heights_ns, measured.height_time);
+}
+
+WorkCosts GenerationPool::costs() const {
+  WorkCosts costs = measured_costs_.costs();
+  costs.in_memory = [this](const PatchKey& patch) { return parts_.patches.holds(patch); };
+  // One client gets all threads only while nobody else asks: whoever asks next should find one.
+  const bool keep_one = recent_clients_.several(parts_.clock.now()) && settings_.threads > 1;
+  costs.max_in_flight = keep_one ? settings_.threads - 1 : settings_.threads;
+  return costs;
+}
+
+std::int64_t GenerationPool::job_bytes_change() {
+  const std::size_t before = std::exchange(jobs_told_, queue_.jobs());
+  return (static_cast<std::int64_t>(jobs_told_) - static_cast<std::int64_t>(before)) * kJobBytes;
+}
+
+// While jobs wait, each piece of work that ends comes by here again. Where none does this is the last chance:
+// all are told, and the first who come fill the queue.
+std::vector<MailboxPtr> GenerationPool::clients_with_room() {
+  if (refused_.empty() || queue_.full() || !parts_.memory.takes_work()) return {};
+  if (queue_.jobs() == 0) return refused_.take(refused_.size());
+  return refused_.take(std::max<std::size_t>(1, queue_.free_jobs() / kJobsPerClient));
+}
+
+void GenerationPool::tell_of_room(const std::vector<MailboxPtr>& mailboxes) {
+  for (const MailboxPtr& mailbox : mailboxes) deliver(mailbox, QueueHasRoom{}, log_);
+}
+
+}  // namespace talus::server

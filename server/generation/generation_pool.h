@@ -1,0 +1,112 @@
+// The generator threads: what is submitted, in whose turn it is made, and who is told. Callable from any
+// thread.
+//
+// Why no chunk is lost between cache and queue: a thread puts a chunk into the cache before it ends the
+// chunk's job, and submit() looks at the jobs and then into the cache under the mutex under which jobs end.
+// So from its first job on a chunk is found in one of the two, until it is evicted. The put itself needs no
+// mutex: a chunk as generated never changes, so nothing in that cache is ever invalidated, and two puts of
+// one key put equal chunks. Chunks that do change are not this pool's: a ChunkSource that has them keeps a
+// cache of its own and orders it by revision.
+#pragma once
+
+#include <condition_variable>
+#include <cstddef>
+#include <cstdint>
+#include <mutex>
+#include <thread>
+#include <vector>
+
+#include "cache/chunk_cache.h"
+#include "chunks/chunk_source.h"
+#include "clock/clock.h"
+#include "generation/chunk_maker.h"
+#include "generation/cost_model.h"
+#include "generation/patch_store.h"
+#include "generation/recent_clients.h"
+#include "generation/refused_clients.h"
+#include "generation/work_queue.h"
+#include "log/logger.h"
+#include "memory/memory_budget.h"
+#include "metrics/metrics.h"
+
+namespace talus::server {
+
+class GenerationPool {
+ public:
+  /// What is told of room for new jobs goes to one client for so many of them: what one session submits.
+  static constexpr std::size_t kJobsPerClient = 128;
+
+  /// What a pool works with; all of it outlives the pool.
+  struct Parts {
+    ChunkMaker& maker;
+    PatchStore& patches;
+    ChunkCache& chunks;
+    Metrics& metrics;
+    MemoryBudget& memory;
+    const Clock& clock;
+  };
+  struct Settings {
+    std::size_t threads = 1;
+    int patch_tiles = 4;
+    std::size_t max_jobs = 0;
+  };
+  GenerationPool(const Parts& parts, const Settings& settings, Logger log);
+  /// Waits for the threads; what still waits is not answered.
+  ~GenerationPool();
+  GenerationPool(const GenerationPool&) = delete;
+  GenerationPool& operator=(const GenerationPool&) = delete;
+
+  /// Starts the threads; once.
+  void start();
+
+  // As ChunkSource defines them.
+  [[nodiscard]] ChunkSource::Submission submit(const MailboxPtr& mailbox, ChunkKey key);
+  void cancel(ClientId client, ChunkKey key);
+  void submit_heights(HeightsTask task);
+  void cancel_heights(ClientId client, std::uint64_t ticket);
+
+  /// Tells clients that were refused for want of memory; call it when the budget takes work again.
+  void work_resumes();
+
+  struct Status {
+    std::size_t jobs = 0;
+    std::size_t clients = 0;  // with something waiting
+  };
+  [[nodiscard]] Status status();
+
+ private:
+  void work();
+  void run(const WorkQueue::Batch& batch, MeasuredWork& measured);
+  void run(const HeightsTask& task, MeasuredWork& measured);
+  void make_chunks(const WorkQueue::Batch& batch, const terrain::Stacks* stacks, MeasuredWork& measured);
+  void count(const MeasuredWork& measured);
+
+  // Under the mutex.
+  [[nodiscard]] bool begin(ChunkKey key);
+  [[nodiscard]] WorkCosts costs() const;
+  /// Bytes of jobs since the last call: to be told to the budget without the mutex, which it may come back
+  /// to.
+  [[nodiscard]] std::int64_t job_bytes_change();
+  /// Those to be told that there is room for their jobs now.
+  [[nodiscard]] std::vector<MailboxPtr> clients_with_room();
+
+  // Without the mutex.
+  void tell_of_room(const std::vector<MailboxPtr>& mailboxes);
+
+  const Parts parts_;
+  const Settings settings_;
+  const Logger log_;
+
+  std::mutex mutex_;
+  std::condition_variable work_waits_;
+  WorkQueue queue_;
+  CostModel measured_costs_;
+  RecentClients recent_clients_;
+  RefusedClients refused_;
+  std::size_t jobs_told_ = 0;  // to the budget
+  bool stopping_ = false;
+
+  std::vector<std::thread> threads_;
+};
+
+}  // namespace talus::server

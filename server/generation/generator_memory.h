@@ -1,0 +1,34 @@
+// The memory of generators at work, as a MemoryBudget is told of it. Callable from any thread.
+#pragma once
+
+#include <atomic>
+#include <cstddef>
+
+#include "log/logger.h"
+#include "memory/memory_budget.h"
+
+namespace talus::server {
+
+/// Estimates by the largest patch so far, as what a generator allocates grows with what it makes.
+class GeneratorMemory {
+ public:
+  /// A generator at work holds this many times the bytes of a patch: fields of the patch and its halo, planes
+  /// for the next, the patch itself, and one to spare.
+  static constexpr std::size_t kPatchesAtWork = 5;
+  /// At most this part of the budget counts as the generators': more would lock everybody out for good.
+  static constexpr std::uint64_t kLargestShare = 8;
+
+  GeneratorMemory(MemoryBudget& budget, std::size_t threads, Logger log);
+
+  /// A patch of `bytes` was made. Where the generators need more than their share, the log says so, once.
+  void note_patch(std::size_t bytes);
+
+ private:
+  MemoryBudget& budget_;
+  const std::size_t threads_;
+  const Logger log_;
+  std::atomic<std::size_t> largest_patch_bytes_{0};
+  std::atomic<bool> warned_{false};
+};
+
+}  // namespace talus::server

@@ -1,0 +1,107 @@
+#include "generation/patch_store.h"
+
+#include <algorithm>
+#include <exception>
+
+namespace talus::server {
+
+PatchStore::PatchStore(const Parts& parts, Logger log, int patch_tiles, std::size_t capacity_bytes,
+                       std::size_t max_spare)
+    : parts_{parts},
+      log_{std::move(log)},
+      patch_tiles_{patch_tiles},
+      spare_{max_spare},
+      patches_{capacity_bytes} {}
+
+bool PatchStore::holds(const PatchKey& patch) const {
+  const std::lock_guard lock{mutex_};
+  return patches_.holds(patch);
+}
+
+PatchStore::Loan PatchStore::obtain(const PatchKey& patch, MeasuredWork& measured) {
+  Loan loan{patch, find(patch), {}};
+  if (loan.stacks != nullptr) return loan;
+  try {
+    loan.stacks = make(patch, measured);
+    parts_.memory.note_patch(loan.stacks->bytes());
+    parts_.rows.note(patch, *loan.stacks);
+    put(loan);
+  } catch (const std::exception& error) {
+    log_->error("patch ({}, {}) at level of detail {} failed: {}", patch.x, patch.z, patch.lod.value(),
+                error.what());
+  }
+  return loan;
+}
+
+void PatchStore::finish(const Loan& loan, MeasuredWork& measured) {
+  if (loan.stacks != nullptr && fully_extracted(loan.patch, *loan.stacks)) {
+    const std::lock_guard lock{mutex_};
+    patches_.erase(loan.patch);
+  }
+  for (const auto& [patch, stacks] : loan.evicted) extract_before_evict(patch, *stacks, measured);
+}
+
+StacksPtr PatchStore::find(const PatchKey& patch) {
+  const std::lock_guard lock{mutex_};
+  const StacksPtr* const stacks = patches_.find(patch);
+  return stacks == nullptr ? nullptr : *stacks;
+}
+
+StacksPtr PatchStore::make(const PatchKey& patch, MeasuredWork& measured) {
+  const auto began = parts_.clock.thread_cpu();
+  parts_.metrics.patches_made.add();
+  auto stacks = spare_.take();
+  parts_.generator.make_patch(patch, *stacks);
+  ++measured.patches;
+  measured.patch_time += parts_.clock.thread_cpu() - began;
+  return spare_.share(std::move(stacks));
+}
+
+void PatchStore::put(Loan& loan) {
+  const std::lock_guard lock{mutex_};
+  patches_.put(loan.patch, loan.stacks, loan.stacks->bytes(), [&](const PatchKey& patch, StacksPtr&& stacks) {
+    loan.evicted.emplace_back(patch, std::move(stacks));
+  });
+}
+
+void PatchStore::extract_before_evict(const PatchKey& patch, const terrain::Stacks& stacks,
+                                      MeasuredWork& measured) {
+  const auto began = parts_.clock.thread_cpu();
+  for_each_column(patch, patch_tiles_, [&](ChunkKey column) {
+    const MixedRows mixed = parts_.generator.mixed_rows(stacks, column);
+    const std::int32_t last = std::min(mixed.last, mixed.first + kMaxExtractedRows - 1);
+    for (std::int32_t y = mixed.first; y <= last; ++y) {
+      const ChunkKey key{{column.coord.x, y, column.coord.z}, column.lod};
+      if (parts_.chunks.holds(key)) continue;
+      (void)parts_.maker.chunk(&stacks, key);
+      ++measured.chunks;
+    }
+  });
+  measured.chunk_time += parts_.clock.thread_cpu() - began;
+}
+
+bool PatchStore::fully_extracted(const PatchKey& patch, const terrain::Stacks& stacks) {
+  bool all = true;
+  for_each_column(patch, patch_tiles_, [&](ChunkKey column) {
+    if (!all) return;
+    const auto known = parts_.rows.exact(column);
+    const MixedRows mixed = known ? *known : parts_.generator.mixed_rows(stacks, column);
+    all = std::int64_t{mixed.last} - mixed.first < kMaxExtractedRows;
+    for (std::int32_t y = mixed.first; all && y <= mixed.last; ++y) {
+      all = parts_.chunks.holds({{column.coord.x, y, column.coord.z}, column.lod});
+    }
+  });
+  return all;
+}
+
+void PatchStore::set_capacity(std::size_t capacity_bytes) {
+  const std::lock_guard lock{mutex_};
+  patches_.set_capacity(capacity_bytes);
+}
+
+std::size_t PatchStore::bytes() const {
+  const std::lock_guard lock{mutex_};
+  return patches_.bytes();
+}
+
+}  // namespace talus::server

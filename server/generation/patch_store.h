@@ -1,0 +1,81 @@
+// Stacks of patches in memory, bounded in bytes: found, made, and turned into chunks before they go. Callable
+// from any thread.
+//
+// A chunk is a fiftieth of what its part of the patch takes, and whoever looks at one column mostly comes to
+// look at the others. So before an evicted patch is let go its mixed chunks are extracted into the chunk
+// cache, and a patch of which all are there already is let go at once.
+#pragma once
+
+#include <cstddef>
+#include <mutex>
+#include <utility>
+#include <vector>
+
+#include "cache/chunk_cache.h"
+#include "cache/clock_cache.h"
+#include "clock/clock.h"
+#include "generation/chunk_maker.h"
+#include "generation/column_rows.h"
+#include "generation/cost_model.h"
+#include "generation/generator_memory.h"
+#include "generation/stacks_pool.h"
+
+namespace talus::server {
+
+class PatchStore {
+ public:
+  /// Rows of a column that are extracted before its patch is evicted: worlds can be far deeper than what
+  /// anybody looks at.
+  static constexpr std::int32_t kMaxExtractedRows = 8;
+
+  /// What a patch store works with; all of it outlives the store.
+  struct Parts {
+    const Generator& generator;
+    ChunkMaker& maker;
+    ChunkCache& chunks;
+    ColumnRows& rows;
+    GeneratorMemory& memory;
+    Metrics& metrics;
+    const Clock& clock;
+  };
+  /// Keeps the memory of `max_spare` patches that were let go, for the next.
+  PatchStore(const Parts& parts, Logger log, int patch_tiles, std::size_t capacity_bytes,
+             std::size_t max_spare);
+
+  /// Whether the patch is in memory. Not a use.
+  [[nodiscard]] bool holds(const PatchKey& patch) const;
+
+  /// One piece of work on one patch: obtain() it, make chunks of it, and let it go by finish().
+  struct Loan {
+    PatchKey patch;
+    StacksPtr stacks;                                     // null where the patch could not be made
+    std::vector<std::pair<PatchKey, StacksPtr>> evicted;  // for this one
+  };
+  /// The patch from memory, or made now. `measured` gets what that took.
+  [[nodiscard]] Loan obtain(const PatchKey& patch, MeasuredWork& measured);
+  /// Lets the patch go where it is fully extracted, and extracts what was evicted for it: call it when nobody
+  /// waits for this thread any more.
+  void finish(const Loan& loan, MeasuredWork& measured);
+
+  /// Evicts at once what is too much, without extraction.
+  void set_capacity(std::size_t capacity_bytes);
+  [[nodiscard]] std::size_t bytes() const;
+
+ private:
+  [[nodiscard]] StacksPtr find(const PatchKey& patch);
+  [[nodiscard]] StacksPtr make(const PatchKey& patch, MeasuredWork& measured);
+  void put(Loan& loan);
+  /// Whether all mixed chunks of the patch are in the chunk cache, where they stay longer for their size, and
+  /// no column has more of them than would be extracted.
+  [[nodiscard]] bool fully_extracted(const PatchKey& patch, const terrain::Stacks& stacks);
+  void extract_before_evict(const PatchKey& patch, const terrain::Stacks& stacks, MeasuredWork& measured);
+
+  const Parts parts_;
+  const Logger log_;
+  const int patch_tiles_;
+  StacksPool spare_;
+  mutable std::mutex mutex_;
+  ClockCache<PatchKey, StacksPtr> patches_;
+};
+
+}  // namespace talus::server

@@ -1,0 +1,21 @@
+// What work for the generators is likely to cost, and how much of it one client may have begun.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+
+#include "generation/patch.h"
+
+namespace talus::server {
+
+/// In any unit, the same for all.
+struct WorkCosts {
+  std::uint64_t patch = 1;                           // to make one; at least 1
+  std::uint64_t chunk = 0;                           // to make one of a patch
+  std::uint64_t height = 0;                          // of a column
+  std::function<bool(const PatchKey&)> in_memory{};  // whether the patch need not be made; unset: none is
+  std::size_t max_in_flight = SIZE_MAX;              // pieces of one client's
+};
+
+}  // namespace talus::server

@@ -1,0 +1,38 @@
+// A gate that closes at one level and opens again at a lower one, so that it does not flap between the two.
+// Callable from any thread, no locks.
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+
+namespace talus::server {
+
+class HysteresisGate {
+ public:
+  /// Closes when the level reaches `close_at`; opens when it is below `open_below`, which is no larger.
+  HysteresisGate(std::uint64_t close_at, std::uint64_t open_below)
+      : close_at_{close_at}, open_below_{open_below} {}
+
+  [[nodiscard]] bool open() const { return !closed_.load(); }
+
+  /// Call it after every change of the level; `level()` reads it. Returns whether this call opened the gate.
+  ///
+  /// A thread that read the level before another changed it would leave the gate as of then. So whoever
+  /// changes the gate looks again: either it sees the other's level, or the other sees its gate.
+  template <typename Level>
+  bool update(Level&& level) {
+    bool opened = false;
+    for (;;) {
+      bool closed = closed_.load();
+      const bool close = level() >= (closed ? open_below_ : close_at_);
+      if (close == closed) return opened;
+      if (closed_.compare_exchange_strong(closed, close)) opened = !close;
+    }
+  }
+
+ private:
+  const std::uint64_t close_at_, open_below_;
+  std::atomic<bool> closed_{false};
+};
+
+}  // namespace talus::server

@@ -1,0 +1,83 @@
+#include "generation/answer_batcher.h"
+
+#include <catch2/catch.hpp>
+#include <new>
+
+#include "clock/manual_clock.h"
+
+using namespace talus;
+using namespace talus::server;
+using namespace std::chrono_literals;
+
+namespace {
+
+ChunkKey at(std::int32_t x) {
+  return {{x, 0, 0}, Lod{}};
+}
+
+struct Owner {
+  int woken = 0;
+  MailboxPtr mailbox;
+  explicit Owner(std::uint64_t id) : mailbox{std::make_shared<Mailbox>(ClientId{id}, [this] { ++woken; })} {}
+
+  /// x of the chunks that came since the last time.
+  std::vector<std::int32_t> take() {
+    std::vector<std::int32_t> xs;
+    for (const Mail& mail : mailbox->take()) xs.push_back(std::get<ChunkReady>(mail).key.coord.x);
+    return xs;
+  }
+};
+
+using Xs = std::vector<std::int32_t>;
+
+struct Bench {
+  Logger log = std::make_shared<spdlog::logger>("silent");
+  ManualClock clock;
+  AnswerBatcher answers{log, clock};
+  ChunkAnswer answer = tl::make_unexpected(GenerationFailed{"of no use here"});
+};
+
+}  // namespace
+
+TEST_CASE("answers come to each who waits, once and in the order in which they were made") {
+  Bench bench;
+  Owner one{1};
+  Owner other{2};
+  for (std::int32_t x = 0; x < 5; ++x) {
+    bench.answers.add(x % 2 == 0 ? std::vector{one.mailbox, other.mailbox} : std::vector{one.mailbox}, at(x),
+                      bench.answer);
+  }
+  CHECK(one.take() == Xs{0, 1, 2, 3, 4});
+  CHECK(other.take() == Xs{0, 2, 4});
+}
+
+TEST_CASE("the first answer wakes its owner, those soon after it wait for the interval or the end") {
+  Bench bench;
+  Owner owner{1};
+  bench.answers.add({owner.mailbox}, at(0), bench.answer);
+  CHECK(owner.woken == 1);
+  CHECK(owner.take() == Xs{0});
+
+  bench.clock.advance(AnswerBatcher::kInterval - 1us);
+  bench.answers.add({owner.mailbox}, at(1), bench.answer);
+  CHECK(owner.woken == 1);
+  bench.clock.advance(1us);
+  bench.answers.add({owner.mailbox}, at(2), bench.answer);
+  CHECK(owner.woken == 2);
+  CHECK(owner.take() == Xs{1, 2});
+
+  bench.answers.add({owner.mailbox}, at(3), bench.answer);
+  bench.answers.wake();
+  CHECK(owner.woken == 3);
+  bench.answers.wake();
+  CHECK(owner.woken == 3);
+}
+
+TEST_CASE("an owner that cannot be woken keeps nobody else waiting") {
+  Bench bench;
+  const auto broken = std::make_shared<Mailbox>(ClientId{1}, [] { throw std::bad_alloc{}; });
+  Owner owner{2};
+  bench.answers.add({broken, owner.mailbox}, at(0), bench.answer);
+  CHECK(owner.woken == 1);
+  CHECK_NOTHROW(deliver(broken, QueueHasRoom{}, bench.log));
+}

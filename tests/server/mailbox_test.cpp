@@ -1,0 +1,61 @@
+#include "chunks/mailbox.h"
+
+#include <catch2/catch.hpp>
+#include <new>
+
+using namespace talus::server;
+
+namespace {
+
+HeightsReady mail(std::uint64_t ticket) {
+  return {ticket, std::vector<std::int32_t>{}};
+}
+
+std::vector<std::uint64_t> tickets(const std::vector<Mail>& mail) {
+  std::vector<std::uint64_t> tickets;
+  for (const Mail& each : mail) tickets.push_back(std::get<HeightsReady>(each).ticket);
+  return tickets;
+}
+
+}  // namespace
+
+TEST_CASE("mail is taken all at once, oldest first") {
+  Mailbox box{ClientId{1}, [] {}};
+  for (std::uint64_t ticket = 1; ticket <= 3; ++ticket) box.put(mail(ticket));
+  CHECK(tickets(box.take()) == std::vector<std::uint64_t>{1, 2, 3});
+  CHECK(box.take().empty());
+}
+
+TEST_CASE("an owner is woken for mail alone, and not again before it took it") {
+  int woken = 0;
+  Mailbox box{ClientId{1}, [&] { ++woken; }};
+  box.wake();
+  CHECK(woken == 0);
+  box.put(mail(1));
+  CHECK(woken == 0);
+  box.wake();
+  box.put(mail(2));
+  box.wake();
+  CHECK(woken == 1);
+  (void)box.take();
+  box.wake();
+  CHECK(woken == 1);
+  box.put(mail(3));
+  box.wake();
+  CHECK(woken == 2);
+}
+
+TEST_CASE("an owner that could not be woken is woken by the next who tries, and loses no mail") {
+  bool fails = true;
+  int woken = 0;
+  Mailbox box{ClientId{1}, [&] {
+                if (fails) throw std::bad_alloc{};
+                ++woken;
+              }};
+  box.put(mail(1));
+  CHECK_THROWS_AS(box.wake(), std::bad_alloc);
+  fails = false;
+  box.wake();
+  CHECK(woken == 1);
+  CHECK(tickets(box.take()) == std::vector<std::uint64_t>{1});
+}

@@ -1,0 +1,174 @@
+// Without threads: every call returns when its work is done.
+#include "generation/patch_store.h"
+
+#include <catch2/catch.hpp>
+
+#include "fake_generator.h"
+
+using namespace talus;
+using namespace talus::server;
+using namespace std::chrono_literals;
+
+namespace {
+
+constexpr int kTiles = 4;
+constexpr int kColumns = kTiles * kTiles;
+
+/// A store on a fake generator, with room for one patch of 600 kB.
+struct Bench {
+  std::shared_ptr<FakeWork> work = std::make_shared<FakeWork>();
+  FakeGenerator generator{work};
+  Logger log = std::make_shared<spdlog::logger>("silent");
+  Metrics metrics;
+  MemoryBudget budget{0};
+  ManualClock clock;
+  ChunkCache chunks{1 << 20};
+  ColumnRows rows{generator, kTiles, 1 << 20};
+  ChunkMaker maker{generator, chunks, metrics, log};
+  GeneratorMemory memory{budget, 1, log};
+  PatchStore store{{generator, maker, chunks, rows, memory, metrics, clock}, log, kTiles, 1 << 20, 1};
+  MeasuredWork measured;
+
+  Bench() {
+    work->patch_columns = 150'000;
+    work->first_mixed = 2;
+    work->last_mixed = 3;
+  }
+  PatchStore::Loan obtain(std::int32_t x) { return store.obtain({x, 0, Lod{}}, measured); }
+  /// All of the patch's chunks in the rows, made by hand.
+  void make_chunks(const PatchStore::Loan& loan, std::int32_t first_row, std::int32_t last_row) {
+    for_each_column(loan.patch, kTiles, [&](ChunkKey column) {
+      for (column.coord.y = first_row; column.coord.y <= last_row; ++column.coord.y) {
+        REQUIRE(maker.chunk(loan.stacks.get(), column).has_value());
+      }
+    });
+  }
+};
+
+}  // namespace
+
+TEST_CASE("a patch is made once and found from then on") {
+  Bench bench;
+  const auto first = bench.obtain(0);
+  bench.store.finish(first, bench.measured);
+  const auto again = bench.obtain(0);
+  CHECK(again.stacks == first.stacks);
+  CHECK(again.stacks != nullptr);
+  CHECK(bench.work->patches == 1);
+  CHECK(bench.measured.patches == 1);
+  CHECK(bench.store.holds({0, 0, Lod{}}));
+  CHECK_FALSE(bench.store.holds({0, 0, Lod::of(1)}));
+}
+
+TEST_CASE("the rows of a patch's columns are known when it is made") {
+  Bench bench;
+  CHECK_FALSE(bench.rows.exact({{3, 9, 3}, Lod{}}).has_value());
+  (void)bench.obtain(0);
+  const auto rows = bench.rows.exact({{3, 9, 3}, Lod{}});
+  REQUIRE(rows.has_value());
+  CHECK(rows->first == 2);
+  CHECK(rows->last == 3);
+  CHECK_FALSE(bench.rows.exact({{4, 9, 3}, Lod{}}).has_value());
+}
+
+TEST_CASE("an evicted patch leaves its mixed chunks, each made once") {
+  Bench bench;
+  const auto first = bench.obtain(0);
+  REQUIRE(bench.maker.chunk(first.stacks.get(), {{1, 2, 1}, Lod{}}).has_value());
+  bench.store.finish(first, bench.measured);
+  const auto second = bench.obtain(1);
+  CHECK_FALSE(bench.store.holds({0, 0, Lod{}}));
+  CHECK_FALSE(bench.chunks.holds({{3, 3, 3}, Lod{}}));  // whoever waits for the second patch goes first
+  bench.store.finish(second, bench.measured);
+  for (std::int32_t i = 0; i < kColumns; ++i) {
+    CHECK(bench.chunks.holds({{i % kTiles, 2, i / kTiles}, Lod{}}));
+    CHECK(bench.chunks.holds({{i % kTiles, 3, i / kTiles}, Lod{}}));
+  }
+  CHECK(bench.work->chunks == 2 * kColumns);
+  CHECK(bench.measured.chunks == 2 * kColumns - 1);
+}
+
+TEST_CASE("of a deep column only the lowest rows are extracted") {
+  Bench bench;
+  bench.work->first_mixed = -100;
+  bench.work->last_mixed = 100;
+  bench.store.finish(bench.obtain(0), bench.measured);
+  bench.store.finish(bench.obtain(1), bench.measured);
+  CHECK(bench.work->chunks == PatchStore::kMaxExtractedRows * kColumns);
+  CHECK(bench.chunks.holds({{0, -93, 0}, Lod{}}));
+  CHECK_FALSE(bench.chunks.holds({{0, -92, 0}, Lod{}}));
+}
+
+TEST_CASE("a patch whose mixed chunks are all cached is let go, and its memory serves the next") {
+  Bench bench;
+  {
+    const auto loan = bench.obtain(0);
+    bench.make_chunks(loan, 2, 3);
+    bench.store.finish(loan, bench.measured);
+  }
+  CHECK_FALSE(bench.store.holds({0, 0, Lod{}}));
+  CHECK(bench.store.bytes() == 0);
+  (void)bench.obtain(1);
+  CHECK(bench.work->reused == 1);
+}
+
+TEST_CASE("a patch with a mixed chunk that is not cached stays") {
+  Bench bench;
+  const auto loan = bench.obtain(0);
+  bench.make_chunks(loan, 2, 2);
+  bench.store.finish(loan, bench.measured);
+  CHECK(bench.store.holds({0, 0, Lod{}}));
+}
+
+TEST_CASE("a patch deeper than what would be extracted stays, whatever is cached of it") {
+  Bench bench;
+  bench.work->last_mixed = 2 + PatchStore::kMaxExtractedRows;
+  const auto loan = bench.obtain(0);
+  bench.make_chunks(loan, 2, 2 + PatchStore::kMaxExtractedRows);
+  bench.store.finish(loan, bench.measured);
+  CHECK(bench.store.holds({0, 0, Lod{}}));
+}
+
+TEST_CASE("a patch that could not be made is none, and may be made the next time") {
+  Bench bench;
+  bench.work->out_of_memory = true;
+  const auto failed = bench.obtain(0);
+  CHECK(failed.stacks == nullptr);
+  CHECK_FALSE(bench.maker.chunk(failed.stacks.get(), {{0, 2, 0}, Lod{}}).has_value());
+  bench.store.finish(failed, bench.measured);
+  bench.work->out_of_memory = false;
+  CHECK(bench.obtain(0).stacks != nullptr);
+  CHECK(bench.measured.patches == 1);
+}
+
+TEST_CASE("a smaller capacity evicts at once, and what is in use stays usable") {
+  Bench bench;
+  const auto loan = bench.obtain(0);
+  CHECK(bench.store.bytes() >= 600'000);
+  bench.store.set_capacity(0);
+  CHECK(bench.store.bytes() == 0);
+  CHECK(loan.stacks->tops.size() == 1);
+}
+
+TEST_CASE("making a patch takes the thread time that its clock counts") {
+  struct Slow final : Clock {
+    mutable int looks = 0;
+    time_point now() const override { return {}; }
+    std::chrono::sys_seconds wall() const override { return {}; }
+    std::chrono::nanoseconds thread_cpu() const override { return ++looks * 7ms; }
+  };
+  Bench bench;
+  const Slow slow;
+  PatchStore store{
+      {bench.generator, bench.maker, bench.chunks, bench.rows, bench.memory, bench.metrics, slow},
+      bench.log,
+      kTiles,
+      1 << 20,
+      1};
+  const auto loan = store.obtain({0, 0, Lod{}}, bench.measured);
+  CHECK(bench.measured.patch_time == 7ms);
+  store.finish(loan, bench.measured);
+  store.finish(store.obtain({1, 0, Lod{}}, bench.measured), bench.measured);
+  CHECK(bench.measured.patch_time == 14ms);
+  CHECK(bench.measured.chunk_time == 7ms);
+}

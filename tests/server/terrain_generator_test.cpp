@@ -1,0 +1,124 @@
+#include "generation/terrain_generator.h"
+
+#include <catch2/catch.hpp>
+#include <thread>
+
+#include <talus/voxel/codec.h>
+
+using namespace talus;
+using namespace talus::server;
+
+namespace {
+
+constexpr int kTiles = 2;
+
+std::shared_ptr<const terrain::World> world() {
+  static const auto one = std::make_shared<const terrain::World>(terrain::default_world());
+  return one;
+}
+
+/// A generator and the stacks of one of its patches.
+struct Bench {
+  TerrainGenerator generator{world(), kTiles};
+  PatchKey patch;
+  terrain::Stacks stacks;
+
+  explicit Bench(const PatchKey& key = {3, -2, Lod{}}) : patch{key} { generator.make_patch(patch, stacks); }
+  /// All chunks of the patch that are mixed, and one row more at each end.
+  template <typename Visit>
+  void for_each_chunk(Visit&& visit) const {
+    for_each_column(patch, kTiles, [&](ChunkKey column) {
+      const MixedRows rows = generator.mixed_rows(stacks, column);
+      for (std::int32_t y = rows.first - 1; y <= rows.last + 1; ++y) {
+        column.coord.y = y;
+        visit(column, rows);
+      }
+    });
+  }
+};
+
+}  // namespace
+
+TEST_CASE("a chunk is the world's, encoded, with the hash of its voxels") {
+  const Bench bench{{3, -2, Lod::of(GENERATE(0, 2))}};
+  int chunks = 0;
+  bench.for_each_chunk([&](ChunkKey key, const MixedRows&) {
+    const Chunk expected = terrain::extract_chunk(*world(), bench.stacks, key.coord);
+    std::vector<std::byte> payload;
+    encode(expected, payload);
+    const EncodedChunkPtr made = bench.generator.make_chunk(bench.stacks, key);
+    CHECK(std::equal(payload.begin(), payload.end(), made->payload().begin(), made->payload().end()));
+    CHECK(made->hash() == content_hash(expected));
+    CHECK(made->revision() == kBaseRevision);
+    ++chunks;
+  });
+  CHECK(chunks > 8);
+}
+
+TEST_CASE("outside a column's mixed rows a chunk is the uniform one of their material, shared") {
+  const Bench bench;
+  bench.for_each_chunk([&](ChunkKey key, const MixedRows& rows) {
+    const auto material = rows.uniform_at(key.coord.y);
+    if (!material) return;
+    CHECK(bench.generator.make_chunk(bench.stacks, key) == bench.generator.uniform(*material));
+  });
+}
+
+TEST_CASE("what is known of every column holds for those of a patch") {
+  const Bench bench;
+  const MixedRows anywhere = bench.generator.mixed_rows_anywhere(Lod{});
+  for_each_column(bench.patch, kTiles, [&](ChunkKey column) {
+    const MixedRows rows = bench.generator.mixed_rows(bench.stacks, column);
+    CHECK(rows.first >= anywhere.first);
+    CHECK(rows.last <= anywhere.last);
+    CHECK(rows.below == anywhere.below);
+  });
+}
+
+TEST_CASE("a chunk is known at once exactly where its row is uniform everywhere") {
+  const TerrainGenerator generator{world(), kTiles};
+  const MixedRows anywhere = generator.mixed_rows_anywhere(Lod{});
+  for (std::int32_t y = anywhere.first - 2; y <= anywhere.last + 2; ++y) {
+    const auto material = anywhere.uniform_at(y);
+    const EncodedChunkPtr instant = generator.instant({{5, y, 7}, Lod{}});
+    CHECK(instant == (material ? generator.uniform(*material) : nullptr));
+  }
+}
+
+TEST_CASE("every material of the world has its uniform chunk") {
+  const TerrainGenerator generator{world(), kTiles};
+  for (const terrain::Material& material : world()->materials()) {
+    const auto decoded = decode(generator.uniform(material.id)->payload());
+    REQUIRE(decoded.has_value());
+    CHECK(decoded->is_uniform());
+    CHECK(decoded->at({}) == material.id);
+  }
+}
+
+TEST_CASE("a patch made in the memory of another is the same, on any thread") {
+  const Bench expected;
+  const TerrainGenerator generator{world(), kTiles};
+  std::vector<std::vector<EncodedChunkPtr>> made(4);
+  std::vector<std::thread> threads;
+  for (auto& mine : made) {
+    threads.emplace_back([&] {
+      terrain::Stacks stacks;
+      for (const std::int32_t x : {100, 3}) generator.make_patch({x, -2, Lod{}}, stacks);
+      expected.for_each_chunk(
+          [&](ChunkKey key, const MixedRows&) { mine.push_back(generator.make_chunk(stacks, key)); });
+    });
+  }
+  for (std::thread& thread : threads) thread.join();
+  std::size_t index = 0;
+  expected.for_each_chunk([&](ChunkKey key, const MixedRows&) {
+    const EncodedChunkPtr chunk = expected.generator.make_chunk(expected.stacks, key);
+    for (const auto& mine : made) CHECK(mine.at(index)->hash() == chunk->hash());
+    ++index;
+  });
+}
+
+TEST_CASE("heights are the surface's") {
+  const TerrainGenerator generator{world(), kTiles};
+  const std::vector<terrain::BaseColumn> columns{{0, 0}, {1000, -77}, {-31, 32}};
+  CHECK(generator.heights(columns) == terrain::surface_heights(*world(), columns));
+}
