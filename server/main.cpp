@@ -40,18 +40,19 @@ int failed(const std::string& line) {
 
 int serve(const Command& command) {
   const Config& config = command.config;
-  if (const auto done = renounce_new_privileges(); !done) return failed(done.error());
-  if (const auto set = talus::forced_instruction_set(); !set) return failed(std::string{set.error()});
+  const auto fail = [&](const std::string& line) { return failed(command.origins.locate(line)); };
+  if (const auto done = set_no_new_privs(); !done) return fail(done.error());
+  if (const auto set = talus::forced_instruction_set(); !set) return fail(std::string{set.error()});
   const auto world = load_world(config.world);
-  if (!world) return failed(world.error());
+  if (!world) return fail(world.error());
   const auto account = configured_account(config);
-  if (!account) return failed(account.error());
+  if (!account) return fail(account.error());
   auto keys = load_keys(config.access);
-  if (!keys) return failed(keys.error());
+  if (!keys) return fail(keys.error());
   std::optional<TlsIdentity> tls;
   if (config.tls.wanted()) {
     auto loaded = load_tls(config.tls.certificate, config.tls.key);
-    if (!loaded) return failed(loaded.error());
+    if (!loaded) return fail(loaded.error());
     tls = *std::move(loaded);
   }
   if (command.check_only) {
@@ -68,10 +69,10 @@ int serve(const Command& command) {
   AccessControl access{config.access, *std::move(keys)};
   const Logger log = make_logger(config.log.level, config.log.format);
   auto listeners = open_listeners(config, clock, log);
-  if (!listeners) return failed(listeners.error());
+  if (!listeners) return fail(listeners.error());
   // Addresses and keys are what root may be needed for. No thread runs yet.
   const auto data = drop_privileges_and_open_data(config, *account, (*world)->fingerprint());
-  if (!data) return failed(data.error());
+  if (!data) return fail(data.error());
   const std::string address = listeners->players_address;
   const std::string operators_address = listeners->operators_address;
   Server server{config, *world, *data ? (*data)->store_id() : talus::ContentHash{}, access, tls,

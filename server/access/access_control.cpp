@@ -13,8 +13,7 @@
 namespace talus::server {
 namespace {
 
-/// Of the shared secret: what is shorter could be guessed, what is longer would not fit a Hello beside all
-/// else.
+/// Length of the shared secret: a shorter one could be guessed, a longer one does not fit into a Hello.
 constexpr KeyBounds kSecretBounds{16, 1024};
 
 SecretDigest digest_of(std::string_view text) {
@@ -23,12 +22,12 @@ SecretDigest digest_of(std::string_view text) {
   return digest;
 }
 
-/// In a time that depends on neither.
+/// Takes a time that does not depend on the digests.
 bool same(const SecretDigest& a, const SecretDigest& b) {
   return ::CRYPTO_memcmp(a.data(), b.data(), a.size()) == 0;
 }
 
-/// Words that the configuration has checked.
+/// The configuration has checked the words.
 Rights rights_of(std::string_view words) {
   return Rights::parse(words).value_or(Rights{});
 }
@@ -38,7 +37,7 @@ Rights without_token(const Access& settings, const Keys& keys) {
   return keys.any() ? Rights{} : Rights{Right::read};
 }
 
-/// Reads a key file, if the setting names one, and keeps its warning.
+/// Reads the key file, if the setting names one, and appends its warning.
 tl::expected<std::optional<Secret>, std::string> load(std::string_view setting,
                                                       const std::filesystem::path& file, KeyBounds bounds,
                                                       std::vector<std::string>& warnings) {
@@ -66,19 +65,18 @@ tl::expected<Keys, std::string> load_keys(const Access& settings) {
   if (without_token(settings, keys) == Rights{} && !keys.any()) {
     return tl::make_unexpected(
         std::string{"access.without_token: \"none\" without access.secret_file or access.signing_key_file "
-                    "lets nobody in; set "
-                    "one of them, or \"read\""});
+                    "lets nobody in; set one of them, or \"read\""});
   }
   return keys;
 }
 
-std::string_view describe(Denial denial) {
-  switch (denial) {
-    case Denial::missing:
+std::string_view describe(AuthFailure failure) {
+  switch (failure) {
+    case AuthFailure::missing:
       return "this server asks for a token";
-    case Denial::expired:
+    case AuthFailure::expired:
       return "the token has expired";
-    case Denial::not_accepted:
+    case AuthFailure::not_accepted:
       break;
   }
   return "the token is not accepted";
@@ -89,28 +87,30 @@ AccessControl::AccessControl(const Access& settings, Keys keys)
       secret_rights_{rights_of(settings.secret_rights)},
       keys_{std::make_shared<const Keys>(std::move(keys))} {}
 
-tl::expected<Grant, Denied> AccessControl::admit(std::string_view token, std::chrono::sys_seconds now) const {
+tl::expected<Grant, AuthError> AccessControl::admit(std::string_view token,
+                                                    std::chrono::sys_seconds now) const {
   const std::shared_ptr<const Keys> known = keys();
   if (token.empty() || !known->any()) {
     const Rights rights = without_token(settings_, *known);
-    if (rights == Rights{}) return tl::make_unexpected(Denied{Denial::missing, {}});
+    if (rights == Rights{}) return tl::make_unexpected(AuthError{AuthFailure::missing, {}});
     return Grant{rights, {}, {}};
   }
   if (known->shared_secret && same(digest_of(token), *known->shared_secret))
     return Grant{secret_rights_, {}, {}};
-  Denied denied{Denial::not_accepted, "it is not the shared secret"};
+  AuthError error{AuthFailure::not_accepted, "it is not the shared secret"};
   for (const Secret& key : known->signing_keys) {
     auto claims = read_signed_token(key, token, now);
     if (claims) return Grant{claims->rights, std::move(claims->subject), claims->expires};
-    denied = {claims.error().expired ? Denial::expired : Denial::not_accepted, std::move(claims.error().why)};
-    if (claims.error().ours) break;  // no other key says better why
+    error = {claims.error().expired ? AuthFailure::expired : AuthFailure::not_accepted,
+             std::move(claims.error().reason)};
+    if (claims.error().signed_by_key) break;  // no other key has a better reason
   }
-  return tl::make_unexpected(std::move(denied));
+  return tl::make_unexpected(std::move(error));
 }
 
 tl::expected<std::string, std::string> AccessControl::reload() {
   auto fresh = load_keys(settings_);
-  if (!fresh) return tl::make_unexpected(fmt::format("{}; the tokens' old keys stay in use", fresh.error()));
+  if (!fresh) return tl::make_unexpected(fmt::format("{}; the old keys stay in use", fresh.error()));
   std::string line = !fresh->any()             ? "no token keys are configured"
                      : fresh->warnings.empty() ? "the tokens' keys were read again"
                                                : fmt::format("the tokens' keys were read again; {}",

@@ -1,4 +1,4 @@
-// Who may come in, and what they may do there.
+// Who may join, and with which rights.
 #pragma once
 
 #include <array>
@@ -12,52 +12,53 @@
 
 #include <tl/expected.hpp>
 
-#include "access/denial.h"
+#include "access/auth_failure.h"
 #include "access/key_file.h"
 #include "access/rights.h"
 #include "config/config.h"
 
 namespace talus::server {
 
-/// SHA-256 of the shared secret: the secret itself is not kept.
+/// SHA-256 of the shared secret. The secret itself is not kept.
 using SecretDigest = std::array<unsigned char, 32>;
 
-/// What the key files of the configuration hold.
+/// The contents of the configured key files.
 struct Keys {
   std::optional<SecretDigest> shared_secret;
-  std::vector<Secret> signing_keys;   // the present one first
-  std::vector<std::string> warnings;  // lines about the files
+  std::vector<Secret> signing_keys;   // the current key first
+  std::vector<std::string> warnings;  // one line each, about the files
 
   [[nodiscard]] bool any() const { return shared_secret || !signing_keys.empty(); }
 };
 
-/// An error is one line that names the setting and the file, or the settings that leave nobody a way in.
+/// An error is one line that begins with the setting's key: the file is bad, or the settings let nobody in.
 [[nodiscard]] tl::expected<Keys, std::string> load_keys(const Access& settings);
 
-/// What a session got by its token.
+/// What a token, or the lack of one, gives a session.
 struct Grant {
   Rights rights{Right::read};
-  std::string subject;                              // of a signed token, as it came: escape before logging
-  std::optional<std::chrono::sys_seconds> expires;  // the session ends then, and kClockSkew later at most
+  std::string subject;  // of a signed token, as the token has it: escape before logging
+  std::optional<std::chrono::sys_seconds> expires;  // the session ends between then and kClockSkew later
 };
 
-struct Denied {
-  Denial denial{};
-  std::string why;  // for the operator's log; empty where describe() says all
+struct AuthError {
+  AuthFailure failure{};
+  std::string reason;  // for the operator's log; empty where describe() says it all
 };
 
 /// Callable from any thread.
 class AccessControl {
  public:
-  /// `keys` as load_keys(settings) gave them.
+  /// `keys` are those that load_keys(settings) returned.
   AccessControl(const Access& settings, Keys keys);
 
-  /// What a Hello with this token may do; an empty token is none. Whoever has the shared secret or a
-  /// signing key is let in; where there is neither, a token means nothing and nobody needs one.
-  [[nodiscard]] tl::expected<Grant, Denied> admit(std::string_view token, std::chrono::sys_seconds now) const;
+  /// Checks the token of a Hello; empty: the client has none. A token is accepted where it is the shared
+  /// secret or signed by one of the keys. Without configured keys a token is ignored.
+  [[nodiscard]] tl::expected<Grant, AuthError> admit(std::string_view token,
+                                                     std::chrono::sys_seconds now) const;
 
-  /// Reads the key files again. Who is in stays; where a file is bad the old keys stay, all of them. The line
-  /// says which, and is an error in the latter case. It has warnings about the files, too.
+  /// Reads the key files again. Sessions go on. If one file is bad, all keys stay as they were, and the error
+  /// is one line that says why. Else the value is one line for the log, warnings about the files included.
   [[nodiscard]] tl::expected<std::string, std::string> reload();
 
  private:

@@ -11,25 +11,25 @@
 namespace talus::server {
 namespace {
 
-constexpr std::size_t kMostBytes = 8192;  // of any file that is taken for a key
+constexpr std::size_t kMaxFileBytes = 8192;  // of any file that is read as a key
 
-std::string_view without_line_end(std::string_view text) {
+std::string_view without_newline(std::string_view text) {
   if (text.ends_with('\n')) text.remove_suffix(1);
   if (text.ends_with('\r')) text.remove_suffix(1);
   return text;
 }
 
-std::optional<std::string> too_open(const std::filesystem::path& file, mode_t mode) {
+std::optional<std::string> permission_warning(const std::filesystem::path& file, mode_t mode) {
   if ((mode & (S_IROTH | S_IWOTH | S_IWGRP)) == 0) return std::nullopt;
-  return fmt::format("{}: may be read or changed by others (mode {:03o}); chmod 600 it, or 640",
+  return fmt::format("{}: other users may read or change it (mode {:03o}); run chmod 600 or chmod 640 on it",
                      escaped(file.string(), 500), mode & 0777U);
 }
 
 }  // namespace
 
 std::optional<std::string> open_to_others(const std::filesystem::path& file) {
-  struct stat about {};
-  return ::stat(file.c_str(), &about) == 0 ? too_open(file, about.st_mode) : std::nullopt;
+  struct stat status {};
+  return ::stat(file.c_str(), &status) == 0 ? permission_warning(file, status.st_mode) : std::nullopt;
 }
 
 Secret::~Secret() {
@@ -40,14 +40,15 @@ tl::expected<KeyFile, std::string> read_key_file(const std::filesystem::path& fi
   const auto wrong = [&](const std::string& what) {
     return tl::make_unexpected(fmt::format("{}: {}", escaped(file.string(), 500), what));
   };
-  const auto read = WipedFile::read(file, kMostBytes);
-  if (!read) return wrong(read.error() + "; give a file with the secret in it that talusd's user may read");
-  const std::string_view bytes = without_line_end(read->text());
-  if (bytes.size() < bounds.least_bytes || bytes.size() > bounds.most_bytes) {
-    return wrong(fmt::format("has {} bytes; {} to {} are right, as of \"openssl rand -base64 32\"",
-                             bytes.size(), bounds.least_bytes, bounds.most_bytes));
+  const auto read = WipedFile::read(file, kMaxFileBytes);
+  if (!read)
+    return wrong(read.error() + "; name a file that holds the secret and that the user of talusd may read");
+  const std::string_view bytes = without_newline(read->text());
+  if (bytes.size() < bounds.min_bytes || bytes.size() > bounds.max_bytes) {
+    return wrong(fmt::format("has {} bytes; it must have {} to {}, as \"openssl rand -base64 32\" prints",
+                             bytes.size(), bounds.min_bytes, bounds.max_bytes));
   }
-  return KeyFile{Secret{bytes}, too_open(file, read->mode())};
+  return KeyFile{Secret{bytes}, permission_warning(file, read->mode())};
 }
 
 }  // namespace talus::server

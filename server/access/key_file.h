@@ -1,4 +1,4 @@
-// Secrets in files: not in the configuration, the environment or the list of processes.
+// Secrets in files, so that they are not in the configuration, the environment or the list of processes.
 #pragma once
 
 #include <cstddef>
@@ -11,7 +11,7 @@
 
 namespace talus::server {
 
-/// Bytes that are wiped when they are let go.
+/// Bytes that the destructor overwrites.
 class Secret {
  public:
   explicit Secret(std::string_view bytes) : bytes_{bytes} {}
@@ -27,20 +27,20 @@ class Secret {
 
 struct KeyFile {
   Secret secret;
-  std::optional<std::string> warning;  // a line: others than the owner's may read or change the file
+  std::optional<std::string> warning;  // one line: other users may read or change the file
 };
 
 struct KeyBounds {
-  std::size_t least_bytes;
-  std::size_t most_bytes;
+  std::size_t min_bytes;
+  std::size_t max_bytes;
 };
 
-/// The file's bytes without the line's end at their end. An error is one line that begins with the file: it
-/// cannot be read, is no regular file, or its length is out of bounds.
+/// The file's bytes without a single trailing newline. An error is one line that begins with the file: it
+/// cannot be read, is not a regular file, or its length is out of bounds.
 [[nodiscard]] tl::expected<KeyFile, std::string> read_key_file(const std::filesystem::path& file,
                                                                KeyBounds bounds);
 
-/// A line where others than its owner may read or change the file.
+/// One line where other users may read or change the file.
 [[nodiscard]] std::optional<std::string> open_to_others(const std::filesystem::path& file);
 
 }  // namespace talus::server

@@ -11,12 +11,12 @@
 namespace talus::server {
 
 enum class Right : std::uint8_t {
-  read,   // to come in, look and ask
+  read,   // to join and to request chunks
   edit,   // to change voxels
-  admin,  // of no use yet
+  admin,  // reserved: permits nothing yet
 };
 
-/// A set of rights. Whoever has any may read.
+/// A set of rights. A set that is not empty has `read`.
 class Rights {
  public:
   constexpr Rights() = default;
@@ -24,8 +24,8 @@ class Rights {
     for (const Right right : rights) bits_ |= bit(right);
   }
 
-  /// "none", or words apart by commas, "read" among them: "read,edit". The error says what is wrong and what
-  /// would be right.
+  /// "none", or words separated by commas, "read" among them: "read,edit". The error says what is wrong and
+  /// what is expected.
   [[nodiscard]] static tl::expected<Rights, std::string> parse(std::string_view text);
 
   [[nodiscard]] constexpr bool has(Right right) const { return (bits_ & bit(right)) != 0; }
@@ -39,7 +39,7 @@ class Rights {
   std::uint8_t bits_ = 0;
 };
 
-/// The form that parse reads.
+/// The form that parse() reads.
 [[nodiscard]] std::string to_string(Rights rights);
 
 }  // namespace talus::server

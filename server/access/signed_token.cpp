@@ -1,101 +1,146 @@
 #include "access/signed_token.h"
 
-#include <jwt.h>
+#include <openssl/crypto.h>
+#include <openssl/evp.h>
+#include <openssl/hmac.h>
+#include <strings.h>
 
-#include <algorithm>
-#include <charconv>
+#include <array>
 #include <cstdint>
-#include <cstdlib>
-#include <memory>
+#include <limits>
 #include <optional>
-#include <system_error>
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include <talus/protocol/limits.h>
+
+#include "access/base64url.h"
 
 namespace talus::server {
 namespace {
 
+using Json = nlohmann::json;
 using std::chrono::seconds;
 using std::chrono::sys_seconds;
 
-using Jwt = std::unique_ptr<jwt_t, decltype(&jwt_free)>;
-using Json = std::unique_ptr<char, decltype(&std::free)>;
+/// What an encoded token is made of.
+struct Parts {
+  std::string_view header;
+  std::string_view claims;
+  std::string_view signature;
+  std::string_view signed_text;  // header and claims, as the signature covers them
+};
 
-const unsigned char* data_of(const Secret& key) {
-  return reinterpret_cast<const unsigned char*>(key.bytes().data());
-}
-int size_of(const Secret& key) {
-  return static_cast<int>(key.bytes().size());
+/// None unless the token has three parts, of which none is empty.
+std::optional<Parts> split(std::string_view token) {
+  if (token.size() > protocol::kMaxStringBytes) return std::nullopt;
+  const std::size_t first = token.find('.');
+  const std::size_t second = token.rfind('.');
+  if (first == std::string_view::npos || first == 0 || second < first + 2 || second + 1 == token.size()) {
+    return std::nullopt;
+  }
+  const Parts parts{token.substr(0, first), token.substr(first + 1, second - first - 1),
+                    token.substr(second + 1), token.substr(0, second)};
+  return parts.claims.find('.') == std::string_view::npos ? std::optional{parts} : std::nullopt;
 }
 
-/// Three parts, none empty: libjwt 1.10 writes a byte into the no bytes that an empty one decodes to. And of
-/// the alphabet alone: libjwt passes over all else, so that one token would have many spellings.
-bool spelled_like_one(std::string_view token) {
-  const auto in_alphabet = [](char c) {
-    return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '-' ||
-           c == '_' || c == '.';
+std::string signature_of(const Secret& key, std::string_view text) {
+  std::array<unsigned char, EVP_MAX_MD_SIZE> digest{};
+  unsigned int size = 0;
+  ::HMAC(::EVP_sha256(), key.bytes().data(), static_cast<int>(key.bytes().size()),
+         reinterpret_cast<const unsigned char*>(text.data()), text.size(), digest.data(), &size);
+  return base64url_encode({reinterpret_cast<const char*>(digest.data()), size});
+}
+
+/// Compares the texts, so that a signature has one spelling, in a time that does not depend on what differs.
+bool same(std::string_view a, std::string_view b) {
+  return a.size() == b.size() && ::CRYPTO_memcmp(a.data(), b.data(), a.size()) == 0;
+}
+
+/// The JSON object in a part of a token. None where it is something else, or has a text with a zero byte,
+/// where other programs would cut it. Of equal names the last counts (RFC 7519 section 4). The parser does
+/// not recurse, so that the length of a token bounds what nesting costs.
+std::optional<Json> parse_object(std::string_view part) {
+  const auto text = base64url_decode(part);
+  if (!text) return std::nullopt;
+  bool sound = true;
+  const auto check = [&](int, Json::parse_event_t, const Json& value) {
+    const auto* string = value.get_ptr<const std::string*>();
+    if (string != nullptr && string->find('\0') != std::string::npos) sound = false;
+    return true;
   };
-  return token.size() <= protocol::kMaxStringBytes && std::all_of(token.begin(), token.end(), in_alphabet) &&
-         std::count(token.begin(), token.end(), '.') == 2 && !token.starts_with('.') &&
-         !token.ends_with('.') && token.find("..") == std::string_view::npos;
+  auto json = Json::parse(*text, check, false);
+  if (!sound || !json.is_object()) return std::nullopt;
+  return json;
 }
 
-/// The claim as JSON; null where it is missing. Of a claim of another type than asked for, libjwt makes a 0.
-Json claim(jwt_t* jwt, const char* name) {
-  return {jwt_get_grants_json(jwt, name), &std::free};
+/// The member, or null where it is missing or of another type.
+template <typename Value>
+const Value* member(const Json& object, const char* name) {
+  const auto found = object.find(name);
+  return found == object.end() ? nullptr : found->get_ptr<const Value*>();
 }
 
-/// None where the claim is no whole number, or missing.
-std::optional<sys_seconds> time_of(jwt_t* jwt, const char* name) {
-  const Json json = claim(jwt, name);
-  const std::string_view text = json == nullptr ? std::string_view{} : json.get();
-  std::int64_t value = 0;
-  const auto [stop, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (text.empty() || error != std::errc{} || stop != text.data() + text.size()) return std::nullopt;
-  return sys_seconds{seconds{value}};
+/// None where the claim is missing or not a whole number of 64 bits.
+std::optional<sys_seconds> time_of(const Json& claims, const char* name) {
+  const auto found = claims.find(name);
+  if (found == claims.end() || !found->is_number_integer()) return std::nullopt;
+  constexpr auto kMax = static_cast<std::uint64_t>(std::numeric_limits<std::int64_t>::max());
+  if (found->is_number_unsigned() && found->get<std::uint64_t>() > kMax) return std::nullopt;
+  return sys_seconds{seconds{found->get<std::int64_t>()}};
 }
 
-tl::unexpected<TokenFault> foreign(std::string why) {
-  return tl::make_unexpected(TokenFault{false, false, std::move(why)});
+tl::unexpected<TokenError> foreign(std::string why) {
+  return tl::make_unexpected(TokenError{false, false, std::move(why)});
 }
 
-tl::unexpected<TokenFault> refused(std::string why) {
-  return tl::make_unexpected(TokenFault{true, false, std::move(why)});
+tl::unexpected<TokenError> refused(std::string why) {
+  return tl::make_unexpected(TokenError{true, false, std::move(why)});
+}
+
+/// Why the header is refused; empty where it is accepted.
+std::string header_error(std::string_view part) {
+  const auto header = parse_object(part);
+  if (!header) return "its header is not a JSON object";
+  const auto* const algorithm = member<std::string>(*header, "alg");
+  if (algorithm == nullptr || *algorithm != "HS256") return "it is not signed by HS256";
+  const auto* const type = member<std::string>(*header, "typ");
+  if (type != nullptr && ::strcasecmp(type->c_str(), "JWT") != 0) return "its type is not JWT";
+  if (header->contains("crit")) return "its header asks for extensions";
+  return {};
 }
 
 }  // namespace
 
-tl::expected<Claims, TokenFault> read_signed_token(const Secret& key, std::string_view token,
+tl::expected<Claims, TokenError> read_signed_token(const Secret& key, std::string_view token,
                                                    sys_seconds now) {
-  if (!spelled_like_one(token)) return foreign("it is no signed token");
-  jwt_t* decoded = nullptr;
-  if (jwt_decode(&decoded, std::string{token}.c_str(), data_of(key), size_of(key)) != 0) {
+  const auto parts = split(token);
+  if (!parts) return foreign("it is no signed token");
+  if (!same(signature_of(key, parts->signed_text), parts->signature)) {
     return foreign("its signature is not of this server's key, or it is no signed token");
   }
-  const Jwt jwt{decoded, &jwt_free};
-  if (jwt_get_alg(jwt.get()) != JWT_ALG_HS256) return refused("it is not signed by HS256");
-  if (Json{jwt_get_headers_json(jwt.get(), "crit"), &std::free} != nullptr)
-    return refused("its header asks for extensions");
+  if (auto error = header_error(parts->header); !error.empty()) return refused(std::move(error));
+  const auto json = parse_object(parts->claims);
+  if (!json) return refused("its claims are not a JSON object");
 
-  const auto expires = time_of(jwt.get(), "exp");
-  const auto not_before = time_of(jwt.get(), "nbf");
-  const char* const subject = jwt_get_grant(jwt.get(), "sub");
-  const char* const words = jwt_get_grant(jwt.get(), "rights");
+  const auto expires = time_of(*json, "exp");
+  const auto not_before = time_of(*json, "nbf");
+  const auto* const subject = member<std::string>(*json, "sub");
+  const auto* const words = member<std::string>(*json, "rights");
   if (!expires || *expires < sys_seconds{}) return refused("its exp is missing or no whole number from 0 on");
-  if (!not_before && claim(jwt.get(), "nbf") != nullptr) return refused("its nbf is no whole number");
-  if (subject == nullptr && claim(jwt.get(), "sub") != nullptr) return refused("its sub is no text");
-  if (words == nullptr && claim(jwt.get(), "rights") != nullptr) return refused("its rights are no text");
+  if (!not_before && json->contains("nbf")) return refused("its nbf is no whole number");
+  if (subject == nullptr && json->contains("sub")) return refused("its sub is no text");
+  if (words == nullptr && json->contains("rights")) return refused("its rights are no text");
   if (now - kClockSkew >= *expires) {
     return tl::make_unexpected(
-        TokenFault{true, true, fmt::format("it expired {} s ago", (now - *expires).count())});
+        TokenError{true, true, fmt::format("it expired {} s ago", (now - *expires).count())});
   }
   if (not_before && now + kClockSkew < *not_before) return refused("its time has not come: nbf");
 
-  Claims claims{subject == nullptr ? "" : subject, {Right::read}, *expires};
+  Claims claims{subject == nullptr ? "" : *subject, {Right::read}, *expires};
   if (words != nullptr) {
-    const auto rights = Rights::parse(words);
+    const auto rights = Rights::parse(*words);
     if (!rights || !rights->has(Right::read))
       return refused("its rights are not of read, edit, admin, with read among them");
     claims.rights = *rights;
@@ -105,21 +150,18 @@ tl::expected<Claims, TokenFault> read_signed_token(const Secret& key, std::strin
 
 tl::expected<std::string, std::string> make_signed_token(const Secret& key, const Claims& claims,
                                                          sys_seconds now) {
-  jwt_t* made = nullptr;
-  if (jwt_new(&made) != 0) return tl::make_unexpected(std::string{"out of memory"});
-  const Jwt jwt{made, &jwt_free};
-  const auto time = [](sys_seconds at) { return static_cast<long>(at.time_since_epoch().count()); };
-  // Text that is not UTF-8 is refused here.
-  const bool done = jwt_set_alg(made, JWT_ALG_HS256, data_of(key), size_of(key)) == 0 &&
-                    jwt_add_grant(made, "sub", claims.subject.c_str()) == 0 &&
-                    jwt_add_grant(made, "rights", to_string(claims.rights).c_str()) == 0 &&
-                    jwt_add_grant_int(made, "iat", time(now)) == 0 &&
-                    jwt_add_grant_int(made, "exp", time(claims.expires)) == 0;
-  const Json text{done ? jwt_encode_str(made) : nullptr, &std::free};
-  if (text == nullptr) {
-    return tl::make_unexpected(std::string{"the token cannot be made; is the subject UTF-8?"});
+  const Json json{{"sub", claims.subject},
+                  {"rights", to_string(claims.rights)},
+                  {"iat", now.time_since_epoch().count()},
+                  {"exp", claims.expires.time_since_epoch().count()}};
+  std::string text;
+  try {
+    text = json.dump();
+  } catch (const Json::type_error&) {
+    return tl::make_unexpected(std::string{"the subject is not UTF-8"});
   }
-  std::string token{text.get()};
+  std::string token = base64url_encode(R"({"alg":"HS256","typ":"JWT"})") + "." + base64url_encode(text);
+  token += "." + signature_of(key, token);
   if (token.size() > protocol::kMaxStringBytes) {
     return tl::make_unexpected(
         fmt::format("the token would have {} bytes, over the protocol's {}; shorten the subject",

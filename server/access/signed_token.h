@@ -1,8 +1,9 @@
-// Tokens that say themselves who comes, with which rights and until when: JSON Web Tokens (RFC 7519), signed
-// by HMAC-SHA-256 (HS256) and by nothing else. The parsing and the signature are libjwt's. Pure.
+// Signed tokens: JSON Web Tokens (RFC 7519) in compact form, signed with HMAC-SHA-256 (HS256). No other
+// algorithm is accepted. The functions are pure: the caller passes the time.
 //
 // Claims: "exp" (required) and "nbf", whole seconds since 1970; "sub"; "rights", as Rights::parse reads them,
-// "read" where it is missing. Others are left alone; a header with "crit" is refused.
+// "read" where it is missing. Other claims are ignored. A header with "crit", or with a "typ" other than
+// "JWT", is refused.
 #pragma once
 
 #include <chrono>
@@ -17,29 +18,32 @@
 
 namespace talus::server {
 
-/// By how much the clock of who made a token may differ: it is taken that much before "nbf" and after "exp".
+/// Allowed difference between this server's clock and that of the token's issuer: a token is accepted this
+/// long before "nbf" and after "exp".
 inline constexpr std::chrono::seconds kClockSkew{30};
 
-/// Of HS256's keys: RFC 7518 asks for the length of its hash at least.
+/// Length of a signing key. RFC 7518 section 3.2 requires at least the length of the hash.
 inline constexpr KeyBounds kSigningKeyBounds{32, 4096};
 
 struct Claims {
-  std::string subject;  // as it came: escape before logging
+  std::string subject;  // as the token has it: escape before logging
   Rights rights{Right::read};
   std::chrono::sys_seconds expires;
 };
 
-struct TokenFault {
-  bool ours = false;     // signed by the key
-  bool expired = false;  // ours, and its time is over
-  std::string why;       // for the operator's log, not for the client
+struct TokenError {
+  bool signed_by_key = false;  // the signature is right; something else is wrong
+  bool expired = false;        // nothing but the time is wrong
+  std::string reason;          // for the operator's log, not for the client
 };
 
-/// What the token says, where it is signed by the key and its time is now.
-[[nodiscard]] tl::expected<Claims, TokenFault> read_signed_token(const Secret& key, std::string_view token,
+/// The claims of a token that `key` has signed and that is valid at `now`. The signature is checked, in a
+/// time that does not depend on it, before any JSON is parsed.
+[[nodiscard]] tl::expected<Claims, TokenError> read_signed_token(const Secret& key, std::string_view token,
                                                                  std::chrono::sys_seconds now);
 
-/// A token that is valid from now on. An error is one line.
+/// A token with these claims and "iat" of `now`. An error is one line: the subject is not UTF-8, or the token
+/// is longer than the protocol's strings may be.
 [[nodiscard]] tl::expected<std::string, std::string> make_signed_token(const Secret& key,
                                                                        const Claims& claims,
                                                                        std::chrono::sys_seconds now);

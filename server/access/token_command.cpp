@@ -39,28 +39,30 @@ tl::expected<std::chrono::seconds, std::string> parse_validity(std::string_view 
 
 tl::expected<std::string, Exit> token_command(int argc, const char* const* argv,
                                               std::chrono::sys_seconds now) {
-  CLI::App app{"Makes a signed token, which lets a client in until it expires, and prints it.",
+  CLI::App app{"Prints a signed token, with which a client may join until the token expires.",
                "talusd token"};
   app.footer(
-      "The key is that of access.signing_key_file; \"openssl rand -base64 32\" makes one.\n"
-      "Exit status: 0 done, 1 failed, 2 wrong use.");
+      "The key is that of access.signing_key_file. \"openssl rand -base64 32\" makes one.\n"
+      "Exit status: 0 success, 1 failure, 2 wrong flags.");
   std::string key_file;
   std::string subject;
   std::string words = "read";
   std::string valid;
-  app.add_option("--key-file", key_file, "the key that the server has")->required()->type_name("FILE");
-  app.add_option("--subject", subject, "whom it is for, as the server's log says it")
+  app.add_option("--key-file", key_file, "file with the server's signing key")->required()->type_name("FILE");
+  app.add_option("--subject", subject, "name of the token's owner, for the server's log")
       ->required()
       ->type_name("NAME");
-  app.add_option("--rights", words, "read, edit and admin, apart by commas; read must be among them")
+  app.add_option("--rights", words, "read, edit and admin, separated by commas; read is required")
       ->type_name("RIGHTS")
       ->capture_default_str();
-  app.add_option("--valid", valid, "from now on: 90s, 30m, 12h, 7d")->required()->type_name("TIME");
+  app.add_option("--valid", valid, "time until the token expires: 90s, 30m, 12h, 7d")
+      ->required()
+      ->type_name("TIME");
   if (auto exit = parse_flags(app, argc, argv)) return tl::make_unexpected(*std::move(exit));
 
   const auto rights = Rights::parse(words);
   if (!rights) return one_line(fmt::format("--rights: {}", rights.error()), kWrongUse);
-  if (!rights->has(Right::read)) return one_line("--rights: a token without rights is of no use", kWrongUse);
+  if (!rights->has(Right::read)) return one_line("--rights: a token needs the right \"read\"", kWrongUse);
   const auto validity = parse_validity(valid);
   if (!validity) return one_line(fmt::format("--valid: {}", validity.error()), kWrongUse);
   const auto key = read_key_file(key_file, kSigningKeyBounds);

@@ -1,4 +1,4 @@
-// `talusd token`: makes a signed token for somebody.
+// `talusd token`: makes a signed token.
 #pragma once
 
 #include <chrono>
@@ -10,11 +10,11 @@
 
 namespace talus::server {
 
-/// The token that the words ask for; `argv[0]` is "token". Else what to print, and the status to exit with.
+/// The token that the flags describe; `argv[0]` is "token". Else what to print, and the exit status.
 [[nodiscard]] tl::expected<std::string, Exit> token_command(int argc, const char* const* argv,
                                                             std::chrono::sys_seconds now);
 
-/// "90s", "30m", "12h" or "7d", from a second to ten years. The error says what would be right.
+/// "90s", "30m", "12h" or "7d", from one second to ten years. The error says what is expected.
 [[nodiscard]] tl::expected<std::chrono::seconds, std::string> parse_validity(std::string_view text);
 
 }  // namespace talus::server

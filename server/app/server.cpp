@@ -1,8 +1,11 @@
 #include "app/server.h"
 
+#include <chrono>
 #include <csignal>
 #include <exception>
+#include <string_view>
 #include <utility>
+#include <vector>
 
 #include <asio/co_spawn.hpp>
 #include <asio/post.hpp>
@@ -10,19 +13,21 @@
 
 #include <talus/vectors/instruction_set.h>
 
+#include "access/auth_failure.h"
 #include "app/process_signals.h"
 #include "app/settings.h"
 #include "generation/terrain_generator.h"
-#include "metrics/exposition.h"
+#include "metrics/metrics_page.h"
+#include "metrics/process.h"
 #include "net/descriptors.h"
+#include "net/refusal_reason.h"
+#include "rates/rate_kind.h"
 #include "session/retry_after.h"
 
 namespace talus::server {
 namespace {
 
-using std::chrono::milliseconds;
-
-constexpr milliseconds kHousekeepingInterval{50};
+constexpr std::chrono::milliseconds kHousekeepingInterval{50};
 
 WorldInfo describe_world(const terrain::World& world, ContentHash store_id) {
   return {world.fingerprint(),        store_id,
@@ -45,7 +50,7 @@ Server::Server(const Config& config, std::shared_ptr<const terrain::World> world
       rates_{rate_limits(config.rates)},
       memory_{config.limits.memory_bytes},
       admission_{config.limits.connections, config.limits.connections_per_address,
-                 milliseconds{static_cast<milliseconds::rep>(config.rates.burst_ms)}, clock},
+                 config.rates.burst, clock},
       tls_{std::move(tls)},
       certificate_expires_{tls_ ? tls_->expires : 0},
       handshaker_{handshake_settings(config),
@@ -58,8 +63,8 @@ Server::Server(const Config& config, std::shared_ptr<const terrain::World> world
       io_{std::move(listeners.io)},
       chunks_{std::make_unique<TerrainGenerator>(std::move(world),
                                                  static_cast<int>(config.generation.patch_tiles)),
-              generation_settings(config), log_, metrics_, memory_},
-      runner_context_{{session_limits_, world_, chunks_, metrics_, access_, rates_, clock_},
+              generation_settings(config), log_, metrics_, memory_, clock},
+      runner_context_{{session_limits_, world_, chunks_, memory_, metrics_, access_, rates_, clock_},
                       runner_limits(config),
                       registry_,
                       log_of_clients_},
@@ -71,16 +76,22 @@ Server::Server(const Config& config, std::shared_ptr<const terrain::World> world
       operators_{std::move(listeners.operators)} {}
 
 std::string Server::metrics_text() {
-  const ChunkService::Status status = chunks_.status();
-  Depths depths{status.jobs, status.clients, status.chunk_cache_bytes, status.patch_cache_bytes, draining_};
+  const BaseChunks::Status status = chunks_.status();
+  RuntimeGauges gauges{status.jobs, status.clients, status.chunk_cache_bytes, status.patch_cache_bytes,
+                       draining_};
   for (std::size_t use = 0; use < kMemoryUses.size(); ++use) {
-    depths.memory_bytes[use] = memory_.used(static_cast<MemoryUse>(use));
+    gauges.memory_bytes.push_back(memory_.used(static_cast<MemoryUse>(use)));
   }
-  depths.memory_limit_bytes = memory_.limit_bytes();
-  depths.certificate_expires = certificate_expires_;
-  return prometheus_text(metrics_, depths, read_process(),
-                         {TALUS_VERSION, terrain::kGeneratorVersion, to_string(world_.fingerprint),
-                          std::string{to_string(instruction_set())}});
+  gauges.memory_limit_bytes = memory_.limit_bytes();
+  gauges.certificate_expires = certificate_expires_;
+  std::vector<std::string_view> error_codes{""};  // "none" is no error
+  for (std::size_t code = 1; code <= static_cast<std::size_t>(wire::ErrorCode::MAX); ++code) {
+    error_codes.emplace_back(wire::EnumNameErrorCode(static_cast<wire::ErrorCode>(code)));
+  }
+  const MetricLabels labels{kRefusalNames, error_codes, kAuthFailureNames, kRateNames, kMemoryUses};
+  const BuildInfo build{TALUS_VERSION, terrain::kGeneratorVersion, to_string(world_.fingerprint),
+                        std::string{to_string(instruction_set())}};
+  return metrics_page({metrics_, gauges, read_process(), build, labels});
 }
 
 void Server::check_descriptors() {
@@ -193,13 +204,13 @@ asio::awaitable<void> Server::wait_for_shutdown() {
 void Server::drain() {
   draining_ = true;
   acceptor_->close();
-  registry_.tell_all_to_go("the server is ending", retry_after::kServerEnds);
+  registry_.tell_all_to_go("the server is ending", retry_after::kShutdown);
   registry_.when_empty([this] { asio::post(io_->control(), [this] { io_->stop(); }); });
-  drain_timer_.expires_after(milliseconds{static_cast<milliseconds::rep>(config_.shutdown.drain_ms)});
+  drain_timer_.expires_after(config_.shutdown.drain);
   drain_timer_.async_wait([this](std::error_code cancelled) {
     if (cancelled) return;
     log_->warn("{} connections were still open after {} ms", admission_.connections(),
-               config_.shutdown.drain_ms);
+               config_.shutdown.drain.count());
     io_->stop();
   });
 }

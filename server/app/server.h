@@ -19,7 +19,7 @@
 #include "app/listeners.h"
 #include "clock/clock.h"
 #include "config/config.h"
-#include "generation/chunk_service.h"
+#include "generation/base_chunks.h"
 #include "log/logger.h"
 #include "memory/memory_budget.h"
 #include "metrics/metrics.h"
@@ -45,7 +45,7 @@ class Server {
          AccessControl& access, std::optional<TlsIdentity> tls, Listeners listeners, const Clock& clock,
          Logger log);
 
-  /// Serves until SIGTERM or SIGINT, and then until every answer is sent or shutdown.drain_ms is over. SIGHUP
+  /// Serves until SIGTERM or SIGINT, and then until every answer is sent or shutdown.drain is over. SIGHUP
   /// reads certificates and keys again. Once.
   void run();
 
@@ -81,7 +81,7 @@ class Server {
   std::atomic<bool> draining_ = false;
   Handshaker handshaker_;
   std::unique_ptr<IoPool> io_;
-  ChunkService chunks_;
+  BaseChunks chunks_;
   const RunnerContext runner_context_;
 
   std::unique_ptr<Acceptor> acceptor_;

@@ -1,7 +1,6 @@
 #include "app/settings.h"
 
 #include <algorithm>
-#include <chrono>
 #include <thread>
 
 #include <talus/protocol/limits.h>
@@ -12,10 +11,6 @@
 
 namespace talus::server {
 namespace {
-
-std::chrono::milliseconds milliseconds_of(std::uint64_t count) {
-  return std::chrono::milliseconds{static_cast<std::chrono::milliseconds::rep>(count)};
-}
 
 std::size_t threads_or_cores(std::uint64_t threads) {
   return threads != 0 ? threads : std::max(1U, std::thread::hardware_concurrency());
@@ -40,25 +35,39 @@ std::uint64_t height_tiles_per_request(const terrain::World& world) {
 }
 
 SessionLimits session_limits(const Config& config, const terrain::World& world) {
-  SessionLimits limits = config.limits;
-  limits.height_tiles_per_request = height_tiles_per_request(world);
-  return limits;
+  const Limits& limits = config.limits;
+  return {.frame_bytes = static_cast<std::uint32_t>(limits.frame_bytes),
+          .requests_in_flight = static_cast<std::uint32_t>(limits.requests_in_flight),
+          .heights_per_request = static_cast<std::uint32_t>(limits.heights_per_request),
+          .height_tiles_per_request = height_tiles_per_request(world),
+          .view_horizontal_radius = static_cast<std::uint16_t>(limits.view_horizontal_radius),
+          .view_vertical_radius = static_cast<std::uint16_t>(limits.view_vertical_radius),
+          .view_chunks = static_cast<std::uint32_t>(limits.view_chunks),
+          .window_bytes = limits.window_bytes,
+          .queued_bytes = limits.queued_bytes_per_session,
+          .idle_timeout = limits.idle_timeout};
+}
+
+RateLimits rate_limits(const Rates& config) {
+  const auto rate = [&](std::uint64_t per_second) { return Rate::with_burst_of(per_second, config.burst); };
+  return {{rate(config.session_chunks), rate(config.session_bytes), rate(config.session_requests)},
+          {rate(config.address_chunks), rate(config.address_bytes), rate(config.address_requests)}};
 }
 
 RunnerLimits runner_limits(const Config& config) {
   const Limits& limits = config.limits;
-  return {static_cast<std::uint32_t>(limits.frame_bytes), limits.queued_bytes_per_session,
-          SessionTimeouts{milliseconds_of(limits.handshake_timeout_ms), milliseconds_of(limits.idle_timeout_ms),
-                          milliseconds_of(limits.write_timeout_ms)}};
+  return {static_cast<std::uint32_t>(limits.frame_bytes),
+          limits.queued_bytes_per_session,
+          {limits.handshake_timeout, limits.idle_timeout, limits.write_timeout}};
 }
 
 HandshakeSettings handshake_settings(const Config& config) {
   const Limits& limits = config.limits;
   return {limits.handshakes_per_address_per_second, limits.handshakes_per_address_burst,
-          limits.handshakes_under_way, milliseconds_of(limits.handshake_timeout_ms), config.proxies};
+          limits.handshakes_in_flight, limits.handshake_timeout, config.proxies};
 }
 
-ServiceSettings generation_settings(const Config& config) {
+GenerationSettings generation_settings(const Config& config) {
   return {generator_threads(config), static_cast<int>(config.generation.patch_tiles),
           config.generation.queue_chunks, config.cache.chunk_bytes, config.cache.patch_bytes};
 }
@@ -67,7 +76,7 @@ std::uint64_t descriptors_wanted(const Config& config) {
   const std::uint64_t of_operators =
       config.admin ? AdminServer::kMaxConnections + AdminServer::kReservedDescriptors : 0;
   // A connection whose PROXY header has not come is not among limits.connections, and has a socket.
-  const std::uint64_t of_handshakes = config.proxies.empty() ? 0 : config.limits.handshakes_under_way;
+  const std::uint64_t of_handshakes = config.proxies.empty() ? 0 : config.limits.handshakes_in_flight;
   return descriptors_needed(config.limits.connections + of_handshakes + of_operators, io_threads(config) + 1);
 }
 

@@ -7,9 +7,10 @@
 #include <talus/terrain/world.h>
 
 #include "config/config.h"
-#include "generation/chunk_service.h"
+#include "generation/base_chunks.h"
 #include "net/handshaker.h"
 #include "net/session_runner.h"
+#include "rates/rates.h"
 #include "session/session_limits.h"
 
 namespace talus::server {
@@ -23,9 +24,10 @@ namespace talus::server {
 [[nodiscard]] std::uint64_t height_tiles_per_request(const terrain::World& world);
 
 [[nodiscard]] SessionLimits session_limits(const Config& config, const terrain::World& world);
+[[nodiscard]] RateLimits rate_limits(const Rates& config);
 [[nodiscard]] RunnerLimits runner_limits(const Config& config);
 [[nodiscard]] HandshakeSettings handshake_settings(const Config& config);
-[[nodiscard]] ServiceSettings generation_settings(const Config& config);
+[[nodiscard]] GenerationSettings generation_settings(const Config& config);
 
 /// Files and sockets that a server so configured may hold at once.
 [[nodiscard]] std::uint64_t descriptors_wanted(const Config& config);

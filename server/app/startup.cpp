@@ -25,7 +25,7 @@ tl::expected<std::optional<DataDirectory>, std::string> drop_privileges_and_open
         return tl::make_unexpected(made.error());
       }
     }
-    if (const auto done = become(*account); !done) return tl::make_unexpected(done.error());
+    if (const auto done = switch_user(*account); !done) return tl::make_unexpected(done.error());
   }
   if (config.data.empty()) return std::nullopt;
   auto data = DataDirectory::open(config.data, fingerprint);
@@ -50,12 +50,13 @@ std::vector<std::string> startup_warnings(const Command& command, const std::vec
                            config.access.previous_signing_key_file, config.tls.certificate, config.tls.key}) {
     if (file.empty() || ::access(file.c_str(), R_OK) == 0) continue;
     warnings.push_back(
-        fmt::format("{}: the user that talusd runs as cannot read it: a reload will keep the old one",
+        fmt::format("{}: the user that talusd runs as cannot read it; a reload will keep the old one",
                     escaped(file.string(), 500)));
   }
   if (command.config.user.empty() && runs_as_root()) {
     warnings.emplace_back(
-        "talusd runs as root and needs nothing of it; set user, or start it as another user");
+        "talusd runs as root and does not need to: set user in the configuration file or TALUS_USER, or start "
+        "it as another user");
   }
   return warnings;
 }

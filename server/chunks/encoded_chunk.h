@@ -1,5 +1,6 @@
-// A chunk as it goes out: a whole Chunk message, made once, shared by the cache and by every session that
-// sends it. Only the request and the place in it differ from one sending to the next.
+// The wire form of a chunk: a whole Chunk message, made once, shared by the cache and by every session that
+// sends it. Only the request id and the key differ from one sending to the next; they are patched into a
+// copy.
 #pragma once
 
 #include <cstddef>
@@ -15,41 +16,58 @@
 
 namespace talus::server {
 
+/// Of a chunk as generated. Every edit of a chunk has a larger one.
+inline constexpr std::uint64_t kBaseRevision = 0;
+
+/// Immutable, so any thread may read it.
 class EncodedChunk {
  public:
-  /// `payload` is of codec kCodecVersion.
-  EncodedChunk(ContentHash hash, std::span<const std::byte> payload, std::uint64_t revision = 0);
+  /// `payload` is what a session of codec kCodecVersion reads: its first byte is that version, or an older
+  /// one that codec includes. The frame's `codec` is the session's, kCodecVersion.
+  EncodedChunk(ContentHash hash, std::span<const std::byte> payload, std::uint64_t revision = kBaseRevision);
 
+  /// Of the voxels, whatever their encoding.
   [[nodiscard]] ContentHash hash() const { return hash_; }
-  /// 0: as generated; a later version of the same chunk has a larger one.
   [[nodiscard]] std::uint64_t revision() const { return revision_; }
+  /// The payload exactly, as FORMAT.md defines it; lives as long as this.
+  [[nodiscard]] std::span<const std::byte> payload() const { return tail().first(payload_bytes_); }
   [[nodiscard]] std::size_t frame_bytes() const { return frame_.size(); }
-  /// What it occupies, for whoever accounts for it.
+  /// Bytes of memory that this holds, itself included.
   [[nodiscard]] std::size_t bytes() const { return sizeof(EncodedChunk) + frame_.capacity(); }
 
   /// Appends the frame. `request_id` 0: sent for the View.
   void append_frame(std::vector<std::byte>& output, std::uint32_t request_id, ChunkKey key) const;
-  /// The frame in two: its head, in which request and place stand, and its tail, the payload, as it lies
-  /// here.
+  /// Appends the frame up to its payload: everything that differs from one sending to the next. tail()
+  /// follows.
   void append_head(std::vector<std::byte>& output, std::uint32_t request_id, ChunkKey key) const;
+  /// The rest of the frame: the payload and FlatBuffers' padding.
   [[nodiscard]] std::span<const std::byte> tail() const { return std::span{frame_}.subspan(head_bytes_); }
-  /// Has the processor fetch the frame's beginning while the caller goes on.
-  void prefetch() const { __builtin_prefetch(frame_.data()); }
+
+  /// Has the processor fetch the frame's first kPrefetchBytes while the caller goes on. What follows it
+  /// fetches by itself as the frame is copied; a large frame displaces nothing.
+  void prefetch() const {
+    constexpr std::size_t kLineBytes = 64;
+    const std::size_t end = frame_.size() < kPrefetchBytes ? frame_.size() : kPrefetchBytes;
+    for (std::size_t at = 0; at < end; at += kLineBytes) __builtin_prefetch(frame_.data() + at);
+  }
+  static constexpr std::size_t kPrefetchBytes = 256;
 
  private:
   void append_first(std::size_t bytes, std::vector<std::byte>& output, std::uint32_t request_id,
                     ChunkKey key) const;
 
   ContentHash hash_;
-  std::uint64_t revision_ = 0;
-  std::uint32_t id_at_ = 0;  // where in the frame
+  std::uint64_t revision_;
+  // Offsets into the frame.
+  std::uint32_t id_at_ = 0;
   std::uint32_t key_at_ = 0;
   std::uint32_t head_bytes_ = 0;
+  std::uint32_t payload_bytes_ = 0;
   protocol::Frame frame_;
 };
 using EncodedChunkPtr = std::shared_ptr<const EncodedChunk>;
 
-/// Each thread keeps the memory in which the payload is made.
-[[nodiscard]] EncodedChunkPtr encode_shared(const Chunk& chunk);
+/// Each thread reuses the memory in which it encodes.
+[[nodiscard]] EncodedChunkPtr encode_shared(const Chunk& chunk, std::uint64_t revision = kBaseRevision);
 
 }  // namespace talus::server

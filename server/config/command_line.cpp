@@ -8,7 +8,7 @@
 namespace talus::server {
 namespace {
 
-/// A flag that sets a field of the table.
+/// A flag for a setting.
 struct Flag {
   std::string_view key;
   std::string_view type;
@@ -17,7 +17,7 @@ struct Flag {
 };
 
 std::string help_of(const Field& field, std::string_view fallback) {
-  return fmt::format("{}{} ({})", field.help, fallback, variable_name(field));
+  return fmt::format("{}{} ({})", field.help, fallback, variable_name(field.key));
 }
 
 Exit one_line(std::string text, int status) {
@@ -28,18 +28,19 @@ Exit one_line(std::string text, int status) {
 
 tl::expected<Command, Exit> read_command_line(int argc, const char* const* argv,
                                               const Environment& environment) {
-  CLI::App app{"talusd streams an endless world, generated on demand, to game clients.", "talusd"};
+  CLI::App app{"talusd streams an endless voxel world, generated on demand, to game clients.", "talusd"};
   app.set_version_flag("--version", "talusd " TALUS_VERSION);
   app.footer(
-      "Every setting of talusd.toml is also a variable: limits.connections is TALUS_LIMITS_CONNECTIONS.\n"
-      "talusd token --help tells how to make tokens for clients.\n"
-      "Flags win over variables, variables over the file, the file over the defaults.\n"
-      "SIGTERM and SIGINT end the server after pending answers are sent; a second signal ends it at once.\n"
-      "Exit status: 0 done, 1 failed, 2 wrong use.");
+      "Each setting of talusd.toml has an environment variable: TALUS_LIMITS_CONNECTIONS for "
+      "limits.connections.\n"
+      "A flag overrides a variable, a variable overrides the file, and the file overrides the default.\n"
+      "\"talusd token --help\" explains how to make tokens for clients.\n"
+      "SIGTERM or SIGINT ends the server once pending answers are sent; a second signal ends it at once.\n"
+      "Exit status: 0 success, 1 failure, 2 wrong flags.");
 
   Command command;
   std::string config_file;
-  app.add_option("--config", config_file, "settings, as talusd.toml explains them (default: none)")
+  app.add_option("--config", config_file, "settings in TOML, as in talusd.toml; default: no file")
       ->type_name("FILE");
   std::array flags{Flag{"world", "FILE"}, Flag{"listen", "HOST:PORT"}, Flag{"http", "HOST:PORT"},
                    Flag{"admin", "HOST:PORT"}, Flag{"data", "DIR"}};
@@ -50,18 +51,19 @@ tl::expected<Command, Exit> read_command_line(int argc, const char* const* argv,
         app.add_option(fmt::format("--{}", flag.key), flag.text, help_of(*find_field(flag.key), fallback))
             ->type_name(std::string{flag.type});
   }
-  app.add_flag(
-      "--check-config", command.check_only,
-      "check settings, world and certificate, but neither address nor data directory; print ok, and exit");
+  app.add_flag("--check-config", command.check_only,
+               "check settings, world, user, keys and certificate, print ok and exit; does not try addresses "
+               "or the data "
+               "directory");
 
   if (auto exit = parse_flags(app, argc, argv)) return tl::make_unexpected(*std::move(exit));
 
   if (!config_file.empty()) {
-    if (auto done = apply_file(command.config, config_file); !done) {
+    if (auto done = apply_file(command, config_file); !done) {
       return tl::make_unexpected(one_line(done.error(), kFailed));
     }
   }
-  if (auto done = apply_environment(command.config, environment); !done) {
+  if (auto done = apply_environment(command, environment); !done) {
     return tl::make_unexpected(one_line(done.error(), kFailed));
   }
   for (const Flag& flag : flags) {
@@ -69,10 +71,11 @@ tl::expected<Command, Exit> read_command_line(int argc, const char* const* argv,
     if (auto done = set_from_text(*find_field(flag.key), command.config, flag.text); !done) {
       return tl::make_unexpected(one_line(fmt::format("--{}: {}", flag.key, done.error()), kWrongUse));
     }
+    command.origins.forget(flag.key);
   }
 
-  command.warnings = unknown_variables(environment);
-  if (command.config.http) command.warnings.emplace_back("http is not served by this version; ignored");
+  if (command.config.http)
+    command.warnings.push_back(command.origins.locate("http: this version does not serve it"));
   return command;
 }
 

@@ -1,26 +1,20 @@
-// talusd's flags.
+// The command line of talusd.
 #pragma once
-
-#include <filesystem>
-#include <string>
-#include <variant>
 
 #include <tl/expected.hpp>
 
-#include "config/config.h"
 #include "config/load.h"
 #include "config/parse_flags.h"
 
 namespace talus::server {
 
-/// What to do, and with what.
-struct Command {
-  Config config;
+/// The settings, and what to do with them.
+struct Command : Settings {
   bool check_only = false;
-  std::vector<std::string> warnings;
 };
 
-/// Reads flags, environment and file. Wrong flags exit with 2, a wrong file or variable with 1.
+/// Reads flags, environment and file. The exit status is kWrongUse for wrong flags, kFailed for a wrong file
+/// or variable.
 [[nodiscard]] tl::expected<Command, Exit> read_command_line(int argc, const char* const* argv,
                                                             const Environment& environment);
 

@@ -1,7 +1,8 @@
-// What an operator can set. fields.h lists every member with its range, unit and meaning; talusd.toml
-// writes every default out.
+// The settings of talusd and their defaults. fields.h has the key, range, unit and meaning of each;
+// talusd.toml lists every key with its default. Plain values: copy them freely.
 #pragma once
 
+#include <chrono>
 #include <cstdint>
 #include <filesystem>
 #include <optional>
@@ -14,11 +15,13 @@
 
 namespace talus::server {
 
+using std::chrono::milliseconds;
+
 inline constexpr std::uint16_t kDefaultPort = 4780;
 
 struct Threads {
-  std::uint64_t io = 0;         // 0: from the machine
-  std::uint64_t generator = 0;  // 0: from the machine
+  std::uint64_t io = 0;         // 0: one for each core
+  std::uint64_t generator = 0;  // 0: one for each core
   bool operator==(const Threads&) const = default;
 };
 
@@ -27,17 +30,15 @@ struct Limits {
   std::uint64_t connections_per_address = 256;
   std::uint64_t handshakes_per_address_per_second = 20;
   std::uint64_t handshakes_per_address_burst = 256;
-  std::uint64_t handshakes_under_way = 1024;
+  std::uint64_t handshakes_in_flight = 1024;
   std::uint64_t frame_bytes = protocol::kDefaultClientFrameBytes;
   std::uint64_t requests_in_flight = 1024;
-  std::uint64_t handshake_timeout_ms = 10'000;
-  std::uint64_t idle_timeout_ms = 60'000;
-  std::uint64_t write_timeout_ms = 15'000;
+  milliseconds handshake_timeout{10'000};
+  milliseconds idle_timeout{60'000};
+  milliseconds write_timeout{15'000};
   std::uint64_t queued_bytes_per_session = 1U << 20;
   std::uint64_t window_bytes = 4U << 20;
   std::uint64_t heights_per_request = protocol::kMaxHeightsPerRequest;
-  /// Tiles of 32 x 32 columns in one GetHeights. No setting: the world decides (net/server.cpp).
-  std::uint64_t height_tiles_per_request = protocol::kMaxHeightsPerRequest;
   std::uint64_t view_horizontal_radius = 48;
   std::uint64_t view_vertical_radius = 16;
   std::uint64_t view_chunks = 65'536;
@@ -45,7 +46,8 @@ struct Limits {
   bool operator==(const Limits&) const = default;
 };
 
-/// A second, of one session and of all sessions of one address; 0: no limit.
+/// Per second; 0: no limit. The session_ rates count one session, the address_ rates all sessions of one
+/// address.
 struct Rates {
   std::uint64_t session_chunks = 1024;
   std::uint64_t session_bytes = 2U << 20;
@@ -53,24 +55,24 @@ struct Rates {
   std::uint64_t address_chunks = 8192;
   std::uint64_t address_bytes = 16U << 20;
   std::uint64_t address_requests = 16'384;
-  std::uint64_t burst_ms = 32'000;
+  milliseconds burst{32'000};
   bool operator==(const Rates&) const = default;
 };
 
-/// Who may come in: access/access_control.h.
+/// Who may join: access/access_control.h.
 struct Access {
   std::filesystem::path secret_file;  // empty: no shared secret
   std::string secret_rights = "read";
   std::filesystem::path signing_key_file;  // empty: no signed tokens
   std::string without_token = "auto";
-  std::filesystem::path previous_signing_key_file{};  // empty: tokens of one key alone
+  std::filesystem::path previous_signing_key_file{};  // empty: only signing_key_file
   [[nodiscard]] bool wanted() const {
     return !secret_file.empty() || !signing_key_file.empty() || !previous_signing_key_file.empty();
   }
   bool operator==(const Access&) const = default;
 };
 
-/// Both or neither; without them connections are plain.
+/// Both are set, or neither; without them connections are plain TCP.
 struct Tls {
   std::filesystem::path certificate;
   std::filesystem::path key;
@@ -91,7 +93,7 @@ struct Generation {
 };
 
 struct Shutdown {
-  std::uint64_t drain_ms = 5'000;
+  milliseconds drain{5'000};
   bool operator==(const Shutdown&) const = default;
 };
 
@@ -105,11 +107,11 @@ struct Config {
   Endpoint listen{"0.0.0.0", kDefaultPort};
   std::optional<Endpoint> http;
   std::optional<Endpoint> admin;
-  std::filesystem::path data;   // empty: nothing is kept on disk
+  std::filesystem::path data;   // empty: talusd keeps nothing on disk
   std::filesystem::path world;  // empty: the world built into the program
-  std::string user;             // empty: stays who it is
+  std::string user;             // empty: do not switch user
   Access access;
-  Networks proxies;  // whose PROXY headers are believed, and asked for
+  Networks proxies;  // proxies that must send a PROXY header
   Tls tls;
   Threads threads;
   Limits limits;

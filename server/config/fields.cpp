@@ -3,7 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
-#include <limits>
+#include <optional>
+#include <type_traits>
 
 #include <fmt/format.h>
 
@@ -13,178 +14,211 @@ namespace talus::server {
 namespace {
 
 constexpr std::uint64_t kMebibyte = 1U << 20;
-constexpr std::uint64_t kDayMs = 86'400'000;
-constexpr std::uint64_t kMostPerSecond = 0xFFFF'FFFF;  // rates/token_bucket.h
+constexpr milliseconds kDay = std::chrono::hours{24};
+constexpr milliseconds kMinTimeout{10};
+constexpr std::uint64_t kMaxPerSecond = 0xFFFF'FFFF;  // rates/token_bucket.h
 
 constexpr std::array<std::string_view, 2> kLogFormats{"text", "json"};
 constexpr std::array<std::string_view, 6> kLevels{"trace", "debug", "info", "warning", "error", "off"};
 constexpr std::array<std::string_view, 3> kRights{"read", "read,edit", "read,edit,admin"};
 constexpr std::array<std::string_view, 4> kRightsWithoutToken{"auto", "none", "read", "read,edit"};
 
-template <typename Group, Group Config::*group, std::uint64_t Group::*member>
-std::uint64_t& number_at(Config& config) {
+template <typename Group, typename Value, Group Config::*group, Value Group::*member>
+Value& member_of(Config& config) {
   return config.*group.*member;
 }
 
 template <auto group, auto member>
-struct Place;
-template <typename Group, Group Config::*group, std::uint64_t Group::*member>
-struct Place<group, member> {
-  static constexpr auto at = &number_at<Group, group, member>;
+struct Member;
+template <typename Group, typename Value, Group Config::*group, Value Group::*member>
+struct Member<group, member> {
+  static constexpr auto at = &member_of<Group, Value, group, member>;
 };
 
 template <auto group, auto member>
-constexpr NumberTarget number(std::uint64_t least, std::uint64_t most) {
-  return {Place<group, member>::at, least, most};
+constexpr NumberTarget number(std::uint64_t min, std::uint64_t max) {
+  return {Member<group, member>::at, min, max};
+}
+template <auto group, auto member>
+constexpr DurationTarget duration(std::chrono::milliseconds min, std::chrono::milliseconds max) {
+  return {Member<group, member>::at, min, max};
 }
 
 const std::array kFields{
-    Field{"listen", "HOST:PORT", "where game clients connect; port 0 takes a free one",
+    Field{"listen", "HOST:PORT", "address for game clients; port 0 lets the system choose a free port",
           EndpointTarget{[](Config& c) -> Endpoint& { return c.listen; }}},
-    Field{"http", "HOST:PORT", "public HTTP and WebSocket; accepted, not served yet; empty: none",
+    Field{"http", "HOST:PORT", "address for public HTTP and WebSocket; read, but not served yet; empty: none",
           OptionalEndpointTarget{[](Config& c) -> std::optional<Endpoint>& { return c.http; }}},
     Field{"admin", "HOST:PORT",
-          "metrics and health for operators, over HTTP; not for the open network; empty: none",
+          "address for metrics and health over HTTP; keep it away from the open network; empty: none",
           OptionalEndpointTarget{[](Config& c) -> std::optional<Endpoint>& { return c.admin; }}},
-    Field{"data", "directory", "what must outlive the server; empty: nothing is kept",
+    Field{"data", "directory", "directory for data that outlives the server; empty: keep nothing",
           PathTarget{[](Config& c) -> std::filesystem::path& { return c.data; }}},
     Field{"world", "file", "the world's spec; empty: the world built into talusd",
           PathTarget{[](Config& c) -> std::filesystem::path& { return c.world; }}},
-    Field{"user", "user, as NAME, UID or UID:GID",
-          "whom talusd becomes where root starts it, when it has its addresses and keys; empty: nobody else",
-          TextTarget{[](Config& c) -> std::string& { return c.user; }}},
+    Field{
+        "user", "user, as NAME, UID or UID:GID",
+        "user to switch to after binding ports and reading keys, when started as root; empty: do not switch",
+        TextTarget{[](Config& c) -> std::string& { return c.user; }}},
 
-    Field{"access.secret_file", "file", "the secret that clients may show as their token; empty: none",
+    Field{"access.secret_file", "file",
+          "file with the secret that clients may send as their token; empty: none",
           PathTarget{[](Config& c) -> std::filesystem::path& { return c.access.secret_file; }}},
-    Field{"access.secret_rights", "rights", "of clients that show the secret",
+    Field{"access.secret_rights", "rights", "rights of clients that send the secret",
           WordTarget{[](Config& c) -> std::string& { return c.access.secret_rights; }, kRights}},
-    Field{"access.signing_key_file", "file",
-          "the key of signed tokens, as talusd token makes them; empty: none",
+    Field{"access.signing_key_file", "file", "file with the key that signs tokens; empty: no signed tokens",
           PathTarget{[](Config& c) -> std::filesystem::path& { return c.access.signing_key_file; }}},
     Field{"access.previous_signing_key_file", "file",
-          "the key before it, whose tokens are still good; empty: none",
+          "file with the previous signing key, whose tokens are still accepted; empty: none",
           PathTarget{[](Config& c) -> std::filesystem::path& { return c.access.previous_signing_key_file; }}},
     Field{"access.without_token", "rights",
-          "of clients without a token; auto: none where one of the files is given, else read",
+          "rights of clients without a token; auto: none where a secret or a key is configured, else read",
           WordTarget{[](Config& c) -> std::string& { return c.access.without_token; }, kRightsWithoutToken}},
 
     Field{"proxies", "networks",
-          "whose PROXY headers (version 2) are believed, and without which they are refused; empty: nobody's",
+          "proxies in front of the server; their connections must begin with a PROXY header, version 2; "
+          "empty: none",
           NetworksTarget{[](Config& c) -> Networks& { return c.proxies; }}},
 
-    Field{"tls.certificate", "file", "PEM, with the chain; SIGHUP reads it again; empty: no TLS",
+    Field{"tls.certificate", "file", "PEM file with the certificate chain; SIGHUP reloads it; empty: no TLS",
           PathTarget{[](Config& c) -> std::filesystem::path& { return c.tls.certificate; }}},
-    Field{"tls.key", "file", "PEM, without passphrase, of the certificate",
+    Field{"tls.key", "file", "PEM file with the certificate's key, without a passphrase",
           PathTarget{[](Config& c) -> std::filesystem::path& { return c.tls.key; }}},
 
-    Field{"threads.io", "threads", "threads that serve sockets; 0: as many as the machine's cores",
+    Field{"threads.io", "threads", "threads that serve sockets; 0: one for each core",
           number<&Config::threads, &Threads::io>(0, 1024)},
-    Field{"threads.generator", "threads", "threads that generate chunks; 0: as many as the machine's cores",
+    Field{"threads.generator", "threads", "threads that generate chunks; 0: one for each core",
           number<&Config::threads, &Threads::generator>(0, 1024)},
 
-    Field{"limits.connections", "connections", "in all; one more is refused",
+    Field{"limits.connections", "connections", "open connections in all",
           number<&Config::limits, &Limits::connections>(1, 1'000'000)},
-    Field{"limits.connections_per_address", "connections", "from one IPv4 address or one IPv6 /64 network",
+    Field{"limits.connections_per_address", "connections",
+          "open connections from one IPv4 address or one IPv6 /64 network",
           number<&Config::limits, &Limits::connections_per_address>(1, 1'000'000)},
     Field{"limits.handshakes_per_address_per_second", "connections",
-          "that an address, counted as above, may begin in the long run",
+          "new connections per second from one address, in the long run",
           number<&Config::limits, &Limits::handshakes_per_address_per_second>(1, 1'000'000)},
-    Field{"limits.handshakes_per_address_burst", "connections", "that it may begin at once after a rest",
+    Field{"limits.handshakes_per_address_burst", "connections",
+          "new connections from one address at once, after a pause",
           number<&Config::limits, &Limits::handshakes_per_address_burst>(1, 1'000'000)},
-    Field{"limits.handshakes_under_way", "connections",
-          "in all whose TLS handshake or PROXY header is not done; one more is refused",
-          number<&Config::limits, &Limits::handshakes_under_way>(1, 1'000'000)},
-    Field{"limits.frame_bytes", "bytes", "of one frame from a client, its length prefix included",
+    Field{"limits.handshakes_in_flight", "connections", "unfinished TLS handshakes and PROXY headers in all",
+          number<&Config::limits, &Limits::handshakes_in_flight>(1, 1'000'000)},
+    Field{"limits.frame_bytes", "bytes", "size of one frame from a client, including its length prefix",
           number<&Config::limits, &Limits::frame_bytes>(protocol::kLeastClientFrameBytes, 16 * kMebibyte)},
-    Field{"limits.requests_in_flight", "requests", "chunk and height requests of a session not yet answered",
+    Field{"limits.requests_in_flight", "requests", "unanswered chunk and height requests of one session",
           number<&Config::limits, &Limits::requests_in_flight>(1, 65'536)},
     Field{"limits.handshake_timeout_ms", "ms",
-          "from the connection to a whole Hello, PROXY header and TLS included",
-          number<&Config::limits, &Limits::handshake_timeout_ms>(10, kDayMs)},
-    Field{"limits.idle_timeout_ms", "ms", "without a whole frame from the client",
-          number<&Config::limits, &Limits::idle_timeout_ms>(10, kDayMs)},
-    Field{"limits.write_timeout_ms", "ms", "in which a client that is sent something reads none of it",
-          number<&Config::limits, &Limits::write_timeout_ms>(10, kDayMs)},
+          "time from the connection to the client's whole Hello, including PROXY header and TLS",
+          duration<&Config::limits, &Limits::handshake_timeout>(kMinTimeout, kDay)},
+    Field{"limits.idle_timeout_ms", "ms", "time without a whole frame from the client",
+          duration<&Config::limits, &Limits::idle_timeout>(kMinTimeout, kDay)},
+    Field{"limits.write_timeout_ms", "ms", "time in which the client reads nothing of what it is sent",
+          duration<&Config::limits, &Limits::write_timeout>(kMinTimeout, kDay)},
     Field{"limits.queued_bytes_per_session", "bytes",
-          "of answers that wait in memory for one client; above it nothing more is read from it",
+          "answers queued for one client; above it the server stops reading from that client",
           number<&Config::limits, &Limits::queued_bytes_per_session>(64 * 1024, 1024 * kMebibyte)},
-    Field{"limits.window_bytes", "bytes", "of Chunk frames that a client may leave without Credit",
+    Field{"limits.window_bytes", "bytes",
+          "Chunk frames in flight that the client has not acknowledged by Credit",
           number<&Config::limits, &Limits::window_bytes>(1024, 1024 * kMebibyte)},
-    Field{"limits.heights_per_request", "columns", "in one GetHeights",
+    Field{"limits.heights_per_request", "columns", "columns in one GetHeights",
           number<&Config::limits, &Limits::heights_per_request>(1, protocol::kMaxHeightsPerRequest)},
     Field{"limits.view_horizontal_radius", "chunks",
-          "of a View along x and z, in chunks of level 0; a ring of level l may reach 2^l times as far",
+          "radius of a View along x and z; at level l it may be 2^l times as large",
           number<&Config::limits, &Limits::view_horizontal_radius>(0, 512)},
-    Field{"limits.view_vertical_radius", "chunks", "of a View along y, in chunks of level 0",
+    Field{"limits.view_vertical_radius", "chunks",
+          "radius of a View along y; at level l it may be 2^l times as large",
           number<&Config::limits, &Limits::view_vertical_radius>(0, 512)},
-    Field{"limits.view_chunks", "chunks", "of all levels in one View",
+    Field{"limits.view_chunks", "chunks", "chunks of all levels in one View",
           number<&Config::limits, &Limits::view_chunks>(1, 4'194'304)},
     Field{"limits.memory_bytes", "bytes",
-          "of memory in all: near it caches shrink, then new work and connections are refused; 0: no limit",
+          "memory budget; near it caches shrink, then new work and connections are refused; 0: no limit",
           number<&Config::limits, &Limits::memory_bytes>(0, 1024 * 1024 * kMebibyte)},
 
-    Field{"rates.session_chunks", "chunks a second", "sent to one session; 0: no limit",
-          number<&Config::rates, &Rates::session_chunks>(0, kMostPerSecond)},
-    Field{"rates.session_bytes", "bytes a second", "sent to one session; chunks wait for it; 0: no limit",
-          number<&Config::rates, &Rates::session_bytes>(0, kMostPerSecond)},
-    Field{"rates.session_requests", "requests a second",
-          "of one session; those beyond are refused; 0: no limit",
-          number<&Config::rates, &Rates::session_requests>(0, kMostPerSecond)},
-    Field{"rates.address_chunks", "chunks a second", "sent to all sessions of one address; 0: no limit",
-          number<&Config::rates, &Rates::address_chunks>(0, kMostPerSecond)},
-    Field{"rates.address_bytes", "bytes a second", "sent to all sessions of one address; 0: no limit",
-          number<&Config::rates, &Rates::address_bytes>(0, kMostPerSecond)},
-    Field{"rates.address_requests", "requests a second", "of all sessions of one address; 0: no limit",
-          number<&Config::rates, &Rates::address_requests>(0, kMostPerSecond)},
-    Field{"rates.burst_ms", "ms", "of each rate, saved up for when more is wanted at once",
-          number<&Config::rates, &Rates::burst_ms>(1, 600'000)},
+    Field{"rates.session_chunks", "chunks per second", "chunks sent to one session; 0: no limit",
+          number<&Config::rates, &Rates::session_chunks>(0, kMaxPerSecond)},
+    Field{"rates.session_bytes", "bytes per second", "bytes sent to one session; 0: no limit",
+          number<&Config::rates, &Rates::session_bytes>(0, kMaxPerSecond)},
+    Field{"rates.session_requests", "requests per second", "requests accepted from one session; 0: no limit",
+          number<&Config::rates, &Rates::session_requests>(0, kMaxPerSecond)},
+    Field{"rates.address_chunks", "chunks per second",
+          "chunks sent to all sessions of one address; 0: no limit",
+          number<&Config::rates, &Rates::address_chunks>(0, kMaxPerSecond)},
+    Field{"rates.address_bytes", "bytes per second", "bytes sent to all sessions of one address; 0: no limit",
+          number<&Config::rates, &Rates::address_bytes>(0, kMaxPerSecond)},
+    Field{"rates.address_requests", "requests per second",
+          "requests accepted from all sessions of one address; 0: no limit",
+          number<&Config::rates, &Rates::address_requests>(0, kMaxPerSecond)},
+    Field{"rates.burst_ms", "ms", "how much of each rate an idle session or address saves up",
+          duration<&Config::rates, &Rates::burst>(milliseconds{1}, milliseconds{600'000})},
 
-    Field{"cache.chunk_bytes", "bytes", "of encoded chunks kept in memory",
+    Field{"cache.chunk_bytes", "bytes", "size of the cache of encoded chunks",
           number<&Config::cache, &Cache::chunk_bytes>(kMebibyte, 1024 * 1024 * kMebibyte)},
-    Field{"cache.patch_bytes", "bytes", "of terrain kept so that neighbouring chunks are cheap",
+    Field{"cache.patch_bytes", "bytes",
+          "size of the cache of terrain, from which neighbouring chunks are extracted",
           number<&Config::cache, &Cache::patch_bytes>(kMebibyte, 1024 * 1024 * kMebibyte)},
 
     Field{"generation.patch_tiles", "tiles",
-          "along each edge of the square of terrain that is generated at once; a tile is 32 columns",
+          "edge of the square of terrain that is generated at once; a tile is 32 columns",
           number<&Config::generation, &Generation::patch_tiles>(1, 16)},
     Field{"generation.queue_chunks", "chunks",
-          "of all clients that wait for a generator; above it requests are refused",
+          "chunks of all clients that wait for a generator; more are refused",
           number<&Config::generation, &Generation::queue_chunks>(1, 16'777'216)},
 
-    Field{"shutdown.drain_ms", "ms", "in which pending answers are still sent before the server ends",
-          number<&Config::shutdown, &Shutdown::drain_ms>(0, kDayMs)},
+    Field{"shutdown.drain_ms", "ms", "time for sending pending answers before the server ends",
+          duration<&Config::shutdown, &Shutdown::drain>(milliseconds{0}, kDay)},
 
-    Field{"log.level", "", "the least important lines that are written",
+    Field{"log.level", "", "lowest level that is logged",
           WordTarget{[](Config& c) -> std::string& { return c.log.level; }, kLevels}},
-    Field{"log.format", "", "how a line is written: for people, or one JSON object",
+    Field{"log.format", "", "format of a log line: text, or one JSON object",
           WordTarget{[](Config& c) -> std::string& { return c.log.format; }, kLogFormats}},
+};
+
+constexpr std::array kRenamedKeys{
+    RenamedKey{"limits.handshakes_under_way", "limits.handshakes_in_flight"},
 };
 
 tl::unexpected<std::string> refused(const Field& field, std::string_view value) {
   return tl::make_unexpected(fmt::format("{} is wrong; give {}", value, expectation(field)));
 }
 
-tl::expected<void, std::string> assign_number(const Field& field, const NumberTarget& target, Config& config,
-                                              std::string_view text) {
-  std::uint64_t value = 0;
-  const char* const end = text.data() + text.size();
-  const auto [stop, error] = std::from_chars(text.data(), end, value);
-  const bool whole = !text.empty() && error == std::errc{} && stop == end;
-  if (!whole || value < target.least || value > target.most) {
-    return refused(field, fmt::format("\"{}\"", escaped(text)));
+/// Assigns to a number or a duration.
+template <typename Target>
+tl::expected<void, std::string> assign_number(const Field& field, const Target& target, Config& config,
+                                              std::optional<std::uint64_t> value, std::string_view shown) {
+  using Value = std::remove_reference_t<decltype(target.at(config))>;
+  const auto count = [](const Value& bound) {
+    if constexpr (std::is_same_v<Value, milliseconds>)
+      return static_cast<std::uint64_t>(bound.count());
+    else
+      return bound;
+  };
+  if (!value || *value < count(target.min) || *value > count(target.max)) return refused(field, shown);
+  if constexpr (std::is_same_v<Value, milliseconds>) {
+    target.at(config) = milliseconds{static_cast<milliseconds::rep>(*value)};
+  } else {
+    target.at(config) = *value;
   }
-  target.at(config) = value;
   return {};
 }
 
-/// Assigns a text to each kind of target.
+std::optional<std::uint64_t> whole_number(std::string_view text) {
+  std::uint64_t value = 0;
+  const char* const end = text.data() + text.size();
+  const auto [stop, error] = std::from_chars(text.data(), end, value);
+  return !text.empty() && error == std::errc{} && stop == end ? std::optional{value} : std::nullopt;
+}
+
+/// Assigns a text to a target.
 struct AssignText {
   const Field& field;
   Config& config;
   std::string_view text;
 
   tl::expected<void, std::string> operator()(const NumberTarget& target) const {
-    return assign_number(field, target, config, text);
+    return assign_number(field, target, config, whole_number(text), fmt::format("\"{}\"", escaped(text)));
+  }
+  tl::expected<void, std::string> operator()(const DurationTarget& target) const {
+    return assign_number(field, target, config, whole_number(text), fmt::format("\"{}\"", escaped(text)));
   }
   tl::expected<void, std::string> operator()(const EndpointTarget& target) const {
     auto endpoint = parse_endpoint(text);
@@ -203,7 +237,7 @@ struct AssignText {
     return {};
   }
   tl::expected<void, std::string> operator()(const PathTarget& target) const {
-    // The system would read the path only up to it.
+    // The system would cut the path there.
     if (text.find('\0') != std::string_view::npos)
       return refused(field, fmt::format("\"{}\"", escaped(text)));
     target.at(config) = std::filesystem::path{text};
@@ -228,18 +262,21 @@ struct AssignText {
   }
 };
 
-/// Describes what each kind of target takes.
+/// Says what a target accepts.
 struct Describe {
   std::string_view unit;
 
   std::string operator()(const NumberTarget& target) const {
-    return fmt::format("a whole number from {} to {} ({})", target.least, target.most, unit);
+    return fmt::format("a whole number from {} to {} ({})", target.min, target.max, unit);
+  }
+  std::string operator()(const DurationTarget& target) const {
+    return fmt::format("a whole number from {} to {} ({})", target.min.count(), target.max.count(), unit);
   }
   std::string operator()(const EndpointTarget&) const { return "\"HOST:PORT\""; }
   std::string operator()(const OptionalEndpointTarget&) const { return "\"HOST:PORT\" or \"\" for none"; }
-  std::string operator()(const PathTarget&) const { return fmt::format("the name of a {} in quotes", unit); }
+  std::string operator()(const PathTarget&) const { return fmt::format("the path of a {} in quotes", unit); }
   std::string operator()(const NetworksTarget&) const {
-    return "addresses and networks in one string, with commas between, or \"\" for none";
+    return "addresses and networks in one string, separated by commas, or \"\" for none";
   }
   std::string operator()(const WordTarget& target) const {
     return fmt::format("one of \"{}\"", fmt::join(target.words, "\", \""));
@@ -259,9 +296,20 @@ const Field* find_field(std::string_view key) {
   return found == kFields.end() ? nullptr : &*found;
 }
 
-std::string variable_name(const Field& field) {
+std::span<const RenamedKey> renamed_keys() {
+  return kRenamedKeys;
+}
+
+const RenamedKey* find_renamed(std::string_view old_key) {
+  const auto* const found =
+      std::find_if(kRenamedKeys.begin(), kRenamedKeys.end(),
+                   [&](const RenamedKey& renamed) { return renamed.old_key == old_key; });
+  return found == kRenamedKeys.end() ? nullptr : found;
+}
+
+std::string variable_name(std::string_view key) {
   std::string name = "TALUS_";
-  for (const char c : field.key) {
+  for (const char c : key) {
     const bool lower = c >= 'a' && c <= 'z';
     name += c == '.' ? '_' : lower ? static_cast<char>(c - 'a' + 'A') : c;
   }
@@ -273,12 +321,16 @@ tl::expected<void, std::string> set_from_text(const Field& field, Config& config
 }
 
 tl::expected<void, std::string> set_from_number(const Field& field, Config& config, std::int64_t number) {
-  const auto* target = std::get_if<NumberTarget>(&field.target);
-  if (target == nullptr || number < 0) return refused(field, fmt::to_string(number));
+  const std::string shown = fmt::to_string(number);
+  if (number < 0) return refused(field, shown);
   const auto value = static_cast<std::uint64_t>(number);
-  if (value < target->least || value > target->most) return refused(field, fmt::to_string(number));
-  target->at(config) = value;
-  return {};
+  if (const auto* target = std::get_if<NumberTarget>(&field.target)) {
+    return assign_number(field, *target, config, value, shown);
+  }
+  if (const auto* target = std::get_if<DurationTarget>(&field.target)) {
+    return assign_number(field, *target, config, value, shown);
+  }
+  return refused(field, shown);
 }
 
 std::string expectation(const Field& field) {

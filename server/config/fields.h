@@ -1,7 +1,8 @@
-// Every setting once: its key in the file, its range, unit and meaning, and where it lives in Config.
-// The file, the environment and the flags are all read through this table.
+// The table of settings: key, unit, help text, range, and member of Config. The file, the environment and the
+// flags are all read through it.
 #pragma once
 
+#include <chrono>
 #include <cstdint>
 #include <filesystem>
 #include <optional>
@@ -16,33 +17,39 @@
 
 namespace talus::server {
 
-/// A whole number from `least` to `most`.
+/// A whole number from `min` to `max`.
 struct NumberTarget {
   std::uint64_t& (*at)(Config&);
-  std::uint64_t least;
-  std::uint64_t most;
+  std::uint64_t min;
+  std::uint64_t max;
+};
+/// A whole number of milliseconds; its key ends in "_ms".
+struct DurationTarget {
+  std::chrono::milliseconds& (*at)(Config&);
+  std::chrono::milliseconds min;
+  std::chrono::milliseconds max;
 };
 struct EndpointTarget {
   Endpoint& (*at)(Config&);
 };
-/// An empty string stands for none.
+/// An empty string means none.
 struct OptionalEndpointTarget {
   std::optional<Endpoint>& (*at)(Config&);
 };
 struct PathTarget {
   std::filesystem::path& (*at)(Config&);
 };
-/// An empty string stands for none.
+/// An empty string means none.
 struct NetworksTarget {
   Networks& (*at)(Config&);
 };
-/// One of a few words.
+/// One of `words`.
 struct WordTarget {
   std::string& (*at)(Config&);
   std::span<const std::string_view> words;
 };
 
-/// What other parts understand.
+/// A text that another module checks.
 struct TextTarget {
   std::string& (*at)(Config&);
 };
@@ -51,26 +58,36 @@ struct Field {
   std::string_view key;   // "limits.connections"
   std::string_view unit;  // "" where the value has none
   std::string_view help;
-  std::variant<NumberTarget, EndpointTarget, OptionalEndpointTarget, PathTarget, NetworksTarget, WordTarget,
-               TextTarget>
+  std::variant<NumberTarget, DurationTarget, EndpointTarget, OptionalEndpointTarget, PathTarget,
+               NetworksTarget, WordTarget, TextTarget>
       target;
 };
 
 [[nodiscard]] std::span<const Field> fields();
+/// Null where no setting has this key; old keys are not found.
 [[nodiscard]] const Field* find_field(std::string_view key);
 
-/// "TALUS_LIMITS_CONNECTIONS" for "limits.connections".
-[[nodiscard]] std::string variable_name(const Field& field);
+/// A key that was renamed. The old key is still read, with a warning that names the new one.
+struct RenamedKey {
+  std::string_view old_key;
+  std::string_view key;
+};
+[[nodiscard]] std::span<const RenamedKey> renamed_keys();
+/// Null where no setting had this key.
+[[nodiscard]] const RenamedKey* find_renamed(std::string_view old_key);
 
-/// Sets the field from a text, as the environment and flags give it. The error says what is wrong and what
-/// would be right; the caller puts in front where the value stood.
+/// "TALUS_LIMITS_CONNECTIONS" for "limits.connections".
+[[nodiscard]] std::string variable_name(std::string_view key);
+
+/// Sets the field from a text, as the environment and flags have it. The error says what is wrong and what is
+/// expected; the caller puts the origin of the value before it.
 [[nodiscard]] tl::expected<void, std::string> set_from_text(const Field& field, Config& config,
                                                             std::string_view text);
-/// Sets a number; an error for any other kind of field.
+/// Sets a number or a duration; an error for other fields.
 [[nodiscard]] tl::expected<void, std::string> set_from_number(const Field& field, Config& config,
                                                               std::int64_t number);
 
-/// What a right value looks like, for messages: "a whole number from 1 to 65536 (connections)".
+/// What the field accepts, for error messages: "a whole number from 1 to 65536 (connections)".
 [[nodiscard]] std::string expectation(const Field& field);
 
 }  // namespace talus::server

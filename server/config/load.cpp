@@ -1,19 +1,18 @@
 #include "config/load.h"
 
 #include <algorithm>
-#include <system_error>
 
 #include <fmt/format.h>
 #include <toml++/toml.h>
 #include <unistd.h>
 
-#include <talus/terrain/toml_bounds.h>
+#include <talus/toml/toml_bounds.h>
 #include <talus/vectors/instruction_set.h>
 
 #include "config/fields.h"
 #include "config/nearest.h"
 #include "log/escape.h"
-#include "store/read_file.h"
+#include "store/wiped_file.h"
 
 namespace talus::server {
 namespace {
@@ -26,45 +25,134 @@ std::vector<std::string_view> known_keys() {
   return keys;
 }
 
-bool is_group(std::string_view path) {
-  for (const Field& field : fields()) {
-    if (field.key.size() > path.size() && field.key.substr(0, path.size()) == path &&
-        field.key[path.size()] == '.') {
-      return true;
-    }
-  }
-  return false;
-}
-
-tl::unexpected<std::string> at_line(std::string_view file, const toml::source_region& where,
-                                    std::string_view text) {
-  return tl::make_unexpected(fmt::format("{}:{}: {}", file, where.begin.line, text));
+/// Whether a setting, under its present or an old key, stands in the table `path`.
+bool is_table(std::string_view path) {
+  const auto stands_there = [&](std::string_view key) {
+    return key.size() > path.size() && key.starts_with(path) && key[path.size()] == '.';
+  };
+  return std::any_of(fields().begin(), fields().end(),
+                     [&](const Field& field) { return stands_there(field.key); }) ||
+         std::any_of(renamed_keys().begin(), renamed_keys().end(),
+                     [&](const RenamedKey& renamed) { return stands_there(renamed.old_key); });
 }
 
 Done set_from_node(const Field& field, Config& config, const toml::node& node) {
-  const bool number = std::holds_alternative<NumberTarget>(field.target);
+  const bool number = std::holds_alternative<NumberTarget>(field.target) ||
+                      std::holds_alternative<DurationTarget>(field.target);
   if (number && node.is_integer()) return set_from_number(field, config, node.as_integer()->get());
   if (!number && node.is_string()) return set_from_text(field, config, node.as_string()->get());
-  return tl::make_unexpected(fmt::format("the value is of the wrong type; give {}", expectation(field)));
+  return tl::make_unexpected(fmt::format("the value has the wrong type; give {}", expectation(field)));
 }
 
-Done apply_table(Config& config, const toml::table& table, std::string_view prefix, std::string_view file) {
-  for (const auto& [key, node] : table) {
-    const std::string path =
-        prefix.empty() ? std::string{key.str()} : fmt::format("{}.{}", prefix, std::string_view{key.str()});
-    const Field* field = find_field(path);
-    if (field == nullptr && is_group(path) && node.is_table()) {
-      if (Done done = apply_table(config, *node.as_table(), path, file); !done) return done;
-    } else if (field == nullptr && is_group(path)) {
-      return at_line(file, key.source(), fmt::format("{}: is a table; write [{}]", path, path));
-    } else if (field == nullptr) {
-      return at_line(
-          file, key.source(),
-          fmt::format("{}: no such key; did you mean {}?", escaped(path), nearest(path, known_keys())));
-    } else if (Done done = set_from_node(*field, config, node); !done) {
-      return at_line(file, key.source(), fmt::format("{}: {}", path, done.error()));
-    }
+/// One file, applied to the settings.
+class TomlFile {
+ public:
+  TomlFile(Settings& settings, std::string_view name, const toml::table& root)
+      : settings_{settings}, name_{name}, root_{root} {}
+
+  [[nodiscard]] Done apply() { return apply_table(root_, {}); }
+
+ private:
+  [[nodiscard]] std::string place(const toml::key& key) const {
+    return fmt::format("{}:{}", name_, key.source().begin.line);
   }
+  [[nodiscard]] Done fail(const toml::key& key, std::string_view text) const {
+    return tl::make_unexpected(fmt::format("{}: {}", place(key), text));
+  }
+
+  Done apply_table(const toml::table& table, std::string_view prefix) {
+    for (const auto& [key, node] : table) {
+      const std::string path =
+          prefix.empty() ? std::string{key.str()} : fmt::format("{}.{}", prefix, std::string_view{key.str()});
+      if (Done done = apply_node(key, path, node); !done) return done;
+    }
+    return {};
+  }
+
+  Done apply_node(const toml::key& key, const std::string& path, const toml::node& node) {
+    if (is_table(path)) {
+      if (const auto* const inner = node.as_table()) return apply_table(*inner, path);
+      return fail(key, fmt::format("{}: is a table; write [{}]", path, path));
+    }
+    const Field* field = find_field(path);
+    if (const RenamedKey* const renamed = find_renamed(path)) {
+      if (root_.at_path(renamed->key)) {
+        return fail(key, fmt::format("{}: is the old name of {}, which is set too; delete this line", path,
+                                     renamed->key));
+      }
+      settings_.warnings.push_back(
+          fmt::format("{}: {} is now called {}; rename it", place(key), path, renamed->key));
+      field = find_field(renamed->key);
+    }
+    if (field == nullptr) {
+      return fail(
+          key, fmt::format("{}: no such key; did you mean {}?", escaped(path), nearest(path, known_keys())));
+    }
+    if (Done done = set_from_node(*field, settings_.config, node); !done) {
+      return fail(key, fmt::format("{}: {}", path, done.error()));
+    }
+    settings_.origins.set(field->key, place(key));
+    return {};
+  }
+
+  Settings& settings_;
+  std::string_view name_;
+  const toml::table& root_;
+};
+
+std::string_view trimmed(std::string_view text) {
+  const auto first = text.find_first_not_of(" \t\r");
+  if (first == std::string_view::npos) return {};
+  return text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
+}
+
+/// The setting that a line of the text assigns to, or null: for errors of the parser, which names only the
+/// line.
+const Field* field_at_line(std::string_view toml, std::size_t line) {
+  std::string table;
+  for (std::size_t at = 1; at < line && !toml.empty(); ++at) {
+    const std::size_t end = std::min(toml.find('\n'), toml.size());
+    const std::string_view text = trimmed(toml.substr(0, end));
+    if (text.starts_with('[')) table = fmt::format("{}.", trimmed(text.substr(1, text.find(']') - 1)));
+    toml.remove_prefix(std::min(end + 1, toml.size()));
+  }
+  const std::string_view text = toml.substr(0, toml.find('\n'));
+  return find_field(table + std::string{trimmed(text.substr(0, text.find('=')))});
+}
+
+std::string parse_error_line(std::string_view toml, std::string_view file, const toml::parse_error& error) {
+  const std::size_t line = error.source().begin.line;
+  const std::string what = escaped(error.description(), 300);
+  const Field* const field = field_at_line(toml, line);
+  if (field == nullptr) return fmt::format("{}:{}: {}", file, line, what);
+  return fmt::format("{}:{}: {}: {}; give {}", file, line, field->key, what, expectation(*field));
+}
+
+/// A warning for each variable that names no setting.
+void warn_of_unknown(Settings& settings, const Environment& environment) {
+  std::vector<std::string> names;
+  for (const Field& field : fields()) names.push_back(variable_name(field.key));
+  const std::vector<std::string_view> known{names.begin(), names.end()};
+
+  for (const auto& [name, value] : environment) {
+    if (name == kInstructionSetVariable) continue;  // read by core/vectors
+    if (name == "TALUS_TOKEN" || name == "TALUS_TOKEN_FILE")
+      continue;  // read by clients, as health checks are
+    const bool renamed = std::any_of(
+        renamed_keys().begin(), renamed_keys().end(),
+        [&, &name = name](const RenamedKey& each) { return variable_name(each.old_key) == name; });
+    if (renamed || std::find(known.begin(), known.end(), name) != known.end()) continue;
+    settings.warnings.push_back(
+        fmt::format("{}: no such setting, ignored; did you mean {}?", escaped(name), nearest(name, known)));
+  }
+}
+
+Done set_from_variable(Settings& settings, std::string_view key, const std::string& variable,
+                       std::string_view value) {
+  if (Done done = set_from_text(*find_field(key), settings.config, value); !done) {
+    return tl::make_unexpected(fmt::format("{}: {}", variable, done.error()));
+  }
+  settings.origins.set(key, variable);
   return {};
 }
 
@@ -75,62 +163,56 @@ Environment process_environment() {
   for (char** entry = environ; *entry != nullptr; ++entry) {
     const std::string_view text{*entry};
     const std::size_t equals = text.find('=');
-    if (text.substr(0, 6) == "TALUS_" && equals != std::string_view::npos) {
+    if (text.starts_with("TALUS_") && equals != std::string_view::npos) {
       environment.emplace(text.substr(0, equals), text.substr(equals + 1));
     }
   }
   return environment;
 }
 
-Done apply_toml(Config& config, std::string_view toml, std::string_view file) {
-  if (const auto fault = terrain::passes_toml_bounds(toml)) {
+Done apply_toml(Settings& settings, std::string_view toml, std::string_view file) {
+  if (const auto fault = passes_toml_bounds(toml)) {
     return tl::make_unexpected(fmt::format("{}:{}: {}", file, fault->line, fault->what));
   }
   try {
     const toml::table table = toml::parse(toml, file);
-    return apply_table(config, table, "", file);
+    return TomlFile{settings, file, table}.apply();
   } catch (const toml::parse_error& error) {
-    return at_line(file, error.source(), escaped(error.description(), 300));
+    return tl::make_unexpected(parse_error_line(toml, file, error));
   }
 }
 
-Done apply_file(Config& config, const std::filesystem::path& file) {
-  const auto text = read_file(file, terrain::kMaxTomlBytes);
-  if (!text) {
+Done apply_file(Settings& settings, const std::filesystem::path& file) {
+  // Never waits, as opening a pipe would.
+  const auto read = WipedFile::read(file, kMaxTomlBytes);
+  if (!read) {
     return tl::make_unexpected(
-        fmt::format("{}: cannot read the configuration: {}; give --config a readable TOML file",
-                    file.string(), std::generic_category().message(text.error())));
+        fmt::format("{}: {}; give --config a TOML file that talusd may read", file.string(), read.error()));
   }
-  return apply_toml(config, *text, file.string());
+  return apply_toml(settings, read->text(), file.string());
 }
 
-Done apply_environment(Config& config, const Environment& environment) {
+Done apply_environment(Settings& settings, const Environment& environment) {
+  for (const RenamedKey& renamed : renamed_keys()) {
+    const std::string old_name = variable_name(renamed.old_key);
+    const std::string name = variable_name(renamed.key);
+    const auto found = environment.find(old_name);
+    if (found == environment.end()) continue;
+    if (environment.contains(name)) {
+      return tl::make_unexpected(
+          fmt::format("{}: is the old name of {}, which is set too; unset {}", old_name, name, old_name));
+    }
+    settings.warnings.push_back(fmt::format("{} is now called {}; rename it", old_name, name));
+    if (Done done = set_from_variable(settings, renamed.key, old_name, found->second); !done) return done;
+  }
   for (const Field& field : fields()) {
-    const std::string name = variable_name(field);
+    const std::string name = variable_name(field.key);
     const auto found = environment.find(name);
     if (found == environment.end()) continue;
-    if (Done done = set_from_text(field, config, found->second); !done) {
-      return tl::make_unexpected(fmt::format("{}: {}", name, done.error()));
-    }
+    if (Done done = set_from_variable(settings, field.key, name, found->second); !done) return done;
   }
+  warn_of_unknown(settings, environment);
   return {};
-}
-
-std::vector<std::string> unknown_variables(const Environment& environment) {
-  std::vector<std::string> names;
-  for (const Field& field : fields()) names.push_back(variable_name(field));
-  const std::vector<std::string_view> known{names.begin(), names.end()};
-
-  std::vector<std::string> lines;
-  for (const auto& [name, value] : environment) {
-    if (name == kInstructionSetVariable) continue;                      // read by core/vectors
-    if (name == "TALUS_TOKEN" || name == "TALUS_TOKEN_FILE") continue;  // read by clients: a health check's
-    if (std::find(known.begin(), known.end(), name) == known.end()) {
-      lines.push_back(
-          fmt::format("{}: no such setting, ignored; did you mean {}?", escaped(name), nearest(name, known)));
-    }
-  }
-  return lines;
 }
 
 }  // namespace talus::server

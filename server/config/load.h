@@ -1,4 +1,4 @@
-// Defaults, then the file, then the environment, then flags: each over the one before.
+// Reads settings: defaults, then the file, then the environment, then flags. Each overrides the one before.
 #pragma once
 
 #include <filesystem>
@@ -10,28 +10,34 @@
 #include <tl/expected.hpp>
 
 #include "config/config.h"
+#include "config/origins.h"
 
 namespace talus::server {
 
-/// Variables and their values; a test passes its own.
+/// What has been read so far.
+struct Settings {
+  Config config{};
+  Origins origins{};
+  std::vector<std::string> warnings{};  // one line each, for the log
+};
+
+/// Variables and their values.
 using Environment = std::map<std::string, std::string, std::less<>>;
 
 /// The TALUS_* variables of this process.
 [[nodiscard]] Environment process_environment();
 
-/// Sets in `config` what `toml` says; `file` names the source in errors, which are one line:
-/// "FILE:LINE: key: what is wrong; what would be right".
-[[nodiscard]] tl::expected<void, std::string> apply_toml(Config& config, std::string_view toml,
+/// Sets what `toml` says; `file` names the source in errors and warnings. An error is one line:
+/// "FILE:LINE: KEY: what is wrong; what is expected". After an error the settings are partly set.
+[[nodiscard]] tl::expected<void, std::string> apply_toml(Settings& settings, std::string_view toml,
                                                          std::string_view file);
 
-/// Reads `file` and applies it.
-[[nodiscard]] tl::expected<void, std::string> apply_file(Config& config, const std::filesystem::path& file);
+/// Reads a regular file of at most kMaxTomlBytes and applies it.
+[[nodiscard]] tl::expected<void, std::string> apply_file(Settings& settings,
+                                                         const std::filesystem::path& file);
 
-/// Sets what TALUS_* variables say. Variables that name no setting are left alone: see unknown_variables.
-[[nodiscard]] tl::expected<void, std::string> apply_environment(Config& config,
+/// Sets what TALUS_* variables say. A variable that names no setting is a warning that suggests one.
+[[nodiscard]] tl::expected<void, std::string> apply_environment(Settings& settings,
                                                                 const Environment& environment);
-
-/// A line for each TALUS_* variable that names no setting, with the one it may have meant.
-[[nodiscard]] std::vector<std::string> unknown_variables(const Environment& environment);
 
 }  // namespace talus::server

@@ -9,7 +9,7 @@
 namespace talus::server {
 namespace {
 
-constexpr std::size_t kMostCompared = 128;  // of a word, so that an absurd key costs little
+constexpr std::size_t kMaxCompared = 128;  // of a word: a longer one costs no more time
 
 std::size_t edit_distance(std::string_view a, std::string_view b) {
   std::vector<std::size_t> row(b.size() + 1);
@@ -32,7 +32,7 @@ std::string_view nearest(std::string_view word, std::span<const std::string_view
   std::string_view best;
   std::size_t least = std::numeric_limits<std::size_t>::max();
   for (const std::string_view candidate : candidates) {
-    const std::size_t distance = edit_distance(word.substr(0, kMostCompared), candidate);
+    const std::size_t distance = edit_distance(word.substr(0, kMaxCompared), candidate);
     if (distance < least) {
       least = distance;
       best = candidate;

@@ -1,4 +1,4 @@
-// What somebody who mistyped a name probably meant.
+// The known name nearest to a mistyped one.
 #pragma once
 
 #include <span>

@@ -1,14 +1,16 @@
 #include "config/networks.h"
 
 #include <algorithm>
-#include <charconv>
 
 #include <fmt/format.h>
+#include <asio/ip/network_v4.hpp>
 
 #include "log/escape.h"
 
 namespace talus::server {
 namespace {
+
+namespace ip = asio::ip;
 
 constexpr unsigned kMappedBits = 96;
 
@@ -18,48 +20,40 @@ std::string_view trimmed(std::string_view text) {
   return text.substr(first, text.find_last_not_of(" \t") - first + 1);
 }
 
-}  // namespace
-
-Networks::Bytes Networks::bytes_of(const asio::ip::address& address) {
-  return address.is_v6() ? address.to_v6().to_bytes()
-                         : asio::ip::make_address_v6(asio::ip::v4_mapped, address.to_v4()).to_bytes();
+/// Without a scope, which networks do not have.
+ip::address_v6 mapped(const ip::address& address) {
+  return address.is_v4() ? ip::make_address_v6(ip::v4_mapped, address.to_v4())
+                         : ip::address_v6{address.to_v6().to_bytes()};
 }
 
-Networks::Bytes Networks::cut(Bytes bytes, unsigned bits) {
-  for (unsigned i = 0; i < bytes.size(); ++i) {
-    const unsigned kept = bits <= 8 * i ? 0 : std::min(8U, bits - 8 * i);
-    bytes[i] = static_cast<std::uint8_t>(bytes[i] & (0xFF00U >> kept));
-  }
-  return bytes;
-}
-
-tl::expected<Networks::Network, std::string> Networks::parse_one(std::string_view text) {
+tl::expected<ip::network_v6, std::string> parse_one(std::string_view text) {
   const auto wrong = [&](std::string_view what) {
-    return tl::make_unexpected(
-        fmt::format("\"{}\" {}; write addresses and networks with commas between, as in 10.0.0.0/8, "
-                    "192.0.2.7, 2001:db8::/32",
-                    escaped(text), what));
+    return tl::make_unexpected(fmt::format(
+        "\"{}\" {}; write addresses and networks separated by commas, as in 10.0.0.0/8, 192.0.2.7, "
+        "2001:db8::/32",
+        escaped(text), what));
   };
   const std::size_t slash = text.find('/');
   std::error_code error;
-  const auto address = asio::ip::make_address(text.substr(0, slash), error);
-  if (error || (address.is_v6() && address.to_v6().scope_id() != 0)) return wrong("is no address");
-  const unsigned longest = address.is_v4() ? 32 : 128;
-  unsigned bits = longest;
-  if (slash != std::string_view::npos) {
-    const std::string_view digits = text.substr(slash + 1);
-    const char* const end = digits.data() + digits.size();
-    const auto [stop, failed] = std::from_chars(digits.data(), end, bits);
-    if (digits.empty() || failed != std::errc{} || stop != end || bits > longest) {
-      return wrong(fmt::format("has no length from 0 to {} after its /", longest));
-    }
+  const ip::address address = ip::make_address(text.substr(0, slash), error);
+  if (error || (address.is_v6() && address.to_v6().scope_id() != 0)) return wrong("is not an address");
+  const int longest = address.is_v4() ? 32 : 128;
+  constexpr std::size_t kMaxDigits = 3;  // Asio reads the length by atoi, which more digits overflow
+  int length = longest;
+  if (slash != std::string_view::npos && text.size() - slash - 1 <= kMaxDigits) {
+    length = address.is_v4() ? ip::make_network_v4(text, error).prefix_length()
+                             : ip::make_network_v6(text, error).prefix_length();
+  } else if (slash != std::string_view::npos) {
+    error = asio::error::invalid_argument;
   }
-  const Network network{bytes_of(address), bits + (address.is_v4() ? kMappedBits : 0)};
-  if (cut(network.first, network.bits) != network.first) {
-    return wrong("has bits set beyond its length");
-  }
+  if (error) return wrong(fmt::format("has no length from 0 to {} after its /", longest));
+  const ip::network_v6 network{mapped(address),
+                               static_cast<unsigned short>(length + (address.is_v4() ? kMappedBits : 0))};
+  if (network.canonical() != network) return wrong("has bits set after its length");
   return network;
 }
+
+}  // namespace
 
 tl::expected<Networks, std::string> Networks::parse(std::string_view text) {
   Networks networks;
@@ -68,8 +62,8 @@ tl::expected<Networks, std::string> Networks::parse(std::string_view text) {
     const std::size_t comma = std::min(text.find(',', from), text.size());
     auto network = parse_one(trimmed(text.substr(from, comma - from)));
     if (!network) return tl::make_unexpected(network.error());
-    if (networks.networks_.size() == kMost) {
-      return tl::make_unexpected(fmt::format("the list has more than {} networks; join some", kMost));
+    if (networks.networks_.size() == kMax) {
+      return tl::make_unexpected(fmt::format("the list has more than {} networks; combine some", kMax));
     }
     networks.networks_.push_back(*network);
     from = comma + 1;
@@ -78,11 +72,10 @@ tl::expected<Networks, std::string> Networks::parse(std::string_view text) {
 }
 
 bool Networks::contain(const asio::ip::address& address) const {
-  const Bytes bytes = bytes_of(address);
-  for (const Network& network : networks_) {
-    if (cut(bytes, network.bits) == network.first) return true;
-  }
-  return false;
+  const ip::address_v6 host = mapped(address);
+  return std::any_of(networks_.begin(), networks_.end(), [&](const ip::network_v6& network) {
+    return ip::network_v6{host, network.prefix_length()}.canonical() == network;
+  });
 }
 
 }  // namespace talus::server

@@ -4,16 +4,16 @@
 
 namespace talus::server {
 
-std::string escaped(std::string_view text, std::size_t most_bytes) {
+std::string escaped(std::string_view text, std::size_t max_bytes) {
   std::string out;
-  for (const char c : text.substr(0, most_bytes)) {
+  for (const char c : text.substr(0, max_bytes)) {
     if (c >= ' ' && c <= '~' && c != '"' && c != '\\') {
       out += c;
     } else {
       out += fmt::format("\\x{:02x}", static_cast<unsigned char>(c));
     }
   }
-  if (text.size() > most_bytes) out += "...";
+  if (text.size() > max_bytes) out += "...";
   return out;
 }
 

@@ -1,4 +1,4 @@
-// Text from a stranger, made safe for a terminal and a log file.
+// Untrusted text, made safe for a terminal and a log file.
 #pragma once
 
 #include <cstddef>
@@ -7,8 +7,8 @@
 
 namespace talus::server {
 
-/// At most `most_bytes` of `text`, "..." where more follows; whatever is not printable ASCII, and the
-/// characters that quote it, as \xNN.
-[[nodiscard]] std::string escaped(std::string_view text, std::size_t most_bytes = 120);
+/// The first `max_bytes` bytes of `text`, with "..." after them where more follow. Bytes that are not
+/// printable ASCII, quotes and backslashes become \xNN.
+[[nodiscard]] std::string escaped(std::string_view text, std::size_t max_bytes = 120);
 
 }  // namespace talus::server

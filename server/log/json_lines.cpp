@@ -19,7 +19,7 @@ void JsonLines::format(const spdlog::details::log_msg& line, spdlog::memory_buf_
   const auto level = spdlog::level::to_string_view(line.level);
   object["level"] = std::string_view{level.data(), level.size()};
   object["text"] = std::string_view{line.payload.data(), line.payload.size()};
-  // A text that is not UTF-8 must not end the line, nor the server.
+  // Bytes that are not UTF-8 are replaced, because dump() would throw.
   fmt::format_to(std::back_inserter(out), "{}\n",
                  object.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace));
 }

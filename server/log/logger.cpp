@@ -6,12 +6,12 @@
 #include <string>
 
 #include "log/json_lines.h"
-#include "log/patient_sink.h"
+#include "log/non_blocking_sink.h"
 
 namespace talus::server {
 
 Logger make_logger(std::string_view level, std::string_view format) {
-  auto logger = std::make_shared<spdlog::logger>("talusd", std::make_shared<PatientSink>(STDOUT_FILENO));
+  auto logger = std::make_shared<spdlog::logger>("talusd", std::make_shared<NonBlockingSink>(STDOUT_FILENO));
   if (format == "json") {
     logger->set_formatter(std::make_unique<JsonLines>());
   } else {
@@ -22,7 +22,7 @@ Logger make_logger(std::string_view level, std::string_view format) {
 }
 
 Logger for_clients(const Logger& log) {
-  return log->clone(std::string{PatientSink::kOfClients});
+  return log->clone(std::string{NonBlockingSink::kClientLogger});
 }
 
 }  // namespace talus::server

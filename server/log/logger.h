@@ -1,4 +1,4 @@
-// The server's log: lines on stdout, made once in main and handed down.
+// The server's log on stdout. main makes it once and passes it down.
 #pragma once
 
 #include <memory>
@@ -10,10 +10,10 @@ namespace talus::server {
 
 using Logger = std::shared_ptr<spdlog::logger>;
 
-/// `level` (trace, debug, info, warning, error, off) and `format` (text, json) are names that the
-/// configuration takes.
+/// `level` is trace, debug, info, warning, error or off; `format` is text or json. The configuration checks
+/// both.
 [[nodiscard]] Logger make_logger(std::string_view level, std::string_view format);
-/// The same log, for what clients cause: its info lines are rationed, so that they bury nothing else.
+/// The same log for lines that clients cause: the number of its info lines per second is limited.
 [[nodiscard]] Logger for_clients(const Logger& log);
 
 }  // namespace talus::server

@@ -12,13 +12,14 @@
 #include <cstdint>
 #include <functional>
 #include <mutex>
+#include <string_view>
 
 #include "memory/hysteresis_gate.h"
 
 namespace talus::server {
 
 enum class MemoryUse : std::uint8_t { program, sessions, jobs, generators, chunk_cache, patch_cache };
-inline constexpr std::array<const char*, 6> kMemoryUses{"program",    "sessions",    "jobs",
+inline constexpr std::array<std::string_view, 6> kMemoryUses{"program",    "sessions",    "jobs",
                                                         "generators", "chunk_cache", "patch_cache"};
 
 class MemoryBudget {

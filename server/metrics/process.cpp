@@ -79,7 +79,7 @@ ProcessReading read_process() {
   reading.resident_bytes = stat.number(kResidentPages) * static_cast<std::uint64_t>(::sysconf(_SC_PAGESIZE));
   reading.open_descriptors = open_descriptors();
   rlimit files{};
-  if (::getrlimit(RLIMIT_NOFILE, &files) == 0) reading.most_descriptors = files.rlim_cur;
+  if (::getrlimit(RLIMIT_NOFILE, &files) == 0) reading.max_descriptors = files.rlim_cur;
   return reading;
 }
 

@@ -1,4 +1,4 @@
-// What the system says about this process.
+// What the operating system reports about this process.
 #pragma once
 
 #include <cstdint>
@@ -11,11 +11,11 @@ struct ProcessReading {
   std::uint64_t resident_bytes = 0;
   std::uint64_t virtual_bytes = 0;
   std::uint64_t open_descriptors = 0;
-  std::uint64_t most_descriptors = 0;
+  std::uint64_t max_descriptors = 0;
   std::uint64_t threads = 0;
 };
 
-/// Zeros where /proc does not tell.
+/// 0 where /proc does not report the number.
 [[nodiscard]] ProcessReading read_process();
 
 }  // namespace talus::server

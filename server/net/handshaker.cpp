@@ -16,7 +16,7 @@
 
 #include "config/endpoint.h"
 #include "net/proxy_header.h"
-#include "session/replies.h"
+#include "session/reply_frames.h"
 #include "session/retry_after.h"
 
 namespace talus::server {

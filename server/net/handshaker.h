@@ -19,6 +19,7 @@
 #include "net/admission.h"
 #include "net/connection_rate_limiter.h"
 #include "net/refusal_log.h"
+#include "net/refusal_reason.h"
 #include "net/refusals.h"
 #include "net/tls_context.h"
 

@@ -42,7 +42,7 @@ std::vector<gid_t> groups_of(const Entry& entry) {
   return groups;
 }
 
-/// The largest id is what the system calls "no change".
+/// The largest id means "no change" to the system.
 std::optional<std::uint32_t> id_of(std::string_view text) {
   std::uint32_t id = 0;
   const auto [stop, error] = std::from_chars(text.data(), text.data() + text.size(), id);
@@ -63,18 +63,18 @@ tl::expected<Account, std::string> find_account(std::string_view text) {
     account.uid = *uid;
     if (colon != std::string_view::npos) {
       const auto gid = id_of(text.substr(colon + 1));
-      if (!gid) return wrong("has no group's number after the colon");
+      if (!gid) return wrong("has no group id after the colon");
       account.gid = *gid;
     } else {
       const auto entry = entry_of([&](auto... out) { return ::getpwuid_r(*uid, out...); });
-      if (!entry) return wrong("has no entry that names its group");
+      if (!entry) return wrong("has no entry in the user database, which would name its group");
       account.gid = entry->gid;
     }
   } else {
     const auto entry = entry_of([&](passwd* one, char* texts, std::size_t size, passwd** found) {
       return ::getpwnam_r(account.name.c_str(), one, texts, size, found);
     });
-    if (!entry) return wrong("is no user here");
+    if (!entry) return wrong("is not a user of this system");
     account.uid = entry->uid;
     account.gid = entry->gid;
     account.groups = groups_of(*entry);

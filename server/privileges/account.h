@@ -1,4 +1,4 @@
-// Whom the system knows a process as.
+// The user, group and supplementary groups of a process.
 #pragma once
 
 #include <sys/types.h>
@@ -12,14 +12,14 @@
 namespace talus::server {
 
 struct Account {
-  std::string name;  // as it was given
+  std::string name;  // as given to find_account()
   uid_t uid = 0;
   gid_t gid = 0;
   std::vector<gid_t> groups;  // besides gid
 };
 
-/// A NAME with all groups that it is in, or a UID, or UID:GID, with the one group alone. Root is none of
-/// them. An error is one line.
+/// Finds NAME, with all groups of that user; UID, with the group of that user alone; or UID:GID. Refuses root
+/// and root's group. An error is one line that begins with "user: ".
 [[nodiscard]] tl::expected<Account, std::string> find_account(std::string_view text);
 
 }  // namespace talus::server

@@ -18,7 +18,7 @@ namespace {
 
 tl::unexpected<std::string> failed(std::string_view user, std::string_view what, int error) {
   return tl::make_unexpected(
-      fmt::format("user: cannot become {}: {}: {}", user, what, std::generic_category().message(error)));
+      fmt::format("user: cannot switch to {}: {}: {}", user, what, std::generic_category().message(error)));
 }
 
 bool is(const Account& account) {
@@ -30,7 +30,8 @@ bool is(const Account& account) {
          real_group == account.gid && effective_group == account.gid && saved_group == account.gid;
 }
 
-/// Those that only a program run from here would get: the kernel takes the others with the user.
+/// Drops those that programs started from here would inherit. The kernel drops the others when the user
+/// changes.
 void drop_capabilities() {
   __user_cap_header_struct header{_LINUX_CAPABILITY_VERSION_3, 0};
   const std::array<__user_cap_data_struct, _LINUX_CAPABILITY_U32S_3> none{};
@@ -58,20 +59,20 @@ bool runs_as_root() {
   return ::geteuid() == 0;
 }
 
-tl::expected<void, std::string> renounce_new_privileges() {
+tl::expected<void, std::string> set_no_new_privs() {
   if (::prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) == 0) return {};
   return tl::make_unexpected(
-      fmt::format("cannot renounce new privileges: {}", std::generic_category().message(errno)));
+      fmt::format("cannot set no_new_privs: {}", std::generic_category().message(errno)));
 }
 
-tl::expected<void, std::string> become(const Account& account) {
+tl::expected<void, std::string> switch_user(const Account& account) {
   if (!runs_as_root()) {
     if (is(account)) return {};
-    return tl::make_unexpected(
-        fmt::format("user: only root can become {}; start talusd as root, or as that user with user = \"\"",
-                    account.name));
+    return tl::make_unexpected(fmt::format(
+        "user: only root can switch to {}; start talusd as root, or as that user with user = \"\"",
+        account.name));
   }
-  // Groups first: without the user's rights there is no changing them.
+  // Groups first: only root may change them.
   if (::setgroups(account.groups.size(), account.groups.data()) != 0)
     return failed(account.name, "groups", errno);
   if (::setresgid(account.gid, account.gid, account.gid) != 0) return failed(account.name, "group", errno);
@@ -79,10 +80,10 @@ tl::expected<void, std::string> become(const Account& account) {
   drop_capabilities();
   const bool way_back = ::setuid(0) == 0 || ::seteuid(0) == 0 || ::setgid(0) == 0 || ::setegid(0) == 0;
   if (way_back || !is(account) || has_capabilities() || is_in_root_group()) {
-    return tl::make_unexpected(
-        fmt::format("user: became {}, but privileges of root are left; is this process under an unusual "
-                    "securebits or namespace setting?",
-                    account.name));
+    return tl::make_unexpected(fmt::format(
+        "user: switched to {}, but privileges of root are left; does this process run with unusual "
+        "securebits or in a user namespace?",
+        account.name));
   }
   return {};
 }

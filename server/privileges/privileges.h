@@ -1,4 +1,4 @@
-// What the process may do to the system, and giving it up. Call all of it before the first thread starts.
+// The process's privileges, and dropping them. Call these functions before the first thread starts.
 #pragma once
 
 #include <string>
@@ -11,14 +11,16 @@ namespace talus::server {
 
 [[nodiscard]] bool runs_as_root();
 
-/// From here on no program that this process runs has more rights than it. An error is one line.
-[[nodiscard]] tl::expected<void, std::string> renounce_new_privileges();
+/// Sets no_new_privs: no program that this process runs gets more privileges than it has. An error is one
+/// line.
+[[nodiscard]] tl::expected<void, std::string> set_no_new_privs();
 
-/// Root becomes this user, for good: user, groups and capabilities, and it is looked whether there is a way
-/// back. Who is this user already stays as he is. An error is one line, after which the process must end.
-[[nodiscard]] tl::expected<void, std::string> become(const Account& account);
+/// Switches from root to this user for good: groups, group, user and capabilities; then checks that there is
+/// no way back. Does nothing where the process already runs as this user. An error is one line that begins
+/// with "user"; the process must end then, because it may have switched in part.
+[[nodiscard]] tl::expected<void, std::string> switch_user(const Account& account);
 
-/// No core dump, and no look into the memory by others of the same user: it holds keys.
+/// No core dump, and no debugger or /proc access by the same user: the memory holds keys.
 void hide_memory();
 
 }  // namespace talus::server

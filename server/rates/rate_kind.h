@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <string_view>
 
 namespace talus::server {
 
@@ -17,10 +18,10 @@ enum class RateKind : std::uint8_t {
 };
 
 /// Their keys in the section [rates] of the configuration, and their label in metrics.
-inline constexpr std::array<const char*, 6> kRateNames{"session_chunks", "session_bytes", "session_requests",
+inline constexpr std::array<std::string_view, 6> kRateNames{"session_chunks", "session_bytes", "session_requests",
                                                        "address_chunks", "address_bytes", "address_requests"};
 
-[[nodiscard]] constexpr const char* name(RateKind kind) {
+[[nodiscard]] constexpr std::string_view name(RateKind kind) {
   return kRateNames[static_cast<std::size_t>(kind)];
 }
 

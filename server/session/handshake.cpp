@@ -60,9 +60,9 @@ tl::expected<Greeting, Rejection> greet(const wire::Hello& hello, const SessionL
   const std::string_view token = hello.token() == nullptr ? std::string_view{} : hello.token()->string_view();
   auto grant = access.admit(token, now);
   if (!grant) {
-    const Denial denial = grant.error().denial;
-    return tl::make_unexpected(Rejection{wire::ErrorCode::unauthorized, std::string{describe(denial)},
-                                         std::move(grant.error().why), denial});
+    const AuthFailure failure = grant.error().failure;
+    return tl::make_unexpected(Rejection{wire::ErrorCode::unauthorized, std::string{describe(failure)},
+                                         std::move(grant.error().why), failure});
   }
   const std::uint64_t window = hello.window_bytes() == 0 ? limits.window_bytes : hello.window_bytes();
   return Greeting{chosen, kCodecVersion, std::min<std::uint64_t>(window, limits.window_bytes),

@@ -6,7 +6,7 @@
 
 #include <talus/protocol/message.h>
 
-#include "access/denial.h"
+#include "access/auth_failure.h"
 
 namespace talus::server {
 
@@ -14,7 +14,7 @@ struct Rejection {
   wire::ErrorCode code{};
   std::string text;                // for the client
   std::string why{};               // more, for the log alone
-  std::optional<Denial> denial{};  // where the token is the reason
+  std::optional<AuthFailure> auth_failure{};  // where the token is the reason
 };
 
 }  // namespace talus::server

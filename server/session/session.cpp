@@ -10,39 +10,6 @@
 #include "session/view_check.h"
 
 namespace talus::server {
-namespace {
-
-/// Puts a service's answers into a mailbox.
-class MailboxClient final : public ChunkClient {
- public:
-  explicit MailboxClient(MailboxPtr mailbox) : mailbox_{std::move(mailbox)} {}
-  void chunks_ready(std::vector<ReadyChunk> chunks) override {
-    for (ReadyChunk& chunk : chunks) mailbox_->put(ChunkReady{chunk.key, std::move(chunk.answer)});
-    mailbox_->wake();
-  }
-  void heights_ready(std::uint64_t ticket, HeightsAnswer answer) override {
-    mailbox_->put(HeightsReady{ticket, std::move(answer)});
-    mailbox_->wake();
-  }
-
- private:
-  MailboxPtr mailbox_;
-};
-
-}  // namespace
-
-Session::Session(const SessionContext& context, const MailboxPtr& mailbox, AddressBucketsPtr address)
-    : Session{context, std::move(address)} {
-  mailbox_ = mailbox;
-  client_ = std::make_shared<MailboxClient>(mailbox);
-}
-
-void Session::take_mail() {
-  for (const Mail& mail : mailbox_->take()) {
-    if (const auto* chunk = std::get_if<ChunkReady>(&mail)) chunk_ready(chunk->key, chunk->answer);
-    if (const auto* heights = std::get_if<HeightsReady>(&mail)) heights_ready(heights->ticket, heights->answer);
-  }
-}
 
 using wire::ErrorCode;
 
@@ -109,8 +76,8 @@ void Session::timed_out(std::string_view text) {
 
 void Session::token_expired() {
   if (closing()) return;
-  context_.metrics.denied(Denial::expired).add();
-  fail(ErrorCode::unauthorized, describe(Denial::expired));
+  context_.metrics.denied(AuthFailure::expired).add();
+  fail(ErrorCode::unauthorized, describe(AuthFailure::expired));
 }
 
 void Session::take_mail() {
@@ -159,7 +126,7 @@ void Session::on(const wire::Hello& hello) {
   auto greeting = greet(hello, context_.limits, context_.access, context_.clock.wall());
   if (!greeting) {
     const Rejection& rejection = greeting.error();
-    if (rejection.denial) context_.metrics.denied(*rejection.denial).add();
+    if (rejection.auth_failure) context_.metrics.denied(*rejection.auth_failure).add();
     return fail(rejection.code, rejection.text, retry_after::kNever, rejection.why);
   }
   greeting_ = *std::move(greeting);
@@ -246,7 +213,7 @@ void Session::on(const wire::Ping& ping) {
 bool Session::within_rates(std::uint32_t id) {
   const auto refusal = rates_.refuse_request(received_at_);
   if (!refusal) return true;
-  context_.metrics.held(refusal->kind).add();
+  context_.metrics.throttled(refusal->kind).add();
   const auto retry_after = std::chrono::ceil<std::chrono::milliseconds>(refusal->wait);
   if (refusal->abusive) {
     fail(ErrorCode::overloaded,
@@ -282,11 +249,12 @@ bool Session::admit(std::uint32_t id) {
 
 Clock::time_point Session::sendable_at() {
   if (!outbox_.sendable(credit_)) return Clock::time_point::max();
+  constexpr Clock::time_point kAtOnce{};
+  if (outbox_.has_control()) return kAtOnce;
   const Clock::time_point now = context_.clock.now();
-  if (outbox_.has_control()) return now;
   const SessionRates::Due due = rates_.chunks_due(now);
-  if (due.throttled) context_.metrics.held(*due.throttled).add();
-  return due.at;
+  if (due.throttled) context_.metrics.throttled(*due.throttled).add();
+  return due.at > now ? due.at : kAtOnce;
 }
 
 Output Session::take_output(std::size_t enough_bytes, std::size_t shared_from) {
@@ -296,13 +264,14 @@ Output Session::take_output(std::size_t enough_bytes, std::size_t shared_from) {
   std::size_t chunks = 0;
   std::size_t chunk_bytes = 0;
   const SessionRates::Allowance allowance = rates_.allowance(now);
-  outbox_.take({enough_bytes, allowance.chunks, allowance.bytes}, credit_, output,
-               [this](Outbox::Entry& entry) { return delivery_.refresh(entry); },
-               [&](const Outbox::Entry& entry) {
-                 ++chunks;
-                 chunk_bytes += entry.chunk->frame_bytes();
-                 delivery_.sent(entry);
-               });
+  outbox_.take(
+      {enough_bytes, allowance.chunks, allowance.bytes}, credit_, output,
+      [this](Outbox::Entry& entry) { return delivery_.refresh(entry); },
+      [&](const Outbox::Entry& entry) {
+        ++chunks;
+        chunk_bytes += entry.chunk->frame_bytes();
+        delivery_.sent(entry);
+      });
   rates_.sent(now, chunks, output.size());
   writing_bytes_ = output.size();
   context_.metrics.chunks_sent.add(chunks);

@@ -23,6 +23,7 @@
 #include "chunks/mailbox.h"
 #include "clock/clock.h"
 #include "memory/memory_budget.h"
+#include "memory/memory_reservation.h"
 #include "rates/rates.h"
 #include "session/delivery.h"
 #include "session/handshake.h"
@@ -72,8 +73,9 @@ class Session {
   void pump();
 
   // ---- output
-  /// When something may be written: now or before, later where a rate throttles chunks, max() where nothing
-  /// waits or the client gave no credit.
+  /// When something may be written: the clock's zero at once, a time to come where a rate throttles chunks,
+  /// max() where nothing waits or the client gave no credit. At once does not depend on when the caller looked
+  /// at the clock.
   [[nodiscard]] Clock::time_point sendable_at();
   /// Frames to write now: `enough_bytes` and at most one frame more. Chunks of `shared_from` bytes and more
   /// are not copied.
@@ -123,7 +125,7 @@ class Session {
   Replies replies_;
   Delivery delivery_;
   SessionRates rates_;
-  MemoryShare memory_;
+  MemoryReservation memory_;
   Clock::time_point received_at_{};  // the message that is handled
   std::size_t writing_bytes_ = 0;    // of the last output
   std::string failure_;

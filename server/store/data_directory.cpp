@@ -13,7 +13,7 @@
 #include <utility>
 
 #include <fmt/format.h>
-#include <talus/terrain/toml_bounds.h>
+#include <talus/toml/toml_bounds.h>
 #include <toml++/toml.h>
 
 #include "store/wiped_file.h"
@@ -49,7 +49,7 @@ std::optional<ContentHash> parse_hash(const std::optional<std::string>& text) {
 
 std::string store_text(ContentHash id, ContentHash fingerprint) {
   return fmt::format(
-      "# Made by talusd. Delete nothing here by hand: what the store holds belongs to this id and world.\n"
+      "# Written by talusd. Do not edit or delete files here: they belong to this store id and this world.\n"
       "store_id = \"{}\"\n"
       "fingerprint = \"{}\"\n",
       to_string(id), to_string(fingerprint));
@@ -59,36 +59,37 @@ std::string store_text(ContentHash id, ContentHash fingerprint) {
 tl::expected<ContentHash, std::string> read_store(const fs::path& file, ContentHash fingerprint) {
   std::optional<ContentHash> id;
   std::optional<ContentHash> held;
-  const auto read = WipedFile::read(file, terrain::kMaxTomlBytes);
+  const auto read = WipedFile::read(file, kMaxTomlBytes);
   if (!read) {
     return tl::make_unexpected(
-        fmt::format("{}: {}; give --data a directory of talusd's own", file.string(), read.error()));
+        fmt::format("{}: {}; give --data a directory that talusd alone uses", file.string(), read.error()));
   }
   try {
-    const bool sound = !terrain::passes_toml_bounds(read->text());
+    const bool sound = !passes_toml_bounds(read->text());
     const toml::table table = sound ? toml::parse(read->text()) : toml::table{};
     id = parse_hash(table["store_id"].value<std::string>());
     held = parse_hash(table["fingerprint"].value<std::string>());
   } catch (const toml::parse_error&) {
-    // Reported with the two keys below: all that can be right is a file that talusd wrote.
+    // Reported below, as missing keys are: only a file that talusd wrote is right.
   }
   if (!id || !held) {
     return tl::make_unexpected(fmt::format(
-        "{}: is not a store that talusd wrote; it needs store_id and fingerprint of 32 hexadecimal digits",
+        "{}: was not written by talusd; it needs store_id and fingerprint, each of 32 hexadecimal digits",
         file.string()));
   }
   if (*held != fingerprint) {
-    return tl::make_unexpected(fmt::format(
-        "{}: the store is of the world with fingerprint {}, this world has {}; give --data another "
-        "directory or --world the store's world",
-        file.string(), to_string(*held), to_string(fingerprint)));
+    return tl::make_unexpected(
+        fmt::format("{}: the store belongs to the world with fingerprint {}; this world has fingerprint {}; "
+                    "give --data another "
+                    "directory, or --world the store's world",
+                    file.string(), to_string(*held), to_string(fingerprint)));
   }
   return *id;
 }
 
 tl::expected<ContentHash, std::string> read_or_make_store(const fs::path& path, ContentHash fingerprint) {
   const fs::path file = path / "store.toml";
-  // Nothing under that name, not even a link that leads nowhere: what cannot be looked at is somebody's
+  // Create it only where nothing has that name, not even a dangling link: a file that cannot be read may be a
   // store.
   std::error_code error;
   if (fs::symlink_status(file, error).type() != fs::file_type::not_found)
@@ -109,22 +110,22 @@ tl::expected<void, std::string> DataDirectory::make_for(const fs::path& path, ui
   const fs::path leaf = absolute.has_filename() ? absolute : absolute.parent_path();
   if (fs::exists(leaf, error)) return {};
   fs::create_directories(leaf.parent_path(), error);
-  if (error) return system_failure(path, "cannot make the directory", error.value());
-  constexpr mode_t kOwnersAndGroups = 0750;
-  if (::mkdir(leaf.c_str(), kOwnersAndGroups) != 0)
-    return system_failure(path, "cannot make the directory", errno);
-  // Whoever may rename it meanwhile must not have another one given away.
+  if (error) return system_failure(path, "cannot create the directory", error.value());
+  constexpr mode_t kOwnerAndGroup = 0750;
+  if (::mkdir(leaf.c_str(), kOwnerAndGroup) != 0)
+    return system_failure(path, "cannot create the directory", errno);
+  // Changed through a descriptor, so that nobody can put another directory in its place meanwhile.
   const int made = ::open(leaf.c_str(), O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC);
   const int failed = made >= 0 && ::fchown(made, user, group) == 0 ? 0 : errno;
   if (made >= 0) ::close(made);
-  if (failed != 0) return system_failure(path, "cannot give the directory to its user", failed);
+  if (failed != 0) return system_failure(path, "cannot change the directory's owner", failed);
   return {};
 }
 
 tl::expected<DataDirectory, std::string> DataDirectory::open(const fs::path& path, ContentHash fingerprint) {
   std::error_code error;
   fs::create_directories(path, error);
-  if (error) return system_failure(path, "cannot make the directory", error.value());
+  if (error) return system_failure(path, "cannot create the directory", error.value());
 
   const int lock = ::open((path / "lock").c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644);
   if (lock < 0) return system_failure(path, "cannot write into it", errno);

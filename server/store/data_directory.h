@@ -1,6 +1,6 @@
-// The directory that --data names: bound to one world, used by one server at a time.
+// The directory that --data names. It belongs to one world, and one server at a time uses it.
 //
-// store.toml in it holds the store's id, which Welcome says, and the fingerprint of its world.
+// Its store.toml holds the store's id, which Welcome carries, and the fingerprint of its world.
 #pragma once
 
 #include <sys/types.h>
@@ -16,11 +16,11 @@ namespace talus::server {
 
 class DataDirectory {
  public:
-  /// Makes the directory for another user where it is missing; one that is there already is left as it is.
+  /// Creates the directory for another user. A directory that exists is left as it is.
   [[nodiscard]] static tl::expected<void, std::string> make_for(const std::filesystem::path& path, uid_t user,
                                                                 gid_t group);
-  /// Makes the directory and its store.toml where they are missing, and locks it. One line says why not:
-  /// it cannot be written, another server has it, or it belongs to a world of another fingerprint.
+  /// Creates the directory and its store.toml where they are missing, and locks it. An error is one line: the
+  /// directory cannot be written, another server uses it, or it belongs to another world.
   [[nodiscard]] static tl::expected<DataDirectory, std::string> open(const std::filesystem::path& path,
                                                                      ContentHash fingerprint);
 
@@ -33,7 +33,7 @@ class DataDirectory {
  private:
   DataDirectory(int lock, ContentHash store_id) : lock_{lock}, store_id_{store_id} {}
 
-  int lock_;  // a descriptor; the lock ends with it, however the process ends
+  int lock_;  // a descriptor; closing it, or the end of the process, releases the lock
   ContentHash store_id_;
 };
 

@@ -92,7 +92,7 @@ TEST_CASE("a bad key file is one line, also where the configuration is only chec
     const Ended ended = run_talusd(flags, settings);
     CHECK(ended.status == 1);
     CHECK(std::count(ended.err.begin(), ended.err.end(), '\n') == 1);
-    CHECK_THAT(ended.err, Catch::StartsWith("talusd: access.secret_file "));
+    CHECK_THAT(ended.err, Catch::StartsWith("talusd: TALUS_ACCESS_SECRET_FILE: access.secret_file "));
   }
 }
 

@@ -95,5 +95,5 @@ TEST_CASE("root is warned, and root is no user to become") {
   CHECK_THAT(server.wait().out, Catch::Contains("talusd runs as root"));
   const Ended ended = run_talusd({"--check-config"}, {{"TALUS_USER", "root"}});
   CHECK(ended.status == 1);
-  CHECK_THAT(ended.err, Catch::StartsWith("talusd: user: \"root\" is root"));
+  CHECK_THAT(ended.err, Catch::StartsWith("talusd: TALUS_USER: user: \"root\" is root"));
 }

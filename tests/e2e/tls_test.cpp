@@ -130,7 +130,7 @@ TEST_CASE("a start and --check-config end with one line where key and certificat
     const Ended ended = run_talusd(flags, secure.settings());
     CHECK(ended.status == 1);
     CHECK(std::count(ended.err.begin(), ended.err.end(), '\n') == 1);
-    CHECK_THAT(ended.err, Catch::StartsWith("talusd: tls.key " + secure.key));
+    CHECK_THAT(ended.err, Catch::StartsWith("talusd: TALUS_TLS_KEY: tls.key " + secure.key));
   }
 }
 

@@ -16,14 +16,15 @@ breaks() {
 
 impure='thread|mutex|shared_mutex|condition_variable|future|atomic|chrono|ctime|time\.h|fstream|cstdio|iostream|filesystem|random|asio|spdlog|sys/|unistd\.h|png\.h'
 breaks core/vectors 'talus/(voxel|terrain|height_files|protocol|client|tools)' 'core/vectors knows nobody'
+breaks core/toml 'talus/(vectors|voxel|terrain|height_files|protocol|client|tools)' 'core/toml knows nobody'
 breaks core/voxel 'talus/(terrain|height_files|protocol|client|tools)' 'core/voxel knows core/vectors alone'
-breaks core/terrain 'talus/(height_files|protocol|client|tools)' 'core/terrain knows core/voxel and core/vectors'
+breaks core/terrain 'talus/(height_files|protocol|client|tools)' 'core/terrain knows core/voxel, core/toml and core/vectors'
 breaks core/height_files 'talus/(protocol|client|tools)' 'core/height_files knows core/terrain alone'
 breaks core/tools 'talus/(protocol|client)' 'core/tools knows core alone'
 breaks protocol 'talus/(voxel|terrain|height_files|client|tools)' 'protocol knows nobody'
 breaks server 'talus/(client|tools)' 'the server knows core and protocol'
 breaks client_sample 'talus/(terrain|height_files|tools)' 'a client knows core/voxel and protocol'
-for pure in core/vectors core/voxel core/terrain protocol; do
+for pure in core/vectors core/toml core/voxel core/terrain protocol; do
   breaks "$pure" "($impure)[>\"]?" 'a pure room has no I/O, threads or clock'
 done
 # A relative include could walk out of its room unseen.

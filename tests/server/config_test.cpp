@@ -1,11 +1,16 @@
+// Settings from the file, the environment and flags.
+#include <sys/stat.h>
+
 #include <algorithm>
-#include <catch2/catch.hpp>
 #include <fstream>
 #include <iterator>
+
+#include <catch2/catch.hpp>
 
 #include "config/command_line.h"
 #include "config/fields.h"
 #include "config/load.h"
+#include "scratch_directory.h"
 
 using namespace talus::server;
 
@@ -17,10 +22,17 @@ std::string shipped_file() {
 }
 
 std::string toml_error(std::string_view toml) {
-  Config config;
-  const auto done = apply_toml(config, toml, "file.toml");
+  Settings settings;
+  const auto done = apply_toml(settings, toml, "file.toml");
   REQUIRE_FALSE(done.has_value());
+  CHECK(done.error().find('\n') == std::string::npos);
   return done.error();
+}
+
+Settings settings_of(std::string_view toml) {
+  Settings settings;
+  REQUIRE(apply_toml(settings, toml, "file.toml").has_value());
+  return settings;
 }
 
 tl::expected<Command, Exit> command(std::vector<const char*> flags, const Environment& environment = {}) {
@@ -31,7 +43,11 @@ tl::expected<Command, Exit> command(std::vector<const char*> flags, const Enviro
 std::string other_than_default(const Field& field) {
   if (const auto* number = std::get_if<NumberTarget>(&field.target)) {
     Config defaults;
-    return std::to_string(number->at(defaults) == number->most ? number->least : number->most);
+    return std::to_string(number->at(defaults) == number->max ? number->min : number->max);
+  }
+  if (const auto* duration = std::get_if<DurationTarget>(&field.target)) {
+    Config defaults;
+    return std::to_string((duration->at(defaults) == duration->max ? duration->min : duration->max).count());
   }
   if (std::holds_alternative<NetworksTarget>(field.target)) return "192.0.2.0/24";
   const auto* word = std::get_if<WordTarget>(&field.target);
@@ -45,10 +61,11 @@ std::string other_than_default(const Field& field) {
 
 TEST_CASE("talusd.toml says the defaults") {
   const Config defaults;
-  Config config;
-  config.limits.connections = 1;  // so that the file has to set something
-  REQUIRE(apply_toml(config, shipped_file(), "talusd.toml").has_value());
-  CHECK(config == defaults);
+  Settings settings;
+  settings.config.limits.connections = 1;  // so that the file has to set something
+  REQUIRE(apply_toml(settings, shipped_file(), "talusd.toml").has_value());
+  CHECK(settings.config == defaults);
+  CHECK(settings.warnings.empty());
 }
 
 TEST_CASE("talusd.toml has every field") {
@@ -71,20 +88,26 @@ TEST_CASE("every field is set by its variable") {
   for (const Field& field : fields()) {
     CAPTURE(field.key);
     const Config defaults;
-    Config config;
-    REQUIRE(apply_environment(config, {{variable_name(field), other_than_default(field)}}).has_value());
-    CHECK_FALSE(config == defaults);
+    Settings settings;
+    REQUIRE(apply_environment(settings, {{variable_name(field.key), other_than_default(field)}}).has_value());
+    CHECK_FALSE(settings.config == defaults);
+    CHECK(settings.warnings.empty());
   }
 }
 
 TEST_CASE("the defaults are in range") {
   for (const Field& field : fields()) {
-    const auto* number = std::get_if<NumberTarget>(&field.target);
-    if (number == nullptr) continue;
     CAPTURE(field.key);
     Config config;
-    CHECK(number->at(config) >= number->least);
-    CHECK(number->at(config) <= number->most);
+    if (const auto* number = std::get_if<NumberTarget>(&field.target)) {
+      CHECK(number->at(config) >= number->min);
+      CHECK(number->at(config) <= number->max);
+    }
+    if (const auto* duration = std::get_if<DurationTarget>(&field.target)) {
+      CHECK(field.key.ends_with("_ms"));
+      CHECK(duration->at(config) >= duration->min);
+      CHECK(duration->at(config) <= duration->max);
+    }
   }
 }
 
@@ -102,6 +125,74 @@ TEST_CASE("a number out of range names the range and the unit") {
   CHECK_THAT(toml_error("[limits]\nframe_bytes = -1\n"), Catch::Contains("-1"));
 }
 
+TEST_CASE("a duration is read in milliseconds, in its range") {
+  CHECK(settings_of("[limits]\nidle_timeout_ms = 2500").config.limits.idle_timeout ==
+        std::chrono::milliseconds{2500});
+  CHECK_THAT(
+      toml_error("[limits]\nidle_timeout_ms = 9"),
+      Catch::StartsWith("file.toml:2: limits.idle_timeout_ms: 9") && Catch::Contains("10 to 86400000 (ms)"));
+}
+
+TEST_CASE("a number beyond 64 bits names the key and its range") {
+  CHECK_THAT(toml_error("[threads]\nio = 1\n[limits]\n  connections = 99999999999999999999\n"),
+             Catch::StartsWith("file.toml:4: limits.connections: ") && Catch::Contains("1 to 1000000"));
+}
+
+TEST_CASE("an old key is read, with a warning that names the new one") {
+  REQUIRE_FALSE(renamed_keys().empty());
+  for (const RenamedKey& renamed : renamed_keys()) {
+    CAPTURE(renamed.old_key);
+    CHECK(find_field(renamed.old_key) == nullptr);
+    REQUIRE(find_field(renamed.key) != nullptr);
+  }
+  const Settings settings = settings_of("[limits]\nhandshakes_under_way = 7");
+  CHECK(settings.config.limits.handshakes_in_flight == 7);
+  CHECK(settings.warnings ==
+        std::vector<std::string>{"file.toml:2: limits.handshakes_under_way is now called "
+                                 "limits.handshakes_in_flight; rename it"});
+}
+
+TEST_CASE("an error in the value of an old key is found") {
+  CHECK_THAT(toml_error("[limits]\nhandshakes_under_way = 0"),
+             Catch::StartsWith("file.toml:2: limits.handshakes_"));
+}
+
+TEST_CASE("an old key beside the new one is an error") {
+  CHECK_THAT(toml_error("[limits]\nhandshakes_under_way = 7\nhandshakes_in_flight = 8"),
+             Catch::StartsWith("file.toml:2: limits.handshakes_under_way: is the old name"));
+  Settings settings;
+  CHECK_FALSE(apply_environment(settings, {{"TALUS_LIMITS_HANDSHAKES_UNDER_WAY", "7"},
+                                           {"TALUS_LIMITS_HANDSHAKES_IN_FLIGHT", "8"}})
+                  .has_value());
+}
+
+TEST_CASE("a variable of an old key is read, with a warning that names the new one") {
+  const auto read = command({}, {{"TALUS_LIMITS_HANDSHAKES_UNDER_WAY", "7"}});
+  REQUIRE(read.has_value());
+  CHECK(read->config.limits.handshakes_in_flight == 7);
+  CHECK(read->warnings == std::vector<std::string>{"TALUS_LIMITS_HANDSHAKES_UNDER_WAY is now called "
+                                                   "TALUS_LIMITS_HANDSHAKES_IN_FLIGHT; rename it"});
+}
+
+TEST_CASE("a later error about a setting gets the line or the variable that set it") {
+  Settings settings = settings_of("user = \"nobody\"\n[access]\nsecret_file = \"s\"");
+  CHECK(settings.origins.locate("user: \"nobody\" is wrong") == "file.toml:1: user: \"nobody\" is wrong");
+  CHECK(settings.origins.locate("access.secret_file s: is short") ==
+        "file.toml:3: access.secret_file s: is short");
+  CHECK(settings.origins.locate("tls.key k: is short") == "tls.key k: is short");
+  CHECK(settings.origins.locate("username: x") == "username: x");
+  REQUIRE(apply_environment(settings, {{"TALUS_USER", "other"}}).has_value());
+  CHECK(settings.origins.locate("user: x") == "TALUS_USER: user: x");
+}
+
+TEST_CASE("a setting of a flag has no line in the file") {
+  const ScratchDirectory scratch;
+  const std::string file = scratch.write("talusd.toml", "admin = \"127.0.0.1:1\"\n");
+  const auto read = command({"--config", file.c_str(), "--admin", "127.0.0.1:2"});
+  REQUIRE(read.has_value());
+  CHECK(read->origins.locate("admin 127.0.0.1:2: in use") == "admin 127.0.0.1:2: in use");
+}
+
 TEST_CASE("a value of the wrong type says what would be right") {
   CHECK_THAT(toml_error("listen = 80"), Catch::Contains("listen") && Catch::Contains("HOST:PORT"));
   CHECK_THAT(toml_error("[threads]\nio = 1.5"), Catch::Contains("threads.io") && Catch::Contains("whole"));
@@ -109,7 +200,7 @@ TEST_CASE("a value of the wrong type says what would be right") {
   CHECK_THAT(toml_error("[log]\nlevel = \"loud\""), Catch::Contains("\"debug\""));
 }
 
-TEST_CASE("what is no TOML is one line with its place") {
+TEST_CASE("a syntax error is one line with its place") {
   const std::string line = toml_error("[limits]\nconnections = = 5\n");
   CHECK_THAT(line, Catch::StartsWith("file.toml:2: "));
   CHECK(line.find('\n') == std::string::npos);
@@ -124,8 +215,13 @@ TEST_CASE("a configuration that cannot be read is one line that names it and say
     CHECK_THAT(read.error().text, Catch::Contains(file));
     return read.error().text;
   };
+  const ScratchDirectory scratch;
+  const std::string pipe = (scratch.path() / "pipe").string();
+  REQUIRE(::mkfifo(pipe.c_str(), 0600) == 0);
+  CHECK_THAT(line(pipe), Catch::Contains("regular file"));
+  CHECK_THAT(line("/dev/zero"), Catch::Contains("regular file"));
   CHECK_THAT(line(std::string(5000, 'x')), Catch::Contains("name too long"));
-  CHECK_THAT(line(TALUS_SOURCE_DIR), Catch::Contains("directory"));
+  CHECK_THAT(line(TALUS_SOURCE_DIR), Catch::Contains("regular file"));
   CHECK_THAT(line(TALUS_SOURCE_DIR "/server/talusd.toml/x"), Catch::Contains("Not a directory"));
   CHECK_THAT(line("/nowhere/talusd.toml"), Catch::Contains("No such file"));
 }
@@ -152,13 +248,13 @@ TEST_CASE("an unknown variable is a warning with the nearest name") {
   CHECK_THAT(read->warnings[0], Catch::Contains("TALUS_LISTEN?"));
 }
 
-TEST_CASE("variables of clients are no mistake of the server's") {
+TEST_CASE("variables that clients read are no warning") {
   const auto read = command({}, {{"TALUS_TOKEN", "x"}, {"TALUS_TOKEN_FILE", "x"}});
   REQUIRE(read.has_value());
   CHECK(read->warnings.empty());
 }
 
-TEST_CASE("--help and --version are no failures") {
+TEST_CASE("--help and --version exit with 0") {
   CHECK(command({"--help"}).error().status == 0);
   CHECK(command({"--version"}).error().status == 0);
 }

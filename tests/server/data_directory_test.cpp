@@ -1,5 +1,8 @@
 #include "store/data_directory.h"
 
+#include <sys/stat.h>
+#include <unistd.h>
+
 #include <filesystem>
 
 #include <catch2/catch.hpp>
@@ -67,6 +70,24 @@ TEST_CASE("a store.toml of somebody else is refused, not replaced") {
     REQUIRE_FALSE(refused.has_value());
     CHECK_THAT(refused.error(), Catch::Contains("store.toml"));
   }
+}
+
+TEST_CASE("a directory created for another user belongs to that user, and one that exists keeps its owner") {
+  if (::geteuid() != 0) {
+    WARN("only root can give a directory to another user: not tested");
+    return;
+  }
+  const ScratchDirectory scratch;
+  const auto owner_of = [](const std::filesystem::path& path) {
+    struct stat about {};
+    REQUIRE(::stat(path.c_str(), &about) == 0);
+    return about.st_uid;
+  };
+  REQUIRE(DataDirectory::make_for(scratch / "a/b/", 4780, 4780).has_value());
+  CHECK(owner_of(scratch / "a") == 0);
+  CHECK(owner_of(scratch / "a/b") == 4780);
+  REQUIRE(DataDirectory::make_for(scratch / "a", 4780, 4780).has_value());
+  CHECK(owner_of(scratch / "a") == 0);
 }
 
 TEST_CASE("an atomic write replaces the whole file and leaves nothing beside it") {

@@ -30,9 +30,10 @@ const std::string kProxyLocal{"\r\n\r\n\0\r\nQUIT\n\x20\0\0\0", 16};
 
 const Config kDefaults;
 
-Config with(std::uint64_t Limits::*limit, std::uint64_t value, const std::string& proxies = "") {
+template <typename Value>
+Config with(Value Limits::*limit, int value, const std::string& proxies = "") {
   Config config;
-  config.limits.*limit = value;
+  config.limits.*limit = Value(value);
   config.proxies = *Networks::parse(proxies);
   return config;
 }
@@ -213,7 +214,7 @@ TEST_CASE("who does not speak TLS where it is wanted is closed upon") {
 }
 
 TEST_CASE("who does not finish TLS in time is closed upon, and its place is free") {
-  House house{with(&Limits::handshake_timeout_ms, 50), true};
+  House house{with(&Limits::handshake_timeout, 50), true};
   Visitor visitor{house};
   visitor.say("\x16\x03\x01");  // the beginning of a ClientHello
   CHECK(visitor.rest().empty());
@@ -261,7 +262,7 @@ TEST_CASE("where the server's memory is all in use nobody comes in, and is told 
 }
 
 TEST_CASE("there are only so many handshakes under way") {
-  House house{with(&Limits::handshakes_under_way, 1), true};
+  House house{with(&Limits::handshakes_in_flight, 1), true};
   Visitor silent{house};
   Visitor next{house};
   CHECK(next.rest().empty());
@@ -304,7 +305,7 @@ TEST_CASE("one of the proxies that sends anything but a header is closed upon") 
 }
 
 TEST_CASE("one of the proxies that sends half a header is closed upon in time") {
-  House house{with(&Limits::handshake_timeout_ms, 50, "127.0.0.1")};
+  House house{with(&Limits::handshake_timeout, 50, "127.0.0.1")};
   Visitor visitor{house};
   visitor.say(kProxyTcp4.substr(0, 20));
   CHECK(visitor.rest().empty());

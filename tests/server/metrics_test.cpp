@@ -1,17 +1,17 @@
-// What operators read: tallies, and their text.
+// Counters, and the page that operators read.
+#include "metrics/metrics_page.h"
+
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <chrono>
 #include <fstream>
 #include <iterator>
-#include <nlohmann/json.hpp>
 #include <regex>
+#include <set>
 #include <sstream>
 #include <string>
 #include <thread>
 #include <vector>
-
-#include "log/json_lines.h"
-#include "metrics/exposition.h"
 
 using namespace talus::server;
 using namespace std::chrono_literals;
@@ -27,31 +27,49 @@ std::string value_of(const std::string& text, const std::string& series) {
   return {};
 }
 
-std::string text_of(const Metrics& metrics) {
-  return prometheus_text(metrics, {.certificate_expires = 1'900'000'000}, read_process(),
-                         {"1.2.3", 2, "abc", "avx2"});
+/// Stands for an enum of another module.
+enum class Reason : std::uint8_t { nothing, late, broken };
+constexpr std::array<std::string_view, 3> kReasons{"", "late", "broken"};
+
+std::string text_of(const Metrics& metrics,
+                    const RuntimeGauges& gauges = {.certificate_expires = 1'900'000'000}) {
+  const BuildInfo build{"1.2.3", 2, "abc", "avx2"};
+  const MetricLabels labels{kReasons, kReasons, kReasons, kReasons, kReasons};
+  return metrics_page({metrics, gauges, read_process(), build, labels});
 }
 
-std::string json_line(const std::string& text) {
-  spdlog::memory_buf_t out;
-  JsonLines{}.format({"talusd", spdlog::level::warn, text}, out);
-  return {out.data(), out.size()};
+std::string file_text(const std::string& path) {
+  std::ifstream in{TALUS_SOURCE_DIR "/" + path};
+  return {std::istreambuf_iterator<char>{in}, {}};
+}
+
+/// The names of metrics in a text.
+std::set<std::string> names_in(const std::string& text) {
+  const std::regex name{"\\b(talus|process)_[a-z_]+\\b"};
+  std::set<std::string> names;
+  for (auto found = std::sregex_iterator{text.begin(), text.end(), name}; found != std::sregex_iterator{};
+       ++found) {
+    names.insert(found->str());
+  }
+  return names;
 }
 
 }  // namespace
 
 TEST_CASE("a latency is counted in the bucket whose bound it does not exceed") {
-  LatencyTally tally;
-  tally.add(1ms);
-  tally.add(1ms + 1ns);
-  tally.add(11s);
-  tally.add(-1ns);  // a clock that goes back is no reason to fall over
-  const LatencyTally::Reading reading = tally.read();
+  LatencyHistogram histogram;
+  histogram.add(1ms);
+  histogram.add(1ms + 1ns);
+  histogram.add(11s);
+  histogram.add(-1ns);  // a clock may go back
+  const LatencyHistogram::Reading reading = histogram.read();
   std::uint64_t counted = 0;
   for (std::size_t i = 0; i < reading.counts.size(); ++i) {
     CAPTURE(i);
-    const bool bound_ms = i < LatencyTally::kBoundsSeconds.size() && LatencyTally::kBoundsSeconds[i] == 1e-3;
-    const bool bound_2ms = i < LatencyTally::kBoundsSeconds.size() && LatencyTally::kBoundsSeconds[i] == 2e-3;
+    const bool bound_ms =
+        i < LatencyHistogram::kBoundsSeconds.size() && LatencyHistogram::kBoundsSeconds[i] == 1e-3;
+    const bool bound_2ms =
+        i < LatencyHistogram::kBoundsSeconds.size() && LatencyHistogram::kBoundsSeconds[i] == 2e-3;
     CHECK(reading.counts[i] == (bound_ms || bound_2ms || i == 0 || i + 1 == reading.counts.size() ? 1 : 0));
     counted += reading.counts[i];
   }
@@ -76,15 +94,15 @@ TEST_CASE("the text has what was counted under the name and label that dashboard
   metrics.open.rise();
   metrics.open.rise();
   metrics.greeted.rise();
-  metrics.error(talus::wire::ErrorCode::overloaded).add(3);
+  metrics.error(Reason::late).add(3);
   metrics.cold_latency.add(3ms);
   metrics.cold_latency.add(20s);
   metrics.patch_ns.add(1'500'000'000);
   const std::string text = text_of(metrics);
   CHECK(value_of(text, R"(talus_sessions{state="handshake"})") == "1");
   CHECK(value_of(text, R"(talus_sessions{state="greeted"})") == "1");
-  CHECK(value_of(text, R"(talus_errors_total{code="overloaded"})") == "3");
-  CHECK(value_of(text, R"(talus_errors_total{code="malformed"})") == "0");
+  CHECK(value_of(text, R"(talus_errors_total{code="late"})") == "3");
+  CHECK(value_of(text, R"(talus_errors_total{code="broken"})") == "0");
   CHECK(value_of(text, R"(talus_chunk_latency_seconds_bucket{source="cold",le="0.002"})") == "0");
   CHECK(value_of(text, R"(talus_chunk_latency_seconds_bucket{source="cold",le="0.005"})") == "1");
   CHECK(value_of(text, R"(talus_chunk_latency_seconds_bucket{source="cold",le="10"})") == "1");
@@ -111,21 +129,41 @@ TEST_CASE("every series has a help line and a type") {
   }
 }
 
-TEST_CASE("alerts and dashboard ask for nothing that is not there") {
+TEST_CASE("alerts and dashboard use only metrics that exist") {
   const std::string text = text_of({});
-  const std::string file = GENERATE(as<std::string>{}, "alerts.yml", "grafana/talus.json");
-  std::ifstream in{TALUS_SOURCE_DIR "/docker/" + file};
-  const std::string asked{std::istreambuf_iterator<char>{in}, {}};
-  const std::regex name{"\\b(talus|process)_[a-z_]+\\b"};
-  std::size_t names = 0;
-  for (auto found = std::sregex_iterator{asked.begin(), asked.end(), name}; found != std::sregex_iterator{};
-       ++found, ++names) {
-    CAPTURE(file, found->str());
-    const bool there = text.find("\n" + found->str() + " ") != std::string::npos ||
-                       text.find("\n" + found->str() + "{") != std::string::npos;
-    CHECK((there || text.starts_with("# HELP " + found->str() + " ")));
+  const std::string file = GENERATE(as<std::string>{}, "docker/alerts.yml", "docker/grafana/talus.json");
+  const std::set<std::string> used = names_in(file_text(file));
+  CHECK(used.size() > 5);
+  for (const std::string& name : used) {
+    CAPTURE(file, name);
+    const bool sample = text.find("\n" + name + " ") != std::string::npos ||
+                        text.find("\n" + name + "{") != std::string::npos;
+    CHECK((sample || text.find("# HELP " + name + " ") != std::string::npos));
   }
-  CHECK(names > 5);
+}
+
+TEST_CASE("OPERATIONS.md has every metric of the table, and no other") {
+  const std::string document = file_text("docs/OPERATIONS.md");
+  const std::set<std::string> documented = names_in(document);
+  std::set<std::string> known;
+  for (const MetricRow& row : metric_rows()) {
+    known.emplace(row.name);
+    if (row.name.starts_with("process_")) continue;  // documented together
+    CAPTURE(row.name);
+    CHECK(documented.contains(std::string{row.name}));
+  }
+  for (const std::string& name : documented) {
+    CAPTURE(name);
+    CHECK((known.contains(name) || name == "process_"));
+  }
+}
+
+TEST_CASE("a metric's name says its type as Prometheus' rules want it") {
+  for (const MetricRow& row : metric_rows()) {
+    CAPTURE(row.name);
+    CHECK((row.type == MetricType::counter) == row.name.ends_with("_total"));
+    CHECK(row.help.ends_with('.'));
+  }
 }
 
 TEST_CASE("the process knows its memory, its threads and its files") {
@@ -133,37 +171,38 @@ TEST_CASE("the process knows its memory, its threads and its files") {
   CHECK(process.resident_bytes > 1 << 20);
   CHECK(process.threads >= 1);
   CHECK(process.open_descriptors >= 3);
-  CHECK(process.most_descriptors >= process.open_descriptors);
+  CHECK(process.max_descriptors >= process.open_descriptors);
   const auto now = std::chrono::duration<double>(std::chrono::system_clock::now().time_since_epoch()).count();
   CHECK(process.start_seconds == Approx(now).margin(3600.0));
   CHECK(process.start_seconds <= now + 1);
 }
 
-TEST_CASE("a log line is one JSON object, whatever its text") {
-  const std::string text = GENERATE(as<std::string>{}, "plain", "a \"quote\"\nand a line",
-                                    "not UTF-8: \xff\xfe", std::string{"nul\0here", 8});
-  const std::string line = json_line(text);
-  CHECK(std::count(line.begin(), line.end(), '\n') == 1);
-  const auto object = nlohmann::json::parse(line);
-  CHECK(object.at("level") == "warning");
-  if (text.find('\xff') == std::string::npos) CHECK(object.at("text") == text);
-  CHECK(object.at("time").get<std::string>().size() == std::string{"2026-01-01T00:00:00.000Z"}.size());
+TEST_CASE("counters by label are printed under the owner's names, and a value without a name is not") {
+  Metrics metrics;
+  metrics.refused_for(Reason::late).add(3);
+  metrics.refused_for(Reason::nothing).add(7);
+  metrics.throttled(Reason::broken).add();
+  metrics.denied(Reason::broken).add(2);
+  const std::string text = text_of(metrics, {.memory_bytes = {1, 4096, 5}});
+  CHECK(value_of(text, "talus_connections_refused_total{reason=\"late\"}") == "3");
+  CHECK(value_of(text, "talus_connections_refused_total{reason=\"broken\"}") == "0");
+  CHECK(text.find("reason=\"\"") == std::string::npos);
+  CHECK(value_of(text, "talus_rates_held_total{rate=\"broken\"}") == "1");
+  CHECK(value_of(text, "talus_tokens_refused_total{reason=\"broken\"}") == "2");
+  CHECK(value_of(text, "talus_memory_bytes{use=\"late\"}") == "4096");
 }
 
-TEST_CASE("who was turned away at the door, and how TLS ended, is counted by reason") {
+TEST_CASE("TLS handshakes are counted by their result") {
   Metrics metrics;
-  metrics.refused_for(Refusal::pace).add(3);
   metrics.tls_late.add(2);
   metrics.handshakes.rise();
   const std::string text = text_of(metrics);
-  CHECK(value_of(text, "talus_connections_refused_total{reason=\"pace\"}") == "3");
-  CHECK(value_of(text, "talus_connections_refused_total{reason=\"places\"}") == "0");
   CHECK(value_of(text, "talus_tls_handshakes_total{result=\"late\"}") == "2");
+  CHECK(value_of(text, "talus_tls_handshakes_total{result=\"done\"}") == "0");
   CHECK(value_of(text, "talus_handshakes") == "1");
   CHECK(value_of(text, "talus_tls_certificate_expiry_timestamp_seconds") == "1900000000");
 }
 
-TEST_CASE("without a certificate there is no series of its end") {
-  const std::string text = prometheus_text({}, {}, read_process(), {"1.2.3", 2, "abc", "avx2"});
-  CHECK(text.find("certificate") == std::string::npos);
+TEST_CASE("without a certificate there is no series of its expiry") {
+  CHECK(text_of({}, {}).find("certificate") == std::string::npos);
 }

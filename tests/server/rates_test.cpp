@@ -80,7 +80,7 @@ struct Bench {
     }
     return said;
   }
-  [[nodiscard]] std::uint64_t held(RateKind kind) { return fake.metrics.held(kind).total(); }
+  [[nodiscard]] std::uint64_t held(RateKind kind) { return fake.metrics.throttled(kind).total(); }
 };
 
 RateLimits requests(Rate rate) {
@@ -237,7 +237,7 @@ TEST_CASE("a burst is what the rate earns in its time, and never nothing") {
   config.session_chunks = 1000;
   config.session_requests = 1;
   config.address_bytes = 0;
-  config.burst_ms = 500;
+  config.burst = std::chrono::milliseconds{500};
   const RateLimits limits = rate_limits(config);
   CHECK(limits.session.chunks == Rate{1000, 500});
   CHECK(limits.session.requests == Rate{1, 1});

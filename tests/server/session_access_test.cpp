@@ -85,7 +85,7 @@ TEST_CASE("without a token a session ends with an Error that asks for one") {
   CHECK_THAT(error.text, Catch::Contains("token"));
   CHECK(bench.session.closing());
   CHECK_FALSE(bench.session.greeted());
-  CHECK(bench.fake.metrics.denied(Denial::missing).total() == 1);
+  CHECK(bench.fake.metrics.denied(AuthFailure::missing).total() == 1);
 }
 
 TEST_CASE("a client learns of its token that it expired or is not accepted, and the log learns why") {
@@ -100,8 +100,8 @@ TEST_CASE("a client learns of its token that it expired or is not accepted, and 
   CHECK(error.code == wire::ErrorCode::unauthorized);
   CHECK(error.text == text);
   CHECK_THAT(bench.session.failure(), Catch::Contains(text) && Catch::Contains(why));
-  const Denial denial = text.ends_with("expired") ? Denial::expired : Denial::not_accepted;
-  CHECK(bench.fake.metrics.denied(denial).total() == 1);
+  const AuthFailure failure = text.ends_with("expired") ? AuthFailure::expired : AuthFailure::not_accepted;
+  CHECK(bench.fake.metrics.denied(failure).total() == 1);
 }
 
 TEST_CASE("who may not edit is told so, and stays") {
@@ -163,5 +163,5 @@ TEST_CASE("a session ends when its token does") {
   thread.join();
   CHECK(kinds == std::vector{wire::Body::Welcome, wire::Body::Error});
   CHECK(last == "the token has expired");
-  CHECK(shared.fake.metrics.denied(Denial::expired).total() == 1);
+  CHECK(shared.fake.metrics.denied(AuthFailure::expired).total() == 1);
 }

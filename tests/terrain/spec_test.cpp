@@ -3,8 +3,8 @@
 #include <string>
 
 #include <talus/terrain/stacks.h>
-#include <talus/terrain/toml_bounds.h>
 #include <talus/terrain/world.h>
+#include <talus/toml/toml_bounds.h>
 
 #include "worlds.h"
 

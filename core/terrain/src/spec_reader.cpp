@@ -6,7 +6,7 @@
 #include <sstream>
 #include <string>
 
-#include <talus/terrain/toml_bounds.h>
+#include <talus/toml/toml_bounds.h>
 #include <toml++/toml.h>
 
 #include "table_reader.h"

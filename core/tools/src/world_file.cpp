@@ -9,7 +9,7 @@
 #include <utility>
 
 #include <talus/height_files/height_files.h>
-#include <talus/terrain/toml_bounds.h>
+#include <talus/toml/toml_bounds.h>
 
 namespace talus::tools {
 
@@ -23,7 +23,7 @@ Expected<WorldText> read_world_text(const std::string& path) {
   std::ifstream file{path, std::ios::binary};
   if (!file) return failed(path + ": cannot read the world file: " + std::strerror(errno));
   // One byte past the bound is enough for the parser to refuse it; /dev/zero has no end.
-  std::string text(terrain::kMaxTomlBytes + 1, '\0');
+  std::string text(kMaxTomlBytes + 1, '\0');
   file.read(text.data(), static_cast<std::streamsize>(text.size()));
   text.resize(static_cast<std::size_t>(file.gcount()));
   if (file.bad()) return failed(path + ": cannot read the world file: " + std::strerror(errno));

@@ -1,8 +1,8 @@
-#include <talus/terrain/toml_bounds.h>
+#include <talus/toml/toml_bounds.h>
 
 #include <algorithm>
 
-namespace talus::terrain {
+namespace talus {
 
 std::optional<TomlFault> passes_toml_bounds(std::string_view text) {
   if (text.size() > kMaxTomlBytes) {
@@ -34,4 +34,4 @@ std::optional<TomlFault> passes_toml_bounds(std::string_view text) {
   return std::nullopt;
 }
 
-}  // namespace talus::terrain
+}  // namespace talus

@@ -1,19 +1,21 @@
-// Numbers that many threads add to and one reads now and then: no locks, nothing waits.
+// Counters, gauges and histograms that many threads update and one reads now and then. No locks; no call
+// waits.
 #pragma once
 
 #include <array>
 #include <atomic>
+#include <cassert>
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
 
 namespace talus::server {
 
-/// Threads add in stripes apart, as a line of memory that cores take from each other costs more than the
-/// addition.
+/// Each thread adds to one of kStripes copies, and a read sums them up: a cache line that cores take from
+/// each other costs more than the addition.
 inline constexpr std::size_t kStripes = 4;
 inline constexpr std::size_t kStripeBytes = 64;
-/// This thread's; threads take them in turn.
+/// The stripe of the calling thread. Threads get them in turn.
 [[nodiscard]] std::size_t stripe();
 
 /// A total that only grows.
@@ -29,8 +31,26 @@ class Counter {
   std::array<Stripe, kStripes> stripes_;
 };
 
+/// A counter for each value of a label. The module that counts numbers the values from 0, by an enum of its
+/// own, and gives their names to the metrics page (MetricLabels).
+class LabelledCounters {
+ public:
+  static constexpr std::size_t kMaxValues = 24;
+
+  template <typename Value>
+  [[nodiscard]] Counter& operator[](Value value) {
+    const auto index = static_cast<std::size_t>(value);
+    assert(index < kMaxValues);
+    return counters_[index];
+  }
+  [[nodiscard]] std::uint64_t total(std::size_t value) const { return counters_[value].total(); }
+
+ private:
+  std::array<Counter, kMaxValues> counters_;
+};
+
 /// How many there are now.
-class Level {
+class Gauge {
  public:
   void rise() { now_.fetch_add(1, std::memory_order_relaxed); }
   void fall() { now_.fetch_sub(1, std::memory_order_relaxed); }
@@ -40,19 +60,19 @@ class Level {
   std::atomic<std::int64_t> now_{0};
 };
 
-/// How many things took how long, in buckets three to a decade.
-class LatencyTally {
+/// How often a time fell into each bucket. Three buckets a decade.
+class LatencyHistogram {
  public:
-  /// Inclusive upper bounds; what is longer than the last counts beyond all of them.
+  /// Inclusive upper bounds. The last bucket, without a bound, takes longer times.
   static constexpr std::array<double, 19> kBoundsSeconds{1e-5, 2e-5, 5e-5, 1e-4, 2e-4, 5e-4, 1e-3,
                                                          2e-3, 5e-3, 0.01, 0.02, 0.05, 0.1,  0.2,
                                                          0.5,  1.0,  2.0,  5.0,  10.0};
 
-  /// `things` that took so long each.
-  void add(std::chrono::nanoseconds time, std::uint64_t things = 1);
+  /// Adds `count` samples of the same time. A negative time counts as 0.
+  void add(std::chrono::nanoseconds time, std::uint64_t count = 1);
 
   struct Reading {
-    std::array<std::uint64_t, kBoundsSeconds.size() + 1> counts{};  // of each bucket alone
+    std::array<std::uint64_t, kBoundsSeconds.size() + 1> counts{};  // of each bucket, not cumulative
     double sum_seconds = 0;
   };
   [[nodiscard]] Reading read() const;

@@ -1,0 +1,77 @@
+// The page that Prometheus reads: one table of every metric with its name, help, type, labels and value.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "metrics/metrics.h"
+#include "metrics/process.h"
+
+namespace talus::server {
+
+/// What other modules report when the page is read.
+struct RuntimeGauges {
+  std::uint64_t jobs = 0;             // chunks that wait for a generator, or are in one
+  std::uint64_t waiting_clients = 0;  // with a job in the queue
+  std::uint64_t chunk_cache_bytes = 0;
+  std::uint64_t patch_cache_bytes = 0;
+  bool draining = false;
+  std::vector<std::uint64_t> memory_bytes{};  // by use, as MetricLabels::memory_uses names them
+  std::uint64_t memory_limit_bytes = 0;       // 0: none
+  std::int64_t certificate_expires = 0;       // seconds since 1970; 0: no TLS
+};
+
+/// Names of the values that modules count by, in the order of their enums. A value with an empty name is left
+/// out. The texts outlive the page.
+struct MetricLabels {
+  using Names = std::span<const std::string_view>;
+  Names refusals{};       // of Metrics::refused
+  Names error_codes{};    // of Metrics::errors
+  Names auth_failures{};  // of Metrics::auth_failures
+  Names rates{};          // of Metrics::throttled_by
+  Names memory_uses{};    // of RuntimeGauges::memory_bytes
+};
+
+struct BuildInfo {
+  std::string version;
+  std::uint64_t generator = 0;
+  std::string fingerprint;
+  std::string instruction_set;
+};
+
+/// All that a page is made of.
+struct MetricSources {
+  const Metrics& metrics;
+  const RuntimeGauges& gauges;
+  const ProcessReading& process;
+  const BuildInfo& build;
+  const MetricLabels& labels;
+};
+
+/// One value of a metric, with a value for each label in the row.
+struct Sample {
+  double value = 0;
+  std::vector<std::string> labels{};
+  const LatencyHistogram* histogram = nullptr;  // instead of `value`
+};
+
+enum class MetricType : std::uint8_t { counter, gauge, histogram };
+
+struct MetricRow {
+  std::string_view name;
+  std::string_view help;
+  MetricType type;
+  std::vector<std::string_view> labels;
+  std::vector<Sample> (*read)(const MetricSources&);  // none: the metric is left out
+};
+
+/// In the order of the page.
+[[nodiscard]] std::span<const MetricRow> metric_rows();
+
+/// In Prometheus' text format, version 0.0.4.
+[[nodiscard]] std::string metrics_page(const MetricSources& sources);
+
+}  // namespace talus::server

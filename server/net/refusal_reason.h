@@ -1,0 +1,21 @@
+// Why a connection is refused before it has a session.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string_view>
+
+namespace talus::server {
+
+enum class Refusal : std::uint8_t {
+  places,      // too many connections, in all or from its address
+  memory,      // the memory budget is used up
+  pace,        // its address begins connections too fast
+  handshakes,  // too many handshakes in flight
+  proxy,       // a proxy that sent no valid PROXY header
+};
+/// As operators read them: the label `reason` of talus_connections_refused_total.
+inline constexpr std::array<std::string_view, 5> kRefusalNames{"places", "memory", "pace", "handshakes",
+                                                               "proxy"};
+
+}  // namespace talus::server

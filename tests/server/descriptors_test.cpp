@@ -1,0 +1,48 @@
+// The limit of open files. What changes the process runs in a child process.
+#include "net/descriptors.h"
+
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <catch2/catch.hpp>
+
+using namespace talus::server;
+
+namespace {
+
+/// The value that `act` returns in a child process.
+template <typename Act>
+int in_child(Act&& act) {
+  const pid_t child = ::fork();
+  if (child == 0) ::_exit(act());
+  int status = 0;
+  ::waitpid(child, &status, 0);
+  return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+}
+
+}  // namespace
+
+TEST_CASE("the limit of open files becomes what is needed, from above and from below") {
+  const int wrong = in_child([] {
+    rlimit limit{};
+    if (::getrlimit(RLIMIT_NOFILE, &limit) != 0) return 1;
+    const rlim_t most = limit.rlim_max;
+    for (const rlim_t before : {rlim_t{64}, most}) {
+      limit.rlim_cur = before;
+      if (::setrlimit(RLIMIT_NOFILE, &limit) != 0) return 2;
+      if (set_descriptor_limit(200) != 200) return 3;
+      if (::getrlimit(RLIMIT_NOFILE, &limit) != 0 || limit.rlim_cur != 200 || limit.rlim_max != most)
+        return 4;
+    }
+    limit = {100, 150};
+    if (::setrlimit(RLIMIT_NOFILE, &limit) != 0) return 5;
+    return set_descriptor_limit(200) == 150 ? 0 : 6;
+  });
+  CHECK(wrong == 0);
+}
+
+TEST_CASE("a server needs a descriptor for each connection, and few besides") {
+  CHECK(descriptors_needed(2048, 2) == 2048 + 128 + 6);
+  CHECK(descriptors_needed(1, 1024) == 1 + 128 + 3 * 1024);
+}

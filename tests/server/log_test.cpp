@@ -1,0 +1,51 @@
+// Log lines: untrusted text in them, and their JSON form.
+#include <algorithm>
+#include <string>
+
+#include <rapidcheck.h>
+#include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
+
+#include "log/escape.h"
+#include "log/json_lines.h"
+
+using namespace talus::server;
+
+namespace {
+
+std::string json_line(const std::string& text) {
+  spdlog::memory_buf_t out;
+  JsonLines{}.format({"talusd", spdlog::level::warn, text}, out);
+  return {out.data(), out.size()};
+}
+
+}  // namespace
+
+TEST_CASE("escaped text is printable ASCII and bounded, whatever it was") {
+  CHECK(rc::check([](const std::string& text) {
+    const std::string safe = escaped(text, 20);
+    RC_ASSERT(safe.size() <= 20 * 4 + 3);
+    for (const char c : safe) RC_ASSERT(c >= ' ' && c <= '~');
+  }));
+}
+
+TEST_CASE("printable text is left as it is") {
+  CHECK(escaped("talus-client 1.0 (x86)") == "talus-client 1.0 (x86)");
+  CHECK(escaped("a\nb\"\\") == "a\\x0ab\\x22\\x5c");
+}
+
+TEST_CASE("a cut text ends in dots, and one that just fits does not") {
+  CHECK(escaped("12345", 5) == "12345");
+  CHECK(escaped("123456", 5) == "12345...");
+}
+
+TEST_CASE("a log line is one JSON object, whatever its text") {
+  const std::string text = GENERATE(as<std::string>{}, "plain", "a \"quote\"\nand a line",
+                                    "not UTF-8: \xff\xfe", std::string{"nul\0here", 8});
+  const std::string line = json_line(text);
+  CHECK(std::count(line.begin(), line.end(), '\n') == 1);
+  const auto object = nlohmann::json::parse(line);
+  CHECK(object.at("level") == "warning");
+  if (text.find('\xff') == std::string::npos) CHECK(object.at("text") == text);
+  CHECK(object.at("time").get<std::string>().size() == std::string{"2026-01-01T00:00:00.000Z"}.size());
+}
