@@ -1,46 +1,52 @@
-// The operators' HTTP: /metrics, /-/healthy, /-/ready. Nothing of it is for players or for the open network.
+// The operators' HTTP server, on a thread of its own: whatever players do, it answers. Nothing of it is for
+// players or for the open network.
 #pragma once
 
 #include <cstddef>
-#include <functional>
-#include <memory>
 #include <string>
+#include <thread>
 
 #include <asio/io_context.hpp>
-#include <asio/ip/tcp.hpp>
 #include <tl/expected.hpp>
+
+#include "admin/operators_page.h"
+#include "clock/clock.h"
+#include <talus/protocol/endpoint.h>
+#include "http/connections.h"
+#include "log/logger.h"
+#include "net/acceptor.h"
+#include "net/tcp_stream.h"
 
 namespace talus::server {
 
 class AdminServer {
  public:
   /// Open at once.
-  static constexpr std::size_t kMostConnections = 32;
+  static constexpr std::size_t kMaxConnections = 32;
+  /// Descriptors kept for it: it answers when players have taken all others.
+  static constexpr std::size_t kReservedDescriptors = 4;
 
-  /// Asked on the io_context's thread, for each request.
-  struct Answers {
-    std::function<std::string()> metrics;
-    std::function<bool()> ready;  // false: clients are not to be sent here
-  };
-
-  /// Listens and serves on `io`, which one thread runs and which outlives it. An error says what is wrong
-  /// with the address.
-  [[nodiscard]] static tl::expected<AdminServer, std::string> open(asio::io_context& io,
-                                                                   const asio::ip::tcp::endpoint& wanted,
-                                                                   Answers answers);
-
-  AdminServer(AdminServer&&) noexcept;
-  AdminServer& operator=(AdminServer&&) noexcept;
-  /// On the io_context's thread, or when that has ended.
+  /// `clock` outlives it.
+  AdminServer(const Clock& clock, Logger log);
+  /// Ends the thread.
   ~AdminServer();
+  AdminServer(const AdminServer&) = delete;
+  AdminServer& operator=(const AdminServer&) = delete;
 
-  /// With the port that it got.
-  [[nodiscard]] const asio::ip::tcp::endpoint& address() const;
+  /// Opens the listening socket; returns its address with the real port, or why not.
+  [[nodiscard]] tl::expected<std::string, std::string> listen(const protocol::Endpoint& wanted);
+  /// Starts the thread, on which `answers` are asked; once, after listen().
+  void start(OperatorAnswers answers);
 
  private:
-  struct Http;
-  explicit AdminServer(std::unique_ptr<Http> http);
-  std::unique_ptr<Http> http_;
+  void run();
+
+  Logger log_;
+  asio::io_context io_{1};
+  Acceptor acceptor_;
+  http::Service service_;
+  http::Connections<TcpStream> connections_;
+  std::thread thread_;
 };
 
 }  // namespace talus::server

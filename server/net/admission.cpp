@@ -16,33 +16,34 @@ asio::ip::address counted_as(const asio::ip::address& address) {
   return asio::ip::address_v6{bytes};
 }
 
-Admission::Admission(std::size_t most, std::size_t most_per_address, std::chrono::milliseconds memory)
-    : most_{most}, most_per_address_{most_per_address}, memory_{memory} {}
+Admission::Admission(std::size_t max, std::size_t max_per_address, std::chrono::milliseconds memory,
+                     const Clock& clock)
+    : max_{max}, max_per_address_{max_per_address}, memory_{memory}, clock_{clock} {}
 
-Admission::Place::Place(Place&& other) noexcept
+Admission::Slot::Slot(Slot&& other) noexcept
     : admission_{std::exchange(other.admission_, nullptr)},
       counted_{std::move(other.counted_)},
       rates_{std::move(other.rates_)} {}
 
-Admission::Place::~Place() {
+Admission::Slot::~Slot() {
   if (admission_ != nullptr) admission_->leave(counted_);
 }
 
-tl::expected<Admission::Place, std::string> Admission::enter(const asio::ip::address& address) {
+tl::expected<Admission::Slot, std::string> Admission::enter(const asio::ip::address& address) {
   const asio::ip::address counted = counted_as(address);
   const std::lock_guard lock{mutex_};
-  if (connections_ >= most_) {
-    return tl::make_unexpected(fmt::format("this server has {} connections, all it takes", most_));
+  if (connections_ >= max_) {
+    return tl::make_unexpected(fmt::format("this server has {} connections, all it takes", max_));
   }
   forget();
   Address& here = by_address_[counted];
-  if (here.connections >= most_per_address_) {
+  if (here.connections >= max_per_address_) {
     return tl::make_unexpected(fmt::format(
-        "your address has {} connections, all that this server takes from one", most_per_address_));
+        "your address has {} connections, all that this server takes from one", max_per_address_));
   }
   ++here.connections;
   ++connections_;
-  return Place{*this, counted, here.rates};
+  return Slot{*this, counted, here.rates};
 }
 
 std::size_t Admission::connections() const {
@@ -55,7 +56,7 @@ void Admission::leave(const asio::ip::address& counted) {
   --connections_;
   Address& here = by_address_.at(counted);
   if (--here.connections == 0) {
-    here.forget_at = Clock::now() + memory_;
+    here.forget_at = clock_.now() + memory_;
     if (!std::exchange(here.listed, true)) left_.push_back(counted);
   }
   forget();
@@ -66,7 +67,7 @@ void Admission::forget() {
     const auto first = by_address_.find(left_.front());
     if (first->second.connections > 0) {
       first->second.listed = false;
-    } else if (first->second.forget_at <= Clock::now() || left_.size() > kMostRemembered) {
+    } else if (first->second.forget_at <= clock_.now() || left_.size() > kMaxRemembered) {
       by_address_.erase(first);
     } else {
       return;

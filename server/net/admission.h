@@ -11,6 +11,7 @@
 #include <asio/ip/address.hpp>
 #include <tl/expected.hpp>
 
+#include "clock/clock.h"
 #include "rates/rates.h"
 
 namespace talus::server {
@@ -22,19 +23,21 @@ namespace talus::server {
 class Admission {
  public:
   /// Addresses without a connection whose rates are remembered, so that coming back does not fill them.
-  static constexpr std::size_t kMostRemembered = 4096;
+  static constexpr std::size_t kMaxRemembered = 4096;
 
   /// An address is remembered for `memory` after its last connection: as long as its rates need to fill.
-  Admission(std::size_t most, std::size_t most_per_address, std::chrono::milliseconds memory = {});
+  /// `clock` outlives it.
+  Admission(std::size_t max, std::size_t max_per_address, std::chrono::milliseconds memory,
+            const Clock& clock);
 
-  /// A connection's place; leaving it is giving it back. Must not outlive its Admission.
-  class Place {
+  /// Counts as one connection until it is destroyed. Must not outlive its Admission.
+  class Slot {
    public:
-    Place(Admission& admission, const asio::ip::address& counted, AddressBucketsPtr rates)
+    Slot(Admission& admission, const asio::ip::address& counted, AddressBucketsPtr rates)
         : admission_{&admission}, counted_{counted}, rates_{std::move(rates)} {}
-    Place(Place&& other) noexcept;
-    Place& operator=(Place&&) = delete;
-    ~Place();
+    Slot(Slot&& other) noexcept;
+    Slot& operator=(Slot&&) = delete;
+    ~Slot();
 
     /// Shared with the address's other connections.
     [[nodiscard]] const AddressBucketsPtr& rates() const { return rates_; }
@@ -45,15 +48,14 @@ class Admission {
     AddressBucketsPtr rates_;
   };
 
-  /// A place, or a line that says which limit is reached.
-  [[nodiscard]] tl::expected<Place, std::string> enter(const asio::ip::address& address);
+  /// A slot, or a line that says which limit is reached.
+  [[nodiscard]] tl::expected<Slot, std::string> enter(const asio::ip::address& address);
 
   [[nodiscard]] std::size_t connections() const;
   /// With a connection, or remembered.
   [[nodiscard]] std::size_t addresses() const;
 
  private:
-  using Clock = std::chrono::steady_clock;
   struct Address {
     std::size_t connections = 0;
     AddressBucketsPtr rates = std::make_shared<AddressBuckets>();
@@ -64,13 +66,14 @@ class Admission {
   void leave(const asio::ip::address& counted);
   void forget();
 
-  const std::size_t most_;
-  const std::size_t most_per_address_;
+  const std::size_t max_;
+  const std::size_t max_per_address_;
   const std::chrono::milliseconds memory_;
+  const Clock& clock_;
   mutable std::mutex mutex_;
   std::size_t connections_ = 0;
   std::map<asio::ip::address, Address> by_address_;
-  std::deque<asio::ip::address> left_;  // who had no connection, each once; some are back
+  std::deque<asio::ip::address> left_;  // without a connection, each once; some are back
 };
 
 }  // namespace talus::server

@@ -4,18 +4,17 @@
 
 #include <algorithm>
 
-#include "admin/admin_server.h"
-#include "net/refusal.h"
+#include "net/refusals.h"
 
 namespace talus::server {
 
-std::uint64_t descriptors_needed(std::uint64_t connections, std::size_t io_threads) {
+std::uint64_t descriptors_needed(std::uint64_t sockets, std::size_t io_contexts) {
   // An io_context's: what it waits on, a timer and an alarm.
-  constexpr std::uint64_t kPerThread = 3;
-  // Standard streams, listening sockets, the signals' pipe, the store, key files while they are read, and
-  // what libraries open.
+  constexpr std::uint64_t kPerContext = 3;
+  // Standard streams, listening sockets, the signals' pipe, the store, key files while they are read, and what
+  // libraries open.
   constexpr std::uint64_t kOwn = 32;
-  return connections + Refusals::kMost + AdminServer::kMostConnections + kPerThread * io_threads + kOwn;
+  return sockets + Refusals::kMax + kPerContext * io_contexts + kOwn;
 }
 
 std::uint64_t set_descriptor_limit(std::uint64_t wanted) {

@@ -6,8 +6,8 @@
 
 namespace talus::server {
 
-/// What a server of so many connections and io threads needs, its own listening sockets and files included.
-[[nodiscard]] std::uint64_t descriptors_needed(std::uint64_t connections, std::size_t io_threads);
+/// What a server of so many sockets and io_contexts needs, its listening sockets and files included.
+[[nodiscard]] std::uint64_t descriptors_needed(std::uint64_t sockets, std::size_t io_contexts);
 
 /// Sets the process's own limit of open files to `wanted`, or to what the system allows it if that is less;
 /// returns what it is now.

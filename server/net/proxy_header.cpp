@@ -41,7 +41,7 @@ tl::expected<ProxyPrefix, std::string_view> read_proxy_prefix(
   const unsigned family = std::to_integer<unsigned>(bytes[13]);
   ProxyPrefix prefix{Origin::peer, big_endian(bytes.subspan<14, 2>())};
   if (command > 1) return wrong("sent a PROXY header with an unknown command");
-  if (prefix.body_bytes > kMostProxyBodyBytes) return wrong("sent a PROXY header of over 1,024 bytes");
+  if (prefix.body_bytes > kMaxProxyBodyBytes) return wrong("sent a PROXY header of over 1,024 bytes");
   if (command == 0 || family == 0x00) return prefix;
   if (family != 0x11 && family != 0x21)
     return wrong("sent a PROXY header of neither TCP over IPv4 nor over IPv6");

@@ -15,7 +15,7 @@ namespace talus::server {
 
 inline constexpr std::size_t kProxyPrefixBytes = 16;
 /// Of what follows the prefix: an address, and whatever else proxies add. 520 must be taken (section 2.2).
-inline constexpr std::size_t kMostProxyBodyBytes = 1024;
+inline constexpr std::size_t kMaxProxyBodyBytes = 1024;
 
 /// What the first 16 bytes say of the rest.
 struct ProxyPrefix {
@@ -25,7 +25,7 @@ struct ProxyPrefix {
     tcp6,
   };
   Origin origin{};
-  std::uint16_t body_bytes = 0;  // at most kMostProxyBodyBytes
+  std::uint16_t body_bytes = 0;  // at most kMaxProxyBodyBytes
 };
 
 /// The error says what is wrong, as the end of a sentence about the peer.

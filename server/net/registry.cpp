@@ -4,34 +4,47 @@
 
 namespace talus::server {
 
-void Registry::add(ConnectionId id, const std::shared_ptr<Connection>& connection) {
-  const std::lock_guard lock{mutex_};
-  connections_.emplace(id, connection);
+void Registry::add(ConnectionId id, const std::shared_ptr<Peer>& peer) {
+  std::optional<Farewell> farewell;
+  {
+    const std::lock_guard lock{mutex_};
+    peers_.emplace(id, peer);
+    farewell = farewell_;
+  }
+  if (farewell) peer->go_away(farewell->reason, farewell->retry_after);
 }
 
 void Registry::remove(ConnectionId id) {
   std::function<void()> empty;
   {
     const std::lock_guard lock{mutex_};
-    connections_.erase(id);
-    if (connections_.empty()) empty = std::exchange(empty_, nullptr);
+    peers_.erase(id);
+    if (peers_.empty()) empty = std::exchange(empty_, nullptr);
   }
   if (empty) empty();
 }
 
-std::vector<std::shared_ptr<Connection>> Registry::all() const {
+bool Registry::empty() const {
   const std::lock_guard lock{mutex_};
-  std::vector<std::shared_ptr<Connection>> open;
-  for (const auto& [id, connection] : connections_) {
-    if (auto alive = connection.lock()) open.push_back(std::move(alive));
+  return peers_.empty();
+}
+
+void Registry::tell_all_to_go(const std::string& reason, std::chrono::milliseconds retry_after) {
+  std::vector<std::shared_ptr<Peer>> open;
+  {
+    const std::lock_guard lock{mutex_};
+    farewell_ = Farewell{reason, retry_after};
+    for (const auto& [id, peer] : peers_) {
+      if (auto alive = peer.lock()) open.push_back(std::move(alive));
+    }
   }
-  return open;
+  for (const auto& peer : open) peer->go_away(reason, retry_after);
 }
 
 void Registry::when_empty(std::function<void()> empty) {
   {
     const std::lock_guard lock{mutex_};
-    if (!connections_.empty()) {
+    if (!peers_.empty()) {
       empty_ = std::move(empty);
       return;
     }

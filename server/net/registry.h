@@ -1,31 +1,51 @@
 // Every open connection, so that the server can speak to all of them. Callable from any thread.
 #pragma once
 
+#include <chrono>
 #include <cstdint>
 #include <functional>
 #include <memory>
 #include <mutex>
+#include <optional>
+#include <string>
 #include <unordered_map>
 #include <vector>
 
 namespace talus::server {
 
-class Connection;
+/// Never used twice in one process.
 using ConnectionId = std::uint64_t;
+
+/// What the server says to a connection, whatever its stream and protocol are.
+class Peer {
+ public:
+  virtual ~Peer() = default;
+  /// From any thread: says so and closes when what was asked is answered.
+  virtual void go_away(const std::string& reason, std::chrono::milliseconds retry_after) = 0;
+};
 
 class Registry {
  public:
-  void add(ConnectionId id, const std::shared_ptr<Connection>& connection);
+  /// Once tell_all_to_go() was called the peer is told at once.
+  void add(ConnectionId id, const std::shared_ptr<Peer>& peer);
   void remove(ConnectionId id);
+  [[nodiscard]] bool empty() const;
 
-  [[nodiscard]] std::vector<std::shared_ptr<Connection>> all() const;
+  /// Tells all peers to go away, and those that are added from now on.
+  void tell_all_to_go(const std::string& reason, std::chrono::milliseconds retry_after);
 
   /// Calls `empty` once, in any thread, when no connection is open: at once if there is none now.
   void when_empty(std::function<void()> empty);
 
  private:
+  struct Farewell {
+    std::string reason;
+    std::chrono::milliseconds retry_after;
+  };
+
   mutable std::mutex mutex_;
-  std::unordered_map<ConnectionId, std::weak_ptr<Connection>> connections_;
+  std::unordered_map<ConnectionId, std::weak_ptr<Peer>> peers_;
+  std::optional<Farewell> farewell_;
   std::function<void()> empty_;
 };
 

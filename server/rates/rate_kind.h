@@ -1,7 +1,8 @@
-// Which rate: those of config.h's Rates, in the same order.
+// The rates that an operator sets, by name.
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <string_view>
 
@@ -15,8 +16,13 @@ enum class RateKind : std::uint8_t {
   address_bytes,
   address_requests
 };
-inline constexpr std::array<std::string_view, 6> kRateNames{"session_chunks",   "session_bytes",
-                                                            "session_requests", "address_chunks",
-                                                            "address_bytes",    "address_requests"};
+
+/// Their keys in the section [rates] of the configuration, and their label in metrics.
+inline constexpr std::array<std::string_view, 6> kRateNames{"session_chunks", "session_bytes", "session_requests",
+                                                       "address_chunks", "address_bytes", "address_requests"};
+
+[[nodiscard]] constexpr std::string_view name(RateKind kind) {
+  return kRateNames[static_cast<std::size_t>(kind)];
+}
 
 }  // namespace talus::server

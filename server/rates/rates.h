@@ -1,32 +1,26 @@
-// What holds a session back: its own rates, and those of its address, which it shares with the address's
-// other sessions. No I/O; time is passed in.
+// What throttles a session: its own rates, and those of its address, which all sessions of the address share.
+// No I/O. The caller passes the time.
 #pragma once
 
-#include <array>
 #include <atomic>
+#include <chrono>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <optional>
 
-#include "config/config.h"
-#include "metrics/metrics.h"
 #include "rates/rate_kind.h"
 #include "rates/token_bucket.h"
-#include "stream/outbox.h"
 
 namespace talus::server {
 
-/// What is counted: requests when they come, chunks and all bytes when they go.
+/// Requests count when they arrive, chunks and bytes (of all frames) when they are written.
 struct RateSet {
   Rate chunks, bytes, requests;
 };
 struct RateLimits {
   RateSet session, address;
 };
-inline constexpr RateLimits kUnlimited{};
-
-[[nodiscard]] RateLimits rate_limits(const Rates& config);
 
 /// Shared by the sessions of one address, on any thread, without a lock.
 struct AddressBuckets {
@@ -34,34 +28,43 @@ struct AddressBuckets {
 };
 using AddressBucketsPtr = std::shared_ptr<AddressBuckets>;
 
+/// Of one session, and of its thread.
 class SessionRates {
  public:
   using Time = TokenBucket::Time;
 
-  /// Without `address` no address is limited. `limits` and `metrics` outlive it.
-  SessionRates(const RateLimits& limits, AddressBucketsPtr address, Metrics& metrics);
+  /// `limits` outlives it. `address` null: no rate of an address applies.
+  SessionRates(const RateLimits& limits, AddressBucketsPtr address);
 
   struct Refusal {
     RateKind kind{};
-    std::chrono::nanoseconds wait{};  // until there is room for one
-    bool flooding = false;  // refused as often as a rested session may ask at once, and still asking
+    std::chrono::nanoseconds wait{};  // until one request is granted
+    bool abusive = false;             // refused a whole burst of requests, and still asking
   };
-  /// One request more; none where it may be worked on.
+  /// Counts one request. None: it is granted.
   [[nodiscard]] std::optional<Refusal> refuse_request(Time now);
 
-  /// When the next chunk may go; `now` at once.
-  [[nodiscard]] Time chunks_due(Time now);
+  struct Due {
+    Time at;                              // when the next chunk may go; `now`: at once
+    std::optional<RateKind> throttled{};  // where this call is the first to say "later"
+  };
+  [[nodiscard]] Due chunks_due(Time now);
 
-  /// What may go now.
-  [[nodiscard]] ChunkAllowance allowance(Time now) const;
+  /// How much of chunks may go now. The last chunk may pass `bytes`.
+  struct Allowance {
+    std::size_t chunks = SIZE_MAX;
+    std::size_t bytes = SIZE_MAX;
+  };
+  [[nodiscard]] Allowance allowance(Time now) const;
+  /// `bytes` are those of all frames, chunks or not.
   void sent(Time now, std::size_t chunks, std::size_t bytes);
 
  private:
   const RateLimits& limits_;
   AddressBucketsPtr address_;
-  Metrics& metrics_;
-  TokenBucket chunks_, bytes_, requests_, refusals_;
-  bool held_ = false;  // noted in metrics_ once, when it begins
+  TokenBucket chunks_, bytes_, requests_;
+  TokenBucket refusals_;  // at the rate of requests; empty: the client is abusive
+  bool throttled_ = false;
 };
 
 }  // namespace talus::server

@@ -1,4 +1,5 @@
-// How much of something may go a second, with what was saved up before. Pure: time is passed in.
+// A token bucket: how many of something may go a second, and how many at once after a pause. The one rate
+// limiter of the server. Pure: the caller passes the time.
 #pragma once
 
 #include <chrono>
@@ -6,36 +7,41 @@
 
 namespace talus::server {
 
-/// Tokens a second, at most 2^32 - 1, and how many are saved up while none are taken. 0 a second: no limit.
+/// `per_second` tokens are earned a second, at most 2^32 - 1; at most `burst` are kept. 0 a second: no limit.
 struct Rate {
   std::uint64_t per_second = 0;
   std::uint64_t burst = 0;
+
+  /// The burst is what the rate earns in `pause`, at least 1 token.
+  [[nodiscard]] static Rate with_burst_of(std::uint64_t per_second, std::chrono::milliseconds pause);
+
   [[nodiscard]] bool limited() const { return per_second != 0; }
   bool operator==(const Rate&) const = default;
 };
 
-/// Between any two moments no more goes out than burst + per_second * seconds, rounded up to a whole token,
-/// but for what spend() overdraws, which is waited for afterwards. What a moment has earned is computed from
-/// the clock itself, so nothing drifts however often it is asked. Begins full.
+/// Invariant: between any two moments take() grants at most burst + per_second * seconds, rounded up to a
+/// whole token. spend() may overdraw; later calls wait until the debt is paid. The state is an absolute count,
+/// so rounding never accumulates. A new bucket is full.
 ///
-/// One word, so that threads may share it as std::atomic<TokenBucket>.
+/// The state is one word: threads may share a bucket as std::atomic<TokenBucket>. Every call on one bucket
+/// must pass the same Rate.
 class TokenBucket {
  public:
   using Time = std::chrono::steady_clock::time_point;  // not before the clock's zero
 
-  /// Takes them all, or none.
+  /// Takes all `tokens` and returns true, or takes none and returns false.
   [[nodiscard]] bool take(const Rate& rate, Time now, std::uint64_t tokens = 1);
-  /// Takes them, also those that are not there.
+  /// Takes `tokens` even if the bucket has fewer.
   void spend(const Rate& rate, Time now, std::uint64_t tokens);
 
-  /// Tokens that are there; negative where some were taken in advance. Of a Rate with a limit.
+  /// Tokens in the bucket; negative when overdrawn. `rate` must have a limit.
   [[nodiscard]] std::int64_t level(const Rate& rate, Time now) const;
-  /// How long until so many are there, all other things equal: zero at once. No more than a burst ever are.
+  /// How long until the bucket has `tokens`, if nobody takes any meanwhile; 0: it has them now. A bucket never
+  /// has more than a burst, so more than a burst is waited for as a burst.
   [[nodiscard]] std::chrono::nanoseconds wait(const Rate& rate, Time now, std::uint64_t tokens = 1) const;
 
  private:
-  // Of all that the rate has earned since the clock's zero, how much is gone: taken, or earned in vain when
-  // the bucket was full.
+  // Of all tokens earned since the clock's zero, how many are gone: taken, or lost because the bucket was full.
   std::int64_t gone_ = INT64_MIN;
 };
 

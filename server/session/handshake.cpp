@@ -14,7 +14,7 @@
 namespace talus::server {
 namespace {
 
-constexpr std::size_t kCodecsNamed = 16;  // of a client's list, in the text of an error
+constexpr std::size_t kMaxCodecsNamed = 16;  // of a client's list, in the text of an error
 
 std::string versions(unsigned oldest, unsigned newest) {
   return oldest == newest ? fmt::format("version {}", oldest)
@@ -30,7 +30,7 @@ Rejection no_common_protocol(const wire::Hello& hello) {
 
 Rejection no_common_codec(const std::vector<unsigned>& codecs) {
   const auto named =
-      codecs.size() <= kCodecsNamed ? codecs : std::vector(codecs.begin(), codecs.begin() + kCodecsNamed);
+      codecs.size() <= kMaxCodecsNamed ? codecs : std::vector(codecs.begin(), codecs.begin() + kMaxCodecsNamed);
   return {wire::ErrorCode::version,
           fmt::format("this server sends chunk codec {}, this client decodes {}", unsigned{kCodecVersion},
                       codecs.empty() ? "none" : fmt::format("{}", fmt::join(named, ", ")))};
@@ -42,7 +42,7 @@ bool too_long(const flatbuffers::String* text) {
 
 }  // namespace
 
-tl::expected<Greeting, Rejection> greet(const wire::Hello& hello, const Limits& limits,
+tl::expected<Greeting, Rejection> greet(const wire::Hello& hello, const SessionLimits& limits,
                                         const AccessControl& access, std::chrono::sys_seconds now) {
   const std::uint16_t chosen = protocol::choose_protocol(hello.protocol_min(), hello.protocol_max());
   if (chosen == 0) return tl::make_unexpected(no_common_protocol(hello));
@@ -62,7 +62,7 @@ tl::expected<Greeting, Rejection> greet(const wire::Hello& hello, const Limits& 
   if (!grant) {
     const AuthFailure failure = grant.error().failure;
     return tl::make_unexpected(Rejection{wire::ErrorCode::unauthorized, std::string{describe(failure)},
-                                         std::move(grant.error().reason), failure});
+                                         std::move(grant.error().why), failure});
   }
   const std::uint64_t window = hello.window_bytes() == 0 ? limits.window_bytes : hello.window_bytes();
   return Greeting{chosen, kCodecVersion, std::min<std::uint64_t>(window, limits.window_bytes),

@@ -1,9 +1,8 @@
-// What a Hello is answered with. Pure.
+// Decides about a Hello. Pure.
 #pragma once
 
 #include <chrono>
 #include <cstdint>
-#include <optional>
 #include <string>
 
 #include <tl/expected.hpp>
@@ -11,29 +10,22 @@
 #include <talus/protocol/message.h>
 
 #include "access/access_control.h"
-#include "config/config.h"
+#include "session/rejection.h"
+#include "session/session_limits.h"
 
 namespace talus::server {
 
-/// What both sides will speak.
+/// What client and server agreed on.
 struct Greeting {
   std::uint16_t protocol = 0;
   std::uint8_t codec = 0;
   std::uint64_t window_bytes = 0;
-  std::string client;  // as it came: escape before logging
+  std::string client;  // as the client sent it: escape it before logging
   Grant grant;
 };
 
-/// Why the connection closes.
-struct Rejection {
-  wire::ErrorCode code{};
-  std::string text;
-  std::string why{};                          // more, for the log alone
-  std::optional<AuthFailure> auth_failure{};  // where the token is the reason
-};
-
-/// The token is looked at last, as of `now`.
-[[nodiscard]] tl::expected<Greeting, Rejection> greet(const wire::Hello& hello, const Limits& limits,
+/// Checks versions, codec, the length of texts, and last the token, which must be valid at `now`.
+[[nodiscard]] tl::expected<Greeting, Rejection> greet(const wire::Hello& hello, const SessionLimits& limits,
                                                       const AccessControl& access,
                                                       std::chrono::sys_seconds now);
 

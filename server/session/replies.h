@@ -1,32 +1,53 @@
-// Everything but Chunk that the server says, as frames.
+// Puts control frames into a session's outbox, and counts them.
 #pragma once
 
+#include <chrono>
 #include <cstdint>
-#include <span>
 #include <string_view>
 #include <vector>
 
 #include <talus/protocol/message.h>
 #include <talus/voxel/coords.h>
 
-#include "config/config.h"
-#include "session/handshake.h"
-#include "session/world_info.h"
+#include "metrics/metrics.h"
+#include "session/reply_frames.h"
+#include "view/outbox.h"
 
 namespace talus::server {
 
-[[nodiscard]] protocol::Frame welcome_frame(const Greeting& greeting, const WorldInfo& world,
-                                            const Limits& limits);
-/// Why new work is refused near limits.memory_bytes.
-inline constexpr std::string_view kNoMemory = "this server's memory is all in use";
+class Replies {
+ public:
+  Replies(Outbox& outbox, Metrics& metrics) : outbox_{outbox}, metrics_{metrics} {}
 
-/// `request_id` 0: not about a request. `retry_after_ms` 0: retrying does not help.
-[[nodiscard]] protocol::Frame error_frame(wire::ErrorCode code, std::string_view text,
-                                          std::uint32_t request_id = 0, std::uint32_t retry_after_ms = 0);
-[[nodiscard]] protocol::Frame unchanged_frame(std::uint32_t request_id, ChunkKey key, ContentHash hash);
-[[nodiscard]] protocol::Frame column_frame(ChunkKey column, const std::vector<wire::UniformRun>& runs);
-[[nodiscard]] protocol::Frame heights_frame(std::uint32_t request_id, std::span<const std::int32_t> heights);
-[[nodiscard]] protocol::Frame pong_frame(std::uint64_t nonce);
-[[nodiscard]] protocol::Frame go_away_frame(std::string_view reason, std::uint32_t retry_after_ms);
+  void welcome(const Greeting& greeting, const WorldInfo& world, const SessionLimits& limits) {
+    outbox_.push_control(welcome_frame(greeting, world, limits));
+  }
+  /// `request_id` 0: about no request.
+  void error(std::uint32_t request_id, wire::ErrorCode code, std::string_view text,
+             std::chrono::milliseconds retry_after = retry_after::kNever) {
+    metrics_.error(code).add();
+    outbox_.push_control(error_frame(code, text, request_id, retry_after));
+  }
+  /// `request_id` 0: for the View.
+  void unchanged(std::uint32_t request_id, ChunkKey key, const EncodedChunk& chunk) {
+    metrics_.unchanged_sent.add();
+    outbox_.push_control(unchanged_frame(request_id, key, chunk));
+  }
+  void column(ChunkKey column, const std::vector<wire::UniformRun>& runs) {
+    metrics_.columns_sent.add();
+    outbox_.push_control(column_frame(column, runs));
+  }
+  void heights(std::uint32_t request_id, const std::vector<std::int32_t>& heights) {
+    outbox_.push_control(heights_frame(request_id, heights));
+  }
+  void pong(std::uint64_t nonce) { outbox_.push_control(pong_frame(nonce)); }
+  void go_away(std::string_view reason, std::chrono::milliseconds retry_after) {
+    outbox_.push_control(go_away_frame(reason, retry_after));
+  }
+
+ private:
+  Outbox& outbox_;
+  Metrics& metrics_;
+};
 
 }  // namespace talus::server

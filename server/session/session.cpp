@@ -1,103 +1,292 @@
 #include "session/session.h"
 
+#include <algorithm>
 #include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 
-#include "session/replies.h"
+#include "session/heights_check.h"
+#include "session/view_check.h"
 
 namespace talus::server {
 
-void Session::receive(std::span<const std::byte> frame, Clock::time_point now) {
+using wire::ErrorCode;
+
+Session::Session(const SessionContext& context, MailboxPtr mailbox, AddressBucketsPtr address)
+    : context_{context},
+      replies_{outbox_, context.metrics},
+      delivery_{context_, std::move(mailbox), replies_, outbox_},
+      rates_{context.rates, std::move(address)},
+      memory_{context.memory, MemoryUse::sessions} {}
+
+// ---- events
+
+void Session::receive(std::span<const std::byte> frame) {
   if (closing()) return;
-  received_at_ = now;
+  received_at_ = context_.clock.now();
   const auto message = protocol::read_message(frame);
-  if (!message) return fail(wire::ErrorCode::malformed, protocol::describe(message.error()));
+  if (!message) return fail(ErrorCode::malformed, protocol::describe(message.error()));
 
   const wire::Message& verified = **message;
   const wire::Body kind = verified.body_type();
-  if (!greeted() && kind != wire::Body::Hello) {
-    return fail(wire::ErrorCode::unexpected,
+  if (state_ == State::connected && kind != wire::Body::Hello) {
+    return fail(ErrorCode::unexpected,
                 fmt::format("the first message must be Hello, not {}", wire::EnumNameBody(kind)));
   }
   switch (kind) {
     case wire::Body::Hello:
-      return on(*verified.body_as_Hello());
+      on(*verified.body_as_Hello());
+      break;
     case wire::Body::View:
-      return on(*verified.body_as_View());
+      on(*verified.body_as_View());
+      break;
     case wire::Body::GetChunks:
-      return on(*verified.body_as_GetChunks());
+      on(*verified.body_as_GetChunks());
+      break;
     case wire::Body::Cancel:
-      return on(*verified.body_as_Cancel());
+      on(*verified.body_as_Cancel());
+      break;
     case wire::Body::GetHeights:
-      return on(*verified.body_as_GetHeights());
+      on(*verified.body_as_GetHeights());
+      break;
     case wire::Body::Credit:
-      return on(*verified.body_as_Credit());
+      on(*verified.body_as_Credit());
+      break;
     case wire::Body::Edit:
-      return on(*verified.body_as_Edit());
+      on(*verified.body_as_Edit());
+      break;
     case wire::Body::Ping:
-      return on(*verified.body_as_Ping());
+      on(*verified.body_as_Ping());
+      break;
     default:
-      return fail(wire::ErrorCode::unexpected,
-                  fmt::format("{} is a message of servers", wire::EnumNameBody(kind)));
+      fail(ErrorCode::unexpected, fmt::format("{} is a message of servers", wire::EnumNameBody(kind)));
   }
+  close_if_left();
 }
 
 void Session::broken_frame(const protocol::FrameError& error) {
   const bool huge = error.claimed_bytes > error.limit_bytes;
-  fail(huge ? wire::ErrorCode::too_large : wire::ErrorCode::malformed, error.message());
+  fail(huge ? ErrorCode::too_large : ErrorCode::malformed, error.message());
 }
 
 void Session::timed_out(std::string_view text) {
-  fail(wire::ErrorCode::timeout, text);
+  fail(ErrorCode::timeout, text);
 }
 
 void Session::token_expired() {
+  if (closing()) return;
   context_.metrics.denied(AuthFailure::expired).add();
-  fail(wire::ErrorCode::unauthorized, describe(AuthFailure::expired));
+  fail(ErrorCode::unauthorized, describe(AuthFailure::expired));
 }
 
-void Session::go_away(std::string_view reason, std::uint32_t retry_after_ms) {
-  if (closing() || going_away_) return;
-  outbox_.push_control(go_away_frame(reason, retry_after_ms));
-  going_away_ = true;
-  next_view_.reset();
-  unseen_views_.clear();
-  known_.clear();
-  drop_from_view(view_.replace({}));
+void Session::take_mail() {
+  delivery_.take_mail();
+  close_if_left();
 }
 
-void Session::fail(wire::ErrorCode code, std::string_view text, std::uint32_t retry_after_ms,
-                   std::string_view why) {
-  if (closing_) return;
-  context_.metrics.error(code).add();
-  outbox_.push_control(error_frame(code, text, 0, retry_after_ms));
-  failure_ = fmt::format("{}: {}", wire::EnumNameErrorCode(code), text);
-  if (!why.empty()) failure_ += fmt::format(" ({})", why);
-  closing_ = true;
-  abandon();
+void Session::go_away(std::string_view reason, std::chrono::milliseconds retry_after) {
+  if (state_ == State::leaving || state_ == State::closed) return;
+  replies_.go_away(reason, retry_after);
+  state_ = State::leaving;
+  delivery_.end_view();
+  close_if_left();
 }
 
 void Session::abandon() {
-  closing_ = true;
-  for (const auto& [key, awaited] : awaited_) context_.chunks.cancel(mailbox_->owner(), key);
-  awaited_.clear();
-  for (const std::uint32_t id : requests_.ids()) {
-    if (const auto ticket = requests_.heights_ticket(id))
-      context_.chunks.cancel_heights(mailbox_->owner(), *ticket);
+  state_ = State::closed;
+  delivery_.abandon();
+}
+
+void Session::fail(ErrorCode code, std::string_view text, std::chrono::milliseconds retry_after,
+                   std::string_view why) {
+  if (closing()) return;
+  replies_.error(0, code, text, retry_after);
+  failure_ = fmt::format("{}: {}", wire::EnumNameErrorCode(code), text);
+  if (!why.empty()) failure_ += fmt::format(" ({})", why);
+  abandon();
+}
+
+void Session::close_if_left() {
+  if (state_ == State::leaving && delivery_.requests().empty()) state_ = State::closed;
+}
+
+void Session::pump() {
+  const Clock::time_point began = context_.clock.now();
+  const std::size_t found = closing() ? 0 : delivery_.start_work();
+  if (found > 0) context_.metrics.hot_latency.add(context_.clock.now() - began, found);
+  close_if_left();
+  note_memory();
+}
+
+// ---- messages
+
+void Session::on(const wire::Hello& hello) {
+  if (state_ != State::connected) return fail(ErrorCode::unexpected, "a second Hello");
+  auto greeting = greet(hello, context_.limits, context_.access, context_.clock.wall());
+  if (!greeting) {
+    const Rejection& rejection = greeting.error();
+    if (rejection.auth_failure) context_.metrics.denied(*rejection.auth_failure).add();
+    return fail(rejection.code, rejection.text, retry_after::kNever, rejection.why);
   }
-  requests_.clear();
-  next_view_.reset();
-  unseen_views_.clear();
-  known_.clear();
-  outbox_.drop_chunks([](const Outbox::Entry&) { return true; });
+  greeting_ = *std::move(greeting);
+  credit_ = Credit{greeting_->window_bytes};
+  replies_.welcome(*greeting_, context_.world, context_.limits);
+  state_ = State::joined;
+}
+
+void Session::on(const wire::View& view) {
+  if (!within_rates(0)) return;
+  auto checked = check_view(view, context_.limits);
+  if (!checked) {
+    const Rejection& rejection = checked.error();
+    if (rejection.code == ErrorCode::malformed) return fail(rejection.code, rejection.text);
+    return replies_.error(0, rejection.code, rejection.text);
+  }
+  if (state_ == State::leaving) return;
+  delivery_.view().request(*std::move(checked));
+  if (view.known() == nullptr) return;
+  for (const wire::KnownChunk* chunk : *view.known()) {
+    const wire::ChunkKey& at = chunk->key();
+    const auto lod = Lod::checked(at.lod());
+    if (!lod) continue;
+    delivery_.view().add_known({{at.x(), at.y(), at.z()}, *lod}, {chunk->hash().low(), chunk->hash().high()});
+  }
+}
+
+void Session::on(const wire::GetChunks& get) {
+  if (get.requests() == nullptr) return;
+  for (const wire::ChunkRequest* request : *get.requests()) {
+    if (closing()) return;
+    on(*request);
+  }
+}
+
+void Session::on(const wire::ChunkRequest& request) {
+  if (request.id() == 0) return fail(ErrorCode::malformed, "ChunkRequest.id is 0; ids begin at 1");
+  if (!admit(request.id())) return;
+  const wire::ChunkKey& at = request.key();
+  const auto lod = Lod::checked(at.lod());
+  if (!lod) return replies_.error(request.id(), ErrorCode::out_of_range, lod.error().message);
+  const auto key = checked_chunk(at.x(), at.y(), at.z(), *lod);
+  if (!key) return replies_.error(request.id(), ErrorCode::out_of_range, key.error().message);
+  std::optional<ContentHash> known;
+  if (request.has_known()) known = ContentHash{request.known().low(), request.known().high()};
+  delivery_.request_chunk(request.id(), {*key, known});
+}
+
+void Session::on(const wire::Cancel& cancel) {
+  if (cancel.ids() == nullptr) return;
+  delivery_.cancel({cancel.ids()->begin(), cancel.ids()->end()});
+}
+
+void Session::on(const wire::GetHeights& get) {
+  if (get.id() == 0) return fail(ErrorCode::malformed, "GetHeights.id is 0; ids begin at 1");
+  if (!admit(get.id())) return;
+  if (!context_.memory.takes_work()) {
+    return replies_.error(get.id(), ErrorCode::overloaded, kNoMemory, retry_after::kBusy);
+  }
+  auto columns = check_heights(get, context_.limits);
+  if (!columns) return replies_.error(get.id(), columns.error().code, columns.error().text);
+  delivery_.request_heights(get.id(), *std::move(columns));
+}
+
+void Session::on(const wire::Credit& credit) {
+  if (auto taken = credit_.taken(credit.total_bytes()); !taken) {
+    fail(ErrorCode::malformed, taken.error().message);
+  }
+}
+
+void Session::on(const wire::Edit& edit) {
+  if (!within_rates(edit.id())) return;
+  if (!greeting_->grant.rights.has(Right::edit)) {
+    return replies_.error(edit.id(), ErrorCode::forbidden,
+                          "this session has no right to edit; its token gives none");
+  }
+  replies_.error(edit.id(), ErrorCode::unsupported, "this server does not take edits yet");
+}
+
+void Session::on(const wire::Ping& ping) {
+  if (within_rates(0)) replies_.pong(ping.nonce());
+}
+
+bool Session::within_rates(std::uint32_t id) {
+  const auto refusal = rates_.refuse_request(received_at_);
+  if (!refusal) return true;
+  context_.metrics.throttled(refusal->kind).add();
+  const auto retry_after = std::chrono::ceil<std::chrono::milliseconds>(refusal->wait);
+  if (refusal->abusive) {
+    fail(ErrorCode::overloaded,
+         fmt::format("flooding: refused by rates.{} and still asking", name(refusal->kind)), retry_after);
+  } else {
+    replies_.error(id, ErrorCode::overloaded, fmt::format("over rates.{}", name(refusal->kind)), retry_after);
+  }
+  return false;
+}
+
+bool Session::admit(std::uint32_t id) {
+  const PendingRequests& requests = delivery_.requests();
+  const bool pending = requests.contains(id);
+  if (!within_rates(pending ? 0 : id)) return false;
+  if (pending) {
+    replies_.error(id, ErrorCode::duplicate_id, fmt::format("request {} is still in flight", id));
+    return false;
+  }
+  if (state_ == State::leaving) {
+    replies_.error(id, ErrorCode::overloaded, "this server is about to end", retry_after::kLeaving);
+    return false;
+  }
+  if (requests.size() >= context_.limits.requests_in_flight) {
+    replies_.error(id, ErrorCode::too_many_requests,
+                   fmt::format("{} requests are in flight, the limit requests_in_flight", requests.size()),
+                   retry_after::kBusy);
+    return false;
+  }
+  return true;
+}
+
+// ---- output
+
+Clock::time_point Session::sendable_at() {
+  if (!outbox_.sendable(credit_)) return Clock::time_point::max();
+  constexpr Clock::time_point kAtOnce{};
+  if (outbox_.has_control()) return kAtOnce;
+  const Clock::time_point now = context_.clock.now();
+  const SessionRates::Due due = rates_.chunks_due(now);
+  if (due.throttled) context_.metrics.throttled(*due.throttled).add();
+  return due.at > now ? due.at : kAtOnce;
+}
+
+Output Session::take_output(std::size_t enough_bytes, std::size_t shared_from) {
+  const Clock::time_point now = context_.clock.now();
+  Output output{shared_from};
+  output.reserve(std::min(enough_bytes, outbox_.bytes_to_copy(shared_from)));
+  std::size_t chunks = 0;
+  std::size_t chunk_bytes = 0;
+  const SessionRates::Allowance allowance = rates_.allowance(now);
+  outbox_.take(
+      {enough_bytes, allowance.chunks, allowance.bytes}, credit_, output,
+      [this](Outbox::Entry& entry) { return delivery_.refresh(entry); },
+      [&](const Outbox::Entry& entry) {
+        ++chunks;
+        chunk_bytes += entry.chunk->frame_bytes();
+        delivery_.sent(entry);
+      });
+  rates_.sent(now, chunks, output.size());
+  writing_bytes_ = output.size();
+  context_.metrics.chunks_sent.add(chunks);
+  context_.metrics.chunk_bytes_sent.add(chunk_bytes);
+  close_if_left();
+  return output;
+}
+
+void Session::written() {
+  writing_bytes_ = 0;
+  note_memory();
 }
 
 void Session::note_memory() {
-  constexpr std::size_t kPerRequest = 128;  // in the book and in the queue of generators
-  constexpr std::size_t kPerKnown = 64;
-  memory_.hold(kIdleBytes + writing_bytes_ + queued_bytes() + outbox_.chunk_bytes() + view_.bytes() +
-               (requests_.size() + awaited_.size()) * kPerRequest + known_.size() * kPerKnown);
+  memory_.hold(kIdleBytes + writing_bytes_ + queued_bytes() + outbox_.chunk_bytes() + delivery_.bytes());
 }
 
 }  // namespace talus::server

@@ -1,8 +1,12 @@
 // One client's conversation: messages in, frames out. The state machine of PROTOCOL.md.
 //
-// Knows no socket, no thread and no timer: net/connection.h feeds it, and calls it from one thread at a time.
-// Only rates go by the clock, which is passed in, and a token when it comes. What it holds is bounded by
-// Limits, whatever the client sends.
+//   connected --Hello--> joined --go_away()--> leaving --last request answered--> closed
+//
+// Any state becomes closed by an error that ends the connection, or by abandon().
+//
+// No socket, thread or timer: net/ feeds it, from one thread at a time. Chunks come from an injected source,
+// answers from other threads through a mailbox, the time from an injected clock. Whatever the client sends,
+// memory stays within the limits.
 #pragma once
 
 #include <chrono>
@@ -11,125 +15,87 @@
 #include <optional>
 #include <span>
 #include <string>
-#include <unordered_map>
-#include <utility>
-#include <vector>
+#include <string_view>
 
 #include <talus/protocol/frame.h>
 #include <talus/protocol/message.h>
 
-#include "chunks/chunk_source.h"
-#include "config/config.h"
+#include "chunks/mailbox.h"
+#include "clock/clock.h"
+#include "memory/memory_budget.h"
 #include "memory/memory_reservation.h"
-#include "metrics/metrics.h"
 #include "rates/rates.h"
+#include "session/delivery.h"
 #include "session/handshake.h"
-#include "session/request_book.h"
-#include "session/world_info.h"
-#include "stream/credit.h"
-#include "stream/interest.h"
-#include "stream/outbox.h"
-#include "stream/view_stream.h"
+#include "session/replies.h"
+#include "session/session_context.h"
+#include "view/credit.h"
+#include "view/outbox.h"
 
 namespace talus::server {
 
-/// What sessions share; outlives them.
-struct SessionContext {
-  const Limits& limits;
-  const WorldInfo& world;
-  ChunkSource& chunks;
-  MemoryBudget& memory;
-  Metrics& metrics;
-  const AccessControl& access;
-  const RateLimits& rates = kUnlimited;
-};
-
 class Session {
  public:
-  /// Chunks of the View generated or waiting to be sent at once: few, so that a moved View soon counts.
-  static constexpr std::size_t kViewWindow = 64;
-  /// Chunks of this session that wait for a generator at once.
-  static constexpr std::size_t kServiceWindow = 128;
-  /// Bytes of control frames above which no Column is added: they need no credit.
-  static constexpr std::size_t kColumnBytes = std::size_t{16} * 1024;
-  /// Views of other chunks that may come between two looks; with more, all that was sent is sent again.
-  static constexpr std::size_t kUnseenViews = 8;
-  /// Chunks that a client may say it knows; those beyond are sent.
-  static constexpr std::size_t kKnownChunks = 8192;
-  /// What a chunk that waits for a generator is reckoned to cost, until a larger one has come.
-  static constexpr std::size_t kExpectedChunkBytes = 4096;
+  enum class State : std::uint8_t {
+    connected,  // waits for Hello
+    joined,
+    leaving,  // GoAway was said; answers what is pending
+    closed,   // what is sendable now is all that ever will be: write it and close
+  };
 
-  /// What one costs that says and wants nothing, its connection and coroutines included.
+  /// Memory of a session that asks for nothing, with its connection and coroutines.
   static constexpr std::size_t kIdleBytes = std::size_t{32} * 1024;
 
-  using Clock = std::chrono::steady_clock;
+  /// `address` holds the rates that the session shares with others of its address; null: none.
+  Session(const SessionContext& context, MailboxPtr mailbox, AddressBucketsPtr address);
+  Session(const Session&) = delete;
+  Session& operator=(const Session&) = delete;
 
-  /// `address` has the rates that it shares with others; null: none.
-  explicit Session(const SessionContext& context, AddressBucketsPtr address = nullptr)
-      : context_{context},
-        rates_{context.rates, std::move(address), context.metrics},
-        memory_{context.memory, MemoryUse::sessions} {}
-
-  /// Whose owner takes answers out on the session's own thread, for chunk_ready() and heights_ready().
-  void attach(MailboxPtr mailbox) { mailbox_ = std::move(mailbox); }
-
-  // ---- what happens to it
+  // ---- events. After any of them call pump().
   /// A whole frame, as FrameReader gives it.
-  void receive(std::span<const std::byte> frame, Clock::time_point now = Clock::now());
+  void receive(std::span<const std::byte> frame);
   void broken_frame(const protocol::FrameError& error);
+  /// The client was silent too long; `text` says for how long.
   void timed_out(std::string_view text);
   void token_expired();
-  void chunk_ready(ChunkKey key, const ChunkAnswer& answer);
-  void heights_ready(std::uint64_t ticket, const HeightsAnswer& answer);
-  /// Says GoAway, forgets the View, takes no more requests, and closes when those it has are answered.
-  void go_away(std::string_view reason, std::uint32_t retry_after_ms);
-  /// Leaves every queue; the connection is gone.
+  /// Handles all that waits in the mailbox.
+  void take_mail();
+  /// Says GoAway and ends the View; takes no more requests.
+  void go_away(std::string_view reason, std::chrono::milliseconds retry_after);
+  /// The connection is gone: leaves every queue.
   void abandon();
 
-  /// Whether a View came that apply_view() has not looked at.
-  [[nodiscard]] bool view_waits() const { return next_view_.has_value(); }
-  void apply_view();
-  /// Takes up as much work as the windows allow. Call it after anything above.
+  /// Whether a View waits for apply_view(), which may cost milliseconds: the caller decides when.
+  [[nodiscard]] bool view_waits() const { return delivery_.view().waits(); }
+  void apply_view() { delivery_.apply_view(); }
+
+  /// Starts as much work as the bounds allow.
   void pump();
-  /// Whether the generators' queue was full: pump() again when QueueHasRoom comes.
-  [[nodiscard]] bool refused() const { return refused_; }
 
-  // ---- what it has to say
-  /// When something may be written, all other things equal: by `now` at once, later where a rate holds the
-  /// chunks, never (max) where nothing waits or the client gives no credit.
-  [[nodiscard]] Clock::time_point sendable_at(Clock::time_point now = Clock::now());
-  /// Frames to write now, one after the other: `enough_bytes` and at most one frame more.
-  /// Chunks of `shared_from` bytes and more are not copied.
-  [[nodiscard]] Output take_output(std::size_t enough_bytes, Clock::time_point now = Clock::now(),
-                                   std::size_t shared_from = Output::kCopyAll);
-  /// What was taken is written, and its memory free.
-  void written() {
-    writing_bytes_ = 0;
-    note_memory();
-  }
-  /// Bytes that wait and that the client did not have to give credit for; above the limit, read no more.
+  // ---- output
+  /// When something may be written: the clock's zero at once, a time to come where a rate throttles chunks,
+  /// max() where nothing waits or the client gave no credit. At once does not depend on when the caller looked
+  /// at the clock.
+  [[nodiscard]] Clock::time_point sendable_at();
+  /// Frames to write now: `enough_bytes` and at most one frame more. Chunks of `shared_from` bytes and more
+  /// are not copied.
+  [[nodiscard]] Output take_output(std::size_t enough_bytes, std::size_t shared_from = Output::kCopyAll);
+  /// The last output was written; its memory is free.
+  void written();
+  /// Bytes that wait for the client without credit. Above limits.queued_bytes the caller reads no more.
   [[nodiscard]] std::size_t queued_bytes() const {
-    return outbox_.control_bytes() + requests_.heights_bytes();
+    return outbox_.control_bytes() + delivery_.requests().heights_bytes();
   }
 
-  /// Chunks that the client says it holds and that its View waits for.
-  [[nodiscard]] std::size_t known_chunks() const { return known_.size(); }
-
-  [[nodiscard]] bool greeted() const { return greeting_.has_value(); }
+  // ---- what it is
+  [[nodiscard]] State state() const { return state_; }
+  [[nodiscard]] bool closing() const { return state_ == State::closed; }
+  /// None before Hello was accepted; stays when the session ends.
   [[nodiscard]] const std::optional<Greeting>& greeting() const { return greeting_; }
-  /// What is sendable now is all that ever will be: write it and close.
-  [[nodiscard]] bool closing() const { return closing_ || (going_away_ && requests_.empty()); }
-  /// Why, for the log; empty where the client did nothing wrong.
+  /// What the client did wrong, for the log; empty: nothing.
   [[nodiscard]] const std::string& failure() const { return failure_; }
 
  private:
-  /// Who of this session waits for a chunk.
-  struct Awaited {
-    Clock::time_point since = Clock::now();
-    bool view = false;
-    std::vector<std::uint32_t> requests;
-  };
-
   void on(const wire::Hello& hello);
   void on(const wire::View& view);
   void on(const wire::GetChunks& get);
@@ -140,60 +106,28 @@ class Session {
   void on(const wire::Edit& edit);
   void on(const wire::Ping& ping);
 
-  /// `why` is added for the log alone.
-  void fail(wire::ErrorCode code, std::string_view text, std::uint32_t retry_after_ms = 0,
-            std::string_view why = {});
-  void refuse(std::uint32_t request_id, wire::ErrorCode code, std::string_view text,
-              std::uint32_t retry_after_ms = 0);
-  [[nodiscard]] bool admit(std::uint32_t id);
-  /// Whether the rates allow one request more; where not, it is refused here. `id` 0: it has none.
+  /// Counts one request. Where a rate refuses it, answers by Error and returns false. `id` 0: it has none.
   [[nodiscard]] bool within_rates(std::uint32_t id);
-  void take_up_work();
+  /// Whether the request may become pending; if not, it is answered here.
+  [[nodiscard]] bool admit(std::uint32_t id);
+  /// Says the Error and closes. `why` is for the log alone.
+  void fail(wire::ErrorCode code, std::string_view text,
+            std::chrono::milliseconds retry_after = retry_after::kNever, std::string_view why = {});
+  /// A session that leaves closes with its last answer.
+  void close_if_left();
   void note_memory();
-  void pass_over(const View& view);
-  void note_known(const wire::KnownChunk& chunk);
-  /// Whether one more chunk may come to wait for the client: those under way will, too.
-  [[nodiscard]] bool has_room_for_chunk() const;
-  void drop_from_view(const std::vector<ChunkKey>& keys);
-  /// The chunk if it is at hand.
-  [[nodiscard]] EncodedChunkPtr find(ChunkKey key);
 
-  void start_request(std::uint32_t id);
-  [[nodiscard]] bool start_view_chunk(ChunkKey key);
-  /// Where the chunk is known to be uniform: says so, with all that is uniform in its column and still
-  /// wanted.
-  [[nodiscard]] bool answer_by_column(ChunkKey key);
-  /// Where the client knows the chunk, and it is still the same: says so instead of sending it.
-  [[nodiscard]] bool confirm_known(ChunkKey key, ContentHash hash);
-  /// The View does not wait for the chunk any more; false where it did not.
-  bool give_up_for_view(ChunkKey key);
-  /// The entry of those who wait for the chunk; null where the queue is full.
-  [[nodiscard]] Awaited* await(ChunkKey key);
-  void stop_awaiting(ChunkKey key, const Awaited& awaited);
-  void answer_request(std::uint32_t id, ChunkAnswer answer);
-  void answer_view(ChunkKey key, ChunkAnswer answer);
-
-  SessionContext context_;
-  MailboxPtr mailbox_;
+  const SessionContext context_;
+  State state_ = State::connected;
   std::optional<Greeting> greeting_;
   Credit credit_{0};
   Outbox outbox_;
-  RequestBook requests_;
-  ViewStream view_;
-  std::optional<View> next_view_;
-  std::vector<Interest> unseen_views_;               // that came before next_view_ and were not looked at
-  std::unordered_map<ChunkKey, ContentHash> known_;  // by the client; of chunks that its View wants
-  std::unordered_map<ChunkKey, Awaited> awaited_;
+  Replies replies_;
+  Delivery delivery_;
   SessionRates rates_;
   MemoryReservation memory_;
-  Clock::time_point received_at_{};  // what is being looked at
-  std::size_t expected_chunk_bytes_ = kExpectedChunkBytes;
-  std::size_t writing_bytes_ = 0;  // taken last
-  std::size_t found_ = 0;          // chunks at hand since pump() began
-  std::uint64_t heights_asked_ = 0;
-  bool refused_ = false;
-  bool going_away_ = false;
-  bool closing_ = false;
+  Clock::time_point received_at_{};  // the message that is handled
+  std::size_t writing_bytes_ = 0;    // of the last output
   std::string failure_;
 };
 

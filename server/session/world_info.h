@@ -1,8 +1,6 @@
-// What every Welcome says about the world; made once at startup.
+// What every Welcome says about the world. Immutable: whoever makes it knows all of it, the store included.
 #pragma once
 
-#include <cstdint>
-#include <limits>
 #include <string>
 #include <vector>
 
@@ -14,14 +12,12 @@
 namespace talus::server {
 
 struct WorldInfo {
-  ContentHash fingerprint;
-  ContentHash store_id;  // 0: nothing is kept
-  std::vector<terrain::Material> materials;
-  terrain::HeightRange heights;
-  VoxelPos spawn;
-  std::string server;  // name and version
-  /// Tiles of 32 x 32 columns that one GetHeights may name.
-  std::uint64_t height_tiles_per_request = std::numeric_limits<std::uint64_t>::max();
+  const ContentHash fingerprint{};
+  const ContentHash store_id{};  // 0: nothing is stored
+  const std::vector<terrain::Material> materials{};
+  const terrain::HeightRange heights{};
+  const VoxelPos spawn{};
+  const std::string server{};  // name and version
 };
 
 }  // namespace talus::server

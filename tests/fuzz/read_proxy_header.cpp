@@ -14,7 +14,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   if (bytes.size() < kProxyPrefixBytes) return 0;
   const auto prefix = read_proxy_prefix(bytes.first<kProxyPrefixBytes>());
   if (!prefix) return 0;
-  if (prefix->body_bytes > kMostProxyBodyBytes) std::abort();
+  if (prefix->body_bytes > kMaxProxyBodyBytes) std::abort();
   // Of its own, so that a byte read past its end is seen.
   std::vector<std::byte> body(prefix->body_bytes);
   const auto rest = bytes.subspan(kProxyPrefixBytes);

@@ -9,7 +9,7 @@
 #include <talus/protocol/limits.h>
 #include <talus/protocol/message.h>
 
-#include "stream/output.h"
+#include "view/output.h"
 
 namespace talus::server {
 

@@ -1,4 +1,4 @@
-#include "stream/interest.h"
+#include "view/interest.h"
 
 #include <algorithm>
 #include <catch2/catch.hpp>

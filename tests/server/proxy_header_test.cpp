@@ -84,7 +84,7 @@ TEST_CASE("a PROXY header that breaks its rules is refused, and says which") {
   check_refused(header(0x21, 0x31, Bytes(216)), "neither TCP");
   check_refused(header(0x21, 0x11, Bytes(11)), "too short");
   check_refused(header(0x21, 0x21, Bytes(35)), "too short");
-  check_refused(header(0x21, 0x11, Bytes(kMostProxyBodyBytes + 1)), "1,024");
+  check_refused(header(0x21, 0x11, Bytes(kMaxProxyBodyBytes + 1)), "1,024");
   const std::string version_1 = "PROXY TCP4 192.0.2.7 198.51.100.1 49153 4780\r\n";
   check_refused({version_1.begin(), version_1.end()}, "no PROXY header of version 2");
 }
@@ -109,7 +109,7 @@ TEST_CASE(
     const auto prefix = read_proxy_prefix(std::as_bytes(std::span{bytes}).first<kProxyPrefixBytes>());
     RC_TAG(prefix.has_value());
     if (!prefix) return;
-    RC_ASSERT(prefix->body_bytes <= kMostProxyBodyBytes);
+    RC_ASSERT(prefix->body_bytes <= kMaxProxyBodyBytes);
     RC_ASSERT(prefix->body_bytes == bytes[14] * 256 + bytes[15]);
     // Exactly as long as it says, so that a read beyond it is seen under the address sanitizer.
     const std::vector<std::byte> body(prefix->body_bytes, std::byte{0x7F});

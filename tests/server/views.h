@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "stream/view_stream.h"
+#include "view/view_stream.h"
 
 namespace talus::server {
 

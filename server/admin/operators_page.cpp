@@ -1,0 +1,21 @@
+#include "admin/operators_page.h"
+
+#include <string_view>
+
+namespace talus::server {
+
+http::Response answer_operator(const http::Request& request, const OperatorAnswers& answers) {
+  if (request.method == http::Method::other) {
+    return {405, http::kPlainText, "only GET and HEAD are answered here\n", {{"Allow", "GET, HEAD"}}};
+  }
+  const std::string_view path = request.path();
+  if (path == "/metrics") return {200, "text/plain; version=0.0.4; charset=utf-8", answers.metrics()};
+  if (path == "/-/healthy") return {200, http::kPlainText, "healthy\n"};
+  if (path == "/-/ready") {
+    if (answers.ready()) return {200, http::kPlainText, "ready\n"};
+    return {503, http::kPlainText, "draining\n"};
+  }
+  return {404, http::kPlainText, "here are /metrics, /-/healthy and /-/ready\n"};
+}
+
+}  // namespace talus::server

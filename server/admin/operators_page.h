@@ -1,0 +1,20 @@
+// What operators may ask over HTTP: /metrics, /-/healthy, /-/ready.
+#pragma once
+
+#include <functional>
+#include <string>
+
+#include "http/request.h"
+#include "http/response.h"
+
+namespace talus::server {
+
+/// Asked for each request, on the thread that serves it.
+struct OperatorAnswers {
+  std::function<std::string()> metrics;
+  std::function<bool()> ready;  // false: players are not to be sent here
+};
+
+[[nodiscard]] http::Response answer_operator(const http::Request& request, const OperatorAnswers& answers);
+
+}  // namespace talus::server

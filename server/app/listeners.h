@@ -1,0 +1,30 @@
+// The listening sockets, opened while the process may still have the rights of root. No thread runs yet.
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include <tl/expected.hpp>
+
+#include "admin/admin_server.h"
+#include "clock/clock.h"
+#include "config/config.h"
+#include "log/logger.h"
+#include "net/acceptor.h"
+#include "net/io_pool.h"
+
+namespace talus::server {
+
+struct Listeners {
+  std::unique_ptr<IoPool> io;
+  std::unique_ptr<Acceptor> players;  // on io->control()
+  std::string players_address;        // with the real port
+  std::unique_ptr<AdminServer> operators;  // null: the configuration has none
+  std::string operators_address;
+};
+
+/// An error is one line. `clock` outlives them.
+[[nodiscard]] tl::expected<Listeners, std::string> open_listeners(const Config& config, const Clock& clock,
+                                                                  const Logger& log);
+
+}  // namespace talus::server

@@ -1,0 +1,218 @@
+#include "app/server.h"
+
+#include <chrono>
+#include <csignal>
+#include <exception>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include <asio/co_spawn.hpp>
+#include <asio/post.hpp>
+#include <asio/use_awaitable.hpp>
+
+#include <talus/vectors/instruction_set.h>
+
+#include "access/auth_failure.h"
+#include "app/process_signals.h"
+#include "app/settings.h"
+#include "generation/terrain_generator.h"
+#include "metrics/metrics_page.h"
+#include "metrics/process.h"
+#include "net/descriptors.h"
+#include "net/refusal_reason.h"
+#include "rates/rate_kind.h"
+#include "session/retry_after.h"
+
+namespace talus::server {
+namespace {
+
+constexpr std::chrono::milliseconds kHousekeepingInterval{50};
+
+WorldInfo describe_world(const terrain::World& world, ContentHash store_id) {
+  return {world.fingerprint(),        store_id,
+          world.materials(),          terrain::height_range(world),
+          terrain::find_spawn(world), "talusd " TALUS_VERSION};
+}
+
+}  // namespace
+
+Server::Server(const Config& config, std::shared_ptr<const terrain::World> world, ContentHash store_id,
+               AccessControl& access, std::optional<TlsIdentity> tls, Listeners listeners, const Clock& clock,
+               Logger log)
+    : config_{config},
+      clock_{clock},
+      log_{std::move(log)},
+      log_of_clients_{for_clients(log_)},
+      access_{access},
+      world_{describe_world(*world, store_id)},
+      session_limits_{session_limits(config, *world)},
+      rates_{rate_limits(config.rates)},
+      memory_{config.limits.memory_bytes},
+      admission_{config.limits.connections, config.limits.connections_per_address,
+                 config.rates.burst, clock},
+      tls_{std::move(tls)},
+      certificate_expires_{tls_ ? tls_->expires : 0},
+      handshaker_{handshake_settings(config),
+                  admission_,
+                  metrics_,
+                  clock,
+                  log_of_clients_,
+                  [this] { return memory_.takes_connections(); },
+                  [this](AcceptedConnection accepted) { on_connection(std::move(accepted)); }},
+      io_{std::move(listeners.io)},
+      chunks_{std::make_unique<TerrainGenerator>(std::move(world),
+                                                 static_cast<int>(config.generation.patch_tiles)),
+              generation_settings(config), log_, metrics_, memory_, clock},
+      runner_context_{{session_limits_, world_, chunks_, memory_, metrics_, access_, rates_, clock_},
+                      runner_limits(config),
+                      registry_,
+                      log_of_clients_},
+      acceptor_{std::move(listeners.players)},
+      shutdown_signals_{io_->control(), SIGTERM, SIGINT},
+      reload_signals_{io_->control(), SIGHUP},
+      drain_timer_{io_->control()},
+      housekeeping_timer_{io_->control()},
+      operators_{std::move(listeners.operators)} {}
+
+std::string Server::metrics_text() {
+  const BaseChunks::Status status = chunks_.status();
+  RuntimeGauges gauges{status.jobs, status.clients, status.chunk_cache_bytes, status.patch_cache_bytes,
+                       draining_};
+  for (std::size_t use = 0; use < kMemoryUses.size(); ++use) {
+    gauges.memory_bytes.push_back(memory_.used(static_cast<MemoryUse>(use)));
+  }
+  gauges.memory_limit_bytes = memory_.limit_bytes();
+  gauges.certificate_expires = certificate_expires_;
+  std::vector<std::string_view> error_codes{""};  // "none" is no error
+  for (std::size_t code = 1; code <= static_cast<std::size_t>(wire::ErrorCode::MAX); ++code) {
+    error_codes.emplace_back(wire::EnumNameErrorCode(static_cast<wire::ErrorCode>(code)));
+  }
+  const MetricLabels labels{kRefusalNames, error_codes, kAuthFailureNames, kRateNames, kMemoryUses};
+  const BuildInfo build{TALUS_VERSION, terrain::kGeneratorVersion, to_string(world_.fingerprint),
+                        std::string{to_string(instruction_set())}};
+  return metrics_page({metrics_, gauges, read_process(), build, labels});
+}
+
+void Server::check_descriptors() {
+  const std::uint64_t wanted = descriptors_wanted(config_);
+  if (const std::uint64_t allowed = set_descriptor_limit(wanted); allowed < wanted) {
+    log_->warn(
+        "the system allows {} open files, fewer than the {} that limits.connections {} needs; raise ulimit -n",
+        allowed, wanted, config_.limits.connections);
+  }
+}
+
+void Server::run() {
+  check_descriptors();
+  chunks_.start();
+  if (operators_) {
+    operators_->start({[this] { return metrics_text(); }, [this] { return !draining_; }});
+  }
+  // Without any of these the server would not be one.
+  std::exception_ptr failure;
+  const auto end = [&](const std::exception_ptr& thrown) {
+    if (!thrown) return;
+    failure = thrown;
+    io_->stop();
+  };
+  asio::io_context& control = io_->control();
+  asio::co_spawn(control,
+                 acceptor_->run([this]() -> asio::io_context& { return io_->next(); },
+                                [this](asio::ip::tcp::socket socket) {
+                                  handshaker_.begin(std::move(socket), ++last_id_,
+                                                    tls_ ? tls_->context : nullptr);
+                                }),
+                 end);
+  asio::co_spawn(control, wait_for_shutdown(), end);
+  asio::co_spawn(control, wait_for_reload(), end);
+  housekeeping();
+  io_->run();
+  stop_handling_signals();
+  operators_.reset();
+  handshaker_.refusal_log().flush({});
+  if (failure) std::rethrow_exception(failure);
+}
+
+// Caches take their time to go: by default a signal would now kill what ends well.
+void Server::stop_handling_signals() {
+  sigset_t ours;
+  sigset_t before;
+  sigemptyset(&ours);
+  for (const int signal : {SIGHUP, SIGTERM, SIGINT}) sigaddset(&ours, signal);
+  ::pthread_sigmask(SIG_BLOCK, &ours, &before);  // asio restores the default first; generators take none
+  std::error_code ignored;
+  reload_signals_.clear(ignored);
+  shutdown_signals_.clear(ignored);
+  end_at_once_on_signals();
+  ::pthread_sigmask(SIG_SETMASK, &before, nullptr);
+}
+
+void Server::on_connection(AcceptedConnection accepted) {
+  log_->debug("conn {} {}: opened", accepted.info.id, accepted.info.address);
+  start_session(std::move(accepted), runner_context_);
+}
+
+asio::awaitable<void> Server::wait_for_reload() {
+  for (;;) {
+    co_await reload_signals_.async_wait(asio::use_awaitable);
+    const bool has_keys = config_.access.wanted();
+    if (!has_keys && !tls_) log_->info("SIGHUP: nothing to read again: no keys and no certificate are set");
+    if (has_keys) reload_keys();
+    if (tls_) reload_certificate();
+  }
+}
+
+void Server::reload_keys() {
+  if (const auto reloaded = access_.reload()) {
+    log_->info("SIGHUP: {}", *reloaded);
+  } else {
+    log_->error("SIGHUP: {}", reloaded.error());
+  }
+}
+
+void Server::reload_certificate() {
+  auto loaded = load_tls(config_.tls.certificate, config_.tls.key);
+  if (loaded) {
+    tls_ = *std::move(loaded);
+    certificate_expires_ = tls_->expires;
+    log_->info("SIGHUP: TLS with {} from now on", tls_->description);
+  } else {
+    log_->error("SIGHUP: {}; new connections still get the old one: {}", loaded.error(), tls_->description);
+  }
+}
+
+void Server::housekeeping() {
+  chunks_.fit_caches();
+  handshaker_.refusal_log().flush();
+  housekeeping_timer_.expires_after(kHousekeepingInterval);
+  housekeeping_timer_.async_wait([this](std::error_code cancelled) {
+    if (!cancelled) housekeeping();
+  });
+}
+
+asio::awaitable<void> Server::wait_for_shutdown() {
+  const int first = co_await shutdown_signals_.async_wait(asio::use_awaitable);
+  log_->info("{}: no new connections; {} are told to go away", first == SIGINT ? "SIGINT" : "SIGTERM",
+             admission_.connections());
+  drain();
+  co_await shutdown_signals_.async_wait(asio::use_awaitable);
+  log_->warn("a second signal: ending at once");
+  io_->stop();
+}
+
+void Server::drain() {
+  draining_ = true;
+  acceptor_->close();
+  registry_.tell_all_to_go("the server is ending", retry_after::kShutdown);
+  registry_.when_empty([this] { asio::post(io_->control(), [this] { io_->stop(); }); });
+  drain_timer_.expires_after(config_.shutdown.drain);
+  drain_timer_.async_wait([this](std::error_code cancelled) {
+    if (cancelled) return;
+    log_->warn("{} connections were still open after {} ms", admission_.connections(),
+               config_.shutdown.drain.count());
+    io_->stop();
+  });
+}
+
+}  // namespace talus::server

@@ -1,0 +1,96 @@
+// A running talusd: from its first client to its last answer.
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include <asio/awaitable.hpp>
+#include <asio/signal_set.hpp>
+#include <asio/steady_timer.hpp>
+
+#include <talus/terrain/world.h>
+#include <talus/voxel/content_hash.h>
+
+#include "access/access_control.h"
+#include "admin/admin_server.h"
+#include "app/listeners.h"
+#include "clock/clock.h"
+#include "config/config.h"
+#include "generation/base_chunks.h"
+#include "log/logger.h"
+#include "memory/memory_budget.h"
+#include "metrics/metrics.h"
+#include "net/acceptor.h"
+#include "net/admission.h"
+#include "net/handshaker.h"
+#include "net/io_pool.h"
+#include "net/registry.h"
+#include "net/session_runner.h"
+#include "net/tls_context.h"
+#include "rates/rates.h"
+#include "session/session_limits.h"
+#include "session/world_info.h"
+
+namespace talus::server {
+
+class Server {
+ public:
+  /// `access` and `clock` outlive it. `store_id`: what clients are told; 0 where nothing is kept. `tls`: of
+  /// config.tls; none where connections are plain. From here on signals wait for run(). No thread is started
+  /// before run().
+  Server(const Config& config, std::shared_ptr<const terrain::World> world, ContentHash store_id,
+         AccessControl& access, std::optional<TlsIdentity> tls, Listeners listeners, const Clock& clock,
+         Logger log);
+
+  /// Serves until SIGTERM or SIGINT, and then until every answer is sent or shutdown.drain is over. SIGHUP
+  /// reads certificates and keys again. Once.
+  void run();
+
+ private:
+  [[nodiscard]] std::string metrics_text();
+  void check_descriptors();
+  void on_connection(AcceptedConnection accepted);
+  [[nodiscard]] asio::awaitable<void> wait_for_shutdown();
+  [[nodiscard]] asio::awaitable<void> wait_for_reload();
+  void reload_keys();
+  void reload_certificate();
+  /// Lets caches give way to everything else, and logs refusals, all the time.
+  void housekeeping();
+  void drain();
+  void stop_handling_signals();
+
+  // In the order in which they may be destroyed, last first: generator threads post to the contexts, and
+  // connections in the contexts hold slots and stand in the registry.
+  const Config config_;
+  const Clock& clock_;
+  Logger log_;
+  Logger log_of_clients_;
+  AccessControl& access_;
+  const WorldInfo world_;
+  const SessionLimits session_limits_;
+  const RateLimits rates_;
+  Metrics metrics_;
+  MemoryBudget memory_;  // connections give back to it
+  Admission admission_;
+  Registry registry_;
+  std::optional<TlsIdentity> tls_;  // of the control thread
+  std::atomic<std::int64_t> certificate_expires_;
+  std::atomic<bool> draining_ = false;
+  Handshaker handshaker_;
+  std::unique_ptr<IoPool> io_;
+  BaseChunks chunks_;
+  const RunnerContext runner_context_;
+
+  std::unique_ptr<Acceptor> acceptor_;
+  asio::signal_set shutdown_signals_;
+  asio::signal_set reload_signals_;
+  asio::steady_timer drain_timer_;
+  asio::steady_timer housekeeping_timer_;
+  ConnectionId last_id_ = 0;
+  std::unique_ptr<AdminServer> operators_;  // its thread reads everything above
+};
+
+}  // namespace talus::server

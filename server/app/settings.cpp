@@ -1,0 +1,83 @@
+#include "app/settings.h"
+
+#include <algorithm>
+#include <thread>
+
+#include <talus/protocol/limits.h>
+#include <talus/voxel/coords.h>
+
+#include "admin/admin_server.h"
+#include "net/descriptors.h"
+
+namespace talus::server {
+namespace {
+
+std::size_t threads_or_cores(std::uint64_t threads) {
+  return threads != 0 ? threads : std::max(1U, std::thread::hardware_concurrency());
+}
+
+}  // namespace
+
+std::size_t io_threads(const Config& config) {
+  return threads_or_cores(config.threads.io);
+}
+
+std::size_t generator_threads(const Config& config) {
+  return threads_or_cores(config.threads.generator);
+}
+
+std::uint64_t height_tiles_per_request(const terrain::World& world) {
+  constexpr std::uint64_t kColumnSteps = 100'000'000;
+  if (world.spec().method != terrain::Method::erosion) return protocol::kMaxHeightsPerRequest;
+  const auto side = static_cast<std::uint64_t>(kChunkSize + 2 * world.halo());
+  const std::uint64_t tile = side * side * static_cast<std::uint64_t>(world.spec().erosion_steps);
+  return std::max<std::uint64_t>(1, kColumnSteps / tile);
+}
+
+SessionLimits session_limits(const Config& config, const terrain::World& world) {
+  const Limits& limits = config.limits;
+  return {.frame_bytes = static_cast<std::uint32_t>(limits.frame_bytes),
+          .requests_in_flight = static_cast<std::uint32_t>(limits.requests_in_flight),
+          .heights_per_request = static_cast<std::uint32_t>(limits.heights_per_request),
+          .height_tiles_per_request = height_tiles_per_request(world),
+          .view_horizontal_radius = static_cast<std::uint16_t>(limits.view_horizontal_radius),
+          .view_vertical_radius = static_cast<std::uint16_t>(limits.view_vertical_radius),
+          .view_chunks = static_cast<std::uint32_t>(limits.view_chunks),
+          .window_bytes = limits.window_bytes,
+          .queued_bytes = limits.queued_bytes_per_session,
+          .idle_timeout = limits.idle_timeout};
+}
+
+RateLimits rate_limits(const Rates& config) {
+  const auto rate = [&](std::uint64_t per_second) { return Rate::with_burst_of(per_second, config.burst); };
+  return {{rate(config.session_chunks), rate(config.session_bytes), rate(config.session_requests)},
+          {rate(config.address_chunks), rate(config.address_bytes), rate(config.address_requests)}};
+}
+
+RunnerLimits runner_limits(const Config& config) {
+  const Limits& limits = config.limits;
+  return {static_cast<std::uint32_t>(limits.frame_bytes),
+          limits.queued_bytes_per_session,
+          {limits.handshake_timeout, limits.idle_timeout, limits.write_timeout}};
+}
+
+HandshakeSettings handshake_settings(const Config& config) {
+  const Limits& limits = config.limits;
+  return {limits.handshakes_per_address_per_second, limits.handshakes_per_address_burst,
+          limits.handshakes_in_flight, limits.handshake_timeout, config.proxies};
+}
+
+GenerationSettings generation_settings(const Config& config) {
+  return {generator_threads(config), static_cast<int>(config.generation.patch_tiles),
+          config.generation.queue_chunks, config.cache.chunk_bytes, config.cache.patch_bytes};
+}
+
+std::uint64_t descriptors_wanted(const Config& config) {
+  const std::uint64_t of_operators =
+      config.admin ? AdminServer::kMaxConnections + AdminServer::kReservedDescriptors : 0;
+  // A connection whose PROXY header has not come is not among limits.connections, and has a socket.
+  const std::uint64_t of_handshakes = config.proxies.empty() ? 0 : config.limits.handshakes_in_flight;
+  return descriptors_needed(config.limits.connections + of_handshakes + of_operators, io_threads(config) + 1);
+}
+
+}  // namespace talus::server

@@ -1,0 +1,35 @@
+// What each module needs of the configuration.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include <talus/terrain/world.h>
+
+#include "config/config.h"
+#include "generation/base_chunks.h"
+#include "net/handshaker.h"
+#include "net/session_runner.h"
+#include "rates/rates.h"
+#include "session/session_limits.h"
+
+namespace talus::server {
+
+/// Threads that serve sockets, and threads that generate; from the machine where the configuration says 0.
+[[nodiscard]] std::size_t io_threads(const Config& config);
+[[nodiscard]] std::size_t generator_threads(const Config& config);
+
+/// Tiles of 32 x 32 columns that one GetHeights may touch. Heights of eroded land cost a region for each tile, with
+/// a halo of two columns a step and a pass over it for every step: one request stays within about a second.
+[[nodiscard]] std::uint64_t height_tiles_per_request(const terrain::World& world);
+
+[[nodiscard]] SessionLimits session_limits(const Config& config, const terrain::World& world);
+[[nodiscard]] RateLimits rate_limits(const Rates& config);
+[[nodiscard]] RunnerLimits runner_limits(const Config& config);
+[[nodiscard]] HandshakeSettings handshake_settings(const Config& config);
+[[nodiscard]] GenerationSettings generation_settings(const Config& config);
+
+/// Files and sockets that a server so configured may hold at once.
+[[nodiscard]] std::uint64_t descriptors_wanted(const Config& config);
+
+}  // namespace talus::server

@@ -1,0 +1,64 @@
+#include "app/startup.h"
+
+#include <unistd.h>
+
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "access/key_file.h"
+#include "log/escape.h"
+#include "privileges/privileges.h"
+
+namespace talus::server {
+
+tl::expected<std::optional<Account>, std::string> configured_account(const Config& config) {
+  if (config.user.empty()) return std::nullopt;
+  return find_account(config.user).map([](Account account) { return std::optional{std::move(account)}; });
+}
+
+tl::expected<std::optional<DataDirectory>, std::string> drop_privileges_and_open_data(
+    const Config& config, const std::optional<Account>& account, ContentHash fingerprint) {
+  if (account) {
+    if (runs_as_root() && !config.data.empty()) {
+      if (const auto made = DataDirectory::make_for(config.data, account->uid, account->gid); !made) {
+        return tl::make_unexpected(made.error());
+      }
+    }
+    if (const auto done = switch_user(*account); !done) return tl::make_unexpected(done.error());
+  }
+  if (config.data.empty()) return std::nullopt;
+  auto data = DataDirectory::open(config.data, fingerprint);
+  if (!data && account) {
+    return tl::make_unexpected(fmt::format("{}; talusd runs as user {}", data.error(), account->name));
+  }
+  return std::move(data).map([](DataDirectory opened) { return std::optional{std::move(opened)}; });
+}
+
+std::vector<std::string> startup_warnings(const Command& command, const std::vector<std::string>& of_keys,
+                                          const std::optional<TlsIdentity>& tls) {
+  std::vector<std::string> warnings = command.warnings;
+  warnings.insert(warnings.end(), of_keys.begin(), of_keys.end());
+  const Config& config = command.config;
+  if (tls && !tls->valid_now) {
+    warnings.push_back(fmt::format("TLS with {}: clients will refuse it today", tls->description));
+  }
+  if (tls) {
+    if (auto warning = open_to_others(config.tls.key)) warnings.push_back(*std::move(warning));
+  }
+  for (const auto& file : {config.access.secret_file, config.access.signing_key_file,
+                           config.access.previous_signing_key_file, config.tls.certificate, config.tls.key}) {
+    if (file.empty() || ::access(file.c_str(), R_OK) == 0) continue;
+    warnings.push_back(
+        fmt::format("{}: the user that talusd runs as cannot read it; a reload will keep the old one",
+                    escaped(file.string(), 500)));
+  }
+  if (command.config.user.empty() && runs_as_root()) {
+    warnings.emplace_back(
+        "talusd runs as root and does not need to: set user in the configuration file or TALUS_USER, or start "
+        "it as another user");
+  }
+  return warnings;
+}
+
+}  // namespace talus::server

@@ -1,0 +1,26 @@
+#include "app/world_file.h"
+
+#include <fmt/format.h>
+
+#include <talus/files/secret_file.h>
+#include <talus/height_files/height_files.h>
+#include <talus/toml/toml_bounds.h>
+
+namespace talus::server {
+
+tl::expected<std::shared_ptr<const terrain::World>, std::string> load_world(
+    const std::filesystem::path& file) {
+  if (file.empty()) return std::make_shared<const terrain::World>(terrain::default_world());
+
+  // Never waits, as opening a pipe would.
+  const auto read = files::SecretFile::read(file, kMaxTomlBytes);
+  if (!read) {
+    return tl::make_unexpected(fmt::format("{}: {}; give --world a TOML file that talusd may read",
+                                           file.string(), read.error().reason));
+  }
+  auto world = terrain::World::parse(read->text(), file.string(), height_files::beside(file));
+  if (!world) return tl::make_unexpected(world.error().message);
+  return std::make_shared<const terrain::World>(*std::move(world));
+}
+
+}  // namespace talus::server

@@ -1,0 +1,46 @@
+// The connections of a small HTTP server: so many at once. One more takes the place of the one that has been
+// quiet longest, so that a new client is always heard, whoever holds connections open. One thread's.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include "http/connection.h"
+#include "net/stream.h"
+
+namespace talus::server::http {
+
+template <Stream S>
+class Connections {
+ public:
+  /// `max` at least 1. `service` outlives the connections.
+  Connections(const Service& service, std::size_t max) : service_{service}, max_{max} {}
+
+  /// On the stream's executor.
+  void add(S stream) {
+    std::erase_if(open_, [](const auto& connection) { return !connection->open(); });
+    if (open_.size() >= max_) {
+      const auto quiet = std::min_element(open_.begin(), open_.end(), [](const auto& a, const auto& b) {
+        return a->last_active() < b->last_active();
+      });
+      (*quiet)->close();
+      open_.erase(quiet);
+    }
+    open_.push_back(std::make_shared<Connection<S>>(std::move(stream), service_));
+    open_.back()->start();
+  }
+
+  void clock_moved() {
+    for (const auto& connection : open_) connection->clock_moved();
+  }
+
+ private:
+  const Service& service_;
+  const std::size_t max_;
+  std::vector<std::shared_ptr<Connection<S>>> open_;  // some have ended
+};
+
+}  // namespace talus::server::http

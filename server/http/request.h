@@ -1,0 +1,37 @@
+// An HTTP/1 request, without a body: this server takes none.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace talus::server::http {
+
+struct Field {
+  std::string name;
+  std::string value;
+};
+
+enum class Method : std::uint8_t { get, head, other };
+
+struct Request {
+  Method method = Method::other;
+  std::string target;  // as sent: path and query
+  std::vector<Field> fields;
+  bool keep_alive = false;  // whether another request may follow
+
+  /// The target up to its query.
+  [[nodiscard]] std::string_view path() const { return std::string_view{target}.substr(0, target.find('?')); }
+  /// The value of the first field of this name, in any case; null where there is none.
+  [[nodiscard]] const std::string* field(std::string_view name) const;
+};
+
+/// Why a request cannot be answered as asked. The connection closes: where the next request would begin is
+/// not known.
+struct RequestError {
+  int status = 400;
+  std::string_view text;  // one line
+};
+
+}  // namespace talus::server::http

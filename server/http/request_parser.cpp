@@ -1,0 +1,183 @@
+#include "http/request_parser.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include <http_parser.h>
+
+namespace talus::server::http {
+namespace {
+
+constexpr RequestError kMalformed{400, "this is not HTTP/1.1"};
+constexpr RequestError kTargetTooLong{414, "the request's target is too long"};
+constexpr RequestError kTooManyFields{431, "the request has too many header fields"};
+constexpr RequestError kFieldTooLarge{431, "a header field is too large"};
+constexpr RequestError kHeadTooLarge{431, "the request's header is too large"};
+constexpr RequestError kBody{413, "no request here has a body"};
+constexpr RequestError kExpectation{417, "no request here has a body to continue with"};
+constexpr RequestError kVersion{505, "only HTTP/1.0 and HTTP/1.1 are spoken here"};
+constexpr RequestError kNoHost{400, "an HTTP/1.1 request has exactly one Host field"};
+constexpr RequestError kFieldName{400, "a header field's name is no token"};
+
+bool equal_names(std::string_view a, std::string_view b) {
+  const auto lower = [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + ('a' - 'A')) : c; };
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                    [&](char left, char right) { return lower(left) == lower(right); });
+}
+
+/// RFC 9110, 5.6.2. Debian's http_parser lets spaces pass.
+bool is_token(std::string_view name) {
+  constexpr std::string_view kMarks{"!#$%&'*+-.^_`|~"};
+  return std::all_of(name.begin(), name.end(), [&](char c) {
+    return (c >= '0' && c <= '9') || (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') ||
+           kMarks.find(c) != std::string_view::npos;
+  });
+}
+
+Method method_of(unsigned method) {
+  if (method == HTTP_GET) return Method::get;
+  return method == HTTP_HEAD ? Method::head : Method::other;
+}
+
+}  // namespace
+
+const std::string* Request::field(std::string_view name) const {
+  const auto found = std::find_if(fields.begin(), fields.end(),
+                                  [&](const Field& field) { return equal_names(field.name, name); });
+  return found == fields.end() ? nullptr : &found->value;
+}
+
+struct RequestParser::State {
+  explicit State(const RequestBounds& wanted) : bounds{wanted} { begin(); }
+
+  void begin() {
+    http_parser_init(&parser, HTTP_REQUEST);
+    parser.data = this;
+    request = {};
+    head_bytes = 0;
+    in_value = true;
+    whole = false;
+  }
+
+  // Returned by callbacks: http_parser stops.
+  int fail(const RequestError& why) {
+    error = why;
+    return 1;
+  }
+
+  int append_target(std::string_view part) {
+    if (request.target.size() + part.size() > bounds.target_bytes) return fail(kTargetTooLong);
+    request.target += part;
+    return 0;
+  }
+  int append_name(std::string_view part) {
+    if (in_value && request.fields.size() == bounds.fields) return fail(kTooManyFields);
+    if (in_value) request.fields.emplace_back();
+    in_value = false;
+    return append(request.fields.back().name, part);
+  }
+  int append_value(std::string_view part) {
+    in_value = true;
+    return append(request.fields.back().value, part);
+  }
+  int append(std::string& text, std::string_view part) {
+    const Field& field = request.fields.back();
+    if (field.name.size() + field.value.size() + part.size() > bounds.field_bytes)
+      return fail(kFieldTooLarge);
+    text += part;
+    return 0;
+  }
+
+  int end_of_head() {
+    if (parser.http_major != 1) return fail(kVersion);
+    std::size_t hosts = 0;
+    for (const Field& field : request.fields) {
+      if (!is_token(field.name)) return fail(kFieldName);
+      if (equal_names(field.name, "Host")) ++hosts;
+      if (equal_names(field.name, "Expect")) return fail(kExpectation);
+    }
+    if (hosts > 1 || (hosts == 0 && parser.http_minor > 0)) return fail(kNoHost);
+    const bool has_length = (parser.flags & F_CONTENTLENGTH) != 0 && parser.content_length > 0;
+    if (has_length || parser.uses_transfer_encoding != 0) return fail(kBody);
+    request.method = method_of(parser.method);
+    request.keep_alive = http_should_keep_alive(&parser) != 0;
+    return 0;
+  }
+
+  int end_of_request() {
+    whole = true;
+    http_parser_pause(&parser, 1);  // what follows is the next request's
+    return 0;
+  }
+
+  static State& of(http_parser* parser) { return *static_cast<State*>(parser->data); }
+  static const http_parser_settings& settings() {
+    static const http_parser_settings kSettings = [] {
+      http_parser_settings made;
+      http_parser_settings_init(&made);
+      made.on_url = [](http_parser* p, const char* at, std::size_t n) { return of(p).append_target({at, n}); };
+      made.on_header_field = [](http_parser* p, const char* at, std::size_t n) {
+        return of(p).append_name({at, n});
+      };
+      made.on_header_value = [](http_parser* p, const char* at, std::size_t n) {
+        return of(p).append_value({at, n});
+      };
+      made.on_headers_complete = [](http_parser* p) { return of(p).end_of_head(); };
+      made.on_message_complete = [](http_parser* p) { return of(p).end_of_request(); };
+      return made;
+    }();
+    return kSettings;
+  }
+
+  const RequestBounds bounds;
+  http_parser parser{};
+  Request request;
+  std::size_t head_bytes = 0;
+  bool in_value = true;  // the next name begins a field
+  bool whole = false;
+  std::optional<RequestError> error;
+};
+
+RequestParser::RequestParser(const RequestBounds& bounds) : state_{std::make_unique<State>(bounds)} {}
+RequestParser::~RequestParser() = default;
+
+tl::expected<std::size_t, RequestError> RequestParser::feed(std::span<const std::byte> bytes) {
+  State& state = *state_;
+  if (state.error) return tl::make_unexpected(*state.error);
+  if (state.whole) return 0;
+  const auto offered = bytes.first(std::min(bytes.size(), state.bounds.head_bytes - state.head_bytes));
+  if (offered.empty()) return 0;  // to http_parser that would be the end
+  const std::size_t taken =
+      http_parser_execute(&state.parser, &State::settings(),
+                          reinterpret_cast<const char*>(offered.data()), offered.size());
+  state.head_bytes += taken;
+  if (state.error) return tl::make_unexpected(*state.error);
+  if (!state.whole) {
+    if (HTTP_PARSER_ERRNO(&state.parser) == HPE_HEADER_OVERFLOW) state.error = kHeadTooLarge;
+    else if (HTTP_PARSER_ERRNO(&state.parser) != HPE_OK) state.error = kMalformed;
+    else if (state.head_bytes == state.bounds.head_bytes) state.error = kHeadTooLarge;
+    if (state.error) return tl::make_unexpected(*state.error);
+  }
+  return taken;
+}
+
+bool RequestParser::has_request() const {
+  return state_->whole;
+}
+
+bool RequestParser::mid_request() const {
+  return state_->head_bytes > 0 && !state_->whole;
+}
+
+const Request& RequestParser::request() const {
+  return state_->request;
+}
+
+void RequestParser::pop() {
+  state_->begin();
+}
+
+}  // namespace talus::server::http

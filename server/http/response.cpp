@@ -1,0 +1,28 @@
+#include "http/response.h"
+
+#include <iterator>
+
+#include <fmt/chrono.h>
+#include <fmt/format.h>
+#include <http_parser.h>
+
+namespace talus::server::http {
+
+Response response_to(const RequestError& error) {
+  return {error.status, kPlainText, fmt::format("{}\n", error.text)};
+}
+
+std::string head_of(const Response& response, bool keep_alive, std::chrono::sys_seconds date) {
+  std::string head = fmt::format(
+      "HTTP/1.1 {} {}\r\nDate: {:%a, %d %b %Y %H:%M:%S} GMT\r\nContent-Type: {}\r\nContent-Length: {}\r\n"
+      "Cache-Control: no-store\r\nConnection: {}\r\n",
+      response.status, http_status_str(static_cast<http_status>(response.status)),
+      fmt::gmtime(std::chrono::system_clock::to_time_t(date)), response.content_type, response.body.size(),
+      keep_alive ? "keep-alive" : "close");
+  for (const Field& field : response.fields) {
+    fmt::format_to(std::back_inserter(head), "{}: {}\r\n", field.name, field.value);
+  }
+  return head += "\r\n";
+}
+
+}  // namespace talus::server::http

@@ -1,0 +1,27 @@
+// A connection that came through the acceptor and the handshaker.
+#pragma once
+
+#include <string>
+#include <variant>
+
+#include "clock/clock.h"
+#include "net/admission.h"
+#include "net/registry.h"
+#include "net/tcp_stream.h"
+#include "net/tls_stream.h"
+
+namespace talus::server {
+
+struct ConnectionInfo {
+  ConnectionId id{};
+  std::string address;  // as the log names it; the client's own, where a proxy speaks for it
+  Clock::time_point accepted;
+};
+
+struct AcceptedConnection {
+  ConnectionInfo info;
+  Admission::Slot slot;
+  std::variant<TcpStream, TlsStream> stream;
+};
+
+}  // namespace talus::server

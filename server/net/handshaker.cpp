@@ -1,0 +1,215 @@
+#include "net/handshaker.h"
+
+#include <array>
+#include <exception>
+#include <optional>
+#include <random>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+#include <asio/co_spawn.hpp>
+#include <asio/read.hpp>
+#include <asio/redirect_error.hpp>
+#include <asio/steady_timer.hpp>
+#include <asio/use_awaitable.hpp>
+
+#include <talus/protocol/endpoint.h>
+#include "net/proxy_header.h"
+#include "session/reply_frames.h"
+#include "session/retry_after.h"
+
+namespace talus::server {
+namespace {
+
+using asio::ip::tcp;
+using std::chrono::milliseconds;
+
+std::uint64_t random_seed() {
+  std::random_device device;
+  return std::uint64_t{device()} << 32 | device();
+}
+
+std::string to_text(const tcp::endpoint& endpoint) {
+  return to_string(protocol::Endpoint{endpoint.address().to_string(), endpoint.port()});
+}
+
+/// What came after a handshake that failed is read and dropped: closing over it would reset the connection and
+/// could take the alert with it.
+void drop_input(tcp::socket& socket) {
+  std::array<std::byte, 4096> unread{};
+  std::error_code failed;
+  socket.non_blocking(true, failed);
+  for (int reads = 0; reads < 4 && !failed; ++reads) (void)socket.read_some(asio::buffer(unread), failed);
+}
+
+}  // namespace
+
+struct Handshaker::PendingConnection {
+  PendingConnection(tcp::socket socket, const tcp::endpoint& from, ConnectionId number, TlsContext context,
+                    Clock::time_point now)
+      : id{number},
+        stream{TcpStream{std::move(socket)}},
+        peer{from},
+        client{from},
+        tls{std::move(context)},
+        accepted{now} {}
+
+  [[nodiscard]] tcp::socket& socket() {
+    return secured ? secured->transport().socket() : stream->socket();
+  }
+
+  ConnectionId id;
+  std::optional<TcpStream> stream;  // until it is secured
+  std::optional<TlsStream> secured;
+  tcp::endpoint peer;
+  tcp::endpoint client;  // `peer`, or for whom it speaks
+  TlsContext tls;        // null: plain
+  Clock::time_point accepted;
+  std::optional<Admission::Slot> slot;
+  bool late = false;
+  bool done = false;  // accepted or failed
+};
+
+Handshaker::Handshaker(HandshakeSettings settings, Admission& admission, Metrics& metrics, const Clock& clock,
+                       Logger log, HasMemory has_memory, OnAccepted on_accepted)
+    : settings_{std::move(settings)},
+      admission_{admission},
+      metrics_{metrics},
+      clock_{clock},
+      log_{std::move(log)},
+      has_memory_{std::move(has_memory)},
+      on_accepted_{std::move(on_accepted)},
+      rate_{settings_.per_address_per_second, settings_.per_address_burst, random_seed()},
+      refusal_log_{log_, clock} {}
+
+void Handshaker::begin(tcp::socket socket, ConnectionId id, const TlsContext& tls) {
+  std::error_code gone;
+  const tcp::endpoint peer = socket.remote_endpoint(gone);
+  if (gone) return;
+  const auto pending = std::make_shared<PendingConnection>(std::move(socket), peer, id, tls, clock_.now());
+  if (tls == nullptr && !settings_.proxies.contain(peer.address())) {
+    if (admit(*pending)) accept(*pending);
+    return;
+  }
+  // Without PROXY header and TLS there is nothing to wait for; with them a coroutine waits, and their number is
+  // bounded.
+  if (metrics_.handshakes.now() >= static_cast<std::int64_t>(settings_.max_in_flight)) {
+    refuse(*pending, Refusal::handshakes, "this server has as many handshakes in flight as it takes",
+           retry_after::kServerFull);
+    return;
+  }
+  metrics_.handshakes.rise();
+  asio::co_spawn(
+      pending->socket().get_executor(), [this, pending] { return shake_hands(pending); },
+      [this, id](const std::exception_ptr& thrown) {
+        metrics_.handshakes.fall();
+        try {
+          if (thrown) std::rethrow_exception(thrown);
+        } catch (const std::exception& error) {
+          log_->error("conn {}: failed: {}", id, error.what());
+        }
+      });
+}
+
+asio::awaitable<void> Handshaker::shake_hands(PendingPtr pending) {
+  asio::steady_timer deadline{pending->socket().get_executor()};
+  deadline.expires_after(pending->accepted + settings_.timeout - clock_.now());
+  deadline.async_wait([pending](std::error_code cancelled) {
+    if (cancelled || pending->done) return;  // what has expired already can no longer be cancelled
+    pending->late = true;
+    std::error_code ignored;
+    pending->socket().cancel(ignored);  // who waits counts it, and closes
+  });
+  const bool accepted =
+      (!settings_.proxies.contain(pending->peer.address()) || co_await read_proxy_header(*pending)) &&
+      admit(*pending) && (pending->tls == nullptr || co_await begin_tls(*pending));
+  pending->done = true;
+  deadline.cancel();
+  if (accepted) accept(*pending);
+}
+
+asio::awaitable<bool> Handshaker::read_proxy_header(PendingConnection& pending) {
+  const auto incomplete = tl::make_unexpected(std::string_view{"sent no whole PROXY header of version 2"});
+  std::error_code failed;
+  std::array<std::byte, kProxyPrefixBytes> prefix_bytes{};
+  const std::size_t came = co_await asio::async_read(pending.socket(), asio::buffer(prefix_bytes),
+                                                     asio::redirect_error(asio::use_awaitable, failed));
+  if (failed && came == 0 && !pending.late) co_return false;  // how some proxies check whether a server is there
+  tl::expected<ProxyPrefix, std::string_view> prefix = incomplete;
+  if (!failed && !pending.late) prefix = read_proxy_prefix(prefix_bytes);
+  std::vector<std::byte> body(prefix ? prefix->body_bytes : 0);
+  if (!body.empty()) {
+    co_await asio::async_read(pending.socket(), asio::buffer(body),
+                              asio::redirect_error(asio::use_awaitable, failed));
+    if (failed || pending.late) prefix = incomplete;
+  }
+  if (!prefix) {
+    refuse(pending, Refusal::proxy, fmt::format("it is one of `proxies` and {}", prefix.error()), {});
+    co_return false;
+  }
+  pending.client = proxied_client(*prefix, body).value_or(pending.peer);
+  co_return true;
+}
+
+asio::awaitable<bool> Handshaker::begin_tls(PendingConnection& pending) {
+  pending.secured.emplace(*std::exchange(pending.stream, std::nullopt), pending.tls);
+  std::error_code failed;
+  co_await pending.secured->async_handshake(asio::redirect_error(asio::use_awaitable, failed));
+  if (!failed && !pending.late) {
+    metrics_.tls_handshakes.add();
+    co_return true;
+  }
+  (pending.late ? metrics_.tls_late : metrics_.tls_failed).add();
+  log_->info("conn {} {}: TLS handshake failed: {}", pending.id, to_text(pending.client),
+             pending.late ? "not done in time" : failed.message());
+  pending.slot.reset();  // before the socket closes: who sees the end finds the slot free
+  pending.secured->shutdown();
+  drop_input(pending.socket());
+  co_return false;
+}
+
+bool Handshaker::admit(PendingConnection& pending) {
+  if (!has_memory_()) {
+    refuse(pending, Refusal::memory, std::string{kNoMemory}, retry_after::kServerFull);
+    return false;
+  }
+  auto slot = admission_.enter(pending.client.address());
+  if (!slot) {
+    refuse(pending, Refusal::places, slot.error(), retry_after::kServerFull);
+    return false;
+  }
+  const auto wait = rate_.admit(pending.client.address(), clock_.now());
+  if (wait > Clock::duration::zero()) {
+    refuse(pending, Refusal::pace,
+           fmt::format("your address begins connections faster than {} a second",
+                       settings_.per_address_per_second),
+           std::chrono::ceil<milliseconds>(wait));
+    return false;
+  }
+  pending.slot.emplace(*std::move(slot));
+  return true;
+}
+
+void Handshaker::accept(PendingConnection& pending) {
+  ConnectionInfo info{pending.id, to_text(pending.client), pending.accepted};
+  if (pending.secured) {
+    pending.secured->transport().prefer_latency();
+    on_accepted_({std::move(info), *std::move(pending.slot), *std::move(pending.secured)});
+  } else {
+    pending.stream->prefer_latency();
+    on_accepted_({std::move(info), *std::move(pending.slot), *std::move(pending.stream)});
+  }
+}
+
+void Handshaker::refuse(PendingConnection& pending, Refusal why, const std::string& text,
+                        milliseconds retry_after) {
+  metrics_.refused_for(why).add();
+  refusal_log_.note(to_text(pending.client), text);
+  // To say it over TLS would cost the handshake that is refused, and a proxy that keeps no rule is told nothing.
+  if (pending.tls != nullptr || why == Refusal::proxy) return pending.stream->close();
+  metrics_.error(wire::ErrorCode::overloaded).add();
+  refusals_.refuse(std::move(pending.stream->socket()), text, retry_after);
+}
+
+}  // namespace talus::server

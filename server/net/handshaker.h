@@ -1,0 +1,79 @@
+// What a new connection passes before it has a session: the PROXY header that says whose it is, admission, the
+// rate of its address, and TLS.
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <string>
+
+#include <asio/awaitable.hpp>
+#include <asio/ip/tcp.hpp>
+
+#include "clock/clock.h"
+#include "config/networks.h"
+#include "log/logger.h"
+#include "metrics/metrics.h"
+#include "net/accepted_connection.h"
+#include "net/admission.h"
+#include "net/connection_rate_limiter.h"
+#include "net/refusal_log.h"
+#include "net/refusal_reason.h"
+#include "net/refusals.h"
+#include "net/tls_context.h"
+
+namespace talus::server {
+
+struct HandshakeSettings {
+  std::uint64_t per_address_per_second = 1;
+  std::uint64_t per_address_burst = 1;
+  std::uint64_t max_in_flight = 1;  // of those with a PROXY header or TLS
+  std::chrono::milliseconds timeout{};
+  Networks proxies;  // who must send a PROXY header
+};
+
+class Handshaker {
+ public:
+  /// On the socket's own thread, or in the caller of begin().
+  using OnAccepted = std::function<void(AcceptedConnection)>;
+  /// Whether there is memory for one more.
+  using HasMemory = std::function<bool()>;
+
+  /// `admission`, `metrics` and `clock` outlive it. It outlives the sockets' io_contexts.
+  Handshaker(HandshakeSettings settings, Admission& admission, Metrics& metrics, const Clock& clock, Logger log,
+             HasMemory has_memory, OnAccepted on_accepted);
+
+  /// Takes a socket and returns at once, whatever the peer does; over TLS where there is a context. Each socket
+  /// is accepted, refused, or closed within settings.timeout. From one thread at a time.
+  void begin(asio::ip::tcp::socket socket, ConnectionId id, const TlsContext& tls);
+
+  /// Any thread.
+  [[nodiscard]] RefusalLog& refusal_log() { return refusal_log_; }
+
+ private:
+  struct PendingConnection;
+  using PendingPtr = std::shared_ptr<PendingConnection>;
+
+  [[nodiscard]] asio::awaitable<void> shake_hands(PendingPtr pending);
+  [[nodiscard]] asio::awaitable<bool> read_proxy_header(PendingConnection& pending);
+  [[nodiscard]] asio::awaitable<bool> begin_tls(PendingConnection& pending);
+  /// A slot among the connections, within the rate of its address; else it has been refused.
+  [[nodiscard]] bool admit(PendingConnection& pending);
+  void accept(PendingConnection& pending);
+  void refuse(PendingConnection& pending, Refusal why, const std::string& text,
+              std::chrono::milliseconds retry_after);
+
+  const HandshakeSettings settings_;
+  Admission& admission_;
+  Metrics& metrics_;
+  const Clock& clock_;
+  Logger log_;
+  HasMemory has_memory_;
+  OnAccepted on_accepted_;
+  ConnectionRateLimiter rate_;
+  Refusals refusals_;
+  RefusalLog refusal_log_;
+};
+
+}  // namespace talus::server

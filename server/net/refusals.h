@@ -1,0 +1,26 @@
+// Connections that the server does not take: told so, then closed.
+#pragma once
+
+#include <atomic>
+#include <chrono>
+#include <cstddef>
+#include <string>
+
+#include <asio/ip/tcp.hpp>
+
+namespace talus::server {
+
+class Refusals {
+ public:
+  /// Refusals in flight; beyond them a socket is closed without a message.
+  static constexpr std::size_t kMax = 64;
+
+  /// Sends Error{overloaded, text, retry_after} and closes once the client has had time to read it. Must
+  /// outlive the socket's io_context.
+  void refuse(asio::ip::tcp::socket socket, const std::string& text, std::chrono::milliseconds retry_after);
+
+ private:
+  std::atomic<std::size_t> in_flight_{0};
+};
+
+}  // namespace talus::server

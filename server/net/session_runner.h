@@ -1,0 +1,118 @@
+// Drives a session over a stream: reads frames into it, writes what it has to say, wakes it for its mail, and
+// watches the clock.
+//
+// Three coroutines on the stream's executor share it, so nothing here is locked. They end when the stream is
+// closed; the runner lives as long as the last of them.
+#pragma once
+
+#include <array>
+#include <chrono>
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include <asio/awaitable.hpp>
+
+#include <talus/protocol/frame.h>
+
+#include "log/logger.h"
+#include "net/accepted_connection.h"
+#include "net/registry.h"
+#include "net/stream.h"
+#include "net/timed_event.h"
+#include "net/view_throttle.h"
+#include "net/watchdog.h"
+#include "net/write_batch_size.h"
+#include "session/session.h"
+
+namespace talus::server {
+
+/// What every session of a server is run by.
+struct RunnerLimits {
+  std::uint32_t frame_bytes = 0;  // of one frame of the client
+  std::size_t queued_bytes = 0;   // that wait for the client, above which nothing more is read
+  SessionTimeouts timeouts;
+};
+
+/// What runners share; outlives them.
+struct RunnerContext {
+  SessionContext session;
+  RunnerLimits limits;
+  Registry& registry;
+  Logger log;
+};
+
+template <Stream S>
+class SessionRunner final : public Peer, public std::enable_shared_from_this<SessionRunner<S>> {
+ public:
+  /// `context` outlives it.
+  [[nodiscard]] static std::shared_ptr<SessionRunner> make(S stream, ConnectionInfo connection,
+                                                           Admission::Slot slot,
+                                                           const RunnerContext& context);
+
+  /// Once, from any thread.
+  void start();
+  void go_away(const std::string& reason, std::chrono::milliseconds retry_after) override;
+  /// Lets every coroutine look at the clock again: for who moves a ManualClock. On the stream's executor.
+  void clock_moved();
+
+ private:
+  struct Owner;  // whom the mailbox wakes
+
+ public:
+  /// make() calls it.
+  SessionRunner(S stream, ConnectionInfo connection, Admission::Slot slot, const RunnerContext& context,
+                const std::shared_ptr<Owner>& owner);
+
+ private:
+  [[nodiscard]] asio::awaitable<void> read();
+  [[nodiscard]] asio::awaitable<void> on_bytes(std::span<const std::byte> bytes);
+  [[nodiscard]] asio::awaitable<void> apply_view();
+  [[nodiscard]] asio::awaitable<void> wait_for_room();
+  [[nodiscard]] asio::awaitable<void> write();
+  [[nodiscard]] asio::awaitable<void> watch();
+  void spawn(asio::awaitable<void> (SessionRunner::*loop)());
+
+  /// Lets `event` change the session, in a handler of its own; what that throws ends this connection and no
+  /// other.
+  template <typename Event>
+  void dispatch(Event&& event);
+  /// After anything that happened to the session.
+  void pump();
+  void note_greeting();
+  [[nodiscard]] std::string silence() const;
+  [[nodiscard]] bool too_much_queued() const {
+    return session_.queued_bytes() > context_.limits.queued_bytes;
+  }
+  void end(std::string_view reason);
+  [[nodiscard]] Clock::time_point now() const { return clock_.now(); }
+
+  S stream_;
+  const ConnectionInfo connection_;
+  const RunnerContext& context_;
+  const Clock& clock_;
+  std::optional<Admission::Slot> slot_;
+  protocol::FrameReader frames_;
+  Session session_;
+
+  TimedEvent output_waits_;  // for something to write
+  TimedEvent input_waits_;   // for room in the queue, or for the time of the next View
+  TimedEvent watch_waits_;
+
+  Watchdog watchdog_;
+  ViewThrottle view_throttle_;
+  WriteBatchSize batch_size_;
+  bool reading_paused_ = false;
+  bool greeted_ = false;
+  bool started_ = false;
+  bool open_ = true;
+  std::array<std::byte, 8192> input_;
+};
+
+/// Makes the connection's session and starts it.
+void start_session(AcceptedConnection accepted, const RunnerContext& context);
+
+}  // namespace talus::server

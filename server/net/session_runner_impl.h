@@ -1,0 +1,305 @@
+// SessionRunner's functions: for session_runner.cpp, and for tests that run it over a stream of their own.
+#pragma once
+
+#include "net/session_runner.h"
+
+#include <algorithm>
+#include <exception>
+#include <iterator>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+#include <asio/buffer.hpp>
+#include <asio/co_spawn.hpp>
+#include <asio/post.hpp>
+#include <asio/redirect_error.hpp>
+#include <asio/use_awaitable.hpp>
+#include <asio/write.hpp>
+
+#include "log/escape.h"
+
+namespace talus::server {
+
+/// The mailbox is made before the runner, and knows it weakly.
+template <Stream S>
+struct SessionRunner<S>::Owner {
+  asio::any_io_executor executor;
+  std::weak_ptr<SessionRunner> runner;
+
+  static MailboxPtr mailbox(ConnectionId id, const std::shared_ptr<Owner>& owner) {
+    return std::make_shared<Mailbox>(ClientId{id}, [owner] {
+      asio::post(owner->executor, [owner] {
+        if (const auto runner = owner->runner.lock()) {
+          runner->dispatch([](Session& session) { session.take_mail(); });
+        }
+      });
+    });
+  }
+};
+
+template <Stream S>
+std::shared_ptr<SessionRunner<S>> SessionRunner<S>::make(S stream, ConnectionInfo connection,
+                                                         Admission::Slot slot,
+                                                         const RunnerContext& context) {
+  const auto owner = std::make_shared<Owner>(Owner{stream.get_executor(), {}});
+  const auto runner = std::make_shared<SessionRunner>(std::move(stream), std::move(connection),
+                                                      std::move(slot), context, owner);
+  owner->runner = runner;
+  return runner;
+}
+
+template <Stream S>
+SessionRunner<S>::SessionRunner(S stream, ConnectionInfo connection, Admission::Slot slot,
+                                const RunnerContext& context, const std::shared_ptr<Owner>& owner)
+    : stream_{std::move(stream)},
+      connection_{std::move(connection)},
+      context_{context},
+      clock_{context.session.clock},
+      slot_{std::move(slot)},
+      frames_{context.limits.frame_bytes},
+      session_{context.session, Owner::mailbox(connection_.id, owner), slot_->rates()},
+      output_waits_{stream_.get_executor(), clock_},
+      input_waits_{stream_.get_executor(), clock_},
+      watch_waits_{stream_.get_executor(), clock_},
+      watchdog_{context.limits.timeouts, connection_.accepted} {}
+
+template <Stream S>
+void SessionRunner<S>::start() {
+  asio::post(stream_.get_executor(), [self = this->shared_from_this()] {
+    self->started_ = true;
+    self->context_.session.metrics.accepted.add();
+    self->context_.session.metrics.open.rise();
+    self->dispatch([&](Session&) {
+      self->spawn(&SessionRunner::read);
+      self->spawn(&SessionRunner::write);
+      self->spawn(&SessionRunner::watch);
+    });
+  });
+}
+
+template <Stream S>
+void SessionRunner<S>::go_away(const std::string& reason, std::chrono::milliseconds retry_after) {
+  asio::post(stream_.get_executor(), [self = this->shared_from_this(), reason, retry_after] {
+    self->dispatch([&](Session& session) { session.go_away(reason, retry_after); });
+  });
+}
+
+template <Stream S>
+void SessionRunner<S>::clock_moved() {
+  output_waits_.notify();
+  input_waits_.notify();
+  watch_waits_.notify();
+}
+
+template <Stream S>
+void SessionRunner<S>::spawn(asio::awaitable<void> (SessionRunner::*loop)()) {
+  asio::co_spawn(
+      stream_.get_executor(), [self = this->shared_from_this(), loop] { return ((*self).*loop)(); },
+      [self = this->shared_from_this()](const std::exception_ptr& thrown) {
+        if (!thrown) return;
+        try {
+          std::rethrow_exception(thrown);
+        } catch (const std::exception& error) {
+          self->end(fmt::format("failed: {}", error.what()));
+        }
+      });
+}
+
+template <Stream S>
+asio::awaitable<void> SessionRunner<S>::read() {
+  while (open_) {
+    std::error_code failed;
+    const std::size_t bytes = co_await stream_.async_read_some(
+        asio::buffer(input_), asio::redirect_error(asio::use_awaitable, failed));
+    if (failed) {
+      end(failed == asio::error::eof
+              ? (frames_.mid_frame() ? "closed by the client inside a frame" : "closed by the client")
+              : failed.message());
+      co_return;
+    }
+    context_.session.metrics.received_bytes.add(bytes);
+    // What comes after the last frame is read and dropped, so that closing does not reset the connection.
+    if (session_.closing()) continue;
+    co_await on_bytes(std::span{input_}.first(bytes));
+    pump();
+    if (open_ && session_.view_waits()) co_await apply_view();
+  }
+}
+
+template <Stream S>
+asio::awaitable<void> SessionRunner<S>::on_bytes(std::span<const std::byte> bytes) {
+  while (!bytes.empty() && open_ && !session_.closing()) {
+    const auto taken = frames_.feed(bytes);
+    if (!taken) {
+      session_.broken_frame(taken.error());
+      co_return;
+    }
+    bytes = bytes.subspan(*taken);
+    if (!frames_.has_frame()) continue;
+    watchdog_.frame_came(now());
+    session_.receive(frames_.frame());
+    frames_.pop();
+    note_greeting();
+    if (too_much_queued()) {
+      pump();
+      co_await wait_for_room();
+    }
+  }
+}
+
+template <Stream S>
+asio::awaitable<void> SessionRunner<S>::apply_view() {
+  while (open_ && view_throttle_.due() > now()) co_await input_waits_.wait_until(view_throttle_.due());
+  if (!open_ || !session_.view_waits()) co_return;
+  const auto began = now();
+  const auto used_before = clock_.thread_cpu();
+  session_.apply_view();
+  pump();
+  view_throttle_.applied(began, clock_.thread_cpu() - used_before);
+}
+
+template <Stream S>
+asio::awaitable<void> SessionRunner<S>::wait_for_room() {
+  reading_paused_ = true;
+  watchdog_.reading_pauses();
+  while (open_ && !session_.closing() && too_much_queued()) {
+    co_await input_waits_.wait_until(Clock::time_point::max());
+  }
+  reading_paused_ = false;
+  watchdog_.reading_resumes(now());
+}
+
+template <Stream S>
+asio::awaitable<void> SessionRunner<S>::write() {
+  const auto buffer_of = [](std::span<const std::byte> piece) {
+    return asio::const_buffer{piece.data(), piece.size()};
+  };
+  while (open_) {
+    if (const auto due = session_.sendable_at(); due > now()) {
+      if (session_.closing() && due == Clock::time_point::max()) break;
+      co_await output_waits_.wait_until(due);
+      continue;
+    }
+    const Output output = session_.take_output(batch_size_.bytes(), S::kGatherFrom);
+    const std::vector<std::span<const std::byte>> pieces = output.pieces();
+    pump();
+
+    watchdog_.writing(now());
+    bool in_one_piece = true;
+    const std::size_t waits = stream_.write_waits();
+    const auto progress = [&](const std::error_code& error, std::size_t bytes) -> std::size_t {
+      watchdog_.writing(now());
+      in_one_piece = in_one_piece && (bytes == 0 || bytes == output.size());
+      return error ? 0 : output.size();
+    };
+    std::error_code failed;
+    auto token = asio::redirect_error(asio::use_awaitable, failed);
+    std::size_t written = 0;
+    if (pieces.size() == 1) {  // a cheaper system call
+      written = co_await asio::async_write(stream_, buffer_of(pieces.front()), progress, token);
+    } else {
+      std::vector<asio::const_buffer> buffers;
+      std::transform(pieces.begin(), pieces.end(), std::back_inserter(buffers), buffer_of);
+      written = co_await asio::async_write(stream_, buffers, progress, token);
+    }
+    context_.session.metrics.sent_bytes.add(written);
+    watchdog_.written();
+    session_.written();
+    batch_size_.wrote(output.size(), S::kWritesWhole ? in_one_piece : stream_.write_waits() == waits);
+    if (failed) {
+      end(failed.message());
+      co_return;
+    }
+  }
+  if (open_) co_await stream_.say_end();
+  if (open_) stream_.shutdown();
+}
+
+template <Stream S>
+asio::awaitable<void> SessionRunner<S>::watch() {
+  using Verdict = Watchdog::Verdict;
+  while (open_) {
+    switch (watchdog_.check(now())) {
+      case Verdict::closed:
+        end("closed");
+        break;
+      case Verdict::write_stalled:
+        end(fmt::format("timeout: the client read nothing for {} ms", context_.limits.timeouts.write.count()));
+        break;
+      case Verdict::token_expired:
+        dispatch([](Session& session) { session.token_expired(); });
+        break;
+      case Verdict::silent:
+        dispatch([&](Session& session) { session.timed_out(silence()); });
+        break;
+      case Verdict::wait:
+        co_await watch_waits_.wait_until(watchdog_.next(now()));
+        break;
+    }
+  }
+}
+
+template <Stream S>
+template <typename Event>
+void SessionRunner<S>::dispatch(Event&& event) {
+  if (!open_) return;
+  try {
+    event(session_);
+    pump();
+  } catch (const std::exception& error) {
+    end(fmt::format("failed: {}", error.what()));
+  }
+}
+
+template <Stream S>
+void SessionRunner<S>::pump() {
+  if (!open_) return;
+  session_.pump();
+  if (session_.closing() && watchdog_.closes(now())) watch_waits_.notify();
+  // Also for what a rate still holds: write() may wait without a deadline, and must learn of this one.
+  if (session_.closing() || session_.sendable_at() < output_waits_.deadline()) output_waits_.notify();
+  if (reading_paused_) input_waits_.notify();
+}
+
+template <Stream S>
+std::string SessionRunner<S>::silence() const {
+  const SessionTimeouts& timeouts = context_.limits.timeouts;
+  return greeted_ ? fmt::format("no whole frame for {} ms; send Ping when there is nothing to say",
+                                timeouts.idle.count())
+                  : fmt::format("no whole Hello within {} ms", timeouts.handshake.count());
+}
+
+template <Stream S>
+void SessionRunner<S>::note_greeting() {
+  if (greeted_ || !session_.greeting()) return;
+  greeted_ = true;
+  context_.session.metrics.greeted.rise();
+  watchdog_.greeted();
+  watch_waits_.notify();  // from here on it is the idle time that counts
+  const Greeting& greeting = *session_.greeting();
+  const Grant& grant = greeting.grant;
+  if (grant.expires) watchdog_.token_ends(now() + token_lifetime(*grant.expires, clock_.wall()));
+  const std::string whose = grant.subject.empty() ? "" : fmt::format(" of \"{}\"", escaped(grant.subject));
+  context_.log->info("conn {} {}: hello from \"{}\", protocol {}, rights{} {}", connection_.id,
+                     connection_.address, escaped(greeting.client), greeting.protocol, whose,
+                     to_string(grant.rights));
+}
+
+template <Stream S>
+void SessionRunner<S>::end(std::string_view reason) {
+  if (!std::exchange(open_, false)) return;
+  // Before the stream closes: who sees the end finds the slot free.
+  slot_.reset();
+  context_.registry.remove(connection_.id);
+  if (started_) context_.session.metrics.open.fall();
+  if (greeted_) context_.session.metrics.greeted.fall();
+  stream_.close();
+  clock_moved();
+  const std::string& failure = session_.failure();
+  context_.log->info("conn {} {}: ended: {}", connection_.id, connection_.address,
+                     failure.empty() ? std::string{reason} : escaped(failure, 300));
+  session_.abandon();
+}
+
+}  // namespace talus::server

@@ -1,0 +1,53 @@
+// A Stream over TCP: bytes as they are.
+#pragma once
+
+#include <cstddef>
+#include <utility>
+
+#include <asio/awaitable.hpp>
+#include <asio/ip/tcp.hpp>
+
+namespace talus::server {
+
+class TcpStream {
+ public:
+  using executor_type = asio::ip::tcp::socket::executor_type;
+  static constexpr bool kWritesWhole = true;
+  // A piece more for the system costs as much as copying some 2 KiB that lie far away. Below 64 pieces a write
+  // of the largest batch stays one call.
+  static constexpr std::size_t kGatherFrom = 2560;
+
+  explicit TcpStream(asio::ip::tcp::socket socket) : socket_{std::move(socket)} {}
+
+  [[nodiscard]] executor_type get_executor() { return socket_.get_executor(); }
+  [[nodiscard]] asio::ip::tcp::socket& socket() { return socket_; }
+
+  /// Sends small writes at once, and lets the kernel hold few bytes that it has not sent: they cannot be
+  /// overtaken.
+  void prefer_latency();
+
+  template <typename Buffers, typename Token>
+  auto async_read_some(const Buffers& buffers, Token&& token) {
+    return socket_.async_read_some(buffers, std::forward<Token>(token));
+  }
+  template <typename Buffers, typename Token>
+  auto async_write_some(const Buffers& buffers, Token&& token) {
+    return socket_.async_write_some(buffers, std::forward<Token>(token));
+  }
+
+  [[nodiscard]] asio::awaitable<void> say_end() { co_return; }
+  void shutdown() {
+    std::error_code ignored;
+    socket_.shutdown(asio::ip::tcp::socket::shutdown_send, ignored);
+  }
+  void close() {
+    std::error_code ignored;
+    socket_.close(ignored);
+  }
+  [[nodiscard]] std::size_t write_waits() const { return 0; }
+
+ private:
+  asio::ip::tcp::socket socket_;
+};
+
+}  // namespace talus::server

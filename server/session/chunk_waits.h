@@ -1,0 +1,82 @@
+// Who of one session waits for a chunk from the source: the View, requests, or both. No I/O.
+//
+// Invariant: the session has submitted each chunk here to its source, and has not cancelled it.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+#include <talus/voxel/coords.h>
+
+#include "clock/clock.h"
+
+namespace talus::server {
+
+class ChunkWaits {
+ public:
+  struct Waiters {
+    Clock::time_point since;  // of the first
+    bool view = false;
+    std::vector<std::uint32_t> requests;
+  };
+
+  /// Chunks that are waited for.
+  [[nodiscard]] std::size_t size() const { return waits_.size(); }
+  [[nodiscard]] bool contains(ChunkKey key) const { return waits_.contains(key); }
+  /// Null where nobody waits. Valid until the next change.
+  [[nodiscard]] Waiters* find(ChunkKey key) {
+    const auto found = waits_.find(key);
+    return found == waits_.end() ? nullptr : &found->second;
+  }
+  /// The chunk was submitted at `now`. Nobody may wait for it yet.
+  Waiters& add(ChunkKey key, Clock::time_point now) {
+    Waiters& waiters = waits_[key];
+    waiters.since = now;
+    return waiters;
+  }
+
+  /// The chunk came: removes and returns its waiters; none where the last left before it came.
+  [[nodiscard]] std::optional<Waiters> take(ChunkKey key) {
+    auto found = waits_.extract(key);
+    if (found.empty()) return std::nullopt;
+    return std::move(found.mapped());
+  }
+
+  /// One waiter leaves. Returns true where it was the last: then the caller cancels the chunk at its source.
+  [[nodiscard]] bool leave(ChunkKey key, std::uint32_t request) {
+    const auto found = waits_.find(key);
+    if (found == waits_.end()) return false;
+    std::erase(found->second.requests, request);
+    return erase_if_unwanted(found);
+  }
+  [[nodiscard]] bool leave_view(ChunkKey key) {
+    const auto found = waits_.find(key);
+    if (found == waits_.end()) return false;
+    found->second.view = false;
+    return erase_if_unwanted(found);
+  }
+
+  /// Calls visit(key) for each chunk, and forgets them all.
+  template <typename Visit>
+  void clear(Visit&& visit) {
+    for (const auto& [key, waiters] : waits_) visit(key);
+    waits_.clear();
+  }
+
+ private:
+  using Waits = std::unordered_map<ChunkKey, Waiters>;
+
+  bool erase_if_unwanted(Waits::iterator at) {
+    if (at->second.view || !at->second.requests.empty()) return false;
+    waits_.erase(at);
+    return true;
+  }
+
+  Waits waits_;
+};
+
+}  // namespace talus::server

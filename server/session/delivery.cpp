@@ -1,0 +1,246 @@
+#include "session/delivery.h"
+
+#include <algorithm>
+#include <unordered_set>
+#include <utility>
+#include <variant>
+
+#include <fmt/format.h>
+
+namespace talus::server {
+
+using wire::ErrorCode;
+
+void Delivery::request_heights(std::uint32_t id, std::vector<terrain::BaseColumn> columns) {
+  constexpr std::size_t kTaskBytes = 256;
+  const std::uint64_t ticket = (++heights_asked_ << 32) | id;
+  requests_.add_heights(
+      id, ticket, kTaskBytes + columns.size() * (sizeof(terrain::BaseColumn) + sizeof(std::int32_t)));
+  context_.chunks.submit_heights(mailbox_, ticket, std::move(columns));
+}
+
+void Delivery::cancel(const std::vector<std::uint32_t>& ids) {
+  std::unordered_set<std::uint32_t> cancelled;
+  for (const std::uint32_t id : ids) {
+    if (const auto* request = requests_.chunk(id)) {
+      if (waits_.leave(request->key, id)) context_.chunks.cancel(mailbox_->owner(), request->key);
+    } else if (const auto ticket = requests_.heights_ticket(id)) {
+      context_.chunks.cancel_heights(mailbox_->owner(), *ticket);
+    } else {
+      continue;  // answered already, or never asked
+    }
+    requests_.erase(id);
+    cancelled.insert(id);
+    replies_.error(id, ErrorCode::cancelled, "cancelled");
+  }
+  if (cancelled.empty()) return;
+  outbox_.drop_chunks([&](const Outbox::Entry& entry) { return cancelled.contains(entry.request_id); });
+}
+
+void Delivery::apply_view() {
+  if (!view_.waits()) return;
+  queue_full_ = false;  // the new View may need no place in the queue
+  drop_from_view(view_.apply());
+}
+
+void Delivery::end_view() {
+  drop_from_view(view_.clear());
+}
+
+void Delivery::drop_from_view(const std::vector<ChunkKey>& keys) {
+  for (const ChunkKey key : keys) (void)stop_view_wait(key);
+  outbox_.drop_chunks([&](const Outbox::Entry& entry) {
+    return entry.request_id == 0 && !view_.stream().in_flight(entry.key);
+  });
+}
+
+bool Delivery::stop_view_wait(ChunkKey key) {
+  if (!waits_.contains(key)) return false;  // it waits for the client
+  if (waits_.leave_view(key)) context_.chunks.cancel(mailbox_->owner(), key);
+  return true;
+}
+
+void Delivery::take_mail() {
+  std::vector<Mail> mail = mailbox_->take();
+  if (!mail.empty()) queue_full_ = false;  // an answer shows as well that the queue moves
+  for (Mail& each : mail) {
+    std::visit([this](auto& letter) { receive(std::move(letter)); }, each);
+  }
+}
+
+void Delivery::receive(ChunkReady&& mail) {
+  auto& [key, answer] = mail;
+  if (answer) expected_chunk_bytes_ = std::max(expected_chunk_bytes_, Outbox::cost(**answer));
+  const auto waiters = waits_.take(key);
+  if (!waiters) return;  // the last one left while the answer came
+  context_.metrics.cold_latency.add(context_.clock.now() - waiters->since);
+  for (const std::uint32_t id : waiters->requests) answer_request(id, answer);
+  if (waiters->view) answer_view(key, std::move(answer));
+}
+
+void Delivery::receive(HeightsReady&& mail) {
+  const auto id = static_cast<std::uint32_t>(mail.ticket);
+  if (requests_.heights_ticket(id) != mail.ticket) return;  // cancelled while the answer came
+  if (mail.answer) {
+    replies_.heights(id, *mail.answer);
+  } else {
+    replies_.error(id, ErrorCode::internal, fmt::format("the heights failed: {}", mail.answer.error().reason),
+                   retry_after::kFailed);
+  }
+  requests_.erase(id);
+}
+
+std::size_t Delivery::start_work() {
+  found_ = 0;
+  while (has_room()) {
+    if (const auto id = requests_.next_unstarted()) {
+      start_request(*id);
+      continue;
+    }
+    if (queue_full_ || view_.stream().in_flight_count() >= kMaxViewInFlight ||
+        outbox_.control_bytes() >= kMaxColumnBytes) {
+      break;
+    }
+    const auto key = view_.stream().next();
+    if (!key) break;
+    start_view_chunk(*key);
+  }
+  return found_;
+}
+
+bool Delivery::has_room() const {
+  const std::size_t to_come = waits_.size() * expected_chunk_bytes_;
+  return waits_.size() < kMaxWaits && outbox_.chunk_bytes() + to_come < context_.limits.queued_bytes;
+}
+
+EncodedChunkPtr Delivery::find(ChunkKey key) {
+  EncodedChunkPtr chunk = context_.chunks.find(key);
+  if (chunk != nullptr) ++found_;
+  return chunk;
+}
+
+void Delivery::start_request(std::uint32_t id) {
+  const ChunkKey key = requests_.chunk(id)->key;
+  if (EncodedChunkPtr chunk = find(key)) {
+    answer_request(id, std::move(chunk));
+  } else if (ChunkWaits::Waiters* const waiters = wait_for(key)) {
+    waiters->requests.push_back(id);
+  } else {
+    replies_.error(id, ErrorCode::overloaded,
+                   context_.memory.takes_work() ? "too many chunks wait to be generated" : kNoMemory,
+                   retry_after::kBusy);
+    requests_.erase(id);
+  }
+}
+
+void Delivery::start_view_chunk(ChunkKey key) {
+  if (answer_by_column(key)) return;
+  if (EncodedChunkPtr chunk = find(key)) {
+    answer_view(key, std::move(chunk));
+  } else if (ChunkWaits::Waiters* const waiters = wait_for(key)) {
+    waiters->view = true;
+  } else {
+    view_.stream().put_back(key);
+    queue_full_ = true;
+  }
+}
+
+ChunkWaits::Waiters* Delivery::wait_for(ChunkKey key) {
+  if (ChunkWaits::Waiters* const waiters = waits_.find(key)) return waiters;
+  if (context_.chunks.submit(mailbox_, key) == ChunkSource::Submission::refused) return nullptr;
+  return &waits_.add(key, context_.clock.now());
+}
+
+void Delivery::answer_request(std::uint32_t id, ChunkAnswer answer) {
+  if (!answer) {
+    replies_.error(id, ErrorCode::internal, fmt::format("the chunk failed: {}", answer.error().reason),
+                   retry_after::kFailed);
+    requests_.erase(id);
+  } else if (!confirm_request(id, **answer)) {
+    outbox_.push_chunk({id, requests_.chunk(id)->key, *std::move(answer)});  // pending until it is written
+  }
+}
+
+void Delivery::answer_view(ChunkKey key, ChunkAnswer answer) {
+  if (!answer) {
+    replies_.error(
+        0, ErrorCode::internal,
+        fmt::format("chunk {} of the View failed: {}", to_string(key), answer.error().reason),
+        retry_after::kFailed);
+    view_.done(key);
+    return;
+  }
+  // The column may be known now, and not have been when the chunk was submitted.
+  if (answer_by_column(key) || confirm_view(key, **answer)) return;
+  outbox_.push_chunk({0, key, *std::move(answer)});
+}
+
+bool Delivery::confirm_request(std::uint32_t id, const EncodedChunk& chunk) {
+  const PendingRequests::ChunkRequest& request = *requests_.chunk(id);
+  if (request.known != chunk.hash()) return false;
+  replies_.unchanged(id, request.key, chunk);
+  requests_.erase(id);
+  return true;
+}
+
+bool Delivery::confirm_view(ChunkKey key, const EncodedChunk& chunk) {
+  if (!view_.knows(key, chunk.hash())) return false;
+  replies_.unchanged(0, key, chunk);
+  view_.done(key);
+  return true;
+}
+
+bool Delivery::answer_by_column(ChunkKey key) {
+  const MixedRows rows = context_.chunks.column(key);
+  if (!rows.uniform_at(key.coord.y)) return false;
+  std::vector<wire::UniformRun> runs;
+  view_.stream().done_in_column(key, [&](ChunkKey chunk, bool in_flight) {
+    const std::int32_t y = chunk.coord.y;
+    const auto uniform = rows.uniform_at(y);
+    if (!uniform) return false;
+    if (in_flight && chunk != key && !stop_view_wait(chunk)) return false;
+    const auto material = to_integer(*uniform);
+    const bool goes_on = !runs.empty() && runs.back().last_y() == y - 1 && runs.back().material() == material;
+    const std::int32_t first = goes_on ? runs.back().first_y() : y;
+    if (goes_on) runs.pop_back();
+    runs.emplace_back(first, y, material);
+    return true;
+  });
+  replies_.column(key, runs);
+  return true;
+}
+
+bool Delivery::refresh(Outbox::Entry& entry) {
+  EncodedChunkPtr newer = context_.chunks.newer(entry.key, entry.chunk->revision());
+  if (newer == nullptr) return true;
+  entry.chunk = std::move(newer);
+  return entry.request_id != 0 ? !confirm_request(entry.request_id, *entry.chunk)
+                               : !confirm_view(entry.key, *entry.chunk);
+}
+
+void Delivery::sent(const Outbox::Entry& entry) {
+  if (entry.request_id != 0) {
+    requests_.erase(entry.request_id);
+  } else {
+    view_.done(entry.key);
+  }
+}
+
+void Delivery::abandon() {
+  waits_.clear([this](ChunkKey key) { context_.chunks.cancel(mailbox_->owner(), key); });
+  for (const std::uint32_t id : requests_.ids()) {
+    if (const auto ticket = requests_.heights_ticket(id)) {
+      context_.chunks.cancel_heights(mailbox_->owner(), *ticket);
+    }
+  }
+  requests_.clear();
+  (void)view_.clear();
+  outbox_.drop_chunks([](const Outbox::Entry&) { return true; });
+}
+
+std::size_t Delivery::bytes() const {
+  constexpr std::size_t kPerRequest = 128;  // here and in the source's queue
+  return view_.bytes() + (requests_.size() + waits_.size()) * kPerRequest;
+}
+
+}  // namespace talus::server

@@ -1,0 +1,117 @@
+// What the client asked for, from the request to the outbox: chunks for requests and for the View, and
+// heights. Takes a chunk that is in memory at once, and waits for the others; decides whether a chunk is sent,
+// confirmed (Unchanged), or told as part of its column.
+//
+// No I/O. Bounded: kMaxWaits chunks wait for the source, and what waits for the client stays within
+// limits.queued_bytes and one chunk.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include <talus/terrain/stacks.h>
+#include <talus/voxel/coords.h>
+
+#include "chunks/mailbox.h"
+#include "session/chunk_waits.h"
+#include "session/pending_requests.h"
+#include "session/replies.h"
+#include "session/session_context.h"
+#include "view/outbox.h"
+#include "view/view_subscription.h"
+
+namespace talus::server {
+
+class Delivery {
+ public:
+  /// Chunks of the View in flight at once: few, so that a moved View soon counts.
+  static constexpr std::size_t kMaxViewInFlight = 64;
+  /// Chunks of one session that wait for the source at once.
+  static constexpr std::size_t kMaxWaits = 128;
+  /// Bytes of control frames above which no Column is added: control frames need no credit.
+  static constexpr std::size_t kMaxColumnBytes = std::size_t{16} * 1024;
+  /// What a chunk that waits for the source is expected to take in the outbox, until a larger one came.
+  static constexpr std::size_t kExpectedChunkBytes = 4096;
+
+  /// All outlive it.
+  Delivery(const SessionContext& context, MailboxPtr mailbox, Replies& replies, Outbox& outbox)
+      : context_{context}, mailbox_{std::move(mailbox)}, replies_{replies}, outbox_{outbox} {}
+
+  // ---- what the client asks for
+  [[nodiscard]] const PendingRequests& requests() const { return requests_; }
+  /// REQUIRES: no request `id` is pending.
+  void request_chunk(std::uint32_t id, const PendingRequests::ChunkRequest& request) {
+    requests_.add_chunk(id, request);
+  }
+  /// REQUIRES: no request `id` is pending.
+  void request_heights(std::uint32_t id, std::vector<terrain::BaseColumn> columns);
+  /// Answers those of `ids` that are pending by Error cancelled.
+  void cancel(const std::vector<std::uint32_t>& ids);
+
+  [[nodiscard]] ViewSubscription& view() { return view_; }
+  [[nodiscard]] const ViewSubscription& view() const { return view_; }
+  void apply_view();
+  void end_view();
+
+  // ---- mail
+  void receive(ChunkReady&& mail);
+  void receive(HeightsReady&& mail);
+  void receive(QueueHasRoom) {}  // any mail ends queue_full_
+  void take_mail();
+
+  // ---- work
+  /// Starts requests and chunks of the View until a bound is reached. Returns how many chunks were in memory.
+  [[nodiscard]] std::size_t start_work();
+
+  /// A chunk is about to be written: replaces it by a newer version that is in memory. Returns false where the
+  /// client holds that version and was told so instead.
+  [[nodiscard]] bool refresh(Outbox::Entry& entry);
+  /// A chunk was written.
+  void sent(const Outbox::Entry& entry);
+
+  /// Forgets everything, and cancels it at the source.
+  void abandon();
+
+  /// Memory held, roughly, beside the outbox.
+  [[nodiscard]] std::size_t bytes() const;
+
+ private:
+  [[nodiscard]] EncodedChunkPtr find(ChunkKey key);
+  /// Whether one more chunk may come to wait for the client; those that wait for the source will, too.
+  [[nodiscard]] bool has_room() const;
+
+  void start_request(std::uint32_t id);
+  void start_view_chunk(ChunkKey key);
+  /// The chunk's waiters, after it was submitted if need be; null where the source refused it.
+  [[nodiscard]] ChunkWaits::Waiters* wait_for(ChunkKey key);
+
+  void answer_request(std::uint32_t id, ChunkAnswer answer);
+  void answer_view(ChunkKey key, ChunkAnswer answer);
+  /// Where the client holds this version of the chunk: answers by Unchanged.
+  [[nodiscard]] bool confirm_request(std::uint32_t id, const EncodedChunk& chunk);
+  [[nodiscard]] bool confirm_view(ChunkKey key, const EncodedChunk& chunk);
+  /// Where the chunk is known to be uniform: answers by Column, for all uniform chunks of its column that the
+  /// View still waits for.
+  [[nodiscard]] bool answer_by_column(ChunkKey key);
+
+  /// Chunks that left the View: nobody of it waits for them, and none of them is sent.
+  void drop_from_view(const std::vector<ChunkKey>& keys);
+  /// The View waits for the chunk no more; false where it did not wait for the source.
+  bool stop_view_wait(ChunkKey key);
+
+  const SessionContext& context_;
+  const MailboxPtr mailbox_;
+  Replies& replies_;
+  Outbox& outbox_;
+  PendingRequests requests_;
+  ViewSubscription view_;
+  ChunkWaits waits_;
+  std::size_t expected_chunk_bytes_ = kExpectedChunkBytes;
+  std::size_t found_ = 0;  // chunks that were in memory since start_work() began
+  std::uint64_t heights_asked_ = 0;
+  bool queue_full_ = false;  // the View waits for mail before it submits again
+};
+
+}  // namespace talus::server

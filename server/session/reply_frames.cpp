@@ -1,0 +1,110 @@
+#include "session/reply_frames.h"
+
+namespace talus::server {
+namespace {
+
+wire::Phase phase_of(terrain::MaterialKind kind) {
+  switch (kind) {
+    case terrain::MaterialKind::air:
+      return wire::Phase::gas;
+    case terrain::MaterialKind::water:
+      return wire::Phase::liquid;
+    default:
+      return wire::Phase::solid;
+  }
+}
+
+std::uint32_t packed(terrain::Colour colour) {
+  return (std::uint32_t{colour.red} << 16) | (std::uint32_t{colour.green} << 8) | colour.blue;
+}
+
+std::uint32_t on_wire(std::chrono::milliseconds time) {
+  return static_cast<std::uint32_t>(time.count());
+}
+
+wire::Hash128 on_wire(ContentHash hash) {
+  return {hash.low, hash.high};
+}
+
+}  // namespace
+
+protocol::Frame welcome_frame(const Greeting& greeting, const WorldInfo& world, const SessionLimits& limits) {
+  return protocol::make_frame([&](flatbuffers::FlatBufferBuilder& builder) {
+    std::vector<flatbuffers::Offset<wire::Material>> materials;
+    for (const terrain::Material& material : world.materials) {
+      const auto name = builder.CreateString(material.name);
+      materials.push_back(wire::CreateMaterial(builder, to_integer(material.id), name,
+                                               packed(material.colour), phase_of(material.kind)));
+    }
+    const auto all_materials = builder.CreateVector(materials);
+    const auto said_limits =
+        wire::CreateLimits(builder, limits.frame_bytes, limits.requests_in_flight, limits.heights_per_request,
+                           limits.view_horizontal_radius, limits.view_vertical_radius, limits.view_chunks,
+                           greeting.window_bytes, on_wire(limits.idle_timeout));
+    const auto server = builder.CreateString(world.server);
+
+    const wire::Hash128 fingerprint = on_wire(world.fingerprint);
+    const wire::Hash128 store_id = on_wire(world.store_id);
+    const wire::Voxel spawn{world.spawn.x, world.spawn.y, world.spawn.z};
+    wire::WelcomeBuilder welcome{builder};
+    welcome.add_protocol(greeting.protocol);
+    welcome.add_codec(greeting.codec);
+    welcome.add_fingerprint(&fingerprint);
+    welcome.add_store_id(&store_id);
+    welcome.add_chunk_size(kChunkSize);
+    welcome.add_materials(all_materials);
+    welcome.add_min_y(world.heights.low);
+    welcome.add_max_y(world.heights.high);
+    welcome.add_spawn(&spawn);
+    welcome.add_limits(said_limits);
+    welcome.add_server(server);
+    return welcome.Finish();
+  });
+}
+
+protocol::Frame error_frame(wire::ErrorCode code, std::string_view text, std::uint32_t request_id,
+                            std::chrono::milliseconds retry_after) {
+  return protocol::make_frame([&](flatbuffers::FlatBufferBuilder& builder) {
+    const auto line = builder.CreateString(text.data(), text.size());
+    return wire::CreateError(builder, code, line, request_id, on_wire(retry_after));
+  });
+}
+
+protocol::Frame unchanged_frame(std::uint32_t request_id, ChunkKey key, const EncodedChunk& chunk) {
+  return protocol::make_frame([&](flatbuffers::FlatBufferBuilder& builder) {
+    const wire::ChunkKey wire_key{key.coord.x, key.coord.y, key.coord.z,
+                                  static_cast<std::uint8_t>(key.lod.value())};
+    const wire::Hash128 wire_hash = on_wire(chunk.hash());
+    return wire::CreateUnchanged(builder, request_id, &wire_key, chunk.revision(), &wire_hash);
+  });
+}
+
+protocol::Frame column_frame(ChunkKey column, const std::vector<wire::UniformRun>& runs) {
+  constexpr std::uint64_t kBaseRevision = 0;  // rows that hold edits are in no run
+  return protocol::make_frame([&](flatbuffers::FlatBufferBuilder& builder) {
+    const auto wire_runs = builder.CreateVectorOfStructs(runs);
+    return wire::CreateColumn(builder, column.coord.x, column.coord.z,
+                              static_cast<std::uint8_t>(column.lod.value()), kBaseRevision, wire_runs);
+  });
+}
+
+protocol::Frame heights_frame(std::uint32_t request_id, std::span<const std::int32_t> heights) {
+  return protocol::make_frame([&](flatbuffers::FlatBufferBuilder& builder) {
+    const auto values = builder.CreateVector(heights.data(), heights.size());
+    return wire::CreateHeights(builder, request_id, values);
+  });
+}
+
+protocol::Frame pong_frame(std::uint64_t nonce) {
+  return protocol::make_frame(
+      [&](flatbuffers::FlatBufferBuilder& builder) { return wire::CreatePong(builder, nonce); });
+}
+
+protocol::Frame go_away_frame(std::string_view reason, std::chrono::milliseconds retry_after) {
+  return protocol::make_frame([&](flatbuffers::FlatBufferBuilder& builder) {
+    const auto line = builder.CreateString(reason.data(), reason.size());
+    return wire::CreateGoAway(builder, line, on_wire(retry_after));
+  });
+}
+
+}  // namespace talus::server

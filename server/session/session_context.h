@@ -1,0 +1,27 @@
+// What all sessions share.
+#pragma once
+
+#include "access/access_control.h"
+#include "chunks/chunk_source.h"
+#include "clock/clock.h"
+#include "memory/memory_budget.h"
+#include "metrics/metrics.h"
+#include "rates/rates.h"
+#include "session/session_limits.h"
+#include "session/world_info.h"
+
+namespace talus::server {
+
+/// Everything outlives the sessions.
+struct SessionContext {
+  const SessionLimits& limits;
+  const WorldInfo& world;
+  ChunkSource& chunks;
+  MemoryBudget& memory;
+  Metrics& metrics;
+  const AccessControl& access;
+  const RateLimits& rates;
+  const Clock& clock;
+};
+
+}  // namespace talus::server

@@ -1,0 +1,47 @@
+#include "view/outbox.h"
+
+#include <utility>
+
+namespace talus::server {
+namespace {
+
+// Of a frame beside its bytes: its vector, and what the allocator adds.
+constexpr std::size_t kFrameOverheadBytes = 48;
+
+}  // namespace
+
+void Outbox::push_control(protocol::Frame frame) {
+  control_bytes_ += frame.size() + kFrameOverheadBytes;
+  control_.push_back(std::move(frame));
+}
+
+void Outbox::push_chunk(Entry entry) {
+  entry.chunk->prefetch();  // it is written soon, among others that lie as far apart in memory
+  chunk_bytes_ += cost(*entry.chunk);
+  chunks_.push_back(std::move(entry));
+}
+
+bool Outbox::sendable(const Credit& credit) const {
+  return !control_.empty() || (!chunks_.empty() && credit.may_send());
+}
+
+void Outbox::take_control(std::size_t enough_bytes, Output& output) {
+  while (!control_.empty() && output.size() < enough_bytes) {
+    const protocol::Frame& frame = control_.front();
+    output.append(frame);
+    control_bytes_ -= frame.size() + kFrameOverheadBytes;
+    control_.pop_front();
+  }
+}
+
+std::size_t Outbox::bytes_to_copy(std::size_t shared_from) const {
+  constexpr std::size_t kHeadBytes = 160;  // more than what stands before a chunk's payload
+  const bool shares = shared_from == 0 || chunk_bytes_ / shared_from > chunks_.size();
+  return control_bytes_ + (shares ? kHeadBytes * chunks_.size() : chunk_bytes_);
+}
+
+std::size_t Outbox::cost(const EncodedChunk& chunk) {
+  return sizeof(Entry) + chunk.bytes();
+}
+
+}  // namespace talus::server

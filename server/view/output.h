@@ -1,0 +1,47 @@
+// What one write sends: frames, one after the other.
+//
+// Small frames are copied into one buffer, because the kernel takes one buffer faster than many. Of a large
+// chunk only the head, where request id and key stand, is copied; its payload is written from the cache's own
+// memory.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include <talus/voxel/coords.h>
+
+#include "chunks/encoded_chunk.h"
+
+namespace talus::server {
+
+class Output {
+ public:
+  static constexpr std::size_t kCopyAll = SIZE_MAX;
+
+  /// Frames of `shared_from` bytes and more are not copied.
+  explicit Output(std::size_t shared_from = kCopyAll) : shared_from_{shared_from} {}
+
+  void reserve(std::size_t bytes) { copied_.reserve(bytes); }
+  void append(std::span<const std::byte> frame);
+  /// `request_id` 0: sent for the View. A chunk that is not copied is kept alive as long as this.
+  void append(const EncodedChunkPtr& chunk, std::uint32_t request_id, ChunkKey key);
+
+  [[nodiscard]] std::size_t size() const { return size_; }
+  /// The buffers to write, in order; they point into this.
+  [[nodiscard]] std::vector<std::span<const std::byte>> pieces() const;
+
+ private:
+  struct Shared {
+    std::size_t after;  // copied bytes that go before it
+    EncodedChunkPtr chunk;
+  };
+
+  std::size_t shared_from_;
+  std::size_t size_ = 0;
+  std::vector<std::byte> copied_;
+  std::vector<Shared> shared_;
+};
+
+}  // namespace talus::server

@@ -1,0 +1,84 @@
+// Which chunks of one View were sent, are in flight, or are still to be sent, and in which order. No I/O.
+// Memory: one byte a chunk of the View, and eight for each that is still to be sent.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <queue>
+#include <span>
+#include <unordered_set>
+#include <vector>
+
+#include <talus/voxel/coords.h>
+
+#include "view/interest.h"
+
+namespace talus::server {
+
+class ViewStream {
+ public:
+  /// Replaces the area of interest. A chunk in both areas keeps its state. A chunk that left is forgotten, and
+  /// sent again when it comes back; so is one that left in one of the areas `between`, which were replaced
+  /// before they were looked at. Returns the chunks that were in flight and are so no more.
+  [[nodiscard]] std::vector<ChunkKey> replace(Interest wanted, std::span<const Interest> between = {});
+
+  /// The nearest chunk that is still to be sent; it is in flight from here on.
+  [[nodiscard]] std::optional<ChunkKey> next();
+  /// A chunk in flight is still to be sent after all.
+  void put_back(ChunkKey key);
+  /// A chunk in flight was sent, or never will be.
+  void done(ChunkKey key);
+
+  /// Ends every chunk of `key`'s column, from below, that is not done and for which ends(chunk, in_flight)
+  /// returns true.
+  template <typename Ends>
+  void done_in_column(ChunkKey key, Ends&& ends) {
+    const Span rows = interest_.rows_of(key);
+    for (std::int64_t y = rows.first; y <= rows.last; ++y) {
+      const ChunkKey chunk{{key.coord.x, static_cast<std::int32_t>(y), key.coord.z}, key.lod};
+      State& state = states_[*interest_.place_of(chunk)];
+      if (state == State::done || !ends(chunk, state == State::in_flight)) continue;
+      if (state == State::in_flight) in_flight_.erase(chunk);
+      state = State::done;
+    }
+  }
+
+  /// Whether the area has the chunk, and it is not done.
+  [[nodiscard]] bool wants(ChunkKey key) const {
+    const auto place = interest_.place_of(key);
+    return place && states_[*place] != State::done;
+  }
+  [[nodiscard]] bool in_flight(ChunkKey key) const { return in_flight_.contains(key); }
+  [[nodiscard]] std::size_t in_flight_count() const { return in_flight_.size(); }
+  /// Memory held, roughly.
+  [[nodiscard]] std::size_t bytes() const {
+    return states_.capacity() * sizeof(State) + (far_.capacity() + near_.size()) * sizeof(std::uint64_t) +
+           in_flight_.size() * 64;
+  }
+
+ private:
+  enum class State : std::uint8_t { to_send, in_flight, done };
+
+  void leave(ChunkKey key, State state);
+  /// Drops from near_ what is not to be sent any more, and refills it when it is empty.
+  void refill_near();
+  /// Moves the nearest rings of far_ to near_.
+  void move_near();
+
+  using Ranks = std::priority_queue<std::uint64_t, std::vector<std::uint64_t>, std::greater<>>;
+
+  Interest interest_;
+  std::vector<State> states_;  // by place
+
+  // The chunks to be sent, and some that no longer are. A View can be large, and is mostly replaced before
+  // it is sent whole: only the nearest rings are sorted exactly, the others when their turn comes.
+  Ranks near_;
+  std::vector<std::uint64_t> far_;  // rough ranks
+  std::uint64_t near_end_ = 0;      // the rough rank at which far_ begins
+
+  std::unordered_set<ChunkKey> in_flight_;
+};
+
+}  // namespace talus::server

@@ -1,0 +1,51 @@
+#include "view/view_subscription.h"
+
+#include <utility>
+
+namespace talus::server {
+
+void ViewSubscription::request(View view) {
+  // The client has dropped what left in a View, whether or not that View was ever applied.
+  if (requested_ && !same_chunks(*requested_, view)) {
+    if (unseen_.size() == kMaxUnseenViews) unseen_ = {Interest{}};
+    unseen_.emplace_back(*requested_);
+  }
+  requested_ = std::move(view);
+}
+
+void ViewSubscription::add_known(ChunkKey key, ContentHash hash) {
+  if (known_.size() < kMaxKnownChunks) known_[key] = hash;
+}
+
+std::vector<ChunkKey> ViewSubscription::apply() {
+  if (!requested_) return {};
+  const View view = *std::exchange(requested_, std::nullopt);
+  auto dropped = stream_.replace(Interest{view}, std::exchange(unseen_, {}));
+  std::erase_if(known_, [&](const auto& chunk) { return !stream_.wants(chunk.first); });
+  return dropped;
+}
+
+std::vector<ChunkKey> ViewSubscription::clear() {
+  requested_.reset();
+  unseen_.clear();
+  known_.clear();
+  return stream_.replace({});
+}
+
+void ViewSubscription::done(ChunkKey key) {
+  stream_.done(key);
+  if (!known_.empty()) known_.erase(key);
+}
+
+bool ViewSubscription::knows(ChunkKey key, ContentHash hash) const {
+  if (known_.empty()) return false;
+  const auto known = known_.find(key);
+  return known != known_.end() && known->second == hash;
+}
+
+std::size_t ViewSubscription::bytes() const {
+  constexpr std::size_t kPerKnown = 64;
+  return stream_.bytes() + known_.size() * kPerKnown;
+}
+
+}  // namespace talus::server

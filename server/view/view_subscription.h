@@ -1,0 +1,59 @@
+// A client's View from the message to its last chunk: the newest View, which may still wait to be applied; the
+// View in force; and what the client says that it holds. No I/O.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <unordered_map>
+#include <vector>
+
+#include <talus/voxel/content_hash.h>
+#include <talus/voxel/coords.h>
+
+#include "view/interest.h"
+#include "view/view_stream.h"
+
+namespace talus::server {
+
+class ViewSubscription {
+ public:
+  /// Views of different chunks that may be replaced unseen between two apply(); with more, every chunk is
+  /// sent again.
+  static constexpr std::size_t kMaxUnseenViews = 8;
+  /// Chunks that the client may say it holds; those beyond are sent.
+  static constexpr std::size_t kMaxKnownChunks = 8192;
+
+  // ---- what the client says
+  /// The newest View. It counts from the next apply() on.
+  void request(View view);
+  /// The client holds the chunk with these voxels, and the newest View brings it back.
+  void add_known(ChunkKey key, ContentHash hash);
+
+  /// Whether a View waits for apply().
+  [[nodiscard]] bool waits() const { return requested_.has_value(); }
+  /// Puts the newest View in force. Returns the chunks that were in flight and are so no more.
+  [[nodiscard]] std::vector<ChunkKey> apply();
+  /// Ends the subscription: no View, nothing known. Returns as apply().
+  [[nodiscard]] std::vector<ChunkKey> clear();
+
+  // ---- the View in force
+  [[nodiscard]] ViewStream& stream() { return stream_; }
+  [[nodiscard]] const ViewStream& stream() const { return stream_; }
+  /// The chunk in flight was sent or answered otherwise.
+  void done(ChunkKey key);
+
+  /// Whether the client holds the chunk with these voxels.
+  [[nodiscard]] bool knows(ChunkKey key, ContentHash hash) const;
+  [[nodiscard]] std::size_t known_chunks() const { return known_.size(); }
+
+  /// Memory held, roughly.
+  [[nodiscard]] std::size_t bytes() const;
+
+ private:
+  ViewStream stream_;
+  std::optional<View> requested_;
+  std::vector<Interest> unseen_;                     // replaced before apply(), oldest first
+  std::unordered_map<ChunkKey, ContentHash> known_;  // of chunks that are not done
+};
+
+}  // namespace talus::server

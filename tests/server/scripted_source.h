@@ -1,0 +1,93 @@
+// A chunk source without threads: a test says which chunks are in memory, which submissions are refused, and
+// when each answer comes.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "chunks/chunk_source.h"
+
+namespace talus::server {
+
+/// A chunk whose hash tells its key and revision. Its payload is no chunk: sessions do not look.
+[[nodiscard]] inline EncodedChunkPtr scripted_chunk(ChunkKey key, std::uint64_t revision = 0,
+                                                    std::size_t payload_bytes = 100) {
+  return std::make_shared<const EncodedChunk>(ContentHash{std::hash<ChunkKey>{}(key), revision},
+                                              std::vector<std::byte>(payload_bytes), revision);
+}
+
+class ScriptedSource final : public ChunkSource {
+ public:
+  // ---- the script
+  std::map<ChunkKey, EncodedChunkPtr> in_memory;  // the newest version of each
+  MixedRows rows;                                 // of every column
+  std::size_t queue_places = SIZE_MAX;            // submissions beyond them are refused
+  std::size_t payload_bytes = 100;
+
+  // ---- what was asked of it
+  std::map<ChunkKey, MailboxPtr> waiting;
+  std::map<std::uint64_t, MailboxPtr> waiting_heights;  // by ticket
+  std::size_t submitted = 0;
+  std::size_t refused = 0;
+  std::size_t newer_asked = 0;
+
+  [[nodiscard]] EncodedChunkPtr find(ChunkKey key) override {
+    const auto found = in_memory.find(key);
+    return found == in_memory.end() ? nullptr : found->second;
+  }
+  [[nodiscard]] EncodedChunkPtr newer(ChunkKey key, std::uint64_t revision) override {
+    ++newer_asked;
+    EncodedChunkPtr newest = find(key);
+    return newest != nullptr && newest->revision() > revision ? newest : nullptr;
+  }
+  [[nodiscard]] MixedRows column(ChunkKey) override { return rows; }
+
+  [[nodiscard]] Submission submit(const MailboxPtr& mailbox, ChunkKey key) override {
+    if (waiting.size() >= queue_places) {
+      ++refused;
+      return Submission::refused;
+    }
+    ++submitted;
+    waiting[key] = mailbox;
+    return Submission::queued;
+  }
+  void cancel(ClientId, ChunkKey key) override { waiting.erase(key); }
+  void submit_heights(const MailboxPtr& mailbox, std::uint64_t ticket,
+                      std::vector<terrain::BaseColumn> columns) override {
+    waiting_heights[ticket] = mailbox;
+    heights_[ticket] = columns.size();
+  }
+  void cancel_heights(ClientId, std::uint64_t ticket) override { waiting_heights.erase(ticket); }
+
+  // ---- answers: they lie in the mailbox until the session takes them
+  /// The chunk's newest version where one is in memory, else revision 0.
+  void answer(ChunkKey key) {
+    EncodedChunkPtr chunk = find(key);
+    mail(key, chunk != nullptr ? std::move(chunk) : scripted_chunk(key, 0, payload_bytes));
+  }
+  void mail(ChunkKey key, ChunkAnswer answer) {
+    const MailboxPtr mailbox = std::exchange(waiting.at(key), nullptr);
+    waiting.erase(key);
+    mailbox->put(ChunkReady{key, std::move(answer)});
+  }
+  void fail(ChunkKey key) { mail(key, tl::make_unexpected(GenerationFailed{"out of memory"})); }
+  void answer_all() {
+    while (!waiting.empty()) answer(waiting.begin()->first);
+  }
+  /// Every height is 256.
+  void answer_heights(std::uint64_t ticket) {
+    waiting_heights.at(ticket)->put(HeightsReady{ticket, std::vector<std::int32_t>(heights_[ticket], 256)});
+    waiting_heights.erase(ticket);
+  }
+
+ private:
+  std::map<std::uint64_t, std::size_t> heights_;  // how many
+};
+
+}  // namespace talus::server
