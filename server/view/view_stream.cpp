@@ -21,7 +21,7 @@ std::vector<ChunkKey> ViewStream::replace(Interest wanted, std::span<const Inter
   near_ = {};
   near_end_ = 0;
   far_.clear();
-  if (far_.capacity() / 4 > interest_.places()) far_ = {};  // of a much larger View
+  if (far_.capacity() / 4 > interest_.places()) decltype(far_){}.swap(far_);  // of a much larger View
   interest_.for_each([this](ChunkKey key, Interest::Place place) {
     if (states_[place] == State::to_send) far_.push_back(interest_.rough_rank(key, place));
   });
