@@ -249,11 +249,12 @@ bool Session::admit(std::uint32_t id) {
 
 Clock::time_point Session::sendable_at() {
   if (!outbox_.sendable(credit_)) return Clock::time_point::max();
+  constexpr Clock::time_point kAtOnce{};
+  if (outbox_.has_control()) return kAtOnce;
   const Clock::time_point now = context_.clock.now();
-  if (outbox_.has_control()) return now;
   const SessionRates::Due due = rates_.chunks_due(now);
   if (due.throttled) context_.metrics.held(*due.throttled).add();
-  return due.at;
+  return due.at > now ? due.at : kAtOnce;
 }
 
 Output Session::take_output(std::size_t enough_bytes, std::size_t shared_from) {
@@ -263,13 +264,14 @@ Output Session::take_output(std::size_t enough_bytes, std::size_t shared_from) {
   std::size_t chunks = 0;
   std::size_t chunk_bytes = 0;
   const SessionRates::Allowance allowance = rates_.allowance(now);
-  outbox_.take({enough_bytes, allowance.chunks, allowance.bytes}, credit_, output,
-               [this](Outbox::Entry& entry) { return delivery_.refresh(entry); },
-               [&](const Outbox::Entry& entry) {
-                 ++chunks;
-                 chunk_bytes += entry.chunk->frame_bytes();
-                 delivery_.sent(entry);
-               });
+  outbox_.take(
+      {enough_bytes, allowance.chunks, allowance.bytes}, credit_, output,
+      [this](Outbox::Entry& entry) { return delivery_.refresh(entry); },
+      [&](const Outbox::Entry& entry) {
+        ++chunks;
+        chunk_bytes += entry.chunk->frame_bytes();
+        delivery_.sent(entry);
+      });
   rates_.sent(now, chunks, output.size());
   writing_bytes_ = output.size();
   context_.metrics.chunks_sent.add(chunks);

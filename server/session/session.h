@@ -72,8 +72,9 @@ class Session {
   void pump();
 
   // ---- output
-  /// When something may be written: now or before, later where a rate throttles chunks, max() where nothing
-  /// waits or the client gave no credit.
+  /// When something may be written: the clock's zero at once, a time to come where a rate throttles chunks,
+  /// max() where nothing waits or the client gave no credit. At once does not depend on when the caller looked
+  /// at the clock.
   [[nodiscard]] Clock::time_point sendable_at();
   /// Frames to write now: `enough_bytes` and at most one frame more. Chunks of `shared_from` bytes and more
   /// are not copied.

@@ -364,6 +364,19 @@ TEST_CASE("a leaving session drops its View") {
   CHECK(bench.source.waiting.size() == 1);
 }
 
+TEST_CASE("what may be written at once may be written whenever the caller looked at the clock") {
+  SessionBench bench;
+  const auto before = bench.clock.now();
+  bench.clock.advance(1s);
+  CHECK(bench.session.sendable_at() == Clock::time_point::max());
+  bench.ping();
+  CHECK(bench.session.sendable_at() <= before);
+  (void)bench.output();
+  bench.get_chunk(1, chunk_at(0));
+  bench.answer_all();
+  CHECK(bench.session.sendable_at() <= before);
+}
+
 TEST_CASE("an idle session counts kIdleBytes of memory, and returns to it") {
   SessionBench bench;
   bench.source.payload_bytes = 100'000;
