@@ -95,7 +95,7 @@ const std::array kFields{
           "in all whose TLS handshake or PROXY header is not done; one more is refused",
           number<&Config::limits, &Limits::handshakes_under_way>(1, 1'000'000)},
     Field{"limits.frame_bytes", "bytes", "of one frame from a client, its length prefix included",
-          number<&Config::limits, &Limits::frame_bytes>(protocol::kLeastClientFrameBytes, 16 * kMebibyte)},
+          number<&Config::limits, &Limits::frame_bytes>(protocol::kMinClientFrameBytes, 16 * kMebibyte)},
     Field{"limits.requests_in_flight", "requests", "chunk and height requests of a session not yet answered",
           number<&Config::limits, &Limits::requests_in_flight>(1, 65'536)},
     Field{"limits.handshake_timeout_ms", "ms",
