@@ -134,7 +134,7 @@ MessageError refusal_of_misaligned(Frame frame, List&& list_of) {
 
 TEST_CASE("a misaligned list of structs is refused") {
   const Frame heights = make_frame([](auto& b) {
-    const std::array columns{wire::Column2{1, 2}, wire::Column2{3, 4}};
+    const std::array columns{wire::ColumnPos{1, 2}, wire::ColumnPos{3, 4}};
     return wire::CreateGetHeights(b, 1, b.CreateVectorOfStructs(columns.data(), columns.size()));
   });
   CHECK(refusal_of_misaligned(heights, [](const wire::Message& message) {
@@ -175,7 +175,7 @@ TEST_CASE("a message aligned from behind its length is refused where it holds a 
     return Body{wire::Body::GetChunks, wire::CreateGetChunks(b, requests).Union()};
   }));
   CHECK(refused([](auto& b) {
-    const auto columns = b.CreateVectorOfStructs(std::vector{wire::Column2{0, 0}});
+    const auto columns = b.CreateVectorOfStructs(std::vector{wire::ColumnPos{0, 0}});
     return Body{wire::Body::GetHeights, wire::CreateGetHeights(b, 1, columns).Union()};
   }));
   CHECK(refused([](auto& b) {
@@ -195,7 +195,7 @@ TEST_CASE("a message aligned from behind its length is refused where it holds a 
 TEST_CASE("elements of lists have the sizes that PROTOCOL.md says") {
   CHECK(sizeof(wire::ChunkRequest) == 40);
   CHECK(sizeof(wire::KnownChunk) == 32);
-  CHECK(sizeof(wire::Column2) == 16);
+  CHECK(sizeof(wire::ColumnPos) == 16);
 }
 
 TEST_CASE("the newest common version is chosen") {

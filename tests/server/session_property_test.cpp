@@ -167,7 +167,7 @@ class Client {
     }
     if (said.id != 0) {
       RC_ASSERT(open_.erase(said.id) == 1);
-    } else if (said.kind == Body::Column) {
+    } else if (said.kind == Body::UniformColumn) {
       for (const auto& [first, last, material] : said.runs) {
         for (std::int32_t y = first; y <= last; ++y) deliver({{said.key.coord.x, y, said.key.coord.z}, {}});
       }

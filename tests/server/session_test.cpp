@@ -244,7 +244,7 @@ TEST_CASE("heights in more tiles than the world allows are refused") {
   SessionBench bench;
   bench.limits.height_tiles_per_request = 1;
   bench.receive([](auto& builder) {
-    const std::vector columns{wire::Column2{0, 0}, wire::Column2{31, 31}, wire::Column2{32, 0}};
+    const std::vector columns{wire::ColumnPos{0, 0}, wire::ColumnPos{31, 31}, wire::ColumnPos{32, 0}};
     return wire::CreateGetHeights(builder, 1, builder.CreateVectorOfStructs(columns));
   });
   CHECK(bench.output().at(0).code == wire::ErrorCode::too_large);

@@ -255,7 +255,7 @@ TEST_CASE("air that is known without generating comes as one Column of revision 
   bench.source.rows.last = 0;
   bench.look_at(0, 0, 3);
   const auto said = bench.output();
-  REQUIRE(kinds(said) == Kinds{Body::Column});
+  REQUIRE(kinds(said) == Kinds{Body::UniformColumn});
   CHECK(said[0].runs == Runs{{1, 3, 0}});
   CHECK(said[0].revision == 0);
   CHECK(bench.source.waiting.size() == 4);
@@ -268,7 +268,7 @@ TEST_CASE("a column that becomes known while its chunks wait is told in one mess
   bench.source.answer(chunk_at(0, 2));
   bench.take_mail();
   const auto said = bench.output();
-  REQUIRE(kinds(said) == Kinds{Body::Column});
+  REQUIRE(kinds(said) == Kinds{Body::UniformColumn});
   CHECK(said[0].runs == Runs{{-3, -2, 2}, {1, 3, 0}});
 }
 
@@ -290,7 +290,7 @@ TEST_CASE("a Column says nothing of a chunk that waits to be sent") {
   bench.source.answer(chunk_at(0, 1));
   bench.take_mail();
   const auto said = bench.output();
-  REQUIRE(kinds(said) == Kinds{Body::Column, Body::Chunk});
+  REQUIRE(kinds(said) == Kinds{Body::UniformColumn, Body::Chunk});
   CHECK(said[0].runs == Runs{{1, 1, 0}});
   CHECK(said[1].key == chunk_at(0, 2));
 }
@@ -300,7 +300,7 @@ TEST_CASE("a uniform chunk that the client holds is answered by Column") {
   bench.source.rows.last = -1;
   bench.say_view(0, 0, 0, {scripted_chunk(chunk_at(0))}, {chunk_at(0)});
   bench.apply_view();
-  CHECK(kinds(bench.output()) == Kinds{Body::Column});
+  CHECK(kinds(bench.output()) == Kinds{Body::UniformColumn});
 }
 
 TEST_CASE("a request for a uniform chunk is answered by Chunk") {
