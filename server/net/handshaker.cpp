@@ -46,7 +46,7 @@ void drop_input(tcp::socket& socket) {
 }  // namespace
 
 struct Handshaker::PendingConnection {
-  PendingConnection(tcp::socket socket, const tcp::endpoint& from, ConnectionId number, TlsContext context,
+  PendingConnection(tcp::socket socket, const tcp::endpoint& from, ConnectionId number, tls::Context context,
                     Clock::time_point now)
       : id{number},
         stream{TcpStream{std::move(socket)}},
@@ -64,7 +64,7 @@ struct Handshaker::PendingConnection {
   std::optional<TlsStream> secured;
   tcp::endpoint peer;
   tcp::endpoint client;  // `peer`, or for whom it speaks
-  TlsContext tls;        // null: plain
+  tls::Context tls;        // null: plain
   Clock::time_point accepted;
   std::optional<Admission::Slot> slot;
   bool late = false;
@@ -83,7 +83,7 @@ Handshaker::Handshaker(HandshakeSettings settings, Admission& admission, Metrics
       rate_{settings_.per_address_per_second, settings_.per_address_burst, random_seed()},
       refusal_log_{log_, clock} {}
 
-void Handshaker::begin(tcp::socket socket, ConnectionId id, const TlsContext& tls) {
+void Handshaker::begin(tcp::socket socket, ConnectionId id, const tls::Context& tls) {
   std::error_code gone;
   const tcp::endpoint peer = socket.remote_endpoint(gone);
   if (gone) return;

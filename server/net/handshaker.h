@@ -46,7 +46,7 @@ class Handshaker {
 
   /// Takes a socket and returns at once, whatever the peer does; over TLS where there is a context. Each socket
   /// is accepted, refused, or closed within settings.timeout. From one thread at a time.
-  void begin(asio::ip::tcp::socket socket, ConnectionId id, const TlsContext& tls);
+  void begin(asio::ip::tcp::socket socket, ConnectionId id, const tls::Context& tls);
 
   /// Any thread.
   [[nodiscard]] RefusalLog& refusal_log() { return refusal_log_; }

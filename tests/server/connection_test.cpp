@@ -11,7 +11,9 @@
 
 #include <talus/voxel/codec.h>
 
+#include "app/session_settings.h"
 #include "fake_generator.h"
+#include "net/chunk_service_source.h"
 
 using namespace talus;
 using namespace talus::server;
@@ -22,8 +24,12 @@ namespace {
 /// A connection over loopback, served by a thread, and its other end.
 struct Bench {
   FakeService fake;
+  ChunkServiceSource source{fake.service};
   Limits limits;
+  SessionLimits for_sessions{session_limits(limits)};
   WorldInfo world;
+  RateLimits rates;
+  SystemClock clock;
   AccessControl access{Access{}, *load_keys(Access{})};
   Admission admission{1, 1};
   Registry registry;
@@ -72,7 +78,7 @@ TEST_CASE("what an answer's handler throws ends its connection, and no more") {
   // One more than may wait for a generator, so that the first answer has the session look for another.
   bench.send(protocol::make_frame([](auto& builder) {
     std::vector<wire::ChunkRequest> requests;
-    for (std::uint32_t id = 1; id <= Session::kServiceWindow + 1; ++id) {
+    for (std::uint32_t id = 1; id <= Delivery::kMaxWaits + 1; ++id) {
       requests.emplace_back(id, wire::ChunkKey{static_cast<std::int32_t>(id), 0, 0, 0}, false,
                             wire::Hash128{});
     }
@@ -123,7 +129,11 @@ TEST_CASE("however much one client takes, another's Pong waits for two of its tu
   Limits limits;
   limits.window_bytes = std::uint64_t{1} << 30;
   limits.queued_bytes_per_session = std::uint64_t{1} << 30;
-  WorldInfo world;
+  const SessionLimits for_sessions = session_limits(limits);
+  ChunkServiceSource source{fake.service};
+  const WorldInfo world;
+  const RateLimits rates;
+  const SystemClock clock;
   AccessControl access{Access{}, *load_keys(Access{})};
   Admission admission{2, 2};
   Registry registry;
@@ -180,7 +190,7 @@ TEST_CASE("however much one client takes, another's Pong waits for two of its tu
     longest = std::max(longest, fake.metrics.sent_bytes.total() - greedy_before);
   }
   CHECK(longest <= 2 * (GatherSize::kMost + 20'000 + 1000));
-  for (const auto& connection : registry.all()) connection->go_away("the test is over", 0);
+  for (const auto& connection : registry.all()) connection->go_away("the test is over", {});
   for (tcp::socket& client : clients) client.close();
   while (!registry.all().empty()) io.run_one();
 }
