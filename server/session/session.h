@@ -26,8 +26,8 @@
 #include "session/handshake.h"
 #include "session/request_book.h"
 #include "session/world_info.h"
+#include "stream/area_of_interest.h"
 #include "stream/credit.h"
-#include "stream/interest.h"
 #include "stream/outbox.h"
 #include "stream/view_stream.h"
 
@@ -180,7 +180,7 @@ class Session {
   RequestBook requests_;
   ViewStream view_;
   std::optional<View> next_view_;
-  std::vector<Interest> unseen_views_;               // that came before next_view_ and were not looked at
+  std::vector<AreaOfInterest> unseen_views_;         // that came before next_view_ and were not looked at
   std::unordered_map<ChunkKey, ContentHash> known_;  // by the client; of chunks that its View wants
   std::unordered_map<ChunkKey, Awaited> awaited_;
   SessionRates rates_;

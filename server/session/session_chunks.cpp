@@ -17,7 +17,7 @@ constexpr std::uint32_t kRetryAfterMs = 1000;
 void Session::apply_view() {
   if (!next_view_) return;
   const View view = *std::exchange(next_view_, std::nullopt);
-  drop_from_view(view_.replace(Interest{view}, std::exchange(unseen_views_, {})));
+  drop_from_view(view_.replace(AreaOfInterest{view}, std::exchange(unseen_views_, {})));
   std::erase_if(known_, [&](const auto& chunk) { return !view_.wants(chunk.first); });
 }
 

@@ -122,7 +122,7 @@ void Session::on(const wire::View& view) {
 
 // What left in it has left, though nobody looked: the client has dropped it.
 void Session::pass_over(const View& view) {
-  if (unseen_views_.size() == kUnseenViews) unseen_views_ = {Interest{}};
+  if (unseen_views_.size() == kUnseenViews) unseen_views_ = {AreaOfInterest{}};
   unseen_views_.emplace_back(view);
 }
 

@@ -10,7 +10,7 @@ constexpr std::size_t kNear = 1024;  // chunks put in order at once, or more
 
 }  // namespace
 
-std::vector<ChunkKey> ViewStream::replace(Interest wanted, std::span<const Interest> between) {
+std::vector<ChunkKey> ViewStream::replace(AreaOfInterest wanted, std::span<const AreaOfInterest> between) {
   std::vector<State> states(wanted.places(), State::wanted);
   wanted.for_each_shared(interest_, between, [&](std::size_t place, std::size_t before, std::size_t count) {
     std::copy_n(&states_[before], count, &states[place]);
@@ -21,8 +21,8 @@ std::vector<ChunkKey> ViewStream::replace(Interest wanted, std::span<const Inter
   near_ = {};
   near_end_ = 0;
   far_.clear();
-  interest_.for_each([this](ChunkKey key, Interest::Place place) {
-    if (states_[place] == State::wanted) far_.push_back(interest_.rough_rank(key, place));
+  interest_.for_each([this](ChunkKey key, AreaOfInterest::Place place) {
+    if (states_[place] == State::wanted) far_.push_back(interest_.coarse_priority(key, place));
   });
 
   std::vector<ChunkKey> dropped;
@@ -58,11 +58,11 @@ void ViewStream::approach() {
   // Farthest first, so that the nearest are taken off the end; and rings are not torn.
   const auto nth = far_.end() - static_cast<std::ptrdiff_t>(some);
   std::nth_element(far_.begin(), nth, far_.end(), std::greater<>{});
-  near_end_ = Interest::end_of_ring(*nth);
+  near_end_ = AreaOfInterest::end_of_ring(*nth);
   const auto near =
-      std::partition(far_.begin(), nth, [this](std::uint64_t rough) { return rough >= near_end_; });
-  for (auto rough = near; rough != far_.end(); ++rough) {
-    const auto [key, place] = interest_.ranked(*rough);
+      std::partition(far_.begin(), nth, [this](std::uint64_t coarse) { return coarse >= near_end_; });
+  for (auto coarse = near; coarse != far_.end(); ++coarse) {
+    const auto [key, place] = interest_.ranked(*coarse);
     if (states_[place] == State::wanted) near_.push(interest_.rank(key, place));
   }
   far_.erase(near, far_.end());
@@ -70,12 +70,12 @@ void ViewStream::approach() {
 
 void ViewStream::put_back(ChunkKey key) {
   leave(key, State::wanted);
-  const Interest::Place place = *interest_.place_of(key);
-  const std::uint64_t rough = interest_.rough_rank(key, place);
-  if (rough < near_end_) {
+  const AreaOfInterest::Place place = *interest_.place_of(key);
+  const std::uint64_t coarse = interest_.coarse_priority(key, place);
+  if (coarse < near_end_) {
     near_.push(interest_.rank(key, place));
   } else {
-    far_.push_back(rough);
+    far_.push_back(coarse);
   }
 }
 

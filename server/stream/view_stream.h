@@ -12,7 +12,7 @@
 
 #include <talus/voxel/coords.h>
 
-#include "stream/interest.h"
+#include "stream/area_of_interest.h"
 
 namespace talus::server {
 
@@ -21,7 +21,8 @@ class ViewStream {
   /// Replaces what is wanted. What stays wanted keeps its state; the result is what was under way and is
   /// not any more. A chunk that left is forgotten, so that it is sent again when it comes back: also one
   /// that left in one of the Views `between`, which nobody had looked at.
-  [[nodiscard]] std::vector<ChunkKey> replace(Interest wanted, std::span<const Interest> between = {});
+  [[nodiscard]] std::vector<ChunkKey> replace(AreaOfInterest wanted,
+                                              std::span<const AreaOfInterest> between = {});
 
   /// The most wanted chunk that is neither under way nor sent, now under way.
   [[nodiscard]] std::optional<ChunkKey> next();
@@ -34,7 +35,7 @@ class ViewStream {
   /// holds, from below.
   template <typename Ends>
   void done_in_column(ChunkKey key, Ends&& ends) {
-    const Span rows = interest_.rows_of(key);
+    const ChunkRange rows = interest_.rows_of(key);
     for (std::int64_t y = rows.first; y <= rows.last; ++y) {
       const ChunkKey chunk{{key.coord.x, static_cast<std::int32_t>(y), key.coord.z}, key.lod};
       State& state = states_[*interest_.place_of(chunk)];
@@ -68,15 +69,15 @@ class ViewStream {
 
   using Ranks = std::priority_queue<std::uint64_t, std::vector<std::uint64_t>, std::greater<>>;
 
-  Interest interest_;
+  AreaOfInterest interest_;
   std::vector<State> states_;  // by place
 
   // The chunks in state wanted, and some that have left it. A View may have many, and is mostly replaced
   // before its end is reached: so only the nearest rings are put in order, and the others when their turn
   // comes.
   Ranks near_;
-  std::vector<std::uint64_t> far_;  // rough ranks
-  std::uint64_t near_end_ = 0;      // the rough rank at which far_ begins
+  std::vector<std::uint64_t> far_;  // coarse priorities
+  std::uint64_t near_end_ = 0;      // the coarse priority at which far_ begins
 
   std::unordered_set<ChunkKey> under_way_;  // few
 };

@@ -1,4 +1,4 @@
-#include "stream/interest.h"
+#include "stream/area_of_interest.h"
 
 #include <algorithm>
 #include <catch2/catch.hpp>
