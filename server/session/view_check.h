@@ -7,7 +7,7 @@
 
 #include "session/rejection.h"
 #include "session/session_limits.h"
-#include "view/interest.h"
+#include "view/area_of_interest.h"
 
 namespace talus::server {
 

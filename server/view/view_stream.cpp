@@ -10,7 +10,7 @@ constexpr std::size_t kMinSorted = 1024;  // chunks that are put in order at onc
 
 }  // namespace
 
-std::vector<ChunkKey> ViewStream::replace(Interest wanted, std::span<const Interest> between) {
+std::vector<ChunkKey> ViewStream::replace(AreaOfInterest wanted, std::span<const AreaOfInterest> between) {
   std::vector<State> states(wanted.places(), State::to_send);
   wanted.for_each_shared(interest_, between, [&](std::size_t place, std::size_t before, std::size_t count) {
     std::copy_n(&states_[before], count, &states[place]);
@@ -22,8 +22,8 @@ std::vector<ChunkKey> ViewStream::replace(Interest wanted, std::span<const Inter
   near_end_ = 0;
   far_.clear();
   if (far_.capacity() / 4 > interest_.places()) decltype(far_){}.swap(far_);  // of a much larger View
-  interest_.for_each([this](ChunkKey key, Interest::Place place) {
-    if (states_[place] == State::to_send) far_.push_back(interest_.rough_rank(key, place));
+  interest_.for_each([this](ChunkKey key, AreaOfInterest::Place place) {
+    if (states_[place] == State::to_send) far_.push_back(interest_.coarse_priority(key, place));
   });
 
   std::vector<ChunkKey> dropped;
@@ -59,7 +59,7 @@ void ViewStream::move_near() {
   // Farthest first, so that the nearest are taken off the end. A ring of equal distance is never split.
   const auto nth = far_.end() - static_cast<std::ptrdiff_t>(some);
   std::nth_element(far_.begin(), nth, far_.end(), std::greater<>{});
-  near_end_ = Interest::end_of_ring(*nth);
+  near_end_ = AreaOfInterest::end_of_ring(*nth);
   const auto near =
       std::partition(far_.begin(), nth, [this](std::uint64_t rough) { return rough >= near_end_; });
   for (auto rough = near; rough != far_.end(); ++rough) {
@@ -71,12 +71,12 @@ void ViewStream::move_near() {
 
 void ViewStream::put_back(ChunkKey key) {
   leave(key, State::to_send);
-  const Interest::Place place = *interest_.place_of(key);
-  const std::uint64_t rough = interest_.rough_rank(key, place);
+  const AreaOfInterest::Place place = *interest_.place_of(key);
+  const std::uint64_t rough = interest_.coarse_priority(key, place);
   if (rough < near_end_) {
     near_.push(interest_.rank(key, place));
   } else {
-    far_.push_back(rough);
+    far_.push_back(coarse);
   }
 }
 

@@ -13,7 +13,7 @@
 
 #include <talus/voxel/coords.h>
 
-#include "view/interest.h"
+#include "view/area_of_interest.h"
 
 namespace talus::server {
 
@@ -22,7 +22,7 @@ class ViewStream {
   /// Replaces the area of interest. A chunk in both areas keeps its state. A chunk that left is forgotten, and
   /// sent again when it comes back; so is one that left in one of the areas `between`, which were replaced
   /// before they were looked at. Returns the chunks that were in flight and are so no more.
-  [[nodiscard]] std::vector<ChunkKey> replace(Interest wanted, std::span<const Interest> between = {});
+  [[nodiscard]] std::vector<ChunkKey> replace(AreaOfInterest wanted, std::span<const AreaOfInterest> between = {});
 
   /// The nearest chunk that is still to be sent; it is in flight from here on.
   [[nodiscard]] std::optional<ChunkKey> next();
@@ -35,7 +35,7 @@ class ViewStream {
   /// returns true.
   template <typename Ends>
   void done_in_column(ChunkKey key, Ends&& ends) {
-    const Span rows = interest_.rows_of(key);
+    const ChunkRange rows = interest_.rows_of(key);
     for (std::int64_t y = rows.first; y <= rows.last; ++y) {
       const ChunkKey chunk{{key.coord.x, static_cast<std::int32_t>(y), key.coord.z}, key.lod};
       State& state = states_[*interest_.place_of(chunk)];
@@ -69,7 +69,7 @@ class ViewStream {
 
   using Ranks = std::priority_queue<std::uint64_t, std::vector<std::uint64_t>, std::greater<>>;
 
-  Interest interest_;
+  AreaOfInterest interest_;
   std::vector<State> states_;  // by place
 
   // The chunks to be sent, and some that no longer are. A View can be large, and is mostly replaced before

@@ -7,7 +7,7 @@ namespace talus::server {
 void ViewSubscription::request(View view) {
   // The client has dropped what left in a View, whether or not that View was ever applied.
   if (requested_ && !same_chunks(*requested_, view)) {
-    if (unseen_.size() == kMaxUnseenViews) unseen_ = {Interest{}};
+    if (unseen_.size() == kMaxUnseenViews) unseen_ = {AreaOfInterest{}};
     unseen_.emplace_back(*requested_);
   }
   requested_ = std::move(view);
@@ -20,7 +20,7 @@ void ViewSubscription::add_known(ChunkKey key, ContentHash hash) {
 std::vector<ChunkKey> ViewSubscription::apply() {
   if (!requested_) return {};
   const View view = *std::exchange(requested_, std::nullopt);
-  auto dropped = stream_.replace(Interest{view}, std::exchange(unseen_, {}));
+  auto dropped = stream_.replace(AreaOfInterest{view}, std::exchange(unseen_, {}));
   std::erase_if(known_, [&](const auto& chunk) { return !stream_.wants(chunk.first); });
   return dropped;
 }

@@ -10,7 +10,7 @@
 #include <talus/voxel/content_hash.h>
 #include <talus/voxel/coords.h>
 
-#include "view/interest.h"
+#include "view/area_of_interest.h"
 #include "view/view_stream.h"
 
 namespace talus::server {
@@ -52,7 +52,7 @@ class ViewSubscription {
  private:
   ViewStream stream_;
   std::optional<View> requested_;
-  std::vector<Interest> unseen_;                     // replaced before apply(), oldest first
+  std::vector<AreaOfInterest> unseen_;                     // replaced before apply(), oldest first
   std::unordered_map<ChunkKey, ContentHash> known_;  // of chunks that are not done
 };
 

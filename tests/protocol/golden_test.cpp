@@ -7,29 +7,14 @@
 
 #include <talus/protocol/message.h>
 
+#include "hex.h"
 #include "sample_frames.h"
-#include "walk.h"
 
 namespace talus::protocol {
 namespace {
 
-std::string hex(const Frame& frame) {
-  constexpr std::string_view kDigits = "0123456789abcdef";
-  std::string text;
-  for (const std::byte byte : frame) {
-    text += kDigits[std::to_integer<unsigned>(byte) >> 4];
-    text += kDigits[std::to_integer<unsigned>(byte) & 15U];
-  }
-  return text;
-}
-
-Frame unhex(std::string_view text) {
-  Frame frame;
-  for (std::size_t i = 0; i + 1 < text.size(); i += 2) {
-    frame.push_back(static_cast<std::byte>(std::stoi(std::string{text.substr(i, 2)}, nullptr, 16)));
-  }
-  return frame;
-}
+using testing::hex;
+using testing::unhex;
 
 constexpr std::string_view kHello =
     "6c0000000c00000008000c000700080008000000000000011400000010001c000400060008000c001000140010000000"

@@ -19,7 +19,8 @@ Frame view() {
     const wire::Direction direction{0.0F, -0.5F, 1.0F};
     const std::array rings{wire::LodRing{1, 16}, wire::LodRing{2, 32}};
     const auto ring_vector = b.CreateVectorOfStructs(rings.data(), rings.size());
-    return wire::CreateView(b, &kVoxel, &direction, 8, 4, ring_vector);
+    const wire::KnownChunk known{kKey, kHash};
+    return wire::CreateView(b, &kVoxel, &direction, 8, 4, ring_vector, b.CreateVectorOfStructs(&known, 1));
   });
 }
 

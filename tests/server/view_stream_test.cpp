@@ -14,8 +14,8 @@ using namespace talus::server;
 
 namespace {
 
-Interest only(int x) {
-  return Interest{View{{x, 0, 0}, {}, 0, 0, {}}};
+AreaOfInterest only(int x) {
+  return AreaOfInterest{View{{x, 0, 0}, {}, 0, 0, {}}};
 }
 
 ChunkKey at(int x) {
@@ -40,7 +40,7 @@ View small_view() {
 
 TEST_CASE("a chunk that could not be had comes again, in its place") {
   ViewStream stream;
-  (void)stream.replace(Interest{View{{0, 0, 0}, {}, 1, 0, {}}});
+  (void)stream.replace(AreaOfInterest{View{{0, 0, 0}, {}, 1, 0, {}}});
   const ChunkKey first = *stream.next();
   const ChunkKey second = *stream.next();
   stream.put_back(first);
@@ -75,7 +75,7 @@ TEST_CASE("without a View nothing is wanted") {
 
 TEST_CASE("a small View after a large one holds little memory") {
   ViewStream stream;
-  (void)stream.replace(Interest{View{{0, 0, 0}, {}, 40, 10, {}}});
+  (void)stream.replace(AreaOfInterest{View{{0, 0, 0}, {}, 40, 10, {}}});
   CHECK(stream.bytes() > 100'000);
   (void)stream.replace(only(1));
   CHECK(stream.bytes() < 1000);
@@ -94,7 +94,7 @@ TEST_CASE("a View stream does what sets would do") {
       if (step == 0) {
         const View view = small_view();
         wanted = chunks_in_view(view);
-        const auto dropped = stream.replace(Interest{view});
+        const auto dropped = stream.replace(AreaOfInterest{view});
         std::set<ChunkKey> expected;
         for (const auto& [key, state] : std::map{states}) {
           if (std::find(wanted.begin(), wanted.end(), key) != wanted.end()) continue;

@@ -10,7 +10,7 @@ namespace talus::server {
 /// The View's chunks, most wanted first.
 [[nodiscard]] inline std::vector<ChunkKey> chunks_in_view(const View& view) {
   ViewStream stream;
-  (void)stream.replace(Interest{view});
+  (void)stream.replace(AreaOfInterest{view});
   std::vector<ChunkKey> keys;
   while (const auto key = stream.next()) keys.push_back(*key);
   return keys;

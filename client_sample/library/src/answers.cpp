@@ -124,7 +124,7 @@ Result<void> Core::handle_column(const wire::UniformColumn& column) {
   if (column.runs() == nullptr) return {};
   // A run may claim 2^32 chunks: only the rows of the View are looked at.
   for (const auto* run : *column.runs()) {
-    const Span rows = tracker_.shape().rows(column.x(), column.z(), *lod);
+    const ChunkRange rows = tracker_.shape().rows(column.x(), column.z(), *lod);
     const std::int64_t first = std::max<std::int64_t>(rows.first, run->first_y());
     const std::int64_t last = std::min<std::int64_t>(rows.last, run->last_y());
     for (std::int64_t y = first; y <= last; ++y) {

@@ -41,7 +41,7 @@ Result<void> check_view(const View& view, const ServerLimits& limits) {
           "a View with a ring of level " + std::to_string(level.value()) + " and radius", radius, farthest)};
     }
   }
-  const auto chunks = static_cast<std::uint64_t>(ViewShape{view}.count());
+  const auto chunks = ViewShape{view}.uncut_count();
   if (chunks > limits.view_chunks) {
     return tl::unexpected{beyond("a View whose chunks number", chunks, limits.view_chunks)};
   }

@@ -1,54 +1,30 @@
-#include <talus/client/view.h>
-
 #include <algorithm>
+
+#include <talus/client/view.h>
 
 namespace talus::client {
 namespace {
 
-// Chunks of `lod` that touch the base chunks within `radius` of `centre`, inside the world.
-Span touching(std::int64_t centre, std::int64_t radius, Lod lod) {
-  const std::int64_t limit = chunk_limit(lod);
-  return {std::max((centre - radius) >> lod.value(), -limit),
-          std::min((centre + radius) >> lod.value(), limit - 1)};
-}
-
-// Chunks of `lod` that lie wholly inside chunks `finer` of `finer_lod`.
-Span covered(const Span& finer, Lod finer_lod, Lod lod) {
-  const std::int64_t ratio = std::int64_t{1} << (lod.value() - finer_lod.value());
-  return {floor_div(finer.first + ratio - 1, ratio), floor_div(finer.last + 1, ratio) - 1};
+ViewExtent extent_of(const View& view) {
+  ViewExtent extent{{floor_div(view.centre.x, kChunkSize), floor_div(view.centre.y, kChunkSize),
+                     floor_div(view.centre.z, kChunkSize)},
+                    view.horizontal_radius,
+                    view.vertical_radius,
+                    {}};
+  for (const LodRing& ring : view.rings) extent.rings.push_back({ring.lod, ring.radius});
+  return extent;
 }
 
 }  // namespace
 
-ViewShape::ViewShape(const View& view) {
-  const std::int64_t x = floor_div(view.centre.x, kChunkSize);
-  const std::int64_t y = floor_div(view.centre.y, kChunkSize);
-  const std::int64_t z = floor_div(view.centre.z, kChunkSize);
-  Shell shell{Lod{},
-              touching(x, view.horizontal_radius, Lod{}),
-              touching(y, view.vertical_radius, Lod{}),
-              touching(z, view.horizontal_radius, Lod{}),
-              {},
-              {}};
-  shells_.push_back(shell);
-  for (const auto& ring : view.rings) {
-    const Shell& finer = shells_.back();
-    shell = {ring.lod,
-             touching(x, ring.radius, ring.lod),
-             touching(y, view.vertical_radius, ring.lod),
-             touching(z, ring.radius, ring.lod),
-             covered(finer.x, finer.lod, ring.lod),
-             covered(finer.z, finer.lod, ring.lod)};
-    shells_.push_back(shell);
-  }
-}
+ViewShape::ViewShape(const View& view)
+    : boxes_{level_boxes(extent_of(view))},
+      uncut_count_{count_chunks(level_boxes(extent_of(view), WorldEdge::ignored))} {}
 
-Span ViewShape::rows(std::int32_t x, std::int32_t z, Lod lod) const {
-  const auto shell = std::find_if(shells_.begin(), shells_.end(),
-                                  [&](const Shell& candidate) { return candidate.lod == lod; });
-  if (shell == shells_.end() || !shell->x.contains(x) || !shell->z.contains(z)) return {};
-  if (shell->hole_x.contains(x) && shell->hole_z.contains(z)) return {};
-  return shell->y;
+ChunkRange ViewShape::rows(std::int32_t x, std::int32_t z, Lod lod) const {
+  const auto box =
+      std::find_if(boxes_.begin(), boxes_.end(), [&](const LevelBox& level) { return level.lod == lod; });
+  return box == boxes_.end() || !box->has_column(x, z) ? ChunkRange{} : box->y;
 }
 
 bool ViewShape::covers(const ChunkKey& key) const {
@@ -56,11 +32,7 @@ bool ViewShape::covers(const ChunkKey& key) const {
 }
 
 std::int64_t ViewShape::count() const {
-  std::int64_t sum = 0;
-  for (const auto& shell : shells_) {
-    sum += (shell.x.size() * shell.z.size() - shell.hole_x.size() * shell.hole_z.size()) * shell.y.size();
-  }
-  return sum;
+  return static_cast<std::int64_t>(count_chunks(boxes_));
 }
 
 }  // namespace talus::client

@@ -7,6 +7,7 @@
 #include <glm/vec3.hpp>
 
 #include <talus/voxel/coords.h>
+#include <talus/voxel/view_shape.h>
 
 namespace talus::client {
 
@@ -26,16 +27,8 @@ struct View {
   std::vector<LodRing> rings;
 };
 
-/// Chunk coordinates along one axis, both ends included; empty where last < first.
-struct Span {
-  std::int64_t first = 0;
-  std::int64_t last = -1;
-  [[nodiscard]] bool contains(std::int64_t at) const { return first <= at && at <= last; }
-  [[nodiscard]] std::int64_t size() const { return last < first ? 0 : last - first + 1; }
-};
-
 /// Exactly the chunks that a server sends for a View: a box of level 0, and for each ring a box of its
-/// level without the columns that the finer levels cover whole (PROTOCOL.md, View).
+/// level without the columns that the finer levels cover whole (talus/voxel/view_shape.h).
 class ViewShape {
  public:
   ViewShape() = default;  // no chunks
@@ -43,17 +36,15 @@ class ViewShape {
 
   [[nodiscard]] bool covers(const ChunkKey& key) const;
   /// The rows of a column of `lod`; empty where the View does not have the column.
-  [[nodiscard]] Span rows(std::int32_t x, std::int32_t z, Lod lod) const;
+  [[nodiscard]] ChunkRange rows(std::int32_t x, std::int32_t z, Lod lod) const;
   /// How many chunks there are, of all levels.
   [[nodiscard]] std::int64_t count() const;
+  /// The same where the world's edge cuts none off: what Limits::view_chunks bounds.
+  [[nodiscard]] std::uint64_t uncut_count() const { return uncut_count_; }
 
  private:
-  struct Shell {
-    Lod lod;
-    Span x, y, z;
-    Span hole_x, hole_z;
-  };
-  std::vector<Shell> shells_;
+  std::vector<LevelBox> boxes_;
+  std::uint64_t uncut_count_ = 0;
 };
 
 }  // namespace talus::client

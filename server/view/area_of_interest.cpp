@@ -1,0 +1,99 @@
+#include "view/area_of_interest.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+#include <glm/geometric.hpp>
+
+namespace talus::server {
+namespace {
+
+ViewExtent extent_of(const View& view) {
+  return {view.centre, view.horizontal_radius, view.vertical_radius, view.rings};
+}
+
+// A rank, from its highest bits: whole distance, angle, what is left of the distance, place.
+constexpr int kPlaceBits = 24;
+constexpr int kRestBits = 8;
+constexpr int kAngleBits = 16;
+
+}  // namespace
+
+bool same_chunks(const View& a, const View& b) {
+  return a.centre == b.centre && a.horizontal_radius == b.horizontal_radius &&
+         a.vertical_radius == b.vertical_radius && a.rings == b.rings;
+}
+
+std::uint64_t count_chunks(const View& view) {
+  return talus::count_chunks(level_boxes(extent_of(view), WorldEdge::ignored));
+}
+
+AreaOfInterest::AreaOfInterest(const View& view) : centre_{view.centre} {
+  const float length = glm::length(view.direction);
+  if (std::isfinite(length) && length > 0.0F) direction_ = view.direction / length;
+  // A level's inner box is at most a quarter of the level before it, so the outer boxes are at most 4/3 of
+  // the chunks.
+  std::uint64_t places = 0;
+  for (const LevelBox& box : level_boxes(extent_of(view))) {
+    levels_.push_back({box, static_cast<Place>(places)});
+    places += box.x.size() * box.y.size() * box.z.size();
+  }
+  assert(places <= Place{1} << kPlaceBits);
+  places_ = static_cast<Place>(places);
+}
+
+std::optional<AreaOfInterest::Place> AreaOfInterest::place_of(ChunkKey key) const {
+  const Level* const level = level_of(key.lod);
+  if (level == nullptr || !level->box.contains(key.coord)) return std::nullopt;
+  return level->place_of(key.coord.x, key.coord.y, key.coord.z);
+}
+
+const AreaOfInterest::Level* AreaOfInterest::level_of(Lod lod) const {
+  for (const Level& level : levels_) {
+    if (level.box.lod == lod) return &level;
+  }
+  return nullptr;
+}
+
+glm::i64vec3 AreaOfInterest::offset(ChunkKey key) const {
+  const std::int64_t size = std::int64_t{1} << key.lod.value();
+  const auto halves = [size](std::int64_t at, std::int64_t centre) {
+    return (2 * at + 1) * size - (2 * centre + 1);
+  };
+  return {halves(key.coord.x, centre_.x), halves(key.coord.y, centre_.y), halves(key.coord.z, centre_.z)};
+}
+
+std::uint64_t AreaOfInterest::rank(ChunkKey key, Place place) const {
+  const glm::dvec3 to{offset(key)};
+  const double distance = glm::length(to);
+  const double cosine = distance > 0 ? std::clamp(glm::dot(direction_, to) / distance, -1.0, 1.0) : 1.0;
+
+  constexpr double kAngleSteps = (1 << (kAngleBits - 1)) - 1;
+  const auto angle = static_cast<std::uint64_t>((1.0 - cosine) * kAngleSteps);
+  const auto distance_fx = static_cast<std::uint64_t>(distance / 2 * (1 << kRestBits));
+  const std::uint64_t ring = distance_fx >> kRestBits;
+  const std::uint64_t rest = distance_fx & ((1 << kRestBits) - 1);
+  return (((ring << kAngleBits | angle) << kRestBits | rest) << kPlaceBits) | place;
+}
+
+std::uint64_t AreaOfInterest::coarse_priority(ChunkKey key, Place place) const {
+  const glm::i64vec3 to = offset(key);
+  return static_cast<std::uint64_t>(to.x * to.x + to.y * to.y + to.z * to.z) << kPlaceBits | place;
+}
+
+std::uint64_t AreaOfInterest::end_of_ring(std::uint64_t coarse_priority) {
+  const double distance = std::sqrt(static_cast<double>(coarse_priority >> kPlaceBits)) / 2;
+  const auto next_ring = static_cast<std::uint64_t>(distance) + 1;
+  return 4 * next_ring * next_ring << kPlaceBits;
+}
+
+std::pair<ChunkKey, AreaOfInterest::Place> AreaOfInterest::ranked(std::uint64_t rank) const {
+  const auto place = static_cast<Place>(rank & ((std::uint64_t{1} << kPlaceBits) - 1));
+  const auto after = std::find_if(levels_.begin(), levels_.end(),
+                                  [place](const Level& level) { return level.first > place; });
+  const Level& level = *std::prev(after);
+  return {{level.coord_of(place), level.box.lod}, place};
+}
+
+}  // namespace talus::server
