@@ -123,8 +123,8 @@ void Guest::received(const wire::Message& message, std::size_t frame_bytes) {
       tally().chunk_bytes += frame_bytes;
       Live::add(worker_.live().chunks, 1);
       return take(*message.body_as_Chunk());
-    case wire::Body::Column:
-      return take(*message.body_as_Column());
+    case wire::Body::UniformColumn:
+      return take(*message.body_as_UniformColumn());
     case wire::Body::Unchanged:
       ++tally().unchanged;
       return take(*message.body_as_Unchanged());
@@ -250,7 +250,7 @@ void Guest::take(const wire::Chunk&) {
   wrong(tally().outside, "a chunk for who asked for none");
 }
 
-void Guest::take(const wire::Column&) {
+void Guest::take(const wire::UniformColumn&) {
   wrong(tally().outside, "a Column for who asked for none");
 }
 

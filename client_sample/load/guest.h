@@ -52,7 +52,7 @@ class Guest : public LinkOwner {
   virtual void act_joined(Time /*now*/) {}
   [[nodiscard]] virtual Time own_due() const { return Time::max(); }
   virtual void take(const wire::Chunk& chunk);
-  virtual void take(const wire::Column& column);
+  virtual void take(const wire::UniformColumn& column);
   virtual void take(const wire::Unchanged& unchanged);
   virtual void take(const wire::Error& /*error*/) {}
   virtual void taken_all() {}

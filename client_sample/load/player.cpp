@@ -138,7 +138,7 @@ void Player::take(const wire::Unchanged& unchanged) {
   arrive({unchanged.key()->x(), unchanged.key()->y(), unchanged.key()->z()}, Clock::now(), true);
 }
 
-void Player::take(const wire::Column& column) {
+void Player::take(const wire::UniformColumn& column) {
   if (column.lod() != 0 || column.runs() == nullptr) return;
   const Time now = Clock::now();
   const Box& box = wanted_.box();

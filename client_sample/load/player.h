@@ -20,7 +20,7 @@ class Player final : public Guest {
   void act_joined(Time now) override;
   [[nodiscard]] Time own_due() const override { return tick_due_; }
   void take(const wire::Chunk& chunk) override;
-  void take(const wire::Column& column) override;
+  void take(const wire::UniformColumn& column) override;
   void take(const wire::Unchanged& unchanged) override;
   void give_up() override;
 

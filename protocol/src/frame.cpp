@@ -6,9 +6,9 @@
 namespace talus::protocol {
 namespace {
 
-constexpr std::size_t kKeptBytes = std::size_t{16} * 1024;
+constexpr std::size_t kMaxKeptBytes = std::size_t{16} * 1024;
 
-// FlatBuffers aligns relative to the start of the buffer, so the buffer's own address must not be odd.
+// FlatBuffers aligns from the start of the buffer, so the buffer itself must be aligned.
 static_assert(__STDCPP_DEFAULT_NEW_ALIGNMENT__ >= alignof(std::uint64_t));
 
 std::uint32_t read_prefix(std::span<const std::byte> bytes) {
@@ -65,7 +65,7 @@ void FrameReader::pop() {
   assert(has_frame());
   frame_bytes_ = 0;
   buffer_.clear();
-  if (buffer_.capacity() > kKeptBytes) std::vector<std::byte>{}.swap(buffer_);
+  if (buffer_.capacity() > kMaxKeptBytes) std::vector<std::byte>{}.swap(buffer_);
 }
 
 bool FrameReader::mid_frame() const {

@@ -12,8 +12,8 @@ namespace {
 constexpr flatbuffers::uoffset_t kMaxDepth = 4;
 constexpr flatbuffers::uoffset_t kMaxTables = 1024;
 
-// The verifier checks a vector's length but not where its elements begin. Elements with 64-bit members
-// must not lie askew, or reading them would be undefined.
+// The verifier checks a vector's length, but not the alignment of its elements. Reading misaligned 64-bit
+// members would be undefined behaviour.
 template <typename Struct>
 bool aligned(const flatbuffers::Vector<const Struct*>* vector) {
   return vector == nullptr || vector->size() == 0 ||

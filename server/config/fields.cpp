@@ -104,7 +104,7 @@ const std::array kFields{
     Field{"limits.handshakes_in_flight", "connections", "unfinished TLS handshakes and PROXY headers in all",
           number<&Config::limits, &Limits::handshakes_in_flight>(1, 1'000'000)},
     Field{"limits.frame_bytes", "bytes", "size of one frame from a client, including its length prefix",
-          number<&Config::limits, &Limits::frame_bytes>(protocol::kLeastClientFrameBytes, 16 * kMebibyte)},
+          number<&Config::limits, &Limits::frame_bytes>(protocol::kMinClientFrameBytes, 16 * kMebibyte)},
     Field{"limits.requests_in_flight", "requests", "unanswered chunk and height requests of one session",
           number<&Config::limits, &Limits::requests_in_flight>(1, 65'536)},
     Field{"limits.handshake_timeout_ms", "ms",

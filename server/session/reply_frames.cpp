@@ -83,8 +83,8 @@ protocol::Frame column_frame(ChunkKey column, const std::vector<wire::UniformRun
   constexpr std::uint64_t kBaseRevision = 0;  // rows that hold edits are in no run
   return protocol::make_frame([&](flatbuffers::FlatBufferBuilder& builder) {
     const auto wire_runs = builder.CreateVectorOfStructs(runs);
-    return wire::CreateColumn(builder, column.coord.x, column.coord.z,
-                              static_cast<std::uint8_t>(column.lod.value()), kBaseRevision, wire_runs);
+    return wire::CreateUniformColumn(builder, column.coord.x, column.coord.z,
+                                     static_cast<std::uint8_t>(column.lod.value()), kBaseRevision, wire_runs);
   });
 }
 

@@ -21,7 +21,7 @@ View view_at(std::int64_t x, std::uint16_t horizontal = 1, std::uint16_t vertica
 
 protocol::Frame column_frame(int x, int z, const std::vector<wire::UniformRun>& runs) {
   return protocol::make_frame(
-      [&](auto& b) { return wire::CreateColumn(b, x, z, 0, 0, b.CreateVectorOfStructs(runs)); });
+      [&](auto& b) { return wire::CreateUniformColumn(b, x, z, 0, 0, b.CreateVectorOfStructs(runs)); });
 }
 
 // What on_chunk and on_left_view tell while `frames` come and the view then moves to `then`.

@@ -50,7 +50,7 @@ protocol::Frame cancel(const std::vector<std::uint32_t>& ids) {
       [&](FlatBufferBuilder& builder) { return wire::CreateCancel(builder, builder.CreateVector(ids)); });
 }
 
-protocol::Frame get_heights(std::uint32_t id, const std::vector<wire::Column2>& columns) {
+protocol::Frame get_heights(std::uint32_t id, const std::vector<wire::ColumnPos>& columns) {
   return protocol::make_frame([&](FlatBufferBuilder& builder) {
     return wire::CreateGetHeights(builder, id, builder.CreateVectorOfStructs(columns));
   });

@@ -34,7 +34,7 @@ struct ViewFields {
 [[nodiscard]] wire::ChunkRequest chunk_request(std::uint32_t id, ChunkKey key, ContentHash known);
 [[nodiscard]] protocol::Frame get_chunks(const std::vector<wire::ChunkRequest>& requests);
 [[nodiscard]] protocol::Frame cancel(const std::vector<std::uint32_t>& ids);
-[[nodiscard]] protocol::Frame get_heights(std::uint32_t id, const std::vector<wire::Column2>& columns);
+[[nodiscard]] protocol::Frame get_heights(std::uint32_t id, const std::vector<wire::ColumnPos>& columns);
 [[nodiscard]] protocol::Frame credit(std::uint64_t total_bytes);
 [[nodiscard]] protocol::Frame edit(std::uint32_t id);
 [[nodiscard]] protocol::Frame ping(std::uint64_t nonce);

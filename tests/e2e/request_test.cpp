@@ -149,7 +149,7 @@ TEST_CASE("heights are the surface's") {
   const ServerProcess server;
   RawClient client = greeted(server.port());
   const std::vector<terrain::BaseColumn> columns{{0, 0}, {-1000, 77}, {1LL << 35, -(1LL << 36)}};
-  std::vector<wire::Column2> wire_columns;
+  std::vector<wire::ColumnPos> wire_columns;
   for (const auto& column : columns) wire_columns.emplace_back(column.x, column.z);
   REQUIRE(client.send(get_heights(8, wire_columns)));
   const Received received = client.expect();

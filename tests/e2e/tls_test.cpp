@@ -73,7 +73,7 @@ TEST_CASE("by TLS a View comes whole, through many records") {
   while (columns < 13 * 13) {
     const auto received = client.receive();
     REQUIRE(received.has_value());
-    columns += received->kind() == wire::Body::Chunk || received->kind() == wire::Body::Column ? 1 : 0;
+    columns += received->kind() == wire::Body::Chunk || received->kind() == wire::Body::UniformColumn ? 1 : 0;
     bytes += received->bytes();
     client.send(credit(bytes));
   }

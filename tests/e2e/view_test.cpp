@@ -23,8 +23,8 @@ Arrivals receive(RawClient& client, std::size_t count) {
   Arrivals came;
   while (came.all.size() < count) {
     const Received received = client.expect();
-    if (received.kind() == wire::Body::Column) {
-      const auto& column = received.as<wire::Column>();
+    if (received.kind() == wire::Body::UniformColumn) {
+      const auto& column = received.as<wire::UniformColumn>();
       for (const wire::UniformRun* run : *column.runs()) {
         for (std::int32_t y = run->first_y(); y <= run->last_y(); ++y) {
           came.all.push_back({{column.x(), y, column.z()}, Lod::of(column.lod())});

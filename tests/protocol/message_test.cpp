@@ -1,7 +1,10 @@
 #include <talus/protocol/message.h>
 
 #include <array>
+#include <cstring>
 #include <set>
+#include <utility>
+#include <vector>
 
 #include <rapidcheck.h>
 #include <catch2/catch.hpp>
@@ -108,9 +111,9 @@ TEST_CASE("a body of a kind from the future is refused") {
 
 namespace {
 
-/// Four bytes before the list move its 64-bit elements off their grid, while every length still fits.
+/// Inserts four bytes before the list: its 64-bit elements are misaligned, and every length still fits.
 template <typename List>
-MessageError refusal_of_askew(Frame frame, List&& list_of) {
+MessageError refusal_of_misaligned(Frame frame, List&& list_of) {
   const auto* vector = list_of(**read_message(frame));
   const auto list = static_cast<std::size_t>(reinterpret_cast<const std::byte*>(vector) - frame.data());
   const auto read = [&](std::size_t at) { return flatbuffers::ReadScalar<std::uint32_t>(frame.data() + at); };
@@ -129,12 +132,12 @@ MessageError refusal_of_askew(Frame frame, List&& list_of) {
 
 }  // namespace
 
-TEST_CASE("a list of structs that lies askew is refused") {
+TEST_CASE("a misaligned list of structs is refused") {
   const Frame heights = make_frame([](auto& b) {
-    const std::array columns{wire::Column2{1, 2}, wire::Column2{3, 4}};
+    const std::array columns{wire::ColumnPos{1, 2}, wire::ColumnPos{3, 4}};
     return wire::CreateGetHeights(b, 1, b.CreateVectorOfStructs(columns.data(), columns.size()));
   });
-  CHECK(refusal_of_askew(heights, [](const wire::Message& message) {
+  CHECK(refusal_of_misaligned(heights, [](const wire::Message& message) {
           return message.body_as_GetHeights()->columns();
         }) == MessageError::not_flatbuffers);
   const Frame view = make_frame([](auto& b) {
@@ -143,9 +146,56 @@ TEST_CASE("a list of structs that lies askew is refused") {
     return wire::CreateView(b, &centre, nullptr, 1, 1, 0,
                             b.CreateVectorOfStructs(known.data(), known.size()));
   });
-  CHECK(refusal_of_askew(view, [](const wire::Message& message) {
+  CHECK(refusal_of_misaligned(view, [](const wire::Message& message) {
           return message.body_as_View()->known();
         }) == MessageError::not_flatbuffers);
+}
+
+TEST_CASE("a message aligned from behind its length is refused where it holds a 64-bit field") {
+  // What a client makes that finishes the message alone and writes a length before it.
+  const auto behind_length = [](auto&& build) {
+    flatbuffers::FlatBufferBuilder builder;
+    const auto [kind, body] = build(builder);
+    builder.Finish(wire::CreateMessage(builder, kind, body));
+    Frame frame(kPrefixBytes + builder.GetSize());
+    flatbuffers::WriteScalar(frame.data(), builder.GetSize());
+    std::memcpy(frame.data() + kPrefixBytes, builder.GetBufferPointer(), builder.GetSize());
+    return frame;
+  };
+  const auto refused = [&](auto&& build) { return !read_message(behind_length(build)).has_value(); };
+  using Body = std::pair<wire::Body, flatbuffers::Offset<void>>;
+  CHECK(refused([](auto& b) { return Body{wire::Body::Ping, wire::CreatePing(b, 1).Union()}; }));
+  CHECK(refused([](auto& b) { return Body{wire::Body::Credit, wire::CreateCredit(b, 1).Union()}; }));
+  CHECK(refused([](auto& b) {
+    const wire::Voxel centre{};
+    return Body{wire::Body::View, wire::CreateView(b, &centre).Union()};
+  }));
+  CHECK(refused([](auto& b) {
+    const auto requests = b.CreateVectorOfStructs(std::vector{wire::ChunkRequest{1, {}, false, {}}});
+    return Body{wire::Body::GetChunks, wire::CreateGetChunks(b, requests).Union()};
+  }));
+  CHECK(refused([](auto& b) {
+    const auto columns = b.CreateVectorOfStructs(std::vector{wire::ColumnPos{0, 0}});
+    return Body{wire::Body::GetHeights, wire::CreateGetHeights(b, 1, columns).Union()};
+  }));
+  CHECK(refused([](auto& b) {
+    const auto writes = b.CreateVectorOfStructs(std::vector{wire::VoxelWrite{{}, 1}});
+    return Body{wire::Body::Edit, wire::CreateEdit(b, 1, writes).Union()};
+  }));
+  CHECK(refused([](auto& b) {
+    return Body{wire::Body::Hello, wire::CreateHello(b, 1, 1, 0, 0, 0, 1000).Union()};
+  }));
+  CHECK_FALSE(refused([](auto& b) { return Body{wire::Body::Hello, wire::CreateHello(b, 1, 1).Union()}; }));
+  CHECK_FALSE(refused([](auto& b) {
+    const auto ids = b.CreateVector(std::vector<std::uint32_t>{1});
+    return Body{wire::Body::Cancel, wire::CreateCancel(b, ids).Union()};
+  }));
+}
+
+TEST_CASE("elements of lists have the sizes that PROTOCOL.md says") {
+  CHECK(sizeof(wire::ChunkRequest) == 40);
+  CHECK(sizeof(wire::KnownChunk) == 32);
+  CHECK(sizeof(wire::ColumnPos) == 16);
 }
 
 TEST_CASE("the newest common version is chosen") {

@@ -33,7 +33,7 @@ Frame get_chunks() {
 
 Frame get_heights() {
   return make_frame([](auto& b) {
-    const std::array columns{wire::Column2{-5, 9}, wire::Column2{std::int64_t{1} << 36, 0}};
+    const std::array columns{wire::ColumnPos{-5, 9}, wire::ColumnPos{std::int64_t{1} << 36, 0}};
     return wire::CreateGetHeights(b, 9, b.CreateVectorOfStructs(columns.data(), columns.size()));
   });
 }
@@ -54,7 +54,7 @@ Frame welcome() {
 Frame column() {
   return make_frame([](auto& b) {
     const std::array runs{wire::UniformRun{kFarthest, -1, 2}, wire::UniformRun{10, 11, 0}};
-    return wire::CreateColumn(b, -4, 5, 1, 6, b.CreateVectorOfStructs(runs.data(), runs.size()));
+    return wire::CreateUniformColumn(b, -4, 5, 1, 6, b.CreateVectorOfStructs(runs.data(), runs.size()));
   });
 }
 
@@ -114,7 +114,7 @@ std::vector<Sample> sample_frames() {
       {Body::Welcome, welcome()},
       {Body::Chunk, sample_chunk()},
       simple(Body::Unchanged, [](auto& b) { return wire::CreateUnchanged(b, 8, &kKey, 42, &kHash); }),
-      {Body::Column, column()},
+      {Body::UniformColumn, column()},
       simple(Body::Heights, [&](auto& b) { return wire::CreateHeights(b, 9, b.CreateVector(heights)); }),
       {Body::Error, error()},
       simple(Body::EditResult, [](auto& b) { return wire::CreateEditResult(b, 11, 43); }),

@@ -30,7 +30,7 @@ class Digest {
   void one(const wire::ChunkKey& key) { add(key.x(), key.y(), key.z(), key.lod()); }
   void one(const wire::Voxel& voxel) { add(voxel.x(), voxel.y(), voxel.z()); }
   void one(const wire::Direction& direction) { add(direction.x(), direction.y(), direction.z()); }
-  void one(const wire::Column2& column) { add(column.x(), column.z()); }
+  void one(const wire::ColumnPos& column) { add(column.x(), column.z()); }
   void one(const wire::LodRing& ring) { add(ring.lod(), ring.radius()); }
   void one(const wire::UniformRun& run) { add(run.first_y(), run.last_y(), run.material()); }
   void one(const wire::VoxelWrite& write) { add(write.voxel(), write.material()); }
@@ -96,7 +96,7 @@ void walk_from_server(const wire::Message& message, Digest& digest) {
     digest.add(chunk->id(), chunk->key(), chunk->revision(), chunk->hash(), chunk->codec(), chunk->payload());
   } else if (const auto* unchanged = message.body_as_Unchanged()) {
     digest.add(unchanged->id(), unchanged->key(), unchanged->revision(), unchanged->hash());
-  } else if (const auto* column = message.body_as_Column()) {
+  } else if (const auto* column = message.body_as_UniformColumn()) {
     digest.add(column->x(), column->z(), column->lod(), column->revision(), column->runs());
   } else if (const auto* heights = message.body_as_Heights()) {
     digest.add(heights->id(), heights->heights_fx());

@@ -4,8 +4,8 @@
 #include <rapidcheck.h>
 
 #include "frames.h"
-#include "stream/credit.h"
-#include "stream/outbox.h"
+#include "view/credit.h"
+#include "view/outbox.h"
 
 using namespace talus;
 using namespace talus::server;
@@ -27,11 +27,12 @@ struct Taken {
   std::vector<std::uint32_t> ids;
 };
 
-Taken take(Outbox& outbox, std::size_t enough_bytes, Credit& credit, ChunkAllowance allowance = {}) {
+Taken take(Outbox& outbox, const Outbox::TakeLimits& limits, Credit& credit) {
   Taken taken;
   Output output;
-  outbox.take(enough_bytes, credit, allowance, output,
-              [&](const Outbox::Entry& entry, std::size_t) { taken.ids.push_back(entry.request_id); });
+  outbox.take(
+      limits, credit, output, [](Outbox::Entry&) { return true; },
+      [&](const Outbox::Entry& entry) { taken.ids.push_back(entry.request_id); });
   taken.bytes = flat(output);
   return taken;
 }
@@ -74,7 +75,7 @@ TEST_CASE("control frames go first and need no credit") {
   Credit none{0};
   outbox.push_chunk(entry(1, 10));
   outbox.push_control(protocol::Frame(7));
-  CHECK(take(outbox, kAll, none).bytes.size() == 7);
+  CHECK(take(outbox, {}, none).bytes.size() == 7);
   CHECK_FALSE(outbox.sendable(none));
   Credit some{1};
   CHECK(outbox.sendable(some));
@@ -85,7 +86,7 @@ TEST_CASE("the outbox takes until there is enough, and counts what it sent") {
   Credit credit{kAll};
   for (std::uint32_t id = 1; id <= 10; ++id) outbox.push_chunk(entry(id, 1000));
   const std::size_t frame_bytes = chunk_of(1000)->frame_bytes();
-  const Taken taken = take(outbox, 3 * frame_bytes, credit);
+  const Taken taken = take(outbox, {3 * frame_bytes}, credit);
   CHECK(taken.bytes.size() == 3 * frame_bytes);
   CHECK(taken.ids == std::vector<std::uint32_t>{1, 2, 3});
   CHECK(credit.taken(3 * frame_bytes).has_value());
@@ -117,21 +118,56 @@ TEST_CASE("an emptied outbox counts no bytes, however it was emptied") {
     }
     const auto dropped = *rc::gen::inRange(0U, 50U);
     outbox.drop_chunks([&](const Outbox::Entry& each) { return each.request_id < dropped; });
-    for (const std::uint32_t id : take(outbox, kAll, credit).ids) RC_ASSERT(id >= dropped);
+    for (const std::uint32_t id : take(outbox, {}, credit).ids) RC_ASSERT(id >= dropped);
     RC_ASSERT(outbox.control_bytes() == 0);
     RC_ASSERT(outbox.chunk_bytes() == 0);
   }));
 }
 
-TEST_CASE("an allowance bounds the chunks that are taken, and no control frame") {
+TEST_CASE("limits of chunks bound the chunks that are taken, and no control frame") {
   Outbox outbox;
   Credit credit{kAll};
   outbox.push_control(protocol::Frame(10));
   for (std::uint32_t id = 1; id <= 5; ++id) outbox.push_chunk(entry(id, 100));
-  CHECK(take(outbox, kAll, credit, {0, kAll}).bytes.size() == 10);
-  CHECK(take(outbox, kAll, credit, {2, kAll}).ids.size() == 2);
-  CHECK(take(outbox, kAll, credit, {kAll, 0}).ids.empty());
-  CHECK(take(outbox, kAll, credit, {kAll, 1}).ids.size() == 1);
+  CHECK(take(outbox, {kAll, 0, kAll}, credit).bytes.size() == 10);
+  CHECK(take(outbox, {kAll, 2, kAll}, credit).ids.size() == 2);
+  CHECK(take(outbox, {kAll, kAll, 0}, credit).ids.empty());
+  CHECK(take(outbox, {kAll, kAll, 1}, credit).ids.size() == 1);
+}
+
+TEST_CASE("a chunk is written as refresh leaves it") {
+  Outbox outbox;
+  Credit credit{kAll};
+  outbox.push_chunk(entry(1, 100));
+  Output output;
+  outbox.take(
+      {}, credit, output,
+      [](Outbox::Entry& entry) {
+        entry.chunk = chunk_of(5000);
+        return true;
+      },
+      [](const Outbox::Entry&) {});
+  CHECK(output.size() == chunk_of(5000)->frame_bytes());
+  CHECK(credit.taken(output.size()).has_value());
+  CHECK(outbox.chunk_bytes() == 0);
+}
+
+TEST_CASE("a chunk that refresh answered is not written, and its answer is") {
+  Outbox outbox;
+  Credit credit{kAll};
+  outbox.push_chunk(entry(1, 100));
+  Output output;
+  int sent = 0;
+  outbox.take(
+      {}, credit, output,
+      [&](Outbox::Entry&) {
+        outbox.push_control(protocol::Frame(7));
+        return false;
+      },
+      [&](const Outbox::Entry&) { ++sent; });
+  CHECK(output.size() == 7);
+  CHECK(sent == 0);
+  CHECK(outbox.chunk_bytes() == 0);
 }
 
 TEST_CASE("a write has the same bytes whether large chunks are copied into it or not") {

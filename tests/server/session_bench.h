@@ -58,7 +58,7 @@ struct Said {
     said.retry_after_ms = error->retry_after_ms();
   } else if (const auto* away = message.body_as_GoAway()) {
     said.retry_after_ms = away->retry_after_ms();
-  } else if (const auto* column = message.body_as_Column()) {
+  } else if (const auto* column = message.body_as_UniformColumn()) {
     said.key = {{column->x(), 0, column->z()}, Lod::of(column->lod())};
     said.revision = column->revision();
     for (const wire::UniformRun* run : *column->runs()) {
@@ -144,7 +144,7 @@ struct SessionBench {
   void get_heights(std::uint32_t id, std::int64_t x = 0) {
     receive([&](auto& builder) {
       return wire::CreateGetHeights(builder, id,
-                                    builder.CreateVectorOfStructs(std::vector{wire::Column2{x, 0}}));
+                                    builder.CreateVectorOfStructs(std::vector{wire::ColumnPos{x, 0}}));
     });
   }
   void cancel(std::uint32_t id) {

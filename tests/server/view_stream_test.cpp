@@ -1,4 +1,4 @@
-#include "stream/view_stream.h"
+#include "view/view_stream.h"
 
 #include <algorithm>
 #include <catch2/catch.hpp>
@@ -73,8 +73,16 @@ TEST_CASE("without a View nothing is wanted") {
   CHECK(stream.next() == std::nullopt);
 }
 
+TEST_CASE("a small View after a large one holds little memory") {
+  ViewStream stream;
+  (void)stream.replace(Interest{View{{0, 0, 0}, {}, 40, 10, {}}});
+  CHECK(stream.bytes() > 100'000);
+  (void)stream.replace(only(1));
+  CHECK(stream.bytes() < 1000);
+}
+
 TEST_CASE("a View stream does what sets would do") {
-  enum class State { under_way, done };
+  enum class State { in_flight, done };
   CHECK(rc::check([] {
     ViewStream stream;
     std::vector<ChunkKey> wanted;
@@ -82,7 +90,7 @@ TEST_CASE("a View stream does what sets would do") {
     const auto steps = *rc::gen::container<std::vector<int>>(rc::gen::inRange(0, 12));
     for (const int step : steps) {
       const auto open = std::find_if(states.begin(), states.end(),
-                                     [](const auto& each) { return each.second == State::under_way; });
+                                     [](const auto& each) { return each.second == State::in_flight; });
       if (step == 0) {
         const View view = small_view();
         wanted = chunks_in_view(view);
@@ -90,7 +98,7 @@ TEST_CASE("a View stream does what sets would do") {
         std::set<ChunkKey> expected;
         for (const auto& [key, state] : std::map{states}) {
           if (std::find(wanted.begin(), wanted.end(), key) != wanted.end()) continue;
-          if (state == State::under_way) expected.insert(key);
+          if (state == State::in_flight) expected.insert(key);
           states.erase(key);
         }
         RC_ASSERT(std::set(dropped.begin(), dropped.end()) == expected);
@@ -100,7 +108,7 @@ TEST_CASE("a View stream does what sets would do") {
         const auto got = stream.next();
         RC_ASSERT(got.has_value() == (due != wanted.end()));
         if (got) RC_ASSERT(*got == *due);
-        if (got) states[*got] = State::under_way;
+        if (got) states[*got] = State::in_flight;
       } else if (open != states.end() && step < 11) {
         stream.done(open->first);
         open->second = State::done;
@@ -108,9 +116,9 @@ TEST_CASE("a View stream does what sets would do") {
         stream.put_back(open->first);
         states.erase(open);
       }
-      RC_ASSERT(stream.under_way_count() ==
+      RC_ASSERT(stream.in_flight_count() ==
                 static_cast<std::size_t>(std::count_if(states.begin(), states.end(), [](const auto& each) {
-                  return each.second == State::under_way;
+                  return each.second == State::in_flight;
                 })));
     }
   }));

@@ -16,8 +16,8 @@ Result<void> Core::handle(std::span<const std::byte> frame) {
       return handle_chunk(*m.body_as_Chunk(), frame.size());
     case wire::Body::Unchanged:
       return handle_unchanged(*m.body_as_Unchanged());
-    case wire::Body::Column:
-      return handle_column(*m.body_as_Column());
+    case wire::Body::UniformColumn:
+      return handle_column(*m.body_as_UniformColumn());
     case wire::Body::Heights:
       return handle_heights(*m.body_as_Heights());
     case wire::Body::Error:
@@ -118,7 +118,7 @@ Result<ReceivedChunk> Core::uniform(ChunkKey key, MaterialId material, std::uint
   return ReceivedChunk{key, revision, known->second.hash, known->second.chunk};
 }
 
-Result<void> Core::handle_column(const wire::Column& column) {
+Result<void> Core::handle_column(const wire::UniformColumn& column) {
   const auto lod = Lod::checked(column.lod());
   if (!lod) return tl::unexpected{broken_protocol(lod.error().message)};
   if (column.runs() == nullptr) return {};

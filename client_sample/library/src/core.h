@@ -68,7 +68,7 @@ class Core : public std::enable_shared_from_this<Core> {
   [[nodiscard]] Result<void> handle(std::span<const std::byte> frame);
   [[nodiscard]] Result<void> handle_chunk(const wire::Chunk& chunk, std::size_t frame_bytes);
   [[nodiscard]] Result<void> handle_unchanged(const wire::Unchanged& unchanged);
-  [[nodiscard]] Result<void> handle_column(const wire::Column& column);
+  [[nodiscard]] Result<void> handle_column(const wire::UniformColumn& column);
   [[nodiscard]] Result<void> handle_heights(const wire::Heights& heights);
   [[nodiscard]] Result<void> handle_error(const wire::Error& error);
   [[nodiscard]] Result<void> handle_edit(const wire::EditBroadcast& edit);

@@ -55,7 +55,7 @@ protocol::Frame view_frame(const View& view, const std::vector<ReceivedChunk>& k
 
 protocol::Frame heights_frame(std::uint32_t id, const HeightsRequest& request) {
   return protocol::make_frame([&](auto& b) {
-    std::vector<wire::Column2> columns;
+    std::vector<wire::ColumnPos> columns;
     columns.reserve(request.columns.size());
     for (const auto& column : request.columns) columns.emplace_back(column.x, column.z);
     return wire::CreateGetHeights(b, id, b.CreateVectorOfStructs(columns));
@@ -95,7 +95,7 @@ std::size_t known_per_frame(std::uint32_t frame_bytes) {
 }
 
 std::size_t columns_per_frame(std::uint32_t frame_bytes) {
-  return fitting(frame_bytes, sizeof(wire::Column2));
+  return fitting(frame_bytes, sizeof(wire::ColumnPos));
 }
 
 }  // namespace talus::client

@@ -1,4 +1,4 @@
-// What the protocol allows before configuration narrows it. PROTOCOL.md explains each.
+// Bounds of the protocol. The configuration may set lower ones. PROTOCOL.md explains each.
 #pragma once
 
 #include <cstdint>
@@ -8,12 +8,12 @@ namespace talus::protocol {
 inline constexpr std::uint16_t kProtocolVersion = 1;  // newest version spoken
 inline constexpr std::uint16_t kOldestProtocol = 1;   // oldest version still spoken
 
-/// Frames from a client, prefix included: default, and what a server may be configured to.
+/// Frames from a client, prefix included: the default, and the least that a server may set.
 inline constexpr std::uint32_t kDefaultClientFrameBytes = 64U * 1024;
-inline constexpr std::uint32_t kLeastClientFrameBytes = 4U * 1024;
+inline constexpr std::uint32_t kMinClientFrameBytes = 4U * 1024;
 
-/// Frames from a server, prefix included: a raw chunk with its envelope fits, and so do the heights of the
-/// largest request. A client refuses more.
+/// Frames from a server, prefix included: a raw chunk fits, and so do the heights of the largest request. A
+/// client refuses longer ones.
 inline constexpr std::uint32_t kServerFrameBytes = 256U * 1024;
 
 /// GetHeights columns per request: 16 bytes each, so the largest fits the default frame from a client.

@@ -1,7 +1,7 @@
-// Messages: verified views over received frames, and frames made from values.
+// Messages: received frames are verified and read in place; sent frames are built from values.
 //
-// Nothing of a frame may be read before read_message has verified it. The views that it returns point
-// into the frame and live as long as the frame does. Pure functions, callable from any thread.
+// read_message() must verify a frame before anything of it is read. What it returns points into the frame and
+// lives as long as the frame. Pure functions, callable from any thread.
 #pragma once
 
 #include <cstddef>
@@ -18,22 +18,22 @@
 
 namespace talus::protocol {
 
-/// Why a frame is no message that may be read.
+/// Why a frame may not be read.
 enum class MessageError : std::uint8_t {
-  not_flatbuffers,  // the verifier found offsets, lengths or nesting out of bounds
+  not_flatbuffers,  // offsets, lengths, nesting or alignment are wrong
   no_body,          // a Message without a body, or with a kind this version does not know
 };
 [[nodiscard]] std::string_view describe(MessageError error);
 
-/// Verifies a whole frame (prefix included, aligned as FrameReader gives it) and returns its message,
-/// whose body() is present and of a known kind. Required strings and vectors may still be null: absent
-/// means empty.
+/// Verifies a whole frame, prefix included, aligned as FrameReader::frame() is. Returns its message, whose
+/// body() is present and of a known kind. Strings, vectors and structs may be null: an absent string or
+/// vector is empty.
 [[nodiscard]] tl::expected<const wire::Message*, MessageError> read_message(std::span<const std::byte> frame);
 
-/// A frame ready to be written, prefix included.
+/// A frame to be written, prefix included.
 using Frame = std::vector<std::byte>;
 
-/// Closes `builder` over a message whose body is `body`, and returns the frame.
+/// Finishes the message whose body is `body`, and returns its frame.
 template <typename Table>
 [[nodiscard]] Frame finish_frame(flatbuffers::FlatBufferBuilder& builder, flatbuffers::Offset<Table> body) {
   builder.FinishSizePrefixed(wire::CreateMessage(builder, wire::BodyTraits<Table>::enum_value, body.Union()));
@@ -41,7 +41,7 @@ template <typename Table>
   return {bytes, bytes + builder.GetSize()};
 }
 
-/// A message of one body as a frame; `build(builder)` makes the body's table:
+/// Builds a frame; `build(builder)` returns the offset of the body's table:
 ///
 ///   Frame frame = make_frame([&](auto& b) { return wire::CreatePing(b, nonce); });
 template <typename Build>
@@ -51,7 +51,7 @@ template <typename Build>
   return finish_frame(builder, body);
 }
 
-/// The newest version both sides speak, or 0: `oldest` to `newest` as a Hello offers them.
+/// The newest protocol version that both sides speak, or 0. A Hello offers `oldest` to `newest`.
 [[nodiscard]] std::uint16_t choose_protocol(std::uint16_t oldest, std::uint16_t newest);
 
 }  // namespace talus::protocol

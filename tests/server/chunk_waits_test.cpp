@@ -1,0 +1,56 @@
+#include "session/chunk_waits.h"
+
+#include <catch2/catch.hpp>
+
+using namespace talus;
+using namespace talus::server;
+
+namespace {
+
+const ChunkKey kKey{{1, 2, 3}, Lod{}};
+constexpr Clock::time_point kNow{std::chrono::seconds{1}};
+
+}  // namespace
+
+TEST_CASE("the last request that leaves a chunk cancels it") {
+  ChunkWaits waits;
+  waits.add(kKey, kNow).requests = {1, 2};
+  CHECK_FALSE(waits.leave(kKey, 1));
+  CHECK(waits.leave(kKey, 2));
+  CHECK_FALSE(waits.contains(kKey));
+}
+
+TEST_CASE("the View that leaves a chunk does not cancel it for a request") {
+  ChunkWaits waits;
+  auto& waiters = waits.add(kKey, kNow);
+  waiters.view = true;
+  waiters.requests = {1};
+  CHECK_FALSE(waits.leave_view(kKey));
+  CHECK(waits.leave(kKey, 1));
+}
+
+TEST_CASE("a request that leaves a chunk does not cancel it for the View") {
+  ChunkWaits waits;
+  auto& waiters = waits.add(kKey, kNow);
+  waiters.view = true;
+  waiters.requests = {1};
+  CHECK_FALSE(waits.leave(kKey, 1));
+  CHECK(waits.leave_view(kKey));
+}
+
+TEST_CASE("leaving a chunk for which nobody waits cancels nothing") {
+  ChunkWaits waits;
+  CHECK_FALSE(waits.leave(kKey, 1));
+  CHECK_FALSE(waits.leave_view(kKey));
+}
+
+TEST_CASE("a chunk that came is waited for no more") {
+  ChunkWaits waits;
+  waits.add(kKey, kNow).requests = {1, 2};
+  const auto waiters = waits.take(kKey);
+  REQUIRE(waiters);
+  CHECK(waiters->since == kNow);
+  CHECK(waiters->requests == std::vector<std::uint32_t>{1, 2});
+  CHECK_FALSE(waits.take(kKey));
+  CHECK(waits.size() == 0);
+}

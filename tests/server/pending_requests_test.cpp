@@ -1,0 +1,57 @@
+#include "session/pending_requests.h"
+
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <map>
+#include <vector>
+
+#include <rapidcheck.h>
+
+using namespace talus;
+using namespace talus::server;
+
+TEST_CASE("pending requests do what plain maps would do, and start in the order asked") {
+  CHECK(rc::check([] {
+    PendingRequests pending;
+    std::map<std::uint32_t, std::int32_t> chunks;  // chunk requests: id to x
+    std::vector<std::uint32_t> unstarted;
+    std::size_t heights_bytes = 0;
+    std::map<std::uint32_t, std::uint64_t> tickets;
+    std::int32_t asked = 0;
+    const auto steps = *rc::gen::container<std::vector<std::pair<int, std::uint32_t>>>(
+        rc::gen::pair(rc::gen::inRange(0, 5), rc::gen::inRange(1U, 40U)));
+    for (const auto& [what, id] : steps) {
+      const bool known = chunks.contains(id) || tickets.contains(id);
+      RC_ASSERT(pending.contains(id) == known);
+      if (what <= 1 && !known) {
+        pending.add_chunk(id, {{{++asked, 0, 0}, Lod{}}, std::nullopt});
+        chunks[id] = asked;
+        unstarted.push_back(id);
+      } else if (what == 2 && !known) {
+        pending.add_heights(id, id + 1000, 10);
+        tickets[id] = id + 1000;
+        heights_bytes += 10;
+      } else if (what == 3) {
+        pending.erase(id);
+        chunks.erase(id);
+        heights_bytes -= tickets.erase(id) * 10;
+        std::erase(unstarted, id);
+      } else if (what == 4) {
+        const auto next = pending.next_unstarted();
+        RC_ASSERT(next.has_value() == !unstarted.empty());
+        if (next) {
+          RC_ASSERT(*next == unstarted.front());
+          unstarted.erase(unstarted.begin());
+        }
+      }
+      RC_ASSERT(pending.size() == chunks.size() + tickets.size());
+      RC_ASSERT(pending.heights_bytes() == heights_bytes);
+    }
+    for (const auto& [id, x] : chunks) {
+      RC_ASSERT(pending.chunk(id) != nullptr);
+      RC_ASSERT(pending.chunk(id)->key.coord.x == x);
+      RC_ASSERT_FALSE(pending.heights_ticket(id).has_value());
+    }
+    for (const auto& [id, ticket] : tickets) RC_ASSERT(pending.heights_ticket(id) == ticket);
+  }));
+}

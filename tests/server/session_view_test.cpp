@@ -1,0 +1,326 @@
+// A session's View: what is sent, confirmed, told by Column, and dropped.
+#include <catch2/catch.hpp>
+#include <set>
+
+#include "session_bench.h"
+
+using namespace talus;
+using namespace talus::server;
+using Body = wire::Body;
+
+namespace {
+
+constexpr auto kRock = MaterialId{2};
+
+std::vector<EncodedChunkPtr> scripted_chunks(const std::vector<ChunkKey>& keys, std::uint64_t revision = 0) {
+  std::vector<EncodedChunkPtr> chunks;
+  for (const ChunkKey key : keys) chunks.push_back(scripted_chunk(key, revision));
+  return chunks;
+}
+
+}  // namespace
+
+TEST_CASE("a View waits until it is applied") {
+  SessionBench bench;
+  bench.say_view(0, 1);
+  CHECK(bench.session.view_waits());
+  CHECK(bench.source.submitted == 0);
+  bench.apply_view();
+  CHECK_FALSE(bench.session.view_waits());
+  CHECK(bench.source.submitted == 9);
+}
+
+TEST_CASE("each chunk of a View is sent once, for request id 0") {
+  SessionBench bench;
+  bench.look_at(0, 1);
+  std::set<ChunkKey> sent;
+  for (const Said& each : bench.run_dry()) {
+    CHECK(each.kind == Body::Chunk);
+    CHECK(each.id == 0);
+    CHECK(sent.insert(each.key).second);
+  }
+  CHECK(sent.size() == 9);
+}
+
+TEST_CASE("what was sent and stays in the View is not sent again") {
+  SessionBench bench;
+  bench.look_at(0, 1);
+  (void)bench.run_dry();
+  bench.look_at(1, 1);
+  CHECK(bench.run_dry().size() == 3);
+}
+
+TEST_CASE("a View has no more than kMaxViewInFlight chunks in flight") {
+  SessionBench bench;
+  bench.look_at(0, 20);
+  CHECK(bench.source.waiting.size() == Delivery::kMaxViewInFlight);
+}
+
+TEST_CASE("a View outside the world is accepted and has no chunks") {
+  SessionBench bench;
+  bench.look_at(0, 1);
+  (void)bench.run_dry();
+  bench.look_at(std::int64_t{1} << 40, 1);
+  CHECK(bench.run_dry().empty());
+  CHECK(bench.session.state() == Session::State::joined);
+  bench.look_at(0, 1);
+  CHECK(bench.run_dry().size() == 9);
+}
+
+TEST_CASE("a View without centre closes the session") {
+  SessionBench bench;
+  bench.receive([](auto& builder) { return wire::CreateView(builder, nullptr, nullptr, 1, 1); });
+  CHECK(bench.output().at(0).code == wire::ErrorCode::malformed);
+  CHECK(bench.session.state() == Session::State::closed);
+}
+
+TEST_CASE("a View over the limits is refused, and the View before stays") {
+  SessionBench bench;
+  bench.look_at(0, 0);
+  bench.say_view(0, 49);
+  CHECK_FALSE(bench.session.view_waits());
+  const auto said = bench.run_dry();
+  REQUIRE(kinds(said) == Kinds{Body::Error, Body::Chunk});
+  CHECK(said[0].code == wire::ErrorCode::too_large);
+  CHECK(said[0].id == 0);
+}
+
+TEST_CASE("rings whose levels or radii do not grow are refused") {
+  SessionBench bench;
+  const auto rings =
+      GENERATE(std::vector{wire::LodRing{0, 9}}, std::vector{wire::LodRing{7, 9}},
+               std::vector{wire::LodRing{1, 2}}, std::vector{wire::LodRing{2, 9}, wire::LodRing{1, 10}});
+  bench.receive([&](auto& builder) {
+    const wire::Voxel centre{};
+    return wire::CreateView(builder, &centre, nullptr, 2, 0, builder.CreateVectorOfStructs(rings));
+  });
+  CHECK(bench.output().at(0).code == wire::ErrorCode::out_of_range);
+}
+
+TEST_CASE("chunks that left the View are dropped before they are sent") {
+  SessionBench bench;
+  bench.look_at(0, 1);
+  bench.answer_all();
+  bench.look_at(100, 0);
+  const auto said = bench.run_dry();
+  REQUIRE(kinds(said) == Kinds{Body::Chunk});
+  CHECK(said[0].key == chunk_at(100));
+}
+
+TEST_CASE("chunks that left the View leave the source's queue") {
+  SessionBench bench;
+  bench.look_at(0, 1);
+  bench.look_at(100, 0);
+  CHECK(bench.source.waiting.size() == 1);
+}
+
+TEST_CASE("a chunk that left the View is still made for the request that waits for it") {
+  SessionBench bench;
+  bench.look_at(0, 0);
+  bench.get_chunk(1, chunk_at(0));
+  bench.look_at(100, 0);
+  bench.answer_all();
+  const auto said = bench.output();
+  REQUIRE(said.size() == 2);
+  CHECK(said[0].id + said[1].id == 1);
+}
+
+TEST_CASE("what left in a View that was never applied is sent again") {
+  SessionBench bench;
+  bench.look_at(0, 0);
+  CHECK(bench.run_dry().size() == 1);
+  const int away = GENERATE(0, 1, 5, 100);  // Views in between, of which the client dropped what it had
+  for (int view = 1; view <= away; ++view) bench.say_view(view * 1000, 0);
+  bench.look_at(0, 0);
+  CHECK(bench.run_dry().size() == (away == 0 ? 0 : 1));
+}
+
+TEST_CASE("any number of Views of the same chunks between two looks has nothing sent again") {
+  SessionBench bench;
+  bench.look_at(0, 0);
+  CHECK(bench.run_dry().size() == 1);
+  for (int view = 0; view < 100; ++view) bench.say_view(0, 0);
+  bench.look_at(0, 0);
+  CHECK(bench.run_dry().empty());
+}
+
+TEST_CASE("what was in flight when it left in a View that was never applied is sent once") {
+  SessionBench bench;
+  bench.look_at(0, 0);
+  bench.say_view(1000, 0);
+  bench.look_at(0, 0);
+  CHECK(bench.run_dry().size() == 1);
+}
+
+TEST_CASE("a chunk of the View that could not be generated is told without id, and not tried again") {
+  SessionBench bench;
+  bench.look_at(0, 0);
+  bench.source.fail(chunk_at(0));
+  bench.take_mail();
+  const auto said = bench.output();
+  REQUIRE(said.size() == 1);
+  CHECK(said[0].code == wire::ErrorCode::internal);
+  CHECK(said[0].id == 0);
+  CHECK(bench.source.waiting.empty());
+}
+
+// ---- a full queue
+
+TEST_CASE("a full queue delays a View, and says nothing of it") {
+  SessionBench bench;
+  bench.source.queue_places = 1;
+  bench.look_at(0, 1);
+  CHECK(bench.output().empty());
+  CHECK(kinds(bench.run_dry()) == Kinds(9, Body::Chunk));
+}
+
+TEST_CASE("a View that a full queue refused submits nothing before mail comes") {
+  SessionBench bench;
+  bench.source.queue_places = 0;
+  bench.look_at(0, 1);
+  CHECK(bench.source.refused == 1);
+  for (int event = 0; event < 10; ++event) bench.ping();
+  CHECK(bench.source.refused == 1);
+}
+
+TEST_CASE("QueueHasRoom starts a View that a full queue refused") {
+  SessionBench bench;
+  bench.source.queue_places = 0;
+  bench.look_at(0, 1);
+  bench.source.queue_places = 100;
+  bench.mailbox->put(QueueHasRoom{});
+  bench.take_mail();
+  CHECK(bench.source.waiting.size() == 9);
+}
+
+TEST_CASE("a new View in memory is sent while the queue is full") {
+  SessionBench bench;
+  bench.source.queue_places = 0;
+  bench.look_at(0, 1);
+  bench.source.in_memory[chunk_at(100)] = scripted_chunk(chunk_at(100));
+  bench.look_at(100, 0);
+  CHECK(kinds(bench.output()) == Kinds{Body::Chunk});
+}
+
+// ---- what the client holds
+
+TEST_CASE("a chunk of the View that the client holds is confirmed, with its revision") {
+  SessionBench bench;
+  bench.source.in_memory[chunk_at(0)] = scripted_chunk(chunk_at(0), 3);
+  bench.say_view(0, 0, 0, {scripted_chunk(chunk_at(0), 3)}, {chunk_at(0)});
+  bench.apply_view();
+  const auto said = bench.output();
+  REQUIRE(kinds(said) == Kinds{Body::Unchanged});
+  CHECK(said[0].revision == 3);
+  CHECK(said[0].id == 0);
+}
+
+TEST_CASE("a chunk of the View of which the client holds another version is sent") {
+  SessionBench bench;
+  bench.source.in_memory[chunk_at(0)] = scripted_chunk(chunk_at(0), 3);
+  bench.say_view(0, 0, 0, {scripted_chunk(chunk_at(0), 2)}, {chunk_at(0)});
+  bench.apply_view();
+  CHECK(kinds(bench.output()) == Kinds{Body::Chunk});
+}
+
+TEST_CASE("a walk to and fro over a border sends no chunk twice to a client that says what it holds") {
+  SessionBench bench;
+  std::set<std::int32_t> held;  // x of the chunks that came
+  for (int step = 0; step < 40; ++step) {
+    const std::int64_t centre = step % 2;
+    std::vector<ChunkKey> known;
+    for (const std::int32_t x : held) {
+      if (x < centre - 2 || x > centre + 2) continue;
+      for (std::int32_t z = -2; z <= 2; ++z) known.push_back(chunk_at(x, 0, z));
+    }
+    bench.say_view(centre, 2, 0, scripted_chunks(known), known);
+    bench.apply_view();
+    std::size_t chunks = 0;
+    std::size_t confirmed = 0;
+    for (const Said& each : bench.run_dry()) {
+      chunks += each.kind == Body::Chunk ? 1 : 0;
+      confirmed += each.kind == Body::Unchanged ? 1 : 0;
+    }
+    for (std::int64_t x = centre - 2; x <= centre + 2; ++x) held.insert(static_cast<std::int32_t>(x));
+    CAPTURE(step);
+    CHECK(chunks == (step == 0 ? 25 : step == 1 ? 5 : 0));
+    CHECK(confirmed == (step < 2 ? 0 : 5));
+  }
+}
+
+// ---- columns
+
+TEST_CASE("air that is known without generating comes as one Column of revision 0") {
+  SessionBench bench;
+  bench.source.rows.last = 0;
+  bench.look_at(0, 0, 3);
+  const auto said = bench.output();
+  REQUIRE(kinds(said) == Kinds{Body::UniformColumn});
+  CHECK(said[0].runs == Runs{{1, 3, 0}});
+  CHECK(said[0].revision == 0);
+  CHECK(bench.source.waiting.size() == 4);
+}
+
+TEST_CASE("a column that becomes known while its chunks wait is told in one message") {
+  SessionBench bench;
+  bench.look_at(0, 0, 3);  // rows -3 to 3, all mixed for all that is known
+  bench.source.rows = {-1, 0, kRock};
+  bench.source.answer(chunk_at(0, 2));
+  bench.take_mail();
+  const auto said = bench.output();
+  REQUIRE(kinds(said) == Kinds{Body::UniformColumn});
+  CHECK(said[0].runs == Runs{{-3, -2, 2}, {1, 3, 0}});
+}
+
+TEST_CASE("chunks that a Column answered leave the source's queue") {
+  SessionBench bench;
+  bench.look_at(0, 0, 3);
+  bench.source.rows = {-1, 0, kRock};
+  bench.source.answer(chunk_at(0, 2));
+  bench.take_mail();
+  CHECK(bench.source.waiting.size() == 2);
+}
+
+TEST_CASE("a Column says nothing of a chunk that waits to be sent") {
+  SessionBench bench;
+  bench.look_at(0, 0, 2);
+  bench.source.answer(chunk_at(0, 2));
+  bench.take_mail();  // in the outbox now
+  bench.source.rows = {-2, 0, kRock};
+  bench.source.answer(chunk_at(0, 1));
+  bench.take_mail();
+  const auto said = bench.output();
+  REQUIRE(kinds(said) == Kinds{Body::UniformColumn, Body::Chunk});
+  CHECK(said[0].runs == Runs{{1, 1, 0}});
+  CHECK(said[1].key == chunk_at(0, 2));
+}
+
+TEST_CASE("a uniform chunk that the client holds is answered by Column") {
+  SessionBench bench;
+  bench.source.rows.last = -1;
+  bench.say_view(0, 0, 0, {scripted_chunk(chunk_at(0))}, {chunk_at(0)});
+  bench.apply_view();
+  CHECK(kinds(bench.output()) == Kinds{Body::UniformColumn});
+}
+
+TEST_CASE("a request for a uniform chunk is answered by Chunk") {
+  SessionBench bench;
+  bench.source.rows.last = -1;
+  bench.get_chunk(1, chunk_at(0));
+  bench.answer_all();
+  CHECK(kinds(bench.output()) == Kinds{Body::Chunk});
+}
+
+TEST_CASE("Columns wait for a client that reads nothing") {
+  SessionBench bench;
+  bench.source.rows.last = -10;  // air throughout the View
+  bench.look_at(0, 20, 5);
+  CHECK(bench.session.queued_bytes() < Delivery::kMaxColumnBytes + 512);
+  std::set<ChunkKey> columns;
+  for (bool more = true; more;) {
+    const auto said = bench.output(4096);
+    for (const Said& each : said) CHECK(columns.insert(each.key).second);
+    more = !said.empty();
+  }
+  CHECK(columns.size() == 41 * 41);
+}

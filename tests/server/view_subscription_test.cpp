@@ -1,0 +1,115 @@
+#include "view/view_subscription.h"
+
+#include <catch2/catch.hpp>
+
+using namespace talus;
+using namespace talus::server;
+
+namespace {
+
+View around(std::int64_t x, int radius = 0) {
+  return {{x, 0, 0}, {}, radius, 0, {}};
+}
+
+ChunkKey at(std::int32_t x) {
+  return {{x, 0, 0}, Lod{}};
+}
+
+constexpr ContentHash kHash{1, 2};
+
+/// Takes what is next, and ends it.
+std::optional<ChunkKey> send_next(ViewSubscription& view) {
+  const auto key = view.stream().next();
+  if (key) view.done(*key);
+  return key;
+}
+
+}  // namespace
+
+TEST_CASE("a View counts from apply() on") {
+  ViewSubscription view;
+  view.request(around(1));
+  CHECK(view.waits());
+  CHECK(view.stream().next() == std::nullopt);
+  CHECK(view.apply().empty());
+  CHECK_FALSE(view.waits());
+  CHECK(view.stream().next() == at(1));
+}
+
+TEST_CASE("apply() returns what was in flight and left") {
+  ViewSubscription view;
+  view.request(around(1));
+  (void)view.apply();
+  (void)view.stream().next();
+  view.request(around(2));
+  CHECK(view.apply() == std::vector{at(1)});
+}
+
+TEST_CASE("what left in a View that was never applied is to be sent again") {
+  const int away = GENERATE(1, 7, 8, 9, 100);
+  ViewSubscription view;
+  view.request(around(1));
+  (void)view.apply();
+  (void)send_next(view);
+  for (int each = 0; each < away; ++each) view.request(around(1000 + each));
+  view.request(around(1));
+  (void)view.apply();
+  CHECK(send_next(view) == at(1));
+}
+
+TEST_CASE("what stayed in every View is not sent again") {
+  const int views = GENERATE(1, 7, 8);
+  ViewSubscription view;
+  view.request(around(0));
+  (void)view.apply();
+  (void)send_next(view);
+  for (int each = 1; each <= views; ++each) view.request(around(each % 2, 1));
+  (void)view.apply();
+  while (const auto key = send_next(view)) CHECK(*key != at(0));
+}
+
+TEST_CASE("the client knows a chunk by its hash") {
+  ViewSubscription view;
+  view.request(around(1));
+  view.add_known(at(1), kHash);
+  (void)view.apply();
+  CHECK(view.knows(at(1), kHash));
+  CHECK_FALSE(view.knows(at(1), {1, 3}));
+  CHECK_FALSE(view.knows(at(2), kHash));
+}
+
+TEST_CASE("what the client knows is forgotten when the chunk is done") {
+  ViewSubscription view;
+  view.request(around(1));
+  view.add_known(at(1), kHash);
+  (void)view.apply();
+  (void)send_next(view);
+  CHECK(view.known_chunks() == 0);
+}
+
+TEST_CASE("what the client knows outside its View is forgotten by apply()") {
+  ViewSubscription view;
+  for (std::int32_t x = 0; x < 100; ++x) view.add_known(at(x), kHash);
+  view.request(around(5));
+  (void)view.apply();
+  CHECK(view.known_chunks() == 1);
+}
+
+TEST_CASE("what the client knows is bounded") {
+  ViewSubscription view;
+  for (std::int32_t x = 0; x < 20'000; ++x) view.add_known(at(x), kHash);
+  CHECK(view.known_chunks() == ViewSubscription::kMaxKnownChunks);
+}
+
+TEST_CASE("a cleared subscription wants and knows nothing") {
+  ViewSubscription view;
+  view.request(around(1, 2));
+  view.add_known(at(1), kHash);
+  (void)view.apply();
+  const ChunkKey in_flight = *view.stream().next();
+  view.request(around(2));
+  CHECK(view.clear() == std::vector{in_flight});
+  CHECK_FALSE(view.waits());
+  CHECK(view.known_chunks() == 0);
+  CHECK(view.stream().next() == std::nullopt);
+}
