@@ -5,6 +5,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <variant>
 #include <vector>
 
 #include "metrics/metrics.h"
@@ -51,12 +52,24 @@ struct MetricSources {
   const MetricLabels& labels;
 };
 
-/// One value of a metric, with a value for each label in the row.
+/// One value of a metric, with a value for each label of its row.
 struct Sample {
   double value = 0;
   std::vector<std::string> labels{};
   const LatencyHistogram* histogram = nullptr;  // instead of `value`
 };
+
+/// Counters by label, and the names of the label's values.
+struct LabelledMetric {
+  LabelledCounters Metrics::*counters;
+  MetricLabels::Names MetricLabels::*names;
+};
+
+/// Where a metric's samples come from. A function may return none: then the metric is left out.
+using MetricValue =
+    std::variant<Counter Metrics::*, Gauge Metrics::*, LabelledMetric, std::uint64_t RuntimeGauges::*,
+                 double ProcessReading::*, std::uint64_t ProcessReading::*,
+                 std::vector<Sample> (*)(const MetricSources&)>;
 
 enum class MetricType : std::uint8_t { counter, gauge, histogram };
 
@@ -65,7 +78,7 @@ struct MetricRow {
   std::string_view help;
   MetricType type;
   std::vector<std::string_view> labels;
-  std::vector<Sample> (*read)(const MetricSources&);  // none: the metric is left out
+  MetricValue value;
 };
 
 /// In the order of the page.

@@ -301,17 +301,18 @@ TEST_CASE("an error about a key file is one line that names the setting and the 
   const ScratchDirectory scratch;
   const auto secret = [&](const std::string& file) { return load_error({file, "read", {}, "auto"}); };
   const std::string brief = scratch.write("brief", "only 15 bytes..\n");
-  CHECK_THAT(secret(brief), Catch::StartsWith("access.secret_file " + brief + ": has 15 bytes; 16 to 1024"));
+  CHECK_THAT(secret(brief),
+             Catch::StartsWith("access.secret_file " + brief + ": has 15 bytes; it must have 16 to 1024"));
   CHECK_THAT(secret(scratch.write("long", std::string(1025, 'x'))), Catch::Contains("has 1025 bytes"));
   CHECK_THAT(secret(scratch.write("huge", std::string(100'000, 'x'))), Catch::Contains("over 8192"));
   CHECK_THAT(secret("/nowhere"), Catch::Contains("No such file"));
-  CHECK_THAT(secret(scratch.path().string()), Catch::Contains("no regular file"));
+  CHECK_THAT(secret(scratch.path().string()), Catch::Contains("regular file"));
   const std::string pipe = (scratch.path() / "pipe").string();
   REQUIRE(::mkfifo(pipe.c_str(), 0600) == 0);
-  CHECK_THAT(secret(pipe), Catch::Contains("no regular file"));
+  CHECK_THAT(secret(pipe), Catch::Contains("regular file"));
   const std::string key = scratch.write("key", std::string(31, 'k'));
   CHECK_THAT(load_error({{}, "read", key, "auto"}),
-             Catch::StartsWith("access.signing_key_file " + key + ": has 31 bytes; 32 to 4096"));
+             Catch::StartsWith("access.signing_key_file " + key + ": has 31 bytes; it must have 32 to 4096"));
 }
 
 TEST_CASE("a single trailing newline is ignored, and nothing else is") {
