@@ -6,9 +6,10 @@
 namespace talus::server {
 
 void RefusedClients::remember(const MailboxPtr& mailbox) {
-  if (!clients_.insert(mailbox->owner()).second) return;
+  if (clients_.contains(mailbox->owner())) return;
   if (order_.size() >= look_at_size_) forget_dead();
   order_.push_back({mailbox->owner(), mailbox});
+  clients_.insert(mailbox->owner());
 }
 
 std::vector<MailboxPtr> RefusedClients::take(std::size_t count) {
