@@ -30,21 +30,22 @@ const std::string kProxyTcp4{"\r\n\r\n\0\r\nQUIT\n\x21\x11\0\x0C\xCB\0\x71\x07\x
                              28};
 const std::string kProxyLocal{"\r\n\r\n\0\r\nQUIT\n\x20\0\0\0", 16};
 
-const Config kDefaults;
-
-template <typename Value>
-Config with(Value Limits::*limit, int value, const std::string& proxies = "") {
-  Config config;
-  config.limits.*limit = Value(value);
-  config.proxies = *Networks::parse(proxies);
-  return config;
+HandshakeSettings settings(const std::string& proxies = "") {
+  return {20, 256, 1024, std::chrono::seconds{10}, *Networks::parse(proxies)};
 }
 
-Config one_a_second() {
-  Config config;
-  config.limits.handshakes_per_address_per_second = 1;
-  config.limits.handshakes_per_address_burst = 1;
-  return config;
+/// What does not come at once comes too late.
+HandshakeSettings in_no_time(const std::string& proxies = "") {
+  HandshakeSettings changed = settings(proxies);
+  changed.timeout = std::chrono::milliseconds{1};
+  return changed;
+}
+
+HandshakeSettings one_a_second() {
+  HandshakeSettings changed = settings();
+  changed.per_address_per_second = 1;
+  changed.per_address_burst = 1;
+  return changed;
 }
 
 /// A client is told its address, and what it says is said again. It stays until it leaves.
@@ -215,7 +216,7 @@ TEST_CASE("who does not speak TLS where it is wanted is closed") {
 }
 
 TEST_CASE("who does not finish TLS in time is closed, and its place is free") {
-  Bench bench{with(&Limits::handshake_timeout, 50), true};
+  Bench bench{in_no_time(), true};
   Client client{bench};
   client.say("\x16\x03\x01");  // the beginning of a ClientHello
   CHECK(client.rest().empty());
@@ -260,7 +261,9 @@ TEST_CASE("where the server's memory is all in use nobody comes in, and is told 
 }
 
 TEST_CASE("there are only so many handshakes in flight") {
-  Bench bench{with(&Limits::handshakes_in_flight, 1), true};
+  HandshakeSettings one = settings();
+  one.max_in_flight = 1;
+  Bench bench{one, true};
   Client silent{bench};
   Client next{bench};
   CHECK(next.rest().empty());
@@ -303,7 +306,7 @@ TEST_CASE("one of the proxies that sends anything but a header is closed") {
 }
 
 TEST_CASE("one of the proxies that sends half a header is closed in time") {
-  Bench bench{with(&Limits::handshake_timeout, 50, "127.0.0.1")};
+  Bench bench{in_no_time("127.0.0.1")};
   Client client{bench};
   client.say(kProxyTcp4.substr(0, 20));
   CHECK(client.rest().empty());
