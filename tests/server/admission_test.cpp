@@ -2,6 +2,8 @@
 
 #include <catch2/catch.hpp>
 
+#include "clock/manual_clock.h"
+
 using namespace talus::server;
 
 TEST_CASE("an IPv6 address counts as its /64 network") {
@@ -15,8 +17,9 @@ TEST_CASE("an IPv4 address counts as itself, also mapped into IPv6") {
   CHECK(counted_as(asio::ip::make_address("::ffff:192.0.2.7")) == address);
 }
 
-TEST_CASE("places run out and come back, in all and for each address") {
-  Admission admission{3, 2};
+TEST_CASE("slots run out and come back, in all and for each address") {
+  const ManualClock clock;
+  Admission admission{3, 2, {}, clock};
   const auto here = asio::ip::make_address("192.0.2.1");
   const auto there = asio::ip::make_address("192.0.2.2");
   auto first = admission.enter(here);
@@ -30,12 +33,13 @@ TEST_CASE("places run out and come back, in all and for each address") {
     CHECK_FALSE(admission.enter(there).has_value());
   }
   CHECK(admission.connections() == 2);
-  { const Admission::Place given_back = *std::move(first); }
+  { const Admission::Slot given_back = *std::move(first); }
   CHECK(admission.enter(here).has_value());
 }
 
 TEST_CASE("connections of one address share its rates, also over a time without any") {
-  Admission admission{10, 10, std::chrono::hours{1}};
+  ManualClock clock;
+  Admission admission{10, 10, std::chrono::hours{1}, clock};
   const auto address = asio::ip::make_address("192.0.2.1");
   AddressBucketsPtr rates;
   {
@@ -49,17 +53,24 @@ TEST_CASE("connections of one address share its rates, also over a time without 
 }
 
 TEST_CASE("addresses that left are forgotten when their time is over") {
-  Admission admission{10, 10};
-  { const auto place = admission.enter(asio::ip::make_address("192.0.2.1")); }
-  CHECK(admission.addresses() == 0);
+  ManualClock clock;
+  Admission admission{10, 10, std::chrono::hours{1}, clock};
+  const auto other = asio::ip::make_address("192.0.2.2");
+  { const auto slot = admission.enter(asio::ip::make_address("192.0.2.1")); }
+  { const auto slot = admission.enter(other); }
+  CHECK(admission.addresses() == 2);
+  clock.advance(std::chrono::hours{1});
+  { const auto slot = admission.enter(other); }
+  CHECK(admission.addresses() == 1);
 }
 
 TEST_CASE("however many addresses come and go, few are remembered") {
-  Admission admission{10, 10, std::chrono::hours{1}};
+  ManualClock clock;
+  Admission admission{10, 10, std::chrono::hours{1}, clock};
   const auto here = admission.enter(asio::ip::make_address("192.0.2.1"));
-  for (std::uint32_t address = 0; address < 3 * Admission::kMostRemembered; ++address) {
+  for (std::uint32_t address = 0; address < 3 * Admission::kMaxRemembered; ++address) {
     (void)admission.enter(asio::ip::address_v4{address});
   }
-  CHECK(admission.addresses() <= Admission::kMostRemembered + 1);
+  CHECK(admission.addresses() <= Admission::kMaxRemembered + 1);
   CHECK(admission.enter(asio::ip::make_address("192.0.2.1"))->rates() == here->rates());
 }

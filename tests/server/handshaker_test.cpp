@@ -1,8 +1,9 @@
-// The way in, over real sockets: proxies, places, budgets, TLS.
-#include "net/door.h"
+// Handshakes over real sockets: proxies, limits, rates, TLS.
+#include "net/handshaker.h"
 
 #include <signal.h>
 
+#include <atomic>
 #include <catch2/catch.hpp>
 #include <thread>
 
@@ -16,6 +17,7 @@
 #include <asio/write.hpp>
 
 #include "certificates.h"
+#include "clock/manual_clock.h"
 #include "scratch_directory.h"
 
 using namespace talus;
@@ -28,49 +30,55 @@ const std::string kProxyTcp4{"\r\n\r\n\0\r\nQUIT\n\x21\x11\0\x0C\xCB\0\x71\x07\x
                              28};
 const std::string kProxyLocal{"\r\n\r\n\0\r\nQUIT\n\x20\0\0\0", 16};
 
-const Config kDefaults;
-
-template <typename Value>
-Config with(Value Limits::*limit, int value, const std::string& proxies = "") {
-  Config config;
-  config.limits.*limit = Value(value);
-  config.proxies = *Networks::parse(proxies);
-  return config;
+HandshakeSettings settings(const std::string& proxies = "") {
+  return {20, 256, 1024, std::chrono::seconds{10}, *Networks::parse(proxies)};
 }
 
-Config one_a_second() {
-  Config config;
-  config.limits.handshakes_per_address_per_second = 1;
-  config.limits.handshakes_per_address_burst = 1;
-  return config;
+/// What does not come at once comes too late.
+HandshakeSettings in_no_time(const std::string& proxies = "") {
+  HandshakeSettings changed = settings(proxies);
+  changed.timeout = std::chrono::milliseconds{1};
+  return changed;
 }
 
-/// A guest is told its address, and what it says is said again. It stays until it leaves.
-asio::awaitable<void> echo(std::shared_ptr<Guest> guest) {
-  co_await asio::async_write(guest->wire, asio::buffer(guest->address + "\n"), asio::use_awaitable);
+HandshakeSettings one_a_second() {
+  HandshakeSettings changed = settings();
+  changed.per_address_per_second = 1;
+  changed.per_address_burst = 1;
+  return changed;
+}
+
+/// A client is told its address, and what it says is said again. It stays until it leaves.
+template <Stream S>
+asio::awaitable<void> echo(std::shared_ptr<AcceptedConnection> accepted) {
+  S& stream = std::get<S>(accepted->stream);
+  co_await asio::async_write(stream, asio::buffer(accepted->info.address + "\n"), asio::use_awaitable);
   std::array<char, 256> buffer{};
   for (;;) {
-    const auto bytes = co_await guest->wire.async_read_some(asio::buffer(buffer), asio::use_awaitable);
-    co_await asio::async_write(guest->wire, asio::buffer(buffer.data(), bytes), asio::use_awaitable);
+    const auto bytes = co_await stream.async_read_some(asio::buffer(buffer), asio::use_awaitable);
+    co_await asio::async_write(stream, asio::buffer(buffer.data(), bytes), asio::use_awaitable);
   }
 }
 
-/// A door on loopback, with one thread behind it.
-struct House {
-  explicit House(const Config& settings = kDefaults, bool by_tls = false)
-      : config{settings},
-        admission{config.limits.connections, config.limits.connections_per_address},
-        door{config,
-             admission,
-             metrics,
-             std::make_shared<spdlog::logger>("silent"),
-             [this] { return has_room.load(); },
-             [this](Guest guest) {
-               auto held = std::make_shared<Guest>(std::move(guest));
-               asio::co_spawn(io, echo(held), asio::detached);
-             }} {
+/// A listening socket on loopback, with one thread behind it. The clock stands still.
+struct Bench {
+  explicit Bench(const HandshakeSettings& settings = ::settings(), bool with_tls = false,
+                 std::size_t max_per_address = 256)
+      : admission{2048, max_per_address, {}, clock},
+        handshaker{settings,
+                   admission,
+                   metrics,
+                   clock,
+                   std::make_shared<spdlog::logger>("silent"),
+                   [this] { return has_memory.load(); },
+                   [this](AcceptedConnection accepted) {
+                     const bool secured = std::holds_alternative<TlsStream>(accepted.stream);
+                     auto held = std::make_shared<AcceptedConnection>(std::move(accepted));
+                     asio::co_spawn(io, secured ? echo<TlsStream>(held) : echo<TcpStream>(held),
+                                    asio::detached);
+                   }} {
     ::signal(SIGPIPE, SIG_IGN);
-    if (by_tls) {
+    if (with_tls) {
       const ScratchDirectory scratch;
       const auto loaded = load_tls(scratch.write("c", own.certificate), scratch.write("k", own.key));
       REQUIRE(loaded.has_value());
@@ -79,7 +87,7 @@ struct House {
     accept();
     thread = std::thread{[this] { io.run(); }};
   }
-  ~House() {
+  ~Bench() {
     io.stop();
     thread.join();
   }
@@ -87,7 +95,7 @@ struct House {
   void accept() {
     acceptor.async_accept([this](std::error_code failed, tcp::socket socket) {
       if (failed) return;
-      door.knock(std::move(socket), ++last_id, tls);
+      handshaker.begin(std::move(socket), ++last_id, tls);
       accept();
     });
   }
@@ -95,27 +103,21 @@ struct House {
   [[nodiscard]] std::uint64_t refused(Refusal why) { return metrics.refused_for(why).total(); }
 
   TestCertificate own = make_certificate(1);
-  Config config;
+  ManualClock clock;
   Metrics metrics;
   Admission admission;
   tls::Context tls;
-  std::atomic<bool> has_room = true;
-  Door door;
+  std::atomic<bool> has_memory = true;
+  Handshaker handshaker;
   asio::io_context io{1};
   tcp::acceptor acceptor{io, {asio::ip::address_v4::loopback(), 0}};
   ConnectionId last_id = 0;
   std::thread thread;
 };
 
-/// What is closed upon is counted a moment later; a test that waits in vain ends by its time limit.
-template <typename Holds>
-void await(Holds&& holds) {
-  while (!holds()) std::this_thread::yield();
-}
-
 /// The other side, which blocks.
-struct Visitor {
-  explicit Visitor(const House& house) { socket.connect(house.acceptor.local_endpoint()); }
+struct Client {
+  explicit Client(const Bench& bench) { socket.connect(bench.acceptor.local_endpoint()); }
 
   void say(const std::string& bytes) { asio::write(socket, asio::buffer(bytes)); }
   std::string line() {
@@ -136,10 +138,10 @@ struct Visitor {
   tcp::socket socket{io};
 };
 
-/// A visitor by TLS, once it has shaken hands.
-struct TlsVisitor {
-  explicit TlsVisitor(Visitor& visitor, const std::string& authority, int version = TLS1_3_VERSION)
-      : stream{visitor.socket, context} {
+/// A client by TLS, once it has shaken hands.
+struct TlsClient {
+  explicit TlsClient(Client& client, const std::string& authority, int version = TLS1_3_VERSION)
+      : stream{client.socket, context} {
     context.add_certificate_authority(asio::buffer(authority));
     stream.set_verify_mode(asio::ssl::verify_peer);
     SSL_set_min_proto_version(stream.native_handle(), version);
@@ -175,16 +177,16 @@ protocol::Frame only_frame(const std::string& bytes) {
 
 }  // namespace
 
-TEST_CASE("a plain visitor comes in, under its own address") {
-  House house;
-  Visitor visitor{house};
-  CHECK_THAT(visitor.line(), Catch::StartsWith("127.0.0.1:"));
+TEST_CASE("a plain client comes in, under its own address") {
+  Bench bench;
+  Client client{bench};
+  CHECK_THAT(client.line(), Catch::StartsWith("127.0.0.1:"));
 }
 
-TEST_CASE("a visitor by TLS comes in, and bytes go both ways, also many of them") {
-  House house{kDefaults, true};
-  Visitor visitor{house};
-  TlsVisitor secured{visitor, house.own.certificate};
+TEST_CASE("a client by TLS comes in, and bytes go both ways, also many of them") {
+  Bench bench{settings(), true};
+  Client client{bench};
+  TlsClient secured{client, bench.own.certificate};
   REQUIRE_FALSE(secured.failed);
   std::string told(256, ' ');
   CHECK_THAT(told.substr(0, secured.stream.read_some(asio::buffer(told))), Catch::StartsWith("127.0.0.1:"));
@@ -193,146 +195,145 @@ TEST_CASE("a visitor by TLS comes in, and bytes go both ways, also many of them"
     const std::string text(bytes, static_cast<char>('a' + bytes % 26));
     CHECK(secured.echoed(text) == text);
   }
-  CHECK(house.metrics.tls_handshakes.total() == 1);
+  CHECK(bench.metrics.tls_handshakes.total() == 1);
 }
 
-TEST_CASE("a visitor by TLS 1.2 is refused") {
-  House house{kDefaults, true};
-  Visitor visitor{house};
-  const TlsVisitor secured{visitor, house.own.certificate, TLS1_2_VERSION};
+TEST_CASE("a client by TLS 1.2 is refused") {
+  Bench bench{settings(), true};
+  Client client{bench};
+  const TlsClient secured{client, bench.own.certificate, TLS1_2_VERSION};
   CHECK_THAT(secured.failed.message(), Catch::Contains("protocol version"));
-  CHECK(visitor.rest().empty());
-  CHECK(house.metrics.tls_failed.total() == 1);
+  CHECK(client.rest().empty());
+  CHECK(bench.metrics.tls_failed.total() == 1);
 }
 
-TEST_CASE("who does not speak TLS where it is wanted is closed upon") {
-  House house{kDefaults, true};
-  Visitor visitor{house};
-  visitor.say(std::string(64, 'x'));
-  CHECK(visitor.rest().empty());
-  CHECK(house.metrics.tls_failed.total() == 1);
+TEST_CASE("who does not speak TLS where it is wanted is closed") {
+  Bench bench{settings(), true};
+  Client client{bench};
+  client.say(std::string(64, 'x'));
+  CHECK(client.rest().empty());
+  CHECK(bench.metrics.tls_failed.total() == 1);
 }
 
-TEST_CASE("who does not finish TLS in time is closed upon, and its place is free") {
-  House house{with(&Limits::handshake_timeout, 50), true};
-  Visitor visitor{house};
-  visitor.say("\x16\x03\x01");  // the beginning of a ClientHello
-  CHECK(visitor.rest().empty());
-  await([&] { return house.metrics.tls_late.total() == 1 && house.admission.connections() == 0; });
+TEST_CASE("who does not finish TLS in time is closed, and its place is free") {
+  Bench bench{in_no_time(), true};
+  Client client{bench};
+  client.say("\x16\x03\x01");  // the beginning of a ClientHello
+  CHECK(client.rest().empty());
+  CHECK(bench.metrics.tls_late.total() == 1);
+  CHECK(bench.admission.connections() == 0);
 }
 
-TEST_CASE("who begins connections faster than its budget is told so, and when to come again") {
-  House house{one_a_second()};
-  // However slow this machine is, some time the next comes within a second.
-  std::string said;
-  while (house.refused(Refusal::pace) == 0) {
-    Visitor visitor{house};
-    std::error_code ended;
-    visitor.socket.shutdown(tcp::socket::shutdown_send, ended);
-    said = visitor.rest();
-  }
+TEST_CASE("who begins connections faster than its rate is told so, and when to come again") {
+  Bench bench{one_a_second()};
+  Client first{bench};
+  (void)first.line();
+  Client second{bench};
+  const std::string said = second.rest();
+  CHECK(bench.refused(Refusal::pace) == 1);
   const auto error = only_frame(said);
   CHECK_THAT(text_of(error), Catch::Contains("faster than 1 a second"));
   const auto* body = (*protocol::read_message(error))->body_as_Error();
   CHECK(body->code() == wire::ErrorCode::overloaded);
-  CHECK(body->retry_after_ms() > 0);
-  CHECK(body->retry_after_ms() <= 1000);
+  CHECK(body->retry_after_ms() == 1000);
+  bench.clock.advance(std::chrono::seconds{1});
+  Client third{bench};
+  CHECK_THAT(third.line(), Catch::StartsWith("127.0.0.1:"));
 }
 
-TEST_CASE("where TLS is wanted, who is beyond its budget is closed upon without a word") {
-  House house{one_a_second(), true};
-  std::error_code failed;
-  std::string said;
-  while (house.refused(Refusal::pace) == 0) {
-    Visitor visitor{house};
-    failed = TlsVisitor{visitor, house.own.certificate}.failed;
-    if (failed) said = visitor.rest();
-  }
-  CHECK(failed);
-  CHECK(said.empty());
-  CHECK(house.metrics.tls_failed.total() == 0);
+TEST_CASE("where TLS is wanted, who is beyond its rate is closed without a word") {
+  Bench bench{one_a_second(), true};
+  Client first{bench};
+  CHECK_FALSE(TlsClient(first, bench.own.certificate).failed);
+  Client second{bench};
+  CHECK(TlsClient(second, bench.own.certificate).failed);
+  CHECK(second.rest().empty());
+  CHECK(bench.refused(Refusal::pace) == 1);
+  CHECK(bench.metrics.tls_failed.total() == 0);
 }
 
 TEST_CASE("where the server's memory is all in use nobody comes in, and is told so") {
-  House house{with(&Limits::connections, 10)};
-  house.has_room = false;
-  Visitor visitor{house};
-  CHECK_THAT(text_of(only_frame(visitor.rest())), Catch::Contains("memory"));
-  CHECK(house.refused(Refusal::memory) == 1);
+  Bench bench;
+  bench.has_memory = false;
+  Client client{bench};
+  CHECK_THAT(text_of(only_frame(client.rest())), Catch::Contains("memory"));
+  CHECK(bench.refused(Refusal::memory) == 1);
 }
 
-TEST_CASE("there are only so many handshakes under way") {
-  House house{with(&Limits::handshakes_in_flight, 1), true};
-  Visitor silent{house};
-  Visitor next{house};
+TEST_CASE("there are only so many handshakes in flight") {
+  HandshakeSettings one = settings();
+  one.max_in_flight = 1;
+  Bench bench{one, true};
+  Client silent{bench};
+  Client next{bench};
   CHECK(next.rest().empty());
-  CHECK(house.refused(Refusal::handshakes) == 1);
+  CHECK(bench.refused(Refusal::handshakes) == 1);
 }
 
-TEST_CASE("a visitor that a proxy speaks for comes in under the address that the proxy gives") {
-  House house{with(&Limits::connections, 10, "127.0.0.0/8")};
-  Visitor visitor{house};
-  visitor.say(kProxyTcp4 + "hello");
-  CHECK(visitor.line() == "203.0.113.7:49153");
+TEST_CASE("a client that a proxy speaks for comes in under the address that the proxy gives") {
+  Bench bench{settings("127.0.0.0/8")};
+  Client client{bench};
+  client.say(kProxyTcp4 + "hello");
+  CHECK(client.line() == "203.0.113.7:49153");
   std::string said(5, ' ');
-  asio::read(visitor.socket, asio::buffer(said));
-  CHECK(said == "hello");  // what comes after the header is the visitor's
+  asio::read(client.socket, asio::buffer(said));
+  CHECK(said == "hello");  // what comes after the header is the client's
 }
 
 TEST_CASE("a proxy that speaks for itself comes in under its own address") {
-  House house{with(&Limits::connections, 10, "127.0.0.1")};
-  Visitor visitor{house};
-  visitor.say(kProxyLocal);
-  CHECK_THAT(visitor.line(), Catch::StartsWith("127.0.0.1:"));
+  Bench bench{settings("127.0.0.1")};
+  Client client{bench};
+  client.say(kProxyLocal);
+  CHECK_THAT(client.line(), Catch::StartsWith("127.0.0.1:"));
 }
 
 TEST_CASE("TLS begins right after a PROXY header") {
-  House house{with(&Limits::connections, 10, "127.0.0.1"), true};
-  Visitor visitor{house};
-  visitor.say(kProxyTcp4);
-  TlsVisitor secured{visitor, house.own.certificate};
+  Bench bench{settings("127.0.0.1"), true};
+  Client client{bench};
+  client.say(kProxyTcp4);
+  TlsClient secured{client, bench.own.certificate};
   REQUIRE_FALSE(secured.failed);
   std::string told(256, ' ');
   CHECK(told.substr(0, secured.stream.read_some(asio::buffer(told))) == "203.0.113.7:49153\n");
 }
 
-TEST_CASE("one of the proxies that sends anything but a header is closed upon") {
-  House house{with(&Limits::connections, 10, "127.0.0.1")};
-  Visitor visitor{house};
-  visitor.say("PROXY TCP4 192.0.2.7 198.51.100.1 49153 4780\r\n");
-  CHECK(visitor.rest().empty());
-  CHECK(house.refused(Refusal::proxy) == 1);
+TEST_CASE("one of the proxies that sends anything but a header is closed") {
+  Bench bench{settings("127.0.0.1")};
+  Client client{bench};
+  client.say("PROXY TCP4 192.0.2.7 198.51.100.1 49153 4780\r\n");
+  CHECK(client.rest().empty());
+  CHECK(bench.refused(Refusal::proxy) == 1);
 }
 
-TEST_CASE("one of the proxies that sends half a header is closed upon in time") {
-  House house{with(&Limits::handshake_timeout, 50, "127.0.0.1")};
-  Visitor visitor{house};
-  visitor.say(kProxyTcp4.substr(0, 20));
-  CHECK(visitor.rest().empty());
-  await([&] { return house.refused(Refusal::proxy) == 1; });
+TEST_CASE("one of the proxies that sends half a header is closed in time") {
+  Bench bench{in_no_time("127.0.0.1")};
+  Client client{bench};
+  client.say(kProxyTcp4.substr(0, 20));
+  CHECK(client.rest().empty());
+  CHECK(bench.refused(Refusal::proxy) == 1);
 }
 
-TEST_CASE("places are counted by the address behind the proxy") {
-  House house{with(&Limits::connections_per_address, 1, "127.0.0.1")};
-  Visitor first{house};
+TEST_CASE("slots are counted by the address behind the proxy") {
+  Bench bench{settings("127.0.0.1"), false, 1};
+  Client first{bench};
   first.say(kProxyTcp4);
   (void)first.line();
-  Visitor again{house};
+  Client again{bench};
   again.say(kProxyTcp4);
   CHECK_THAT(text_of(only_frame(again.rest())), Catch::Contains("your address has 1 connections"));
-  Visitor other{house};
+  Client other{bench};
   std::string header = kProxyTcp4;
   header[19] = 8;
   other.say(header);
   CHECK(other.line() == "203.0.113.8:49153");
 }
 
-TEST_CASE("a PROXY header from anybody else is no header, but what the visitor says") {
-  House house{with(&Limits::connections, 10, "192.0.2.1")};
-  Visitor visitor{house};
-  visitor.say(kProxyTcp4);
-  CHECK_THAT(visitor.line(), Catch::StartsWith("127.0.0.1:"));
+TEST_CASE("a PROXY header from anybody else is no header, but what the client says") {
+  Bench bench{settings("192.0.2.1")};
+  Client client{bench};
+  client.say(kProxyTcp4);
+  CHECK_THAT(client.line(), Catch::StartsWith("127.0.0.1:"));
   std::string said(kProxyTcp4.size(), ' ');
-  asio::read(visitor.socket, asio::buffer(said));
+  asio::read(client.socket, asio::buffer(said));
   CHECK(said == kProxyTcp4);
 }

@@ -1,5 +1,5 @@
 // A whole server in this process.
-#include "net/server.h"
+#include "app/server.h"
 
 #include <signal.h>
 
@@ -9,7 +9,6 @@
 
 #include "access/access_control.h"
 #include "log/logger.h"
-#include "scratch_directory.h"
 
 using namespace talus;
 using namespace talus::server;
@@ -27,12 +26,15 @@ auto handler_of(int signal) {
 TEST_CASE("signals that come when nobody is served any more do not make a failure of the end") {
   Config config;
   config.listen = {"127.0.0.1", 0};
-  const ScratchDirectory scratch;
+  config.admin = Endpoint{"127.0.0.1", 0};
   AccessControl access{config.access, *load_keys(config.access)};
+  const SystemClock clock;
+  const Logger log = make_logger("off", "text");
   {
-    Server server{config, std::make_shared<const terrain::World>(terrain::default_world()), access,
-                  std::nullopt, make_logger("off", "text")};
-    REQUIRE(server.listen().has_value());
+    auto listeners = open_listeners(config, clock, log);
+    REQUIRE(listeners.has_value());
+    Server server{config, std::make_shared<const terrain::World>(terrain::default_world()), ContentHash{},
+                  access, std::nullopt, *std::move(listeners), clock, log};
     ::raise(SIGTERM);
     server.run();
     // Caches may take long to go from here on.

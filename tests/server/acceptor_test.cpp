@@ -1,0 +1,144 @@
+// The acceptor over real sockets, where what goes wrong goes wrong in the system.
+#include "net/acceptor.h"
+
+#include <sys/resource.h>
+#include <sys/socket.h>
+#include <unistd.h>
+
+#include <asio/co_spawn.hpp>
+#include <asio/detached.hpp>
+#include <catch2/catch.hpp>
+#include <vector>
+
+#include "log/logger.h"
+
+using namespace talus::server;
+using asio::ip::tcp;
+
+namespace {
+
+struct Bench {
+  asio::io_context io{1};
+  Acceptor acceptor;
+  std::vector<tcp::socket> accepted;
+  tcp::endpoint address;
+
+  explicit Bench(std::size_t reserved = 0)
+      : acceptor{io, std::make_shared<spdlog::logger>("silent"), reserved} {
+    const auto listening = acceptor.listen({"127.0.0.1", 0});
+    REQUIRE(listening.has_value());
+    const auto port = std::stoi(listening->substr(listening->rfind(':') + 1));
+    address = {asio::ip::address_v4::loopback(), static_cast<std::uint16_t>(port)};
+    asio::co_spawn(io,
+                   acceptor.run([this]() -> asio::io_context& { return io; },
+                                [this](tcp::socket socket) { accepted.push_back(std::move(socket)); }),
+                   asio::detached);
+  }
+
+  [[nodiscard]] tcp::socket connect() {
+    tcp::socket client{io};
+    client.connect(address);
+    return client;
+  }
+  void run_until_accepted(std::size_t count) {
+    while (accepted.size() < count) io.run_one();
+  }
+};
+
+/// No descriptor can be opened while this lives.
+class NoDescriptors {
+ public:
+  NoDescriptors() {
+    REQUIRE(::getrlimit(RLIMIT_NOFILE, &before_) == 0);
+    const int next = ::dup(0);
+    REQUIRE(next >= 0);
+    ::close(next);
+    rlimit none = before_;
+    none.rlim_cur = static_cast<rlim_t>(next);
+    REQUIRE(::setrlimit(RLIMIT_NOFILE, &none) == 0);
+  }
+  ~NoDescriptors() { ::setrlimit(RLIMIT_NOFILE, &before_); }
+  NoDescriptors(const NoDescriptors&) = delete;
+  NoDescriptors& operator=(const NoDescriptors&) = delete;
+
+ private:
+  rlimit before_{};
+};
+
+}  // namespace
+
+TEST_CASE("connections that are reset before they are accepted take nothing from those that come after") {
+  Bench bench;
+  for (int i = 0; i < 100; ++i) {
+    tcp::socket gone = bench.connect();
+    gone.set_option(asio::socket_base::linger{true, 0});
+    gone.close();
+  }
+  const tcp::socket client = bench.connect();
+  const tcp::endpoint own = client.local_endpoint();
+  const auto came = [&] {
+    for (const tcp::socket& socket : bench.accepted) {
+      std::error_code gone;
+      if (socket.remote_endpoint(gone) == own && !gone) return true;
+    }
+    return false;
+  };
+  while (!came()) bench.io.run_one();
+}
+
+TEST_CASE("without descriptors the reserved ones serve") {
+  Bench bench{2};
+  const tcp::socket first = bench.connect();
+  const tcp::socket second = bench.connect();
+  const NoDescriptors none;
+  bench.run_until_accepted(2);
+}
+
+TEST_CASE("without any descriptor connections wait until there is one") {
+  Bench bench;
+  const tcp::socket client = bench.connect();
+  {
+    const NoDescriptors none;
+    bench.io.poll();
+    bench.io.poll();
+    CHECK(bench.accepted.empty());
+  }
+  bench.run_until_accepted(1);
+}
+
+TEST_CASE("what a new connection's handler throws does not end the acceptor") {
+  asio::io_context io{1};
+  Acceptor acceptor{io, std::make_shared<spdlog::logger>("silent")};
+  const auto listening = acceptor.listen({"127.0.0.1", 0});
+  REQUIRE(listening.has_value());
+  int came = 0;
+  asio::co_spawn(io,
+                 acceptor.run([&]() -> asio::io_context& { return io; },
+                              [&](const tcp::socket&) {
+                                ++came;
+                                throw std::bad_alloc{};
+                              }),
+                 asio::detached);
+  std::vector<tcp::socket> clients;
+  const auto port = static_cast<std::uint16_t>(std::stoi(listening->substr(listening->rfind(':') + 1)));
+  for (int i = 0; i < 2; ++i) {
+    clients.emplace_back(io).connect({asio::ip::address_v4::loopback(), port});
+  }
+  while (came < 2) io.run_one();
+}
+
+TEST_CASE("an address that is taken is an error, and so is one that is nobody's") {
+  Bench bench;
+  asio::io_context io;
+  Acceptor other{io, std::make_shared<spdlog::logger>("silent")};
+  CHECK_FALSE(other.listen({"127.0.0.1", bench.address.port()}).has_value());
+  Acceptor nowhere{io, std::make_shared<spdlog::logger>("silent")};
+  CHECK_FALSE(nowhere.listen({"nowhere.invalid", 1}).has_value());
+}
+
+TEST_CASE("a closed acceptor ends") {
+  Bench bench;
+  bench.acceptor.close();
+  bench.io.run();
+  CHECK(bench.accepted.empty());
+}

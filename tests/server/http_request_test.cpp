@@ -1,0 +1,176 @@
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <string>
+#include <vector>
+
+#include "http/request_parser.h"
+
+using namespace talus::server::http;
+
+namespace {
+
+/// Requests of `text`, fed in pieces of `piece` bytes, and the error that ends them.
+struct Parsed {
+  std::vector<Request> requests;
+  int error = 0;  // status; 0: none
+  bool mid_request = false;
+};
+
+Parsed parse(const std::string& text, std::size_t piece = SIZE_MAX, const RequestBounds& bounds = {}) {
+  RequestParser parser{bounds};
+  Parsed parsed;
+  for (std::size_t at = 0; at < text.size();) {
+    const auto bytes = std::as_bytes(std::span{text}).subspan(at, std::min(piece, text.size() - at));
+    const auto taken = parser.feed(bytes);
+    if (!taken) {
+      parsed.error = taken.error().status;
+      return parsed;
+    }
+    at += *taken;
+    if (!parser.has_request()) continue;
+    parsed.requests.push_back(parser.request());
+    parser.pop();
+  }
+  parsed.mid_request = parser.mid_request();
+  return parsed;
+}
+
+const std::string kGet = "GET /metrics?all=1 HTTP/1.1\r\nHost: talus\r\nX-A:  b c \r\nAccept:\r\n\r\n";
+
+int error_of(const std::string& text, const RequestBounds& bounds = {}) {
+  return parse(text, SIZE_MAX, bounds).error;
+}
+
+}  // namespace
+
+TEST_CASE("a request gives its method, target, path and fields") {
+  const Parsed parsed = parse(kGet);
+  REQUIRE(parsed.requests.size() == 1);
+  const Request& request = parsed.requests.front();
+  CHECK(request.method == Method::get);
+  CHECK(request.target == "/metrics?all=1");
+  CHECK(request.path() == "/metrics");
+  CHECK(request.fields.size() == 3);
+  REQUIRE(request.field("x-a") != nullptr);
+  CHECK(*request.field("x-a") == "b c");
+  CHECK(request.field("accept")->empty());
+  CHECK(request.field("cookie") == nullptr);
+  CHECK(request.keep_alive);
+}
+
+TEST_CASE("however its bytes are cut a request is the same") {
+  const std::string text = kGet + "HEAD /-/ready HTTP/1.0\r\nConnection: keep-alive\r\n\r\n" + kGet;
+  const Parsed whole = parse(text);
+  REQUIRE(whole.requests.size() == 3);
+  for (std::size_t piece = 1; piece <= text.size(); ++piece) {
+    const Parsed cut = parse(text, piece);
+    REQUIRE(cut.error == 0);
+    REQUIRE(cut.requests.size() == 3);
+    for (std::size_t i = 0; i < 3; ++i) {
+      CHECK(cut.requests[i].target == whole.requests[i].target);
+      CHECK(cut.requests[i].method == whole.requests[i].method);
+      CHECK(cut.requests[i].keep_alive == whole.requests[i].keep_alive);
+      REQUIRE(cut.requests[i].fields.size() == whole.requests[i].fields.size());
+      for (std::size_t f = 0; f < whole.requests[i].fields.size(); ++f) {
+        CHECK(cut.requests[i].fields[f].name == whole.requests[i].fields[f].name);
+        CHECK(cut.requests[i].fields[f].value == whole.requests[i].fields[f].value);
+      }
+    }
+  }
+}
+
+TEST_CASE("a request takes no byte of the next one") {
+  RequestParser parser;
+  const std::string text = kGet + "GET / HTTP/1.1\r\n";
+  const auto taken = parser.feed(std::as_bytes(std::span{text}));
+  REQUIRE(taken.has_value());
+  CHECK(*taken == kGet.size());
+  CHECK(parser.has_request());
+  CHECK(parser.feed(std::as_bytes(std::span{text})).value() == 0);
+}
+
+TEST_CASE("half a request is no request and no error") {
+  const Parsed parsed = parse(kGet.substr(0, kGet.size() - 1));
+  CHECK(parsed.requests.empty());
+  CHECK(parsed.error == 0);
+  CHECK(parsed.mid_request);
+  CHECK_FALSE(parse(kGet).mid_request);
+}
+
+TEST_CASE("what keeps a connection open follows the version and the field") {
+  const auto keeps = [](const std::string& text) { return parse(text).requests.at(0).keep_alive; };
+  CHECK(keeps("GET / HTTP/1.1\r\nHost: a\r\n\r\n"));
+  CHECK_FALSE(keeps("GET / HTTP/1.1\r\nHost: a\r\nConnection: close\r\n\r\n"));
+  CHECK_FALSE(keeps("GET / HTTP/1.0\r\n\r\n"));
+  CHECK(keeps("GET / HTTP/1.0\r\nConnection: keep-alive\r\n\r\n"));
+}
+
+TEST_CASE("what is not HTTP is a 400") {
+  CHECK(error_of("\x16\x03\x01 this is not HTTP\r\n\r\n") == 400);
+  CHECK(error_of("GET / HTTP/1.1\r\nHost: a\r\nNo colon\r\n\r\n") == 400);
+  CHECK(error_of("GET / HTTX/1.1\r\nHost: a\r\n\r\n") == 400);
+  CHECK(error_of("GET / HTTP/1.1\r\nHost: a\r\nX: \x01\r\n\r\n") == 400);
+  CHECK(error_of("GET / HTTP/1.1\r\nHost: a\r\nX : b\r\n\r\n") == 400);
+}
+
+TEST_CASE("an HTTP/1.1 request without one Host is a 400") {
+  CHECK(error_of("GET / HTTP/1.1\r\n\r\n") == 400);
+  CHECK(error_of("GET / HTTP/1.1\r\nHost: a\r\nHost: b\r\n\r\n") == 400);
+}
+
+TEST_CASE("another version of HTTP is a 505") {
+  CHECK(error_of("GET / HTTP/2.0\r\nHost: a\r\n\r\n") == 505);
+  CHECK(error_of("GET /\r\n\r\n") == 505);
+}
+
+TEST_CASE("a body is a 413 and an expectation of one a 417") {
+  const std::string head = "POST / HTTP/1.1\r\nHost: a\r\n";
+  CHECK(error_of(head + "Content-Length: 1\r\n\r\n") == 413);
+  CHECK(error_of(head + "Content-Length: 99999999999999\r\n\r\n") == 413);
+  CHECK(error_of(head + "Transfer-Encoding: chunked\r\n\r\n") == 413);
+  CHECK(error_of(head + "Expect: 100-continue\r\n\r\n") == 417);
+  CHECK(error_of(head + "Content-Length: 1\r\nTransfer-Encoding: chunked\r\n\r\n") == 400);
+  CHECK(error_of(head + "Content-Length: -1\r\n\r\n") == 400);
+  CHECK(parse(head + "Content-Length: 0\r\n\r\n").requests.at(0).method == Method::other);
+}
+
+TEST_CASE("a target up to the bound is taken, one byte more is a 414") {
+  const RequestBounds bounds;
+  const auto get = [](std::size_t bytes) {
+    return "GET /" + std::string(bytes - 1, 'a') + " HTTP/1.1\r\nHost: a\r\n\r\n";
+  };
+  CHECK(parse(get(bounds.target_bytes)).requests.size() == 1);
+  for (const std::size_t piece : {std::size_t{1}, std::size_t{7}, SIZE_MAX}) {
+    CHECK(parse(get(bounds.target_bytes + 1), piece).error == 414);
+  }
+}
+
+TEST_CASE("fields up to the bounds are taken, one more or one byte more is a 431") {
+  const RequestBounds bounds;
+  const auto get = [](const std::string& fields) { return "GET / HTTP/1.1\r\nHost: a\r\n" + fields + "\r\n"; };
+  std::string most;
+  for (std::size_t field = 1; field < bounds.fields; ++field) most += "X: y\r\n";
+  CHECK(parse(get(most)).requests.size() == 1);
+  CHECK(error_of(get(most + "X: y\r\n")) == 431);
+
+  CHECK(parse(get("X: " + std::string(bounds.field_bytes - 1, 'y') + "\r\n")).requests.size() == 1);
+  CHECK(error_of(get("X: " + std::string(bounds.field_bytes, 'y') + "\r\n")) == 431);
+  CHECK(error_of(get(std::string(bounds.field_bytes + 1, 'x') + ": y\r\n")) == 431);
+}
+
+TEST_CASE("a head of more than its bound is a 431, whatever it is made of") {
+  const RequestBounds bounds;
+  std::string fields;
+  for (int field = 0; field < 10; ++field) fields += "X: " + std::string(4000, 'y') + "\r\n";
+  CHECK(error_of("GET / HTTP/1.1\r\nHost: a\r\n" + fields + "\r\n") == 431);
+  std::string empty_lines;
+  for (std::size_t line = 0; line <= bounds.head_bytes; ++line) empty_lines += "\r\n";
+  CHECK(error_of(empty_lines) == 431);
+}
+
+TEST_CASE("after an error nothing more is taken") {
+  RequestParser parser;
+  const std::string wrong = "?\r\n\r\n";
+  CHECK_FALSE(parser.feed(std::as_bytes(std::span{wrong})).has_value());
+  CHECK_FALSE(parser.feed(std::as_bytes(std::span{kGet})).has_value());
+}

@@ -1,0 +1,43 @@
+#include "app/process_signals.h"
+
+#include <signal.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <catch2/catch.hpp>
+
+using namespace talus::server;
+
+namespace {
+
+/// How a child ends that does `what` and then sends itself `number`: 128 + number where the signal ended it, its
+/// exit status, or 77 where it went on.
+int ended_by(int number, void (*what)()) {
+  const pid_t child = ::fork();
+  if (child == 0) {
+    ::signal(number, SIG_DFL);
+    what();
+    ::raise(number);
+    ::_exit(77);
+  }
+  int status = 0;
+  REQUIRE(::waitpid(child, &status, 0) == child);
+  return WIFSIGNALED(status) ? 128 + WTERMSIG(status) : WEXITSTATUS(status);
+}
+
+}  // namespace
+
+TEST_CASE("while nobody is served, signals end the process as done, and SIGHUP does nothing") {
+  CHECK(ended_by(SIGTERM, end_at_once_on_signals) == 0);
+  CHECK(ended_by(SIGINT, end_at_once_on_signals) == 0);
+  CHECK(ended_by(SIGHUP, end_at_once_on_signals) == 77);
+}
+
+TEST_CASE("commands that serve nobody end by a signal as any other does") {
+  const auto both = [] {
+    end_at_once_on_signals();
+    end_by_default_on_signals();
+  };
+  CHECK(ended_by(SIGTERM, both) == 128 + SIGTERM);
+  CHECK(ended_by(SIGINT, both) == 128 + SIGINT);
+}

@@ -1,0 +1,343 @@
+// A session over a stream in memory, a scripted source of chunks, and a clock that stands still until the test
+// moves it: everything happens in the test's own thread, and nothing waits.
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <string>
+
+#include <talus/voxel/codec.h>
+
+#include "access/access_control.h"
+#include "clock/manual_clock.h"
+#include "loopback_stream.h"
+#include "net/session_runner_impl.h"
+#include "scripted_source.h"
+
+using namespace talus;
+using namespace talus::server;
+using namespace std::chrono_literals;
+
+namespace {
+
+using Runner = SessionRunner<LoopbackStream>;
+
+protocol::Frame hello() {
+  return protocol::make_frame([](auto& builder) {
+    const auto codecs = builder.CreateVector(std::vector{kCodecVersion});
+    return wire::CreateHello(builder, 1, 1, codecs);
+  });
+}
+protocol::Frame ping() {
+  return protocol::make_frame([](auto& builder) { return wire::CreatePing(builder, 7); });
+}
+protocol::Frame get_chunks(std::uint32_t first_id, std::uint32_t count) {
+  return protocol::make_frame([&](auto& builder) {
+    std::vector<wire::ChunkRequest> requests;
+    for (std::uint32_t id = first_id; id < first_id + count; ++id) {
+      requests.emplace_back(id, wire::ChunkKey{static_cast<std::int32_t>(id), 0, 0, 0}, false, wire::Hash128{});
+    }
+    return wire::CreateGetChunks(builder, builder.CreateVectorOfStructs(requests));
+  });
+}
+ChunkKey key_of(std::uint32_t id) {
+  return {{static_cast<std::int32_t>(id), 0, 0}, Lod{}};
+}
+
+/// What sessions share, and an io_context that the test runs.
+struct Bench {
+  asio::io_context io{1};
+  ManualClock clock{std::chrono::sys_seconds{1'700'000'000s}};
+  ScriptedSource source;
+  MemoryBudget memory{0};
+  Metrics metrics;
+  SessionLimits limits{.frame_bytes = 65'536,
+                       .requests_in_flight = 1024,
+                       .heights_per_request = 2048,
+                       .height_tiles_per_request = 2048,
+                       .view_horizontal_radius = 48,
+                       .view_vertical_radius = 16,
+                       .view_chunks = 65'536,
+                       .window_bytes = 1U << 30,
+                       .queued_bytes = 1U << 20,
+                       .idle_timeout = 60s};
+  WorldInfo world;
+  RateLimits rates;
+  AccessControl access{Access{}, *load_keys(Access{})};
+  Admission admission{10, 10, 0ms, clock};
+  Registry registry;
+  RunnerContext context{{limits, world, source, memory, metrics, access, rates, clock},
+                        {65'536, 1U << 20, {10s, 60s, 15s}},
+                        registry,
+                        std::make_shared<spdlog::logger>("silent")};
+  std::vector<std::shared_ptr<Runner>> runners;
+
+  /// The client's end of a new session.
+  std::shared_ptr<Loopback> connect() {
+    auto client = std::make_shared<Loopback>(io);
+    const ConnectionId id = runners.size() + 1;
+    runners.push_back(Runner::make(LoopbackStream{client}, {id, "test", clock.now()},
+                                   *admission.enter(asio::ip::address_v4::loopback()), context));
+    registry.add(id, runners.back());
+    runners.back()->start();
+    io.poll();
+    return client;
+  }
+  std::shared_ptr<Loopback> greeted() {
+    auto client = connect();
+    send(*client, hello());
+    REQUIRE(kinds(*client) == std::vector{wire::Body::Welcome});
+    return client;
+  }
+  void send(Loopback& client, const protocol::Frame& frame) {
+    client.send(std::span<const std::byte>{frame});
+    io.poll();
+  }
+  void advance(Clock::duration by) {
+    clock.advance(by);
+    for (const auto& runner : runners) runner->clock_moved();
+    io.poll();
+  }
+  /// All answers of the source at once, as a generator would give them.
+  void answer_all() {
+    const auto waiting = source.waiting;
+    source.answer_all();
+    for (const auto& [key, mailbox] : waiting) mailbox->wake();
+    io.poll();
+  }
+
+  /// What the client was sent since it was asked last.
+  std::vector<protocol::Frame> frames(Loopback& client) {
+    std::vector<protocol::Frame> all;
+    protocol::FrameReader reader{protocol::kServerFrameBytes};
+    std::span<const std::byte> bytes{client.received};
+    while (!bytes.empty()) {
+      bytes = bytes.subspan(reader.feed(bytes).value());
+      if (!reader.has_frame()) continue;
+      all.emplace_back(reader.frame().begin(), reader.frame().end());
+      reader.pop();
+    }
+    client.received.clear();
+    return all;
+  }
+  std::vector<wire::Body> kinds(Loopback& client) {
+    std::vector<wire::Body> all;
+    for (const auto& frame : frames(client)) all.push_back((*protocol::read_message(frame))->body_type());
+    return all;
+  }
+  /// Text of the one Error that the client was sent.
+  std::string error(Loopback& client) {
+    const auto all = frames(client);
+    REQUIRE(all.size() == 1);
+    const auto message = protocol::read_message(all.front());
+    REQUIRE((*message)->body_type() == wire::Body::Error);
+    return (*message)->body_as_Error()->text()->str();
+  }
+  void check_gone(const Loopback& client) {
+    CHECK(client.closed);
+    CHECK(registry.empty());
+    CHECK(admission.connections() == 0);
+    CHECK(metrics.open.now() == 0);
+    CHECK(metrics.greeted.now() == 0);
+  }
+};
+
+}  // namespace
+
+TEST_CASE("a client is greeted and served, however its bytes are cut") {
+  const std::size_t piece = GENERATE(as<std::size_t>{}, 1, 3, SIZE_MAX);
+  Bench bench;
+  const auto client = bench.connect();
+  client->read_bytes = piece;
+  client->write_bytes = piece;
+  bench.send(*client, hello());
+  bench.send(*client, get_chunks(1, 2));
+  bench.answer_all();
+  CHECK(bench.kinds(*client) == std::vector{wire::Body::Welcome, wire::Body::Chunk, wire::Body::Chunk});
+}
+
+TEST_CASE("answers that come together are taken by one wake-up") {
+  Bench bench;
+  const auto client = bench.greeted();
+  bench.send(*client, get_chunks(1, 5));
+  const std::size_t writes = client->writes;
+  bench.answer_all();
+  CHECK(bench.frames(*client).size() == 5);
+  CHECK(client->writes == writes + 1);
+}
+
+TEST_CASE("a client that closes ends its session") {
+  Bench bench;
+  const auto client = bench.greeted();
+  client->end();
+  bench.io.poll();
+  bench.check_gone(*client);
+}
+
+TEST_CASE("an error of the stream ends its session") {
+  Bench bench;
+  const auto client = bench.greeted();
+  SECTION("while it reads") {
+    client->read_error = asio::error::connection_reset;
+    client->changed();
+  }
+  SECTION("while it writes") {
+    client->write_error = asio::error::broken_pipe;
+    bench.send(*client, ping());
+  }
+  bench.io.poll();
+  bench.check_gone(*client);
+}
+
+TEST_CASE("what a session's work throws ends it and no other") {
+  struct ThrowingSource final : ChunkSource {
+    EncodedChunkPtr find(ChunkKey) override { throw std::bad_alloc{}; }
+    EncodedChunkPtr newer(ChunkKey, std::uint64_t) override { return nullptr; }
+    MixedRows column(ChunkKey) override { return {}; }
+    Submission submit(const MailboxPtr&, ChunkKey) override { return Submission::queued; }
+    void cancel(ClientId, ChunkKey) override {}
+    void submit_heights(const MailboxPtr&, std::uint64_t, std::vector<terrain::BaseColumn>) override {}
+    void cancel_heights(ClientId, std::uint64_t) override {}
+  } source;
+  Bench bench;
+  const RunnerContext context{{bench.limits, bench.world, source, bench.memory, bench.metrics, bench.access,
+                               bench.rates, bench.clock},
+                              bench.context.limits,
+                              bench.registry,
+                              bench.context.log};
+  const auto other = bench.greeted();
+  const auto client = std::make_shared<Loopback>(bench.io);
+  const auto runner = Runner::make(LoopbackStream{client}, {9, "test", bench.clock.now()},
+                                   *bench.admission.enter(asio::ip::address_v4::loopback()), context);
+  bench.registry.add(9, runner);
+  runner->start();
+  bench.send(*client, hello());
+  bench.send(*client, get_chunks(1, 1));
+  CHECK(client->closed);
+  CHECK(bench.admission.connections() == 1);
+  bench.send(*other, ping());
+  CHECK(bench.kinds(*other) == std::vector{wire::Body::Pong});
+}
+
+TEST_CASE("who says no Hello in time is told so and closed") {
+  Bench bench;
+  const auto client = bench.connect();
+  bench.advance(10s - 1ms);
+  CHECK(client->received.empty());
+  bench.advance(1ms);
+  CHECK_THAT(bench.error(*client), Catch::Contains("no whole Hello within 10000 ms"));
+  CHECK(client->said_end);
+  CHECK(client->shut);
+  CHECK_FALSE(client->closed);  // the client has two seconds to read it
+  bench.advance(2s);
+  bench.check_gone(*client);
+}
+
+TEST_CASE("who is silent after Hello is told so; a frame begins the time anew") {
+  Bench bench;
+  const auto client = bench.greeted();
+  bench.advance(59s);
+  bench.send(*client, ping());
+  CHECK(bench.kinds(*client) == std::vector{wire::Body::Pong});
+  bench.advance(59s);
+  CHECK(client->received.empty());
+  bench.advance(1s);
+  CHECK_THAT(bench.error(*client), Catch::Contains("no whole frame for 60000 ms"));
+}
+
+TEST_CASE("who reads nothing while it is sent something is closed") {
+  Bench bench;
+  const auto client = bench.greeted();
+  client->room = 10;
+  bench.send(*client, ping());
+  bench.advance(15s - 1ms);
+  CHECK_FALSE(client->closed);
+  bench.advance(1ms);
+  bench.check_gone(*client);
+}
+
+TEST_CASE("a client that takes a few bytes at a time is not closed") {
+  Bench bench;
+  const auto client = bench.greeted();
+  client->room = 1;
+  bench.send(*client, ping());
+  for (int step = 0; step < 5; ++step) {
+    bench.advance(14s);
+    client->room = 1;
+    bench.send(*client, ping());
+  }
+  CHECK_FALSE(client->closed);
+}
+
+TEST_CASE("nothing more is read from a client that does not read its answers") {
+  Bench bench;
+  bench.context.limits.queued_bytes = 1000;
+  const auto client = bench.greeted();
+  client->room = 0;
+  for (int i = 0; i < 1000; ++i) client->send(std::span<const std::byte>{ping()});
+  bench.io.poll();
+  const std::uint64_t read = bench.metrics.received_bytes.total();
+  bench.send(*client, ping());
+  CHECK(bench.metrics.received_bytes.total() == read);
+  client->room = SIZE_MAX;
+  client->changed();
+  bench.io.poll();
+  CHECK(bench.frames(*client).size() == 1001);
+}
+
+TEST_CASE("a session that is told to go away answers what is pending, then closes") {
+  Bench bench;
+  const auto client = bench.greeted();
+  bench.send(*client, get_chunks(1, 1));
+  bench.registry.tell_all_to_go("the end", 5s);
+  bench.io.poll();
+  CHECK(bench.kinds(*client) == std::vector{wire::Body::GoAway});
+  CHECK_FALSE(client->shut);
+  bench.answer_all();
+  CHECK(bench.kinds(*client) == std::vector{wire::Body::Chunk});
+  CHECK(client->shut);
+  client->end();
+  bench.io.poll();
+  bench.check_gone(*client);
+}
+
+TEST_CASE("Views of one session are applied twenty milliseconds apart at least") {
+  Bench bench;
+  bench.source.rows = {0, -1, MaterialId{1}};
+  const auto client = bench.greeted();
+  const auto look = [&](std::int64_t x) {
+    bench.send(*client, protocol::make_frame([&](auto& builder) {
+      const wire::Voxel centre{x * kChunkSize, 0, 0};
+      return wire::CreateView(builder, &centre, nullptr, 1, 0);
+    }));
+  };
+  look(0);
+  CHECK_FALSE(bench.frames(*client).empty());
+  look(100);
+  CHECK(bench.frames(*client).empty());
+  bench.advance(20ms);
+  CHECK_FALSE(bench.frames(*client).empty());
+}
+
+TEST_CASE("however much one client takes, another's Pong waits for two of its batches at most") {
+  Bench bench;
+  bench.source.payload_bytes = 20'000;
+  const auto greedy = bench.greeted();
+  const auto other = bench.greeted();
+  greedy->room = 0;
+  for (std::uint32_t first = 1; first <= 1000; first += 100) {
+    bench.send(*greedy, get_chunks(first, 100));
+    bench.answer_all();
+  }
+  while (!bench.source.waiting.empty()) bench.answer_all();
+  greedy->room = SIZE_MAX;
+  greedy->changed();
+  std::size_t longest = 0;
+  for (int round = 0; round < 20; ++round) {
+    const std::size_t before = greedy->received.size();
+    other->received.clear();
+    other->send(std::span<const std::byte>{ping()});
+    while (other->received.empty()) bench.io.poll_one();
+    longest = std::max(longest, greedy->received.size() - before);
+  }
+  CHECK(greedy->received.size() > 100'000);
+  CHECK(longest <= 2 * (WriteBatchSize::kMax + 20'000 + 1000));
+}

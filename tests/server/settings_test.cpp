@@ -1,0 +1,95 @@
+#include "app/settings.h"
+
+#include <catch2/catch.hpp>
+#include <fstream>
+#include <iterator>
+#include <string>
+
+#include <talus/protocol/limits.h>
+
+using namespace talus;
+using namespace talus::server;
+using namespace std::chrono_literals;
+
+namespace {
+
+/// The default world, eroded in so many steps.
+terrain::World eroded(int steps) {
+  std::ifstream in{TALUS_SOURCE_DIR "/core/worlds/default.toml"};
+  const std::string text{std::istreambuf_iterator<char>{in}, {}};
+  const std::string method = "method = \"erosion\"\nerosion_steps = " + std::to_string(steps) + "\n";
+  auto world = terrain::World::parse(method + text, "test.toml", nullptr);
+  INFO((world ? std::string{} : world.error().message));
+  REQUIRE(world.has_value());
+  return *std::move(world);
+}
+
+std::uint64_t column_steps(const terrain::World& world, std::uint64_t tiles) {
+  const auto side = static_cast<std::uint64_t>(kChunkSize + 2 * world.halo());
+  return tiles * side * side * static_cast<std::uint64_t>(world.spec().erosion_steps);
+}
+
+}  // namespace
+
+TEST_CASE("heights of the slope method are limited by their number alone") {
+  CHECK(height_tiles_per_request(terrain::default_world()) == protocol::kMaxHeightsPerRequest);
+}
+
+TEST_CASE("heights of eroded land are limited by what they cost") {
+  constexpr std::uint64_t kColumnSteps = 100'000'000;
+  for (const int steps : {1, 8, 32}) {
+    const terrain::World world = eroded(steps);
+    const std::uint64_t tiles = height_tiles_per_request(world);
+    INFO(steps << " steps, " << tiles << " tiles");
+    CHECK(column_steps(world, tiles) <= kColumnSteps);
+    CHECK(column_steps(world, tiles + 1) > kColumnSteps);
+  }
+}
+
+TEST_CASE("the world's limit of height tiles is the session's") {
+  const terrain::World world = eroded(32);
+  CHECK(session_limits(Config{}, world).height_tiles_per_request == height_tiles_per_request(world));
+}
+
+TEST_CASE("sessions, runners and handshakes get the configuration's times and bounds") {
+  Config config;
+  config.limits.handshake_timeout = 1s;
+  config.limits.idle_timeout = 2s;
+  config.limits.write_timeout = 3s;
+  config.limits.frame_bytes = 5000;
+  config.limits.queued_bytes_per_session = 6000;
+  const RunnerLimits limits = runner_limits(config);
+  CHECK(limits.timeouts.handshake == 1s);
+  CHECK(limits.timeouts.idle == 2s);
+  CHECK(limits.timeouts.write == 3s);
+  CHECK(limits.frame_bytes == 5000);
+  CHECK(limits.queued_bytes == 6000);
+  CHECK(handshake_settings(config).timeout == 1s);
+}
+
+TEST_CASE("every rate of the configuration has its burst") {
+  Rates config;
+  config.session_chunks = 1000;
+  config.address_bytes = 0;
+  config.burst = 500ms;
+  const RateLimits limits = rate_limits(config);
+  CHECK(limits.session.chunks == Rate{1000, 500});
+  CHECK_FALSE(limits.address.bytes.limited());
+}
+
+TEST_CASE("the default burst holds the mixed chunks of a View of the largest radius") {
+  const Config config;
+  const std::uint64_t columns =
+      (2 * config.limits.view_horizontal_radius + 1) * (2 * config.limits.view_horizontal_radius + 1);
+  CHECK(rate_limits(config.rates).session.chunks.burst >= 3 * columns);
+}
+
+TEST_CASE("the operators' port and proxies need descriptors of their own") {
+  const Config plain;
+  Config both;
+  both.admin = Endpoint{"127.0.0.1", 0};
+  both.proxies = *Networks::parse("127.0.0.1");
+  CHECK(descriptors_wanted(both) ==
+        descriptors_wanted(plain) + AdminServer::kMaxConnections + AdminServer::kReservedDescriptors +
+            both.limits.handshakes_in_flight);
+}
