@@ -51,8 +51,12 @@ cp "$root"/var/cache/apt/archives/*.deb "$out/packages/"
 packages="$(in_root 'cd /talus && apt-get install -s --no-install-recommends $(sed -n "s/^build: //p" docker/packages.txt)' | grep -c '^Inst')"
 
 say "./dev run 5, with $packages packages to install, on $(nproc) cores at a load of $(cut -d ' ' -f 1 /proc/loadavg)"
-in_root 'cd /talus && TALUS_LISTEN=127.0.0.1:0 ./dev run 5 2>&1 | { while IFS= read -r line; do
-  printf "%s\n" "$line"; [[ "$line" != *"Ctrl-C stops it"* ]] || exit 0; done; exit 1; }' >"$out/run.log" 2>&1 ||
+# When the reader ends, its namespace and the server in it do.
+in_root 'cd /talus && while IFS= read -r line; do
+    printf "%s\n" "$line"
+    [[ "$line" != *"Ctrl-C stops it"* ]] || exit 0
+  done < <(TALUS_LISTEN=127.0.0.1:0 ./dev run 5 2>&1)
+  exit 1' >"$out/run.log" 2>&1 ||
   { tail -n 20 "$out/run.log" >&2; die "./dev run failed; all it said: $out/run.log"; }
 cp "$root/talus/out/view.png" "$root/talus/out/map.png" "$out/"
 say "what the client saw: $out/view.png"
