@@ -56,6 +56,43 @@ function(talus_brief_sources)
   set_source_files_properties(${ARGV} PROPERTIES COMPILE_OPTIONS $<$<CONFIG:Release>:-O1> SKIP_PRECOMPILE_HEADERS ON)
 endfunction()
 
+# talus_optimise(TARGET LEVEL): its level in a release build, where that is not -O3: 2 for what mostly waits for the
+# network, 1 for what runs once.
+function(talus_optimise target level)
+  target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O${level}>)
+endfunction()
+
+# talus_join_kernels(TARGET): a kernel source includes itself once for each instruction set (Highway's foreach_target.h),
+# which a unity source cannot. Those in a folder kernels/ are compiled together by a source of the same kind, which
+# includes them all for each set; others stay alone.
+function(talus_join_kernels target)
+  if(NOT CMAKE_UNITY_BUILD)
+    return()
+  endif()
+  get_target_property(sources ${target} SOURCES)
+  set(kernels ${sources})
+  list(FILTER kernels INCLUDE REGEX "kernels\\.cpp$")
+  if(kernels)
+    talus_alone(${kernels})
+  endif()
+  set(kernels ${sources})
+  list(FILTER kernels INCLUDE REGEX "/kernels/[^/]*\\.cpp$")
+  if(NOT kernels)
+    return()
+  endif()
+  set(joined ${CMAKE_CURRENT_BINARY_DIR}/kernels.cpp)
+  set(own "#undef HWY_TARGET_INCLUDE\n#define HWY_TARGET_INCLUDE \"${joined}\"\n")
+  set(text "${own}#include <hwy/foreach_target.h>\n")
+  foreach(kernel IN LISTS kernels)
+    list(REMOVE_ITEM sources ${kernel})
+    string(APPEND text "#include \"${CMAKE_CURRENT_SOURCE_DIR}/${kernel}\"\n")
+  endforeach()
+  # Each kernel names itself as what is included next.
+  file(CONFIGURE OUTPUT ${joined} CONTENT "${text}${own}" @ONLY)
+  talus_alone(${joined})
+  set_target_properties(${target} PROPERTIES SOURCES "${sources};${joined}")
+endfunction()
+
 # talus_module(NAME SOURCES ... PUBLIC modules and libraries ... PRIVATE ...): a static library whose headers
 # lie in include/talus/<module>, known to those who link talus::NAME and to nobody else.
 function(talus_module name)
@@ -68,12 +105,7 @@ function(talus_module name)
     PUBLIC $<BUILD_INTERFACE:${CMAKE_CURRENT_SOURCE_DIR}/include> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>
     PRIVATE ${CMAKE_CURRENT_SOURCE_DIR}/src)
   target_link_libraries(talus_${name} PUBLIC ${MODULE_PUBLIC} PRIVATE $<BUILD_INTERFACE:talus_flags> ${MODULE_PRIVATE})
-  # A kernel source includes itself once for each instruction set (Highway's foreach_target.h): one to a compilation.
-  foreach(source IN LISTS MODULE_SOURCES)
-    if(source MATCHES "kernels\\.cpp$|kernels/.*\\.cpp$")
-      talus_alone(${source})
-    endif()
-  endforeach()
+  talus_join_kernels(talus_${name})
 endfunction()
 
 # talus_server_module(NAME [BRIEF] SOURCES ... LINK libraries ...): the folder server/NAME as a target talus_server_NAME,
@@ -95,9 +127,7 @@ function(talus_server_module name)
   target_include_directories(${target} PUBLIC ${PROJECT_SOURCE_DIR}/server)
   target_compile_definitions(${target} PRIVATE TALUS_VERSION="${PROJECT_VERSION}")
   target_link_libraries(${target} PUBLIC ${depends} ${MODULE_LINK} PRIVATE talus_flags)
-  if(MODULE_BRIEF)
-    target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)
-  endif()
+  talus_optimise(${target} $<IF:$<BOOL:${MODULE_BRIEF}>,1,2>)
 endfunction()
 
 # talus_dependencies(MODULE VARIABLE): the modules that docs/modules.txt lets MODULE include.
@@ -114,9 +144,6 @@ function(talus_dependencies module variable)
   set(${variable} ${depends} PARENT_SCOPE)
 endfunction()
 
-macro(talus_room)
-  talus_module(${ARGV})
-endmacro()
 
 # talus_program(NAME SOURCES ... LINK ...): an executable.
 function(talus_program name)

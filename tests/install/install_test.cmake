@@ -1,3 +1,12 @@
+# A version of the same minor number is found, those beside it are refused.
+string(REGEX MATCH "^([0-9]+)\\.([0-9]+)" WANTED ${VERSION})
+set(REFUSED)
+foreach(step -1 1)
+  math(EXPR minor "${CMAKE_MATCH_2} + ${step}")
+  if(minor GREATER_EQUAL 0)
+    list(APPEND REFUSED ${CMAKE_MATCH_1}.${minor})
+  endif()
+endforeach()
 set(prefix ${BUILD}/install-test/prefix)
 set(consumer ${BUILD}/install-test/consumer)
 file(REMOVE_RECURSE ${BUILD}/install-test)
@@ -13,6 +22,7 @@ if(SANITIZE)
   set(flags "-fsanitize=${SANITIZE}")
 endif()
 must(${CMAKE_COMMAND} -S ${SOURCE} -B ${consumer} -G Ninja -DCMAKE_PREFIX_PATH=${prefix}
-  -DCMAKE_CXX_COMPILER=${COMPILER} -DCMAKE_CXX_FLAGS=${flags})
+  -DCMAKE_CXX_COMPILER=${COMPILER} -DCMAKE_CXX_FLAGS=${flags}
+  -DTALUS_WANTED=${WANTED} "-DTALUS_REFUSED=${REFUSED}")
 must(${CMAKE_COMMAND} --build ${consumer})
 must(${consumer}/consumer)
