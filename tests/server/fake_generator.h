@@ -3,6 +3,7 @@
 
 #include <atomic>
 #include <condition_variable>
+#include <functional>
 #include <limits>
 #include <memory>
 #include <mutex>
@@ -29,6 +30,7 @@ struct FakeWork {
   std::atomic<std::int32_t> last_mixed_anywhere{std::numeric_limits<std::int32_t>::max()};
   std::atomic<std::int32_t> first_mixed{std::numeric_limits<std::int32_t>::min()};
   std::atomic<std::int32_t> last_mixed{std::numeric_limits<std::int32_t>::max()};
+  std::function<void()> in_patch{};  // called where a patch is made; set before any is
 
   /// While closed, generator threads wait before they make a patch.
   void close_gate() { set_gate(false); }
@@ -77,6 +79,7 @@ class FakeGenerator final : public Generator {
   }
   void make_patch(const PatchKey&, terrain::Stacks& stacks) const override {
     work_->pass_gate();
+    if (work_->in_patch) work_->in_patch();
     ++work_->patches;
     if (work_->out_of_memory) throw std::bad_alloc{};
     if (!stacks.tops.empty()) ++work_->reused;
