@@ -8,6 +8,7 @@
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
+#include <type_traits>
 
 namespace talus::server {
 
@@ -38,6 +39,7 @@ class LabelledCounters {
   static constexpr std::size_t kMaxValues = 24;
 
   template <typename Value>
+  requires std::is_enum_v<Value>
   [[nodiscard]] Counter& operator[](Value value) {
     const auto index = static_cast<std::size_t>(value);
     assert(index < kMaxValues);
