@@ -53,7 +53,7 @@ class ViewSubscription {
   ViewStream stream_;
   std::optional<View> requested_;
   std::vector<Interest> unseen_;                     // replaced before apply(), oldest first
-  std::unordered_map<ChunkKey, ContentHash> known_;  // of chunks that are not done
+  std::unordered_map<ChunkKey, ContentHash> known_;  // each until it is done, or until the next apply()
 };
 
 }  // namespace talus::server
