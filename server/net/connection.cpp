@@ -30,7 +30,7 @@ namespace {
 using std::chrono::milliseconds;
 
 constexpr int kUnsentLowWaterBytes = 16 * 1024;
-constexpr milliseconds kTimeToClose{2000};   // to write the last frames and to read the client's end
+constexpr milliseconds kTimeToClose{2000};  // to write the last frames and to read the client's end
 
 // A piece more for the system costs as much as copying some 2 KiB that lie far away. Below 64 pieces a write
 // of the most that is gathered stays one call.
@@ -187,8 +187,7 @@ asio::awaitable<void> Connection::take_up_view() {
 
 asio::awaitable<void> Connection::wait_for_room() {
   reading_paused_ = true;
-  while (open_ && !session_.closing() &&
-         session_.queued_bytes() > context_.session.limits.queued_bytes) {
+  while (open_ && !session_.closing() && session_.queued_bytes() > context_.session.limits.queued_bytes) {
     room_.expires_at(Clock::time_point::max());
     co_await wait(room_);
   }
@@ -250,8 +249,7 @@ asio::awaitable<void> Connection::watch() {
     if (closing_since_ && now >= *closing_since_ + kTimeToClose) {
       end("closed");
     } else if (write_stalled(now)) {
-      end(fmt::format("timeout: the client read nothing for {} ms",
-                      context_.limits.write_timeout_ms));
+      end(fmt::format("timeout: the client read nothing for {} ms", context_.limits.write_timeout_ms));
     } else if (!closing_since_ && token_ends_ && now >= *token_ends_) {
       react([](Session& session) { session.token_expired(); });
     } else if (now >= next_deadline(now)) {
@@ -308,8 +306,8 @@ Connection::Clock::time_point Connection::next_deadline(Clock::time_point now) c
   const Limits& limits = context_.limits;
   if (closing_since_) return *closing_since_ + kTimeToClose;
   const auto silent = !session_.greeting() ? opened_ + from_config(limits.handshake_timeout_ms)
-                      : reading_paused_   ? now + from_config(limits.idle_timeout_ms)
-                                          : last_frame_ + from_config(limits.idle_timeout_ms);
+                      : reading_paused_    ? now + from_config(limits.idle_timeout_ms)
+                                           : last_frame_ + from_config(limits.idle_timeout_ms);
   // Without a write under way one may begin before the next look.
   return std::min({silent, token_ends_.value_or(silent),
                    write_progress_.value_or(now) + from_config(limits.write_timeout_ms)});

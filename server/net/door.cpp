@@ -23,8 +23,6 @@ namespace {
 using asio::ip::tcp;
 using std::chrono::milliseconds;
 
-
-
 std::uint64_t secret() {
   std::random_device device;
   return std::uint64_t{device()} << 32 | device();
@@ -130,7 +128,8 @@ asio::awaitable<bool> Door::ask_proxy(Visit& visit) {
     if (failed) prefix = tl::make_unexpected(std::string_view{"sent no whole PROXY header of version 2"});
   }
   if (!prefix) {
-    refuse(visit, Refusal::proxy, fmt::format("it is one of `proxies` and {}", prefix.error()), retry_after::kNever);
+    refuse(visit, Refusal::proxy, fmt::format("it is one of `proxies` and {}", prefix.error()),
+           retry_after::kNever);
     co_return false;
   }
   visit.client = proxied_client(*prefix, body).value_or(visit.peer);

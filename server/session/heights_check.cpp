@@ -53,9 +53,10 @@ tl::expected<std::vector<terrain::BaseColumn>, Rejection> check_heights(const wi
     columns.push_back(column);
   }
   if (const std::size_t tiles = count_tiles(columns); tiles > limits.height_tiles_per_request) {
-    return rejected(ErrorCode::too_large,
-                    fmt::format("GetHeights reaches into {} tiles of 32 x 32 columns; in this world at most {}",
-                                tiles, limits.height_tiles_per_request));
+    return rejected(
+        ErrorCode::too_large,
+        fmt::format("GetHeights reaches into {} tiles of 32 x 32 columns; in this world at most {}", tiles,
+                    limits.height_tiles_per_request));
   }
   return columns;
 }

@@ -1,5 +1,5 @@
-// A client's View from the message to its last chunk: the newest View, which may still wait to be applied; the
-// View in force; and what the client says that it holds. No I/O.
+// A client's View from the message to its last chunk: the newest View, which may still wait to be applied;
+// the View in force; and what the client says that it holds. No I/O.
 #pragma once
 
 #include <cstddef>

@@ -40,10 +40,11 @@ struct Bench {
   Bench() {
     tcp::acceptor acceptor{io, {asio::ip::address_v4::loopback(), 0}};
     client.connect(acceptor.local_endpoint());
-    const ConnectionContext context{{for_sessions, world, source, fake.memory, fake.metrics, access, rates, clock},
-                                    limits,
-                                    registry,
-                                    std::make_shared<spdlog::logger>("silent")};
+    const ConnectionContext context{
+        {for_sessions, world, source, fake.memory, fake.metrics, access, rates, clock},
+        limits,
+        registry,
+        std::make_shared<spdlog::logger>("silent")};
     const auto connection = std::make_shared<Connection>(
         Guest{1, Wire{acceptor.accept()}, "test", *admission.enter(asio::ip::address_v4::loopback()),
               std::chrono::steady_clock::now()},
@@ -140,10 +141,11 @@ TEST_CASE("however much one client takes, another's Pong waits for two of its tu
   Registry registry;
   asio::io_context io{1};
   tcp::acceptor acceptor{io, {asio::ip::address_v4::loopback(), 0}};
-  const ConnectionContext context{{for_sessions, world, source, fake.memory, fake.metrics, access, rates, clock},
-                                  limits,
-                                  registry,
-                                  std::make_shared<spdlog::logger>("silent")};
+  const ConnectionContext context{
+      {for_sessions, world, source, fake.memory, fake.metrics, access, rates, clock},
+      limits,
+      registry,
+      std::make_shared<spdlog::logger>("silent")};
   std::vector<tcp::socket> clients;
   for (ConnectionId id = 0; id < 2; ++id) {
     clients.emplace_back(io).connect(acceptor.local_endpoint());

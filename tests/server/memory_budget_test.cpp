@@ -100,8 +100,7 @@ TEST_CASE("caches shrink as soon as everything else grows, and grow again") {
   CHECK(service.status().chunk_cache_bytes > 1'000'000);
   budget.set(MemoryUse::sessions, UINT64_MAX / 4);
   service.fit_caches();
-  const std::uint64_t held =
-      budget.used(MemoryUse::chunk_cache) + budget.used(MemoryUse::patch_cache);
+  const std::uint64_t held = budget.used(MemoryUse::chunk_cache) + budget.used(MemoryUse::patch_cache);
   CHECK(held <= kBudget / 16);
   CHECK(budget.for_caches(UINT64_MAX) == kBudget / 16);
 }
