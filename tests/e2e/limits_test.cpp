@@ -163,8 +163,9 @@ TEST_CASE("a View over its rate of chunks comes whole, later") {
   const auto began = std::chrono::steady_clock::now();
   REQUIRE(client.send(view({.horizontal_radius = 2})));
   for (int chunk = 0; chunk < kChunks; ++chunk) (void)client.expect_kind<wire::Chunk>();
-  // A burst at once and the rest at the rate, however fast the machine: no chunk comes before its token.
-  CHECK(std::chrono::steady_clock::now() - began >= milliseconds{1000 * (kChunks - kBurst) / kPerSecond});
+  // A burst at once and the rest at the rate, however fast the machine; one token may have been all but
+  // earned before.
+  CHECK(std::chrono::steady_clock::now() - began >= milliseconds{1000 * (kChunks - kBurst - 1) / kPerSecond});
 }
 
 TEST_CASE(
