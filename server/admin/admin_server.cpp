@@ -27,12 +27,11 @@ void AdminServer::start(OperatorAnswers answers) {
   service_.handler = [answers = std::move(answers)](const http::Request& request) {
     return answer_operator(request, answers);
   };
-  asio::co_spawn(io_,
-                 acceptor_.run([this]() -> asio::io_context& { return io_; },
-                               [this](asio::ip::tcp::socket socket) {
-                                 connections_.add(TcpStream{std::move(socket)});
-                               }),
-                 asio::detached);
+  asio::co_spawn(
+      io_,
+      acceptor_.run([this]() -> asio::io_context& { return io_; },
+                    [this](asio::ip::tcp::socket socket) { connections_.add(TcpStream{std::move(socket)}); }),
+      asio::detached);
   thread_ = std::thread{[this] { run(); }};
 }
 

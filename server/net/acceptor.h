@@ -41,15 +41,16 @@ class Acceptor {
   using NextContext = std::function<asio::io_context&()>;
   using OnSocket = std::function<void(asio::ip::tcp::socket)>;
 
-  /// Accepts on `io`, which one thread runs. `reserved_descriptors`: for connections that are accepted although
-  /// the process has no descriptor left.
+  /// Accepts on `io`, which one thread runs. `reserved_descriptors`: for connections that are accepted
+  /// although the process has no descriptor left.
   Acceptor(asio::io_context& io, Logger log, std::size_t reserved_descriptors = 0);
 
   /// Opens the listening socket; returns its address with the real port, or why not.
   [[nodiscard]] tl::expected<std::string, std::string> listen(const protocol::Endpoint& wanted);
 
-  /// Hands each socket to `on_socket` until close(). A connection that its peer has reset already is one too, or
-  /// none; an accept that fails, as without descriptors, is tried again; what `on_socket` throws is logged.
+  /// Hands each socket to `on_socket` until close(). A connection that its peer has reset already is one too,
+  /// or none; an accept that fails, as without descriptors, is tried again; what `on_socket` throws is
+  /// logged.
   [[nodiscard]] asio::awaitable<void> run(NextContext next_context, OnSocket on_socket);
 
   /// On the io_context's thread.

@@ -34,8 +34,8 @@ std::string to_text(const tcp::endpoint& endpoint) {
   return to_string(protocol::Endpoint{endpoint.address().to_string(), endpoint.port()});
 }
 
-/// What came after a handshake that failed is read and dropped: closing over it would reset the connection and
-/// could take the alert with it.
+/// What came after a handshake that failed is read and dropped: closing over it would reset the connection
+/// and could take the alert with it.
 void drop_input(tcp::socket& socket) {
   std::array<std::byte, 4096> unread{};
   std::error_code failed;
@@ -55,9 +55,7 @@ struct Handshaker::PendingConnection {
         tls{std::move(context)},
         accepted{now} {}
 
-  [[nodiscard]] tcp::socket& socket() {
-    return secured ? secured->transport().socket() : stream->socket();
-  }
+  [[nodiscard]] tcp::socket& socket() { return secured ? secured->transport().socket() : stream->socket(); }
 
   ConnectionId id;
   std::optional<TcpStream> stream;  // until it is secured
@@ -92,8 +90,8 @@ void Handshaker::begin(tcp::socket socket, ConnectionId id, const tls::Context& 
     if (admit(*pending)) accept(*pending);
     return;
   }
-  // Without PROXY header and TLS there is nothing to wait for; with them a coroutine waits, and their number is
-  // bounded.
+  // Without PROXY header and TLS there is nothing to wait for; with them a coroutine waits, and their number
+  // is bounded.
   if (metrics_.handshakes.now() >= static_cast<std::int64_t>(settings_.max_in_flight)) {
     refuse(*pending, Refusal::handshakes, "this server has as many handshakes in flight as it takes",
            retry_after::kServerFull);
@@ -135,7 +133,8 @@ asio::awaitable<bool> Handshaker::read_proxy_header(PendingConnection& pending) 
   std::array<std::byte, kProxyPrefixBytes> prefix_bytes{};
   const std::size_t came = co_await asio::async_read(pending.socket(), asio::buffer(prefix_bytes),
                                                      asio::redirect_error(asio::use_awaitable, failed));
-  if (failed && came == 0 && !pending.late) co_return false;  // how some proxies check whether a server is there
+  if (failed && came == 0 && !pending.late)
+    co_return false;  // how some proxies check whether a server is there
   tl::expected<ProxyPrefix, std::string_view> prefix = incomplete;
   if (!failed && !pending.late) prefix = read_proxy_prefix(prefix_bytes);
   std::vector<std::byte> body(prefix ? prefix->body_bytes : 0);
@@ -206,7 +205,8 @@ void Handshaker::refuse(PendingConnection& pending, Refusal why, const std::stri
                         milliseconds retry_after) {
   metrics_.refused_for(why).add();
   refusal_log_.note(to_text(pending.client), text);
-  // To say it over TLS would cost the handshake that is refused, and a proxy that keeps no rule is told nothing.
+  // To say it over TLS would cost the handshake that is refused, and a proxy that keeps no rule is told
+  // nothing.
   if (pending.tls != nullptr || why == Refusal::proxy) return pending.stream->close();
   metrics_.error(wire::ErrorCode::overloaded).add();
   refusals_.refuse(std::move(pending.stream->socket()), text, retry_after);

@@ -1,5 +1,5 @@
-// What a new connection passes before it has a session: the PROXY header that says whose it is, admission, the
-// rate of its address, and TLS.
+// What a new connection passes before it has a session: the PROXY header that says whose it is, admission,
+// the rate of its address, and TLS.
 #pragma once
 
 #include <chrono>
@@ -41,11 +41,11 @@ class Handshaker {
   using HasMemory = std::function<bool()>;
 
   /// `admission`, `metrics` and `clock` outlive it. It outlives the sockets' io_contexts.
-  Handshaker(HandshakeSettings settings, Admission& admission, Metrics& metrics, const Clock& clock, Logger log,
-             HasMemory has_memory, OnAccepted on_accepted);
+  Handshaker(HandshakeSettings settings, Admission& admission, Metrics& metrics, const Clock& clock,
+             Logger log, HasMemory has_memory, OnAccepted on_accepted);
 
-  /// Takes a socket and returns at once, whatever the peer does; over TLS where there is a context. Each socket
-  /// is accepted, refused, or closed within settings.timeout. From one thread at a time.
+  /// Takes a socket and returns at once, whatever the peer does; over TLS where there is a context. Each
+  /// socket is accepted, refused, or closed within settings.timeout. From one thread at a time.
   void begin(asio::ip::tcp::socket socket, ConnectionId id, const tls::Context& tls);
 
   /// Any thread.

@@ -1,5 +1,5 @@
-// A Stream over TLS on a TCP socket. OpenSSL reads and writes the socket itself: asio::ssl's buffers would cost
-// 34 KiB a connection.
+// A Stream over TLS on a TCP socket. OpenSSL reads and writes the socket itself: asio::ssl's buffers would
+// cost 34 KiB a connection.
 #pragma once
 
 #include <cstddef>

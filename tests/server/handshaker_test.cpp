@@ -8,6 +8,7 @@
 #include <thread>
 
 #include <talus/protocol/frame.h>
+#include <talus/protocol/limits.h>
 #include <talus/protocol/message.h>
 #include <asio/co_spawn.hpp>
 #include <asio/detached.hpp>
@@ -18,6 +19,7 @@
 
 #include "certificates.h"
 #include "clock/manual_clock.h"
+#include "net/stream.h"
 #include "scratch_directory.h"
 
 using namespace talus;

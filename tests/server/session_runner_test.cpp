@@ -1,9 +1,10 @@
-// A session over a stream in memory, a scripted source of chunks, and a clock that stands still until the test
-// moves it: everything happens in the test's own thread, and nothing waits.
+// A session over a stream in memory, a scripted source of chunks, and a clock that stands still until the
+// test moves it: everything happens in the test's own thread, and nothing waits.
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <string>
 
+#include <talus/protocol/limits.h>
 #include <talus/voxel/codec.h>
 
 #include "access/access_control.h"
@@ -33,7 +34,8 @@ protocol::Frame get_chunks(std::uint32_t first_id, std::uint32_t count) {
   return protocol::make_frame([&](auto& builder) {
     std::vector<wire::ChunkRequest> requests;
     for (std::uint32_t id = first_id; id < first_id + count; ++id) {
-      requests.emplace_back(id, wire::ChunkKey{static_cast<std::int32_t>(id), 0, 0, 0}, false, wire::Hash128{});
+      requests.emplace_back(id, wire::ChunkKey{static_cast<std::int32_t>(id), 0, 0, 0}, false,
+                            wire::Hash128{});
     }
     return wire::CreateGetChunks(builder, builder.CreateVectorOfStructs(requests));
   });
