@@ -80,7 +80,7 @@ protocol::Frame unchanged_frame(std::uint32_t request_id, ChunkKey key, const En
 }
 
 protocol::Frame column_frame(ChunkKey column, const std::vector<wire::UniformRun>& runs) {
-  constexpr std::uint64_t kBaseRevision = 0;  // rows that hold edits are in no run
+  // Rows that hold edits are in no run.
   return protocol::make_frame([&](flatbuffers::FlatBufferBuilder& builder) {
     const auto wire_runs = builder.CreateVectorOfStructs(runs);
     return wire::CreateUniformColumn(builder, column.coord.x, column.coord.z,

@@ -72,8 +72,8 @@ void ViewStream::move_near() {
 void ViewStream::put_back(ChunkKey key) {
   leave(key, State::to_send);
   const AreaOfInterest::Place place = *interest_.place_of(key);
-  const std::uint64_t rough = interest_.coarse_priority(key, place);
-  if (rough < near_end_) {
+  const std::uint64_t coarse = interest_.coarse_priority(key, place);
+  if (coarse < near_end_) {
     near_.push(interest_.rank(key, place));
   } else {
     far_.push_back(coarse);

@@ -26,7 +26,7 @@ auto handler_of(int signal) {
 TEST_CASE("signals that come when nobody is served any more do not make a failure of the end") {
   Config config;
   config.listen = {"127.0.0.1", 0};
-  config.admin = Endpoint{"127.0.0.1", 0};
+  config.admin = protocol::Endpoint{"127.0.0.1", 0};
   AccessControl access{config.access, *load_keys(config.access)};
   const SystemClock clock;
   const Logger log = make_logger("off", "text");

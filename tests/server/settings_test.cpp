@@ -87,7 +87,7 @@ TEST_CASE("the default burst holds the mixed chunks of a View of the largest rad
 TEST_CASE("the operators' port and proxies need descriptors of their own") {
   const Config plain;
   Config both;
-  both.admin = Endpoint{"127.0.0.1", 0};
+  both.admin = protocol::Endpoint{"127.0.0.1", 0};
   both.proxies = *Networks::parse("127.0.0.1");
   CHECK(descriptors_wanted(both) ==
         descriptors_wanted(plain) + AdminServer::kMaxConnections + AdminServer::kReservedDescriptors +
