@@ -8,7 +8,7 @@
 
 #include <tl/expected.hpp>
 
-#include <talus/terrain/stacks.h>
+#include <talus/terrain/heights.h>
 #include <talus/voxel/coords.h>
 
 #include "cache/encoded_chunk.h"

@@ -6,6 +6,8 @@
 #include <span>
 #include <vector>
 
+#include <talus/terrain/extraction.h>
+#include <talus/terrain/heights.h>
 #include <talus/terrain/stacks.h>
 #include <talus/voxel/coords.h>
 

@@ -5,6 +5,9 @@
 #include <mutex>
 #include <vector>
 
+#include <talus/terrain/extraction.h>
+#include <talus/terrain/generator.h>
+#include <talus/terrain/heights.h>
 #include <talus/terrain/stacks.h>
 #include <talus/terrain/world.h>
 

@@ -9,7 +9,8 @@
 #include <vector>
 
 #include <talus/terrain/boundary_row.h>
-#include <talus/terrain/stacks.h>
+#include <talus/terrain/extraction.h>
+#include <talus/terrain/generator.h>
 
 #include "export_json.h"
 #include "npy.h"
