@@ -7,7 +7,7 @@
 #include <optional>
 #include <vector>
 
-#include <talus/terrain/stacks.h>
+#include <talus/terrain/heights.h>
 #include <talus/voxel/coords.h>
 #include <talus/voxel/material.h>
 

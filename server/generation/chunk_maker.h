@@ -3,6 +3,7 @@
 
 #include <span>
 
+#include <talus/terrain/extraction.h>
 #include <talus/terrain/stacks.h>
 #include <talus/voxel/coords.h>
 

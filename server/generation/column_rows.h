@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <optional>
 
-#include <talus/terrain/stacks.h>
+#include <talus/terrain/extraction.h>
 #include <talus/voxel/coords.h>
 
 #include "cache/sharded_cache.h"

@@ -7,6 +7,10 @@
 #include <span>
 #include <vector>
 
+#include <talus/terrain/extraction.h>
+#include <talus/terrain/heights.h>
+#include <talus/terrain/extraction.h>
+#include <talus/terrain/heights.h>
 #include <talus/terrain/stacks.h>
 #include <talus/voxel/coords.h>
 

@@ -5,6 +5,12 @@
 #include <mutex>
 #include <vector>
 
+#include <talus/terrain/extraction.h>
+#include <talus/terrain/generator.h>
+#include <talus/terrain/heights.h>
+#include <talus/terrain/extraction.h>
+#include <talus/terrain/generator.h>
+#include <talus/terrain/heights.h>
 #include <talus/terrain/stacks.h>
 #include <talus/terrain/world.h>
 

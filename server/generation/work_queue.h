@@ -16,7 +16,7 @@
 #include <variant>
 #include <vector>
 
-#include <talus/terrain/stacks.h>
+#include <talus/terrain/heights.h>
 #include <talus/voxel/coords.h>
 
 #include "chunks/mailbox.h"

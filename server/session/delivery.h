@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include <talus/terrain/stacks.h>
+#include <talus/terrain/heights.h>
 #include <talus/voxel/coords.h>
 
 #include "chunks/mailbox.h"

@@ -6,7 +6,7 @@
 #include <tl/expected.hpp>
 
 #include <talus/protocol/message.h>
-#include <talus/terrain/stacks.h>
+#include <talus/terrain/heights.h>
 
 #include "session/rejection.h"
 #include "session/session_limits.h"

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include <talus/terrain/stacks.h>
+#include <talus/terrain/extraction.h>
 #include <talus/terrain/world.h>
 #include <talus/voxel/content_hash.h>
 #include <talus/voxel/coords.h>

@@ -9,6 +9,9 @@
 #include <random>
 #include <utility>
 
+#include <talus/terrain/extraction.h>
+#include <talus/terrain/generator.h>
+
 void talus_counted_work(const std::function<void()>& work) {
   work();
 }

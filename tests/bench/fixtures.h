@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include <talus/terrain/stacks.h>
+#include <talus/terrain/world.h>
 #include <talus/voxel/chunk.h>
 
 /// Calls `work`. Named for the instruction counter's --toggle-collect: not mangled, and in a file of its own

@@ -6,12 +6,13 @@
 #include <utility>
 #include <vector>
 
+#include <talus/terrain/generator.h>
 #include <talus/terrain/stacks.h>
 #include <talus/terrain/surface.h>
 
 #include "fixtures.h"
 #include "made_height_map.h"
-#include "point_fbm.h"
+#include "noise/point_fbm.h"
 #include "table.h"
 
 namespace {

@@ -8,6 +8,7 @@
 #include <libnoise/noise.h>
 
 #include <talus/terrain/fbm.h>
+#include <talus/terrain/generator.h>
 #include <talus/terrain/settle.h>
 #include <talus/terrain/slope.h>
 #include <talus/terrain/stacks.h>
@@ -16,7 +17,7 @@
 #include <talus/vectors/instruction_set.h>
 
 #include "fixtures.h"
-#include "loose_cells.h"
+#include "loose/settle_grid.h"
 #include "reference.h"
 #include "table.h"
 
@@ -85,9 +86,9 @@ Field unsettled() {
 // What it does depends on no thickness, so that ground at rest takes as long as any.
 void settle_alone(State& state) {
   const LooseSpec& gravel = world().loose()[0];
-  LooseCells cells{instruction_set()};
-  cells.start(terrain_of_side().slope, gravel.t_fx, gravel.S_fx);
-  for (auto _ : state) cells.settle(gravel.c_fx);
+  SettleGrid grid{instruction_set()};
+  grid.start(terrain_of_side().slope, gravel.t_fx, gravel.S_fx);
+  for (auto _ : state) grid.settle(gravel.c_fx);
   bench::works_on(state, "column", kSide * kSide);
 }
 BENCHMARK(settle_alone)->Name("settle");
@@ -96,10 +97,10 @@ BENCHMARK(settle_alone)->Name("settle");
 void settle(State& state) {
   const LooseSpec& gravel = world().loose()[0];
   const Field slope = terrain_of_side().slope;
-  LooseCells cells{instruction_set()};
+  SettleGrid grid{instruction_set()};
   for (auto _ : state) {
-    cells.start(slope, gravel.t_fx, gravel.S_fx);
-    cells.settle(gravel.c_fx);
+    grid.start(slope, gravel.t_fx, gravel.S_fx);
+    grid.settle(gravel.c_fx);
   }
   bench::works_on(state, "column", kSide * kSide);
 }

@@ -12,7 +12,8 @@
 #include <string>
 #include <vector>
 
-#include <talus/terrain/stacks.h>
+#include <talus/terrain/extraction.h>
+#include <talus/terrain/generator.h>
 
 #include "plane_model.h"
 

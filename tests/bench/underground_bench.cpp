@@ -2,6 +2,8 @@
 #include <string>
 #include <vector>
 
+#include <talus/terrain/extraction.h>
+#include <talus/terrain/generator.h>
 #include <talus/terrain/stacks.h>
 
 #include "fixtures.h"

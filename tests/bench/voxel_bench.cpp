@@ -7,6 +7,8 @@
 #include <lz4.h>
 #include <zstd.h>
 
+#include <talus/terrain/extraction.h>
+#include <talus/terrain/generator.h>
 #include <talus/voxel/codec.h>
 #include <talus/voxel/content_hash.h>
 

@@ -7,13 +7,15 @@
 #include <utility>
 #include <vector>
 
+#include <talus/terrain/extraction.h>
 #include <talus/terrain/fbm.h>
+#include <talus/terrain/generator.h>
 #include <talus/terrain/stacks.h>
 #include <talus/vectors/instruction_set.h>
 #include <talus/voxel/codec.h>
 
 #include "fixtures.h"
-#include "loose_cells.h"
+#include "loose/settle_grid.h"
 
 namespace {
 
@@ -29,10 +31,10 @@ void count_noise() {
 void count_settle() {
   const auto& gravel = terrain::default_world().loose()[0];
   const auto ground = generate_terrain(terrain::default_world(), {0, 0, 200, 200, Lod{}});
-  terrain::LooseCells cells{instruction_set()};
+  terrain::SettleGrid grid{instruction_set()};
   talus_counted_work([&] {
-    cells.start(ground.slope, gravel.t_fx, gravel.S_fx);
-    cells.settle(gravel.c_fx);
+    grid.start(ground.slope, gravel.t_fx, gravel.S_fx);
+    grid.settle(gravel.c_fx);
   });
 }
 

@@ -12,6 +12,8 @@
 #include <utility>
 #include <vector>
 
+#include <talus/terrain/extraction.h>
+#include <talus/terrain/generator.h>
 #include <talus/terrain/stacks.h>
 #include <talus/voxel/codec.h>
 

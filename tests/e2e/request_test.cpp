@@ -4,7 +4,8 @@
 #include <map>
 #include <random>
 
-#include <talus/terrain/stacks.h>
+#include <talus/terrain/extraction.h>
+#include <talus/terrain/heights.h>
 #include <talus/voxel/codec.h>
 
 #include "messages.h"

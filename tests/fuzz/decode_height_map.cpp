@@ -8,7 +8,7 @@
 
 #include <talus/height_files/height_files.h>
 
-#include "surface_plan.h"
+#include "surface/scaled_heights.h"
 
 namespace {
 

@@ -10,8 +10,8 @@
 #include <utility>
 #include <vector>
 
-#include "fbm_rows.h"
-#include "loose_cells.h"
+#include "loose/settle_grid.h"
+#include "noise/fbm_rows.h"
 #include "plane_plain.h"
 
 namespace {
@@ -40,12 +40,12 @@ class Input {
 };
 
 std::vector<std::int32_t> settled(InstructionSet set, const Field& start, std::int32_t repose) {
-  LooseCells cells{set};
-  cells.start(start);
-  cells.settle(repose);
+  SettleGrid grid{set};
+  grid.start(start);
+  grid.settle(repose);
   std::vector<std::int32_t> all;
   for (int z = 0; z < start.depth; ++z) {
-    cells.with_row(z, [&](const auto* row) { all.insert(all.end(), row, row + start.width); });
+    grid.with_row(z, [&](const auto* row) { all.insert(all.end(), row, row + start.width); });
   }
   return all;
 }

@@ -9,6 +9,8 @@
 #include <string>
 #include <vector>
 
+#include <talus/terrain/extraction.h>
+#include <talus/terrain/generator.h>
 #include <talus/terrain/stacks.h>
 #include <talus/vectors/instruction_set.h>
 #include <talus/voxel/codec.h>

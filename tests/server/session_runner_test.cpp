@@ -40,9 +40,6 @@ protocol::Frame get_chunks(std::uint32_t first_id, std::uint32_t count) {
     return wire::CreateGetChunks(builder, builder.CreateVectorOfStructs(requests));
   });
 }
-ChunkKey key_of(std::uint32_t id) {
-  return {{static_cast<std::int32_t>(id), 0, 0}, Lod{}};
-}
 
 /// What sessions share, and an io_context that the test runs.
 struct Bench {

@@ -7,6 +7,8 @@
 
 #include <talus/protocol/limits.h>
 
+#include "admin/admin_server.h"
+
 using namespace talus;
 using namespace talus::server;
 using namespace std::chrono_literals;

@@ -4,12 +4,16 @@
 #include <atomic>
 #include <cstdlib>
 #include <new>
+#include <string>
 #include <utility>
 #include <vector>
 
+#include <talus/terrain/extraction.h>
+#include <talus/terrain/generator.h>
 #include <talus/terrain/stacks.h>
 #include <talus/voxel/codec.h>
 
+#include "features_of.h"
 #include "worlds.h"
 
 namespace {
@@ -64,6 +68,14 @@ TEST_CASE("A generator that has seen a patch generates the next without an alloc
 
 TEST_CASE("Neither does one of a world with caves allocate") {
   check_warm_generation(test::small_caves(1));
+}
+
+TEST_CASE("Neither does one of a world whose features survey the ground") {
+  const std::string lava =
+      "[[lava]]\nname = \"lava\"\ncolour = \"#ff4010\"\nlow = 0\nhigh = 1\nspacing = 0.8\nradius = 0.3\n"
+      "thickness = 0.4\nabundance = 0.8\npool_reach = 0.4\n";
+  check_warm_generation(
+      World::parse(test::small_world_text(1) + lava, "lava", {}, features_with_fixture()).value());
 }
 
 TEST_CASE("A chunk that is made in another's memory is extracted and coded without an allocation") {

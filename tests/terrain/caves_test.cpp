@@ -1,12 +1,15 @@
-#include "caves.h"
-
 #include <algorithm>
 
 #include <rapidcheck.h>
 #include <catch2/catch.hpp>
 
 #include <talus/terrain/boundary_row.h>
+#include <talus/terrain/extraction.h>
+#include <talus/terrain/generator.h>
+#include <talus/terrain/heights.h>
 
+#include "features/caves.h"
+#include "features_of.h"
 #include "voxel_block.h"
 #include "worlds.h"
 
@@ -73,7 +76,7 @@ int entrances(const World& world, const Stacks& stacks) {
 // Solid voxels that cannot be reached from below through solid ones. A roof is carried by a straight line of
 // roofs no longer than the span, so what lies nearer to the region's edge may be carried from outside of it.
 int hanging_voxels(const Place& at) {
-  const int margin = caves_of(at.world.spec()).span_at(at.stacks.region.lod);
+  const int margin = test::feature_of<Caves>(at.world).plan().span_at(at.stacks.region.lod);
   const std::vector<bool> reached = at.voxels.reached_from_below();
   int hanging = 0;
   for (int y = 0; y < at.voxels.rows(); ++y) {

@@ -8,7 +8,8 @@
 #include <numeric>
 #include <set>
 
-#include <talus/terrain/stacks.h>
+#include <talus/terrain/generator.h>
+#include <talus/terrain/heights.h>
 
 #include "reference.h"
 #include "worlds.h"

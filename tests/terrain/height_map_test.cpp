@@ -10,10 +10,10 @@
 #include <talus/terrain/surface.h>
 #include <talus/terrain/world.h>
 
-#include "cubic.h"
 #include "made_height_map.h"
 #include "reference.h"
-#include "surface_plan.h"
+#include "surface/cubic.h"
+#include "surface/scaled_heights.h"
 #include "worlds.h"
 
 namespace talus::terrain {

@@ -11,14 +11,14 @@
 #include <talus/vectors/instruction_set.h>
 #include <talus/vectors/tables.h>
 
-#include "displaced_fbm.h"
-#include "fbm_rows.h"
-#include "inserts.h"
 #include "kernels/columns.h"
 #include "kernels/strata.h"
-#include "loose_cells.h"
-#include "point_fbm.h"
-#include "surface_rows.h"
+#include "loose/settle_grid.h"
+#include "noise/displaced_fbm.h"
+#include "noise/fbm_rows.h"
+#include "noise/point_fbm.h"
+#include "overlay.h"
+#include "surface/surface_rows.h"
 #include "worlds.h"
 
 namespace talus::terrain {
@@ -159,12 +159,12 @@ TEST_CASE("Displaced noise has the bits of the noise of its points, from every i
 }
 
 std::vector<std::int32_t> settled(InstructionSet set, const Field& thickness, std::int32_t repose) {
-  LooseCells cells{set};
-  cells.start(thickness);
-  cells.settle(repose);
+  SettleGrid grid{set};
+  grid.start(thickness);
+  grid.settle(repose);
   std::vector<std::int32_t> all;
   for (int z = 0; z < thickness.depth; ++z) {
-    cells.with_row(z, [&](const auto* row) { all.insert(all.end(), row, row + thickness.width); });
+    grid.with_row(z, [&](const auto* row) { all.insert(all.end(), row, row + thickness.width); });
   }
   return all;
 }
@@ -194,9 +194,9 @@ TEST_CASE("The thickness before settling is an exact quotient, by every instruct
     for (const auto set :
          {InstructionSet::scalar, InstructionSet::sse4, InstructionSet::avx2, InstructionSet::avx512}) {
       if (!runs_here(set)) continue;
-      LooseCells cells{set};
-      cells.start(slope, thickness, most_slope);
-      cells.with_row(0, [&](const auto* row) {
+      SettleGrid grid{set};
+      grid.start(slope, thickness, most_slope);
+      grid.with_row(0, [&](const auto* row) {
         for (int x = 0; x < slope.width; ++x) {
           const std::int64_t room = std::max(0, most_slope - slope.at(x, 0));
           RC_ASSERT(std::int64_t{row[x]} == thickness * room / most_slope);
@@ -212,9 +212,9 @@ TEST_CASE("Where nothing slopes the thickness before settling is the whole, in 1
          {InstructionSet::scalar, InstructionSet::sse4, InstructionSet::avx2, InstructionSet::avx512}) {
       if (!runs_here(set)) continue;
       CAPTURE(thickness, to_string(set));
-      LooseCells cells{set};
-      cells.start(Field{77, 2}, thickness, 313);
-      cells.with_row(1, [&](const auto* row) {
+      SettleGrid grid{set};
+      grid.start(Field{77, 2}, thickness, 313);
+      grid.with_row(1, [&](const auto* row) {
         for (int x = 0; x < 77; ++x) REQUIRE(std::int32_t{row[x]} == thickness);
       });
     }
@@ -290,9 +290,9 @@ TEST_CASE("Slopes have the same numbers from every instruction set") {
 }
 
 // The layer over one column, as LayerShape has it.
-std::int32_t laid(float noise, const LayerShape& shape, std::int32_t below, std::int32_t limit) {
+std::int32_t stacked(float noise, const LayerShape& shape, std::int32_t below, std::int32_t limit) {
   const float thickness = shape.mean_fx * std::max(0.0F, 1.0F + shape.swing * noise);
-  return std::min(below + static_cast<std::int32_t>(std::nearbyint(std::min(thickness, shape.most_fx))),
+  return std::min(below + static_cast<std::int32_t>(std::nearbyint(std::min(thickness, shape.max_fx))),
                   limit);
 }
 
@@ -321,8 +321,8 @@ TEST_CASE("Layers are laid by every instruction set as by the definition, where 
       auto left = open;
       std::vector<std::int32_t> tops(xs.size() + 1, -1);  // one more, that nothing may touch
       const bool any =
-          strata_kernels(set).lay(octaves.data(), octaves.size(), shape, xs.size(), limit.values.data(),
-                                  below.values.data(), left.data(), tops.data());
+          strata_kernels(set).stack(octaves.data(), octaves.size(), shape, xs.size(), limit.values.data(),
+                                    below.values.data(), left.data(), tops.data());
       RC_ASSERT(tops.back() == -1);
       const float* noise = rows.row(z);
       bool any_expected = false;
@@ -330,7 +330,7 @@ TEST_CASE("Layers are laid by every instruction set as by the definition, where 
         const std::size_t segment = first / kSegment;
         bool missing = false;
         for (std::size_t x = first; x < std::min(first + kSegment, xs.size()); ++x) {
-          const std::int32_t top = laid(noise[x], shape, below.values[x], limit.values[x]);
+          const std::int32_t top = stacked(noise[x], shape, below.values[x], limit.values[x]);
           RC_ASSERT(tops[x] == top);
           missing = missing || top < limit.values[x];
         }

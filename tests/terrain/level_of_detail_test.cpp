@@ -1,6 +1,8 @@
 #include <rapidcheck.h>
 #include <catch2/catch.hpp>
 
+#include <talus/terrain/extraction.h>
+#include <talus/terrain/generator.h>
 #include <talus/terrain/stacks.h>
 
 #include "reference.h"

@@ -1,7 +1,8 @@
 #include <rapidcheck.h>
 #include <catch2/catch.hpp>
 
-#include <talus/terrain/stacks.h>
+#include <talus/terrain/extraction.h>
+#include <talus/terrain/heights.h>
 
 #include "worlds.h"
 

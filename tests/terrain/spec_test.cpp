@@ -2,7 +2,6 @@
 
 #include <string>
 
-#include <talus/terrain/stacks.h>
 #include <talus/terrain/world.h>
 #include <talus/toml/toml_bounds.h>
 
@@ -39,6 +38,26 @@ TEST_CASE("A key with more parts than a parser's stack holds is refused before i
   // Dots in a string, in a comment or after an escaped quote are none of a key's.
   const std::string dots(200, '.');
   CHECK(World::parse(with("name = \"chalk\"", "name = \"ch\\\"alk\" # " + dots), "w.toml"));
+}
+
+TEST_CASE("A string of several lines is refused, as it would hide a key's parts from their count") {
+  std::string key = "a";
+  for (int i = 0; i < 70'000; ++i) key += ".a";
+  for (const std::string quotes : {"\"\"\"", "'''"}) {
+    const std::string inner = quotes.substr(0, 1);
+    CHECK(error_of("x = {y = " + quotes + "p" + inner + "q" + quotes + ", " + key + " = 1}\n") ==
+          "w.toml:1: a string of several lines; only strings of one line are read");
+  }
+  CHECK(World::parse(with("seed = 1", "seed = 1 # \"\"\""), "w.toml"));
+}
+
+TEST_CASE("Brackets within brackets are bounded, so that parts of keys do not add up") {
+  std::string deep = "x = ";
+  for (int i = 0; i < 200; ++i) deep += "[\n{a.b.c.d.e.f.g.h = ";
+  CHECK(error_of(deep) == "w.toml:9: more than 16 brackets within each other");
+  std::string flat;
+  for (int i = 0; i < 40; ++i) flat += "x" + std::to_string(i) + " = [[1, 2], [3]]\n";
+  CHECK_THAT(error_of(flat + test::small_world_text(1)), Catch::Contains("unknown key"));
 }
 
 TEST_CASE("A file past a mebibyte is refused") {
@@ -135,7 +154,7 @@ TEST_CASE("A spec with too many layers or materials is refused") {
     text += "[[stratified]]\nname = \"r" + std::to_string(i) +
             "\"\ncolour = \"#000000\"\ndepth = 1\nthickness = 1\nroughness = 0\n";
   }
-  CHECK_THAT(error_of(text), Catch::Contains("257 stratified and eroded materials; at most 255"));
+  CHECK_THAT(error_of(text), Catch::Contains("stratified: 257 materials beside air and water; at most 255"));
 }
 
 TEST_CASE("The fingerprint covers what decides voxels, and no name or colour") {

@@ -3,7 +3,8 @@
 #include <rapidcheck.h>
 #include <catch2/catch.hpp>
 
-#include <talus/terrain/stacks.h>
+#include <talus/terrain/generator.h>
+#include <talus/terrain/heights.h>
 
 #include "reference.h"
 #include "worlds.h"

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numeric>
 
-#include <talus/terrain/stacks.h>
+#include <talus/terrain/heights.h>
 #include <talus/terrain/surface.h>
 
 #include "reference.h"

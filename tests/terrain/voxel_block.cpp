@@ -2,6 +2,8 @@
 
 #include <array>
 
+#include <talus/terrain/extraction.h>
+
 namespace talus::test {
 
 VoxelBlock::VoxelBlock(const terrain::World& world, const terrain::Stacks& stacks) : region_{stacks.region} {

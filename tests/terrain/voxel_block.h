@@ -6,6 +6,7 @@
 #include <vector>
 
 #include <talus/terrain/stacks.h>
+#include <talus/terrain/world.h>
 
 namespace talus::test {
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include <talus/terrain/stacks.h>
+#include <talus/terrain/extraction.h>
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 

@@ -2,7 +2,7 @@
 #include <set>
 #include <string>
 
-#include <talus/terrain/stacks.h>
+#include <talus/terrain/heights.h>
 #include <catch2/catch.hpp>
 
 #include "gallery.h"

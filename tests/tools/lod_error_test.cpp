@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include <talus/terrain/stacks.h>
+#include <talus/terrain/extraction.h>
 #include <catch2/catch.hpp>
 
 using namespace talus;

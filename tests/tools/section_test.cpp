@@ -1,6 +1,5 @@
 #include "section.h"
 
-#include <talus/terrain/stacks.h>
 #include <catch2/catch.hpp>
 
 using namespace talus;

@@ -5,7 +5,7 @@
 #include <string>
 #include <tuple>
 
-#include <talus/terrain/stacks.h>
+#include <talus/terrain/extraction.h>
 #include <catch2/catch.hpp>
 
 #include "scratch_directory.h"

@@ -1,4 +1,4 @@
-// One function a format. Private to the room.
+// One function a format. Private to core/height_files.
 #pragma once
 
 #include <cstddef>

@@ -13,7 +13,7 @@
 namespace talus::height_files {
 namespace {
 
-// The most samples at four bytes each, and room for a header.
+// The largest map at four bytes a sample, and a header.
 constexpr std::size_t kMaxFileBytes = terrain::kMaxHeightMapSamples * 4 + (std::size_t{1} << 20);
 
 tl::expected<std::vector<std::byte>, std::string> read_bytes(const std::filesystem::path& file) {

@@ -4,13 +4,13 @@
 
 namespace talus::terrain {
 
-Field Field::without_ring(int ring) const {
+Field Field::cropped(int ring) const {
   Field inside;
-  copy_inside(ring, inside);
+  crop_into(ring, inside);
   return inside;
 }
 
-void Field::copy_inside(int ring, Field& inside) const {
+void Field::crop_into(int ring, Field& inside) const {
   inside.reshape(width - 2 * ring, depth - 2 * ring);
   for (int z = 0; z < inside.depth; ++z) {
     std::copy_n(row(z + ring).begin() + ring, inside.width, inside.row(z).begin());

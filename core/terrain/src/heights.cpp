@@ -2,11 +2,14 @@
 #include <map>
 #include <utility>
 
-#include <talus/terrain/stacks.h>
+#include <talus/terrain/heights.h>
+
+#include <talus/terrain/generator.h>
 #include <talus/terrain/surface.h>
 
-#include "caves.h"
-#include "ground.h"
+#include "feature.h"
+#include "surface/ground.h"
+#include "surface/surface_rows.h"
 
 namespace talus::terrain {
 namespace {
@@ -21,10 +24,10 @@ std::vector<std::int32_t> eroded_heights(const World& world, std::span<const Bas
   std::vector<std::int32_t> heights(columns.size());
   Generator generator{world};
   Stacks stacks;
-  for (const auto& [tile, asked] : by_tile) {
+  for (const auto& [tile, requested] : by_tile) {
     const Region region{tile.first * kChunkSize, tile.second * kChunkSize, kChunkSize, kChunkSize, Lod{}};
     generator.generate(region, stacks);
-    for (const std::size_t i : asked) {
+    for (const std::size_t i : requested) {
       heights[i] = stacks.ground_fx(static_cast<int>(columns[i].x - region.x),
                                     static_cast<int>(columns[i].z - region.z));
     }
@@ -33,16 +36,16 @@ std::vector<std::int32_t> eroded_heights(const World& world, std::span<const Bas
 }
 
 // Whether a column opens to the sky takes no more to know than itself and the columns beside.
-void lower_into_caves(const World& world, std::span<const BaseColumn> columns,
+void lower_into_caves(const World& world, Carver& carver, std::span<const BaseColumn> columns,
                       std::vector<std::int32_t>& heights) {
-  const InstructionSet set = instruction_set();
-  Ground ground{surface_of(world.spec()), set};
-  Caves caves{world, set};
+  Ground ground{surface_of(world.spec()), instruction_set()};
+  const int around = carver.entrance_halo(Lod{});
   for (std::size_t i = 0; i < columns.size(); ++i) {
     const Region column{columns[i].x, columns[i].z, 1, 1, Lod{}};
-    ground.cover(column.grown(caves.shore()));
-    caves.cover(column, caves.shore(), 0, ground.height());
-    if (caves.opens(0, 0)) heights[i] = caves.floor(0, 0);
+    ground.compute(column.expanded(around));
+    carver.compute(column, around, 0, ground.height());
+    const Field& entrances = carver.entrances();
+    if (!entrances.values.empty() && entrances.values[0] != Carver::kClosed) heights[i] = entrances.values[0];
   }
 }
 
@@ -56,7 +59,9 @@ std::vector<std::int32_t> surface_heights(const World& world, std::span<const Ba
     rows->start({&columns[i].x, 1});
     rows->row(columns[i].z, &heights[i]);
   }
-  if (world.spec().caves) lower_into_caves(world, columns, heights);
+  if (const auto carver = make_carver(world, instruction_set())) {
+    lower_into_caves(world, *carver, columns, heights);
+  }
   return heights;
 }
 

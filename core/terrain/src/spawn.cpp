@@ -3,8 +3,8 @@
 #include <vector>
 
 #include <talus/terrain/boundary_row.h>
+#include <talus/terrain/heights.h>
 #include <talus/terrain/slope.h>
-#include <talus/terrain/stacks.h>
 #include <talus/terrain/surface.h>
 
 namespace talus::terrain {
@@ -13,7 +13,7 @@ namespace {
 constexpr int kReach = 32;                              // candidates on each side of the origin, per step
 constexpr std::array<int, 4> kSteps{4, 32, 256, 2048};  // columns between candidates
 constexpr std::int32_t kGentle_fx = 90;                 // rise a column, about 19 degrees
-constexpr std::int32_t kSteep_fx = 256 * 64;            // anything goes
+constexpr std::int32_t kSteep_fx = 256 * 64;            // any slope
 
 std::int32_t slope_at(const Surface& surface, std::int64_t x, std::int64_t z) {
   Field around{3, 3};

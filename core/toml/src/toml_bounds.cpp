@@ -8,10 +8,11 @@ std::optional<TomlFault> passes_toml_bounds(std::string_view text) {
   if (text.size() > kMaxTomlBytes) {
     return TomlFault{1, "the file is longer than " + std::to_string(kMaxTomlBytes) + " bytes"};
   }
-  // Dots of one line outside of strings and comments. Lists of numbers have some too, but no list here is
-  // that long.
+  // Outside of strings and comments. Numbers have dots too, but no line here has that many. A parser stops at
+  // the first line end inside a string of one line, so nothing behind it matters.
   int line = 1;
-  std::size_t dots = 0;
+  std::size_t dots = 0;   // of the line
+  std::size_t depth = 0;  // of brackets and braces
   char quote = 0;
   for (std::size_t i = 0; i < text.size(); ++i) {
     const char c = text[i];
@@ -24,9 +25,18 @@ std::optional<TomlFault> passes_toml_bounds(std::string_view text) {
       if (escapes) ++i;
       if (c == quote) quote = 0;
     } else if (c == '"' || c == '\'') {
+      if (text.substr(i, 3) == std::string(3, c)) {
+        return TomlFault{line, "a string of several lines; only strings of one line are read"};
+      }
       quote = c;
     } else if (c == '#') {
       i = std::min(text.find('\n', i), text.size()) - 1;
+    } else if (c == '[' || c == '{') {
+      if (++depth > kMaxTomlDepth) {
+        return TomlFault{line, "more than " + std::to_string(kMaxTomlDepth) + " brackets within each other"};
+      }
+    } else if (c == ']' || c == '}') {
+      if (depth > 0) --depth;
     } else if (c == '.' && ++dots >= kMaxKeyParts) {
       return TomlFault{line, "a key of more than " + std::to_string(kMaxKeyParts) + " parts"};
     }

@@ -11,7 +11,8 @@
 #include <talus/files/atomic_file.h>
 #include <talus/files/npy_file.h>
 #include <talus/terrain/boundary_row.h>
-#include <talus/terrain/stacks.h>
+#include <talus/terrain/extraction.h>
+#include <talus/terrain/generator.h>
 
 #include "export_json.h"
 #include "ordered_work.h"

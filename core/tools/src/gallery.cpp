@@ -18,7 +18,7 @@ Expected<void> write_gallery(const WorldText& text, const std::string& only,
   if (!world) return tl::make_unexpected(world.error());
   const auto meant = [&](const Figure& figure) {
     return std::string_view{figure.file}.find(only) != std::string_view::npos &&
-           (!figure.of_caves || world->spec().caves);
+           (!figure.of_caves || world->has_caves());
   };
   if (std::none_of(gallery_figures().begin(), gallery_figures().end(), meant)) {
     return wrong_use("--only " + only +

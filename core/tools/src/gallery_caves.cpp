@@ -5,6 +5,7 @@
 #include <vector>
 
 #include <talus/terrain/boundary_row.h>
+#include <talus/terrain/generator.h>
 #include <talus/terrain/stacks.h>
 
 #include "isometric.h"

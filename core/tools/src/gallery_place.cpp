@@ -5,8 +5,9 @@
 #include <cstdint>
 #include <vector>
 
+#include <talus/terrain/generator.h>
+#include <talus/terrain/heights.h>
 #include <talus/terrain/settle.h>
-#include <talus/terrain/stacks.h>
 
 namespace talus::tools {
 namespace {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include <talus/terrain/stacks.h>
+#include <talus/terrain/generator.h>
 #include <nlohmann/json.hpp>
 
 #include "world_variant.h"

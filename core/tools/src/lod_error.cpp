@@ -7,6 +7,8 @@
 #include <cstdlib>
 
 #include <talus/terrain/boundary_row.h>
+#include <talus/terrain/extraction.h>
+#include <talus/terrain/generator.h>
 #include <talus/terrain/stacks.h>
 #include <nlohmann/json.hpp>
 
@@ -40,7 +42,7 @@ class Ground {
  public:
   Ground(const terrain::World& world, const terrain::Region& region)
       : stacks_{generate_stacks(world, region)},
-        ore_{surface_ore(world, stacks_)},
+        ore_{exposed_overlays(world, stacks_)},
         rock_planes_{stacks_.tops.size() - world.loose().size()} {
     if (const auto sea_fx = world.sea_fx()) {
       sea_row_ = terrain::boundary_row(*sea_fx >> region.lod.value());

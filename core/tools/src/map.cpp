@@ -4,6 +4,8 @@
 #include <cmath>
 #include <optional>
 
+#include <talus/terrain/extraction.h>
+#include <talus/terrain/generator.h>
 #include <talus/terrain/stacks.h>
 #include <glm/common.hpp>
 #include <glm/exponential.hpp>
@@ -42,9 +44,9 @@ class MapPainter {
   }
 
   void paint(const terrain::Region& patch, Image& image, int image_x, int image_y) const {
-    const terrain::Stacks stacks = generate_stacks(world_, patch.grown(kReliefRing));
+    const terrain::Stacks stacks = generate_stacks(world_, patch.expanded(kReliefRing));
     const terrain::Field ground = ground_of(stacks);
-    const std::vector<MaterialId> ore = surface_ore(world_, stacks);
+    const std::vector<MaterialId> ore = exposed_overlays(world_, stacks);
     terrain::Field seen = ground;  // the sea's surface where it covers the ground
     if (sea_fx_) {
       for (int z = 0; z < seen.depth; ++z) {

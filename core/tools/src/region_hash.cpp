@@ -10,6 +10,8 @@
 #include <type_traits>
 #include <vector>
 
+#include <talus/terrain/extraction.h>
+#include <talus/terrain/generator.h>
 #include <talus/terrain/stacks.h>
 #include <talus/voxel/codec.h>
 

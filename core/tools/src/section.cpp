@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include <talus/terrain/stacks.h>
+#include <talus/terrain/extraction.h>
 #include <glm/common.hpp>
 
 #include "ordered_work.h"

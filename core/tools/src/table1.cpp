@@ -5,7 +5,7 @@
 #include <cmath>
 #include <functional>
 
-#include <talus/terrain/stacks.h>
+#include <talus/terrain/generator.h>
 
 #include "world_variant.h"
 

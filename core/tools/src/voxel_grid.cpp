@@ -3,6 +3,8 @@
 #include <algorithm>
 
 #include <talus/terrain/boundary_row.h>
+#include <talus/terrain/extraction.h>
+#include <talus/terrain/generator.h>
 #include <talus/terrain/stacks.h>
 #include <talus/voxel/chunk.h>
 

@@ -20,17 +20,17 @@ namespace {
 namespace hn = hwy::HWY_NAMESPACE;
 using talus::HWY_NAMESPACE::round_to_even;
 
-bool lay(const OctaveRow* octaves, std::size_t count, const LayerShape& shape, std::size_t width,
-         const std::int32_t* limit, const std::int32_t* below, std::uint8_t* open, std::int32_t* top) {
+bool stack(const OctaveRow* octaves, std::size_t count, const LayerShape& shape, std::size_t width,
+           const std::int32_t* limit, const std::int32_t* below, std::uint8_t* open, std::int32_t* top) {
   // Whether kVectors vectors of columns from `at` on have reached the limit.
-  const auto lay_at = [=, &shape]<std::size_t kVectors>(auto f, std::size_t at) HWY_ATTR {
+  const auto stack_at = [=, &shape]<std::size_t kVectors>(auto f, std::size_t at) HWY_ATTR {
     const hn::RebindToSigned<decltype(f)> d;
     auto missing = hn::Zero(d);  // less than 0 where the limit is not reached
     with_noise<kVectors>(f, octaves, count, at, [&](std::size_t v, auto noise) HWY_ATTR {
       const std::size_t x = at + v * hn::Lanes(d);
       const auto swell = hn::Add(hn::Set(f, 1.0F), hn::Mul(hn::Set(f, shape.swing), noise));
       const auto thickness = hn::Mul(hn::Set(f, shape.mean_fx), hn::Max(hn::Zero(f), swell));
-      const auto rise = round_to_even(f, hn::Min(thickness, hn::Set(f, shape.most_fx)));
+      const auto rise = round_to_even(f, hn::Min(thickness, hn::Set(f, shape.max_fx)));
       const auto most = hn::LoadU(d, limit + x);
       const auto reached = hn::Min(hn::Add(hn::LoadU(d, below + x), rise), most);
       missing = hn::Min(missing, hn::Sub(reached, most));
@@ -52,14 +52,14 @@ bool lay(const OctaveRow* octaves, std::size_t count, const LayerShape& shape, s
     bool full = true;
     std::size_t at = x;
     for (; at + kVectors * lanes <= end; at += kVectors * lanes) {
-      full = lay_at.template operator()<kVectors>(f, at) && full;
+      full = stack_at.template operator()<kVectors>(f, at) && full;
     }
-    for (; at + lanes <= end; at += lanes) full = lay_at.template operator()<1>(f, at) && full;
+    for (; at + lanes <= end; at += lanes) full = stack_at.template operator()<1>(f, at) && full;
     if (at < end && width >= lanes) {
-      // The last vector overlaps what is laid already, and lays the same there.
-      full = lay_at.template operator()<1>(f, width - lanes) && full;
+      // The last vector overlaps columns that are done already, and gives them the same.
+      full = stack_at.template operator()<1>(f, width - lanes) && full;
     } else {
-      for (; at < end; ++at) full = lay_at.template operator()<1>(hn::CappedTag<float, 1>{}, at) && full;
+      for (; at < end; ++at) full = stack_at.template operator()<1>(hn::CappedTag<float, 1>{}, at) && full;
     }
     *open = full ? 0 : 1;
     any = any || !full;
@@ -69,7 +69,7 @@ bool lay(const OctaveRow* octaves, std::size_t count, const LayerShape& shape, s
 
 }  // namespace
 
-constexpr StrataKernels kStrata{lay};
+constexpr StrataKernels kStrata{stack};
 
 }  // namespace talus::terrain::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

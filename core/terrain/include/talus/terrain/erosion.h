@@ -33,7 +33,7 @@ struct LooseRules {
       0;  // the largest difference of heights between neighbours at rest; 4 or more (1 degree)
 };
 
-/// The most that leaves a column in one step: c / 8, but something. With it the sum of squared heights falls
+/// The most that leaves a column in one step: c / 8, and at least 1. With it the sum of squared heights falls
 /// by at least what has moved (docs/DESIGN.md, "Erosion method"), so that a material alone comes to rest.
 [[nodiscard]] constexpr std::int32_t erosion_step_fx(std::int32_t c_fx) {
   return std::max(1, c_fx / 8);
@@ -49,9 +49,9 @@ class Eroder {
   explicit Eroder(Neighbours neighbours = Neighbours::all);
 
   /// One step of every material, all columns at once from the state before it. Nothing leaves the fields:
-  /// beyond their edges lies nothing to move to. After a step, columns less than two from an edge know that;
-  /// see `rest` for maps that end there, and generate() in stacks.h for land that does not. True where
-  /// something moved.
+  /// beyond their edges lies nothing to move to. After a step, columns less than two from an edge are
+  /// affected; see `rest` for maps that end there, and generate() in generator.h for land that does not. True
+  /// where something moved.
   bool step(std::span<const LooseRules> rules, LooseGround& ground);
 
   /// A map that ends at its edges: the heaviest material to rest, then the next upon it, and so on. How many
@@ -67,12 +67,12 @@ class Eroder {
     int z = 0;
   };
 
-  /// Of each column of row z and its eight neighbours, into lowest_: most columns lie still, and this tells
-  /// fast.
+  /// Of each column of row z and its eight neighbours, into lowest_: most columns lie still, and this finds
+  /// them fast.
   void find_lowest_around(const Field& surface, int z);
 
   /// What column (x, z) gives to its neighbours, into change_. True where it gives anything.
-  bool give(const Field& surface, std::int32_t c_fx, std::int32_t most, int x, int z);
+  bool give(const Field& surface, std::int32_t c_fx, std::int32_t max_given, int x, int z);
 
   std::vector<Reach> reaches_;
   std::vector<Field> surfaces_;

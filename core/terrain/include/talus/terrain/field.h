@@ -22,7 +22,7 @@ struct Region {
     return static_cast<std::size_t>(width) * static_cast<std::size_t>(depth);
   }
   /// The region with `ring` more columns on every side.
-  [[nodiscard]] Region grown(int ring) const {
+  [[nodiscard]] Region expanded(int ring) const {
     return {x - ring, z - ring, width + 2 * ring, depth + 2 * ring, lod};
   }
   bool operator==(const Region&) const = default;
@@ -42,7 +42,7 @@ struct Field {
         depth{depth_},
         values(static_cast<std::size_t>(width_) * static_cast<std::size_t>(depth_)) {}
 
-  /// Takes on a size and keeps its memory; the values are what they happen to be.
+  /// Changes the size and keeps the memory; the values are unspecified.
   void reshape(int width_, int depth_) {
     width = width_;
     depth = depth_;
@@ -58,9 +58,9 @@ struct Field {
     return {values.data() + index(0, z), static_cast<std::size_t>(width)};
   }
   /// The field without its outermost `ring` columns on every side.
-  [[nodiscard]] Field without_ring(int ring) const;
+  [[nodiscard]] Field cropped(int ring) const;
   /// The same into `inside`, whose memory is kept.
-  void copy_inside(int ring, Field& inside) const;
+  void crop_into(int ring, Field& inside) const;
 
  private:
   [[nodiscard]] std::size_t index(int x, int z) const {

@@ -14,11 +14,12 @@ inline constexpr std::size_t kMaxLayers = 256;
 
 /// The materials of the layers from the bottom up, as indices into `stratified`: the one with the largest
 /// depth first, then each time the one whose depth is closest to the current depth (the first of the spec
-/// on a tie), which falls by the thickness of what was laid. Ends with the layer at which the thicknesses
-/// sum to at least 1.25 amplitude_q16 and `bend_q16`, by which strata may be sunk; empty if that takes more
-/// than kMaxLayers.
+/// on a tie), which falls by the thickness of that layer. Ends with the layer at which the thicknesses
+/// sum to at least 1.25 amplitude_q16 and `max_lift_q16`, by which strata may be sunk; empty if that takes
+/// more than kMaxLayers.
 [[nodiscard]] std::vector<std::size_t> layer_sequence(std::span<const StratifiedSpec> stratified,
-                                                      std::int64_t amplitude_q16, std::int64_t bend_q16 = 0);
+                                                      std::int64_t amplitude_q16,
+                                                      std::int64_t max_lift_q16 = 0);
 
 /// The noise that varies layer j of a world, j counted before any merging.
 [[nodiscard]] Fbm layer_noise(const WorldSpec& spec, double roughness, std::size_t j);

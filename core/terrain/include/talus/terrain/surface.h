@@ -46,6 +46,9 @@ struct Surface {
 
 [[nodiscard]] Surface surface_of(const WorldSpec& spec);
 
+/// No H is higher: highest_fx to the nearest integer, halves up.
+[[nodiscard]] std::int32_t highest_height_fx(const Surface& surface);
+
 /// H in subvoxels at all (x, z) of two ascending lists of base columns, as sample_fbm orders them. H lies
 /// between 0 and highest_fx, rounded, and is a pure function of position. From here on everything is integer.
 void sample_surface(const Surface& surface, std::span<const std::int64_t> xs,

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -93,58 +94,11 @@ struct ErodedSpec {
   double max_slope = 0;        // degrees
 };
 
-/// Strata bent into folds. Lengths in terrain units, angles in degrees.
-struct FoldSpec {
-  std::int64_t amplitude_q16 = 0;  // the farthest that strata are lifted or sunk
-  double wavelength = 0;           // across the folds
-  int octaves = 0;
-  double strike = 0;   // where their axes point: 0 north (-z), 90 east
-  double stretch = 0;  // how much longer they are along it
-};
-
-/// A set of nearly parallel faults that cut the strata into blocks.
-struct FaultSpec {
-  double strike = 0;              // where the faults run: 0 north (-z), 90 east
-  std::int64_t spacing_q16 = 0;   // from one to the next
-  std::int64_t throw_q16 = 0;     // the most that two blocks are offset
-  std::int64_t waviness_q16 = 0;  // how far a fault strays from a straight line
-};
-
-/// Pockets are lumps; veins are thin, long, tilted sheets with branches.
-enum class OreShape : std::uint8_t { pocket, vein };
-
-/// Ore in the rock, in bodies of which each lies wholly between two heights above y = 0.
-struct OreSpec {
-  std::string name;
-  Colour colour;
-  OreShape shape = OreShape::pocket;
-  std::int64_t low_q16 = 0;
-  std::int64_t high_q16 = 0;
-  std::int64_t size_q16 = 0;       // of the cube that holds a body
-  std::int64_t thickness_q16 = 0;  // of a vein
-  double abundance = 0;            // the chance that a cube of that size holds a body
-};
-
-/// Tunnels and chambers (docs/DESIGN.md, "Caves"). Lengths in terrain units.
-struct CaveSpec {
-  double low = 0;               // between these heights
-  double high = 0;              // the middle of the caves
-  double climb_wavelength = 0;  // goes up and down
-  double wavelength = 0;        // of the network of tunnels
-  double width = 0;             // of a tunnel where the noise is as steep as it mostly is
-  double height = 0;            // of a tunnel in its middle
-  double chamber_wavelength = 0;
-  double chamber_threshold = 0;  // of noise between -1 and 1 above which a chamber opens
-  double chamber_height = 0;     // in its middle
-  double roof = 0;               // the thinnest that holds, but two voxels; what is thinner falls in
-  double span = 0;               // the farthest that a roof reaches from what carries it
-};
-
 /// How loose material comes to lie: by the slope of the ground (thesis 3.6), which leaves the surface as it
 /// is, or by moving down (3.5), which changes it.
 enum class Method : std::uint8_t { slope, erosion };
 
-/// world.toml as it stands, in range and consistent (docs/DESIGN.md, "Bounds").
+/// world.toml as it stands but for its features, in range and consistent (docs/DESIGN.md, "Bounds").
 struct WorldSpec {
   std::uint64_t seed = 0;
   int resolution = 0;               // voxels per terrain unit
@@ -155,18 +109,17 @@ struct WorldSpec {
   SurfaceSpec surface;
   std::vector<StratifiedSpec> stratified;
   std::vector<ErodedSpec> eroded;
-  std::optional<FoldSpec> folds;
-  std::vector<FaultSpec> faults;
-  std::vector<OreSpec> veins;
-  std::optional<CaveSpec> caves;
 };
+
+class Feature;
+struct FeatureKind;
 
 /// "FILE:LINE: key: what is wrong; what would be right". One line.
 struct SpecError {
   std::string message;
 };
 
-/// Ore is stratified: it lies in the rock and does not move.
+/// What features put into rock is stratified: it does not move.
 enum class MaterialKind : std::uint8_t { air, water, stratified, eroded };
 
 /// A material of the world; its id is its place in World::materials().
@@ -204,9 +157,19 @@ class World {
   /// height map is refused.
   [[nodiscard]] static tl::expected<World, SpecError> parse(std::string_view toml, std::string_view file,
                                                             const LoadHeightMap& load = {});
+  /// The same with these kinds of features instead of those that ship with the library; for tests.
+  [[nodiscard]] static tl::expected<World, SpecError> parse(std::string_view toml, std::string_view file,
+                                                            const LoadHeightMap& load,
+                                                            std::span<const FeatureKind> kinds);
 
   [[nodiscard]] const WorldSpec& spec() const { return spec_; }
-  /// Air, water, stratified, eroded, ores; materials()[to_integer(id)] is the material of that id.
+  /// Folds, caves and the like: one for each section that the spec has of those known to the program, in the
+  /// order of the known kinds.
+  [[nodiscard]] const std::vector<std::shared_ptr<const Feature>>& features() const { return features_; }
+  /// Whether a feature carves air out of the ground.
+  [[nodiscard]] bool has_caves() const;
+  /// Air, water, stratified, eroded, those of features; materials()[to_integer(id)] is the material of that
+  /// id.
   [[nodiscard]] const std::vector<Material>& materials() const { return materials_; }
   /// The sequence of layers from the bottom up, the same at every column; 1 to 256.
   [[nodiscard]] const std::vector<StratumSpec>& strata() const { return strata_; }
@@ -216,14 +179,18 @@ class World {
   [[nodiscard]] const std::vector<std::size_t>& loose_bottom_up() const { return loose_bottom_up_; }
 
   /// Columns of surface that must be known around a region for its stacks to be exact, at level 0: the
-  /// halo theorem's A; with the erosion method two for every step; as many as a cave's roof reaches if those
-  /// are more.
+  /// halo theorem's A; with the erosion method two for every step; as many as a feature reads if those are
+  /// more.
   [[nodiscard]] int halo() const { return halo_; }
+  /// Those that features read at a level.
+  [[nodiscard]] int feature_halo(Lod lod) const;
   /// No surface is higher before erosion: amplitude * resolution in subvoxels.
   [[nodiscard]] std::int32_t highest_fx() const { return highest_fx_; }
   /// How far erosion can lift a surface above that, in subvoxels of any level: where heavy material creeps
   /// under light.
   [[nodiscard]] std::int32_t rise_fx() const { return rise_fx_; }
+  /// No column's strata are lifted or sunk farther by features, in 2^-16 terrain unit.
+  [[nodiscard]] std::int64_t max_lift_q16() const { return max_lift_q16_; }
   [[nodiscard]] std::optional<std::int32_t> sea_fx() const { return sea_fx_; }
 
   /// Everything that decides a voxel, as text with one number a line; equal for specs that give equal
@@ -233,8 +200,10 @@ class World {
   [[nodiscard]] ContentHash fingerprint() const { return fingerprint_; }
 
  private:
+  struct Builder;
   World() = default;
   WorldSpec spec_;
+  std::vector<std::shared_ptr<const Feature>> features_;
   std::vector<Material> materials_;
   std::vector<StratumSpec> strata_;
   std::vector<LooseSpec> loose_;
@@ -242,11 +211,12 @@ class World {
   int halo_ = 0;
   std::int32_t highest_fx_ = 0;
   std::int32_t rise_fx_ = 0;
+  std::int64_t max_lift_q16_ = 0;
   std::optional<std::int32_t> sea_fx_;
   ContentHash fingerprint_;
 };
 
-/// core/worlds/default.toml, built into the library: the world that programs use when told nothing.
+/// core/worlds/default.toml, built into the library: the world that programs use without --world.
 [[nodiscard]] std::string_view default_world_toml();
 [[nodiscard]] const World& default_world();
 

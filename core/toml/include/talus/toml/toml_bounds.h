@@ -1,4 +1,5 @@
-// Bounds that a TOML text must keep before a parser reads it: parsers recurse over the parts of a dotted key.
+// Bounds that a file must keep before a TOML parser may see it. The parser recurses over the parts of a key
+// and over brackets, and would overflow its stack; so would the destructor of what it has parsed.
 #pragma once
 
 #include <cstddef>
@@ -8,17 +9,20 @@
 
 namespace talus {
 
-/// Largest file that is read. The sample worlds have 4,000 bytes.
+/// Bytes of a file worth reading: the sample worlds have 4,000.
 inline constexpr std::size_t kMaxTomlBytes = std::size_t{1} << 20;
-/// Most parts of a dotted key.
+/// Parts of a dotted key.
 inline constexpr std::size_t kMaxKeyParts = 64;
+/// Arrays, inline tables and headers within each other, so that nothing lies deeper than 16 * 64 tables.
+inline constexpr std::size_t kMaxTomlDepth = 16;
 
 struct TomlFault {
   int line = 0;
-  std::string what;  // what is wrong, for an error message
+  std::string what;  // what is wrong and what would be right
 };
 
-/// The first bound that the text exceeds, or none. Does not check whether the text is TOML. Pure.
+/// The first bound that the text breaks: length, parts of a key, depth of brackets, no strings of several
+/// lines (""" and ''', in which a line's end would hide what follows). Says nothing of whether the text is TOML.
 [[nodiscard]] std::optional<TomlFault> passes_toml_bounds(std::string_view text);
 
 }  // namespace talus

@@ -1,0 +1,321 @@
+// Stacks -> voxels: boundaries become voxel rows (thesis 3.7), a chunk is its slab of them.
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <numeric>
+#include <utility>
+
+#include <talus/terrain/boundary_row.h>
+#include <talus/terrain/extraction.h>
+#include <talus/terrain/generator.h>
+
+#include "feature.h"
+#include "kernels/columns.h"
+#include "overlay.h"
+
+namespace talus::terrain {
+namespace {
+
+using Rows = std::array<std::int32_t, kChunkArea>;
+
+// No surface and no sea lies farther from y = 0, and differences with it fit 32 bits.
+constexpr std::int32_t kFarRow = 1 << 24;
+
+// The boundary rows of 32 x 32 columns, plane by plane, in the region's level.
+class TileRows {
+ public:
+  TileRows(const World& world, const Stacks& stacks, std::int32_t chunk_x, std::int32_t chunk_z)
+      : stacks_{stacks},
+        kernels_{column_kernels(instruction_set())},
+        x_{static_cast<int>(std::int64_t{chunk_x} * kChunkSize - stacks.region.x)},
+        z_{static_cast<int>(std::int64_t{chunk_z} * kChunkSize - stacks.region.z)},
+        coarse_{stacks.region.lod.value() > 0} {
+    assert(x_ >= 0 && z_ >= 0 && x_ + kChunkSize <= stacks.region.width &&
+           z_ + kChunkSize <= stacks.region.depth);
+    if (coarse_) find_caps();
+    if (world.sea_fx()) sea_row_ = boundary_row(*world.sea_fx() >> stacks.region.lod.value());
+  }
+
+  [[nodiscard]] std::size_t planes() const { return stacks_.tops.size(); }
+  [[nodiscard]] MaterialId material(std::size_t plane) const { return stacks_.materials[plane]; }
+
+  [[nodiscard]] std::int32_t lowest(std::size_t plane) const {
+    return extreme(plane, [](std::int32_t a, std::int32_t b) { return std::min(a, b); });
+  }
+  [[nodiscard]] std::int32_t highest(std::size_t plane) const {
+    return extreme(plane, [](std::int32_t a, std::int32_t b) { return std::max(a, b); });
+  }
+
+  /// The boundary rows of a field over the stacks, counted from `floor_row` and cut to a chunk.
+  void cut(const Field& field, std::int32_t floor_row, ChunkPlane& rows) const {
+    kernels_.cut(field.row(z_).data() + x_, static_cast<std::size_t>(field.width), floor_row, rows.data());
+  }
+  /// The same of a plane, with the surface caps of coarse levels.
+  void cut(std::size_t plane, std::int32_t floor_row, ChunkPlane& rows) const {
+    if (!coarse_) return cut(stacks_.tops[plane], floor_row, rows);
+    const Rows whole = read(plane);
+    std::transform(whole.begin(), whole.end(), rows.begin(),
+                   [&](std::int32_t row) { return cut(row, floor_row); });
+  }
+  static std::uint8_t cut(std::int32_t row, std::int32_t floor_row) {
+    return static_cast<std::uint8_t>(std::clamp(row - floor_row, 0, kChunkSize));
+  }
+
+  /// Water stands from the ground up to here; far below all where there is none.
+  [[nodiscard]] std::int32_t sea_row() const { return sea_row_; }
+
+  /// The lowest row of a cave; far above all where there is none.
+  [[nodiscard]] std::int32_t lowest_cave() const {
+    std::int32_t lowest = kFarRow;
+    if (stacks_.caves.none()) return lowest;
+    for (int z = 0; z < kChunkSize; ++z) {
+      for (int x = 0; x < kChunkSize; ++x) {
+        if (!stacks_.caves.has(x_ + x, z_ + z)) continue;
+        lowest = std::min(lowest, boundary_row(stacks_.caves.floor.at(x_ + x, z_ + z)));
+      }
+    }
+    return lowest;
+  }
+
+ private:
+  /// The boundary row of a plane that `pick` keeps of all.
+  template <typename Pick>
+  [[nodiscard]] std::int32_t extreme(std::size_t plane, Pick&& pick) const {
+    if (coarse_) {
+      const Rows rows = read(plane);
+      return std::accumulate(rows.begin(), rows.end(), rows[0], pick);
+    }
+    std::int32_t kept_fx = line(plane, 0)[0];
+    for (int z = 0; z < kChunkSize; ++z) {
+      const std::int32_t* tops = line(plane, z);
+      for (int x = 0; x < kChunkSize; ++x) kept_fx = pick(kept_fx, tops[x]);
+    }
+    return boundary_row(kept_fx);
+  }
+
+  /// Boundary rows of a plane of a coarse level. Far hills keep their grass: the topmost solid voxel takes
+  /// the material at the top of the stack, even where that is too thin to reach the voxel's centre.
+  [[nodiscard]] Rows read(std::size_t plane) const {
+    Rows rows;
+    for (int z = 0; z < kChunkSize; ++z) {
+      const std::int32_t* tops = line(plane, z);
+      for (int x = 0; x < kChunkSize; ++x) {
+        const std::size_t i = column_index(x, z);
+        rows[i] = plane < cap_plane_[i] ? std::min(boundary_row(tops[x]), ground_[i] - 1) : ground_[i];
+      }
+    }
+    return rows;
+  }
+
+  void find_caps() {
+    read_ground();
+    for (std::size_t plane = 1; plane < planes(); ++plane) {
+      for (int z = 0; z < kChunkSize; ++z) {
+        const std::int32_t* tops = stacks_.tops[plane].row(z_ + z).data() + x_;
+        const std::int32_t* below = stacks_.tops[plane - 1].row(z_ + z).data() + x_;
+        for (int x = 0; x < kChunkSize; ++x) {
+          if (tops[x] > below[x]) cap_plane_[column_index(x, z)] = plane;
+        }
+      }
+    }
+  }
+
+  void read_ground() {
+    for (int z = 0; z < kChunkSize; ++z) {
+      const std::int32_t* tops = stacks_.tops.back().row(z_ + z).data() + x_;
+      for (int x = 0; x < kChunkSize; ++x) ground_[column_index(x, z)] = boundary_row(tops[x]);
+    }
+  }
+
+  [[nodiscard]] const std::int32_t* line(std::size_t plane, int z) const {
+    return stacks_.tops[plane].row(z_ + z).data() + x_;
+  }
+
+  const Stacks& stacks_;
+  const ColumnKernels& kernels_;
+  int x_;
+  int z_;
+  bool coarse_;
+  std::int32_t sea_row_ = -kFarRow;
+  std::array<std::size_t, kChunkArea> cap_plane_{};  // the plane of the material at the top of each stack
+  Rows ground_{};
+};
+
+// The layers of a chunk, bottom up. No plane lies below the one before, so where two are cut alike, so are
+// all between them, and need not be looked at: of most chunks that is more than half.
+class LayerPicker {
+ public:
+  LayerPicker(const TileRows& tile, std::int32_t floor_row, Layers memory)
+      : tile_{tile}, floor_row_{floor_row}, layers_{std::move(memory)} {
+    layers_.materials.clear();
+    layers_.tops.clear();
+  }
+
+  /// All planes; `top` becomes the last of them.
+  void add_planes(ChunkPlane& top) {
+    const std::size_t last = tile_.planes() - 1;
+    ChunkPlane bottom;
+    tile_.cut(0, floor_row_, bottom);
+    add(tile_.material(0), bottom);
+    tile_.cut(last, floor_row_, top);
+    add_between(0, bottom, last, top);
+    add(tile_.material(last), top);
+  }
+  /// Where it does not lie on the plane before, in all columns.
+  void add(MaterialId material, const ChunkPlane& plane) {
+    if (plane == below_) return;
+    layers_.materials.push_back(material);
+    layers_.tops.insert(layers_.tops.end(), plane.begin(), plane.end());
+    below_ = plane;
+  }
+  [[nodiscard]] Layers take() {
+    layers_.materials.push_back(kAir);
+    return std::move(layers_);
+  }
+
+ private:
+  void add_between(std::size_t low, const ChunkPlane& low_rows, std::size_t high,
+                   const ChunkPlane& high_rows) {
+    if (high - low < 2 || low_rows == high_rows) return;
+    const std::size_t middle = (low + high) / 2;
+    ChunkPlane rows;
+    tile_.cut(middle, floor_row_, rows);
+    add_between(low, low_rows, middle, rows);
+    add(tile_.material(middle), rows);
+    add_between(middle, rows, high, high_rows);
+  }
+
+  const TileRows& tile_;
+  std::int32_t floor_row_;
+  Layers layers_;
+  ChunkPlane below_{};
+};
+
+class ExtractedSite final : public ChunkSite {
+ public:
+  ExtractedSite(const World& world, const Stacks& stacks, const TileRows& tile, ChunkCoord coord,
+                std::int32_t floor_row)
+      : ChunkSite{world, stacks, coord}, tile_{tile}, floor_row_{floor_row} {}
+
+  void cut(const Field& field, ChunkPlane& rows) const override { tile_.cut(field, floor_row_, rows); }
+  [[nodiscard]] const ChunkPlane& rock() const override {
+    if (!has_rock_) tile_.cut(tile_.planes() - 1 - stacks().loose_planes, floor_row_, rock_);
+    has_rock_ = true;
+    return rock_;
+  }
+
+ private:
+  const TileRows& tile_;
+  std::int32_t floor_row_;
+  mutable bool has_rock_ = false;
+  mutable ChunkPlane rock_;
+};
+
+const Field* survey_of(const Stacks& stacks, std::size_t feature) {
+  const bool kept = feature < stacks.surveys.size() && !stacks.surveys[feature].values.empty();
+  return kept ? &stacks.surveys[feature] : nullptr;
+}
+
+// Of all features together.
+OverlayRows overlay_rows(const World& world, Lod lod) {
+  OverlayRows all;
+  for (const auto& feature : world.features()) {
+    const OverlayRows rows = feature->overlay_rows(lod);
+    all.lowest = std::min(all.lowest, rows.lowest);
+    all.above_ground = std::max(all.above_ground, rows.above_ground);
+  }
+  return all;
+}
+
+}  // namespace
+
+ChunkSite::ChunkSite(const World& world, const Stacks& stacks, ChunkCoord coord)
+    : world_{world},
+      stacks_{stacks},
+      key_{coord, stacks.region.lod},
+      x_{static_cast<int>(std::int64_t{coord.x} * kChunkSize - stacks.region.x)},
+      z_{static_cast<int>(std::int64_t{coord.z} * kChunkSize - stacks.region.z)} {}
+
+Chunk extract_chunk(const World& world, const Stacks& stacks, ChunkCoord coord, Layers memory) {
+  const TileRows tile{world, stacks, coord.x, coord.z};
+  const auto floor_row = static_cast<std::int32_t>(
+      std::clamp<std::int64_t>(std::int64_t{coord.y} * kChunkSize, -kFarRow, kFarRow));
+  LayerPicker layers{tile, floor_row, std::move(memory)};
+  ChunkPlane rows;
+  layers.add_planes(rows);
+  const std::uint8_t sea = TileRows::cut(tile.sea_row(), floor_row);
+  for (std::uint8_t& row : rows) row = std::max(row, sea);
+  layers.add(kWater, rows);
+
+  std::vector<Overlay> overlays;
+  if (!world.features().empty()) {
+    const ExtractedSite site{world, stacks, tile, coord, floor_row};
+    for (std::size_t i = 0; i < world.features().size(); ++i) {
+      world.features()[i]->add_overlays(site, survey_of(stacks, i), overlays);
+    }
+  }
+  return chunk_with(layers.take(), overlays);
+}
+
+std::vector<MaterialId> exposed_overlays(const World& world, const Stacks& stacks) {
+  std::vector<MaterialId> exposed(stacks.region.columns(), kAir);
+  for (std::size_t i = 0; i < world.features().size(); ++i) {
+    world.features()[i]->add_exposed(stacks, survey_of(stacks, i), exposed);
+  }
+  return exposed;
+}
+
+MixedRange mixed_range(const World& world, const Stacks& stacks, std::int32_t chunk_x, std::int32_t chunk_z) {
+  const TileRows tile{world, stacks, chunk_x, chunk_z};
+  const OverlayRows overlays = overlay_rows(world, stacks.region.lod);
+  const std::int64_t lowest = std::min<std::int64_t>({tile.lowest(0), tile.lowest_cave(), overlays.lowest});
+  const std::int64_t highest =
+      std::max(tile.highest(tile.planes() - 1), tile.sea_row()) + overlays.above_ground;
+  const auto chunk_row = [](std::int64_t row) {
+    return static_cast<std::int32_t>(floor_div(row, kChunkSize));
+  };
+  const std::int32_t first = chunk_row(lowest);
+  return {first, std::max(first - 1, chunk_row(highest - 1)), tile.material(0)};
+}
+
+std::int64_t highest_row(const World& world, Lod lod) {
+  const int shift = lod.value();
+  const std::int32_t ground_or_sea = std::max(boundary_row((world.highest_fx() >> shift) + world.rise_fx()),
+                                              world.sea_fx() ? boundary_row(*world.sea_fx() >> shift) : 0);
+  return ground_or_sea + overlay_rows(world, lod).above_ground;
+}
+
+HeightRange height_range(const World& world) {
+  HeightRange range;
+  for (int level = 0; level <= Lod::kMax; ++level) {
+    const Lod lod = Lod::of(level);
+    range.high = std::max(range.high, highest_row(world, lod) << level);
+    range.low = std::min(range.low, std::min<std::int64_t>(0, overlay_rows(world, lod).lowest) << level);
+  }
+  return range;
+}
+
+MixedRange mixed_range(const World& world, Lod lod) {
+  // At coarse levels the topmost solid voxel may lie just below y = 0.
+  const std::int64_t low = std::min<std::int64_t>(lod.value() == 0 ? 0 : -1, overlay_rows(world, lod).lowest);
+  const std::int64_t first = floor_div(low, kChunkSize);
+  const std::int64_t last = floor_div(highest_row(world, lod) - 1, kChunkSize);
+  return {static_cast<std::int32_t>(first), static_cast<std::int32_t>(std::max(first - 1, last)),
+          world.strata().front().material};
+}
+
+std::optional<MaterialId> uniform_everywhere(const World& world, ChunkKey key) {
+  const MixedRange rows = mixed_range(world, key.lod);
+  if (key.coord.y < rows.first) return rows.below;
+  if (key.coord.y > rows.last) return kAir;
+  return std::nullopt;
+}
+
+Chunk generate_chunk(const World& world, ChunkKey key) {
+  if (const auto material = uniform_everywhere(world, key)) return Chunk::uniform(*material);
+  const VoxelPos origin = chunk_origin(key.coord);
+  const Region tile{origin.x, origin.z, kChunkSize, kChunkSize, key.lod};
+  return extract_chunk(world, generate_stacks(world, tile), key.coord);
+}
+
+}  // namespace talus::terrain

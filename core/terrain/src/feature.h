@@ -1,0 +1,201 @@
+// What a kind of feature is made of: folds, faults, ores and caves each are one file in features/, and so is
+// the next (docs/DESIGN.md, "Adding a feature"). Private to core/terrain.
+//
+// A feature is a section of world.toml. It takes part in any of four stages, by the functions it overrides:
+//   strata   make_deformation()  moves the strata of a column up or down
+//   ground   survey()            looks at the ground around a region and keeps a number a column
+//   air      make_carver()       carves air out of columns, and says where it opens to the sky
+//   chunks   add_overlays()      puts material into a chunk's voxels
+// Everything that it does is a pure function of the world and of positions: whatever region, chunk or thread
+// computes them, the voxels are the same.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <iosfwd>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <set>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <talus/terrain/cave_air.h>
+#include <talus/terrain/field.h>
+#include <talus/terrain/stacks.h>
+#include <talus/terrain/world.h>
+#include <talus/vectors/instruction_set.h>
+#include <talus/voxel/coords.h>
+#include <talus/voxel/material.h>
+
+#include "overlay.h"
+#include "spec/table_reader.h"
+
+namespace talus::terrain {
+
+/// Moves strata. Keeps its memory from region to region. For one thread at a time.
+class Deformation {
+ public:
+  virtual ~Deformation() = default;
+  /// Adds the lift in subvoxels of level 0 at all (x, z) of two ascending lists of base columns; `lift_fx`
+  /// has their size. A pure function of the column: no halo.
+  virtual void add(std::span<const std::int64_t> xs, std::span<const std::int64_t> zs, Field& lift_fx) = 0;
+};
+
+/// Carves one interval of air into columns. Keeps its memory from region to region. For one thread at a time.
+class Carver {
+ public:
+  virtual ~Carver() = default;
+
+  /// Columns around a column that decide whether it opens to the sky. 0 where a level has no air.
+  [[nodiscard]] virtual int entrance_halo(Lod lod) const = 0;
+
+  /// `height` is level 0's H over region.expanded(around), and exact there. Entrances are found over
+  /// region.expanded(open_ring), REQUIRES around >= open_ring + entrance_halo(). The air over the region is
+  /// exact where around >= Feature::halo(); with less it may differ.
+  virtual void compute(const Region& region, int around, int open_ring, const Field& height) = 0;
+
+  /// Where a column is open to the sky: the ground there, in subvoxels of the level, over
+  /// region.expanded(open_ring); kClosed elsewhere. Empty where all are closed.
+  [[nodiscard]] virtual const Field& entrances() const = 0;
+  static constexpr std::int32_t kClosed = std::numeric_limits<std::int32_t>::min();
+
+  /// The air over the region.
+  virtual void take(CaveAir& air) const = 0;
+};
+
+/// A chunk whose stacks are voxels already, for features that put material into it. Valid during the call.
+class ChunkSite {
+ public:
+  virtual ~ChunkSite() = default;
+
+  [[nodiscard]] const World& world() const { return world_; }
+  /// Of a region that holds the chunk.
+  [[nodiscard]] const Stacks& stacks() const { return stacks_; }
+  [[nodiscard]] ChunkKey key() const { return key_; }
+  /// Columns from the corner of the stacks' region to that of the chunk.
+  [[nodiscard]] int x() const { return x_; }
+  [[nodiscard]] int z() const { return z_; }
+
+  /// The rows of the chunk at which a field over the stacks lies: the first whose centre is not below it.
+  virtual void cut(const Field& field, ChunkPlane& rows) const = 0;
+  /// The rows at which rock ends, under loose material.
+  [[nodiscard]] virtual const ChunkPlane& rock() const = 0;
+
+ protected:
+  ChunkSite(const World& world, const Stacks& stacks, ChunkCoord coord);
+
+ private:
+  const World& world_;
+  const Stacks& stacks_;
+  ChunkKey key_;
+  int x_;
+  int z_;
+};
+
+/// Rows of a level that a feature's overlays change.
+struct OverlayRows {
+  /// None below this row.
+  std::int64_t lowest = std::numeric_limits<std::int64_t>::max();
+  /// As many rows above the ground or the sea, whichever is higher.
+  int above_ground = 0;
+};
+
+/// A feature of one world. Immutable; threads may share it.
+class Feature {
+ public:
+  virtual ~Feature() = default;
+
+  /// Where its lines stand in the canonical form: after the strata's, or after those of loose material.
+  enum class Stage : std::uint8_t { strata, voxels };
+  [[nodiscard]] virtual Stage stage() const { return Stage::voxels; }
+
+  /// Writes everything that decides a voxel as lines of text, in the numbers that it is computed with, so
+  /// that equal voxels have equal text. Names and colours are not written. It must not change for a world
+  /// that is in use: the fingerprint is its hash.
+  virtual void write_canonical_form(std::ostream& form) const = 0;
+
+  /// Columns of H around a region that its survey and its carver read at a level.
+  [[nodiscard]] virtual int halo(Lod /*lod*/) const { return 0; }
+
+  /// No column's strata are lifted or sunk farther than `q16`, in 2^-16 terrain unit. The rest is for the
+  /// error where all lifts and the surface's amplitude come to too many voxels.
+  struct MaxLift {
+    std::int64_t q16 = 0;
+    std::string terms;  // of the sum, as "half of every throw"; empty where the feature moves no strata
+    std::string key;    // "faults[0].throw"
+    int line = 0;       // of that key
+  };
+  [[nodiscard]] virtual MaxLift max_lift() const { return {}; }
+  [[nodiscard]] virtual std::unique_ptr<Deformation> make_deformation(InstructionSet /*set*/) const {
+    return nullptr;
+  }
+
+  /// At most one feature of a world may carve: a column has one interval of air.
+  [[nodiscard]] virtual bool carves() const { return false; }
+  /// `world` must outlive the carver. REQUIRES carves().
+  [[nodiscard]] virtual std::unique_ptr<Carver> make_carver(const World& /*world*/,
+                                                            InstructionSet /*set*/) const {
+    return nullptr;
+  }
+
+  /// Whether survey() is called and its result kept in Stacks::surveys.
+  [[nodiscard]] virtual bool surveys() const { return false; }
+  /// What the feature wants to know of each column of `region` when chunks are cut, into `survey` of the
+  /// region's size. `height` is level 0's H over region.expanded(around); exact where around >= halo().
+  virtual void survey(const Region& /*region*/, int /*around*/, const Field& /*height*/,
+                      Field& /*survey*/) const {}
+
+  [[nodiscard]] virtual OverlayRows overlay_rows(Lod /*lod*/) const { return {}; }
+  /// Adds what becomes another material in a chunk, in the order in which it is applied; features are asked
+  /// in the order of their list. `survey` is that of the site's stacks, or null.
+  virtual void add_overlays(const ChunkSite& /*site*/, const Field* /*survey*/,
+                            std::vector<Overlay>& /*overlays*/) const {}
+  /// What it puts at the top of the rock of each column of the stacks' region, at the topmost voxel of bare
+  /// ground, for maps; other columns stay as they are. z slowest, then x.
+  virtual void add_exposed(const Stacks& /*stacks*/, const Field* /*survey*/,
+                           std::span<MaterialId> /*exposed*/) const {}
+};
+
+/// A feature's section as it is read. spec() holds everything but features, read and checked.
+class FeatureSection {
+ public:
+  FeatureSection(TableReader& root, std::string_view name, const WorldSpec& spec,
+                 std::set<std::string>& names, std::vector<Material>& materials)
+      : root_{root}, name_{name}, spec_{spec}, names_{names}, materials_{materials} {}
+
+  [[nodiscard]] const WorldSpec& spec() const { return spec_; }
+  /// [name]; none where the key is no table, which is an error.
+  [[nodiscard]] std::optional<TableReader> table() { return root_.table(name_); }
+  /// All [[name]].
+  [[nodiscard]] std::vector<TableReader> tables() { return root_.tables(name_); }
+
+  /// Reads `name` and `colour` of a table as a new material of the world. Ids go up in the order of calls.
+  MaterialId add_material(TableReader& table, MaterialKind kind);
+
+ private:
+  TableReader& root_;
+  std::string name_;
+  const WorldSpec& spec_;
+  std::set<std::string>& names_;
+  std::vector<Material>& materials_;
+};
+
+/// A kind of feature: what a section of world.toml becomes.
+struct FeatureKind {
+  /// The key of the section in world.toml.
+  std::string_view section;
+  /// Reads and checks the section, which is there. Faults go to its tables' fail(); what is returned after
+  /// one is not used.
+  std::unique_ptr<const Feature> (*read)(FeatureSection& section) = nullptr;
+};
+
+/// The kinds that ship with the library, as core/terrain/CMakeLists.txt lists them.
+[[nodiscard]] std::span<const FeatureKind> shipped_features();
+
+/// The one carver of a world, if it has any.
+[[nodiscard]] std::unique_ptr<Carver> make_carver(const World& world, InstructionSet set);
+
+}  // namespace talus::terrain

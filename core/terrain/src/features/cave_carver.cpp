@@ -1,0 +1,196 @@
+#include "features/cave_carver.h"
+
+#include <algorithm>
+#include <cassert>
+
+#include <talus/terrain/boundary_row.h>
+
+namespace talus::terrain {
+namespace {
+
+constexpr std::int32_t kFarBelow = -(1 << 28);
+constexpr int kNowhere = 1 << 20;  // farther than any span
+
+}  // namespace
+
+CaveCarver::CaveCarver(const CavePlan& plan, const World& world, InstructionSet set)
+    : plan_{plan},
+      shape_{plan_, set},
+      shore_{world.sea_fx() ? 1 : 0},
+      sea_fx_{world.sea_fx().value_or(0)},
+      erodes_{world.spec().method == Method::erosion} {
+  for (const LooseSpec& loose : world.loose()) loose_thickness_fx_.push_back(loose.t_fx);
+}
+
+void CaveCarver::compute(const Region& region, int around, int open_ring, const Field& height) {
+  const int level = region.lod.value();
+  region_ = region;
+  open_ring_ = open_ring;
+  span_ = plan_.span_at(region.lod);
+  loose_fx_ = 0;
+  for (const std::int32_t t_fx : loose_thickness_fx_) loose_fx_ += t_fx >> level;
+  // Two rows at least, so that the topmost can be of loose material and rock is under it.
+  least_rows_ = std::max(2, ((plan_.roof_fx >> level) + kSubvoxels - 1) / kSubvoxels);
+  any_ = false;
+  entrances_.reshape(0, 0);
+  if (span_ == 0) return;
+  judged_ = around - shore_;
+  assert(judged_ >= open_ring);
+
+  const Region judged = region.expanded(judged_);
+  const std::int64_t step = std::int64_t{1} << level;
+  xs_.clear();
+  for (int i = 0; i < judged.width; ++i) xs_.push_back((judged.x + i) * step);
+  shape_.start(xs_);
+  floor_.reshape(judged.width, judged.depth);
+  roof_.reshape(judged.width, judged.depth);
+  for (int z = 0; z < judged.depth; ++z) {
+    any_ |= shape_.row((judged.z + z) * step, floor_.row(z).data(), roof_.row(z).data());
+  }
+  if (!any_) return;
+  surface_.reshape(judged.width, judged.depth);
+  roof_row_.reshape(judged.width, judged.depth);
+  rock_row_.reshape(judged.width, judged.depth);
+  kinds_.assign(judged.columns(), Kind::solid);
+  hollows_.assign(static_cast<std::size_t>(judged.depth), {});
+  for (int z = 0; z < judged.depth; ++z) judge_row(z, height);
+  find_carried();
+  find_entrances();
+}
+
+void CaveCarver::find_entrances() {
+  if (std::find(kinds_.begin(), kinds_.end(), Kind::open) == kinds_.end()) return;
+  const Region around = region_.expanded(open_ring_);
+  entrances_.reshape(around.width, around.depth);
+  const int ring = judged_ - open_ring_;
+  for (int z = 0; z < around.depth; ++z) {
+    for (int x = 0; x < around.width; ++x) {
+      const std::size_t i = index(x + ring, z + ring);
+      entrances_.at(x, z) = kinds_[i] == Kind::open ? floor_.values[i] : kClosed;
+    }
+  }
+}
+
+void CaveCarver::judge_row(int z, const Field& height) {
+  const auto surface = surface_.row(z);
+  const auto rock_row = rock_row_.row(z);
+  const auto from = height.row(z + shore_).subspan(static_cast<std::size_t>(shore_), surface.size());
+  for (std::size_t x = 0; x < surface.size(); ++x) {
+    surface[x] = from[x] >> region_.lod.value();
+    rock_row[x] = boundary_row(surface[x] - loose_fx_);
+  }
+  std::fill(roof_row_.row(z).begin(), roof_row_.row(z).end(), kFarBelow);
+  const auto roof = roof_.row(z);
+  for (int x = 0; x < surface_.width; ++x) {
+    if (roof[static_cast<std::size_t>(x)] == 0) continue;
+    judge(x, z, height);
+    if (kinds_[index(x, z)] == Kind::solid) continue;
+    Hollow& hollow = hollows_[static_cast<std::size_t>(z)];
+    if (hollow.last == 0) hollow.first = x;
+    hollow.last = x + 1;
+  }
+}
+
+void CaveCarver::judge(int x, int z, const Field& height) {
+  const int level = region_.lod.value();
+  std::int32_t& floor_fx = floor_.at(x, z);
+  std::int32_t& roof_fx = roof_.at(x, z);
+  floor_fx = std::max(kSubvoxels, floor_fx >> level);
+  roof_fx >>= level;
+  const std::int32_t floor_row = boundary_row(floor_fx);
+  const std::int32_t roof_row = boundary_row(roof_fx);
+  std::int32_t& rock_row = rock_row_.at(x, z);
+  if (floor_row >= roof_row || rock_row - floor_row < least_rows_) return;
+  bool dry = true;
+  if (shore_ != 0) {
+    std::int32_t lowest = surface_.at(x, z);
+    for (int south = 0; south <= 2; ++south) {
+      for (int east = 0; east <= 2; ++east)
+        lowest = std::min(lowest, height.at(x + east, z + south) >> level);
+    }
+    dry = lowest - (erodes_ ? loose_fx_ : 0) > sea_fx_ >> level;
+    if (!dry) rock_row = std::min(rock_row, boundary_row(lowest - loose_fx_));
+  }
+  Kind& kind = kinds_[index(x, z)];
+  if (rock_row - roof_row >= least_rows_) {
+    kind = Kind::roofed;
+    roof_row_.at(x, z) = roof_row;
+  } else if (dry) {
+    kind = Kind::open;
+    rock_row = kFarBelow;
+  }
+}
+
+int CaveCarver::carry(std::size_t from, int distance, std::size_t to) const {
+  if (kinds_[to] != Kind::roofed) return kinds_[to] == Kind::solid ? 0 : kNowhere;
+  const bool touch = std::max(roof_row_.values[from], roof_row_.values[to]) <
+                     std::min(rock_row_.values[from], rock_row_.values[to]);
+  return touch && distance < span_ ? distance + 1 : kNowhere;
+}
+
+// A straight line of roofs that touch, from a column that is solid from below. Its every part is such a line
+// too, so that what is kept is carried by what is kept.
+void CaveCarver::find_carried() {
+  const int reach = std::min(span_, judged_);
+  const int first_x = judged_;
+  const int last_x = judged_ + region_.width - 1;
+  const int first_z = judged_;
+  const int last_z = judged_ + region_.depth - 1;
+  carried_.assign(kinds_.size(), 0);
+  const auto walk_row = [&](int z, int from, int to, int step) {
+    int distance = kinds_[index(from, z)] == Kind::solid ? 0 : kNowhere;
+    for (int x = from; x != to; x += step) {
+      distance = carry(index(x, z), distance, index(x + step, z));
+      if (distance <= span_) carried_[index(x + step, z)] = 1;
+    }
+  };
+  for (int z = first_z; z <= last_z; ++z) {
+    const Hollow hollow = hollows_[static_cast<std::size_t>(z)];
+    if (hollow.last == 0) continue;
+    const int west = std::max(hollow.first - 1, first_x - reach);
+    const int east = std::min(hollow.last, last_x + reach);
+    if (west < std::min(east, last_x)) walk_row(z, west, std::min(east, last_x), 1);
+    if (east > std::max(west, first_x)) walk_row(z, east, std::max(west, first_x), -1);
+  }
+  const auto walk_columns = [&](int from, int to, int step) {
+    distances_.assign(static_cast<std::size_t>(region_.width), kNowhere);
+    for (int x = first_x; x <= last_x; ++x) {
+      if (kinds_[index(x, from)] == Kind::solid) distances_[static_cast<std::size_t>(x - first_x)] = 0;
+    }
+    for (int z = from; z != to; z += step) {
+      const Hollow hollow = hollows_[static_cast<std::size_t>(z + step)];
+      const int first = std::clamp(hollow.first, first_x, last_x + 1);
+      const int last = std::clamp(hollow.last, first, last_x + 1);
+      std::fill(distances_.begin(), distances_.begin() + (first - first_x), 0);
+      std::fill(distances_.begin() + (last - first_x), distances_.end(), 0);
+      for (int x = first; x < last; ++x) {
+        int& distance = distances_[static_cast<std::size_t>(x - first_x)];
+        distance = carry(index(x, z), distance, index(x, z + step));
+        if (distance <= span_) carried_[index(x, z + step)] = 1;
+      }
+    }
+  };
+  walk_columns(first_z - reach, last_z, 1);
+  walk_columns(last_z + reach, first_z, -1);
+}
+
+void CaveCarver::take(CaveAir& air) const {
+  air.clear();
+  if (!any_) return;
+  air.floor.reshape(region_.width, region_.depth);
+  air.roof.reshape(region_.width, region_.depth);
+  bool any = false;
+  for (int z = 0; z < region_.depth; ++z) {
+    for (int x = 0; x < region_.width; ++x) {
+      const std::size_t i = index(x + judged_, z + judged_);
+      const bool open = kinds_[i] == Kind::open;
+      const bool has_air = open || (kinds_[i] == Kind::roofed && carried_[i] != 0);
+      air.floor.at(x, z) = has_air ? floor_.values[i] : 0;
+      air.roof.at(x, z) = open ? surface_.values[i] : has_air ? roof_.values[i] : 0;
+      any |= has_air;
+    }
+  }
+  if (!any) air.clear();
+}
+
+}  // namespace talus::terrain

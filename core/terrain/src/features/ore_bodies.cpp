@@ -1,0 +1,242 @@
+#include "features/ore_bodies.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstdlib>
+
+#include <talus/terrain/lattice_hash.h>
+#include <talus/voxel/coords.h>
+
+namespace talus::terrain {
+namespace {
+
+constexpr std::int64_t kOne_q15 = 1 << 15;
+
+// Sixteen directions of an axis, as 2^14 times their cosine; the sine is that of eight before.
+constexpr std::array<std::int32_t, 8> kCosine_q14{16384, 16069, 15137, 13623, 11585, 9102, 6270, 3196};
+
+std::int64_t cosine_q14(int sixteenth) {
+  const int turn = sixteenth & 15;
+  return turn < 8    ? kCosine_q14[static_cast<std::size_t>(turn)]
+         : turn == 8 ? 0
+                     : -kCosine_q14[static_cast<std::size_t>(16 - turn)];
+}
+
+std::int64_t sine_q14(int sixteenth) {
+  const int turn = sixteenth & 15;
+  return turn == 0 ? 0 : turn < 8 ? kCosine_q14[static_cast<std::size_t>(8 - turn)] : cosine_q14(turn - 8);
+}
+
+// Numbers for a body, one after another, from the hash of its cube.
+class Draws {
+ public:
+  explicit Draws(std::uint64_t seed) : seed_{seed} {}
+  // least to most - 1.
+  std::int64_t between(std::int64_t least, std::int64_t most) {
+    const std::uint64_t draw = derived_seed(seed_, ++count_) >> 32;
+    return least + static_cast<std::int64_t>((draw * static_cast<std::uint64_t>(most - least)) >> 32);
+  }
+  // least to most percent of a length.
+  std::int32_t part(std::int64_t length, std::int64_t least, std::int64_t most) {
+    return static_cast<std::int32_t>(length * between(least, most + 1) / 100);
+  }
+
+ private:
+  std::uint64_t seed_;
+  std::uint64_t count_ = 0;
+};
+
+struct Middle {
+  std::int64_t x_fx = 0;
+  std::int64_t y_fx = 0;
+  std::int64_t z_fx = 0;
+};
+
+void set_axes(OreLobe& lobe, int sixteenth, std::int32_t along_fx, std::int32_t across_fx) {
+  lobe.cos_q14 = cosine_q14(sixteenth);
+  lobe.sin_q14 = sine_q14(sixteenth);
+  lobe.per_along_q40 = (std::int64_t{1} << 40) / std::max(along_fx, 64);
+  lobe.per_across_q40 = (std::int64_t{1} << 40) / std::max(across_fx, 64);
+  lobe.reach_fx = along_fx;
+}
+
+// A lump with up to three others that stick out of it.
+void add_pocket(const Middle& middle, OreLobe lobe, std::int32_t radius_fx, Draws& draws,
+                std::vector<OreLobe>& lobes) {
+  const std::int32_t size_fx = draws.part(radius_fx, 60, 100);
+  lobe.ragged_q15 = kOne_q15 * 2 / 5;
+  lobe.sway_fx = size_fx / 16;
+  for (int i = 0; i < 4; ++i) {
+    const std::int32_t along_fx = i == 0 ? draws.part(size_fx, 60, 75) : draws.part(size_fx, 32, 50);
+    const std::int32_t away_fx = i == 0 ? 0 : size_fx - along_fx;
+    const auto sixteenth = static_cast<int>(draws.between(0, 16));
+    const std::int64_t side = draws.between(0, 2) * 2 - 1;
+    const auto up_fx = static_cast<std::int32_t>(i == 0 ? 0 : draws.part(away_fx, -60, 60));
+    lobe.x_fx = middle.x_fx + side * away_fx * cosine_q14(sixteenth) / 20480;
+    lobe.z_fx = middle.z_fx + side * away_fx * sine_q14(sixteenth) / 20480;
+    lobe.y_fx = static_cast<std::int32_t>(middle.y_fx + up_fx);
+    set_axes(lobe, static_cast<int>(draws.between(0, 16)), along_fx, draws.part(along_fx, 70, 100));
+    lobe.half_fx = draws.part(along_fx, 45, 75);
+    lobe.tilt_along_q12 = draws.between(-1024, 1024);
+    lobe.tilt_across_q12 = draws.between(-1024, 1024);
+    lobe.rise_fx = std::min(along_fx, radius_fx - std::abs(up_fx));
+    lobes.push_back(lobe);
+  }
+}
+
+// Thickness measured upright of a sheet that is tilted: near sqrt(1 + tilt^2).
+std::int32_t upright(std::int32_t thickness_fx, std::int64_t tilt_q12) {
+  const std::int64_t tilt = std::abs(tilt_q12);
+  return static_cast<std::int32_t>(
+      thickness_fx * (std::max<std::int64_t>(4096, tilt) + std::min<std::int64_t>(4096, tilt) * 2 / 5) >> 12);
+}
+
+// A long tilted sheet, and three narrower ones that leave it at an angle.
+void add_vein(const Middle& middle, OreLobe lobe, std::int32_t radius_fx, std::int32_t thickness_fx,
+              Draws& draws, std::vector<OreLobe>& lobes) {
+  const std::int32_t along_fx = draws.part(radius_fx, 75, 98);
+  const std::int32_t across_fx = draws.part(along_fx, 30, 45);
+  const auto sixteenth = static_cast<int>(draws.between(0, 16));
+  lobe.ragged_q15 = kOne_q15 / 2;
+  lobe.sway_fx = radius_fx / 10;
+  lobe.x_fx = middle.x_fx;
+  lobe.z_fx = middle.z_fx;
+  lobe.y_fx = static_cast<std::int32_t>(middle.y_fx);
+  set_axes(lobe, sixteenth, along_fx, across_fx);
+  lobe.tilt_along_q12 = draws.between(-2048, 2049);
+  lobe.tilt_across_q12 = draws.between(1024, 7000) * (draws.between(0, 2) * 2 - 1);
+  lobe.half_fx = upright(thickness_fx, lobe.tilt_across_q12) / 2;
+  lobe.rise_fx = radius_fx;
+  lobes.push_back(lobe);
+
+  const OreLobe main = lobe;
+  for (int i = 0; i < 3; ++i) {
+    const std::int64_t a_fx = draws.part(along_fx, -55, 55);
+    const std::int64_t c_fx = draws.part(across_fx, -30, 30);
+    const std::int64_t up_fx = (a_fx * main.tilt_along_q12 + c_fx * main.tilt_across_q12) >> 12;
+    lobe.x_fx = middle.x_fx + ((a_fx * main.cos_q14 - c_fx * main.sin_q14) >> 14);
+    lobe.z_fx = middle.z_fx + ((a_fx * main.sin_q14 + c_fx * main.cos_q14) >> 14);
+    lobe.y_fx = static_cast<std::int32_t>(middle.y_fx + up_fx);
+    const std::int32_t branch_fx = draws.part(along_fx, 28, 40);
+    set_axes(lobe, sixteenth + static_cast<int>(draws.between(3, 14)), branch_fx,
+             draws.part(branch_fx, 30, 50));
+    lobe.tilt_along_q12 = draws.between(-3000, 3001);
+    lobe.tilt_across_q12 = draws.between(1024, 7000) * (draws.between(0, 2) * 2 - 1);
+    lobe.half_fx = upright(draws.part(thickness_fx, 60, 85), lobe.tilt_across_q12) / 2;
+    lobe.rise_fx = std::max(0, radius_fx - static_cast<std::int32_t>(std::abs(up_fx)));
+    lobes.push_back(lobe);
+  }
+}
+
+void add_body(const OreKind& kind, const Middle& middle, std::uint64_t seed, std::vector<OreLobe>& lobes) {
+  OreLobe lobe;
+  lobe.seed = seed;
+  // Some five grains from one end of a body to the other.
+  lobe.grain_bits = std::bit_width(static_cast<std::uint32_t>(kind.size_fx) / 5U) - 1;
+  Draws draws{seed};
+  if (kind.shape == OreShape::pocket) {
+    add_pocket(middle, lobe, kind.size_fx / 2, draws, lobes);
+  } else {
+    add_vein(middle, lobe, kind.size_fx / 2, kind.thickness_fx, draws, lobes);
+  }
+}
+
+bool meets(const OreLobe& lobe, const OreBox& box) {
+  const auto apart = [](std::int64_t middle, std::int64_t reach, std::int64_t first, std::int64_t end) {
+    return middle + reach < first || middle - reach >= end;
+  };
+  return !apart(lobe.x_fx, lobe.reach_fx, box.x0 * kSubvoxels, box.x1 * kSubvoxels) &&
+         !apart(lobe.z_fx, lobe.reach_fx, box.z0 * kSubvoxels, box.z1 * kSubvoxels) &&
+         !apart(lobe.y_fx, lobe.rise_fx, box.low_fx, box.high_fx);
+}
+
+// Two numbers of 2^-15 that change smoothly from grain to grain.
+struct Grain {
+  std::int64_t edge_q15 = 0;
+  std::int64_t sway_q15 = 0;
+};
+
+Grain grain_at(const OreLobe& lobe, std::int64_t x_fx, std::int64_t z_fx) {
+  const auto weight = [&](std::int64_t place_fx) {
+    const std::int64_t t = ((place_fx & ((std::int64_t{1} << lobe.grain_bits) - 1)) << 15) >> lobe.grain_bits;
+    return (t * t >> 15) * (3 * kOne_q15 - 2 * t) >> 15;
+  };
+  const std::int64_t x = x_fx >> lobe.grain_bits;
+  const std::int64_t z = z_fx >> lobe.grain_bits;
+  const std::int64_t east = weight(x_fx);
+  const std::int64_t south = weight(z_fx);
+  const auto corner = [&](std::int64_t cx, std::int64_t cz) {
+    return mix64(lobe.seed ^ (static_cast<std::uint64_t>(cx) * 0x9E3779B97F4A7C15U +
+                              static_cast<std::uint64_t>(cz) * 0xD1B54A32D192ED03U));
+  };
+  const std::array corners{corner(x, z), corner(x + 1, z), corner(x, z + 1), corner(x + 1, z + 1)};
+  const auto blend = [&](int shift) {
+    const auto at = [&](std::size_t i) { return static_cast<std::int64_t>((corners[i] >> shift) & 0x7FFF); };
+    const std::int64_t north = at(0) * (kOne_q15 - east) + at(1) * east;
+    const std::int64_t below = at(2) * (kOne_q15 - east) + at(3) * east;
+    return (north * (kOne_q15 - south) + below * south) >> 30;
+  };
+  return {blend(0), blend(20)};
+}
+
+}  // namespace
+
+std::optional<OreSpan> OreLobe::at(std::int64_t column_x, std::int64_t column_z) const {
+  const std::int64_t x = column_x * kSubvoxels;
+  const std::int64_t z = column_z * kSubvoxels;
+  const std::int64_t east = x - x_fx;
+  const std::int64_t south = z - z_fx;
+  if (std::abs(east) > reach_fx || std::abs(south) > reach_fx) return std::nullopt;
+  const std::int64_t along = (east * cos_q14 + south * sin_q14) >> 14;
+  const std::int64_t across = (south * cos_q14 - east * sin_q14) >> 14;
+  const std::int64_t a = (along * per_along_q40) >> 25;
+  const std::int64_t c = (across * per_across_q40) >> 25;
+  std::int64_t out = (a * a + c * c) >> 15;
+  if (out >= kOne_q15) return std::nullopt;
+  const Grain grain = grain_at(*this, x, z);
+  out += (grain.edge_q15 * ragged_q15) >> 15;
+  if (out >= kOne_q15) return std::nullopt;
+  // Blunt at the rim, as an ellipsoid is.
+  const std::int64_t half = half_fx * (kOne_q15 - (out * out >> 15)) >> 15;
+  const std::int64_t middle = y_fx + ((along * tilt_along_q12 + across * tilt_across_q12) >> 12) +
+                              ((sway_fx * (2 * grain.sway_q15 - kOne_q15)) >> 15);
+  const std::int64_t from = std::max<std::int64_t>(middle - half, y_fx - rise_fx);
+  const std::int64_t to = std::min<std::int64_t>(middle + half, y_fx + rise_fx);
+  if (from >= to) return std::nullopt;
+  return OreSpan{static_cast<std::int32_t>(from), static_cast<std::int32_t>(to)};
+}
+
+void add_lobes(const OreKind& kind, const OreBox& box, std::vector<OreLobe>& lobes) {
+  const std::int64_t edge = kind.size_fx;
+  const std::int64_t reach = kind.size_fx / 2;
+  const auto first = [&](std::int64_t from_fx) { return floor_div(from_fx - reach, edge); };
+  const auto last = [&](std::int64_t end_fx) { return floor_div(end_fx - 1 + reach, edge); };
+  // Bodies that would pass their range of heights are none, so that none is cut.
+  const std::int64_t lowest = kind.low_fx + reach;
+  const std::int64_t highest = kind.high_fx - reach;
+  const std::int64_t first_y = std::max(first(box.low_fx), floor_div(lowest, edge));
+  const std::int64_t last_y = std::min(last(box.high_fx), floor_div(highest, edge));
+  if (first_y > last_y) return;
+  const auto before = static_cast<std::ptrdiff_t>(lobes.size());
+  for (std::int64_t cz = first(box.z0 * kSubvoxels); cz <= last(box.z1 * kSubvoxels); ++cz) {
+    const std::uint64_t z_seed = derived_seed(kind.seed, static_cast<std::uint64_t>(cz));
+    for (std::int64_t cx = first(box.x0 * kSubvoxels); cx <= last(box.x1 * kSubvoxels); ++cx) {
+      const std::uint64_t x_seed = derived_seed(z_seed, static_cast<std::uint64_t>(cx));
+      for (std::int64_t cy = first_y; cy <= last_y; ++cy) {
+        const std::uint64_t seed = derived_seed(x_seed, static_cast<std::uint64_t>(cy));
+        if (seed >> 32 >= kind.chance_q32) continue;
+        Draws draws{~seed};
+        const Middle middle{cx * edge + draws.between(0, edge), cy * edge + draws.between(0, edge),
+                            cz * edge + draws.between(0, edge)};
+        if (middle.y_fx < lowest || middle.y_fx > highest) continue;
+        add_body(kind, middle, seed, lobes);
+      }
+    }
+  }
+  lobes.erase(std::remove_if(lobes.begin() + before, lobes.end(),
+                             [&](const OreLobe& lobe) { return !meets(lobe, box); }),
+              lobes.end());
+}
+
+}  // namespace talus::terrain

@@ -1,0 +1,81 @@
+// Pockets and veins of ore: where each body lies and what of a column it takes. Private to core/terrain.
+//
+// Space is cut into cubes as large as a body. A hash of the cube says whether one has its middle in it, and
+// where, so that a body is a pure function of position and reaches no farther than half its size.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include <talus/terrain/world.h>
+#include <talus/voxel/material.h>
+
+namespace talus::terrain {
+
+/// Pockets are lumps; veins are thin, long, tilted sheets with branches.
+enum class OreShape : std::uint8_t { pocket, vein };
+
+/// A kind of ore in the numbers that it is made with. `_fx`: subvoxels of level 0.
+struct OreKind {
+  MaterialId material{};
+  std::uint64_t seed = 0;
+  OreShape shape = OreShape::pocket;
+  std::int32_t low_fx = 0;
+  std::int32_t high_fx = 0;
+  std::int32_t size_fx = 0;  // a body's box along every axis, and the cubes' edge
+  std::int32_t thickness_fx = 0;
+  std::uint64_t chance_q32 = 0;  // that a cube holds a body
+
+  /// Whether bodies are larger than the voxels of a level, four of them and a vein's thickness one.
+  [[nodiscard]] bool shows_at(Lod lod) const {
+    return size_fx >> lod.value() >= 4 * kSubvoxels &&
+           (shape == OreShape::pocket || thickness_fx >> lod.value() >= kSubvoxels);
+  }
+};
+
+/// What of a column is ore, in subvoxels of level 0.
+struct OreSpan {
+  std::int32_t from_fx = 0;
+  std::int32_t to_fx = 0;
+};
+
+/// A part of a body that is one span a column: an ellipse seen from above, thickest in its middle, tilted,
+/// with a ragged edge.
+struct OreLobe {
+  std::int64_t x_fx = 0;
+  std::int64_t z_fx = 0;
+  std::int32_t y_fx = 0;
+  std::int32_t reach_fx = 0;  // nothing lies farther away along x and z,
+  std::int32_t rise_fx = 0;   // or along y
+  std::int32_t half_fx = 0;   // of the thickness in the middle
+  std::int64_t cos_q14 = 0;   // of the long axis' direction
+  std::int64_t sin_q14 = 0;
+  std::int64_t per_along_q40 = 0;   // 1 / half the long axis
+  std::int64_t per_across_q40 = 0;  // 1 / half the short one
+  std::int64_t tilt_along_q12 = 0;  // rise over run
+  std::int64_t tilt_across_q12 = 0;
+  std::uint64_t seed = 0;  // of the body's raggedness
+  int grain_bits = 0;      // it changes over 2^this subvoxels
+  std::int64_t ragged_q15 = 0;
+  std::int32_t sway_fx = 0;
+
+  [[nodiscard]] std::optional<OreSpan> at(std::int64_t column_x, std::int64_t column_z) const;
+};
+
+/// Base columns [x0, x1) and [z0, z1), heights [low_fx, high_fx).
+struct OreBox {
+  std::int64_t x0 = 0;
+  std::int64_t x1 = 0;
+  std::int64_t z0 = 0;
+  std::int64_t z1 = 0;
+  std::int64_t low_fx = 0;
+  std::int64_t high_fx = 0;
+};
+
+/// Adds the lobes that may reach into the box: of the bodies whose middles lie within half a size of it, so
+/// no more than four for each of (box / size + 2)^3 cubes.
+void add_lobes(const OreKind& kind, const OreBox& box, std::vector<OreLobe>& lobes);
+
+}  // namespace talus::terrain

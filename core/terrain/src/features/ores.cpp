@@ -1,0 +1,223 @@
+// [[veins]]: ore in the rock (docs/DESIGN.md, "Veins and pockets"); ore_bodies.h has the shapes.
+#include "features/ores.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <ostream>
+#include <string_view>
+
+#include <talus/terrain/boundary_row.h>
+
+#include <talus/terrain/lattice_hash.h>
+
+#include "spec/units.h"
+
+namespace talus::terrain {
+namespace {
+
+constexpr std::size_t kMaxOres = 16;
+constexpr std::uint64_t kOreSeed = 0x4F52450000000000U;
+// At least four voxels: a chunk looks at no more than (32 / 4 + 2)^3 cubes of a kind.
+constexpr Range kSizes{4, 1024};        // voxels
+constexpr Range kThicknesses{1, 1024};  // voxels
+
+// The rows of a lobe in a chunk's columns. Whether there are any.
+bool cut(const OreLobe& lobe, ChunkKey key, const ChunkPlane& rock, Overlay& overlay) {
+  const int shift = key.lod.value();
+  const VoxelPos origin = chunk_origin(key.coord);
+  const std::int64_t step = std::int64_t{1} << shift;
+  const auto first = [&](std::int64_t middle_fx, std::int64_t from) {
+    const std::int64_t column = floor_div(middle_fx - lobe.reach_fx, step * kSubvoxels) - from;
+    return static_cast<int>(std::clamp<std::int64_t>(column, 0, kChunkSize));
+  };
+  const auto last = [&](std::int64_t middle_fx, std::int64_t from) {
+    const std::int64_t column = floor_div(middle_fx + lobe.reach_fx, step * kSubvoxels) - from;
+    return static_cast<int>(std::clamp<std::int64_t>(column, -1, kChunkSize - 1));
+  };
+  bool any = false;
+  for (int z = first(lobe.z_fx, origin.z); z <= last(lobe.z_fx, origin.z); ++z) {
+    for (int x = first(lobe.x_fx, origin.x); x <= last(lobe.x_fx, origin.x); ++x) {
+      const auto span = lobe.at((origin.x + x) * step, (origin.z + z) * step);
+      if (!span) continue;
+      const std::size_t column = column_index(x, z);
+      const auto row = [&](std::int32_t height_fx) {
+        return static_cast<std::uint8_t>(
+            std::clamp<std::int64_t>(boundary_row(height_fx >> shift) - origin.y, 0, rock[column]));
+      };
+      overlay.from[column] = row(span->from_fx);
+      overlay.to[column] = row(span->to_fx);
+      any = any || overlay.from[column] < overlay.to[column];
+    }
+  }
+  return any;
+}
+
+// Adds a lobe to what its ore has already, where both are one run in every column.
+bool join(const Overlay& lobe, Overlay& overlay) {
+  for (std::size_t i = 0; i < kChunkArea; ++i) {
+    const bool both = lobe.from[i] < lobe.to[i] && overlay.from[i] < overlay.to[i];
+    if (both && (lobe.from[i] > overlay.to[i] || lobe.to[i] < overlay.from[i])) return false;
+  }
+  for (std::size_t i = 0; i < kChunkArea; ++i) {
+    if (lobe.from[i] >= lobe.to[i]) continue;
+    const bool free = overlay.from[i] >= overlay.to[i];
+    overlay.from[i] = free ? lobe.from[i] : std::min(overlay.from[i], lobe.from[i]);
+    overlay.to[i] = free ? lobe.to[i] : std::max(overlay.to[i], lobe.to[i]);
+  }
+  return true;
+}
+
+OreBox box_of(ChunkKey key) {
+  const int shift = key.lod.value();
+  const VoxelPos origin = chunk_origin(key.coord);
+  const std::int64_t step = std::int64_t{1} << shift;
+  constexpr std::int64_t kLast = kChunkSize - 1;
+  return {origin.x * step,
+          (origin.x + kLast) * step + 1,
+          origin.z * step,
+          (origin.z + kLast) * step + 1,
+          origin.y * step * kSubvoxels,
+          (origin.y + kChunkSize) * step * kSubvoxels};
+}
+
+OreKind read_ore(FeatureSection& section, TableReader& table, std::uint64_t index) {
+  const int resolution = section.spec().resolution;
+  OreKind ore;
+  ore.shape = static_cast<OreShape>(table.choice("shape", {"pocket", "vein"}));
+  std::vector<std::string_view> known{"name", "colour", "shape", "low", "high", "size", "abundance"};
+  if (ore.shape == OreShape::vein) known.push_back("thickness");
+  table.only(known);
+  ore.material = section.add_material(table, MaterialKind::stratified);
+  const std::int64_t low_q16 = table.units_q16("low", {0, kMaxHeight});
+  const std::int64_t high_q16 = table.units_q16("high", {0, kMaxHeight});
+  const std::int64_t size_q16 = table.units_q16("size", {kMinUnits_q16, kMaxHeight});
+  table.check_voxels("size", units_of(size_q16), resolution, kSizes);
+  table.check_voxels("high", units_of(high_q16), resolution, {0, kMaxHeight});
+  std::int64_t thickness_q16 = 0;
+  if (ore.shape == OreShape::vein) {
+    thickness_q16 = table.units_q16("thickness", {kMinUnits_q16, kMaxHeight});
+    table.check_voxels("thickness", units_of(thickness_q16), resolution, kThicknesses);
+    if (thickness_q16 > size_q16 / 4) {
+      table.fail("thickness", "more than a quarter of size; make it at most that");
+    }
+  }
+  if (high_q16 - low_q16 < size_q16) {
+    table.fail("high", "less than size above low, so that no body fits; make it low + size or more");
+  }
+  const double abundance = table.real("abundance", {0, 1});
+
+  const auto fx = [&](std::int64_t q16) { return static_cast<std::int32_t>(subvoxels_of(q16, resolution)); };
+  ore.seed = derived_seed(section.spec().seed, kOreSeed + index);
+  ore.low_fx = fx(low_q16);
+  ore.high_fx = fx(high_q16);
+  ore.size_fx = fx(size_q16);
+  ore.thickness_fx = fx(thickness_q16);
+  ore.chance_q32 = static_cast<std::uint64_t>(std::floor(abundance * 4294967296.0 + 0.5));
+  return ore;
+}
+
+std::unique_ptr<const Feature> read(FeatureSection& section) {
+  auto tables = section.tables();
+  if (tables.size() > kMaxOres) {
+    tables[kMaxOres].fail("name", text_of(tables.size(), " ores; at most ", kMaxOres));
+  }
+  std::vector<OreKind> kinds;
+  for (TableReader& table : tables) kinds.push_back(read_ore(section, table, kinds.size()));
+  return std::make_unique<Ores>(std::move(kinds));
+}
+
+}  // namespace
+
+void Ores::write_canonical_form(std::ostream& form) const {
+  for (const OreKind& ore : kinds_) {
+    form << "ore " << to_integer(ore.material) << " shape " << static_cast<int>(ore.shape) << " low_fx "
+         << ore.low_fx << " high_fx " << ore.high_fx << " size_fx " << ore.size_fx << " thickness_fx "
+         << ore.thickness_fx << " chance_q32 " << ore.chance_q32 << '\n';
+  }
+}
+
+OverlayRows Ores::overlay_rows(Lod lod) const {
+  OverlayRows rows;
+  for (const OreKind& ore : kinds_) {
+    if (!ore.shows_at(lod)) continue;
+    rows.lowest = std::min<std::int64_t>(rows.lowest, boundary_row(ore.low_fx >> lod.value()));
+  }
+  return rows;
+}
+
+// Where bodies overlap, the ore that comes first in the spec is what stays. Bodies of one ore that leave each
+// other's columns free share an overlay.
+void Ores::add_overlays(const ChunkSite& site, const Field* /*survey*/,
+                        std::vector<Overlay>& overlays) const {
+  const ChunkPlane& rock = site.rock();
+  if (*std::max_element(rock.begin(), rock.end()) == 0) return;
+  std::vector<OreLobe> lobes;
+  for (std::size_t i = kinds_.size(); i-- > 0;) {
+    const OreKind& kind = kinds_[i];
+    if (!kind.shows_at(site.key().lod)) continue;
+    lobes.clear();
+    add_lobes(kind, box_of(site.key()), lobes);
+    const std::size_t first = overlays.size();
+    for (const OreLobe& lobe : lobes) {
+      Overlay alone{kind.material, {}, {}};
+      if (!cut(lobe, site.key(), rock, alone)) continue;
+      const auto joined = std::any_of(overlays.begin() + static_cast<std::ptrdiff_t>(first), overlays.end(),
+                                      [&](Overlay& overlay) { return join(alone, overlay); });
+      if (!joined) overlays.push_back(alone);
+    }
+  }
+}
+
+void Ores::add_exposed(const Stacks& stacks, const Field* /*survey*/, std::span<MaterialId> exposed) const {
+  const Region& region = stacks.region;
+  const Field& rock = stacks.rock_top();
+  const int shift = region.lod.value();
+  const std::int64_t step = std::int64_t{1} << shift;
+  const auto [lowest, highest] = std::minmax_element(rock.values.begin(), rock.values.end());
+  const OreBox box{region.x * step,
+                   (region.x + region.width - 1) * step + 1,
+                   region.z * step,
+                   (region.z + region.depth - 1) * step + 1,
+                   (std::int64_t{*lowest} - kSubvoxels) * step,
+                   (std::int64_t{*highest} + 1) * step};
+  std::vector<OreLobe> lobes;
+  for (std::size_t i = kinds_.size(); i-- > 0;) {
+    const OreKind& kind = kinds_[i];
+    if (!kind.shows_at(region.lod)) continue;
+    lobes.clear();
+    add_lobes(kind, box, lobes);
+    for (const OreLobe& lobe : lobes) {
+      const auto range = [&](std::int64_t middle_fx, std::int64_t from, int count) {
+        const std::int64_t edge = step * kSubvoxels;
+        return std::pair{static_cast<int>(std::clamp<std::int64_t>(
+                             floor_div(middle_fx - lobe.reach_fx, edge) - from, 0, count)),
+                         static_cast<int>(std::clamp<std::int64_t>(
+                             floor_div(middle_fx + lobe.reach_fx, edge) + 1 - from, 0, count))};
+      };
+      const auto [west, east] = range(lobe.x_fx, region.x, region.width);
+      const auto [north, south] = range(lobe.z_fx, region.z, region.depth);
+      for (int z = north; z < south; ++z) {
+        for (int x = west; x < east; ++x) {
+          const auto span = lobe.at((region.x + x) * step, (region.z + z) * step);
+          // The voxel under the surface of the rock, or under the floor of an open cave, at its centre.
+          const std::int32_t row = boundary_row(std::min(rock.at(x, z), stacks.ground_fx(x, z))) - 1;
+          if (span && row >= boundary_row(span->from_fx >> shift) &&
+              row < boundary_row(span->to_fx >> shift)) {
+            exposed[static_cast<std::size_t>(z) * static_cast<std::size_t>(region.width) +
+                    static_cast<std::size_t>(x)] = kind.material;
+          }
+        }
+      }
+    }
+  }
+}
+
+namespace features {
+
+FeatureKind ores() {
+  return {"veins", read};
+}
+
+}  // namespace features
+}  // namespace talus::terrain

@@ -1,0 +1,88 @@
+#include "loose/settle_grid.h"
+
+#include <algorithm>
+
+#include <talus/vectors/tables.h>
+
+namespace talus::terrain {
+namespace {
+
+// Everything around the rows, and between a row's width and the next row, becomes unbounded.
+template <class Cell>
+PaddedRows<Cell> padded_rows(AlignedVector<Cell>& cells, std::size_t width, std::size_t depth) {
+  PaddedRows<Cell> rows;
+  rows.width = width;
+  rows.depth = depth;
+  rows.stride = padded(width);
+  const std::size_t size = kPadding + (depth + 2) * rows.stride;
+  if (cells.size() < size) cells.resize(size);
+  std::fill_n(cells.begin(), kPadding + rows.stride, kUnbounded<Cell>);
+  std::fill_n(cells.begin() + static_cast<std::ptrdiff_t>(kPadding + (depth + 1) * rows.stride), rows.stride,
+              kUnbounded<Cell>);
+  rows.cells = cells.data() + kPadding + rows.stride;
+  for (std::size_t z = 0; z < depth; ++z) {
+    std::fill_n(rows.row(z) + width, rows.stride - width, kUnbounded<Cell>);
+  }
+  return rows;
+}
+
+}  // namespace
+
+void SettleGrid::reshape(int width, int depth, std::int32_t max_fx) {
+  narrow_ = max_fx < kUnbounded<std::int16_t>;
+  const auto w = static_cast<std::size_t>(width);
+  const auto d = static_cast<std::size_t>(depth);
+  if (narrow_) {
+    narrow_rows_ = padded_rows(narrow_cells_, w, d);
+  } else {
+    wide_rows_ = padded_rows(wide_cells_, w, d);
+  }
+}
+
+void SettleGrid::start(const Field& slope, std::int32_t thickness_fx, std::int32_t max_slope_fx) {
+  reshape(slope.width, slope.depth, thickness_fx);
+  for (int z = 0; z < slope.depth; ++z) {
+    const auto row = static_cast<std::size_t>(z);
+    const std::int32_t* from = slope.row(z).data();
+    if (narrow_) {
+      kernels_->start_int16(from, narrow_rows_.width, thickness_fx, max_slope_fx, narrow_rows_.row(row));
+    } else {
+      kernels_->start_int32(from, wide_rows_.width, thickness_fx, max_slope_fx, wide_rows_.row(row));
+    }
+  }
+}
+
+void SettleGrid::start(const Field& thickness) {
+  const auto thickest = std::max_element(thickness.values.begin(), thickness.values.end());
+  reshape(thickness.width, thickness.depth, thickest == thickness.values.end() ? 0 : *thickest);
+  for (int z = 0; z < thickness.depth; ++z) {
+    const auto row = static_cast<std::size_t>(z);
+    const auto from = thickness.row(z);
+    if (narrow_) {
+      std::transform(from.begin(), from.end(), narrow_rows_.row(row),
+                     [](std::int32_t value) { return static_cast<std::int16_t>(value); });
+    } else {
+      std::copy(from.begin(), from.end(), wide_rows_.row(row));
+    }
+  }
+}
+
+void SettleGrid::settle(std::int32_t repose_fx) {
+  if (repose_fx > kSteepest<std::int16_t>) widen();
+  if (narrow_) {
+    kernels_->settle_int16(narrow_rows_, repose_fx);
+  } else {
+    kernels_->settle_int32(wide_rows_, std::min(repose_fx, kSteepest<std::int32_t>));
+  }
+}
+
+void SettleGrid::widen() {
+  if (!narrow_) return;
+  wide_rows_ = padded_rows(wide_cells_, narrow_rows_.width, narrow_rows_.depth);
+  for (std::size_t z = 0; z < wide_rows_.depth; ++z) {
+    std::copy_n(narrow_rows_.row(z), wide_rows_.width, wide_rows_.row(z));
+  }
+  narrow_ = false;
+}
+
+}  // namespace talus::terrain

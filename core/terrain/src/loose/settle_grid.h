@@ -1,0 +1,49 @@
+// Loose material over a field in the layout of the settling kernels: rows padded on all sides, int16 where
+// that holds every thickness. Private to core/terrain.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include <talus/terrain/field.h>
+#include <talus/vectors/aligned.h>
+
+#include "kernels/settle.h"
+
+namespace talus::terrain {
+
+/// Keeps its memory from one start to the next. For one thread at a time.
+class SettleGrid {
+ public:
+  explicit SettleGrid(InstructionSet set) : kernels_{&settle_kernels(set)} {}
+
+  /// The thickness before settling (eq. 3) over `slope`.
+  void start(const Field& slope, std::int32_t thickness_fx, std::int32_t max_slope_fx);
+  /// Any field of 0 to 2^20 instead.
+  void start(const Field& thickness);
+  /// May change the type of the cells, as a steep repose needs wide ones.
+  void settle(std::int32_t repose_fx);
+
+  /// Calls visit(cells) with a pointer to the cells of row z, of the type that they have.
+  template <class Visit>
+  void with_row(int z, const Visit& visit) const {
+    if (narrow_) {
+      visit(static_cast<const std::int16_t*>(narrow_rows_.row(static_cast<std::size_t>(z))));
+    } else {
+      visit(static_cast<const std::int32_t*>(wide_rows_.row(static_cast<std::size_t>(z))));
+    }
+  }
+
+ private:
+  void reshape(int width, int depth, std::int32_t max_fx);
+  void widen();
+
+  const SettleKernels* kernels_;
+  bool narrow_ = true;
+  AlignedVector<std::int16_t> narrow_cells_;
+  AlignedVector<std::int32_t> wide_cells_;
+  PaddedRows<std::int16_t> narrow_rows_;
+  PaddedRows<std::int32_t> wide_rows_;
+};
+
+}  // namespace talus::terrain

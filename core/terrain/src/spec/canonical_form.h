@@ -1,0 +1,15 @@
+// The text whose hash is a world's fingerprint. Private to core/terrain.
+#pragma once
+
+#include <string>
+
+#include <talus/voxel/content_hash.h>
+
+namespace talus::terrain {
+
+/// The bits of a float, so that no two numbers print alike.
+[[nodiscard]] std::string bits_of(float value);
+
+[[nodiscard]] ContentHash hash_canonical_form(const std::string& form);
+
+}  // namespace talus::terrain

@@ -1,0 +1,73 @@
+#include "spec/material_sections.h"
+
+#include <cmath>
+#include <numbers>
+
+#include "spec/units.h"
+
+namespace talus::terrain {
+namespace {
+
+constexpr std::int64_t kMaxLooseThickness_fx = std::int64_t{1} << 20;
+constexpr int kMaxHalo = 64;  // columns
+constexpr double kMaxRoughness = 16;
+constexpr double kMaxWeight = 1e9;
+constexpr Range kAngles{1, 89};  // degrees
+
+std::int32_t tangent_fx(double degrees) {
+  return static_cast<std::int32_t>(rounded(kSubvoxels * std::tan(degrees * std::numbers::pi / 180)));
+}
+
+void check_thickness(TableReader& table, const ErodedSpec& eroded, const WorldSpec& spec) {
+  const std::int64_t t_fx = subvoxels_of(eroded.thickness_q16, spec.resolution);
+  if (t_fx > kMaxLooseThickness_fx) {
+    return table.fail("thickness", text_of("thickness * resolution is ", t_fx / kSubvoxels,
+                                           " voxels; at most ", kMaxLooseThickness_fx / kSubvoxels));
+  }
+  const int halo = loose_of(eroded, spec.resolution).halo_at(Lod{});
+  if (halo > kMaxHalo && spec.method == Method::slope) {
+    table.fail("thickness", text_of("at this angle of repose it needs a halo of ", halo, " columns; at most ",
+                                    kMaxHalo, ", so make the thickness smaller or the angle steeper"));
+  }
+}
+
+}  // namespace
+
+std::vector<StratifiedSpec> read_stratified(std::vector<TableReader>& tables, std::set<std::string>& names) {
+  std::vector<StratifiedSpec> materials;
+  for (TableReader& table : tables) {
+    table.only({"name", "colour", "depth", "thickness", "roughness"});
+    StratifiedSpec& stratified = materials.emplace_back();
+    stratified.name = table.material_name(names);
+    stratified.colour = table.colour();
+    stratified.depth_q16 = table.units_q16("depth", {-kMaxHeight, kMaxHeight});
+    stratified.thickness_q16 = table.units_q16("thickness", {kMinUnits_q16, kMaxHeight});
+    stratified.roughness = table.real("roughness", {0, kMaxRoughness});
+  }
+  return materials;
+}
+
+std::vector<ErodedSpec> read_eroded(std::vector<TableReader>& tables, const WorldSpec& spec,
+                                    std::set<std::string>& names) {
+  std::vector<ErodedSpec> materials;
+  for (TableReader& table : tables) {
+    table.only({"name", "colour", "weight", "thickness", "angle_of_repose", "max_slope"});
+    ErodedSpec& eroded = materials.emplace_back();
+    eroded.name = table.material_name(names);
+    eroded.colour = table.colour();
+    eroded.weight = table.real("weight", {-kMaxWeight, kMaxWeight});
+    eroded.thickness_q16 = table.units_q16("thickness", {kMinUnits_q16, kMaxHeight});
+    eroded.angle_of_repose = table.real("angle_of_repose", kAngles);
+    eroded.max_slope = table.real("max_slope", kAngles);
+    check_thickness(table, eroded, spec);
+  }
+  return materials;
+}
+
+LooseSpec loose_of(const ErodedSpec& eroded, int resolution) {
+  return {MaterialId{}, eroded.weight,
+          static_cast<std::int32_t>(subvoxels_of(eroded.thickness_q16, resolution)),
+          tangent_fx(eroded.max_slope), tangent_fx(eroded.angle_of_repose)};
+}
+
+}  // namespace talus::terrain

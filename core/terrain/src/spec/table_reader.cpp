@@ -1,0 +1,219 @@
+#include "spec/table_reader.h"
+
+#include <algorithm>
+#include <sstream>
+#include <utility>
+
+#include <talus/toml/toml_bounds.h>
+#include <toml++/toml.h>
+
+#include "spec/units.h"
+
+namespace talus::terrain {
+
+// A TomlTable is never dereferenced: it is the address of a toml::table.
+struct TomlDocument::Parsed {
+  toml::table root;
+};
+
+namespace {
+
+const TomlTable& opaque(const toml::table& table) {
+  return *reinterpret_cast<const TomlTable*>(&table);
+}
+
+const toml::table& table_of(const TomlTable* table) {
+  return *reinterpret_cast<const toml::table*>(table);
+}
+
+int line_of(const toml::node& node) {
+  return static_cast<int>(node.source().begin.line);
+}
+
+std::string qualified(const std::string& table, std::string_view key) {
+  return (table.empty() ? "" : table + ".") + std::string{key};
+}
+
+std::string list_of(const auto& names) {
+  std::string list;
+  for (const std::string_view name : names) list += (list.empty() ? "" : ", ") + std::string{name};
+  return list;
+}
+
+}  // namespace
+
+bool TableReader::has(std::string_view key) const {
+  return table_of(table_).contains(key);
+}
+
+int TableReader::line() const {
+  return std::max(1, line_of(table_of(table_)));
+}
+
+int TableReader::line(std::string_view key) const {
+  const toml::node* node = table_of(table_).get(key);
+  return node == nullptr ? line() : line_of(*node);
+}
+
+void TableReader::fail(std::string_view key, const std::string& what) {
+  errors_->add(line(key), qualified(name_, key) + ": " + what);
+}
+
+void TableReader::only(const std::vector<std::string_view>& known) {
+  for (const auto& [key, value] : table_of(table_)) {
+    if (std::find(known.begin(), known.end(), key.str()) != known.end()) continue;
+    errors_->add(static_cast<int>(key.source().begin.line),
+                 qualified(name_, key.str()) + ": unknown key; known here: " + list_of(known));
+  }
+}
+
+namespace {
+
+// Refuses a key that is missing.
+const toml::node* find(TableReader& reader, const toml::table& table, const std::string& key,
+                       const std::string& wanted) {
+  const toml::node* node = table.get(key);
+  if (node == nullptr) reader.fail(key, "missing; " + wanted + " is needed");
+  return node;
+}
+
+void wrong_type(TableReader& reader, const toml::node& node, const std::string& key,
+                const std::string& wanted) {
+  reader.fail(key, text_of("is not right as it stands (", node.type(), "); ", wanted, " is needed"));
+}
+
+}  // namespace
+
+double TableReader::real(const std::string& key, Range range) {
+  const toml::node* node = find(*this, table_of(table_), key, "a number");
+  if (node == nullptr) return range.min;
+  const auto value = node->is_number() ? node->value<double>() : std::nullopt;
+  if (!value) return wrong_type(*this, *node, key, "a number"), range.min;
+  if (!(*value >= range.min && *value <= range.max)) {
+    fail(key, text_of(*value, " is out of range; ", range.min, " to ", range.max));
+    return range.min;
+  }
+  return *value;
+}
+
+std::int64_t TableReader::integer(const std::string& key, std::int64_t min, std::int64_t max) {
+  const toml::node* node = find(*this, table_of(table_), key, "an integer");
+  if (node == nullptr) return min;
+  const auto value = node->is_integer() ? node->value<std::int64_t>() : std::nullopt;
+  if (!value) return wrong_type(*this, *node, key, "an integer"), min;
+  if (*value < min || *value > max) {
+    fail(key, text_of(*value, " is out of range; ", min, " to ", max));
+    return min;
+  }
+  return *value;
+}
+
+std::int64_t TableReader::units_q16(const std::string& key, Range range) {
+  return rounded(real(key, range) * 65536.0);
+}
+
+bool TableReader::check_voxels(const std::string& key, double units, int resolution, Range range) {
+  const double voxels = units * resolution;
+  if (voxels >= range.min && voxels <= range.max) return true;
+  fail(key, text_of(key, " * resolution is ", voxels, " voxels; ", range.min, " to ", range.max));
+  return false;
+}
+
+std::string TableReader::text(const std::string& key, std::size_t max_bytes) {
+  const toml::node* node = find(*this, table_of(table_), key, "a string");
+  if (node == nullptr) return {};
+  const auto value = node->is_string() ? node->value<std::string>() : std::nullopt;
+  if (!value) return wrong_type(*this, *node, key, "a string"), std::string{};
+  if (value->empty() || value->size() > max_bytes) {
+    fail(key, text_of("1 to ", max_bytes, " bytes, this has ", value->size()));
+  }
+  return *value;
+}
+
+std::size_t TableReader::choice(const std::string& key, std::initializer_list<std::string_view> names) {
+  const std::string chosen = text(key, 64);
+  const auto found = std::find(names.begin(), names.end(), chosen);
+  if (found != names.end()) return static_cast<std::size_t>(found - names.begin());
+  fail(key, "'" + chosen + "' is none of: " + list_of(names));
+  return 0;
+}
+
+std::string TableReader::material_name(std::set<std::string>& taken) {
+  const toml::node* node = find(*this, table_of(table_), "name", "a string");
+  if (node == nullptr) return {};
+  const auto value = node->is_string() ? node->value<std::string>() : std::nullopt;
+  if (!value) return wrong_type(*this, *node, "name", "a string"), std::string{};
+  const bool printable =
+      std::none_of(value->begin(), value->end(), [](char c) { return (c >= 0 && c < ' ') || c == '\x7F'; });
+  if (value->empty() || value->size() > kMaxNameBytes) {
+    fail("name", text_of("a name has 1 to ", kMaxNameBytes, " bytes, this has ", value->size()));
+  } else if (!printable) {
+    fail("name", "a name is printed as it is, so it holds no control characters");
+  } else if (*value == "air" || *value == "water") {
+    fail("name", "'" + *value + "' is the world's own; choose another name");
+  } else if (!taken.insert(*value).second) {
+    fail("name", "'" + *value + "' names another material already; names are unique");
+  }
+  return *value;
+}
+
+Colour TableReader::colour() {
+  constexpr const char* kWanted = "a string such as \"#8d8478\"";
+  const toml::node* node = find(*this, table_of(table_), "colour", kWanted);
+  if (node == nullptr) return {};
+  const auto text = node->is_string() ? node->value<std::string>() : std::nullopt;
+  const bool shaped = text && text->size() == 7 && text->front() == '#' &&
+                      text->find_first_not_of("0123456789abcdefABCDEF", 1) == std::string::npos;
+  if (!shaped) return wrong_type(*this, *node, "colour", kWanted), Colour{};
+  const auto channel = [&](std::size_t at) {
+    return static_cast<std::uint8_t>(std::stoi(text->substr(at, 2), nullptr, 16));
+  };
+  return {channel(1), channel(3), channel(5)};
+}
+
+std::optional<TableReader> TableReader::table(const std::string& key) {
+  const std::string wanted = "a table [" + key + "]";
+  const toml::node* node = find(*this, table_of(table_), key, wanted);
+  if (node == nullptr) return std::nullopt;
+  if (!node->is_table()) return wrong_type(*this, *node, key, wanted), std::nullopt;
+  return TableReader{opaque(*node->as_table()), qualified(name_, key), *errors_};
+}
+
+std::vector<TableReader> TableReader::tables(const std::string& key) {
+  std::vector<TableReader> found;
+  const std::string wanted = "tables [[" + key + "]]";
+  const toml::node* node = find(*this, table_of(table_), key, "at least one [[" + key + "]]");
+  if (node == nullptr) return found;
+  if (!node->is_array()) return wrong_type(*this, *node, key, wanted), found;
+  for (const toml::node& element : *node->as_array()) {
+    if (!element.is_table()) return wrong_type(*this, element, key, wanted), found;
+    const std::string name = qualified(name_, key) + "[" + std::to_string(found.size()) + "]";
+    found.emplace_back(opaque(*element.as_table()), name, *errors_);
+  }
+  if (found.empty()) fail(key, "empty; at least one [[" + key + "]] is needed");
+  return found;
+}
+
+std::optional<TomlDocument> TomlDocument::parse(std::string_view text, SpecErrors& errors) {
+  if (const auto fault = passes_toml_bounds(text)) {
+    errors.add(fault->line, fault->what);
+    return std::nullopt;
+  }
+  try {
+    return TomlDocument{std::make_unique<const Parsed>(Parsed{toml::parse(text)})};
+  } catch (const toml::parse_error& bad) {
+    errors.add(static_cast<int>(bad.source().begin.line), text_of("not TOML: ", bad.description()));
+    return std::nullopt;
+  }
+}
+
+TomlDocument::TomlDocument(std::unique_ptr<const Parsed> parsed) : parsed_{std::move(parsed)} {}
+TomlDocument::TomlDocument(TomlDocument&&) noexcept = default;
+TomlDocument& TomlDocument::operator=(TomlDocument&&) noexcept = default;
+TomlDocument::~TomlDocument() = default;
+
+const TomlTable& TomlDocument::root() const {
+  return opaque(parsed_->root);
+}
+
+}  // namespace talus::terrain

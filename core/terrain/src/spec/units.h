@@ -1,0 +1,26 @@
+// Lengths of a spec in the integers that the generator computes with. Private to core/terrain.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+#include <talus/terrain/world.h>
+
+namespace talus::terrain {
+
+/// To the nearest integer, halves up.
+[[nodiscard]] inline std::int64_t rounded(double value) {
+  return static_cast<std::int64_t>(std::floor(value + 0.5));
+}
+
+/// 2^-16 terrain unit as subvoxels, rounded, in integers all the way.
+[[nodiscard]] constexpr std::int64_t subvoxels_of(std::int64_t units_q16, int resolution) {
+  return (units_q16 * resolution * kSubvoxels + 32768) >> 16;
+}
+
+[[nodiscard]] constexpr double units_of(std::int64_t units_q16) {
+  return static_cast<double>(units_q16) / 65536;
+}
+
+}  // namespace talus::terrain

@@ -1,0 +1,256 @@
+// world.toml -> World, section by section.
+#include <algorithm>
+#include <limits>
+#include <numeric>
+#include <set>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include <talus/terrain/erosion.h>
+#include <talus/terrain/strata.h>
+#include <talus/terrain/surface.h>
+#include <talus/terrain/world.h>
+
+#include "feature.h"
+#include "spec/canonical_form.h"
+#include "spec/material_sections.h"
+#include "spec/surface_section.h"
+#include "spec/table_reader.h"
+#include "spec/units.h"
+
+namespace talus::terrain {
+namespace {
+
+constexpr std::int64_t kMaxResolution = 32768;  // voxels a terrain unit
+constexpr int kMaxErosionSteps = 64;            // a halo of 128 columns
+constexpr std::size_t kMaxMaterials = 255;      // beside air and water
+
+}  // namespace
+
+/// Reads the sections in order; each may use what those before it hold.
+struct World::Builder {
+  Builder(TableReader root_table, SpecErrors& spec_errors, World& built)
+      : root{root_table}, errors{spec_errors}, world{built} {}
+
+  void build(const LoadHeightMap& load, std::span<const FeatureKind> kinds);
+
+  void check_keys(std::span<const FeatureKind> kinds);
+  void read_general();
+  void read_strata_wavelength();
+  void read_sea();
+  void read_method();
+  void read_materials();
+  void read_features(std::span<const FeatureKind> kinds);
+  void check_lifts();
+  void derive_strata();
+  void derive_loose();
+  void derive_halo();
+
+  MaterialId add_material(const std::string& name, Colour colour, MaterialKind kind);
+
+  TableReader root;
+  SpecErrors& errors;
+  World& world;
+  WorldSpec& spec = world.spec_;
+  std::set<std::string> names;  // of materials
+  int stratified_line = 0;
+};
+
+tl::expected<World, SpecError> World::parse(std::string_view toml, std::string_view file,
+                                            const LoadHeightMap& load) {
+  return parse(toml, file, load, shipped_features());
+}
+
+tl::expected<World, SpecError> World::parse(std::string_view toml, std::string_view file,
+                                            const LoadHeightMap& load, std::span<const FeatureKind> kinds) {
+  SpecErrors errors{file};
+  World world;
+  if (const auto document = TomlDocument::parse(toml, errors)) {
+    Builder{TableReader{document->root(), "", errors}, errors, world}.build(load, kinds);
+  }
+  if (errors.any()) return tl::unexpected(errors.first());
+  return world;
+}
+
+void World::Builder::build(const LoadHeightMap& load, std::span<const FeatureKind> kinds) {
+  check_keys(kinds);
+  read_general();
+  const auto surface = root.table("surface");
+  if (surface) read_surface(*surface, spec);
+  read_strata_wavelength();
+  read_sea();
+  read_method();
+  read_materials();
+  read_features(kinds);
+  if (errors.any()) return;
+  load_height_map(*surface, spec, load);
+  check_lifts();
+  if (errors.any()) return;
+  world.highest_fx_ = highest_height_fx(surface_of(spec));
+  derive_strata();
+  derive_loose();
+  derive_halo();
+  world.fingerprint_ = hash_canonical_form(world.canonical_form());
+}
+
+void World::Builder::check_keys(std::span<const FeatureKind> kinds) {
+  std::vector<std::string_view> known{"seed",      "resolution", "strata_wavelength",
+                                      "sea_level", "method",     "erosion_steps",
+                                      "surface",   "stratified", "eroded"};
+  for (const FeatureKind& kind : kinds) known.push_back(kind.section);
+  root.only(known);
+}
+
+void World::Builder::read_general() {
+  spec.seed = static_cast<std::uint64_t>(root.integer("seed", std::numeric_limits<std::int64_t>::min(),
+                                                      std::numeric_limits<std::int64_t>::max()));
+  spec.resolution = static_cast<int>(root.integer("resolution", 1, kMaxResolution));
+}
+
+void World::Builder::read_strata_wavelength() {
+  // A surface without noise has no wavelength to borrow.
+  const bool borrowed = !root.has("strata_wavelength") && spec.surface.noise();
+  spec.strata_wavelength =
+      borrowed ? spec.surface.wavelength : root.real("strata_wavelength", {kMinLength, kMaxLength});
+  const std::int64_t period = layer_noise(spec, 0, 0).period;
+  if (period > static_cast<std::int64_t>(kMaxLength)) {
+    root.fail("strata_wavelength", text_of("strata_wavelength * resolution is ", period, " voxels; at most ",
+                                           static_cast<std::int64_t>(kMaxLength)));
+  }
+}
+
+void World::Builder::read_sea() {
+  if (!root.has("sea_level")) return;
+  spec.sea_level = root.real("sea_level", {0, kMaxHeight});
+  const double voxels = *spec.sea_level * spec.resolution;
+  if (voxels > kMaxHeight) {
+    root.fail("sea_level", text_of("sea_level * resolution is ", voxels, " voxels; at most ", kMaxHeight));
+  }
+  world.sea_fx_ = static_cast<std::int32_t>(rounded(std::min(voxels, kMaxHeight) * kSubvoxels));
+}
+
+void World::Builder::read_method() {
+  if (root.has("method")) spec.method = static_cast<Method>(root.choice("method", {"slope", "erosion"}));
+  if (spec.method == Method::erosion) {
+    spec.erosion_steps = static_cast<int>(root.integer("erosion_steps", 1, kMaxErosionSteps));
+  } else if (root.has("erosion_steps")) {
+    root.fail("erosion_steps", "is for method = \"erosion\"; leave it out or choose that method");
+  }
+}
+
+MaterialId World::Builder::add_material(const std::string& name, Colour colour, MaterialKind kind) {
+  const MaterialId id{static_cast<std::uint16_t>(world.materials_.size())};
+  world.materials_.push_back({id, name, colour, kind});
+  return id;
+}
+
+MaterialId FeatureSection::add_material(TableReader& table, MaterialKind kind) {
+  const MaterialId id{static_cast<std::uint16_t>(materials_.size())};
+  const std::string name = table.material_name(names_);
+  materials_.push_back({id, name, table.colour(), kind});
+  return id;
+}
+
+void World::Builder::read_materials() {
+  auto stratified = root.tables("stratified");
+  if (!stratified.empty()) stratified_line = stratified.front().line();
+  spec.stratified = read_stratified(stratified, names);
+  auto eroded = root.tables("eroded");
+  spec.eroded = read_eroded(eroded, spec, names);
+  add_material("air", {186, 215, 236}, MaterialKind::air);
+  add_material("water", {58, 108, 150}, MaterialKind::water);
+  for (const StratifiedSpec& s : spec.stratified) add_material(s.name, s.colour, MaterialKind::stratified);
+  for (const ErodedSpec& e : spec.eroded) add_material(e.name, e.colour, MaterialKind::eroded);
+}
+
+void World::Builder::read_features(std::span<const FeatureKind> kinds) {
+  std::string_view carver;
+  for (const FeatureKind& kind : kinds) {
+    if (!root.has(kind.section)) continue;
+    FeatureSection section{root, kind.section, spec, names, world.materials_};
+    std::shared_ptr<const Feature> feature = kind.read(section);
+    if (!feature) continue;
+    if (feature->carves() && !carver.empty()) {
+      root.fail(kind.section, text_of("a world has one kind of caves; leave this or [", carver, "] out"));
+    }
+    if (feature->carves()) carver = kind.section;
+    world.features_.push_back(std::move(feature));
+  }
+  const std::size_t materials = world.materials_.size() - 2;
+  if (materials > kMaxMaterials) {
+    errors.add(stratified_line, text_of("stratified: ", materials,
+                                        " materials beside air and water; at most ", kMaxMaterials));
+  }
+}
+
+void World::Builder::check_lifts() {
+  std::string terms = "surface.amplitude";
+  Feature::MaxLift first;
+  for (const auto& feature : world.features_) {
+    const Feature::MaxLift lift = feature->max_lift();
+    if (lift.terms.empty()) continue;
+    world.max_lift_q16_ += lift.q16;
+    terms += ", " + lift.terms;
+    if (first.terms.empty()) first = lift;
+  }
+  const double voxels = (units_of(world.max_lift_q16_) + spec.surface.amplitude) * spec.resolution;
+  if (voxels <= kMaxHeight) return;
+  errors.add(first.line, text_of(first.key, ": ", terms, ", * resolution, are ", voxels,
+                                 " voxels in all; at most ", kMaxHeight));
+}
+
+void World::Builder::derive_strata() {
+  const auto amplitude_q16 = rounded(spec.surface.amplitude * 65536.0);
+  for (const std::size_t i : layer_sequence(spec.stratified, amplitude_q16, world.max_lift_q16_)) {
+    const StratifiedSpec& material = spec.stratified[i];
+    world.strata_.push_back({world.materials_[2 + i].id, material.thickness_q16, material.roughness});
+  }
+  if (!world.strata_.empty()) return;
+  errors.add(stratified_line,
+             text_of("stratified.thickness: filling 1.25 * amplitude",
+                     world.max_lift_q16_ > 0 ? " and how far strata are sunk" : "", " takes more than ",
+                     kMaxLayers, " layers; at most ", kMaxLayers, ", so make the thicknesses larger"));
+}
+
+void World::Builder::derive_loose() {
+  for (const ErodedSpec& eroded : spec.eroded) {
+    LooseSpec loose = loose_of(eroded, spec.resolution);
+    loose.material = world.materials_[2 + spec.stratified.size() + world.loose_.size()].id;
+    world.loose_.push_back(loose);
+  }
+  world.loose_bottom_up_.resize(world.loose_.size());
+  std::iota(world.loose_bottom_up_.begin(), world.loose_bottom_up_.end(), std::size_t{0});
+  // Heaviest lowest; of equal weight the first of the spec on top, so the last of the spec lowest.
+  std::sort(world.loose_bottom_up_.begin(), world.loose_bottom_up_.end(), [&](std::size_t a, std::size_t b) {
+    const double weight_a = world.loose_[a].weight;
+    const double weight_b = world.loose_[b].weight;
+    return weight_a != weight_b ? weight_a > weight_b : a > b;
+  });
+  if (spec.method == Method::slope) return;
+  // A material alone never passes its highest column, but for what a step of 1 rounds up to (c below 8).
+  // What lies under others lifts them by what flows in: a step from each of eight neighbours.
+  world.rise_fx_ = 8;
+  for (std::size_t i = 0; i + 1 < world.loose_.size(); ++i) {
+    const LooseSpec& loose = world.loose_[world.loose_bottom_up_[i]];
+    world.rise_fx_ += spec.erosion_steps * 8 * erosion_step_fx(loose.c_fx);
+  }
+}
+
+void World::Builder::derive_halo() {
+  world.halo_ = world.feature_halo(Lod{});
+  if (spec.method == Method::erosion) {
+    world.halo_ = std::max(world.halo_, 2 * spec.erosion_steps);
+    return;
+  }
+  for (const LooseSpec& loose : world.loose_) world.halo_ = std::max(world.halo_, loose.halo_at(Lod{}));
+}
+
+const World& default_world() {
+  // Built in and tested: it parses.
+  static const World world = *World::parse(default_world_toml(), "default.toml");
+  return world;
+}
+
+}  // namespace talus::terrain

@@ -1,0 +1,90 @@
+#include "strata/strata_builder.h"
+
+#include <algorithm>
+#include <utility>
+
+#include <talus/terrain/strata.h>
+
+namespace talus::terrain {
+namespace {
+
+LayerShape shape_of(const World& world, const StratumSpec& layer) {
+  // No layer reaches past the highest surface over the deepest sunk strata, so a thicker one may stop there
+  // without a difference.
+  const std::int64_t lift_fx = (world.max_lift_q16() * world.spec().resolution + 255) >> 8;
+  // Rounded up twice, that is 2^23 + 1 at most, which becomes an integer as 2^23 does.
+  return {static_cast<float>(static_cast<double>(layer.thickness_q16) * world.spec().resolution * kSubvoxels /
+                             65536.0),
+          static_cast<float>(2.0 * layer.roughness), static_cast<float>(world.highest_fx() + lift_fx)};
+}
+
+}  // namespace
+
+StrataBuilder::StrataBuilder(const World& world, InstructionSet set)
+    : world_{world}, noise_{set}, kernels_{strata_kernels(set)} {
+  for (const auto& feature : world.features()) {
+    if (auto deformation = feature->make_deformation(set)) deformations_.push_back(std::move(deformation));
+  }
+}
+
+void StrataBuilder::build(std::span<const std::int64_t> xs, std::span<const std::int64_t> zs,
+                          const Field& limit_fx, Extent extent, Planes& planes) {
+  if (deformations_.empty()) return stack(xs, zs, limit_fx, extent, planes);
+  lift_.reshape(limit_fx.width, limit_fx.depth);
+  std::fill(lift_.values.begin(), lift_.values.end(), 0);
+  for (const auto& deformation : deformations_) deformation->add(xs, zs, lift_);
+  reach_.reshape(limit_fx.width, limit_fx.depth);
+  for (std::size_t i = 0; i < reach_.values.size(); ++i) {
+    reach_.values[i] = limit_fx.values[i] - lift_.values[i];
+  }
+  stack(xs, zs, reach_, extent, planes);
+  for (Field& top : planes.tops()) {
+    for (std::size_t i = 0; i < top.values.size(); ++i) {
+      top.values[i] = std::max(top.values[i] + lift_.values[i], 0);
+    }
+  }
+}
+
+void StrataBuilder::stack(std::span<const std::int64_t> xs, std::span<const std::int64_t> zs,
+                          const Field& limit_fx, Extent extent, Planes& planes) {
+  const std::size_t width = xs.size();
+  ground_.values.assign(limit_fx.values.size(), 0);
+  const std::size_t segments = (width + kSegment - 1) / kSegment;
+  open_rows_.assign(zs.size(), 1);
+  open_segments_.assign(zs.size() * segments, 1);
+  bool full = false;
+  for (std::size_t j = 0; j < world_.strata().size(); ++j) {
+    if (full && extent == Extent::until_full) return;
+    const StratumSpec& layer = world_.strata()[j];
+    const bool joins = !planes.empty() && planes.top_material() == layer.material;
+    if (joins) std::swap(ground_, planes.top());
+    Field& top = joins ? planes.top() : planes.add(layer.material);
+    top.reshape(limit_fx.width, limit_fx.depth);
+    const bool fills = j + 1 == world_.strata().size();
+    if (full || fills) {
+      std::copy(limit_fx.values.begin(), limit_fx.values.end(), top.values.begin());
+      full = true;
+      continue;
+    }
+    // A layer lies on the plane below its own, or on the earlier state of its own.
+    const Field& below = joins || planes.count() == 1 ? ground_ : planes.below_top();
+    noise_.start(layer_noise(world_.spec(), layer.roughness, j), xs);
+    const LayerShape shape = shape_of(world_, layer);
+    full = true;
+    for (std::size_t z = 0; z < zs.size(); ++z) {
+      const std::size_t row = z * width;
+      if (open_rows_[z] == 0) {
+        std::copy_n(limit_fx.values.data() + row, width, top.values.data() + row);
+        continue;
+      }
+      const auto octaves = noise_.octaves(zs[z]);
+      const bool open = kernels_.stack(octaves.data(), octaves.size(), shape, width,
+                                       limit_fx.values.data() + row, below.values.data() + row,
+                                       open_segments_.data() + z * segments, top.values.data() + row);
+      open_rows_[z] = open ? 1 : 0;
+      full = full && !open;
+    }
+  }
+}
+
+}  // namespace talus::terrain

@@ -1,0 +1,62 @@
+// A height map as a surface: cubic between its samples, in integers, and a rule for what lies outside.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "surface/surface_rows.h"
+
+namespace talus::terrain {
+
+/// Outside of its samples the map is mirrored at its edge for good, or begins anew one spacing past its last
+/// sample (`repeat`), or all its samples are 0 (`sea`).
+/// `blend` has another surface there, to which the map gives way over a margin within its edge: past the edge
+/// it knows nothing, and a mirror shows.
+class HeightMapRows final : public SurfaceRows {
+ public:
+  /// `around` is there where surface.map.outside is `blend`, and only there.
+  HeightMapRows(const Surface& surface, std::unique_ptr<SurfaceRows> around);
+
+  void start(std::span<const std::int64_t> xs) override;
+  void row(std::int64_t z, std::int32_t* heights_fx) override;
+
+ private:
+  static constexpr std::int32_t kNoSample = -1;
+  static constexpr std::int64_t kAllMap = std::int64_t{1} << 24;
+
+  /// The four samples around a position along one axis and what each of them weighs.
+  struct Taps {
+    std::int64_t first = 0;
+    std::array<std::int32_t, 4> sample;  // of the map, or kNoSample
+    std::array<std::int64_t, 4> weight;
+  };
+  /// The map along one of its rows of samples, at the columns: exact, in 2^-19 subvoxel.
+  struct Line {
+    bool drawn = false;
+    std::int64_t sample_z = 0;
+    std::vector<std::int64_t> values;
+  };
+
+  [[nodiscard]] Taps taps_at(std::int64_t column, std::int64_t origin_q16, std::int64_t spacing_q16,
+                             int samples) const;
+  [[nodiscard]] std::int32_t sample_of(std::int64_t index, int samples) const;
+  [[nodiscard]] std::int64_t share_of_map(std::int64_t column, std::int64_t origin_q16,
+                                          std::int64_t spacing_q16, int samples) const;
+  void draw(std::int64_t sample_z, std::int32_t map_row, Line& line) const;
+  void map_row(std::int64_t z, std::int32_t* heights_fx);
+  void blend_row(std::int64_t z, std::int32_t* heights_fx);
+
+  PlacedMap map_;
+  std::int32_t highest_fx_;
+  std::unique_ptr<SurfaceRows> around_;
+  std::vector<Taps> columns_;
+  std::vector<std::int64_t> shares_;  // of the map along x, 0 to kAllMap; where there is an `around`
+  std::int64_t least_share_ = 0;
+  std::int64_t most_share_ = 0;
+  std::array<Line, 4> lines_;  // of four rows of samples that follow each other, at their number modulo 4
+  std::vector<std::int32_t> of_map_;
+};
+
+}  // namespace talus::terrain

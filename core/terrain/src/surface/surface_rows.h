@@ -1,0 +1,28 @@
+// The interface of all kinds of surface: H over columns, row after row. Private to core/terrain.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+
+#include <talus/terrain/surface.h>
+#include <talus/vectors/instruction_set.h>
+
+namespace talus::terrain {
+
+/// A surface over many columns, row after row. H is a pure function of the column, so that no implementation
+/// needs a halo. Keeps its memory from one start() to the next. For one thread at a time.
+class SurfaceRows {
+ public:
+  virtual ~SurfaceRows() = default;
+
+  /// From here on rows are over these ascending base columns.
+  virtual void start(std::span<const std::int64_t> xs) = 0;
+
+  /// Writes H at (xs[i], z) for all i: 0 to highest_fx, rounded. Rows close to the one before cost least.
+  virtual void row(std::int64_t z, std::int32_t* heights_fx) = 0;
+};
+
+[[nodiscard]] std::unique_ptr<SurfaceRows> make_surface_rows(const Surface& surface, InstructionSet set);
+
+}  // namespace talus::terrain
