@@ -134,7 +134,7 @@ TEST_CASE("flags win over variables, and variables over defaults") {
   const Environment environment{{"TALUS_LISTEN", "host:1"}, {"TALUS_DATA", "kept"}};
   const auto read = command({"--listen", "host:2"}, environment);
   REQUIRE(read.has_value());
-  CHECK(read->config.listen == protocol::Endpoint{"host", 2});
+  CHECK(read->config.listen == talus::protocol::Endpoint{"host", 2});
   CHECK(read->config.data == "kept");
 }
 
