@@ -19,10 +19,18 @@ breaks core/vectors 'talus/(voxel|terrain|height_files|protocol|client|tools)' '
 breaks core/voxel 'talus/(terrain|height_files|protocol|client|tools)' 'core/voxel knows core/vectors alone'
 breaks core/terrain 'talus/(height_files|protocol|client|tools)' 'core/terrain knows core/voxel and core/vectors'
 breaks core/height_files 'talus/(protocol|client|tools)' 'core/height_files knows core/terrain alone'
-breaks core/tools 'talus/(protocol|client)' 'core/tools knows core alone'
+for base in files progress pictures; do
+  breaks "core/$base" "talus/(vectors|voxel|terrain|height_files|protocol|tls|client|tools)" "core/$base knows no other module"
+done
+breaks core/tools 'talus/(protocol|tls|client)' 'core/tools knows core alone'
 breaks protocol 'talus/(files|progress|voxel|terrain|height_files|client|tools)' 'protocol knows nobody'
 breaks server 'talus/(client|tools)' 'the server knows core and protocol'
 breaks client_sample 'talus/(terrain|height_files|tools)' 'a client knows core/voxel and protocol'
+breaks client_sample/library '(command_line|measure|cli|load)/|talus/(files|progress|pictures)' 'the client library knows core/voxel and protocol alone'
+breaks client_sample/measure 'talus/|(command_line|cli|load)/' 'measure knows no other module'
+breaks client_sample/command_line '(measure|cli|load)/' 'command_line knows the client library'
+breaks client_sample/cli '(load|library)/' 'talus-client knows the client library, command_line and measure'
+breaks client_sample/load '(cli|library)/' 'talus-load knows the client library, command_line and measure'
 for pure in core/vectors core/voxel core/terrain protocol; do
   breaks "$pure" "($impure)[>\"]?" 'a pure room has no I/O, threads or clock'
 done

@@ -8,7 +8,7 @@ using nlohmann::json;
 namespace {
 
 json run(double p99, int players = 20) {
-  return {{"format", 1}, {"settings", {{"players", players}}}, {"figures", {{"p99_ms", p99}, {"wrong", 0}}}};
+  return {{"format", 2}, {"settings", {{"players", players}}}, {"figures", {{"p99_ms", p99}, {"wrong", 0}}}};
 }
 
 bool has(const std::string& text, const std::string& part) {

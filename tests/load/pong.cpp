@@ -14,7 +14,7 @@
 #include <talus/client/client.h>
 
 #include "fault_proxy.h"
-#include "histogram.h"
+#include "measure/histogram.h"
 
 namespace {
 

@@ -209,17 +209,17 @@ Expected<Image> draw_roughness(const GalleryContext& context) {
 // bounds of a spec allow.
 int magnified_resolution(const terrain::World& world, double voxels) {
   constexpr double kOneQ16 = 65536;
-  constexpr double kMostColumns = 60;    // of halo, and under a cave's roof
-  constexpr double kMostVoxels = 32768;  // from y = 0 to the highest summit
+  constexpr double kMaxColumns = 60;    // of halo, and under a cave's roof
+  constexpr double kMaxVoxels = 32768;  // from y = 0 to the highest summit
   constexpr double kDegree = 3.14159265358979 / 180;
   double thickest = 1 / kOneQ16;
-  double most = kMostVoxels / std::max(1.0, world.spec().surface.amplitude);
+  double most = kMaxVoxels / std::max(1.0, world.spec().surface.amplitude);
   for (const terrain::ErodedSpec& eroded : world.spec().eroded) {
     const double thickness = std::max(1.0, static_cast<double>(eroded.thickness_q16)) / kOneQ16;
     thickest = std::max(thickest, thickness);
-    most = std::min(most, kMostColumns * std::tan(eroded.angle_of_repose * kDegree) / thickness);
+    most = std::min(most, kMaxColumns * std::tan(eroded.angle_of_repose * kDegree) / thickness);
   }
-  if (const auto& caves = world.spec().caves) most = std::min(most, kMostColumns / caves->span);
+  if (const auto& caves = world.spec().caves) most = std::min(most, kMaxColumns / caves->span);
   return std::max(1, static_cast<int>(std::min(voxels / thickest, most)));
 }
 
