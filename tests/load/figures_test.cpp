@@ -52,7 +52,7 @@ TEST_CASE("what is no threshold is refused with a reason") {
 TEST_CASE("every figure has a name that a threshold takes") {
   RunResult result;
   Tally& walk = of(result, Role::walk);
-  for (measure::Histogram* waits :
+  for (talus::measure::Histogram* waits :
        {&walk.join, &walk.travel, &walk.requests, &walk.first_chunk, &walk.full_view, &result.lateness}) {
     waits->record(milliseconds{3});
   }
