@@ -159,6 +159,8 @@ add_library(talus::asio ALIAS talus_asio)
 set_target_properties(talus_asio PROPERTIES EXPORT_NAME asio)
 # Whether Asio uses aligned_alloc depends on what was included before it; a frame made in one file and freed in
 # another would then be freed the wrong way.
-target_compile_definitions(talus_asio INTERFACE ASIO_STANDALONE ASIO_NO_DEPRECATED ASIO_DISABLE_STD_ALIGNED_ALLOC
+# Not ASIO_NO_DEPRECATED: it changes inline functions, so that every file of a game which links the client library would
+# have to set it too.
+target_compile_definitions(talus_asio INTERFACE ASIO_STANDALONE ASIO_DISABLE_STD_ALIGNED_ALLOC
   $<$<CXX_COMPILER_ID:Clang>:ASIO_HAS_CO_AWAIT=1> $<$<CXX_COMPILER_ID:Clang>:ASIO_HAS_STD_COROUTINE=1>)
 target_link_libraries(talus_asio INTERFACE Threads::Threads)

@@ -2,6 +2,7 @@
 
 #include <openssl/evp.h>
 #include <openssl/pem.h>
+#include <openssl/ssl.h>
 #include <openssl/x509v3.h>
 
 #include <memory>
@@ -54,4 +55,18 @@ TestCertificate make_certificate(long serial, const std::string& name, int hours
   return {pem([&](BIO* bio) { return PEM_write_bio_X509(bio, certificate); }), pem([&](BIO* bio) {
             return PEM_write_bio_PrivateKey(bio, key.get(), nullptr, nullptr, 0, nullptr, nullptr);
           })};
+}
+
+void use_certificate(ssl_ctx_st* context, const TestCertificate& certificate) {
+  const auto bio = [](const std::string& text) {
+    return std::unique_ptr<BIO, decltype(&BIO_free)>{
+        BIO_new_mem_buf(text.data(), static_cast<int>(text.size())), BIO_free};
+  };
+  const auto certificate_pem = bio(certificate.certificate);
+  const auto key_pem = bio(certificate.key);
+  const std::unique_ptr<X509, decltype(&X509_free)> own{
+      PEM_read_bio_X509(certificate_pem.get(), nullptr, nullptr, nullptr), X509_free};
+  const std::unique_ptr<EVP_PKEY, decltype(&EVP_PKEY_free)> key{
+      PEM_read_bio_PrivateKey(key_pem.get(), nullptr, nullptr, nullptr), EVP_PKEY_free};
+  must(SSL_CTX_use_cert_and_key(context, own.get(), key.get(), nullptr, 1) == 1);
 }

@@ -7,6 +7,7 @@
 
 #include "command_line/connect_options.h"
 #include "command_line/parse.h"
+#include "picture.h"
 #include "surface_map.h"
 
 namespace talus::cli {
@@ -16,8 +17,8 @@ using command_line::Exit;
 using command_line::kExitWrongUse;
 using command_line::within;
 
-constexpr double kLongestSeconds = 86400;
-constexpr double kLongestFlight = 10e6;  // voxels: its heights are asked for and kept before it begins
+constexpr double kMaxSeconds = 86400;
+constexpr double kMaxFlight = 10e6;  // voxels: its heights are asked for and kept before it begins
 
 // What the parser cannot hold in one option.
 struct Words {
@@ -28,7 +29,7 @@ struct Words {
 
 void add_timeout(CLI::App& command, double& seconds) {
   command.add_option("--timeout", seconds, "Seconds without an answer after which to give up")
-      ->check(within(0.1, kLongestSeconds))
+      ->check(within(0.1, kMaxSeconds))
       ->capture_default_str();
 }
 
@@ -50,7 +51,7 @@ void add_fly(CLI::App& app, FlyOptions& options) {
   };
   auto* command = app.add_subcommand("fly", "Fly over the world, keeping the view filled");
   command->add_option("--seconds", options.seconds, "Length of the flight, seconds")
-      ->check(within(0.1, kLongestSeconds))
+      ->check(within(0.1, kMaxSeconds))
       ->capture_default_str();
   command
       ->add_option("--radius", options.radius,
@@ -98,17 +99,20 @@ Checked check_get(CommandLine line, GetOptions options, const Words& words) {
 }
 
 Checked check_fly(CommandLine line, FlyOptions options) {
-  if (options.seconds * options.speed > kLongestFlight) {
+  if (options.seconds * options.speed > kMaxFlight) {
     std::ostringstream text;
     text << "--seconds " << options.seconds << " at --speed " << options.speed << " is a flight longer than "
-         << std::fixed << std::setprecision(0) << kLongestFlight << " voxels";
+         << std::fixed << std::setprecision(0) << kMaxFlight << " voxels";
     return tl::unexpected{text.str()};
   }
+  if (auto png = check_png_name(options.output, "--output"); !png) return tl::unexpected{png.error()};
+  if (auto png = check_png_name(options.view, "--view"); !png) return tl::unexpected{png.error()};
   line.options = std::move(options);
   return line;
 }
 
 Checked check_map(CommandLine line, MapOptions options, const Words& words) {
+  if (auto png = check_png_name(options.output, "--output"); !png) return tl::unexpected{png.error()};
   options.width = words.size[0];
   options.depth = words.size[1];
   if (!words.center.empty()) {

@@ -16,7 +16,7 @@
 
 namespace talus::cli {
 
-using Outcome = tl::expected<void, std::string>;
+using CommandResult = tl::expected<void, std::string>;
 
 struct Connecting {
   protocol::Endpoint server;
@@ -28,7 +28,7 @@ struct GetOptions {
   std::filesystem::path output;  // empty: print a summary
   double timeout_seconds = 30;   // without an answer
 };
-[[nodiscard]] asio::awaitable<Outcome> get(Connecting connecting, GetOptions options);
+[[nodiscard]] asio::awaitable<CommandResult> get(Connecting connecting, GetOptions options);
 
 struct FlyOptions {
   static constexpr int kRadius = 8;
@@ -42,7 +42,7 @@ struct FlyOptions {
   std::filesystem::path output;  // map; empty: none
   std::filesystem::path view;    // what the camera saw at the end; empty: none
 };
-[[nodiscard]] asio::awaitable<Outcome> fly(Connecting connecting, FlyOptions options);
+[[nodiscard]] asio::awaitable<CommandResult> fly(Connecting connecting, FlyOptions options);
 
 struct MapOptions {
   std::optional<client::Column> center;     // none: the spawn point
@@ -50,6 +50,6 @@ struct MapOptions {
   std::filesystem::path output;
   double timeout_seconds = 30;  // without an answer
 };
-[[nodiscard]] asio::awaitable<Outcome> map(Connecting connecting, MapOptions options);
+[[nodiscard]] asio::awaitable<CommandResult> map(Connecting connecting, MapOptions options);
 
 }  // namespace talus::cli

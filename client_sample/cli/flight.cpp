@@ -39,7 +39,7 @@ glm::dvec2 Course::direction(double distance) const {
   return glm::normalize(at(distance + 0.5) - at(distance - 0.5));
 }
 
-std::vector<client::Column> scouting_columns(glm::dvec2 start, double length) {
+std::vector<client::Column> candidate_columns(glm::dvec2 start, double length) {
   std::vector<client::Column> columns;
   for (int heading = 0; heading < kHeadings; ++heading) {
     for (int sample = 0; sample < kSamplesPerHeading; ++sample) {

@@ -33,9 +33,9 @@ inline constexpr int kSamplesPerHeading = 48;
 inline constexpr double kCourseSpacing = 8.0;  // voxels between the heights along a course
 
 /// Columns to look at before a heading is chosen: kSamplesPerHeading along each of kHeadings.
-[[nodiscard]] std::vector<client::Column> scouting_columns(glm::dvec2 start, double length);
+[[nodiscard]] std::vector<client::Column> candidate_columns(glm::dvec2 start, double length);
 /// The heading with the highest land in view at its end and low, dry land under the way, of `heights_fx`
-/// at scouting_columns().
+/// at candidate_columns().
 [[nodiscard]] double choose_heading(const std::vector<std::int32_t>& heights_fx);
 
 /// Columns along a course, kCourseSpacing apart, and past its end.

@@ -16,10 +16,10 @@
 #include <talus/progress/progress_bar.h>
 #include "commands.h"
 #include "flight.h"
-#include "latency.h"
 #include "map_picture.h"
-#include "patience.h"
+#include "request_timeout.h"
 #include "view_picture.h"
+#include "view_waits.h"
 
 namespace talus::cli {
 namespace {
@@ -38,7 +38,7 @@ constexpr double kLookDown = 0.16;    // below the horizon, as a slope
 struct Gathered {
   client::ChunkStore store{kStoreBytes};
   std::optional<SurfaceMap> surface;
-  Latency latency;
+  ViewWaits waits;
   std::unordered_set<ChunkKey> in_view;
   std::vector<std::string> errors;
   std::optional<std::string> lost;
@@ -47,7 +47,7 @@ struct Gathered {
 client::Events events_into(Gathered& gathered) {
   client::Events events;
   events.on_chunk = [&gathered](const client::ReceivedChunk& received) {
-    gathered.latency.arrived(received.key, Clock::now());
+    gathered.waits.chunk_arrived(received.key, Clock::now());
     gathered.in_view.insert(received.key);
     gathered.store.put(received);
     gathered.surface->add(received.key, *received.chunk);
@@ -105,7 +105,7 @@ using Heights = client::Result<std::vector<std::int32_t>>;
 
 // Heights of any number of columns, in as many requests as the server wants: what it refuses is halved.
 asio::awaitable<Heights> heights_of(client::Client& client, const client::ServerLimits& limits,
-                                    Patience& patience, const std::vector<client::Column>& columns) {
+                                    RequestTimeout& timeout, const std::vector<client::Column>& columns) {
   std::vector<std::int32_t> heights;
   std::size_t most = std::max(1U, std::min(limits.heights_per_request, 256U));
   while (heights.size() < columns.size()) {
@@ -118,19 +118,19 @@ asio::awaitable<Heights> heights_of(client::Client& client, const client::Server
     }
     if (!part) co_return tl::unexpected{part.error()};
     heights.insert(heights.end(), part->begin(), part->end());
-    patience.renew();
+    timeout.restart();
   }
   co_return heights;
 }
 
 asio::awaitable<client::Result<Flight>> plan(client::Client& client, const client::WorldInfo& world,
-                                             const FlyOptions& options, Patience& patience) {
+                                             const FlyOptions& options, RequestTimeout& timeout) {
   const glm::dvec2 start{static_cast<double>(world.spawn.x) + 0.5, static_cast<double>(world.spawn.z) + 0.5};
   const double length = options.seconds * options.speed;
-  const auto scouted = co_await heights_of(client, world.limits, patience, scouting_columns(start, length));
-  if (!scouted) co_return tl::unexpected{scouted.error()};
-  const Course course{start, choose_heading(*scouted), length};
-  const auto heights = co_await heights_of(client, world.limits, patience, course_columns(course));
+  const auto around = co_await heights_of(client, world.limits, timeout, candidate_columns(start, length));
+  if (!around) co_return tl::unexpected{around.error()};
+  const Course course{start, choose_heading(*around), length};
+  const auto heights = co_await heights_of(client, world.limits, timeout, course_columns(course));
   if (!heights) co_return tl::unexpected{heights.error()};
   co_return Flight{course, Altitude{*heights, options.height}};
 }
@@ -150,13 +150,13 @@ bool same_chunk(const VoxelPos& a, const VoxelPos& b) {
 }
 
 void print_summary(const Gathered& gathered, const client::Stats& stats, double seconds) {
-  const auto ms = [&](double part) { return gathered.latency.percentile(part).count(); };
-  std::cout << std::fixed << std::setprecision(1) << gathered.latency.count() << " chunks in " << seconds
-            << " s (" << static_cast<double>(gathered.latency.count()) / seconds << "/s), "
+  const auto ms = [&](double part) { return gathered.waits.waits().percentile_ms(part); };
+  std::cout << std::fixed << std::setprecision(1) << gathered.waits.waits().count() << " chunks in "
+            << seconds << " s (" << static_cast<double>(gathered.waits.waits().count()) / seconds << "/s), "
             << static_cast<double>(stats.received_bytes) / 1e6 << " MB received ("
             << static_cast<double>(stats.received_bytes) /
-                   static_cast<double>(std::max<std::size_t>(1, gathered.latency.count()))
-            << " bytes a chunk)\nfrom wanted to there: p50 " << ms(0.50) << " ms, p95 " << ms(0.95)
+                   static_cast<double>(std::max<std::uint64_t>(1, gathered.waits.waits().count()))
+            << " bytes a chunk)\nfrom View to arrival: p50 " << ms(0.50) << " ms, p95 " << ms(0.95)
             << " ms, p99 " << ms(0.99) << " ms\nbad chunks " << stats.bad_chunks << ", errors "
             << gathered.errors.size() << ", connections " << stats.connections << '\n';
   constexpr std::size_t kErrorsShown = 5;
@@ -165,8 +165,9 @@ void print_summary(const Gathered& gathered, const client::Stats& stats, double 
   }
 }
 
-Outcome save_pictures(const Gathered& gathered, const client::WorldInfo& world, const FlyOptions& options,
-                      const Camera& camera, const client::View& view, const std::vector<glm::dvec2>& path) {
+CommandResult save_pictures(const Gathered& gathered, const client::WorldInfo& world,
+                            const FlyOptions& options, const Camera& camera, const client::View& view,
+                            const std::vector<glm::dvec2>& path) {
   if (!options.output.empty()) {
     auto written = write_png(draw_map(*gathered.surface, world.materials, gathered.surface->extent(), path),
                              options.output);
@@ -175,9 +176,13 @@ Outcome save_pictures(const Gathered& gathered, const client::WorldInfo& world, 
   }
   if (!options.view.empty()) {
     const int reach = view.rings.empty() ? view.horizontal_radius : view.rings.back().radius;
-    auto written = write_png(draw_view(gathered.store, world.materials, camera,
-                                       static_cast<double>(reach) * kChunkSize, kViewWidth, kViewHeight),
-                             options.view);
+    std::optional<ProgressBar> progress{std::in_place, "draw", "rows"};
+    progress->expect(kViewHeight);
+    const Picture picture =
+        draw_view(gathered.store, world.materials, camera, static_cast<double>(reach) * kChunkSize,
+                  kViewWidth, kViewHeight, [&](int rows) { progress->advance(rows); });
+    progress.reset();
+    auto written = write_png(picture, options.view);
     if (!written) return written;
     std::cout << "view " << options.view.string() << '\n';
   }
@@ -186,16 +191,17 @@ Outcome save_pictures(const Gathered& gathered, const client::WorldInfo& world, 
 
 }  // namespace
 
-asio::awaitable<Outcome> fly(Connecting connecting, FlyOptions options) {
+asio::awaitable<CommandResult> fly(Connecting connecting, FlyOptions options) {
   const auto executor = co_await asio::this_coro::executor;
   Gathered gathered;
   client::Client client{executor, connecting.options, events_into(gathered)};
   const auto world = co_await client.connect(connecting.server.host, std::to_string(connecting.server.port));
   if (!world) co_return tl::unexpected{world.error().message};
   gathered.surface.emplace(world->materials);
-  Patience patience{executor, client, Patience::Seconds{options.seconds + kGraceSeconds}};
-  const auto flight = co_await plan(client, *world, options, patience);
-  if (!flight) co_return tl::unexpected{patience.explain(flight.error())};
+  RequestTimeout timeout{executor, *connecting.options.clock, client,
+                         RequestTimeout::Seconds{options.seconds + kGraceSeconds}};
+  const auto flight = co_await plan(client, *world, options, timeout);
+  if (!flight) co_return tl::unexpected{timeout.explain(flight.error())};
 
   const client::View shape = view_shape(options, world->limits);
   std::optional<ProgressBar> progress{std::in_place, "fly", "chunks"};
@@ -205,13 +211,13 @@ asio::awaitable<Outcome> fly(Connecting connecting, FlyOptions options) {
   Camera camera;
   const auto begun = Clock::now();
   const auto elapsed = [&] { return std::chrono::duration<double>(Clock::now() - begun).count(); };
-  // After the flight the camera stands until all that it could see is there, or patience is over.
-  while (!gathered.lost && !patience.is_over()) {
+  // After the flight the camera stands until all that it can see is there, or the time is over.
+  while (!gathered.lost && !timeout.has_expired()) {
     const double flown = std::min(elapsed(), options.seconds);
     camera = flight->camera_at(flown * options.speed);
     const auto wanted = view_from(camera, shape);
     if (!view || !same_chunk(view->centre, wanted.centre)) {
-      gathered.latency.wanted(wanted, Clock::now());
+      gathered.waits.view_set(wanted, Clock::now());
       if (const auto set = client.set_view(wanted); !set) {
         co_return tl::unexpected{"--radius and --far: " + set.error().message};
       }
@@ -221,7 +227,7 @@ asio::awaitable<Outcome> fly(Connecting connecting, FlyOptions options) {
     const auto missing =
         client::ViewShape{*view}.count() - static_cast<std::int64_t>(gathered.in_view.size());
     if (flown >= options.seconds && missing <= 0) break;
-    progress->show(elapsed() / options.seconds, gathered.latency.count(),
+    progress->show(elapsed() / options.seconds, gathered.waits.waits().count(),
                    std::to_string(missing) + " to come");
     tick.expires_after(kTick);
     co_await tick.async_wait(asio::experimental::as_tuple(asio::use_awaitable));
@@ -230,7 +236,7 @@ asio::awaitable<Outcome> fly(Connecting connecting, FlyOptions options) {
   progress.reset();  // its line goes before others come
   client.close();
   if (gathered.lost) co_return tl::unexpected{*gathered.lost};
-  if (gathered.latency.count() == 0) {
+  if (gathered.waits.waits().count() == 0) {
     co_return tl::unexpected{"no chunk came" + (gathered.errors.empty() ? "" : ": " + gathered.errors[0])};
   }
   print_summary(gathered, client.stats(), seconds);

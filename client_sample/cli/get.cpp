@@ -12,7 +12,7 @@
 #include <talus/files/npy_file.h>
 
 #include "commands.h"
-#include "patience.h"
+#include "request_timeout.h"
 
 namespace talus::cli {
 namespace {
@@ -59,21 +59,22 @@ tl::expected<void, files::FileError> write_npy(const std::filesystem::path& path
 
 }  // namespace
 
-asio::awaitable<Outcome> get(Connecting connecting, GetOptions options) {
+asio::awaitable<CommandResult> get(Connecting connecting, GetOptions options) {
   const auto executor = co_await asio::this_coro::executor;
   client::Client client{executor, connecting.options};
-  const Patience patience{executor, client, Patience::Seconds{options.timeout_seconds}};
+  const RequestTimeout timeout{executor, *connecting.options.clock, client,
+                               RequestTimeout::Seconds{options.timeout_seconds}};
   const auto world = co_await client.connect(connecting.server.host, std::to_string(connecting.server.port));
-  if (!world) co_return tl::unexpected{patience.explain(world.error())};
+  if (!world) co_return tl::unexpected{timeout.explain(world.error())};
 
   const auto asked = std::chrono::steady_clock::now();
   const auto chunk = co_await client.get(options.key);
-  if (!chunk) co_return tl::unexpected{patience.explain(chunk.error())};
+  if (!chunk) co_return tl::unexpected{timeout.explain(chunk.error())};
   const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - asked;
 
   if (options.output.empty()) {
     summarise(*chunk, *world, client.stats(), took.count());
-    co_return Outcome{};
+    co_return CommandResult{};
   }
   co_return write_npy(options.output, *chunk->chunk, world->materials).map_error([](const auto& error) {
     return error.message();

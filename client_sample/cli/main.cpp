@@ -18,27 +18,27 @@ int failed(const std::string& line, int status = 1) {
   return status;
 }
 
-asio::awaitable<Outcome> start(const CommandLine& line) {
+asio::awaitable<CommandResult> start(const CommandLine& line) {
   if (const auto* options = std::get_if<GetOptions>(&line.options)) return get(line.connecting, *options);
   if (const auto* options = std::get_if<FlyOptions>(&line.options)) return fly(line.connecting, *options);
   return map(line.connecting, std::get<MapOptions>(line.options));
 }
 
-Outcome run(const CommandLine& line) {
+CommandResult run(const CommandLine& line) {
   asio::io_context io{1};
-  Outcome outcome;
+  CommandResult result;
   std::exception_ptr thrown;
-  asio::co_spawn(io, start(line), [&](const std::exception_ptr& exception, Outcome result) {
+  asio::co_spawn(io, start(line), [&](const std::exception_ptr& exception, CommandResult ended) {
     thrown = exception;
-    outcome = std::move(result);
+    result = std::move(ended);
   });
   io.run();
   if (thrown) std::rethrow_exception(thrown);
-  return outcome;
+  return result;
 }
 
 // What was printed may still lie in a buffer, and be lost.
-Outcome finish_printing() {
+CommandResult finish_printing() {
   errno = 0;
   if (std::cout.flush()) return {};
   return tl::unexpected{std::string{"standard output: cannot be written"} +
@@ -50,12 +50,12 @@ Outcome finish_printing() {
 int main(int argc, char** argv) {
   const auto line = read_command_line(argc, argv);
   if (!line && line.error().status != 0) return failed(line.error().text, line.error().status);
-  Outcome outcome;
+  CommandResult result;
   if (line) {
-    outcome = run(*line);
+    result = run(*line);
   } else {
     std::cout << line.error().text;
   }
-  if (outcome) outcome = finish_printing();
-  return outcome ? 0 : failed(outcome.error());
+  if (result) result = finish_printing();
+  return result ? 0 : failed(result.error());
 }

@@ -15,7 +15,7 @@
 #include <talus/progress/progress_bar.h>
 #include "commands.h"
 #include "map_picture.h"
-#include "patience.h"
+#include "request_timeout.h"
 
 namespace talus::cli {
 namespace {
@@ -24,8 +24,8 @@ namespace {
 class Survey {
  public:
   Survey(const asio::any_io_executor& executor, client::Client& client, const client::WorldInfo& world,
-         Patience& patience)
-      : client_{client}, world_{world}, patience_{patience}, surface_{world.materials}, changed_{executor} {}
+         RequestTimeout& timeout)
+      : client_{client}, world_{world}, timeout_{timeout}, surface_{world.materials}, changed_{executor} {}
 
   asio::awaitable<tl::expected<SurfaceMap, std::string>> run(Extent extent) {
     const std::int64_t first_x = floor_div(extent.x, kChunkSize);
@@ -39,7 +39,7 @@ class Survey {
     std::int64_t z = first_z;
     while (!error_ && (z <= last_z || open_ > 0)) {
       // Enough to keep the server busy; more would only wait here.
-      for (; open_ < kMostOpen && z <= last_z; x == last_x ? (x = first_x, ++z) : ++x) {
+      for (; open_ < kMaxOpen && z <= last_z; x == last_x ? (x = first_x, ++z) : ++x) {
         start_square(static_cast<std::int32_t>(x), static_cast<std::int32_t>(z));
       }
       changed_.expires_at(std::chrono::steady_clock::time_point::max());
@@ -52,7 +52,7 @@ class Survey {
   }
 
  private:
-  static constexpr int kMostOpen = 256;
+  static constexpr int kMaxOpen = 256;
 
   void start_square(std::int32_t x, std::int32_t z) {
     ++open_;
@@ -68,7 +68,7 @@ class Survey {
       for (std::int32_t y = row_of_ground(*low); y <= row_of_ground(*high); ++y) {
         start_chunk({{x, y, z}, Lod{}});
       }
-      patience_.renew();
+      timeout_.restart();
       finish_one();
     });
   }
@@ -88,7 +88,7 @@ class Survey {
       if (!received) return fail(received.error());
       surface_.add(key, *received->chunk);
       if (--open_chunks_[key.coord.x][key.coord.z] == 0) climb(key);
-      patience_.renew();
+      timeout_.restart();
       finish_one();
     });
   }
@@ -104,7 +104,7 @@ class Survey {
   }
 
   void fail(const client::ClientError& error) {
-    if (!error_) error_ = patience_.explain(error);
+    if (!error_) error_ = timeout_.explain(error);
     finish_one();
   }
 
@@ -115,7 +115,7 @@ class Survey {
 
   client::Client& client_;
   const client::WorldInfo& world_;
-  Patience& patience_;
+  RequestTimeout& timeout_;
   SurfaceMap surface_;
   asio::steady_timer changed_;
   std::map<std::int32_t, std::map<std::int32_t, int>> open_chunks_;
@@ -126,17 +126,18 @@ class Survey {
 
 }  // namespace
 
-asio::awaitable<Outcome> map(Connecting connecting, MapOptions options) {
+asio::awaitable<CommandResult> map(Connecting connecting, MapOptions options) {
   const auto executor = co_await asio::this_coro::executor;
   client::Client client{executor, connecting.options};
-  Patience patience{executor, client, Patience::Seconds{options.timeout_seconds}};
+  RequestTimeout timeout{executor, *connecting.options.clock, client,
+                         RequestTimeout::Seconds{options.timeout_seconds}};
   const auto world = co_await client.connect(connecting.server.host, std::to_string(connecting.server.port));
-  if (!world) co_return tl::unexpected{patience.explain(world.error())};
+  if (!world) co_return tl::unexpected{timeout.explain(world.error())};
 
   const auto center = options.center.value_or(client::Column{world->spawn.x, world->spawn.z});
   const auto extent = extent_around(center.x, center.z, options.width, options.depth);
   if (!extent) co_return tl::unexpected{"the map leaves the world: " + extent.error().message};
-  Survey survey{executor, client, *world, patience};
+  Survey survey{executor, client, *world, timeout};
   const auto surface = co_await survey.run(*extent);
   // Answers that are still to come would find the survey gone; close() posts them, so let them run first.
   client.close();
@@ -148,7 +149,7 @@ asio::awaitable<Outcome> map(Connecting connecting, MapOptions options) {
   std::cout << options.output.string() << ": " << extent->width << " x " << extent->depth << " columns, "
             << "received " << client.stats().chunk_frames << " chunks in " << client.stats().received_bytes
             << " bytes\n";
-  co_return Outcome{};
+  co_return CommandResult{};
 }
 
 }  // namespace talus::cli

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <glm/vec3.hpp>
@@ -34,6 +35,10 @@ struct Picture {
 
 /// 0xRRGGBB in sRGB as linear light.
 [[nodiscard]] glm::vec3 to_light(std::uint32_t rgb);
+
+/// Whether `path`, where it is not empty, ends in .png; the error names `option`.
+[[nodiscard]] tl::expected<void, std::string> check_png_name(const std::filesystem::path& path,
+                                                             std::string_view option);
 
 /// Writes 8-bit sRGB. The error is one line that names the file.
 [[nodiscard]] tl::expected<void, std::string> write_png(const Picture& picture,

@@ -180,17 +180,23 @@ class Painter {
 }  // namespace
 
 Picture draw_view(const client::ChunkStore& store, const std::vector<client::Material>& materials,
-                  const Camera& camera, double visible_voxels, int width, int height) {
+                  const Camera& camera, double visible_voxels, int width, int height,
+                  const std::function<void(int)>& rows_done) {
   const Painter painter{store, materials, camera, visible_voxels};
   Picture picture{width, height};
   std::atomic<int> next_row{0};
-  const auto paint = [&] {
-    for (int y = next_row++; y < height; y = next_row++) {
-      for (int x = 0; x < width; ++x) picture.at(x, y) = painter.pixel(x, y, width, height);
-    }
+  std::atomic<int> rows{0};
+  const auto paint_row = [&](int y) {
+    for (int x = 0; x < width; ++x) picture.at(x, y) = painter.pixel(x, y, width, height);
+    ++rows;
   };
-  std::thread second{paint};
-  paint();
+  std::thread second{[&] {
+    for (int y = next_row++; y < height; y = next_row++) paint_row(y);
+  }};
+  for (int y = next_row++; y < height; y = next_row++) {
+    paint_row(y);
+    rows_done(rows.exchange(0));
+  }
   second.join();
   return picture;
 }

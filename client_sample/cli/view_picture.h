@@ -1,6 +1,7 @@
 // What a camera sees of the chunks that a client holds: a small ray caster.
 #pragma once
 
+#include <functional>
 #include <vector>
 
 #include <glm/vec3.hpp>
@@ -19,9 +20,11 @@ struct Camera {
 };
 
 /// Draws on two threads; 2 x 2 rays a pixel. `visible_voxels` is how far the chunks reach: the haze is so
-/// dense that their end is not seen.
+/// dense that their end is not seen. Calls rows_done(rows) on the caller's thread for rows that it has drawn
+/// since.
 [[nodiscard]] Picture draw_view(const client::ChunkStore& store,
                                 const std::vector<client::Material>& materials, const Camera& camera,
-                                double visible_voxels, int width, int height);
+                                double visible_voxels, int width, int height,
+                                const std::function<void(int)>& rows_done);
 
 }  // namespace talus::cli

@@ -22,11 +22,11 @@ struct Words {
 };
 
 constexpr double kDay = 86400;
-constexpr std::uint32_t kMostClients = 100'000;
+constexpr std::uint32_t kMaxClients = 100'000;
 
 void add_players(CLI::App& app, Options& options) {
   app.add_option("--players", options.players, "Players")
-      ->check(CLI::Range(0U, kMostClients))
+      ->check(CLI::Range(0U, kMaxClients))
       ->capture_default_str();
   app.add_option("--duration", options.seconds, "Seconds that are measured")
       ->check(within(0.1, kDay))
@@ -40,7 +40,8 @@ void add_players(CLI::App& app, Options& options) {
          "the ramp-up included)")
       ->check(within(0, kDay));
   app.add_option("--drain", options.drain_seconds,
-                 "Seconds at the end for what is still to come; what does not is wrong")
+                 "Seconds at the end to wait for chunks that have not come; those that never come are the "
+                 "figure unanswered")
       ->check(within(0, kDay))
       ->capture_default_str();
   app.add_option(
@@ -51,8 +52,8 @@ void add_players(CLI::App& app, Options& options) {
   app.add_option("--speed", options.speed, "Voxels a second (default: walk 5, fly and swarm 20)")
       ->check(within(0, 100'000));
   app.add_option("--groups", options.groups,
-                 "Players stand and move in so many groups that share ground; 0: each alone")
-      ->check(CLI::Range(0U, kMostClients))
+                 "Number of groups whose players stand and move together; 0: each player is alone")
+      ->check(CLI::Range(0U, kMaxClients))
       ->capture_default_str();
   app.add_option("--radius", options.radius, "Chunks of the View to each side")
       ->check(CLI::Range(0, 1000))
@@ -80,28 +81,31 @@ void add_players(CLI::App& app, Options& options) {
 
 void add_others(CLI::App& app, Options& options) {
   app.add_option("--idle", options.idle,
-                 "Connections beside that say Hello and Ping, there before the players")
-      ->check(CLI::Range(0U, kMostClients))
+                 "Idle connections, which join before the players and send only Hello and Ping")
+      ->check(CLI::Range(0U, kMaxClients))
       ->capture_default_str();
-  app.add_option("--greedy", options.greedy,
-                 "Clients beside that keep as many requests for fresh terrain open as the server lets them")
-      ->check(CLI::Range(0U, kMostClients))
+  app.add_option(
+         "--greedy", options.greedy,
+         "Additional clients that keep as many requests for new terrain in flight as the server allows")
+      ->check(CLI::Range(0U, kMaxClients))
       ->capture_default_str();
-  app.add_option("--slow", options.slow, "Clients beside that walk and read slowly")
-      ->check(CLI::Range(0U, kMostClients))
+  app.add_option("--slow", options.slow, "Additional clients that walk and read slowly")
+      ->check(CLI::Range(0U, kMaxClients))
       ->capture_default_str();
-  app.add_option("--slow-rate", options.slow_kbit, "Kilobits a second that each slow one reads")
+  app.add_option("--slow-rate", options.slow_kbit, "Kilobits a second that each slow client reads")
       ->check(within(0.2, 1e6))
       ->capture_default_str();
   app.add_option("--in-flight", options.in_flight,
-                 "Requests instead of Views: each player keeps so many open, of a fixed set (a closed loop); "
-                 "0: Views")
+                 "Requests instead of Views: each player keeps this many in flight, of a fixed set of chunks "
+                 "(a closed "
+                 "loop); 0: Views")
       ->check(CLI::Range(0U, 65535U))
       ->capture_default_str();
-  app.add_option("--set", options.fixed_set, "Chunks of that set: of the ground around the spawn point")
+  app.add_option("--set", options.fixed_set,
+                 "Chunks in that set, taken from the ground around the spawn point")
       ->check(CLI::Range(1U, 1'000'000U))
       ->capture_default_str();
-  app.add_option("--seed", options.seed, "Decides where the players begin, and all else that is random")
+  app.add_option("--seed", options.seed, "Seed of everything random, such as where players begin")
       ->check([](const std::string& text) {  // CLI11 takes one past 64 bits for the largest
         std::uint64_t seed = 0;
         const char* const end = text.data() + text.size();
@@ -115,30 +119,32 @@ void add_others(CLI::App& app, Options& options) {
       ->check(CLI::Range(1U, 64U))
       ->capture_default_str();
   app.add_option("--from-addresses", options.from_addresses,
-                 "Connect from 127.0.0.1 and so many less one after it")
+                 "Source addresses to connect from: 127.0.0.1 and those after it")
       ->check(CLI::Range(1U, 65534U))
       ->capture_default_str();
 }
 
 void add_results(CLI::App& app, Options& options, Words& words) {
   app.add_option("--verify", options.verify_percent,
-                 "Percent of the chunks that are decoded and hashed; all of them cost more than the server")
+                 "Percent of the chunks that are decoded and hashed; 100 takes more CPU time than the server")
       ->check(within(0, 100))
       ->capture_default_str();
   app.add_option("--ring-tolerance", options.ring_tolerance,
-                 "Rings of chunks by which a chunk of a first View may come before a nearer one")
+                 "Rings by which a chunk may arrive before a nearer one, in a first View, without being "
+                 "counted as out of order")
       ->check(CLI::Range(0, 1000))
       ->capture_default_str();
   app.add_option("--metrics", words.metrics,
-                 "HOST:PORT at which the server gives /metrics, for its CPU time and memory");
+                 "HOST:PORT of the server's /metrics, to report its CPU time and memory");
   app.add_option("--server-pid", options.server_pid,
-                 "The same from the system's tables, where the server runs here")
+                 "Process id of a server on this machine, to report the same from /proc")
       ->check(CLI::PositiveNumber);
   app.add_option("--json", options.json, "Write all figures to this file");
-  app.add_option("--plot", options.plot, "Draw the waits by percentile, as .svg");
-  app.add_option("--compare", options.compare, "Print the ratios to what --json wrote before")
+  app.add_option("--plot", options.plot, "Write the latencies by percentile, as .svg");
+  app.add_option("--compare", options.compare, "Print the ratios to a file that --json wrote before")
       ->check(CLI::ExistingFile);
-  app.add_option("--fail-if", words.fail_if, "End with 1 where this holds, as in p99_ms>50; may be repeated")
+  app.add_option("--fail-if", words.fail_if,
+                 "Exit with status 1 if this holds, as in p99_ms>50; may be repeated")
       ->allow_extra_args(false)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
 }
@@ -149,7 +155,9 @@ tl::expected<Options, Exit> read_command_line(int argc, const char* const* argv)
   const auto wrong = [](const std::string& line) {
     return tl::unexpected{Exit{command_line::kExitWrongUse, line}};
   };
-  CLI::App app{"Load for a Talus server: players that check what they get and measure how long it takes."};
+  CLI::App app{
+      "Load generator for a Talus server: simulated players that check what they receive and measure "
+      "latencies."};
   app.set_version_flag("--version", "talus-load " TALUS_VERSION);
   app.option_defaults()->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
   Options options;
@@ -160,7 +168,7 @@ tl::expected<Options, Exit> read_command_line(int argc, const char* const* argv)
   add_others(app, options);
   add_results(app, options, words);
   app.footer(
-      "Waits are counted from when a View was due, not from when it could be sent.\n"
+      "Latencies count from when a View was due, not from when it could be sent.\n"
       "Figures for --fail-if: " +
       figure_names() +
       "\nMany players from one address need --from-addresses, or a server whose "
@@ -176,13 +184,13 @@ tl::expected<Options, Exit> read_command_line(int argc, const char* const* argv)
     if (!metrics) return wrong(metrics.error());
     options.metrics = *metrics;
   }
-  const auto mix = parse_mix(options.model);
+  const auto mix = parse_player_mix(options.model);
   if (!mix) return wrong(mix.error());
   options.mix = *mix;
   for (const std::string& text : words.fail_if) {
-    auto condition = parse_condition(text);
-    if (!condition) return wrong(condition.error());
-    options.fail_if.push_back(*std::move(condition));
+    auto threshold = parse_threshold(text);
+    if (!threshold) return wrong(threshold.error());
+    options.fail_if.push_back(*std::move(threshold));
   }
   if (options.players + options.idle + options.greedy + options.slow == 0) {
     return wrong("--players 0 and nobody else: there is nothing to do");

@@ -45,7 +45,7 @@ constexpr std::array kSingles{"chunks_per_s",
                               "idle_bytes_each",
                               "files_left"};
 
-void put_spread(Figures& figures, const std::string& prefix, const Histogram& waits) {
+void put_spread(Figures& figures, const std::string& prefix, const measure::Histogram& waits) {
   if (waits.count() == 0) return;
   for (const Percentile& percentile : kPercentiles) {
     figures[prefix + percentile.name] = waits.percentile_ms(percentile.part);
@@ -53,35 +53,35 @@ void put_spread(Figures& figures, const std::string& prefix, const Histogram& wa
   figures[prefix + "max_ms"] = waits.max_ms();
 }
 
-void put_server(Figures& figures, const Outcome& outcome) {
-  const ServerSample& from = outcome.begin.server;
-  const ServerSample& to = outcome.end.server;
+void put_server(Figures& figures, const RunResult& result) {
+  const ServerSample& from = result.begin.server;
+  const ServerSample& to = result.end.server;
   if (from.cpu_seconds && to.cpu_seconds) {
     const double cpu = *to.cpu_seconds - *from.cpu_seconds;
-    const auto messages = static_cast<double>(outcome.end.chunks - outcome.begin.chunks);
-    const double chunks = messages + static_cast<double>(outcome.end.uniform - outcome.begin.uniform);
+    const auto messages = static_cast<double>(result.end.chunks - result.begin.chunks);
+    const double chunks = messages + static_cast<double>(result.end.uniform - result.begin.uniform);
     figures["cpu_s"] = cpu;
     if (chunks > 0) figures["cpu_s_per_million"] = cpu / chunks * 1e6;
     if (messages > 0) figures["cpu_s_per_million_messages"] = cpu / messages * 1e6;
   }
   if (to.resident_bytes) figures["resident_bytes"] = *to.resident_bytes;
-  if (const auto growth = outcome.resident_growth_percent()) figures["resident_growth_percent"] = *growth;
-  if (outcome.idle_joined > 0 && outcome.idle.resident_bytes && outcome.before.resident_bytes) {
-    figures["idle_bytes_each"] = (*outcome.idle.resident_bytes - *outcome.before.resident_bytes) /
-                                 static_cast<double>(outcome.idle_joined);
+  if (const auto growth = result.resident_growth_percent()) figures["resident_growth_percent"] = *growth;
+  if (result.idle_joined > 0 && result.idle.resident_bytes && result.before.resident_bytes) {
+    figures["idle_bytes_each"] = (*result.idle.resident_bytes - *result.before.resident_bytes) /
+                                 static_cast<double>(result.idle_joined);
   }
-  if (outcome.before.open_files && outcome.after.open_files) {
-    figures["files_left"] = *outcome.after.open_files - *outcome.before.open_files;
+  if (result.before.open_files && result.after.open_files) {
+    figures["files_left"] = *result.after.open_files - *result.before.open_files;
   }
 }
 
 }  // namespace
 
-Figures figures_of(const Outcome& outcome) {
-  const Tally players = outcome.players();
-  const Tally& slow = outcome.tallies[static_cast<std::size_t>(Role::slow)];
-  const Tally& greedy = outcome.tallies[static_cast<std::size_t>(Role::greedy)];
-  Histogram chunks = players.join;
+Figures figures_of(const RunResult& result) {
+  const Tally players = result.players();
+  const Tally& slow = result.tallies[static_cast<std::size_t>(Role::slow)];
+  const Tally& greedy = result.tallies[static_cast<std::size_t>(Role::greedy)];
+  measure::Histogram chunks = players.join;
   chunks.merge(players.travel);
   Figures figures;
   put_spread(figures, "", chunks);
@@ -90,16 +90,16 @@ Figures figures_of(const Outcome& outcome) {
   put_spread(figures, "request_", players.requests);
   put_spread(figures, "first_chunk_", players.first_chunk);
   put_spread(figures, "full_view_", players.full_view);
-  put_spread(figures, "harness_late_", outcome.lateness);
+  put_spread(figures, "harness_late_", result.lateness);
 
-  const double seconds = outcome.end.seconds - outcome.begin.seconds;
+  const double seconds = result.end.seconds - result.begin.seconds;
   const auto per_second = [seconds](std::uint64_t from, std::uint64_t to) {
     return seconds > 0 ? static_cast<double>(to - from) / seconds : 0;
   };
   figures["chunks_per_s"] =
-      per_second(outcome.begin.chunks + outcome.begin.uniform, outcome.end.chunks + outcome.end.uniform);
-  figures["chunk_messages_per_s"] = per_second(outcome.begin.chunks, outcome.end.chunks);
-  figures["bytes_per_s"] = per_second(outcome.begin.bytes, outcome.end.bytes);
+      per_second(result.begin.chunks + result.begin.uniform, result.end.chunks + result.end.uniform);
+  figures["chunk_messages_per_s"] = per_second(result.begin.chunks, result.end.chunks);
+  figures["bytes_per_s"] = per_second(result.begin.bytes, result.end.bytes);
 
   std::size_t latest = 0;
   std::uint64_t over_one = 0;
@@ -110,7 +110,7 @@ Figures figures_of(const Outcome& outcome) {
   const auto put = [&](const char* name, auto count) { figures[name] = static_cast<double>(count); };
   put("late_steps_max", latest);
   put("late_over_one_step", over_one);
-  put("wrong", outcome.all().wrongs());
+  put("wrong", result.all().wrongs());
   put("errors", players.error_count());
   put("disconnects", players.disconnect_count());
   put("unanswered", players.unanswered);
@@ -123,8 +123,8 @@ Figures figures_of(const Outcome& outcome) {
   put("slow_disconnects", slow.disconnect_count());
   put("greedy_errors", greedy.error_count());
   put("greedy_chunks", greedy.chunks);
-  put("harness_cpu_s", outcome.end.harness_cpu_seconds - outcome.begin.harness_cpu_seconds);
-  put_server(figures, outcome);
+  put("harness_cpu_s", result.end.harness_cpu_seconds - result.begin.harness_cpu_seconds);
+  put_server(figures, result);
   return figures;
 }
 

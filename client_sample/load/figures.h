@@ -4,12 +4,12 @@
 #include <string>
 #include <vector>
 
-#include "conditions.h"
-#include "outcome.h"
+#include "run_result.h"
+#include "thresholds.h"
 
 namespace talus::load {
 
-[[nodiscard]] Figures figures_of(const Outcome& outcome);
+[[nodiscard]] Figures figures_of(const RunResult& result);
 
 [[nodiscard]] bool is_figure(const std::string& name);
 /// All names, for --help.

@@ -16,7 +16,7 @@
 #include "plot.h"
 #include "report.h"
 #include "run.h"
-#include "scout.h"
+#include "world_probe.h"
 
 namespace {
 
@@ -47,7 +47,7 @@ tl::expected<void, std::string> check_files(const Options& options) {
   const auto old = read_whole(options.compare);
   if (!old) return tl::unexpected{old.error()};
   const nlohmann::json nothing{
-      {"format", 1}, {"settings", nlohmann::json::object()}, {"figures", nlohmann::json::object()}};
+      {"format", 2}, {"settings", nlohmann::json::object()}, {"figures", nlohmann::json::object()}};
   if (const auto table = compare(*old, nothing); !table) {
     return tl::unexpected{options.compare + ": " + table.error()};
   }
@@ -64,14 +64,14 @@ tl::expected<Plan, std::string> make_plan(const Options& options) {
     if (!trace) return tl::unexpected{options.mix.trace_file + ":" + trace.error()};
     plan.trace = std::make_shared<const Trace>(*std::move(trace));
   }
-  if (const auto scouted = scout(plan); !scouted) return tl::unexpected{scouted.error()};
+  if (const auto probed = probe_world(plan); !probed) return tl::unexpected{probed.error()};
   return plan;
 }
 
-std::string plot_of(const Plan& plan, const Outcome& outcome) {
-  const Tally players = outcome.players();
+std::string plot_of(const Plan& plan, const RunResult& result) {
+  const Tally players = result.players();
   std::vector<Curve> curves;
-  const auto add = [&](std::string name, const Histogram& waits) {
+  const auto add = [&](std::string name, const measure::Histogram& waits) {
     if (waits.count() > 0) curves.push_back({std::move(name), &waits});
   };
   add("chunks of joins", players.join);
@@ -87,14 +87,14 @@ std::string plot_of(const Plan& plan, const Outcome& outcome) {
 }
 
 /// What is printed and written of a run; the lines say what went wrong with that.
-std::vector<std::string> tell(const Plan& plan, const Outcome& outcome) {
+std::vector<std::string> tell(const Plan& plan, const RunResult& result) {
   const Options& options = plan.options;
   std::vector<std::string> failures;
   const auto note = [&](const tl::expected<void, files::FileError>& written) {
     if (!written) failures.push_back(written.error().message());
   };
-  std::cout << report(plan, outcome);
-  const nlohmann::json json = report_json(plan, outcome);
+  std::cout << report(plan, result);
+  const nlohmann::json json = report_json(plan, result);
   if (!options.compare.empty()) {
     const auto old = read_whole(options.compare);
     const auto table = old ? compare(*old, json) : tl::unexpected{old.error()};
@@ -105,7 +105,7 @@ std::vector<std::string> tell(const Plan& plan, const Outcome& outcome) {
     }
   }
   if (!options.json.empty()) note(files::write_file(options.json, json.dump(2) + "\n"));
-  if (!options.plot.empty()) note(files::write_file(options.plot, plot_of(plan, outcome)));
+  if (!options.plot.empty()) note(files::write_file(options.plot, plot_of(plan, result)));
   std::cout.flush();
   if (!std::cout) failures.push_back("standard output: cannot be written");
   return failures;
@@ -125,11 +125,11 @@ int main(int argc, char** argv) {
   if (const auto checked = check_files(*options); !checked) return failed(checked.error());
   const auto plan = make_plan(*options);
   if (!plan) return failed(plan.error());
-  const auto outcome = run(*plan);
-  if (!outcome) return failed(outcome.error());
+  const auto result = run(*plan);
+  if (!result) return failed(result.error());
 
-  auto failures = tell(*plan, *outcome);
-  for (const std::string& line : those_that_hold(options->fail_if, figures_of(*outcome)))
+  auto failures = tell(*plan, *result);
+  for (const std::string& line : crossed_thresholds(options->fail_if, figures_of(*result)))
     failures.push_back(line);
   for (const std::string& line : failures) failed(line);
   return failures.empty() ? 0 : 1;

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "command_line/connect_options.h"
-#include "conditions.h"
-#include "mix.h"
+#include "player_mix.h"
+#include "thresholds.h"
 
 namespace talus::load {
 
@@ -25,7 +25,7 @@ struct Options {
   std::uint32_t from_addresses = 1;
 
   std::string model = "walk";
-  Mix mix;  // of `model`
+  PlayerMix mix;  // of `model`
   std::uint32_t groups = 0;
   std::optional<double> speed;  // voxels a second
   std::uint16_t radius = 8;     // chunks
@@ -50,7 +50,7 @@ struct Options {
   int server_pid = 0;
 
   std::string json, plot, compare;
-  std::vector<Condition> fail_if;
+  std::vector<Threshold> fail_if;
 };
 
 }  // namespace talus::load

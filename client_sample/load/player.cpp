@@ -17,7 +17,7 @@ constexpr double kWalkingSpeed = 5;  // voxels a second
 constexpr double kFlyingSpeed = 20;
 constexpr double kTurned = 0.966;  // cosine of the 15 degrees from which on a turn is worth a View
 
-MotionPlan motion_plan(const Plan& plan, const GuestProfile& profile) {
+MotionPlan motion_plan(const Plan& plan, const ClientProfile& profile) {
   const Options& options = plan.options;
   const bool walks = profile.role == Role::walk || profile.role == Role::slow;
   MotionPlan motion;
@@ -47,8 +47,8 @@ bool turned(const glm::dvec3& from, const glm::dvec3& to) {
 
 }  // namespace
 
-Player::Player(Worker& worker, const GuestProfile& profile)
-    : Guest{worker, profile},
+Player::Player(Worker& worker, const ClientProfile& profile)
+    : SimulatedClient{worker, profile},
       motion_{make_motion(motion_plan(worker.plan(), profile),
                           Random{worker.plan().options.seed ^ 0xBEEF, profile.number})},
       tick_{std::chrono::duration_cast<Clock::duration>(
@@ -58,7 +58,7 @@ Player::Player(Worker& worker, const GuestProfile& profile)
 
 void Player::joined(Time now) {
   began_ = std::min(began_, join_due());
-  wanted_ = {};
+  pending_ = {};
   first_to_come_ = true;
   look_around(now, true);
   // Its ticks stay where they were laid when it first was to join, however late the server is.
@@ -66,10 +66,10 @@ void Player::joined(Time now) {
   tick_due_ = motion_->moves() ? first_tick + tick_ * ((now - first_tick + tick_) / tick_) : Time::max();
 }
 
-void Player::parted(bool lost) {
+void Player::disconnected(bool lost) {
   tick_due_ = Time::max();
   const Time now = Clock::now();
-  for (const Wanted::Missed& missed : wanted_.give_up()) {
+  for (const PendingChunks::Missed& missed : pending_.give_up()) {
     if (lost) record_missed(missed, now);
   }
 }
@@ -93,12 +93,12 @@ void Player::look_around(Time due, bool first) {
   send_view(pose);
   if (!moved) return;
   const Options& options = worker().plan().options;
-  const Time jumped_before = wanted_.jumped();
-  for (const Wanted::Missed& missed :
-       wanted_.move_to(box_around(centre, options.radius, options.vertical), centre, due)) {
+  const Time jumped_before = pending_.jumped();
+  for (const PendingChunks::Missed& missed :
+       pending_.move_to(box_around(centre, options.radius, options.vertical), centre, due)) {
     record_missed(missed, due);
   }
-  if (wanted_.jumped() != jumped_before) {
+  if (pending_.jumped() != jumped_before) {
     full_to_come_ = true;
     full_since_ = first ? join_due() : due;
   }
@@ -114,7 +114,7 @@ void Player::send_view(const Pose& pose) {
       [&](auto& b) { return wire::CreateView(b, &centre, &direction, options.radius, options.vertical); }));
 }
 
-void Player::record_missed(const Wanted::Missed& missed, Time now) {
+void Player::record_missed(const PendingChunks::Missed& missed, Time now) {
   if (missed.returned) {
     ++tally().unconfirmed;
     return;
@@ -141,7 +141,7 @@ void Player::take(const wire::Unchanged& unchanged) {
 void Player::take(const wire::UniformColumn& column) {
   if (column.lod() != 0 || column.runs() == nullptr) return;
   const Time now = Clock::now();
-  const Box& box = wanted_.box();
+  const Box& box = pending_.box();
   const auto& materials = worker().plan().world.materials;
   for (const wire::UniformRun* run : *column.runs()) {
     const bool known = std::any_of(materials.begin(), materials.end(), [&](const client::Material& material) {
@@ -157,22 +157,22 @@ void Player::take(const wire::UniformColumn& column) {
 }
 
 void Player::arrive(ChunkCoord chunk, Time now, bool alone) {
-  const Wanted::Arrival arrival = wanted_.arrive(chunk);
+  const PendingChunks::Arrival arrival = pending_.arrive(chunk);
   switch (arrival.verdict) {
-    case Wanted::Verdict::stale:
+    case PendingChunks::Verdict::stale:
       ++tally().stale;
       return;
-    case Wanted::Verdict::repeated:
+    case PendingChunks::Verdict::repeated:
       if (alone) ++tally().repeated;
       return;
-    case Wanted::Verdict::duplicate:
+    case PendingChunks::Verdict::duplicate:
       // A run may cover rows that are held: it says nothing of how they came.
       if (alone) wrong(tally().duplicates, fmt::format("chunk {} came twice", to_string(chunk)));
       return;
-    case Wanted::Verdict::outside:
+    case PendingChunks::Verdict::outside:
       if (alone) wrong(tally().outside, fmt::format("chunk {} is in no View of it", to_string(chunk)));
       return;
-    case Wanted::Verdict::came:
+    case PendingChunks::Verdict::came:
       break;
   }
   if (!alone) {
@@ -189,23 +189,23 @@ void Player::arrive(ChunkCoord chunk, Time now, bool alone) {
     ++tally().late_steps[std::min<std::size_t>(arrival.steps_late, tally().late_steps.size() - 1)];
   }
   if (std::exchange(first_to_come_, false)) tally().first_chunk.record(now - join_due());
-  if (full_to_come_ && wanted_.waiting() == 0) {
+  if (full_to_come_ && pending_.waiting() == 0) {
     full_to_come_ = false;
     tally().full_view.record(now - full_since_);
   }
 }
 
 bool Player::satisfied() const {
-  return !is_joined() || wanted_.waiting() == 0 || role() == Role::slow;  // which may take hours
+  return !is_joined() || pending_.waiting() == 0 || role() == Role::slow;  // which may take hours
 }
 
 void Player::give_up() {
   const Time now = Clock::now();
-  for (const Wanted::Missed& missed : wanted_.give_up()) {
+  for (const PendingChunks::Missed& missed : pending_.give_up()) {
     record_missed(missed, now);
     if (missed.returned || role() == Role::slow) continue;
     --tally().missed;
-    wrong(tally().unanswered, "a chunk of its View never came");
+    never_came("a chunk of its View");
   }
 }
 

@@ -3,20 +3,20 @@
 
 #include <memory>
 
-#include "guest.h"
 #include "movement.h"
-#include "wanted.h"
+#include "pending_chunks.h"
+#include "simulated_client.h"
 
 namespace talus::load {
 
-class Player final : public Guest {
+class Player final : public SimulatedClient {
  public:
-  Player(Worker& worker, const GuestProfile& profile);
+  Player(Worker& worker, const ClientProfile& profile);
   [[nodiscard]] bool satisfied() const override;
 
  private:
   void joined(Time now) override;
-  void parted(bool lost) override;
+  void disconnected(bool lost) override;
   void act_joined(Time now) override;
   [[nodiscard]] Time own_due() const override { return tick_due_; }
   void take(const wire::Chunk& chunk) override;
@@ -26,7 +26,7 @@ class Player final : public Guest {
 
   void look_around(Time due, bool first);
   void send_view(const Pose& pose);
-  void record_missed(const Wanted::Missed& missed, Time now);
+  void record_missed(const PendingChunks::Missed& missed, Time now);
   /// A chunk of the View came by whatever message. `alone`: by one that was for it alone.
   void arrive(ChunkCoord chunk, Time now, bool alone);
 
@@ -36,7 +36,7 @@ class Player final : public Guest {
   Time began_ = Time::max();  // when it joined first: its time is counted from there
   Time tick_due_ = Time::max();
   Pose pose_;  // of the last View
-  Wanted wanted_;
+  PendingChunks pending_;
   bool first_to_come_ = false;
   bool full_to_come_ = false;
   Time full_since_{};

@@ -83,7 +83,7 @@ std::string grid(const Axes& axes) {
   return svg;
 }
 
-std::string line_of(const Axes& axes, const Histogram& waits) {
+std::string line_of(const Axes& axes, const measure::Histogram& waits) {
   std::string points;
   const double last = std::min<double>(axes.nines, std::log10(static_cast<double>(waits.count())));
   constexpr int kSteps = 240;
@@ -130,7 +130,7 @@ std::string plot(const std::string& title, const std::string& subtitle, const st
   for (std::size_t i = 1; i < labels.size(); ++i)
     labels[i].y = std::max(labels[i].y, labels[i - 1].y + kLabel);
   for (const Label& label : labels) {
-    const Histogram& waits = *curves[label.curve].waits;
+    const measure::Histogram& waits = *curves[label.curve].waits;
     const double x = kWidth - kRight + 14;
     svg += fmt::format("<text x='{}' y='{:.1f}' class='name' fill='{}'>{}</text>\n", x, label.y + 4,
                        kColours[label.curve], escaped(curves[label.curve].name));

@@ -4,13 +4,13 @@
 #include <string>
 #include <vector>
 
-#include "histogram.h"
+#include "measure/histogram.h"
 
 namespace talus::load {
 
 struct Curve {
   std::string name;
-  const Histogram* waits = nullptr;  // at least one wait
+  const measure::Histogram* waits = nullptr;  // at least one wait
 };
 
 /// An SVG of its own: from left to right the part of all chunks, each nine between two lines ten times rarer

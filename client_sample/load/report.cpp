@@ -9,18 +9,18 @@
 namespace talus::load {
 namespace {
 
-std::string row(const std::string& name, const Histogram& waits) {
+std::string row(const std::string& name, const measure::Histogram& waits) {
   if (waits.count() == 0) return "";
   return fmt::format("  {:<22}{:>11}{:>10.3f}{:>10.3f}{:>10.3f}{:>10.3f}{:>10.3f}\n", name, waits.count(),
                      waits.percentile_ms(0.5), waits.percentile_ms(0.95), waits.percentile_ms(0.99),
                      waits.percentile_ms(0.999), waits.max_ms());
 }
 
-std::string waits_of(const Outcome& outcome) {
-  const Tally players = outcome.players();
+std::string waits_of(const RunResult& result) {
+  const Tally players = result.players();
   std::string rows = row("chunks of joins", players.join) + row("chunks of travel", players.travel);
   for (std::size_t role = 0; role < kRoles; ++role) {
-    const Tally& tally = outcome.tallies[role];
+    const Tally& tally = result.tallies[role];
     const std::string name{kRoleNames[role]};
     if (tally.join.count() != players.join.count()) rows += row("  joins, " + name, tally.join);
     if (tally.travel.count() != players.travel.count()) rows += row("  travel, " + name, tally.travel);
@@ -42,14 +42,14 @@ std::string counts_of(const std::map<std::string, std::uint64_t>& counts) {
   return text;
 }
 
-std::string checks_of(const Plan& plan, const Outcome& outcome) {
-  const Tally all = outcome.all();
+std::string checks_of(const Plan& plan, const RunResult& result) {
+  const Tally all = result.all();
   std::string text = fmt::format(
-      "  wrong: {} ({} chunks decoded and hashed, {} bad; {} outside, {} twice, {} never came, {} bad "
-      "messages)\n",
-      all.wrongs(), all.verified, all.bad_chunks, all.outside, all.duplicates, all.unanswered,
-      all.bad_messages);
+      "  wrong: {} ({} chunks decoded and hashed, {} bad; {} outside, {} twice, {} bad messages)\n",
+      all.wrongs(), all.verified, all.bad_chunks, all.outside, all.duplicates, all.bad_messages);
   if (!all.first_wrong.empty()) text += fmt::format("  first wrong: {}\n", all.first_wrong);
+  text += fmt::format("  never came: {}{}\n", all.unanswered,
+                      all.unanswered == 0 ? "" : fmt::format(" (the first: {})", all.first_unanswered));
   if (all.ordered > 0) {
     text += fmt::format("  order: {} of {} chunks came over {} rings before a nearer one, {} at most\n",
                         all.disordered, all.ordered, plan.options.ring_tolerance, all.worst_ring_gap);
@@ -59,12 +59,12 @@ std::string checks_of(const Plan& plan, const Outcome& outcome) {
   return text;
 }
 
-std::string troubles_of(const Outcome& outcome) {
-  const Tally players = outcome.players();
+std::string troubles_of(const RunResult& result) {
+  const Tally players = result.players();
   std::string text = fmt::format("  errors: {}\n  disconnects: {}\n", counts_of(players.errors),
                                  counts_of(players.disconnects));
   for (const Role role : {Role::slow, Role::greedy}) {
-    const Tally& tally = outcome.tallies[static_cast<std::size_t>(role)];
+    const Tally& tally = result.tallies[static_cast<std::size_t>(role)];
     if (tally.joins == 0 && tally.disconnects.empty()) continue;
     text += fmt::format("  {}: {} chunks; errors: {}; disconnects: {}\n", name_of(role), tally.chunks,
                         counts_of(tally.errors), counts_of(tally.disconnects));
@@ -89,7 +89,7 @@ std::string server_of(const Figures& figures) {
   return text.empty() ? "" : "  server: " + text + "\n";
 }
 
-nlohmann::json spread_json(const Histogram& waits) {
+nlohmann::json spread_json(const measure::Histogram& waits) {
   return {{"count", waits.count()},
           {"p50", waits.percentile_ms(0.5)},
           {"p95", waits.percentile_ms(0.95)},
@@ -109,11 +109,11 @@ nlohmann::json tally_json(const Tally& tally) {
           {"missed", tally.missed},
           {"unconfirmed", tally.unconfirmed},
           {"verified", tally.verified},
+          {"unanswered", tally.unanswered},
           {"wrong",
            {{"bad_chunks", tally.bad_chunks},
             {"outside", tally.outside},
             {"duplicates", tally.duplicates},
-            {"unanswered", tally.unanswered},
             {"bad_messages", tally.bad_messages}}},
           {"order",
            {{"looked_at", tally.ordered},
@@ -163,18 +163,18 @@ nlohmann::json settings_json(const Options& options) {
 
 }  // namespace
 
-std::string report(const Plan& plan, const Outcome& outcome) {
-  const Figures figures = figures_of(outcome);
-  const double seconds = outcome.end.seconds - outcome.begin.seconds;
+std::string report(const Plan& plan, const RunResult& result) {
+  const Figures figures = figures_of(result);
+  const double seconds = result.end.seconds - result.begin.seconds;
   std::string text = fmt::format(
       "{} players ({}) of {}, seed {}, {:.1f} s measured{}, {} cores\n", plan.options.players,
       plan.options.in_flight != 0 ? "requests" : plan.options.model, plan.world.server, plan.options.seed,
-      seconds, outcome.interrupted ? " (interrupted)" : "", std::thread::hardware_concurrency());
-  text += waits_of(outcome);
+      seconds, result.interrupted ? " (interrupted)" : "", std::thread::hardware_concurrency());
+  text += waits_of(result);
   text += fmt::format("  rate: {:.0f} chunks/s ({:.0f} Chunk messages/s), {:.2f} MB/s\n",
                       figures.at("chunks_per_s"), figures.at("chunk_messages_per_s"),
                       figures.at("bytes_per_s") / 1e6);
-  const Tally players = outcome.players();
+  const Tally players = result.players();
   if (players.travel.count() + players.join.count() > 0) {
     text += fmt::format(
         "  late: {:.0f} chunks by more than one View step, {}{:.0f} steps at most\n",
@@ -182,32 +182,32 @@ std::string report(const Plan& plan, const Outcome& outcome) {
         figures.at("late_steps_max") == static_cast<double>(players.late_steps.size() - 1) ? "over " : "",
         figures.at("late_steps_max"));
   }
-  text += checks_of(plan, outcome) + troubles_of(outcome) + server_of(figures);
+  text += checks_of(plan, result) + troubles_of(result) + server_of(figures);
   text += fmt::format("  harness: {:.2f} CPU s, p99 {:.3f} ms behind its own schedule\n",
-                      figures.at("harness_cpu_s"), outcome.lateness.percentile_ms(0.99));
+                      figures.at("harness_cpu_s"), result.lateness.percentile_ms(0.99));
   return text;
 }
 
-nlohmann::json report_json(const Plan& plan, const Outcome& outcome) {
+nlohmann::json report_json(const Plan& plan, const RunResult& result) {
   nlohmann::json roles = nlohmann::json::object();
   for (std::size_t role = 0; role < kRoles; ++role) {
-    const Tally& tally = outcome.tallies[role];
+    const Tally& tally = result.tallies[role];
     if (tally.joins > 0 || !tally.disconnects.empty())
       roles[std::string{kRoleNames[role]}] = tally_json(tally);
   }
   nlohmann::json counters = nlohmann::json::object();
-  for (const auto& [name, value] : outcome.end.server.counters) {
-    const auto before = outcome.begin.server.counters.find(name);
-    counters[name] = value - (before == outcome.begin.server.counters.end() ? 0 : before->second);
+  for (const auto& [name, value] : result.end.server.counters) {
+    const auto before = result.begin.server.counters.find(name);
+    counters[name] = value - (before == result.begin.server.counters.end() ? 0 : before->second);
   }
-  return {{"format", 1},
+  return {{"format", 2},
           {"program", "talus-load " TALUS_VERSION},
           {"machine", {{"cores", std::thread::hardware_concurrency()}}},
           {"server", {{"name", plan.world.server}, {"fingerprint", to_string(plan.world.fingerprint)}}},
           {"settings", settings_json(plan.options)},
-          {"measured_s", outcome.end.seconds - outcome.begin.seconds},
-          {"interrupted", outcome.interrupted},
-          {"figures", figures_of(outcome)},
+          {"measured_s", result.end.seconds - result.begin.seconds},
+          {"interrupted", result.interrupted},
+          {"figures", figures_of(result)},
           {"roles", roles},
           {"server_counters", counters}};
 }

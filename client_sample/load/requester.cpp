@@ -14,7 +14,7 @@ constexpr std::size_t kEnvelopeBytes = 128;
 
 }  // namespace
 
-Requester::Requester(Worker& worker, const GuestProfile& profile) : Guest{worker, profile} {
+Requester::Requester(Worker& worker, const ClientProfile& profile) : SimulatedClient{worker, profile} {
   const Plan& plan = worker.plan();
   slots_.resize(profile.role == Role::greedy ? plan.world.limits.requests_in_flight : plan.options.in_flight);
 }
@@ -25,7 +25,7 @@ void Requester::joined(Time /*now*/) {
   ask();
 }
 
-void Requester::parted(bool /*lost*/) {
+void Requester::disconnected(bool /*lost*/) {
   for (Slot& slot : slots_) slot.open = false;
   open_ = 0;
 }
@@ -94,8 +94,7 @@ void Requester::taken_all() {
 void Requester::give_up() {
   if (role() == Role::greedy) return;
   for (const Slot& slot : slots_) {
-    if (slot.open)
-      wrong(tally().unanswered, fmt::format("a request for {} was never answered", to_string(slot.key)));
+    if (slot.open) never_came(fmt::format("the answer to a request for {}", to_string(slot.key)));
   }
 }
 

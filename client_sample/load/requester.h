@@ -4,13 +4,13 @@
 
 #include <vector>
 
-#include "guest.h"
+#include "simulated_client.h"
 
 namespace talus::load {
 
-class Requester final : public Guest {
+class Requester final : public SimulatedClient {
  public:
-  Requester(Worker& worker, const GuestProfile& profile);
+  Requester(Worker& worker, const ClientProfile& profile);
   [[nodiscard]] bool satisfied() const override { return open_ == 0 || role() == Role::greedy; }
 
  private:
@@ -21,7 +21,7 @@ class Requester final : public Guest {
   };
 
   void joined(Time now) override;
-  void parted(bool lost) override;
+  void disconnected(bool lost) override;
   void take(const wire::Chunk& chunk) override;
   void take(const wire::Error& error) override;
   void taken_all() override;

@@ -19,7 +19,7 @@ namespace talus::load {
 namespace {
 
 constexpr double kIdleJoinsPerSecond = 2000;
-constexpr std::chrono::seconds kIdlePatience{60};
+constexpr std::chrono::seconds kIdleTimeout{60};
 constexpr std::chrono::milliseconds kBetweenLooks{100};
 constexpr std::chrono::seconds kServerSettles{3};
 constexpr std::uint64_t kSpareFiles = 64;
@@ -48,11 +48,12 @@ tl::expected<void, std::string> raise_file_limit(std::uint64_t needed) {
       fmt::format("{} open files are needed and the system allows fewer; raise ulimit -n", needed)};
 }
 
-std::vector<GuestProfile> profiles_of(const Plan& plan) {
+std::vector<ClientProfile> profiles_of(const Plan& plan) {
   const Options& options = plan.options;
-  std::vector<GuestProfile> profiles;
+  std::vector<ClientProfile> profiles;
   const auto add = [&](Role role, std::uint32_t group, Clock::duration joins_after) {
-    GuestProfile profile{role, static_cast<std::uint32_t>(profiles.size()), group, joins_after, std::nullopt};
+    ClientProfile profile{role, static_cast<std::uint32_t>(profiles.size()), group, joins_after,
+                          std::nullopt};
     if (options.from_addresses > 1) {
       constexpr std::uint32_t kLoopback = 0x7F000001;
       profile.from = asio::ip::address_v4{kLoopback + profile.number % options.from_addresses};
@@ -82,23 +83,23 @@ class Run {
       workers_.push_back(std::make_unique<Worker>(plan, number));
     }
     const auto profiles = profiles_of(plan);
-    for (const GuestProfile& profile : profiles) workers_[profile.number % workers_.size()]->add(profile);
+    for (const ClientProfile& profile : profiles) workers_[profile.number % workers_.size()]->add(profile);
     signals_.async_wait(
         [this](std::error_code cancelled, int) { interrupted_ = interrupted_ || !cancelled; });
   }
 
-  tl::expected<Outcome, std::string> go() {
-    if (watch_.watches()) wait_until(Clock::now() + kBetweenLooks);  // until it has seen the scout leave
+  tl::expected<RunResult, std::string> go() {
+    if (watch_.watches()) wait_until(Clock::now() + kBetweenLooks);  // until it has seen the probe disconnect
     auto before = watch_.sample();
     if (!before) return tl::unexpected{before.error()};
-    outcome_.before = *before;
+    result_.before = *before;
     for (const auto& worker : workers_) worker->run();
     if (plan_.options.idle > 0) {
       if (const auto joined = join_idle(); !joined) return tl::unexpected{joined.error()};
     }
     measure();
     leave();
-    return std::move(outcome_);
+    return std::move(result_);
   }
 
  private:
@@ -114,18 +115,18 @@ class Run {
     const Time start = Clock::now();
     for (const auto& worker : workers_) worker->begin(true, start, Time::max());
     ProgressBar progress{"idle", "connections"};
-    while (sum(&Live::joined) < idle && Clock::now() < start + kIdlePatience && !interrupted_) {
+    while (sum(&Live::joined) < idle && Clock::now() < start + kIdleTimeout && !interrupted_) {
       wait_until(Clock::now() + kBetweenLooks);
       progress.show(static_cast<double>(sum(&Live::joined)) / static_cast<double>(idle), sum(&Live::joined));
     }
-    outcome_.idle_joined = sum(&Live::joined);
-    if (outcome_.idle_joined < idle && !interrupted_) {
+    result_.idle_joined = sum(&Live::joined);
+    if (result_.idle_joined < idle && !interrupted_) {
       return tl::unexpected{
           fmt::format("only {} of {} idle connections were taken; the server's limits.connections and "
                       "limits.connections_per_address must allow them (--from-addresses spreads them)",
-                      outcome_.idle_joined, idle)};
+                      result_.idle_joined, idle)};
     }
-    outcome_.idle = watch_.sample().value_or(ServerSample{});
+    result_.idle = watch_.sample().value_or(ServerSample{});
     return {};
   }
 
@@ -139,11 +140,11 @@ class Run {
     for (const auto& worker : workers_) worker->begin(false, start_, from);
     ProgressBar progress{"load", "chunks"};
     watch_progress(progress, from, end);
-    outcome_.begin = moment();
-    outcome_.resident_bytes.clear();
+    result_.begin = moment();
+    result_.resident_bytes.clear();
     watch_progress(progress, end, end);
-    outcome_.end = moment();
-    outcome_.interrupted = interrupted_;
+    result_.end = moment();
+    result_.interrupted = interrupted_;
     for (const auto& worker : workers_) worker->finish(Clock::now() + seconds(options.drain_seconds));
   }
 
@@ -156,7 +157,7 @@ class Run {
       const std::uint64_t chunks = sum(&Live::chunks) + sum(&Live::uniform);
       const auto troubles = sum(&Live::troubles);
       const auto sample = watch_.sample();
-      if (sample && sample->resident_bytes) outcome_.resident_bytes.push_back(*sample->resident_bytes);
+      if (sample && sample->resident_bytes) result_.resident_bytes.push_back(*sample->resident_bytes);
       progress.show(
           std::chrono::duration<double>(now - start_) / std::chrono::duration<double>(end - start_), chunks,
           fmt::format("now {:.0f}/s  {} clients{}",
@@ -178,18 +179,18 @@ class Run {
   void leave() {
     for (const auto& worker : workers_) worker->join();
     for (const auto& worker : workers_) {
-      for (std::size_t role = 0; role < kRoles; ++role) outcome_.tallies[role].merge(worker->tallies()[role]);
-      outcome_.lateness.merge(worker->lateness());
+      for (std::size_t role = 0; role < kRoles; ++role) result_.tallies[role].merge(worker->tallies()[role]);
+      result_.lateness.merge(worker->lateness());
     }
     workers_.clear();
     if (!watch_.watches()) return;
     // The server needs a moment to see that they left.
-    const Time patience = Clock::now() + kServerSettles;
+    const Time deadline = Clock::now() + kServerSettles;
     do {
       wait_until(Clock::now() + kBetweenLooks);
-      outcome_.after = watch_.sample().value_or(ServerSample{});
-    } while (outcome_.after.open_files.value_or(0) > outcome_.before.open_files.value_or(0) &&
-             Clock::now() < patience);
+      result_.after = watch_.sample().value_or(ServerSample{});
+    } while (result_.after.open_files.value_or(0) > result_.before.open_files.value_or(0) &&
+             Clock::now() < deadline);
   }
 
   void wait_until(Time when) {
@@ -209,12 +210,12 @@ class Run {
   bool interrupted_ = false;
   std::vector<std::unique_ptr<Worker>> workers_;
   Time start_{};
-  Outcome outcome_;
+  RunResult result_;
 };
 
 }  // namespace
 
-tl::expected<Outcome, std::string> run(const Plan& plan) {
+tl::expected<RunResult, std::string> run(const Plan& plan) {
   const Options& options = plan.options;
   const std::uint64_t clients = std::uint64_t{options.players} + options.slow + options.greedy + options.idle;
   if (const auto raised = raise_file_limit(clients + kSpareFiles); !raised)

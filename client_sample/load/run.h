@@ -5,12 +5,12 @@
 
 #include <tl/expected.hpp>
 
-#include "outcome.h"
 #include "plan.h"
+#include "run_result.h"
 
 namespace talus::load {
 
-/// Blocks until it is over; SIGINT ends it early, with what was measured until then. `plan` has been scouted.
-[[nodiscard]] tl::expected<Outcome, std::string> run(const Plan& plan);
+/// Blocks until it is over; SIGINT ends it early, with what was measured until then. `plan` has been probed.
+[[nodiscard]] tl::expected<RunResult, std::string> run(const Plan& plan);
 
 }  // namespace talus::load

@@ -31,6 +31,7 @@ void Tally::merge(const Tally& other) {
   for (const auto count : kCounts) this->*count += other.*count;
   worst_ring_gap = std::max(worst_ring_gap, other.worst_ring_gap);
   if (first_wrong.empty()) first_wrong = other.first_wrong;
+  if (first_unanswered.empty()) first_unanswered = other.first_unanswered;
   for (const auto& [code, count] : other.errors) errors[code] += count;
   for (const auto& [reason, count] : other.disconnects) disconnects[reason] += count;
 }
@@ -38,6 +39,11 @@ void Tally::merge(const Tally& other) {
 void Tally::wrong(std::uint64_t& counter, const std::string& what) {
   ++counter;
   if (first_wrong.empty()) first_wrong = what;
+}
+
+void Tally::never_came(const std::string& what) {
+  ++unanswered;
+  if (first_unanswered.empty()) first_unanswered = what;
 }
 
 std::uint64_t Tally::error_count() const {

@@ -7,7 +7,7 @@
 #include <map>
 #include <string>
 
-#include "histogram.h"
+#include "measure/histogram.h"
 #include "role.h"
 
 namespace talus::load {
@@ -16,10 +16,10 @@ struct Tally {
   /// Waits of chunks from the scheduled time of the View that first wanted them: `join` for the first View
   /// and after a jump, `travel` for what later steps added. What never came, or left the View before it
   /// came, counts with the time for which it was waited.
-  Histogram join, travel;
-  Histogram requests;     // from GetChunks to its answer
-  Histogram first_chunk;  // from the scheduled time of connecting
-  Histogram full_view;    // to the last chunk of the first View, and of Views after a jump
+  measure::Histogram join, travel;
+  measure::Histogram requests;     // from GetChunks to its answer
+  measure::Histogram first_chunk;  // from the scheduled time of connecting
+  measure::Histogram full_view;    // to the last chunk of the first View, and of Views after a jump
 
   /// Chunks that came n View steps after the one that wanted them; the last place counts all beyond.
   std::array<std::uint64_t, 8> late_steps{};
@@ -32,12 +32,13 @@ struct Tally {
   std::uint64_t missed = 0;       // left the View before they came
   std::uint64_t unconfirmed = 0;  // left and came back, and the server said no more: allowed
   std::uint64_t verified = 0;     // decoded, and hashed
+  std::uint64_t unanswered = 0;   // had not come when the drain was over: late, or lost
+  std::string first_unanswered;
 
-  // Wrong, each of them.
+  // Errors of the server, each of them.
   std::uint64_t bad_chunks = 0;  // not decodable, of another hash or codec
   std::uint64_t outside = 0;     // nobody asked for them
   std::uint64_t duplicates = 0;
-  std::uint64_t unanswered = 0;  // wanted to the end
   std::uint64_t bad_messages = 0;
   std::string first_wrong;
 
@@ -51,9 +52,8 @@ struct Tally {
   void merge(const Tally& other);
   /// Counts and remembers the first.
   void wrong(std::uint64_t& counter, const std::string& what);
-  [[nodiscard]] std::uint64_t wrongs() const {
-    return bad_chunks + outside + duplicates + unanswered + bad_messages;
-  }
+  void never_came(const std::string& what);
+  [[nodiscard]] std::uint64_t wrongs() const { return bad_chunks + outside + duplicates + bad_messages; }
   [[nodiscard]] std::uint64_t error_count() const;
   [[nodiscard]] std::uint64_t disconnect_count() const;
 };

@@ -13,10 +13,10 @@ namespace {
 constexpr std::size_t kScratchBytes = std::size_t{256} * 1024;
 constexpr std::chrono::milliseconds kBetweenLooks{20};
 
-std::unique_ptr<Guest> make_guest(Worker& worker, const GuestProfile& profile) {
+std::unique_ptr<SimulatedClient> make_client(Worker& worker, const ClientProfile& profile) {
   switch (profile.role) {
     case Role::idle:
-      return std::make_unique<Guest>(worker, profile);
+      return std::make_unique<SimulatedClient>(worker, profile);
     case Role::greedy:
     case Role::requests:
       return std::make_unique<Requester>(worker, profile);
@@ -40,8 +40,8 @@ Worker::~Worker() {
   if (thread_.joinable()) thread_.join();
 }
 
-void Worker::add(const GuestProfile& profile) {
-  guests_.push_back(make_guest(*this, profile));
+void Worker::add(const ClientProfile& profile) {
+  clients_.push_back(make_client(*this, profile));
 }
 
 void Worker::run() {
@@ -55,8 +55,8 @@ void Worker::join() {
 void Worker::begin(bool idle, Time from, Time measure_from) {
   asio::post(io_, [this, idle, from, measure_from] {
     measure_from_ = measure_from;
-    for (const auto& guest : guests_) {
-      if ((guest->role() == Role::idle) == idle) guest->start(from);
+    for (const auto& client : clients_) {
+      if ((client->role() == Role::idle) == idle) client->start(from);
     }
   });
 }
@@ -64,19 +64,19 @@ void Worker::begin(bool idle, Time from, Time measure_from) {
 void Worker::finish(Time deadline) {
   asio::post(io_, [this, deadline] {
     finishing_ = true;
-    for (const auto& guest : guests_) guest->finish();
+    for (const auto& client : clients_) client->finish();
     end_if_satisfied(deadline);
   });
 }
 
 void Worker::end_if_satisfied(Time deadline) {
-  const auto satisfied = [](const auto& guest) { return guest->satisfied(); };
-  if (Clock::now() < deadline && !std::all_of(guests_.begin(), guests_.end(), satisfied)) {
+  const auto satisfied = [](const auto& client) { return client->satisfied(); };
+  if (Clock::now() < deadline && !std::all_of(clients_.begin(), clients_.end(), satisfied)) {
     end_timer_.expires_after(kBetweenLooks);
     end_timer_.async_wait([this, deadline](std::error_code) { end_if_satisfied(deadline); });
     return;
   }
-  for (const auto& guest : guests_) guest->leave_for_good();
+  for (const auto& client : clients_) client->leave();
   io_.stop();
 }
 
@@ -85,11 +85,11 @@ bool Worker::picks_to_verify() {
   return percent > 0 && random_.part() * 100 < percent;
 }
 
-void Worker::reschedule(Guest& guest) {
-  const Time due = guest.due();
-  if (due == guest.scheduled || due == Time::max()) return;
-  guest.scheduled = due;
-  entries_.push({due, &guest});
+void Worker::reschedule(SimulatedClient& client) {
+  const Time due = client.due();
+  if (due == client.scheduled || due == Time::max()) return;
+  client.scheduled = due;
+  entries_.push({due, &client});
   wake_at(due);
 }
 
@@ -111,11 +111,11 @@ void Worker::act() {
     const Time now = Clock::now();
     if (entry.due > now) break;
     entries_.pop();
-    if (entry.guest->scheduled != entry.due) continue;
-    entry.guest->scheduled = Time::max();
+    if (entry.client->scheduled != entry.due) continue;
+    entry.client->scheduled = Time::max();
     lateness_.record(now - entry.due);
-    entry.guest->act(now);
-    reschedule(*entry.guest);
+    entry.client->act(now);
+    reschedule(*entry.client);
   }
   if (!entries_.empty()) wake_at(entries_.top().due);
 }

@@ -14,9 +14,9 @@
 #include <asio/io_context.hpp>
 #include <asio/steady_timer.hpp>
 
-#include "guest.h"
 #include "plan.h"
 #include "random.h"
+#include "simulated_client.h"
 #include "tally.h"
 
 namespace talus::load {
@@ -43,19 +43,20 @@ class Worker {
 
   // ---- for the thread that made it
   /// Before run(). The client joins with others of its kind: idle ones first.
-  void add(const GuestProfile& profile);
+  void add(const ClientProfile& profile);
   void run();
   /// Clients of role idle, or all others, join: the n-th at `from` and n of its own steps later. Waits of
-  /// what is wanted from `measure_from` on are counted.
+  /// Views from `measure_from` on are counted.
   void begin(bool idle, Time from, Time measure_from);
-  /// Nothing more is wanted; ends when what was has come, or at `deadline`. Call join() then.
+  /// Sends no more Views or requests; ends when what was asked for has come, or at `deadline`. Call join()
+  /// then.
   void finish(Time deadline);
   void join();
   [[nodiscard]] const Live& live() const { return live_; }
   /// After join().
   [[nodiscard]] const Tallies& tallies() const { return tallies_; }
   /// How much later than due the clients acted: what the harness itself adds.
-  [[nodiscard]] const Histogram& lateness() const { return lateness_; }
+  [[nodiscard]] const measure::Histogram& lateness() const { return lateness_; }
 
   // ---- for its clients
   [[nodiscard]] const Plan& plan() const { return plan_; }
@@ -68,12 +69,12 @@ class Worker {
   /// Whether the next chunk is of the share that is decoded and hashed.
   [[nodiscard]] bool picks_to_verify();
   /// The client's due time may have changed.
-  void reschedule(Guest& guest);
+  void reschedule(SimulatedClient& client);
 
  private:
   struct Entry {
     Time due;
-    Guest* guest;
+    SimulatedClient* client;
     bool operator<(const Entry& other) const { return due > other.due; }
   };
 
@@ -87,14 +88,14 @@ class Worker {
   asio::steady_timer timer_;
   asio::steady_timer end_timer_;
   std::vector<std::byte> scratch_;
-  std::vector<std::unique_ptr<Guest>> guests_;
+  std::vector<std::unique_ptr<SimulatedClient>> clients_;
   std::priority_queue<Entry> entries_;  // those whose due time has changed since count for nothing
   Time timer_due_ = Time::max();
   Time measure_from_ = Time::max();
   bool finishing_ = false;
   Random random_;
   Tallies tallies_;
-  Histogram lateness_;
+  measure::Histogram lateness_;
   Live live_;
   std::thread thread_;
 };

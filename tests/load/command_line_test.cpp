@@ -18,7 +18,7 @@ TEST_CASE("the words that users rely on are taken") {
       read({"--connect", "host:1", "--players", "7", "--duration", "3", "--speed", "9", "--radius", "5",
             "--json", "f.json", "--fail-if", "p99_ms>50", "--fail-if", "errors>0"});
   REQUIRE(options.has_value());
-  CHECK(options->server.host == "host");
+  CHECK(options->connect.server.host == "host");
   CHECK(options->players == 7);
   CHECK(options->seconds == 3);
   CHECK(options->speed == 9);

@@ -8,7 +8,7 @@ using nlohmann::json;
 namespace {
 
 json run(double p99, int players = 20) {
-  return {{"format", 1}, {"settings", {{"players", players}}}, {"figures", {{"p99_ms", p99}, {"wrong", 0}}}};
+  return {{"format", 2}, {"settings", {{"players", players}}}, {"figures", {{"p99_ms", p99}, {"wrong", 0}}}};
 }
 
 bool has(const std::string& text, const std::string& part) {
@@ -30,8 +30,8 @@ TEST_CASE("settings that differ are named") {
 }
 
 TEST_CASE("what is no result of this program is refused") {
-  for (const char* text : {"", "{", "[]", "{}", "{\"format\":2,\"settings\":{},\"figures\":{}}",
-                           "{\"format\":1,\"figures\":[]}"}) {
+  for (const char* text : {"", "{", "[]", "{}", "{\"format\":1,\"settings\":{},\"figures\":{}}",
+                           "{\"format\":2,\"figures\":[]}"}) {
     CAPTURE(text);
     CHECK_FALSE(compare(text, run(1)).has_value());
   }

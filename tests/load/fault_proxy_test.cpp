@@ -24,7 +24,7 @@ using std::chrono::seconds;
 namespace {
 
 constexpr std::size_t kViewChunks = 5 * 3 * 5;
-constexpr seconds kPatience{60};
+constexpr seconds kConnectTimeout{60};
 
 struct Visit {
   std::map<ChunkKey, ContentHash> chunks;
@@ -50,7 +50,7 @@ Visit visit(std::uint16_t port) {
     const auto set = client.set_view({{0, 60, 0}, {}, 2, 1, {}});
     CHECK(set.has_value());
   });
-  const auto deadline = std::chrono::steady_clock::now() + kPatience;
+  const auto deadline = std::chrono::steady_clock::now() + kConnectTimeout;
   while (visit.chunks.size() < kViewChunks) {
     const bool something = io.run_one_until(deadline) > 0;
     REQUIRE(something);

@@ -6,7 +6,7 @@ using namespace talus::load;
 using std::chrono::milliseconds;
 
 TEST_CASE("a plot names its curves and escapes what it is told") {
-  Histogram waits;
+  talus::measure::Histogram waits;
   for (int i = 1; i <= 1000; ++i) waits.record(milliseconds{i});
   const std::string svg = plot("a < b", "c & d", {{"travel", &waits}});
   CHECK(svg.find("a &lt; b") != std::string::npos);
@@ -16,7 +16,7 @@ TEST_CASE("a plot names its curves and escapes what it is told") {
 }
 
 TEST_CASE("a plot of one wait has no number that is none") {
-  Histogram waits;
+  talus::measure::Histogram waits;
   waits.record(milliseconds{0});
   const std::string svg = plot("", "", {{"one", &waits}});
   CHECK(svg.find("nan") == std::string::npos);

@@ -89,9 +89,9 @@ load() {
     --drain "$(pick 10 300)" "$@" || [[ -z "$short" ]]
 }
 
-# expect CONDITION...: what the scenario is to keep to; of a short run only that nothing came that was wrong.
+# expect CONDITION...: what the scenario is to keep to; of a short run only that all came and was right.
 expect() {
-  expected=(--fail-if 'wrong>0')
+  expected=(--fail-if 'wrong>0' --fail-if 'unanswered>0')
   local condition
   [[ -n "$short" ]] || for condition in "$@"; do expected+=(--fail-if "$condition"); done
 }

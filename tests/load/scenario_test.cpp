@@ -27,8 +27,8 @@ Ended run_load(std::uint16_t port, const Words& more) {
 void check_clean(const Words& more, const e2e::Settings& settings = {}) {
   const ServerProcess server{settings};
   Words words = more;
-  for (const char* condition : {"wrong>0", "errors>0", "disconnects>0", "unanswered>0", "chunks_per_s==0"}) {
-    words.insert(words.end(), {"--fail-if", condition});
+  for (const char* threshold : {"wrong>0", "errors>0", "disconnects>0", "unanswered>0", "chunks_per_s==0"}) {
+    words.insert(words.end(), {"--fail-if", threshold});
   }
   const Ended ended = run_load(server.port(), words);
   INFO(ended.out);
@@ -86,8 +86,8 @@ TEST_CASE("players of all kinds get what is right by TLS") {
   const ServerProcess server{
       {{"TALUS_TLS_CERTIFICATE", certificate}, {"TALUS_TLS_KEY", scratch.write("k.pem", own.key)}}};
   Words words = twenty({"--model", "mixed", "--churn", "0.5", "--slow", "2", "--ca", certificate});
-  for (const char* condition : {"wrong>0", "errors>0", "disconnects>0", "chunks_per_s==0"}) {
-    words.insert(words.end(), {"--fail-if", condition});
+  for (const char* threshold : {"wrong>0", "unanswered>0", "errors>0", "disconnects>0", "chunks_per_s==0"}) {
+    words.insert(words.end(), {"--fail-if", threshold});
   }
   const Ended ended = run_load(server.port(), words);
   INFO(said(ended));
@@ -122,7 +122,7 @@ TEST_CASE("players follow a trace") {
   check_clean(twenty({"--model", "trace:" + (scratch.path() / "way").string()}));
 }
 
-TEST_CASE("a condition that holds ends the program with 1 and one line") {
+TEST_CASE("a threshold that holds ends the program with 1 and one line") {
   const ServerProcess server;
   const Ended ended =
       run_load(server.port(), {"--players", "1", "--duration", "0.2", "--fail-if", "joins>0"});
@@ -140,7 +140,7 @@ TEST_CASE("the results are written, and compared with those before") {
   first.insert(first.end(), {"--json", json, "--plot", plot});
   REQUIRE(run_load(server.port(), first).status == 0);
   const auto written = nlohmann::json::parse(std::ifstream{json});
-  CHECK(written["format"] == 1);
+  CHECK(written["format"] == 2);
   CHECK(written["settings"]["players"] == 2);
   CHECK(written["figures"]["wrong"] == 0);
   CHECK(written["roles"]["walk"]["chunk_messages"].get<int>() +
@@ -174,9 +174,9 @@ TEST_CASE("connections that the network cuts are counted, and come back") {
   Faults cut;
   cut.cut_after = 20'001;
   const FaultProxy proxy{server.port(), {}, cut, 4};
-  const Ended ended =
-      run_load(proxy.port(), {"--players", "3", "--duration", "3", "--radius", "4", "--vertical", "2",
-                              "--fail-if", "wrong>0", "--fail-if", "disconnects!=3"});
+  const Ended ended = run_load(
+      proxy.port(), {"--players", "3", "--duration", "3", "--radius", "4", "--vertical", "2", "--fail-if",
+                     "wrong>0", "--fail-if", "unanswered>0", "--fail-if", "disconnects!=3"});
   INFO(said(ended));
   CHECK(ended.status == 0);
 }

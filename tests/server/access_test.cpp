@@ -306,10 +306,10 @@ TEST_CASE("an error about a key file is one line that names the setting and the 
   CHECK_THAT(secret(scratch.write("long", std::string(1025, 'x'))), Catch::Contains("has 1025 bytes"));
   CHECK_THAT(secret(scratch.write("huge", std::string(100'000, 'x'))), Catch::Contains("over 8192"));
   CHECK_THAT(secret("/nowhere"), Catch::Contains("No such file"));
-  CHECK_THAT(secret(scratch.path().string()), Catch::Contains("regular file"));
+  CHECK_THAT(secret(scratch.path().string()), Catch::Contains("not a regular file"));
   const std::string pipe = (scratch.path() / "pipe").string();
   REQUIRE(::mkfifo(pipe.c_str(), 0600) == 0);
-  CHECK_THAT(secret(pipe), Catch::Contains("regular file"));
+  CHECK_THAT(secret(pipe), Catch::Contains("not a regular file"));
   const std::string key = scratch.write("key", std::string(31, 'k'));
   CHECK_THAT(load_error({{}, "read", key, "auto"}),
              Catch::StartsWith("access.signing_key_file " + key + ": has 31 bytes; it must have 32 to 4096"));

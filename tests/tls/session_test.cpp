@@ -1,8 +1,5 @@
 #include <talus/tls/session.h>
 
-#include <fcntl.h>
-#include <openssl/pem.h>
-#include <openssl/ssl.h>
 #include <sys/socket.h>
 #include <unistd.h>
 
@@ -20,20 +17,8 @@ namespace {
 
 /// The server's context, with a certificate that vouches for itself.
 Context server_context() {
-  const TestCertificate own = make_certificate(1);
   Context context = new_context(Role::server);
-  const auto bio = [](const std::string& pem) {
-    return BIO_new_mem_buf(pem.data(), static_cast<int>(pem.size()));
-  };
-  BIO* const certificate_bio = bio(own.certificate);
-  BIO* const key_bio = bio(own.key);
-  X509* const certificate = PEM_read_bio_X509(certificate_bio, nullptr, nullptr, nullptr);
-  EVP_PKEY* const key = PEM_read_bio_PrivateKey(key_bio, nullptr, nullptr, nullptr);
-  REQUIRE(SSL_CTX_use_cert_and_key(context.get(), certificate, key, nullptr, 1) == 1);
-  X509_free(certificate);
-  EVP_PKEY_free(key);
-  BIO_free(certificate_bio);
-  BIO_free(key_bio);
+  use_certificate(context.get(), make_certificate(1));
   return context;
 }
 

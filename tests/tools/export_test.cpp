@@ -5,15 +5,16 @@
 #include <string>
 #include <vector>
 
+#include <talus/files/npy_file.h>
 #include <talus/terrain/extraction.h>
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
-#include "npy.h"
 #include "scratch_directory.h"
 
 using namespace talus;
 using namespace talus::tools;
+using talus::files::kNpyHeaderBytes;
 
 namespace {
 

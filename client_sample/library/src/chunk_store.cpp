@@ -97,6 +97,8 @@ void ChunkStore::put(const ReceivedChunk& chunk) {
     (void)find(chunk.key);
     return;
   }
+  if (const auto held = held_.find(chunk.key); held != held_.end() && held->second->revision > chunk.revision)
+    return;
   erase(chunk.key);
   by_use_.push_front(chunk);
   held_.emplace(chunk.key, by_use_.begin());
@@ -110,6 +112,12 @@ void ChunkStore::erase(const ChunkKey& key) {
   bytes_ -= bytes_of(*held->second);
   by_use_.erase(held->second);
   held_.erase(held);
+}
+
+void ChunkStore::clear() {
+  held_.clear();
+  by_use_.clear();
+  bytes_ = 0;
 }
 
 std::shared_ptr<const Chunk> ChunkStore::find(const ChunkKey& key) {

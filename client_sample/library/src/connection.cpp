@@ -5,6 +5,8 @@
 #include <asio/use_awaitable.hpp>
 #include <asio/write.hpp>
 
+#include "wait_until.h"
+
 namespace talus::client {
 namespace {
 
@@ -13,12 +15,13 @@ constexpr auto kAsTuple = asio::experimental::as_tuple(asio::use_awaitable);
 
 }  // namespace
 
-Connection::Connection(const asio::any_io_executor& executor, std::uint32_t frame_limit_bytes)
+Connection::Connection(const asio::any_io_executor& executor, Clock& clock, std::uint32_t frame_limit_bytes)
     : resolver_{executor},
       socket_{executor},
-      deadline_{executor},
+      clock_{clock},
+      deadline_{clock.make_timer(executor)},
+      pause_{clock.make_timer(executor)},
       work_{executor},
-      pause_{executor},
       reader_{frame_limit_bytes} {}
 
 ClientError Connection::reason_or(ErrorKind kind, std::string message) const {
@@ -29,21 +32,21 @@ asio::awaitable<Result<void>> Connection::open(const std::string& host, const st
                                                const TlsOptions& tls) {
   where_ = host + ":" + port;
   const auto [resolve_error, endpoints] = co_await resolver_.async_resolve(host, port, kAsTuple);
-  if (resolve_error || is_shut()) {
+  if (resolve_error || is_closed()) {
     co_return tl::unexpected{
         reason_or(ErrorKind::unreachable, where_ + ": no such host or port: " + resolve_error.message())};
   }
   const auto [connect_error, endpoint] = co_await asio::async_connect(socket_, endpoints, kAsTuple);
-  if (connect_error || is_shut()) {
+  if (connect_error || is_closed()) {
     co_return tl::unexpected{
         reason_or(ErrorKind::unreachable, where_ + ": no server answers there: " + connect_error.message())};
   }
   std::error_code ignored;  // a connection without it is slower, not wrong
   socket_.set_option(asio::ip::tcp::no_delay{true}, ignored);
-  last_received_ = std::chrono::steady_clock::now();
+  last_received_ = clock_.now();
   if (!tls.on) co_return Result<void>{};
   auto secured = co_await shake_hands(host, tls);
-  if (!secured && !is_shut()) secured.error().message = where_ + ": " + secured.error().message;
+  if (!secured && !is_closed()) secured.error().message = where_ + ": " + secured.error().message;
   co_return secured;
 }
 
@@ -52,7 +55,7 @@ asio::awaitable<Result<void>> Connection::shake_hands(const std::string& host, c
   if (!context) co_return tl::unexpected{context.error()};
   tls_.emplace(socket_, new_tls(*context, options, host).release());
   const auto [error] = co_await tls_->async_handshake(asio::ssl::stream_base::client, kAsTuple);
-  if (is_shut()) co_return tl::unexpected{*reason_};
+  if (is_closed()) co_return tl::unexpected{*reason_};
   if (error) co_return tl::unexpected{handshake_failure(tls_->native_handle(), error)};
   co_return Result<void>{};
 }
@@ -72,7 +75,7 @@ asio::awaitable<Connection::Transferred> Connection::write_all(std::span<const s
 asio::awaitable<Result<std::span<const std::byte>>> Connection::next_frame(Stats& stats) {
   if (reader_.has_frame()) reader_.pop();
   while (true) {
-    if (is_shut()) co_return tl::unexpected{*reason_};
+    if (is_closed()) co_return tl::unexpected{*reason_};
     const auto taken = reader_.feed(unread_);
     if (!taken) {
       co_return tl::unexpected{ClientError{
@@ -82,7 +85,7 @@ asio::awaitable<Result<std::span<const std::byte>>> Connection::next_frame(Stats
     if (reader_.has_frame()) co_return reader_.frame();
 
     const auto [error, count] = co_await read_some();
-    if (error && !heard_ && !tls_) {
+    if (error && !received_any_ && !tls_) {
       co_return tl::unexpected{reason_or(ErrorKind::disconnected,
                                          where_ + ": the server ended the connection without a word (" +
                                              error.message() + "); if it wants TLS, connect by TLS (--tls)")};
@@ -92,9 +95,9 @@ asio::awaitable<Result<std::span<const std::byte>>> Connection::next_frame(Stats
                                          reader_.mid_frame() ? "the connection ended in the middle of a frame"
                                                              : "the connection ended: " + error.message())};
     }
-    heard_ = true;
+    received_any_ = true;
     stats.received_bytes += count;
-    last_received_ = std::chrono::steady_clock::now();
+    last_received_ = clock_.now();
     unread_ = std::span{buffer_}.first(count);
   }
 }
@@ -107,30 +110,30 @@ asio::awaitable<Result<void>> Connection::write(std::span<const std::byte> bytes
   co_return Result<void>{};
 }
 
-void Connection::shut(ClientError reason) {
+void Connection::close(ClientError reason) {
   if (!reason_) reason_ = std::move(reason);
   std::error_code ignored;  // it is over, however the socket takes it
   socket_.close(ignored);
   resolver_.cancel();
-  deadline_.cancel();
+  deadline_->cancel();
   work_.cancel();
-  pause_.cancel();
+  pause_->cancel();
 }
 
 void Connection::set_deadline(const std::shared_ptr<Connection>& self, std::chrono::milliseconds after,
                               ClientError reason) {
-  deadline_.expires_after(after);
-  deadline_.async_wait([self, reason = std::move(reason)](std::error_code error) {
-    if (!error) self->shut(reason);
-  });
+  deadline_->async_wait_until(clock_.now() + after,
+                              [self, reason = std::move(reason)](std::error_code error) {
+                                if (!error) self->close(reason);
+                              });
 }
 
 void Connection::lift_deadline() {
-  deadline_.cancel();
+  deadline_->cancel();
 }
 
 asio::awaitable<void> Connection::wait_for_work() {
-  if (is_shut()) co_return;
+  if (is_closed()) co_return;
   work_.expires_at(std::chrono::steady_clock::time_point::max());
   co_await work_.async_wait(kAsTuple);
 }
@@ -140,9 +143,8 @@ void Connection::wake() {
 }
 
 asio::awaitable<void> Connection::pause(std::chrono::milliseconds time) {
-  if (is_shut()) co_return;
-  pause_.expires_after(time);
-  co_await pause_.async_wait(kAsTuple);
+  if (is_closed()) co_return;
+  co_await wait_until(*pause_, clock_.now() + time);
 }
 
 }  // namespace talus::client

@@ -18,6 +18,7 @@
 #include <asio/steady_timer.hpp>
 
 #include <talus/client/client.h>
+#include <talus/client/clock.h>
 #include <talus/client/error.h>
 #include <talus/client/options.h>
 #include <talus/client/tls.h>
@@ -25,10 +26,11 @@
 
 namespace talus::client {
 
-/// Lives in a shared_ptr that every coroutine on it holds; its operations end soon after shut().
+/// Lives in a shared_ptr that every coroutine on it holds; its operations end soon after close().
 class Connection {
  public:
-  Connection(const asio::any_io_executor& executor, std::uint32_t frame_limit_bytes);
+  /// `clock` outlives it.
+  Connection(const asio::any_io_executor& executor, Clock& clock, std::uint32_t frame_limit_bytes);
 
   [[nodiscard]] asio::awaitable<Result<void>> open(const std::string& host, const std::string& port,
                                                    const TlsOptions& tls);
@@ -39,14 +41,14 @@ class Connection {
   [[nodiscard]] asio::awaitable<Result<void>> write(std::span<const std::byte> bytes);
 
   /// Ends the connection; whatever waits on it gets `reason`. The first reason stays.
-  void shut(ClientError reason);
+  void close(ClientError reason);
 
-  /// Calls shut(reason) unless the deadline is moved or lifted first.
+  /// Calls close(reason) unless the deadline is moved or lifted first.
   void set_deadline(const std::shared_ptr<Connection>& self, std::chrono::milliseconds after,
                     ClientError reason);
   void lift_deadline();
 
-  [[nodiscard]] bool is_shut() const { return reason_.has_value(); }
+  [[nodiscard]] bool is_closed() const { return reason_.has_value(); }
 
   /// For whoever composes what is written: wait until there may be something to write, and say so.
   [[nodiscard]] asio::awaitable<void> wait_for_work();
@@ -55,7 +57,7 @@ class Connection {
   /// Returns after `time`, or earlier when the connection ends.
   [[nodiscard]] asio::awaitable<void> pause(std::chrono::milliseconds time);
 
-  [[nodiscard]] std::chrono::steady_clock::time_point last_received() const { return last_received_; }
+  [[nodiscard]] Clock::Time last_received() const { return last_received_; }
 
  private:
   [[nodiscard]] asio::awaitable<Result<void>> shake_hands(const std::string& host, const TlsOptions& options);
@@ -67,14 +69,15 @@ class Connection {
   asio::ip::tcp::resolver resolver_;
   asio::ip::tcp::socket socket_;
   std::optional<asio::ssl::stream<asio::ip::tcp::socket&>> tls_;
-  std::string where_;   // HOST:PORT
-  bool heard_ = false;  // a byte from the server
-  asio::steady_timer deadline_;
-  asio::steady_timer work_;
-  asio::steady_timer pause_;
+  std::string where_;          // HOST:PORT
+  bool received_any_ = false;  // a byte from the server
+  Clock& clock_;
+  std::unique_ptr<Timer> deadline_;
+  std::unique_ptr<Timer> pause_;
+  asio::steady_timer work_;  // a signal: never expires
   protocol::FrameReader reader_;
   std::optional<ClientError> reason_;
-  std::chrono::steady_clock::time_point last_received_{};
+  Clock::Time last_received_{};
   std::array<std::byte, std::size_t{64} * 1024> buffer_{};
   std::span<const std::byte> unread_;
 };

@@ -5,7 +5,6 @@
 
 #include <asio/co_spawn.hpp>
 #include <asio/detached.hpp>
-#include <asio/experimental/as_tuple.hpp>
 #include <asio/post.hpp>
 #include <asio/use_awaitable.hpp>
 
@@ -13,6 +12,7 @@
 
 #include "incoming.h"
 #include "outgoing.h"
+#include "wait_until.h"
 
 namespace talus::client {
 namespace {
@@ -65,7 +65,7 @@ asio::awaitable<void> Core::run(Generation mine, std::string host, std::string p
   Backoff backoff{options_.reconnect};
   bool was_joined = false;
   while (mine == generation_) {
-    auto connection = std::make_shared<Connection>(executor_, protocol::kServerFrameBytes);
+    auto connection = std::make_shared<Connection>(executor_, *options_.clock, protocol::kServerFrameBytes);
     connection_ = connection;
     Result<WorldInfo> world = co_await join(connection, host, port);
     if (mine != generation_) break;
@@ -93,7 +93,7 @@ asio::awaitable<void> Core::run(Generation mine, std::string host, std::string p
     } else {
       why = world.error();
     }
-    connection->shut(*why);
+    connection->close(*why);
     if (!was_joined) {
       running_ = false;
       std::exchange(handler, nullptr)(tl::unexpected{*why});
@@ -106,10 +106,9 @@ asio::awaitable<void> Core::run(Generation mine, std::string host, std::string p
     }
     if (broke && events_.on_disconnect) events_.on_disconnect(*why, true);
     if (mine != generation_) break;
-    retry_timer_ = std::make_shared<asio::steady_timer>(executor_);
+    retry_timer_ = options_.clock->make_timer(executor_);
     const auto timer = retry_timer_;
-    timer->expires_after(*delay);
-    co_await timer->async_wait(asio::experimental::as_tuple(asio::use_awaitable));
+    co_await wait_until(*timer, options_.clock->now() + *delay);
   }
   if (handler) handler(tl::unexpected{kClosed});
 }
@@ -155,6 +154,7 @@ asio::awaitable<Result<WorldInfo>> Core::join(ConnectionPtr connection, std::str
 }
 
 Result<void> Core::accept_world(const WorldInfo& world) {
+  if (world.store_id != world_->store_id) tracker_.forget_revisions();
   if (world.fingerprint == world_->fingerprint) return {};
   return tl::unexpected{ClientError{ErrorKind::world_changed,
                                     "the server now has world " + to_string(world.fingerprint) +
@@ -170,10 +170,10 @@ void Core::start_session(const ConnectionPtr& connection) {
   credited_bytes_ = 0;
   view_to_send_ = tracker_.view().has_value();
   view_sent_ = false;
-  left_unsaid_.clear();
-  parting_words_.reset();
+  left_since_view_sent_.clear();
+  close_reason_.reset();
   const auto self = shared_from_this();
-  // The lambdas' frames keep self alive; the coroutines end when the connection is shut.
+  // The lambdas' frames keep self alive; the coroutines end when the connection is closed.
   asio::co_spawn(
       executor_, [self, connection] { return self->write_loop(connection); }, asio::detached);
   asio::co_spawn(
@@ -215,7 +215,7 @@ void Core::close() {
   cancels_to_send_.clear();
   pings_to_send_.clear();
   if (retry_timer_) retry_timer_->cancel();
-  if (connection_) connection_->shut(kClosed);
+  if (connection_) connection_->close(kClosed);
   // Not from inside close(): the caller may be in the middle of anything.
   asio::post(executor_, [requests = requests_.take_all(), pings = std::exchange(open_pings_, {})] {
     for (const auto& request : requests) fail(request, kClosed);
@@ -231,7 +231,7 @@ asio::awaitable<ClientError> Core::read_until_broken(ConnectionPtr connection) {
     if (!frame) {
       // A server that closes has said why just before.
       const bool silent_end = frame.error().kind == ErrorKind::disconnected;
-      co_return silent_end&& parting_words_ ? *parting_words_ : frame.error();
+      co_return silent_end&& close_reason_ ? *close_reason_ : frame.error();
     }
     const auto handled = handle(*frame);
     if (!handled) co_return handled.error();
@@ -240,7 +240,7 @@ asio::awaitable<ClientError> Core::read_until_broken(ConnectionPtr connection) {
 
 asio::awaitable<void> Core::write_loop(ConnectionPtr connection) {
   const auto self = shared_from_this();
-  while (!connection->is_shut()) {
+  while (!connection->is_closed()) {
     const auto bytes = compose();
     if (bytes.empty()) {
       co_await connection->wait_for_work();
@@ -257,9 +257,9 @@ asio::awaitable<void> Core::ping_loop(ConnectionPtr connection, std::chrono::mil
   const auto self = shared_from_this();
   while (true) {
     co_await connection->pause(interval);
-    if (connection->is_shut()) co_return;
-    if (std::chrono::steady_clock::now() - connection->last_received() > options_.silence_timeout) {
-      connection->shut({ErrorKind::timed_out, "the server has said nothing for too long", {}});
+    if (connection->is_closed()) co_return;
+    if (options_.clock->now() - connection->last_received() > options_.silence_timeout) {
+      connection->close({ErrorKind::timed_out, "the server has said nothing for too long", {}});
       co_return;
     }
     ping(nullptr);
@@ -282,13 +282,13 @@ std::vector<std::byte> Core::compose() {
   for (const auto nonce : std::exchange(pings_to_send_, {})) {
     const auto open = open_pings_.find(nonce);
     if (open == open_pings_.end()) continue;  // a hostile server answered before it was asked
-    open->second.sent = std::chrono::steady_clock::now();
+    open->second.sent = options_.clock->now();
     append(ping_frame(nonce));
   }
   if (std::exchange(view_to_send_, false)) {
     const bool first = !std::exchange(view_sent_, true);
     append(view_frame(*tracker_.view(), tracker_.known(known_per_frame(world_->limits.frame_bytes), first)));
-    left_unsaid_.clear();
+    left_since_view_sent_.clear();
   }
   compose_requests(out);
   // In pieces that fit the smallest frame a server may allow.

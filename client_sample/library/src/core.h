@@ -12,7 +12,6 @@
 #include <vector>
 
 #include <asio/awaitable.hpp>
-#include <asio/steady_timer.hpp>
 
 #include <talus/client/client.h>
 #include <talus/protocol/message.h>
@@ -96,21 +95,21 @@ class Core : public std::enable_shared_from_this<Core> {
   bool joined_ = false;
   bool useful_ = false;  // the connection has answered something: its failure starts a new count
   ConnectionPtr connection_;
-  std::shared_ptr<asio::steady_timer> retry_timer_;
+  std::shared_ptr<Timer> retry_timer_;
   std::optional<WorldInfo> world_;
-  std::optional<ClientError> parting_words_;  // what the server gave as the reason, before it closed
+  std::optional<ClientError> close_reason_;  // what the server gave as the reason, before it closed
 
   Requests requests_;
   ViewTracker tracker_;
   bool view_to_send_ = false;
-  bool view_sent_ = false;  // on this connection
-  std::unordered_set<ChunkKey>
-      left_unsaid_;  // left the View since one was sent: the server still has them in
+  bool view_sent_ = false;                             // on this connection
+  std::unordered_set<ChunkKey> left_since_view_sent_;  // left the View after the last one that was sent: the
+                                                       // server still counts them in
   std::vector<std::uint32_t> cancels_to_send_;
   std::map<ChunkKey, bool> refetching_;  // edited chunks asked for anew, and whether edited again since
   std::vector<std::uint64_t> pings_to_send_;
   struct OpenPing {
-    std::chrono::steady_clock::time_point sent;
+    Clock::Time sent;
     PingHandler handler;  // empty: only keeps the connection alive
   };
   std::map<std::uint64_t, OpenPing> open_pings_;

@@ -23,9 +23,11 @@ wire::ChunkKey wire_key(const ChunkKey& key) {
 
 protocol::Frame hello_frame(const Options& options) {
   return protocol::make_frame([&](auto& b) {
-    const std::array codecs{kCodecVersion, kOldestCodecVersion};  // decode reads both
-    static_assert(kCodecVersion == kOldestCodecVersion + 1);
-    const auto codec_list = b.CreateVector(codecs.data(), codecs.size());
+    std::vector<std::uint8_t> codecs;  // all that decode() reads, the newest first
+    for (int version = kCodecVersion; version >= kOldestCodecVersion; --version) {
+      codecs.push_back(static_cast<std::uint8_t>(version));
+    }
+    const auto codec_list = b.CreateVector(codecs);
     const auto token = b.CreateString(options.token);
     const auto name = b.CreateString(options.client_name);
     return wire::CreateHello(b, protocol::kOldestProtocol, protocol::kProtocolVersion, codec_list, token,

@@ -20,9 +20,23 @@ std::vector<ChunkKey> ViewTracker::replace(const View& view) {
   return left;
 }
 
-void ViewTracker::delivered(const ReceivedChunk& chunk) {
+bool ViewTracker::deliver(const ReceivedChunk& chunk) {
+  const auto before = delivered_.find(chunk.key);
+  if (before != delivered_.end() && before->second.revision > chunk.revision) return false;
   kept_.erase(chunk.key);
   delivered_[chunk.key] = {chunk.revision, chunk.hash, chunk.chunk};
+  return true;
+}
+
+void ViewTracker::forget_revisions() {
+  for (auto& [key, chunk] : delivered_) chunk.revision = 0;
+  std::vector<ReceivedChunk> kept;
+  kept_.for_each([&kept](const ReceivedChunk& chunk) { kept.push_back(chunk); });
+  for (ReceivedChunk& chunk : kept) {
+    chunk.revision = 0;
+    kept_.erase(chunk.key);
+    kept_.put(chunk);
+  }
 }
 
 std::optional<ReceivedChunk> ViewTracker::still_there(const ChunkKey& key, const Delivered& chunk) {
@@ -37,10 +51,10 @@ std::optional<ReceivedChunk> ViewTracker::held(const ChunkKey& key) const {
   return found == delivered_.end() ? std::nullopt : still_there(key, found->second);
 }
 
-std::vector<ReceivedChunk> ViewTracker::known(std::size_t most, bool with_delivered) const {
+std::vector<ReceivedChunk> ViewTracker::known(std::size_t max, bool with_delivered) const {
   std::vector<ReceivedChunk> known;
   const auto add = [&](const ReceivedChunk& chunk) {
-    if (known.size() < most && shape_.covers(chunk.key) && !chunk.chunk->is_uniform()) known.push_back(chunk);
+    if (known.size() < max && shape_.covers(chunk.key) && !chunk.chunk->is_uniform()) known.push_back(chunk);
   };
   kept_.for_each(add);
   if (!with_delivered) return known;

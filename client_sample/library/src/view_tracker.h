@@ -25,17 +25,21 @@ class ViewTracker {
   [[nodiscard]] const std::optional<View>& view() const { return view_; }
   [[nodiscard]] const ViewShape& shape() const { return shape_; }
 
-  void delivered(const ReceivedChunk& chunk);
+  /// Notes that the chunk reached the caller. False where one of a higher revision has: then nothing changes.
+  [[nodiscard]] bool deliver(const ReceivedChunk& chunk);
+  /// The server has another store: its revisions say nothing about those that came before.
+  void forget_revisions();
+
   [[nodiscard]] bool was_delivered(const ChunkKey& key) const { return delivered_.contains(key); }
 
-  /// The chunk where it is still held: kept after it left, or delivered and in somebody's hands.
+  /// The chunk where it is still held: kept after it left, or delivered and held by the caller.
   [[nodiscard]] std::optional<ReceivedChunk> held(const ChunkKey& key) const;
-  /// Chunks of the View that are held, `most` of them at most, none of them uniform. After a new connection
+  /// Chunks of the View that are held, `max` of them at most, none of them uniform. After a new connection
   /// the server has sent nothing yet, so those delivered count too.
-  [[nodiscard]] std::vector<ReceivedChunk> known(std::size_t most, bool with_delivered) const;
+  [[nodiscard]] std::vector<ReceivedChunk> known(std::size_t max, bool with_delivered) const;
 
  private:
-  /// No more than a look at it: what nobody holds any more is gone.
+  /// Does not keep the chunk: what nobody else holds any more is gone.
   struct Delivered {
     std::uint64_t revision = 0;
     ContentHash hash;

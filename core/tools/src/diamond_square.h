@@ -8,12 +8,12 @@
 
 namespace talus::tools {
 
-inline constexpr int kLeastDiamondSide = 8;
-inline constexpr int kMostDiamondSide = 8192;
+inline constexpr int kMinDiamondSide = 8;
+inline constexpr int kMaxDiamondSide = 8192;
 
 struct DiamondSquareOptions {
   std::uint64_t seed = 1;
-  int side = 512;          // samples: a power of two, kLeastDiamondSide to kMostDiamondSide
+  int side = 512;          // samples: a power of two, kMinDiamondSide to kMaxDiamondSide
   double roughness = 0.5;  // 0 to 1: the displacement of a grid over that of the grid twice as wide
 };
 

@@ -10,13 +10,13 @@ namespace {
 
 constexpr double kInertia = 0.05;  // of its direction that a droplet keeps in a step
 constexpr double kCapacity = 2;    // ground that water can carry, for speed and fall
-constexpr double kLeastCapacity = 0.0002;
+constexpr double kMinCapacity = 0.0002;
 constexpr double kErosion = 0.1;       // part of the free capacity that is filled in a step
 constexpr double kDeposition = 0.1;    // part of what is too much that is laid down in a step
 constexpr double kEvaporation = 0.02;  // of the water, in a step
 constexpr double kGravity = 4;
-constexpr int kLongestLife = 64;  // steps of one cell
-constexpr int kBrushRadius = 3;   // cells; a single cell would become a pit
+constexpr int kMaxLife = 64;     // steps of one cell
+constexpr int kBrushRadius = 3;  // cells; a single cell would become a pit
 constexpr std::uint64_t kBetweenReports = 1024;
 
 struct Droplet {
@@ -56,7 +56,7 @@ class Slopes {
   }
 
   void run(Droplet drop) {
-    for (int step = 0; step < kLongestLife; ++step) {
+    for (int step = 0; step < kMaxLife; ++step) {
       const Ground here = ground(drop.x, drop.z);
       drop.towards_x = drop.towards_x * kInertia - here.east * (1 - kInertia);
       drop.towards_z = drop.towards_z * kInertia - here.south * (1 - kInertia);
@@ -85,7 +85,7 @@ class Slopes {
   };
 
   void exchange(Droplet& drop, double rise) {
-    const double capacity = std::max(-rise * drop.speed * drop.water * kCapacity, kLeastCapacity);
+    const double capacity = std::max(-rise * drop.speed * drop.water * kCapacity, kMinCapacity);
     if (rise > 0) return lay_down(drop, std::min(rise, drop.carried));  // fills the pit that it runs out of
     if (drop.carried > capacity) return lay_down(drop, (drop.carried - capacity) * kDeposition);
     // Never more than the fall, or it would dig a pit behind itself.

@@ -18,9 +18,9 @@ Sample sample_of(double height) {
   if constexpr (std::is_floating_point_v<Sample>) {
     return static_cast<Sample>(height);
   } else {
-    constexpr double kLeast = std::numeric_limits<Sample>::min();
-    constexpr double kMost = std::numeric_limits<Sample>::max();
-    return static_cast<Sample>(std::floor(std::clamp(height, kLeast, kMost) + 0.5));
+    constexpr double kMin = std::numeric_limits<Sample>::min();
+    constexpr double kMax = std::numeric_limits<Sample>::max();
+    return static_cast<Sample>(std::floor(std::clamp(height, kMin, kMax) + 0.5));
   }
 }
 

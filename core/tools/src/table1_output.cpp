@@ -28,15 +28,15 @@ constexpr double kWidth = 560;
 constexpr double kDecade = 62;
 constexpr double kLeft = 70;
 constexpr double kTop = 30;
-constexpr double kMostExponent = 2;    // 100 s
-constexpr double kLeastExponent = -5;  // 10 us
+constexpr double kMaxExponent = 2;   // 100 s
+constexpr double kMinExponent = -5;  // 10 us
 
 double x_of(int side) {
   return kLeft + kWidth * std::log(side / 50.0) / std::log(200 / 50.0);
 }
 
 double y_of(double seconds) {
-  return kTop + kDecade * (kMostExponent - std::log10(seconds));
+  return kTop + kDecade * (kMaxExponent - std::log10(seconds));
 }
 
 struct Curve {
@@ -51,7 +51,7 @@ constexpr std::array<Curve, 4> kCurves{{{"erosion, thesis", "#c98a6b", "6 4", &T
                                         {"slope, Talus", "#1f5f9f", "", &Table1Row::slope}}};
 
 void draw_axes(const Table1& table, std::ostringstream& svg) {
-  for (int exponent = static_cast<int>(kLeastExponent); exponent <= static_cast<int>(kMostExponent);
+  for (int exponent = static_cast<int>(kMinExponent); exponent <= static_cast<int>(kMaxExponent);
        ++exponent) {
     const double y = y_of(std::pow(10.0, exponent));
     svg << formatted("<line x1='%.1f' y1='%.1f' x2='%.1f' y2='%.1f' stroke='#ddd'/>\n", kLeft, y,
@@ -59,7 +59,7 @@ void draw_axes(const Table1& table, std::ostringstream& svg) {
         << formatted("<text x='%.1f' y='%.1f' text-anchor='end'>%g s</text>\n", kLeft - 8, y + 4,
                      std::pow(10.0, exponent));
   }
-  const double bottom = y_of(std::pow(10.0, kLeastExponent));
+  const double bottom = y_of(std::pow(10.0, kMinExponent));
   for (const Table1Row& row : table.rows) {
     svg << formatted("<text x='%.1f' y='%.1f' text-anchor='middle'>%d</text>\n", x_of(row.side), bottom + 20,
                      row.side);

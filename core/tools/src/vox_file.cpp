@@ -92,8 +92,8 @@ Expected<VoxFile> VoxFile::create(const std::filesystem::path& target) {
 }
 
 Expected<void> VoxFile::append(std::span<const std::byte> bytes) {
-  constexpr std::uint64_t kMost = std::numeric_limits<std::int32_t>::max();
-  if (bytes_ + bytes.size() > kMost) {
+  constexpr std::uint64_t kMax = std::numeric_limits<std::int32_t>::max();
+  if (bytes_ + bytes.size() > kMax) {
     return failed(
         file_.target().string() +
         ": a .vox file holds at most 2 GiB; ask for a smaller --size or --depth, or a higher --lod");

@@ -37,7 +37,7 @@ struct DiamondArguments {
 Expected<void> run_diamond_square(const DiamondArguments& arguments) {
   if (!std::has_single_bit(static_cast<unsigned>(arguments.size))) {
     return wrong_use("--size: " + std::to_string(arguments.size) + " is not a power of two; " +
-                     std::to_string(kLeastDiamondSide) + ", 16, 32 ... " + std::to_string(kMostDiamondSide));
+                     std::to_string(kMinDiamondSide) + ", 16, 32 ... " + std::to_string(kMaxDiamondSide));
   }
   return write_height_map(arguments.output, diamond_square({static_cast<std::uint64_t>(arguments.seed),
                                                             arguments.size, arguments.roughness}));
@@ -76,7 +76,7 @@ Command add_diamond_square(CLI::App& app) {
       ->type_name("S")
       ->capture_default_str();
   diamond->add_option("--size", arguments->size, "Samples a side: a power of two, 8 to 8192")
-      ->check(CLI::Range(kLeastDiamondSide, kMostDiamondSide))
+      ->check(CLI::Range(kMinDiamondSide, kMaxDiamondSide))
       ->type_name("N")
       ->capture_default_str();
   diamond

@@ -45,9 +45,12 @@ class ChunkStore {
   /// chunk put last always stays.
   explicit ChunkStore(std::size_t max_bytes) : max_bytes_{max_bytes} {}
 
-  /// Keeps `chunk` in place of what was held for its key. An unchanged() one only counts as a use.
+  /// Stores `chunk` in place of what was held for its key, unless that has a higher revision. An unchanged()
+  /// one only counts as a use. Revisions of different stores (WorldInfo::store_id) cannot be compared:
+  /// clear() in between.
   void put(const ReceivedChunk& chunk);
   void erase(const ChunkKey& key);
+  void clear();
 
   /// Null where the chunk is not held. Counts as a use.
   [[nodiscard]] std::shared_ptr<const Chunk> find(const ChunkKey& key);

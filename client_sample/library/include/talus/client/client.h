@@ -90,8 +90,8 @@ struct Stats {
   std::uint64_t chunk_frames = 0;
   std::uint64_t chunk_bytes = 0;     // of chunk frames
   std::uint64_t uniform_chunks = 0;  // that came in whole columns
-  std::uint64_t kept_chunks = 0;     // of a View, that had not to be sent again
-  std::uint64_t bad_chunks = 0;      // not decoded, or not what their hash says
+  std::uint64_t kept_chunks = 0;     // of a View, held since before and not sent again
+  std::uint64_t bad_chunks = 0;      // that did not decode, or did not match their hash
   std::uint64_t connections = 0;
 };
 
@@ -126,7 +126,7 @@ class Client {
                 std::function<void(Result<ReceivedChunk>)> handler);
 
   /// Gives a request up. Its handler is still called once: with ErrorKind::cancelled, or with the chunk if
-  /// that was under way already. A request that was answered is left alone.
+  /// that was in flight already. A request that was answered is left alone.
   void cancel(RequestId request);
 
   /// Heights of the ground at `columns`, in 1/256 voxel above y = 0, in the same order. At most

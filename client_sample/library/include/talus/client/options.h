@@ -6,6 +6,8 @@
 #include <cstdint>
 #include <string>
 
+#include <talus/client/clock.h>
+
 namespace talus::client {
 
 /// After the n-th failure in a row the client waits first_delay * 2^(n-1), at most max_delay, less up to
@@ -32,7 +34,7 @@ struct TlsOptions {
 struct Options {
   std::string token;                          // what the server's operator gave out; empty: none
   std::string client_name = "talus::client";  // for the server's log
-  std::uint64_t window_bytes = 1U << 20;      // chunk bytes that may be under way; 0: the server's default
+  std::uint64_t window_bytes = 1U << 20;      // chunk bytes in flight at most; 0: the server's default
   /// Of decoded chunks that left the View: where they come back the same, the server says so in a few bytes,
   /// and on_chunk brings them again. Only of chunks that somebody still held when they left; 0: none.
   std::size_t keep_bytes = 32U << 20;
@@ -42,6 +44,7 @@ struct Options {
   std::chrono::milliseconds ping_interval{20'000};  // at most; a third of the server's idle time-out if less
   std::chrono::milliseconds silence_timeout{60'000};  // no byte from the server for this long: it is gone
   ReconnectPolicy reconnect;
+  Clock* clock = &system_clock();  // outlives the client; tests give one that they move
 };
 
 }  // namespace talus::client

@@ -1,0 +1,150 @@
+// What a caller asks for.
+#include <asio/post.hpp>
+
+#include "core.h"
+#include "outgoing.h"
+
+namespace talus::client {
+namespace {
+
+const ClientError kNotConnected{ErrorKind::not_connected, "connect() comes first", {}};
+
+ClientError beyond(const std::string& what, std::uint64_t asked, std::uint64_t limit) {
+  return {
+      ErrorKind::out_of_range,
+      what + " " + std::to_string(asked) + " is more than this server allows (" + std::to_string(limit) + ")",
+      {}};
+}
+
+// The server's rules for a View: one that it would refuse must not become what the client believes in.
+Result<void> check_view(const View& view, const ServerLimits& limits) {
+  if (view.horizontal_radius > limits.view_horizontal_radius) {
+    return tl::unexpected{
+        beyond("a View of horizontal radius", view.horizontal_radius, limits.view_horizontal_radius)};
+  }
+  if (view.vertical_radius > limits.view_vertical_radius) {
+    return tl::unexpected{
+        beyond("a View of vertical radius", view.vertical_radius, limits.view_vertical_radius)};
+  }
+  Lod level;
+  std::uint16_t radius = view.horizontal_radius;
+  for (const auto& ring : view.rings) {
+    if (ring.lod <= level || ring.radius <= radius) {
+      return tl::unexpected{ClientError{
+          ErrorKind::out_of_range, "a View's rings must grow in level and in radius, from level 1 on", {}}};
+    }
+    level = ring.lod;
+    radius = ring.radius;
+    const std::uint32_t farthest = std::uint32_t{limits.view_horizontal_radius} << level.value();
+    if (radius > farthest) {
+      return tl::unexpected{beyond(
+          "a View with a ring of level " + std::to_string(level.value()) + " and radius", radius, farthest)};
+    }
+  }
+  const auto chunks = ViewShape{view}.uncut_count();
+  if (chunks > limits.view_chunks) {
+    return tl::unexpected{beyond("a View whose chunks number", chunks, limits.view_chunks)};
+  }
+  return {};
+}
+
+}  // namespace
+
+RequestId Core::get(ChunkKey key, std::optional<ContentHash> known,
+                    std::function<void(Result<ReceivedChunk>)> handler) {
+  const auto& [x, y, z] = key.coord;
+  const auto checked = checked_chunk(x, y, z, key.lod);
+  if (!checked || !running_ || !world_) {
+    const ClientError error =
+        checked ? kNotConnected : ClientError{ErrorKind::out_of_range, checked.error().message, {}};
+    asio::post(executor_, [handler = std::move(handler), error] { handler(tl::unexpected{error}); });
+    return RequestId{};
+  }
+  const auto id = requests_.add(ChunkRequest{key, known, std::move(handler)});
+  wake();
+  return RequestId{id};
+}
+
+void Core::cancel(RequestId request) {
+  const auto id = static_cast<std::uint32_t>(request);
+  switch (requests_.cancel(id)) {
+    case Requests::Cancelled::unknown:
+      return;
+    case Requests::Cancelled::in_flight:
+      cancels_to_send_.push_back(id);
+      wake();
+      return;
+    case Requests::Cancelled::waiting:
+      asio::post(executor_, [taken = requests_.take(id)] {
+        fail(taken, ClientError{ErrorKind::cancelled, "cancelled", {}});
+      });
+  }
+}
+
+void Core::get_heights(std::vector<Column> columns,
+                       std::function<void(Result<std::vector<std::int32_t>>)> handler) {
+  std::optional<ClientError> error;
+  if (!running_ || !world_) {
+    error = kNotConnected;
+  } else {
+    const std::size_t most = std::min<std::size_t>(world_->limits.heights_per_request,
+                                                   columns_per_frame(world_->limits.frame_bytes));
+    if (columns.size() > most) error = beyond("a request for heights of columns:", columns.size(), most);
+  }
+  if (error) {
+    asio::post(executor_, [handler = std::move(handler), error = *error] { handler(tl::unexpected{error}); });
+    return;
+  }
+  (void)requests_.add(HeightsRequest{std::move(columns), std::move(handler)});
+  wake();
+}
+
+Result<void> Core::set_view(const View& view) {
+  if (!running_ || !world_) return tl::unexpected{kNotConnected};
+  if (auto checked = check_view(view, world_->limits); !checked) return checked;
+  if (tracker_.view() && same_view(*tracker_.view(), view)) return {};
+  const auto self = shared_from_this();
+  const Generation mine = generation_;
+  const auto left = tracker_.replace(view);
+  view_to_send_ = true;
+  if (view_sent_) left_since_view_sent_.insert(left.begin(), left.end());
+  wake();
+  for (const auto& key : left) {
+    if (!events_.on_left_view) break;
+    events_.on_left_view(key);
+    if (mine != generation_) return {};
+  }
+  bring_back(mine);
+  return {};
+}
+
+// The server never heard that they had left, so it will not send them again.
+void Core::bring_back(Generation mine) {
+  std::vector<ChunkKey> back;
+  for (const ChunkKey& key : left_since_view_sent_) {
+    if (tracker_.shape().covers(key)) back.push_back(key);
+  }
+  for (const ChunkKey& key : back) {
+    left_since_view_sent_.erase(key);
+    if (const auto held = tracker_.held(key)) {
+      ++stats_.kept_chunks;
+      deliver(*held);
+      if (mine != generation_) return;
+    } else {
+      refetch(key);
+    }
+  }
+}
+
+void Core::ping(PingHandler handler) {
+  if (!joined_) {
+    asio::post(executor_, [handler = std::move(handler)] { handler(tl::unexpected{kNotConnected}); });
+    return;
+  }
+  const std::uint64_t nonce = ++last_nonce_;
+  open_pings_.emplace(nonce, OpenPing{options_.clock->now(), std::move(handler)});
+  pings_to_send_.push_back(nonce);
+  wake();
+}
+
+}  // namespace talus::client

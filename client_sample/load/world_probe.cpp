@@ -1,0 +1,174 @@
+#include "world_probe.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <exception>
+
+#include <asio/co_spawn.hpp>
+#include <asio/io_context.hpp>
+#include <asio/steady_timer.hpp>
+
+#include <talus/client/client.h>
+
+namespace talus::load {
+namespace {
+
+using client::Column;
+
+constexpr std::int64_t kGroupsApart = 8192;  // voxels
+constexpr std::chrono::seconds kProbeTimeout{30};
+
+struct Failed {
+  std::string line;
+};
+
+/// Groups on a square grid, somewhere that the seed decides, so that another seed meets fresh terrain.
+std::vector<Column> group_columns(const Options& options, std::size_t groups) {
+  Random random{options.seed, 0x6E0};
+  const auto somewhere = [&] { return (static_cast<std::int64_t>(random.below(2048)) - 1024) * (1 << 20); };
+  const Column corner{somewhere(), somewhere()};
+  const auto side = static_cast<std::size_t>(std::ceil(std::sqrt(static_cast<double>(groups))));
+  std::vector<Column> columns;
+  for (std::size_t group = 0; group < groups; ++group) {
+    columns.push_back({corner.x + static_cast<std::int64_t>(group % side) * kGroupsApart,
+                       corner.z + static_cast<std::int64_t>(group / side) * kGroupsApart});
+  }
+  return columns;
+}
+
+/// The middles of a square of chunks around the spawn.
+std::vector<Column> fixed_columns(const client::WorldInfo& world, std::size_t chunks) {
+  const auto side = static_cast<std::int64_t>(std::ceil(std::sqrt(static_cast<double>(chunks))));
+  std::vector<Column> columns;
+  for (std::int64_t i = 0; i < static_cast<std::int64_t>(chunks); ++i) {
+    const auto middle = [side](std::int64_t around, std::int64_t at) {
+      return (floor_div(around, kChunkSize) + at - side / 2) * kChunkSize + kChunkSize / 2;
+    };
+    columns.push_back({middle(world.spawn.x, i % side), middle(world.spawn.z, i / side)});
+  }
+  return columns;
+}
+
+asio::awaitable<std::vector<std::int32_t>> heights_of(client::Client& client,
+                                                      const std::vector<Column>& columns) {
+  // A world may allow few tiles a request: the size that it takes is found by halving.
+  std::size_t most = client.world()->limits.heights_per_request;
+  if (most == 0) throw Failed{"the server allows no heights in a request: limits.heights_per_request is 0"};
+  std::vector<std::int32_t> heights;
+  while (heights.size() < columns.size()) {
+    const auto from = columns.begin() + static_cast<std::ptrdiff_t>(heights.size());
+    const std::size_t count = std::min(most, columns.size() - heights.size());
+    const auto some = co_await client.get_heights({from, from + static_cast<std::ptrdiff_t>(count)});
+    if (some) {
+      heights.insert(heights.end(), some->begin(), some->end());
+    } else if (some.error().kind == client::ErrorKind::out_of_range && count > 1) {
+      most = count / 2;
+    } else {
+      throw Failed{some.error().message};
+    }
+  }
+  co_return heights;
+}
+
+/// Once connected: whether the server takes what is asked for, and where players begin.
+asio::awaitable<void> look_around(client::Client& client, Plan& plan) {
+  const Options& options = plan.options;
+  const auto& limits = plan.world.limits;
+  if (options.radius > limits.view_horizontal_radius || options.vertical > limits.view_vertical_radius) {
+    throw Failed{"the server allows --radius up to " + std::to_string(limits.view_horizontal_radius) +
+                 " and --vertical up to " + std::to_string(limits.view_vertical_radius)};
+  }
+  if (options.in_flight > limits.requests_in_flight) {
+    throw Failed{"the server allows --in-flight up to " + std::to_string(limits.requests_in_flight)};
+  }
+  const std::size_t groups =
+      options.groups != 0 ? options.groups : options.players + options.slow + options.greedy;
+  const auto columns = group_columns(options, std::max<std::size_t>(1, groups));
+  const auto heights = co_await heights_of(client, columns);
+  for (std::size_t i = 0; i < columns.size(); ++i) {
+    plan.origins.emplace_back(static_cast<double>(columns[i].x), std::floor(heights[i] / 256.0) + 2,
+                              static_cast<double>(columns[i].z));
+  }
+  if (options.in_flight == 0) co_return;
+  const auto middles = fixed_columns(plan.world, options.fixed_set);
+  const auto grounds = co_await heights_of(client, middles);
+  for (std::size_t i = 0; i < middles.size(); ++i) {
+    const auto row = floor_div(floor_div(grounds[i], 256), kChunkSize);
+    if (const auto key = checked_chunk(floor_div(middles[i].x, kChunkSize), row,
+                                       floor_div(middles[i].z, kChunkSize), Lod{})) {
+      plan.fixed_set.push_back(*key);
+    }
+  }
+}
+
+asio::awaitable<void> look(asio::io_context& io, Plan& plan) {
+  const Options& options = plan.options;
+  asio::ip::tcp::resolver resolver{io};
+  const auto found =
+      resolver.resolve(options.connect.server.host, std::to_string(options.connect.server.port));
+  client::Options connecting;
+  connecting.token = options.connect.token;
+  connecting.client_name = "talus-load " TALUS_VERSION;
+  connecting.tls = options.connect.tls;
+  if (options.connect.tls.on) {
+    // Players connect to the address that was found, and expect who was named.
+    if (connecting.tls.server_name.empty()) connecting.tls.server_name = options.connect.server.host;
+    plan.options.connect.tls = connecting.tls;
+    const auto context = client::make_tls_context(connecting.tls);
+    if (!context) throw Failed{context.error().message};
+    plan.tls = *context;
+  }
+  client::Client client{io.get_executor(), connecting};
+  // The first address that answers is the players', too.
+  std::string why;
+  for (const auto& entry : found) {
+    const auto endpoint = entry.endpoint();
+    const auto world =
+        co_await client.connect(endpoint.address().to_string(), std::to_string(endpoint.port()));
+    if (!world) {
+      why = world.error().message;
+      continue;
+    }
+    plan.server = endpoint;
+    plan.world = *world;
+    break;
+  }
+  if (client.world() == nullptr || !client.connected()) {
+    throw Failed{why.empty() ? "the server ended the connection right after Welcome" : why};
+  }
+  // A server that never answers must not keep everybody waiting.
+  asio::steady_timer deadline{io, kProbeTimeout};
+  bool late = false;
+  deadline.async_wait([&](std::error_code cancelled) {
+    if (cancelled) return;
+    late = true;
+    client.close();
+  });
+  try {
+    co_await look_around(client, plan);
+  } catch (const Failed&) {
+    if (late)
+      throw Failed{"the server has not said within 30 s how high the ground is where players are to be"};
+    throw;
+  }
+}
+
+}  // namespace
+
+tl::expected<void, std::string> probe_world(Plan& plan) {
+  asio::io_context io{1};
+  std::exception_ptr thrown;
+  asio::co_spawn(io, look(io, plan), [&](const std::exception_ptr& exception) { thrown = exception; });
+  io.run();
+  try {
+    if (thrown) std::rethrow_exception(thrown);
+  } catch (const Failed& failed) {
+    return tl::unexpected{failed.line};
+  } catch (const std::system_error& error) {
+    return tl::unexpected{to_string(plan.options.connect.server) + ": " + error.code().message()};
+  }
+  return {};
+}
+
+}  // namespace talus::load
