@@ -24,6 +24,10 @@ bool equal(const std::uint8_t* a, const std::uint8_t* b) {
   return std::memcmp(a, b, kChunkArea) == 0;
 }
 
+bool all_equal(std::span<const MaterialId, kChunkVolume> voxels) {
+  return std::equal(voxels.begin() + 1, voxels.end(), voxels.begin());
+}
+
 }  // namespace
 
 bool Layers::valid() const {
@@ -64,10 +68,15 @@ Chunk Chunk::from_layers(Layers layers) {
 }
 
 Chunk Chunk::from_dense(std::span<const MaterialId, kChunkVolume> voxels) {
-  if (std::equal(voxels.begin() + 1, voxels.end(), voxels.begin())) return uniform(voxels.front());
-  auto dense = std::make_shared<DenseVoxels>();
+  if (all_equal(voxels)) return uniform(voxels.front());
+  auto dense = std::make_shared_for_overwrite<DenseVoxels>();
   std::copy(voxels.begin(), voxels.end(), dense->begin());
   return Chunk{Dense{std::move(dense)}};
+}
+
+Chunk Chunk::from_dense(std::shared_ptr<const DenseVoxels> voxels) {
+  if (all_equal(*voxels)) return uniform(voxels->front());
+  return Chunk{Dense{std::move(voxels)}};
 }
 
 Layers Chunk::take_layers() && {

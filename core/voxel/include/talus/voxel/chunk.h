@@ -52,6 +52,8 @@ class Chunk {
   [[nodiscard]] static Chunk from_layers(Layers layers);
   /// Copies `voxels`; a chunk of one material becomes uniform.
   [[nodiscard]] static Chunk from_dense(std::span<const MaterialId, kChunkVolume> voxels);
+  /// Shares `voxels`, which nobody may change any more; a chunk of one material becomes uniform.
+  [[nodiscard]] static Chunk from_dense(std::shared_ptr<const DenseVoxels> voxels);
 
   [[nodiscard]] bool is_uniform() const;
   [[nodiscard]] MaterialId at(LocalPos pos) const;
