@@ -197,6 +197,8 @@ int main(int argc, char** argv) {
       }
       classes[k] = rounded(probabilities(sum));
     }
+    std::vector<double> loss(points.size());
+    std::vector<std::size_t> members(kClasses);
     for (std::size_t i = 0; i < points.size(); ++i) {
       double least = std::numeric_limits<double>::max();
       for (std::size_t k = 0; k < kClasses; ++k) {
@@ -205,6 +207,15 @@ int main(int argc, char** argv) {
         least = cost;
         class_of[i] = k;
       }
+      loss[i] = least - bits(points[i], probabilities(points[i]));
+      ++members[class_of[i]];
+    }
+    // A class that nothing chose takes the context that loses most.
+    for (std::size_t k = 0; k < kClasses && round + 1 < kRounds; ++k) {
+      if (members[k] > 0) continue;
+      const auto worst = static_cast<std::size_t>(std::max_element(loss.begin(), loss.end()) - loss.begin());
+      class_of[worst] = k;
+      loss[worst] = 0;
     }
   }
 

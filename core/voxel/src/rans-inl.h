@@ -91,12 +91,15 @@ HWY_INLINE HalfVec narrow_small(const WordParts& words) {
 #endif
 }
 
-/// Bit i set where the byte of lane i has its high bit set.
-HWY_INLINE std::uint32_t lanes_of(HalfVec bytes) {
-  const HalfRows d;
+/// Bit i is lane i.
+HWY_INLINE std::uint32_t lanes_of(hn::Mask<Half> mask) {
+#if HWY_TARGET == HWY_AVX3
+  return mask.raw;
+#else
   std::uint8_t bits[8] = {};  // StoreMaskBits may write eight
-  hn::StoreMaskBits(d, hn::Lt(hn::BitCast(d, bytes), hn::Zero(d)), bits);
+  hn::StoreMaskBits(Half{}, mask, bits);
   return bits[0] | std::uint32_t{bits[1]} << 8U;
+#endif
 }
 
 /// Where the intervals of the symbols 1, 2 and 3 start, by lane. All 0: there is no symbol to read, and the
@@ -215,7 +218,7 @@ HWY_INLINE void encode_symbols(WordParts& states, const WordParts& starts, const
     const auto rest = hn::Sub(left, hn::Mul(quotient, size));
     states.part[p] = hn::Add(hn::ShiftLeft<8>(quotient), hn::Add(rest, starts.part[p]));
   }
-  std::uint32_t lanes = lanes_of(narrow_small(full));
+  std::uint32_t lanes = lanes_of(hn::MaskFromVec(narrow_small(full)));
   if (lanes == 0) return;
 #if HWY_TARGET == HWY_AVX3
   const __m512i bytes = _mm512_cvtepu16_epi32(low.part[0].raw);

@@ -98,9 +98,51 @@ HWY_INLINE std::uint32_t deposit_bits(std::uint32_t bits, std::uint32_t mask) {
 #endif
 }
 
-/// Writes the numbers of `coded` voxels, side by side, that `bits` has bit for bit; up to seven bytes past them.
+/// The voxels to the west; what stands in the first column means nothing. `voxels`: where the row lies, with a
+/// voxel before it.
+HWY_INLINE RowVec west_of(const RowVec& row, const MaterialId* voxels) {
+#if HWY_TARGET == HWY_AVX3
+  (void)voxels;
+  alignas(64) static constexpr auto kPlaces = [] {
+    std::array<std::uint16_t, kChunkSize> places{};
+    for (std::uint16_t i = 1; i < kChunkSize; ++i) places[i] = static_cast<std::uint16_t>(i - 1);
+    return places;
+  }();
+  return {{hn::Vec<Voxels>{_mm512_permutexvar_epi16(_mm512_load_si512(kPlaces.data()), row.part[0].raw)}}};
+#else
+  (void)row;
+  return load_voxels(voxels - 1);
+#endif
+}
+
+/// The same to the east, of the last column.
+HWY_INLINE RowVec east_of(const RowVec& row, const MaterialId* voxels) {
+#if HWY_TARGET == HWY_AVX3
+  (void)voxels;
+  alignas(64) static constexpr auto kPlaces = [] {
+    std::array<std::uint16_t, kChunkSize> places{};
+    for (std::uint16_t i = 0; i + 1 < kChunkSize; ++i) places[i] = static_cast<std::uint16_t>(i + 1);
+    return places;
+  }();
+  return {{hn::Vec<Voxels>{_mm512_permutexvar_epi16(_mm512_load_si512(kPlaces.data()), row.part[0].raw)}}};
+#else
+  (void)row;
+  return load_voxels(voxels + 1);
+#endif
+}
+
+/// Writes the numbers of `coded` voxels, at most kLanes of them, side by side, that `bits` has bit for bit; it
+/// may write kLanes of them in any case.
 template <std::size_t count, class Bits>
 HWY_INLINE void put_numbers(RowMask coded, const Bits& bits, std::uint8_t* out) {
+#if HWY_TARGET == HWY_AVX3
+  __m128i numbers = _mm_setzero_si128();
+  for (std::size_t b = 0; b < count; ++b) {
+    const auto lanes = static_cast<__mmask16>(extract_bits(bits[b], coded));
+    numbers = _mm_or_si128(numbers, _mm_maskz_set1_epi8(lanes, static_cast<char>(1U << b)));
+  }
+  _mm_storeu_si128(reinterpret_cast<__m128i*>(out), numbers);
+#else
   std::array<std::uint32_t, count> packed;
   for (std::size_t b = 0; b < count; ++b) packed[b] = extract_bits(bits[b], coded);
   for (int left = std::popcount(coded); left > 0; left -= 8, out += 8) {
@@ -111,6 +153,7 @@ HWY_INLINE void put_numbers(RowMask coded, const Bits& bits, std::uint8_t* out) 
     }
     std::memcpy(out, &numbers, sizeof numbers);
   }
+#endif
 }
 
 /// Where north and below agree: the first of the voxels around that differs from them.
@@ -121,6 +164,30 @@ HWY_INLINE RowVec first_different(const AroundMasks& masks, const RowsAround& ar
   found = select(masks.east_b, found, load_voxels(around.below + 1));
   found = select(masks.west_n, found, load_voxels(around.north - 1));
   return select(masks.east_n, found, load_voxels(around.north + 1));
+}
+
+/// The first of the voxels around that is neither of two candidates; `exists` says where there is one.
+HWY_INLINE RowVec third_candidate(const RowVec& first, const RowVec& second, const AroundMasks& masks,
+                                  const RowsAround& around, RowMask& exists) {
+  const RowVec north = load_voxels(around.north);
+  const RowVec below = load_voxels(around.below);
+  RowVec found = load_voxels(around.below_north);
+  exists = ~(equal(found, first) | equal(found, second));
+  const auto prefer = [&](const RowVec& candidate, RowMask where) HWY_ATTR {
+    const RowMask differs = where & ~(equal(candidate, first) | equal(candidate, second));
+    found = select(differs, candidate, found);
+    exists |= differs;
+  };
+  constexpr RowMask kHasWest = ~RowMask{1};
+  constexpr RowMask kHasEast = kAllColumns >> 1U;
+  prefer(load_voxels(around.below_south), kAllColumns);
+  prefer(load_voxels(around.below - 1), kHasWest);
+  prefer(load_voxels(around.below + 1), kHasEast);
+  prefer(load_voxels(around.north - 1), kHasWest);
+  prefer(load_voxels(around.north + 1), kHasEast);
+  prefer(select(masks.level, below, north), kAllColumns);
+  prefer(select(masks.level, north, below), kAllColumns);
+  return found;
 }
 
 }  // namespace

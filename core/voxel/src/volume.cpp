@@ -29,6 +29,20 @@ constexpr std::array<VolumeIntervals, kTables> kIntervals = [] {
   return all;
 }();
 
+/// By context and symbol: start + 65536 * size.
+constexpr auto kSymbolIntervals = [] {
+  std::array<std::array<std::uint32_t, kVolumeContexts * 4>, kTables> all{};
+  for (std::size_t t = 0; t < kTables; ++t) {
+    for (std::size_t c = 0; c < kVolumeContexts; ++c) {
+      for (std::uint8_t symbol = 0; symbol < 4; ++symbol) {
+        const Interval interval = interval_of(kIntervals[t][c], symbol);
+        all[t][4 * c + symbol] = interval.start | std::uint32_t{interval.size} << 16U;
+      }
+    }
+  }
+  return all;
+}();
+
 /// What a symbol of an interval of this size costs, in sixteenths of a bit: 16 * (8 - log2(size)), rounded
 /// down digit by digit, so that every compiler finds the same.
 constexpr std::uint64_t cost_of(std::uint32_t size) {
@@ -132,7 +146,7 @@ bool encode_volume(const DenseVoxels& voxels, std::vector<std::byte>& out, const
       encode_symbol(sink, i % kLanes, materials.interval(events.escape[escapes + i]));
     }
     coded -= events.batch[batch];
-    kernels.write(events, coded, events.batch[batch], kIntervals[table].data() + first_context_of(batch), sink);
+    kernels.write(events, coded, events.batch[batch], kSymbolIntervals[table].data() + 4 * first_context_of(batch), sink);
     while (groups > 1 && exceptions[(groups - 1) * kLanes - 1].batch == batch) {
       --groups;
       put_group(sink, group(groups), materials);

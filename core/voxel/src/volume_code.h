@@ -44,8 +44,8 @@ using SlotTable = std::array<Slot, kProbabilityTotal>;
 inline constexpr std::size_t kDigitCounts = 16;
 
 /// The sizes of the intervals of the digits' count of a gap.
-inline constexpr std::array<std::uint16_t, kDigitCounts> kGapSizes{22, 10, 14, 17, 20, 23, 27, 31,
-                                                                   31, 25, 16, 9,  5,  3,  2,  1};
+inline constexpr std::array<std::uint16_t, kDigitCounts> kGapSizes{60, 10, 11, 12, 17, 12, 13, 17,
+                                                                   22, 24, 20, 15, 11, 6,  4,  2};
 
 template <std::size_t count>
 constexpr SlotTable slots_of(const std::array<std::uint16_t, count>& sizes) {

@@ -55,6 +55,7 @@ struct VolumeKernels {
   /// What a decoder has to be told of `voxels`.
   void (*analyse)(const DenseVoxels& voxels, VolumeEvents& events);
   /// Writes the symbols of coded voxels from `first` on, `count` of them, last one first: at most kMaxBatch.
+  /// `intervals` has one for each context of their half and symbol: start + 65536 * size.
   void (*write)(const VolumeEvents& events, std::size_t first, std::size_t count,
                 const std::uint32_t* intervals, RansSink& sink);
   /// Where a fault is found, the voxels mean nothing.

@@ -48,8 +48,7 @@ class Batch {
     for (std::size_t i = 0; i < size_; i += kLanes) {
       const HalfVec symbols = decode_symbols(states, starts(i, intervals), next);
       const auto bits = [&](std::uint8_t bit) HWY_ATTR {
-        return static_cast<std::uint16_t>(
-            lanes_of(hn::VecFromMask(d, hn::Ne(hn::And(symbols, hn::Set(d, bit)), hn::Zero(d)))));
+        return static_cast<std::uint16_t>(lanes_of(hn::Eq(hn::And(symbols, hn::Set(d, bit)), hn::Set(d, bit))));
       };
       low_[i / kLanes] = bits(1);
       high_[i / kLanes] = bits(2);
@@ -124,6 +123,8 @@ struct WaveRow {
   BesideMasks beside;
   RowMask same;
   RowMask coded;
+  std::size_t y;
+  std::size_t z;
   bool uniform;  // it and all around it are of one material
 };
 
@@ -136,34 +137,18 @@ class Reader {
 
   VolumeFault read() {
     for (int wave = 0; wave < kWaves; ++wave) {
-      const int first = first_row_of(wave);
-      const auto rows = static_cast<std::size_t>(last_row_of(wave) - first + 1);
+      rows_ = 0;
       batch_.clear();
-      for (std::size_t i = 0; i < rows; ++i) begin_row(rows_[i], first + static_cast<int>(i), wave);
-      decode(0);
-      for (std::size_t i = 0; i < rows; ++i) {
-        if (rows_[i].coded != 0) end_even(rows_[i]);
-      }
-      take_escapes();
-      if (faulty()) return fault();
+      for (int y = first_row_of(wave); y <= last_row_of(wave); ++y) begin_row(y, wave - 2 * y);
+      if (!finish_batch<0>()) return fault();
       batch_.clear();
-      for (std::size_t i = 0; i < rows; ++i) begin_odd(rows_[i]);
-      decode(kOddContexts);
-      for (std::size_t i = 0; i < rows; ++i) {
-        if (rows_[i].coded != 0) end_odd(rows_[i]);
-      }
-      take_escapes();
-      if (faulty()) return fault();
-      for (std::size_t i = 0; i < rows; ++i) {
-        const auto y = static_cast<std::size_t>(first) + i;
-        const std::size_t z = static_cast<std::size_t>(wave) - 2 * y;
-        const WaveRow& row = rows_[i];
-        if (row.uniform) {
-          equal_.set(y, z, kAllColumns, kAllColumns, kAllColumns);
-          continue;
-        }
+      for (std::size_t i = 0; i < rows_; ++i) begin_odd(row_[i]);
+      if (!finish_batch<kOddContexts>()) return fault();
+      for (std::size_t i = 0; i < rows_; ++i) {
+        const WaveRow& row = row_[i];
+        if (row.uniform) continue;
         const RowVec now = load_voxels(row.voxels);
-        equal_.set(y, z, equal(now, load_voxels(row.voxels - 1)), equal(now, load_voxels(row.around.north)),
+        equal_.set(row.y, row.z, equal(now, west_of(now, row.voxels)), equal(now, load_voxels(row.around.north)),
                    equal(now, load_voxels(row.around.below)));
       }
     }
@@ -171,66 +156,54 @@ class Reader {
   }
 
  private:
-  HWY_INLINE void decode(std::size_t contexts) {
-    source_.keep_ahead();
-    batch_.decode(source_, code_.intervals->data() + contexts);
-  }
-
   /// Gives the exceptions among the `steady` voxels of a row their materials.
-  HWY_INLINE void take_exceptions(WaveRow& row, RowMask steady) {
+  HWY_INLINE void take_exceptions(MaterialId* row, RowMask steady) {
     auto count = static_cast<std::uint32_t>(std::popcount(steady));
     while (HWY_UNLIKELY(exceptions_.gap() < count)) {
       const int x = std::countr_zero(deposit_bits(1U << exceptions_.gap(), steady));
-      row.voxels[x] = exceptions_.take(source_);
-      row.uniform = false;
+      row[x] = exceptions_.take(source_);
       steady &= ~(RowMask{2} << x) + 1;
       count = static_cast<std::uint32_t>(std::popcount(steady));
     }
     exceptions_.pass(count);
   }
 
-  HWY_INLINE void begin_row(WaveRow& row, int y, int wave) {
-    const int z = wave - 2 * y;
-    row.voxels = voxels_ + (y * kChunkSize + z) * kChunkSize;
-    row.around = rows_around(voxels_, row_zero_.data() + kChunkSize, y, z);
+  HWY_INLINE void begin_row(int y, int z) {
+    WaveRow& row = row_[rows_];
     row.masks = equal_.around(static_cast<std::size_t>(y), static_cast<std::size_t>(z));
+    row.voxels = voxels_ + (y * kChunkSize + z) * kChunkSize;
+    row.y = static_cast<std::size_t>(y);
+    row.z = static_cast<std::size_t>(z);
+    row.around = rows_around(voxels_, row_zero_.data() + kChunkSize, y, z);
     const RowVec below = load_voxels(row.around.below);
-    row.uniform = (row.masks.all() & row.masks.level) == kAllColumns;
-    if (row.uniform) {
+    if ((row.masks.all() & row.masks.level) == kAllColumns) {
+      // All around is of one material. The masks of such a row are what they were set to at first.
       store_voxels(below, row.voxels);
-      row.same = kAllColumns;
       row.coded = 0;
-      take_exceptions(row, kEvenColumns);
+      row.uniform = exceptions_.gap() >= kLanes;
+      row.same = kAllColumns;
+      take_exceptions(row.voxels, kEvenColumns);
+      ++rows_;
       return;
     }
     const RowVec north = load_voxels(row.around.north);
+    row.uniform = false;
     row.same = equal(north, below);
     store_voxels(select(row.masks.level, north, below), row.voxels);
     const RowMask steady = kEvenColumns & row.same & row.masks.all();
     row.coded = kEvenColumns & ~steady;
-    take_exceptions(row, steady);
+    take_exceptions(row.voxels, steady);
+    ++rows_;
     if (row.coded == 0) return;
     const RowMask south = equal(load_voxels(row.around.below_south), north);
     batch_.add<7>(row.coded, even_contexts(row.masks, row.same, south));
   }
 
-  HWY_INLINE void end_even(const WaveRow& row) {
-    const Batch::Symbols symbols = batch_.take(row.coded);
-    if ((symbols.low | symbols.high) == 0) return;
-    const RowMask second = symbols.low & ~symbols.high;
-    if (second != 0) {
-      const RowVec other =
-          select(row.masks.level, load_voxels(row.around.below), load_voxels(row.around.north));
-      const RowVec candidate = select(row.same, first_different(row.masks, row.around), other);
-      store_voxels(select(second, candidate, load_voxels(row.voxels)), row.voxels);
-    }
-    take_rare(row, symbols);
-  }
-
   HWY_INLINE void begin_odd(WaveRow& row) {
     if (row.uniform) {
+      row.uniform = exceptions_.gap() >= kLanes;
       row.coded = 0;
-      take_exceptions(row, kOddColumns);
+      take_exceptions(row.voxels, kOddColumns);
       return;
     }
     const RowVec north = load_voxels(row.around.north);
@@ -238,57 +211,64 @@ class Reader {
     const RowVec base = select(row.masks.level, north, below);
     const RowVec other = select(row.masks.level, below, north);
     const RowVec now = load_voxels(row.voxels);
-    const RowVec west = load_voxels(row.voxels - 1);
-    const RowVec east = load_voxels(row.voxels + 1);
+    const RowVec west = west_of(now, row.voxels);
+    const RowVec east = east_of(now, row.voxels);
     row.beside = {equal(west, east) | 1U << 31U, equal(base, west), equal(base, east), equal(other, west),
                   equal(other, east)};
     const RowMask steady = kOddColumns & row.beside.agrees() & row.masks.all();
     row.coded = kOddColumns & ~steady;
     store_voxels(select(kOddColumns, select(row.beside.is_east(), east, west), now), row.voxels);
-    take_exceptions(row, steady);
+    take_exceptions(row.voxels, steady);
     if (row.coded != 0) batch_.add<8>(row.coded, odd_contexts(row.masks, row.beside, row.same));
   }
 
-  HWY_INLINE void end_odd(const WaveRow& row) {
-    const Batch::Symbols symbols = batch_.take(row.coded);
-    if ((symbols.low | symbols.high) == 0) return;
-    const RowMask second = symbols.low & ~symbols.high;
-    if (second != 0) {
-      const RowVec north = load_voxels(row.around.north);
-      const RowVec below = load_voxels(row.around.below);
-      const BesideMasks& beside = row.beside;
-      // Base, unless that is the west: then the other.
-      const RowVec of_equal = select(row.masks.level ^ beside.base_west, north, below);
-      const RowVec beyond = select(beside.is_east(), load_voxels(row.voxels - 1), load_voxels(row.voxels + 1));
-      const RowVec candidate =
-          select(beside.agrees(), first_different(row.masks, row.around), select(beside.equal, of_equal, beyond));
-      store_voxels(select(second, candidate, load_voxels(row.voxels)), row.voxels);
+  /// Reads the symbols of a batch and gives its voxels their materials.
+  template <std::size_t first_context>
+  HWY_INLINE bool finish_batch() {
+    source_.keep_ahead();
+    batch_.decode(source_, code_.intervals->data() + first_context);
+    for (std::size_t i = 0; i < rows_; ++i) {
+      if (row_[i].coded != 0) finish_row<first_context != 0>(row_[i]);
     }
-    take_rare(row, symbols);
-  }
-
-  /// Third candidates and escapes, voxel by voxel.
-  HWY_INLINE void take_rare(const WaveRow& row, const Batch::Symbols& symbols) {
-    for (RowMask left = symbols.high; left != 0; left &= left - 1) {
-      const int x = std::countr_zero(left);
-      if ((symbols.low >> x & 1U) != 0) {
-        escaped_[escapes_++] = row.voxels + x;
-        continue;
-      }
-      const Prediction prediction = predict(row.around, row.voxels, x);
-      bad_number_ |= prediction.candidates < kCandidates;
-      row.voxels[x] = prediction.candidate[std::min(kCandidates, prediction.candidates) - 1];
-    }
-  }
-
-  void take_escapes() {
     for (std::size_t i = 0; i < escapes_; ++i) {
       *escaped_[i] = MaterialId{decode_slot(source_, i % kLanes, code_.materials)};
     }
     escapes_ = 0;
+    return source_.next <= source_.end && !bad_number_;
   }
 
-  [[nodiscard]] bool faulty() const { return source_.next > source_.end || bad_number_; }
+  template <bool odd>
+  HWY_INLINE void finish_row(const WaveRow& row) {
+    const Batch::Symbols symbols = batch_.take(row.coded);
+    if ((symbols.low | symbols.high) == 0) return;
+    const RowVec north = load_voxels(row.around.north);
+    const RowVec below = load_voxels(row.around.below);
+    const RowVec now = load_voxels(row.voxels);  // the first candidates
+    RowVec second;
+    if constexpr (odd) {
+      const BesideMasks& beside = row.beside;
+      // Base, unless that is the west: then the other.
+      const RowVec of_equal = select(row.masks.level ^ beside.base_west, north, below);
+      const RowVec beyond = select(beside.is_east(), west_of(now, row.voxels), east_of(now, row.voxels));
+      second = select(beside.agrees(), first_different(row.masks, row.around),
+                      select(beside.equal, of_equal, beyond));
+    } else {
+      second = select(row.same, first_different(row.masks, row.around), select(row.masks.level, below, north));
+    }
+    RowVec found = select(symbols.low & ~symbols.high, second, now);
+    const RowMask is_third = symbols.high & ~symbols.low;
+    if (is_third != 0) {
+      RowMask exists = 0;
+      const RowVec third = third_candidate(now, second, row.masks, row.around, exists);
+      found = select(is_third, third, found);
+      bad_number_ |= (is_third & ~exists) != 0;
+    }
+    store_voxels(found, row.voxels);
+    for (RowMask left = symbols.high & symbols.low; left != 0; left &= left - 1) {
+      escaped_[escapes_++] = row.voxels + std::countr_zero(left);
+    }
+  }
+
   [[nodiscard]] VolumeFault fault() const {
     return source_.next > source_.end ? VolumeFault::truncated : VolumeFault::bad_number;
   }
@@ -299,7 +279,8 @@ class Reader {
   ExceptionReader exceptions_;
   EqualMasks equal_;
   Batch batch_;
-  std::array<WaveRow, 16> rows_;
+  std::array<WaveRow, 16> row_;
+  std::size_t rows_ = 0;
   std::array<MaterialId*, kMaxBatch> escaped_;
   std::size_t escapes_ = 0;
   bool bad_number_ = false;

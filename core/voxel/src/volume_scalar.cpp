@@ -63,7 +63,9 @@ void analyse_volume_scalar(const DenseVoxels& voxels, VolumeEvents& events) {
 void write_volume_scalar(const VolumeEvents& events, std::size_t first, std::size_t count,
                          const std::uint32_t* intervals, RansSink& sink) {
   for (std::size_t i = count; i-- > 0;) {
-    encode_symbol(sink, i % kLanes, interval_of(intervals[events.context[first + i]], events.symbol[first + i]));
+    const std::uint32_t interval = intervals[4 * std::size_t{events.context[first + i]} + events.symbol[first + i]];
+    encode_symbol(sink, i % kLanes,
+                  {static_cast<std::uint16_t>(interval & 0xFFFFU), static_cast<std::uint16_t>(interval >> 16U)});
   }
 }
 

@@ -84,34 +84,40 @@ class Analyser {
   HWY_INLINE void even(WaveRow& row, int y, int wave) {
     const int z = wave - 2 * y;
     row.voxels = padded(voxels_ + (y * kChunkSize + z) * kChunkSize);
-    row.around = rows_around(voxels_, row_zero_.data() + kChunkSize, y, z);
-    row.around.north = padded(row.around.north);
-    row.around.below = padded(row.around.below);
     row.masks = equal_.around(static_cast<std::size_t>(y), static_cast<std::size_t>(z));
+    row.around = rows_around(voxels_, row_zero_.data() + kChunkSize, y, z);
     const RowVec now = load_voxels(row.voxels);
     const RowVec below = load_voxels(row.around.below);
-    const RowVec north = load_voxels(row.around.north);
     const RowMask equals_below = equal(now, below);
-    const RowMask equals_north = equal(now, north);
-    row.west = equal(now, load_voxels(row.voxels - 1)) | 1U;
-    equal_.set(static_cast<std::size_t>(y), static_cast<std::size_t>(z), row.west, equals_north, equals_below);
     row.uniform = (row.masks.all() & row.masks.level & equals_below) == kAllColumns;
-    if (row.uniform) {
+    if (row.uniform) {  // the masks of such a row are what they were set to at first
       gap_ += kLanes;
       return;
     }
+    row.around.north = padded(row.around.north);
+    row.around.below = padded(row.around.below);
+    const RowVec north = load_voxels(row.around.north);
+    const RowMask equals_north = equal(now, north);
+    row.west = equal(now, west_of(now, row.voxels)) | 1U;
+    equal_.set(static_cast<std::size_t>(y), static_cast<std::size_t>(z), row.west, equals_north, equals_below);
     row.same = equal(north, below);
     const RowMask steady = kEvenColumns & row.same & row.masks.all();
     const RowMask coded = kEvenColumns & ~steady;
     const RowMask is_first = codec::select(row.masks.level, equals_north, equals_below);
-    add_exceptions(row, steady, is_first);
+    if ((steady & ~is_first) == 0) {
+      gap_ += static_cast<std::uint32_t>(std::popcount(steady));
+    } else {
+      add_exceptions(row, steady, is_first);
+    }
     if (coded == 0) return;
     const RowMask south = equal(load_voxels(row.around.below_south), north);
-    RowMask is_second = ~row.same & codec::select(row.masks.level, equals_below, equals_north);
-    if ((coded & row.same & ~is_first) != 0) {
-      is_second |= row.same & equal(now, first_different(row.masks, row.around));
-    }
-    add_coded<7>(row, coded, even_contexts(row.masks, row.same, south), is_first, is_second);
+    const auto contexts = even_contexts(row.masks, row.same, south);
+    if ((coded & ~is_first) == 0) return add_first<7>(coded, contexts);
+    const RowVec first = select(row.masks.level, north, below);
+    const RowVec second =
+        select(row.same, first_different(row.masks, row.around), select(row.masks.level, below, north));
+    add_coded(row, coded & ~is_first, now, first, second);
+    add_contexts<7>(coded, contexts);
   }
 
   HWY_INLINE void odd(const WaveRow& row) {
@@ -124,8 +130,8 @@ class Analyser {
     const RowVec north = load_voxels(row.around.north);
     const RowVec base = select(row.masks.level, north, below);
     const RowVec other = select(row.masks.level, below, north);
-    const RowVec west = load_voxels(row.voxels - 1);
-    const RowVec east = load_voxels(row.voxels + 1);
+    const RowVec west = west_of(now, row.voxels);
+    const RowVec east = east_of(now, row.voxels);
     const BesideMasks beside{equal(west, east) | 1U << 31U, equal(base, west), equal(base, east),
                              equal(other, west), equal(other, east)};
     const RowMask agrees = beside.agrees();
@@ -133,17 +139,19 @@ class Analyser {
     const RowMask steady = kOddColumns & agrees & row.masks.all();
     const RowMask coded = kOddColumns & ~steady;
     const RowMask is_first = codec::select(is_east, row.west >> 1U, row.west);
-    add_exceptions(row, steady, is_first);
-    if (coded == 0) return;
-    RowMask is_second = 0;
-    if ((coded & ~is_first) != 0) {
-      const RowVec of_equal = select(row.masks.level ^ beside.base_west, north, below);
-      const RowVec beyond = select(is_east, west, east);
-      const RowVec candidate =
-          select(agrees, first_different(row.masks, row.around), select(beside.equal, of_equal, beyond));
-      is_second = equal(now, candidate);
+    if ((steady & ~is_first) == 0) {
+      gap_ += static_cast<std::uint32_t>(std::popcount(steady));
+    } else {
+      add_exceptions(row, steady, is_first);
     }
-    add_coded<8>(row, coded, odd_contexts(row.masks, beside, row.same), is_first, is_second);
+    if (coded == 0) return;
+    const auto contexts = odd_contexts(row.masks, beside, row.same);
+    if ((coded & ~is_first) == 0) return add_first<8>(coded, contexts);
+    const RowVec of_equal = select(row.masks.level ^ beside.base_west, north, below);
+    const RowVec second = select(agrees, first_different(row.masks, row.around),
+                                 select(beside.equal, of_equal, select(is_east, west, east)));
+    add_coded(row, coded & ~is_first, now, select(is_east, east, west), second);
+    add_contexts<8>(coded, contexts);
   }
 
   HWY_INLINE void add_exceptions(const WaveRow& row, RowMask steady, RowMask is_first) {
@@ -159,20 +167,32 @@ class Analyser {
     gap_ += static_cast<std::uint32_t>(std::popcount(steady)) - passed;
   }
 
+  /// Coded voxels that all are their first candidates.
   template <std::size_t count>
-  HWY_INLINE void add_coded(const WaveRow& row, RowMask coded, const ContextBits& contexts, RowMask is_first,
-                            RowMask is_second) {
-    const RowMask rare = coded & ~(is_first | is_second);
-    RowMask low = coded & ~is_first & is_second;
-    for (RowMask left = rare; left != 0; left &= left - 1) {
-      const int x = std::countr_zero(left);
-      const Prediction prediction = predict(row.around, row.voxels, x);
-      if (prediction.candidates == kCandidates && prediction.candidate[kCandidates - 1] == row.voxels[x]) continue;
-      low |= RowMask{1} << x;
-      events_.escape[events_.escapes++] = row.voxels[x];
+  HWY_INLINE void add_first(RowMask coded, const ContextBits& contexts) {
+    low_ = high_ = 0;
+    add_contexts<count>(coded, contexts);
+  }
+
+  /// Finds the symbols of coded voxels; those of `left` are not their first candidates.
+  HWY_INLINE void add_coded(const WaveRow& row, RowMask left, const RowVec& now, const RowVec& first,
+                            const RowVec& second) {
+    low_ = left & equal(now, second);
+    high_ = left & ~low_;
+    if (high_ == 0) return;
+    RowMask exists = 0;
+    const RowVec third = third_candidate(first, second, row.masks, row.around, exists);
+    RowMask escapes = high_ & ~(exists & equal(now, third));
+    low_ |= escapes;
+    for (; escapes != 0; escapes &= escapes - 1) {
+      events_.escape[events_.escapes++] = row.voxels[std::countr_zero(escapes)];
     }
+  }
+
+  template <std::size_t count>
+  HWY_INLINE void add_contexts(RowMask coded, const ContextBits& contexts) {
     put_numbers<count>(coded, contexts, events_.context.data() + events_.coded);
-    put_numbers<2>(coded, std::array{low, rare}, events_.symbol.data() + events_.coded);
+    put_numbers<2>(coded, std::array{low_, high_}, events_.symbol.data() + events_.coded);
     events_.coded += static_cast<std::size_t>(std::popcount(coded));
   }
 
@@ -182,6 +202,8 @@ class Analyser {
   std::array<WaveRow, 16> rows_;
   std::size_t batch_ = 0;
   std::uint32_t gap_ = 0;
+  RowMask low_ = 0;  // the symbols of the row, as bits
+  RowMask high_ = 0;
   std::array<MaterialId, 3 * kChunkSize> row_zero_;
   std::array<MaterialId, 3 * kChunkSize> first_{};
   std::array<MaterialId, 3 * kChunkSize> last_{};
@@ -191,29 +213,33 @@ void analyse(const DenseVoxels& voxels, VolumeEvents& events) {
   Analyser{voxels, events}.analyse();
 }
 
+/// Sixteen intervals from sixteen words that hold start and size.
+HWY_INLINE void split(const std::uint32_t* intervals, WordParts& starts, WordParts& sizes) {
+  const Words d;
+  const auto* const words = reinterpret_cast<const std::uint16_t*>(intervals);
+  for (std::size_t p = 0; p < kParts; ++p) {
+    const auto low = hn::LoadU(d, words + 2 * p * hn::MaxLanes(d));
+    const auto high = hn::LoadU(d, words + (2 * p + 1) * hn::MaxLanes(d));
+    starts.part[p] = hn::ConcatEven(d, high, low);
+    sizes.part[p] = hn::ConcatOdd(d, high, low);
+  }
+}
+
 void write(const VolumeEvents& events, std::size_t first, std::size_t count, const std::uint32_t* intervals,
            RansSink& sink) {
   if (count == 0) return;
-  std::array<std::uint16_t, kMaxBatch> starts;
-  std::array<std::uint16_t, kMaxBatch> sizes;
+  alignas(64) std::array<std::uint32_t, kMaxBatch + kLanes> found;
   for (std::size_t i = 0; i < count; ++i) {
-    // Where the intervals start and end, a byte each, but for the last end.
-    const std::uint64_t ends = std::uint64_t{intervals[events.context[first + i]]} << 8U | std::uint64_t{256} << 32U;
-    const unsigned shift = 8U * events.symbol[first + i];
-    const std::uint64_t start = ends >> shift & 0xFFU;
-    const std::uint64_t end = ends >> shift >> 8U & (shift == 8U * kEscape ? 0x1FFU : 0xFFU);
-    starts[i] = static_cast<std::uint16_t>(start);
-    sizes[i] = static_cast<std::uint16_t>(end - start);
+    found[i] = intervals[4 * std::size_t{events.context[first + i]} + events.symbol[first + i]];
   }
-  const std::size_t groups = (count + kLanes - 1) / kLanes;
-  for (std::size_t i = count; i < groups * kLanes; ++i) {
-    starts[i] = 0;
-    sizes[i] = kProbabilityTotal;
-  }
+  std::fill_n(found.begin() + static_cast<std::ptrdiff_t>(count), kLanes, std::uint32_t{kProbabilityTotal} << 16U);
   WordParts states = load_words(sink.states.data());
   std::uint8_t* next = sink.next;
-  for (std::size_t g = groups; g-- > 0;) {
-    encode_symbols(states, load_words(starts.data() + g * kLanes), load_words(sizes.data() + g * kLanes), next);
+  for (std::size_t g = (count + kLanes - 1) / kLanes; g-- > 0;) {
+    WordParts starts;
+    WordParts sizes;
+    split(found.data() + g * kLanes, starts, sizes);
+    encode_symbols(states, starts, sizes, next);
   }
   sink.next = next;
   store_words(states, sink.states.data());
