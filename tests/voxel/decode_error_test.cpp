@@ -7,7 +7,7 @@
 #include <talus/voxel/codec.h>
 
 #include "layered.h"
-#include "plane_plain.h"
+#include "plane_scalar.h"
 #include "sample_chunks.h"
 
 namespace talus {
@@ -28,8 +28,8 @@ std::vector<Payload> sample_payloads() {
           encoded(Chunk::from_layers(hill(2))),
           encoded(Chunk::from_layers(random_layers(3, 5, 100))),
           encoded(Chunk::from_dense(*random_voxels(4, 3, 400))),
-          frozen(2, "hill"),
-          frozen(2, "rough")};
+          encoded(with_random_overrides(Chunk::from_layers(hill(5)), 5)),
+          frozen(3, "few_materials")};
 }
 
 DecodeError fault_of(const Payload& payload) {
@@ -196,17 +196,17 @@ TEST_CASE("materials that the states tell") {
     other[2] = std::byte{81};
     CHECK(fault_of(other) == DecodeError::bad_materials);
   }
-  SECTION("are told by no version before") {
+  SECTION("are of version 3 alone") {
     Payload other = payload;
-    other[0] = std::byte{2};
-    CHECK(fault_of(other) == DecodeError::bad_materials);
+    other[0] = std::byte{4};
+    CHECK(fault_of(other) == DecodeError::unknown_encoding);
   }
   SECTION("differ from their neighbours") {
     // Ids are the ends of states, and these come out as they went in.
     Layers alike = layers;
     for (MaterialId& material : alike.materials) material = MaterialId{9};
     std::vector<std::byte> body;
-    REQUIRE(codec::encode_layered(alike, body));
+    REQUIRE(codec::encode_layered(alike, 1024, body));
     body.insert(body.begin(), {std::byte{3}, std::byte{0}});
     CHECK(fault_of(body) == DecodeError::bad_materials);
   }
@@ -217,11 +217,11 @@ Payload ended_with(const std::array<std::uint16_t, codec::kLanes>& states,
                    std::initializer_list<int> list = {3, 0, 66}) {
   const std::vector<std::uint8_t> ground(kChunkArea, 0);
   std::vector<std::uint8_t> plane(kChunkArea, 5);
-  codec::PlaneShares shares;
-  codec::weigh_plane_plainly(plane.data(), ground.data(), shares);
-  std::vector<std::uint8_t> written(codec::kMostBytesOfPlane);
-  codec::PlaneSink sink{states, written.data() + written.size()};
-  codec::write_plane_plainly(shares, sink);
+  codec::PlaneIntervals intervals;
+  codec::model_plane_scalar(plane.data(), ground.data(), intervals);
+  std::vector<std::uint8_t> written(codec::kMaxBytesOfPlane);
+  codec::RansSink sink{states, written.data() + written.size()};
+  codec::encode_plane_scalar(intervals, sink);
   Payload payload = bytes(list);
   for (const std::uint16_t state : sink.states) {
     payload.push_back(static_cast<std::byte>(state & 0xFF));
@@ -235,7 +235,7 @@ Payload ended_with(const std::array<std::uint16_t, codec::kLanes>& states,
 
 TEST_CASE("states that tell nothing end at 256") {
   std::array<std::uint16_t, codec::kLanes> states;
-  states.fill(codec::kLeastState);
+  states.fill(codec::kMinState);
   REQUIRE(decode(ended_with(states, {3, 0, 2, 7, 9})).has_value());
   for (std::uint16_t& state : states) {
     ++state;
@@ -246,16 +246,16 @@ TEST_CASE("states that tell nothing end at 256") {
 
 TEST_CASE("states that end at no materials") {
   std::array<std::uint16_t, codec::kLanes> states;
-  states.fill(codec::kLeastState);
+  states.fill(codec::kMinState);
   states[0] += 7;
   states[1] += 9;
   REQUIRE(decode(ended_with(states)).has_value());
   CHECK(decode(ended_with(states))->layers()->materials == std::vector{MaterialId{7}, MaterialId{9}});
   SECTION("a state that is no byte past its beginning") {
-    states[1] = 2 * codec::kLeastState;
+    states[1] = 2 * codec::kMinState;
   }
   SECTION("an id that is too long") {
-    states[1] = states[2] = states[3] = codec::kLeastState + 0xFF;
+    states[1] = states[2] = states[3] = codec::kMinState + 0xFF;
   }
   SECTION("bytes behind the ids") {
     states[15] += 1;

@@ -25,7 +25,7 @@ struct RansSource {
 /// What an encoder writes to, backwards: what is read last is written first.
 struct RansSink {
   std::array<std::uint16_t, kLanes> states{};
-  std::uint8_t* next = nullptr;  // what was written begins here
+  std::uint8_t* next = nullptr;  // what was written begins here; one byte before it may be scribbled on
 };
 
 /// A symbol's interval of the probability range 0 to 256.
@@ -34,7 +34,8 @@ struct Interval {
   std::uint16_t size = 0;  // 1 to 256
 };
 
-/// Which of `count` intervals holds the state's low byte; `starts` has count + 1 entries, the last of them 256.
+/// Which of `count` intervals holds the state's low byte; `starts` has count + 1 entries, the last of them
+/// 256.
 [[nodiscard]] inline std::size_t decode_symbol(RansSource& source, std::size_t lane, const int* starts) {
   std::uint16_t& state = source.states[lane];
   const int slot = state % kProbabilityTotal;
@@ -49,11 +50,12 @@ struct Interval {
 inline void encode_symbol(RansSink& sink, std::size_t lane, Interval interval) {
   std::uint32_t state = sink.states[lane];
   const std::uint32_t size = interval.size;
-  if (state >= size * kProbabilityTotal) {
-    *--sink.next = static_cast<std::uint8_t>(state % 256);
-    state /= 256;
-  }
-  sink.states[lane] = static_cast<std::uint16_t>(state / size * kProbabilityTotal + state % size + interval.start);
+  const bool full = state >= size * kProbabilityTotal;
+  sink.next[-1] = static_cast<std::uint8_t>(state % 256);  // kept where the state is full
+  sink.next -= full ? 1 : 0;
+  state = full ? state / 256 : state;
+  sink.states[lane] =
+      static_cast<std::uint16_t>(state / size * kProbabilityTotal + state % size + interval.start);
 }
 
 /// Takes the first states from the front of the source. False where one is too small.

@@ -32,11 +32,15 @@ struct Slot {
 using SlotTable = std::array<Slot, kProbabilityTotal>;
 
 [[nodiscard]] inline std::uint16_t decode_slot(RansSource& source, std::size_t lane, const SlotTable& slots) {
-  std::uint16_t& state = source.states[lane];
+  const std::uint32_t state = source.states[lane];
   const std::uint32_t low = state % kProbabilityTotal;
   const Slot& slot = slots[low];
-  const std::uint32_t rest = slot.interval.size * (std::uint32_t{state} / kProbabilityTotal) + low - slot.interval.start;
-  state = static_cast<std::uint16_t>(rest < kMinState ? rest * 256 + *source.next++ : rest);
+  const std::uint32_t rest = slot.interval.size * (state / kProbabilityTotal) + low - slot.interval.start;
+  // Without a branch: whether a byte is taken cannot be foreseen.
+  const bool takes = rest < kMinState;
+  const std::uint32_t more = rest * 256 + *source.next;
+  source.states[lane] = static_cast<std::uint16_t>(takes ? more : rest);
+  source.next += takes ? 1 : 0;
   return slot.value;
 }
 
@@ -63,9 +67,9 @@ inline constexpr SlotTable kGapSlots = slots_of(kGapSizes);
 
 /// What a decoder knows before the coded voxels.
 struct VolumeCode {
-  MaterialId first{};                  // the row north of the first row is of this
+  MaterialId first{};  // the row north of the first row is of this
   const VolumeIntervals* intervals = nullptr;
-  SlotTable materials;                 // of exceptions and escapes: values are ids
+  SlotTable materials;  // of exceptions and escapes: values are ids
   std::size_t exceptions = 0;
 };
 
@@ -100,7 +104,8 @@ void put_digits(RansSink& sink, std::size_t count, const Number& number) {
     const auto digits = static_cast<unsigned>(std::bit_width(value));
     if (digits < 2) continue;
     bits |= std::uint64_t{value ^ 1U << (digits - 1)} << held;
-    for (held += digits - 1; held >= 8; held -= 8, bits >>= 8U) bytes[size++] = static_cast<std::uint8_t>(bits);
+    for (held += digits - 1; held >= 8; held -= 8, bits >>= 8U)
+      bytes[size++] = static_cast<std::uint8_t>(bits);
   }
   if (held > 0) bytes[size++] = static_cast<std::uint8_t>(bits);
   sink.next -= size;
