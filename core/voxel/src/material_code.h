@@ -18,52 +18,49 @@
 
 namespace talus::codec {
 
-/// The encoder's side: counts materials, then knows their intervals.
+/// The encoder's side: numbers materials as they come and counts them, then knows their intervals.
 class MaterialCode {
  public:
   static constexpr std::size_t kMaxMaterials = kProbabilityTotal;
 
-  /// `first` stands first in the list, whether or not it is counted.
-  explicit MaterialCode(MaterialId first) { count(first, 0); }
+  /// `first` is number 0 and stands first in the list, whether or not it is counted.
+  explicit MaterialCode(MaterialId first) {
+    (void)number_of(first);
+    --counts_[0];
+  }
 
-  /// False where there would be more than kMaxMaterials.
-  [[nodiscard]] bool add(MaterialId material) { return count(material, 1); }
+  /// Counts a material and gives its number; kMaxMaterials where there would be more than that.
+  [[nodiscard]] std::uint32_t number_of(MaterialId material) {
+    std::size_t place = to_integer(material) % kPlaces;
+    while (numbers_[place] != 0 && materials_[numbers_[place] - 1U] != material)
+      place = (place + 1) % kPlaces;
+    if (numbers_[place] == 0) {
+      if (size_ == kMaxMaterials) return kMaxMaterials;
+      materials_[size_++] = material;
+      numbers_[place] = size_;
+    }
+    const std::uint32_t number = numbers_[place] - 1U;
+    ++counts_[number];
+    return number;
+  }
 
-  /// When all have been added: gives each its interval and appends list and sizes.
+  /// When all have been counted: gives each its interval and appends list and sizes.
   void finish(std::vector<std::byte>& out);
 
-  [[nodiscard]] Interval interval(MaterialId material) const { return entries_[place_of(material)].interval; }
+  [[nodiscard]] std::size_t size() const { return size_; }
+
+  /// Start + 65536 * size.
+  [[nodiscard]] std::uint32_t interval(std::uint32_t number) const { return intervals_[number]; }
 
  private:
-  // Open addressing; four places for each material.
+  // Open addressing; places are enough that few materials meet.
   static constexpr std::size_t kPlaces = 4 * kMaxMaterials;
-  struct Entry {
-    MaterialId material{};
-    bool used = false;
-    std::uint32_t count = 0;
-    Interval interval;
-  };
 
-  [[nodiscard]] std::size_t place_of(MaterialId material) const {
-    std::size_t place = to_integer(material) * std::size_t{0x9E37} / 8 % kPlaces;
-    while (entries_[place].used && entries_[place].material != material) place = (place + 1) % kPlaces;
-    return place;
-  }
-
-  bool count(MaterialId material, std::uint32_t times) {
-    Entry& entry = entries_[place_of(material)];
-    if (!entry.used) {
-      if (size_ == kMaxMaterials) return false;
-      entry = {material, true, 0, {}};
-      order_[size_++] = material;
-    }
-    entry.count += times;
-    return true;
-  }
-
-  std::array<Entry, kPlaces> entries_{};
-  std::array<MaterialId, kMaxMaterials> order_;
-  std::size_t size_ = 0;
+  std::array<std::uint16_t, kPlaces> numbers_{};  // one more than the number; 0 where a place is free
+  std::array<MaterialId, kMaxMaterials> materials_;
+  std::array<std::uint32_t, kMaxMaterials> counts_{};
+  std::array<std::uint32_t, kMaxMaterials> intervals_;
+  std::uint16_t size_ = 0;
 };
 
 /// Takes list and sizes from the front of `bytes`; gives the first material of the list.

@@ -34,6 +34,11 @@ struct Interval {
   std::uint16_t size = 0;  // 1 to 256
 };
 
+/// An interval in one word: start + 65536 * size.
+[[nodiscard]] constexpr Interval unpacked(std::uint32_t interval) {
+  return {static_cast<std::uint16_t>(interval & 0xFFFFU), static_cast<std::uint16_t>(interval >> 16U)};
+}
+
 /// Which of `count` intervals holds the state's low byte; `starts` has count + 1 entries, the last of them
 /// 256.
 [[nodiscard]] inline std::size_t decode_symbol(RansSource& source, std::size_t lane, const int* starts) {

@@ -44,71 +44,116 @@ std::size_t find_runs(const DenseVoxels& voxels, std::span<Run> runs) {
   for (std::size_t i = 1; i <= voxels.size(); ++i) {
     // Written in any case: that the material changes cannot be foreseen.
     runs[count] = {static_cast<std::uint16_t>(i - 1 - first), voxels[first]};
-    const bool ends = i == voxels.size() || voxels[i] != voxels[first];
+    const bool ends = i == voxels.size() || voxels[i] != voxels[i - 1];
     count += ends ? 1 : 0;
     first = ends ? i : first;
   }
   return count;
 }
 
+/// Runs so many that their lengths are worth less than they cost are written as single voxels.
+constexpr std::size_t kManyRuns = 18'000;
+
+class RunsEncoder {
+ public:
+  explicit RunsEncoder(std::size_t limit) : limit_{limit} {
+    sink_.next = bytes_.data() + bytes_.size();
+    sink_.states.fill(static_cast<std::uint16_t>(kMinState));
+  }
+
+  /// Writes the groups of runs, or single voxels where `digits` is null. False past the limit.
+  bool write(std::span<const Run> runs, const std::array<Interval, kDigitCounts>* digits,
+             const MaterialCode& materials, const VolumeKernels& kernels) {
+    for (std::size_t left = runs.size(); left > 0;) {
+      const std::size_t size = left % kLanes != 0 ? left % kLanes : kLanes;
+      left -= size;
+      const auto group = runs.subspan(left, size);
+      std::array<std::uint32_t, kLanes> intervals;
+      for (std::size_t i = 0; i < size; ++i) intervals[i] = materials.interval(to_integer(group[i].material));
+      kernels.write_intervals(intervals.data(), size, sink_);
+      if (digits != nullptr) {
+        put_digits(sink_, size, [&](std::size_t i) { return std::uint32_t{group[i].more}; });
+        for (std::size_t i = size; i-- > 0;) encode_symbol(sink_, i, (*digits)[digits_of(group[i])]);
+      }
+      if (this->size() >= limit_) return false;
+    }
+    put_states(sink_);
+    return size() < limit_;
+  }
+
+  [[nodiscard]] std::span<const std::uint8_t> bytes() const { return {sink_.next, size()}; }
+
+ private:
+  [[nodiscard]] std::size_t size() const {
+    return static_cast<std::size_t>(bytes_.data() + bytes_.size() - sink_.next);
+  }
+
+  std::size_t limit_;
+  std::array<std::uint8_t, sizeof(DenseVoxels) + 2 * kBytesOfGroup + kStatesBytes> bytes_;
+  RansSink sink_;
+};
+
 }  // namespace
 
-bool encode_runs(const DenseVoxels& voxels, std::size_t limit, std::vector<std::byte>& out) {
+bool encode_runs(const DenseVoxels& voxels, std::size_t limit, std::vector<std::byte>& out,
+                 const VolumeKernels& kernels) {
   std::array<Run, kChunkVolume + 1> buffer;  // on the stack, where only what is written is touched
-  const std::span runs{buffer.data(), find_runs(voxels, buffer)};
+  std::span<Run> runs{buffer.data(), find_runs(voxels, buffer)};
+  const bool single = runs.size() > kManyRuns;
+  if (single) {
+    for (std::size_t i = 0; i < voxels.size(); ++i) buffer[i] = {0, voxels[i]};
+    runs = {buffer.data(), voxels.size()};
+  }
+  // Materials become their numbers.
   MaterialCode materials{voxels.front()};
-  for (const Run& run : runs) {
-    if (!materials.add(run.material)) return false;
+  for (Run& run : runs) {
+    const std::uint32_t number = materials.number_of(run.material);
+    if (number == MaterialCode::kMaxMaterials) return false;
+    run.material = MaterialId{static_cast<std::uint16_t>(number)};
   }
   const std::size_t begin = out.size();
   materials.finish(out);
-  const auto sizes = sizes_of(runs);
-  std::array<Interval, kDigitCounts> digits;
-  std::uint16_t start = 0;
-  for (std::size_t i = 0; i < kDigitCounts; ++i) {
-    out.push_back(static_cast<std::byte>(sizes[i]));
-    digits[i] = {start, sizes[i]};
-    start = static_cast<std::uint16_t>(start + sizes[i]);
-  }
   put_number(static_cast<std::uint16_t>(runs.size()), out);
-
-  std::array<std::uint8_t, sizeof(DenseVoxels) + 2 * kBytesOfGroup + kStatesBytes> bytes;
-  std::uint8_t* const end = bytes.data() + bytes.size();
-  RansSink sink{{}, end};
-  sink.states.fill(static_cast<std::uint16_t>(kMinState));
-  const auto size = [&] { return out.size() - begin + static_cast<std::size_t>(end - sink.next); };
-  for (std::size_t g = (runs.size() + kLanes - 1) / kLanes; g-- > 0 && size() < limit;) {
-    const auto group = runs.subspan(g * kLanes, std::min(kLanes, runs.size() - g * kLanes));
-    for (std::size_t i = group.size(); i-- > 0;)
-      encode_symbol(sink, i, materials.interval(group[i].material));
-    put_digits(sink, group.size(), [&](std::size_t i) { return std::uint32_t{group[i].more}; });
-    for (std::size_t i = group.size(); i-- > 0;) encode_symbol(sink, i, digits[digits_of(group[i])]);
+  std::array<Interval, kDigitCounts> digits{};
+  if (!single) {
+    const auto sizes = sizes_of(runs);
+    std::uint16_t start = 0;
+    for (std::size_t i = 0; i < kDigitCounts; ++i) {
+      out.push_back(static_cast<std::byte>(sizes[i]));
+      digits[i] = {start, sizes[i]};
+      start = static_cast<std::uint16_t>(start + sizes[i]);
+    }
   }
-  put_states(sink);
-  if (size() >= limit) {
+  const std::size_t header = out.size() - begin;
+  RunsEncoder encoder{limit - std::min(limit, header)};
+  if (!encoder.write(runs, single ? nullptr : &digits, materials, kernels)) {
     out.resize(begin);
     return false;
   }
-  out.insert(out.end(), reinterpret_cast<const std::byte*>(sink.next),
-             reinterpret_cast<const std::byte*>(end));
+  const auto* const bytes = reinterpret_cast<const std::byte*>(encoder.bytes().data());
+  out.insert(out.end(), bytes, bytes + encoder.bytes().size());
   return true;
 }
 
-tl::expected<Chunk, DecodeError> decode_runs(std::span<const std::byte> body) {
+tl::expected<Chunk, DecodeError> decode_runs(std::span<const std::byte> body, const VolumeKernels& kernels) {
   SlotTable materials;
   if (const auto first = take_material_code(body, materials); !first) return tl::unexpected{first.error()};
-  if (body.size() < kDigitCounts) return tl::unexpected{DecodeError::truncated};
-  std::array<std::uint16_t, kDigitCounts> sizes;
-  std::size_t sum = 0;
-  for (std::size_t i = 0; i < kDigitCounts; ++i) {
-    sizes[i] = std::to_integer<std::uint16_t>(body[i]);
-    sum += sizes[i];
-  }
-  if (sum != kProbabilityTotal) return tl::unexpected{DecodeError::bad_number};
-  const SlotTable digits = slots_of(sizes);
-  body = body.subspan(kDigitCounts);
   const auto count = take_number(body);
   if (!count) return tl::unexpected{count.error()};
+  const bool single = *count == kChunkVolume;
+  SlotTable digits;
+  if (!single) {
+    if (body.size() < kDigitCounts) return tl::unexpected{DecodeError::truncated};
+    std::array<std::uint16_t, kDigitCounts> sizes;
+    std::size_t sum = 0;
+    for (std::size_t i = 0; i < kDigitCounts; ++i) {
+      sizes[i] = std::to_integer<std::uint16_t>(body[i]);
+      sum += sizes[i];
+    }
+    if (sum != kProbabilityTotal) return tl::unexpected{DecodeError::bad_number};
+    digits = slots_of(sizes);
+    body = body.subspan(kDigitCounts);
+  }
   if (body.size() < kStatesBytes) return tl::unexpected{DecodeError::truncated};
 
   VolumeSource source;
@@ -119,28 +164,34 @@ tl::expected<Chunk, DecodeError> decode_runs(std::span<const std::byte> body) {
   DenseVoxels& voxels = padded->voxels;
   std::size_t filled = 0;
   for (std::size_t left = *count; left > 0;) {
-    const std::size_t size = std::min(left, kLanes);
+    // Single voxels have no groups; they are read as many at once as a source allows.
+    const std::size_t size = std::min(left, single ? kMaxBatch : kLanes);
     left -= size;
     source.keep_ahead();
-    std::array<std::uint8_t, kLanes> digit_counts;
-    for (std::size_t i = 0; i < size; ++i) {
-      digit_counts[i] = static_cast<std::uint8_t>(decode_slot(source, i, digits));
-    }
     std::array<std::uint32_t, kLanes> lengths;
-    take_digits(source, digit_counts.data(), size,
-                [&lengths](std::size_t i, std::uint32_t more) { lengths[i] = more + 1; });
+    if (!single) {
+      std::array<std::uint8_t, kLanes> digit_counts;
+      kernels.read_slots(source, digits, size, digit_counts.data());
+      take_digits(source, digit_counts.data(), size,
+                  [&lengths](std::size_t i, std::uint32_t more) { lengths[i] = more + 1; });
+    }
+    std::array<std::uint8_t, kMaxBatch> kinds;
+    kernels.read_slots(source, materials, size, kinds.data());
+    if (source.next > source.end) return tl::unexpected{DecodeError::truncated};
     for (std::size_t i = 0; i < size; ++i) {
-      const MaterialId material{decode_slot(source, i, materials)};
-      if (lengths[i] > voxels.size() - filled) {
-        return tl::unexpected{source.next > source.end ? DecodeError::truncated : DecodeError::bad_number};
-      }
-      // Most runs are short: sixteen voxels are written in any case.
+      const MaterialId material{materials.value[kinds[i]]};
       MaterialId* const to = voxels.data() + filled;
+      if (single) {
+        *to = material;
+        ++filled;
+        continue;
+      }
+      if (lengths[i] > voxels.size() - filled) return tl::unexpected{DecodeError::bad_number};
+      // Most runs are short: sixteen voxels are written in any case.
       std::fill_n(to, kVolumeMargin / 2, material);
       if (lengths[i] > kVolumeMargin / 2) std::fill_n(to, lengths[i], material);
       filled += lengths[i];
     }
-    if (source.next > source.end) return tl::unexpected{DecodeError::truncated};
   }
   if (filled != voxels.size()) return tl::unexpected{DecodeError::bad_number};
   if (source.next != source.end) return tl::unexpected{DecodeError::too_long};

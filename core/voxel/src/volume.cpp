@@ -103,11 +103,29 @@ constexpr std::array<Interval, kDigitCounts> kGapIntervals = [] {
 }();
 
 void put_group(RansSink& sink, std::span<const VolumeException> group, const MaterialCode& materials) {
-  for (std::size_t i = group.size(); i-- > 0;) encode_symbol(sink, i, materials.interval(group[i].material));
+  for (std::size_t i = group.size(); i-- > 0;) {
+    encode_symbol(sink, i, unpacked(materials.interval(to_integer(group[i].material))));
+  }
   put_digits(sink, group.size(), [&](std::size_t i) { return std::uint32_t{group[i].gap}; });
   for (std::size_t i = group.size(); i-- > 0;) {
     encode_symbol(sink, i, kGapIntervals[static_cast<std::size_t>(std::bit_width(group[i].gap))]);
   }
+}
+
+/// Replaces the events' materials by their numbers. False where there are too many.
+bool number_materials(VolumeEvents& events, MaterialCode& materials) {
+  const auto number = [&](MaterialId& material) {
+    const std::uint32_t found = materials.number_of(material);
+    material = MaterialId{static_cast<std::uint16_t>(found)};
+    return found < MaterialCode::kMaxMaterials;
+  };
+  for (std::size_t i = 0; i < events.exceptions; ++i) {
+    if (!number(events.exception[i].material)) return false;
+  }
+  for (std::size_t i = 0; i < events.escapes; ++i) {
+    if (!number(events.escape[i])) return false;
+  }
+  return true;
 }
 
 constexpr std::size_t kBytesOfGroup = 4 * kLanes;
@@ -117,15 +135,10 @@ constexpr std::size_t kBytesOfBatch = 2 * kMaxBatch + (kMaxBatch / kLanes + 1) *
 
 bool encode_volume(const DenseVoxels& voxels, std::vector<std::byte>& out, const VolumeKernels& kernels) {
   VolumeEvents events;  // on the stack, where only what is written is touched; so is the buffer
-  kernels.analyse(voxels, events);
+  if (!kernels.analyse(voxels, events)) return false;
   MaterialCode materials{voxels.front()};
+  if (!number_materials(events, materials)) return false;
   const std::span exceptions{events.exception.data(), events.exceptions};
-  for (const VolumeException& exception : exceptions) {
-    if (!materials.add(exception.material)) return false;
-  }
-  for (std::size_t i = 0; i < events.escapes; ++i) {
-    if (!materials.add(events.escape[i])) return false;
-  }
   const std::size_t begin = out.size();
   materials.finish(out);
   put_number(static_cast<std::uint16_t>(exceptions.size()), out);
@@ -139,14 +152,17 @@ bool encode_volume(const DenseVoxels& voxels, std::vector<std::byte>& out, const
   std::size_t coded = events.coded;
   std::size_t escapes = events.escapes;
   std::size_t groups = (exceptions.size() + kLanes - 1) / kLanes;  // those not yet written
-  const auto group = [&](std::size_t g) { return exceptions.subspan(g * kLanes).first(std::min(kLanes, exceptions.size() - g * kLanes)); };
+  const auto group = [&](std::size_t g) {
+    return exceptions.subspan(g * kLanes).first(std::min(kLanes, exceptions.size() - g * kLanes));
+  };
   for (std::size_t batch = kBatches; batch-- > 0;) {
     escapes -= events.batch_escapes[batch];
     for (std::size_t i = events.batch_escapes[batch]; i-- > 0;) {
-      encode_symbol(sink, i % kLanes, materials.interval(events.escape[escapes + i]));
+      encode_symbol(sink, i % kLanes, unpacked(materials.interval(to_integer(events.escape[escapes + i]))));
     }
     coded -= events.batch[batch];
-    kernels.write(events, coded, events.batch[batch], kSymbolIntervals[table].data() + 4 * first_context_of(batch), sink);
+    kernels.write(events, coded, events.batch[batch],
+                  kSymbolIntervals[table].data() + 4 * first_context_of(batch), sink);
     while (groups > 1 && exceptions[(groups - 1) * kLanes - 1].batch == batch) {
       --groups;
       put_group(sink, group(groups), materials);
@@ -158,13 +174,15 @@ bool encode_volume(const DenseVoxels& voxels, std::vector<std::byte>& out, const
   }
   if (groups == 1) put_group(sink, group(0), materials);
   put_states(sink);
-  out.insert(out.end(), reinterpret_cast<const std::byte*>(sink.next), reinterpret_cast<const std::byte*>(end));
+  out.insert(out.end(), reinterpret_cast<const std::byte*>(sink.next),
+             reinterpret_cast<const std::byte*>(end));
   if (out.size() - begin < sizeof(DenseVoxels)) return true;
   out.resize(begin);
   return false;
 }
 
-tl::expected<Chunk, DecodeError> decode_volume(std::span<const std::byte> body, const VolumeKernels& kernels) {
+tl::expected<Chunk, DecodeError> decode_volume(std::span<const std::byte> body,
+                                               const VolumeKernels& kernels) {
   VolumeCode code;
   const auto first = take_material_code(body, code.materials);
   if (!first) return tl::unexpected{first.error()};
@@ -191,7 +209,8 @@ tl::expected<Chunk, DecodeError> decode_volume(std::span<const std::byte> body, 
       return tl::unexpected{DecodeError::bad_number};
   }
   if (source.next != source.end) return tl::unexpected{DecodeError::too_long};
-  if (std::any_of(source.states.begin(), source.states.end(), [](std::uint16_t state) { return state != kMinState; })) {
+  if (std::any_of(source.states.begin(), source.states.end(),
+                  [](std::uint16_t state) { return state != kMinState; })) {
     return tl::unexpected{DecodeError::bad_ending};
   }
   return Chunk::from_dense(std::shared_ptr<const DenseVoxels>{padded, &padded->voxels});

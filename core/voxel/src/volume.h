@@ -14,8 +14,9 @@
 
 namespace talus::codec {
 
-/// Appends what follows the two header bytes. False, with `out` as it was, where the exceptions and escapes
-/// have more than 256 materials or the result would not be smaller than raw voxels.
+/// Appends what follows the two header bytes. False, with `out` as it was, where the voxels are noise, where
+/// exceptions and escapes have more than 256 materials, or where the result would not be smaller than raw
+/// voxels.
 [[nodiscard]] bool encode_volume(const DenseVoxels& voxels, std::vector<std::byte>& out,
                                  const VolumeKernels& kernels = volume_kernels());
 

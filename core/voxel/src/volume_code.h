@@ -24,24 +24,23 @@ using VolumeIntervals = std::array<std::uint32_t, kVolumeContexts>;
   return {static_cast<std::uint16_t>(start), static_cast<std::uint16_t>(end - start)};
 }
 
-/// What a slot of the probability range, the low byte of a state, stands for.
-struct Slot {
-  std::uint16_t value = 0;
-  Interval interval;
+/// What the slots of the probability range, the low bytes of states, stand for: symbols of up to 256 kinds.
+struct SlotTable {
+  std::array<std::uint32_t, kProbabilityTotal> slot{};   // kind + 256 * start + 65536 * size of its interval
+  std::array<std::uint16_t, kProbabilityTotal> value{};  // by kind
 };
-using SlotTable = std::array<Slot, kProbabilityTotal>;
 
 [[nodiscard]] inline std::uint16_t decode_slot(RansSource& source, std::size_t lane, const SlotTable& slots) {
   const std::uint32_t state = source.states[lane];
   const std::uint32_t low = state % kProbabilityTotal;
-  const Slot& slot = slots[low];
-  const std::uint32_t rest = slot.interval.size * (state / kProbabilityTotal) + low - slot.interval.start;
+  const std::uint32_t slot = slots.slot[low];
+  const std::uint32_t rest = (slot >> 16U) * (state / kProbabilityTotal) + low - (slot >> 8U & 0xFFU);
   // Without a branch: whether a byte is taken cannot be foreseen.
   const bool takes = rest < kMinState;
   const std::uint32_t more = rest * 256 + *source.next;
   source.states[lane] = static_cast<std::uint16_t>(takes ? more : rest);
   source.next += takes ? 1 : 0;
-  return slot.value;
+  return slots.value[slot & 0xFFU];
 }
 
 /// Numbers below 2^15 are coded as how many binary digits they have, then the digits after the first.
@@ -51,15 +50,16 @@ inline constexpr std::size_t kDigitCounts = 16;
 inline constexpr std::array<std::uint16_t, kDigitCounts> kGapSizes{60, 10, 11, 12, 17, 12, 13, 17,
                                                                    22, 24, 20, 15, 11, 6,  4,  2};
 
+/// Values 0, 1, 2 and so on with intervals of these sizes, which add up to kProbabilityTotal.
 template <std::size_t count>
 constexpr SlotTable slots_of(const std::array<std::uint16_t, count>& sizes) {
   SlotTable slots{};
-  std::uint16_t start = 0;
-  for (std::size_t i = 0; i < count; ++i) {
-    for (std::size_t s = 0; s < sizes[i]; ++s) {
-      slots[start + s] = {static_cast<std::uint16_t>(i), {start, sizes[i]}};
-    }
-    start = static_cast<std::uint16_t>(start + sizes[i]);
+  std::uint32_t start = 0;
+  for (std::uint32_t i = 0; i < count; ++i) {
+    slots.value[i] = static_cast<std::uint16_t>(i);
+    for (std::size_t s = 0; s < sizes[i]; ++s)
+      slots.slot[start + s] = i | start << 8U | std::uint32_t{sizes[i]} << 16U;
+    start += sizes[i];
   }
   return slots;
 }

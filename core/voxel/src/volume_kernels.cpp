@@ -7,7 +7,8 @@ namespace talus::codec {
 
 VolumeKernels volume_kernels(InstructionSet set) {
   const VolumeWrite& write = volume_write(set);
-  return {write.analyse, write.write, volume_read(set)};
+  const VolumeRead& read = volume_read(set);
+  return {write.analyse, write.write, write.write_intervals, read.read_slots, read.read};
 }
 
 const VolumeKernels& volume_kernels() {

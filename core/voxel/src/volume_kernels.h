@@ -22,7 +22,7 @@ inline constexpr std::size_t kMaxBatch = 16 * kLanes;
 /// A steady voxel that is not its first candidate. Were the voxel to the south of it steady as well, it would
 /// equal the one below; so each exception has a coded voxel of its own, but for those in the last rows.
 struct VolumeException {
-  std::uint16_t gap;    // how many steady voxels that are as predicted come before it, since the last exception
+  std::uint16_t gap;  // how many steady voxels that are as predicted come before it, since the last exception
   std::uint16_t batch;  // in which it is
   MaterialId material;
 };
@@ -37,9 +37,18 @@ struct VolumeEvents {
   std::array<VolumeException, kMaxExceptions> exception;
   std::array<MaterialId, kChunkVolume> escape;  // the materials of the symbols kEscape
   std::size_t coded = 0;
+  std::size_t surprises = 0;  // coded voxels that are not their first candidate
   std::size_t exceptions = 0;
   std::size_t escapes = 0;
 };
+
+/// Analysis ends early, and the events mean nothing, where the first kProbeWaves waves, a quarter of the
+/// voxels, have more than kMaxSurprises: that is noise, which other encodings take less for.
+inline constexpr std::size_t kProbeWaves = 32;
+inline constexpr std::size_t kMaxSurprises = 2176;
+[[nodiscard]] constexpr bool is_noise(std::size_t batches, std::size_t surprises) {
+  return batches == 2 * kProbeWaves && surprises > kMaxSurprises;
+}
 
 enum class VolumeFault : std::uint8_t { none, truncated, bad_number };
 
@@ -52,12 +61,16 @@ struct PaddedVoxels {
 };
 
 struct VolumeKernels {
-  /// What a decoder has to be told of `voxels`.
-  void (*analyse)(const DenseVoxels& voxels, VolumeEvents& events);
+  /// What a decoder has to be told of `voxels`; false where they are noise.
+  bool (*analyse)(const DenseVoxels& voxels, VolumeEvents& events);
   /// Writes the symbols of coded voxels from `first` on, `count` of them, last one first: at most kMaxBatch.
   /// `intervals` has one for each context of their half and symbol: start + 65536 * size.
   void (*write)(const VolumeEvents& events, std::size_t first, std::size_t count,
                 const std::uint32_t* intervals, RansSink& sink);
+  /// Writes `count` symbols, the last one first; the lane of the first is 0. Intervals as above.
+  void (*write_intervals)(const std::uint32_t* intervals, std::size_t count, RansSink& sink);
+  /// Reads as many kinds of symbols, at most kMaxBatch.
+  void (*read_slots)(VolumeSource& source, const SlotTable& slots, std::size_t count, std::uint8_t* kinds);
   /// Where a fault is found, the voxels mean nothing.
   VolumeFault (*read)(VolumeSource& source, const VolumeCode& code, PaddedVoxels& padded);
 };

@@ -26,6 +26,10 @@ VolumeFault read(VolumeSource& source, const VolumeCode& code, PaddedVoxels& pad
   return read_volume_scalar(source, code, padded);
 }
 
+void read_slots(VolumeSource& source, const SlotTable& slots, std::size_t count, std::uint8_t* kinds) {
+  read_slots_scalar(source, slots, count, kinds);
+}
+
 #else
 
 /// The contexts of a batch, and then its symbols as two strings of bits.
@@ -48,7 +52,8 @@ class Batch {
     for (std::size_t i = 0; i < size_; i += kLanes) {
       const HalfVec symbols = decode_symbols(states, starts(i, intervals), next);
       const auto bits = [&](std::uint8_t bit) HWY_ATTR {
-        return static_cast<std::uint16_t>(lanes_of(hn::Eq(hn::And(symbols, hn::Set(d, bit)), hn::Set(d, bit))));
+        return static_cast<std::uint16_t>(
+            lanes_of(hn::Eq(hn::And(symbols, hn::Set(d, bit)), hn::Set(d, bit))));
       };
       low_[i / kLanes] = bits(1);
       high_[i / kLanes] = bits(2);
@@ -148,8 +153,8 @@ class Reader {
         const WaveRow& row = row_[i];
         if (row.uniform) continue;
         const RowVec now = load_voxels(row.voxels);
-        equal_.set(row.y, row.z, equal(now, west_of(now, row.voxels)), equal(now, load_voxels(row.around.north)),
-                   equal(now, load_voxels(row.around.below)));
+        equal_.set(row.y, row.z, equal(now, west_of(now, row.voxels)),
+                   equal(now, load_voxels(row.around.north)), equal(now, load_voxels(row.around.below)));
       }
     }
     return exceptions_.all_taken() ? VolumeFault::none : VolumeFault::bad_number;
@@ -253,7 +258,8 @@ class Reader {
       second = select(beside.agrees(), first_different(row.masks, row.around),
                       select(beside.equal, of_equal, beyond));
     } else {
-      second = select(row.same, first_different(row.masks, row.around), select(row.masks.level, below, north));
+      second =
+          select(row.same, first_different(row.masks, row.around), select(row.masks.level, below, north));
     }
     RowVec found = select(symbols.low & ~symbols.high, second, now);
     const RowMask is_third = symbols.high & ~symbols.low;
@@ -287,6 +293,42 @@ class Reader {
   std::array<MaterialId, 3 * kChunkSize> row_zero_;
 };
 
+void read_slots(VolumeSource& source, const SlotTable& slots, std::size_t count, std::uint8_t* kinds) {
+  const Words d;
+  const std::uint8_t* next = source.next;
+  WordParts states = load_words(source.states.data());
+  std::size_t i = 0;
+  for (; i + kLanes <= count; i += kLanes) {
+    alignas(64) std::array<std::uint32_t, kLanes> found;
+#if HWY_TARGET == HWY_AVX3
+    const __m512i low = _mm512_cvtepu16_epi32(hn::And(states.part[0], hn::Set(d, 0xFF)).raw);
+    _mm512_store_si512(found.data(), _mm512_i32gather_epi32(low, slots.slot.data(), 4));
+#else
+    alignas(32) std::array<std::uint16_t, kLanes> now;
+    store_words(states, now.data());
+    for (std::size_t lane = 0; lane < kLanes; ++lane) found[lane] = slots.slot[now[lane] & 0xFFU];
+#endif
+    const auto* const words = reinterpret_cast<const std::uint16_t*>(found.data());
+    WordParts kind;
+    for (std::size_t p = 0; p < kParts; ++p) {
+      const auto a = hn::LoadU(d, words + 2 * p * hn::MaxLanes(d));
+      const auto b = hn::LoadU(d, words + (2 * p + 1) * hn::MaxLanes(d));
+      const auto kind_start = hn::ConcatEven(d, b, a);
+      const auto size = hn::ConcatOdd(d, b, a);
+      const auto state = states.part[p];
+      const auto slot = hn::And(state, hn::Set(d, 0xFF));
+      kind.part[p] = hn::And(kind_start, hn::Set(d, 0xFF));
+      states.part[p] =
+          hn::Add(hn::Mul(size, hn::ShiftRight<8>(state)), hn::Sub(slot, hn::ShiftRight<8>(kind_start)));
+    }
+    refill(states, next);
+    hn::StoreU(narrow(kind), Half{}, kinds + i);
+  }
+  store_words(states, source.states.data());
+  source.next = next;
+  if (i < count) read_slots_scalar(source, slots, count - i, kinds + i);
+}
+
 VolumeFault read(VolumeSource& source, const VolumeCode& code, PaddedVoxels& padded) {
   return Reader{source, code, padded.voxels}.read();
 }
@@ -295,7 +337,7 @@ VolumeFault read(VolumeSource& source, const VolumeCode& code, PaddedVoxels& pad
 
 }  // namespace
 
-constexpr VolumeRead kRead = read;
+constexpr VolumeRead kRead{read, read_slots};
 
 }  // namespace talus::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
@@ -303,7 +345,7 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace talus::codec {
 
-VolumeRead volume_read(InstructionSet set) {
+const VolumeRead& volume_read(InstructionSet set) {
   static constexpr const VolumeRead* kTables[] = TALUS_TABLES(kRead);
   return *kTables[static_cast<std::size_t>(set)];
 }

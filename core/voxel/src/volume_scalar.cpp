@@ -28,8 +28,8 @@ constexpr std::size_t row_index(int y, int z) {
 
 }  // namespace
 
-void analyse_volume_scalar(const DenseVoxels& voxels, VolumeEvents& events) {
-  events.coded = events.exceptions = events.escapes = 0;
+bool analyse_volume_scalar(const DenseVoxels& voxels, VolumeEvents& events) {
+  events.coded = events.surprises = events.exceptions = events.escapes = 0;
   const Row row_zero = row_of(voxels.front());
   std::uint16_t gap = 0;
   for (std::size_t batch = 0; batch < kBatches; ++batch) {
@@ -54,18 +54,31 @@ void analyse_volume_scalar(const DenseVoxels& voxels, VolumeEvents& events) {
       events.context[events.coded] =
           static_cast<std::uint8_t>(static_cast<std::size_t>(prediction.context) - first_context_of(batch));
       events.symbol[events.coded++] = symbol;
+      events.surprises += symbol != 0 ? 1 : 0;
     });
     events.batch[batch] = static_cast<std::uint16_t>(events.coded - coded);
     events.batch_escapes[batch] = static_cast<std::uint16_t>(events.escapes - escapes);
+    if (is_noise(batch + 1, events.surprises)) return false;
   }
+  return true;
 }
 
 void write_volume_scalar(const VolumeEvents& events, std::size_t first, std::size_t count,
                          const std::uint32_t* intervals, RansSink& sink) {
   for (std::size_t i = count; i-- > 0;) {
-    const std::uint32_t interval = intervals[4 * std::size_t{events.context[first + i]} + events.symbol[first + i]];
     encode_symbol(sink, i % kLanes,
-                  {static_cast<std::uint16_t>(interval & 0xFFFFU), static_cast<std::uint16_t>(interval >> 16U)});
+                  unpacked(intervals[4 * std::size_t{events.context[first + i]} + events.symbol[first + i]]));
+  }
+}
+
+void write_intervals_scalar(const std::uint32_t* intervals, std::size_t count, RansSink& sink) {
+  for (std::size_t i = count; i-- > 0;) encode_symbol(sink, i % kLanes, unpacked(intervals[i]));
+}
+
+void read_slots_scalar(VolumeSource& source, const SlotTable& slots, std::size_t count, std::uint8_t* kinds) {
+  for (std::size_t i = 0; i < count; ++i) {
+    kinds[i] = static_cast<std::uint8_t>(slots.slot[source.states[i % kLanes] % kProbabilityTotal]);
+    (void)decode_slot(source, i % kLanes, slots);
   }
 }
 

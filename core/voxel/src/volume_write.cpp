@@ -21,13 +21,17 @@ using namespace codec;
 
 #if HWY_TARGET == HWY_SCALAR
 
-void analyse(const DenseVoxels& voxels, VolumeEvents& events) {
-  analyse_volume_scalar(voxels, events);
+bool analyse(const DenseVoxels& voxels, VolumeEvents& events) {
+  return analyse_volume_scalar(voxels, events);
 }
 
 void write(const VolumeEvents& events, std::size_t first, std::size_t count, const std::uint32_t* intervals,
            RansSink& sink) {
   write_volume_scalar(events, first, count, intervals, sink);
+}
+
+void write_intervals(const std::uint32_t* intervals, std::size_t count, RansSink& sink) {
+  write_intervals_scalar(intervals, count, sink);
 }
 
 #else
@@ -50,8 +54,8 @@ class Analyser {
     std::copy_n(last_row(), kChunkSize, last_.begin() + kChunkSize);
   }
 
-  void analyse() {
-    events_.coded = events_.exceptions = events_.escapes = 0;
+  bool analyse() {
+    events_.coded = events_.surprises = events_.exceptions = events_.escapes = 0;
     for (batch_ = 0; batch_ < kBatches; ++batch_) {
       const int wave = static_cast<int>(batch_ / 2);
       const int first = first_row_of(wave);
@@ -67,7 +71,9 @@ class Analyser {
       }
       events_.batch[batch_] = static_cast<std::uint16_t>(events_.coded - coded);
       events_.batch_escapes[batch_] = static_cast<std::uint16_t>(events_.escapes - escapes);
+      if (is_noise(batch_ + 1, events_.surprises)) return false;
     }
+    return true;
   }
 
  private:
@@ -99,7 +105,8 @@ class Analyser {
     const RowVec north = load_voxels(row.around.north);
     const RowMask equals_north = equal(now, north);
     row.west = equal(now, west_of(now, row.voxels)) | 1U;
-    equal_.set(static_cast<std::size_t>(y), static_cast<std::size_t>(z), row.west, equals_north, equals_below);
+    equal_.set(static_cast<std::size_t>(y), static_cast<std::size_t>(z), row.west, equals_north,
+               equals_below);
     row.same = equal(north, below);
     const RowMask steady = kEvenColumns & row.same & row.masks.all();
     const RowMask coded = kEvenColumns & ~steady;
@@ -177,6 +184,7 @@ class Analyser {
   /// Finds the symbols of coded voxels; those of `left` are not their first candidates.
   HWY_INLINE void add_coded(const WaveRow& row, RowMask left, const RowVec& now, const RowVec& first,
                             const RowVec& second) {
+    events_.surprises += static_cast<std::size_t>(std::popcount(left));
     low_ = left & equal(now, second);
     high_ = left & ~low_;
     if (high_ == 0) return;
@@ -209,8 +217,8 @@ class Analyser {
   std::array<MaterialId, 3 * kChunkSize> last_{};
 };
 
-void analyse(const DenseVoxels& voxels, VolumeEvents& events) {
-  Analyser{voxels, events}.analyse();
+bool analyse(const DenseVoxels& voxels, VolumeEvents& events) {
+  return Analyser{voxels, events}.analyse();
 }
 
 /// Sixteen intervals from sixteen words that hold start and size.
@@ -225,31 +233,45 @@ HWY_INLINE void split(const std::uint32_t* intervals, WordParts& starts, WordPar
   }
 }
 
-void write(const VolumeEvents& events, std::size_t first, std::size_t count, const std::uint32_t* intervals,
-           RansSink& sink) {
+void write_intervals(const std::uint32_t* intervals, std::size_t count, RansSink& sink) {
   if (count == 0) return;
-  alignas(64) std::array<std::uint32_t, kMaxBatch + kLanes> found;
-  for (std::size_t i = 0; i < count; ++i) {
-    found[i] = intervals[4 * std::size_t{events.context[first + i]} + events.symbol[first + i]];
-  }
-  std::fill_n(found.begin() + static_cast<std::ptrdiff_t>(count), kLanes, std::uint32_t{kProbabilityTotal} << 16U);
   WordParts states = load_words(sink.states.data());
   std::uint8_t* next = sink.next;
-  for (std::size_t g = (count + kLanes - 1) / kLanes; g-- > 0;) {
-    WordParts starts;
-    WordParts sizes;
-    split(found.data() + g * kLanes, starts, sizes);
+  WordParts starts;
+  WordParts sizes;
+  std::size_t left = count;
+  if (const std::size_t rest = count % kLanes; rest != 0) {
+    // An interval of everything leaves the lanes behind the last symbol as they are.
+    alignas(64) std::array<std::uint32_t, kLanes> last;
+    last.fill(std::uint32_t{kProbabilityTotal} << 16U);
+    left -= rest;
+    std::copy_n(intervals + left, rest, last.begin());
+    split(last.data(), starts, sizes);
+    encode_symbols(states, starts, sizes, next);
+  }
+  while (left > 0) {
+    left -= kLanes;
+    split(intervals + left, starts, sizes);
     encode_symbols(states, starts, sizes, next);
   }
   sink.next = next;
   store_words(states, sink.states.data());
 }
 
+void write(const VolumeEvents& events, std::size_t first, std::size_t count, const std::uint32_t* intervals,
+           RansSink& sink) {
+  alignas(64) std::array<std::uint32_t, kMaxBatch> found;
+  for (std::size_t i = 0; i < count; ++i) {
+    found[i] = intervals[4 * std::size_t{events.context[first + i]} + events.symbol[first + i]];
+  }
+  write_intervals(found.data(), count, sink);
+}
+
 #endif
 
 }  // namespace
 
-constexpr VolumeWrite kWrite{analyse, write};
+constexpr VolumeWrite kWrite{analyse, write, write_intervals};
 
 }  // namespace talus::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
