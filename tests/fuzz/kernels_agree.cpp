@@ -12,7 +12,7 @@
 
 #include "loose/settle_grid.h"
 #include "noise/fbm_rows.h"
-#include "plane_plain.h"
+#include "plane_scalar.h"
 
 namespace {
 
@@ -95,11 +95,11 @@ void sample_everywhere(Input& input) {
 
 /// What is written before `states`, and what they are then.
 template <class Write>
-auto written(const Write& write, const codec::PlaneShares& shares,
+auto written(const Write& write, const codec::PlaneIntervals& intervals,
              const std::array<std::uint16_t, codec::kLanes>& states) {
-  std::vector<std::uint8_t> bytes(codec::kMostBytesOfPlane);
-  codec::PlaneSink sink{states, bytes.data() + bytes.size()};
-  write(shares, sink);
+  std::vector<std::uint8_t> bytes(codec::kMaxBytesOfPlane);
+  codec::RansSink sink{states, bytes.data() + bytes.size()};
+  write(intervals, sink);
   return std::pair{std::vector<std::uint8_t>(sink.next, bytes.data() + bytes.size()), sink.states};
 }
 
@@ -107,11 +107,11 @@ auto written(const Write& write, const codec::PlaneShares& shares,
 void read_everywhere(Input& input) {
   using namespace talus::codec;
   std::vector<std::uint8_t> bytes;
-  PlaneSource source;
+  RansSource source;
   for (std::uint16_t& state : source.states) {
-    state = static_cast<std::uint16_t>(std::max<std::uint32_t>(input.take<std::uint16_t>(), kLeastState));
+    state = static_cast<std::uint16_t>(std::max<std::uint32_t>(input.take<std::uint16_t>(), kMinState));
   }
-  while (!input.empty() && bytes.size() < kMostBytesOfPlane) bytes.push_back(input.take<std::uint8_t>());
+  while (!input.empty() && bytes.size() < kMaxBytesOfPlane) bytes.push_back(input.take<std::uint8_t>());
   const std::size_t size = bytes.size();
   bytes.resize(size + kReadAhead);
   source.next = bytes.data();
@@ -120,27 +120,28 @@ void read_everywhere(Input& input) {
   std::vector<std::uint8_t> below(kChunkArea);
   for (int planes = 0; planes < 2; ++planes) {
     std::vector<std::uint8_t> plane(kChunkArea);
-    PlaneSource after = source;
-    const PlaneFault fault = read_plane_plainly(after, below.data(), plane.data());
-    PlaneShares shares;
-    if (fault == PlaneFault::none) weigh_plane_plainly(plane.data(), below.data(), shares);
+    RansSource after = source;
+    const PlaneFault fault = decode_plane_scalar(after, below.data(), plane.data());
+    PlaneIntervals intervals;
+    if (fault == PlaneFault::none) model_plane_scalar(plane.data(), below.data(), intervals);
     for (const auto set :
          {InstructionSet::scalar, InstructionSet::sse4, InstructionSet::avx2, InstructionSet::avx512}) {
       if (!runs_here(set)) continue;
-      const PlaneKernels& kernels = plane_kernels(set);
+      const PlaneKernels kernels = plane_kernels(set);
       std::vector<std::uint8_t> other(kChunkArea);
-      PlaneSource other_after = source;
-      if (kernels.read(other_after, below.data(), other.data()) != fault) std::abort();
+      RansSource other_after = source;
+      if (kernels.decode(other_after, below.data(), other.data()) != fault) std::abort();
       if (fault != PlaneFault::none) continue;
       if (other != plane || other_after.states != after.states || other_after.next != after.next)
         std::abort();
-      PlaneShares found;
-      kernels.weigh(plane.data(), below.data(), found);
-      if (found.start != shares.start || found.size != shares.size || found.others != shares.others ||
-          found.carried != shares.carried) {
+      PlaneIntervals found;
+      kernels.model(plane.data(), below.data(), found);
+      if (found.start != intervals.start || found.size != intervals.size ||
+          found.others != intervals.others || found.carried != intervals.carried) {
         std::abort();
       }
-      if (written(kernels.write, found, after.states) != written(write_plane_plainly, shares, after.states)) {
+      if (written(kernels.encode, found, after.states) !=
+          written(encode_plane_scalar, intervals, after.states)) {
         std::abort();
       }
     }

@@ -12,10 +12,12 @@ namespace {
 
 using namespace testing;
 
-enum Encoding : int { kLayered, kPalette, kRaw };
+enum Encoding : int { kLayered = 0x300, kVolume = 0x401, kRaw = 0x402, kRuns = 0x403 };
 
+/// The first two bytes of its payload.
 int encoding_of(const Chunk& chunk) {
-  return std::to_integer<int>(encoded(chunk)[1]);
+  const auto payload = encoded(chunk);
+  return std::to_integer<int>(payload[0]) << 8 | std::to_integer<int>(payload[1]);
 }
 
 }  // namespace
@@ -80,6 +82,15 @@ TEST_CASE("a step from one end to the other and back comes back") {
   }
 }
 
+TEST_CASE("overrides are written as their voxels are") {
+  CHECK(rc::check([](std::uint64_t seed) {
+    const Chunk chunk = with_random_overrides(Chunk::from_layers(hill(seed)), seed);
+    RC_ASSERT(chunk.base() != nullptr);
+    RC_ASSERT(encoded(chunk) == encoded(Chunk::from_dense(*voxels_of(chunk))));
+    RC_ASSERT(decode(encoded(chunk)).value() == chunk);
+  }));
+}
+
 TEST_CASE("encode appends") {
   std::vector<std::byte> out{std::byte{1}, std::byte{2}};
   const Chunk chunk = Chunk::from_layers(hill(1));
@@ -97,11 +108,12 @@ TEST_CASE("a uniform chunk is a handful of bytes") {
 
 TEST_CASE("each encoding has chunks for which it is the smallest") {
   CHECK(encoding_of(Chunk::from_layers(hill(3))) == kLayered);
-  CHECK(encoding_of(Chunk::from_dense(*random_voxels(3, 4, 20))) == kPalette);
+  CHECK(encoding_of(Chunk::from_dense(*voxels_of(Chunk::from_layers(hill(3))))) == kVolume);
+  CHECK(encoding_of(Chunk::from_dense(*random_voxels(3, 4, 20))) == kRuns);
   CHECK(encoding_of(Chunk::from_dense(*random_voxels(3, 30000, 1))) == kRaw);
 }
 
-TEST_CASE("large layers go by palette where that is smaller") {
+TEST_CASE("large layers go by runs where these are smaller") {
   // Two materials by turns, each column changing at rows of its own: the planes are noise.
   const auto noise = random_voxels(7, 2, 1);
   Layers turns{{kAir}, {}};
@@ -118,11 +130,11 @@ TEST_CASE("large layers go by palette where that is smaller") {
   }
   const Chunk chunk = Chunk::from_layers(turns);
   REQUIRE(chunk.layers() != nullptr);
-  CHECK(encoding_of(chunk) == kPalette);
+  CHECK(encoding_of(chunk) != kLayered);
   CHECK(decode(encoded(chunk)).value() == chunk);
 }
 
-TEST_CASE("256 materials fit a palette, 257 do not") {
+TEST_CASE("256 materials can be coded, 257 are written raw") {
   const auto voxels = std::make_unique<DenseVoxels>();
   const auto cycle = [&voxels](std::size_t materials) {
     for (std::size_t i = 0; i < voxels->size(); ++i) {
@@ -130,7 +142,7 @@ TEST_CASE("256 materials fit a palette, 257 do not") {
     }
     return Chunk::from_dense(*voxels);
   };
-  CHECK(encoding_of(cycle(256)) == kPalette);
+  CHECK(encoding_of(cycle(256)) != kRaw);
   CHECK(encoding_of(cycle(257)) == kRaw);
   CHECK(decode(encoded(cycle(256))).value() == cycle(256));
   CHECK(decode(encoded(cycle(257))).value() == cycle(257));

@@ -7,7 +7,7 @@
 #include <talus/voxel/codec.h>
 
 #include "layered.h"
-#include "plane_plain.h"
+#include "plane_scalar.h"
 #include "sample_chunks.h"
 
 namespace talus {
@@ -28,8 +28,8 @@ std::vector<Payload> sample_payloads() {
           encoded(Chunk::from_layers(hill(2))),
           encoded(Chunk::from_layers(random_layers(3, 5, 100))),
           encoded(Chunk::from_dense(*random_voxels(4, 3, 400))),
-          frozen(2, "hill"),
-          frozen(2, "rough")};
+          encoded(with_random_overrides(Chunk::from_layers(hill(5)), 5)),
+          frozen(3, "few_materials")};
 }
 
 DecodeError fault_of(const Payload& payload) {
@@ -74,13 +74,14 @@ TEST_CASE("no bytes") {
 }
 
 TEST_CASE("a version that this library does not read") {
-  CHECK(fault_of(bytes({1, 0, 1, 0})) == DecodeError::unknown_version);
-  CHECK(fault_of(bytes({4})) == DecodeError::unknown_version);
+  CHECK(fault_of(bytes({2, 0, 1, 0})) == DecodeError::unknown_version);
+  CHECK(fault_of(bytes({5})) == DecodeError::unknown_version);
 }
 
 TEST_CASE("an encoding that does not exist") {
-  CHECK(fault_of(bytes({2, 3, 1, 0})) == DecodeError::unknown_encoding);
   CHECK(fault_of(bytes({3, 3, 1, 0})) == DecodeError::unknown_encoding);
+  CHECK(fault_of(bytes({4, 0, 1, 0})) == DecodeError::unknown_encoding);
+  CHECK(fault_of(bytes({4, 4, 1, 0})) == DecodeError::unknown_encoding);
 }
 
 TEST_CASE("headers that end early") {
@@ -89,13 +90,20 @@ TEST_CASE("headers that end early") {
   CHECK(fault_of(bytes({3, 0, 2, 5})) == DecodeError::truncated);
   CHECK(fault_of(bytes({3, 0, 1, 0x85})) == DecodeError::truncated);
   CHECK(fault_of(bytes({3, 0, 2, 5, 6})) == DecodeError::truncated);
-  CHECK(fault_of(bytes({2, 0, 2, 5, 6, 1, 0, 0, 1, 0})) == DecodeError::truncated);
   CHECK(fault_of(bytes({3, 1, 2, 5, 6})) == DecodeError::truncated);
   CHECK(fault_of(bytes({3, 2, 0, 0})) == DecodeError::truncated);
+  CHECK(fault_of(bytes({4})) == DecodeError::truncated);
+  CHECK(fault_of(bytes({4, 1})) == DecodeError::truncated);
+  CHECK(fault_of(bytes({4, 1, 2, 5, 6, 127})) == DecodeError::truncated);             // sizes
+  CHECK(fault_of(bytes({4, 1, 2, 5, 6, 127, 127})) == DecodeError::truncated);        // count of exceptions
+  CHECK(fault_of(bytes({4, 1, 2, 5, 6, 127, 127, 0})) == DecodeError::truncated);     // table
+  CHECK(fault_of(bytes({4, 1, 2, 5, 6, 127, 127, 0, 0})) == DecodeError::truncated);  // states
+  CHECK(fault_of(bytes({4, 2, 0, 0})) == DecodeError::truncated);
+  CHECK(fault_of(bytes({4, 3, 1, 5, 255})) == DecodeError::truncated);
 }
 
 TEST_CASE("more bytes than any payload has") {
-  CHECK(fault_of(Payload(kMaxPayloadBytes + 1, std::byte{2})) == DecodeError::too_long);
+  CHECK(fault_of(Payload(kMaxPayloadBytes + 1, std::byte{4})) == DecodeError::too_long);
 }
 
 TEST_CASE("lists of materials that cannot be") {
@@ -106,6 +114,13 @@ TEST_CASE("lists of materials that cannot be") {
   CHECK(fault_of(bytes({3, 1, 0x81, 2})) == DecodeError::bad_materials);
   CHECK(fault_of(bytes({3, 1, 2, 5, 4})) == DecodeError::bad_materials);
   CHECK(fault_of(bytes({3, 1, 2, 5, 5})) == DecodeError::bad_materials);
+  for (const int encoding : {1, 3}) {
+    CHECK(fault_of(bytes({4, encoding, 0})) == DecodeError::bad_materials);
+    CHECK(fault_of(bytes({4, encoding, 0x81, 2})) == DecodeError::bad_materials);
+    CHECK(fault_of(bytes({4, encoding, 2, 5, 5})) == DecodeError::bad_materials);
+    CHECK(fault_of(bytes({4, encoding, 3, 5, 7, 6})) == DecodeError::bad_materials);
+    CHECK(fault_of(bytes({4, encoding, 3, 5, 4, 5})) == DecodeError::bad_materials);
+  }
 }
 
 TEST_CASE("numbers longer than they need be or past 65,535") {
@@ -117,13 +132,58 @@ TEST_CASE("numbers longer than they need be or past 65,535") {
 }
 
 TEST_CASE("a voxel whose place in the palette is past its end") {
-  Payload payload = encoded(Chunk::from_dense(*random_voxels(6, 3, 50)));
+  // Without the first of its three materials, whose id takes one byte.
+  Payload payload = frozen(3, "few_materials");
   REQUIRE(payload[1] == std::byte{1});
   REQUIRE(payload[2] == std::byte{3});
-  // The first of the three materials is 0: one byte.
   payload[2] = std::byte{2};
   payload.erase(payload.begin() + 3);
   CHECK(fault_of(payload) == DecodeError::bad_number);
+}
+
+TEST_CASE("probabilities that do not add up to 256") {
+  for (const int encoding : {1, 3}) {
+    CHECK(fault_of(bytes({4, encoding, 2, 5, 6, 127, 128})) == DecodeError::bad_number);
+    CHECK(fault_of(bytes({4, encoding, 2, 5, 6, 127, 126})) == DecodeError::bad_number);
+  }
+  Payload runs = encoded(Chunk::from_dense(*random_voxels(4, 3, 40)));
+  REQUIRE(runs[1] == std::byte{3});
+  // Behind the header, the list of ids 0, 21845 and 43690, their sizes and the count of runs.
+  const std::size_t sizes = 2 + 1 + 7 + 3 + 2;
+  runs[sizes] = static_cast<std::byte>(std::to_integer<int>(runs[sizes]) + 1);
+  CHECK(fault_of(runs) == DecodeError::bad_number);
+}
+
+/// A payload of one material and `rest`, then states that end at once.
+Payload of_one_material(int encoding, std::initializer_list<int> rest) {
+  Payload payload = bytes({4, encoding, 1, 5, 255});
+  for (const int byte : rest) payload.push_back(static_cast<std::byte>(byte));
+  for (std::size_t lane = 0; lane < codec::kLanes; ++lane) {
+    payload.push_back(std::byte{0});
+    payload.push_back(std::byte{1});
+  }
+  return payload;
+}
+
+TEST_CASE("a table of probabilities that does not exist") {
+  CHECK(decode(of_one_material(1, {0, 3})).value() == Chunk::uniform(MaterialId{5}));
+  CHECK(fault_of(of_one_material(1, {0, 4})) == DecodeError::bad_number);
+}
+
+TEST_CASE("exceptions that are left over") {
+  // Its gap is 0 digits long, so that it would be the first voxel; the second one has no voxel left.
+  Payload payload = of_one_material(1, {0xFF, 0xFF, 3, 0});
+  CHECK_FALSE(decode(payload).has_value());
+}
+
+TEST_CASE("runs that are not the whole chunk") {
+  // One run of one voxel, which takes a byte.
+  Payload one = of_one_material(3, {1, 255, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0});
+  one.push_back(std::byte{0});
+  CHECK(fault_of(one) == DecodeError::bad_number);
+  // No run.
+  CHECK(fault_of(of_one_material(3, {0, 255, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0})) ==
+        DecodeError::bad_number);
 }
 
 TEST_CASE("planes that leave the chunk or pass one another") {
@@ -134,22 +194,17 @@ TEST_CASE("planes that leave the chunk or pass one another") {
       payload.push_back(
           static_cast<std::byte>(std::max(static_cast<std::uint32_t>(random()) & 0xFFU, least)));
   };
-  for (const int version : {2, 3}) {
-    CAPTURE(version);
-    int outside = 0;
-    for (int i = 0; i < 2000; ++i) {
-      Payload payload = bytes({version, 0, 3, 5, 6, 7});
-      if (version == 3) {
-        some(payload, 32, 1);             // states of 256 and more
-        payload.push_back(std::byte{0});  // no carried rows
-      }
-      some(payload, 400, 0);
-      const auto chunk = decode(payload);
-      if (!chunk && chunk.error() == DecodeError::bad_number) ++outside;
-      if (chunk && chunk->layers() != nullptr) REQUIRE(chunk->layers()->valid());
-    }
-    CHECK(outside > 100);
+  int outside = 0;
+  for (int i = 0; i < 2000; ++i) {
+    Payload payload = bytes({3, 0, 3, 5, 6, 7});
+    some(payload, 32, 1);             // states of 256 and more
+    payload.push_back(std::byte{0});  // no carried rows
+    some(payload, 400, 0);
+    const auto chunk = decode(payload);
+    if (!chunk && chunk.error() == DecodeError::bad_number) ++outside;
+    if (chunk && chunk->layers() != nullptr) REQUIRE(chunk->layers()->valid());
   }
+  CHECK(outside > 100);
 }
 
 TEST_CASE("rows of kinds that are not") {
@@ -163,7 +218,13 @@ TEST_CASE("rows of kinds that are not") {
 }
 
 TEST_CASE("a state that no encoder begins with") {
-  CHECK(fault_of(bytes({2, 0, 2, 5, 6, 0, 255, 255, 1, 0, 0})) == DecodeError::bad_ending);
+  for (const int encoding : {1, 3}) {
+    Payload payload = encoding == 1
+                          ? of_one_material(1, {0, 0})
+                          : of_one_material(3, {1, 255, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0});
+    payload.back() = std::byte{0};
+    CHECK(fault_of(payload) == DecodeError::bad_ending);
+  }
   Payload payload = bytes({3, 0, 2, 5, 6});
   payload.resize(payload.size() + 32, std::byte{1});
   payload[payload.size() - 1] = std::byte{0};
@@ -171,7 +232,7 @@ TEST_CASE("a state that no encoder begins with") {
 }
 
 TEST_CASE("an ending that the encoder would not write") {
-  for (Payload payload : {encoded(Chunk::from_dense(*random_voxels(4, 3, 400))), frozen(2, "hill")}) {
+  for (Payload payload : {frozen(3, "few_materials"), frozen(3, "many_materials")}) {
     REQUIRE(payload.back() != std::byte{0xFF});
     payload.back() = static_cast<std::byte>(std::to_integer<int>(payload.back()) + 1);
     CHECK(fault_of(payload) == DecodeError::bad_ending);
@@ -196,17 +257,17 @@ TEST_CASE("materials that the states tell") {
     other[2] = std::byte{81};
     CHECK(fault_of(other) == DecodeError::bad_materials);
   }
-  SECTION("are told by no version before") {
+  SECTION("are of version 3 alone") {
     Payload other = payload;
-    other[0] = std::byte{2};
-    CHECK(fault_of(other) == DecodeError::bad_materials);
+    other[0] = std::byte{4};
+    CHECK(fault_of(other) == DecodeError::unknown_encoding);
   }
   SECTION("differ from their neighbours") {
     // Ids are the ends of states, and these come out as they went in.
     Layers alike = layers;
     for (MaterialId& material : alike.materials) material = MaterialId{9};
     std::vector<std::byte> body;
-    REQUIRE(codec::encode_layered(alike, body));
+    REQUIRE(codec::encode_layered(alike, 1024, body));
     body.insert(body.begin(), {std::byte{3}, std::byte{0}});
     CHECK(fault_of(body) == DecodeError::bad_materials);
   }
@@ -217,11 +278,11 @@ Payload ended_with(const std::array<std::uint16_t, codec::kLanes>& states,
                    std::initializer_list<int> list = {3, 0, 66}) {
   const std::vector<std::uint8_t> ground(kChunkArea, 0);
   std::vector<std::uint8_t> plane(kChunkArea, 5);
-  codec::PlaneShares shares;
-  codec::weigh_plane_plainly(plane.data(), ground.data(), shares);
-  std::vector<std::uint8_t> written(codec::kMostBytesOfPlane);
-  codec::PlaneSink sink{states, written.data() + written.size()};
-  codec::write_plane_plainly(shares, sink);
+  codec::PlaneIntervals intervals;
+  codec::model_plane_scalar(plane.data(), ground.data(), intervals);
+  std::vector<std::uint8_t> written(codec::kMaxBytesOfPlane);
+  codec::RansSink sink{states, written.data() + written.size()};
+  codec::encode_plane_scalar(intervals, sink);
   Payload payload = bytes(list);
   for (const std::uint16_t state : sink.states) {
     payload.push_back(static_cast<std::byte>(state & 0xFF));
@@ -235,7 +296,7 @@ Payload ended_with(const std::array<std::uint16_t, codec::kLanes>& states,
 
 TEST_CASE("states that tell nothing end at 256") {
   std::array<std::uint16_t, codec::kLanes> states;
-  states.fill(codec::kLeastState);
+  states.fill(codec::kMinState);
   REQUIRE(decode(ended_with(states, {3, 0, 2, 7, 9})).has_value());
   for (std::uint16_t& state : states) {
     ++state;
@@ -246,16 +307,16 @@ TEST_CASE("states that tell nothing end at 256") {
 
 TEST_CASE("states that end at no materials") {
   std::array<std::uint16_t, codec::kLanes> states;
-  states.fill(codec::kLeastState);
+  states.fill(codec::kMinState);
   states[0] += 7;
   states[1] += 9;
   REQUIRE(decode(ended_with(states)).has_value());
   CHECK(decode(ended_with(states))->layers()->materials == std::vector{MaterialId{7}, MaterialId{9}});
   SECTION("a state that is no byte past its beginning") {
-    states[1] = 2 * codec::kLeastState;
+    states[1] = 2 * codec::kMinState;
   }
   SECTION("an id that is too long") {
-    states[1] = states[2] = states[3] = codec::kLeastState + 0xFF;
+    states[1] = states[2] = states[3] = codec::kMinState + 0xFF;
   }
   SECTION("bytes behind the ids") {
     states[15] += 1;

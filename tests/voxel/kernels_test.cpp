@@ -7,8 +7,11 @@
 #include <catch2/catch.hpp>
 
 #include "kernels.h"
-#include "plane_plain.h"
+#include "plane_scalar.h"
+#include "runs.h"
 #include "sample_chunks.h"
+#include "volume.h"
+#include "volume_scalar.h"
 
 namespace talus {
 namespace {
@@ -51,25 +54,25 @@ std::vector<std::uint8_t> any_planes() {
 
 }  // namespace
 
-TEST_CASE("planes are weighed and written alike by every instruction set") {
+TEST_CASE("planes are modelled and written alike by every instruction set") {
   CHECK(rc::check([] {
     const auto tops = any_planes();
     for (std::size_t at = kChunkArea; at < tops.size(); at += kChunkArea) {
-      codec::PlaneShares expected;
-      codec::weigh_plane_plainly(tops.data() + at, tops.data() + at - kChunkArea, expected);
+      codec::PlaneIntervals expected;
+      codec::model_plane_scalar(tops.data() + at, tops.data() + at - kChunkArea, expected);
       const auto write = [&](const auto& kernel) {
-        std::vector<std::uint8_t> bytes(codec::kMostBytesOfPlane);
-        codec::PlaneSink sink{{}, bytes.data() + bytes.size()};
-        sink.states.fill(codec::kLeastState);
+        std::vector<std::uint8_t> bytes(codec::kMaxBytesOfPlane);
+        codec::RansSink sink{{}, bytes.data() + bytes.size()};
+        sink.states.fill(codec::kMinState);
         kernel(expected, sink);
         const std::vector<std::uint8_t> written(sink.next, bytes.data() + bytes.size());
         return std::pair{written, sink.states};
       };
-      const auto written = write(codec::write_plane_plainly);
+      const auto written = write(codec::encode_plane_scalar);
       for (const InstructionSet set : vector_sets()) {
-        const codec::PlaneKernels& kernels = codec::plane_kernels(set);
-        codec::PlaneShares found;
-        kernels.weigh(tops.data() + at, tops.data() + at - kChunkArea, found);
+        const codec::PlaneKernels kernels = codec::plane_kernels(set);
+        codec::PlaneIntervals found;
+        kernels.model(tops.data() + at, tops.data() + at - kChunkArea, found);
         RC_ASSERT(found.start == expected.start);
         RC_ASSERT(found.size == expected.size);
         RC_ASSERT(found.others == expected.others);
@@ -78,7 +81,7 @@ TEST_CASE("planes are weighed and written alike by every instruction set") {
           const bool told = (expected.others[i / kChunkSize] >> i % kChunkSize & 1U) != 0;
           RC_ASSERT(!told || found.changes[i] == expected.changes[i]);
         }
-        RC_ASSERT(write(kernels.write) == written);
+        RC_ASSERT(write(kernels.encode) == written);
       }
     }
   }));
@@ -89,12 +92,12 @@ TEST_CASE("any bytes are read as the same plane, or the same fault, by every ins
     const auto tops = any_planes();
     const std::uint8_t* const plane_above = tops.data() + tops.size() - kChunkArea;
     const std::uint8_t* const below = plane_above - kChunkArea;
-    codec::PlaneShares shares;
-    codec::weigh_plane_plainly(plane_above, below, shares);
-    std::vector<std::uint8_t> bytes(codec::kMostBytesOfPlane);
-    codec::PlaneSink sink{{}, bytes.data() + bytes.size()};
-    sink.states.fill(codec::kLeastState);
-    codec::write_plane_plainly(shares, sink);
+    codec::PlaneIntervals intervals;
+    codec::model_plane_scalar(plane_above, below, intervals);
+    std::vector<std::uint8_t> bytes(codec::kMaxBytesOfPlane);
+    codec::RansSink sink{{}, bytes.data() + bytes.size()};
+    sink.states.fill(codec::kMinState);
+    codec::encode_plane_scalar(intervals, sink);
     bytes.erase(bytes.begin(), bytes.begin() + (sink.next - bytes.data()));
     const bool cut = *rc::gen::inRange(0, 4) == 0;
     if (cut) bytes.resize(*rc::gen::inRange<std::size_t>(1, bytes.size() + 1));
@@ -104,9 +107,9 @@ TEST_CASE("any bytes are read as the same plane, or the same fault, by every ins
     }
     const std::size_t size = bytes.size();
     bytes.resize(size + codec::kReadAhead);
-    const codec::PlaneSource source{sink.states, bytes.data(), bytes.data() + size};
+    const codec::RansSource source{sink.states, bytes.data(), bytes.data() + size};
     const auto read = [&](const auto& kernel) {
-      codec::PlaneSource from = source;
+      codec::RansSource from = source;
       std::vector<std::uint8_t> plane(kChunkArea);
       const codec::PlaneFault fault = kernel(from, below, plane.data());
       if (fault != codec::PlaneFault::none) return std::tuple{fault, plane, from.states, std::ptrdiff_t{}};
@@ -116,12 +119,81 @@ TEST_CASE("any bytes are read as the same plane, or the same fault, by every ins
       if (std::get<0>(a) != std::get<0>(b)) return false;
       return std::get<0>(a) != codec::PlaneFault::none || a == b;
     };
-    const auto expected = read(codec::read_plane_plainly);
+    const auto expected = read(codec::decode_plane_scalar);
     RC_CLASSIFY(std::get<0>(expected) == codec::PlaneFault::none, "read");
     RC_CLASSIFY(std::get<0>(expected) == codec::PlaneFault::truncated, "truncated");
     RC_CLASSIFY(std::get<0>(expected) == codec::PlaneFault::bad_number, "bad number");
     for (const InstructionSet set : vector_sets()) {
-      RC_ASSERT(same(read(codec::plane_kernels(set).read), expected));
+      RC_ASSERT(same(read(codec::plane_kernels(set).decode), expected));
+    }
+  }));
+}
+
+TEST_CASE("volumes are analysed and written alike by every instruction set") {
+  CHECK(rc::check([] {
+    const auto voxels = testing::voxels_of(testing::any_chunk());
+    const auto expected = std::make_unique<codec::VolumeEvents>();
+    const auto found = std::make_unique<codec::VolumeEvents>();
+    const bool orderly = codec::analyse_volume_scalar(*voxels, *expected);
+    const codec::VolumeKernels& scalar = codec::kScalarVolume;
+    std::vector<std::byte> payload;
+    const bool written = codec::encode_volume(*voxels, payload, scalar);
+    for (const InstructionSet set : vector_sets()) {
+      const codec::VolumeKernels kernels = codec::volume_kernels(set);
+      RC_ASSERT(kernels.analyse(*voxels, *found) == orderly);
+      RC_ASSERT(found->surprises == expected->surprises);
+      RC_ASSERT(found->coded == expected->coded);
+      RC_ASSERT(found->escapes == expected->escapes);
+      RC_ASSERT(found->exceptions == expected->exceptions);
+      std::vector<std::byte> other;
+      RC_ASSERT(codec::encode_volume(*voxels, other, kernels) == written);
+      RC_ASSERT(other == payload);
+    }
+  }));
+}
+
+TEST_CASE("any bytes are read as the same volume, or the same fault, by every instruction set") {
+  CHECK(rc::check([] {
+    const codec::VolumeKernels& scalar = codec::kScalarVolume;
+    std::vector<std::byte> payload;
+    RC_PRE(codec::encode_volume(*testing::voxels_of(testing::any_chunk()), payload, scalar));
+    for (int flips = *rc::gen::inRange(0, 3); flips > 0; --flips) {
+      const auto bit = *rc::gen::inRange(0, 8);
+      payload[*rc::gen::inRange<std::size_t>(0, payload.size())] ^= std::byte{1} << bit;
+    }
+    if (*rc::gen::inRange(0, 4) == 0) payload.resize(*rc::gen::inRange<std::size_t>(0, payload.size() + 1));
+    const auto expected = codec::decode_volume(payload, scalar);
+    RC_CLASSIFY(expected.has_value(), "read");
+    for (const InstructionSet set : vector_sets()) {
+      const auto found = codec::decode_volume(payload, codec::volume_kernels(set));
+      RC_ASSERT(found.has_value() == expected.has_value());
+      if (!expected.has_value()) RC_ASSERT(found.error() == expected.error());
+      if (expected.has_value()) RC_ASSERT(*found == *expected);
+    }
+  }));
+}
+
+TEST_CASE("any bytes are read as the same runs, or the same fault, by every instruction set") {
+  CHECK(rc::check([] {
+    std::vector<std::byte> payload;
+    const auto voxels = testing::voxels_of(testing::any_chunk());
+    RC_PRE(codec::encode_runs(*voxels, kMaxPayloadBytes, payload, codec::kScalarVolume));
+    for (const InstructionSet set : vector_sets()) {
+      std::vector<std::byte> other;
+      RC_ASSERT(codec::encode_runs(*voxels, kMaxPayloadBytes, other, codec::volume_kernels(set)));
+      RC_ASSERT(other == payload);
+    }
+    for (int flips = *rc::gen::inRange(0, 3); flips > 0; --flips) {
+      const auto bit = *rc::gen::inRange(0, 8);
+      payload[*rc::gen::inRange<std::size_t>(0, payload.size())] ^= std::byte{1} << bit;
+    }
+    if (*rc::gen::inRange(0, 4) == 0) payload.resize(*rc::gen::inRange<std::size_t>(0, payload.size() + 1));
+    const auto expected = codec::decode_runs(payload, codec::kScalarVolume);
+    for (const InstructionSet set : vector_sets()) {
+      const auto found = codec::decode_runs(payload, codec::volume_kernels(set));
+      RC_ASSERT(found.has_value() == expected.has_value());
+      if (!expected.has_value()) RC_ASSERT(found.error() == expected.error());
+      if (expected.has_value()) RC_ASSERT(*found == *expected);
     }
   }));
 }

@@ -120,6 +120,21 @@ std::unique_ptr<DenseVoxels> random_voxels(std::uint64_t seed, std::size_t mater
   return voxels;
 }
 
+Chunk with_random_overrides(const Chunk& chunk, std::uint64_t seed) {
+  Random random{seed};
+  std::vector<Override> overrides;
+  for (int lumps = random.within(1, 9); lumps > 0; --lumps) {
+    auto index = random.below(kChunkVolume);
+    const MaterialId material{static_cast<std::uint16_t>(1000 + random.below(7))};
+    for (int size = random.within(1, 100); size > 0; --size) {
+      overrides.push_back({static_cast<std::uint16_t>(index % kChunkVolume), material});
+      constexpr std::size_t kSteps[] = {1, kChunkSize, kChunkArea};
+      index += kSteps[random.below(3)];
+    }
+  }
+  return chunk.with_overrides(overrides);
+}
+
 std::unique_ptr<DenseVoxels> voxels_of(const Chunk& chunk) {
   auto voxels = std::make_unique<DenseVoxels>();
   chunk.copy_to(*voxels);
@@ -145,7 +160,7 @@ std::vector<std::byte> frozen(int version, const std::string& name) {
 
 Chunk any_chunk() {
   const auto seed = *rc::gen::arbitrary<std::uint64_t>().as("seed of the chunk");
-  switch (*rc::gen::inRange(0, 6).as("kind of chunk")) {
+  switch (*rc::gen::inRange(0, 8).as("kind of chunk")) {
     case 0:
       return Chunk::uniform(MaterialId{static_cast<std::uint16_t>(seed)});
     case 1:
@@ -156,6 +171,10 @@ Chunk any_chunk() {
     }
     case 5:
       return Chunk::from_layers(leaping_layers(seed, *rc::gen::inRange<std::size_t>(1, 9).as("planes")));
+    case 6:
+      return with_random_overrides(Chunk::from_layers(hill(seed)), seed);
+    case 7:
+      return Chunk::from_dense(*voxels_of(with_random_overrides(Chunk::from_layers(hill(seed)), seed)));
     case 3:
       return Chunk::from_dense(*random_voxels(seed, *rc::gen::inRange<std::size_t>(1, 9).as("materials"),
                                               *rc::gen::inRange<std::size_t>(1, 200).as("run")));

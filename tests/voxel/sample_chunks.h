@@ -25,6 +25,9 @@ namespace talus::testing {
 [[nodiscard]] std::unique_ptr<DenseVoxels> random_voxels(std::uint64_t seed, std::size_t materials,
                                                          std::size_t run);
 
+/// The chunk with up to 900 overrides of seven materials, in lumps.
+[[nodiscard]] Chunk with_random_overrides(const Chunk& chunk, std::uint64_t seed);
+
 [[nodiscard]] std::unique_ptr<DenseVoxels> voxels_of(const Chunk& chunk);
 
 [[nodiscard]] std::vector<std::byte> encoded(const Chunk& chunk);

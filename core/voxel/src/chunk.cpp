@@ -24,6 +24,18 @@ bool equal(const std::uint8_t* a, const std::uint8_t* b) {
   return std::memcmp(a, b, kChunkArea) == 0;
 }
 
+MaterialId material_in(const Layers& layers, std::size_t voxel) {
+  std::size_t place = voxel % kChunkArea;
+  std::size_t index = 0;
+  for (; index < layers.plane_count() && layers.tops[place] <= voxel / kChunkArea; ++index)
+    place += kChunkArea;
+  return layers.materials[index];
+}
+
+bool all_equal(std::span<const MaterialId, kChunkVolume> voxels) {
+  return std::equal(voxels.begin() + 1, voxels.end(), voxels.begin());
+}
+
 }  // namespace
 
 bool Layers::valid() const {
@@ -64,10 +76,63 @@ Chunk Chunk::from_layers(Layers layers) {
 }
 
 Chunk Chunk::from_dense(std::span<const MaterialId, kChunkVolume> voxels) {
-  if (std::equal(voxels.begin() + 1, voxels.end(), voxels.begin())) return uniform(voxels.front());
-  auto dense = std::make_shared<DenseVoxels>();
+  if (all_equal(voxels)) return uniform(voxels.front());
+  auto dense = std::make_shared_for_overwrite<DenseVoxels>();
   std::copy(voxels.begin(), voxels.end(), dense->begin());
   return Chunk{Dense{std::move(dense)}};
+}
+
+Chunk Chunk::from_dense(std::shared_ptr<const DenseVoxels> voxels) {
+  if (all_equal(*voxels)) return uniform(voxels->front());
+  return Chunk{Dense{std::move(voxels)}};
+}
+
+Chunk Chunk::with_overrides(std::span<const Override> overrides) const {
+  const auto densely = [&] {
+    auto voxels = std::make_shared_for_overwrite<DenseVoxels>();
+    copy_to(*voxels);
+    for (const Override& each : overrides) (*voxels)[each.index] = each.material;
+    return from_dense(std::shared_ptr<const DenseVoxels>{std::move(voxels)});
+  };
+  const Layers* const under = layers() != nullptr ? layers() : base();
+  if (under == nullptr || overrides.size() > 4 * kMaxOverrides) return densely();
+
+  std::vector<Override> all{this->overrides().begin(), this->overrides().end()};
+  all.insert(all.end(), overrides.begin(), overrides.end());
+  std::stable_sort(all.begin(), all.end(), [](Override a, Override b) { return a.index < b.index; });
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    assert(all[i].index < kChunkVolume);
+    const bool last = i + 1 == all.size() || all[i + 1].index != all[i].index;
+    if (last && all[i].material != material_in(*under, all[i].index)) all[kept++] = all[i];
+  }
+  all.resize(kept);
+  if (all.empty()) return Chunk{*under};
+  // Only overrides of one material can make the chunk uniform.
+  const bool alike = std::all_of(all.begin(), all.end(),
+                                 [&](Override each) { return each.material == all.front().material; });
+  const bool material_is_under = std::find(under->materials.begin(), under->materials.end(),
+                                           all.front().material) != under->materials.end();
+  if (all.size() > kMaxOverrides || (alike && material_is_under)) {
+    Chunk chunk = densely();
+    if (all.size() > kMaxOverrides || chunk.is_uniform()) return chunk;
+  }
+  return Chunk{Overridden{*under, std::move(all)}};
+}
+
+const DenseVoxels* Chunk::dense() const {
+  const auto* const dense = std::get_if<Dense>(&form_);
+  return dense == nullptr ? nullptr : dense->get();
+}
+
+std::span<const Override> Chunk::overrides() const {
+  const auto* const form = std::get_if<Overridden>(&form_);
+  return form == nullptr ? std::span<const Override>{} : form->overrides;
+}
+
+const Layers* Chunk::base() const {
+  const auto* const form = std::get_if<Overridden>(&form_);
+  return form == nullptr ? nullptr : &form->base;
 }
 
 Layers Chunk::take_layers() && {
@@ -81,12 +146,13 @@ bool Chunk::is_uniform() const {
 
 MaterialId Chunk::at(LocalPos pos) const {
   assert(pos.x < kChunkSize && pos.y < kChunkSize && pos.z < kChunkSize);
-  if (const auto* dense = std::get_if<Dense>(&form_)) return (**dense)[voxel_index(pos)];
-  const Layers& stack = *layers();
-  std::size_t place = column_index(pos.x, pos.z);
-  std::size_t index = 0;
-  for (; index < stack.plane_count() && stack.tops[place] <= pos.y; ++index) place += kChunkArea;
-  return stack.materials[index];
+  const std::size_t index = voxel_index(pos);
+  if (const DenseVoxels* voxels = dense()) return (*voxels)[index];
+  const std::span changed = overrides();
+  const auto found = std::lower_bound(changed.begin(), changed.end(), index,
+                                      [](Override each, std::size_t at) { return each.index < at; });
+  if (found != changed.end() && found->index == index) return found->material;
+  return material_in(base() != nullptr ? *base() : *layers(), index);
 }
 
 std::vector<Run> Chunk::runs(int x, int z) const {
@@ -116,12 +182,13 @@ std::vector<Run> Chunk::runs(int x, int z) const {
 }
 
 void Chunk::copy_to(std::span<MaterialId, kChunkVolume> voxels) const {
-  if (const auto* dense = std::get_if<Dense>(&form_)) {
-    std::copy((*dense)->begin(), (*dense)->end(), voxels.begin());
+  if (const DenseVoxels* all = dense()) {
+    std::copy(all->begin(), all->end(), voxels.begin());
     return;
   }
-  Slices slices{*layers()};
+  Slices slices{base() != nullptr ? *base() : *layers()};
   for (std::size_t y = 0; y < kChunkSize; ++y) slices.next(voxels.data() + y * kChunkArea);
+  for (const Override& each : overrides()) voxels[each.index] = each.material;
 }
 
 bool operator==(const Chunk& a, const Chunk& b) {

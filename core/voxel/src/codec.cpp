@@ -4,17 +4,24 @@
 
 #include "layered.h"
 #include "palette.h"
+#include "runs.h"
+#include "volume.h"
 
 namespace talus {
 namespace {
 
-enum class Encoding : std::uint8_t { layered, palette, raw };
+// What the second byte of a payload says, by its first.
+constexpr std::uint8_t kLayeredVersion = 3;
+enum class Encoding3 : std::uint8_t { layered, palette, raw };
+enum class Encoding : std::uint8_t { volume = 1, raw = 2, runs = 3 };
 
 constexpr std::size_t kHeaderBytes = 2;
 
-// Layers that code this well are kept without trying the palette: it takes tens of times as long, and was
-// smaller for a quarter of the sample worlds' chunks of levels 0 and 2, by some 20 bytes.
-constexpr std::size_t kGoodBytes = 1024;
+// Layers of up to this size are kept without trying anything else, which takes several times as long.
+constexpr std::size_t kGoodLayeredBytes = 1024 - kHeaderBytes;
+
+// So are volumes of up to this size. What is larger is noise, of which runs or layers may tell more.
+constexpr std::size_t kGoodVolumeBytes = 2048 - kHeaderBytes;
 
 void put_header(Encoding encoding, std::vector<std::byte>& out) {
   out.push_back(std::byte{kCodecVersion});
@@ -22,23 +29,66 @@ void put_header(Encoding encoding, std::vector<std::byte>& out) {
 }
 
 void encode_raw(std::span<const MaterialId, kChunkVolume> voxels, std::vector<std::byte>& out) {
-  out.reserve(out.size() + sizeof(DenseVoxels));
-  for (const MaterialId voxel : voxels) {
-    out.push_back(static_cast<std::byte>(to_integer(voxel) & 0xFF));
-    out.push_back(static_cast<std::byte>(to_integer(voxel) >> 8));
+  const std::size_t start = out.size();
+  out.resize(start + sizeof(DenseVoxels));
+  for (std::size_t i = 0; i < voxels.size(); ++i) {
+    out[start + 2 * i] = static_cast<std::byte>(to_integer(voxels[i]) & 0xFF);
+    out[start + 2 * i + 1] = static_cast<std::byte>(to_integer(voxels[i]) >> 8);
   }
+}
+
+/// Appends layers, if they take at most `limit` bytes after the header.
+bool append_layered(const Layers& layers, std::size_t limit, std::vector<std::byte>& out) {
+  const std::size_t start = out.size();
+  out.push_back(std::byte{kLayeredVersion});
+  out.push_back(static_cast<std::byte>(Encoding3::layered));
+  if (codec::encode_layered(layers, limit, out)) return true;
+  out.resize(start);
+  return false;
+}
+
+/// Appends the shortest of what takes less than `limit` bytes after the header; raw voxels where nothing
+/// does.
+void append_shortest(const Layers* layers, const DenseVoxels& voxels, std::size_t limit,
+                     std::vector<std::byte>& out) {
+  // What is found last is the shortest: it stands behind what it replaces.
+  const std::size_t start = out.size();
+  const auto keep_last = [&](std::size_t last) {
+    out.erase(out.begin() + static_cast<std::ptrdiff_t>(start),
+              out.begin() + static_cast<std::ptrdiff_t>(last));
+    limit = out.size() - start - kHeaderBytes;
+  };
+  put_header(Encoding::volume, out);
+  if (codec::encode_volume(voxels, out)) {
+    limit = out.size() - start - kHeaderBytes;
+    if (limit <= kGoodVolumeBytes) return;
+  } else {
+    out.resize(start);
+  }
+  std::size_t last = out.size();
+  put_header(Encoding::runs, out);
+  if (codec::encode_runs(voxels, limit, out)) {
+    keep_last(last);
+  } else {
+    out.resize(last);
+  }
+  last = out.size();
+  if (layers != nullptr && append_layered(*layers, limit, out)) keep_last(last);
+  if (out.size() > start) return;
+  put_header(Encoding::raw, out);
+  encode_raw(voxels, out);
 }
 
 tl::expected<Chunk, DecodeError> decode_raw(std::span<const std::byte> body) {
   if (body.size() < sizeof(DenseVoxels)) return tl::unexpected{DecodeError::truncated};
   if (body.size() > sizeof(DenseVoxels)) return tl::unexpected{DecodeError::too_long};
-  const auto voxels = std::make_unique_for_overwrite<DenseVoxels>();
+  const auto voxels = std::make_shared_for_overwrite<DenseVoxels>();
   for (std::size_t i = 0; i < voxels->size(); ++i) {
     const auto low = std::to_integer<unsigned>(body[2 * i]);
     const auto high = std::to_integer<unsigned>(body[2 * i + 1]);
     (*voxels)[i] = MaterialId{static_cast<std::uint16_t>(low | (high << 8))};
   }
-  return Chunk::from_dense(*voxels);
+  return Chunk::from_dense(std::shared_ptr<const DenseVoxels>{voxels});
 }
 
 }  // namespace
@@ -48,10 +98,10 @@ std::string_view describe(DecodeError error) {
     case DecodeError::empty:
       return "the chunk payload is empty; it needs at least a codec version and an encoding";
     case DecodeError::unknown_version:
-      return "the chunk payload's first byte is no codec version known here; this library reads versions 2 "
-             "and 3";
+      return "the chunk payload's first byte is no codec version known here; this library reads versions 3 "
+             "and 4";
     case DecodeError::unknown_encoding:
-      return "the chunk payload's second byte names no encoding; 0 is layered, 1 palette, 2 raw";
+      return "the chunk payload's second byte names no encoding of its version";
     case DecodeError::truncated:
       return "the chunk payload ends before the chunk does; it must be passed whole";
     case DecodeError::too_long:
@@ -67,46 +117,44 @@ std::string_view describe(DecodeError error) {
 }
 
 void encode(const Chunk& chunk, std::vector<std::byte>& out) {
-  const std::size_t start = out.size();
-  std::size_t limit = sizeof(DenseVoxels) + 1;
-  if (const Layers* layers = chunk.layers()) {
-    put_header(Encoding::layered, out);
-    if (codec::encode_layered(*layers, out)) {
-      if (out.size() - start <= kGoodBytes) return;
-      limit = out.size() - start - kHeaderBytes;
-    } else {
-      out.resize(start);
-    }
+  const Layers* const layers = chunk.layers();
+  if (layers != nullptr && append_layered(*layers, kGoodLayeredBytes, out)) return;
+  constexpr std::size_t kLimit = sizeof(DenseVoxels);
+  if (const DenseVoxels* voxels = chunk.dense()) {
+    append_shortest(layers, *voxels, kLimit, out);
+    return;
   }
   const auto voxels = std::make_unique_for_overwrite<DenseVoxels>();
   chunk.copy_to(*voxels);
-  std::vector<std::byte> palette;
-  put_header(Encoding::palette, palette);
-  if (codec::encode_palette(*voxels, limit, palette)) {
-    out.resize(start);
-    out.insert(out.end(), palette.begin(), palette.end());
-    return;
-  }
-  if (out.size() > start) return;
-  put_header(Encoding::raw, out);
-  encode_raw(*voxels, out);
+  append_shortest(layers, *voxels, kLimit, out);
 }
 
 tl::expected<Chunk, DecodeError> decode(std::span<const std::byte> payload) {
   if (payload.empty()) return tl::unexpected{DecodeError::empty};
-  const auto version = std::to_integer<unsigned>(payload[0]);
+  const auto version = std::to_integer<std::uint8_t>(payload[0]);
   if (version < kOldestCodecVersion || version > kCodecVersion)
     return tl::unexpected{DecodeError::unknown_version};
   if (payload.size() < kHeaderBytes) return tl::unexpected{DecodeError::truncated};
   if (payload.size() > kMaxPayloadBytes) return tl::unexpected{DecodeError::too_long};
   const std::span<const std::byte> body = payload.subspan(kHeaderBytes);
+  if (version == kLayeredVersion) {
+    switch (static_cast<Encoding3>(payload[1])) {
+      case Encoding3::layered:
+        return codec::decode_layered(body);
+      case Encoding3::palette:
+        return codec::decode_palette(body);
+      case Encoding3::raw:
+        return decode_raw(body);
+    }
+    return tl::unexpected{DecodeError::unknown_encoding};
+  }
   switch (static_cast<Encoding>(payload[1])) {
-    case Encoding::layered:
-      return version == 2 ? codec::decode_layered_v2(body) : codec::decode_layered(body);
-    case Encoding::palette:
-      return codec::decode_palette(body);
+    case Encoding::volume:
+      return codec::decode_volume(body);
     case Encoding::raw:
       return decode_raw(body);
+    case Encoding::runs:
+      return codec::decode_runs(body);
   }
   return tl::unexpected{DecodeError::unknown_encoding};
 }

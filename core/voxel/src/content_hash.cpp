@@ -2,7 +2,6 @@
 
 #include <array>
 #include <bit>
-#include <memory>
 #include <string_view>
 
 // The state of a hash in parts, without an allocation of its own.
@@ -26,21 +25,22 @@ ContentHash from(XXH128_hash_t hash) {
 ContentHash content_hash(const Chunk& chunk) {
   static_assert(std::endian::native == std::endian::little,
                 "voxels are hashed as they lie in memory; a big-endian machine must swap their bytes first");
+  if (const DenseVoxels* voxels = chunk.dense())
+    return from(XXH3_128bits(voxels->data(), sizeof(DenseVoxels)));
   // Layers are hashed slice by slice: dense voxels would be larger than the nearest cache.
-  if (const Layers* layers = chunk.layers()) {
-    XXH3_state_t state;
-    XXH3_128bits_reset(&state);
-    Slices slices{*layers};
-    std::array<MaterialId, kChunkArea> slice;
-    for (int y = 0; y < kChunkSize; ++y) {
-      slices.next(slice.data());
-      XXH3_128bits_update(&state, slice.data(), sizeof(slice));
+  XXH3_state_t state;
+  XXH3_128bits_reset(&state);
+  Slices slices{chunk.base() != nullptr ? *chunk.base() : *chunk.layers()};
+  std::array<MaterialId, kChunkArea> slice;
+  auto changed = chunk.overrides().begin();
+  for (std::size_t first = 0; first < kChunkVolume; first += kChunkArea) {
+    slices.next(slice.data());
+    for (; changed != chunk.overrides().end() && changed->index < first + kChunkArea; ++changed) {
+      slice[changed->index - first] = changed->material;
     }
-    return from(XXH3_128bits_digest(&state));
+    XXH3_128bits_update(&state, slice.data(), sizeof(slice));
   }
-  const auto voxels = std::make_unique_for_overwrite<DenseVoxels>();
-  chunk.copy_to(*voxels);
-  return from(XXH3_128bits(voxels->data(), sizeof(DenseVoxels)));
+  return from(XXH3_128bits_digest(&state));
 }
 
 std::string to_string(ContentHash hash) {

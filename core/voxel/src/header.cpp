@@ -15,7 +15,7 @@ std::byte* put_number(std::uint16_t number, std::byte* out) {
 }
 
 void put_number(std::uint16_t number, std::vector<std::byte>& out) {
-  std::array<std::byte, kMostBytesOfNumber> bytes;
+  std::array<std::byte, kMaxBytesOfNumber> bytes;
   out.insert(out.end(), bytes.data(), put_number(number, bytes.data()));
 }
 

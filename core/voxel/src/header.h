@@ -13,10 +13,10 @@
 
 namespace talus::codec {
 
-inline constexpr std::size_t kMostBytesOfNumber = 3;
+inline constexpr std::size_t kMaxBytesOfNumber = 3;
 
 /// Seven bits a byte, lowest first; the high bit says that more follow. `out` has room for
-/// kMostBytesOfNumber; gives where what was written ends.
+/// kMaxBytesOfNumber; gives where what was written ends.
 std::byte* put_number(std::uint16_t number, std::byte* out);
 void put_number(std::uint16_t number, std::vector<std::byte>& out);
 

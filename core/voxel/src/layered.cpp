@@ -10,20 +10,19 @@
 namespace talus::codec {
 namespace {
 
-constexpr std::size_t kMostBytes = sizeof(DenseVoxels);  // more than that is better kept raw
-constexpr std::size_t kMaterialsBytes = 256;             // at least what a list of materials takes
-constexpr std::size_t kStatesBytes = kLanes * sizeof(std::uint16_t);
+constexpr std::size_t kMaxBytes = sizeof(DenseVoxels);  // more than that is better kept raw
+constexpr std::size_t kMaterialsBytes = 256;            // at least what a list of materials takes
 
 // Added to the count of materials where the states end at the bytes of their ids, and none stand in front.
-constexpr std::size_t kCountToldByStates = Layers::kMaxMaterials;
+constexpr std::size_t kCountInStates = Layers::kMaxMaterials;
 
-constexpr std::array<std::uint8_t, kChunkArea> kGround{};
+constexpr std::array<std::uint8_t, kChunkArea> kFloorPlane{};
 
 using EndBytes = std::array<std::uint8_t, kLanes>;
 
 /// The ids as numbers where these fit the states' ends, which are 0 past them.
 bool put_in_states(std::span<const MaterialId> materials, EndBytes& ends) {
-  std::array<std::byte, kLanes + kMostBytesOfNumber> numbers;
+  std::array<std::byte, kLanes + kMaxBytesOfNumber> numbers;
   std::size_t size = 0;
   for (const MaterialId material : materials) {
     size = static_cast<std::size_t>(put_number(to_integer(material), numbers.data() + size) - numbers.data());
@@ -33,11 +32,11 @@ bool put_in_states(std::span<const MaterialId> materials, EndBytes& ends) {
   return true;
 }
 
-tl::expected<void, DecodeError> take_from_states(const PlaneSource& source, std::span<MaterialId> materials) {
+tl::expected<void, DecodeError> take_from_states(const RansSource& source, std::span<MaterialId> materials) {
   std::array<std::byte, kLanes> ends;
   for (std::size_t lane = 0; lane < kLanes; ++lane) {
-    if (source.states[lane] >= 2 * kLeastState) return tl::unexpected{DecodeError::bad_ending};
-    ends[lane] = static_cast<std::byte>(source.states[lane] - kLeastState);
+    if (source.states[lane] >= 2 * kMinState) return tl::unexpected{DecodeError::bad_ending};
+    ends[lane] = static_cast<std::byte>(source.states[lane] - kMinState);
   }
   std::span<const std::byte> numbers{ends};
   for (MaterialId& material : materials) {
@@ -53,29 +52,31 @@ tl::expected<void, DecodeError> take_from_states(const PlaneSource& source, std:
 
 }  // namespace
 
-bool encode_layered(const Layers& layers, std::vector<std::byte>& out) {
+bool encode_layered(const Layers& layers, std::size_t limit, std::vector<std::byte>& out) {
   const std::size_t begin = out.size();
   EndBytes ends{};
   if (layers.plane_count() > 0 && put_in_states(layers.materials, ends)) {
-    put_number(static_cast<std::uint16_t>(kCountToldByStates + layers.materials.size()), out);
+    put_number(static_cast<std::uint16_t>(kCountInStates + layers.materials.size()), out);
   } else {
     put_materials(layers.materials, out);
-    if (layers.plane_count() == 0) return true;
+    if (layers.plane_count() == 0) return out.size() - begin <= limit;
   }
   // On the stack, where only what is written is touched; one plane past the limit still fits.
-  std::array<std::uint8_t, kMostBytes + kMostBytesOfPlane + kStatesBytes> buffer;
+  std::array<std::uint8_t, kMaxBytes + kMaxBytesOfPlane + kStatesBytes> buffer;
   std::uint8_t* const end = buffer.data() + buffer.size();
-  PlaneSink sink{{}, end};
+  RansSink sink{{}, end};
   for (std::size_t lane = 0; lane < kLanes; ++lane) {
-    sink.states[lane] = static_cast<std::uint16_t>(kLeastState + ends[lane]);
+    sink.states[lane] = static_cast<std::uint16_t>(kMinState + ends[lane]);
   }
-  PlaneShares shares;
+  PlaneIntervals intervals;
   const PlaneKernels& kernels = plane_kernels();
   const std::uint8_t* const tops = layers.tops.data();
   for (std::size_t p = layers.plane_count(); p-- > 0;) {
-    kernels.weigh(tops + p * kChunkArea, p == 0 ? kGround.data() : tops + (p - 1) * kChunkArea, shares);
-    kernels.write(shares, sink);
-    if (static_cast<std::size_t>(end - sink.next) > kMostBytes - kMaterialsBytes) {
+    kernels.model(tops + p * kChunkArea, p == 0 ? kFloorPlane.data() : tops + (p - 1) * kChunkArea,
+                  intervals);
+    kernels.encode(intervals, sink);
+    const std::size_t size = out.size() - begin + static_cast<std::size_t>(end - sink.next) + kStatesBytes;
+    if (size > std::min(limit, kMaxBytes - kMaterialsBytes)) {
       out.resize(begin);
       return false;
     }
@@ -93,11 +94,11 @@ tl::expected<Chunk, DecodeError> decode_layered(std::span<const std::byte> body)
   std::span<const std::byte> after_count = body;
   const auto count = take_number(after_count);
   // Sixteen bytes tell sixteen ids at most.
-  const bool in_states = count && *count > kCountToldByStates + 1 && *count <= kCountToldByStates + kLanes;
+  const bool in_states = count && *count > kCountInStates + 1 && *count <= kCountInStates + kLanes;
   Layers layers;
   if (in_states) {
     body = after_count;
-    layers.materials.resize(*count - kCountToldByStates);
+    layers.materials.resize(*count - kCountInStates);
   } else {
     auto materials = take_layer_materials(body);
     if (!materials) return tl::unexpected{materials.error()};
@@ -113,18 +114,18 @@ tl::expected<Chunk, DecodeError> decode_layered(std::span<const std::byte> body)
   std::array<std::uint8_t, kMaxPayloadBytes + kReadAhead> bytes;
   std::memcpy(bytes.data(), body.data(), body.size());
   std::memset(bytes.data() + body.size(), 0, kReadAhead);
-  PlaneSource source{{}, bytes.data() + kStatesBytes, bytes.data() + body.size()};
+  RansSource source{{}, bytes.data() + kStatesBytes, bytes.data() + body.size()};
   for (std::size_t lane = 0; lane < kLanes; ++lane) {
     source.states[lane] = static_cast<std::uint16_t>(bytes[2 * lane] | bytes[2 * lane + 1] << 8U);
-    if (source.states[lane] < kLeastState) return tl::unexpected{DecodeError::bad_ending};
+    if (source.states[lane] < kMinState) return tl::unexpected{DecodeError::bad_ending};
   }
 
   layers.tops.resize(layers.plane_count() * kChunkArea);
   const PlaneKernels& kernels = plane_kernels();
-  const std::uint8_t* below = kGround.data();
+  const std::uint8_t* below = kFloorPlane.data();
   for (std::size_t p = 0; p < layers.plane_count(); ++p) {
     std::uint8_t* const plane = layers.tops.data() + p * kChunkArea;
-    switch (kernels.read(source, below, plane)) {
+    switch (kernels.decode(source, below, plane)) {
       case PlaneFault::none:
         break;
       case PlaneFault::truncated:
@@ -142,7 +143,7 @@ tl::expected<Chunk, DecodeError> decode_layered(std::span<const std::byte> body)
       return tl::unexpected{DecodeError::bad_materials};
     }
   } else if (std::any_of(source.states.begin(), source.states.end(),
-                         [](std::uint16_t state) { return state != kLeastState; })) {
+                         [](std::uint16_t state) { return state != kMinState; })) {
     return tl::unexpected{DecodeError::bad_ending};
   }
   return Chunk::from_layers(std::move(layers));

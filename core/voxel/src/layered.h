@@ -12,13 +12,10 @@
 
 namespace talus::codec {
 
-/// Appends what follows the two header bytes. False, with `out` as it was, where that would take about as
-/// much as raw voxels do.
-[[nodiscard]] bool encode_layered(const Layers& layers, std::vector<std::byte>& out);
+/// Appends what follows the two header bytes. False, with `out` as it was, where that would take more than
+/// `limit` bytes, or about as much as raw voxels do.
+[[nodiscard]] bool encode_layered(const Layers& layers, std::size_t limit, std::vector<std::byte>& out);
 
 [[nodiscard]] tl::expected<Chunk, DecodeError> decode_layered(std::span<const std::byte> body);
-
-/// The same for payloads of codec version 2 (FORMAT.md, "Version 2"), which nobody writes any more.
-[[nodiscard]] tl::expected<Chunk, DecodeError> decode_layered_v2(std::span<const std::byte> body);
 
 }  // namespace talus::codec

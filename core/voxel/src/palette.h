@@ -1,4 +1,4 @@
-// Any voxels as a list of materials and, for each voxel, its place in it: FORMAT.md, "Palette".
+// Palettes of version 3, which are read but no longer written: FORMAT.md, "Version 3: palette".
 #pragma once
 
 #include <cstddef>
@@ -13,11 +13,6 @@
 namespace talus::codec {
 
 inline constexpr std::size_t kMaxPalette = 256;
-
-/// Appends what follows the two header bytes. False, with `out` as it was, where the voxels have more than
-/// kMaxPalette materials or the result would reach `limit` bytes.
-[[nodiscard]] bool encode_palette(std::span<const MaterialId, kChunkVolume> voxels, std::size_t limit,
-                                  std::vector<std::byte>& out);
 
 [[nodiscard]] tl::expected<Chunk, DecodeError> decode_palette(std::span<const std::byte> body);
 

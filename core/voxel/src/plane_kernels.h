@@ -1,4 +1,4 @@
-// Planes to odds and back, a row of 32 columns at a time, once for each instruction set: FORMAT.md,
+// Planes to symbols and back, a row of 32 columns at a time, once for each instruction set: FORMAT.md,
 // "Layered".
 #pragma once
 
@@ -11,61 +11,58 @@
 #include <talus/voxel/coords.h>
 
 #include "plane_model.h"
+#include "rans.h"
 
 namespace talus::codec {
 
-inline constexpr std::size_t kLanes = kChunkSize / 2;  // even columns are read at once, then odd ones
-inline constexpr std::uint32_t kLeastState = 256;
+inline constexpr std::size_t kMaxBytesOfKinds = 5;
 
-/// Where reading has come to. The bytes go on for kReadAhead past `end`, whatever they hold.
-struct PlaneSource {
-  std::array<std::uint16_t, kLanes> states{};  // each kLeastState or more
-  const std::uint8_t* next = nullptr;
-  const std::uint8_t* end = nullptr;
-};
-
-inline constexpr std::size_t kMostBytesOfKinds = 5;
-
-/// A row may take a byte for each column's state and one for its change, after the kinds of the plane's rows;
-/// where the bytes have ended that shows behind it. A vector of bytes goes past that.
+/// Bytes that a decoder may read past the end. A row may take a byte for each column's state and one for its
+/// change, after the kinds of the plane's rows; where the bytes have ended that shows behind it. A vector of
+/// bytes goes past that.
 inline constexpr std::size_t kReadAhead = 128;
-static_assert(kReadAhead >= kMostBytesOfKinds + 2 * kChunkSize + kLanes);
+static_assert(kReadAhead >= kMaxBytesOfKinds + 2 * kChunkSize + kLanes);
 
 enum class PlaneFault : std::uint8_t { none, truncated, bad_number };
 
 /// What is written of a plane, each row's even columns before its odd ones.
-struct PlaneShares {
-  std::array<std::uint16_t, kChunkArea> start;   // of kOddsTotal
+struct PlaneIntervals {
+  std::array<std::uint16_t, kChunkArea> start;   // of kProbabilityTotal
   std::array<std::uint16_t, kChunkArea> size;    // 1 to 255
   std::array<std::uint32_t, kChunkSize> others;  // by row: bit x is set where a change follows
   std::array<std::int8_t, kChunkArea> changes;   // by column, in rows that have any
   std::uint32_t carried = 0;                     // bit z: of rows after the first, those that are
 };
 
-/// Where writing has come to: backwards, so that what is read last is written first.
-struct PlaneSink {
-  std::array<std::uint16_t, kLanes> states{};
-  std::uint8_t* next = nullptr;  // what was written begins here; room for kMostBytesOfPlane lies before it
-};
-
 /// Of a column its state's byte and its change.
-inline constexpr std::size_t kMostBytesOfPlane = kMostBytesOfKinds + 2 * kChunkArea;
+inline constexpr std::size_t kMaxBytesOfPlane = kMaxBytesOfKinds + 2 * kChunkArea;
+
+/// Decodes the plane above `below`. Where a fault is found, the rows from there on mean nothing.
+using PlaneDecode = PlaneFault (*)(RansSource& source, const std::uint8_t* below, std::uint8_t* plane);
+
+struct PlaneEncode {
+  /// Finds the intervals of a plane's symbols.
+  void (*model)(const std::uint8_t* plane, const std::uint8_t* below, PlaneIntervals& intervals);
+  /// Writes them; room for kMaxBytesOfPlane lies before what the sink has written.
+  void (*encode)(const PlaneIntervals& intervals, RansSink& sink);
+};
 
 struct PlaneKernels {
-  /// Reads the plane above `below`. Where a fault is found, the rows from there on mean nothing.
-  PlaneFault (*read)(PlaneSource& source, const std::uint8_t* below, std::uint8_t* plane);
-  void (*weigh)(const std::uint8_t* plane, const std::uint8_t* below, PlaneShares& shares);
-  void (*write)(const PlaneShares& shares, PlaneSink& sink);
+  PlaneDecode decode;
+  void (*model)(const std::uint8_t* plane, const std::uint8_t* below, PlaneIntervals& intervals);
+  void (*encode)(const PlaneIntervals& intervals, RansSink& sink);
 };
 
-[[nodiscard]] const PlaneKernels& plane_kernels(InstructionSet set);
+[[nodiscard]] PlaneDecode plane_decode(InstructionSet set);
+[[nodiscard]] const PlaneEncode& plane_encode(InstructionSet set);
+[[nodiscard]] PlaneKernels plane_kernels(InstructionSet set);
 
 /// Those of instruction_set().
 [[nodiscard]] const PlaneKernels& plane_kernels();
 
 /// Takes which rows of a plane are carried from the front of a source: bit z for row z, never the first,
 /// which has a kind of its own. Any other bit is a fault.
-[[nodiscard]] inline std::uint32_t take_carried(PlaneSource& source, bool& fault) {
+[[nodiscard]] inline std::uint32_t take_carried(RansSource& source, bool& fault) {
   const std::uint32_t present = *source.next++;
   std::uint32_t carried = 0;
   for (std::uint32_t byte = 0; byte < 4; ++byte) {
@@ -76,7 +73,7 @@ struct PlaneKernels {
 }
 
 /// The same, written.
-inline void put_carried(PlaneSink& sink, std::uint32_t carried) {
+inline void put_carried(RansSink& sink, std::uint32_t carried) {
   std::uint32_t present = 0;
   for (std::uint32_t byte = 4; byte-- > 0;) {
     const std::uint32_t rows = carried >> (8 * byte) & 0xFFU;
@@ -88,10 +85,10 @@ inline void put_carried(PlaneSink& sink, std::uint32_t carried) {
 }
 
 /// Writes the changes that follow row z.
-inline void put_others(PlaneSink& sink, const PlaneShares& shares, std::size_t z) {
-  for (std::uint32_t others = shares.others[z]; others != 0;) {
+inline void put_others(RansSink& sink, const PlaneIntervals& intervals, std::size_t z) {
+  for (std::uint32_t others = intervals.others[z]; others != 0;) {
     const auto x = static_cast<std::uint32_t>(std::bit_width(others) - 1);
-    *--sink.next = static_cast<std::uint8_t>(shares.changes[z * kChunkSize + x]);
+    *--sink.next = static_cast<std::uint8_t>(intervals.changes[z * kChunkSize + x]);
     others ^= 1U << x;
   }
 }
@@ -101,8 +98,8 @@ inline void put_others(PlaneSink& sink, const PlaneShares& shares, std::size_t z
   return (carried >> z & 1U) != 0 ? kCarried : kLevel;
 }
 
-/// Mends a row's steps, which are as its symbols say alone: takes those of the symbols kOther. Where the
-/// bytes go on.
+/// Patches a row's steps, which are as its symbols say alone: takes those of the symbols kOther. Gives where
+/// the bytes go on.
 inline const std::uint8_t* take_others(const std::uint8_t* next, std::uint32_t others, Steps& steps) {
   for (; others != 0; others &= others - 1) {
     steps[static_cast<std::size_t>(std::countr_zero(others))] = static_cast<std::int8_t>(*next++);

@@ -1,5 +1,5 @@
-// What is known of a row of a plane before it is read, and the odds that follow from it: FORMAT.md, "Signs"
-// and "Odds". Column by column, as the document has it; plane_kernels.cpp has the same in vectors.
+// The context of a row of a plane and the probabilities that follow from it: FORMAT.md, "Layered: the model".
+// Column by column, as the document has it; plane_kernels.cpp has the same in vectors.
 #pragma once
 
 #include <algorithm>
@@ -8,6 +8,8 @@
 #include <cstdint>
 
 #include <talus/voxel/coords.h>
+
+#include "rans.h"
 
 namespace talus::codec {
 
@@ -92,7 +94,6 @@ struct PairWeights {
 };
 using Weights = std::array<PairWeights, kPairs.size()>;
 
-inline constexpr int kOddsTotal = 256;
 inline constexpr std::size_t kClasses = 16;
 
 [[nodiscard]] constexpr int add_weight(int score, int weight) {

@@ -1,4 +1,4 @@
-// What train_odds (tests/bench) found on the sample worlds at levels 0 to 4. Part of the payload's format:
+// What train_planes (tests/bench) found on the sample worlds at levels 0 to 4. Part of the payload's format:
 // FORMAT.md lists the same numbers, and a change needs a new kCodecVersion.
 #pragma once
 
@@ -161,12 +161,12 @@ inline constexpr std::array<std::array<Weights, 2>, kRowKinds> kWeights{{
 }},
 }};
 
-/// By class of the score of kSame: where its share ends.
+/// By class of the score of kSame: where its interval ends.
 inline constexpr std::array<std::uint8_t, kClasses> kSameEnd{23,41,65,96,118,143,167,193,209,227,243,246,250,253,252,253,};
-/// Where the share of kOther begins.
+/// Where the interval of kOther begins.
 inline constexpr std::array<std::uint8_t, kClasses> kOtherStart{250,253,253,252,254,254,255,255,254,255,255,255,255,255,255,255,};
 /// By class of the score of kUp: of 256, its part of what lies between.
-inline constexpr std::array<std::uint8_t, kClasses> kUpShare{1,10,11,26,44,55,75,121,145,171,194,228,235,245,253,255,};
+inline constexpr std::array<std::uint8_t, kClasses> kUpSplit{1,10,11,26,44,55,75,121,145,171,194,228,235,245,253,255,};
 // clang-format on
 
 }  // namespace talus::codec

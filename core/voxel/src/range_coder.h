@@ -1,7 +1,5 @@
-// An adaptive binary range coder. FORMAT.md, "Palette: the coder of voxels", gives the arithmetic in full.
-//
-// Encoder and decoder have the same face, so that a model is written once for both: `code(bit, value)`
-// returns the bit, which the encoder was given and the decoder finds.
+// The decoder of an adaptive binary range coder. FORMAT.md, "Version 3: palette", gives the arithmetic in
+// full.
 #pragma once
 
 #include <algorithm>
@@ -59,66 +57,16 @@ class BitModel {
   std::uint16_t age_ = 0;
 };
 
-inline constexpr std::uint32_t kLeastRange = 1U << 24;
+inline constexpr std::uint32_t kMinRange = 1U << 24;
 
-class Encoder {
+class RangeDecoder {
  public:
-  static constexpr bool kDecodes = false;
-
-  explicit Encoder(std::vector<std::byte>& out) : out_{out} {}
-
-  [[gnu::always_inline]] bool code(BitModel& model, bool bit) {
-    const std::uint32_t bound = (range_ >> BitModel::kBits) * model.zero();
-    if (bit) {
-      add(bound);
-      range_ -= bound;
-    } else {
-      range_ = bound;
-    }
-    model.learn(bit);
-    while (range_ < kLeastRange) {
-      put();
-      range_ <<= 8;
-    }
-    return bit;
-  }
-
-  /// Two bytes that keep any reader inside the last range, whatever follows them.
-  void finish() {
-    add(0xFFFF);
-    put();
-    put();
-  }
-
- private:
-  void add(std::uint32_t amount) {
-    low_ += amount;
-    if (low_ >= amount) return;
-    // The carry runs back through bytes of 255 and stops at the first other one, which always exists.
-    std::size_t last = out_.size() - 1;
-    for (; out_[last] == std::byte{0xFF}; --last) out_[last] = std::byte{0};
-    out_[last] = static_cast<std::byte>(std::to_integer<unsigned>(out_[last]) + 1U);
-  }
-  void put() {
-    out_.push_back(static_cast<std::byte>(low_ >> 24));
-    low_ <<= 8;
-  }
-
-  std::vector<std::byte>& out_;
-  std::uint32_t low_ = 0;
-  std::uint32_t range_ = 0xFFFFFFFF;
-};
-
-class Decoder {
- public:
-  static constexpr bool kDecodes = true;
-
-  explicit Decoder(std::span<const std::byte> bytes) : bytes_{bytes} {
+  explicit RangeDecoder(std::span<const std::byte> bytes) : bytes_{bytes} {
     for (int i = 0; i < 4; ++i) get();
     possible_ = code_ < range_;
   }
 
-  [[gnu::always_inline]] bool code(BitModel& model, bool = false) {
+  [[gnu::always_inline]] bool read(BitModel& model) {
     const std::uint32_t bound = (range_ >> BitModel::kBits) * model.zero();
     const bool bit = code_ >= bound;
     if (bit) {
@@ -128,7 +76,7 @@ class Decoder {
       range_ = bound;
     }
     model.learn(bit);
-    while (range_ < kLeastRange) {
+    while (range_ < kMinRange) {
       get();
       range_ <<= 8;
     }

@@ -1,6 +1,6 @@
-// A chunk's voxels, in the form in which they came: layers (boundary planes, as the generator makes
-// them) or dense voxels (as edits and arbitrary content need them). Immutable once made, so one chunk
-// may be read by any number of threads.
+// A chunk's voxels, in the form in which they came: layers (boundary planes, as the generator makes them),
+// layers and a list of single voxels that differ from them (objects and edits), or dense voxels (anything).
+// Immutable once made, so one chunk may be read by any number of threads.
 #pragma once
 
 #include <array>
@@ -44,14 +44,31 @@ struct Run {
   bool operator==(const Run&) const = default;
 };
 
+/// A voxel that differs from the layers under it. `index` is its voxel_index().
+struct Override {
+  std::uint16_t index = 0;
+  MaterialId material{};
+  bool operator==(const Override&) const = default;
+};
+
 class Chunk {
  public:
+  /// A chunk with more overrides than this is held as dense voxels: copying them out then takes longer than
+  /// copying dense voxels does, for a quarter of the memory.
+  static constexpr std::size_t kMaxOverrides = 4096;
+
   [[nodiscard]] static Chunk uniform(MaterialId material);
   /// `layers` must be valid(); this is asserted, not checked. Planes that bound nothing are removed, so
   /// equal voxels given with needless planes cost nothing.
   [[nodiscard]] static Chunk from_layers(Layers layers);
   /// Copies `voxels`; a chunk of one material becomes uniform.
   [[nodiscard]] static Chunk from_dense(std::span<const MaterialId, kChunkVolume> voxels);
+  /// Shares `voxels`, which nobody may change any more; a chunk of one material becomes uniform.
+  [[nodiscard]] static Chunk from_dense(std::shared_ptr<const DenseVoxels> voxels);
+
+  /// The chunk with other materials at some voxels, in any order; of two for one voxel the later counts.
+  /// Layers stay layers, with at most kMaxOverrides overrides.
+  [[nodiscard]] Chunk with_overrides(std::span<const Override> overrides) const;
 
   [[nodiscard]] bool is_uniform() const;
   [[nodiscard]] MaterialId at(LocalPos pos) const;
@@ -59,10 +76,16 @@ class Chunk {
   [[nodiscard]] std::vector<Run> runs(int x, int z) const;
   void copy_to(std::span<MaterialId, kChunkVolume> voxels) const;
 
-  /// The boundary view, or null where the chunk is held as dense voxels.
+  /// The boundary view, or null where the chunk has overrides or is held as dense voxels.
   [[nodiscard]] const Layers* layers() const { return std::get_if<Layers>(&form_); }
-  /// The boundary view, for the sake of its memory; without materials where the chunk is held as dense
-  /// voxels. The chunk can then only be assigned to or destroyed.
+  /// The dense voxels, or null where the chunk is held otherwise. They live as long as the chunk.
+  [[nodiscard]] const DenseVoxels* dense() const;
+  /// The voxels that differ from base(), by rising index; none where the chunk is held otherwise.
+  [[nodiscard]] std::span<const Override> overrides() const;
+  /// The layers under overrides, or null where there are none.
+  [[nodiscard]] const Layers* base() const;
+  /// The boundary view, for the sake of its memory; without materials where layers() is null. The chunk can
+  /// then only be assigned to or destroyed.
   [[nodiscard]] Layers take_layers() &&;
 
   /// The same voxels, whatever the form.
@@ -70,8 +93,14 @@ class Chunk {
 
  private:
   using Dense = std::shared_ptr<const DenseVoxels>;
-  explicit Chunk(std::variant<Layers, Dense> form) : form_{std::move(form)} {}
-  std::variant<Layers, Dense> form_;
+  struct Overridden {
+    Layers base;
+    std::vector<Override>
+        overrides;  // each index once, rising; none with the material that the base has there
+  };
+  using Form = std::variant<Layers, Overridden, Dense>;
+  explicit Chunk(Form form) : form_{std::move(form)} {}
+  Form form_;
 };
 
 }  // namespace talus

@@ -1,4 +1,4 @@
-// Finds the weights of the codec's planes: train_odds | clang-format-14 > core/voxel/src/plane_weights.h
+// Finds the weights of the codec's planes: train_planes | clang-format-14 > core/voxel/src/plane_weights.h
 //
 // It fits the weights to the steps of the sample worlds' chunks, then counts what each class of scores comes
 // to. The result is part of the payload's format: FORMAT.md lists it, and a change needs a new kCodecVersion.
@@ -27,7 +27,7 @@ constexpr double kUnit = 16;
 constexpr int kSameStart = 40;
 constexpr int kUpStart = 64;
 constexpr int kSweeps = 40;
-constexpr double kOddsBits = 8;
+constexpr double kProbabilityBits = 8;
 
 /// By its place in the table of each pair: what a column did, weighted.
 using Places = std::array<std::uint8_t, kPairs.size()>;
@@ -72,10 +72,11 @@ void add_plane(const std::uint8_t* plane, const std::uint8_t* below, double weig
 }
 
 void add_chunk(const Chunk& chunk, double weight, ByKind<Columns>& found) {
-  static constexpr std::array<std::uint8_t, kChunkArea> kGround{};
+  static constexpr std::array<std::uint8_t, kChunkArea> kFloorPlane{};
   const Layers* const layers = chunk.layers();
   for (std::size_t p = 0; p < layers->plane_count(); ++p) {
-    add_plane(layers->plane(p).data(), p == 0 ? kGround.data() : layers->plane(p - 1).data(), weight, found);
+    add_plane(layers->plane(p).data(), p == 0 ? kFloorPlane.data() : layers->plane(p - 1).data(), weight,
+              found);
   }
 }
 
@@ -157,9 +158,9 @@ void print(const std::array<std::int8_t, 16>& weights) {
   std::printf("},");
 }
 
-void print(const char* comment, const char* name, const std::array<int, kClasses>& shares) {
+void print(const char* comment, const char* name, const std::array<int, kClasses>& intervals) {
   std::printf("/// %s\ninline constexpr std::array<std::uint8_t, kClasses> %s{", comment, name);
-  for (const int share : shares) std::printf("%d,", share);
+  for (const int share : intervals) std::printf("%d,", share);
   std::printf("};\n");
 }
 
@@ -202,20 +203,20 @@ int main() {
     }
   }
   const auto share = [](double part, double whole) {
-    return static_cast<int>(std::lround(part / std::max(whole, 1e-9) * kOddsTotal));
+    return static_cast<int>(std::lround(part / std::max(whole, 1e-9) * kProbabilityTotal));
   };
   std::array<int, kClasses> same_end{};
   std::array<int, kClasses> other_start{};
   std::array<int, kClasses> up_share{};
   for (std::size_t c = 0; c < kClasses; ++c) {
     const auto& n = by_same[c];
-    other_start[c] = kOddsTotal - std::max(1, share(n[kOther], total(n)));
+    other_start[c] = kProbabilityTotal - std::max(1, share(n[kOther], total(n)));
     same_end[c] = std::clamp(share(n[kSame], total(n)), 1, other_start[c] - 2);
     up_share[c] = std::clamp(share(by_up[c][kUp], by_up[c][kUp] + by_up[c][kDown]), 1, 255);
   }
 
   std::printf(
-      R"(// What train_odds (tests/bench) found on the sample worlds at levels 0 to 4. Part of the payload's format:
+      R"(// What train_planes (tests/bench) found on the sample worlds at levels 0 to 4. Part of the payload's format:
 // FORMAT.md lists the same numbers, and a change needs a new kCodecVersion.
 #pragma once
 
@@ -245,7 +246,7 @@ inline constexpr std::array<std::array<Weights, 2>, kRowKinds> kWeights{{
   std::printf("}};\n\n");
   print("By class of the score of kSame: where its share ends.", "kSameEnd", same_end);
   print("Where the share of kOther begins.", "kOtherStart", other_start);
-  print("By class of the score of kUp: of 256, its part of what lies between.", "kUpShare", up_share);
+  print("By class of the score of kUp: of 256, its part of what lies between.", "kUpSplit", up_share);
   std::printf("// clang-format on\n\n}  // namespace talus::codec\n");
 
   double bits = 0;
@@ -256,10 +257,10 @@ inline constexpr std::array<std::array<Weights, 2>, kRowKinds> kWeights{{
         const std::size_t c = class_in(same[kind][odd], places, odd);
         const std::size_t d = class_in(up[kind][odd], places, odd);
         const int down = same_end[c] + 1 + ((other_start[c] - same_end[c] - 2) * up_share[d] >> 8);
-        const std::array<int, 5> starts{0, same_end[c], down, other_start[c], kOddsTotal};
+        const std::array<int, 5> starts{0, same_end[c], down, other_start[c], kProbabilityTotal};
         for (const Symbol symbol : {kSame, kUp, kDown, kOther}) {
           const int size = starts[symbol + 1U] - starts[symbol];
-          bits += counts[symbol] * (kOddsBits - std::log2(size) + (symbol == kOther ? 8 : 0));
+          bits += counts[symbol] * (kProbabilityBits - std::log2(size) + (symbol == kOther ? 8 : 0));
         }
         columns += total(counts);
       }

@@ -1,4 +1,4 @@
-#include "plane_plain.h"
+#include "plane_scalar.h"
 
 #include "plane_weights.h"
 
@@ -12,7 +12,7 @@ constexpr std::size_t column_at(std::size_t at) {
   return at % kLanes * 2 + at / kLanes;
 }
 
-/// Where the shares of the symbols start, and the last one ends.
+/// Where the intervals of the symbols start, and the last one ends.
 using Starts = std::array<int, 5>;
 
 /// Of column x; an odd one's neighbours must be known.
@@ -27,17 +27,7 @@ Starts starts_of(const RowsBefore& before, RowKind kind, const Symbols& symbols,
   }
   const int end = kSameEnd[class_of(same)];
   const int other = kOtherStart[class_of(same)];
-  return {0, end, end + 1 + ((other - end - 2) * kUpShare[class_of(up)] >> 8), other, kOddsTotal};
-}
-
-Symbol take_symbol(PlaneSource& source, std::size_t lane, const Starts& starts) {
-  std::uint16_t& state = source.states[lane];
-  const int place = state % kOddsTotal;
-  std::size_t symbol = 0;
-  while (starts[symbol + 1] <= place) ++symbol;
-  const int left = (starts[symbol + 1] - starts[symbol]) * (state / kOddsTotal) + place - starts[symbol];
-  state = static_cast<std::uint16_t>(left < int{kLeastState} ? left * 256 + *source.next++ : left);
-  return static_cast<Symbol>(symbol);
+  return {0, end, end + 1 + ((other - end - 2) * kUpSplit[class_of(up)] >> 8), other, kProbabilityTotal};
 }
 
 /// Each column's step from how each differs from the one to its west. Steps past what a byte holds stay out
@@ -52,7 +42,7 @@ void sum_up(Steps& steps) {
 
 }  // namespace
 
-PlaneFault read_plane_plainly(PlaneSource& source, const std::uint8_t* below, std::uint8_t* plane) {
+PlaneFault decode_plane_scalar(RansSource& source, const std::uint8_t* below, std::uint8_t* plane) {
   bool fault = false;
   const std::uint32_t carried = take_carried(source, fault);
   if (source.next > source.end) return PlaneFault::truncated;
@@ -66,7 +56,8 @@ PlaneFault read_plane_plainly(PlaneSource& source, const std::uint8_t* below, st
     Steps steps{};
     for (std::size_t at = 0; at < kChunkSize; ++at) {
       const std::size_t x = column_at(at);
-      symbols[x] = take_symbol(source, at % kLanes, starts_of(before, kind, symbols, x));
+      symbols[x] =
+          static_cast<Symbol>(decode_symbol(source, at % kLanes, starts_of(before, kind, symbols, x).data()));
       if (symbols[x] == kOther) others |= 1U << x;
       steps[x] = static_cast<std::int8_t>(symbols[x] == kUp ? 1 : symbols[x] == kDown ? -1 : 0);
     }
@@ -83,8 +74,8 @@ PlaneFault read_plane_plainly(PlaneSource& source, const std::uint8_t* below, st
   return PlaneFault::none;
 }
 
-void weigh_plane_plainly(const std::uint8_t* plane, const std::uint8_t* below, PlaneShares& shares) {
-  shares.carried = 0;
+void model_plane_scalar(const std::uint8_t* plane, const std::uint8_t* below, PlaneIntervals& intervals) {
+  intervals.carried = 0;
   Steps north{};
   for (std::size_t z = 0; z < kChunkSize; ++z) {
     const RowsBefore before = RowsBefore::of(plane, below, z, north);
@@ -93,41 +84,35 @@ void weigh_plane_plainly(const std::uint8_t* plane, const std::uint8_t* below, P
       steps[x] = static_cast<std::int8_t>(plane[z * kChunkSize + x] - predicted_row(before, x));
     }
     const RowKind kind = z == 0 ? kFirst : better_kind(steps);
-    if (kind == kCarried) shares.carried |= 1U << z;
+    if (kind == kCarried) intervals.carried |= 1U << z;
     Symbols symbols;
     for (std::size_t x = 0; x < kChunkSize; ++x) {
       const int change = steps[x] - (kind != kLevel && x > 0 ? steps[x - 1] : 0);
       symbols[x] = symbol_of(change);
-      shares.changes[z * kChunkSize + x] = static_cast<std::int8_t>(change);
+      intervals.changes[z * kChunkSize + x] = static_cast<std::int8_t>(change);
     }
-    shares.others[z] = 0;
+    intervals.others[z] = 0;
     for (std::size_t at = 0; at < kChunkSize; ++at) {
       const std::size_t x = column_at(at);
       const Starts starts = starts_of(before, kind, symbols, x);
-      if (symbols[x] == kOther) shares.others[z] |= 1U << x;
-      shares.start[z * kChunkSize + at] = static_cast<std::uint16_t>(starts[symbols[x]]);
-      shares.size[z * kChunkSize + at] =
+      if (symbols[x] == kOther) intervals.others[z] |= 1U << x;
+      intervals.start[z * kChunkSize + at] = static_cast<std::uint16_t>(starts[symbols[x]]);
+      intervals.size[z * kChunkSize + at] =
           static_cast<std::uint16_t>(starts[symbols[x] + 1U] - starts[symbols[x]]);
     }
     north = steps;
   }
 }
 
-void write_plane_plainly(const PlaneShares& shares, PlaneSink& sink) {
+void encode_plane_scalar(const PlaneIntervals& intervals, RansSink& sink) {
   for (std::size_t z = kChunkSize; z-- > 0;) {
-    put_others(sink, shares, z);
+    put_others(sink, intervals, z);
     for (std::size_t at = kChunkSize; at-- > 0;) {
-      std::uint32_t state = sink.states[at % kLanes];
-      const std::uint32_t size = shares.size[z * kChunkSize + at];
-      if (state / kOddsTotal >= size) {
-        *--sink.next = static_cast<std::uint8_t>(state % kOddsTotal);
-        state /= kOddsTotal;
-      }
-      state = state / size * kOddsTotal + state % size + shares.start[z * kChunkSize + at];
-      sink.states[at % kLanes] = static_cast<std::uint16_t>(state);
+      encode_symbol(sink, at % kLanes,
+                    {intervals.start[z * kChunkSize + at], intervals.size[z * kChunkSize + at]});
     }
   }
-  put_carried(sink, shares.carried);
+  put_carried(sink, intervals.carried);
 }
 
 }  // namespace talus::codec

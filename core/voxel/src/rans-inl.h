@@ -1,0 +1,246 @@
+// The vectors of 16 lanes in which rANS is done. Included once for each instruction set, hence no include
+// guard but this:
+#if defined(TALUS_RANS_INL) == defined(HWY_TARGET_TOGGLE)
+#ifdef TALUS_RANS_INL
+#undef TALUS_RANS_INL
+#else
+#define TALUS_RANS_INL
+#endif
+
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+
+#include <hwy/highway.h>
+
+#include "rans.h"
+
+#if HWY_TARGET != HWY_SCALAR
+HWY_BEFORE_NAMESPACE();
+namespace talus::HWY_NAMESPACE {
+namespace {
+
+using namespace codec;
+namespace hn = hwy::HWY_NAMESPACE;
+
+// A byte for each lane.
+using Half = hn::FixedTag<std::uint8_t, kLanes>;
+using HalfRows = hn::RebindToSigned<Half>;
+using HalfVec = hn::Vec<Half>;
+
+// A byte for each lane, twice where vectors have room for it.
+using Bytes = hn::CappedTag<std::uint8_t, 2 * kLanes>;
+using ByteVec = hn::Vec<Bytes>;
+
+// The states, one to a lane: one vector, or two.
+using Words = hn::CappedTag<std::uint16_t, kLanes>;
+using SignedWords = hn::RebindToSigned<Words>;
+using WordVec = hn::Vec<Words>;
+#undef TALUS_TWICE
+#define TALUS_TWICE (HWY_MAX_BYTES >= 32)
+constexpr std::size_t kParts = TALUS_TWICE ? 1 : 2;
+struct WordParts {
+  WordVec part[kParts];
+};
+
+HWY_INLINE WordParts load_words(const std::uint16_t* words) {
+  const Words d;
+  WordParts parts;
+  for (std::size_t p = 0; p < kParts; ++p) parts.part[p] = hn::LoadU(d, words + p * hn::MaxLanes(d));
+  return parts;
+}
+
+HWY_INLINE void store_words(const WordParts& parts, std::uint16_t* words) {
+  const Words d;
+  for (std::size_t p = 0; p < kParts; ++p) hn::StoreU(parts.part[p], d, words + p * hn::MaxLanes(d));
+}
+
+HWY_INLINE HalfVec lower_half(ByteVec v) {
+#if TALUS_TWICE
+  return hn::LowerHalf(Half{}, v);
+#else
+  return v;
+#endif
+}
+
+HWY_INLINE WordParts widen(HalfVec bytes) {
+  const Words d;
+  WordParts words;
+#if TALUS_TWICE
+  words.part[0] = hn::PromoteTo(d, bytes);
+#else
+  const hn::Half<Half> half;
+  words.part[0] = hn::PromoteTo(d, hn::LowerHalf(half, bytes));
+  words.part[1] = hn::PromoteTo(d, hn::UpperHalf(half, bytes));
+#endif
+  return words;
+}
+
+/// Of words that are below 256, or all ones.
+HWY_INLINE HalfVec narrow(const WordParts& words) {
+  const Bytes d;
+  return lower_half(hn::ConcatEven(d, hn::BitCast(d, words.part[kParts - 1]), hn::BitCast(d, words.part[0])));
+}
+
+/// Of words that are below 128, or all ones: sooner.
+HWY_INLINE HalfVec narrow_small(const WordParts& words) {
+#if TALUS_TWICE
+  return hn::BitCast(Half{}, hn::DemoteTo(HalfRows{}, hn::BitCast(SignedWords{}, words.part[0])));
+#else
+  return narrow(words);
+#endif
+}
+
+/// Bit i is lane i.
+HWY_INLINE std::uint32_t lanes_of(hn::Mask<Half> mask) {
+#if HWY_TARGET == HWY_AVX3
+  return mask.raw;
+#else
+  std::uint8_t bits[8] = {};  // StoreMaskBits may write eight
+  hn::StoreMaskBits(Half{}, mask, bits);
+  return bits[0] | std::uint32_t{bits[1]} << 8U;
+#endif
+}
+
+/// Where the intervals of the symbols 1, 2 and 3 start, by lane. All 0: there is no symbol to read, and the
+/// lane's state stays as it is.
+struct StartParts {
+  WordParts one;
+  WordParts two;
+  WordParts three;
+};
+
+/// The states with a byte more where they are below kMinState, lane after lane.
+HWY_INLINE void refill(WordParts& states, const std::uint8_t*& next) {
+  const Words words;
+#if HWY_TARGET == HWY_AVX3
+  // One instruction deals the bytes out to the lanes.
+  auto& state = states.part[0];
+  const auto takes = hn::Lt(state, hn::Set(words, kMinState));
+  const __m512i bytes = _mm512_cvtepu8_epi32(hn::LoadU(Half{}, next).raw);
+  const WordVec more{_mm512_cvtepi32_epi16(_mm512_maskz_expand_epi32(takes.raw, bytes))};
+  state = hn::Or(hn::IfThenElse(takes, hn::ShiftLeft<8>(state), state), more);
+  next += std::popcount(static_cast<std::uint16_t>(takes.raw));
+#else
+  const SignedWords compared;
+  const Half d;
+  WordParts takes;
+  for (std::size_t p = 0; p < kParts; ++p) {
+    // Of the state itself a comparison with a sign would be wrong.
+    const auto high = hn::BitCast(compared, hn::ShiftRight<8>(states.part[p]));
+    takes.part[p] = hn::BitCast(words, hn::VecFromMask(compared, hn::Eq(high, hn::Zero(compared))));
+  }
+  const HalfVec taking = narrow_small(takes);  // -1 in the lanes that take a byte
+  // How many do so up to each lane, less than 0.
+  HalfVec sum = taking;
+  sum = hn::Add(sum, hn::ShiftLeftBytes<1>(d, sum));
+  sum = hn::Add(sum, hn::ShiftLeftBytes<2>(d, sum));
+  sum = hn::Add(sum, hn::ShiftLeftBytes<4>(d, sum));
+  sum = hn::Add(sum, hn::ShiftLeftBytes<8>(d, sum));
+  const HalfVec place = hn::Or(hn::Not(sum), hn::Not(taking));
+  const WordParts more = widen(hn::TableLookupBytesOr0(hn::LoadU(d, next), place));
+  next += static_cast<std::uint8_t>(-static_cast<std::int8_t>(hn::ExtractLane(sum, kLanes - 1)));
+  for (std::size_t p = 0; p < kParts; ++p) {
+    const auto mask = hn::MaskFromVec(takes.part[p]);
+    states.part[p] =
+        hn::Or(hn::IfThenElse(mask, hn::ShiftLeft<8>(states.part[p]), states.part[p]), more.part[p]);
+  }
+#endif
+}
+
+/// The symbol of each lane, 0 to 3.
+HWY_INLINE HalfVec decode_symbols(WordParts& states, const StartParts& starts, const std::uint8_t*& next) {
+  const Words d;
+  const SignedWords signed_words;
+  WordParts symbols;
+  for (std::size_t p = 0; p < kParts; ++p) {
+    const auto state = states.part[p];
+    const auto slot = hn::And(state, hn::Set(d, kProbabilityTotal - 1));
+    // All ones where the slot lies before the start of a symbol's interval. No start is above 256.
+    const auto is_before = [&](WordVec start) HWY_ATTR {
+      const auto a = hn::BitCast(signed_words, slot);
+      return hn::BitCast(d, hn::VecFromMask(signed_words, hn::Lt(a, hn::BitCast(signed_words, start))));
+    };
+    const auto one = starts.one.part[p];
+    const auto two = starts.two.part[p];
+    const auto three = starts.three.part[p];
+    const auto before_one = is_before(one);
+    const auto before_two = is_before(two);
+    const auto before_three = is_before(three);
+    // The last that is not after the slot, and the first that is.
+    const auto start = hn::Max(hn::AndNot(before_one, one),
+                               hn::Max(hn::AndNot(before_two, two), hn::AndNot(before_three, three)));
+    const auto end =
+        hn::Min(hn::Min(hn::Or(hn::Not(before_one), one), hn::Or(hn::Not(before_two), two)),
+                hn::Min(hn::Or(hn::Not(before_three), three), hn::Set(d, kProbabilityTotal)));
+    states.part[p] = hn::Add(hn::Mul(hn::Sub(end, start), hn::ShiftRight<8>(state)), hn::Sub(slot, start));
+    symbols.part[p] =
+        hn::Add(hn::Add(hn::Set(d, std::uint16_t{3}), before_one), hn::Add(before_two, before_three));
+  }
+  const HalfVec taken = narrow_small(symbols);
+  refill(states, next);
+  return taken;
+}
+
+/// a / b, of words, b not 0. Floats of 24 bits have room for a quotient below 2^16 and more than as many
+/// digits behind it as tell it from the next: rounded down it is exact.
+HWY_INLINE WordVec divided(WordVec a, WordVec b) {
+  const hn::Half<Words> half;
+  const hn::Repartition<float, Words> floats;
+  const hn::Repartition<std::int32_t, Words> integers;
+  const auto part = [&](auto x, auto y) HWY_ATTR {
+    const auto dividend = hn::ConvertTo(floats, hn::PromoteTo(integers, x));
+    const auto divisor = hn::ConvertTo(floats, hn::PromoteTo(integers, y));
+    return hn::DemoteTo(half, hn::ConvertTo(integers, hn::Div(dividend, divisor)));
+  };
+  return hn::Combine(Words{}, part(hn::UpperHalf(half, a), hn::UpperHalf(half, b)),
+                     part(hn::LowerHalf(half, a), hn::LowerHalf(half, b)));
+}
+
+/// Writes a symbol in each lane. The interval from 0 to 256 leaves a lane as it is.
+HWY_INLINE void encode_symbols(WordParts& states, const WordParts& starts, const WordParts& sizes,
+                               std::uint8_t*& next) {
+  const Words d;
+  const SignedWords compared;
+  WordParts full;
+  WordParts low;
+  for (std::size_t p = 0; p < kParts; ++p) {
+    const auto state = states.part[p];
+    const auto size = sizes.part[p];
+    // Would it grow past 16 bits? Of high bytes and sizes none is above 256.
+    const auto high = hn::ShiftRight<8>(state);
+    const auto fits = hn::BitCast(
+        d, hn::VecFromMask(compared, hn::Lt(hn::BitCast(compared, high), hn::BitCast(compared, size))));
+    full.part[p] = hn::Not(fits);
+    low.part[p] = hn::And(state, hn::Set(d, kProbabilityTotal - 1));
+    const auto left = hn::IfThenElse(hn::MaskFromVec(fits), state, high);
+    const auto quotient = divided(left, size);
+    const auto rest = hn::Sub(left, hn::Mul(quotient, size));
+    states.part[p] = hn::Add(hn::ShiftLeft<8>(quotient), hn::Add(rest, starts.part[p]));
+  }
+  std::uint32_t lanes = lanes_of(hn::MaskFromVec(narrow_small(full)));
+  if (lanes == 0) return;
+#if HWY_TARGET == HWY_AVX3
+  const __m512i bytes = _mm512_cvtepu16_epi32(low.part[0].raw);
+  const int count = std::popcount(lanes);
+  next -= count;
+  const __m128i packed = _mm512_cvtepi32_epi8(_mm512_maskz_compress_epi32(static_cast<__mmask16>(lanes), bytes));
+  _mm_mask_storeu_epi8(next, static_cast<__mmask16>((1U << count) - 1), packed);
+#else
+  const Half half;
+  alignas(16) std::array<std::uint8_t, kLanes> bytes;
+  hn::Store(narrow(low), half, bytes.data());
+  while (lanes != 0) {
+    const auto lane = static_cast<std::uint32_t>(std::bit_width(lanes) - 1);
+    *--next = bytes[lane];
+    lanes ^= 1U << lane;
+  }
+#endif
+}
+
+}  // namespace
+}  // namespace talus::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+#endif
+
+#endif

@@ -1,0 +1,219 @@
+#include "volume.h"
+
+#include <algorithm>
+#include <memory>
+
+#include "header.h"
+#include "material_code.h"
+#include "volume_scalar.h"
+#include "volume_tables.h"
+
+namespace talus::codec {
+namespace {
+
+constexpr std::size_t kTables = kVolumeClasses.size();
+
+constexpr std::size_t class_of_digit(char digit) {
+  const int value = digit <= '9' ? digit - '0' : digit <= 'Z' ? digit - 'A' + 10 : digit - 'a' + 36;
+  return static_cast<std::size_t>(value);
+}
+
+constexpr std::array<VolumeIntervals, kTables> kIntervals = [] {
+  std::array<VolumeIntervals, kTables> all{};
+  for (std::size_t t = 0; t < kTables; ++t) {
+    for (std::size_t c = 0; c < kVolumeContexts; ++c) {
+      const auto& ends = kVolumeEnds[class_of_digit(kVolumeClasses[t][c])];
+      all[t][c] = ends[0] | std::uint32_t{ends[1]} << 8U | std::uint32_t{ends[2]} << 16U;
+    }
+  }
+  return all;
+}();
+
+/// By context and symbol: start + 65536 * size.
+constexpr auto kSymbolIntervals = [] {
+  std::array<std::array<std::uint32_t, kVolumeContexts * 4>, kTables> all{};
+  for (std::size_t t = 0; t < kTables; ++t) {
+    for (std::size_t c = 0; c < kVolumeContexts; ++c) {
+      for (std::uint8_t symbol = 0; symbol < 4; ++symbol) {
+        const Interval interval = interval_of(kIntervals[t][c], symbol);
+        all[t][4 * c + symbol] = interval.start | std::uint32_t{interval.size} << 16U;
+      }
+    }
+  }
+  return all;
+}();
+
+/// What a symbol of an interval of this size costs, in sixteenths of a bit: 16 * (8 - log2(size)), rounded
+/// down digit by digit, so that every compiler finds the same.
+constexpr std::uint64_t cost_of(std::uint32_t size) {
+  double value = 256.0 / size;
+  std::uint64_t cost = 0;
+  while (value >= 2) {
+    value /= 2;
+    cost += 16;
+  }
+  for (std::uint64_t digit = 8; digit > 0; digit /= 2) {
+    value *= value;
+    if (value < 2) continue;
+    value /= 2;
+    cost += digit;
+  }
+  return cost;
+}
+
+/// By context and symbol: the costs by each table, sixteen bits each.
+constexpr auto kCosts = [] {
+  std::array<std::uint64_t, kVolumeContexts * 4> costs{};
+  for (std::size_t c = 0; c < kVolumeContexts; ++c) {
+    for (std::uint8_t symbol = 0; symbol < 4; ++symbol) {
+      for (std::size_t t = 0; t < kTables; ++t) {
+        costs[4 * c + symbol] |= cost_of(interval_of(kIntervals[t][c], symbol).size) << (16 * t);
+      }
+    }
+  }
+  return costs;
+}();
+static_assert(kTables == 4);
+
+/// The table by which the coded voxels take the fewest bits.
+std::size_t best_table(const VolumeEvents& events) {
+  constexpr std::size_t kPerSum = 256;  // costs of at most 128 each in 16 bits
+  std::array<std::uint64_t, kTables> totals{};
+  std::size_t at = 0;
+  for (std::size_t batch = 0; batch < kBatches; ++batch) {
+    static_assert(kMaxBatch <= kPerSum);
+    const std::uint64_t* const costs = kCosts.data() + 4 * first_context_of(batch);
+    std::uint64_t sums = 0;
+    for (std::size_t i = 0; i < events.batch[batch]; ++i, ++at) {
+      sums += costs[4 * std::size_t{events.context[at]} + events.symbol[at]];
+    }
+    for (std::size_t t = 0; t < kTables; ++t) totals[t] += sums >> (16 * t) & 0xFFFFU;
+  }
+  return static_cast<std::size_t>(std::min_element(totals.begin(), totals.end()) - totals.begin());
+}
+
+constexpr std::array<Interval, kDigitCounts> kGapIntervals = [] {
+  std::array<Interval, kDigitCounts> intervals{};
+  std::uint16_t start = 0;
+  for (std::size_t i = 0; i < kDigitCounts; ++i) {
+    intervals[i] = {start, kGapSizes[i]};
+    start = static_cast<std::uint16_t>(start + kGapSizes[i]);
+  }
+  return intervals;
+}();
+
+void put_group(RansSink& sink, std::span<const VolumeException> group, const MaterialCode& materials) {
+  for (std::size_t i = group.size(); i-- > 0;) {
+    encode_symbol(sink, i, unpacked(materials.interval(to_integer(group[i].material))));
+  }
+  put_digits(sink, group.size(), [&](std::size_t i) { return std::uint32_t{group[i].gap}; });
+  for (std::size_t i = group.size(); i-- > 0;) {
+    encode_symbol(sink, i, kGapIntervals[static_cast<std::size_t>(std::bit_width(group[i].gap))]);
+  }
+}
+
+/// Replaces the events' materials by their numbers. False where there are too many.
+bool number_materials(VolumeEvents& events, MaterialCode& materials) {
+  const auto number = [&](MaterialId& material) {
+    const std::uint32_t found = materials.number_of(material);
+    material = MaterialId{static_cast<std::uint16_t>(found)};
+    return found < MaterialCode::kMaxMaterials;
+  };
+  for (std::size_t i = 0; i < events.exceptions; ++i) {
+    if (!number(events.exception[i].material)) return false;
+  }
+  for (std::size_t i = 0; i < events.escapes; ++i) {
+    if (!number(events.escape[i])) return false;
+  }
+  return true;
+}
+
+constexpr std::size_t kBytesOfGroup = 4 * kLanes;
+constexpr std::size_t kBytesOfBatch = 2 * kMaxBatch + (kMaxBatch / kLanes + 1) * kBytesOfGroup;
+
+}  // namespace
+
+bool encode_volume(const DenseVoxels& voxels, std::vector<std::byte>& out, const VolumeKernels& kernels) {
+  VolumeEvents events;  // on the stack, where only what is written is touched; so is the buffer
+  if (!kernels.analyse(voxels, events)) return false;
+  MaterialCode materials{voxels.front()};
+  if (!number_materials(events, materials)) return false;
+  const std::span exceptions{events.exception.data(), events.exceptions};
+  const std::size_t begin = out.size();
+  materials.finish(out);
+  put_number(static_cast<std::uint16_t>(exceptions.size()), out);
+  const std::size_t table = best_table(events);
+  out.push_back(static_cast<std::byte>(table));
+
+  std::array<std::uint8_t, sizeof(DenseVoxels) + kBytesOfBatch + kBytesOfGroup + kStatesBytes> buffer;
+  std::uint8_t* const end = buffer.data() + buffer.size();
+  RansSink sink{{}, end};
+  sink.states.fill(static_cast<std::uint16_t>(kMinState));
+  std::size_t coded = events.coded;
+  std::size_t escapes = events.escapes;
+  std::size_t groups = (exceptions.size() + kLanes - 1) / kLanes;  // those not yet written
+  const auto group = [&](std::size_t g) {
+    return exceptions.subspan(g * kLanes).first(std::min(kLanes, exceptions.size() - g * kLanes));
+  };
+  for (std::size_t batch = kBatches; batch-- > 0;) {
+    escapes -= events.batch_escapes[batch];
+    for (std::size_t i = events.batch_escapes[batch]; i-- > 0;) {
+      encode_symbol(sink, i % kLanes, unpacked(materials.interval(to_integer(events.escape[escapes + i]))));
+    }
+    coded -= events.batch[batch];
+    kernels.write(events, coded, events.batch[batch],
+                  kSymbolIntervals[table].data() + 4 * first_context_of(batch), sink);
+    while (groups > 1 && exceptions[(groups - 1) * kLanes - 1].batch == batch) {
+      --groups;
+      put_group(sink, group(groups), materials);
+    }
+    if (static_cast<std::size_t>(end - sink.next) >= sizeof(DenseVoxels)) {
+      out.resize(begin);
+      return false;
+    }
+  }
+  if (groups == 1) put_group(sink, group(0), materials);
+  put_states(sink);
+  out.insert(out.end(), reinterpret_cast<const std::byte*>(sink.next),
+             reinterpret_cast<const std::byte*>(end));
+  if (out.size() - begin < sizeof(DenseVoxels)) return true;
+  out.resize(begin);
+  return false;
+}
+
+tl::expected<Chunk, DecodeError> decode_volume(std::span<const std::byte> body,
+                                               const VolumeKernels& kernels) {
+  VolumeCode code;
+  const auto first = take_material_code(body, code.materials);
+  if (!first) return tl::unexpected{first.error()};
+  code.first = *first;
+  const auto exceptions = take_number(body);
+  if (!exceptions) return tl::unexpected{exceptions.error()};
+  code.exceptions = *exceptions;
+  if (body.size() < 1 + kStatesBytes) return tl::unexpected{DecodeError::truncated};
+  const auto table = std::to_integer<std::size_t>(body.front());
+  if (table >= kTables) return tl::unexpected{DecodeError::bad_number};
+  code.intervals = &kIntervals[table];
+
+  VolumeSource source;
+  source.next = reinterpret_cast<const std::uint8_t*>(body.data()) + 1;
+  source.end = source.next + body.size() - 1;
+  if (!take_states(source)) return tl::unexpected{DecodeError::bad_ending};
+  const auto padded = std::make_shared_for_overwrite<PaddedVoxels>();
+  switch (kernels.read(source, code, *padded)) {
+    case VolumeFault::none:
+      break;
+    case VolumeFault::truncated:
+      return tl::unexpected{DecodeError::truncated};
+    case VolumeFault::bad_number:
+      return tl::unexpected{DecodeError::bad_number};
+  }
+  if (source.next != source.end) return tl::unexpected{DecodeError::too_long};
+  if (std::any_of(source.states.begin(), source.states.end(),
+                  [](std::uint16_t state) { return state != kMinState; })) {
+    return tl::unexpected{DecodeError::bad_ending};
+  }
+  return Chunk::from_dense(std::shared_ptr<const DenseVoxels>{padded, &padded->voxels});
+}
+
+}  // namespace talus::codec

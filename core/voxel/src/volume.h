@@ -1,0 +1,26 @@
+// Voxels of any shape, each coded by what its neighbours let expect: FORMAT.md, "Volume".
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include <tl/expected.hpp>
+
+#include <talus/voxel/chunk.h>
+#include <talus/voxel/codec.h>
+
+#include "volume_kernels.h"
+
+namespace talus::codec {
+
+/// Appends what follows the two header bytes. False, with `out` as it was, where the voxels are noise, where
+/// exceptions and escapes have more than 256 materials, or where the result would not be smaller than raw
+/// voxels.
+[[nodiscard]] bool encode_volume(const DenseVoxels& voxels, std::vector<std::byte>& out,
+                                 const VolumeKernels& kernels = volume_kernels());
+
+[[nodiscard]] tl::expected<Chunk, DecodeError> decode_volume(std::span<const std::byte> body,
+                                                             const VolumeKernels& kernels = volume_kernels());
+
+}  // namespace talus::codec

@@ -1,0 +1,196 @@
+// The probabilities of a volume's symbols, and its exceptions, which come in groups: FORMAT.md, "Volume".
+#pragma once
+
+#include <array>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+
+#include <talus/voxel/chunk.h>
+
+#include "rans.h"
+#include "volume_model.h"
+
+namespace talus::codec {
+
+/// The ends of the intervals of symbols 0, 1 and 2, one to a byte from the lowest: by context, even columns'
+/// contexts from 0 and odd ones' from kOddContexts.
+using VolumeIntervals = std::array<std::uint32_t, kVolumeContexts>;
+
+[[nodiscard]] constexpr Interval interval_of(std::uint32_t ends, std::uint8_t symbol) {
+  const std::uint32_t start = symbol == 0 ? 0 : ends >> (8 * (symbol - 1)) & 0xFFU;
+  const std::uint32_t end = symbol == kEscape ? 256U : ends >> (8 * symbol) & 0xFFU;
+  return {static_cast<std::uint16_t>(start), static_cast<std::uint16_t>(end - start)};
+}
+
+/// What the slots of the probability range, the low bytes of states, stand for: symbols of up to 256 kinds.
+struct SlotTable {
+  std::array<std::uint32_t, kProbabilityTotal> slot{};   // kind + 256 * start + 65536 * size of its interval
+  std::array<std::uint16_t, kProbabilityTotal> value{};  // by kind
+};
+
+[[nodiscard]] inline std::uint16_t decode_slot(RansSource& source, std::size_t lane, const SlotTable& slots) {
+  const std::uint32_t state = source.states[lane];
+  const std::uint32_t low = state % kProbabilityTotal;
+  const std::uint32_t slot = slots.slot[low];
+  const std::uint32_t rest = (slot >> 16U) * (state / kProbabilityTotal) + low - (slot >> 8U & 0xFFU);
+  // Without a branch: whether a byte is taken cannot be foreseen.
+  const bool takes = rest < kMinState;
+  const std::uint32_t more = rest * 256 + *source.next;
+  source.states[lane] = static_cast<std::uint16_t>(takes ? more : rest);
+  source.next += takes ? 1 : 0;
+  return slots.value[slot & 0xFFU];
+}
+
+/// Numbers below 2^15 are coded as how many binary digits they have, then the digits after the first.
+inline constexpr std::size_t kDigitCounts = 16;
+
+/// The sizes of the intervals of the digits' count of a gap.
+inline constexpr std::array<std::uint16_t, kDigitCounts> kGapSizes{60, 10, 11, 12, 17, 12, 13, 17,
+                                                                   22, 24, 20, 15, 11, 6,  4,  2};
+
+/// Values 0, 1, 2 and so on with intervals of these sizes, which add up to kProbabilityTotal.
+template <std::size_t count>
+constexpr SlotTable slots_of(const std::array<std::uint16_t, count>& sizes) {
+  SlotTable slots{};
+  std::uint32_t start = 0;
+  for (std::uint32_t i = 0; i < count; ++i) {
+    slots.value[i] = static_cast<std::uint16_t>(i);
+    for (std::size_t s = 0; s < sizes[i]; ++s)
+      slots.slot[start + s] = i | start << 8U | std::uint32_t{sizes[i]} << 16U;
+    start += sizes[i];
+  }
+  return slots;
+}
+inline constexpr SlotTable kGapSlots = slots_of(kGapSizes);
+
+/// What a decoder knows before the coded voxels.
+struct VolumeCode {
+  MaterialId first{};  // the row north of the first row is of this
+  const VolumeIntervals* intervals = nullptr;
+  SlotTable materials;  // of exceptions and escapes: values are ids
+  std::size_t exceptions = 0;
+};
+
+/// Reads the digits after the first of numbers with `counts` digits: a string of bits, lowest first, that
+/// ends with a whole byte.
+template <class Numbers>
+void take_digits(RansSource& source, const std::uint8_t* counts, std::size_t count, Numbers numbers) {
+  std::uint64_t bits = 0;
+  unsigned available = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    const unsigned wanted = counts[i] > 1 ? counts[i] - 1U : 0U;
+    while (available < wanted) {
+      bits |= std::uint64_t{*source.next++} << available;
+      available += 8;
+    }
+    const auto low = static_cast<std::uint32_t>(bits & ((1U << wanted) - 1));
+    numbers(i, counts[i] == 0 ? 0 : low | 1U << wanted);
+    bits >>= wanted;
+    available -= wanted;
+  }
+}
+
+/// Writes the same, of `count` numbers that `number(i)` gives; at most kLanes of them.
+template <class Number>
+void put_digits(RansSink& sink, std::size_t count, const Number& number) {
+  std::array<std::uint8_t, 2 * kLanes> bytes;
+  std::size_t size = 0;
+  std::uint64_t bits = 0;
+  unsigned held = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::uint32_t value = number(i);
+    const auto digits = static_cast<unsigned>(std::bit_width(value));
+    if (digits < 2) continue;
+    bits |= std::uint64_t{value ^ 1U << (digits - 1)} << held;
+    for (held += digits - 1; held >= 8; held -= 8, bits >>= 8U)
+      bytes[size++] = static_cast<std::uint8_t>(bits);
+  }
+  if (held > 0) bytes[size++] = static_cast<std::uint8_t>(bits);
+  sink.next -= size;
+  std::memcpy(sink.next, bytes.data(), size);
+}
+
+/// A source that needs no room behind the payload: its last bytes are read from a copy.
+class VolumeSource : public RansSource {
+ public:
+  /// What a batch or a group takes at most, and a vector's worth more.
+  static constexpr std::size_t kAhead = 2 * 256 + 64;
+
+  /// Makes the next kAhead bytes readable. Where the payload is truncated, reading goes no further.
+  void keep_ahead() {
+    if (!in_tail_) {
+      const auto left = static_cast<std::size_t>(end - next);
+      if (left >= kAhead) return;
+      in_tail_ = true;
+      tail_.fill(0);
+      std::copy(next, end, tail_.begin());
+      next = tail_.data();
+      end = next + left;
+    }
+    next = std::min(next, end + 1);
+  }
+
+ private:
+  bool in_tail_ = false;
+  std::array<std::uint8_t, 2 * kAhead> tail_;
+};
+
+/// The exceptions of a volume as a decoder meets them: groups of up to kLanes, of which the next is read as
+/// soon as the last one of a group has been used.
+class ExceptionReader {
+ public:
+  ExceptionReader(const VolumeCode& code, VolumeSource& source) : code_{code}, left_{code.exceptions} {
+    if (left_ > 0) read_group(source);
+  }
+
+  /// How many steady voxels are as predicted before the next exception.
+  [[nodiscard]] std::uint32_t gap() const { return gap_; }
+  void pass(std::uint32_t voxels) { gap_ -= voxels; }
+
+  /// The material of the next exception, when gap() is 0.
+  [[nodiscard]] MaterialId take(VolumeSource& source) {
+    const MaterialId material = materials_[next_];
+    ++next_;
+    if (next_ < size_) {
+      gap_ = gaps_[next_];
+    } else if (left_ > 0) {
+      read_group(source);
+    } else {
+      gap_ = kNever;
+    }
+    return material;
+  }
+
+  [[nodiscard]] bool all_taken() const { return next_ == size_ && left_ == 0; }
+
+ private:
+  static constexpr std::uint32_t kNever = 1U << 30U;
+
+  void read_group(VolumeSource& source) {
+    source.keep_ahead();
+    size_ = std::min(left_, kLanes);
+    left_ -= size_;
+    std::array<std::uint8_t, kLanes> digits;
+    for (std::size_t i = 0; i < size_; ++i) {
+      digits[i] = static_cast<std::uint8_t>(decode_slot(source, i, kGapSlots));
+    }
+    take_digits(source, digits.data(), size_, [this](std::size_t i, std::uint32_t gap) { gaps_[i] = gap; });
+    for (std::size_t i = 0; i < size_; ++i) {
+      materials_[i] = MaterialId{decode_slot(source, i, code_.materials)};
+    }
+    next_ = 0;
+    gap_ = gaps_[0];
+  }
+
+  const VolumeCode& code_;
+  std::size_t left_;
+  std::size_t size_ = 0;
+  std::size_t next_ = 0;
+  std::uint32_t gap_ = kNever;
+  std::array<std::uint32_t, kLanes> gaps_{};
+  std::array<MaterialId, kLanes> materials_{};
+};
+
+}  // namespace talus::codec
