@@ -42,10 +42,6 @@ protocol::Frame get_chunks(std::uint32_t first_id, std::uint32_t count) {
     return wire::CreateGetChunks(builder, builder.CreateVectorOfStructs(requests));
   });
 }
-ChunkKey key_of(std::uint32_t id) {
-  return {{static_cast<std::int32_t>(id), 0, 0}, Lod{}};
-}
-
 /// What sessions share, and an io_context that the test runs.
 struct Bench {
   ManualClock clock{std::chrono::sys_seconds{1'700'000'000s}};
