@@ -41,6 +41,7 @@ int failed(const std::string& line) {
 int serve(const Command& command) {
   const Config& config = command.config;
   const auto fail = [&](const std::string& line) { return failed(command.origins.locate(line)); };
+  const SystemClock clock;
   if (const auto done = set_no_new_privs(); !done) return fail(done.error());
   if (const auto set = talus::forced_instruction_set(); !set) return fail(std::string{set.error()});
   const auto world = load_world(config.world);
@@ -51,7 +52,7 @@ int serve(const Command& command) {
   if (!keys) return fail(keys.error());
   std::optional<TlsIdentity> tls;
   if (config.tls.wanted()) {
-    auto loaded = load_tls(config.tls.certificate, config.tls.key);
+    auto loaded = load_tls(config.tls.certificate, config.tls.key, clock.wall());
     if (!loaded) return fail(loaded.error());
     tls = *std::move(loaded);
   }
@@ -65,7 +66,6 @@ int serve(const Command& command) {
 
   if (keys->any() || tls) hide_memory();
   const std::vector<std::string> of_keys = keys->warnings;
-  const SystemClock clock;
   AccessControl access{config.access, *std::move(keys)};
   const Logger log = make_logger(config.log.level, config.log.format);
   auto listeners = open_listeners(config, clock, log);
@@ -75,8 +75,9 @@ int serve(const Command& command) {
   if (!data) return fail(data.error());
   const std::string address = listeners->players_address;
   const std::string operators_address = listeners->operators_address;
-  Server server{config, *world, *data ? (*data)->store_id() : talus::ContentHash{}, access, tls,
-                *std::move(listeners), clock, log};
+  Server server{config, *world, *data ? (*data)->store_id() : talus::ContentHash{},
+                access, tls,    *std::move(listeners),
+                clock,  log};
 
   for (const std::string& warning : startup_warnings(command, of_keys, tls)) log->warn("{}", warning);
   log->info("world {}, generator {} with {} kernels", to_string((*world)->fingerprint()),
@@ -92,16 +93,15 @@ int serve(const Command& command) {
 }
 
 int print_token(int argc, const char* const* argv) {
-  const auto now = std::chrono::floor<std::chrono::seconds>(std::chrono::system_clock::now());
-  const auto token = token_command(argc, argv, now);
+  const auto token = token_command(argc, argv, SystemClock{}.wall());
   fmt::print(token || token.error().status == 0 ? stdout : stderr, "{}",
              token ? *token + "\n" : token.error().text);
   if (std::fflush(stdout) != 0) return failed("standard output: cannot write to it");
   return token ? 0 : token.error().status;
 }
 
-/// Memory that writes and patches gave back serves the next ones. By default glibc hands the top of its heaps to the
-/// system from 128 KiB on, and a page fault for every 4 KiB of it costs more than an answer does.
+/// Memory that writes and patches gave back serves the next ones. By default glibc hands the top of its heaps
+/// to the system from 128 KiB on, and a page fault for every 4 KiB of it costs more than an answer does.
 void keep_freed_memory() {
 #ifdef __GLIBC__
   constexpr int kMebibyte = 1 << 20;

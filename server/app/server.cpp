@@ -49,8 +49,7 @@ Server::Server(const Config& config, std::shared_ptr<const terrain::World> world
       session_limits_{session_limits(config, *world)},
       rates_{rate_limits(config.rates)},
       memory_{config.limits.memory_bytes},
-      admission_{config.limits.connections, config.limits.connections_per_address,
-                 config.rates.burst, clock},
+      admission_{config.limits.connections, config.limits.connections_per_address, config.rates.burst, clock},
       tls_{std::move(tls)},
       certificate_expires_{tls_ ? tls_->expires : 0},
       handshaker_{handshake_settings(config),
@@ -63,7 +62,11 @@ Server::Server(const Config& config, std::shared_ptr<const terrain::World> world
       io_{std::move(listeners.io)},
       chunks_{std::make_unique<TerrainGenerator>(std::move(world),
                                                  static_cast<int>(config.generation.patch_tiles)),
-              generation_settings(config), log_, metrics_, memory_, clock},
+              generation_settings(config),
+              log_,
+              metrics_,
+              memory_,
+              clock},
       runner_context_{{session_limits_, world_, chunks_, memory_, metrics_, access_, rates_, clock_},
                       runner_limits(config),
                       registry_,
@@ -98,7 +101,8 @@ void Server::check_descriptors() {
   const std::uint64_t wanted = descriptors_wanted(config_);
   if (const std::uint64_t allowed = set_descriptor_limit(wanted); allowed < wanted) {
     log_->warn(
-        "the system allows {} open files, fewer than the {} that limits.connections {} needs; raise ulimit -n",
+        "the system allows {} open files, fewer than the {} that limits.connections {} needs; raise ulimit "
+        "-n",
         allowed, wanted, config_.limits.connections);
   }
 }
@@ -172,7 +176,7 @@ void Server::reload_keys() {
 }
 
 void Server::reload_certificate() {
-  auto loaded = load_tls(config_.tls.certificate, config_.tls.key);
+  auto loaded = load_tls(config_.tls.certificate, config_.tls.key, clock_.wall());
   if (loaded) {
     tls_ = *std::move(loaded);
     certificate_expires_ = tls_->expires;

@@ -1,5 +1,5 @@
-// An HTTP connection over a stream: reads requests, has them answered one after the other, and closes in time.
-// Two coroutines on the stream's executor; nothing is locked. It lives as long as the last of them.
+// An HTTP connection over a stream: reads requests, has them answered one after the other, and closes in
+// time. Two coroutines on the stream's executor; nothing is locked. It lives as long as the last of them.
 #pragma once
 
 #include <array>
@@ -77,23 +77,22 @@ class Connection : public std::enable_shared_from_this<Connection<S>> {
 
  private:
   [[nodiscard]] asio::awaitable<void> serve() {
-    bool keep_alive = true;
-    while (open_ && keep_alive) {
-      std::span<const std::byte> waiting = std::span{input_}.subspan(read_, filled_ - read_);
-      const auto taken = parser_.feed(waiting);
+    bool more = true;
+    while (open_ && more) {
+      const auto taken = parser_.feed(std::span{input_}.subspan(read_, filled_ - read_));
       if (!taken) {
-        keep_alive = false;
+        more = false;
         co_await respond(response_to(taken.error()), false, false);
         continue;
       }
       read_ += *taken;
       if (parser_.has_request()) {
         const Request& request = parser_.request();
-        keep_alive = request.keep_alive;
-        co_await respond(answer(request), request.method == Method::head, keep_alive);
+        more = request.keep_alive;
+        co_await respond(answer(request), request.method == Method::head, more);
         parser_.pop();
-      } else if (!co_await read()) {
-        break;
+      } else {
+        more = co_await read();
       }
     }
     if (open_) co_await end();
@@ -139,7 +138,7 @@ class Connection : public std::enable_shared_from_this<Connection<S>> {
     co_await stream_.say_end();
     if (!open_) co_return;
     stream_.shutdown();
-    while (open_ && co_await read()) continue;
+    for (bool more = true; open_ && more;) more = co_await read();
   }
 
   [[nodiscard]] asio::awaitable<void> watch() {

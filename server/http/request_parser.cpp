@@ -21,6 +21,7 @@ constexpr RequestError kExpectation{417, "no request here has a body to continue
 constexpr RequestError kVersion{505, "only HTTP/1.0 and HTTP/1.1 are spoken here"};
 constexpr RequestError kNoHost{400, "an HTTP/1.1 request has exactly one Host field"};
 constexpr RequestError kFieldName{400, "a header field's name is no token"};
+constexpr RequestError kFieldValue{400, "a header field's value has a control character"};
 
 bool equal_names(std::string_view a, std::string_view b) {
   const auto lower = [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + ('a' - 'A')) : c; };
@@ -28,13 +29,29 @@ bool equal_names(std::string_view a, std::string_view b) {
                     [&](char left, char right) { return lower(left) == lower(right); });
 }
 
-/// RFC 9110, 5.6.2. Debian's http_parser lets spaces pass.
+// Debian's http_parser is compiled without its strict checks, and lets some of what follows pass.
+
+/// RFC 9110, 5.6.2.
 bool is_token(std::string_view name) {
   constexpr std::string_view kMarks{"!#$%&'*+-.^_`|~"};
   return std::all_of(name.begin(), name.end(), [&](char c) {
     return (c >= '0' && c <= '9') || (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') ||
            kMarks.find(c) != std::string_view::npos;
   });
+}
+
+/// RFC 9110, 5.5.
+bool is_value(std::string_view value) {
+  return std::none_of(value.begin(), value.end(), [](char c) {
+    const auto byte = static_cast<unsigned char>(c);
+    return (byte < 0x20 && c != '\t') || byte == 0x7F;
+  });
+}
+
+/// Without the white space at its end; http_parser drops that before it.
+void trim(std::string& value) {
+  const std::size_t last = value.find_last_not_of(" \t");
+  value.erase(last == std::string::npos ? 0 : last + 1);
 }
 
 Method method_of(unsigned method) {
@@ -94,8 +111,10 @@ struct RequestParser::State {
   int end_of_head() {
     if (parser.http_major != 1) return fail(kVersion);
     std::size_t hosts = 0;
-    for (const Field& field : request.fields) {
+    for (Field& field : request.fields) {
       if (!is_token(field.name)) return fail(kFieldName);
+      if (!is_value(field.value)) return fail(kFieldValue);
+      trim(field.value);
       if (equal_names(field.name, "Host")) ++hosts;
       if (equal_names(field.name, "Expect")) return fail(kExpectation);
     }
@@ -118,7 +137,9 @@ struct RequestParser::State {
     static const http_parser_settings kSettings = [] {
       http_parser_settings made;
       http_parser_settings_init(&made);
-      made.on_url = [](http_parser* p, const char* at, std::size_t n) { return of(p).append_target({at, n}); };
+      made.on_url = [](http_parser* p, const char* at, std::size_t n) {
+        return of(p).append_target({at, n});
+      };
       made.on_header_field = [](http_parser* p, const char* at, std::size_t n) {
         return of(p).append_name({at, n});
       };
@@ -150,15 +171,17 @@ tl::expected<std::size_t, RequestError> RequestParser::feed(std::span<const std:
   if (state.whole) return 0;
   const auto offered = bytes.first(std::min(bytes.size(), state.bounds.head_bytes - state.head_bytes));
   if (offered.empty()) return 0;  // to http_parser that would be the end
-  const std::size_t taken =
-      http_parser_execute(&state.parser, &State::settings(),
-                          reinterpret_cast<const char*>(offered.data()), offered.size());
+  const std::size_t taken = http_parser_execute(
+      &state.parser, &State::settings(), reinterpret_cast<const char*>(offered.data()), offered.size());
   state.head_bytes += taken;
   if (state.error) return tl::make_unexpected(*state.error);
   if (!state.whole) {
-    if (HTTP_PARSER_ERRNO(&state.parser) == HPE_HEADER_OVERFLOW) state.error = kHeadTooLarge;
-    else if (HTTP_PARSER_ERRNO(&state.parser) != HPE_OK) state.error = kMalformed;
-    else if (state.head_bytes == state.bounds.head_bytes) state.error = kHeadTooLarge;
+    if (HTTP_PARSER_ERRNO(&state.parser) == HPE_HEADER_OVERFLOW)
+      state.error = kHeadTooLarge;
+    else if (HTTP_PARSER_ERRNO(&state.parser) != HPE_OK)
+      state.error = kMalformed;
+    else if (state.head_bytes == state.bounds.head_bytes)
+      state.error = kHeadTooLarge;
     if (state.error) return tl::make_unexpected(*state.error);
   }
   return taken;

@@ -3,6 +3,7 @@
 #include <fcntl.h>
 #include <unistd.h>
 
+#include <cerrno>
 #include <chrono>
 #include <exception>
 #include <utility>
@@ -27,7 +28,8 @@ tcp::endpoint resolve(const protocol::Endpoint& endpoint, const asio::any_io_exe
 }
 
 bool lacks_descriptors(const std::error_code& error) {
-  return error == std::errc::too_many_files_open || error == std::errc::too_many_files_open_in_system;
+  // By number: Asio's category maps these to no std::errc.
+  return error.value() == EMFILE || error.value() == ENFILE;
 }
 
 }  // namespace

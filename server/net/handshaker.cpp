@@ -119,9 +119,10 @@ asio::awaitable<void> Handshaker::shake_hands(PendingPtr pending) {
     std::error_code ignored;
     pending->socket().cancel(ignored);  // who waits counts it, and closes
   });
-  const bool accepted =
-      (!settings_.proxies.contain(pending->peer.address()) || co_await read_proxy_header(*pending)) &&
-      admit(*pending) && (pending->tls == nullptr || co_await begin_tls(*pending));
+  bool accepted = true;
+  if (settings_.proxies.contain(pending->peer.address())) accepted = co_await read_proxy_header(*pending);
+  if (accepted) accepted = admit(*pending);
+  if (accepted && pending->tls != nullptr) accepted = co_await begin_tls(*pending);
   pending->done = true;
   deadline.cancel();
   if (accepted) accept(*pending);

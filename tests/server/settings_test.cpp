@@ -1,5 +1,7 @@
 #include "app/settings.h"
 
+#include "admin/admin_server.h"
+
 #include <catch2/catch.hpp>
 #include <fstream>
 #include <iterator>
@@ -91,7 +93,6 @@ TEST_CASE("the operators' port and proxies need descriptors of their own") {
   Config both;
   both.admin = protocol::Endpoint{"127.0.0.1", 0};
   both.proxies = *Networks::parse("127.0.0.1");
-  CHECK(descriptors_wanted(both) ==
-        descriptors_wanted(plain) + AdminServer::kMaxConnections + AdminServer::kReservedDescriptors +
-            both.limits.handshakes_in_flight);
+  CHECK(descriptors_wanted(both) == descriptors_wanted(plain) + AdminServer::kMaxConnections +
+                                        AdminServer::kReservedDescriptors + both.limits.handshakes_in_flight);
 }

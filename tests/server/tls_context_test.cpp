@@ -6,11 +6,16 @@
 #include <catch2/catch.hpp>
 
 #include "certificates.h"
+#include "clock/clock.h"
 #include "scratch_directory.h"
 
 using namespace talus::server;
 
 namespace {
+
+auto load_now(const std::filesystem::path& certificate, const std::filesystem::path& key) {
+  return load_tls(certificate, key, SystemClock{}.wall());
+}
 
 struct Files {
   ScratchDirectory scratch;
@@ -20,7 +25,7 @@ struct Files {
 
   /// The one line that says why not.
   [[nodiscard]] std::string refusal(const std::string& certificate_file, const std::string& key_file) const {
-    const auto loaded = load_tls(certificate_file, key_file);
+    const auto loaded = load_now(certificate_file, key_file);
     REQUIRE_FALSE(loaded.has_value());
     CHECK(std::count(loaded.error().begin(), loaded.error().end(), '\n') == 0);
     return loaded.error();
@@ -31,7 +36,7 @@ struct Files {
 
 TEST_CASE("a certificate and its key make an identity") {
   const Files files;
-  const auto loaded = load_tls(files.certificate, files.key);
+  const auto loaded = load_now(files.certificate, files.key);
   REQUIRE(loaded.has_value());
   CHECK(loaded->valid_now);
   CHECK_THAT(loaded->description, Catch::Contains(files.certificate) && Catch::Contains("valid until"));
@@ -41,7 +46,7 @@ TEST_CASE("certificate, chain and key may stand in one file") {
   const Files files;
   const std::string all =
       files.scratch.write("all", files.own.key + files.own.certificate + make_certificate(2).certificate);
-  CHECK(load_tls(all, all).has_value());
+  CHECK(load_now(all, all).has_value());
 }
 
 TEST_CASE("one of certificate and key alone is refused, and says that both are needed") {
@@ -110,14 +115,14 @@ TEST_CASE("a key that TLS 1.3 does not sign by is refused, and the kinds that it
   CHECK_THAT(files.refusal(files.scratch.write("c", odd.certificate), files.scratch.write("k", odd.key)),
              Catch::StartsWith("tls.key ") && Catch::Contains("P-256"));
   const TestCertificate larger = make_certificate(5, "localhost", 1, "P-521");
-  CHECK(load_tls(files.scratch.write("c", larger.certificate), files.scratch.write("k", larger.key)));
+  CHECK(load_now(files.scratch.write("c", larger.certificate), files.scratch.write("k", larger.key)));
 }
 
 TEST_CASE("a certificate out of its dates is an identity that says so") {
   const Files files;
   const TestCertificate ended = make_certificate(3, "localhost", -1);
   const auto loaded =
-      load_tls(files.scratch.write("c", ended.certificate), files.scratch.write("k", ended.key));
+      load_now(files.scratch.write("c", ended.certificate), files.scratch.write("k", ended.key));
   REQUIRE(loaded.has_value());
   CHECK_FALSE(loaded->valid_now);
 }
