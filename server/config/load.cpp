@@ -12,6 +12,7 @@
 
 #include "config/fields.h"
 #include "config/nearest.h"
+#include "config/trimmed.h"
 #include "log/escape.h"
 
 namespace talus::server {
@@ -99,12 +100,6 @@ class TomlFile {
   std::string_view name_;
   const toml::table& root_;
 };
-
-std::string_view trimmed(std::string_view text) {
-  const auto first = text.find_first_not_of(" \t\r");
-  if (first == std::string_view::npos) return {};
-  return text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
-}
 
 /// The setting that a line of the text assigns to, or null: for errors of the parser, which names only the
 /// line.

@@ -7,18 +7,14 @@
 
 #include "log/escape.h"
 
+#include "config/trimmed.h"
+
 namespace talus::server {
 namespace {
 
 namespace ip = asio::ip;
 
 constexpr unsigned kMappedBits = 96;
-
-std::string_view trimmed(std::string_view text) {
-  const auto first = text.find_first_not_of(" \t");
-  if (first == std::string_view::npos) return {};
-  return text.substr(first, text.find_last_not_of(" \t") - first + 1);
-}
 
 /// Without a scope, which networks do not have.
 ip::address_v6 mapped(const ip::address& address) {

@@ -14,8 +14,8 @@ using wire::ErrorCode;
 void Delivery::request_heights(std::uint32_t id, std::vector<terrain::BaseColumn> columns) {
   constexpr std::size_t kTaskBytes = 256;
   const std::uint64_t ticket = (++heights_asked_ << 32) | id;
-  requests_.add_heights(
-      id, ticket, kTaskBytes + columns.size() * (sizeof(terrain::BaseColumn) + sizeof(std::int32_t)));
+  requests_.add_heights(id, ticket,
+                        kTaskBytes + columns.size() * (sizeof(terrain::BaseColumn) + sizeof(std::int32_t)));
   context_.chunks.submit_heights(mailbox_, ticket, std::move(columns));
 }
 
@@ -163,10 +163,9 @@ void Delivery::answer_request(std::uint32_t id, ChunkAnswer answer) {
 
 void Delivery::answer_view(ChunkKey key, ChunkAnswer answer) {
   if (!answer) {
-    replies_.error(
-        0, ErrorCode::internal,
-        fmt::format("chunk {} of the View failed: {}", to_string(key), answer.error().reason),
-        retry_after::kFailed);
+    replies_.error(0, ErrorCode::internal,
+                   fmt::format("chunk {} of the View failed: {}", to_string(key), answer.error().reason),
+                   retry_after::kFailed);
     view_.done(key);
     return;
   }

@@ -1,6 +1,6 @@
 // What the client asked for, from the request to the outbox: chunks for requests and for the View, and
-// heights. Takes a chunk that is in memory at once, and waits for the others; decides whether a chunk is sent,
-// confirmed (Unchanged), or told as part of its column.
+// heights. Takes a chunk that is in memory at once, and waits for the others; decides whether a chunk is
+// sent, confirmed (Unchanged), or told as part of its column.
 //
 // No I/O. Bounded: kMaxWaits chunks wait for the source, and what waits for the client stays within
 // limits.queued_bytes and one chunk.
@@ -65,8 +65,8 @@ class Delivery {
   /// Starts requests and chunks of the View until a bound is reached. Returns how many chunks were in memory.
   [[nodiscard]] std::size_t start_work();
 
-  /// A chunk is about to be written: replaces it by a newer version that is in memory. Returns false where the
-  /// client holds that version and was told so instead.
+  /// A chunk is about to be written: replaces it by a newer version that is in memory. Returns false where
+  /// the client holds that version and was told so instead.
   [[nodiscard]] bool refresh(Outbox::Entry& entry);
   /// A chunk was written.
   void sent(const Outbox::Entry& entry);

@@ -29,8 +29,9 @@ Rejection no_common_protocol(const wire::Hello& hello) {
 }
 
 Rejection no_common_codec(const std::vector<unsigned>& codecs) {
-  const auto named =
-      codecs.size() <= kMaxCodecsNamed ? codecs : std::vector(codecs.begin(), codecs.begin() + kMaxCodecsNamed);
+  const auto named = codecs.size() <= kMaxCodecsNamed
+                         ? codecs
+                         : std::vector(codecs.begin(), codecs.begin() + kMaxCodecsNamed);
   return {wire::ErrorCode::version,
           fmt::format("this server sends chunk codec {}, this client decodes {}", unsigned{kCodecVersion},
                       codecs.empty() ? "none" : fmt::format("{}", fmt::join(named, ", ")))};

@@ -13,10 +13,6 @@ namespace {
 
 using wire::ErrorCode;
 
-tl::unexpected<Rejection> rejected(ErrorCode code, std::string text) {
-  return tl::make_unexpected(Rejection{code, std::move(text)});
-}
-
 /// Whether the column's chunks are in the world.
 bool in_world(const terrain::BaseColumn& column) {
   const std::int64_t limit = chunk_limit(Lod{}) * kChunkSize;
@@ -53,9 +49,10 @@ tl::expected<std::vector<terrain::BaseColumn>, Rejection> check_heights(const wi
     columns.push_back(column);
   }
   if (const std::size_t tiles = count_tiles(columns); tiles > limits.height_tiles_per_request) {
-    return rejected(ErrorCode::too_large,
-                    fmt::format("GetHeights reaches into {} tiles of 32 x 32 columns; in this world at most {}",
-                                tiles, limits.height_tiles_per_request));
+    return rejected(
+        ErrorCode::too_large,
+        fmt::format("GetHeights reaches into {} tiles of 32 x 32 columns; in this world at most {}", tiles,
+                    limits.height_tiles_per_request));
   }
   return columns;
 }

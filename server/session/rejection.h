@@ -3,6 +3,9 @@
 
 #include <optional>
 #include <string>
+#include <utility>
+
+#include <tl/expected.hpp>
 
 #include <talus/protocol/message.h>
 
@@ -12,9 +15,13 @@ namespace talus::server {
 
 struct Rejection {
   wire::ErrorCode code{};
-  std::string text;                // for the client
-  std::string why{};               // more, for the log alone
+  std::string text;                           // for the client
+  std::string why{};                          // more, for the log alone
   std::optional<AuthFailure> auth_failure{};  // where the token is the reason
 };
+
+[[nodiscard]] inline tl::unexpected<Rejection> rejected(wire::ErrorCode code, std::string text) {
+  return tl::make_unexpected(Rejection{code, std::move(text)});
+}
 
 }  // namespace talus::server

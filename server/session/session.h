@@ -74,8 +74,8 @@ class Session {
 
   // ---- output
   /// When something may be written: the clock's zero at once, a time to come where a rate throttles chunks,
-  /// max() where nothing waits or the client gave no credit. At once does not depend on when the caller looked
-  /// at the clock.
+  /// max() where nothing waits or the client gave no credit. At once does not depend on when the caller
+  /// looked at the clock.
   [[nodiscard]] Clock::time_point sendable_at();
   /// Frames to write now: `enough_bytes` and at most one frame more. Chunks of `shared_from` bytes and more
   /// are not copied.

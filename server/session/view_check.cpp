@@ -11,10 +11,6 @@ namespace {
 
 using wire::ErrorCode;
 
-tl::unexpected<Rejection> rejected(ErrorCode code, std::string text) {
-  return tl::make_unexpected(Rejection{code, std::move(text)});
-}
-
 /// Levels and radii must grow from ring to ring, from level 1 and the View's own radius on.
 tl::expected<std::vector<ViewRing>, Rejection> check_rings(const wire::View& view,
                                                            const SessionLimits& limits) {
@@ -30,9 +26,10 @@ tl::expected<std::vector<ViewRing>, Rejection> check_rings(const wire::View& vie
     if (ring->lod() <= level || ring->lod() > Lod::kMax || ring->radius() <= radius) {
       return rejected(
           ErrorCode::out_of_range,
-          fmt::format("View.rings: level {} with radius {} after level {} with radius {}; levels are 1 to {}, "
-                      "and both grow from ring to ring",
-                      ring->lod(), ring->radius(), level, radius, Lod::kMax));
+          fmt::format(
+              "View.rings: level {} with radius {} after level {} with radius {}; levels are 1 to {}, "
+              "and both grow from ring to ring",
+              ring->lod(), ring->radius(), level, radius, Lod::kMax));
     }
     level = ring->lod();
     radius = ring->radius();
@@ -75,9 +72,8 @@ tl::expected<View, Rejection> check_view(const wire::View& view, const SessionLi
   checked.vertical_radius = view.vertical_radius();
   checked.rings = *std::move(rings);
   if (const std::uint64_t chunks = count_chunks(checked); chunks > limits.view_chunks) {
-    return rejected(
-        ErrorCode::too_large,
-        fmt::format("the View has {} chunks, over the limit view_chunks {}", chunks, limits.view_chunks));
+    return rejected(ErrorCode::too_large, fmt::format("the View has {} chunks, over the limit view_chunks {}",
+                                                      chunks, limits.view_chunks));
   }
   return checked;
 }

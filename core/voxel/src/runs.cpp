@@ -17,7 +17,7 @@ struct Run {
   MaterialId material;
 };
 
-constexpr std::size_t kBytesOfGroup = 5 * kLanes;
+constexpr std::size_t kMaxGroupBytes = 5 * kLanes;
 
 std::size_t digits_of(const Run& run) {
   return static_cast<std::size_t>(std::bit_width(run.more));
@@ -89,7 +89,7 @@ class RunsEncoder {
   }
 
   std::size_t limit_;
-  std::array<std::uint8_t, sizeof(DenseVoxels) + 2 * kBytesOfGroup + kStatesBytes> bytes_;
+  std::array<std::uint8_t, sizeof(DenseVoxels) + 2 * kMaxGroupBytes + kStatesBytes> bytes_;
   RansSink sink_;
 };
 

@@ -128,8 +128,8 @@ bool number_materials(VolumeEvents& events, MaterialCode& materials) {
   return true;
 }
 
-constexpr std::size_t kBytesOfGroup = 4 * kLanes;
-constexpr std::size_t kBytesOfBatch = 2 * kMaxBatch + (kMaxBatch / kLanes + 1) * kBytesOfGroup;
+constexpr std::size_t kGroupBytes = 4 * kLanes;
+constexpr std::size_t kBytesOfBatch = 2 * kMaxBatch + (kMaxBatch / kLanes + 1) * kGroupBytes;
 
 }  // namespace
 
@@ -145,7 +145,7 @@ bool encode_volume(const DenseVoxels& voxels, std::vector<std::byte>& out, const
   const std::size_t table = best_table(events);
   out.push_back(static_cast<std::byte>(table));
 
-  std::array<std::uint8_t, sizeof(DenseVoxels) + kBytesOfBatch + kBytesOfGroup + kStatesBytes> buffer;
+  std::array<std::uint8_t, sizeof(DenseVoxels) + kBytesOfBatch + kGroupBytes + kStatesBytes> buffer;
   std::uint8_t* const end = buffer.data() + buffer.size();
   RansSink sink{{}, end};
   sink.states.fill(static_cast<std::uint16_t>(kMinState));

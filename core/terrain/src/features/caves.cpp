@@ -46,7 +46,7 @@ void check_together(TableReader& table, double low, double high, double width, d
   }
 }
 
-std::unique_ptr<const Feature> read(FeatureSection& section) {
+std::unique_ptr<const Feature> read_caves(FeatureSection& section) {
   auto table = section.table();
   if (!table) return nullptr;
   const WorldSpec& world = section.spec();
@@ -127,7 +127,7 @@ void Caves::add_overlays(const ChunkSite& site, const Field* /*survey*/,
 namespace features {
 
 FeatureKind caves() {
-  return {"caves", read};
+  return {"caves", read_caves};
 }
 
 }  // namespace features

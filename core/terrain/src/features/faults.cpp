@@ -63,7 +63,7 @@ void FaultDeformation::add_set(const FaultField& faults, std::span<const std::in
   }
 }
 
-std::unique_ptr<const Feature> read(FeatureSection& section) {
+std::unique_ptr<const Feature> read_faults(FeatureSection& section) {
   auto tables = section.tables();
   if (tables.size() > kMaxSets) {
     tables[kMaxSets].fail("spacing", text_of(tables.size(), " sets of faults; at most ", kMaxSets));
@@ -117,7 +117,7 @@ std::unique_ptr<Deformation> Faults::make_deformation(InstructionSet set) const 
 namespace features {
 
 FeatureKind faults() {
-  return {"faults", read};
+  return {"faults", read_faults};
 }
 
 }  // namespace features

@@ -133,7 +133,7 @@ class Folds final : public Feature {
   MaxLift max_lift_;
 };
 
-std::unique_ptr<const Feature> read(FeatureSection& section) {
+std::unique_ptr<const Feature> read_folds(FeatureSection& section) {
   auto table = section.table();
   if (!table) return nullptr;
   table->only({"amplitude", "wavelength", "octaves", "strike", "stretch"});
@@ -160,7 +160,7 @@ std::unique_ptr<const Feature> read(FeatureSection& section) {
 namespace features {
 
 FeatureKind folds() {
-  return {"folds", read};
+  return {"folds", read_folds};
 }
 
 }  // namespace features

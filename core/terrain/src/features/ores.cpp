@@ -117,7 +117,7 @@ OreKind read_ore(FeatureSection& section, TableReader& table, std::uint64_t inde
   return ore;
 }
 
-std::unique_ptr<const Feature> read(FeatureSection& section) {
+std::unique_ptr<const Feature> read_ores(FeatureSection& section) {
   auto tables = section.tables();
   if (tables.size() > kMaxOres) {
     tables[kMaxOres].fail("name", text_of(tables.size(), " ores; at most ", kMaxOres));
@@ -216,7 +216,7 @@ void Ores::add_exposed(const Stacks& stacks, const Field* /*survey*/, std::span<
 namespace features {
 
 FeatureKind ores() {
-  return {"veins", read};
+  return {"veins", read_ores};
 }
 
 }  // namespace features
