@@ -76,6 +76,20 @@ TEST_CASE("a decoder that follows FORMAT.md reads what encode writes") {
   }));
 }
 
+TEST_CASE("a decoder that follows FORMAT.md reads volumes, runs and raw voxels") {
+  const std::string document = format_document();
+  CHECK(rc::check([&document] {
+    const Chunk chunk = Chunk::from_dense(*voxels_of(any_chunk()));
+    RC_PRE(!chunk.is_uniform());
+    const auto payload = encoded(chunk);
+    RC_CLASSIFY(payload[1] == std::byte{1}, "volume");
+    RC_CLASSIFY(payload[1] == std::byte{3}, "runs");
+    const auto found = voxels_by_document(document, payload);
+    const auto voxels = voxels_of(chunk);
+    for (std::size_t i = 0; i < voxels->size(); ++i) RC_ASSERT(found[i] == to_integer((*voxels)[i]));
+  }));
+}
+
 TEST_CASE("a frozen uniform chunk") {
   check_frozen(3, "uniform", Chunk::uniform(MaterialId{300}), "8fd40e1b20c8f07877ffa3ca1005ef6d");
 }

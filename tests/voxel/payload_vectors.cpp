@@ -88,11 +88,12 @@ std::vector<WorkedExample> worked_examples() {
 }
 
 std::vector<FrozenChunk> frozen_chunks() {
-  return {{"house", house(), "4d776bb6ac8aac322b612fb9f60e94f3"},
-          {"hill", Chunk::from_dense(*voxels_of(Chunk::from_layers(hill(1)))),
-           "86a412f7635065ddd535272aa6357d00"},
-          {"few_materials", Chunk::from_dense(*random_voxels(4, 3, 40)), "1645b96dc33be125ec6d5c7ef429ff8f"},
-          {"many_materials", Chunk::from_dense(*random_voxels(5, 250, 200)), "699e105c9c55b022744fa717aa6ed4a5"}};
+  return {
+      {"house", house(), "4d776bb6ac8aac322b612fb9f60e94f3"},
+      {"hill", Chunk::from_dense(*voxels_of(Chunk::from_layers(hill(1)))),
+       "86a412f7635065ddd535272aa6357d00"},
+      {"few_materials", Chunk::from_dense(*random_voxels(4, 3, 40)), "1645b96dc33be125ec6d5c7ef429ff8f"},
+      {"many_materials", Chunk::from_dense(*random_voxels(5, 250, 200)), "699e105c9c55b022744fa717aa6ed4a5"}};
 }
 
 std::string name_of(DecodeError error) {

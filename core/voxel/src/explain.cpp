@@ -126,6 +126,8 @@ class Explainer {
                    std::string name, const std::string& meaning) {
     if (symbols_left_ == 0 || source.next > source.end) return;
     --symbols_left_;
+    if (from > offset())
+      fields_.push_back({offset(), from - offset(), "symbols", "of exceptions or escapes, not shown"});
     fields_.push_back(
         {from, offset_of(source) - from, std::move(name),
          meaning + "; state " + text(lane) + " was " + text(state) + ", is " + text(source.states[lane])});
