@@ -76,12 +76,12 @@ std::optional<Chunk> chunk_of_npy(const Bytes& bytes) {
   }
   if (length > bytes.size() - start) return std::nullopt;
   const std::string header{bytes.data() + start, length};
-  std::string shape = value_of(header, "shape");
-  std::erase(shape, ',');
   const std::string type = value_of(header, "descr");
   const bool narrow = type == "'|u1'" || type == "'<u1'";
   if (!narrow && type != "'<u2'") return std::nullopt;
-  if (shape != "(323232)" || value_of(header, "fortran_order") != "False") return std::nullopt;
+  if (value_of(header, "shape") != "(32,32,32)" || value_of(header, "fortran_order") != "False") {
+    return std::nullopt;
+  }
   const std::size_t item = narrow ? 1 : 2;
   if (bytes.size() - start - length != kChunkVolume * item) return std::nullopt;
   const char* const items = bytes.data() + start + length;
