@@ -1,4 +1,5 @@
 // Chunks: coding, hashing, voxelising. Items are chunks; "bytes" is the mean size of what was coded.
+#include <algorithm>
 #include <cstring>
 #include <memory>
 #include <string>
@@ -13,7 +14,9 @@
 #include <talus/voxel/content_hash.h>
 
 #include "fixtures.h"
+#include "fixtures/game_chunks.h"
 #include "table.h"
+#include "volume.h"
 
 namespace {
 
@@ -34,6 +37,12 @@ Chunks changed(const Chunks& chunks, const Change& change) {
   return all;
 }
 
+Chunk dense(const Chunk& chunk) {
+  const auto voxels = std::make_unique<DenseVoxels>();
+  chunk.copy_to(*voxels);
+  return Chunk::from_dense(*voxels);
+}
+
 /// What else the codec meets, and what its bytes are compared for.
 struct Content {
   const char* name;
@@ -52,6 +61,9 @@ constexpr Content kContents[] = {
     {"default, four ores", [] { return bench::mixed_chunks(bench::default_world_with(bench::kOre)); }},
     {"default, with tunnels", [] { return changed(chunks(), bench::with_hole); }},
     {"default, edited", [] { return changed(chunks(), bench::edited); }},
+    {"a game's chunks", [] { return bench::game_chunks(1); }},
+    {"a forest, as overrides", [] { return bench::forest_chunks(chunks()); }},
+    {"a forest, dense", [] { return changed(bench::forest_chunks(chunks()), dense); }},
     {"random, 4 materials",
      [] {
        Chunks all;
@@ -85,14 +97,19 @@ void over_chunks(State& state, const Work& work) {
   over(state, chunks().size(), work);
 }
 
-/// The usual way: a byte a voxel, in dense order.
+/// The usual way: in dense order a byte a voxel, or two where a chunk has ids above 255.
 std::vector<std::vector<std::uint8_t>> dense_bytes(const Chunks& chunks) {
   std::vector<std::vector<std::uint8_t>> all;
   const auto voxels = std::make_unique<DenseVoxels>();
   for (const Chunk& chunk : chunks) {
     chunk.copy_to(*voxels);
+    const bool wide =
+        std::any_of(voxels->begin(), voxels->end(), [](MaterialId id) { return to_integer(id) > 255; });
     auto& bytes = all.emplace_back();
-    for (const MaterialId voxel : *voxels) bytes.push_back(static_cast<std::uint8_t>(to_integer(voxel)));
+    for (const MaterialId voxel : *voxels) {
+      bytes.push_back(static_cast<std::uint8_t>(to_integer(voxel) & 0xFF));
+      if (wide) bytes.push_back(static_cast<std::uint8_t>(to_integer(voxel) >> 8));
+    }
   }
   return all;
 }
@@ -106,11 +123,41 @@ void encode_all(State& state, const Chunks& chunks) {
   });
 }
 
+void decode_all(State& state, const Chunks& chunks) {
+  std::vector<std::vector<std::byte>> payloads;
+  for (const Chunk& chunk : chunks) encode(chunk, payloads.emplace_back());
+  over(state, chunks.size(), [&](std::size_t i) {
+    benchmark::DoNotOptimize(decode(payloads[i]));
+    return payloads[i].size();
+  });
+}
+
+/// Volumes by the kernels of one instruction set, whatever set the rest of the process uses.
+void volumes_by(State& state, const Chunks& chunks, InstructionSet set, bool decodes) {
+  const codec::VolumeKernels kernels = codec::volume_kernels(set);
+  std::vector<DenseVoxels> voxels(chunks.size());
+  std::vector<std::vector<std::byte>> payloads(chunks.size());
+  for (std::size_t i = 0; i < chunks.size(); ++i) {
+    chunks[i].copy_to(voxels[i]);
+    (void)codec::encode_volume(voxels[i], payloads[i], kernels);
+  }
+  std::vector<std::byte> payload;
+  over(state, chunks.size(), [&](std::size_t i) {
+    if (decodes) {
+      benchmark::DoNotOptimize(codec::decode_volume(payloads[i], kernels));
+    } else {
+      payload.clear();
+      (void)codec::encode_volume(voxels[i], payload, kernels);
+    }
+    return payloads[i].size() + 2;
+  });
+}
+
 void zstd_all(State& state, const Chunks& chunks) {
   const auto dense = dense_bytes(chunks);
-  std::vector<char> out(ZSTD_compressBound(kChunkVolume));
+  std::vector<char> out(ZSTD_compressBound(sizeof(DenseVoxels)));
   over(state, chunks.size(), [&](std::size_t i) {
-    return ZSTD_compress(out.data(), out.size(), dense[i].data(), kChunkVolume, 3);
+    return ZSTD_compress(out.data(), out.size(), dense[i].data(), dense[i].size(), 3);
   });
 }
 
@@ -211,8 +258,20 @@ int main(int argc, char** argv) {
     const std::string name = std::string{"encode: "} + content.name;
     benchmark::RegisterBenchmark(name.c_str(),
                                  [make = content.make](State& state) { encode_all(state, make()); });
+    benchmark::RegisterBenchmark((std::string{"decode: "} + content.name).c_str(),
+                                 [make = content.make](State& state) { decode_all(state, make()); });
     benchmark::RegisterBenchmark((name + "/vs:zstd -3 of dense bytes").c_str(),
                                  [make = content.make](State& state) { zstd_all(state, make()); });
+  }
+  for (const auto set : {InstructionSet::avx512, InstructionSet::avx2, InstructionSet::scalar}) {
+    if (!runs_here(set)) continue;
+    for (const bool decodes : {false, true}) {
+      const std::string name =
+          std::string{decodes ? "decode" : "encode"} + " volumes of a game, " + std::string{to_string(set)};
+      benchmark::RegisterBenchmark(name.c_str(), [set, decodes](State& state) {
+        volumes_by(state, bench::game_chunks(1), set, decodes);
+      });
+    }
   }
   return talus::bench::run(argc, argv);
 }

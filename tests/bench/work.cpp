@@ -15,6 +15,7 @@
 #include <talus/voxel/codec.h>
 
 #include "fixtures.h"
+#include "fixtures/game_chunks.h"
 #include "loose/settle_grid.h"
 
 namespace {
@@ -72,6 +73,36 @@ void count_decode() {
   });
 }
 
+void count_encode_volumes() {
+  const auto chunks = bench::game_chunks(1);
+  std::vector<std::byte> payload;
+  talus_counted_work([&] {
+    for (const Chunk& chunk : chunks) {
+      payload.clear();
+      encode(chunk, payload);
+    }
+  });
+}
+
+void count_decode_volumes() {
+  std::vector<std::vector<std::byte>> payloads;
+  for (const Chunk& chunk : bench::game_chunks(1)) encode(chunk, payloads.emplace_back());
+  talus_counted_work([&] {
+    for (const auto& payload : payloads) (void)decode(payload);
+  });
+}
+
+void count_encode_forest() {
+  const auto chunks = bench::forest_chunks(bench::mixed_chunks());
+  std::vector<std::byte> payload;
+  talus_counted_work([&] {
+    for (const Chunk& chunk : chunks) {
+      payload.clear();
+      encode(chunk, payload);
+    }
+  });
+}
+
 void count_voxelise() {
   const auto chunks = bench::mixed_chunks();
   const auto voxels = std::make_unique<DenseVoxels>();
@@ -83,9 +114,16 @@ void count_voxelise() {
 }  // namespace
 
 int main(int argc, char** argv) {
-  const std::vector<Stage> stages{
-      {"noise", count_noise},   {"settle", count_settle}, {"whole", count_whole},      {"slabs", count_slabs},
-      {"encode", count_encode}, {"decode", count_decode}, {"voxelise", count_voxelise}};
+  const std::vector<Stage> stages{{"noise", count_noise},
+                                  {"settle", count_settle},
+                                  {"whole", count_whole},
+                                  {"slabs", count_slabs},
+                                  {"encode", count_encode},
+                                  {"decode", count_decode},
+                                  {"voxelise", count_voxelise},
+                                  {"encode_volumes", count_encode_volumes},
+                                  {"decode_volumes", count_decode_volumes},
+                                  {"encode_forest", count_encode_forest}};
   if (argc == 2 && std::string{argv[1]} == "--list") {
     for (const Stage& stage : stages) std::printf("%s\n", stage.first.c_str());
     return 0;

@@ -78,7 +78,7 @@ TEST_CASE("a token file that is none is one line") {
   CHECK(read_connect_options(token_in(longest))->token.size() == 4096);
 }
 
-TEST_CASE("--ca and --tls-name turn TLS on") {
+TEST_CASE("TLS is on with --ca or --tls-name") {
   CHECK_FALSE(read_connect_options(parsed({}))->tls.on);
   CHECK(read_connect_options(parsed({"--tls"}))->tls.on);
   CHECK(read_connect_options(parsed({"--ca", "file"}))->tls.on);

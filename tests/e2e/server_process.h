@@ -68,6 +68,8 @@ class ServerProcess {
   /// Resident memory now.
   [[nodiscard]] std::size_t resident_bytes() const;
 
+  [[nodiscard]] pid_t pid() const { return pid_; }
+
  private:
   /// From here on there is an object, so whatever fails after this ends the process.
   explicit ServerProcess(const ChildProcess& child) : pid_{child.pid}, out_{child.out}, err_{child.err} {}

@@ -43,6 +43,6 @@ TEST_CASE("the limit of open files becomes what is needed, from above and from b
 }
 
 TEST_CASE("a server needs a descriptor for each connection, and few besides") {
-  CHECK(descriptors_needed(2048, 2) == 2048 + 128 + 6);
-  CHECK(descriptors_needed(1, 1024) == 1 + 128 + 3 * 1024);
+  CHECK(descriptors_needed(2048, 2) == 2048 + 96 + 6);
+  CHECK(descriptors_needed(1, 1024) == 1 + 96 + 3 * 1024);
 }

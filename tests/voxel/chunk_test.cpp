@@ -4,6 +4,7 @@
 #include <catch2/catch.hpp>
 
 #include <talus/voxel/chunk.h>
+#include <talus/voxel/content_hash.h>
 
 #include "sample_chunks.h"
 
@@ -152,6 +153,74 @@ TEST_CASE("layers are valid only in size, range and order") {
   CHECK_FALSE(Layers{{kRock, kAir}, flat_planes({33})}.valid());
   CHECK_FALSE(Layers{{kRock, kSoil, kAir}, flat_planes({5, 4})}.valid());
   CHECK_FALSE(Layers{std::vector<MaterialId>(65, kRock), std::vector<std::uint8_t>(64 * kChunkArea)}.valid());
+}
+
+TEST_CASE("overrides change the voxels that they name, in any order, the last one counting") {
+  CHECK(rc::check([](std::uint64_t seed) {
+    const Chunk base = Chunk::from_layers(hill(seed));
+    std::vector<Override> overrides;
+    auto expected = voxels_of(base);
+    for (int count = *rc::gen::inRange(0, 200); count > 0; --count) {
+      const Override each{*rc::gen::inRange<std::uint16_t>(0, kChunkVolume),
+                          MaterialId{*rc::gen::inRange<std::uint16_t>(0, 9)}};
+      overrides.push_back(each);
+      (*expected)[each.index] = each.material;
+    }
+    const Chunk chunk = base.with_overrides(overrides);
+    RC_ASSERT(*voxels_of(chunk) == *expected);
+    RC_ASSERT(chunk == Chunk::from_dense(*expected));
+    RC_ASSERT(content_hash(chunk) == content_hash(Chunk::from_dense(*expected)));
+    for (std::uint16_t index = 0; index < kChunkVolume; index = static_cast<std::uint16_t>(index + 37)) {
+      const LocalPos pos{static_cast<std::uint8_t>(index % 32), static_cast<std::uint8_t>(index / 1024),
+                         static_cast<std::uint8_t>(index / 32 % 32)};
+      RC_ASSERT(chunk.at(pos) == (*expected)[index]);
+    }
+    RC_ASSERT(chunk.runs(3, 5) == Chunk::from_dense(*expected).runs(3, 5));
+    const std::size_t half = overrides.size() / 2;
+    const Chunk twice = base.with_overrides(std::span{overrides}.first(half))
+                            .with_overrides(std::span{overrides}.subspan(half));
+    RC_ASSERT(twice == chunk);
+  }));
+}
+
+TEST_CASE("overrides leave layers as they are under them") {
+  const Chunk base = Chunk::from_layers({{kRock, kAir}, flat_planes({9})});
+  const Chunk chunk = base.with_overrides(std::vector<Override>{{4000, kSoil}, {7, kSoil}, {8, kRock}});
+  CHECK(chunk.layers() == nullptr);
+  CHECK(chunk.dense() == nullptr);
+  REQUIRE(chunk.base() != nullptr);
+  CHECK(chunk.base()->tops == base.layers()->tops);
+  // By their index; what is rock already is none.
+  const std::vector<Override> kept{{7, kSoil}, {4000, kSoil}};
+  CHECK(std::equal(kept.begin(), kept.end(), chunk.overrides().begin(), chunk.overrides().end()));
+}
+
+TEST_CASE("overrides that change nothing, or back, give layers") {
+  const Chunk base = Chunk::from_layers({{kRock, kAir}, flat_planes({9})});
+  CHECK(base.with_overrides({}).layers() != nullptr);
+  const Chunk changed = base.with_overrides(std::vector<Override>{{0, kSoil}});
+  CHECK(changed.with_overrides(std::vector<Override>{{0, kRock}}).layers() != nullptr);
+}
+
+TEST_CASE("overrides that make all voxels equal give a uniform chunk") {
+  std::vector<std::uint8_t> top(kChunkArea, 0);
+  top[5] = 2;
+  const Chunk base = Chunk::from_layers({{kRock, kAir}, top});
+  const Chunk chunk = base.with_overrides(std::vector<Override>{{5, kAir}, {kChunkArea + 5, kAir}});
+  CHECK(chunk.is_uniform());
+  CHECK(chunk == Chunk::uniform(kAir));
+}
+
+TEST_CASE("a chunk with too many overrides is dense") {
+  const Chunk base = Chunk::from_layers({{kRock, kAir}, flat_planes({9})});
+  std::vector<Override> overrides;
+  for (std::uint16_t i = 0; i < Chunk::kMaxOverrides; ++i) overrides.push_back({i, kSoil});
+  CHECK(base.with_overrides(overrides).dense() == nullptr);
+  overrides.push_back({Chunk::kMaxOverrides, kSoil});
+  const Chunk chunk = base.with_overrides(overrides);
+  REQUIRE(chunk.dense() != nullptr);
+  CHECK(chunk.at({0, 4, 0}) == kSoil);
+  CHECK(chunk.with_overrides(std::vector<Override>{{0, kAir}}).at({0, 0, 0}) == kAir);
 }
 
 }  // namespace talus

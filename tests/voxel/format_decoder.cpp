@@ -54,16 +54,16 @@ enum Kind { level, carried, first };
 
 struct Tables {
   std::array<std::array<std::vector<std::vector<int>>, 2>, 3> weights;  // by kind; of even and odd columns
-  std::vector<std::vector<int>> shares;
+  std::vector<std::vector<int>> intervals;
 
-  explicit Tables(const std::string& document) : shares{lines_of(document, "shares")} {
+  explicit Tables(const std::string& document) : intervals{lines_of(document, "intervals")} {
     const std::array<std::string, 3> kinds{"level", "carried", "first"};
     for (std::size_t kind = 0; kind < kinds.size(); ++kind) {
       weights[kind][0] = lines_of(document, "weights-" + kinds[kind] + "-even");
       weights[kind][1] = lines_of(document, "weights-" + kinds[kind] + "-odd");
       if (weights[kind][0].size() != 18 || weights[kind][1].size() != 26) fail("the tables' sizes");
     }
-    if (shares.size() != 3) fail("the shares' lines");
+    if (intervals.size() != 3) fail("the intervals' lines");
   }
 };
 
@@ -77,17 +77,19 @@ class Coder {
     }
   }
 
-  int read(const std::array<int, 5>& starts, int i) {
+  /// `starts`: of the intervals, and 256.
+  template <class Starts>
+  int read(const Starts& starts, int i) {
     int& state = states_[static_cast<std::size_t>(i)];
-    const int place = state % 256;
+    const int slot = state % 256;
     std::size_t symbol = 0;
-    while (starts[symbol + 1] <= place) ++symbol;
-    state = (starts[symbol + 1] - starts[symbol]) * (state / 256) + place - starts[symbol];
+    while (starts[symbol + 1] <= slot) ++symbol;
+    state = (starts[symbol + 1] - starts[symbol]) * (state / 256) + slot - starts[symbol];
     if (state < 256) state = state * 256 + bytes_.next();
     return static_cast<int>(symbol);
   }
 
-  /// Byte i of what the states tell at the end.
+  /// Byte i of what is in the final states.
   [[nodiscard]] int end(std::size_t i) const {
     if (states_[i] >= 512) fail("bad ending");
     return states_[i] - 256;
@@ -121,8 +123,8 @@ struct Before {
   Row G;
 };
 
-std::array<int, 5> shares_of(const Tables& tables, const Before& before, Kind kind, const Row& symbol,
-                             int x) {
+std::array<int, 5> intervals_of(const Tables& tables, const Before& before, Kind kind, const Row& symbol,
+                                int x) {
   const auto& [N, S, F, G] = before;
   const auto step = [&](int dx) { return sign(x + dx < 0 || x + dx > 31 ? 0 : at(S, x + dx)); };
   const auto thick = [&](int dx) { return std::min(at(N, x + dx) - at(G, x + dx), 2); };
@@ -152,12 +154,12 @@ std::array<int, 5> shares_of(const Tables& tables, const Before& before, Kind ki
     int& score = scores[line % 2];
     score = std::clamp(score + weights[line][static_cast<std::size_t>(one + 4 * other)], -128, 127);
   }
-  const auto share = [&](std::size_t line, std::size_t score) {
-    return tables.shares[line].at(static_cast<std::size_t>(class_of(scores[score])));
+  const auto line_of = [&](std::size_t line, std::size_t score) {
+    return tables.intervals[line].at(static_cast<std::size_t>(class_of(scores[score])));
   };
-  const int a = share(0, 0);
-  const int o = share(1, 0);
-  const int u = share(2, 1);
+  const int a = line_of(0, 0);
+  const int o = line_of(1, 0);
+  const int u = line_of(2, 1);
   return {0, a, a + 1 + (o - a - 2) * u / 256, o, 256};
 }
 
@@ -186,7 +188,8 @@ Plane read_plane(Bytes& bytes, Coder& coder, const Tables& tables, const Plane& 
     Row symbol{};
     for (const int odd : {0, 1}) {
       for (int x = odd; x < kChunkSize; x += 2) {
-        symbol[static_cast<std::size_t>(x)] = coder.read(shares_of(tables, before, kind, symbol, x), x / 2);
+        symbol[static_cast<std::size_t>(x)] =
+            coder.read(intervals_of(tables, before, kind, symbol, x), x / 2);
       }
     }
     for (std::size_t x = 0; x < kChunkSize; ++x) {
@@ -205,6 +208,258 @@ Plane read_plane(Bytes& bytes, Coder& coder, const Tables& tables, const Plane& 
     }
   }
   return plane;
+}
+
+/// "Materials with probabilities".
+struct Materials {
+  std::vector<int> ids;
+  std::vector<int> starts;
+
+  explicit Materials(Bytes& bytes) {
+    const int count = bytes.number();
+    if (count < 1 || count > 256) fail("bad materials");
+    for (int i = 0; i < count; ++i) ids.push_back(bytes.number());
+    starts.push_back(0);
+    for (int i = 0; i < count; ++i) starts.push_back(starts.back() + bytes.next() + 1);
+    if (starts.back() != 256) fail("bad number");
+  }
+  [[nodiscard]] int read(Coder& coder, int i) const {
+    return ids[static_cast<std::size_t>(coder.read(starts, i))];
+  }
+};
+
+std::vector<int> starts_of_sizes(const std::vector<int>& sizes) {
+  std::vector<int> starts{0};
+  for (const int size : sizes) starts.push_back(starts.back() + size);
+  if (starts.back() != 256) fail("bad number");
+  return starts;
+}
+
+/// "Digits".
+std::vector<int> read_digits(Bytes& bytes, Coder& coder, const std::vector<int>& starts, int count) {
+  std::vector<int> digits;
+  for (int k = 0; k < count; ++k) digits.push_back(coder.read(starts, k));
+  std::vector<int> numbers;
+  int byte = 0;
+  int left = 0;
+  for (const int each : digits) {
+    int number = each == 0 ? 0 : 1 << (each - 1);
+    for (int digit = 0; digit + 1 < each; ++digit) {
+      if (left == 0) {
+        byte = bytes.next();
+        left = 8;
+      }
+      number += byte % 2 << digit;
+      byte /= 2;
+      --left;
+    }
+    numbers.push_back(number);
+  }
+  return numbers;
+}
+
+std::vector<int> numbers_of(const std::string& text) {
+  std::istringstream numbers{text};
+  return {std::istream_iterator<int>{numbers}, std::istream_iterator<int>{}};
+}
+
+/// The text of the block `name` that comes after `nth` others of that name.
+std::string nth_block(const std::string& document, const std::string& name, int nth) {
+  std::size_t from = 0;
+  for (int i = 0; i < nth; ++i) from = document.find("```" + name + "\n", from) + 1;
+  std::string text = block_of(document.substr(from), name);
+  std::erase(text, '\n');
+  return text;
+}
+
+int class_of_letter(char letter) {
+  if (letter <= '9') return letter - '0';
+  return letter <= 'Z' ? letter - 'A' + 10 : letter - 'a' + 36;
+}
+
+class VolumeByDocument {
+ public:
+  VolumeByDocument(const std::string& document, Bytes& bytes)
+      : bytes_{bytes},
+        materials_{bytes},
+        exceptions_{bytes.number()},
+        classes_{nth_block(document, "volume-classes", bytes.next())},
+        ends_{numbers_of(block_of(document, "volume-ends"))},
+        gap_starts_{starts_of_sizes(numbers_of(block_of(document, "gap-sizes")))},
+        coder_{bytes},
+        voxels_(kChunkVolume, -1) {}
+
+  std::vector<int> read() {
+    if (exceptions_ > 0) read_group();
+    for (int wave = 0; wave < 94; ++wave) {
+      for (const int odd : {0, 1}) read_batch(wave, odd);
+    }
+    if (exceptions_ > 0 || next_ < gaps_.size()) fail("bad number");
+    for (std::size_t i = 0; i < 16; ++i) {
+      if (coder_.end(i) != 0) fail("bad ending");
+    }
+    return voxels_;
+  }
+
+ private:
+  struct Waiting {
+    int voxel;
+    int context;
+    std::vector<int> candidates;
+  };
+
+  [[nodiscard]] int& voxel(int x, int y, int z) {
+    return voxels_[static_cast<std::size_t>((y * 32 + z) * 32 + x)];
+  }
+
+  /// "The order of voxels": what is at (x, y, z) for who predicts (., y0, z0).
+  int around(int x, int y, int z, int y0, int z0) {
+    x = std::clamp(x, 0, 31);
+    if (y < 0) {
+      y = y0;
+      z = z0 - 1;
+    }
+    if (y == y0 && z < 0) --y;
+    z = std::clamp(z, 0, 31);
+    if (y < 0) return materials_.ids[0];
+    return voxel(x, y, z);
+  }
+
+  void read_batch(int wave, int odd) {
+    std::vector<Waiting> coded;
+    for (int y = 0; y < 32; ++y) {
+      const int z = wave - 2 * y;
+      if (z < 0 || z > 31) continue;
+      for (int x = odd; x < 32; x += 2) predict(x, y, z, coded);
+    }
+    std::vector<int> escapes;
+    for (std::size_t k = 0; k < coded.size(); ++k) {
+      const Waiting& each = coded[k];
+      const auto at =
+          static_cast<std::size_t>(3 * class_of_letter(classes_[static_cast<std::size_t>(each.context)]));
+      const std::array<int, 5> starts{0, ends_[at], ends_[at + 1], ends_[at + 2], 256};
+      const auto symbol = static_cast<std::size_t>(coder_.read(starts, static_cast<int>(k % 16)));
+      if (symbol == 3) {
+        escapes.push_back(each.voxel);
+        continue;
+      }
+      if (symbol >= each.candidates.size()) fail("bad number");
+      voxels_[static_cast<std::size_t>(each.voxel)] = each.candidates[symbol];
+    }
+    for (std::size_t k = 0; k < escapes.size(); ++k) {
+      voxels_[static_cast<std::size_t>(escapes[k])] = materials_.read(coder_, static_cast<int>(k % 16));
+    }
+  }
+
+  void predict(int x, int y, int z, std::vector<Waiting>& coded) {
+    const auto at = [&](int dx, int dy, int dz) { return around(x + dx, y + dy, z + dz, y, z); };
+    const int N = at(0, 0, -1);
+    const int B = at(0, -1, 0);
+    const int D = at(0, -1, -1);
+    const int S = at(0, -1, 1);
+    const int same = N == B;
+    const int upright = N == D;
+    const int level = B == D;
+    const int level_south = B == S;
+    const int west_n = at(-1, 0, -1) == N;
+    const int east_n = at(1, 0, -1) == N;
+    const int west_b = at(-1, -1, 0) == B;
+    const int east_b = at(1, -1, 0) == B;
+    const int base = level ? N : B;
+    const int other = level ? B : N;
+    const int surroundings = upright + 2 * level_south + 4 * west_n + 8 * east_n + 16 * west_b + 32 * east_b;
+    std::vector<int> list;
+    bool steady = false;
+    int context = 0;
+    if (x % 2 == 0) {
+      steady = same && surroundings == 63;
+      context = same ? surroundings
+                     : 64 + level + 2 * upright + 4 * level_south + 8 * (S == N) + 16 * (west_n & east_n) +
+                           32 * (west_b & east_b);
+    } else {
+      const int W = voxel(x - 1, y, z);
+      const int E = x == 31 ? W : voxel(x + 1, y, z);
+      if (W == E && W == base && W == other) {
+        steady = surroundings == 63;
+        context = 128 + surroundings;
+        list = {W};
+      } else if (W == E) {
+        context =
+            192 + (base == W) + 2 * (other == W) + 4 * same + 8 * upright + 16 * level + 32 * level_south;
+        list = {W};
+      } else {
+        const bool east_first = base == E || (base != W && other == E);
+        const int one = east_first ? E : W;
+        const int two = east_first ? W : E;
+        context = 256 + (base == one) + 2 * (other == one) + 4 * (base == two) + 8 * (other == two) +
+                  16 * upright + 32 * level + 64 * level_south;
+        list = {one, two};
+      }
+    }
+    for (const int id : {base, other, at(1, 0, -1), at(-1, 0, -1), at(1, -1, 0), at(-1, -1, 0), S, D}) {
+      list.push_back(id);
+    }
+    std::vector<int> candidates;
+    for (const int id : list) {
+      const bool is_new = std::find(candidates.begin(), candidates.end(), id) == candidates.end();
+      if (is_new && candidates.size() < 3) candidates.push_back(id);
+    }
+    voxel(x, y, z) = candidates[0];
+    if (!steady) {
+      coded.push_back({(y * 32 + z) * 32 + x, context, candidates});
+    } else if (next_ < gaps_.size() && steady_since_++ == gaps_[next_]) {
+      voxel(x, y, z) = exception_materials_[next_++];
+      steady_since_ = 0;
+      if (next_ == gaps_.size() && exceptions_ > 0) read_group();
+    }
+  }
+
+  void read_group() {
+    const int size = std::min(exceptions_, 16);
+    exceptions_ -= size;
+    gaps_ = read_digits(bytes_, coder_, gap_starts_, size);
+    exception_materials_.clear();
+    for (int k = 0; k < size; ++k) exception_materials_.push_back(materials_.read(coder_, k));
+    next_ = 0;
+  }
+
+  Bytes& bytes_;
+  Materials materials_;
+  int exceptions_;
+  std::string classes_;
+  std::vector<int> ends_;
+  std::vector<int> gap_starts_;
+  Coder coder_;
+  std::vector<int> voxels_;
+  std::vector<int> gaps_;
+  std::vector<int> exception_materials_;
+  std::size_t next_ = 0;
+  int steady_since_ = 0;
+};
+
+std::vector<int> read_runs(Bytes& bytes) {
+  const Materials materials{bytes};
+  int left = bytes.number();
+  const bool single = left == kChunkVolume;
+  std::vector<int> sizes;
+  for (int i = 0; i < 16 && !single; ++i) sizes.push_back(bytes.next());
+  const std::vector<int> starts = single ? std::vector<int>{} : starts_of_sizes(sizes);
+  Coder coder{bytes};
+  std::vector<int> voxels;
+  while (left > 0) {
+    const int size = std::min(left, 16);
+    left -= size;
+    const auto more = single ? std::vector<int>(16, 0) : read_digits(bytes, coder, starts, size);
+    for (int k = 0; k < size; ++k) {
+      voxels.insert(voxels.end(), static_cast<std::size_t>(more[static_cast<std::size_t>(k)] + 1),
+                    materials.read(coder, k));
+    }
+  }
+  if (voxels.size() != kChunkVolume) fail("bad number");
+  for (std::size_t i = 0; i < 16; ++i) {
+    if (coder.end(i) != 0) fail("bad ending");
+  }
+  return voxels;
 }
 
 }  // namespace
@@ -250,6 +505,30 @@ Layers decode_by_document(const std::string& document, std::span<const std::byte
   }
   if (!bytes.at_end()) fail("too long");
   return layers;
+}
+
+std::vector<int> voxels_by_document(const std::string& document, std::span<const std::byte> payload) {
+  Bytes bytes{payload};
+  if (bytes.next() != 4) fail("not a payload of version 4");
+  std::vector<int> voxels;
+  switch (bytes.next()) {
+    case 1:
+      voxels = VolumeByDocument{document, bytes}.read();
+      break;
+    case 2:
+      for (int i = 0; i < kChunkVolume; ++i) {
+        const int low = bytes.next();
+        voxels.push_back(low + 256 * bytes.next());
+      }
+      break;
+    case 3:
+      voxels = read_runs(bytes);
+      break;
+    default:
+      fail("unknown encoding");
+  }
+  if (!bytes.at_end()) fail("too long");
+  return voxels;
 }
 
 }  // namespace talus::testing

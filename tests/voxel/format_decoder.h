@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <span>
 #include <string>
+#include <vector>
 
 #include <talus/voxel/chunk.h>
 
@@ -18,5 +19,9 @@ namespace talus::testing {
 
 /// Layers of a valid layered payload. Most others throw std::runtime_error; none is read past its end.
 [[nodiscard]] Layers decode_by_document(const std::string& document, std::span<const std::byte> payload);
+
+/// The voxels of a volume, of runs or of a raw payload, in dense order.
+[[nodiscard]] std::vector<int> voxels_by_document(const std::string& document,
+                                                  std::span<const std::byte> payload);
 
 }  // namespace talus::testing

@@ -11,6 +11,7 @@
 #include <talus/voxel/content_hash.h>
 
 #include "format_decoder.h"
+#include "payload_vectors.h"
 #include "sample_chunks.h"
 
 namespace talus {
@@ -18,26 +19,13 @@ namespace {
 
 using namespace testing;
 
-std::vector<std::byte> worked_payload() {
-  std::istringstream digits{block_of(format_document(), "hex")};
+/// The bytes of one of FORMAT.md's worked examples.
+std::vector<std::byte> worked_payload(const std::string& block) {
+  std::istringstream digits{block_of(format_document(), block)};
   std::vector<std::byte> payload;
   unsigned value = 0;
   while (digits >> std::hex >> value) payload.push_back(static_cast<std::byte>(value));
   return payload;
-}
-
-/// FORMAT.md's worked example: sloping rock, soil of two rows that ends in the south, air.
-Chunk worked_example() {
-  Layers layers{{MaterialId{2}, MaterialId{300}, kAir}, {}};
-  layers.tops.resize(2 * kChunkArea);
-  for (int z = 0; z < kChunkSize; ++z) {
-    for (int x = 0; x < kChunkSize; ++x) {
-      const int rock = 10 + x / 8;
-      layers.tops[column_index(x, z)] = static_cast<std::uint8_t>(rock);
-      layers.tops[kChunkArea + column_index(x, z)] = static_cast<std::uint8_t>(z < 20 ? rock + 2 : rock);
-    }
-  }
-  return Chunk::from_layers(std::move(layers));
 }
 
 /// `version`: of the payload, which is its first byte.
@@ -56,32 +44,17 @@ void check_frozen(int version, const std::string& name, const Chunk& chunk, cons
   CHECK(encoded(chunk) == frozen(version, name));
 }
 
-/// A house of random bricks on a hill.
-Chunk house() {
-  std::vector<Override> bricks;
-  for (std::uint8_t y = 20; y < 26; ++y) {
-    for (std::uint8_t z = 8; z < 17; ++z) {
-      for (std::uint8_t x = 5; x < 18; ++x) {
-        const bool wall = y == 25 || z == 8 || z == 16 || x == 5 || x == 17;
-        const auto brick = static_cast<std::uint16_t>((x * 7 + y * 13 + z * 5) % 11 == 0 ? 301 : 300);
-        bricks.push_back(
-            {static_cast<std::uint16_t>(voxel_index({x, y, z})), wall ? MaterialId{brick} : kAir});
-      }
-    }
-  }
-  return Chunk::from_layers(hill(1)).with_overrides(bricks);
-}
-
 }  // namespace
 
-TEST_CASE("the worked example in FORMAT.md is what encode gives") {
-  const auto payload = worked_payload();
-  CHECK(encoded(worked_example()) == payload);
-  CHECK(decode(payload).value() == worked_example());
-}
-
-TEST_CASE("FORMAT.md names the hash of its worked example") {
-  CHECK(format_document().find(to_string(content_hash(worked_example()))) != std::string::npos);
+TEST_CASE("the worked examples in FORMAT.md are what the encoder writes") {
+  for (const WorkedExample& example : worked_examples()) {
+    CAPTURE(example.name);
+    const auto payload = worked_payload("hex-" + example.name);
+    CHECK(example.payload == payload);
+    REQUIRE(decode(payload).has_value());
+    CHECK(decode(payload).value() == example.chunk);
+    CHECK(format_document().find(to_string(content_hash(example.chunk))) != std::string::npos);
+  }
 }
 
 TEST_CASE("a decoder that follows FORMAT.md reads what encode writes") {
@@ -100,6 +73,20 @@ TEST_CASE("a decoder that follows FORMAT.md reads what encode writes") {
     const Layers found = decode_by_document(document, payload);
     RC_ASSERT(found.materials == chunk.layers()->materials);
     RC_ASSERT(found.tops == chunk.layers()->tops);
+  }));
+}
+
+TEST_CASE("a decoder that follows FORMAT.md reads volumes, runs and raw voxels") {
+  const std::string document = format_document();
+  CHECK(rc::check([&document] {
+    const Chunk chunk = Chunk::from_dense(*voxels_of(any_chunk()));
+    RC_PRE(!chunk.is_uniform());
+    const auto payload = encoded(chunk);
+    RC_CLASSIFY(payload[1] == std::byte{1}, "volume");
+    RC_CLASSIFY(payload[1] == std::byte{3}, "runs");
+    const auto found = voxels_by_document(document, payload);
+    const auto voxels = voxels_of(chunk);
+    for (std::size_t i = 0; i < voxels->size(); ++i) RC_ASSERT(found[i] == to_integer((*voxels)[i]));
   }));
 }
 
@@ -122,15 +109,10 @@ TEST_CASE("frozen palettes of version 3 are still read") {
                 "0ed79e2ad7c1f106b448eb03bdc4b1af");
 }
 
-TEST_CASE("frozen volumes") {
-  check_frozen(4, "house", house(), "@HOUSE@");
-  check_frozen(4, "sloping", Chunk::from_dense(*voxels_of(Chunk::from_layers(hill(1)))),
-               "86a412f7635065ddd535272aa6357d00");
-}
-
-TEST_CASE("frozen runs") {
-  check_frozen(4, "few_materials", Chunk::from_dense(*random_voxels(4, 3, 40)), "@RUNS@");
-  check_frozen(4, "many_materials", Chunk::from_dense(*random_voxels(5, 250, 90)), "@MANY@");
+TEST_CASE("frozen volumes and runs") {
+  for (const FrozenChunk& frozen_chunk : frozen_chunks()) {
+    check_frozen(4, frozen_chunk.name, frozen_chunk.chunk, frozen_chunk.hash);
+  }
 }
 
 }  // namespace talus

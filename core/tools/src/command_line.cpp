@@ -67,7 +67,8 @@ int run_command_line(int argc, const char* const* argv, const std::string& versi
     return kExitWrongUse;
   }
   CLI::App app{
-      "The Talus terrain generator without a network: pictures, models, exports and hashes of a world.\n"
+      "The Talus terrain generator without a network: pictures, models, exports and hashes of a world,\n"
+      "and single chunks.\n"
       "Places are base voxels, x east and z south, and may be negative: --center -640,32. Exit codes: 0 "
       "done,\n"
       "1 failed, 2 wrong use."};
@@ -77,10 +78,11 @@ int run_command_line(int argc, const char* const* argv, const std::string& versi
                                         std::string{to_string(instruction_set())} + " kernels)");
   app.get_formatter()->column_width(34);
 
-  const std::vector<Command> commands{add_map(app),    add_section(app),       add_export(app),
-                                      add_hash(app),   add_vox(app),           add_gallery(app),
-                                      add_table1(app), add_likeness(app),      add_lod_error(app),
-                                      add_erode(app),  add_diamond_square(app)};
+  const std::vector<Command> commands{
+      add_map(app),       add_section(app), add_export(app),         add_hash(app),
+      add_vox(app),       add_gallery(app), add_table1(app),         add_likeness(app),
+      add_lod_error(app), add_erode(app),   add_diamond_square(app), add_encode(app),
+      add_decode(app),    add_explain(app)};
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

@@ -5,17 +5,13 @@
 namespace talus::codec {
 namespace {
 
-using Symbols = std::array<Symbol, kChunkSize>;
-
 /// The column that is read in place `at` of its row: even ones first.
 constexpr std::size_t column_at(std::size_t at) {
   return at % kLanes * 2 + at / kLanes;
 }
 
-/// Where the intervals of the symbols start, and the last one ends.
-using Starts = std::array<int, 5>;
+}  // namespace
 
-/// Of column x; an odd one's neighbours must be known.
 Starts starts_of(const RowsBefore& before, RowKind kind, const Symbols& symbols, std::size_t x) {
   const Signs signs = signs_of(before, symbols, static_cast<int>(x));
   int same = 0;
@@ -29,6 +25,8 @@ Starts starts_of(const RowsBefore& before, RowKind kind, const Symbols& symbols,
   const int other = kOtherStart[class_of(same)];
   return {0, end, end + 1 + ((other - end - 2) * kUpSplit[class_of(up)] >> 8), other, kProbabilityTotal};
 }
+
+namespace {
 
 /// Each column's step from how each differs from the one to its west. Steps past what a byte holds stay out
 /// of every plane's range.

@@ -10,4 +10,12 @@ namespace talus::codec {
 void model_plane_scalar(const std::uint8_t* plane, const std::uint8_t* below, PlaneIntervals& intervals);
 void encode_plane_scalar(const PlaneIntervals& intervals, RansSink& sink);
 
+/// The symbols of a row's columns, as far as they are known.
+using Symbols = std::array<Symbol, kChunkSize>;
+
+/// Where the intervals of the four symbols of column x start, and the last one ends. Of an odd column the
+/// neighbours' symbols must be known.
+using Starts = std::array<int, 5>;
+[[nodiscard]] Starts starts_of(const RowsBefore& before, RowKind kind, const Symbols& symbols, std::size_t x);
+
 }  // namespace talus::codec

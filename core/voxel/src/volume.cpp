@@ -133,6 +133,10 @@ constexpr std::size_t kBytesOfBatch = 2 * kMaxBatch + (kMaxBatch / kLanes + 1) *
 
 }  // namespace
 
+const VolumeIntervals* volume_intervals(std::size_t table) {
+  return table < kTables ? &kIntervals[table] : nullptr;
+}
+
 bool encode_volume(const DenseVoxels& voxels, std::vector<std::byte>& out, const VolumeKernels& kernels) {
   VolumeEvents events;  // on the stack, where only what is written is touched; so is the buffer
   if (!kernels.analyse(voxels, events)) return false;
@@ -192,8 +196,8 @@ tl::expected<Chunk, DecodeError> decode_volume(std::span<const std::byte> body,
   code.exceptions = *exceptions;
   if (body.size() < 1 + kStatesBytes) return tl::unexpected{DecodeError::truncated};
   const auto table = std::to_integer<std::size_t>(body.front());
-  if (table >= kTables) return tl::unexpected{DecodeError::bad_number};
-  code.intervals = &kIntervals[table];
+  code.intervals = volume_intervals(table);
+  if (code.intervals == nullptr) return tl::unexpected{DecodeError::bad_number};
 
   VolumeSource source;
   source.next = reinterpret_cast<const std::uint8_t*>(body.data()) + 1;

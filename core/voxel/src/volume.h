@@ -14,6 +14,9 @@
 
 namespace talus::codec {
 
+/// The probabilities of a table; null where there is no such table.
+[[nodiscard]] const VolumeIntervals* volume_intervals(std::size_t table);
+
 /// Appends what follows the two header bytes. False, with `out` as it was, where the voxels are noise, where
 /// exceptions and escapes have more than 256 materials, or where the result would not be smaller than raw
 /// voxels.

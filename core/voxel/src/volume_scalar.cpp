@@ -83,6 +83,11 @@ void read_slots_scalar(VolumeSource& source, const SlotTable& slots, std::size_t
 }
 
 VolumeFault read_volume_scalar(VolumeSource& source, const VolumeCode& code, PaddedVoxels& padded) {
+  return read_volume_scalar(source, code, padded, {});
+}
+
+VolumeFault read_volume_scalar(VolumeSource& source, const VolumeCode& code, PaddedVoxels& padded,
+                               const SeeSymbol& see) {
   DenseVoxels& voxels = padded.voxels;
   const Row row_zero = row_of(code.first);
   ExceptionReader exceptions{code, source};
@@ -113,7 +118,17 @@ VolumeFault read_volume_scalar(VolumeSource& source, const VolumeCode& code, Pad
       const std::uint32_t ends = (*code.intervals)[static_cast<std::size_t>(prediction.context)];
       const std::array starts{0, static_cast<int>(ends & 0xFFU), static_cast<int>(ends >> 8U & 0xFFU),
                               static_cast<int>(ends >> 16U & 0xFFU), kProbabilityTotal};
-      const std::size_t symbol = decode_symbol(source, i % kLanes, starts.data());
+      const std::size_t lane = i % kLanes;
+      VolumeSymbol seen{coded[i],
+                        static_cast<std::size_t>(prediction.context),
+                        ends,
+                        0,
+                        lane,
+                        source.states[lane],
+                        static_cast<std::size_t>(source.end - source.next)};
+      const std::size_t symbol = decode_symbol(source, lane, starts.data());
+      seen.symbol = symbol;
+      if (see) see(source, seen);
       if (symbol == kEscape) {
         escaped[escapes++] = coded[i];
       } else {

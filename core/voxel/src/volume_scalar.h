@@ -1,6 +1,8 @@
 // Volumes voxel by voxel, as FORMAT.md has them: what the kernels of every instruction set must equal.
 #pragma once
 
+#include <functional>
+
 #include "volume_kernels.h"
 
 namespace talus::codec {
@@ -11,6 +13,20 @@ void write_volume_scalar(const VolumeEvents& events, std::size_t first, std::siz
 void write_intervals_scalar(const std::uint32_t* intervals, std::size_t count, RansSink& sink);
 void read_slots_scalar(VolumeSource& source, const SlotTable& slots, std::size_t count, std::uint8_t* kinds);
 VolumeFault read_volume_scalar(VolumeSource& source, const VolumeCode& code, PaddedVoxels& padded);
+
+/// A symbol as it was read, for who explains a payload.
+struct VolumeSymbol {
+  std::size_t voxel;
+  std::size_t context;
+  std::uint32_t ends;  // of its context's intervals, as VolumeIntervals has them
+  std::size_t symbol;
+  std::size_t lane;
+  std::uint32_t state;     // of the lane, before
+  std::size_t bytes_left;  // of the payload, before
+};
+using SeeSymbol = std::function<void(const RansSource&, const VolumeSymbol&)>;
+VolumeFault read_volume_scalar(VolumeSource& source, const VolumeCode& code, PaddedVoxels& padded,
+                               const SeeSymbol& see);
 
 inline constexpr VolumeKernels kScalarVolume{analyse_volume_scalar, write_volume_scalar,
                                              write_intervals_scalar, read_slots_scalar, read_volume_scalar};

@@ -33,6 +33,11 @@ struct Command {
 [[nodiscard]] Command add_erode(CLI::App& app);
 [[nodiscard]] Command add_diamond_square(CLI::App& app);
 
+// Of single chunks, without a world (chunk_commands.cpp).
+[[nodiscard]] Command add_encode(CLI::App& app);
+[[nodiscard]] Command add_decode(CLI::App& app);
+[[nodiscard]] Command add_explain(CLI::App& app);
+
 // Options that several commands have (command_line.cpp: each file that has CLI11 takes long to compile).
 void add_world(CLI::App& command, std::string& world);
 void add_threads(CLI::App& command, int& threads);
