@@ -40,7 +40,8 @@ Measured measure_pings(std::uint16_t server_port, std::uint64_t bytes_per_second
   const load::FaultProxy proxy{server_port, {}, bytes_per_second == 0 ? load::Faults{} : link};
   Measured measured;
   asio::io_context io;
-  client::Client client{io.get_executor()};
+  const client::Options options;  // named: of a temporary GCC 12 says that it may be uninitialised
+  client::Client client{io.get_executor(), options};
   const auto begin = Clock::now();
   asio::steady_timer next{io};
   std::function<void()> ping = [&] {
