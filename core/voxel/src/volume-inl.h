@@ -9,7 +9,7 @@
 #include <hwy/highway.h>
 
 #include "rans-inl.h"
-#include "volume_masks.h"
+#include "volume_masks-inl.h"
 
 #if HWY_TARGET != HWY_SCALAR
 HWY_BEFORE_NAMESPACE();
@@ -98,8 +98,8 @@ HWY_INLINE std::uint32_t deposit_bits(std::uint32_t bits, std::uint32_t mask) {
 #endif
 }
 
-/// The voxels to the west; what stands in the first column means nothing. `voxels`: where the row lies, with a
-/// voxel before it.
+/// The voxels to the west; what stands in the first column means nothing. `voxels`: where the row lies, with
+/// a voxel before it.
 HWY_INLINE RowVec west_of(const RowVec& row, const MaterialId* voxels) {
 #if HWY_TARGET == HWY_AVX3
   (void)voxels;
@@ -131,20 +131,20 @@ HWY_INLINE RowVec east_of(const RowVec& row, const MaterialId* voxels) {
 #endif
 }
 
-/// Writes the numbers of `coded` voxels, at most kLanes of them, side by side, that `bits` has bit for bit; it
-/// may write kLanes of them in any case.
+/// Writes numbers of `count` bits of the `coded` voxels of a row, at most kLanes of them, side by side;
+/// bits(b) is bit b of each. It may write kLanes of them in any case.
 template <std::size_t count, class Bits>
 HWY_INLINE void put_numbers(RowMask coded, const Bits& bits, std::uint8_t* out) {
 #if HWY_TARGET == HWY_AVX3
   __m128i numbers = _mm_setzero_si128();
   for (std::size_t b = 0; b < count; ++b) {
-    const auto lanes = static_cast<__mmask16>(extract_bits(bits[b], coded));
+    const auto lanes = static_cast<__mmask16>(extract_bits(bits(b), coded));
     numbers = _mm_or_si128(numbers, _mm_maskz_set1_epi8(lanes, static_cast<char>(1U << b)));
   }
   _mm_storeu_si128(reinterpret_cast<__m128i*>(out), numbers);
 #else
   std::array<std::uint32_t, count> packed;
-  for (std::size_t b = 0; b < count; ++b) packed[b] = extract_bits(bits[b], coded);
+  for (std::size_t b = 0; b < count; ++b) packed[b] = extract_bits(bits(b), coded);
   for (int left = std::popcount(coded); left > 0; left -= 8, out += 8) {
     std::uint64_t numbers = 0;
     for (std::size_t b = 0; b < count; ++b) {
@@ -156,8 +156,177 @@ HWY_INLINE void put_numbers(RowMask coded, const Bits& bits, std::uint8_t* out) 
 #endif
 }
 
+// A wave's masks, one to a row: sixteen rows at most.
+inline constexpr std::size_t kWaveRows = 16;
+using MaskTag = hn::CappedTag<std::uint32_t, kWaveRows>;
+constexpr std::size_t kMaskParts =
+    kWaveRows * sizeof(RowMask) / HWY_MAX_BYTES == 0 ? 1 : kWaveRows * sizeof(RowMask) / HWY_MAX_BYTES;
+struct MaskVec {
+  hn::Vec<MaskTag> part[kMaskParts];
+
+  template <class Operation>
+  HWY_INLINE MaskVec with(const MaskVec& other, const Operation& operation) const {
+    MaskVec result;
+    for (std::size_t p = 0; p < kMaskParts; ++p) result.part[p] = operation(part[p], other.part[p]);
+    return result;
+  }
+  friend HWY_INLINE MaskVec operator&(const MaskVec& a, const MaskVec& b) {
+    return a.with(b, [](auto x, auto y) HWY_ATTR { return hn::And(x, y); });
+  }
+  friend HWY_INLINE MaskVec operator|(const MaskVec& a, const MaskVec& b) {
+    return a.with(b, [](auto x, auto y) HWY_ATTR { return hn::Or(x, y); });
+  }
+  HWY_INLINE MaskVec operator~() const {
+    return with(*this, [](auto x, auto) HWY_ATTR { return hn::Not(x); });
+  }
+};
+
+/// The masks of a wave's rows, in the order of the rows.
+using WaveMasks = std::array<RowMask, kWaveRows>;
+
+HWY_INLINE MaskVec load_masks(const RowMask* masks) {
+  const MaskTag d;
+  MaskVec vec;
+  for (std::size_t p = 0; p < kMaskParts; ++p) vec.part[p] = hn::LoadU(d, masks + p * hn::MaxLanes(d));
+  return vec;
+}
+
+HWY_INLINE void store_masks(const MaskVec& vec, RowMask* masks) {
+  const MaskTag d;
+  for (std::size_t p = 0; p < kMaskParts; ++p) hn::StoreU(vec.part[p], d, masks + p * hn::MaxLanes(d));
+}
+
+HWY_INLINE MaskVec set_masks(RowMask mask) {
+  MaskVec vec;
+  for (std::size_t p = 0; p < kMaskParts; ++p) vec.part[p] = hn::Set(MaskTag{}, mask);
+  return vec;
+}
+
+/// The masks of the voxels one to the east of each, where these have the masks of their wests.
+HWY_INLINE MaskVec of_east(const MaskVec& west) {
+  return west.with(set_masks(1U << 31U),
+                   [](auto x, auto last) HWY_ATTR { return hn::Or(hn::ShiftRight<1>(x), last); });
+}
+
+/// Masks of a wave's rows where single rows are looked at.
+struct AroundArrays {
+  AroundMasks<WaveMasks> of;
+  WaveMasks all;  // all that make voxels steady, and level
+
+  HWY_INLINE void store(const AroundMasks<MaskVec>& masks) {
+    store_masks(masks.upright, of.upright.data());
+    store_masks(masks.level, of.level.data());
+    store_masks(masks.level_south, of.level_south.data());
+    store_masks(masks.west_n, of.west_n.data());
+    store_masks(masks.east_n, of.east_n.data());
+    store_masks(masks.west_b, of.west_b.data());
+    store_masks(masks.east_b, of.east_b.data());
+    store_masks(masks.all() & masks.level, all.data());
+  }
+  [[nodiscard]] HWY_INLINE AroundMasks<RowMask> row(std::size_t i) const {
+    return {of.upright[i], of.level[i],  of.level_south[i], of.west_n[i],
+            of.east_n[i],  of.west_b[i], of.east_b[i]};
+  }
+};
+
+/// How the odd columns of a wave's rows stand to their neighbours; ones where a row is not looked at.
+struct BesideArrays {
+  BesideMasks<WaveMasks> of;
+
+  HWY_INLINE void clear() {
+    for (WaveMasks* masks : {&of.equal, &of.base_west, &of.base_east, &of.other_west, &of.other_east}) {
+      store_masks(set_masks(kAllColumns), masks->data());
+    }
+  }
+  [[nodiscard]] HWY_INLINE BesideMasks<MaskVec> load() const {
+    return {load_masks(of.equal.data()), load_masks(of.base_west.data()), load_masks(of.base_east.data()),
+            load_masks(of.other_west.data()), load_masks(of.other_east.data())};
+  }
+  HWY_INLINE void set(std::size_t i, const RowVec& base, const RowVec& other, const RowVec& west,
+                      const RowVec& east) {
+    of.equal[i] = ::talus::HWY_NAMESPACE::equal(west, east) | 1U << 31U;
+    of.base_west[i] = ::talus::HWY_NAMESPACE::equal(base, west);
+    of.base_east[i] = ::talus::HWY_NAMESPACE::equal(base, east);
+    of.other_west[i] = ::talus::HWY_NAMESPACE::equal(other, west);
+    of.other_east[i] = ::talus::HWY_NAMESPACE::equal(other, east);
+  }
+};
+
+/// What a wave's rows have to code: which voxels are steady, which are coded, and their contexts bit by bit.
+struct BatchMasks {
+  WaveMasks steady;
+  WaveMasks coded;
+  std::array<WaveMasks, 8> context;
+
+  HWY_INLINE void store(RowMask half, const MaskVec& is_steady, const ContextBits<MaskVec>& contexts) {
+    store_masks(set_masks(half) & is_steady, steady.data());
+    store_masks(set_masks(half) & ~is_steady, coded.data());
+    for (std::size_t b = 0; b < contexts.size(); ++b) store_masks(contexts[b], context[b].data());
+  }
+  [[nodiscard]] HWY_INLINE std::uint32_t steady_voxels(std::size_t rows) const {
+    int count = 0;
+    for (std::size_t i = 0; i < rows; ++i) count += std::popcount(steady[i]);
+    return static_cast<std::uint32_t>(count);
+  }
+};
+
+/// Which voxels of the rows of the last waves equal a neighbour. A row that is not there has masks of ones,
+/// so that each row finds what rows_around() of volume_model.h says.
+class EqualMasks {
+ public:
+  EqualMasks() {
+    for (Masks& masks : west_) masks.fill(kAllColumns);
+    north_ = below_ = west_;
+  }
+
+  /// Of the rows of a wave, from its first one on.
+  [[nodiscard]] HWY_INLINE AroundMasks<MaskVec> around(int wave) {
+    const auto w = static_cast<std::size_t>(wave);
+    const auto y = static_cast<std::size_t>(first_row_of(wave)) + 1;
+    RowMask* const west_north = west_[(w + 3) % 4].data() + y;
+    RowMask* const west_below = west_[(w + 2) % 4].data() + y - 1;
+    if (wave < kChunkSize) *west_below = *west_north;  // row y = 0: below is north
+    const auto last = static_cast<std::size_t>(last_row_of(wave)) + 1 - y;
+    if (wave % 2 == 0 && wave / 2 < kChunkSize) west_north[last] = west_below[last];  // z = 0: north is below
+    const MaskVec west_n = load_masks(west_north);
+    const MaskVec west_b = load_masks(west_below);
+    return {load_masks(below_[(w + 3) % 4].data() + y),
+            load_masks(north_[(w + 2) % 4].data() + y - 1),
+            load_masks(north_[(w + 3) % 4].data() + y - 1),
+            west_n,
+            of_east(west_n),
+            west_b,
+            of_east(west_b)};
+  }
+
+  /// Makes room for the masks of a wave.
+  HWY_INLINE void begin(int wave) {
+    const std::size_t w = static_cast<std::size_t>(wave) % 4;
+    for (Masks* masks : {&west_[w], &north_[w], &below_[w]}) {
+      for (std::size_t i = 0; i < masks->size(); i += kWaveRows)
+        store_masks(set_masks(kAllColumns), masks->data() + i);
+    }
+  }
+
+  /// `west`, `north`, `below`: where the voxels of row (y, z) equal those there.
+  HWY_INLINE void set(int y, int z, RowMask west, RowMask north, RowMask below) {
+    const auto w = static_cast<std::size_t>(z + 2 * y) % 4;
+    const auto at = static_cast<std::size_t>(y) + 1;
+    west_[w][at] = west | 1U;
+    if (z != 0) north_[w][at] = north;
+    if (y != 0) below_[w][at] = below;
+  }
+
+ private:
+  // By wave, modulo 4, and row, from y = -1 on.
+  using Masks = std::array<RowMask, 64>;
+  std::array<Masks, 4> west_;
+  std::array<Masks, 4> north_;
+  std::array<Masks, 4> below_;
+};
+
 /// Where north and below agree: the first of the voxels around that differs from them.
-HWY_INLINE RowVec first_different(const AroundMasks& masks, const RowsAround& around) {
+HWY_INLINE RowVec first_different(const AroundMasks<RowMask>& masks, const RowsAround& around) {
   RowVec found = load_voxels(around.below_north);
   found = select(masks.level_south, found, load_voxels(around.below_south));
   found = select(masks.west_b, found, load_voxels(around.below - 1));
@@ -167,7 +336,7 @@ HWY_INLINE RowVec first_different(const AroundMasks& masks, const RowsAround& ar
 }
 
 /// The first of the voxels around that is neither of two candidates; `exists` says where there is one.
-HWY_INLINE RowVec third_candidate(const RowVec& first, const RowVec& second, const AroundMasks& masks,
+HWY_INLINE RowVec third_candidate(const RowVec& first, const RowVec& second, RowMask level,
                                   const RowsAround& around, RowMask& exists) {
   const RowVec north = load_voxels(around.north);
   const RowVec below = load_voxels(around.below);
@@ -185,8 +354,8 @@ HWY_INLINE RowVec third_candidate(const RowVec& first, const RowVec& second, con
   prefer(load_voxels(around.below + 1), kHasEast);
   prefer(load_voxels(around.north - 1), kHasWest);
   prefer(load_voxels(around.north + 1), kHasEast);
-  prefer(select(masks.level, below, north), kAllColumns);
-  prefer(select(masks.level, north, below), kAllColumns);
+  prefer(select(level, below, north), kAllColumns);
+  prefer(select(level, north, below), kAllColumns);
   return found;
 }
 

@@ -35,7 +35,8 @@ struct RowsAround {
 };
 
 /// `row_zero` stands to the north of the first row: 32 times the chunk's first material.
-[[nodiscard]] inline RowsAround rows_around(const MaterialId* voxels, const MaterialId* row_zero, int y, int z) {
+[[nodiscard]] inline RowsAround rows_around(const MaterialId* voxels, const MaterialId* row_zero, int y,
+                                            int z) {
   const auto row = [voxels](int at_y, int at_z) { return voxels + (at_y * kChunkSize + at_z) * kChunkSize; };
   if (y == 0) {
     const MaterialId* const north = z == 0 ? row_zero : row(0, z - 1);
@@ -72,7 +73,8 @@ struct Prediction {
   const MaterialId below = around.below[x];
   const MaterialId below_north = around.below_north[x];
   const MaterialId below_south = around.below_south[x];
-  const std::array beside{around.north[after], around.north[before], around.below[after], around.below[before]};
+  const std::array beside{around.north[after], around.north[before], around.below[after],
+                          around.below[before]};
   const bool same = north == below;
   const bool upright = north == below_north;  // nothing changes from below to the north's row
   const bool level = below == below_north;    // nor from north to south in the row below
@@ -96,8 +98,8 @@ struct Prediction {
   if (x % 2 == 0) {
     prediction.steady = same && around_bits == kAllAround;
     prediction.context = same ? around_bits
-                              : 64 + bits(level, upright, level_south, below_south == north,
-                                          west_n && east_n, west_b && east_b);
+                              : 64 + bits(level, upright, level_south, below_south == north, west_n && east_n,
+                                          west_b && east_b);
   } else {
     const MaterialId west = row[x - 1];
     const MaterialId east = x == kLast ? west : row[x + 1];
@@ -112,9 +114,9 @@ struct Prediction {
       const bool is_east = base == east || (base != west && other == east);
       const MaterialId first = is_east ? east : west;
       const MaterialId second = is_east ? west : east;
-      prediction.context = kOddContexts + 128 +
-                           bits(base == first, other == first, base == second, other == second, upright, level,
-                                level_south);
+      prediction.context =
+          kOddContexts + 128 +
+          bits(base == first, other == first, base == second, other == second, upright, level, level_south);
       prediction.add(first);
       prediction.add(second);
     }

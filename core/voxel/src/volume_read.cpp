@@ -37,10 +37,12 @@ class Batch {
  public:
   void clear() { size_ = 0; }
 
+  /// The coded voxels of row `i` of a wave.
   template <std::size_t count>
-  HWY_INLINE void add(RowMask coded, const ContextBits& bits) {
-    put_numbers<count>(coded, bits, contexts_.data() + size_);
-    size_ += static_cast<std::size_t>(std::popcount(coded));
+  HWY_INLINE void add(const BatchMasks& masks, std::size_t i) {
+    put_numbers<count>(
+        masks.coded[i], [&](std::size_t b) { return masks.context[b][i]; }, contexts_.data() + size_);
+    size_ += static_cast<std::size_t>(std::popcount(masks.coded[i]));
   }
 
   HWY_INLINE void decode(VolumeSource& source, const std::uint32_t* intervals) {
@@ -49,14 +51,21 @@ class Batch {
     const std::uint8_t* next = source.next;
     WordParts states = load_words(source.states.data());
     const Half d;
+    std::uint64_t low = 0;
+    std::uint64_t high = 0;
     for (std::size_t i = 0; i < size_; i += kLanes) {
       const HalfVec symbols = decode_symbols(states, starts(i, intervals), next);
       const auto bits = [&](std::uint8_t bit) HWY_ATTR {
         return static_cast<std::uint16_t>(
             lanes_of(hn::Eq(hn::And(symbols, hn::Set(d, bit)), hn::Set(d, bit))));
       };
-      low_[i / kLanes] = bits(1);
-      high_[i / kLanes] = bits(2);
+      // Put together in registers: what is taken later lies across several of these.
+      const std::size_t shift = i % 64;
+      low |= std::uint64_t{bits(1)} << shift;
+      high |= std::uint64_t{bits(2)} << shift;
+      low_[i / 64] = low;
+      high_[i / 64] = high;
+      if (shift == 48) low = high = 0;
     }
     store_words(states, source.states.data());
     source.next = next;
@@ -74,12 +83,12 @@ class Batch {
   }
 
  private:
-  using BitString = std::array<std::uint16_t, kMaxBatch / kLanes + 2>;
+  using BitString = std::array<std::uint64_t, kMaxBatch / 64 + 1>;
 
   [[nodiscard]] HWY_INLINE std::uint32_t bits_at(const BitString& string) const {
-    std::uint32_t bits;
-    std::memcpy(&bits, reinterpret_cast<const std::uint8_t*>(string.data()) + next_ / 8, sizeof bits);
-    return bits >> next_ % 8;
+    const std::size_t word = next_ / 64;
+    const std::size_t shift = next_ % 64;
+    return static_cast<std::uint32_t>(string[word] >> shift | (string[word + 1] << 1U) << (63 - shift));
   }
 
   [[nodiscard]] HWY_INLINE StartParts starts(std::size_t first, const std::uint32_t* intervals) const {
@@ -124,13 +133,6 @@ class Batch {
 struct WaveRow {
   MaterialId* voxels;
   RowsAround around;
-  AroundMasks masks;
-  BesideMasks beside;
-  RowMask same;
-  RowMask coded;
-  std::size_t y;
-  std::size_t z;
-  bool uniform;  // it and all around it are of one material
 };
 
 class Reader {
@@ -142,99 +144,126 @@ class Reader {
 
   VolumeFault read() {
     for (int wave = 0; wave < kWaves; ++wave) {
-      rows_ = 0;
-      batch_.clear();
-      for (int y = first_row_of(wave); y <= last_row_of(wave); ++y) begin_row(y, wave - 2 * y);
-      if (!finish_batch<0>()) return fault();
-      batch_.clear();
-      for (std::size_t i = 0; i < rows_; ++i) begin_odd(row_[i]);
-      if (!finish_batch<kOddContexts>()) return fault();
-      for (std::size_t i = 0; i < rows_; ++i) {
-        const WaveRow& row = row_[i];
-        if (row.uniform) continue;
-        const RowVec now = load_voxels(row.voxels);
-        equal_.set(row.y, row.z, equal(now, west_of(now, row.voxels)),
-                   equal(now, load_voxels(row.around.north)), equal(now, load_voxels(row.around.below)));
-      }
+      rows_ = static_cast<std::size_t>(last_row_of(wave) - first_row_of(wave) + 1);
+      const AroundMasks<MaskVec> around = equal_.around(wave);
+      around_.store(around);
+      begin_even(wave);
+      const MaskVec same = load_masks(same_.data());
+      masks_.store(kEvenColumns, same & around.all(), even_contexts(around, same, load_masks(south_.data())));
+      if (!read_batch<false>()) return fault();
+
+      begin_odd();
+      const BesideMasks<MaskVec> beside = beside_.load();
+      store_masks(beside.is_east(), is_east_.data());
+      masks_.store(kOddColumns, beside.agrees() & around.all(), odd_contexts(around, beside, same));
+      store_odd();
+      if (!read_batch<true>()) return fault();
+      end_wave(wave);
     }
     return exceptions_.all_taken() ? VolumeFault::none : VolumeFault::bad_number;
   }
 
  private:
-  /// Gives the exceptions among the `steady` voxels of a row their materials.
-  HWY_INLINE void take_exceptions(MaterialId* row, RowMask steady) {
-    auto count = static_cast<std::uint32_t>(std::popcount(steady));
-    while (HWY_UNLIKELY(exceptions_.gap() < count)) {
-      const int x = std::countr_zero(deposit_bits(1U << exceptions_.gap(), steady));
-      row[x] = exceptions_.take(source_);
-      steady &= ~(RowMask{2} << x) + 1;
-      count = static_cast<std::uint32_t>(std::popcount(steady));
-    }
-    exceptions_.pass(count);
+  /// Calls visit(i) for the rows that are not uniform: of which some row around is not of the one material.
+  template <class Visit>
+  HWY_INLINE void over_rows(const Visit& visit) {
+    for (std::uint32_t left = mixed_; left != 0; left &= left - 1)
+      visit(static_cast<std::size_t>(std::countr_zero(left)));
   }
 
-  HWY_INLINE void begin_row(int y, int z) {
-    WaveRow& row = row_[rows_];
-    row.masks = equal_.around(static_cast<std::size_t>(y), static_cast<std::size_t>(z));
-    row.voxels = voxels_ + (y * kChunkSize + z) * kChunkSize;
-    row.y = static_cast<std::size_t>(y);
-    row.z = static_cast<std::size_t>(z);
-    row.around = rows_around(voxels_, row_zero_.data() + kChunkSize, y, z);
-    const RowVec below = load_voxels(row.around.below);
-    if ((row.masks.all() & row.masks.level) == kAllColumns) {
-      // All around is of one material. The masks of such a row are what they were set to at first.
-      store_voxels(below, row.voxels);
-      row.coded = 0;
-      row.uniform = exceptions_.gap() >= kLanes;
-      row.same = kAllColumns;
-      take_exceptions(row.voxels, kEvenColumns);
-      ++rows_;
-      return;
-    }
-    const RowVec north = load_voxels(row.around.north);
-    row.uniform = false;
-    row.same = equal(north, below);
-    store_voxels(select(row.masks.level, north, below), row.voxels);
-    const RowMask steady = kEvenColumns & row.same & row.masks.all();
-    row.coded = kEvenColumns & ~steady;
-    take_exceptions(row.voxels, steady);
-    ++rows_;
-    if (row.coded == 0) return;
-    const RowMask south = equal(load_voxels(row.around.below_south), north);
-    batch_.add<7>(row.coded, even_contexts(row.masks, row.same, south));
-  }
-
-  HWY_INLINE void begin_odd(WaveRow& row) {
-    if (row.uniform) {
-      row.uniform = exceptions_.gap() >= kLanes;
-      row.coded = 0;
-      take_exceptions(row.voxels, kOddColumns);
-      return;
-    }
-    const RowVec north = load_voxels(row.around.north);
-    const RowVec below = load_voxels(row.around.below);
-    const RowVec base = select(row.masks.level, north, below);
-    const RowVec other = select(row.masks.level, below, north);
-    const RowVec now = load_voxels(row.voxels);
-    const RowVec west = west_of(now, row.voxels);
-    const RowVec east = east_of(now, row.voxels);
-    row.beside = {equal(west, east) | 1U << 31U, equal(base, west), equal(base, east), equal(other, west),
-                  equal(other, east)};
-    const RowMask steady = kOddColumns & row.beside.agrees() & row.masks.all();
-    row.coded = kOddColumns & ~steady;
-    store_voxels(select(kOddColumns, select(row.beside.is_east(), east, west), now), row.voxels);
-    take_exceptions(row.voxels, steady);
-    if (row.coded != 0) batch_.add<8>(row.coded, odd_contexts(row.masks, row.beside, row.same));
-  }
-
-  /// Reads the symbols of a batch and gives its voxels their materials.
-  template <std::size_t first_context>
-  HWY_INLINE bool finish_batch() {
-    source_.keep_ahead();
-    batch_.decode(source_, code_.intervals->data() + first_context);
+  /// The even columns get their first candidates, and so do all columns of uniform rows.
+  HWY_INLINE void begin_even(int wave) {
+    store_masks(set_masks(kAllColumns), same_.data());
+    beside_.clear();
+    mixed_ = 0;
+    const int first = first_row_of(wave);
     for (std::size_t i = 0; i < rows_; ++i) {
-      if (row_[i].coded != 0) finish_row<first_context != 0>(row_[i]);
+      const int y = first + static_cast<int>(i);
+      const int z = wave - 2 * y;
+      WaveRow& row = row_[i];
+      row.voxels = voxels_ + (y * kChunkSize + z) * kChunkSize;
+      row.around = rows_around(voxels_, row_zero_.data() + kChunkSize, y, z);
+      const RowVec below = load_voxels(row.around.below);
+      if (around_.all[i] == kAllColumns) {
+        store_voxels(below, row.voxels);
+        continue;
+      }
+      mixed_ |= 1U << i;
+      const RowVec north = load_voxels(row.around.north);
+      same_[i] = equal(north, below);
+      south_[i] = equal(load_voxels(row.around.below_south), north);
+      store_voxels(select(around_.of.level[i], north, below), row.voxels);
     }
+  }
+
+  HWY_INLINE void begin_odd() {
+    over_rows([this](std::size_t i) HWY_ATTR {
+      const WaveRow& row = row_[i];
+      const RowVec north = load_voxels(row.around.north);
+      const RowVec below = load_voxels(row.around.below);
+      const RowVec now = load_voxels(row.voxels);
+      const RowMask level = around_.of.level[i];
+      beside_.set(i, select(level, north, below), select(level, below, north), west_of(now, row.voxels),
+                  east_of(now, row.voxels));
+    });
+  }
+
+  /// The odd columns get their first candidates.
+  HWY_INLINE void store_odd() {
+    over_rows([this](std::size_t i) HWY_ATTR {
+      const WaveRow& row = row_[i];
+      const RowVec now = load_voxels(row.voxels);
+      const RowVec first = select(is_east_[i], east_of(now, row.voxels), west_of(now, row.voxels));
+      store_voxels(select(kOddColumns, first, now), row.voxels);
+    });
+  }
+
+  HWY_INLINE void end_wave(int wave) {
+    equal_.begin(wave);
+    const int first = first_row_of(wave);
+    over_rows([this, first, wave](std::size_t i) HWY_ATTR {
+      const WaveRow& row = row_[i];
+      const RowVec now = load_voxels(row.voxels);
+      const int y = first + static_cast<int>(i);
+      equal_.set(y, wave - 2 * y, equal(now, west_of(now, row.voxels)),
+                 equal(now, load_voxels(row.around.north)), equal(now, load_voxels(row.around.below)));
+    });
+  }
+
+  /// Gives the exceptions among the steady voxels their materials.
+  HWY_INLINE void take_exceptions() {
+    const std::uint32_t all = masks_.steady_voxels(rows_);
+    if (HWY_LIKELY(exceptions_.gap() >= all)) {
+      exceptions_.pass(all);
+      return;
+    }
+    for (std::size_t i = 0; i < rows_; ++i) {
+      RowMask steady = masks_.steady[i];
+      auto count = static_cast<std::uint32_t>(std::popcount(steady));
+      while (exceptions_.gap() < count) {
+        const int x = std::countr_zero(deposit_bits(1U << exceptions_.gap(), steady));
+        row_[i].voxels[x] = exceptions_.take(source_);
+        mixed_ |= 1U << i;
+        steady &= ~(RowMask{2} << x) + 1;
+        count = static_cast<std::uint32_t>(std::popcount(steady));
+      }
+      exceptions_.pass(count);
+    }
+  }
+
+  /// Reads the symbols of a batch and gives its voxels their materials. False where there is a fault.
+  template <bool odd>
+  HWY_INLINE bool read_batch() {
+    take_exceptions();
+    batch_.clear();
+    over_rows([this](std::size_t i) HWY_ATTR {
+      if (masks_.coded[i] != 0) batch_.template add<odd ? 8 : 7>(masks_, i);
+    });
+    source_.keep_ahead();
+    batch_.decode(source_, code_.intervals->data() + (odd ? kOddContexts : 0));
+    over_rows([this](std::size_t i) HWY_ATTR {
+      if (masks_.coded[i] != 0) finish_row<odd>(i);
+    });
     for (std::size_t i = 0; i < escapes_; ++i) {
       *escaped_[i] = MaterialId{decode_slot(source_, i % kLanes, code_.materials)};
     }
@@ -243,29 +272,30 @@ class Reader {
   }
 
   template <bool odd>
-  HWY_INLINE void finish_row(const WaveRow& row) {
-    const Batch::Symbols symbols = batch_.take(row.coded);
+  HWY_INLINE void finish_row(std::size_t i) {
+    const Batch::Symbols symbols = batch_.take(masks_.coded[i]);
     if ((symbols.low | symbols.high) == 0) return;
+    const WaveRow& row = row_[i];
+    const AroundMasks<RowMask> masks = around_.row(i);
     const RowVec north = load_voxels(row.around.north);
     const RowVec below = load_voxels(row.around.below);
     const RowVec now = load_voxels(row.voxels);  // the first candidates
     RowVec second;
     if constexpr (odd) {
-      const BesideMasks& beside = row.beside;
+      const BesideMasks<WaveMasks>& beside = beside_.of;
       // Base, unless that is the west: then the other.
-      const RowVec of_equal = select(row.masks.level ^ beside.base_west, north, below);
-      const RowVec beyond = select(beside.is_east(), west_of(now, row.voxels), east_of(now, row.voxels));
-      second = select(beside.agrees(), first_different(row.masks, row.around),
-                      select(beside.equal, of_equal, beyond));
+      const RowVec of_equal = select(masks.level ^ beside.base_west[i], north, below);
+      const RowVec beyond = select(is_east_[i], west_of(now, row.voxels), east_of(now, row.voxels));
+      const RowMask agrees = beside.equal[i] & beside.base_west[i] & beside.other_west[i];
+      second = select(agrees, first_different(masks, row.around), select(beside.equal[i], of_equal, beyond));
     } else {
-      second =
-          select(row.same, first_different(row.masks, row.around), select(row.masks.level, below, north));
+      second = select(same_[i], first_different(masks, row.around), select(masks.level, below, north));
     }
     RowVec found = select(symbols.low & ~symbols.high, second, now);
     const RowMask is_third = symbols.high & ~symbols.low;
     if (is_third != 0) {
       RowMask exists = 0;
-      const RowVec third = third_candidate(now, second, row.masks, row.around, exists);
+      const RowVec third = third_candidate(now, second, masks.level, row.around, exists);
       found = select(is_third, third, found);
       bad_number_ |= (is_third & ~exists) != 0;
     }
@@ -284,9 +314,16 @@ class Reader {
   MaterialId* voxels_;
   ExceptionReader exceptions_;
   EqualMasks equal_;
+  AroundArrays around_;
+  BesideArrays beside_;
+  BatchMasks masks_;
+  WaveMasks same_;
+  WaveMasks south_{};
+  WaveMasks is_east_;
   Batch batch_;
-  std::array<WaveRow, 16> row_;
+  std::array<WaveRow, kWaveRows> row_;
   std::size_t rows_ = 0;
+  std::uint32_t mixed_ = 0;  // bit i: row i is not uniform
   std::array<MaterialId*, kMaxBatch> escaped_;
   std::size_t escapes_ = 0;
   bool bad_number_ = false;

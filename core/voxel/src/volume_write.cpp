@@ -40,10 +40,6 @@ void write_intervals(const std::uint32_t* intervals, std::size_t count, RansSink
 struct WaveRow {
   const MaterialId* voxels;
   RowsAround around;
-  AroundMasks masks;
-  RowMask same;
-  RowMask west;  // which voxels equal the one to their west
-  bool uniform;  // it and all around it are of one material
 };
 
 class Analyser {
@@ -56,22 +52,25 @@ class Analyser {
 
   bool analyse() {
     events_.coded = events_.surprises = events_.exceptions = events_.escapes = 0;
-    for (batch_ = 0; batch_ < kBatches; ++batch_) {
-      const int wave = static_cast<int>(batch_ / 2);
-      const int first = first_row_of(wave);
-      const auto rows = static_cast<std::size_t>(last_row_of(wave) - first + 1);
-      const std::size_t coded = events_.coded;
-      const std::size_t escapes = events_.escapes;
-      for (std::size_t i = 0; i < rows; ++i) {
-        if (batch_ % 2 == 0) {
-          even(rows_[i], first + static_cast<int>(i), wave);
-        } else {
-          odd(rows_[i]);
-        }
-      }
-      events_.batch[batch_] = static_cast<std::uint16_t>(events_.coded - coded);
-      events_.batch_escapes[batch_] = static_cast<std::uint16_t>(events_.escapes - escapes);
-      if (is_noise(batch_ + 1, events_.surprises)) return false;
+    for (int wave = 0; wave < kWaves; ++wave) {
+      rows_ = static_cast<std::size_t>(last_row_of(wave) - first_row_of(wave) + 1);
+      const AroundMasks<MaskVec> around = equal_.around(wave);
+      around_.store(around);
+      compare(wave);
+      const MaskVec same = load_masks(same_.data());
+      masks_.store(kEvenColumns, same & around.all(), even_contexts(around, same, load_masks(south_.data())));
+      store_masks(select(around.level, load_masks(north_.data()), load_masks(below_.data())),
+                  is_first_.data());
+      add_batch<false>(2 * static_cast<std::size_t>(wave));
+
+      const BesideMasks<MaskVec> beside = beside_.load();
+      const MaskVec is_east = beside.is_east();
+      const MaskVec west = load_masks(west_.data());
+      store_masks(is_east, is_east_.data());
+      store_masks(select(is_east, of_east(west), west), is_first_.data());
+      masks_.store(kOddColumns, beside.agrees() & around.all(), odd_contexts(around, beside, same));
+      add_batch<true>(2 * static_cast<std::size_t>(wave) + 1);
+      if (is_noise(2 * static_cast<std::size_t>(wave) + 2, events_.surprises)) return false;
     }
     return true;
   }
@@ -87,131 +86,140 @@ class Analyser {
     return row;
   }
 
-  HWY_INLINE void even(WaveRow& row, int y, int wave) {
-    const int z = wave - 2 * y;
-    row.voxels = padded(voxels_ + (y * kChunkSize + z) * kChunkSize);
-    row.masks = equal_.around(static_cast<std::size_t>(y), static_cast<std::size_t>(z));
-    row.around = rows_around(voxels_, row_zero_.data() + kChunkSize, y, z);
-    const RowVec now = load_voxels(row.voxels);
-    const RowVec below = load_voxels(row.around.below);
-    const RowMask equals_below = equal(now, below);
-    row.uniform = (row.masks.all() & row.masks.level & equals_below) == kAllColumns;
-    if (row.uniform) {  // the masks of such a row are what they were set to at first
-      gap_ += kLanes;
+  /// Compares the rows of a wave, but for those that are of one material with all around.
+  HWY_INLINE void compare(int wave) {
+    for (WaveMasks* masks : {&same_, &north_, &below_, &west_})
+      store_masks(set_masks(kAllColumns), masks->data());
+    beside_.clear();
+    equal_.begin(wave);
+    mixed_ = 0;
+    const int first = first_row_of(wave);
+    for (std::size_t i = 0; i < rows_; ++i) {
+      const int y = first + static_cast<int>(i);
+      const int z = wave - 2 * y;
+      WaveRow& row = row_[i];
+      row.voxels = padded(voxels_ + (y * kChunkSize + z) * kChunkSize);
+      row.around = rows_around(voxels_, row_zero_.data() + kChunkSize, y, z);
+      const RowVec now = load_voxels(row.voxels);
+      const RowVec below = load_voxels(row.around.below);
+      below_[i] = equal(now, below);
+      if ((around_.all[i] & below_[i]) == kAllColumns) continue;
+      mixed_ |= 1U << i;
+      row.around.north = padded(row.around.north);
+      row.around.below = padded(row.around.below);
+      const RowVec north = load_voxels(row.around.north);
+      const RowVec west = west_of(now, row.voxels);
+      const RowMask level = around_.of.level[i];
+      north_[i] = equal(now, north);
+      west_[i] = equal(now, west) | 1U;
+      same_[i] = equal(north, below);
+      south_[i] = equal(load_voxels(row.around.below_south), north);
+      beside_.set(i, select(level, north, below), select(level, below, north), west,
+                  east_of(now, row.voxels));
+      equal_.set(y, z, west_[i], north_[i], below_[i]);
+    }
+  }
+
+  template <bool odd>
+  HWY_INLINE void add_batch(std::size_t batch) {
+    const std::size_t coded = events_.coded;
+    const std::size_t escapes = events_.escapes;
+    add_exceptions(batch);
+    for (std::uint32_t left = mixed_; left != 0; left &= left - 1) {
+      const auto i = static_cast<std::size_t>(std::countr_zero(left));
+      const RowMask row_coded = masks_.coded[i];
+      if (row_coded == 0) continue;
+      RowMask low = row_coded & ~is_first_[i];
+      RowMask high = 0;
+      if (low != 0) find_symbols<odd>(i, low, high);
+      put_numbers<odd ? 8 : 7>(
+          row_coded, [&](std::size_t b) { return masks_.context[b][i]; },
+          events_.context.data() + events_.coded);
+      put_numbers<2>(
+          row_coded, [&](std::size_t b) { return b == 0 ? low : high; },
+          events_.symbol.data() + events_.coded);
+      events_.coded += static_cast<std::size_t>(std::popcount(row_coded));
+    }
+    events_.batch[batch] = static_cast<std::uint16_t>(events_.coded - coded);
+    events_.batch_escapes[batch] = static_cast<std::uint16_t>(events_.escapes - escapes);
+  }
+
+  HWY_INLINE void add_exceptions(std::size_t batch) {
+    const std::uint32_t all = masks_.steady_voxels(rows_);
+    RowMask any = 0;
+    for (std::size_t i = 0; i < rows_; ++i) any |= masks_.steady[i] & ~is_first_[i];
+    if (HWY_LIKELY(any == 0)) {
+      gap_ += all;
       return;
     }
-    row.around.north = padded(row.around.north);
-    row.around.below = padded(row.around.below);
-    const RowVec north = load_voxels(row.around.north);
-    const RowMask equals_north = equal(now, north);
-    row.west = equal(now, west_of(now, row.voxels)) | 1U;
-    equal_.set(static_cast<std::size_t>(y), static_cast<std::size_t>(z), row.west, equals_north,
-               equals_below);
-    row.same = equal(north, below);
-    const RowMask steady = kEvenColumns & row.same & row.masks.all();
-    const RowMask coded = kEvenColumns & ~steady;
-    const RowMask is_first = codec::select(row.masks.level, equals_north, equals_below);
-    if ((steady & ~is_first) == 0) {
-      gap_ += static_cast<std::uint32_t>(std::popcount(steady));
-    } else {
-      add_exceptions(row, steady, is_first);
+    for (std::size_t i = 0; i < rows_; ++i) {
+      const RowMask steady = masks_.steady[i];
+      std::uint32_t passed = 0;
+      for (RowMask left = steady & ~is_first_[i]; left != 0; left &= left - 1) {
+        const int x = std::countr_zero(left);
+        const auto before = static_cast<std::uint32_t>(std::popcount(steady & ((RowMask{1} << x) - 1)));
+        events_.exception[events_.exceptions++] = {static_cast<std::uint16_t>(gap_ + before - passed),
+                                                   static_cast<std::uint16_t>(batch), row_[i].voxels[x]};
+        gap_ = 0;
+        passed = before + 1;
+      }
+      gap_ += static_cast<std::uint32_t>(std::popcount(steady)) - passed;
     }
-    if (coded == 0) return;
-    const RowMask south = equal(load_voxels(row.around.below_south), north);
-    const auto contexts = even_contexts(row.masks, row.same, south);
-    if ((coded & ~is_first) == 0) return add_first<7>(coded, contexts);
-    const RowVec first = select(row.masks.level, north, below);
-    const RowVec second =
-        select(row.same, first_different(row.masks, row.around), select(row.masks.level, below, north));
-    add_coded(row, coded & ~is_first, now, first, second);
-    add_contexts<7>(coded, contexts);
   }
 
-  HWY_INLINE void odd(const WaveRow& row) {
-    if (row.uniform) {
-      gap_ += kLanes;
-      return;
-    }
+  /// The symbols of the coded voxels that are not their first candidates: at first those of `low`.
+  template <bool odd>
+  HWY_INLINE void find_symbols(std::size_t i, RowMask& low, RowMask& high) {
+    events_.surprises += static_cast<std::size_t>(std::popcount(low));
+    const WaveRow& row = row_[i];
+    const AroundMasks<RowMask> masks = around_.row(i);
     const RowVec now = load_voxels(row.voxels);
     const RowVec below = load_voxels(row.around.below);
     const RowVec north = load_voxels(row.around.north);
-    const RowVec base = select(row.masks.level, north, below);
-    const RowVec other = select(row.masks.level, below, north);
-    const RowVec west = west_of(now, row.voxels);
-    const RowVec east = east_of(now, row.voxels);
-    const BesideMasks beside{equal(west, east) | 1U << 31U, equal(base, west), equal(base, east),
-                             equal(other, west), equal(other, east)};
-    const RowMask agrees = beside.agrees();
-    const RowMask is_east = beside.is_east();
-    const RowMask steady = kOddColumns & agrees & row.masks.all();
-    const RowMask coded = kOddColumns & ~steady;
-    const RowMask is_first = codec::select(is_east, row.west >> 1U, row.west);
-    if ((steady & ~is_first) == 0) {
-      gap_ += static_cast<std::uint32_t>(std::popcount(steady));
+    RowVec first;
+    RowVec second;
+    if constexpr (odd) {
+      const BesideMasks<WaveMasks>& beside = beside_.of;
+      const RowVec west = west_of(now, row.voxels);
+      const RowVec east = east_of(now, row.voxels);
+      const RowVec of_equal = select(masks.level ^ beside.base_west[i], north, below);
+      const RowMask agrees = beside.equal[i] & beside.base_west[i] & beside.other_west[i];
+      first = select(is_east_[i], east, west);
+      second = select(agrees, first_different(masks, row.around),
+                      select(beside.equal[i], of_equal, select(is_east_[i], west, east)));
     } else {
-      add_exceptions(row, steady, is_first);
+      first = select(masks.level, north, below);
+      second = select(same_[i], first_different(masks, row.around), select(masks.level, below, north));
     }
-    if (coded == 0) return;
-    const auto contexts = odd_contexts(row.masks, beside, row.same);
-    if ((coded & ~is_first) == 0) return add_first<8>(coded, contexts);
-    const RowVec of_equal = select(row.masks.level ^ beside.base_west, north, below);
-    const RowVec second = select(agrees, first_different(row.masks, row.around),
-                                 select(beside.equal, of_equal, select(is_east, west, east)));
-    add_coded(row, coded & ~is_first, now, select(is_east, east, west), second);
-    add_contexts<8>(coded, contexts);
-  }
-
-  HWY_INLINE void add_exceptions(const WaveRow& row, RowMask steady, RowMask is_first) {
-    std::uint32_t passed = 0;
-    for (RowMask left = steady & ~is_first; HWY_UNLIKELY(left != 0); left &= left - 1) {
-      const int x = std::countr_zero(left);
-      const auto before = static_cast<std::uint32_t>(std::popcount(steady & ((RowMask{1} << x) - 1)));
-      events_.exception[events_.exceptions++] = {static_cast<std::uint16_t>(gap_ + before - passed),
-                                                 static_cast<std::uint16_t>(batch_), row.voxels[x]};
-      gap_ = 0;
-      passed = before + 1;
-    }
-    gap_ += static_cast<std::uint32_t>(std::popcount(steady)) - passed;
-  }
-
-  /// Coded voxels that all are their first candidates.
-  template <std::size_t count>
-  HWY_INLINE void add_first(RowMask coded, const ContextBits& contexts) {
-    low_ = high_ = 0;
-    add_contexts<count>(coded, contexts);
-  }
-
-  /// Finds the symbols of coded voxels; those of `left` are not their first candidates.
-  HWY_INLINE void add_coded(const WaveRow& row, RowMask left, const RowVec& now, const RowVec& first,
-                            const RowVec& second) {
-    events_.surprises += static_cast<std::size_t>(std::popcount(left));
-    low_ = left & equal(now, second);
-    high_ = left & ~low_;
-    if (high_ == 0) return;
+    high = low & ~equal(now, second);
+    low &= ~high;
+    if (high == 0) return;
     RowMask exists = 0;
-    const RowVec third = third_candidate(first, second, row.masks, row.around, exists);
-    RowMask escapes = high_ & ~(exists & equal(now, third));
-    low_ |= escapes;
+    const RowVec third = third_candidate(first, second, masks.level, row.around, exists);
+    RowMask escapes = high & ~(exists & equal(now, third));
+    low |= escapes;
     for (; escapes != 0; escapes &= escapes - 1) {
       events_.escape[events_.escapes++] = row.voxels[std::countr_zero(escapes)];
     }
   }
 
-  template <std::size_t count>
-  HWY_INLINE void add_contexts(RowMask coded, const ContextBits& contexts) {
-    put_numbers<count>(coded, contexts, events_.context.data() + events_.coded);
-    put_numbers<2>(coded, std::array{low_, high_}, events_.symbol.data() + events_.coded);
-    events_.coded += static_cast<std::size_t>(std::popcount(coded));
-  }
-
   const MaterialId* voxels_;
   VolumeEvents& events_;
   EqualMasks equal_;
-  std::array<WaveRow, 16> rows_;
-  std::size_t batch_ = 0;
+  AroundArrays around_;
+  BesideArrays beside_;
+  BatchMasks masks_;
+  WaveMasks same_;
+  WaveMasks south_{};
+  WaveMasks north_;  // where the rows equal those to the north, and so on
+  WaveMasks below_;
+  WaveMasks west_;
+  WaveMasks is_east_;
+  WaveMasks is_first_;  // where the voxels are their first candidates
+  std::array<WaveRow, kWaveRows> row_;
+  std::size_t rows_ = 0;
+  std::uint32_t mixed_ = 0;  // bit i: row i is not of one material with all around it
   std::uint32_t gap_ = 0;
-  RowMask low_ = 0;  // the symbols of the row, as bits
-  RowMask high_ = 0;
   std::array<MaterialId, 3 * kChunkSize> row_zero_;
   std::array<MaterialId, 3 * kChunkSize> first_{};
   std::array<MaterialId, 3 * kChunkSize> last_{};
