@@ -198,6 +198,7 @@ Picture draw_view(const client::ChunkStore& store, const std::vector<client::Mat
     rows_done(rows.exchange(0));
   }
   second.join();
+  if (const int rest = rows.exchange(0); rest > 0) rows_done(rest);
   return picture;
 }
 

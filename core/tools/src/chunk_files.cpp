@@ -10,6 +10,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <system_error>
 
 #include <talus/files/atomic_file.h>
 #include <talus/files/npy_file.h>
@@ -138,8 +139,10 @@ Expected<Chunk> read_voxels(const std::string& path) {
 }
 
 Expected<std::vector<std::byte>> read_payload(const std::string& path) {
-  // One byte more than a payload may have is read, for the decoder to say so.
-  const auto bytes = files::read_file(path, kMaxPayloadBytes + 1);
+  const auto bytes = files::read_file(path, kMaxPayloadBytes);
+  if (!bytes && bytes.error().code == std::errc::file_too_large) {
+    return failed(path + ": " + std::string{describe(DecodeError::too_long)});
+  }
   if (!bytes) return tl::unexpected{Failure{bytes.error()}};
   const auto* const first = reinterpret_cast<const std::byte*>(bytes->data());
   return std::vector<std::byte>{first, first + bytes->size()};
