@@ -11,6 +11,9 @@ inline constexpr std::uint16_t kOldestProtocol = 1;   // oldest version still sp
 /// Frames from a client, prefix included: the default, and the least that a server may set.
 inline constexpr std::uint32_t kDefaultClientFrameBytes = 64U * 1024;
 inline constexpr std::uint32_t kMinClientFrameBytes = 4U * 1024;
+/// Its name in 0.1; goes with 0.3.
+[[deprecated("its name is kMinClientFrameBytes")]] inline constexpr std::uint32_t kLeastClientFrameBytes =
+    kMinClientFrameBytes;
 
 /// Frames from a server, prefix included: a raw chunk fits, and so do the heights of the largest request. A
 /// client refuses longer ones.

@@ -10,6 +10,11 @@
 
 namespace talus::client {
 
+/// Their names in 0.1; they go with 0.3.
+using TlsContext [[deprecated("its name is talus::tls::Context")]] = tls::Context;
+using Tls [[deprecated("its name is talus::tls::Handle")]] = tls::Handle;
+using FreeTls [[deprecated("its name is talus::tls::FreeHandle")]] = tls::FreeHandle;
+
 /// TLS 1.3, and whom to trust. An error says what is wrong with options.ca_file.
 [[nodiscard]] Result<tls::Context> make_tls_context(const TlsOptions& options);
 
