@@ -252,20 +252,60 @@ struct BesideArrays {
   }
 };
 
+/// Ones for the first `rows` rows of a wave.
+HWY_INLINE MaskVec mask_of_rows(std::size_t rows) {
+  static constexpr auto kMasks = [] {
+    std::array<RowMask, 2 * kWaveRows> masks{};
+    for (std::size_t i = 0; i < kWaveRows; ++i) masks[i] = kAllColumns;
+    return masks;
+  }();
+  return load_masks(kMasks.data() + kWaveRows - rows);
+}
+
+/// Bit i is set where the mask of row i is not 0.
+HWY_INLINE std::uint32_t rows_with_any(const MaskVec& masks) {
+  const MaskTag d;
+  std::uint32_t rows = 0;
+  for (std::size_t p = 0; p < kMaskParts; ++p) {
+    const auto any = hn::Ne(masks.part[p], hn::Zero(d));
+#if HWY_TARGET == HWY_AVX3
+    rows |= std::uint32_t{any.raw};
+#else
+    std::uint8_t bits[8] = {};
+    hn::StoreMaskBits(d, any, bits);
+    rows |= std::uint32_t{bits[0]} << (p * hn::MaxLanes(d));
+#endif
+  }
+  return rows;
+}
+
+/// Calls visit(i) for each bit i that is set.
+template <class Visit>
+HWY_INLINE void over_bits(std::uint32_t bits, const Visit& visit) {
+  for (; bits != 0; bits &= bits - 1) visit(static_cast<std::size_t>(std::countr_zero(bits)));
+}
+
 /// What a wave's rows have to code: which voxels are steady, which are coded, and their contexts bit by bit.
 struct BatchMasks {
-  WaveMasks steady;
+  alignas(64) WaveMasks steady;
   WaveMasks coded;
   std::array<WaveMasks, 8> context;
+  std::uint32_t coded_rows = 0;  // bit i: row i has coded voxels
 
-  HWY_INLINE void store(RowMask half, const MaskVec& is_steady, const ContextBits<MaskVec>& contexts) {
-    store_masks(set_masks(half) & is_steady, steady.data());
-    store_masks(set_masks(half) & ~is_steady, coded.data());
-    for (std::size_t b = 0; b < contexts.size(); ++b) store_masks(contexts[b], context[b].data());
+  /// `half`: the even or the odd columns of the wave's rows.
+  template <std::size_t bits>
+  HWY_INLINE void store(const MaskVec& half, const MaskVec& is_steady, const ContextBits<MaskVec>& contexts) {
+    const MaskVec is_coded = half & ~is_steady;
+    store_masks(half & is_steady, steady.data());
+    store_masks(is_coded, coded.data());
+    coded_rows = rows_with_any(is_coded);
+    for (std::size_t b = 0; b < bits; ++b) store_masks(contexts[b], context[b].data());
   }
-  [[nodiscard]] HWY_INLINE std::uint32_t steady_voxels(std::size_t rows) const {
+  [[nodiscard]] HWY_INLINE std::uint32_t steady_voxels() const {
     int count = 0;
-    for (std::size_t i = 0; i < rows; ++i) count += std::popcount(steady[i]);
+    for (std::size_t i = 0; i < kWaveRows; i += 2) {
+      count += std::popcount(steady[i] | std::uint64_t{steady[i + 1]} << 32U);
+    }
     return static_cast<std::uint32_t>(count);
   }
 };
@@ -333,6 +373,13 @@ HWY_INLINE RowVec first_different(const AroundMasks<RowMask>& masks, const RowsA
   found = select(masks.east_b, found, load_voxels(around.below + 1));
   found = select(masks.west_n, found, load_voxels(around.north - 1));
   return select(masks.east_n, found, load_voxels(around.north + 1));
+}
+
+/// first_different() for the lanes of `where`, as far as any of them are of `wanted`; else nothing.
+HWY_INLINE RowVec select_different(RowMask where, RowMask wanted, const AroundMasks<RowMask>& masks,
+                                   const RowsAround& around, const RowVec& otherwise) {
+  if ((where & wanted) == 0) return otherwise;
+  return select(where, first_different(masks, around), otherwise);
 }
 
 /// The first of the voxels around that is neither of two candidates; `exists` says where there is one.

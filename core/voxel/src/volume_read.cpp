@@ -149,13 +149,15 @@ class Reader {
       around_.store(around);
       begin_even(wave);
       const MaskVec same = load_masks(same_.data());
-      masks_.store(kEvenColumns, same & around.all(), even_contexts(around, same, load_masks(south_.data())));
+      masks_.store<7>(mask_of_rows(rows_) & set_masks(kEvenColumns), same & around.all(),
+                      even_contexts(around, same, load_masks(south_.data())));
       if (!read_batch<false>()) return fault();
 
       begin_odd();
       const BesideMasks<MaskVec> beside = beside_.load();
       store_masks(beside.is_east(), is_east_.data());
-      masks_.store(kOddColumns, beside.agrees() & around.all(), odd_contexts(around, beside, same));
+      masks_.store<8>(mask_of_rows(rows_) & set_masks(kOddColumns), beside.agrees() & around.all(),
+                      odd_contexts(around, beside, same));
       store_odd();
       if (!read_batch<true>()) return fault();
       end_wave(wave);
@@ -164,13 +166,6 @@ class Reader {
   }
 
  private:
-  /// Calls visit(i) for the rows that are not uniform: of which some row around is not of the one material.
-  template <class Visit>
-  HWY_INLINE void over_rows(const Visit& visit) {
-    for (std::uint32_t left = mixed_; left != 0; left &= left - 1)
-      visit(static_cast<std::size_t>(std::countr_zero(left)));
-  }
-
   /// The even columns get their first candidates, and so do all columns of uniform rows.
   HWY_INLINE void begin_even(int wave) {
     store_masks(set_masks(kAllColumns), same_.data());
@@ -197,7 +192,7 @@ class Reader {
   }
 
   HWY_INLINE void begin_odd() {
-    over_rows([this](std::size_t i) HWY_ATTR {
+    over_bits(mixed_, [this](std::size_t i) HWY_ATTR {
       const WaveRow& row = row_[i];
       const RowVec north = load_voxels(row.around.north);
       const RowVec below = load_voxels(row.around.below);
@@ -210,7 +205,7 @@ class Reader {
 
   /// The odd columns get their first candidates.
   HWY_INLINE void store_odd() {
-    over_rows([this](std::size_t i) HWY_ATTR {
+    over_bits(mixed_, [this](std::size_t i) HWY_ATTR {
       const WaveRow& row = row_[i];
       const RowVec now = load_voxels(row.voxels);
       const RowVec first = select(is_east_[i], east_of(now, row.voxels), west_of(now, row.voxels));
@@ -221,7 +216,7 @@ class Reader {
   HWY_INLINE void end_wave(int wave) {
     equal_.begin(wave);
     const int first = first_row_of(wave);
-    over_rows([this, first, wave](std::size_t i) HWY_ATTR {
+    over_bits(mixed_, [this, first, wave](std::size_t i) HWY_ATTR {
       const WaveRow& row = row_[i];
       const RowVec now = load_voxels(row.voxels);
       const int y = first + static_cast<int>(i);
@@ -232,7 +227,7 @@ class Reader {
 
   /// Gives the exceptions among the steady voxels their materials.
   HWY_INLINE void take_exceptions() {
-    const std::uint32_t all = masks_.steady_voxels(rows_);
+    const std::uint32_t all = masks_.steady_voxels();
     if (HWY_LIKELY(exceptions_.gap() >= all)) {
       exceptions_.pass(all);
       return;
@@ -256,14 +251,18 @@ class Reader {
   HWY_INLINE bool read_batch() {
     take_exceptions();
     batch_.clear();
-    over_rows([this](std::size_t i) HWY_ATTR {
-      if (masks_.coded[i] != 0) batch_.template add<odd ? 8 : 7>(masks_, i);
-    });
+    over_bits(masks_.coded_rows,
+              [this](std::size_t i) HWY_ATTR { batch_.template add<odd ? 8 : 7>(masks_, i); });
     source_.keep_ahead();
     batch_.decode(source_, code_.intervals->data() + (odd ? kOddContexts : 0));
-    over_rows([this](std::size_t i) HWY_ATTR {
-      if (masks_.coded[i] != 0) finish_row<odd>(i);
+    // Which rows have other symbols than 0 cannot be foreseen: they are found first, without a branch for
+    // each.
+    std::uint32_t surprising = 0;
+    over_bits(masks_.coded_rows, [this, &surprising](std::size_t i) HWY_ATTR {
+      symbols_[i] = batch_.take(masks_.coded[i]);
+      surprising |= ((symbols_[i].low | symbols_[i].high) != 0 ? 1U : 0U) << i;
     });
+    over_bits(surprising, [this](std::size_t i) HWY_ATTR { finish_row<odd>(i); });
     for (std::size_t i = 0; i < escapes_; ++i) {
       *escaped_[i] = MaterialId{decode_slot(source_, i % kLanes, code_.materials)};
     }
@@ -273,8 +272,7 @@ class Reader {
 
   template <bool odd>
   HWY_INLINE void finish_row(std::size_t i) {
-    const Batch::Symbols symbols = batch_.take(masks_.coded[i]);
-    if ((symbols.low | symbols.high) == 0) return;
+    const Batch::Symbols& symbols = symbols_[i];
     const WaveRow& row = row_[i];
     const AroundMasks<RowMask> masks = around_.row(i);
     const RowVec north = load_voxels(row.around.north);
@@ -287,9 +285,11 @@ class Reader {
       const RowVec of_equal = select(masks.level ^ beside.base_west[i], north, below);
       const RowVec beyond = select(is_east_[i], west_of(now, row.voxels), east_of(now, row.voxels));
       const RowMask agrees = beside.equal[i] & beside.base_west[i] & beside.other_west[i];
-      second = select(agrees, first_different(masks, row.around), select(beside.equal[i], of_equal, beyond));
+      second = select_different(agrees, symbols.low | symbols.high, masks, row.around,
+                                select(beside.equal[i], of_equal, beyond));
     } else {
-      second = select(same_[i], first_different(masks, row.around), select(masks.level, below, north));
+      second = select_different(same_[i], symbols.low | symbols.high, masks, row.around,
+                                select(masks.level, below, north));
     }
     RowVec found = select(symbols.low & ~symbols.high, second, now);
     const RowMask is_third = symbols.high & ~symbols.low;
@@ -324,6 +324,7 @@ class Reader {
   std::array<WaveRow, kWaveRows> row_;
   std::size_t rows_ = 0;
   std::uint32_t mixed_ = 0;  // bit i: row i is not uniform
+  std::array<Batch::Symbols, kWaveRows> symbols_;
   std::array<MaterialId*, kMaxBatch> escaped_;
   std::size_t escapes_ = 0;
   bool bad_number_ = false;

@@ -51,14 +51,15 @@ class Analyser {
   }
 
   bool analyse() {
-    events_.coded = events_.surprises = events_.exceptions = events_.escapes = 0;
+    events_.coded = events_.surprises = events_.changes = events_.exceptions = events_.escapes = 0;
     for (int wave = 0; wave < kWaves; ++wave) {
       rows_ = static_cast<std::size_t>(last_row_of(wave) - first_row_of(wave) + 1);
       const AroundMasks<MaskVec> around = equal_.around(wave);
       around_.store(around);
       compare(wave);
       const MaskVec same = load_masks(same_.data());
-      masks_.store(kEvenColumns, same & around.all(), even_contexts(around, same, load_masks(south_.data())));
+      masks_.store<7>(mask_of_rows(rows_) & set_masks(kEvenColumns), same & around.all(),
+                      even_contexts(around, same, load_masks(south_.data())));
       store_masks(select(around.level, load_masks(north_.data()), load_masks(below_.data())),
                   is_first_.data());
       add_batch<false>(2 * static_cast<std::size_t>(wave));
@@ -68,7 +69,8 @@ class Analyser {
       const MaskVec west = load_masks(west_.data());
       store_masks(is_east, is_east_.data());
       store_masks(select(is_east, of_east(west), west), is_first_.data());
-      masks_.store(kOddColumns, beside.agrees() & around.all(), odd_contexts(around, beside, same));
+      masks_.store<8>(mask_of_rows(rows_) & set_masks(kOddColumns), beside.agrees() & around.all(),
+                      odd_contexts(around, beside, same));
       add_batch<true>(2 * static_cast<std::size_t>(wave) + 1);
       if (is_noise(2 * static_cast<std::size_t>(wave) + 2, events_.surprises)) return false;
     }
@@ -117,6 +119,7 @@ class Analyser {
       beside_.set(i, select(level, north, below), select(level, below, north), west,
                   east_of(now, row.voxels));
       equal_.set(y, z, west_[i], north_[i], below_[i]);
+      events_.changes += static_cast<std::size_t>(std::popcount(~west_[i]));
     }
   }
 
@@ -125,30 +128,32 @@ class Analyser {
     const std::size_t coded = events_.coded;
     const std::size_t escapes = events_.escapes;
     add_exceptions(batch);
-    for (std::uint32_t left = mixed_; left != 0; left &= left - 1) {
-      const auto i = static_cast<std::size_t>(std::countr_zero(left));
+    // Which rows have other symbols than 0 cannot be foreseen: they are found first, without a branch for
+    // each.
+    std::uint32_t surprising = 0;
+    over_bits(masks_.coded_rows, [this, &surprising](std::size_t i) HWY_ATTR {
+      low_[i] = masks_.coded[i] & ~is_first_[i];
+      high_[i] = 0;
+      surprising |= (low_[i] != 0 ? 1U : 0U) << i;
+    });
+    over_bits(surprising, [this](std::size_t i) HWY_ATTR { find_symbols<odd>(i, low_[i], high_[i]); });
+    over_bits(masks_.coded_rows, [this](std::size_t i) HWY_ATTR {
       const RowMask row_coded = masks_.coded[i];
-      if (row_coded == 0) continue;
-      RowMask low = row_coded & ~is_first_[i];
-      RowMask high = 0;
-      if (low != 0) find_symbols<odd>(i, low, high);
       put_numbers<odd ? 8 : 7>(
           row_coded, [&](std::size_t b) { return masks_.context[b][i]; },
           events_.context.data() + events_.coded);
       put_numbers<2>(
-          row_coded, [&](std::size_t b) { return b == 0 ? low : high; },
+          row_coded, [&](std::size_t b) { return b == 0 ? low_[i] : high_[i]; },
           events_.symbol.data() + events_.coded);
       events_.coded += static_cast<std::size_t>(std::popcount(row_coded));
-    }
+    });
     events_.batch[batch] = static_cast<std::uint16_t>(events_.coded - coded);
     events_.batch_escapes[batch] = static_cast<std::uint16_t>(events_.escapes - escapes);
   }
 
   HWY_INLINE void add_exceptions(std::size_t batch) {
-    const std::uint32_t all = masks_.steady_voxels(rows_);
-    RowMask any = 0;
-    for (std::size_t i = 0; i < rows_; ++i) any |= masks_.steady[i] & ~is_first_[i];
-    if (HWY_LIKELY(any == 0)) {
+    const std::uint32_t all = masks_.steady_voxels();
+    if (HWY_LIKELY(rows_with_any(load_masks(masks_.steady.data()) & ~load_masks(is_first_.data())) == 0)) {
       gap_ += all;
       return;
     }
@@ -185,11 +190,11 @@ class Analyser {
       const RowVec of_equal = select(masks.level ^ beside.base_west[i], north, below);
       const RowMask agrees = beside.equal[i] & beside.base_west[i] & beside.other_west[i];
       first = select(is_east_[i], east, west);
-      second = select(agrees, first_different(masks, row.around),
-                      select(beside.equal[i], of_equal, select(is_east_[i], west, east)));
+      second = select_different(agrees, low, masks, row.around,
+                                select(beside.equal[i], of_equal, select(is_east_[i], west, east)));
     } else {
       first = select(masks.level, north, below);
-      second = select(same_[i], first_different(masks, row.around), select(masks.level, below, north));
+      second = select_different(same_[i], low, masks, row.around, select(masks.level, below, north));
     }
     high = low & ~equal(now, second);
     low &= ~high;
@@ -216,6 +221,8 @@ class Analyser {
   WaveMasks west_;
   WaveMasks is_east_;
   WaveMasks is_first_;  // where the voxels are their first candidates
+  WaveMasks low_;       // the symbols of coded voxels, as bits
+  WaveMasks high_;
   std::array<WaveRow, kWaveRows> row_;
   std::size_t rows_ = 0;
   std::uint32_t mixed_ = 0;  // bit i: row i is not of one material with all around it
@@ -269,9 +276,21 @@ void write_intervals(const std::uint32_t* intervals, std::size_t count, RansSink
 void write(const VolumeEvents& events, std::size_t first, std::size_t count, const std::uint32_t* intervals,
            RansSink& sink) {
   alignas(64) std::array<std::uint32_t, kMaxBatch> found;
+#if HWY_TARGET == HWY_AVX3
+  for (std::size_t i = 0; i < count; i += kLanes) {
+    const auto active = static_cast<__mmask16>(count - i < kLanes ? (1U << (count - i)) - 1 : 0xFFFFU);
+    const Half d;
+    const __m512i contexts = _mm512_cvtepu8_epi32(hn::LoadU(d, events.context.data() + first + i).raw);
+    const __m512i symbols = _mm512_cvtepu8_epi32(hn::LoadU(d, events.symbol.data() + first + i).raw);
+    const __m512i places = _mm512_add_epi32(_mm512_slli_epi32(contexts, 2), symbols);
+    _mm512_store_si512(found.data() + i,
+                       _mm512_mask_i32gather_epi32(_mm512_setzero_si512(), active, places, intervals, 4));
+  }
+#else
   for (std::size_t i = 0; i < count; ++i) {
     found[i] = intervals[4 * std::size_t{events.context[first + i]} + events.symbol[first + i]];
   }
+#endif
   write_intervals(found.data(), count, sink);
 }
 
