@@ -208,10 +208,44 @@ HWY_INLINE MaskVec of_east(const MaskVec& west) {
                    [](auto x, auto last) HWY_ATTR { return hn::Or(hn::ShiftRight<1>(x), last); });
 }
 
+/// Masks of a wave's rows that are found row by row.
+class GrowingMasks {
+ public:
+  HWY_INLINE void clear() {
+#if HWY_TARGET == HWY_AVX3
+    masks_ = set_masks(kAllColumns);
+#else
+    store_masks(set_masks(kAllColumns), masks_.data());
+#endif
+  }
+  HWY_INLINE void set(std::size_t i, RowMask mask) {
+#if HWY_TARGET == HWY_AVX3
+    // In the vector itself: one that is loaded right after its parts were stored is late.
+    auto& vec = masks_.part[0].raw;
+    vec = _mm512_mask_set1_epi32(vec, static_cast<__mmask16>(1U << i), static_cast<int>(mask));
+#else
+    masks_[i] = mask;
+#endif
+  }
+  [[nodiscard]] HWY_INLINE MaskVec get() const {
+#if HWY_TARGET == HWY_AVX3
+    return masks_;
+#else
+    return load_masks(masks_.data());
+#endif
+  }
+
+ private:
+#if HWY_TARGET == HWY_AVX3
+  MaskVec masks_;
+#else
+  WaveMasks masks_;
+#endif
+};
+
 /// Masks of a wave's rows where single rows are looked at.
 struct AroundArrays {
   AroundMasks<WaveMasks> of;
-  WaveMasks all;  // all that make voxels steady, and level
 
   HWY_INLINE void store(const AroundMasks<MaskVec>& masks) {
     store_masks(masks.upright, of.upright.data());
@@ -221,7 +255,6 @@ struct AroundArrays {
     store_masks(masks.east_n, of.east_n.data());
     store_masks(masks.west_b, of.west_b.data());
     store_masks(masks.east_b, of.east_b.data());
-    store_masks(masks.all() & masks.level, all.data());
   }
   [[nodiscard]] HWY_INLINE AroundMasks<RowMask> row(std::size_t i) const {
     return {of.upright[i], of.level[i],  of.level_south[i], of.west_n[i],
@@ -230,25 +263,43 @@ struct AroundArrays {
 };
 
 /// How the odd columns of a wave's rows stand to their neighbours; ones where a row is not looked at.
-struct BesideArrays {
-  BesideMasks<WaveMasks> of;
+struct GrowingBeside {
+  BesideMasks<GrowingMasks> of;
 
   HWY_INLINE void clear() {
-    for (WaveMasks* masks : {&of.equal, &of.base_west, &of.base_east, &of.other_west, &of.other_east}) {
-      store_masks(set_masks(kAllColumns), masks->data());
+    for (GrowingMasks* masks : {&of.equal, &of.base_west, &of.base_east, &of.other_west, &of.other_east}) {
+      masks->clear();
     }
   }
-  [[nodiscard]] HWY_INLINE BesideMasks<MaskVec> load() const {
-    return {load_masks(of.equal.data()), load_masks(of.base_west.data()), load_masks(of.base_east.data()),
-            load_masks(of.other_west.data()), load_masks(of.other_east.data())};
+  [[nodiscard]] HWY_INLINE BesideMasks<MaskVec> get() const {
+    return {of.equal.get(), of.base_west.get(), of.base_east.get(), of.other_west.get(), of.other_east.get()};
   }
-  HWY_INLINE void set(std::size_t i, const RowVec& base, const RowVec& other, const RowVec& west,
-                      const RowVec& east) {
-    of.equal[i] = ::talus::HWY_NAMESPACE::equal(west, east) | 1U << 31U;
-    of.base_west[i] = ::talus::HWY_NAMESPACE::equal(base, west);
-    of.base_east[i] = ::talus::HWY_NAMESPACE::equal(base, east);
-    of.other_west[i] = ::talus::HWY_NAMESPACE::equal(other, west);
-    of.other_east[i] = ::talus::HWY_NAMESPACE::equal(other, east);
+  /// Gives where the east is the first candidate.
+  HWY_INLINE RowMask set(std::size_t i, const RowVec& base, const RowVec& other, const RowVec& west,
+                         const RowVec& east) {
+    const BesideMasks<RowMask> row{equal(west, east) | 1U << 31U, equal(base, west), equal(base, east),
+                                   equal(other, west), equal(other, east)};
+    of.equal.set(i, row.equal);
+    of.base_west.set(i, row.base_west);
+    of.base_east.set(i, row.base_east);
+    of.other_west.set(i, row.other_west);
+    of.other_east.set(i, row.other_east);
+    return row.is_east();
+  }
+};
+
+/// What is looked at of single rows.
+struct BesideArrays {
+  WaveMasks equal;
+  WaveMasks base_west;
+  WaveMasks agrees;
+  WaveMasks is_east;
+
+  HWY_INLINE void store(const BesideMasks<MaskVec>& beside) {
+    store_masks(beside.equal, equal.data());
+    store_masks(beside.base_west, base_west.data());
+    store_masks(beside.agrees(), agrees.data());
+    store_masks(beside.is_east(), is_east.data());
   }
 };
 

@@ -147,18 +147,20 @@ class Reader {
       rows_ = static_cast<std::size_t>(last_row_of(wave) - first_row_of(wave) + 1);
       const AroundMasks<MaskVec> around = equal_.around(wave);
       around_.store(around);
+      const MaskVec in_wave = mask_of_rows(rows_);
+      mixed_ = rows_with_any(in_wave & ~(around.all() & around.level));
       begin_even(wave);
-      const MaskVec same = load_masks(same_.data());
-      masks_.store<7>(mask_of_rows(rows_) & set_masks(kEvenColumns), same & around.all(),
-                      even_contexts(around, same, load_masks(south_.data())));
+      const MaskVec same = same_.get();
+      store_masks(same, same_rows_.data());
+      masks_.store<7>(in_wave & set_masks(kEvenColumns), same & around.all(),
+                      even_contexts(around, same, south_.get()));
       if (!read_batch<false>()) return fault();
 
       begin_odd();
-      const BesideMasks<MaskVec> beside = beside_.load();
-      store_masks(beside.is_east(), is_east_.data());
-      masks_.store<8>(mask_of_rows(rows_) & set_masks(kOddColumns), beside.agrees() & around.all(),
+      const BesideMasks<MaskVec> beside = beside_.get();
+      beside_rows_.store(beside);
+      masks_.store<8>(in_wave & set_masks(kOddColumns), beside.agrees() & around.all(),
                       odd_contexts(around, beside, same));
-      store_odd();
       if (!read_batch<true>()) return fault();
       end_wave(wave);
     }
@@ -166,50 +168,42 @@ class Reader {
   }
 
  private:
-  /// The even columns get their first candidates, and so do all columns of uniform rows.
+  /// The even columns get their first candidates, and all columns of rows that are not mixed.
   HWY_INLINE void begin_even(int wave) {
-    store_masks(set_masks(kAllColumns), same_.data());
-    beside_.clear();
-    mixed_ = 0;
+    same_.clear();
+    south_.clear();
     const int first = first_row_of(wave);
     for (std::size_t i = 0; i < rows_; ++i) {
       const int y = first + static_cast<int>(i);
       const int z = wave - 2 * y;
-      WaveRow& row = row_[i];
-      row.voxels = voxels_ + (y * kChunkSize + z) * kChunkSize;
-      row.around = rows_around(voxels_, row_zero_.data() + kChunkSize, y, z);
-      const RowVec below = load_voxels(row.around.below);
-      if (around_.all[i] == kAllColumns) {
-        store_voxels(below, row.voxels);
-        continue;
-      }
-      mixed_ |= 1U << i;
-      const RowVec north = load_voxels(row.around.north);
-      same_[i] = equal(north, below);
-      south_[i] = equal(load_voxels(row.around.below_south), north);
-      store_voxels(select(around_.of.level[i], north, below), row.voxels);
+      row_[i].voxels = voxels_ + (y * kChunkSize + z) * kChunkSize;
+      row_[i].around = rows_around(voxels_, row_zero_.data() + kChunkSize, y, z);
+      store_voxels(load_voxels(row_[i].around.below), row_[i].voxels);
     }
-  }
-
-  HWY_INLINE void begin_odd() {
     over_bits(mixed_, [this](std::size_t i) HWY_ATTR {
       const WaveRow& row = row_[i];
       const RowVec north = load_voxels(row.around.north);
       const RowVec below = load_voxels(row.around.below);
-      const RowVec now = load_voxels(row.voxels);
-      const RowMask level = around_.of.level[i];
-      beside_.set(i, select(level, north, below), select(level, below, north), west_of(now, row.voxels),
-                  east_of(now, row.voxels));
+      same_.set(i, equal(north, below));
+      south_.set(i, equal(load_voxels(row.around.below_south), north));
+      store_voxels(select(around_.of.level[i], north, below), row.voxels);
     });
   }
 
   /// The odd columns get their first candidates.
-  HWY_INLINE void store_odd() {
+  HWY_INLINE void begin_odd() {
+    beside_.clear();
     over_bits(mixed_, [this](std::size_t i) HWY_ATTR {
       const WaveRow& row = row_[i];
+      const RowVec north = load_voxels(row.around.north);
+      const RowVec below = load_voxels(row.around.below);
       const RowVec now = load_voxels(row.voxels);
-      const RowVec first = select(is_east_[i], east_of(now, row.voxels), west_of(now, row.voxels));
-      store_voxels(select(kOddColumns, first, now), row.voxels);
+      const RowVec west = west_of(now, row.voxels);
+      const RowVec east = east_of(now, row.voxels);
+      const RowMask level = around_.of.level[i];
+      const RowMask is_east =
+          beside_.set(i, select(level, north, below), select(level, below, north), west, east);
+      store_voxels(select(kOddColumns, select(is_east, east, west), now), row.voxels);
     });
   }
 
@@ -280,15 +274,14 @@ class Reader {
     const RowVec now = load_voxels(row.voxels);  // the first candidates
     RowVec second;
     if constexpr (odd) {
-      const BesideMasks<WaveMasks>& beside = beside_.of;
+      const BesideArrays& beside = beside_rows_;
       // Base, unless that is the west: then the other.
       const RowVec of_equal = select(masks.level ^ beside.base_west[i], north, below);
-      const RowVec beyond = select(is_east_[i], west_of(now, row.voxels), east_of(now, row.voxels));
-      const RowMask agrees = beside.equal[i] & beside.base_west[i] & beside.other_west[i];
-      second = select_different(agrees, symbols.low | symbols.high, masks, row.around,
+      const RowVec beyond = select(beside.is_east[i], west_of(now, row.voxels), east_of(now, row.voxels));
+      second = select_different(beside.agrees[i], symbols.low | symbols.high, masks, row.around,
                                 select(beside.equal[i], of_equal, beyond));
     } else {
-      second = select_different(same_[i], symbols.low | symbols.high, masks, row.around,
+      second = select_different(same_rows_[i], symbols.low | symbols.high, masks, row.around,
                                 select(masks.level, below, north));
     }
     RowVec found = select(symbols.low & ~symbols.high, second, now);
@@ -315,15 +308,16 @@ class Reader {
   ExceptionReader exceptions_;
   EqualMasks equal_;
   AroundArrays around_;
-  BesideArrays beside_;
+  GrowingBeside beside_;
+  BesideArrays beside_rows_;
   BatchMasks masks_;
-  WaveMasks same_;
-  WaveMasks south_{};
-  WaveMasks is_east_;
+  GrowingMasks same_;
+  GrowingMasks south_;
+  WaveMasks same_rows_;
   Batch batch_;
   std::array<WaveRow, kWaveRows> row_;
   std::size_t rows_ = 0;
-  std::uint32_t mixed_ = 0;  // bit i: row i is not uniform
+  std::uint32_t mixed_ = 0;  // bit i: row i, or a row around it, is not of the one material
   std::array<Batch::Symbols, kWaveRows> symbols_;
   std::array<MaterialId*, kMaxBatch> escaped_;
   std::size_t escapes_ = 0;

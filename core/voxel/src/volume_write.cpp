@@ -56,20 +56,21 @@ class Analyser {
       rows_ = static_cast<std::size_t>(last_row_of(wave) - first_row_of(wave) + 1);
       const AroundMasks<MaskVec> around = equal_.around(wave);
       around_.store(around);
+      const MaskVec in_wave = mask_of_rows(rows_);
+      mixed_ = rows_with_any(in_wave & ~(around.all() & around.level));
       compare(wave);
-      const MaskVec same = load_masks(same_.data());
-      masks_.store<7>(mask_of_rows(rows_) & set_masks(kEvenColumns), same & around.all(),
-                      even_contexts(around, same, load_masks(south_.data())));
-      store_masks(select(around.level, load_masks(north_.data()), load_masks(below_.data())),
-                  is_first_.data());
+      const MaskVec same = same_.get();
+      store_masks(same, same_rows_.data());
+      masks_.store<7>(in_wave & set_masks(kEvenColumns), same & around.all(),
+                      even_contexts(around, same, south_.get()));
+      store_masks(select(around.level, north_.get(), below_.get()), is_first_.data());
       add_batch<false>(2 * static_cast<std::size_t>(wave));
 
-      const BesideMasks<MaskVec> beside = beside_.load();
-      const MaskVec is_east = beside.is_east();
-      const MaskVec west = load_masks(west_.data());
-      store_masks(is_east, is_east_.data());
-      store_masks(select(is_east, of_east(west), west), is_first_.data());
-      masks_.store<8>(mask_of_rows(rows_) & set_masks(kOddColumns), beside.agrees() & around.all(),
+      const BesideMasks<MaskVec> beside = beside_.get();
+      beside_rows_.store(beside);
+      const MaskVec west = west_.get();
+      store_masks(select(beside.is_east(), of_east(west), west), is_first_.data());
+      masks_.store<8>(in_wave & set_masks(kOddColumns), beside.agrees() & around.all(),
                       odd_contexts(around, beside, same));
       add_batch<true>(2 * static_cast<std::size_t>(wave) + 1);
       if (is_noise(2 * static_cast<std::size_t>(wave) + 2, events_.surprises)) return false;
@@ -90,37 +91,41 @@ class Analyser {
 
   /// Compares the rows of a wave, but for those that are of one material with all around.
   HWY_INLINE void compare(int wave) {
-    for (WaveMasks* masks : {&same_, &north_, &below_, &west_})
-      store_masks(set_masks(kAllColumns), masks->data());
+    for (GrowingMasks* masks : {&same_, &south_, &north_, &below_, &west_}) masks->clear();
     beside_.clear();
     equal_.begin(wave);
-    mixed_ = 0;
     const int first = first_row_of(wave);
     for (std::size_t i = 0; i < rows_; ++i) {
       const int y = first + static_cast<int>(i);
       const int z = wave - 2 * y;
+      row_[i].voxels = padded(voxels_ + (y * kChunkSize + z) * kChunkSize);
+      row_[i].around = rows_around(voxels_, row_zero_.data() + kChunkSize, y, z);
+      const RowMask below = equal(load_voxels(row_[i].voxels), load_voxels(row_[i].around.below));
+      mixed_ |= (below != kAllColumns ? 1U : 0U) << i;
+    }
+    over_bits(mixed_, [this, first, wave](std::size_t i) HWY_ATTR {
       WaveRow& row = row_[i];
-      row.voxels = padded(voxels_ + (y * kChunkSize + z) * kChunkSize);
-      row.around = rows_around(voxels_, row_zero_.data() + kChunkSize, y, z);
-      const RowVec now = load_voxels(row.voxels);
-      const RowVec below = load_voxels(row.around.below);
-      below_[i] = equal(now, below);
-      if ((around_.all[i] & below_[i]) == kAllColumns) continue;
-      mixed_ |= 1U << i;
       row.around.north = padded(row.around.north);
       row.around.below = padded(row.around.below);
+      const RowVec now = load_voxels(row.voxels);
+      const RowVec below = load_voxels(row.around.below);
       const RowVec north = load_voxels(row.around.north);
       const RowVec west = west_of(now, row.voxels);
       const RowMask level = around_.of.level[i];
-      north_[i] = equal(now, north);
-      west_[i] = equal(now, west) | 1U;
-      same_[i] = equal(north, below);
-      south_[i] = equal(load_voxels(row.around.below_south), north);
-      beside_.set(i, select(level, north, below), select(level, below, north), west,
-                  east_of(now, row.voxels));
-      equal_.set(y, z, west_[i], north_[i], below_[i]);
-      events_.changes += static_cast<std::size_t>(std::popcount(~west_[i]));
-    }
+      const RowMask equals_west = equal(now, west) | 1U;
+      const RowMask equals_north = equal(now, north);
+      const RowMask equals_below = equal(now, below);
+      west_.set(i, equals_west);
+      north_.set(i, equals_north);
+      below_.set(i, equals_below);
+      same_.set(i, equal(north, below));
+      south_.set(i, equal(load_voxels(row.around.below_south), north));
+      (void)beside_.set(i, select(level, north, below), select(level, below, north), west,
+                        east_of(now, row.voxels));
+      const int y = first + static_cast<int>(i);
+      equal_.set(y, wave - 2 * y, equals_west, equals_north, equals_below);
+      events_.changes += static_cast<std::size_t>(std::popcount(~equals_west));
+    });
   }
 
   template <bool odd>
@@ -184,17 +189,16 @@ class Analyser {
     RowVec first;
     RowVec second;
     if constexpr (odd) {
-      const BesideMasks<WaveMasks>& beside = beside_.of;
+      const BesideArrays& beside = beside_rows_;
       const RowVec west = west_of(now, row.voxels);
       const RowVec east = east_of(now, row.voxels);
       const RowVec of_equal = select(masks.level ^ beside.base_west[i], north, below);
-      const RowMask agrees = beside.equal[i] & beside.base_west[i] & beside.other_west[i];
-      first = select(is_east_[i], east, west);
-      second = select_different(agrees, low, masks, row.around,
-                                select(beside.equal[i], of_equal, select(is_east_[i], west, east)));
+      first = select(beside.is_east[i], east, west);
+      second = select_different(beside.agrees[i], low, masks, row.around,
+                                select(beside.equal[i], of_equal, select(beside.is_east[i], west, east)));
     } else {
       first = select(masks.level, north, below);
-      second = select_different(same_[i], low, masks, row.around, select(masks.level, below, north));
+      second = select_different(same_rows_[i], low, masks, row.around, select(masks.level, below, north));
     }
     high = low & ~equal(now, second);
     low &= ~high;
@@ -212,14 +216,15 @@ class Analyser {
   VolumeEvents& events_;
   EqualMasks equal_;
   AroundArrays around_;
-  BesideArrays beside_;
+  GrowingBeside beside_;
+  BesideArrays beside_rows_;
   BatchMasks masks_;
-  WaveMasks same_;
-  WaveMasks south_{};
-  WaveMasks north_;  // where the rows equal those to the north, and so on
-  WaveMasks below_;
-  WaveMasks west_;
-  WaveMasks is_east_;
+  GrowingMasks same_;
+  GrowingMasks south_;
+  GrowingMasks north_;  // where the rows equal those to the north, and so on
+  GrowingMasks below_;
+  GrowingMasks west_;
+  WaveMasks same_rows_;
   WaveMasks is_first_;  // where the voxels are their first candidates
   WaveMasks low_;       // the symbols of coded voxels, as bits
   WaveMasks high_;
