@@ -208,6 +208,29 @@ HWY_INLINE MaskVec of_east(const MaskVec& west) {
                    [](auto x, auto last) HWY_ATTR { return hn::Or(hn::ShiftRight<1>(x), last); });
 }
 
+/// Where the rows of a wave lie, and those around them: for rows[i] sets voxels and around. `row_zero` as for
+/// rows_around().
+template <class Row>
+HWY_INLINE void place_rows(decltype(Row::voxels) voxels, const MaterialId* row_zero, int wave,
+                           std::array<Row, kWaveRows>& rows) {
+  const int first = first_row_of(wave);
+  const int last = last_row_of(wave);
+  const auto place = [&](int y) HWY_ATTR {
+    Row& row = rows[static_cast<std::size_t>(y - first)];
+    row.voxels = voxels + (y * kChunkSize + wave - 2 * y) * kChunkSize;
+    row.around = rows_around(voxels, row_zero, y, wave - 2 * y);
+  };
+  place(first);
+  place(last);
+  if (last - first < 2) return;
+  auto* at = rows[0].voxels;
+  for (std::size_t i = 1; i < static_cast<std::size_t>(last - first); ++i) {
+    at += kRowToRow;
+    rows[i].voxels = at;
+    rows[i].around = rows_inside(at);
+  }
+}
+
 /// Masks of a wave's rows that are found row by row.
 class GrowingMasks {
  public:

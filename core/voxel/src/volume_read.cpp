@@ -172,14 +172,8 @@ class Reader {
   HWY_INLINE void begin_even(int wave) {
     same_.clear();
     south_.clear();
-    const int first = first_row_of(wave);
-    for (std::size_t i = 0; i < rows_; ++i) {
-      const int y = first + static_cast<int>(i);
-      const int z = wave - 2 * y;
-      row_[i].voxels = voxels_ + (y * kChunkSize + z) * kChunkSize;
-      row_[i].around = rows_around(voxels_, row_zero_.data() + kChunkSize, y, z);
-      store_voxels(load_voxels(row_[i].around.below), row_[i].voxels);
-    }
+    place_rows(voxels_, row_zero_.data() + kChunkSize, wave, row_);
+    for (std::size_t i = 0; i < rows_; ++i) store_voxels(load_voxels(row_[i].around.below), row_[i].voxels);
     over_bits(mixed_, [this](std::size_t i) HWY_ATTR {
       const WaveRow& row = row_[i];
       const RowVec north = load_voxels(row.around.north);

@@ -95,16 +95,14 @@ class Analyser {
     beside_.clear();
     equal_.begin(wave);
     const int first = first_row_of(wave);
+    place_rows(voxels_, row_zero_.data() + kChunkSize, wave, row_);
     for (std::size_t i = 0; i < rows_; ++i) {
-      const int y = first + static_cast<int>(i);
-      const int z = wave - 2 * y;
-      row_[i].voxels = padded(voxels_ + (y * kChunkSize + z) * kChunkSize);
-      row_[i].around = rows_around(voxels_, row_zero_.data() + kChunkSize, y, z);
       const RowMask below = equal(load_voxels(row_[i].voxels), load_voxels(row_[i].around.below));
       mixed_ |= (below != kAllColumns ? 1U : 0U) << i;
     }
     over_bits(mixed_, [this, first, wave](std::size_t i) HWY_ATTR {
       WaveRow& row = row_[i];
+      row.voxels = padded(row.voxels);
       row.around.north = padded(row.around.north);
       row.around.below = padded(row.around.below);
       const RowVec now = load_voxels(row.voxels);
