@@ -46,22 +46,29 @@ std::array<std::uint16_t, kDigitCounts> sizes_of(const Runs& runs) {
 
 /// False where there are too many materials.
 bool find_runs(const DenseVoxels& voxels, Runs& runs, MaterialCode& materials) {
-  std::size_t first = 0;
-  for (std::size_t i = 1; i <= voxels.size(); ++i) {
-    // Written in any case: that the material changes cannot be foreseen.
-    runs.more[runs.count] = static_cast<std::uint16_t>(first);
-    const bool ends = i == voxels.size() || voxels[i] != voxels[i - 1];
-    runs.count += ends ? 1 : 0;
-    first = ends ? i : first;
+  runs.more[0] = 0;
+  runs.count = 1;
+  for (std::size_t i = 1; i < voxels.size(); ++i) {
+    // Where the next run may begin, written in any case: that the material changes cannot be foreseen.
+    runs.more[runs.count] = static_cast<std::uint16_t>(i);
+    runs.count += static_cast<std::size_t>(voxels[i] != voxels[i - 1]);
   }
   runs.single = runs.count > kManyRuns;
   if (runs.single) runs.count = voxels.size();
+  // By id, one more than its number: one load for each voxel, where a hash takes several.
+  std::array<std::uint16_t, 0x10000> after_numbers{};
   // Two voxels after one another seldom count for the same number: sums in turns wait less for one another.
   std::array<std::array<std::uint32_t, MaterialCode::kMaxMaterials>, 2> counts{};
   for (std::size_t i = 0; i < runs.count; ++i) {
-    const std::uint32_t number = materials.number_of(voxels[runs.single ? i : runs.more[i]]);
-    if (number == MaterialCode::kMaxMaterials) return false;
-    runs.kind[i] = static_cast<std::uint8_t>(number);
+    const MaterialId material = voxels[runs.single ? i : runs.more[i]];
+    std::uint16_t& after_number = after_numbers[to_integer(material)];
+    if (after_number == 0) {
+      const std::uint32_t number = materials.number_of(material);
+      if (number == MaterialCode::kMaxMaterials) return false;
+      after_number = static_cast<std::uint16_t>(number + 1);
+    }
+    const auto number = static_cast<std::uint8_t>(after_number - 1);
+    runs.kind[i] = number;
     ++counts[i % 2][number];
   }
   for (std::uint32_t number = 0; number < MaterialCode::kMaxMaterials; ++number) {
