@@ -33,7 +33,7 @@ MaterialId material_in(const Layers& layers, std::size_t voxel) {
 }
 
 bool all_equal(std::span<const MaterialId, kChunkVolume> voxels) {
-  return std::equal(voxels.begin() + 1, voxels.end(), voxels.begin());
+  return std::memcmp(voxels.data(), voxels.data() + 1, (kChunkVolume - 1) * sizeof(MaterialId)) == 0;
 }
 
 }  // namespace

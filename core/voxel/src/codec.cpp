@@ -58,19 +58,22 @@ void append_shortest(const Layers* layers, const DenseVoxels& voxels, std::size_
               out.begin() + static_cast<std::ptrdiff_t>(last));
     limit = out.size() - start - kHeaderBytes;
   };
+  std::size_t changes = 0;
   put_header(Encoding::volume, out);
-  if (codec::encode_volume(voxels, out)) {
+  if (codec::encode_volume(voxels, out, codec::volume_kernels(), &changes)) {
     limit = out.size() - start - kHeaderBytes;
     if (limit <= kGoodVolumeBytes) return;
   } else {
     out.resize(start);
   }
   std::size_t last = out.size();
-  put_header(Encoding::runs, out);
-  if (codec::encode_runs(voxels, limit, out)) {
-    keep_last(last);
-  } else {
-    out.resize(last);
+  if (changes / 2 < limit) {  // a run takes more than half a byte
+    put_header(Encoding::runs, out);
+    if (codec::encode_runs(voxels, limit, out)) {
+      keep_last(last);
+    } else {
+      out.resize(last);
+    }
   }
   last = out.size();
   if (layers != nullptr && append_layered(*layers, limit, out)) keep_last(last);

@@ -24,12 +24,9 @@ class MaterialCode {
   static constexpr std::size_t kMaxMaterials = kProbabilityTotal;
 
   /// `first` is number 0 and stands first in the list, whether or not it is counted.
-  explicit MaterialCode(MaterialId first) {
-    (void)number_of(first);
-    --counts_[0];
-  }
+  explicit MaterialCode(MaterialId first) { (void)number_of(first); }
 
-  /// Counts a material and gives its number; kMaxMaterials where there would be more than that.
+  /// The number of a material; kMaxMaterials where there would be more than that.
   [[nodiscard]] std::uint32_t number_of(MaterialId material) {
     std::size_t place = to_integer(material) % kPlaces;
     while (numbers_[place] != 0 && materials_[numbers_[place] - 1U] != material)
@@ -39,10 +36,10 @@ class MaterialCode {
       materials_[size_++] = material;
       numbers_[place] = size_;
     }
-    const std::uint32_t number = numbers_[place] - 1U;
-    ++counts_[number];
-    return number;
+    return numbers_[place] - 1U;
   }
+
+  void count(std::uint32_t number, std::uint32_t times = 1) { counts_[number] += times; }
 
   /// When all have been counted: gives each its interval and appends list and sizes.
   void finish(std::vector<std::byte>& out);

@@ -170,9 +170,8 @@ HWY_INLINE HalfVec decode_symbols(WordParts& states, const StartParts& starts, c
     // The last that is not after the slot, and the first that is.
     const auto start = hn::Max(hn::AndNot(before_one, one),
                                hn::Max(hn::AndNot(before_two, two), hn::AndNot(before_three, three)));
-    const auto end =
-        hn::Min(hn::Min(hn::Or(hn::Not(before_one), one), hn::Or(hn::Not(before_two), two)),
-                hn::Min(hn::Or(hn::Not(before_three), three), hn::Set(d, kProbabilityTotal)));
+    const auto end = hn::Min(hn::Min(hn::Or(hn::Not(before_one), one), hn::Or(hn::Not(before_two), two)),
+                             hn::Min(hn::Or(hn::Not(before_three), three), hn::Set(d, kProbabilityTotal)));
     states.part[p] = hn::Add(hn::Mul(hn::Sub(end, start), hn::ShiftRight<8>(state)), hn::Sub(slot, start));
     symbols.part[p] =
         hn::Add(hn::Add(hn::Set(d, std::uint16_t{3}), before_one), hn::Add(before_two, before_three));
@@ -224,7 +223,8 @@ HWY_INLINE void encode_symbols(WordParts& states, const WordParts& starts, const
   const __m512i bytes = _mm512_cvtepu16_epi32(low.part[0].raw);
   const int count = std::popcount(lanes);
   next -= count;
-  const __m128i packed = _mm512_cvtepi32_epi8(_mm512_maskz_compress_epi32(static_cast<__mmask16>(lanes), bytes));
+  const __m128i packed =
+      _mm512_cvtepi32_epi8(_mm512_maskz_compress_epi32(static_cast<__mmask16>(lanes), bytes));
   _mm_mask_storeu_epi8(next, static_cast<__mmask16>((1U << count) - 1), packed);
 #else
   const Half half;

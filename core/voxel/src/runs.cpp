@@ -12,22 +12,28 @@
 namespace talus::codec {
 namespace {
 
-struct Run {
-  std::uint16_t more;  // voxels after the first
-  MaterialId material;
+/// The runs of a chunk: how many voxels each has after the first, and the number of its material.
+struct Runs {
+  std::array<std::uint16_t, kChunkVolume + 1> more;
+  std::array<std::uint8_t, kChunkVolume + 1> kind;
+  std::size_t count = 0;
+  bool single = false;  // each is one voxel
 };
 
 constexpr std::size_t kMaxGroupBytes = 5 * kLanes;
 
-std::size_t digits_of(const Run& run) {
-  return static_cast<std::size_t>(std::bit_width(run.more));
+/// Runs so many that their lengths are worth less than they cost are written as single voxels.
+constexpr std::size_t kManyRuns = 18'000;
+
+std::size_t digits_of(std::uint16_t more) {
+  return static_cast<std::size_t>(std::bit_width(more));
 }
 
 /// The sizes of the intervals of how many digits runs have. No interval is the whole range: it would not fit
 /// a byte.
-std::array<std::uint16_t, kDigitCounts> sizes_of(std::span<const Run> runs) {
+std::array<std::uint16_t, kDigitCounts> sizes_of(const Runs& runs) {
   std::array<std::uint32_t, kDigitCounts> counts{};
-  for (const Run& run : runs) ++counts[digits_of(run)];
+  for (std::size_t i = 0; i < runs.count; ++i) ++counts[digits_of(runs.more[i])];
   std::array<std::uint16_t, kDigitCounts> sizes;
   to_sizes(counts, sizes);
   const auto whole = std::find(sizes.begin(), sizes.end(), kProbabilityTotal);
@@ -38,84 +44,57 @@ std::array<std::uint16_t, kDigitCounts> sizes_of(std::span<const Run> runs) {
   return sizes;
 }
 
-std::size_t find_runs(const DenseVoxels& voxels, std::span<Run> runs) {
-  std::size_t count = 0;
-  std::size_t first = 0;
-  for (std::size_t i = 1; i <= voxels.size(); ++i) {
-    // Written in any case: that the material changes cannot be foreseen.
-    runs[count] = {static_cast<std::uint16_t>(i - 1 - first), voxels[first]};
-    const bool ends = i == voxels.size() || voxels[i] != voxels[i - 1];
-    count += ends ? 1 : 0;
-    first = ends ? i : first;
+/// False where there are too many materials.
+bool find_runs(const DenseVoxels& voxels, Runs& runs, MaterialCode& materials) {
+  runs.more[0] = 0;
+  runs.count = 1;
+  for (std::size_t i = 1; i < voxels.size(); ++i) {
+    // Where the next run may begin, written in any case: that the material changes cannot be foreseen.
+    runs.more[runs.count] = static_cast<std::uint16_t>(i);
+    runs.count += static_cast<std::size_t>(voxels[i] != voxels[i - 1]);
   }
-  return count;
-}
-
-/// Runs so many that their lengths are worth less than they cost are written as single voxels.
-constexpr std::size_t kManyRuns = 18'000;
-
-class RunsEncoder {
- public:
-  explicit RunsEncoder(std::size_t limit) : limit_{limit} {
-    sink_.next = bytes_.data() + bytes_.size();
-    sink_.states.fill(static_cast<std::uint16_t>(kMinState));
-  }
-
-  /// Writes the groups of runs, or single voxels where `digits` is null. False past the limit.
-  bool write(std::span<const Run> runs, const std::array<Interval, kDigitCounts>* digits,
-             const MaterialCode& materials, const VolumeKernels& kernels) {
-    for (std::size_t left = runs.size(); left > 0;) {
-      const std::size_t size = left % kLanes != 0 ? left % kLanes : kLanes;
-      left -= size;
-      const auto group = runs.subspan(left, size);
-      std::array<std::uint32_t, kLanes> intervals;
-      for (std::size_t i = 0; i < size; ++i) intervals[i] = materials.interval(to_integer(group[i].material));
-      kernels.write_intervals(intervals.data(), size, sink_);
-      if (digits != nullptr) {
-        put_digits(sink_, size, [&](std::size_t i) { return std::uint32_t{group[i].more}; });
-        for (std::size_t i = size; i-- > 0;) encode_symbol(sink_, i, (*digits)[digits_of(group[i])]);
-      }
-      if (this->size() >= limit_) return false;
+  runs.single = runs.count > kManyRuns;
+  if (runs.single) runs.count = voxels.size();
+  // By id, one more than its number: one load for each voxel, where a hash takes several.
+  std::array<std::uint16_t, 0x10000> after_numbers{};
+  // Two voxels after one another seldom count for the same number: sums in turns wait less for one another.
+  std::array<std::array<std::uint32_t, MaterialCode::kMaxMaterials>, 2> counts{};
+  for (std::size_t i = 0; i < runs.count; ++i) {
+    const MaterialId material = voxels[runs.single ? i : runs.more[i]];
+    std::uint16_t& after_number = after_numbers[to_integer(material)];
+    if (after_number == 0) {
+      const std::uint32_t number = materials.number_of(material);
+      if (number == MaterialCode::kMaxMaterials) return false;
+      after_number = static_cast<std::uint16_t>(number + 1);
     }
-    put_states(sink_);
-    return size() < limit_;
+    const auto number = static_cast<std::uint8_t>(after_number - 1);
+    runs.kind[i] = number;
+    ++counts[i % 2][number];
   }
-
-  [[nodiscard]] std::span<const std::uint8_t> bytes() const { return {sink_.next, size()}; }
-
- private:
-  [[nodiscard]] std::size_t size() const {
-    return static_cast<std::size_t>(bytes_.data() + bytes_.size() - sink_.next);
+  for (std::uint32_t number = 0; number < MaterialCode::kMaxMaterials; ++number) {
+    materials.count(number, counts[0][number] + counts[1][number]);
   }
-
-  std::size_t limit_;
-  std::array<std::uint8_t, sizeof(DenseVoxels) + 2 * kMaxGroupBytes + kStatesBytes> bytes_;
-  RansSink sink_;
-};
+  if (runs.single) return true;
+  // From where runs begin to how long they are.
+  for (std::size_t i = 0; i < runs.count; ++i) {
+    const std::size_t end = i + 1 < runs.count ? runs.more[i + 1] : voxels.size();
+    runs.more[i] = static_cast<std::uint16_t>(end - runs.more[i] - 1);
+  }
+  return true;
+}
 
 }  // namespace
 
 bool encode_runs(const DenseVoxels& voxels, std::size_t limit, std::vector<std::byte>& out,
                  const VolumeKernels& kernels) {
-  std::array<Run, kChunkVolume + 1> buffer;  // on the stack, where only what is written is touched
-  std::span<Run> runs{buffer.data(), find_runs(voxels, buffer)};
-  const bool single = runs.size() > kManyRuns;
-  if (single) {
-    for (std::size_t i = 0; i < voxels.size(); ++i) buffer[i] = {0, voxels[i]};
-    runs = {buffer.data(), voxels.size()};
-  }
-  // Materials become their numbers.
+  Runs runs;  // on the stack, where only what is written is touched; so are the bytes
   MaterialCode materials{voxels.front()};
-  for (Run& run : runs) {
-    const std::uint32_t number = materials.number_of(run.material);
-    if (number == MaterialCode::kMaxMaterials) return false;
-    run.material = MaterialId{static_cast<std::uint16_t>(number)};
-  }
+  if (!find_runs(voxels, runs, materials)) return false;
   const std::size_t begin = out.size();
   materials.finish(out);
-  put_number(static_cast<std::uint16_t>(runs.size()), out);
+  put_number(static_cast<std::uint16_t>(runs.count), out);
   std::array<Interval, kDigitCounts> digits{};
-  if (!single) {
+  if (!runs.single) {
     const auto sizes = sizes_of(runs);
     std::uint16_t start = 0;
     for (std::size_t i = 0; i < kDigitCounts; ++i) {
@@ -124,14 +103,31 @@ bool encode_runs(const DenseVoxels& voxels, std::size_t limit, std::vector<std::
       start = static_cast<std::uint16_t>(start + sizes[i]);
     }
   }
-  const std::size_t header = out.size() - begin;
-  RunsEncoder encoder{limit - std::min(limit, header)};
-  if (!encoder.write(runs, single ? nullptr : &digits, materials, kernels)) {
+
+  std::array<std::uint8_t, sizeof(DenseVoxels) + kMaxBatch + kMaxGroupBytes + kStatesBytes> bytes;
+  std::uint8_t* const end = bytes.data() + bytes.size();
+  RansSink sink{{}, end};
+  sink.states.fill(static_cast<std::uint16_t>(kMinState));
+  const auto size = [&] { return out.size() - begin + static_cast<std::size_t>(end - sink.next); };
+  // Single voxels have no lengths between their materials, so that many groups are written at once.
+  const std::size_t step = runs.single ? kMaxBatch : kLanes;
+  for (std::size_t left = runs.count; left > 0 && size() < limit;) {
+    const std::size_t count = left % step != 0 ? left % step : step;
+    left -= count;
+    std::array<std::uint32_t, kMaxBatch> intervals;
+    for (std::size_t i = 0; i < count; ++i) intervals[i] = materials.interval(runs.kind[left + i]);
+    kernels.write_intervals(intervals.data(), count, sink);
+    if (runs.single) continue;
+    put_digits(sink, count, [&](std::size_t i) { return std::uint32_t{runs.more[left + i]}; });
+    for (std::size_t i = count; i-- > 0;) encode_symbol(sink, i, digits[digits_of(runs.more[left + i])]);
+  }
+  put_states(sink);
+  if (size() >= limit) {
     out.resize(begin);
     return false;
   }
-  const auto* const bytes = reinterpret_cast<const std::byte*>(encoder.bytes().data());
-  out.insert(out.end(), bytes, bytes + encoder.bytes().size());
+  out.insert(out.end(), reinterpret_cast<const std::byte*>(sink.next),
+             reinterpret_cast<const std::byte*>(end));
   return true;
 }
 

@@ -208,10 +208,67 @@ HWY_INLINE MaskVec of_east(const MaskVec& west) {
                    [](auto x, auto last) HWY_ATTR { return hn::Or(hn::ShiftRight<1>(x), last); });
 }
 
+/// Where the rows of a wave lie, and those around them: for rows[i] sets voxels and around. `row_zero` as for
+/// rows_around().
+template <class Row>
+HWY_INLINE void place_rows(decltype(Row::voxels) voxels, const MaterialId* row_zero, int wave,
+                           std::array<Row, kWaveRows>& rows) {
+  const int first = first_row_of(wave);
+  const int last = last_row_of(wave);
+  const auto place = [&](int y) HWY_ATTR {
+    Row& row = rows[static_cast<std::size_t>(y - first)];
+    row.voxels = voxels + (y * kChunkSize + wave - 2 * y) * kChunkSize;
+    row.around = rows_around(voxels, row_zero, y, wave - 2 * y);
+  };
+  place(first);
+  place(last);
+  if (last - first < 2) return;
+  auto* at = rows[0].voxels;
+  for (std::size_t i = 1; i < static_cast<std::size_t>(last - first); ++i) {
+    at += kRowToRow;
+    rows[i].voxels = at;
+    rows[i].around = rows_inside(at);
+  }
+}
+
+/// Masks of a wave's rows that are found row by row.
+class GrowingMasks {
+ public:
+  HWY_INLINE void clear() {
+#if HWY_TARGET == HWY_AVX3
+    masks_ = set_masks(kAllColumns);
+#else
+    store_masks(set_masks(kAllColumns), masks_.data());
+#endif
+  }
+  HWY_INLINE void set(std::size_t i, RowMask mask) {
+#if HWY_TARGET == HWY_AVX3
+    // In the vector itself: one that is loaded right after its parts were stored is late.
+    auto& vec = masks_.part[0].raw;
+    vec = _mm512_mask_set1_epi32(vec, static_cast<__mmask16>(1U << i), static_cast<int>(mask));
+#else
+    masks_[i] = mask;
+#endif
+  }
+  [[nodiscard]] HWY_INLINE MaskVec get() const {
+#if HWY_TARGET == HWY_AVX3
+    return masks_;
+#else
+    return load_masks(masks_.data());
+#endif
+  }
+
+ private:
+#if HWY_TARGET == HWY_AVX3
+  MaskVec masks_;
+#else
+  WaveMasks masks_;
+#endif
+};
+
 /// Masks of a wave's rows where single rows are looked at.
 struct AroundArrays {
   AroundMasks<WaveMasks> of;
-  WaveMasks all;  // all that make voxels steady, and level
 
   HWY_INLINE void store(const AroundMasks<MaskVec>& masks) {
     store_masks(masks.upright, of.upright.data());
@@ -221,7 +278,6 @@ struct AroundArrays {
     store_masks(masks.east_n, of.east_n.data());
     store_masks(masks.west_b, of.west_b.data());
     store_masks(masks.east_b, of.east_b.data());
-    store_masks(masks.all() & masks.level, all.data());
   }
   [[nodiscard]] HWY_INLINE AroundMasks<RowMask> row(std::size_t i) const {
     return {of.upright[i], of.level[i],  of.level_south[i], of.west_n[i],
@@ -230,42 +286,100 @@ struct AroundArrays {
 };
 
 /// How the odd columns of a wave's rows stand to their neighbours; ones where a row is not looked at.
-struct BesideArrays {
-  BesideMasks<WaveMasks> of;
+struct GrowingBeside {
+  BesideMasks<GrowingMasks> of;
 
   HWY_INLINE void clear() {
-    for (WaveMasks* masks : {&of.equal, &of.base_west, &of.base_east, &of.other_west, &of.other_east}) {
-      store_masks(set_masks(kAllColumns), masks->data());
+    for (GrowingMasks* masks : {&of.equal, &of.base_west, &of.base_east, &of.other_west, &of.other_east}) {
+      masks->clear();
     }
   }
-  [[nodiscard]] HWY_INLINE BesideMasks<MaskVec> load() const {
-    return {load_masks(of.equal.data()), load_masks(of.base_west.data()), load_masks(of.base_east.data()),
-            load_masks(of.other_west.data()), load_masks(of.other_east.data())};
+  [[nodiscard]] HWY_INLINE BesideMasks<MaskVec> get() const {
+    return {of.equal.get(), of.base_west.get(), of.base_east.get(), of.other_west.get(), of.other_east.get()};
   }
-  HWY_INLINE void set(std::size_t i, const RowVec& base, const RowVec& other, const RowVec& west,
-                      const RowVec& east) {
-    of.equal[i] = ::talus::HWY_NAMESPACE::equal(west, east) | 1U << 31U;
-    of.base_west[i] = ::talus::HWY_NAMESPACE::equal(base, west);
-    of.base_east[i] = ::talus::HWY_NAMESPACE::equal(base, east);
-    of.other_west[i] = ::talus::HWY_NAMESPACE::equal(other, west);
-    of.other_east[i] = ::talus::HWY_NAMESPACE::equal(other, east);
+  /// Gives where the east is the first candidate.
+  HWY_INLINE RowMask set(std::size_t i, const RowVec& base, const RowVec& other, const RowVec& west,
+                         const RowVec& east) {
+    const BesideMasks<RowMask> row{equal(west, east) | 1U << 31U, equal(base, west), equal(base, east),
+                                   equal(other, west), equal(other, east)};
+    of.equal.set(i, row.equal);
+    of.base_west.set(i, row.base_west);
+    of.base_east.set(i, row.base_east);
+    of.other_west.set(i, row.other_west);
+    of.other_east.set(i, row.other_east);
+    return row.is_east();
   }
 };
 
+/// What is looked at of single rows.
+struct BesideArrays {
+  WaveMasks equal;
+  WaveMasks base_west;
+  WaveMasks agrees;
+  WaveMasks is_east;
+
+  HWY_INLINE void store(const BesideMasks<MaskVec>& beside) {
+    store_masks(beside.equal, equal.data());
+    store_masks(beside.base_west, base_west.data());
+    store_masks(beside.agrees(), agrees.data());
+    store_masks(beside.is_east(), is_east.data());
+  }
+};
+
+/// Ones for the first `rows` rows of a wave.
+HWY_INLINE MaskVec mask_of_rows(std::size_t rows) {
+  static constexpr auto kMasks = [] {
+    std::array<RowMask, 2 * kWaveRows> masks{};
+    for (std::size_t i = 0; i < kWaveRows; ++i) masks[i] = kAllColumns;
+    return masks;
+  }();
+  return load_masks(kMasks.data() + kWaveRows - rows);
+}
+
+/// Bit i is set where the mask of row i is not 0.
+HWY_INLINE std::uint32_t rows_with_any(const MaskVec& masks) {
+  const MaskTag d;
+  std::uint32_t rows = 0;
+  for (std::size_t p = 0; p < kMaskParts; ++p) {
+    const auto any = hn::Ne(masks.part[p], hn::Zero(d));
+#if HWY_TARGET == HWY_AVX3
+    rows |= std::uint32_t{any.raw};
+#else
+    std::uint8_t bits[8] = {};
+    hn::StoreMaskBits(d, any, bits);
+    rows |= std::uint32_t{bits[0]} << (p * hn::MaxLanes(d));
+#endif
+  }
+  return rows;
+}
+
+/// Calls visit(i) for each bit i that is set.
+template <class Visit>
+HWY_INLINE void over_bits(std::uint32_t bits, const Visit& visit) {
+  for (; bits != 0; bits &= bits - 1) visit(static_cast<std::size_t>(std::countr_zero(bits)));
+}
+
 /// What a wave's rows have to code: which voxels are steady, which are coded, and their contexts bit by bit.
 struct BatchMasks {
-  WaveMasks steady;
+  alignas(64) WaveMasks steady;
   WaveMasks coded;
   std::array<WaveMasks, 8> context;
+  std::uint32_t coded_rows = 0;  // bit i: row i has coded voxels
 
-  HWY_INLINE void store(RowMask half, const MaskVec& is_steady, const ContextBits<MaskVec>& contexts) {
-    store_masks(set_masks(half) & is_steady, steady.data());
-    store_masks(set_masks(half) & ~is_steady, coded.data());
-    for (std::size_t b = 0; b < contexts.size(); ++b) store_masks(contexts[b], context[b].data());
+  /// `half`: the even or the odd columns of the wave's rows.
+  template <std::size_t bits>
+  HWY_INLINE void store(const MaskVec& half, const MaskVec& is_steady, const ContextBits<MaskVec>& contexts) {
+    const MaskVec is_coded = half & ~is_steady;
+    store_masks(half & is_steady, steady.data());
+    store_masks(is_coded, coded.data());
+    coded_rows = rows_with_any(is_coded);
+    for (std::size_t b = 0; b < bits; ++b) store_masks(contexts[b], context[b].data());
   }
-  [[nodiscard]] HWY_INLINE std::uint32_t steady_voxels(std::size_t rows) const {
+  [[nodiscard]] HWY_INLINE std::uint32_t steady_voxels() const {
     int count = 0;
-    for (std::size_t i = 0; i < rows; ++i) count += std::popcount(steady[i]);
+    for (std::size_t i = 0; i < kWaveRows; i += 2) {
+      count += std::popcount(steady[i] | std::uint64_t{steady[i + 1]} << 32U);
+    }
     return static_cast<std::uint32_t>(count);
   }
 };
@@ -333,6 +447,13 @@ HWY_INLINE RowVec first_different(const AroundMasks<RowMask>& masks, const RowsA
   found = select(masks.east_b, found, load_voxels(around.below + 1));
   found = select(masks.west_n, found, load_voxels(around.north - 1));
   return select(masks.east_n, found, load_voxels(around.north + 1));
+}
+
+/// first_different() for the lanes of `where`, as far as any of them are of `wanted`; else nothing.
+HWY_INLINE RowVec select_different(RowMask where, RowMask wanted, const AroundMasks<RowMask>& masks,
+                                   const RowsAround& around, const RowVec& otherwise) {
+  if ((where & wanted) == 0) return otherwise;
+  return select(where, first_different(masks, around), otherwise);
 }
 
 /// The first of the voxels around that is neither of two candidates; `exists` says where there is one.

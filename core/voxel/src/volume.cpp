@@ -75,8 +75,9 @@ constexpr auto kCosts = [] {
 }();
 static_assert(kTables == 4);
 
-/// The table by which the coded voxels take the fewest bits.
+/// The table by which every fourth coded voxel takes the fewest bits.
 std::size_t best_table(const VolumeEvents& events) {
+  constexpr std::size_t kStep = 4;
   constexpr std::size_t kPerSum = 256;  // costs of at most 128 each in 16 bits
   std::array<std::uint64_t, kTables> totals{};
   std::size_t at = 0;
@@ -84,9 +85,10 @@ std::size_t best_table(const VolumeEvents& events) {
     static_assert(kMaxBatch <= kPerSum);
     const std::uint64_t* const costs = kCosts.data() + 4 * first_context_of(batch);
     std::uint64_t sums = 0;
-    for (std::size_t i = 0; i < events.batch[batch]; ++i, ++at) {
-      sums += costs[4 * std::size_t{events.context[at]} + events.symbol[at]];
+    for (std::size_t i = at; i < at + events.batch[batch]; i += kStep) {
+      sums += costs[4 * std::size_t{events.context[i]} + events.symbol[i]];
     }
+    at += events.batch[batch];
     for (std::size_t t = 0; t < kTables; ++t) totals[t] += sums >> (16 * t) & 0xFFFFU;
   }
   return static_cast<std::size_t>(std::min_element(totals.begin(), totals.end()) - totals.begin());
@@ -116,8 +118,10 @@ void put_group(RansSink& sink, std::span<const VolumeException> group, const Mat
 bool number_materials(VolumeEvents& events, MaterialCode& materials) {
   const auto number = [&](MaterialId& material) {
     const std::uint32_t found = materials.number_of(material);
+    if (found == MaterialCode::kMaxMaterials) return false;
+    materials.count(found);
     material = MaterialId{static_cast<std::uint16_t>(found)};
-    return found < MaterialCode::kMaxMaterials;
+    return true;
   };
   for (std::size_t i = 0; i < events.exceptions; ++i) {
     if (!number(events.exception[i].material)) return false;
@@ -137,9 +141,12 @@ const VolumeIntervals* volume_intervals(std::size_t table) {
   return table < kTables ? &kIntervals[table] : nullptr;
 }
 
-bool encode_volume(const DenseVoxels& voxels, std::vector<std::byte>& out, const VolumeKernels& kernels) {
+bool encode_volume(const DenseVoxels& voxels, std::vector<std::byte>& out, const VolumeKernels& kernels,
+                   std::size_t* changes) {
   VolumeEvents events;  // on the stack, where only what is written is touched; so is the buffer
-  if (!kernels.analyse(voxels, events)) return false;
+  const bool orderly = kernels.analyse(voxels, events);
+  if (changes != nullptr) *changes = orderly ? events.changes : 0;
+  if (!orderly) return false;
   MaterialCode materials{voxels.front()};
   if (!number_materials(events, materials)) return false;
   const std::span exceptions{events.exception.data(), events.exceptions};

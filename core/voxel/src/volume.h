@@ -19,9 +19,10 @@ namespace talus::codec {
 
 /// Appends what follows the two header bytes. False, with `out` as it was, where the voxels are noise, where
 /// exceptions and escapes have more than 256 materials, or where the result would not be smaller than raw
-/// voxels.
+/// voxels. `changes` gets how many voxels differ from the one to their west; 0 of noise.
 [[nodiscard]] bool encode_volume(const DenseVoxels& voxels, std::vector<std::byte>& out,
-                                 const VolumeKernels& kernels = volume_kernels());
+                                 const VolumeKernels& kernels = volume_kernels(),
+                                 std::size_t* changes = nullptr);
 
 [[nodiscard]] tl::expected<Chunk, DecodeError> decode_volume(std::span<const std::byte> body,
                                                              const VolumeKernels& kernels = volume_kernels());

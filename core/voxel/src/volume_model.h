@@ -47,6 +47,15 @@ struct RowsAround {
           z == kChunkSize - 1 ? below : row(y - 1, z + 1)};
 }
 
+/// From a row of a wave to the next, in voxels: y is one more, and z two less.
+inline constexpr std::ptrdiff_t kRowToRow = kChunkArea - 2 * kChunkSize;
+
+/// The rows around row (y, z) where neither y nor z is 0 and z is not 31.
+[[nodiscard]] inline RowsAround rows_inside(const MaterialId* row) {
+  const MaterialId* const below = row - kChunkArea;
+  return {row - kChunkSize, below, below - kChunkSize, below + kChunkSize};
+}
+
 /// A voxel's prediction: candidates, most likely first, all different, and the context that selects the
 /// probabilities of its symbol. Where it is `steady` no symbol is coded: the voxel is the first candidate
 /// unless the list of exceptions names it.

@@ -147,16 +147,20 @@ class Reader {
       rows_ = static_cast<std::size_t>(last_row_of(wave) - first_row_of(wave) + 1);
       const AroundMasks<MaskVec> around = equal_.around(wave);
       around_.store(around);
+      const MaskVec in_wave = mask_of_rows(rows_);
+      mixed_ = rows_with_any(in_wave & ~(around.all() & around.level));
       begin_even(wave);
-      const MaskVec same = load_masks(same_.data());
-      masks_.store(kEvenColumns, same & around.all(), even_contexts(around, same, load_masks(south_.data())));
+      const MaskVec same = same_.get();
+      store_masks(same, same_rows_.data());
+      masks_.store<7>(in_wave & set_masks(kEvenColumns), same & around.all(),
+                      even_contexts(around, same, south_.get()));
       if (!read_batch<false>()) return fault();
 
       begin_odd();
-      const BesideMasks<MaskVec> beside = beside_.load();
-      store_masks(beside.is_east(), is_east_.data());
-      masks_.store(kOddColumns, beside.agrees() & around.all(), odd_contexts(around, beside, same));
-      store_odd();
+      const BesideMasks<MaskVec> beside = beside_.get();
+      beside_rows_.store(beside);
+      masks_.store<8>(in_wave & set_masks(kOddColumns), beside.agrees() & around.all(),
+                      odd_contexts(around, beside, same));
       if (!read_batch<true>()) return fault();
       end_wave(wave);
     }
@@ -164,64 +168,43 @@ class Reader {
   }
 
  private:
-  /// Calls visit(i) for the rows that are not uniform: of which some row around is not of the one material.
-  template <class Visit>
-  HWY_INLINE void over_rows(const Visit& visit) {
-    for (std::uint32_t left = mixed_; left != 0; left &= left - 1)
-      visit(static_cast<std::size_t>(std::countr_zero(left)));
-  }
-
-  /// The even columns get their first candidates, and so do all columns of uniform rows.
+  /// The even columns get their first candidates, and all columns of rows that are not mixed.
   HWY_INLINE void begin_even(int wave) {
-    store_masks(set_masks(kAllColumns), same_.data());
-    beside_.clear();
-    mixed_ = 0;
-    const int first = first_row_of(wave);
-    for (std::size_t i = 0; i < rows_; ++i) {
-      const int y = first + static_cast<int>(i);
-      const int z = wave - 2 * y;
-      WaveRow& row = row_[i];
-      row.voxels = voxels_ + (y * kChunkSize + z) * kChunkSize;
-      row.around = rows_around(voxels_, row_zero_.data() + kChunkSize, y, z);
-      const RowVec below = load_voxels(row.around.below);
-      if (around_.all[i] == kAllColumns) {
-        store_voxels(below, row.voxels);
-        continue;
-      }
-      mixed_ |= 1U << i;
-      const RowVec north = load_voxels(row.around.north);
-      same_[i] = equal(north, below);
-      south_[i] = equal(load_voxels(row.around.below_south), north);
-      store_voxels(select(around_.of.level[i], north, below), row.voxels);
-    }
-  }
-
-  HWY_INLINE void begin_odd() {
-    over_rows([this](std::size_t i) HWY_ATTR {
+    same_.clear();
+    south_.clear();
+    place_rows(voxels_, row_zero_.data() + kChunkSize, wave, row_);
+    for (std::size_t i = 0; i < rows_; ++i) store_voxels(load_voxels(row_[i].around.below), row_[i].voxels);
+    over_bits(mixed_, [this](std::size_t i) HWY_ATTR {
       const WaveRow& row = row_[i];
       const RowVec north = load_voxels(row.around.north);
       const RowVec below = load_voxels(row.around.below);
-      const RowVec now = load_voxels(row.voxels);
-      const RowMask level = around_.of.level[i];
-      beside_.set(i, select(level, north, below), select(level, below, north), west_of(now, row.voxels),
-                  east_of(now, row.voxels));
+      same_.set(i, equal(north, below));
+      south_.set(i, equal(load_voxels(row.around.below_south), north));
+      store_voxels(select(around_.of.level[i], north, below), row.voxels);
     });
   }
 
   /// The odd columns get their first candidates.
-  HWY_INLINE void store_odd() {
-    over_rows([this](std::size_t i) HWY_ATTR {
+  HWY_INLINE void begin_odd() {
+    beside_.clear();
+    over_bits(mixed_, [this](std::size_t i) HWY_ATTR {
       const WaveRow& row = row_[i];
+      const RowVec north = load_voxels(row.around.north);
+      const RowVec below = load_voxels(row.around.below);
       const RowVec now = load_voxels(row.voxels);
-      const RowVec first = select(is_east_[i], east_of(now, row.voxels), west_of(now, row.voxels));
-      store_voxels(select(kOddColumns, first, now), row.voxels);
+      const RowVec west = west_of(now, row.voxels);
+      const RowVec east = east_of(now, row.voxels);
+      const RowMask level = around_.of.level[i];
+      const RowMask is_east =
+          beside_.set(i, select(level, north, below), select(level, below, north), west, east);
+      store_voxels(select(kOddColumns, select(is_east, east, west), now), row.voxels);
     });
   }
 
   HWY_INLINE void end_wave(int wave) {
     equal_.begin(wave);
     const int first = first_row_of(wave);
-    over_rows([this, first, wave](std::size_t i) HWY_ATTR {
+    over_bits(mixed_, [this, first, wave](std::size_t i) HWY_ATTR {
       const WaveRow& row = row_[i];
       const RowVec now = load_voxels(row.voxels);
       const int y = first + static_cast<int>(i);
@@ -232,7 +215,7 @@ class Reader {
 
   /// Gives the exceptions among the steady voxels their materials.
   HWY_INLINE void take_exceptions() {
-    const std::uint32_t all = masks_.steady_voxels(rows_);
+    const std::uint32_t all = masks_.steady_voxels();
     if (HWY_LIKELY(exceptions_.gap() >= all)) {
       exceptions_.pass(all);
       return;
@@ -256,14 +239,18 @@ class Reader {
   HWY_INLINE bool read_batch() {
     take_exceptions();
     batch_.clear();
-    over_rows([this](std::size_t i) HWY_ATTR {
-      if (masks_.coded[i] != 0) batch_.template add<odd ? 8 : 7>(masks_, i);
-    });
+    over_bits(masks_.coded_rows,
+              [this](std::size_t i) HWY_ATTR { batch_.template add<odd ? 8 : 7>(masks_, i); });
     source_.keep_ahead();
     batch_.decode(source_, code_.intervals->data() + (odd ? kOddContexts : 0));
-    over_rows([this](std::size_t i) HWY_ATTR {
-      if (masks_.coded[i] != 0) finish_row<odd>(i);
+    // Which rows have other symbols than 0 cannot be foreseen: they are found first, without a branch for
+    // each.
+    std::uint32_t surprising = 0;
+    over_bits(masks_.coded_rows, [this, &surprising](std::size_t i) HWY_ATTR {
+      symbols_[i] = batch_.take(masks_.coded[i]);
+      surprising |= ((symbols_[i].low | symbols_[i].high) != 0 ? 1U : 0U) << i;
     });
+    over_bits(surprising, [this](std::size_t i) HWY_ATTR { finish_row<odd>(i); });
     for (std::size_t i = 0; i < escapes_; ++i) {
       *escaped_[i] = MaterialId{decode_slot(source_, i % kLanes, code_.materials)};
     }
@@ -273,8 +260,7 @@ class Reader {
 
   template <bool odd>
   HWY_INLINE void finish_row(std::size_t i) {
-    const Batch::Symbols symbols = batch_.take(masks_.coded[i]);
-    if ((symbols.low | symbols.high) == 0) return;
+    const Batch::Symbols& symbols = symbols_[i];
     const WaveRow& row = row_[i];
     const AroundMasks<RowMask> masks = around_.row(i);
     const RowVec north = load_voxels(row.around.north);
@@ -282,14 +268,15 @@ class Reader {
     const RowVec now = load_voxels(row.voxels);  // the first candidates
     RowVec second;
     if constexpr (odd) {
-      const BesideMasks<WaveMasks>& beside = beside_.of;
+      const BesideArrays& beside = beside_rows_;
       // Base, unless that is the west: then the other.
       const RowVec of_equal = select(masks.level ^ beside.base_west[i], north, below);
-      const RowVec beyond = select(is_east_[i], west_of(now, row.voxels), east_of(now, row.voxels));
-      const RowMask agrees = beside.equal[i] & beside.base_west[i] & beside.other_west[i];
-      second = select(agrees, first_different(masks, row.around), select(beside.equal[i], of_equal, beyond));
+      const RowVec beyond = select(beside.is_east[i], west_of(now, row.voxels), east_of(now, row.voxels));
+      second = select_different(beside.agrees[i], symbols.low | symbols.high, masks, row.around,
+                                select(beside.equal[i], of_equal, beyond));
     } else {
-      second = select(same_[i], first_different(masks, row.around), select(masks.level, below, north));
+      second = select_different(same_rows_[i], symbols.low | symbols.high, masks, row.around,
+                                select(masks.level, below, north));
     }
     RowVec found = select(symbols.low & ~symbols.high, second, now);
     const RowMask is_third = symbols.high & ~symbols.low;
@@ -315,15 +302,17 @@ class Reader {
   ExceptionReader exceptions_;
   EqualMasks equal_;
   AroundArrays around_;
-  BesideArrays beside_;
+  GrowingBeside beside_;
+  BesideArrays beside_rows_;
   BatchMasks masks_;
-  WaveMasks same_;
-  WaveMasks south_{};
-  WaveMasks is_east_;
+  GrowingMasks same_;
+  GrowingMasks south_;
+  WaveMasks same_rows_;
   Batch batch_;
   std::array<WaveRow, kWaveRows> row_;
   std::size_t rows_ = 0;
-  std::uint32_t mixed_ = 0;  // bit i: row i is not uniform
+  std::uint32_t mixed_ = 0;  // bit i: row i, or a row around it, is not of the one material
+  std::array<Batch::Symbols, kWaveRows> symbols_;
   std::array<MaterialId*, kMaxBatch> escaped_;
   std::size_t escapes_ = 0;
   bool bad_number_ = false;

@@ -29,7 +29,7 @@ constexpr std::size_t row_index(int y, int z) {
 }  // namespace
 
 bool analyse_volume_scalar(const DenseVoxels& voxels, VolumeEvents& events) {
-  events.coded = events.surprises = events.exceptions = events.escapes = 0;
+  events.coded = events.surprises = events.changes = events.exceptions = events.escapes = 0;
   const Row row_zero = row_of(voxels.front());
   std::uint16_t gap = 0;
   for (std::size_t batch = 0; batch < kBatches; ++batch) {
@@ -38,6 +38,7 @@ bool analyse_volume_scalar(const DenseVoxels& voxels, VolumeEvents& events) {
     over_batch(batch, [&](int y, int z, int x) {
       const MaterialId* const row = voxels.data() + row_index(y, z);
       const Prediction prediction = predict(rows_around(voxels.data(), row_zero.data(), y, z), row, x);
+      events.changes += x > 0 && row[x] != row[x - 1] ? 1 : 0;
       if (prediction.steady) {
         if (row[x] == prediction.candidate[0]) {
           ++gap;

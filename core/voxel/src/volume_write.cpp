@@ -51,24 +51,27 @@ class Analyser {
   }
 
   bool analyse() {
-    events_.coded = events_.surprises = events_.exceptions = events_.escapes = 0;
+    events_.coded = events_.surprises = events_.changes = events_.exceptions = events_.escapes = 0;
     for (int wave = 0; wave < kWaves; ++wave) {
       rows_ = static_cast<std::size_t>(last_row_of(wave) - first_row_of(wave) + 1);
       const AroundMasks<MaskVec> around = equal_.around(wave);
       around_.store(around);
+      const MaskVec in_wave = mask_of_rows(rows_);
+      mixed_ = rows_with_any(in_wave & ~(around.all() & around.level));
       compare(wave);
-      const MaskVec same = load_masks(same_.data());
-      masks_.store(kEvenColumns, same & around.all(), even_contexts(around, same, load_masks(south_.data())));
-      store_masks(select(around.level, load_masks(north_.data()), load_masks(below_.data())),
-                  is_first_.data());
+      const MaskVec same = same_.get();
+      store_masks(same, same_rows_.data());
+      masks_.store<7>(in_wave & set_masks(kEvenColumns), same & around.all(),
+                      even_contexts(around, same, south_.get()));
+      store_masks(select(around.level, north_.get(), below_.get()), is_first_.data());
       add_batch<false>(2 * static_cast<std::size_t>(wave));
 
-      const BesideMasks<MaskVec> beside = beside_.load();
-      const MaskVec is_east = beside.is_east();
-      const MaskVec west = load_masks(west_.data());
-      store_masks(is_east, is_east_.data());
-      store_masks(select(is_east, of_east(west), west), is_first_.data());
-      masks_.store(kOddColumns, beside.agrees() & around.all(), odd_contexts(around, beside, same));
+      const BesideMasks<MaskVec> beside = beside_.get();
+      beside_rows_.store(beside);
+      const MaskVec west = west_.get();
+      store_masks(select(beside.is_east(), of_east(west), west), is_first_.data());
+      masks_.store<8>(in_wave & set_masks(kOddColumns), beside.agrees() & around.all(),
+                      odd_contexts(around, beside, same));
       add_batch<true>(2 * static_cast<std::size_t>(wave) + 1);
       if (is_noise(2 * static_cast<std::size_t>(wave) + 2, events_.surprises)) return false;
     }
@@ -88,36 +91,39 @@ class Analyser {
 
   /// Compares the rows of a wave, but for those that are of one material with all around.
   HWY_INLINE void compare(int wave) {
-    for (WaveMasks* masks : {&same_, &north_, &below_, &west_})
-      store_masks(set_masks(kAllColumns), masks->data());
+    for (GrowingMasks* masks : {&same_, &south_, &north_, &below_, &west_}) masks->clear();
     beside_.clear();
     equal_.begin(wave);
-    mixed_ = 0;
     const int first = first_row_of(wave);
+    place_rows(voxels_, row_zero_.data() + kChunkSize, wave, row_);
     for (std::size_t i = 0; i < rows_; ++i) {
-      const int y = first + static_cast<int>(i);
-      const int z = wave - 2 * y;
+      const RowMask below = equal(load_voxels(row_[i].voxels), load_voxels(row_[i].around.below));
+      mixed_ |= (below != kAllColumns ? 1U : 0U) << i;
+    }
+    over_bits(mixed_, [this, first, wave](std::size_t i) HWY_ATTR {
       WaveRow& row = row_[i];
-      row.voxels = padded(voxels_ + (y * kChunkSize + z) * kChunkSize);
-      row.around = rows_around(voxels_, row_zero_.data() + kChunkSize, y, z);
-      const RowVec now = load_voxels(row.voxels);
-      const RowVec below = load_voxels(row.around.below);
-      below_[i] = equal(now, below);
-      if ((around_.all[i] & below_[i]) == kAllColumns) continue;
-      mixed_ |= 1U << i;
+      row.voxels = padded(row.voxels);
       row.around.north = padded(row.around.north);
       row.around.below = padded(row.around.below);
+      const RowVec now = load_voxels(row.voxels);
+      const RowVec below = load_voxels(row.around.below);
       const RowVec north = load_voxels(row.around.north);
       const RowVec west = west_of(now, row.voxels);
       const RowMask level = around_.of.level[i];
-      north_[i] = equal(now, north);
-      west_[i] = equal(now, west) | 1U;
-      same_[i] = equal(north, below);
-      south_[i] = equal(load_voxels(row.around.below_south), north);
-      beside_.set(i, select(level, north, below), select(level, below, north), west,
-                  east_of(now, row.voxels));
-      equal_.set(y, z, west_[i], north_[i], below_[i]);
-    }
+      const RowMask equals_west = equal(now, west) | 1U;
+      const RowMask equals_north = equal(now, north);
+      const RowMask equals_below = equal(now, below);
+      west_.set(i, equals_west);
+      north_.set(i, equals_north);
+      below_.set(i, equals_below);
+      same_.set(i, equal(north, below));
+      south_.set(i, equal(load_voxels(row.around.below_south), north));
+      (void)beside_.set(i, select(level, north, below), select(level, below, north), west,
+                        east_of(now, row.voxels));
+      const int y = first + static_cast<int>(i);
+      equal_.set(y, wave - 2 * y, equals_west, equals_north, equals_below);
+      events_.changes += static_cast<std::size_t>(std::popcount(~equals_west));
+    });
   }
 
   template <bool odd>
@@ -125,30 +131,32 @@ class Analyser {
     const std::size_t coded = events_.coded;
     const std::size_t escapes = events_.escapes;
     add_exceptions(batch);
-    for (std::uint32_t left = mixed_; left != 0; left &= left - 1) {
-      const auto i = static_cast<std::size_t>(std::countr_zero(left));
+    // Which rows have other symbols than 0 cannot be foreseen: they are found first, without a branch for
+    // each.
+    std::uint32_t surprising = 0;
+    over_bits(masks_.coded_rows, [this, &surprising](std::size_t i) HWY_ATTR {
+      low_[i] = masks_.coded[i] & ~is_first_[i];
+      high_[i] = 0;
+      surprising |= (low_[i] != 0 ? 1U : 0U) << i;
+    });
+    over_bits(surprising, [this](std::size_t i) HWY_ATTR { find_symbols<odd>(i, low_[i], high_[i]); });
+    over_bits(masks_.coded_rows, [this](std::size_t i) HWY_ATTR {
       const RowMask row_coded = masks_.coded[i];
-      if (row_coded == 0) continue;
-      RowMask low = row_coded & ~is_first_[i];
-      RowMask high = 0;
-      if (low != 0) find_symbols<odd>(i, low, high);
       put_numbers<odd ? 8 : 7>(
           row_coded, [&](std::size_t b) { return masks_.context[b][i]; },
           events_.context.data() + events_.coded);
       put_numbers<2>(
-          row_coded, [&](std::size_t b) { return b == 0 ? low : high; },
+          row_coded, [&](std::size_t b) { return b == 0 ? low_[i] : high_[i]; },
           events_.symbol.data() + events_.coded);
       events_.coded += static_cast<std::size_t>(std::popcount(row_coded));
-    }
+    });
     events_.batch[batch] = static_cast<std::uint16_t>(events_.coded - coded);
     events_.batch_escapes[batch] = static_cast<std::uint16_t>(events_.escapes - escapes);
   }
 
   HWY_INLINE void add_exceptions(std::size_t batch) {
-    const std::uint32_t all = masks_.steady_voxels(rows_);
-    RowMask any = 0;
-    for (std::size_t i = 0; i < rows_; ++i) any |= masks_.steady[i] & ~is_first_[i];
-    if (HWY_LIKELY(any == 0)) {
+    const std::uint32_t all = masks_.steady_voxels();
+    if (HWY_LIKELY(rows_with_any(load_masks(masks_.steady.data()) & ~load_masks(is_first_.data())) == 0)) {
       gap_ += all;
       return;
     }
@@ -179,17 +187,16 @@ class Analyser {
     RowVec first;
     RowVec second;
     if constexpr (odd) {
-      const BesideMasks<WaveMasks>& beside = beside_.of;
+      const BesideArrays& beside = beside_rows_;
       const RowVec west = west_of(now, row.voxels);
       const RowVec east = east_of(now, row.voxels);
       const RowVec of_equal = select(masks.level ^ beside.base_west[i], north, below);
-      const RowMask agrees = beside.equal[i] & beside.base_west[i] & beside.other_west[i];
-      first = select(is_east_[i], east, west);
-      second = select(agrees, first_different(masks, row.around),
-                      select(beside.equal[i], of_equal, select(is_east_[i], west, east)));
+      first = select(beside.is_east[i], east, west);
+      second = select_different(beside.agrees[i], low, masks, row.around,
+                                select(beside.equal[i], of_equal, select(beside.is_east[i], west, east)));
     } else {
       first = select(masks.level, north, below);
-      second = select(same_[i], first_different(masks, row.around), select(masks.level, below, north));
+      second = select_different(same_rows_[i], low, masks, row.around, select(masks.level, below, north));
     }
     high = low & ~equal(now, second);
     low &= ~high;
@@ -207,15 +214,18 @@ class Analyser {
   VolumeEvents& events_;
   EqualMasks equal_;
   AroundArrays around_;
-  BesideArrays beside_;
+  GrowingBeside beside_;
+  BesideArrays beside_rows_;
   BatchMasks masks_;
-  WaveMasks same_;
-  WaveMasks south_{};
-  WaveMasks north_;  // where the rows equal those to the north, and so on
-  WaveMasks below_;
-  WaveMasks west_;
-  WaveMasks is_east_;
+  GrowingMasks same_;
+  GrowingMasks south_;
+  GrowingMasks north_;  // where the rows equal those to the north, and so on
+  GrowingMasks below_;
+  GrowingMasks west_;
+  WaveMasks same_rows_;
   WaveMasks is_first_;  // where the voxels are their first candidates
+  WaveMasks low_;       // the symbols of coded voxels, as bits
+  WaveMasks high_;
   std::array<WaveRow, kWaveRows> row_;
   std::size_t rows_ = 0;
   std::uint32_t mixed_ = 0;  // bit i: row i is not of one material with all around it
@@ -269,9 +279,21 @@ void write_intervals(const std::uint32_t* intervals, std::size_t count, RansSink
 void write(const VolumeEvents& events, std::size_t first, std::size_t count, const std::uint32_t* intervals,
            RansSink& sink) {
   alignas(64) std::array<std::uint32_t, kMaxBatch> found;
+#if HWY_TARGET == HWY_AVX3
+  for (std::size_t i = 0; i < count; i += kLanes) {
+    const auto active = static_cast<__mmask16>(count - i < kLanes ? (1U << (count - i)) - 1 : 0xFFFFU);
+    const Half d;
+    const __m512i contexts = _mm512_cvtepu8_epi32(hn::LoadU(d, events.context.data() + first + i).raw);
+    const __m512i symbols = _mm512_cvtepu8_epi32(hn::LoadU(d, events.symbol.data() + first + i).raw);
+    const __m512i places = _mm512_add_epi32(_mm512_slli_epi32(contexts, 2), symbols);
+    _mm512_store_si512(found.data() + i,
+                       _mm512_mask_i32gather_epi32(_mm512_setzero_si512(), active, places, intervals, 4));
+  }
+#else
   for (std::size_t i = 0; i < count; ++i) {
     found[i] = intervals[4 * std::size_t{events.context[first + i]} + events.symbol[first + i]];
   }
+#endif
   write_intervals(found.data(), count, sink);
 }
 
