@@ -28,17 +28,17 @@ struct Words {
 };
 
 void add_timeout(CLI::App& command, double& seconds) {
-  command.add_option("--timeout", seconds, "Seconds without an answer after which to give up")
+  command.add_option("--timeout", seconds, "Give up after this many seconds without an answer")
       ->check(within(0.1, kMaxSeconds))
       ->capture_default_str();
 }
 
 void add_get(CLI::App& app, GetOptions& options, Words& words) {
   auto* command = app.add_subcommand("get", "Fetch one chunk");
-  command->add_option("x", words.x, "Chunk coordinates, in chunks of the level")->required();
+  command->add_option("x", words.x, "Coordinates of the chunk, counted in chunks of its level")->required();
   command->add_option("y", words.y, "")->required();
   command->add_option("z", words.z, "")->required();
-  command->add_option("--lod", words.lod, "Level of detail, 0 to 6: a voxel spans 2^L base voxels")
+  command->add_option("--lod", words.lod, "Level of detail L, 0 to 6: a voxel spans 2^L base voxels")
       ->capture_default_str();
   command->add_option("-o,--output", options.output,
                       "Write the voxels as .npy, [y][z][x], instead of printing a summary");
@@ -49,27 +49,27 @@ void add_fly(CLI::App& app, FlyOptions& options) {
   const auto or_less = [](int radius) {
     return " (default: " + std::to_string(radius) + ", or as far as the server allows)";
   };
-  auto* command = app.add_subcommand("fly", "Fly over the world, keeping the view filled");
-  command->add_option("--seconds", options.seconds, "Length of the flight, seconds")
+  auto* command = app.add_subcommand("fly", "Fly over the world, streaming the chunks around the camera");
+  command->add_option("--seconds", options.seconds, "Length of the flight in seconds")
       ->check(within(0.1, kMaxSeconds))
       ->capture_default_str();
   command
       ->add_option("--radius", options.radius,
-                   "Chunks of level 0 to each side" + or_less(FlyOptions::kRadius))
+                   "View radius in chunks of level 0" + or_less(FlyOptions::kRadius))
       ->check(CLI::Range(1, 1000));
   command
-      ->add_option(
-          "--far", options.far_radius,
-          "Chunks of level 0 out to which coarser ones fill the view" + or_less(FlyOptions::kFarRadius))
+      ->add_option("--far", options.far_radius,
+                   "Radius out to which coarser levels fill the view, in chunks of level 0" +
+                       or_less(FlyOptions::kFarRadius))
       ->check(CLI::Range(0, 4096));
-  command->add_option("--height", options.height, "Voxels above the ground")
+  command->add_option("--height", options.height, "Flying height in voxels above the ground")
       ->check(within(1, 10000))
       ->capture_default_str();
-  command->add_option("--speed", options.speed, "Voxels a second")
+  command->add_option("--speed", options.speed, "Voxels per second")
       ->check(within(0, 100000))
       ->capture_default_str();
-  command->add_option("-o,--output", options.output, "Write a map of what came, as .png");
-  command->add_option("--view", options.view, "Write what the camera saw at the end, as .png");
+  command->add_option("-o,--output", options.output, "Write a map of the chunks received, as .png");
+  command->add_option("--view", options.view, "Write the camera's picture at the end, as .png");
 }
 
 void add_map(CLI::App& app, MapOptions& options, Words& words) {
@@ -81,7 +81,7 @@ void add_map(CLI::App& app, MapOptions& options, Words& words) {
       ->delimiter(',')
       ->expected(2)
       ->check(CLI::Range(1, 8192));
-  command->add_option("-o,--output", options.output, "Where to write the .png")->required();
+  command->add_option("-o,--output", options.output, "Picture to write, .png")->required();
   add_timeout(*command, options.timeout_seconds);
 }
 
@@ -127,7 +127,7 @@ Checked check_map(CommandLine line, MapOptions options, const Words& words) {
 }  // namespace
 
 tl::expected<CommandLine, Exit> read_command_line(int argc, const char* const* argv) {
-  CLI::App app{"Sample client of a Talus server."};
+  CLI::App app{"A sample client for Talus servers."};
   app.set_version_flag("--version", "talus-client " TALUS_VERSION);
   app.require_subcommand(1);
   app.fallthrough();

@@ -33,12 +33,11 @@ tl::expected<std::string, std::string> read_token(const ConnectWords& words) {
 void add_connect_options(CLI::App& app, ConnectWords& words) {
   app.add_option("--connect", words.connect, "HOST:PORT of the server")->capture_default_str();
   // A flag takes the place of both variables, so they are looked at where no flag was.
-  auto* file =
-      app.add_option("--token-file", words.token_file,
-                     "File with the token that the server's operator gave out, or $TALUS_TOKEN_FILE");
+  auto* file = app.add_option("--token-file", words.token_file,
+                              "File with a token from the server's operator; default: $TALUS_TOKEN_FILE");
   auto* token = app.add_option(
       "--token", words.token,
-      "The token itself, which all users of this machine can see, or $TALUS_TOKEN, which they cannot");
+      "The token itself; visible to all users of this machine, unlike its default $TALUS_TOKEN");
   file->excludes(token);
   app.callback([&words, file, token] {
     if (file->count() != 0 || token->count() != 0) return;
@@ -46,12 +45,12 @@ void add_connect_options(CLI::App& app, ConnectWords& words) {
     if (const char* name = std::getenv("TALUS_TOKEN_FILE"); name != nullptr && words.token.empty())
       words.token_file = name;
   });
-  app.add_flag("--tls", words.tls.on, "Connect by TLS");
+  app.add_flag("--tls", words.tls.on, "Use TLS");
   app.add_option(
       "--ca", words.tls.ca_file,
-      "Connect by TLS and trust the certificates in this PEM file (default: those the system trusts)");
+      "Use TLS and trust the certificates in this PEM file (default: those that the system trusts)");
   app.add_option("--tls-name", words.tls.server_name,
-                 "Connect by TLS and expect a certificate for this name (default: the host of --connect)");
+                 "Use TLS and expect a certificate for this name (default: the host of --connect)");
 }
 
 tl::expected<ConnectOptions, std::string> read_connect_options(const ConnectWords& words) {

@@ -25,56 +25,56 @@ constexpr double kDay = 86400;
 constexpr std::uint32_t kMaxClients = 100'000;
 
 void add_players(CLI::App& app, Options& options) {
-  app.add_option("--players", options.players, "Players")
+  app.add_option("--players", options.players, "Number of simulated players")
       ->check(CLI::Range(0U, kMaxClients))
       ->capture_default_str();
-  app.add_option("--duration", options.seconds, "Seconds that are measured")
+  app.add_option("--duration", options.seconds, "Measured time in seconds")
       ->check(within(0.1, kDay))
       ->capture_default_str();
-  app.add_option("--ramp-up", options.ramp_up_seconds, "Seconds in which the players join, evenly")
+  app.add_option("--ramp-up", options.ramp_up_seconds, "Seconds over which the players join, evenly")
       ->check(within(0, kDay))
       ->capture_default_str();
   app.add_option(
          "--warm-up", options.warm_up_seconds,
-         "Measure from so many seconds after the last player was to join (default: from the first on, "
-         "the ramp-up included)")
+         "Seconds between the last scheduled join and the start of measuring (default: measure from the "
+         "first join on, ramp-up included)")
       ->check(within(0, kDay));
   app.add_option("--drain", options.drain_seconds,
-                 "Seconds at the end to wait for chunks that have not come; those that never come are the "
-                 "figure unanswered")
+                 "Seconds to wait at the end for chunks still missing; those that never come count as "
+                 "unanswered")
       ->check(within(0, kDay))
       ->capture_default_str();
   app.add_option(
          "--model", options.model,
-         "How they move: stand, walk, fly, teleport, swarm (into one place), trace:FILE (lines of "
-         "\"seconds x y z\", voxels from the start), mixed, or shares as in walk=80,fly=15,teleport=5")
+         "How players move: stand, walk, fly, teleport, swarm (all to one place), trace:FILE (lines of "
+         "\"seconds x y z\", voxels from the start), mixed, or shares: walk=80,fly=15,teleport=5")
       ->capture_default_str();
-  app.add_option("--speed", options.speed, "Voxels a second (default: walk 5, fly and swarm 20)")
+  app.add_option("--speed", options.speed, "Voxels per second (default: walk 5, fly and swarm 20)")
       ->check(within(0, 100'000));
   app.add_option("--groups", options.groups,
-                 "Number of groups whose players stand and move together; 0: each player is alone")
+                 "Number of groups whose players stay together; 0: each player is alone")
       ->check(CLI::Range(0U, kMaxClients))
       ->capture_default_str();
-  app.add_option("--radius", options.radius, "Chunks of the View to each side")
+  app.add_option("--radius", options.radius, "Horizontal radius of the View in chunks")
       ->check(CLI::Range(0, 1000))
       ->capture_default_str();
-  app.add_option("--vertical", options.vertical, "Chunks of the View up and down")
+  app.add_option("--vertical", options.vertical, "Vertical radius of the View in chunks")
       ->check(CLI::Range(0, 1000))
       ->capture_default_str();
   app.add_option(
          "--tick", options.tick_hz,
-         "Times a second at which a player looks where it is; a View is sent in another chunk and after a "
-         "turn of 15 degrees")
+         "Ticks per second of a player; it sends a View at a tick if it is in another chunk or has turned "
+         "by 15 degrees")
       ->check(within(0.1, 1000))
       ->capture_default_str();
-  app.add_flag("--every-tick", options.every_tick, "Send a View at every tick, as a careless client does");
+  app.add_flag("--every-tick", options.every_tick,
+               "Send a View at every tick, as a badly written client does");
   app.add_option("--dwell", options.dwell_seconds, "Seconds between a teleporter's jumps")
       ->check(within(0.05, kDay))
       ->capture_default_str();
-  app.add_option(
-         "--churn", options.churn_seconds,
-         "Players are cut off after so many seconds (mean), half of them by a reset, and come back within "
-         "one; 0: they stay")
+  app.add_option("--churn", options.churn_seconds,
+                 "Mean seconds until a player's connection is cut (half of the cuts are resets); the player "
+                 "reconnects within a second; 0: never")
       ->check(within(0, kDay))
       ->capture_default_str();
 }
@@ -92,20 +92,19 @@ void add_others(CLI::App& app, Options& options) {
   app.add_option("--slow", options.slow, "Additional clients that walk and read slowly")
       ->check(CLI::Range(0U, kMaxClients))
       ->capture_default_str();
-  app.add_option("--slow-rate", options.slow_kbit, "Kilobits a second that each slow client reads")
+  app.add_option("--slow-rate", options.slow_kbit, "Kilobits per second that each slow client reads")
       ->check(within(0.2, 1e6))
       ->capture_default_str();
   app.add_option("--in-flight", options.in_flight,
-                 "Requests instead of Views: each player keeps this many in flight, of a fixed set of chunks "
-                 "(a closed "
-                 "loop); 0: Views")
+                 "Send requests instead of Views: each player keeps this many in flight (a closed loop), for "
+                 "chunks of a fixed set; 0: Views")
       ->check(CLI::Range(0U, 65535U))
       ->capture_default_str();
   app.add_option("--set", options.fixed_set,
-                 "Chunks in that set, taken from the ground around the spawn point")
+                 "Number of chunks in that set, which lie at the ground around the spawn point")
       ->check(CLI::Range(1U, 1'000'000U))
       ->capture_default_str();
-  app.add_option("--seed", options.seed, "Seed of everything random, such as where players begin")
+  app.add_option("--seed", options.seed, "Seed of all randomness, such as the players' start positions")
       ->check([](const std::string& text) {  // CLI11 takes one past 64 bits for the largest
         std::uint64_t seed = 0;
         const char* const end = text.data() + text.size();
@@ -115,33 +114,34 @@ void add_others(CLI::App& app, Options& options) {
                    : "'" + text + "' is no seed; give a whole number from 0 to 18446744073709551615";
       })
       ->capture_default_str();
-  app.add_option("--threads", options.threads, "Threads of this program")
+  app.add_option("--threads", options.threads, "Number of threads of this program")
       ->check(CLI::Range(1U, 64U))
       ->capture_default_str();
   app.add_option("--from-addresses", options.from_addresses,
-                 "Source addresses to connect from: 127.0.0.1 and those after it")
+                 "Number of source addresses to connect from: 127.0.0.1 and the following")
       ->check(CLI::Range(1U, 65534U))
       ->capture_default_str();
 }
 
 void add_results(CLI::App& app, Options& options, Words& words) {
   app.add_option("--verify", options.verify_percent,
-                 "Percent of the chunks that are decoded and hashed; 100 takes more CPU time than the server")
+                 "Percentage of chunks to decode and hash; 100 takes more CPU time than the server")
       ->check(within(0, 100))
       ->capture_default_str();
   app.add_option("--ring-tolerance", options.ring_tolerance,
-                 "Rings by which a chunk may arrive before a nearer one, in a first View, without being "
-                 "counted as out of order")
+                 "Rings by which a chunk of a first View may precede a nearer one without counting as out of "
+                 "order")
       ->check(CLI::Range(0, 1000))
       ->capture_default_str();
   app.add_option("--metrics", words.metrics,
                  "HOST:PORT of the server's /metrics, to report its CPU time and memory");
   app.add_option("--server-pid", options.server_pid,
-                 "Process id of a server on this machine, to report the same from /proc")
+                 "Process id of the server, on this machine, to report the same from /proc")
       ->check(CLI::PositiveNumber);
   app.add_option("--json", options.json, "Write all figures to this file");
   app.add_option("--plot", options.plot, "Write the latencies by percentile, as .svg");
-  app.add_option("--compare", options.compare, "Print the ratios to a file that --json wrote before")
+  app.add_option("--compare", options.compare,
+                 "Print the ratios to the figures in this file, which an earlier --json wrote")
       ->check(CLI::ExistingFile);
   app.add_option("--fail-if", words.fail_if,
                  "Exit with status 1 if this holds, as in p99_ms>50; may be repeated")
@@ -168,13 +168,12 @@ tl::expected<Options, Exit> read_command_line(int argc, const char* const* argv)
   add_others(app, options);
   add_results(app, options, words);
   app.footer(
-      "Latencies count from when a View was due, not from when it could be sent.\n"
+      "Latencies are measured from the scheduled time of a View, not from when it could be sent.\n"
       "Figures for --fail-if: " +
       figure_names() +
-      "\nMany players from one address need --from-addresses, or a server whose "
-      "limits.connections_per_address and "
-      "rates.address_* allow them.\n"
-      "Exit status: 0 done, whatever was found; 1 failed, or a --fail-if holds; 2 wrong use.");
+      "\nFor many players, use --from-addresses, or raise the server's limits.connections_per_address and "
+      "rates.address_*.\n"
+      "Exit status: 0 finished, whatever was found; 1 failure, or a --fail-if holds; 2 wrong arguments.");
   if (auto exit = command_line::parse(app, argc, argv)) return tl::unexpected{*std::move(exit)};
   auto connecting = command_line::read_connect_options(connect);
   if (!connecting) return wrong(connecting.error());

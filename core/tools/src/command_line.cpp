@@ -67,11 +67,10 @@ int run_command_line(int argc, const char* const* argv, const std::string& versi
     return kExitWrongUse;
   }
   CLI::App app{
-      "The Talus terrain generator without a network: pictures, models, exports and hashes of a world,\n"
-      "and single chunks.\n"
-      "Places are base voxels, x east and z south, and may be negative: --center -640,32. Exit codes: 0 "
-      "done,\n"
-      "1 failed, 2 wrong use."};
+      "The Talus terrain generator without a network: draws, exports and hashes a world, and encodes and\n"
+      "decodes single chunks.\n"
+      "Positions are in base voxels, x east and z south, and may be negative: --center -640,32.\n"
+      "Exit status: 0 success, 1 failure, 2 wrong arguments."};
   app.name("talus-gen");
   app.set_version_flag("--version", "talus-gen " + version + " (generator version " +
                                         std::to_string(terrain::kGeneratorVersion) + ", " +

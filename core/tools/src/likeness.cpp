@@ -139,7 +139,7 @@ std::string to_text(const Likeness& likeness) {
                 likeness.side, likeness.side, likeness.resolution, likeness.seeds);
   std::string text = line.data();
   text +=
-      "               cover: slope     cover: erosion    both / either     of unrelated      thickness, r\n";
+      "               cover: slope     cover: erosion    both / either    if independent     thickness, r\n";
   for (const LikenessRow& row : likeness.rows) {
     std::snprintf(line.data(), line.size(), "  %-10s", row.name.c_str());
     text += line.data() + in_cell(row.cover_slope) + in_cell(row.cover_erosion) + in_cell(row.overlap) +

@@ -67,7 +67,7 @@ void add_input(CLI::App& command, Arguments& arguments, const char* meaning, con
 }  // namespace
 
 Command add_encode(CLI::App& app) {
-  auto* encode = app.add_subcommand("encode", "A chunk of voxels as the payload that servers send");
+  auto* encode = app.add_subcommand("encode", "Encode a chunk of voxels as a payload, as servers do");
   const auto arguments = std::make_shared<Arguments>();
   add_input(*encode, *arguments, "32 x 32 x 32 voxels", "F.npy|F.vox");
   add_output(*encode, arguments->output, "Payload to write", "F.chunk");
@@ -75,14 +75,13 @@ Command add_encode(CLI::App& app) {
       "F.npy is uint8 or uint16, [y][z][x], with y up and z south. F.vox is one MagicaVoxel model of at "
       "most\n"
       "32 voxels a side: x is east, y north and z up; palette indices are material ids, and what the model\n"
-      "does not fill is air. Prints how many bytes the payload has, and what zstd -3 makes of the same "
-      "voxels.\n"
-      "core/voxel/FORMAT.md says what the bytes mean.");
+      "does not fill is air. Prints the payload's size, and that of the same voxels under zstd -3.\n"
+      "core/voxel/FORMAT.md specifies the payload.");
   return {encode, [arguments] { return run_encode(*arguments); }};
 }
 
 Command add_decode(CLI::App& app) {
-  auto* decode = app.add_subcommand("decode", "The voxels of a payload as a NumPy array");
+  auto* decode = app.add_subcommand("decode", "Decode a payload to a NumPy array of voxels");
   const auto arguments = std::make_shared<Arguments>();
   add_input(*decode, *arguments, "Payload", "F.chunk");
   add_output(*decode, arguments->output,
@@ -91,17 +90,16 @@ Command add_decode(CLI::App& app) {
 }
 
 Command add_explain(CLI::App& app) {
-  auto* explain = app.add_subcommand("explain", "A payload field by field, for who writes a decoder");
+  auto* explain = app.add_subcommand("explain", "Print a payload field by field, for authors of decoders");
   const auto arguments = std::make_shared<Arguments>();
   add_input(*explain, *arguments, "Payload", "F.chunk");
-  explain->add_option("--symbols", arguments->symbols, "Coded symbols to show")
+  explain->add_option("--symbols", arguments->symbols, "Number of coded symbols to print")
       ->check(CLI::Range(std::size_t{0}, std::size_t{100'000}))
       ->type_name("N")
       ->capture_default_str();
   explain->footer(
-      "Offsets and bytes with what they mean, then the first coded symbols: which context selects their\n"
-      "probabilities, the interval of each, and the state that it is read from, before and after.\n"
-      "core/voxel/FORMAT.md has the words.");
+      "Prints offsets, bytes and their meaning. Then, for each of the first coded symbols, its context, its\n"
+      "interval, and the rANS state before and after. core/voxel/FORMAT.md defines the terms.");
   return {explain, [arguments] { return run_explain(*arguments); }};
 }
 

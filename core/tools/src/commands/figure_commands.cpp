@@ -124,68 +124,59 @@ void add_seeds(CLI::App& command, int& seeds, const char* meaning) {
 }
 
 void add_json(CLI::App& command, std::string& output) {
-  command.add_option("-o,--output", output, "The same figures as JSON")->type_name("F.json");
+  command.add_option("-o,--output", output, "Write the figures as JSON, too")->type_name("F.json");
 }
 
 }  // namespace
 
 Command add_gallery(CLI::App& app) {
-  auto* gallery =
-      app.add_subcommand("gallery", "The figures of the thesis as pictures of this world's voxels");
+  auto* gallery = app.add_subcommand("gallery", "Draw the figures of the thesis from this world's voxels");
   const auto arguments = std::make_shared<GalleryArguments>();
-  add_output(*gallery, arguments->output, "Directory for the pictures; made where it is missing", "DIR");
+  add_output(*gallery, arguments->output, "Directory for the pictures; created if missing", "DIR");
   add_world(*gallery, arguments->world);
   add_threads(*gallery, arguments->threads);
-  gallery->add_option("--only", arguments->only, "Only figures with TEXT in their names; default: all")
+  gallery->add_option("--only", arguments->only, "Draw only figures whose name contains TEXT; default: all")
       ->type_name("TEXT");
   gallery->footer(
-      "Draws gallery-NN-*.png, NN being the figure's number in the thesis, and gallery-levels.png. The "
-      "places are\n"
-      "those near the origin that make the best pictures; figures may change the world's resolution, "
-      "roughness\n"
-      "or exponent for a panel. The same world gives the same pictures.");
+      "The thesis is Furtado Machado's (KTH, 2019). Draws gallery-NN-*.png, where NN is the figure's number\n"
+      "there, and gallery-levels.png. Chooses places near the origin that show most. Some panels change the\n"
+      "world's resolution, roughness or exponent. The same world gives the same pictures.");
   return {gallery, [arguments] { return run_gallery(*arguments); }};
 }
 
 Command add_table1(CLI::App& app) {
   auto* table =
-      app.add_subcommand("table1", "Table 1 of the thesis, run again: what both methods take, by size");
+      app.add_subcommand("table1", "Measure table 1 of the thesis again: seconds of both methods by size");
   const auto arguments = std::make_shared<SeedsArguments>();
-  add_seeds(*table, arguments->seeds, "Terrains of each size, with the seeds 1, 2, ...");
+  add_seeds(*table, arguments->seeds, "Number of terrains of each size; their seeds are 1, 2, ...");
   table
       ->add_option("-o,--output", arguments->output,
-                   "Directory for table1.json and table1.svg, a plot; made where missing")
+                   "Directory for table1.json and table1.svg, a plot; created if missing")
       ->type_name("DIR");
   add_world(*table, arguments->world);
   table->footer(
-      "Seconds for the whole terrain on one thread: 50 to 200 columns a side at as many voxels a terrain "
-      "unit,\n"
-      "so always one unit of the same terrain. The slope method as everywhere; the erosion method on a map "
-      "that\n"
-      "ends at its edges, to rest. Beside them what the thesis measured.");
+      "Measures seconds for the whole terrain on one thread. Terrains have 50 to 200 columns a side, and as\n"
+      "many voxels a terrain unit, so each is one unit of the same terrain. Erosion runs on a bounded map\n"
+      "until nothing moves. The thesis' own seconds are printed beside.");
   return {table, [arguments] { return run_table1_command(*arguments); }};
 }
 
 Command add_likeness(CLI::App& app) {
-  auto* likeness =
-      app.add_subcommand("likeness", "How alike the loose layers of both methods are, in numbers");
+  auto* likeness = app.add_subcommand("likeness", "Compare the loose layers of both methods, in numbers");
   const auto arguments = std::make_shared<SeedsArguments>();
-  add_seeds(*likeness, arguments->seeds, "Terrains, with the seeds 1, 2, ...");
+  add_seeds(*likeness, arguments->seeds, "Number of terrains; their seeds are 1, 2, ...");
   add_json(*likeness, arguments->output);
   add_world(*likeness, arguments->world);
   likeness->footer(
-      "Two terrain units a side at 100 voxels a unit, by the slope method and by erosion to rest. A column "
-      "is\n"
-      "covered where it carries any of the material. Both / either: columns covered by both methods over "
-      "those\n"
-      "covered by one or both; of unrelated: what that would be if the two covers had nothing to do with "
-      "each\n"
-      "other. Thickness, r: Pearson's correlation over all columns.");
+      "Generates two terrain units a side at 100 voxels a unit, by the slope method and by erosion until\n"
+      "nothing moves. A column is covered if it has any of the material. Both / either: columns that both\n"
+      "methods cover, divided by columns that at least one covers. If independent: the same quotient for\n"
+      "independent covers of the same sizes. Thickness, r: Pearson's correlation over all columns.");
   return {likeness, [arguments] { return run_likeness(*arguments); }};
 }
 
 Command add_lod_error(CLI::App& app) {
-  auto* error = app.add_subcommand("lod-error", "How far the levels of detail lie from level 0");
+  auto* error = app.add_subcommand("lod-error", "Measure how far the levels of detail deviate from level 0");
   const auto arguments = std::make_shared<LodErrorArguments>();
   error->add_option("--center", arguments->centre, "Base voxel at the middle of the region")
       ->type_name("X,Z")

@@ -46,32 +46,32 @@ Expected<void> run_diamond_square(const DiamondArguments& arguments) {
 }  // namespace
 
 Command add_erode(CLI::App& app) {
-  auto* erode = app.add_subcommand("erode-heightmap", "Hydraulic erosion of a height map by droplets");
+  auto* erode = app.add_subcommand("erode-heightmap", "Erode a height map by droplets of rain");
   const auto arguments = std::make_shared<ErodeArguments>();
   erode
       ->add_option("input", arguments->input, "16-bit grey PNG, or .npy of two axes (uint16, int32, float32)")
       ->type_name("IN")
       ->required();
-  erode->add_option("--droplets", arguments->droplets, "Droplets that fall; about one a sample is much")
+  erode->add_option("--droplets", arguments->droplets, "Number of droplets; one a sample is a strong erosion")
       ->check(CLI::Range(std::int64_t{0}, kMaxDroplets))
       ->type_name("N")
       ->capture_default_str();
-  erode->add_option("--seed", arguments->seed, "Decides where they fall")
+  erode->add_option("--seed", arguments->seed, "Seed of the places where they fall")
       ->check(fault_of_seed)
       ->type_name("S")
       ->capture_default_str();
   add_output(*erode, arguments->output, "Height map to write: .png for 16-bit samples, .npy for any", "OUT");
   erode->footer(
-      "The same seed gives the same samples on every machine. What comes out is an input of a world\n"
-      "(surface.height_map.file) like any other.");
+      "The same seed gives the same samples on every machine. The result is a height map that\n"
+      "a world can use (surface.height_map.file).");
   return {erode, [arguments] { return run_erode(*arguments); }};
 }
 
 Command add_diamond_square(CLI::App& app) {
   auto* diamond = app.add_subcommand("diamond-square-heightmap",
-                                     "A fractal height map by midpoint displacement, which repeats");
+                                     "Make a fractal height map that repeats, by midpoint displacement");
   const auto arguments = std::make_shared<DiamondArguments>();
-  diamond->add_option("--seed", arguments->seed, "Decides the heights")
+  diamond->add_option("--seed", arguments->seed, "Seed of the heights")
       ->check(fault_of_seed)
       ->type_name("S")
       ->capture_default_str();
@@ -81,14 +81,15 @@ Command add_diamond_square(CLI::App& app) {
       ->capture_default_str();
   diamond
       ->add_option("--roughness", arguments->roughness,
-                   "0 to 1: how far a grid's points are displaced, over those of the grid twice as wide")
+                   "0 to 1: displacement of each grid's points, relative to the grid twice as wide")
       ->check([](const std::string& text) { return fault_of_number(text, 0, 1); })
       ->type_name("R")
       ->capture_default_str();
   add_output(*diamond, arguments->output, "Height map to write, of 16 bits a sample: .png or .npy", "OUT");
   diamond->footer(
-      "Opposite edges are neighbours: with outside = \"repeat\" a world (surface.height_map) has it without\n"
-      "a seam for ever. The same seed gives the same samples on every machine.");
+      "Opposite edges fit: with outside = \"repeat\" (surface.height_map) it becomes an endless world "
+      "without\n"
+      "seams. The same seed gives the same samples on every machine.");
   return {diamond, [arguments] { return run_diamond_square(*arguments); }};
 }
 

@@ -144,7 +144,7 @@ void add_common(CLI::App& command, Arguments& arguments) {
 }  // namespace
 
 Command add_map(CLI::App& app) {
-  auto* map = app.add_subcommand("map", "Shaded material map from above, north (low z) at the top");
+  auto* map = app.add_subcommand("map", "Draw a shaded map of materials, north (low z) at the top");
   const auto arguments = std::make_shared<Arguments>();
   add_place(*map, *arguments, "--center",
             "Base voxel at the middle of the picture, at every level of detail");
@@ -156,7 +156,7 @@ Command add_map(CLI::App& app) {
 }
 
 Command add_section(CLI::App& app) {
-  auto* section = app.add_subcommand("section", "Vertical cut that shows the layers, voxel by voxel");
+  auto* section = app.add_subcommand("section", "Draw a vertical cut that shows the layers, voxel by voxel");
   const auto arguments = std::make_shared<SectionArguments>();
   add_place(*section, *arguments, "--from", "Base voxel at the left end of the cut");
   section->add_option("--length", arguments->length, "Columns, eastward (southward with --axis z)")
@@ -178,12 +178,12 @@ Command add_section(CLI::App& app) {
 
 Command add_export(CLI::App& app) {
   auto* command = app.add_subcommand(
-      "export", "Surface, slope, loose material, strata and voxels of a region as NumPy arrays");
+      "export", "Write surface, slope, loose material, strata and voxels of a region as NumPy arrays");
   const auto arguments = std::make_shared<Arguments>();
   add_place(*command, *arguments, "--origin", "Base voxel at the region's north-west corner");
-  add_size(*command, *arguments, "Columns along x and z; refused where the arrays could pass 8 GiB");
-  add_output(*command, arguments->output,
-             "Directory for the arrays and export.json; made where it is missing", "DIR");
+  add_size(*command, *arguments, "Columns along x and z; refused if the arrays could exceed 8 GiB");
+  add_output(*command, arguments->output, "Directory for the arrays and export.json; created if missing",
+             "DIR");
   add_common(*command, *arguments);
   command->footer(
       "Heights and thicknesses are int32 in 1/256 voxel.\n"
@@ -196,7 +196,8 @@ Command add_export(CLI::App& app) {
 }
 
 Command add_hash(CLI::App& app) {
-  auto* hash = app.add_subcommand("hash", "One hash over the encoded chunks of a region: 32 hex digits");
+  auto* hash =
+      app.add_subcommand("hash", "Print one hash over the encoded chunks of a region: 32 hex digits");
   const auto arguments = std::make_shared<Arguments>();
   add_place(*hash, *arguments, "--origin", "Base voxel at the region's north-west corner, at every level");
   add_size(*hash, *arguments, "Columns of the level of detail along x and z; at most 2^20 a side");
@@ -204,16 +205,17 @@ Command add_hash(CLI::App& app) {
   add_common(*hash, *arguments);
   hash->footer(
       "Covers every chunk column that holds a column of the region. A column's hash is XXH3-128 over its\n"
-      "chunks from row -1 up to the row of the highest voxel that the world can have; each gives x, y, z "
-      "and\n"
-      "level (int32), the payload's length (uint32) and the payload. The region's hash is XXH3-128 over the\n"
-      "column hashes (low 64 bits, then high), z slowest, then x. All numbers little endian. The same for\n"
-      "any number of threads, on any machine.");
+      "chunks from row -1 up to the row of the highest voxel that the world can have. Each chunk "
+      "contributes\n"
+      "x, y, z and level (int32), the payload's length (uint32) and the payload. The region's hash is\n"
+      "XXH3-128 over the column hashes (low 64 bits, then high), z slowest, then x. Numbers are "
+      "little-endian.\n"
+      "The hash is the same for any number of threads, on any machine.");
   return {hash, [arguments] { return run_hash(*arguments); }};
 }
 
 Command add_vox(CLI::App& app) {
-  auto* vox = app.add_subcommand("vox", "The voxels of a region as MagicaVoxel models");
+  auto* vox = app.add_subcommand("vox", "Write the voxels of a region as MagicaVoxel models");
   const auto arguments = std::make_shared<VoxArguments>();
   add_place(*vox, *arguments, "--origin", "Base voxel at the region's north-west corner, at every level");
   add_size(*vox, *arguments, "Columns of the level of detail along x and z; at most 2048 a side");
@@ -225,12 +227,15 @@ Command add_vox(CLI::App& app) {
   add_output(*vox, arguments->output, "File to write", "F.vox");
   add_common(*vox, *arguments);
   vox->footer(
-      "Holds the voxels that can be seen: those with a face to air, to water or to one of the region's four\n"
-      "sides. What lies inside is left out and the underside stays open. Water is glass, through which the\n"
-      "bed shows when the scene is rendered. East is x, north is y, up is z, the region's middle stands at\n"
-      "x = y = 0 and its lowest row at z = 0. Over 256 voxels a side the region becomes several models that\n"
-      "the scene graph places, each named by the voxel (x y z) at its lowest, north-western corner. A\n"
-      "voxel's palette index is its material's id.");
+      "Writes the visible voxels: those with a face to air, to water or to one of the region's four sides.\n"
+      "Hidden voxels are left out, and the underside is open. Water has a glass material, so that its bed\n"
+      "shows when the scene is rendered. East is x, north is y, up is z; the region's middle is at x = y = "
+      "0,\n"
+      "its lowest row at z = 0. A region of more than 256 voxels a side becomes several models, placed by "
+      "the\n"
+      "scene graph; each is named by the voxel (x y z) at its lowest, north-western corner. A voxel's "
+      "palette\n"
+      "index is its material's id.");
   return {vox, [arguments] { return run_vox(*arguments); }};
 }
 
