@@ -9,9 +9,9 @@
 #include <asio/io_context.hpp>
 #include <tl/expected.hpp>
 
+#include <talus/protocol/endpoint.h>
 #include "admin/operators_page.h"
 #include "clock/clock.h"
-#include <talus/protocol/endpoint.h>
 #include "http/connections.h"
 #include "log/logger.h"
 #include "net/acceptor.h"

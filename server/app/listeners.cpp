@@ -10,7 +10,8 @@ namespace talus::server {
 
 tl::expected<Listeners, std::string> open_listeners(const Config& config, const Clock& clock,
                                                     const Logger& log) {
-  const auto failed = [](std::string_view setting, const protocol::Endpoint& endpoint, const std::string& why) {
+  const auto failed = [](std::string_view setting, const protocol::Endpoint& endpoint,
+                         const std::string& why) {
     return tl::make_unexpected(fmt::format("{} {}: {}; choose another address with --{} HOST:PORT", setting,
                                            to_string(endpoint), why, setting));
   };

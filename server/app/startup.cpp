@@ -55,7 +55,8 @@ std::vector<std::string> startup_warnings(const Command& command, const std::vec
   }
   if (command.config.user.empty() && runs_as_root()) {
     warnings.emplace_back(
-        "talusd runs as root and does not need to: set user in the configuration file or TALUS_USER, or start "
+        "talusd runs as root and does not need to: set user in the configuration file or TALUS_USER, or "
+        "start "
         "it as another user");
   }
   return warnings;

@@ -9,8 +9,6 @@
 
 #include <talus/terrain/extraction.h>
 #include <talus/terrain/heights.h>
-#include <talus/terrain/extraction.h>
-#include <talus/terrain/heights.h>
 #include <talus/terrain/stacks.h>
 #include <talus/voxel/coords.h>
 

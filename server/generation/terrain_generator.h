@@ -8,9 +8,6 @@
 #include <talus/terrain/extraction.h>
 #include <talus/terrain/generator.h>
 #include <talus/terrain/heights.h>
-#include <talus/terrain/extraction.h>
-#include <talus/terrain/generator.h>
-#include <talus/terrain/heights.h>
 #include <talus/terrain/stacks.h>
 #include <talus/terrain/world.h>
 

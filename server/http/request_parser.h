@@ -27,8 +27,8 @@ class RequestParser {
   RequestParser(const RequestParser&) = delete;
   RequestParser& operator=(const RequestParser&) = delete;
 
-  /// Takes bytes up to the end of one request; returns how many. Call it again with the rest after pop(). After
-  /// an error nothing more can be fed.
+  /// Takes bytes up to the end of one request; returns how many. Call it again with the rest after pop().
+  /// After an error nothing more can be fed.
   [[nodiscard]] tl::expected<std::size_t, RequestError> feed(std::span<const std::byte> bytes);
 
   [[nodiscard]] bool has_request() const;

@@ -20,7 +20,7 @@ namespace talus::server {
 
 enum class MemoryUse : std::uint8_t { program, sessions, jobs, generators, chunk_cache, patch_cache };
 inline constexpr std::array<std::string_view, 6> kMemoryUses{"program",    "sessions",    "jobs",
-                                                        "generators", "chunk_cache", "patch_cache"};
+                                                             "generators", "chunk_cache", "patch_cache"};
 
 class MemoryBudget {
  public:

@@ -1,5 +1,5 @@
-// How many connections an address may begin in a time: with TLS each costs the server a signature. Callable from
-// any thread.
+// How many connections an address may begin in a time: with TLS each costs the server a signature. Callable
+// from any thread.
 #pragma once
 
 #include <array>
@@ -14,12 +14,13 @@
 
 namespace talus::server {
 
-/// GCRA, the generic cell rate algorithm: a token bucket kept as one number, the theoretical arrival time, which
-/// each connection moves on by one interval and which may lie at most a burst ahead of now.
+/// GCRA, the generic cell rate algorithm: a token bucket kept as one number, the theoretical arrival time,
+/// which each connection moves on by one interval and which may lie at most a burst ahead of now.
 ///
-/// One such number for each address, as counted_as() counts it, in a table of fixed size: a set of a few entries
-/// for all addresses that share a hash. One address more replaces the entry whose time is earliest, and begins
-/// with a full bucket. So many addresses can have debts forgotten, and none can have another one refused.
+/// One such number for each address, as counted_as() counts it, in a table of fixed size: a set of a few
+/// entries for all addresses that share a hash. One address more replaces the entry whose time is earliest,
+/// and begins with a full bucket. So many addresses can have debts forgotten, and none can have another one
+/// refused.
 class ConnectionRateLimiter {
  public:
   /// Both at least 1. `seed` keeps others from choosing addresses that share a hash.

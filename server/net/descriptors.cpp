@@ -11,8 +11,8 @@ namespace talus::server {
 std::uint64_t descriptors_needed(std::uint64_t sockets, std::size_t io_contexts) {
   // An io_context's: what it waits on, a timer and an alarm.
   constexpr std::uint64_t kPerContext = 3;
-  // Standard streams, listening sockets, the signals' pipe, the store, key files while they are read, and what
-  // libraries open.
+  // Standard streams, listening sockets, the signals' pipe, the store, key files while they are read, and
+  // what libraries open.
   constexpr std::uint64_t kOwn = 32;
   return sockets + Refusals::kMax + kPerContext * io_contexts + kOwn;
 }

@@ -62,7 +62,7 @@ struct Handshaker::PendingConnection {
   std::optional<TlsStream> secured;
   tcp::endpoint peer;
   tcp::endpoint client;  // `peer`, or for whom it speaks
-  tls::Context tls;        // null: plain
+  tls::Context tls;      // null: plain
   Clock::time_point accepted;
   std::optional<Admission::Slot> slot;
   bool late = false;

@@ -17,8 +17,8 @@ class RefusalLog {
   RefusalLog(Logger log, const Clock& clock);
 
   void note(const std::string& who, const std::string& why);
-  /// Logs how many were refused and which one last, where that is not logged yet and the line before is at least
-  /// so old.
+  /// Logs how many were refused and which one last, where that is not logged yet and the line before is at
+  /// least so old.
   void flush(Clock::duration since_last_line = std::chrono::seconds{1});
 
  private:

@@ -48,7 +48,8 @@ asio::awaitable<void> send_and_close(std::shared_ptr<Closing> closing) {
 
 }  // namespace
 
-void Refusals::refuse(asio::ip::tcp::socket socket, const std::string& text, std::chrono::milliseconds retry_after) {
+void Refusals::refuse(asio::ip::tcp::socket socket, const std::string& text,
+                      std::chrono::milliseconds retry_after) {
   if (in_flight_.fetch_add(1) >= kMax) {
     --in_flight_;
     return;

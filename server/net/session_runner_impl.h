@@ -40,8 +40,7 @@ struct SessionRunner<S>::Owner {
 
 template <Stream S>
 std::shared_ptr<SessionRunner<S>> SessionRunner<S>::make(S stream, ConnectionInfo connection,
-                                                         Admission::Slot slot,
-                                                         const RunnerContext& context) {
+                                                         Admission::Slot slot, const RunnerContext& context) {
   const auto owner = std::make_shared<Owner>(Owner{stream.get_executor(), {}});
   const auto runner = std::make_shared<SessionRunner>(std::move(stream), std::move(connection),
                                                       std::move(slot), context, owner);
@@ -225,7 +224,8 @@ asio::awaitable<void> SessionRunner<S>::watch() {
         end("closed");
         break;
       case Verdict::write_stalled:
-        end(fmt::format("timeout: the client read nothing for {} ms", context_.limits.timeouts.write.count()));
+        end(fmt::format("timeout: the client read nothing for {} ms",
+                        context_.limits.timeouts.write.count()));
         break;
       case Verdict::token_expired:
         dispatch([](Session& session) { session.token_expired(); });

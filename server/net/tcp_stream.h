@@ -13,8 +13,8 @@ class TcpStream {
  public:
   using executor_type = asio::ip::tcp::socket::executor_type;
   static constexpr bool kWritesWhole = true;
-  // A piece more for the system costs as much as copying some 2 KiB that lie far away. Below 64 pieces a write
-  // of the largest batch stays one call.
+  // A piece more for the system costs as much as copying some 2 KiB that lie far away. Below 64 pieces a
+  // write of the largest batch stays one call.
   static constexpr std::size_t kGatherFrom = 2560;
 
   explicit TcpStream(asio::ip::tcp::socket socket) : socket_{std::move(socket)} {}

@@ -89,7 +89,7 @@ class TlsStream {
         waited = true;
         if (last.result == Result::wait_to_write) ++stream.write_waits_;
         socket.async_wait(last.result == Result::wait_to_read ? asio::ip::tcp::socket::wait_read
-                                                          : asio::ip::tcp::socket::wait_write,
+                                                              : asio::ip::tcp::socket::wait_write,
                           std::move(self));
       } else if (!waited && !std::exchange(posted, true)) {
         asio::post(socket.get_executor(), std::move(self));  // never from inside the call

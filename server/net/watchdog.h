@@ -64,8 +64,8 @@ class Watchdog {
   bool reading_paused_ = false;
 };
 
-/// From `now` to the end of a session whose token expires at `expires`: clocks may differ by kClockSkew. At most
-/// a century: timers cannot count as far as tokens can.
+/// From `now` to the end of a session whose token expires at `expires`: clocks may differ by kClockSkew. At
+/// most a century: timers cannot count as far as tokens can.
 [[nodiscard]] std::chrono::nanoseconds token_lifetime(std::chrono::sys_seconds expires,
                                                       std::chrono::sys_seconds now);
 

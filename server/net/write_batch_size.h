@@ -1,5 +1,6 @@
-// How many bytes one write gathers. A gathered byte cannot be overtaken any more, so a client that reads slowly
-// soon gets little at a time; for one that takes everything at once, fewer system calls are worth more.
+// How many bytes one write gathers. A gathered byte cannot be overtaken any more, so a client that reads
+// slowly soon gets little at a time; for one that takes everything at once, fewer system calls are worth
+// more.
 #pragma once
 
 #include <algorithm>

@@ -20,8 +20,8 @@ struct Rate {
 };
 
 /// Invariant: between any two moments take() grants at most burst + per_second * seconds, rounded up to a
-/// whole token. spend() may overdraw; later calls wait until the debt is paid. The state is an absolute count,
-/// so rounding never accumulates. A new bucket is full.
+/// whole token. spend() may overdraw; later calls wait until the debt is paid. The state is an absolute
+/// count, so rounding never accumulates. A new bucket is full.
 ///
 /// The state is one word: threads may share a bucket as std::atomic<TokenBucket>. Every call on one bucket
 /// must pass the same Rate.
@@ -36,12 +36,13 @@ class TokenBucket {
 
   /// Tokens in the bucket; negative when overdrawn. `rate` must have a limit.
   [[nodiscard]] std::int64_t level(const Rate& rate, Time now) const;
-  /// How long until the bucket has `tokens`, if nobody takes any meanwhile; 0: it has them now. A bucket never
-  /// has more than a burst, so more than a burst is waited for as a burst.
+  /// How long until the bucket has `tokens`, if nobody takes any meanwhile; 0: it has them now. A bucket
+  /// never has more than a burst, so more than a burst is waited for as a burst.
   [[nodiscard]] std::chrono::nanoseconds wait(const Rate& rate, Time now, std::uint64_t tokens = 1) const;
 
  private:
-  // Of all tokens earned since the clock's zero, how many are gone: taken, or lost because the bucket was full.
+  // Of all tokens earned since the clock's zero, how many are gone: taken, or lost because the bucket was
+  // full.
   std::int64_t gone_ = INT64_MIN;
 };
 

@@ -19,10 +19,11 @@ namespace talus::server {
 
 class ViewStream {
  public:
-  /// Replaces the area of interest. A chunk in both areas keeps its state. A chunk that left is forgotten, and
-  /// sent again when it comes back; so is one that left in one of the areas `between`, which were replaced
-  /// before they were looked at. Returns the chunks that were in flight and are so no more.
-  [[nodiscard]] std::vector<ChunkKey> replace(AreaOfInterest wanted, std::span<const AreaOfInterest> between = {});
+  /// Replaces the area of interest. A chunk in both areas keeps its state. A chunk that left is forgotten,
+  /// and sent again when it comes back; so is one that left in one of the areas `between`, which were
+  /// replaced before they were looked at. Returns the chunks that were in flight and are so no more.
+  [[nodiscard]] std::vector<ChunkKey> replace(AreaOfInterest wanted,
+                                              std::span<const AreaOfInterest> between = {});
 
   /// The nearest chunk that is still to be sent; it is in flight from here on.
   [[nodiscard]] std::optional<ChunkKey> next();

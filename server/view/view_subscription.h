@@ -1,5 +1,5 @@
-// A client's View from the message to its last chunk: the newest View, which may still wait to be applied; the
-// View in force; and what the client says that it holds. No I/O.
+// A client's View from the message to its last chunk: the newest View, which may still wait to be applied;
+// the View in force; and what the client says that it holds. No I/O.
 #pragma once
 
 #include <cstddef>
@@ -52,7 +52,7 @@ class ViewSubscription {
  private:
   ViewStream stream_;
   std::optional<View> requested_;
-  std::vector<AreaOfInterest> unseen_;                     // replaced before apply(), oldest first
+  std::vector<AreaOfInterest> unseen_;               // replaced before apply(), oldest first
   std::unordered_map<ChunkKey, ContentHash> known_;  // of chunks that are not done
 };
 

@@ -1,4 +1,5 @@
-// Finds the probabilities of the codec's volumes: train_volume | clang-format-14 > core/voxel/src/volume_tables.h
+// Finds the probabilities of the codec's volumes: train_volume | clang-format-14 >
+// core/voxel/src/volume_tables.h
 //
 // It counts what the voxels of many chunks are in each context, sorts the chunks into kVolumeTables groups so
 // that each group's own probabilities cost the fewest bits, and rounds all probabilities to kVolumeClasses
@@ -112,7 +113,8 @@ std::vector<ByContext> all_counts() {
   add(bench::mixed_chunks(bench::sample_world("canyon"), Lod::of(1)));
   add(bench::cave_chunks(true));
   for (std::uint32_t seed = 1; seed <= 4; ++seed) {
-    add({bench::random_chunk(seed, 4, 1), bench::random_chunk(seed, 40, 3), bench::random_chunk(seed, 8, 60)});
+    add({bench::random_chunk(seed, 4, 1), bench::random_chunk(seed, 40, 3),
+         bench::random_chunk(seed, 8, 60)});
   }
   return all;
 }

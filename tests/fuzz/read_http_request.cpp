@@ -35,7 +35,8 @@ std::string told(std::span<const std::byte> input, std::size_t piece) {
     if (!parser.has_request()) continue;
     const Request& request = parser.request();
     if (request.target.size() > kBounds.target_bytes || request.fields.size() > kBounds.fields) std::abort();
-    all += std::to_string(static_cast<int>(request.method)) + request.target + (request.keep_alive ? "+" : "-");
+    all +=
+        std::to_string(static_cast<int>(request.method)) + request.target + (request.keep_alive ? "+" : "-");
     for (const Field& field : request.fields) {
       if (field.name.size() + field.value.size() > kBounds.field_bytes) std::abort();
       all += field.name + ":" + field.value + ";";

@@ -17,7 +17,8 @@ bool takes(ConnectionRateLimiter& limiter, const asio::ip::address& address, Clo
   return limiter.admit(address, now) == Clock::duration::zero();
 }
 
-int taken(ConnectionRateLimiter& limiter, const asio::ip::address& address, Clock::time_point now, int tries) {
+int taken(ConnectionRateLimiter& limiter, const asio::ip::address& address, Clock::time_point now,
+          int tries) {
   int count = 0;
   for (int i = 0; i < tries; ++i) count += takes(limiter, address, now) ? 1 : 0;
   return count;

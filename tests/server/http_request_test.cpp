@@ -146,7 +146,9 @@ TEST_CASE("a target up to the bound is taken, one byte more is a 414") {
 
 TEST_CASE("fields up to the bounds are taken, one more or one byte more is a 431") {
   const RequestBounds bounds;
-  const auto get = [](const std::string& fields) { return "GET / HTTP/1.1\r\nHost: a\r\n" + fields + "\r\n"; };
+  const auto get = [](const std::string& fields) {
+    return "GET / HTTP/1.1\r\nHost: a\r\n" + fields + "\r\n";
+  };
   std::string most;
   for (std::size_t field = 1; field < bounds.fields; ++field) most += "X: y\r\n";
   CHECK(parse(get(most)).requests.size() == 1);

@@ -14,8 +14,8 @@ TEST_CASE("a response's head says its status, date, length and what becomes of t
 
 TEST_CASE("further fields stand in the head") {
   const std::string head = head_of({405, kPlainText, "", {{"Allow", "GET, HEAD"}}}, false, {});
-  CHECK_THAT(head, Catch::Contains("\r\nAllow: GET, HEAD\r\n") && Catch::Contains("\r\nConnection: close\r\n") &&
-                       Catch::EndsWith("\r\n\r\n"));
+  CHECK_THAT(head, Catch::Contains("\r\nAllow: GET, HEAD\r\n") &&
+                       Catch::Contains("\r\nConnection: close\r\n") && Catch::EndsWith("\r\n\r\n"));
 }
 
 TEST_CASE("a request that is no request gets its error as one line") {

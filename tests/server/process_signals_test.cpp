@@ -10,8 +10,8 @@ using namespace talus::server;
 
 namespace {
 
-/// How a child ends that does `what` and then sends itself `number`: 128 + number where the signal ended it, its
-/// exit status, or 77 where it went on.
+/// How a child ends that does `what` and then sends itself `number`: 128 + number where the signal ended it,
+/// its exit status, or 77 where it went on.
 int ended_by(int number, void (*what)()) {
   const pid_t child = ::fork();
   if (child == 0) {

@@ -14,8 +14,8 @@ using namespace std::chrono_literals;
 TEST_CASE("refusals within a second share one line, with how many and the last") {
   std::ostringstream out;
   ManualClock clock;
-  RefusalLog log{std::make_shared<spdlog::logger>("test", std::make_shared<spdlog::sinks::ostream_sink_st>(out)),
-                 clock};
+  RefusalLog log{
+      std::make_shared<spdlog::logger>("test", std::make_shared<spdlog::sinks::ostream_sink_st>(out)), clock};
   const auto lines = [&] {
     const std::string text = out.str();
     return std::count(text.begin(), text.end(), '\n');

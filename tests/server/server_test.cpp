@@ -33,8 +33,10 @@ TEST_CASE("signals that come when nobody is served any more do not make a failur
   {
     auto listeners = open_listeners(config, clock, log);
     REQUIRE(listeners.has_value());
-    Server server{config, std::make_shared<const terrain::World>(terrain::default_world()), ContentHash{},
-                  access, std::nullopt, *std::move(listeners), clock, log};
+    Server server{config,        std::make_shared<const terrain::World>(terrain::default_world()),
+                  ContentHash{}, access,
+                  std::nullopt,  *std::move(listeners),
+                  clock,         log};
     ::raise(SIGTERM);
     server.run();
     // Caches may take long to go from here on.
