@@ -10,7 +10,10 @@ http::Response answer_operator(const http::Request& request, const OperatorAnswe
   }
   const std::string_view path = request.path();
   if (path == "/metrics") return {200, "text/plain; version=0.0.4; charset=utf-8", answers.metrics()};
-  if (path == "/-/healthy") return {200, http::kPlainText, "healthy\n"};
+  if (path == "/-/healthy") {
+    if (answers.healthy()) return {200, http::kPlainText, "healthy\n"};
+    return {503, http::kPlainText, "the main thread does not respond\n"};
+  }
   if (path == "/-/ready") {
     if (answers.ready()) return {200, http::kPlainText, "ready\n"};
     return {503, http::kPlainText, "draining\n"};

@@ -12,6 +12,7 @@ namespace talus::server {
 /// Asked for each request, on the thread that serves it.
 struct OperatorAnswers {
   std::function<std::string()> metrics;
+  std::function<bool()> healthy;  // whether the main thread responded lately
   std::function<bool()> ready;  // false: players are not to be sent here
 };
 

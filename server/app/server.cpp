@@ -28,6 +28,8 @@ namespace talus::server {
 namespace {
 
 constexpr std::chrono::milliseconds kHousekeepingInterval{50};
+// Without housekeeping for so long the main thread counts as hung: a large cache takes seconds to free.
+constexpr std::chrono::seconds kMaxSilence{15};
 
 WorldInfo describe_world(const terrain::World& world, ContentHash store_id) {
   return {world.fingerprint(),        store_id,
@@ -111,7 +113,10 @@ void Server::run() {
   check_descriptors();
   chunks_.start();
   if (operators_) {
-    operators_->start({[this] { return metrics_text(); }, [this] { return !draining_; }});
+    last_housekeeping_ = clock_.now();
+    operators_->start({[this] { return metrics_text(); },
+                       [this] { return clock_.now() - last_housekeeping_.load() < kMaxSilence; },
+                       [this] { return !draining_; }});
   }
   // Without any of these the server would not be one.
   std::exception_ptr failure;
@@ -187,6 +192,7 @@ void Server::reload_certificate() {
 }
 
 void Server::housekeeping() {
+  last_housekeeping_ = clock_.now();
   chunks_.fit_caches();
   handshaker_.refusal_log().flush();
   housekeeping_timer_.expires_after(kHousekeepingInterval);

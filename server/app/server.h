@@ -76,7 +76,8 @@ class Server {
   MemoryBudget memory_;  // connections give back to it
   Admission admission_;
   Registry registry_;
-  std::optional<TlsIdentity> tls_;  // of the control thread
+  std::optional<TlsIdentity> tls_;                      // of the control thread
+  std::atomic<Clock::time_point> last_housekeeping_{};  // of the main thread, for its health
   std::atomic<std::int64_t> certificate_expires_;
   std::atomic<bool> draining_ = false;
   Handshaker handshaker_;

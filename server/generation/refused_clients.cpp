@@ -29,7 +29,7 @@ void RefusedClients::forget_dead() {
     clients_.erase(each.client);
     return true;
   });
-  look_at_size_ = std::max(look_at_size_, 2 * order_.size());
+  look_at_size_ = std::max<std::size_t>(64, 2 * order_.size());
 }
 
 }  // namespace talus::server

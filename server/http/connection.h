@@ -24,6 +24,7 @@
 #include "clock/clock.h"
 #include "http/request_parser.h"
 #include "http/response.h"
+#include "log/escape.h"
 #include "log/logger.h"
 #include "net/stream.h"
 #include "net/timed_event.h"
@@ -112,7 +113,7 @@ class Connection : public std::enable_shared_from_this<Connection<S>> {
     try {
       return service_.handler(request);
     } catch (const std::exception& error) {
-      service_.log->error("{} failed: {}", request.path(), error.what());
+      service_.log->error("{} failed: {}", escaped(std::string{request.path()}, 200), error.what());
       return {500, kPlainText, "the server failed to answer this; its log says more\n"};
     }
   }

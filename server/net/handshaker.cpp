@@ -98,6 +98,15 @@ void Handshaker::begin(tcp::socket socket, ConnectionId id, const tls::Context& 
     return;
   }
   metrics_.handshakes.rise();
+  try {
+    spawn(pending, id);
+  } catch (...) {  // no memory for the coroutine: its completion will not run
+    metrics_.handshakes.fall();
+    throw;
+  }
+}
+
+void Handshaker::spawn(const PendingPtr& pending, ConnectionId id) {
   asio::co_spawn(
       pending->socket().get_executor(), [this, pending] { return shake_hands(pending); },
       [this, id](const std::exception_ptr& thrown) {

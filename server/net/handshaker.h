@@ -55,6 +55,7 @@ class Handshaker {
   struct PendingConnection;
   using PendingPtr = std::shared_ptr<PendingConnection>;
 
+  void spawn(const PendingPtr& pending, ConnectionId id);
   [[nodiscard]] asio::awaitable<void> shake_hands(PendingPtr pending);
   [[nodiscard]] asio::awaitable<bool> read_proxy_header(PendingConnection& pending);
   [[nodiscard]] asio::awaitable<bool> begin_tls(PendingConnection& pending);

@@ -66,6 +66,7 @@ SessionRunner<S>::SessionRunner(S stream, ConnectionInfo connection, Admission::
 template <Stream S>
 void SessionRunner<S>::start() {
   asio::post(stream_.get_executor(), [self = this->shared_from_this()] {
+    if (!self->open_) return;  // it was told to go away, and ended, before it began
     self->started_ = true;
     self->context_.session.metrics.accepted.add();
     self->context_.session.metrics.open.rise();

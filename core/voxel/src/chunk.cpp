@@ -88,6 +88,8 @@ Chunk Chunk::from_dense(std::shared_ptr<const DenseVoxels> voxels) {
 }
 
 Chunk Chunk::with_overrides(std::span<const Override> overrides) const {
+  assert(std::all_of(overrides.begin(), overrides.end(),
+                     [](Override each) { return each.index < kChunkVolume; }));
   const auto densely = [&] {
     auto voxels = std::make_shared_for_overwrite<DenseVoxels>();
     copy_to(*voxels);
@@ -102,7 +104,6 @@ Chunk Chunk::with_overrides(std::span<const Override> overrides) const {
   std::stable_sort(all.begin(), all.end(), [](Override a, Override b) { return a.index < b.index; });
   std::size_t kept = 0;
   for (std::size_t i = 0; i < all.size(); ++i) {
-    assert(all[i].index < kChunkVolume);
     const bool last = i + 1 == all.size() || all[i + 1].index != all[i].index;
     if (last && all[i].material != material_in(*under, all[i].index)) all[kept++] = all[i];
   }

@@ -67,7 +67,8 @@ class Chunk {
   [[nodiscard]] static Chunk from_dense(std::shared_ptr<const DenseVoxels> voxels);
 
   /// The chunk with other materials at some voxels, in any order; of two for one voxel the later counts.
-  /// Layers stay layers, with at most kMaxOverrides overrides.
+  /// Layers stay layers, with at most kMaxOverrides overrides. REQUIRES: every index < kChunkVolume
+  /// (asserted).
   [[nodiscard]] Chunk with_overrides(std::span<const Override> overrides) const;
 
   [[nodiscard]] bool is_uniform() const;
