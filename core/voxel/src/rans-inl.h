@@ -217,16 +217,16 @@ HWY_INLINE void encode_symbols(WordParts& states, const WordParts& starts, const
     const auto rest = hn::Sub(left, hn::Mul(quotient, size));
     states.part[p] = hn::Add(hn::ShiftLeft<8>(quotient), hn::Add(rest, starts.part[p]));
   }
+#if HWY_TARGET == HWY_AVX3
+  // Without a branch: whether any lane is full cannot be foreseen.
+  const auto lanes = static_cast<__mmask16>(hn::Ne(full.part[0], hn::Zero(d)).raw);
+  const int count = std::popcount(static_cast<std::uint16_t>(lanes));
+  const __m512i bytes = _mm512_maskz_compress_epi32(lanes, _mm512_cvtepu16_epi32(low.part[0].raw));
+  next -= count;
+  _mm_mask_storeu_epi8(next, static_cast<__mmask16>((1U << count) - 1), _mm512_cvtepi32_epi8(bytes));
+#else
   std::uint32_t lanes = lanes_of(hn::MaskFromVec(narrow_small(full)));
   if (lanes == 0) return;
-#if HWY_TARGET == HWY_AVX3
-  const __m512i bytes = _mm512_cvtepu16_epi32(low.part[0].raw);
-  const int count = std::popcount(lanes);
-  next -= count;
-  const __m128i packed =
-      _mm512_cvtepi32_epi8(_mm512_maskz_compress_epi32(static_cast<__mmask16>(lanes), bytes));
-  _mm_mask_storeu_epi8(next, static_cast<__mmask16>((1U << count) - 1), packed);
-#else
   const Half half;
   alignas(16) std::array<std::uint8_t, kLanes> bytes;
   hn::Store(narrow(low), half, bytes.data());
