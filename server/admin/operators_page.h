@@ -13,7 +13,7 @@ namespace talus::server {
 struct OperatorAnswers {
   std::function<std::string()> metrics;
   std::function<bool()> healthy;  // whether the main thread responded lately
-  std::function<bool()> ready;  // false: players are not to be sent here
+  std::function<bool()> ready;    // false: players are not to be sent here
 };
 
 [[nodiscard]] http::Response answer_operator(const http::Request& request, const OperatorAnswers& answers);
