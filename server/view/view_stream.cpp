@@ -61,9 +61,9 @@ void ViewStream::move_near() {
   std::nth_element(far_.begin(), nth, far_.end(), std::greater<>{});
   near_end_ = AreaOfInterest::end_of_ring(*nth);
   const auto near =
-      std::partition(far_.begin(), nth, [this](std::uint64_t rough) { return rough >= near_end_; });
-  for (auto rough = near; rough != far_.end(); ++rough) {
-    const auto [key, place] = interest_.ranked(*rough);
+      std::partition(far_.begin(), nth, [this](std::uint64_t coarse) { return coarse >= near_end_; });
+  for (auto coarse = near; coarse != far_.end(); ++coarse) {
+    const auto [key, place] = interest_.ranked(*coarse);
     if (states_[place] == State::to_send) near_.push(interest_.rank(key, place));
   }
   far_.erase(near, far_.end());

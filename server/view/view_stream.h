@@ -76,8 +76,8 @@ class ViewStream {
   // The chunks to be sent, and some that no longer are. A View can be large, and is mostly replaced before
   // it is sent whole: only the nearest rings are sorted exactly, the others when their turn comes.
   Ranks near_;
-  std::vector<std::uint64_t> far_;  // rough ranks
-  std::uint64_t near_end_ = 0;      // the rough rank at which far_ begins
+  std::vector<std::uint64_t> far_;  // coarse priorities
+  std::uint64_t near_end_ = 0;      // the coarse priority at which far_ begins
 
   std::unordered_set<ChunkKey> in_flight_;
 };

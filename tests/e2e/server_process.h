@@ -30,7 +30,7 @@ struct Ended {
   std::string err;
 };
 
-/// A program under way, and what it says.
+/// A program running, and what it says.
 struct ChildProcess {
   pid_t pid = -1;
   int out = -1;
