@@ -141,15 +141,15 @@ TEST_CASE("who asks and reads nothing is read no further, and dropped") {
     flood.insert(flood.end(), one.begin(), one.end());
   }
   // The kernel's buffers at both ends and both ways, and what the server answers before they are full.
-  constexpr std::size_t kMostTaken = 32 * kMebibyte;
+  constexpr std::size_t kMaxTaken = 32 * kMebibyte;
   std::size_t taken = 0;
   // A whole flood at a time, so that every frame is right.
-  while (taken < kMostTaken) {
+  while (taken < kMaxTaken) {
     const auto sent = client.send_some(std::span{flood}.subspan(taken % flood.size()));
     if (!sent) break;
     taken += *sent;
   }
-  CHECK(taken < kMostTaken);
+  CHECK(taken < kMaxTaken);
   (void)greeted(server.port());
 }
 

@@ -84,7 +84,7 @@ TEST_CASE("a View brings each of its chunks once") {
   check_silent(client);
 }
 
-TEST_CASE("chunks at hand come nearest ring first") {
+TEST_CASE("cached chunks come nearest ring first") {
   const ServerProcess server;
   const auto wanted = view({.centre = {10, 10, 10}, .horizontal_radius = 5, .vertical_radius = 2});
   const std::size_t count = box(at(0, 0, 0), 5, 2).size();
