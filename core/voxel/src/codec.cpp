@@ -64,11 +64,12 @@ void append_shortest(const DenseVoxels& voxels, std::size_t start, std::vector<s
     }
     out.erase(out.begin() + static_cast<std::ptrdiff_t>(start),
               out.begin() + static_cast<std::ptrdiff_t>(last));
-    limit = out.size() - start - kHeaderBytes;
+    limit = size;
+    return size;
   };
   std::size_t changes = 0;
-  try_next(Encoding::volume,
-           [&] { return codec::encode_volume(voxels, out, codec::volume_kernels(), &changes); });
+  const std::size_t volume = try_next(
+      Encoding::volume, [&] { return codec::encode_volume(voxels, out, codec::volume_kernels(), &changes); });
   // A run takes more than half a byte.
   if (volume > kGoodVolumeBytes && changes / 2 < limit) {
     (void)try_next(Encoding::runs, [&] { return codec::encode_runs(voxels, limit, out); });
