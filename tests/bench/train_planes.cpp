@@ -160,7 +160,7 @@ void print(const std::array<std::int8_t, 16>& weights) {
 
 void print(const char* comment, const char* name, const std::array<int, kClasses>& intervals) {
   std::printf("/// %s\ninline constexpr std::array<std::uint8_t, kClasses> %s{", comment, name);
-  for (const int share : intervals) std::printf("%d,", share);
+  for (const int each : intervals) std::printf("%d,", each);
   std::printf("};\n");
 }
 
@@ -202,17 +202,17 @@ int main() {
       }
     }
   }
-  const auto share = [](double part, double whole) {
+  const auto part_of_256 = [](double part, double whole) {
     return static_cast<int>(std::lround(part / std::max(whole, 1e-9) * kProbabilityTotal));
   };
   std::array<int, kClasses> same_end{};
   std::array<int, kClasses> other_start{};
-  std::array<int, kClasses> up_share{};
+  std::array<int, kClasses> up_split{};
   for (std::size_t c = 0; c < kClasses; ++c) {
     const auto& n = by_same[c];
-    other_start[c] = kProbabilityTotal - std::max(1, share(n[kOther], total(n)));
-    same_end[c] = std::clamp(share(n[kSame], total(n)), 1, other_start[c] - 2);
-    up_share[c] = std::clamp(share(by_up[c][kUp], by_up[c][kUp] + by_up[c][kDown]), 1, 255);
+    other_start[c] = kProbabilityTotal - std::max(1, part_of_256(n[kOther], total(n)));
+    same_end[c] = std::clamp(part_of_256(n[kSame], total(n)), 1, other_start[c] - 2);
+    up_split[c] = std::clamp(part_of_256(by_up[c][kUp], by_up[c][kUp] + by_up[c][kDown]), 1, 255);
   }
 
   std::printf(
@@ -244,9 +244,9 @@ inline constexpr std::array<std::array<Weights, 2>, kRowKinds> kWeights{{
     std::printf("}},\n");
   }
   std::printf("}};\n\n");
-  print("By class of the score of kSame: where its share ends.", "kSameEnd", same_end);
-  print("Where the share of kOther begins.", "kOtherStart", other_start);
-  print("By class of the score of kUp: of 256, its part of what lies between.", "kUpSplit", up_share);
+  print("By class of the score of kSame: where its interval ends.", "kSameEnd", same_end);
+  print("Where the interval of kOther begins.", "kOtherStart", other_start);
+  print("By class of the score of kUp: of 256, its part of what lies between.", "kUpSplit", up_split);
   std::printf("// clang-format on\n\n}  // namespace talus::codec\n");
 
   double bits = 0;
@@ -256,7 +256,7 @@ inline constexpr std::array<std::array<Weights, 2>, kRowKinds> kWeights{{
       for (const auto& [places, counts] : contexts[kind][odd]) {
         const std::size_t c = class_in(same[kind][odd], places, odd);
         const std::size_t d = class_in(up[kind][odd], places, odd);
-        const int down = same_end[c] + 1 + ((other_start[c] - same_end[c] - 2) * up_share[d] >> 8);
+        const int down = same_end[c] + 1 + ((other_start[c] - same_end[c] - 2) * up_split[d] >> 8);
         const std::array<int, 5> starts{0, same_end[c], down, other_start[c], kProbabilityTotal};
         for (const Symbol symbol : {kSame, kUp, kDown, kOther}) {
           const int size = starts[symbol + 1U] - starts[symbol];

@@ -18,9 +18,9 @@ enum class Encoding : std::uint8_t { volume = 1, raw = 2, runs = 3 };
 constexpr std::size_t kHeaderBytes = 2;
 
 // Layers of up to this size are kept without trying anything else, which takes several times as long.
-constexpr std::size_t kGoodLayeredBytes = 1024 - kHeaderBytes;
+constexpr std::size_t kGoodLayeredBytes = 1024;
 
-// So are volumes of up to this size. What is larger is noise, of which runs or layers may tell more.
+// Runs are shorter only than volumes larger than this.
 constexpr std::size_t kGoodVolumeBytes = 2048 - kHeaderBytes;
 
 void put_header(Encoding encoding, std::vector<std::byte>& out) {
@@ -47,36 +47,33 @@ bool append_layered(const Layers& layers, std::size_t limit, std::vector<std::by
   return false;
 }
 
-/// Appends the shortest of what takes less than `limit` bytes after the header; raw voxels where nothing
-/// does.
-void append_shortest(const Layers* layers, const DenseVoxels& voxels, std::size_t limit,
-                     std::vector<std::byte>& out) {
+/// Appends the shortest of volume, runs and raw voxels; or replaces the layers that stand from `start` on
+/// where one of these is shorter.
+void append_shortest(const DenseVoxels& voxels, std::size_t start, std::vector<std::byte>& out) {
   // What is found last is the shortest: it stands behind what it replaces.
-  const std::size_t start = out.size();
-  const auto keep_last = [&](std::size_t last) {
+  std::size_t limit = out.size() > start ? out.size() - start - kHeaderBytes : sizeof(DenseVoxels);
+  // Gives how many bytes the body takes.
+  const auto try_next = [&](Encoding encoding, const auto& encode_body) {
+    const std::size_t last = out.size();
+    put_header(encoding, out);
+    const bool encoded = encode_body();
+    const std::size_t size = encoded ? out.size() - last - kHeaderBytes : sizeof(DenseVoxels);
+    if (size >= limit) {
+      out.resize(last);
+      return size;
+    }
     out.erase(out.begin() + static_cast<std::ptrdiff_t>(start),
               out.begin() + static_cast<std::ptrdiff_t>(last));
-    limit = out.size() - start - kHeaderBytes;
+    limit = size;
+    return size;
   };
   std::size_t changes = 0;
-  put_header(Encoding::volume, out);
-  if (codec::encode_volume(voxels, out, codec::volume_kernels(), &changes)) {
-    limit = out.size() - start - kHeaderBytes;
-    if (limit <= kGoodVolumeBytes) return;
-  } else {
-    out.resize(start);
+  const std::size_t volume = try_next(
+      Encoding::volume, [&] { return codec::encode_volume(voxels, out, codec::volume_kernels(), &changes); });
+  // A run takes more than half a byte.
+  if (volume > kGoodVolumeBytes && changes / 2 < limit) {
+    (void)try_next(Encoding::runs, [&] { return codec::encode_runs(voxels, limit, out); });
   }
-  std::size_t last = out.size();
-  if (changes / 2 < limit) {  // a run takes more than half a byte
-    put_header(Encoding::runs, out);
-    if (codec::encode_runs(voxels, limit, out)) {
-      keep_last(last);
-    } else {
-      out.resize(last);
-    }
-  }
-  last = out.size();
-  if (layers != nullptr && append_layered(*layers, limit, out)) keep_last(last);
   if (out.size() > start) return;
   put_header(Encoding::raw, out);
   encode_raw(voxels, out);
@@ -120,16 +117,17 @@ std::string_view describe(DecodeError error) {
 }
 
 void encode(const Chunk& chunk, std::vector<std::byte>& out) {
-  const Layers* const layers = chunk.layers();
-  if (layers != nullptr && append_layered(*layers, kGoodLayeredBytes, out)) return;
-  constexpr std::size_t kLimit = sizeof(DenseVoxels);
+  const std::size_t start = out.size();
+  if (const Layers* const layers = chunk.layers()) {
+    if (append_layered(*layers, sizeof(DenseVoxels), out) && out.size() - start <= kGoodLayeredBytes) return;
+  }
   if (const DenseVoxels* voxels = chunk.dense()) {
-    append_shortest(layers, *voxels, kLimit, out);
+    append_shortest(*voxels, start, out);
     return;
   }
   const auto voxels = std::make_unique_for_overwrite<DenseVoxels>();
   chunk.copy_to(*voxels);
-  append_shortest(layers, *voxels, kLimit, out);
+  append_shortest(*voxels, start, out);
 }
 
 tl::expected<Chunk, DecodeError> decode(std::span<const std::byte> payload) {

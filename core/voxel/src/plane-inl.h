@@ -131,8 +131,8 @@ class Scores {
     StartParts starts{widen(lower_half(both)), {}, widen(lower_half(other))};
     const WordParts split{{hn::PromoteTo(words, hn::UpperHalf(Half{}, both))}};
 #else
-    const auto end = hn::TableLookupBytes(hn::LoadU(d, kSameEnd.data()), classes);
-    StartParts starts{widen(end), {}, widen(lower_half(other))};
+    const auto same_end = hn::TableLookupBytes(hn::LoadU(d, kSameEnd.data()), classes);
+    StartParts starts{widen(same_end), {}, widen(lower_half(other))};
     const WordParts split = widen(hn::TableLookupBytes(hn::LoadU(d, kUpSplit.data()), class_of(up_)));
 #endif
     for (std::size_t p = 0; p < kParts; ++p) {

@@ -449,13 +449,6 @@ HWY_INLINE RowVec first_different(const AroundMasks<RowMask>& masks, const RowsA
   return select(masks.east_n, found, load_voxels(around.north + 1));
 }
 
-/// first_different() for the lanes of `where`, as far as any of them are of `wanted`; else nothing.
-HWY_INLINE RowVec select_different(RowMask where, RowMask wanted, const AroundMasks<RowMask>& masks,
-                                   const RowsAround& around, const RowVec& otherwise) {
-  if ((where & wanted) == 0) return otherwise;
-  return select(where, first_different(masks, around), otherwise);
-}
-
 /// The first of the voxels around that is neither of two candidates; `exists` says where there is one.
 HWY_INLINE RowVec third_candidate(const RowVec& first, const RowVec& second, RowMask level,
                                   const RowsAround& around, RowMask& exists) {

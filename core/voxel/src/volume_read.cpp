@@ -272,11 +272,10 @@ class Reader {
       // Base, unless that is the west: then the other.
       const RowVec of_equal = select(masks.level ^ beside.base_west[i], north, below);
       const RowVec beyond = select(beside.is_east[i], west_of(now, row.voxels), east_of(now, row.voxels));
-      second = select_different(beside.agrees[i], symbols.low | symbols.high, masks, row.around,
-                                select(beside.equal[i], of_equal, beyond));
+      second = select(beside.agrees[i], first_different(masks, row.around),
+                      select(beside.equal[i], of_equal, beyond));
     } else {
-      second = select_different(same_rows_[i], symbols.low | symbols.high, masks, row.around,
-                                select(masks.level, below, north));
+      second = select(same_rows_[i], first_different(masks, row.around), select(masks.level, below, north));
     }
     RowVec found = select(symbols.low & ~symbols.high, second, now);
     const RowMask is_third = symbols.high & ~symbols.low;
