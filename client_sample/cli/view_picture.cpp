@@ -7,6 +7,7 @@
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <glm/vec2.hpp>
 
 #include "scene.h"
 #include "sky.h"
@@ -15,7 +16,8 @@ namespace talus::cli {
 namespace {
 
 constexpr int kSamplesAcross = 2;
-constexpr double kShadowReach = 900.0;  // voxels
+constexpr double kShadowReach = 900.0;   // voxels
+constexpr double kCalmDistance = 150.0;  // voxels in which waves fall to 1/e
 const glm::vec3 kWaterDeep = to_light(0x123B4D);
 
 // The same voxel always has the same value, 0 to 1.
@@ -139,18 +141,33 @@ class Painter {
     return glm::mix(glm::mix(corner(0, 0), corner(2, 0), u), glm::mix(corner(0, 2), corner(2, 2), u), v);
   }
 
+  // The slope of small waves: a few sines that cross, calm in the distance, where a wave is narrower than a
+  // pixel and would show as noise.
+  [[nodiscard]] glm::vec2 wave_slope(const Hit& hit) const {
+    struct Wave {
+      double east, south;  // 2 pi over the wavelength, 5 to 14 voxels, along each axis
+      float slope;
+    };
+    constexpr std::array<Wave, 4> kWaves{
+        {{0.41, 0.19, 0.010F}, {-0.33, 0.52, 0.008F}, {0.70, -0.46, 0.006F}, {0.15, 1.20, 0.004F}}};
+    const glm::dvec3 place = glm::dvec3{to_vec(scene_.origin())} + hit.point;
+    glm::vec2 slope{0.0F};
+    for (const Wave& wave : kWaves) {
+      const auto height = static_cast<float>(std::cos(wave.east * place.x + wave.south * place.z));
+      slope += wave.slope * height * glm::normalize(glm::vec2{wave.east, wave.south});
+    }
+    return slope * static_cast<float>(std::exp(-hit.distance / kCalmDistance));
+  }
+
   [[nodiscard]] glm::vec3 water(const Hit& hit, const glm::dvec3& ray) const {
     const auto bed = scene_.cast(hit.point + ray * 0.01, ray, 96.0, Scene::Stop::at_solid);
     const double depth = bed ? bed->distance : 96.0;
     const float clear = std::exp(-0.11F * static_cast<float>(depth));
     const glm::vec3 below =
         bed ? glm::mix(kWaterDeep, bed_light(*bed) * glm::vec3{0.55F, 0.8F, 0.85F}, clear) : kWaterDeep;
-    // Small waves: each voxel's surface leans a little its own way.
-    const glm::i64vec3 place = to_vec(scene_.origin()) + glm::i64vec3{hit.voxel};
-    const float lean_x = (speckle(place) - 0.5F) * 0.05F;
-    const float lean_z = (speckle({place.z, place.y, place.x}) - 0.5F) * 0.05F;
+    const glm::vec2 lean = wave_slope(hit);
     const glm::vec3 normal =
-        hit.normal.y > 0 ? glm::normalize(glm::vec3{lean_x, 1.0F, lean_z}) : glm::vec3{hit.normal};
+        hit.normal.y > 0 ? glm::normalize(glm::vec3{lean.x, 1.0F, lean.y}) : glm::vec3{hit.normal};
     const glm::vec3 direction{ray};
     const float head_on = glm::clamp(-glm::dot(direction, normal), 0.0F, 1.0F);
     const float mirror = 0.03F + 0.97F * std::pow(1.0F - head_on, 5.0F);

@@ -148,7 +148,7 @@ void Player::take(const wire::UniformColumn& column) {
       return to_integer(material.id) == run->material();
     });
     if (!known)
-      wrong(tally().bad_chunks, fmt::format("a Column of the unknown material {}", run->material()));
+      wrong(tally().bad_chunks, fmt::format("a UniformColumn of the unknown material {}", run->material()));
     const std::int64_t last = std::min<std::int64_t>(run->last_y(), box.high.y);
     for (std::int64_t y = std::max<std::int64_t>(run->first_y(), box.low.y); y <= last; ++y) {
       arrive({column.x(), static_cast<std::int32_t>(y), column.z()}, now, false);

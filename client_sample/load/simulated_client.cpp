@@ -259,7 +259,7 @@ void SimulatedClient::take(const wire::Chunk&) {
 }
 
 void SimulatedClient::take(const wire::UniformColumn&) {
-  wrong(tally().outside, "a Column for who asked for none");
+  wrong(tally().outside, "a UniformColumn without a View");
 }
 
 void SimulatedClient::take(const wire::Unchanged&) {

@@ -25,7 +25,7 @@ struct Tally {
   std::array<std::uint64_t, 8> late_steps{};
 
   std::uint64_t chunks = 0, chunk_bytes = 0;  // Chunk messages
-  std::uint64_t uniform = 0;                  // chunks that came in Columns
+  std::uint64_t uniform = 0;                  // chunks that came in UniformColumns
   std::uint64_t unchanged = 0;
   std::uint64_t stale = 0;        // left the View when they were on their way
   std::uint64_t repeated = 0;     // came twice after leaving and coming back: allowed

@@ -104,7 +104,7 @@ const std::array kRows{
               {"source"}, chunk_latency},
     MetricRow{"talus_chunks_sent_total", "Chunk messages sent.", counter, {}, &Metrics::chunks_sent},
     MetricRow{"talus_chunk_bytes_sent_total", "Bytes of Chunk messages sent.", counter, {}, &Metrics::chunk_bytes_sent},
-    MetricRow{"talus_columns_sent_total", "Column messages sent; each stands for the uniform chunks of a column.",
+    MetricRow{"talus_columns_sent_total", "UniformColumn messages sent; each stands for the uniform chunks of a column.",
               counter, {}, &Metrics::columns_sent},
     MetricRow{"talus_unchanged_sent_total", "Unchanged messages sent.", counter, {}, &Metrics::unchanged_sent},
 

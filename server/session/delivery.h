@@ -30,7 +30,7 @@ class Delivery {
   static constexpr std::size_t kMaxViewInFlight = 64;
   /// Chunks of one session that wait for the source at once.
   static constexpr std::size_t kMaxWaits = 128;
-  /// Bytes of control frames above which no Column is added: control frames need no credit.
+  /// Bytes of control frames above which no UniformColumn is added: control frames need no credit.
   static constexpr std::size_t kMaxColumnBytes = std::size_t{16} * 1024;
   /// What a chunk that waits for the source is expected to take in the outbox, until a larger one came.
   static constexpr std::size_t kExpectedChunkBytes = 4096;
@@ -92,8 +92,8 @@ class Delivery {
   /// Where the client holds this version of the chunk: answers by Unchanged.
   [[nodiscard]] bool confirm_request(std::uint32_t id, const EncodedChunk& chunk);
   [[nodiscard]] bool confirm_view(ChunkKey key, const EncodedChunk& chunk);
-  /// Where the chunk is known to be uniform: answers by Column, for all uniform chunks of its column that the
-  /// View still waits for.
+  /// Where the chunk is known to be uniform: answers by UniformColumn, for all uniform chunks of its column
+  /// that the View still waits for.
   [[nodiscard]] bool answer_by_column(ChunkKey key);
 
   /// Chunks that left the View: nobody of it waits for them, and none of them is sent.

@@ -226,7 +226,7 @@ TEST_CASE("a chunk that left and came back before a View was sent comes without 
   CHECK(asked_for.size() == (holds ? 0 : 1));
 }
 
-TEST_CASE("a Column's runs are delivered within the View, however long they claim to be") {
+TEST_CASE("a UniformColumn's runs are delivered within the View, however long they claim to be") {
   const wire::UniformRun endless{INT32_MIN, 0, 2};
   const wire::UniformRun air{1, INT32_MAX, 0};
   const auto seen = watch(view_at(0), {column_frame(0, 1, {endless, air})}, view_at(0));

@@ -16,7 +16,7 @@ namespace {
 /// What comes for a View, in its order.
 struct Arrivals {
   std::vector<ChunkKey> all;
-  std::vector<ChunkKey> by_chunk;  // those that did not come in a Column
+  std::vector<ChunkKey> by_chunk;  // those that did not come in a UniformColumn
 };
 
 Arrivals receive(RawClient& client, std::size_t count) {

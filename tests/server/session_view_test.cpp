@@ -1,4 +1,4 @@
-// A session's View: what is sent, confirmed, told by Column, and dropped.
+// A session's View: what is sent, confirmed, answered by UniformColumn, and dropped.
 #include <catch2/catch.hpp>
 #include <set>
 
@@ -250,7 +250,7 @@ TEST_CASE("a walk to and fro over a border sends no chunk twice to a client that
 
 // ---- columns
 
-TEST_CASE("air that is known without generating comes as one Column of revision 0") {
+TEST_CASE("air that is known without generating comes as one UniformColumn of revision 0") {
   SessionBench bench;
   bench.source.rows.last = 0;
   bench.look_at(0, 0, 3);
@@ -272,7 +272,7 @@ TEST_CASE("a column that becomes known while its chunks wait is told in one mess
   CHECK(said[0].runs == Runs{{-3, -2, 2}, {1, 3, 0}});
 }
 
-TEST_CASE("chunks that a Column answered leave the source's queue") {
+TEST_CASE("chunks that a UniformColumn answered leave the source's queue") {
   SessionBench bench;
   bench.look_at(0, 0, 3);
   bench.source.rows = {-1, 0, kRock};
@@ -281,7 +281,7 @@ TEST_CASE("chunks that a Column answered leave the source's queue") {
   CHECK(bench.source.waiting.size() == 2);
 }
 
-TEST_CASE("a Column says nothing of a chunk that waits to be sent") {
+TEST_CASE("a UniformColumn says nothing of a chunk that waits to be sent") {
   SessionBench bench;
   bench.look_at(0, 0, 2);
   bench.source.answer(chunk_at(0, 2));
@@ -295,7 +295,7 @@ TEST_CASE("a Column says nothing of a chunk that waits to be sent") {
   CHECK(said[1].key == chunk_at(0, 2));
 }
 
-TEST_CASE("a uniform chunk that the client holds is answered by Column") {
+TEST_CASE("a uniform chunk that the client holds is answered by UniformColumn") {
   SessionBench bench;
   bench.source.rows.last = -1;
   bench.say_view(0, 0, 0, {scripted_chunk(chunk_at(0))}, {chunk_at(0)});
@@ -311,7 +311,7 @@ TEST_CASE("a request for a uniform chunk is answered by Chunk") {
   CHECK(kinds(bench.output()) == Kinds{Body::Chunk});
 }
 
-TEST_CASE("Columns wait for a client that reads nothing") {
+TEST_CASE("UniformColumns wait for a client that reads nothing") {
   SessionBench bench;
   bench.source.rows.last = -10;  // air throughout the View
   bench.look_at(0, 20, 5);

@@ -108,7 +108,8 @@ Result<ReceivedChunk> Core::uniform(ChunkKey key, MaterialId material, std::uint
     const bool of_this_world = std::any_of(world_->materials.begin(), world_->materials.end(),
                                            [&](const Material& m) { return m.id == material; });
     if (!of_this_world) {
-      return tl::unexpected{broken_protocol("a Column of material " + std::to_string(to_integer(material)) +
+      return tl::unexpected{broken_protocol("a UniformColumn of material " +
+                                            std::to_string(to_integer(material)) +
                                             ", which is not in Welcome")};
     }
     auto chunk = std::make_shared<const Chunk>(Chunk::uniform(material));
