@@ -114,19 +114,18 @@ class BandPainter {
       const float sub_x = (static_cast<float>(i % n) + 0.5F) / static_cast<float>(n);
       const float sub_y = (static_cast<float>(i / n) + 0.5F) / static_cast<float>(n);
       sample_ = static_cast<std::size_t>(i);
-      const float place_y = static_cast<float>(y) + sub_y;
-      sum += glm::min(developed(look(camera_.origin(static_cast<float>(x) + sub_x, place_y), place_y)),
-                      glm::vec3{1});
+      const glm::vec2 place{static_cast<float>(x) + sub_x, static_cast<float>(y) + sub_y};
+      sum += glm::min(developed(look(camera_.origin(place.x, place.y), place)), glm::vec3{1});
     }
     return sum / static_cast<float>(n * n);
   }
 
  private:
-  glm::vec3 look(glm::vec3 origin, float place_y) {
+  glm::vec3 look(glm::vec3 origin, glm::vec2 pixel) {
     const glm::vec3 direction = camera_.direction();
     const Sight sight = rays_.see(origin, direction);
-    glm::vec3 colour = sight.solid ? solid(*sight.solid, origin + direction * sight.solid->distance)
-                                   : table(origin, place_y);
+    glm::vec3 colour =
+        sight.solid ? solid(*sight.solid, origin + direction * sight.solid->distance) : table(origin, pixel);
     if (sight.water) {
       const float length = sight.solid ? sight.solid->distance - sight.water->distance : 1e9F;
       colour = water(*sight.water, origin + direction * sight.water->distance, colour, length);
@@ -161,8 +160,9 @@ class BandPainter {
     return glm::mix(own, behind * glm::vec3{0.78F, 0.93F, 1.0F}, through) + mirrored;
   }
 
-  // The table that the block stands on, with its shadow.
-  glm::vec3 table(glm::vec3 origin, float place_y) const {
+  // The table that the block stands on, with its shadow. The shadow fades where the picture ends, so that
+  // nothing looks cut off.
+  glm::vec3 table(glm::vec3 origin, glm::vec2 pixel) const {
     const glm::vec3 direction = camera_.direction();
     const glm::vec3 point = origin + direction * (-origin.y / direction.y);
     const glm::vec2 box{rays_.grid().width(), rays_.grid().depth()};
@@ -170,8 +170,12 @@ class BandPainter {
     const float away = glm::length(place - glm::clamp(place, glm::vec2{0}, box));
     const float reach = 0.035F * (box.x + box.y);
     float shade = 1 - 0.30F * std::exp(-away / reach);
-    if (rays_.blocked(point + glm::vec3{0, 1e-2F, 0}, sun_direction(sample_))) shade *= 0.80F;
-    const float down = place_y / static_cast<float>(options_.height);
+    if (rays_.blocked(point + glm::vec3{0, 1e-2F, 0}, sun_direction(sample_))) {
+      const auto width = static_cast<float>(options_.width);
+      const float inward = std::min(pixel.x, width - pixel.x) / width;
+      shade *= 1 - 0.20F * glm::smoothstep(0.0F, 0.07F, inward);
+    }
+    const float down = pixel.y / static_cast<float>(options_.height);
     return glm::mix(kTableFar, kTableNear, glm::smoothstep(0.0F, 1.0F, down)) *
                glm::mix(glm::vec3{0.78F, 0.86F, 1.0F}, glm::vec3{1}, shade) * shade +
            dither_;
