@@ -40,7 +40,8 @@ std::optional<SessionRates::Refusal> SessionRates::refuse_request(Time now) {
     const Rate& rate = session.requests.limited() ? session.requests : address.requests;
     return Refusal{kind, wait, !refusals_.take(rate, now)};
   };
-  // No rate delays the control lane: a client whose answers there pass its bytes by far asks no more.
+  // No rate delays control frames: the requests of a client whose control frames exceed its bytes by far are
+  // refused.
   if (session.bytes.limited()) {
     const std::int64_t debt = -bytes_.level(session.bytes, now);
     if (debt > std::max(static_cast<std::int64_t>(session.bytes.burst), kToleratedDebtBytes)) {

@@ -1,5 +1,5 @@
-// What waits to be written to one client, in two lanes: control frames go first and need no credit; chunks go
-// while the client's credit lasts. Chunks are shared with the cache, not copied. No I/O.
+// What waits to be written to one client, in two queues: control frames go first and need no credit; chunks
+// go while the client's credit lasts. Chunks are shared with the cache, not copied. No I/O.
 #pragma once
 
 #include <cstddef>
@@ -72,9 +72,9 @@ class Outbox {
     take_control(limits.enough_bytes, output);  // what refresh answered
   }
 
-  /// Memory of the control lane.
+  /// Memory of the queued control frames.
   [[nodiscard]] std::size_t control_bytes() const { return control_bytes_; }
-  /// Memory of the chunk lane, as if nobody else held the chunks.
+  /// Memory of the queued chunks, as if nobody else held them.
   [[nodiscard]] std::size_t chunk_bytes() const { return chunk_bytes_; }
   /// Roughly how much an output of all that waits would copy, by the chunks' mean size, when chunks of
   /// `shared_from` bytes and more are not copied.
