@@ -19,6 +19,7 @@
 #include "app/listeners.h"
 #include "app/process_signals.h"
 #include "app/server.h"
+#include "app/settings.h"
 #include "app/startup.h"
 #include "app/world_file.h"
 #include "clock/clock.h"
@@ -44,6 +45,7 @@ int serve(const Command& command) {
   const SystemClock clock;
   if (const auto done = set_no_new_privs(); !done) return fail(done.error());
   if (const auto set = talus::forced_instruction_set(); !set) return fail(std::string{set.error()});
+  if (const auto enough = check_memory(config); !enough) return fail(enough.error());
   const auto world = load_world(config.world);
   if (!world) return fail(world.error());
   const auto account = configured_account(config);

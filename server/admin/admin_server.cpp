@@ -4,13 +4,12 @@
 #include <utility>
 
 #include <asio/co_spawn.hpp>
-#include <asio/detached.hpp>
 
 namespace talus::server {
 
 AdminServer::AdminServer(const Clock& clock, Logger log)
     : log_{std::move(log)},
-      acceptor_{io_, log_, kReservedDescriptors},
+      acceptor_{io_, log_, clock, kReservedDescriptors},
       service_{nullptr, clock, log_},
       connections_{service_, kMaxConnections} {}
 
@@ -30,8 +29,15 @@ void AdminServer::start(OperatorAnswers answers) {
   asio::co_spawn(
       io_,
       acceptor_.run([this]() -> asio::io_context& { return io_; },
-                    [this](asio::ip::tcp::socket socket) { connections_.add(TcpStream{std::move(socket)}); }),
-      asio::detached);
+                    [this](asio::ip::tcp::socket socket) { connections_.add(TcpStream{std::move(socket)}); },
+                    [this] { return connections_.make_room(); }),
+      [this](const std::exception_ptr& thrown) {
+        try {
+          if (thrown) std::rethrow_exception(thrown);
+        } catch (const std::exception& error) {
+          log_->error("the operators' server takes no more connections: {}", error.what());
+        }
+      });
   thread_ = std::thread{[this] { run(); }};
 }
 

@@ -17,7 +17,7 @@ tl::expected<Listeners, std::string> open_listeners(const Config& config, const 
   };
   Listeners listeners;
   listeners.io = std::make_unique<IoPool>(io_threads(config), log);
-  listeners.players = std::make_unique<Acceptor>(listeners.io->control(), log);
+  listeners.players = std::make_unique<Acceptor>(listeners.io->control(), log, clock);
   auto address = listeners.players->listen(config.listen);
   if (!address) return failed("listen", config.listen, address.error());
   listeners.players_address = *std::move(address);

@@ -1,5 +1,7 @@
 #include "app/server.h"
 
+#include <malloc.h>
+
 #include <chrono>
 #include <csignal>
 #include <exception>
@@ -16,6 +18,7 @@
 #include "access/auth_failure.h"
 #include "app/process_signals.h"
 #include "app/settings.h"
+#include "generation/background_thread.h"
 #include "generation/terrain_generator.h"
 #include "metrics/metrics_page.h"
 #include "metrics/process.h"
@@ -28,6 +31,7 @@ namespace talus::server {
 namespace {
 
 constexpr std::chrono::milliseconds kHousekeepingInterval{50};
+constexpr std::chrono::seconds kLookAtMemory{1};
 // Without housekeeping for so long the main thread counts as hung: a large cache takes seconds to free.
 constexpr std::chrono::seconds kMaxSilence{15};
 
@@ -195,10 +199,31 @@ void Server::housekeeping() {
   last_housekeeping_ = clock_.now();
   chunks_.fit_caches();
   handshaker_.refusal_log().flush();
+  give_memory_back();
   housekeeping_timer_.expires_after(kHousekeepingInterval);
   housekeeping_timer_.async_wait([this](std::error_code cancelled) {
     if (!cancelled) housekeeping();
   });
+}
+
+void Server::give_memory_back() {
+  const auto now = clock_.now();
+  if (now - last_look_at_memory_ < kLookAtMemory) return;
+  last_look_at_memory_ = now;
+#ifdef __GLIBC__
+  if (!trim_policy_.due(memory_.used())) return;
+  // A thread of its own: this one serves players too, and the system takes its time.
+  try {
+    trimming_ = std::jthread{[this] {
+      block_signals();
+      ::malloc_trim(0);
+      log_->debug("free memory was given back to the system, in {} us of processor time",
+                  std::chrono::duration_cast<std::chrono::microseconds>(clock_.thread_cpu()).count());
+    }};
+  } catch (const std::exception& error) {
+    log_->warn("cannot give free memory back to the system: {}", error.what());
+  }
+#endif
 }
 
 asio::awaitable<void> Server::wait_for_shutdown() {

@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <thread>
 
 #include <asio/awaitable.hpp>
 #include <asio/signal_set.hpp>
@@ -22,6 +23,7 @@
 #include "generation/base_chunks.h"
 #include "log/logger.h"
 #include "memory/memory_budget.h"
+#include "memory/trim_policy.h"
 #include "metrics/metrics.h"
 #include "net/acceptor.h"
 #include "net/admission.h"
@@ -57,8 +59,9 @@ class Server {
   [[nodiscard]] asio::awaitable<void> wait_for_reload();
   void reload_keys();
   void reload_certificate();
-  /// Lets caches give way to everything else, and logs refusals, all the time.
+  /// Lets caches give way to everything else, logs refusals, and gives free memory back, all the time.
   void housekeeping();
+  void give_memory_back();
   void drain();
   void stop_handling_signals();
 
@@ -90,8 +93,11 @@ class Server {
   asio::signal_set reload_signals_;
   asio::steady_timer drain_timer_;
   asio::steady_timer housekeeping_timer_;
+  TrimPolicy trim_policy_;
+  Clock::time_point last_look_at_memory_{};
   ConnectionId last_id_ = 0;
   std::unique_ptr<AdminServer> operators_;  // its thread reads everything above
+  std::jthread trimming_;                   // the last one, mostly over
 };
 
 }  // namespace talus::server

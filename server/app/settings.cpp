@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <thread>
 
+#include <fmt/format.h>
+
 #include <talus/protocol/limits.h>
 #include <talus/voxel/coords.h>
 
@@ -65,6 +67,15 @@ HandshakeSettings handshake_settings(const Config& config) {
   const Limits& limits = config.limits;
   return {limits.handshakes_per_address_per_second, limits.handshakes_per_address_burst,
           limits.handshakes_in_flight, limits.handshake_timeout, config.proxies};
+}
+
+tl::expected<void, std::string> check_memory(const Config& config) {
+  const std::uint64_t bytes = config.limits.memory_bytes;
+  if (bytes == 0 || bytes >= kMinMemoryBytes) return {};
+  return tl::make_unexpected(
+      fmt::format("limits.memory_bytes: {} is too little for the program and its generators alone; give at "
+                  "least {}, or 0 for no limit",
+                  bytes, kMinMemoryBytes));
 }
 
 GenerationSettings generation_settings(const Config& config) {

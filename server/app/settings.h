@@ -3,11 +3,16 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <string>
+
+#include <tl/expected.hpp>
 
 #include <talus/terrain/world.h>
 
 #include "config/config.h"
 #include "generation/base_chunks.h"
+#include "generation/generator_memory.h"
+#include "memory/memory_budget.h"
 #include "net/handshaker.h"
 #include "net/session_runner.h"
 #include "rates/rates.h"
@@ -28,6 +33,14 @@ namespace talus::server {
 [[nodiscard]] RateLimits rate_limits(const Rates& config);
 [[nodiscard]] RunnerLimits runner_limits(const Config& config);
 [[nodiscard]] HandshakeSettings handshake_settings(const Config& config);
+/// The least limits.memory_bytes but 0. The program and the largest share of the generators stay below the
+/// half at which connections are taken again: whatever a load took, the server opens again.
+inline constexpr std::uint64_t kMinMemoryBytes = MemoryBudget::kProgramBytes * 3;
+static_assert(MemoryBudget::kProgramBytes + kMinMemoryBytes / GeneratorMemory::kLargestShare <
+              kMinMemoryBytes / 2);
+/// An error, one line, where limits.memory_bytes is less.
+[[nodiscard]] tl::expected<void, std::string> check_memory(const Config& config);
+
 [[nodiscard]] GenerationSettings generation_settings(const Config& config);
 
 /// Files and sockets that a server so configured may hold at once.

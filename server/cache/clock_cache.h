@@ -9,6 +9,8 @@
 #include <deque>
 #include <functional>
 #include <limits>
+#include <new>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -16,10 +18,12 @@ namespace talus::server {
 
 template <typename Key, typename Value>
 class ClockCache {
+  static constexpr std::uint32_t kVacant = std::numeric_limits<std::uint32_t>::max();
   struct Slot {
     Key key{};
     Value value{};
     std::size_t cost = 0;  // 0: vacant
+    std::uint32_t next_vacant = kVacant;
     bool used = false;
   };
   /// Where a key is found. The tag is the low half of its hash, so that most others are told apart without
@@ -28,7 +32,6 @@ class ClockCache {
     std::uint32_t tag = 0;
     std::uint32_t slot = kVacant;
   };
-  static constexpr std::uint32_t kVacant = std::numeric_limits<std::uint32_t>::max();
 
  public:
   /// What an entry costs beside the bytes of its value: its slot, and buckets of a table up to three quarters
@@ -51,24 +54,25 @@ class ClockCache {
 
   /// Keeps `value`, which costs `value_bytes`, in place of what the key had. A value that is larger than the
   /// whole capacity is not kept. Calls evicted(key, value) for each entry that is evicted for it, which must
-  /// not use this cache; what the key had is not among them.
+  /// not use this cache; what the key had is not among them. Throws std::bad_alloc, and then has changed
+  /// nothing.
   template <typename Evicted>
   void put(const Key& key, Value value, std::size_t value_bytes, Evicted&& evicted) {
-    erase(key);
     const std::size_t cost = value_bytes + kEntryOverheadBytes;
+    // An entry in place of another, replaced or evicted, needs no slot or bucket beside that one's.
+    const std::size_t before = bucket_of(key);
+    if (before != kNotFound) {
+      drop(before);
+    } else if (bytes_ + cost <= capacity_bytes_) {
+      make_place();
+    }
     if (cost > capacity_bytes_) return;
     shrink_to(capacity_bytes_ - cost, evicted);
-    std::uint32_t slot = static_cast<std::uint32_t>(slots_.size());
-    if (vacant_.empty()) {
-      slots_.emplace_back();
-    } else {
-      slot = vacant_.back();
-      vacant_.pop_back();
-    }
-    slots_[slot] = {key, std::move(value), cost, false};
+    const std::uint32_t slot = first_vacant_;
+    first_vacant_ = slots_[slot].next_vacant;
+    slots_[slot] = {key, std::move(value), cost, kVacant, false};
     bytes_ += cost;
     ++size_;
-    if (4 * size_ > 3 * buckets_.size()) grow();
     insert({tag_of(key), slot});
   }
   void put(const Key& key, Value value, std::size_t value_bytes) {
@@ -84,7 +88,7 @@ class ClockCache {
   void set_capacity(std::size_t capacity_bytes) {
     capacity_bytes_ = capacity_bytes;
     shrink_to(capacity_bytes, kForget);
-    if (vacant_.size() > slots_.size() / 2) pack();
+    if (size_ < (slots_.size() + 1) / 2) pack();
   }
 
   [[nodiscard]] std::size_t bytes() const { return bytes_; }
@@ -94,6 +98,9 @@ class ClockCache {
   static constexpr std::size_t kNotFound = std::numeric_limits<std::size_t>::max();
   static constexpr std::size_t kMinBuckets = 16;
   static constexpr auto kForget = [](const Key&, Value&&) {};
+  // So that nothing but an allocation can throw.
+  static_assert(std::is_nothrow_copy_assignable_v<Key> && std::is_nothrow_move_assignable_v<Value> &&
+                std::is_nothrow_default_constructible_v<Value>);
 
   static std::uint32_t tag_of(const Key& key) { return static_cast<std::uint32_t>(std::hash<Key>{}(key)); }
   [[nodiscard]] std::size_t home_of(Bucket bucket) const { return bucket.tag & (buckets_.size() - 1); }
@@ -108,10 +115,18 @@ class ClockCache {
     return kNotFound;
   }
 
-  void insert(Bucket bucket) {
+  void insert(Bucket bucket) noexcept {
     std::size_t at = home_of(bucket);
     while (buckets_[at].slot != kVacant) at = after(at);
     buckets_[at] = bucket;
+  }
+
+  /// For one entry more: a bucket, and a slot that is vacant. All that put() allocates.
+  void make_place() {
+    if (4 * (size_ + 1) > 3 * buckets_.size()) grow();
+    if (first_vacant_ != kVacant) return;
+    slots_.emplace_back();
+    first_vacant_ = static_cast<std::uint32_t>(slots_.size() - 1);
   }
 
   void grow() {
@@ -135,27 +150,35 @@ class ClockCache {
     }
   }
 
-  /// Gives back the memory of vacant slots.
+  /// Gives back the memory of vacant slots, where there is memory to pack the others in.
   void pack() {
-    std::deque<Slot> before = std::exchange(slots_, {});
-    vacant_ = {};
-    buckets_ = {};
-    hand_ = 0;
-    for (Slot& slot : before) {
-      if (slot.cost > 0) slots_.push_back(std::move(slot));
+    std::size_t fewer = size_ == 0 ? 0 : kMinBuckets;
+    while (4 * size_ > 3 * fewer) fewer *= 2;
+    try {
+      std::vector<Bucket> buckets(fewer);
+      std::deque<Slot> slots(size_);
+      auto next = slots.begin();  // from here on nothing throws
+      for (Slot& slot : slots_) {
+        if (slot.cost > 0) *next++ = std::move(slot);
+      }
+      slots_.swap(slots);
+      buckets_.swap(buckets);
+    } catch (const std::bad_alloc&) {
+      return;  // the next set_capacity() tries again
     }
-    while (4 * slots_.size() > 3 * buckets_.size()) grow();
+    first_vacant_ = kVacant;
+    hand_ = 0;
     for (std::uint32_t slot = 0; slot < slots_.size(); ++slot) insert({tag_of(slots_[slot].key), slot});
   }
 
-  Value drop(std::size_t at) {
+  Value drop(std::size_t at) noexcept {
     const std::uint32_t index = buckets_[at].slot;
     Slot& slot = slots_[index];
     bytes_ -= slot.cost;
     --size_;
     Value value = std::move(slot.value);
     slot = {};
-    vacant_.push_back(index);
+    slot.next_vacant = std::exchange(first_vacant_, index);
     close_gap(at);
     return value;
   }
@@ -177,7 +200,7 @@ class ClockCache {
   std::size_t size_ = 0;
   std::size_t hand_ = 0;
   std::deque<Slot> slots_;  // a deque, so that growing moves nothing
-  std::vector<std::uint32_t> vacant_;
+  std::uint32_t first_vacant_ = kVacant;
   std::vector<Bucket> buckets_;  // a power of two of them, or none
 };
 

@@ -15,17 +15,15 @@ class ManualClock final : public Clock {
   [[nodiscard]] std::chrono::sys_seconds wall() const override {
     return wall_begin_ + std::chrono::floor<std::chrono::seconds>(elapsed_.load());
   }
-  [[nodiscard]] std::chrono::nanoseconds thread_cpu() const override { return cpu_.load(); }
+  [[nodiscard]] std::chrono::nanoseconds thread_cpu() const override { return {}; }
 
   /// Any thread. Timers of the operating system do not notice.
   void advance(duration by) { elapsed_ = elapsed_.load() + by; }
-  void use_cpu(std::chrono::nanoseconds by) { cpu_ = cpu_.load() + by; }
 
  private:
   const std::chrono::sys_seconds wall_begin_;
   // Not at 0: a time_point of 0 is what members start with.
   std::atomic<duration> elapsed_{std::chrono::hours{1}};
-  std::atomic<std::chrono::nanoseconds> cpu_{std::chrono::nanoseconds{0}};
 };
 
 }  // namespace talus::server

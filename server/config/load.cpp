@@ -115,9 +115,22 @@ const Field* field_at_line(std::string_view toml, std::size_t line) {
   return find_field(table + std::string{trimmed(text.substr(0, text.find('=')))});
 }
 
+/// What the parser says. It has escaped what it quotes: its backslashes stay.
+std::string words_of(const toml::parse_error& error) {
+  std::string_view rest = error.description().substr(0, 300);
+  std::string words;
+  for (;;) {
+    const std::size_t backslash = std::min(rest.find('\\'), rest.size());
+    words += escaped(rest.substr(0, backslash), backslash);
+    if (backslash == rest.size()) return words;
+    words += '\\';
+    rest.remove_prefix(backslash + 1);
+  }
+}
+
 std::string parse_error_line(std::string_view toml, std::string_view file, const toml::parse_error& error) {
   const std::size_t line = error.source().begin.line;
-  const std::string what = escaped(error.description(), 300);
+  const std::string what = words_of(error);
   const Field* const field = field_at_line(toml, line);
   if (field == nullptr) return fmt::format("{}:{}: {}", file, line, what);
   return fmt::format("{}:{}: {}: {}; give {}", file, line, field->key, what, expectation(*field));
@@ -166,7 +179,7 @@ Environment process_environment() {
 }
 
 Done apply_toml(Settings& settings, std::string_view toml, std::string_view file) {
-  if (const auto fault = passes_toml_bounds(toml)) {
+  if (const auto fault = find_toml_fault(toml)) {
     return tl::make_unexpected(fmt::format("{}:{}: {}", file, fault->line, fault->what));
   }
   try {

@@ -21,16 +21,18 @@ class Connections {
 
   /// On the stream's executor.
   void add(S stream) {
-    std::erase_if(open_, [](const auto& connection) { return !connection->open(); });
-    if (open_.size() >= max_) {
-      const auto quiet = std::min_element(open_.begin(), open_.end(), [](const auto& a, const auto& b) {
-        return a->last_active() < b->last_active();
-      });
-      (*quiet)->close();
-      open_.erase(quiet);
-    }
+    forget_closed();
+    if (open_.size() >= max_) close_quietest();
     open_.push_back(std::make_shared<Connection<S>>(std::move(stream), service_));
     open_.back()->start();
+  }
+
+  /// Closes the connection that has been quiet longest; false where none is open.
+  bool make_room() {
+    forget_closed();
+    if (open_.empty()) return false;
+    close_quietest();
+    return true;
   }
 
   void clock_moved() {
@@ -38,6 +40,17 @@ class Connections {
   }
 
  private:
+  void forget_closed() {
+    std::erase_if(open_, [](const auto& connection) { return !connection->open(); });
+  }
+  void close_quietest() {
+    const auto quiet = std::min_element(open_.begin(), open_.end(), [](const auto& a, const auto& b) {
+      return a->last_active() < b->last_active();
+    });
+    (*quiet)->close();
+    open_.erase(quiet);
+  }
+
   const Service& service_;
   const std::size_t max_;
   std::vector<std::shared_ptr<Connection<S>>> open_;  // some have ended

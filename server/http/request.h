@@ -17,12 +17,12 @@ enum class Method : std::uint8_t { get, head, other };
 
 struct Request {
   Method method = Method::other;
-  std::string target;  // as sent: path and query
+  std::string target;  // as sent: path and query, or a whole URL
   std::vector<Field> fields;
   bool keep_alive = false;  // whether another request may follow
 
-  /// The target up to its query.
-  [[nodiscard]] std::string_view path() const { return std::string_view{target}.substr(0, target.find('?')); }
+  /// The target's path, without host and query. Source: RFC 9112, 3.2.1 and 3.2.2.
+  [[nodiscard]] std::string_view path() const;
   /// The value of the first field of this name, in any case; null where there is none.
   [[nodiscard]] const std::string* field(std::string_view name) const;
 };

@@ -61,6 +61,19 @@ Method method_of(unsigned method) {
 
 }  // namespace
 
+std::string_view Request::path() const {
+  std::string_view path{target};
+  const std::size_t scheme = path.find("://");
+  const bool absolute = scheme != std::string_view::npos && (equal_names(path.substr(0, scheme), "http") ||
+                                                             equal_names(path.substr(0, scheme), "https"));
+  if (absolute) {
+    path.remove_prefix(scheme + 3);
+    path.remove_prefix(std::min(path.find_first_of("/?"), path.size()));
+  }
+  path = path.substr(0, path.find('?'));
+  return absolute && path.empty() ? "/" : path;
+}
+
 const std::string* Request::field(std::string_view name) const {
   const auto found = std::find_if(fields.begin(), fields.end(),
                                   [&](const Field& field) { return equal_names(field.name, name); });

@@ -6,6 +6,8 @@
 #include <cerrno>
 #include <chrono>
 #include <exception>
+#include <new>
+#include <thread>
 #include <utility>
 
 #include <asio/redirect_error.hpp>
@@ -17,7 +19,7 @@ namespace {
 using asio::ip::tcp;
 
 constexpr std::chrono::milliseconds kPause{100};  // after an accept that failed
-constexpr int kFailuresPerLine = 100;
+constexpr std::chrono::seconds kBetweenLines{5};  // about accepts that fail
 
 tcp::endpoint resolve(const protocol::Endpoint& endpoint, const asio::any_io_executor& executor,
                       std::error_code& error) {
@@ -34,11 +36,16 @@ bool lacks_descriptors(const std::error_code& error) {
 
 }  // namespace
 
+DescriptorReserve::DescriptorReserve(std::size_t wanted) : wanted_{wanted} {
+  held_.reserve(wanted);
+  fill();
+}
+
 DescriptorReserve::~DescriptorReserve() {
   while (release_one()) continue;
 }
 
-void DescriptorReserve::fill() {
+void DescriptorReserve::fill() noexcept {
   while (held_.size() < wanted_) {
     const int descriptor = ::open("/dev/null", O_RDONLY | O_CLOEXEC);
     if (descriptor < 0) return;
@@ -53,8 +60,8 @@ bool DescriptorReserve::release_one() {
   return true;
 }
 
-Acceptor::Acceptor(asio::io_context& io, Logger log, std::size_t reserved_descriptors)
-    : socket_{io}, pause_{io}, log_{std::move(log)}, reserve_{reserved_descriptors} {}
+Acceptor::Acceptor(asio::io_context& io, Logger log, const Clock& clock, std::size_t reserved_descriptors)
+    : socket_{io}, pause_{io}, log_{std::move(log)}, clock_{clock}, reserve_{reserved_descriptors} {}
 
 tl::expected<std::string, std::string> Acceptor::listen(const protocol::Endpoint& wanted) {
   std::error_code error;
@@ -68,30 +75,59 @@ tl::expected<std::string, std::string> Acceptor::listen(const protocol::Endpoint
   return to_string(protocol::Endpoint{local.address().to_string(), local.port()});
 }
 
-asio::awaitable<void> Acceptor::run(NextContext next_context, OnSocket on_socket) {
-  int failures = 0;  // in a row
+asio::awaitable<void> Acceptor::run(NextContext next_context, OnSocket on_socket, MakeRoom make_room) {
   while (socket_.is_open()) {
     std::error_code failed;
-    tcp::socket socket =
-        co_await socket_.async_accept(next_context(), asio::redirect_error(asio::use_awaitable, failed));
-    if (!socket_.is_open()) co_return;
-    if (!failed) {
-      failures = 0;
-      try {
-        on_socket(std::move(socket));
-      } catch (const std::exception& error) {
-        log_->error("a new connection failed: {}", error.what());
-      }
-      reserve_.fill();
-      continue;
+    std::string why;
+    try {
+      failed = co_await accept_one(next_context, on_socket);
+      if (failed) why = failed.message();
+    } catch (const std::exception& error) {
+      failed = std::make_error_code(std::errc::not_enough_memory);
+      why = error.what();
     }
-    if (failed == asio::error::connection_aborted) continue;
-    if (lacks_descriptors(failed) && reserve_.release_one()) continue;
-    if (failures++ % kFailuresPerLine == 0) log_->warn("cannot accept a connection: {}", failed.message());
-    pause_.expires_after(kPause);
-    co_await pause_.async_wait(asio::redirect_error(asio::use_awaitable, failed));
-    reserve_.fill();
+    if (!socket_.is_open()) co_return;
+    const bool again = !failed || failed == asio::error::connection_aborted ||
+                       (lacks_descriptors(failed) && (reserve_.release_one() || make_room()));
+    if (!again) {
+      log_failure(why);
+      co_await pause();
+    }
+    if (!again || !failed) reserve_.fill();
   }
+}
+
+asio::awaitable<std::error_code> Acceptor::accept_one(const NextContext& next_context,
+                                                      const OnSocket& on_socket) {
+  std::error_code failed;
+  tcp::socket socket =
+      co_await socket_.async_accept(next_context(), asio::redirect_error(asio::use_awaitable, failed));
+  if (failed || !socket_.is_open()) co_return failed;
+  try {
+    on_socket(std::move(socket));
+  } catch (const std::exception& error) {
+    log_->error("a new connection failed: {}", error.what());
+  }
+  co_return failed;
+}
+
+asio::awaitable<void> Acceptor::pause() {
+  std::error_code ignored;
+  try {
+    pause_.expires_after(kPause);
+    co_await pause_.async_wait(asio::redirect_error(asio::use_awaitable, ignored));
+  } catch (const std::bad_alloc&) {
+    std::this_thread::sleep_for(kPause);  // without memory for a timer the thread has nothing better to do
+  }
+}
+
+void Acceptor::log_failure(const std::string& why) {
+  ++unlogged_;
+  const auto now = clock_.now();
+  if (last_line_ != Clock::time_point::min() && now - last_line_ < kBetweenLines) return;
+  last_line_ = now;
+  log_->warn("cannot accept a connection: {} ({} such failures since the last such line)", why,
+             std::exchange(unlogged_, 0));
 }
 
 void Acceptor::close() {

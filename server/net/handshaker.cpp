@@ -120,6 +120,11 @@ void Handshaker::spawn(const PendingPtr& pending, ConnectionId id) {
 }
 
 asio::awaitable<void> Handshaker::shake_hands(PendingPtr pending) {
+  // Also where something is thrown: the deadline's handler may stand in the queue already.
+  struct MarkDone {
+    PendingConnection& connection;
+    ~MarkDone() { connection.done = true; }
+  };
   asio::steady_timer deadline{pending->socket().get_executor()};
   deadline.expires_after(pending->accepted + settings_.timeout - clock_.now());
   deadline.async_wait([pending](std::error_code cancelled) {
@@ -129,10 +134,12 @@ asio::awaitable<void> Handshaker::shake_hands(PendingPtr pending) {
     pending->socket().cancel(ignored);  // who waits counts it, and closes
   });
   bool accepted = true;
-  if (settings_.proxies.contain(pending->peer.address())) accepted = co_await read_proxy_header(*pending);
-  if (accepted) accepted = admit(*pending);
-  if (accepted && pending->tls != nullptr) accepted = co_await begin_tls(*pending);
-  pending->done = true;
+  {
+    const MarkDone mark{*pending};
+    if (settings_.proxies.contain(pending->peer.address())) accepted = co_await read_proxy_header(*pending);
+    if (accepted) accepted = admit(*pending);
+    if (accepted && pending->tls != nullptr) accepted = co_await begin_tls(*pending);
+  }
   deadline.cancel();
   if (accepted) accept(*pending);
 }

@@ -20,8 +20,24 @@ namespace {
 
 constexpr std::chrono::milliseconds kTimeToRead{1000};
 
+/// One of Refusals::kMax.
+class Place {
+ public:
+  /// Counted already.
+  explicit Place(std::atomic<std::size_t>& in_flight) : in_flight_{&in_flight} {}
+  Place(Place&& other) noexcept : in_flight_{std::exchange(other.in_flight_, nullptr)} {}
+  Place& operator=(Place&&) = delete;
+  ~Place() {
+    if (in_flight_ != nullptr) --*in_flight_;
+  }
+
+ private:
+  std::atomic<std::size_t>* in_flight_;
+};
+
 /// A socket that closes itself when the time is over.
 struct Closing {
+  Place place;
   asio::ip::tcp::socket socket;
   asio::steady_timer deadline;
   protocol::Frame error;
@@ -50,17 +66,15 @@ asio::awaitable<void> send_and_close(std::shared_ptr<Closing> closing) {
 
 void Refusals::refuse(asio::ip::tcp::socket socket, const std::string& text,
                       std::chrono::milliseconds retry_after) {
-  if (in_flight_.fetch_add(1) >= kMax) {
-    --in_flight_;
-    return;
-  }
+  const bool full = in_flight_.fetch_add(1) >= kMax;
+  Place place{in_flight_};
+  if (full) return;
   const auto executor = socket.get_executor();
-  auto closing =
-      std::make_shared<Closing>(Closing{std::move(socket), asio::steady_timer{executor},
+  const auto closing =
+      std::make_shared<Closing>(Closing{std::move(place), std::move(socket), asio::steady_timer{executor},
                                         error_frame(wire::ErrorCode::overloaded, text, 0, retry_after)});
   asio::co_spawn(
-      executor, [closing] { return send_and_close(closing); },
-      [this](const std::exception_ptr&) { --in_flight_; });
+      executor, [closing] { return send_and_close(closing); }, asio::detached);
 }
 
 }  // namespace talus::server

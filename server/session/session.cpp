@@ -217,7 +217,7 @@ bool Session::within_rates(std::uint32_t id) {
   const auto retry_after = std::chrono::ceil<std::chrono::milliseconds>(refusal->wait);
   if (refusal->abusive) {
     fail(ErrorCode::overloaded,
-         fmt::format("flooding: refused by rates.{} and still asking", name(refusal->kind)), retry_after);
+         fmt::format("abusive: refused by rates.{} and still asking", name(refusal->kind)), retry_after);
   } else {
     replies_.error(id, ErrorCode::overloaded, fmt::format("over rates.{}", name(refusal->kind)), retry_after);
   }

@@ -64,7 +64,7 @@ tl::expected<ContentHash, std::string> read_store(const fs::path& file, ContentH
                                            file.string(), read.error().reason));
   }
   try {
-    const bool sound = !passes_toml_bounds(read->text());
+    const bool sound = !find_toml_fault(read->text());
     const toml::table table = sound ? toml::parse(read->text()) : toml::table{};
     id = parse_hash(table["store_id"].value<std::string>());
     held = parse_hash(table["fingerprint"].value<std::string>());

@@ -5,10 +5,15 @@
 namespace talus::server {
 
 void ViewSubscription::request(View view) {
+  const bool same = requested_ && same_chunks(*requested_, view);
   // The client has dropped what left in a View, whether or not that View was ever applied.
-  if (requested_ && !same_chunks(*requested_, view)) {
+  if (requested_ && !same) {
     if (unseen_.size() == kMaxUnseenViews) unseen_ = {AreaOfInterest{}};
     unseen_.emplace_back(*requested_);
+  }
+  if (!known_.empty() && !same) {
+    const AreaOfInterest wanted{view};
+    std::erase_if(known_, [&](const auto& chunk) { return !wanted.place_of(chunk.first); });
   }
   requested_ = std::move(view);
 }

@@ -24,7 +24,8 @@ class ViewSubscription {
   static constexpr std::size_t kMaxKnownChunks = 8192;
 
   // ---- what the client says
-  /// The newest View. It counts from the next apply() on.
+  /// The newest View. It counts from the next apply() on. What the client said that it holds stays known
+  /// while every View has it: it lists only what a View brings back, and drops what leaves.
   void request(View view);
   /// The client holds the chunk with these voxels, and the newest View brings it back.
   void add_known(ChunkKey key, ContentHash hash);

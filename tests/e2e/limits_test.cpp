@@ -2,7 +2,9 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <set>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include "messages.h"
 #include "raw_client.h"
@@ -199,13 +201,32 @@ TEST_CASE("connections of one address share its rates") {
   }
 }
 
-TEST_CASE("a server without memory to spare refuses connections, and says when to come back") {
-  const ServerProcess server{{{"TALUS_LIMITS_MEMORY_BYTES", "33554432"}}};
-  RawClient client{server.port()};
-  const Received refused = client.expect();
-  CHECK(refused.as<wire::Error>().code() == wire::ErrorCode::overloaded);
-  CHECK(refused.as<wire::Error>().retry_after_ms() > 0);
-  CHECK(client.closed());
+TEST_CASE(
+    "a server without memory to spare refuses connections, and takes them again when others have left") {
+  const ServerProcess server{{{"TALUS_LIMITS_MEMORY_BYTES", "75497472"},  // the least there may be
+                              {"TALUS_LIMITS_HANDSHAKES_PER_ADDRESS_PER_SECOND", "1000000"},
+                              {"TALUS_LIMITS_HANDSHAKES_PER_ADDRESS_BURST", "1000000"}}};
+  std::vector<RawClient> clients;
+  for (bool refused = false; !refused;) {
+    REQUIRE(clients.size() < 250);
+    clients.emplace_back(server.port());
+    (void)clients.back().send(hello());
+    const Received first = clients.back().expect();
+    refused = first.kind() == wire::Body::Error;
+    if (refused) {
+      CHECK(first.as<wire::Error>().code() == wire::ErrorCode::overloaded);
+      CHECK_THAT(first.as<wire::Error>().text()->str(), Catch::Contains("memory"));
+      CHECK(first.as<wire::Error>().retry_after_ms() > 0);
+    } else {
+      REQUIRE(clients.back().send(view({{}, 30, 8})));
+    }
+  }
+  CHECK(clients.back().closed());
+  clients.clear();
+  for (bool taken = false; !taken;) {
+    RawClient client{server.port()};
+    taken = client.send(hello()) && client.expect().kind() == wire::Body::Welcome;
+  }
 }
 
 TEST_CASE("memory stays within its budget, though caches would take more") {

@@ -5,11 +5,19 @@
 #include <sys/socket.h>
 #include <unistd.h>
 
+#include <spdlog/sinks/ostream_sink.h>
 #include <asio/co_spawn.hpp>
 #include <asio/detached.hpp>
 #include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <functional>
+#include <new>
+#include <sstream>
+#include <string>
 #include <vector>
 
+#include "clock/manual_clock.h"
 #include "log/logger.h"
 
 using namespace talus::server;
@@ -19,26 +27,39 @@ namespace {
 
 struct Bench {
   asio::io_context io{1};
+  ManualClock clock;
+  std::ostringstream log;
   Acceptor acceptor;
   std::vector<tcp::socket> accepted;
   tcp::endpoint address;
 
   explicit Bench(std::size_t reserved = 0)
-      : acceptor{io, std::make_shared<spdlog::logger>("silent"), reserved} {
+      : acceptor{
+            io,
+            std::make_shared<spdlog::logger>("test", std::make_shared<spdlog::sinks::ostream_sink_st>(log)),
+            clock, reserved} {
     const auto listening = acceptor.listen({"127.0.0.1", 0});
     REQUIRE(listening.has_value());
     const auto port = std::stoi(listening->substr(listening->rfind(':') + 1));
     address = {asio::ip::address_v4::loopback(), static_cast<std::uint16_t>(port)};
     asio::co_spawn(io,
-                   acceptor.run([this]() -> asio::io_context& { return io; },
-                                [this](tcp::socket socket) { accepted.push_back(std::move(socket)); }),
+                   acceptor.run([this]() -> asio::io_context& { return next_context(); },
+                                [this](tcp::socket socket) { accepted.push_back(std::move(socket)); },
+                                [this] { return make_room(); }),
                    asio::detached);
   }
+
+  std::function<asio::io_context&()> next_context = [this]() -> asio::io_context& { return io; };
+  std::function<bool()> make_room = [] { return false; };
 
   [[nodiscard]] tcp::socket connect() {
     tcp::socket client{io};
     client.connect(address);
     return client;
+  }
+  [[nodiscard]] std::ptrdiff_t log_lines() const {
+    const std::string text = log.str();
+    return std::count(text.begin(), text.end(), '\n');
   }
   void run_until_accepted(std::size_t count) {
     while (accepted.size() < count) io.run_one();
@@ -106,9 +127,42 @@ TEST_CASE("without any descriptor connections wait until there is one") {
   bench.run_until_accepted(1);
 }
 
+TEST_CASE("without descriptors a connection that is closed makes room for the next") {
+  Bench bench;
+  bench.make_room = [&] {
+    if (bench.accepted.empty()) return false;
+    bench.accepted.front().close();
+    return true;
+  };
+  const tcp::socket first = bench.connect();
+  bench.run_until_accepted(1);
+  const tcp::socket second = bench.connect();
+  const NoDescriptors none;
+  bench.run_until_accepted(2);
+  CHECK_FALSE(bench.accepted.front().is_open());
+}
+
+TEST_CASE("accepts that fail share one log line in five seconds, also where some succeed between them") {
+  Bench bench;
+  int failures = 0;
+  bench.next_context = [&]() -> asio::io_context& {
+    if (++failures % 2 == 1) throw std::bad_alloc{};
+    return bench.io;
+  };
+  std::vector<tcp::socket> clients;
+  for (int i = 0; i < 4; ++i) clients.push_back(bench.connect());
+  bench.run_until_accepted(3);
+  CHECK(bench.log_lines() == 1);
+  bench.clock.advance(std::chrono::seconds{5});
+  bench.run_until_accepted(4);
+  CHECK(bench.log_lines() == 2);
+  CHECK_THAT(bench.log.str(), Catch::Contains("cannot accept a connection: std::bad_alloc (4 such failures"));
+}
+
 TEST_CASE("what a new connection's handler throws does not end the acceptor") {
   asio::io_context io{1};
-  Acceptor acceptor{io, std::make_shared<spdlog::logger>("silent")};
+  const ManualClock clock;
+  Acceptor acceptor{io, std::make_shared<spdlog::logger>("silent"), clock};
   const auto listening = acceptor.listen({"127.0.0.1", 0});
   REQUIRE(listening.has_value());
   int came = 0;
@@ -130,9 +184,9 @@ TEST_CASE("what a new connection's handler throws does not end the acceptor") {
 TEST_CASE("an address that is taken is an error, and so is one that is nobody's") {
   Bench bench;
   asio::io_context io;
-  Acceptor other{io, std::make_shared<spdlog::logger>("silent")};
+  Acceptor other{io, std::make_shared<spdlog::logger>("silent"), bench.clock};
   CHECK_FALSE(other.listen({"127.0.0.1", bench.address.port()}).has_value());
-  Acceptor nowhere{io, std::make_shared<spdlog::logger>("silent")};
+  Acceptor nowhere{io, std::make_shared<spdlog::logger>("silent"), bench.clock};
   CHECK_FALSE(nowhere.listen({"nowhere.invalid", 1}).has_value());
 }
 

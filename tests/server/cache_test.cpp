@@ -7,6 +7,7 @@
 #include <rapidcheck.h>
 
 #include "cache/clock_cache.h"
+#include "failing_allocations.h"
 
 using namespace talus;
 using namespace talus::server;
@@ -135,6 +136,53 @@ TEST_CASE("a smaller capacity evicts at once, gives its memory back, and leaves 
   CHECK(found == static_cast<int>(cache.size()));
   cache.put(5000, 5000, 100);
   CHECK(cache.holds(5000));
+}
+
+TEST_CASE("a put() whose allocation fails has changed nothing, and can be tried again") {
+  constexpr std::size_t kEntry = 100 + ClockCache<int, int>::kEntryOverheadBytes;
+  ClockCache<int, int> cache{60 * kEntry};
+  int failures = 0;
+  for (int i = 0; i < 400; ++i) {
+    const int key = i % 80;
+    const std::size_t size = cache.size();
+    const std::size_t bytes = cache.bytes();
+    bool failed = false;
+    {
+      const talus::test::FailingAllocations failing{static_cast<std::size_t>(i % 2)};
+      try {
+        cache.put(key, i, 100);
+      } catch (const std::bad_alloc&) {
+        failed = true;
+      }
+    }
+    if (failed) {
+      ++failures;
+      REQUIRE(cache.size() == size);
+      REQUIRE(cache.bytes() == bytes);
+      cache.put(key, i, 100);
+    }
+    REQUIRE(*cache.find(key) == i);
+    std::size_t held = 0;
+    for (int each = 0; each < 80; ++each) held += cache.holds(each) ? 1 : 0;
+    REQUIRE(held == cache.size());
+  }
+  CHECK(failures > 1);
+}
+
+TEST_CASE("nothing is allocated to evict, to erase or to replace") {
+  constexpr std::size_t kEntry = 100 + ClockCache<int, int>::kEntryOverheadBytes;
+  ClockCache<int, int> cache{10 * kEntry};
+  for (int key = 0; key < 10; ++key) cache.put(key, key, 100);
+  const talus::test::FailingAllocations failing{0};
+  for (int key = 5; key < 100; ++key) cache.put(key, key, 100);
+  cache.erase(99);
+  cache.put(98, 0, 100);
+  const bool failed_before = failing.has_failed();
+  cache.set_capacity(4 * kEntry);
+  const bool failed = failing.has_failed();
+  CHECK_FALSE(failed_before);
+  CHECK(failed);  // the memory in which less memory would be held
+  CHECK(cache.size() == 4);
 }
 
 TEST_CASE("the chunk cache stays within its bytes") {

@@ -267,4 +267,6 @@ TEST_CASE("A key with more parts than the parser's stack holds is refused in one
 
 TEST_CASE("A path with a zero byte in it is refused") {
   CHECK_THAT(toml_error("data = \"a\\u0000b\""), Catch::Contains("a\\x00b"));
+  CHECK_THAT(toml_error(std::string{"data\0 = 1", 9}),
+             Catch::Contains("\\u0000") && !Catch::Contains("\\x5c") && !Catch::Contains("\\\\"));
 }

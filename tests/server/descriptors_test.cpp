@@ -2,26 +2,12 @@
 #include "net/descriptors.h"
 
 #include <sys/resource.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 #include <catch2/catch.hpp>
 
+#include "in_child.h"
+
 using namespace talus::server;
-
-namespace {
-
-/// The value that `act` returns in a child process.
-template <typename Act>
-int in_child(Act&& act) {
-  const pid_t child = ::fork();
-  if (child == 0) ::_exit(act());
-  int status = 0;
-  ::waitpid(child, &status, 0);
-  return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
-}
-
-}  // namespace
 
 TEST_CASE("the limit of open files becomes what is needed, from above and from below") {
   const int wrong = in_child([] {

@@ -190,6 +190,19 @@ TEST_CASE("one connection too many takes the place of the one that was quiet lon
   CHECK(statuses(third->text()) == "200 ");
 }
 
+TEST_CASE("room is made by closing the one that was quiet longest, as long as one is open") {
+  Bench bench;
+  const auto first = bench.connect();
+  bench.advance(1s);
+  const auto second = bench.connect();
+  CHECK(bench.connections.make_room());
+  CHECK(first->closed);
+  CHECK_FALSE(second->closed);
+  CHECK(bench.connections.make_room());
+  CHECK(second->closed);
+  CHECK_FALSE(bench.connections.make_room());
+}
+
 TEST_CASE("connections that have ended hold no place") {
   Bench bench;
   const auto first = bench.connect();

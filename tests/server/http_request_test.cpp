@@ -43,6 +43,21 @@ int error_of(const std::string& text, const RequestBounds& bounds = {}) {
 
 }  // namespace
 
+TEST_CASE("a target that is a whole URL gives its path") {
+  const auto path_of = [](const std::string& target) {
+    const Parsed parsed = parse("GET " + target + " HTTP/1.1\r\nHost: b\r\n\r\n");
+    REQUIRE(parsed.requests.size() == 1);
+    return std::string{parsed.requests.front().path()};
+  };
+  CHECK(path_of("http://a/-/healthy") == "/-/healthy");
+  CHECK(path_of("HTTP://a:9100/-/healthy?b=/c") == "/-/healthy");
+  CHECK(path_of("https://[::1]:9100/metrics") == "/metrics");
+  CHECK(path_of("http://a") == "/");
+  CHECK(path_of("http://a?b=/c") == "/");
+  CHECK(path_of("ftp://a/metrics") == "ftp://a/metrics");
+  CHECK(path_of("/metrics/http://a/b") == "/metrics/http://a/b");
+}
+
 TEST_CASE("a request gives its method, target, path and fields") {
   const Parsed parsed = parse(kGet);
   REQUIRE(parsed.requests.size() == 1);

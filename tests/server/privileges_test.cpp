@@ -2,24 +2,15 @@
 #include "privileges/privileges.h"
 
 #include <sys/prctl.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
 #include <catch2/catch.hpp>
 
+#include "in_child.h"
+
 using namespace talus::server;
 
 namespace {
-
-/// The value that `act` returns in a child process.
-template <typename Act>
-int in_child(Act&& act) {
-  const pid_t child = ::fork();
-  if (child == 0) ::_exit(act());
-  int status = 0;
-  ::waitpid(child, &status, 0);
-  return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
-}
 
 bool root_is_needed() {
   if (::geteuid() == 0) return false;

@@ -16,6 +16,7 @@
 #include "frames.h"
 #include "scripted_source.h"
 #include "session/session.h"
+#include "session_limits_of_tests.h"
 
 namespace talus::server {
 
@@ -91,16 +92,7 @@ struct SessionBench {
   ManualClock clock{std::chrono::sys_seconds{std::chrono::seconds{1'700'000'000}}};
   MemoryBudget memory;
   Metrics metrics;
-  SessionLimits limits{.frame_bytes = 65'536,
-                       .requests_in_flight = 1024,
-                       .heights_per_request = 2048,
-                       .height_tiles_per_request = 2048,
-                       .view_horizontal_radius = 48,
-                       .view_vertical_radius = 16,
-                       .view_chunks = 65'536,
-                       .window_bytes = 4U << 20,
-                       .queued_bytes = 1U << 20,
-                       .idle_timeout = std::chrono::minutes{1}};
+  SessionLimits limits = test_limits();
   WorldInfo world;
   RateLimits rates;
   AccessControl access;

@@ -14,6 +14,7 @@
 #include <asio/executor_work_guard.hpp>
 #include "net/session_runner_impl.h"
 #include "scripted_source.h"
+#include "session_limits_of_tests.h"
 
 using namespace talus;
 using namespace talus::server;
@@ -49,16 +50,7 @@ struct Bench {
   ScriptedSource source;
   MemoryBudget memory{0};
   Metrics metrics;
-  SessionLimits limits{.frame_bytes = 65'536,
-                       .requests_in_flight = 1024,
-                       .heights_per_request = 2048,
-                       .height_tiles_per_request = 2048,
-                       .view_horizontal_radius = 48,
-                       .view_vertical_radius = 16,
-                       .view_chunks = 65'536,
-                       .window_bytes = 1U << 30,
-                       .queued_bytes = 1U << 20,
-                       .idle_timeout = 60s};
+  SessionLimits limits = test_limits(1U << 30);
   WorldInfo world;
   RateLimits rates;
   AccessControl access{Access{}, *load_keys(Access{})};

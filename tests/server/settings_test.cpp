@@ -1,10 +1,9 @@
 #include "app/settings.h"
 
-#include "admin/admin_server.h"
-
 #include <catch2/catch.hpp>
 #include <fstream>
 #include <iterator>
+#include <memory>
 #include <string>
 
 #include <talus/protocol/limits.h>
@@ -95,4 +94,31 @@ TEST_CASE("the operators' port and proxies need descriptors of their own") {
   both.proxies = *Networks::parse("127.0.0.1");
   CHECK(descriptors_wanted(both) == descriptors_wanted(plain) + AdminServer::kMaxConnections +
                                         AdminServer::kReservedDescriptors + both.limits.handshakes_in_flight);
+}
+
+TEST_CASE("the least memory budget opens again when everybody has left, whatever a load took") {
+  MemoryBudget budget{kMinMemoryBytes};
+  GeneratorMemory generators{budget, 64, std::make_shared<spdlog::logger>("silent")};
+  generators.note_patch(std::size_t{1} << 30);
+  budget.set(MemoryUse::sessions, kMinMemoryBytes);
+  CHECK_FALSE(budget.takes_work());
+  CHECK_FALSE(budget.takes_connections());
+  budget.set(MemoryUse::sessions, 0);
+  CHECK(budget.takes_work());
+  CHECK(budget.takes_connections());
+}
+
+TEST_CASE("less memory than that is refused in a line that names the setting, its value and the least") {
+  Config config;
+  for (const std::uint64_t bytes : {std::uint64_t{0}, kMinMemoryBytes, Config{}.limits.memory_bytes}) {
+    config.limits.memory_bytes = bytes;
+    CHECK(check_memory(config).has_value());
+  }
+  for (const std::uint64_t bytes : {std::uint64_t{1}, kMinMemoryBytes - 1}) {
+    config.limits.memory_bytes = bytes;
+    const auto refused = check_memory(config);
+    REQUIRE_FALSE(refused.has_value());
+    CHECK_THAT(refused.error(), Catch::StartsWith("limits.memory_bytes: " + std::to_string(bytes)) &&
+                                    Catch::Contains(std::to_string(kMinMemoryBytes)));
+  }
 }

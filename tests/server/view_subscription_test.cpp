@@ -95,6 +95,37 @@ TEST_CASE("what the client knows outside its View is forgotten by apply()") {
   CHECK(view.known_chunks() == 1);
 }
 
+TEST_CASE("what the client knows by a View that was never applied stays known while later Views have it") {
+  ViewSubscription view;
+  view.request(around(1, 1));
+  view.add_known(at(1), kHash);
+  view.request(around(2, 1));
+  (void)view.apply();
+  CHECK(view.knows(at(1), kHash));
+}
+
+TEST_CASE("what left in a View that was never applied is not known when it comes back") {
+  ViewSubscription view;
+  view.request(around(1));
+  view.add_known(at(1), kHash);
+  const bool applied = GENERATE(false, true);
+  if (applied) (void)view.apply();
+  view.request(around(1000));
+  view.request(around(1));
+  (void)view.apply();
+  CHECK_FALSE(view.knows(at(1), kHash));
+}
+
+TEST_CASE("what Views that were never applied knew takes no room from the newest") {
+  ViewSubscription view;
+  view.request(around(0, 100));
+  for (std::int32_t x = 0; x < 20'000; ++x) view.add_known({{x % 100, 0, x / 100}, Lod{}}, kHash);
+  view.request(around(5000));
+  view.add_known(at(5000), kHash);
+  (void)view.apply();
+  CHECK(view.knows(at(5000), kHash));
+}
+
 TEST_CASE("what the client knows is bounded") {
   ViewSubscription view;
   for (std::int32_t x = 0; x < 20'000; ++x) view.add_known(at(x), kHash);

@@ -5,27 +5,18 @@
 #include <talus/terrain/world.h>
 
 #include "worlds.h"
+#include "wrong_spec.h"
 
 namespace talus::terrain {
 namespace {
 
+using test::error_of;
+using test::Wrong;
+
 std::string with(const std::string& from, const std::string& to) {
-  std::string text = test::small_caves_text(1);
-  const std::size_t at = text.find(from, text.find("[caves]"));
-  REQUIRE(at != std::string::npos);
-  return text.replace(at, from.size(), to);
+  const std::string text = test::small_caves_text(1);
+  return test::replaced(text, from, to, text.find("[caves]"));
 }
-
-std::string error_of(const std::string& text) {
-  const auto world = World::parse(text, "w.toml");
-  return world ? "accepted" : world.error().message;
-}
-
-struct Wrong {
-  std::string from;
-  std::string to;
-  std::string message;
-};
 
 TEST_CASE("Wrong caves are refused with file, line, key and what would be right") {
   // [caves] stands on line 56.

@@ -8,22 +8,17 @@
 
 #include "feature.h"
 #include "worlds.h"
+#include "wrong_spec.h"
 
 namespace talus::terrain {
 namespace {
 
-std::string with(const std::string& from, const std::string& to) {
-  std::string text = test::small_world_text(1) + test::underground_text();
-  const std::size_t at = text.rfind(from);
-  REQUIRE(at != std::string::npos);
-  return text.replace(at, from.size(), to);
-}
+using test::Wrong;
 
-struct Wrong {
-  std::string from;
-  std::string to;
-  std::string message;
-};
+std::string with(const std::string& from, const std::string& to) {
+  const std::string text = test::small_world_text(1) + test::underground_text();
+  return test::replaced(text, from, to, text.rfind(from));
+}
 
 TEST_CASE(
     "Every wrong key of folds, faults and veins is refused with file, line, key and what would be right") {

@@ -6,27 +6,17 @@
 #include <talus/toml/toml_bounds.h>
 
 #include "worlds.h"
+#include "wrong_spec.h"
 
 namespace talus::terrain {
 namespace {
 
+using test::error_of;
+using test::Wrong;
+
 std::string with(const std::string& from, const std::string& to) {
-  std::string text = test::small_world_text(1);
-  const std::size_t at = text.find(from);
-  REQUIRE(at != std::string::npos);
-  return text.replace(at, from.size(), to);
+  return test::replaced(test::small_world_text(1), from, to);
 }
-
-std::string error_of(const std::string& text) {
-  const auto world = World::parse(text, "w.toml");
-  return world ? "accepted" : world.error().message;
-}
-
-struct Wrong {
-  std::string from;
-  std::string to;
-  std::string message;
-};
 
 TEST_CASE("A key with more parts than a parser's stack holds is refused before it is parsed") {
   std::string key = "a";

@@ -7,15 +7,14 @@
 
 #include "made_height_map.h"
 #include "worlds.h"
+#include "wrong_spec.h"
 
 namespace talus::terrain {
 namespace {
 
 std::string with(const std::string& surface, const std::string& from, const std::string& to) {
-  std::string text = surface.empty() ? test::small_world_text(1) : test::small_world_text(1, surface);
-  const std::size_t at = text.find(from);
-  REQUIRE(at != std::string::npos);
-  return text.replace(at, from.size(), to);
+  return test::replaced(surface.empty() ? test::small_world_text(1) : test::small_world_text(1, surface),
+                        from, to);
 }
 
 struct Wrong {

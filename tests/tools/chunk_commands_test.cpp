@@ -1,9 +1,6 @@
 // talus-gen encode, decode and explain: what goes in comes out, and what is no chunk is refused.
 #include "chunk_files.h"
 
-#include <stdio.h>
-#include <sys/wait.h>
-
 #include <algorithm>
 #include <array>
 #include <cstring>
@@ -20,30 +17,14 @@
 #include <talus/voxel/content_hash.h>
 
 #include "scratch_directory.h"
+#include "talus_gen.h"
 
 using namespace talus;
 using namespace talus::tools;
+using talus::test::Outcome;
+using talus::test::talus_gen;
 
 namespace {
-
-struct Outcome {
-  int exit_code = -1;
-  std::string output;
-};
-
-Outcome talus_gen(const std::string& arguments) {
-  const std::string command = "'" TALUS_GEN_PATH "' " + arguments + " 2>&1";
-  Outcome outcome;
-  FILE* pipe = ::popen(command.c_str(), "r");
-  REQUIRE(pipe != nullptr);
-  std::array<char, 4096> buffer{};
-  for (std::size_t n = 0; (n = std::fread(buffer.data(), 1, buffer.size(), pipe)) > 0;) {
-    outcome.output.append(buffer.data(), n);
-  }
-  const int status = ::pclose(pipe);
-  if (WIFEXITED(status)) outcome.exit_code = WEXITSTATUS(status);
-  return outcome;
-}
 
 Chunk lamp(std::uint16_t lamp_id) {
   const auto voxels = std::make_unique<DenseVoxels>();

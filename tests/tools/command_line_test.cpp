@@ -1,5 +1,4 @@
-#include <stdio.h>
-#include <sys/wait.h>
+#include <sys/stat.h>
 
 #include <algorithm>
 #include <array>
@@ -14,28 +13,13 @@
 #include "height_map_file.h"
 #include "made_height_map.h"
 #include "scratch_directory.h"
+#include "talus_gen.h"
 #include "worlds.h"
 
+using talus::test::Outcome;
+using talus::test::talus_gen;
+
 namespace {
-
-struct Outcome {
-  int exit_code = -1;
-  std::string output;  // stdout and stderr together
-};
-
-Outcome talus_gen(const std::string& arguments) {
-  const std::string command = "'" TALUS_GEN_PATH "' " + arguments + " 2>&1";
-  Outcome outcome;
-  FILE* pipe = ::popen(command.c_str(), "r");
-  REQUIRE(pipe != nullptr);
-  std::array<char, 4096> buffer{};
-  for (std::size_t n = 0; (n = std::fread(buffer.data(), 1, buffer.size(), pipe)) > 0;) {
-    outcome.output.append(buffer.data(), n);
-  }
-  const int status = ::pclose(pipe);
-  if (WIFEXITED(status)) outcome.exit_code = WEXITSTATUS(status);
-  return outcome;
-}
 
 // One line that says what is wrong.
 void check_refused(const std::string& arguments, int exit_code, const std::string& part) {
@@ -179,6 +163,16 @@ TEST_CASE("What cannot be done is one line and exit code 1") {
   check_refused("gallery -o " + in(scratch, "file"), 1, "cannot make the directory");
   check_refused("gallery -o " + in(scratch, "g") + " --world " + in(scratch, "file"), 1, "file:1");
   CHECK(scratch.file_count() == 1);
+}
+
+TEST_CASE("A pipe that nobody writes to is refused, and keeps nobody waiting") {
+  const ScratchDirectory scratch;
+  REQUIRE(::mkfifo((scratch / "pipe").c_str(), 0600) == 0);
+  const std::string pipe = in(scratch, "pipe");
+  check_refused("hash --origin 0,0 --size 8,8 --world " + pipe, 1, "pipe: is not a regular file");
+  check_refused("encode " + pipe + " -o " + in(scratch, "a.bin"), 1, "pipe: is not a regular file");
+  check_refused("decode " + pipe + " -o " + in(scratch, "a.npy"), 1, "pipe: is not a regular file");
+  check_refused("explain " + pipe, 1, "pipe: is not a regular file");
 }
 
 TEST_CASE("Negative places are values, not options") {

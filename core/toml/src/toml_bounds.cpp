@@ -4,7 +4,7 @@
 
 namespace talus {
 
-std::optional<TomlFault> passes_toml_bounds(std::string_view text) {
+std::optional<TomlFault> find_toml_fault(std::string_view text) {
   if (text.size() > kMaxTomlBytes) {
     return TomlFault{1, "the file is longer than " + std::to_string(kMaxTomlBytes) + " bytes"};
   }

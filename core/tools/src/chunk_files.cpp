@@ -18,6 +18,8 @@
 #include <talus/voxel/codec.h>
 #include <zstd.h>
 
+#include "regular_file.h"
+
 namespace talus::tools {
 namespace {
 
@@ -43,7 +45,7 @@ std::uint32_t little_endian(const char* bytes) {
   return value;
 }
 
-/// What stands behind 'key': in the dictionary of an array's header, up to the next comma or bracket outside.
+/// The value of `key` in the dictionary of an array's header, without spaces. A tuple is read whole.
 std::string value_of(const std::string& header, const std::string& key) {
   const std::size_t at = header.find("'" + key + "':");
   if (at == std::string::npos) return {};
@@ -128,6 +130,7 @@ std::optional<Chunk> chunk_of_vox(const Bytes& bytes) {
 }  // namespace
 
 Expected<Chunk> read_voxels(const std::string& path) {
+  if (const auto file = check_regular_file(path); !file) return tl::unexpected{file.error()};
   const auto bytes = files::read_file(path, kMaxFileBytes);
   if (!bytes) return tl::unexpected{Failure{bytes.error()}};
   const std::string_view text{*bytes};
@@ -139,6 +142,7 @@ Expected<Chunk> read_voxels(const std::string& path) {
 }
 
 Expected<std::vector<std::byte>> read_payload(const std::string& path) {
+  if (const auto file = check_regular_file(path); !file) return tl::unexpected{file.error()};
   const auto bytes = files::read_file(path, kMaxPayloadBytes);
   if (!bytes && bytes.error().code == std::errc::file_too_large) {
     return failed(path + ": " + std::string{describe(DecodeError::too_long)});

@@ -25,7 +25,7 @@ namespace talus::tools {
 
 [[nodiscard]] Expected<void> write_payload(std::span<const std::byte> payload, const std::string& path);
 
-/// What zstd -3 makes of the voxels, a byte each where ids fit, else two.
+/// The bytes that zstd at level 3 makes of the voxels: one byte a voxel where all ids fit, else two.
 [[nodiscard]] std::size_t zstd_bytes(const Chunk& chunk);
 
 }  // namespace talus::tools

@@ -67,7 +67,7 @@ class Displaced {
 
   static std::int64_t middle(std::int64_t sum_of_four) { return (sum_of_four + 2) >> 2; }
 
-  // -reach to reach, by position: the order of visits does not matter.
+  // From -reach to reach. It depends on the position alone, so the order of visits does not matter.
   [[nodiscard]] std::int64_t displacement(int x, int z, std::int64_t reach) const {
     using terrain::derived_seed;
     const std::uint64_t column = derived_seed(seed_, static_cast<std::uint64_t>(x));

@@ -88,7 +88,7 @@ class Slopes {
     const double capacity = std::max(-rise * drop.speed * drop.water * kCapacity, kMinCapacity);
     if (rise > 0) return lay_down(drop, std::min(rise, drop.carried));  // fills the pit that it runs out of
     if (drop.carried > capacity) return lay_down(drop, (drop.carried - capacity) * kDeposition);
-    // Never more than the fall, or it would dig a pit behind itself.
+    // A droplet takes no more than the height it falls, or it would dig a pit behind itself.
     take_up(drop, std::min((capacity - drop.carried) * kErosion, -rise));
   }
 
@@ -139,7 +139,7 @@ class Slopes {
   double brush_sum_ = 0;
 };
 
-// 0 to 1, without 1.
+// From 0 up to 1, without 1 itself.
 double part(std::uint64_t hash) {
   return static_cast<double>(hash >> 11) / 9007199254740992.0;
 }

@@ -103,8 +103,8 @@ class PatchWriter {
     const std::int32_t highest_fx = *std::max_element(heights.begin(), heights.end());
     const std::int32_t rows = terrain::boundary_row(std::max(highest_fx, world_.sea_fx().value_or(0)));
     const auto width = static_cast<std::size_t>(patch.width);
-    // A row of chunks at a time, and of that one z: [y][x], so that memory stays small and every row is one
-    // write.
+    // Writes one z of a row of chunks at a time, as [y][x]: memory stays small, and every row of voxels is
+    // one write.
     std::vector<Item> slab(static_cast<std::size_t>(rows) * width);
     for (int z = 0; z < patch.depth;) {
       const int to_next_chunk = kChunkSize - static_cast<int>(floor_mod(patch.z + z, kChunkSize));

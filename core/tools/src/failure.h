@@ -26,18 +26,18 @@ struct Failure {
 template <typename Value>
 using Expected = tl::expected<Value, Failure>;
 
-/// What was done with a file, as the command's outcome.
+/// The outcome of a file operation as the command's outcome.
 [[nodiscard]] inline Expected<void> outcome_of(const tl::expected<void, files::FileError>& done) {
   if (!done) return tl::unexpected{Failure{done.error()}};
   return {};
 }
 
-/// The command was right, but it could not be done.
+/// The command is valid, but it failed.
 [[nodiscard]] inline tl::unexpected<Failure> failed(std::string message) {
   return tl::unexpected<Failure>{Failure{kExitFailed, std::move(message)}};
 }
 
-/// The command itself is wrong.
+/// The command's arguments are wrong.
 [[nodiscard]] inline tl::unexpected<Failure> wrong_use(std::string message) {
   return tl::unexpected<Failure>{Failure{kExitWrongUse, std::move(message)}};
 }

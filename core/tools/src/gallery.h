@@ -10,9 +10,9 @@
 
 namespace talus::tools {
 
-/// Writes the figures of gallery_figures.h that have `only` in their files' names into `directory`, which is
+/// Writes the figures of gallery_figures.h whose file names contain `only` into `directory`, which is
 /// made where it is missing. The same world gives the same pictures, for any number of threads (0: one a
-/// core). An error where no figure is meant.
+/// core). An error where no file name does.
 [[nodiscard]] Expected<void> write_gallery(const WorldText& text, const std::string& only,
                                            const std::filesystem::path& directory, int threads,
                                            ProgressBar& progress);

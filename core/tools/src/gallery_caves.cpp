@@ -24,7 +24,7 @@ constexpr double kClearWaterUnits = 0.025;  // of water that leave 1/e of the li
 constexpr int kPlacesAcross = 24;
 constexpr int kPlacesPerSide = 6;
 
-// Sums over whole rows and columns of the plane, so that every place is judged in no time.
+// A summed-area table of the plane: the sum over any rectangle takes four look-ups.
 class Prefix {
  public:
   Prefix(int width, int depth) : width_{width}, sums_(static_cast<std::size_t>((width + 1) * (depth + 1))) {}
@@ -39,7 +39,7 @@ class Prefix {
   std::vector<double> sums_;
 };
 
-// Only what caves take from the rock; nothing where a column is open to the sky.
+// The rock that caves take away. Columns that are open to the sky are left out.
 VoxelGrid cast_of(const VoxelGrid& with, const terrain::Stacks& stacks, const VoxelGrid& rock) {
   VoxelGrid cast{with.width(), with.rows(), with.depth()};
   for (int z = 0; z < with.depth(); ++z) {

@@ -34,7 +34,7 @@ constexpr double kGroundUnits = 0.09;       // terrain units of ground under the
 constexpr double kClearWaterUnits = 0.025;  // of water that leave 1/e of the light
 constexpr double kLandscape = 2.4;          // terrain units along the side of a landscape
 
-// Planes in the manner of terrain::Stacks, whoever made them.
+// Planes laid out as in terrain::Stacks, from any source.
 struct Planes {
   std::vector<MaterialId> materials;
   std::vector<terrain::Field> tops;
@@ -55,7 +55,7 @@ Box box_over(const terrain::World& world, const terrain::Field& surface) {
   const auto ground = static_cast<std::int32_t>(std::lround(kGroundUnits * world.spec().resolution));
   const std::int32_t bottom = terrain::boundary_row(*lowest) - std::max(2, ground);
   const std::int32_t top = terrain::boundary_row(std::max(*highest, world.sea_fx().value_or(0)));
-  // No picture shows needles many times as high as wide, and memory would not hold their box.
+  // At most four times as high as wide: more would be no picture, and its box would not fit into memory.
   return {bottom, std::min(top - bottom, 4 * std::max(surface.width, surface.depth))};
 }
 

@@ -14,7 +14,7 @@
 
 namespace talus::tools {
 
-/// What all figures draw: a world, and how.
+/// What every figure is given: the world, and how to draw it.
 struct GalleryContext {
   const WorldText& text;        // for figures of the same world with a number changed
   const terrain::World& world;  // what it says
@@ -29,7 +29,7 @@ struct Figure {
   bool of_caves = false;  // for worlds that have them
 };
 
-/// In the order of the thesis; then what it has no figure of.
+/// All figures: those of the thesis in its order, then those that it does not have.
 [[nodiscard]] std::span<const Figure> gallery_figures();
 
 }  // namespace talus::tools

@@ -51,7 +51,7 @@ Expected<Image> draw_levels(const GalleryContext& context) {
     return static_cast<std::int32_t>(floor_div(row, kLevelSide)) * kLevelSide;
   };
   const std::int32_t bottom = snapped(surface.lowest_ground - kLevelSide);
-  // Level 4 may stand a voxel of its own higher. No picture shows needles.
+  // Level 4 may be higher by one of its own voxels. More than twice as high as wide would be no picture.
   const int rows = std::min(snapped(surface.highest) + 2 * kLevelSide - bottom, 2 * base.width);
   std::vector<Image> panels;
   for (const int level : {0, kLevel}) {

@@ -15,7 +15,7 @@ namespace {
 constexpr int kSquares = 12;  // that a place is judged by, along each side
 constexpr int kReach = 48;    // squares from the origin at which places are looked at: 8 places a side
 
-// How high the strata differ: what lies over it is all of one rock.
+// The height up to which the strata differ. All rock above it is of one material.
 std::int32_t banded_height_fx(const terrain::World& world) {
   std::int64_t sum_q16 = 0;
   std::int64_t banded_q16 = 0;
@@ -27,7 +27,7 @@ std::int32_t banded_height_fx(const terrain::World& world) {
       std::min<std::int64_t>(banded_q16 * world.spec().resolution / terrain::kSubvoxels, world.highest_fx()));
 }
 
-// How good a view squares of a field of heights give, in subvoxels.
+// Rates squares of a field of heights, in subvoxels, by the view that they give.
 class View {
  public:
   explicit View(const terrain::World& world)

@@ -50,7 +50,7 @@ struct Image {
 
 /// Amounts of light, in which colours may be mixed and lit: sRGB with its curve undone, 0 to 1.
 [[nodiscard]] glm::vec3 to_light(terrain::Colour colour);
-/// Values past 0 to 1 are clamped.
+/// Clamps values outside 0 to 1.
 [[nodiscard]] terrain::Colour to_colour(glm::vec3 light);
 
 /// The colour of every material of a world as light, by id.
@@ -61,15 +61,15 @@ struct Image {
 
 struct PalettedImage;
 
-/// A PNG file that is not there yet. Made before the picture is, so that a path that cannot be written
-/// costs nobody the wait.
+/// A PNG file that has no name yet. Create it before the picture is drawn: a path that cannot be written is
+/// an error at once.
 class PngFile {
  public:
   [[nodiscard]] static Expected<PngFile> create(const std::filesystem::path& target);
-  /// Writes the whole file; then it takes its name.
+  /// Writes the whole file, then gives it its name.
   [[nodiscard]] Expected<void> write(const Image& image);
   [[nodiscard]] Expected<void> write(const PalettedImage& image);
-  /// The same of grey samples of 16 bits, as they are.
+  /// The same for grey samples of 16 bits, which are written unchanged.
   [[nodiscard]] Expected<void> write_grey(int width, int height, std::span<const std::uint16_t> samples);
 
  private:

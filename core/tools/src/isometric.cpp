@@ -37,7 +37,7 @@ float speckle(glm::ivec3 voxel) {
   return static_cast<float>(hash & 0xFFFFU) / 0xFFFF;
 }
 
-// Less than one step of 8 bits either way, in a pattern: smooth ground stays smooth in few colours.
+// Ordered dither of less than one 8-bit step either way: smooth ground stays smooth in few colours.
 float dither(int x, int y) {
   constexpr std::array<std::array<int, 4>, 4> kOrder{
       {{0, 8, 2, 10}, {12, 4, 14, 6}, {3, 11, 1, 9}, {15, 7, 13, 5}}};
@@ -102,7 +102,7 @@ class BandPainter {
         options_{options},
         light_{rays},
         seam_{glm::clamp((camera.pixels_per_voxel() - 3) / 7, 0.0F, 1.0F)},
-        // Grains and corners smaller than a few pixels are noise.
+        // Both fade where a voxel is smaller than a few pixels: they would look like noise.
         grain_{0.16F * glm::clamp((camera.pixels_per_voxel() - 1) / 5, 0.0F, 1.0F)},
         corner_{glm::mix(0.22F, 0.45F, glm::clamp((camera.pixels_per_voxel() - 1) / 6, 0.0F, 1.0F))} {}
 

@@ -11,7 +11,7 @@
 
 namespace talus::tools {
 
-/// What two thicknesses of loose material over the same columns have in common.
+/// How far two layers of loose material over the same columns agree.
 struct Alike {
   double cover_a = 0;  // share of the columns in which there is any
   double cover_b = 0;
@@ -21,7 +21,7 @@ struct Alike {
 };
 [[nodiscard]] Alike alike(const terrain::Field& a, const terrain::Field& b);
 
-/// One material, or all of them in one.
+/// The figures of one material, or of all materials together.
 struct LikenessRow {
   std::string name;
   Spread cover_slope;
@@ -42,9 +42,9 @@ struct Likeness {
 /// square of two terrain units from the origin on. Erosion takes the square for a map that ends.
 [[nodiscard]] Expected<Likeness> measure_likeness(const WorldText& text, int seeds, ProgressBar& progress);
 
-/// For people.
+/// A table for people.
 [[nodiscard]] std::string to_text(const Likeness& likeness);
-/// Everything in it, by name.
+/// All figures as JSON, by name.
 [[nodiscard]] std::string to_json(const Likeness& likeness);
 
 }  // namespace talus::tools

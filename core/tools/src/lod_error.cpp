@@ -21,7 +21,7 @@ namespace {
 constexpr int kPatchSide = 512;  // base columns; a multiple of level 6's
 constexpr std::size_t kLevels = 6;
 
-// Sums of whole numbers, so that no order of patches shows in them.
+// Sums of integers, which do not depend on the order of the patches.
 struct Sums {
   std::int64_t surface_fx = 0;
   std::int64_t most_surface_fx = 0;
@@ -59,7 +59,7 @@ class Ground {
     const std::int32_t top = stacks_.ground_fx(x, z);
     const std::int32_t row = terrain::boundary_row(top);
     if (row < sea_row_ && !stacks_.is_entrance(x, z)) return kWater;
-    // At level 0 what the voxel's centre is in, above it what lies on top.
+    // At level 0 the material at the voxel's centre, at other levels the material on top.
     const std::int32_t centre = (row - 1) * terrain::kSubvoxels + terrain::kSubvoxels / 2;
     const std::int32_t seen = stacks_.region.lod.value() == 0 ? centre : top - 1;
     std::size_t k = 0;

@@ -31,9 +31,9 @@ struct LodError {
 [[nodiscard]] LodError measure_lod_error(const terrain::World& world, const terrain::Region& region,
                                          int threads, ProgressBar& progress);
 
-/// For people.
+/// A table for people.
 [[nodiscard]] std::string to_text(const LodError& error);
-/// Everything in it, by name.
+/// All figures as JSON, by name.
 [[nodiscard]] std::string to_json(const LodError& error);
 
 }  // namespace talus::tools

@@ -20,16 +20,16 @@ namespace {
 
 const glm::vec3 kSunlight{0.74F, 0.68F, 0.58F};
 const glm::vec3 kSkylight{0.27F, 0.33F, 0.43F};
-// Terrain units of water that leave 1/e of the light; red goes first.
+// Depth of water, in terrain units, that leaves 1/e of the light. Red is lost first.
 const glm::vec3 kClearWater{0.012F, 0.024F, 0.032F};
-// What the surface itself takes, so that a shore shows even where the water is shallow.
+// The light that the water's surface lets through, so that a shore shows even where the water is shallow.
 constexpr float kThroughSurface = 0.62F;
 
 glm::vec3 lit(glm::vec3 colour, Light light) {
   return colour * (light.sun * kSunlight + light.sky * kSkylight);
 }
 
-// Bright slopes keep their colour instead of clipping, and the eye finds the strong colours calmer.
+// Compresses bright light, so that slopes keep their colour instead of clipping, and softens strong colours.
 glm::vec3 developed(glm::vec3 light) {
   const float grey = glm::dot(light, glm::vec3{0.2126F, 0.7152F, 0.0722F});
   const glm::vec3 calm = glm::mix(glm::vec3{grey}, light, 0.92F);

@@ -44,7 +44,7 @@ Expected<terrain::Region> checked(std::string_view option, IntegerPair first, In
                          static_cast<int>(size.second), lod};
 }
 
-// Before any arithmetic, so that none can overflow.
+// Checked before any arithmetic, so that none can overflow.
 Expected<void> check_base(std::string_view option, IntegerPair base) {
   const std::int64_t limit = chunk_limit(Lod{}) * kChunkSize;
   const auto check_axis = [&](const char* axis, std::int64_t value) -> Expected<void> {

@@ -25,9 +25,10 @@ struct IntegerPair {
 [[nodiscard]] Expected<IntegerPair> parse_size(std::string_view option, std::string_view text,
                                                std::int64_t longest);
 
-/// What is wrong with a seed, for CLI11's check(): it takes one past 64 bits for the largest. Empty: nothing.
+/// For CLI11's check(): what is wrong with a seed; empty: nothing. CLI11 reads more than 64 bits as the
+/// largest.
 [[nodiscard]] std::string fault_of_seed(const std::string& text);
-/// The same of a number from `least` to `most`: CLI::Range lets nan through.
+/// The same for a number from `least` to `most`. CLI::Range would accept nan.
 [[nodiscard]] std::string fault_of_number(const std::string& text, double least, double most);
 
 [[nodiscard]] Expected<Lod> parse_lod(std::int64_t level);

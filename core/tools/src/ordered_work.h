@@ -58,7 +58,7 @@ bool work_in_order(std::size_t count, int threads, const Produce& produce, const
   };
 
   std::vector<std::jthread> workers;
-  // Whatever ends this call, the workers are told before they are joined.
+  // However this call ends, the workers are told to stop before they are joined.
   struct Stop {
     State& state;
     ~Stop() {

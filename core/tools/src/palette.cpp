@@ -15,8 +15,8 @@ constexpr std::uint32_t kUnused = std::numeric_limits<std::uint32_t>::max();
 
 using Channels = std::array<std::int64_t, 3>;
 
-// Pixels that differ in no more than the lowest bit of a channel. All arithmetic is in whole numbers, so
-// that palettes are equal everywhere.
+// The pixels of one cell(): their channels differ in the lowest bits alone. All arithmetic is in integers,
+// so that palettes are equal on every machine.
 struct Shade {
   Channels sum{};
   std::int64_t pixels = 0;
@@ -63,7 +63,7 @@ Box box_of(std::span<Shade> shades) {
   return box;
 }
 
-// Halves the box whose shades differ most, until there are enough.
+// Halves the box whose shades differ most, until there are as many boxes as colours.
 std::vector<Box> cut_boxes(std::span<Shade> shades) {
   std::vector<Box> boxes{box_of(shades)};
   while (boxes.size() < kColours) {
@@ -75,7 +75,7 @@ std::vector<Box> cut_boxes(std::span<Shade> shades) {
       return shade.mean(box.axis) <= box.middle;
     });
     const auto low = static_cast<std::size_t>(upper - box.shades.begin());
-    // Means are rounded down, so some lie above the middle and some do not, unless all are one.
+    // Means are rounded down: both parts have shades, unless all means are equal.
     if (low == 0 || low == box.shades.size()) {
       widest->spread = 0;
       continue;

@@ -18,7 +18,7 @@ struct PalettedImage {
   std::vector<std::uint8_t> pixels;
 };
 
-/// The picture in the 256 colours that come near to all of its own. The same on any machine.
+/// The picture in 256 colours that are near its own. Every machine makes the same picture of it.
 [[nodiscard]] PalettedImage to_palette(const Image& image);
 
 }  // namespace talus::tools

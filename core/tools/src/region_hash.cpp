@@ -55,7 +55,7 @@ class Hasher {
   std::unique_ptr<XXH3_state_t, Free> state_;
 };
 
-// Counts in chunks what Region counts in columns.
+// A region, counted in chunks instead of columns.
 terrain::Region chunks_over(const terrain::Region& region) {
   const std::int64_t x = floor_div(region.x, kChunkSize);
   const std::int64_t z = floor_div(region.z, kChunkSize);

@@ -1,4 +1,4 @@
-// One number for a region: do two machines, two builds, two thread counts make the same chunks?
+// A hash of a region's chunks, to compare machines, builds and thread counts.
 #pragma once
 
 #include <cstdint>

@@ -24,7 +24,7 @@ constexpr std::array kCompass{Direction{-1, -1}, Direction{0, -1}, Direction{1, 
                               Direction{1, 0},   Direction{-1, 1}, Direction{0, 1},  Direction{1, 1}};
 constexpr Direction kNorthWest = kCompass[0];
 
-// Rises fade with distance, because the ring ends where a real horizon would not: no shadow breaks off.
+// Rises count less with distance: the ring ends where a real horizon would not, and no shadow may break off.
 float horizon_tangent(const terrain::Field& surface, int x, int z, Direction direction) {
   const float here = static_cast<float>(surface.at(x, z));
   const float stride = direction.x != 0 && direction.z != 0 ? kDiagonal : 1.0F;

@@ -1,4 +1,4 @@
-// Light on a surface: what makes a map of heights readable as mountains.
+// Light on a surface, which makes mountains of a map of heights.
 #pragma once
 
 #include <talus/terrain/field.h>
@@ -8,7 +8,7 @@ namespace talus::tools {
 /// Columns around a place that decide its light.
 inline constexpr int kReliefRing = 24;
 
-/// 1 for both on a plain under open sky.
+/// Both are 1 on a plain under open sky.
 struct Light {
   float sun = 1;  // from the north-west, halfway up; 0 where turned away or in shadow
   float sky = 1;  // how much of the sky is seen: less in clefts and at the foot of cliffs

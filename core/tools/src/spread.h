@@ -1,4 +1,4 @@
-// A number over several seeds.
+// Mean and standard deviation of a number over several seeds.
 #pragma once
 
 #include <span>
@@ -10,7 +10,7 @@ struct Spread {
   double deviation = 0;  // standard, of the sample
 };
 
-/// Of one value or more; a single one deviates by 0.
+/// There is at least one value. The deviation of a single value is 0.
 [[nodiscard]] Spread spread_of(std::span<const double> values);
 
 }  // namespace talus::tools

@@ -70,7 +70,7 @@ Expected<Table1> run_table1(const WorldText& text, int seeds, ProgressBar& progr
       const auto world = world_variant(text, {.seed = seed, .resolution = thesis.side});
       if (!world) return tl::make_unexpected(world.error());
       const terrain::Region region{0, 0, thesis.side, thesis.side, Lod{}};
-      // Each from nothing, as a program would that makes one terrain.
+      // Each generator is new, as in a program that makes one terrain.
       terrain::Terrain made;
       slope.push_back(seconds_of([&] { terrain::Generator{*world}.generate(region, made); }));
       std::int64_t steps = 0;

@@ -13,7 +13,7 @@
 
 namespace talus::tools {
 
-/// Seconds over the seeds.
+/// Seconds, as mean and deviation over the seeds.
 struct Table1Row {
   int side = 0;  // columns, and voxels a terrain unit: always one unit of terrain
   Spread erosion;
@@ -37,9 +37,9 @@ struct Table1 {
 /// material, by the erosion method to rest. Seeds are 1, 2, ...
 [[nodiscard]] Expected<Table1> run_table1(const WorldText& text, int seeds, ProgressBar& progress);
 
-/// For people.
+/// A table for people.
 [[nodiscard]] std::string to_text(const Table1& table);
-/// Everything in it, by name.
+/// All figures as JSON, by name.
 [[nodiscard]] std::string to_json(const Table1& table);
 /// An SVG picture: seconds over the side, both axes logarithmic, with the thesis' figures beside.
 [[nodiscard]] std::string to_svg(const Table1& table);

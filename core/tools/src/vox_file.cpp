@@ -50,7 +50,7 @@ class Content {
   std::vector<std::byte> bytes_;
 };
 
-// A transform node, of which every other node has one above it.
+// A transform node. Every other node has one as its parent.
 Content transform(std::int32_t node, std::int32_t child, std::int32_t layer, const std::string& name,
                   const std::string& translation) {
   using Entry = std::pair<std::string_view, std::string>;

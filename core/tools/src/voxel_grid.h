@@ -17,7 +17,7 @@ namespace talus::tools {
 /// lie together.
 class VoxelGrid {
  public:
-  /// All air.
+  /// A grid of air.
   VoxelGrid(int width, int rows, int depth)
       : width_{width},
         rows_{rows},
@@ -62,7 +62,7 @@ class VoxelGrid {
 [[nodiscard]] VoxelGrid grid_of_chunks(const terrain::World& world, const terrain::Region& region,
                                        std::int32_t bottom, int rows);
 
-/// Voxels of planes in the manner of terrain::Stacks, which need not be a world's: materials[k] lies under
+/// The voxels between planes laid out as in terrain::Stacks, from any source: materials[k] lies under
 /// tops[k], water between the last plane and the sea. From voxel row `bottom` up.
 [[nodiscard]] VoxelGrid grid_of_planes(std::span<const MaterialId> materials,
                                        std::span<const terrain::Field> tops,
@@ -72,7 +72,7 @@ class VoxelGrid {
 struct RowRange {
   std::int32_t lowest_ground = 0;  // row of the first free voxel over the lowest ground
   std::int32_t highest = 0;        // that over the highest ground or sea
-  /// Both ranges in one.
+  /// The range from the lower bottom to the higher top.
   [[nodiscard]] RowRange joined(RowRange other) const;
 };
 [[nodiscard]] RowRange rows_of_surface(const terrain::World& world, const terrain::Region& region);

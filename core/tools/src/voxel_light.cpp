@@ -87,7 +87,7 @@ float VoxelLight::measure_sky(const Meeting& meeting) const {
       const float x = centre.x + direction.x * static_cast<float>(reach);
       const float z = centre.z + direction.y * static_cast<float>(reach);
       const int top = rays_.top(static_cast<int>(std::floor(x)), static_cast<int>(std::floor(z)));
-      // What is far away counts less, or the rim of `reaches_` would be seen as a line.
+      // What is far away counts less, or the edge of `reaches_` would show as a line.
       const float fade = 1 - 0.6F * static_cast<float>(reach) / static_cast<float>(reaches_.back());
       tangent = std::max(tangent, (static_cast<float>(top) - centre.y) / static_cast<float>(reach) * fade);
     }

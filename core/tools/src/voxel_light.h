@@ -12,7 +12,7 @@
 
 namespace talus::tools {
 
-/// Rays to one sun among several that lie close together, so that shadows have soft rims.
+/// The direction to one of several suns that stand close together, so that shadows have soft edges.
 [[nodiscard]] glm::vec3 sun_direction(std::size_t which);
 
 /// For one thread at a time: remembers the faces that it saw last.

@@ -2,27 +2,26 @@
 
 #include <cerrno>
 #include <cstring>
-#include <filesystem>
 #include <fstream>
 #include <string>
-#include <system_error>
 #include <utility>
 
 #include <talus/height_files/height_files.h>
 #include <talus/toml/toml_bounds.h>
 
+#include "regular_file.h"
+
 namespace talus::tools {
 
 Expected<WorldText> read_world_text(const std::string& path) {
   if (path.empty()) return WorldText{std::string{terrain::default_world_toml()}, "the built-in world"};
-  std::error_code ignored;
-  if (std::filesystem::is_directory(path, ignored)) {
-    return failed(path + ": is a directory; --world takes a world.toml file");
+  if (const auto file = check_regular_file(path); !file) {
+    return failed(file.error().message + "; --world takes a world.toml file");
   }
   errno = 0;
   std::ifstream file{path, std::ios::binary};
   if (!file) return failed(path + ": cannot read the world file: " + std::strerror(errno));
-  // One byte past the bound is enough for the parser to refuse it; /dev/zero has no end.
+  // One byte past the bound is enough for the parser to refuse it.
   std::string text(kMaxTomlBytes + 1, '\0');
   file.read(text.data(), static_cast<std::streamsize>(text.size()));
   text.resize(static_cast<std::size_t>(file.gcount()));

@@ -9,7 +9,7 @@
 
 namespace talus::tools {
 
-/// A world spec as it was written, and how errors call it.
+/// The text of a world spec, and the name that errors give it.
 struct WorldText {
   std::string toml;
   std::string source;
@@ -18,7 +18,7 @@ struct WorldText {
 /// The spec in the file at `path`; that of the built-in default world where `path` is empty.
 [[nodiscard]] Expected<WorldText> read_world_text(const std::string& path);
 
-/// The world of read_world_text.
+/// The world that the text of read_world_text() describes.
 [[nodiscard]] Expected<terrain::World> load_world(const std::string& path);
 
 }  // namespace talus::tools

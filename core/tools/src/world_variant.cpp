@@ -30,7 +30,7 @@ std::string told(const WorldChanges& changes) {
 }  // namespace
 
 Expected<terrain::World> world_variant(const WorldText& text, const WorldChanges& changes) {
-  // Bounds and faults are the spec's own to find; what passes them is TOML.
+  // World::parse() says what is wrong with the text. What it accepts is TOML.
   if (auto unchanged = terrain::World::parse(text.toml, text.source, height_files::beside(text.source));
       !unchanged) {
     return failed(std::move(unchanged.error().message));
@@ -56,7 +56,7 @@ Expected<terrain::World> world_variant(const WorldText& text, const WorldChanges
   changed << document;
   auto world = terrain::World::parse(changed.str(), "", height_files::beside(text.source));
   if (world) return std::move(*world);
-  // ":LINE: " counts the lines of a text that nobody wrote.
+  // The message begins with ":LINE: ", a line of a text that nobody wrote.
   const std::string& message = world.error().message;
   return failed(text.source + told(changes) + ": " + message.substr(message.find(": ") + 2));
 }

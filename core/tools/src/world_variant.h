@@ -11,7 +11,7 @@
 
 namespace talus::tools {
 
-/// What to change; the rest of the spec stays as it is written, whatever it holds.
+/// What to change. The rest of the spec stays as it is written.
 struct WorldChanges {
   std::optional<std::int64_t> seed{};
   std::optional<int> resolution{};

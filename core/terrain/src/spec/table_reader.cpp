@@ -195,7 +195,7 @@ std::vector<TableReader> TableReader::tables(const std::string& key) {
 }
 
 std::optional<TomlDocument> TomlDocument::parse(std::string_view text, SpecErrors& errors) {
-  if (const auto fault = passes_toml_bounds(text)) {
+  if (const auto fault = find_toml_fault(text)) {
     errors.add(fault->line, fault->what);
     return std::nullopt;
   }

@@ -4,6 +4,8 @@
 #include <cstring>
 #include <memory>
 #include <string>
+#include <string_view>
+#include <utility>
 
 #include "commands/command.h"
 #include "export.h"
@@ -36,15 +38,23 @@ struct WorldAndRegion {
   terrain::Region region;
 };
 
-// The region from --origin and the world, of which the one may be wrong and the other missing.
-Expected<WorldAndRegion> at_origin(const Arguments& arguments, std::int64_t longest_side) {
-  const auto origin = parse_pair("--origin", arguments.place);
-  if (!origin) return tl::make_unexpected(origin.error());
+// How a command's region lies to its place.
+struct Placement {
+  const char* option;
+  Expected<terrain::Region> (*region)(std::string_view option, IntegerPair place, IntegerPair size, Lod lod);
+};
+constexpr Placement kCorner{"--origin", region_from_origin};
+constexpr Placement kMiddle{"--center", region_around};
+
+Expected<WorldAndRegion> world_and_region(const Arguments& arguments, const Placement& placement,
+                                          std::int64_t longest_side) {
+  const auto place = parse_pair(placement.option, arguments.place);
+  if (!place) return tl::make_unexpected(place.error());
   const auto size = parse_size("--size", arguments.size, longest_side);
   if (!size) return tl::make_unexpected(size.error());
   const auto lod = parse_lod(arguments.lod);
   if (!lod) return tl::make_unexpected(lod.error());
-  const auto region = region_from_origin("--origin", *origin, *size, *lod);
+  const auto region = placement.region(placement.option, *place, *size, *lod);
   if (!region) return tl::make_unexpected(region.error());
   auto world = load_world(arguments.world);
   if (!world) return tl::make_unexpected(world.error());
@@ -52,21 +62,14 @@ Expected<WorldAndRegion> at_origin(const Arguments& arguments, std::int64_t long
 }
 
 Expected<void> run_map(const Arguments& arguments) {
-  const auto centre = parse_pair("--center", arguments.place);
-  if (!centre) return tl::make_unexpected(centre.error());
-  const auto size = parse_size("--size", arguments.size, kMaxPictureSide);
-  if (!size) return tl::make_unexpected(size.error());
-  if (auto fits = check_picture_size("--size", size->first, size->second); !fits) return fits;
-  const auto lod = parse_lod(arguments.lod);
-  if (!lod) return tl::make_unexpected(lod.error());
-  const auto region = region_around("--center", *centre, *size, *lod);
-  if (!region) return tl::make_unexpected(region.error());
-  const auto world = load_world(arguments.world);
-  if (!world) return tl::make_unexpected(world.error());
+  const auto where = world_and_region(arguments, kMiddle, kMaxPictureSide);
+  if (!where) return tl::make_unexpected(where.error());
+  const terrain::Region& region = where->region;
+  if (auto fits = check_picture_size("--size", region.width, region.depth); !fits) return fits;
   auto file = PngFile::create(arguments.output);
   if (!file) return tl::make_unexpected(file.error());
   ProgressBar progress{"map", "columns"};
-  return file->write(render_map(*world, *region, {.threads = arguments.threads}, progress));
+  return file->write(render_map(where->world, region, {.threads = arguments.threads}, progress));
 }
 
 struct SectionArguments : Arguments {
@@ -95,7 +98,7 @@ Expected<void> run_section(const SectionArguments& arguments) {
 }
 
 Expected<void> run_export(const Arguments& arguments) {
-  const auto where = at_origin(arguments, kMaxExportSide);
+  const auto where = world_and_region(arguments, kCorner, kMaxExportSide);
   if (!where) return tl::make_unexpected(where.error());
   ProgressBar progress{"export", "columns"};
   return export_region(where->world, where->region, arguments.output, {.threads = arguments.threads},
@@ -103,7 +106,7 @@ Expected<void> run_export(const Arguments& arguments) {
 }
 
 Expected<void> run_hash(const Arguments& arguments) {
-  const auto where = at_origin(arguments, kMaxHashSide);
+  const auto where = world_and_region(arguments, kCorner, kMaxHashSide);
   if (!where) return tl::make_unexpected(where.error());
   std::string digits;
   {
@@ -121,7 +124,7 @@ struct VoxArguments : Arguments {
 };
 
 Expected<void> run_vox(const VoxArguments& arguments) {
-  const auto where = at_origin(arguments, kVoxSceneSide);
+  const auto where = world_and_region(arguments, kCorner, kVoxSceneSide);
   if (!where) return tl::make_unexpected(where.error());
   ProgressBar progress{"vox", "models"};
   return write_vox(where->world, where->region, arguments.output,

@@ -24,6 +24,6 @@ struct TomlFault {
 /// The first bound that the text breaks: length, parts of a key, depth of brackets, no strings of several
 /// lines (""" and ''', in which a line's end would hide what follows). Says nothing of whether the text is
 /// TOML.
-[[nodiscard]] std::optional<TomlFault> passes_toml_bounds(std::string_view text);
+[[nodiscard]] std::optional<TomlFault> find_toml_fault(std::string_view text);
 
 }  // namespace talus

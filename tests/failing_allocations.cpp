@@ -1,0 +1,46 @@
+#include "failing_allocations.h"
+
+#include <cstdlib>
+#include <limits>
+#include <new>
+
+namespace {
+
+constexpr std::size_t kNever = std::numeric_limits<std::size_t>::max();
+thread_local std::size_t left = kNever;  // until the allocation that fails
+thread_local bool failed = false;
+
+}  // namespace
+
+void* operator new(std::size_t size) {
+  if (left != kNever && left-- == 0) {
+    left = kNever;
+    failed = true;
+    throw std::bad_alloc{};
+  }
+  if (void* memory = std::malloc(size)) return memory;
+  throw std::bad_alloc{};
+}
+void operator delete(void* memory) noexcept {
+  std::free(memory);
+}
+void operator delete(void* memory, std::size_t) noexcept {
+  std::free(memory);
+}
+
+namespace talus::test {
+
+FailingAllocations::FailingAllocations(std::size_t allocations) {
+  left = allocations;
+  failed = false;
+}
+
+FailingAllocations::~FailingAllocations() {
+  left = kNever;
+}
+
+bool FailingAllocations::has_failed() const {
+  return failed;
+}
+
+}  // namespace talus::test

@@ -1,0 +1,78 @@
+// Refusals over real sockets, in the test's own thread.
+#include "net/refusals.h"
+
+#include <asio/io_context.hpp>
+#include <asio/ip/tcp.hpp>
+#include <asio/write.hpp>
+#include <catch2/catch.hpp>
+#include <new>
+#include <utility>
+#include <vector>
+
+#include "failing_allocations.h"
+
+using namespace talus::server;
+using asio::ip::tcp;
+using talus::test::FailingAllocations;
+
+namespace {
+
+struct Bench {
+  Refusals refusals;
+  asio::io_context io{1};
+  tcp::acceptor acceptor{io, {asio::ip::address_v4::loopback(), 0}};
+
+  /// The client's end and the server's.
+  [[nodiscard]] std::pair<tcp::socket, tcp::socket> connect() {
+    tcp::socket client{io};
+    client.connect(acceptor.local_endpoint());
+    return {std::move(client), acceptor.accept()};
+  }
+  /// Bytes that a client is sent before the end.
+  [[nodiscard]] std::size_t bytes_of_refusal() {
+    auto [client, socket] = connect();
+    refusals.refuse(std::move(socket), "no", std::chrono::milliseconds{1});
+    io.restart();
+    io.poll();
+    client.shutdown(tcp::socket::shutdown_send);
+    std::vector<std::byte> said(1024);
+    std::error_code ended;
+    const std::size_t bytes = client.read_some(asio::buffer(said), ended);
+    while (io.run_one() > 0) continue;  // until the server has seen the end
+    return bytes;
+  }
+};
+
+}  // namespace
+
+TEST_CASE("a client that is refused is told so") {
+  Bench bench;
+  for (std::size_t i = 0; i < 2 * Refusals::kMax; ++i) REQUIRE(bench.bytes_of_refusal() > 0);
+}
+
+TEST_CASE("more refusals than may be in flight are closed without a word, until one has ended") {
+  Bench bench;
+  std::vector<tcp::socket> clients;
+  for (std::size_t i = 0; i < Refusals::kMax; ++i) {
+    auto [client, socket] = bench.connect();
+    bench.refusals.refuse(std::move(socket), "no", std::chrono::milliseconds{1});
+    clients.push_back(std::move(client));
+  }
+  bench.io.poll();
+  CHECK(bench.bytes_of_refusal() == 0);
+  clients.clear();
+  bench.io.restart();
+  bench.io.run();
+  CHECK(bench.bytes_of_refusal() > 0);
+}
+
+TEST_CASE("a refusal that finds no memory takes no place from the next") {
+  Bench bench;
+  for (std::size_t i = 0; i < Refusals::kMax; ++i) {
+    auto [client, socket] = bench.connect();
+    const FailingAllocations failing{i % 2};
+    CHECK_THROWS_AS(bench.refusals.refuse(std::move(socket), "no", std::chrono::milliseconds{1}),
+                    std::bad_alloc);
+  }
+  CHECK(bench.bytes_of_refusal() > 0);
+}
