@@ -5,9 +5,11 @@
 // there are requests in flight, which limits.requests_in_flight bounds.
 #pragma once
 
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -29,7 +31,7 @@ class IdMap {
   /// REQUIRES: the map has no `id`, which is not 0.
   void insert(std::uint32_t id, Value value) {
     if (2 * (size_ + 1) > slots_.size()) grow();
-    place({id, std::move(value)});
+    place(id, std::move(value));
     ++size_;
   }
 
@@ -41,10 +43,7 @@ class IdMap {
     if (--size_ == 0 && slots_.size() > kMaxIdleSlots) clear();
   }
 
-  void clear() {
-    slots_ = {};
-    size_ = 0;
-  }
+  void clear() { *this = {}; }
 
   /// Calls visit(id, value) for each, in no order.
   template <typename Visit>
@@ -55,6 +54,7 @@ class IdMap {
   }
 
  private:
+  static_assert(std::is_trivially_destructible_v<Value>, "a vacant slot keeps its last value");
   struct Slot {
     std::uint32_t id = kVacant;
     Value value{};
@@ -66,9 +66,7 @@ class IdMap {
 
   // Clients count their ids up. Side by side they would make one long run, which every erase() walks along;
   // multiplied by 2^32 over the golden ratio they lie apart.
-  [[nodiscard]] std::size_t home_of(std::uint32_t id) const {
-    return std::size_t{(id * 0x9E3779B9U) >> 8} & (slots_.size() - 1);
-  }
+  [[nodiscard]] std::size_t home_of(std::uint32_t id) const { return (id * 0x9E3779B9U) >> shift_; }
   [[nodiscard]] std::size_t after(std::size_t at) const { return (at + 1) & (slots_.size() - 1); }
 
   [[nodiscard]] std::size_t index_of(std::uint32_t id) const {
@@ -81,17 +79,19 @@ class IdMap {
     return at;
   }
 
-  void place(Slot slot) {
-    std::size_t at = home_of(slot.id);
+  void place(std::uint32_t id, Value&& value) {
+    std::size_t at = home_of(id);
     while (slots_[at].id != kVacant) at = after(at);
-    slots_[at] = std::move(slot);
+    slots_[at].id = id;
+    slots_[at].value = std::move(value);
   }
 
   void grow() {
     std::vector<Slot> before(slots_.empty() ? kMinSlots : 2 * slots_.size());
     before.swap(slots_);
+    shift_ = 32 - std::countr_zero(slots_.size());
     for (Slot& slot : before) {
-      if (slot.id != kVacant) place(std::move(slot));
+      if (slot.id != kVacant) place(slot.id, std::move(slot.value));
     }
   }
 
@@ -104,11 +104,12 @@ class IdMap {
       slots_[gap] = std::move(slots_[at]);
       gap = at;
     }
-    slots_[gap] = {};
+    slots_[gap].id = kVacant;
   }
 
   std::vector<Slot> slots_;  // a power of two of them, or none
   std::size_t size_ = 0;
+  int shift_ = 32;  // of the product: what is left numbers the slots
 };
 
 }  // namespace talus::server
