@@ -29,13 +29,11 @@ tl::expected<Lod, RangeError> Lod::checked(std::int64_t level) {
 
 tl::expected<ChunkKey, RangeError> checked_chunk(std::int64_t x, std::int64_t y, std::int64_t z, Lod lod) {
   const std::int64_t limit = chunk_limit(lod);
-  const auto inside = [limit](std::int64_t value) { return -limit <= value && value < limit; };
-  if (!inside(x) || !inside(y) || !inside(z)) {
-    const auto [axis, value] = !inside(x)   ? std::pair{'x', x}
-                               : !inside(y) ? std::pair{'y', y}
-                                            : std::pair{'z', z};
-    return tl::unexpected{
-        RangeError{outside(std::string{"chunk "} + axis, value, -limit, limit - 1) + at_level(lod)}};
+  for (const auto& [axis, value] : {std::pair{'x', x}, std::pair{'y', y}, std::pair{'z', z}}) {
+    if (value < -limit || value >= limit) {
+      return tl::unexpected{
+          RangeError{outside(std::string{"chunk "} + axis, value, -limit, limit - 1) + at_level(lod)}};
+    }
   }
   return ChunkKey{{static_cast<std::int32_t>(x), static_cast<std::int32_t>(y), static_cast<std::int32_t>(z)},
                   lod};
