@@ -108,11 +108,12 @@ function(talus_module name)
   talus_join_kernels(talus_${name})
 endfunction()
 
-# talus_server_module(NAME [BRIEF] SOURCES ... LINK libraries ...): the folder server/NAME as a target talus_server_NAME,
-# which links the modules of the server that docs/modules.txt lets it include, so that a test links a module by itself.
-# BRIEF: all of it runs once or seldom and is compiled by -O1.
+# talus_server_module(NAME [BRIEF|HOT] SOURCES ... LINK libraries ...): the folder server/NAME as a target
+# talus_server_NAME, which links the modules of the server that docs/modules.txt lets it include, so that a test links a
+# module by itself.
+# BRIEF: all of it runs once or seldom and is compiled by -O1. HOT: every answer runs through it, and it is compiled by -O3.
 function(talus_server_module name)
-  cmake_parse_arguments(MODULE "BRIEF" "" "SOURCES;LINK" ${ARGN})
+  cmake_parse_arguments(MODULE "BRIEF;HOT" "" "SOURCES;LINK" ${ARGN})
   set(target talus_server_${name})
   talus_dependencies(server/${name} depends)
   list(FILTER depends INCLUDE REGEX "^server/")
@@ -127,7 +128,9 @@ function(talus_server_module name)
   target_include_directories(${target} PUBLIC ${PROJECT_SOURCE_DIR}/server)
   target_compile_definitions(${target} PRIVATE TALUS_VERSION="${PROJECT_VERSION}")
   target_link_libraries(${target} PUBLIC ${depends} ${MODULE_LINK} PRIVATE talus_flags)
-  talus_optimise(${target} $<IF:$<BOOL:${MODULE_BRIEF}>,1,2>)
+  if(NOT MODULE_HOT)
+    talus_optimise(${target} $<IF:$<BOOL:${MODULE_BRIEF}>,1,2>)
+  endif()
 endfunction()
 
 # talus_dependencies(MODULE VARIABLE): the modules that docs/modules.txt lets MODULE include.

@@ -41,11 +41,14 @@ class ClockCache {
   explicit ClockCache(std::size_t capacity_bytes) : capacity_bytes_{capacity_bytes} {}
 
   /// The value; null where there is none. Valid until the next change. A use.
-  [[nodiscard]] const Value* find(const Key& key) {
-    const std::size_t at = bucket_of(key);
+  [[nodiscard]] const Value* find(const Key& key) { return find(key, std::hash<Key>{}(key)); }
+  /// For who knows the key's hash already.
+  [[nodiscard]] const Value* find(const Key& key, std::size_t hash) {
+    const std::size_t at = bucket_of(key, static_cast<std::uint32_t>(hash));
     if (at == kNotFound) return nullptr;
     Slot& slot = slots_[buckets_[at].slot];
-    slot.used = true;
+    // A write where it is set already would take the cache line from every other core that reads it.
+    if (!slot.used) slot.used = true;
     return &slot.value;
   }
 
@@ -106,9 +109,9 @@ class ClockCache {
   [[nodiscard]] std::size_t home_of(Bucket bucket) const { return bucket.tag & (buckets_.size() - 1); }
   [[nodiscard]] std::size_t after(std::size_t at) const { return (at + 1) & (buckets_.size() - 1); }
 
-  [[nodiscard]] std::size_t bucket_of(const Key& key) const {
+  [[nodiscard]] std::size_t bucket_of(const Key& key) const { return bucket_of(key, tag_of(key)); }
+  [[nodiscard]] std::size_t bucket_of(const Key& key, std::uint32_t tag) const {
     if (buckets_.empty()) return kNotFound;
-    const std::uint32_t tag = tag_of(key);
     for (std::size_t at = home_of({tag, 0}); buckets_[at].slot != kVacant; at = after(at)) {
       if (buckets_[at].tag == tag && slots_[buckets_[at].slot].key == key) return at;
     }

@@ -21,22 +21,23 @@ class ShardedCache {
       : shards_{make_shards(capacity_bytes / kShards, std::make_index_sequence<kShards>{})} {}
 
   [[nodiscard]] std::optional<Value> find(const Key& key) {
-    Shard& shard = shard_of(key);
+    const std::size_t hash = std::hash<Key>{}(key);
+    Shard& shard = shard_of(hash);
     const std::lock_guard lock{shard.mutex};
-    const Value* const value = shard.values.find(key);
+    const Value* const value = shard.values.find(key, hash);
     return value == nullptr ? std::nullopt : std::optional{*value};
   }
 
   /// Not a use.
   [[nodiscard]] bool holds(const Key& key) {
-    Shard& shard = shard_of(key);
+    Shard& shard = shard_of(std::hash<Key>{}(key));
     const std::lock_guard lock{shard.mutex};
     return shard.values.holds(key);
   }
 
   /// `value_bytes` is what the value holds beside itself.
   void put(const Key& key, Value value, std::size_t value_bytes) {
-    Shard& shard = shard_of(key);
+    Shard& shard = shard_of(std::hash<Key>{}(key));
     const std::lock_guard lock{shard.mutex};
     shard.values.put(key, std::move(value), value_bytes);
   }
@@ -72,7 +73,7 @@ class ShardedCache {
   }
 
   // The map inside the shard uses the low bits of the same hash.
-  [[nodiscard]] Shard& shard_of(const Key& key) { return shards_[(std::hash<Key>{}(key) >> 40) % kShards]; }
+  [[nodiscard]] Shard& shard_of(std::size_t hash) { return shards_[(hash >> 40) % kShards]; }
 
   std::array<Shard, kShards> shards_;
 };

@@ -13,13 +13,17 @@ MixedRows rows_of(const terrain::MixedRange& range) {
 
 TerrainGenerator::TerrainGenerator(std::shared_ptr<const terrain::World> world, int patch_tiles)
     : world_{std::move(world)}, patch_tiles_{patch_tiles} {
+  // Every request looks here first, and working it out costs as much as a look into the cache.
+  for (int level = 0; level <= Lod::kMax; ++level) {
+    rows_anywhere_[static_cast<std::size_t>(level)] = rows_of(terrain::mixed_range(*world_, Lod::of(level)));
+  }
   for (const terrain::Material& material : world_->materials()) {
     uniform_.push_back(encode_shared(Chunk::uniform(material.id)));
   }
 }
 
 EncodedChunkPtr TerrainGenerator::instant(ChunkKey key) const {
-  const auto material = terrain::uniform_everywhere(*world_, key);
+  const auto material = mixed_rows_anywhere(key.lod).uniform_at(key.coord.y);
   return material ? uniform(*material) : nullptr;
 }
 
@@ -28,7 +32,7 @@ EncodedChunkPtr TerrainGenerator::uniform(MaterialId material) const {
 }
 
 MixedRows TerrainGenerator::mixed_rows_anywhere(Lod lod) const {
-  return rows_of(terrain::mixed_range(*world_, lod));
+  return rows_anywhere_[static_cast<std::size_t>(lod.value())];
 }
 
 MixedRows TerrainGenerator::mixed_rows(const terrain::Stacks& stacks, ChunkKey key) const {

@@ -1,6 +1,8 @@
 // The Generator of a terrain::World.
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <memory>
 #include <mutex>
 #include <vector>
@@ -35,7 +37,8 @@ class TerrainGenerator final : public Generator {
 
   const std::shared_ptr<const terrain::World> world_;
   const int patch_tiles_;
-  std::vector<EncodedChunkPtr> uniform_;  // by material id
+  std::array<MixedRows, Lod::kMax + 1> rows_anywhere_;  // by level
+  std::vector<EncodedChunkPtr> uniform_;                // by material id
   mutable std::mutex idle_mutex_;
   mutable std::vector<std::unique_ptr<terrain::Generator>> idle_;
 };

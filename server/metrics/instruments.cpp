@@ -4,10 +4,9 @@
 
 namespace talus::server {
 
-std::size_t stripe() {
+std::size_t next_stripe() {
   static std::atomic<std::size_t> threads{0};
-  thread_local const std::size_t mine = threads.fetch_add(1, std::memory_order_relaxed) % kStripes;
-  return mine;
+  return threads.fetch_add(1, std::memory_order_relaxed) % kStripes;
 }
 
 std::uint64_t Counter::total() const {

@@ -74,7 +74,9 @@ void Delivery::receive(ChunkReady&& mail) {
   const auto waiters = waits_.take(key);
   if (!waiters) return;  // the last one left while the answer came
   context_.metrics.cold_latency.add(context_.clock.now() - waiters->since);
-  for (const std::uint32_t id : waiters->requests) answer_request(id, answer);
+  for (const std::uint32_t id : waiters->requests) {
+    answer ? answer_request(id, *requests_.chunk(id), *answer) : fail_request(id, answer.error());
+  }
   if (waiters->view) answer_view(key, std::move(answer));
 }
 
@@ -120,10 +122,10 @@ EncodedChunkPtr Delivery::find(ChunkKey key) {
 }
 
 void Delivery::start_request(std::uint32_t id) {
-  const ChunkKey key = requests_.chunk(id)->key;
-  if (EncodedChunkPtr chunk = find(key)) {
-    answer_request(id, std::move(chunk));
-  } else if (ChunkWaits::Waiters* const waiters = wait_for(key)) {
+  const PendingRequests::ChunkRequest& request = *requests_.chunk(id);
+  if (EncodedChunkPtr chunk = find(request.key)) {
+    answer_request(id, request, std::move(chunk));
+  } else if (ChunkWaits::Waiters* const waiters = wait_for(request.key)) {
     waiters->requests.push_back(id);
   } else {
     replies_.error(id, ErrorCode::overloaded,
@@ -151,14 +153,16 @@ ChunkWaits::Waiters* Delivery::wait_for(ChunkKey key) {
   return &waits_.add(key, context_.clock.now());
 }
 
-void Delivery::answer_request(std::uint32_t id, ChunkAnswer answer) {
-  if (!answer) {
-    replies_.error(id, ErrorCode::internal, fmt::format("the chunk failed: {}", answer.error().reason),
-                   retry_after::kFailed);
-    requests_.erase(id);
-  } else if (!confirm_request(id, **answer)) {
-    outbox_.push_chunk({id, requests_.chunk(id)->key, *std::move(answer)});  // pending until it is written
-  }
+void Delivery::answer_request(std::uint32_t id, const PendingRequests::ChunkRequest& request,
+                              EncodedChunkPtr chunk) {
+  if (confirm_request(id, request, *chunk)) return;
+  outbox_.push_chunk({id, request.key, std::move(chunk)});  // pending until it is written
+}
+
+void Delivery::fail_request(std::uint32_t id, const GenerationFailed& failure) {
+  replies_.error(id, ErrorCode::internal, fmt::format("the chunk failed: {}", failure.reason),
+                 retry_after::kFailed);
+  requests_.erase(id);
 }
 
 void Delivery::answer_view(ChunkKey key, ChunkAnswer answer) {
@@ -174,8 +178,8 @@ void Delivery::answer_view(ChunkKey key, ChunkAnswer answer) {
   outbox_.push_chunk({0, key, *std::move(answer)});
 }
 
-bool Delivery::confirm_request(std::uint32_t id, const EncodedChunk& chunk) {
-  const PendingRequests::ChunkRequest& request = *requests_.chunk(id);
+bool Delivery::confirm_request(std::uint32_t id, const PendingRequests::ChunkRequest& request,
+                               const EncodedChunk& chunk) {
   if (request.known != chunk.hash()) return false;
   replies_.unchanged(id, request.key, chunk);
   requests_.erase(id);
@@ -213,8 +217,9 @@ bool Delivery::refresh(Outbox::Entry& entry) {
   EncodedChunkPtr newer = context_.chunks.newer(entry.key, entry.chunk->revision());
   if (newer == nullptr) return true;
   entry.chunk = std::move(newer);
-  return entry.request_id != 0 ? !confirm_request(entry.request_id, *entry.chunk)
-                               : !confirm_view(entry.key, *entry.chunk);
+  return entry.request_id != 0
+             ? !confirm_request(entry.request_id, *requests_.chunk(entry.request_id), *entry.chunk)
+             : !confirm_view(entry.key, *entry.chunk);
 }
 
 void Delivery::sent(const Outbox::Entry& entry) {
@@ -238,7 +243,8 @@ void Delivery::abandon() {
 }
 
 std::size_t Delivery::bytes() const {
-  constexpr std::size_t kPerRequest = 128;  // here and in the source's queue
+  constexpr std::size_t kPerRequest =
+      256;  // here, in a table that may be a quarter full, and in the source's queue
   return view_.bytes() + (requests_.size() + waits_.size()) * kPerRequest;
 }
 

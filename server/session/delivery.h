@@ -87,10 +87,13 @@ class Delivery {
   /// The chunk's waiters, after it was submitted if need be; null where the source refused it.
   [[nodiscard]] ChunkWaits::Waiters* wait_for(ChunkKey key);
 
-  void answer_request(std::uint32_t id, ChunkAnswer answer);
+  /// `request` is the pending one of `id`.
+  void answer_request(std::uint32_t id, const PendingRequests::ChunkRequest& request, EncodedChunkPtr chunk);
+  void fail_request(std::uint32_t id, const GenerationFailed& failure);
   void answer_view(ChunkKey key, ChunkAnswer answer);
   /// Where the client holds this version of the chunk: answers by Unchanged.
-  [[nodiscard]] bool confirm_request(std::uint32_t id, const EncodedChunk& chunk);
+  [[nodiscard]] bool confirm_request(std::uint32_t id, const PendingRequests::ChunkRequest& request,
+                                     const EncodedChunk& chunk);
   [[nodiscard]] bool confirm_view(ChunkKey key, const EncodedChunk& chunk);
   /// Where the chunk is known to be uniform: answers by UniformColumn, for all uniform chunks of its column
   /// that the View still waits for.

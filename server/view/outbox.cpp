@@ -15,7 +15,7 @@ void Outbox::push_control(protocol::Frame frame) {
   control_.push_back(std::move(frame));
 }
 
-void Outbox::push_chunk(Entry entry) {
+void Outbox::push_chunk(Entry&& entry) {
   entry.chunk->prefetch();  // it is written soon, among others that lie as far apart in memory
   chunk_bytes_ += cost(*entry.chunk);
   chunks_.push_back(std::move(entry));
@@ -38,10 +38,6 @@ std::size_t Outbox::bytes_to_copy(std::size_t shared_from) const {
   constexpr std::size_t kHeadBytes = 160;  // more than what stands before a chunk's payload
   const bool shares = shared_from == 0 || chunk_bytes_ / shared_from > chunks_.size();
   return control_bytes_ + (shares ? kHeadBytes * chunks_.size() : chunk_bytes_);
-}
-
-std::size_t Outbox::cost(const EncodedChunk& chunk) {
-  return sizeof(Entry) + chunk.bytes();
 }
 
 }  // namespace talus::server

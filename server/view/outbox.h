@@ -33,7 +33,7 @@ class Outbox {
   };
 
   void push_control(protocol::Frame frame);
-  void push_chunk(Entry entry);
+  void push_chunk(Entry&& entry);
 
   /// Removes the chunks for which `unwanted(entry)` returns true.
   template <typename Unwanted>
@@ -80,7 +80,7 @@ class Outbox {
   /// `shared_from` bytes and more are not copied.
   [[nodiscard]] std::size_t bytes_to_copy(std::size_t shared_from) const;
   /// What a waiting chunk adds to chunk_bytes().
-  [[nodiscard]] static std::size_t cost(const EncodedChunk& chunk);
+  [[nodiscard]] static std::size_t cost(const EncodedChunk& chunk) { return sizeof(Entry) + chunk.bytes(); }
 
  private:
   void take_control(std::size_t enough_bytes, Output& output);

@@ -1,6 +1,34 @@
 #include "view/output.h"
 
+#include <utility>
+
 namespace talus::server {
+namespace {
+
+// Of one thread: as many as are written at once, as a rule. No larger than a usual write, because an output
+// of a few bytes may hold one of them for as long as its client reads nothing.
+constexpr std::size_t kMaxSpares = 4;
+constexpr std::size_t kMaxSpareBytes = std::size_t{32} * 1024;
+
+std::vector<std::vector<std::byte>>& spares() {
+  thread_local std::vector<std::vector<std::byte>> mine;
+  return mine;
+}
+
+}  // namespace
+
+Output::Output(std::size_t shared_from) : shared_from_{shared_from} {
+  auto& memory = spares();
+  if (memory.empty()) return;
+  copied_ = std::move(memory.back());
+  memory.pop_back();
+}
+
+Output::~Output() {
+  if (copied_.capacity() == 0 || copied_.capacity() > kMaxSpareBytes || spares().size() >= kMaxSpares) return;
+  copied_.clear();
+  spares().push_back(std::move(copied_));
+}
 
 void Output::append(std::span<const std::byte> frame) {
   copied_.insert(copied_.end(), frame.begin(), frame.end());

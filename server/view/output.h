@@ -21,7 +21,12 @@ class Output {
   static constexpr std::size_t kCopyAll = SIZE_MAX;
 
   /// Frames of `shared_from` bytes and more are not copied.
-  explicit Output(std::size_t shared_from = kCopyAll) : shared_from_{shared_from} {}
+  explicit Output(std::size_t shared_from = kCopyAll);
+  /// A thread keeps the memory of some outputs for the next: writes come one after the other, each of some
+  /// KiB, which an allocator takes apart and puts together again every time.
+  ~Output();
+  Output(Output&&) noexcept = default;
+  Output& operator=(Output&&) = delete;
 
   void reserve(std::size_t bytes) { copied_.reserve(bytes); }
   void append(std::span<const std::byte> frame);

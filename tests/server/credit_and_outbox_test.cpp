@@ -196,3 +196,16 @@ TEST_CASE("a write has the same bytes whether large chunks are copied into it or
     RC_ASSERT(shared.pieces().size() >= 2 * large);
   }));
 }
+
+TEST_CASE("an output that takes over the memory of another begins empty") {
+  const std::vector<std::byte> frame(1000, std::byte{7});
+  for (const std::size_t frames : {1U, 5U, 100U, 2U, 1U}) {
+    Output output;
+    CHECK(output.size() == 0);
+    CHECK(output.pieces().empty());
+    for (std::size_t i = 0; i < frames; ++i) output.append(frame);
+    CHECK(output.size() == frames * frame.size());
+    REQUIRE(output.pieces().size() == 1);
+    CHECK(output.pieces().front().size() == output.size());
+  }
+}

@@ -10,8 +10,18 @@
 using namespace talus;
 using namespace talus::server;
 
+namespace {
+
+// Times IdMap's multiplier this is 1 (mod 2^32): so its multiples by small numbers all have the first slot
+// for their home.
+constexpr std::uint32_t kInverse = 0x144CBC89U;
+static_assert(kInverse * 0x9E3779B9U == 1);
+
+}  // namespace
+
 TEST_CASE("pending requests do what plain maps would do, and start in the order asked") {
-  CHECK(rc::check([] {
+  const std::uint32_t spread = GENERATE(1U, kInverse);
+  CHECK(rc::check([spread] {
     PendingRequests pending;
     std::map<std::uint32_t, std::int32_t> chunks;  // chunk requests: id to x
     std::vector<std::uint32_t> unstarted;
@@ -20,7 +30,8 @@ TEST_CASE("pending requests do what plain maps would do, and start in the order 
     std::int32_t asked = 0;
     const auto steps = *rc::gen::container<std::vector<std::pair<int, std::uint32_t>>>(
         rc::gen::pair(rc::gen::inRange(0, 5), rc::gen::inRange(1U, 40U)));
-    for (const auto& [what, id] : steps) {
+    for (const auto& [what, number] : steps) {
+      const std::uint32_t id = number * spread;
       const bool known = chunks.contains(id) || tickets.contains(id);
       RC_ASSERT(pending.contains(id) == known);
       if (what <= 1 && !known) {
@@ -54,4 +65,23 @@ TEST_CASE("pending requests do what plain maps would do, and start in the order 
     }
     for (const auto& [id, ticket] : tickets) RC_ASSERT(pending.heights_ticket(id) == ticket);
   }));
+}
+
+TEST_CASE("no request has the id 0, which clients may name in a Cancel") {
+  PendingRequests pending;
+  CHECK(pending.chunk(0) == nullptr);
+  pending.add_chunk(1, {});
+  CHECK_FALSE(pending.contains(0));
+  pending.erase(0);
+  CHECK(pending.size() == 1);
+}
+
+TEST_CASE("a thousand requests are found, and answered in any order") {
+  PendingRequests pending;
+  for (std::uint32_t id = 1; id <= 1000; ++id) pending.add_heights(id, id, 1);
+  for (std::uint32_t id = 1; id <= 1000; id += 2) pending.erase(id);
+  for (std::uint32_t id = 1; id <= 1000; ++id) CHECK(pending.contains(id) == (id % 2 == 0));
+  for (std::uint32_t id = 1000; id >= 2; id -= 2) pending.erase(id);
+  CHECK(pending.empty());
+  CHECK(pending.heights_bytes() == 0);
 }

@@ -85,6 +85,20 @@ TEST_CASE("a chunk is known at once exactly where its row is uniform everywhere"
   }
 }
 
+TEST_CASE("every level has its own rows that are uniform everywhere") {
+  const TerrainGenerator generator{world(), kTiles};
+  for (int level = 0; level <= Lod::kMax; ++level) {
+    const Lod lod = Lod::of(level);
+    const MixedRows rows = generator.mixed_rows_anywhere(lod);
+    const terrain::MixedRange range = terrain::mixed_range(*world(), lod);
+    CHECK(rows.first == range.first);
+    CHECK(rows.last == range.last);
+    const ChunkKey over{{0, range.last + 1, 0}, lod};
+    CHECK(generator.instant(over) == generator.uniform(kAir));
+    CHECK(generator.instant({{0, range.last, 0}, lod}) == nullptr);
+  }
+}
+
 TEST_CASE("every material of the world has its uniform chunk") {
   const TerrainGenerator generator{world(), kTiles};
   for (const terrain::Material& material : world()->materials()) {

@@ -1,0 +1,115 @@
+// A map by request id, for what comes and goes with every answer: a table of a power of two slots, searched
+// from the id's own slot on. No node is allocated and nothing is divided, unlike in std::unordered_map.
+//
+// A client chooses its ids, and may choose them so that they meet: a call then looks at no more slots than
+// there are requests in flight, which limits.requests_in_flight bounds.
+#pragma once
+
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace talus::server {
+
+/// Ids begin at 1; there is never a value of 0.
+template <typename Value>
+class IdMap {
+ public:
+  [[nodiscard]] std::size_t size() const { return size_; }
+  [[nodiscard]] bool empty() const { return size_ == 0; }
+
+  /// Null where there is none. Valid until the next change.
+  [[nodiscard]] const Value* find(std::uint32_t id) const {
+    const std::size_t at = index_of(id);
+    return at == kNotFound ? nullptr : &slots_[at].value;
+  }
+
+  /// REQUIRES: the map has no `id`, which is not 0.
+  void insert(std::uint32_t id, Value value) {
+    if (2 * (size_ + 1) > slots_.size()) grow();
+    place(id, std::move(value));
+    ++size_;
+  }
+
+  /// No effect where there is none. A large table that is empty then gives its memory back.
+  void erase(std::uint32_t id) {
+    const std::size_t at = index_of(id);
+    if (at == kNotFound) return;
+    close_gap(at);
+    if (--size_ == 0 && slots_.size() > kMaxIdleSlots) clear();
+  }
+
+  void clear() { *this = {}; }
+
+  /// Calls visit(id, value) for each, in no order.
+  template <typename Visit>
+  void for_each(Visit&& visit) const {
+    for (const Slot& slot : slots_) {
+      if (slot.id != kVacant) visit(slot.id, slot.value);
+    }
+  }
+
+ private:
+  static_assert(std::is_trivially_destructible_v<Value>, "a vacant slot keeps its last value");
+  struct Slot {
+    std::uint32_t id = kVacant;
+    Value value{};
+  };
+  static constexpr std::uint32_t kVacant = 0;
+  static constexpr std::size_t kNotFound = std::numeric_limits<std::size_t>::max();
+  static constexpr std::size_t kMinSlots = 16;
+  static constexpr std::size_t kMaxIdleSlots = 128;
+
+  // Clients count their ids up. Side by side they would make one long run, which every erase() walks along;
+  // multiplied by 2^32 over the golden ratio they lie apart.
+  [[nodiscard]] std::size_t home_of(std::uint32_t id) const { return (id * 0x9E3779B9U) >> shift_; }
+  [[nodiscard]] std::size_t after(std::size_t at) const { return (at + 1) & (slots_.size() - 1); }
+
+  [[nodiscard]] std::size_t index_of(std::uint32_t id) const {
+    if (id == kVacant || slots_.empty()) return kNotFound;
+    std::size_t at = home_of(id);
+    while (slots_[at].id != id) {
+      if (slots_[at].id == kVacant) return kNotFound;
+      at = after(at);
+    }
+    return at;
+  }
+
+  void place(std::uint32_t id, Value&& value) {
+    std::size_t at = home_of(id);
+    while (slots_[at].id != kVacant) at = after(at);
+    slots_[at].id = id;
+    slots_[at].value = std::move(value);
+  }
+
+  void grow() {
+    std::vector<Slot> before(slots_.empty() ? kMinSlots : 2 * slots_.size());
+    before.swap(slots_);
+    shift_ = 32 - std::countr_zero(slots_.size());
+    for (Slot& slot : before) {
+      if (slot.id != kVacant) place(slot.id, std::move(slot.value));
+    }
+  }
+
+  /// What stands behind the gap and could not be found any more moves up.
+  void close_gap(std::size_t gap) {
+    for (std::size_t at = after(gap); slots_[at].id != kVacant; at = after(at)) {
+      const std::size_t way_from_home = (at - home_of(slots_[at].id)) & (slots_.size() - 1);
+      const std::size_t way_from_gap = (at - gap) & (slots_.size() - 1);
+      if (way_from_home < way_from_gap) continue;
+      slots_[gap] = std::move(slots_[at]);
+      gap = at;
+    }
+    slots_[gap].id = kVacant;
+  }
+
+  std::vector<Slot> slots_;  // a power of two of them, or none
+  std::size_t size_ = 0;
+  int shift_ = 32;  // of the product: what is left numbers the slots
+};
+
+}  // namespace talus::server
