@@ -108,26 +108,54 @@ function(talus_module name)
   talus_join_kernels(talus_${name})
 endfunction()
 
-# talus_server_module(NAME [BRIEF] SOURCES ... LINK libraries ...): the folder server/NAME as a target talus_server_NAME,
-# which links the modules of the server that docs/modules.txt lets it include, so that a test links a module by itself.
-# BRIEF: all of it runs once or seldom and is compiled by -O1.
+# Without tests no program links a module of the server by itself. A unity build then compiles each part of the server as
+# one source, so that what its modules share, such as Asio, is parsed and instantiated once and not for each module.
+if(CMAKE_UNITY_BUILD AND NOT (TALUS_TESTS OR TALUS_BENCH OR TALUS_FUZZ))
+  set(talus_joined ON)
+endif()
+
+# talus_server_part(NAME LEVEL): begins a part of the server. The modules that follow are its, and compiled by -OLEVEL.
+macro(talus_server_part name level)
+  set(talus_part ${name})
+  set(talus_part_level ${level})
+  if(talus_joined)
+    set(target talus_server_part_${name})
+    add_library(${target} OBJECT)
+    set_target_properties(${target} PROPERTIES UNITY_BUILD_BATCH_SIZE 0)
+    talus_server_flags(${target})
+    list(APPEND talus_parts $<TARGET_OBJECTS:${target}>)
+  endif()
+endmacro()
+
+# talus_server_flags(TARGET): what every target of the server is compiled by.
+function(talus_server_flags target)
+  target_compile_definitions(${target} PRIVATE TALUS_VERSION="${PROJECT_VERSION}")
+  target_link_libraries(${target} PRIVATE talus_flags)
+  talus_optimise(${target} ${talus_part_level})
+endfunction()
+
+# talus_server_module(NAME SOURCES ... LINK libraries ...): the folder server/NAME as a target talus_server_NAME, which
+# links the modules of the server that docs/modules.txt lets it include, so that a test links a module by itself.
 function(talus_server_module name)
-  cmake_parse_arguments(MODULE "BRIEF" "" "SOURCES;LINK" ${ARGN})
+  cmake_parse_arguments(MODULE "" "" "SOURCES;LINK" ${ARGN})
   set(target talus_server_${name})
   talus_dependencies(server/${name} depends)
   list(FILTER depends INCLUDE REGEX "^server/")
   list(TRANSFORM depends REPLACE "^server/" "talus_server_")
-  if(NOT MODULE_SOURCES)
+  if(talus_joined OR NOT MODULE_SOURCES)
     add_library(${target} INTERFACE)
-    target_include_directories(${target} INTERFACE ${PROJECT_SOURCE_DIR}/server)
-    target_link_libraries(${target} INTERFACE ${depends} ${MODULE_LINK})
-    return()
+    set(scope INTERFACE)
+  else()
+    add_library(${target} STATIC ${MODULE_SOURCES})
+    set(scope PUBLIC)
+    talus_server_flags(${target})
   endif()
-  add_library(${target} STATIC ${MODULE_SOURCES})
-  target_include_directories(${target} PUBLIC ${PROJECT_SOURCE_DIR}/server)
-  target_compile_definitions(${target} PRIVATE TALUS_VERSION="${PROJECT_VERSION}")
-  target_link_libraries(${target} PUBLIC ${depends} ${MODULE_LINK} PRIVATE talus_flags)
-  talus_optimise(${target} $<IF:$<BOOL:${MODULE_BRIEF}>,1,2>)
+  target_include_directories(${target} ${scope} ${PROJECT_SOURCE_DIR}/server)
+  target_link_libraries(${target} ${scope} ${depends} ${MODULE_LINK})
+  if(talus_joined)
+    target_sources(talus_server_part_${talus_part} PRIVATE ${MODULE_SOURCES})
+    target_link_libraries(talus_server_part_${talus_part} PRIVATE ${target})
+  endif()
 endfunction()
 
 # talus_dependencies(MODULE VARIABLE): the modules that docs/modules.txt lets MODULE include.
