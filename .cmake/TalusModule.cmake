@@ -14,6 +14,8 @@ target_compile_options(talus_flags INTERFACE
   $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>
   # Where it inlines one of a coroutine frame's new and delete, it takes them for a pair that is none.
   $<$<CXX_COMPILER_ID:GNU>:-Wno-mismatched-new-delete>
+  # g++ looks for memory that it may use again only from 400 MB on: one twentieth less time.
+  "$<$<CXX_COMPILER_ID:GNU>:SHELL:--param ggc-min-heapsize=400000>"
   # libstdc++ silences these three for its own char_traits by pragmas, which g++ loses in a precompiled header.
   # Builds without precompiled headers keep them: release-plain and those of the sanitizers.
   "$<$<AND:$<CXX_COMPILER_ID:GNU>,$<NOT:$<BOOL:${CMAKE_DISABLE_PRECOMPILE_HEADERS}>>>:-Wno-array-bounds;-Wno-stringop-overflow;-Wno-stringop-overread>"
@@ -62,42 +64,36 @@ function(talus_optimise target level)
   target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O${level}>)
 endfunction()
 
-# talus_join_kernels(TARGET): a kernel source includes itself once for each instruction set (Highway's foreach_target.h),
-# which a unity source cannot. Those in a folder kernels/ are compiled together by a source of the same kind, which
-# includes them all for each set; others stay alone.
-function(talus_join_kernels target)
+# talus_join_kernels(VARIABLE NAME KERNEL...): a kernel source includes itself once for each instruction set (Highway's
+# foreach_target.h), which a unity source cannot. In a unity build a source of the same kind includes them all for each
+# set, so that Highway is parsed once for each set and not once more for each kernel.
+function(talus_join_kernels variable name)
   if(NOT CMAKE_UNITY_BUILD)
+    set(${variable} ${ARGN} PARENT_SCOPE)
     return()
   endif()
-  get_target_property(sources ${target} SOURCES)
-  set(kernels ${sources})
-  list(FILTER kernels INCLUDE REGEX "kernels\\.cpp$")
-  if(kernels)
-    talus_alone(${kernels})
-  endif()
-  set(kernels ${sources})
-  list(FILTER kernels INCLUDE REGEX "/kernels/[^/]*\\.cpp$")
-  if(NOT kernels)
-    return()
-  endif()
-  set(joined ${CMAKE_CURRENT_BINARY_DIR}/kernels.cpp)
+  set(joined ${CMAKE_CURRENT_BINARY_DIR}/${name}_kernels.cpp)
   set(own "#undef HWY_TARGET_INCLUDE\n#define HWY_TARGET_INCLUDE \"${joined}\"\n")
-  set(text "${own}#include <hwy/foreach_target.h>\n")
-  foreach(kernel IN LISTS kernels)
-    list(REMOVE_ITEM sources ${kernel})
+  # Which sets are disabled is known before the first is chosen.
+  set(text "#include <talus/vectors/tables.h>\n${own}#include <hwy/foreach_target.h>\n")
+  foreach(kernel IN LISTS ARGN)
     string(APPEND text "#include \"${CMAKE_CURRENT_SOURCE_DIR}/${kernel}\"\n")
   endforeach()
   # Each kernel names itself as what is included next.
   file(CONFIGURE OUTPUT ${joined} CONTENT "${text}${own}" @ONLY)
   talus_alone(${joined})
-  set_target_properties(${target} PROPERTIES SOURCES "${sources};${joined}")
+  set(${variable} ${joined} PARENT_SCOPE)
 endfunction()
 
-# talus_module(NAME SOURCES ... PUBLIC modules and libraries ... PRIVATE ...): a static library whose headers
-# lie in include/talus/<module>, known to those who link talus::NAME and to nobody else.
+# talus_module(NAME SOURCES ... KERNELS ... PUBLIC modules and libraries ... PRIVATE ...): a static library whose headers
+# lie in include/talus/<module>, known to those who link talus::NAME and to nobody else. KERNELS are sources that
+# include themselves once for each instruction set.
 function(talus_module name)
-  cmake_parse_arguments(MODULE "" "" "SOURCES;PUBLIC;PRIVATE" ${ARGN})
-  add_library(talus_${name} STATIC ${MODULE_SOURCES})
+  cmake_parse_arguments(MODULE "" "" "SOURCES;KERNELS;PUBLIC;PRIVATE" ${ARGN})
+  if(MODULE_KERNELS)
+    talus_join_kernels(MODULE_KERNELS ${name} ${MODULE_KERNELS})
+  endif()
+  add_library(talus_${name} STATIC ${MODULE_SOURCES} ${MODULE_KERNELS})
   add_library(talus::${name} ALIAS talus_${name})
   set_target_properties(talus_${name} PROPERTIES EXPORT_NAME ${name} POSITION_INDEPENDENT_CODE ON)
   target_compile_features(talus_${name} PUBLIC cxx_std_20)
@@ -105,31 +101,55 @@ function(talus_module name)
     PUBLIC $<BUILD_INTERFACE:${CMAKE_CURRENT_SOURCE_DIR}/include> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>
     PRIVATE ${CMAKE_CURRENT_SOURCE_DIR}/src)
   target_link_libraries(talus_${name} PUBLIC ${MODULE_PUBLIC} PRIVATE $<BUILD_INTERFACE:talus_flags> ${MODULE_PRIVATE})
-  talus_join_kernels(talus_${name})
 endfunction()
 
-# talus_server_module(NAME [BRIEF|HOT] SOURCES ... LINK libraries ...): the folder server/NAME as a target
-# talus_server_NAME, which links the modules of the server that docs/modules.txt lets it include, so that a test links a
-# module by itself.
-# BRIEF: all of it runs once or seldom and is compiled by -O1. HOT: every answer runs through it, and it is compiled by -O3.
+# Without tests no program links a module of the server by itself. A unity build then compiles each part of the server as
+# one source, so that what its modules share, such as Asio, is parsed and instantiated once and not for each module.
+if(CMAKE_UNITY_BUILD AND NOT (TALUS_TESTS OR TALUS_BENCH OR TALUS_FUZZ))
+  set(talus_joined ON)
+endif()
+
+# talus_server_part(NAME LEVEL): begins a part of the server. The modules that follow are its, and compiled by -OLEVEL.
+macro(talus_server_part name level)
+  set(talus_part ${name})
+  set(talus_part_level ${level})
+  if(talus_joined)
+    set(target talus_server_part_${name})
+    add_library(${target} OBJECT)
+    set_target_properties(${target} PROPERTIES UNITY_BUILD_BATCH_SIZE 0)
+    talus_server_flags(${target})
+    list(APPEND talus_parts $<TARGET_OBJECTS:${target}>)
+  endif()
+endmacro()
+
+# talus_server_flags(TARGET): what every target of the server is compiled by.
+function(talus_server_flags target)
+  target_compile_definitions(${target} PRIVATE TALUS_VERSION="${PROJECT_VERSION}")
+  target_link_libraries(${target} PRIVATE talus_flags)
+  talus_optimise(${target} ${talus_part_level})
+endfunction()
+
+# talus_server_module(NAME SOURCES ... LINK libraries ...): the folder server/NAME as a target talus_server_NAME, which
+# links the modules of the server that docs/modules.txt lets it include, so that a test links a module by itself.
 function(talus_server_module name)
-  cmake_parse_arguments(MODULE "BRIEF;HOT" "" "SOURCES;LINK" ${ARGN})
+  cmake_parse_arguments(MODULE "" "" "SOURCES;LINK" ${ARGN})
   set(target talus_server_${name})
   talus_dependencies(server/${name} depends)
   list(FILTER depends INCLUDE REGEX "^server/")
   list(TRANSFORM depends REPLACE "^server/" "talus_server_")
-  if(NOT MODULE_SOURCES)
+  if(talus_joined OR NOT MODULE_SOURCES)
     add_library(${target} INTERFACE)
-    target_include_directories(${target} INTERFACE ${PROJECT_SOURCE_DIR}/server)
-    target_link_libraries(${target} INTERFACE ${depends} ${MODULE_LINK})
-    return()
+    set(scope INTERFACE)
+  else()
+    add_library(${target} STATIC ${MODULE_SOURCES})
+    set(scope PUBLIC)
+    talus_server_flags(${target})
   endif()
-  add_library(${target} STATIC ${MODULE_SOURCES})
-  target_include_directories(${target} PUBLIC ${PROJECT_SOURCE_DIR}/server)
-  target_compile_definitions(${target} PRIVATE TALUS_VERSION="${PROJECT_VERSION}")
-  target_link_libraries(${target} PUBLIC ${depends} ${MODULE_LINK} PRIVATE talus_flags)
-  if(NOT MODULE_HOT)
-    talus_optimise(${target} $<IF:$<BOOL:${MODULE_BRIEF}>,1,2>)
+  target_include_directories(${target} ${scope} ${PROJECT_SOURCE_DIR}/server)
+  target_link_libraries(${target} ${scope} ${depends} ${MODULE_LINK})
+  if(talus_joined)
+    target_sources(talus_server_part_${talus_part} PRIVATE ${MODULE_SOURCES})
+    target_link_libraries(talus_server_part_${talus_part} PRIVATE ${target})
   endif()
 endfunction()
 

@@ -18,14 +18,14 @@ namespace talus::cli {
 namespace {
 
 void summarise(const client::ReceivedChunk& received, const client::WorldInfo& world,
-               const client::Stats& stats, double milliseconds) {
+               const client::Stats& stats, double waited_ms) {
   std::map<MaterialId, int> counts;
   std::vector<MaterialId> voxels(kChunkVolume);
   received.chunk->copy_to(std::span<MaterialId, kChunkVolume>{voxels});
   for (const MaterialId voxel : voxels) ++counts[voxel];
 
   std::cout << "chunk " << to_string(received.key) << "\nhash " << to_string(received.hash) << "\nrevision "
-            << received.revision << "\nframe " << stats.chunk_bytes << " bytes, " << milliseconds << " ms\n";
+            << received.revision << "\nframe " << stats.chunk_bytes << " bytes, " << waited_ms << " ms\n";
   for (const auto& [id, count] : counts) {
     std::string name = "material " + std::to_string(to_integer(id));
     for (const auto& material : world.materials) {

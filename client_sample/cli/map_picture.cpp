@@ -65,9 +65,9 @@ float smooth_height(const Sheet& sheet, int x, int y) {
   return weight > 0 ? sum / weight : 0;
 }
 
-class Heights {
+class SmoothHeights {
  public:
-  explicit Heights(const Sheet& sheet) : width_{sheet.width}, height_{sheet.height} {
+  explicit SmoothHeights(const Sheet& sheet) : width_{sheet.width}, height_{sheet.height} {
     values_.reserve(sheet.points.size());
     for (int y = 0; y < height_; ++y) {
       for (int x = 0; x < width_; ++x) values_.push_back(smooth_height(sheet, x, y));
@@ -87,7 +87,7 @@ class Heights {
 };
 
 // 1 on a plain: sun on the slope, and less sky in hollows than on ridges.
-float light_at(const Sheet& sheet, const Heights& heights, int x, int y) {
+float light_at(const Sheet& sheet, const SmoothHeights& heights, int x, int y) {
   const auto known = [&](int px, int py) { return sheet.at(px, py) != nullptr; };
   if (!known(x - 1, y) || !known(x + 1, y) || !known(x, y - 1) || !known(x, y + 1)) return 1.0F;
   const float run = 2.0F * static_cast<float>(sheet.step);
@@ -145,7 +145,7 @@ Picture draw_map(const SurfaceMap& surface, const std::vector<client::Material>&
     colours[id] = to_light(material.colour);
   }
   const Sheet sheet = sheet_of(surface, extent);
-  const Heights heights{sheet};
+  const SmoothHeights heights{sheet};
   Picture picture{sheet.width, sheet.height};
   for (int y = 0; y < sheet.height; ++y) {
     for (int x = 0; x < sheet.width; ++x) {

@@ -12,7 +12,7 @@
 namespace talus::server {
 namespace {
 
-tl::unexpected<Exit> one_line(std::string_view text, int status) {
+tl::unexpected<Exit> usage_error(std::string_view text, int status) {
   return tl::make_unexpected(Exit{fmt::format("talusd token: {}\n", text), status});
 }
 
@@ -61,14 +61,14 @@ tl::expected<std::string, Exit> token_command(int argc, const char* const* argv,
   if (auto exit = parse_flags(app, argc, argv)) return tl::make_unexpected(*std::move(exit));
 
   const auto rights = Rights::parse(words);
-  if (!rights) return one_line(fmt::format("--rights: {}", rights.error()), kWrongUse);
-  if (!rights->has(Right::read)) return one_line("--rights: a token needs the right \"read\"", kWrongUse);
+  if (!rights) return usage_error(fmt::format("--rights: {}", rights.error()), kWrongUse);
+  if (!rights->has(Right::read)) return usage_error("--rights: a token needs the right \"read\"", kWrongUse);
   const auto validity = parse_validity(valid);
-  if (!validity) return one_line(fmt::format("--valid: {}", validity.error()), kWrongUse);
+  if (!validity) return usage_error(fmt::format("--valid: {}", validity.error()), kWrongUse);
   const auto key = read_key_file(key_file, kSigningKeyBounds);
-  if (!key) return one_line(key.error(), kFailed);
+  if (!key) return usage_error(key.error(), kFailed);
   auto token = make_signed_token(key->secret, {subject, *rights, now + *validity}, now);
-  if (!token) return one_line(token.error(), kFailed);
+  if (!token) return usage_error(token.error(), kFailed);
   return *std::move(token);
 }
 

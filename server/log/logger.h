@@ -6,6 +6,13 @@
 
 #include <spdlog/logger.h>
 
+#if defined(FMT_VERSION) && FMT_VERSION < 100000 && !defined(FMT_HEADER_ONLY)
+// libfmt holds this function compiled, which its headers do not say. Every file that logs would compile it
+// again, and with it all of formatting.
+extern template void fmt::detail::vformat_to(buffer<char>&, string_view,
+                                             basic_format_args<buffer_context<char>>, locale_ref);
+#endif
+
 namespace talus::server {
 
 using Logger = std::shared_ptr<spdlog::logger>;

@@ -34,7 +34,7 @@ struct Free {
 };
 using Bio = std::unique_ptr<BIO, Free<BIO_free>>;
 using Certificate = std::unique_ptr<X509, Free<X509_free>>;
-using Key = std::unique_ptr<EVP_PKEY, Free<EVP_PKEY_free>>;
+using PrivateKey = std::unique_ptr<EVP_PKEY, Free<EVP_PKEY_free>>;
 
 struct FreeChain {
   void operator()(STACK_OF(X509) * chain) const { sk_X509_pop_free(chain, X509_free); }
@@ -101,13 +101,13 @@ tl::expected<CertificateFile, std::string> read_certificate(const std::filesyste
   return read;
 }
 
-tl::expected<Key, std::string> read_key(const std::filesystem::path& file) {
+tl::expected<PrivateKey, std::string> read_key(const std::filesystem::path& file) {
   constexpr std::string_view kSetting = "tls.key";
   const auto pem = read_pem(kSetting, file);
   if (!pem) return tl::make_unexpected(pem.error());
   bool asked = false;
   const Bio bio = bio_of(*pem);
-  Key key{PEM_read_bio_PrivateKey(bio.get(), nullptr, no_passphrase, &asked)};
+  PrivateKey key{PEM_read_bio_PrivateKey(bio.get(), nullptr, no_passphrase, &asked)};
   if (asked) {
     ERR_clear_error();
     return wrong(

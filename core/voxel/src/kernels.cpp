@@ -17,17 +17,17 @@ namespace {
 namespace hn = hwy::HWY_NAMESPACE;
 
 // Rows are 0 to 32, so that bytes with a sign hold them, and compare in one instruction.
-using Bytes = hn::ScalableTag<std::uint8_t>;
-using Rows = hn::RebindToSigned<Bytes>;
-using Words = hn::ScalableTag<std::uint16_t>;
-using HalfBytes = hn::Rebind<std::uint8_t, Words>;
+using FullBytes = hn::ScalableTag<std::uint8_t>;
+using FullRows = hn::RebindToSigned<FullBytes>;
+using FullWords = hn::ScalableTag<std::uint16_t>;
+using BytesOfWords = hn::Rebind<std::uint8_t, FullWords>;
 
 const std::int8_t* rows(const std::uint8_t* bytes) {
   return reinterpret_cast<const std::int8_t*>(bytes);
 }
 
 Extent extent(const std::uint8_t* plane) {
-  const Bytes d;
+  const FullBytes d;
   auto low = hn::LoadU(d, plane);
   auto high = low;
   for (std::size_t i = hn::Lanes(d); i < kChunkArea; i += hn::Lanes(d)) {
@@ -35,8 +35,8 @@ Extent extent(const std::uint8_t* plane) {
     low = hn::Min(low, more);
     high = hn::Max(high, more);
   }
-  std::array<std::uint8_t, hn::MaxLanes(Bytes{})> lows;
-  std::array<std::uint8_t, hn::MaxLanes(Bytes{})> highs;
+  std::array<std::uint8_t, hn::MaxLanes(FullBytes{})> lows;
+  std::array<std::uint8_t, hn::MaxLanes(FullBytes{})> highs;
   hn::StoreU(low, d, lows.data());
   hn::StoreU(high, d, highs.data());
   const auto lanes = static_cast<std::ptrdiff_t>(hn::Lanes(d));
@@ -44,16 +44,14 @@ Extent extent(const std::uint8_t* plane) {
           *std::max_element(highs.begin(), highs.begin() + lanes)};
 }
 
-using Voxels = std::uint16_t;
-
 /// Bytes of columns as voxels.
 template <class Vec>
-HWY_INLINE void widen(Vec bytes, Voxels* out) {
-  const Words d;
+HWY_INLINE void widen(Vec bytes, std::uint16_t* out) {
+  const FullWords d;
 #if HWY_TARGET == HWY_SCALAR  // a vector of one lane has no halves
   hn::StoreU(hn::PromoteTo(d, bytes), d, out);
 #else
-  const HalfBytes halves;
+  const BytesOfWords halves;
   hn::StoreU(hn::PromoteTo(d, hn::LowerHalf(halves, bytes)), d, out);
   hn::StoreU(hn::PromoteTo(d, hn::UpperHalf(halves, bytes)), d, out + hn::Lanes(d));
 #endif
@@ -63,8 +61,8 @@ HWY_INLINE void widen(Vec bytes, Voxels* out) {
 /// With `known_planes` the loop over them is unrolled; -1 is for any number.
 template <int known_planes, class Write>
 HWY_INLINE void over_planes(const CutSlice& slice, const Write& write) {
-  const Bytes d;
-  const Rows compared;
+  const FullBytes d;
+  const FullRows compared;
   const auto y = hn::Set(compared, static_cast<std::int8_t>(slice.y));
   const std::size_t planes = known_planes < 0 ? slice.planes : static_cast<std::size_t>(known_planes);
   for (std::size_t i = 0; i < kChunkArea; i += hn::Lanes(d)) {
@@ -94,12 +92,12 @@ HWY_INLINE void over_slice(const CutSlice& slice, const Write& write) {
 }
 
 void slice(const CutSlice& slice, MaterialId* voxels) {
-  auto* const out = reinterpret_cast<Voxels*>(voxels);
+  auto* const out = reinterpret_cast<std::uint16_t*>(voxels);
   over_slice(slice, [out](auto bytes, std::size_t i) HWY_ATTR { widen(bytes, out + i); });
 }
 
 void slice_bytes(const CutSlice& slice, std::uint8_t* out) {
-  over_slice(slice, [out](auto bytes, std::size_t i) HWY_ATTR { hn::StoreU(bytes, Bytes{}, out + i); });
+  over_slice(slice, [out](auto bytes, std::size_t i) HWY_ATTR { hn::StoreU(bytes, FullBytes{}, out + i); });
 }
 
 }  // namespace

@@ -38,7 +38,7 @@ void write_intervals(const std::uint32_t* intervals, std::size_t count, RansSink
 #else
 
 /// A row of the wave that is being written.
-struct WaveRow {
+struct WrittenRow {
   const MaterialId* voxels;
   RowsAround around;
 };
@@ -105,7 +105,7 @@ class Analyser {
       mixed_ |= (below != kAllColumns ? 1U : 0U) << i;
     }
     over_bits(mixed_, [this, first, wave](std::size_t i) HWY_ATTR {
-      WaveRow& row = row_[i];
+      WrittenRow& row = row_[i];
       row.voxels = padded(row.voxels);
       row.around.north = padded(row.around.north);
       row.around.below = padded(row.around.below);
@@ -183,7 +183,7 @@ class Analyser {
   template <bool odd>
   HWY_INLINE void find_symbols(std::size_t i, RowMask& low, RowMask& high) {
     events_.surprises += static_cast<std::size_t>(std::popcount(low));
-    const WaveRow& row = row_[i];
+    const WrittenRow& row = row_[i];
     const AroundMasks<RowMask> masks = around_.row(i);
     const RowVec now = load_voxels(row.voxels);
     const RowVec below = load_voxels(row.around.below);
@@ -230,7 +230,7 @@ class Analyser {
   WaveMasks is_first_;  // where the voxels are their first candidates
   WaveMasks low_;       // the symbols of coded voxels, as bits
   WaveMasks high_;
-  std::array<WaveRow, kWaveRows> row_;
+  std::array<WrittenRow, kWaveRows> row_;
   std::size_t rows_ = 0;
   std::uint32_t mixed_ = 0;  // bit i: row i is not of one material with all around it
   std::uint32_t gap_ = 0;

@@ -1,0 +1,63 @@
+#include "program.h"
+
+#include <cerrno>
+#include <cstring>
+#include <exception>
+#include <iostream>
+
+#include <asio/co_spawn.hpp>
+#include <asio/io_context.hpp>
+
+#include "command_line.h"
+
+namespace talus::cli {
+namespace {
+
+int failed(const std::string& line, int status = 1) {
+  std::cerr << "talus-client: " << line << '\n';
+  return status;
+}
+
+asio::awaitable<CommandResult> start(const CommandLine& line) {
+  if (const auto* options = std::get_if<GetOptions>(&line.options)) return get(line.connecting, *options);
+  if (const auto* options = std::get_if<FlyOptions>(&line.options)) return fly(line.connecting, *options);
+  return map(line.connecting, std::get<MapOptions>(line.options));
+}
+
+CommandResult run(const CommandLine& line) {
+  asio::io_context io{1};
+  CommandResult result;
+  std::exception_ptr thrown;
+  asio::co_spawn(io, start(line), [&](const std::exception_ptr& exception, CommandResult ended) {
+    thrown = exception;
+    result = std::move(ended);
+  });
+  io.run();
+  if (thrown) std::rethrow_exception(thrown);
+  return result;
+}
+
+// What was printed may still lie in a buffer, and be lost.
+CommandResult finish_printing() {
+  errno = 0;
+  if (std::cout.flush()) return {};
+  return tl::unexpected{std::string{"standard output: cannot be written"} +
+                        (errno == 0 ? "" : std::string{": "} + std::strerror(errno))};
+}
+
+}  // namespace
+
+int run_program(int argc, const char* const* argv) {
+  const auto line = read_command_line(argc, argv);
+  if (!line && line.error().status != 0) return failed(line.error().text, line.error().status);
+  CommandResult result;
+  if (line) {
+    result = run(*line);
+  } else {
+    std::cout << line.error().text;
+  }
+  if (result) result = finish_printing();
+  return result ? 0 : failed(result.error());
+}
+
+}  // namespace talus::cli
