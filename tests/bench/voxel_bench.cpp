@@ -64,6 +64,7 @@ constexpr Content kContents[] = {
     {"a game's chunks", [] { return bench::game_chunks(1); }},
     {"a forest, as overrides", [] { return bench::forest_chunks(chunks()); }},
     {"a forest, dense", [] { return changed(bench::forest_chunks(chunks()), dense); }},
+    {"very rough terrain", [] { return bench::mixed_chunks(bench::rough_world(5, 1)); }},
     {"random, 4 materials",
      [] {
        Chunks all;

@@ -149,6 +149,10 @@ class Reader {
       around_.store(around);
       const MaskVec in_wave = mask_of_rows(rows_);
       mixed_ = rows_with_any(in_wave & ~(around.all() & around.level));
+      if (mixed_ == 0 && exceptions_.gap() >= rows_ * kChunkSize) {
+        repeat_rows(wave);
+        continue;
+      }
       begin_even(wave);
       const MaskVec same = same_.get();
       store_masks(same, same_rows_.data());
@@ -168,6 +172,21 @@ class Reader {
   }
 
  private:
+  /// All rows are of one material with all around them, and no voxel is an exception.
+  HWY_INLINE void repeat_rows(int wave) {
+    exceptions_.pass(static_cast<std::uint32_t>(rows_ * kChunkSize));
+    const int first = first_row_of(wave);
+    MaterialId* to = voxels_ + (first * kChunkSize + wave - 2 * first) * kChunkSize;
+    const MaterialId* from =
+        rows_around(voxels_, row_zero_.data() + kChunkSize, first, wave - 2 * first).below;
+    for (std::size_t i = 0; i < rows_; ++i) {
+      store_voxels(load_voxels(from), to);
+      to += kRowToRow;
+      from = to - kChunkArea;
+    }
+    equal_.begin(wave);
+  }
+
   /// The even columns get their first candidates, and all columns of rows that are not mixed.
   HWY_INLINE void begin_even(int wave) {
     same_.clear();
@@ -220,18 +239,22 @@ class Reader {
       exceptions_.pass(all);
       return;
     }
+    // In a register: the voxels that are written in between might be anything.
+    std::uint32_t gap = exceptions_.gap();
     for (std::size_t i = 0; i < rows_; ++i) {
       RowMask steady = masks_.steady[i];
       auto count = static_cast<std::uint32_t>(std::popcount(steady));
-      while (exceptions_.gap() < count) {
-        const int x = std::countr_zero(deposit_bits(1U << exceptions_.gap(), steady));
+      while (gap < count) {
+        const int x = std::countr_zero(deposit_bits(1U << gap, steady));
         row_[i].voxels[x] = exceptions_.take(source_);
+        gap = exceptions_.gap();
         mixed_ |= 1U << i;
         steady &= ~(RowMask{2} << x) + 1;
         count = static_cast<std::uint32_t>(std::popcount(steady));
       }
-      exceptions_.pass(count);
+      gap -= count;
     }
+    exceptions_.pass(exceptions_.gap() - gap);
   }
 
   /// Reads the symbols of a batch and gives its voxels their materials. False where there is a fault.
