@@ -95,6 +95,8 @@ HWY_INLINE HalfVec narrow_small(const WordParts& words) {
 HWY_INLINE std::uint32_t lanes_of(hn::Mask<Half> mask) {
 #if HWY_TARGET == HWY_AVX3
   return mask.raw;
+#elif HWY_TARGET == HWY_AVX2
+  return static_cast<std::uint32_t>(_mm_movemask_epi8(mask.raw));
 #else
   std::uint8_t bits[8] = {};  // StoreMaskBits may write eight
   hn::StoreMaskBits(Half{}, mask, bits);
@@ -199,6 +201,18 @@ HWY_INLINE WordVec reciprocals(WordVec sizes) {
   return hn::Combine(Words{}, part(hn::UpperHalf(half, sizes)), part(hn::LowerHalf(half, sizes)));
 }
 
+/// By a mask of eight lanes: from where each of eight bytes comes, so that those of the mask stand last.
+inline constexpr auto kLastBytes = [] {
+  std::array<std::array<std::uint8_t, 8>, 256> table{};
+  for (std::size_t mask = 0; mask < 256; ++mask) {
+    std::size_t place = 8;
+    for (std::uint8_t lane = 8; lane-- > 0;) {
+      if ((mask >> lane & 1U) != 0) table[mask][--place] = lane;
+    }
+  }
+  return table;
+}();
+
 /// Writes a symbol in each lane. The interval from 0 to 256 leaves a lane as it is.
 HWY_INLINE void encode_symbols(WordParts& states, const WordParts& starts, const WordParts& sizes,
                                std::uint8_t*& next) {
@@ -243,16 +257,18 @@ HWY_INLINE void encode_symbols(WordParts& states, const WordParts& starts, const
   next -= count;
   _mm_mask_storeu_epi8(next, static_cast<__mmask16>((1U << count) - 1), _mm512_cvtepi32_epi8(bytes));
 #else
-  std::uint32_t lanes = lanes_of(hn::MaskFromVec(narrow_small(full)));
-  if (lanes == 0) return;
-  const Half half;
-  alignas(16) std::array<std::uint8_t, kLanes> bytes;
-  hn::Store(narrow(low), half, bytes.data());
-  while (lanes != 0) {
-    const auto lane = static_cast<std::uint32_t>(std::bit_width(lanes) - 1);
-    *--next = bytes[lane];
-    lanes ^= 1U << lane;
-  }
+  // The bytes of eight lanes at a time, moved to the end of eight bytes. What stands before them is
+  // overwritten by the bytes of the lanes below, or lies before `next`.
+  const std::uint32_t lanes = lanes_of(hn::MaskFromVec(narrow_small(full)));
+  const hn::FixedTag<std::uint8_t, 8> eight;
+  const HalfVec bytes = narrow(low);
+  const auto put = [&](auto from, std::uint32_t which) HWY_ATTR {
+    const auto order = hn::LoadU(eight, kLastBytes[which].data());
+    hn::StoreU(hn::TableLookupBytes(from, order), eight, next - 8);
+    next -= std::popcount(which);
+  };
+  put(hn::UpperHalf(eight, bytes), lanes >> 8U);
+  put(hn::LowerHalf(eight, bytes), lanes & 0xFFU);
 #endif
 }
 

@@ -75,9 +75,9 @@ constexpr auto kCosts = [] {
   return costs;
 }();
 
-/// The table by which every fourth coded voxel takes the fewest bits.
+/// The table by which every eighth coded voxel takes the fewest bits.
 std::size_t best_table(const VolumeEvents& events) {
-  constexpr std::size_t kStep = 4;
+  constexpr std::size_t kStep = 8;
   static_assert(kMaxBatch / kStep * 128 < 0x10000);  // a batch's costs, of at most 128 each
   std::array<std::uint32_t, kTables> totals{};
   std::size_t at = 0;
@@ -94,24 +94,28 @@ std::size_t best_table(const VolumeEvents& events) {
   return static_cast<std::size_t>(std::min_element(totals.begin(), totals.end()) - totals.begin());
 }
 
-constexpr std::array<Interval, kDigitCounts> kGapIntervals = [] {
-  std::array<Interval, kDigitCounts> intervals{};
-  std::uint16_t start = 0;
+/// Start + 65536 * size, by how many digits a gap has.
+constexpr std::array<std::uint32_t, kDigitCounts> kGapIntervals = [] {
+  std::array<std::uint32_t, kDigitCounts> intervals{};
+  std::uint32_t start = 0;
   for (std::size_t i = 0; i < kDigitCounts; ++i) {
-    intervals[i] = {start, kGapSizes[i]};
-    start = static_cast<std::uint16_t>(start + kGapSizes[i]);
+    intervals[i] = start | std::uint32_t{kGapSizes[i]} << 16U;
+    start += kGapSizes[i];
   }
   return intervals;
 }();
 
-void put_group(RansSink& sink, std::span<const VolumeException> group, const MaterialCode& materials) {
-  for (std::size_t i = group.size(); i-- > 0;) {
-    encode_symbol(sink, i, unpacked(materials.interval(to_integer(group[i].material))));
-  }
+void put_group(RansSink& sink, std::span<const VolumeException> group, const MaterialCode& materials,
+               const VolumeKernels& kernels) {
+  std::array<std::uint32_t, kLanes> intervals{};
+  for (std::size_t i = 0; i < group.size(); ++i)
+    intervals[i] = materials.interval(to_integer(group[i].material));
+  kernels.write_intervals(intervals.data(), group.size(), sink);
   put_digits(sink, group.size(), [&](std::size_t i) { return std::uint32_t{group[i].gap}; });
-  for (std::size_t i = group.size(); i-- > 0;) {
-    encode_symbol(sink, i, kGapIntervals[static_cast<std::size_t>(std::bit_width(group[i].gap))]);
+  for (std::size_t i = 0; i < group.size(); ++i) {
+    intervals[i] = kGapIntervals[static_cast<std::size_t>(std::bit_width(group[i].gap))];
   }
+  kernels.write_intervals(intervals.data(), group.size(), sink);
 }
 
 /// Replaces the events' materials by their numbers. False where there are too many.
@@ -157,7 +161,7 @@ bool encode_volume(const DenseVoxels& voxels, std::vector<std::byte>& out, const
   const std::size_t table = best_table(events);
   out.push_back(static_cast<std::byte>(table));
 
-  std::array<std::uint8_t, sizeof(DenseVoxels) + kMaxBytesAtOnce + kStatesBytes> buffer;
+  std::array<std::uint8_t, sizeof(DenseVoxels) + kMaxBytesAtOnce + kStatesBytes + kScribbled> buffer;
   std::uint8_t* const end = buffer.data() + buffer.size();
   RansSink sink{{}, end};
   sink.states.fill(static_cast<std::uint16_t>(kMinState));
@@ -189,14 +193,14 @@ bool encode_volume(const DenseVoxels& voxels, std::vector<std::byte>& out, const
     kernels.write(events, batches, kSymbolIntervals[table].data(), sink);
     while (group_follows(batch)) {
       --groups;
-      put_group(sink, group(groups), materials);
+      put_group(sink, group(groups), materials, kernels);
     }
     if (static_cast<std::size_t>(end - sink.next) >= sizeof(DenseVoxels)) {
       out.resize(begin);
       return false;
     }
   }
-  if (groups == 1) put_group(sink, group(0), materials);
+  if (groups == 1) put_group(sink, group(0), materials, kernels);
   put_states(sink);
   out.insert(out.end(), reinterpret_cast<const std::byte*>(sink.next),
              reinterpret_cast<const std::byte*>(end));

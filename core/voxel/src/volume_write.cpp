@@ -12,7 +12,7 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
-#include "volume-inl.h"
+#include "volume_candidates-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace talus::HWY_NAMESPACE {
@@ -36,12 +36,6 @@ void write_intervals(const std::uint32_t* intervals, std::size_t count, RansSink
 }
 
 #else
-
-/// A row of the wave that is being written.
-struct WaveRow {
-  const MaterialId* voxels;
-  RowsAround around;
-};
 
 class Analyser {
  public:
@@ -109,7 +103,7 @@ class Analyser {
       mixed_ |= (below != kAllColumns ? 1U : 0U) << i;
     }
     over_bits(mixed_, [this, first, wave](std::size_t i) HWY_ATTR {
-      WaveRow& row = row_[i];
+      WaveRow<const MaterialId>& row = row_[i];
       row.voxels = padded(row.voxels);
       row.around.north = padded(row.around.north);
       row.around.below = padded(row.around.below);
@@ -151,25 +145,28 @@ class Analyser {
     add_exceptions(batch);
     // Which rows have other symbols than 0 cannot be foreseen: they are found first, without a branch for
     // each.
-    std::uint32_t surprising = 0;
-    over_bits(masks_.coded_rows, [this, &surprising](std::size_t i) HWY_ATTR {
-      low_[i] = masks_.coded[i] & ~is_first_[i];
-      high_[i] = 0;
-      surprising |= (low_[i] != 0 ? 1U : 0U) << i;
-    });
-    over_bits(surprising, [this](std::size_t i) HWY_ATTR { find_symbols<odd>(i, low_[i], high_[i]); });
-    over_bits(masks_.coded_rows, [this](std::size_t i) HWY_ATTR {
-      const RowMask row_coded = masks_.coded[i];
-      put_numbers<odd ? 8 : 7>(
-          row_coded, [&](std::size_t b) { return masks_.context[b][i]; },
-          events_.context.data() + events_.coded);
-      put_numbers<2>(
-          row_coded, [&](std::size_t b) { return b == 0 ? low_[i] : high_[i]; },
-          events_.symbol.data() + events_.coded);
-      events_.coded += static_cast<std::size_t>(std::popcount(row_coded));
-    });
+    const MaskVec low = load_masks(masks_.coded.data()) & ~load_masks(is_first_.data());
+    store_masks(low, low_.data());
+    store_masks(set_masks(0), high_.data());
+    over_bits(rows_with_any(low),
+              [this](std::size_t i) HWY_ATTR { find_symbols<odd>(i, low_[i], high_[i]); });
+    if (masks_.coded_rows != 0) {
+      put_symbols(events_.symbol.data() + events_.coded);
+      events_.coded += masks_.put_contexts < odd ? 8 : 7 > (pack_, events_.context.data() + events_.coded);
+    }
     events_.batch[batch] = static_cast<std::uint16_t>(events_.coded - coded);
     events_.batch_escapes[batch] = static_cast<std::uint16_t>(events_.escapes - escapes);
+  }
+
+  HWY_INLINE void put_symbols(std::uint8_t* out) const {
+    if (HWY_TARGET <= HWY_AVX3 && pack_ != nullptr) {
+      return pack_->symbols({masks_.coded.data(), masks_.coded_rows}, low_.data(), high_.data(), out);
+    }
+    over_bits(masks_.coded_rows, [&](std::size_t i) HWY_ATTR {
+      put_numbers<2>(
+          masks_.coded[i], [&](std::size_t b) { return b == 0 ? low_[i] : high_[i]; }, out);
+      out += std::popcount(masks_.coded[i]);
+    });
   }
 
   HWY_INLINE void add_exceptions(std::size_t batch) {
@@ -197,31 +194,25 @@ class Analyser {
   template <bool odd>
   HWY_INLINE void find_symbols(std::size_t i, RowMask& low, RowMask& high) {
     events_.surprises += static_cast<std::size_t>(std::popcount(low));
-    const WaveRow& row = row_[i];
-    const AroundMasks<RowMask> masks = around_.row(i);
-    const RowVec now = load_voxels(row.voxels);
-    const RowVec below = load_voxels(row.around.below);
-    const RowVec north = load_voxels(row.around.north);
+    const WaveRow<const MaterialId>& row = row_[i];
+    const RowNeighbours near = neighbours_of(row, around_.row(i));
     RowVec first;
     RowVec second;
     if constexpr (odd) {
-      const BesideArrays& beside = beside_rows_;
-      const RowVec west = west_of(now, row.voxels);
-      const RowVec east = east_of(now, row.voxels);
-      const RowVec of_equal = select(masks.level ^ beside.base_west[i], north, below);
-      first = select(beside.is_east[i], east, west);
-      second = select(beside.agrees[i], first_different(masks, row.around),
-                      select(beside.equal[i], of_equal, select(beside.is_east[i], west, east)));
+      const RowVec west = west_of(near.now, row.voxels);
+      const RowVec east = east_of(near.now, row.voxels);
+      first = select(beside_rows_.is_east[i], east, west);
+      second = second_of_odd(near, row.around, beside_rows_, i, west, east);
     } else {
-      first = select(masks.level, north, below);
-      second = select(same_rows_[i], first_different(masks, row.around), select(masks.level, below, north));
+      first = select(near.masks.level, near.north, near.below);
+      second = second_of_even(near, row.around, same_rows_[i]);
     }
-    high = low & ~equal(now, second);
+    high = low & ~equal(near.now, second);
     low &= ~high;
     if (high == 0) return;
     RowMask exists = 0;
-    const RowVec third = third_candidate(first, second, masks.level, row.around, exists);
-    RowMask escapes = high & ~(exists & equal(now, third));
+    const RowVec third = third_candidate(first, second, near.masks.level, row.around, exists);
+    RowMask escapes = high & ~(exists & equal(near.now, third));
     low |= escapes;
     for (; escapes != 0; escapes &= escapes - 1) {
       events_.escape[events_.escapes++] = row.voxels[std::countr_zero(escapes)];
@@ -230,6 +221,7 @@ class Analyser {
 
   const MaterialId* voxels_;
   VolumeEvents& events_;
+  const VolumePack* pack_ = volume_pack();
   EqualMasks equal_;
   AroundArrays around_;
   GrowingBeside beside_;
@@ -244,7 +236,7 @@ class Analyser {
   WaveMasks is_first_;  // where the voxels are their first candidates
   WaveMasks low_;       // the symbols of coded voxels, as bits
   WaveMasks high_;
-  std::array<WaveRow, kWaveRows> row_;
+  std::array<WaveRow<const MaterialId>, kWaveRows> row_;
   std::size_t rows_ = 0;
   std::uint32_t mixed_ = 0;  // bit i: row i is not of one material with all around it
   std::uint32_t gap_ = 0;
