@@ -47,32 +47,34 @@ bool append_layered(const Layers& layers, std::size_t limit, std::vector<std::by
   return false;
 }
 
-/// Appends the shortest of volume, runs and raw voxels; or replaces the layers that stand from `start` on
-/// where one of these is shorter.
-void append_shortest(const DenseVoxels& voxels, std::size_t start, std::vector<std::byte>& out) {
-  // What is found last is the shortest: it stands behind what it replaces.
-  std::size_t limit = out.size() > start ? out.size() - start - kHeaderBytes : sizeof(DenseVoxels);
-  // Gives how many bytes the body takes.
-  const auto try_next = [&](Encoding encoding, const auto& encode_body) {
-    const std::size_t last = out.size();
-    put_header(encoding, out);
-    const bool encoded = encode_body();
-    const std::size_t size = encoded ? out.size() - last - kHeaderBytes : sizeof(DenseVoxels);
-    if (size >= limit) {
-      out.resize(last);
-      return size;
-    }
+/// Appends the shortest of volume, layers of more than kGoodLayeredBytes, where there are any, runs and raw
+/// voxels.
+void append_shortest(const DenseVoxels& voxels, const Layers* layers, std::vector<std::byte>& out) {
+  const std::size_t start = out.size();
+  put_header(Encoding::volume, out);
+  std::size_t changes = 0;
+  const bool has_volume = codec::encode_volume(voxels, out, codec::volume_kernels(), &changes);
+  if (!has_volume) out.resize(start);
+  const std::size_t volume = has_volume ? out.size() - start - kHeaderBytes : sizeof(DenseVoxels);
+  // What is found last is the shortest: it replaces what stands before it.
+  std::size_t limit = volume;
+  std::size_t last = out.size();
+  const auto keep_last = [&] {
     out.erase(out.begin() + static_cast<std::ptrdiff_t>(start),
               out.begin() + static_cast<std::ptrdiff_t>(last));
-    limit = size;
-    return size;
+    last = out.size();
+    limit = last - start - kHeaderBytes;
   };
-  std::size_t changes = 0;
-  const std::size_t volume = try_next(
-      Encoding::volume, [&] { return codec::encode_volume(voxels, out, codec::volume_kernels(), &changes); });
+  if (layers != nullptr && volume >= kGoodLayeredBytes - kHeaderBytes && append_layered(*layers, limit, out))
+    keep_last();
   // A run takes more than half a byte.
   if (volume > kGoodVolumeBytes && changes / 2 < limit) {
-    (void)try_next(Encoding::runs, [&] { return codec::encode_runs(voxels, limit, out); });
+    put_header(Encoding::runs, out);
+    if (codec::encode_runs(voxels, limit, out)) {
+      keep_last();
+    } else {
+      out.resize(last);
+    }
   }
   if (out.size() > start) return;
   put_header(Encoding::raw, out);
@@ -117,17 +119,15 @@ std::string_view describe(DecodeError error) {
 }
 
 void encode(const Chunk& chunk, std::vector<std::byte>& out) {
-  const std::size_t start = out.size();
-  if (const Layers* const layers = chunk.layers()) {
-    if (append_layered(*layers, sizeof(DenseVoxels), out) && out.size() - start <= kGoodLayeredBytes) return;
-  }
+  const Layers* const layers = chunk.layers();
+  if (layers != nullptr && append_layered(*layers, kGoodLayeredBytes - kHeaderBytes, out)) return;
   if (const DenseVoxels* voxels = chunk.dense()) {
-    append_shortest(*voxels, start, out);
+    append_shortest(*voxels, nullptr, out);
     return;
   }
   const auto voxels = std::make_unique_for_overwrite<DenseVoxels>();
   chunk.copy_to(*voxels);
-  append_shortest(*voxels, start, out);
+  append_shortest(*voxels, layers, out);
 }
 
 tl::expected<Chunk, DecodeError> decode(std::span<const std::byte> payload) {

@@ -191,6 +191,11 @@ HWY_INLINE HalfVec decode_symbols(WordParts& states, const StartParts& starts, c
 /// 65536 / size, rounded down and at most 65535, of sizes from 1 to 256. Floats of 24 bits hold quotients of
 /// these exactly enough: none lies nearer to the next integer than 1 / 256.
 HWY_INLINE WordVec reciprocals(WordVec sizes) {
+#if HWY_TARGET == HWY_AVX3
+  const __m512 divisor = _mm512_cvtepi32_ps(_mm512_cvtepu16_epi32(sizes.raw));
+  return WordVec{
+      _mm512_cvtusepi32_epi16(_mm512_cvttps_epi32(_mm512_div_ps(_mm512_set1_ps(65536.0F), divisor)))};
+#else
   const hn::Half<Words> half;
   const hn::Repartition<float, Words> floats;
   const hn::Repartition<std::int32_t, Words> integers;
@@ -199,6 +204,7 @@ HWY_INLINE WordVec reciprocals(WordVec sizes) {
     return hn::DemoteTo(half, hn::ConvertTo(integers, hn::Div(hn::Set(floats, 65536.0F), divisor)));
   };
   return hn::Combine(Words{}, part(hn::UpperHalf(half, sizes)), part(hn::LowerHalf(half, sizes)));
+#endif
 }
 
 /// By a mask of eight lanes: from where each of eight bytes comes, so that those of the mask stand last.
