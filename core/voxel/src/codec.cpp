@@ -20,6 +20,10 @@ constexpr std::size_t kHeaderBytes = 2;
 // Layers of up to this size are kept without trying anything else, which takes several times as long.
 constexpr std::size_t kGoodLayeredBytes = 1024;
 
+// Layers of more than this after the header are seldom shorter than a volume: they are tried after it, with
+// its size as the limit.
+constexpr std::size_t kTriedLayeredBytes = 2048;
+
 // Runs are shorter only than volumes larger than this.
 constexpr std::size_t kGoodVolumeBytes = 2048 - kHeaderBytes;
 
@@ -47,31 +51,34 @@ bool append_layered(const Layers& layers, std::size_t limit, std::vector<std::by
   return false;
 }
 
-/// Appends the shortest of volume, layers of more than kGoodLayeredBytes, where there are any, runs and raw
-/// voxels.
-void append_shortest(const DenseVoxels& voxels, const Layers* layers, std::vector<std::byte>& out) {
-  const std::size_t start = out.size();
-  put_header(Encoding::volume, out);
-  std::size_t changes = 0;
-  const bool has_volume = codec::encode_volume(voxels, out, codec::volume_kernels(), &changes);
-  if (!has_volume) out.resize(start);
-  const std::size_t volume = has_volume ? out.size() - start - kHeaderBytes : sizeof(DenseVoxels);
-  // What is found last is the shortest: it replaces what stands before it.
-  std::size_t limit = volume;
+/// Appends the shortest of volume, runs and raw voxels; or replaces the layers that stand from `start` on
+/// where one of these is shorter. `untried`: layers of more than kTriedLayeredBytes, or null.
+void append_shortest(const DenseVoxels& voxels, const Layers* untried, std::size_t start,
+                     std::vector<std::byte>& out) {
+  // What is found last is the shortest: it stands behind what it replaces.
+  std::size_t limit = out.size() > start ? out.size() - start - kHeaderBytes : sizeof(DenseVoxels);
   std::size_t last = out.size();
-  const auto keep_last = [&] {
+  const auto take_last = [&] {
     out.erase(out.begin() + static_cast<std::ptrdiff_t>(start),
               out.begin() + static_cast<std::ptrdiff_t>(last));
     last = out.size();
     limit = last - start - kHeaderBytes;
   };
-  if (layers != nullptr && volume >= kGoodLayeredBytes - kHeaderBytes && append_layered(*layers, limit, out))
-    keep_last();
+  put_header(Encoding::volume, out);
+  std::size_t changes = 0;
+  const bool has_volume = codec::encode_volume(voxels, out, codec::volume_kernels(), &changes);
+  const std::size_t volume = has_volume ? out.size() - last - kHeaderBytes : sizeof(DenseVoxels);
+  if (volume < limit) {
+    take_last();
+  } else {
+    out.resize(last);
+  }
+  if (untried != nullptr && limit > kTriedLayeredBytes && append_layered(*untried, limit, out)) take_last();
   // A run takes more than half a byte.
   if (volume > kGoodVolumeBytes && changes / 2 < limit) {
     put_header(Encoding::runs, out);
     if (codec::encode_runs(voxels, limit, out)) {
-      keep_last();
+      take_last();
     } else {
       out.resize(last);
     }
@@ -119,15 +126,19 @@ std::string_view describe(DecodeError error) {
 }
 
 void encode(const Chunk& chunk, std::vector<std::byte>& out) {
-  const Layers* const layers = chunk.layers();
-  if (layers != nullptr && append_layered(*layers, kGoodLayeredBytes - kHeaderBytes, out)) return;
+  const std::size_t start = out.size();
+  const Layers* untried = chunk.layers();
+  if (untried != nullptr && append_layered(*untried, kTriedLayeredBytes, out)) {
+    if (out.size() - start <= kGoodLayeredBytes) return;
+    untried = nullptr;
+  }
   if (const DenseVoxels* voxels = chunk.dense()) {
-    append_shortest(*voxels, nullptr, out);
+    append_shortest(*voxels, untried, start, out);
     return;
   }
   const auto voxels = std::make_unique_for_overwrite<DenseVoxels>();
   chunk.copy_to(*voxels);
-  append_shortest(*voxels, layers, out);
+  append_shortest(*voxels, untried, start, out);
 }
 
 tl::expected<Chunk, DecodeError> decode(std::span<const std::byte> payload) {
