@@ -7,6 +7,7 @@
 #include <iterator>
 #include <memory>
 #include <random>
+#include <string_view>
 #include <utility>
 
 #include <talus/terrain/extraction.h>
@@ -49,13 +50,30 @@ terrain::World default_world_with(const std::string& sections) {
       .value();
 }
 
-std::string text_of_world(const std::string& name) {
-  std::ifstream file{TALUS_SOURCE_DIR "/core/worlds/" + name + ".toml"};
+std::string text_of(const std::string& path) {
+  std::ifstream file{TALUS_SOURCE_DIR "/" + path};
   return {std::istreambuf_iterator<char>{file}, {}};
+}
+
+std::string text_of_world(const std::string& name) {
+  return text_of("core/worlds/" + name + ".toml");
 }
 
 terrain::World sample_world(const std::string& name) {
   return terrain::World::parse(text_of_world(name), name).value();
+}
+
+terrain::World rough_world(std::uint32_t seed, int times) {
+  std::string text = text_of("tests/load/rough.toml");
+  const auto replace = [&text](std::string_view key, const std::string& value) {
+    const std::size_t from = text.find("\n" + std::string{key} + " =") + 1;
+    text.replace(from, text.find('\n', from) - from, std::string{key} + " = " + value);
+  };
+  const std::string wavelength = "0." + std::string(times < 5 ? 1 : 0, '0') + std::to_string(2 * times);
+  replace("seed", std::to_string(seed));
+  replace("wavelength", wavelength);
+  replace("strata_wavelength", wavelength);
+  return terrain::World::parse(text, "rough").value();
 }
 
 terrain::World without_caves(const std::string& name) {

@@ -45,7 +45,11 @@ inline constexpr const char* kOre =
 /// A sample world: "canyon", "hills".
 [[nodiscard]] terrain::World sample_world(const std::string& name);
 
-/// The same without its [caves].
+/// tests/load/rough.toml by another seed, its features `times` as wide: layers that swell and fade within two
+/// voxels or some more.
+[[nodiscard]] terrain::World rough_world(std::uint32_t seed, int times);
+
+/// A sample world without its [caves].
 [[nodiscard]] terrain::World without_caves(const std::string& name);
 
 /// The chunks over 8 x 8 tiles of the features world that its caves change; or what they would be without.

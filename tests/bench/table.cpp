@@ -15,6 +15,7 @@ struct Row {
   std::string unit;
   double ns = 0;  // an item
   double bytes = 0;
+  double least_ns = 0;
 };
 
 Row row_of(const benchmark::BenchmarkReporter::Run& run) {
@@ -29,6 +30,8 @@ Row row_of(const benchmark::BenchmarkReporter::Run& run) {
   if (items != run.counters.end() && items->second.value > 0) row.ns = 1e9 / items->second.value;
   const auto bytes = run.counters.find("bytes");
   if (bytes != run.counters.end()) row.bytes = bytes->second.value;
+  const auto least = run.counters.find("least_ns");
+  if (least != run.counters.end()) row.least_ns = least->second.value;
   return row;
 }
 
@@ -57,6 +60,7 @@ class Table final : public benchmark::BenchmarkReporter {
     if (row.reference.empty()) {
       stages_[row.stage] = row;
       std::printf("%-34s %10.2f a %s", row.stage.c_str(), row.ns, row.unit.c_str());
+      if (row.least_ns > 0) std::printf(", at least %.0f", row.least_ns);
       if (row.bytes > 0) std::printf(", %.1f bytes", row.bytes);
       std::printf("\n");
       return;

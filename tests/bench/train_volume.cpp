@@ -25,7 +25,7 @@ namespace {
 using namespace talus;
 using namespace talus::codec;
 
-constexpr std::size_t kTables = 4;
+constexpr std::size_t kTables = 8;
 constexpr std::size_t kClasses = 62;
 constexpr char kDigits[] = "0123456789ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz";
 constexpr int kRounds = 30;
@@ -112,6 +112,7 @@ std::vector<ByContext> all_counts() {
   add(bench::mixed_chunks(terrain::default_world(), Lod::of(2)));
   add(bench::mixed_chunks(bench::sample_world("canyon"), Lod::of(1)));
   add(bench::cave_chunks(true));
+  for (const int times : {1, 2, 4, 8}) add(bench::mixed_chunks(bench::rough_world(7, times)));
   for (std::uint32_t seed = 1; seed <= 4; ++seed) {
     add({bench::random_chunk(seed, 4, 1), bench::random_chunk(seed, 40, 3),
          bench::random_chunk(seed, 8, 60)});

@@ -166,8 +166,8 @@ Payload of_one_material(int encoding, std::initializer_list<int> rest) {
 }
 
 TEST_CASE("a table of probabilities that does not exist") {
-  CHECK(decode(of_one_material(1, {0, 3})).value() == Chunk::uniform(MaterialId{5}));
-  CHECK(fault_of(of_one_material(1, {0, 4})) == DecodeError::bad_number);
+  CHECK(decode(of_one_material(1, {0, 7})).value() == Chunk::uniform(MaterialId{5}));
+  CHECK(fault_of(of_one_material(1, {0, 8})) == DecodeError::bad_number);
 }
 
 TEST_CASE("exceptions that are left over") {

@@ -147,9 +147,9 @@ std::string payload_vectors() {
   add_error("volume_unordered_materials", changed(volume, [](auto& bytes) { bytes[4] = std::byte{1}; }));
   add_error("volume_sizes_past_256", changed(volume, [](auto& bytes) { bytes[7] = std::byte{0x0e}; }));
   add_error("volume_exceptions_left_over", changed(volume, [](auto& bytes) { bytes[10] = std::byte{0x20}; }));
-  add_error("volume_no_such_table", changed(volume, [](auto& bytes) { bytes[11] = std::byte{4}; }));
+  add_error("volume_no_such_table", changed(volume, [](auto& bytes) { bytes[11] = std::byte{8}; }));
   add_error("volume_small_state", changed(volume, [](auto& bytes) { bytes[13] = std::byte{0}; }));
-  add_error("volume_other_ending", changed(volume, [](auto& bytes) { bytes[40] = std::byte{0x18}; }));
+  add_error("volume_other_ending", changed(volume, [](auto& bytes) { bytes[40] = std::byte{0x09}; }));
   add_error("number_longer_than_it_need_be",
             {std::byte{3}, std::byte{0}, std::byte{1}, std::byte{0x80}, std::byte{0}});
   return text;

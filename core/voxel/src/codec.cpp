@@ -20,6 +20,10 @@ constexpr std::size_t kHeaderBytes = 2;
 // Layers of up to this size are kept without trying anything else, which takes several times as long.
 constexpr std::size_t kGoodLayeredBytes = 1024;
 
+// Layers of more than this after the header are seldom shorter than a volume: they are tried after it, with
+// its size as the limit.
+constexpr std::size_t kTriedLayeredBytes = 2048;
+
 // Runs are shorter only than volumes larger than this.
 constexpr std::size_t kGoodVolumeBytes = 2048 - kHeaderBytes;
 
@@ -48,31 +52,36 @@ bool append_layered(const Layers& layers, std::size_t limit, std::vector<std::by
 }
 
 /// Appends the shortest of volume, runs and raw voxels; or replaces the layers that stand from `start` on
-/// where one of these is shorter.
-void append_shortest(const DenseVoxels& voxels, std::size_t start, std::vector<std::byte>& out) {
+/// where one of these is shorter. `untried`: layers of more than kTriedLayeredBytes, or null.
+void append_shortest(const DenseVoxels& voxels, const Layers* untried, std::size_t start,
+                     std::vector<std::byte>& out) {
   // What is found last is the shortest: it stands behind what it replaces.
   std::size_t limit = out.size() > start ? out.size() - start - kHeaderBytes : sizeof(DenseVoxels);
-  // Gives how many bytes the body takes.
-  const auto try_next = [&](Encoding encoding, const auto& encode_body) {
-    const std::size_t last = out.size();
-    put_header(encoding, out);
-    const bool encoded = encode_body();
-    const std::size_t size = encoded ? out.size() - last - kHeaderBytes : sizeof(DenseVoxels);
-    if (size >= limit) {
-      out.resize(last);
-      return size;
-    }
+  std::size_t last = out.size();
+  const auto take_last = [&] {
     out.erase(out.begin() + static_cast<std::ptrdiff_t>(start),
               out.begin() + static_cast<std::ptrdiff_t>(last));
-    limit = size;
-    return size;
+    last = out.size();
+    limit = last - start - kHeaderBytes;
   };
+  put_header(Encoding::volume, out);
   std::size_t changes = 0;
-  const std::size_t volume = try_next(
-      Encoding::volume, [&] { return codec::encode_volume(voxels, out, codec::volume_kernels(), &changes); });
+  const bool has_volume = codec::encode_volume(voxels, out, codec::volume_kernels(), &changes);
+  const std::size_t volume = has_volume ? out.size() - last - kHeaderBytes : sizeof(DenseVoxels);
+  if (volume < limit) {
+    take_last();
+  } else {
+    out.resize(last);
+  }
+  if (untried != nullptr && limit > kTriedLayeredBytes && append_layered(*untried, limit, out)) take_last();
   // A run takes more than half a byte.
   if (volume > kGoodVolumeBytes && changes / 2 < limit) {
-    (void)try_next(Encoding::runs, [&] { return codec::encode_runs(voxels, limit, out); });
+    put_header(Encoding::runs, out);
+    if (codec::encode_runs(voxels, limit, out)) {
+      take_last();
+    } else {
+      out.resize(last);
+    }
   }
   if (out.size() > start) return;
   put_header(Encoding::raw, out);
@@ -118,16 +127,18 @@ std::string_view describe(DecodeError error) {
 
 void encode(const Chunk& chunk, std::vector<std::byte>& out) {
   const std::size_t start = out.size();
-  if (const Layers* const layers = chunk.layers()) {
-    if (append_layered(*layers, sizeof(DenseVoxels), out) && out.size() - start <= kGoodLayeredBytes) return;
+  const Layers* untried = chunk.layers();
+  if (untried != nullptr && append_layered(*untried, kTriedLayeredBytes, out)) {
+    if (out.size() - start <= kGoodLayeredBytes) return;
+    untried = nullptr;
   }
   if (const DenseVoxels* voxels = chunk.dense()) {
-    append_shortest(*voxels, start, out);
+    append_shortest(*voxels, untried, start, out);
     return;
   }
   const auto voxels = std::make_unique_for_overwrite<DenseVoxels>();
   chunk.copy_to(*voxels);
-  append_shortest(*voxels, start, out);
+  append_shortest(*voxels, untried, start, out);
 }
 
 tl::expected<Chunk, DecodeError> decode(std::span<const std::byte> payload) {

@@ -121,13 +121,18 @@ class Explainer {
     return payload_.size() - static_cast<std::size_t>(source.end - source.next);
   }
 
+  /// Notes that the bytes up to `from` are of symbols that are not shown.
+  void note_hidden(std::size_t from) {
+    if (from > offset())
+      fields_.push_back({offset(), from - offset(), "symbols", "of exceptions or escapes, not shown"});
+  }
+
   /// Notes a symbol that has been read from `lane`, whose state was `state`, as long as any are wanted.
   void note_symbol(const RansSource& source, std::size_t from, std::size_t lane, std::uint32_t state,
                    std::string name, const std::string& meaning) {
     if (symbols_left_ == 0 || source.next > source.end) return;
     --symbols_left_;
-    if (from > offset())
-      fields_.push_back({offset(), from - offset(), "symbols", "of exceptions or escapes, not shown"});
+    note_hidden(from);
     fields_.push_back(
         {from, offset_of(source) - from, std::move(name),
          meaning + "; state " + text(lane) + " was " + text(state) + ", is " + text(source.states[lane])});
@@ -257,6 +262,7 @@ class Explainer {
     take_digits(source, digits.data(), size,
                 [&gaps](std::size_t, std::uint32_t gap) { gaps += (gaps.empty() ? "" : ", ") + text(gap); });
     if (source.next > source.end) return;
+    note_hidden(from);
     fields_.push_back({from, offset_of(source) - from, "gaps", gaps});
     rest_ = payload_.subspan(offset_of(source));
     for (std::size_t i = 0; i < size && source.next <= source.end; ++i) {

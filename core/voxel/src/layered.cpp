@@ -62,7 +62,7 @@ bool encode_layered(const Layers& layers, std::size_t limit, std::vector<std::by
     if (layers.plane_count() == 0) return out.size() - begin <= limit;
   }
   // On the stack, where only what is written is touched; one plane past the limit still fits.
-  std::array<std::uint8_t, kMaxBytes + kMaxBytesOfPlane + kStatesBytes> buffer;
+  std::array<std::uint8_t, kMaxBytes + kMaxBytesOfPlane + kStatesBytes + kScribbled> buffer;
   std::uint8_t* const end = buffer.data() + buffer.size();
   RansSink sink{{}, end};
   for (std::size_t lane = 0; lane < kLanes; ++lane) {

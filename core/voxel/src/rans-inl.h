@@ -95,6 +95,8 @@ HWY_INLINE HalfVec narrow_small(const WordParts& words) {
 HWY_INLINE std::uint32_t lanes_of(hn::Mask<Half> mask) {
 #if HWY_TARGET == HWY_AVX3
   return mask.raw;
+#elif HWY_TARGET == HWY_AVX2
+  return static_cast<std::uint32_t>(_mm_movemask_epi8(mask.raw));
 #else
   std::uint8_t bits[8] = {};  // StoreMaskBits may write eight
   hn::StoreMaskBits(Half{}, mask, bits);
@@ -158,8 +160,13 @@ HWY_INLINE HalfVec decode_symbols(WordParts& states, const StartParts& starts, c
     const auto slot = hn::And(state, hn::Set(d, kProbabilityTotal - 1));
     // All ones where the slot lies before the start of a symbol's interval. No start is above 256.
     const auto is_before = [&](WordVec start) HWY_ATTR {
+#if HWY_TARGET == HWY_AVX3
+      // Not by way of a mask register, which takes six times as long.
+      return WordVec{_mm256_cmpgt_epi16(start.raw, slot.raw)};
+#else
       const auto a = hn::BitCast(signed_words, slot);
       return hn::BitCast(d, hn::VecFromMask(signed_words, hn::Lt(a, hn::BitCast(signed_words, start))));
+#endif
     };
     const auto one = starts.one.part[p];
     const auto two = starts.two.part[p];
@@ -181,60 +188,93 @@ HWY_INLINE HalfVec decode_symbols(WordParts& states, const StartParts& starts, c
   return taken;
 }
 
-/// a / b, of words, b not 0. Floats of 24 bits have room for a quotient below 2^16 and more than as many
-/// digits behind it as tell it from the next: rounded down it is exact.
-HWY_INLINE WordVec divided(WordVec a, WordVec b) {
+/// 65536 / size, rounded down and at most 65535, of sizes from 1 to 256. Floats of 24 bits hold quotients of
+/// these exactly enough: none lies nearer to the next integer than 1 / 256.
+HWY_INLINE WordVec reciprocals(WordVec sizes) {
+#if HWY_TARGET == HWY_AVX3
+  const __m512 divisor = _mm512_cvtepi32_ps(_mm512_cvtepu16_epi32(sizes.raw));
+  return WordVec{
+      _mm512_cvtusepi32_epi16(_mm512_cvttps_epi32(_mm512_div_ps(_mm512_set1_ps(65536.0F), divisor)))};
+#else
   const hn::Half<Words> half;
   const hn::Repartition<float, Words> floats;
   const hn::Repartition<std::int32_t, Words> integers;
-  const auto part = [&](auto x, auto y) HWY_ATTR {
-    const auto dividend = hn::ConvertTo(floats, hn::PromoteTo(integers, x));
-    const auto divisor = hn::ConvertTo(floats, hn::PromoteTo(integers, y));
-    return hn::DemoteTo(half, hn::ConvertTo(integers, hn::Div(dividend, divisor)));
+  const auto part = [&](auto x) HWY_ATTR {
+    const auto divisor = hn::ConvertTo(floats, hn::PromoteTo(integers, x));
+    return hn::DemoteTo(half, hn::ConvertTo(integers, hn::Div(hn::Set(floats, 65536.0F), divisor)));
   };
-  return hn::Combine(Words{}, part(hn::UpperHalf(half, a), hn::UpperHalf(half, b)),
-                     part(hn::LowerHalf(half, a), hn::LowerHalf(half, b)));
+  return hn::Combine(Words{}, part(hn::UpperHalf(half, sizes)), part(hn::LowerHalf(half, sizes)));
+#endif
 }
+
+/// By a mask of eight lanes: from where each of eight bytes comes, so that those of the mask stand last.
+inline constexpr auto kLastBytes = [] {
+  std::array<std::array<std::uint8_t, 8>, 256> table{};
+  for (std::size_t mask = 0; mask < 256; ++mask) {
+    std::size_t place = 8;
+    for (std::uint8_t lane = 8; lane-- > 0;) {
+      if ((mask >> lane & 1U) != 0) table[mask][--place] = lane;
+    }
+  }
+  return table;
+}();
 
 /// Writes a symbol in each lane. The interval from 0 to 256 leaves a lane as it is.
 HWY_INLINE void encode_symbols(WordParts& states, const WordParts& starts, const WordParts& sizes,
                                std::uint8_t*& next) {
   const Words d;
   const SignedWords compared;
-  WordParts full;
   WordParts low;
+#if HWY_TARGET == HWY_AVX3
+  __mmask16 lanes = 0;
+#else
+  WordParts full;
+#endif
   for (std::size_t p = 0; p < kParts; ++p) {
     const auto state = states.part[p];
     const auto size = sizes.part[p];
+    // What does not wait for the states: the chain from state to state bounds the speed.
+    const auto reciprocal = reciprocals(size);
+    const auto beyond = hn::Sub(hn::Set(d, kProbabilityTotal), size);
+    const auto is_less = [&](WordVec a, WordVec b)
+                             HWY_ATTR { return hn::Lt(hn::BitCast(compared, a), hn::BitCast(compared, b)); };
     // Would it grow past 16 bits? Of high bytes and sizes none is above 256.
     const auto high = hn::ShiftRight<8>(state);
-    const auto fits = hn::BitCast(
-        d, hn::VecFromMask(compared, hn::Lt(hn::BitCast(compared, high), hn::BitCast(compared, size))));
-    full.part[p] = hn::Not(fits);
+    const auto fits = is_less(high, size);
     low.part[p] = hn::And(state, hn::Set(d, kProbabilityTotal - 1));
-    const auto left = hn::IfThenElse(hn::MaskFromVec(fits), state, high);
-    const auto quotient = divided(left, size);
+    const auto left =
+        hn::BitCast(d, hn::IfThenElse(fits, hn::BitCast(compared, state), hn::BitCast(compared, high)));
+    // The quotient left / size or one less: the reciprocal is less than 1 too small, and left below 65536.
+    const auto quotient = hn::MulHigh(left, reciprocal);
     const auto rest = hn::Sub(left, hn::Mul(quotient, size));
-    states.part[p] = hn::Add(hn::ShiftLeft<8>(quotient), hn::Add(rest, starts.part[p]));
+    const auto last = hn::BitCast(d, hn::IfThenZeroElse(is_less(rest, size), hn::BitCast(compared, beyond)));
+    // quotient * 256 + rest is left + quotient * (256 - size).
+    states.part[p] = hn::Add(hn::Add(hn::Add(left, starts.part[p]), hn::Mul(quotient, beyond)), last);
+#if HWY_TARGET == HWY_AVX3
+    lanes = static_cast<__mmask16>(~fits.raw);
+#else
+    full.part[p] = hn::Not(hn::BitCast(d, hn::VecFromMask(compared, fits)));
+#endif
   }
 #if HWY_TARGET == HWY_AVX3
   // Without a branch: whether any lane is full cannot be foreseen.
-  const auto lanes = static_cast<__mmask16>(hn::Ne(full.part[0], hn::Zero(d)).raw);
   const int count = std::popcount(static_cast<std::uint16_t>(lanes));
   const __m512i bytes = _mm512_maskz_compress_epi32(lanes, _mm512_cvtepu16_epi32(low.part[0].raw));
   next -= count;
   _mm_mask_storeu_epi8(next, static_cast<__mmask16>((1U << count) - 1), _mm512_cvtepi32_epi8(bytes));
 #else
-  std::uint32_t lanes = lanes_of(hn::MaskFromVec(narrow_small(full)));
-  if (lanes == 0) return;
-  const Half half;
-  alignas(16) std::array<std::uint8_t, kLanes> bytes;
-  hn::Store(narrow(low), half, bytes.data());
-  while (lanes != 0) {
-    const auto lane = static_cast<std::uint32_t>(std::bit_width(lanes) - 1);
-    *--next = bytes[lane];
-    lanes ^= 1U << lane;
-  }
+  // The bytes of eight lanes at a time, moved to the end of eight bytes. What stands before them is
+  // overwritten by the bytes of the lanes below, or lies before `next`.
+  const std::uint32_t lanes = lanes_of(hn::MaskFromVec(narrow_small(full)));
+  const hn::FixedTag<std::uint8_t, 8> eight;
+  const HalfVec bytes = narrow(low);
+  const auto put = [&](auto from, std::uint32_t which) HWY_ATTR {
+    const auto order = hn::LoadU(eight, kLastBytes[which].data());
+    hn::StoreU(hn::TableLookupBytes(from, order), eight, next - 8);
+    next -= std::popcount(which);
+  };
+  put(hn::UpperHalf(eight, bytes), lanes >> 8U);
+  put(hn::LowerHalf(eight, bytes), lanes & 0xFFU);
 #endif
 }
 

@@ -14,6 +14,9 @@ inline constexpr std::uint32_t kMinState = 256;
 inline constexpr int kProbabilityTotal = 256;
 inline constexpr std::size_t kStatesBytes = kLanes * sizeof(std::uint16_t);
 
+/// Encoders may write so many bytes before those that count.
+inline constexpr std::size_t kScribbled = 8;
+
 /// What a decoder reads from. Kernels read ahead: the bytes go on past `end`, whatever they hold. That `next`
 /// lies past `end` says that the payload is truncated.
 struct RansSource {
@@ -25,7 +28,8 @@ struct RansSource {
 /// What an encoder writes to, backwards: what is read last is written first.
 struct RansSink {
   std::array<std::uint16_t, kLanes> states{};
-  std::uint8_t* next = nullptr;  // what was written begins here; one byte before it may be scribbled on
+  std::uint8_t* next =
+      nullptr;  // what was written begins here; kScribbled bytes before it may be written too
 };
 
 /// A symbol's interval of the probability range 0 to 256.

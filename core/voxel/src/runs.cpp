@@ -104,7 +104,8 @@ bool encode_runs(const DenseVoxels& voxels, std::size_t limit, std::vector<std::
     }
   }
 
-  std::array<std::uint8_t, sizeof(DenseVoxels) + kMaxBatch + kMaxGroupBytes + kStatesBytes> bytes;
+  std::array<std::uint8_t, sizeof(DenseVoxels) + kMaxBatch + kMaxGroupBytes + kStatesBytes + kScribbled>
+      bytes;
   std::uint8_t* const end = bytes.data() + bytes.size();
   RansSink sink{{}, end};
   sink.states.fill(static_cast<std::uint16_t>(kMinState));

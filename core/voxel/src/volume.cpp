@@ -45,7 +45,7 @@ constexpr auto kSymbolIntervals = [] {
 
 /// What a symbol of an interval of this size costs, in sixteenths of a bit: 16 * (8 - log2(size)), rounded
 /// down digit by digit, so that every compiler finds the same.
-constexpr std::uint64_t cost_of(std::uint32_t size) {
+constexpr std::uint16_t cost_of(std::uint32_t size) {
   double value = 256.0 / size;
   std::uint64_t cost = 0;
   while (value >= 2) {
@@ -58,60 +58,64 @@ constexpr std::uint64_t cost_of(std::uint32_t size) {
     value /= 2;
     cost += digit;
   }
-  return cost;
+  return static_cast<std::uint16_t>(cost);
 }
 
-/// By context and symbol: the costs by each table, sixteen bits each.
+/// By context and symbol: the costs by each table.
+using TableCosts = std::array<std::uint16_t, kTables>;
 constexpr auto kCosts = [] {
-  std::array<std::uint64_t, kVolumeContexts * 4> costs{};
+  std::array<TableCosts, kVolumeContexts * 4> costs{};
   for (std::size_t c = 0; c < kVolumeContexts; ++c) {
     for (std::uint8_t symbol = 0; symbol < 4; ++symbol) {
       for (std::size_t t = 0; t < kTables; ++t) {
-        costs[4 * c + symbol] |= cost_of(interval_of(kIntervals[t][c], symbol).size) << (16 * t);
+        costs[4 * c + symbol][t] = cost_of(interval_of(kIntervals[t][c], symbol).size);
       }
     }
   }
   return costs;
 }();
-static_assert(kTables == 4);
 
-/// The table by which every fourth coded voxel takes the fewest bits.
+/// The table by which every eighth coded voxel takes the fewest bits.
 std::size_t best_table(const VolumeEvents& events) {
-  constexpr std::size_t kStep = 4;
-  constexpr std::size_t kPerSum = 256;  // costs of at most 128 each in 16 bits
-  std::array<std::uint64_t, kTables> totals{};
+  constexpr std::size_t kStep = 8;
+  static_assert(kMaxBatch / kStep * 128 < 0x10000);  // a batch's costs, of at most 128 each
+  std::array<std::uint32_t, kTables> totals{};
   std::size_t at = 0;
   for (std::size_t batch = 0; batch < kBatches; ++batch) {
-    static_assert(kMaxBatch <= kPerSum);
-    const std::uint64_t* const costs = kCosts.data() + 4 * first_context_of(batch);
-    std::uint64_t sums = 0;
+    const TableCosts* const costs = kCosts.data() + 4 * first_context_of(batch);
+    TableCosts sums{};
     for (std::size_t i = at; i < at + events.batch[batch]; i += kStep) {
-      sums += costs[4 * std::size_t{events.context[i]} + events.symbol[i]];
+      const TableCosts& cost = costs[4 * std::size_t{events.context[i]} + events.symbol[i]];
+      for (std::size_t t = 0; t < kTables; ++t) sums[t] = static_cast<std::uint16_t>(sums[t] + cost[t]);
     }
     at += events.batch[batch];
-    for (std::size_t t = 0; t < kTables; ++t) totals[t] += sums >> (16 * t) & 0xFFFFU;
+    for (std::size_t t = 0; t < kTables; ++t) totals[t] += sums[t];
   }
   return static_cast<std::size_t>(std::min_element(totals.begin(), totals.end()) - totals.begin());
 }
 
-constexpr std::array<Interval, kDigitCounts> kGapIntervals = [] {
-  std::array<Interval, kDigitCounts> intervals{};
-  std::uint16_t start = 0;
+/// Start + 65536 * size, by how many digits a gap has.
+constexpr std::array<std::uint32_t, kDigitCounts> kGapIntervals = [] {
+  std::array<std::uint32_t, kDigitCounts> intervals{};
+  std::uint32_t start = 0;
   for (std::size_t i = 0; i < kDigitCounts; ++i) {
-    intervals[i] = {start, kGapSizes[i]};
-    start = static_cast<std::uint16_t>(start + kGapSizes[i]);
+    intervals[i] = start | std::uint32_t{kGapSizes[i]} << 16U;
+    start += kGapSizes[i];
   }
   return intervals;
 }();
 
-void put_group(RansSink& sink, std::span<const VolumeException> group, const MaterialCode& materials) {
-  for (std::size_t i = group.size(); i-- > 0;) {
-    encode_symbol(sink, i, unpacked(materials.interval(to_integer(group[i].material))));
-  }
+void put_group(RansSink& sink, std::span<const VolumeException> group, const MaterialCode& materials,
+               const VolumeKernels& kernels) {
+  std::array<std::uint32_t, kLanes> intervals{};
+  for (std::size_t i = 0; i < group.size(); ++i)
+    intervals[i] = materials.interval(to_integer(group[i].material));
+  kernels.write_intervals(intervals.data(), group.size(), sink);
   put_digits(sink, group.size(), [&](std::size_t i) { return std::uint32_t{group[i].gap}; });
-  for (std::size_t i = group.size(); i-- > 0;) {
-    encode_symbol(sink, i, kGapIntervals[static_cast<std::size_t>(std::bit_width(group[i].gap))]);
+  for (std::size_t i = 0; i < group.size(); ++i) {
+    intervals[i] = kGapIntervals[static_cast<std::size_t>(std::bit_width(group[i].gap))];
   }
+  kernels.write_intervals(intervals.data(), group.size(), sink);
 }
 
 /// Replaces the events' materials by their numbers. False where there are too many.
@@ -133,7 +137,8 @@ bool number_materials(VolumeEvents& events, MaterialCode& materials) {
 }
 
 constexpr std::size_t kGroupBytes = 4 * kLanes;
-constexpr std::size_t kBytesOfBatch = 2 * kMaxBatch + (kMaxBatch / kLanes + 1) * kGroupBytes;
+// A byte for each escape of a batch, then one for each symbol, then the groups of a batch.
+constexpr std::size_t kMaxBytesAtOnce = kMaxBatch + kChunkVolume + (kMaxBatch / kLanes + 2) * kGroupBytes;
 
 }  // namespace
 
@@ -156,7 +161,7 @@ bool encode_volume(const DenseVoxels& voxels, std::vector<std::byte>& out, const
   const std::size_t table = best_table(events);
   out.push_back(static_cast<std::byte>(table));
 
-  std::array<std::uint8_t, sizeof(DenseVoxels) + kBytesOfBatch + kGroupBytes + kStatesBytes> buffer;
+  std::array<std::uint8_t, sizeof(DenseVoxels) + kMaxBytesAtOnce + kStatesBytes + kScribbled> buffer;
   std::uint8_t* const end = buffer.data() + buffer.size();
   RansSink sink{{}, end};
   sink.states.fill(static_cast<std::uint16_t>(kMinState));
@@ -166,24 +171,36 @@ bool encode_volume(const DenseVoxels& voxels, std::vector<std::byte>& out, const
   const auto group = [&](std::size_t g) {
     return exceptions.subspan(g * kLanes).first(std::min(kLanes, exceptions.size() - g * kLanes));
   };
-  for (std::size_t batch = kBatches; batch-- > 0;) {
-    escapes -= events.batch_escapes[batch];
-    for (std::size_t i = events.batch_escapes[batch]; i-- > 0;) {
+  // The last exception of a group is in the batch before which the next group is read.
+  const auto group_follows = [&](std::size_t batch) {
+    return groups > 1 && exceptions[(groups - 1) * kLanes - 1].batch == batch;
+  };
+  for (std::size_t batch = kBatches; batch > 0;) {
+    const std::size_t count = events.batch_escapes[batch - 1];
+    escapes -= count;
+    for (std::size_t i = count; i-- > 0;) {
       encode_symbol(sink, i % kLanes, unpacked(materials.interval(to_integer(events.escape[escapes + i]))));
     }
-    coded -= events.batch[batch];
-    kernels.write(events, coded, events.batch[batch],
-                  kSymbolIntervals[table].data() + 4 * first_context_of(batch), sink);
-    while (groups > 1 && exceptions[(groups - 1) * kLanes - 1].batch == batch) {
+    // As many batches at once as have only symbols between them.
+    EventBatches batches{batch, batch, coded, 0};
+    do {
+      batches.coded += events.batch[--batches.begin];
+    } while (batches.begin > 0 && events.batch_escapes[batches.begin - 1] == 0 &&
+             !group_follows(batches.begin));
+    batch = batches.begin;
+    coded -= batches.coded;
+    batches.first_coded = coded;
+    kernels.write(events, batches, kSymbolIntervals[table].data(), sink);
+    while (group_follows(batch)) {
       --groups;
-      put_group(sink, group(groups), materials);
+      put_group(sink, group(groups), materials, kernels);
     }
     if (static_cast<std::size_t>(end - sink.next) >= sizeof(DenseVoxels)) {
       out.resize(begin);
       return false;
     }
   }
-  if (groups == 1) put_group(sink, group(0), materials);
+  if (groups == 1) put_group(sink, group(0), materials, kernels);
   put_states(sink);
   out.insert(out.end(), reinterpret_cast<const std::byte*>(sink.next),
              reinterpret_cast<const std::byte*>(end));

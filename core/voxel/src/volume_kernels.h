@@ -43,12 +43,24 @@ struct VolumeEvents {
   std::size_t escapes = 0;
 };
 
+/// Batches `begin` to `end` - 1, and of their coded voxels the first and the count.
+struct EventBatches {
+  std::size_t begin;
+  std::size_t end;
+  std::size_t first_coded;
+  std::size_t coded;
+};
+
 /// Analysis ends early, and the events mean nothing, where the first kProbeWaves waves, a quarter of the
-/// voxels, have more than kMaxSurprises: that is noise, which other encodings take less for.
+/// voxels, have more than kMaxSurprises, or more than kManySurprises and twice as many as changes: that is
+/// noise, which runs take less for.
 inline constexpr std::size_t kProbeWaves = 32;
-inline constexpr std::size_t kMaxSurprises = 2176;
-[[nodiscard]] constexpr bool is_noise(std::size_t batches, std::size_t surprises) {
-  return batches == 2 * kProbeWaves && surprises > kMaxSurprises;
+inline constexpr std::size_t kMaxSurprises = 3072;
+inline constexpr std::size_t kManySurprises = 1024;
+[[nodiscard]] inline bool is_noise(std::size_t batches, const VolumeEvents& events) {
+  return batches == 2 * kProbeWaves &&
+         (events.surprises > kMaxSurprises ||
+          (events.surprises > kManySurprises && events.surprises > 2 * events.changes));
 }
 
 enum class VolumeFault : std::uint8_t { none, truncated, bad_number };
@@ -64,10 +76,10 @@ struct PaddedVoxels {
 struct VolumeKernels {
   /// What a decoder has to be told of `voxels`; false where they are noise.
   bool (*analyse)(const DenseVoxels& voxels, VolumeEvents& events);
-  /// Writes the symbols of coded voxels from `first` on, `count` of them, last one first: at most kMaxBatch.
-  /// `intervals` has one for each context of their half and symbol: start + 65536 * size.
-  void (*write)(const VolumeEvents& events, std::size_t first, std::size_t count,
-                const std::uint32_t* intervals, RansSink& sink);
+  /// Writes the symbols of whole batches, the last one first. `intervals`: by context and symbol, start +
+  /// 65536 * size.
+  void (*write)(const VolumeEvents& events, const EventBatches& batches, const std::uint32_t* intervals,
+                RansSink& sink);
   /// Writes `count` symbols, the last one first; the lane of the first is 0. Intervals as above.
   void (*write_intervals)(const std::uint32_t* intervals, std::size_t count, RansSink& sink);
   /// Reads as many kinds of symbols, at most kMaxBatch.

@@ -1,5 +1,5 @@
 // How voxels of any shape are predicted: FORMAT.md, "Volume". Voxel by voxel, as the document has it;
-// volume-inl.h has the same for rows of 32 voxels as bit masks.
+// volume_candidates-inl.h has the same for rows of 32 voxels as bit masks.
 #pragma once
 
 #include <algorithm>

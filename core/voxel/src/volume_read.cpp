@@ -12,7 +12,7 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
-#include "volume-inl.h"
+#include "volume_candidates-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace talus::HWY_NAMESPACE {
@@ -35,14 +35,9 @@ void read_slots(VolumeSource& source, const SlotTable& slots, std::size_t count,
 /// The contexts of a batch, and then its symbols as two strings of bits.
 class Batch {
  public:
-  void clear() { size_ = 0; }
-
-  /// The coded voxels of row `i` of a wave.
-  template <std::size_t count>
-  HWY_INLINE void add(const BatchMasks& masks, std::size_t i) {
-    put_numbers<count>(
-        masks.coded[i], [&](std::size_t b) { return masks.context[b][i]; }, contexts_.data() + size_);
-    size_ += static_cast<std::size_t>(std::popcount(masks.coded[i]));
+  template <std::size_t bits>
+  HWY_INLINE void begin(const BatchMasks& masks, const VolumePack* pack) {
+    size_ = masks.coded_rows == 0 ? 0 : masks.put_contexts<bits>(pack, contexts_.data());
   }
 
   HWY_INLINE void decode(VolumeSource& source, const std::uint32_t* intervals) {
@@ -105,9 +100,11 @@ class Batch {
     starts.two.part[0] = hn::ShiftRight<8>(one_two);
     starts.three.part[0] = WordVec{_mm512_cvtepi32_epi16(_mm512_srli_epi32(ends, 16))};
 #else
-    alignas(32) std::array<std::uint32_t, kLanes> ends;
-    for (std::size_t i = 0; i < kLanes; ++i) {
-      ends[i] = (active >> i & 1U) != 0 ? intervals[contexts_[first + i]] : 0;
+    alignas(32) std::array<std::uint32_t, kLanes> ends{};
+    if (active == 0xFFFF) {
+      for (std::size_t i = 0; i < kLanes; ++i) ends[i] = intervals[contexts_[first + i]];
+    } else {
+      for (std::size_t i = 0; i < size_ - first; ++i) ends[i] = intervals[contexts_[first + i]];
     }
     const auto* const words = reinterpret_cast<const std::uint16_t*>(ends.data());
     for (std::size_t p = 0; p < kParts; ++p) {
@@ -122,17 +119,11 @@ class Batch {
     return starts;
   }
 
-  std::array<std::uint8_t, kMaxBatch + 16> contexts_;
+  std::array<std::uint8_t, kMaxBatch + 32> contexts_;
   BitString low_;
   BitString high_;
   std::size_t size_ = 0;
   std::size_t next_ = 0;
-};
-
-/// A row of the wave that is being read.
-struct WaveRow {
-  MaterialId* voxels;
-  RowsAround around;
 };
 
 class Reader {
@@ -149,6 +140,10 @@ class Reader {
       around_.store(around);
       const MaskVec in_wave = mask_of_rows(rows_);
       mixed_ = rows_with_any(in_wave & ~(around.all() & around.level));
+      if (mixed_ == 0 && exceptions_.gap() >= rows_ * kChunkSize) {
+        repeat_rows(wave);
+        continue;
+      }
       begin_even(wave);
       const MaskVec same = same_.get();
       store_masks(same, same_rows_.data());
@@ -168,6 +163,21 @@ class Reader {
   }
 
  private:
+  /// All rows are of one material with all around them, and no voxel is an exception.
+  HWY_INLINE void repeat_rows(int wave) {
+    exceptions_.pass(static_cast<std::uint32_t>(rows_ * kChunkSize));
+    const int first = first_row_of(wave);
+    MaterialId* to = voxels_ + (first * kChunkSize + wave - 2 * first) * kChunkSize;
+    const MaterialId* from =
+        rows_around(voxels_, row_zero_.data() + kChunkSize, first, wave - 2 * first).below;
+    for (std::size_t i = 0; i < rows_; ++i) {
+      store_voxels(load_voxels(from), to);
+      to += kRowToRow;
+      from = to - kChunkArea;
+    }
+    equal_.begin(wave);
+  }
+
   /// The even columns get their first candidates, and all columns of rows that are not mixed.
   HWY_INLINE void begin_even(int wave) {
     same_.clear();
@@ -175,7 +185,7 @@ class Reader {
     place_rows(voxels_, row_zero_.data() + kChunkSize, wave, row_);
     for (std::size_t i = 0; i < rows_; ++i) store_voxels(load_voxels(row_[i].around.below), row_[i].voxels);
     over_bits(mixed_, [this](std::size_t i) HWY_ATTR {
-      const WaveRow& row = row_[i];
+      const WaveRow<MaterialId>& row = row_[i];
       const RowVec north = load_voxels(row.around.north);
       const RowVec below = load_voxels(row.around.below);
       same_.set(i, equal(north, below));
@@ -188,7 +198,7 @@ class Reader {
   HWY_INLINE void begin_odd() {
     beside_.clear();
     over_bits(mixed_, [this](std::size_t i) HWY_ATTR {
-      const WaveRow& row = row_[i];
+      const WaveRow<MaterialId>& row = row_[i];
       const RowVec north = load_voxels(row.around.north);
       const RowVec below = load_voxels(row.around.below);
       const RowVec now = load_voxels(row.voxels);
@@ -205,7 +215,7 @@ class Reader {
     equal_.begin(wave);
     const int first = first_row_of(wave);
     over_bits(mixed_, [this, first, wave](std::size_t i) HWY_ATTR {
-      const WaveRow& row = row_[i];
+      const WaveRow<MaterialId>& row = row_[i];
       const RowVec now = load_voxels(row.voxels);
       const int y = first + static_cast<int>(i);
       equal_.set(y, wave - 2 * y, equal(now, west_of(now, row.voxels)),
@@ -220,27 +230,29 @@ class Reader {
       exceptions_.pass(all);
       return;
     }
+    // In a register: the voxels that are written in between might be anything.
+    std::uint32_t gap = exceptions_.gap();
     for (std::size_t i = 0; i < rows_; ++i) {
       RowMask steady = masks_.steady[i];
       auto count = static_cast<std::uint32_t>(std::popcount(steady));
-      while (exceptions_.gap() < count) {
-        const int x = std::countr_zero(deposit_bits(1U << exceptions_.gap(), steady));
+      while (gap < count) {
+        const int x = std::countr_zero(deposit_bits(1U << gap, steady));
         row_[i].voxels[x] = exceptions_.take(source_);
+        gap = exceptions_.gap();
         mixed_ |= 1U << i;
         steady &= ~(RowMask{2} << x) + 1;
         count = static_cast<std::uint32_t>(std::popcount(steady));
       }
-      exceptions_.pass(count);
+      gap -= count;
     }
+    exceptions_.pass(exceptions_.gap() - gap);
   }
 
   /// Reads the symbols of a batch and gives its voxels their materials. False where there is a fault.
   template <bool odd>
   HWY_INLINE bool read_batch() {
     take_exceptions();
-    batch_.clear();
-    over_bits(masks_.coded_rows,
-              [this](std::size_t i) HWY_ATTR { batch_.template add<odd ? 8 : 7>(masks_, i); });
+    batch_.template begin<odd ? 8 : 7>(masks_, pack_);
     source_.keep_ahead();
     batch_.decode(source_, code_.intervals->data() + (odd ? kOddContexts : 0));
     // Which rows have other symbols than 0 cannot be foreseen: they are found first, without a branch for
@@ -261,27 +273,21 @@ class Reader {
   template <bool odd>
   HWY_INLINE void finish_row(std::size_t i) {
     const Batch::Symbols& symbols = symbols_[i];
-    const WaveRow& row = row_[i];
-    const AroundMasks<RowMask> masks = around_.row(i);
-    const RowVec north = load_voxels(row.around.north);
-    const RowVec below = load_voxels(row.around.below);
-    const RowVec now = load_voxels(row.voxels);  // the first candidates
+    const WaveRow<MaterialId>& row = row_[i];
+    const RowNeighbours near = neighbours_of(row, around_.row(i));
+    const RowVec now = near.now;  // the first candidates
     RowVec second;
     if constexpr (odd) {
-      const BesideArrays& beside = beside_rows_;
-      // Base, unless that is the west: then the other.
-      const RowVec of_equal = select(masks.level ^ beside.base_west[i], north, below);
-      const RowVec beyond = select(beside.is_east[i], west_of(now, row.voxels), east_of(now, row.voxels));
-      second = select(beside.agrees[i], first_different(masks, row.around),
-                      select(beside.equal[i], of_equal, beyond));
+      second = second_of_odd(near, row.around, beside_rows_, i, west_of(now, row.voxels),
+                             east_of(now, row.voxels));
     } else {
-      second = select(same_rows_[i], first_different(masks, row.around), select(masks.level, below, north));
+      second = second_of_even(near, row.around, same_rows_[i]);
     }
     RowVec found = select(symbols.low & ~symbols.high, second, now);
     const RowMask is_third = symbols.high & ~symbols.low;
     if (is_third != 0) {
       RowMask exists = 0;
-      const RowVec third = third_candidate(now, second, masks.level, row.around, exists);
+      const RowVec third = third_candidate(now, second, near.masks.level, row.around, exists);
       found = select(is_third, third, found);
       bad_number_ |= (is_third & ~exists) != 0;
     }
@@ -299,6 +305,7 @@ class Reader {
   const VolumeCode& code_;
   MaterialId* voxels_;
   ExceptionReader exceptions_;
+  const VolumePack* pack_ = volume_pack();
   EqualMasks equal_;
   AroundArrays around_;
   GrowingBeside beside_;
@@ -308,7 +315,7 @@ class Reader {
   GrowingMasks south_;
   WaveMasks same_rows_;
   Batch batch_;
-  std::array<WaveRow, kWaveRows> row_;
+  std::array<WaveRow<MaterialId>, kWaveRows> row_;
   std::size_t rows_ = 0;
   std::uint32_t mixed_ = 0;  // bit i: row i, or a row around it, is not of the one material
   std::array<Batch::Symbols, kWaveRows> symbols_;

@@ -59,16 +59,20 @@ bool analyse_volume_scalar(const DenseVoxels& voxels, VolumeEvents& events) {
     });
     events.batch[batch] = static_cast<std::uint16_t>(events.coded - coded);
     events.batch_escapes[batch] = static_cast<std::uint16_t>(events.escapes - escapes);
-    if (is_noise(batch + 1, events.surprises)) return false;
+    if (is_noise(batch + 1, events)) return false;
   }
   return true;
 }
 
-void write_volume_scalar(const VolumeEvents& events, std::size_t first, std::size_t count,
+void write_volume_scalar(const VolumeEvents& events, const EventBatches& batches,
                          const std::uint32_t* intervals, RansSink& sink) {
-  for (std::size_t i = count; i-- > 0;) {
-    encode_symbol(sink, i % kLanes,
-                  unpacked(intervals[4 * std::size_t{events.context[first + i]} + events.symbol[first + i]]));
+  std::size_t first = batches.first_coded + batches.coded;
+  for (std::size_t batch = batches.end; batch-- > batches.begin;) {
+    first -= events.batch[batch];
+    for (std::size_t i = events.batch[batch]; i-- > 0;) {
+      const std::size_t context = first_context_of(batch) + events.context[first + i];
+      encode_symbol(sink, i % kLanes, unpacked(intervals[4 * context + events.symbol[first + i]]));
+    }
   }
 }
 

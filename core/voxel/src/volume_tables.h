@@ -10,37 +10,53 @@ namespace talus::codec {
 
 /// By class: where the intervals of symbols 0, 1 and 2 end; that of symbol 3 ends at 256.
 inline constexpr std::array<std::array<std::uint8_t, 3>, 62> kVolumeEnds{{
-    {24, 182, 193},  {11, 203, 236},  {32, 143, 221},  {69, 211, 237},  {98, 198, 241},  {89, 185, 211},
-    {101, 214, 231}, {118, 239, 247}, {127, 228, 241}, {140, 235, 245}, {137, 245, 252}, {147, 181, 209},
-    {14, 253, 255},  {49, 82, 237},   {52, 94, 129},   {15, 28, 43},    {8, 20, 28},     {49, 252, 253},
-    {34, 252, 253},  {68, 254, 255},  {23, 73, 84},    {193, 208, 209}, {60, 254, 255},  {72, 249, 251},
-    {83, 239, 248},  {33, 67, 211},   {99, 249, 253},  {64, 121, 216},  {87, 144, 244},  {74, 126, 185},
-    {82, 162, 207},  {93, 148, 210},  {167, 254, 255}, {222, 232, 241}, {140, 254, 255}, {53, 240, 248},
-    {121, 249, 251}, {137, 248, 250}, {145, 197, 242}, {161, 243, 250}, {171, 250, 254}, {174, 248, 249},
-    {180, 236, 247}, {189, 240, 242}, {194, 253, 254}, {197, 250, 252}, {208, 253, 254}, {212, 246, 247},
-    {203, 230, 245}, {223, 254, 255}, {222, 250, 251}, {230, 253, 254}, {234, 254, 255}, {231, 241, 242},
-    {241, 254, 255}, {247, 254, 255}, {244, 249, 251}, {247, 248, 249}, {251, 254, 255}, {252, 254, 255},
-    {253, 254, 255}, {97, 250, 255},
+    {53, 85, 199},   {28, 163, 242},  {50, 180, 206},  {83, 153, 208},  {43, 218, 236},  {91, 198, 217},
+    {110, 180, 237}, {122, 229, 245}, {134, 210, 236}, {151, 250, 253}, {151, 173, 218}, {21, 46, 248},
+    {8, 20, 28},     {15, 28, 42},    {18, 254, 255},  {44, 85, 240},   {53, 95, 131},   {22, 71, 83},
+    {49, 252, 253},  {59, 241, 245},  {21, 254, 255},  {162, 203, 234}, {100, 123, 252}, {81, 237, 247},
+    {35, 251, 252},  {62, 135, 230},  {122, 141, 251}, {115, 135, 252}, {59, 246, 252},  {199, 211, 231},
+    {8, 251, 253},   {105, 140, 250}, {69, 251, 255},  {116, 249, 252}, {166, 220, 221}, {75, 254, 255},
+    {130, 178, 201}, {146, 233, 239}, {164, 223, 244}, {158, 240, 249}, {189, 234, 238}, {183, 236, 248},
+    {188, 209, 247}, {189, 252, 253}, {200, 235, 247}, {209, 247, 250}, {206, 253, 254}, {216, 235, 245},
+    {223, 253, 254}, {222, 245, 246}, {229, 249, 252}, {232, 254, 255}, {240, 254, 255}, {241, 248, 249},
+    {228, 233, 234}, {245, 254, 255}, {240, 244, 250}, {249, 250, 251}, {250, 254, 255}, {252, 254, 255},
+    {253, 254, 255}, {132, 182, 228},
 }};
 
 /// By table and context: a class, as a digit: 0 to 9, A to Z, a to z.
-inline constexpr std::array<std::string_view, 4> kVolumeClasses{
-    "5666699d699ddjjj688A88gh8d9egllp677A8d9e88jhgolp6AAe8dfk9efkhloBEVBBT89BU97BBBBBKB3B2fNB0jHBBBBBFUTBTOdB"
-    "EaaBBBBBGB5BTfbBKfNBBBBB8A9ddeeideeiikknAAdejjnoeeiikqqs7AAeeiWidjkkjqpsAeeiiikneiknnssBXBmB9BBB6AjBBBBB"
-    "BjdBBBBBBBBBdBBBmmmBABBBUjiBBBBB5jiBBBBBBBBBaBBB5UV8BBBBBUBBBBBBPVDBBBBBBQBBBBBBTBRBBBBBBABBBBBBRBBdBBBB"
-    "BBBBBBBBUU5dBBBBBUBBBBBBTcVBBBBBBbBBBBBBTBRBBBBBBaBBBBBBRBBjBBBBBBBBBBBB",
-    "5BBLLoruXuuwxwxyggcogjtoruptutywggrjhpptqltousuxhkneXkpomnuoLrLBBTTBmBgB5mEBBBBB0BEB0lOB0r0BBBBBmTmBm5mB"
-    "BgfBBBBB0B0B0L6B0LZBBBBB9pgppqqqpppswyxy9ojstxyxowswxyyygpoqpwkxsxwyyxyyotpkttytswwtyyyBLxrBoBBBBXBBBBBB"
-    "uysBBBBBBBBBhBBBuyyBnBBBmtlBBBBBrukBBBBBBBBBjBBBErTsBBBBBgBBBBBBEBEBBBBBBhBBBBBBTBVBBBBBBfBBBBBBDBBpBBBB"
-    "BBBBBBBBRX8qBBBBBgBBBBBBEmBBBBBBBiBBBBBBTBVBBBBBBbBBBBBBDBBoBBBBBBBBBBBB",
-    "B9XmuertleqstiwrmeXnjWxnljlosqyw47mplmopjQwnunxwcZrjmAwqjAtqpnyB4ccB4eeBOs7BBBBBZm4BZqJBNtJBBBBBU4mBcQpB"
-    "5ndBBBBBZdmBOiYBZsWBBBBBgpsrxstrtstsxtywojtstwyysxswyyyyggtpqwqxttyyxyyyoiwpttyxtsywwwyB4jkBbBBBgukBBBBB"
-    "gwiBBBBBBBBBnBBBmtuBJBBBmssBBBBB8tqBBBBBBBBBWBBBPcckBBBBBOBBBBBBTgSBBBBBBYBBBBBBPgSBBBBBBnBBBBBBSBBWBBBB"
-    "BBBBBBBBPccsBBBBBOBBBBBBPccBBBBBBYBBBBBBTcSBBBBBBYBBBBBBDBBnBBBBBBBBBBBB",
-    "VUBgo7hs3O6sBoruRjSmgZvf6pNoXsvy236m7XOo6ZujXtvy23cg2Zfk2ZhihivB2cSB2mOB1u6BBBBB1mCB1tCBCyMBBBBB24cBRAgB"
-    "1X8BBBBB0gOB2pIBCvYBBBBBcLLjysulrqrkvxvvggsgtwyyswqwyyyygjnppyuyuxyxvyyydktqqwyypuwswwyBmhtBuBBBmtnBBBBB"
-    "lynBBBBBBBBBtBBBXmyBpBBBciyBBBBBgxnBBBBBBBBBnBBB5197BBBBB1BBBBBBV3cBBBBBBHBBBBBBRg2BBBBBBjBBBBBB4BBzBBBB"
-    "BBBBBBBB556jBBBBB3BBBBBB5SgBBBBBBMBBBBBBRgSBBBBBBWBBBBBBSBBiBBBBBBBBBBBB",
+inline constexpr std::array<std::string_view, 8> kVolumeClasses{
+    "5555777d777ddfhk577d7bfebdbhfjjm57797dbh7bjefjjp7999bdhkb9hkennaG3Aa377a3d7aaaaaHL5a2hSa4kIaaaaaD3aa3Nda"
+    "GXXaaaaaCa2a3h9aHhZaaaaa77ddd99hddhhhkkmddd9hhmm9hhhkqpq7999dhhhdhjkkpmq999hhhkm9hkmmqqalziabaaa59kaaaaa"
+    "zj9aaaaaaaaadaaaTiiaXaaa3kkaaaaaakhaaaaaaaaaXaaa5337aaaaa3aaaaaa03FaaaaaaXaaaaaa3zPaaaaaa9aaaaaaPaadaaaa"
+    "aaaaaaaa332daaaaa3aaaaaaGz6aaaaaa9aaaaaaGa0aaaaaaXaaaaaaPaahaaaaaaaaaaaa",
+    "AzTcTiTlTiTlTuuuALTlTlsnLllrTusvLLliTllrTlsnTusvTcTlTisrTisrnrsaT7zaTdLaolAaaaaaLf6agfaahraaaaaau7gau9ga"
+    "wlTaaaaaT98alhYamrYaaaaaTusrTvsvsvsyvysysvsuuvrqnrvvuvvysvrrrrrrsuvruvvvuyvyuxvyuxvyrxva5v7a2aaa6l5aaaaa"
+    "1okaaaaaaaaa4aaa5ySa4aaa6r5aaaaa1ohaaaaaaaaaJaaaPY0eaaaaaTaaaaaa38PaaaaaaLaaaaaa0gQaaaaaa9aaaaaaFaalaaaa"
+    "aaaaaaaaFnBnaaaaauaaaaaaPcPaaaaaaeaaaaaa0gRaaaaaa9aaaaaaBaaoaaaaaaaaaaaa",
+    "z6LzzcLcz8LeLlllz8TcLcsjziljiosrz8icziioLcsjiosrz7lfzdnnzdnmYnsa073aAd8a8oNaaaaa1c3a6j5aSrJaaaaa0Nzag9fa"
+    "8oNaaaaa2a5a2Y5a4sOaaaaaTTssTusssrsvuvsvTusuuuvvlvswuvvvlrsqrrsruuvvuvvvTuvtguvxTuvxnwvalTuadaaaLilaaaaa"
+    "ctkaaaaaaaaadaaaouoa9aaacrnaaaaaiphaaaaaaaaa9aaaP52baaaaazaaaaaa366aaaaaa7aaaaaa0gVaaaaaa9aaaaaaPaaiaaaa"
+    "aaaaaaaaFe2jaaaaagaaaaaa0L6aaaaaabaaaaaa0gMaaaaaa9aaaaaaFaajaaaaaaaaaaaa",
+    "aaaYsorruorxywyyffejjkwmrrptytyxccsjeopwqjtoxqxxlkmhsmxmomtmytyaA3aaTzcaaiGaaaaa4TGa4nJa2r2aaaaar3lal5ia"
+    "eehaaaaa4Laa5nbaNnIaaaaaeonrotrtrtrtxyyyfootwyyxoxtxxyyyetotqxkyrvwyyxyyoxpkwwytrwxtyyyaGxaabaaaGuaaaaaa"
+    "zrhaaaaaaaaabaaaaylaJaaazteaaaaaarkaaaaaaaaa9aaaGrGtaaaaaeaaaaaaGeGaaaaaaYaaaaaaGazaaaaaahaaaaaaFaamaaaa"
+    "aaaaaaaa0lataaaaafaaaaaaGlAaaaaaahaaaaaa3a3aaaaaabaaaaaaFaamaaaaaaaaaaaa",
+    "06gio9no7NeqTmvr3hgifSx99ohplpyy2Nbocobo7Sxkltvy34nf1Sjk2SohehvaP66aPiXa4uXaaaaa4c4a1tEaOyZaaaaaP1zaP9fa"
+    "4vcaaaaaG77a1kOaUvZaaaaaznswywttrqsouwyviorowxyyqwqwyyyyeomqqyryuxyyyyyyiqwqoyyyowxqwwyaitmaoaaaftkaaaaa"
+    "oymaaaaaaaaataaaujuakaaaghyaaaaafwmaaaaaaaaamaaa548baaaaa1aaaaaaF2VaaaaaaWaaaaaaPdPaaaaaahaaaaaa7aaXaaaa"
+    "aaaaaaaa337maaaaa4aaaaaaGPiaaaaaaZaaaaaaPfVaaaaaa9aaaaaaPaahaaaaaaaaaaaa",
+    "eAslxhrwf9YnrkxrAfTuohxmeqeouwyy3Seulcmn7StmlqyyPSlm6NwqaNnqmkya66caPdXaNu9aaaaaJiSa4mKaZxZaaaaa01gaPWfa"
+    "eobaaaaa289a19Za5wXaaaaacjlmytqqrtrqwtxviotqtxyytxqvyyyyejqoouqwrtyyxyyyiwwwovyyotwtwxya9rhaeaaadthaaaaa"
+    "iykaaaaaaaaapaaaTllaZaaaghwaaaaa6qtaaaaaaaaa9aaa33gjaaaaa4aaaaaa3LVaaaaaaZaaaaaa0cPaaaaaajaaaaaaPaa9aaaa"
+    "aaaaaaaa33btaaaaa1aaaaaa3VgaaaaaaZaaaaaaPcVaaaaaaXaaaaaaFaamaaaaaaaaaaaa",
+    "Tbseldnredqqtkwsidljo9xmldjmrpxw8dljfjnooXxmrpxweNodi9wpk9wpomya5zLa7hhaJp7aaaaaOl6aOqZaKtZaaaaa57gacXoa"
+    "7kdaaaaaOfTaNk9aOq9aaaaaiorsrtwrrtwtxwywlowqxxyyoxtwyyyyeotooypyttyyxyyyokxmwtyxwqyxwwya6jqaXaaacumaaaaa"
+    "fxhaaaaaaaaakaaaLtwaZaaaitqaaaaa8wpaaaaaaaaahaaa0LgmaaaaaNaaaaaa3bVaaaaaa9aaaaaa0f6aaaaaamaaaaaaFaahaaaa"
+    "aaaaaaaaFfctaaaaaXaaaaaa0f6aaaaaa9aaaaaa3c6aaaaaa9aaaaaaFaamaaaaaaaaaaaa",
+    "PG38555t2N5rAlsrPdFi55sb4iOjAtsv2g2LJnJj25sbTwsy12P725bk245hYnsa1APa1l1aUT3aaaaa4uUa1xUaUvIaaaaaPz0aPdca"
+    "4T3aaaaa4lUa1tOaUrmaaaaaeYefrosenosksysvfij7rxywoxkrxyyyejhojxrxsvywsyvyiktiopxwoTwtwxyau5xauaaaixqaaaaa"
+    "jyhaaaaaaaaaraaaulyaraaagqyaaaaafymaaaaaaaaamaaab4bJaaaaaUaaaaaaP4caaaaaaIaaaaaaPePaaaaaamaaaaaa7aa7aaaa"
+    "aaaaaaaa54NNaaaaaNaaaaaa2PdaaaaaaZaaaaaaPfPaaaaaa9aaaaaa6aahaaaaaaaaaaaa",
 };
 
 }  // namespace talus::codec

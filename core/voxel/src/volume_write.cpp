@@ -12,7 +12,7 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
-#include "volume-inl.h"
+#include "volume_candidates-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace talus::HWY_NAMESPACE {
@@ -26,9 +26,9 @@ bool analyse(const DenseVoxels& voxels, VolumeEvents& events) {
   return analyse_volume_scalar(voxels, events);
 }
 
-void write(const VolumeEvents& events, std::size_t first, std::size_t count, const std::uint32_t* intervals,
+void write(const VolumeEvents& events, const EventBatches& batches, const std::uint32_t* intervals,
            RansSink& sink) {
-  write_volume_scalar(events, first, count, intervals, sink);
+  write_volume_scalar(events, batches, intervals, sink);
 }
 
 void write_intervals(const std::uint32_t* intervals, std::size_t count, RansSink& sink) {
@@ -36,12 +36,6 @@ void write_intervals(const std::uint32_t* intervals, std::size_t count, RansSink
 }
 
 #else
-
-/// A row of the wave that is being written.
-struct WrittenRow {
-  const MaterialId* voxels;
-  RowsAround around;
-};
 
 class Analyser {
  public:
@@ -63,6 +57,10 @@ class Analyser {
       const MaskVec in_wave = mask_of_rows(rows_);
       mixed_ = rows_with_any(in_wave & ~(around.all() & around.level));
       compare(wave);
+      if (mixed_ == 0) {
+        add_steady_wave(wave);
+        continue;
+      }
       const MaskVec same = same_.get();
       store_masks(same, same_rows_.data());
       masks_.store<7>(in_wave & set_masks(kEvenColumns), same & around.all(),
@@ -77,7 +75,7 @@ class Analyser {
       masks_.store<8>(in_wave & set_masks(kOddColumns), beside.agrees() & around.all(),
                       odd_contexts(around, beside, same));
       add_batch<true>(2 * static_cast<std::size_t>(wave) + 1);
-      if (is_noise(2 * static_cast<std::size_t>(wave) + 2, events_.surprises)) return false;
+      if (is_noise(2 * static_cast<std::size_t>(wave) + 2, events_)) return false;
     }
     return true;
   }
@@ -105,7 +103,7 @@ class Analyser {
       mixed_ |= (below != kAllColumns ? 1U : 0U) << i;
     }
     over_bits(mixed_, [this, first, wave](std::size_t i) HWY_ATTR {
-      WrittenRow& row = row_[i];
+      WaveRow<const MaterialId>& row = row_[i];
       row.voxels = padded(row.voxels);
       row.around.north = padded(row.around.north);
       row.around.below = padded(row.around.below);
@@ -130,6 +128,16 @@ class Analyser {
     });
   }
 
+  /// All rows are of one material with all around them: nothing to code.
+  HWY_INLINE void add_steady_wave(int wave) {
+    gap_ += static_cast<std::uint32_t>(rows_ * kChunkSize);
+    for (const std::size_t batch :
+         {2 * static_cast<std::size_t>(wave), 2 * static_cast<std::size_t>(wave) + 1}) {
+      events_.batch[batch] = 0;
+      events_.batch_escapes[batch] = 0;
+    }
+  }
+
   template <bool odd>
   HWY_INLINE void add_batch(std::size_t batch) {
     const std::size_t coded = events_.coded;
@@ -137,25 +145,28 @@ class Analyser {
     add_exceptions(batch);
     // Which rows have other symbols than 0 cannot be foreseen: they are found first, without a branch for
     // each.
-    std::uint32_t surprising = 0;
-    over_bits(masks_.coded_rows, [this, &surprising](std::size_t i) HWY_ATTR {
-      low_[i] = masks_.coded[i] & ~is_first_[i];
-      high_[i] = 0;
-      surprising |= (low_[i] != 0 ? 1U : 0U) << i;
-    });
-    over_bits(surprising, [this](std::size_t i) HWY_ATTR { find_symbols<odd>(i, low_[i], high_[i]); });
-    over_bits(masks_.coded_rows, [this](std::size_t i) HWY_ATTR {
-      const RowMask row_coded = masks_.coded[i];
-      put_numbers<odd ? 8 : 7>(
-          row_coded, [&](std::size_t b) { return masks_.context[b][i]; },
-          events_.context.data() + events_.coded);
-      put_numbers<2>(
-          row_coded, [&](std::size_t b) { return b == 0 ? low_[i] : high_[i]; },
-          events_.symbol.data() + events_.coded);
-      events_.coded += static_cast<std::size_t>(std::popcount(row_coded));
-    });
+    const MaskVec low = load_masks(masks_.coded.data()) & ~load_masks(is_first_.data());
+    store_masks(low, low_.data());
+    store_masks(set_masks(0), high_.data());
+    over_bits(rows_with_any(low),
+              [this](std::size_t i) HWY_ATTR { find_symbols<odd>(i, low_[i], high_[i]); });
+    if (masks_.coded_rows != 0) {
+      put_symbols(events_.symbol.data() + events_.coded);
+      events_.coded += masks_.put_contexts < odd ? 8 : 7 > (pack_, events_.context.data() + events_.coded);
+    }
     events_.batch[batch] = static_cast<std::uint16_t>(events_.coded - coded);
     events_.batch_escapes[batch] = static_cast<std::uint16_t>(events_.escapes - escapes);
+  }
+
+  HWY_INLINE void put_symbols(std::uint8_t* out) const {
+    if (HWY_TARGET <= HWY_AVX3 && pack_ != nullptr) {
+      return pack_->symbols({masks_.coded.data(), masks_.coded_rows}, low_.data(), high_.data(), out);
+    }
+    over_bits(masks_.coded_rows, [&](std::size_t i) HWY_ATTR {
+      put_numbers<2>(
+          masks_.coded[i], [&](std::size_t b) { return b == 0 ? low_[i] : high_[i]; }, out);
+      out += std::popcount(masks_.coded[i]);
+    });
   }
 
   HWY_INLINE void add_exceptions(std::size_t batch) {
@@ -183,31 +194,25 @@ class Analyser {
   template <bool odd>
   HWY_INLINE void find_symbols(std::size_t i, RowMask& low, RowMask& high) {
     events_.surprises += static_cast<std::size_t>(std::popcount(low));
-    const WrittenRow& row = row_[i];
-    const AroundMasks<RowMask> masks = around_.row(i);
-    const RowVec now = load_voxels(row.voxels);
-    const RowVec below = load_voxels(row.around.below);
-    const RowVec north = load_voxels(row.around.north);
+    const WaveRow<const MaterialId>& row = row_[i];
+    const RowNeighbours near = neighbours_of(row, around_.row(i));
     RowVec first;
     RowVec second;
     if constexpr (odd) {
-      const BesideArrays& beside = beside_rows_;
-      const RowVec west = west_of(now, row.voxels);
-      const RowVec east = east_of(now, row.voxels);
-      const RowVec of_equal = select(masks.level ^ beside.base_west[i], north, below);
-      first = select(beside.is_east[i], east, west);
-      second = select(beside.agrees[i], first_different(masks, row.around),
-                      select(beside.equal[i], of_equal, select(beside.is_east[i], west, east)));
+      const RowVec west = west_of(near.now, row.voxels);
+      const RowVec east = east_of(near.now, row.voxels);
+      first = select(beside_rows_.is_east[i], east, west);
+      second = second_of_odd(near, row.around, beside_rows_, i, west, east);
     } else {
-      first = select(masks.level, north, below);
-      second = select(same_rows_[i], first_different(masks, row.around), select(masks.level, below, north));
+      first = select(near.masks.level, near.north, near.below);
+      second = second_of_even(near, row.around, same_rows_[i]);
     }
-    high = low & ~equal(now, second);
+    high = low & ~equal(near.now, second);
     low &= ~high;
     if (high == 0) return;
     RowMask exists = 0;
-    const RowVec third = third_candidate(first, second, masks.level, row.around, exists);
-    RowMask escapes = high & ~(exists & equal(now, third));
+    const RowVec third = third_candidate(first, second, near.masks.level, row.around, exists);
+    RowMask escapes = high & ~(exists & equal(near.now, third));
     low |= escapes;
     for (; escapes != 0; escapes &= escapes - 1) {
       events_.escape[events_.escapes++] = row.voxels[std::countr_zero(escapes)];
@@ -216,6 +221,7 @@ class Analyser {
 
   const MaterialId* voxels_;
   VolumeEvents& events_;
+  const VolumePack* pack_ = volume_pack();
   EqualMasks equal_;
   AroundArrays around_;
   GrowingBeside beside_;
@@ -230,7 +236,7 @@ class Analyser {
   WaveMasks is_first_;  // where the voxels are their first candidates
   WaveMasks low_;       // the symbols of coded voxels, as bits
   WaveMasks high_;
-  std::array<WrittenRow, kWaveRows> row_;
+  std::array<WaveRow<const MaterialId>, kWaveRows> row_;
   std::size_t rows_ = 0;
   std::uint32_t mixed_ = 0;  // bit i: row i is not of one material with all around it
   std::uint32_t gap_ = 0;
@@ -243,62 +249,103 @@ bool analyse(const DenseVoxels& voxels, VolumeEvents& events) {
   return Analyser{voxels, events}.analyse();
 }
 
-/// Sixteen intervals from sixteen words that hold start and size.
-HWY_INLINE void split(const std::uint32_t* intervals, WordParts& starts, WordParts& sizes) {
-  const Words d;
-  const auto* const words = reinterpret_cast<const std::uint16_t*>(intervals);
-  for (std::size_t p = 0; p < kParts; ++p) {
-    const auto low = hn::LoadU(d, words + 2 * p * hn::MaxLanes(d));
-    const auto high = hn::LoadU(d, words + (2 * p + 1) * hn::MaxLanes(d));
-    starts.part[p] = hn::ConcatEven(d, high, low);
-    sizes.part[p] = hn::ConcatOdd(d, high, low);
+/// The rANS states while symbols are written, the last one first.
+class SymbolWriter {
+ public:
+  explicit SymbolWriter(RansSink& sink)
+      : sink_{sink}, states_{load_words(sink.states.data())}, next_{sink.next} {}
+
+  /// Sixteen symbols; each word holds start and size of an interval.
+  HWY_INLINE void put(const std::uint32_t* intervals) {
+    const Words d;
+    const auto* const words = reinterpret_cast<const std::uint16_t*>(intervals);
+    WordParts starts;
+    WordParts sizes;
+    for (std::size_t p = 0; p < kParts; ++p) {
+      const auto low = hn::LoadU(d, words + 2 * p * hn::MaxLanes(d));
+      const auto high = hn::LoadU(d, words + (2 * p + 1) * hn::MaxLanes(d));
+      starts.part[p] = hn::ConcatEven(d, high, low);
+      sizes.part[p] = hn::ConcatOdd(d, high, low);
+    }
+    encode_symbols(states_, starts, sizes, next_);
+  }
+
+  /// Fewer symbols than lanes, or as many.
+  HWY_INLINE void put(const std::uint32_t* intervals, std::size_t count) {
+    if (count == kLanes) return put(intervals);
+    alignas(64) std::array<std::uint32_t, kLanes> some;
+    some.fill(kEverything);
+    std::copy_n(intervals, count, some.begin());
+    put(some.data());
+  }
+
+  /// The symbols of up to sixteen voxels. `intervals`: by context and symbol.
+  HWY_INLINE void put_voxels(const std::uint8_t* contexts, const std::uint8_t* symbols, std::size_t count,
+                             const std::uint32_t* intervals) {
+#if HWY_TARGET == HWY_AVX3
+    const auto active = static_cast<__mmask16>((1U << count) - 1);
+    const Half d;
+    const __m512i context = _mm512_cvtepu8_epi32(hn::LoadU(d, contexts).raw);
+    const __m512i symbol = _mm512_cvtepu8_epi32(hn::LoadU(d, symbols).raw);
+    const __m512i found =
+        _mm512_mask_i32gather_epi32(_mm512_set1_epi32(static_cast<int>(kEverything)), active,
+                                    _mm512_add_epi32(_mm512_slli_epi32(context, 2), symbol), intervals, 4);
+    WordParts starts;
+    WordParts sizes;
+    starts.part[0] = WordVec{_mm512_cvtepi32_epi16(found)};
+    sizes.part[0] = WordVec{_mm512_cvtepi32_epi16(_mm512_srli_epi32(found, 16))};
+    encode_symbols(states_, starts, sizes, next_);
+#else
+    alignas(64) std::array<std::uint32_t, kLanes> found;
+    if (count < kLanes) found.fill(kEverything);
+    for (std::size_t i = 0; i < count; ++i) found[i] = intervals[4 * std::size_t{contexts[i]} + symbols[i]];
+    put(found.data());
+#endif
+  }
+
+  HWY_INLINE void finish() {
+    store_words(states_, sink_.states.data());
+    sink_.next = next_;
+  }
+
+ private:
+  /// The interval that leaves a lane as it is.
+  static constexpr std::uint32_t kEverything = std::uint32_t{kProbabilityTotal} << 16U;
+
+  RansSink& sink_;
+  WordParts states_;
+  std::uint8_t* next_;
+};
+
+/// Calls put(first, count) for groups of sixteen out of `count`, the last one first.
+template <class Put>
+HWY_INLINE void over_groups(std::size_t count, const Put& put) {
+  for (std::size_t left = count; left > 0;) {
+    const std::size_t size = left % kLanes != 0 ? left % kLanes : kLanes;
+    left -= size;
+    put(left, size);
   }
 }
 
 void write_intervals(const std::uint32_t* intervals, std::size_t count, RansSink& sink) {
-  if (count == 0) return;
-  WordParts states = load_words(sink.states.data());
-  std::uint8_t* next = sink.next;
-  WordParts starts;
-  WordParts sizes;
-  std::size_t left = count;
-  if (const std::size_t rest = count % kLanes; rest != 0) {
-    // An interval of everything leaves the lanes behind the last symbol as they are.
-    alignas(64) std::array<std::uint32_t, kLanes> last;
-    last.fill(std::uint32_t{kProbabilityTotal} << 16U);
-    left -= rest;
-    std::copy_n(intervals + left, rest, last.begin());
-    split(last.data(), starts, sizes);
-    encode_symbols(states, starts, sizes, next);
-  }
-  while (left > 0) {
-    left -= kLanes;
-    split(intervals + left, starts, sizes);
-    encode_symbols(states, starts, sizes, next);
-  }
-  sink.next = next;
-  store_words(states, sink.states.data());
+  SymbolWriter writer{sink};
+  over_groups(count,
+              [&](std::size_t first, std::size_t size) HWY_ATTR { writer.put(intervals + first, size); });
+  writer.finish();
 }
 
-void write(const VolumeEvents& events, std::size_t first, std::size_t count, const std::uint32_t* intervals,
+void write(const VolumeEvents& events, const EventBatches& batches, const std::uint32_t* intervals,
            RansSink& sink) {
-  alignas(64) std::array<std::uint32_t, kMaxBatch> found;
-#if HWY_TARGET == HWY_AVX3
-  for (std::size_t i = 0; i < count; i += kLanes) {
-    const auto active = static_cast<__mmask16>(count - i < kLanes ? (1U << (count - i)) - 1 : 0xFFFFU);
-    const Half d;
-    const __m512i contexts = _mm512_cvtepu8_epi32(hn::LoadU(d, events.context.data() + first + i).raw);
-    const __m512i symbols = _mm512_cvtepu8_epi32(hn::LoadU(d, events.symbol.data() + first + i).raw);
-    const __m512i places = _mm512_add_epi32(_mm512_slli_epi32(contexts, 2), symbols);
-    _mm512_store_si512(found.data() + i,
-                       _mm512_mask_i32gather_epi32(_mm512_setzero_si512(), active, places, intervals, 4));
+  SymbolWriter writer{sink};
+  std::size_t first = batches.first_coded + batches.coded;
+  for (std::size_t batch = batches.end; batch-- > batches.begin;) {
+    first -= events.batch[batch];
+    over_groups(events.batch[batch], [&](std::size_t at, std::size_t size) HWY_ATTR {
+      writer.put_voxels(events.context.data() + first + at, events.symbol.data() + first + at, size,
+                        intervals + 4 * first_context_of(batch));
+    });
   }
-#else
-  for (std::size_t i = 0; i < count; ++i) {
-    found[i] = intervals[4 * std::size_t{events.context[first + i]} + events.symbol[first + i]];
-  }
-#endif
-  write_intervals(found.data(), count, sink);
+  writer.finish();
 }
 
 #endif

@@ -7,8 +7,8 @@ namespace talus::codec {
 
 struct VolumeWrite {
   bool (*analyse)(const DenseVoxels& voxels, VolumeEvents& events);
-  void (*write)(const VolumeEvents& events, std::size_t first, std::size_t count,
-                const std::uint32_t* intervals, RansSink& sink);
+  void (*write)(const VolumeEvents& events, const EventBatches& batches, const std::uint32_t* intervals,
+                RansSink& sink);
   void (*write_intervals)(const std::uint32_t* intervals, std::size_t count, RansSink& sink);
 };
 [[nodiscard]] const VolumeWrite& volume_write(InstructionSet set);
