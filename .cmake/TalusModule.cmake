@@ -14,8 +14,6 @@ target_compile_options(talus_flags INTERFACE
   $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>
   # Where it inlines one of a coroutine frame's new and delete, it takes them for a pair that is none.
   $<$<CXX_COMPILER_ID:GNU>:-Wno-mismatched-new-delete>
-  # g++ looks for memory that it may use again only from 400 MB on: one twentieth less time.
-  "$<$<CXX_COMPILER_ID:GNU>:SHELL:--param ggc-min-heapsize=400000>"
   # libstdc++ silences these three for its own char_traits by pragmas, which g++ loses in a precompiled header.
   # Builds without precompiled headers keep them: release-plain and those of the sanitizers.
   "$<$<AND:$<CXX_COMPILER_ID:GNU>,$<NOT:$<BOOL:${CMAKE_DISABLE_PRECOMPILE_HEADERS}>>>:-Wno-array-bounds;-Wno-stringop-overflow;-Wno-stringop-overread>"
@@ -107,6 +105,9 @@ endfunction()
 # one source, so that what its modules share, such as Asio, is parsed and instantiated once and not for each module.
 if(CMAKE_UNITY_BUILD AND NOT (TALUS_TESTS OR TALUS_BENCH OR TALUS_FUZZ))
   set(talus_joined ON)
+  # g++ looks for memory that it may use again only from 400 MB on: one twentieth less time. Not where many sources are
+  # compiled at once, each with that much.
+  target_compile_options(talus_flags INTERFACE "$<$<CXX_COMPILER_ID:GNU>:SHELL:--param ggc-min-heapsize=400000>")
 endif()
 
 # talus_server_part(NAME LEVEL): begins a part of the server. The modules that follow are its, and compiled by -OLEVEL.

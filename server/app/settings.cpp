@@ -72,10 +72,10 @@ HandshakeSettings handshake_settings(const Config& config) {
 tl::expected<void, std::string> check_memory(const Config& config) {
   const std::uint64_t bytes = config.limits.memory_bytes;
   if (bytes == 0 || bytes >= kMinMemoryBytes) return {};
-  return tl::make_unexpected(
-      fmt::format("limits.memory_bytes: {} is too little for the program and its generators alone; give at "
-                  "least {}, or 0 for no limit",
-                  bytes, kMinMemoryBytes));
+  return tl::make_unexpected(fmt::format(
+      "limits.memory_bytes: {} is too little: after one load the server might refuse every client; give at "
+      "least {}, or 0 for no limit",
+      bytes, kMinMemoryBytes));
 }
 
 GenerationSettings generation_settings(const Config& config) {

@@ -131,7 +131,8 @@ const std::array kFields{
     Field{"limits.view_chunks", "chunks", "chunks of all levels in one View",
           number<&Config::limits, &Limits::view_chunks>(1, 4'194'304)},
     Field{"limits.memory_bytes", "bytes",
-          "memory budget; near it caches shrink, then new work and connections are refused; 0: no limit",
+          "memory budget; near it caches shrink, then new work and connections are refused; at least "
+          "75497472, or 0: no limit",
           number<&Config::limits, &Limits::memory_bytes>(0, 1024 * 1024 * kMebibyte)},
 
     Field{"rates.session_chunks", "chunks per second", "chunks sent to one session; 0: no limit",

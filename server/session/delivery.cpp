@@ -243,9 +243,8 @@ void Delivery::abandon() {
 }
 
 std::size_t Delivery::bytes() const {
-  constexpr std::size_t kPerRequest =
-      256;  // here, in a table that may be a quarter full, and in the source's queue
-  return view_.bytes() + (requests_.size() + waits_.size()) * kPerRequest;
+  constexpr std::size_t kPerRequest = 128;  // in the source's queue
+  return view_.bytes() + requests_.bytes() + (requests_.size() + waits_.size()) * kPerRequest;
 }
 
 }  // namespace talus::server

@@ -1,14 +1,15 @@
 // A map by request id, for what comes and goes with every answer: a table of a power of two slots, searched
 // from the id's own slot on. No node is allocated and nothing is divided, unlike in std::unordered_map.
 //
-// A client chooses its ids, and may choose them so that they meet: a call then looks at no more slots than
-// there are requests in flight, which limits.requests_in_flight bounds.
+// A client chooses its ids. So that it cannot choose them to meet in one slot, their order in the table
+// depends on a random number of this process.
 #pragma once
 
 #include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <random>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -19,7 +20,12 @@ namespace talus::server {
 template <typename Value>
 class IdMap {
  public:
+  IdMap() : IdMap{random_secret()} {}
+  explicit IdMap(std::uint32_t secret) : secret_{secret} {}
+
   [[nodiscard]] std::size_t size() const { return size_; }
+  /// The memory of its table, which shrinks only when the map is empty.
+  [[nodiscard]] std::size_t bytes() const { return slots_.capacity() * sizeof(Slot); }
   [[nodiscard]] bool empty() const { return size_ == 0; }
 
   /// Null where there is none. Valid until the next change.
@@ -43,7 +49,7 @@ class IdMap {
     if (--size_ == 0 && slots_.size() > kMaxIdleSlots) clear();
   }
 
-  void clear() { *this = {}; }
+  void clear() { *this = IdMap{secret_}; }
 
   /// Calls visit(id, value) for each, in no order.
   template <typename Visit>
@@ -66,7 +72,9 @@ class IdMap {
 
   // Clients count their ids up. Side by side they would make one long run, which every erase() walks along;
   // multiplied by 2^32 over the golden ratio they lie apart.
-  [[nodiscard]] std::size_t home_of(std::uint32_t id) const { return (id * 0x9E3779B9U) >> shift_; }
+  [[nodiscard]] std::size_t home_of(std::uint32_t id) const {
+    return ((id ^ secret_) * 0x9E3779B9U) >> shift_;
+  }
   [[nodiscard]] std::size_t after(std::size_t at) const { return (at + 1) & (slots_.size() - 1); }
 
   [[nodiscard]] std::size_t index_of(std::uint32_t id) const {
@@ -107,6 +115,12 @@ class IdMap {
     slots_[gap].id = kVacant;
   }
 
+  static std::uint32_t random_secret() {
+    static const std::uint32_t secret = std::random_device{}();
+    return secret;
+  }
+
+  std::uint32_t secret_;
   std::vector<Slot> slots_;  // a power of two of them, or none
   std::size_t size_ = 0;
   int shift_ = 32;  // of the product: what is left numbers the slots

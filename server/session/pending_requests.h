@@ -50,6 +50,10 @@ class PendingRequests {
   [[nodiscard]] std::vector<std::uint32_t> ids() const;
 
   [[nodiscard]] std::size_t heights_bytes() const { return heights_bytes_; }
+  /// The memory of the requests themselves.
+  [[nodiscard]] std::size_t bytes() const {
+    return requests_.bytes() + unstarted_.size() * sizeof(std::uint32_t);
+  }
 
  private:
   struct HeightsRequest {

@@ -273,7 +273,7 @@ Output Session::take_output(std::size_t enough_bytes, std::size_t shared_from) {
         delivery_.sent(entry);
       });
   rates_.sent(now, chunks, output.size());
-  writing_bytes_ = output.size();
+  writing_bytes_ = output.held_bytes();
   context_.metrics.chunks_sent.add(chunks);
   context_.metrics.chunk_bytes_sent.add(chunk_bytes);
   close_if_left();

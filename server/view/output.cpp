@@ -1,33 +1,38 @@
 #include "view/output.h"
 
+#include <array>
 #include <utility>
 
 namespace talus::server {
 namespace {
 
-// Of one thread: as many as are written at once, as a rule. No larger than a usual write, because an output
-// of a few bytes may hold one of them for as long as its client reads nothing.
-constexpr std::size_t kMaxSpares = 4;
+// Larger outputs are freed: one of a few bytes may hold a spare for as long as its client reads nothing.
 constexpr std::size_t kMaxSpareBytes = std::size_t{32} * 1024;
 
-std::vector<std::vector<std::byte>>& spares() {
-  thread_local std::vector<std::vector<std::byte>> mine;
+/// Of one thread: as many as are written at once, as a rule. An array, so that keeping one allocates nothing.
+struct Spares {
+  std::array<std::vector<std::byte>, 4> memory;
+  std::size_t count = 0;
+};
+
+Spares& spares() {
+  thread_local Spares mine;
   return mine;
 }
 
 }  // namespace
 
 Output::Output(std::size_t shared_from) : shared_from_{shared_from} {
-  auto& memory = spares();
-  if (memory.empty()) return;
-  copied_ = std::move(memory.back());
-  memory.pop_back();
+  Spares& spare = spares();
+  if (spare.count > 0) copied_ = std::move(spare.memory[--spare.count]);
 }
 
 Output::~Output() {
-  if (copied_.capacity() == 0 || copied_.capacity() > kMaxSpareBytes || spares().size() >= kMaxSpares) return;
+  Spares& spare = spares();
+  if (copied_.capacity() == 0 || copied_.capacity() > kMaxSpareBytes || spare.count == spare.memory.size())
+    return;
   copied_.clear();
-  spares().push_back(std::move(copied_));
+  spare.memory[spare.count++] = std::move(copied_);
 }
 
 void Output::append(std::span<const std::byte> frame) {

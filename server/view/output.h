@@ -5,6 +5,7 @@
 // memory.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -34,6 +35,8 @@ class Output {
   void append(const EncodedChunkPtr& chunk, std::uint32_t request_id, ChunkKey key);
 
   [[nodiscard]] std::size_t size() const { return size_; }
+  /// What it keeps from being freed: its frames, or the memory that they are copied to where that is more.
+  [[nodiscard]] std::size_t held_bytes() const { return std::max(size_, copied_.capacity()); }
   /// The buffers to write, in order; they point into this.
   [[nodiscard]] std::vector<std::span<const std::byte>> pieces() const;
 

@@ -24,8 +24,8 @@ class ViewSubscription {
   static constexpr std::size_t kMaxKnownChunks = 8192;
 
   // ---- what the client says
-  /// The newest View. It counts from the next apply() on. What the client said that it holds stays known
-  /// while every View has it: it lists only what a View brings back, and drops what leaves.
+  /// The newest View. It counts from the next apply() on. A chunk that the client said it holds stays
+  /// known as long as it lies in every View requested since: a client drops what leaves its View.
   void request(View view);
   /// The client holds the chunk with these voxels, and the newest View brings it back.
   void add_known(ChunkKey key, ContentHash hash);

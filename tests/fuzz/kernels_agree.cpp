@@ -101,7 +101,7 @@ void sample_everywhere(Input& input) {
 template <class Write>
 auto written(const Write& write, const codec::PlaneIntervals& intervals,
              const std::array<std::uint16_t, codec::kLanes>& states) {
-  std::vector<std::uint8_t> bytes(codec::kMaxBytesOfPlane);
+  std::vector<std::uint8_t> bytes(codec::kMaxBytesOfPlane + codec::kScribbled);
   codec::RansSink sink{states, bytes.data() + bytes.size()};
   write(intervals, sink);
   return std::pair{std::vector<std::uint8_t>(sink.next, bytes.data() + bytes.size()), sink.states};

@@ -12,16 +12,39 @@ using namespace talus::server;
 
 namespace {
 
-// Times IdMap's multiplier this is 1 (mod 2^32): so its multiples by small numbers all have the first slot
-// for their home.
+// Times IdMap's multiplier this is 1 (mod 2^32): where its secret is 0, the multiples of this by small
+// numbers all have the first slot for their home.
 constexpr std::uint32_t kInverse = 0x144CBC89U;
 static_assert(kInverse * 0x9E3779B9U == 1);
 
 }  // namespace
 
-TEST_CASE("pending requests do what plain maps would do, and start in the order asked") {
+TEST_CASE("a map by id does what a plain map does, with ids that all meet in one slot too") {
   const std::uint32_t spread = GENERATE(1U, kInverse);
   CHECK(rc::check([spread] {
+    IdMap<int> map{0};
+    std::map<std::uint32_t, int> plain;
+    const auto steps = *rc::gen::container<std::vector<std::uint32_t>>(rc::gen::inRange(1U, 60U));
+    for (const std::uint32_t number : steps) {
+      const std::uint32_t id = number * spread;
+      if (plain.erase(id) != 0) {
+        map.erase(id);
+      } else {
+        map.insert(id, static_cast<int>(number));
+        plain[id] = static_cast<int>(number);
+      }
+      RC_ASSERT(map.size() == plain.size());
+      for (std::uint32_t n = 1; n < 60; ++n) {
+        const int* const found = map.find(n * spread);
+        RC_ASSERT((found != nullptr) == plain.contains(n * spread));
+        if (found != nullptr) RC_ASSERT(*found == static_cast<int>(n));
+      }
+    }
+  }));
+}
+
+TEST_CASE("pending requests do what plain maps would do, and start in the order asked") {
+  CHECK(rc::check([] {
     PendingRequests pending;
     std::map<std::uint32_t, std::int32_t> chunks;  // chunk requests: id to x
     std::vector<std::uint32_t> unstarted;
@@ -31,7 +54,7 @@ TEST_CASE("pending requests do what plain maps would do, and start in the order 
     const auto steps = *rc::gen::container<std::vector<std::pair<int, std::uint32_t>>>(
         rc::gen::pair(rc::gen::inRange(0, 5), rc::gen::inRange(1U, 40U)));
     for (const auto& [what, number] : steps) {
-      const std::uint32_t id = number * spread;
+      const std::uint32_t id = number;
       const bool known = chunks.contains(id) || tickets.contains(id);
       RC_ASSERT(pending.contains(id) == known);
       if (what <= 1 && !known) {

@@ -280,7 +280,7 @@ Payload ended_with(const std::array<std::uint16_t, codec::kLanes>& states,
   std::vector<std::uint8_t> plane(kChunkArea, 5);
   codec::PlaneIntervals intervals;
   codec::model_plane_scalar(plane.data(), ground.data(), intervals);
-  std::vector<std::uint8_t> written(codec::kMaxBytesOfPlane);
+  std::vector<std::uint8_t> written(codec::kMaxBytesOfPlane + codec::kScribbled);
   codec::RansSink sink{states, written.data() + written.size()};
   codec::encode_plane_scalar(intervals, sink);
   Payload payload = bytes(list);

@@ -61,7 +61,7 @@ TEST_CASE("planes are modelled and written alike by every instruction set") {
       codec::PlaneIntervals expected;
       codec::model_plane_scalar(tops.data() + at, tops.data() + at - kChunkArea, expected);
       const auto write = [&](const auto& kernel) {
-        std::vector<std::uint8_t> bytes(codec::kMaxBytesOfPlane);
+        std::vector<std::uint8_t> bytes(codec::kMaxBytesOfPlane + codec::kScribbled);
         codec::RansSink sink{{}, bytes.data() + bytes.size()};
         sink.states.fill(codec::kMinState);
         kernel(expected, sink);
@@ -94,7 +94,7 @@ TEST_CASE("any bytes are read as the same plane, or the same fault, by every ins
     const std::uint8_t* const below = plane_above - kChunkArea;
     codec::PlaneIntervals intervals;
     codec::model_plane_scalar(plane_above, below, intervals);
-    std::vector<std::uint8_t> bytes(codec::kMaxBytesOfPlane);
+    std::vector<std::uint8_t> bytes(codec::kMaxBytesOfPlane + codec::kScribbled);
     codec::RansSink sink{{}, bytes.data() + bytes.size()};
     sink.states.fill(codec::kMinState);
     codec::encode_plane_scalar(intervals, sink);

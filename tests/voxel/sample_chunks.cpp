@@ -160,7 +160,7 @@ std::vector<std::byte> frozen(int version, const std::string& name) {
 
 Chunk any_chunk() {
   const auto seed = *rc::gen::arbitrary<std::uint64_t>().as("seed of the chunk");
-  switch (*rc::gen::inRange(0, 8).as("kind of chunk")) {
+  switch (*rc::gen::inRange(0, 9).as("kind of chunk")) {
     case 0:
       return Chunk::uniform(MaterialId{static_cast<std::uint16_t>(seed)});
     case 1:
@@ -178,6 +178,16 @@ Chunk any_chunk() {
     case 3:
       return Chunk::from_dense(*random_voxels(seed, *rc::gen::inRange<std::size_t>(1, 9).as("materials"),
                                               *rc::gen::inRange<std::size_t>(1, 200).as("run")));
+    case 8: {
+      // Whole waves of one material behind noise, or before it.
+      const auto voxels = std::make_shared<DenseVoxels>(
+          *random_voxels(seed, *rc::gen::inRange<std::size_t>(2, 300).as("materials"), 1));
+      const auto plane = *rc::gen::inRange<std::size_t>(0, kChunkSize).as("plane");
+      std::fill(voxels->begin() + static_cast<std::ptrdiff_t>(plane * kChunkArea), voxels->end(),
+                MaterialId{1});
+      if (seed % 2 == 0) std::reverse(voxels->begin(), voxels->end());
+      return Chunk::from_dense(std::shared_ptr<const DenseVoxels>{voxels});
+    }
     default:
       return Chunk::from_dense(*random_voxels(seed, *rc::gen::inRange<std::size_t>(1, 40000).as("materials"),
                                               *rc::gen::inRange<std::size_t>(1, 4).as("run")));

@@ -38,7 +38,7 @@ tl::expected<SecretFile, FileError> SecretFile::read(const std::filesystem::path
 }
 
 SecretFile::~SecretFile() {
-  ::explicit_bzero(bytes_.data(), bytes_.size());
+  if (!bytes_.empty()) ::explicit_bzero(bytes_.data(), bytes_.size());
 }
 
 }  // namespace talus::files

@@ -43,7 +43,7 @@ using PlaneDecode = PlaneFault (*)(RansSource& source, const std::uint8_t* below
 struct PlaneEncode {
   /// Finds the intervals of a plane's symbols.
   void (*model)(const std::uint8_t* plane, const std::uint8_t* below, PlaneIntervals& intervals);
-  /// Writes them; room for kMaxBytesOfPlane lies before what the sink has written.
+  /// Writes them; room for kMaxBytesOfPlane and kScribbled lies before what the sink has written.
   void (*encode)(const PlaneIntervals& intervals, RansSink& sink);
 };
 

@@ -244,7 +244,7 @@ HWY_INLINE void encode_symbols(WordParts& states, const WordParts& starts, const
     low.part[p] = hn::And(state, hn::Set(d, kProbabilityTotal - 1));
     const auto left =
         hn::BitCast(d, hn::IfThenElse(fits, hn::BitCast(compared, state), hn::BitCast(compared, high)));
-    // The quotient left / size or one less: the reciprocal is less than 1 too small, and left below 65536.
+    // The quotient left / size or one less: the reciprocal is at most 1 too small, and left below 65536.
     const auto quotient = hn::MulHigh(left, reciprocal);
     const auto rest = hn::Sub(left, hn::Mul(quotient, size));
     const auto last = hn::BitCast(d, hn::IfThenZeroElse(is_less(rest, size), hn::BitCast(compared, beyond)));

@@ -150,7 +150,7 @@ HWY_INLINE RowVec east_of(const RowVec& row, const MaterialId* voxels) {
 }
 
 /// Writes numbers of `count` bits of the `coded` voxels of a row, at most kLanes of them, side by side;
-/// bits(b) is bit b of each. It may write kLanes of them in any case.
+/// bits(b) is bit b of each. It writes up to the next multiple of 8.
 template <std::size_t count, class Bits>
 HWY_INLINE void put_numbers(RowMask coded, const Bits& bits, std::uint8_t* out) {
   std::array<std::uint32_t, count> packed;

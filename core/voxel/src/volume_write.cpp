@@ -59,28 +59,32 @@ class Analyser {
       compare(wave);
       if (mixed_ == 0) {
         add_steady_wave(wave);
-        continue;
+      } else {
+        add_mixed_wave(wave, in_wave, around);
       }
-      const MaskVec same = same_.get();
-      store_masks(same, same_rows_.data());
-      masks_.store<7>(in_wave & set_masks(kEvenColumns), same & around.all(),
-                      even_contexts(around, same, south_.get()));
-      store_masks(select(around.level, north_.get(), below_.get()), is_first_.data());
-      add_batch<false>(2 * static_cast<std::size_t>(wave));
-
-      const BesideMasks<MaskVec> beside = beside_.get();
-      beside_rows_.store(beside);
-      const MaskVec west = west_.get();
-      store_masks(select(beside.is_east(), of_east(west), west), is_first_.data());
-      masks_.store<8>(in_wave & set_masks(kOddColumns), beside.agrees() & around.all(),
-                      odd_contexts(around, beside, same));
-      add_batch<true>(2 * static_cast<std::size_t>(wave) + 1);
       if (is_noise(2 * static_cast<std::size_t>(wave) + 2, events_)) return false;
     }
     return true;
   }
 
  private:
+  HWY_INLINE void add_mixed_wave(int wave, const MaskVec& in_wave, const AroundMasks<MaskVec>& around) {
+    const MaskVec same = same_.get();
+    store_masks(same, same_rows_.data());
+    masks_.store<7>(in_wave & set_masks(kEvenColumns), same & around.all(),
+                    even_contexts(around, same, south_.get()));
+    store_masks(select(around.level, north_.get(), below_.get()), is_first_.data());
+    add_batch<false>(2 * static_cast<std::size_t>(wave));
+
+    const BesideMasks<MaskVec> beside = beside_.get();
+    beside_rows_.store(beside);
+    const MaskVec west = west_.get();
+    store_masks(select(beside.is_east(), of_east(west), west), is_first_.data());
+    masks_.store<8>(in_wave & set_masks(kOddColumns), beside.agrees() & around.all(),
+                    odd_contexts(around, beside, same));
+    add_batch<true>(2 * static_cast<std::size_t>(wave) + 1);
+  }
+
   [[nodiscard]] const MaterialId* first_row() const { return voxels_; }
   [[nodiscard]] const MaterialId* last_row() const { return voxels_ + kChunkVolume - kChunkSize; }
 
