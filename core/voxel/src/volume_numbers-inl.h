@@ -100,9 +100,9 @@ class RowWriter {
 #endif
 };
 
-using Ids = hn::ScalableTag<std::uint16_t>;
+using Ids = hn::CappedTag<std::uint16_t, kChunkSize>;
 
-/// Where all ids have the same high byte: their low bytes. What that is not equal has one bit of ones.
+/// Whether all ids have the same high byte: then they differ where their low bytes do.
 HWY_INLINE bool have_one_high_byte(const std::uint16_t* ids) {
   const Ids d;
   const auto first = hn::Set(d, ids[0]);
@@ -112,69 +112,89 @@ HWY_INLINE bool have_one_high_byte(const std::uint16_t* ids) {
   return hn::AllTrue(d, hn::Eq(hn::ShiftRight<8>(differ), hn::Zero(d)));
 }
 
-HWY_INLINE void take_low_bytes(const std::uint16_t* ids, std::uint8_t* numbers) {
+/// Numbers the materials of the voxels from `begin` to `end` - 1. Only those are looked up that differ from
+/// some that come before them: `before` says how far before. False where there are too many materials.
+template <std::size_t count>
+HWY_INLINE bool find_materials(const std::uint16_t* ids, std::size_t begin, std::size_t end,
+                               const std::array<std::size_t, count>& before, MaterialCode& materials) {
   const Ids d;
-  const hn::Repartition<std::uint8_t, Ids> bytes;
-  for (std::size_t i = 0; i < kChunkVolume; i += hn::MaxLanes(bytes)) {
-    const auto low = hn::BitCast(bytes, hn::LoadU(d, ids + i));
-    const auto high = hn::BitCast(bytes, hn::LoadU(d, ids + i + hn::MaxLanes(d)));
-    hn::StoreU(hn::ConcatEven(bytes, high, low), bytes, numbers + i);
+  for (std::size_t i = begin; i < end; i += hn::MaxLanes(d)) {
+    const auto id = hn::LoadU(d, ids + i);
+    auto known = hn::Eq(id, hn::LoadU(d, ids + i - before[0]));
+    for (std::size_t b = 1; b < count; ++b)
+      known = hn::Or(known, hn::Eq(id, hn::LoadU(d, ids + i - before[b])));
+    if (HWY_LIKELY(hn::AllTrue(d, known))) continue;
+    std::uint64_t unknown = 0;
+    hn::StoreMaskBits(d, hn::Not(known), reinterpret_cast<std::uint8_t*>(&unknown));
+    if constexpr (hn::MaxLanes(Ids{}) < 32) unknown &= (std::uint64_t{1} << hn::MaxLanes(d)) - 1;
+    for (; unknown != 0; unknown &= unknown - 1) {
+      const MaterialId material{ids[i + static_cast<std::size_t>(std::countr_zero(unknown))]};
+      if (materials.number_of(material) == MaterialCode::kMaxMaterials) return false;
+    }
   }
+  return true;
 }
 
-/// Numbers materials in the order in which they come.
-class Numberer {
- public:
-  explicit Numberer(MaterialId first) : materials_{first} { known_[0] = to_integer(first); }
+/// A number of a byte: `factor` is one by which it differs where materials do.
+constexpr std::uint16_t byte_of(std::uint16_t id, std::uint16_t factor) {
+  return static_cast<std::uint16_t>((id + (id >> 8U) * factor) & 0xFFU);
+}
 
-  /// False where there are too many.
-  HWY_INLINE bool number_row(const std::uint16_t* ids, std::uint8_t* numbers) {
-    const Ids d;
-    using Narrow = hn::Rebind<std::uint8_t, Ids>;
-    bool all = true;
-    for (std::size_t x = 0; x < kChunkSize; x += hn::MaxLanes(d)) {
-      const auto id = hn::LoadU(d, ids + x);
-      auto found = hn::Eq(id, hn::Set(d, known_[0]));
-      auto number = hn::Zero(d);
-      const std::size_t count = std::min(materials_.size(), kKnown);
-      for (std::size_t i = 1; i < count && !hn::AllTrue(d, found); ++i) {
-        const auto here = hn::Eq(id, hn::Set(d, known_[i]));
-        number = hn::Or(number, hn::IfThenElseZero(here, hn::Set(d, static_cast<std::uint16_t>(i))));
-        found = hn::Or(found, here);
-      }
-      all = all && hn::AllTrue(d, found);
-      hn::StoreU(hn::TruncateTo(Narrow{}, number), Narrow{}, numbers + x);
+/// Such a factor; kNoFactor where none is found.
+inline constexpr std::uint16_t kNoFactor = 64;
+inline std::uint16_t factor_of(const MaterialCode& materials) {
+  for (std::uint16_t factor = 0; factor < kNoFactor; ++factor) {
+    std::array<bool, 256> taken{};
+    bool differ = true;
+    for (std::size_t i = 0; i < materials.size() && differ; ++i) {
+      bool& is_taken = taken[byte_of(to_integer(materials.material(i)), factor)];
+      differ = !is_taken;
+      is_taken = true;
     }
-    return all || number_voxels(ids, numbers);
+    if (differ) return factor;
   }
+  return kNoFactor;
+}
 
- private:
-  static constexpr std::size_t kKnown = 16;
-
-  bool number_voxels(const std::uint16_t* ids, std::uint8_t* numbers) {
-    for (std::size_t x = 0; x < kChunkSize; ++x) {
-      const std::uint32_t number = materials_.number_of(MaterialId{ids[x]});
-      if (number == MaterialCode::kMaxMaterials) return false;
-      if (number < kKnown) known_[number] = ids[x];
-      numbers[x] = static_cast<std::uint8_t>(number);
-    }
-    return true;
+/// Numbers all voxels by byte_of().
+HWY_INLINE void number_by_factor(const std::uint16_t* ids, std::uint16_t factor, std::uint8_t* numbers) {
+  const Ids d;
+  const hn::Repartition<std::uint8_t, Ids> bytes;
+  const auto times = hn::Set(d, factor);
+  const auto number = [&](const std::uint16_t* from) HWY_ATTR {
+    const auto id = hn::LoadU(d, from);
+    return hn::BitCast(bytes, hn::Add(id, hn::Mul(hn::ShiftRight<8>(id), times)));
+  };
+  for (std::size_t i = 0; i < kChunkVolume; i += hn::MaxLanes(bytes)) {
+    hn::StoreU(hn::ConcatEven(bytes, number(ids + i + hn::MaxLanes(d)), number(ids + i)), bytes, numbers + i);
   }
-
-  MaterialCode materials_;
-  std::array<std::uint16_t, kKnown> known_{};
-};
+}
 
 /// Numbers of a byte that differ where materials do. False where there are more than 256.
 inline bool number_voxels(const DenseVoxels& voxels, std::uint8_t* numbers) {
   const auto* const ids = reinterpret_cast<const std::uint16_t*>(voxels.data());
   if (have_one_high_byte(ids)) {
-    take_low_bytes(ids, numbers);
+    number_by_factor(ids, 0, numbers);
     return true;
   }
-  Numberer numberer{voxels.front()};
-  for (std::size_t i = 0; i < kChunkVolume; i += kChunkSize) {
-    if (!numberer.number_row(ids + i, numbers + i)) return false;
+  MaterialCode materials{voxels.front()};
+  for (std::size_t i = 1; i < kChunkSize; ++i) {
+    if (ids[i] != ids[i - 1]) (void)materials.number_of(voxels[i]);
+  }
+  constexpr std::size_t kRow = kChunkSize;
+  constexpr std::size_t kPlane = kChunkArea;
+  if (!find_materials<2>(ids, kRow, kPlane + kRow, {1, kRow}, materials) ||
+      !find_materials<4>(ids, kPlane + kRow, kChunkVolume, {1, kRow, kPlane, kRow - 1}, materials)) {
+    return false;
+  }
+  const std::uint16_t factor = factor_of(materials);
+  if (factor != kNoFactor) {
+    number_by_factor(ids, factor, numbers);
+    return true;
+  }
+  for (std::size_t i = 0; i < kChunkVolume; ++i) {
+    numbers[i] = i > 0 && ids[i] == ids[i - 1] ? numbers[i - 1]
+                                               : static_cast<std::uint8_t>(materials.number_of(voxels[i]));
   }
   return true;
 }

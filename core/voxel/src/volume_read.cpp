@@ -233,7 +233,7 @@ class Reader {
       symbols_[i] = batch_.take(static_cast<std::size_t>(std::popcount(coding_.coded[i])));
       surprising |= ((symbols_[i].low | symbols_[i].high) != 0 ? 1U : 0U) << i;
     }
-    over_bits(surprising, [&](std::size_t i) HWY_ATTR { finish(rows, i); });
+    if (surprising != 0) for (std::size_t i = 0; i < count_; ++i) finish(rows, i);
     for (std::size_t i = 0; i < escapes_; ++i)
       *escaped_[i] = decode_kind(source_, i % kLanes, code_.materials);
     escapes_ = 0;
