@@ -29,10 +29,6 @@ HWY_INLINE PartVec first_different(const NearRows& rows, const NearPart& near) {
   return unless(8, found, load(rows.north + near.at + 1));
 }
 
-HWY_INLINE PartVec second_candidate(const NearRows& rows, const NearPart& near, const HalfPart& half) {
-  return hn::IfThenElse(half.alike, first_different(rows, near), half.second);
-}
-
 /// The first of the voxels around that is neither of two candidates; `exists` says where there is one.
 HWY_INLINE PartVec third_candidate(const NearRows& rows, const NearPart& near, PartVec first, PartVec second,
                                    std::size_t part, PartMask& exists) {

@@ -154,20 +154,7 @@ HWY_INLINE PartVec load_row_before(const std::uint8_t* bytes) {
 #endif
 }
 
-/// The bits of `bits` where `mask` has any, side by side from the lowest.
-HWY_INLINE std::uint32_t extract_bits(std::uint32_t bits, std::uint32_t mask) {
-#if HWY_TARGET == HWY_AVX2 || HWY_TARGET == HWY_AVX3
-  return _pext_u32(bits, mask);
-#else
-  std::uint32_t found = 0;
-  for (std::uint32_t place = 0; mask != 0; mask &= mask - 1, ++place) {
-    found |= (bits >> std::countr_zero(mask) & 1U) << place;
-  }
-  return found;
-#endif
-}
-
-/// The other way round.
+/// The lowest bits of `bits`, one at each bit that `mask` has.
 HWY_INLINE PartBits deposit_bits(PartBits bits, PartBits mask) {
 #if HWY_TARGET == HWY_AVX3
   return _pdep_u64(bits, mask);

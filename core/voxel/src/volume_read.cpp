@@ -226,14 +226,15 @@ class Reader {
     }
     source_.keep_ahead();
     batch_.decode(source_, code_.intervals->data() + (odd ? kOddContexts : 0));
-    // Which parts have other symbols than 0 cannot be foreseen: they are found first, without a branch for
-    // each.
+    // Which parts have other symbols than 0 cannot be foreseen: all are finished where any has.
     std::uint32_t surprising = 0;
     for (std::size_t i = 0; i < count_; ++i) {
       symbols_[i] = batch_.take(static_cast<std::size_t>(std::popcount(coding_.coded[i])));
-      surprising |= ((symbols_[i].low | symbols_[i].high) != 0 ? 1U : 0U) << i;
+      surprising |= symbols_[i].low | symbols_[i].high;
     }
-    if (surprising != 0) for (std::size_t i = 0; i < count_; ++i) finish(rows, i);
+    if (surprising != 0) {
+      for (std::size_t i = 0; i < count_; ++i) finish(rows, i);
+    }
     for (std::size_t i = 0; i < escapes_; ++i)
       *escaped_[i] = decode_kind(source_, i % kLanes, code_.materials);
     escapes_ = 0;
