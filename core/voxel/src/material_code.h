@@ -45,6 +45,7 @@ class MaterialCode {
   void finish(std::vector<std::byte>& out);
 
   [[nodiscard]] std::size_t size() const { return size_; }
+  [[nodiscard]] MaterialId material(std::size_t number) const { return materials_[number]; }
 
   /// Start + 65536 * size.
   [[nodiscard]] std::uint32_t interval(std::uint32_t number) const { return intervals_[number]; }

@@ -1,4 +1,4 @@
-// What the voxels of a row may be, most likely first: FORMAT.md, "Volume: prediction".
+// What the voxels of a part may be besides their first candidate: FORMAT.md, "Volume: prediction".
 // Included once for each instruction set, hence no include guard but this:
 #if defined(TALUS_VOLUME_CANDIDATES_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef TALUS_VOLUME_CANDIDATES_INL
@@ -9,79 +9,52 @@
 
 #include <hwy/highway.h>
 
-#include "volume_waves-inl.h"
+#include "volume_near-inl.h"
 
 #if HWY_TARGET != HWY_SCALAR
 HWY_BEFORE_NAMESPACE();
 namespace talus::HWY_NAMESPACE {
 namespace {
 
-/// A row of the wave that is being read or written.
-template <class Voxel>
-struct WaveRow {
-  Voxel* voxels;
-  RowsAround around;
-};
-
-/// What the second and third candidates of a row's voxels follow from. `now` is the row itself: its even
-/// columns, where odd ones are looked at.
-struct RowNeighbours {
-  AroundMasks<RowMask> masks;
-  RowVec north;
-  RowVec below;
-  RowVec now;
-};
-template <class Voxel>
-HWY_INLINE RowNeighbours neighbours_of(const WaveRow<Voxel>& row, const AroundMasks<RowMask>& masks) {
-  return {masks, load_voxels(row.around.north), load_voxels(row.around.below), load_voxels(row.voxels)};
-}
-
 /// Where north and below agree: the first of the voxels around that differs from them.
-HWY_INLINE RowVec first_different(const AroundMasks<RowMask>& masks, const RowsAround& around) {
-  RowVec found = load_voxels(around.below_north);
-  found = select(masks.level_south, found, load_voxels(around.below_south));
-  found = select(masks.west_b, found, load_voxels(around.below - 1));
-  found = select(masks.east_b, found, load_voxels(around.below + 1));
-  found = select(masks.west_n, found, load_voxels(around.north - 1));
-  return select(masks.east_n, found, load_voxels(around.north + 1));
-}
-
-/// Of even columns; `same` says where north and below are equal.
-HWY_INLINE RowVec second_of_even(const RowNeighbours& row, const RowsAround& around, RowMask same) {
-  return select(same, first_different(row.masks, around), select(row.masks.level, row.below, row.north));
-}
-
-/// Of odd columns of row `i`, whose west and east are given.
-HWY_INLINE RowVec second_of_odd(const RowNeighbours& row, const RowsAround& around,
-                                const BesideArrays& beside, std::size_t i, const RowVec& west,
-                                const RowVec& east) {
-  // Where west and east are equal: base, unless that is the west; then the other.
-  const RowVec of_equal = select(row.masks.level ^ beside.base_west[i], row.north, row.below);
-  return select(beside.agrees[i], first_different(row.masks, around),
-                select(beside.equal[i], of_equal, select(beside.is_east[i], west, east)));
+HWY_INLINE PartVec first_different(const NearRows& rows, const NearPart& near) {
+  const auto unless = [&](std::uint8_t bit, PartVec yes, PartVec no) HWY_ATTR {
+    return hn::IfThenElse(hn::TestBit(near.around, bytes_of(bit)), yes, no);
+  };
+  PartVec found = load(rows.below_north + near.at);
+  found = unless(2, found, load(rows.below_south + near.at));
+  found = unless(16, found, load(rows.below + near.at - 1));
+  found = unless(32, found, load(rows.below + near.at + 1));
+  found = unless(4, found, load(rows.north + near.at - 1));
+  return unless(8, found, load(rows.north + near.at + 1));
 }
 
 /// The first of the voxels around that is neither of two candidates; `exists` says where there is one.
-HWY_INLINE RowVec third_candidate(const RowVec& first, const RowVec& second, RowMask level,
-                                  const RowsAround& around, RowMask& exists) {
-  const RowVec north = load_voxels(around.north);
-  const RowVec below = load_voxels(around.below);
-  RowVec found = load_voxels(around.below_north);
-  exists = ~(equal(found, first) | equal(found, second));
-  const auto prefer = [&](const RowVec& candidate, RowMask where) HWY_ATTR {
-    const RowMask differs = where & ~(equal(candidate, first) | equal(candidate, second));
-    found = select(differs, candidate, found);
-    exists |= differs;
+HWY_INLINE PartVec third_candidate(const NearRows& rows, const NearPart& near, PartVec first, PartVec second,
+                                   std::size_t part, PartMask& exists) {
+  const auto is_new = [&](PartVec candidate) HWY_ATTR {
+    return hn::Not(hn::Or(hn::Eq(candidate, first), hn::Eq(candidate, second)));
   };
-  constexpr RowMask kHasWest = ~RowMask{1};
-  constexpr RowMask kHasEast = kAllColumns >> 1U;
-  prefer(load_voxels(around.below_south), kAllColumns);
-  prefer(load_voxels(around.below - 1), kHasWest);
-  prefer(load_voxels(around.below + 1), kHasEast);
-  prefer(load_voxels(around.north - 1), kHasWest);
-  prefer(load_voxels(around.north + 1), kHasEast);
-  prefer(select(level, below, north), kAllColumns);
-  prefer(select(level, north, below), kAllColumns);
+  PartVec found = load(rows.below_north + near.at);
+  exists = is_new(found);
+  const auto prefer = [&](PartVec candidate, PartMask where) HWY_ATTR {
+    found = hn::IfThenElse(where, candidate, found);
+    exists = hn::Or(exists, where);
+  };
+  const PartMask no_west = columns<IsFirstColumn>(part);
+  const PartMask no_east = columns<IsLastColumn>(part);
+  const auto prefer_beside = [&](const std::uint8_t* row) HWY_ATTR {
+    const PartVec west = load(row + near.at - 1);
+    prefer(west, hn::AndNot(no_west, is_new(west)));
+    const PartVec east = load(row + near.at + 1);
+    prefer(east, hn::AndNot(no_east, is_new(east)));
+  };
+  const PartVec south = load(rows.below_south + near.at);
+  prefer(south, is_new(south));
+  prefer_beside(rows.below);
+  prefer_beside(rows.north);
+  prefer(near.other, is_new(near.other));
+  prefer(near.base, is_new(near.base));
   return found;
 }
 

@@ -30,7 +30,8 @@ struct SlotTable {
   std::array<std::uint16_t, kProbabilityTotal> value{};  // by kind
 };
 
-[[nodiscard]] inline std::uint16_t decode_slot(RansSource& source, std::size_t lane, const SlotTable& slots) {
+/// The kind of the symbol that a lane's state has.
+[[nodiscard]] inline std::uint8_t decode_kind(RansSource& source, std::size_t lane, const SlotTable& slots) {
   const std::uint32_t state = source.states[lane];
   const std::uint32_t low = state % kProbabilityTotal;
   const std::uint32_t slot = slots.slot[low];
@@ -40,7 +41,11 @@ struct SlotTable {
   const std::uint32_t more = rest * 256 + *source.next;
   source.states[lane] = static_cast<std::uint16_t>(takes ? more : rest);
   source.next += takes ? 1 : 0;
-  return slots.value[slot & 0xFFU];
+  return static_cast<std::uint8_t>(slot & 0xFFU);
+}
+
+[[nodiscard]] inline std::uint16_t decode_slot(RansSource& source, std::size_t lane, const SlotTable& slots) {
+  return slots.value[decode_kind(source, lane, slots)];
 }
 
 /// Numbers below 2^15 are coded as how many binary digits they have, then the digits after the first.
@@ -149,9 +154,9 @@ class ExceptionReader {
   [[nodiscard]] std::uint32_t gap() const { return gap_; }
   void pass(std::uint32_t voxels) { gap_ -= voxels; }
 
-  /// The material of the next exception, when gap() is 0.
-  [[nodiscard]] MaterialId take(VolumeSource& source) {
-    const MaterialId material = materials_[next_];
+  /// The material of the next exception, as its number in the list, when gap() is 0.
+  [[nodiscard]] std::uint8_t take(VolumeSource& source) {
+    const std::uint8_t material = materials_[next_];
     ++next_;
     if (next_ < size_) {
       gap_ = gaps_[next_];
@@ -178,7 +183,7 @@ class ExceptionReader {
     }
     take_digits(source, digits.data(), size_, [this](std::size_t i, std::uint32_t gap) { gaps_[i] = gap; });
     for (std::size_t i = 0; i < size_; ++i) {
-      materials_[i] = MaterialId{decode_slot(source, i, code_.materials)};
+      materials_[i] = decode_kind(source, i, code_.materials);
     }
     next_ = 0;
     gap_ = gaps_[0];
@@ -190,7 +195,7 @@ class ExceptionReader {
   std::size_t next_ = 0;
   std::uint32_t gap_ = kNever;
   std::array<std::uint32_t, kLanes> gaps_{};
-  std::array<MaterialId, kLanes> materials_{};
+  std::array<std::uint8_t, kLanes> materials_{};
 };
 
 }  // namespace talus::codec

@@ -1,4 +1,4 @@
-// Volumes to symbols and back, a row of 32 voxels at a time, once for each instruction set: FORMAT.md,
+// Volumes to symbols and back, a vector of voxels at a time, once for each instruction set: FORMAT.md,
 // "Volume".
 #pragma once
 
@@ -65,10 +65,9 @@ inline constexpr std::size_t kManySurprises = 1024;
 
 enum class VolumeFault : std::uint8_t { none, truncated, bad_number };
 
-/// The voxels that a kernel reads into: loads may touch kVolumeMargin voxels before and after them.
+/// The voxels that a payload is decoded into: kVolumeMargin voxels after them may be written too.
 inline constexpr std::size_t kVolumeMargin = 32;
 struct PaddedVoxels {
-  std::array<MaterialId, kVolumeMargin> before{};
   DenseVoxels voxels;
   std::array<MaterialId, kVolumeMargin> after{};
 };

@@ -1,5 +1,5 @@
 // How voxels of any shape are predicted: FORMAT.md, "Volume". Voxel by voxel, as the document has it;
-// volume_candidates-inl.h has the same for rows of 32 voxels as bit masks.
+// volume_near-inl.h and volume_candidates-inl.h have the same for vectors of voxels.
 #pragma once
 
 #include <algorithm>
@@ -45,15 +45,6 @@ struct RowsAround {
   const MaterialId* const below = row(y - 1, z);
   return {z == 0 ? below : row(y, z - 1), below, z == 0 ? below : row(y - 1, z - 1),
           z == kChunkSize - 1 ? below : row(y - 1, z + 1)};
-}
-
-/// From a row of a wave to the next, in voxels: y is one more, and z two less.
-inline constexpr std::ptrdiff_t kRowToRow = kChunkArea - 2 * kChunkSize;
-
-/// The rows around row (y, z) where neither y nor z is 0 and z is not 31.
-[[nodiscard]] inline RowsAround rows_inside(const MaterialId* row) {
-  const MaterialId* const below = row - kChunkArea;
-  return {row - kChunkSize, below, below - kChunkSize, below + kChunkSize};
 }
 
 /// A voxel's prediction: candidates, most likely first, all different, and the context that selects the

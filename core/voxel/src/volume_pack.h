@@ -1,5 +1,5 @@
-// The numbers of a batch's coded voxels side by side, by instructions that some processors with AVX-512 have
-// and others lack (VBMI2 and GFNI); volume_waves-inl.h does it row by row for all.
+// The bytes of a batch's coded voxels side by side, by an instruction that some processors with AVX-512 have
+// and others lack (VBMI2); volume_batch-inl.h does it for all.
 #pragma once
 
 #include <cstddef>
@@ -7,24 +7,12 @@
 
 namespace talus::codec {
 
-inline constexpr std::size_t kPackRows = 16;
+/// Of `parts` times 64 bytes, appends those whose bits are set; gives how many. May write 64 bytes past the
+/// last.
+using VolumePack = std::size_t (*)(const std::uint64_t* coded, const std::uint8_t* bytes, std::size_t parts,
+                                   std::uint8_t* out);
 
-/// Masks of sixteen rows: bit x is of column x.
-struct PackedRows {
-  const std::uint32_t* coded;  // which columns have numbers
-  std::uint32_t coded_rows;    // bit i: row i has any
-};
-
-struct VolumePack {
-  /// Appends a byte for each coded voxel, row by row; gives how many. `bits`: kPackRows masks for each of
-  /// eight bits, from the lowest. May write 32 bytes past the last.
-  std::size_t (*contexts)(const PackedRows& rows, const std::uint32_t* bits, std::uint8_t* out);
-  /// The same of numbers of two bits.
-  void (*symbols)(const PackedRows& rows, const std::uint32_t* low, const std::uint32_t* high,
-                  std::uint8_t* out);
-};
-
-/// Null where this processor has no such instructions.
-[[nodiscard]] const VolumePack* volume_pack();
+/// Null where this processor has no such instruction.
+[[nodiscard]] VolumePack volume_pack();
 
 }  // namespace talus::codec

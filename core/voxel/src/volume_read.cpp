@@ -12,7 +12,9 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
+#include "volume_batch-inl.h"
 #include "volume_candidates-inl.h"
+#include "volume_numbers-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace talus::HWY_NAMESPACE {
@@ -35,10 +37,10 @@ void read_slots(VolumeSource& source, const SlotTable& slots, std::size_t count,
 /// The contexts of a batch, and then its symbols as two strings of bits.
 class Batch {
  public:
-  template <std::size_t bits>
-  HWY_INLINE void begin(const BatchMasks& masks, const VolumePack* pack) {
-    size_ = masks.coded_rows == 0 ? 0 : masks.put_contexts<bits>(pack, contexts_.data());
-  }
+  /// Room for the contexts, and for a part past the last.
+  [[nodiscard]] std::uint8_t* contexts() { return contexts_.data(); }
+  void set_size(std::size_t size) { size_ = size; }
+  [[nodiscard]] std::size_t size() const { return size_; }
 
   HWY_INLINE void decode(VolumeSource& source, const std::uint32_t* intervals) {
     next_ = 0;
@@ -67,13 +69,14 @@ class Batch {
   }
 
   struct Symbols {
-    RowMask low;
-    RowMask high;
+    std::uint32_t low;
+    std::uint32_t high;
   };
-  /// Of the next row, in the order in which rows were added.
-  HWY_INLINE Symbols take(RowMask coded) {
-    const Symbols symbols{deposit_bits(bits_at(low_), coded), deposit_bits(bits_at(high_), coded)};
-    next_ += static_cast<std::size_t>(std::popcount(coded));
+  /// Of the next voxels, at most 32, side by side.
+  HWY_INLINE Symbols take(std::size_t count) {
+    const auto mask = static_cast<std::uint32_t>((std::uint64_t{1} << count) - 1);
+    const Symbols symbols{bits_at(low_) & mask, bits_at(high_) & mask};
+    next_ += count;
     return symbols;
   }
 
@@ -119,7 +122,7 @@ class Batch {
     return starts;
   }
 
-  std::array<std::uint8_t, kMaxBatch + 32> contexts_;
+  std::array<std::uint8_t, kMaxBatch + 64> contexts_;
   BitString low_;
   BitString high_;
   std::size_t size_ = 0;
@@ -129,118 +132,127 @@ class Batch {
 class Reader {
  public:
   Reader(VolumeSource& source, const VolumeCode& code, DenseVoxels& voxels)
-      : source_{source}, code_{code}, voxels_{voxels.data()}, exceptions_{code, source} {
-    row_zero_.fill(code.first);
-  }
+      : source_{source},
+        code_{code},
+        voxels_{voxels.data()},
+        exceptions_{code, source},
+        row_writer_{code.materials} {}
 
   VolumeFault read() {
     for (int wave = 0; wave < kWaves; ++wave) {
-      rows_ = static_cast<std::size_t>(last_row_of(wave) - first_row_of(wave) + 1);
-      const AroundMasks<MaskVec> around = equal_.around(wave);
-      around_.store(around);
-      const MaskVec in_wave = mask_of_rows(rows_);
-      mixed_ = rows_with_any(in_wave & ~(around.all() & around.level));
-      if (mixed_ == 0 && exceptions_.gap() >= rows_ * kChunkSize) {
-        repeat_rows(wave);
-        continue;
+      const NearRows rows{bytes_, equals_, wave};
+      const WaveParts parts{wave};
+      add_missing_rows(rows, wave);
+      const auto voxels = static_cast<std::uint32_t>(parts.rows() * kChunkSize);
+      const bool has_exception = exceptions_.gap() < voxels;
+      const PartSet mixed = (has_exception ? parts.all() : whole_rows(unequal_.near(wave))) & parts.all();
+      repeat_rows(rows, parts);
+      unequal_.set(wave, 0);
+      if (mixed == 0) {
+        exceptions_.pass(voxels);
+      } else if (!read_parts(rows, parts, mixed, wave)) {
+        return source_.next > source_.end ? VolumeFault::truncated : VolumeFault::bad_number;
       }
-      begin_even(wave);
-      const MaskVec same = same_.get();
-      store_masks(same, same_rows_.data());
-      masks_.store<7>(in_wave & set_masks(kEvenColumns), same & around.all(),
-                      even_contexts(around, same, south_.get()));
-      if (!read_batch<false>()) return fault();
-
-      begin_odd();
-      const BesideMasks<MaskVec> beside = beside_.get();
-      beside_rows_.store(beside);
-      masks_.store<8>(in_wave & set_masks(kOddColumns), beside.agrees() & around.all(),
-                      odd_contexts(around, beside, same));
-      if (!read_batch<true>()) return fault();
-      end_wave(wave);
+      write_rows(rows, parts, wave);
     }
     return exceptions_.all_taken() ? VolumeFault::none : VolumeFault::bad_number;
   }
 
  private:
-  /// All rows are of one material with all around them, and no voxel is an exception.
-  HWY_INLINE void repeat_rows(int wave) {
-    exceptions_.pass(static_cast<std::uint32_t>(rows_ * kChunkSize));
-    const int first = first_row_of(wave);
-    MaterialId* to = voxels_ + (first * kChunkSize + wave - 2 * first) * kChunkSize;
-    const MaterialId* from =
-        rows_around(voxels_, row_zero_.data() + kChunkSize, first, wave - 2 * first).below;
-    for (std::size_t i = 0; i < rows_; ++i) {
-      store_voxels(load_voxels(from), to);
-      to += kRowToRow;
-      from = to - kChunkArea;
+  /// Makes all voxels of a wave equal to those around them, as those of parts that are not mixed are.
+  HWY_INLINE void repeat_rows(const NearRows& rows, const WaveParts& parts) {
+    for (std::size_t p = parts.first; p <= parts.last; ++p) {
+      store(load(rows.below + p * kPartBytes), rows.now + p * kPartBytes);
+      store(bytes_of(kEqualsAll), rows.equals_now + p * kPartBytes);
     }
-    equal_.begin(wave);
   }
 
-  /// The even columns get their first candidates, and all columns of rows that are not mixed.
-  HWY_INLINE void begin_even(int wave) {
-    same_.clear();
-    south_.clear();
-    place_rows(voxels_, row_zero_.data() + kChunkSize, wave, row_);
-    for (std::size_t i = 0; i < rows_; ++i) store_voxels(load_voxels(row_[i].around.below), row_[i].voxels);
-    over_bits(mixed_, [this](std::size_t i) HWY_ATTR {
-      const WaveRow<MaterialId>& row = row_[i];
-      const RowVec north = load_voxels(row.around.north);
-      const RowVec below = load_voxels(row.around.below);
-      same_.set(i, equal(north, below));
-      south_.set(i, equal(load_voxels(row.around.below_south), north));
-      store_voxels(select(around_.of.level[i], north, below), row.voxels);
-    });
-  }
-
-  /// The odd columns get their first candidates.
-  HWY_INLINE void begin_odd() {
-    beside_.clear();
-    over_bits(mixed_, [this](std::size_t i) HWY_ATTR {
-      const WaveRow<MaterialId>& row = row_[i];
-      const RowVec north = load_voxels(row.around.north);
-      const RowVec below = load_voxels(row.around.below);
-      const RowVec now = load_voxels(row.voxels);
-      const RowVec west = west_of(now, row.voxels);
-      const RowVec east = east_of(now, row.voxels);
-      const RowMask level = around_.of.level[i];
-      const RowMask is_east =
-          beside_.set(i, select(level, north, below), select(level, below, north), west, east);
-      store_voxels(select(kOddColumns, select(is_east, east, west), now), row.voxels);
-    });
-  }
-
-  HWY_INLINE void end_wave(int wave) {
-    equal_.begin(wave);
-    const int first = first_row_of(wave);
-    over_bits(mixed_, [this, first, wave](std::size_t i) HWY_ATTR {
-      const WaveRow<MaterialId>& row = row_[i];
-      const RowVec now = load_voxels(row.voxels);
-      const int y = first + static_cast<int>(i);
-      equal_.set(y, wave - 2 * y, equal(now, west_of(now, row.voxels)),
-                 equal(now, load_voxels(row.around.north)), equal(now, load_voxels(row.around.below)));
-    });
-  }
-
-  /// Gives the exceptions among the steady voxels their materials.
-  HWY_INLINE void take_exceptions() {
-    const std::uint32_t all = masks_.steady_voxels();
-    if (HWY_LIKELY(exceptions_.gap() >= all)) {
-      exceptions_.pass(all);
-      return;
+  HWY_INLINE void write_rows(const NearRows& rows, const WaveParts& parts, int wave) {
+    std::size_t row = parts.first_row * (kChunkSize - 2) + static_cast<std::size_t>(wave);
+    for (std::size_t y = parts.first_row; y <= parts.last_row; ++y) {
+      row_writer_.write(rows.now + y * kRowBytes, voxels_ + row * kChunkSize);
+      row += kChunkSize - 2;
     }
+  }
+
+  HWY_INLINE bool read_parts(const NearRows& rows, const WaveParts& parts, PartSet mixed, int wave) {
+    std::size_t count = 0;
+    over_bits(mixed, [&](std::size_t p) HWY_ATTR {
+      place_[count] = p;
+      const NearPart near = near_part(rows, p);
+      store(near.base, rows.now + near.at);
+      begin(count, even_half(near), kEvenBits & parts.inside(p));
+      near_[count] = near;
+      ++count;
+    });
+    count_ = count;
+    if (!read_half<false>(rows, parts)) return false;
+    for (std::size_t i = 0; i < count; ++i) {
+      std::uint8_t* const bytes = rows.now + near_[i].at;
+      const PartVec now = load(bytes);
+      const HalfPart half = odd_half(near_[i], now, bytes, place_[i]);
+      store(hn::IfThenElse(columns<IsOddColumn>(place_[i]), half.first, now), bytes);
+      begin(i, half, kOddBits & parts.inside(place_[i]));
+    }
+    if (!read_half<true>(rows, parts)) return false;
+    PartSet unequal = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+      const std::size_t p = place_[i];
+      PartBits not_west = 0;
+      const PartBits found = find_equals(rows, near_[i], load(rows.now + near_[i].at), p, wave, not_west);
+      unequal |= PartSet{(found & parts.inside(p)) != 0 ? 1U : 0U} << p;
+    }
+    unequal_.set(wave, unequal);
+    return true;
+  }
+
+  HWY_INLINE void begin(std::size_t i, const HalfPart& half, PartBits inside) {
+    coding_.coded[i] = bits_of(hn::Not(half.steady)) & inside;
+    store(half.context, coding_.bytes.data() + i * kPartBytes);
+    second_[i] = half.second;
+    alike_[i] = half.alike;
+  }
+
+  /// Reads the symbols of half the columns and gives their voxels their materials. False where there is a
+  /// fault.
+  template <bool odd>
+  HWY_INLINE bool read_half(const NearRows& rows, const WaveParts& parts) {
+    batch_.set_size(pack_coded<odd>(coding_, coding_.coded.data(), count_, pack_, batch_.contexts()));
+    const auto steady = static_cast<std::uint32_t>(parts.rows() * kChunkSize / 2 - batch_.size());
+    if (HWY_LIKELY(exceptions_.gap() >= steady)) {
+      exceptions_.pass(steady);
+    } else {
+      take_exceptions(rows, parts, odd ? kOddBits : kEvenBits);
+    }
+    source_.keep_ahead();
+    batch_.decode(source_, code_.intervals->data() + (odd ? kOddContexts : 0));
+    // Which parts have other symbols than 0 cannot be foreseen: all are finished where any has.
+    std::uint32_t surprising = 0;
+    for (std::size_t i = 0; i < count_; ++i) {
+      symbols_[i] = batch_.take(static_cast<std::size_t>(std::popcount(coding_.coded[i])));
+      surprising |= symbols_[i].low | symbols_[i].high;
+    }
+    if (surprising != 0) {
+      for (std::size_t i = 0; i < count_; ++i) finish(rows, i);
+    }
+    for (std::size_t i = 0; i < escapes_; ++i)
+      *escaped_[i] = decode_kind(source_, i % kLanes, code_.materials);
+    escapes_ = 0;
+    return source_.next <= source_.end && !bad_number_;
+  }
+
+  /// Gives the exceptions among the steady voxels their materials. All parts of the wave are mixed.
+  HWY_INLINE void take_exceptions(const NearRows& rows, const WaveParts& parts, PartBits half) {
     // In a register: the voxels that are written in between might be anything.
     std::uint32_t gap = exceptions_.gap();
-    for (std::size_t i = 0; i < rows_; ++i) {
-      RowMask steady = masks_.steady[i];
+    for (std::size_t i = 0; i < count_; ++i) {
+      PartBits steady = half & parts.inside(place_[i]) & ~coding_.coded[i];
       auto count = static_cast<std::uint32_t>(std::popcount(steady));
       while (gap < count) {
-        const int x = std::countr_zero(deposit_bits(1U << gap, steady));
-        row_[i].voxels[x] = exceptions_.take(source_);
+        const auto x = static_cast<std::size_t>(std::countr_zero(deposit_bits(PartBits{1} << gap, steady)));
+        rows.now[near_[i].at + x] = exceptions_.take(source_);
         gap = exceptions_.gap();
-        mixed_ |= 1U << i;
-        steady &= ~(RowMask{2} << x) + 1;
+        steady &= ~((PartBits{2} << x) - 1);
         count = static_cast<std::uint32_t>(std::popcount(steady));
       }
       gap -= count;
@@ -248,81 +260,48 @@ class Reader {
     exceptions_.pass(exceptions_.gap() - gap);
   }
 
-  /// Reads the symbols of a batch and gives its voxels their materials. False where there is a fault.
-  template <bool odd>
-  HWY_INLINE bool read_batch() {
-    take_exceptions();
-    batch_.template begin<odd ? 8 : 7>(masks_, pack_);
-    source_.keep_ahead();
-    batch_.decode(source_, code_.intervals->data() + (odd ? kOddContexts : 0));
-    // Which rows have other symbols than 0 cannot be foreseen: they are found first, without a branch for
-    // each.
-    std::uint32_t surprising = 0;
-    over_bits(masks_.coded_rows, [this, &surprising](std::size_t i) HWY_ATTR {
-      symbols_[i] = batch_.take(masks_.coded[i]);
-      surprising |= ((symbols_[i].low | symbols_[i].high) != 0 ? 1U : 0U) << i;
-    });
-    over_bits(surprising, [this](std::size_t i) HWY_ATTR { finish_row<odd>(i); });
-    for (std::size_t i = 0; i < escapes_; ++i) {
-      *escaped_[i] = MaterialId{decode_slot(source_, i % kLanes, code_.materials)};
-    }
-    escapes_ = 0;
-    return source_.next <= source_.end && !bad_number_;
-  }
-
-  template <bool odd>
-  HWY_INLINE void finish_row(std::size_t i) {
-    const Batch::Symbols& symbols = symbols_[i];
-    const WaveRow<MaterialId>& row = row_[i];
-    const RowNeighbours near = neighbours_of(row, around_.row(i));
-    const RowVec now = near.now;  // the first candidates
-    RowVec second;
-    if constexpr (odd) {
-      second = second_of_odd(near, row.around, beside_rows_, i, west_of(now, row.voxels),
-                             east_of(now, row.voxels));
-    } else {
-      second = second_of_even(near, row.around, same_rows_[i]);
-    }
-    RowVec found = select(symbols.low & ~symbols.high, second, now);
-    const RowMask is_third = symbols.high & ~symbols.low;
+  HWY_INLINE void finish(const NearRows& rows, std::size_t i) {
+    const NearPart& near = near_[i];
+    std::uint8_t* const bytes = rows.now + near.at;
+    const PartBits low = deposit_bits(symbols_[i].low, coding_.coded[i]);
+    const PartBits high = deposit_bits(symbols_[i].high, coding_.coded[i]);
+    const PartVec now = load(bytes);  // the first candidates
+    const PartVec second = hn::IfThenElse(alike_[i], first_different(rows, near), second_[i]);
+    PartVec found = hn::IfThenElse(mask_of(low & ~high), second, now);
+    const PartBits is_third = high & ~low;
     if (is_third != 0) {
-      RowMask exists = 0;
-      const RowVec third = third_candidate(now, second, near.masks.level, row.around, exists);
-      found = select(is_third, third, found);
-      bad_number_ |= (is_third & ~exists) != 0;
+      PartMask exists;
+      const PartVec third = third_candidate(rows, near, now, second, place_[i], exists);
+      found = hn::IfThenElse(mask_of(is_third), third, found);
+      bad_number_ |= (is_third & ~bits_of(exists)) != 0;
     }
-    store_voxels(found, row.voxels);
-    for (RowMask left = symbols.high & symbols.low; left != 0; left &= left - 1) {
-      escaped_[escapes_++] = row.voxels + std::countr_zero(left);
+    store(found, bytes);
+    for (PartBits left = high & low; left != 0; left &= left - 1) {
+      escaped_[escapes_++] = bytes + std::countr_zero(left);
     }
-  }
-
-  [[nodiscard]] VolumeFault fault() const {
-    return source_.next > source_.end ? VolumeFault::truncated : VolumeFault::bad_number;
   }
 
   VolumeSource& source_;
   const VolumeCode& code_;
   MaterialId* voxels_;
   ExceptionReader exceptions_;
-  const VolumePack* pack_ = volume_pack();
-  EqualMasks equal_;
-  AroundArrays around_;
-  GrowingBeside beside_;
-  BesideArrays beside_rows_;
-  BatchMasks masks_;
-  GrowingMasks same_;
-  GrowingMasks south_;
-  WaveMasks same_rows_;
+  const VolumePack pack_ = volume_pack();
+  RowWriter row_writer_;
+  WaveBytes bytes_{0};  // numbers of materials: the first is north of the first row
+  WaveBytes equals_{kEqualsAll};
+  UnequalParts unequal_;
+  // Of the mixed parts of a wave:
+  std::array<NearPart, kMaxParts> near_;
+  std::array<PartVec, kMaxParts> second_;
+  std::array<PartMask, kMaxParts> alike_;
+  std::array<std::size_t, kMaxParts> place_;
+  std::array<Batch::Symbols, kMaxParts> symbols_;
+  std::size_t count_ = 0;
+  BatchParts coding_;
   Batch batch_;
-  std::array<WaveRow<MaterialId>, kWaveRows> row_;
-  std::size_t rows_ = 0;
-  std::uint32_t mixed_ = 0;  // bit i: row i, or a row around it, is not of the one material
-  std::array<Batch::Symbols, kWaveRows> symbols_;
-  std::array<MaterialId*, kMaxBatch> escaped_;
+  std::array<std::uint8_t*, kMaxBatch> escaped_;
   std::size_t escapes_ = 0;
   bool bad_number_ = false;
-  std::array<MaterialId, 3 * kChunkSize> row_zero_;
 };
 
 void read_slots(VolumeSource& source, const SlotTable& slots, std::size_t count, std::uint8_t* kinds) {

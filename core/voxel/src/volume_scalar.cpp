@@ -110,7 +110,7 @@ VolumeFault read_volume_scalar(VolumeSource& source, const VolumeCode& code, Pad
         predictions[count] = prediction;
         coded[count++] = static_cast<std::uint16_t>(row_index(y, z) + static_cast<std::size_t>(x));
       } else if (exceptions.gap() == 0) {
-        row[x] = exceptions.take(source);
+        row[x] = MaterialId{code.materials.value[exceptions.take(source)]};
       } else {
         exceptions.pass(1);
       }

@@ -8,11 +8,12 @@
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "volume_write.cpp"
-#include <hwy/cache_control.h>
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
+#include "volume_batch-inl.h"
 #include "volume_candidates-inl.h"
+#include "volume_numbers-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace talus::HWY_NAMESPACE {
@@ -40,27 +41,30 @@ void write_intervals(const std::uint32_t* intervals, std::size_t count, RansSink
 class Analyser {
  public:
   Analyser(const DenseVoxels& voxels, VolumeEvents& events) : voxels_{voxels.data()}, events_{events} {
-    row_zero_.fill(voxels.front());
-    std::copy_n(first_row(), kChunkSize, first_.begin() + kChunkSize);
-    std::copy_n(last_row(), kChunkSize, last_.begin() + kChunkSize);
+    events_.coded = events_.surprises = events_.changes = events_.exceptions = events_.escapes = 0;
+  }
+
+  /// The materials as numbers of a byte; false where there are too many.
+  bool number(const DenseVoxels& voxels) {
+    if (!number_voxels(voxels, numbers_.data())) return false;
+    // The first row's north is of the first material.
+    bytes_ = WaveBytes{numbers_[0]};
+    return true;
   }
 
   bool analyse() {
-    // In the order of memory, which that of waves is not: voxels that nobody has touched lately come in at
-    // once.
-    for (std::size_t i = 0; i < kChunkVolume; i += kChunkSize) hwy::Prefetch(voxels_ + i);
-    events_.coded = events_.surprises = events_.changes = events_.exceptions = events_.escapes = 0;
     for (int wave = 0; wave < kWaves; ++wave) {
-      rows_ = static_cast<std::size_t>(last_row_of(wave) - first_row_of(wave) + 1);
-      const AroundMasks<MaskVec> around = equal_.around(wave);
-      around_.store(around);
-      const MaskVec in_wave = mask_of_rows(rows_);
-      mixed_ = rows_with_any(in_wave & ~(around.all() & around.level));
-      compare(wave);
-      if (mixed_ == 0) {
-        add_steady_wave(wave);
+      const NearRows rows{bytes_, equals_, wave};
+      const WaveParts parts{wave};
+      add_missing_rows(rows, wave);
+      const PartSet mixed = whole_rows(unequal_.near(wave) | add_rows(rows, parts, wave)) & parts.all();
+      unequal_.set(wave, 0);
+      if (mixed == 0) {
+        add_steady_wave(rows, parts, wave);
       } else {
-        add_mixed_wave(wave, in_wave, around);
+        compare(rows, parts, mixed, wave);
+        add_half<false>(rows, parts, even_, static_cast<std::size_t>(wave));
+        add_half<true>(rows, parts, odd_, static_cast<std::size_t>(wave));
       }
       if (is_noise(2 * static_cast<std::size_t>(wave) + 2, events_)) return false;
     }
@@ -68,73 +72,52 @@ class Analyser {
   }
 
  private:
-  HWY_INLINE void add_mixed_wave(int wave, const MaskVec& in_wave, const AroundMasks<MaskVec>& around) {
-    const MaskVec same = same_.get();
-    store_masks(same, same_rows_.data());
-    masks_.store<7>(in_wave & set_masks(kEvenColumns), same & around.all(),
-                    even_contexts(around, same, south_.get()));
-    store_masks(select(around.level, north_.get(), below_.get()), is_first_.data());
-    add_batch<false>(2 * static_cast<std::size_t>(wave));
+  /// Of half the columns of a wave's mixed parts.
+  struct Halves {
+    BatchParts coding;                            // with the contexts
+    std::array<PartBits, kMaxParts> surprising;   // coded voxels that are not the first candidate
+    std::array<PartBits, kMaxParts> exceptional;  // steady ones
+    std::array<PartVec, kMaxParts> first;
+    std::array<PartVec, kMaxParts> second;
+    std::array<PartMask, kMaxParts> alike;
 
-    const BesideMasks<MaskVec> beside = beside_.get();
-    beside_rows_.store(beside);
-    const MaskVec west = west_.get();
-    store_masks(select(beside.is_east(), of_east(west), west), is_first_.data());
-    masks_.store<8>(in_wave & set_masks(kOddColumns), beside.agrees() & around.all(),
-                    odd_contexts(around, beside, same));
-    add_batch<true>(2 * static_cast<std::size_t>(wave) + 1);
-  }
-
-  [[nodiscard]] const MaterialId* first_row() const { return voxels_; }
-  [[nodiscard]] const MaterialId* last_row() const { return voxels_ + kChunkVolume - kChunkSize; }
-
-  /// The same row, where loads may touch the voxels before and after it.
-  [[nodiscard]] HWY_INLINE const MaterialId* padded(const MaterialId* row) const {
-    if (HWY_UNLIKELY(row == first_row())) return first_.data() + kChunkSize;
-    if (HWY_UNLIKELY(row == last_row())) return last_.data() + kChunkSize;
-    return row;
-  }
-
-  /// Compares the rows of a wave, but for those that are of one material with all around.
-  HWY_INLINE void compare(int wave) {
-    for (GrowingMasks* masks : {&same_, &south_, &north_, &below_, &west_}) masks->clear();
-    beside_.clear();
-    equal_.begin(wave);
-    const int first = first_row_of(wave);
-    place_rows(voxels_, row_zero_.data() + kChunkSize, wave, row_);
-    for (std::size_t i = 0; i < rows_; ++i) {
-      const RowMask below = equal(load_voxels(row_[i].voxels), load_voxels(row_[i].around.below));
-      mixed_ |= (below != kAllColumns ? 1U : 0U) << i;
+    HWY_INLINE void set(std::size_t i, const HalfPart& half, PartVec now, PartBits inside) {
+      const PartBits steady = bits_of(half.steady);
+      const PartBits differs = bits_of(hn::Ne(now, half.first)) & inside;
+      coding.coded[i] = inside & ~steady;
+      store(half.context, coding.bytes.data() + i * kPartBytes);
+      surprising[i] = differs & ~steady;
+      exceptional[i] = differs & steady;
+      first[i] = half.first;
+      second[i] = half.second;
+      alike[i] = half.alike;
     }
-    over_bits(mixed_, [this, first, wave](std::size_t i) HWY_ATTR {
-      WaveRow<const MaterialId>& row = row_[i];
-      row.voxels = padded(row.voxels);
-      row.around.north = padded(row.around.north);
-      row.around.below = padded(row.around.below);
-      const RowVec now = load_voxels(row.voxels);
-      const RowVec below = load_voxels(row.around.below);
-      const RowVec north = load_voxels(row.around.north);
-      const RowVec west = west_of(now, row.voxels);
-      const RowMask level = around_.of.level[i];
-      const RowMask equals_west = equal(now, west) | 1U;
-      const RowMask equals_north = equal(now, north);
-      const RowMask equals_below = equal(now, below);
-      west_.set(i, equals_west);
-      north_.set(i, equals_north);
-      below_.set(i, equals_below);
-      same_.set(i, equal(north, below));
-      south_.set(i, equal(load_voxels(row.around.below_south), north));
-      (void)beside_.set(i, select(level, north, below), select(level, below, north), west,
-                        east_of(now, row.voxels));
-      const int y = first + static_cast<int>(i);
-      equal_.set(y, wave - 2 * y, equals_west, equals_north, equals_below);
-      events_.changes += static_cast<std::size_t>(std::popcount(~equals_west));
-    });
+  };
+
+  /// Puts the rows of a wave side by side. Gives in which parts some are not equal to those below.
+  HWY_INLINE PartSet add_rows(const NearRows& rows, const WaveParts& parts, int wave) {
+    const hn::CappedTag<std::uint8_t, kRowBytes> d;
+    const std::uint8_t* row =
+        numbers_.data() + (parts.first_row * (kChunkSize - 2) + static_cast<std::size_t>(wave)) * kRowBytes;
+    PartSet unequal = 0;
+    for (std::size_t y = parts.first_row; y <= parts.last_row; ++y) {
+      for (std::size_t x = 0; x < kRowBytes; x += hn::MaxLanes(d)) {
+        const std::size_t at = y * kRowBytes + x;
+        const auto now = hn::LoadU(d, row + x);
+        hn::StoreU(now, d, rows.now + at);
+        const bool equal = hn::AllTrue(d, hn::Eq(now, hn::LoadU(d, rows.below + at)));
+        unequal |= PartSet{equal ? 0U : 1U} << (at / kPartBytes);
+      }
+      row += (kChunkSize - 2) * kRowBytes;
+    }
+    return unequal;
   }
 
-  /// All rows are of one material with all around them: nothing to code.
-  HWY_INLINE void add_steady_wave(int wave) {
-    gap_ += static_cast<std::uint32_t>(rows_ * kChunkSize);
+  /// All voxels are of one material with all around them: nothing to code.
+  HWY_INLINE void add_steady_wave(const NearRows& rows, const WaveParts& parts, int wave) {
+    for (std::size_t p = parts.first; p <= parts.last; ++p)
+      store(bytes_of(kEqualsAll), rows.equals_now + p * kPartBytes);
+    gap_ += static_cast<std::uint32_t>(parts.rows() * kChunkSize);
     for (const std::size_t batch :
          {2 * static_cast<std::size_t>(wave), 2 * static_cast<std::size_t>(wave) + 1}) {
       events_.batch[batch] = 0;
@@ -142,115 +125,138 @@ class Analyser {
     }
   }
 
+  HWY_INLINE void compare(const NearRows& rows, const WaveParts& parts, PartSet mixed, int wave) {
+    for (std::size_t p = parts.first; p <= parts.last; ++p)
+      store(bytes_of(kEqualsAll), rows.equals_now + p * kPartBytes);
+    count_ = 0;
+    PartSet unequal = 0;
+    over_bits(mixed, [&](std::size_t p) HWY_ATTR {
+      const NearPart near = near_part(rows, p);
+      const std::uint8_t* const bytes = rows.now + near.at;
+      const PartVec now = load(bytes);
+      const PartBits inside = parts.inside(p);
+      even_.set(count_, even_half(near), now, kEvenBits & inside);
+      odd_.set(count_, odd_half(near, now, bytes, p), now, kOddBits & inside);
+      PartBits not_west = 0;
+      const PartBits found = find_equals(rows, near, now, p, wave, not_west);
+      unequal |= PartSet{(found & inside) != 0 ? 1U : 0U} << p;
+      events_.changes += static_cast<std::size_t>(std::popcount(not_west & inside));
+      near_[count_] = near;
+      place_[count_] = p;
+      ++count_;
+    });
+    unequal_.set(wave, unequal);
+  }
+
   template <bool odd>
-  HWY_INLINE void add_batch(std::size_t batch) {
-    const std::size_t coded = events_.coded;
+  HWY_INLINE void add_half(const NearRows& rows, const WaveParts& parts, Halves& half, std::size_t wave) {
+    const std::size_t batch = 2 * wave + (odd ? 1 : 0);
     const std::size_t escapes = events_.escapes;
-    add_exceptions(batch);
-    // Which rows have other symbols than 0 cannot be foreseen: they are found first, without a branch for
-    // each.
-    const MaskVec low = load_masks(masks_.coded.data()) & ~load_masks(is_first_.data());
-    store_masks(low, low_.data());
-    store_masks(set_masks(0), high_.data());
-    over_bits(rows_with_any(low),
-              [this](std::size_t i) HWY_ATTR { find_symbols<odd>(i, low_[i], high_[i]); });
-    if (masks_.coded_rows != 0) {
-      put_symbols(events_.symbol.data() + events_.coded);
-      events_.coded += masks_.put_contexts < odd ? 8 : 7 > (pack_, events_.context.data() + events_.coded);
+    const std::size_t size = pack_coded<odd>(half.coding, half.coding.coded.data(), count_, pack_,
+                                             events_.context.data() + events_.coded);
+    std::uint32_t surprising = 0;
+    PartBits exceptional = 0;
+    for (std::size_t i = 0; i < count_; ++i) {
+      surprising |= (half.surprising[i] != 0 ? 1U : 0U) << i;
+      exceptional |= half.exceptional[i];
     }
-    events_.batch[batch] = static_cast<std::uint16_t>(events_.coded - coded);
+    const auto steady = static_cast<std::uint32_t>(parts.rows() * kChunkSize / 2 - size);
+    if (HWY_LIKELY(exceptional == 0)) {
+      gap_ += steady;
+    } else {
+      add_exceptions(parts, half, odd ? kOddBits : kEvenBits, batch);
+    }
+    if (surprising == 0) {
+      std::fill_n(events_.symbol.data() + events_.coded, size, std::uint8_t{0});
+    } else {
+      for (std::size_t i = 0; i < count_; ++i)
+        store(hn::Zero(Part{}), symbols_.bytes.data() + i * kPartBytes);
+      over_bits(surprising, [&](std::size_t i) HWY_ATTR { find_symbols(rows, half, i, wave); });
+      pack_coded<odd>(symbols_, half.coding.coded.data(), count_, pack_,
+                      events_.symbol.data() + events_.coded);
+    }
+    events_.coded += size;
+    events_.batch[batch] = static_cast<std::uint16_t>(size);
     events_.batch_escapes[batch] = static_cast<std::uint16_t>(events_.escapes - escapes);
   }
 
-  HWY_INLINE void put_symbols(std::uint8_t* out) const {
-    if (HWY_TARGET <= HWY_AVX3 && pack_ != nullptr) {
-      return pack_->symbols({masks_.coded.data(), masks_.coded_rows}, low_.data(), high_.data(), out);
-    }
-    over_bits(masks_.coded_rows, [&](std::size_t i) HWY_ATTR {
-      put_numbers<2>(
-          masks_.coded[i], [&](std::size_t b) { return b == 0 ? low_[i] : high_[i]; }, out);
-      out += std::popcount(masks_.coded[i]);
-    });
+  /// The material of a voxel of part i.
+  [[nodiscard]] MaterialId material(std::size_t i, std::size_t voxel, std::size_t wave) const {
+    const std::size_t at = near_[i].at + voxel;
+    const std::size_t y = at / kRowBytes;
+    return voxels_[(y * (kChunkSize - 2) + wave) * kChunkSize + at % kRowBytes];
   }
 
-  HWY_INLINE void add_exceptions(std::size_t batch) {
-    const std::uint32_t all = masks_.steady_voxels();
-    if (HWY_LIKELY(rows_with_any(load_masks(masks_.steady.data()) & ~load_masks(is_first_.data())) == 0)) {
-      gap_ += all;
-      return;
-    }
-    for (std::size_t i = 0; i < rows_; ++i) {
-      const RowMask steady = masks_.steady[i];
+  HWY_INLINE void add_exceptions(const WaveParts& parts, const Halves& half, PartBits columns,
+                                 std::size_t batch) {
+    // Parts that are not mixed have steady voxels only.
+    std::size_t next = parts.first;
+    const auto pass = [&](std::size_t end) HWY_ATTR {
+      for (; next < end; ++next)
+        gap_ += static_cast<std::uint32_t>(std::popcount(columns & parts.inside(next)));
+    };
+    for (std::size_t i = 0; i < count_; ++i) {
+      pass(place_[i]);
+      ++next;
+      const PartBits steady = columns & parts.inside(place_[i]) & ~half.coding.coded[i];
       std::uint32_t passed = 0;
-      for (RowMask left = steady & ~is_first_[i]; left != 0; left &= left - 1) {
+      for (PartBits left = half.exceptional[i]; left != 0; left &= left - 1) {
         const int x = std::countr_zero(left);
-        const auto before = static_cast<std::uint32_t>(std::popcount(steady & ((RowMask{1} << x) - 1)));
+        const auto before = static_cast<std::uint32_t>(std::popcount(steady & ((PartBits{1} << x) - 1)));
         events_.exception[events_.exceptions++] = {static_cast<std::uint16_t>(gap_ + before - passed),
-                                                   static_cast<std::uint16_t>(batch), row_[i].voxels[x]};
+                                                   static_cast<std::uint16_t>(batch),
+                                                   material(i, static_cast<std::size_t>(x), batch / 2)};
         gap_ = 0;
         passed = before + 1;
       }
       gap_ += static_cast<std::uint32_t>(std::popcount(steady)) - passed;
     }
+    pass(parts.last + 1);
   }
 
-  /// The symbols of the coded voxels that are not their first candidates: at first those of `low`.
-  template <bool odd>
-  HWY_INLINE void find_symbols(std::size_t i, RowMask& low, RowMask& high) {
-    events_.surprises += static_cast<std::size_t>(std::popcount(low));
-    const WaveRow<const MaterialId>& row = row_[i];
-    const RowNeighbours near = neighbours_of(row, around_.row(i));
-    RowVec first;
-    RowVec second;
-    if constexpr (odd) {
-      const RowVec west = west_of(near.now, row.voxels);
-      const RowVec east = east_of(near.now, row.voxels);
-      first = select(beside_rows_.is_east[i], east, west);
-      second = second_of_odd(near, row.around, beside_rows_, i, west, east);
-    } else {
-      first = select(near.masks.level, near.north, near.below);
-      second = second_of_even(near, row.around, same_rows_[i]);
+  /// The symbols of the coded voxels that are not their first candidates.
+  HWY_INLINE void find_symbols(const NearRows& rows, const Halves& half, std::size_t i, std::size_t wave) {
+    const NearPart& near = near_[i];
+    const PartVec now = load(rows.now + near.at);
+    const PartBits surprising = half.surprising[i];
+    events_.surprises += static_cast<std::size_t>(std::popcount(surprising));
+    const PartVec second = hn::IfThenElse(half.alike[i], first_different(rows, near), half.second[i]);
+    const PartBits high = surprising & bits_of(hn::Ne(now, second));
+    PartBits low = surprising & ~high;
+    if (high != 0) {
+      PartMask exists;
+      const PartVec third = third_candidate(rows, near, half.first[i], second, place_[i], exists);
+      PartBits escapes = high & ~bits_of(hn::And(exists, hn::Eq(now, third)));
+      low |= escapes;
+      for (; escapes != 0; escapes &= escapes - 1) {
+        events_.escape[events_.escapes++] =
+            material(i, static_cast<std::size_t>(std::countr_zero(escapes)), wave);
+      }
     }
-    high = low & ~equal(near.now, second);
-    low &= ~high;
-    if (high == 0) return;
-    RowMask exists = 0;
-    const RowVec third = third_candidate(first, second, near.masks.level, row.around, exists);
-    RowMask escapes = high & ~(exists & equal(near.now, third));
-    low |= escapes;
-    for (; escapes != 0; escapes &= escapes - 1) {
-      events_.escape[events_.escapes++] = row.voxels[std::countr_zero(escapes)];
-    }
+    const PartVec symbols = or_where(hn::IfThenElseZero(mask_of(low), bytes_of(1)), mask_of(high), 2);
+    store(symbols, symbols_.bytes.data() + i * kPartBytes);
   }
 
   const MaterialId* voxels_;
   VolumeEvents& events_;
-  const VolumePack* pack_ = volume_pack();
-  EqualMasks equal_;
-  AroundArrays around_;
-  GrowingBeside beside_;
-  BesideArrays beside_rows_;
-  BatchMasks masks_;
-  GrowingMasks same_;
-  GrowingMasks south_;
-  GrowingMasks north_;  // where the rows equal those to the north, and so on
-  GrowingMasks below_;
-  GrowingMasks west_;
-  WaveMasks same_rows_;
-  WaveMasks is_first_;  // where the voxels are their first candidates
-  WaveMasks low_;       // the symbols of coded voxels, as bits
-  WaveMasks high_;
-  std::array<WaveRow<const MaterialId>, kWaveRows> row_;
-  std::size_t rows_ = 0;
-  std::uint32_t mixed_ = 0;  // bit i: row i is not of one material with all around it
+  const VolumePack pack_ = volume_pack();
+  alignas(64) std::array<std::uint8_t, kChunkVolume> numbers_;
+  WaveBytes bytes_{0};
+  WaveBytes equals_{kEqualsAll};
+  UnequalParts unequal_;
+  // Of the mixed parts of a wave:
+  std::array<NearPart, kMaxParts> near_;
+  std::array<std::size_t, kMaxParts> place_;
+  std::size_t count_ = 0;
+  Halves even_;
+  Halves odd_;
+  BatchParts symbols_;
   std::uint32_t gap_ = 0;
-  std::array<MaterialId, 3 * kChunkSize> row_zero_;
-  std::array<MaterialId, 3 * kChunkSize> first_{};
-  std::array<MaterialId, 3 * kChunkSize> last_{};
 };
 
 bool analyse(const DenseVoxels& voxels, VolumeEvents& events) {
-  return Analyser{voxels, events}.analyse();
+  Analyser analyser{voxels, events};
+  return analyser.number(voxels) ? analyser.analyse() : analyse_volume_scalar(voxels, events);
 }
 
 /// The rANS states while symbols are written, the last one first.
