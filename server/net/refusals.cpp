@@ -21,13 +21,13 @@ namespace {
 constexpr std::chrono::milliseconds kTimeToRead{1000};
 
 /// One of Refusals::kMax.
-class Place {
+class InFlightSlot {
  public:
   /// Counted already.
-  explicit Place(std::atomic<std::size_t>& in_flight) : in_flight_{&in_flight} {}
-  Place(Place&& other) noexcept : in_flight_{std::exchange(other.in_flight_, nullptr)} {}
-  Place& operator=(Place&&) = delete;
-  ~Place() {
+  explicit InFlightSlot(std::atomic<std::size_t>& in_flight) : in_flight_{&in_flight} {}
+  InFlightSlot(InFlightSlot&& other) noexcept : in_flight_{std::exchange(other.in_flight_, nullptr)} {}
+  InFlightSlot& operator=(InFlightSlot&&) = delete;
+  ~InFlightSlot() {
     if (in_flight_ != nullptr) --*in_flight_;
   }
 
@@ -37,7 +37,7 @@ class Place {
 
 /// A socket that closes itself when the time is over.
 struct Closing {
-  Place place;
+  InFlightSlot slot;
   asio::ip::tcp::socket socket;
   asio::steady_timer deadline;
   protocol::Frame error;
@@ -67,11 +67,11 @@ asio::awaitable<void> send_and_close(std::shared_ptr<Closing> closing) {
 void Refusals::refuse(asio::ip::tcp::socket socket, const std::string& text,
                       std::chrono::milliseconds retry_after) {
   const bool full = in_flight_.fetch_add(1) >= kMax;
-  Place place{in_flight_};
+  InFlightSlot slot{in_flight_};
   if (full) return;
   const auto executor = socket.get_executor();
   const auto closing =
-      std::make_shared<Closing>(Closing{std::move(place), std::move(socket), asio::steady_timer{executor},
+      std::make_shared<Closing>(Closing{std::move(slot), std::move(socket), asio::steady_timer{executor},
                                         error_frame(wire::ErrorCode::overloaded, text, 0, retry_after)});
   asio::co_spawn(
       executor, [closing] { return send_and_close(closing); }, asio::detached);
