@@ -12,6 +12,8 @@ thread_local bool failed = false;
 
 }  // namespace
 
+// The forms of arrays call these. Those that throw nothing are here too, for what one form allocates another
+// may free.
 void* operator new(std::size_t size) {
   if (left != kNever && left-- == 0) {
     left = kNever;
@@ -21,10 +23,20 @@ void* operator new(std::size_t size) {
   if (void* memory = std::malloc(size)) return memory;
   throw std::bad_alloc{};
 }
+void* operator new(std::size_t size, const std::nothrow_t&) noexcept {
+  try {
+    return ::operator new(size);
+  } catch (const std::bad_alloc&) {
+    return nullptr;
+  }
+}
 void operator delete(void* memory) noexcept {
   std::free(memory);
 }
 void operator delete(void* memory, std::size_t) noexcept {
+  std::free(memory);
+}
+void operator delete(void* memory, const std::nothrow_t&) noexcept {
   std::free(memory);
 }
 

@@ -3,8 +3,6 @@
 #include <exception>
 #include <utility>
 
-#include <asio/co_spawn.hpp>
-
 namespace talus::server {
 
 AdminServer::AdminServer(const Clock& clock, Logger log)
@@ -26,18 +24,9 @@ void AdminServer::start(OperatorAnswers answers) {
   service_.handler = [answers = std::move(answers)](const http::Request& request) {
     return answer_operator(request, answers);
   };
-  asio::co_spawn(
-      io_,
-      acceptor_.run([this]() -> asio::io_context& { return io_; },
-                    [this](asio::ip::tcp::socket socket) { connections_.add(TcpStream{std::move(socket)}); },
-                    [this] { return connections_.make_room(); }),
-      [this](const std::exception_ptr& thrown) {
-        try {
-          if (thrown) std::rethrow_exception(thrown);
-        } catch (const std::exception& error) {
-          log_->error("the operators' server takes no more connections: {}", error.what());
-        }
-      });
+  acceptor_.start([this]() -> asio::io_context& { return io_; },
+                  [this](asio::ip::tcp::socket socket) { connections_.add(TcpStream{std::move(socket)}); },
+                  [this] { return connections_.make_room(); });
   thread_ = std::thread{[this] { run(); }};
 }
 

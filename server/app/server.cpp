@@ -130,13 +130,10 @@ void Server::run() {
     io_->stop();
   };
   asio::io_context& control = io_->control();
-  asio::co_spawn(control,
-                 acceptor_->run([this]() -> asio::io_context& { return io_->next(); },
-                                [this](asio::ip::tcp::socket socket) {
-                                  handshaker_.begin(std::move(socket), ++last_id_,
-                                                    tls_ ? tls_->context : nullptr);
-                                }),
-                 end);
+  acceptor_->start([this]() -> asio::io_context& { return io_->next(); },
+                   [this](asio::ip::tcp::socket socket) {
+                     handshaker_.begin(std::move(socket), ++last_id_, tls_ ? tls_->context : nullptr);
+                   });
   asio::co_spawn(control, wait_for_shutdown(), end);
   asio::co_spawn(control, wait_for_reload(), end);
   housekeeping();
@@ -211,16 +208,19 @@ void Server::give_memory_back() {
   if (now - last_look_at_memory_ < kLookAtMemory) return;
   last_look_at_memory_ = now;
 #ifdef __GLIBC__
-  if (!trim_policy_.due(memory_.used())) return;
+  if (trims_ || !trim_policy_.due(memory_.used())) return;
   // A thread of its own: this one serves players too, and the system takes its time.
+  trims_ = true;
   try {
-    trimming_ = std::jthread{[this] {
+    trimming_ = std::jthread{[this] {  // the thread before it is over, so nothing is waited for
       block_signals();
       ::malloc_trim(0);
       log_->debug("free memory was given back to the system, in {} us of processor time",
                   std::chrono::duration_cast<std::chrono::microseconds>(clock_.thread_cpu()).count());
+      trims_ = false;
     }};
   } catch (const std::exception& error) {
+    trims_ = false;
     log_->warn("cannot give free memory back to the system: {}", error.what());
   }
 #endif

@@ -97,7 +97,8 @@ class Server {
   Clock::time_point last_look_at_memory_{};
   ConnectionId last_id_ = 0;
   std::unique_ptr<AdminServer> operators_;  // its thread reads everything above
-  std::jthread trimming_;                   // the last one, mostly over
+  std::atomic<bool> trims_ = false;         // whether trimming_ is at work
+  std::jthread trimming_;
 };
 
 }  // namespace talus::server

@@ -57,9 +57,10 @@ class ClockCache {
 
   /// Keeps `value`, which costs `value_bytes`, in place of what the key had. A value that is larger than the
   /// whole capacity is not kept. Calls evicted(key, value) for each entry that is evicted for it, which must
-  /// not use this cache; what the key had is not among them. Throws std::bad_alloc, and then has changed
-  /// nothing.
+  /// not throw and not use this cache; at most size() times, and not for what the key had. Throws
+  /// std::bad_alloc, and then has changed nothing.
   template <typename Evicted>
+  requires std::is_nothrow_invocable_v<Evicted&, const Key&, Value&&>
   void put(const Key& key, Value value, std::size_t value_bytes, Evicted&& evicted) {
     const std::size_t cost = value_bytes + kEntryOverheadBytes;
     // An entry in place of another, replaced or evicted, needs no slot or bucket beside that one's.
@@ -67,7 +68,7 @@ class ClockCache {
     if (before != kNotFound) {
       drop(before);
     } else if (bytes_ + cost <= capacity_bytes_) {
-      make_place();
+      reserve_slot();
     }
     if (cost > capacity_bytes_) return;
     shrink_to(capacity_bytes_ - cost, evicted);
@@ -100,7 +101,7 @@ class ClockCache {
  private:
   static constexpr std::size_t kNotFound = std::numeric_limits<std::size_t>::max();
   static constexpr std::size_t kMinBuckets = 16;
-  static constexpr auto kForget = [](const Key&, Value&&) {};
+  static constexpr auto kForget = [](const Key&, Value&&) noexcept {};
   // So that nothing but an allocation can throw.
   static_assert(std::is_nothrow_copy_assignable_v<Key> && std::is_nothrow_move_assignable_v<Value> &&
                 std::is_nothrow_default_constructible_v<Value>);
@@ -124,8 +125,8 @@ class ClockCache {
     buckets_[at] = bucket;
   }
 
-  /// For one entry more: a bucket, and a slot that is vacant. All that put() allocates.
-  void make_place() {
+  /// Makes sure of a bucket and a vacant slot for one entry more. All that put() allocates.
+  void reserve_slot() {
     if (4 * (size_ + 1) > 3 * buckets_.size()) grow();
     if (first_vacant_ != kVacant) return;
     slots_.emplace_back();

@@ -59,9 +59,11 @@ StacksPtr PatchStore::make(const PatchKey& patch, MeasuredWork& measured) {
 
 void PatchStore::put(Loan& loan) {
   const std::lock_guard lock{mutex_};
-  patches_.put(loan.patch, loan.stacks, loan.stacks->bytes(), [&](const PatchKey& patch, StacksPtr&& stacks) {
-    loan.evicted.emplace_back(patch, std::move(stacks));
-  });
+  loan.evicted.reserve(patches_.size());  // so that nothing is allocated while patches are evicted
+  patches_.put(loan.patch, loan.stacks, loan.stacks->bytes(),
+               [&](const PatchKey& patch, StacksPtr&& stacks) noexcept {
+                 loan.evicted.emplace_back(patch, std::move(stacks));
+               });
 }
 
 void PatchStore::extract_before_evict(const PatchKey& patch, const terrain::Stacks& stacks,

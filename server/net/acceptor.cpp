@@ -3,23 +3,23 @@
 #include <fcntl.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <chrono>
 #include <exception>
-#include <new>
 #include <thread>
 #include <utility>
 
-#include <asio/redirect_error.hpp>
-#include <asio/use_awaitable.hpp>
+#include <asio/post.hpp>
 
 namespace talus::server {
 namespace {
 
 using asio::ip::tcp;
 
-constexpr std::chrono::milliseconds kPause{100};  // after an accept that failed
-constexpr std::chrono::seconds kBetweenLines{5};  // about accepts that fail
+constexpr std::chrono::milliseconds kPause{100};        // after an accept that failed
+constexpr std::chrono::milliseconds kPauseOfThread{1};  // where there is no memory for a timer
+constexpr std::chrono::seconds kBetweenLines{5};        // about accepts that fail
 
 tcp::endpoint resolve(const protocol::Endpoint& endpoint, const asio::any_io_executor& executor,
                       std::error_code& error) {
@@ -34,7 +34,25 @@ bool lacks_descriptors(const std::error_code& error) {
   return error.value() == EMFILE || error.value() == ENFILE;
 }
 
+/// Whether nothing is wrong beyond that connection: its peer has gone, or it was none.
+bool is_of_one_connection(const std::error_code& error) {
+  return error == asio::error::would_block || error == asio::error::connection_aborted ||
+         error.value() == EPROTO;
+}
+
 }  // namespace
+
+/// What follows an asynchronous operation. Has its memory from the acceptor.
+struct Acceptor::Step {
+  using allocator_type = HandlerAllocator<std::byte>;
+
+  Acceptor* acceptor;
+  void (Acceptor::*next)(std::error_code);
+  allocator_type memory;
+
+  [[nodiscard]] allocator_type get_allocator() const noexcept { return memory; }
+  void operator()(std::error_code failed = {}) const { (acceptor->*next)(failed); }
+};
 
 DescriptorReserve::DescriptorReserve(std::size_t wanted) : wanted_{wanted} {
   held_.reserve(wanted);
@@ -61,7 +79,7 @@ bool DescriptorReserve::release_one() {
 }
 
 Acceptor::Acceptor(asio::io_context& io, Logger log, const Clock& clock, std::size_t reserved_descriptors)
-    : socket_{io}, pause_{io}, log_{std::move(log)}, clock_{clock}, reserve_{reserved_descriptors} {}
+    : io_{io}, socket_{io}, pause_{io}, log_{std::move(log)}, clock_{clock}, reserve_{reserved_descriptors} {}
 
 tl::expected<std::string, std::string> Acceptor::listen(const protocol::Endpoint& wanted) {
   std::error_code error;
@@ -70,64 +88,93 @@ tl::expected<std::string, std::string> Acceptor::listen(const protocol::Endpoint
   if (!error) socket_.set_option(tcp::acceptor::reuse_address{true}, error);
   if (!error) socket_.bind(endpoint, error);
   if (!error) socket_.listen(asio::socket_base::max_listen_connections, error);
+  // accept() returns where there is no connection to accept, whatever became of it.
+  if (!error) socket_.non_blocking(true, error);
+  if (!error) socket_.set_option(asio::socket_base::enable_connection_aborted{true}, error);
   if (error) return tl::make_unexpected(error.message());
   const tcp::endpoint local = socket_.local_endpoint();
   return to_string(protocol::Endpoint{local.address().to_string(), local.port()});
 }
 
-asio::awaitable<void> Acceptor::run(NextContext next_context, OnSocket on_socket, MakeRoom make_room) {
-  while (socket_.is_open()) {
-    std::error_code failed;
-    std::string why;
-    try {
-      failed = co_await accept_one(next_context, on_socket);
-      if (failed) why = failed.message();
-    } catch (const std::exception& error) {
-      failed = std::make_error_code(std::errc::not_enough_memory);
-      why = error.what();
-    }
-    if (!socket_.is_open()) co_return;
-    const bool again = !failed || failed == asio::error::connection_aborted ||
-                       (lacks_descriptors(failed) && (reserve_.release_one() || make_room()));
-    if (!again) {
-      log_failure(why);
-      co_await pause();
-    }
-    if (!again || !failed) reserve_.fill();
+void Acceptor::start(NextContext next_context, OnSocket on_socket, MakeRoom make_room) {
+  next_context_ = std::move(next_context);
+  on_socket_ = std::move(on_socket);
+  make_room_ = std::move(make_room);
+  wait_for_connection();
+}
+
+void Acceptor::wait_for_connection() {
+  socket_.async_wait(tcp::acceptor::wait_read, Step{this, &Acceptor::on_readable, memory_});
+}
+
+void Acceptor::on_readable(std::error_code failed) {
+  if (!socket_.is_open()) return;
+  if (accept_one(failed)) {
+    wait_for_connection();
+  } else {
+    pause();
   }
 }
 
-asio::awaitable<std::error_code> Acceptor::accept_one(const NextContext& next_context,
-                                                      const OnSocket& on_socket) {
-  std::error_code failed;
-  tcp::socket socket =
-      co_await socket_.async_accept(next_context(), asio::redirect_error(asio::use_awaitable, failed));
-  if (failed || !socket_.is_open()) co_return failed;
+bool Acceptor::accept_one(std::error_code failed) noexcept {
   try {
-    on_socket(std::move(socket));
+    if (!failed) {
+      // Not async_accept(): without memory that fails where nobody can catch it.
+      tcp::socket socket = socket_.accept(next_context_(), failed);
+      if (!failed) {
+        hand_over(std::move(socket));
+        reserve_.fill();
+        return true;
+      }
+    }
+    if (is_of_one_connection(failed)) return true;
+    if (lacks_descriptors(failed) && (reserve_.release_one() || make_room_())) return true;
+    log_failure(failed.message());
   } catch (const std::exception& error) {
-    log_->error("a new connection failed: {}", error.what());
+    log_failure(error.what());
   }
-  co_return failed;
+  return false;
 }
 
-asio::awaitable<void> Acceptor::pause() {
-  std::error_code ignored;
+void Acceptor::hand_over(tcp::socket socket) noexcept {
+  try {
+    on_socket_(std::move(socket));
+  } catch (const std::exception& error) {
+    log_failure(error.what());
+  }
+}
+
+void Acceptor::pause() {
   try {
     pause_.expires_after(kPause);
-    co_await pause_.async_wait(asio::redirect_error(asio::use_awaitable, ignored));
-  } catch (const std::bad_alloc&) {
-    std::this_thread::sleep_for(kPause);  // without memory for a timer the thread has nothing better to do
+    pause_.async_wait(Step{this, &Acceptor::end_pause, memory_});
+  } catch (const std::exception&) {
+    // The io_context had no memory for one timer more. What else it has to do goes first.
+    std::this_thread::sleep_for(kPauseOfThread);
+    asio::post(io_.get_executor(), Step{this, &Acceptor::end_pause, memory_});
   }
 }
 
-void Acceptor::log_failure(const std::string& why) {
-  ++unlogged_;
+void Acceptor::end_pause(std::error_code) {
+  if (!socket_.is_open()) return;
+  reserve_.fill();
+  wait_for_connection();
+}
+
+void Acceptor::log_failure(std::string_view why) noexcept {
   const auto now = clock_.now();
+  if (unlogged_++ == 0) first_unlogged_ = now;
   if (last_line_ != Clock::time_point::min() && now - last_line_ < kBetweenLines) return;
-  last_line_ = now;
-  log_->warn("cannot accept a connection: {} ({} such failures since the last such line)", why,
-             std::exchange(unlogged_, 0));
+  try {
+    log_->warn(
+        "{} {} failed in the last {} s, the last one: {}", unlogged_, unlogged_ == 1 ? "accept" : "accepts",
+        std::max<std::int64_t>(1, std::chrono::ceil<std::chrono::seconds>(now - first_unlogged_).count()),
+        why);
+    last_line_ = now;
+    unlogged_ = 0;
+  } catch (const std::exception&) {
+    // the next failure tries again
+  }
 }
 
 void Acceptor::close() {

@@ -2,15 +2,14 @@
 
 #include <array>
 #include <chrono>
+#include <cstddef>
 #include <memory>
+#include <system_error>
 #include <utility>
 
 #include <asio/buffer.hpp>
-#include <asio/co_spawn.hpp>
-#include <asio/detached.hpp>
-#include <asio/redirect_error.hpp>
+#include <asio/dispatch.hpp>
 #include <asio/steady_timer.hpp>
-#include <asio/use_awaitable.hpp>
 #include <asio/write.hpp>
 
 #include "session/reply_frames.h"
@@ -21,13 +20,13 @@ namespace {
 constexpr std::chrono::milliseconds kTimeToRead{1000};
 
 /// One of Refusals::kMax.
-class Place {
+class InFlightSlot {
  public:
   /// Counted already.
-  explicit Place(std::atomic<std::size_t>& in_flight) : in_flight_{&in_flight} {}
-  Place(Place&& other) noexcept : in_flight_{std::exchange(other.in_flight_, nullptr)} {}
-  Place& operator=(Place&&) = delete;
-  ~Place() {
+  explicit InFlightSlot(std::atomic<std::size_t>& in_flight) : in_flight_{&in_flight} {}
+  InFlightSlot(InFlightSlot&& other) noexcept : in_flight_{std::exchange(other.in_flight_, nullptr)} {}
+  InFlightSlot& operator=(InFlightSlot&&) = delete;
+  ~InFlightSlot() {
     if (in_flight_ != nullptr) --*in_flight_;
   }
 
@@ -37,29 +36,41 @@ class Place {
 
 /// A socket that closes itself when the time is over.
 struct Closing {
-  Place place;
+  InFlightSlot slot;
   asio::ip::tcp::socket socket;
   asio::steady_timer deadline;
   protocol::Frame error;
+  std::array<std::byte, 512> unread{};
 };
+using ClosingPtr = std::shared_ptr<Closing>;
 
-asio::awaitable<void> send_and_close(std::shared_ptr<Closing> closing) {
+// No coroutines: where Asio has no memory to begin an operation of one, the process ends. Here whoever begins
+// an operation gets std::bad_alloc.
+
+// Closing with unread bytes would reset the connection and could take the error with it.
+void read_to_end(const ClosingPtr& closing) {
+  closing->socket.async_read_some(asio::buffer(closing->unread),
+                                  [closing](std::error_code ended, std::size_t) {
+                                    if (ended) {
+                                      closing->deadline.cancel();
+                                    } else {
+                                      read_to_end(closing);
+                                    }
+                                  });
+}
+
+void send_and_close(const ClosingPtr& closing) {
   closing->deadline.expires_after(kTimeToRead);
   closing->deadline.async_wait([closing](std::error_code cancelled) {
     std::error_code ignored;
     if (!cancelled) closing->socket.close(ignored);
   });
-  std::error_code failed;
-  co_await asio::async_write(closing->socket, asio::buffer(closing->error),
-                             asio::redirect_error(asio::use_awaitable, failed));
-  if (!failed) closing->socket.shutdown(asio::ip::tcp::socket::shutdown_send, failed);
-  // Closing with unread bytes would reset the connection and could take the error with it.
-  std::array<std::byte, 512> unread{};
-  while (!failed) {
-    co_await closing->socket.async_read_some(asio::buffer(unread),
-                                             asio::redirect_error(asio::use_awaitable, failed));
-  }
-  closing->deadline.cancel();
+  asio::async_write(closing->socket, asio::buffer(closing->error),
+                    [closing](std::error_code failed, std::size_t) {
+                      if (!failed) closing->socket.shutdown(asio::ip::tcp::socket::shutdown_send, failed);
+                      if (!failed) return read_to_end(closing);
+                      closing->deadline.cancel();
+                    });
 }
 
 }  // namespace
@@ -67,14 +78,13 @@ asio::awaitable<void> send_and_close(std::shared_ptr<Closing> closing) {
 void Refusals::refuse(asio::ip::tcp::socket socket, const std::string& text,
                       std::chrono::milliseconds retry_after) {
   const bool full = in_flight_.fetch_add(1) >= kMax;
-  Place place{in_flight_};
+  InFlightSlot slot{in_flight_};
   if (full) return;
   const auto executor = socket.get_executor();
   const auto closing =
-      std::make_shared<Closing>(Closing{std::move(place), std::move(socket), asio::steady_timer{executor},
+      std::make_shared<Closing>(Closing{std::move(slot), std::move(socket), asio::steady_timer{executor},
                                         error_frame(wire::ErrorCode::overloaded, text, 0, retry_after)});
-  asio::co_spawn(
-      executor, [closing] { return send_and_close(closing); }, asio::detached);
+  asio::dispatch(executor, [closing] { send_and_close(closing); });
 }
 
 }  // namespace talus::server

@@ -46,6 +46,18 @@ TEST_CASE("a secret is read from a regular file alone, and a pipe without a writ
   }
 }
 
+TEST_CASE("what must be a regular file is refused where it is none, and keeps nobody waiting") {
+  const ScratchDirectory scratch;
+  REQUIRE(::mkfifo((scratch / "pipe").c_str(), 0600) == 0);
+  CHECK(read_regular_file(scratch / "pipe", 100).error().reason == "is not a regular file");
+  CHECK(read_regular_file("/dev/zero", 100).error().reason == "is not a regular file");
+  CHECK(read_regular_file(scratch.path(), 100).error().reason == "is a directory");
+  CHECK(read_regular_file(scratch / "none", 100).error().code == std::errc::no_such_file_or_directory);
+  const std::string file = scratch.write("f", "four");
+  CHECK(read_regular_file(file, 4) == "four");
+  CHECK(read_regular_file(file, 3).error().code == std::errc::file_too_large);
+}
+
 TEST_CASE("a secret file tells its permissions") {
   const ScratchDirectory scratch;
   const std::string file = scratch.write("f", "secret");
@@ -58,6 +70,10 @@ TEST_CASE("each call that fails while a file is read is an error, and leaves no 
   const std::string file = scratch.write("f", "text");
   const auto whole = [&](FileLayer& layer) {
     const auto read = read_file(file, 100, layer);
+    return read ? std::error_code{} : read.error().code;
+  };
+  const auto regular = [&](FileLayer& layer) {
+    const auto read = read_regular_file(file, 100, layer);
     return read ? std::error_code{} : read.error().code;
   };
   const auto secret = [&](FileLayer& layer) {
@@ -76,6 +92,7 @@ TEST_CASE("each call that fails while a file is read is an error, and leaves no 
     }
     return failures;
   };
-  CHECK(check_calls(whole) == 3);   // open, read, read of the end
-  CHECK(check_calls(secret) == 4);  // the same and the mode
+  CHECK(check_calls(whole) == 3);    // open, read, read of the end
+  CHECK(check_calls(regular) == 4);  // the same and the mode
+  CHECK(check_calls(secret) == 4);
 }

@@ -6,18 +6,21 @@
 #include <unistd.h>
 
 #include <spdlog/sinks/ostream_sink.h>
-#include <asio/co_spawn.hpp>
-#include <asio/detached.hpp>
+#include <asio/post.hpp>
 #include <catch2/catch.hpp>
 
 #include <algorithm>
+#include <cerrno>
 #include <functional>
 #include <new>
 #include <sstream>
 #include <string>
+#include <system_error>
+#include <utility>
 #include <vector>
 
 #include "clock/manual_clock.h"
+#include "failing_allocations.h"
 #include "log/logger.h"
 
 using namespace talus::server;
@@ -42,11 +45,9 @@ struct Bench {
     REQUIRE(listening.has_value());
     const auto port = std::stoi(listening->substr(listening->rfind(':') + 1));
     address = {asio::ip::address_v4::loopback(), static_cast<std::uint16_t>(port)};
-    asio::co_spawn(io,
-                   acceptor.run([this]() -> asio::io_context& { return next_context(); },
-                                [this](tcp::socket socket) { accepted.push_back(std::move(socket)); },
-                                [this] { return make_room(); }),
-                   asio::detached);
+    acceptor.start([this]() -> asio::io_context& { return next_context(); },
+                   [this](tcp::socket socket) { accepted.push_back(std::move(socket)); },
+                   [this] { return make_room(); });
   }
 
   std::function<asio::io_context&()> next_context = [this]() -> asio::io_context& { return io; };
@@ -156,7 +157,56 @@ TEST_CASE("accepts that fail share one log line in five seconds, also where some
   bench.clock.advance(std::chrono::seconds{5});
   bench.run_until_accepted(4);
   CHECK(bench.log_lines() == 2);
-  CHECK_THAT(bench.log.str(), Catch::Contains("cannot accept a connection: std::bad_alloc (4 such failures"));
+  CHECK_THAT(bench.log.str(),
+             Catch::Contains("1 accept failed in the last 1 s, the last one: std::bad_alloc"));
+  CHECK_THAT(bench.log.str(),
+             Catch::Contains("3 accepts failed in the last 5 s, the last one: std::bad_alloc"));
+}
+
+TEST_CASE("the acceptor goes on after an accept that fails, whichever allocation fails then") {
+  bool failed = true;
+  for (std::size_t allocations = 0; failed; ++allocations) {
+    CAPTURE(allocations);
+    Bench bench;
+    bool first = true;
+    bench.next_context = [&]() -> asio::io_context& {
+      if (std::exchange(first, false)) throw std::system_error{ENOMEM, std::system_category()};
+      return bench.io;
+    };
+    std::vector<tcp::socket> clients;  // one of them may be lost
+    for (int i = 0; i < 2; ++i) clients.push_back(bench.connect());
+    bool goes_on = true;
+    {
+      const talus::test::FailingAllocations failing{allocations};
+      while (goes_on && bench.accepted.empty()) goes_on = bench.io.run_one() > 0;
+      failed = failing.has_failed();
+    }
+    REQUIRE(goes_on);
+    bench.run_until_accepted(failed ? 1 : 2);
+    clients.push_back(bench.connect());
+    bench.run_until_accepted(bench.accepted.size() + 1);
+  }
+}
+
+TEST_CASE("an acceptor that finds no memory for anything leaves its thread to others, until it finds some") {
+  Bench bench;
+  bool memory = false;
+  bench.next_context = [&]() -> asio::io_context& {
+    if (!memory) throw std::bad_alloc{};
+    return bench.io;
+  };
+  const tcp::socket client = bench.connect();
+  int others = 0;
+  for (int i = 0; i < 3; ++i) {
+    asio::post(bench.io, [&] { ++others; });
+    while (others <= i) {
+      const talus::test::FailingAllocations failing{0};
+      bench.io.run_one();
+    }
+  }
+  CHECK(bench.accepted.empty());
+  memory = true;
+  bench.run_until_accepted(1);
 }
 
 TEST_CASE("what a new connection's handler throws does not end the acceptor") {
@@ -166,13 +216,11 @@ TEST_CASE("what a new connection's handler throws does not end the acceptor") {
   const auto listening = acceptor.listen({"127.0.0.1", 0});
   REQUIRE(listening.has_value());
   int came = 0;
-  asio::co_spawn(io,
-                 acceptor.run([&]() -> asio::io_context& { return io; },
-                              [&](const tcp::socket&) {
-                                ++came;
-                                throw std::bad_alloc{};
-                              }),
-                 asio::detached);
+  acceptor.start([&]() -> asio::io_context& { return io; },
+                 [&](const tcp::socket&) {
+                   ++came;
+                   throw std::bad_alloc{};
+                 });
   std::vector<tcp::socket> clients;
   const auto port = static_cast<std::uint16_t>(std::stoi(listening->substr(listening->rfind(':') + 1)));
   for (int i = 0; i < 2; ++i) {

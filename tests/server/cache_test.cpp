@@ -96,10 +96,13 @@ TEST_CASE("ClockCache keeps what plain slots and a hand would keep, and never mo
         if (value != nullptr) RC_ASSERT(*value == key);
       } else {
         held.erase(key);
-        cache.put(key, key, static_cast<std::size_t>(bytes), [&](int old, int&& value) {
+        std::vector<std::pair<int, int>> evicted;
+        cache.put(key, key, static_cast<std::size_t>(bytes),
+                  [&](int old, int&& value) noexcept { evicted.emplace_back(old, value); });
+        for (const auto& [old, value] : evicted) {
           RC_ASSERT(old == value);
           RC_ASSERT(held.erase(old) == 1U);
-        });
+        }
         if (cache.holds(key)) held[key] = key;
         reference.put(key, static_cast<std::size_t>(bytes));
       }
@@ -141,30 +144,42 @@ TEST_CASE("a smaller capacity evicts at once, gives its memory back, and leaves 
 TEST_CASE("a put() whose allocation fails has changed nothing, and can be tried again") {
   constexpr std::size_t kEntry = 100 + ClockCache<int, int>::kEntryOverheadBytes;
   ClockCache<int, int> cache{60 * kEntry};
+  std::map<int, int> held;  // by what the cache said of its evictions
+  const auto check_all_held = [&] {
+    REQUIRE(cache.size() == held.size());
+    REQUIRE(cache.bytes() == held.size() * kEntry);
+    for (const auto& [key, value] : held) {
+      const int* const found = cache.find(key);
+      REQUIRE(found != nullptr);
+      REQUIRE(*found == value);
+    }
+  };
   int failures = 0;
   for (int i = 0; i < 400; ++i) {
     const int key = i % 80;
-    const std::size_t size = cache.size();
-    const std::size_t bytes = cache.bytes();
+    std::vector<int> evicted;
+    evicted.reserve(80);
+    const auto put = [&] {
+      cache.put(key, i, 100, [&](int old, int&&) noexcept { evicted.push_back(old); });
+    };
     bool failed = false;
     {
       const talus::test::FailingAllocations failing{static_cast<std::size_t>(i % 2)};
       try {
-        cache.put(key, i, 100);
+        put();
       } catch (const std::bad_alloc&) {
         failed = true;
       }
     }
     if (failed) {
       ++failures;
-      REQUIRE(cache.size() == size);
-      REQUIRE(cache.bytes() == bytes);
-      cache.put(key, i, 100);
+      REQUIRE(evicted.empty());
+      check_all_held();
+      put();
     }
-    REQUIRE(*cache.find(key) == i);
-    std::size_t held = 0;
-    for (int each = 0; each < 80; ++each) held += cache.holds(each) ? 1 : 0;
-    REQUIRE(held == cache.size());
+    for (const int old : evicted) held.erase(old);
+    held[key] = i;
+    check_all_held();
   }
   CHECK(failures > 1);
 }

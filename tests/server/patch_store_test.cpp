@@ -3,6 +3,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "failing_allocations.h"
 #include "fake_generator.h"
 
 using namespace talus;
@@ -86,6 +87,24 @@ TEST_CASE("an evicted patch leaves its mixed chunks, each made once") {
   }
   CHECK(bench.work->chunks == 2 * kColumns);
   CHECK(bench.measured.chunks == 2 * kColumns - 1);
+}
+
+TEST_CASE("a patch that is evicted for another is handed out, whichever allocation fails") {
+  bool failed = true;
+  for (std::size_t allocations = 0; failed; ++allocations) {
+    CAPTURE(allocations);
+    Bench bench;
+    bench.store.finish(bench.obtain(0), bench.measured);
+    const auto second = [&] {
+      const talus::test::FailingAllocations failing{allocations};
+      auto loan = bench.obtain(1);
+      failed = failing.has_failed();
+      return loan;
+    }();
+    const bool handed_out = !second.evicted.empty() && second.evicted.front().first == PatchKey{0, 0, Lod{}};
+    REQUIRE(handed_out != bench.store.holds({0, 0, Lod{}}));
+    if (!failed) CHECK(handed_out);
+  }
 }
 
 TEST_CASE("of a deep column only the lowest rows are extracted") {

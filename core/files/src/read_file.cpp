@@ -1,29 +1,55 @@
 #include <talus/files/read_file.h>
 
+#include <sys/stat.h>
+
 #include <array>
 #include <span>
 
 #include "open_file.h"
 
 namespace talus::files {
+namespace {
 
-tl::expected<std::string, FileError> read_file(const std::filesystem::path& file, std::size_t max_bytes,
-                                               FileLayer& layer) {
-  const auto failed = [&](std::error_code code) {
-    return tl::unexpected{FileError{file, "cannot be read: " + code.message(), code}};
-  };
-  const auto opened = layer.open_to_read(file, FileLayer::Waiting::allowed);
-  if (!opened) return failed(opened.error());
-  const OpenFile in{layer, *opened};
+tl::unexpected<FileError> cannot_read(const std::filesystem::path& file, std::error_code code) {
+  return tl::unexpected{FileError{file, "cannot be read: " + code.message(), code}};
+}
+
+tl::expected<std::string, std::error_code> read_to_end(int file, std::size_t max_bytes, FileLayer& layer) {
   std::string text;
   std::array<char, 4096> block{};
   for (;;) {
-    const auto bytes = layer.read(in.get(), std::as_writable_bytes(std::span{block}));
-    if (!bytes) return failed(bytes.error());
+    const auto bytes = layer.read(file, std::as_writable_bytes(std::span{block}));
+    if (!bytes) return tl::unexpected{bytes.error()};
     if (*bytes == 0) return text;
     text.append(block.data(), *bytes);
-    if (text.size() > max_bytes) return failed(std::make_error_code(std::errc::file_too_large));
+    if (text.size() > max_bytes) return tl::unexpected{std::make_error_code(std::errc::file_too_large)};
   }
+}
+
+}  // namespace
+
+tl::expected<std::string, FileError> read_file(const std::filesystem::path& file, std::size_t max_bytes,
+                                               FileLayer& layer) {
+  const auto opened = layer.open_to_read(file, FileLayer::Waiting::allowed);
+  if (!opened) return cannot_read(file, opened.error());
+  const OpenFile in{layer, *opened};
+  auto text = read_to_end(in.get(), max_bytes, layer);
+  if (!text) return cannot_read(file, text.error());
+  return *std::move(text);
+}
+
+tl::expected<std::string, FileError> read_regular_file(const std::filesystem::path& file,
+                                                       std::size_t max_bytes, FileLayer& layer) {
+  const auto opened = layer.open_to_read(file, FileLayer::Waiting::never);
+  if (!opened) return cannot_read(file, opened.error());
+  const OpenFile in{layer, *opened};
+  const auto mode = layer.mode(in.get());
+  if (!mode) return cannot_read(file, mode.error());
+  if (S_ISDIR(*mode)) return tl::unexpected{FileError{file, "is a directory", {}}};
+  if (!S_ISREG(*mode)) return tl::unexpected{FileError{file, "is not a regular file", {}}};
+  auto text = read_to_end(in.get(), max_bytes, layer);
+  if (!text) return cannot_read(file, text.error());
+  return *std::move(text);
 }
 
 }  // namespace talus::files

@@ -18,8 +18,6 @@
 #include <talus/voxel/codec.h>
 #include <zstd.h>
 
-#include "regular_file.h"
-
 namespace talus::tools {
 namespace {
 
@@ -130,8 +128,7 @@ std::optional<Chunk> chunk_of_vox(const Bytes& bytes) {
 }  // namespace
 
 Expected<Chunk> read_voxels(const std::string& path) {
-  if (const auto file = check_regular_file(path); !file) return tl::unexpected{file.error()};
-  const auto bytes = files::read_file(path, kMaxFileBytes);
+  const auto bytes = files::read_regular_file(path, kMaxFileBytes);
   if (!bytes) return tl::unexpected{Failure{bytes.error()}};
   const std::string_view text{*bytes};
   std::optional<Chunk> chunk;
@@ -142,8 +139,7 @@ Expected<Chunk> read_voxels(const std::string& path) {
 }
 
 Expected<std::vector<std::byte>> read_payload(const std::string& path) {
-  if (const auto file = check_regular_file(path); !file) return tl::unexpected{file.error()};
-  const auto bytes = files::read_file(path, kMaxPayloadBytes);
+  const auto bytes = files::read_regular_file(path, kMaxPayloadBytes);
   if (!bytes && bytes.error().code == std::errc::file_too_large) {
     return failed(path + ": " + std::string{describe(DecodeError::too_long)});
   }

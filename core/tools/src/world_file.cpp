@@ -1,32 +1,25 @@
 #include "world_file.h"
 
-#include <cerrno>
-#include <cstring>
-#include <fstream>
 #include <string>
+#include <system_error>
 #include <utility>
 
+#include <talus/files/read_file.h>
 #include <talus/height_files/height_files.h>
 #include <talus/toml/toml_bounds.h>
-
-#include "regular_file.h"
 
 namespace talus::tools {
 
 Expected<WorldText> read_world_text(const std::string& path) {
   if (path.empty()) return WorldText{std::string{terrain::default_world_toml()}, "the built-in world"};
-  if (const auto file = check_regular_file(path); !file) {
-    return failed(file.error().message + "; --world takes a world.toml file");
+  auto text = files::read_regular_file(path, kMaxTomlBytes);
+  if (text) return WorldText{*std::move(text), path};
+  const files::FileError& error = text.error();
+  if (!error.code) return failed(error.message() + "; --world takes a world.toml file");
+  if (error.code == std::errc::file_too_large) {
+    return failed(path + ": the world file is longer than " + std::to_string(kMaxTomlBytes) + " bytes");
   }
-  errno = 0;
-  std::ifstream file{path, std::ios::binary};
-  if (!file) return failed(path + ": cannot read the world file: " + std::strerror(errno));
-  // One byte past the bound is enough for the parser to refuse it.
-  std::string text(kMaxTomlBytes + 1, '\0');
-  file.read(text.data(), static_cast<std::streamsize>(text.size()));
-  text.resize(static_cast<std::size_t>(file.gcount()));
-  if (file.bad()) return failed(path + ": cannot read the world file: " + std::strerror(errno));
-  return WorldText{std::move(text), path};
+  return failed(path + ": cannot read the world file: " + error.code.message());
 }
 
 Expected<terrain::World> load_world(const std::string& path) {

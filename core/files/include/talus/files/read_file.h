@@ -18,4 +18,10 @@ namespace talus::files {
                                                              std::size_t max_bytes,
                                                              FileLayer& layer = system_files());
 
+/// As read_file(), but refuses what is no regular file, with an empty code: nothing waits for a pipe's
+/// writer.
+[[nodiscard]] tl::expected<std::string, FileError> read_regular_file(const std::filesystem::path& file,
+                                                                     std::size_t max_bytes,
+                                                                     FileLayer& layer = system_files());
+
 }  // namespace talus::files
