@@ -15,7 +15,7 @@ target_compile_options(talus_flags INTERFACE
   # Where it inlines one of a coroutine frame's new and delete, it takes them for a pair that is none.
   $<$<CXX_COMPILER_ID:GNU>:-Wno-mismatched-new-delete>
   # libstdc++ silences these three for its own char_traits by pragmas, which g++ loses in a precompiled header.
-  # Builds without precompiled headers keep them: release-plain and those of the sanitizers.
+  # Builds without precompiled headers keep them, as release-plain.
   "$<$<AND:$<CXX_COMPILER_ID:GNU>,$<NOT:$<BOOL:${CMAKE_DISABLE_PRECOMPILE_HEADERS}>>>:-Wno-array-bounds;-Wno-stringop-overflow;-Wno-stringop-overread>"
   $<$<BOOL:${TALUS_WARNINGS_AS_ERRORS}>:-Werror>)
 if(TALUS_SANITIZE)
@@ -34,7 +34,7 @@ if(TALUS_SANITIZE)
 endif()
 
 # What most test files read, parsed once instead of once for each file. Every file still includes what it uses: the
-# builds of clang and the sanitizers have neither precompiled headers nor unity sources.
+# presets release-plain and clang have neither precompiled headers nor unity sources.
 set(talus_precompiled <algorithm> <array> <chrono> <cmath> <cstdint> <filesystem> <fstream> <functional> <map> <memory>
   <optional> <span> <sstream> <string> <string_view> <unordered_map> <utility> <vector> <glm/vec3.hpp> <tl/expected.hpp>)
 set(talus_precompiled_net ${talus_precompiled} <asio/awaitable.hpp> <asio/co_spawn.hpp> <asio/io_context.hpp>

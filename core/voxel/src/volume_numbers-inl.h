@@ -29,10 +29,8 @@ class RowWriter {
   explicit RowWriter(const SlotTable& materials) : materials_{materials.value} {
     std::size_t count = 1;
     for (const std::uint32_t slot : materials.slot) count = std::max(count, std::size_t{slot & 0xFFU} + 1);
-#if HWY_TARGET == HWY_AVX3
     tables_ = (count + kTable - 1) / kTable;
-#else
-    tables_ = (count + kTable - 1) / kTable;
+#if HWY_TARGET != HWY_AVX3
     for (std::size_t i = 0; i < count; ++i) {
       low_[i] = static_cast<std::uint8_t>(materials_[i]);
       high_[i] = static_cast<std::uint8_t>(materials_[i] >> 8U);
