@@ -13,15 +13,15 @@ void JsonLines::format(const spdlog::details::log_msg& line, spdlog::memory_buf_
   using std::chrono::milliseconds;
   const auto since_1970 = std::chrono::duration_cast<milliseconds>(line.time.time_since_epoch());
   const auto seconds = std::chrono::floor<std::chrono::seconds>(since_1970);
-  nlohmann::ordered_json object;
-  object["time"] = fmt::format("{:%Y-%m-%dT%H:%M:%S}.{:03}Z", fmt::gmtime(seconds.count()),
-                               (since_1970 - seconds).count());
   const auto level = spdlog::level::to_string_view(line.level);
-  object["level"] = std::string_view{level.data(), level.size()};
-  object["text"] = std::string_view{line.payload.data(), line.payload.size()};
+  const nlohmann::json text = std::string_view{line.payload.data(), line.payload.size()};
   // Bytes that are not UTF-8 are replaced, because dump() would throw.
-  fmt::format_to(std::back_inserter(out), "{}\n",
-                 object.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace));
+  fmt::format_to(std::back_inserter(out),
+                 R"({{"time":"{:%Y-%m-%dT%H:%M:%S}.{:03}Z","level":"{}","text":{}}})"
+                 "\n",
+                 fmt::gmtime(seconds.count()), (since_1970 - seconds).count(),
+                 std::string_view{level.data(), level.size()},
+                 text.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace));
 }
 
 std::unique_ptr<spdlog::formatter> JsonLines::clone() const {
