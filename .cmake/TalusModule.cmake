@@ -110,9 +110,9 @@ endfunction()
 # one source, so that what its modules share, such as Asio, is parsed and instantiated once and not for each module.
 if(CMAKE_UNITY_BUILD AND NOT (TALUS_TESTS OR TALUS_BENCH OR TALUS_FUZZ))
   set(talus_joined ON)
-  # g++ looks for memory that it may use again only from 400 MB on: one twentieth less time. Not where many sources are
-  # compiled at once, each with that much.
-  target_compile_options(talus_flags INTERFACE "$<$<CXX_COMPILER_ID:GNU>:SHELL:--param ggc-min-heapsize=400000>")
+  # g++ looks for memory that it may use again only from 1 GB on: over one twentieth less time, for 1.3 GB at most. Not where
+  # many sources are compiled at once, each with that much.
+  target_compile_options(talus_flags INTERFACE "$<$<CXX_COMPILER_ID:GNU>:SHELL:--param ggc-min-heapsize=1000000>")
 endif()
 
 # talus_server_part(NAME LEVEL): begins a part of the server. The modules that follow are its, and compiled by -OLEVEL.
