@@ -14,8 +14,8 @@
 
 #include <hwy/highway.h>
 
-#include "volume_pack.h"
 #include "volume_parts-inl.h"
+#include "volume_vbmi.h"
 
 #if HWY_TARGET != HWY_SCALAR
 HWY_BEFORE_NAMESPACE();
@@ -56,11 +56,11 @@ HWY_INLINE std::uint32_t every_other(std::uint32_t bits) {
 /// part past the last.
 template <bool odd>
 HWY_INLINE std::size_t pack_coded(const BatchParts& batch, const PartBits* coded, std::size_t parts,
-                                  VolumePack pack, std::uint8_t* out) {
+                                  const VolumeVbmi* vbmi, std::uint8_t* out) {
 #if HWY_TARGET == HWY_AVX3
-  if (HWY_LIKELY(pack != nullptr)) return pack(coded, batch.bytes.data(), parts, out);
+  if (HWY_LIKELY(vbmi != nullptr)) return vbmi->pack(coded, batch.bytes.data(), parts, out);
 #else
-  (void)pack;
+  (void)vbmi;
 #endif
   const Half d;
   const hn::FixedTag<std::uint8_t, 8> eight;

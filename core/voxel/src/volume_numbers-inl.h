@@ -17,6 +17,7 @@
 
 #include "material_code.h"
 #include "volume_parts-inl.h"
+#include "volume_vbmi.h"
 
 #if HWY_TARGET != HWY_SCALAR
 HWY_BEFORE_NAMESPACE();
@@ -168,21 +169,29 @@ HWY_INLINE void number_by_factor(const std::uint16_t* ids, std::uint16_t factor,
   }
 }
 
-/// Numbers of a byte that differ where materials do. False where there are more than 256.
-inline bool number_voxels(const DenseVoxels& voxels, std::uint8_t* numbers) {
+/// Finds the materials of all voxels. False where there are too many.
+inline bool find_materials(const DenseVoxels& voxels, MaterialCode& materials) {
   const auto* const ids = reinterpret_cast<const std::uint16_t*>(voxels.data());
-  if (have_one_high_byte(ids)) {
-    number_by_factor(ids, 0, numbers);
-    return true;
-  }
-  MaterialCode materials{voxels.front()};
   for (std::size_t i = 1; i < kChunkSize; ++i) {
     if (ids[i] != ids[i - 1]) (void)materials.number_of(voxels[i]);
   }
   constexpr std::size_t kRow = kChunkSize;
   constexpr std::size_t kPlane = kChunkArea;
-  if (!find_materials<2>(ids, kRow, kPlane + kRow, {1, kRow}, materials) ||
-      !find_materials<4>(ids, kPlane + kRow, kChunkVolume, {1, kRow, kPlane, kRow - 1}, materials)) {
+  return find_materials<2>(ids, kRow, kPlane + kRow, {1, kRow}, materials) &&
+         find_materials<4>(ids, kPlane + kRow, kChunkVolume, {1, kRow, kPlane, kRow - 1}, materials);
+}
+
+/// Numbers of a byte that differ where materials do. False where there are more than 256.
+inline bool number_voxels(const DenseVoxels& voxels, const VolumeVbmi* vbmi, std::uint8_t* numbers) {
+  const auto* const ids = reinterpret_cast<const std::uint16_t*>(voxels.data());
+  MaterialCode materials{voxels.front()};
+  if (HWY_TARGET == HWY_AVX3 && vbmi != nullptr) {
+    const Numbering numbering = vbmi->number(ids, numbers, materials);
+    if (numbering != Numbering::two_alike) return numbering == Numbering::done;
+  } else if (have_one_high_byte(ids)) {
+    number_by_factor(ids, 0, numbers);
+    return true;
+  } else if (!find_materials(voxels, materials)) {
     return false;
   }
   const std::uint16_t factor = factor_of(materials);

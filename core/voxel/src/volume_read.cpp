@@ -217,7 +217,7 @@ class Reader {
   /// fault.
   template <bool odd>
   HWY_INLINE bool read_half(const NearRows& rows, const WaveParts& parts) {
-    batch_.set_size(pack_coded<odd>(coding_, coding_.coded.data(), count_, pack_, batch_.contexts()));
+    batch_.set_size(pack_coded<odd>(coding_, coding_.coded.data(), count_, vbmi_, batch_.contexts()));
     const auto steady = static_cast<std::uint32_t>(parts.rows() * kChunkSize / 2 - batch_.size());
     if (HWY_LIKELY(exceptions_.gap() >= steady)) {
       exceptions_.pass(steady);
@@ -285,7 +285,7 @@ class Reader {
   const VolumeCode& code_;
   MaterialId* voxels_;
   ExceptionReader exceptions_;
-  const VolumePack pack_ = volume_pack();
+  const VolumeVbmi* const vbmi_ = volume_vbmi();
   RowWriter row_writer_;
   WaveBytes bytes_{0};  // numbers of materials: the first is north of the first row
   WaveBytes equals_{kEqualsAll};

@@ -46,7 +46,7 @@ class Analyser {
 
   /// The materials as numbers of a byte; false where there are too many.
   bool number(const DenseVoxels& voxels) {
-    if (!number_voxels(voxels, numbers_.data())) return false;
+    if (!number_voxels(voxels, vbmi_, numbers_.data())) return false;
     // The first row's north is of the first material.
     bytes_ = WaveBytes{numbers_[0]};
     return true;
@@ -152,7 +152,7 @@ class Analyser {
   HWY_INLINE void add_half(const NearRows& rows, const WaveParts& parts, Halves& half, std::size_t wave) {
     const std::size_t batch = 2 * wave + (odd ? 1 : 0);
     const std::size_t escapes = events_.escapes;
-    const std::size_t size = pack_coded<odd>(half.coding, half.coding.coded.data(), count_, pack_,
+    const std::size_t size = pack_coded<odd>(half.coding, half.coding.coded.data(), count_, vbmi_,
                                              events_.context.data() + events_.coded);
     std::uint32_t surprising = 0;
     PartBits exceptional = 0;
@@ -172,7 +172,7 @@ class Analyser {
       for (std::size_t i = 0; i < count_; ++i)
         store(hn::Zero(Part{}), symbols_.bytes.data() + i * kPartBytes);
       over_bits(surprising, [&](std::size_t i) HWY_ATTR { find_symbols(rows, half, i, wave); });
-      pack_coded<odd>(symbols_, half.coding.coded.data(), count_, pack_,
+      pack_coded<odd>(symbols_, half.coding.coded.data(), count_, vbmi_,
                       events_.symbol.data() + events_.coded);
     }
     events_.coded += size;
@@ -239,7 +239,7 @@ class Analyser {
 
   const MaterialId* voxels_;
   VolumeEvents& events_;
-  const VolumePack pack_ = volume_pack();
+  const VolumeVbmi* const vbmi_ = volume_vbmi();
   alignas(64) std::array<std::uint8_t, kChunkVolume> numbers_;
   WaveBytes bytes_{0};
   WaveBytes equals_{kEqualsAll};

@@ -1,0 +1,97 @@
+#include "volume_vbmi.h"
+
+#include <array>
+#include <bit>
+
+#if defined(__x86_64__)
+#include <immintrin.h>
+#endif
+
+namespace talus::codec {
+
+#if defined(__x86_64__)
+
+namespace {
+
+#define TALUS_VBMI __attribute__((target("avx512f,avx512bw,avx512vbmi,avx512vbmi2,bmi,bmi2,popcnt")))
+
+TALUS_VBMI std::size_t pack(const std::uint64_t* bits, const std::uint8_t* bytes, std::size_t parts,
+                            std::uint8_t* out) {
+  std::uint8_t* to = out;
+  for (std::size_t i = 0; i < parts; ++i) {
+    const __m512i part = _mm512_loadu_si512(bytes + 64 * i);
+    _mm512_storeu_si512(to, _mm512_maskz_compress_epi8(bits[i], part));
+    to += std::popcount(bits[i]);
+  }
+  return static_cast<std::size_t>(to - out);
+}
+
+TALUS_VBMI Numbering number(const std::uint16_t* ids, std::uint8_t* numbers, MaterialCode& materials) {
+  // By low byte: the high byte of the material that had it last. What is looked up differs from it where a
+  // material is new, or meets another one, or where the high byte is what fills the table at first.
+  constexpr std::uint8_t kNone = 0xFF;
+  constexpr std::size_t kAhead = 4096;  // bytes
+  alignas(64) std::array<std::uint8_t, 256> high_of;
+  std::array<bool, 256> is_taken{};
+  high_of.fill(kNone);
+  bool differ = true;  // no two have one low byte
+  alignas(64) static constexpr auto kEven = [] {
+    std::array<std::uint8_t, 64> places{};
+    for (std::size_t i = 0; i < places.size(); ++i) places[i] = static_cast<std::uint8_t>(2 * i);
+    return places;
+  }();
+  const __m512i even = _mm512_load_si512(kEven.data());
+  const __m512i odd = _mm512_add_epi8(even, _mm512_set1_epi8(1));
+  const __m512i none = _mm512_set1_epi8(static_cast<char>(kNone));
+  __m512i table[4] = {none, none, none, none};
+  for (std::size_t i = 0; i < kChunkVolume; i += 64) {
+    // The voxels seldom lie in a near cache.
+    const auto* const ahead = reinterpret_cast<const char*>(ids + i) + kAhead;
+    _mm_prefetch(ahead, _MM_HINT_T0);
+    _mm_prefetch(ahead + 64, _MM_HINT_T0);
+    const __m512i first = _mm512_loadu_si512(ids + i);
+    const __m512i second = _mm512_loadu_si512(ids + i + 32);
+    const __m512i low = _mm512_permutex2var_epi8(first, even, second);
+    const __m512i high = _mm512_permutex2var_epi8(first, odd, second);
+    _mm512_storeu_si512(numbers + i, low);
+    const __m512i found =
+        _mm512_mask_blend_epi8(_mm512_movepi8_mask(low), _mm512_permutex2var_epi8(table[0], low, table[1]),
+                               _mm512_permutex2var_epi8(table[2], low, table[3]));
+    std::uint64_t unknown = _mm512_cmpneq_epi8_mask(found, high) | _mm512_cmpeq_epi8_mask(high, none);
+    if (unknown == 0) continue;
+    for (; unknown != 0; unknown &= unknown - 1) {
+      const std::uint16_t id = ids[i + static_cast<std::size_t>(std::countr_zero(unknown))];
+      const std::size_t place = id & 0xFFU;
+      const auto top = static_cast<std::uint8_t>(id >> 8U);
+      if (is_taken[place] && high_of[place] == top) continue;  // found in this vector
+      differ &= !is_taken[place];
+      is_taken[place] = true;
+      high_of[place] = top;
+      if (materials.number_of(MaterialId{id}) == MaterialCode::kMaxMaterials) return Numbering::too_many;
+    }
+    for (std::size_t t = 0; t < 4; ++t) table[t] = _mm512_load_si512(high_of.data() + 64 * t);
+  }
+  return differ ? Numbering::done : Numbering::two_alike;
+}
+
+#undef TALUS_VBMI
+
+}  // namespace
+
+const VolumeVbmi* volume_vbmi() {
+  static constexpr VolumeVbmi kVbmi{pack, number};
+  static const bool has_instructions = __builtin_cpu_supports("avx512bw") != 0 &&
+                                       __builtin_cpu_supports("avx512vbmi") != 0 &&
+                                       __builtin_cpu_supports("avx512vbmi2") != 0;
+  return has_instructions ? &kVbmi : nullptr;
+}
+
+#else
+
+const VolumeVbmi* volume_vbmi() {
+  return nullptr;
+}
+
+#endif
+
+}  // namespace talus::codec

@@ -1,0 +1,27 @@
+// What needs instructions on bytes that some processors with AVX-512 have and others lack (VBMI, VBMI2).
+// volume_batch-inl.h and volume_numbers-inl.h do the same for all.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "material_code.h"
+
+namespace talus::codec {
+
+enum class Numbering : std::uint8_t { done, two_alike, too_many };
+
+struct VolumeVbmi {
+  /// Of `parts` times 64 bytes, appends those whose bits are set; gives how many. May write 64 bytes past the
+  /// last.
+  std::size_t (*pack)(const std::uint64_t* bits, const std::uint8_t* bytes, std::size_t parts,
+                      std::uint8_t* out);
+  /// Numbers voxels by the low bytes of their ids and adds all their materials to `materials`; says whether
+  /// two have one number, or that there are more than MaterialCode::kMaxMaterials.
+  Numbering (*number)(const std::uint16_t* ids, std::uint8_t* numbers, MaterialCode& materials);
+};
+
+/// Null where this processor has no such instructions.
+[[nodiscard]] const VolumeVbmi* volume_vbmi();
+
+}  // namespace talus::codec
