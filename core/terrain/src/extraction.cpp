@@ -163,10 +163,14 @@ class LayerPicker {
   }
   /// Where it does not lie on the plane before, in all columns.
   void add(MaterialId material, const ChunkPlane& plane) {
-    if (plane == below_) return;
+    static constexpr ChunkPlane kFloor{};
+    std::vector<std::uint8_t>& tops = layers_.tops;
+    const std::size_t size = tops.size();
+    const std::uint8_t* const below = size == 0 ? kFloor.data() : tops.data() + size - kChunkArea;
+    if (std::equal(plane.begin(), plane.end(), below)) return;
     layers_.materials.push_back(material);
-    layers_.tops.insert(layers_.tops.end(), plane.begin(), plane.end());
-    below_ = plane;
+    tops.resize(size + kChunkArea);
+    std::copy(plane.begin(), plane.end(), tops.begin() + static_cast<std::ptrdiff_t>(size));
   }
   [[nodiscard]] Layers take() {
     layers_.materials.push_back(kAir);
@@ -188,7 +192,6 @@ class LayerPicker {
   const TileRows& tile_;
   std::int32_t floor_row_;
   Layers layers_;
-  ChunkPlane below_{};
 };
 
 class ExtractedSite final : public ChunkSite {
