@@ -62,7 +62,7 @@ function(talus_brief_sources)
 endfunction()
 
 # talus_optimise(TARGET LEVEL): its level in a release build, where that is not -O3: 2 for what mostly waits for the
-# network, 1 for what runs once.
+# network, 1 for what runs once, or waits for a disk or a terminal.
 function(talus_optimise target level)
   target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O${level}>)
 endfunction()
@@ -110,8 +110,8 @@ endfunction()
 # one source, so that what its modules share, such as Asio, is parsed and instantiated once and not for each module.
 if(CMAKE_UNITY_BUILD AND NOT (TALUS_TESTS OR TALUS_BENCH OR TALUS_FUZZ))
   set(talus_joined ON)
-  # g++ looks for memory that it may use again only from 1 GB on: over one twentieth less time, for 1.3 GB at most. Not where
-  # many sources are compiled at once, each with that much.
+  # g++ collects garbage only from 1 GB on, which three sources reach: less time, and 1.3 GB a compiler at most. Not where many
+  # sources are compiled at once, each with that much.
   target_compile_options(talus_flags INTERFACE "$<$<CXX_COMPILER_ID:GNU>:SHELL:--param ggc-min-heapsize=1000000>")
 endif()
 

@@ -6,6 +6,7 @@
 #include <thread>
 
 #include <glm/common.hpp>
+#include <glm/exponential.hpp>
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vector_relational.hpp>
@@ -16,7 +17,8 @@
 namespace talus::cli {
 namespace {
 
-constexpr float kSameLight = 1.0F / 64;  // two samples of a pixel that differ by less in each channel agree
+constexpr float kSameRoot =
+    1.0F / 64;  // two samples agree whose roots, near sRGB, differ by less in each channel
 constexpr double kShadowReach = 900.0;   // voxels
 constexpr double kCalmDistance = 150.0;  // voxels in which waves fall to 1/e
 const glm::vec3 kWaterDeep = to_light(0x123B4D);
@@ -54,18 +56,22 @@ class Painter {
     sky_.to_sun = glm::normalize(glm::vec3{level * -0.35 - right_ * 0.95 + glm::dvec3{0, 0.62, 0}});
   }
 
-  [[nodiscard]] glm::vec3 pixel(double x, double y, int width, int height) const {
+  [[nodiscard]] glm::vec3 pixel(int x, int y, int width, int height) const {
     const auto sample = [&](double across, double down) {
       const double right = (2.0 * (x + across) / width - 1.0) * half_width_;
       const double up = (1.0 - 2.0 * (y + down) / height) * half_width_ * height / width;
       return exposed(light_along(glm::normalize(forward_ + right_ * right + up_ * up)));
     };
-    const glm::vec3 first = sample(0.25, 0.25);
-    const glm::vec3 second = sample(0.75, 0.75);
+    // Two samples on a diagonal, and the other two where these see an edge. An edge along the diagonal may
+    // pass between the other two unseen, so the diagonals come by turns.
+    const double left = (x + y) % 2 == 0 ? 0.25 : 0.75;
+    const double right = 1.0 - left;
+    const glm::vec3 first = sample(left, 0.25);
+    const glm::vec3 second = sample(right, 0.75);
     const glm::vec3 half = (first + second) * 0.5F;
-    // Where no edge lies between the two, two more would see the same.
-    if (glm::all(glm::lessThan(glm::abs(first - second), glm::vec3{kSameLight}))) return half;
-    return (half + (sample(0.75, 0.25) + sample(0.25, 0.75)) * 0.5F) * 0.5F;
+    const glm::vec3 apart = glm::abs(glm::sqrt(first) - glm::sqrt(second));
+    if (glm::all(glm::lessThan(apart, glm::vec3{kSameRoot}))) return half;
+    return (half + (sample(right, 0.25) + sample(left, 0.75)) * 0.5F) * 0.5F;
   }
 
  private:

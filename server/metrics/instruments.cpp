@@ -15,16 +15,6 @@ std::uint64_t Counter::total() const {
   return sum;
 }
 
-void LatencyHistogram::add(std::chrono::nanoseconds time, std::uint64_t count) {
-  const auto ns = static_cast<std::uint64_t>(std::max<std::int64_t>(0, time.count()));
-  const double seconds = static_cast<double>(ns) * 1e-9;
-  const auto bound = std::lower_bound(kBoundsSeconds.begin(), kBoundsSeconds.end(), seconds);
-  Stripe& mine = stripes_[stripe()];
-  mine.counts[static_cast<std::size_t>(bound - kBoundsSeconds.begin())].fetch_add(count,
-                                                                                  std::memory_order_relaxed);
-  mine.sum_ns.fetch_add(ns * count, std::memory_order_relaxed);
-}
-
 LatencyHistogram::Reading LatencyHistogram::read() const {
   Reading reading;
   std::uint64_t sum_ns = 0;

@@ -2,6 +2,7 @@
 // waits.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <atomic>
 #include <cassert>
@@ -77,7 +78,15 @@ class LatencyHistogram {
                                                          0.5,  1.0,  2.0,  5.0,  10.0};
 
   /// Adds `count` samples of the same time. A negative time counts as 0.
-  void add(std::chrono::nanoseconds time, std::uint64_t count = 1);
+  void add(std::chrono::nanoseconds time, std::uint64_t count = 1) {
+    const auto ns = static_cast<std::uint64_t>(std::max<std::int64_t>(0, time.count()));
+    const double seconds = static_cast<double>(ns) * 1e-9;
+    const auto* const bound = std::lower_bound(kBoundsSeconds.begin(), kBoundsSeconds.end(), seconds);
+    Stripe& mine = stripes_[stripe()];
+    mine.counts[static_cast<std::size_t>(bound - kBoundsSeconds.begin())].fetch_add(
+        count, std::memory_order_relaxed);
+    mine.sum_ns.fetch_add(ns * count, std::memory_order_relaxed);
+  }
 
   struct Reading {
     std::array<std::uint64_t, kBoundsSeconds.size() + 1> counts{};  // of each bucket, not cumulative

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <bit>
+#include <cstdint>
 
 #if defined(__x86_64__)
 #include <immintrin.h>
@@ -26,15 +27,23 @@ TALUS_VBMI std::size_t pack(const std::uint64_t* bits, const std::uint8_t* bytes
   return static_cast<std::size_t>(to - out);
 }
 
+/// Of 256 bytes, those that `index` names.
+TALUS_VBMI __m512i look_up(const __m512i* table, __m512i index) {
+  return _mm512_mask_blend_epi8(_mm512_movepi8_mask(index),
+                                _mm512_permutex2var_epi8(table[0], index, table[1]),
+                                _mm512_permutex2var_epi8(table[2], index, table[3]));
+}
+
 TALUS_VBMI Numbering number(const std::uint16_t* ids, std::uint8_t* numbers, MaterialCode& materials) {
-  // By low byte: the high byte of the material that had it last. What is looked up differs from it where a
-  // material is new, or meets another one, or where the high byte is what fills the table at first.
+  // By low byte: the high byte of the material that had it last. A voxel with another high byte is of a new
+  // material, or of one that shares its low byte. An equal high byte of kNone proves nothing: kNone fills the
+  // table at first.
   constexpr std::uint8_t kNone = 0xFF;
   constexpr std::size_t kAhead = 4096;  // bytes
   alignas(64) std::array<std::uint8_t, 256> high_of;
-  std::array<bool, 256> is_taken{};
+  alignas(64) std::array<std::uint8_t, 256> is_taken{};  // by low byte: 0xFF where a material has it
   high_of.fill(kNone);
-  bool differ = true;  // no two have one low byte
+  bool differ = true;  // no two materials have one low byte
   alignas(64) static constexpr auto kEven = [] {
     std::array<std::uint8_t, 64> places{};
     for (std::size_t i = 0; i < places.size(); ++i) places[i] = static_cast<std::uint8_t>(2 * i);
@@ -45,8 +54,9 @@ TALUS_VBMI Numbering number(const std::uint16_t* ids, std::uint8_t* numbers, Mat
   const __m512i none = _mm512_set1_epi8(static_cast<char>(kNone));
   __m512i table[4] = {none, none, none, none};
   for (std::size_t i = 0; i < kChunkVolume; i += 64) {
-    // The voxels seldom lie in a near cache.
-    const auto* const ahead = reinterpret_cast<const char*>(ids + i) + kAhead;
+    // The voxels seldom lie in a near cache: ask for them early.
+    const auto* const ahead =
+        reinterpret_cast<const char*>(reinterpret_cast<std::uintptr_t>(ids + i) + kAhead);
     _mm_prefetch(ahead, _MM_HINT_T0);
     _mm_prefetch(ahead + 64, _MM_HINT_T0);
     const __m512i first = _mm512_loadu_si512(ids + i);
@@ -54,18 +64,22 @@ TALUS_VBMI Numbering number(const std::uint16_t* ids, std::uint8_t* numbers, Mat
     const __m512i low = _mm512_permutex2var_epi8(first, even, second);
     const __m512i high = _mm512_permutex2var_epi8(first, odd, second);
     _mm512_storeu_si512(numbers + i, low);
-    const __m512i found =
-        _mm512_mask_blend_epi8(_mm512_movepi8_mask(low), _mm512_permutex2var_epi8(table[0], low, table[1]),
-                               _mm512_permutex2var_epi8(table[2], low, table[3]));
-    std::uint64_t unknown = _mm512_cmpneq_epi8_mask(found, high) | _mm512_cmpeq_epi8_mask(high, none);
+    const __m512i found = look_up(table, low);
+    std::uint64_t unknown = _mm512_cmpneq_epi8_mask(found, high);
+    if (const std::uint64_t unsure = _mm512_cmpeq_epi8_mask(high, none); unsure != 0) {
+      __m512i taken[4];
+      for (std::size_t t = 0; t < 4; ++t) taken[t] = _mm512_load_si512(is_taken.data() + 64 * t);
+      unknown |= unsure & ~_mm512_movepi8_mask(look_up(taken, low));
+    }
     if (unknown == 0) continue;
     for (; unknown != 0; unknown &= unknown - 1) {
       const std::uint16_t id = ids[i + static_cast<std::size_t>(std::countr_zero(unknown))];
       const std::size_t place = id & 0xFFU;
       const auto top = static_cast<std::uint8_t>(id >> 8U);
-      if (is_taken[place] && high_of[place] == top) continue;  // found in this vector
-      differ &= !is_taken[place];
-      is_taken[place] = true;
+      if (is_taken[place] != 0 && high_of[place] == top)
+        continue;  // an earlier voxel of this vector added it
+      differ &= is_taken[place] == 0;
+      is_taken[place] = 0xFF;
       high_of[place] = top;
       if (materials.number_of(MaterialId{id}) == MaterialCode::kMaxMaterials) return Numbering::too_many;
     }

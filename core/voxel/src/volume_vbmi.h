@@ -16,8 +16,9 @@ struct VolumeVbmi {
   /// last.
   std::size_t (*pack)(const std::uint64_t* bits, const std::uint8_t* bytes, std::size_t parts,
                       std::uint8_t* out);
-  /// Numbers voxels by the low bytes of their ids and adds all their materials to `materials`; says whether
-  /// two have one number, or that there are more than MaterialCode::kMaxMaterials.
+  /// Writes the low bytes of the ids to `numbers` and adds their materials to `materials`. two_alike: all
+  /// were added, but two materials have one number. too_many: there are more than
+  /// MaterialCode::kMaxMaterials, and both outputs are incomplete.
   Numbering (*number)(const std::uint16_t* ids, std::uint8_t* numbers, MaterialCode& materials);
 };
 
