@@ -1,5 +1,6 @@
 #include "volume_vbmi.h"
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cstdint>
@@ -39,7 +40,7 @@ TALUS_VBMI Numbering number(const std::uint16_t* ids, std::uint8_t* numbers, Mat
   // material, or of one that shares its low byte. An equal high byte of kNone proves nothing: kNone fills the
   // table at first.
   constexpr std::uint8_t kNone = 0xFF;
-  constexpr std::size_t kAhead = 4096;  // bytes
+  constexpr std::size_t kAhead = 2048;  // voxels
   alignas(64) std::array<std::uint8_t, 256> high_of;
   alignas(64) std::array<std::uint8_t, 256> is_taken{};  // by low byte: 0xFF where a material has it
   high_of.fill(kNone);
@@ -55,10 +56,9 @@ TALUS_VBMI Numbering number(const std::uint16_t* ids, std::uint8_t* numbers, Mat
   __m512i table[4] = {none, none, none, none};
   for (std::size_t i = 0; i < kChunkVolume; i += 64) {
     // The voxels seldom lie in a near cache: ask for them early.
-    const auto* const ahead =
-        reinterpret_cast<const char*>(reinterpret_cast<std::uintptr_t>(ids + i) + kAhead);
-    _mm_prefetch(ahead, _MM_HINT_T0);
-    _mm_prefetch(ahead + 64, _MM_HINT_T0);
+    const std::uint16_t* const ahead = ids + std::min(i + kAhead, std::size_t{kChunkVolume} - 64);
+    _mm_prefetch(reinterpret_cast<const char*>(ahead), _MM_HINT_T0);
+    _mm_prefetch(reinterpret_cast<const char*>(ahead + 32), _MM_HINT_T0);
     const __m512i first = _mm512_loadu_si512(ids + i);
     const __m512i second = _mm512_loadu_si512(ids + i + 32);
     const __m512i low = _mm512_permutex2var_epi8(first, even, second);

@@ -26,8 +26,9 @@ struct AlignedAllocator {
   [[nodiscard]] T* allocate(std::size_t count) {
     static_assert(__STDCPP_DEFAULT_NEW_ALIGNMENT__ >= sizeof(void*));
     void* const memory = ::operator new(count * sizeof(T) + kVectorBytes);
-    const auto begin = reinterpret_cast<std::uintptr_t>(memory);
-    auto* const elements = reinterpret_cast<void**>((begin + kVectorBytes) / kVectorBytes * kVectorBytes);
+    const std::size_t past_line = reinterpret_cast<std::uintptr_t>(memory) % kVectorBytes;
+    auto* const elements =
+        reinterpret_cast<void**>(static_cast<std::byte*>(memory) + kVectorBytes - past_line);
     elements[-1] = memory;
     return reinterpret_cast<T*>(elements);
   }
