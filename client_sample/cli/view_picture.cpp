@@ -17,8 +17,8 @@
 namespace talus::cli {
 namespace {
 
-constexpr float kSameRoot =
-    1.0F / 64;  // two samples agree whose roots, near sRGB, differ by less in each channel
+// Two samples of a pixel agree where the roots of their light, near sRGB, differ by less in each channel.
+constexpr float kSameRoot = 1.0F / 64;
 constexpr double kShadowReach = 900.0;   // voxels
 constexpr double kCalmDistance = 150.0;  // voxels in which waves fall to 1/e
 const glm::vec3 kWaterDeep = to_light(0x123B4D);
