@@ -14,7 +14,7 @@ namespace {
 
 namespace ip = asio::ip;
 
-constexpr unsigned kMappedBits = 96;
+constexpr int kMappedBits = 96;
 
 /// Without a scope, which networks do not have.
 ip::address_v6 mapped(const ip::address& address) {
