@@ -73,7 +73,7 @@ Server::Server(const Config& config, std::shared_ptr<const terrain::World> world
               metrics_,
               memory_,
               clock},
-      runner_context_{{session_limits_, world_, chunks_, memory_, metrics_, access_, rates_, clock_},
+      runner_context_{{session_limits_, world_, chunks_, memory_, metrics_, access_, rates_, flows_, clock_},
                       runner_limits(config),
                       registry_,
                       log_of_clients_},

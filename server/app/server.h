@@ -20,6 +20,7 @@
 #include "app/listeners.h"
 #include "clock/clock.h"
 #include "config/config.h"
+#include "flows/flow_ids.h"
 #include "generation/base_chunks.h"
 #include "log/logger.h"
 #include "memory/memory_budget.h"
@@ -75,6 +76,7 @@ class Server {
   const WorldInfo world_;
   const SessionLimits session_limits_;
   const RateLimits rates_;
+  const FlowIds flows_;
   Metrics metrics_;
   MemoryBudget memory_;  // connections give back to it
   Admission admission_;

@@ -20,6 +20,7 @@
 #include <talus/voxel/coords.h>
 
 #include "chunks/encoded_chunk.h"
+#include "flows/flow_ids.h"
 
 namespace talus::server {
 
@@ -49,9 +50,14 @@ class Mailbox {
  public:
   /// `wake` is called on the thread that calls wake(), never twice without a take() between. It may throw;
   /// then the owner counts as not woken.
-  Mailbox(ClientId owner, std::function<void()> wake) : owner_{owner}, wake_{std::move(wake)} {}
+  Mailbox(ClientId owner, std::function<void()> wake)
+      : owner_{owner}, flow_{FlowId{static_cast<std::uint64_t>(owner)}}, wake_{std::move(wake)} {}
 
   [[nodiscard]] ClientId owner() const { return owner_; }
+  /// In whose turns the owner's chunks are generated; one of its own unless join() was called.
+  [[nodiscard]] FlowId flow() const { return flow_; }
+  /// Before the owner asks any source for anything.
+  void join(FlowId flow) { flow_ = flow; }
 
   /// Any thread. The owner finds it at its next take().
   void put(Mail mail) {
@@ -83,6 +89,7 @@ class Mailbox {
 
  private:
   const ClientId owner_;
+  FlowId flow_;
   const std::function<void()> wake_;
   std::mutex mutex_;
   std::vector<Mail> mail_;

@@ -82,7 +82,7 @@ void BaseChunks::cancel(ClientId client, ChunkKey key) {
 
 void BaseChunks::submit_heights(const MailboxPtr& mailbox, std::uint64_t ticket,
                                 std::vector<terrain::BaseColumn> columns) {
-  pool_.submit_heights({mailbox, ticket, std::move(columns)});
+  pool_.submit_heights(HeightsTask{mailbox, ticket, std::move(columns)});
 }
 
 void BaseChunks::cancel_heights(ClientId client, std::uint64_t ticket) {

@@ -2,8 +2,9 @@
 //
 // Deficit round robin (Shreedhar and Varghese, 1995): a turn brings an entrant one quantum, which it spends
 // on pieces of its own until nothing is left. The last piece may overdraw; the next turns pay that off, also
-// if the entrant has left meanwhile. Whoever had nothing waiting goes first, once in a round, as new flows do
-// in FQ-CoDel (RFC 8290). So entrants get equal time, whatever their pieces cost.
+// if the entrant has left meanwhile. Where newcomers are first, whoever had nothing waiting goes before all
+// others, once in a round, as new flows do in FQ-CoDel (RFC 8290). So entrants get equal time, whatever their
+// pieces cost.
 #pragma once
 
 #include <algorithm>
@@ -16,13 +17,20 @@
 
 namespace talus::server {
 
+enum class Newcomers : std::uint8_t { first, last };
+
 template <typename Id>
 class DeficitRoundRobin {
  public:
+  explicit DeficitRoundRobin(Newcomers newcomers) : newcomers_{newcomers} {}
+
   /// `id` has something waiting. No effect where it is entered already.
   void enter(Id id) {
-    if (entrants_.try_emplace(id).second) new_.push_back(id);
+    if (entrants_.try_emplace(id).second) (newcomers_ == Newcomers::first ? new_ : old_).push_back(id);
   }
+
+  /// Nobody is entered, or owes anything.
+  [[nodiscard]] bool empty() const { return entrants_.empty(); }
 
   /// Who may begin a piece now; none where nobody can. The turn goes on until its quantum is spent.
   /// can_begin(id): whether it has a piece that may be begun. busy(id): whether it has pieces waiting or in
@@ -90,6 +98,7 @@ class DeficitRoundRobin {
     old_.clear();
   }
 
+  Newcomers newcomers_;
   std::unordered_map<Id, Entrant> entrants_;
   // Exactly the keys of entrants_ between them, in the order of their turns; the new go first.
   std::deque<Id> new_;

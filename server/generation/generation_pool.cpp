@@ -13,6 +13,12 @@ namespace {
 // A job with its place in each map, one waiter.
 constexpr std::int64_t kJobBytes = 384;
 
+// A thread makes heights for so long before it looks whose turn it is.
+constexpr std::chrono::milliseconds kLongestPiece{25};
+
+// Of those that were refused, so many flows are looked at whenever a piece of work ends.
+constexpr std::size_t kFlowsToTell = 16;
+
 void add_time(Counter& counter, std::chrono::nanoseconds time) {
   counter.add(static_cast<std::uint64_t>(time.count()));
 }
@@ -55,7 +61,7 @@ ChunkSource::Submission GenerationPool::submit(const MailboxPtr& mailbox, ChunkK
       }
       job_bytes = job_bytes_change();
     }
-    recent_clients_.asked(mailbox->owner(), parts_.clock.now());
+    recent_flows_.asked(mailbox->flow(), parts_.clock.now());
   }
   if (finished != nullptr) {
     deliver(mailbox, ChunkReady{key, std::move(finished)}, log_);
@@ -114,7 +120,7 @@ void GenerationPool::work() {
   block_signals();
   std::unique_lock lock{mutex_};
   while (!stopping_) {
-    const auto work = queue_.take(costs());
+    auto work = queue_.take(costs());
     if (!work) {
       work_waits_.wait(lock);
       continue;
@@ -122,11 +128,13 @@ void GenerationPool::work() {
     lock.unlock();
     MeasuredWork measured;
     const auto began = parts_.clock.thread_cpu();
-    std::visit([&](const auto& piece) { run(piece, measured); }, work->what);
+    std::visit([&](auto& piece) { run(piece, measured); }, work->what);
     const auto took = parts_.clock.thread_cpu() - began;
     count(measured);
     lock.lock();
     measured_costs_.add(measured);
+    auto* const heights = std::get_if<HeightsTask>(&work->what);
+    if (heights != nullptr && heights->left() > 0) queue_.put_back(std::move(*heights));
     queue_.reconcile(*work, static_cast<std::uint64_t>(took.count()));
     if (const auto* batch = std::get_if<WorkQueue::Batch>(&work->what)) queue_.release(batch->patch);
     const std::int64_t job_bytes = job_bytes_change();
@@ -165,12 +173,24 @@ void GenerationPool::make_chunks(const WorkQueue::Batch& batch, const terrain::S
   measured.chunk_time += parts_.clock.thread_cpu() - began;
 }
 
-void GenerationPool::run(const HeightsTask& task, MeasuredWork& measured) {
+void GenerationPool::run(HeightsTask& task, MeasuredWork& measured) {
   const auto began = parts_.clock.thread_cpu();
-  HeightsAnswer answer = parts_.maker.heights(task.columns);
-  if (answer) measured.heights += task.columns.size();
-  measured.height_time += parts_.clock.thread_cpu() - began;
-  deliver(task.mailbox, HeightsReady{task.ticket, std::move(answer)}, log_);
+  const auto took = [&] { return parts_.clock.thread_cpu() - began; };
+  tl::expected<void, GenerationFailed> made;
+  while (made && task.left() > 0 && took() < kLongestPiece && !stopping_) {
+    const auto columns = task.next_piece();
+    made = parts_.maker.heights(columns).map([&](const std::vector<std::int32_t>& heights) {
+      task.add(heights);
+      measured.heights += heights.size();
+    });
+  }
+  measured.height_time += took();
+  if (!made) {
+    deliver(task.mailbox(), HeightsReady{task.ticket(), tl::make_unexpected(made.error())}, log_);
+    task.give_up();
+  } else if (task.left() == 0) {
+    deliver(task.mailbox(), HeightsReady{task.ticket(), task.take_heights()}, log_);
+  }
 }
 
 bool GenerationPool::begin(ChunkKey key) {
@@ -190,8 +210,9 @@ void GenerationPool::count(const MeasuredWork& measured) {
 WorkCosts GenerationPool::costs() const {
   WorkCosts costs = measured_costs_.costs();
   costs.in_memory = [this](const PatchKey& patch) { return parts_.patches.holds(patch); };
-  // One client gets all threads only while nobody else asks: whoever asks next should find one.
-  const bool keep_one = recent_clients_.several(parts_.clock.now()) && settings_.threads > 1;
+  costs.longest_piece = std::chrono::nanoseconds{kLongestPiece}.count();
+  // One flow gets all threads only while nobody else asks: whoever asks next should find one.
+  const bool keep_one = recent_flows_.several(parts_.clock.now()) && settings_.threads > 1;
   costs.max_in_flight = keep_one ? settings_.threads - 1 : settings_.threads;
   return costs;
 }
@@ -204,9 +225,9 @@ std::int64_t GenerationPool::job_bytes_change() {
 // While jobs wait, each piece of work that ends comes by here again. Where none does this is the last chance:
 // all are told, and the first who come fill the queue.
 std::vector<MailboxPtr> GenerationPool::clients_with_room() {
-  if (refused_.empty() || queue_.full() || !parts_.memory.takes_work()) return {};
-  if (queue_.jobs() == 0) return refused_.take(refused_.size());
-  return refused_.take(std::max<std::size_t>(1, queue_.free_jobs() / kJobsPerClient));
+  if (refused_.empty() || !parts_.memory.takes_work()) return {};
+  if (queue_.jobs() == 0) return refused_.take_all();
+  return refused_.take(kFlowsToTell, [this](FlowId flow) { return queue_.has_room_again(flow); });
 }
 
 void GenerationPool::tell_of_room(const std::vector<MailboxPtr>& mailboxes) {

@@ -9,6 +9,7 @@
 // cache of its own and orders it by revision.
 #pragma once
 
+#include <atomic>
 #include <condition_variable>
 #include <cstddef>
 #include <cstdint>
@@ -22,7 +23,7 @@
 #include "generation/chunk_maker.h"
 #include "generation/cost_model.h"
 #include "generation/patch_store.h"
-#include "generation/recent_clients.h"
+#include "generation/recent_flows.h"
 #include "generation/refused_clients.h"
 #include "generation/work_queue.h"
 #include "log/logger.h"
@@ -33,9 +34,6 @@ namespace talus::server {
 
 class GenerationPool {
  public:
-  /// What is told of room for new jobs goes to one client for so many of them: what one session submits.
-  static constexpr std::size_t kJobsPerClient = 128;
-
   /// What a pool works with; all of it outlives the pool.
   struct Parts {
     ChunkMaker& maker;
@@ -77,7 +75,8 @@ class GenerationPool {
  private:
   void work();
   void run(const WorkQueue::Batch& batch, MeasuredWork& measured);
-  void run(const HeightsTask& task, MeasuredWork& measured);
+  /// A part of the task, for a bounded time.
+  void run(HeightsTask& task, MeasuredWork& measured);
   void make_chunks(const WorkQueue::Batch& batch, const terrain::Stacks* stacks, MeasuredWork& measured);
   void count(const MeasuredWork& measured);
 
@@ -101,10 +100,10 @@ class GenerationPool {
   std::condition_variable work_waits_;
   WorkQueue queue_;
   CostModel measured_costs_;
-  RecentClients recent_clients_;
+  RecentFlows recent_flows_;
   RefusedClients refused_;
-  std::size_t jobs_told_ = 0;  // to the budget
-  bool stopping_ = false;
+  std::size_t jobs_told_ = 0;          // to the budget
+  std::atomic<bool> stopping_{false};  // changes under the mutex
 
   std::vector<std::thread> threads_;
 };

@@ -1,4 +1,4 @@
-// What work for the generators is likely to cost, and how much of it one client may have begun.
+// What work for the generators is likely to cost, and how much of it one flow may have begun.
 #pragma once
 
 #include <cstddef>
@@ -15,7 +15,8 @@ struct WorkCosts {
   std::uint64_t chunk = 0;                           // to make one of a patch
   std::uint64_t height = 0;                          // of a column
   std::function<bool(const PatchKey&)> in_memory{};  // whether the patch need not be made; unset: none is
-  std::size_t max_in_flight = SIZE_MAX;              // pieces of one client's
+  std::uint64_t longest_piece = UINT64_MAX;          // of heights, which are made in pieces
+  std::size_t max_in_flight = SIZE_MAX;              // pieces of one flow
 };
 
 }  // namespace talus::server

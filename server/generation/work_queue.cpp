@@ -14,29 +14,34 @@ auto waiter_of(std::vector<MailboxPtr>& waiters, ClientId client) {
 }  // namespace
 
 WorkQueue::WorkQueue(int patch_tiles, std::size_t max_jobs)
-    : patch_tiles_{patch_tiles}, max_jobs_{max_jobs}, gate_{max_jobs, max_jobs - max_jobs / 4} {}
+    : patch_tiles_{patch_tiles}, max_jobs_{max_jobs} {}
 
 bool WorkQueue::add(const MailboxPtr& mailbox, ChunkKey key) {
   auto found = jobs_.find(key);
   if (found == jobs_.end()) {
-    if (full()) return false;
+    const FlowId flow = mailbox->flow();
+    if (of(flow).jobs >= free_jobs()) return false;
     const PatchKey patch = patch_of(key, patch_tiles_);
-    found = jobs_.emplace(key, Job{patch, {}, false}).first;
+    found = jobs_.emplace(key, Job{patch, flow, {}, false}).first;
     patches_[patch].waiting.push_back(key);
-    note_jobs();
+    ++flows_[flow].jobs;
   }
   Job& job = found->second;
   if (waiter_of(job.waiters, mailbox->owner()) != job.waiters.end()) return true;
   job.waiters.push_back(mailbox);
   if (!job.taken) {
-    Client& client = enter(mailbox->owner());
+    Client& client = enter(*mailbox);
     if (++client.jobs[job.patch] == 1) client.order.push_back(job.patch);
   }
   return true;
 }
 
 void WorkQueue::add(HeightsTask task) {
-  enter(task.mailbox->owner()).heights.push_back(std::move(task));
+  enter(*task.mailbox()).heights.push_back(std::move(task));
+}
+
+bool WorkQueue::has_room_again(FlowId flow) const {
+  return free_jobs() > 0 && 2 * of(flow).jobs <= free_jobs();
 }
 
 void WorkQueue::cancel(ClientId client, ChunkKey key) {
@@ -51,8 +56,7 @@ void WorkQueue::cancel(ClientId client, ChunkKey key) {
   const PatchKey patch = job.patch;
   leave(client, patch);
   if (!job.waiters.empty()) return;
-  jobs_.erase(found);
-  note_jobs();
+  (void)erase(found);
   auto& waiting = patches_.at(patch).waiting;
   waiting.erase(std::find(waiting.begin(), waiting.end(), key));
   drop_if_unused(patch);
@@ -61,16 +65,23 @@ void WorkQueue::cancel(ClientId client, ChunkKey key) {
 void WorkQueue::cancel_heights(ClientId client, std::uint64_t ticket) {
   const auto found = clients_.find(client);
   if (found == clients_.end()) return;
-  std::erase_if(found->second.heights, [&](const HeightsTask& task) { return task.ticket == ticket; });
+  std::erase_if(found->second.heights, [&](const HeightsTask& task) { return task.ticket() == ticket; });
+  std::erase(found->second.taken_heights, ticket);
   drop_if_done(found);
+}
+
+void WorkQueue::put_back(HeightsTask task) {
+  Client& client = enter(*task.mailbox());
+  if (std::erase(client.taken_heights, task.ticket()) > 0) client.heights.push_front(std::move(task));
 }
 
 std::optional<WorkQueue::Work> WorkQueue::take(const WorkCosts& costs) {
   const auto next = turns_.next(
       static_cast<std::int64_t>(costs.patch),
+      [&](FlowId flow) { return of(flow).in_flight < costs.max_in_flight; },
       [&](ClientId id) {
         const auto client = clients_.find(id);
-        return client != clients_.end() && can_begin(client->second, costs);
+        return client != clients_.end() && can_begin(client->second);
       },
       [&](ClientId id) { return clients_.contains(id); });
   if (!next) return std::nullopt;
@@ -80,16 +91,21 @@ std::optional<WorkQueue::Work> WorkQueue::take(const WorkCosts& costs) {
 }
 
 void WorkQueue::reconcile(const Work& work, std::uint64_t cost) {
-  turns_.charge(work.client, static_cast<std::int64_t>(cost) - static_cast<std::int64_t>(work.price));
-  const auto client = clients_.find(work.client);
+  turns_.charge(work.turn, static_cast<std::int64_t>(cost) - static_cast<std::int64_t>(work.price));
+  --flows_.at(work.turn.flow).in_flight;
+  drop_if_unused(work.turn.flow);
+  const auto client = clients_.find(work.turn.client);
   --client->second.in_flight;
+  if (const auto* task = std::get_if<HeightsTask>(&work.what)) {
+    std::erase(client->second.taken_heights, task->ticket());
+  }
   drop_if_done(client);
 }
 
-WorkQueue::Work WorkQueue::take_of(ClientId id, const WorkCosts& costs) {
-  Client& client = clients_.at(id);
+WorkQueue::Work WorkQueue::take_of(FlowTurns::Turn turn, const WorkCosts& costs) {
+  Client& client = clients_.at(turn.client);
   ++client.in_flight;
-  Work work{{}, id, 0};
+  ++flows_[turn.flow].in_flight;
   const auto patch = free_patch(client);
   const bool chunks = patch != client.order.end();
   const bool heights = !client.heights.empty() && (client.heights_next || !chunks);
@@ -97,15 +113,14 @@ WorkQueue::Work WorkQueue::take_of(ClientId id, const WorkCosts& costs) {
   if (heights) {
     HeightsTask task = std::move(client.heights.front());
     client.heights.pop_front();
-    work.price = costs.height * task.columns.size();
-    work.what = std::move(task);
-  } else {
-    Batch batch = take_patch(PatchKey{*patch}, id);
-    const bool in_memory = costs.in_memory && costs.in_memory(batch.patch);
-    work.price = (in_memory ? 0 : costs.patch) + costs.chunk * batch.keys.size();
-    work.what = std::move(batch);
+    client.taken_heights.push_back(task.ticket());
+    const std::uint64_t price = std::min(costs.height * task.left(), costs.longest_piece);
+    return {std::move(task), turn, price};
   }
-  return work;
+  Batch batch = take_patch(PatchKey{*patch}, turn.client);
+  const bool in_memory = costs.in_memory && costs.in_memory(batch.patch);
+  const std::uint64_t price = (in_memory ? 0 : costs.patch) + costs.chunk * batch.keys.size();
+  return {std::move(batch), turn, price};
 }
 
 std::deque<PatchKey>::const_iterator WorkQueue::free_patch(const Client& client) const {
@@ -113,8 +128,7 @@ std::deque<PatchKey>::const_iterator WorkQueue::free_patch(const Client& client)
                       [&](const PatchKey& patch) { return !patches_.at(patch).taken; });
 }
 
-bool WorkQueue::can_begin(const Client& client, const WorkCosts& costs) const {
-  if (client.in_flight >= costs.max_in_flight) return false;
+bool WorkQueue::can_begin(const Client& client) const {
   return !client.heights.empty() || free_patch(client) != client.order.end();
 }
 
@@ -126,15 +140,21 @@ std::size_t WorkQueue::clients() const {
 bool WorkQueue::begin(ChunkKey key) {
   const auto found = jobs_.find(key);
   if (!found->second.waiters.empty()) return true;
-  jobs_.erase(found);
-  note_jobs();
+  (void)erase(found);
   return false;
 }
 
 std::vector<MailboxPtr> WorkQueue::finish(ChunkKey key) {
-  auto job = jobs_.extract(key);
-  note_jobs();
-  return std::move(job.mapped().waiters);
+  return erase(jobs_.find(key));
+}
+
+std::vector<MailboxPtr> WorkQueue::erase(Jobs::iterator job) {
+  const FlowId flow = job->second.flow;
+  --flows_.at(flow).jobs;
+  drop_if_unused(flow);
+  std::vector<MailboxPtr> waiters = std::move(job->second.waiters);
+  jobs_.erase(job);
+  return waiters;
 }
 
 void WorkQueue::release(const PatchKey& patch) {
@@ -142,9 +162,14 @@ void WorkQueue::release(const PatchKey& patch) {
   drop_if_unused(patch);
 }
 
-WorkQueue::Client& WorkQueue::enter(ClientId client) {
-  turns_.enter(client);
-  return clients_[client];
+WorkQueue::Client& WorkQueue::enter(const Mailbox& mailbox) {
+  turns_.enter({mailbox.flow(), mailbox.owner()});
+  return clients_[mailbox.owner()];
+}
+
+WorkQueue::Flow WorkQueue::of(FlowId flow) const {
+  const auto found = flows_.find(flow);
+  return found == flows_.end() ? Flow{} : found->second;
 }
 
 void WorkQueue::leave(ClientId client, const PatchKey& patch) {
@@ -180,6 +205,11 @@ WorkQueue::Batch WorkQueue::take_patch(const PatchKey& patch, ClientId client) {
 void WorkQueue::drop_if_unused(const PatchKey& patch) {
   const auto found = patches_.find(patch);
   if (!found->second.taken && found->second.waiting.empty()) patches_.erase(found);
+}
+
+void WorkQueue::drop_if_unused(FlowId flow) {
+  const auto found = flows_.find(flow);
+  if (found->second.jobs == 0 && found->second.in_flight == 0) flows_.erase(found);
 }
 
 }  // namespace talus::server

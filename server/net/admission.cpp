@@ -16,6 +16,11 @@ asio::ip::address counted_as(const asio::ip::address& address) {
   return asio::ip::address_v6{bytes};
 }
 
+FlowId flow_of(const asio::ip::address& counted, const FlowIds& flows) {
+  return counted.is_v4() ? flows.of_address(counted.to_v4().to_bytes())
+                         : flows.of_address(counted.to_v6().to_bytes());
+}
+
 Admission::Admission(std::size_t max, std::size_t max_per_address, std::chrono::milliseconds memory,
                      const Clock& clock)
     : max_{max}, max_per_address_{max_per_address}, memory_{memory}, clock_{clock} {}

@@ -12,6 +12,7 @@
 #include <tl/expected.hpp>
 
 #include "clock/clock.h"
+#include "flows/flow_ids.h"
 #include "rates/rates.h"
 
 namespace talus::server {
@@ -19,6 +20,9 @@ namespace talus::server {
 /// Whom an address counts as: an IPv4 address (also one mapped into IPv6) stands for itself, an IPv6
 /// address for its /64 network, which is what one customer commonly has.
 [[nodiscard]] asio::ip::address counted_as(const asio::ip::address& address);
+
+/// The flow of all that counts as one address.
+[[nodiscard]] FlowId flow_of(const asio::ip::address& counted, const FlowIds& flows);
 
 class Admission {
  public:
@@ -39,6 +43,8 @@ class Admission {
     Slot& operator=(Slot&&) = delete;
     ~Slot();
 
+    /// Whom its address counts as.
+    [[nodiscard]] const asio::ip::address& counted() const { return counted_; }
     /// Shared with the address's other connections.
     [[nodiscard]] const AddressBucketsPtr& rates() const { return rates_; }
 

@@ -27,14 +27,16 @@ struct SessionRunner<S>::Owner {
   asio::any_io_executor executor;
   std::weak_ptr<SessionRunner> runner;
 
-  static MailboxPtr mailbox(ConnectionId id, const std::shared_ptr<Owner>& owner) {
-    return std::make_shared<Mailbox>(ClientId{id}, [owner] {
+  static MailboxPtr mailbox(ConnectionId id, FlowId flow, const std::shared_ptr<Owner>& owner) {
+    auto mailbox = std::make_shared<Mailbox>(ClientId{id}, [owner] {
       asio::post(owner->executor, [owner] {
         if (const auto runner = owner->runner.lock()) {
           runner->dispatch([](Session& session) { session.take_mail(); });
         }
       });
     });
+    mailbox->join(flow);
+    return mailbox;
   }
 };
 
@@ -57,7 +59,9 @@ SessionRunner<S>::SessionRunner(S stream, ConnectionInfo connection, Admission::
       clock_{context.session.clock},
       slot_{std::move(slot)},
       frames_{context.limits.frame_bytes},
-      session_{context.session, Owner::mailbox(connection_.id, owner), slot_->rates()},
+      session_{context.session,
+               Owner::mailbox(connection_.id, flow_of(slot_->counted(), context.session.flows), owner),
+               slot_->rates()},
       output_waits_{stream_.get_executor(), clock_},
       input_waits_{stream_.get_executor(), clock_},
       watch_waits_{stream_.get_executor(), clock_},

@@ -14,8 +14,8 @@ using wire::ErrorCode;
 void Delivery::request_heights(std::uint32_t id, std::vector<terrain::BaseColumn> columns) {
   constexpr std::size_t kTaskBytes = 256;
   const std::uint64_t ticket = (++heights_asked_ << 32) | id;
-  requests_.add_heights(id, ticket,
-                        kTaskBytes + columns.size() * (sizeof(terrain::BaseColumn) + sizeof(std::int32_t)));
+  requests_.add_heights(
+      id, ticket, kTaskBytes + columns.size() * (sizeof(terrain::BaseColumn) + 2 * sizeof(std::int32_t)));
   context_.chunks.submit_heights(mailbox_, ticket, std::move(columns));
 }
 

@@ -39,6 +39,9 @@ class Delivery {
   Delivery(const SessionContext& context, MailboxPtr mailbox, Replies& replies, Outbox& outbox)
       : context_{context}, mailbox_{std::move(mailbox)}, replies_{replies}, outbox_{outbox} {}
 
+  /// In whose turns its chunks are generated from now on; before it asks for anything.
+  void join(FlowId flow) { mailbox_->join(flow); }
+
   // ---- what the client asks for
   [[nodiscard]] const PendingRequests& requests() const { return requests_; }
   /// REQUIRES: no request `id` is pending.

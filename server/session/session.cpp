@@ -130,6 +130,8 @@ void Session::on(const wire::Hello& hello) {
     return fail(rejection.code, rejection.text, retry_after::kNever, rejection.why);
   }
   greeting_ = *std::move(greeting);
+  const std::string& subject = greeting_->grant.subject;
+  if (!subject.empty()) delivery_.join(context_.flows.of_subject(subject));
   credit_ = Credit{greeting_->window_bytes};
   replies_.welcome(*greeting_, context_.world, context_.limits);
   state_ = State::joined;

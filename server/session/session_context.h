@@ -4,6 +4,7 @@
 #include "access/access_control.h"
 #include "chunks/chunk_source.h"
 #include "clock/clock.h"
+#include "flows/flow_ids.h"
 #include "memory/memory_budget.h"
 #include "metrics/metrics.h"
 #include "rates/rates.h"
@@ -21,6 +22,7 @@ struct SessionContext {
   Metrics& metrics;
   const AccessControl& access;
   const RateLimits& rates;
+  const FlowIds& flows;
   const Clock& clock;
 };
 

@@ -170,6 +170,52 @@ TEST_CASE("heights come by their ticket, failed ones too") {
   CHECK_FALSE(client.heights()[1].second.has_value());
 }
 
+TEST_CASE("dear heights are made a piece at a time, and others have their turns between") {
+  FakeService fake;
+  fake.work->close_gate();
+  std::atomic<int> pieces{0};
+  std::atomic<int> pieces_at_patch{-1};
+  fake.work->in_heights = [&] {
+    ++pieces;
+    fake.clock.spend_cpu(std::chrono::milliseconds{10});
+  };
+  fake.work->in_patch = [&] {
+    if (fake.work->patches == 1) pieces_at_patch = pieces.load();
+  };
+  std::vector<terrain::BaseColumn> scattered;
+  for (std::int64_t tile = 0; tile < 50; ++tile) scattered.push_back({tile * kChunkSize, 0});
+  WaitingClient holder;
+  WaitingClient dear;
+  WaitingClient player;
+  REQUIRE(queued(fake.service, holder, at(1000)));
+  fake.work->await_somebody_at_gate();  // until all have asked
+  fake.service.submit_heights(dear.mailbox(), 1, scattered);
+  REQUIRE(queued(fake.service, player, at(0)));
+  fake.work->open_gate();
+  player.await(1);
+  dear.await(1);
+  CHECK(pieces == 50);
+  CHECK(pieces_at_patch <= 3);
+  CHECK(dear.heights()[0].second.value().size() == scattered.size());
+}
+
+TEST_CASE("heights that are cancelled while they are made end with their piece") {
+  FakeService fake;
+  WaitingClient dear;
+  std::atomic<int> pieces{0};
+  fake.work->in_heights = [&] {
+    if (++pieces == 4) fake.service.cancel_heights(dear.id(), 1);
+    fake.clock.spend_cpu(std::chrono::milliseconds{10});
+  };
+  std::vector<terrain::BaseColumn> scattered;
+  for (std::int64_t tile = 0; tile < 50; ++tile) scattered.push_back({tile * kChunkSize, 0});
+  fake.service.submit_heights(dear.mailbox(), 1, scattered);
+  fake.service.submit_heights(dear.mailbox(), 2, {{1, 2}});
+  dear.await(1);
+  CHECK(dear.heights()[0].first == 2);
+  CHECK(pieces <= 8);
+}
+
 TEST_CASE("a client that cannot be woken harms nobody") {
   FakeService fake;
   const auto broken = std::make_shared<Mailbox>(ClientId{1'000'000}, [] { throw std::bad_alloc{}; });
@@ -182,10 +228,11 @@ TEST_CASE("a client that cannot be woken harms nobody") {
 }
 
 TEST_CASE("a client that was refused by a full queue is told when there is room, once") {
-  FakeService fake{1, 2};
+  FakeService fake{1, 4};
   fake.work->close_gate();
   WaitingClient greedy;
   WaitingClient late;
+  late.mailbox()->join(greedy.mailbox()->flow());
   REQUIRE(queued(fake.service, greedy, at(0)));
   REQUIRE(queued(fake.service, greedy, at(100)));
   CHECK_FALSE(queued(fake.service, late, at(200)));
@@ -217,9 +264,9 @@ TEST_CASE("a job that is cancelled makes room for a client that was refused") {
   CHECK(fake.work->chunks == 1);
 }
 
-TEST_CASE("of those that were refused, the first are told first, and not all at once") {
+TEST_CASE("a flow that fills its part of the queue keeps no other out, and is told when it has room") {
   // Without start(): jobs end by cancellation, so all happens in this thread.
-  constexpr std::size_t kJobs = 4 * GenerationPool::kJobsPerClient;
+  constexpr std::int32_t kJobs = 400;
   Metrics metrics;
   MemoryBudget memory{0};
   ManualClock clock;
@@ -230,32 +277,22 @@ TEST_CASE("of those that were refused, the first are told first, and not all at 
                     memory,
                     clock};
   WaitingClient greedy;
-  for (std::size_t x = 0; x < kJobs; ++x) REQUIRE(queued(chunks, greedy, at(static_cast<std::int32_t>(x))));
-  std::vector<std::unique_ptr<WaitingClient>> refused;
-  for (int i = 0; i < 6; ++i) {
-    refused.push_back(std::make_unique<WaitingClient>());
-    CHECK_FALSE(queued(chunks, *refused.back(), at(-1 - i)));
-  }
+  for (std::int32_t x = 0; x < kJobs / 2; ++x) REQUIRE(queued(chunks, greedy, at(x)));
+  CHECK_FALSE(queued(chunks, greedy, at(kJobs)));
+  WaitingClient modest;
+  CHECK(queued(chunks, modest, at(-1)));
   const auto told = [&] {
-    std::vector<int> rooms;
-    for (const auto& client : refused) {
-      client->take_mail();
-      rooms.push_back(client->rooms());
-    }
-    return rooms;
+    greedy.take_mail();
+    return greedy.rooms();
   };
   std::int32_t cancelled = 0;
-  const auto cancel = [&](std::size_t jobs) {
-    for (std::size_t i = 0; i < jobs; ++i) chunks.cancel(greedy.id(), at(cancelled++));
-  };
-  cancel(kJobs / 4);
-  CHECK(told() == std::vector{0, 0, 0, 0, 0, 0});
-  cancel(1);
-  CHECK(told() == std::vector{1, 0, 0, 0, 0, 0});
-  cancel(1);
-  CHECK(told() == std::vector{1, 1, 0, 0, 0, 0});
-  cancel(kJobs - static_cast<std::size_t>(cancelled));
-  CHECK(told() == std::vector{1, 1, 1, 1, 1, 1});
+  // With 133 of its jobs and one of the other's 266 are free.
+  while (cancelled < 66) chunks.cancel(greedy.id(), at(cancelled++));
+  CHECK(told() == 0);
+  chunks.cancel(greedy.id(), at(cancelled++));
+  CHECK(told() == 1);
+  chunks.cancel(greedy.id(), at(cancelled++));
+  CHECK(told() == 1);
 }
 
 TEST_CASE("a client that was refused for want of memory is told when it is there again") {
@@ -292,7 +329,7 @@ TEST_CASE("jobs are in the memory budget while they wait") {
 }
 
 TEST_CASE("caches shrink as soon as everything else grows, and grow again") {
-  FakeService fake{1, 1000, 128 * kMebibyte, 64 * kMebibyte};
+  FakeService fake{1, 2000, 128 * kMebibyte, 64 * kMebibyte};
   fake.work->payload_bytes = 20'000;
   WaitingClient client;
   std::size_t asked = 0;

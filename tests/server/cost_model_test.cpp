@@ -2,7 +2,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "generation/recent_clients.h"
+#include "generation/recent_flows.h"
 
 using namespace talus::server;
 using namespace std::chrono_literals;
@@ -41,26 +41,26 @@ TEST_CASE("nothing costs nothing") {
   CHECK(model.costs().height == 1);
 }
 
-TEST_CASE("one client that asks again and again is alone") {
-  RecentClients clients;
+TEST_CASE("one flow that asks again and again is alone") {
+  RecentFlows flows;
   Clock::time_point now{1h};
-  for (int i = 0; i < 5; ++i) clients.asked(ClientId{7}, now += 100ms);
-  CHECK_FALSE(clients.several(now));
+  for (int i = 0; i < 5; ++i) flows.asked(FlowId{7}, now += 100ms);
+  CHECK_FALSE(flows.several(now));
 }
 
 TEST_CASE("two that ask within a second of each other are several, until a second later") {
-  RecentClients clients;
+  RecentFlows flows;
   const Clock::time_point start{1h};
-  clients.asked(ClientId{7}, start);
-  clients.asked(ClientId{8}, start + 999ms);
-  CHECK(clients.several(start + 1999ms));
-  CHECK_FALSE(clients.several(start + 2001ms));
+  flows.asked(FlowId{7}, start);
+  flows.asked(FlowId{8}, start + 999ms);
+  CHECK(flows.several(start + 1999ms));
+  CHECK_FALSE(flows.several(start + 2001ms));
 }
 
 TEST_CASE("two that ask long after each other are each alone") {
-  RecentClients clients;
+  RecentFlows flows;
   const Clock::time_point start{1h};
-  clients.asked(ClientId{7}, start);
-  clients.asked(ClientId{8}, start + 1s);
-  CHECK_FALSE(clients.several(start + 1s));
+  flows.asked(FlowId{7}, start);
+  flows.asked(FlowId{8}, start + 1s);
+  CHECK_FALSE(flows.several(start + 1s));
 }

@@ -11,7 +11,7 @@ namespace {
 
 /// Entrants by number; each of `wanting` always has a piece of its cost.
 struct Turns {
-  DeficitRoundRobin<int> turns;
+  DeficitRoundRobin<int> turns{Newcomers::first};
   std::map<int, std::int64_t> costs;
   std::set<int> wanting;
 
@@ -81,4 +81,16 @@ TEST_CASE("an entrant that left owing still owes while others are there") {
   CHECK(all.next(100) == 2);
   CHECK(all.next(100) == 2);
   CHECK(all.next(100) == 1);
+}
+
+TEST_CASE("newcomers go first, or last, as the round robin was told") {
+  for (const Newcomers newcomers : {Newcomers::first, Newcomers::last}) {
+    Turns all{DeficitRoundRobin<int>{newcomers}, {{1, 100}, {2, 100}, {3, 100}}, {}};
+    all.want(1);
+    all.want(2);
+    CHECK(all.next(100) == 1);
+    CHECK(all.next(100) == 2);
+    all.want(3);
+    CHECK(all.next(100) == (newcomers == Newcomers::first ? 3 : 1));
+  }
 }

@@ -30,7 +30,8 @@ struct FakeWork {
   std::atomic<std::int32_t> last_mixed_anywhere{std::numeric_limits<std::int32_t>::max()};
   std::atomic<std::int32_t> first_mixed{std::numeric_limits<std::int32_t>::min()};
   std::atomic<std::int32_t> last_mixed{std::numeric_limits<std::int32_t>::max()};
-  std::function<void()> in_patch{};  // called where a patch is made; set before any is
+  std::function<void()> in_patch{};    // called where a patch is made; set before any is
+  std::function<void()> in_heights{};  // likewise
 
   /// While closed, generator threads wait before they make a patch.
   void close_gate() { set_gate(false); }
@@ -93,6 +94,7 @@ class FakeGenerator final : public Generator {
   }
   [[nodiscard]] std::vector<std::int32_t> heights(
       std::span<const terrain::BaseColumn> columns) const override {
+    if (work_->in_heights) work_->in_heights();
     if (work_->out_of_memory) throw std::bad_alloc{};
     return std::vector<std::int32_t>(columns.size());
   }

@@ -56,6 +56,15 @@ TEST_CASE("a client learns that its token expired or is not accepted, and the lo
   CHECK(bench.metrics.denied(denial).total() == 1);
 }
 
+TEST_CASE("a session is of its token's flow, whatever its address") {
+  Bench shared;
+  SessionBench& bench = shared.bench;
+  const FlowId of_address = bench.mailbox->flow();
+  bench.hello(shared.token({Right::read}));
+  CHECK(bench.mailbox->flow() == bench.flows.of_subject("a"));
+  CHECK(bench.mailbox->flow() != of_address);
+}
+
 TEST_CASE("a token is checked by the session's clock") {
   Bench shared;
   SessionBench& bench = shared.bench;

@@ -95,6 +95,7 @@ struct SessionBench {
   SessionLimits limits = test_limits();
   WorldInfo world;
   RateLimits rates;
+  FlowIds flows;
   AccessControl access;
   MailboxPtr mailbox = std::make_shared<Mailbox>(ClientId{1}, [] {});
   Session session;
@@ -103,7 +104,8 @@ struct SessionBench {
       : memory{options.memory_bytes},
         rates{options.rates},
         access{options.access, *load_keys(options.access)},
-        session{{limits, world, source, memory, metrics, access, rates, clock}, mailbox, options.address} {
+        session{
+            {limits, world, source, memory, metrics, access, rates, flows, clock}, mailbox, options.address} {
     if (!options.greet) return;
     hello();
     (void)output();

@@ -53,10 +53,11 @@ struct Bench {
   SessionLimits limits = test_limits(1U << 30);
   WorldInfo world;
   RateLimits rates;
+  FlowIds flows;
   AccessControl access{Access{}, *load_keys(Access{})};
   Admission admission{10, 10, 0ms, clock};
   Registry registry;
-  RunnerContext context{{limits, world, source, memory, metrics, access, rates, clock},
+  RunnerContext context{{limits, world, source, memory, metrics, access, rates, flows, clock},
                         {65'536, 1U << 20, {10s, 60s, 15s}},
                         registry,
                         std::make_shared<spdlog::logger>("silent")};
@@ -137,6 +138,17 @@ struct Bench {
 
 }  // namespace
 
+TEST_CASE("sessions of one address are one flow") {
+  Bench bench;
+  const FlowId flow = flow_of(asio::ip::address_v4::loopback(), bench.flows);
+  for (std::uint32_t id = 1; id <= 2; ++id) {
+    const auto client = bench.greeted();
+    bench.send(*client, get_chunks(id, 1));
+  }
+  for (const auto& [key, mailbox] : bench.source.waiting) CHECK(mailbox->flow() == flow);
+  CHECK_FALSE(bench.source.waiting.empty());
+}
+
 TEST_CASE("a client is greeted and served, however its bytes are cut") {
   const std::size_t piece = GENERATE(as<std::size_t>{}, 1, 3, SIZE_MAX);
   Bench bench;
@@ -194,7 +206,7 @@ TEST_CASE("what a session's work throws ends it and no other") {
   } source;
   Bench bench;
   const RunnerContext context{{bench.limits, bench.world, source, bench.memory, bench.metrics, bench.access,
-                               bench.rates, bench.clock},
+                               bench.rates, bench.flows, bench.clock},
                               bench.context.limits,
                               bench.registry,
                               bench.context.log};

@@ -13,11 +13,21 @@ using namespace talus::server;
 
 namespace {
 
-/// Of a client that nobody wakes; each has an id of its own.
+/// Of a client that nobody wakes; each has an id and a flow of its own.
 MailboxPtr client_box() {
   static std::uint64_t last = 0;
   return std::make_shared<Mailbox>(ClientId{++last}, [] {});
 }
+
+/// Of a client in that flow.
+MailboxPtr client_box(FlowId flow) {
+  auto box = client_box();
+  box->join(flow);
+  return box;
+}
+
+constexpr FlowId kFlow{1'000'000};
+constexpr FlowId kOtherFlow{2'000'000};
 
 ChunkKey at(std::int32_t x, std::int32_t y = 0) {
   return {{x, y, 0}, Lod{}};
@@ -115,12 +125,12 @@ TEST_CASE("of one client only so many pieces are in flight, so that the next who
   REQUIRE(queue.add(walker, at(1000 * kPatch)));
   const auto walkers = queue.take(costs);
   REQUIRE(walkers.has_value());
-  CHECK(walkers->client == walker->owner());
+  CHECK(walkers->turn.client == walker->owner());
   CHECK_FALSE(queue.take(costs).has_value());
   queue.reconcile(*first, 110);
   const auto next = queue.take(costs);
   REQUIRE(next.has_value());
-  CHECK(next->client == greedy->owner());
+  CHECK(next->turn.client == greedy->owner());
 }
 
 TEST_CASE("turns are worth time, not pieces: cheap pieces go several to a turn") {
@@ -137,7 +147,7 @@ TEST_CASE("turns are worth time, not pieces: cheap pieces go several to a turn")
   for (int piece = 0; piece < 33; ++piece) {
     const auto work = queue.take(costs);
     REQUIRE(work.has_value());
-    ++pieces[work->client];
+    ++pieces[work->turn.client];
   }
   // A turn is worth one piece of 110 and a little debt, or ten of 10.
   CHECK(pieces[explorer->owner()] == 3);
@@ -170,7 +180,7 @@ TEST_CASE(
     for (int piece = 0; piece < 300; ++piece) {
       auto work = queue.take(expected);
       RC_ASSERT(work.has_value());
-      const std::size_t number = numbers.at(work->client);
+      const std::size_t number = numbers.at(work->turn.client);
       const auto& batch = std::get<WorkQueue::Batch>(work->what);
       for (const ChunkKey key : batch.keys) (void)queue.finish(key);
       queue.release(batch.patch);
@@ -192,13 +202,13 @@ TEST_CASE("a client that left owing pays when it comes back") {
   const WorkCosts costs{10, 0, 0, {}};
   (void)queue.take(costs);
   const auto dear = queue.take(costs);
-  REQUIRE(dear->client == debtor->owner());
+  REQUIRE(dear->turn.client == debtor->owner());
   queue.reconcile(*dear, 50);
-  CHECK(queue.take(costs)->client ==
+  CHECK(queue.take(costs)->turn.client ==
         other->owner());  // which takes it through a turn in which it has nothing
   REQUIRE(queue.add(debtor, at(-100)));
   int others = 1;
-  while (queue.take(costs)->client == other->owner()) ++others;
+  while (queue.take(costs)->turn.client == other->owner()) ++others;
   CHECK(others >= 4);
 }
 
@@ -214,7 +224,7 @@ TEST_CASE("a client that had nothing waiting goes before those that always have"
   for (int piece = 0; piece < 7; ++piece) (void)queue.take();
   const auto walker = client_box();
   REQUIRE(queue.add(walker, at(-1)));
-  CHECK(queue.take()->client == walker->owner());
+  CHECK(queue.take()->turn.client == walker->owner());
 }
 
 TEST_CASE("a client that asks for one thing after the other goes first once in a round") {
@@ -230,7 +240,7 @@ TEST_CASE("a client that asks for one thing after the other goes first once in a
   int turns = 0;
   for (std::int32_t piece = 0; piece < 60; ++piece) {
     REQUIRE(queue.add(sly, at(-1 - piece * kPatch)));
-    if (queue.take()->client == sly->owner()) ++turns;
+    if (queue.take()->turn.client == sly->owner()) ++turns;
   }
   CHECK(turns <= 11);  // one of six, and the first
 }
@@ -275,35 +285,123 @@ TEST_CASE("in a batch the chunks of the client whose turn it is come first") {
   CHECK(take_batch(queue).keys.front() == at(0, 9));
 }
 
-TEST_CASE("a full queue refuses new jobs, not new waiters") {
+TEST_CASE("a flow without room gets no new jobs, but waits for those that are there") {
   WorkQueue queue{kPatch, 1};
   REQUIRE(queue.add(client_box(), at(1)));
   CHECK(queue.add(client_box(), at(1)));
   CHECK_FALSE(queue.add(client_box(), at(2)));
 }
 
-TEST_CASE("a full queue refuses until a quarter of its jobs are gone") {
-  WorkQueue queue{kPatch, 8};
-  const auto client = client_box();
-  for (std::int32_t y = 0; y < 8; ++y) REQUIRE(queue.add(client, at(0, y)));
-  CHECK(queue.full());
-  CHECK(queue.free_jobs() == 0);
-  const auto batch = take_batch(queue);
-  for (std::int32_t y = 0; y < 2; ++y) (void)queue.finish(at(0, y));
-  CHECK_FALSE(queue.add(client, at(1)));
-  (void)queue.finish(at(0, 2));
-  CHECK_FALSE(queue.full());
-  CHECK(queue.free_jobs() == 3);
-  CHECK(queue.add(client, at(1)));
+TEST_CASE("a flow has room for as many jobs as are free, however many clients it has") {
+  WorkQueue queue{kPatch, 90};
+  const auto jobs_of = [&](FlowId flow, std::int32_t z) {
+    int jobs = 0;
+    for (std::int32_t x = 0; x < 200; ++x) jobs += queue.add(client_box(flow), {{x, 0, z}, Lod{}}) ? 1 : 0;
+    return jobs;
+  };
+  CHECK(jobs_of(kFlow, 0) == 45);
+  CHECK(jobs_of(kOtherFlow, 1000) == 23);
+  CHECK(jobs_of(FlowId{3'000'000}, 2000) == 11);  // whoever comes finds room
+  CHECK(queue.jobs() == 79);
 }
 
-TEST_CASE("a queue of one job is full with it, and not without it") {
-  WorkQueue queue{kPatch, 1};
+TEST_CASE("a flow that was refused has room again with half the jobs that it may have") {
+  WorkQueue queue{kPatch, 8};
   const auto client = client_box();
-  REQUIRE(queue.add(client, at(1)));
-  CHECK(queue.full());
-  queue.cancel(client->owner(), at(1));
-  CHECK_FALSE(queue.full());
+  for (std::int32_t y = 0; y < 4; ++y) REQUIRE(queue.add(client, at(0, y)));
+  CHECK_FALSE(queue.add(client, at(0, 4)));
+  CHECK_FALSE(queue.has_room_again(client->flow()));
+  CHECK(queue.has_room_again(kOtherFlow));
+  queue.cancel(client->owner(), at(0, 0));
+  CHECK_FALSE(queue.has_room_again(client->flow()));  // three of five
+  queue.cancel(client->owner(), at(0, 1));
+  CHECK(queue.has_room_again(client->flow()));
+}
+
+TEST_CASE("a job is its first flow's until it ends") {
+  WorkQueue queue{kPatch, 4};
+  const auto first = client_box(kFlow);
+  const auto second = client_box(kOtherFlow);
+  REQUIRE(queue.add(first, at(0)));
+  REQUIRE(queue.add(first, at(1)));
+  REQUIRE(queue.add(second, at(0)));
+  queue.cancel(first->owner(), at(0));
+  CHECK_FALSE(queue.add(first, at(2)));
+  (void)take_batch(queue);
+  (void)queue.finish(at(0));
+  CHECK(queue.add(first, at(2)));
+}
+
+TEST_CASE("flows take turns, and clients within a flow") {
+  WorkQueue queue{kPatch, 10'000};
+  std::vector<MailboxPtr> many;
+  for (std::int32_t i = 0; i < 10; ++i) {
+    many.push_back(client_box(kFlow));
+    for (std::int32_t patch = 0; patch < 20; ++patch) {
+      REQUIRE(queue.add(many.back(), at((i * 20 + patch) * kPatch)));
+    }
+  }
+  const auto alone = client_box();
+  for (std::int32_t patch = 0; patch < 100; ++patch) REQUIRE(queue.add(alone, at(-1 - patch * kPatch)));
+  std::map<ClientId, int> pieces;
+  for (int piece = 0; piece < 100; ++piece) ++pieces[queue.take()->turn.client];
+  CHECK(pieces[alone->owner()] == 50);
+  for (const auto& each : many) CHECK(pieces[each->owner()] == 5);
+}
+
+TEST_CASE("a client that comes and goes gains nothing within its flow, and its flow nothing by it") {
+  WorkQueue queue{kPatch, 10'000};
+  const auto steady = client_box(kFlow);
+  const auto other = client_box(kOtherFlow);
+  for (std::int32_t patch = 0; patch < 200; ++patch) {
+    REQUIRE(queue.add(steady, at(patch * kPatch)));
+    REQUIRE(queue.add(other, at((1000 + patch) * kPatch)));
+  }
+  std::map<FlowId, int> flows;
+  int newcomers = 0;
+  for (std::int32_t piece = 0; piece < 120; ++piece) {
+    REQUIRE(queue.add(client_box(kFlow), at(-1 - piece * kPatch)));
+    const auto work = queue.take();
+    ++flows[work->turn.flow];
+    if (work->turn.flow == kFlow && work->turn.client != steady->owner()) ++newcomers;
+  }
+  CHECK(flows[kOtherFlow] == 60);
+  CHECK(newcomers < 60);  // the one that was there first is not forgotten
+}
+
+TEST_CASE("a flow that is new goes first, but for one turn's worth of time") {
+  WorkQueue queue{kPatch, 10'000};
+  const auto player = client_box();
+  for (std::int32_t patch = 0; patch < 100; ++patch) REQUIRE(queue.add(player, at(patch * kPatch)));
+  const WorkCosts costs{10, 0, 0, {}};
+  const auto run = [&](std::uint64_t cost) {
+    const auto work = queue.take(costs);
+    const auto& batch = std::get<WorkQueue::Batch>(work->what);
+    for (const ChunkKey key : batch.keys) (void)queue.finish(key);
+    queue.release(batch.patch);
+    queue.reconcile(*work, cost);
+    return work->turn.flow;
+  };
+  (void)run(10);
+  std::map<FlowId, int> pieces;
+  // Each newcomer of the other flow asks for what costs as much as ten patches, and is gone.
+  for (std::int32_t i = 0; i < 60; ++i) {
+    REQUIRE(queue.add(client_box(kOtherFlow), at(-1 - i * kPatch)));
+    const bool dear = pieces[kOtherFlow] * 10 <= pieces[player->flow()];
+    const FlowId flow = run(dear ? 100 : 10);
+    ++pieces[flow];
+  }
+  CHECK(pieces[player->flow()] >= 30);
+}
+
+TEST_CASE("of one flow only so many pieces are in flight, whoever of it they are for") {
+  WorkQueue queue{kPatch, 1000};
+  WorkCosts costs{100, 10, 0, {}};
+  costs.max_in_flight = 2;
+  for (std::int32_t i = 0; i < 5; ++i) REQUIRE(queue.add(client_box(kFlow), at(i * kPatch)));
+  REQUIRE(queue.take(costs).has_value());
+  REQUIRE(queue.take(costs).has_value());
+  CHECK_FALSE(queue.take(costs).has_value());
 }
 
 TEST_CASE("a client that waits for both gets heights and patches in turns") {
@@ -325,8 +423,27 @@ TEST_CASE("cancelled heights are not begun") {
   queue.add(HeightsTask{client, 2, {{0, 0}}});
   queue.cancel_heights(client->owner(), 1);
   queue.cancel_heights(client->owner(), 7);
-  CHECK(std::get<HeightsTask>(queue.take()->what).ticket == 2);
+  CHECK(std::get<HeightsTask>(queue.take()->what).ticket() == 2);
   CHECK_FALSE(queue.take().has_value());
+}
+
+TEST_CASE("heights that are put back go on, unless they were cancelled") {
+  WorkQueue queue{kPatch, 100};
+  const auto client = client_box();
+  queue.add(HeightsTask{client, 1, {{0, 0}, {1000, 0}}});
+  auto work = queue.take();
+  auto& task = std::get<HeightsTask>(work->what);
+  task.add({7});
+  queue.put_back(std::move(task));
+  queue.reconcile(*work, 1);
+  work = queue.take();
+  REQUIRE(work.has_value());
+  CHECK(std::get<HeightsTask>(work->what).left() == 1);
+  queue.cancel_heights(client->owner(), 1);
+  queue.put_back(std::move(std::get<HeightsTask>(work->what)));
+  queue.reconcile(*work, 1);
+  CHECK_FALSE(queue.take().has_value());
+  CHECK(queue.clients() == 0);
 }
 
 TEST_CASE("every job is taken once or cancelled, and nothing is left behind") {

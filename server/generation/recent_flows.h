@@ -1,28 +1,28 @@
-// Whether more than one client has asked for work of late. For one thread; GenerationPool locks.
+// Whether more than one flow has asked for work of late. For one thread; GenerationPool locks.
 #pragma once
 
 #include <chrono>
 
-#include "chunks/mailbox.h"
 #include "clock/clock.h"
+#include "flows/flow_ids.h"
 
 namespace talus::server {
 
-class RecentClients {
+class RecentFlows {
  public:
-  /// For which a client that asked counts as going on to ask.
+  /// For which a flow that asked counts as going on to ask.
   static constexpr std::chrono::seconds kRecently{1};
 
-  void asked(ClientId client, Clock::time_point now) {
-    if (client != last_client_ && now - last_asked_ < kRecently) two_asked_ = now;
-    last_client_ = client;
+  void asked(FlowId flow, Clock::time_point now) {
+    if (flow != last_flow_ && now - last_asked_ < kRecently) two_asked_ = now;
+    last_flow_ = flow;
     last_asked_ = now;
   }
   /// Whether two asked within kRecently of each other, not longer ago than that.
   [[nodiscard]] bool several(Clock::time_point now) const { return now - two_asked_ <= kRecently; }
 
  private:
-  ClientId last_client_{};
+  FlowId last_flow_{};
   Clock::time_point last_asked_{};
   Clock::time_point two_asked_{};
 };

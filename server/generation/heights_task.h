@@ -1,0 +1,44 @@
+// Heights that somebody waits for, made a piece at a time, so that nobody waits for all of a dear one.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include <talus/terrain/heights.h>
+
+#include "chunks/mailbox.h"
+
+namespace talus::server {
+
+/// The mailbox's owner never gives a ticket twice, so that an answer which a cancellation missed is told from
+/// a later one. The heights of one tile are made together, as one may cost as much as all of them.
+class HeightsTask {
+ public:
+  HeightsTask(MailboxPtr mailbox, std::uint64_t ticket, std::vector<terrain::BaseColumn> columns);
+
+  [[nodiscard]] const MailboxPtr& mailbox() const { return mailbox_; }
+  [[nodiscard]] std::uint64_t ticket() const { return ticket_; }
+  /// Columns whose heights are not made.
+  [[nodiscard]] std::size_t left() const { return columns_.size() - done_; }
+
+  /// The next columns to be made, all of one tile; empty where none is left.
+  [[nodiscard]] std::vector<terrain::BaseColumn> next_piece() const;
+  /// Of exactly those columns.
+  void add(const std::vector<std::int32_t>& heights);
+  /// No more are made.
+  void give_up() { done_ = order_.size(); }
+  /// Once none is left: the heights in the order of the request.
+  [[nodiscard]] std::vector<std::int32_t> take_heights() { return std::move(heights_); }
+
+ private:
+  MailboxPtr mailbox_;
+  std::uint64_t ticket_;
+  std::vector<terrain::BaseColumn> columns_;
+  std::vector<std::uint32_t> order_;  // places in columns_, tile by tile
+  std::size_t done_ = 0;              // of order_
+  std::vector<std::int32_t> heights_;
+};
+
+}  // namespace talus::server
