@@ -62,6 +62,16 @@ tl::expected<Keys, std::string> load_keys(const Access& settings) {
     if (!signing) return tl::make_unexpected(signing.error());
     if (*signing) keys.signing_keys.push_back(*std::move(*signing));
   }
+  if (!settings.revoked_file.empty()) {
+    if (keys.signing_keys.empty()) {
+      return tl::make_unexpected(std::string{
+          "access.revoked_file: without access.signing_key_file there are no tokens to revoke; set "
+          "that, or leave this empty"});
+    }
+    auto revoked = RevokedTokens::read(settings.revoked_file);
+    if (!revoked) return tl::make_unexpected(fmt::format("access.revoked_file {}", revoked.error()));
+    keys.revoked = *std::move(revoked);
+  }
   if (without_token(settings, keys) == Rights{} && !keys.any()) {
     return tl::make_unexpected(
         std::string{"access.without_token: \"none\" without access.secret_file or access.signing_key_file "
@@ -76,6 +86,8 @@ std::string_view describe(AuthFailure failure) {
       return "this server asks for a token";
     case AuthFailure::expired:
       return "the token has expired";
+    case AuthFailure::revoked:
+      return "the token was revoked";
     case AuthFailure::not_accepted:
       break;
   }
@@ -100,7 +112,13 @@ tl::expected<Grant, AuthError> AccessControl::admit(std::string_view token,
   AuthError error{AuthFailure::not_accepted, "it is not the shared secret"};
   for (const Secret& key : known->signing_keys) {
     auto claims = read_signed_token(key, token, now);
-    if (claims) return Grant{claims->rights, std::move(claims->subject), claims->expires};
+    if (claims) {
+      if (known->revoked.contains(claims->id, claims->subject, claims->issued)) {
+        return tl::make_unexpected(AuthError{AuthFailure::revoked, {}});
+      }
+      return Grant{claims->rights, std::move(claims->subject), claims->expires, std::move(claims->id),
+                   claims->issued};
+    }
     error = {claims.error().expired ? AuthFailure::expired : AuthFailure::not_accepted,
              std::move(claims.error().reason)};
     if (claims.error().signed_by_key) break;  // no other key has a better reason
@@ -111,14 +129,18 @@ tl::expected<Grant, AuthError> AccessControl::admit(std::string_view token,
 tl::expected<std::string, std::string> AccessControl::reload() {
   auto fresh = load_keys(settings_);
   if (!fresh) return tl::make_unexpected(fmt::format("{}; the old keys stay in use", fresh.error()));
-  std::string line = !fresh->any()             ? "no token keys are configured"
-                     : fresh->warnings.empty() ? "the tokens' keys were read again"
-                                               : fmt::format("the tokens' keys were read again; {}",
-                                                             fmt::join(fresh->warnings, "; "));
+  std::string line = fresh->any() ? "the tokens' keys were read again" : "no token keys are configured";
+  if (!settings_.revoked_file.empty())
+    line += fmt::format(", {} lines of revoked tokens", fresh->revoked.size());
+  if (!fresh->warnings.empty()) line += fmt::format("; {}", fmt::join(fresh->warnings, "; "));
   auto shared = std::make_shared<const Keys>(*std::move(fresh));
   const std::lock_guard lock{mutex_};
   keys_ = std::move(shared);
   return line;
+}
+
+bool AccessControl::is_revoked(const Grant& grant) const {
+  return grant.expires && keys()->revoked.contains(grant.token_id, grant.subject, grant.issued);
 }
 
 std::shared_ptr<const Keys> AccessControl::keys() const {

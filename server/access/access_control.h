@@ -14,6 +14,7 @@
 
 #include "access/auth_failure.h"
 #include "access/key_file.h"
+#include "access/revoked_tokens.h"
 #include "access/rights.h"
 #include "config/config.h"
 
@@ -25,7 +26,8 @@ using SecretDigest = std::array<unsigned char, 32>;
 /// The contents of the configured key files.
 struct Keys {
   std::optional<SecretDigest> shared_secret;
-  std::vector<Secret> signing_keys;   // the current key first
+  std::vector<Secret> signing_keys;  // the current key first
+  RevokedTokens revoked;
   std::vector<std::string> warnings;  // one line each, about the files
 
   [[nodiscard]] bool any() const { return shared_secret || !signing_keys.empty(); }
@@ -39,6 +41,8 @@ struct Grant {
   Rights rights{Right::read};
   std::string subject;  // of a signed token, as the token has it: escape before logging
   std::optional<std::chrono::sys_seconds> expires;  // the session ends between then and kClockSkew later
+  std::string token_id{};                           // its "jti", as the token has it; empty: none
+  std::optional<std::chrono::sys_seconds> issued{};
 };
 
 struct AuthError {
@@ -57,8 +61,12 @@ class AccessControl {
   [[nodiscard]] tl::expected<Grant, AuthError> admit(std::string_view token,
                                                      std::chrono::sys_seconds now) const;
 
-  /// Reads the key files again. Sessions go on. If one file is bad, all keys stay as they were, and the error
-  /// is one line that says why. Else the value is one line for the log, warnings about the files included.
+  /// Whether the token of a session that was admitted has been revoked since.
+  [[nodiscard]] bool is_revoked(const Grant& grant) const;
+
+  /// Reads the key files and the list of revoked tokens again. If one file is bad, all of it stays as it was,
+  /// and the error is one line that says why. Else the value is one line for the log, warnings about the
+  /// files included.
   [[nodiscard]] tl::expected<std::string, std::string> reload();
 
  private:

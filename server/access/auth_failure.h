@@ -8,8 +8,9 @@
 namespace talus::server {
 
 /// A client is told no more than this.
-enum class AuthFailure : std::uint8_t { missing, expired, not_accepted };
-inline constexpr std::array<std::string_view, 3> kAuthFailureNames{"missing", "expired", "not_accepted"};
+enum class AuthFailure : std::uint8_t { missing, expired, not_accepted, revoked };
+inline constexpr std::array<std::string_view, 4> kAuthFailureNames{"missing", "expired", "not_accepted",
+                                                                   "revoked"};
 
 /// The sentence that the client gets.
 [[nodiscard]] std::string_view describe(AuthFailure failure);

@@ -131,6 +131,8 @@ tl::expected<Claims, TokenError> read_signed_token(const Secret& key, std::strin
   if (!expires || *expires < sys_seconds{}) return refused("its exp is missing or no whole number from 0 on");
   if (!not_before && json->contains("nbf")) return refused("its nbf is no whole number");
   if (subject == nullptr && json->contains("sub")) return refused("its sub is no text");
+  const auto* const id = member<std::string>(*json, "jti");
+  if (id == nullptr && json->contains("jti")) return refused("its jti is no text");
   if (words == nullptr && json->contains("rights")) return refused("its rights are no text");
   if (now - kClockSkew >= *expires) {
     return tl::make_unexpected(
@@ -138,7 +140,11 @@ tl::expected<Claims, TokenError> read_signed_token(const Secret& key, std::strin
   }
   if (not_before && now + kClockSkew < *not_before) return refused("its time has not come: nbf");
 
-  Claims claims{subject == nullptr ? "" : *subject, {Right::read}, *expires};
+  Claims claims{subject == nullptr ? "" : *subject,
+                {Right::read},
+                *expires,
+                id == nullptr ? "" : *id,
+                time_of(*json, "iat")};
   if (words != nullptr) {
     const auto rights = Rights::parse(*words);
     if (!rights || !rights->has(Right::read))
@@ -150,10 +156,11 @@ tl::expected<Claims, TokenError> read_signed_token(const Secret& key, std::strin
 
 tl::expected<std::string, std::string> make_signed_token(const Secret& key, const Claims& claims,
                                                          sys_seconds now) {
-  const Json json{{"sub", claims.subject},
-                  {"rights", to_string(claims.rights)},
-                  {"iat", now.time_since_epoch().count()},
-                  {"exp", claims.expires.time_since_epoch().count()}};
+  Json json{{"sub", claims.subject},
+            {"rights", to_string(claims.rights)},
+            {"iat", now.time_since_epoch().count()},
+            {"exp", claims.expires.time_since_epoch().count()}};
+  if (!claims.id.empty()) json["jti"] = claims.id;
   std::string text;
   try {
     text = json.dump();

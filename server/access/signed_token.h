@@ -1,13 +1,14 @@
 // Signed tokens: JSON Web Tokens (RFC 7519) in compact form, signed with HMAC-SHA-256 (HS256). No other
 // algorithm is accepted. The functions are pure: the caller passes the time.
 //
-// Claims: "exp" (required) and "nbf", whole seconds since 1970; "sub"; "rights", as Rights::parse reads them,
-// "read" where it is missing. Other claims are ignored. A header with "crit", or with a "typ" other than
-// "JWT", is refused.
+// Claims: "exp" (required), "nbf" and "iat", whole seconds since 1970; "sub"; "jti"; "rights", as
+// Rights::parse reads them, "read" where it is missing. Other claims are ignored. A header with "crit", or
+// with a "typ" other than "JWT", is refused.
 #pragma once
 
 #include <chrono>
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -29,6 +30,8 @@ struct Claims {
   std::string subject;  // as the token has it: escape before logging
   Rights rights{Right::read};
   std::chrono::sys_seconds expires;
+  std::string id{};  // "jti", as the token has it; empty: none
+  std::optional<std::chrono::sys_seconds> issued{};
 };
 
 struct TokenError {
@@ -42,8 +45,8 @@ struct TokenError {
 [[nodiscard]] tl::expected<Claims, TokenError> read_signed_token(const Secret& key, std::string_view token,
                                                                  std::chrono::sys_seconds now);
 
-/// A token with these claims and "iat" of `now`. An error is one line: the subject is not UTF-8, or the token
-/// is longer than the protocol's strings may be.
+/// A token with these claims, and "iat" of `now` whatever `claims.issued` is. An error is one line: the
+/// subject is not UTF-8, or the token is longer than the protocol's strings may be.
 [[nodiscard]] tl::expected<std::string, std::string> make_signed_token(const Secret& key,
                                                                        const Claims& claims,
                                                                        std::chrono::sys_seconds now);

@@ -2,6 +2,7 @@
 
 #include <charconv>
 #include <cstdint>
+#include <random>
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
@@ -14,6 +15,11 @@ namespace {
 
 tl::unexpected<Exit> usage_error(std::string_view text, int status) {
   return tl::make_unexpected(Exit{fmt::format("talusd token: {}\n", text), status});
+}
+
+std::string random_id() {
+  std::random_device device;
+  return fmt::format("{:08x}{:08x}{:08x}{:08x}", device(), device(), device(), device());
 }
 
 }  // namespace
@@ -48,6 +54,7 @@ tl::expected<std::string, Exit> token_command(int argc, const char* const* argv,
   std::string subject;
   std::string words = "read";
   std::string valid;
+  std::string id;
   app.add_option("--key-file", key_file, "file with the server's signing key")->required()->type_name("FILE");
   app.add_option("--subject", subject, "name of the token's owner, for the server's log")
       ->required()
@@ -58,6 +65,9 @@ tl::expected<std::string, Exit> token_command(int argc, const char* const* argv,
   app.add_option("--valid", valid, "time until the token expires: 90s, 30m, 12h, 7d")
       ->required()
       ->type_name("TIME");
+  app.add_option("--id", id,
+                 "the token's \"jti\", by which access.revoked_file can name it; by default 128 random bits")
+      ->type_name("ID");
   if (auto exit = parse_flags(app, argc, argv)) return tl::make_unexpected(*std::move(exit));
 
   const auto rights = Rights::parse(words);
@@ -67,7 +77,8 @@ tl::expected<std::string, Exit> token_command(int argc, const char* const* argv,
   if (!validity) return usage_error(fmt::format("--valid: {}", validity.error()), kWrongUse);
   const auto key = read_key_file(key_file, kSigningKeyBounds);
   if (!key) return usage_error(key.error(), kFailed);
-  auto token = make_signed_token(key->secret, {subject, *rights, now + *validity}, now);
+  if (id.empty()) id = random_id();
+  auto token = make_signed_token(key->secret, {subject, *rights, now + *validity, id, now}, now);
   if (!token) return usage_error(token.error(), kFailed);
   return *std::move(token);
 }

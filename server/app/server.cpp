@@ -176,6 +176,7 @@ asio::awaitable<void> Server::wait_for_reload() {
 void Server::reload_keys() {
   if (const auto reloaded = access_.reload()) {
     log_->info("SIGHUP: {}", *reloaded);
+    registry_.revoked_tokens_changed();
   } else {
     log_->error("SIGHUP: {}", reloaded.error());
   }

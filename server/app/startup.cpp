@@ -46,8 +46,9 @@ std::vector<std::string> startup_warnings(const Command& command, const std::vec
   if (tls) {
     if (auto warning = open_to_others(config.tls.key)) warnings.push_back(*std::move(warning));
   }
-  for (const auto& file : {config.access.secret_file, config.access.signing_key_file,
-                           config.access.previous_signing_key_file, config.tls.certificate, config.tls.key}) {
+  for (const auto& file :
+       {config.access.secret_file, config.access.signing_key_file, config.access.previous_signing_key_file,
+        config.access.revoked_file, config.tls.certificate, config.tls.key}) {
     if (file.empty() || ::access(file.c_str(), R_OK) == 0) continue;
     warnings.push_back(
         fmt::format("{}: the user that talusd runs as cannot read it; a reload will keep the old one",

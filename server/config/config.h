@@ -66,6 +66,7 @@ struct Access {
   std::filesystem::path signing_key_file;  // empty: no signed tokens
   std::string without_token = "auto";
   std::filesystem::path previous_signing_key_file{};  // empty: only signing_key_file
+  std::filesystem::path revoked_file{};               // empty: no signed token is revoked
   [[nodiscard]] bool wanted() const {
     return !secret_file.empty() || !signing_key_file.empty() || !previous_signing_key_file.empty();
   }

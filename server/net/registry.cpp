@@ -30,15 +30,30 @@ bool Registry::empty() const {
 }
 
 void Registry::tell_all_to_go(const std::string& reason, std::chrono::milliseconds retry_after) {
-  std::vector<std::shared_ptr<Peer>> open;
+  std::vector<std::shared_ptr<Peer>> peers;
   {
     const std::lock_guard lock{mutex_};
     farewell_ = Farewell{reason, retry_after};
-    for (const auto& [id, peer] : peers_) {
-      if (auto alive = peer.lock()) open.push_back(std::move(alive));
-    }
+    peers = open();
   }
-  for (const auto& peer : open) peer->go_away(reason, retry_after);
+  for (const auto& peer : peers) peer->go_away(reason, retry_after);
+}
+
+void Registry::revoked_tokens_changed() {
+  std::vector<std::shared_ptr<Peer>> peers;
+  {
+    const std::lock_guard lock{mutex_};
+    peers = open();
+  }
+  for (const auto& peer : peers) peer->revoked_tokens_changed();
+}
+
+std::vector<std::shared_ptr<Peer>> Registry::open() const {
+  std::vector<std::shared_ptr<Peer>> peers;
+  for (const auto& [id, peer] : peers_) {
+    if (auto alive = peer.lock()) peers.push_back(std::move(alive));
+  }
+  return peers;
 }
 
 void Registry::when_empty(std::function<void()> empty) {

@@ -22,6 +22,8 @@ class Peer {
   virtual ~Peer() = default;
   /// From any thread: says so and closes when what was asked is answered.
   virtual void go_away(const std::string& reason, std::chrono::milliseconds retry_after) = 0;
+  /// From any thread: the list of revoked tokens has changed, and its token may be on it.
+  virtual void revoked_tokens_changed() = 0;
 };
 
 class Registry {
@@ -34,6 +36,9 @@ class Registry {
   /// Tells all peers to go away, and those that are added from now on.
   void tell_all_to_go(const std::string& reason, std::chrono::milliseconds retry_after);
 
+  /// Tells all peers.
+  void revoked_tokens_changed();
+
   /// Calls `empty` once, in any thread, when no connection is open: at once if there is none now.
   void when_empty(std::function<void()> empty);
 
@@ -42,6 +47,9 @@ class Registry {
     std::string reason;
     std::chrono::milliseconds retry_after;
   };
+
+  /// Under the mutex.
+  [[nodiscard]] std::vector<std::shared_ptr<Peer>> open() const;
 
   mutable std::mutex mutex_;
   std::unordered_map<ConnectionId, std::weak_ptr<Peer>> peers_;

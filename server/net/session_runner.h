@@ -56,6 +56,7 @@ class SessionRunner final : public Peer, public std::enable_shared_from_this<Ses
   /// Once, from any thread.
   void start();
   void go_away(const std::string& reason, std::chrono::milliseconds retry_after) override;
+  void revoked_tokens_changed() override;
   /// Lets every coroutine look at the clock again: for who moves a ManualClock. On the stream's executor.
   void clock_moved();
 

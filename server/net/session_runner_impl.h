@@ -90,6 +90,13 @@ void SessionRunner<S>::go_away(const std::string& reason, std::chrono::milliseco
 }
 
 template <Stream S>
+void SessionRunner<S>::revoked_tokens_changed() {
+  asio::post(stream_.get_executor(), [self = this->shared_from_this()] {
+    self->dispatch([](Session& session) { session.revoked_tokens_changed(); });
+  });
+}
+
+template <Stream S>
 void SessionRunner<S>::clock_moved() {
   output_waits_.notify();
   input_waits_.notify();
@@ -285,7 +292,8 @@ void SessionRunner<S>::note_greeting() {
   const Greeting& greeting = *session_.greeting();
   const Grant& grant = greeting.grant;
   if (grant.expires) watchdog_.token_ends(now() + token_lifetime(*grant.expires, clock_.wall()));
-  const std::string whose = grant.subject.empty() ? "" : fmt::format(" of \"{}\"", escaped(grant.subject));
+  std::string whose = grant.subject.empty() ? "" : fmt::format(" of \"{}\"", escaped(grant.subject));
+  if (!grant.token_id.empty()) whose += fmt::format(", jti \"{}\"", escaped(grant.token_id, 100));
   context_.log->info("conn {} {}: hello from \"{}\", protocol {}, rights{} {}", connection_.id,
                      connection_.address, escaped(greeting.client), greeting.protocol, whose,
                      to_string(grant.rights));

@@ -80,6 +80,12 @@ void Session::token_expired() {
   fail(ErrorCode::unauthorized, describe(AuthFailure::expired));
 }
 
+void Session::revoked_tokens_changed() {
+  if (closing() || !greeting_ || !context_.access.is_revoked(greeting_->grant)) return;
+  context_.metrics.denied(AuthFailure::revoked).add();
+  fail(ErrorCode::unauthorized, describe(AuthFailure::revoked));
+}
+
 void Session::take_mail() {
   delivery_.take_mail();
   close_if_left();

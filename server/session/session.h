@@ -58,6 +58,8 @@ class Session {
   /// The client was silent too long; `text` says for how long.
   void timed_out(std::string_view text);
   void token_expired();
+  /// Ends the session where its token is on the list now.
+  void revoked_tokens_changed();
   /// Handles all that waits in the mailbox.
   void take_mail();
   /// Says GoAway and ends the View; takes no more requests.

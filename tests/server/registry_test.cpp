@@ -9,6 +9,7 @@ namespace {
 
 struct FakePeer final : Peer {
   void go_away(const std::string& reason, std::chrono::milliseconds) override { told.push_back(reason); }
+  void revoked_tokens_changed() override { told.emplace_back("look at your token"); }
   std::vector<std::string> told;
 };
 
@@ -27,6 +28,18 @@ TEST_CASE("all peers are told to go, and those that come later") {
   registry.add(3, later);
   CHECK(before->told == std::vector<std::string>{"the end"});
   CHECK(later->told == std::vector<std::string>{"the end"});
+  CHECK(gone->told.empty());
+}
+
+TEST_CASE("all open peers learn that tokens were revoked") {
+  Registry registry;
+  const auto open = std::make_shared<FakePeer>();
+  const auto gone = std::make_shared<FakePeer>();
+  registry.add(1, open);
+  registry.add(2, gone);
+  registry.remove(2);
+  registry.revoked_tokens_changed();
+  CHECK(open->told.size() == 1);
   CHECK(gone->told.empty());
 }
 

@@ -17,7 +17,9 @@ const std::string kKey = "0123456789abcdef0123456789abcdef";
 /// A session that asks for a token signed by kKey, before its Hello.
 struct Bench {
   ScratchDirectory scratch;
-  SessionBench bench{{.access = {{}, "read", scratch.write("key", kKey), "auto"}, .greet = false}};
+  SessionBench bench{
+      {.access = {{}, "read", scratch.write("key", kKey), "auto", {}, scratch.write("revoked", "")},
+       .greet = false}};
 
   [[nodiscard]] std::string token(Rights rights, std::chrono::seconds lasts = 1h) const {
     return *make_signed_token(Secret{kKey}, {"a", rights, bench.clock.wall() + lasts}, bench.clock.wall());
@@ -63,6 +65,22 @@ TEST_CASE("a session is of its token's flow, whatever its address") {
   bench.hello(shared.token({Right::read}));
   CHECK(bench.mailbox->flow() == bench.flows.of_subject("a"));
   CHECK(bench.mailbox->flow() != of_address);
+}
+
+TEST_CASE("a session whose token is revoked ends, and another goes on") {
+  for (const bool listed : {true, false}) {
+    Bench shared;
+    SessionBench& bench = shared.bench;
+    bench.hello(shared.token({Right::read}));
+    (void)bench.output();
+    (void)shared.scratch.write("revoked", listed ? "sub 2100-01-01T00:00:00Z a\n" : "jti another\n");
+    REQUIRE(bench.access.reload().has_value());
+    bench.session.revoked_tokens_changed();
+    const auto said = bench.output();
+    CHECK((bench.session.state() == State::closed) == listed);
+    CHECK(bench.metrics.denied(AuthFailure::revoked).total() == (listed ? 1 : 0));
+    if (listed) CHECK(said.at(0).text == "the token was revoked");
+  }
 }
 
 TEST_CASE("a token is checked by the session's clock") {
