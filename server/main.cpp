@@ -66,7 +66,9 @@ int serve(const Command& command) {
     return 0;
   }
 
-  if (keys->any() || tls) hide_memory();
+  if (keys->any() || tls) {
+    if (const auto hidden = hide_memory(); !hidden) return fail(hidden.error());
+  }
   const std::vector<std::string> of_keys = keys->warnings;
   AccessControl access{config.access, *std::move(keys)};
   const Logger log = make_logger(config.log.level, config.log.format);
