@@ -11,8 +11,7 @@ namespace talus::server {
 /// printable ASCII, quotes and backslashes become \xNN.
 [[nodiscard]] std::string escaped(std::string_view text, std::size_t max_bytes = 120);
 
-/// `text` where bytes that are not printable ASCII have become \xNN: of quotes, backslashes and length it is
-/// as it was.
+/// All of `text`. Bytes that are not printable ASCII become \xNN; quotes and backslashes stay.
 [[nodiscard]] std::string printable(std::string_view text);
 
 }  // namespace talus::server
