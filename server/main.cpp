@@ -25,6 +25,7 @@
 #include "clock/clock.h"
 #include "config/command_line.h"
 #include "log/logger.h"
+#include "log/program_line.h"
 #include "net/tls_context.h"
 #include "privileges/privileges.h"
 
@@ -34,14 +35,31 @@ namespace {
 
 using namespace talus::server;
 
-int failed(const std::string& line) {
-  fmt::print(stderr, "talusd: {}\n", line);
-  return 1;
+int failed(std::string_view line, std::string_view format = "text") {
+  fmt::print(stderr, "{}", program_line(format, spdlog::level::err, line));
+  return kFailed;
+}
+
+/// The log's format as far as it is known before the settings are read.
+std::string format_of(const Environment& environment) {
+  const auto set = environment.find("TALUS_LOG_FORMAT");
+  return set == environment.end() ? Config{}.log.format : set->second;
+}
+
+/// Of wrong flags or settings, which are "talusd: LINE\n".
+std::string_view line_of(const Exit& exit) {
+  std::string_view line{exit.text};
+  constexpr std::string_view kBefore{"talusd: "};
+  if (line.starts_with(kBefore)) line.remove_prefix(kBefore.size());
+  if (line.ends_with('\n')) line.remove_suffix(1);
+  return line;
 }
 
 int serve(const Command& command) {
   const Config& config = command.config;
-  const auto fail = [&](const std::string& line) { return failed(command.origins.locate(line)); };
+  const auto fail = [&](const std::string& line) {
+    return failed(command.origins.locate(line), config.log.format);
+  };
   const SystemClock clock;
   if (const auto done = set_no_new_privs(); !done) return fail(done.error());
   if (const auto set = talus::forced_instruction_set(); !set) return fail(std::string{set.error()});
@@ -60,13 +78,15 @@ int serve(const Command& command) {
   }
   if (command.check_only) {
     for (const std::string& warning : startup_warnings(command, keys->warnings, tls))
-      fmt::print(stderr, "talusd: warning: {}\n", warning);
+      fmt::print(stderr, "{}", program_line(config.log.format, spdlog::level::warn, warning));
     fmt::print("ok\n");
-    if (std::fflush(stdout) != 0) return failed("standard output: cannot write to it");
+    if (std::fflush(stdout) != 0) return fail("standard output: cannot write to it");
     return 0;
   }
 
-  if (keys->any() || tls) hide_memory();
+  if (keys->any() || tls) {
+    if (const auto hidden = hide_memory(); !hidden) return fail(hidden.error());
+  }
   const std::vector<std::string> of_keys = keys->warnings;
   AccessControl access{config.access, *std::move(keys)};
   const Logger log = make_logger(config.log.level, config.log.format);
@@ -119,20 +139,28 @@ int main(int argc, char** argv) {
   // A log whose reader went away must not end the server.
   std::signal(SIGPIPE, SIG_IGN);
   keep_freed_memory();
+  std::string log_format = "text";
   try {
+    const Environment environment = process_environment();
+    log_format = format_of(environment);
     if (argc > 1 && std::string_view{argv[1]} == "token") {
       end_by_default_on_signals();
       return print_token(argc - 1, argv + 1);
     }
-    const auto command = read_command_line(argc, argv, process_environment());
+    const auto command = read_command_line(argc, argv, environment);
     if (command) {
+      log_format = command->config.log.format;
       if (command->check_only) end_by_default_on_signals();
       return serve(*command);
     }
-    fmt::print(command.error().status == 0 ? stdout : stderr, "{}", command.error().text);
-    if (std::fflush(stdout) != 0) return failed("standard output: cannot write to it");
+    if (command.error().status != 0) {
+      fmt::print(stderr, "{}", program_line(log_format, spdlog::level::err, line_of(command.error())));
+    } else {
+      fmt::print("{}", command.error().text);
+      if (std::fflush(stdout) != 0) return failed("standard output: cannot write to it", log_format);
+    }
     return command.error().status;
   } catch (const std::exception& error) {
-    return failed(fmt::format("unexpected: {}", error.what()));
+    return failed(fmt::format("unexpected: {}", error.what()), log_format);
   }
 }

@@ -7,7 +7,7 @@ namespace talus::server {
 
 AdminServer::AdminServer(const Clock& clock, Logger log)
     : log_{std::move(log)},
-      acceptor_{io_, log_, clock, kReservedDescriptors},
+      acceptor_{io_, log_, clock},
       service_{nullptr, clock, log_},
       connections_{service_, kMaxConnections} {}
 

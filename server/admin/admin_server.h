@@ -21,10 +21,8 @@ namespace talus::server {
 
 class AdminServer {
  public:
-  /// Open at once.
+  /// Open at once. Where descriptors run out it is fewer: the next takes the quietest one's.
   static constexpr std::size_t kMaxConnections = 32;
-  /// Descriptors kept for it: it answers when players have taken all others.
-  static constexpr std::size_t kReservedDescriptors = 4;
 
   /// `clock` outlives it.
   AdminServer(const Clock& clock, Logger log);

@@ -84,10 +84,11 @@ GenerationSettings generation_settings(const Config& config) {
 }
 
 std::uint64_t descriptors_wanted(const Config& config) {
-  const std::uint64_t of_operators =
-      config.admin ? AdminServer::kMaxConnections + AdminServer::kReservedDescriptors : 0;
-  // A connection whose PROXY header has not come is not among limits.connections, and has a socket.
-  const std::uint64_t of_handshakes = config.proxies.empty() ? 0 : config.limits.handshakes_in_flight;
+  const std::uint64_t of_operators = config.admin ? AdminServer::kMaxConnections : 0;
+  // A connection whose PROXY header has not come, or whose thread has not begun with TLS, is not among
+  // limits.connections, and has a socket.
+  const bool waits = !config.proxies.empty() || config.tls.wanted();
+  const std::uint64_t of_handshakes = waits ? config.limits.handshakes_in_flight : 0;
   return descriptors_needed(config.limits.connections + of_handshakes + of_operators, io_threads(config) + 1);
 }
 

@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include <http_parser.h>
 
@@ -18,8 +19,9 @@ constexpr RequestError kFieldTooLarge{431, "a header field is too large"};
 constexpr RequestError kHeadTooLarge{431, "the request's header is too large"};
 constexpr RequestError kBody{413, "no request here has a body"};
 constexpr RequestError kExpectation{417, "no request here has a body to continue with"};
-constexpr RequestError kVersion{505, "only HTTP/1.0 and HTTP/1.1 are spoken here"};
+constexpr RequestError kVersion{400, "only HTTP/1.0 and HTTP/1.1 are spoken here"};
 constexpr RequestError kNoHost{400, "an HTTP/1.1 request has exactly one Host field"};
+constexpr RequestError kBareLineFeed{400, "a line ends with LF alone instead of CR LF"};
 constexpr RequestError kFieldName{400, "a header field's name is no token"};
 constexpr RequestError kFieldValue{400, "a header field's value has a control character"};
 
@@ -88,8 +90,16 @@ struct RequestParser::State {
     parser.data = this;
     request = {};
     head_bytes = 0;
+    last = 0;
     in_value = true;
     whole = false;
+  }
+
+  /// Whether a line ends without CR. http_parser takes that, and a proxy in front may not: the two would see
+  /// other requests.
+  [[nodiscard]] bool has_bare_line_feed(std::string_view taken) {
+    return std::any_of(taken.begin(), taken.end(),
+                       [&](char c) { return std::exchange(last, c) != '\r' && c == '\n'; });
   }
 
   // Returned by callbacks: http_parser stops.
@@ -170,6 +180,7 @@ struct RequestParser::State {
   http_parser parser{};
   Request request;
   std::size_t head_bytes = 0;
+  char last = 0;         // byte before the next one
   bool in_value = true;  // the next name begins a field
   bool whole = false;
   std::optional<RequestError> error;
@@ -184,9 +195,10 @@ tl::expected<std::size_t, RequestError> RequestParser::feed(std::span<const std:
   if (state.whole) return 0;
   const auto offered = bytes.first(std::min(bytes.size(), state.bounds.head_bytes - state.head_bytes));
   if (offered.empty()) return 0;  // to http_parser that would be the end
-  const std::size_t taken = http_parser_execute(
-      &state.parser, &State::settings(), reinterpret_cast<const char*>(offered.data()), offered.size());
+  const std::string_view text{reinterpret_cast<const char*>(offered.data()), offered.size()};
+  const std::size_t taken = http_parser_execute(&state.parser, &State::settings(), text.data(), text.size());
   state.head_bytes += taken;
+  if (state.has_bare_line_feed(text.substr(0, taken)) && !state.error) state.error = kBareLineFeed;
   if (state.error) return tl::make_unexpected(*state.error);
   if (!state.whole) {
     if (HTTP_PARSER_ERRNO(&state.parser) == HPE_HEADER_OVERFLOW)

@@ -11,4 +11,7 @@ namespace talus::server {
 /// printable ASCII, quotes and backslashes become \xNN.
 [[nodiscard]] std::string escaped(std::string_view text, std::size_t max_bytes = 120);
 
+/// All of `text`. Bytes that are not printable ASCII become \xNN; quotes and backslashes stay.
+[[nodiscard]] std::string printable(std::string_view text);
+
 }  // namespace talus::server

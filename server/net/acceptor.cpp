@@ -1,8 +1,5 @@
 #include "net/acceptor.h"
 
-#include <fcntl.h>
-#include <unistd.h>
-
 #include <algorithm>
 #include <cerrno>
 #include <chrono>
@@ -54,32 +51,8 @@ struct Acceptor::Step {
   void operator()(std::error_code failed = {}) const { (acceptor->*next)(failed); }
 };
 
-DescriptorReserve::DescriptorReserve(std::size_t wanted) : wanted_{wanted} {
-  held_.reserve(wanted);
-  fill();
-}
-
-DescriptorReserve::~DescriptorReserve() {
-  while (release_one()) continue;
-}
-
-void DescriptorReserve::fill() noexcept {
-  while (held_.size() < wanted_) {
-    const int descriptor = ::open("/dev/null", O_RDONLY | O_CLOEXEC);
-    if (descriptor < 0) return;
-    held_.push_back(descriptor);
-  }
-}
-
-bool DescriptorReserve::release_one() {
-  if (held_.empty()) return false;
-  ::close(held_.back());
-  held_.pop_back();
-  return true;
-}
-
-Acceptor::Acceptor(asio::io_context& io, Logger log, const Clock& clock, std::size_t reserved_descriptors)
-    : io_{io}, socket_{io}, pause_{io}, log_{std::move(log)}, clock_{clock}, reserve_{reserved_descriptors} {}
+Acceptor::Acceptor(asio::io_context& io, Logger log, const Clock& clock)
+    : io_{io}, socket_{io}, pause_{io}, log_{std::move(log)}, clock_{clock} {}
 
 tl::expected<std::string, std::string> Acceptor::listen(const protocol::Endpoint& wanted) {
   std::error_code error;
@@ -123,12 +96,11 @@ bool Acceptor::accept_one(std::error_code failed) noexcept {
       tcp::socket socket = socket_.accept(next_context_(), failed);
       if (!failed) {
         hand_over(std::move(socket));
-        reserve_.fill();
         return true;
       }
     }
     if (is_of_one_connection(failed)) return true;
-    if (lacks_descriptors(failed) && (reserve_.release_one() || make_room_())) return true;
+    if (lacks_descriptors(failed) && make_room_()) return true;
     log_failure(failed.message());
   } catch (const std::exception& error) {
     log_failure(error.what());
@@ -157,7 +129,6 @@ void Acceptor::pause() {
 
 void Acceptor::end_pause(std::error_code) {
   if (!socket_.is_open()) return;
-  reserve_.fill();
   wait_for_connection();
 }
 

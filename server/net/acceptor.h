@@ -8,7 +8,6 @@
 #include <string>
 #include <string_view>
 #include <system_error>
-#include <vector>
 
 #include <asio/io_context.hpp>
 #include <asio/ip/tcp.hpp>
@@ -22,24 +21,6 @@
 
 namespace talus::server {
 
-/// File descriptors held so that there are some when the process has no more. One thread's.
-class DescriptorReserve {
- public:
-  explicit DescriptorReserve(std::size_t wanted);
-  ~DescriptorReserve();
-  DescriptorReserve(const DescriptorReserve&) = delete;
-  DescriptorReserve& operator=(const DescriptorReserve&) = delete;
-
-  /// Opens what is missing, as far as the system allows.
-  void fill() noexcept;
-  /// Gives one to who asks the system next; false where none is left.
-  [[nodiscard]] bool release_one();
-
- private:
-  std::size_t wanted_;
-  std::vector<int> held_;  // of capacity wanted_
-};
-
 class Acceptor {
  public:
   /// The context on which the next socket is to be served.
@@ -48,9 +29,8 @@ class Acceptor {
   /// Closes a connection, whose descriptor the next one takes; false where there is none to close.
   using MakeRoom = std::function<bool()>;
 
-  /// Accepts on `io`, which one thread runs. `reserved_descriptors`: for connections that are accepted
-  /// although the process has no descriptor left. `clock` outlives it.
-  Acceptor(asio::io_context& io, Logger log, const Clock& clock, std::size_t reserved_descriptors = 0);
+  /// Accepts on `io`, which one thread runs. `clock` outlives it.
+  Acceptor(asio::io_context& io, Logger log, const Clock& clock);
 
   /// Opens the listening socket; returns its address with the real port, or why not.
   [[nodiscard]] tl::expected<std::string, std::string> listen(const protocol::Endpoint& wanted);
@@ -84,7 +64,6 @@ class Acceptor {
   asio::steady_timer pause_;
   Logger log_;
   const Clock& clock_;
-  DescriptorReserve reserve_;
   HandlerAllocator<std::byte> memory_{std::make_shared<HandlerMemory>()};
   NextContext next_context_;
   OnSocket on_socket_;

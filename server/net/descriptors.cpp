@@ -8,13 +8,19 @@
 
 namespace talus::server {
 
+bool is_spare(int descriptor) {
+  rlimit limit{};
+  if (getrlimit(RLIMIT_NOFILE, &limit) != 0) return false;
+  return static_cast<rlim_t>(descriptor) + kSpareDescriptors >= limit.rlim_cur;
+}
+
 std::uint64_t descriptors_needed(std::uint64_t sockets, std::size_t io_contexts) {
   // An io_context's: what it waits on, a timer and an alarm.
   constexpr std::uint64_t kPerContext = 3;
   // Standard streams, listening sockets, the signals' pipe, the store, key files while they are read, and
   // what libraries open.
   constexpr std::uint64_t kOwn = 32;
-  return sockets + Refusals::kMax + kPerContext * io_contexts + kOwn;
+  return sockets + Refusals::kMax + kPerContext * io_contexts + kOwn + kSpareDescriptors;
 }
 
 std::uint64_t set_descriptor_limit(std::uint64_t wanted) {

@@ -6,7 +6,15 @@
 
 namespace talus::server {
 
-/// What a server of so many sockets and io_contexts needs, its listening sockets and files included.
+/// The highest numbers that the limit allows are no client's to keep: they are for operators, for files that
+/// are read again, and for telling clients that there are no more.
+inline constexpr std::uint64_t kSpareDescriptors = 16;
+/// Whether `descriptor` is one of them now. The system gives the lowest free number, so as long as clients
+/// keep none, whatever they do leaves so many to the others.
+[[nodiscard]] bool is_spare(int descriptor);
+
+/// What a server of so many sockets and io_contexts needs, its listening sockets, files and spare ones
+/// included.
 [[nodiscard]] std::uint64_t descriptors_needed(std::uint64_t sockets, std::size_t io_contexts);
 
 /// Sets the process's own limit of open files to `wanted`, or to what the system allows it if that is less;

@@ -15,6 +15,7 @@
 #include <asio/use_awaitable.hpp>
 
 #include <talus/protocol/endpoint.h>
+#include "net/descriptors.h"
 #include "net/proxy_header.h"
 #include "session/reply_frames.h"
 #include "session/retry_after.h"
@@ -86,6 +87,11 @@ void Handshaker::begin(tcp::socket socket, ConnectionId id, const tls::Context& 
   const tcp::endpoint peer = socket.remote_endpoint(gone);
   if (gone) return;
   const auto pending = std::make_shared<PendingConnection>(std::move(socket), peer, id, tls, clock_.now());
+  if (is_spare(pending->socket().native_handle())) {
+    refuse(*pending, Refusal::descriptors, "this server has as many files open as its system allows",
+           retry_after::kServerFull);
+    return;
+  }
   if (tls == nullptr && !settings_.proxies.contain(peer.address())) {
     if (admit(*pending)) accept(*pending);
     return;

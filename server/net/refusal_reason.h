@@ -8,14 +8,15 @@
 namespace talus::server {
 
 enum class Refusal : std::uint8_t {
-  places,      // too many connections, in all or from its address
-  memory,      // the memory budget is used up
-  pace,        // its address begins connections too fast
-  handshakes,  // too many handshakes in flight
-  proxy,       // a proxy that sent no valid PROXY header
+  places,       // too many connections, in all or from its address
+  memory,       // the memory budget is used up
+  pace,         // its address begins connections too fast
+  handshakes,   // too many handshakes in flight
+  proxy,        // a proxy that sent no valid PROXY header
+  descriptors,  // only spare descriptors are left
 };
 /// As operators read them: the label `reason` of talus_connections_refused_total.
-inline constexpr std::array<std::string_view, 5> kRefusalNames{"places", "memory", "pace", "handshakes",
-                                                               "proxy"};
+inline constexpr std::array<std::string_view, 6> kRefusalNames{"places",     "memory", "pace",
+                                                               "handshakes", "proxy",  "descriptors"};
 
 }  // namespace talus::server

@@ -12,6 +12,7 @@
 #include <asio/steady_timer.hpp>
 #include <asio/write.hpp>
 
+#include "net/descriptors.h"
 #include "session/reply_frames.h"
 
 namespace talus::server {
@@ -19,7 +20,7 @@ namespace {
 
 constexpr std::chrono::milliseconds kTimeToRead{1000};
 
-/// One of Refusals::kMax.
+/// One of Refusals::kMax or kMaxSpare.
 class InFlightSlot {
  public:
   /// Counted already.
@@ -77,8 +78,10 @@ void send_and_close(const ClosingPtr& closing) {
 
 void Refusals::refuse(asio::ip::tcp::socket socket, const std::string& text,
                       std::chrono::milliseconds retry_after) {
-  const bool full = in_flight_.fetch_add(1) >= kMax;
-  InFlightSlot slot{in_flight_};
+  const bool spare = is_spare(socket.native_handle());
+  std::atomic<std::size_t>& in_flight = spare ? spare_in_flight_ : in_flight_;
+  const bool full = in_flight.fetch_add(1) >= (spare ? kMaxSpare : kMax);
+  InFlightSlot slot{in_flight};
   if (full) return;
   const auto executor = socket.get_executor();
   const auto closing =

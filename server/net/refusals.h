@@ -14,6 +14,8 @@ class Refusals {
  public:
   /// Refusals in flight; beyond them a socket is closed without a message.
   static constexpr std::size_t kMax = 64;
+  /// Beside them, on spare descriptors.
+  static constexpr std::size_t kMaxSpare = 4;
 
   /// Sends Error{overloaded, text, retry_after} and closes once the client has had time to read it. Must
   /// outlive the socket's io_context.
@@ -21,6 +23,7 @@ class Refusals {
 
  private:
   std::atomic<std::size_t> in_flight_{0};
+  std::atomic<std::size_t> spare_in_flight_{0};
 };
 
 }  // namespace talus::server

@@ -85,11 +85,12 @@ tl::expected<void, std::string> switch_user(const Account& account) {
         "securebits or in a user namespace?",
         account.name));
   }
-  return {};
+  return hide_memory();  // where fs.suid_dumpable is not 0, switching showed it
 }
 
-void hide_memory() {
-  ::prctl(PR_SET_DUMPABLE, 0, 0, 0, 0);
+tl::expected<void, std::string> hide_memory() {
+  if (::prctl(PR_SET_DUMPABLE, 0, 0, 0, 0) == 0 && ::prctl(PR_GET_DUMPABLE, 0, 0, 0, 0) == 0) return {};
+  return tl::make_unexpected(std::string{"cannot keep the process's memory out of core dumps and debuggers"});
 }
 
 }  // namespace talus::server

@@ -16,11 +16,12 @@ namespace talus::server {
 [[nodiscard]] tl::expected<void, std::string> set_no_new_privs();
 
 /// Switches from root to this user for good: groups, group, user and capabilities; then checks that there is
-/// no way back. Does nothing where the process already runs as this user. An error is one line that begins
-/// with "user"; the process must end then, because it may have switched in part.
+/// no way back, and hides the memory. Does nothing where the process already runs as this user. An error is
+/// one line; the process must end then, because it may have switched in part.
 [[nodiscard]] tl::expected<void, std::string> switch_user(const Account& account);
 
-/// No core dump, and no debugger or /proc access by the same user: the memory holds keys.
-void hide_memory();
+/// No core dump, and no debugger or /proc access by the same user, until the user changes: the memory holds
+/// keys. An error is one line.
+[[nodiscard]] tl::expected<void, std::string> hide_memory();
 
 }  // namespace talus::server

@@ -1,17 +1,15 @@
 // Clients that mean harm, and a good one that must not notice.
-//
-// TALUS_HOSTILE_SECONDS sets how long the siege takes (default 10; 600 for the long version).
+// siege.h says how long the siege takes.
 #include <signal.h>
-#include <sys/resource.h>
 
 #include <catch2/catch.hpp>
 #include <chrono>
-#include <cstdlib>
 #include <random>
 
 #include "messages.h"
 #include "raw_client.h"
 #include "server_process.h"
+#include "siege.h"
 
 using namespace talus;
 using namespace talus::e2e;
@@ -39,11 +37,6 @@ wire::ErrorCode closing_code(RawClient& client) {
   const wire::ErrorCode code = received.as<wire::Error>().code();
   CHECK(client.closed());
   return code;
-}
-
-std::chrono::seconds siege_time() {
-  const char* seconds = std::getenv("TALUS_HOSTILE_SECONDS");
-  return std::chrono::seconds{seconds == nullptr ? 10 : std::atoi(seconds)};
 }
 
 /// One of the ways in which a connection can be bad; the connection ends with the call, but for what the
@@ -155,11 +148,7 @@ TEST_CASE("who asks and reads nothing is read no further, and dropped") {
 
 TEST_CASE("under siege a good client is served and memory stays in bounds") {
   constexpr std::size_t kSilent = 500;
-  rlimit files{};
-  REQUIRE(getrlimit(RLIMIT_NOFILE, &files) == 0);
-  files.rlim_cur = files.rlim_max;
-  REQUIRE(setrlimit(RLIMIT_NOFILE, &files) == 0);
-
+  allow_many_sockets();
   ServerProcess server{{{"TALUS_LIMITS_CONNECTIONS_PER_ADDRESS", "700"},
                         {"TALUS_LIMITS_HANDSHAKES_PER_ADDRESS_PER_SECOND", "100000"},
                         {"TALUS_LIMITS_HANDSHAKES_PER_ADDRESS_BURST", "100000"},

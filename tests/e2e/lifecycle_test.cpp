@@ -197,6 +197,21 @@ TEST_CASE("the flag --check-config says ok, or what is wrong and where") {
              Catch::Contains(wrong + ":2: limits.conections") && Catch::Contains("limits.connections?"));
 }
 
+TEST_CASE("why a server does not start is said in the log's format, and obeyed by no terminal") {
+  const ScratchDirectory scratch;
+  const std::string in_json = scratch.write("json.toml", "[log]\nformat = \"json\"\n");
+  const std::string nowhere = "/nowhere/\x1b[31m.toml";
+  CHECK_THAT(one_line(run_talusd({"--world", nowhere})),
+             Catch::StartsWith("talusd: /nowhere/\\x1b[31m.toml: "));
+  CHECK_THAT(one_line(run_talusd({"--config", nowhere})),
+             Catch::StartsWith("talusd: /nowhere/\\x1b[31m.toml: "));
+  for (const Ended& ended : {run_talusd({"--config", in_json, "--world", nowhere}),
+                             run_talusd({"--config", nowhere}, {{"TALUS_LOG_FORMAT", "json"}})}) {
+    CHECK_THAT(one_line(ended), Catch::StartsWith("{\"time\":") && Catch::Contains("\"level\":\"error\"") &&
+                                    Catch::Contains("/nowhere/\\\\x1b[31m.toml: ") && Catch::EndsWith("}\n"));
+  }
+}
+
 TEST_CASE("wrong flags are wrong use") {
   CHECK_THAT(one_line(run_talusd({"--lisen", "127.0.0.1:0"}), 2), Catch::Contains("--lisen"));
   CHECK_THAT(one_line(run_talusd({"--http", "nowhere"}), 2), Catch::Contains("--http"));

@@ -1,9 +1,7 @@
 // The acceptor over real sockets, where what goes wrong goes wrong in the system.
 #include "net/acceptor.h"
 
-#include <sys/resource.h>
 #include <sys/socket.h>
-#include <unistd.h>
 
 #include <spdlog/sinks/ostream_sink.h>
 #include <asio/post.hpp>
@@ -20,6 +18,7 @@
 #include <vector>
 
 #include "clock/manual_clock.h"
+#include "descriptors_left.h"
 #include "failing_allocations.h"
 #include "log/logger.h"
 
@@ -36,11 +35,11 @@ struct Bench {
   std::vector<tcp::socket> accepted;
   tcp::endpoint address;
 
-  explicit Bench(std::size_t reserved = 0)
+  Bench()
       : acceptor{
             io,
             std::make_shared<spdlog::logger>("test", std::make_shared<spdlog::sinks::ostream_sink_st>(log)),
-            clock, reserved} {
+            clock} {
     const auto listening = acceptor.listen({"127.0.0.1", 0});
     REQUIRE(listening.has_value());
     const auto port = std::stoi(listening->substr(listening->rfind(':') + 1));
@@ -67,26 +66,6 @@ struct Bench {
   }
 };
 
-/// No descriptor can be opened while this lives.
-class NoDescriptors {
- public:
-  NoDescriptors() {
-    REQUIRE(::getrlimit(RLIMIT_NOFILE, &before_) == 0);
-    const int next = ::dup(0);
-    REQUIRE(next >= 0);
-    ::close(next);
-    rlimit none = before_;
-    none.rlim_cur = static_cast<rlim_t>(next);
-    REQUIRE(::setrlimit(RLIMIT_NOFILE, &none) == 0);
-  }
-  ~NoDescriptors() { ::setrlimit(RLIMIT_NOFILE, &before_); }
-  NoDescriptors(const NoDescriptors&) = delete;
-  NoDescriptors& operator=(const NoDescriptors&) = delete;
-
- private:
-  rlimit before_{};
-};
-
 }  // namespace
 
 TEST_CASE("connections that are reset before they are accepted take nothing from those that come after") {
@@ -108,19 +87,11 @@ TEST_CASE("connections that are reset before they are accepted take nothing from
   while (!came()) bench.io.run_one();
 }
 
-TEST_CASE("without descriptors the reserved ones serve") {
-  Bench bench{2};
-  const tcp::socket first = bench.connect();
-  const tcp::socket second = bench.connect();
-  const NoDescriptors none;
-  bench.run_until_accepted(2);
-}
-
-TEST_CASE("without any descriptor connections wait until there is one") {
+TEST_CASE("without descriptors connections wait until there is one") {
   Bench bench;
   const tcp::socket client = bench.connect();
   {
-    const NoDescriptors none;
+    const DescriptorsLeft none{0};
     bench.io.poll();
     bench.io.poll();
     CHECK(bench.accepted.empty());
@@ -138,7 +109,7 @@ TEST_CASE("without descriptors a connection that is closed makes room for the ne
   const tcp::socket first = bench.connect();
   bench.run_until_accepted(1);
   const tcp::socket second = bench.connect();
-  const NoDescriptors none;
+  const DescriptorsLeft none{0};
   bench.run_until_accepted(2);
   CHECK_FALSE(bench.accepted.front().is_open());
 }

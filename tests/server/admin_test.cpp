@@ -89,6 +89,24 @@ TEST_CASE("the operators' server answers over its socket") {
   CHECK_THAT(bench.get("/" + std::string(100'000, 'a')), Catch::StartsWith("HTTP/1.1 414 "));
 }
 
+TEST_CASE("HEAD gets the head of GET's answer, and no body") {
+  Bench bench;
+  for (const char* const path : {"/metrics", "/-/healthy", "/-/ready", "/nowhere"}) {
+    const auto whole = bench.get(path);
+    const auto head =
+        bench.ask("HEAD " + std::string{path} + " HTTP/1.1\r\nHost: a\r\nConnection: close\r\n\r\n");
+    const auto length_of = [](const std::string& answer) {
+      const std::size_t at = answer.find("Content-Length: ");
+      REQUIRE(at != std::string::npos);
+      return answer.substr(at, answer.find("\r\n", at) - at);
+    };
+    CAPTURE(path);
+    CHECK(length_of(head) == length_of(whole));
+    CHECK_THAT(head, Catch::EndsWith("\r\n\r\n"));
+    CHECK(head.substr(0, 12) == whole.substr(0, 12));
+  }
+}
+
 TEST_CASE("however many connections are reset or held open, the next one is answered") {
   Bench bench;
   std::vector<tcp::socket> held;

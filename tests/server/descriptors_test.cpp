@@ -29,6 +29,16 @@ TEST_CASE("the limit of open files becomes what is needed, from above and from b
 }
 
 TEST_CASE("a server needs a descriptor for each connection, and few besides") {
-  CHECK(descriptors_needed(2048, 2) == 2048 + 96 + 6);
-  CHECK(descriptors_needed(1, 1024) == 1 + 96 + 3 * 1024);
+  CHECK(descriptors_needed(2048, 2) == 2048 + 112 + 6);
+  CHECK(descriptors_needed(1, 1024) == 1 + 112 + 3 * 1024);
+}
+
+TEST_CASE("the highest descriptors that the limit allows are spare") {
+  const int wrong = in_child([] {
+    const rlimit limit{100, 100};
+    if (::setrlimit(RLIMIT_NOFILE, &limit) != 0) return 1;
+    const int first = 100 - static_cast<int>(kSpareDescriptors);
+    return is_spare(first) && is_spare(99) && !is_spare(first - 1) && !is_spare(0) ? 0 : 2;
+  });
+  CHECK(wrong == 0);
 }

@@ -19,6 +19,8 @@
 
 #include "certificates.h"
 #include "clock/manual_clock.h"
+#include "descriptors_left.h"
+#include "net/descriptors.h"
 #include "net/stream.h"
 #include "scratch_directory.h"
 
@@ -261,6 +263,22 @@ TEST_CASE("where the server's memory is all in use nobody comes in, and is told 
   Client client{bench};
   CHECK_THAT(text_of(only_frame(client.rest())), Catch::Contains("memory"));
   CHECK(bench.refused(Refusal::memory) == 1);
+}
+
+TEST_CASE("where only spare descriptors are left nobody comes in, and is told so") {
+  for (const char* const proxies : {"", "127.0.0.1"}) {
+    Bench bench{settings(proxies)};
+    {
+      const DescriptorsLeft few{kSpareDescriptors};
+      Client client{bench};
+      client.socket.shutdown(tcp::socket::shutdown_send);
+      CHECK_THAT(text_of(only_frame(client.rest())), Catch::Contains("as many files open"));
+      CHECK(bench.refused(Refusal::descriptors) == 1);
+    }
+    Client next{bench};
+    next.say(kProxyTcp4);
+    CHECK_FALSE(next.line().empty());
+  }
 }
 
 TEST_CASE("there are only so many handshakes in flight") {

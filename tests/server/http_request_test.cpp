@@ -132,9 +132,35 @@ TEST_CASE("an HTTP/1.1 request without one Host is a 400") {
   CHECK(error_of("GET / HTTP/1.1\r\nHost: a\r\nHost: b\r\n\r\n") == 400);
 }
 
-TEST_CASE("another version of HTTP is a 505") {
-  CHECK(error_of("GET / HTTP/2.0\r\nHost: a\r\n\r\n") == 505);
-  CHECK(error_of("GET /\r\n\r\n") == 505);
+TEST_CASE("another version of HTTP, and none, is a 400") {
+  for (const char* const version :
+       {" HTTP/2.0", " HTTP/0.9", " HTTP/11.1", " HTTP/1", " HTTPS/1.1", " http/1.1", ""})
+    CHECK(error_of(std::string{"GET /"} + version + "\r\nHost: a\r\n\r\n") == 400);
+}
+
+TEST_CASE("a line that ends with LF alone is a 400, however its bytes are cut") {
+  for (const char* const text : {"GET / HTTP/1.1\nHost: a\r\n\r\n", "GET / HTTP/1.1\r\nHost: a\n\r\n",
+                                 "GET / HTTP/1.1\r\nHost: a\r\n\n", "\nGET / HTTP/1.1\r\nHost: a\r\n\r\n"}) {
+    for (const std::size_t piece : {std::size_t{1}, std::size_t{3}, SIZE_MAX}) {
+      CHECK(parse(text, piece).error == 400);
+    }
+  }
+}
+
+TEST_CASE("a method that HTTP does not have is a 400, and one that it has is a request") {
+  for (const char* const method : {"FETCH", "get", "G\xC3\x8BT", "GET\t", "PRI", ""})
+    CHECK(error_of(std::string{method} + " / HTTP/1.1\r\nHost: a\r\n\r\n") == 400);
+  for (const char* const method : {"DELETE", "OPTIONS", "TRACE", "PATCH"}) {
+    const Parsed parsed = parse(std::string{method} + " / HTTP/1.1\r\nHost: a\r\n\r\n");
+    REQUIRE(parsed.requests.size() == 1);
+    CHECK(parsed.requests.front().method == Method::other);
+  }
+}
+
+TEST_CASE("a client that would rather speak another protocol is served by this one") {
+  const std::string upgrade = "Connection: Upgrade\r\nUpgrade: h2c\r\n";
+  CHECK(parse("GET / HTTP/1.1\r\nHost: a\r\n" + upgrade + "\r\n" + kGet).requests.size() == 2);
+  CHECK(parse("CONNECT a:1 HTTP/1.1\r\nHost: a\r\n\r\n").requests.at(0).method == Method::other);
 }
 
 TEST_CASE("a body is a 413 and an expectation of one a 417") {

@@ -8,6 +8,7 @@
 
 #include "log/escape.h"
 #include "log/json_lines.h"
+#include "log/program_line.h"
 
 using namespace talus::server;
 
@@ -37,6 +38,18 @@ TEST_CASE("printable text is left as it is") {
 TEST_CASE("a cut text ends in dots, and one that just fits does not") {
   CHECK(escaped("12345", 5) == "12345");
   CHECK(escaped("123456", 5) == "12345...");
+}
+
+TEST_CASE("a line before there is a log is one line, in the log's format, and obeyed by no terminal") {
+  const std::string text = "/tmp/\x1b[31m\n\"a\"\xff: no such file";
+  CHECK(program_line("text", spdlog::level::err, text) ==
+        "talusd: /tmp/\\x1b[31m\\x0a\"a\"\\xff: no such file\n");
+  CHECK(program_line("text", spdlog::level::warn, "a") == "talusd: warning: a\n");
+  const std::string line = program_line("json", spdlog::level::err, text);
+  CHECK(std::count(line.begin(), line.end(), '\n') == 1);
+  const auto object = nlohmann::json::parse(line);
+  CHECK(object.at("level") == "error");
+  CHECK(object.at("text") == "/tmp/\\x1b[31m\\x0a\"a\"\\xff: no such file");
 }
 
 TEST_CASE("a log line is one JSON object, whatever its text") {

@@ -2,6 +2,7 @@
 #include "privileges/privileges.h"
 
 #include <sys/prctl.h>
+#include <sys/syscall.h>
 #include <unistd.h>
 
 #include <catch2/catch.hpp>
@@ -11,6 +12,8 @@
 using namespace talus::server;
 
 namespace {
+
+bool switching_shows_memory = false;
 
 bool root_is_needed() {
   if (::geteuid() == 0) return false;
@@ -27,6 +30,13 @@ std::string account_error(const std::string& text) {
 }
 
 }  // namespace
+
+/// In libc's place: what a system does whose fs.suid_dumpable is 1.
+extern "C" int setresuid(uid_t real, uid_t effective, uid_t saved) noexcept {
+  const auto done = ::syscall(SYS_setresuid, real, effective, saved);
+  if (done == 0 && switching_shows_memory) ::prctl(PR_SET_DUMPABLE, 1, 0, 0, 0);
+  return static_cast<int>(done);
+}
 
 TEST_CASE("a user is found by name, by number, and by numbers that no name has") {
   const auto nobody = find_account("nobody");
@@ -80,8 +90,19 @@ TEST_CASE("a user other than root cannot switch") {
 TEST_CASE("no_new_privs is set and the memory is hidden") {
   const int wrong = in_child([] {
     if (!set_no_new_privs() || ::prctl(PR_GET_NO_NEW_PRIVS, 0, 0, 0, 0) != 1) return 1;
-    hide_memory();
-    return ::prctl(PR_GET_DUMPABLE, 0, 0, 0, 0) == 0 ? 0 : 2;
+    if (!hide_memory()) return 2;
+    return ::prctl(PR_GET_DUMPABLE, 0, 0, 0, 0) == 0 ? 0 : 3;
+  });
+  CHECK(wrong == 0);
+}
+
+TEST_CASE("after switching the memory is hidden, also where the system shows it then") {
+  if (root_is_needed()) return;
+  const int wrong = in_child([] {
+    if (!hide_memory()) return 1;
+    switching_shows_memory = true;
+    if (!switch_user({"4780:4781", 4780, 4781, {}})) return 2;
+    return ::prctl(PR_GET_DUMPABLE, 0, 0, 0, 0) == 0 ? 0 : 3;
   });
   CHECK(wrong == 0);
 }

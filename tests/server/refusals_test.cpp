@@ -9,7 +9,9 @@
 #include <utility>
 #include <vector>
 
+#include "descriptors_left.h"
 #include "failing_allocations.h"
+#include "net/descriptors.h"
 
 using namespace talus::server;
 using asio::ip::tcp;
@@ -54,6 +56,23 @@ TEST_CASE("more refusals than may be in flight are closed without a word, until 
   Bench bench;
   std::vector<tcp::socket> clients;
   for (std::size_t i = 0; i < Refusals::kMax; ++i) {
+    auto [client, socket] = bench.connect();
+    bench.refusals.refuse(std::move(socket), "no", std::chrono::milliseconds{1});
+    clients.push_back(std::move(client));
+  }
+  bench.io.poll();
+  CHECK(bench.bytes_of_refusal() == 0);
+  clients.clear();
+  bench.io.restart();
+  bench.io.run();
+  CHECK(bench.bytes_of_refusal() > 0);
+}
+
+TEST_CASE("on spare descriptors only a few are told, and others are closed at once") {
+  Bench bench;
+  const DescriptorsLeft few{kSpareDescriptors};
+  std::vector<tcp::socket> clients;
+  for (std::size_t i = 0; i < Refusals::kMaxSpare; ++i) {
     auto [client, socket] = bench.connect();
     bench.refusals.refuse(std::move(socket), "no", std::chrono::milliseconds{1});
     clients.push_back(std::move(client));

@@ -87,13 +87,16 @@ TEST_CASE("the default burst holds the mixed chunks of a View of the largest rad
   CHECK(rate_limits(config.rates).session.chunks.burst >= 3 * columns);
 }
 
-TEST_CASE("the operators' port and proxies need descriptors of their own") {
+TEST_CASE("the operators' port, proxies and TLS need descriptors of their own") {
   const Config plain;
   Config both;
   both.admin = protocol::Endpoint{"127.0.0.1", 0};
   both.proxies = *Networks::parse("127.0.0.1");
-  CHECK(descriptors_wanted(both) == descriptors_wanted(plain) + AdminServer::kMaxConnections +
-                                        AdminServer::kReservedDescriptors + both.limits.handshakes_in_flight);
+  CHECK(descriptors_wanted(both) ==
+        descriptors_wanted(plain) + AdminServer::kMaxConnections + both.limits.handshakes_in_flight);
+  Config secured;
+  secured.tls = {"certificate.pem", "key.pem"};
+  CHECK(descriptors_wanted(secured) == descriptors_wanted(plain) + secured.limits.handshakes_in_flight);
 }
 
 TEST_CASE("the least memory budget opens again when everybody has left, whatever a load took") {

@@ -1,0 +1,20 @@
+#include "log/program_line.h"
+
+#include <fmt/format.h>
+
+#include "log/escape.h"
+#include "log/json_lines.h"
+
+namespace talus::server {
+
+std::string program_line(std::string_view format, spdlog::level::level_enum level, std::string_view text) {
+  const std::string safe = printable(text);
+  if (format == "json") {
+    spdlog::memory_buf_t line;
+    JsonLines{}.format({"talusd", level, safe}, line);
+    return {line.data(), line.size()};
+  }
+  return fmt::format("talusd: {}{}\n", level == spdlog::level::warn ? "warning: " : "", safe);
+}
+
+}  // namespace talus::server
