@@ -39,6 +39,7 @@ bool is_table(std::string_view path) {
 
 Done set_from_node(const Field& field, Config& config, const toml::node& node) {
   const bool number = std::holds_alternative<NumberTarget>(field.target) ||
+                      std::holds_alternative<PowerOfTwoTarget>(field.target) ||
                       std::holds_alternative<DurationTarget>(field.target);
   if (number && node.is_integer()) return set_from_number(field, config, node.as_integer()->get());
   if (!number && node.is_string()) return set_from_text(field, config, node.as_string()->get());

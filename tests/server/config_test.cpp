@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <fstream>
 #include <iterator>
+#include <set>
 
 #include <catch2/catch.hpp>
 
@@ -45,6 +46,7 @@ std::string other_than_default(const Field& field) {
     Config defaults;
     return std::to_string(number->at(defaults) == number->max ? number->min : number->max);
   }
+  if (std::holds_alternative<PowerOfTwoTarget>(field.target)) return "1";
   if (const auto* duration = std::get_if<DurationTarget>(&field.target)) {
     Config defaults;
     return std::to_string((duration->at(defaults) == duration->max ? duration->min : duration->max).count());
@@ -123,6 +125,28 @@ TEST_CASE("a number out of range names the range and the unit") {
              Catch::StartsWith("file.toml:2: limits.frame_bytes: 16") && Catch::Contains("4096") &&
                  Catch::Contains("(bytes)"));
   CHECK_THAT(toml_error("[limits]\nframe_bytes = -1\n"), Catch::Contains("-1"));
+}
+
+TEST_CASE("the edge of a patch is a power of two; what is none is refused with the nearest two") {
+  for (std::uint64_t tiles = 0; tiles <= 17; ++tiles) {
+    const std::string toml = "[generation]\npatch_tiles = " + std::to_string(tiles);
+    CAPTURE(toml);
+    if (std::set<std::uint64_t>{1, 2, 4, 8, 16}.contains(tiles)) {
+      CHECK(settings_of(toml).config.generation.patch_tiles == tiles);
+    } else {
+      CHECK_THAT(toml_error(toml), Catch::StartsWith("file.toml:2: generation.patch_tiles: "));
+    }
+  }
+  const auto error = [](const char* tiles) {
+    return toml_error(std::string{"generation.patch_tiles = "} + tiles);
+  };
+  const std::string begin = "file.toml:1: generation.patch_tiles: ";
+  CHECK(error("3") == begin + "3 is wrong; give 2 or 4, the nearest powers of two");
+  CHECK(error("9") == begin + "9 is wrong; give 8 or 16, the nearest powers of two");
+  CHECK(error("0") == begin + "0 is wrong; give 1, 2, 4, 8, or 16 (tiles)");
+  CHECK(error("17") == begin + "17 is wrong; give 1, 2, 4, 8, or 16 (tiles)");
+  CHECK(command({}, {{"TALUS_GENERATION_PATCH_TILES", "6"}}).error().text ==
+        "talusd: TALUS_GENERATION_PATCH_TILES: \"6\" is wrong; give 4 or 8, the nearest powers of two\n");
 }
 
 TEST_CASE("a duration is read in milliseconds, in its range") {
