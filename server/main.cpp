@@ -24,6 +24,7 @@
 #include "app/world_file.h"
 #include "clock/clock.h"
 #include "config/command_line.h"
+#include "log/escape.h"
 #include "log/logger.h"
 #include "net/tls_context.h"
 #include "privileges/privileges.h"
@@ -35,7 +36,7 @@ namespace {
 using namespace talus::server;
 
 int failed(const std::string& line) {
-  fmt::print(stderr, "talusd: {}\n", line);
+  fmt::print(stderr, "talusd: {}\n", on_one_line(line));
   return 1;
 }
 
@@ -60,7 +61,7 @@ int serve(const Command& command) {
   }
   if (command.check_only) {
     for (const std::string& warning : startup_warnings(command, keys->warnings, tls))
-      fmt::print(stderr, "talusd: warning: {}\n", warning);
+      fmt::print(stderr, "talusd: warning: {}\n", on_one_line(warning));
     fmt::print("ok\n");
     if (std::fflush(stdout) != 0) return failed("standard output: cannot write to it");
     return 0;

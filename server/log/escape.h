@@ -11,4 +11,7 @@ namespace talus::server {
 /// printable ASCII, quotes and backslashes become \xNN.
 [[nodiscard]] std::string escaped(std::string_view text, std::size_t max_bytes = 120);
 
+/// The text with its control characters as \xNN: for lines of our own that name paths.
+[[nodiscard]] std::string on_one_line(std::string_view text);
+
 }  // namespace talus::server

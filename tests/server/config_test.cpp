@@ -8,6 +8,8 @@
 
 #include <catch2/catch.hpp>
 
+#include <talus/toml/toml_bounds.h>
+
 #include "config/command_line.h"
 #include "config/fields.h"
 #include "config/load.h"
@@ -228,6 +230,42 @@ TEST_CASE("a syntax error is one line with its place") {
   const std::string line = toml_error("[limits]\nconnections = = 5\n");
   CHECK_THAT(line, Catch::StartsWith("file.toml:2: "));
   CHECK(line.find('\n') == std::string::npos);
+}
+
+TEST_CASE("every mistake in a configuration has its message") {
+  const std::string long_key(5000, 'k');
+  const std::string cut = std::string(120, 'k') + "...";
+  struct Mistake {
+    std::string toml;
+    std::string message;
+  };
+  const Mistake mistakes[] = {
+      {"[limits]\nconnections = \n",
+       "file.toml:2: limits.connections: expected value, saw '\\n'; give a whole number from 1 to 1000000 "
+       "(connections)"},
+      {"listen == 3", "file.toml:1: listen: this is no value: a string stands in quotes; give \"HOST:PORT\""},
+      {"foo = {a = 1, a = 2}", "file.toml:1: foo: cannot redefine existing integer 'a'"},
+      {"[limits\n", "file.toml:1: table header: expected ']', saw '\\n'"},
+      {"# \xe2\x80\xa8\r\n[limits]\r\n\r\nconnections = = 5\r\n",
+       "file.toml:4: limits.connections: this is no value: a string stands in quotes; give a whole number "
+       "from 1 "
+       "to 1000000 (connections)"},
+      {long_key + " = 3", "file.toml:1: " + cut + ": no such key; did you mean access.signing_key_file?"},
+      {long_key + " = ", "file.toml:1: " + cut + ": encountered end-of-file"},
+      {std::string(talus::kMaxTomlBytes + 1, '#'), "file.toml:1: the file has over 1048576 bytes"},
+  };
+  for (const auto& [toml, message] : mistakes) {
+    INFO(toml.substr(0, 100));
+    CHECK(toml_error(toml) == message);
+  }
+}
+
+TEST_CASE("a path is printed without its control characters") {
+  const auto read = command({"--config", "/nowhere/\x1b[2J\n.toml"});
+  REQUIRE_FALSE(read.has_value());
+  CHECK(read.error().text ==
+        "talusd: /nowhere/\\x1b[2J\\x0a.toml: cannot be read: No such file or directory; "
+        "give --config a TOML file that talusd may read\n");
 }
 
 TEST_CASE("a configuration that cannot be read is one line that names it and says why") {
