@@ -24,6 +24,7 @@
 #include "app/world_file.h"
 #include "clock/clock.h"
 #include "config/command_line.h"
+#include "log/escape.h"
 #include "log/logger.h"
 #include "log/program_line.h"
 #include "net/tls_context.h"

@@ -32,7 +32,7 @@ namespace {
 
 constexpr std::chrono::milliseconds kHousekeepingInterval{50};
 constexpr std::chrono::seconds kLookAtMemory{1};
-// Without housekeeping for so long the main thread counts as hung: a large cache takes seconds to free.
+// Without housekeeping for so long the main thread counts as hung.
 constexpr std::chrono::seconds kMaxSilence{15};
 
 WorldInfo describe_world(const terrain::World& world, ContentHash store_id) {
@@ -195,10 +195,11 @@ void Server::reload_certificate() {
 
 void Server::housekeeping() {
   last_housekeeping_ = clock_.now();
-  chunks_.fit_caches();
+  const bool caches_fit = chunks_.fit_caches();
   handshaker_.refusal_log().flush();
   give_memory_back();
-  housekeeping_timer_.expires_after(kHousekeepingInterval);
+  // Sockets that are ready come before the next slice.
+  housekeeping_timer_.expires_after(caches_fit ? kHousekeepingInterval : std::chrono::milliseconds{0});
   housekeeping_timer_.async_wait([this](std::error_code cancelled) {
     if (!cancelled) housekeeping();
   });

@@ -20,9 +20,9 @@ class ChunkCache {
   [[nodiscard]] bool holds(ChunkKey key) { return chunks_.holds(key); }
   void put(ChunkKey key, EncodedChunkPtr chunk);
 
-  /// Evicts at once what is too much.
+  /// As those of ShardedCache.
   void set_capacity(std::size_t capacity_bytes) { chunks_.set_capacity(capacity_bytes); }
-  /// Bytes held now, overhead included; never more than the capacity.
+  [[nodiscard]] bool fit(std::size_t& looks) { return chunks_.fit(looks); }
   [[nodiscard]] std::size_t bytes() const { return chunks_.bytes(); }
 
  private:

@@ -18,19 +18,19 @@ namespace talus::server {
 
 template <typename Key, typename Value>
 class ClockCache {
-  static constexpr std::uint32_t kVacant = std::numeric_limits<std::uint32_t>::max();
+  static constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
   struct Slot {
     Key key{};
     Value value{};
-    std::size_t cost = 0;  // 0: vacant
-    std::uint32_t next_vacant = kVacant;
+    std::size_t cost = 0;
+    std::uint32_t tag = 0;  // its bucket's
     bool used = false;
   };
   /// Where a key is found. The tag is the low half of its hash, so that most others are told apart without
   /// their slots.
   struct Bucket {
     std::uint32_t tag = 0;
-    std::uint32_t slot = kVacant;
+    std::uint32_t slot = kNone;
   };
 
  public:
@@ -53,144 +53,173 @@ class ClockCache {
   }
 
   /// Not a use.
-  [[nodiscard]] bool holds(const Key& key) const { return bucket_of(key) != kNotFound; }
+  [[nodiscard]] bool holds(const Key& key) const { return bucket_of(key, tag_of(key)) != kNotFound; }
 
   /// Keeps `value`, which costs `value_bytes`, in place of what the key had. A value that is larger than the
   /// whole capacity is not kept. Calls evicted(key, value) for each entry that is evicted for it, which must
   /// not throw and not use this cache; at most size() times, and not for what the key had. Throws
   /// std::bad_alloc, and then has changed nothing.
+  ///
+  /// Leaves no more bytes than the capacity, or than there were where that is less: what set_capacity() made
+  /// too much is fit()'s work, not that of whoever comes first.
   template <typename Evicted>
   requires std::is_nothrow_invocable_v<Evicted&, const Key&, Value&&>
   void put(const Key& key, Value value, std::size_t value_bytes, Evicted&& evicted) {
     const std::size_t cost = value_bytes + kEntryOverheadBytes;
-    // An entry in place of another, replaced or evicted, needs no slot or bucket beside that one's.
-    const std::size_t before = bucket_of(key);
-    if (before != kNotFound) {
-      drop(before);
-    } else if (bytes_ + cost <= capacity_bytes_) {
-      reserve_slot();
+    const std::uint32_t tag = tag_of(key);
+    const std::size_t before = bucket_of(key, tag);
+    if (cost > capacity_bytes_) {
+      if (before != kNotFound) remove(buckets_[before].slot);
+      return;
     }
-    if (cost > capacity_bytes_) return;
-    shrink_to(capacity_bytes_ - cost, evicted);
-    const std::uint32_t slot = first_vacant_;
-    first_vacant_ = slots_[slot].next_vacant;
-    slots_[slot] = {key, std::move(value), cost, kVacant, false};
+    // An entry in place of another, replaced or evicted, needs no slot or bucket beside that one's.
+    const std::size_t most = std::max(capacity_bytes_, bytes_);
+    std::uint32_t index = kNone;
+    if (before != kNotFound) {
+      index = buckets_[before].slot;
+      bytes_ -= slots_[index].cost;
+    } else if (bytes_ + cost <= most) {
+      index = add_slot(tag);
+    } else {
+      index = next_victim(kNone);
+      Slot& victim = slots_[index];
+      bytes_ -= victim.cost;
+      close_gap(bucket_at(index));
+      insert({tag, index});
+      evicted(std::as_const(victim.key), std::move(victim.value));
+    }
+    slots_[index] = {key, std::move(value), cost, tag, false};
     bytes_ += cost;
-    ++size_;
-    insert({tag_of(key), slot});
+    while (bytes_ > most) {
+      const std::uint32_t victim = next_victim(index);
+      const bool moves = index == slots_.size() - 1;
+      const Key old = slots_[victim].key;
+      evicted(old, remove(victim));
+      if (moves) index = victim;
+    }
   }
   void put(const Key& key, Value value, std::size_t value_bytes) {
-    put(key, std::move(value), value_bytes, kForget);
+    put(key, std::move(value), value_bytes, [](const Key&, Value&&) noexcept {});
   }
 
   /// No effect where there is none.
   void erase(const Key& key) {
-    if (const std::size_t at = bucket_of(key); at != kNotFound) drop(at);
+    const std::size_t at = bucket_of(key, tag_of(key));
+    if (at != kNotFound) remove(buckets_[at].slot);
   }
 
-  /// Evicts at once what is too much.
-  void set_capacity(std::size_t capacity_bytes) {
-    capacity_bytes_ = capacity_bytes;
-    shrink_to(capacity_bytes, kForget);
-    if (size_ < (slots_.size() + 1) / 2) pack();
+  /// Takes no time: call fit() until all fits.
+  void set_capacity(std::size_t capacity_bytes) { capacity_bytes_ = capacity_bytes; }
+  /// Evicts what is too much and gives its memory back. Looks at no more than `looks` entries, and takes what
+  /// it looked at from `looks`. Whether all fits now.
+  [[nodiscard]] bool fit(std::size_t& looks) {
+    for (; bytes_ > capacity_bytes_; --looks) {
+      if (looks == 0) return false;
+      const std::uint32_t index = step();
+      if (!std::exchange(slots_[index].used, false)) remove(index);
+    }
+    shrink_table();
+    return true;
   }
 
+  /// Of all entries, with their overhead.
   [[nodiscard]] std::size_t bytes() const { return bytes_; }
-  [[nodiscard]] std::size_t size() const { return size_; }
+  [[nodiscard]] std::size_t size() const { return slots_.size(); }
 
  private:
   static constexpr std::size_t kNotFound = std::numeric_limits<std::size_t>::max();
   static constexpr std::size_t kMinBuckets = 16;
-  static constexpr auto kForget = [](const Key&, Value&&) noexcept {};
   // So that nothing but an allocation can throw.
-  static_assert(std::is_nothrow_copy_assignable_v<Key> && std::is_nothrow_move_assignable_v<Value> &&
+  static_assert(std::is_nothrow_copy_constructible_v<Key> && std::is_nothrow_copy_assignable_v<Key> &&
+                std::is_nothrow_move_constructible_v<Value> && std::is_nothrow_move_assignable_v<Value> &&
                 std::is_nothrow_default_constructible_v<Value>);
 
   static std::uint32_t tag_of(const Key& key) { return static_cast<std::uint32_t>(std::hash<Key>{}(key)); }
-  [[nodiscard]] std::size_t home_of(Bucket bucket) const { return bucket.tag & (buckets_.size() - 1); }
+  [[nodiscard]] std::size_t home_of(std::uint32_t tag) const { return tag & (buckets_.size() - 1); }
   [[nodiscard]] std::size_t after(std::size_t at) const { return (at + 1) & (buckets_.size() - 1); }
 
-  [[nodiscard]] std::size_t bucket_of(const Key& key) const { return bucket_of(key, tag_of(key)); }
   [[nodiscard]] std::size_t bucket_of(const Key& key, std::uint32_t tag) const {
     if (buckets_.empty()) return kNotFound;
-    for (std::size_t at = home_of({tag, 0}); buckets_[at].slot != kVacant; at = after(at)) {
+    for (std::size_t at = home_of(tag); buckets_[at].slot != kNone; at = after(at)) {
       if (buckets_[at].tag == tag && slots_[buckets_[at].slot].key == key) return at;
     }
     return kNotFound;
   }
+  [[nodiscard]] std::size_t bucket_at(std::uint32_t slot) const {
+    std::size_t at = home_of(slots_[slot].tag);
+    while (buckets_[at].slot != slot) at = after(at);
+    return at;
+  }
 
   void insert(Bucket bucket) noexcept {
-    std::size_t at = home_of(bucket);
-    while (buckets_[at].slot != kVacant) at = after(at);
+    std::size_t at = home_of(bucket.tag);
+    while (buckets_[at].slot != kNone) at = after(at);
     buckets_[at] = bucket;
   }
 
-  /// Makes sure of a bucket and a vacant slot for one entry more. All that put() allocates.
-  void reserve_slot() {
-    if (4 * (size_ + 1) > 3 * buckets_.size()) grow();
-    if (first_vacant_ != kVacant) return;
+  /// A slot and a bucket for one entry more. All that put() allocates.
+  std::uint32_t add_slot(std::uint32_t tag) {
+    if (4 * (slots_.size() + 1) > 3 * buckets_.size()) rehash(std::max(kMinBuckets, 2 * buckets_.size()));
     slots_.emplace_back();
-    first_vacant_ = static_cast<std::uint32_t>(slots_.size() - 1);
+    const auto index = static_cast<std::uint32_t>(slots_.size() - 1);
+    insert({tag, index});
+    return index;
   }
 
-  void grow() {
-    std::vector<Bucket> before(std::max(kMinBuckets, 2 * buckets_.size()));
+  void rehash(std::size_t buckets) {
+    std::vector<Bucket> before(buckets);
     before.swap(buckets_);
     for (const Bucket bucket : before) {
-      if (bucket.slot != kVacant) insert(bucket);
+      if (bucket.slot != kNone) insert(bucket);
     }
   }
 
-  template <typename Evicted>
-  void shrink_to(std::size_t bytes, Evicted&& evicted) {
-    while (bytes_ > bytes) {
-      Slot& slot = slots_[hand_];
-      hand_ = (hand_ + 1) % slots_.size();
-      if (slot.cost > 0 && !slot.used) {
-        const Key key = slot.key;
-        evicted(key, drop(bucket_of(key)));
-      }
-      slot.used = false;
-    }
-  }
-
-  /// Gives back the memory of vacant slots, where there is memory to pack the others in.
-  void pack() {
-    std::size_t fewer = size_ == 0 ? 0 : kMinBuckets;
-    while (4 * size_ > 3 * fewer) fewer *= 2;
+  /// Where the table is much larger than its entries need, and there is memory for a smaller one.
+  void shrink_table() {
+    std::size_t needed = slots_.empty() ? 0 : kMinBuckets;
+    while (4 * slots_.size() > 3 * needed) needed *= 2;
+    if (buckets_.size() <= 2 * needed) return;
     try {
-      std::vector<Bucket> buckets(fewer);
-      std::deque<Slot> slots(size_);
-      auto next = slots.begin();  // from here on nothing throws
-      for (Slot& slot : slots_) {
-        if (slot.cost > 0) *next++ = std::move(slot);
-      }
-      slots_.swap(slots);
-      buckets_.swap(buckets);
+      rehash(needed);
     } catch (const std::bad_alloc&) {
-      return;  // the next set_capacity() tries again
+      return;  // the next fit() tries again
     }
-    first_vacant_ = kVacant;
-    hand_ = 0;
-    for (std::uint32_t slot = 0; slot < slots_.size(); ++slot) insert({tag_of(slots_[slot].key), slot});
   }
 
-  Value drop(std::size_t at) noexcept {
-    const std::uint32_t index = buckets_[at].slot;
+  /// The slot under the hand, which moves on.
+  std::uint32_t step() {
+    const std::uint32_t index = hand_;
+    hand_ = index + 1 < slots_.size() ? index + 1 : 0;
+    return index;
+  }
+  /// There is another entry than `kept`.
+  std::uint32_t next_victim(std::uint32_t kept) {
+    for (;;) {
+      const std::uint32_t index = step();
+      if (!std::exchange(slots_[index].used, false) && index != kept) return index;
+    }
+  }
+
+  /// The last entry moves into the place. Where it moves behind the hand, it stays a round longer.
+  Value remove(std::uint32_t index) noexcept {
     Slot& slot = slots_[index];
     bytes_ -= slot.cost;
-    --size_;
     Value value = std::move(slot.value);
-    slot = {};
-    slot.next_vacant = std::exchange(first_vacant_, index);
-    close_gap(at);
+    close_gap(bucket_at(index));
+    const auto last = static_cast<std::uint32_t>(slots_.size() - 1);
+    if (index != last) {
+      buckets_[bucket_at(last)].slot = index;
+      slot = std::move(slots_[last]);
+    }
+    slots_.pop_back();
+    if (hand_ == last) hand_ = 0;
     return value;
   }
 
   /// What stands behind the gap and could not be found any more moves up.
   void close_gap(std::size_t gap) {
-    for (std::size_t at = after(gap); buckets_[at].slot != kVacant; at = after(at)) {
-      const std::size_t way_from_home = (at - home_of(buckets_[at])) & (buckets_.size() - 1);
+    for (std::size_t at = after(gap); buckets_[at].slot != kNone; at = after(at)) {
+      const std::size_t way_from_home = (at - home_of(buckets_[at].tag)) & (buckets_.size() - 1);
       const std::size_t way_from_gap = (at - gap) & (buckets_.size() - 1);
       if (way_from_home < way_from_gap) continue;
       buckets_[gap] = buckets_[at];
@@ -201,10 +230,8 @@ class ClockCache {
 
   std::size_t capacity_bytes_;
   std::size_t bytes_ = 0;
-  std::size_t size_ = 0;
-  std::size_t hand_ = 0;
-  std::deque<Slot> slots_;  // a deque, so that growing moves nothing
-  std::uint32_t first_vacant_ = kVacant;
+  std::uint32_t hand_ = 0;
+  std::deque<Slot> slots_;       // a deque, so that growing moves nothing
   std::vector<Bucket> buckets_;  // a power of two of them, or none
 };
 

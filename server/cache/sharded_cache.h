@@ -1,6 +1,7 @@
 // A map bounded in bytes that evicts by CLOCK. Callable from any thread; a call locks one shard.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <functional>
@@ -42,7 +43,7 @@ class ShardedCache {
     shard.values.put(key, std::move(value), value_bytes);
   }
 
-  /// Evicts at once what is too much.
+  /// Takes no time: call fit() until all fits.
   void set_capacity(std::size_t capacity_bytes) {
     for (Shard& shard : shards_) {
       const std::lock_guard lock{shard.mutex};
@@ -50,7 +51,13 @@ class ShardedCache {
     }
   }
 
-  /// Bytes held now, overhead included; never more than the capacity.
+  /// ClockCache's. Never holds a lock for more than kLooksPerLock entries.
+  [[nodiscard]] bool fit(std::size_t& looks) {
+    return std::all_of(shards_.begin(), shards_.end(), [&](Shard& shard) { return shard.fit(looks); });
+  }
+
+  /// Bytes held now, overhead included. What set_capacity() made too much is among them until fit() has
+  /// evicted it; else no more than the capacity.
   [[nodiscard]] std::size_t bytes() const {
     std::size_t sum = 0;
     for (const Shard& shard : shards_) {
@@ -61,8 +68,20 @@ class ShardedCache {
   }
 
  private:
+  static constexpr std::size_t kLooksPerLock = 64;
+
   struct Shard {
     explicit Shard(std::size_t capacity_bytes) : values{capacity_bytes} {}
+    [[nodiscard]] bool fit(std::size_t& looks) {
+      for (;;) {
+        const std::size_t most = std::min(looks, kLooksPerLock);
+        std::size_t left = most;
+        const std::lock_guard lock{mutex};
+        const bool fits = values.fit(left);
+        looks -= most - left;
+        if (fits || looks == 0) return fits;
+      }
+    }
     mutable std::mutex mutex;
     ClockCache<Key, Value> values;
   };

@@ -4,6 +4,7 @@
 #include <CLI/CLI.hpp>
 
 #include "config/fields.h"
+#include "log/escape.h"
 
 namespace talus::server {
 namespace {
@@ -21,7 +22,7 @@ std::string help_of(const Field& field, std::string_view fallback) {
 }
 
 Exit one_line(std::string text, int status) {
-  return {fmt::format("talusd: {}\n", text), status};
+  return {fmt::format("talusd: {}\n", on_one_line(text)), status};
 }
 
 }  // namespace

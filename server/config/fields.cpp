@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <charconv>
 #include <optional>
 #include <type_traits>
@@ -162,8 +163,8 @@ const std::array kFields{
           number<&Config::cache, &Cache::patch_bytes>(kMebibyte, 1024 * 1024 * kMebibyte)},
 
     Field{"generation.patch_tiles", "tiles",
-          "edge of the square of terrain that is generated at once; a tile is 32 columns",
-          number<&Config::generation, &Generation::patch_tiles>(1, 16)},
+          "edge of the square of terrain that is generated at once, a power of two; a tile is 32 columns",
+          PowerOfTwoTarget{[](Config& c) -> std::uint64_t& { return c.generation.patch_tiles; }, 1, 16}},
     Field{"generation.queue_chunks", "chunks",
           "chunks of all clients that wait for a generator; more are refused",
           number<&Config::generation, &Generation::queue_chunks>(1, 16'777'216)},
@@ -205,6 +206,18 @@ tl::expected<void, std::string> assign_number(const Field& field, const Target& 
   return {};
 }
 
+tl::expected<void, std::string> assign_power_of_two(const Field& field, const PowerOfTwoTarget& target,
+                                                    Config& config, std::optional<std::uint64_t> value,
+                                                    std::string_view shown) {
+  if (!value || *value < target.min || *value > target.max) return refused(field, shown);
+  if (!std::has_single_bit(*value)) {
+    return tl::make_unexpected(fmt::format("{} is wrong; give {} or {}, the nearest powers of two", shown,
+                                           std::bit_floor(*value), std::bit_ceil(*value)));
+  }
+  target.at(config) = *value;
+  return {};
+}
+
 std::optional<std::uint64_t> whole_number(std::string_view text) {
   std::uint64_t value = 0;
   const char* const end = text.data() + text.size();
@@ -224,6 +237,10 @@ struct AssignText {
 
   tl::expected<void, std::string> operator()(const NumberTarget& target) const {
     return assign_number(field, target, config, whole_number(text), fmt::format("\"{}\"", escaped(text)));
+  }
+  tl::expected<void, std::string> operator()(const PowerOfTwoTarget& target) const {
+    return assign_power_of_two(field, target, config, whole_number(text),
+                               fmt::format("\"{}\"", escaped(text)));
   }
   tl::expected<void, std::string> operator()(const DurationTarget& target) const {
     return assign_number(field, target, config, whole_number(text), fmt::format("\"{}\"", escaped(text)));
@@ -276,6 +293,12 @@ struct Describe {
 
   std::string operator()(const NumberTarget& target) const {
     return fmt::format("a whole number from {} to {} ({})", target.min, target.max, unit);
+  }
+  std::string operator()(const PowerOfTwoTarget& target) const {
+    std::string powers;
+    for (std::uint64_t power = target.min; power < target.max; power *= 2)
+      powers += fmt::format("{}, ", power);
+    return fmt::format("{}or {} ({})", powers, target.max, unit);
   }
   std::string operator()(const DurationTarget& target) const {
     return fmt::format("a whole number from {} to {} ({})", target.min.count(), target.max.count(), unit);
@@ -334,6 +357,9 @@ tl::expected<void, std::string> set_from_number(const Field& field, Config& conf
   const auto value = static_cast<std::uint64_t>(number);
   if (const auto* target = std::get_if<NumberTarget>(&field.target)) {
     return assign_number(field, *target, config, value, shown);
+  }
+  if (const auto* target = std::get_if<PowerOfTwoTarget>(&field.target)) {
+    return assign_power_of_two(field, *target, config, value, shown);
   }
   if (const auto* target = std::get_if<DurationTarget>(&field.target)) {
     return assign_number(field, *target, config, value, shown);

@@ -23,6 +23,12 @@ struct NumberTarget {
   std::uint64_t min;
   std::uint64_t max;
 };
+/// One of the powers of two from `min` to `max`, which are powers of two.
+struct PowerOfTwoTarget {
+  std::uint64_t& (*at)(Config&);
+  std::uint64_t min;
+  std::uint64_t max;
+};
 /// A whole number of milliseconds; its key ends in "_ms".
 struct DurationTarget {
   std::chrono::milliseconds& (*at)(Config&);
@@ -58,8 +64,8 @@ struct Field {
   std::string_view key;   // "limits.connections"
   std::string_view unit;  // "" where the value has none
   std::string_view help;
-  std::variant<NumberTarget, DurationTarget, EndpointTarget, OptionalEndpointTarget, PathTarget,
-               NetworksTarget, WordTarget, TextTarget>
+  std::variant<NumberTarget, PowerOfTwoTarget, DurationTarget, EndpointTarget, OptionalEndpointTarget,
+               PathTarget, NetworksTarget, WordTarget, TextTarget>
       target;
 };
 

@@ -8,11 +8,11 @@
 
 #include <talus/files/secret_file.h>
 #include <talus/toml/toml_bounds.h>
+#include <talus/toml/toml_error.h>
 #include <talus/vectors/instruction_set.h>
 
 #include "config/fields.h"
 #include "config/nearest.h"
-#include "config/trimmed.h"
 #include "log/escape.h"
 
 namespace talus::server {
@@ -39,6 +39,7 @@ bool is_table(std::string_view path) {
 
 Done set_from_node(const Field& field, Config& config, const toml::node& node) {
   const bool number = std::holds_alternative<NumberTarget>(field.target) ||
+                      std::holds_alternative<PowerOfTwoTarget>(field.target) ||
                       std::holds_alternative<DurationTarget>(field.target);
   if (number && node.is_integer()) return set_from_number(field, config, node.as_integer()->get());
   if (!number && node.is_string()) return set_from_text(field, config, node.as_string()->get());
@@ -101,23 +102,9 @@ class TomlFile {
   const toml::table& root_;
 };
 
-/// The setting that a line of the text assigns to, or null: for errors of the parser, which names only the
-/// line.
-const Field* field_at_line(std::string_view toml, std::size_t line) {
-  std::string table;
-  for (std::size_t at = 1; at < line && !toml.empty(); ++at) {
-    const std::size_t end = std::min(toml.find('\n'), toml.size());
-    const std::string_view text = trimmed(toml.substr(0, end));
-    if (text.starts_with('[')) table = fmt::format("{}.", trimmed(text.substr(1, text.find(']') - 1)));
-    toml.remove_prefix(std::min(end + 1, toml.size()));
-  }
-  const std::string_view text = toml.substr(0, toml.find('\n'));
-  return find_field(table + std::string{trimmed(text.substr(0, text.find('=')))});
-}
-
 /// What the parser says. It has escaped what it quotes: its backslashes stay.
-std::string words_of(const toml::parse_error& error) {
-  std::string_view rest = error.description().substr(0, 300);
+std::string words_of(const std::string& description) {
+  std::string_view rest = description;
   std::string words;
   for (;;) {
     const std::size_t backslash = std::min(rest.find('\\'), rest.size());
@@ -129,11 +116,13 @@ std::string words_of(const toml::parse_error& error) {
 }
 
 std::string parse_error_line(std::string_view toml, std::string_view file, const toml::parse_error& error) {
-  const std::size_t line = error.source().begin.line;
-  const std::string what = words_of(error);
-  const Field* const field = field_at_line(toml, line);
-  if (field == nullptr) return fmt::format("{}:{}: {}", file, line, what);
-  return fmt::format("{}:{}: {}: {}; give {}", file, line, field->key, what, expectation(*field));
+  const auto line = static_cast<int>(error.source().begin.line);
+  const std::string key = toml_key_at_line(toml, line);
+  const std::string what = words_of(toml_error_text(error.description(), key));
+  if (key.empty()) return fmt::format("{}:{}: {}", file, line, what);
+  const Field* const field = find_field(key);
+  return fmt::format("{}:{}: {}: {}{}", file, line, escaped(key), what,
+                     field == nullptr ? "" : fmt::format("; give {}", expectation(*field)));
 }
 
 /// A warning for each variable that names no setting.

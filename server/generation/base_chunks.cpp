@@ -1,5 +1,6 @@
 #include "generation/base_chunks.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace talus::server {
@@ -89,9 +90,9 @@ void BaseChunks::cancel_heights(ClientId client, std::uint64_t ticket) {
   pool_.cancel_heights(client, ticket);
 }
 
-void BaseChunks::fit_caches() {
+bool BaseChunks::fit_caches() {
   const std::unique_lock lock{fitting_, std::try_to_lock};
-  if (!lock) return;  // another thread is at it
+  if (!lock) return true;  // another thread is at it
   const std::uint64_t configured = settings_.chunk_cache_bytes + settings_.patch_cache_bytes;
   const std::uint64_t allowed = memory_.for_caches(configured);
   const std::uint64_t change = allowed > fitted_bytes_ ? allowed - fitted_bytes_ : fitted_bytes_ - allowed;
@@ -105,8 +106,15 @@ void BaseChunks::fit_caches() {
     patches_.set_capacity(share(settings_.patch_cache_bytes));
     fitted_bytes_ = allowed;
   }
+  std::size_t chunks = kChunksPerFit;
+  const auto tiles =
+      static_cast<std::size_t>(settings_.patch_tiles) * static_cast<std::size_t>(settings_.patch_tiles);
+  std::size_t patches = std::max<std::size_t>(1, kTilesPerFit / tiles);
+  const bool patches_fit = patches_.fit(patches);
+  const bool chunks_fit = chunks_.fit(chunks) && rows_.fit(chunks);
   memory_.set(MemoryUse::chunk_cache, chunks_.bytes() + rows_.bytes());
   memory_.set(MemoryUse::patch_cache, patches_.bytes());
+  return patches_fit && chunks_fit;
 }
 
 BaseChunks::Status BaseChunks::status() {

@@ -28,7 +28,7 @@ namespace talus::server {
 
 struct GenerationSettings {
   std::size_t threads = 1;
-  int patch_tiles = 4;           // along each edge of a patch
+  int patch_tiles = 4;           // along each edge of a patch; a power of two
   std::size_t queue_chunks = 0;  // jobs of all clients together
   std::size_t chunk_cache_bytes = 0;
   std::size_t patch_cache_bytes = 0;
@@ -57,9 +57,15 @@ class BaseChunks final : public ChunkSource {
                       std::vector<terrain::BaseColumn> columns) override;
   void cancel_heights(ClientId client, std::uint64_t ticket) override;
 
-  /// Makes the caches as large as the budget now allows. Call it now and then: they shrink before anything is
+  /// The most that one fit_caches() evicts: chunks and columns' rows, and tiles of patches, but always one
+  /// patch. Freeing them takes about a millisecond.
+  static constexpr std::size_t kChunksPerFit = 1024;
+  static constexpr std::size_t kTilesPerFit = 256;
+
+  /// Makes the caches as large as the budget now allows, by a slice of bounded work a call; false where there
+  /// is more to evict: call it again soon. Call it now and then in any case: caches shrink before anything is
   /// refused.
-  void fit_caches();
+  [[nodiscard]] bool fit_caches();
 
   struct Status {
     std::size_t jobs = 0;

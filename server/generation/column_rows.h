@@ -27,13 +27,15 @@ class ColumnRows {
     const auto rows = exact(key);
     return rows ? *rows : generator_.mixed_rows_anywhere(key.lod);
   }
-  /// Notes all columns of the patch.
+  /// Notes all columns of the patch. Throws std::bad_alloc, and then has noted some.
   void note(const PatchKey& patch, const terrain::Stacks& stacks) {
     for_each_column(patch, patch_tiles_,
                     [&](ChunkKey column) { rows_.put(column, generator_.mixed_rows(stacks, column), 0); });
   }
 
+  /// As those of ShardedCache.
   void set_capacity(std::size_t capacity_bytes) { rows_.set_capacity(capacity_bytes); }
+  [[nodiscard]] bool fit(std::size_t& looks) { return rows_.fit(looks); }
   [[nodiscard]] std::size_t bytes() const { return rows_.bytes(); }
 
  private:

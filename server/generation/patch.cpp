@@ -1,8 +1,11 @@
 #include "generation/patch.h"
 
+#include <cassert>
+
 namespace talus::server {
 
 PatchKey patch_of(ChunkKey chunk, int patch_tiles) {
+  assert(is_patch_edge(patch_tiles));
   return {static_cast<std::int32_t>(floor_div(chunk.coord.x, patch_tiles)),
           static_cast<std::int32_t>(floor_div(chunk.coord.z, patch_tiles)), chunk.lod};
 }

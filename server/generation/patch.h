@@ -1,6 +1,9 @@
-// Patches: squares of tiles whose stacks are generated together, so that they share surface and halo.
+// Patches: squares of tiles whose stacks are generated together, so that they share surface and halo. Their
+// edge is a power of two of tiles: else a patch would straddle the world's end, where chunks' int32
+// coordinates of one side would stand for those of the other.
 #pragma once
 
+#include <bit>
 #include <compare>
 #include <cstdint>
 #include <functional>
@@ -17,6 +20,11 @@ struct PatchKey {
   Lod lod;
   constexpr auto operator<=>(const PatchKey&) const = default;
 };
+
+/// Whether patches may have so many tiles along each edge.
+[[nodiscard]] constexpr bool is_patch_edge(int patch_tiles) {
+  return patch_tiles > 0 && std::has_single_bit(static_cast<unsigned>(patch_tiles));
+}
 
 /// The patch, `patch_tiles` tiles along each edge, over which the chunk stands.
 [[nodiscard]] PatchKey patch_of(ChunkKey chunk, int patch_tiles);

@@ -101,6 +101,18 @@ void PatchStore::set_capacity(std::size_t capacity_bytes) {
   patches_.set_capacity(capacity_bytes);
 }
 
+bool PatchStore::fit(std::size_t& looks) {
+  // A patch takes long to free: generators come in between.
+  for (;;) {
+    std::size_t one = std::min<std::size_t>(looks, 1);
+    looks -= one;
+    const std::lock_guard lock{mutex_};
+    const bool fits = patches_.fit(one);
+    looks += one;
+    if (fits || looks == 0) return fits;
+  }
+}
+
 std::size_t PatchStore::bytes() const {
   const std::lock_guard lock{mutex_};
   return patches_.bytes();

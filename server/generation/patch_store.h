@@ -57,8 +57,10 @@ class PatchStore {
   /// waits for this thread any more.
   void finish(const Loan& loan, MeasuredWork& measured);
 
-  /// Evicts at once what is too much, without extraction.
+  /// Takes no time: call fit() until all fits.
   void set_capacity(std::size_t capacity_bytes);
+  /// ClockCache's: evicts what is too much, without extraction.
+  [[nodiscard]] bool fit(std::size_t& looks);
   [[nodiscard]] std::size_t bytes() const;
 
  private:

@@ -19,7 +19,7 @@ namespace talus::server {
 
 class TerrainGenerator final : public Generator {
  public:
-  /// Patches have `patch_tiles` tiles along each edge.
+  /// Patches have `patch_tiles` tiles along each edge, a power of two.
   TerrainGenerator(std::shared_ptr<const terrain::World> world, int patch_tiles);
 
   [[nodiscard]] EncodedChunkPtr instant(ChunkKey key) const override;

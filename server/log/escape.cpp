@@ -1,31 +1,51 @@
 #include "log/escape.h"
 
+#include <algorithm>
+#include <cstddef>
+
 #include <fmt/format.h>
 
 namespace talus::server {
-
 namespace {
 
-std::string escape(std::string_view text, std::string_view also) {
-  std::string out;
-  for (const char c : text) {
-    if (c >= ' ' && c <= '~' && also.find(c) == std::string_view::npos) {
-      out += c;
-    } else {
-      out += fmt::format("\\x{:02x}", static_cast<unsigned char>(c));
-    }
+std::string hex(char byte) {
+  return fmt::format("\\x{:02x}", static_cast<unsigned char>(byte));
+}
+
+/// Bytes of the printable character at the beginning of the text, in UTF-8; 0 where there is none. What a
+/// terminal takes for a command is none: C0, DEL and C1.
+std::size_t printable_bytes(std::string_view text) {
+  const auto at = [&](std::size_t i) { return i < text.size() ? static_cast<unsigned char>(text[i]) : 0U; };
+  const unsigned first = at(0);
+  if (first < 0x80) return first >= 0x20 && first != 0x7F ? 1 : 0;
+  const std::size_t bytes = first >= 0xF0 ? 4 : first >= 0xE0 ? 3 : 2;
+  if (first < 0xC2 || first > 0xF4) return 0;
+  if (first == 0xC2 && at(1) < 0xA0) return 0;
+  for (std::size_t i = 1; i < bytes; ++i) {
+    if (at(i) < 0x80 || at(i) > 0xBF) return 0;
   }
-  return out;
+  return bytes;
 }
 
 }  // namespace
 
 std::string escaped(std::string_view text, std::size_t max_bytes) {
-  return escape(text.substr(0, max_bytes), "\"\\") + (text.size() > max_bytes ? "..." : "");
+  std::string out;
+  for (const char c : text.substr(0, max_bytes)) {
+    const bool plain = c >= ' ' && c <= '~' && c != '"' && c != '\\';
+    out += plain ? std::string(1, c) : hex(c);
+  }
+  return out + (text.size() > max_bytes ? "..." : "");
 }
 
-std::string printable(std::string_view text) {
-  return escape(text, "");
+std::string on_one_line(std::string_view text) {
+  std::string out;
+  while (!text.empty()) {
+    const std::size_t bytes = printable_bytes(text);
+    out += bytes == 0 ? hex(text.front()) : std::string{text.substr(0, bytes)};
+    text.remove_prefix(std::max<std::size_t>(1, bytes));
+  }
+  return out;
 }
 
 }  // namespace talus::server

@@ -11,7 +11,8 @@ namespace talus::server {
 /// printable ASCII, quotes and backslashes become \xNN.
 [[nodiscard]] std::string escaped(std::string_view text, std::size_t max_bytes = 120);
 
-/// All of `text`. Bytes that are not printable ASCII become \xNN; quotes and backslashes stay.
-[[nodiscard]] std::string printable(std::string_view text);
+/// The text with its control characters (C0, DEL and C1), and what is no UTF-8, as \xNN: for lines of our own
+/// that name paths.
+[[nodiscard]] std::string on_one_line(std::string_view text);
 
 }  // namespace talus::server

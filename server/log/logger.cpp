@@ -7,6 +7,7 @@
 
 #include "log/json_lines.h"
 #include "log/non_blocking_sink.h"
+#include "log/text_lines.h"
 
 namespace talus::server {
 
@@ -15,7 +16,7 @@ Logger make_logger(std::string_view level, std::string_view format) {
   if (format == "json") {
     logger->set_formatter(std::make_unique<JsonLines>());
   } else {
-    logger->set_pattern("%Y-%m-%dT%H:%M:%S.%e%z %l %v");
+    logger->set_formatter(std::make_unique<TextLines>());
   }
   logger->set_level(spdlog::level::from_str(std::string{level}));
   return logger;

@@ -8,7 +8,7 @@
 namespace talus::server {
 
 std::string program_line(std::string_view format, spdlog::level::level_enum level, std::string_view text) {
-  const std::string safe = printable(text);
+  const std::string safe = on_one_line(text);
   if (format == "json") {
     spdlog::memory_buf_t line;
     JsonLines{}.format({"talusd", level, safe}, line);

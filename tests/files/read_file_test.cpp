@@ -27,6 +27,7 @@ TEST_CASE("a file over the bound is refused without being read to its end") {
   const ScratchDirectory scratch;
   const std::string file = scratch.write("f", "four");
   CHECK(read_file(file, 3).error().code == std::errc::file_too_large);
+  CHECK(read_file(file, 3).error().message() == file + ": has over 3 bytes");
   CHECK(SecretFile::read(file, 3).error().reason == "has over 3 bytes");
 }
 

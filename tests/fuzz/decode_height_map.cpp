@@ -40,7 +40,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   std::optional<double> high;
   const auto heights = terrain::scaled_heights(*map, kHighest, low, high);
   if (!heights) {
-    require(!heights.error().empty(), "an error describes itself");
+    require(!heights.error().what.empty(), "an error describes itself");
     return 0;
   }
   for (const std::int32_t height : (*heights)->values) {

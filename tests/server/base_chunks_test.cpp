@@ -328,26 +328,47 @@ TEST_CASE("jobs are in the memory budget while they wait") {
   CHECK(fake.memory.used(MemoryUse::jobs) == 2 * one);
 }
 
-TEST_CASE("caches shrink as soon as everything else grows, and grow again") {
+TEST_CASE("caches shrink by slices as soon as everything else grows, and grow again") {
   FakeService fake{1, 2000, 128 * kMebibyte, 64 * kMebibyte};
-  fake.work->payload_bytes = 20'000;
+  fake.work->payload_bytes = 5'000;
+  fake.work->patch_columns = 10'000;
+  fake.work->first_mixed = 0;
+  fake.work->last_mixed = 1'000'000;  // so that no patch is let go because its chunks are all cached
   WaitingClient client;
   std::size_t asked = 0;
   const auto fill = [&] {
-    for (std::int32_t x = 0; x < 1000; ++x) REQUIRE(queued(fake.service, client, at(x)));
-    client.await(asked += 1000);
-    fake.service.fit_caches();
+    for (std::int32_t x = 0; x < 4000; ++x) {
+      REQUIRE(queued(fake.service, client, at(x)));
+      if (x % 500 == 499) client.await(asked += 500);
+    }
+    REQUIRE(fake.service.fit_caches());
   };
+  // What a slice may free of either cache, in bytes.
+  constexpr std::uint64_t kChunkSlice = BaseChunks::kChunksPerFit * 5'300;
+  constexpr std::uint64_t kPatchSlice = BaseChunks::kTilesPerFit / 16 * 41'000;
+  const auto used = [&](MemoryUse use) { return fake.memory.used(use); };
   fill();
-  CHECK(fake.memory.used(MemoryUse::chunk_cache) > 20'000'000);
+  CHECK(used(MemoryUse::chunk_cache) > 20'000'000);
+  CHECK(used(MemoryUse::patch_cache) > 30'000'000);
   fake.memory.set(MemoryUse::sessions, UINT64_MAX / 4);
-  fake.service.fit_caches();
-  CHECK(fake.memory.used(MemoryUse::chunk_cache) <= 4 * kMebibyte);  // half of a sixteenth
+  int calls = 0;
+  for (bool fits = false; !fits; ++calls) {
+    const std::uint64_t chunks = used(MemoryUse::chunk_cache);
+    const std::uint64_t patches = used(MemoryUse::patch_cache);
+    fits = fake.service.fit_caches();
+    REQUIRE(used(MemoryUse::chunk_cache) + kChunkSlice >= chunks);
+    REQUIRE(used(MemoryUse::patch_cache) + kPatchSlice >= patches);
+    REQUIRE(calls < 1000);
+  }
+  CHECK(calls > 30);
+  CHECK(used(MemoryUse::chunk_cache) <= 4 * kMebibyte);  // half of a sixteenth
+  CHECK(used(MemoryUse::patch_cache) <= 4 * kMebibyte);
   CHECK(fake.service.status().chunk_cache_bytes <= 4 * kMebibyte);
+  CHECK(fake.service.fit_caches());
   fake.memory.set(MemoryUse::sessions, 0);
-  fake.service.fit_caches();
+  CHECK(fake.service.fit_caches());
   fill();
-  CHECK(fake.memory.used(MemoryUse::chunk_cache) > 20'000'000);
+  CHECK(used(MemoryUse::chunk_cache) > 20'000'000);
 }
 
 TEST_CASE("generators count for an eighth of the budget at most, so that somebody can come") {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <map>
+#include <set>
 
 #include <rapidcheck.h>
 
@@ -14,60 +15,81 @@ using namespace talus::server;
 
 namespace {
 
-/// The plainest form of what ClockCache does: entries in their slots, and a hand that goes round them.
+/// The plainest form of what ClockCache does: entries in a row, and a hand that goes round them.
 class ClockReference {
  public:
   explicit ClockReference(std::size_t capacity) : capacity_{capacity} {}
   bool find(int key) {
     const auto found = place(key);
-    if (found == slots_.end()) return false;
+    if (found == entries_.end()) return false;
     found->used = true;
     return true;
   }
   void put(int key, std::size_t bytes) {
-    erase(key);
     const std::size_t cost = bytes + ClockCache<int, int>::kEntryOverheadBytes;
-    if (cost > capacity_) return;
-    for (; bytes_held() + cost > capacity_; hand_ = (hand_ + 1) % slots_.size()) {
-      Slot& slot = slots_[hand_];
-      if (slot.cost > 0 && !slot.used) vacate(place(slot.key));
-      slot.used = false;
+    if (cost > capacity_) return erase(key);
+    const std::size_t most = std::max(capacity_, bytes_held());
+    if (place(key) == entries_.end()) {
+      if (bytes_held() + cost <= most) {
+        entries_.push_back({key, 0, false});
+      } else {
+        entries_[next_victim()] = {key, 0, false};
+      }
     }
-    // The slot vacated last.
-    if (vacant_.empty()) {
-      vacant_.push_back(slots_.size());
-      slots_.emplace_back();
+    *place(key) = {key, cost, false};
+    while (bytes_held() > most) {
+      std::size_t victim = next_victim();
+      while (entries_[victim].key == key) victim = next_victim();
+      remove(victim);
     }
-    slots_[vacant_.back()] = {key, cost, false};
-    vacant_.pop_back();
   }
   void erase(int key) {
-    if (const auto old = place(key); old != slots_.end()) vacate(old);
+    if (const auto old = place(key); old != entries_.end())
+      remove(static_cast<std::size_t>(old - entries_.begin()));
   }
+  void set_capacity(std::size_t capacity) { capacity_ = capacity; }
+  void fit(std::size_t looks) {
+    for (; looks > 0 && bytes_held() > capacity_; --looks) {
+      const std::size_t at = step();
+      if (!std::exchange(entries_[at].used, false)) remove(at);
+    }
+  }
+  std::size_t capacity() const { return capacity_; }
   std::size_t bytes_held() const {
     std::size_t sum = 0;
-    for (const Slot& slot : slots_) sum += slot.cost;
+    for (const Entry& entry : entries_) sum += entry.cost;
     return sum;
   }
 
  private:
-  struct Slot {
+  struct Entry {
     int key;
     std::size_t cost;
     bool used;
   };
-  std::vector<Slot>::iterator place(int key) {
-    return std::find_if(slots_.begin(), slots_.end(),
-                        [&](const Slot& slot) { return slot.cost > 0 && slot.key == key; });
+  std::vector<Entry>::iterator place(int key) {
+    return std::find_if(entries_.begin(), entries_.end(),
+                        [&](const Entry& entry) { return entry.key == key; });
   }
-  void vacate(std::vector<Slot>::iterator slot) {
-    slot->cost = 0;
-    vacant_.push_back(static_cast<std::size_t>(slot - slots_.begin()));
+  std::size_t step() {
+    const std::size_t at = hand_;
+    hand_ = (hand_ + 1) % entries_.size();
+    return at;
+  }
+  std::size_t next_victim() {
+    for (;;) {
+      const std::size_t at = step();
+      if (!std::exchange(entries_[at].used, false)) return at;
+    }
+  }
+  void remove(std::size_t at) {
+    entries_[at] = entries_.back();
+    entries_.pop_back();
+    if (hand_ == entries_.size()) hand_ = 0;
   }
   std::size_t capacity_;
   std::size_t hand_ = 0;
-  std::vector<Slot> slots_;
-  std::vector<std::size_t> vacant_;
+  std::vector<Entry> entries_;
 };
 
 EncodedChunkPtr chunk_of(std::size_t payload_bytes) {
@@ -76,7 +98,7 @@ EncodedChunkPtr chunk_of(std::size_t payload_bytes) {
 
 }  // namespace
 
-TEST_CASE("ClockCache keeps what plain slots and a hand would keep, and never more than its capacity") {
+TEST_CASE("ClockCache keeps what a row of entries and a hand would keep, and never grows past its capacity") {
   CHECK(rc::check([] {
     const auto capacity = *rc::gen::inRange<std::size_t>(200, 20'000);
     ClockCache<int, int> cache{capacity};
@@ -94,7 +116,19 @@ TEST_CASE("ClockCache keeps what plain slots and a hand would keep, and never mo
         const int* const value = cache.find(key);
         RC_ASSERT((value != nullptr) == reference.find(key));
         if (value != nullptr) RC_ASSERT(*value == key);
+      } else if (bytes > 560) {
+        const std::size_t smaller = static_cast<std::size_t>(bytes - 560) * capacity / 40;
+        cache.set_capacity(smaller);
+        reference.set_capacity(smaller);
+      } else if (bytes > 520) {
+        auto looks = static_cast<std::size_t>(bytes - 520);
+        reference.fit(looks);
+        const bool fits = cache.fit(looks);
+        RC_ASSERT(fits == (cache.bytes() <= reference.capacity()));
+        if (!fits) RC_ASSERT(looks == 0U);
+        std::erase_if(held, [&](const auto& entry) { return !cache.holds(entry.first); });
       } else {
+        const std::size_t most = std::max(cache.bytes(), reference.capacity());
         held.erase(key);
         std::vector<std::pair<int, int>> evicted;
         cache.put(key, key, static_cast<std::size_t>(bytes),
@@ -105,11 +139,11 @@ TEST_CASE("ClockCache keeps what plain slots and a hand would keep, and never mo
         }
         if (cache.holds(key)) held[key] = key;
         reference.put(key, static_cast<std::size_t>(bytes));
+        RC_ASSERT(cache.bytes() <= most);
       }
       RC_ASSERT(cache.size() == held.size());
       for (const auto& [each, value] : held) RC_ASSERT(cache.holds(each));
       RC_ASSERT(cache.bytes() == reference.bytes_held());
-      RC_ASSERT(cache.bytes() <= capacity);
     }
   }));
 }
@@ -124,24 +158,45 @@ TEST_CASE("what is used stays, what is not goes") {
   CHECK(cache.size() == 8);
 }
 
-TEST_CASE("a smaller capacity evicts at once, gives its memory back, and leaves the rest to be found") {
-  ClockCache<int, int> cache{1 << 20};
+TEST_CASE("a smaller capacity is fitted a slice a call, and the rest is found throughout") {
+  constexpr std::size_t kEntry = 100 + ClockCache<int, int>::kEntryOverheadBytes;
+  ClockCache<int, int> cache{1000 * kEntry};
   for (int key = 0; key < 1000; ++key) cache.put(key, key, 100);
-  cache.set_capacity(1 << 14);
-  CHECK(cache.bytes() <= 1 << 14);
-  CHECK(cache.size() > 50);
-  int found = 0;
-  for (int key = 0; key < 1000; ++key) {
-    if (!cache.holds(key)) continue;
-    CHECK(*cache.find(key) == key);
-    ++found;
+  for (int key = 0; key < 500; ++key) (void)cache.find(key);  // the hand passes these once
+  cache.set_capacity(100 * kEntry);
+  bool fits = false;
+  int calls = 0;
+  while (!fits) {
+    const std::size_t before = cache.size();
+    std::size_t looks = 40;
+    fits = cache.fit(looks);
+    ++calls;
+    REQUIRE(before - cache.size() <= 40);
+    int found = 0;
+    for (int key = 0; key < 1000; ++key) found += cache.holds(key) ? 1 : 0;
+    REQUIRE(found == static_cast<int>(cache.size()));
+    REQUIRE(cache.bytes() == cache.size() * kEntry);
   }
-  CHECK(found == static_cast<int>(cache.size()));
+  CHECK(calls > 1000 / 40);
+  CHECK(cache.size() == 100);
   cache.put(5000, 5000, 100);
   CHECK(cache.holds(5000));
+  CHECK(cache.size() == 100);
 }
 
-TEST_CASE("a put() whose allocation fails has changed nothing, and can be tried again") {
+TEST_CASE("who puts something into a cache that is too large makes room for that alone") {
+  constexpr std::size_t kEntry = 100 + ClockCache<int, int>::kEntryOverheadBytes;
+  ClockCache<int, int> cache{1000 * kEntry};
+  for (int key = 0; key < 1000; ++key) cache.put(key, key, 100);
+  cache.set_capacity(10 * kEntry);
+  int evicted = 0;
+  cache.put(2000, 2000, 100, [&](int, int&&) noexcept { ++evicted; });
+  CHECK(evicted == 1);
+  CHECK(cache.holds(2000));
+  CHECK(cache.size() == 1000);
+}
+
+TEST_CASE("whichever allocation of a put() fails, it has changed nothing and can be tried again") {
   constexpr std::size_t kEntry = 100 + ClockCache<int, int>::kEntryOverheadBytes;
   ClockCache<int, int> cache{60 * kEntry};
   std::map<int, int> held;  // by what the cache said of its evictions
@@ -159,29 +214,48 @@ TEST_CASE("a put() whose allocation fails has changed nothing, and can be tried 
     const int key = i % 80;
     std::vector<int> evicted;
     evicted.reserve(80);
-    const auto put = [&] {
-      cache.put(key, i, 100, [&](int old, int&&) noexcept { evicted.push_back(old); });
-    };
-    bool failed = false;
-    {
-      const talus::test::FailingAllocations failing{static_cast<std::size_t>(i % 2)};
-      try {
-        put();
-      } catch (const std::bad_alloc&) {
-        failed = true;
+    bool failed = true;
+    for (std::size_t allocations = 0; failed; ++allocations) {
+      {
+        const talus::test::FailingAllocations failing{allocations};
+        try {
+          cache.put(key, i, 100, [&](int old, int&&) noexcept { evicted.push_back(old); });
+        } catch (const std::bad_alloc&) {
+        }
+        failed = failing.has_failed();
       }
-    }
-    if (failed) {
+      if (!failed) break;
       ++failures;
       REQUIRE(evicted.empty());
       check_all_held();
-      put();
     }
     for (const int old : evicted) held.erase(old);
     held[key] = i;
     check_all_held();
   }
-  CHECK(failures > 1);
+  CHECK(failures > 4);
+}
+
+TEST_CASE("a cache that lacks the memory to give its memory back fits all the same, and is whole") {
+  constexpr std::size_t kEntry = 100 + ClockCache<int, int>::kEntryOverheadBytes;
+  ClockCache<int, int> cache{1000 * kEntry};
+  for (int key = 0; key < 1000; ++key) cache.put(key, key, 100);
+  cache.set_capacity(8 * kEntry);
+  bool failed = false;
+  std::size_t looks = 1000;
+  {
+    const talus::test::FailingAllocations failing{0};
+    REQUIRE(cache.fit(looks));
+    failed = failing.has_failed();
+  }
+  CHECK(failed);
+  CHECK(cache.size() == 8);
+  for (int i = 0; i < 2; ++i) {
+    CHECK(cache.fit(looks));  // the first gives it back
+    int found = 0;
+    for (int key = 0; key < 1000; ++key) found += cache.holds(key) ? 1 : 0;
+    CHECK(found == 8);
+  }
 }
 
 TEST_CASE("nothing is allocated to evict, to erase or to replace") {
@@ -192,12 +266,53 @@ TEST_CASE("nothing is allocated to evict, to erase or to replace") {
   for (int key = 5; key < 100; ++key) cache.put(key, key, 100);
   cache.erase(99);
   cache.put(98, 0, 100);
-  const bool failed_before = failing.has_failed();
-  cache.set_capacity(4 * kEntry);
   const bool failed = failing.has_failed();
-  CHECK_FALSE(failed_before);
-  CHECK(failed);  // the memory in which less memory would be held
-  CHECK(cache.size() == 4);
+  CHECK_FALSE(failed);
+}
+
+TEST_CASE("whichever allocation of a sharded put() fails, every shard is whole") {
+  using Cache = ShardedCache<ChunkKey, int>;
+  constexpr std::size_t kEntry = 100 + ClockCache<ChunkKey, int>::kEntryOverheadBytes;
+  Cache cache{1000 * kEntry};
+  std::set<std::int32_t> held;
+  for (std::int32_t x = 0; x < 200; ++x) {
+    const ChunkKey key{{x, 0, 0}, Lod{}};
+    bool failed = true;
+    for (std::size_t allocations = 0; failed; ++allocations) {
+      {
+        const talus::test::FailingAllocations failing{allocations};
+        try {
+          cache.put(key, x, 100);
+        } catch (const std::bad_alloc&) {
+        }
+        failed = failing.has_failed();
+      }
+      if (!failed) held.insert(x);
+      REQUIRE(cache.holds(key) == !failed);
+      REQUIRE(cache.bytes() == held.size() * kEntry);
+    }
+    REQUIRE(cache.find(key) == x);
+  }
+}
+
+TEST_CASE("a sharded cache of a smaller capacity fits after calls that look at no more than they may") {
+  ShardedCache<ChunkKey, int> cache{1 << 20};
+  const auto held = [&] {
+    std::size_t count = 0;
+    for (std::int32_t x = 0; x < 5000; ++x) count += cache.holds({{x, 0, 0}, Lod{}}) ? 1U : 0U;
+    return count;
+  };
+  for (std::int32_t x = 0; x < 5000; ++x) cache.put({{x, 0, 0}, Lod{}}, x, 100);
+  cache.set_capacity(1 << 16);
+  bool fits = false;
+  while (!fits) {
+    const std::size_t before = held();
+    std::size_t looks = 100;
+    fits = cache.fit(looks);
+    REQUIRE(before - held() == 100 - looks);
+  }
+  CHECK(cache.bytes() <= 1 << 16);
+  CHECK(cache.bytes() > 1 << 15);
 }
 
 TEST_CASE("the chunk cache stays within its bytes") {

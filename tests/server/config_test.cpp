@@ -4,8 +4,11 @@
 #include <algorithm>
 #include <fstream>
 #include <iterator>
+#include <set>
 
 #include <catch2/catch.hpp>
+
+#include <talus/toml/toml_bounds.h>
 
 #include "config/command_line.h"
 #include "config/fields.h"
@@ -45,6 +48,7 @@ std::string other_than_default(const Field& field) {
     Config defaults;
     return std::to_string(number->at(defaults) == number->max ? number->min : number->max);
   }
+  if (std::holds_alternative<PowerOfTwoTarget>(field.target)) return "1";
   if (const auto* duration = std::get_if<DurationTarget>(&field.target)) {
     Config defaults;
     return std::to_string((duration->at(defaults) == duration->max ? duration->min : duration->max).count());
@@ -123,6 +127,28 @@ TEST_CASE("a number out of range names the range and the unit") {
              Catch::StartsWith("file.toml:2: limits.frame_bytes: 16") && Catch::Contains("4096") &&
                  Catch::Contains("(bytes)"));
   CHECK_THAT(toml_error("[limits]\nframe_bytes = -1\n"), Catch::Contains("-1"));
+}
+
+TEST_CASE("the edge of a patch is a power of two; what is none is refused with the nearest two") {
+  for (std::uint64_t tiles = 0; tiles <= 17; ++tiles) {
+    const std::string toml = "[generation]\npatch_tiles = " + std::to_string(tiles);
+    CAPTURE(toml);
+    if (std::set<std::uint64_t>{1, 2, 4, 8, 16}.contains(tiles)) {
+      CHECK(settings_of(toml).config.generation.patch_tiles == tiles);
+    } else {
+      CHECK_THAT(toml_error(toml), Catch::StartsWith("file.toml:2: generation.patch_tiles: "));
+    }
+  }
+  const auto error = [](const char* tiles) {
+    return toml_error(std::string{"generation.patch_tiles = "} + tiles);
+  };
+  const std::string begin = "file.toml:1: generation.patch_tiles: ";
+  CHECK(error("3") == begin + "3 is wrong; give 2 or 4, the nearest powers of two");
+  CHECK(error("9") == begin + "9 is wrong; give 8 or 16, the nearest powers of two");
+  CHECK(error("0") == begin + "0 is wrong; give 1, 2, 4, 8, or 16 (tiles)");
+  CHECK(error("17") == begin + "17 is wrong; give 1, 2, 4, 8, or 16 (tiles)");
+  CHECK(command({}, {{"TALUS_GENERATION_PATCH_TILES", "6"}}).error().text ==
+        "talusd: TALUS_GENERATION_PATCH_TILES: \"6\" is wrong; give 4 or 8, the nearest powers of two\n");
 }
 
 TEST_CASE("a duration is read in milliseconds, in its range") {
@@ -204,6 +230,42 @@ TEST_CASE("a syntax error is one line with its place") {
   const std::string line = toml_error("[limits]\nconnections = = 5\n");
   CHECK_THAT(line, Catch::StartsWith("file.toml:2: "));
   CHECK(line.find('\n') == std::string::npos);
+}
+
+TEST_CASE("every mistake in a configuration has its message") {
+  const std::string long_key(5000, 'k');
+  const std::string cut = std::string(120, 'k') + "...";
+  struct Mistake {
+    std::string toml;
+    std::string message;
+  };
+  const Mistake mistakes[] = {
+      {"[limits]\nconnections = \n",
+       "file.toml:2: limits.connections: expected value, saw '\\n'; give a whole number from 1 to 1000000 "
+       "(connections)"},
+      {"listen == 3", "file.toml:1: listen: this is no value: a string stands in quotes; give \"HOST:PORT\""},
+      {"foo = {a = 1, a = 2}", "file.toml:1: foo: cannot redefine existing integer 'a'"},
+      {"[limits\n", "file.toml:1: table header: expected ']', saw '\\n'"},
+      {"# \xe2\x80\xa8\r\n[limits]\r\n\r\nconnections = = 5\r\n",
+       "file.toml:4: limits.connections: this is no value: a string stands in quotes; give a whole number "
+       "from 1 "
+       "to 1000000 (connections)"},
+      {long_key + " = 3", "file.toml:1: " + cut + ": no such key; did you mean access.signing_key_file?"},
+      {long_key + " = ", "file.toml:1: " + cut + ": encountered end-of-file"},
+      {std::string(talus::kMaxTomlBytes + 1, '#'), "file.toml:1: the file has over 1048576 bytes"},
+  };
+  for (const auto& [toml, message] : mistakes) {
+    INFO(toml.substr(0, 100));
+    CHECK(toml_error(toml) == message);
+  }
+}
+
+TEST_CASE("a path is printed without its control characters") {
+  const auto read = command({"--config", "/nowhere/\x1b[2J\n.toml"});
+  REQUIRE_FALSE(read.has_value());
+  CHECK(read.error().text ==
+        "talusd: /nowhere/\\x1b[2J\\x0a.toml: cannot be read: No such file or directory; "
+        "give --config a TOML file that talusd may read\n");
 }
 
 TEST_CASE("a configuration that cannot be read is one line that names it and says why") {

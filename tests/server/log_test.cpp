@@ -9,6 +9,7 @@
 #include "log/escape.h"
 #include "log/json_lines.h"
 #include "log/program_line.h"
+#include "log/text_lines.h"
 
 using namespace talus::server;
 
@@ -33,6 +34,18 @@ TEST_CASE("escaped text is printable ASCII and bounded, whatever it was") {
 TEST_CASE("printable text is left as it is") {
   CHECK(escaped("talus-client 1.0 (x86)") == "talus-client 1.0 (x86)");
   CHECK(escaped("a\nb\"\\") == "a\\x0ab\\x22\\x5c");
+}
+
+TEST_CASE("a line of text has no control characters but its end, whatever it says") {
+  spdlog::memory_buf_t out;
+  TextLines{}.format({"talusd", spdlog::level::warn,
+                      "/a\x1b[2J\nb\x7f\xc3\xa9\xc2\x9b"
+                      "c\x9b\xe2\x82: cannot be read"},
+                     out);
+  const std::string line{out.data(), out.size()};
+  CHECK_THAT(line, Catch::EndsWith(
+                       " warning /a\\x1b[2J\\x0ab\\x7f\xc3\xa9\\xc2\\x9bc\\x9b\\xe2\\x82: cannot be read\n"));
+  CHECK(std::count(line.begin(), line.end(), '\n') == 1);
 }
 
 TEST_CASE("a cut text ends in dots, and one that just fits does not") {

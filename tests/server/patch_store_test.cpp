@@ -89,21 +89,103 @@ TEST_CASE("an evicted patch leaves its mixed chunks, each made once") {
   CHECK(bench.measured.chunks == 2 * kColumns - 1);
 }
 
-TEST_CASE("a patch that is evicted for another is handed out, whichever allocation fails") {
+TEST_CASE("whichever allocation fails while a patch is obtained, the store is whole and used on") {
   bool failed = true;
   for (std::size_t allocations = 0; failed; ++allocations) {
     CAPTURE(allocations);
     Bench bench;
-    bench.store.finish(bench.obtain(0), bench.measured);
+    const auto first = bench.obtain(0);
+    bench.store.finish(first, bench.measured);
+    const std::size_t one_patch = bench.store.bytes();
     const auto second = [&] {
       const talus::test::FailingAllocations failing{allocations};
       auto loan = bench.obtain(1);
       failed = failing.has_failed();
       return loan;
     }();
+    // The first patch is where it was, or was handed out to be extracted.
     const bool handed_out = !second.evicted.empty() && second.evicted.front().first == PatchKey{0, 0, Lod{}};
     REQUIRE(handed_out != bench.store.holds({0, 0, Lod{}}));
+    REQUIRE(bench.store.holds({1, 0, Lod{}}) == handed_out);
+    REQUIRE(bench.store.bytes() == one_patch);
     if (!failed) CHECK(handed_out);
+    bench.store.finish(second, bench.measured);
+
+    const auto third = bench.obtain(2);
+    REQUIRE(third.stacks != nullptr);
+    REQUIRE(bench.store.holds({2, 0, Lod{}}));
+    REQUIRE(bench.store.bytes() == one_patch);
+    for_each_column(third.patch, kTiles,
+                    [&](ChunkKey column) { CHECK(bench.rows.exact(column).has_value()); });
+    bench.store.finish(third, bench.measured);
+    REQUIRE(bench.store.bytes() == one_patch);
+  }
+}
+
+TEST_CASE("whichever allocation fails while evicted patches are extracted, what was cached is whole") {
+  bool failed = true;
+  for (std::size_t allocations = 0; failed; ++allocations) {
+    CAPTURE(allocations);
+    Bench bench;
+    bench.store.finish(bench.obtain(0), bench.measured);
+    const auto second = bench.obtain(1);
+    {
+      const talus::test::FailingAllocations failing{allocations};
+      bench.store.finish(second, bench.measured);
+      failed = failing.has_failed();
+    }
+    std::size_t held = 0;
+    for_each_column({0, 0, Lod{}}, kTiles, [&](ChunkKey column) {
+      for (column.coord.y = 2; column.coord.y <= 3; ++column.coord.y)
+        held += bench.chunks.holds(column) ? 1U : 0U;
+    });
+    REQUIRE(held >= 2 * kColumns - 1);
+    if (!failed) CHECK(held == 2 * kColumns);
+  }
+}
+
+TEST_CASE("whichever allocation fails while the rows of a patch are noted, those noted are exact") {
+  const FakeGenerator generator{[] {
+    auto work = std::make_shared<FakeWork>();
+    work->first_mixed = 2;
+    work->last_mixed = 3;
+    return work;
+  }()};
+  const PatchKey patch{5, -7, Lod::of(1)};
+  const std::size_t bytes_of_one = [&] {
+    ColumnRows rows{generator, 1, 1 << 20};
+    rows.note({0, 0, Lod{}}, {});
+    return rows.bytes();
+  }();
+  bool failed = true;
+  for (std::size_t allocations = 0; failed; ++allocations) {
+    CAPTURE(allocations);
+    ColumnRows rows{generator, kTiles, 1 << 20};
+    const auto noted = [&] {
+      std::size_t count = 0;
+      for_each_column(patch, kTiles, [&](ChunkKey column) {
+        const auto exact = rows.exact(column);
+        if (!exact) return;
+        REQUIRE(exact->first == 2);
+        REQUIRE(exact->last == 3);
+        ++count;
+      });
+      return count;
+    };
+    {
+      const talus::test::FailingAllocations failing{allocations};
+      try {
+        rows.note(patch, {});
+      } catch (const std::bad_alloc&) {
+      }
+      failed = failing.has_failed();
+    }
+    const std::size_t first = noted();
+    REQUIRE(rows.bytes() == first * bytes_of_one);
+    CHECK((first == kColumns) == !failed);
+    rows.note(patch, {});
+    REQUIRE(noted() == kColumns);
+    REQUIRE(rows.bytes() == kColumns * bytes_of_one);
   }
 }
 
@@ -160,11 +242,17 @@ TEST_CASE("a patch that could not be made is none, and may be made the next time
   CHECK(bench.measured.patches == 1);
 }
 
-TEST_CASE("a smaller capacity evicts at once, and what is in use stays usable") {
+TEST_CASE("a smaller capacity evicts as many patches a call as it may, and what is in use stays usable") {
   Bench bench;
   const auto loan = bench.obtain(0);
   CHECK(bench.store.bytes() >= 600'000);
   bench.store.set_capacity(0);
+  std::size_t looks = 0;
+  CHECK_FALSE(bench.store.fit(looks));
+  CHECK(bench.store.bytes() >= 600'000);
+  looks = 2;
+  CHECK(bench.store.fit(looks));
+  CHECK(looks == 1);
   CHECK(bench.store.bytes() == 0);
   CHECK(loan.stacks->tops.size() == 1);
 }

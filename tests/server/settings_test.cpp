@@ -5,10 +5,13 @@
 #include <iterator>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include <talus/protocol/limits.h>
 
 #include "admin/admin_server.h"
+#include "config/fields.h"
+#include "generation/patch.h"
 
 using namespace talus;
 using namespace talus::server;
@@ -33,6 +36,19 @@ std::uint64_t column_steps(const terrain::World& world, std::uint64_t tiles) {
 }
 
 }  // namespace
+
+TEST_CASE("every edge of a patch that can be configured is one that patches may have") {
+  const Field& field = *find_field("generation.patch_tiles");
+  std::vector<int> edges;
+  for (int tiles = -1; tiles <= 64; ++tiles) {
+    Config config;
+    if (!set_from_number(field, config, tiles)) continue;
+    edges.push_back(generation_settings(config).patch_tiles);
+    CHECK(is_patch_edge(edges.back()));
+  }
+  CHECK(edges == std::vector{1, 2, 4, 8, 16});
+  for (const int tiles : {-4, 0, 3, 5, 6, 12}) CHECK_FALSE(is_patch_edge(tiles));
+}
 
 TEST_CASE("heights of the slope method are limited by their number alone") {
   CHECK(height_tiles_per_request(terrain::default_world()) == protocol::kMaxHeightsPerRequest);

@@ -146,9 +146,9 @@ TEST_CASE("A blend has no step anywhere in its margin") {
   }
 }
 
-tl::expected<std::shared_ptr<const Field>, std::string> scaled(const HeightMap& map,
-                                                               std::optional<double> low = {},
-                                                               std::optional<double> high = {}) {
+tl::expected<std::shared_ptr<const Field>, HeightsFault> scaled(const HeightMap& map,
+                                                                std::optional<double> low = {},
+                                                                std::optional<double> high = {}) {
   return scaled_heights(map, 1000, low, high);
 }
 
@@ -165,14 +165,15 @@ TEST_CASE("Samples of every type come to the range between low and high") {
 TEST_CASE("Samples that are no heights are refused by their place") {
   const auto error = [](HeightMap map, std::optional<double> low = {}, std::optional<double> high = {}) {
     const auto heights = scaled(map, low, high);
-    return heights ? "accepted" : heights.error();
+    return heights ? "accepted" : heights.error().key + ": " + heights.error().what;
   };
   const float nan = std::numeric_limits<float>::quiet_NaN();
   CHECK(error({2, 2, std::vector<float>{0, 1, 2, nan}}) ==
-        "sample 1 of row 1 is nan; only numbers are heights");
+        "file: sample 1 of row 1 is nan; only numbers are heights");
   CHECK_THAT(error({2, 2, std::vector<float>{0, std::numeric_limits<float>::infinity(), 2, 3}}),
              Catch::Contains("sample 1 of row 0 is inf"));
-  CHECK_THAT(error({2, 2, std::vector<float>{4, 4, 4, 4}}), Catch::Contains("low must be below high"));
+  CHECK_THAT(error({2, 2, std::vector<float>{4, 4, 4, 4}}),
+             Catch::Contains("file: all samples are 4; give low and high"));
   CHECK_THAT(error({2, 2, std::vector<float>{1, 2, 3, 4}}, 9.0), Catch::Contains("low is 9 and high 4"));
   CHECK_THAT(error({1, 4, std::vector<float>{1, 2, 3, 4}}), Catch::Contains("1 x 4 samples"));
   CHECK_THAT(error({2, 3, std::vector<float>{1, 2, 3, 4}}),

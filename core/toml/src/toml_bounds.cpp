@@ -6,7 +6,7 @@ namespace talus {
 
 std::optional<TomlFault> find_toml_fault(std::string_view text) {
   if (text.size() > kMaxTomlBytes) {
-    return TomlFault{1, "the file is longer than " + std::to_string(kMaxTomlBytes) + " bytes"};
+    return TomlFault{1, "the file has over " + std::to_string(kMaxTomlBytes) + " bytes"};
   }
   // Outside of strings and comments. Numbers have dots too, but no line here has that many. A parser stops at
   // the first line end inside a string of one line, so nothing behind it matters.

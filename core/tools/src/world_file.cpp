@@ -16,9 +16,7 @@ Expected<WorldText> read_world_text(const std::string& path) {
   if (text) return WorldText{*std::move(text), path};
   const files::FileError& error = text.error();
   if (!error.code) return failed(error.message() + "; --world takes a world.toml file");
-  if (error.code == std::errc::file_too_large) {
-    return failed(path + ": the world file is longer than " + std::to_string(kMaxTomlBytes) + " bytes");
-  }
+  if (error.code == std::errc::file_too_large) return failed(error.message());
   return failed(path + ": cannot read the world file: " + error.code.message());
 }
 

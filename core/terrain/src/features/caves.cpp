@@ -2,6 +2,7 @@
 // cave_carver.h which of them may.
 #include "features/caves.h"
 
+#include <algorithm>
 #include <ostream>
 #include <string>
 #include <string_view>
@@ -18,44 +19,34 @@ namespace {
 constexpr int kOctaves = 2;
 constexpr std::uint64_t kCaveSeed = 0x4341564500000000U;
 
-// A key as it stands, and what it must come to in voxels where that is bounded.
+// A length as it stands, and what it must come to in voxels.
 struct Key {
   const char* name;
   Range units;
   Range voxels;
 };
-constexpr Range kAnything{-1e300, 1e300};
 constexpr Key kLow{"low", {0, kMaxHeight}, {0, kMaxHeight}};
 constexpr Key kHigh{"high", {0, kMaxHeight}, {0, kMaxHeight}};
 constexpr Key kClimbWavelength{"climb_wavelength", {kMinLength, kMaxLength}, {2, kMaxLength}};
 constexpr Key kWavelength{"wavelength", {kMinLength, kMaxLength}, {2, kMaxLength}};
-constexpr Key kWidth{"width", {kMinLength, kMaxHeight}, kAnything};
 constexpr Key kHeight{"height", {kMinLength, kMaxHeight}, {1, 4096}};
 constexpr Key kChamberWavelength{"chamber_wavelength", {kMinLength, kMaxLength}, {2, kMaxLength}};
-constexpr Key kChamberThreshold{"chamber_threshold", {0, 1}, kAnything};
 constexpr Key kChamberHeight{"chamber_height", {kMinLength, kMaxHeight}, {1, 4096}};
 constexpr Key kRoof{"roof", {0, kMaxHeight}, {0, 256}};
 constexpr Key kSpan{"span", {kMinLength, kMaxHeight}, {1, 64}};
-
-void check_together(TableReader& table, double low, double high, double width, double wavelength) {
-  if (high < low) table.fail("high", text_of(high, " is less than low; at least ", low));
-  const Range widths{wavelength / 1024, wavelength / 2};
-  if (width < widths.min || width > widths.max) {
-    table.fail("width", text_of(width, " is out of range; ", widths.min, " to ", widths.max,
-                                " (a 1024th to a half of the wavelength)"));
-  }
-}
 
 std::unique_ptr<const Feature> read_caves(FeatureSection& section) {
   auto table = section.table();
   if (!table) return nullptr;
   const WorldSpec& world = section.spec();
   std::vector<std::string_view> known;
-  const auto real = [&](const Key& key) {
+  const auto length = [&](const Key& key) {
     known.emplace_back(key.name);
-    const double value = table->real(key.name, key.units);
-    table->check_voxels(key.name, value, world.resolution, key.voxels);
-    return value;
+    return table->length(key.name, key.units, {world.resolution, key.voxels});
+  };
+  const auto real = [&](const char* name, Range range, std::string_view note = {}) {
+    known.emplace_back(name);
+    return table->real(name, range, note);
   };
   const auto fx = [&](double units) {
     return static_cast<std::int32_t>(rounded(units * world.resolution * kSubvoxels));
@@ -64,20 +55,21 @@ std::unique_ptr<const Feature> read_caves(FeatureSection& section) {
     // Apart from the surface's octaves.
     return Fbm{derived_seed(world.seed, kCaveSeed + which), rounded(wavelength * world.resolution), kOctaves};
   };
-  const double low = real(kLow);
-  const double high = real(kHigh);
-  const double climb_wavelength = real(kClimbWavelength);
-  const double wavelength = real(kWavelength);
-  const double width = real(kWidth);
-  const double height = real(kHeight);
-  const double chamber_wavelength = real(kChamberWavelength);
-  const double chamber_threshold = real(kChamberThreshold);
-  const double chamber_height = real(kChamberHeight);
+  const double low = length(kLow);
+  const double high = length(kHigh);
+  const double climb_wavelength = length(kClimbWavelength);
+  const double wavelength = length(kWavelength);
+  const double width = real("width", {wavelength / 1024, std::min(wavelength / 2, kMaxHeight)},
+                            " (a 1024th to a half of the wavelength)");
+  const double height = length(kHeight);
+  const double chamber_wavelength = length(kChamberWavelength);
+  const double chamber_threshold = real("chamber_threshold", {0, 1});
+  const double chamber_height = length(kChamberHeight);
   known.emplace_back(kRoof.name);
-  const double roof = table->has(kRoof.name) ? real(kRoof) : 0;
-  const double span = real(kSpan);
+  const double roof = table->has(kRoof.name) ? length(kRoof) : 0;
+  const double span = length(kSpan);
   table->only(known);
-  check_together(*table, low, high, width, wavelength);
+  if (high < low) table->fail("high", text_of(high, " is less than low; at least ", low));
 
   CavePlan plan;
   plan.tunnels = noise(0, wavelength);

@@ -70,16 +70,18 @@ std::unique_ptr<const Feature> read_faults(FeatureSection& section) {
   }
   const WorldSpec& world = section.spec();
   std::vector<FaultField> sets;
-  Feature::MaxLift lift{0, "half of every throw", "faults[0].throw", 0};
+  Feature::MaxLift lift{0, "half of every throw", "", 0};
+  std::int64_t largest_throw_q16 = -1;
   for (TableReader& table : tables) {
     table.only({"strike", "spacing", "throw", "waviness"});
     const double strike = table.real("strike", {-360, 360});
-    const std::int64_t spacing_q16 = table.units_q16("spacing", {kMinUnits_q16, kMaxLength});
-    table.check_voxels("spacing", units_of(spacing_q16), world.resolution, {kMinSpacing, kMaxLength});
+    const std::int64_t spacing_q16 = table.length_q16("spacing", {kMinUnits_q16, kMaxLength},
+                                                      {world.resolution, {kMinSpacing, kMaxLength}});
     const std::int64_t throw_q16 = table.units_q16("throw", {0, kMaxHeight});
     const std::int64_t waviness_q16 =
-        table.has("waviness") ? table.units_q16("waviness", {0, kMaxHeight}) : 0;
-    table.check_voxels("waviness", units_of(waviness_q16), world.resolution, {0, kMaxWaviness});
+        table.has("waviness")
+            ? table.length_q16("waviness", {0, kMaxHeight}, {world.resolution, {0, kMaxWaviness}})
+            : 0;
 
     const std::uint64_t set = sets.size();
     FaultField& field = sets.emplace_back();
@@ -91,7 +93,10 @@ std::unique_ptr<const Feature> read_faults(FeatureSection& section) {
                     std::max<std::int64_t>(2, field.spacing_q16 >> 16), kWanderOctaves};
     field.waviness_fx = static_cast<float>(subvoxels_of(waviness_q16, world.resolution));
     lift.q16 += (throw_q16 + 1) / 2;
-    if (set == 0) lift.line = table.line("throw");
+    if (throw_q16 <= largest_throw_q16) continue;
+    largest_throw_q16 = throw_q16;
+    lift.key = table.name() + ".throw";
+    lift.line = table.line("throw");
   }
   return std::make_unique<Faults>(std::move(sets), std::move(lift));
 }

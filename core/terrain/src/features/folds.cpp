@@ -139,8 +139,8 @@ std::unique_ptr<const Feature> read_folds(FeatureSection& section) {
   table->only({"amplitude", "wavelength", "octaves", "strike", "stretch"});
   const WorldSpec& world = section.spec();
   const std::int64_t amplitude_q16 = table->units_q16("amplitude", {0, kMaxHeight});
-  const double wavelength = table->real("wavelength", {kMinLength, kMaxLength});
-  table->check_voxels("wavelength", wavelength, world.resolution, {kMinWavelength, kMaxLength});
+  const double wavelength =
+      table->length("wavelength", {kMinLength, kMaxLength}, {world.resolution, {kMinWavelength, kMaxLength}});
   const int octaves = table->has("octaves") ? static_cast<int>(table->integer("octaves", 1, 8)) : 2;
   const double strike = table->has("strike") ? table->real("strike", {-360, 360}) : 0;
   const double stretch = table->has("stretch") ? table->real("stretch", {1, 64}) : 4;

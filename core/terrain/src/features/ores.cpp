@@ -90,14 +90,11 @@ OreKind read_ore(FeatureSection& section, TableReader& table, std::uint64_t inde
   table.only(known);
   ore.material = section.add_material(table, MaterialKind::stratified);
   const std::int64_t low_q16 = table.units_q16("low", {0, kMaxHeight});
-  const std::int64_t high_q16 = table.units_q16("high", {0, kMaxHeight});
-  const std::int64_t size_q16 = table.units_q16("size", {kMinUnits_q16, kMaxHeight});
-  table.check_voxels("size", units_of(size_q16), resolution, kSizes);
-  table.check_voxels("high", units_of(high_q16), resolution, {0, kMaxHeight});
+  const std::int64_t high_q16 = table.length_q16("high", {0, kMaxHeight}, {resolution, {0, kMaxHeight}});
+  const std::int64_t size_q16 = table.length_q16("size", {kMinUnits_q16, kMaxHeight}, {resolution, kSizes});
   std::int64_t thickness_q16 = 0;
   if (ore.shape == OreShape::vein) {
-    thickness_q16 = table.units_q16("thickness", {kMinUnits_q16, kMaxHeight});
-    table.check_voxels("thickness", units_of(thickness_q16), resolution, kThicknesses);
+    thickness_q16 = table.length_q16("thickness", {kMinUnits_q16, kMaxHeight}, {resolution, kThicknesses});
     if (thickness_q16 > size_q16 / 4) {
       table.fail("thickness", "more than a quarter of size; make it at most that");
     }

@@ -8,8 +8,8 @@
 namespace talus::terrain {
 namespace {
 
-constexpr std::int64_t kMaxLooseThickness_fx = std::int64_t{1} << 20;
-constexpr int kMaxHalo = 64;  // columns
+constexpr double kMaxLooseThickness = 4096;  // voxels
+constexpr int kMaxHalo = 64;                 // columns
 constexpr double kMaxRoughness = 16;
 constexpr double kMaxWeight = 1e9;
 constexpr Range kAngles{1, 89};  // degrees
@@ -18,12 +18,7 @@ std::int32_t tangent_fx(double degrees) {
   return static_cast<std::int32_t>(rounded(kSubvoxels * std::tan(degrees * std::numbers::pi / 180)));
 }
 
-void check_thickness(TableReader& table, const ErodedSpec& eroded, const WorldSpec& spec) {
-  const std::int64_t t_fx = subvoxels_of(eroded.thickness_q16, spec.resolution);
-  if (t_fx > kMaxLooseThickness_fx) {
-    return table.fail("thickness", text_of("thickness * resolution is ", t_fx / kSubvoxels,
-                                           " voxels; at most ", kMaxLooseThickness_fx / kSubvoxels));
-  }
+void check_halo(TableReader& table, const ErodedSpec& eroded, const WorldSpec& spec) {
   const int halo = loose_of(eroded, spec.resolution).halo_at(Lod{});
   if (halo > kMaxHalo && spec.method == Method::slope) {
     table.fail("thickness", text_of("at this angle of repose it needs a halo of ", halo, " columns; at most ",
@@ -56,10 +51,11 @@ std::vector<ErodedSpec> read_eroded(std::vector<TableReader>& tables, const Worl
     eroded.name = table.material_name(names);
     eroded.colour = table.colour();
     eroded.weight = table.real("weight", {-kMaxWeight, kMaxWeight});
-    eroded.thickness_q16 = table.units_q16("thickness", {kMinUnits_q16, kMaxHeight});
+    eroded.thickness_q16 = table.length_q16("thickness", {kMinUnits_q16, kMaxHeight},
+                                            {spec.resolution, {0, kMaxLooseThickness}});
     eroded.angle_of_repose = table.real("angle_of_repose", kAngles);
     eroded.max_slope = table.real("max_slope", kAngles);
-    check_thickness(table, eroded, spec);
+    check_halo(table, eroded, spec);
   }
   return materials;
 }

@@ -1,5 +1,10 @@
 #include "spec/spec_errors.h"
 
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <cstdint>
+
 namespace talus::terrain {
 namespace {
 
@@ -18,6 +23,31 @@ std::string one_line(const std::string& message) {
 }
 
 }  // namespace
+
+std::string plain(double number) {
+  // A bound that is a small power of two is told as such.
+  int exponent = 0;
+  if (number > 0 && number < 1e-3 && std::frexp(number, &exponent) == 0.5 && exponent > -60) {
+    return "1/" + std::to_string(std::uint64_t{1} << (1 - exponent));
+  }
+  constexpr int kDigits = 12;  // what a product of two numbers rounds is no part of it
+  std::array<char, 64> digits{};
+  const auto written = [&](auto... how) {
+    const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), number, how...).ptr;
+    return std::string{digits.data(), end};
+  };
+  if (!std::isfinite(number)) return written();
+  const std::string rounded = written(std::chars_format::scientific, kDigits - 1);
+  std::from_chars(rounded.data(), rounded.data() + rounded.size(), number);
+  const double size = std::abs(number);
+  if (size == 0 || (size >= 1e-9 && size < 1e15)) return written(std::chars_format::fixed);
+  std::string text = written(std::chars_format::scientific);
+  const std::size_t power = text.find('e') + 1;
+  if (text[power] == '+') text.erase(power, 1);
+  const std::size_t digit = power + (text[power] == '-' ? 1 : 0);
+  if (text[digit] == '0') text.erase(digit, 1);
+  return text;
+}
 
 void SpecErrors::add(int line, const std::string& what) {
   if (!first_) first_ = SpecError{one_line(text_of(file_, ':', line, ": ", what))};

@@ -1,18 +1,33 @@
 // What is wrong with a world.toml: the first fault is kept, as one line. Private to core/terrain.
 #pragma once
 
+#include <concepts>
+#include <locale>
 #include <optional>
 #include <sstream>
 #include <string>
 #include <string_view>
+#include <type_traits>
 
 #include <talus/terrain/world.h>
 
 namespace talus::terrain {
 
+/// A number as a person writes it: 16777216 and 0.000001, 1e18, 1/65536.
+[[nodiscard]] std::string plain(double number);
+
+/// The parts in a row; floating-point numbers as plain() has them.
 [[nodiscard]] std::string text_of(const auto&... parts) {
   std::ostringstream text;
-  (text << ... << parts);
+  text.imbue(std::locale::classic());  // a host program's locale must not group the digits
+  const auto add = [&](const auto& part) {
+    if constexpr (std::floating_point<std::decay_t<decltype(part)>>) {
+      text << plain(part);
+    } else {
+      text << part;
+    }
+  };
+  (add(parts), ...);
   return text.str();
 }
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include <talus/terrain/surface.h>
+#include <talus/toml/toml_error.h>
 
 #include "spec/units.h"
 #include "surface/scaled_heights.h"
@@ -29,33 +30,27 @@ HeightMapSpec read_height_map(TableReader& map, int resolution) {
   if (spec.outside == Outside::blend) known.insert(known.end(), {"margin", "around"});
   map.only(known);
   spec.file = map.text("file", kMaxFileNameBytes);
-  spec.x = map.real("x", {-kMaxPlace, kMaxPlace});
-  spec.z = map.real("z", {-kMaxPlace, kMaxPlace});
-  spec.spacing_x = map.real("spacing", {kMinLength, kMaxLength});
-  spec.spacing_z = map.has("spacing_z") ? map.real("spacing_z", {kMinLength, kMaxLength}) : spec.spacing_x;
+  const Range places{-kMaxPlace, kMaxPlace};
+  const Voxels spacings{resolution, {1, kMaxSpacing}};
+  spec.x = map.length("x", places, {resolution, places});
+  spec.z = map.length("z", places, {resolution, places});
+  spec.spacing_x = map.length("spacing", {kMinLength, kMaxLength}, spacings);
+  spec.spacing_z =
+      map.has("spacing_z") ? map.length("spacing_z", {kMinLength, kMaxLength}, spacings) : spec.spacing_x;
   if (map.has("low")) spec.low = map.real("low", {-kMaxSample, kMaxSample});
   if (map.has("high")) spec.high = map.real("high", {-kMaxSample, kMaxSample});
   if (spec.outside == Outside::blend) {
-    spec.margin = map.real("margin", {kMinLength, kMaxLength});
+    spec.margin = map.length("margin", {kMinLength, kMaxLength}, {resolution, {1, kMaxMargin}});
     if (map.has("around")) {
       spec.around = static_cast<SurfaceKind>(map.choice("around", {"perlin", "ridged", "warped"}));
     }
   }
-  map.check_voxels("x", spec.x, resolution, {-kMaxPlace, kMaxPlace});
-  map.check_voxels("z", spec.z, resolution, {-kMaxPlace, kMaxPlace});
-  map.check_voxels("spacing", spec.spacing_x, resolution, {1, kMaxSpacing});
-  map.check_voxels("spacing_z", spec.spacing_z, resolution, {1, kMaxSpacing});
-  if (spec.outside == Outside::blend) map.check_voxels("margin", spec.margin, resolution, {1, kMaxMargin});
   return spec;
 }
 
 void read_noise(TableReader& surface, SurfaceKind kind, int resolution, SurfaceSpec& spec) {
-  spec.wavelength = surface.real("wavelength", {kMinLength, kMaxLength});
-  const std::int64_t period = rounded(spec.wavelength * resolution);
-  if (period < 2 || period > static_cast<std::int64_t>(kMaxLength)) {
-    surface.fail("wavelength", text_of("wavelength * resolution is ", period, " voxels; 2 to ",
-                                       static_cast<std::int64_t>(kMaxLength)));
-  }
+  spec.wavelength =
+      surface.length("wavelength", {kMinLength, kMaxLength}, {resolution, {2, kMaxLength}, true});
   spec.octaves = static_cast<int>(surface.integer("octaves", 1, 16));
   spec.gain = surface.real("gain", {0, kMaxGain});
   spec.exponent = static_cast<int>(surface.integer("exponent", 1, 8));
@@ -63,12 +58,11 @@ void read_noise(TableReader& surface, SurfaceKind kind, int resolution, SurfaceS
     spec.feedback = surface.has("feedback") ? surface.real("feedback", {0, 16}) : 2;
   }
   if (kind != SurfaceKind::warped) return;
-  spec.warp = surface.real("warp", {0, kMaxWarp});
-  surface.check_voxels("warp", spec.warp, resolution, {0, kMaxWarp});
-  spec.warp_wavelength = surface.has("warp_wavelength")
-                             ? surface.real("warp_wavelength", {kMinLength, kMaxLength})
-                             : spec.wavelength;
-  surface.check_voxels("warp_wavelength", spec.warp_wavelength, resolution, {2, kMaxLength});
+  spec.warp = surface.length("warp", {0, kMaxWarp}, {resolution, {0, kMaxWarp}});
+  spec.warp_wavelength =
+      surface.has("warp_wavelength")
+          ? surface.length("warp_wavelength", {kMinLength, kMaxLength}, {resolution, {2, kMaxLength}})
+          : spec.wavelength;
   spec.warp_octaves =
       surface.has("warp_octaves") ? static_cast<int>(surface.integer("warp_octaves", 1, 16)) : 3;
 }
@@ -95,11 +89,8 @@ void read_surface(TableReader surface, WorldSpec& world) {
   if (noise == SurfaceKind::warped) known.insert(known.end(), {"warp", "warp_wavelength", "warp_octaves"});
   surface.only(known);
 
-  spec.amplitude = surface.real("amplitude", {kMinUnits_q16, kMaxHeight});
-  if (spec.amplitude * world.resolution > kMaxHeight) {
-    surface.fail("amplitude", text_of("amplitude * resolution is ", spec.amplitude * world.resolution,
-                                      " voxels; at most ", kMaxHeight));
-  }
+  spec.amplitude =
+      surface.length("amplitude", {kMinUnits_q16, kMaxHeight}, {world.resolution, {0, kMaxHeight}});
   if (noise) read_noise(surface, *noise, world.resolution, spec);
 }
 
@@ -107,12 +98,17 @@ void load_height_map(TableReader surface, WorldSpec& spec, const LoadHeightMap& 
   if (!spec.surface.height_map) return;
   HeightMapSpec& map = *spec.surface.height_map;
   auto table = surface.table("height_map");
-  const auto refuse = [&](const std::string& why) { table->fail("file", "'" + map.file + "': " + why); };
+  const auto refuse = [&](const std::string& why) {
+    table->fail("file", "'" + shortened(map.file, 200) + "': " + why);
+  };
   if (!load) return refuse("height maps cannot be read here; give a spec without one");
   const auto samples = load(map.file);
   if (!samples) return refuse(samples.error());
   auto heights = scaled_heights(*samples, highest_height_fx(surface_of(spec)), map.low, map.high);
-  if (!heights) return refuse(heights.error());
+  if (!heights) {
+    const HeightsFault& fault = heights.error();
+    return fault.key == "file" ? refuse(fault.what) : table->fail(fault.key, fault.what);
+  }
   map.heights_fx = *std::move(heights);
 }
 

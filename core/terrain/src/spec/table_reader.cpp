@@ -1,10 +1,11 @@
 #include "spec/table_reader.h"
 
 #include <algorithm>
-#include <sstream>
+#include <cmath>
 #include <utility>
 
 #include <talus/toml/toml_bounds.h>
+#include <talus/toml/toml_error.h>
 #include <toml++/toml.h>
 
 #include "spec/units.h"
@@ -30,8 +31,10 @@ int line_of(const toml::node& node) {
   return static_cast<int>(node.source().begin.line);
 }
 
+constexpr std::size_t kMaxKeyShown = 120;  // bytes
+
 std::string qualified(const std::string& table, std::string_view key) {
-  return (table.empty() ? "" : table + ".") + std::string{key};
+  return (table.empty() ? "" : table + ".") + shortened(key, kMaxKeyShown);
 }
 
 std::string list_of(const auto& names) {
@@ -69,6 +72,18 @@ void TableReader::only(const std::vector<std::string_view>& known) {
 
 namespace {
 
+constexpr std::size_t kMaxShown = 60;  // bytes of a value
+
+// A value and its type, as in "1.5 is no integer".
+std::string described(const toml::node& node) {
+  if (const auto* text = node.as_string()) return "'" + shortened(text->get(), kMaxShown) + "' is a string";
+  if (const auto* number = node.as_integer()) return text_of(number->get(), " is an integer");
+  if (const auto* number = node.as_floating_point()) return text_of(number->get(), " is no integer");
+  if (const auto* truth = node.as_boolean()) return truth->get() ? "true is a boolean" : "false is a boolean";
+  if (node.is_array()) return "an array";
+  return node.is_table() ? "a table" : "a date or time";
+}
+
 // Refuses a key that is missing.
 const toml::node* find(TableReader& reader, const toml::table& table, const std::string& key,
                        const std::string& wanted) {
@@ -79,21 +94,53 @@ const toml::node* find(TableReader& reader, const toml::table& table, const std:
 
 void wrong_type(TableReader& reader, const toml::node& node, const std::string& key,
                 const std::string& wanted) {
-  reader.fail(key, text_of("is not right as it stands (", node.type(), "); ", wanted, " is needed"));
+  reader.fail(key, text_of(described(node), "; ", wanted, " is needed"));
 }
 
 }  // namespace
 
-double TableReader::real(const std::string& key, Range range) {
+std::optional<double> TableReader::number(const std::string& key) {
   const toml::node* node = find(*this, table_of(table_), key, "a number");
-  if (node == nullptr) return range.min;
+  if (node == nullptr) return std::nullopt;
   const auto value = node->is_number() ? node->value<double>() : std::nullopt;
-  if (!value) return wrong_type(*this, *node, key, "a number"), range.min;
-  if (!(*value >= range.min && *value <= range.max)) {
-    fail(key, text_of(*value, " is out of range; ", range.min, " to ", range.max));
-    return range.min;
-  }
-  return *value;
+  if (!value) wrong_type(*this, *node, key, "a number");
+  return value;
+}
+
+double TableReader::real(const std::string& key, Range range, std::string_view note) {
+  const auto value = number(key);
+  if (value && *value >= range.min && *value <= range.max) return *value;
+  if (value) fail(key, text_of(*value, " is out of range; ", range.min, " to ", range.max, note));
+  return range.min;
+}
+
+bool TableReader::check_length(const std::string& key, double shown, double value, Range units,
+                               const Voxels& voxels) {
+  const double product = value * voxels.resolution;
+  const double came_to = voxels.rounded ? std::floor(product + 0.5) : product;
+  const bool fits =
+      shown >= units.min && shown <= units.max && came_to >= voxels.range.min && came_to <= voxels.range.max;
+  if (fits) return true;
+  const double least = voxels.range.min / voxels.resolution;
+  const double most = std::min(units.max, voxels.range.max / voxels.resolution);
+  const std::string in_voxels = least < units.min ? text_of("at most ", voxels.range.max)
+                                                  : text_of(voxels.range.min, " to ", voxels.range.max);
+  fail(key, text_of(shown, " is out of range; ", std::max(units.min, least), " to ", most, " (", in_voxels,
+                    " voxels at resolution ", voxels.resolution, ")"));
+  return false;
+}
+
+double TableReader::length(const std::string& key, Range units, const Voxels& voxels) {
+  const auto value = number(key);
+  return value && check_length(key, *value, *value, units, voxels) ? *value : units.min;
+}
+
+std::int64_t TableReader::length_q16(const std::string& key, Range units, const Voxels& voxels) {
+  const auto value = number(key);
+  if (!value) return rounded(units.min * 65536.0);
+  const double bounded = *value >= units.min && *value <= units.max ? *value : units.min;
+  const std::int64_t q16 = rounded(bounded * 65536.0);
+  return check_length(key, *value, units_of(q16), units, voxels) ? q16 : rounded(units.min * 65536.0);
 }
 
 std::int64_t TableReader::integer(const std::string& key, std::int64_t min, std::int64_t max) {
@@ -112,13 +159,6 @@ std::int64_t TableReader::units_q16(const std::string& key, Range range) {
   return rounded(real(key, range) * 65536.0);
 }
 
-bool TableReader::check_voxels(const std::string& key, double units, int resolution, Range range) {
-  const double voxels = units * resolution;
-  if (voxels >= range.min && voxels <= range.max) return true;
-  fail(key, text_of(key, " * resolution is ", voxels, " voxels; ", range.min, " to ", range.max));
-  return false;
-}
-
 std::string TableReader::text(const std::string& key, std::size_t max_bytes) {
   const toml::node* node = find(*this, table_of(table_), key, "a string");
   if (node == nullptr) return {};
@@ -134,7 +174,7 @@ std::size_t TableReader::choice(const std::string& key, std::initializer_list<st
   const std::string chosen = text(key, 64);
   const auto found = std::find(names.begin(), names.end(), chosen);
   if (found != names.end()) return static_cast<std::size_t>(found - names.begin());
-  fail(key, "'" + chosen + "' is none of: " + list_of(names));
+  fail(key, "'" + shortened(chosen, kMaxShown) + "' is none of: " + list_of(names));
   return 0;
 }
 
@@ -158,13 +198,17 @@ std::string TableReader::material_name(std::set<std::string>& taken) {
 }
 
 Colour TableReader::colour() {
-  constexpr const char* kWanted = "a string such as \"#8d8478\"";
+  constexpr const char* kWanted = "\"#rrggbb\", as \"#8d8478\",";
   const toml::node* node = find(*this, table_of(table_), "colour", kWanted);
   if (node == nullptr) return {};
   const auto text = node->is_string() ? node->value<std::string>() : std::nullopt;
   const bool shaped = text && text->size() == 7 && text->front() == '#' &&
                       text->find_first_not_of("0123456789abcdefABCDEF", 1) == std::string::npos;
-  if (!shaped) return wrong_type(*this, *node, "colour", kWanted), Colour{};
+  if (!text) return wrong_type(*this, *node, "colour", kWanted), Colour{};
+  if (!shaped) {
+    fail("colour", text_of("'", shortened(*text, kMaxShown), "' is no colour; ", kWanted, " is needed"));
+    return {};
+  }
   const auto channel = [&](std::size_t at) {
     return static_cast<std::uint8_t>(std::stoi(text->substr(at, 2), nullptr, 16));
   };
@@ -202,7 +246,10 @@ std::optional<TomlDocument> TomlDocument::parse(std::string_view text, SpecError
   try {
     return TomlDocument{std::make_unique<const Parsed>(Parsed{toml::parse(text)})};
   } catch (const toml::parse_error& bad) {
-    errors.add(static_cast<int>(bad.source().begin.line), text_of("not TOML: ", bad.description()));
+    const auto line = static_cast<int>(bad.source().begin.line);
+    const std::string key = toml_key_at_line(text, line);
+    errors.add(line, text_of(key.empty() ? "" : shortened(key, kMaxKeyShown) + ": ",
+                             "not TOML: ", toml_error_text(bad.description(), key)));
     return std::nullopt;
   }
 }

@@ -31,6 +31,13 @@ struct Range {
   double max;
 };
 
+/// What a length must come to in voxels. `rounded`: after rounding to whole ones.
+struct Voxels {
+  int resolution;
+  Range range;
+  bool rounded = false;
+};
+
 /// A table of the TOML library. Only table_reader.cpp includes that library: it takes seconds to compile.
 class TomlTable;
 
@@ -54,12 +61,15 @@ class TableReader {
   /// Refuses all keys but these.
   void only(const std::vector<std::string_view>& known);
 
-  double real(const std::string& key, Range range);
+  /// `note` stands behind the range in the error.
+  double real(const std::string& key, Range range, std::string_view note = {});
+  /// Terrain units that must also come to a range in voxels. The error tells the one range that holds both.
+  double length(const std::string& key, Range units, const Voxels& voxels);
   std::int64_t integer(const std::string& key, std::int64_t min, std::int64_t max);
   /// Terrain units as integers of 2^-16, so that no sequence depends on binary fractions.
   std::int64_t units_q16(const std::string& key, Range range);
-  /// Refuses a length that does not come to `range` in voxels. False where it does not.
-  bool check_voxels(const std::string& key, double units, int resolution, Range range);
+  /// length() of the rounded units.
+  std::int64_t length_q16(const std::string& key, Range units, const Voxels& voxels);
 
   std::string text(const std::string& key, std::size_t max_bytes);
   /// The index in `names` of the key's value.
@@ -75,6 +85,10 @@ class TableReader {
   std::vector<TableReader> tables(const std::string& key);
 
  private:
+  std::optional<double> number(const std::string& key);
+  /// Whether `value` is within both; fails `key` where it is not. `shown` is the value as it stands.
+  bool check_length(const std::string& key, double shown, double value, Range units, const Voxels& voxels);
+
   const TomlTable* table_;
   std::string name_;
   SpecErrors* errors_;

@@ -1,5 +1,6 @@
 // world.toml -> World, section by section.
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <numeric>
 #include <set>
@@ -112,23 +113,15 @@ void World::Builder::read_general() {
 void World::Builder::read_strata_wavelength() {
   // A surface without noise has no wavelength to borrow.
   const bool borrowed = !root.has("strata_wavelength") && spec.surface.noise();
-  spec.strata_wavelength =
-      borrowed ? spec.surface.wavelength : root.real("strata_wavelength", {kMinLength, kMaxLength});
-  const std::int64_t period = layer_noise(spec, 0, 0).period;
-  if (period > static_cast<std::int64_t>(kMaxLength)) {
-    root.fail("strata_wavelength", text_of("strata_wavelength * resolution is ", period, " voxels; at most ",
-                                           static_cast<std::int64_t>(kMaxLength)));
-  }
+  spec.strata_wavelength = borrowed ? spec.surface.wavelength
+                                    : root.length("strata_wavelength", {kMinLength, kMaxLength},
+                                                  {spec.resolution, {0, kMaxLength}, true});
 }
 
 void World::Builder::read_sea() {
   if (!root.has("sea_level")) return;
-  spec.sea_level = root.real("sea_level", {0, kMaxHeight});
-  const double voxels = *spec.sea_level * spec.resolution;
-  if (voxels > kMaxHeight) {
-    root.fail("sea_level", text_of("sea_level * resolution is ", voxels, " voxels; at most ", kMaxHeight));
-  }
-  world.sea_fx_ = static_cast<std::int32_t>(rounded(std::min(voxels, kMaxHeight) * kSubvoxels));
+  spec.sea_level = root.length("sea_level", {0, kMaxHeight}, {spec.resolution, {0, kMaxHeight}});
+  world.sea_fx_ = static_cast<std::int32_t>(rounded(*spec.sea_level * spec.resolution * kSubvoxels));
 }
 
 void World::Builder::read_method() {
@@ -187,18 +180,18 @@ void World::Builder::read_features(std::span<const FeatureKind> kinds) {
 
 void World::Builder::check_lifts() {
   std::string terms = "surface.amplitude";
-  Feature::MaxLift first;
+  Feature::MaxLift largest;
   for (const auto& feature : world.features_) {
     const Feature::MaxLift lift = feature->max_lift();
     if (lift.terms.empty()) continue;
     world.max_lift_q16_ += lift.q16;
     terms += ", " + lift.terms;
-    if (first.terms.empty()) first = lift;
+    if (largest.terms.empty() || lift.q16 > largest.q16) largest = lift;
   }
   const double voxels = (units_of(world.max_lift_q16_) + spec.surface.amplitude) * spec.resolution;
   if (voxels <= kMaxHeight) return;
-  errors.add(first.line, text_of(first.key, ": ", terms, ", * resolution, are ", voxels,
-                                 " voxels in all; at most ", kMaxHeight));
+  errors.add(largest.line, text_of(largest.key, ": ", terms, ", * resolution, are ", std::ceil(voxels),
+                                   " voxels in all; at most ", kMaxHeight));
 }
 
 void World::Builder::derive_strata() {

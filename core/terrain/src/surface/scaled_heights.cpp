@@ -39,27 +39,35 @@ void scale(const std::vector<Sample>& samples, double low, double high, std::int
 
 }  // namespace
 
-tl::expected<std::shared_ptr<const Field>, std::string> scaled_heights(const HeightMap& map,
-                                                                       std::int32_t highest_fx,
-                                                                       std::optional<double>& low,
-                                                                       std::optional<double>& high) {
-  using Heights = tl::expected<std::shared_ptr<const Field>, std::string>;
+tl::expected<std::shared_ptr<const Field>, HeightsFault> scaled_heights(const HeightMap& map,
+                                                                        std::int32_t highest_fx,
+                                                                        std::optional<double>& low,
+                                                                        std::optional<double>& high) {
+  using Heights = tl::expected<std::shared_ptr<const Field>, HeightsFault>;
   return std::visit(
       [&](const auto& samples) -> Heights {
         using Sample = typename std::decay_t<decltype(samples)>::value_type;
-        if (auto wrong = wrong_shape(map, samples.size())) return tl::unexpected(*std::move(wrong));
+        if (auto wrong = wrong_shape(map, samples.size()))
+          return tl::unexpected(HeightsFault{"file", *std::move(wrong)});
         for (std::size_t i = 0; i < samples.size(); ++i) {
           if (std::isfinite(static_cast<double>(samples[i]))) continue;
           const std::size_t width = static_cast<std::size_t>(map.width);
-          return tl::unexpected(text_of("sample ", i % width, " of row ", i / width, " is ", samples[i],
-                                        "; only numbers are heights"));
+          return tl::unexpected(
+              HeightsFault{"file", text_of("sample ", i % width, " of row ", i / width, " is ", samples[i],
+                                           "; only numbers are heights")});
         }
         const auto [least, greatest] = std::minmax_element(samples.begin(), samples.end());
         constexpr bool kWhole = std::is_same_v<Sample, std::uint16_t>;
+        const std::string key = high ? "high" : low ? "low" : "file";
         if (!low) low = kWhole ? 0.0 : static_cast<double>(*least);
         if (!high) high = kWhole ? 65535.0 : static_cast<double>(*greatest);
         if (!(*low < *high)) {
-          return tl::unexpected(text_of("low is ", *low, " and high ", *high, "; low must be below high"));
+          if (key == "file") {
+            return tl::unexpected(
+                HeightsFault{key, text_of("all samples are ", *low, "; give low and high")});
+          }
+          return tl::unexpected(
+              HeightsFault{key, text_of("low is ", *low, " and high ", *high, "; low must be below high")});
         }
         auto heights = std::make_shared<Field>(map.width, map.depth);
         scale(samples, *low, *high, highest_fx, *heights);

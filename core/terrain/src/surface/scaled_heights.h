@@ -13,10 +13,16 @@
 
 namespace talus::terrain {
 
+/// Why samples are no heights.
+struct HeightsFault {
+  std::string key;   // the spec's that is to blame: "file", "low" or "high"
+  std::string what;  // one line
+};
+
 /// The samples as subvoxels: `low` becomes 0, `high` becomes highest_fx, what lies outside is clamped, halves
 /// are rounded up. `low` and `high` that are not set become 0 and 65535 for uint16, else the least and the
-/// greatest sample. An error is one line.
-[[nodiscard]] tl::expected<std::shared_ptr<const Field>, std::string> scaled_heights(
+/// greatest sample.
+[[nodiscard]] tl::expected<std::shared_ptr<const Field>, HeightsFault> scaled_heights(
     const HeightMap& map, std::int32_t highest_fx, std::optional<double>& low, std::optional<double>& high);
 
 }  // namespace talus::terrain

@@ -1,0 +1,28 @@
+// What talusd says of a world that it cannot read.
+#include "app/world_file.h"
+
+#include <sys/stat.h>
+
+#include <catch2/catch.hpp>
+
+#include <talus/toml/toml_bounds.h>
+
+#include "scratch_directory.h"
+
+using namespace talus::server;
+
+TEST_CASE("what is no regular file is refused as a world, and not waited for") {
+  const ScratchDirectory scratch;
+  const std::filesystem::path pipe = scratch / "pipe";
+  REQUIRE(::mkfifo(pipe.c_str(), 0600) == 0);
+  for (const std::filesystem::path& path : {pipe, scratch.path(), std::filesystem::path{"/dev/zero"}}) {
+    CHECK(load_world(path).error() ==
+          path.string() + ": is not a regular file; give --world a TOML file that talusd may read");
+  }
+}
+
+TEST_CASE("a world that is too large is refused with the limit") {
+  const ScratchDirectory scratch;
+  const std::string file = scratch.write("large.toml", std::string(talus::kMaxTomlBytes + 1, '#'));
+  CHECK_THAT(load_world(file).error(), Catch::StartsWith(file + ": has over 1048576 bytes; "));
+}
