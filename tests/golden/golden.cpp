@@ -63,6 +63,7 @@ const Sample kWorlds[] = {
     {"features", "core/worlds/features", ""},
     {"features, eroded", "core/worlds/features", "method = \"erosion\"\nerosion_steps = 8\n"},
     {"default, eroded", "core/worlds/default", "method = \"erosion\"\nerosion_steps = 8\n"},
+    {"default, eroded by one step", "core/worlds/default", "method = \"erosion\"\nerosion_steps = 1\n"},
     {"ridged", "tests/golden/worlds/ridged", ""},
     {"warped", "tests/golden/worlds/warped", ""},
     {"height_map", "tests/golden/worlds/height_map", ""},
