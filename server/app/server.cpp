@@ -52,6 +52,7 @@ Server::Server(const Config& config, std::shared_ptr<const terrain::World> world
       log_of_clients_{for_clients(log_)},
       access_{access},
       world_{describe_world(*world, store_id)},
+      generator_version_{static_cast<std::uint64_t>(to_integer(world->generator_version()))},
       session_limits_{session_limits(config, *world)},
       rates_{rate_limits(config.rates)},
       memory_{config.limits.memory_bytes},
@@ -98,7 +99,7 @@ std::string Server::metrics_text() {
     error_codes.emplace_back(wire::EnumNameErrorCode(static_cast<wire::ErrorCode>(code)));
   }
   const MetricLabels labels{kRefusalNames, error_codes, kAuthFailureNames, kRateNames, kMemoryUses};
-  const BuildInfo build{TALUS_VERSION, terrain::kGeneratorVersion, to_string(world_.fingerprint),
+  const BuildInfo build{TALUS_VERSION, generator_version_, to_string(world_.fingerprint),
                         std::string{to_string(instruction_set())}};
   return metrics_page({metrics_, gauges, read_process(), build, labels});
 }

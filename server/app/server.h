@@ -73,6 +73,7 @@ class Server {
   Logger log_of_clients_;
   AccessControl& access_;
   const WorldInfo world_;
+  const std::uint64_t generator_version_;
   const SessionLimits session_limits_;
   const RateLimits rates_;
   Metrics metrics_;

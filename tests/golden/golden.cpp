@@ -114,7 +114,8 @@ int main(int argc, char** argv) {
     return 77;
   }
   std::ostringstream text;
-  text << "generator " << terrain::kGeneratorVersion << " codec " << int{kCodecVersion} << '\n';
+  text << "generator " << to_integer(terrain::kNewestGeneratorVersion) << " codec " << int{kCodecVersion}
+       << '\n';
   for (const auto& [name, spec, more] : kWorlds) {
     const std::string file = std::string{TALUS_SOURCE_DIR} + "/" + spec + ".toml";
     const auto world = terrain::World::parse(more + read_file(file), file, test::made_height_maps());

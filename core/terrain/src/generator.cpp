@@ -79,7 +79,7 @@ struct Generator::Scratch {
 namespace {
 
 int loose_halo(const World& world, Lod lod) {
-  if (world.spec().method == Method::erosion) return 2 * world.spec().erosion_steps;
+  if (world.spec().method == Method::erosion) return 2 * world.erosion_steps_at(lod);
   int halo = 0;
   for (const LooseSpec& loose : world.loose()) halo = std::max(halo, loose.halo_at(lod));
   return halo;
@@ -244,7 +244,7 @@ void Generator::settle(const Region& region) {
 void Generator::erode(const Region& region, int ring, int halo) {
   Scratch& s = *scratch_;
   set_loose_over(region, ring, halo);
-  for (int step = 0; step < world_->spec().erosion_steps; ++step) {
+  for (int step = 0; step < world_->erosion_steps_at(region.lod); ++step) {
     if (!s.eroder.step(s.rules, s.loose_ground)) break;
   }
 }
