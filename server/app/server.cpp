@@ -53,6 +53,7 @@ Server::Server(const Config& config, std::shared_ptr<const terrain::World> world
       access_{access},
       world_{describe_world(*world, store_id)},
       generator_version_{static_cast<std::uint64_t>(to_integer(world->generator_version()))},
+      patch_size_{measured_patch_size(config, *world, clock)},
       session_limits_{session_limits(config, *world)},
       rates_{rate_limits(config.rates)},
       memory_{config.limits.memory_bytes},
@@ -67,9 +68,8 @@ Server::Server(const Config& config, std::shared_ptr<const terrain::World> world
                   [this] { return memory_.takes_connections(); },
                   [this](AcceptedConnection accepted) { on_connection(std::move(accepted)); }},
       io_{std::move(listeners.io)},
-      chunks_{std::make_unique<TerrainGenerator>(std::move(world),
-                                                 static_cast<int>(config.generation.patch_tiles)),
-              generation_settings(config),
+      chunks_{std::make_unique<TerrainGenerator>(std::move(world), patch_size_.tiles),
+              generation_settings(config, patch_size_.tiles),
               log_,
               metrics_,
               memory_,
@@ -116,6 +116,7 @@ void Server::check_descriptors() {
 
 void Server::run() {
   check_descriptors();
+  log_->log(patch_size_.expensive ? spdlog::level::warn : spdlog::level::info, "{}", describe(patch_size_));
   chunks_.start();
   if (operators_) {
     last_housekeeping_ = clock_.now();

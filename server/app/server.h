@@ -21,6 +21,7 @@
 #include "clock/clock.h"
 #include "config/config.h"
 #include "generation/base_chunks.h"
+#include "generation/patch_size.h"
 #include "log/logger.h"
 #include "memory/memory_budget.h"
 #include "memory/trim_policy.h"
@@ -74,6 +75,7 @@ class Server {
   AccessControl& access_;
   const WorldInfo world_;
   const std::uint64_t generator_version_;
+  const PatchSize patch_size_;
   const SessionLimits session_limits_;
   const RateLimits rates_;
   Metrics metrics_;

@@ -159,8 +159,9 @@ const std::array kFields{
           number<&Config::cache, &Cache::patch_bytes>(kMebibyte, 1024 * 1024 * kMebibyte)},
 
     Field{"generation.patch_tiles", "tiles",
-          "edge of the square of terrain that is generated at once; a tile is 32 columns",
-          number<&Config::generation, &Generation::patch_tiles>(1, 16)},
+          "edge of the square of terrain that is generated at once; a tile is 32 columns; 0: by what the "
+          "world's terrain is measured to cost",
+          number<&Config::generation, &Generation::patch_tiles>(0, 16)},
     Field{"generation.queue_chunks", "chunks",
           "chunks of all clients that wait for a generator; more are refused",
           number<&Config::generation, &Generation::queue_chunks>(1, 16'777'216)},

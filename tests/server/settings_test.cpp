@@ -54,6 +54,26 @@ TEST_CASE("the world's limit of height tiles is the session's") {
   CHECK(session_limits(Config{}, world).height_tiles_per_request == height_tiles_per_request(world));
 }
 
+TEST_CASE("the configuration's patch_tiles are kept, and chosen where it has none") {
+  class FreeTime final : public Clock {
+    [[nodiscard]] time_point now() const override { return {}; }
+    [[nodiscard]] std::chrono::sys_seconds wall() const override { return {}; }
+    [[nodiscard]] std::chrono::nanoseconds thread_cpu() const override { return {}; }
+  } clock;
+  Config config;
+  CHECK(measured_patch_size(config, terrain::default_world(), clock).tiles == kMaxChosenTiles);
+  config.generation.patch_tiles = 8;
+  CHECK(measured_patch_size(config, terrain::default_world(), clock).tiles == 8);
+}
+
+TEST_CASE("the log names the cost of terrain, and what to change where it is dear") {
+  CHECK(describe(patch_size(4, 100us, 0)) ==
+        "terrain takes 97 ns a column here, 1.6 ms a patch of 4 x 4 tiles");
+  CHECK_THAT(describe(patch_size(2, 20ms, 0)),
+             Catch::StartsWith("terrain takes 19531 ns a column here, 80.0 ms a patch of 2 x 2 tiles: ") &&
+                 Catch::Contains("erosion_steps") && Catch::Contains("threads.generator"));
+}
+
 TEST_CASE("sessions, runners and handshakes get the configuration's times and bounds") {
   Config config;
   config.limits.handshake_timeout = 1s;
