@@ -24,7 +24,6 @@
 #include "app/world_file.h"
 #include "clock/clock.h"
 #include "config/command_line.h"
-#include "log/escape.h"
 #include "log/logger.h"
 #include "log/program_line.h"
 #include "net/tls_context.h"
@@ -104,7 +103,7 @@ int serve(const Command& command) {
 
   for (const std::string& warning : startup_warnings(command, of_keys, tls)) log->warn("{}", warning);
   log->info("world {}, generator {} with {} kernels", to_string((*world)->fingerprint()),
-            talus::terrain::kGeneratorVersion, to_string(talus::instruction_set()));
+            to_integer((*world)->generator_version()), to_string(talus::instruction_set()));
   if (tls && tls->valid_now) log->info("TLS with {}", tls->description);
   // On its own and whatever the log level: programs that start a server read this line.
   fmt::print("listening on {}\n", address);

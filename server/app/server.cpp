@@ -52,6 +52,8 @@ Server::Server(const Config& config, std::shared_ptr<const terrain::World> world
       log_of_clients_{for_clients(log_)},
       access_{access},
       world_{describe_world(*world, store_id)},
+      generator_version_{static_cast<std::uint64_t>(to_integer(world->generator_version()))},
+      patch_size_{measured_patch_size(config, *world, clock)},
       session_limits_{session_limits(config, *world)},
       rates_{rate_limits(config.rates)},
       memory_{config.limits.memory_bytes},
@@ -66,9 +68,8 @@ Server::Server(const Config& config, std::shared_ptr<const terrain::World> world
                   [this] { return memory_.takes_connections(); },
                   [this](AcceptedConnection accepted) { on_connection(std::move(accepted)); }},
       io_{std::move(listeners.io)},
-      chunks_{std::make_unique<TerrainGenerator>(std::move(world),
-                                                 static_cast<int>(config.generation.patch_tiles)),
-              generation_settings(config),
+      chunks_{std::make_unique<TerrainGenerator>(std::move(world), patch_size_.tiles),
+              generation_settings(config, patch_size_.tiles),
               log_,
               metrics_,
               memory_,
@@ -98,7 +99,7 @@ std::string Server::metrics_text() {
     error_codes.emplace_back(wire::EnumNameErrorCode(static_cast<wire::ErrorCode>(code)));
   }
   const MetricLabels labels{kRefusalNames, error_codes, kAuthFailureNames, kRateNames, kMemoryUses};
-  const BuildInfo build{TALUS_VERSION, terrain::kGeneratorVersion, to_string(world_.fingerprint),
+  const BuildInfo build{TALUS_VERSION, generator_version_, to_string(world_.fingerprint),
                         std::string{to_string(instruction_set())}};
   return metrics_page({metrics_, gauges, read_process(), build, labels});
 }
@@ -115,6 +116,7 @@ void Server::check_descriptors() {
 
 void Server::run() {
   check_descriptors();
+  log_->log(patch_size_.expensive ? spdlog::level::warn : spdlog::level::info, "{}", describe(patch_size_));
   chunks_.start();
   if (operators_) {
     last_housekeeping_ = clock_.now();

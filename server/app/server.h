@@ -22,6 +22,7 @@
 #include "config/config.h"
 #include "flows/flow_ids.h"
 #include "generation/base_chunks.h"
+#include "generation/patch_size.h"
 #include "log/logger.h"
 #include "memory/memory_budget.h"
 #include "memory/trim_policy.h"
@@ -74,6 +75,8 @@ class Server {
   Logger log_of_clients_;
   AccessControl& access_;
   const WorldInfo world_;
+  const std::uint64_t generator_version_;
+  const PatchSize patch_size_;
   const SessionLimits session_limits_;
   const RateLimits rates_;
   const FlowIds flows_;

@@ -78,9 +78,25 @@ tl::expected<void, std::string> check_memory(const Config& config) {
       bytes, kMinMemoryBytes));
 }
 
-GenerationSettings generation_settings(const Config& config) {
-  return {generator_threads(config), static_cast<int>(config.generation.patch_tiles),
-          config.generation.queue_chunks, config.cache.chunk_bytes, config.cache.patch_bytes};
+GenerationSettings generation_settings(const Config& config, int patch_tiles) {
+  return {generator_threads(config), patch_tiles, config.generation.queue_chunks, config.cache.chunk_bytes,
+          config.cache.patch_bytes};
+}
+
+PatchSize measured_patch_size(const Config& config, const terrain::World& world, const Clock& clock) {
+  const auto tile_time = measure_tile(world, clock);
+  if (config.generation.patch_tiles == 0) return choose_patch_size(tile_time, world.halo());
+  return patch_size(static_cast<int>(config.generation.patch_tiles), tile_time, world.halo());
+}
+
+std::string describe(const PatchSize& size) {
+  const std::string cost =
+      fmt::format("terrain takes {} ns a column here, {:.1f} ms a patch of {} x {} tiles", size.ns_a_column(),
+                  std::chrono::duration<double, std::milli>{size.patch_time}.count(), size.tiles, size.tiles);
+  if (!size.expensive) return cost;
+  return cost +
+         ": this world is expensive, and players wait for it; fewer erosion_steps make it cheaper, more "
+         "threads.generator and a larger cache.patch_bytes serve more players";
 }
 
 std::uint64_t descriptors_wanted(const Config& config) {

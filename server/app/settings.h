@@ -9,9 +9,11 @@
 
 #include <talus/terrain/world.h>
 
+#include "clock/clock.h"
 #include "config/config.h"
 #include "generation/base_chunks.h"
 #include "generation/generator_memory.h"
+#include "generation/patch_size.h"
 #include "memory/memory_budget.h"
 #include "net/handshaker.h"
 #include "net/session_runner.h"
@@ -41,7 +43,14 @@ static_assert(MemoryBudget::kProgramBytes + kMinMemoryBytes / GeneratorMemory::k
 /// An error, one line, where limits.memory_bytes is less.
 [[nodiscard]] tl::expected<void, std::string> check_memory(const Config& config);
 
-[[nodiscard]] GenerationSettings generation_settings(const Config& config);
+/// `patch_tiles` as configured, or as chosen where the configuration leaves it open.
+[[nodiscard]] GenerationSettings generation_settings(const Config& config, int patch_tiles);
+
+/// Measures what the world's terrain costs on this machine.
+[[nodiscard]] PatchSize measured_patch_size(const Config& config, const terrain::World& world,
+                                            const Clock& clock);
+/// For the log: what terrain costs, and what to change where that is much.
+[[nodiscard]] std::string describe(const PatchSize& size);
 
 /// Files and sockets that a server so configured may hold at once.
 [[nodiscard]] std::uint64_t descriptors_wanted(const Config& config);

@@ -88,7 +88,7 @@ struct Cache {
 };
 
 struct Generation {
-  std::uint64_t patch_tiles = 4;
+  std::uint64_t patch_tiles = 0;  // 0: as many as the world allows
   std::uint64_t queue_chunks = 65'536;
   bool operator==(const Generation&) const = default;
 };

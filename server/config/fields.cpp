@@ -163,8 +163,9 @@ const std::array kFields{
           number<&Config::cache, &Cache::patch_bytes>(kMebibyte, 1024 * 1024 * kMebibyte)},
 
     Field{"generation.patch_tiles", "tiles",
-          "edge of the square of terrain that is generated at once, a power of two; a tile is 32 columns",
-          PowerOfTwoTarget{[](Config& c) -> std::uint64_t& { return c.generation.patch_tiles; }, 1, 16}},
+          "edge of the square of terrain that is generated at once, a power of two; a tile is 32 columns; 0: by "
+          "what the world's terrain is measured to cost",
+          PowerOfTwoTarget{[](Config& c) -> std::uint64_t& { return c.generation.patch_tiles; }, 16}},
     Field{"generation.queue_chunks", "chunks",
           "chunks of all clients that wait for a generator; more are refused",
           number<&Config::generation, &Generation::queue_chunks>(1, 16'777'216)},
@@ -209,8 +210,8 @@ tl::expected<void, std::string> assign_number(const Field& field, const Target& 
 tl::expected<void, std::string> assign_power_of_two(const Field& field, const PowerOfTwoTarget& target,
                                                     Config& config, std::optional<std::uint64_t> value,
                                                     std::string_view shown) {
-  if (!value || *value < target.min || *value > target.max) return refused(field, shown);
-  if (!std::has_single_bit(*value)) {
+  if (!value || *value > target.max) return refused(field, shown);
+  if (*value != 0 && !std::has_single_bit(*value)) {
     return tl::make_unexpected(fmt::format("{} is wrong; give {} or {}, the nearest powers of two", shown,
                                            std::bit_floor(*value), std::bit_ceil(*value)));
   }
@@ -295,9 +296,8 @@ struct Describe {
     return fmt::format("a whole number from {} to {} ({})", target.min, target.max, unit);
   }
   std::string operator()(const PowerOfTwoTarget& target) const {
-    std::string powers;
-    for (std::uint64_t power = target.min; power < target.max; power *= 2)
-      powers += fmt::format("{}, ", power);
+    std::string powers = "0, ";
+    for (std::uint64_t power = 1; power < target.max; power *= 2) powers += fmt::format("{}, ", power);
     return fmt::format("{}or {} ({})", powers, target.max, unit);
   }
   std::string operator()(const DurationTarget& target) const {

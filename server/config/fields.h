@@ -23,10 +23,9 @@ struct NumberTarget {
   std::uint64_t min;
   std::uint64_t max;
 };
-/// One of the powers of two from `min` to `max`, which are powers of two.
+/// 0, or a power of two up to `max`, which is one.
 struct PowerOfTwoTarget {
   std::uint64_t& (*at)(Config&);
-  std::uint64_t min;
   std::uint64_t max;
 };
 /// A whole number of milliseconds; its key ends in "_ms".

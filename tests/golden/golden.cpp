@@ -63,6 +63,7 @@ const Sample kWorlds[] = {
     {"features", "core/worlds/features", ""},
     {"features, eroded", "core/worlds/features", "method = \"erosion\"\nerosion_steps = 8\n"},
     {"default, eroded", "core/worlds/default", "method = \"erosion\"\nerosion_steps = 8\n"},
+    {"default, eroded by one step", "core/worlds/default", "method = \"erosion\"\nerosion_steps = 1\n"},
     {"ridged", "tests/golden/worlds/ridged", ""},
     {"warped", "tests/golden/worlds/warped", ""},
     {"height_map", "tests/golden/worlds/height_map", ""},
@@ -113,7 +114,8 @@ int main(int argc, char** argv) {
     return 77;
   }
   std::ostringstream text;
-  text << "generator " << terrain::kGeneratorVersion << " codec " << int{kCodecVersion} << '\n';
+  text << "generator " << to_integer(terrain::kNewestGeneratorVersion) << " codec " << int{kCodecVersion}
+       << '\n';
   for (const auto& [name, spec, more] : kWorlds) {
     const std::string file = std::string{TALUS_SOURCE_DIR} + "/" + spec + ".toml";
     const auto world = terrain::World::parse(more + read_file(file), file, test::made_height_maps());

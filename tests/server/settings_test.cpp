@@ -43,10 +43,12 @@ TEST_CASE("every edge of a patch that can be configured is one that patches may 
   for (int tiles = -1; tiles <= 64; ++tiles) {
     Config config;
     if (!set_from_number(field, config, tiles)) continue;
-    edges.push_back(generation_settings(config).patch_tiles);
-    CHECK(is_patch_edge(edges.back()));
+    const int edge = measured_patch_size(config, terrain::default_world(), SystemClock{}).tiles;
+    edges.push_back(edge);
+    CHECK(is_patch_edge(edge));
   }
-  CHECK(edges == std::vector{1, 2, 4, 8, 16});
+  REQUIRE(edges.size() == 6);  // the first is of 0, and measured
+  CHECK(std::vector(edges.begin() + 1, edges.end()) == std::vector{1, 2, 4, 8, 16});
   for (const int tiles : {-4, 0, 3, 5, 6, 12}) CHECK_FALSE(is_patch_edge(tiles));
 }
 
@@ -68,6 +70,26 @@ TEST_CASE("heights of eroded land are limited by what they cost") {
 TEST_CASE("the world's limit of height tiles is the session's") {
   const terrain::World world = eroded(32);
   CHECK(session_limits(Config{}, world).height_tiles_per_request == height_tiles_per_request(world));
+}
+
+TEST_CASE("the configuration's patch_tiles are kept, and chosen where it has none") {
+  class FreeTime final : public Clock {
+    [[nodiscard]] time_point now() const override { return {}; }
+    [[nodiscard]] std::chrono::sys_seconds wall() const override { return {}; }
+    [[nodiscard]] std::chrono::nanoseconds thread_cpu() const override { return {}; }
+  } clock;
+  Config config;
+  CHECK(measured_patch_size(config, terrain::default_world(), clock).tiles == kMaxChosenTiles);
+  config.generation.patch_tiles = 8;
+  CHECK(measured_patch_size(config, terrain::default_world(), clock).tiles == 8);
+}
+
+TEST_CASE("the log names the cost of terrain, and what to change where it is dear") {
+  CHECK(describe(patch_size(4, 100us, 0)) ==
+        "terrain takes 97 ns a column here, 1.6 ms a patch of 4 x 4 tiles");
+  CHECK_THAT(describe(patch_size(2, 20ms, 0)),
+             Catch::StartsWith("terrain takes 19531 ns a column here, 80.0 ms a patch of 2 x 2 tiles: ") &&
+                 Catch::Contains("erosion_steps") && Catch::Contains("threads.generator"));
 }
 
 TEST_CASE("sessions, runners and handshakes get the configuration's times and bounds") {

@@ -4,6 +4,8 @@
 #include <catch2/catch.hpp>
 
 #include <algorithm>
+#include <cmath>
+#include <cstdlib>
 #include <map>
 #include <numeric>
 #include <set>
@@ -180,6 +182,76 @@ TEST_CASE("Erosion keeps within the rows that the world says it may reach") {
     const Terrain terrain = generate_terrain(*world, {-100, 40, 128, 128, Lod::of(level)});
     const auto highest = *std::max_element(terrain.surface.values.begin(), terrain.surface.values.end());
     CHECK(highest <= (world->highest_fx() >> level) + world->rise_fx());
+  }
+}
+
+World eroded_small_world(std::uint64_t seed, int steps) {
+  return World::parse(eroding(seed, steps), "w.toml").value();
+}
+
+TEST_CASE("A level runs max(1, K >> l) steps on its own columns, as the definition has them") {
+  CHECK(rc::check([] {
+    const auto seed = *rc::gen::arbitrary<std::uint64_t>();
+    const int steps = *rc::gen::inRange(1, 65);
+    const Lod lod = Lod::of(*rc::gen::inRange(0, Lod::kMax + 1));
+    const World world = eroded_small_world(seed, steps);
+    const int steps_here = std::max(1, steps >> lod.value());
+    RC_ASSERT(world.erosion_steps_at(lod) == steps_here);
+    RC_ASSERT(halo_columns(world, lod) == 2 * steps_here);
+
+    const Region region{*rc::gen::inRange(-300, 300), *rc::gen::inRange(-300, 300), 9, 5, lod};
+    const Terrain made = generate_terrain(world, region);
+    const Field before = generate_terrain(test::small_world(seed), region.expanded(2 * steps_here)).surface;
+    std::vector<LooseRules> rules;
+    for (const std::size_t m : world.loose_bottom_up()) {
+      rules.push_back({world.loose()[m].thickness_at(lod), world.loose()[m].c_fx});
+    }
+    LooseGround ground;
+    set_loose(before, rules, ground);
+    for (int i = 0; i < steps_here; ++i) test::reference::erode_step(rules, Neighbours::all, ground);
+    RC_ASSERT(made.surface.values == ground.surface().cropped(2 * steps_here).values);
+    for (std::size_t m = 0; m < rules.size(); ++m) {
+      RC_ASSERT(made.loose[world.loose_bottom_up()[m]].values ==
+                ground.thickness[m].cropped(2 * steps_here).values);
+    }
+  }));
+}
+
+/// By how many base voxels erosion changes the height of a column of the level, in the mean.
+double mean_change(int steps, Lod lod) {
+  const int side = 512 >> lod.value();
+  const Region region{0, 0, side, side, lod};
+  const Field after = generate_terrain(eroded_small_world(4, steps), region).surface;
+  const Field before = generate_terrain(test::small_world(4), region).surface;
+  double sum_fx = 0;
+  for (std::size_t i = 0; i < after.values.size(); ++i) {
+    sum_fx += std::abs(after.values[i] - before.values[i]);
+  }
+  return std::ldexp(sum_fx / static_cast<double>(after.values.size()) / kSubvoxels, lod.value());
+}
+
+TEST_CASE("What erosion changes of far ground grows less than its columns' width") {
+  constexpr int kSteps = 16;
+  const double at_base = mean_change(kSteps, Lod{});
+  REQUIRE(at_base > 0.1);
+  for (int level = 1; level <= 4; ++level) {
+    const double here = mean_change(kSteps, Lod::of(level));
+    INFO("level " << level << ": " << here << " voxels, level 0: " << at_base);
+    CHECK(here < (1 + level) * at_base);
+  }
+}
+
+TEST_CASE("Only worlds of two or more steps have generator version 3") {
+  const auto version_in = [](const World& world) {
+    return world.canonical_form().find("\ngenerator " +
+                                       std::to_string(to_integer(world.generator_version())) + "\n") !=
+           std::string::npos;
+  };
+  for (const int steps : {0, 1, 2, 64}) {
+    INFO(steps << " steps");
+    const World world = steps == 0 ? test::small_world(4) : eroded_small_world(4, steps);
+    CHECK(world.generator_version() == (steps > 1 ? GeneratorVersion::v3 : GeneratorVersion::v2));
+    CHECK(version_in(world));
   }
 }
 

@@ -55,7 +55,15 @@ class Carver {
   /// `height` is level 0's H over region.expanded(around), and exact there. Entrances are found over
   /// region.expanded(open_ring), REQUIRES around >= open_ring + entrance_halo(). The air over the region is
   /// exact where around >= Feature::halo(); with less it may differ.
-  virtual void compute(const Region& region, int around, int open_ring, const Field& height) = 0;
+  void compute(const Region& region, int around, int open_ring, const Field& height) {
+    start(region, around, open_ring);
+    while (pending()) compute_rows(region.depth + 2 * around, height);
+  }
+  /// The same in pieces; `height` is that of the whole region for each of them.
+  virtual void start(const Region& region, int around, int open_ring) = 0;
+  [[nodiscard]] virtual bool pending() const = 0;
+  /// About `count` rows, or what takes as long. REQUIRES pending() and count > 0.
+  virtual void compute_rows(int count, const Field& height) = 0;
 
   /// Where a column is open to the sky: the ground there, in subvoxels of the level, over
   /// region.expanded(open_ring); kClosed elsewhere. Empty where all are closed.

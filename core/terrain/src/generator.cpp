@@ -1,7 +1,9 @@
 #include <talus/terrain/generator.h>
 
 #include <algorithm>
+#include <cassert>
 #include <memory>
+#include <optional>
 #include <utility>
 
 #include <talus/terrain/erosion.h>
@@ -62,9 +64,13 @@ struct Generator::Scratch {
   SettleGrid grid;
   const ColumnKernels& columns;
   std::unique_ptr<Carver> carver;
+  Region region;
+  int ring = 0;                // columns around it that loose material needs
+  int around = 0;              // and that `ground` covers
   std::vector<Field> surveys;  // one a feature; empty where it keeps nothing
-  int around = 0;              // columns around the region that `ground` covers
+  std::size_t survey = 0;      // whose turn it is
   Field slope;                 // for loose material, where it is not `ground`'s
+  const Field* loose_slope = nullptr;
   std::vector<std::int64_t> xs;
   std::vector<std::int64_t> zs;
   Field limit;
@@ -74,12 +80,21 @@ struct Generator::Scratch {
   Field surface;  // H with its halo, before erosion
   LooseGround loose_ground;
   std::vector<LooseRules> rules;  // bottom up
+  int erosion_steps = 0;          // still to go
+  std::size_t erosion_piece = 0;  // of the step: each material is looked at and then moved
+  bool moved = false;             // in this step
+
+  enum class Stage : std::uint8_t { none, ground, loose, strata };
+  Stage stage = Stage::none;
+  std::size_t unsettled = 0;  // materials
+  Stacks stacks;
+  std::optional<Planes> planes;  // of `stacks`, while strata are built
 };
 
 namespace {
 
 int loose_halo(const World& world, Lod lod) {
-  if (world.spec().method == Method::erosion) return 2 * world.spec().erosion_steps;
+  if (world.spec().method == Method::erosion) return 2 * world.erosion_steps_at(lod);
   int halo = 0;
   for (const LooseSpec& loose : world.loose()) halo = std::max(halo, loose.halo_at(lod));
   return halo;
@@ -101,17 +116,44 @@ void Generator::generate(const Region& region, Terrain& terrain) {
 }
 
 void Generator::compute_ground(const Region& region, int ring, int halo) {
+  start_ground(region, ring, halo);
+  while (step_ground(kColumnsAPiece)) {
+  }
+}
+
+void Generator::start_ground(const Region& region, int ring, int halo) {
   Scratch& s = *scratch_;
+  s.stage = Scratch::Stage::none;  // whatever was begun before ends here
+  s.planes.reset();
+  s.region = region;
+  s.ring = ring;
   const int for_entrances = s.carver ? s.carver->entrance_halo(region.lod) : 0;
   s.around = std::max(ring + for_entrances, std::min(halo, world_->feature_halo(region.lod)));
-  s.ground.compute(region.expanded(s.around));
-  if (s.carver) s.carver->compute(region, s.around, ring, s.ground.height());
-  for (std::size_t i = 0; i < s.surveys.size(); ++i) {
+  s.ground.start(region.expanded(s.around));
+  if (s.carver) s.carver->start(region, s.around, ring);
+  s.survey = 0;
+}
+
+bool Generator::step_ground(int columns) {
+  Scratch& s = *scratch_;
+  const int rows = std::max(1, columns / (s.region.width + 2 * s.around));
+  if (s.ground.pending()) {
+    s.ground.compute_rows(rows);
+    return true;
+  }
+  if (s.carver && s.carver->pending()) {
+    s.carver->compute_rows(rows, s.ground.height());
+    return true;
+  }
+  while (s.survey < s.surveys.size()) {
+    const std::size_t i = s.survey++;
     const Feature& feature = *world_->features()[i];
     if (!feature.surveys()) continue;
-    s.surveys[i].reshape(region.width, region.depth);
-    feature.survey(region, s.around, s.ground.height(), s.surveys[i]);
+    s.surveys[i].reshape(s.region.width, s.region.depth);
+    feature.survey(s.region, s.around, s.ground.height(), s.surveys[i]);
+    return true;
   }
+  return false;
 }
 
 const Field& Generator::slope_for_loose(int ring) {
@@ -133,7 +175,10 @@ void Generator::generate_with_halo(const Region& region, int halo, Terrain& terr
   terrain.loose.resize(world_->loose().size());
   if (erodes) {
     const int ring = std::min(halo, loose_halo(*world_, region.lod));
-    erode(region, ring, halo);
+    compute_ground(region, ring, halo);
+    set_loose_over_ground();
+    while (step_erosion()) {
+    }
     s.ground.slope().crop_into(s.around, terrain.slope);
     take_eroded(ring, terrain);
     build_strata(terrain);
@@ -177,7 +222,8 @@ void Generator::build_strata(Terrain& terrain) {
 
 std::int64_t Generator::generate_to_rest(const Region& region, Neighbours neighbours, Terrain& terrain) {
   Scratch& s = *scratch_;
-  set_loose_over(region, 0, halo_columns(*world_, region.lod));
+  compute_ground(region, 0, halo_columns(*world_, region.lod));
+  set_loose_over_ground();
   Eroder eroder{neighbours};
   const std::int64_t steps = eroder.rest(s.rules, s.loose_ground);
   terrain.region = region;
@@ -190,74 +236,139 @@ std::int64_t Generator::generate_to_rest(const Region& region, Neighbours neighb
 }
 
 void Generator::generate(const Region& region, Stacks& stacks) {
-  Scratch& s = *scratch_;
-  const int shift = region.lod.value();
-  stacks.region = region;
-  const bool erodes = world_->spec().method == Method::erosion;
-  const int ring = erodes ? loose_halo(*world_, region.lod) : 0;
-  if (erodes) {
-    erode(region, ring, halo_columns(*world_, region.lod));
-    take_eroded(ring);
-  } else {
-    settle(region);
+  start(region, std::move(stacks));
+  while (step()) {
   }
+  stacks = take();
+}
 
+void Generator::start(const Region& region, Stacks memory) {
+  Scratch& s = *scratch_;
+  const bool erodes = world_->spec().method == Method::erosion;
+  const int loose = loose_halo(*world_, region.lod);
+  start_ground(region, erodes ? loose : std::max(1, loose) - 1, halo_columns(*world_, region.lod));
+  s.stacks = std::move(memory);
+  s.stacks.region = region;
+  s.stage = Scratch::Stage::ground;
+}
+
+bool Generator::step(int columns) {
+  Scratch& s = *scratch_;
+  switch (s.stage) {
+    case Scratch::Stage::ground:
+      if (step_ground(columns)) return true;
+      start_loose();
+      s.stage = Scratch::Stage::loose;
+      return true;
+    case Scratch::Stage::loose:
+      if (step_loose()) return true;
+      start_strata();
+      s.stage = Scratch::Stage::strata;
+      return true;
+    case Scratch::Stage::strata:
+      if (s.strata.pending()) {
+        s.strata.step();
+        return true;
+      }
+      finish();
+      s.stage = Scratch::Stage::none;
+      return false;
+    case Scratch::Stage::none:
+      return false;
+  }
+  return false;
+}
+
+Stacks Generator::take() {
+  assert(scratch_->stage == Scratch::Stage::none);
+  return std::move(scratch_->stacks);
+}
+
+void Generator::start_strata() {
+  Scratch& s = *scratch_;
+  const Region& region = s.region;
+  if (world_->spec().method == Method::erosion) take_eroded(s.ring);
   base_columns(region.x, region.width, region.lod, s.xs);
   base_columns(region.z, region.depth, region.lod, s.zs);
-  shift_left(s.limit, shift);  // strata are built in subvoxels of level 0
-  Planes planes{stacks.materials, stacks.tops, s.spare};
-  s.strata.build(s.xs, s.zs, s.limit, StrataBuilder::Extent::until_full, planes);
-  for (Field& plane : stacks.tops) shift_right(plane, shift);
+  shift_left(s.limit, region.lod.value());  // strata are built in subvoxels of level 0
+  s.planes.emplace(s.stacks.materials, s.stacks.tops, s.spare);
+  s.strata.start(s.xs, s.zs, s.limit, StrataBuilder::Extent::until_full, *s.planes);
+}
+
+void Generator::finish() {
+  Scratch& s = *scratch_;
+  for (Field& plane : s.stacks.tops) shift_right(plane, s.region.lod.value());
   const std::vector<std::size_t>& bottom_up = world_->loose_bottom_up();
   for (std::size_t i = 0; i < bottom_up.size(); ++i) {
-    std::swap(planes.add(world_->loose()[bottom_up[i]].material), s.loose_tops[i]);
+    std::swap(s.planes->add(world_->loose()[bottom_up[i]].material), s.loose_tops[i]);
   }
-  stacks.loose_planes = bottom_up.size();
-  take_caves(ring, stacks.tops.back(), stacks.caves);
-  take_surveys(stacks.surveys);
+  s.planes.reset();
+  s.stacks.loose_planes = bottom_up.size();
+  take_caves(world_->spec().method == Method::erosion ? s.ring : 0, s.stacks.tops.back(), s.stacks.caves);
+  take_surveys(s.stacks.surveys);
 }
 
-void Generator::settle(const Region& region) {
+void Generator::start_loose() {
   Scratch& s = *scratch_;
-  const int ring = std::max(1, loose_halo(*world_, region.lod)) - 1;
-  compute_ground(region, ring, halo_columns(*world_, region.lod));
-  const Field& slope = slope_for_loose(ring);
+  if (world_->spec().method == Method::erosion) return set_loose_over_ground();
   // `limit` walks down from H: the top of the loose material whose turn it is, lightest first, then of rock.
   s.ground.height().crop_into(s.around, s.limit);
-  shift_right(s.limit, region.lod.value());
-  const std::vector<std::size_t>& bottom_up = world_->loose_bottom_up();
-  s.loose_tops.resize(bottom_up.size());
-  for (std::size_t i = bottom_up.size(); i-- > 0;) {
-    const LooseSpec& loose = world_->loose()[bottom_up[i]];
-    s.grid.start(slope, loose.thickness_at(region.lod), loose.S_fx);
-    s.grid.settle(loose.c_fx);
-    std::swap(s.loose_tops[i], s.limit);
-    s.limit.reshape(region.width, region.depth);
-    for (int z = 0; z < region.depth; ++z) {
-      s.grid.with_row(z + ring, [&](const auto* row) {
-        lower(s.columns, s.loose_tops[i].row(z), row + ring, s.limit.row(z));
-      });
-    }
+  shift_right(s.limit, s.region.lod.value());
+  s.loose_slope = &slope_for_loose(s.ring);
+  s.unsettled = world_->loose_bottom_up().size();
+  s.loose_tops.resize(s.unsettled);
+}
+
+bool Generator::step_loose() {
+  Scratch& s = *scratch_;
+  if (world_->spec().method == Method::erosion) return step_erosion();
+  if (s.unsettled == 0) return false;
+  settle(--s.unsettled);
+  return true;
+}
+
+void Generator::settle(std::size_t place) {
+  Scratch& s = *scratch_;
+  const LooseSpec& loose = world_->loose()[world_->loose_bottom_up()[place]];
+  s.grid.start(*s.loose_slope, loose.thickness_at(s.region.lod), loose.S_fx);
+  s.grid.settle(loose.c_fx);
+  std::swap(s.loose_tops[place], s.limit);
+  s.limit.reshape(s.region.width, s.region.depth);
+  for (int z = 0; z < s.region.depth; ++z) {
+    s.grid.with_row(z + s.ring, [&](const auto* row) {
+      lower(s.columns, s.loose_tops[place].row(z), row + s.ring, s.limit.row(z));
+    });
   }
 }
 
-void Generator::erode(const Region& region, int ring, int halo) {
+bool Generator::step_erosion() {
   Scratch& s = *scratch_;
-  set_loose_over(region, ring, halo);
-  for (int step = 0; step < world_->spec().erosion_steps; ++step) {
-    if (!s.eroder.step(s.rules, s.loose_ground)) break;
+  if (s.erosion_steps == 0) return false;
+  const std::size_t materials = s.rules.size();
+  if (s.erosion_piece < materials) {
+    s.eroder.see_surface(s.erosion_piece, s.loose_ground);
+  } else {
+    const std::size_t m = s.erosion_piece - materials;
+    s.moved |= s.eroder.step_material(m, s.rules[m], s.loose_ground);
   }
+  if (++s.erosion_piece < 2 * materials) return true;
+  s.erosion_steps = s.moved ? s.erosion_steps - 1 : 0;
+  s.erosion_piece = 0;
+  s.moved = false;
+  return true;
 }
 
-void Generator::set_loose_over(const Region& region, int ring, int halo) {
+void Generator::set_loose_over_ground() {
   Scratch& s = *scratch_;
-  compute_ground(region, ring, halo);
-  s.ground.height().crop_into(s.around - ring, s.surface);
-  shift_right(s.surface, region.lod.value());
+  s.erosion_steps = world_->erosion_steps_at(s.region.lod);
+  s.erosion_piece = 0;
+  s.moved = false;
+  s.ground.height().crop_into(s.around - s.ring, s.surface);
+  shift_right(s.surface, s.region.lod.value());
   s.rules.clear();
   for (const std::size_t m : world_->loose_bottom_up()) {
     const LooseSpec& loose = world_->loose()[m];
-    s.rules.push_back({loose.thickness_at(region.lod), loose.c_fx});
+    s.rules.push_back({loose.thickness_at(s.region.lod), loose.c_fx});
   }
   set_loose(s.surface, s.rules, s.loose_ground);
   if (!s.carver) return;

@@ -73,7 +73,7 @@ int run_command_line(int argc, const char* const* argv, const std::string& versi
       "Exit status: 0 success, 1 failure, 2 wrong arguments."};
   app.name("talus-gen");
   app.set_version_flag("--version", "talus-gen " + version + " (generator version " +
-                                        std::to_string(terrain::kGeneratorVersion) + ", " +
+                                        std::to_string(to_integer(terrain::kNewestGeneratorVersion)) + ", " +
                                         std::string{to_string(instruction_set())} + " kernels)");
   app.get_formatter()->column_width(34);
 

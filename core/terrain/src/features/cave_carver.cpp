@@ -22,7 +22,7 @@ CaveCarver::CaveCarver(const CavePlan& plan, const World& world, InstructionSet 
   for (const LooseSpec& loose : world.loose()) loose_thickness_fx_.push_back(loose.t_fx);
 }
 
-void CaveCarver::compute(const Region& region, int around, int open_ring, const Field& height) {
+void CaveCarver::start(const Region& region, int around, int open_ring) {
   const int level = region.lod.value();
   region_ = region;
   open_ring_ = open_ring;
@@ -32,8 +32,10 @@ void CaveCarver::compute(const Region& region, int around, int open_ring, const 
   // Two rows at least, so that the topmost can be of loose material and rock is under it.
   least_rows_ = std::max(2, ((plan_.roof_fx >> level) + kSubvoxels - 1) / kSubvoxels);
   any_ = false;
+  next_ = 0;
   entrances_.reshape(0, 0);
-  if (span_ == 0) return;
+  pending_ = span_ != 0;
+  if (!pending_) return;
   judged_ = around - shore_;
   assert(judged_ >= open_ring);
 
@@ -44,10 +46,22 @@ void CaveCarver::compute(const Region& region, int around, int open_ring, const 
   shape_.start(xs_);
   floor_.reshape(judged.width, judged.depth);
   roof_.reshape(judged.width, judged.depth);
-  for (int z = 0; z < judged.depth; ++z) {
-    any_ |= shape_.row((judged.z + z) * step, floor_.row(z).data(), roof_.row(z).data());
+}
+
+void CaveCarver::compute_rows(int count, const Field& height) {
+  const Region judged = region_.expanded(judged_);
+  const std::int64_t step = std::int64_t{1} << region_.lod.value();
+  const int last = std::min(judged.depth, next_ + count);
+  for (; next_ < last; ++next_) {
+    any_ |= shape_.row((judged.z + next_) * step, floor_.row(next_).data(), roof_.row(next_).data());
   }
-  if (!any_) return;
+  if (next_ < judged.depth) return;
+  pending_ = false;
+  if (any_) judge_all(height);
+}
+
+void CaveCarver::judge_all(const Field& height) {
+  const Region judged = region_.expanded(judged_);
   surface_.reshape(judged.width, judged.depth);
   roof_row_.reshape(judged.width, judged.depth);
   rock_row_.reshape(judged.width, judged.depth);

@@ -22,7 +22,9 @@ class CaveCarver final : public Carver {
   /// Where there is a sea, the columns beside a column decide whether it may open to the sky.
   [[nodiscard]] int entrance_halo(Lod lod) const override { return plan_.span_at(lod) == 0 ? 0 : shore_; }
   /// With less around than Caves::halo() some roofs that hold are taken for unsafe.
-  void compute(const Region& region, int around, int open_ring, const Field& height) override;
+  void start(const Region& region, int around, int open_ring) override;
+  [[nodiscard]] bool pending() const override { return pending_; }
+  void compute_rows(int count, const Field& height) override;
   [[nodiscard]] const Field& entrances() const override { return entrances_; }
   void take(CaveAir& air) const override;
 
@@ -30,6 +32,7 @@ class CaveCarver final : public Carver {
   /// Solid from below up to the rock's top; with a roof that is thick enough; with one that is not.
   enum class Kind : std::uint8_t { solid, roofed, open };
 
+  void judge_all(const Field& height);
   void judge_row(int z, const Field& height);
   void find_entrances();
   void judge(int x, int z, const Field& height);
@@ -55,6 +58,8 @@ class CaveCarver final : public Carver {
   std::int32_t loose_fx_ = 0;    // all that can be loose, at the region's level
   std::int32_t least_rows_ = 0;  // of a roof that holds
   bool any_ = false;
+  bool pending_ = false;
+  int next_ = 0;  // row of floors and roofs that is not computed yet
   std::vector<std::int64_t> xs_;
   // Over the judged columns.
   Field floor_;

@@ -45,16 +45,20 @@ Eroder::Eroder(Neighbours neighbours) {
 
 bool Eroder::step(std::span<const LooseRules> rules, LooseGround& ground) {
   // Every material's surface before anything moves.
-  surfaces_.resize(rules.size());
-  for (std::size_t m = 0; m < rules.size(); ++m) {
-    surfaces_[m] = m == 0 ? ground.base : surfaces_[m - 1];
-    add(ground.thickness[m], surfaces_[m]);
-  }
+  for (std::size_t m = 0; m < rules.size(); ++m) see_surface(m, ground);
   bool moved = false;
-  for (std::size_t m = 0; m < rules.size(); ++m) {
-    moved |= move(surfaces_[m], rules[m].c_fx, erosion_step_fx(rules[m].c_fx), ground.thickness[m]);
-  }
+  for (std::size_t m = 0; m < rules.size(); ++m) moved |= step_material(m, rules[m], ground);
   return moved;
+}
+
+void Eroder::see_surface(std::size_t material, const LooseGround& ground) {
+  surfaces_.resize(ground.thickness.size());
+  surfaces_[material] = material == 0 ? ground.base : surfaces_[material - 1];
+  add(ground.thickness[material], surfaces_[material]);
+}
+
+bool Eroder::step_material(std::size_t material, const LooseRules& rules, LooseGround& ground) {
+  return move(surfaces_[material], rules.c_fx, erosion_step_fx(rules.c_fx), ground.thickness[material]);
 }
 
 std::int64_t Eroder::rest(std::span<const LooseRules> rules, LooseGround& ground) {

@@ -59,7 +59,7 @@ std::string World::canonical_form() const {
   std::ostringstream form;
   form.imbue(std::locale::classic());  // a host program's locale must not group the digits
   form << "talus world\n"
-       << "generator " << kGeneratorVersion << '\n'
+       << "generator " << to_integer(generator_version()) << '\n'
        << "seed " << spec_.seed << '\n';
   if (const auto noise = spec_.surface.noise()) add_noise(surface, *noise, form);
   if (spec_.surface.height_map) add_map(surface.map, form);

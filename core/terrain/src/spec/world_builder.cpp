@@ -231,10 +231,19 @@ void World::Builder::derive_loose() {
   }
 }
 
+int World::erosion_steps_at(Lod lod) const {
+  return spec_.method == Method::erosion ? std::max(1, spec_.erosion_steps >> lod.value()) : 0;
+}
+
+// One step is one step at every level, by the rules of both versions.
+GeneratorVersion World::generator_version() const {
+  return erosion_steps_at(Lod{}) > 1 ? GeneratorVersion::v3 : GeneratorVersion::v2;
+}
+
 void World::Builder::derive_halo() {
   world.halo_ = world.feature_halo(Lod{});
   if (spec.method == Method::erosion) {
-    world.halo_ = std::max(world.halo_, 2 * spec.erosion_steps);
+    world.halo_ = std::max(world.halo_, 2 * world.erosion_steps_at(Lod{}));
     return;
   }
   for (const LooseSpec& loose : world.loose_) world.halo_ = std::max(world.halo_, loose.halo_at(Lod{}));

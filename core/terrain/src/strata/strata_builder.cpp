@@ -27,63 +27,87 @@ StrataBuilder::StrataBuilder(const World& world, InstructionSet set)
   }
 }
 
-void StrataBuilder::build(std::span<const std::int64_t> xs, std::span<const std::int64_t> zs,
+void StrataBuilder::start(std::span<const std::int64_t> xs, std::span<const std::int64_t> zs,
                           const Field& limit_fx, Extent extent, Planes& planes) {
-  if (deformations_.empty()) return stack(xs, zs, limit_fx, extent, planes);
+  pending_ = true;
+  xs_ = xs;
+  zs_ = zs;
+  extent_ = extent;
+  planes_ = &planes;
+  deformation_ = 0;
+  if (deformations_.empty()) return start_layers(limit_fx);
+  limit_fx_ = &limit_fx;
   lift_.reshape(limit_fx.width, limit_fx.depth);
   std::fill(lift_.values.begin(), lift_.values.end(), 0);
-  for (const auto& deformation : deformations_) deformation->add(xs, zs, lift_);
-  reach_.reshape(limit_fx.width, limit_fx.depth);
-  for (std::size_t i = 0; i < reach_.values.size(); ++i) {
-    reach_.values[i] = limit_fx.values[i] - lift_.values[i];
+}
+
+void StrataBuilder::step() {
+  if (deformation_ < deformations_.size()) {
+    deformations_[deformation_++]->add(xs_, zs_, lift_);
+    if (deformation_ < deformations_.size()) return;
+    reach_.reshape(limit_fx_->width, limit_fx_->depth);
+    for (std::size_t i = 0; i < reach_.values.size(); ++i) {
+      reach_.values[i] = limit_fx_->values[i] - lift_.values[i];
+    }
+    return start_layers(reach_);
   }
-  stack(xs, zs, reach_, extent, planes);
-  for (Field& top : planes.tops()) {
+  add_layer();
+  ++layer_;
+  pending_ = layer_ < world_.strata().size() && !(full_ && extent_ == Extent::until_full);
+  if (!pending_ && !deformations_.empty()) lift();
+}
+
+void StrataBuilder::lift() {
+  for (Field& top : planes_->tops()) {
     for (std::size_t i = 0; i < top.values.size(); ++i) {
       top.values[i] = std::max(top.values[i] + lift_.values[i], 0);
     }
   }
 }
 
-void StrataBuilder::stack(std::span<const std::int64_t> xs, std::span<const std::int64_t> zs,
-                          const Field& limit_fx, Extent extent, Planes& planes) {
-  const std::size_t width = xs.size();
+void StrataBuilder::start_layers(const Field& limit_fx) {
+  limit_fx_ = &limit_fx;
+  layer_ = 0;
+  full_ = false;
   ground_.values.assign(limit_fx.values.size(), 0);
+  const std::size_t segments = (xs_.size() + kSegment - 1) / kSegment;
+  open_rows_.assign(zs_.size(), 1);
+  open_segments_.assign(zs_.size() * segments, 1);
+}
+
+void StrataBuilder::add_layer() {
+  const Field& limit_fx = *limit_fx_;
+  Planes& planes = *planes_;
+  const std::size_t width = xs_.size();
   const std::size_t segments = (width + kSegment - 1) / kSegment;
-  open_rows_.assign(zs.size(), 1);
-  open_segments_.assign(zs.size() * segments, 1);
-  bool full = false;
-  for (std::size_t j = 0; j < world_.strata().size(); ++j) {
-    if (full && extent == Extent::until_full) return;
-    const StratumSpec& layer = world_.strata()[j];
-    const bool joins = !planes.empty() && planes.top_material() == layer.material;
-    if (joins) std::swap(ground_, planes.top());
-    Field& top = joins ? planes.top() : planes.add(layer.material);
-    top.reshape(limit_fx.width, limit_fx.depth);
-    const bool fills = j + 1 == world_.strata().size();
-    if (full || fills) {
-      std::copy(limit_fx.values.begin(), limit_fx.values.end(), top.values.begin());
-      full = true;
+  const StratumSpec& layer = world_.strata()[layer_];
+  const bool joins = !planes.empty() && planes.top_material() == layer.material;
+  if (joins) std::swap(ground_, planes.top());
+  Field& top = joins ? planes.top() : planes.add(layer.material);
+  top.reshape(limit_fx.width, limit_fx.depth);
+  const bool fills = layer_ + 1 == world_.strata().size();
+  if (full_ || fills) {
+    std::copy(limit_fx.values.begin(), limit_fx.values.end(), top.values.begin());
+    full_ = true;
+    return;
+  }
+  // A layer lies on the plane below its own, or on the earlier state of its own.
+  const Field& below = joins || planes.count() == 1 ? ground_ : planes.below_top();
+  noise_.start(layer_noise(world_.spec(), layer.roughness, layer_), xs_);
+  const LayerShape shape = shape_of(world_, layer);
+  full_ = true;
+  for (std::size_t z = 0; z < zs_.size(); ++z) {
+    const std::size_t row = z * width;
+    if (open_rows_[z] == 0) {
+      std::copy_n(limit_fx.values.data() + row, width, top.values.data() + row);
       continue;
     }
-    // A layer lies on the plane below its own, or on the earlier state of its own.
-    const Field& below = joins || planes.count() == 1 ? ground_ : planes.below_top();
-    noise_.start(layer_noise(world_.spec(), layer.roughness, j), xs);
-    const LayerShape shape = shape_of(world_, layer);
-    full = true;
-    for (std::size_t z = 0; z < zs.size(); ++z) {
-      const std::size_t row = z * width;
-      if (open_rows_[z] == 0) {
-        std::copy_n(limit_fx.values.data() + row, width, top.values.data() + row);
-        continue;
-      }
-      const auto octaves = noise_.octaves(zs[z]);
-      const bool open = kernels_.stack(octaves.data(), octaves.size(), shape, width,
-                                       limit_fx.values.data() + row, below.values.data() + row,
-                                       open_segments_.data() + z * segments, top.values.data() + row);
-      open_rows_[z] = open ? 1 : 0;
-      full = full && !open;
-    }
+    const auto octaves = noise_.octaves(zs_[z]);
+    const bool open = kernels_.stack(octaves.data(), octaves.size(), shape, width,
+                                     limit_fx.values.data() + row, below.values.data() + row,
+                                     open_segments_.data() + z * segments, top.values.data() + row);
+    open_rows_[z] = open ? 1 : 0;
+    full_ = full_ && !open;
   }
 }
 

@@ -31,16 +31,36 @@ class StrataBuilder {
   /// Where features deform them they stack up from the lift, and what of them lies under y = 0 is cut as
   /// well. Needs no other column: no halo.
   void build(std::span<const std::int64_t> xs, std::span<const std::int64_t> zs, const Field& limit_fx,
+             Extent extent, Planes& planes) {
+    start(xs, zs, limit_fx, extent, planes);
+    while (pending()) step();
+  }
+  /// The same in pieces, a layer or a deformation each; all that is passed must live until pending() is
+  /// false.
+  void start(std::span<const std::int64_t> xs, std::span<const std::int64_t> zs, const Field& limit_fx,
              Extent extent, Planes& planes);
+  [[nodiscard]] bool pending() const { return pending_; }
+  /// REQUIRES pending().
+  void step();
 
  private:
-  void stack(std::span<const std::int64_t> xs, std::span<const std::int64_t> zs, const Field& limit_fx,
-             Extent extent, Planes& planes);
+  void start_layers(const Field& limit_fx);
+  void add_layer();
+  void lift();
 
   const World& world_;
   std::vector<std::unique_ptr<Deformation>> deformations_;
-  Field lift_;   // of the strata by all deformations
-  Field reach_;  // of the strata above that: the limit less the lift
+  bool pending_ = false;
+  std::span<const std::int64_t> xs_;
+  std::span<const std::int64_t> zs_;
+  const Field* limit_fx_ = nullptr;  // of the layers
+  Extent extent_ = Extent::all;
+  Planes* planes_ = nullptr;
+  std::size_t deformation_ = 0;  // whose turn it is
+  std::size_t layer_ = 0;
+  bool full_ = false;  // every column has reached the limit
+  Field lift_;         // of the strata by all deformations
+  Field reach_;        // of the strata above that: the limit less the lift
   FbmRows noise_;
   const StrataKernels& kernels_;
   std::vector<std::uint8_t> open_rows_;      // 1 where a row has not reached the limit everywhere

@@ -53,6 +53,10 @@ class Eroder {
   /// affected; see `rest` for maps that end there, and generate() in generator.h for land that does not. True
   /// where something moved.
   bool step(std::span<const LooseRules> rules, LooseGround& ground);
+  /// A step in pieces: see_surface() of every material from the heaviest, then step_material() of every one,
+  /// in any order.
+  void see_surface(std::size_t material, const LooseGround& ground);
+  bool step_material(std::size_t material, const LooseRules& rules, LooseGround& ground);
 
   /// A map that ends at its edges: the heaviest material to rest, then the next upon it, and so on. How many
   /// steps it took in all.

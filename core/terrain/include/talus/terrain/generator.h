@@ -47,6 +47,23 @@ class Generator {
   void generate(const Region& region, Terrain& terrain);
   void generate(const Region& region, Stacks& stacks);
 
+  /// The same in pieces, for a caller who holds a clock and may stop between two of them:
+  ///
+  ///     generator.start(region, std::move(stacks));
+  ///     while (generator.step()) { /* go on, come back later, or never */ }
+  ///     stacks = generator.take();
+  ///
+  /// The result does not depend on the pieces. `memory` is overwritten. Whatever is called next but step()
+  /// and take() ends the work, and so does the destructor. After a std::bad_alloc only that may be called.
+  void start(const Region& region, Stacks memory = {});
+  /// One piece: some rows of ground, or one pass over the region with its halo: a material that settles, a
+  /// material of a step of erosion, a layer of strata. About as long as `columns` columns of ground take, or
+  /// a pass. False when nothing is left. REQUIRES columns > 0.
+  bool step(int columns = kColumnsAPiece);
+  static constexpr int kColumnsAPiece = 4096;
+  /// What start() began, once step() has returned false.
+  [[nodiscard]] Stacks take();
+
   /// With a halo of `halo` columns instead of the theorem's; for the test that shows what a smaller one
   /// breaks. 1 <= halo.
   void generate_with_halo(const Region& region, int halo, Terrain& terrain);
@@ -61,14 +78,21 @@ class Generator {
   /// Surface, slope and caves over the region, and what loose material needs of them `ring` columns around
   /// it. At most `halo` columns around are read for features.
   void compute_ground(const Region& region, int ring, int halo);
+  void start_ground(const Region& region, int ring, int halo);
+  /// Each of these does one piece, and returns false where none is left.
+  bool step_ground(int columns);
+  bool step_loose();
+  bool step_erosion();
   /// The slope over the region and `ring` columns around it; entrances are too steep for anything to stay.
   const Field& slope_for_loose(int ring);
   /// Both methods leave the top of the rock in the scratch's `limit` and of each loose material above it,
   /// over the region.
-  void settle(const Region& region);
-  /// With `ring` columns still around everything, which take_eroded() takes off.
-  void erode(const Region& region, int ring, int halo);
-  void set_loose_over(const Region& region, int ring, int halo);
+  void start_loose();
+  void settle(std::size_t place);
+  /// With the ring still around everything, which take_eroded() takes off.
+  void set_loose_over_ground();
+  void start_strata();
+  void finish();
   void take_eroded(int ring, Terrain& terrain);
   void take_eroded(int ring);
   void build_strata(Terrain& terrain);

@@ -1,7 +1,9 @@
 // The ground of single columns, and a place to stand. Pure; any thread may call.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -19,6 +21,29 @@ struct BaseColumn {
 };
 [[nodiscard]] std::vector<std::int32_t> surface_heights(const World& world,
                                                         std::span<const BaseColumn> columns);
+
+/// surface_heights() in pieces, for a caller who holds a clock and may stop between two of them, or give up.
+/// The world must outlive it. For one thread at a time.
+class HeightsWork {
+ public:
+  HeightsWork(const World& world, std::vector<BaseColumn> columns);
+  ~HeightsWork();
+  HeightsWork(HeightsWork&&) noexcept;
+  HeightsWork& operator=(HeightsWork&&) noexcept;
+
+  /// One piece: at most `columns` of the columns, or with the erosion method one of Generator::step(). False
+  /// when nothing is left. REQUIRES columns > 0.
+  bool step(std::size_t columns = kColumnsAPiece);
+  static constexpr std::size_t kColumnsAPiece = 256;
+  /// One a column, in their order, once step() has returned false.
+  [[nodiscard]] std::vector<std::int32_t> take();
+
+ private:
+  class Pieces;
+  class ByColumns;
+  class ByTiles;
+  std::unique_ptr<Pieces> pieces_;
+};
 
 /// A dry, level place near the origin: the voxel in which feet stand, the first free one above the ground.
 /// Where no ground is dry within reach, on the water.

@@ -20,8 +20,18 @@
 
 namespace talus::terrain {
 
-/// Changes when, and only when, the same spec gives other voxels than before.
-inline constexpr int kGeneratorVersion = 2;
+/// The rules by which specs become voxels, oldest first; World::generator_version() has those of a world.
+/// What a version says of a spec never changes: a rule that gives other voxels belongs to the next version,
+/// and only the worlds whose voxels it changes have that one.
+enum class GeneratorVersion : std::uint8_t {
+  v2 = 2,
+  /// Erosion of two or more steps takes fewer of them at coarse levels.
+  v3 = 3,
+};
+inline constexpr GeneratorVersion kNewestGeneratorVersion = GeneratorVersion::v3;
+[[nodiscard]] constexpr int to_integer(GeneratorVersion version) {
+  return static_cast<int>(version);
+}
 
 /// Heights are int32 in 1/256 voxel; names that hold one end in _fx.
 inline constexpr int kSubvoxels = 256;
@@ -105,7 +115,7 @@ struct WorldSpec {
   double strata_wavelength = 0;     // terrain units, before roughness shortens it
   std::optional<double> sea_level;  // terrain units above y = 0
   Method method = Method::slope;
-  int erosion_steps = 0;  // how far material has moved; 0 for the slope method
+  int erosion_steps = 0;  // at level 0: how far material has moved; 0 for the slope method
   SurfaceSpec surface;
   std::vector<StratifiedSpec> stratified;
   std::vector<ErodedSpec> eroded;
@@ -184,6 +194,9 @@ class World {
   [[nodiscard]] int halo() const { return halo_; }
   /// Those that features read at a level.
   [[nodiscard]] int feature_halo(Lod lod) const;
+  /// Steps of the erosion method at a level, 0 with the slope method. A step moves material by one column, so
+  /// half as many go as far where columns are twice as wide.
+  [[nodiscard]] int erosion_steps_at(Lod lod) const;
   /// No surface is higher before erosion: amplitude * resolution in subvoxels.
   [[nodiscard]] std::int32_t highest_fx() const { return highest_fx_; }
   /// How far erosion can lift a surface above that, in subvoxels of any level: where heavy material creeps
@@ -193,10 +206,13 @@ class World {
   [[nodiscard]] std::int64_t max_lift_q16() const { return max_lift_q16_; }
   [[nodiscard]] std::optional<std::int32_t> sea_fx() const { return sea_fx_; }
 
+  /// The oldest version that gives the world its voxels.
+  [[nodiscard]] GeneratorVersion generator_version() const;
+
   /// Everything that decides a voxel, as text with one number a line; equal for specs that give equal
   /// voxels by the same numbers. Names and colours are not in it.
   [[nodiscard]] std::string canonical_form() const;
-  /// XXH3-128 of canonical_form(), which names the generator version.
+  /// XXH3-128 of canonical_form(), which names the world's generator version.
   [[nodiscard]] ContentHash fingerprint() const { return fingerprint_; }
 
  private:

@@ -1,0 +1,67 @@
+#include "generation/patch_size.h"
+
+#include <algorithm>
+#include <array>
+
+#include <talus/terrain/generator.h>
+#include <talus/terrain/stacks.h>
+#include <talus/voxel/coords.h>
+
+namespace talus::server {
+namespace {
+
+// Tiles that are measured: apart, since erosion ends early where the ground is level. The first is measured
+// again, for the memory that it warms.
+struct Place {
+  int x;
+  int z;
+};
+constexpr std::array<Place, 5> kPlaces{{{0, 0}, {0, 0}, {40, 24}, {-56, 72}, {88, -104}}};
+constexpr std::chrono::milliseconds kEnough{100};  // of measuring
+
+std::uint64_t side_of(int tiles, int halo) {
+  return static_cast<std::uint64_t>(tiles * kChunkSize + 2 * halo);
+}
+
+std::chrono::nanoseconds time_of(int tiles, std::chrono::nanoseconds tile_time, int halo) {
+  const double tile = static_cast<double>(side_of(1, halo) * side_of(1, halo));
+  const double patch = static_cast<double>(side_of(tiles, halo) * side_of(tiles, halo));
+  return std::chrono::nanoseconds{
+      static_cast<std::int64_t>(static_cast<double>(tile_time.count()) * patch / tile)};
+}
+
+}  // namespace
+
+std::chrono::nanoseconds measure_tile(const terrain::World& world, const Clock& clock) {
+  terrain::Generator generator{world};
+  terrain::Stacks stacks;
+  std::chrono::nanoseconds spent{};
+  std::chrono::nanoseconds dearest{};
+  for (std::size_t i = 0; i < kPlaces.size() && spent < kEnough; ++i) {
+    const auto start = clock.thread_cpu();
+    generator.generate({std::int64_t{kPlaces[i].x} * kChunkSize, std::int64_t{kPlaces[i].z} * kChunkSize,
+                        kChunkSize, kChunkSize, Lod{}},
+                       stacks);
+    const auto took = clock.thread_cpu() - start;
+    spent += took;
+    dearest = i == 1 ? took : std::max(dearest, took);  // the first alone counts where it took long enough
+  }
+  return dearest;
+}
+
+std::uint64_t PatchSize::ns_a_column() const {
+  return static_cast<std::uint64_t>(patch_time.count()) / (side_of(tiles, 0) * side_of(tiles, 0));
+}
+
+PatchSize patch_size(int tiles, std::chrono::nanoseconds tile_time, int halo) {
+  return {tiles, time_of(tiles, tile_time, halo), time_of(kMaxChosenTiles, tile_time, halo) > kPatchTime};
+}
+
+PatchSize choose_patch_size(std::chrono::nanoseconds tile_time, int halo) {
+  const auto allowed = std::max<std::chrono::nanoseconds>(kPatchTime, 2 * tile_time);
+  int tiles = kMaxChosenTiles;
+  while (tiles > 1 && time_of(tiles, tile_time, halo) > allowed) tiles /= 2;
+  return patch_size(tiles, tile_time, halo);
+}
+
+}  // namespace talus::server

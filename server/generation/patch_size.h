@@ -1,0 +1,41 @@
+// How many tiles a patch of a world should have along each edge, by what the world's terrain was measured to
+// cost. Voxels do not depend on it.
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+
+#include <talus/terrain/world.h>
+
+#include "clock/clock.h"
+
+namespace talus::server {
+
+/// Thread time that one tile with its halo takes at level 0: that of the dearest of a few places. Takes no
+/// more than a few tiles' time, and allocates as a generator does.
+[[nodiscard]] std::chrono::nanoseconds measure_tile(const terrain::World& world, const Clock& clock);
+
+/// How patches are made, and what one costs.
+struct PatchSize {
+  int tiles = 0;  // along each edge
+  std::chrono::nanoseconds patch_time{};
+  bool expensive = false;  // a patch of kMaxChosenTiles takes longer than kPatchTime
+
+  /// Thread time for each column of a patch, its halo's included.
+  [[nodiscard]] std::uint64_t ns_a_column() const;
+};
+
+/// A client that needs one chunk of a patch waits for all of it.
+inline constexpr std::chrono::milliseconds kPatchTime{50};
+/// Larger patches save little: the halo of most worlds is narrow against four tiles.
+inline constexpr int kMaxChosenTiles = 4;
+
+/// A patch of so many tiles, where a lone tile takes `tile_time` and `halo` columns are computed around.
+[[nodiscard]] PatchSize patch_size(int tiles, std::chrono::nanoseconds tile_time, int halo);
+
+/// The largest power of two, up to kMaxChosenTiles, whose patch stays within kPatchTime. Where the halo is
+/// most of the work, a patch of more tiles hardly takes longer than a tile, and serves many: twice a tile's
+/// time is always allowed.
+[[nodiscard]] PatchSize choose_patch_size(std::chrono::nanoseconds tile_time, int halo);
+
+}  // namespace talus::server

@@ -1,0 +1,87 @@
+#include "generation/patch_size.h"
+
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <utility>
+#include <vector>
+
+#include <talus/terrain/world.h>
+
+#include "clock/clock.h"
+
+using namespace talus;
+using namespace talus::server;
+using namespace std::chrono_literals;
+
+namespace {
+
+/// Every piece of work that is timed takes as long as the list says, the last one for ever.
+class ScriptedClock final : public Clock {
+ public:
+  explicit ScriptedClock(std::vector<std::chrono::nanoseconds> times) : times_{std::move(times)} {}
+  [[nodiscard]] time_point now() const override { return {}; }
+  [[nodiscard]] std::chrono::sys_seconds wall() const override { return {}; }
+  [[nodiscard]] std::chrono::nanoseconds thread_cpu() const override {
+    if (++looks_ % 2 == 0) time_ += times_[std::min(looks_ / 2, times_.size()) - 1];
+    return time_;
+  }
+  [[nodiscard]] std::size_t measured() const { return looks_ / 2; }
+
+ private:
+  std::vector<std::chrono::nanoseconds> times_;
+  mutable std::size_t looks_ = 0;
+  mutable std::chrono::nanoseconds time_{};
+};
+
+}  // namespace
+
+TEST_CASE("a patch has the most tiles with which it takes no longer than 50 ms") {
+  // Without a halo four times the tiles take four times as long.
+  CHECK(choose_patch_size(100us, 0).tiles == 4);
+  CHECK(choose_patch_size(3125us, 0).tiles == 4);
+  CHECK(choose_patch_size(3126us, 0).tiles == 2);
+  CHECK(choose_patch_size(12500us, 0).tiles == 2);
+  CHECK(choose_patch_size(12501us, 0).tiles == 1);
+  CHECK(choose_patch_size(10s, 0).tiles == 1);
+  CHECK(choose_patch_size(0ns, 0).tiles == 4);
+  for (const auto time : {1us, 1000us, 3000us, 12000us, 49000us}) {
+    for (const int halo : {0, 9, 48})
+      CHECK(choose_patch_size(time, halo).patch_time <= std::max<std::chrono::nanoseconds>(50ms, 2 * time));
+  }
+}
+
+TEST_CASE("where the halo is most of the work, a patch may take twice as long as a lone tile") {
+  // 64 steps: 288 x 288 columns for one tile, 320 x 320 for four, 384 x 384 for sixteen.
+  const PatchSize size = choose_patch_size(300ms, 128);
+  CHECK(size.tiles == 4);
+  CHECK(size.patch_time > 500ms);
+  CHECK(size.patch_time <= 600ms);
+  CHECK(size.expensive);
+  CHECK(size.ns_a_column() == 300'000'000ULL * 384 * 384 / (288 * 288) / (128 * 128));
+}
+
+TEST_CASE("a world is expensive where a patch of four tiles along each edge takes longer than 50 ms") {
+  CHECK_FALSE(patch_size(16, 1ms, 0).expensive);
+  CHECK(patch_size(1, 4ms, 0).expensive);
+  CHECK_FALSE(patch_size(1, 3ms, 0).expensive);
+}
+
+TEST_CASE("a configured number of tiles is kept, whatever they cost") {
+  CHECK(patch_size(8, 1s, 10).tiles == 8);
+  CHECK(patch_size(8, 1s, 0).patch_time == 64s);
+}
+
+TEST_CASE("the dearest of the places counts, but for the first, whose memory is cold") {
+  const ScriptedClock clock{{9ms, 1ms, 3ms, 2ms, 1ms}};
+  CHECK(measure_tile(terrain::default_world(), clock) == 3ms);
+  CHECK(clock.measured() == 5);
+}
+
+TEST_CASE("measuring ends early where a tile takes long") {
+  const ScriptedClock slow{{400ms}};
+  CHECK(measure_tile(terrain::default_world(), slow) == 400ms);
+  CHECK(slow.measured() == 1);
+  const ScriptedClock slower_later{{90ms, 60ms}};
+  CHECK(measure_tile(terrain::default_world(), slower_later) == 60ms);
+  CHECK(slower_later.measured() == 2);
+}
