@@ -82,6 +82,9 @@ class SessionRunner final : public Peer, public std::enable_shared_from_this<Ses
   void dispatch(Event&& event);
   /// After anything that happened to the session.
   void pump();
+  /// The client has shut its side, and may still read.
+  void input_ended();
+  void output_ended();
   void note_greeting();
   [[nodiscard]] std::string silence() const;
   [[nodiscard]] bool too_much_queued() const {
@@ -106,6 +109,8 @@ class SessionRunner final : public Peer, public std::enable_shared_from_this<Ses
   ViewThrottle view_throttle_;
   WriteBatchSize batch_size_;
   bool reading_paused_ = false;
+  bool input_ended_ = false;
+  bool output_ended_ = false;
   bool greeted_ = false;
   bool started_ = false;
   bool open_ = true;

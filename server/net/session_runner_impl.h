@@ -21,6 +21,8 @@
 
 namespace talus::server {
 
+inline constexpr std::string_view kClosedByClient = "closed by the client";
+
 /// The mailbox is made before the runner, and knows it weakly.
 template <Stream S>
 struct SessionRunner<S>::Owner {
@@ -113,9 +115,13 @@ asio::awaitable<void> SessionRunner<S>::read() {
     const std::size_t bytes = co_await stream_.async_read_some(
         asio::buffer(input_), asio::redirect_error(asio::use_awaitable, failed));
     if (failed) {
-      end(failed == asio::error::eof
-              ? (frames_.mid_frame() ? "closed by the client inside a frame" : "closed by the client")
-              : failed.message());
+      if (failed != asio::error::eof) {
+        end(failed.message());
+      } else if (frames_.mid_frame()) {
+        end("closed by the client inside a frame");
+      } else {
+        input_ended();
+      }
       co_return;
     }
     context_.session.metrics.received_bytes.add(bytes);
@@ -125,6 +131,22 @@ asio::awaitable<void> SessionRunner<S>::read() {
     pump();
     if (open_ && session_.view_waits()) co_await apply_view();
   }
+}
+
+template <Stream S>
+void SessionRunner<S>::input_ended() {
+  input_ended_ = true;
+  watchdog_.reading_pauses();  // silence is what it has promised
+  if (output_ended_) return end(kClosedByClient);
+  session_.input_ended();
+  pump();
+}
+
+template <Stream S>
+void SessionRunner<S>::output_ended() {
+  output_ended_ = true;
+  stream_.shutdown();
+  if (input_ended_) end(kClosedByClient);
 }
 
 template <Stream S>
@@ -213,7 +235,7 @@ asio::awaitable<void> SessionRunner<S>::write() {
     }
   }
   if (open_) co_await stream_.say_end();
-  if (open_) stream_.shutdown();
+  if (open_) output_ended();
 }
 
 template <Stream S>

@@ -25,6 +25,8 @@ void ViewSubscription::add_known(ChunkKey key, ContentHash hash) {
 std::vector<ChunkKey> ViewSubscription::apply() {
   if (!requested_) return {};
   const View view = *std::exchange(requested_, std::nullopt);
+  number_ = view.number;
+  completion_due_ = number_ != 0;
   auto dropped = stream_.replace(AreaOfInterest{view}, std::exchange(unseen_, {}));
   std::erase_if(known_, [&](const auto& chunk) { return !stream_.wants(chunk.first); });
   return dropped;
@@ -34,7 +36,15 @@ std::vector<ChunkKey> ViewSubscription::clear() {
   requested_.reset();
   unseen_.clear();
   known_.clear();
+  number_ = 0;
+  completion_due_ = false;
   return stream_.replace({});
+}
+
+std::optional<std::uint32_t> ViewSubscription::completed() {
+  if (!completion_due_ || requested_ || stream_.left() > 0) return std::nullopt;
+  completion_due_ = false;
+  return number_;
 }
 
 void ViewSubscription::done(ChunkKey key) {
