@@ -129,7 +129,13 @@ asio::awaitable<void> SessionRunner<S>::read() {
     if (session_.closing()) continue;
     co_await on_bytes(std::span{input_}.first(bytes));
     pump();
-    if (open_ && session_.view_waits()) co_await apply_view();
+    if (!session_.view_waits()) continue;
+    if (view_due() <= now()) {
+      apply_view();
+    } else {
+      watch_waits_.notify();  // watch() applies it in time; what else the client says is heard meanwhile
+    }
+    if (too_many_views()) co_await pause_reading(&SessionRunner::too_many_views);
   }
 }
 
@@ -165,15 +171,13 @@ asio::awaitable<void> SessionRunner<S>::on_bytes(std::span<const std::byte> byte
     note_greeting();
     if (too_much_queued()) {
       pump();
-      co_await wait_for_room();
+      co_await pause_reading(&SessionRunner::too_much_queued);
     }
   }
 }
 
 template <Stream S>
-asio::awaitable<void> SessionRunner<S>::apply_view() {
-  while (open_ && view_throttle_.due() > now()) co_await input_waits_.wait_until(view_throttle_.due());
-  if (!open_ || !session_.view_waits()) co_return;
+void SessionRunner<S>::apply_view() {
   const auto began = now();
   const auto used_before = clock_.thread_cpu();
   session_.apply_view();
@@ -182,10 +186,10 @@ asio::awaitable<void> SessionRunner<S>::apply_view() {
 }
 
 template <Stream S>
-asio::awaitable<void> SessionRunner<S>::wait_for_room() {
+asio::awaitable<void> SessionRunner<S>::pause_reading(bool (SessionRunner::*too_much)() const) {
   reading_paused_ = true;
   watchdog_.reading_pauses();
-  while (open_ && !session_.closing() && too_much_queued()) {
+  while (open_ && !session_.closing() && (this->*too_much)()) {
     co_await input_waits_.wait_until(Clock::time_point::max());
   }
   reading_paused_ = false;
@@ -242,6 +246,7 @@ template <Stream S>
 asio::awaitable<void> SessionRunner<S>::watch() {
   using Verdict = Watchdog::Verdict;
   while (open_) {
+    if (view_due() <= now()) apply_view();
     switch (watchdog_.check(now())) {
       case Verdict::closed:
         end("closed");
@@ -257,7 +262,7 @@ asio::awaitable<void> SessionRunner<S>::watch() {
         dispatch([&](Session& session) { session.timed_out(silence()); });
         break;
       case Verdict::wait:
-        co_await watch_waits_.wait_until(watchdog_.next(now()));
+        co_await watch_waits_.wait_until(std::min(watchdog_.next(now()), view_due()));
         break;
     }
   }

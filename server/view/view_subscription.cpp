@@ -15,6 +15,7 @@ void ViewSubscription::request(View view) {
     const AreaOfInterest wanted{view};
     std::erase_if(known_, [&](const auto& chunk) { return !wanted.place_of(chunk.first); });
   }
+  piles_up_ = requested_.has_value();
   requested_ = std::move(view);
 }
 
@@ -25,6 +26,7 @@ void ViewSubscription::add_known(ChunkKey key, ContentHash hash) {
 std::vector<ChunkKey> ViewSubscription::apply() {
   if (!requested_) return {};
   const View view = *std::exchange(requested_, std::nullopt);
+  piles_up_ = false;
   number_ = view.number;
   completion_due_ = number_ != 0;
   auto dropped = stream_.replace(AreaOfInterest{view}, std::exchange(unseen_, {}));
@@ -34,6 +36,7 @@ std::vector<ChunkKey> ViewSubscription::apply() {
 
 std::vector<ChunkKey> ViewSubscription::clear() {
   requested_.reset();
+  piles_up_ = false;
   unseen_.clear();
   known_.clear();
   number_ = 0;

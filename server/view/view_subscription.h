@@ -33,6 +33,8 @@ class ViewSubscription {
 
   /// Whether a View waits for apply().
   [[nodiscard]] bool waits() const { return requested_.has_value(); }
+  /// Whether that View replaced one which waited too: they come faster than they are applied.
+  [[nodiscard]] bool piles_up() const { return piles_up_; }
   /// Puts the newest View in force. Returns the chunks that were in flight and are so no more.
   [[nodiscard]] std::vector<ChunkKey> apply();
   /// Ends the subscription: no View, nothing known. Returns as apply().
@@ -63,6 +65,7 @@ class ViewSubscription {
   std::uint32_t number_ = 0;
   bool completion_due_ = false;  // of a View with a number
   std::optional<View> requested_;
+  bool piles_up_ = false;
   std::vector<AreaOfInterest> unseen_;               // replaced before apply(), oldest first
   std::unordered_map<ChunkKey, ContentHash> known_;  // of chunks that are not done
 };

@@ -365,6 +365,38 @@ TEST_CASE("Views of one session are applied twenty milliseconds apart at least")
   CHECK_FALSE(bench.frames(*client).empty());
 }
 
+TEST_CASE("a client whose View waits to be applied is heard, until it sends another") {
+  Bench bench;
+  bench.source.rows = {0, -1, MaterialId{1}};
+  const auto client = bench.greeted();
+  bench.send(*client, view_at(0));
+  CHECK_FALSE(bench.frames(*client).empty());
+  bench.send(*client, view_at(100));
+  bench.send(*client, ping());
+  CHECK(bench.kinds(*client) == std::vector{wire::Body::Pong});
+  bench.send(*client, view_at(200));
+  bench.send(*client, ping());
+  CHECK(bench.kinds(*client).empty());
+  bench.advance(20ms);
+  const auto kinds = bench.kinds(*client);
+  CHECK(kinds.front() == wire::Body::UniformColumn);
+  CHECK(std::count(kinds.begin(), kinds.end(), wire::Body::Pong) == 1);
+}
+
+TEST_CASE("a View that waits when its client shuts its sending side is applied and served") {
+  Bench bench;
+  const auto client = bench.greeted();
+  bench.send(*client, view_at(0));
+  bench.send(*client, view_at(100 * 32));
+  client->end();
+  bench.io.poll();
+  CHECK_FALSE(client->closed);
+  bench.advance(20ms);
+  while (!bench.source.waiting.empty()) bench.answer_all();
+  CHECK(bench.kinds(*client) == std::vector(9, wire::Body::Chunk));
+  bench.check_gone(*client);
+}
+
 TEST_CASE("however much one client takes, another's Pong waits for two of its batches at most") {
   Bench bench;
   bench.source.payload_bytes = 20'000;
