@@ -73,6 +73,24 @@ TEST_CASE("a request that its address refuses takes no token of its session") {
   CHECK(refused(one, 1) == 0);
 }
 
+TEST_CASE("a client that waits until its bytes are paid is never abusive") {
+  const RateLimits limits{{{}, {1000, 1000}, {}}, {}};
+  SessionRates rates{limits, nullptr, kInFlight};
+  auto now = kStart;
+  for (int round = 0; round < 10; ++round) {
+    rates.sent(now, 0, 10'000);
+    std::chrono::nanoseconds wait{};
+    for (std::uint32_t ask = 0; ask < kInFlight; ++ask) {
+      const auto refusal = rates.refuse_request(now);
+      REQUIRE(refusal);
+      REQUIRE_FALSE(refusal->abusive);
+      wait = refusal->wait;
+    }
+    now += wait;
+    CHECK_FALSE(rates.refuse_request(now));
+  }
+}
+
 TEST_CASE("a client that asks on at once is abusive, after what may have been on its way") {
   const RateLimits limits = requests({10, 20});
   SessionRates rates{limits, nullptr, kInFlight};
