@@ -53,7 +53,8 @@ SessionLimits session_limits(const Config& config, const terrain::World& world) 
 RateLimits rate_limits(const Rates& config) {
   const auto rate = [&](std::uint64_t per_second) { return Rate::with_burst_of(per_second, config.burst); };
   return {{rate(config.session_chunks), rate(config.session_bytes), rate(config.session_requests)},
-          {rate(config.address_chunks), rate(config.address_bytes), rate(config.address_requests)}};
+          {rate(config.address_chunks), rate(config.address_bytes), rate(config.address_requests)},
+          config.burst};
 }
 
 RunnerLimits runner_limits(const Config& config) {

@@ -22,14 +22,16 @@ protocol::Frame frame_of(ContentHash hash, std::span<const std::byte> payload, s
   return protocol::finish_frame(builder, body);
 }
 
-std::uint32_t distance(const protocol::Frame& frame, const void* inside) {
-  return static_cast<std::uint32_t>(static_cast<const std::byte*>(inside) - frame.data());
+/// To what stands before the payload, a few fields of fixed size.
+std::uint16_t distance(const protocol::Frame& frame, const void* inside) {
+  return static_cast<std::uint16_t>(static_cast<const std::byte*>(inside) - frame.data());
 }
 
 }  // namespace
 
-EncodedChunk::EncodedChunk(ContentHash hash, std::span<const std::byte> payload, std::uint64_t revision)
-    : hash_{hash}, revision_{revision}, frame_{frame_of(hash, payload, revision)} {
+EncodedChunk::EncodedChunk(ContentHash hash, std::span<const std::byte> payload, std::uint64_t revision,
+                           bool uniform)
+    : hash_{hash}, revision_{revision}, uniform_{uniform}, frame_{frame_of(hash, payload, revision)} {
   const auto& chunk = *flatbuffers::GetSizePrefixedRoot<wire::Message>(frame_.data())->body_as_Chunk();
   id_at_ =
       distance(frame_, reinterpret_cast<const flatbuffers::Table&>(chunk).GetAddressOf(wire::Chunk::VT_ID));
@@ -64,7 +66,7 @@ EncodedChunkPtr encode_shared(const Chunk& chunk, std::uint64_t revision) {
   thread_local std::vector<std::byte> payload;
   payload.clear();
   encode(chunk, payload);
-  return std::make_shared<const EncodedChunk>(content_hash(chunk), payload, revision);
+  return std::make_shared<const EncodedChunk>(content_hash(chunk), payload, revision, chunk.is_uniform());
 }
 
 }  // namespace talus::server

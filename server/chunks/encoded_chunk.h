@@ -24,11 +24,14 @@ class EncodedChunk {
  public:
   /// `payload` is what a session of codec kCodecVersion reads: its first byte is that version, or an older
   /// one that codec includes. The frame's `codec` is the session's, kCodecVersion.
-  EncodedChunk(ContentHash hash, std::span<const std::byte> payload, std::uint64_t revision = kBaseRevision);
+  EncodedChunk(ContentHash hash, std::span<const std::byte> payload, std::uint64_t revision = kBaseRevision,
+               bool uniform = false);
 
   /// Of the voxels, whatever their encoding.
   [[nodiscard]] ContentHash hash() const { return hash_; }
   [[nodiscard]] std::uint64_t revision() const { return revision_; }
+  /// Whether all its voxels are of one material. Then the frame is smaller than most messages.
+  [[nodiscard]] bool uniform() const { return uniform_; }
   /// The payload exactly, as FORMAT.md defines it; lives as long as this.
   [[nodiscard]] std::span<const std::byte> payload() const { return tail().first(payload_bytes_); }
   [[nodiscard]] std::size_t frame_bytes() const { return frame_.size(); }
@@ -59,9 +62,10 @@ class EncodedChunk {
   ContentHash hash_;
   std::uint64_t revision_;
   // Offsets into the frame.
-  std::uint32_t id_at_ = 0;
-  std::uint32_t key_at_ = 0;
-  std::uint32_t head_bytes_ = 0;
+  std::uint16_t id_at_ = 0;
+  std::uint16_t key_at_ = 0;
+  std::uint16_t head_bytes_ = 0;
+  bool uniform_;
   std::uint32_t payload_bytes_ = 0;
   protocol::Frame frame_;
 };

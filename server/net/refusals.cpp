@@ -86,7 +86,7 @@ void Refusals::refuse(asio::ip::tcp::socket socket, const std::string& text,
   const auto executor = socket.get_executor();
   const auto closing =
       std::make_shared<Closing>(Closing{std::move(slot), std::move(socket), asio::steady_timer{executor},
-                                        error_frame(wire::ErrorCode::overloaded, text, 0, retry_after)});
+                                        error_frame(wire::ErrorCode::overloaded, text, {}, retry_after)});
   asio::dispatch(executor, [closing] { send_and_close(closing); });
 }
 

@@ -71,8 +71,13 @@ class SessionRunner final : public Peer, public std::enable_shared_from_this<Ses
  private:
   [[nodiscard]] asio::awaitable<void> read();
   [[nodiscard]] asio::awaitable<void> on_bytes(std::span<const std::byte> bytes);
-  [[nodiscard]] asio::awaitable<void> apply_view();
-  [[nodiscard]] asio::awaitable<void> wait_for_room();
+  /// When the View that waits is to be applied; max() where none does.
+  [[nodiscard]] Clock::time_point view_due() const {
+    return session_.view_waits() ? view_throttle_.due() : Clock::time_point::max();
+  }
+  void apply_view();
+  /// Reads nothing while too_much() is true.
+  [[nodiscard]] asio::awaitable<void> pause_reading(bool (SessionRunner::*too_much)() const);
   [[nodiscard]] asio::awaitable<void> write();
   [[nodiscard]] asio::awaitable<void> watch();
   void spawn(asio::awaitable<void> (SessionRunner::*loop)());
@@ -83,11 +88,15 @@ class SessionRunner final : public Peer, public std::enable_shared_from_this<Ses
   void dispatch(Event&& event);
   /// After anything that happened to the session.
   void pump();
+  /// The client has shut its side, and may still read.
+  void input_ended();
+  void output_ended();
   void note_greeting();
   [[nodiscard]] std::string silence() const;
   [[nodiscard]] bool too_much_queued() const {
     return session_.queued_bytes() > context_.limits.queued_bytes;
   }
+  [[nodiscard]] bool too_many_views() const { return session_.views_pile_up(); }
   void end(std::string_view reason);
   [[nodiscard]] Clock::time_point now() const { return clock_.now(); }
 
@@ -100,13 +109,15 @@ class SessionRunner final : public Peer, public std::enable_shared_from_this<Ses
   Session session_;
 
   TimedEvent output_waits_;  // for something to write
-  TimedEvent input_waits_;   // for room in the queue, or for the time of the next View
-  TimedEvent watch_waits_;
+  TimedEvent input_waits_;   // for room in the queue, or for the View to be applied
+  TimedEvent watch_waits_;   // for the times of the watchdog and of the next View
 
   Watchdog watchdog_;
   ViewThrottle view_throttle_;
   WriteBatchSize batch_size_;
   bool reading_paused_ = false;
+  bool input_ended_ = false;
+  bool output_ended_ = false;
   bool greeted_ = false;
   bool started_ = false;
   bool open_ = true;

@@ -21,6 +21,8 @@
 
 namespace talus::server {
 
+inline constexpr std::string_view kClosedByClient = "closed by the client";
+
 /// The mailbox is made before the runner, and knows it weakly.
 template <Stream S>
 struct SessionRunner<S>::Owner {
@@ -124,9 +126,13 @@ asio::awaitable<void> SessionRunner<S>::read() {
     const std::size_t bytes = co_await stream_.async_read_some(
         asio::buffer(input_), asio::redirect_error(asio::use_awaitable, failed));
     if (failed) {
-      end(failed == asio::error::eof
-              ? (frames_.mid_frame() ? "closed by the client inside a frame" : "closed by the client")
-              : failed.message());
+      if (failed != asio::error::eof) {
+        end(failed.message());
+      } else if (frames_.mid_frame()) {
+        end("closed by the client inside a frame");
+      } else {
+        input_ended();
+      }
       co_return;
     }
     context_.session.metrics.received_bytes.add(bytes);
@@ -134,8 +140,30 @@ asio::awaitable<void> SessionRunner<S>::read() {
     if (session_.closing()) continue;
     co_await on_bytes(std::span{input_}.first(bytes));
     pump();
-    if (open_ && session_.view_waits()) co_await apply_view();
+    if (!session_.view_waits()) continue;
+    if (view_due() <= now()) {
+      apply_view();
+    } else {
+      watch_waits_.notify();  // watch() applies it in time; what else the client says is heard meanwhile
+    }
+    if (too_many_views()) co_await pause_reading(&SessionRunner::too_many_views);
   }
+}
+
+template <Stream S>
+void SessionRunner<S>::input_ended() {
+  input_ended_ = true;
+  watchdog_.reading_pauses();  // silence is what it has promised
+  if (output_ended_) return end(kClosedByClient);
+  session_.input_ended();
+  pump();
+}
+
+template <Stream S>
+void SessionRunner<S>::output_ended() {
+  output_ended_ = true;
+  stream_.shutdown();
+  if (input_ended_) end(kClosedByClient);
 }
 
 template <Stream S>
@@ -154,15 +182,13 @@ asio::awaitable<void> SessionRunner<S>::on_bytes(std::span<const std::byte> byte
     note_greeting();
     if (too_much_queued()) {
       pump();
-      co_await wait_for_room();
+      co_await pause_reading(&SessionRunner::too_much_queued);
     }
   }
 }
 
 template <Stream S>
-asio::awaitable<void> SessionRunner<S>::apply_view() {
-  while (open_ && view_throttle_.due() > now()) co_await input_waits_.wait_until(view_throttle_.due());
-  if (!open_ || !session_.view_waits()) co_return;
+void SessionRunner<S>::apply_view() {
   const auto began = now();
   const auto used_before = clock_.thread_cpu();
   session_.apply_view();
@@ -171,10 +197,10 @@ asio::awaitable<void> SessionRunner<S>::apply_view() {
 }
 
 template <Stream S>
-asio::awaitable<void> SessionRunner<S>::wait_for_room() {
+asio::awaitable<void> SessionRunner<S>::pause_reading(bool (SessionRunner::*too_much)() const) {
   reading_paused_ = true;
   watchdog_.reading_pauses();
-  while (open_ && !session_.closing() && too_much_queued()) {
+  while (open_ && !session_.closing() && (this->*too_much)()) {
     co_await input_waits_.wait_until(Clock::time_point::max());
   }
   reading_paused_ = false;
@@ -224,13 +250,14 @@ asio::awaitable<void> SessionRunner<S>::write() {
     }
   }
   if (open_) co_await stream_.say_end();
-  if (open_) stream_.shutdown();
+  if (open_) output_ended();
 }
 
 template <Stream S>
 asio::awaitable<void> SessionRunner<S>::watch() {
   using Verdict = Watchdog::Verdict;
   while (open_) {
+    if (view_due() <= now()) apply_view();
     switch (watchdog_.check(now())) {
       case Verdict::closed:
         end("closed");
@@ -246,7 +273,7 @@ asio::awaitable<void> SessionRunner<S>::watch() {
         dispatch([&](Session& session) { session.timed_out(silence()); });
         break;
       case Verdict::wait:
-        co_await watch_waits_.wait_until(watchdog_.next(now()));
+        co_await watch_waits_.wait_until(std::min(watchdog_.next(now()), view_due()));
         break;
     }
   }

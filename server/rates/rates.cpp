@@ -29,34 +29,68 @@ std::size_t available(const TokenBucket& bucket, const Rate& rate, Time now) {
   return static_cast<std::size_t>(std::max<std::int64_t>(0, bucket.level(rate, now)));
 }
 
+/// What is on its way when a client is first refused: as many requests as it may have in flight, and of
+/// messages that have no answer as many as go in a second. And those who come when they were told to come
+/// follow each other at the rate by which they were refused.
+Rate patience_for(const RateLimits& limits, std::uint32_t requests_in_flight) {
+  const std::uint64_t fastest =
+      std::max({limits.session.requests.per_second, limits.address.requests.per_second, std::uint64_t{1}});
+  return {fastest, requests_in_flight + fastest};
+}
+
 }  // namespace
 
-SessionRates::SessionRates(const RateLimits& limits, AddressBucketsPtr address)
-    : limits_{limits}, address_{std::move(address)} {}
+SessionRates::SessionRates(const RateLimits& limits, AddressBucketsPtr address,
+                           std::uint32_t requests_in_flight)
+    : limits_{limits},
+      address_{std::move(address)},
+      patience_rate_{patience_for(limits, requests_in_flight)} {}
 
 std::optional<SessionRates::Refusal> SessionRates::refuse_request(Time now) {
-  const auto& [session, address] = limits_;
-  const auto refuse = [&](RateKind kind, nanoseconds wait) {
-    const Rate& rate = session.requests.limited() ? session.requests : address.requests;
-    return Refusal{kind, wait, !refusals_.take(rate, now)};
-  };
+  if (const auto kind = take_request(now)) return refuse(*kind, now);
+  if (in_line_ > 0) --in_line_;
+  return std::nullopt;
+}
+
+SessionRates::Refusal SessionRates::refuse(RateKind kind, Time now) {
+  if (now >= room_at_) {
+    in_line_ = 0;
+    patience_ = {};
+  }
+  ++in_line_;
+  room_at_ = std::max(room_at_, now + wait(kind, in_line_, now));
+  return {kind, room_at_ - now, !patience_.take(patience_rate_, now)};
+}
+
+nanoseconds SessionRates::wait(RateKind kind, std::uint64_t in_line, Time now) const {
+  if (kind == RateKind::session_bytes) return bytes_.wait(limits_.session.bytes, now);
+  if (kind == RateKind::session_requests) {
+    return requests_.wait_in_line(limits_.session.requests, now, in_line);
+  }
+  return address_->requests.load(std::memory_order_relaxed)
+      .wait_in_line(limits_.address.requests, now, in_line);
+}
+
+std::optional<RateKind> SessionRates::take_request(Time now) {
+  const RateSet& session = limits_.session;
   // No rate delays control frames: the requests of a client whose control frames exceed its bytes by far are
   // refused.
   if (session.bytes.limited()) {
     const std::int64_t debt = -bytes_.level(session.bytes, now);
     if (debt > std::max(static_cast<std::int64_t>(session.bytes.burst), kToleratedDebtBytes)) {
-      return refuse(RateKind::session_bytes, bytes_.wait(session.bytes, now));
+      return RateKind::session_bytes;
     }
   }
-  if (!requests_.take(session.requests, now)) {
-    return refuse(RateKind::session_requests, requests_.wait(session.requests, now));
+  if (session.requests.limited() && requests_.level(session.requests, now) < 1) {
+    return RateKind::session_requests;
   }
-  if (address_ == nullptr || !address.requests.limited()) return std::nullopt;
-  if (update(address_->requests, [&](TokenBucket& all) { return all.take(address.requests, now); })) {
-    return std::nullopt;
+  const Rate& shared = limits_.address.requests;
+  if (address_ != nullptr && shared.limited() &&
+      !update(address_->requests, [&](TokenBucket& all) { return all.take(shared, now); })) {
+    return RateKind::address_requests;
   }
-  return refuse(RateKind::address_requests,
-                address_->requests.load(std::memory_order_relaxed).wait(address.requests, now));
+  requests_.spend(session.requests, now, 1);
+  return std::nullopt;
 }
 
 SessionRates::Due SessionRates::chunks_due(Time now) {

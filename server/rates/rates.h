@@ -20,6 +20,7 @@ struct RateSet {
 };
 struct RateLimits {
   RateSet session, address;
+  std::chrono::milliseconds burst{};  // what their bursts are earned in
 };
 
 /// Shared by the sessions of one address, on any thread, without a lock.
@@ -33,13 +34,22 @@ class SessionRates {
  public:
   using Time = TokenBucket::Time;
 
-  /// `limits` outlives it. `address` null: no rate of an address applies.
-  SessionRates(const RateLimits& limits, AddressBucketsPtr address);
+  /// `limits` outlives it. `address` null: no rate of an address applies. A client may have
+  /// `requests_in_flight` on their way here.
+  SessionRates(const RateLimits& limits, AddressBucketsPtr address, std::uint32_t requests_in_flight);
 
+  /// The rates that apply; those of the address without limit where none does.
+  [[nodiscard]] RateLimits limits() const {
+    return {limits_.session, address_ == nullptr ? RateSet{} : limits_.address, limits_.burst};
+  }
+
+  /// A refused request is told when it has room, behind all that were refused before it. A client that
+  /// waits so long, for each request or for the last, is never abusive, whatever was on its way when it was
+  /// first told; nor where others of its address took the room meanwhile.
   struct Refusal {
     RateKind kind{};
-    std::chrono::nanoseconds wait{};  // until one request is granted
-    bool abusive = false;             // refused a whole burst of requests, and still asking
+    std::chrono::nanoseconds wait{};
+    bool abusive = false;  // it goes on asking, and does not wait
   };
   /// Counts one request. None: it is granted.
   [[nodiscard]] std::optional<Refusal> refuse_request(Time now);
@@ -60,10 +70,22 @@ class SessionRates {
   void sent(Time now, std::size_t chunks, std::size_t bytes);
 
  private:
+  /// Takes a token for a request, or says which rate has none.
+  [[nodiscard]] std::optional<RateKind> take_request(Time now);
+  [[nodiscard]] Refusal refuse(RateKind kind, Time now);
+  /// Until `in_line` requests have room by this rate.
+  [[nodiscard]] std::chrono::nanoseconds wait(RateKind kind, std::uint64_t in_line, Time now) const;
+
   const RateLimits& limits_;
   AddressBucketsPtr address_;
   TokenBucket chunks_, bytes_, requests_;
-  TokenBucket refusals_;  // at the rate of requests; empty: the client is abusive
+
+  // Since the client was first refused. It ends when it is refused again although it waited.
+  Time room_at_{};             // of all that was refused, as the client was told
+  std::uint64_t in_line_ = 0;  // refused, and not granted since
+  TokenBucket patience_;       // one token goes with each refusal; empty: the client is abusive
+  const Rate patience_rate_;
+
   bool throttled_ = false;
 };
 

@@ -53,4 +53,11 @@ std::chrono::nanoseconds TokenBucket::wait(const Rate& rate, Time now, std::uint
   return when_earned(rate, gone_ + wanted) - std::chrono::nanoseconds{now.time_since_epoch()};
 }
 
+std::chrono::nanoseconds TokenBucket::wait_in_line(const Rate& rate, Time now, std::uint64_t tokens) const {
+  const auto wanted = static_cast<std::int64_t>(tokens);
+  if (!rate.limited() || level(rate, now) >= wanted) return {};
+  const std::int64_t gone = std::max(gone_, earned(rate, now) - static_cast<std::int64_t>(rate.burst));
+  return when_earned(rate, gone + wanted) - std::chrono::nanoseconds{now.time_since_epoch()};
+}
+
 }  // namespace talus::server

@@ -39,6 +39,9 @@ class TokenBucket {
   /// How long until the bucket has `tokens`, if nobody takes any meanwhile; 0: it has them now. A bucket
   /// never has more than a burst, so more than a burst is waited for as a burst.
   [[nodiscard]] std::chrono::nanoseconds wait(const Rate& rate, Time now, std::uint64_t tokens = 1) const;
+  /// How long until `tokens` have been earned from now on, beside what pays a debt: the last of so many
+  /// who each take a token when it is there. Unlike wait() it is not bounded by the burst.
+  [[nodiscard]] std::chrono::nanoseconds wait_in_line(const Rate& rate, Time now, std::uint64_t tokens) const;
 
  private:
   // Of all tokens earned since the clock's zero, how many are gone: taken, or lost because the bucket was

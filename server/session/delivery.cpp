@@ -31,7 +31,7 @@ void Delivery::cancel(const std::vector<std::uint32_t>& ids) {
     }
     requests_.erase(id);
     cancelled.insert(id);
-    replies_.error(id, ErrorCode::cancelled, "cancelled");
+    replies_.error(about_request(id), ErrorCode::cancelled, "cancelled");
   }
   if (cancelled.empty()) return;
   outbox_.drop_chunks([&](const Outbox::Entry& entry) { return cancelled.contains(entry.request_id); });
@@ -86,8 +86,8 @@ void Delivery::receive(HeightsReady&& mail) {
   if (mail.answer) {
     replies_.heights(id, *mail.answer);
   } else {
-    replies_.error(id, ErrorCode::internal, fmt::format("the heights failed: {}", mail.answer.error().reason),
-                   retry_after::kFailed);
+    replies_.error(about_request(id), ErrorCode::internal,
+                   fmt::format("the heights failed: {}", mail.answer.error().reason), retry_after::kFailed);
   }
   requests_.erase(id);
 }
@@ -95,19 +95,33 @@ void Delivery::receive(HeightsReady&& mail) {
 std::size_t Delivery::start_work() {
   found_ = 0;
   while (has_room()) {
-    if (const auto id = requests_.next_unstarted()) {
-      start_request(*id);
-      continue;
-    }
-    if (queue_full_ || view_.stream().in_flight_count() >= kMaxViewInFlight ||
-        outbox_.control_bytes() >= kMaxColumnBytes) {
+    if (requests_.has_unstarted() && (!view_may_start() || requests_hold_less())) {
+      start_request(*requests_.next_unstarted());
+    } else if (view_may_start()) {
+      start_view_chunk(*view_.stream().next());
+    } else {
       break;
     }
-    const auto key = view_.stream().next();
-    if (!key) break;
-    start_view_chunk(*key);
   }
+  if (!credit_.may_send()) tell_columns();
+  if (const auto number = view_.completed()) replies_.view_complete(*number);
   return found_;
+}
+
+bool Delivery::requests_hold_less() const {
+  using Lane = Outbox::Lane;
+  const std::size_t view_waits = view_.stream().in_flight_count() - outbox_.chunks(Lane::view);
+  const std::size_t request_waits = waits_.size() - view_waits;  // without those that both wait for
+  return outbox_.chunk_bytes(Lane::requests) + request_waits * expected_chunk_bytes_ <=
+         outbox_.chunk_bytes(Lane::view) + view_waits * expected_chunk_bytes_;
+}
+
+void Delivery::tell_columns() {
+  while (view_.stream().to_send() > 0 && outbox_.control_bytes() < kMaxColumnBytes) {
+    const auto column = view_.stream().next_column();
+    if (!column) return;
+    tell_column(*column, context_.chunks.column(*column), nullptr);
+  }
 }
 
 bool Delivery::has_room() const {
@@ -128,7 +142,7 @@ void Delivery::start_request(std::uint32_t id) {
   } else if (ChunkWaits::Waiters* const waiters = wait_for(request.key)) {
     waiters->requests.push_back(id);
   } else {
-    replies_.error(id, ErrorCode::overloaded,
+    replies_.error(about_request(id), ErrorCode::overloaded,
                    context_.memory.takes_work() ? "too many chunks wait to be generated" : kNoMemory,
                    retry_after::kBusy);
     requests_.erase(id);
@@ -156,18 +170,24 @@ ChunkWaits::Waiters* Delivery::wait_for(ChunkKey key) {
 void Delivery::answer_request(std::uint32_t id, const PendingRequests::ChunkRequest& request,
                               EncodedChunkPtr chunk) {
   if (confirm_request(id, request, *chunk)) return;
+  if (chunk->uniform()) {
+    credit_.sent(chunk->frame_bytes());  // the client counts every Chunk that comes
+    replies_.small_chunk(id, request.key, *chunk);
+    requests_.erase(id);
+    return;
+  }
   outbox_.push_chunk({id, request.key, std::move(chunk)});  // pending until it is written
 }
 
 void Delivery::fail_request(std::uint32_t id, const GenerationFailed& failure) {
-  replies_.error(id, ErrorCode::internal, fmt::format("the chunk failed: {}", failure.reason),
+  replies_.error(about_request(id), ErrorCode::internal, fmt::format("the chunk failed: {}", failure.reason),
                  retry_after::kFailed);
   requests_.erase(id);
 }
 
 void Delivery::answer_view(ChunkKey key, ChunkAnswer answer) {
   if (!answer) {
-    replies_.error(0, ErrorCode::internal,
+    replies_.error(about_view_chunk(view_.number(), key), ErrorCode::internal,
                    fmt::format("chunk {} of the View failed: {}", to_string(key), answer.error().reason),
                    retry_after::kFailed);
     view_.done(key);
@@ -196,12 +216,18 @@ bool Delivery::confirm_view(ChunkKey key, const EncodedChunk& chunk) {
 bool Delivery::answer_by_column(ChunkKey key) {
   const MixedRows rows = context_.chunks.column(key);
   if (!rows.uniform_at(key.coord.y)) return false;
+  tell_column(key, rows, &key);
+  return true;
+}
+
+void Delivery::tell_column(ChunkKey column, const MixedRows& rows, const ChunkKey* answered) {
   std::vector<wire::UniformRun> runs;
-  view_.stream().done_in_column(key, [&](ChunkKey chunk, bool in_flight) {
+  view_.stream().done_in_column(column, [&](ChunkKey chunk, bool in_flight) {
     const std::int32_t y = chunk.coord.y;
     const auto uniform = rows.uniform_at(y);
     if (!uniform) return false;
-    if (in_flight && chunk != key && !stop_view_wait(chunk)) return false;
+    const bool here = answered != nullptr && chunk == *answered;
+    if (in_flight && !here && !stop_view_wait(chunk)) return false;
     const auto material = to_integer(*uniform);
     const bool goes_on = !runs.empty() && runs.back().last_y() == y - 1 && runs.back().material() == material;
     const std::int32_t first = goes_on ? runs.back().first_y() : y;
@@ -209,8 +235,7 @@ bool Delivery::answer_by_column(ChunkKey key) {
     runs.emplace_back(first, y, material);
     return true;
   });
-  replies_.column(key, runs);
-  return true;
+  if (!runs.empty()) replies_.column(column, runs);
 }
 
 bool Delivery::refresh(Outbox::Entry& entry) {

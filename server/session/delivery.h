@@ -19,6 +19,7 @@
 #include "session/pending_requests.h"
 #include "session/replies.h"
 #include "session/session_context.h"
+#include "view/credit.h"
 #include "view/outbox.h"
 #include "view/view_subscription.h"
 
@@ -36,8 +37,13 @@ class Delivery {
   static constexpr std::size_t kExpectedChunkBytes = 4096;
 
   /// All outlive it.
-  Delivery(const SessionContext& context, MailboxPtr mailbox, Replies& replies, Outbox& outbox)
-      : context_{context}, mailbox_{std::move(mailbox)}, replies_{replies}, outbox_{outbox} {}
+  Delivery(const SessionContext& context, MailboxPtr mailbox, Replies& replies, Outbox& outbox,
+           Credit& credit)
+      : context_{context},
+        mailbox_{std::move(mailbox)},
+        replies_{replies},
+        outbox_{outbox},
+        credit_{credit} {}
 
   /// In whose turns its chunks are generated from now on; before it asks for anything.
   void join(FlowId flow) { mailbox_->join(flow); }
@@ -57,6 +63,8 @@ class Delivery {
   [[nodiscard]] const ViewSubscription& view() const { return view_; }
   void apply_view();
   void end_view();
+  /// Whether all that the client asked for is answered, the View too.
+  [[nodiscard]] bool served() const { return requests_.empty() && view_.settled(); }
 
   // ---- mail
   void receive(ChunkReady&& mail);
@@ -65,7 +73,8 @@ class Delivery {
   void take_mail();
 
   // ---- work
-  /// Starts requests and chunks of the View until a bound is reached. Returns how many chunks were in memory.
+  /// Starts requests and chunks of the View until a bound is reached: of both the one that holds less, so
+  /// that both have chunks in the outbox. Says ViewComplete. Returns how many chunks were in memory.
   [[nodiscard]] std::size_t start_work();
 
   /// A chunk is about to be written: replaces it by a newer version that is in memory. Returns false where
@@ -84,6 +93,12 @@ class Delivery {
   [[nodiscard]] EncodedChunkPtr find(ChunkKey key);
   /// Whether one more chunk may come to wait for the client; those that wait for the source will, too.
   [[nodiscard]] bool has_room() const;
+  [[nodiscard]] bool view_may_start() const {
+    return view_.stream().to_send() > 0 && !queue_full_ &&
+           view_.stream().in_flight_count() < kMaxViewInFlight && outbox_.control_bytes() < kMaxColumnBytes;
+  }
+  /// Whether requests hold no more than the View, of chunks that wait for the source or the client.
+  [[nodiscard]] bool requests_hold_less() const;
 
   void start_request(std::uint32_t id);
   void start_view_chunk(ChunkKey key);
@@ -101,6 +116,11 @@ class Delivery {
   /// Where the chunk is known to be uniform: answers by UniformColumn, for all uniform chunks of its column
   /// that the View still waits for.
   [[nodiscard]] bool answer_by_column(ChunkKey key);
+  /// Without credit no chunk goes, but the View's columns do as far as they are known.
+  void tell_columns();
+  /// Tells those chunks of the column that are uniform, and not in the outbox. `answered` is being answered
+  /// and is in neither; null: none is.
+  void tell_column(ChunkKey column, const MixedRows& rows, const ChunkKey* answered);
 
   /// Chunks that left the View: nobody of it waits for them, and none of them is sent.
   void drop_from_view(const std::vector<ChunkKey>& keys);
@@ -111,6 +131,7 @@ class Delivery {
   const MailboxPtr mailbox_;
   Replies& replies_;
   Outbox& outbox_;
+  Credit& credit_;
   PendingRequests requests_;
   ViewSubscription view_;
   ChunkWaits waits_;

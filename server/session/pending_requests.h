@@ -33,6 +33,7 @@ class PendingRequests {
   /// REQUIRES: no request `id` is pending. `bytes` is the memory of the request and its answer.
   void add_heights(std::uint32_t id, std::uint64_t ticket, std::size_t bytes);
 
+  [[nodiscard]] bool has_unstarted() const { return !unstarted_.empty(); }
   /// The oldest unstarted chunk request, which is started now.
   [[nodiscard]] std::optional<std::uint32_t> next_unstarted();
 

@@ -19,14 +19,20 @@ class Replies {
  public:
   Replies(Outbox& outbox, Metrics& metrics) : outbox_{outbox}, metrics_{metrics} {}
 
-  void welcome(const Greeting& greeting, const WorldInfo& world, const SessionLimits& limits) {
-    outbox_.push_control(welcome_frame(greeting, world, limits));
+  void welcome(const Greeting& greeting, const WorldInfo& world, const SessionLimits& limits,
+               const RateLimits& rates) {
+    outbox_.push_control(welcome_frame(greeting, world, limits, rates));
   }
-  /// `request_id` 0: about no request.
-  void error(std::uint32_t request_id, wire::ErrorCode code, std::string_view text,
+  void error(const Subject& subject, wire::ErrorCode code, std::string_view text,
              std::chrono::milliseconds retry_after = retry_after::kNever) {
     metrics_.error(code).add();
-    outbox_.push_control(error_frame(code, text, request_id, retry_after));
+    outbox_.push_control(error_frame(code, text, subject, retry_after));
+  }
+  /// A Chunk among control frames: for chunks that are smaller than an Error. The caller notes its credit.
+  void small_chunk(std::uint32_t request_id, ChunkKey key, const EncodedChunk& chunk) {
+    metrics_.chunks_sent.add();
+    metrics_.chunk_bytes_sent.add(chunk.frame_bytes());
+    outbox_.push_control(chunk_frame(request_id, key, chunk));
   }
   /// `request_id` 0: for the View.
   void unchanged(std::uint32_t request_id, ChunkKey key, const EncodedChunk& chunk) {
@@ -37,6 +43,7 @@ class Replies {
     metrics_.columns_sent.add();
     outbox_.push_control(column_frame(column, runs));
   }
+  void view_complete(std::uint32_t number) { outbox_.push_control(view_complete_frame(number)); }
   void heights(std::uint32_t request_id, const std::vector<std::int32_t>& heights) {
     outbox_.push_control(heights_frame(request_id, heights));
   }

@@ -26,9 +26,20 @@ wire::Hash128 on_wire(ContentHash hash) {
   return {hash.low, hash.high};
 }
 
+wire::ChunkKey on_wire(ChunkKey key) {
+  return {key.coord.x, key.coord.y, key.coord.z, static_cast<std::uint8_t>(key.lod.value())};
+}
+
+auto rates_table(flatbuffers::FlatBufferBuilder& builder, const RateSet& rates,
+                 std::chrono::milliseconds burst) {
+  return wire::CreateRates(builder, rates.chunks.per_second, rates.bytes.per_second,
+                           rates.requests.per_second, on_wire(burst));
+}
+
 }  // namespace
 
-protocol::Frame welcome_frame(const Greeting& greeting, const WorldInfo& world, const SessionLimits& limits) {
+protocol::Frame welcome_frame(const Greeting& greeting, const WorldInfo& world, const SessionLimits& limits,
+                              const RateLimits& rates) {
   return protocol::make_frame([&](flatbuffers::FlatBufferBuilder& builder) {
     std::vector<flatbuffers::Offset<wire::Material>> materials;
     for (const terrain::Material& material : world.materials) {
@@ -37,10 +48,12 @@ protocol::Frame welcome_frame(const Greeting& greeting, const WorldInfo& world, 
                                                packed(material.colour), phase_of(material.kind)));
     }
     const auto all_materials = builder.CreateVector(materials);
+    const auto session_rates = rates_table(builder, rates.session, rates.burst);
+    const auto address_rates = rates_table(builder, rates.address, rates.burst);
     const auto said_limits =
         wire::CreateLimits(builder, limits.frame_bytes, limits.requests_in_flight, limits.heights_per_request,
                            limits.view_horizontal_radius, limits.view_vertical_radius, limits.view_chunks,
-                           greeting.window_bytes, on_wire(limits.idle_timeout));
+                           greeting.window_bytes, on_wire(limits.idle_timeout), session_rates, address_rates);
     const auto server = builder.CreateString(world.server);
 
     const wire::Hash128 fingerprint = on_wire(world.fingerprint);
@@ -62,21 +75,37 @@ protocol::Frame welcome_frame(const Greeting& greeting, const WorldInfo& world, 
   });
 }
 
-protocol::Frame error_frame(wire::ErrorCode code, std::string_view text, std::uint32_t request_id,
+protocol::Frame error_frame(wire::ErrorCode code, std::string_view text, const Subject& subject,
                             std::chrono::milliseconds retry_after) {
+  using About = wire::ErrorAbout;
+  const auto number_of = [&](auto... kinds) {
+    return ((subject.about == kinds) || ...) ? subject.number : 0;
+  };
+  // Clients that do not know `about` find the id of a duplicate_id there.
+  const std::uint32_t request_id =
+      code == wire::ErrorCode::duplicate_id ? subject.number : number_of(About::request);
+  const wire::ChunkKey chunk = on_wire(subject.chunk);
   return protocol::make_frame([&](flatbuffers::FlatBufferBuilder& builder) {
     const auto line = builder.CreateString(text.data(), text.size());
-    return wire::CreateError(builder, code, line, request_id, on_wire(retry_after));
+    return wire::CreateError(builder, code, line, request_id, on_wire(retry_after), subject.about,
+                             number_of(About::repeated_request), number_of(About::view, About::view_chunk),
+                             subject.about == About::view_chunk ? &chunk : nullptr);
   });
 }
 
 protocol::Frame unchanged_frame(std::uint32_t request_id, ChunkKey key, const EncodedChunk& chunk) {
   return protocol::make_frame([&](flatbuffers::FlatBufferBuilder& builder) {
-    const wire::ChunkKey wire_key{key.coord.x, key.coord.y, key.coord.z,
-                                  static_cast<std::uint8_t>(key.lod.value())};
+    const wire::ChunkKey wire_key = on_wire(key);
     const wire::Hash128 wire_hash = on_wire(chunk.hash());
     return wire::CreateUnchanged(builder, request_id, &wire_key, chunk.revision(), &wire_hash);
   });
+}
+
+protocol::Frame chunk_frame(std::uint32_t request_id, ChunkKey key, const EncodedChunk& chunk) {
+  protocol::Frame frame;
+  frame.reserve(chunk.frame_bytes());
+  chunk.append_frame(frame, request_id, key);
+  return frame;
 }
 
 protocol::Frame column_frame(ChunkKey column, const std::vector<wire::UniformRun>& runs) {
@@ -86,6 +115,11 @@ protocol::Frame column_frame(ChunkKey column, const std::vector<wire::UniformRun
     return wire::CreateUniformColumn(builder, column.coord.x, column.coord.z,
                                      static_cast<std::uint8_t>(column.lod.value()), kBaseRevision, wire_runs);
   });
+}
+
+protocol::Frame view_complete_frame(std::uint32_t number) {
+  return protocol::make_frame(
+      [&](flatbuffers::FlatBufferBuilder& builder) { return wire::CreateViewComplete(builder, number); });
 }
 
 protocol::Frame heights_frame(std::uint32_t request_id, std::span<const std::int32_t> heights) {

@@ -11,9 +11,11 @@
 #include <talus/voxel/coords.h>
 
 #include "chunks/encoded_chunk.h"
+#include "rates/rates.h"
 #include "session/handshake.h"
 #include "session/retry_after.h"
 #include "session/session_limits.h"
+#include "session/subject.h"
 #include "session/world_info.h"
 
 namespace talus::server {
@@ -22,16 +24,18 @@ namespace talus::server {
 inline constexpr std::string_view kNoMemory = "this server's memory is all in use";
 
 [[nodiscard]] protocol::Frame welcome_frame(const Greeting& greeting, const WorldInfo& world,
-                                            const SessionLimits& limits);
-/// `request_id` 0: about no request.
+                                            const SessionLimits& limits, const RateLimits& rates);
 [[nodiscard]] protocol::Frame error_frame(wire::ErrorCode code, std::string_view text,
-                                          std::uint32_t request_id = 0,
+                                          const Subject& subject = {},
                                           std::chrono::milliseconds retry_after = retry_after::kNever);
 /// `request_id` 0: for the View.
 [[nodiscard]] protocol::Frame unchanged_frame(std::uint32_t request_id, ChunkKey key,
                                               const EncodedChunk& chunk);
+/// As for a request; `request_id` is not 0.
+[[nodiscard]] protocol::Frame chunk_frame(std::uint32_t request_id, ChunkKey key, const EncodedChunk& chunk);
 /// `column` is any chunk of the column.
 [[nodiscard]] protocol::Frame column_frame(ChunkKey column, const std::vector<wire::UniformRun>& runs);
+[[nodiscard]] protocol::Frame view_complete_frame(std::uint32_t number);
 [[nodiscard]] protocol::Frame heights_frame(std::uint32_t request_id, std::span<const std::int32_t> heights);
 [[nodiscard]] protocol::Frame pong_frame(std::uint64_t nonce);
 [[nodiscard]] protocol::Frame go_away_frame(std::string_view reason, std::chrono::milliseconds retry_after);

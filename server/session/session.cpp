@@ -16,8 +16,8 @@ using wire::ErrorCode;
 Session::Session(const SessionContext& context, MailboxPtr mailbox, AddressBucketsPtr address)
     : context_{context},
       replies_{outbox_, context.metrics},
-      delivery_{context_, std::move(mailbox), replies_, outbox_},
-      rates_{context.rates, std::move(address)},
+      delivery_{context_, std::move(mailbox), replies_, outbox_, credit_},
+      rates_{context.rates, std::move(address), context.limits.requests_in_flight},
       memory_{context.memory, MemoryUse::sessions} {}
 
 // ---- events
@@ -62,7 +62,7 @@ void Session::receive(std::span<const std::byte> frame) {
     default:
       fail(ErrorCode::unexpected, fmt::format("{} is a message of servers", wire::EnumNameBody(kind)));
   }
-  close_if_left();
+  close_if_served();
 }
 
 void Session::broken_frame(const protocol::FrameError& error) {
@@ -88,15 +88,26 @@ void Session::revoked_tokens_changed() {
 
 void Session::take_mail() {
   delivery_.take_mail();
-  close_if_left();
+  close_if_served();
+}
+
+void Session::input_ended() {
+  if (state_ == State::connected) return abandon();
+  credit_.lift();
+  if (state_ == State::joined) state_ = State::finishing;
+  close_if_served();
 }
 
 void Session::go_away(std::string_view reason, std::chrono::milliseconds retry_after) {
   if (state_ == State::leaving || state_ == State::closed) return;
+  if (state_ == State::connected) {  // as to a client for whom there is no room
+    replies_.error({}, ErrorCode::overloaded, reason, retry_after);
+    return abandon();
+  }
   replies_.go_away(reason, retry_after);
   state_ = State::leaving;
   delivery_.end_view();
-  close_if_left();
+  close_if_served();
 }
 
 void Session::abandon() {
@@ -107,21 +118,24 @@ void Session::abandon() {
 void Session::fail(ErrorCode code, std::string_view text, std::chrono::milliseconds retry_after,
                    std::string_view why) {
   if (closing()) return;
-  replies_.error(0, code, text, retry_after);
+  replies_.error({}, code, text, retry_after);
   failure_ = fmt::format("{}: {}", wire::EnumNameErrorCode(code), text);
   if (!why.empty()) failure_ += fmt::format(" ({})", why);
   abandon();
 }
 
-void Session::close_if_left() {
-  if (state_ == State::leaving && delivery_.requests().empty()) state_ = State::closed;
+void Session::close_if_served() {
+  if (state_ == State::leaving ? delivery_.requests().empty()
+                               : state_ == State::finishing && delivery_.served()) {
+    state_ = State::closed;
+  }
 }
 
 void Session::pump() {
   const Clock::time_point began = context_.clock.now();
   const std::size_t found = closing() ? 0 : delivery_.start_work();
   if (found > 0) context_.metrics.hot_latency.add(context_.clock.now() - began, found);
-  close_if_left();
+  close_if_served();
   note_memory();
 }
 
@@ -139,17 +153,17 @@ void Session::on(const wire::Hello& hello) {
   const std::string& subject = greeting_->grant.subject;
   if (!subject.empty()) delivery_.join(context_.flows.of_subject(subject));
   credit_ = Credit{greeting_->window_bytes};
-  replies_.welcome(*greeting_, context_.world, context_.limits);
+  replies_.welcome(*greeting_, context_.world, context_.limits, rates_.limits());
   state_ = State::joined;
 }
 
 void Session::on(const wire::View& view) {
-  if (!within_rates(0)) return;
+  if (!within_rates(about_view(view.number()))) return;
   auto checked = check_view(view, context_.limits);
   if (!checked) {
     const Rejection& rejection = checked.error();
     if (rejection.code == ErrorCode::malformed) return fail(rejection.code, rejection.text);
-    return replies_.error(0, rejection.code, rejection.text);
+    return replies_.error(about_view(view.number()), rejection.code, rejection.text);
   }
   if (state_ == State::leaving) return;
   delivery_.view().request(*std::move(checked));
@@ -164,23 +178,36 @@ void Session::on(const wire::View& view) {
 
 void Session::on(const wire::GetChunks& get) {
   if (get.requests() == nullptr) return;
+  AnsweredIds answered;
   for (const wire::ChunkRequest* request : *get.requests()) {
+    const bool pending = on(*request, answered);
     if (closing()) return;
-    on(*request);
+    if (pending) continue;
+    if (!answered) answered.emplace();
+    if (answered->find(request->id()) == nullptr) answered->insert(request->id(), {});
   }
 }
 
-void Session::on(const wire::ChunkRequest& request) {
-  if (request.id() == 0) return fail(ErrorCode::malformed, "ChunkRequest.id is 0; ids begin at 1");
-  if (!admit(request.id())) return;
+bool Session::on(const wire::ChunkRequest& request, const AnsweredIds& answered) {
+  const std::uint32_t id = request.id();
+  if (id == 0) {
+    fail(ErrorCode::malformed, "ChunkRequest.id is 0; ids begin at 1");
+    return false;
+  }
+  if (!admit_id(id, answered && answered->find(id) != nullptr) || !admit_pending(id)) return false;
+  const auto out_of_range = [&](const std::string& text) {
+    replies_.error(about_request(id), ErrorCode::out_of_range, text);
+    return false;
+  };
   const wire::ChunkKey& at = request.key();
   const auto lod = Lod::checked(at.lod());
-  if (!lod) return replies_.error(request.id(), ErrorCode::out_of_range, lod.error().message);
+  if (!lod) return out_of_range(lod.error().message);
   const auto key = checked_chunk(at.x(), at.y(), at.z(), *lod);
-  if (!key) return replies_.error(request.id(), ErrorCode::out_of_range, key.error().message);
+  if (!key) return out_of_range(key.error().message);
   std::optional<ContentHash> known;
   if (request.has_known()) known = ContentHash{request.known().low(), request.known().high()};
-  delivery_.request_chunk(request.id(), {*key, known});
+  delivery_.request_chunk(id, {*key, known});
+  return true;
 }
 
 void Session::on(const wire::Cancel& cancel) {
@@ -190,12 +217,12 @@ void Session::on(const wire::Cancel& cancel) {
 
 void Session::on(const wire::GetHeights& get) {
   if (get.id() == 0) return fail(ErrorCode::malformed, "GetHeights.id is 0; ids begin at 1");
-  if (!admit(get.id())) return;
+  if (!admit_id(get.id()) || !admit_pending(get.id())) return;
   if (!context_.memory.takes_work()) {
-    return replies_.error(get.id(), ErrorCode::overloaded, kNoMemory, retry_after::kBusy);
+    return replies_.error(about_request(get.id()), ErrorCode::overloaded, kNoMemory, retry_after::kBusy);
   }
   auto columns = check_heights(get, context_.limits);
-  if (!columns) return replies_.error(get.id(), columns.error().code, columns.error().text);
+  if (!columns) return replies_.error(about_request(get.id()), columns.error().code, columns.error().text);
   delivery_.request_heights(get.id(), *std::move(columns));
 }
 
@@ -206,51 +233,53 @@ void Session::on(const wire::Credit& credit) {
 }
 
 void Session::on(const wire::Edit& edit) {
-  if (!within_rates(edit.id())) return;
+  if (edit.id() == 0) return fail(ErrorCode::malformed, "Edit.id is 0; ids begin at 1");
+  if (!admit_id(edit.id())) return;
+  const Subject subject = about_request(edit.id());
   if (!greeting_->grant.rights.has(Right::edit)) {
-    return replies_.error(edit.id(), ErrorCode::forbidden,
+    return replies_.error(subject, ErrorCode::forbidden,
                           "this session has no right to edit; its token gives none");
   }
-  replies_.error(edit.id(), ErrorCode::unsupported, "this server does not take edits yet");
+  replies_.error(subject, ErrorCode::unsupported, "this server does not take edits yet");
 }
 
 void Session::on(const wire::Ping& ping) {
-  if (within_rates(0)) replies_.pong(ping.nonce());
+  if (within_rates(about_ping())) replies_.pong(ping.nonce());
 }
 
-bool Session::within_rates(std::uint32_t id) {
-  const auto refusal = rates_.refuse_request(received_at_);
-  if (!refusal) return true;
-  context_.metrics.throttled(refusal->kind).add();
-  const auto retry_after = std::chrono::ceil<std::chrono::milliseconds>(refusal->wait);
-  if (refusal->abusive) {
+void Session::say_refusal(const Subject& subject, const SessionRates::Refusal& refusal) {
+  context_.metrics.throttled(refusal.kind).add();
+  using std::chrono::milliseconds;
+  const auto retry_after = std::max(milliseconds{1}, std::chrono::ceil<milliseconds>(refusal.wait));
+  if (refusal.abusive) {
     fail(ErrorCode::overloaded,
-         fmt::format("abusive: refused by rates.{} and still asking", name(refusal->kind)), retry_after);
+         fmt::format("abusive: refused by rates.{} and still asking", name(refusal.kind)), retry_after);
   } else {
-    replies_.error(id, ErrorCode::overloaded, fmt::format("over rates.{}", name(refusal->kind)), retry_after);
+    replies_.error(subject, ErrorCode::overloaded, fmt::format("over rates.{}", name(refusal.kind)),
+                   retry_after);
   }
-  return false;
 }
 
-bool Session::admit(std::uint32_t id) {
-  const PendingRequests& requests = delivery_.requests();
-  const bool pending = requests.contains(id);
-  if (!within_rates(pending ? 0 : id)) return false;
-  if (pending) {
-    replies_.error(id, ErrorCode::duplicate_id, fmt::format("request {} is still in flight", id));
-    return false;
+bool Session::admit_id(std::uint32_t id, bool repeated) {
+  repeated = repeated || delivery_.requests().contains(id);
+  const Subject subject = repeated ? about_repeated(id) : about_request(id);
+  if (!within_rates(subject)) return false;
+  if (repeated) {
+    replies_.error(subject, ErrorCode::duplicate_id, fmt::format("the id {} is another request's", id));
   }
+  return !repeated;
+}
+
+void Session::refuse_pending(std::uint32_t id) {
   if (state_ == State::leaving) {
-    replies_.error(id, ErrorCode::overloaded, "this server is about to end", retry_after::kLeaving);
-    return false;
+    replies_.error(about_request(id), ErrorCode::overloaded, "this server is about to end",
+                   retry_after::kLeaving);
+  } else {
+    replies_.error(
+        about_request(id), ErrorCode::too_many_requests,
+        fmt::format("{} requests are in flight, the limit requests_in_flight", delivery_.requests().size()),
+        retry_after::kBusy);
   }
-  if (requests.size() >= context_.limits.requests_in_flight) {
-    replies_.error(id, ErrorCode::too_many_requests,
-                   fmt::format("{} requests are in flight, the limit requests_in_flight", requests.size()),
-                   retry_after::kBusy);
-    return false;
-  }
-  return true;
 }
 
 // ---- output
@@ -284,7 +313,7 @@ Output Session::take_output(std::size_t enough_bytes, std::size_t shared_from) {
   writing_bytes_ = output.held_bytes();
   context_.metrics.chunks_sent.add(chunks);
   context_.metrics.chunk_bytes_sent.add(chunk_bytes);
-  close_if_left();
+  close_if_served();
   return output;
 }
 

@@ -1,6 +1,9 @@
 // One client's conversation: messages in, frames out. The state machine of PROTOCOL.md.
 //
-//   connected --Hello--> joined --go_away()--> leaving --last request answered--> closed
+//   connected --Hello--> joined --go_away()------> leaving ---last request answered---> closed
+//                          |                          ^                                   ^
+//                          |                       go_away()                              |
+//                          +------input_ended()--> finishing --requests and View served---+
 //
 // Any state becomes closed by an error that ends the connection, or by abandon().
 //
@@ -16,6 +19,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <variant>
 
 #include <talus/protocol/frame.h>
 #include <talus/protocol/message.h>
@@ -27,6 +31,7 @@
 #include "rates/rates.h"
 #include "session/delivery.h"
 #include "session/handshake.h"
+#include "session/id_map.h"
 #include "session/replies.h"
 #include "session/session_context.h"
 #include "view/credit.h"
@@ -39,8 +44,9 @@ class Session {
   enum class State : std::uint8_t {
     connected,  // waits for Hello
     joined,
-    leaving,  // GoAway was said; answers what is pending
-    closed,   // what is sendable now is all that ever will be: write it and close
+    finishing,  // the client sends no more; gets what it asked for, its View too
+    leaving,    // GoAway was said; answers what is pending
+    closed,     // what is sendable now is all that ever will be: write it and close
   };
 
   /// Memory of a session that asks for nothing, with its connection and coroutines.
@@ -62,7 +68,9 @@ class Session {
   void revoked_tokens_changed();
   /// Handles all that waits in the mailbox.
   void take_mail();
-  /// Says GoAway and ends the View; takes no more requests.
+  /// No frame comes any more, but the client still reads. It can give no credit: none is needed from here on.
+  void input_ended();
+  /// Says GoAway and ends the View; takes no more requests. Before Welcome an Error instead.
   void go_away(std::string_view reason, std::chrono::milliseconds retry_after);
   /// The connection is gone: leaves every queue.
   void abandon();
@@ -70,6 +78,9 @@ class Session {
   /// Whether a View waits for apply_view(), which may cost milliseconds: the caller decides when.
   [[nodiscard]] bool view_waits() const { return delivery_.view().waits(); }
   void apply_view() { delivery_.apply_view(); }
+  /// Whether the client sends Views faster than they are applied. Each costs something, also one that is
+  /// replaced: until apply_view() the caller reads no more.
+  [[nodiscard]] bool views_pile_up() const { return delivery_.view().piles_up(); }
 
   /// Starts as much work as the bounds allow.
   void pump();
@@ -101,22 +112,39 @@ class Session {
   void on(const wire::Hello& hello);
   void on(const wire::View& view);
   void on(const wire::GetChunks& get);
-  void on(const wire::ChunkRequest& request);
+  /// Ids of one message whose Errors are said: the client could not know when it sent the message.
+  using AnsweredIds = std::optional<IdMap<std::monostate>>;
+  /// Whether the request is pending now.
+  [[nodiscard]] bool on(const wire::ChunkRequest& request, const AnsweredIds& answered);
   void on(const wire::Cancel& cancel);
   void on(const wire::GetHeights& get);
   void on(const wire::Credit& credit);
   void on(const wire::Edit& edit);
   void on(const wire::Ping& ping);
 
-  /// Counts one request. Where a rate refuses it, answers by Error and returns false. `id` 0: it has none.
-  [[nodiscard]] bool within_rates(std::uint32_t id);
-  /// Whether the request may become pending; if not, it is answered here.
-  [[nodiscard]] bool admit(std::uint32_t id);
+  /// Counts one message. Where a rate refuses it, says so and returns false.
+  [[nodiscard]] bool within_rates(const Subject& subject) {
+    const auto refusal = rates_.refuse_request(received_at_);
+    if (refusal) say_refusal(subject, *refusal);
+    return !refusal;
+  }
+  void say_refusal(const Subject& subject, const SessionRates::Refusal& refusal);
+  /// Counts a request, whose id no other that is not answered may have; if it may not be, says so.
+  /// `repeated`: the id is another's of the same message.
+  [[nodiscard]] bool admit_id(std::uint32_t id, bool repeated = false);
+  /// Whether one more request may become pending; if not, it is answered here.
+  [[nodiscard]] bool admit_pending(std::uint32_t id) {
+    const bool room = delivery_.requests().size() < context_.limits.requests_in_flight;
+    if (room && state_ != State::leaving) return true;
+    refuse_pending(id);
+    return false;
+  }
+  void refuse_pending(std::uint32_t id);
   /// Says the Error and closes. `why` is for the log alone.
   void fail(wire::ErrorCode code, std::string_view text,
             std::chrono::milliseconds retry_after = retry_after::kNever, std::string_view why = {});
-  /// A session that leaves closes with its last answer.
-  void close_if_left();
+  /// A session that leaves closes with its last answer, one that finishes when all is served.
+  void close_if_served();
   void note_memory();
 
   const SessionContext context_;

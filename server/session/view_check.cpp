@@ -71,6 +71,7 @@ tl::expected<View, Rejection> check_view(const wire::View& view, const SessionLi
   checked.horizontal_radius = view.horizontal_radius();
   checked.vertical_radius = view.vertical_radius();
   checked.rings = *std::move(rings);
+  checked.number = view.number();
   if (const std::uint64_t chunks = count_chunks(checked); chunks > limits.view_chunks) {
     return rejected(ErrorCode::too_large, fmt::format("the View has {} chunks, over the limit view_chunks {}",
                                                       chunks, limits.view_chunks));

@@ -56,6 +56,38 @@ const AreaOfInterest::Level* AreaOfInterest::level_of(Lod lod) const {
   return nullptr;
 }
 
+std::optional<ChunkKey> AreaOfInterest::next_column(ColumnCursor& cursor) const {
+  for (; cursor.level < levels_.size(); cursor = {cursor.level + 1}) {
+    const LevelBox& box = levels_[cursor.level].box;
+    if (box.x.size() == 0 || box.y.size() == 0 || box.z.size() == 0) continue;
+    const int lod = box.lod.value();
+    const std::int64_t x = centre_.x >> lod;
+    const std::int64_t z = centre_.z >> lod;
+    const std::int64_t rings = std::max({x - box.x.first, box.x.last - x, z - box.z.first, box.z.last - z});
+    for (; cursor.ring <= rings; ++cursor.ring, cursor.step = 0) {
+      const std::int64_t radius = cursor.ring;
+      while (cursor.step < std::max<std::int64_t>(1, 8 * radius)) {
+        const std::int64_t side = radius == 0 ? 0 : cursor.step / (2 * radius);
+        const std::int64_t along = cursor.step - 2 * radius * side - radius;
+        ++cursor.step;
+        const std::int64_t column_x = x + (side == 0   ? along
+                                           : side == 1 ? radius
+                                           : side == 2 ? -along
+                                                       : -radius);
+        const std::int64_t column_z = z + (side == 0   ? -radius
+                                           : side == 1 ? along
+                                           : side == 2 ? radius
+                                                       : -along);
+        if (!box.has_column(column_x, column_z)) continue;
+        return ChunkKey{{static_cast<std::int32_t>(column_x), static_cast<std::int32_t>(box.y.first),
+                         static_cast<std::int32_t>(column_z)},
+                        box.lod};
+      }
+    }
+  }
+  return std::nullopt;
+}
+
 glm::i64vec3 AreaOfInterest::offset(ChunkKey key) const {
   const std::int64_t size = std::int64_t{1} << key.lod.value();
   const auto halves = [size](std::int64_t at, std::int64_t centre) {

@@ -22,9 +22,10 @@ struct View {
   int horizontal_radius = 0;
   int vertical_radius = 0;
   std::vector<ViewRing> rings;  // levels and radii growing
+  std::uint32_t number = 0;     // the client's; 0: none
 };
 
-/// Whether both have the same chunks, whatever their order.
+/// Whether both have the same chunks, whatever their order and number.
 [[nodiscard]] bool same_chunks(const View& a, const View& b);
 
 /// How many chunks the View has where the world's edge cuts none off. Costs nothing.
@@ -56,6 +57,16 @@ class AreaOfInterest {
   [[nodiscard]] static std::uint64_t end_of_ring(std::uint64_t coarse_priority);
   /// The chunk whose rank or coarse priority it is, and its place.
   [[nodiscard]] std::pair<ChunkKey, Place> ranked(std::uint64_t rank) const;
+
+  /// Where next_column() goes on.
+  struct ColumnCursor {
+    std::size_t level = 0;
+    std::int64_t ring = 0;  // columns so far from the centre's, along x or along z
+    std::int64_t step = 0;  // along the ring
+  };
+  /// The lowest chunk of the next column that has chunks; none after the last. Level by level, and in each
+  /// the nearest first, by squares.
+  [[nodiscard]] std::optional<ChunkKey> next_column(ColumnCursor& cursor) const;
 
   /// Calls visit(ChunkKey, Place) for every chunk, in no order that matters.
   template <typename Visit>

@@ -20,6 +20,8 @@ class Credit {
 
   /// Whether a frame of any size may begin; it may overdraw the window.
   [[nodiscard]] bool may_send() const { return sent_bytes_ - taken_bytes_ < window_bytes_; }
+  /// From here on any number of bytes may be sent: the client can give no credit any more.
+  void lift() { window_bytes_ = UINT64_MAX; }
   void sent(std::uint64_t frame_bytes) { sent_bytes_ += frame_bytes; }
 
   /// The client's running total of bytes taken since the connection began.

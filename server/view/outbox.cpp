@@ -17,12 +17,13 @@ void Outbox::push_control(protocol::Frame frame) {
 
 void Outbox::push_chunk(Entry&& entry) {
   entry.chunk->prefetch();  // it is written soon, among others that lie as far apart in memory
-  chunk_bytes_ += cost(*entry.chunk);
-  chunks_.push_back(std::move(entry));
+  Queue& lane = entry.request_id == 0 ? view_ : requests_;
+  lane.bytes += cost(*entry.chunk);
+  lane.entries.push_back(std::move(entry));
 }
 
 bool Outbox::sendable(const Credit& credit) const {
-  return !control_.empty() || (!chunks_.empty() && credit.may_send());
+  return !control_.empty() || ((!requests_.entries.empty() || !view_.entries.empty()) && credit.may_send());
 }
 
 void Outbox::take_control(std::size_t enough_bytes, Output& output) {
@@ -36,8 +37,9 @@ void Outbox::take_control(std::size_t enough_bytes, Output& output) {
 
 std::size_t Outbox::bytes_to_copy(std::size_t shared_from) const {
   constexpr std::size_t kHeadBytes = 160;  // more than what stands before a chunk's payload
-  const bool shares = shared_from == 0 || chunk_bytes_ / shared_from > chunks_.size();
-  return control_bytes_ + (shares ? kHeadBytes * chunks_.size() : chunk_bytes_);
+  const std::size_t count = chunks(Lane::requests) + chunks(Lane::view);
+  const bool shares = shared_from == 0 || chunk_bytes() / shared_from > count;
+  return control_bytes_ + (shares ? kHeadBytes * count : chunk_bytes());
 }
 
 }  // namespace talus::server

@@ -1,5 +1,7 @@
-// What waits to be written to one client, in two queues: control frames go first and need no credit; chunks
-// go while the client's credit lasts. Chunks are shared with the cache, not copied. No I/O.
+// What waits to be written to one client. Control frames go first and need no credit. Chunks go while the
+// client's credit lasts, from two lanes, those of requests and those of the View, which share by bytes: a
+// deficit round robin of two flows whose quantum is one chunk. Chunks are shared with the cache, not copied.
+// No I/O.
 #pragma once
 
 #include <cstddef>
@@ -25,6 +27,8 @@ class Outbox {
     EncodedChunkPtr chunk;
   };
 
+  enum class Lane : std::uint8_t { requests, view };
+
   /// Bounds of one take(), beside the client's credit.
   struct TakeLimits {
     std::size_t enough_bytes = SIZE_MAX;  // of all frames; the last frame may pass it
@@ -38,17 +42,20 @@ class Outbox {
   /// Removes the chunks for which `unwanted(entry)` returns true.
   template <typename Unwanted>
   void drop_chunks(Unwanted&& unwanted) {
-    std::erase_if(chunks_, [&](const Entry& entry) {
-      const bool drop = unwanted(entry);
-      if (drop) chunk_bytes_ -= cost(*entry.chunk);
-      return drop;
-    });
+    for (Queue* const queue : {&requests_, &view_}) {
+      std::erase_if(queue->entries, [&](const Entry& entry) {
+        const bool drop = unwanted(entry);
+        if (drop) queue->bytes -= cost(*entry.chunk);
+        return drop;
+      });
+    }
   }
 
   [[nodiscard]] bool sendable(const Credit& credit) const;
   [[nodiscard]] bool has_control() const { return !control_.empty(); }
 
-  /// Appends frames to `output` until a limit is reached or nothing is sendable.
+  /// Appends frames to `output` until a limit is reached or nothing is sendable. Also where both lanes had
+  /// chunks and that whose turn it is has none left: the caller fills it again before the other goes on.
   ///
   /// For each chunk, just before it is written, refresh(entry) may replace entry.chunk by a newer version, or
   /// return false: then the chunk is not written, and refresh has answered for it otherwise. For each chunk
@@ -58,16 +65,33 @@ class Outbox {
     take_control(limits.enough_bytes, output);
     std::size_t chunks = 0;
     const std::size_t control_bytes = output.size();
-    while (!chunks_.empty() && output.size() < limits.enough_bytes && credit.may_send() &&
-           chunks < limits.chunks && output.size() - control_bytes < limits.chunk_bytes) {
-      Entry entry = std::move(chunks_.front());
-      chunks_.pop_front();
-      chunk_bytes_ -= cost(*entry.chunk);
-      if (!refresh(entry)) continue;
+    const auto may_go = [&] {
+      return output.size() < limits.enough_bytes && credit.may_send() && chunks < limits.chunks &&
+             output.size() - control_bytes < limits.chunk_bytes;
+    };
+    const auto send_first = [&](Queue& queue) -> std::size_t {
+      Entry entry = std::move(queue.entries.front());
+      queue.entries.pop_front();
+      queue.bytes -= cost(*entry.chunk);
+      if (!refresh(entry)) return 0;
       output.append(entry.chunk, entry.request_id, entry.key);
       credit.sent(entry.chunk->frame_bytes());
       ++chunks;
       sent(std::as_const(entry));
+      return entry.chunk->frame_bytes();
+    };
+    if (requests_.entries.empty() || view_.entries.empty()) {
+      requests_ahead_ = 0;  // what one was sent while the other wanted nothing is no debt
+      Queue& only = view_.entries.empty() ? requests_ : view_;
+      while (!only.entries.empty() && may_go()) (void)send_first(only);
+    } else {
+      while (may_go()) {
+        const bool view_turn = requests_ahead_ > 0;
+        Queue& turn = view_turn ? view_ : requests_;
+        if (turn.entries.empty()) break;
+        const auto bytes = static_cast<std::ptrdiff_t>(send_first(turn));
+        requests_ahead_ += view_turn ? -bytes : bytes;
+      }
     }
     take_control(limits.enough_bytes, output);  // what refresh answered
   }
@@ -75,7 +99,9 @@ class Outbox {
   /// Memory of the queued control frames.
   [[nodiscard]] std::size_t control_bytes() const { return control_bytes_; }
   /// Memory of the queued chunks, as if nobody else held them.
-  [[nodiscard]] std::size_t chunk_bytes() const { return chunk_bytes_; }
+  [[nodiscard]] std::size_t chunk_bytes() const { return requests_.bytes + view_.bytes; }
+  [[nodiscard]] std::size_t chunk_bytes(Lane lane) const { return queue(lane).bytes; }
+  [[nodiscard]] std::size_t chunks(Lane lane) const { return queue(lane).entries.size(); }
   /// Roughly how much an output of all that waits would copy, by the chunks' mean size, when chunks of
   /// `shared_from` bytes and more are not copied.
   [[nodiscard]] std::size_t bytes_to_copy(std::size_t shared_from) const;
@@ -83,12 +109,19 @@ class Outbox {
   [[nodiscard]] static std::size_t cost(const EncodedChunk& chunk) { return sizeof(Entry) + chunk.bytes(); }
 
  private:
+  struct Queue {
+    std::deque<Entry> entries;
+    std::size_t bytes = 0;
+  };
+  [[nodiscard]] const Queue& queue(Lane lane) const { return lane == Lane::view ? view_ : requests_; }
   void take_control(std::size_t enough_bytes, Output& output);
 
   std::deque<protocol::Frame> control_;
-  std::deque<Entry> chunks_;
+  Queue requests_;
+  Queue view_;
   std::size_t control_bytes_ = 0;
-  std::size_t chunk_bytes_ = 0;
+  // Bytes that requests were sent more than the View since both have chunks: within one chunk of 0.
+  std::ptrdiff_t requests_ahead_ = 0;
 };
 
 }  // namespace talus::server

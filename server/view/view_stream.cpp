@@ -32,6 +32,8 @@ std::vector<ChunkKey> ViewStream::replace(AreaOfInterest wanted, std::span<const
     if (!place || states_[*place] != State::in_flight) dropped.push_back(key);
   }
   for (const ChunkKey key : dropped) in_flight_.erase(key);
+  left_ = far_.size() + in_flight_.size();
+  next_column_ = {};
   return dropped;
 }
 
@@ -82,6 +84,7 @@ void ViewStream::put_back(ChunkKey key) {
 
 void ViewStream::done(ChunkKey key) {
   leave(key, State::done);
+  --left_;
 }
 
 void ViewStream::leave(ChunkKey key, State state) {

@@ -32,6 +32,14 @@ class ViewStream {
   /// A chunk in flight was sent, or never will be.
   void done(ChunkKey key);
 
+  /// Chunks of the area that are not done.
+  [[nodiscard]] std::size_t left() const { return left_; }
+  /// Those of them that next() will give.
+  [[nodiscard]] std::size_t to_send() const { return left_ - in_flight_.size(); }
+
+  /// A chunk of each column of the area, each column once after replace(); none after the last.
+  [[nodiscard]] std::optional<ChunkKey> next_column() { return interest_.next_column(next_column_); }
+
   /// Ends every chunk of `key`'s column, from below, that is not done and for which ends(chunk, in_flight)
   /// returns true.
   template <typename Ends>
@@ -43,6 +51,7 @@ class ViewStream {
       if (state == State::done || !ends(chunk, state == State::in_flight)) continue;
       if (state == State::in_flight) in_flight_.erase(chunk);
       state = State::done;
+      --left_;
     }
   }
 
@@ -72,6 +81,8 @@ class ViewStream {
 
   AreaOfInterest interest_;
   std::vector<State> states_;  // by place
+  std::size_t left_ = 0;       // of them, not done
+  AreaOfInterest::ColumnCursor next_column_;
 
   // The chunks to be sent, and some that no longer are. A View can be large, and is mostly replaced before
   // it is sent whole: only the nearest rings are sorted exactly, the others when their turn comes.

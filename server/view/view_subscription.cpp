@@ -15,6 +15,7 @@ void ViewSubscription::request(View view) {
     const AreaOfInterest wanted{view};
     std::erase_if(known_, [&](const auto& chunk) { return !wanted.place_of(chunk.first); });
   }
+  piles_up_ = requested_.has_value();
   requested_ = std::move(view);
 }
 
@@ -25,6 +26,9 @@ void ViewSubscription::add_known(ChunkKey key, ContentHash hash) {
 std::vector<ChunkKey> ViewSubscription::apply() {
   if (!requested_) return {};
   const View view = *std::exchange(requested_, std::nullopt);
+  piles_up_ = false;
+  number_ = view.number;
+  completion_due_ = number_ != 0;
   auto dropped = stream_.replace(AreaOfInterest{view}, std::exchange(unseen_, {}));
   std::erase_if(known_, [&](const auto& chunk) { return !stream_.wants(chunk.first); });
   return dropped;
@@ -32,9 +36,18 @@ std::vector<ChunkKey> ViewSubscription::apply() {
 
 std::vector<ChunkKey> ViewSubscription::clear() {
   requested_.reset();
+  piles_up_ = false;
   unseen_.clear();
   known_.clear();
+  number_ = 0;
+  completion_due_ = false;
   return stream_.replace({});
+}
+
+std::optional<std::uint32_t> ViewSubscription::completed() {
+  if (!completion_due_ || requested_ || stream_.left() > 0) return std::nullopt;
+  completion_due_ = false;
+  return number_;
 }
 
 void ViewSubscription::done(ChunkKey key) {

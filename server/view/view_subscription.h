@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <unordered_map>
 #include <vector>
@@ -32,12 +33,21 @@ class ViewSubscription {
 
   /// Whether a View waits for apply().
   [[nodiscard]] bool waits() const { return requested_.has_value(); }
+  /// Whether that View replaced one which waited too: they come faster than they are applied.
+  [[nodiscard]] bool piles_up() const { return piles_up_; }
   /// Puts the newest View in force. Returns the chunks that were in flight and are so no more.
   [[nodiscard]] std::vector<ChunkKey> apply();
   /// Ends the subscription: no View, nothing known. Returns as apply().
   [[nodiscard]] std::vector<ChunkKey> clear();
 
   // ---- the View in force
+  /// As the client numbered it.
+  [[nodiscard]] std::uint32_t number() const { return number_; }
+  /// The View's number, once, when all its chunks are done; none for a View without number, and from when a
+  /// newer one is requested.
+  [[nodiscard]] std::optional<std::uint32_t> completed();
+  /// Whether nothing is left to be done or said.
+  [[nodiscard]] bool settled() const { return !requested_ && stream_.left() == 0 && !completion_due_; }
   [[nodiscard]] ViewStream& stream() { return stream_; }
   [[nodiscard]] const ViewStream& stream() const { return stream_; }
   /// The chunk in flight was sent or answered otherwise.
@@ -52,7 +62,10 @@ class ViewSubscription {
 
  private:
   ViewStream stream_;
+  std::uint32_t number_ = 0;
+  bool completion_due_ = false;  // of a View with a number
   std::optional<View> requested_;
+  bool piles_up_ = false;
   std::vector<AreaOfInterest> unseen_;               // replaced before apply(), oldest first
   std::unordered_map<ChunkKey, ContentHash> known_;  // of chunks that are not done
 };

@@ -27,6 +27,7 @@ struct ViewFields {
   std::uint16_t horizontal_radius = 0;
   std::uint16_t vertical_radius = 0;
   std::vector<wire::LodRing> rings{};
+  std::uint32_t number = 0;
 };
 [[nodiscard]] protocol::Frame view(const ViewFields& fields);
 

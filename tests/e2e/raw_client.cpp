@@ -53,6 +53,10 @@ RawClient::RawClient(RawClient&& other) noexcept
       frames_{std::move(other.frames_)},
       whole_{std::move(other.whole_)} {}
 
+void RawClient::end_sending() {
+  ::shutdown(socket_, SHUT_WR);
+}
+
 void RawClient::close() {
   if (socket_ >= 0) ::close(std::exchange(socket_, -1));
 }

@@ -65,6 +65,8 @@ class RawClient {
     return received;
   }
 
+  /// Sends no more, and still reads.
+  void end_sending();
   void close();
 
  private:

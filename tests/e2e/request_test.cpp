@@ -3,6 +3,7 @@
 #include <catch2/catch.hpp>
 #include <map>
 #include <random>
+#include <set>
 
 #include <talus/terrain/extraction.h>
 #include <talus/terrain/heights.h>
@@ -41,6 +42,28 @@ wire::ErrorCode error_for(RawClient& client, std::uint32_t id) {
 }
 
 }  // namespace
+
+TEST_CASE("a client that shuts its sending side gets all that it asked for, and then the end") {
+  const ServerProcess server;
+  RawClient client = greeted(server.port(), 1000);  // and gives no credit
+  std::vector<wire::ChunkRequest> requests;
+  for (std::uint32_t id = 1; id <= 100; ++id) {
+    requests.push_back(chunk_request(id, at(static_cast<std::int32_t>(id), 1, -700)));
+  }
+  REQUIRE(client.send(get_chunks(requests)));
+  REQUIRE(client.send(get_heights(101, {wire::ColumnPos{5, 5}})));
+  REQUIRE(client.send(view({.horizontal_radius = 6, .vertical_radius = 3, .number = 1})));
+  client.end_sending();
+  std::set<std::uint32_t> answered;
+  int complete = 0;
+  while (const auto received = client.receive()) {
+    REQUIRE(received->kind() != wire::Body::Error);
+    complete += received->kind() == wire::Body::ViewComplete ? 1 : 0;
+    if (const std::uint32_t id = answered_id(*received); id != 0) CHECK(answered.insert(id).second);
+  }
+  CHECK(answered.size() == 101);
+  CHECK(complete == 1);
+}
 
 TEST_CASE("chunks are the generator's, at every level and at the world's ends") {
   const ServerProcess server;

@@ -4,7 +4,12 @@
 #include <signal.h>
 
 #include <algorithm>
+#include <array>
 #include <catch2/catch.hpp>
+
+#include <talus/protocol/limits.h>
+#include <talus/tls/context.h>
+#include <talus/tls/session.h>
 
 #include "certificates.h"
 #include "messages.h"
@@ -77,6 +82,42 @@ TEST_CASE("by TLS a View comes whole, through many records") {
     bytes += received->bytes();
     client.send(credit(bytes));
   }
+}
+
+TEST_CASE("by TLS a client that says close_notify gets all that it asked for, and then the end") {
+  const Secure secure;
+  const ServerProcess server{secure.settings()};
+  asio::io_context io;
+  asio::ip::tcp::socket socket{io};
+  socket.connect({asio::ip::address_v4::loopback(), server.port()});
+  const tls::Context context = tls::new_context(tls::Role::client);
+  tls::Session session{context, tls::Role::client, socket.native_handle()};  // each step blocks
+  REQUIRE(session.handshake().result == tls::Step::Result::done);
+  const auto send = [&](const protocol::Frame& frame) {
+    REQUIRE(session.write(frame).bytes == frame.size());
+  };
+  send(hello({.window_bytes = 1000}));
+  std::vector<wire::ChunkRequest> requests;
+  for (std::uint32_t id = 1; id <= 50; ++id) {
+    requests.push_back(chunk_request(id, at(static_cast<std::int32_t>(id), 1, -700)));
+  }
+  send(get_chunks(requests));
+  REQUIRE(session.close_notify().result == tls::Step::Result::done);
+  protocol::FrameReader frames{protocol::kServerFrameBytes};
+  std::array<std::byte, 4096> buffer{};
+  int chunks = 0;
+  for (;;) {
+    const tls::Step step = session.read(buffer);
+    if (step.result == tls::Step::Result::closed) break;
+    REQUIRE(step.result == tls::Step::Result::done);
+    for (std::span<const std::byte> bytes = std::span{buffer}.first(step.bytes); !bytes.empty();) {
+      bytes = bytes.subspan(frames.feed(bytes).value());
+      if (!frames.has_frame()) continue;
+      chunks += (*protocol::read_message(frames.frame()))->body_type() == wire::Body::Chunk ? 1 : 0;
+      frames.pop();
+    }
+  }
+  CHECK(chunks == 50);
 }
 
 TEST_CASE("a TLS 1.2 client is refused") {

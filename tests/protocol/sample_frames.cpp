@@ -20,7 +20,8 @@ Frame view() {
     const std::array rings{wire::LodRing{1, 16}, wire::LodRing{2, 32}};
     const auto ring_vector = b.CreateVectorOfStructs(rings.data(), rings.size());
     const wire::KnownChunk known{kKey, kHash};
-    return wire::CreateView(b, &kVoxel, &direction, 8, 4, ring_vector, b.CreateVectorOfStructs(&known, 1));
+    return wire::CreateView(b, &kVoxel, &direction, 8, 4, ring_vector, b.CreateVectorOfStructs(&known, 1),
+                            12);
   });
 }
 
@@ -45,7 +46,10 @@ Frame welcome() {
         wire::CreateMaterial(b, 0, b.CreateString("air"), 0, wire::Phase::gas),
         wire::CreateMaterial(b, 2, b.CreateString("granite"), 0x6E6A6F, wire::Phase::solid)};
     const auto material_vector = b.CreateVector(materials);
-    const auto limits = wire::CreateLimits(b, 65536, 256, 4096, 32, 16, 40000, 1U << 20, 60000);
+    const auto session = wire::CreateRates(b, 4096, std::uint64_t{1} << 24, 1000, 32000);
+    const auto address = wire::CreateRates(b, 8192, 0, 2000, 32000);
+    const auto limits =
+        wire::CreateLimits(b, 65536, 256, 4096, 32, 16, 40000, 1U << 20, 60000, session, address);
     const auto server = b.CreateString("talusd 0.1.0");
     const wire::Hash128 store{1, 2};
     return wire::CreateWelcome(b, 1, 1, &kHash, &store, 32, material_vector, 0, 320, &kVoxel, limits, server);
@@ -61,7 +65,8 @@ Frame column() {
 
 Frame error() {
   return make_frame([](auto& b) {
-    return wire::CreateError(b, wire::ErrorCode::overloaded, b.CreateString("come back later"), 7, 250);
+    return wire::CreateError(b, wire::ErrorCode::overloaded, b.CreateString("come back later"), 7, 250,
+                             wire::ErrorAbout::repeated_request, 7, 12, &kKey);
   });
 }
 
@@ -122,6 +127,7 @@ std::vector<Sample> sample_frames() {
       {Body::EditBroadcast, edit_broadcast()},
       simple(Body::Pong, [](auto& b) { return wire::CreatePong(b, 5); }),
       simple(Body::GoAway, [](auto& b) { return wire::CreateGoAway(b, b.CreateString("restart"), 3000); }),
+      simple(Body::ViewComplete, [](auto& b) { return wire::CreateViewComplete(b, 12); }),
   };
 }
 

@@ -97,7 +97,11 @@ TEST_CASE("every field of the schema has a value in the test vectors") {
                             "first_y",         "heights_fx",
                             "retry_after_ms",  "previous_revision",
                             "reason",          "direction",
-                            "codecs",          "token"}) {
+                            "codecs",          "token",
+                            "session_rates",   "address_rates",
+                            "requests",        "burst_ms",
+                            "about",           "repeated_id",
+                            "view_number",     "chunk"}) {
     CAPTURE(field);
     CHECK(all.find(std::string{"\""} + field + "\"") != std::string::npos);
   }

@@ -44,7 +44,10 @@ class Digest {
   void one(const wire::Limits& limits) {
     add(limits.frame_bytes(), limits.requests_in_flight(), limits.heights_per_request(),
         limits.view_horizontal_radius(), limits.view_vertical_radius(), limits.view_chunks(),
-        limits.window_bytes(), limits.idle_timeout_ms());
+        limits.window_bytes(), limits.idle_timeout_ms(), limits.session_rates(), limits.address_rates());
+  }
+  void one(const wire::Rates& rates) {
+    add(rates.chunks(), rates.bytes(), rates.requests(), rates.burst_ms());
   }
 
   void one(const flatbuffers::String* text) {
@@ -72,7 +75,7 @@ void walk_from_client(const wire::Message& message, Digest& digest) {
     digest.add(m->protocol_min(), m->protocol_max(), m->codecs(), m->token(), m->client(), m->window_bytes());
   } else if (const auto* view = message.body_as_View()) {
     digest.add(view->centre(), view->direction(), view->horizontal_radius(), view->vertical_radius(),
-               view->rings(), view->known());
+               view->rings(), view->known(), view->number());
   } else if (const auto* chunks = message.body_as_GetChunks()) {
     digest.add(chunks->requests());
   } else if (const auto* cancel = message.body_as_Cancel()) {
@@ -101,7 +104,8 @@ void walk_from_server(const wire::Message& message, Digest& digest) {
   } else if (const auto* heights = message.body_as_Heights()) {
     digest.add(heights->id(), heights->heights_fx());
   } else if (const auto* error = message.body_as_Error()) {
-    digest.add(error->code(), error->text(), error->request_id(), error->retry_after_ms());
+    digest.add(error->code(), error->text(), error->request_id(), error->retry_after_ms(), error->about(),
+               error->repeated_id(), error->view_number(), error->chunk());
   } else if (const auto* result = message.body_as_EditResult()) {
     digest.add(result->id(), result->revision());
   } else if (const auto* broadcast = message.body_as_EditBroadcast()) {
@@ -110,6 +114,8 @@ void walk_from_server(const wire::Message& message, Digest& digest) {
     digest.add(pong->nonce());
   } else if (const auto* away = message.body_as_GoAway()) {
     digest.add(away->reason(), away->retry_after_ms());
+  } else if (const auto* complete = message.body_as_ViewComplete()) {
+    digest.add(complete->number());
   }
 }
 

@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <cstdlib>
 #include <glm/geometric.hpp>
 #include <limits>
 #include <set>
+#include <utility>
 
 #include <rapidcheck.h>
 
@@ -178,4 +180,28 @@ TEST_CASE("a direction that is no number is no preference") {
   View odd = plain;
   odd.direction = {nan, infinite, 1};
   CHECK(chunks_in_view(odd) == chunks_in_view(plain));
+}
+
+TEST_CASE("next_column gives every column once, level by level, the nearest squares first") {
+  CHECK(rc::check([] {
+    View view = random_view();
+    // At the end of the world too, where squares are cut off.
+    if (*rc::gen::inRange(0, 3) == 0) view.centre.x += chunk_limit(Lod{});
+    const AreaOfInterest area{view};
+    std::set<ChunkKey> left;
+    area.for_each([&](ChunkKey key, AreaOfInterest::Place) {
+      left.insert({{key.coord.x, static_cast<std::int32_t>(area.rows_of(key).first), key.coord.z}, key.lod});
+    });
+    AreaOfInterest::ColumnCursor cursor;
+    std::pair<int, std::int64_t> before{0, 0};
+    while (const auto column = area.next_column(cursor)) {
+      RC_ASSERT(left.erase(*column) == 1);
+      const int level = column->lod.value();
+      const std::int64_t square = std::max(std::abs(column->coord.x - (view.centre.x >> level)),
+                                           std::abs(column->coord.z - (view.centre.z >> level)));
+      RC_ASSERT((before <= std::pair{level, square}));
+      before = {level, square};
+    }
+    RC_ASSERT(left.empty());
+  }));
 }

@@ -21,6 +21,10 @@ namespace talus::server {
   return std::make_shared<const EncodedChunk>(ContentHash{std::hash<ChunkKey>{}(key), revision},
                                               std::vector<std::byte>(payload_bytes), revision);
 }
+[[nodiscard]] inline EncodedChunkPtr uniform_chunk(ChunkKey key) {
+  return std::make_shared<const EncodedChunk>(ContentHash{std::hash<ChunkKey>{}(key), 0},
+                                              std::vector<std::byte>(4), 0, true);
+}
 
 class ScriptedSource final : public ChunkSource {
  public:

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <talus/voxel/codec.h>
@@ -27,6 +28,9 @@ struct Said {
   ChunkKey key;
   std::uint64_t revision = 0;
   wire::ErrorCode code{};
+  wire::ErrorAbout about{};
+  std::uint32_t repeated_id = 0;
+  std::uint32_t view_number = 0;  // of an Error or a ViewComplete
   std::string text;
   std::uint32_t retry_after_ms = 0;
   std::vector<std::array<std::int32_t, 3>> runs;  // first row, last row, material
@@ -55,8 +59,14 @@ struct Said {
   } else if (const auto* error = message.body_as_Error()) {
     said.id = error->request_id();
     said.code = error->code();
+    said.about = error->about();
+    said.repeated_id = error->repeated_id();
+    said.view_number = error->view_number();
+    if (error->chunk() != nullptr) said.key = key_of(*error->chunk());
     said.text = error->text()->str();
     said.retry_after_ms = error->retry_after_ms();
+  } else if (const auto* complete = message.body_as_ViewComplete()) {
+    said.view_number = complete->number();
   } else if (const auto* away = message.body_as_GoAway()) {
     said.retry_after_ms = away->retry_after_ms();
   } else if (const auto* column = message.body_as_UniformColumn()) {
@@ -99,6 +109,7 @@ struct SessionBench {
   AccessControl access;
   MailboxPtr mailbox = std::make_shared<Mailbox>(ClientId{1}, [] {});
   Session session;
+  std::uint32_t view_number = 0;  // of the Views to come
 
   explicit SessionBench(const Options& options)
       : memory{options.memory_bytes},
@@ -135,6 +146,18 @@ struct SessionBench {
       return wire::CreateGetChunks(builder, builder.CreateVectorOfStructs(requests));
     });
   }
+  /// Several requests in one message.
+  void get_chunks(const std::vector<std::pair<std::uint32_t, ChunkKey>>& wanted) {
+    receive([&](auto& builder) {
+      std::vector<wire::ChunkRequest> requests;
+      for (const auto& [id, key] : wanted) {
+        const auto lod = static_cast<std::uint8_t>(key.lod.value());
+        requests.emplace_back(id, wire::ChunkKey{key.coord.x, key.coord.y, key.coord.z, lod}, false,
+                              wire::Hash128{});
+      }
+      return wire::CreateGetChunks(builder, builder.CreateVectorOfStructs(requests));
+    });
+  }
   void get_heights(std::uint32_t id, std::int64_t x = 0) {
     receive([&](auto& builder) {
       return wire::CreateGetHeights(builder, id,
@@ -168,7 +191,7 @@ struct SessionBench {
       const wire::Voxel centre{chunk_x * kChunkSize, 0, 0};
       const wire::Direction none{0, 0, 0};
       const auto list = builder.CreateVectorOfStructs(held);
-      return wire::CreateView(builder, &centre, &none, radius, vertical_radius, 0, list);
+      return wire::CreateView(builder, &centre, &none, radius, vertical_radius, 0, list, view_number);
     });
   }
   void look_at(std::int64_t chunk_x, std::uint16_t radius, std::uint16_t vertical_radius = 0) {

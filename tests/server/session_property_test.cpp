@@ -74,7 +74,8 @@ class Client {
     }
     RC_ASSERT(open_.empty());
     RC_ASSERT(delivered_ == in_view_);
-    say_view(-1);  // outside the world
+    RC_ASSERT(number_ == 0);  // of a View that is applied and not said to be complete
+    say_view(-1);             // outside the world
     apply_view();
     while (settle()) {
     }
@@ -107,6 +108,7 @@ class Client {
       known.push_back(key);
       held.push_back(scripted_chunk(key, static_cast<std::uint64_t>(value % 3)));
     }
+    bench_.view_number = static_cast<std::uint32_t>(value % 5) == 0 ? 0 : ++last_number_;
     bench_.say_view(x, radius, kRows, held, known);
   }
   void apply_view() {
@@ -114,6 +116,7 @@ class Client {
     while (read(1 << 20)) {
     }
     if (!bench_.session.view_waits()) return;
+    number_ = bench_.view_number;
     bench_.apply_view();
     in_view_ = said_.back();
     // A chunk that left in any of them is sent again when it is back.
@@ -167,7 +170,10 @@ class Client {
           newest != bench_.source.in_memory.end() && newest->second->revision() > said.revision;
       RC_ASSERT(!older || said.kind == Body::Unchanged);
     }
-    if (said.id != 0) {
+    if (said.kind == Body::ViewComplete) {
+      RC_ASSERT(delivered_ == in_view_);
+      RC_ASSERT(said.view_number == std::exchange(number_, 0));
+    } else if (said.id != 0) {
       RC_ASSERT(open_.erase(said.id) == 1);
     } else if (said.kind == Body::UniformColumn) {
       for (const auto& [first, last, material] : said.runs) {
@@ -187,8 +193,10 @@ class Client {
   std::set<std::uint32_t> open_;  // asked and not answered
   std::uint64_t taken_ = 0;
   std::vector<std::set<ChunkKey>> said_;  // Views since the last was applied
-  std::set<ChunkKey> in_view_;            // of the View in force
-  std::set<ChunkKey> delivered_;          // in this stay in the View
+  std::uint32_t last_number_ = 0;
+  std::uint32_t number_ = 0;      // of the View in force, until it was said to be complete
+  std::set<ChunkKey> in_view_;    // of the View in force
+  std::set<ChunkKey> delivered_;  // in this stay in the View
 };
 
 }  // namespace

@@ -1,5 +1,9 @@
 // What rates do to a session.
+#include <algorithm>
 #include <catch2/catch.hpp>
+#include <map>
+#include <utility>
+#include <vector>
 
 #include "session_bench.h"
 
@@ -42,6 +46,74 @@ TEST_CASE("a refused request is counted by its rate") {
   CHECK(bench.metrics.throttled(RateKind::session_requests).total() == 1);
 }
 
+TEST_CASE("a client with a thousand requests in flight that waits as it is told is never thrown out") {
+  const bool for_the_last = GENERATE(true, false);  // or each request as its own Error says
+  SessionBench bench{{.rates = requests({50, 60})}};
+  using Due = std::multimap<Clock::time_point, std::uint32_t>;
+  Due due;
+  for (std::uint32_t id = 1; id <= 1000; ++id) due.emplace(bench.clock.now(), id);
+  std::size_t answered = 0;
+  std::size_t sent = 0;
+  while (!due.empty()) {
+    const auto now = std::max(bench.clock.now(), due.begin()->first);
+    bench.clock.advance(now - bench.clock.now());
+    std::vector<std::pair<std::uint32_t, ChunkKey>> wanted;
+    for (; !due.empty() && due.begin()->first <= now; due.erase(due.begin())) {
+      const std::uint32_t id = due.begin()->second;
+      wanted.emplace_back(id, chunk_at(static_cast<std::int32_t>(id)));
+    }
+    sent += wanted.size();
+    bench.get_chunks(wanted);
+    bench.answer_all();
+    Clock::time_point all_due = now;
+    std::vector<std::uint32_t> refused;
+    for (const Said& each : bench.run_dry()) {
+      if (each.kind == Body::Chunk) {
+        ++answered;
+        continue;
+      }
+      REQUIRE(each.code == wire::ErrorCode::overloaded);
+      REQUIRE(each.about == wire::ErrorAbout::request);
+      all_due = std::max(all_due, now + std::chrono::milliseconds{each.retry_after_ms});
+      if (for_the_last) refused.push_back(each.id);
+      if (!for_the_last) due.emplace(now + std::chrono::milliseconds{each.retry_after_ms}, each.id);
+    }
+    for (const std::uint32_t id : refused) due.emplace(all_due, id);
+    REQUIRE(bench.session.state() == Session::State::joined);
+  }
+  CHECK(answered == 1000);
+  if (!for_the_last) CHECK(sent == 1000 + 940);  // each that was refused came once more
+}
+
+TEST_CASE("a request over the rate whose id is in use is refused as what it is") {
+  SessionBench bench{{.rates = requests({10, 1})}};
+  bench.get_chunk(1, chunk_at(0));
+  bench.get_chunk(1, chunk_at(0));
+  const auto said = bench.output();
+  REQUIRE(said.size() == 1);
+  CHECK(said[0].code == wire::ErrorCode::overloaded);
+  CHECK(said[0].about == wire::ErrorAbout::repeated_request);
+  CHECK(said[0].repeated_id == 1);
+  CHECK(said[0].id == 0);
+}
+
+TEST_CASE("Welcome tells the rates of the session and of its address, where one applies") {
+  const bool has_address = GENERATE(true, false);
+  SessionBench bench{{.rates = {{{10, 20}, {30, 60}, {50, 100}}, {{70, 140}, {}, {90, 180}}, 2000ms},
+                      .address = has_address ? std::make_shared<AddressBuckets>() : nullptr,
+                      .greet = false}};
+  bench.hello();
+  const auto frames = cut(bench.session.take_output(1 << 20));
+  const auto* limits = (*protocol::read_message(frames.at(0)))->body_as_Welcome()->limits();
+  CHECK(limits->session_rates()->chunks() == 10);
+  CHECK(limits->session_rates()->bytes() == 30);
+  CHECK(limits->session_rates()->requests() == 50);
+  CHECK(limits->session_rates()->burst_ms() == 2000);
+  CHECK(limits->address_rates()->chunks() == (has_address ? 70 : 0));
+  CHECK(limits->address_rates()->bytes() == 0);
+  CHECK(limits->address_rates()->requests() == (has_address ? 90 : 0));
+}
+
 TEST_CASE("Pings over the rate are refused without id") {
   SessionBench bench{{.rates = requests({10, 1})}};
   bench.ping();
@@ -50,19 +122,26 @@ TEST_CASE("Pings over the rate are refused without id") {
   REQUIRE(kinds(said) == Kinds{Body::Pong, Body::Error});
   CHECK(said[1].code == wire::ErrorCode::overloaded);
   CHECK(said[1].id == 0);
+  CHECK(said[1].about == wire::ErrorAbout::ping);
 }
 
 TEST_CASE("a View over the rate is refused without id") {
   SessionBench bench{{.rates = requests({10, 1})}};
   bench.ping();
+  bench.view_number = 6;
   bench.say_view(0, 1);
   CHECK_FALSE(bench.session.view_waits());
-  CHECK(bench.output().back().code == wire::ErrorCode::overloaded);
+  const auto said = bench.output();
+  CHECK(said.back().code == wire::ErrorCode::overloaded);
+  CHECK(said.back().about == wire::ErrorAbout::view);
+  CHECK(said.back().view_number == 6);
 }
 
 TEST_CASE("an abusive client is told so and closed") {
   SessionBench bench{{.rates = requests({10, 20})}};
-  for (int ask = 0; ask < 40; ++ask) bench.ping();
+  // Its burst, what it may have in flight, and what goes in a second without an answer.
+  const std::uint32_t patience = 20 + bench.limits.requests_in_flight + 10;
+  for (std::uint32_t ask = 0; ask < patience; ++ask) bench.ping();
   CHECK(bench.session.state() == Session::State::joined);
   bench.ping();
   CHECK(bench.session.state() == Session::State::closed);

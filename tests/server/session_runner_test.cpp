@@ -44,6 +44,14 @@ protocol::Frame get_chunks(std::uint32_t first_id, std::uint32_t count) {
   });
 }
 
+/// A View of nine chunks.
+protocol::Frame view_at(std::int64_t x) {
+  return protocol::make_frame([&](auto& builder) {
+    const wire::Voxel centre{x * kChunkSize, 0, 0};
+    return wire::CreateView(builder, &centre, nullptr, 1, 0);
+  });
+}
+
 /// What sessions share, and an io_context that the test runs.
 struct Bench {
   ManualClock clock{std::chrono::sys_seconds{1'700'000'000s}};
@@ -174,6 +182,56 @@ TEST_CASE("answers that come together are taken by one wake-up") {
 TEST_CASE("a client that closes ends its session") {
   Bench bench;
   const auto client = bench.greeted();
+  client->end();
+  bench.io.poll();
+  bench.check_gone(*client);
+}
+
+TEST_CASE("a client that shuts its sending side is served what it asked, then the connection closes") {
+  Bench bench;
+  const auto client = bench.greeted();
+  bench.send(*client, get_chunks(1, 100));
+  bench.send(*client, view_at(5000));
+  client->end();
+  bench.io.poll();
+  CHECK_FALSE(client->closed);
+  bench.advance(70s);  // that is no silence
+  CHECK_FALSE(client->closed);
+  while (!bench.source.waiting.empty()) bench.answer_all();
+  CHECK(bench.kinds(*client) == std::vector(109, wire::Body::Chunk));
+  CHECK(client->said_end);
+  bench.check_gone(*client);
+}
+
+TEST_CASE("a client that shuts its sending side and reads nothing is closed") {
+  Bench bench;
+  const auto client = bench.greeted();
+  bench.send(*client, get_chunks(1, 1));
+  client->end();
+  client->room = 0;
+  bench.answer_all();
+  bench.advance(15s);
+  bench.check_gone(*client);
+}
+
+TEST_CASE("a client that shuts its sending side gets the Error that ends its session") {
+  Bench bench;
+  const auto client = bench.connect();
+  client->room = 0;
+  bench.send(*client, ping());
+  client->end();
+  client->room = SIZE_MAX;
+  client->changed();
+  bench.io.poll();
+  CHECK_THAT(bench.error(*client), Catch::Contains("the first message must be Hello"));
+  bench.check_gone(*client);
+}
+
+TEST_CASE("a client that ends inside a frame is closed at once") {
+  Bench bench;
+  const auto client = bench.greeted();
+  bench.send(*client, get_chunks(1, 1));
+  client->send("half");
   client->end();
   bench.io.poll();
   bench.check_gone(*client);
@@ -310,18 +368,45 @@ TEST_CASE("Views of one session are applied twenty milliseconds apart at least")
   Bench bench;
   bench.source.rows = {0, -1, MaterialId{1}};
   const auto client = bench.greeted();
-  const auto look = [&](std::int64_t x) {
-    bench.send(*client, protocol::make_frame([&](auto& builder) {
-      const wire::Voxel centre{x * kChunkSize, 0, 0};
-      return wire::CreateView(builder, &centre, nullptr, 1, 0);
-    }));
-  };
+  const auto look = [&](std::int64_t x) { bench.send(*client, view_at(x)); };
   look(0);
   CHECK_FALSE(bench.frames(*client).empty());
   look(100);
   CHECK(bench.frames(*client).empty());
   bench.advance(20ms);
   CHECK_FALSE(bench.frames(*client).empty());
+}
+
+TEST_CASE("a client whose View waits to be applied is heard, until it sends another") {
+  Bench bench;
+  bench.source.rows = {0, -1, MaterialId{1}};
+  const auto client = bench.greeted();
+  bench.send(*client, view_at(0));
+  CHECK_FALSE(bench.frames(*client).empty());
+  bench.send(*client, view_at(100));
+  bench.send(*client, ping());
+  CHECK(bench.kinds(*client) == std::vector{wire::Body::Pong});
+  bench.send(*client, view_at(200));
+  bench.send(*client, ping());
+  CHECK(bench.kinds(*client).empty());
+  bench.advance(20ms);
+  const auto kinds = bench.kinds(*client);
+  CHECK(kinds.front() == wire::Body::UniformColumn);
+  CHECK(std::count(kinds.begin(), kinds.end(), wire::Body::Pong) == 1);
+}
+
+TEST_CASE("a View that waits when its client shuts its sending side is applied and served") {
+  Bench bench;
+  const auto client = bench.greeted();
+  bench.send(*client, view_at(0));
+  bench.send(*client, view_at(100 * 32));
+  client->end();
+  bench.io.poll();
+  CHECK_FALSE(client->closed);
+  bench.advance(20ms);
+  while (!bench.source.waiting.empty()) bench.answer_all();
+  CHECK(bench.kinds(*client) == std::vector(9, wire::Body::Chunk));
+  bench.check_gone(*client);
 }
 
 TEST_CASE("however much one client takes, another's Pong waits for two of its batches at most") {

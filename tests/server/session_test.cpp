@@ -1,6 +1,7 @@
 // The protocol: states, requests and their answers, errors.
 #include "session/session.h"
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 
 #include "session_bench.h"
@@ -119,6 +120,34 @@ TEST_CASE("a request whose known hash is the chunk's is answered by Unchanged, w
   CHECK(said[0].revision == 7);
 }
 
+TEST_CASE(
+    "a uniform chunk is answered without credit, before chunks that wait for it, and counts in the total") {
+  SessionBench bench{{.rates = {{{1, 1}, {}, {}}, {}}, .greet = false}};
+  bench.limits.window_bytes = 1;
+  bench.hello();
+  (void)bench.output();
+  bench.source.in_memory[chunk_at(1)] = scripted_chunk(chunk_at(1));
+  for (int x = 2; x <= 9; ++x) bench.source.in_memory[chunk_at(x)] = uniform_chunk(chunk_at(x));
+  bench.get_chunk(1, chunk_at(1));
+  std::uint64_t taken = bench.output().at(0).frame_bytes;
+  // The window is full, and the rate of chunks is used up.
+  bench.get_chunk(100, chunk_at(1));
+  for (std::uint32_t x = 2; x <= 9; ++x) bench.get_chunk(x, chunk_at(static_cast<std::int32_t>(x)));
+  const auto said = bench.output();
+  REQUIRE(kinds(said) == Kinds(8, Body::Chunk));
+  for (std::uint32_t i = 0; i < 8; ++i) {
+    CHECK(said[i].id == i + 2);
+    CHECK(said[i].key == chunk_at(static_cast<std::int32_t>(i) + 2));
+    taken += said[i].frame_bytes;
+  }
+  bench.get_chunk(2, chunk_at(2));  // its id is free
+  taken += bench.output().at(0).frame_bytes;
+  bench.credit(taken);
+  CHECK(bench.session.state() == State::joined);
+  bench.clock.advance(1s);
+  CHECK(bench.output().at(0).id == 100);
+}
+
 TEST_CASE("two requests for one chunk are one submission and two answers") {
   SessionBench bench;
   bench.get_chunk(1, chunk_at(5));
@@ -135,6 +164,38 @@ TEST_CASE("an id that is still pending is refused, and its first request is answ
   CHECK(bench.output().at(0).code == wire::ErrorCode::duplicate_id);
   bench.answer_all();
   CHECK(bench.output().at(0).key == chunk_at(5));
+}
+
+TEST_CASE("an id that a message uses twice is refused the second time, whatever became of the first") {
+  SessionBench bench;
+  const ChunkKey outside{{1 << 30, 0, 0}, Lod::of(1)};
+  const ChunkKey second = GENERATE(true, false) ? outside : chunk_at(1);
+  bench.get_chunks({{5, outside}, {5, second}, {6, chunk_at(2)}});
+  const auto said = bench.output();
+  REQUIRE(kinds(said) == Kinds{Body::Error, Body::Error});
+  CHECK(said[0].code == wire::ErrorCode::out_of_range);
+  CHECK(said[0].about == wire::ErrorAbout::request);
+  CHECK(said[0].id == 5);
+  CHECK(said[1].code == wire::ErrorCode::duplicate_id);
+  CHECK(said[1].about == wire::ErrorAbout::repeated_request);
+  CHECK(said[1].repeated_id == 5);
+  CHECK(said[1].id == 5);
+  CHECK(bench.source.waiting.size() == 1);
+  bench.get_chunk(5, chunk_at(1));  // in the next message it is free
+  CHECK(bench.source.waiting.size() == 2);
+}
+
+TEST_CASE("an Edit keeps the rules of ids") {
+  SessionBench bench;
+  bench.get_chunk(3, chunk_at(5));
+  bench.edit(3);
+  const auto said = bench.output();
+  REQUIRE(kinds(said) == Kinds{Body::Error});
+  CHECK(said[0].code == wire::ErrorCode::duplicate_id);
+  CHECK(said[0].repeated_id == 3);
+  bench.edit(0);
+  CHECK(bench.output().at(0).code == wire::ErrorCode::malformed);
+  CHECK(bench.session.state() == State::closed);
 }
 
 TEST_CASE("an answered id may be used again") {
@@ -354,6 +415,68 @@ TEST_CASE("a leaving session answers an Edit as a joined one does") {
   REQUIRE(said.size() == 2);
   CHECK(said[1].code == wire::ErrorCode::forbidden);
   CHECK(said[1].id == 9);
+}
+
+TEST_CASE("before Welcome a session that is told to go away says an Error instead") {
+  SessionBench bench{{.greet = false}};
+  bench.session.go_away("ending", 5000ms);
+  CHECK(bench.session.state() == State::closed);
+  const auto said = bench.output();
+  REQUIRE(kinds(said) == Kinds{Body::Error});
+  CHECK(said[0].code == wire::ErrorCode::overloaded);
+  CHECK(said[0].about == wire::ErrorAbout::connection);
+  CHECK(said[0].retry_after_ms == 5000);
+}
+
+// ---- a client that sends no more
+
+TEST_CASE("a session whose client sends no more closes at once when nothing is asked") {
+  SessionBench bench{{.greet = GENERATE(true, false)}};
+  bench.session.input_ended();
+  CHECK(bench.session.state() == State::closed);
+  CHECK(bench.output().empty());
+}
+
+TEST_CASE("a client that sends no more is served its requests and its View, without credit") {
+  SessionBench bench{{.greet = false}};
+  bench.limits.window_bytes = 1;
+  bench.hello();
+  (void)bench.output();
+  for (std::uint32_t id = 1; id <= 100; ++id) bench.get_chunk(id, chunk_at(500 + static_cast<int>(id)));
+  bench.get_heights(101);
+  bench.view_number = 9;
+  bench.say_view(0, 2);
+  bench.session.input_ended();
+  CHECK(bench.session.state() == State::finishing);
+  bench.apply_view();
+  auto said = bench.run_dry();
+  CHECK(said.size() == 100 + 25 + 1);
+  CHECK(std::count_if(said.begin(), said.end(), [](const Said& each) { return each.id != 0; }) == 100);
+  CHECK(bench.session.state() == State::finishing);
+  bench.source.answer_heights(bench.source.waiting_heights.begin()->first);
+  bench.take_mail();
+  CHECK(kinds(bench.output()) == Kinds{Body::Heights});
+  CHECK(bench.session.state() == State::closed);
+}
+
+TEST_CASE("ViewComplete is the last that a client gets that sends no more") {
+  SessionBench bench;
+  bench.view_number = 9;
+  bench.look_at(0, 0);
+  bench.session.input_ended();
+  const auto said = bench.run_dry();
+  CHECK(kinds(said) == Kinds{Body::Chunk, Body::ViewComplete});
+  CHECK(bench.session.state() == State::closed);
+}
+
+TEST_CASE("a client that sends no more may be told to go away") {
+  SessionBench bench;
+  bench.get_chunk(1, chunk_at(5));
+  bench.look_at(0, 1);
+  bench.session.input_ended();
+  bench.session.go_away("ending", 1ms);
+  CHECK(kinds(bench.run_dry()) == Kinds{Body::GoAway, Body::Chunk});
+  CHECK(bench.session.state() == State::closed);
 }
 
 TEST_CASE("a leaving session drops its View") {

@@ -1,8 +1,10 @@
 // A session's View: what is sent, confirmed, answered by UniformColumn, and dropped.
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <set>
 
 #include "session_bench.h"
+#include "views.h"
 
 using namespace talus;
 using namespace talus::server;
@@ -164,6 +166,157 @@ TEST_CASE("a chunk of the View that could not be generated is told without id, a
   CHECK(bench.source.waiting.empty());
 }
 
+// ---- a View that is whole
+
+TEST_CASE("a View with a number is said to be complete once, after its last chunk") {
+  SessionBench bench;
+  bench.view_number = 7;
+  bench.look_at(0, 1);
+  for (int chunk = 0; chunk < 8; ++chunk) {
+    bench.source.answer(bench.source.waiting.begin()->first);
+    bench.take_mail();
+  }
+  CHECK(kinds(bench.output()) == Kinds(8, Body::Chunk));
+  CHECK(bench.output().empty());
+  const auto said = bench.run_dry();
+  REQUIRE(kinds(said) == Kinds{Body::Chunk, Body::ViewComplete});
+  CHECK(said[1].view_number == 7);
+  bench.ping();
+  CHECK(kinds(bench.run_dry()) == Kinds{Body::Pong});
+}
+
+TEST_CASE("a View that is complete at once says so") {
+  SessionBench bench;
+  bench.view_number = 1;
+  SECTION("outside the world") {
+    bench.look_at(std::int64_t{1} << 40, 1);
+  }
+  SECTION("of columns") {
+    bench.source.rows.last = -10;
+    bench.look_at(0, 0);
+    CHECK(bench.output(1).front().kind == Body::UniformColumn);
+  }
+  SECTION("of chunks that the client holds") {
+    bench.source.in_memory[chunk_at(0)] = scripted_chunk(chunk_at(0));
+    bench.say_view(0, 0, 0, {scripted_chunk(chunk_at(0))}, {chunk_at(0)});
+    bench.apply_view();
+    CHECK(bench.output(1).front().kind == Body::Unchanged);
+  }
+  SECTION("of the chunks of the View before") {
+    bench.view_number = 0;
+    bench.look_at(0, 1);
+    CHECK(bench.run_dry().size() == 9);
+    bench.view_number = 1;
+    bench.look_at(0, 1);
+  }
+  const auto said = bench.output();
+  REQUIRE(kinds(said) == Kinds{Body::ViewComplete});
+  CHECK(said[0].view_number == 1);
+}
+
+TEST_CASE("a View that was replaced before it was complete is never said to be") {
+  SessionBench bench;
+  bench.view_number = 1;
+  bench.look_at(0, 0);
+  bench.answer_all();  // in the outbox
+  bench.view_number = 2;
+  bench.say_view(0, 1);
+  CHECK(kinds(bench.run_dry()) == Kinds{Body::Chunk});  // all of View 1
+  bench.view_number = 3;
+  bench.say_view(0, 1);
+  bench.apply_view();
+  const auto said = bench.run_dry();
+  REQUIRE(said.size() == 9);
+  CHECK(said.back().kind == Body::ViewComplete);
+  CHECK(said.back().view_number == 3);
+}
+
+TEST_CASE("a View that a refused one would have replaced is said to be complete") {
+  SessionBench bench;
+  bench.view_number = 1;
+  bench.look_at(0, 0);
+  bench.view_number = 2;
+  bench.say_view(0, 49);
+  const auto said = bench.run_dry();
+  REQUIRE(kinds(said) == Kinds{Body::Error, Body::Chunk, Body::ViewComplete});
+  CHECK(said[0].about == wire::ErrorAbout::view);
+  CHECK(said[0].view_number == 2);
+  CHECK(said[2].view_number == 1);
+}
+
+TEST_CASE("a View whose chunk was given up is complete after the Error that names it") {
+  SessionBench bench;
+  bench.view_number = 4;
+  bench.look_at(3, 0);
+  bench.source.fail(chunk_at(3));
+  bench.take_mail();
+  const auto said = bench.output();
+  REQUIRE(kinds(said) == Kinds{Body::Error, Body::ViewComplete});
+  CHECK(said[0].about == wire::ErrorAbout::view_chunk);
+  CHECK(said[0].key == chunk_at(3));
+  CHECK(said[0].view_number == 4);
+}
+
+TEST_CASE("a View that ended by GoAway is not said to be complete") {
+  SessionBench bench;
+  bench.get_chunk(1, chunk_at(50));
+  bench.view_number = 1;
+  bench.look_at(0, 0);
+  bench.session.go_away("ending", std::chrono::milliseconds{1});
+  CHECK(kinds(bench.run_dry()) == Kinds{Body::GoAway, Body::Chunk});
+}
+
+// ---- scarce credit
+
+TEST_CASE("with little credit a View and requests get half the bytes each, within one chunk") {
+  constexpr std::uint32_t kOpen = 900;
+  constexpr std::int32_t kRadius = 20;
+  SessionBench bench{{.greet = false}};
+  bench.limits.window_bytes = 1000;
+  bench.limits.queued_bytes = 20'000;
+  bench.hello();
+  (void)bench.output();
+  std::size_t largest = 0;
+  const auto in_memory = [&](ChunkKey key) {
+    const std::size_t payload = 50 + std::hash<ChunkKey>{}(key) % 500;
+    bench.source.in_memory[key] = scripted_chunk(key, 0, payload);
+    largest = std::max(largest, bench.source.in_memory[key]->frame_bytes());
+  };
+  for (const ChunkKey key : chunks_in_view({{0, 0, 0}, {}, kRadius, 0, {}})) in_memory(key);
+  std::uint32_t last_id = 0;
+  const auto ask = [&] {
+    ++last_id;
+    const ChunkKey key = chunk_at(static_cast<std::int32_t>(1000 + last_id));
+    in_memory(key);
+    bench.get_chunk(last_id, key);
+  };
+  while (last_id < kOpen) ask();
+  std::uint64_t taken = 0;
+  // What was sent before the View was there is not shared.
+  const auto read = [&](std::uint64_t& to_requests, std::uint64_t& to_view) {
+    for (const Said& each : bench.output()) {
+      REQUIRE(each.kind == Body::Chunk);
+      (each.id == 0 ? to_view : to_requests) += each.frame_bytes;
+      taken += each.frame_bytes;
+      if (each.id != 0) ask();
+    }
+    bench.credit(taken);
+  };
+  std::uint64_t ignored = 0;
+  read(ignored, ignored);
+  bench.look_at(0, kRadius);
+  while (ignored < 30'000) read(ignored, ignored);  // the outbox was full of requests
+  std::uint64_t to_requests = 0;
+  std::uint64_t to_view = 0;
+  for (int turn = 0; turn < 200; ++turn) {
+    read(to_requests, to_view);
+    CAPTURE(turn, to_requests, to_view);
+    CHECK(to_requests <= to_view + 2 * largest);
+    CHECK(to_view <= to_requests + 2 * largest);
+  }
+  CHECK(to_view > 100'000);
+}
+
 // ---- a full queue
 
 TEST_CASE("a full queue delays a View, and says nothing of it") {
@@ -303,12 +456,26 @@ TEST_CASE("a uniform chunk that the client holds is answered by UniformColumn") 
   CHECK(kinds(bench.output()) == Kinds{Body::UniformColumn});
 }
 
-TEST_CASE("a request for a uniform chunk is answered by Chunk") {
-  SessionBench bench;
-  bench.source.rows.last = -1;
-  bench.get_chunk(1, chunk_at(0));
+TEST_CASE("columns that are known come without credit, each once") {
+  SessionBench bench{{.greet = false}};
+  bench.limits.window_bytes = 1;
+  bench.hello();
+  (void)bench.output();
+  bench.source.rows = {0, 0, kRock};
+  bench.look_at(0, 5, 1);
   bench.answer_all();
-  CHECK(kinds(bench.output()) == Kinds{Body::Chunk});
+  std::vector<ChunkKey> columns;
+  for (bool more = true; more;) {
+    const auto said = bench.output(100);
+    for (const Said& each : said) {
+      if (each.kind != Body::UniformColumn) continue;
+      columns.push_back(each.key);
+      CHECK(each.runs == Runs{{-1, -1, 2}, {1, 1, 0}});
+    }
+    more = !said.empty();
+  }
+  CHECK(columns.size() == 11 * 11);
+  CHECK(std::set(columns.begin(), columns.end()).size() == 11 * 11);
 }
 
 TEST_CASE("UniformColumns wait for a client that reads nothing") {
