@@ -292,7 +292,6 @@ void Core::tell_complete() {
 void Core::deliver(const ReceivedChunk& chunk) {
   // An answer may overtake a chunk of the View, or be overtaken by one.
   if (!tracker_.deliver(chunk)) return;
-  left_to_tell_.erase(chunk.key);  // back before its leaving was told: to the caller it never left
   if (events_.on_chunk) events_.on_chunk(chunk);
 }
 
