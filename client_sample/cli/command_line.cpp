@@ -134,7 +134,7 @@ tl::expected<CommandLine, Exit> read_command_line(int argc, const char* const* a
   CommandLine line;
   Words words;
   line.connecting.options.client_name = "talus-client " TALUS_VERSION;
-  line.connecting.options.reconnect.max_attempts = 5;
+  line.connecting.options.reconnect.max_attempts = 8;
   command_line::ConnectWords connect;
   command_line::add_connect_options(app, connect);
   GetOptions get_options;

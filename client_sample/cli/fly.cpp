@@ -17,6 +17,7 @@
 #include "commands.h"
 #include "flight.h"
 #include "map_picture.h"
+#include "output.h"
 #include "request_timeout.h"
 #include "view_picture.h"
 #include "view_waits.h"
@@ -192,6 +193,9 @@ CommandResult save_pictures(const Gathered& gathered, const client::WorldInfo& w
 }  // namespace
 
 asio::awaitable<CommandResult> fly(Connecting connecting, FlyOptions options) {
+  for (const auto& path : {options.output, options.view}) {
+    if (const auto checked = check_output(path); !checked) co_return checked;
+  }
   const auto executor = co_await asio::this_coro::executor;
   Gathered gathered;
   client::Client client{executor, connecting.options, events_into(gathered)};

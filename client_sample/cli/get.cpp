@@ -12,6 +12,7 @@
 #include <talus/files/npy_file.h>
 
 #include "commands.h"
+#include "output.h"
 #include "request_timeout.h"
 
 namespace talus::cli {
@@ -60,6 +61,7 @@ tl::expected<void, files::FileError> write_npy(const std::filesystem::path& path
 }  // namespace
 
 asio::awaitable<CommandResult> get(Connecting connecting, GetOptions options) {
+  if (const auto checked = check_output(options.output); !checked) co_return checked;
   const auto executor = co_await asio::this_coro::executor;
   client::Client client{executor, connecting.options};
   const RequestTimeout timeout{executor, *connecting.options.clock, client,

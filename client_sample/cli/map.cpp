@@ -15,6 +15,7 @@
 #include <talus/progress/progress_bar.h>
 #include "commands.h"
 #include "map_picture.h"
+#include "output.h"
 #include "request_timeout.h"
 
 namespace talus::cli {
@@ -127,6 +128,7 @@ class Survey {
 }  // namespace
 
 asio::awaitable<CommandResult> map(Connecting connecting, MapOptions options) {
+  if (const auto checked = check_output(options.output); !checked) co_return checked;
   const auto executor = co_await asio::this_coro::executor;
   client::Client client{executor, connecting.options};
   RequestTimeout timeout{executor, *connecting.options.clock, client,

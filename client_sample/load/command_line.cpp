@@ -133,6 +133,12 @@ void add_results(CLI::App& app, Options& options, Words& words) {
                  "order")
       ->check(CLI::Range(0, 1000))
       ->capture_default_str();
+  app.add_option("--patch-tiles", options.patch_tiles,
+                 "The server's generation.patch_tiles, to report with --metrics how many patches it "
+                 "generated for each "
+                 "that is new to a player; 0: not")
+      ->check(CLI::Range(0, 1024))
+      ->capture_default_str();
   app.add_option("--metrics", words.metrics,
                  "HOST:PORT of the server's /metrics, to report its CPU time and memory");
   app.add_option("--server-pid", options.server_pid,

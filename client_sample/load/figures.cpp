@@ -16,8 +16,8 @@ constexpr std::array kPercentiles{Percentile{"p50_ms", 0.5}, Percentile{"p95_ms"
                                   Percentile{"p99_ms", 0.99}, Percentile{"p99_9_ms", 0.999}};
 
 // Prefixes of the percentiles: all chunks, those of joins, those of travel, and so on.
-constexpr std::array kSpreads{"",           "join_",        "travel_", "request_", "first_chunk_",
-                              "full_view_", "harness_late_"};
+constexpr std::array kSpreads{"",           "join_", "travel_", "request_",     "first_chunk_",
+                              "full_view_", "near_", "return_", "harness_late_"};
 constexpr std::array kSingles{"chunks_per_s",
                               "bytes_per_s",
                               "chunk_messages_per_s",
@@ -32,6 +32,11 @@ constexpr std::array kSingles{"chunks_per_s",
                               "worst_ring_gap",
                               "joins",
                               "cuts",
+                              "reconnects",
+                              "longest_without_ms",
+                              "held_percent",
+                              "generated_per_sent",
+                              "patches_per_new",
                               "slow_errors",
                               "slow_disconnects",
                               "greedy_errors",
@@ -66,6 +71,18 @@ void put_server(Figures& figures, const RunResult& result) {
   }
   if (to.resident_bytes) figures["resident_bytes"] = *to.resident_bytes;
   if (const auto growth = result.resident_growth_percent()) figures["resident_growth_percent"] = *growth;
+  const auto grown = [&](const char* name) -> double {
+    const auto end = to.counters.find(name);
+    const auto begin = from.counters.find(name);
+    return end == to.counters.end() || begin == from.counters.end() ? 0 : end->second - begin->second;
+  };
+  if (const double sent = grown("talus_chunks_sent_total"); sent > 0) {
+    figures["generated_per_sent"] = grown("talus_chunks_generated_total") / sent;
+  }
+  const double patches = grown("talus_patches_generated_total");
+  if (const auto fresh = static_cast<double>(result.players().new_patches); fresh > 0 && patches > 0) {
+    figures["patches_per_new"] = patches / fresh;
+  }
   if (result.idle_joined > 0 && result.idle.resident_bytes && result.before.resident_bytes) {
     figures["idle_bytes_each"] = (*result.idle.resident_bytes - *result.before.resident_bytes) /
                                  static_cast<double>(result.idle_joined);
@@ -90,6 +107,8 @@ Figures figures_of(const RunResult& result) {
   put_spread(figures, "request_", players.requests);
   put_spread(figures, "first_chunk_", players.first_chunk);
   put_spread(figures, "full_view_", players.full_view);
+  put_spread(figures, "near_", players.near);
+  put_spread(figures, "return_", players.returns);
   put_spread(figures, "harness_late_", result.lateness);
 
   const double seconds = result.end.seconds - result.begin.seconds;
@@ -119,6 +138,16 @@ Figures figures_of(const RunResult& result) {
   put("worst_ring_gap", players.worst_ring_gap);
   put("joins", players.joins);
   put("cuts", players.cuts);
+  put("reconnects", players.reconnects);
+  if (players.near.count() > 0) {
+    figures["longest_without_ms"] =
+        std::chrono::duration<double, std::milli>(players.longest_without).count();
+  }
+  if (!result.rates.empty()) {
+    double held = 0;
+    for (const auto& [name, rate] : result.rates) held = std::max(held, rate.held());
+    figures["held_percent"] = held * 100;
+  }
   put("slow_errors", slow.error_count());
   put("slow_disconnects", slow.disconnect_count());
   put("greedy_errors", greedy.error_count());

@@ -43,6 +43,8 @@ struct Options {
   std::uint32_t in_flight = 0;  // requests mode where not 0
   std::uint32_t fixed_set = 1024;
 
+  int patch_tiles = 0;  // 0: patches of new land are not counted
+
   double verify_percent = 1;
   int ring_tolerance = 4;
 

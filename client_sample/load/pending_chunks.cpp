@@ -9,6 +9,7 @@ namespace {
 // A View is forgotten when nothing that was sent for it can still be on its way.
 constexpr std::chrono::seconds kOnItsWay{20};
 constexpr std::size_t kMaxPast = 64;
+constexpr std::size_t kNearRings = 2;
 
 template <typename Visit>
 void for_each(const Box& box, Visit&& visit) {
@@ -64,6 +65,11 @@ std::vector<PendingChunks::Missed> PendingChunks::move_to(const Box& box, const 
   box_ = box;
   centre_ = centre;
   waiting_ = waiting;
+  near_waiting_ = 0;
+  for_each(box_, [&, index = std::size_t{0}](const glm::i64vec3& at) mutable {
+    const Cell cell = cells_[index++];
+    if (cell != 0 && (cell & kReturned) == 0 && ring_of(at) < kNearRings) ++near_waiting_;
+  });
   waiting_by_ring_.clear();
   if (shares) return gone;
   jumped_ = due;
@@ -90,8 +96,9 @@ PendingChunks::Arrival PendingChunks::arrive(ChunkCoord chunk) {
   cell &= kReturned;
   if (cell != 0) return arrival;
   --waiting_;
-  if (waiting_by_ring_.empty()) return arrival;
   const std::size_t ring = ring_of(at);
+  if (ring < kNearRings) --near_waiting_;
+  if (waiting_by_ring_.empty()) return arrival;
   const auto nearest =
       std::find_if(waiting_by_ring_.begin(), waiting_by_ring_.end(), [](auto count) { return count > 0; });
   arrival.ring_gap = static_cast<std::int64_t>(ring) - (nearest - waiting_by_ring_.begin());
@@ -105,7 +112,7 @@ std::vector<PendingChunks::Missed> PendingChunks::give_up() {
     if ((cell & ~kReturned) != 0) all.push_back(missed(cell));
     cell = 0;
   }
-  waiting_ = 0;
+  waiting_ = near_waiting_ = 0;
   waiting_by_ring_.clear();
   return all;
 }

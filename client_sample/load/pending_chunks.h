@@ -66,6 +66,8 @@ class PendingChunks {
   [[nodiscard]] const Box& box() const { return box_; }
   /// Chunks that must come: not those that came back, which the server may know to be held.
   [[nodiscard]] std::size_t waiting() const { return waiting_; }
+  /// Those of them in the two nearest rings: the 27 chunks around the player.
+  [[nodiscard]] std::size_t near_waiting() const { return near_waiting_; }
   /// When the last join or jump was due.
   [[nodiscard]] Time jumped() const { return jumped_; }
 
@@ -94,7 +96,7 @@ class PendingChunks {
   std::vector<Cell> cells_;
   std::vector<Step> steps_;
   std::deque<Past> past_;  // the newest first
-  std::size_t waiting_ = 0;
+  std::size_t waiting_ = 0, near_waiting_ = 0;
   Time jumped_{};
   std::vector<std::uint32_t> waiting_by_ring_;  // empty: the order is not looked at
 };

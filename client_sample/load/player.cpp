@@ -59,6 +59,7 @@ Player::Player(Worker& worker, const ClientProfile& profile)
 void Player::joined(Time now) {
   began_ = std::min(began_, join_due());
   pending_ = {};
+  near_.measure_from(worker().measure_from());
   first_to_come_ = true;
   look_around(now, true);
   // Its ticks stay where they were laid when it first was to join, however late the server is.
@@ -69,6 +70,9 @@ void Player::joined(Time now) {
 void Player::disconnected(bool lost) {
   tick_due_ = Time::max();
   const Time now = Clock::now();
+  near_.stop(now);
+  record_near();
+  if (lost && !lost_) lost_ = now;
   for (const PendingChunks::Missed& missed : pending_.give_up()) {
     if (lost) record_missed(missed, now);
   }
@@ -94,14 +98,46 @@ void Player::look_around(Time due, bool first) {
   if (!moved) return;
   const Options& options = worker().plan().options;
   const Time jumped_before = pending_.jumped();
+  const Box before = pending_.box();
   for (const PendingChunks::Missed& missed :
        pending_.move_to(box_around(centre, options.radius, options.vertical), centre, due)) {
     record_missed(missed, due);
   }
+  near_.step(due, pending_);
+  record_near();
+  count_new_patches(before, due);
   if (pending_.jumped() != jumped_before) {
     full_to_come_ = true;
     full_since_ = first ? join_due() : due;
   }
+}
+
+void Player::record_near() {
+  for (const NearWaits::Wait& wait : near_.take_done()) {
+    if (worker().counts(wait.since)) tally().near.record(wait.time);
+  }
+  tally().longest_without = std::max(tally().longest_without, near_.longest_without());
+}
+
+// Of level 0, by the squares of terrain that a server generates at once.
+void Player::count_new_patches(const Box& before, Time due) {
+  const int tiles = worker().plan().options.patch_tiles;
+  if (tiles == 0 || !worker().counts(due)) return;
+  const auto squares = [tiles](std::int64_t from, std::int64_t to) {
+    return from > to ? 0 : floor_div(to, tiles) - floor_div(from, tiles) + 1;
+  };
+  const Box& now = pending_.box();
+  const std::int64_t all = squares(now.low.x, now.high.x) * squares(now.low.z, now.high.z);
+  // Of the squares of both Views, none is new.
+  const auto common = [&](std::int64_t low, std::int64_t high, std::int64_t old_low, std::int64_t old_high) {
+    if (old_low > old_high) return std::int64_t{0};
+    const std::int64_t first = std::max(floor_div(low, tiles), floor_div(old_low, tiles));
+    const std::int64_t last = std::min(floor_div(high, tiles), floor_div(old_high, tiles));
+    return std::max<std::int64_t>(0, last - first + 1);
+  };
+  const std::int64_t held = common(now.low.x, now.high.x, before.low.x, before.high.x) *
+                            common(now.low.z, now.high.z, before.low.z, before.high.z);
+  tally().new_patches += static_cast<std::uint64_t>(all - held);
 }
 
 void Player::send_view(const Pose& pose) {
@@ -188,6 +224,10 @@ void Player::arrive(ChunkCoord chunk, Time now, bool alone) {
     (arrival.join ? tally().join : tally().travel).record(now - arrival.since);
     ++tally().late_steps[std::min<std::size_t>(arrival.steps_late, tally().late_steps.size() - 1)];
   }
+  near_.came(now, pending_);
+  record_near();
+  if (lost_ && pending_.near_waiting() == 0)
+    tally().returns.record(now - *std::exchange(lost_, std::nullopt));
   if (std::exchange(first_to_come_, false)) tally().first_chunk.record(now - join_due());
   if (full_to_come_ && pending_.waiting() == 0) {
     full_to_come_ = false;
@@ -201,6 +241,8 @@ bool Player::satisfied() const {
 
 void Player::give_up() {
   const Time now = Clock::now();
+  near_.stop(now);
+  record_near();
   for (const PendingChunks::Missed& missed : pending_.give_up()) {
     record_missed(missed, now);
     if (missed.returned || role() == Role::slow) continue;

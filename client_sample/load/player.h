@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "movement.h"
+#include "near_waits.h"
 #include "pending_chunks.h"
 #include "simulated_client.h"
 
@@ -26,6 +27,8 @@ class Player final : public SimulatedClient {
 
   void look_around(Time due, bool first);
   void send_view(const Pose& pose);
+  void record_near();
+  void count_new_patches(const Box& before, Time due);
   void record_missed(const PendingChunks::Missed& missed, Time now);
   /// A chunk of the View came by whatever message. `alone`: by one that was for it alone.
   void arrive(ChunkCoord chunk, Time now, bool alone);
@@ -37,6 +40,8 @@ class Player final : public SimulatedClient {
   Time tick_due_ = Time::max();
   Pose pose_;  // of the last View
   PendingChunks pending_;
+  NearWaits near_;
+  std::optional<Time> lost_;  // when its connection was, where its nearest rings have not come since
   bool first_to_come_ = false;
   bool full_to_come_ = false;
   Time full_since_{};

@@ -1,5 +1,7 @@
 #include "report.h"
 
+#include <algorithm>
+#include <chrono>
 #include <thread>
 
 #include <fmt/format.h>
@@ -27,7 +29,8 @@ std::string waits_of(const RunResult& result) {
     if (!is_player(static_cast<Role>(role))) rows += row("  requests, " + name, tally.requests);
   }
   rows += row("requests", players.requests) + row("first chunk", players.first_chunk) +
-          row("full view", players.full_view);
+          row("full view", players.full_view) + row("two nearest rings", players.near) +
+          row("returns after a loss", players.returns);
   if (rows.empty()) return "";
   return fmt::format("  {:<22}{:>11}{:>10}{:>10}{:>10}{:>10}{:>10}\n", "wait in ms", "count", "p50", "p95",
                      "p99", "p99.9", "max") +
@@ -72,6 +75,26 @@ std::string troubles_of(const RunResult& result) {
   return text;
 }
 
+/// One line, where the server's own rates held the players.
+std::string held_by(const Plan& plan, const RunResult& result) {
+  const auto held = result.held_by();
+  if (held.empty()) return "";
+  double most = 0;
+  bool of_address = false;
+  std::string rates;
+  for (const auto& [name, rate] : held) {
+    most = std::max(most, rate.held());
+    const bool address = name.find("address") != std::string::npos;
+    of_address = of_address || address;
+    rates += fmt::format("{}{} ({:.0f} a second for {})", rates.empty() ? "" : ", ", name, rate.per_second(),
+                         address ? "each address" : "each session");
+  }
+  return fmt::format(
+      "  held: {:.0f} % of the time by the server's own {}; for more, raise {} there (0: no limit){}\n",
+      most * 100, rates, held.size() == 1 ? "it" : "them",
+      of_address && !plan.server.address().is_v6() ? ", or spread the players by --from-addresses" : "");
+}
+
 std::string server_of(const Figures& figures) {
   std::string text;
   const auto put = [&](const char* name, double scale, const char* format) {
@@ -86,6 +109,8 @@ std::string server_of(const Figures& figures) {
   put("resident_growth_percent", 1, "{:+.1f} % from the first tenth to the last");
   put("idle_bytes_each", 1024, "{:.1f} KiB an idle connection");
   put("files_left", 1, "{:.0f} files left open");
+  put("generated_per_sent", 1, "{:.2f} chunks generated for each sent");
+  put("patches_per_new", 1, "{:.2f} patches for each that is new land");
   return text.empty() ? "" : "  server: " + text + "\n";
 }
 
@@ -122,6 +147,9 @@ nlohmann::json tally_json(const Tally& tally) {
           {"late_steps", tally.late_steps},
           {"joins", tally.joins},
           {"cuts", tally.cuts},
+          {"reconnects", tally.reconnects},
+          {"new_patches", tally.new_patches},
+          {"longest_without_ms", std::chrono::duration<double, std::milli>(tally.longest_without).count()},
           {"errors", tally.errors},
           {"disconnects", tally.disconnects},
           {"wait_ms",
@@ -129,7 +157,9 @@ nlohmann::json tally_json(const Tally& tally) {
             {"travel", spread_json(tally.travel)},
             {"request", spread_json(tally.requests)},
             {"first_chunk", spread_json(tally.first_chunk)},
-            {"full_view", spread_json(tally.full_view)}}}};
+            {"full_view", spread_json(tally.full_view)},
+            {"near", spread_json(tally.near)},
+            {"return", spread_json(tally.returns)}}}};
 }
 
 nlohmann::json settings_json(const Options& options) {
@@ -155,6 +185,7 @@ nlohmann::json settings_json(const Options& options) {
       {"slow_rate_kbit", options.slow_kbit},
       {"in_flight", options.in_flight},
       {"set", options.fixed_set},
+      {"patch_tiles", options.patch_tiles},
       {"verify_percent", options.verify_percent},
       {"ring_tolerance", options.ring_tolerance},
       {"from_addresses", options.from_addresses},
@@ -182,7 +213,12 @@ std::string report(const Plan& plan, const RunResult& result) {
         figures.at("late_steps_max") == static_cast<double>(players.late_steps.size() - 1) ? "over " : "",
         figures.at("late_steps_max"));
   }
-  text += checks_of(plan, result) + troubles_of(result) + server_of(figures);
+  if (players.near.count() > 0) {
+    text += fmt::format("  without any chunk, while waiting for some: {:.0f} ms at most\n",
+                        figures.at("longest_without_ms"));
+  }
+  if (players.reconnects > 0) text += fmt::format("  reconnects: {}\n", players.reconnects);
+  text += held_by(plan, result) + checks_of(plan, result) + troubles_of(result) + server_of(figures);
   text += fmt::format("  harness: {:.2f} CPU s, p99 {:.3f} ms behind its own schedule\n",
                       figures.at("harness_cpu_s"), result.lateness.percentile_ms(0.99));
   return text;
@@ -195,6 +231,8 @@ nlohmann::json report_json(const Plan& plan, const RunResult& result) {
     if (tally.joins > 0 || !tally.disconnects.empty())
       roles[std::string{kRoleNames[role]}] = tally_json(tally);
   }
+  nlohmann::json held = nlohmann::json::object();
+  for (const auto& [name, rate] : result.held_by()) held[name] = rate.held();
   nlohmann::json counters = nlohmann::json::object();
   for (const auto& [name, value] : result.end.server.counters) {
     const auto before = result.begin.server.counters.find(name);
@@ -208,6 +246,7 @@ nlohmann::json report_json(const Plan& plan, const RunResult& result) {
           {"measured_s", result.end.seconds - result.begin.seconds},
           {"interrupted", result.interrupted},
           {"figures", figures_of(result)},
+          {"held_by", held},
           {"roles", roles},
           {"server_counters", counters}};
 }

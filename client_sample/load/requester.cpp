@@ -21,6 +21,7 @@ Requester::Requester(Worker& worker, const ClientProfile& profile) : SimulatedCl
 
 void Requester::joined(Time /*now*/) {
   to_ask_.clear();
+  ask_due_ = Time::max();
   for (std::uint32_t id = 1; id <= slots_.size(); ++id) to_ask_.push_back(id);
   ask();
 }
@@ -85,9 +86,19 @@ void Requester::take(const wire::Chunk& chunk) {
 
 void Requester::take(const wire::Error& error) {
   (void)close(error.request_id());
+  const std::chrono::milliseconds wait{error.retry_after_ms()};
+  if (role() == Role::greedy || wait.count() == 0) return;
+  const Time due = Clock::now() + wait;
+  ask_due_ = ask_due_ == Time::max() ? due : std::max(ask_due_, due);
 }
 
 void Requester::taken_all() {
+  if (ask_due_ == Time::max()) ask();
+}
+
+void Requester::act_joined(Time now) {
+  if (ask_due_ > now) return;
+  ask_due_ = Time::max();
   ask();
 }
 

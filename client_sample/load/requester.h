@@ -25,6 +25,8 @@ class Requester final : public SimulatedClient {
   void take(const wire::Chunk& chunk) override;
   void take(const wire::Error& error) override;
   void taken_all() override;
+  void act_joined(Time now) override;
+  [[nodiscard]] Time own_due() const override { return ask_due_; }
   void give_up() override;
 
   [[nodiscard]] ChunkKey next_key();
@@ -35,6 +37,7 @@ class Requester final : public SimulatedClient {
   std::vector<Slot> slots_;            // request id - 1
   std::vector<std::uint32_t> to_ask_;  // ids
   std::size_t open_ = 0;
+  Time ask_due_ = Time::max();  // the server has refused some, and asks to come back then
   std::int64_t swept_ = 0;
 };
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <csignal>
+#include <map>
 #include <memory>
 #include <thread>
 
@@ -139,13 +140,45 @@ class Run {
     const Time end = from + seconds(options.seconds);
     for (const auto& worker : workers_) worker->begin(false, start_, from);
     ProgressBar progress{"load", "chunks"};
+    watch_rates();
     watch_progress(progress, from, end);
     result_.begin = moment();
     result_.resident_bytes.clear();
+    measures_ = true;
     watch_progress(progress, end, end);
     result_.end = moment();
     result_.interrupted = interrupted_;
     for (const auto& worker : workers_) worker->finish(Clock::now() + seconds(options.drain_seconds));
+  }
+
+  /// Models of the rates that the server told; they count for as many as share each.
+  void watch_rates() {
+    const Options& options = plan_.options;
+    const auto& limits = plan_.world.limits;
+    const double clients =
+        std::max(1.0, static_cast<double>(options.players + options.slow + options.greedy));
+    const auto add = [&](const std::string& name, const std::optional<client::Rates>& rates, double share) {
+      if (!rates) return;
+      result_.rates.emplace("rates." + name + "_chunks", RateModel{rates->chunks, rates->burst});
+      result_.rates.emplace("rates." + name + "_bytes", RateModel{rates->bytes, rates->burst});
+      shares_[name] = share;
+    };
+    add("session", limits.session_rates, 1 / clients);
+    add("address", limits.address_rates, 1 / std::min<double>(options.from_addresses, clients));
+    rates_seen_ = {Clock::now(), sum(&Live::chunks), sum(&Live::bytes)};
+  }
+
+  void add_to_rates() {
+    const RatesSeen now{Clock::now(), sum(&Live::chunks), sum(&Live::bytes)};
+    const double passed = std::chrono::duration<double>(now.at - rates_seen_.at).count();
+    for (const auto& [name, share] : shares_) {
+      const auto add = [&](const char* of, std::uint64_t count) {
+        result_.rates.at("rates." + name + of).add(passed, static_cast<double>(count) * share, measures_);
+      };
+      add("_chunks", now.chunks - rates_seen_.chunks);
+      add("_bytes", now.bytes - rates_seen_.bytes);
+    }
+    rates_seen_ = now;
   }
 
   void watch_progress(ProgressBar& progress, Time until, Time end) {
@@ -154,6 +187,7 @@ class Run {
       const Time looked = Clock::now();
       wait_until(std::min(until, looked + kBetweenLooks * 5));
       const Time now = Clock::now();
+      add_to_rates();
       const std::uint64_t chunks = sum(&Live::chunks) + sum(&Live::uniform);
       const auto troubles = sum(&Live::troubles);
       const auto sample = watch_.sample();
@@ -210,6 +244,13 @@ class Run {
   bool interrupted_ = false;
   std::vector<std::unique_ptr<Worker>> workers_;
   Time start_{};
+  struct RatesSeen {
+    Time at{};
+    std::uint64_t chunks = 0, bytes = 0;
+  };
+  RatesSeen rates_seen_;
+  std::map<std::string, double> shares_;  // of all that came, by who has a rate: one session, one address
+  bool measures_ = false;
   RunResult result_;
 };
 

@@ -20,6 +20,15 @@ Tally RunResult::all() const {
   return sum;
 }
 
+std::map<std::string, RateModel> RunResult::held_by() const {
+  constexpr double kWorthTelling = 0.05;
+  std::map<std::string, RateModel> held;
+  for (const auto& [name, rate] : rates) {
+    if (rate.held() > kWorthTelling) held.emplace(name, rate);
+  }
+  return held;
+}
+
 std::optional<double> RunResult::resident_growth_percent() const {
   if (resident_bytes.size() < 2) return std::nullopt;
   const auto tenth = static_cast<std::ptrdiff_t>(std::max<std::size_t>(resident_bytes.size() / 10, 1));

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -20,7 +22,6 @@ using std::chrono::milliseconds;
 
 constexpr std::chrono::seconds kConnectTimeout{10};  // to connect, and again to be greeted
 constexpr std::chrono::seconds kPingInterval{20};
-constexpr std::chrono::seconds kReconnectDelay{1};
 constexpr milliseconds kBetweenReads{50};  // of a slow reader
 
 protocol::Frame hello_frame(const std::string& token) {
@@ -102,7 +103,7 @@ void SimulatedClient::act(Time now) {
 void SimulatedClient::connect(Time now) {
   state_ = State::connecting;
   deadline_ = now + kConnectTimeout;
-  retry_after_ = kReconnectDelay;
+  retry_after_ = {};
   close_reason_.clear();
   window_ = taken_ = credited_ = 0;
   const bool slow = profile_.role == Role::slow;
@@ -138,7 +139,7 @@ void SimulatedClient::received(const wire::Message& message, std::size_t frame_b
     case wire::Body::GoAway: {
       const auto& away = *message.body_as_GoAway();
       close_reason_ = "GoAway";
-      retry_after_ = std::max<Clock::duration>(kReconnectDelay, milliseconds{away.retry_after_ms()});
+      retry_after_ = milliseconds{away.retry_after_ms()};
       return;
     }
     case wire::Body::Pong:
@@ -167,6 +168,8 @@ void SimulatedClient::welcome(const wire::Welcome& welcome) {
   const bool churns = stay > 0 && is_player(profile_.role) && profile_.role != Role::idle && !finished_;
   cut_due_ = churns ? now + seconds(-stay * std::log(1 - random_.part())) : Time::max();
   ++tally().joins;
+  if (std::exchange(lost_, false)) ++tally().reconnects;
+  if (backoff_) backoff_->reset();
   Live::add(worker_.live().joined, 1);
   joined(now);
 }
@@ -175,7 +178,7 @@ void SimulatedClient::note_error(const wire::Error& error) {
   ++tally().errors[wire::EnumNameErrorCode(error.code())];
   if (is_player(profile_.role)) Live::add(worker_.live().troubles, 1);
   if (error.request_id() == 0) close_reason_ = std::string{"Error "} + wire::EnumNameErrorCode(error.code());
-  retry_after_ = std::max<Clock::duration>(kReconnectDelay, milliseconds{error.retry_after_ms()});
+  if (error.request_id() == 0) retry_after_ = milliseconds{error.retry_after_ms()};
   take(error);
 }
 
@@ -198,8 +201,22 @@ void SimulatedClient::ended(const std::string& reason, bool broken) {
   ++tally().disconnects[was_joined ? words : "before Welcome: " + words];
   if (is_player(profile_.role)) Live::add(worker_.live().troubles, 1);
   read_due_ = Time::max();
-  if (was_joined) disconnected(true);
-  reconnect_at(Clock::now() + retry_after_);
+  if (was_joined) {
+    lost_ = true;
+    disconnected(true);
+  }
+  reconnect_at(Clock::now() + back_off());
+}
+
+// As the client library does, but for ever.
+Clock::duration SimulatedClient::back_off() {
+  if (!backoff_) {
+    client::ReconnectPolicy policy;
+    policy.max_attempts = std::numeric_limits<int>::max();
+    policy.seed = Random{worker_.plan().options.seed ^ 0xBACC, profile_.number}.next();
+    backoff_.emplace(policy);
+  }
+  return *backoff_->next(retry_after_);
 }
 
 void SimulatedClient::cut(Time now) {

@@ -8,6 +8,8 @@
 
 #include <asio/ip/address.hpp>
 
+#include <talus/client/backoff.h>
+
 #include "link.h"
 #include "pending_chunks.h"
 #include "random.h"
@@ -87,6 +89,7 @@ class SimulatedClient : public LinkOwner {
   void note_error(const wire::Error& error);
   void cut(Time now);
   void reconnect_at(Time when);
+  [[nodiscard]] Clock::duration back_off();
 
   Worker& worker_;
   ClientProfile profile_;
@@ -100,7 +103,9 @@ class SimulatedClient : public LinkOwner {
   Time cut_due_ = Time::max();
   Time read_due_ = Time::max();  // of a slow reader
   Clock::duration ping_interval_{};
-  Clock::duration retry_after_{};
+  std::chrono::milliseconds retry_after_{};
+  std::optional<client::Backoff> backoff_;  // from the first failure on
+  bool lost_ = false;                       // and not joined since
   std::string close_reason_;
   std::uint32_t frame_bytes_ = 0;
   std::uint8_t codec_ = 0;

@@ -21,12 +21,15 @@ void Tally::merge(const Tally& other) {
   requests.merge(other.requests);
   first_chunk.merge(other.first_chunk);
   full_view.merge(other.full_view);
+  near.merge(other.near);
+  returns.merge(other.returns);
+  longest_without = std::max(longest_without, other.longest_without);
   for (std::size_t i = 0; i < late_steps.size(); ++i) late_steps[i] += other.late_steps[i];
   constexpr std::uint64_t Tally::*kCounts[] = {
-      &Tally::chunks,   &Tally::chunk_bytes, &Tally::uniform,      &Tally::unchanged, &Tally::stale,
-      &Tally::repeated, &Tally::missed,      &Tally::unconfirmed,  &Tally::verified,  &Tally::bad_chunks,
-      &Tally::outside,  &Tally::duplicates,  &Tally::unanswered,   &Tally::ordered,   &Tally::disordered,
-      &Tally::joins,    &Tally::cuts,        &Tally::bad_messages,
+      &Tally::chunks,   &Tally::chunk_bytes, &Tally::uniform,      &Tally::unchanged,  &Tally::stale,
+      &Tally::repeated, &Tally::missed,      &Tally::unconfirmed,  &Tally::verified,   &Tally::bad_chunks,
+      &Tally::outside,  &Tally::duplicates,  &Tally::unanswered,   &Tally::ordered,    &Tally::disordered,
+      &Tally::joins,    &Tally::cuts,        &Tally::bad_messages, &Tally::reconnects, &Tally::new_patches,
   };
   for (const auto count : kCounts) this->*count += other.*count;
   worst_ring_gap = std::max(worst_ring_gap, other.worst_ring_gap);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <chrono>
 #include <cstddef>
 #include <cstdint>
 #include <map>
@@ -20,6 +21,9 @@ struct Tally {
   measure::Histogram requests;     // from GetChunks to its answer
   measure::Histogram first_chunk;  // from the scheduled time of connecting
   measure::Histogram full_view;    // to the last chunk of the first View, and of Views after a jump
+  measure::Histogram near;         // from the scheduled time of a View until its two nearest rings were there
+  measure::Histogram returns;      // from when a connection was lost until then
+  std::chrono::nanoseconds longest_without{};  // any chunk, of one player that waited for some
 
   /// Chunks that came n View steps after the one that wanted them; the last place counts all beyond.
   std::array<std::uint64_t, 8> late_steps{};
@@ -46,7 +50,9 @@ struct Tally {
   std::int64_t worst_ring_gap = 0;
 
   std::uint64_t joins = 0, cuts = 0;
-  std::map<std::string, std::uint64_t> errors;       // Error messages, by code
+  std::uint64_t reconnects = 0;                 // joins after a connection was lost
+  std::uint64_t new_patches = 0;                // squares of --patch-tiles that came into a player's View
+  std::map<std::string, std::uint64_t> errors;  // Error messages, by code
   std::map<std::string, std::uint64_t> disconnects;  // not asked for, by reason
 
   void merge(const Tally& other);

@@ -64,6 +64,7 @@ class Worker {
   [[nodiscard]] std::span<std::byte> scratch() { return scratch_; }
   [[nodiscard]] Tally& tally(Role role) { return tallies_[static_cast<std::size_t>(role)]; }
   [[nodiscard]] Live& live() { return live_; }
+  [[nodiscard]] Time measure_from() const { return measure_from_; }
   [[nodiscard]] bool counts(Time since) const { return since >= measure_from_; }
   [[nodiscard]] bool finishing() const { return finishing_; }
   /// Whether the next chunk is of the share that is decoded and hashed.

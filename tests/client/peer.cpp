@@ -21,6 +21,7 @@ std::string Peer::port() const {
 
 asio::awaitable<void> Peer::accept() {
   socket_ = co_await acceptor_.async_accept(asio::use_awaitable);
+  socket_.set_option(asio::ip::tcp::no_delay{true});
   reader_ = protocol::FrameReader{protocol::kMaxFrameBytes};
   unread_ = {};
 }
@@ -40,11 +41,12 @@ asio::awaitable<void> Peer::send(protocol::Frame frame) {
 }
 
 asio::awaitable<void> Peer::welcome(std::uint64_t fingerprint, std::uint64_t window_bytes,
-                                    std::uint32_t requests_in_flight, std::uint32_t idle_timeout_ms) {
+                                    std::uint32_t requests_in_flight, std::uint32_t idle_timeout_ms,
+                                    std::optional<Rates> rates) {
   co_await accept();
   const auto* hello = co_await receive();
   REQUIRE(hello->body_type() == wire::Body::Hello);
-  co_await send(welcome_frame(fingerprint, window_bytes, requests_in_flight, idle_timeout_ms));
+  co_await send(welcome_frame(fingerprint, window_bytes, requests_in_flight, idle_timeout_ms, rates));
 }
 
 asio::awaitable<void> Peer::until_closed() {
@@ -57,6 +59,10 @@ asio::awaitable<void> Peer::until_closed() {
 
 void Peer::hang_up() {
   socket_.close();
+}
+
+void Peer::stop_listening() {
+  acceptor_.close();
 }
 
 asio::awaitable<void> join(Client& client, const Peer& peer) {
@@ -97,7 +103,8 @@ Chunk some_chunk(const ChunkKey& key) {
 }
 
 protocol::Frame welcome_frame(std::uint64_t fingerprint, std::uint64_t window_bytes,
-                              std::uint32_t requests_in_flight, std::uint32_t idle_timeout_ms) {
+                              std::uint32_t requests_in_flight, std::uint32_t idle_timeout_ms,
+                              std::optional<Rates> session_rates) {
   return protocol::make_frame([&](auto& b) {
     const auto material = [&](std::uint16_t id, const char* name, wire::Phase phase) {
       return wire::CreateMaterial(b, id, b.CreateString(name), 0x808080, phase);
@@ -106,8 +113,13 @@ protocol::Frame welcome_frame(std::uint64_t fingerprint, std::uint64_t window_by
         material(0, "air", wire::Phase::gas), material(1, "water", wire::Phase::liquid),
         material(2, "granite", wire::Phase::solid), material(3, "grass", wire::Phase::solid)};
     const auto material_list = b.CreateVector(materials);
-    const auto limits =
-        wire::CreateLimits(b, 65536, requests_in_flight, 2048, 32, 16, 65536, window_bytes, idle_timeout_ms);
+    flatbuffers::Offset<wire::Rates> rates;
+    if (session_rates) {
+      rates = wire::CreateRates(b, session_rates->chunks, session_rates->bytes, session_rates->requests,
+                                static_cast<std::uint32_t>(session_rates->burst.count()));
+    }
+    const auto limits = wire::CreateLimits(b, 65536, requests_in_flight, 2048, 32, 16, 65536, window_bytes,
+                                           idle_timeout_ms, rates);
     const wire::Hash128 world{fingerprint, 0};
     const wire::Hash128 store{7, 7};
     const wire::Voxel spawn{8, 70, -8};
@@ -137,6 +149,20 @@ protocol::Frame chunk_frame(std::uint32_t id, const ChunkKey& key, ContentHash h
 protocol::Frame error_frame(wire::ErrorCode code, const std::string& text, std::uint32_t id) {
   return protocol::make_frame(
       [&](auto& b) { return wire::CreateError(b, code, b.CreateString(text), id, 0); });
+}
+
+protocol::Frame refusal_frame(wire::ErrorAbout about, std::uint32_t id_or_number,
+                              std::chrono::milliseconds retry_after) {
+  return protocol::make_frame([&](auto& b) {
+    const bool request = about == wire::ErrorAbout::request;
+    return wire::CreateError(b, wire::ErrorCode::overloaded, b.CreateString("over a rate"),
+                             request ? id_or_number : 0, static_cast<std::uint32_t>(retry_after.count()),
+                             about, 0, request ? 0 : id_or_number);
+  });
+}
+
+protocol::Frame complete_frame(std::uint32_t number) {
+  return protocol::make_frame([&](auto& b) { return wire::CreateViewComplete(b, number); });
 }
 
 }  // namespace talus::client::testing

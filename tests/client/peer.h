@@ -2,8 +2,10 @@
 #pragma once
 
 #include <array>
+#include <chrono>
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -32,10 +34,13 @@ class Peer {
   [[nodiscard]] asio::awaitable<void> welcome(std::uint64_t fingerprint = 1,
                                               std::uint64_t window_bytes = 1U << 20,
                                               std::uint32_t requests_in_flight = 64,
-                                              std::uint32_t idle_timeout_ms = 60'000);
+                                              std::uint32_t idle_timeout_ms = 60'000,
+                                              std::optional<Rates> rates = std::nullopt);
   /// Reads until the client closes.
   [[nodiscard]] asio::awaitable<void> until_closed();
   void hang_up();
+  /// Ends an accept() by an exception; nobody connects any more.
+  void stop_listening();
 
  private:
   asio::ip::tcp::acceptor acceptor_;
@@ -61,12 +66,18 @@ void run(asio::io_context& io, const std::vector<Script>& scripts);
 [[nodiscard]] Chunk some_chunk(const ChunkKey& key);
 
 [[nodiscard]] protocol::Frame welcome_frame(std::uint64_t fingerprint, std::uint64_t window_bytes,
-                                            std::uint32_t requests_in_flight, std::uint32_t idle_timeout_ms);
+                                            std::uint32_t requests_in_flight, std::uint32_t idle_timeout_ms,
+                                            std::optional<Rates> session_rates = std::nullopt);
 [[nodiscard]] protocol::Frame chunk_frame(std::uint32_t id, const ChunkKey& key, const Chunk& chunk);
 /// With any hash and payload.
 [[nodiscard]] protocol::Frame chunk_frame(std::uint32_t id, const ChunkKey& key, ContentHash hash,
                                           const std::vector<std::byte>& payload);
+/// As a server of 0.1 sends it.
 [[nodiscard]] protocol::Frame error_frame(wire::ErrorCode code, const std::string& text,
                                           std::uint32_t id = 0);
+/// Overloaded, about a request or, with a View's number, about that.
+[[nodiscard]] protocol::Frame refusal_frame(wire::ErrorAbout about, std::uint32_t id_or_number,
+                                            std::chrono::milliseconds retry_after);
+[[nodiscard]] protocol::Frame complete_frame(std::uint32_t number);
 
 }  // namespace talus::client::testing

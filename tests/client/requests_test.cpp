@@ -65,6 +65,22 @@ TEST_CASE(
   CHECK_FALSE(requests.send_next(9));
 }
 
+TEST_CASE("what a server refused for now waits again in its order, unless it was cancelled") {
+  Requests requests;
+  const auto first = requests.add(request(1));
+  const auto second = requests.add(request(2));
+  const auto third = requests.add(request(3));
+  const auto last = requests.add(request(4));
+  for (const auto id : {first, second, third}) REQUIRE(requests.send_next(3) == id);
+  REQUIRE(requests.cancel(third) == Requests::Cancelled::in_flight);
+  CHECK(requests.put_back(second));
+  CHECK(requests.put_back(first));
+  CHECK_FALSE(requests.put_back(third));
+  CHECK(place_of(requests.take(third)) == 3);
+  for (const auto id : {first, second, last}) CHECK(requests.send_next(9) == id);
+  CHECK_FALSE(requests.has_next(9));
+}
+
 TEST_CASE("all requests are taken out, oldest first") {
   Requests requests;
   for (const int x : {1, 2, 3}) (void)requests.add(request(x));

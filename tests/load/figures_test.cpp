@@ -1,5 +1,6 @@
 // Thresholds on figures, and the figures of a run.
 #include "figures.h"
+#include "report.h"
 
 #include <catch2/catch.hpp>
 
@@ -52,12 +53,21 @@ TEST_CASE("what is no threshold is refused with a reason") {
 TEST_CASE("every figure has a name that a threshold takes") {
   RunResult result;
   Tally& walk = of(result, Role::walk);
-  for (talus::measure::Histogram* waits :
-       {&walk.join, &walk.travel, &walk.requests, &walk.first_chunk, &walk.full_view, &result.lateness}) {
+  for (talus::measure::Histogram* waits : {&walk.join, &walk.travel, &walk.requests, &walk.first_chunk,
+                                           &walk.full_view, &walk.near, &walk.returns, &result.lateness}) {
     waits->record(milliseconds{3});
   }
+  walk.new_patches = 4;
+  walk.longest_without = milliseconds{70};
+  result.rates.emplace("rates.address_chunks", RateModel{100, milliseconds{1000}});
   result.end = {1, 10, 5, 1000, 0, {1.5, 1e6, 10, {}}};
   result.begin.server = {0.5, 1e6, 10, {}};
+  result.begin.server.counters = {{"talus_chunks_sent_total", 100},
+                                  {"talus_chunks_generated_total", 200},
+                                  {"talus_patches_generated_total", 10}};
+  result.end.server.counters = {{"talus_chunks_sent_total", 110},
+                                {"talus_chunks_generated_total", 213},
+                                {"talus_patches_generated_total", 15}};
   result.before = result.after = result.idle = result.begin.server;
   result.idle_joined = 1;
   const Figures figures = figures_of(result);
@@ -67,6 +77,32 @@ TEST_CASE("every figure has a name that a threshold takes") {
   }
   CHECK(figures.at("cpu_s_per_million") == Approx(1.0 / 15 * 1e6));
   CHECK(figures.at("cpu_s_per_million_messages") == Approx(1.0 / 10 * 1e6));
+  CHECK(figures.at("generated_per_sent") == Approx(1.3));
+  CHECK(figures.at("patches_per_new") == Approx(1.25));
+  CHECK(figures.at("longest_without_ms") == 70);
+  CHECK(figures.at("near_p99_ms") == Approx(3));
+  CHECK(figures.at("return_max_ms") == Approx(3));
+  CHECK(figures.at("held_percent") == 0);
+}
+
+TEST_CASE("one line says which of the server's own rates held the players, and what to change") {
+  Plan plan;
+  plan.server = {asio::ip::make_address("127.0.0.1"), 4780};
+  RunResult result;
+  RateModel held{8'192, milliseconds{1'000}};
+  for (int second = 0; second < 10; ++second) held.add(1, 8'192, true);
+  const RateModel ample{1'000'000, milliseconds{1'000}};
+  result.rates.emplace("rates.address_chunks", held);
+  result.rates.emplace("rates.session_chunks", ample);
+  CHECK_THAT(
+      report(plan, result),
+      Catch::Contains(
+          "\n  held: 100 % of the time by the server's own rates.address_chunks (8192 a second for each "
+          "address); for more, raise it there (0: no limit), or spread the players by "
+          "--from-addresses\n"));
+  CHECK(report_json(plan, result)["held_by"] == nlohmann::json{{"rates.address_chunks", 1.0}});
+  result.rates.erase("rates.address_chunks");
+  CHECK_THAT(report(plan, result), !Catch::Contains("held:"));
 }
 
 TEST_CASE("slow and greedy clients are not the players") {

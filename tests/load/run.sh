@@ -13,6 +13,8 @@ usage: tests/load/run.sh [--short] [SCENARIO...]
            redis-benchmark where it is installed
   groups   1,000 players flying in 50 groups
   alone    300 players flying, each over ground of its own
+  loners   the same by LONERS (1000 3000 unless told otherwise), the settings as shipped but for the one address
+  storm    1,000 players whose server is killed, and then one that ends, and starts again at once
   idle     10,000 idle connections, and 20 new players among them
   greedy   100 walkers with one greedy client and without, by turns
   slow     100 walkers with four readers at 64 kbit/s and without, by turns
@@ -59,16 +61,23 @@ stop() {
 trap 'stop_redis; stop' EXIT
 trap 'exit 130' INT TERM
 
+listen=127.0.0.1:0
+
 # start [VARIABLE=value...]: a fresh server.
 start() {
   stop
   : >"$out/talusd.log"
   env TALUS_LOG_LEVEL=warning TALUS_LIMITS_CONNECTIONS=20000 TALUS_LIMITS_CONNECTIONS_PER_ADDRESS=20000 \
     TALUS_LIMITS_HANDSHAKES_PER_ADDRESS_PER_SECOND=20000 TALUS_LIMITS_HANDSHAKES_PER_ADDRESS_BURST=20000 \
-    TALUS_LIMITS_HANDSHAKES_UNDER_WAY=20000 "${server_tls[@]}" "$@" \
-    "$talusd" --listen 127.0.0.1:0 >"$out/talusd.log" 2>&1 &
+    TALUS_LIMITS_HANDSHAKES_IN_FLIGHT=20000 "${server_tls[@]}" "$@" \
+    "$talusd" --listen "$listen" >"$out/talusd.log" 2>&1 &
   pid=$!
   until address="$(sed -n 's/.*listening on \([^ ]*\).*/\1/p' "$out/talusd.log")" && [[ -n "$address" ]]; do
+    kill -0 "$pid" 2>/dev/null || { cat "$out/talusd.log" >&2; exit 1; }
+    sleep 0.05
+  done
+  [[ " $* " == *" TALUS_ADMIN="* ]] || return 0
+  until admin="$(sed -n 's/.*metrics and health on http:\/\/\([^ /]*\).*/\1/p' "$out/talusd.log")" && [[ -n "$admin" ]]; do
     kill -0 "$pid" 2>/dev/null || { cat "$out/talusd.log" >&2; exit 1; }
     sleep 0.05
   done
@@ -140,7 +149,7 @@ hot_beside() {
 }
 
 # figure NAME KEY: what the last run of that name came to.
-figure() { sed -n "s/^ *\"$2\": *\([0-9.]*\).*/\1/p" "$out/$1.json"; }
+figure() { sed -n "/^ *\"$2\":/{s/^[^:]*: *\([0-9.e+-]*\).*/\1/p;q}" "$out/$1.json"; }
 
 # medians NAME FIRST SECOND UNIT MOST: of the turns' two figures and of their ratios. False where that is above MOST, if
 # not 0.
@@ -210,6 +219,91 @@ alone() {
     --warm-up "$(pick 10 1)" --duration "$(pick 60 5)" --verify "$(pick 0.2 5)" "${expected[@]}"
 }
 
+# judge NAME KEY MOST...: a line for each figure of the last run of that name that is above MOST. Nothing is judged where the
+# harness was late: then the machine was too busy for any figure.
+judge() {
+  local name="$1" late value
+  shift
+  [[ -z "$short" ]] || return 0
+  late="$(figure "$name" harness_late_p99_ms)"
+  if awk -v late="${late:-1e9}" 'BEGIN { exit late <= 10 }'; then
+    echo "void: the harness was ${late:-?} ms late"
+    return 0
+  fi
+  while [[ $# -gt 0 ]]; do
+    value="$(figure "$name" "$1")"
+    if awk -v value="${value:-1e99}" -v most="$2" 'BEGIN { exit value <= most }'; then
+      echo "failed: $1 is ${value:-not measured}, not $2 at most"
+      failed=yes
+    fi
+    shift 2
+  done
+}
+
+# tell NAME: the figures of a crowd of loners in one line.
+tell() {
+  printf '%s: p50 %s ms, p99 %s ms, late %s; %s us of server CPU a Chunk message; %s chunks generated for each sent, ' \
+    "$1" "$(figure "$1" p50_ms)" "$(figure "$1" p99_ms)" "$(figure "$1" late_over_one_step)" \
+    "$(figure "$1" cpu_s_per_million_messages)" "$(figure "$1" generated_per_sent)"
+  printf '%s patches for each that is new; %s Chunk messages/s; two nearest rings p50 %s ms, p99 %s ms; ' \
+    "$(figure "$1" patches_per_new)" "$(figure "$1" chunk_messages_per_s)" "$(figure "$1" near_p50_ms)" \
+    "$(figure "$1" near_p99_ms)"
+  printf 'without any chunk %s ms at most\n' "$(figure "$1" longest_without_ms)"
+}
+
+# Nothing shared. All settings are those shipped, but for what one address may do: it stands for that many players.
+loners() {
+  expect
+  local count
+  for count in $(pick "${LONERS:-1000 3000}" 8); do
+    start "${no_address_rates[@]}" TALUS_ADMIN=127.0.0.1:0
+    load "loners-$count" --players "$count" --model fly --speed 20 --radius "$(pick 8 4)" --ramp-up "$(pick $((count / 20)) 2)" \
+      --warm-up "$(pick 10 1)" --duration "$(pick "${LONER_SECONDS:-30}" 5)" --verify "$(pick 0.2 5)" \
+      --metrics "$admin" --patch-tiles 4 "${expected[@]}" || failed=yes
+    tell "loners-$count"
+    if ((count <= 1000)); then
+      judge "loners-$count" p99_ms 50 late_over_one_step 0 cpu_s_per_million_messages 20 generated_per_sent 1.15 patches_per_new 1.1
+    else
+      judge "loners-$count" near_p99_ms 500 longest_without_ms 2000
+    fi
+  done
+}
+
+now_ms() { date +%s%3N; }
+
+storm() {
+  storm_after KILL
+  storm_after TERM
+}
+
+# storm_after SIGNAL: the server gets it while its players fly, and starts again at the same port. The time that is judged
+# begins when it listens again, or when the players may come back as it told them.
+storm_after() {
+  local name="storm-$1" players harness began down told=0
+  players="$(pick 1000 10)"
+  start "${no_address_rates[@]}"
+  expect
+  (load "$name" --players "$players" --model fly --speed 20 --radius "$(pick 8 4)" --ramp-up "$(pick 30 2)" \
+    --duration "$(pick 75 12)" --verify "$(pick 0.2 5)" "${expected[@]}") &
+  harness=$!
+  sleep "$(pick 50 5)"  # all have joined, and been served
+  listen="$address"
+  began="$(now_ms)"
+  kill "-$1" "$pid"
+  wait "$pid" 2>/dev/null || true
+  pid=""
+  [[ "$1" != TERM ]] || told=5000  # as GoAway says
+  start "${no_address_rates[@]}"
+  down=$(($(now_ms) - began))
+  listen=127.0.0.1:0
+  wait "$harness" || failed=yes
+  ((down > told)) || down=$told
+  printf '%s: %s of %s came back; two nearest rings after the loss p50 %s ms, p99 %s ms, max %s ms, of which %s ms away\n' "$name" \
+    "$(figure "$name" reconnects)" "$players" "$(figure "$name" return_p50_ms)" "$(figure "$name" return_p99_ms)" \
+    "$(figure "$name" return_max_ms)" "$down"
+  judge "$name" return_max_ms $((3000 + down))
+}
+
 idle() {
   expect 'idle_bytes_each>16384' 'first_chunk_max_ms>20'
   start
@@ -261,7 +355,7 @@ churn() {
     --verify 5 "${expected[@]}"
 }
 
-scenarios=(join hot groups alone idle greedy slow pong churn)
+scenarios=(join hot groups alone loners storm idle greedy slow pong churn)
 if [[ "${1:-}" == --short ]]; then
   short=yes
   shift

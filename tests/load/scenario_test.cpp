@@ -176,7 +176,8 @@ TEST_CASE("connections that the network cuts are counted, and come back") {
   const FaultProxy proxy{server.port(), {}, cut, 4};
   const Ended ended = run_load(
       proxy.port(), {"--players", "3", "--duration", "3", "--radius", "4", "--vertical", "2", "--fail-if",
-                     "wrong>0", "--fail-if", "unanswered>0", "--fail-if", "disconnects!=3"});
+                     "wrong>0", "--fail-if", "unanswered>0", "--fail-if", "disconnects!=3", "--fail-if",
+                     "reconnects!=3", "--fail-if", "return_max_ms==0"});
   INFO(said(ended));
   CHECK(ended.status == 0);
 }

@@ -108,14 +108,19 @@ Result<void> Core::set_view(const View& view) {
   const auto left = tracker_.replace(view);
   view_to_send_ = true;
   if (view_sent_) left_since_view_sent_.insert(left.begin(), left.end());
+  if (events_.on_left_view) left_to_tell_.insert(left.begin(), left.end());
   wake();
-  for (const auto& key : left) {
-    if (!events_.on_left_view) break;
-    events_.on_left_view(key);
-    if (mine != generation_) return {};
-  }
-  bring_back(mine);
+  tell_left(mine);
+  if (mine == generation_) bring_back(mine);
   return {};
+}
+
+// A callback may set another View: the call inside tells what is left to tell, and this one finds nothing
+// more.
+void Core::tell_left(Generation mine) {
+  while (mine == generation_ && !left_to_tell_.empty()) {
+    events_.on_left_view(left_to_tell_.extract(left_to_tell_.begin()).value());
+  }
 }
 
 // The server never heard that they had left, so it will not send them again.
@@ -125,7 +130,8 @@ void Core::bring_back(Generation mine) {
     if (tracker_.shape().covers(key)) back.push_back(key);
   }
   for (const ChunkKey& key : back) {
-    left_since_view_sent_.erase(key);
+    // The callback before may have set another View, which brought the chunk back itself or does not have it.
+    if (!tracker_.shape().covers(key) || left_since_view_sent_.erase(key) == 0) continue;
     if (const auto held = tracker_.held(key)) {
       ++stats_.kept_chunks;
       deliver(*held);

@@ -8,6 +8,7 @@
 #include <asio/post.hpp>
 #include <asio/use_awaitable.hpp>
 
+#include <talus/client/backoff.h>
 #include <talus/protocol/limits.h>
 
 #include "incoming.h"
@@ -22,6 +23,14 @@ const ClientError kClosed{ErrorKind::not_connected, "the client was closed", {}}
 bool worth_retrying(const ClientError& error) {
   return error.kind != ErrorKind::refused && error.kind != ErrorKind::untrusted &&
          error.kind != ErrorKind::world_changed;
+}
+
+std::uint32_t in_flight_limit(const ServerLimits& limits) {
+  return std::max(1U, limits.requests_in_flight);
+}
+
+void append(std::vector<std::byte>& out, const protocol::Frame& frame) {
+  out.insert(out.end(), frame.begin(), frame.end());
 }
 
 // A third of what the server allows: one Ping may be late and the next still comes in time.
@@ -51,6 +60,7 @@ void Core::connect(std::string host, std::string port, ConnectHandler handler) {
   world_.reset();
   tracker_ = ViewTracker{options_.keep_bytes};
   uniform_chunks_.clear();
+  left_to_tell_.clear();
   // The lambda's frame keeps self alive until run() is over.
   asio::co_spawn(
       executor_,
@@ -170,6 +180,11 @@ void Core::start_session(const ConnectionPtr& connection) {
   credited_bytes_ = 0;
   view_to_send_ = tracker_.view().has_value();
   view_sent_ = false;
+  sent_shape_ = {};
+  complete_to_tell_ = false;
+  leaving_ = false;
+  pace_ = RequestPace{world_->limits, options_.clock->now()};
+  pace_timer_ = options_.clock->make_timer(executor_);
   left_since_view_sent_.clear();
   close_reason_.reset();
   const auto self = shared_from_this();
@@ -187,6 +202,7 @@ void Core::start_session(const ConnectionPtr& connection) {
 // What belonged to the connection and not to the client.
 void Core::end_session() {
   joined_ = false;
+  pace_timer_.reset();
   cancels_to_send_.clear();
   pings_to_send_.clear();
   const ClientError lost{ErrorKind::disconnected, "the connection ended before the server answered", {}};
@@ -214,6 +230,7 @@ void Core::close() {
   joined_ = false;
   cancels_to_send_.clear();
   pings_to_send_.clear();
+  pace_timer_.reset();
   if (retry_timer_) retry_timer_->cancel();
   if (connection_) connection_->close(kClosed);
   // Not from inside close(): the caller may be in the middle of anything.
@@ -274,54 +291,89 @@ void Core::report(const ClientError& error) {
   if (events_.on_error) events_.on_error(error);
 }
 
+void Core::wake_at(Clock::Time when) {
+  pace_timer_->async_wait_until(when, [weak = weak_from_this()](std::error_code error) {
+    if (const auto self = weak.lock(); self && !error) self->wake();
+  });
+}
+
 std::vector<std::byte> Core::compose() {
   std::vector<std::byte> out;
-  const auto append = [&](const protocol::Frame& frame) {
-    out.insert(out.end(), frame.begin(), frame.end());
-  };
-  for (const auto nonce : std::exchange(pings_to_send_, {})) {
-    const auto open = open_pings_.find(nonce);
-    if (open == open_pings_.end()) continue;  // a hostile server answered before it was asked
-    open->second.sent = options_.clock->now();
-    append(ping_frame(nonce));
-  }
-  if (std::exchange(view_to_send_, false)) {
-    const bool first = !std::exchange(view_sent_, true);
-    append(view_frame(*tracker_.view(), tracker_.known(known_per_frame(world_->limits.frame_bytes), first)));
-    left_since_view_sent_.clear();
-  }
-  compose_requests(out);
+  if (!leaving_) compose_view(out);
+  compose_pings(out);
+  if (!leaving_) compose_requests(out);
   // In pieces that fit the smallest frame a server may allow.
   constexpr std::size_t kIdsAFrame = 512;
   const auto ids = std::exchange(cancels_to_send_, {});
   for (std::size_t first = 0; first < ids.size(); first += kIdsAFrame) {
-    append(cancel_frame(std::span{ids}.subspan(first, std::min(kIdsAFrame, ids.size() - first))));
+    append(out, cancel_frame(std::span{ids}.subspan(first, std::min(kIdsAFrame, ids.size() - first))));
   }
   // Half a window at a time: the server never runs dry, and credits are few.
   if ((taken_bytes_ - credited_bytes_) * 2 >= world_->limits.window_bytes && taken_bytes_ > credited_bytes_) {
     credited_bytes_ = taken_bytes_;
-    append(credit_frame(credited_bytes_));
+    append(out, credit_frame(credited_bytes_));
+  }
+  if (waits_for_pace()) {
+    constexpr std::chrono::milliseconds kBetweenBatches{10};  // rather than a wake-up a request
+    const auto now = options_.clock->now();
+    wake_at(std::max(pace_.next(now), now + kBetweenBatches));
   }
   return out;
 }
 
-void Core::compose_requests(std::vector<std::byte>& out) {
-  const auto append = [&](const protocol::Frame& frame) {
-    out.insert(out.end(), frame.begin(), frame.end());
-  };
-  const ServerLimits& limits = world_->limits;
-  const std::size_t most = std::max<std::size_t>(1, chunk_requests_per_frame(limits.frame_bytes));
-  std::vector<wire::ChunkRequest> chunks;
-  while (const auto id = requests_.send_next(std::max(1U, limits.requests_in_flight))) {
-    const Request& request = requests_.at(*id);
-    if (const auto* heights = std::get_if<HeightsRequest>(&request)) {
-      append(heights_frame(*id, *heights));
+bool Core::waits_for_pace() const {
+  if (leaving_) return false;
+  return view_to_send_ || !pings_to_send_.empty() || requests_.has_next(in_flight_limit(world_->limits));
+}
+
+void Core::compose_view(std::vector<std::byte>& out) {
+  if (!view_to_send_ || !pace_.take(options_.clock->now())) return;
+  view_to_send_ = false;
+  const bool first = !std::exchange(view_sent_, true);
+  if (++view_number_ == 0) ++view_number_;  // 0 is no number
+  append(out, view_frame(*tracker_.view(), view_number_,
+                         tracker_.known(known_per_frame(world_->limits.frame_bytes), first)));
+  sent_shape_ = tracker_.shape();
+  complete_to_tell_ = false;
+  left_since_view_sent_.clear();
+}
+
+void Core::compose_pings(std::vector<std::byte>& out) {
+  const auto now = options_.clock->now();
+  std::vector<std::uint64_t> later;
+  for (const auto nonce : std::exchange(pings_to_send_, {})) {
+    const auto open = open_pings_.find(nonce);
+    if (open == open_pings_.end()) continue;  // a hostile server answered before it was asked
+    const bool keeps_alive = open->second.handler == nullptr;  // and must not wait
+    if (keeps_alive) {
+      pace_.spend(now);
+    } else if (!pace_.take(now)) {
+      later.push_back(nonce);
       continue;
     }
-    chunks.push_back(wire_request(*id, std::get<ChunkRequest>(request)));
-    if (chunks.size() == most) append(get_chunks_frame(std::exchange(chunks, {})));
+    open->second.sent = now;
+    open->second.is_sent = true;
+    append(out, ping_frame(nonce));
   }
-  if (!chunks.empty()) append(get_chunks_frame(chunks));
+  pings_to_send_ = std::move(later);
+}
+
+void Core::compose_requests(std::vector<std::byte>& out) {
+  const ServerLimits& limits = world_->limits;
+  const auto now = options_.clock->now();
+  const std::size_t most = std::max<std::size_t>(1, chunk_requests_per_frame(limits.frame_bytes));
+  std::vector<wire::ChunkRequest> chunks;
+  while (requests_.has_next(in_flight_limit(limits)) && pace_.take(now)) {
+    const std::uint32_t id = *requests_.send_next(in_flight_limit(limits));
+    const Request& request = requests_.at(id);
+    if (const auto* heights = std::get_if<HeightsRequest>(&request)) {
+      append(out, heights_frame(id, *heights));
+      continue;
+    }
+    chunks.push_back(wire_request(id, std::get<ChunkRequest>(request)));
+    if (chunks.size() == most) append(out, get_chunks_frame(std::exchange(chunks, {})));
+  }
+  if (!chunks.empty()) append(out, get_chunks_frame(chunks));
 }
 
 }  // namespace talus::client

@@ -16,8 +16,8 @@
 #include <talus/client/client.h>
 #include <talus/protocol/message.h>
 
-#include "backoff.h"
 #include "connection.h"
+#include "request_pace.h"
 #include "requests.h"
 #include "view_tracker.h"
 
@@ -73,17 +73,26 @@ class Core : public std::enable_shared_from_this<Core> {
   [[nodiscard]] Result<void> handle_edit(const wire::EditBroadcast& edit);
   void refetch(ChunkKey key);
   [[nodiscard]] Result<void> handle_pong(const wire::Pong& pong);
+  void ping_refused(const ClientError& why);
   [[nodiscard]] Result<void> handle_go_away(const wire::GoAway& away);
+  [[nodiscard]] Result<void> handle_complete(const wire::ViewComplete& complete);
+  void tell_complete();
   void deliver(const ReceivedChunk& chunk);
+  void pass_by(const ChunkKey& key);
   [[nodiscard]] Result<void> confirm(ChunkKey key, ContentHash hash);
+  void tell_left(Generation mine);
   void bring_back(Generation mine);
   void report(const ClientError& error);
   [[nodiscard]] Result<ReceivedChunk> uniform(ChunkKey key, MaterialId material, std::uint64_t revision);
 
-  // Everything that waits to be sent, as bytes.
+  // Everything that may be sent now, as bytes.
   [[nodiscard]] std::vector<std::byte> compose();
+  void compose_view(std::vector<std::byte>& out);
+  void compose_pings(std::vector<std::byte>& out);
   void compose_requests(std::vector<std::byte>& out);
+  [[nodiscard]] bool waits_for_pace() const;
   void wake();
+  void wake_at(Clock::Time when);
 
   asio::any_io_executor executor_;
   Options options_;
@@ -93,8 +102,11 @@ class Core : public std::enable_shared_from_this<Core> {
   Generation generation_ = 0;
   bool running_ = false;
   bool joined_ = false;
-  bool useful_ = false;  // the connection has answered something: its failure starts a new count
+  bool useful_ = false;   // the connection has answered something: its failure starts a new count
+  bool leaving_ = false;  // the server said GoAway: it answers what it has, and takes nothing new
   ConnectionPtr connection_;
+  RequestPace pace_;
+  std::unique_ptr<Timer> pace_timer_;  // wakes the writer when the pace lets something go
   std::shared_ptr<Timer> retry_timer_;
   std::optional<WorldInfo> world_;
   std::optional<ClientError> close_reason_;  // what the server gave as the reason, before it closed
@@ -103,14 +115,20 @@ class Core : public std::enable_shared_from_this<Core> {
   ViewTracker tracker_;
   bool view_to_send_ = false;
   bool view_sent_ = false;                             // on this connection
-  std::unordered_set<ChunkKey> left_since_view_sent_;  // left the View after the last one that was sent: the
-                                                       // server still counts them in
+  ViewShape sent_shape_;                               // of the View that was sent last
+  std::uint32_t view_number_ = 0;                      // of that View; never again another one's
+  std::uint32_t completed_number_ = 0;                 // of the last View that the server said to be complete
+  bool complete_to_tell_ = false;                      // of the View that was sent last
+  std::unordered_set<ChunkKey> left_since_view_sent_;  // left the View after the last one that was sent, or
+                                                       // came then: the server still counts them in
+  std::unordered_set<ChunkKey> left_to_tell_;  // of what on_chunk delivered, and not by on_left_view yet
   std::vector<std::uint32_t> cancels_to_send_;
   std::map<ChunkKey, bool> refetching_;  // edited chunks asked for anew, and whether edited again since
   std::vector<std::uint64_t> pings_to_send_;
   struct OpenPing {
     Clock::Time sent;
     PingHandler handler;  // empty: only keeps the connection alive
+    bool is_sent = false;
   };
   std::map<std::uint64_t, OpenPing> open_pings_;
   std::uint64_t last_nonce_ = 0;

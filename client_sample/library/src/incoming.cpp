@@ -40,11 +40,23 @@ Result<Material> read_material(const wire::Material& material) {
                   static_cast<Phase>(material.phase())};
 }
 
+std::optional<Rates> read_rates(const wire::Rates* rates) {
+  if (rates == nullptr) return std::nullopt;
+  return Rates{rates->chunks(), rates->bytes(), rates->requests(),
+               std::chrono::milliseconds{rates->burst_ms()}};
+}
+
 ServerLimits read_limits(const wire::Limits& limits) {
-  return {limits.frame_bytes(),          limits.requests_in_flight(),
-          limits.heights_per_request(),  limits.view_horizontal_radius(),
-          limits.view_vertical_radius(), limits.view_chunks(),
-          limits.window_bytes(),         std::chrono::milliseconds{limits.idle_timeout_ms()}};
+  return {limits.frame_bytes(),
+          limits.requests_in_flight(),
+          limits.heights_per_request(),
+          limits.view_horizontal_radius(),
+          limits.view_vertical_radius(),
+          limits.view_chunks(),
+          limits.window_bytes(),
+          std::chrono::milliseconds{limits.idle_timeout_ms()},
+          read_rates(limits.session_rates()),
+          read_rates(limits.address_rates())};
 }
 
 }  // namespace

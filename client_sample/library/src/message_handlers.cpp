@@ -10,7 +10,7 @@ Result<void> Core::handle(std::span<const std::byte> frame) {
   const auto message = protocol::read_message(frame);
   if (!message) return tl::unexpected{broken_protocol(std::string{protocol::describe(message.error())})};
   const wire::Message& m = **message;
-  close_reason_.reset();  // it went on talking
+  if (!leaving_) close_reason_.reset();  // it went on talking; after GoAway it only ends what it has begun
   switch (m.body_type()) {
     case wire::Body::Chunk:
       return handle_chunk(*m.body_as_Chunk(), frame.size());
@@ -28,6 +28,8 @@ Result<void> Core::handle(std::span<const std::byte> frame) {
       return handle_pong(*m.body_as_Pong());
     case wire::Body::GoAway:
       return handle_go_away(*m.body_as_GoAway());
+    case wire::Body::ViewComplete:
+      return handle_complete(*m.body_as_ViewComplete());
     default:
       return tl::unexpected{
           broken_protocol(std::string{"an unexpected "} + wire::EnumNameBody(m.body_type()))};
@@ -50,6 +52,7 @@ Result<void> Core::handle_chunk(const wire::Chunk& chunk, std::size_t frame_byte
   }
   // A chunk of a View that has since moved on counts as taken all the same.
   const bool wanted = request != nullptr || tracker_.shape().covers(*key);
+  if (!wanted) pass_by(*key);
   if (wanted) {
     const auto received = read_chunk(*key, chunk);
     if (received) {
@@ -90,7 +93,10 @@ Result<void> Core::handle_unchanged(const wire::Unchanged& unchanged) {
 
 // A chunk of the View that this client said it holds. It may have let go of it since.
 Result<void> Core::confirm(ChunkKey key, ContentHash hash) {
-  if (!tracker_.shape().covers(key)) return {};
+  if (!tracker_.shape().covers(key)) {
+    pass_by(key);
+    return {};
+  }
   useful_ = true;
   const auto held = tracker_.held(key);
   if (!held || held->hash != hash) {
@@ -123,13 +129,13 @@ Result<void> Core::handle_column(const wire::UniformColumn& column) {
   const auto lod = Lod::checked(column.lod());
   if (!lod) return tl::unexpected{broken_protocol(lod.error().message)};
   if (column.runs() == nullptr) return {};
-  // A run may claim 2^32 chunks: only the rows of the View are looked at.
+  // A run may claim 2^32 chunks: only the rows of a View are looked at.
   for (const auto* run : *column.runs()) {
-    const ChunkRange rows = tracker_.shape().rows(column.x(), column.z(), *lod);
-    const std::int64_t first = std::max<std::int64_t>(rows.first, run->first_y());
-    const std::int64_t last = std::min<std::int64_t>(rows.last, run->last_y());
-    for (std::int64_t y = first; y <= last; ++y) {
+    const ChunkRange named{run->first_y(), run->last_y()};
+    const ChunkRange now = overlap(tracker_.shape().rows(column.x(), column.z(), *lod), named);
+    for (std::int64_t y = now.first; y <= now.last; ++y) {
       const ChunkKey key{{column.x(), static_cast<std::int32_t>(y), column.z()}, *lod};
+      if (!tracker_.shape().covers(key)) continue;  // the callback before has set another View
       const auto chunk = uniform(key, MaterialId{run->material()}, column.revision());
       if (!chunk) return tl::unexpected{chunk.error()};
       useful_ = true;
@@ -137,8 +143,19 @@ Result<void> Core::handle_column(const wire::UniformColumn& column) {
       deliver(*chunk);
       if (!joined_) return {};  // the callback closed the client, and the message with it
     }
+    const ChunkRange sent = overlap(sent_shape_.rows(column.x(), column.z(), *lod), named);
+    for (std::int64_t y = sent.first; view_to_send_ && y <= sent.last; ++y) {
+      const ChunkKey key{{column.x(), static_cast<std::int32_t>(y), column.z()}, *lod};
+      if (!tracker_.shape().covers(key)) pass_by(key);
+    }
   }
   return {};
+}
+
+// A chunk for the View that the server knows, which the newest one does not have. Where that is still to be
+// sent, another View may bring the chunk back and the server never hear that it was thrown away.
+void Core::pass_by(const ChunkKey& key) {
+  if (view_to_send_ && sent_shape_.covers(key)) left_since_view_sent_.insert(key);
 }
 
 Result<void> Core::handle_heights(const wire::Heights& heights) {
@@ -159,18 +176,44 @@ Result<void> Core::handle_heights(const wire::Heights& heights) {
 
 Result<void> Core::handle_error(const wire::Error& error) {
   const ClientError why = read_error(error);
-  if (error.request_id() == 0) {
-    close_reason_ = why;
-    report(why);
+  // A server of 0.1 does not say what an Error is about, nor its rates: the caller decides about trying
+  // again.
+  const bool told = error.about() != wire::ErrorAbout::unspecified;
+  const bool is_request = told ? error.about() == wire::ErrorAbout::request : error.request_id() != 0;
+  const bool comes_back = told && error.code() == wire::ErrorCode::overloaded && why.retry_after.count() > 0;
+  if (comes_back) pace_.refused(options_.clock->now(), why.retry_after);
+  if (is_request) {
+    if (requests_.in_flight(error.request_id()) == nullptr) {
+      return tl::unexpected{broken_protocol("an Error about request " + std::to_string(error.request_id()) +
+                                            ", which is not in flight")};
+    }
+    if (!comes_back || !requests_.put_back(error.request_id())) fail(requests_.take(error.request_id()), why);
+    wake();
     return {};
   }
-  if (requests_.in_flight(error.request_id()) == nullptr) {
-    return tl::unexpected{broken_protocol("an Error about request " + std::to_string(error.request_id()) +
-                                          ", which is not in flight")};
+  close_reason_ = why;
+  if (error.about() == wire::ErrorAbout::view_chunk) {
+    const auto key = read_key(error.chunk());
+    if (!key) return tl::unexpected{key.error()};
+    if (tracker_.shape().covers(*key)) refetch(*key);
+  } else if (error.about() == wire::ErrorAbout::ping) {
+    ping_refused(why);
+  } else if (error.about() == wire::ErrorAbout::view && comes_back) {
+    view_to_send_ = view_to_send_ || error.view_number() == view_number_;
+    wake();
+  } else {
+    report(why);
   }
-  fail(requests_.take(error.request_id()), why);
-  wake();
   return {};
+}
+
+// Pings are answered in their order, so it is the oldest.
+void Core::ping_refused(const ClientError& why) {
+  const auto open = open_pings_.begin();
+  if (open == open_pings_.end() || !open->second.is_sent) return;
+  const OpenPing ping = std::move(open->second);
+  open_pings_.erase(open);
+  if (ping.handler) ping.handler(tl::unexpected{why});
 }
 
 // The edits themselves are not applied: the chunk is fetched anew, which is always right.
@@ -195,13 +238,16 @@ void Core::refetch(ChunkKey key) {
     const auto done = self->refetching_.find(key);
     const bool again = done->second;
     self->refetching_.erase(done);
-    if (!self->joined_ || !self->tracker_.shape().covers(key)) return;
-    if (chunk) {
-      self->deliver(*chunk);
-    } else {
-      self->report(chunk.error());
+    if (!self->joined_) return;
+    if (self->tracker_.shape().covers(key)) {
+      if (chunk) {
+        self->deliver(*chunk);
+      } else {
+        self->report(chunk.error());
+      }
+      if (again && self->joined_) self->refetch(key);
     }
-    if (again && self->joined_) self->refetch(key);
+    self->tell_complete();
   });
 }
 
@@ -217,9 +263,30 @@ Result<void> Core::handle_pong(const wire::Pong& pong) {
 }
 
 Result<void> Core::handle_go_away(const wire::GoAway& away) {
+  leaving_ = true;
   close_reason_ = ClientError{ErrorKind::disconnected, "the server goes away: " + read_text(away.reason()),
                               std::chrono::milliseconds{away.retry_after_ms()}};
   return {};
+}
+
+Result<void> Core::handle_complete(const wire::ViewComplete& complete) {
+  // It may have crossed a View that replaces the one it is about.
+  if (!view_sent_ || view_to_send_ || complete.number() != view_number_) return {};
+  if (std::exchange(completed_number_, view_number_) == view_number_) return {};
+  complete_to_tell_ = true;
+  // Sent and yet not here: it was bad, or came while a View that the server then refused did not have it.
+  for (const ChunkKey& key : tracker_.missing()) {
+    if (!refetching_.contains(key)) refetch(key);
+  }
+  tell_complete();
+  return {};
+}
+
+// What is fetched anew is still to come: only then it is all there.
+void Core::tell_complete() {
+  if (!complete_to_tell_ || view_to_send_ || !refetching_.empty() || !joined_) return;
+  complete_to_tell_ = false;
+  if (events_.on_view_complete) events_.on_view_complete(View{*tracker_.view()});
 }
 
 void Core::deliver(const ReceivedChunk& chunk) {

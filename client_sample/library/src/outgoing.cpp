@@ -35,7 +35,7 @@ protocol::Frame hello_frame(const Options& options) {
   });
 }
 
-protocol::Frame view_frame(const View& view, const std::vector<ReceivedChunk>& known) {
+protocol::Frame view_frame(const View& view, std::uint32_t number, const std::vector<ReceivedChunk>& known) {
   return protocol::make_frame([&](auto& b) {
     const wire::Voxel centre{view.centre.x, view.centre.y, view.centre.z};
     const wire::Direction direction{view.direction.x, view.direction.y, view.direction.z};
@@ -51,7 +51,7 @@ protocol::Frame view_frame(const View& view, const std::vector<ReceivedChunk>& k
     }
     const auto held_list = held.empty() ? 0 : b.CreateVectorOfStructs(held);
     return wire::CreateView(b, &centre, &direction, view.horizontal_radius, view.vertical_radius, ring_list,
-                            held_list);
+                            held_list, number);
   });
 }
 

@@ -14,7 +14,7 @@ std::uint32_t Requests::add(Request request) {
 }
 
 std::optional<std::uint32_t> Requests::send_next(std::uint32_t limit) {
-  if (waiting_.empty() || in_flight_.size() >= limit) return std::nullopt;
+  if (!has_next(limit)) return std::nullopt;
   const std::uint32_t id = waiting_.front();
   waiting_.pop_front();
   in_flight_.emplace(id, false);
@@ -56,6 +56,14 @@ std::vector<Request> Requests::send_again() {
   }
   waiting_.insert(waiting_.begin(), again.begin(), again.end());
   return cancelled;
+}
+
+bool Requests::put_back(std::uint32_t id) {
+  if (in_flight_.at(id)) return false;
+  in_flight_.erase(id);
+  waiting_.insert(
+      std::find_if(waiting_.begin(), waiting_.end(), [id](std::uint32_t other) { return other > id; }), id);
+  return true;
 }
 
 std::vector<Request> Requests::take_all() {

@@ -48,6 +48,15 @@ class Requests {
   /// cancelled, which are not worth asking again.
   [[nodiscard]] std::vector<Request> send_again();
 
+  /// The server refused it for now: it waits again, before all that were never sent and in the order of ids.
+  /// False where it had been cancelled: then the caller takes it out and answers it.
+  [[nodiscard]] bool put_back(std::uint32_t id);
+
+  /// Whether a request waits that send_next() would give out.
+  [[nodiscard]] bool has_next(std::uint32_t limit) const {
+    return !waiting_.empty() && in_flight_.size() < limit;
+  }
+
   /// Takes all out, oldest first.
   [[nodiscard]] std::vector<Request> take_all();
 

@@ -64,6 +64,15 @@ std::vector<ReceivedChunk> ViewTracker::known(std::size_t max, bool with_deliver
   return known;
 }
 
+std::vector<ChunkKey> ViewTracker::missing() const {
+  std::vector<ChunkKey> missing;
+  if (static_cast<std::int64_t>(delivered_.size()) == shape_.count()) return missing;
+  shape_.for_each([&](const ChunkKey& key) {
+    if (!was_delivered(key)) missing.push_back(key);
+  });
+  return missing;
+}
+
 bool same_view(const View& a, const View& b) {
   const auto same_ring = [](const LodRing& p, const LodRing& q) {
     return p.lod == q.lod && p.radius == q.radius;

@@ -30,6 +30,9 @@ class ViewTracker {
   /// The server has another store: its revisions say nothing about those that came before.
   void forget_revisions();
 
+  /// Chunks of the View that were not delivered.
+  [[nodiscard]] std::vector<ChunkKey> missing() const;
+
   [[nodiscard]] bool was_delivered(const ChunkKey& key) const { return delivered_.contains(key); }
 
   /// The chunk where it is still held: kept after it left, or delivered and held by the caller.

@@ -37,6 +37,9 @@
 // Chunks that left the View are kept for a while, within Options::keep_bytes: when they come back, only
 // their hashes travel, unless they have changed.
 //
+// Requests, Views and pings beyond the rate that the server told wait inside the client. Where the server
+// refuses one all the same and says when to come back, the client asks again then by itself.
+//
 // When the connection breaks and Options::reconnect allows it, the client connects again; where the server
 // asks for a wait first, up to kLongestRetryAfter, after that. If the world has the same fingerprint, the
 // current View and every unanswered request are sent again, and on_chunk comes again for all chunks of the
@@ -75,6 +78,9 @@ struct Events {
   std::function<void(const ReceivedChunk&)> on_chunk;
   /// A chunk that on_chunk delivered is no longer in the View, and will not be kept up to date.
   std::function<void(ChunkKey)> on_left_view;
+  /// All chunks of the View have come, but for those of which on_error told. At most once for each View that
+  /// is sent, and not for one that was replaced before; again after a reconnect. Never from a server of 0.1.
+  std::function<void(const View&)> on_view_complete;
   /// Something that the connection survives: a chunk of the View that was bad, a View that was refused.
   std::function<void(const ClientError&)> on_error;
   /// The connection is gone after having been up. `retrying`: the client is trying to come back.
@@ -118,8 +124,8 @@ class Client {
   [[nodiscard]] const WorldInfo* world() const;
 
   /// One chunk. With `known`, the hash of what the caller holds, the answer may be unchanged(). Any number
-  /// of requests may be open; those beyond the server's limit wait their turn here. Answers come in any
-  /// order, each exactly once.
+  /// of requests may be open; those beyond the server's limit or rate wait their turn here. Answers come in
+  /// any order, each exactly once.
   [[nodiscard]] asio::awaitable<Result<ReceivedChunk>> get(ChunkKey key,
                                                            std::optional<ContentHash> known = std::nullopt);
   RequestId get(ChunkKey key, std::optional<ContentHash> known,

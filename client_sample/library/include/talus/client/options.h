@@ -4,23 +4,25 @@
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 
 #include <talus/client/clock.h>
 
 namespace talus::client {
 
-/// After the n-th failure in a row the client waits first_delay * 2^(n-1), at most max_delay, less up to
-/// half of it at random, so that clients of one server do not all return at once.
+/// After the n-th failure in a row the client waits for as long as the server asked, and then for a time
+/// between 0 and first_delay * 2^(n-1), at most max_delay, at random: clients of one server do not all return
+/// at once.
 struct ReconnectPolicy {
   int max_attempts = 0;  // failures in a row before it gives up; 0: never reconnect
-  std::chrono::milliseconds first_delay{250};
+  std::chrono::milliseconds first_delay{500};
   std::chrono::milliseconds max_delay{10'000};
-  std::uint64_t seed = 0;  // of the random part: the same seed gives the same delays
+  std::optional<std::uint64_t> seed;  // of the random part: the same seed gives the same delays; none: every
+                                      // client has its own
 };
 
-/// A server that goes away, or has too much to do, may ask for a longer wait than the policy's; none is
-/// longer than this.
+/// A server that goes away, or has too much to do, may ask for a wait; none is longer than this.
 inline constexpr std::chrono::milliseconds kLongestRetryAfter{60'000};
 
 /// Encrypted, and with a server that proves who it is. Only TLS 1.3 is spoken.

@@ -40,6 +40,18 @@ class ViewShape {
   [[nodiscard]] bool covers(const ChunkKey& key) const;
   /// The rows of a column of `lod`; empty where the View does not have the column.
   [[nodiscard]] ChunkRange rows(std::int32_t x, std::int32_t z, Lod lod) const;
+  /// Calls `visit(const ChunkKey&)` for every chunk, the finest level first.
+  template <typename Visit>
+  void for_each(Visit&& visit) const {
+    const auto narrow = [](std::int64_t at) { return static_cast<std::int32_t>(at); };
+    for (const LevelBox& box : boxes_) {
+      box.for_each_column([&](std::int64_t x, std::int64_t z) {
+        for (std::int64_t y = box.y.first; y <= box.y.last; ++y) {
+          visit(ChunkKey{{narrow(x), narrow(y), narrow(z)}, box.lod});
+        }
+      });
+    }
+  }
   /// How many chunks there are, of all levels.
   [[nodiscard]] std::int64_t count() const;
   /// The same where the world's edge cuts none off: what Limits::view_chunks bounds.

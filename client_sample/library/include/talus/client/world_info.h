@@ -3,6 +3,7 @@
 
 #include <chrono>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -21,6 +22,14 @@ struct Material {
   Phase phase{};
 };
 
+/// What a server grants a second, by token buckets; 0: no limit.
+struct Rates {
+  std::uint64_t chunks = 0;            // Chunk messages; those beyond come later
+  std::uint64_t bytes = 0;             // of everything that the server sends
+  std::uint64_t requests = 0;          // requests, Views and pings; those beyond wait inside the client
+  std::chrono::milliseconds burst{0};  // a bucket holds what its rate grants in this time
+};
+
 /// What the server allows this connection; the client library keeps within it by itself.
 struct ServerLimits {
   std::uint32_t frame_bytes = 0;
@@ -31,6 +40,8 @@ struct ServerLimits {
   std::uint32_t view_chunks = 0;             // of all levels in one View
   std::uint64_t window_bytes = 0;
   std::chrono::milliseconds idle_timeout{0};
+  std::optional<Rates> session_rates;  // none: the server does not tell, which one of 0.1 never does
+  std::optional<Rates> address_rates;  // of all connections from this client's address together
 };
 
 struct WorldInfo {
