@@ -179,9 +179,9 @@ CommandResult save_pictures(const Gathered& gathered, const client::WorldInfo& w
     const int reach = view.rings.empty() ? view.horizontal_radius : view.rings.back().radius;
     std::optional<ProgressBar> progress{std::in_place, "draw", "rows"};
     progress->expect(kViewHeight);
-    const Picture picture =
-        draw_view(gathered.store, world.materials, camera, static_cast<double>(reach) * kChunkSize,
-                  kViewWidth, kViewHeight, [&](int rows) { progress->advance(rows); });
+    const Picture picture = draw_view(gathered.store, world.materials, camera,
+                                      static_cast<double>(reach) * kChunkSize, kViewWidth, kViewHeight,
+                                      [&](int rows) { progress->advance(static_cast<std::uint64_t>(rows)); });
     progress.reset();
     auto written = write_png(picture, options.view);
     if (!written) return written;

@@ -32,8 +32,8 @@ struct SessionRunner<S>::Owner {
   static MailboxPtr mailbox(ConnectionId id, FlowId flow, const std::shared_ptr<Owner>& owner) {
     auto mailbox = std::make_shared<Mailbox>(ClientId{id}, [owner] {
       asio::post(owner->executor, [owner] {
-        if (const auto runner = owner->runner.lock()) {
-          runner->dispatch([](Session& session) { session.take_mail(); });
+        if (const auto alive = owner->runner.lock()) {
+          alive->dispatch([](Session& session) { session.take_mail(); });
         }
       });
     });

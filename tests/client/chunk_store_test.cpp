@@ -19,7 +19,7 @@ ReceivedChunk revision(std::uint64_t number) {
 
 TEST_CASE("a store holds the newest revision, in whatever order they come") {
   ChunkStore store{1 << 20};
-  for (const std::uint64_t number : {3, 5, 4}) store.put(revision(number));
+  for (const std::uint64_t number : {3U, 5U, 4U}) store.put(revision(number));
   REQUIRE(store.look(key_at(0, 0, 0)) != nullptr);
   CHECK(store.look(key_at(0, 0, 0))->revision == 5);
   CHECK(store.size() == 1);

@@ -205,7 +205,7 @@ TEST_CASE("a token with an empty part is refused before its signature is checked
 
 TEST_CASE("no text is accepted, however long") {
   CHECK(rc::check([](const std::string& text) { RC_ASSERT(!read(text).has_value()); }));
-  for (const std::size_t dots : {0, 1, 2, 3}) {
+  for (const std::size_t dots : {0U, 1U, 2U, 3U}) {
     CHECK_FALSE(read(std::string(dots, '.')).has_value());
     CHECK_FALSE(read(std::string(4'000'000, 'A') + std::string(dots, '.')).has_value());
   }

@@ -91,7 +91,7 @@ int hanging_voxels(const Place& at) {
 
 TEST_CASE("What caves leave standing is connected with the ground") {
   for (const int steps : {0, 8}) {
-    for (const std::uint64_t seed : {1, 2, 3, 4}) {
+    for (const std::uint64_t seed : {1U, 2U, 3U, 4U}) {
       for (const int level : {0, 1, 2}) {
         INFO(steps << " steps of erosion, seed " << seed << ", level " << level);
         const Place at = place(test::small_caves(seed, steps), Lod::of(level));
@@ -196,7 +196,7 @@ TEST_CASE("Entrances are bare until material slides into them") {
 TEST_CASE("No water stands beside a cave or over one") {
   for (const int steps : {0, 8}) {
     for (const int level : {0, 1, 2}) {
-      for (const std::uint64_t seed : {1, 5}) {
+      for (const std::uint64_t seed : {1U, 5U}) {
         const Place at = place(drowned_caves(seed, steps), Lod::of(level));
         const auto& v = at.voxels;
         int beside = 0;

@@ -34,7 +34,7 @@ const PayloadField* field_named(const std::vector<PayloadField>& fields, const s
 
 TEST_CASE("the fields of a payload cover its bytes") {
   for (const WorkedExample& example : worked_examples()) {
-    for (const std::size_t symbols : {0, 16, 100'000}) {
+    for (const std::size_t symbols : {0U, 16U, 100'000U}) {
       CAPTURE(example.name, symbols);
       const auto fields = explain(example.payload, symbols);
       CHECK(covered(fields, example.payload.size()));

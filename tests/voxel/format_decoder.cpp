@@ -125,7 +125,10 @@ struct Before {
 
 std::array<int, 5> intervals_of(const Tables& tables, const Before& before, Kind kind, const Row& symbol,
                                 int x) {
-  const auto& [N, S, F, G] = before;
+  const Row& N = before.N;
+  const Row& S = before.S;
+  const Row& F = before.F;
+  const Row& G = before.G;
   const auto step = [&](int dx) { return sign(x + dx < 0 || x + dx > 31 ? 0 : at(S, x + dx)); };
   const auto thick = [&](int dx) { return std::min(at(N, x + dx) - at(G, x + dx), 2); };
   const int west = sign(at(N, x) - at(N, x - 1));

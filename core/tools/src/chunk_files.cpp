@@ -59,7 +59,8 @@ std::string value_of(const std::string& header, const std::string& key) {
 std::optional<Chunk> chunk_of_npy(const Bytes& bytes) {
   if (bytes.size() < 12) return std::nullopt;
   const bool first_version = bytes[6] == 1;
-  std::size_t length = static_cast<std::uint8_t>(bytes[8]) | static_cast<std::uint8_t>(bytes[9]) << 8U;
+  std::size_t length = std::size_t{static_cast<std::uint8_t>(bytes[8])} |
+                       std::size_t{static_cast<std::uint8_t>(bytes[9])} << 8U;
   std::size_t start = 10;
   if (!first_version) {
     length = little_endian(bytes.data() + 8);

@@ -133,7 +133,7 @@ void add_body(const OreKind& kind, const Middle& middle, std::uint64_t seed, std
   OreLobe lobe;
   lobe.seed = seed;
   // Some five grains from one end of a body to the other.
-  lobe.grain_bits = std::bit_width(static_cast<std::uint32_t>(kind.size_fx) / 5U) - 1;
+  lobe.grain_bits = static_cast<int>(std::bit_width(static_cast<std::uint32_t>(kind.size_fx) / 5U)) - 1;
   Draws draws{seed};
   if (kind.shape == OreShape::pocket) {
     add_pocket(middle, lobe, kind.size_fx / 2, draws, lobes);
