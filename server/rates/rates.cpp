@@ -13,6 +13,16 @@ using Time = SessionRates::Time;
 // Debt in control frames that is always tolerated: a burst may be smaller than Welcome alone.
 constexpr std::int64_t kToleratedDebtBytes = 8192;
 
+// What a rate holds goes in batches of what it earns in so long, and of an address's rates no more than this,
+// so that many sessions' turns come soon.
+constexpr std::chrono::milliseconds kBatchTime{10};
+constexpr std::size_t kBatchChunks = 16;
+constexpr std::size_t kBatchBytes = std::size_t{32} * 1024;
+
+std::uint64_t tokens_in(std::chrono::milliseconds time, const Rate& rate) {
+  return std::max<std::uint64_t>(1, rate.per_second * static_cast<std::uint64_t>(time.count()) / 1000);
+}
+
 /// Changes a shared bucket by change(bucket) and returns its result.
 template <typename Change>
 auto update(std::atomic<TokenBucket>& shared, Change&& change) {
@@ -94,51 +104,105 @@ std::optional<RateKind> SessionRates::take_request(Time now) {
 }
 
 SessionRates::Due SessionRates::chunks_due(Time now) {
-  nanoseconds longest{};
-  RateKind kind{};
-  const auto consider = [&](RateKind each, const TokenBucket& bucket, const Rate& rate) {
-    const nanoseconds wait = bucket.wait(rate, now);
-    if (wait <= longest) return;
-    longest = wait;
-    kind = each;
+  const auto own_wait = [&](const TokenBucket& bucket, const Rate& rate) {
+    return bucket.wait(rate, now, throttled_ ? tokens_in(kBatchTime, rate) : 1);
   };
-  consider(RateKind::session_chunks, chunks_, limits_.session.chunks);
-  consider(RateKind::session_bytes, bytes_, limits_.session.bytes);
-  if (address_ != nullptr) {
-    consider(RateKind::address_chunks, address_->chunks.load(std::memory_order_relaxed),
-             limits_.address.chunks);
-    consider(RateKind::address_bytes, address_->bytes.load(std::memory_order_relaxed), limits_.address.bytes);
-  }
-  Due due{now + longest};
-  const bool before = std::exchange(throttled_, longest > nanoseconds{});
-  if (throttled_ && !before) due.throttled = kind;
+  const nanoseconds chunks = own_wait(chunks_, limits_.session.chunks);
+  const nanoseconds bytes = own_wait(bytes_, limits_.session.bytes);
+  Due due{now + std::max(chunks, bytes),
+          chunks >= bytes ? RateKind::session_chunks : RateKind::session_bytes};
+  if (due.at == now && address_ != nullptr) due = batch_due(now);
+  const bool before = std::exchange(throttled_, due.at > now);
+  if (!throttled_ || before) due.throttled.reset();
+  // The first wait is for a batch as well.
+  if (throttled_ && !before) due.at = chunks_due(now).at;
   return due;
+}
+
+SessionRates::Due SessionRates::batch_due(Time now) {
+  struct Shared {
+    std::atomic<TokenBucket>& bucket;
+    const Rate& rate;
+    std::size_t batch;
+    std::size_t RateBatch::*part;
+  };
+  const Shared chunks{address_->chunks, limits_.address.chunks, kBatchChunks, &RateBatch::chunks};
+  const Shared bytes{address_->bytes, limits_.address.bytes, kBatchBytes, &RateBatch::bytes};
+  const auto kind_of = [&](nanoseconds of_chunks, nanoseconds of_bytes) {
+    return of_chunks >= of_bytes ? RateKind::address_chunks : RateKind::address_bytes;
+  };
+  if (batch_ && batch_->due > now) return {batch_->due, RateKind::address_chunks};
+  if (has_batch()) return {now, {}};
+  const auto has = [&](const Shared& shared, std::size_t tokens) {
+    return available(shared.bucket.load(std::memory_order_relaxed), shared.rate, now) >= tokens;
+  };
+  // Batches end where more than two are there at once.
+  const std::size_t batches = batch_ ? 2 : 0;
+  if (has(chunks, std::max<std::size_t>(1, batches * kBatchChunks)) &&
+      has(bytes, std::max<std::size_t>(1, batches * kBatchBytes))) {
+    batch_.reset();
+    return {now, {}};
+  }
+  if (!batch_) batch_.emplace();
+  const auto reserve = [&](const Shared& shared) {
+    if (!shared.rate.limited()) return nanoseconds{};
+    const std::size_t all = std::min<std::size_t>(shared.batch, tokens_in(kBatchTime, shared.rate));
+    std::size_t& kept = (*batch_).*shared.part;
+    const std::size_t more = all - std::min(all, kept);
+    kept += more;
+    return update(shared.bucket, [&](TokenBucket& bucket) {
+      bucket.spend(shared.rate, now, more);
+      return bucket.wait(shared.rate, now, 0);
+    });
+  };
+  const nanoseconds of_chunks = reserve(chunks);
+  const nanoseconds of_bytes = reserve(bytes);
+  batch_->due = now + std::max(of_chunks, of_bytes);
+  return {batch_->due, kind_of(of_chunks, of_bytes)};
+}
+
+bool SessionRates::has_batch() const {
+  return batch_ && (!limits_.address.chunks.limited() || batch_->chunks > 0) &&
+         (!limits_.address.bytes.limited() || batch_->bytes > 0);
 }
 
 SessionRates::Allowance SessionRates::allowance(Time now) const {
   const Allowance own{available(chunks_, limits_.session.chunks, now),
                       available(bytes_, limits_.session.bytes, now)};
   if (address_ == nullptr) return own;
-  const auto shared = [&](const std::atomic<TokenBucket>& bucket, const Rate& rate) {
-    return available(bucket.load(std::memory_order_relaxed), rate, now);
-  };
-  return {std::min(own.chunks, shared(address_->chunks, limits_.address.chunks)),
-          std::min(own.bytes, shared(address_->bytes, limits_.address.bytes))};
+  Allowance shared;
+  if (batch_) {
+    const bool due = batch_->due <= now;
+    if (limits_.address.chunks.limited()) shared.chunks = due ? batch_->chunks : 0;
+    if (limits_.address.bytes.limited()) shared.bytes = due ? batch_->bytes : 0;
+  } else {
+    shared.chunks = available(address_->chunks.load(std::memory_order_relaxed), limits_.address.chunks, now);
+    shared.bytes = available(address_->bytes.load(std::memory_order_relaxed), limits_.address.bytes, now);
+  }
+  return {std::min(own.chunks, shared.chunks), std::min(own.bytes, shared.bytes)};
 }
 
 void SessionRates::sent(Time now, std::size_t chunks, std::size_t bytes) {
   chunks_.spend(limits_.session.chunks, now, chunks);
   bytes_.spend(limits_.session.bytes, now, bytes);
   if (address_ == nullptr) return;
-  const auto spend = [&](std::atomic<TokenBucket>& shared, const Rate& rate, std::size_t tokens) {
+  const auto spend = [&](std::atomic<TokenBucket>& shared, const Rate& rate, std::size_t tokens,
+                         std::size_t RateBatch::*part) {
     if (!rate.limited() || tokens == 0) return;
+    if (batch_ && chunks > 0) {
+      std::size_t& has = (*batch_).*part;
+      const std::size_t own = std::min(has, tokens);
+      has -= own;
+      tokens -= own;
+    }
+    if (tokens == 0) return;
     update(shared, [&](TokenBucket& all) {
       all.spend(rate, now, tokens);
       return true;
     });
   };
-  spend(address_->chunks, limits_.address.chunks, chunks);
-  spend(address_->bytes, limits_.address.bytes, bytes);
+  spend(address_->chunks, limits_.address.chunks, chunks, &RateBatch::chunks);
+  spend(address_->bytes, limits_.address.bytes, bytes, &RateBatch::bytes);
 }
 
 }  // namespace talus::server

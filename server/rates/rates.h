@@ -29,6 +29,13 @@ struct AddressBuckets {
 };
 using AddressBucketsPtr = std::shared_ptr<AddressBuckets>;
 
+/// What a session has reserved of its address's rates; what a batch leaves is kept for the next.
+struct RateBatch {
+  std::size_t chunks = 0;
+  std::size_t bytes = 0;
+  TokenBucket::Time due{};
+};
+
 /// Of one session, and of its thread.
 class SessionRates {
  public:
@@ -58,6 +65,9 @@ class SessionRates {
     Time at;                              // when the next chunk may go; `now`: at once
     std::optional<RateKind> throttled{};  // where this call is the first to say "later"
   };
+  /// For who has a chunk to send. Chunks that a rate holds go in batches: of the session's own rates of what
+  /// they earn in 10 ms. Of those of its address the session reserves a batch, behind the batches that others
+  /// have reserved, so that each session is woken for its own alone.
   [[nodiscard]] Due chunks_due(Time now);
 
   /// How much of chunks may go now. The last chunk may pass `bytes`.
@@ -76,9 +86,14 @@ class SessionRates {
   /// Until `in_line` requests have room by this rate.
   [[nodiscard]] std::chrono::nanoseconds wait(RateKind kind, std::uint64_t in_line, Time now) const;
 
+  /// Whether chunks may go from the address's buckets, or when the session's batch is due.
+  [[nodiscard]] bool has_batch() const;
+  [[nodiscard]] Due batch_due(Time now);
+
   const RateLimits& limits_;
   AddressBucketsPtr address_;
   TokenBucket chunks_, bytes_, requests_;
+  std::optional<RateBatch> batch_;
 
   // Since the client was first refused. It ends when it is refused again although it waited.
   Time room_at_{};             // of all that was refused, as the client was told

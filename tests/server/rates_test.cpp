@@ -194,7 +194,7 @@ TEST_CASE("the longest of the waits counts") {
   rates.sent(kStart, 1, 3000);
   const auto due = rates.chunks_due(kStart);
   CHECK(due.throttled == RateKind::session_bytes);
-  CHECK(due.at == kStart + 2001ms);
+  CHECK(due.at == kStart + 2010ms);  // a batch of 10 bytes
 }
 
 TEST_CASE("the smaller of the allowances counts") {
@@ -243,4 +243,79 @@ TEST_CASE("a burst is what the rate earns in a pause, and at least one token") {
   CHECK(Rate::with_burst_of(1000, 500ms) == Rate{1000, 500});
   CHECK(Rate::with_burst_of(1, 500ms) == Rate{1, 1});
   CHECK_FALSE(Rate::with_burst_of(0, 500ms).limited());
+}
+
+TEST_CASE("a session that its own rate holds sends what 10 ms earn at once") {
+  const RateLimits limits{{{1000, 5}, {}, {}}, {}};
+  SessionRates rates{limits, nullptr, 100};
+  rates.sent(kStart, 5, 0);
+  const auto due = rates.chunks_due(kStart);
+  CHECK(due.at == kStart + 5ms);  // a burst is less
+  const RateLimits larger{{{1000, 500}, {}, {}}, {}};
+  SessionRates others{larger, nullptr, 100};
+  others.sent(kStart, 500, 0);
+  CHECK(others.chunks_due(kStart).at == kStart + 10ms);
+  CHECK(others.chunks_due(kStart + 5ms).at == kStart + 10ms);
+  CHECK(others.chunks_due(kStart + 10ms).at == kStart + 10ms);
+  CHECK(others.allowance(kStart + 10ms).chunks == 10);
+}
+
+TEST_CASE("many sessions of an address are woken once a batch, have equal shares, and keep its rate") {
+  CHECK(rc::check([] {
+    const auto per_second = *rc::gen::inRange<std::uint64_t>(1000, 20'000);
+    const auto chunk_bytes = *rc::gen::inRange<std::size_t>(100, 5000);
+    const bool bytes_too = *rc::gen::arbitrary<bool>();
+    const RateLimits limits{
+        {},
+        {{per_second, per_second / 10}, bytes_too ? Rate{per_second * 1000, per_second * 100} : Rate{}, {}}};
+    const auto address = std::make_shared<AddressBuckets>();
+    struct Player {
+      SessionRates rates;
+      SessionRates::Time wakes = kStart;
+      std::uint64_t chunks = 0;
+    };
+    std::vector<Player> players;
+    const auto count = *rc::gen::inRange<std::size_t>(2, 60);
+    for (std::size_t i = 0; i < count; ++i) players.push_back({SessionRates{limits, address, 100}});
+    std::uint64_t chunks = 0;
+    std::uint64_t bytes = 0;
+    std::uint64_t wakes = 0;
+    const auto end = kStart + 4s;
+    for (;;) {
+      Player& player = *std::min_element(players.begin(), players.end(),
+                                         [](const Player& a, const Player& b) { return a.wakes < b.wakes; });
+      const auto now = player.wakes;
+      if (now >= end) break;
+      ++wakes;
+      const auto due = player.rates.chunks_due(now);
+      if (due.at > now) {
+        player.wakes = due.at;
+        continue;
+      }
+      const auto allowance = player.rates.allowance(now);
+      RC_ASSERT(allowance.chunks > 0);
+      RC_ASSERT(allowance.bytes > 0);
+      std::size_t sent = 0;
+      while (sent < std::min<std::size_t>(allowance.chunks, 64) && sent * chunk_bytes < allowance.bytes)
+        ++sent;
+      player.rates.sent(now, sent, sent * chunk_bytes);
+      player.chunks += sent;
+      chunks += sent;
+      bytes += sent * chunk_bytes;
+    }
+    const Rate& rate = limits.address.chunks;
+    RC_ASSERT(chunks <= rate.burst + 4 * rate.per_second);
+    const double used = static_cast<double>(chunks) / static_cast<double>(rate.burst + 4 * rate.per_second);
+    const Rate& of_bytes = limits.address.bytes;
+    const double bytes_used =
+        bytes_too ? static_cast<double>(bytes) / static_cast<double>(of_bytes.burst + 4 * of_bytes.per_second)
+                  : 0;
+    // What is reserved at the end is not sent.
+    RC_ASSERT(std::max(used, bytes_used) > 0.7);
+    RC_ASSERT(wakes < 2000 + chunks);
+    if (per_second >= 2000 && !bytes_too) RC_ASSERT(wakes < chunks / 4 + 200);
+    const auto [least, most] = std::minmax_element(
+        players.begin(), players.end(), [](const Player& a, const Player& b) { return a.chunks < b.chunks; });
+    RC_ASSERT(most->chunks - least->chunks <= rate.burst + 64);
+  }));
 }
