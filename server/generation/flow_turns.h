@@ -10,8 +10,8 @@
 #include <unordered_map>
 
 #include "chunks/mailbox.h"
+#include "flows/deficit_round_robin.h"
 #include "flows/flow_ids.h"
-#include "generation/deficit_round_robin.h"
 
 namespace talus::server {
 

@@ -24,6 +24,7 @@
 #include "net/stream.h"
 #include "net/timed_event.h"
 #include "net/view_throttle.h"
+#include "net/view_turns.h"
 #include "net/watchdog.h"
 #include "net/write_batch_size.h"
 #include "session/session.h"
@@ -71,10 +72,8 @@ class SessionRunner final : public Peer, public std::enable_shared_from_this<Ses
  private:
   [[nodiscard]] asio::awaitable<void> read();
   [[nodiscard]] asio::awaitable<void> on_bytes(std::span<const std::byte> bytes);
-  /// When the View that waits is to be applied; max() where none does.
-  [[nodiscard]] Clock::time_point view_due() const {
-    return session_.view_waits() ? view_throttle_.due() : Clock::time_point::max();
-  }
+  /// When the View that waits is to be applied; max() where none does, or it is not its turn.
+  [[nodiscard]] Clock::time_point view_due();
   void apply_view();
   /// Reads nothing while too_much() is true.
   [[nodiscard]] asio::awaitable<void> pause_reading(bool (SessionRunner::*too_much)() const);
@@ -114,6 +113,7 @@ class SessionRunner final : public Peer, public std::enable_shared_from_this<Ses
 
   Watchdog watchdog_;
   ViewThrottle view_throttle_;
+  ViewTurns& view_turns_;  // of the stream's thread
   WriteBatchSize batch_size_;
   bool reading_paused_ = false;
   bool input_ended_ = false;

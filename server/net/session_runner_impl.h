@@ -67,7 +67,9 @@ SessionRunner<S>::SessionRunner(S stream, ConnectionInfo connection, Admission::
       output_waits_{stream_.get_executor(), clock_},
       input_waits_{stream_.get_executor(), clock_},
       watch_waits_{stream_.get_executor(), clock_},
-      watchdog_{context.limits.timeouts, connection_.accepted} {}
+      watchdog_{context.limits.timeouts, connection_.accepted},
+      view_turns_{
+          asio::use_service<ViewTurns>(asio::query(stream_.get_executor(), asio::execution::context))} {}
 
 template <Stream S>
 void SessionRunner<S>::start() {
@@ -188,12 +190,25 @@ asio::awaitable<void> SessionRunner<S>::on_bytes(std::span<const std::byte> byte
 }
 
 template <Stream S>
+Clock::time_point SessionRunner<S>::view_due() {
+  if (!session_.view_waits()) {
+    view_turns_.leave(watch_waits_);
+    return Clock::time_point::max();
+  }
+  if (view_throttle_.due() > now()) return view_throttle_.due();
+  view_turns_.enter(session_.flow(), watch_waits_);
+  return view_turns_.due(watch_waits_);
+}
+
+template <Stream S>
 void SessionRunner<S>::apply_view() {
   const auto began = now();
   const auto used_before = clock_.thread_cpu();
   session_.apply_view();
   pump();
-  view_throttle_.applied(began, clock_.thread_cpu() - used_before);
+  const auto cost = clock_.thread_cpu() - used_before;
+  view_throttle_.applied(began, cost);
+  view_turns_.applied(watch_waits_, began, cost);
 }
 
 template <Stream S>
@@ -329,6 +344,7 @@ void SessionRunner<S>::note_greeting() {
 template <Stream S>
 void SessionRunner<S>::end(std::string_view reason) {
   if (!std::exchange(open_, false)) return;
+  view_turns_.leave(watch_waits_);
   // Before the stream closes: who sees the end finds the slot free.
   slot_.reset();
   context_.registry.remove(connection_.id);

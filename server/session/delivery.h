@@ -48,6 +48,8 @@ class Delivery {
   /// In whose turns its chunks are generated from now on; before it asks for anything.
   void join(FlowId flow) { mailbox_->join(flow); }
 
+  [[nodiscard]] FlowId flow() const { return mailbox_->flow(); }
+
   // ---- what the client asks for
   [[nodiscard]] const PendingRequests& requests() const { return requests_; }
   /// REQUIRES: no request `id` is pending.

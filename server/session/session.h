@@ -101,6 +101,8 @@ class Session {
   }
 
   // ---- what it is
+  /// Whom its work counts as.
+  [[nodiscard]] FlowId flow() const { return delivery_.flow(); }
   [[nodiscard]] State state() const { return state_; }
   [[nodiscard]] bool closing() const { return state_ == State::closed; }
   /// None before Hello was accepted; stays when the session ends.

@@ -1,4 +1,4 @@
-#include "generation/deficit_round_robin.h"
+#include "flows/deficit_round_robin.h"
 
 #include <catch2/catch.hpp>
 #include <map>
