@@ -1,6 +1,7 @@
 #include "generation/chunk_maker.h"
 
 #include <exception>
+#include <utility>
 
 namespace talus::server {
 
@@ -17,13 +18,16 @@ ChunkAnswer ChunkMaker::chunk(const terrain::Stacks* stacks, ChunkKey key) {
   }
 }
 
-HeightsAnswer ChunkMaker::heights(std::span<const terrain::BaseColumn> columns) {
+std::optional<HeightsAnswer> ChunkMaker::heights(std::span<const terrain::BaseColumn> columns,
+                                                 const GoOn& go_on) {
   try {
+    auto heights = generator_.heights(columns, go_on);
+    if (!heights) return std::nullopt;
     metrics_.heights_made.add(columns.size());
-    return generator_.heights(columns);
+    return HeightsAnswer{*std::move(heights)};
   } catch (const std::exception& error) {
     log_->error("heights of {} columns failed: {}", columns.size(), error.what());
-    return tl::make_unexpected(GenerationFailed{error.what()});
+    return HeightsAnswer{tl::unexpect, GenerationFailed{error.what()}};
   }
 }
 

@@ -1,6 +1,7 @@
 // Makes chunks and heights by a Generator: counted, with failures as answers. Callable from any thread.
 #pragma once
 
+#include <optional>
 #include <span>
 
 #include <talus/terrain/extraction.h>
@@ -24,7 +25,9 @@ class ChunkMaker {
   /// The chunk over its patch's stacks, which is in the cache when this returns. Null `stacks`: the patch
   /// could not be made.
   [[nodiscard]] ChunkAnswer chunk(const terrain::Stacks* stacks, ChunkKey key);
-  [[nodiscard]] HeightsAnswer heights(std::span<const terrain::BaseColumn> columns);
+  /// None where go_on() ended it.
+  [[nodiscard]] std::optional<HeightsAnswer> heights(std::span<const terrain::BaseColumn> columns,
+                                                     const GoOn& go_on);
 
  private:
   const Generator& generator_;

@@ -16,6 +16,9 @@ constexpr std::int64_t kJobBytes = 384;
 // A thread makes heights for so long before it looks whose turn it is.
 constexpr std::chrono::milliseconds kLongestPiece{25};
 
+// While something dear is made, so long passes between looks at whether anybody still wants it.
+constexpr std::chrono::milliseconds kLookAgain{5};
+
 // Of those that were refused, so many flows are looked at whenever a piece of work ends.
 constexpr std::size_t kFlowsToTell = 16;
 
@@ -149,7 +152,13 @@ void GenerationPool::work() {
 }
 
 void GenerationPool::run(const WorkQueue::Batch& batch, MeasuredWork& measured) {
-  const PatchStore::Loan loan = parts_.patches.obtain(batch.patch, measured);
+  const GoOn go_on = while_wanted([&] {
+    if (!queue_.drop_unwanted(batch)) return true;
+    parts_.metrics.jobs_cancelled.add(batch.keys.size());
+    return false;
+  });
+  const PatchStore::Loan loan = parts_.patches.obtain(batch.patch, go_on, measured);
+  if (loan.given_up) return;
   make_chunks(batch, loan.stacks.get(), measured);
   parts_.patches.finish(loan, measured);
 }
@@ -176,21 +185,36 @@ void GenerationPool::make_chunks(const WorkQueue::Batch& batch, const terrain::S
 void GenerationPool::run(HeightsTask& task, MeasuredWork& measured) {
   const auto began = parts_.clock.thread_cpu();
   const auto took = [&] { return parts_.clock.thread_cpu() - began; };
-  tl::expected<void, GenerationFailed> made;
-  while (made && task.left() > 0 && took() < kLongestPiece && !stopping_) {
-    const auto columns = task.next_piece();
-    made = parts_.maker.heights(columns).map([&](const std::vector<std::int32_t>& heights) {
-      task.add(heights);
-      measured.heights += heights.size();
-    });
-  }
+  const GoOn go_on = while_wanted([&] { return queue_.is_wanted(task); });
+  std::optional<GenerationFailed> failure;
+  do {
+    auto made = parts_.maker.heights(task.next_piece(), go_on);
+    if (!made) break;
+    if (!*made) {
+      failure = std::move(made->error());
+      break;
+    }
+    measured.heights += (*made)->size();
+    task.add(**made);
+  } while (task.left() > 0 && took() < kLongestPiece && !stopping_);
   measured.height_time += took();
-  if (!made) {
-    deliver(task.mailbox(), HeightsReady{task.ticket(), tl::make_unexpected(made.error())}, log_);
+  if (failure) {
+    deliver(task.mailbox(), HeightsReady{task.ticket(), tl::make_unexpected(*std::move(failure))}, log_);
     task.give_up();
   } else if (task.left() == 0) {
     deliver(task.mailbox(), HeightsReady{task.ticket(), task.take_heights()}, log_);
   }
+}
+
+GoOn GenerationPool::while_wanted(std::function<bool()> is_wanted) {
+  return [this, is_wanted = std::move(is_wanted), next = parts_.clock.now() + kLookAgain]() mutable {
+    if (stopping_) return false;
+    const auto now = parts_.clock.now();
+    if (now < next) return true;
+    next = now + kLookAgain;
+    const std::lock_guard lock{mutex_};
+    return is_wanted();
+  };
 }
 
 bool GenerationPool::begin(ChunkKey key) {

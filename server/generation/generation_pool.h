@@ -13,6 +13,7 @@
 #include <condition_variable>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <mutex>
 #include <thread>
 #include <vector>
@@ -79,6 +80,10 @@ class GenerationPool {
   void run(HeightsTask& task, MeasuredWork& measured);
   void make_chunks(const WorkQueue::Batch& batch, const terrain::Stacks* stacks, MeasuredWork& measured);
   void count(const MeasuredWork& measured);
+
+  /// For a piece of work: false once the pool stops, or is_wanted() is false, which is called under the
+  /// mutex.
+  [[nodiscard]] GoOn while_wanted(std::function<bool()> is_wanted);
 
   // Under the mutex.
   [[nodiscard]] bool begin(ChunkKey key);

@@ -4,6 +4,8 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -18,6 +20,9 @@
 
 namespace talus::server {
 
+/// Asked between pieces of work of some milliseconds; false: it is not wanted any more.
+using GoOn = std::function<bool()>;
+
 class Generator {
  public:
   virtual ~Generator() = default;
@@ -30,13 +35,14 @@ class Generator {
   [[nodiscard]] virtual MixedRows mixed_rows_anywhere(Lod lod) const = 0;
   /// Of the key's column over this patch, exactly.
   [[nodiscard]] virtual MixedRows mixed_rows(const terrain::Stacks& stacks, ChunkKey key) const = 0;
-  /// Fills `stacks`, whose memory is reused.
-  virtual void make_patch(const PatchKey& patch, terrain::Stacks& stacks) const = 0;
+  /// Fills `stacks`, whose memory is reused. False where go_on() ended it; then they mean nothing.
+  [[nodiscard]] virtual bool make_patch(const PatchKey& patch, terrain::Stacks& stacks,
+                                        const GoOn& go_on) const = 0;
   /// `stacks` is the patch over which the chunk stands.
   [[nodiscard]] virtual EncodedChunkPtr make_chunk(const terrain::Stacks& stacks, ChunkKey key) const = 0;
-  /// Surface heights in subvoxels (1/256 voxel), one a column.
-  [[nodiscard]] virtual std::vector<std::int32_t> heights(
-      std::span<const terrain::BaseColumn> columns) const = 0;
+  /// Surface heights in subvoxels (1/256 voxel), one a column; none where go_on() ended it.
+  [[nodiscard]] virtual std::optional<std::vector<std::int32_t>> heights(
+      std::span<const terrain::BaseColumn> columns, const GoOn& go_on) const = 0;
 };
 
 }  // namespace talus::server

@@ -18,11 +18,13 @@ bool PatchStore::holds(const PatchKey& patch) const {
   return patches_.holds(patch);
 }
 
-PatchStore::Loan PatchStore::obtain(const PatchKey& patch, MeasuredWork& measured) {
-  Loan loan{patch, find(patch), {}};
+PatchStore::Loan PatchStore::obtain(const PatchKey& patch, const GoOn& go_on, MeasuredWork& measured) {
+  Loan loan{patch, find(patch), false, {}};
   if (loan.stacks != nullptr) return loan;
   try {
-    loan.stacks = make(patch, measured);
+    loan.stacks = make(patch, go_on, measured);
+    loan.given_up = loan.stacks == nullptr;
+    if (loan.given_up) return loan;
     parts_.memory.note_patch(loan.stacks->bytes());
     parts_.rows.note(patch, *loan.stacks);
     put(loan);
@@ -47,11 +49,11 @@ StacksPtr PatchStore::find(const PatchKey& patch) {
   return stacks == nullptr ? nullptr : *stacks;
 }
 
-StacksPtr PatchStore::make(const PatchKey& patch, MeasuredWork& measured) {
+StacksPtr PatchStore::make(const PatchKey& patch, const GoOn& go_on, MeasuredWork& measured) {
   const auto began = parts_.clock.thread_cpu();
-  parts_.metrics.patches_made.add();
   auto stacks = spare_.take();
-  parts_.generator.make_patch(patch, *stacks);
+  if (!parts_.generator.make_patch(patch, *stacks, go_on)) return nullptr;
+  parts_.metrics.patches_made.add();
   ++measured.patches;
   measured.patch_time += parts_.clock.thread_cpu() - began;
   return spare_.share(std::move(stacks));

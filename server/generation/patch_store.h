@@ -49,10 +49,11 @@ class PatchStore {
   struct Loan {
     PatchKey patch;
     StacksPtr stacks;                                     // null where the patch could not be made
+    bool given_up = false;                                // go_on() ended it
     std::vector<std::pair<PatchKey, StacksPtr>> evicted;  // for this one
   };
-  /// The patch from memory, or made now. `measured` gets what that took.
-  [[nodiscard]] Loan obtain(const PatchKey& patch, MeasuredWork& measured);
+  /// The patch from memory, or made now unless go_on() ends that. `measured` gets what that took.
+  [[nodiscard]] Loan obtain(const PatchKey& patch, const GoOn& go_on, MeasuredWork& measured);
   /// Lets the patch go where it is fully extracted, and extracts what was evicted for it: call it when nobody
   /// waits for this thread any more.
   void finish(const Loan& loan, MeasuredWork& measured);
@@ -65,7 +66,8 @@ class PatchStore {
 
  private:
   [[nodiscard]] StacksPtr find(const PatchKey& patch);
-  [[nodiscard]] StacksPtr make(const PatchKey& patch, MeasuredWork& measured);
+  /// Null where go_on() ended it.
+  [[nodiscard]] StacksPtr make(const PatchKey& patch, const GoOn& go_on, MeasuredWork& measured);
   void put(Loan& loan);
   /// Whether all mixed chunks of the patch are in the chunk cache, where they stay longer for their size, and
   /// no column has more of them than would be extracted.

@@ -39,11 +39,15 @@ MixedRows TerrainGenerator::mixed_rows(const terrain::Stacks& stacks, ChunkKey k
   return rows_of(terrain::mixed_range(*world_, stacks, key.coord.x, key.coord.z));
 }
 
-void TerrainGenerator::make_patch(const PatchKey& patch, terrain::Stacks& stacks) const {
+bool TerrainGenerator::make_patch(const PatchKey& patch, terrain::Stacks& stacks, const GoOn& go_on) const {
   std::unique_ptr<terrain::Generator> generator = take_generator();
-  generator->generate(region_of(patch, patch_tiles_), stacks);
+  generator->start(region_of(patch, patch_tiles_), std::move(stacks));
+  bool wanted = true;
+  while (generator->step() && wanted) wanted = go_on();
+  if (wanted) stacks = generator->take();
   const std::lock_guard lock{idle_mutex_};
   idle_.push_back(std::move(generator));
+  return wanted;
 }
 
 // There are as many as ever worked at once: their memory is worth keeping from patch to patch.
@@ -64,8 +68,13 @@ EncodedChunkPtr TerrainGenerator::make_chunk(const terrain::Stacks& stacks, Chun
   return encoded;
 }
 
-std::vector<std::int32_t> TerrainGenerator::heights(std::span<const terrain::BaseColumn> columns) const {
-  return terrain::surface_heights(*world_, columns);
+std::optional<std::vector<std::int32_t>> TerrainGenerator::heights(
+    std::span<const terrain::BaseColumn> columns, const GoOn& go_on) const {
+  terrain::HeightsWork work{*world_, {columns.begin(), columns.end()}};
+  while (work.step()) {
+    if (!go_on()) return std::nullopt;
+  }
+  return work.take();
 }
 
 }  // namespace talus::server

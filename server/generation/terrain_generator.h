@@ -27,10 +27,11 @@ class TerrainGenerator final : public Generator {
   [[nodiscard]] EncodedChunkPtr uniform(MaterialId material) const override;
   [[nodiscard]] MixedRows mixed_rows_anywhere(Lod lod) const override;
   [[nodiscard]] MixedRows mixed_rows(const terrain::Stacks& stacks, ChunkKey key) const override;
-  void make_patch(const PatchKey& patch, terrain::Stacks& stacks) const override;
+  [[nodiscard]] bool make_patch(const PatchKey& patch, terrain::Stacks& stacks,
+                                const GoOn& go_on) const override;
   [[nodiscard]] EncodedChunkPtr make_chunk(const terrain::Stacks& stacks, ChunkKey key) const override;
-  [[nodiscard]] std::vector<std::int32_t> heights(
-      std::span<const terrain::BaseColumn> columns) const override;
+  [[nodiscard]] std::optional<std::vector<std::int32_t>> heights(std::span<const terrain::BaseColumn> columns,
+                                                                 const GoOn& go_on) const override;
 
  private:
   [[nodiscard]] std::unique_ptr<terrain::Generator> take_generator() const;

@@ -144,6 +144,19 @@ bool WorkQueue::begin(ChunkKey key) {
   return false;
 }
 
+bool WorkQueue::drop_unwanted(const Batch& batch) {
+  const bool wanted = std::any_of(batch.keys.begin(), batch.keys.end(),
+                                  [&](ChunkKey key) { return !jobs_.at(key).waiters.empty(); });
+  if (wanted) return false;
+  for (const ChunkKey key : batch.keys) (void)erase(jobs_.find(key));
+  return true;
+}
+
+bool WorkQueue::is_wanted(const HeightsTask& task) const {
+  const auto& taken = clients_.at(task.mailbox()->owner()).taken_heights;
+  return std::find(taken.begin(), taken.end(), task.ticket()) != taken.end();
+}
+
 std::vector<MailboxPtr> WorkQueue::finish(ChunkKey key) {
   return erase(jobs_.find(key));
 }

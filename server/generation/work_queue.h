@@ -70,6 +70,10 @@ class WorkQueue {
   void reconcile(const Work& work, std::uint64_t cost);
   /// Whether somebody still waits for a chunk of a taken batch; where not, the job is gone.
   [[nodiscard]] bool begin(ChunkKey key);
+  /// Drops the jobs of a taken batch where nobody waits for any of them; false where somebody does.
+  [[nodiscard]] bool drop_unwanted(const Batch& batch);
+  /// Whether heights that were taken were not cancelled since.
+  [[nodiscard]] bool is_wanted(const HeightsTask& task) const;
   /// Ends the job; its waiters are the caller's to answer.
   [[nodiscard]] std::vector<MailboxPtr> finish(ChunkKey key);
   void release(const PatchKey& patch);

@@ -216,6 +216,47 @@ TEST_CASE("heights that are cancelled while they are made end with their piece")
   CHECK(pieces <= 8);
 }
 
+TEST_CASE("a patch that nobody wants any more is given up, and made when somebody asks again") {
+  FakeService fake;
+  fake.work->close_gate();
+  WaitingClient client;
+  std::atomic<bool> leaves{true};
+  fake.work->in_patch = [&] {
+    if (!leaves.exchange(false)) return;
+    fake.service.cancel(client.id(), at(1));
+    fake.service.cancel(client.id(), at(2));
+    fake.clock.advance(std::chrono::seconds{1});
+  };
+  REQUIRE(queued(fake.service, client, at(1)));
+  REQUIRE(queued(fake.service, client, at(2)));
+  WaitingClient other;
+  REQUIRE(queued(fake.service, other, at(100)));
+  fake.work->open_gate();
+  other.await(1);
+  CHECK(fake.work->patches == 1);
+  CHECK(fake.service.status().jobs == 0);
+  REQUIRE(queued(fake.service, client, at(1)));
+  client.await(1);
+  CHECK(client.answers()[0].second.has_value());
+  CHECK(fake.work->patches == 2);
+}
+
+TEST_CASE("a patch that somebody still wants is made, whoever else left") {
+  FakeService fake;
+  fake.work->close_gate();
+  WaitingClient client;
+  WaitingClient other;
+  fake.work->in_patch = [&] {
+    fake.service.cancel(client.id(), at(1));
+    fake.clock.advance(std::chrono::seconds{1});
+  };
+  REQUIRE(queued(fake.service, client, at(1)));
+  REQUIRE(queued(fake.service, other, at(1)));
+  fake.work->open_gate();
+  other.await(1);
+  CHECK(fake.work->patches == 1);
+}
+
 TEST_CASE("a client that cannot be woken harms nobody") {
   FakeService fake;
   const auto broken = std::make_shared<Mailbox>(ClientId{1'000'000}, [] { throw std::bad_alloc{}; });

@@ -78,23 +78,26 @@ class FakeGenerator final : public Generator {
   [[nodiscard]] MixedRows mixed_rows(const terrain::Stacks&, ChunkKey) const override {
     return {work_->first_mixed, work_->last_mixed, MaterialId{2}};
   }
-  void make_patch(const PatchKey&, terrain::Stacks& stacks) const override {
+  [[nodiscard]] bool make_patch(const PatchKey&, terrain::Stacks& stacks, const GoOn& go_on) const override {
     work_->pass_gate();
     if (work_->in_patch) work_->in_patch();
+    if (!go_on()) return false;
     ++work_->patches;
     if (work_->out_of_memory) throw std::bad_alloc{};
     if (!stacks.tops.empty()) ++work_->reused;
     stacks.tops.clear();
     if (work_->patch_columns > 0) stacks.tops.emplace_back(work_->patch_columns, 1);
+    return true;
   }
   [[nodiscard]] EncodedChunkPtr make_chunk(const terrain::Stacks&, ChunkKey key) const override {
     ++work_->chunks;
     return std::make_shared<const EncodedChunk>(ContentHash{std::hash<ChunkKey>{}(key), 0},
                                                 std::vector<std::byte>(work_->payload_bytes));
   }
-  [[nodiscard]] std::vector<std::int32_t> heights(
-      std::span<const terrain::BaseColumn> columns) const override {
+  [[nodiscard]] std::optional<std::vector<std::int32_t>> heights(std::span<const terrain::BaseColumn> columns,
+                                                                 const GoOn& go_on) const override {
     if (work_->in_heights) work_->in_heights();
+    if (!go_on()) return std::nullopt;
     if (work_->out_of_memory) throw std::bad_alloc{};
     return std::vector<std::int32_t>(columns.size());
   }

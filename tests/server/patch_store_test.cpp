@@ -35,7 +35,10 @@ struct Bench {
     work->first_mixed = 2;
     work->last_mixed = 3;
   }
-  PatchStore::Loan obtain(std::int32_t x) { return store.obtain({x, 0, Lod{}}, measured); }
+  PatchStore::Loan obtain(std::int32_t x) {
+    return store.obtain(
+        {x, 0, Lod{}}, [] { return true; }, measured);
+  }
   /// All of the patch's chunks in the rows, made by hand.
   void make_chunks(const PatchStore::Loan& loan, std::int32_t first_row, std::int32_t last_row) {
     for_each_column(loan.patch, kTiles, [&](ChunkKey column) {
@@ -272,10 +275,13 @@ TEST_CASE("making a patch takes the thread time that its clock counts") {
       kTiles,
       1 << 20,
       1};
-  const auto loan = store.obtain({0, 0, Lod{}}, bench.measured);
+  const auto loan = store.obtain(
+      {0, 0, Lod{}}, [] { return true; }, bench.measured);
   CHECK(bench.measured.patch_time == 7ms);
   store.finish(loan, bench.measured);
-  store.finish(store.obtain({1, 0, Lod{}}, bench.measured), bench.measured);
+  store.finish(store.obtain(
+                   {1, 0, Lod{}}, [] { return true; }, bench.measured),
+               bench.measured);
   CHECK(bench.measured.patch_time == 14ms);
   CHECK(bench.measured.chunk_time == 7ms);
 }

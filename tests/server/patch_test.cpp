@@ -68,7 +68,7 @@ TEST_CASE(
       CAPTURE(tiles, x, z);
       const ChunkKey column{{x, 0, z}, Lod{}};
       terrain::Stacks stacks;
-      generator.make_patch(patch_of(column, tiles), stacks);
+      REQUIRE(generator.make_patch(patch_of(column, tiles), stacks, [] { return true; }));
       ColumnRows rows{generator, tiles, 1 << 22};
       rows.note(patch_of(column, tiles), stacks);
       // The other end's, which another patch generates.
@@ -77,7 +77,7 @@ TEST_CASE(
       CHECK_FALSE(rows.exact({{x, 0, across(z)}, Lod{}}).has_value());
 
       terrain::Stacks alone;
-      single.make_patch(patch_of(column, 1), alone);
+      REQUIRE(single.make_patch(patch_of(column, 1), alone, [] { return true; }));
       const MixedRows mixed = single.mixed_rows(alone, column);
       const auto noted = rows.exact(column);
       REQUIRE(noted.has_value());

@@ -23,7 +23,9 @@ struct Bench {
   PatchKey patch;
   terrain::Stacks stacks;
 
-  explicit Bench(const PatchKey& key = {3, -2, Lod{}}) : patch{key} { generator.make_patch(patch, stacks); }
+  explicit Bench(const PatchKey& key = {3, -2, Lod{}}) : patch{key} {
+    REQUIRE(generator.make_patch(patch, stacks, [] { return true; }));
+  }
   /// All chunks of the patch that are mixed, and one row more at each end.
   template <typename Visit>
   void for_each_chunk(Visit&& visit) const {
@@ -117,7 +119,9 @@ TEST_CASE("a patch made in the memory of another is the same, on any thread") {
   for (auto& mine : made) {
     threads.emplace_back([&] {
       terrain::Stacks stacks;
-      for (const std::int32_t x : {100, 3}) generator.make_patch({x, -2, Lod{}}, stacks);
+      for (const std::int32_t x : {100, 3}) {
+        REQUIRE(generator.make_patch({x, -2, Lod{}}, stacks, [] { return true; }));
+      }
       expected.for_each_chunk(
           [&](ChunkKey key, const MixedRows&) { mine.push_back(generator.make_chunk(stacks, key)); });
     });
@@ -134,5 +138,19 @@ TEST_CASE("a patch made in the memory of another is the same, on any thread") {
 TEST_CASE("heights are the surface's") {
   const TerrainGenerator generator{world(), kTiles};
   const std::vector<terrain::BaseColumn> columns{{0, 0}, {1000, -77}, {-31, 32}};
-  CHECK(generator.heights(columns) == terrain::surface_heights(*world(), columns));
+  CHECK(generator.heights(columns, [] { return true; }) == terrain::surface_heights(*world(), columns));
+}
+
+TEST_CASE("what nobody wants any more is given up, and the next patch is right") {
+  const TerrainGenerator generator{world(), kTiles};
+  const PatchKey patch{3, -2, Lod{}};
+  terrain::Stacks stacks;
+  int pieces = 0;
+  CHECK_FALSE(generator.make_patch(patch, stacks, [&] { return ++pieces < 3; }));
+  CHECK(pieces == 3);
+  terrain::Stacks again;
+  REQUIRE(generator.make_patch(patch, again, [] { return true; }));
+  CHECK((again.tops.back().values == Bench{}.stacks.tops.back().values));
+  std::vector<terrain::BaseColumn> columns(2048);
+  CHECK_FALSE(generator.heights(columns, [] { return false; }).has_value());
 }
