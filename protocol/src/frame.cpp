@@ -28,6 +28,11 @@ FrameReader::FrameReader(std::uint32_t limit_bytes) : limit_bytes_{limit_bytes} 
   assert(limit_bytes >= kMinFrameBytes && limit_bytes <= kMaxFrameBytes);
 }
 
+void FrameReader::set_limit(std::uint32_t limit_bytes) {
+  assert(limit_bytes >= kMinFrameBytes && limit_bytes <= kMaxFrameBytes && buffer_.empty());
+  limit_bytes_ = limit_bytes;
+}
+
 std::size_t FrameReader::take(std::span<const std::byte> bytes, std::size_t wanted) {
   const auto taken = bytes.first(std::min(bytes.size(), wanted - buffer_.size()));
   buffer_.insert(buffer_.end(), taken.begin(), taken.end());

@@ -15,6 +15,7 @@
 #include <asio/use_awaitable.hpp>
 
 #include <talus/protocol/endpoint.h>
+#include "memory/memory_reservation.h"
 #include "net/descriptors.h"
 #include "net/proxy_header.h"
 #include "session/reply_frames.h"
@@ -48,13 +49,14 @@ void drop_input(tcp::socket& socket) {
 
 struct Handshaker::PendingConnection {
   PendingConnection(tcp::socket socket, const tcp::endpoint& from, ConnectionId number, tls::Context context,
-                    Clock::time_point now)
+                    Clock::time_point now, MemoryBudget& budget)
       : id{number},
         stream{TcpStream{std::move(socket)}},
         peer{from},
         client{from},
         tls{std::move(context)},
-        accepted{now} {}
+        accepted{now},
+        memory{budget, MemoryUse::sessions} {}
 
   [[nodiscard]] tcp::socket& socket() { return secured ? secured->transport().socket() : stream->socket(); }
 
@@ -65,19 +67,20 @@ struct Handshaker::PendingConnection {
   tcp::endpoint client;  // `peer`, or for whom it speaks
   tls::Context tls;      // null: plain
   Clock::time_point accepted;
+  MemoryReservation memory;
   std::optional<Admission::Slot> slot;
   bool late = false;
   bool done = false;  // accepted or failed
 };
 
-Handshaker::Handshaker(HandshakeSettings settings, Admission& admission, Metrics& metrics, const Clock& clock,
-                       Logger log, HasMemory has_memory, OnAccepted on_accepted)
+Handshaker::Handshaker(HandshakeSettings settings, Admission& admission, Metrics& metrics,
+                       MemoryBudget& memory, const Clock& clock, Logger log, OnAccepted on_accepted)
     : settings_{std::move(settings)},
       admission_{admission},
       metrics_{metrics},
+      memory_{memory},
       clock_{clock},
       log_{std::move(log)},
-      has_memory_{std::move(has_memory)},
       on_accepted_{std::move(on_accepted)},
       rate_{settings_.per_address_per_second, settings_.per_address_burst, random_seed()},
       refusal_log_{log_, clock} {}
@@ -86,7 +89,8 @@ void Handshaker::begin(tcp::socket socket, ConnectionId id, const tls::Context& 
   std::error_code gone;
   const tcp::endpoint peer = socket.remote_endpoint(gone);
   if (gone) return;
-  const auto pending = std::make_shared<PendingConnection>(std::move(socket), peer, id, tls, clock_.now());
+  const auto pending =
+      std::make_shared<PendingConnection>(std::move(socket), peer, id, tls, clock_.now(), memory_);
   if (is_spare(pending->socket().native_handle())) {
     refuse(*pending, Refusal::descriptors, "this server has as many files open as its system allows",
            retry_after::kServerFull);
@@ -103,6 +107,11 @@ void Handshaker::begin(tcp::socket socket, ConnectionId id, const tls::Context& 
            retry_after::kServerFull);
     return;
   }
+  if (!memory_.takes_connections()) {
+    refuse(*pending, Refusal::memory, std::string{kNoMemory}, retry_after::kServerFull);
+    return;
+  }
+  pending->memory.hold(tls == nullptr ? kProxyBytes : kTlsBytes);
   metrics_.handshakes.rise();
   try {
     spawn(pending, id);
@@ -192,7 +201,7 @@ asio::awaitable<bool> Handshaker::begin_tls(PendingConnection& pending) {
 }
 
 bool Handshaker::admit(PendingConnection& pending) {
-  if (!has_memory_()) {
+  if (!memory_.takes_connections()) {
     refuse(pending, Refusal::memory, std::string{kNoMemory}, retry_after::kServerFull);
     return false;
   }
@@ -214,6 +223,7 @@ bool Handshaker::admit(PendingConnection& pending) {
 }
 
 void Handshaker::accept(PendingConnection& pending) {
+  pending.memory.hold(0);  // from here on it is the session's
   ConnectionInfo info{pending.id, to_text(pending.client), pending.accepted};
   if (pending.secured) {
     pending.secured->transport().prefer_latency();

@@ -14,6 +14,7 @@
 #include "clock/clock.h"
 #include "config/networks.h"
 #include "log/logger.h"
+#include "memory/memory_budget.h"
 #include "metrics/metrics.h"
 #include "net/accepted_connection.h"
 #include "net/admission.h"
@@ -37,12 +38,15 @@ class Handshaker {
  public:
   /// On the socket's own thread, or in the caller of begin().
   using OnAccepted = std::function<void(AcceptedConnection)>;
-  /// Whether there is memory for one more.
-  using HasMemory = std::function<bool()>;
 
-  /// `admission`, `metrics` and `clock` outlive it. It outlives the sockets' io_contexts.
-  Handshaker(HandshakeSettings settings, Admission& admission, Metrics& metrics, const Clock& clock,
-             Logger log, HasMemory has_memory, OnAccepted on_accepted);
+  /// What a PROXY header and a TLS handshake take: buffers, coroutines, OpenSSL's state. In the budget of
+  /// sessions while they are in flight.
+  static constexpr std::size_t kProxyBytes = std::size_t{8} * 1024;
+  static constexpr std::size_t kTlsBytes = std::size_t{44} * 1024;
+
+  /// `admission`, `metrics`, `memory` and `clock` outlive it. It outlives the sockets' io_contexts.
+  Handshaker(HandshakeSettings settings, Admission& admission, Metrics& metrics, MemoryBudget& memory,
+             const Clock& clock, Logger log, OnAccepted on_accepted);
 
   /// Takes a socket and returns at once, whatever the peer does; over TLS where there is a context. Each
   /// socket is accepted, refused, or closed within settings.timeout. From one thread at a time.
@@ -68,9 +72,9 @@ class Handshaker {
   const HandshakeSettings settings_;
   Admission& admission_;
   Metrics& metrics_;
+  MemoryBudget& memory_;
   const Clock& clock_;
   Logger log_;
-  HasMemory has_memory_;
   OnAccepted on_accepted_;
   ConnectionRateLimiter rate_;
   Refusals refusals_;

@@ -60,7 +60,7 @@ SessionRunner<S>::SessionRunner(S stream, ConnectionInfo connection, Admission::
       context_{context},
       clock_{context.session.clock},
       slot_{std::move(slot)},
-      frames_{context.limits.frame_bytes},
+      frames_{std::min(context.limits.frame_bytes, protocol::kHelloFrameBytes)},
       session_{context.session,
                Owner::mailbox(connection_.id, flow_of(slot_->counted(), context.session.flows), owner),
                slot_->rates()},
@@ -177,10 +177,12 @@ asio::awaitable<void> SessionRunner<S>::on_bytes(std::span<const std::byte> byte
       co_return;
     }
     bytes = bytes.subspan(*taken);
+    session_.holds_input(frames_.held_bytes());
     if (!frames_.has_frame()) continue;
     watchdog_.frame_came(now());
     session_.receive(frames_.frame());
     frames_.pop();
+    session_.holds_input(frames_.held_bytes());
     note_greeting();
     if (too_much_queued()) {
       pump();
@@ -330,6 +332,7 @@ void SessionRunner<S>::note_greeting() {
   greeted_ = true;
   context_.session.metrics.greeted.rise();
   watchdog_.greeted();
+  frames_.set_limit(context_.limits.frame_bytes);
   watch_waits_.notify();  // from here on it is the idle time that counts
   const Greeting& greeting = *session_.greeting();
   const Grant& grant = greeting.grant;

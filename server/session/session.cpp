@@ -70,6 +70,15 @@ void Session::broken_frame(const protocol::FrameError& error) {
   fail(huge ? ErrorCode::too_large : ErrorCode::malformed, error.message());
 }
 
+void Session::holds_input(std::size_t bytes) {
+  const bool grew = bytes > input_bytes_;
+  input_bytes_ = bytes;
+  if (!grew || bytes <= kMaxFrameBytesAnyway) return;
+  note_memory();
+  if (context_.memory.takes_work()) return;
+  fail(ErrorCode::overloaded, "this server has no memory for so large a frame", retry_after::kBusy);
+}
+
 void Session::timed_out(std::string_view text) {
   fail(ErrorCode::timeout, text);
 }
@@ -323,7 +332,8 @@ void Session::written() {
 }
 
 void Session::note_memory() {
-  memory_.hold(kIdleBytes + writing_bytes_ + queued_bytes() + outbox_.chunk_bytes() + delivery_.bytes());
+  memory_.hold(kIdleBytes + writing_bytes_ + input_bytes_ + queued_bytes() + outbox_.chunk_bytes() +
+               delivery_.bytes());
 }
 
 }  // namespace talus::server

@@ -51,6 +51,8 @@ class Session {
 
   /// Memory of a session that asks for nothing, with its connection and coroutines.
   static constexpr std::size_t kIdleBytes = std::size_t{32} * 1024;
+  /// Frames of a client that may grow to so much, however little memory there is.
+  static constexpr std::size_t kMaxFrameBytesAnyway = std::size_t{64} * 1024;
 
   /// `address` holds the rates that the session shares with others of its address; null: none.
   Session(const SessionContext& context, MailboxPtr mailbox, AddressBucketsPtr address);
@@ -61,6 +63,9 @@ class Session {
   /// A whole frame, as FrameReader gives it.
   void receive(std::span<const std::byte> frame);
   void broken_frame(const protocol::FrameError& error);
+  /// A frame in progress, or the last one, takes so much memory. Ends the session where that is more than
+  /// kMaxFrameBytesAnyway and the server has none to give.
+  void holds_input(std::size_t bytes);
   /// The client was silent too long; `text` says for how long.
   void timed_out(std::string_view text);
   void token_expired();
@@ -160,6 +165,7 @@ class Session {
   MemoryReservation memory_;
   Clock::time_point received_at_{};  // the message that is handled
   std::size_t writing_bytes_ = 0;    // of the last output
+  std::size_t input_bytes_ = 0;
   std::string failure_;
 };
 

@@ -93,6 +93,13 @@ TEST_CASE("a huge length closes the connection before anything is allocated for 
   CHECK(closing_code(client) == wire::ErrorCode::too_large);
 }
 
+TEST_CASE("before Welcome no frame is larger than a Hello can be") {
+  const ServerProcess server{{{"TALUS_LIMITS_FRAME_BYTES", "16777216"}}};
+  RawClient client{server.port()};
+  REQUIRE(client.send(bytes_of({0xFD, 0x3F, 0, 0})));  // 16,385 bytes with the length
+  CHECK(closing_code(client) == wire::ErrorCode::too_large);
+}
+
 TEST_CASE("a frame over the limit of Welcome closes the connection") {
   const ServerProcess server{{{"TALUS_LIMITS_FRAME_BYTES", "4096"}}};
   RawClient client = greeted(server.port());

@@ -72,9 +72,9 @@ struct Bench {
         handshaker{settings,
                    admission,
                    metrics,
+                   memory,
                    clock,
                    std::make_shared<spdlog::logger>("silent"),
-                   [this] { return has_memory.load(); },
                    [this](AcceptedConnection accepted) {
                      const bool secured = std::holds_alternative<TlsStream>(accepted.stream);
                      auto held = std::make_shared<AcceptedConnection>(std::move(accepted));
@@ -112,7 +112,7 @@ struct Bench {
   Metrics metrics;
   Admission admission;
   tls::Context tls;
-  std::atomic<bool> has_memory = true;
+  MemoryBudget memory{std::uint64_t{256} << 20};
   Handshaker handshaker;
   asio::io_context io{1};
   tcp::acceptor acceptor{io, {asio::ip::address_v4::loopback(), 0}};
@@ -259,7 +259,7 @@ TEST_CASE("where TLS is wanted, who is beyond its rate is closed without a word"
 
 TEST_CASE("where the server's memory is all in use nobody comes in, and is told so") {
   Bench bench;
-  bench.has_memory = false;
+  bench.memory.set(MemoryUse::jobs, bench.memory.limit_bytes());
   Client client{bench};
   CHECK_THAT(text_of(only_frame(client.rest())), Catch::Contains("memory"));
   CHECK(bench.refused(Refusal::memory) == 1);
@@ -289,6 +289,7 @@ TEST_CASE("there are only so many handshakes in flight") {
   Client next{bench};
   CHECK(next.rest().empty());
   CHECK(bench.refused(Refusal::handshakes) == 1);
+  CHECK(bench.memory.used(MemoryUse::sessions) == Handshaker::kTlsBytes);
 }
 
 TEST_CASE("a client that a proxy speaks for comes in under the address that the proxy gives") {

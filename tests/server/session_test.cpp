@@ -79,6 +79,30 @@ TEST_CASE("a Credit over what was sent closes the session") {
   CHECK(bench.session.state() == State::closed);
 }
 
+TEST_CASE("a frame in progress is in the budget, before Hello too") {
+  constexpr std::uint64_t kLimit = std::uint64_t{256} << 20;
+  SessionBench bench{{.memory_bytes = kLimit, .greet = false}};
+  bench.session.pump();
+  const auto before = bench.memory.used(MemoryUse::sessions);
+  bench.session.holds_input(10'000'000);
+  CHECK(bench.memory.used(MemoryUse::sessions) >= before + 9'990'000);
+  CHECK_FALSE(bench.session.closing());
+  bench.session.holds_input(0);
+  bench.session.pump();
+  CHECK(bench.memory.used(MemoryUse::sessions) <= before + 4096);
+}
+
+TEST_CASE("where memory is short a large frame ends its session, and a common one does not") {
+  constexpr std::uint64_t kLimit = std::uint64_t{256} << 20;
+  SessionBench bench{{.memory_bytes = kLimit}};
+  bench.memory.set(MemoryUse::jobs, kLimit);
+  bench.session.holds_input(Session::kMaxFrameBytesAnyway);
+  CHECK_FALSE(bench.session.closing());
+  bench.session.holds_input(Session::kMaxFrameBytesAnyway + 1);
+  CHECK(bench.session.closing());
+  CHECK(bench.output().back().code == wire::ErrorCode::overloaded);
+}
+
 TEST_CASE("a session that failed says so and nothing else") {
   SessionBench bench;
   bench.get_chunk(1, chunk_at(5));

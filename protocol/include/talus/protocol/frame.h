@@ -38,6 +38,9 @@ class FrameReader {
   /// REQUIRES: kMinFrameBytes <= limit_bytes <= kMaxFrameBytes. It counts the prefix too.
   explicit FrameReader(std::uint32_t limit_bytes);
 
+  /// As of the constructor; for frames from the next on. REQUIRES: no part of a frame is held.
+  void set_limit(std::uint32_t limit_bytes);
+
   /// Takes bytes from the front of `bytes` until a frame is whole or none are left, and returns how many.
   /// While has_frame() it takes none. After an error every call returns that error.
   [[nodiscard]] tl::expected<std::size_t, FrameError> feed(std::span<const std::byte> bytes);

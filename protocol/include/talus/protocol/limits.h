@@ -15,6 +15,9 @@ inline constexpr std::uint32_t kMinClientFrameBytes = 4U * 1024;
 [[deprecated("its name is kMinClientFrameBytes")]] inline constexpr std::uint32_t kLeastClientFrameBytes =
     kMinClientFrameBytes;
 
+/// A frame before Welcome, prefix included: Hello with the longest strings fits.
+inline constexpr std::uint32_t kHelloFrameBytes = 16U * 1024;
+
 /// Frames from a server, prefix included: a raw chunk fits, and so do the heights of the largest request. A
 /// client refuses longer ones.
 inline constexpr std::uint32_t kServerFrameBytes = 256U * 1024;
