@@ -35,6 +35,10 @@ void FrameReader::set_limit(std::uint32_t limit_bytes) {
 
 std::size_t FrameReader::take(std::span<const std::byte> bytes, std::size_t wanted) {
   const auto taken = bytes.first(std::min(bytes.size(), wanted - buffer_.size()));
+  // Twice as much as before, but no more than the frame.
+  const std::size_t needed = buffer_.size() + taken.size();
+  if (needed > buffer_.capacity())
+    buffer_.reserve(std::max(needed, std::min(wanted, 2 * buffer_.capacity())));
   buffer_.insert(buffer_.end(), taken.begin(), taken.end());
   return taken.size();
 }

@@ -26,7 +26,15 @@ class DeficitRoundRobin {
 
   /// `id` has something waiting. No effect where it is entered already.
   void enter(Id id) {
-    if (entrants_.try_emplace(id).second) (newcomers_ == Newcomers::first ? new_ : old_).push_back(id);
+    if (entrants_.contains(id)) return;
+    std::deque<Id>& order = newcomers_ == Newcomers::first ? new_ : old_;
+    order.push_back(id);
+    try {
+      entrants_.try_emplace(id);
+    } catch (...) {
+      order.pop_back();
+      throw;
+    }
   }
 
   /// Nobody is entered, or owes anything.
@@ -78,18 +86,17 @@ class DeficitRoundRobin {
   [[nodiscard]] std::deque<Id>& order() { return new_.empty() ? old_ : new_; }
 
   void end_turn(bool busy) {
-    const Id id = order().front();
-    order().pop_front();
+    std::deque<Id>& from = order();
+    const Id id = from.front();
     const auto found = entrants_.find(id);
     Entrant& entrant = found->second;
-    entrant.in_turn = false;
     const bool idle = !busy && entrant.balance >= 0;
-    if (idle && std::exchange(entrant.idle_once, true)) {
-      entrants_.erase(found);
-      return;
-    }
+    const bool forgotten = idle && entrant.idle_once;
+    if (!forgotten) old_.push_back(id);  // from here on nothing throws
+    from.pop_front();
+    entrant.in_turn = false;
     entrant.idle_once = idle;
-    old_.push_back(id);
+    if (forgotten) entrants_.erase(found);
   }
 
   void clear() {

@@ -94,6 +94,7 @@ void GenerationPool::cancel(ClientId client, ChunkKey key) {
 void GenerationPool::submit_heights(HeightsTask task) {
   {
     const std::lock_guard lock{mutex_};
+    recent_flows_.asked(task.mailbox()->flow(), parts_.clock.now());
     queue_.add(std::move(task));
   }
   work_waits_.notify_one();
@@ -152,13 +153,14 @@ void GenerationPool::work() {
 }
 
 void GenerationPool::run(const WorkQueue::Batch& batch, MeasuredWork& measured) {
+  bool dropped = false;
   const GoOn go_on = while_wanted([&] {
-    if (!queue_.drop_unwanted(batch)) return true;
-    parts_.metrics.jobs_cancelled.add(batch.keys.size());
-    return false;
+    dropped = queue_.drop_unwanted(batch);
+    if (dropped) parts_.metrics.jobs_cancelled.add(batch.keys.size());
+    return !dropped;
   });
   const PatchStore::Loan loan = parts_.patches.obtain(batch.patch, go_on, measured);
-  if (loan.given_up) return;
+  if (dropped || loan.given_up) return;
   make_chunks(batch, loan.stacks.get(), measured);
   parts_.patches.finish(loan, measured);
 }
@@ -251,7 +253,7 @@ std::int64_t GenerationPool::job_bytes_change() {
 std::vector<MailboxPtr> GenerationPool::clients_with_room() {
   if (refused_.empty() || !parts_.memory.takes_work()) return {};
   if (queue_.jobs() == 0) return refused_.take_all();
-  return refused_.take(kFlowsToTell, [this](FlowId flow) { return queue_.has_room_again(flow); });
+  return refused_.take(kFlowsToTell, [this](FlowId flow) { return queue_.has_room(flow); });
 }
 
 void GenerationPool::tell_of_room(const std::vector<MailboxPtr>& mailboxes) {

@@ -42,12 +42,13 @@ MixedRows TerrainGenerator::mixed_rows(const terrain::Stacks& stacks, ChunkKey k
 bool TerrainGenerator::make_patch(const PatchKey& patch, terrain::Stacks& stacks, const GoOn& go_on) const {
   std::unique_ptr<terrain::Generator> generator = take_generator();
   generator->start(region_of(patch, patch_tiles_), std::move(stacks));
-  bool wanted = true;
-  while (generator->step() && wanted) wanted = go_on();
-  if (wanted) stacks = generator->take();
+  while (generator->step()) {
+    if (!go_on()) return false;  // its memory goes, too: the next work is another's
+  }
+  stacks = generator->take();
   const std::lock_guard lock{idle_mutex_};
   idle_.push_back(std::move(generator));
-  return wanted;
+  return true;
 }
 
 // There are as many as ever worked at once: their memory is worth keeping from patch to patch.

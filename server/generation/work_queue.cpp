@@ -20,7 +20,8 @@ bool WorkQueue::add(const MailboxPtr& mailbox, ChunkKey key) {
   auto found = jobs_.find(key);
   if (found == jobs_.end()) {
     const FlowId flow = mailbox->flow();
-    if (of(flow).jobs >= free_jobs()) return false;
+    const std::size_t jobs = of(flow).jobs;
+    if (jobs >= free_jobs() || waiting_of(mailbox->owner()) >= free_jobs() - jobs) return false;
     const PatchKey patch = patch_of(key, patch_tiles_);
     found = jobs_.emplace(key, Job{patch, flow, {}, false}).first;
     patches_[patch].waiting.push_back(key);
@@ -32,16 +33,13 @@ bool WorkQueue::add(const MailboxPtr& mailbox, ChunkKey key) {
   if (!job.taken) {
     Client& client = enter(*mailbox);
     if (++client.jobs[job.patch] == 1) client.order.push_back(job.patch);
+    ++client.waiting;
   }
   return true;
 }
 
 void WorkQueue::add(HeightsTask task) {
   enter(*task.mailbox()).heights.push_back(std::move(task));
-}
-
-bool WorkQueue::has_room_again(FlowId flow) const {
-  return free_jobs() > 0 && 2 * of(flow).jobs <= free_jobs();
 }
 
 void WorkQueue::cancel(ClientId client, ChunkKey key) {
@@ -51,6 +49,10 @@ void WorkQueue::cancel(ClientId client, ChunkKey key) {
   const auto waiter = waiter_of(job.waiters, client);
   if (waiter == job.waiters.end()) return;
   job.waiters.erase(waiter);
+  const auto counts = [&](const MailboxPtr& each) { return each->flow() == job.flow; };
+  if (!job.waiters.empty() && std::none_of(job.waiters.begin(), job.waiters.end(), counts)) {
+    move(job, job.waiters.front()->flow());
+  }
   if (job.taken) return;  // begin() or finish() ends it
 
   const PatchKey patch = job.patch;
@@ -145,6 +147,7 @@ bool WorkQueue::begin(ChunkKey key) {
 }
 
 bool WorkQueue::drop_unwanted(const Batch& batch) {
+  if (!patches_.at(batch.patch).waiting.empty()) return false;
   const bool wanted = std::any_of(batch.keys.begin(), batch.keys.end(),
                                   [&](ChunkKey key) { return !jobs_.at(key).waiters.empty(); });
   if (wanted) return false;
@@ -159,6 +162,13 @@ bool WorkQueue::is_wanted(const HeightsTask& task) const {
 
 std::vector<MailboxPtr> WorkQueue::finish(ChunkKey key) {
   return erase(jobs_.find(key));
+}
+
+void WorkQueue::move(Job& job, FlowId flow) {
+  ++flows_[flow].jobs;
+  --flows_.at(job.flow).jobs;
+  drop_if_unused(job.flow);
+  job.flow = flow;
 }
 
 std::vector<MailboxPtr> WorkQueue::erase(Jobs::iterator job) {
@@ -180,6 +190,11 @@ WorkQueue::Client& WorkQueue::enter(const Mailbox& mailbox) {
   return clients_[mailbox.owner()];
 }
 
+std::size_t WorkQueue::waiting_of(ClientId client) const {
+  const auto found = clients_.find(client);
+  return found == clients_.end() ? 0 : found->second.waiting;
+}
+
 WorkQueue::Flow WorkQueue::of(FlowId flow) const {
   const auto found = flows_.find(flow);
   return found == flows_.end() ? Flow{} : found->second;
@@ -188,6 +203,7 @@ WorkQueue::Flow WorkQueue::of(FlowId flow) const {
 void WorkQueue::leave(ClientId client, const PatchKey& patch) {
   const auto found = clients_.find(client);
   Client& state = found->second;
+  --state.waiting;
   const auto jobs = state.jobs.find(patch);
   if (--jobs->second > 0) return;
   state.jobs.erase(jobs);

@@ -9,8 +9,8 @@
 // turn comes first.
 //
 // The queue is shared by dynamic thresholds (Choudhury and Hahne, 1998): a flow may have as many jobs as
-// there is room left. So one flow takes half of the queue, two a third each, and whoever comes next finds
-// room.
+// there is room left, and a client as many as its flow has room then. So two flows take a third of the queue
+// each, two clients of a flow a third of its part, and whoever comes next finds room.
 #pragma once
 
 #include <cstddef>
@@ -53,8 +53,8 @@ class WorkQueue {
   [[nodiscard]] bool add(const MailboxPtr& mailbox, ChunkKey key);
   void add(HeightsTask task);
   [[nodiscard]] bool has_job(ChunkKey key) const { return jobs_.contains(key); }
-  /// Whether a flow that was refused may ask again: it has at most half the jobs that it may have.
-  [[nodiscard]] bool has_room_again(FlowId flow) const;
+  /// Whether a flow that was refused may ask again.
+  [[nodiscard]] bool has_room(FlowId flow) const { return of(flow).jobs < free_jobs(); }
 
   /// No effect where the client does not wait for the chunk.
   void cancel(ClientId client, ChunkKey key);
@@ -70,7 +70,8 @@ class WorkQueue {
   void reconcile(const Work& work, std::uint64_t cost);
   /// Whether somebody still waits for a chunk of a taken batch; where not, the job is gone.
   [[nodiscard]] bool begin(ChunkKey key);
-  /// Drops the jobs of a taken batch where nobody waits for any of them; false where somebody does.
+  /// Drops the jobs of a taken batch where nobody waits for any of them, or for others of its patch; false
+  /// where somebody does.
   [[nodiscard]] bool drop_unwanted(const Batch& batch);
   /// Whether heights that were taken were not cancelled since.
   [[nodiscard]] bool is_wanted(const HeightsTask& task) const;
@@ -85,7 +86,7 @@ class WorkQueue {
  private:
   struct Job {
     PatchKey patch;
-    FlowId flow;  // who wanted it first: the job is one of its
+    FlowId flow;  // of one who waits: the job is one of its
     std::vector<MailboxPtr> waiters;
     bool taken = false;
   };
@@ -98,6 +99,7 @@ class WorkQueue {
     std::unordered_map<PatchKey, std::uint32_t> jobs;  // waiting ones of each patch
     std::deque<HeightsTask> heights;
     std::vector<std::uint64_t> taken_heights;  // tickets of those that may be put back
+    std::size_t waiting = 0;                   // jobs, in `jobs`
     bool heights_next = true;                  // heights and patches take turns, where it waits for both
     std::size_t in_flight = 0;                 // pieces taken in its turns and not reconciled
     [[nodiscard]] bool idle() const { return order.empty() && heights.empty(); }
@@ -118,11 +120,14 @@ class WorkQueue {
   /// The first piece of a client that can begin one.
   [[nodiscard]] Work take_of(FlowTurns::Turn turn, const WorkCosts& costs);
   [[nodiscard]] Batch take_patch(const PatchKey& patch, ClientId client);
+  /// The job is one of another flow's from now on.
+  void move(Job& job, FlowId flow);
   /// Ends the job; gives its waiters.
   std::vector<MailboxPtr> erase(Jobs::iterator job);
   void drop_if_unused(const PatchKey& patch);
   void drop_if_unused(FlowId flow);
   [[nodiscard]] Flow of(FlowId flow) const;
+  [[nodiscard]] std::size_t waiting_of(ClientId client) const;
   [[nodiscard]] std::size_t free_jobs() const { return max_jobs_ - jobs_.size(); }
 
   const int patch_tiles_;

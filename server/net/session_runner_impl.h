@@ -186,6 +186,7 @@ asio::awaitable<void> SessionRunner<S>::on_bytes(std::span<const std::byte> byte
     note_greeting();
     if (too_much_queued()) {
       pump();
+      if (session_.view_waits()) watch_waits_.notify();  // as read() would
       co_await pause_reading(&SessionRunner::too_much_queued);
     }
   }
@@ -236,6 +237,11 @@ asio::awaitable<void> SessionRunner<S>::write() {
       continue;
     }
     const Output output = session_.take_output(batch_size_.bytes(), S::kGatherFrom);
+    if (output.size() == 0) {  // another session of the address was faster
+      session_.written();
+      pump();
+      continue;
+    }
     const std::vector<std::span<const std::byte>> pieces = output.pieces();
     pump();
 

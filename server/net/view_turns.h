@@ -28,21 +28,21 @@ class ViewTurns final : public asio::execution_context::service {
   explicit ViewTurns(asio::execution_context& context) : service{context} {}
 
   /// A View waits, of whom `waiter` stands for. When its turn comes `waiter` is notified. It stays where it
-  /// is until applied() or leave().
+  /// is until applied() or leave(). Throws std::bad_alloc, and then has changed nothing.
   void enter(FlowId flow, TimedEvent& waiter);
   /// No effect where it does not wait.
-  void leave(TimedEvent& waiter);
-  /// When the View may be applied; max() where it is not its turn.
+  void leave(TimedEvent& waiter) noexcept;
+  /// When the View may be applied; max() where another's turn it is.
   [[nodiscard]] Clock::time_point due(const TimedEvent& waiter) const;
   /// It was applied from `began` on, at the cost of so much of the thread's processor time.
-  void applied(TimedEvent& waiter, Clock::time_point began, std::chrono::nanoseconds cost);
+  void applied(TimedEvent& waiter, Clock::time_point began, std::chrono::nanoseconds cost) noexcept;
 
  private:
   void shutdown() override {}
   /// Gives somebody the turn, where nobody has it.
-  void choose();
+  void choose() noexcept;
 
-  std::unordered_map<TimedEvent*, FlowId> flow_of_;
+  std::unordered_map<const TimedEvent*, FlowId> flow_of_;
   std::unordered_map<FlowId, std::deque<TimedEvent*>> waiting_;  // none is empty
   DeficitRoundRobin<FlowId> turns_{Newcomers::first};
   TimedEvent* next_ = nullptr;

@@ -305,31 +305,54 @@ TEST_CASE("a flow has room for as many jobs as are free, however many clients it
   CHECK(queue.jobs() == 79);
 }
 
-TEST_CASE("a flow that was refused has room again with half the jobs that it may have") {
-  WorkQueue queue{kPatch, 8};
-  const auto client = client_box();
-  for (std::int32_t y = 0; y < 4; ++y) REQUIRE(queue.add(client, at(0, y)));
-  CHECK_FALSE(queue.add(client, at(0, 4)));
-  CHECK_FALSE(queue.has_room_again(client->flow()));
-  CHECK(queue.has_room_again(kOtherFlow));
-  queue.cancel(client->owner(), at(0, 0));
-  CHECK_FALSE(queue.has_room_again(client->flow()));  // three of five
-  queue.cancel(client->owner(), at(0, 1));
-  CHECK(queue.has_room_again(client->flow()));
+TEST_CASE("a client of a flow leaves room for the next") {
+  WorkQueue queue{kPatch, 40};
+  const auto greedy = client_box(kFlow);
+  const auto next = client_box(kFlow);
+  std::int32_t x = 0;
+  while (queue.add(greedy, at(x))) ++x;
+  CHECK(x == 14);  // 14 wait, the flow has 26 - 14 places more
+  CHECK(queue.has_room(kFlow));
+  CHECK(queue.add(next, at(1000)));
 }
 
-TEST_CASE("a job is its first flow's until it ends") {
+TEST_CASE("a flow has room while it has fewer jobs than are free") {
+  WorkQueue queue{kPatch, 8};
+  for (std::int32_t y = 0; y < 4; ++y) REQUIRE(queue.add(client_box(kFlow), at(0, y)));
+  CHECK_FALSE(queue.has_room(kFlow));
+  CHECK(queue.has_room(kOtherFlow));
+  CHECK_FALSE(queue.add(client_box(kFlow), at(0, 4)));
+  (void)take_batch(queue);
+  (void)queue.finish(at(0, 0));
+  CHECK(queue.has_room(kFlow));
+}
+
+TEST_CASE("a job counts for a flow that waits for it") {
   WorkQueue queue{kPatch, 4};
   const auto first = client_box(kFlow);
   const auto second = client_box(kOtherFlow);
   REQUIRE(queue.add(first, at(0)));
-  REQUIRE(queue.add(first, at(1)));
   REQUIRE(queue.add(second, at(0)));
+  REQUIRE(queue.add(client_box(kFlow), at(1)));
+  CHECK_FALSE(queue.has_room(kFlow));
   queue.cancel(first->owner(), at(0));
-  CHECK_FALSE(queue.add(first, at(2)));
-  (void)take_batch(queue);
-  (void)queue.finish(at(0));
-  CHECK(queue.add(first, at(2)));
+  CHECK(queue.has_room(kFlow));
+  queue.cancel(second->owner(), at(0));
+  CHECK(queue.jobs() == 1);
+}
+
+TEST_CASE("a patch is not given up while somebody waits for any of it") {
+  WorkQueue queue{kPatch, 100};
+  const auto client = client_box();
+  REQUIRE(queue.add(client, at(0)));
+  const auto batch = take_batch(queue);
+  CHECK_FALSE(queue.drop_unwanted(batch));
+  queue.cancel(client->owner(), at(0));
+  REQUIRE(queue.add(client, at(1)));
+  CHECK_FALSE(queue.drop_unwanted(batch));
+  queue.cancel(client->owner(), at(1));
+  CHECK(queue.drop_unwanted(batch));
+  CHECK(queue.jobs() == 0);
 }
 
 TEST_CASE("flows take turns, and clients within a flow") {
