@@ -163,7 +163,8 @@ const std::array kFields{
           number<&Config::cache, &Cache::patch_bytes>(kMebibyte, 1024 * 1024 * kMebibyte)},
 
     Field{"generation.patch_tiles", "tiles",
-          "edge of the square of terrain that is generated at once, a power of two; a tile is 32 columns; 0: by "
+          "edge of the square of terrain that is generated at once, a power of two; a tile is 32 columns; 0: "
+          "by "
           "what the world's terrain is measured to cost",
           PowerOfTwoTarget{[](Config& c) -> std::uint64_t& { return c.generation.patch_tiles; }, 16}},
     Field{"generation.queue_chunks", "chunks",
