@@ -172,7 +172,7 @@ class Run {
     const RatesSeen now{Clock::now(), sum(&Live::chunks), sum(&Live::bytes)};
     const double passed = std::chrono::duration<double>(now.at - rates_seen_.at).count();
     for (const auto& [name, share] : shares_) {
-      const auto add = [&](const char* of, std::uint64_t count) {
+      const auto add = [&, &name = name, &share = share](const char* of, std::uint64_t count) {
         result_.rates.at("rates." + name + of).add(passed, static_cast<double>(count) * share, measures_);
       };
       add("_chunks", now.chunks - rates_seen_.chunks);

@@ -49,7 +49,7 @@ TEST_CASE("a bucket of less than one request still grants one at a time") {
 }
 
 TEST_CASE("after a refusal nothing goes until the time told, then as much as was refused") {
-  const std::uint64_t rate = GENERATE(0, 1'000);
+  const std::uint64_t rate = GENERATE(0U, 1'000U);
   RequestPace pace{limits_of(rate, 0, milliseconds{2'000}), kStart};
   for (int i = 0; i < 3; ++i) pace.refused(kStart, milliseconds{500 + i});
   CHECK(taken(pace, kStart + milliseconds{501}) == 0);
