@@ -28,7 +28,8 @@ std::int64_t sine_q14(int sixteenth) {
   return turn == 0 ? 0 : turn < 8 ? kCosine_q14[static_cast<std::size_t>(8 - turn)] : cosine_q14(turn - 8);
 }
 
-// Numbers for a body, one after another, from the hash of its cube.
+// Numbers for a body, one after another, from the hash of its cube. Never two of them in one expression: C++
+// leaves open which of its operands or arguments comes first.
 class Draws {
  public:
   explicit Draws(std::uint64_t seed) : seed_{seed} {}
@@ -40,6 +41,11 @@ class Draws {
   // least to most percent of a length.
   std::int32_t part(std::int64_t length, std::int64_t least, std::int64_t most) {
     return static_cast<std::int32_t>(length * between(least, most + 1) / 100);
+  }
+  // A steep tilt to either side.
+  std::int64_t tilt_q12() {
+    const std::int64_t steepness_q12 = between(1024, 7000);
+    return between(0, 2) == 0 ? -steepness_q12 : steepness_q12;
   }
 
  private:
@@ -76,7 +82,8 @@ void add_pocket(const Middle& middle, OreLobe lobe, std::int32_t radius_fx, Draw
     lobe.x_fx = middle.x_fx + side * away_fx * cosine_q14(sixteenth) / 20480;
     lobe.z_fx = middle.z_fx + side * away_fx * sine_q14(sixteenth) / 20480;
     lobe.y_fx = static_cast<std::int32_t>(middle.y_fx + up_fx);
-    set_axes(lobe, static_cast<int>(draws.between(0, 16)), along_fx, draws.part(along_fx, 70, 100));
+    const std::int32_t across_fx = draws.part(along_fx, 70, 100);
+    set_axes(lobe, static_cast<int>(draws.between(0, 16)), along_fx, across_fx);
     lobe.half_fx = draws.part(along_fx, 45, 75);
     lobe.tilt_along_q12 = draws.between(-1024, 1024);
     lobe.tilt_across_q12 = draws.between(-1024, 1024);
@@ -105,7 +112,7 @@ void add_vein(const Middle& middle, OreLobe lobe, std::int32_t radius_fx, std::i
   lobe.y_fx = static_cast<std::int32_t>(middle.y_fx);
   set_axes(lobe, sixteenth, along_fx, across_fx);
   lobe.tilt_along_q12 = draws.between(-2048, 2049);
-  lobe.tilt_across_q12 = draws.between(1024, 7000) * (draws.between(0, 2) * 2 - 1);
+  lobe.tilt_across_q12 = draws.tilt_q12();
   lobe.half_fx = upright(thickness_fx, lobe.tilt_across_q12) / 2;
   lobe.rise_fx = radius_fx;
   lobes.push_back(lobe);
@@ -119,10 +126,10 @@ void add_vein(const Middle& middle, OreLobe lobe, std::int32_t radius_fx, std::i
     lobe.z_fx = middle.z_fx + ((a_fx * main.sin_q14 + c_fx * main.cos_q14) >> 14);
     lobe.y_fx = static_cast<std::int32_t>(middle.y_fx + up_fx);
     const std::int32_t branch_fx = draws.part(along_fx, 28, 40);
-    set_axes(lobe, sixteenth + static_cast<int>(draws.between(3, 14)), branch_fx,
-             draws.part(branch_fx, 30, 50));
+    const std::int32_t branch_across_fx = draws.part(branch_fx, 30, 50);
+    set_axes(lobe, sixteenth + static_cast<int>(draws.between(3, 14)), branch_fx, branch_across_fx);
     lobe.tilt_along_q12 = draws.between(-3000, 3001);
-    lobe.tilt_across_q12 = draws.between(1024, 7000) * (draws.between(0, 2) * 2 - 1);
+    lobe.tilt_across_q12 = draws.tilt_q12();
     lobe.half_fx = upright(draws.part(thickness_fx, 60, 85), lobe.tilt_across_q12) / 2;
     lobe.rise_fx = std::max(0, radius_fx - static_cast<std::int32_t>(std::abs(up_fx)));
     lobes.push_back(lobe);

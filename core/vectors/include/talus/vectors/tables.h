@@ -8,6 +8,11 @@
 #undef HWY_DISABLED_TARGETS
 #define HWY_DISABLED_TARGETS (HWY_SSSE3 | HWY_AVX3_DL)
 
+// The plain code is for vectors of one lane (HWY_SCALAR). Highway would emulate vectors of 16 bytes instead
+// (HWY_EMU128) by compilers that it trusts to do so: clang, and g++ from 12.3 on.
+#undef HWY_BROKEN_EMU128
+#define HWY_BROKEN_EMU128 1
+
 namespace talus {
 
 /// Elements that kernels may touch past the end of the buffers that they call padded: a vector's worth.
