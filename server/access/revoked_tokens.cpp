@@ -8,18 +8,13 @@
 
 #include <talus/files/read_file.h>
 
+#include "config/trimmed.h"
 #include "log/escape.h"
 
 namespace talus::server {
 namespace {
 
 constexpr std::string_view kBlank = " \t\r";
-
-std::string_view trimmed(std::string_view text) {
-  text.remove_prefix(std::min(text.find_first_not_of(kBlank), text.size()));
-  const std::size_t last = text.find_last_not_of(kBlank);
-  return text.substr(0, last == std::string_view::npos ? 0 : last + 1);
-}
 
 /// The first word of a text, which is cut off it.
 std::string_view take_word(std::string_view& text) {

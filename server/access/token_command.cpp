@@ -17,7 +17,7 @@ tl::unexpected<Exit> usage_error(std::string_view text, int status) {
   return tl::make_unexpected(Exit{fmt::format("talusd token: {}\n", text), status});
 }
 
-std::string random_id() {
+std::string random_token_id() {
   std::random_device device;
   return fmt::format("{:08x}{:08x}{:08x}{:08x}", device(), device(), device(), device());
 }
@@ -77,7 +77,7 @@ tl::expected<std::string, Exit> token_command(int argc, const char* const* argv,
   if (!validity) return usage_error(fmt::format("--valid: {}", validity.error()), kWrongUse);
   const auto key = read_key_file(key_file, kSigningKeyBounds);
   if (!key) return usage_error(key.error(), kFailed);
-  if (id.empty()) id = random_id();
+  if (id.empty()) id = random_token_id();
   auto token = make_signed_token(key->secret, {subject, *rights, now + *validity, id, now}, now);
   if (!token) return usage_error(token.error(), kFailed);
   return *std::move(token);
