@@ -5,11 +5,13 @@
 #include <cstdint>
 #include <limits>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include <talus/terrain/heights.h>
 #include <talus/voxel/coords.h>
 #include <talus/voxel/material.h>
+#include <talus/voxel/view_shape.h>
 
 #include "chunks/encoded_chunk.h"
 #include "chunks/mailbox.h"
@@ -51,6 +53,11 @@ class ChunkSource {
   [[nodiscard]] virtual Submission submit(const MailboxPtr& mailbox, ChunkKey key) = 0;
   /// An answer already in the mailbox may still be found there.
   virtual void cancel(ClientId client, ChunkKey key) = 0;
+
+  /// The chunks that the client looks at, and those that it comes to look at soon if it moves on as it does;
+  /// in place of what was said before, empty: none. A hint on what else is worth making, no more. Throws
+  /// std::bad_alloc.
+  virtual void set_wanted(ClientId client, std::span<const LevelBox> boxes) = 0;
 
   /// Surface heights of base columns, as generated; one HeightsReady comes. The caller never gives a ticket
   /// twice.

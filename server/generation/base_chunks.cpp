@@ -30,7 +30,7 @@ BaseChunks::BaseChunks(std::unique_ptr<const Generator> generator, const Generat
       rows_{*generator_, settings.patch_tiles, bytes_of_rows(settings)},
       maker_{*generator_, chunks_, metrics, log},
       generator_memory_{memory, settings.threads, log},
-      patches_{{*generator_, maker_, chunks_, rows_, generator_memory_, metrics, clock},
+      patches_{{*generator_, maker_, chunks_, rows_, wanted_, generator_memory_, metrics, clock},
                log,
                settings.patch_tiles,
                settings.patch_cache_bytes,
@@ -79,6 +79,10 @@ ChunkSource::Submission BaseChunks::submit(const MailboxPtr& mailbox, ChunkKey k
 
 void BaseChunks::cancel(ClientId client, ChunkKey key) {
   pool_.cancel(client, key);
+}
+
+void BaseChunks::set_wanted(ClientId client, std::span<const LevelBox> boxes) {
+  wanted_.set(client, boxes);
 }
 
 void BaseChunks::submit_heights(const MailboxPtr& mailbox, std::uint64_t ticket,

@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <memory>
 #include <mutex>
+#include <span>
 #include <vector>
 
 #include "cache/chunk_cache.h"
@@ -20,6 +21,7 @@
 #include "generation/generator.h"
 #include "generation/generator_memory.h"
 #include "generation/patch_store.h"
+#include "generation/wanted_chunks.h"
 #include "log/logger.h"
 #include "memory/memory_budget.h"
 #include "metrics/metrics.h"
@@ -53,6 +55,7 @@ class BaseChunks final : public ChunkSource {
   [[nodiscard]] MixedRows column(ChunkKey key) override;
   [[nodiscard]] Submission submit(const MailboxPtr& mailbox, ChunkKey key) override;
   void cancel(ClientId client, ChunkKey key) override;
+  void set_wanted(ClientId client, std::span<const LevelBox> boxes) override;
   void submit_heights(const MailboxPtr& mailbox, std::uint64_t ticket,
                       std::vector<terrain::BaseColumn> columns) override;
   void cancel_heights(ClientId client, std::uint64_t ticket) override;
@@ -86,6 +89,7 @@ class BaseChunks final : public ChunkSource {
   ChunkCache chunks_;
   ColumnRows rows_;
   ChunkMaker maker_;
+  WantedChunks wanted_;
   GeneratorMemory generator_memory_;
   PatchStore patches_;
   GenerationPool pool_;

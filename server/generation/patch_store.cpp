@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <exception>
+#include <limits>
 
 namespace talus::server {
 
@@ -21,13 +22,15 @@ bool PatchStore::holds(const PatchKey& patch) const {
 PatchStore::Loan PatchStore::obtain(const PatchKey& patch, const GoOn& go_on, MeasuredWork& measured) {
   Loan loan{patch, find(patch), false, {}};
   if (loan.stacks != nullptr) return loan;
+  // Now, as whoever asks may have moved on when it is made.
+  const bool outside_views = !in_some_view(patch);
   try {
     loan.stacks = make(patch, go_on, measured);
     loan.given_up = loan.stacks == nullptr;
     if (loan.given_up) return loan;
     parts_.memory.note_patch(loan.stacks->bytes());
     parts_.rows.note(patch, *loan.stacks);
-    put(loan);
+    put(loan, outside_views);
   } catch (const std::exception& error) {
     log_->error("patch ({}, {}) at level of detail {} failed: {}", patch.x, patch.z, patch.lod.value(),
                 error.what());
@@ -40,13 +43,13 @@ void PatchStore::finish(const Loan& loan, MeasuredWork& measured) {
     const std::lock_guard lock{mutex_};
     patches_.erase(loan.patch);
   }
-  for (const auto& [patch, stacks] : loan.evicted) extract_before_evict(patch, *stacks, measured);
+  for (const auto& [key, patch] : loan.evicted) extract_before_evict(key, patch, measured);
 }
 
 StacksPtr PatchStore::find(const PatchKey& patch) {
   const std::lock_guard lock{mutex_};
-  const StacksPtr* const stacks = patches_.find(patch);
-  return stacks == nullptr ? nullptr : *stacks;
+  const StoredPatch* const found = patches_.find(patch);
+  return found == nullptr ? nullptr : found->stacks;
 }
 
 StacksPtr PatchStore::make(const PatchKey& patch, const GoOn& go_on, MeasuredWork& measured) {
@@ -59,25 +62,27 @@ StacksPtr PatchStore::make(const PatchKey& patch, const GoOn& go_on, MeasuredWor
   return spare_.share(std::move(stacks));
 }
 
-void PatchStore::put(Loan& loan) {
+void PatchStore::put(Loan& loan, bool outside_views) {
+  StoredPatch patch{loan.stacks, outside_views};
   const std::lock_guard lock{mutex_};
   loan.evicted.reserve(patches_.size());  // so that nothing is allocated while patches are evicted
-  patches_.put(loan.patch, loan.stacks, loan.stacks->bytes(),
-               [&](const PatchKey& patch, StacksPtr&& stacks) noexcept {
-                 loan.evicted.emplace_back(patch, std::move(stacks));
+  patches_.put(loan.patch, std::move(patch), loan.stacks->bytes(),
+               [&](const PatchKey& key, StoredPatch&& evicted) noexcept {
+                 loan.evicted.emplace_back(key, std::move(evicted));
                });
 }
 
-void PatchStore::extract_before_evict(const PatchKey& patch, const terrain::Stacks& stacks,
-                                      MeasuredWork& measured) {
+void PatchStore::extract_before_evict(const PatchKey& key, const StoredPatch& patch, MeasuredWork& measured) {
   const auto began = parts_.clock.thread_cpu();
-  for_each_column(patch, patch_tiles_, [&](ChunkKey column) {
-    const MixedRows mixed = parts_.generator.mixed_rows(stacks, column);
-    const std::int32_t last = std::min(mixed.last, mixed.first + kMaxExtractedRows - 1);
-    for (std::int32_t y = mixed.first; y <= last; ++y) {
-      const ChunkKey key{{column.coord.x, y, column.coord.z}, column.lod};
-      if (parts_.chunks.holds(key)) continue;
-      (void)parts_.maker.chunk(&stacks, key);
+  for_each_column(key, patch_tiles_, [&](ChunkKey column) {
+    const MixedRows mixed = rows_of(column, *patch.stacks);
+    ChunkRange rows{mixed.first, mixed.last};
+    if (!patch.outside_views) rows = parts_.wanted.rows_of(column, rows);
+    rows.last = std::min(rows.last, rows.first + kMaxExtractedRows - 1);
+    for (std::int64_t y = rows.first; y <= rows.last; ++y) {
+      const ChunkKey chunk{{column.coord.x, static_cast<std::int32_t>(y), column.coord.z}, column.lod};
+      if (parts_.chunks.holds(chunk)) continue;
+      (void)parts_.maker.chunk(patch.stacks.get(), chunk);
       ++measured.chunks;
     }
   });
@@ -88,14 +93,27 @@ bool PatchStore::fully_extracted(const PatchKey& patch, const terrain::Stacks& s
   bool all = true;
   for_each_column(patch, patch_tiles_, [&](ChunkKey column) {
     if (!all) return;
-    const auto known = parts_.rows.exact(column);
-    const MixedRows mixed = known ? *known : parts_.generator.mixed_rows(stacks, column);
+    const MixedRows mixed = rows_of(column, stacks);
     all = std::int64_t{mixed.last} - mixed.first < kMaxExtractedRows;
     for (std::int32_t y = mixed.first; all && y <= mixed.last; ++y) {
       all = parts_.chunks.holds({{column.coord.x, y, column.coord.z}, column.lod});
     }
   });
   return all;
+}
+
+MixedRows PatchStore::rows_of(ChunkKey column, const terrain::Stacks& stacks) {
+  const auto known = parts_.rows.exact(column);
+  return known ? *known : parts_.generator.mixed_rows(stacks, column);
+}
+
+bool PatchStore::in_some_view(const PatchKey& patch) const {
+  constexpr ChunkRange kAllRows{std::numeric_limits<std::int32_t>::min(),
+                                std::numeric_limits<std::int32_t>::max()};
+  bool any = false;
+  for_each_column(patch, patch_tiles_,
+                  [&](ChunkKey column) { any = any || parts_.wanted.rows_of(column, kAllRows).size() > 0; });
+  return any;
 }
 
 void PatchStore::set_capacity(std::size_t capacity_bytes) {

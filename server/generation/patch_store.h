@@ -1,9 +1,9 @@
 // Stacks of patches in memory, bounded in bytes: found, made, and turned into chunks before they go. Callable
 // from any thread.
 //
-// A chunk is a fiftieth of what its part of the patch takes, and whoever looks at one column mostly comes to
-// look at the others. So before an evicted patch is let go its mixed chunks are extracted into the chunk
-// cache, and a patch of which all are there already is let go at once.
+// A chunk is a fiftieth of what its part of the patch takes. So before an evicted patch is let go those of
+// its mixed chunks that somebody looks at, or comes to look at soon, are extracted into the chunk cache; and
+// a patch of which all are there already is let go at once.
 #pragma once
 
 #include <cstddef>
@@ -19,8 +19,17 @@
 #include "generation/cost_model.h"
 #include "generation/generator_memory.h"
 #include "generation/stacks_pool.h"
+#include "generation/wanted_chunks.h"
 
 namespace talus::server {
+
+/// A patch in memory.
+struct StoredPatch {
+  StacksPtr stacks;
+  /// It was made for chunks that no View has: who asks for chunks one by one mostly comes to ask for those
+  /// beside them, and all are extracted.
+  bool outside_views = false;
+};
 
 class PatchStore {
  public:
@@ -34,6 +43,7 @@ class PatchStore {
     ChunkMaker& maker;
     ChunkCache& chunks;
     ColumnRows& rows;
+    const WantedChunks& wanted;
     GeneratorMemory& memory;
     Metrics& metrics;
     const Clock& clock;
@@ -48,9 +58,9 @@ class PatchStore {
   /// One piece of work on one patch: obtain() it, make chunks of it, and let it go by finish().
   struct Loan {
     PatchKey patch;
-    StacksPtr stacks;                                     // null where the patch could not be made
-    bool given_up = false;                                // go_on() ended it
-    std::vector<std::pair<PatchKey, StacksPtr>> evicted;  // for this one
+    StacksPtr stacks;                                       // null where the patch could not be made
+    bool given_up = false;                                  // go_on() ended it
+    std::vector<std::pair<PatchKey, StoredPatch>> evicted;  // for this one
   };
   /// The patch from memory, or made now unless go_on() ends that. `measured` gets what that took.
   [[nodiscard]] Loan obtain(const PatchKey& patch, const GoOn& go_on, MeasuredWork& measured);
@@ -68,18 +78,21 @@ class PatchStore {
   [[nodiscard]] StacksPtr find(const PatchKey& patch);
   /// Null where go_on() ended it.
   [[nodiscard]] StacksPtr make(const PatchKey& patch, const GoOn& go_on, MeasuredWork& measured);
-  void put(Loan& loan);
+  void put(Loan& loan, bool outside_views);
   /// Whether all mixed chunks of the patch are in the chunk cache, where they stay longer for their size, and
   /// no column has more of them than would be extracted.
   [[nodiscard]] bool fully_extracted(const PatchKey& patch, const terrain::Stacks& stacks);
-  void extract_before_evict(const PatchKey& patch, const terrain::Stacks& stacks, MeasuredWork& measured);
+  void extract_before_evict(const PatchKey& key, const StoredPatch& patch, MeasuredWork& measured);
+  /// Of the key's column over these stacks.
+  [[nodiscard]] MixedRows rows_of(ChunkKey column, const terrain::Stacks& stacks);
+  [[nodiscard]] bool in_some_view(const PatchKey& patch) const;
 
   const Parts parts_;
   const Logger log_;
   const int patch_tiles_;
   StacksPool spare_;
   mutable std::mutex mutex_;
-  ClockCache<PatchKey, StacksPtr> patches_;
+  ClockCache<PatchKey, StoredPatch> patches_;
 };
 
 }  // namespace talus::server

@@ -41,10 +41,12 @@ void Delivery::apply_view() {
   if (!view_.waits()) return;
   queue_full_ = false;  // the new View may need no place in the queue
   drop_from_view(view_.apply());
+  context_.chunks.set_wanted(mailbox_->owner(), view_.ahead());
 }
 
 void Delivery::end_view() {
   drop_from_view(view_.clear());
+  context_.chunks.set_wanted(mailbox_->owner(), {});
 }
 
 void Delivery::drop_from_view(const std::vector<ChunkKey>& keys) {
@@ -264,6 +266,7 @@ void Delivery::abandon() {
   }
   requests_.clear();
   (void)view_.clear();
+  context_.chunks.set_wanted(mailbox_->owner(), {});
   outbox_.drop_chunks([](const Outbox::Entry&) { return true; });
 }
 

@@ -43,6 +43,12 @@ AreaOfInterest::AreaOfInterest(const View& view) : centre_{view.centre} {
   places_ = static_cast<Place>(places);
 }
 
+std::vector<LevelBox> AreaOfInterest::boxes() const {
+  std::vector<LevelBox> boxes;
+  for (const Level& level : levels_) boxes.push_back(level.box);
+  return boxes;
+}
+
 std::optional<AreaOfInterest::Place> AreaOfInterest::place_of(ChunkKey key) const {
   const Level* const level = level_of(key.lod);
   if (level == nullptr || !level->box.contains(key.coord)) return std::nullopt;

@@ -41,6 +41,8 @@ class AreaOfInterest {
   /// The View has at most 2^23 chunks.
   explicit AreaOfInterest(const View& view);
 
+  /// Of each level, cut off at the world's edge.
+  [[nodiscard]] std::vector<LevelBox> boxes() const;
   /// More than any place; at most a third more than there are chunks.
   [[nodiscard]] std::size_t places() const { return places_; }
   [[nodiscard]] std::optional<Place> place_of(ChunkKey key) const;

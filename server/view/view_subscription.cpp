@@ -29,7 +29,10 @@ std::vector<ChunkKey> ViewSubscription::apply() {
   piles_up_ = false;
   number_ = view.number;
   completion_due_ = number_ != 0;
-  auto dropped = stream_.replace(AreaOfInterest{view}, std::exchange(unseen_, {}));
+  AreaOfInterest wanted{view};
+  heading_.move_to(view.centre, view.horizontal_radius);
+  ahead_ = heading_.ahead(wanted.boxes());
+  auto dropped = stream_.replace(std::move(wanted), std::exchange(unseen_, {}));
   std::erase_if(known_, [&](const auto& chunk) { return !stream_.wants(chunk.first); });
   return dropped;
 }
@@ -41,6 +44,7 @@ std::vector<ChunkKey> ViewSubscription::clear() {
   known_.clear();
   number_ = 0;
   completion_due_ = false;
+  ahead_.clear();
   return stream_.replace({});
 }
 
@@ -63,7 +67,8 @@ bool ViewSubscription::knows(ChunkKey key, ContentHash hash) const {
 
 std::size_t ViewSubscription::bytes() const {
   constexpr std::size_t kPerKnown = 64;
-  return stream_.bytes() + known_.size() * kPerKnown;
+  // The source has the boxes too, and again by place.
+  return stream_.bytes() + known_.size() * kPerKnown + ahead_.size() * 6 * sizeof(LevelBox);
 }
 
 }  // namespace talus::server

@@ -12,6 +12,7 @@
 #include <talus/voxel/coords.h>
 
 #include "view/area_of_interest.h"
+#include "view/heading.h"
 #include "view/view_stream.h"
 
 namespace talus::server {
@@ -41,6 +42,8 @@ class ViewSubscription {
   [[nodiscard]] std::vector<ChunkKey> clear();
 
   // ---- the View in force
+  /// Its chunks, and those that it comes to have soon if it moves on as it does.
+  [[nodiscard]] const std::vector<LevelBox>& ahead() const { return ahead_; }
   /// As the client numbered it.
   [[nodiscard]] std::uint32_t number() const { return number_; }
   /// The View's number, once, when all its chunks are done; none for a View without number, and from when a
@@ -64,6 +67,8 @@ class ViewSubscription {
   ViewStream stream_;
   std::uint32_t number_ = 0;
   bool completion_due_ = false;  // of a View with a number
+  Heading heading_;
+  std::vector<LevelBox> ahead_;
   std::optional<View> requested_;
   bool piles_up_ = false;
   std::vector<AreaOfInterest> unseen_;               // replaced before apply(), oldest first

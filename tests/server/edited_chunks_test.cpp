@@ -50,6 +50,9 @@ class EditedChunks final : public ChunkSource {
     return Submission::queued;
   }
   void cancel(ClientId client, ChunkKey key) override { base_.cancel(client, key); }
+  void set_wanted(ClientId client, std::span<const LevelBox> boxes) override {
+    base_.set_wanted(client, boxes);
+  }
   void submit_heights(const MailboxPtr& mailbox, std::uint64_t ticket,
                       std::vector<terrain::BaseColumn> columns) override {
     base_.submit_heights(mailbox, ticket, std::move(columns));

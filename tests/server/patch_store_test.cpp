@@ -27,7 +27,8 @@ struct Bench {
   ColumnRows rows{generator, kTiles, 1 << 20};
   ChunkMaker maker{generator, chunks, metrics, log};
   GeneratorMemory memory{budget, 1, log};
-  PatchStore store{{generator, maker, chunks, rows, memory, metrics, clock}, log, kTiles, 1 << 20, 1};
+  WantedChunks wanted;
+  PatchStore store{{generator, maker, chunks, rows, wanted, memory, metrics, clock}, log, kTiles, 1 << 20, 1};
   MeasuredWork measured;
 
   Bench() {
@@ -75,7 +76,7 @@ TEST_CASE("the rows of a patch's columns are known when it is made") {
   CHECK_FALSE(bench.rows.exact({{4, 9, 3}, Lod{}}).has_value());
 }
 
-TEST_CASE("an evicted patch leaves its mixed chunks, each made once") {
+TEST_CASE("an evicted patch that was in no View leaves its mixed chunks, each made once") {
   Bench bench;
   const auto first = bench.obtain(0);
   REQUIRE(bench.maker.chunk(first.stacks.get(), {{1, 2, 1}, Lod{}}).has_value());
@@ -90,6 +91,24 @@ TEST_CASE("an evicted patch leaves its mixed chunks, each made once") {
   }
   CHECK(bench.work->chunks == 2 * kColumns);
   CHECK(bench.measured.chunks == 2 * kColumns - 1);
+}
+
+TEST_CASE("of an evicted patch in a View the chunks that somebody wants are left, and no others") {
+  Bench bench;
+  const ChunkRange any{-100, 100};
+  // The eastern half of the patch, and of its mixed rows 2 and 3 the higher one.
+  bench.wanted.set(ClientId{1}, std::array{LevelBox{Lod{}, {2, 100}, {3, 9}, any, {}, {}}});
+  bench.store.finish(bench.obtain(0), bench.measured);
+  bench.store.finish(bench.obtain(1), bench.measured);
+  for (std::int32_t i = 0; i < kColumns; ++i) {
+    CHECK_FALSE(bench.chunks.holds({{i % kTiles, 2, i / kTiles}, Lod{}}));
+    CHECK(bench.chunks.holds({{i % kTiles, 3, i / kTiles}, Lod{}}) == (i % kTiles >= 2));
+  }
+  CHECK(bench.work->chunks == kColumns / 2);
+  // Nobody wants what is evicted next any more: players have moved on.
+  bench.wanted.set(ClientId{1}, {});
+  bench.store.finish(bench.obtain(2), bench.measured);
+  CHECK(bench.work->chunks == kColumns / 2);
 }
 
 TEST_CASE("whichever allocation fails while a patch is obtained, the store is whole and used on") {
@@ -269,12 +288,12 @@ TEST_CASE("making a patch takes the thread time that its clock counts") {
   };
   Bench bench;
   const Slow slow;
-  PatchStore store{
-      {bench.generator, bench.maker, bench.chunks, bench.rows, bench.memory, bench.metrics, slow},
-      bench.log,
-      kTiles,
-      1 << 20,
-      1};
+  PatchStore store{{bench.generator, bench.maker, bench.chunks, bench.rows, bench.wanted, bench.memory,
+                    bench.metrics, slow},
+                   bench.log,
+                   kTiles,
+                   1 << 20,
+                   1};
   const auto loan = store.obtain(
       {0, 0, Lod{}}, [] { return true; }, bench.measured);
   CHECK(bench.measured.patch_time == 7ms);

@@ -40,6 +40,7 @@ class ScriptedSource final : public ChunkSource {
   std::size_t submitted = 0;
   std::size_t refused = 0;
   std::size_t newer_asked = 0;
+  std::vector<LevelBox> wanted;
 
   [[nodiscard]] EncodedChunkPtr find(ChunkKey key) override {
     const auto found = in_memory.find(key);
@@ -62,6 +63,9 @@ class ScriptedSource final : public ChunkSource {
     return Submission::queued;
   }
   void cancel(ClientId, ChunkKey key) override { waiting.erase(key); }
+  void set_wanted(ClientId, std::span<const LevelBox> boxes) override {
+    wanted.assign(boxes.begin(), boxes.end());
+  }
   void submit_heights(const MailboxPtr& mailbox, std::uint64_t ticket,
                       std::vector<terrain::BaseColumn> columns) override {
     waiting_heights[ticket] = mailbox;

@@ -44,6 +44,20 @@ TEST_CASE("each chunk of a View is sent once, for request id 0") {
   CHECK(sent.size() == 9);
 }
 
+TEST_CASE("the source is told what a View has, and what it comes to have if it moves on") {
+  SessionBench bench;
+  CHECK(bench.source.wanted.empty());
+  bench.look_at(0, 2);
+  REQUIRE(bench.source.wanted.size() == 1);
+  CHECK(bench.source.wanted.front().x == ChunkRange{-2, 2});
+  bench.look_at(1, 2);
+  REQUIRE(bench.source.wanted.size() == 1);
+  CHECK(bench.source.wanted.front().x == ChunkRange{-1, 3 + Heading::kAhead});
+  CHECK(bench.source.wanted.front().z == ChunkRange{-2, 2});
+  bench.session.abandon();
+  CHECK(bench.source.wanted.empty());
+}
+
 TEST_CASE("what was sent and stays in the View is not sent again") {
   SessionBench bench;
   bench.look_at(0, 1);

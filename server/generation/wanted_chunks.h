@@ -1,0 +1,65 @@
+// Which chunks clients look at, and come to look at soon: what is worth being made before anybody asks for
+// it. Callable from any thread.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <mutex>
+#include <span>
+#include <unordered_map>
+#include <vector>
+
+#include <talus/voxel/coords.h>
+#include <talus/voxel/view_shape.h>
+
+#include "chunks/mailbox.h"
+
+namespace talus::server {
+
+/// Boxes of chunks by client, found by column. A box lies in one to four cells of a grid as coarse as the box
+/// is wide, so that neither setting nor finding one costs more for a wide View than for a small one.
+class WantedChunks {
+ public:
+  /// Replaces the client's boxes; empty: forgets the client. Throws std::bad_alloc, and then the client has
+  /// no boxes.
+  void set(ClientId client, std::span<const LevelBox> boxes);
+
+  /// Of the rows in `rows`, from the lowest that some client's box has of the key's column to the highest;
+  /// empty where no box has one of them.
+  [[nodiscard]] ChunkRange rows_of(ChunkKey column, ChunkRange rows) const;
+
+  /// Whether no client has any.
+  [[nodiscard]] bool empty() const;
+
+ private:
+  // Along x and z, from 2^0 chunks.
+  static constexpr int kScales = 40;
+  struct Cell {
+    std::int64_t x = 0;
+    std::int64_t z = 0;
+    int scale = 0;  // the edge is 2^scale chunks
+    int level = 0;
+    bool operator==(const Cell&) const = default;
+  };
+  struct CellHash {
+    std::size_t operator()(const Cell& cell) const noexcept;
+  };
+  struct Entry {
+    ClientId client{};
+    LevelBox box;
+  };
+
+  /// Calls visit(Cell) for the cells in which the box lies.
+  template <typename Visit>
+  static void for_each_cell(const LevelBox& box, Visit&& visit);
+  /// Those of its boxes that lie in cells.
+  void remove(ClientId client, std::span<const LevelBox> boxes);
+
+  mutable std::mutex mutex_;
+  std::unordered_map<ClientId, std::vector<LevelBox>> boxes_;
+  std::unordered_map<Cell, std::vector<Entry>, CellHash> cells_;
+  std::array<std::size_t, kScales> boxes_of_scale_{};
+};
+
+}  // namespace talus::server
