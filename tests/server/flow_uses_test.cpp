@@ -2,6 +2,7 @@
 
 #include <atomic>
 #include <catch2/catch.hpp>
+#include <memory>
 #include <string>
 #include <thread>
 #include <vector>
@@ -61,12 +62,17 @@ TEST_CASE("what a flow adds before it leaves counts, and then it is forgotten") 
 
 TEST_CASE("a flow that comes back between two looks stays the same") {
   FlowUses flows;
-  auto leaving = flows.of_subject("alice");
-  leaving.reset();
+  const std::weak_ptr<FlowUse> alice = flows.of_subject("alice");
   flows.collect(Clock::time_point{1s});
-  const FlowUsePtr back = flows.of_subject("alice");
+  REQUIRE_FALSE(alice.expired());
+  // It adds at the very moment at which the next look finds that it has left: the one after it counts that.
+  flows.of_subject("alice")->add(FlowMeasure::sent, 1);
   flows.collect(Clock::time_point{2s});
+  REQUIRE_FALSE(alice.expired());
+  const FlowUsePtr back = flows.of_subject("alice");
+  CHECK(back == alice.lock());
   flows.collect(Clock::time_point{3s});
+  flows.collect(Clock::time_point{4s});
   CHECK(flows.of_subject("alice") == back);
 }
 

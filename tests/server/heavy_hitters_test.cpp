@@ -46,6 +46,35 @@ TEST_CASE("a steady use is its rate, and falls as load averages do") {
   CHECK(hitters.all().in_a_minute == Approx(100 * std::exp(-1)).epsilon(1e-6));
 }
 
+TEST_CASE("a flow that uses little each time, and often, is listed in the end, though it was cut off") {
+  constexpr std::uint64_t kEntries = 4;
+  HeavyHitters hitters{kEntries};
+  for (std::uint64_t once = 1; once <= kEntries; ++once) use(hitters, once, 100);
+  for (std::uint64_t stranger = 1000; stranger < 1050; ++stranger) {
+    use(hitters, 99, 10);
+    use(hitters, stranger, 11);  // more at a time, and never again
+    hitters.cut();
+  }
+  const auto listed = names(hitters.top(kEntries));
+  CHECK(std::find(listed.begin(), listed.end(), "99") != listed.end());
+}
+
+TEST_CASE("what a flow may have used long ago does not keep it listed") {
+  HeavyHitters hitters{2};
+  for (std::uint64_t id = 1; id <= 3; ++id) use(hitters, id, 1'000'000);
+  hitters.cut();
+  use(hitters, 4, 1);  // may have used a million before
+  use(hitters, 5, 1);
+  hitters.cut();
+  hitters.pass(10min);
+  use(hitters, 6, 1000);
+  use(hitters, 7, 1000);
+  hitters.cut();
+  auto listed = names(hitters.top(2));
+  std::sort(listed.begin(), listed.end());
+  CHECK(listed == std::vector<std::string>{"6", "7"});
+}
+
 TEST_CASE("of many flows the heaviest stay, however they come") {
   // Few use much, many use little, and each little one comes once: what a table that forgets what it cuts
   // off, or that favours who came last, does not survive.
