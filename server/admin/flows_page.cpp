@@ -65,8 +65,9 @@ std::string flows_text(const FlowsReport& report) {
                    fmt::format("{}, 10 s", shown.rate), fmt::format("{}, 1 min", shown.rate), "share",
                    shown.total);
     for (const FlowFigures& each : flows.top) {
-      // What is long over would be shown as a row of zeros.
-      if (each.in_a_minute >= 0.05 * shown.per_rate) row(text_of(*each.name), each);
+      // What is long over would be a row of zeros.
+      const double rate = std::max(each.in_ten_seconds, each.in_a_minute) / shown.per_rate;
+      if (rate >= 0.05 || each.in_a_minute > 0.005 * flows.all.in_a_minute) row(text_of(*each.name), each);
     }
     row("all flows", flows.all);
   }

@@ -53,7 +53,7 @@ struct AddressBuckets {
   /// For new rates: with what is left in `before`. Who still uses that takes nothing from these.
   AddressBuckets(const AddressBuckets& before, const RateSet& to, TokenBucket::Time now);
 
-  const RateSet rates;  // by which the buckets are used
+  const RateSet rates{};  // by which the buckets are used
   std::atomic<TokenBucket> chunks{}, bytes{}, requests{};
 };
 using AddressBucketsPtr = std::shared_ptr<AddressBuckets>;
