@@ -12,10 +12,10 @@
 namespace talus::server {
 namespace {
 
-constexpr std::size_t kShownBytes = 48;  // of a name
+constexpr std::size_t kNameBytesShown = 48;  // of a name
 
 /// How a measure is shown.
-struct Shown {
+struct MeasureFormat {
   std::string_view title;
   std::string_view rate;   // unit of rates
   std::string_view total;  // unit of totals
@@ -25,18 +25,18 @@ struct Shown {
   double per_key_unit;
 };
 
-constexpr double kMebibyte = 1 << 20;
-constexpr std::array<Shown, kFlowMeasures> kShown{
-    Shown{"GENERATOR TIME", "ms/s", "total s", 1e6, 1e9, "generator_seconds", 1e9},
-    Shown{"SENT", "MiB/s", "total MiB", kMebibyte, kMebibyte, "sent_bytes", 1},
-    Shown{"REFUSALS", "/min", "total", 1.0 / 60, 1, "refusals", 1}};
+constexpr double kMebibyteBytes = 1 << 20;
+constexpr std::array<MeasureFormat, kFlowMeasures> kFormats{
+    MeasureFormat{"GENERATOR TIME", "ms/s", "total s", 1e6, 1e9, "generator_seconds", 1e9},
+    MeasureFormat{"SENT", "MiB/s", "total MiB", kMebibyteBytes, kMebibyteBytes, "sent_bytes", 1},
+    MeasureFormat{"REFUSALS", "/min", "total", 1.0 / 60, 1, "refusals", 1}};
 
-std::string text_of(const FlowName& name) {
-  const std::string text = escaped(name.text, kShownBytes);
+std::string name_shown(const FlowName& name) {
+  const std::string text = escaped(name.text, kNameBytesShown);
   return name.kind == FlowName::Kind::subject ? "subject " + text : text;
 }
 
-nlohmann::ordered_json json_of(const FlowFigures& figures, const Shown& shown) {
+nlohmann::ordered_json json_of(const FlowFigures& figures, const MeasureFormat& shown) {
   return {{"per_second_10_s", figures.in_ten_seconds / shown.per_key_unit},
           {"per_second_1_min", figures.in_a_minute / shown.per_key_unit},
           {"total", static_cast<double>(figures.total) / shown.per_key_unit}};
@@ -47,12 +47,12 @@ nlohmann::ordered_json json_of(const FlowFigures& figures, const Shown& shown) {
 std::string flows_text(const FlowsReport& report) {
   std::size_t width = 20;
   for (const TopFlows& flows : report.top) {
-    for (const FlowFigures& each : flows.top) width = std::max(width, text_of(*each.name).size());
+    for (const FlowFigures& each : flows.top) width = std::max(width, name_shown(*each.name).size());
   }
   std::string page = fmt::format("{} sessions, {} flows\n", report.sessions, report.flows);
   const auto out = std::back_inserter(page);
   for (std::size_t i = 0; i < kFlowMeasures; ++i) {
-    const Shown& shown = kShown[i];
+    const MeasureFormat& shown = kFormats[i];
     const TopFlows& flows = report.top[i];
     const auto row = [&](std::string_view name, const FlowFigures& figures) {
       const double share = flows.all.in_a_minute > 0 ? figures.in_a_minute / flows.all.in_a_minute : 0;
@@ -67,7 +67,7 @@ std::string flows_text(const FlowsReport& report) {
     for (const FlowFigures& each : flows.top) {
       // What is long over would be a row of zeros.
       const double rate = std::max(each.in_ten_seconds, each.in_a_minute) / shown.per_rate;
-      if (rate >= 0.05 || each.in_a_minute > 0.005 * flows.all.in_a_minute) row(text_of(*each.name), each);
+      if (rate >= 0.05 || each.in_a_minute > 0.005 * flows.all.in_a_minute) row(name_shown(*each.name), each);
     }
     row("all flows", flows.all);
   }
@@ -81,11 +81,11 @@ std::string flows_json(const FlowsReport& report) {
     for (const FlowFigures& each : report.top[i].top) {
       const bool subject = each.name->kind == FlowName::Kind::subject;
       nlohmann::ordered_json flow{{subject ? "subject" : "address", each.name->text}};
-      flow.update(json_of(each, kShown[i]));
+      flow.update(json_of(each, kFormats[i]));
       top.push_back(std::move(flow));
     }
-    page[std::string{kShown[i].key}] = {{"all", json_of(report.top[i].all, kShown[i])},
-                                        {"top", std::move(top)}};
+    page[std::string{kFormats[i].key}] = {{"all", json_of(report.top[i].all, kFormats[i])},
+                                          {"top", std::move(top)}};
   }
   // A name that was cut may end inside a character.
   return page.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";

@@ -12,7 +12,7 @@
 namespace talus::server {
 namespace {
 
-tl::unexpected<Exit> one_line(const std::string& text, int status) {
+tl::unexpected<Exit> top_refused(const std::string& text, int status) {
   return tl::make_unexpected(Exit{fmt::format("talusd top: {}\n", on_one_line(text)), status});
 }
 
@@ -50,18 +50,18 @@ tl::expected<TopCommand, Exit> read_top_command(int argc, const char* const* arg
   if (!admin.empty()) {
     auto endpoint = protocol::parse_endpoint(admin);
     if (!endpoint) {
-      return one_line(fmt::format("--admin: \"{}\": {}", escaped(admin), endpoint.error()), kWrongUse);
+      return top_refused(fmt::format("--admin: \"{}\": {}", escaped(admin), endpoint.error()), kWrongUse);
     }
     command.admin = *std::move(endpoint);
     return command;
   }
   Settings settings;
   if (!config_file.empty()) {
-    if (auto done = apply_file(settings, config_file); !done) return one_line(done.error(), kFailed);
+    if (auto done = apply_file(settings, config_file); !done) return top_refused(done.error(), kFailed);
   }
-  if (auto done = apply_environment(settings, environment); !done) return one_line(done.error(), kFailed);
+  if (auto done = apply_environment(settings, environment); !done) return top_refused(done.error(), kFailed);
   if (!settings.config.admin) {
-    return one_line("no address of operators; give --admin HOST:PORT, as talusd has it", kWrongUse);
+    return top_refused("no address of operators; give --admin HOST:PORT, as talusd has it", kWrongUse);
   }
   command.admin = *settings.config.admin;
   return command;

@@ -10,7 +10,7 @@ namespace talus::server {
 namespace {
 
 /// A number as it is, all else in quotes.
-std::string shown(const Field& field, const Config& config) {
+std::string value_shown(const Field& field, const Config& config) {
   const std::string text = on_one_line(text_of(field, config));
   const bool number = std::holds_alternative<NumberTarget>(field.target) ||
                       std::holds_alternative<PowerOfTwoTarget>(field.target) ||
@@ -18,7 +18,7 @@ std::string shown(const Field& field, const Config& config) {
   return number ? text : fmt::format("\"{}\"", text);
 }
 
-std::string_view when(Counts counts) {
+std::string_view when_it_counts(Counts counts) {
   switch (counts) {
     case Counts::at_once:
       return "";
@@ -35,11 +35,11 @@ std::string_view when(Counts counts) {
 std::vector<SettingChange> changes_between(const Config& before, const Config& after) {
   std::vector<SettingChange> changes;
   for (const Field& field : fields()) {
-    const std::string from = shown(field, before);
-    const std::string to = shown(field, after);
+    const std::string from = value_shown(field, before);
+    const std::string to = value_shown(field, after);
     if (from == to) continue;
     changes.push_back(
-        {fmt::format("{}: {} -> {}{}", field.key, from, to, when(counts(field))), counts(field)});
+        {fmt::format("{}: {} -> {}{}", field.key, from, to, when_it_counts(counts(field))), counts(field)});
   }
   return changes;
 }
