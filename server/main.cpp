@@ -1,5 +1,6 @@
 // talusd: streams an endless world, generated on demand, to game clients.
 #include <malloc.h>
+#include <unistd.h>
 
 #include <chrono>
 #include <csignal>
@@ -8,6 +9,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <thread>
 #include <utility>
 #include <vector>
 
@@ -16,6 +18,7 @@
 #include "access/access_control.h"
 #include "access/key_file.h"
 #include "access/token_command.h"
+#include "admin/top_command.h"
 #include "app/listeners.h"
 #include "app/process_signals.h"
 #include "app/server.h"
@@ -55,7 +58,7 @@ std::string_view line_of(const Exit& exit) {
   return line;
 }
 
-int serve(const Command& command) {
+int serve(const Command& command, const ReadSettings& read_settings) {
   const Config& config = command.config;
   const auto fail = [&](const std::string& line) {
     return failed(command.origins.locate(line), config.log.format);
@@ -99,7 +102,7 @@ int serve(const Command& command) {
   const std::string operators_address = listeners->operators_address;
   Server server{config, *world, *data ? (*data)->store_id() : talus::ContentHash{},
                 access, tls,    *std::move(listeners),
-                clock,  log};
+                clock,  log,    command.has_file ? read_settings : ReadSettings{}};
 
   for (const std::string& warning : startup_warnings(command, of_keys, tls)) log->warn("{}", warning);
   log->info("world {}, generator {} with {} kernels", to_string((*world)->fingerprint()),
@@ -120,6 +123,28 @@ int print_token(int argc, const char* const* argv) {
              token ? *token + "\n" : token.error().text);
   if (std::fflush(stdout) != 0) return failed("standard output: cannot write to it");
   return token ? 0 : token.error().status;
+}
+
+int show_top(int argc, const char* const* argv, const Environment& environment) {
+  const auto command = read_top_command(argc, argv, environment);
+  if (!command) {
+    fmt::print(command.error().status == 0 ? stdout : stderr, "{}", command.error().text);
+    if (std::fflush(stdout) != 0) return failed("standard output: cannot write to it");
+    return command.error().status;
+  }
+  constexpr std::string_view kHomeAndErase{"\x1b[H\x1b[J"};
+  const bool terminal = ::isatty(STDOUT_FILENO) != 0;
+  for (;;) {
+    const auto page = fetch_flows(command->admin);
+    if (!page) {
+      fmt::print(stderr, "talusd top: {}\n", page.error());
+      return kFailed;
+    }
+    fmt::print("{}{}", terminal ? kHomeAndErase : std::string_view{}, *page);
+    if (std::fflush(stdout) != 0) return failed("standard output: cannot write to it");
+    if (!terminal) return 0;
+    std::this_thread::sleep_for(command->interval);
+  }
 }
 
 /// Memory that writes and patches gave back serves the next ones. By default glibc hands the top of its heaps
@@ -147,11 +172,21 @@ int main(int argc, char** argv) {
       end_by_default_on_signals();
       return print_token(argc - 1, argv + 1);
     }
+    if (argc > 1 && std::string_view{argv[1]} == "top") {
+      end_by_default_on_signals();
+      return show_top(argc - 1, argv + 1, environment);
+    }
     const auto command = read_command_line(argc, argv, environment);
     if (command) {
       log_format = command->config.log.format;
       if (command->check_only) end_by_default_on_signals();
-      return serve(*command);
+      return serve(*command, [&]() -> tl::expected<Config, std::string> {
+        const auto again = read_command_line(argc, argv, environment);
+        if (!again) return tl::make_unexpected(std::string{line_of(again.error())});
+        const auto enough = check_memory(again->config);
+        if (!enough) return tl::make_unexpected(again->origins.locate(enough.error()));
+        return again->config;
+      });
     }
     if (command.error().status != 0) {
       fmt::print(stderr, "{}", program_line(log_format, spdlog::level::err, line_of(command.error())));

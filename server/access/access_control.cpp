@@ -72,6 +72,11 @@ tl::expected<Keys, std::string> load_keys(const Access& settings) {
     if (!revoked) return tl::make_unexpected(fmt::format("access.revoked_file {}", revoked.error()));
     keys.revoked = *std::move(revoked);
   }
+  if (!settings.blocked_file.empty()) {
+    auto blocked = BlockedFlows::read(settings.blocked_file);
+    if (!blocked) return tl::make_unexpected(fmt::format("access.blocked_file {}", blocked.error()));
+    keys.blocked = *std::move(blocked);
+  }
   if (without_token(settings, keys) == Rights{} && !keys.any()) {
     return tl::make_unexpected(
         std::string{"access.without_token: \"none\" without access.secret_file or access.signing_key_file "
@@ -88,6 +93,8 @@ std::string_view describe(AuthFailure failure) {
       return "the token has expired";
     case AuthFailure::revoked:
       return "the token was revoked";
+    case AuthFailure::blocked:
+      return "this server's operator has blocked you";
     case AuthFailure::not_accepted:
       break;
   }
@@ -116,6 +123,11 @@ tl::expected<Grant, AuthError> AccessControl::admit(std::string_view token,
       if (known->revoked.contains(claims->id, claims->subject, claims->issued)) {
         return tl::make_unexpected(AuthError{AuthFailure::revoked, {}});
       }
+      if (const auto* const line = known->blocked.find_subject(claims->subject)) {
+        return tl::make_unexpected(AuthError{AuthFailure::blocked,
+                                             fmt::format("line {} of access.blocked_file", line->number()),
+                                             !line->meet()});
+      }
       return Grant{claims->rights, std::move(claims->subject), claims->expires, std::move(claims->id),
                    claims->issued};
     }
@@ -126,12 +138,20 @@ tl::expected<Grant, AuthError> AccessControl::admit(std::string_view token,
   return tl::make_unexpected(std::move(error));
 }
 
-tl::expected<std::string, std::string> AccessControl::reload() {
-  auto fresh = load_keys(settings_);
-  if (!fresh) return tl::make_unexpected(fmt::format("{}; the old keys stay in use", fresh.error()));
+tl::expected<std::string, std::string> AccessControl::reload(const Access& settings) {
+  Access wanted = settings_;
+  wanted.revoked_file = settings.revoked_file;
+  wanted.blocked_file = settings.blocked_file;
+  auto fresh = load_keys(wanted);
+  if (!fresh)
+    return tl::make_unexpected(fmt::format("{}; the old keys stay in use, and the old lists", fresh.error()));
+  settings_.revoked_file = wanted.revoked_file;
+  settings_.blocked_file = wanted.blocked_file;
   std::string line = fresh->any() ? "the tokens' keys were read again" : "no token keys are configured";
   if (!settings_.revoked_file.empty())
     line += fmt::format(", {} lines of revoked tokens", fresh->revoked.size());
+  if (!settings_.blocked_file.empty())
+    line += fmt::format(", {} lines of blocked flows", fresh->blocked.size());
   if (!fresh->warnings.empty()) line += fmt::format("; {}", fmt::join(fresh->warnings, "; "));
   auto shared = std::make_shared<const Keys>(*std::move(fresh));
   const std::lock_guard lock{mutex_};
@@ -139,8 +159,23 @@ tl::expected<std::string, std::string> AccessControl::reload() {
   return line;
 }
 
-bool AccessControl::is_revoked(const Grant& grant) const {
-  return grant.expires && keys()->revoked.contains(grant.token_id, grant.subject, grant.issued);
+std::optional<AuthFailure> AccessControl::withdrawn(const Grant& grant) const {
+  if (!grant.expires) return std::nullopt;  // no signed token
+  const std::shared_ptr<const Keys> known = keys();
+  if (known->revoked.contains(grant.token_id, grant.subject, grant.issued)) return AuthFailure::revoked;
+  if (known->blocked.find_subject(grant.subject) != nullptr) return AuthFailure::blocked;
+  return std::nullopt;
+}
+
+std::optional<BlockedAddress> AccessControl::meet(const asio::ip::address& address) const {
+  const std::shared_ptr<const Keys> known = keys();
+  const auto* const line = known->blocked.find(address);
+  if (line == nullptr) return std::nullopt;
+  return BlockedAddress{line->number(), !line->meet()};
+}
+
+bool AccessControl::blocks(const asio::ip::address& address) const {
+  return keys()->blocked.find(address) != nullptr;
 }
 
 std::shared_ptr<const Keys> AccessControl::keys() const {

@@ -13,6 +13,7 @@
 #include <tl/expected.hpp>
 
 #include "access/auth_failure.h"
+#include "access/blocked_flows.h"
 #include "access/key_file.h"
 #include "access/revoked_tokens.h"
 #include "access/rights.h"
@@ -28,6 +29,7 @@ struct Keys {
   std::optional<SecretDigest> shared_secret;
   std::vector<Secret> signing_keys;  // the current key first
   RevokedTokens revoked;
+  BlockedFlows blocked;
   std::vector<std::string> warnings;  // one line each, about the files
 
   [[nodiscard]] bool any() const { return shared_secret || !signing_keys.empty(); }
@@ -47,7 +49,14 @@ struct Grant {
 
 struct AuthError {
   AuthFailure failure{};
-  std::string reason;  // for the operator's log; empty where describe() says it all
+  std::string reason;     // for the operator's log; empty where describe() says it all
+  bool repeated = false;  // the log knows already that this one is blocked
+};
+
+/// An address that a line of access.blocked_file blocks.
+struct BlockedAddress {
+  std::size_t line = 0;
+  bool repeated = false;  // it is not the first whom the line blocks since the file was read
 };
 
 /// Callable from any thread.
@@ -61,18 +70,22 @@ class AccessControl {
   [[nodiscard]] tl::expected<Grant, AuthError> admit(std::string_view token,
                                                      std::chrono::sys_seconds now) const;
 
-  /// Whether the token of a session that was admitted has been revoked since.
-  [[nodiscard]] bool is_revoked(const Grant& grant) const;
+  /// Why a session that was admitted may not stay: its token was revoked since, or its subject blocked.
+  [[nodiscard]] std::optional<AuthFailure> withdrawn(const Grant& grant) const;
 
-  /// Reads the key files and the list of revoked tokens again. If one file is bad, all of it stays as it was,
-  /// and the error is one line that says why. Else the value is one line for the log, warnings about the
-  /// files included.
-  [[nodiscard]] tl::expected<std::string, std::string> reload();
+  /// For a client who comes: whether its address is blocked.
+  [[nodiscard]] std::optional<BlockedAddress> meet(const asio::ip::address& address) const;
+  [[nodiscard]] bool blocks(const asio::ip::address& address) const;
+
+  /// Reads the key files and the lists of revoked tokens and of blocked flows again; where the lists are now
+  /// is taken from `settings`. If one file is bad, all stays as it was, and the error is one line that says
+  /// why. Else the value is one line for the log, warnings about the files included. From one thread.
+  [[nodiscard]] tl::expected<std::string, std::string> reload(const Access& settings);
 
  private:
   [[nodiscard]] std::shared_ptr<const Keys> keys() const;
 
-  const Access settings_;
+  Access settings_;  // but for reload() nobody looks at the lists' paths
   const Rights secret_rights_;
   mutable std::mutex mutex_;
   std::shared_ptr<const Keys> keys_;

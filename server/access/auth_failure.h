@@ -1,4 +1,4 @@
-// Why a client is not authenticated.
+// Why a client is not authenticated, or not served any more.
 #pragma once
 
 #include <array>
@@ -8,9 +8,9 @@
 namespace talus::server {
 
 /// A client is told no more than this.
-enum class AuthFailure : std::uint8_t { missing, expired, not_accepted, revoked };
-inline constexpr std::array<std::string_view, 4> kAuthFailureNames{"missing", "expired", "not_accepted",
-                                                                   "revoked"};
+enum class AuthFailure : std::uint8_t { missing, expired, not_accepted, revoked, blocked };
+inline constexpr std::array<std::string_view, 5> kAuthFailureNames{"missing", "expired", "not_accepted",
+                                                                   "revoked", "blocked"};
 
 /// The sentence that the client gets.
 [[nodiscard]] std::string_view describe(AuthFailure failure);

@@ -6,23 +6,11 @@
 
 #include <fmt/format.h>
 
-#include <talus/files/read_file.h>
-
-#include "config/trimmed.h"
+#include "access/list_file.h"
 #include "log/escape.h"
 
 namespace talus::server {
 namespace {
-
-constexpr std::string_view kBlank = " \t\r";
-
-/// The first word of a text, which is cut off it.
-std::string_view take_word(std::string_view& text) {
-  const std::size_t end = std::min(text.find_first_of(kBlank), text.size());
-  const std::string_view word = text.substr(0, end);
-  text = trimmed(text.substr(end));
-  return word;
-}
 
 /// A number of exactly so many digits, cut off the text.
 std::optional<int> take_number(std::string_view& text, std::size_t digits) {
@@ -56,16 +44,9 @@ std::optional<std::chrono::sys_seconds> parse_time(std::string_view text) {
 
 tl::expected<RevokedTokens, std::string> RevokedTokens::parse(std::string_view text) {
   RevokedTokens revoked;
-  for (std::size_t number = 1; !text.empty(); ++number) {
-    const std::size_t end = std::min(text.find('\n'), text.size());
-    const std::string_view line = trimmed(text.substr(0, end));
-    text.remove_prefix(std::min(end + 1, text.size()));
-    if (line.empty() || line.front() == '#') continue;
-    if (const std::string wrong = revoked.add(line); !wrong.empty()) {
-      return tl::make_unexpected(fmt::format("line {}: {}", number, wrong));
-    }
-  }
-  return revoked;
+  return parse_list(text, [&](std::string_view line, std::size_t) { return revoked.add(line); }).map([&] {
+    return std::move(revoked);
+  });
 }
 
 std::string RevokedTokens::add(std::string_view line) {
@@ -88,14 +69,10 @@ std::string RevokedTokens::add(std::string_view line) {
 }
 
 tl::expected<RevokedTokens, std::string> RevokedTokens::read(const std::filesystem::path& file) {
-  const auto wrong = [&](const std::string& what) {
-    return tl::make_unexpected(fmt::format("{}: {}", escaped(file.string(), 500), what));
-  };
-  const auto text = files::read_regular_file(file, kMaxFileBytes);
-  if (!text) return wrong(text.error().reason);
-  auto revoked = parse(*text);
-  if (!revoked) return wrong(revoked.error());
-  return revoked;
+  RevokedTokens revoked;
+  return read_list(file, [&](std::string_view line, std::size_t) { return revoked.add(line); }).map([&] {
+    return std::move(revoked);
+  });
 }
 
 bool RevokedTokens::contains(const std::string& id, const std::string& subject,

@@ -1,12 +1,10 @@
-// Signed tokens that are accepted no more, though they have not expired: a list that the operator keeps.
-//
-// A text file, a line for each:
+// Signed tokens that are accepted no more, though they have not expired: a list that the operator keeps
+// (access/list_file.h):
 //
 //     jti ID              the token with this "jti"
 //     sub TIME SUBJECT    tokens of SUBJECT that were issued before TIME
 //
-// TIME is UTC, as 2026-11-22T18:30:00Z. A token without "iat" counts as issued before any TIME. Empty lines,
-// and those that begin with #, are ignored.
+// TIME is UTC, as 2026-11-22T18:30:00Z. A token without "iat" counts as issued before any TIME.
 #pragma once
 
 #include <chrono>
@@ -24,8 +22,6 @@ namespace talus::server {
 
 class RevokedTokens {
  public:
-  static constexpr std::size_t kMaxFileBytes = std::size_t{16} << 20;
-
   /// An error is one line that begins with the number of the line that is wrong.
   [[nodiscard]] static tl::expected<RevokedTokens, std::string> parse(std::string_view text);
   /// An error is one line that begins with the file.

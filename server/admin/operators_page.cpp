@@ -18,7 +18,9 @@ http::Response answer_operator(const http::Request& request, const OperatorAnswe
     if (answers.ready()) return {200, http::kPlainText, "ready\n"};
     return {503, http::kPlainText, "draining\n"};
   }
-  return {404, http::kPlainText, "here are /metrics, /-/healthy and /-/ready\n"};
+  if (path == "/flows") return {200, http::kPlainText, flows_text(answers.flows())};
+  if (path == "/flows.json") return {200, "application/json", flows_json(answers.flows())};
+  return {404, http::kPlainText, "here are /metrics, /flows, /flows.json, /-/healthy and /-/ready\n"};
 }
 
 }  // namespace talus::server

@@ -1,9 +1,10 @@
-// What operators may ask over HTTP: /metrics, /-/healthy, /-/ready.
+// What operators may ask over HTTP: /metrics, /flows, /flows.json, /-/healthy, /-/ready.
 #pragma once
 
 #include <functional>
 #include <string>
 
+#include "admin/flows_page.h"
 #include "http/request.h"
 #include "http/response.h"
 
@@ -14,6 +15,7 @@ struct OperatorAnswers {
   std::function<std::string()> metrics;
   std::function<bool()> healthy;  // whether the main thread responded lately
   std::function<bool()> ready;    // false: players are not to be sent here
+  std::function<FlowsReport()> flows;
 };
 
 [[nodiscard]] http::Response answer_operator(const http::Request& request, const OperatorAnswers& answers);

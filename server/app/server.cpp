@@ -17,6 +17,7 @@
 
 #include "access/auth_failure.h"
 #include "app/process_signals.h"
+#include "app/reload.h"
 #include "app/settings.h"
 #include "generation/background_thread.h"
 #include "generation/terrain_generator.h"
@@ -32,6 +33,8 @@ namespace {
 
 constexpr std::chrono::milliseconds kHousekeepingInterval{50};
 constexpr std::chrono::seconds kLookAtMemory{1};
+constexpr std::chrono::seconds kLookAtFlows{1};
+constexpr std::size_t kTopFlows = 10;
 // Without housekeeping for so long the main thread counts as hung.
 constexpr std::chrono::seconds kMaxSilence{15};
 
@@ -45,45 +48,61 @@ WorldInfo describe_world(const terrain::World& world, ContentHash store_id) {
 
 Server::Server(const Config& config, std::shared_ptr<const terrain::World> world, ContentHash store_id,
                AccessControl& access, std::optional<TlsIdentity> tls, Listeners listeners, const Clock& clock,
-               Logger log)
+               Logger log, ReadSettings read_settings)
     : config_{config},
+      read_settings_{std::move(read_settings)},
       clock_{clock},
       log_{std::move(log)},
       log_of_clients_{for_clients(log_)},
       access_{access},
-      world_{describe_world(*world, store_id)},
-      generator_version_{static_cast<std::uint64_t>(to_integer(world->generator_version()))},
-      patch_size_{measured_patch_size(config, *world, clock)},
-      session_limits_{session_limits(config, *world)},
+      terrain_{std::move(world)},
+      world_{describe_world(*terrain_, store_id)},
+      generator_version_{static_cast<std::uint64_t>(to_integer(terrain_->generator_version()))},
+      patch_size_{measured_patch_size(config, *terrain_, clock)},
       rates_{rate_limits(config.rates)},
       memory_{config.limits.memory_bytes},
-      admission_{config.limits.connections, config.limits.connections_per_address, config.rates.burst, clock},
+      admission_{admission_limits(config), clock},
       tls_{std::move(tls)},
       certificate_expires_{tls_ ? tls_->expires : 0},
       handshaker_{handshake_settings(config),
                   admission_,
+                  access_,
+                  flows_,
                   metrics_,
                   memory_,
                   clock,
                   log_of_clients_,
                   [this](AcceptedConnection accepted) { on_connection(std::move(accepted)); }},
       io_{std::move(listeners.io)},
-      chunks_{std::make_unique<TerrainGenerator>(std::move(world), patch_size_.tiles),
+      chunks_{std::make_unique<TerrainGenerator>(terrain_, patch_size_.tiles),
               generation_settings(config, patch_size_.tiles),
               log_,
               metrics_,
               memory_,
               clock},
-      runner_context_{{session_limits_, world_, chunks_, memory_, metrics_, access_, rates_, flows_, clock_},
-                      runner_limits(config),
-                      registry_,
-                      log_of_clients_},
+      context_{make_context()},
       acceptor_{std::move(listeners.players)},
       shutdown_signals_{io_->control(), SIGTERM, SIGINT},
       reload_signals_{io_->control(), SIGHUP},
       drain_timer_{io_->control()},
       housekeeping_timer_{io_->control()},
       operators_{std::move(listeners.operators)} {}
+
+RunnerContextPtr Server::make_context() {
+  struct Kept {
+    SessionLimits limits;
+    RunnerContext context;
+    Kept(const SessionLimits& of_sessions, Server& server)
+        : limits{of_sessions},
+          context{{limits, server.world_, server.chunks_, server.memory_, server.metrics_, server.access_,
+                   server.rates_, server.flows_, server.clock_},
+                  runner_limits(server.config_),
+                  server.registry_,
+                  server.log_of_clients_} {}
+  };
+  const auto kept = std::make_shared<const Kept>(session_limits(config_, *terrain_), *this);
+  return {kept, &kept->context};
+}
 
 std::string Server::metrics_text() {
   const BaseChunks::Status status = chunks_.status();
@@ -93,6 +112,8 @@ std::string Server::metrics_text() {
     gauges.memory_bytes.push_back(memory_.used(static_cast<MemoryUse>(use)));
   }
   gauges.memory_limit_bytes = memory_.limit_bytes();
+  gauges.flows = flows_.flows();
+  gauges.flow_refusals = flows_.refusals();
   gauges.certificate_expires = certificate_expires_;
   std::vector<std::string_view> error_codes{""};  // "none" is no error
   for (std::size_t code = 1; code <= static_cast<std::size_t>(wire::ErrorCode::MAX); ++code) {
@@ -102,6 +123,10 @@ std::string Server::metrics_text() {
   const BuildInfo build{TALUS_VERSION, generator_version_, to_string(world_.fingerprint),
                         std::string{to_string(instruction_set())}};
   return metrics_page({metrics_, gauges, read_process(), build, labels});
+}
+
+FlowsReport Server::flows_report() {
+  return {static_cast<std::uint64_t>(metrics_.open.now()), flows_.flows(), flows_.top(kTopFlows)};
 }
 
 void Server::check_descriptors() {
@@ -122,7 +147,7 @@ void Server::run() {
     last_housekeeping_ = clock_.now();
     operators_->start({[this] { return metrics_text(); },
                        [this] { return clock_.now() - last_housekeeping_.load() < kMaxSilence; },
-                       [this] { return !draining_; }});
+                       [this] { return !draining_; }, [this] { return flows_report(); }});
   }
   // Without any of these the server would not be one.
   std::exception_ptr failure;
@@ -162,23 +187,62 @@ void Server::stop_handling_signals() {
 
 void Server::on_connection(AcceptedConnection accepted) {
   log_->debug("conn {} {}: opened", accepted.info.id, accepted.info.address);
-  start_session(std::move(accepted), runner_context_);
+  RunnerContextPtr context;
+  {
+    const std::lock_guard lock{context_mutex_};
+    context = context_;
+  }
+  start_session(std::move(accepted), context);
 }
 
 asio::awaitable<void> Server::wait_for_reload() {
   for (;;) {
     co_await reload_signals_.async_wait(asio::use_awaitable);
-    const bool has_keys = config_.access.wanted();
-    if (!has_keys && !tls_) log_->info("SIGHUP: nothing to read again: no keys and no certificate are set");
-    if (has_keys) reload_keys();
+    const bool had_keys = config_.access.wanted();
+    if (!read_settings_ && !had_keys && !tls_) {
+      log_->info("SIGHUP: nothing to read again: no settings, keys, lists or certificate are in a file");
+    }
+    Access access = config_.access;
+    if (read_settings_) access = reload_settings();
+    if (had_keys || access.wanted()) reload_keys(access);
     if (tls_) reload_certificate();
   }
 }
 
-void Server::reload_keys() {
-  if (const auto reloaded = access_.reload()) {
+Access Server::reload_settings() {
+  const auto fresh = read_settings_();
+  if (!fresh) {
+    log_->error("SIGHUP: {}; the old settings stay in use", fresh.error());
+    return config_.access;
+  }
+  const auto changes = changes_between(config_, *fresh);
+  if (changes.empty()) log_->info("SIGHUP: no setting has changed");
+  for (const SettingChange& change : changes) {
+    const bool waits = change.counts == Counts::after_restart;
+    log_->log(waits ? spdlog::level::warn : spdlog::level::info, "SIGHUP: {}", change.line);
+  }
+  const Config changed = changed_while_running(config_, *fresh);
+  const Access in_use = std::exchange(config_, changed).access;
+  config_.access = in_use;  // until its files are read
+  if (changes.empty()) return in_use;
+  const auto context = make_context();
+  {
+    const std::lock_guard lock{context_mutex_};
+    context_ = context;
+  }
+  check_descriptors();
+  handshaker_.change(handshake_settings(config_));
+  rates_.set(rate_limits(config_.rates));
+  admission_.change(admission_limits(config_));
+  registry_.rates_changed();
+  return changed.access;
+}
+
+void Server::reload_keys(const Access& access) {
+  if (const auto reloaded = access_.reload(access)) {
+    config_.access = access;
     log_->info("SIGHUP: {}", *reloaded);
-    registry_.revoked_tokens_changed();
+    registry_.access_changed();
   } else {
     log_->error("SIGHUP: {}", reloaded.error());
   }
@@ -199,12 +263,20 @@ void Server::housekeeping() {
   last_housekeeping_ = clock_.now();
   const bool caches_fit = chunks_.fit_caches();
   handshaker_.refusal_log().flush();
+  collect_flows();
   give_memory_back();
   // Sockets that are ready come before the next slice.
   housekeeping_timer_.expires_after(caches_fit ? kHousekeepingInterval : std::chrono::milliseconds{0});
   housekeeping_timer_.async_wait([this](std::error_code cancelled) {
     if (!cancelled) housekeeping();
   });
+}
+
+void Server::collect_flows() {
+  const auto now = clock_.now();
+  if (now - last_look_at_flows_ < kLookAtFlows) return;
+  last_look_at_flows_ = now;
+  flows_.collect(now);
 }
 
 void Server::give_memory_back() {

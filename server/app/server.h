@@ -3,7 +3,9 @@
 
 #include <atomic>
 #include <cstdint>
+#include <functional>
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <string>
 #include <thread>
@@ -11,6 +13,7 @@
 #include <asio/awaitable.hpp>
 #include <asio/signal_set.hpp>
 #include <asio/steady_timer.hpp>
+#include <tl/expected.hpp>
 
 #include <talus/terrain/world.h>
 #include <talus/voxel/content_hash.h>
@@ -20,7 +23,7 @@
 #include "app/listeners.h"
 #include "clock/clock.h"
 #include "config/config.h"
-#include "flows/flow_ids.h"
+#include "flows/flow_uses.h"
 #include "generation/base_chunks.h"
 #include "generation/patch_size.h"
 #include "log/logger.h"
@@ -35,10 +38,12 @@
 #include "net/session_runner.h"
 #include "net/tls_context.h"
 #include "rates/rates.h"
-#include "session/session_limits.h"
 #include "session/world_info.h"
 
 namespace talus::server {
+
+/// Reads the settings as at the start; an error is one line. None: there is no file that may have changed.
+using ReadSettings = std::function<tl::expected<Config, std::string>()>;
 
 class Server {
  public:
@@ -47,39 +52,47 @@ class Server {
   /// before run().
   Server(const Config& config, std::shared_ptr<const terrain::World> world, ContentHash store_id,
          AccessControl& access, std::optional<TlsIdentity> tls, Listeners listeners, const Clock& clock,
-         Logger log);
+         Logger log, ReadSettings read_settings = {});
 
   /// Serves until SIGTERM or SIGINT, and then until every answer is sent or shutdown.drain is over. SIGHUP
-  /// reads certificates and keys again. Once.
+  /// reads settings, certificates, keys and lists again. Once.
   void run();
 
  private:
   [[nodiscard]] std::string metrics_text();
+  [[nodiscard]] FlowsReport flows_report();
+  [[nodiscard]] RunnerContextPtr make_context();
   void check_descriptors();
   void on_connection(AcceptedConnection accepted);
   [[nodiscard]] asio::awaitable<void> wait_for_shutdown();
   [[nodiscard]] asio::awaitable<void> wait_for_reload();
-  void reload_keys();
+  /// Says what has changed, and changes what can be without a restart but for access, which it returns.
+  [[nodiscard]] Access reload_settings();
+  /// Takes the lists' paths from `access`.
+  void reload_keys(const Access& access);
   void reload_certificate();
-  /// Lets caches give way to everything else, logs refusals, and gives free memory back, all the time.
+  /// Lets caches give way to everything else, logs refusals, collects what flows have used, and gives free
+  /// memory back, all the time.
   void housekeeping();
   void give_memory_back();
+  void collect_flows();
   void drain();
   void stop_handling_signals();
 
   // In the order in which they may be destroyed, last first: generator threads post to the contexts, and
   // connections in the contexts hold slots and stand in the registry.
-  const Config config_;
+  Config config_;  // in use; of the main thread once it runs
+  const ReadSettings read_settings_;
   const Clock& clock_;
   Logger log_;
   Logger log_of_clients_;
   AccessControl& access_;
+  const std::shared_ptr<const terrain::World> terrain_;
   const WorldInfo world_;
   const std::uint64_t generator_version_;
   const PatchSize patch_size_;
-  const SessionLimits session_limits_;
-  const RateLimits rates_;
-  const FlowIds flows_;
+  CurrentRates rates_;
+  FlowUses flows_;
   Metrics metrics_;
   MemoryBudget memory_;  // connections give back to it
   Admission admission_;
@@ -91,7 +104,8 @@ class Server {
   Handshaker handshaker_;
   std::unique_ptr<IoPool> io_;
   BaseChunks chunks_;
-  const RunnerContext runner_context_;
+  mutable std::mutex context_mutex_;
+  RunnerContextPtr context_;  // of sessions to come; changes under the mutex
 
   std::unique_ptr<Acceptor> acceptor_;
   asio::signal_set shutdown_signals_;
@@ -100,6 +114,7 @@ class Server {
   asio::steady_timer housekeeping_timer_;
   TrimPolicy trim_policy_;
   Clock::time_point last_look_at_memory_{};
+  Clock::time_point last_look_at_flows_{};
   ConnectionId last_id_ = 0;
   std::unique_ptr<AdminServer> operators_;  // its thread reads everything above
   std::atomic<bool> trims_ = false;         // whether trimming_ is at work

@@ -70,6 +70,11 @@ HandshakeSettings handshake_settings(const Config& config) {
           limits.handshakes_in_flight, limits.handshake_timeout, config.proxies};
 }
 
+Admission::Limits admission_limits(const Config& config) {
+  return {config.limits.connections, config.limits.connections_per_address, config.rates.burst,
+          rate_limits(config.rates).address};
+}
+
 tl::expected<void, std::string> check_memory(const Config& config) {
   const std::uint64_t bytes = config.limits.memory_bytes;
   if (bytes == 0 || bytes >= kMinMemoryBytes) return {};

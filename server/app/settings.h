@@ -15,6 +15,7 @@
 #include "generation/generator_memory.h"
 #include "generation/patch_size.h"
 #include "memory/memory_budget.h"
+#include "net/admission.h"
 #include "net/handshaker.h"
 #include "net/session_runner.h"
 #include "rates/rates.h"
@@ -35,6 +36,7 @@ namespace talus::server {
 [[nodiscard]] RateLimits rate_limits(const Rates& config);
 [[nodiscard]] RunnerLimits runner_limits(const Config& config);
 [[nodiscard]] HandshakeSettings handshake_settings(const Config& config);
+[[nodiscard]] Admission::Limits admission_limits(const Config& config);
 /// The least limits.memory_bytes but 0. The program and the largest share of the generators stay below the
 /// half at which connections are taken again: whatever a load took, the server opens again.
 inline constexpr std::uint64_t kMinMemoryBytes = MemoryBudget::kProgramBytes * 3;

@@ -48,7 +48,7 @@ std::vector<std::string> startup_warnings(const Command& command, const std::vec
   }
   for (const auto& file :
        {config.access.secret_file, config.access.signing_key_file, config.access.previous_signing_key_file,
-        config.access.revoked_file, config.tls.certificate, config.tls.key}) {
+        config.access.revoked_file, config.access.blocked_file, config.tls.certificate, config.tls.key}) {
     if (file.empty() || ::access(file.c_str(), R_OK) == 0) continue;
     warnings.push_back(
         fmt::format("{}: the user that talusd runs as cannot read it; a reload will keep the old one",

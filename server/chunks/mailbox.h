@@ -20,7 +20,7 @@
 #include <talus/voxel/coords.h>
 
 #include "chunks/encoded_chunk.h"
-#include "flows/flow_ids.h"
+#include "flows/flow_use.h"
 
 namespace talus::server {
 
@@ -51,13 +51,18 @@ class Mailbox {
   /// `wake` is called on the thread that calls wake(), never twice without a take() between. It may throw;
   /// then the owner counts as not woken.
   Mailbox(ClientId owner, std::function<void()> wake)
-      : owner_{owner}, flow_{FlowId{static_cast<std::uint64_t>(owner)}}, wake_{std::move(wake)} {}
+      : Mailbox{owner, std::move(wake),
+                std::make_shared<FlowUse>(FlowId{static_cast<std::uint64_t>(owner)}, FlowName{})} {}
+  Mailbox(ClientId owner, std::function<void()> wake, FlowUsePtr flow)
+      : owner_{owner}, flow_{std::move(flow)}, wake_{std::move(wake)} {}
 
   [[nodiscard]] ClientId owner() const { return owner_; }
-  /// In whose turns the owner's chunks are generated; one of its own unless join() was called.
-  [[nodiscard]] FlowId flow() const { return flow_; }
+  /// In whose turns the owner's chunks are generated; one of its own where none was given.
+  [[nodiscard]] FlowId flow() const { return flow_->id(); }
+  /// To which is added what that costs.
+  [[nodiscard]] const FlowUsePtr& flow_use() const { return flow_; }
   /// Before the owner asks any source for anything.
-  void join(FlowId flow) { flow_ = flow; }
+  void join(FlowUsePtr flow) { flow_ = std::move(flow); }
 
   /// Any thread. The owner finds it at its next take().
   void put(Mail mail) {
@@ -89,7 +94,7 @@ class Mailbox {
 
  private:
   const ClientId owner_;
-  FlowId flow_;
+  FlowUsePtr flow_;
   const std::function<void()> wake_;
   std::mutex mutex_;
   std::vector<Mail> mail_;

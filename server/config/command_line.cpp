@@ -35,7 +35,8 @@ tl::expected<Command, Exit> read_command_line(int argc, const char* const* argv,
       "Each setting of talusd.toml has an environment variable: TALUS_LIMITS_CONNECTIONS for "
       "limits.connections.\n"
       "A flag overrides a variable, a variable overrides the file, and the file overrides the default.\n"
-      "\"talusd token --help\" explains how to make tokens for clients.\n"
+      "\"talusd token --help\" explains how to make tokens for clients, \"talusd top --help\" how to see who "
+      "uses most.\n"
       "SIGTERM or SIGINT ends the server once pending answers are sent; a second signal ends it at once.\n"
       "Exit status: 0 success, 1 failure, 2 wrong flags.");
 
@@ -60,6 +61,7 @@ tl::expected<Command, Exit> read_command_line(int argc, const char* const* argv,
   if (auto exit = parse_flags(app, argc, argv)) return tl::make_unexpected(*std::move(exit));
 
   if (!config_file.empty()) {
+    command.has_file = true;
     if (auto done = apply_file(command, config_file); !done) {
       return tl::make_unexpected(one_line(done.error(), kFailed));
     }

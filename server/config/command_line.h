@@ -11,6 +11,7 @@ namespace talus::server {
 /// The settings, and what to do with them.
 struct Command : Settings {
   bool check_only = false;
+  bool has_file = false;  // which may be read again
 };
 
 /// Reads flags, environment and file. The exit status is kWrongUse for wrong flags, kFailed for a wrong file

@@ -67,8 +67,11 @@ struct Access {
   std::string without_token = "auto";
   std::filesystem::path previous_signing_key_file{};  // empty: only signing_key_file
   std::filesystem::path revoked_file{};               // empty: no signed token is revoked
+  std::filesystem::path blocked_file{};               // empty: nobody is blocked
+  /// Whether there are files to read.
   [[nodiscard]] bool wanted() const {
-    return !secret_file.empty() || !signing_key_file.empty() || !previous_signing_key_file.empty();
+    return !secret_file.empty() || !signing_key_file.empty() || !previous_signing_key_file.empty() ||
+           !blocked_file.empty();
   }
   bool operator==(const Access&) const = default;
 };

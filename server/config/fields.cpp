@@ -75,6 +75,10 @@ const std::array kFields{
     Field{"access.revoked_file", "file",
           "file that lists signed tokens which are accepted no more; SIGHUP reloads it; empty: none",
           PathTarget{[](Config& c) -> std::filesystem::path& { return c.access.revoked_file; }}},
+    Field{"access.blocked_file", "file",
+          "file that lists addresses and subjects of tokens that are not served; SIGHUP reloads it; empty: "
+          "none",
+          PathTarget{[](Config& c) -> std::filesystem::path& { return c.access.blocked_file; }}},
     Field{"access.without_token", "rights",
           "rights of clients without a token; auto: none where a secret or a key is configured, else read",
           WordTarget{[](Config& c) -> std::string& { return c.access.without_token; }, kRightsWithoutToken}},
@@ -289,6 +293,26 @@ struct AssignText {
   }
 };
 
+/// Says what a target has.
+struct ShowText {
+  Config& config;
+
+  std::string operator()(const NumberTarget& target) const { return fmt::to_string(target.at(config)); }
+  std::string operator()(const PowerOfTwoTarget& target) const { return fmt::to_string(target.at(config)); }
+  std::string operator()(const DurationTarget& target) const {
+    return fmt::to_string(target.at(config).count());
+  }
+  std::string operator()(const EndpointTarget& target) const { return to_string(target.at(config)); }
+  std::string operator()(const OptionalEndpointTarget& target) const {
+    const auto& endpoint = target.at(config);
+    return endpoint ? to_string(*endpoint) : std::string{};
+  }
+  std::string operator()(const PathTarget& target) const { return target.at(config).string(); }
+  std::string operator()(const NetworksTarget& target) const { return target.at(config).text(); }
+  std::string operator()(const WordTarget& target) const { return target.at(config); }
+  std::string operator()(const TextTarget& target) const { return target.at(config); }
+};
+
 /// Says what a target accepts.
 struct Describe {
   std::string_view unit;
@@ -326,6 +350,16 @@ const Field* find_field(std::string_view key) {
   const auto found =
       std::find_if(kFields.begin(), kFields.end(), [&](const Field& field) { return field.key == key; });
   return found == kFields.end() ? nullptr : &*found;
+}
+
+Counts counts(const Field& field) {
+  const std::string_view key = field.key;
+  if (key.starts_with("rates.") || key == "access.blocked_file" || key == "access.revoked_file" ||
+      key == "shutdown.drain_ms") {
+    return Counts::at_once;
+  }
+  if (!key.starts_with("limits.") || key == "limits.memory_bytes") return Counts::after_restart;
+  return Counts::for_new_sessions;
 }
 
 std::span<const RenamedKey> renamed_keys() {
@@ -366,6 +400,11 @@ tl::expected<void, std::string> set_from_number(const Field& field, Config& conf
     return assign_number(field, *target, config, value, shown);
   }
   return refused(field, shown);
+}
+
+std::string text_of(const Field& field, const Config& config) {
+  Config copy = config;
+  return std::visit(ShowText{copy}, field.target);
 }
 
 std::string expectation(const Field& field) {

@@ -59,6 +59,9 @@ struct TextTarget {
   std::string& (*at)(Config&);
 };
 
+/// When a setting counts that has changed in the file, after SIGHUP.
+enum class Counts : std::uint8_t { after_restart, for_new_sessions, at_once };
+
 struct Field {
   std::string_view key;   // "limits.connections"
   std::string_view unit;  // "" where the value has none
@@ -71,6 +74,8 @@ struct Field {
 [[nodiscard]] std::span<const Field> fields();
 /// Null where no setting has this key; old keys are not found.
 [[nodiscard]] const Field* find_field(std::string_view key);
+
+[[nodiscard]] Counts counts(const Field& field);
 
 /// A key that was renamed. The old key is still read, with a warning that names the new one.
 struct RenamedKey {
@@ -91,6 +96,9 @@ struct RenamedKey {
 /// Sets a number or a duration; an error for other fields.
 [[nodiscard]] tl::expected<void, std::string> set_from_number(const Field& field, Config& config,
                                                               std::int64_t number);
+
+/// The field's value as a text that set_from_text() would take.
+[[nodiscard]] std::string text_of(const Field& field, const Config& config);
 
 /// What the field accepts, for error messages: "a whole number from 1 to 65536 (connections)".
 [[nodiscard]] std::string expectation(const Field& field);

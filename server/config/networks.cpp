@@ -16,18 +16,16 @@ namespace ip = asio::ip;
 
 constexpr int kMappedBits = 96;
 
-/// Without a scope, which networks do not have.
+}  // namespace
+
 ip::address_v6 mapped(const ip::address& address) {
   return address.is_v4() ? ip::make_address_v6(ip::v4_mapped, address.to_v4())
                          : ip::address_v6{address.to_v6().to_bytes()};
 }
 
-tl::expected<ip::network_v6, std::string> parse_one(std::string_view text) {
+tl::expected<ip::network_v6, std::string> parse_network(std::string_view text) {
   const auto wrong = [&](std::string_view what) {
-    return tl::make_unexpected(fmt::format(
-        "\"{}\" {}; write addresses and networks separated by commas, as in 10.0.0.0/8, 192.0.2.7, "
-        "2001:db8::/32",
-        escaped(text), what));
+    return tl::make_unexpected(fmt::format("\"{}\" {}", escaped(text), what));
   };
   const std::size_t slash = text.find('/');
   std::error_code error;
@@ -49,15 +47,17 @@ tl::expected<ip::network_v6, std::string> parse_one(std::string_view text) {
   return network;
 }
 
-}  // namespace
-
 tl::expected<Networks, std::string> Networks::parse(std::string_view text) {
   Networks networks;
   if (trimmed(text).empty()) return networks;
   for (std::size_t from = 0; from <= text.size();) {
     const std::size_t comma = std::min(text.find(',', from), text.size());
-    auto network = parse_one(trimmed(text.substr(from, comma - from)));
-    if (!network) return tl::make_unexpected(network.error());
+    auto network = parse_network(trimmed(text.substr(from, comma - from)));
+    if (!network) {
+      return tl::make_unexpected(network.error() +
+                                 "; write addresses and networks separated by commas, as in 10.0.0.0/8, "
+                                 "192.0.2.7, 2001:db8::/32");
+    }
     if (networks.networks_.size() == kMax) {
       return tl::make_unexpected(fmt::format("the list has more than {} networks; combine some", kMax));
     }
@@ -65,6 +65,19 @@ tl::expected<Networks, std::string> Networks::parse(std::string_view text) {
     from = comma + 1;
   }
   return networks;
+}
+
+std::string Networks::text() const {
+  std::string text;
+  for (const ip::network_v6& network : networks_) {
+    if (!text.empty()) text += ", ";
+    const ip::address_v6 address = network.address();
+    const bool v4 = address.is_v4_mapped() && network.prefix_length() >= kMappedBits;
+    text += v4 ? fmt::format("{}/{}", ip::make_address_v4(ip::v4_mapped, address).to_string(),
+                             network.prefix_length() - kMappedBits)
+               : network.to_string();
+  }
+  return text;
 }
 
 bool Networks::contain(const asio::ip::address& address) const {

@@ -135,6 +135,7 @@ void GenerationPool::work() {
     std::visit([&](auto& piece) { run(piece, measured); }, work->what);
     const auto took = parts_.clock.thread_cpu() - began;
     count(measured);
+    work->flow_use->add(FlowMeasure::generator, static_cast<std::uint64_t>(took.count()));
     lock.lock();
     measured_costs_.add(measured);
     auto* const heights = std::get_if<HeightsTask>(&work->what);

@@ -117,12 +117,12 @@ WorkQueue::Work WorkQueue::take_of(FlowTurns::Turn turn, const WorkCosts& costs)
     client.heights.pop_front();
     client.taken_heights.push_back(task.ticket());
     const std::uint64_t price = std::min(costs.height * task.left(), costs.longest_piece);
-    return {std::move(task), turn, price};
+    return {std::move(task), turn, price, client.flow_use};
   }
   Batch batch = take_patch(PatchKey{*patch}, turn.client);
   const bool in_memory = costs.in_memory && costs.in_memory(batch.patch);
   const std::uint64_t price = (in_memory ? 0 : costs.patch) + costs.chunk * batch.keys.size();
-  return {std::move(batch), turn, price};
+  return {std::move(batch), turn, price, client.flow_use};
 }
 
 std::deque<PatchKey>::const_iterator WorkQueue::free_patch(const Client& client) const {
@@ -187,7 +187,9 @@ void WorkQueue::release(const PatchKey& patch) {
 
 WorkQueue::Client& WorkQueue::enter(const Mailbox& mailbox) {
   turns_.enter({mailbox.flow(), mailbox.owner()});
-  return clients_[mailbox.owner()];
+  Client& client = clients_[mailbox.owner()];
+  client.flow_use = mailbox.flow_use();
+  return client;
 }
 
 std::size_t WorkQueue::waiting_of(ClientId client) const {

@@ -25,7 +25,7 @@
 #include <talus/voxel/coords.h>
 
 #include "chunks/mailbox.h"
-#include "flows/flow_ids.h"
+#include "flows/flow_use.h"
 #include "generation/flow_turns.h"
 #include "generation/heights_task.h"
 #include "generation/patch.h"
@@ -43,6 +43,7 @@ class WorkQueue {
     std::variant<Batch, HeightsTask> what;
     FlowTurns::Turn turn;     // whose it was
     std::uint64_t price = 0;  // what they have paid
+    FlowUsePtr flow_use{};    // to which it is to be added
   };
 
   /// Never more than `max_jobs` jobs.
@@ -102,6 +103,7 @@ class WorkQueue {
     std::size_t waiting = 0;                   // jobs, in `jobs`
     bool heights_next = true;                  // heights and patches take turns, where it waits for both
     std::size_t in_flight = 0;                 // pieces taken in its turns and not reconciled
+    FlowUsePtr flow_use{};
     [[nodiscard]] bool idle() const { return order.empty() && heights.empty(); }
   };
   using Clients = std::unordered_map<ClientId, Client>;

@@ -23,6 +23,8 @@ struct RuntimeGauges {
   std::vector<std::uint64_t> memory_bytes{};  // by use, as MetricLabels::memory_uses names them
   std::uint64_t memory_limit_bytes = 0;       // 0: none
   std::int64_t certificate_expires = 0;       // seconds since 1970; 0: no TLS
+  std::uint64_t flows = 0;                    // that are served
+  std::uint64_t flow_refusals = 0;            // of all flows
 };
 
 /// Names of the values that modules count by, in the order of their enums. A value with an empty name is left

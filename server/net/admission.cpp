@@ -16,19 +16,27 @@ asio::ip::address counted_as(const asio::ip::address& address) {
   return asio::ip::address_v6{bytes};
 }
 
-FlowId flow_of(const asio::ip::address& counted, const FlowIds& flows) {
-  return counted.is_v4() ? flows.of_address(counted.to_v4().to_bytes())
-                         : flows.of_address(counted.to_v6().to_bytes());
+FlowUsePtr flow_of(const asio::ip::address& counted, FlowUses& flows) {
+  const std::string text = counted.to_string();
+  return counted.is_v4() ? flows.of_address(counted.to_v4().to_bytes(), text)
+                         : flows.of_address(counted.to_v6().to_bytes(), text + "/64");
 }
 
-Admission::Admission(std::size_t max, std::size_t max_per_address, std::chrono::milliseconds memory,
-                     const Clock& clock)
-    : max_{max}, max_per_address_{max_per_address}, memory_{memory}, clock_{clock} {}
+Admission::Admission(const Limits& limits, const Clock& clock) : clock_{clock}, limits_{limits} {}
+
+void Admission::change(const Limits& limits) {
+  const std::lock_guard lock{mutex_};
+  limits_ = limits;
+  for (auto& [counted, here] : by_address_) {
+    if (here.rates->rates == limits.rates) continue;
+    here.rates = std::make_shared<AddressBuckets>(*here.rates, limits.rates, clock_.now());
+  }
+}
 
 Admission::Slot::Slot(Slot&& other) noexcept
     : admission_{std::exchange(other.admission_, nullptr)},
-      counted_{std::move(other.counted_)},
-      rates_{std::move(other.rates_)} {}
+      address_{other.address_},
+      counted_{other.counted_} {}
 
 Admission::Slot::~Slot() {
   if (admission_ != nullptr) admission_->leave(counted_);
@@ -37,18 +45,23 @@ Admission::Slot::~Slot() {
 tl::expected<Admission::Slot, std::string> Admission::enter(const asio::ip::address& address) {
   const asio::ip::address counted = counted_as(address);
   const std::lock_guard lock{mutex_};
-  if (connections_ >= max_) {
-    return tl::make_unexpected(fmt::format("this server has {} connections, all it takes", max_));
+  if (connections_ >= limits_.connections) {
+    return tl::make_unexpected(
+        fmt::format("this server has {} connections, all it takes", limits_.connections));
   }
   forget();
-  Address& here = by_address_[counted];
-  if (here.connections >= max_per_address_) {
+  auto known = by_address_.find(counted);
+  if (known == by_address_.end()) {
+    known = by_address_.emplace(counted, Address{std::make_shared<AddressBuckets>(limits_.rates)}).first;
+  }
+  Address& here = known->second;
+  if (here.connections >= limits_.per_address) {
     return tl::make_unexpected(fmt::format(
-        "your address has {} connections, all that this server takes from one", max_per_address_));
+        "your address has {} connections, all that this server takes from one", here.connections));
   }
   ++here.connections;
   ++connections_;
-  return Slot{*this, counted, here.rates};
+  return Slot{*this, address};
 }
 
 std::size_t Admission::connections() const {
@@ -56,12 +69,17 @@ std::size_t Admission::connections() const {
   return connections_;
 }
 
+AddressBucketsPtr Admission::rates_of(const asio::ip::address& counted) const {
+  const std::lock_guard lock{mutex_};
+  return by_address_.at(counted).rates;
+}
+
 void Admission::leave(const asio::ip::address& counted) {
   const std::lock_guard lock{mutex_};
   --connections_;
   Address& here = by_address_.at(counted);
   if (--here.connections == 0) {
-    here.forget_at = clock_.now() + memory_;
+    here.forget_at = clock_.now() + limits_.memory;
     if (!std::exchange(here.listed, true)) left_.push_back(counted);
   }
   forget();

@@ -12,7 +12,7 @@
 #include <tl/expected.hpp>
 
 #include "clock/clock.h"
-#include "flows/flow_ids.h"
+#include "flows/flow_uses.h"
 #include "rates/rates.h"
 
 namespace talus::server {
@@ -22,36 +22,44 @@ namespace talus::server {
 [[nodiscard]] asio::ip::address counted_as(const asio::ip::address& address);
 
 /// The flow of all that counts as one address.
-[[nodiscard]] FlowId flow_of(const asio::ip::address& counted, const FlowIds& flows);
+[[nodiscard]] FlowUsePtr flow_of(const asio::ip::address& counted, FlowUses& flows);
 
 class Admission {
  public:
   /// Addresses without a connection whose rates are remembered, so that coming back does not fill them.
   static constexpr std::size_t kMaxRemembered = 4096;
 
-  /// An address is remembered for `memory` after its last connection: as long as its rates need to fill.
+  struct Limits {
+    std::size_t connections = 0;  // in all
+    std::size_t per_address = 0;
+    std::chrono::milliseconds memory{};  // of an address after its last connection: as long as rates fill
+    RateSet rates{};                     // of an address
+  };
   /// `clock` outlives it.
-  Admission(std::size_t max, std::size_t max_per_address, std::chrono::milliseconds memory,
-            const Clock& clock);
+  Admission(const Limits& limits, const Clock& clock);
+
+  /// Who is in stays. Each address gets new buckets with what is left in the old: Slot::rates() has them.
+  void change(const Limits& limits);
 
   /// Counts as one connection until it is destroyed. Must not outlive its Admission.
   class Slot {
    public:
-    Slot(Admission& admission, const asio::ip::address& counted, AddressBucketsPtr rates)
-        : admission_{&admission}, counted_{counted}, rates_{std::move(rates)} {}
+    Slot(Admission& admission, const asio::ip::address& address)
+        : admission_{&admission}, address_{address}, counted_{counted_as(address)} {}
     Slot(Slot&& other) noexcept;
     Slot& operator=(Slot&&) = delete;
     ~Slot();
 
+    [[nodiscard]] const asio::ip::address& address() const { return address_; }
     /// Whom its address counts as.
     [[nodiscard]] const asio::ip::address& counted() const { return counted_; }
     /// Shared with the address's other connections.
-    [[nodiscard]] const AddressBucketsPtr& rates() const { return rates_; }
+    [[nodiscard]] AddressBucketsPtr rates() const { return admission_->rates_of(counted_); }
 
    private:
     Admission* admission_;
+    asio::ip::address address_;
     asio::ip::address counted_;
-    AddressBucketsPtr rates_;
   };
 
   /// A slot, or a line that says which limit is reached.
@@ -63,20 +71,19 @@ class Admission {
 
  private:
   struct Address {
+    AddressBucketsPtr rates;
     std::size_t connections = 0;
-    AddressBucketsPtr rates = std::make_shared<AddressBuckets>();
     Clock::time_point forget_at{};  // while without connections
     bool listed = false;            // in left_
   };
 
+  [[nodiscard]] AddressBucketsPtr rates_of(const asio::ip::address& counted) const;
   void leave(const asio::ip::address& counted);
   void forget();
 
-  const std::size_t max_;
-  const std::size_t max_per_address_;
-  const std::chrono::milliseconds memory_;
   const Clock& clock_;
   mutable std::mutex mutex_;
+  Limits limits_;
   std::size_t connections_ = 0;
   std::map<asio::ip::address, Address> by_address_;
   std::deque<asio::ip::address> left_;  // without a connection, each once; some are back

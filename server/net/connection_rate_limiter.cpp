@@ -30,11 +30,16 @@ Key halves(const asio::ip::address& counted) {
 
 ConnectionRateLimiter::ConnectionRateLimiter(std::uint64_t per_second, std::uint64_t burst,
                                              std::uint64_t seed)
-    : interval_{std::chrono::duration_cast<Clock::duration>(std::chrono::seconds{1}) /
-                static_cast<Clock::duration::rep>(per_second)},
-      burst_{interval_ * static_cast<Clock::duration::rep>(burst)},
-      seed_{seed},
-      entries_(kSets * kEntriesPerSet) {}
+    : seed_{seed}, entries_(kSets * kEntriesPerSet) {
+  change(per_second, burst);
+}
+
+void ConnectionRateLimiter::change(std::uint64_t per_second, std::uint64_t burst) {
+  const std::lock_guard lock{mutex_};
+  interval_ = std::chrono::duration_cast<Clock::duration>(std::chrono::seconds{1}) /
+              static_cast<Clock::duration::rep>(per_second);
+  burst_ = interval_ * static_cast<Clock::duration::rep>(burst);
+}
 
 Clock::duration ConnectionRateLimiter::admit(const asio::ip::address& address, Clock::time_point now) {
   const Key key = halves(counted_as(address));

@@ -26,6 +26,9 @@ class ConnectionRateLimiter {
   /// Both at least 1. `seed` keeps others from choosing addresses that share a hash.
   ConnectionRateLimiter(std::uint64_t per_second, std::uint64_t burst, std::uint64_t seed);
 
+  /// What addresses owe stays.
+  void change(std::uint64_t per_second, std::uint64_t burst);
+
   /// Counts a connection and returns 0, or returns how long it takes until one is allowed.
   [[nodiscard]] Clock::duration admit(const asio::ip::address& address, Clock::time_point now);
 
@@ -38,10 +41,10 @@ class ConnectionRateLimiter {
     Clock::time_point theoretical_arrival{};
   };
 
-  const Clock::duration interval_;
-  const Clock::duration burst_;
   const std::uint64_t seed_;
   std::mutex mutex_;
+  Clock::duration interval_;
+  Clock::duration burst_;
   std::vector<Entry> entries_;
 };
 

@@ -73,17 +73,30 @@ struct Handshaker::PendingConnection {
   bool done = false;  // accepted or failed
 };
 
-Handshaker::Handshaker(HandshakeSettings settings, Admission& admission, Metrics& metrics,
-                       MemoryBudget& memory, const Clock& clock, Logger log, OnAccepted on_accepted)
-    : settings_{std::move(settings)},
+Handshaker::Handshaker(const HandshakeSettings& settings, Admission& admission, const AccessControl& access,
+                       FlowUses& flows, Metrics& metrics, MemoryBudget& memory, const Clock& clock,
+                       Logger log, OnAccepted on_accepted)
+    : proxies_{settings.proxies},
+      per_address_per_second_{settings.per_address_per_second},
+      max_in_flight_{settings.max_in_flight},
+      timeout_{settings.timeout},
       admission_{admission},
+      access_{access},
+      flows_{flows},
       metrics_{metrics},
       memory_{memory},
       clock_{clock},
       log_{std::move(log)},
       on_accepted_{std::move(on_accepted)},
-      rate_{settings_.per_address_per_second, settings_.per_address_burst, random_seed()},
+      rate_{settings.per_address_per_second, settings.per_address_burst, random_seed()},
       refusal_log_{log_, clock} {}
+
+void Handshaker::change(const HandshakeSettings& settings) {
+  per_address_per_second_ = settings.per_address_per_second;
+  max_in_flight_ = settings.max_in_flight;
+  timeout_ = settings.timeout;
+  rate_.change(settings.per_address_per_second, settings.per_address_burst);
+}
 
 void Handshaker::begin(tcp::socket socket, ConnectionId id, const tls::Context& tls) {
   std::error_code gone;
@@ -96,13 +109,13 @@ void Handshaker::begin(tcp::socket socket, ConnectionId id, const tls::Context& 
            retry_after::kServerFull);
     return;
   }
-  if (tls == nullptr && !settings_.proxies.contain(peer.address())) {
+  if (tls == nullptr && !proxies_.contain(peer.address())) {
     if (admit(*pending)) accept(*pending);
     return;
   }
   // Without PROXY header and TLS there is nothing to wait for; with them a coroutine waits, and their number
   // is bounded.
-  if (metrics_.handshakes.now() >= static_cast<std::int64_t>(settings_.max_in_flight)) {
+  if (metrics_.handshakes.now() >= static_cast<std::int64_t>(max_in_flight_)) {
     refuse(*pending, Refusal::handshakes, "this server has as many handshakes in flight as it takes",
            retry_after::kServerFull);
     return;
@@ -141,7 +154,7 @@ asio::awaitable<void> Handshaker::shake_hands(PendingPtr pending) {
     ~MarkDone() { connection.done = true; }
   };
   asio::steady_timer deadline{pending->socket().get_executor()};
-  deadline.expires_after(pending->accepted + settings_.timeout - clock_.now());
+  deadline.expires_after(pending->accepted + timeout_.load() - clock_.now());
   deadline.async_wait([pending](std::error_code cancelled) {
     if (cancelled || pending->done) return;  // what has expired already can no longer be cancelled
     pending->late = true;
@@ -151,7 +164,7 @@ asio::awaitable<void> Handshaker::shake_hands(PendingPtr pending) {
   bool accepted = true;
   {
     const MarkDone mark{*pending};
-    if (settings_.proxies.contain(pending->peer.address())) accepted = co_await read_proxy_header(*pending);
+    if (proxies_.contain(pending->peer.address())) accepted = co_await read_proxy_header(*pending);
     if (accepted) accepted = admit(*pending);
     if (accepted && pending->tls != nullptr) accepted = co_await begin_tls(*pending);
   }
@@ -201,6 +214,10 @@ asio::awaitable<bool> Handshaker::begin_tls(PendingConnection& pending) {
 }
 
 bool Handshaker::admit(PendingConnection& pending) {
+  if (const auto blocked = access_.meet(pending.client.address())) {
+    refuse_blocked(pending, *blocked);
+    return false;
+  }
   if (!memory_.takes_connections()) {
     refuse(pending, Refusal::memory, std::string{kNoMemory}, retry_after::kServerFull);
     return false;
@@ -214,7 +231,7 @@ bool Handshaker::admit(PendingConnection& pending) {
   if (wait > Clock::duration::zero()) {
     refuse(pending, Refusal::pace,
            fmt::format("your address begins connections faster than {} a second",
-                       settings_.per_address_per_second),
+                       per_address_per_second_.load()),
            std::chrono::ceil<milliseconds>(wait));
     return false;
   }
@@ -236,13 +253,29 @@ void Handshaker::accept(PendingConnection& pending) {
 
 void Handshaker::refuse(PendingConnection& pending, Refusal why, const std::string& text,
                         milliseconds retry_after) {
-  metrics_.refused_for(why).add();
   refusal_log_.note(to_text(pending.client), text);
+  count_and_close(pending, why, wire::ErrorCode::overloaded, text, retry_after);
+}
+
+void Handshaker::refuse_blocked(PendingConnection& pending, const BlockedAddress& blocked) {
+  if (!blocked.repeated) {
+    log_->warn("refused {}: line {} of access.blocked_file blocks it; from now on this is only counted",
+               to_text(pending.client), blocked.line);
+  }
+  count_and_close(pending, Refusal::blocked, wire::ErrorCode::unauthorized,
+                  std::string{describe(AuthFailure::blocked)}, retry_after::kNever);
+}
+
+void Handshaker::count_and_close(PendingConnection& pending, Refusal why, wire::ErrorCode code,
+                                 const std::string& text, milliseconds retry_after) {
+  metrics_.refused_for(why).add();
+  const asio::ip::address client = pending.client.address();
+  if (!proxies_.contain(client)) flow_of(counted_as(client), flows_)->add(FlowMeasure::refusals, 1);
   // To say it over TLS would cost the handshake that is refused, and a proxy that keeps no rule is told
   // nothing.
   if (pending.tls != nullptr || why == Refusal::proxy) return pending.stream->close();
-  metrics_.error(wire::ErrorCode::overloaded).add();
-  refusals_.refuse(std::move(pending.stream->socket()), text, retry_after);
+  metrics_.error(code).add();
+  refusals_.refuse(std::move(pending.stream->socket()), code, text, retry_after);
 }
 
 }  // namespace talus::server

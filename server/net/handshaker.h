@@ -2,6 +2,7 @@
 // the rate of its address, and TLS.
 #pragma once
 
+#include <atomic>
 #include <chrono>
 #include <cstdint>
 #include <functional>
@@ -11,8 +12,10 @@
 #include <asio/awaitable.hpp>
 #include <asio/ip/tcp.hpp>
 
+#include "access/access_control.h"
 #include "clock/clock.h"
 #include "config/networks.h"
+#include "flows/flow_uses.h"
 #include "log/logger.h"
 #include "memory/memory_budget.h"
 #include "metrics/metrics.h"
@@ -45,12 +48,16 @@ class Handshaker {
   static constexpr std::size_t kTlsBytes = std::size_t{44} * 1024;
 
   /// `admission`, `metrics`, `memory` and `clock` outlive it. It outlives the sockets' io_contexts.
-  Handshaker(HandshakeSettings settings, Admission& admission, Metrics& metrics, MemoryBudget& memory,
-             const Clock& clock, Logger log, OnAccepted on_accepted);
+  Handshaker(const HandshakeSettings& settings, Admission& admission, const AccessControl& access,
+             FlowUses& flows, Metrics& metrics, MemoryBudget& memory, const Clock& clock, Logger log,
+             OnAccepted on_accepted);
 
   /// Takes a socket and returns at once, whatever the peer does; over TLS where there is a context. Each
-  /// socket is accepted, refused, or closed within settings.timeout. From one thread at a time.
+  /// socket is accepted, refused, or closed within the timeout. From one thread at a time.
   void begin(asio::ip::tcp::socket socket, ConnectionId id, const tls::Context& tls);
+
+  /// Other limits from now on, but for the proxies: they stay. Any thread.
+  void change(const HandshakeSettings& settings);
 
   /// Any thread.
   [[nodiscard]] RefusalLog& refusal_log() { return refusal_log_; }
@@ -68,9 +75,18 @@ class Handshaker {
   void accept(PendingConnection& pending);
   void refuse(PendingConnection& pending, Refusal why, const std::string& text,
               std::chrono::milliseconds retry_after);
+  /// Says so in the log only for the first whom a line of the list blocks.
+  void refuse_blocked(PendingConnection& pending, const BlockedAddress& blocked);
+  void count_and_close(PendingConnection& pending, Refusal why, wire::ErrorCode code, const std::string& text,
+                       std::chrono::milliseconds retry_after);
 
-  const HandshakeSettings settings_;
+  const Networks proxies_;
+  std::atomic<std::uint64_t> per_address_per_second_;
+  std::atomic<std::uint64_t> max_in_flight_;
+  std::atomic<std::chrono::milliseconds> timeout_;
   Admission& admission_;
+  const AccessControl& access_;
+  FlowUses& flows_;
   Metrics& metrics_;
   MemoryBudget& memory_;
   const Clock& clock_;

@@ -14,9 +14,10 @@ enum class Refusal : std::uint8_t {
   handshakes,   // too many handshakes in flight
   proxy,        // a proxy that sent no valid PROXY header
   descriptors,  // only spare descriptors are left
+  blocked,      // its address is on the list of access.blocked_file
 };
 /// As operators read them: the label `reason` of talus_connections_refused_total.
-inline constexpr std::array<std::string_view, 6> kRefusalNames{"places",     "memory", "pace",
-                                                               "handshakes", "proxy",  "descriptors"};
+inline constexpr std::array<std::string_view, 7> kRefusalNames{
+    "places", "memory", "pace", "handshakes", "proxy", "descriptors", "blocked"};
 
 }  // namespace talus::server

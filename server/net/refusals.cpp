@@ -76,7 +76,7 @@ void send_and_close(const ClosingPtr& closing) {
 
 }  // namespace
 
-void Refusals::refuse(asio::ip::tcp::socket socket, const std::string& text,
+void Refusals::refuse(asio::ip::tcp::socket socket, wire::ErrorCode code, const std::string& text,
                       std::chrono::milliseconds retry_after) {
   const bool spare = is_spare(socket.native_handle());
   std::atomic<std::size_t>& in_flight = spare ? spare_in_flight_ : in_flight_;
@@ -86,7 +86,7 @@ void Refusals::refuse(asio::ip::tcp::socket socket, const std::string& text,
   const auto executor = socket.get_executor();
   const auto closing =
       std::make_shared<Closing>(Closing{std::move(slot), std::move(socket), asio::steady_timer{executor},
-                                        error_frame(wire::ErrorCode::overloaded, text, {}, retry_after)});
+                                        error_frame(code, text, {}, retry_after)});
   asio::dispatch(executor, [closing] { send_and_close(closing); });
 }
 

@@ -8,6 +8,8 @@
 
 #include <asio/ip/tcp.hpp>
 
+#include <talus/protocol/message.h>
+
 namespace talus::server {
 
 class Refusals {
@@ -17,9 +19,10 @@ class Refusals {
   /// Beside them, on spare descriptors.
   static constexpr std::size_t kMaxSpare = 4;
 
-  /// Sends Error{overloaded, text, retry_after} and closes once the client has had time to read it. Must
-  /// outlive the socket's io_context.
-  void refuse(asio::ip::tcp::socket socket, const std::string& text, std::chrono::milliseconds retry_after);
+  /// Sends Error{code, text, retry_after} and closes once the client has had time to read it. Must outlive
+  /// the socket's io_context.
+  void refuse(asio::ip::tcp::socket socket, wire::ErrorCode code, const std::string& text,
+              std::chrono::milliseconds retry_after);
 
  private:
   std::atomic<std::size_t> in_flight_{0};

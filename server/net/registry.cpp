@@ -39,13 +39,21 @@ void Registry::tell_all_to_go(const std::string& reason, std::chrono::millisecon
   for (const auto& peer : peers) peer->go_away(reason, retry_after);
 }
 
-void Registry::revoked_tokens_changed() {
+void Registry::access_changed() {
+  tell_all(&Peer::access_changed);
+}
+
+void Registry::rates_changed() {
+  tell_all(&Peer::rates_changed);
+}
+
+void Registry::tell_all(void (Peer::*what)()) {
   std::vector<std::shared_ptr<Peer>> peers;
   {
     const std::lock_guard lock{mutex_};
     peers = open();
   }
-  for (const auto& peer : peers) peer->revoked_tokens_changed();
+  for (const auto& peer : peers) ((*peer).*what)();
 }
 
 std::vector<std::shared_ptr<Peer>> Registry::open() const {

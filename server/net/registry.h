@@ -22,8 +22,10 @@ class Peer {
   virtual ~Peer() = default;
   /// From any thread: says so and closes when what was asked is answered.
   virtual void go_away(const std::string& reason, std::chrono::milliseconds retry_after) = 0;
-  /// From any thread: the list of revoked tokens has changed, and its token may be on it.
-  virtual void revoked_tokens_changed() = 0;
+  /// From any thread: the lists of revoked tokens and of blocked flows have changed, and it may be on one.
+  virtual void access_changed() = 0;
+  /// From any thread: the rates of sessions and addresses have changed.
+  virtual void rates_changed() = 0;
 };
 
 class Registry {
@@ -37,7 +39,8 @@ class Registry {
   void tell_all_to_go(const std::string& reason, std::chrono::milliseconds retry_after);
 
   /// Tells all peers.
-  void revoked_tokens_changed();
+  void access_changed();
+  void rates_changed();
 
   /// Calls `empty` once, in any thread, when no connection is open: at once if there is none now.
   void when_empty(std::function<void()> empty);
@@ -48,6 +51,7 @@ class Registry {
     std::chrono::milliseconds retry_after;
   };
 
+  void tell_all(void (Peer::*what)());
   /// Under the mutex.
   [[nodiscard]] std::vector<std::shared_ptr<Peer>> open() const;
 

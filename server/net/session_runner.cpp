@@ -5,7 +5,7 @@ namespace talus::server {
 template class SessionRunner<TcpStream>;
 template class SessionRunner<TlsStream>;
 
-void start_session(AcceptedConnection accepted, const RunnerContext& context) {
+void start_session(AcceptedConnection accepted, const RunnerContextPtr& context) {
   const ConnectionId id = accepted.info.id;
   std::visit(
       [&](auto& stream) {
@@ -13,10 +13,10 @@ void start_session(AcceptedConnection accepted, const RunnerContext& context) {
         const auto runner = SessionRunner<S>::make(std::move(stream), std::move(accepted.info),
                                                    std::move(accepted.slot), context);
         try {
-          context.registry.add(id, runner);
+          context->registry.add(id, runner);
           runner->start();
         } catch (...) {
-          context.registry.remove(id);
+          context->registry.remove(id);
           throw;
         }
       },

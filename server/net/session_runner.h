@@ -38,26 +38,26 @@ struct RunnerLimits {
   SessionTimeouts timeouts;
 };
 
-/// What runners share; outlives them.
+/// What runners share. What it refers to lives as long as it, or outlives all runners.
 struct RunnerContext {
   SessionContext session;
   RunnerLimits limits;
   Registry& registry;
   Logger log;
 };
+using RunnerContextPtr = std::shared_ptr<const RunnerContext>;
 
 template <Stream S>
 class SessionRunner final : public Peer, public std::enable_shared_from_this<SessionRunner<S>> {
  public:
-  /// `context` outlives it.
   [[nodiscard]] static std::shared_ptr<SessionRunner> make(S stream, ConnectionInfo connection,
-                                                           Admission::Slot slot,
-                                                           const RunnerContext& context);
+                                                           Admission::Slot slot, RunnerContextPtr context);
 
   /// Once, from any thread.
   void start();
   void go_away(const std::string& reason, std::chrono::milliseconds retry_after) override;
-  void revoked_tokens_changed() override;
+  void access_changed() override;
+  void rates_changed() override;
   /// Lets every coroutine look at the clock again: for who moves a ManualClock. On the stream's executor.
   void clock_moved();
 
@@ -66,7 +66,7 @@ class SessionRunner final : public Peer, public std::enable_shared_from_this<Ses
 
  public:
   /// make() calls it.
-  SessionRunner(S stream, ConnectionInfo connection, Admission::Slot slot, const RunnerContext& context,
+  SessionRunner(S stream, ConnectionInfo connection, Admission::Slot slot, RunnerContextPtr context,
                 const std::shared_ptr<Owner>& owner);
 
  private:
@@ -91,6 +91,8 @@ class SessionRunner final : public Peer, public std::enable_shared_from_this<Ses
   void input_ended();
   void output_ended();
   void note_greeting();
+  void look_at_access();
+  void look_at_rates();
   [[nodiscard]] std::string silence() const;
   [[nodiscard]] bool too_much_queued() const {
     return session_.queued_bytes() > context_.limits.queued_bytes;
@@ -101,7 +103,8 @@ class SessionRunner final : public Peer, public std::enable_shared_from_this<Ses
 
   S stream_;
   const ConnectionInfo connection_;
-  const RunnerContext& context_;
+  const RunnerContextPtr kept_context_;
+  const RunnerContext& context_;  // that one
   const Clock& clock_;
   std::optional<Admission::Slot> slot_;
   protocol::FrameReader frames_;
@@ -125,6 +128,6 @@ class SessionRunner final : public Peer, public std::enable_shared_from_this<Ses
 };
 
 /// Makes the connection's session and starts it.
-void start_session(AcceptedConnection accepted, const RunnerContext& context);
+void start_session(AcceptedConnection accepted, const RunnerContextPtr& context);
 
 }  // namespace talus::server

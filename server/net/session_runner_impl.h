@@ -29,45 +29,45 @@ struct SessionRunner<S>::Owner {
   asio::any_io_executor executor;
   std::weak_ptr<SessionRunner> runner;
 
-  static MailboxPtr mailbox(ConnectionId id, FlowId flow, const std::shared_ptr<Owner>& owner) {
-    auto mailbox = std::make_shared<Mailbox>(ClientId{id}, [owner] {
+  static MailboxPtr mailbox(ConnectionId id, FlowUsePtr flow, const std::shared_ptr<Owner>& owner) {
+    const auto wake = [owner] {
       asio::post(owner->executor, [owner] {
         if (const auto alive = owner->runner.lock()) {
           alive->dispatch([](Session& session) { session.take_mail(); });
         }
       });
-    });
-    mailbox->join(flow);
-    return mailbox;
+    };
+    return std::make_shared<Mailbox>(ClientId{id}, wake, std::move(flow));
   }
 };
 
 template <Stream S>
 std::shared_ptr<SessionRunner<S>> SessionRunner<S>::make(S stream, ConnectionInfo connection,
-                                                         Admission::Slot slot, const RunnerContext& context) {
+                                                         Admission::Slot slot, RunnerContextPtr context) {
   const auto owner = std::make_shared<Owner>(Owner{stream.get_executor(), {}});
   const auto runner = std::make_shared<SessionRunner>(std::move(stream), std::move(connection),
-                                                      std::move(slot), context, owner);
+                                                      std::move(slot), std::move(context), owner);
   owner->runner = runner;
   return runner;
 }
 
 template <Stream S>
 SessionRunner<S>::SessionRunner(S stream, ConnectionInfo connection, Admission::Slot slot,
-                                const RunnerContext& context, const std::shared_ptr<Owner>& owner)
+                                RunnerContextPtr context, const std::shared_ptr<Owner>& owner)
     : stream_{std::move(stream)},
       connection_{std::move(connection)},
-      context_{context},
-      clock_{context.session.clock},
+      kept_context_{std::move(context)},
+      context_{*kept_context_},
+      clock_{context_.session.clock},
       slot_{std::move(slot)},
-      frames_{std::min(context.limits.frame_bytes, protocol::kHelloFrameBytes)},
-      session_{context.session,
-               Owner::mailbox(connection_.id, flow_of(slot_->counted(), context.session.flows), owner),
+      frames_{std::min(context_.limits.frame_bytes, protocol::kHelloFrameBytes)},
+      session_{context_.session,
+               Owner::mailbox(connection_.id, flow_of(slot_->counted(), context_.session.flows), owner),
                slot_->rates()},
       output_waits_{stream_.get_executor(), clock_},
       input_waits_{stream_.get_executor(), clock_},
       watch_waits_{stream_.get_executor(), clock_},
-      watchdog_{context.limits.timeouts, connection_.accepted},
+      watchdog_{context_.limits.timeouts, connection_.accepted},
       view_turns_{
           asio::use_service<ViewTurns>(asio::query(stream_.get_executor(), asio::execution::context))} {}
 
@@ -83,6 +83,9 @@ void SessionRunner<S>::start() {
       self->spawn(&SessionRunner::write);
       self->spawn(&SessionRunner::watch);
     });
+    // Either may have changed after it was admitted, and before it was registered.
+    self->look_at_access();
+    self->look_at_rates();
   });
 }
 
@@ -94,10 +97,26 @@ void SessionRunner<S>::go_away(const std::string& reason, std::chrono::milliseco
 }
 
 template <Stream S>
-void SessionRunner<S>::revoked_tokens_changed() {
-  asio::post(stream_.get_executor(), [self = this->shared_from_this()] {
-    self->dispatch([](Session& session) { session.revoked_tokens_changed(); });
-  });
+void SessionRunner<S>::access_changed() {
+  asio::post(stream_.get_executor(), [self = this->shared_from_this()] { self->look_at_access(); });
+}
+
+template <Stream S>
+void SessionRunner<S>::rates_changed() {
+  asio::post(stream_.get_executor(), [self = this->shared_from_this()] { self->look_at_rates(); });
+}
+
+template <Stream S>
+void SessionRunner<S>::look_at_rates() {
+  if (!open_) return;
+  dispatch([&](Session& session) { session.rates_changed(slot_->rates()); });
+}
+
+template <Stream S>
+void SessionRunner<S>::look_at_access() {
+  if (!open_) return;
+  const bool blocked = context_.session.access.blocks(slot_->address());
+  dispatch([&](Session& session) { session.access_changed(blocked); });
 }
 
 template <Stream S>
@@ -199,7 +218,7 @@ Clock::time_point SessionRunner<S>::view_due() {
     return Clock::time_point::max();
   }
   if (view_throttle_.due() > now()) return view_throttle_.due();
-  view_turns_.enter(session_.flow(), watch_waits_);
+  view_turns_.enter(session_.flow().id(), watch_waits_);
   return view_turns_.due(watch_waits_);
 }
 
@@ -264,6 +283,7 @@ asio::awaitable<void> SessionRunner<S>::write() {
       written = co_await asio::async_write(stream_, buffers, progress, token);
     }
     context_.session.metrics.sent_bytes.add(written);
+    session_.flow().add(FlowMeasure::sent, written);
     watchdog_.written();
     session_.written();
     batch_size_.wrote(output.size(), S::kWritesWhole ? in_one_piece : stream_.write_waits() == waits);
@@ -362,8 +382,9 @@ void SessionRunner<S>::end(std::string_view reason) {
   stream_.close();
   clock_moved();
   const std::string& failure = session_.failure();
-  context_.log->info("conn {} {}: ended: {}", connection_.id, connection_.address,
-                     failure.empty() ? std::string{reason} : escaped(failure, 300));
+  context_.log->log(session_.failure_is_known() ? spdlog::level::debug : spdlog::level::info,
+                    "conn {} {}: ended: {}", connection_.id, connection_.address,
+                    failure.empty() ? std::string{reason} : escaped(failure, 300));
   session_.abandon();
 }
 

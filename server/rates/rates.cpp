@@ -48,13 +48,38 @@ Rate patience_for(const RateLimits& limits, std::uint32_t requests_in_flight) {
   return {fastest, requests_in_flight + fastest};
 }
 
+TokenBucket moved(const std::atomic<TokenBucket>& bucket, const Rate& from, const Rate& to, Time now) {
+  return bucket.load(std::memory_order_relaxed).moved(from, to, now);
+}
+
 }  // namespace
+
+AddressBuckets::AddressBuckets(const AddressBuckets& before, const RateSet& to, Time now)
+    : rates{to},
+      chunks{moved(before.chunks, before.rates.chunks, to.chunks, now)},
+      bytes{moved(before.bytes, before.rates.bytes, to.bytes, now)},
+      requests{moved(before.requests, before.rates.requests, to.requests, now)} {}
 
 SessionRates::SessionRates(const RateLimits& limits, AddressBucketsPtr address,
                            std::uint32_t requests_in_flight)
     : limits_{limits},
       address_{std::move(address)},
+      requests_in_flight_{requests_in_flight},
       patience_rate_{patience_for(limits, requests_in_flight)} {}
+
+void SessionRates::change(const RateLimits& limits, AddressBucketsPtr address, Time now) {
+  if (limits == limits_ && address == address_) return;
+  const RateSet& before = limits_.session;
+  chunks_ = chunks_.moved(before.chunks, limits.session.chunks, now);
+  bytes_ = bytes_.moved(before.bytes, limits.session.bytes, now);
+  requests_ = requests_.moved(before.requests, limits.session.requests, now);
+  const Rate patience = patience_for(limits, requests_in_flight_);
+  patience_ = patience_.moved(patience_rate_, patience, now);
+  patience_rate_ = patience;
+  batch_.reset();
+  limits_ = limits;
+  address_ = std::move(address);
+}
 
 std::optional<SessionRates::Refusal> SessionRates::refuse_request(Time now) {
   if (const auto kind = take_request(now)) return refuse(*kind, now);

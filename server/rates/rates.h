@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <mutex>
 #include <optional>
 
 #include "rates/rate_kind.h"
@@ -17,14 +18,42 @@ namespace talus::server {
 /// Requests count when they arrive, chunks and bytes (of all frames) when they are written.
 struct RateSet {
   Rate chunks, bytes, requests;
+  bool operator==(const RateSet&) const = default;
 };
 struct RateLimits {
   RateSet session, address;
   std::chrono::milliseconds burst{};  // what their bursts are earned in
+  bool operator==(const RateLimits&) const = default;
+};
+
+/// Of which sessions begin, and to which those that are there change. Callable from any thread.
+class CurrentRates {
+ public:
+  CurrentRates() = default;
+  explicit CurrentRates(const RateLimits& limits) : limits_{limits} {}
+
+  [[nodiscard]] RateLimits get() const {
+    const std::lock_guard lock{mutex_};
+    return limits_;
+  }
+  void set(const RateLimits& limits) {
+    const std::lock_guard lock{mutex_};
+    limits_ = limits;
+  }
+
+ private:
+  mutable std::mutex mutex_;
+  RateLimits limits_;
 };
 
 /// Shared by the sessions of one address, on any thread, without a lock.
 struct AddressBuckets {
+  AddressBuckets() = default;
+  explicit AddressBuckets(const RateSet& of) : rates{of} {}
+  /// For new rates: with what is left in `before`. Who still uses that takes nothing from these.
+  AddressBuckets(const AddressBuckets& before, const RateSet& to, TokenBucket::Time now);
+
+  const RateSet rates{};  // by which the buckets are used
   std::atomic<TokenBucket> chunks{}, bytes{}, requests{};
 };
 using AddressBucketsPtr = std::shared_ptr<AddressBuckets>;
@@ -41,14 +70,17 @@ class SessionRates {
  public:
   using Time = TokenBucket::Time;
 
-  /// `limits` outlives it. `address` null: no rate of an address applies. A client may have
-  /// `requests_in_flight` on their way here.
+  /// `address` null: no rate of an address applies. A client may have `requests_in_flight` on their way here.
   SessionRates(const RateLimits& limits, AddressBucketsPtr address, std::uint32_t requests_in_flight);
 
   /// The rates that apply; those of the address without limit where none does.
   [[nodiscard]] RateLimits limits() const {
     return {limits_.session, address_ == nullptr ? RateSet{} : limits_.address, limits_.burst};
   }
+
+  /// Other rates apply from now on. What is left of the session's tokens, or owed, stays; a batch that it has
+  /// reserved of its address is lost.
+  void change(const RateLimits& limits, AddressBucketsPtr address, Time now);
 
   /// A refused request is told when it has room, behind all that were refused before it. A client that
   /// waits so long, for each request or for the last, is never abusive, whatever was on its way when it was
@@ -90,7 +122,7 @@ class SessionRates {
   [[nodiscard]] bool has_batch() const;
   [[nodiscard]] Due batch_due(Time now);
 
-  const RateLimits& limits_;
+  RateLimits limits_;
   AddressBucketsPtr address_;
   TokenBucket chunks_, bytes_, requests_;
   std::optional<RateBatch> batch_;
@@ -99,7 +131,8 @@ class SessionRates {
   Time room_at_{};             // of all that was refused, as the client was told
   std::uint64_t in_line_ = 0;  // refused, and not granted since
   TokenBucket patience_;       // one token goes with each refusal; empty: the client is abusive
-  const Rate patience_rate_;
+  const std::uint32_t requests_in_flight_;
+  Rate patience_rate_;
 
   bool throttled_ = false;
 };

@@ -60,4 +60,10 @@ std::chrono::nanoseconds TokenBucket::wait_in_line(const Rate& rate, Time now, s
   return when_earned(rate, gone + wanted) - std::chrono::nanoseconds{now.time_since_epoch()};
 }
 
+TokenBucket TokenBucket::moved(const Rate& from, const Rate& to, Time now) const {
+  TokenBucket bucket;
+  if (from.limited() && to.limited()) bucket.gone_ = earned(to, now) - level(from, now);
+  return bucket;
+}
+
 }  // namespace talus::server

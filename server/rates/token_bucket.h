@@ -24,7 +24,7 @@ struct Rate {
 /// count, so rounding never accumulates. A new bucket is full.
 ///
 /// The state is one word: threads may share a bucket as std::atomic<TokenBucket>. Every call on one bucket
-/// must pass the same Rate.
+/// must pass the same Rate; where that changes, moved() gives a bucket for the new one.
 class TokenBucket {
  public:
   using Time = std::chrono::steady_clock::time_point;  // not before the clock's zero
@@ -42,6 +42,10 @@ class TokenBucket {
   /// How long until `tokens` have been earned from now on, beside what pays a debt: the last of so many
   /// who each take a token when it is there. Unlike wait() it is not bounded by the burst.
   [[nodiscard]] std::chrono::nanoseconds wait_in_line(const Rate& rate, Time now, std::uint64_t tokens) const;
+
+  /// A bucket of the rate `to` with the tokens, or the debt, that this one has of the rate `from`, and not
+  /// more than its burst; full where one of them is no limit.
+  [[nodiscard]] TokenBucket moved(const Rate& from, const Rate& to, Time now) const;
 
  private:
   // Of all tokens earned since the clock's zero, how many are gone: taken, or lost because the bucket was

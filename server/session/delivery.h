@@ -46,9 +46,9 @@ class Delivery {
         credit_{credit} {}
 
   /// In whose turns its chunks are generated from now on; before it asks for anything.
-  void join(FlowId flow) { mailbox_->join(flow); }
+  void join(FlowUsePtr flow) { mailbox_->join(std::move(flow)); }
 
-  [[nodiscard]] FlowId flow() const { return mailbox_->flow(); }
+  [[nodiscard]] FlowUse& flow() const { return *mailbox_->flow_use(); }
 
   // ---- what the client asks for
   [[nodiscard]] const PendingRequests& requests() const { return requests_; }

@@ -63,7 +63,7 @@ tl::expected<Greeting, Rejection> greet(const wire::Hello& hello, const SessionL
   if (!grant) {
     const AuthFailure failure = grant.error().failure;
     return tl::make_unexpected(Rejection{wire::ErrorCode::unauthorized, std::string{describe(failure)},
-                                         std::move(grant.error().reason), failure});
+                                         std::move(grant.error().reason), failure, grant.error().repeated});
   }
   const std::uint64_t window = hello.window_bytes() == 0 ? limits.window_bytes : hello.window_bytes();
   return Greeting{chosen, kCodecVersion, std::min<std::uint64_t>(window, limits.window_bytes),

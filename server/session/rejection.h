@@ -18,6 +18,7 @@ struct Rejection {
   std::string text;                           // for the client
   std::string why{};                          // more, for the log alone
   std::optional<AuthFailure> auth_failure{};  // where the token is the reason
+  bool repeated = false;                      // the log need not say it again
 };
 
 [[nodiscard]] inline tl::unexpected<Rejection> rejected(wire::ErrorCode code, std::string text) {

@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cstdint>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include <talus/protocol/message.h>
@@ -26,6 +27,7 @@ class Replies {
   void error(const Subject& subject, wire::ErrorCode code, std::string_view text,
              std::chrono::milliseconds retry_after = retry_after::kNever) {
     metrics_.error(code).add();
+    if (code == wire::ErrorCode::overloaded || code == wire::ErrorCode::too_many_requests) ++refusals_;
     outbox_.push_control(error_frame(code, text, subject, retry_after));
   }
   /// A Chunk among control frames: for chunks that are smaller than an Error. The caller notes its credit.
@@ -52,9 +54,13 @@ class Replies {
     outbox_.push_control(go_away_frame(reason, retry_after));
   }
 
+  /// How often the client asked too much or too fast, since the last call.
+  [[nodiscard]] std::uint64_t take_refusals() { return std::exchange(refusals_, 0); }
+
  private:
   Outbox& outbox_;
   Metrics& metrics_;
+  std::uint64_t refusals_ = 0;
 };
 
 }  // namespace talus::server

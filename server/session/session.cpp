@@ -13,11 +13,22 @@ namespace talus::server {
 
 using wire::ErrorCode;
 
-Session::Session(const SessionContext& context, MailboxPtr mailbox, AddressBucketsPtr address)
+namespace {
+
+/// The rates that apply to a session of the address.
+RateLimits rates_of(const SessionContext& context, const AddressBucketsPtr& address) {
+  RateLimits limits = context.rates.get();
+  limits.address = address == nullptr ? RateSet{} : address->rates;
+  return limits;
+}
+
+}  // namespace
+
+Session::Session(const SessionContext& context, MailboxPtr mailbox, const AddressBucketsPtr& address)
     : context_{context},
       replies_{outbox_, context.metrics},
       delivery_{context_, std::move(mailbox), replies_, outbox_, credit_},
-      rates_{context.rates, std::move(address), context.limits.requests_in_flight},
+      rates_{rates_of(context, address), address, context.limits.requests_in_flight},
       memory_{context.memory, MemoryUse::sessions} {}
 
 // ---- events
@@ -89,10 +100,21 @@ void Session::token_expired() {
   fail(ErrorCode::unauthorized, describe(AuthFailure::expired));
 }
 
-void Session::revoked_tokens_changed() {
-  if (closing() || !greeting_ || !context_.access.is_revoked(greeting_->grant)) return;
-  context_.metrics.denied(AuthFailure::revoked).add();
-  fail(ErrorCode::unauthorized, describe(AuthFailure::revoked));
+void Session::access_changed(bool address_blocked) {
+  if (closing()) return;
+  std::optional<AuthFailure> failure;
+  if (address_blocked) {
+    failure = AuthFailure::blocked;
+  } else if (greeting_) {
+    failure = context_.access.withdrawn(greeting_->grant);
+  }
+  if (!failure) return;
+  context_.metrics.denied(*failure).add();
+  fail(ErrorCode::unauthorized, describe(*failure));
+}
+
+void Session::rates_changed(const AddressBucketsPtr& address) {
+  rates_.change(rates_of(context_, address), address, context_.clock.now());
 }
 
 void Session::take_mail() {
@@ -146,6 +168,9 @@ void Session::pump() {
   if (found > 0) context_.metrics.hot_latency.add(context_.clock.now() - began, found);
   close_if_served();
   note_memory();
+  if (const std::uint64_t refusals = replies_.take_refusals(); refusals > 0) {
+    flow().add(FlowMeasure::refusals, refusals);
+  }
 }
 
 // ---- messages
@@ -156,6 +181,7 @@ void Session::on(const wire::Hello& hello) {
   if (!greeting) {
     const Rejection& rejection = greeting.error();
     if (rejection.auth_failure) context_.metrics.denied(*rejection.auth_failure).add();
+    failure_is_known_ = rejection.repeated;
     return fail(rejection.code, rejection.text, retry_after::kNever, rejection.why);
   }
   greeting_ = *std::move(greeting);

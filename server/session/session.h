@@ -55,7 +55,7 @@ class Session {
   static constexpr std::size_t kMaxFrameBytesAnyway = std::size_t{64} * 1024;
 
   /// `address` holds the rates that the session shares with others of its address; null: none.
-  Session(const SessionContext& context, MailboxPtr mailbox, AddressBucketsPtr address);
+  Session(const SessionContext& context, MailboxPtr mailbox, const AddressBucketsPtr& address);
   Session(const Session&) = delete;
   Session& operator=(const Session&) = delete;
 
@@ -69,8 +69,12 @@ class Session {
   /// The client was silent too long; `text` says for how long.
   void timed_out(std::string_view text);
   void token_expired();
-  /// Ends the session where its token is on the list now.
-  void revoked_tokens_changed();
+  /// The lists of revoked tokens and of blocked flows were read again: ends the session where it is on one.
+  /// `address_blocked`: its address is.
+  void access_changed(bool address_blocked);
+  /// The rates in the context may have changed, and `address` is what holds those of its address now. The
+  /// client is not told: it keeps to those of Welcome, and is refused where they are lower now.
+  void rates_changed(const AddressBucketsPtr& address);
   /// Handles all that waits in the mailbox.
   void take_mail();
   /// No frame comes any more, but the client still reads. It can give no credit: none is needed from here on.
@@ -106,14 +110,16 @@ class Session {
   }
 
   // ---- what it is
-  /// Whom its work counts as.
-  [[nodiscard]] FlowId flow() const { return delivery_.flow(); }
+  /// Whom its work counts as, and to which it adds what it refuses; the caller adds what it writes.
+  [[nodiscard]] FlowUse& flow() const { return delivery_.flow(); }
   [[nodiscard]] State state() const { return state_; }
   [[nodiscard]] bool closing() const { return state_ == State::closed; }
   /// None before Hello was accepted; stays when the session ends.
   [[nodiscard]] const std::optional<Greeting>& greeting() const { return greeting_; }
   /// What the client did wrong, for the log; empty: nothing.
   [[nodiscard]] const std::string& failure() const { return failure_; }
+  /// The log has said the same already.
+  [[nodiscard]] bool failure_is_known() const { return failure_is_known_; }
 
  private:
   void on(const wire::Hello& hello);
@@ -167,6 +173,7 @@ class Session {
   std::size_t writing_bytes_ = 0;    // of the last output
   std::size_t input_bytes_ = 0;
   std::string failure_;
+  bool failure_is_known_ = false;
 };
 
 }  // namespace talus::server

@@ -4,7 +4,7 @@
 #include "access/access_control.h"
 #include "chunks/chunk_source.h"
 #include "clock/clock.h"
-#include "flows/flow_ids.h"
+#include "flows/flow_uses.h"
 #include "memory/memory_budget.h"
 #include "metrics/metrics.h"
 #include "rates/rates.h"
@@ -21,8 +21,8 @@ struct SessionContext {
   MemoryBudget& memory;
   Metrics& metrics;
   const AccessControl& access;
-  const RateLimits& rates;
-  const FlowIds& flows;
+  const CurrentRates& rates;
+  FlowUses& flows;
   const Clock& clock;
 };
 

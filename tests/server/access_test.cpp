@@ -146,13 +146,13 @@ TEST_CASE("a reload takes the new keys, and keeps all old keys if one file is ba
   const std::string fresh = "a secret for tomorrow";
   files.scratch.write("secret", fresh);
   CHECK(access.admit(kSecretText, kNow).has_value());
-  REQUIRE(access.reload().has_value());
+  REQUIRE(access.reload(files.settings).has_value());
   CHECK_FALSE(access.admit(kSecretText, kNow).has_value());
   CHECK(access.admit(fresh, kNow).has_value());
 
   files.scratch.write("secret", "the secret after tomorrow");
   files.scratch.write("key", "short");
-  const auto failed = access.reload();
+  const auto failed = access.reload(files.settings);
   REQUIRE_FALSE(failed.has_value());
   CHECK_THAT(failed.error(), Catch::Contains("access.signing_key_file") && Catch::Contains("old keys stay"));
   CHECK(access.admit(fresh, kNow).has_value());
@@ -173,7 +173,7 @@ TEST_CASE("tokens of the current and of the previous signing key are accepted, o
   CHECK(denied(access.admit(token(claims), kNow + 2h)).failure == AuthFailure::expired);
 
   files.scratch.write("key.before", kKeyText);
-  REQUIRE(access.reload().has_value());
+  REQUIRE(access.reload(files.settings).has_value());
   CHECK_FALSE(access.admit(token(claims, before), kNow).has_value());
   CHECK(access.admit(token(claims), kNow).has_value());
 }

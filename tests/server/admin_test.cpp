@@ -22,7 +22,8 @@ http::Request request(http::Method method, const std::string& target) {
   return {method, target, {}, true};
 }
 
-const OperatorAnswers kAnswers{[] { return "metrics"; }, [] { return true; }, [] { return true; }};
+const OperatorAnswers kAnswers{[] { return "metrics"; }, [] { return true; }, [] { return true; },
+                               [] { return FlowsReport{}; }};
 
 struct Bench {
   SystemClock clock;
@@ -36,7 +37,8 @@ struct Bench {
     REQUIRE(listening.has_value());
     address = {asio::ip::address_v4::loopback(),
                static_cast<std::uint16_t>(std::stoi(listening->substr(listening->rfind(':') + 1)))};
-    server.start({[] { return "talus_up 1\n"; }, [] { return true; }, [this] { return ready.load(); }});
+    server.start({[] { return "talus_up 1\n"; }, [] { return true; }, [this] { return ready.load(); },
+                  [] { return FlowsReport{}; }});
   }
   tcp::socket connect() {
     tcp::socket socket{io};
@@ -66,8 +68,10 @@ TEST_CASE("operators get metrics, health and readiness, and a list of them elsew
   CHECK(answer_operator(request(http::Method::get, "/metrics"), kAnswers).body == "metrics");
   CHECK(status("/-/healthy") == 200);
   CHECK(status("/-/ready") == 200);
-  CHECK(status("/-/ready", {kAnswers.metrics, kAnswers.healthy, [] { return false; }}) == 503);
-  CHECK(status("/-/healthy", {kAnswers.metrics, [] { return false; }, kAnswers.ready}) == 503);
+  CHECK(status("/-/ready", {kAnswers.metrics, kAnswers.healthy, [] { return false; }, kAnswers.flows}) ==
+        503);
+  CHECK(status("/-/healthy", {kAnswers.metrics, [] { return false; }, kAnswers.ready, kAnswers.flows}) ==
+        503);
   CHECK(status("/metrics?from=me") == 200);
   CHECK(status("/metrics/..") == 404);
 }

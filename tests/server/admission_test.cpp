@@ -19,7 +19,7 @@ TEST_CASE("an IPv4 address counts as itself, also mapped into IPv6") {
 
 TEST_CASE("slots run out and come back, in all and for each address") {
   const ManualClock clock;
-  Admission admission{3, 2, {}, clock};
+  Admission admission{{3, 2}, clock};
   const auto here = asio::ip::make_address("192.0.2.1");
   const auto there = asio::ip::make_address("192.0.2.2");
   auto first = admission.enter(here);
@@ -39,7 +39,7 @@ TEST_CASE("slots run out and come back, in all and for each address") {
 
 TEST_CASE("connections of one address share its rates, also over a time without any") {
   ManualClock clock;
-  Admission admission{10, 10, std::chrono::hours{1}, clock};
+  Admission admission{{10, 10, std::chrono::hours{1}}, clock};
   const auto address = asio::ip::make_address("192.0.2.1");
   AddressBucketsPtr rates;
   {
@@ -52,9 +52,32 @@ TEST_CASE("connections of one address share its rates, also over a time without 
   CHECK(admission.enter(asio::ip::make_address("192.0.2.2"))->rates() != rates);
 }
 
+TEST_CASE("limits that change count for those who come next, and rates for all") {
+  ManualClock clock;
+  Admission admission{{2, 2, std::chrono::hours{1}, {{}, {}, {1, 10}}}, clock};
+  const auto here = asio::ip::make_address("192.0.2.1");
+  const auto first = admission.enter(here);
+  const AddressBucketsPtr before = first->rates();
+  auto second = admission.enter(here);
+  CHECK_FALSE(admission.enter(asio::ip::make_address("192.0.2.2")).has_value());
+
+  const RateSet lower{{}, {}, {1, 3}};
+  admission.change({3, 1, std::chrono::hours{1}, lower});
+  CHECK(first->rates() != before);
+  CHECK(first->rates() == second->rates());
+  CHECK(first->rates()->rates == lower);
+  CHECK(admission.connections() == 2);
+  CHECK_FALSE(admission.enter(here).has_value());
+  CHECK(admission.enter(asio::ip::make_address("192.0.2.2"))->rates()->rates == lower);
+
+  const AddressBucketsPtr same = first->rates();
+  admission.change({3, 1, std::chrono::hours{1}, lower});
+  CHECK(first->rates() == same);
+}
+
 TEST_CASE("addresses that left are forgotten when their time is over") {
   ManualClock clock;
-  Admission admission{10, 10, std::chrono::hours{1}, clock};
+  Admission admission{{10, 10, std::chrono::hours{1}}, clock};
   const auto other = asio::ip::make_address("192.0.2.2");
   { const auto slot = admission.enter(asio::ip::make_address("192.0.2.1")); }
   { const auto slot = admission.enter(other); }
@@ -66,7 +89,7 @@ TEST_CASE("addresses that left are forgotten when their time is over") {
 
 TEST_CASE("however many addresses come and go, few are remembered") {
   ManualClock clock;
-  Admission admission{10, 10, std::chrono::hours{1}, clock};
+  Admission admission{{10, 10, std::chrono::hours{1}}, clock};
   const auto here = admission.enter(asio::ip::make_address("192.0.2.1"));
   for (std::uint32_t address = 0; address < 3 * Admission::kMaxRemembered; ++address) {
     (void)admission.enter(asio::ip::address_v4{address});

@@ -257,6 +257,24 @@ TEST_CASE("a patch that somebody still wants is made, whoever else left") {
   CHECK(fake.work->patches == 1);
 }
 
+TEST_CASE("the time of generators is added to the flow in whose turn it was") {
+  WaitingClient first;
+  WaitingClient beside;
+  {
+    FakeService fake;
+    fake.work->close_gate();
+    REQUIRE(queued(fake.service, first, at(1)));
+    fake.work->await_somebody_at_gate();
+    REQUIRE(queued(fake.service, beside, at(1)));  // gets the chunk in the other's turn
+    fake.clock.spend_cpu(std::chrono::milliseconds{5});
+    fake.work->open_gate();
+    first.await(1);
+    beside.await(1);
+  }  // the thread has ended, and added
+  CHECK(first.mailbox()->flow_use()->used(FlowMeasure::generator) == 5'000'000);
+  CHECK(beside.mailbox()->flow_use()->used(FlowMeasure::generator) == 0);
+}
+
 TEST_CASE("a client that cannot be woken harms nobody") {
   FakeService fake;
   const auto broken = std::make_shared<Mailbox>(ClientId{1'000'000}, [] { throw std::bad_alloc{}; });
@@ -273,7 +291,7 @@ TEST_CASE("a client that was refused by a full queue is told when there is room,
   fake.work->close_gate();
   WaitingClient greedy;
   WaitingClient late;
-  late.mailbox()->join(greedy.mailbox()->flow());
+  late.mailbox()->join(greedy.mailbox()->flow_use());
   REQUIRE(queued(fake.service, greedy, at(0)));
   REQUIRE(queued(fake.service, greedy, at(100)));
   CHECK_FALSE(queued(fake.service, late, at(200)));
@@ -319,7 +337,7 @@ TEST_CASE("a flow that fills its part of the queue keeps no other out, and is to
                     clock};
   WaitingClient greedy;
   WaitingClient beside;
-  beside.mailbox()->join(greedy.mailbox()->flow());
+  beside.mailbox()->join(greedy.mailbox()->flow_use());
   std::int32_t greedy_jobs = 0;
   while (queued(chunks, greedy, at(greedy_jobs))) ++greedy_jobs;
   CHECK(greedy_jobs == 134);  // a third

@@ -99,6 +99,22 @@ TEST_CASE("every field is set by its variable") {
   }
 }
 
+TEST_CASE("every field is written as it is read") {
+  for (const Field& field : fields()) {
+    CAPTURE(field.key);
+    const Config defaults;
+    Config changed;
+    REQUIRE(set_from_text(field, changed, other_than_default(field)).has_value());
+    for (const Config& written : {defaults, changed}) {
+      Config read = written == defaults ? changed : defaults;
+      REQUIRE(set_from_text(field, read, text_of(field, written)).has_value());
+      CHECK(read == written);
+    }
+  }
+  const Networks networks = *Networks::parse("10.0.0.0/8, 192.0.2.7, 2001:db8::/32, ::ffff:192.0.2.1, ::/0");
+  CHECK(*Networks::parse(networks.text()) == networks);
+}
+
 TEST_CASE("the defaults are in range") {
   for (const Field& field : fields()) {
     CAPTURE(field.key);

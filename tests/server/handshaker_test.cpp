@@ -17,6 +17,8 @@
 #include <asio/use_awaitable.hpp>
 #include <asio/write.hpp>
 
+#include <spdlog/sinks/sink.h>
+
 #include "certificates.h"
 #include "clock/manual_clock.h"
 #include "descriptors_left.h"
@@ -68,13 +70,15 @@ asio::awaitable<void> echo(std::shared_ptr<AcceptedConnection> accepted) {
 struct Bench {
   explicit Bench(const HandshakeSettings& settings = ::settings(), bool with_tls = false,
                  std::size_t max_per_address = 256)
-      : admission{2048, max_per_address, {}, clock},
+      : admission{{2048, max_per_address}, clock},
         handshaker{settings,
                    admission,
+                   access,
+                   flows,
                    metrics,
                    memory,
                    clock,
-                   std::make_shared<spdlog::logger>("silent"),
+                   std::make_shared<spdlog::logger>("counted", log),
                    [this](AcceptedConnection accepted) {
                      const bool secured = std::holds_alternative<TlsStream>(accepted.stream);
                      auto held = std::make_shared<AcceptedConnection>(std::move(accepted));
@@ -105,12 +109,31 @@ struct Bench {
     });
   }
 
+  /// One line of access.blocked_file.
+  void block(const std::string& who) {
+    (void)lists.write("blocked", who + "\n");
+    REQUIRE(access.reload(access_settings).has_value());
+  }
+  [[nodiscard]] int log_lines() const { return log->lines; }
   [[nodiscard]] std::uint64_t refused(Refusal why) { return metrics.refused_for(why).total(); }
 
+  struct LineCount final : spdlog::sinks::sink {
+    void log(const spdlog::details::log_msg&) override { ++lines; }
+    void flush() override {}
+    void set_pattern(const std::string&) override {}
+    void set_formatter(std::unique_ptr<spdlog::formatter>) override {}
+    std::atomic<int> lines = 0;
+  };
+
   TestCertificate own = make_certificate(1);
+  std::shared_ptr<LineCount> log = std::make_shared<LineCount>();
   ManualClock clock;
   Metrics metrics;
   Admission admission;
+  const ScratchDirectory lists;
+  Access access_settings{{}, "read", {}, "auto", {}, {}, lists.write("blocked", "")};
+  AccessControl access{access_settings, *load_keys(access_settings)};
+  FlowUses flows;
   tls::Context tls;
   MemoryBudget memory{std::uint64_t{256} << 20};
   Handshaker handshaker;
@@ -241,7 +264,24 @@ TEST_CASE("who begins connections faster than its rate is told so, and when to c
   const auto* body = (*protocol::read_message(error))->body_as_Error();
   CHECK(body->code() == wire::ErrorCode::overloaded);
   CHECK(body->retry_after_ms() == 1000);
+  bench.flows.collect(bench.clock.now());
+  CHECK(bench.flows.top(1)[2].top.at(0).name->text == "127.0.0.1");
   bench.clock.advance(std::chrono::seconds{1});
+  Client third{bench};
+  CHECK_THAT(third.line(), Catch::StartsWith("127.0.0.1:"));
+}
+
+TEST_CASE("limits that change count for the next connection") {
+  Bench bench{one_a_second()};
+  Client first{bench};
+  (void)first.line();
+  {
+    Client second{bench};
+    CHECK_FALSE(second.rest().empty());
+  }
+  HandshakeSettings more = one_a_second();
+  more.per_address_burst = 3;
+  bench.handshaker.change(more);
   Client third{bench};
   CHECK_THAT(third.line(), Catch::StartsWith("127.0.0.1:"));
 }
@@ -255,6 +295,29 @@ TEST_CASE("where TLS is wanted, who is beyond its rate is closed without a word"
   CHECK(second.rest().empty());
   CHECK(bench.refused(Refusal::pace) == 1);
   CHECK(bench.metrics.tls_failed.total() == 0);
+}
+
+TEST_CASE("who is blocked is told so and counted, whatever speaks for him, and the log says it once") {
+  const bool proxied = GENERATE(true, false);
+  Bench bench{settings(proxied ? "127.0.0.1" : "")};
+  bench.block(proxied ? "203.0.113.0/24" : "127.0.0.1");
+  for (int attempts = 0; attempts < 3; ++attempts) {
+    Client client{bench};
+    if (proxied) client.say(kProxyTcp4);
+    const auto error = only_frame(client.rest());
+    const auto* body = (*protocol::read_message(error))->body_as_Error();
+    CHECK(body->code() == wire::ErrorCode::unauthorized);
+    CHECK_THAT(text_of(error), Catch::Contains("blocked you"));
+    CHECK(body->retry_after_ms() == 0);
+  }
+  CHECK(bench.refused(Refusal::blocked) == 3);
+  bench.flows.collect(bench.clock.now());
+  CHECK(bench.flows.refusals() == 3);
+  CHECK(bench.log_lines() == 1);
+  bench.block("198.51.100.0/24");
+  Client client{bench};
+  if (proxied) client.say(kProxyTcp4);
+  CHECK_FALSE(client.line().empty());
 }
 
 TEST_CASE("where the server's memory is all in use nobody comes in, and is told so") {
@@ -325,6 +388,22 @@ TEST_CASE("one of the proxies that sends anything but a header is closed") {
   client.say("PROXY TCP4 192.0.2.7 198.51.100.1 49153 4780\r\n");
   CHECK(client.rest().empty());
   CHECK(bench.refused(Refusal::proxy) == 1);
+}
+
+TEST_CASE("a refusal counts for the client, and never for the proxy that speaks for others") {
+  Bench bench{settings("127.0.0.1"), false, 1};
+  Client broken{bench};
+  broken.say("no header");
+  CHECK(broken.rest().empty());
+  Client first{bench};
+  first.say(kProxyTcp4);
+  (void)first.line();
+  Client second{bench};
+  second.say(kProxyTcp4);
+  CHECK_FALSE(second.rest().empty());
+  bench.flows.collect(bench.clock.now());
+  CHECK(bench.flows.refusals() == 1);
+  CHECK(bench.flows.top(1)[2].top.at(0).name->text == "203.0.113.7");
 }
 
 TEST_CASE("one of the proxies that sends half a header is closed in time") {

@@ -62,6 +62,39 @@ TEST_CASE("each refused request is told when it has room behind those refused be
   }
 }
 
+TEST_CASE("a bucket that moves to another rate keeps its tokens and its debt, and no more than the burst") {
+  REQUIRE(rc::check("the level stays, up to the burst", [] {
+    const auto rate = [] {
+      return Rate{*rc::gen::inRange<std::uint64_t>(1, 1 << 20), *rc::gen::inRange<std::uint64_t>(1, 1000)};
+    };
+    const Rate from = rate();
+    const Rate to = rate();
+    const auto now = kStart + std::chrono::nanoseconds{*rc::gen::inRange<std::int64_t>(0, 1'000'000'000'000)};
+    TokenBucket bucket;
+    bucket.spend(from, now, *rc::gen::inRange<std::uint64_t>(0, 3000));
+    const std::int64_t level = bucket.level(from, now);
+    RC_ASSERT(bucket.moved(from, to, now).level(to, now) ==
+              std::min(level, static_cast<std::int64_t>(to.burst)));
+    RC_ASSERT(bucket.moved(from, {}, now).moved({}, to, now).level(to, now) ==
+              static_cast<std::int64_t>(to.burst));
+  }));
+}
+
+TEST_CASE("sessions that change to other rates share what is left of their address's") {
+  const RateLimits before{{}, {{}, {}, {1, 10}}};
+  const RateLimits after{{}, {{}, {}, {1, 5}}};
+  const auto old_buckets = std::make_shared<AddressBuckets>(before.address);
+  SessionRates one{before, old_buckets, kInFlight};
+  SessionRates other{before, old_buckets, kInFlight};
+  CHECK(refused(one, 7) == 0);
+  const auto buckets = std::make_shared<AddressBuckets>(*old_buckets, after.address, kStart);
+  one.change(after, buckets, kStart);
+  other.change(after, buckets, kStart);
+  CHECK(refused(one, 2) == 0);
+  CHECK(refused(other, 2) == 1);
+  CHECK(refused(other, 10, kStart + 100s) == 5);
+}
+
 TEST_CASE("a request that its address refuses takes no token of its session") {
   const RateLimits limits{{{}, {}, {1, 3}}, {{}, {}, {1, 1}}};
   const auto address = std::make_shared<AddressBuckets>();

@@ -33,7 +33,8 @@ struct Bench {
   /// Bytes that a client is sent before the end.
   [[nodiscard]] std::size_t bytes_of_refusal() {
     auto [client, socket] = connect();
-    refusals.refuse(std::move(socket), "no", std::chrono::milliseconds{1});
+    refusals.refuse(std::move(socket), talus::wire::ErrorCode::overloaded, "no",
+                    std::chrono::milliseconds{1});
     io.restart();
     io.poll();
     client.shutdown(tcp::socket::shutdown_send);
@@ -57,7 +58,8 @@ TEST_CASE("more refusals than may be in flight are closed without a word, until 
   std::vector<tcp::socket> clients;
   for (std::size_t i = 0; i < Refusals::kMax; ++i) {
     auto [client, socket] = bench.connect();
-    bench.refusals.refuse(std::move(socket), "no", std::chrono::milliseconds{1});
+    bench.refusals.refuse(std::move(socket), talus::wire::ErrorCode::overloaded, "no",
+                          std::chrono::milliseconds{1});
     clients.push_back(std::move(client));
   }
   bench.io.poll();
@@ -74,7 +76,8 @@ TEST_CASE("on spare descriptors only a few are told, and others are closed at on
   std::vector<tcp::socket> clients;
   for (std::size_t i = 0; i < Refusals::kMaxSpare; ++i) {
     auto [client, socket] = bench.connect();
-    bench.refusals.refuse(std::move(socket), "no", std::chrono::milliseconds{1});
+    bench.refusals.refuse(std::move(socket), talus::wire::ErrorCode::overloaded, "no",
+                          std::chrono::milliseconds{1});
     clients.push_back(std::move(client));
   }
   bench.io.poll();
@@ -94,7 +97,8 @@ TEST_CASE("a refusal that finds no memory takes no place from the next") {
       auto [client, socket] = bench.connect();
       const FailingAllocations failing{allocations};
       try {
-        bench.refusals.refuse(std::move(socket), "no", std::chrono::milliseconds{1});
+        bench.refusals.refuse(std::move(socket), talus::wire::ErrorCode::overloaded, "no",
+                              std::chrono::milliseconds{1});
         bench.io.restart();
         bench.io.poll();
       } catch (const std::bad_alloc&) {

@@ -8,7 +8,7 @@ namespace {
 
 MailboxPtr box(std::uint64_t client, std::uint64_t flow) {
   auto mailbox = std::make_shared<Mailbox>(ClientId{client}, [] {});
-  mailbox->join(FlowId{flow});
+  mailbox->join(std::make_shared<FlowUse>(FlowId{flow}, FlowName{}));
   return mailbox;
 }
 

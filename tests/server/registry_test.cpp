@@ -9,7 +9,8 @@ namespace {
 
 struct FakePeer final : Peer {
   void go_away(const std::string& reason, std::chrono::milliseconds) override { told.push_back(reason); }
-  void revoked_tokens_changed() override { told.emplace_back("look at your token"); }
+  void access_changed() override { told.emplace_back("look at your token"); }
+  void rates_changed() override { told.emplace_back("look at your rates"); }
   std::vector<std::string> told;
 };
 
@@ -31,15 +32,16 @@ TEST_CASE("all peers are told to go, and those that come later") {
   CHECK(gone->told.empty());
 }
 
-TEST_CASE("all open peers learn that tokens were revoked") {
+TEST_CASE("all open peers learn that tokens were revoked or flows blocked, and of new rates") {
   Registry registry;
   const auto open = std::make_shared<FakePeer>();
   const auto gone = std::make_shared<FakePeer>();
   registry.add(1, open);
   registry.add(2, gone);
   registry.remove(2);
-  registry.revoked_tokens_changed();
-  CHECK(open->told.size() == 1);
+  registry.access_changed();
+  registry.rates_changed();
+  CHECK(open->told == std::vector<std::string>{"look at your token", "look at your rates"});
   CHECK(gone->told.empty());
 }
 

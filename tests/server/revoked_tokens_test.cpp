@@ -84,13 +84,14 @@ TEST_CASE("a reload revokes the tokens of those who are in, and a bad list chang
   const Grant grant = access.admit(token(claims("alice", "one")), kNow).value();
   CHECK(grant.token_id == "one");
   CHECK(grant.issued == kNow);
-  CHECK_FALSE(access.is_revoked(grant));
+  CHECK_FALSE(access.withdrawn(grant));
   files.revoke("jti one\n");
-  CHECK_THAT(access.reload().value(), Catch::Contains("1 lines of revoked tokens"));
-  CHECK(access.is_revoked(grant));
+  CHECK_THAT(access.reload(files.settings).value(), Catch::Contains("1 lines of revoked tokens"));
+  CHECK(access.withdrawn(grant));
   files.revoke("jti two\nrubbish\n");
-  CHECK_THAT(access.reload().error(), Catch::Contains("revoked: line 2: ") && Catch::Contains("stay in use"));
-  CHECK(access.is_revoked(grant));
+  CHECK_THAT(access.reload(files.settings).error(),
+             Catch::Contains("revoked: line 2: ") && Catch::Contains("stay in use"));
+  CHECK(access.withdrawn(grant));
   CHECK_FALSE(access.admit(token(claims("alice", "one")), kNow).has_value());
 }
 

@@ -17,9 +17,14 @@ const std::string kKey = "0123456789abcdef0123456789abcdef";
 /// A session that asks for a token signed by kKey, before its Hello.
 struct Bench {
   ScratchDirectory scratch;
-  SessionBench bench{
-      {.access = {{}, "read", scratch.write("key", kKey), "auto", {}, scratch.write("revoked", "")},
-       .greet = false}};
+  Access settings{{},
+                  "read",
+                  scratch.write("key", kKey),
+                  "auto",
+                  {},
+                  scratch.write("revoked", ""),
+                  scratch.write("blocked", "")};
+  SessionBench bench{{.access = settings, .greet = false}};
 
   [[nodiscard]] std::string token(Rights rights, std::chrono::seconds lasts = 1h) const {
     return *make_signed_token(Secret{kKey}, {"a", rights, bench.clock.wall() + lasts}, bench.clock.wall());
@@ -63,7 +68,7 @@ TEST_CASE("a session is of its token's flow, whatever its address") {
   SessionBench& bench = shared.bench;
   const FlowId of_address = bench.mailbox->flow();
   bench.hello(shared.token({Right::read}));
-  CHECK(bench.mailbox->flow() == bench.flows.of_subject("a"));
+  CHECK(bench.mailbox->flow() == bench.flows.ids().of_subject("a"));
   CHECK(bench.mailbox->flow() != of_address);
 }
 
@@ -74,12 +79,51 @@ TEST_CASE("a session whose token is revoked ends, and another goes on") {
     bench.hello(shared.token({Right::read}));
     (void)bench.output();
     (void)shared.scratch.write("revoked", listed ? "sub 2100-01-01T00:00:00Z a\n" : "jti another\n");
-    REQUIRE(bench.access.reload().has_value());
-    bench.session.revoked_tokens_changed();
+    REQUIRE(bench.access.reload(shared.settings).has_value());
+    bench.session.access_changed(false);
     const auto said = bench.output();
     CHECK((bench.session.state() == State::closed) == listed);
     CHECK(bench.metrics.denied(AuthFailure::revoked).total() == (listed ? 1 : 0));
     if (listed) CHECK(said.at(0).text == "the token was revoked");
+  }
+}
+
+TEST_CASE("a session whose subject or address is blocked ends, and another goes on") {
+  const auto [lines, by_address, ends] = GENERATE(table<std::string, bool, bool>(
+      {{"subject a\n", false, true}, {"subject b\n", false, false}, {"", true, true}}));
+  const bool greeted = GENERATE(true, false);
+  Bench shared;
+  SessionBench& bench = shared.bench;
+  if (greeted) bench.hello(shared.token({Right::read}));
+  (void)bench.output();
+  (void)shared.scratch.write("blocked", lines);
+  REQUIRE(bench.access.reload(shared.settings).has_value());
+  bench.session.access_changed(by_address);
+  // Before its Hello nobody knows whose session it is.
+  CHECK((bench.session.state() == State::closed) == (ends && (greeted || by_address)));
+  if (bench.session.state() != State::closed) return;
+  const auto said = bench.output();
+  CHECK(said.at(0).code == wire::ErrorCode::unauthorized);
+  CHECK(said.at(0).text == "this server's operator has blocked you");
+  CHECK(bench.metrics.denied(AuthFailure::blocked).total() == 1);
+}
+
+TEST_CASE("who comes with a blocked subject is refused, and the log knows from the second time on") {
+  Bench shared;
+  (void)shared.scratch.write("blocked", "# the flood of Monday\nsubject a\n");
+  REQUIRE(shared.bench.access.reload(shared.settings).has_value());
+  for (const bool known : {false, true}) {
+    SessionBench& first = shared.bench;
+    Session session{{first.limits, first.world, first.source, first.memory, first.metrics, first.access,
+                     first.rates, first.flows, first.clock},
+                    std::make_shared<Mailbox>(ClientId{2}, [] {}),
+                    nullptr};
+    session.receive(protocol::make_frame([&](auto& builder) {
+      const auto codecs = builder.CreateVector(std::vector{kCodecVersion});
+      return wire::CreateHello(builder, 1, 1, codecs, builder.CreateString(shared.token({Right::read})));
+    }));
+    CHECK_THAT(session.failure(), Catch::Contains("blocked you (line 2 of access.blocked_file)"));
+    CHECK(session.failure_is_known() == known);
   }
 }
 

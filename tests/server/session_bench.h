@@ -104,8 +104,8 @@ struct SessionBench {
   Metrics metrics;
   SessionLimits limits = test_limits();
   WorldInfo world;
-  RateLimits rates;
-  FlowIds flows;
+  CurrentRates rates;
+  FlowUses flows;
   AccessControl access;
   MailboxPtr mailbox = std::make_shared<Mailbox>(ClientId{1}, [] {});
   Session session;

@@ -99,9 +99,10 @@ TEST_CASE("a request over the rate whose id is in use is refused as what it is")
 
 TEST_CASE("Welcome tells the rates of the session and of its address, where one applies") {
   const bool has_address = GENERATE(true, false);
-  SessionBench bench{{.rates = {{{10, 20}, {30, 60}, {50, 100}}, {{70, 140}, {}, {90, 180}}, 2000ms},
-                      .address = has_address ? std::make_shared<AddressBuckets>() : nullptr,
-                      .greet = false}};
+  SessionBench bench{
+      {.rates = {{{10, 20}, {30, 60}, {50, 100}}, {}, 2000ms},
+       .address = has_address ? std::make_shared<AddressBuckets>(RateSet{{70, 140}, {}, {90, 180}}) : nullptr,
+       .greet = false}};
   bench.hello();
   const auto frames = cut(bench.session.take_output(1 << 20));
   const auto* limits = (*protocol::read_message(frames.at(0)))->body_as_Welcome()->limits();
@@ -112,6 +113,36 @@ TEST_CASE("Welcome tells the rates of the session and of its address, where one 
   CHECK(limits->address_rates()->chunks() == (has_address ? 70 : 0));
   CHECK(limits->address_rates()->bytes() == 0);
   CHECK(limits->address_rates()->requests() == (has_address ? 90 : 0));
+}
+
+TEST_CASE("what is refused as too fast or too many is added to the flow, and no other Error") {
+  SessionBench bench{{.rates = requests({10, 4})}};
+  bench.get_chunk(1, chunk_at(0));
+  bench.get_chunk(1, chunk_at(0));  // duplicate_id
+  bench.edit(2);                    // unsupported
+  CHECK(bench.session.flow().used(FlowMeasure::refusals) == 0);
+  for (int i = 0; i < 3; ++i) bench.ping();
+  CHECK(bench.session.flow().used(FlowMeasure::refusals) == 2);
+}
+
+TEST_CASE("rates that change count for a session that is there, and it keeps what it owes") {
+  SessionBench bench{{.rates = requests({10, 4})}};
+  const auto pongs = [&] {
+    for (int i = 0; i < 10; ++i) bench.ping();
+    const auto said = kinds(bench.output());
+    return std::count(said.begin(), said.end(), Body::Pong);
+  };
+  bench.ping();
+  bench.ping();
+  (void)bench.output();
+  bench.rates.set(requests({1, 8}));  // two tokens are left
+  bench.session.rates_changed(nullptr);
+  CHECK(pongs() == 2);
+  bench.clock.advance(3s);
+  CHECK(pongs() == 3);
+  bench.rates.set(requests({}));
+  bench.session.rates_changed(nullptr);
+  CHECK(pongs() == 10);
 }
 
 TEST_CASE("Pings over the rate are refused without id") {
@@ -191,8 +222,7 @@ TEST_CASE("a burst smaller than a frame keeps nobody from asking") {
 }
 
 TEST_CASE("sessions of one address share its rates") {
-  const SessionBench::Options options{.rates = {{}, {{10, 3}, {}, {}}},
-                                      .address = std::make_shared<AddressBuckets>()};
+  const SessionBench::Options options{.address = std::make_shared<AddressBuckets>(RateSet{{10, 3}, {}, {}})};
   SessionBench one{options};
   SessionBench other{options};
   want(one, 2);

@@ -13,6 +13,7 @@
 
 #include <asio/executor_work_guard.hpp>
 #include "net/session_runner_impl.h"
+#include "scratch_directory.h"
 #include "scripted_source.h"
 #include "session_limits_of_tests.h"
 
@@ -52,6 +53,11 @@ protocol::Frame view_at(std::int64_t x) {
   });
 }
 
+/// A context that the test keeps.
+RunnerContextPtr kept(const RunnerContext& context) {
+  return {RunnerContextPtr{}, &context};
+}
+
 /// What sessions share, and an io_context that the test runs.
 struct Bench {
   ManualClock clock{std::chrono::sys_seconds{1'700'000'000s}};
@@ -60,10 +66,10 @@ struct Bench {
   Metrics metrics;
   SessionLimits limits = test_limits(1U << 30);
   WorldInfo world;
-  RateLimits rates;
-  FlowIds flows;
+  CurrentRates rates;
+  FlowUses flows;
   AccessControl access{Access{}, *load_keys(Access{})};
-  Admission admission{10, 10, 0ms, clock};
+  Admission admission{{10, 10}, clock};
   Registry registry;
   RunnerContext context{{limits, world, source, memory, metrics, access, rates, flows, clock},
                         {65'536, 1U << 20, {10s, 60s, 15s}},
@@ -79,7 +85,7 @@ struct Bench {
     auto client = std::make_shared<Loopback>(io);
     const ConnectionId id = runners.size() + 1;
     runners.push_back(Runner::make(LoopbackStream{client}, {id, "test", clock.now()},
-                                   *admission.enter(asio::ip::address_v4::loopback()), context));
+                                   *admission.enter(asio::ip::address_v4::loopback()), kept(context)));
     registry.add(id, runners.back());
     runners.back()->start();
     io.poll();
@@ -148,13 +154,65 @@ struct Bench {
 
 TEST_CASE("sessions of one address are one flow") {
   Bench bench;
-  const FlowId flow = flow_of(asio::ip::address_v4::loopback(), bench.flows);
+  const FlowId flow = flow_of(asio::ip::address_v4::loopback(), bench.flows)->id();
   for (std::uint32_t id = 1; id <= 2; ++id) {
     const auto client = bench.greeted();
     bench.send(*client, get_chunks(id, 1));
   }
   for (const auto& [key, mailbox] : bench.source.waiting) CHECK(mailbox->flow() == flow);
   CHECK_FALSE(bench.source.waiting.empty());
+}
+
+TEST_CASE("all bytes that the clients of a flow are sent are added to it") {
+  Bench bench;
+  std::uint64_t sent = 0;
+  for (int clients = 0; clients < 2; ++clients) {
+    const auto client = bench.connect();
+    bench.send(*client, hello());
+    bench.send(*client, get_chunks(1, 3));
+    bench.answer_all();
+    sent += client->received.size();
+  }
+  CHECK(sent > 0);
+  CHECK(flow_of(asio::ip::address_v4::loopback(), bench.flows)->used(FlowMeasure::sent) == sent);
+}
+
+TEST_CASE("rates that change count for a session that is there, its own and its address's") {
+  const bool of_address = GENERATE(true, false);
+  Bench bench;
+  const auto client = bench.greeted();
+  const RateSet two_requests{{}, {}, {1, 2}};
+  if (of_address) {
+    bench.admission.change({10, 10, {}, two_requests});
+  } else {
+    bench.rates.set({two_requests, {}});
+  }
+  bench.registry.rates_changed();
+  bench.io.poll();
+  for (int i = 0; i < 3; ++i) bench.send(*client, ping());
+  CHECK(bench.kinds(*client) == std::vector{wire::Body::Pong, wire::Body::Pong, wire::Body::Error});
+}
+
+TEST_CASE("a chunk that waited for a rate goes at once when the rate is lifted") {
+  Bench bench;
+  bench.rates.set({{{1, 1}, {}, {}}, {}});
+  const auto client = bench.greeted();
+  bench.send(*client, get_chunks(1, 3));
+  bench.answer_all();
+  CHECK(bench.kinds(*client) == std::vector{wire::Body::Chunk});
+  bench.rates.set({});
+  bench.registry.rates_changed();
+  bench.io.poll();
+  CHECK(bench.kinds(*client) == std::vector{wire::Body::Chunk, wire::Body::Chunk});
+}
+
+TEST_CASE("a session that was admitted before its address was blocked, and begins after it, ends") {
+  Bench bench;
+  const ScratchDirectory lists;
+  Access settings;
+  settings.blocked_file = lists.write("blocked", "127.0.0.1\n");
+  REQUIRE(bench.access.reload(settings).has_value());
+  CHECK_THAT(bench.error(*bench.connect()), Catch::Contains("blocked you"));
 }
 
 TEST_CASE("a client is greeted and served, however its bytes are cut") {
@@ -271,7 +329,7 @@ TEST_CASE("what a session's work throws ends it and no other") {
   const auto other = bench.greeted();
   const auto client = std::make_shared<Loopback>(bench.io);
   const auto runner = Runner::make(LoopbackStream{client}, {9, "test", bench.clock.now()},
-                                   *bench.admission.enter(asio::ip::address_v4::loopback()), context);
+                                   *bench.admission.enter(asio::ip::address_v4::loopback()), kept(context));
   bench.registry.add(9, runner);
   runner->start();
   bench.send(*client, hello());

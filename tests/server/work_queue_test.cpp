@@ -22,7 +22,7 @@ MailboxPtr client_box() {
 /// Of a client in that flow.
 MailboxPtr client_box(FlowId flow) {
   auto box = client_box();
-  box->join(flow);
+  box->join(std::make_shared<FlowUse>(flow, FlowName{}));
   return box;
 }
 

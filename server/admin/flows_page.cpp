@@ -1,0 +1,94 @@
+#include "admin/flows_page.h"
+
+#include <algorithm>
+#include <iterator>
+#include <string_view>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "log/escape.h"
+
+namespace talus::server {
+namespace {
+
+constexpr std::size_t kNameBytesShown = 48;  // of a name
+
+/// How a measure is shown.
+struct MeasureFormat {
+  std::string_view title;
+  std::string_view rate;   // unit of rates
+  std::string_view total;  // unit of totals
+  double per_rate;         // of the measure a second, for one such unit
+  double per_total;
+  std::string_view key;  // in JSON
+  double per_key_unit;
+};
+
+constexpr double kMebibyteBytes = 1 << 20;
+constexpr std::array<MeasureFormat, kFlowMeasures> kFormats{
+    MeasureFormat{"GENERATOR TIME", "ms/s", "total s", 1e6, 1e9, "generator_seconds", 1e9},
+    MeasureFormat{"SENT", "MiB/s", "total MiB", kMebibyteBytes, kMebibyteBytes, "sent_bytes", 1},
+    MeasureFormat{"REFUSALS", "/min", "total", 1.0 / 60, 1, "refusals", 1}};
+
+std::string name_shown(const FlowName& name) {
+  const std::string text = escaped(name.text, kNameBytesShown);
+  return name.kind == FlowName::Kind::subject ? "subject " + text : text;
+}
+
+nlohmann::ordered_json json_of(const FlowFigures& figures, const MeasureFormat& shown) {
+  return {{"per_second_10_s", figures.in_ten_seconds / shown.per_key_unit},
+          {"per_second_1_min", figures.in_a_minute / shown.per_key_unit},
+          {"total", static_cast<double>(figures.total) / shown.per_key_unit}};
+}
+
+}  // namespace
+
+std::string flows_text(const FlowsReport& report) {
+  std::size_t width = 20;
+  for (const TopFlows& flows : report.top) {
+    for (const FlowFigures& each : flows.top) width = std::max(width, name_shown(*each.name).size());
+  }
+  std::string page = fmt::format("{} sessions, {} flows\n", report.sessions, report.flows);
+  const auto out = std::back_inserter(page);
+  for (std::size_t i = 0; i < kFlowMeasures; ++i) {
+    const MeasureFormat& shown = kFormats[i];
+    const TopFlows& flows = report.top[i];
+    const auto row = [&](std::string_view name, const FlowFigures& figures) {
+      const double share = flows.all.in_a_minute > 0 ? figures.in_a_minute / flows.all.in_a_minute : 0;
+      fmt::format_to(out, "{:<{}} {:>12.1f} {:>13.1f} {:>5.0f} % {:>12.{}f}\n", name, width,
+                     figures.in_ten_seconds / shown.per_rate, figures.in_a_minute / shown.per_rate,
+                     100 * share, static_cast<double>(figures.total) / shown.per_total,
+                     shown.per_total > 1 ? 1 : 0);
+    };
+    fmt::format_to(out, "\n{:<{}} {:>12} {:>13} {:>7} {:>12}\n", shown.title, width,
+                   fmt::format("{}, 10 s", shown.rate), fmt::format("{}, 1 min", shown.rate), "share",
+                   shown.total);
+    for (const FlowFigures& each : flows.top) {
+      // What is long over would be a row of zeros.
+      const double rate = std::max(each.in_ten_seconds, each.in_a_minute) / shown.per_rate;
+      if (rate >= 0.05 || each.in_a_minute > 0.005 * flows.all.in_a_minute) row(name_shown(*each.name), each);
+    }
+    row("all flows", flows.all);
+  }
+  return page;
+}
+
+std::string flows_json(const FlowsReport& report) {
+  nlohmann::ordered_json page{{"sessions", report.sessions}, {"flows", report.flows}};
+  for (std::size_t i = 0; i < kFlowMeasures; ++i) {
+    nlohmann::ordered_json top = nlohmann::ordered_json::array();
+    for (const FlowFigures& each : report.top[i].top) {
+      const bool subject = each.name->kind == FlowName::Kind::subject;
+      nlohmann::ordered_json flow{{subject ? "subject" : "address", each.name->text}};
+      flow.update(json_of(each, kFormats[i]));
+      top.push_back(std::move(flow));
+    }
+    page[std::string{kFormats[i].key}] = {{"all", json_of(report.top[i].all, kFormats[i])},
+                                          {"top", std::move(top)}};
+  }
+  // A name that was cut may end inside a character.
+  return page.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace talus::server

@@ -1,0 +1,25 @@
+// The flows that use most, as a table for people and as JSON.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+
+#include "flows/flow_uses.h"
+
+namespace talus::server {
+
+struct FlowsReport {
+  std::uint64_t sessions = 0;  // open connections
+  std::uint64_t flows = 0;     // that are served
+  std::array<TopFlows, kFlowMeasures> top;
+};
+
+/// Three tables in printable ASCII, for a terminal of 80 columns where names are short. A flow's name is as
+/// access.blocked_file has it, unless it was too long and ends in "...".
+[[nodiscard]] std::string flows_text(const FlowsReport& report);
+
+/// One object. Rates are per second; the units are seconds, bytes and refusals.
+[[nodiscard]] std::string flows_json(const FlowsReport& report);
+
+}  // namespace talus::server

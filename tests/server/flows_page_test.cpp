@@ -1,0 +1,112 @@
+// What operators read about flows.
+#include "admin/flows_page.h"
+
+#include <catch2/catch.hpp>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "admin/top_command.h"
+#include "scratch_directory.h"
+
+using namespace talus::server;
+
+namespace {
+
+FlowFigures figures(FlowName::Kind kind, const std::string& text, double ten, double minute,
+                    std::uint64_t total) {
+  return {std::make_shared<const FlowName>(FlowName{kind, text}), ten, minute, total};
+}
+
+FlowsReport report() {
+  using Kind = FlowName::Kind;
+  FlowsReport report{12, 3, {}};
+  report.top[0] = {{figures(Kind::address, "203.0.113.9", 812.3e6, 640.1e6, 38'400'000'000),
+                    figures(Kind::subject, "alice", 1.2e6, 0.9e6, 300'000'000),
+                    figures(Kind::subject, "long gone", 0, 1000, 5'000'000'000)},
+                   {nullptr, 813.5e6, 641.0e6, 43'700'000'000}};
+  report.top[1] = {{figures(Kind::address, "2001:db8:0:1::/64", 2 << 20, 1 << 20, 1 << 30)},
+                   {nullptr, 2 << 20, 1 << 20, 1 << 30}};
+  report.top[2] = {{figures(Kind::subject, "b\x1b[2J", 10, 5, 42)}, {nullptr, 10, 10, 42}};
+  return report;
+}
+
+tl::expected<TopCommand, Exit> top(std::vector<const char*> flags, const Environment& environment = {}) {
+  flags.insert(flags.begin(), "top");
+  return read_top_command(static_cast<int>(flags.size()), flags.data(), environment);
+}
+
+}  // namespace
+
+TEST_CASE("the table is aligned, has units, and names who") {
+  CHECK(flows_text(report()) ==
+        "12 sessions, 3 flows\n"
+        "\n"
+        "GENERATOR TIME         ms/s, 10 s   ms/s, 1 min   share      total s\n"
+        "203.0.113.9                 812.3         640.1   100 %         38.4\n"
+        "subject alice                 1.2           0.9     0 %          0.3\n"
+        "all flows                   813.5         641.0   100 %         43.7\n"
+        "\n"
+        "SENT                  MiB/s, 10 s  MiB/s, 1 min   share    total MiB\n"
+        "2001:db8:0:1::/64             2.0           1.0   100 %       1024.0\n"
+        "all flows                     2.0           1.0   100 %       1024.0\n"
+        "\n"
+        "REFUSALS               /min, 10 s   /min, 1 min   share        total\n"
+        "subject b\\x1b[2J            600.0         300.0    50 %           42\n"
+        "all flows                   600.0         600.0   100 %           42\n");
+}
+
+TEST_CASE("who used a quiet server last is still named") {
+  FlowsReport quiet;
+  quiet.top[0] = {{figures(FlowName::Kind::subject, "alice", 1000, 5000, 1'500'000)},
+                  {nullptr, 1000, 5000, 1'500'000}};
+  CHECK_THAT(flows_text(quiet), Catch::Contains("subject alice                 0.0           0.0   100 %"));
+}
+
+TEST_CASE("the table of a server that nobody uses has no shares of nothing") {
+  CHECK_THAT(flows_text({}), Catch::Contains("all flows                     0.0           0.0     0 %"));
+}
+
+TEST_CASE("programs read the same as JSON, names as they are") {
+  const auto page = nlohmann::json::parse(flows_json(report()));
+  CHECK(page["sessions"] == 12);
+  CHECK(page["generator_seconds"]["top"][0]["address"] == "203.0.113.9");
+  CHECK(page["generator_seconds"]["top"][0]["per_second_10_s"] == Approx(0.8123));
+  CHECK(page["generator_seconds"]["all"]["total"] == Approx(43.7));
+  CHECK(page["sent_bytes"]["top"][0]["per_second_1_min"] == 1 << 20);
+  CHECK(page["refusals"]["top"][0]["subject"] == "b\x1b[2J");
+}
+
+TEST_CASE("a name that was cut inside a character is still JSON") {
+  FlowsReport cut;
+  cut.top[0].top = {figures(FlowName::Kind::subject, "\xc3", 1, 1, 1)};
+  CHECK(nlohmann::json::parse(flows_json(cut)).is_object());
+}
+
+TEST_CASE("talusd top asks where the flag says, else where the settings do") {
+  const ScratchDirectory scratch;
+  const std::string file = scratch.write("talusd.toml", "admin = \"127.0.0.1:7\"\n");
+  CHECK(to_string(top({"--admin", "[::1]:9"})->admin) == "[::1]:9");
+  CHECK(to_string(top({"--config", file.c_str()})->admin) == "127.0.0.1:7");
+  CHECK(to_string(top({"--config", file.c_str()}, {{"TALUS_ADMIN", "127.0.0.1:8"}})->admin) == "127.0.0.1:8");
+  CHECK(top({"--admin", "a:1", "--interval", "60"})->interval.count() == 60);
+}
+
+TEST_CASE("wrong flags of talusd top are one line") {
+  using Flags = std::vector<const char*>;
+  const std::vector<std::pair<Flags, std::string>> wrong{
+      {Flags{}, "give --admin HOST:PORT"},
+      {Flags{"--admin", "nowhere"}, "--admin: \"nowhere\": "},
+      {Flags{"--admin", "a:1", "--interval", "0"}, "--interval"},
+      {Flags{"--config", "/no/such.toml"}, "/no/such.toml: "},
+      {Flags{"--bytes"}, "--bytes"}};
+  for (const auto& [flags, part] : wrong) {
+    const auto command = top(flags);
+    REQUIRE_FALSE(command.has_value());
+    CHECK(command.error().status != 0);
+    CHECK_THAT(command.error().text, Catch::StartsWith("talusd top: ") && Catch::Contains(part));
+    CHECK(command.error().text.find('\n') == command.error().text.size() - 1);
+  }
+}
