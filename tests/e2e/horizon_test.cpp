@@ -12,6 +12,8 @@
 
 #include <talus/client/client.h>
 
+#include "messages.h"
+#include "raw_client.h"
 #include "server_process.h"
 
 using namespace talus;
@@ -91,6 +93,30 @@ void look(asio::io_context& io, const ServerProcess& server, bool horizon, Seen&
   REQUIRE(complete);
 }
 
+/// The chunks that the server sends as Chunks for a View of its own accord: the library asks for what is
+/// missing.
+std::multiset<ChunkKey> sent_for(const ServerProcess& server, const client::View& view, bool horizon) {
+  RawClient client = greeted(server.port());
+  ViewFields fields{.centre = view.centre,
+                    .horizontal_radius = view.horizontal_radius,
+                    .vertical_radius = view.vertical_radius,
+                    .number = 1,
+                    .horizon = horizon};
+  for (const client::LodRing& ring : view.rings)
+    fields.rings.emplace_back(static_cast<std::uint8_t>(ring.lod.value()), ring.radius);
+  REQUIRE(client.send(e2e::view(fields)));
+  std::multiset<ChunkKey> sent;
+  std::uint64_t bytes = 0;
+  while (true) {
+    const Received received = client.expect();
+    if (received.kind() == wire::Body::ViewComplete) return sent;
+    if (received.kind() != wire::Body::Chunk) continue;
+    sent.insert(key_of(*received.as<wire::Chunk>().key()));
+    bytes += received.bytes();
+    REQUIRE(client.send(credit(bytes)));
+  }
+}
+
 }  // namespace
 
 TEST_CASE("the summit above the plain comes with a horizon, and not without") {
@@ -127,6 +153,15 @@ TEST_CASE("the summit above the plain comes with a horizon, and not without") {
     CHECK(static_cast<std::int64_t>(seen.chunks.size()) == shape.count());
   }
   CHECK(seen.twice == 0);
+
+  const std::multiset<ChunkKey> sent = sent_for(server, view, horizon);
+  CHECK(std::any_of(at_summit.begin(), at_summit.end(), [&](ChunkKey key) { return sent.contains(key); }) ==
+        horizon);
+  const std::set<ChunkKey> once(sent.begin(), sent.end());
+  CHECK(once.size() == sent.size());
+  // Chunks among the rows that may hold anything may turn out uniform: those come as Chunks, too.
+  const bool all = std::includes(once.begin(), once.end(), seen.mixed.begin(), seen.mixed.end());
+  if (horizon) CHECK(all);
 }
 
 TEST_CASE("a horizon has every chunk of its rings that is not uniform, and as many as the client counts") {
