@@ -70,8 +70,9 @@ client::Events events_into(Gathered& gathered) {
   return events;
 }
 
-// Level 1 three times as far as level 0, level 2 beyond that: a voxel stays small in the picture. What the
-// user did not say adapts to the server; what the user did say the server may refuse.
+// Level 1 three times as far as level 0, level 2 twice as far as that or kFarRadius, and each level beyond
+// twice as far: a voxel stays small in the picture. What the user did not say adapts to the server; what the
+// user did say the server may refuse.
 client::View view_shape(const FlyOptions& options, const client::ServerLimits& limits) {
   const int most = limits.view_horizontal_radius;
   const int radius = options.radius.value_or(std::min(FlyOptions::kRadius, most));
@@ -81,7 +82,13 @@ client::View view_shape(const FlyOptions& options, const client::ServerLimits& l
   view.vertical_radius = std::min<std::uint16_t>(10, limits.view_vertical_radius);
   const int near = std::min({radius * 3, far_radius, most * 2});
   if (near > radius) view.rings.push_back({Lod::of(1), static_cast<std::uint16_t>(near)});
-  if (far_radius > near) view.rings.push_back({Lod::of(2), static_cast<std::uint16_t>(far_radius)});
+  int reach = near;
+  int next = std::max(2 * near, FlyOptions::kFarRadius);
+  for (int level = 2; level <= Lod::kMax && reach < far_radius; ++level, next *= 2) {
+    reach = level == Lod::kMax ? far_radius : std::min(next, far_radius);
+    view.rings.push_back({Lod::of(level), static_cast<std::uint16_t>(reach)});
+  }
+  view.horizon = limits.view_horizon && !view.rings.empty();
   return view;
 }
 
@@ -212,6 +219,7 @@ asio::awaitable<CommandResult> fly(Connecting connecting, FlyOptions options) {
   asio::steady_timer tick{executor};
   std::vector<glm::dvec2> path;
   std::optional<client::View> view;
+  client::ViewShape covered;  // by it
   Camera camera;
   const auto begun = Clock::now();
   const auto elapsed = [&] { return std::chrono::duration<double>(Clock::now() - begun).count(); };
@@ -221,15 +229,15 @@ asio::awaitable<CommandResult> fly(Connecting connecting, FlyOptions options) {
     camera = flight->camera_at(flown * options.speed);
     const auto wanted = view_from(camera, shape);
     if (!view || !same_chunk(view->centre, wanted.centre)) {
-      gathered.waits.view_set(wanted, Clock::now());
+      covered = client::ViewShape{wanted, world->heights()};
+      gathered.waits.view_set(covered, Clock::now());
       if (const auto set = client.set_view(wanted); !set) {
         co_return tl::unexpected{"--radius and --far: " + set.error().message};
       }
       view = wanted;
     }
     path.emplace_back(camera.position.x, camera.position.z);
-    const auto missing =
-        client::ViewShape{*view}.count() - static_cast<std::int64_t>(gathered.in_view.size());
+    const auto missing = covered.count() - static_cast<std::int64_t>(gathered.in_view.size());
     if (flown >= options.seconds && missing <= 0) break;
     progress->show(elapsed() / options.seconds, gathered.waits.waits().count(),
                    std::to_string(missing) + " to come");

@@ -17,7 +17,7 @@ class ViewWaits {
   using Time = std::chrono::steady_clock::time_point;
 
   /// A View that differs from the one before was set.
-  void view_set(const client::View& view, Time now) { views_.emplace_back(now, client::ViewShape{view}); }
+  void view_set(client::ViewShape shape, Time now) { views_.emplace_back(now, std::move(shape)); }
 
   /// A chunk arrived. It counts once, from the first View that has it; a chunk of no View does not count.
   void chunk_arrived(const ChunkKey& key, Time now);

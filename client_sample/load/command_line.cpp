@@ -61,6 +61,11 @@ void add_players(CLI::App& app, Options& options) {
   app.add_option("--vertical", options.vertical, "Vertical radius of the View in chunks")
       ->check(CLI::Range(0, 1000))
       ->capture_default_str();
+  app.add_option("--horizon", options.horizon,
+                 "Chunks out to which the View has rings of levels 1 to 6 with the whole height of the "
+                 "world; 0: no rings")
+      ->check(CLI::Range(0, 32'768))
+      ->capture_default_str();
   app.add_option(
          "--tick", options.tick_hz,
          "Ticks per second of a player; it sends a View at a tick if it is in another chunk or has turned "
@@ -196,6 +201,10 @@ tl::expected<Options, Exit> read_command_line(int argc, const char* const* argv)
     auto threshold = parse_threshold(text);
     if (!threshold) return wrong(threshold.error());
     options.fail_if.push_back(*std::move(threshold));
+  }
+  if (options.horizon != 0 && options.horizon <= options.radius) {
+    return wrong("--horizon " + std::to_string(options.horizon) + " is not beyond --radius " +
+                 std::to_string(options.radius));
   }
   if (options.players + options.idle + options.greedy + options.slow == 0) {
     return wrong("--players 0 and nobody else: there is nothing to do");

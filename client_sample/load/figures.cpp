@@ -16,9 +16,10 @@ constexpr std::array kPercentiles{Percentile{"p50_ms", 0.5}, Percentile{"p95_ms"
                                   Percentile{"p99_ms", 0.99}, Percentile{"p99_9_ms", 0.999}};
 
 // Prefixes of the percentiles: all chunks, those of joins, those of travel, and so on.
-constexpr std::array kSpreads{"",           "join_", "travel_", "request_",     "first_chunk_",
-                              "full_view_", "near_", "return_", "harness_late_"};
-constexpr std::array kSingles{"chunks_per_s",
+constexpr std::array kSpreads{"",           "join_",    "travel_", "request_", "first_chunk_",
+                              "full_view_", "horizon_", "near_",   "return_",  "harness_late_"};
+constexpr std::array kSingles{"bytes",
+                              "chunks_per_s",
                               "bytes_per_s",
                               "chunk_messages_per_s",
                               "late_steps_max",
@@ -107,6 +108,7 @@ Figures figures_of(const RunResult& result) {
   put_spread(figures, "request_", players.requests);
   put_spread(figures, "first_chunk_", players.first_chunk);
   put_spread(figures, "full_view_", players.full_view);
+  put_spread(figures, "horizon_", players.horizon);
   put_spread(figures, "near_", players.near);
   put_spread(figures, "return_", players.returns);
   put_spread(figures, "harness_late_", result.lateness);
@@ -127,6 +129,7 @@ Figures figures_of(const RunResult& result) {
     if (steps > 1) over_one += players.late_steps[steps];
   }
   const auto put = [&](const char* name, auto count) { figures[name] = static_cast<double>(count); };
+  put("bytes", result.end.bytes - result.begin.bytes);
   put("late_steps_max", latest);
   put("late_over_one_step", over_one);
   put("wrong", result.all().wrongs());

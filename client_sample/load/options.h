@@ -30,6 +30,7 @@ struct Options {
   std::optional<double> speed;  // voxels a second
   std::uint16_t radius = 8;     // chunks
   std::uint16_t vertical = 4;
+  std::uint16_t horizon = 0;  // chunks; 0: no rings
   double tick_hz = 10;
   bool every_tick = false;
   double dwell_seconds = 5;

@@ -9,6 +9,7 @@
 #include <glm/vec3.hpp>
 
 #include <talus/client/tls.h>
+#include <talus/client/view.h>
 #include <talus/client/world_info.h>
 
 #include "movement.h"
@@ -24,6 +25,16 @@ struct Plan {
   std::shared_ptr<const Trace> trace;  // where the mix has one
   std::vector<glm::dvec3> origins;     // where each group begins, on its ground
   std::vector<ChunkKey> fixed_set;     // requests mode: chunks with a surface in them
+
+  /// What a player there asks for.
+  [[nodiscard]] client::View view_at(VoxelPos centre, const glm::dvec3& direction) const {
+    client::View view{centre, glm::vec3{direction}, options.radius, options.vertical, {}};
+    if (options.horizon != 0) {
+      view.rings = client::rings_between(options.radius, options.horizon);
+      view.horizon = true;
+    }
+    return view;
+  }
 };
 
 }  // namespace talus::load

@@ -40,6 +40,12 @@ glm::i64vec3 chunk_at(const glm::dvec3& place) {
   return {floor_div(voxel.x, kChunkSize), floor_div(voxel.y, kChunkSize), floor_div(voxel.z, kChunkSize)};
 }
 
+std::optional<ChunkKey> key_of(const wire::ChunkKey* key) {
+  const auto lod = key == nullptr ? std::nullopt : std::optional{Lod::checked(key->lod())};
+  if (!lod || !*lod) return std::nullopt;
+  return ChunkKey{{key->x(), key->y(), key->z()}, **lod};
+}
+
 bool turned(const glm::dvec3& from, const glm::dvec3& to) {
   const double lengths = glm::length(from) * glm::length(to);
   return lengths > 0 && glm::dot(from, to) < kTurned * lengths;
@@ -59,6 +65,7 @@ Player::Player(Worker& worker, const ClientProfile& profile)
 void Player::joined(Time now) {
   began_ = std::min(began_, join_due());
   pending_ = {};
+  rings_ = {};
   near_.measure_from(worker().measure_from());
   first_to_come_ = true;
   look_around(now, true);
@@ -108,6 +115,7 @@ void Player::look_around(Time due, bool first) {
   count_new_patches(before, due);
   if (pending_.jumped() != jumped_before) {
     full_to_come_ = true;
+    horizon_to_come_ = options.horizon != 0;
     full_since_ = first ? join_due() : due;
   }
 }
@@ -141,13 +149,18 @@ void Player::count_new_patches(const Box& before, Time due) {
 }
 
 void Player::send_view(const Pose& pose) {
-  const Options& options = worker().plan().options;
-  const VoxelPos voxel = voxel_at(pose.place);
-  const wire::Voxel centre{voxel.x, voxel.y, voxel.z};
-  const wire::Direction direction{static_cast<float>(pose.direction.x), static_cast<float>(pose.direction.y),
-                                  static_cast<float>(pose.direction.z)};
-  send(protocol::make_frame(
-      [&](auto& b) { return wire::CreateView(b, &centre, &direction, options.radius, options.vertical); }));
+  const client::View view = worker().plan().view_at(voxel_at(pose.place), pose.direction);
+  send(protocol::make_frame([&](auto& b) {
+    const wire::Voxel centre{view.centre.x, view.centre.y, view.centre.z};
+    const wire::Direction direction{view.direction.x, view.direction.y, view.direction.z};
+    std::vector<wire::LodRing> rings;
+    for (const client::LodRing& ring : view.rings)
+      rings.emplace_back(static_cast<std::uint8_t>(ring.lod.value()), ring.radius);
+    const auto list = rings.empty() ? 0 : b.CreateVectorOfStructs(rings);
+    return wire::CreateView(b, &centre, &direction, view.horizontal_radius, view.vertical_radius, list, 0, 0,
+                            view.horizon);
+  }));
+  if (!view.rings.empty()) rings_.move_to(client::ViewShape{view, worker().plan().world.heights()});
 }
 
 void Player::record_missed(const PendingChunks::Missed& missed, Time now) {
@@ -160,24 +173,25 @@ void Player::record_missed(const PendingChunks::Missed& missed, Time now) {
 }
 
 void Player::take(const wire::Chunk& chunk) {
-  if (chunk.id() != 0 || chunk.key() == nullptr || chunk.key()->lod() != 0) {
-    return wrong(tally().outside, "a chunk for a request, without a key, or of another level");
-  }
+  const auto key = chunk.id() == 0 ? key_of(chunk.key()) : std::nullopt;
+  if (!key) return wrong(tally().outside, "a chunk for a request, or without a key");
   (void)verify(chunk);
-  arrive({chunk.key()->x(), chunk.key()->y(), chunk.key()->z()}, Clock::now(), true);
+  arrive(*key, Clock::now(), true);
 }
 
 void Player::take(const wire::Unchanged& unchanged) {
-  if (unchanged.id() != 0 || unchanged.key() == nullptr || unchanged.key()->lod() != 0) {
-    return wrong(tally().outside, "an Unchanged for a request, without a key, or of another level");
-  }
-  arrive({unchanged.key()->x(), unchanged.key()->y(), unchanged.key()->z()}, Clock::now(), true);
+  const auto key = unchanged.id() == 0 ? key_of(unchanged.key()) : std::nullopt;
+  if (!key) return wrong(tally().outside, "an Unchanged for a request, or without a key");
+  arrive(*key, Clock::now(), true);
 }
 
 void Player::take(const wire::UniformColumn& column) {
-  if (column.lod() != 0 || column.runs() == nullptr) return;
+  const auto lod = Lod::checked(column.lod());
+  if (!lod || column.runs() == nullptr) return;
   const Time now = Clock::now();
   const Box& box = pending_.box();
+  const ChunkRange rows =
+      *lod == Lod{} ? ChunkRange{box.low.y, box.high.y} : rings_.rows(column.x(), column.z(), *lod);
   const auto& materials = worker().plan().world.materials;
   for (const wire::UniformRun* run : *column.runs()) {
     const bool known = std::any_of(materials.begin(), materials.end(), [&](const client::Material& material) {
@@ -185,29 +199,28 @@ void Player::take(const wire::UniformColumn& column) {
     });
     if (!known)
       wrong(tally().bad_chunks, fmt::format("a UniformColumn of the unknown material {}", run->material()));
-    const std::int64_t last = std::min<std::int64_t>(run->last_y(), box.high.y);
-    for (std::int64_t y = std::max<std::int64_t>(run->first_y(), box.low.y); y <= last; ++y) {
-      arrive({column.x(), static_cast<std::int32_t>(y), column.z()}, now, false);
+    const ChunkRange named = overlap(rows, {run->first_y(), run->last_y()});
+    for (std::int64_t y = named.first; y <= named.last; ++y) {
+      arrive({{column.x(), static_cast<std::int32_t>(y), column.z()}, *lod}, now, false);
     }
   }
 }
 
-void Player::arrive(ChunkCoord chunk, Time now, bool alone) {
-  const PendingChunks::Arrival arrival = pending_.arrive(chunk);
-  switch (arrival.verdict) {
+bool Player::came(PendingChunks::Verdict verdict, ChunkKey chunk, bool alone) {
+  // A run may cover rows that are held: it says nothing of how they came.
+  switch (verdict) {
     case PendingChunks::Verdict::stale:
       ++tally().stale;
-      return;
+      return false;
     case PendingChunks::Verdict::repeated:
       if (alone) ++tally().repeated;
-      return;
+      return false;
     case PendingChunks::Verdict::duplicate:
-      // A run may cover rows that are held: it says nothing of how they came.
       if (alone) wrong(tally().duplicates, fmt::format("chunk {} came twice", to_string(chunk)));
-      return;
+      return false;
     case PendingChunks::Verdict::outside:
       if (alone) wrong(tally().outside, fmt::format("chunk {} is in no View of it", to_string(chunk)));
-      return;
+      return false;
     case PendingChunks::Verdict::came:
       break;
   }
@@ -215,6 +228,20 @@ void Player::arrive(ChunkCoord chunk, Time now, bool alone) {
     ++tally().uniform;
     Live::add(worker().live().uniform, 1);
   }
+  return true;
+}
+
+void Player::arrive(ChunkKey chunk, Time now, bool alone) {
+  if (chunk.lod == Lod{}) {
+    arrive_near(chunk.coord, now, alone);
+  } else if (came(rings_.arrive(chunk), chunk, alone)) {
+    look_whether_full(now);
+  }
+}
+
+void Player::arrive_near(ChunkCoord chunk, Time now, bool alone) {
+  const PendingChunks::Arrival arrival = pending_.arrive(chunk);
+  if (!came(arrival.verdict, {chunk, Lod{}}, alone)) return;
   if (alone && arrival.ring_gap >= 0) {
     ++tally().ordered;
     tally().worst_ring_gap = std::max(tally().worst_ring_gap, arrival.ring_gap);
@@ -229,14 +256,19 @@ void Player::arrive(ChunkCoord chunk, Time now, bool alone) {
   if (lost_ && pending_.near_waiting() == 0)
     tally().returns.record(now - *std::exchange(lost_, std::nullopt));
   if (std::exchange(first_to_come_, false)) tally().first_chunk.record(now - join_due());
-  if (full_to_come_ && pending_.waiting() == 0) {
-    full_to_come_ = false;
-    tally().full_view.record(now - full_since_);
-  }
+  look_whether_full(now);
+}
+
+void Player::look_whether_full(Time now) {
+  if (pending_.waiting() > 0) return;
+  if (std::exchange(full_to_come_, false)) tally().full_view.record(now - full_since_);
+  if (rings_.waiting() > 0) return;
+  if (std::exchange(horizon_to_come_, false)) tally().horizon.record(now - full_since_);
 }
 
 bool Player::satisfied() const {
-  return !is_joined() || pending_.waiting() == 0 || role() == Role::slow;  // which may take hours
+  return !is_joined() || pending_.waiting() + rings_.waiting() == 0 ||
+         role() == Role::slow;  // may take hours
 }
 
 void Player::give_up() {
@@ -249,6 +281,8 @@ void Player::give_up() {
     --tally().missed;
     never_came("a chunk of its View");
   }
+  if (role() == Role::slow) return;
+  for (std::size_t i = 0; i < rings_.waiting(); ++i) never_came("a chunk of its View's rings");
 }
 
 }  // namespace talus::load

@@ -6,6 +6,7 @@
 #include "movement.h"
 #include "near_waits.h"
 #include "pending_chunks.h"
+#include "pending_rings.h"
 #include "simulated_client.h"
 
 namespace talus::load {
@@ -31,19 +32,26 @@ class Player final : public SimulatedClient {
   void count_new_patches(const Box& before, Time due);
   void record_missed(const PendingChunks::Missed& missed, Time now);
   /// A chunk of the View came by whatever message. `alone`: by one that was for it alone.
-  void arrive(ChunkCoord chunk, Time now, bool alone);
+  void arrive(ChunkKey chunk, Time now, bool alone);
+  void arrive_near(ChunkCoord chunk, Time now, bool alone);
+  /// Counts a verdict; true where the chunk was waited for.
+  [[nodiscard]] bool came(PendingChunks::Verdict verdict, ChunkKey chunk, bool alone);
+  /// A chunk came, perhaps the last of the View.
+  void look_whether_full(Time now);
 
   std::unique_ptr<Motion> motion_;
   Clock::duration tick_;
   Clock::duration phase_;     // of its ticks: players join evenly, and their clocks are not one
   Time began_ = Time::max();  // when it joined first: its time is counted from there
   Time tick_due_ = Time::max();
-  Pose pose_;  // of the last View
-  PendingChunks pending_;
+  Pose pose_;              // of the last View
+  PendingChunks pending_;  // of level 0
+  PendingRings rings_;
   NearWaits near_;
   std::optional<Time> lost_;  // when its connection was, where its nearest rings have not come since
   bool first_to_come_ = false;
   bool full_to_come_ = false;
+  bool horizon_to_come_ = false;
   Time full_since_{};
 };
 

@@ -29,8 +29,8 @@ std::string waits_of(const RunResult& result) {
     if (!is_player(static_cast<Role>(role))) rows += row("  requests, " + name, tally.requests);
   }
   rows += row("requests", players.requests) + row("first chunk", players.first_chunk) +
-          row("full view", players.full_view) + row("two nearest rings", players.near) +
-          row("returns after a loss", players.returns);
+          row("full view", players.full_view) + row("full horizon", players.horizon) +
+          row("two nearest rings", players.near) + row("returns after a loss", players.returns);
   if (rows.empty()) return "";
   return fmt::format("  {:<22}{:>11}{:>10}{:>10}{:>10}{:>10}{:>10}\n", "wait in ms", "count", "p50", "p95",
                      "p99", "p99.9", "max") +
@@ -158,6 +158,7 @@ nlohmann::json tally_json(const Tally& tally) {
             {"request", spread_json(tally.requests)},
             {"first_chunk", spread_json(tally.first_chunk)},
             {"full_view", spread_json(tally.full_view)},
+            {"horizon", spread_json(tally.horizon)},
             {"near", spread_json(tally.near)},
             {"return", spread_json(tally.returns)}}}};
 }
@@ -175,6 +176,7 @@ nlohmann::json settings_json(const Options& options) {
       {"speed", options.speed ? nlohmann::json(*options.speed) : nlohmann::json()},
       {"radius", options.radius},
       {"vertical", options.vertical},
+      {"horizon", options.horizon},
       {"tick_hz", options.tick_hz},
       {"every_tick", options.every_tick},
       {"dwell_s", options.dwell_seconds},

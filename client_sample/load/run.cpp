@@ -133,16 +133,18 @@ class Run {
 
   void measure() {
     const Options& options = plan_.options;
-    start_ = Clock::now() + std::chrono::milliseconds{10};
+    start_ = Clock::now();
+    if (!options.warm_up_seconds) result_.begin = moment();  // before who joins at once is served
+    const Time first_join = Clock::now() + std::chrono::milliseconds{10};
     const Time from = options.warm_up_seconds
-                          ? start_ + seconds(options.ramp_up_seconds + *options.warm_up_seconds)
-                          : start_;
+                          ? first_join + seconds(options.ramp_up_seconds + *options.warm_up_seconds)
+                          : first_join;
     const Time end = from + seconds(options.seconds);
-    for (const auto& worker : workers_) worker->begin(false, start_, from);
+    for (const auto& worker : workers_) worker->begin(false, first_join, from);
     ProgressBar progress{"load", "chunks"};
     watch_rates();
     watch_progress(progress, from, end);
-    result_.begin = moment();
+    if (options.warm_up_seconds) result_.begin = moment();
     result_.resident_bytes.clear();
     measures_ = true;
     watch_progress(progress, end, end);

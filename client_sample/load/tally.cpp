@@ -21,6 +21,7 @@ void Tally::merge(const Tally& other) {
   requests.merge(other.requests);
   first_chunk.merge(other.first_chunk);
   full_view.merge(other.full_view);
+  horizon.merge(other.horizon);
   near.merge(other.near);
   returns.merge(other.returns);
   longest_without = std::max(longest_without, other.longest_without);

@@ -21,6 +21,7 @@ struct Tally {
   measure::Histogram requests;     // from GetChunks to its answer
   measure::Histogram first_chunk;  // from the scheduled time of connecting
   measure::Histogram full_view;    // to the last chunk of the first View, and of Views after a jump
+  measure::Histogram horizon;      // the same, to the last chunk of its rings, too
   measure::Histogram near;         // from the scheduled time of a View until its two nearest rings were there
   measure::Histogram returns;      // from when a connection was lost until then
   std::chrono::nanoseconds longest_without{};  // any chunk, of one player that waited for some

@@ -79,6 +79,13 @@ asio::awaitable<void> look_around(client::Client& client, Plan& plan) {
     throw Failed{"the server allows --radius up to " + std::to_string(limits.view_horizontal_radius) +
                  " and --vertical up to " + std::to_string(limits.view_vertical_radius)};
   }
+  const client::View view = plan.view_at({}, {});
+  if (view.horizon && !limits.view_horizon) throw Failed{"the server knows no View with a --horizon"};
+  const std::uint64_t chunks = client::ViewShape{view, plan.world.heights()}.uncut_count();
+  if (chunks > limits.view_chunks) {
+    throw Failed{"the server allows Views of " + std::to_string(limits.view_chunks) +
+                 " chunks, and this one has " + std::to_string(chunks)};
+  }
   if (options.in_flight > limits.requests_in_flight) {
     throw Failed{"the server allows --in-flight up to " + std::to_string(limits.requests_in_flight)};
   }

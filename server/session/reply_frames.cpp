@@ -53,7 +53,8 @@ protocol::Frame welcome_frame(const Greeting& greeting, const WorldInfo& world, 
     const auto said_limits =
         wire::CreateLimits(builder, limits.frame_bytes, limits.requests_in_flight, limits.heights_per_request,
                            limits.view_horizontal_radius, limits.view_vertical_radius, limits.view_chunks,
-                           greeting.window_bytes, on_wire(limits.idle_timeout), session_rates, address_rates);
+                           greeting.window_bytes, on_wire(limits.idle_timeout), session_rates, address_rates,
+                           /*view_horizon=*/true);
     const auto server = builder.CreateString(world.server);
 
     const wire::Hash128 fingerprint = on_wire(world.fingerprint);

@@ -194,7 +194,7 @@ void Session::on(const wire::Hello& hello) {
 
 void Session::on(const wire::View& view) {
   if (!within_rates(about_view(view.number()))) return;
-  auto checked = check_view(view, context_.limits);
+  auto checked = check_view(view, context_.limits, context_.world.heights);
   if (!checked) {
     const Rejection& rejection = checked.error();
     if (rejection.code == ErrorCode::malformed) return fail(rejection.code, rejection.text);

@@ -46,7 +46,8 @@ tl::expected<std::vector<ViewRing>, Rejection> check_rings(const wire::View& vie
 
 }  // namespace
 
-tl::expected<View, Rejection> check_view(const wire::View& view, const SessionLimits& limits) {
+tl::expected<View, Rejection> check_view(const wire::View& view, const SessionLimits& limits,
+                                         HeightRange heights) {
   if (view.centre() == nullptr) return rejected(ErrorCode::malformed, "View.centre is missing");
   if (view.horizontal_radius() > limits.view_horizontal_radius) {
     return rejected(ErrorCode::too_large,
@@ -72,6 +73,7 @@ tl::expected<View, Rejection> check_view(const wire::View& view, const SessionLi
   checked.vertical_radius = view.vertical_radius();
   checked.rings = *std::move(rings);
   checked.number = view.number();
+  if (view.horizon()) checked.horizon = heights;
   if (const std::uint64_t chunks = count_chunks(checked); chunks > limits.view_chunks) {
     return rejected(ErrorCode::too_large, fmt::format("the View has {} chunks, over the limit view_chunks {}",
                                                       chunks, limits.view_chunks));

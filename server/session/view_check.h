@@ -11,8 +11,9 @@
 
 namespace talus::server {
 
-/// The View, or what is wrong: `malformed` (the connection closes), `too_large` or `out_of_range`. A View
-/// that lies outside the world is right, and has no chunks.
-[[nodiscard]] tl::expected<View, Rejection> check_view(const wire::View& view, const SessionLimits& limits);
+/// The View in a world of these heights, or what is wrong: `malformed` (the connection closes), `too_large`
+/// or `out_of_range`. A View that lies outside the world is right, and has no chunks.
+[[nodiscard]] tl::expected<View, Rejection> check_view(const wire::View& view, const SessionLimits& limits,
+                                                       HeightRange heights);
 
 }  // namespace talus::server

@@ -15,7 +15,7 @@ struct WorldInfo {
   const ContentHash fingerprint{};
   const ContentHash store_id{};  // 0: nothing is stored
   const std::vector<terrain::Material> materials{};
-  const terrain::HeightRange heights{};
+  const HeightRange heights{};
   const VoxelPos spawn{};
   const std::string server{};  // name and version
 };

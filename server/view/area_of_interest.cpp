@@ -10,7 +10,7 @@ namespace talus::server {
 namespace {
 
 ViewExtent extent_of(const View& view) {
-  return {view.centre, view.horizontal_radius, view.vertical_radius, view.rings};
+  return {view.centre, view.horizontal_radius, view.vertical_radius, view.rings, view.horizon};
 }
 
 // A rank, from its highest bits: whole distance, angle, what is left of the distance, place.
@@ -22,7 +22,7 @@ constexpr int kAngleBits = 16;
 
 bool same_chunks(const View& a, const View& b) {
   return a.centre == b.centre && a.horizontal_radius == b.horizontal_radius &&
-         a.vertical_radius == b.vertical_radius && a.rings == b.rings;
+         a.vertical_radius == b.vertical_radius && a.rings == b.rings && a.horizon == b.horizon;
 }
 
 std::uint64_t count_chunks(const View& view) {
@@ -32,8 +32,8 @@ std::uint64_t count_chunks(const View& view) {
 AreaOfInterest::AreaOfInterest(const View& view) : centre_{view.centre} {
   const float length = glm::length(view.direction);
   if (std::isfinite(length) && length > 0.0F) direction_ = view.direction / length;
-  // A level's inner box is at most a quarter of the level before it, so the outer boxes are at most 4/3 of
-  // the chunks.
+  // The columns of a level's inner box are at most a quarter of those of the level before it, and its rows at
+  // most one more: the inner boxes are at most half of the outer ones.
   std::uint64_t places = 0;
   for (const LevelBox& box : level_boxes(extent_of(view))) {
     levels_.push_back({box, static_cast<Place>(places)});
@@ -99,7 +99,10 @@ glm::i64vec3 AreaOfInterest::offset(ChunkKey key) const {
   const auto halves = [size](std::int64_t at, std::int64_t centre) {
     return (2 * at + 1) * size - (2 * centre + 1);
   };
-  return {halves(key.coord.x, centre_.x), halves(key.coord.y, centre_.y), halves(key.coord.z, centre_.z)};
+  // A horizon's rows may be as far away as the centre is from the world: that must not overflow a square.
+  constexpr std::int64_t kFarthest = 1 << 16;
+  return {halves(key.coord.x, centre_.x), std::clamp(halves(key.coord.y, centre_.y), -kFarthest, kFarthest),
+          halves(key.coord.z, centre_.z)};
 }
 
 std::uint64_t AreaOfInterest::rank(ChunkKey key, Place place) const {

@@ -23,6 +23,8 @@ struct View {
   int vertical_radius = 0;
   std::vector<ViewRing> rings;  // levels and radii growing
   std::uint32_t number = 0;     // the client's; 0: none
+  /// The world's heights, where the View has a horizon.
+  std::optional<HeightRange> horizon = std::nullopt;
 };
 
 /// Whether both have the same chunks, whatever their order and number.
@@ -43,7 +45,7 @@ class AreaOfInterest {
 
   /// Of each level, cut off at the world's edge.
   [[nodiscard]] std::vector<LevelBox> boxes() const;
-  /// More than any place; at most a third more than there are chunks.
+  /// More than any place; at most twice as many as there are chunks.
   [[nodiscard]] std::size_t places() const { return places_; }
   [[nodiscard]] std::optional<Place> place_of(ChunkKey key) const;
 
@@ -51,7 +53,8 @@ class AreaOfInterest {
   [[nodiscard]] ChunkRange rows_of(ChunkKey key) const { return level_of(key.lod)->box.y; }
 
   /// Less for what is wanted sooner, and each chunk's own: by the distance of the centres in whole base
-  /// chunks, the ring; then by the angle to the view direction; then by the exact distance.
+  /// chunks, the ring; then by the angle to the view direction; then by the exact distance. Chunks of a
+  /// horizon that are 2^15 base chunks and more above or below count as so far.
   [[nodiscard]] std::uint64_t rank(ChunkKey key, Place place) const;
   /// Orders by distance alone, for a tenth of the cost; rings come one after the other, as in rank().
   [[nodiscard]] std::uint64_t coarse_priority(ChunkKey key, Place place) const;

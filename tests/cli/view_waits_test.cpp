@@ -20,8 +20,8 @@ client::View around(int chunk_x) {
 TEST_CASE("a chunk's wait is counted from the first View that has it, once") {
   ViewWaits waits;
   const ViewWaits::Time begin{};
-  waits.view_set(around(0), begin);
-  waits.view_set(around(1), begin + milliseconds{10});
+  waits.view_set(client::ViewShape{around(0)}, begin);
+  waits.view_set(client::ViewShape{around(1)}, begin + milliseconds{10});
   waits.chunk_arrived(key_at(1, 0, 0), begin + milliseconds{30});
   waits.chunk_arrived(key_at(1, 0, 0), begin + milliseconds{99});
   REQUIRE(waits.waits().count() == 1);
@@ -33,7 +33,7 @@ TEST_CASE("a chunk's wait is counted from the first View that has it, once") {
 
 TEST_CASE("a chunk of no View does not count") {
   ViewWaits waits;
-  waits.view_set(around(0), {});
+  waits.view_set(client::ViewShape{around(0)}, {});
   waits.chunk_arrived(key_at(9, 0, 0), ViewWaits::Time{} + milliseconds{1});
   CHECK(waits.waits().count() == 0);
 }

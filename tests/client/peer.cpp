@@ -42,11 +42,12 @@ asio::awaitable<void> Peer::send(protocol::Frame frame) {
 
 asio::awaitable<void> Peer::welcome(std::uint64_t fingerprint, std::uint64_t window_bytes,
                                     std::uint32_t requests_in_flight, std::uint32_t idle_timeout_ms,
-                                    std::optional<Rates> rates) {
+                                    std::optional<Rates> rates, WelcomeHorizon horizon) {
   co_await accept();
   const auto* hello = co_await receive();
   REQUIRE(hello->body_type() == wire::Body::Hello);
-  co_await send(welcome_frame(fingerprint, window_bytes, requests_in_flight, idle_timeout_ms, rates));
+  co_await send(
+      welcome_frame(fingerprint, window_bytes, requests_in_flight, idle_timeout_ms, rates, horizon));
 }
 
 asio::awaitable<void> Peer::until_closed() {
@@ -104,7 +105,7 @@ Chunk some_chunk(const ChunkKey& key) {
 
 protocol::Frame welcome_frame(std::uint64_t fingerprint, std::uint64_t window_bytes,
                               std::uint32_t requests_in_flight, std::uint32_t idle_timeout_ms,
-                              std::optional<Rates> session_rates) {
+                              std::optional<Rates> session_rates, WelcomeHorizon horizon) {
   return protocol::make_frame([&](auto& b) {
     const auto material = [&](std::uint16_t id, const char* name, wire::Phase phase) {
       return wire::CreateMaterial(b, id, b.CreateString(name), 0x808080, phase);
@@ -119,13 +120,13 @@ protocol::Frame welcome_frame(std::uint64_t fingerprint, std::uint64_t window_by
                                 static_cast<std::uint32_t>(session_rates->burst.count()));
     }
     const auto limits = wire::CreateLimits(b, 65536, requests_in_flight, 2048, 32, 16, 65536, window_bytes,
-                                           idle_timeout_ms, rates);
+                                           idle_timeout_ms, rates, 0, horizon.view_horizon);
     const wire::Hash128 world{fingerprint, 0};
     const wire::Hash128 store{7, 7};
     const wire::Voxel spawn{8, 70, -8};
     const auto server = b.CreateString("a test");
-    return wire::CreateWelcome(b, 1, kCodecVersion, &world, &store, 32, material_list, 0, 320, &spawn, limits,
-                               server);
+    return wire::CreateWelcome(b, 1, kCodecVersion, &world, &store, 32, material_list, 0, horizon.max_y,
+                               &spawn, limits, server);
   });
 }
 

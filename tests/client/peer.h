@@ -21,6 +21,12 @@
 
 namespace talus::client::testing {
 
+/// What a Welcome says that Views with a horizon need.
+struct WelcomeHorizon {
+  bool view_horizon = false;
+  std::int64_t max_y = 320;
+};
+
 class Peer {
  public:
   explicit Peer(asio::io_context& io);
@@ -35,7 +41,8 @@ class Peer {
                                               std::uint64_t window_bytes = 1U << 20,
                                               std::uint32_t requests_in_flight = 64,
                                               std::uint32_t idle_timeout_ms = 60'000,
-                                              std::optional<Rates> rates = std::nullopt);
+                                              std::optional<Rates> rates = std::nullopt,
+                                              WelcomeHorizon horizon = {});
   /// Reads until the client closes.
   [[nodiscard]] asio::awaitable<void> until_closed();
   void hang_up();
@@ -67,7 +74,8 @@ void run(asio::io_context& io, const std::vector<Script>& scripts);
 
 [[nodiscard]] protocol::Frame welcome_frame(std::uint64_t fingerprint, std::uint64_t window_bytes,
                                             std::uint32_t requests_in_flight, std::uint32_t idle_timeout_ms,
-                                            std::optional<Rates> session_rates = std::nullopt);
+                                            std::optional<Rates> session_rates = std::nullopt,
+                                            WelcomeHorizon horizon = {});
 [[nodiscard]] protocol::Frame chunk_frame(std::uint32_t id, const ChunkKey& key, const Chunk& chunk);
 /// With any hash and payload.
 [[nodiscard]] protocol::Frame chunk_frame(std::uint32_t id, const ChunkKey& key, ContentHash hash,

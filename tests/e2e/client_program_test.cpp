@@ -39,7 +39,7 @@ TEST_CASE("talus-client fly says in one line what the server does not allow") {
   const ServerProcess server{
       {{"TALUS_LIMITS_VIEW_HORIZONTAL_RADIUS", "16"}, {"TALUS_LIMITS_VIEW_CHUNKS", "20000"}}};
   check_refused(talus_client(server, {"fly", "--radius", "17"}), 1, "horizontal radius 17");
-  check_refused(talus_client(server, {"fly", "--radius", "1", "--far", "65"}), 1, "radius 65");
+  check_refused(talus_client(server, {"fly", "--radius", "1", "--far", "1025"}), 1, "radius 1025");
   check_refused(talus_client(server, {"fly", "--radius", "16"}), 1, "(20000)");
 }
 

@@ -27,7 +27,7 @@ protocol::Frame view(const ViewFields& fields) {
     const wire::Voxel centre{fields.centre.x, fields.centre.y, fields.centre.z};
     const wire::Direction direction{0, 0, 0};
     return wire::CreateView(builder, &centre, &direction, fields.horizontal_radius, fields.vertical_radius,
-                            rings, 0, fields.number);
+                            rings, 0, fields.number, fields.horizon);
   });
 }
 

@@ -28,6 +28,7 @@ struct ViewFields {
   std::uint16_t vertical_radius = 0;
   std::vector<wire::LodRing> rings{};
   std::uint32_t number = 0;
+  bool horizon = false;
 };
 [[nodiscard]] protocol::Frame view(const ViewFields& fields);
 

@@ -16,13 +16,14 @@ auto read(std::vector<const char*> words) {
 TEST_CASE("the words that users rely on are taken") {
   const auto options =
       read({"--connect", "host:1", "--players", "7", "--duration", "3", "--speed", "9", "--radius", "5",
-            "--json", "f.json", "--fail-if", "p99_ms>50", "--fail-if", "errors>0"});
+            "--horizon", "64", "--json", "f.json", "--fail-if", "p99_ms>50", "--fail-if", "errors>0"});
   REQUIRE(options.has_value());
   CHECK(options->connect.server.host == "host");
   CHECK(options->players == 7);
   CHECK(options->seconds == 3);
   CHECK(options->speed == 9);
   CHECK(options->radius == 5);
+  CHECK(options->horizon == 64);
   CHECK(options->json == "f.json");
   CHECK(options->fail_if.size() == 2);
 }
@@ -46,6 +47,12 @@ TEST_CASE("wrong use is one line and 2") {
     CHECK(options.error().status == 2);
     CHECK(options.error().text.find('\n') == std::string::npos);
   }
+}
+
+TEST_CASE("a horizon lies beyond the radius") {
+  CHECK(read({"--horizon", "8", "--radius", "8"}).error().text.find("--horizon 8 is not beyond") == 0);
+  CHECK(read({"--horizon", "9", "--radius", "8"}).has_value());
+  CHECK(read({"--radius", "8"})->horizon == 0);
 }
 
 TEST_CASE("the option whose address is wrong is named") {

@@ -53,8 +53,9 @@ TEST_CASE("what is no threshold is refused with a reason") {
 TEST_CASE("every figure has a name that a threshold takes") {
   RunResult result;
   Tally& walk = of(result, Role::walk);
-  for (talus::measure::Histogram* waits : {&walk.join, &walk.travel, &walk.requests, &walk.first_chunk,
-                                           &walk.full_view, &walk.near, &walk.returns, &result.lateness}) {
+  for (talus::measure::Histogram* waits :
+       {&walk.join, &walk.travel, &walk.requests, &walk.first_chunk, &walk.full_view, &walk.horizon,
+        &walk.near, &walk.returns, &result.lateness}) {
     waits->record(milliseconds{3});
   }
   walk.new_patches = 4;

@@ -9,6 +9,8 @@ usage() {
 usage: tests/load/run.sh [--short] [SCENARIO...]
 
   join     a full View of radius 16, cold and hot
+  horizon  rings of levels 1 to 6 out to 256 chunks (8 km) beside a near View of radius 8: from nothing to full, cold and
+           hot, and on a flight
   hot      64 connections, 16 requests in flight, all cached, with answers of 0.4 and of 4 KiB; beside
            redis-benchmark where it is installed
   groups   1,000 players flying in 50 groups
@@ -111,6 +113,39 @@ join() {
   load join-warm-up --players 1 --model stand --radius 2 --duration 1 --seed 99  # the program itself, not the ground
   load join-cold "${view[@]}"
   load join-hot "${view[@]}"
+}
+
+# Bytes and server CPU from nothing to full, and on a flight, with a horizon and without. Each cold View on a fresh server.
+horizon() {
+  expect
+  local kind rings stand=(--players 1 --model stand --radius "$(pick 8 3)" --duration 2 --verify 0)
+  local fly=(--players 1 --model fly --speed 20 --radius "$(pick 8 3)" --duration "$(pick 60 4)" --verify 0)
+  for kind in near horizon; do
+    rings=()
+    [[ "$kind" == near ]] || rings=(--horizon "$(pick 256 40)")
+    start TALUS_ADMIN=127.0.0.1:0
+    load "$kind-warm-up" --players 1 --model stand --radius 2 --duration 1 --seed 99  # the program itself, not the ground
+    load "$kind-cold" "${stand[@]}" "${rings[@]}" --metrics "$admin" "${expected[@]}"
+    load "$kind-hot" "${stand[@]}" "${rings[@]}" --metrics "$admin" "${expected[@]}"
+    load "$kind-flight" "${fly[@]}" "${rings[@]}" --seed 2 --metrics "$admin" "${expected[@]}"
+  done
+  printf '\n%-16s %10s %9s %9s %9s %8s %9s\n' View messages kB full/ms CPU/ms Mbit/s '7Mbit/s:s'
+  local name
+  for name in near-cold horizon-cold near-hot horizon-hot near-flight horizon-flight; do tell_bytes "$name"; done
+}
+
+# tell_bytes NAME: what a View came to in one line. Of one that stands the rate is that until it was full, of one that flies the
+# mean; the last figure is how long all bytes take through 7 Mbit/s.
+tell_bytes() {
+  local full
+  full="$(figure "$1" horizon_max_ms)"
+  [[ -n "$full" ]] || full="$(figure "$1" full_view_max_ms)"
+  awk -v name="$1" -v messages="$(figure "$1" chunk_messages)" -v bytes="$(figure "$1" bytes)" -v full="$full" \
+    -v cpu="$(figure "$1" cpu_s)" -v measured="$(figure "$1" measured_s)" 'BEGIN {
+      seconds = name ~ /flight/ ? measured : full / 1000
+      printf "%-16s %10d %9.0f %9.1f %9.0f %8.2f %9.2f\n",
+        name, messages, bytes / 1e3, full, cpu * 1e3, bytes * 8 / 1e6 / seconds, bytes * 8 / 7e6
+    }'
 }
 
 hot() {
@@ -355,7 +390,7 @@ churn() {
     --verify 5 "${expected[@]}"
 }
 
-scenarios=(join hot groups alone loners storm idle greedy slow pong churn)
+scenarios=(join horizon hot groups alone loners storm idle greedy slow pong churn)
 if [[ "${1:-}" == --short ]]; then
   short=yes
   shift

@@ -67,6 +67,14 @@ TEST_CASE("players that walk to and fro over borders get what is right") {
   check_clean(twenty({"--model", "walk", "--speed", "300", "--every-tick"}));
 }
 
+TEST_CASE("players with a horizon get every chunk of its rings once, also while they fly and jump") {
+  for (const char* model : {"stand", "fly", "teleport"}) {
+    CAPTURE(model);
+    check_clean({"--players", "4", "--duration", "2", "--radius", "2", "--vertical", "1", "--horizon", "40",
+                 "--model", model, "--speed", "200", "--dwell", "0.5", "--drain", "60"});
+  }
+}
+
 TEST_CASE("players that jump get what is right") {
   check_clean(twenty({"--model", "teleport", "--dwell", "0.5"}));
 }

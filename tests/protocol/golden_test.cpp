@@ -26,6 +26,13 @@ constexpr std::string_view kChunk =
     "0000000107000000fdffffff010000000000008002000000efcdab89674523011032547698badcfe0000000010000000"
     "2a0000000000000000000000050000000102030405000000";
 
+// From before View had `horizon`.
+constexpr std::string_view kView =
+    "9c0000000c00000008000e0007000800080000000000000218000000000012003c000800240004000600300034003800"
+    "120000000800040000000000f0ffffff46000000000000000c000000000000000000000000000000000000bf0000803f"
+    "34000000080000000c00000001000000fdffffff010000000000008002000000efcdab89674523011032547698badcfe"
+    "00000000020000000100100002002000";
+
 }  // namespace
 
 TEST_CASE("a Hello is these bytes") {
@@ -34,6 +41,23 @@ TEST_CASE("a Hello is these bytes") {
 
 TEST_CASE("a Chunk is these bytes") {
   CHECK(hex(testing::sample_chunk()) == kChunk);
+}
+
+TEST_CASE("a View without a horizon is these bytes") {
+  CHECK(hex(testing::sample_view(false)) == kView);
+  CHECK(hex(testing::sample_view(true)) != kView);
+}
+
+TEST_CASE("the frozen View is read, and has no horizon") {
+  const Frame frame = unhex(kView);
+  const auto* view = read_message(frame).value()->body_as_View();
+  REQUIRE(view != nullptr);
+  CHECK(view->centre()->y() == 70);
+  CHECK(view->horizontal_radius() == 8);
+  CHECK(view->rings()->size() == 2);
+  CHECK(view->known()->size() == 1);
+  CHECK(view->number() == 12);
+  CHECK_FALSE(view->horizon());
 }
 
 TEST_CASE("the frozen Hello is read") {

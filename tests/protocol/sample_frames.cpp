@@ -14,17 +14,6 @@ const wire::Voxel kVoxel{-(std::int64_t{1} << 36), 70, 12};
 const std::array<wire::VoxelWrite, 2> kWrites{wire::VoxelWrite{kVoxel, 3},
                                               wire::VoxelWrite{wire::Voxel{0, 1, 2}, 65535}};
 
-Frame view() {
-  return make_frame([](auto& b) {
-    const wire::Direction direction{0.0F, -0.5F, 1.0F};
-    const std::array rings{wire::LodRing{1, 16}, wire::LodRing{2, 32}};
-    const auto ring_vector = b.CreateVectorOfStructs(rings.data(), rings.size());
-    const wire::KnownChunk known{kKey, kHash};
-    return wire::CreateView(b, &kVoxel, &direction, 8, 4, ring_vector, b.CreateVectorOfStructs(&known, 1),
-                            12);
-  });
-}
-
 Frame get_chunks() {
   return make_frame([](auto& b) {
     const std::array requests{wire::ChunkRequest{7, kKey, true, kHash},
@@ -49,7 +38,7 @@ Frame welcome() {
     const auto session = wire::CreateRates(b, 4096, std::uint64_t{1} << 24, 1000, 32000);
     const auto address = wire::CreateRates(b, 8192, 0, 2000, 32000);
     const auto limits =
-        wire::CreateLimits(b, 65536, 256, 4096, 32, 16, 40000, 1U << 20, 60000, session, address);
+        wire::CreateLimits(b, 65536, 256, 4096, 32, 16, 40000, 1U << 20, 60000, session, address, true);
     const auto server = b.CreateString("talusd 0.1.0");
     const wire::Hash128 store{1, 2};
     return wire::CreateWelcome(b, 1, 1, &kHash, &store, 32, material_vector, 0, 320, &kVoxel, limits, server);
@@ -95,6 +84,17 @@ Frame sample_hello() {
   });
 }
 
+Frame sample_view(bool horizon) {
+  return make_frame([&](auto& b) {
+    const wire::Direction direction{0.0F, -0.5F, 1.0F};
+    const std::array rings{wire::LodRing{1, 16}, wire::LodRing{2, 32}};
+    const auto ring_vector = b.CreateVectorOfStructs(rings.data(), rings.size());
+    const wire::KnownChunk known{kKey, kHash};
+    return wire::CreateView(b, &kVoxel, &direction, 8, 4, ring_vector, b.CreateVectorOfStructs(&known, 1), 12,
+                            horizon);
+  });
+}
+
 Frame sample_chunk() {
   return make_frame([](auto& b) {
     const std::array<std::uint8_t, 5> payload{1, 2, 3, 4, 5};
@@ -110,7 +110,7 @@ std::vector<Sample> sample_frames() {
   const std::vector<std::int32_t> heights{0, -256, 1 << 23};
   return {
       {Body::Hello, sample_hello()},
-      {Body::View, view()},
+      {Body::View, sample_view(true)},
       {Body::GetChunks, get_chunks()},
       simple(Body::Cancel, [&](auto& b) { return wire::CreateCancel(b, b.CreateVector(ids)); }),
       {Body::GetHeights, get_heights()},

@@ -15,8 +15,9 @@ struct Sample {
 /// In the order of the union Body.
 [[nodiscard]] std::vector<Sample> sample_frames();
 
-/// The two frames whose bytes golden_test.cpp freezes.
+/// The frames whose bytes golden_test.cpp freezes.
 [[nodiscard]] Frame sample_hello();
+[[nodiscard]] Frame sample_view(bool horizon);
 [[nodiscard]] Frame sample_chunk();
 
 }  // namespace talus::protocol::testing

@@ -101,7 +101,8 @@ TEST_CASE("every field of the schema has a value in the test vectors") {
                             "session_rates",   "address_rates",
                             "requests",        "burst_ms",
                             "about",           "repeated_id",
-                            "view_number",     "chunk"}) {
+                            "view_number",     "chunk",
+                            "horizon",         "view_horizon"}) {
     CAPTURE(field);
     CHECK(all.find(std::string{"\""} + field + "\"") != std::string::npos);
   }

@@ -44,7 +44,8 @@ class Digest {
   void one(const wire::Limits& limits) {
     add(limits.frame_bytes(), limits.requests_in_flight(), limits.heights_per_request(),
         limits.view_horizontal_radius(), limits.view_vertical_radius(), limits.view_chunks(),
-        limits.window_bytes(), limits.idle_timeout_ms(), limits.session_rates(), limits.address_rates());
+        limits.window_bytes(), limits.idle_timeout_ms(), limits.session_rates(), limits.address_rates(),
+        limits.view_horizon());
   }
   void one(const wire::Rates& rates) {
     add(rates.chunks(), rates.bytes(), rates.requests(), rates.burst_ms());
@@ -75,7 +76,7 @@ void walk_from_client(const wire::Message& message, Digest& digest) {
     digest.add(m->protocol_min(), m->protocol_max(), m->codecs(), m->token(), m->client(), m->window_bytes());
   } else if (const auto* view = message.body_as_View()) {
     digest.add(view->centre(), view->direction(), view->horizontal_radius(), view->vertical_radius(),
-               view->rings(), view->known(), view->number());
+               view->rings(), view->known(), view->number(), view->horizon());
   } else if (const auto* chunks = message.body_as_GetChunks()) {
     digest.add(chunks->requests());
   } else if (const auto* cancel = message.body_as_Cancel()) {

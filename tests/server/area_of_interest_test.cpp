@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <glm/geometric.hpp>
 #include <limits>
+#include <map>
 #include <set>
 #include <utility>
 
@@ -32,6 +33,15 @@ View random_view() {
     radius += *rc::gen::inRange(1, 8);
     view.rings.push_back({Lod::of(level), radius});
   }
+  return view;
+}
+
+/// Perhaps with a horizon, of heights near and far.
+View random_view_or_horizon() {
+  View view = random_view();
+  if (*rc::gen::inRange(0, 3) == 0) return view;
+  const std::int64_t low = *rc::gen::inRange<std::int64_t>(-2000, 2000);
+  view.horizon = HeightRange{low, low + *rc::gen::inRange<std::int64_t>(1, 3000)};
   return view;
 }
 
@@ -75,7 +85,7 @@ bool covered_by_finer(const View& view, const std::set<ChunkKey>& wanted, ChunkK
 
 TEST_CASE("a View's chunks come by distance, each once") {
   CHECK(rc::check([] {
-    const View view = random_view();
+    const View view = random_view_or_horizon();
     const auto keys = chunks_in_view(view);
     RC_ASSERT(std::set(keys.begin(), keys.end()).size() == keys.size());
     RC_ASSERT(std::is_sorted(keys.begin(), keys.end(),
@@ -112,7 +122,7 @@ TEST_CASE("at one distance what lies ahead comes first") {
 
 TEST_CASE("the chunks are as many as counted before") {
   CHECK(rc::check([] {
-    const View view = random_view();
+    const View view = random_view_or_horizon();
     RC_ASSERT(chunks_in_view(view).size() == count_chunks(view));
   }));
 }
@@ -184,7 +194,7 @@ TEST_CASE("a direction that is no number is no preference") {
 
 TEST_CASE("next_column gives every column once, level by level, the nearest squares first") {
   CHECK(rc::check([] {
-    View view = random_view();
+    View view = random_view_or_horizon();
     // At the end of the world too, where squares are cut off.
     if (*rc::gen::inRange(0, 3) == 0) view.centre.x += chunk_limit(Lod{});
     const AreaOfInterest area{view};
@@ -203,5 +213,65 @@ TEST_CASE("next_column gives every column once, level by level, the nearest squa
       before = {level, square};
     }
     RC_ASSERT(left.empty());
+  }));
+}
+
+TEST_CASE("each chunk has a place of its own, and places are at most twice as many") {
+  CHECK(rc::check([] {
+    const AreaOfInterest area{random_view_or_horizon()};
+    std::set<AreaOfInterest::Place> places;
+    area.for_each([&](ChunkKey key, AreaOfInterest::Place place) {
+      RC_ASSERT(places.insert(place).second);
+      RC_ASSERT(area.place_of(key) == place);
+      RC_ASSERT((area.ranked(area.rank(key, place)) == std::pair{key, place}));
+      RC_ASSERT((area.ranked(area.coarse_priority(key, place)) == std::pair{key, place}));
+    });
+    RC_ASSERT(area.places() <= 2 * places.size());
+  }));
+}
+
+TEST_CASE("for_each_shared visits what all Views have, each chunk once, as place by place would") {
+  CHECK(rc::check([] {
+    const AreaOfInterest mine{random_view_or_horizon()};
+    const AreaOfInterest theirs{random_view_or_horizon()};
+    std::vector<AreaOfInterest> between;
+    for (int more = *rc::gen::inRange(0, 3); more > 0; --more) between.emplace_back(random_view_or_horizon());
+    std::map<AreaOfInterest::Place, AreaOfInterest::Place> shared;
+    mine.for_each_shared(theirs, between, [&](std::size_t place, std::size_t other, std::size_t count) {
+      for (std::size_t i = 0; i < count; ++i) {
+        const auto narrow = [i](std::size_t at) { return static_cast<AreaOfInterest::Place>(at + i); };
+        RC_ASSERT(shared.emplace(narrow(place), narrow(other)).second);
+      }
+    });
+    std::map<AreaOfInterest::Place, AreaOfInterest::Place> expected;
+    mine.for_each([&](ChunkKey key, AreaOfInterest::Place place) {
+      const auto other = theirs.place_of(key);
+      const bool in_all = std::all_of(between.begin(), between.end(), [&](const AreaOfInterest& each) {
+        return each.place_of(key).has_value();
+      });
+      if (other && in_all) expected.emplace(place, *other);
+    });
+    RC_ASSERT(shared == expected);
+  }));
+}
+
+TEST_CASE("a horizon's chunks come by distance from wherever the player is") {
+  const std::int64_t high =
+      GENERATE(std::int64_t{30}, std::int64_t{20'000}, std::int64_t{1} << 40, -(std::int64_t{1} << 58));
+  const View view{{3, high, 3}, {}, 2, 1, {{Lod::of(1), 9}, {Lod::of(6), 200}}, 0, HeightRange{0, 500}};
+  const auto keys = chunks_in_view(view);
+  CHECK(std::set(keys.begin(), keys.end()).size() == keys.size());
+  const auto in_rings =
+      std::count_if(keys.begin(), keys.end(), [](ChunkKey key) { return key.lod != Lod{}; });
+  CHECK(in_rings == 10 * 10 * 9 + 8 * 8 * 2);
+  const bool exact = std::abs(high) < 30'000;
+  CHECK(std::is_sorted(keys.begin(), keys.end(), [&](ChunkKey a, ChunkKey b) {
+    if (exact) return ring_of(view, a) < ring_of(view, b);
+    // From as far as 2^15 chunks, within what the 256th part of a chunk leaves open.
+    const auto aside = [&](ChunkKey key) {
+      const glm::dvec3 way = way_to(view, key);
+      return way.x * way.x + way.z * way.z;
+    };
+    return aside(a) + 600 < aside(b);
   }));
 }

@@ -31,6 +31,7 @@ class ScriptedSource final : public ChunkSource {
   // ---- the script
   std::map<ChunkKey, EncodedChunkPtr> in_memory;  // the newest version of each
   MixedRows rows;                                 // of every column
+  std::function<MixedRows(ChunkKey)> rows_of;     // of a chunk's column; empty: `rows`
   std::size_t queue_places = SIZE_MAX;            // submissions beyond them are refused
   std::size_t payload_bytes = 100;
 
@@ -51,7 +52,7 @@ class ScriptedSource final : public ChunkSource {
     EncodedChunkPtr newest = find(key);
     return newest != nullptr && newest->revision() > revision ? newest : nullptr;
   }
-  [[nodiscard]] MixedRows column(ChunkKey) override { return rows; }
+  [[nodiscard]] MixedRows column(ChunkKey key) override { return rows_of ? rows_of(key) : rows; }
 
   [[nodiscard]] Submission submit(const MailboxPtr& mailbox, ChunkKey key) override {
     if (waiting.size() >= queue_places) {

@@ -96,6 +96,7 @@ struct SessionBench {
     std::uint64_t memory_bytes = 0;
     Access access{};
     bool greet = true;
+    HeightRange heights{};  // of the world
   };
 
   ScriptedSource source;
@@ -113,6 +114,7 @@ struct SessionBench {
 
   explicit SessionBench(const Options& options)
       : memory{options.memory_bytes},
+        world{.heights = options.heights},
         rates{options.rates},
         access{options.access, *load_keys(options.access)},
         session{

@@ -33,6 +33,7 @@ View small_view() {
     radius += *rc::gen::inRange(1, 5);
     view.rings.push_back({Lod::of(level), radius});
   }
+  if (*rc::gen::inRange(0, 2) == 0) view.horizon = HeightRange{-40, *rc::gen::inRange<std::int64_t>(1, 200)};
   return view;
 }
 

@@ -36,6 +36,23 @@ TEST_CASE("a View counts from apply() on") {
   CHECK(view.stream().next() == at(1));
 }
 
+TEST_CASE("a View with a horizon is another than that without") {
+  View plain = around(1, 1);
+  plain.rings = {{Lod::of(1), 4}};
+  View horizon = plain;
+  horizon.horizon = HeightRange{0, 100};
+  CHECK_FALSE(same_chunks(plain, horizon));
+  ViewSubscription view;
+  view.request(plain);
+  const ChunkKey above{{0, 1, 0}, Lod::of(1)};
+  view.request(horizon);
+  CHECK(view.apply().empty());
+  CHECK(view.stream().wants(above));
+  view.request(plain);
+  (void)view.apply();
+  CHECK_FALSE(view.stream().wants(above));
+}
+
 TEST_CASE("apply() returns what was in flight and left") {
   ViewSubscription view;
   view.request(around(1));

@@ -17,7 +17,9 @@ ClientError beyond(const std::string& what, std::uint64_t asked, std::uint64_t l
 }
 
 // The server's rules for a View: one that it would refuse must not become what the client believes in.
-Result<void> check_view(const View& view, const ServerLimits& limits) {
+Result<void> check_view(const View& view, const WorldInfo& world) {
+  const ServerLimits& limits = world.limits;
+  if (view.horizon && !limits.view_horizon) return tl::unexpected{kNoHorizon};
   if (view.horizontal_radius > limits.view_horizontal_radius) {
     return tl::unexpected{
         beyond("a View of horizontal radius", view.horizontal_radius, limits.view_horizontal_radius)};
@@ -41,7 +43,7 @@ Result<void> check_view(const View& view, const ServerLimits& limits) {
           "a View with a ring of level " + std::to_string(level.value()) + " and radius", radius, farthest)};
     }
   }
-  const auto chunks = ViewShape{view}.uncut_count();
+  const auto chunks = ViewShape{view, world.heights()}.uncut_count();
   if (chunks > limits.view_chunks) {
     return tl::unexpected{beyond("a View whose chunks number", chunks, limits.view_chunks)};
   }
@@ -101,11 +103,11 @@ void Core::get_heights(std::vector<Column> columns,
 
 Result<void> Core::set_view(const View& view) {
   if (!running_ || !world_) return tl::unexpected{kNotConnected};
-  if (auto checked = check_view(view, world_->limits); !checked) return checked;
+  if (auto checked = check_view(view, *world_); !checked) return checked;
   if (tracker_.view() && same_view(*tracker_.view(), view)) return {};
   const auto self = shared_from_this();
   const Generation mine = generation_;
-  const auto left = tracker_.replace(view);
+  const auto left = tracker_.replace(view, world_->heights());
   view_to_send_ = true;
   if (view_sent_) left_since_view_sent_.insert(left.begin(), left.end());
   if (events_.on_left_view) left_to_tell_.insert(left.begin(), left.end());

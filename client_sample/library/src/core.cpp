@@ -93,6 +93,7 @@ asio::awaitable<void> Core::run(Generation mine, std::string host, std::string p
         events_.on_reconnect(*world);
       }
       was_joined = true;
+      if (mine == generation_) keep_view(mine);
       if (mine != generation_) break;
       why = co_await read_until_broken(connection);
       if (mine != generation_) break;
@@ -165,11 +166,27 @@ asio::awaitable<Result<WorldInfo>> Core::join(ConnectionPtr connection, std::str
 
 Result<void> Core::accept_world(const WorldInfo& world) {
   if (world.store_id != world_->store_id) tracker_.forget_revisions();
-  if (world.fingerprint == world_->fingerprint) return {};
+  if (world.fingerprint == world_->fingerprint) {
+    if (tracker_.view() && world.heights() != world_->heights()) {  // another release may know them better
+      const auto left = tracker_.replace(*tracker_.view(), world.heights());
+      if (events_.on_left_view) left_to_tell_.insert(left.begin(), left.end());
+    }
+    return {};
+  }
   return tl::unexpected{ClientError{ErrorKind::world_changed,
                                     "the server now has world " + to_string(world.fingerprint) +
                                         "; this client was in world " + to_string(world_->fingerprint),
                                     {}}};
+}
+
+bool Core::server_knows_view() const {
+  return !tracker_.view() || !tracker_.view()->horizon || world_->limits.view_horizon;
+}
+
+// A server met again may be of another release.
+void Core::keep_view(Generation mine) {
+  tell_left(mine);
+  if (mine == generation_ && !server_knows_view()) report(kNoHorizon);
 }
 
 void Core::start_session(const ConnectionPtr& connection) {
@@ -178,7 +195,7 @@ void Core::start_session(const ConnectionPtr& connection) {
   useful_ = false;
   taken_bytes_ = 0;
   credited_bytes_ = 0;
-  view_to_send_ = tracker_.view().has_value();
+  view_to_send_ = tracker_.view().has_value() && server_knows_view();
   view_sent_ = false;
   sent_shape_ = {};
   complete_to_tell_ = false;

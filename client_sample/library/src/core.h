@@ -23,6 +23,9 @@
 
 namespace talus::client {
 
+inline const ClientError kNoHorizon{
+    ErrorKind::out_of_range, "this server knows no View with a horizon (ServerLimits::view_horizon)", {}};
+
 using ConnectHandler = std::function<void(Result<WorldInfo>)>;
 using PingHandler = std::function<void(Result<std::chrono::nanoseconds>)>;
 
@@ -59,6 +62,8 @@ class Core : public std::enable_shared_from_this<Core> {
   [[nodiscard]] asio::awaitable<void> ping_loop(ConnectionPtr connection, std::chrono::milliseconds interval);
 
   [[nodiscard]] Result<void> accept_world(const WorldInfo& world);
+  [[nodiscard]] bool server_knows_view() const;
+  void keep_view(Generation mine);
   void start_session(const ConnectionPtr& connection);
   void end_session();
   void end_run(const ClientError& why);

@@ -56,7 +56,8 @@ ServerLimits read_limits(const wire::Limits& limits) {
           limits.window_bytes(),
           std::chrono::milliseconds{limits.idle_timeout_ms()},
           read_rates(limits.session_rates()),
-          read_rates(limits.address_rates())};
+          read_rates(limits.address_rates()),
+          limits.view_horizon()};
 }
 
 }  // namespace

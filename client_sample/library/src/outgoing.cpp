@@ -51,7 +51,7 @@ protocol::Frame view_frame(const View& view, std::uint32_t number, const std::ve
     }
     const auto held_list = held.empty() ? 0 : b.CreateVectorOfStructs(held);
     return wire::CreateView(b, &centre, &direction, view.horizontal_radius, view.vertical_radius, ring_list,
-                            held_list, number);
+                            held_list, number, view.horizon);
   });
 }
 

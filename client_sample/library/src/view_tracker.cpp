@@ -5,9 +5,9 @@
 
 namespace talus::client {
 
-std::vector<ChunkKey> ViewTracker::replace(const View& view) {
+std::vector<ChunkKey> ViewTracker::replace(const View& view, HeightRange heights) {
   view_ = view;
-  shape_ = ViewShape{view};
+  shape_ = ViewShape{view, heights};
   std::vector<ChunkKey> left;
   for (const auto& [key, chunk] : delivered_) {
     if (shape_.covers(key)) continue;
@@ -78,7 +78,7 @@ bool same_view(const View& a, const View& b) {
     return p.lod == q.lod && p.radius == q.radius;
   };
   return a.centre == b.centre && a.direction == b.direction && a.horizontal_radius == b.horizontal_radius &&
-         a.vertical_radius == b.vertical_radius &&
+         a.vertical_radius == b.vertical_radius && a.horizon == b.horizon &&
          std::equal(a.rings.begin(), a.rings.end(), b.rings.begin(), b.rings.end(), same_ring);
 }
 

@@ -19,8 +19,9 @@ class ViewTracker {
   /// Keeps about `keep_bytes` of chunks that left the View.
   explicit ViewTracker(std::size_t keep_bytes) : keep_bytes_{keep_bytes}, kept_{keep_bytes} {}
 
-  /// Puts `view` in place of the one before; returns the delivered chunks that it no longer covers.
-  [[nodiscard]] std::vector<ChunkKey> replace(const View& view);
+  /// Puts `view`, in a world of these heights, in place of the one before; returns the delivered chunks that
+  /// it no longer covers.
+  [[nodiscard]] std::vector<ChunkKey> replace(const View& view, HeightRange heights = {});
 
   [[nodiscard]] const std::optional<View>& view() const { return view_; }
   [[nodiscard]] const ViewShape& shape() const { return shape_; }

@@ -16,6 +16,15 @@ ChunkRange wholly_inside(ChunkRange finer, int finer_level, int level) {
   return {floor_div(begin + size - 1, size), floor_div(end, size) - 1};
 }
 
+/// Chunk rows of `level` that hold anything but one rock or air. Its topmost voxel of ground may lie one
+/// voxel row lower than that of level 0.
+ChunkRange rows_of_world(HeightRange heights, int level) {
+  constexpr std::int64_t kEdge = (std::int64_t{1} << 31) * kChunkSize;
+  const std::int64_t low = std::clamp(heights.low, -kEdge, kEdge);
+  const std::int64_t high = std::clamp(heights.high, -kEdge, kEdge);
+  return {floor_div((low >> level) - 1, kChunkSize), floor_div((high - 1) >> level, kChunkSize)};
+}
+
 LevelBox cut_to_world(LevelBox box) {
   const std::int64_t limit = chunk_limit(box.lod);
   // The inner box too, so that count() may subtract it.
@@ -46,8 +55,11 @@ std::vector<LevelBox> level_boxes(const ViewExtent& view, WorldEdge edge) {
   for (const ViewRing& ring : view.rings) {
     const LevelBox& finer = boxes.back();
     LevelBox box = outer(ring.lod, ring.radius);
-    box.inner_x = wholly_inside(finer.x, finer.lod.value(), ring.lod.value());
-    box.inner_z = wholly_inside(finer.z, finer.lod.value(), ring.lod.value());
+    if (view.horizon) box.y = rows_of_world(*view.horizon, ring.lod.value());
+    if (!view.horizon || boxes.size() > 1) {  // level 0 does not have all rows of its columns
+      box.inner_x = wholly_inside(finer.x, finer.lod.value(), ring.lod.value());
+      box.inner_z = wholly_inside(finer.z, finer.lod.value(), ring.lod.value());
+    }
     boxes.push_back(box);
   }
   if (edge == WorldEdge::cuts) std::transform(boxes.begin(), boxes.end(), boxes.begin(), cut_to_world);

@@ -28,14 +28,25 @@ struct View {
   std::uint16_t horizontal_radius = 8;  // chunks
   std::uint16_t vertical_radius = 4;    // chunks
   std::vector<LodRing> rings;
+  /// The rings have all rows that the world's ground can lie in, not only those as high as level 0: summits
+  /// above it, and land beneath who flies. The first ring lies under level 0, too. Of servers that say
+  /// ServerLimits::view_horizon.
+  bool horizon = false;
 };
 
+/// Rings of levels 1 to 6 around `radius`, out to `farthest`, all wider than the one before by the same
+/// ratio; fewer where radii that are whole would not grow.
+[[nodiscard]] std::vector<LodRing> rings_between(std::uint16_t radius, std::uint16_t farthest);
+
 /// Exactly the chunks that a server sends for a View: a box of level 0, and for each ring a box of its
-/// level without the columns that the finer levels cover whole (talus/voxel/view_shape.h).
+/// level without the columns that the finer levels have whole (talus/voxel/view_shape.h).
 class ViewShape {
  public:
   ViewShape() = default;  // no chunks
+  /// REQUIRES: the View has no horizon.
   explicit ViewShape(const View& view);
+  /// In a world of these heights (WorldInfo::heights()).
+  ViewShape(const View& view, HeightRange heights);
 
   [[nodiscard]] bool covers(const ChunkKey& key) const;
   /// The rows of a column of `lod`; empty where the View does not have the column.

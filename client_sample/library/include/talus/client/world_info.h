@@ -42,6 +42,7 @@ struct ServerLimits {
   std::chrono::milliseconds idle_timeout{0};
   std::optional<Rates> session_rates;  // none: the server does not tell, which one of 0.1 never does
   std::optional<Rates> address_rates;  // of all connections from this client's address together
+  bool view_horizon = false;           // whether Views may have a horizon
 };
 
 struct WorldInfo {
@@ -53,6 +54,8 @@ struct WorldInfo {
   VoxelPos spawn;          // feet: the first free voxel above dry ground
   ServerLimits limits;
   std::string server;  // name and version
+
+  [[nodiscard]] HeightRange heights() const { return {min_y, max_y}; }
 };
 
 }  // namespace talus::client

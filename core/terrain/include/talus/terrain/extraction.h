@@ -46,10 +46,7 @@ struct MixedRange {
 
 /// Rows of base voxels between which everything but plain rock and air lies, at every level: below `low` all
 /// is the first layer's material, at and above `high` all is air.
-struct HeightRange {
-  std::int64_t low = 0;
-  std::int64_t high = 0;
-};
+using talus::HeightRange;
 [[nodiscard]] HeightRange height_range(const World& world);
 
 /// One chunk alone, from scratch.

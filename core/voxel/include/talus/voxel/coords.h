@@ -96,6 +96,14 @@ struct LocalPos {
   return (std::int64_t{1} << 31) >> lod.value();
 }
 
+/// Rows of base voxels that a world's ground and air meet in: at every level all below `low` is one rock, and
+/// all at and above `high` is air, but for the voxel row under that of `low`.
+struct HeightRange {
+  std::int64_t low = 0;
+  std::int64_t high = 0;
+  constexpr bool operator==(const HeightRange&) const = default;
+};
+
 /// `coord` as a chunk of `lod`, or an error that names the axis, the value and the range.
 [[nodiscard]] tl::expected<ChunkKey, RangeError> checked_chunk(std::int64_t x, std::int64_t y, std::int64_t z,
                                                                Lod lod);

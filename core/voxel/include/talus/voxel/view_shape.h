@@ -19,10 +19,17 @@
 // are both in the inner box. The inner box is made from the level before as it is aligned to that level's
 // chunks, which is more than r_(i-1) base chunks wide, and it covers all rows. Chunks outside the world,
 // beyond chunk_limit(level), are left out last.
+//
+// A View with a horizon has all rows of its rings in which the world can hold anything but one rock or air,
+// wherever the player is. With the world's heights (HeightRange, which Welcome tells), for i > 0:
+//
+//   Y_i = ((low >> l_i) - 1) / 32  to  ((high - 1) >> l_i) / 32      instead of the above
+//   the inner box of the first ring is empty, as level 0 does not have all rows of its columns.
 #pragma once
 
 #include <algorithm>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -60,7 +67,9 @@ struct ViewExtent {
   glm::i64vec3 centre{};  // base chunk; each component within +-2^59, in the world or not
   int horizontal_radius = 0;
   int vertical_radius = 0;
-  std::vector<ViewRing> rings;  // levels and radii growing; radii below 2^24
+  std::vector<ViewRing> rings;  // levels and radii growing; radii below 2^24, with a horizon below 2^16
+  /// Of the world, where the View has a horizon. Heights beyond the world count as its edge.
+  std::optional<HeightRange> horizon = std::nullopt;
 };
 
 /// The chunks of one level of a View: the outer box without the columns of the inner one.

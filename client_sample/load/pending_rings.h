@@ -1,0 +1,38 @@
+// Which chunks of the rings of a player's View have not come yet, and whether one that comes was expected. No
+// I/O, no clock.
+#pragma once
+
+#include <cstddef>
+#include <unordered_set>
+
+#include <talus/client/view.h>
+#include <talus/voxel/coords.h>
+
+#include "pending_chunks.h"
+
+namespace talus::load {
+
+/// Remembers every chunk that left: a View's rings leave few behind, however long a player flies.
+class PendingRings {
+ public:
+  using Verdict = PendingChunks::Verdict;
+
+  /// A View of this shape is sent.
+  void move_to(const client::ViewShape& shape);
+  /// Of level 1 and up.
+  [[nodiscard]] Verdict arrive(ChunkKey chunk);
+  [[nodiscard]] ChunkRange rows(std::int32_t x, std::int32_t z, Lod lod) const {
+    return shape_.rows(x, z, lod);
+  }
+
+  /// Chunks that must come: not those that left and came back, which the server may know to be held.
+  [[nodiscard]] std::size_t waiting() const { return waiting_; }
+
+ private:
+  client::ViewShape shape_;
+  std::unordered_set<ChunkKey> held_;
+  std::unordered_set<ChunkKey> left_;
+  std::size_t waiting_ = 0;
+};
+
+}  // namespace talus::load
