@@ -6,7 +6,7 @@
 namespace talus::server {
 namespace {
 
-constexpr std::size_t kMinSorted = 1024;  // chunks that are put in order at once, at least
+constexpr std::size_t kMinSorted = 128;  // chunks that are put in order at once, at least
 
 }  // namespace
 

@@ -317,6 +317,7 @@ TEST_CASE("what a session's work throws ends it and no other") {
     MixedRows column(ChunkKey) override { return {}; }
     Submission submit(const MailboxPtr&, ChunkKey) override { return Submission::queued; }
     void cancel(ClientId, ChunkKey) override {}
+    void set_wanted(ClientId, std::span<const LevelBox>) override {}
     void submit_heights(const MailboxPtr&, std::uint64_t, std::vector<terrain::BaseColumn>) override {}
     void cancel_heights(ClientId, std::uint64_t) override {}
   } source;
