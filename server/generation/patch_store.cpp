@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <exception>
-#include <limits>
 
 namespace talus::server {
 
@@ -108,11 +107,9 @@ MixedRows PatchStore::rows_of(ChunkKey column, const terrain::Stacks& stacks) {
 }
 
 bool PatchStore::in_some_view(const PatchKey& patch) const {
-  constexpr ChunkRange kAllRows{std::numeric_limits<std::int32_t>::min(),
-                                std::numeric_limits<std::int32_t>::max()};
   bool any = false;
   for_each_column(patch, patch_tiles_,
-                  [&](ChunkKey column) { any = any || parts_.wanted.rows_of(column, kAllRows).size() > 0; });
+                  [&](ChunkKey column) { any = any || parts_.wanted.has_column(column); });
   return any;
 }
 

@@ -18,7 +18,8 @@
 namespace talus::server {
 
 /// Boxes of chunks by client, found by column. A box lies in one to four cells of a grid as coarse as the box
-/// is wide, so that neither setting nor finding one costs more for a wide View than for a small one.
+/// is wide, so a wide View costs no more than a small one; and a cell has each box once, so a crowd in one
+/// place costs little more than one client.
 class WantedChunks {
  public:
   /// Replaces the client's boxes; empty: forgets the client. Throws std::bad_alloc, and then the client has
@@ -28,6 +29,8 @@ class WantedChunks {
   /// Of the rows in `rows`, from the lowest that some client's box has of the key's column to the highest;
   /// empty where no box has one of them.
   [[nodiscard]] ChunkRange rows_of(ChunkKey column, ChunkRange rows) const;
+  /// Whether some client's box has the key's column.
+  [[nodiscard]] bool has_column(ChunkKey column) const;
 
   /// Whether no client has any.
   [[nodiscard]] bool empty() const;
@@ -46,20 +49,25 @@ class WantedChunks {
     std::size_t operator()(const Cell& cell) const noexcept;
   };
   struct Entry {
-    ClientId client{};
     LevelBox box;
+    std::size_t clients = 0;  // who have it
   };
 
   /// Calls visit(Cell) for the cells in which the box lies.
   template <typename Visit>
   static void for_each_cell(const LevelBox& box, Visit&& visit);
-  /// Those of its boxes that lie in cells.
-  void remove(ClientId client, std::span<const LevelBox> boxes);
+  /// Calls visit(LevelBox) for the boxes that have the key's column, until it returns false.
+  template <typename Visit>
+  void for_each_box(ChunkKey column, Visit&& visit) const;
+  void add(const Cell& cell, const LevelBox& box);
+  void remove(const Cell& cell, const LevelBox& box);
+  /// The first `places` of the places that the boxes have in cells.
+  void remove(std::span<const LevelBox> boxes, std::size_t places);
 
   mutable std::mutex mutex_;
   std::unordered_map<ClientId, std::vector<LevelBox>> boxes_;
   std::unordered_map<Cell, std::vector<Entry>, CellHash> cells_;
-  std::array<std::size_t, kScales> boxes_of_scale_{};
+  std::array<std::size_t, kScales> entries_of_scale_{};
 };
 
 }  // namespace talus::server

@@ -381,11 +381,11 @@ void SessionRunner<S>::end(std::string_view reason) {
   if (greeted_) context_.session.metrics.greeted.fall();
   stream_.close();
   clock_moved();
+  session_.abandon();
   const std::string& failure = session_.failure();
   context_.log->log(session_.failure_is_known() ? spdlog::level::debug : spdlog::level::info,
                     "conn {} {}: ended: {}", connection_.id, connection_.address,
                     failure.empty() ? std::string{reason} : escaped(failure, 300));
-  session_.abandon();
 }
 
 }  // namespace talus::server

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdlib>
+#include <optional>
 #include <vector>
 
 #include <glm/vec2.hpp>
@@ -21,18 +22,21 @@ class Heading {
   /// The View stands here now. A move of more than `radius` base chunks is a jump, after which nothing is
   /// known.
   void move_to(glm::i64vec3 centre, int radius) {
-    const glm::i64vec3 moved = centre - centre_;
+    const glm::i64vec3 moved = centre - centre_.value_or(centre);
     centre_ = centre;
     if (moved.x == 0 && moved.z == 0) return;
     const bool jump = std::abs(moved.x) > radius || std::abs(moved.z) > radius;
     moves_ = jump ? glm::dvec2{} : moves_ * kKept + glm::dvec2{moved.x, moved.z};
   }
 
-  /// The boxes, longer by kAhead chunks to where the View goes.
+  /// The boxes, outer and inner, with kAhead chunks more where the View comes to have them.
   [[nodiscard]] std::vector<LevelBox> ahead(std::vector<LevelBox> boxes) const {
     for (LevelBox& box : boxes) {
       extend(box.x, moves_.x, box.lod);
       extend(box.z, moves_.y, box.lod);
+      // What the finer level leaves behind.
+      shorten(box.inner_x, moves_.x);
+      shorten(box.inner_z, moves_.y);
     }
     return boxes;
   }
@@ -48,7 +52,12 @@ class Heading {
     if (move < -kSteady) range.first = std::max(range.first - kAhead, world.first);
   }
 
-  glm::i64vec3 centre_{};
+  static void shorten(ChunkRange& range, double move) {
+    if (move > kSteady) range.first += kAhead;
+    if (move < -kSteady) range.last -= kAhead;
+  }
+
+  std::optional<glm::i64vec3> centre_;
   glm::dvec2 moves_{};
 };
 

@@ -30,7 +30,7 @@ std::vector<ChunkKey> ViewSubscription::apply() {
   number_ = view.number;
   completion_due_ = number_ != 0;
   AreaOfInterest wanted{view};
-  heading_.move_to(view.centre, view.horizontal_radius);
+  heading_.move_to(view.centre, view.rings.empty() ? view.horizontal_radius : view.rings.back().radius);
   ahead_ = heading_.ahead(wanted.boxes());
   auto dropped = stream_.replace(std::move(wanted), std::exchange(unseen_, {}));
   std::erase_if(known_, [&](const auto& chunk) { return !stream_.wants(chunk.first); });

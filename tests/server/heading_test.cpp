@@ -14,11 +14,24 @@ std::vector<LevelBox> around(std::int64_t x, std::int64_t z) {
 
 }  // namespace
 
-TEST_CASE("a View that never moved has nothing ahead of it") {
+TEST_CASE("a View that never moved has nothing ahead of it, wherever it stands") {
+  for (const std::int64_t x : {3, 1000}) {
+    Heading heading;
+    heading.move_to({x, 0, 2}, 8);
+    CHECK(heading.ahead(around(x, 2)) == around(x, 2));
+  }
+}
+
+TEST_CASE("what a ring comes to have lies ahead of it, and where the finer level leaves it") {
   Heading heading;
-  heading.move_to({1000, 0, 0}, 8);
-  CHECK(heading.ahead(around(1000, 0)).front().x == ChunkRange{992, 1008});
-  CHECK(heading.ahead(around(1000, 0)).front().z == ChunkRange{-8, 8});
+  heading.move_to({0, 0, 0}, 64);
+  heading.move_to({12, 0, -1}, 64);
+  const LevelBox ring{Lod::of(1), {-26, 38}, {0, 1}, {-33, 31}, {2, 9}, {-5, 3}};
+  const LevelBox ahead = heading.ahead({ring}).front();
+  CHECK(ahead.x == ChunkRange{-26, 38 + Heading::kAhead});
+  CHECK(ahead.z == ChunkRange{-33 - Heading::kAhead, 31});
+  CHECK(ahead.inner_x == ChunkRange{2 + Heading::kAhead, 9});
+  CHECK(ahead.inner_z == ChunkRange{-5, 3 - Heading::kAhead});
 }
 
 TEST_CASE("a View has more ahead of it where it moves, and no less behind") {

@@ -65,7 +65,9 @@ TEST_CASE("a column's rows are those that the boxes of all clients say") {
     const int steps = *rc::gen::inRange(1, 12);
     for (int step = 0; step < steps; ++step) {
       const int client = *rc::gen::inRange(0, 4);
-      std::vector<LevelBox> boxes;
+      // Now and then those of another client.
+      std::vector<LevelBox> boxes = clients[*rc::gen::inRange(0, 4)];
+      if (*rc::gen::arbitrary<bool>()) boxes.clear();
       for (int i = *rc::gen::inRange(0, 3); i > 0; --i) boxes.push_back(random_box());
       wanted.set(ClientId{static_cast<std::uint64_t>(client)}, boxes);
       clients[client] = boxes;
@@ -83,6 +85,7 @@ TEST_CASE("a column's rows are those that the boxes of all clients say") {
         const ChunkRange found = wanted.rows_of(column, rows);
         const ChunkRange expected = hull(clients, column, rows);
         RC_ASSERT(found.size() == expected.size());
+        RC_ASSERT(wanted.has_column(column) == (hull(clients, column, kAllRows).size() > 0));
         if (expected.size() > 0) RC_ASSERT(found == expected);
       }
     }
@@ -110,10 +113,12 @@ TEST_CASE("whichever allocation fails while boxes are set, the client has none, 
     WantedChunks wanted;
     const std::array boxes{box(0, range(0, 4), range(0, 2), range(0, 4)),
                            box(2, range(-9, 4), range(0, 2), range(0, 4))};
+    // One of them is the other client's too.
+    const std::array others{boxes[0], box(1, range(-9, 4), range(0, 2), range(0, 4))};
     wanted.set(ClientId{1}, boxes);
     try {
       const talus::test::FailingAllocations failing{allocations};
-      wanted.set(ClientId{2}, boxes);
+      wanted.set(ClientId{2}, others);
       failed = failing.has_failed();
     } catch (const std::bad_alloc&) {
       CHECK(wanted.rows_of({{1, 0, 1}, Lod{}}, kAllRows) == ChunkRange{0, 1});

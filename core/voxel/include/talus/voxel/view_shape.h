@@ -86,6 +86,7 @@ struct LevelBox {
     return y.contains(chunk.y) && has_column(chunk.x, chunk.z);
   }
   [[nodiscard]] std::uint64_t count() const;
+  bool operator==(const LevelBox&) const = default;
 
   /// Calls visit(x, z) for every column, z slowest.
   template <typename Visit>
