@@ -129,9 +129,8 @@ FlowsReport Server::flows_report() {
   return {static_cast<std::uint64_t>(metrics_.open.now()), flows_.flows(), flows_.top(kTopFlows)};
 }
 
-void Server::check_descriptors() {
-  const std::uint64_t wanted = descriptors_wanted(config_);
-  if (const std::uint64_t allowed = set_descriptor_limit(wanted); allowed < wanted) {
+void Server::check_descriptors(std::uint64_t allowed) {
+  if (const std::uint64_t wanted = descriptors_wanted(config_); allowed < wanted) {
     log_->warn(
         "the system allows {} open files, fewer than the {} that limits.connections {} needs; raise ulimit "
         "-n",
@@ -140,7 +139,7 @@ void Server::check_descriptors() {
 }
 
 void Server::run() {
-  check_descriptors();
+  check_descriptors(set_descriptor_limit(descriptors_wanted(config_)));
   log_->log(patch_size_.expensive ? spdlog::level::warn : spdlog::level::info, "{}", describe(patch_size_));
   chunks_.start();
   if (operators_) {
@@ -230,7 +229,7 @@ Access Server::reload_settings() {
     const std::lock_guard lock{context_mutex_};
     context_ = context;
   }
-  check_descriptors();
+  check_descriptors(raise_descriptor_limit(descriptors_wanted(config_)));
   handshaker_.change(handshake_settings(config_));
   rates_.set(rate_limits(config_.rates));
   admission_.change(admission_limits(config_));

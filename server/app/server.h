@@ -62,7 +62,8 @@ class Server {
   [[nodiscard]] std::string metrics_text();
   [[nodiscard]] FlowsReport flows_report();
   [[nodiscard]] RunnerContextPtr make_context();
-  void check_descriptors();
+  /// Warns where the limit of open files is less than the settings need.
+  void check_descriptors(std::uint64_t allowed);
   void on_connection(AcceptedConnection accepted);
   [[nodiscard]] asio::awaitable<void> wait_for_shutdown();
   [[nodiscard]] asio::awaitable<void> wait_for_reload();
