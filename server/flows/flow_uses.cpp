@@ -47,8 +47,9 @@ void FlowUses::look_at_all() {
     const bool forgotten = std::exchange(known.left, left) && left;
     for (std::size_t i = 0; i < kFlowMeasures; ++i) {
       const std::uint64_t used = known.use->used(static_cast<FlowMeasure>(i));
-      const std::uint64_t more = used - std::exchange(known.collected[i], used);
+      const std::uint64_t more = used - known.collected[i];
       if (more > 0) heaviest_[i].add(*known.use, more);
+      known.collected[i] = used;  // now that nothing has failed
     }
     at = forgotten ? known_.erase(at) : std::next(at);
   }
