@@ -275,7 +275,11 @@ void Server::collect_flows() {
   const auto now = clock_.now();
   if (now - last_look_at_flows_ < kLookAtFlows) return;
   last_look_at_flows_ = now;
-  flows_.collect(now);
+  try {
+    flows_.collect(now);
+  } catch (const std::exception& error) {  // the next look collects the rest
+    log_->warn("cannot collect what flows use: {}", error.what());
+  }
 }
 
 void Server::give_memory_back() {
