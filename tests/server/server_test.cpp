@@ -76,6 +76,13 @@ TEST_CASE("what goes wrong while settings are read again does not end the server
                         Catch::Contains("SIGTERM: no new connections"));
 }
 
+TEST_CASE("a list of revoked tokens that SIGHUP finds without any key is the error that it is at a start") {
+  Config revoked = on_any_port();
+  revoked.access.revoked_file = "revoked";
+  CHECK_THAT(log_of_reload(on_any_port(), [&] { return revoked; }),
+             Catch::Contains("SIGHUP: " + load_keys(revoked.access).error() + "; the old keys stay"));
+}
+
 TEST_CASE("fewer connections by SIGHUP leave the limit of open files as it is") {
   const int wrong = in_child([] {
     Config fewer = on_any_port();
