@@ -28,6 +28,7 @@ struct FlowName {
   enum class Kind : std::uint8_t { address, subject };
   Kind kind = Kind::address;
   std::string text;
+  bool cut = false;  // the subject is longer
 };
 using FlowNamePtr = std::shared_ptr<const FlowName>;
 

@@ -34,7 +34,8 @@ FlowUsePtr FlowUses::join(FlowId id, FlowName::Kind kind, std::string_view text)
     look_at_all();  // and forgets them
     look_at_size_ = std::max(kMinLookAtSize, 2 * known_.size());
   }
-  auto use = std::make_shared<FlowUse>(id, FlowName{kind, std::string{text.substr(0, FlowName::kMaxBytes)}});
+  auto use = std::make_shared<FlowUse>(id, FlowName{kind, std::string{text.substr(0, FlowName::kMaxBytes)},
+                                                    text.size() > FlowName::kMaxBytes});
   known_.emplace(id, Known{use});
   return use;
 }

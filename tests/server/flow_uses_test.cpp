@@ -109,9 +109,13 @@ TEST_CASE("nothing is lost while threads add, come and go") {
   CHECK(total(flows, FlowMeasure::sent) == 4 * kEach);
 }
 
-TEST_CASE("a long name is cut") {
+TEST_CASE("a long name is cut, and says so") {
   FlowUses flows;
-  CHECK(flows.of_subject(std::string(4000, 'x'))->name()->text.size() == FlowName::kMaxBytes);
+  for (const std::size_t bytes : {FlowName::kMaxBytes, FlowName::kMaxBytes + 1}) {
+    const FlowUsePtr flow = flows.of_subject(std::string(bytes, 'x'));
+    CHECK(flow->name()->text.size() == FlowName::kMaxBytes);
+    CHECK(flow->name()->cut == (bytes > FlowName::kMaxBytes));
+  }
 }
 
 TEST_CASE("whichever allocation fails in a look, the next one collects what it did not") {

@@ -1,6 +1,7 @@
 // What operators read about flows.
 #include "admin/flows_page.h"
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -83,6 +84,37 @@ TEST_CASE("a name that was cut inside a character is still JSON") {
   FlowsReport cut;
   cut.top[0].top = {figures(FlowName::Kind::subject, "\xc3", 1, 1, 1)};
   CHECK(nlohmann::json::parse(flows_json(cut)).is_object());
+}
+
+TEST_CASE("JSON marks a name that was cut, and no other") {
+  FlowsReport cut;
+  cut.top[0].top = {
+      figures(FlowName::Kind::subject, "whole", 1, 1, 1),
+      {std::make_shared<const FlowName>(FlowName{FlowName::Kind::subject, "half", true}), 1, 1, 1}};
+  const auto top = nlohmann::json::parse(flows_json(cut))["generator_seconds"]["top"];
+  CHECK_FALSE(top[0].contains("cut"));
+  CHECK(top[1]["cut"] == true);
+}
+
+TEST_CASE("JSON is ASCII, so that no name commands a terminal") {
+  FlowsReport named;
+  named.top[0].top = {figures(FlowName::Kind::subject,
+                              "\xc2\x9b"
+                              "2J\xc3\xa9",
+                              1, 1, 1)};
+  const std::string page = flows_json(named);
+  CHECK(std::all_of(page.begin(), page.end(), [](char c) { return c == '\n' || (c >= ' ' && c <= '~'); }));
+  CHECK(nlohmann::json::parse(page)["generator_seconds"]["top"][0]["subject"] ==
+        "\xc2\x9b"
+        "2J\xc3\xa9");
+}
+
+TEST_CASE("one flow is one flow") {
+  FlowsReport one;
+  one.flows = 1;
+  one.sessions = 1;
+  CHECK_THAT(flows_text(one), Catch::StartsWith("1 session, 1 flow\n"));
+  CHECK_THAT(flows_text({}), Catch::StartsWith("0 sessions, 0 flows\n"));
 }
 
 TEST_CASE("talusd top asks where the flag says, else where the settings do") {
