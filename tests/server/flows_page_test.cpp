@@ -6,11 +6,6 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
-#include <utility>
-#include <vector>
-
-#include "admin/top_command.h"
-#include "scratch_directory.h"
 
 using namespace talus::server;
 
@@ -32,11 +27,6 @@ FlowsReport report() {
                    {nullptr, 2 << 20, 1 << 20, 1 << 30}};
   report.top[2] = {{figures(Kind::subject, "b\x1b[2J", 10, 5, 42)}, {nullptr, 10, 10, 42}};
   return report;
-}
-
-tl::expected<TopCommand, Exit> top(std::vector<const char*> flags, const Environment& environment = {}) {
-  flags.insert(flags.begin(), "top");
-  return read_top_command(static_cast<int>(flags.size()), flags.data(), environment);
 }
 
 }  // namespace
@@ -115,30 +105,4 @@ TEST_CASE("one flow is one flow") {
   one.sessions = 1;
   CHECK_THAT(flows_text(one), Catch::StartsWith("1 session, 1 flow\n"));
   CHECK_THAT(flows_text({}), Catch::StartsWith("0 sessions, 0 flows\n"));
-}
-
-TEST_CASE("talusd top asks where the flag says, else where the settings do") {
-  const ScratchDirectory scratch;
-  const std::string file = scratch.write("talusd.toml", "admin = \"127.0.0.1:7\"\n");
-  CHECK(to_string(top({"--admin", "[::1]:9"})->admin) == "[::1]:9");
-  CHECK(to_string(top({"--config", file.c_str()})->admin) == "127.0.0.1:7");
-  CHECK(to_string(top({"--config", file.c_str()}, {{"TALUS_ADMIN", "127.0.0.1:8"}})->admin) == "127.0.0.1:8");
-  CHECK(top({"--admin", "a:1", "--interval", "60"})->interval.count() == 60);
-}
-
-TEST_CASE("wrong flags of talusd top are one line") {
-  using Flags = std::vector<const char*>;
-  const std::vector<std::pair<Flags, std::string>> wrong{
-      {Flags{}, "give --admin HOST:PORT"},
-      {Flags{"--admin", "nowhere"}, "--admin: \"nowhere\": "},
-      {Flags{"--admin", "a:1", "--interval", "0"}, "--interval"},
-      {Flags{"--config", "/no/such.toml"}, "/no/such.toml: "},
-      {Flags{"--bytes"}, "--bytes"}};
-  for (const auto& [flags, part] : wrong) {
-    const auto command = top(flags);
-    REQUIRE_FALSE(command.has_value());
-    CHECK(command.error().status != 0);
-    CHECK_THAT(command.error().text, Catch::StartsWith("talusd top: ") && Catch::Contains(part));
-    CHECK(command.error().text.find('\n') == command.error().text.size() - 1);
-  }
 }
