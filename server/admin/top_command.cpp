@@ -59,10 +59,9 @@ tl::expected<TopCommand, Exit> read_top_command(int argc, const char* const* arg
   app.footer(
       "Units: ms/s are ms of processor time of generator threads a second, /min refusals a minute: of\n"
       "requests that were too many or too fast, of those for which the server was too full, and of\n"
-      "connections. The rates are weighted by age, as load\n"
-      "averages are, over 10 s and 1 min; the share is that of all flows over 1 min; totals count since a\n"
-      "flow is listed. A name is as access.blocked_file has it, unless it ends in \"...\": then it was cut, "
-      "and\n"
+      "connections. The rates are weighted by age, as load averages are, over 10 s and 1 min; the share\n"
+      "is that of all flows over 1 min; totals count since a flow is listed.\n"
+      "A name is as access.blocked_file has it, unless it ends in \"...\": then it was cut, and\n"
       "/flows.json on the same port has the whole subject, up to 120 bytes.\n"
       "On a terminal the page is shown again and again until Ctrl-C, elsewhere once.\n"
       "Exit status: 0 success, 1 failure, 2 wrong flags.");
