@@ -1,6 +1,7 @@
 #include "access/blocked_flows.h"
 
 #include <functional>
+#include <utility>
 
 #include <asio/ip/network_v6.hpp>
 
@@ -26,7 +27,14 @@ std::string BlockedFlows::add(std::string_view line, std::size_t number) {
   std::string_view rest = line;
   if (take_word(rest) == "subject") {
     if (rest.empty()) return "no NAME after subject";
-    subjects_.try_emplace(std::string{rest}, number);
+    // As a name is shown that is too long: it would block nobody.
+    if (rest.ends_with("...")) {
+      return "\"...\" is where the name was cut; take the whole subject from /flows.json, or write the last "
+             "dot as \\x2e";
+    }
+    std::string subject{rest};
+    if (rest.ends_with("..\\x2e")) subject.replace(subject.rfind('\\'), std::string::npos, ".");
+    subjects_.try_emplace(std::move(subject), number);
     return {};
   }
   const auto network = parse_network(line);

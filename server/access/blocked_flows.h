@@ -6,7 +6,8 @@
 //     subject NAME         whose tokens have this subject
 //
 // NAME is the subject itself, or what the log and "talusd top" show: with \xNN for what is not printable
-// ASCII.
+// ASCII. A name that ends in "..." was cut where it was shown, and is an error; of a subject that ends so the
+// last dot is written \x2e.
 #pragma once
 
 #include <atomic>

@@ -49,7 +49,8 @@ std::string flows_text(const FlowsReport& report) {
   for (const TopFlows& flows : report.top) {
     for (const FlowFigures& each : flows.top) width = std::max(width, name_shown(*each.name).size());
   }
-  std::string page = fmt::format("{} sessions, {} flows\n", report.sessions, report.flows);
+  std::string page = fmt::format("{} session{}, {} flow{}\n", report.sessions,
+                                 report.sessions == 1 ? "" : "s", report.flows, report.flows == 1 ? "" : "s");
   const auto out = std::back_inserter(page);
   for (std::size_t i = 0; i < kFlowMeasures; ++i) {
     const MeasureFormat& shown = kFormats[i];
@@ -81,6 +82,7 @@ std::string flows_json(const FlowsReport& report) {
     for (const FlowFigures& each : report.top[i].top) {
       const bool subject = each.name->kind == FlowName::Kind::subject;
       nlohmann::ordered_json flow{{subject ? "subject" : "address", each.name->text}};
+      if (each.name->cut) flow["cut"] = true;
       flow.update(json_of(each, kFormats[i]));
       top.push_back(std::move(flow));
     }
@@ -88,7 +90,7 @@ std::string flows_json(const FlowsReport& report) {
                                           {"top", std::move(top)}};
   }
   // A name that was cut may end inside a character.
-  return page.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+  return page.dump(2, ' ', true, nlohmann::ordered_json::error_handler_t::replace) + "\n";
 }
 
 }  // namespace talus::server

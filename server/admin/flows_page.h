@@ -16,10 +16,11 @@ struct FlowsReport {
 };
 
 /// Three tables in printable ASCII, for a terminal of 80 columns where names are short. A flow's name is as
-/// access.blocked_file has it, unless it was too long and ends in "...".
+/// access.blocked_file has it, unless it is longer than 48 bytes and ends in "...".
 [[nodiscard]] std::string flows_text(const FlowsReport& report);
 
-/// One object. Rates are per second; the units are seconds, bytes and refusals.
+/// One object, in ASCII. Rates are per second; the units are seconds, bytes and refusals. Names are whole up
+/// to FlowName::kMaxBytes; "cut" marks longer ones.
 [[nodiscard]] std::string flows_json(const FlowsReport& report);
 
 }  // namespace talus::server

@@ -1,7 +1,11 @@
 #include "admin/top_command.h"
 
+#include <array>
+#include <charconv>
+#include <cstddef>
 #include <cstdint>
-#include <sstream>
+#include <optional>
+#include <string_view>
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
@@ -16,6 +20,34 @@ tl::unexpected<Exit> top_refused(const std::string& text, int status) {
   return tl::make_unexpected(Exit{fmt::format("talusd top: {}\n", on_one_line(text)), status});
 }
 
+constexpr std::size_t kMaxAnswerBytes = std::size_t{1} << 20;
+
+/// Of an answer's head; none where it has none that is a number.
+std::optional<std::size_t> content_length(std::string_view head) {
+  constexpr std::string_view kName{"\r\nContent-Length: "};
+  const std::size_t at = head.find(kName);
+  if (at == std::string_view::npos) return std::nullopt;
+  std::size_t length = 0;
+  const char* const end = head.data() + head.size();
+  const auto [stop, error] = std::from_chars(head.data() + at + kName.size(), end, length);
+  if (error != std::errc{} || (stop != end && *stop != '\r')) return std::nullopt;
+  return length;
+}
+
+/// Whoever answered: nothing commands the terminal.
+std::string printable_lines(std::string_view page) {
+  std::string lines;
+  while (!page.empty()) {
+    const std::string_view line = page.substr(0, page.find('\n'));
+    lines += on_one_line(line);
+    page.remove_prefix(line.size());
+    if (page.empty()) break;
+    lines += '\n';
+    page.remove_prefix(1);
+  }
+  return lines;
+}
+
 }  // namespace
 
 tl::expected<TopCommand, Exit> read_top_command(int argc, const char* const* argv,
@@ -26,9 +58,11 @@ tl::expected<TopCommand, Exit> read_top_command(int argc, const char* const* arg
       "talusd top"};
   app.footer(
       "Units: ms/s are ms of processor time of generator threads a second, /min refusals a minute: of\n"
-      "requests that were too many or too fast, and of connections. The rates are weighted by age, as load\n"
-      "averages are, over 10 s and 1 min; the share is that of all flows over 1 min; totals count since a\n"
-      "flow is listed. A name is as access.blocked_file has it.\n"
+      "requests that were too many or too fast, of those for which the server was too full, and of\n"
+      "connections. The rates are weighted by age, as load averages are, over 10 s and 1 min; the share\n"
+      "is that of all flows over 1 min; totals count since a flow is listed.\n"
+      "A name is as access.blocked_file has it, unless it ends in \"...\": then it was cut, and\n"
+      "/flows.json on the same port has the whole subject, up to 120 bytes.\n"
       "On a terminal the page is shown again and again until Ctrl-C, elsewhere once.\n"
       "Exit status: 0 success, 1 failure, 2 wrong flags.");
   std::string admin;
@@ -69,24 +103,33 @@ tl::expected<TopCommand, Exit> read_top_command(int argc, const char* const* arg
 
 tl::expected<std::string, std::string> fetch_flows(const protocol::Endpoint& admin) {
   const std::string where = fmt::format("http://{}/flows", to_string(admin));
+  const auto failed = [&](std::string_view why) {
+    return tl::make_unexpected(fmt::format("{}: {}", where, why));
+  };
   constexpr std::chrono::seconds kLongest{5};
   asio::ip::tcp::iostream stream;
   stream.expires_after(kLongest);
   stream.connect(admin.host, std::to_string(admin.port));
-  stream << "GET /flows HTTP/1.1\r\nHost: " << admin.host << "\r\nConnection: close\r\n\r\n" << std::flush;
-  std::ostringstream answer;
-  if (stream) answer << stream.rdbuf();
-  const std::string text = answer.str();
-  if (text.empty()) {
-    return tl::make_unexpected(
-        fmt::format("{}: {}", where, stream.error() ? stream.error().message() : "no answer"));
+  stream << "GET /flows HTTP/1.1\r\nHost: " << to_string(admin) << "\r\nConnection: close\r\n\r\n"
+         << std::flush;
+  std::string answer;
+  for (std::array<char, 4096> part{}; stream && answer.size() <= kMaxAnswerBytes;) {
+    stream.read(part.data(), part.size());
+    answer.append(part.data(), static_cast<std::size_t>(stream.gcount()));
   }
-  const auto body = text.find("\r\n\r\n");
-  if (!text.starts_with("HTTP/1.1 200 ") || body == std::string::npos) {
-    return tl::make_unexpected(fmt::format("{}: \"{}\" is not the answer of a talusd of this version", where,
-                                           escaped(text.substr(0, text.find('\r')), 80)));
+  if (answer.empty()) return failed(stream.error() ? stream.error().message() : "no answer");
+  const std::string_view text{answer};
+  const std::size_t head_ends = text.find("\r\n\r\n");
+  const std::string_view head = text.substr(0, head_ends);
+  const auto length = content_length(head);
+  if (!head.starts_with("HTTP/1.1 200 ") || head_ends == std::string_view::npos || !length) {
+    return failed(fmt::format("\"{}\" is not the answer of a talusd of this version",
+                              escaped(head.substr(0, head.find('\r')), 80)));
   }
-  return text.substr(body + 4);
+  const std::string_view page = text.substr(head_ends + 4).substr(0, *length);
+  if (answer.size() > kMaxAnswerBytes) return failed("answered more than 1 MiB");
+  if (page.size() < *length) return failed(fmt::format("answered only {} of {} bytes", page.size(), *length));
+  return printable_lines(page);
 }
 
 }  // namespace talus::server

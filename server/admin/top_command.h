@@ -21,7 +21,8 @@ struct TopCommand {
 [[nodiscard]] tl::expected<TopCommand, Exit> read_top_command(int argc, const char* const* argv,
                                                               const Environment& environment);
 
-/// The page /flows of the server there. Waits for at most 5 s. An error is one line.
+/// The page /flows of the server there, of printable text whoever answers. Waits for at most 5 s, and takes
+/// at most 1 MiB. An error is one line.
 [[nodiscard]] tl::expected<std::string, std::string> fetch_flows(const protocol::Endpoint& admin);
 
 }  // namespace talus::server

@@ -21,6 +21,7 @@
 #include "app/settings.h"
 #include "generation/background_thread.h"
 #include "generation/terrain_generator.h"
+#include "log/escape.h"
 #include "metrics/metrics_page.h"
 #include "metrics/process.h"
 #include "net/descriptors.h"
@@ -80,7 +81,7 @@ Server::Server(const Config& config, std::shared_ptr<const terrain::World> world
               metrics_,
               memory_,
               clock},
-      context_{make_context()},
+      context_{make_context(config_)},
       acceptor_{std::move(listeners.players)},
       shutdown_signals_{io_->control(), SIGTERM, SIGINT},
       reload_signals_{io_->control(), SIGHUP},
@@ -88,19 +89,20 @@ Server::Server(const Config& config, std::shared_ptr<const terrain::World> world
       housekeeping_timer_{io_->control()},
       operators_{std::move(listeners.operators)} {}
 
-RunnerContextPtr Server::make_context() {
+RunnerContextPtr Server::make_context(const Config& config) {
   struct Kept {
     SessionLimits limits;
     RunnerContext context;
-    Kept(const SessionLimits& of_sessions, Server& server)
+    Kept(const SessionLimits& of_sessions, const RunnerLimits& of_runners, Server& server)
         : limits{of_sessions},
           context{{limits, server.world_, server.chunks_, server.memory_, server.metrics_, server.access_,
                    server.rates_, server.flows_, server.clock_},
-                  runner_limits(server.config_),
+                  of_runners,
                   server.registry_,
                   server.log_of_clients_} {}
   };
-  const auto kept = std::make_shared<const Kept>(session_limits(config_, *terrain_), *this);
+  const auto kept =
+      std::make_shared<const Kept>(session_limits(config, *terrain_), runner_limits(config), *this);
   return {kept, &kept->context};
 }
 
@@ -129,9 +131,8 @@ FlowsReport Server::flows_report() {
   return {static_cast<std::uint64_t>(metrics_.open.now()), flows_.flows(), flows_.top(kTopFlows)};
 }
 
-void Server::check_descriptors() {
-  const std::uint64_t wanted = descriptors_wanted(config_);
-  if (const std::uint64_t allowed = set_descriptor_limit(wanted); allowed < wanted) {
+void Server::check_descriptors(std::uint64_t allowed) {
+  if (const std::uint64_t wanted = descriptors_wanted(config_); allowed < wanted) {
     log_->warn(
         "the system allows {} open files, fewer than the {} that limits.connections {} needs; raise ulimit "
         "-n",
@@ -140,7 +141,7 @@ void Server::check_descriptors() {
 }
 
 void Server::run() {
-  check_descriptors();
+  check_descriptors(set_descriptor_limit(descriptors_wanted(config_)));
   log_->log(patch_size_.expensive ? spdlog::level::warn : spdlog::level::info, "{}", describe(patch_size_));
   chunks_.start();
   if (operators_) {
@@ -198,15 +199,24 @@ void Server::on_connection(AcceptedConnection accepted) {
 asio::awaitable<void> Server::wait_for_reload() {
   for (;;) {
     co_await reload_signals_.async_wait(asio::use_awaitable);
-    const bool had_keys = config_.access.wanted();
-    if (!read_settings_ && !had_keys && !tls_) {
-      log_->info("SIGHUP: nothing to read again: no settings, keys, lists or certificate are in a file");
+    try {
+      reload();
+    } catch (const std::exception& error) {  // such as no memory: no reason to end
+      log_->error("SIGHUP: {}; the old settings stay in use but for those named above; send SIGHUP again",
+                  on_one_line(error.what()));
     }
-    Access access = config_.access;
-    if (read_settings_) access = reload_settings();
-    if (had_keys || access.wanted()) reload_keys(access);
-    if (tls_) reload_certificate();
   }
+}
+
+void Server::reload() {
+  const bool had_keys = config_.access.wanted();
+  if (!read_settings_ && !had_keys && !tls_) {
+    log_->info("SIGHUP: nothing to read again: no settings, keys, lists or certificate are in a file");
+  }
+  Access access = config_.access;
+  if (read_settings_) access = reload_settings();
+  if (had_keys || access.wanted()) reload_keys(access);
+  if (tls_) reload_certificate();
 }
 
 Access Server::reload_settings() {
@@ -217,25 +227,29 @@ Access Server::reload_settings() {
   }
   const auto changes = changes_between(config_, *fresh);
   if (changes.empty()) log_->info("SIGHUP: no setting has changed");
+  Config changed = changed_while_running(config_, *fresh);
+  Access wanted = std::exchange(changed.access, config_.access);  // until its files are read
+  if (!changes.empty()) change_settings(std::move(changed));
+  // Only now is it true.
   for (const SettingChange& change : changes) {
     const bool waits = change.counts == Counts::after_restart;
     log_->log(waits ? spdlog::level::warn : spdlog::level::info, "SIGHUP: {}", change.line);
   }
-  const Config changed = changed_while_running(config_, *fresh);
-  const Access in_use = std::exchange(config_, changed).access;
-  config_.access = in_use;  // until its files are read
-  if (changes.empty()) return in_use;
-  const auto context = make_context();
+  return wanted;
+}
+
+void Server::change_settings(Config changed) {
+  auto context = make_context(changed);
+  handshaker_.change(handshake_settings(changed));
+  rates_.set(rate_limits(changed.rates));
+  admission_.change(admission_limits(changed));
+  registry_.rates_changed();
+  config_ = std::move(changed);
   {
     const std::lock_guard lock{context_mutex_};
-    context_ = context;
+    context_.swap(context);
   }
-  check_descriptors();
-  handshaker_.change(handshake_settings(config_));
-  rates_.set(rate_limits(config_.rates));
-  admission_.change(admission_limits(config_));
-  registry_.rates_changed();
-  return changed.access;
+  check_descriptors(raise_descriptor_limit(descriptors_wanted(config_)));
 }
 
 void Server::reload_keys(const Access& access) {
@@ -276,7 +290,11 @@ void Server::collect_flows() {
   const auto now = clock_.now();
   if (now - last_look_at_flows_ < kLookAtFlows) return;
   last_look_at_flows_ = now;
-  flows_.collect(now);
+  try {
+    flows_.collect(now);
+  } catch (const std::exception& error) {  // the next look collects the rest
+    log_->warn("cannot collect what flows use: {}", error.what());
+  }
 }
 
 void Server::give_memory_back() {

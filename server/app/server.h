@@ -61,13 +61,18 @@ class Server {
  private:
   [[nodiscard]] std::string metrics_text();
   [[nodiscard]] FlowsReport flows_report();
-  [[nodiscard]] RunnerContextPtr make_context();
-  void check_descriptors();
+  [[nodiscard]] RunnerContextPtr make_context(const Config& config);
+  /// Warns where the limit of open files is less than the settings need.
+  void check_descriptors(std::uint64_t allowed);
   void on_connection(AcceptedConnection accepted);
   [[nodiscard]] asio::awaitable<void> wait_for_shutdown();
   [[nodiscard]] asio::awaitable<void> wait_for_reload();
-  /// Says what has changed, and changes what can be without a restart but for access, which it returns.
+  /// Reads everything again. Where it throws, the next one does the rest.
+  void reload();
+  /// Changes what can be without a restart but for access, which it returns, and says what has changed.
   [[nodiscard]] Access reload_settings();
+  /// `changed` is in use when nothing has failed.
+  void change_settings(Config changed);
   /// Takes the lists' paths from `access`.
   void reload_keys(const Access& access);
   void reload_certificate();

@@ -71,7 +71,7 @@ struct Access {
   /// Whether there are files to read.
   [[nodiscard]] bool wanted() const {
     return !secret_file.empty() || !signing_key_file.empty() || !previous_signing_key_file.empty() ||
-           !blocked_file.empty();
+           !revoked_file.empty() || !blocked_file.empty();
   }
   bool operator==(const Access&) const = default;
 };

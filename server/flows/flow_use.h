@@ -16,7 +16,8 @@ namespace talus::server {
 enum class FlowMeasure : std::uint8_t {
   generator,  // ns of processor time of generator threads, in its turns
   sent,       // bytes written to its clients
-  refusals,   // requests that were refused as too many or too fast, and connections refused
+  refusals,   // requests that were refused as too many or too fast or for want of room, and connections
+              // refused
 };
 inline constexpr std::size_t kFlowMeasures = 3;
 
@@ -28,6 +29,7 @@ struct FlowName {
   enum class Kind : std::uint8_t { address, subject };
   Kind kind = Kind::address;
   std::string text;
+  bool cut = false;  // the subject is longer
 };
 using FlowNamePtr = std::shared_ptr<const FlowName>;
 

@@ -34,7 +34,8 @@ FlowUsePtr FlowUses::join(FlowId id, FlowName::Kind kind, std::string_view text)
     look_at_all();  // and forgets them
     look_at_size_ = std::max(kMinLookAtSize, 2 * known_.size());
   }
-  auto use = std::make_shared<FlowUse>(id, FlowName{kind, std::string{text.substr(0, FlowName::kMaxBytes)}});
+  auto use = std::make_shared<FlowUse>(id, FlowName{kind, std::string{text.substr(0, FlowName::kMaxBytes)},
+                                                    text.size() > FlowName::kMaxBytes});
   known_.emplace(id, Known{use});
   return use;
 }
@@ -47,8 +48,9 @@ void FlowUses::look_at_all() {
     const bool forgotten = std::exchange(known.left, left) && left;
     for (std::size_t i = 0; i < kFlowMeasures; ++i) {
       const std::uint64_t used = known.use->used(static_cast<FlowMeasure>(i));
-      const std::uint64_t more = used - std::exchange(known.collected[i], used);
+      const std::uint64_t more = used - known.collected[i];
       if (more > 0) heaviest_[i].add(*known.use, more);
+      known.collected[i] = used;  // now that nothing has failed
     }
     at = forgotten ? known_.erase(at) : std::next(at);
   }

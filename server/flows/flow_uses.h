@@ -41,6 +41,7 @@ class FlowUses {
   [[nodiscard]] FlowUsePtr of_subject(std::string_view subject);
 
   /// Collects what was added since the last time: call it about once a second. Takes about 0.1 us a flow.
+  /// Where it throws, the next call collects the rest.
   void collect(Clock::time_point now);
 
   /// As of the last collect().

@@ -42,6 +42,8 @@ void HeavyHitters::pass(std::chrono::duration<double> time) {
 }
 
 void HeavyHitters::add(const FlowUse& flow, std::uint64_t amount) {
+  // First, so that what fails leaves no place without an entry.
+  if (entries_.size() == entries_.capacity()) entries_.reserve(2 * entries_.size() + 1);
   const auto [place, fresh] = place_.try_emplace(flow.id(), entries_.size());
   if (fresh) entries_.push_back({flow.id(), {flow.name()}, unlisted_});
   add_to(entries_[place->second].figures, amount);
@@ -54,9 +56,9 @@ void HeavyHitters::cut() {
   std::nth_element(entries_.begin(), first_cut, entries_.end(),
                    [](const Entry& a, const Entry& b) { return a.weight() > b.weight(); });
   unlisted_ = first_cut->weight();
+  for (auto cut = first_cut; cut != entries_.end(); ++cut) place_.erase(cut->flow);
   entries_.erase(first_cut, entries_.end());
-  place_.clear();
-  for (std::size_t place = 0; place < entries_.size(); ++place) place_.emplace(entries_[place].flow, place);
+  for (std::size_t place = 0; place < entries_.size(); ++place) place_.at(entries_[place].flow) = place;
 }
 
 std::vector<FlowFigures> HeavyHitters::top(std::size_t count) const {

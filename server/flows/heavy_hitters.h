@@ -35,7 +35,7 @@ class HeavyHitters {
   /// So much time has passed: all rates fall. Call it about once a second, before the add() of what was used
   /// in that time.
   void pass(std::chrono::duration<double> time);
-  /// The flow has used so much more.
+  /// The flow has used so much more. Changes nothing where it throws.
   void add(const FlowUse& flow, std::uint64_t amount);
   /// Keeps the heaviest. Call it after a number of add().
   void cut();

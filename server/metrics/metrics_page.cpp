@@ -96,7 +96,7 @@ const std::array kRows{
     MetricRow{"talus_flows", "Flows (addresses, or subjects of tokens) with a session of late.", gauge, {},
               &RuntimeGauges::flows},
     MetricRow{"talus_flow_refusals_total",
-              "Requests refused as too many or too fast, and connections refused, of all flows.", counter, {},
+              "Requests refused as too many or too fast or because the server was full, and connections refused, of all flows.", counter, {},
               &RuntimeGauges::flow_refusals},
 
     MetricRow{"talus_handshakes", "PROXY headers and TLS handshakes in flight.", gauge, {}, &Metrics::handshakes},

@@ -23,12 +23,25 @@ std::uint64_t descriptors_needed(std::uint64_t sockets, std::size_t io_contexts)
   return sockets + Refusals::kMax + kPerContext * io_contexts + kOwn + kSpareDescriptors;
 }
 
-std::uint64_t set_descriptor_limit(std::uint64_t wanted) {
+namespace {
+
+std::uint64_t set_limit(std::uint64_t wanted, bool lowers) {
   rlimit limit{};
   if (getrlimit(RLIMIT_NOFILE, &limit) != 0) return 0;
-  limit.rlim_cur = std::min<rlim_t>(wanted, limit.rlim_max);
+  const rlim_t least = lowers ? 0 : limit.rlim_cur;
+  limit.rlim_cur = std::max(least, std::min<rlim_t>(wanted, limit.rlim_max));
   if (setrlimit(RLIMIT_NOFILE, &limit) != 0) getrlimit(RLIMIT_NOFILE, &limit);
   return limit.rlim_cur;
+}
+
+}  // namespace
+
+std::uint64_t set_descriptor_limit(std::uint64_t wanted) {
+  return set_limit(wanted, true);
+}
+
+std::uint64_t raise_descriptor_limit(std::uint64_t wanted) {
+  return set_limit(wanted, false);
 }
 
 }  // namespace talus::server

@@ -20,5 +20,8 @@ inline constexpr std::uint64_t kSpareDescriptors = 16;
 /// Sets the process's own limit of open files to `wanted`, or to what the system allows it if that is less;
 /// returns what it is now.
 [[nodiscard]] std::uint64_t set_descriptor_limit(std::uint64_t wanted);
+/// The same, but never lowers it: while clients are served they may hold all numbers below a lower limit, and
+/// then nothing could be opened, not for operators either.
+[[nodiscard]] std::uint64_t raise_descriptor_limit(std::uint64_t wanted);
 
 }  // namespace talus::server

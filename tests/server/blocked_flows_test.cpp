@@ -57,6 +57,14 @@ TEST_CASE("an IPv4 network does not reach into IPv6, and all of one family can b
   CHECK(line_for(list("::/0"), "2001:db8::1") == 1);
 }
 
+TEST_CASE("a subject that ends as if it were cut can be blocked") {
+  const BlockedFlows blocked = list("subject a..\\x2e\nsubject b\\x2e\n");
+  CHECK(blocked.find_subject("a...") != nullptr);
+  CHECK(blocked.find_subject("a..") == nullptr);
+  CHECK(blocked.find_subject("b\\x2e") != nullptr);
+  CHECK(blocked.find_subject("b.") == nullptr);
+}
+
 TEST_CASE("each line is new to the log once") {
   const BlockedFlows blocked = list("192.0.2.1\nsubject a\n");
   CHECK(blocked.find(asio::ip::make_address("192.0.2.1"))->meet());
@@ -66,25 +74,26 @@ TEST_CASE("each line is new to the log once") {
 }
 
 TEST_CASE("a bad line is an error that names its number and what is wrong") {
-  const auto [line, part] =
-      GENERATE(table<std::string, std::string>({{"subject", "no NAME after subject"},
-                                                {"subjects alice", "is not an address"},
-                                                {"alice", "is not an address"},
-                                                {"203.0.113", "is not an address"},
-                                                {"203.0.113.256", "is not an address"},
-                                                {"203.0.113.9:4780", "is not an address"},
-                                                {"[2001:db8::1]", "is not an address"},
-                                                {"fe80::1%1", "is not an address"},
-                                                {"203.0.113.9 # him", "is not an address"},
-                                                {"203.0.113.9, 203.0.113.10", "is not an address"},
-                                                {"203.0.113.9/", "has no length from 0 to 32"},
-                                                {"203.0.113.0/33", "has no length from 0 to 32"},
-                                                {"203.0.113.0/x", "has no length from 0 to 32"},
-                                                {"2001:db8::/129", "has no length from 0 to 128"},
-                                                {"2001:db8::/0064", "has no length from 0 to 128"},
-                                                {"203.0.113.9/24", "has bits set after its length"},
-                                                {"2001:db8::1/64", "has bits set after its length"},
-                                                {"\x1b[2J", "\\x1b[2J"}}));
+  const auto [line, part] = GENERATE(
+      table<std::string, std::string>({{"subject", "no NAME after subject"},
+                                       {"subject alice...", "take the whole subject from /flows.json"},
+                                       {"subjects alice", "is not an address"},
+                                       {"alice", "is not an address"},
+                                       {"203.0.113", "is not an address"},
+                                       {"203.0.113.256", "is not an address"},
+                                       {"203.0.113.9:4780", "is not an address"},
+                                       {"[2001:db8::1]", "is not an address"},
+                                       {"fe80::1%1", "is not an address"},
+                                       {"203.0.113.9 # him", "is not an address"},
+                                       {"203.0.113.9, 203.0.113.10", "is not an address"},
+                                       {"203.0.113.9/", "has no length from 0 to 32"},
+                                       {"203.0.113.0/33", "has no length from 0 to 32"},
+                                       {"203.0.113.0/x", "has no length from 0 to 32"},
+                                       {"2001:db8::/129", "has no length from 0 to 128"},
+                                       {"2001:db8::/0064", "has no length from 0 to 128"},
+                                       {"203.0.113.9/24", "has bits set after its length"},
+                                       {"2001:db8::1/64", "has bits set after its length"},
+                                       {"\x1b[2J", "\\x1b[2J"}}));
   CAPTURE(line);
   const auto parsed = BlockedFlows::parse("# fine\n192.0.2.1\n" + line + "\n192.0.2.2\n");
   REQUIRE_FALSE(parsed.has_value());

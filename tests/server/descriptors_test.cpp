@@ -28,6 +28,17 @@ TEST_CASE("the limit of open files becomes what is needed, from above and from b
   CHECK(wrong == 0);
 }
 
+TEST_CASE("the limit of open files is raised to what is needed, and not lowered under open descriptors") {
+  const int wrong = in_child([] {
+    rlimit limit{100, 300};
+    if (::setrlimit(RLIMIT_NOFILE, &limit) != 0) return 1;
+    if (raise_descriptor_limit(200) != 200 || raise_descriptor_limit(50) != 200) return 2;
+    if (::getrlimit(RLIMIT_NOFILE, &limit) != 0 || limit.rlim_cur != 200) return 3;
+    return raise_descriptor_limit(400) == 300 ? 0 : 4;
+  });
+  CHECK(wrong == 0);
+}
+
 TEST_CASE("a server needs a descriptor for each connection, and few besides") {
   CHECK(descriptors_needed(2048, 2) == 2048 + 112 + 6);
   CHECK(descriptors_needed(1, 1024) == 1 + 112 + 3 * 1024);

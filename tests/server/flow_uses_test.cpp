@@ -3,9 +3,12 @@
 #include <atomic>
 #include <catch2/catch.hpp>
 #include <memory>
+#include <new>
 #include <string>
 #include <thread>
 #include <vector>
+
+#include "failing_allocations.h"
 
 using namespace talus::server;
 using namespace std::chrono_literals;
@@ -106,7 +109,36 @@ TEST_CASE("nothing is lost while threads add, come and go") {
   CHECK(total(flows, FlowMeasure::sent) == 4 * kEach);
 }
 
-TEST_CASE("a long name is cut") {
+TEST_CASE("a long name is cut, and says so") {
   FlowUses flows;
-  CHECK(flows.of_subject(std::string(4000, 'x'))->name()->text.size() == FlowName::kMaxBytes);
+  for (const std::size_t bytes : {FlowName::kMaxBytes, FlowName::kMaxBytes + 1}) {
+    const FlowUsePtr flow = flows.of_subject(std::string(bytes, 'x'));
+    CHECK(flow->name()->text.size() == FlowName::kMaxBytes);
+    CHECK(flow->name()->cut == (bytes > FlowName::kMaxBytes));
+  }
+}
+
+TEST_CASE("whichever allocation fails in a look, the next one collects what it did not") {
+  bool failed = true;
+  for (std::size_t allocations = 0; failed; ++allocations) {
+    CAPTURE(allocations);
+    FlowUses flows;
+    std::vector<FlowUsePtr> uses;
+    for (int flow = 0; flow < 5; ++flow) {
+      uses.push_back(flows.of_subject(std::to_string(flow)));
+      uses.back()->add(FlowMeasure::sent, 1);
+      uses.back()->add(FlowMeasure::refusals, 2);
+    }
+    {
+      const talus::test::FailingAllocations failing{allocations};
+      try {
+        flows.collect(Clock::time_point{1s});
+      } catch (const std::bad_alloc&) {
+      }
+      failed = failing.has_failed();
+    }
+    flows.collect(Clock::time_point{2s});
+    CHECK(total(flows, FlowMeasure::sent) == 5);
+    CHECK(flows.refusals() == 10);
+  }
 }

@@ -1,15 +1,11 @@
 // What operators read about flows.
 #include "admin/flows_page.h"
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
-#include <utility>
-#include <vector>
-
-#include "admin/top_command.h"
-#include "scratch_directory.h"
 
 using namespace talus::server;
 
@@ -31,11 +27,6 @@ FlowsReport report() {
                    {nullptr, 2 << 20, 1 << 20, 1 << 30}};
   report.top[2] = {{figures(Kind::subject, "b\x1b[2J", 10, 5, 42)}, {nullptr, 10, 10, 42}};
   return report;
-}
-
-tl::expected<TopCommand, Exit> top(std::vector<const char*> flags, const Environment& environment = {}) {
-  flags.insert(flags.begin(), "top");
-  return read_top_command(static_cast<int>(flags.size()), flags.data(), environment);
 }
 
 }  // namespace
@@ -85,28 +76,33 @@ TEST_CASE("a name that was cut inside a character is still JSON") {
   CHECK(nlohmann::json::parse(flows_json(cut)).is_object());
 }
 
-TEST_CASE("talusd top asks where the flag says, else where the settings do") {
-  const ScratchDirectory scratch;
-  const std::string file = scratch.write("talusd.toml", "admin = \"127.0.0.1:7\"\n");
-  CHECK(to_string(top({"--admin", "[::1]:9"})->admin) == "[::1]:9");
-  CHECK(to_string(top({"--config", file.c_str()})->admin) == "127.0.0.1:7");
-  CHECK(to_string(top({"--config", file.c_str()}, {{"TALUS_ADMIN", "127.0.0.1:8"}})->admin) == "127.0.0.1:8");
-  CHECK(top({"--admin", "a:1", "--interval", "60"})->interval.count() == 60);
+TEST_CASE("JSON marks a name that was cut, and no other") {
+  FlowsReport cut;
+  cut.top[0].top = {
+      figures(FlowName::Kind::subject, "whole", 1, 1, 1),
+      {std::make_shared<const FlowName>(FlowName{FlowName::Kind::subject, "half", true}), 1, 1, 1}};
+  const auto top = nlohmann::json::parse(flows_json(cut))["generator_seconds"]["top"];
+  CHECK_FALSE(top[0].contains("cut"));
+  CHECK(top[1]["cut"] == true);
 }
 
-TEST_CASE("wrong flags of talusd top are one line") {
-  using Flags = std::vector<const char*>;
-  const std::vector<std::pair<Flags, std::string>> wrong{
-      {Flags{}, "give --admin HOST:PORT"},
-      {Flags{"--admin", "nowhere"}, "--admin: \"nowhere\": "},
-      {Flags{"--admin", "a:1", "--interval", "0"}, "--interval"},
-      {Flags{"--config", "/no/such.toml"}, "/no/such.toml: "},
-      {Flags{"--bytes"}, "--bytes"}};
-  for (const auto& [flags, part] : wrong) {
-    const auto command = top(flags);
-    REQUIRE_FALSE(command.has_value());
-    CHECK(command.error().status != 0);
-    CHECK_THAT(command.error().text, Catch::StartsWith("talusd top: ") && Catch::Contains(part));
-    CHECK(command.error().text.find('\n') == command.error().text.size() - 1);
-  }
+TEST_CASE("JSON is ASCII, so that no name commands a terminal") {
+  FlowsReport named;
+  named.top[0].top = {figures(FlowName::Kind::subject,
+                              "\xc2\x9b"
+                              "2J\xc3\xa9",
+                              1, 1, 1)};
+  const std::string page = flows_json(named);
+  CHECK(std::all_of(page.begin(), page.end(), [](char c) { return c == '\n' || (c >= ' ' && c <= '~'); }));
+  CHECK(nlohmann::json::parse(page)["generator_seconds"]["top"][0]["subject"] ==
+        "\xc2\x9b"
+        "2J\xc3\xa9");
+}
+
+TEST_CASE("one flow is one flow") {
+  FlowsReport one;
+  one.flows = 1;
+  one.sessions = 1;
+  CHECK_THAT(flows_text(one), Catch::StartsWith("1 session, 1 flow\n"));
+  CHECK_THAT(flows_text({}), Catch::StartsWith("0 sessions, 0 flows\n"));
 }

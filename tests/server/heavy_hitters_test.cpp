@@ -3,10 +3,14 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <deque>
 #include <map>
+#include <new>
 #include <vector>
 
 #include <rapidcheck.h>
+
+#include "failing_allocations.h"
 
 using namespace talus::server;
 using namespace std::chrono_literals;
@@ -132,4 +136,45 @@ TEST_CASE("the ten heaviest of a skewed stream of 100,000 flows are the ten show
   }
   CHECK(names(hitters.top(10)) ==
         std::vector<std::string>{"1", "2", "3", "4", "5", "6", "7", "8", "9", "10"});
+}
+
+TEST_CASE("whichever allocation fails while flows are added and cut, each has its own figures then") {
+  constexpr std::uint64_t kFlows = 12;
+  std::deque<FlowUse> flows;
+  for (std::uint64_t id = 1; id <= kFlows; ++id) {
+    flows.emplace_back(FlowId{id}, FlowName{FlowName::Kind::address, std::to_string(id)});
+  }
+  bool failed = true;
+  for (std::size_t allocations = 0; failed; ++allocations) {
+    CAPTURE(allocations);
+    HeavyHitters hitters{kFlows};
+    std::size_t added = 0;
+    {
+      const talus::test::FailingAllocations failing{allocations};
+      try {
+        for (; added < kFlows; ++added) hitters.add(flows[added], 100);
+      } catch (const std::bad_alloc&) {
+      }
+      failed = failing.has_failed();
+    }
+    // Those that are missing, the one that failed last.
+    for (std::size_t flow = kFlows; flow-- > added;) hitters.add(flows[flow], 100);
+    const auto top = hitters.top(kFlows);
+    CHECK(top.size() == kFlows);
+    for (const FlowFigures& each : top) CHECK(each.total == 100);
+    CHECK(hitters.all().total == 100 * kFlows);
+  }
+}
+
+TEST_CASE("a cut allocates nothing, and the places of those that stay are theirs") {
+  HeavyHitters hitters{3};
+  for (std::uint64_t id = 1; id <= 9; ++id) use(hitters, id, 10 * id);
+  {
+    const talus::test::FailingAllocations failing{0};
+    REQUIRE_NOTHROW(hitters.cut());
+  }
+  for (const std::uint64_t id : {9, 8, 7}) use(hitters, id, 1000 * id);
+  const auto top = hitters.top(3);
+  CHECK(names(top) == std::vector<std::string>{"9", "8", "7"});
+  for (std::uint64_t place = 0; place < 3; ++place) CHECK(top[place].total == 1010 * (9 - place));
 }

@@ -2,12 +2,21 @@
 #include "app/server.h"
 
 #include <signal.h>
+#include <sys/resource.h>
 
+#include <algorithm>
 #include <catch2/catch.hpp>
+#include <new>
+#include <sstream>
+#include <string>
+
+#include <spdlog/sinks/ostream_sink.h>
 
 #include <talus/terrain/world.h>
 
 #include "access/access_control.h"
+#include "app/settings.h"
+#include "in_child.h"
 #include "log/logger.h"
 
 using namespace talus;
@@ -21,12 +30,74 @@ auto handler_of(int signal) {
   return now.sa_handler;
 }
 
-}  // namespace
-
-TEST_CASE("signals that come when nobody is served any more do not make a failure of the end") {
+Config on_any_port() {
   Config config;
   config.listen = {"127.0.0.1", 0};
   config.admin = protocol::Endpoint{"127.0.0.1", 0};
+  return config;
+}
+
+/// What a server logs that gets SIGHUP, and SIGTERM while it reads its settings again.
+std::string log_of_reload(const Config& config, const ReadSettings& read_settings) {
+  AccessControl access{config.access, *load_keys(config.access)};
+  const SystemClock clock;
+  std::ostringstream lines;
+  const auto log =
+      std::make_shared<spdlog::logger>("test", std::make_shared<spdlog::sinks::ostream_sink_mt>(lines));
+  log->set_pattern("%v");
+  {
+    auto listeners = open_listeners(config, clock, log);
+    REQUIRE(listeners.has_value());
+    Server server{config,
+                  std::make_shared<const terrain::World>(terrain::default_world()),
+                  ContentHash{},
+                  access,
+                  std::nullopt,
+                  *std::move(listeners),
+                  clock,
+                  log,
+                  [&] {
+                    ::raise(SIGTERM);
+                    return read_settings();
+                  }};
+    ::raise(SIGHUP);
+    REQUIRE_NOTHROW(server.run());
+  }
+  for (const int signal : {SIGHUP, SIGTERM, SIGINT}) ::signal(signal, SIG_DFL);
+  return lines.str();
+}
+
+}  // namespace
+
+TEST_CASE("what goes wrong while settings are read again does not end the server") {
+  const auto lines =
+      log_of_reload(on_any_port(), []() -> tl::expected<Config, std::string> { throw std::bad_alloc{}; });
+  CHECK_THAT(lines, Catch::Contains("SIGHUP: std::bad_alloc; the old settings stay in use") &&
+                        Catch::Contains("SIGTERM: no new connections"));
+}
+
+TEST_CASE("a list of revoked tokens that SIGHUP finds without any key is the error that it is at a start") {
+  Config revoked = on_any_port();
+  revoked.access.revoked_file = "revoked";
+  CHECK_THAT(log_of_reload(on_any_port(), [&] { return revoked; }),
+             Catch::Contains("SIGHUP: " + load_keys(revoked.access).error() + "; the old keys stay"));
+}
+
+TEST_CASE("fewer connections by SIGHUP leave the limit of open files as it is") {
+  const int wrong = in_child([] {
+    Config fewer = on_any_port();
+    const auto before = descriptors_wanted(fewer);
+    fewer.limits.connections = 1;
+    if (log_of_reload(on_any_port(), [&] { return fewer; }).find("2048 -> 1,") == std::string::npos) return 1;
+    rlimit limit{};
+    if (::getrlimit(RLIMIT_NOFILE, &limit) != 0) return 2;
+    return limit.rlim_cur == std::min<rlim_t>(before, limit.rlim_max) ? 0 : 3;
+  });
+  CHECK(wrong == 0);
+}
+
+TEST_CASE("signals that come when nobody is served any more do not make a failure of the end") {
+  const Config config = on_any_port();
   AccessControl access{config.access, *load_keys(config.access)};
   const SystemClock clock;
   const Logger log = make_logger("off", "text");
