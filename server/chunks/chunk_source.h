@@ -2,6 +2,7 @@
 // will stand before it, as another ChunkSource with a cache of its own, keyed by revision.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <optional>
@@ -47,12 +48,16 @@ class ChunkSource {
   /// What is known of the key's column. A source that has edited chunks counts their rows as mixed.
   [[nodiscard]] virtual MixedRows column(ChunkKey key) = 0;
 
-  enum class Submission : std::uint8_t { queued, refused };
-  /// Lets the mailbox's owner wait for the chunk: one ChunkReady comes. Refused where the queue is full or
-  /// memory short: no answer comes, but a QueueHasRoom when it is worth another try.
-  [[nodiscard]] virtual Submission submit(const MailboxPtr& mailbox, ChunkKey key) = 0;
+  /// Chunks of one level in the same square of so many columns a side, aligned to its size, are made
+  /// together: who wants several asks for them at once. A power of two.
+  [[nodiscard]] virtual int columns_together() const = 0;
+
+  /// Lets the mailbox's owner wait for the chunks: one ChunkReady comes for each. Returns how many, from the
+  /// first on; the others are refused, as the queue is full or memory short. For those no answer comes; but
+  /// where the owner waits for nothing else, a QueueHasRoom does when it is worth another try.
+  [[nodiscard]] virtual std::size_t submit(const MailboxPtr& mailbox, std::span<const ChunkKey> keys) = 0;
   /// An answer already in the mailbox may still be found there.
-  virtual void cancel(ClientId client, ChunkKey key) = 0;
+  virtual void cancel(ClientId client, std::span<const ChunkKey> keys) = 0;
 
   /// The chunks that the client looks at, and those that it comes to look at soon if it moves on as it does;
   /// in place of what was said before, empty: none. A hint on what else is worth making, no more. Throws

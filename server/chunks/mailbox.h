@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <iterator>
 #include <memory>
 #include <mutex>
 #include <string>
@@ -68,6 +69,15 @@ class Mailbox {
   void put(Mail mail) {
     const std::lock_guard lock{mutex_};
     mail_.push_back(std::move(mail));
+  }
+
+  void put(std::vector<Mail> mail) {
+    const std::lock_guard lock{mutex_};
+    if (mail_.empty()) {
+      mail_ = std::move(mail);
+    } else {
+      mail_.insert(mail_.end(), std::make_move_iterator(mail.begin()), std::make_move_iterator(mail.end()));
+    }
   }
 
   /// Any thread. Wakes the owner where mail waits and no wake-up is pending.

@@ -20,19 +20,21 @@ void log_failure(const Logger& log, Step&& step) {
 
 void AnswerBatcher::add(const std::vector<MailboxPtr>& waiters, ChunkKey key, const ChunkAnswer& answer) {
   for (const MailboxPtr& waiter : waiters) {
-    log_failure(log_, [&] {
-      to_wake_.insert(waiter);
-      waiter->put(ChunkReady{key, answer});
-    });
+    log_failure(log_, [&] { mail_[waiter].emplace_back(ChunkReady{key, answer}); });
   }
-  if (!to_wake_.empty() && clock_.now() - woke_ >= kInterval) wake();
+  if (!mail_.empty() && clock_.now() - woke_ >= kInterval) wake();
 }
 
 void AnswerBatcher::wake() {
-  for (const MailboxPtr& mailbox : to_wake_) {
-    log_failure(log_, [&] { mailbox->wake(); });
+  for (auto& [mailbox, mail] : mail_) {
+    Mailbox& box = *mailbox;
+    std::vector<Mail>& letters = mail;
+    log_failure(log_, [&] {
+      box.put(std::move(letters));
+      box.wake();
+    });
   }
-  to_wake_.clear();
+  mail_.clear();
   woke_ = clock_.now();
 }
 

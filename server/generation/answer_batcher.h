@@ -3,7 +3,7 @@
 
 #include <chrono>
 #include <cstddef>
-#include <unordered_set>
+#include <unordered_map>
 #include <vector>
 
 #include "chunks/mailbox.h"
@@ -12,26 +12,26 @@
 
 namespace talus::server {
 
-/// Puts each answer into its mailboxes at once, and wakes their owners in batches: waking a thread costs as
-/// much as generating many a chunk, and on a busy core it takes the generator's place. For one thread and one
-/// piece of work, which wake() ends.
+/// Puts answers into their mailboxes and wakes the owners, in batches: waking a thread costs as much as
+/// generating many a chunk, and on a busy core it takes the generator's place. For one thread and one piece of
+/// work, which wake() ends.
 class AnswerBatcher {
  public:
-  /// From one wake-up to the next: about fifteen chunks. No player sees it.
-  static constexpr std::chrono::microseconds kInterval{500};
+  /// From one wake-up to the next: some fifty chunks. No player sees it.
+  static constexpr std::chrono::microseconds kInterval{1000};
 
-  AnswerBatcher(const Logger& log, const Clock& clock) : log_{log}, clock_{clock} {}
+  AnswerBatcher(const Logger& log, const Clock& clock) : log_{log}, clock_{clock}, woke_{clock.now()} {}
 
   /// A waiter for whom there is no memory goes without, which the log says.
   void add(const std::vector<MailboxPtr>& waiters, ChunkKey key, const ChunkAnswer& answer);
-  /// Wakes the owners of all that was added since the last time.
+  /// Tells all that was added since the last time.
   void wake();
 
  private:
   const Logger& log_;
   const Clock& clock_;
-  std::unordered_set<MailboxPtr> to_wake_;
-  Clock::time_point woke_{};
+  std::unordered_map<MailboxPtr, std::vector<Mail>> mail_;
+  Clock::time_point woke_;
 };
 
 /// Puts one piece of mail into the box and wakes its owner. A failure goes into the log.

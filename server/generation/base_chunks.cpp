@@ -28,15 +28,15 @@ BaseChunks::BaseChunks(std::unique_ptr<const Generator> generator, const Generat
       fitted_bytes_{settings.chunk_cache_bytes + settings.patch_cache_bytes},
       chunks_{bytes_of_chunks(settings)},
       rows_{*generator_, settings.patch_tiles, bytes_of_rows(settings)},
-      maker_{*generator_, chunks_, metrics, log},
+      maker_{*generator_, chunks_, rows_, metrics, log},
       generator_memory_{memory, settings.threads, log},
       patches_{{*generator_, maker_, chunks_, rows_, wanted_, generator_memory_, metrics, clock},
                log,
                settings.patch_tiles,
                settings.patch_cache_bytes,
                settings.threads},
-      pool_{{maker_, patches_, chunks_, metrics, memory, clock},
-            {settings.threads, settings.patch_tiles, settings.queue_chunks},
+      pool_{{maker_, patches_, metrics, memory, clock},
+            {settings.threads, settings.patch_tiles, settings.queue_chunks, settings.own_chunks},
             log} {
   memory_.when_work_resumes([this] { pool_.work_resumes(); });
 }
@@ -73,12 +73,12 @@ MixedRows BaseChunks::column(ChunkKey key) {
   return rows_.known(key);
 }
 
-ChunkSource::Submission BaseChunks::submit(const MailboxPtr& mailbox, ChunkKey key) {
-  return pool_.submit(mailbox, key);
+std::size_t BaseChunks::submit(const MailboxPtr& mailbox, std::span<const ChunkKey> keys) {
+  return pool_.submit(mailbox, keys);
 }
 
-void BaseChunks::cancel(ClientId client, ChunkKey key) {
-  pool_.cancel(client, key);
+void BaseChunks::cancel(ClientId client, std::span<const ChunkKey> keys) {
+  pool_.cancel(client, keys);
 }
 
 void BaseChunks::set_wanted(ClientId client, std::span<const LevelBox> boxes) {

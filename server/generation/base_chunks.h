@@ -31,9 +31,10 @@ namespace talus::server {
 struct GenerationSettings {
   std::size_t threads = 1;
   int patch_tiles = 4;           // along each edge of a patch; a power of two
-  std::size_t queue_chunks = 0;  // jobs of all clients together
+  std::size_t queue_chunks = 0;  // jobs of all clients together, beyond each client's own
   std::size_t chunk_cache_bytes = 0;
   std::size_t patch_cache_bytes = 0;
+  std::size_t own_chunks = 64;  // jobs that a client may have in any case
 };
 
 class BaseChunks final : public ChunkSource {
@@ -53,8 +54,9 @@ class BaseChunks final : public ChunkSource {
   [[nodiscard]] EncodedChunkPtr newer(ChunkKey key, std::uint64_t revision) override;
   /// Exact once the column's terrain was generated, until that is evicted.
   [[nodiscard]] MixedRows column(ChunkKey key) override;
-  [[nodiscard]] Submission submit(const MailboxPtr& mailbox, ChunkKey key) override;
-  void cancel(ClientId client, ChunkKey key) override;
+  [[nodiscard]] int columns_together() const override { return std::min(settings_.patch_tiles, 4); }
+  [[nodiscard]] std::size_t submit(const MailboxPtr& mailbox, std::span<const ChunkKey> keys) override;
+  void cancel(ClientId client, std::span<const ChunkKey> keys) override;
   void set_wanted(ClientId client, std::span<const LevelBox> boxes) override;
   void submit_heights(const MailboxPtr& mailbox, std::uint64_t ticket,
                       std::vector<terrain::BaseColumn> columns) override;

@@ -5,6 +5,13 @@
 
 namespace talus::server {
 
+EncodedChunkPtr ChunkMaker::known(ChunkKey key) const {
+  if (EncodedChunkPtr chunk = cache_.find(key)) return chunk;
+  const auto rows = rows_.exact(key);
+  const auto material = rows ? rows->uniform_at(key.coord.y) : std::nullopt;
+  return material ? generator_.uniform(*material) : nullptr;
+}
+
 ChunkAnswer ChunkMaker::chunk(const terrain::Stacks* stacks, ChunkKey key) {
   if (stacks == nullptr) return tl::make_unexpected(GenerationFailed{"its patch could not be generated"});
   try {

@@ -10,6 +10,7 @@
 
 #include "cache/chunk_cache.h"
 #include "chunks/mailbox.h"
+#include "generation/column_rows.h"
 #include "generation/generator.h"
 #include "log/logger.h"
 #include "metrics/metrics.h"
@@ -19,8 +20,11 @@ namespace talus::server {
 class ChunkMaker {
  public:
   /// All but the log outlive this.
-  ChunkMaker(const Generator& generator, ChunkCache& cache, Metrics& metrics, Logger log)
-      : generator_{generator}, cache_{cache}, metrics_{metrics}, log_{std::move(log)} {}
+  ChunkMaker(const Generator& generator, ChunkCache& cache, ColumnRows& rows, Metrics& metrics, Logger log)
+      : generator_{generator}, cache_{cache}, rows_{rows}, metrics_{metrics}, log_{std::move(log)} {}
+
+  /// The chunk where it is in the cache, or its column's rows say that it is uniform; else null.
+  [[nodiscard]] EncodedChunkPtr known(ChunkKey key) const;
 
   /// The chunk over its patch's stacks, which is in the cache when this returns. Null `stacks`: the patch
   /// could not be made.
@@ -32,6 +36,7 @@ class ChunkMaker {
  private:
   const Generator& generator_;
   ChunkCache& cache_;
+  ColumnRows& rows_;
   Metrics& metrics_;
   const Logger log_;
 };

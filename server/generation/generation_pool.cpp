@@ -19,6 +19,9 @@ constexpr std::chrono::milliseconds kLongestPiece{25};
 // While something dear is made, so long passes between looks at whether anybody still wants it.
 constexpr std::chrono::milliseconds kLookAgain{5};
 
+// Jobs that are begun and ended under one lock: a lock costs little beside so many, and few wait for long.
+constexpr std::size_t kChunksAtOnce = 8;
+
 // Of those that were refused, so many flows are looked at whenever a piece of work ends.
 constexpr std::size_t kFlowsToTell = 16;
 
@@ -32,7 +35,7 @@ GenerationPool::GenerationPool(const Parts& parts, const Settings& settings, Log
     : parts_{parts},
       settings_{settings},
       log_{std::move(log)},
-      queue_{settings.patch_tiles, settings.max_jobs} {}
+      queue_{settings.patch_tiles, settings.max_jobs, settings.own_jobs} {}
 
 void GenerationPool::start() {
   while (threads_.size() < settings_.threads) {
@@ -49,44 +52,38 @@ GenerationPool::~GenerationPool() {
   for (std::thread& thread : threads_) thread.join();
 }
 
-ChunkSource::Submission GenerationPool::submit(const MailboxPtr& mailbox, ChunkKey key) {
-  EncodedChunkPtr finished;
+std::size_t GenerationPool::submit(const MailboxPtr& mailbox, std::span<const ChunkKey> keys) {
+  std::size_t accepted = 0;
   std::int64_t job_bytes = 0;
   {
     const std::lock_guard lock{mutex_};
-    const bool joins = queue_.has_job(key);
-    if (!joins) finished = parts_.chunks.find(key);
-    if (finished == nullptr) {
-      if ((!joins && !parts_.memory.takes_work()) || !queue_.add(mailbox, key)) {
-        parts_.metrics.jobs_refused.add();
-        refused_.remember(mailbox);
-        return ChunkSource::Submission::refused;
-      }
-      job_bytes = job_bytes_change();
+    accepted = queue_.add(mailbox, keys, parts_.memory.takes_work());
+    if (accepted < keys.size()) {
+      parts_.metrics.jobs_refused.add(keys.size() - accepted);
+      if (accepted == 0 && !queue_.waits(mailbox->owner())) refused_.remember(mailbox);
     }
-    recent_flows_.asked(mailbox->flow(), parts_.clock.now());
+    if (accepted > 0) recent_flows_.asked(mailbox->flow(), parts_.clock.now());
+    job_bytes = job_bytes_change();
   }
-  if (finished != nullptr) {
-    deliver(mailbox, ChunkReady{key, std::move(finished)}, log_);
-  } else {
-    parts_.memory.add(MemoryUse::jobs, job_bytes);
-    work_waits_.notify_one();
-  }
-  return ChunkSource::Submission::queued;
+  parts_.memory.add(MemoryUse::jobs, job_bytes);
+  if (accepted > 0) work_waits_.notify_one();
+  return accepted;
 }
 
-void GenerationPool::cancel(ClientId client, ChunkKey key) {
+void GenerationPool::cancel(ClientId client, std::span<const ChunkKey> keys) {
+  std::size_t cancelled = 0;
   std::int64_t job_bytes = 0;
   std::vector<MailboxPtr> with_room;
   {
     const std::lock_guard lock{mutex_};
     const std::size_t jobs = queue_.jobs();
-    queue_.cancel(client, key);
-    if (queue_.jobs() == jobs) return;
+    for (const ChunkKey key : keys) queue_.cancel(client, key);
+    cancelled = jobs - queue_.jobs();
+    if (cancelled == 0) return;
     job_bytes = job_bytes_change();
     with_room = clients_with_room();
   }
-  parts_.metrics.jobs_cancelled.add();
+  parts_.metrics.jobs_cancelled.add(cancelled);
   parts_.memory.add(MemoryUse::jobs, job_bytes);
   tell_of_room(with_room);
 }
@@ -160,29 +157,50 @@ void GenerationPool::run(const WorkQueue::Batch& batch, MeasuredWork& measured) 
     if (dropped) parts_.metrics.jobs_cancelled.add(batch.keys.size());
     return !dropped;
   });
+  const auto known = [&](ChunkKey key) { return parts_.maker.known(key); };
+  if (std::all_of(batch.keys.begin(), batch.keys.end(), known)) return answer(batch, known);
   const PatchStore::Loan loan = parts_.patches.obtain(batch.patch, go_on, measured);
   if (dropped || loan.given_up) return;
-  make_chunks(batch, loan.stacks.get(), measured);
+  const auto began = parts_.clock.thread_cpu();
+  answer(batch, [&](ChunkKey key) -> ChunkAnswer {
+    if (EncodedChunkPtr chunk = known(key)) return chunk;
+    ++measured.chunks;
+    return parts_.maker.chunk(loan.stacks.get(), key);
+  });
+  measured.chunk_time += parts_.clock.thread_cpu() - began;
   parts_.patches.finish(loan, measured);
 }
 
-void GenerationPool::make_chunks(const WorkQueue::Batch& batch, const terrain::Stacks* stacks,
-                                 MeasuredWork& measured) {
-  const auto began = parts_.clock.thread_cpu();
-  AnswerBatcher answers{log_, parts_.clock};
-  for (const ChunkKey key : batch.keys) {
-    if (!begin(key)) continue;
-    const ChunkAnswer answer = parts_.maker.chunk(stacks, key);
-    if (answer) ++measured.chunks;
+template <typename Chunk>
+void GenerationPool::answer(const WorkQueue::Batch& batch, Chunk&& chunk) {
+  struct Answered {
+    ChunkKey key;
+    ChunkAnswer answer;
     std::vector<MailboxPtr> waiters;
+  };
+  AnswerBatcher answers{log_, parts_.clock};
+  std::vector<Answered> some;
+  for (auto next = batch.keys.begin(); next != batch.keys.end();) {
     {
       const std::lock_guard lock{mutex_};
-      waiters = queue_.finish(key);
+      if (stopping_) return;
+      for (; next != batch.keys.end() && some.size() < kChunksAtOnce; ++next) {
+        if (queue_.begin(*next)) {
+          some.push_back({*next, nullptr, {}});
+        } else {
+          parts_.metrics.jobs_cancelled.add();
+        }
+      }
     }
-    answers.add(waiters, key, answer);
+    for (Answered& each : some) each.answer = chunk(each.key);
+    {
+      const std::lock_guard lock{mutex_};
+      for (Answered& each : some) each.waiters = queue_.finish(each.key);
+    }
+    for (const Answered& each : some) answers.add(each.waiters, each.key, each.answer);
+    some.clear();
   }
   answers.wake();
-  measured.chunk_time += parts_.clock.thread_cpu() - began;
 }
 
 void GenerationPool::run(HeightsTask& task, MeasuredWork& measured) {
@@ -218,14 +236,6 @@ GoOn GenerationPool::while_wanted(std::function<bool()> is_wanted) {
     const std::lock_guard lock{mutex_};
     return is_wanted();
   };
-}
-
-bool GenerationPool::begin(ChunkKey key) {
-  const std::lock_guard lock{mutex_};
-  if (stopping_) return false;
-  const bool wanted = queue_.begin(key);
-  if (!wanted) parts_.metrics.jobs_cancelled.add();
-  return wanted;
 }
 
 void GenerationPool::count(const MeasuredWork& measured) {

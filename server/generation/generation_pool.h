@@ -1,12 +1,10 @@
 // The generator threads: what is submitted, in whose turn it is made, and who is told. Callable from any
 // thread.
 //
-// Why no chunk is lost between cache and queue: a thread puts a chunk into the cache before it ends the
-// chunk's job, and submit() looks at the jobs and then into the cache under the mutex under which jobs end.
-// So from its first job on a chunk is found in one of the two, until it is evicted. The put itself needs no
-// mutex: a chunk as generated never changes, so nothing in that cache is ever invalidated, and two puts of
-// one key put equal chunks. Chunks that do change are not this pool's: a ChunkSource that has them keeps a
-// cache of its own and orders it by revision.
+// Why no chunk is made twice: a thread puts a chunk into the cache before it ends the chunk's job, and looks
+// there before it makes one, which a patch's chunks are by one thread at a time. A chunk as generated never
+// changes, so nothing in that cache is ever invalidated. Chunks that do change are not this pool's: a
+// ChunkSource that has them keeps a cache of its own and orders it by revision.
 #pragma once
 
 #include <atomic>
@@ -15,10 +13,10 @@
 #include <cstdint>
 #include <functional>
 #include <mutex>
+#include <span>
 #include <thread>
 #include <vector>
 
-#include "cache/chunk_cache.h"
 #include "chunks/chunk_source.h"
 #include "clock/clock.h"
 #include "generation/chunk_maker.h"
@@ -39,7 +37,6 @@ class GenerationPool {
   struct Parts {
     ChunkMaker& maker;
     PatchStore& patches;
-    ChunkCache& chunks;
     Metrics& metrics;
     MemoryBudget& memory;
     const Clock& clock;
@@ -47,7 +44,8 @@ class GenerationPool {
   struct Settings {
     std::size_t threads = 1;
     int patch_tiles = 4;
-    std::size_t max_jobs = 0;
+    std::size_t max_jobs = 0;  // as WorkQueue's
+    std::size_t own_jobs = 0;
   };
   GenerationPool(const Parts& parts, const Settings& settings, Logger log);
   /// Waits for the threads; what still waits is not answered.
@@ -59,8 +57,8 @@ class GenerationPool {
   void start();
 
   // As ChunkSource defines them.
-  [[nodiscard]] ChunkSource::Submission submit(const MailboxPtr& mailbox, ChunkKey key);
-  void cancel(ClientId client, ChunkKey key);
+  [[nodiscard]] std::size_t submit(const MailboxPtr& mailbox, std::span<const ChunkKey> keys);
+  void cancel(ClientId client, std::span<const ChunkKey> keys);
   void submit_heights(HeightsTask task);
   void cancel_heights(ClientId client, std::uint64_t ticket);
 
@@ -78,7 +76,9 @@ class GenerationPool {
   void run(const WorkQueue::Batch& batch, MeasuredWork& measured);
   /// A part of the task, for a bounded time.
   void run(HeightsTask& task, MeasuredWork& measured);
-  void make_chunks(const WorkQueue::Batch& batch, const terrain::Stacks* stacks, MeasuredWork& measured);
+  /// By `chunk`, which may be called without a chunk's job.
+  template <typename Chunk>
+  void answer(const WorkQueue::Batch& batch, Chunk&& chunk);
   void count(const MeasuredWork& measured);
 
   /// For a piece of work: false once the pool stops, or is_wanted() is false, which is called under the
@@ -86,7 +86,6 @@ class GenerationPool {
   [[nodiscard]] GoOn while_wanted(std::function<bool()> is_wanted);
 
   // Under the mutex.
-  [[nodiscard]] bool begin(ChunkKey key);
   [[nodiscard]] WorkCosts costs() const;
   /// Bytes of jobs since the last call: to be told to the budget without the mutex, which it may come back
   /// to.

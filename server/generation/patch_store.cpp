@@ -38,6 +38,11 @@ PatchStore::Loan PatchStore::obtain(const PatchKey& patch, const GoOn& go_on, Me
 }
 
 void PatchStore::finish(const Loan& loan, MeasuredWork& measured) {
+  if (loan.stacks != nullptr && in_some_view(loan.patch)) {
+    extract_before_evict(loan.patch, {loan.stacks, false}, measured);
+    const std::lock_guard lock{mutex_};
+    patches_.erase(loan.patch);
+  } else
   if (loan.stacks != nullptr && fully_extracted(loan.patch, *loan.stacks)) {
     const std::lock_guard lock{mutex_};
     patches_.erase(loan.patch);

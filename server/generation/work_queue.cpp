@@ -13,29 +13,42 @@ auto waiter_of(std::vector<MailboxPtr>& waiters, ClientId client) {
 
 }  // namespace
 
-WorkQueue::WorkQueue(int patch_tiles, std::size_t max_jobs)
-    : patch_tiles_{patch_tiles}, max_jobs_{max_jobs} {}
+WorkQueue::WorkQueue(int patch_tiles, std::size_t max_jobs, std::size_t own_jobs)
+    : patch_tiles_{patch_tiles}, max_jobs_{max_jobs}, own_jobs_{own_jobs} {}
 
-bool WorkQueue::add(const MailboxPtr& mailbox, ChunkKey key) {
+bool WorkQueue::may_add(const Mailbox& mailbox) const {
+  const std::size_t jobs = of(mailbox.flow()).jobs;
+  return jobs < free_jobs() && waiting_of(mailbox.owner()) < free_jobs() - jobs;
+}
+
+std::size_t WorkQueue::add(const MailboxPtr& mailbox, std::span<const ChunkKey> keys, bool new_jobs) {
+  const bool own = waiting_of(mailbox->owner()) < own_jobs_;
+  std::size_t added = 0;
+  for (const ChunkKey key : keys) {
+    if (!jobs_.contains(key) && (!new_jobs || !(own || may_add(*mailbox)))) break;
+    add(mailbox, key);
+    ++added;
+  }
+  return added;
+}
+
+void WorkQueue::add(const MailboxPtr& mailbox, ChunkKey key) {
   auto found = jobs_.find(key);
   if (found == jobs_.end()) {
     const FlowId flow = mailbox->flow();
-    const std::size_t jobs = of(flow).jobs;
-    if (jobs >= free_jobs() || waiting_of(mailbox->owner()) >= free_jobs() - jobs) return false;
     const PatchKey patch = patch_of(key, patch_tiles_);
     found = jobs_.emplace(key, Job{patch, flow, {}, false}).first;
     patches_[patch].waiting.push_back(key);
     ++flows_[flow].jobs;
   }
   Job& job = found->second;
-  if (waiter_of(job.waiters, mailbox->owner()) != job.waiters.end()) return true;
+  if (waiter_of(job.waiters, mailbox->owner()) != job.waiters.end()) return;
   job.waiters.push_back(mailbox);
   if (!job.taken) {
     Client& client = enter(*mailbox);
     if (++client.jobs[job.patch] == 1) client.order.push_back(job.patch);
     ++client.waiting;
   }
-  return true;
 }
 
 void WorkQueue::add(HeightsTask task) {

@@ -13,10 +13,12 @@
 // each, two clients of a flow a third of its part, and whoever comes next finds room.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <deque>
 #include <optional>
+#include <span>
 #include <unordered_map>
 #include <variant>
 #include <vector>
@@ -46,14 +48,18 @@ class WorkQueue {
     FlowUsePtr flow_use{};    // to which it is to be added
   };
 
-  /// Never more than `max_jobs` jobs.
-  WorkQueue(int patch_tiles, std::size_t max_jobs);
+  /// Never more than `max_jobs` jobs, but that each client may have `own_jobs` in any case: so whoever waits
+  /// for nothing is not refused.
+  WorkQueue(int patch_tiles, std::size_t max_jobs, std::size_t own_jobs = 0);
 
-  /// Lets the mailbox's owner wait for the chunk; once, however often it asks. False where that needs a new
-  /// job and its flow has no room for one.
-  [[nodiscard]] bool add(const MailboxPtr& mailbox, ChunkKey key);
+  /// Lets the mailbox's owner wait for the chunks; for each once, however often it asks. Returns how many,
+  /// from the first on: it ends at the first that needs a new job where there is no room for one, or where
+  /// `new_jobs` is false.
+  [[nodiscard]] std::size_t add(const MailboxPtr& mailbox, std::span<const ChunkKey> keys,
+                                bool new_jobs = true);
   void add(HeightsTask task);
-  [[nodiscard]] bool has_job(ChunkKey key) const { return jobs_.contains(key); }
+  /// Whether the client waits for a chunk that no thread has taken.
+  [[nodiscard]] bool waits(ClientId client) const { return waiting_of(client) > 0; }
   /// Whether a flow that was refused may ask again.
   [[nodiscard]] bool has_room(FlowId flow) const { return of(flow).jobs < free_jobs(); }
 
@@ -113,6 +119,7 @@ class WorkQueue {
     std::size_t in_flight = 0;  // pieces
   };
 
+  void add(const MailboxPtr& mailbox, ChunkKey key);
   Client& enter(const Mailbox& mailbox);
   /// The client waits for one job less of the patch.
   void leave(ClientId client, const PatchKey& patch);
@@ -130,10 +137,12 @@ class WorkQueue {
   void drop_if_unused(FlowId flow);
   [[nodiscard]] Flow of(FlowId flow) const;
   [[nodiscard]] std::size_t waiting_of(ClientId client) const;
-  [[nodiscard]] std::size_t free_jobs() const { return max_jobs_ - jobs_.size(); }
+  [[nodiscard]] std::size_t free_jobs() const { return max_jobs_ - std::min(max_jobs_, jobs_.size()); }
+  [[nodiscard]] bool may_add(const Mailbox& mailbox) const;
 
   const int patch_tiles_;
   const std::size_t max_jobs_;
+  const std::size_t own_jobs_;
   Jobs jobs_;
   std::unordered_map<PatchKey, PatchWork> patches_;
   Clients clients_;                         // those with something waiting or in flight

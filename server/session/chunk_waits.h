@@ -60,11 +60,26 @@ class ChunkWaits {
     return erase_if_unwanted(found);
   }
 
-  /// Calls visit(key) for each chunk, and forgets them all.
-  template <typename Visit>
-  void clear(Visit&& visit) {
-    for (const auto& [key, waiters] : waits_) visit(key);
+  /// The View waits no more for the chunks for which gone(chunk) is true. Returns those of them for which
+  /// nobody else waits: the caller cancels them at their source.
+  template <typename Gone>
+  [[nodiscard]] std::vector<ChunkKey> leave_view_where(Gone&& gone) {
+    std::vector<ChunkKey> unwanted;
+    for (auto& [key, waiters] : waits_) {
+      if (!waiters.view || !gone(key)) continue;
+      waiters.view = false;
+      if (waiters.requests.empty()) unwanted.push_back(key);
+    }
+    for (const ChunkKey key : unwanted) waits_.erase(key);
+    return unwanted;
+  }
+
+  /// Forgets all chunks, and returns them.
+  [[nodiscard]] std::vector<ChunkKey> clear() {
+    std::vector<ChunkKey> keys;
+    for (const auto& [key, waiters] : waits_) keys.push_back(key);
     waits_.clear();
+    return keys;
   }
 
  private:

@@ -23,7 +23,7 @@ void Delivery::cancel(const std::vector<std::uint32_t>& ids) {
   std::unordered_set<std::uint32_t> cancelled;
   for (const std::uint32_t id : ids) {
     if (const auto* request = requests_.chunk(id)) {
-      if (waits_.leave(request->key, id)) context_.chunks.cancel(mailbox_->owner(), request->key);
+      if (waits_.leave(request->key, id)) context_.chunks.cancel(mailbox_->owner(), {&request->key, 1});
     } else if (const auto ticket = requests_.heights_ticket(id)) {
       context_.chunks.cancel_heights(mailbox_->owner(), *ticket);
     } else {
@@ -40,25 +40,27 @@ void Delivery::cancel(const std::vector<std::uint32_t>& ids) {
 void Delivery::apply_view() {
   if (!view_.waits()) return;
   queue_full_ = false;  // the new View may need no place in the queue
-  drop_from_view(view_.apply());
+  view_.apply();
+  drop_what_left_view();
   context_.chunks.set_wanted(mailbox_->owner(), view_.ahead());
 }
 
 void Delivery::end_view() {
-  drop_from_view(view_.clear());
+  view_.clear();
+  drop_what_left_view();
   context_.chunks.set_wanted(mailbox_->owner(), {});
 }
 
-void Delivery::drop_from_view(const std::vector<ChunkKey>& keys) {
-  for (const ChunkKey key : keys) (void)stop_view_wait(key);
-  outbox_.drop_chunks([&](const Outbox::Entry& entry) {
-    return entry.request_id == 0 && !view_.stream().in_flight(entry.key);
-  });
+void Delivery::drop_what_left_view() {
+  const auto left = [this](ChunkKey key) { return !view_.stream().in_flight(key); };
+  const std::vector<ChunkKey> unwanted = waits_.leave_view_where(left);
+  if (!unwanted.empty()) context_.chunks.cancel(mailbox_->owner(), unwanted);
+  outbox_.drop_chunks([&](const Outbox::Entry& entry) { return entry.request_id == 0 && left(entry.key); });
 }
 
 bool Delivery::stop_view_wait(ChunkKey key) {
   if (!waits_.contains(key)) return false;  // it waits for the client
-  if (waits_.leave_view(key)) context_.chunks.cancel(mailbox_->owner(), key);
+  if (waits_.leave_view(key)) context_.chunks.cancel(mailbox_->owner(), {&key, 1});
   return true;
 }
 
@@ -100,7 +102,7 @@ std::size_t Delivery::start_work() {
     if (requests_.has_unstarted() && (!view_may_start() || requests_hold_less())) {
       start_request(*requests_.next_unstarted());
     } else if (view_may_start()) {
-      start_view_chunk(*view_.stream().next());
+      start_view_chunks();
     } else {
       break;
     }
@@ -127,8 +129,9 @@ void Delivery::tell_columns() {
 }
 
 bool Delivery::has_room() const {
-  const std::size_t to_come = waits_.size() * expected_chunk_bytes_;
-  return waits_.size() < kMaxWaits && outbox_.chunk_bytes() + to_come < context_.limits.queued_bytes;
+  const std::size_t waits = waits_.size() + to_submit_.size();
+  const std::size_t to_come = waits * expected_chunk_bytes_;
+  return waits < kMaxWaits && outbox_.chunk_bytes() + to_come < context_.limits.queued_bytes;
 }
 
 EncodedChunkPtr Delivery::find(ChunkKey key) {
@@ -141,8 +144,10 @@ void Delivery::start_request(std::uint32_t id) {
   const PendingRequests::ChunkRequest& request = *requests_.chunk(id);
   if (EncodedChunkPtr chunk = find(request.key)) {
     answer_request(id, request, std::move(chunk));
-  } else if (ChunkWaits::Waiters* const waiters = wait_for(request.key)) {
+  } else if (ChunkWaits::Waiters* const waiters = waits_.find(request.key)) {
     waiters->requests.push_back(id);
+  } else if (context_.chunks.submit(mailbox_, {&request.key, 1}) == 1) {
+    waits_.add(request.key, context_.clock.now()).requests.push_back(id);
   } else {
     replies_.error(about_request(id), ErrorCode::overloaded,
                    context_.memory.takes_work() ? "too many chunks wait to be generated" : kNoMemory,
@@ -151,22 +156,45 @@ void Delivery::start_request(std::uint32_t id) {
   }
 }
 
-void Delivery::start_view_chunk(ChunkKey key) {
-  if (answer_by_column(key)) return;
-  if (EncodedChunkPtr chunk = find(key)) {
-    answer_view(key, std::move(chunk));
-  } else if (ChunkWaits::Waiters* const waiters = wait_for(key)) {
-    waiters->view = true;
-  } else {
-    view_.stream().put_back(key);
-    queue_full_ = true;
-  }
+void Delivery::start_view_chunks() {
+  ViewStream& stream = view_.stream();
+  const ChunkKey nearest = *stream.nearest();
+  const int edge = context_.chunks.columns_together();
+  to_submit_.clear();
+  stream.for_each_column_beside(nearest, edge, [&](ChunkKey column) {
+    tell_column(column, context_.chunks.column(column), nullptr);
+    stream.for_each_to_send(column, nearest, edge, [&](ChunkKey key) {
+      if (!has_room()) return;
+      stream.start(key);
+      if (EncodedChunkPtr chunk = find(key)) {
+        answer_view(key, std::move(chunk));
+      } else {
+        to_submit_.push_back(key);
+      }
+    });
+  });
+  if (!to_submit_.empty()) wait_for_view();
+  to_submit_.clear();
 }
 
-ChunkWaits::Waiters* Delivery::wait_for(ChunkKey key) {
-  if (ChunkWaits::Waiters* const waiters = waits_.find(key)) return waiters;
-  if (context_.chunks.submit(mailbox_, key) == ChunkSource::Submission::refused) return nullptr;
-  return &waits_.add(key, context_.clock.now());
+void Delivery::wait_for_view() {
+  // Those for which a request waits are submitted already.
+  const auto submitted = [&](ChunkKey key) {
+    ChunkWaits::Waiters* const waiters = waits_.find(key);
+    if (waiters != nullptr) waiters->view = true;
+    return waiters != nullptr;
+  };
+  const auto news = std::remove_if(to_submit_.begin(), to_submit_.end(), submitted);
+  to_submit_.erase(news, to_submit_.end());
+  const std::size_t accepted = context_.chunks.submit(mailbox_, to_submit_);
+  for (std::size_t i = 0; i < to_submit_.size(); ++i) {
+    if (i < accepted) {
+      waits_.add(to_submit_[i], context_.clock.now()).view = true;
+    } else {
+      view_.stream().put_back(to_submit_[i]);
+    }
+  }
+  queue_full_ = accepted < to_submit_.size();
 }
 
 void Delivery::answer_request(std::uint32_t id, const PendingRequests::ChunkRequest& request,
@@ -258,14 +286,14 @@ void Delivery::sent(const Outbox::Entry& entry) {
 }
 
 void Delivery::abandon() {
-  waits_.clear([this](ChunkKey key) { context_.chunks.cancel(mailbox_->owner(), key); });
+  context_.chunks.cancel(mailbox_->owner(), waits_.clear());
   for (const std::uint32_t id : requests_.ids()) {
     if (const auto ticket = requests_.heights_ticket(id)) {
       context_.chunks.cancel_heights(mailbox_->owner(), *ticket);
     }
   }
   requests_.clear();
-  (void)view_.clear();
+  view_.clear();
   context_.chunks.set_wanted(mailbox_->owner(), {});
   outbox_.drop_chunks([](const Outbox::Entry&) { return true; });
 }

@@ -8,6 +8,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -27,10 +28,11 @@ namespace talus::server {
 
 class Delivery {
  public:
-  /// Chunks of the View in flight at once: few, so that a moved View soon counts.
+  /// With so many chunks of the View in flight no more are begun: few, so that a moved View soon counts. They
+  /// are begun together with those beside them.
   static constexpr std::size_t kMaxViewInFlight = 64;
   /// Chunks of one session that wait for the source at once.
-  static constexpr std::size_t kMaxWaits = 128;
+  static constexpr std::size_t kMaxWaits = 192;
   /// Bytes of control frames above which no UniformColumn is added: control frames need no credit.
   static constexpr std::size_t kMaxColumnBytes = std::size_t{16} * 1024;
   /// What a chunk that waits for the source is expected to take in the outbox, until a larger one came.
@@ -103,9 +105,10 @@ class Delivery {
   [[nodiscard]] bool requests_hold_less() const;
 
   void start_request(std::uint32_t id);
-  void start_view_chunk(ChunkKey key);
-  /// The chunk's waiters, after it was submitted if need be; null where the source refused it.
-  [[nodiscard]] ChunkWaits::Waiters* wait_for(ChunkKey key);
+  /// The nearest chunk of the View, with others that are made together with it and hardly farther away.
+  void start_view_chunks();
+  /// For the chunks in to_submit_, which are in flight.
+  void wait_for_view();
 
   /// `request` is the pending one of `id`.
   void answer_request(std::uint32_t id, const PendingRequests::ChunkRequest& request, EncodedChunkPtr chunk);
@@ -124,8 +127,8 @@ class Delivery {
   /// and is in neither; null: none is.
   void tell_column(ChunkKey column, const MixedRows& rows, const ChunkKey* answered);
 
-  /// Chunks that left the View: nobody of it waits for them, and none of them is sent.
-  void drop_from_view(const std::vector<ChunkKey>& keys);
+  /// Of chunks that left the View none is waited for, and none is sent.
+  void drop_what_left_view();
   /// The View waits for the chunk no more; false where it did not wait for the source.
   bool stop_view_wait(ChunkKey key);
 
@@ -140,6 +143,7 @@ class Delivery {
   std::size_t expected_chunk_bytes_ = kExpectedChunkBytes;
   std::size_t found_ = 0;  // chunks that were in memory since start_work() began
   std::uint64_t heights_asked_ = 0;
+  std::vector<ChunkKey> to_submit_;  // while start_view_chunks() runs
   bool queue_full_ = false;  // the View waits for mail before it submits again
 };
 

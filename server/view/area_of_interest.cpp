@@ -129,8 +129,18 @@ std::uint64_t AreaOfInterest::end_of_ring(std::uint64_t coarse_priority) {
   return 4 * next_ring * next_ring << kPlaceBits;
 }
 
+bool AreaOfInterest::within(ChunkKey chunk, ChunkKey nearest, int base_chunks) const {
+  const double most = glm::length(glm::dvec3{offset(nearest)}) + 2.0 * base_chunks;
+  const glm::dvec3 to{offset(chunk)};
+  return glm::dot(to, to) <= most * most;
+}
+
+AreaOfInterest::Place AreaOfInterest::place_of_rank(std::uint64_t rank) {
+  return static_cast<Place>(rank & ((std::uint64_t{1} << kPlaceBits) - 1));
+}
+
 std::pair<ChunkKey, AreaOfInterest::Place> AreaOfInterest::ranked(std::uint64_t rank) const {
-  const auto place = static_cast<Place>(rank & ((std::uint64_t{1} << kPlaceBits) - 1));
+  const Place place = place_of_rank(rank);
   const auto after = std::find_if(levels_.begin(), levels_.end(),
                                   [place](const Level& level) { return level.first > place; });
   const Level& level = *std::prev(after);

@@ -60,6 +60,10 @@ class AreaOfInterest {
   [[nodiscard]] std::uint64_t coarse_priority(ChunkKey key, Place place) const;
   /// More than every coarse priority of the ring in which this one is, and no more than those beyond it.
   [[nodiscard]] static std::uint64_t end_of_ring(std::uint64_t coarse_priority);
+  /// Whether the first chunk's centre is at most so many base chunks farther away than the second's.
+  [[nodiscard]] bool within(ChunkKey chunk, ChunkKey nearest, int base_chunks) const;
+  /// Of a rank or coarse priority.
+  [[nodiscard]] static Place place_of_rank(std::uint64_t rank);
   /// The chunk whose rank or coarse priority it is, and its place.
   [[nodiscard]] std::pair<ChunkKey, Place> ranked(std::uint64_t rank) const;
 

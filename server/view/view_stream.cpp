@@ -10,7 +10,7 @@ constexpr std::size_t kMinSorted = 128;  // chunks that are put in order at once
 
 }  // namespace
 
-std::vector<ChunkKey> ViewStream::replace(AreaOfInterest wanted, std::span<const AreaOfInterest> between) {
+void ViewStream::replace(AreaOfInterest wanted, std::span<const AreaOfInterest> between) {
   std::vector<State> states(wanted.places(), State::to_send);
   wanted.for_each_shared(interest_, between, [&](std::size_t place, std::size_t before, std::size_t count) {
     std::copy_n(&states_[before], count, &states[place]);
@@ -21,35 +21,41 @@ std::vector<ChunkKey> ViewStream::replace(AreaOfInterest wanted, std::span<const
   near_ = {};
   near_end_ = 0;
   far_.clear();
+  in_flight_ = 0;
   if (far_.capacity() / 4 > interest_.places()) decltype(far_){}.swap(far_);  // of a much larger View
   interest_.for_each([this](ChunkKey key, AreaOfInterest::Place place) {
-    if (states_[place] == State::to_send) far_.push_back(interest_.coarse_priority(key, place));
+    State& state = states_[place];
+    if (state == State::to_send) {
+      far_.push_back(interest_.coarse_priority(key, place));
+    } else if (is_in_flight(state)) {
+      state = State::in_flight_unlisted;
+      ++in_flight_;
+    }
   });
-
-  std::vector<ChunkKey> dropped;
-  for (const ChunkKey key : in_flight_) {
-    const auto place = interest_.place_of(key);
-    if (!place || states_[*place] != State::in_flight) dropped.push_back(key);
-  }
-  for (const ChunkKey key : dropped) in_flight_.erase(key);
-  left_ = far_.size() + in_flight_.size();
+  left_ = far_.size() + in_flight_;
   next_column_ = {};
-  return dropped;
 }
 
-std::optional<ChunkKey> ViewStream::next() {
+std::optional<ChunkKey> ViewStream::nearest() {
   refill_near();
   if (near_.empty()) return std::nullopt;
-  const auto [key, place] = interest_.ranked(near_.top());
-  near_.pop();
-  states_[place] = State::in_flight;
-  in_flight_.insert(key);
-  return key;
+  return interest_.ranked(near_.top()).first;
+}
+
+void ViewStream::start(ChunkKey key) {
+  states_[*interest_.place_of(key)] = State::in_flight;
+  ++in_flight_;
+}
+
+bool ViewStream::unlist(AreaOfInterest::Place place) {
+  State& state = states_[place];
+  if (state == State::in_flight) state = State::in_flight_unlisted;
+  return state == State::to_send;
 }
 
 void ViewStream::refill_near() {
   for (;;) {
-    while (!near_.empty() && states_[interest_.ranked(near_.top()).second] != State::to_send) near_.pop();
+    while (!near_.empty() && !unlist(AreaOfInterest::place_of_rank(near_.top()))) near_.pop();
     if (!near_.empty() || far_.empty()) return;
     move_near();
   }
@@ -65,15 +71,17 @@ void ViewStream::move_near() {
   const auto near =
       std::partition(far_.begin(), nth, [this](std::uint64_t coarse) { return coarse >= near_end_; });
   for (auto coarse = near; coarse != far_.end(); ++coarse) {
+    if (!unlist(AreaOfInterest::place_of_rank(*coarse))) continue;
     const auto [key, place] = interest_.ranked(*coarse);
-    if (states_[place] == State::to_send) near_.push(interest_.rank(key, place));
+    near_.push(interest_.rank(key, place));
   }
   far_.erase(near, far_.end());
 }
 
 void ViewStream::put_back(ChunkKey key) {
-  leave(key, State::to_send);
   const AreaOfInterest::Place place = *interest_.place_of(key);
+  --in_flight_;
+  if (std::exchange(states_[place], State::to_send) == State::in_flight) return;  // it is listed
   const std::uint64_t coarse = interest_.coarse_priority(key, place);
   if (coarse < near_end_) {
     near_.push(interest_.rank(key, place));
@@ -83,13 +91,10 @@ void ViewStream::put_back(ChunkKey key) {
 }
 
 void ViewStream::done(ChunkKey key) {
-  leave(key, State::done);
+  State& state = states_[*interest_.place_of(key)];
+  if (is_in_flight(state)) --in_flight_;
+  state = State::done;
   --left_;
-}
-
-void ViewStream::leave(ChunkKey key, State state) {
-  states_[*interest_.place_of(key)] = state;
-  in_flight_.erase(key);
 }
 
 }  // namespace talus::server

@@ -8,7 +8,6 @@
 #include <optional>
 #include <queue>
 #include <span>
-#include <unordered_set>
 #include <vector>
 
 #include <talus/voxel/coords.h>
@@ -21,12 +20,37 @@ class ViewStream {
  public:
   /// Replaces the area of interest. A chunk in both areas keeps its state. A chunk that left is forgotten,
   /// and sent again when it comes back; so is one that left in one of the areas `between`, which were
-  /// replaced before they were looked at. Returns the chunks that were in flight and are so no more.
-  [[nodiscard]] std::vector<ChunkKey> replace(AreaOfInterest wanted,
-                                              std::span<const AreaOfInterest> between = {});
+  /// replaced before they were looked at.
+  void replace(AreaOfInterest wanted, std::span<const AreaOfInterest> between = {});
 
-  /// The nearest chunk that is still to be sent; it is in flight from here on.
-  [[nodiscard]] std::optional<ChunkKey> next();
+  /// The nearest chunk that is still to be sent.
+  [[nodiscard]] std::optional<ChunkKey> nearest();
+  /// Calls visit(column) for each column of the area in the square of `edge` columns a side, aligned to its
+  /// size, in which `key` lies; that of `key` first.
+  template <typename Visit>
+  void for_each_column_beside(ChunkKey key, int edge, Visit&& visit) const {
+    visit(key);
+    const auto first = [edge](std::int32_t at) { return at & -edge; };
+    for (std::int32_t z = first(key.coord.z); z < first(key.coord.z) + edge; ++z) {
+      for (std::int32_t x = first(key.coord.x); x < first(key.coord.x) + edge; ++x) {
+        const ChunkKey column{{x, key.coord.y, z}, key.lod};
+        if ((x != key.coord.x || z != key.coord.z) && interest_.place_of(column)) visit(column);
+      }
+    }
+  }
+  /// Calls visit(chunk) for the chunks of the key's column, from below, that are still to be sent and at most
+  /// `rings` base chunks farther away than `nearest`. visit() may start() the chunk.
+  template <typename Visit>
+  void for_each_to_send(ChunkKey column, ChunkKey nearest, int rings, Visit&& visit) const {
+    const ChunkRange rows = interest_.rows_of(column);
+    for (std::int64_t y = rows.first; y <= rows.last; ++y) {
+      const ChunkKey chunk{{column.coord.x, static_cast<std::int32_t>(y), column.coord.z}, column.lod};
+      if (states_[*interest_.place_of(chunk)] != State::to_send) continue;
+      if (interest_.within(chunk, nearest, rings)) visit(chunk);
+    }
+  }
+  /// A chunk that is to be sent is in flight from here on.
+  void start(ChunkKey key);
   /// A chunk in flight is still to be sent after all.
   void put_back(ChunkKey key);
   /// A chunk in flight was sent, or never will be.
@@ -35,7 +59,7 @@ class ViewStream {
   /// Chunks of the area that are not done.
   [[nodiscard]] std::size_t left() const { return left_; }
   /// Those of them that next() will give.
-  [[nodiscard]] std::size_t to_send() const { return left_ - in_flight_.size(); }
+  [[nodiscard]] std::size_t to_send() const { return left_ - in_flight_; }
 
   /// A chunk of each column of the area, each column once after replace(); none after the last.
   [[nodiscard]] std::optional<ChunkKey> next_column() { return interest_.next_column(next_column_); }
@@ -48,8 +72,8 @@ class ViewStream {
     for (std::int64_t y = rows.first; y <= rows.last; ++y) {
       const ChunkKey chunk{{key.coord.x, static_cast<std::int32_t>(y), key.coord.z}, key.lod};
       State& state = states_[*interest_.place_of(chunk)];
-      if (state == State::done || !ends(chunk, state == State::in_flight)) continue;
-      if (state == State::in_flight) in_flight_.erase(chunk);
+      if (state == State::done || !ends(chunk, is_in_flight(state))) continue;
+      if (is_in_flight(state)) --in_flight_;
       state = State::done;
       --left_;
     }
@@ -60,18 +84,25 @@ class ViewStream {
     const auto place = interest_.place_of(key);
     return place && states_[*place] != State::done;
   }
-  [[nodiscard]] bool in_flight(ChunkKey key) const { return in_flight_.contains(key); }
-  [[nodiscard]] std::size_t in_flight_count() const { return in_flight_.size(); }
+  [[nodiscard]] bool in_flight(ChunkKey key) const {
+    const auto place = interest_.place_of(key);
+    return place && is_in_flight(states_[*place]);
+  }
+  [[nodiscard]] std::size_t in_flight_count() const { return in_flight_; }
   /// Memory held, roughly.
   [[nodiscard]] std::size_t bytes() const {
-    return states_.capacity() * sizeof(State) + (far_.capacity() + near_.size()) * sizeof(std::uint64_t) +
-           in_flight_.size() * 64;
+    return states_.capacity() * sizeof(State) + (far_.capacity() + near_.size()) * sizeof(std::uint64_t);
   }
 
  private:
-  enum class State : std::uint8_t { to_send, in_flight, done };
+  // What is to be sent is in near_ or far_; what is in flight may still be there, or not.
+  enum class State : std::uint8_t { to_send, in_flight, in_flight_unlisted, done };
+  static bool is_in_flight(State state) {
+    return state == State::in_flight || state == State::in_flight_unlisted;
+  }
 
-  void leave(ChunkKey key, State state);
+  /// Whether a chunk that is taken off near_ or far_ is to be sent; where not, it is listed no more.
+  [[nodiscard]] bool unlist(AreaOfInterest::Place place);
   /// Drops from near_ what is not to be sent any more, and refills it when it is empty.
   void refill_near();
   /// Moves the nearest rings of far_ to near_.
@@ -90,7 +121,7 @@ class ViewStream {
   std::vector<std::uint64_t> far_;  // coarse priorities
   std::uint64_t near_end_ = 0;      // the coarse priority at which far_ begins
 
-  std::unordered_set<ChunkKey> in_flight_;
+  std::size_t in_flight_ = 0;
 };
 
 }  // namespace talus::server

@@ -23,8 +23,8 @@ void ViewSubscription::add_known(ChunkKey key, ContentHash hash) {
   if (known_.size() < kMaxKnownChunks) known_[key] = hash;
 }
 
-std::vector<ChunkKey> ViewSubscription::apply() {
-  if (!requested_) return {};
+void ViewSubscription::apply() {
+  if (!requested_) return;
   const View view = *std::exchange(requested_, std::nullopt);
   piles_up_ = false;
   number_ = view.number;
@@ -32,12 +32,11 @@ std::vector<ChunkKey> ViewSubscription::apply() {
   AreaOfInterest wanted{view};
   heading_.move_to(view.centre, view.rings.empty() ? view.horizontal_radius : view.rings.back().radius);
   ahead_ = heading_.ahead(wanted.boxes());
-  auto dropped = stream_.replace(std::move(wanted), std::exchange(unseen_, {}));
+  stream_.replace(std::move(wanted), std::exchange(unseen_, {}));
   std::erase_if(known_, [&](const auto& chunk) { return !stream_.wants(chunk.first); });
-  return dropped;
 }
 
-std::vector<ChunkKey> ViewSubscription::clear() {
+void ViewSubscription::clear() {
   requested_.reset();
   piles_up_ = false;
   unseen_.clear();
@@ -45,7 +44,7 @@ std::vector<ChunkKey> ViewSubscription::clear() {
   number_ = 0;
   completion_due_ = false;
   ahead_.clear();
-  return stream_.replace({});
+  stream_.replace({});
 }
 
 std::optional<std::uint32_t> ViewSubscription::completed() {

@@ -36,10 +36,10 @@ class ViewSubscription {
   [[nodiscard]] bool waits() const { return requested_.has_value(); }
   /// Whether that View replaced one which waited too: they come faster than they are applied.
   [[nodiscard]] bool piles_up() const { return piles_up_; }
-  /// Puts the newest View in force. Returns the chunks that were in flight and are so no more.
-  [[nodiscard]] std::vector<ChunkKey> apply();
-  /// Ends the subscription: no View, nothing known. Returns as apply().
-  [[nodiscard]] std::vector<ChunkKey> clear();
+  /// Puts the newest View in force. Chunks that were in flight may be so no more.
+  void apply();
+  /// Ends the subscription: no View, nothing known, nothing in flight.
+  void clear();
 
   // ---- the View in force
   /// Its chunks, and those that it comes to have soon if it moves on as it does.
