@@ -21,34 +21,63 @@ bool WorkQueue::may_add(const Mailbox& mailbox) const {
   return jobs < free_jobs() && waiting_of(mailbox.owner()) < free_jobs() - jobs;
 }
 
+WorkQueue::Job* WorkQueue::Jobs::find(ChunkKey key) {
+  const auto open = keys.begin() + static_cast<std::ptrdiff_t>(ended);
+  const auto found = std::find(open, keys.end(), key);
+  return found == keys.end() ? nullptr : &jobs[static_cast<std::size_t>(found - keys.begin())];
+}
+
+void WorkQueue::Jobs::add(ChunkKey key, Job job) {
+  if (keys.size() == keys.capacity()) keys.reserve(std::max<std::size_t>(16, 2 * keys.size()));
+  jobs.push_back(std::move(job));
+  keys.push_back(key);
+}
+
+void WorkQueue::Jobs::remove(const Job& job) {
+  const auto index = &job - jobs.data();
+  if (static_cast<std::size_t>(index) != ended) {
+    jobs.erase(jobs.begin() + index);
+    keys.erase(keys.begin() + index);
+    return;
+  }
+  if (++ended < 16 || 2 * ended < jobs.size()) return;
+  const auto gone = static_cast<std::ptrdiff_t>(std::exchange(ended, 0));
+  jobs.erase(jobs.begin(), jobs.begin() + gone);
+  keys.erase(keys.begin(), keys.begin() + gone);
+}
+
 std::size_t WorkQueue::add(const MailboxPtr& mailbox, std::span<const ChunkKey> keys, bool new_jobs) {
   const bool own = waiting_of(mailbox->owner()) < own_jobs_;
   std::size_t added = 0;
+  auto patch = patches_.end();
   for (const ChunkKey key : keys) {
-    if (!jobs_.contains(key) && (!new_jobs || !(own || may_add(*mailbox)))) break;
-    add(mailbox, key);
+    const PatchKey patch_key = patch_of(key, patch_tiles_);
+    if (patch == patches_.end() || patch->first != patch_key) patch = patches_.find(patch_key);
+    const bool known = patch != patches_.end() && (patch->second.taken.find(key) != nullptr ||
+                                                   patch->second.waiting.find(key) != nullptr);
+    if (!known && (!new_jobs || !(own || may_add(*mailbox)))) break;
+    if (patch == patches_.end()) patch = patches_.try_emplace(patch_key).first;
+    add(mailbox, key, patch_key, patch->second);
     ++added;
   }
   return added;
 }
 
-void WorkQueue::add(const MailboxPtr& mailbox, ChunkKey key) {
-  auto found = jobs_.find(key);
-  if (found == jobs_.end()) {
-    const FlowId flow = mailbox->flow();
-    const PatchKey patch = patch_of(key, patch_tiles_);
-    found = jobs_.emplace(key, Job{patch, flow, {}, false}).first;
-    patches_[patch].waiting.push_back(key);
-    ++flows_[flow].jobs;
+void WorkQueue::add(const MailboxPtr& mailbox, ChunkKey key, const PatchKey& patch, PatchWork& work) {
+  Job* const taken = work.taken.find(key);
+  Job* job = taken != nullptr ? taken : work.waiting.find(key);
+  if (job == nullptr) {
+    work.waiting.add(key, {mailbox->flow(), {}});
+    ++flows_[mailbox->flow()].jobs;
+    ++jobs_;
+    job = &work.waiting.jobs.back();
   }
-  Job& job = found->second;
-  if (waiter_of(job.waiters, mailbox->owner()) != job.waiters.end()) return;
-  job.waiters.push_back(mailbox);
-  if (!job.taken) {
-    Client& client = enter(*mailbox);
-    if (++client.jobs[job.patch] == 1) client.order.push_back(job.patch);
-    ++client.waiting;
-  }
+  if (waiter_of(job->waiters, mailbox->owner()) != job->waiters.end()) return;
+  job->waiters.push_back(mailbox);
+  if (taken != nullptr) return;
+  Client& client = enter(*mailbox);
+  if (++client.jobs[patch] == 1) client.order.push_back(patch);
+  ++client.waiting;
 }
 
 void WorkQueue::add(HeightsTask task) {
@@ -56,24 +85,24 @@ void WorkQueue::add(HeightsTask task) {
 }
 
 void WorkQueue::cancel(ClientId client, ChunkKey key) {
-  const auto found = jobs_.find(key);
-  if (found == jobs_.end()) return;
-  Job& job = found->second;
-  const auto waiter = waiter_of(job.waiters, client);
-  if (waiter == job.waiters.end()) return;
-  job.waiters.erase(waiter);
-  const auto counts = [&](const MailboxPtr& each) { return each->flow() == job.flow; };
-  if (!job.waiters.empty() && std::none_of(job.waiters.begin(), job.waiters.end(), counts)) {
-    move(job, job.waiters.front()->flow());
+  const auto patch = patches_.find(patch_of(key, patch_tiles_));
+  if (patch == patches_.end()) return;
+  PatchWork& work = patch->second;
+  Job* const taken = work.taken.find(key);
+  Job* const job = taken != nullptr ? taken : work.waiting.find(key);
+  if (job == nullptr) return;
+  const auto waiter = waiter_of(job->waiters, client);
+  if (waiter == job->waiters.end()) return;
+  job->waiters.erase(waiter);
+  const auto counts = [&](const MailboxPtr& each) { return each->flow() == job->flow; };
+  if (!job->waiters.empty() && std::none_of(job->waiters.begin(), job->waiters.end(), counts)) {
+    move(*job, job->waiters.front()->flow());
   }
-  if (job.taken) return;  // begin() or finish() ends it
+  if (taken != nullptr) return;  // begin() or finish() ends it
 
-  const PatchKey patch = job.patch;
-  leave(client, patch);
-  if (!job.waiters.empty()) return;
-  (void)erase(found);
-  auto& waiting = patches_.at(patch).waiting;
-  waiting.erase(std::find(waiting.begin(), waiting.end(), key));
+  leave(client, patch->first);
+  if (!job->waiters.empty()) return;
+  (void)erase(work.waiting, *job);
   drop_if_unused(patch);
 }
 
@@ -140,7 +169,7 @@ WorkQueue::Work WorkQueue::take_of(FlowTurns::Turn turn, const WorkCosts& costs)
 
 std::deque<PatchKey>::const_iterator WorkQueue::free_patch(const Client& client) const {
   return std::find_if(client.order.begin(), client.order.end(),
-                      [&](const PatchKey& patch) { return !patches_.at(patch).taken; });
+                      [&](const PatchKey& patch) { return !patches_.at(patch).is_taken; });
 }
 
 bool WorkQueue::can_begin(const Client& client) const {
@@ -153,19 +182,25 @@ std::size_t WorkQueue::clients() const {
 }
 
 bool WorkQueue::begin(ChunkKey key) {
-  const auto found = jobs_.find(key);
-  if (!found->second.waiters.empty()) return true;
-  (void)erase(found);
+  Jobs& taken = patches_.at(patch_of(key, patch_tiles_)).taken;
+  Job& job = *taken.find(key);
+  if (!job.waiters.empty()) return true;
+  (void)erase(taken, job);
   return false;
 }
 
 bool WorkQueue::drop_unwanted(const Batch& batch) {
-  if (!patches_.at(batch.patch).waiting.empty()) return false;
-  const bool wanted = std::any_of(batch.keys.begin(), batch.keys.end(),
-                                  [&](ChunkKey key) { return !jobs_.at(key).waiters.empty(); });
-  if (wanted) return false;
-  for (const ChunkKey key : batch.keys) (void)erase(jobs_.find(key));
+  PatchWork& work = patches_.at(batch.patch);
+  if (!work.waiting.empty()) return false;
+  for (std::size_t i = work.taken.ended; i < work.taken.jobs.size(); ++i) {
+    if (!work.taken.jobs[i].waiters.empty()) return false;
+  }
+  end_taken(work);
   return true;
+}
+
+void WorkQueue::end_taken(PatchWork& work) {
+  while (!work.taken.empty()) (void)erase(work.taken, work.taken.jobs[work.taken.ended]);
 }
 
 bool WorkQueue::is_wanted(const HeightsTask& task) const {
@@ -174,7 +209,8 @@ bool WorkQueue::is_wanted(const HeightsTask& task) const {
 }
 
 std::vector<MailboxPtr> WorkQueue::finish(ChunkKey key) {
-  return erase(jobs_.find(key));
+  Jobs& taken = patches_.at(patch_of(key, patch_tiles_)).taken;
+  return erase(taken, *taken.find(key));
 }
 
 void WorkQueue::move(Job& job, FlowId flow) {
@@ -184,18 +220,21 @@ void WorkQueue::move(Job& job, FlowId flow) {
   job.flow = flow;
 }
 
-std::vector<MailboxPtr> WorkQueue::erase(Jobs::iterator job) {
-  const FlowId flow = job->second.flow;
-  --flows_.at(flow).jobs;
-  drop_if_unused(flow);
-  std::vector<MailboxPtr> waiters = std::move(job->second.waiters);
-  jobs_.erase(job);
+std::vector<MailboxPtr> WorkQueue::erase(Jobs& jobs, Job& job) {
+  --flows_.at(job.flow).jobs;
+  drop_if_unused(job.flow);
+  --jobs_;
+  std::vector<MailboxPtr> waiters = std::move(job.waiters);
+  jobs.remove(job);
   return waiters;
 }
 
 void WorkQueue::release(const PatchKey& patch) {
-  patches_.at(patch).taken = false;
-  drop_if_unused(patch);
+  const auto found = patches_.find(patch);
+  end_taken(found->second);
+  found->second.taken = {};
+  found->second.is_taken = false;
+  drop_if_unused(found);
 }
 
 WorkQueue::Client& WorkQueue::enter(const Mailbox& mailbox) {
@@ -232,23 +271,25 @@ void WorkQueue::drop_if_done(Clients::iterator client) {
 
 WorkQueue::Batch WorkQueue::take_patch(const PatchKey& patch, ClientId client) {
   PatchWork& work = patches_.at(patch);
-  work.taken = true;
-  Batch batch{patch, std::exchange(work.waiting, {})};
-  std::stable_partition(batch.keys.begin(), batch.keys.end(), [&](ChunkKey key) {
-    auto& waiters = jobs_.at(key).waiters;
-    return waiter_of(waiters, client) != waiters.end();
-  });
-  for (const ChunkKey key : batch.keys) {
-    Job& job = jobs_.at(key);
-    job.taken = true;
-    for (const MailboxPtr& waiter : job.waiters) leave(waiter->owner(), patch);
+  Jobs& waiting = work.waiting;
+  // First those for which the turn's client waits.
+  for (const bool is_clients : {true, false}) {
+    for (std::size_t i = waiting.ended; i < waiting.jobs.size(); ++i) {
+      Job& job = waiting.jobs[i];
+      if (job.waiters.empty()) continue;  // it was among the first
+      if (is_clients && waiter_of(job.waiters, client) == job.waiters.end()) continue;
+      for (const MailboxPtr& waiter : job.waiters) leave(waiter->owner(), patch);
+      work.taken.add(waiting.keys[i], std::move(job));
+      job.waiters.clear();
+    }
   }
-  return batch;
+  waiting = {};
+  work.is_taken = true;
+  return {patch, work.taken.keys};
 }
 
-void WorkQueue::drop_if_unused(const PatchKey& patch) {
-  const auto found = patches_.find(patch);
-  if (!found->second.taken && found->second.waiting.empty()) patches_.erase(found);
+void WorkQueue::drop_if_unused(Patches::iterator patch) {
+  if (!patch->second.is_taken && patch->second.waiting.empty()) patches_.erase(patch);
 }
 
 void WorkQueue::drop_if_unused(FlowId flow) {

@@ -1,7 +1,7 @@
 // What the generators have yet to do, and whose turn it is. For one thread; GenerationPool locks.
 //
-// A job is one chunk, however many clients wait for it; it is dropped with its last waiter. Jobs are grouped
-// by patch, and a patch is worked on by one thread at a time.
+// A job is one chunk, however many clients wait for it; it is dropped with its last waiter. Jobs lie with
+// their patch, which is worked on by one thread at a time: most are asked for, taken and ended together.
 //
 // Flows take turns, and within a flow its clients (flow_turns.h). A turn is worth a new patch; a client
 // spends it on patches of its own, in the order in which it asked, and between them on heights. Whoever else
@@ -86,20 +86,32 @@ class WorkQueue {
   [[nodiscard]] std::vector<MailboxPtr> finish(ChunkKey key);
   void release(const PatchKey& patch);
 
-  [[nodiscard]] std::size_t jobs() const { return jobs_.size(); }
+  [[nodiscard]] std::size_t jobs() const { return jobs_; }
   /// Those with something waiting.
   [[nodiscard]] std::size_t clients() const;
 
  private:
   struct Job {
-    PatchKey patch;
     FlowId flow;  // of one who waits: the job is one of its
     std::vector<MailboxPtr> waiters;
-    bool taken = false;
+  };
+  /// Jobs in the order in which they came. Searched from the first on: there are few, or they are ended in
+  /// that order.
+  struct Jobs {
+    std::vector<ChunkKey> keys;
+    std::vector<Job> jobs;  // as many
+    std::size_t ended = 0;  // so many at the front
+    [[nodiscard]] bool empty() const { return ended == keys.size(); }
+    /// Null where there is none that is not ended.
+    [[nodiscard]] Job* find(ChunkKey key);
+    void add(ChunkKey key, Job job);
+    /// The job that find() gave.
+    void remove(const Job& job);
   };
   struct PatchWork {
-    std::vector<ChunkKey> waiting;
-    bool taken = false;
+    Jobs waiting;
+    Jobs taken;  // empty where no thread works on the patch, or it has ended them all
+    bool is_taken = false;
   };
   struct Client {
     std::deque<PatchKey> order;                        // exactly the keys of `jobs`
@@ -113,13 +125,13 @@ class WorkQueue {
     [[nodiscard]] bool idle() const { return order.empty() && heights.empty(); }
   };
   using Clients = std::unordered_map<ClientId, Client>;
-  using Jobs = std::unordered_map<ChunkKey, Job>;
+  using Patches = std::unordered_map<PatchKey, PatchWork>;
   struct Flow {
     std::size_t jobs = 0;
     std::size_t in_flight = 0;  // pieces
   };
 
-  void add(const MailboxPtr& mailbox, ChunkKey key);
+  void add(const MailboxPtr& mailbox, ChunkKey key, const PatchKey& patch, PatchWork& work);
   Client& enter(const Mailbox& mailbox);
   /// The client waits for one job less of the patch.
   void leave(ClientId client, const PatchKey& patch);
@@ -132,19 +144,20 @@ class WorkQueue {
   /// The job is one of another flow's from now on.
   void move(Job& job, FlowId flow);
   /// Ends the job; gives its waiters.
-  std::vector<MailboxPtr> erase(Jobs::iterator job);
-  void drop_if_unused(const PatchKey& patch);
+  std::vector<MailboxPtr> erase(Jobs& jobs, Job& job);
+  void end_taken(PatchWork& work);
+  void drop_if_unused(Patches::iterator patch);
   void drop_if_unused(FlowId flow);
   [[nodiscard]] Flow of(FlowId flow) const;
   [[nodiscard]] std::size_t waiting_of(ClientId client) const;
-  [[nodiscard]] std::size_t free_jobs() const { return max_jobs_ - std::min(max_jobs_, jobs_.size()); }
+  [[nodiscard]] std::size_t free_jobs() const { return max_jobs_ - std::min(max_jobs_, jobs_); }
   [[nodiscard]] bool may_add(const Mailbox& mailbox) const;
 
   const int patch_tiles_;
   const std::size_t max_jobs_;
   const std::size_t own_jobs_;
-  Jobs jobs_;
-  std::unordered_map<PatchKey, PatchWork> patches_;
+  std::size_t jobs_ = 0;
+  Patches patches_;
   Clients clients_;                         // those with something waiting or in flight
   std::unordered_map<FlowId, Flow> flows_;  // those with jobs, or pieces in flight
   FlowTurns turns_;
