@@ -159,7 +159,7 @@ void GenerationPool::run(const WorkQueue::Batch& batch, MeasuredWork& measured) 
   });
   const auto known = [&](ChunkKey key) { return parts_.maker.known(key); };
   if (std::all_of(batch.keys.begin(), batch.keys.end(), known)) return answer(batch, known);
-  const PatchStore::Loan loan = parts_.patches.obtain(batch.patch, go_on, measured);
+  const PatchStore::Loan loan = parts_.patches.obtain(batch.patch, batch.keys, go_on, measured);
   if (dropped || loan.given_up) return;
   const auto began = parts_.clock.thread_cpu();
   answer(batch, [&](ChunkKey key) -> ChunkAnswer {

@@ -18,15 +18,25 @@ bool PatchStore::holds(const PatchKey& patch) const {
   return patches_.holds(patch);
 }
 
-PatchStore::Loan PatchStore::obtain(const PatchKey& patch, const GoOn& go_on, MeasuredWork& measured) {
-  Loan loan{patch, find(patch), false, {}};
-  if (loan.stacks != nullptr) return loan;
+PatchStore::Loan PatchStore::obtain(const PatchKey& patch, std::span<const ChunkKey> asked, const GoOn& go_on,
+                                    MeasuredWork& measured) {
   // Now, as whoever asks may have moved on when it is made.
+  Loan loan{patch, nullptr, false, false, in_views(asked), {}};
+  {
+    const std::lock_guard lock{mutex_};
+    if (const StoredPatch* const found = patches_.find(patch)) {
+      loan.stacks = found->stacks;
+      loan.dear = found->dear;
+      return loan;
+    }
+  }
   const bool outside_views = !in_some_view(patch);
   try {
+    const auto before = measured.patch_time;
     loan.stacks = make(patch, go_on, measured);
     loan.given_up = loan.stacks == nullptr;
     if (loan.given_up) return loan;
+    loan.dear = measured.patch_time - before > kDearPatch;
     parts_.memory.note_patch(loan.stacks->bytes());
     parts_.rows.note(patch, *loan.stacks);
     put(loan, outside_views);
@@ -38,22 +48,23 @@ PatchStore::Loan PatchStore::obtain(const PatchKey& patch, const GoOn& go_on, Me
 }
 
 void PatchStore::finish(const Loan& loan, MeasuredWork& measured) {
-  if (loan.stacks != nullptr && in_some_view(loan.patch)) {
-    extract_before_evict(loan.patch, {loan.stacks, false}, measured);
-    const std::lock_guard lock{mutex_};
-    patches_.erase(loan.patch);
-  } else
-  if (loan.stacks != nullptr && fully_extracted(loan.patch, *loan.stacks)) {
+  if (loan.stacks != nullptr && may_go(loan, measured)) {
     const std::lock_guard lock{mutex_};
     patches_.erase(loan.patch);
   }
-  for (const auto& [key, patch] : loan.evicted) extract_before_evict(key, patch, measured);
+  for (const auto& [key, patch] : loan.evicted) (void)extract_wanted(key, patch, measured);
 }
 
-StacksPtr PatchStore::find(const PatchKey& patch) {
-  const std::lock_guard lock{mutex_};
-  const StoredPatch* const found = patches_.find(patch);
-  return found == nullptr ? nullptr : found->stacks;
+bool PatchStore::may_go(const Loan& loan, MeasuredWork& measured) {
+  if (loan.dear || !loan.in_views) return fully_extracted(loan.patch, *loan.stacks);
+  return extract_wanted(loan.patch, {loan.stacks, false, false}, measured);
+}
+
+bool PatchStore::in_views(std::span<const ChunkKey> keys) const {
+  return std::all_of(keys.begin(), keys.end(), [this](ChunkKey key) {
+    const ChunkRange row{key.coord.y, key.coord.y};
+    return parts_.wanted.rows_of(key, row) == row;
+  });
 }
 
 StacksPtr PatchStore::make(const PatchKey& patch, const GoOn& go_on, MeasuredWork& measured) {
@@ -67,7 +78,7 @@ StacksPtr PatchStore::make(const PatchKey& patch, const GoOn& go_on, MeasuredWor
 }
 
 void PatchStore::put(Loan& loan, bool outside_views) {
-  StoredPatch patch{loan.stacks, outside_views};
+  StoredPatch patch{loan.stacks, outside_views, loan.dear};
   const std::lock_guard lock{mutex_};
   loan.evicted.reserve(patches_.size());  // so that nothing is allocated while patches are evicted
   patches_.put(loan.patch, std::move(patch), loan.stacks->bytes(),
@@ -76,21 +87,24 @@ void PatchStore::put(Loan& loan, bool outside_views) {
                });
 }
 
-void PatchStore::extract_before_evict(const PatchKey& key, const StoredPatch& patch, MeasuredWork& measured) {
+bool PatchStore::extract_wanted(const PatchKey& key, const StoredPatch& patch, MeasuredWork& measured) {
   const auto began = parts_.clock.thread_cpu();
+  bool all = true;
   for_each_column(key, patch_tiles_, [&](ChunkKey column) {
     const MixedRows mixed = rows_of(column, *patch.stacks);
     ChunkRange rows{mixed.first, mixed.last};
     if (!patch.outside_views) rows = parts_.wanted.rows_of(column, rows);
-    rows.last = std::min(rows.last, rows.first + kMaxExtractedRows - 1);
-    for (std::int64_t y = rows.first; y <= rows.last; ++y) {
+    const std::int64_t last = std::min(rows.last, rows.first + kMaxExtractedRows - 1);
+    all = all && last == rows.last;
+    for (std::int64_t y = rows.first; y <= last; ++y) {
       const ChunkKey chunk{{column.coord.x, static_cast<std::int32_t>(y), column.coord.z}, column.lod};
       if (parts_.chunks.holds(chunk)) continue;
-      (void)parts_.maker.chunk(patch.stacks.get(), chunk);
+      all = parts_.maker.chunk(patch.stacks.get(), chunk).has_value() && all;
       ++measured.chunks;
     }
   });
   measured.chunk_time += parts_.clock.thread_cpu() - began;
+  return all;
 }
 
 bool PatchStore::fully_extracted(const PatchKey& patch, const terrain::Stacks& stacks) {

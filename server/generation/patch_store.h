@@ -1,13 +1,17 @@
 // Stacks of patches in memory, bounded in bytes: found, made, and turned into chunks before they go. Callable
 // from any thread.
 //
-// A chunk is a fiftieth of what its part of the patch takes. So before an evicted patch is let go those of
-// its mixed chunks that somebody looks at, or comes to look at soon, are extracted into the chunk cache; and
-// a patch of which all are there already is let go at once.
+// A chunk is a fiftieth of what its part of the patch takes. So when a piece of work on a patch ends, those of
+// its mixed chunks that somebody looks at, or comes to look at soon, are extracted into the chunk cache, and
+// the patch is let go: the next is made in its memory, which is still in the processor's cache. A patch stays
+// that was dear to make, that no View has, or that has more rows than are extracted; and what is wanted of it
+// is extracted when it is evicted.
 #pragma once
 
+#include <chrono>
 #include <cstddef>
 #include <mutex>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -29,6 +33,8 @@ struct StoredPatch {
   /// It was made for chunks that no View has: who asks for chunks one by one mostly comes to ask for those
   /// beside them, and all are extracted.
   bool outside_views = false;
+  /// It took long enough to make that it is worth its memory.
+  bool dear = false;
 };
 
 class PatchStore {
@@ -36,6 +42,10 @@ class PatchStore {
   /// Rows of a column that are extracted before its patch is evicted: worlds can be far deeper than what
   /// anybody looks at.
   static constexpr std::int32_t kMaxExtractedRows = 8;
+
+  /// A patch that takes longer to make is kept. About one in twenty that are let go is made again, and memory
+  /// out of the processor's cache costs a tenth of a millisecond more.
+  static constexpr std::chrono::milliseconds kDearPatch{2};
 
   /// What a patch store works with; all of it outlives the store.
   struct Parts {
@@ -60,12 +70,16 @@ class PatchStore {
     PatchKey patch;
     StacksPtr stacks;                                       // null where the patch could not be made
     bool given_up = false;                                  // go_on() ended it
+    bool dear = false;                                      // as StoredPatch's
+    bool in_views = false;                                  // some View has all that was asked of it
     std::vector<std::pair<PatchKey, StoredPatch>> evicted;  // for this one
   };
-  /// The patch from memory, or made now unless go_on() ends that. `measured` gets what that took.
-  [[nodiscard]] Loan obtain(const PatchKey& patch, const GoOn& go_on, MeasuredWork& measured);
-  /// Lets the patch go where it is fully extracted, and extracts what was evicted for it: call it when nobody
-  /// waits for this thread any more.
+  /// The patch from memory, or made now unless go_on() ends that. `asked` are the chunks that somebody waits
+  /// for. `measured` gets what it took.
+  [[nodiscard]] Loan obtain(const PatchKey& patch, std::span<const ChunkKey> asked, const GoOn& go_on,
+                            MeasuredWork& measured);
+  /// Extracts what Views want of the patch, lets it go where nothing more is, and extracts what was evicted for
+  /// it: call it when nobody waits for this thread any more.
   void finish(const Loan& loan, MeasuredWork& measured);
 
   /// Takes no time: call fit() until all fits.
@@ -75,14 +89,17 @@ class PatchStore {
   [[nodiscard]] std::size_t bytes() const;
 
  private:
-  [[nodiscard]] StacksPtr find(const PatchKey& patch);
   /// Null where go_on() ended it.
   [[nodiscard]] StacksPtr make(const PatchKey& patch, const GoOn& go_on, MeasuredWork& measured);
   void put(Loan& loan, bool outside_views);
+  /// Returns whether all that is wanted of the patch is in the chunk cache now.
+  bool extract_wanted(const PatchKey& key, const StoredPatch& patch, MeasuredWork& measured);
+  /// Whether the patch is not worth its memory any more.
+  [[nodiscard]] bool may_go(const Loan& loan, MeasuredWork& measured);
+  [[nodiscard]] bool in_views(std::span<const ChunkKey> keys) const;
   /// Whether all mixed chunks of the patch are in the chunk cache, where they stay longer for their size, and
   /// no column has more of them than would be extracted.
   [[nodiscard]] bool fully_extracted(const PatchKey& patch, const terrain::Stacks& stacks);
-  void extract_before_evict(const PatchKey& key, const StoredPatch& patch, MeasuredWork& measured);
   /// Of the key's column over these stacks.
   [[nodiscard]] MixedRows rows_of(ChunkKey column, const terrain::Stacks& stacks);
   [[nodiscard]] bool in_some_view(const PatchKey& patch) const;

@@ -86,7 +86,8 @@ class SessionRunner final : public Peer, public std::enable_shared_from_this<Ses
   template <typename Event>
   void dispatch(Event&& event);
   /// After anything that happened to the session.
-  void pump();
+  /// As Session::pump().
+  std::size_t pump();
   /// The client has shut its side, and may still read.
   void input_ended();
   void output_ended();

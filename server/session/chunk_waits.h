@@ -1,6 +1,6 @@
 // Who of one session waits for a chunk from the source: the View, requests, or both. No I/O.
 //
-// Invariant: the session has submitted each chunk here to its source, and has not cancelled it.
+// Invariant: the session has submitted each chunk here to its source, has not cancelled it, and had no answer.
 #pragma once
 
 #include <cstddef>
@@ -53,11 +53,13 @@ class ChunkWaits {
     std::erase(found->second.requests, request);
     return erase_if_unwanted(found);
   }
-  [[nodiscard]] bool leave_view(ChunkKey key) {
+  /// The View waits for the chunk no more, which is expected all the same, as its answer is on its way. Returns
+  /// whether it was waited for.
+  bool end_view(ChunkKey key) {
     const auto found = waits_.find(key);
     if (found == waits_.end()) return false;
     found->second.view = false;
-    return erase_if_unwanted(found);
+    return true;
   }
 
   /// The View waits no more for the chunks for which gone(chunk) is true. Returns those of them for which

@@ -37,12 +37,13 @@ void Delivery::cancel(const std::vector<std::uint32_t>& ids) {
   outbox_.drop_chunks([&](const Outbox::Entry& entry) { return cancelled.contains(entry.request_id); });
 }
 
-void Delivery::apply_view() {
-  if (!view_.waits()) return;
+std::size_t Delivery::apply_view() {
+  if (!view_.waits()) return 0;
   queue_full_ = false;  // the new View may need no place in the queue
   view_.apply();
-  drop_what_left_view();
+  const std::size_t dropped = drop_what_left_view();
   context_.chunks.set_wanted(mailbox_->owner(), view_.ahead());
+  return dropped;
 }
 
 void Delivery::end_view() {
@@ -51,17 +52,12 @@ void Delivery::end_view() {
   context_.chunks.set_wanted(mailbox_->owner(), {});
 }
 
-void Delivery::drop_what_left_view() {
+std::size_t Delivery::drop_what_left_view() {
   const auto left = [this](ChunkKey key) { return !view_.stream().in_flight(key); };
   const std::vector<ChunkKey> unwanted = waits_.leave_view_where(left);
   if (!unwanted.empty()) context_.chunks.cancel(mailbox_->owner(), unwanted);
-  outbox_.drop_chunks([&](const Outbox::Entry& entry) { return entry.request_id == 0 && left(entry.key); });
-}
-
-bool Delivery::stop_view_wait(ChunkKey key) {
-  if (!waits_.contains(key)) return false;  // it waits for the client
-  if (waits_.leave_view(key)) context_.chunks.cancel(mailbox_->owner(), {&key, 1});
-  return true;
+  return outbox_.drop_chunks(
+      [&](const Outbox::Entry& entry) { return entry.request_id == 0 && left(entry.key); });
 }
 
 void Delivery::take_mail() {
@@ -257,7 +253,7 @@ void Delivery::tell_column(ChunkKey column, const MixedRows& rows, const ChunkKe
     const auto uniform = rows.uniform_at(y);
     if (!uniform) return false;
     const bool here = answered != nullptr && chunk == *answered;
-    if (in_flight && !here && !stop_view_wait(chunk)) return false;
+    if (in_flight && !here && !waits_.end_view(chunk)) return false;  // it waits for the client
     const auto material = to_integer(*uniform);
     const bool goes_on = !runs.empty() && runs.back().last_y() == y - 1 && runs.back().material() == material;
     const std::int32_t first = goes_on ? runs.back().first_y() : y;

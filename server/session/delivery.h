@@ -65,7 +65,8 @@ class Delivery {
 
   [[nodiscard]] ViewSubscription& view() { return view_; }
   [[nodiscard]] const ViewSubscription& view() const { return view_; }
-  void apply_view();
+  /// Returns how many chunks it dropped from the outbox.
+  std::size_t apply_view();
   void end_view();
   /// Whether all that the client asked for is answered, the View too.
   [[nodiscard]] bool served() const { return requests_.empty() && view_.settled(); }
@@ -127,10 +128,8 @@ class Delivery {
   /// and is in neither; null: none is.
   void tell_column(ChunkKey column, const MixedRows& rows, const ChunkKey* answered);
 
-  /// Of chunks that left the View none is waited for, and none is sent.
-  void drop_what_left_view();
-  /// The View waits for the chunk no more; false where it did not wait for the source.
-  bool stop_view_wait(ChunkKey key);
+  /// Of chunks that left the View none is waited for, and none is sent. Returns how many waited for the client.
+  std::size_t drop_what_left_view();
 
   const SessionContext& context_;
   const MailboxPtr mailbox_;

@@ -162,7 +162,7 @@ void Session::close_if_served() {
   }
 }
 
-void Session::pump() {
+std::size_t Session::pump() {
   const Clock::time_point began = context_.clock.now();
   const std::size_t found = closing() ? 0 : delivery_.start_work();
   if (found > 0) context_.metrics.hot_latency.add(context_.clock.now() - began, found);
@@ -171,6 +171,7 @@ void Session::pump() {
   if (const std::uint64_t refusals = replies_.take_refusals(); refusals > 0) {
     flow().add(FlowMeasure::refusals, refusals);
   }
+  return found;
 }
 
 // ---- messages

@@ -86,13 +86,14 @@ class Session {
 
   /// Whether a View waits for apply_view(), which may cost milliseconds: the caller decides when.
   [[nodiscard]] bool view_waits() const { return delivery_.view().waits(); }
-  void apply_view() { delivery_.apply_view(); }
+  /// Returns how many chunks it dropped that waited for the client.
+  [[nodiscard]] std::size_t apply_view() { return delivery_.apply_view(); }
   /// Whether the client sends Views faster than they are applied. Each costs something, also one that is
   /// replaced: until apply_view() the caller reads no more.
   [[nodiscard]] bool views_pile_up() const { return delivery_.view().piles_up(); }
 
-  /// Starts as much work as the bounds allow.
-  void pump();
+  /// Starts as much work as the bounds allow. Returns how many chunks it found in memory.
+  std::size_t pump();
 
   // ---- output
   /// When something may be written: the clock's zero at once, a time to come where a rate throttles chunks,

@@ -39,16 +39,18 @@ class Outbox {
   void push_control(protocol::Frame frame);
   void push_chunk(Entry&& entry);
 
-  /// Removes the chunks for which `unwanted(entry)` returns true.
+  /// Removes the chunks for which `unwanted(entry)` returns true. Returns how many.
   template <typename Unwanted>
-  void drop_chunks(Unwanted&& unwanted) {
+  std::size_t drop_chunks(Unwanted&& unwanted) {
+    std::size_t dropped = 0;
     for (Queue* const queue : {&requests_, &view_}) {
-      std::erase_if(queue->entries, [&](const Entry& entry) {
+      dropped += std::erase_if(queue->entries, [&](const Entry& entry) {
         const bool drop = unwanted(entry);
         if (drop) queue->bytes -= cost(*entry.chunk);
         return drop;
       });
     }
+    return dropped;
   }
 
   [[nodiscard]] bool sendable(const Credit& credit) const;

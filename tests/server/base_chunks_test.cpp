@@ -22,8 +22,15 @@ ChunkKey at(std::int32_t x) {
   return {{x, 0, 0}, Lod{}};
 }
 
+bool queued(ChunkSource& chunks, const MailboxPtr& mailbox, ChunkKey key) {
+  return chunks.submit(mailbox, {&key, 1}) == 1;
+}
 bool queued(ChunkSource& chunks, const WaitingClient& client, ChunkKey key) {
-  return chunks.submit(client.mailbox(), key) == ChunkSource::Submission::queued;
+  return queued(chunks, client.mailbox(), key);
+}
+
+void cancel(ChunkSource& chunks, const WaitingClient& client, ChunkKey key) {
+  chunks.cancel(client.id(), {&key, 1});
 }
 
 }  // namespace
@@ -121,7 +128,7 @@ TEST_CASE("a cancelled chunk is not generated") {
   WaitingClient client;
   REQUIRE(queued(fake.service, client, at(0)));    // holds the only thread at the gate, now or soon
   REQUIRE(queued(fake.service, client, at(100)));  // waits behind it
-  fake.service.cancel(client.id(), at(100));
+  cancel(fake.service, client, at(100));
   fake.work->open_gate();
   client.await(1);
   REQUIRE(queued(fake.service, client, at(200)));
@@ -137,7 +144,7 @@ TEST_CASE("a chunk cancelled while its patch is made is not generated") {
   fake.work->await_somebody_at_gate();  // the only thread: what comes now is taken together
   REQUIRE(queued(fake.service, client, at(0)));
   REQUIRE(queued(fake.service, client, at(1)));
-  fake.service.cancel(client.id(), at(100));
+  cancel(fake.service, client, at(100));
   fake.work->open_gate();
   client.await(2);
   CHECK(fake.work->chunks == 2);
@@ -223,8 +230,8 @@ TEST_CASE("a patch that nobody wants any more is given up, and made when somebod
   std::atomic<bool> leaves{true};
   fake.work->in_patch = [&] {
     if (!leaves.exchange(false)) return;
-    fake.service.cancel(client.id(), at(1));
-    fake.service.cancel(client.id(), at(2));
+    cancel(fake.service, client, at(1));
+    cancel(fake.service, client, at(2));
     fake.clock.advance(std::chrono::seconds{1});
   };
   REQUIRE(queued(fake.service, client, at(1)));
@@ -247,7 +254,7 @@ TEST_CASE("a patch that somebody still wants is made, whoever else left") {
   WaitingClient client;
   WaitingClient other;
   fake.work->in_patch = [&] {
-    fake.service.cancel(client.id(), at(1));
+    cancel(fake.service, client, at(1));
     fake.clock.advance(std::chrono::seconds{1});
   };
   REQUIRE(queued(fake.service, client, at(1)));
@@ -278,7 +285,7 @@ TEST_CASE("the time of generators is added to the flow in whose turn it was") {
 TEST_CASE("a client that cannot be woken harms nobody") {
   FakeService fake;
   const auto broken = std::make_shared<Mailbox>(ClientId{1'000'000}, [] { throw std::bad_alloc{}; });
-  REQUIRE(fake.service.submit(broken, at(1)) == ChunkSource::Submission::queued);
+  REQUIRE(queued(fake.service, broken, at(1)));
   fake.service.submit_heights(broken, 1, {{1, 2}});
   WaitingClient client;
   REQUIRE(queued(fake.service, client, at(2)));
@@ -315,7 +322,7 @@ TEST_CASE("a job that is cancelled makes room for a client that was refused") {
   fake.work->await_somebody_at_gate();  // the only thread has the only job
   WaitingClient late;
   CHECK_FALSE(queued(fake.service, late, at(200)));
-  fake.service.cancel(holder.id(), at(0));
+  cancel(fake.service, holder, at(0));
   fake.work->open_gate();
   late.await_room();
   REQUIRE(queued(fake.service, late, at(200)));
@@ -323,14 +330,14 @@ TEST_CASE("a job that is cancelled makes room for a client that was refused") {
   CHECK(fake.work->chunks == 1);
 }
 
-TEST_CASE("a flow that fills its part of the queue keeps no other out, and is told when it has room") {
+TEST_CASE("a flow that fills its part of the queue keeps no other out, and who waits for nothing is told of room") {
   // Without start(): jobs end by cancellation, so all happens in this thread.
   constexpr std::int32_t kJobs = 400;
   Metrics metrics;
   MemoryBudget memory{0};
   ManualClock clock;
   BaseChunks chunks{std::make_unique<FakeGenerator>(std::make_shared<FakeWork>()),
-                    {1, 4, kJobs, 1 << 20, 1 << 20},
+                    {1, 4, kJobs, 1 << 20, 1 << 20, 0},
                     std::make_shared<spdlog::logger>("silent"),
                     metrics,
                     memory,
@@ -344,15 +351,21 @@ TEST_CASE("a flow that fills its part of the queue keeps no other out, and is to
   std::int32_t jobs = greedy_jobs;
   while (queued(chunks, beside, at(jobs))) ++jobs;
   CHECK(queued(chunks, WaitingClient{}, at(kJobs)));
-  const auto told = [&] {
-    greedy.take_mail();
-    return greedy.rooms();
+  WaitingClient late;
+  late.mailbox()->join(greedy.mailbox()->flow_use());
+  while (queued(chunks, late, at(jobs + 1))) {
+    REQUIRE(queued(chunks, WaitingClient{}, at(++jobs)));
+    cancel(chunks, late, at(jobs));
+  }
+  const auto told = [&](WaitingClient& client) {
+    client.take_mail();
+    return client.rooms();
   };
-  CHECK(told() == 0);
-  chunks.cancel(beside.id(), at(greedy_jobs));
-  CHECK(told() == 1);
-  chunks.cancel(beside.id(), at(greedy_jobs + 1));
-  CHECK(told() == 1);
+  CHECK(told(late) == 0);
+  cancel(chunks, beside, at(greedy_jobs));
+  cancel(chunks, beside, at(greedy_jobs + 1));
+  CHECK(told(late) == 1);
+  CHECK(told(greedy) == 0);  // any of its chunks that comes tells as much
 }
 
 TEST_CASE("a client that was refused for want of memory is told when it is there again") {
@@ -377,7 +390,7 @@ TEST_CASE("jobs are in the memory budget while they wait") {
   REQUIRE(queued(fake.service, client, at(0)));
   REQUIRE(queued(fake.service, client, at(100)));
   CHECK(fake.memory.used(MemoryUse::jobs) > 0);
-  fake.service.cancel(client.id(), at(100));
+  cancel(fake.service, client, at(100));
   fake.work->open_gate();
   client.await(1);
   fake.work->close_gate();

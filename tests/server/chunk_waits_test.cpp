@@ -8,6 +8,8 @@ using namespace talus::server;
 namespace {
 
 const ChunkKey kKey{{1, 2, 3}, Lod{}};
+const ChunkKey kOther{{4, 5, 6}, Lod{}};
+const ChunkKey kStays{{7, 8, 9}, Lod{}};
 constexpr Clock::time_point kNow{std::chrono::seconds{1}};
 
 }  // namespace
@@ -20,13 +22,26 @@ TEST_CASE("the last request that leaves a chunk cancels it") {
   CHECK_FALSE(waits.contains(kKey));
 }
 
-TEST_CASE("the View that leaves a chunk does not cancel it for a request") {
+TEST_CASE("the View that leaves chunks does not cancel those for which a request waits") {
   ChunkWaits waits;
   auto& waiters = waits.add(kKey, kNow);
   waiters.view = true;
   waiters.requests = {1};
-  CHECK_FALSE(waits.leave_view(kKey));
+  waits.add(kOther, kNow).view = true;
+  waits.add(kStays, kNow).view = true;
+  const auto left = waits.leave_view_where([](ChunkKey key) { return key != kStays; });
+  CHECK(left == std::vector{kOther});
+  CHECK(waits.size() == 2);
   CHECK(waits.leave(kKey, 1));
+}
+
+TEST_CASE("a chunk that the View has otherwise is expected all the same") {
+  ChunkWaits waits;
+  waits.add(kKey, kNow).view = true;
+  CHECK(waits.end_view(kKey));
+  CHECK(waits.leave_view_where([](ChunkKey) { return true; }).empty());
+  CHECK_FALSE(waits.take(kKey)->view);
+  CHECK_FALSE(waits.end_view(kKey));
 }
 
 TEST_CASE("a request that leaves a chunk does not cancel it for the View") {
@@ -35,13 +50,13 @@ TEST_CASE("a request that leaves a chunk does not cancel it for the View") {
   waiters.view = true;
   waiters.requests = {1};
   CHECK_FALSE(waits.leave(kKey, 1));
-  CHECK(waits.leave_view(kKey));
+  CHECK(waits.leave_view_where([](ChunkKey) { return true; }) == std::vector{kKey});
 }
 
 TEST_CASE("leaving a chunk for which nobody waits cancels nothing") {
   ChunkWaits waits;
   CHECK_FALSE(waits.leave(kKey, 1));
-  CHECK_FALSE(waits.leave_view(kKey));
+  CHECK_FALSE(waits.end_view(kKey));
 }
 
 TEST_CASE("a chunk that came is waited for no more") {

@@ -181,10 +181,11 @@ struct FakeService {
   BaseChunks service;
 
   explicit FakeService(std::size_t threads = 1, std::size_t queue_chunks = 1000,
-                       std::uint64_t memory_bytes = 0, std::size_t cache_bytes = 1 << 20)
+                       std::uint64_t memory_bytes = 0, std::size_t cache_bytes = 1 << 20,
+                       std::size_t own_chunks = 0)
       : memory{memory_bytes},
         service{std::make_unique<FakeGenerator>(work),
-                {threads, 4, queue_chunks, cache_bytes, cache_bytes},
+                {threads, 4, queue_chunks, cache_bytes, cache_bytes, own_chunks},
                 std::make_shared<spdlog::logger>("silent"),
                 metrics,
                 memory,

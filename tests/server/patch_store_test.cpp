@@ -1,6 +1,7 @@
 // Without threads: every call returns when its work is done.
 #include "generation/patch_store.h"
 
+#include <array>
 #include <catch2/catch.hpp>
 
 #include "failing_allocations.h"
@@ -14,6 +15,7 @@ namespace {
 
 constexpr int kTiles = 4;
 constexpr int kColumns = kTiles * kTiles;
+constexpr std::array kOutside{ChunkKey{{1000, 0, 1000}, Lod{}}};  // of every View here
 
 /// A store on a fake generator, with room for one patch of 600 kB.
 struct Bench {
@@ -25,7 +27,7 @@ struct Bench {
   ManualClock clock;
   ChunkCache chunks{1 << 20};
   ColumnRows rows{generator, kTiles, 1 << 20};
-  ChunkMaker maker{generator, chunks, metrics, log};
+  ChunkMaker maker{generator, chunks, rows, metrics, log};
   GeneratorMemory memory{budget, 1, log};
   WantedChunks wanted;
   PatchStore store{{generator, maker, chunks, rows, wanted, memory, metrics, clock}, log, kTiles, 1 << 20, 1};
@@ -36,9 +38,9 @@ struct Bench {
     work->first_mixed = 2;
     work->last_mixed = 3;
   }
-  PatchStore::Loan obtain(std::int32_t x) {
+  PatchStore::Loan obtain(std::int32_t x, std::span<const ChunkKey> asked = kOutside) {
     return store.obtain(
-        {x, 0, Lod{}}, [] { return true; }, measured);
+        {x, 0, Lod{}}, asked, [] { return true; }, measured);
   }
   /// All of the patch's chunks in the rows, made by hand.
   void make_chunks(const PatchStore::Loan& loan, std::int32_t first_row, std::int32_t last_row) {
@@ -93,22 +95,55 @@ TEST_CASE("an evicted patch that was in no View leaves its mixed chunks, each ma
   CHECK(bench.measured.chunks == 2 * kColumns - 1);
 }
 
-TEST_CASE("of an evicted patch in a View the chunks that somebody wants are left, and no others") {
+TEST_CASE("of a patch in a View the chunks that somebody wants are made, no others, and it is let go") {
   Bench bench;
   const ChunkRange any{-100, 100};
   // The eastern half of the patch, and of its mixed rows 2 and 3 the higher one.
-  bench.wanted.set(ClientId{1}, std::array{LevelBox{Lod{}, {2, 100}, {3, 9}, any, {}, {}}});
-  bench.store.finish(bench.obtain(0), bench.measured);
-  bench.store.finish(bench.obtain(1), bench.measured);
+  bench.wanted.set(ClientId{1}, std::array{LevelBox{Lod{}, {2, 3}, {3, 9}, any, {}, {}}});
+  const std::array asked{ChunkKey{{2, 3, 0}, Lod{}}};
+  bench.store.finish(bench.obtain(0, asked), bench.measured);
   for (std::int32_t i = 0; i < kColumns; ++i) {
     CHECK_FALSE(bench.chunks.holds({{i % kTiles, 2, i / kTiles}, Lod{}}));
     CHECK(bench.chunks.holds({{i % kTiles, 3, i / kTiles}, Lod{}}) == (i % kTiles >= 2));
   }
   CHECK(bench.work->chunks == kColumns / 2);
-  // Nobody wants what is evicted next any more: players have moved on.
-  bench.wanted.set(ClientId{1}, {});
-  bench.store.finish(bench.obtain(2), bench.measured);
-  CHECK(bench.work->chunks == kColumns / 2);
+  CHECK(bench.store.bytes() == 0);
+}
+
+TEST_CASE("a patch stays of which somebody asked for what no View has") {
+  Bench bench;
+  const ChunkRange any{-100, 100};
+  bench.wanted.set(ClientId{1}, std::array{LevelBox{Lod{}, any, {3, 9}, any, {}, {}}});
+  const std::array asked{ChunkKey{{0, 3, 0}, Lod{}}, ChunkKey{{0, 2, 0}, Lod{}}};
+  bench.store.finish(bench.obtain(0, asked), bench.measured);
+  CHECK(bench.store.holds({0, 0, Lod{}}));
+  // What is wanted of it when it is evicted is left.
+  CHECK(bench.work->chunks == 0);
+  bench.store.finish(bench.obtain(1, asked), bench.measured);
+  CHECK(bench.work->chunks == kColumns);
+}
+
+TEST_CASE("a patch stays of which a View has more rows than are extracted") {
+  Bench bench;
+  bench.work->last_mixed = 2 + PatchStore::kMaxExtractedRows;
+  const ChunkRange any{-100, 100};
+  bench.wanted.set(ClientId{1}, std::array{LevelBox{Lod{}, any, any, any, {}, {}}});
+  bench.store.finish(bench.obtain(0, std::array{ChunkKey{{0, 2, 0}, Lod{}}}), bench.measured);
+  CHECK(bench.store.holds({0, 0, Lod{}}));
+}
+
+TEST_CASE("a patch that was dear to make stays, and leaves what is wanted when it is evicted") {
+  Bench bench;
+  const ChunkRange any{-100, 100};
+  bench.wanted.set(ClientId{1}, std::array{LevelBox{Lod{}, {0, 3}, any, any, {}, {}}});
+  const std::array asked{ChunkKey{{0, 2, 0}, Lod{}}};
+  bench.work->in_patch = [&] { bench.clock.spend_cpu(PatchStore::kDearPatch + 1ns); };
+  bench.store.finish(bench.obtain(0, asked), bench.measured);
+  CHECK(bench.store.holds({0, 0, Lod{}}));
+  CHECK(bench.work->chunks == 0);
+  bench.store.finish(bench.obtain(1), bench.measured);
+  CHECK(bench.work->chunks == 2 * kColumns);
+  CHECK(bench.store.holds({1, 0, Lod{}}));
 }
 
 TEST_CASE("whichever allocation fails while a patch is obtained, the store is whole and used on") {
@@ -295,11 +330,11 @@ TEST_CASE("making a patch takes the thread time that its clock counts") {
                    1 << 20,
                    1};
   const auto loan = store.obtain(
-      {0, 0, Lod{}}, [] { return true; }, bench.measured);
+      {0, 0, Lod{}}, kOutside, [] { return true; }, bench.measured);
   CHECK(bench.measured.patch_time == 7ms);
   store.finish(loan, bench.measured);
   store.finish(store.obtain(
-                   {1, 0, Lod{}}, [] { return true; }, bench.measured),
+                   {1, 0, Lod{}}, kOutside, [] { return true; }, bench.measured),
                bench.measured);
   CHECK(bench.measured.patch_time == 14ms);
   CHECK(bench.measured.chunk_time == 7ms);

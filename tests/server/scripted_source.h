@@ -7,6 +7,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -34,11 +35,13 @@ class ScriptedSource final : public ChunkSource {
   std::function<MixedRows(ChunkKey)> rows_of;     // of a chunk's column; empty: `rows`
   std::size_t queue_places = SIZE_MAX;            // submissions beyond them are refused
   std::size_t payload_bytes = 100;
+  int together = 1;  // columns along a square whose chunks are asked for together
 
   // ---- what was asked of it
   std::map<ChunkKey, MailboxPtr> waiting;
   std::map<std::uint64_t, MailboxPtr> waiting_heights;  // by ticket
   std::size_t submitted = 0;
+  std::vector<std::vector<ChunkKey>> submissions;
   std::size_t refused = 0;
   std::size_t newer_asked = 0;
   std::vector<LevelBox> wanted;
@@ -54,16 +57,22 @@ class ScriptedSource final : public ChunkSource {
   }
   [[nodiscard]] MixedRows column(ChunkKey key) override { return rows_of ? rows_of(key) : rows; }
 
-  [[nodiscard]] Submission submit(const MailboxPtr& mailbox, ChunkKey key) override {
-    if (waiting.size() >= queue_places) {
-      ++refused;
-      return Submission::refused;
+  [[nodiscard]] int columns_together() const override { return together; }
+  [[nodiscard]] std::size_t submit(const MailboxPtr& mailbox, std::span<const ChunkKey> keys) override {
+    std::size_t accepted = 0;
+    submissions.emplace_back(keys.begin(), keys.end());
+    for (const ChunkKey key : keys) {
+      if (waiting.size() >= queue_places) break;
+      waiting[key] = mailbox;
+      ++accepted;
     }
-    ++submitted;
-    waiting[key] = mailbox;
-    return Submission::queued;
+    submitted += accepted;
+    if (accepted < keys.size()) ++refused;
+    return accepted;
   }
-  void cancel(ClientId, ChunkKey key) override { waiting.erase(key); }
+  void cancel(ClientId, std::span<const ChunkKey> keys) override {
+    for (const ChunkKey key : keys) waiting.erase(key);
+  }
   void set_wanted(ClientId, std::span<const LevelBox> boxes) override {
     wanted.assign(boxes.begin(), boxes.end());
   }

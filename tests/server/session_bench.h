@@ -201,7 +201,7 @@ struct SessionBench {
     apply_view();
   }
   void apply_view() {
-    session.apply_view();
+    (void)session.apply_view();
     session.pump();
   }
 

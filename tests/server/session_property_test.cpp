@@ -23,6 +23,7 @@ class Client {
     bench_.limits.window_bytes = 3000;  // a few chunks
     bench_.limits.queued_bytes = 20'000;
     bench_.limits.requests_in_flight = 5;
+    bench_.source.together = *rc::gen::element(1, 2, 4);
     bench_.hello();
     (void)bench_.output();
   }

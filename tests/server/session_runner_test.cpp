@@ -315,8 +315,9 @@ TEST_CASE("what a session's work throws ends it and no other") {
     EncodedChunkPtr find(ChunkKey) override { throw std::bad_alloc{}; }
     EncodedChunkPtr newer(ChunkKey, std::uint64_t) override { return nullptr; }
     MixedRows column(ChunkKey) override { return {}; }
-    Submission submit(const MailboxPtr&, ChunkKey) override { return Submission::queued; }
-    void cancel(ClientId, ChunkKey) override {}
+    int columns_together() const override { return 1; }
+    std::size_t submit(const MailboxPtr&, std::span<const ChunkKey> keys) override { return keys.size(); }
+    void cancel(ClientId, std::span<const ChunkKey>) override {}
     void set_wanted(ClientId, std::span<const LevelBox>) override {}
     void submit_heights(const MailboxPtr&, std::uint64_t, std::vector<terrain::BaseColumn>) override {}
     void cancel_heights(ClientId, std::uint64_t) override {}

@@ -531,13 +531,29 @@ TEST_CASE("a column that becomes known while its chunks wait is told in one mess
   CHECK(said[0].runs == Runs{{-3, -2, 2}, {1, 3, 0}});
 }
 
-TEST_CASE("chunks that a UniformColumn answered leave the source's queue") {
+TEST_CASE("chunks that a UniformColumn answered are not answered again when they come") {
   SessionBench bench;
   bench.look_at(0, 0, 3);
   bench.source.rows = {-1, 0, kRock};
   bench.source.answer(chunk_at(0, 2));
   bench.take_mail();
-  CHECK(bench.source.waiting.size() == 2);
+  CHECK(kinds(bench.output()) == Kinds{Body::UniformColumn});
+  CHECK(kinds(bench.run_dry()) == Kinds{Body::Chunk, Body::Chunk});
+}
+
+TEST_CASE("a chunk that a UniformColumn answered is sent when it leaves the View and comes back before it came") {
+  SessionBench bench;
+  bench.look_at(0, 0, 1);
+  bench.source.rows = {0, 0, kRock};
+  bench.source.answer(chunk_at(0, -1));
+  bench.take_mail();
+  (void)bench.output();
+  bench.look_at(100, 0);
+  bench.source.rows = {};
+  bench.look_at(0, 0, 1);
+  std::set<ChunkKey> sent;
+  for (const Said& each : bench.run_dry()) sent.insert(each.key);
+  CHECK(sent == std::set{chunk_at(0, -1), chunk_at(0, 0), chunk_at(0, 1)});
 }
 
 TEST_CASE("a UniformColumn says nothing of a chunk that waits to be sent") {

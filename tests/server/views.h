@@ -10,9 +10,12 @@ namespace talus::server {
 /// The View's chunks, most wanted first.
 [[nodiscard]] inline std::vector<ChunkKey> chunks_in_view(const View& view) {
   ViewStream stream;
-  (void)stream.replace(AreaOfInterest{view});
+  stream.replace(AreaOfInterest{view});
   std::vector<ChunkKey> keys;
-  while (const auto key = stream.next()) keys.push_back(*key);
+  while (const auto key = stream.nearest()) {
+    keys.push_back(*key);
+    stream.start(*key);
+  }
   return keys;
 }
 

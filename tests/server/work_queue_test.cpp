@@ -1,6 +1,7 @@
 #include "generation/work_queue.h"
 
 #include <algorithm>
+#include <array>
 #include <catch2/catch.hpp>
 #include <map>
 #include <set>
@@ -39,6 +40,10 @@ WorkQueue::Batch take_batch(WorkQueue& queue) {
   return std::get<WorkQueue::Batch>(std::move(work)->what);
 }
 
+bool add(WorkQueue& queue, const MailboxPtr& client, ChunkKey key) {
+  return queue.add(client, {&key, 1}) == 1;
+}
+
 constexpr int kPatch = 4;
 
 }  // namespace
@@ -47,8 +52,8 @@ TEST_CASE("one job, however many wait") {
   WorkQueue queue{kPatch, 100};
   const std::vector<MailboxPtr> clients{client_box(), client_box(), client_box()};
   for (const auto& client : clients) {
-    REQUIRE(queue.add(client, at(1)));
-    REQUIRE(queue.add(client, at(1)));
+    REQUIRE(add(queue, client, at(1)));
+    REQUIRE(add(queue, client, at(1)));
   }
   CHECK(queue.jobs() == 1);
   CHECK(take_batch(queue).keys == std::vector{at(1)});
@@ -59,7 +64,7 @@ TEST_CASE("one job, however many wait") {
 TEST_CASE("a batch is all that waits for a patch") {
   WorkQueue queue{kPatch, 100};
   const auto client = client_box();
-  for (const ChunkKey key : {at(0), at(7), at(3, 9), at(-1)}) REQUIRE(queue.add(client, key));
+  for (const ChunkKey key : {at(0), at(7), at(3, 9), at(-1)}) REQUIRE(add(queue, client, key));
   CHECK(take_batch(queue).keys == std::vector{at(0), at(3, 9)});
   CHECK(take_batch(queue).keys == std::vector{at(7)});
   CHECK(take_batch(queue).keys == std::vector{at(-1)});
@@ -68,9 +73,9 @@ TEST_CASE("a batch is all that waits for a patch") {
 TEST_CASE("a patch is nobody else's until it is released") {
   WorkQueue queue{kPatch, 100};
   const auto client = client_box();
-  REQUIRE(queue.add(client, at(0)));
+  REQUIRE(add(queue, client, at(0)));
   const auto batch = take_batch(queue);
-  REQUIRE(queue.add(client, at(1)));
+  REQUIRE(add(queue, client, at(1)));
   CHECK_FALSE(queue.take().has_value());
   (void)queue.finish(at(0));
   queue.release(batch.patch);
@@ -81,8 +86,8 @@ TEST_CASE("a job dies with its last waiter") {
   WorkQueue queue{kPatch, 100};
   const auto first = client_box();
   const auto second = client_box();
-  REQUIRE(queue.add(first, at(1)));
-  REQUIRE(queue.add(second, at(1)));
+  REQUIRE(add(queue, first, at(1)));
+  REQUIRE(add(queue, second, at(1)));
   queue.cancel(first->owner(), at(1));
   CHECK(queue.jobs() == 1);
   queue.cancel(second->owner(), at(1));
@@ -93,7 +98,7 @@ TEST_CASE("a job dies with its last waiter") {
 TEST_CASE("a job whose waiters left while it was taken is not begun") {
   WorkQueue queue{kPatch, 100};
   const auto client = client_box();
-  REQUIRE(queue.add(client, at(1)));
+  REQUIRE(add(queue, client, at(1)));
   const auto batch = take_batch(queue);
   queue.cancel(client->owner(), at(1));
   CHECK_FALSE(queue.begin(at(1)));
@@ -105,8 +110,8 @@ TEST_CASE("clients take turns, however much one of them wants") {
   WorkQueue queue{kPatch, 1000};
   const auto greedy = client_box();
   const auto modest = client_box();
-  for (std::int32_t patch = 0; patch < 50; ++patch) REQUIRE(queue.add(greedy, at(patch * kPatch)));
-  REQUIRE(queue.add(modest, at(-1)));
+  for (std::int32_t patch = 0; patch < 50; ++patch) REQUIRE(add(queue, greedy, at(patch * kPatch)));
+  REQUIRE(add(queue, modest, at(-1)));
   (void)take_batch(queue);
   CHECK(take_batch(queue).keys == std::vector{at(-1)});
 }
@@ -115,14 +120,14 @@ TEST_CASE("of one client only so many pieces are in flight, so that the next who
   WorkQueue queue{kPatch, 1000};
   const auto greedy = client_box();
   const auto walker = client_box();
-  for (std::int32_t patch = 0; patch < 10; ++patch) REQUIRE(queue.add(greedy, at(patch * kPatch)));
+  for (std::int32_t patch = 0; patch < 10; ++patch) REQUIRE(add(queue, greedy, at(patch * kPatch)));
   WorkCosts costs{100, 10, 0, {}};
   costs.max_in_flight = 2;
   const auto first = queue.take(costs);
   REQUIRE(first.has_value());
   REQUIRE(queue.take(costs).has_value());
   CHECK_FALSE(queue.take(costs).has_value());
-  REQUIRE(queue.add(walker, at(1000 * kPatch)));
+  REQUIRE(add(queue, walker, at(1000 * kPatch)));
   const auto walkers = queue.take(costs);
   REQUIRE(walkers.has_value());
   CHECK(walkers->turn.client == walker->owner());
@@ -140,8 +145,8 @@ TEST_CASE("turns are worth time, not pieces: cheap pieces go several to a turn")
   // The walker's patches are in memory, the explorer's are not.
   WorkCosts costs{100, 10, 0, [](const PatchKey& patch) { return patch.x >= 1000; }};
   for (std::int32_t patch = 0; patch < 40; ++patch) {
-    REQUIRE(queue.add(explorer, at(patch * kPatch)));
-    REQUIRE(queue.add(walker, at((1000 + patch) * kPatch)));
+    REQUIRE(add(queue, explorer, at(patch * kPatch)));
+    REQUIRE(add(queue, walker, at((1000 + patch) * kPatch)));
   }
   std::map<ClientId, int> pieces;
   for (int piece = 0; piece < 33; ++piece) {
@@ -170,7 +175,7 @@ TEST_CASE(
       numbers[clients.back()->owner()] = number;
     }
     std::int32_t next = 0;
-    const auto ask = [&](std::size_t number) { RC_ASSERT(queue.add(clients[number], at(++next))); };
+    const auto ask = [&](std::size_t number) { RC_ASSERT(add(queue, clients[number], at(++next))); };
     for (std::size_t number = 0; number < costs.size(); ++number) {
       ask(number);
       ask(number);
@@ -197,8 +202,8 @@ TEST_CASE("a client that left owing pays when it comes back") {
   WorkQueue queue{kPatch, 1000};
   const auto debtor = client_box();
   const auto other = client_box();
-  for (std::int32_t patch = 0; patch < 20; ++patch) REQUIRE(queue.add(other, at(patch * kPatch)));
-  REQUIRE(queue.add(debtor, at(-1)));
+  for (std::int32_t patch = 0; patch < 20; ++patch) REQUIRE(add(queue, other, at(patch * kPatch)));
+  REQUIRE(add(queue, debtor, at(-1)));
   const WorkCosts costs{10, 0, 0, {}};
   (void)queue.take(costs);
   const auto dear = queue.take(costs);
@@ -206,7 +211,7 @@ TEST_CASE("a client that left owing pays when it comes back") {
   queue.reconcile(*dear, 50);
   CHECK(queue.take(costs)->turn.client ==
         other->owner());  // which takes it through a turn in which it has nothing
-  REQUIRE(queue.add(debtor, at(-100)));
+  REQUIRE(add(queue, debtor, at(-100)));
   int others = 1;
   while (queue.take(costs)->turn.client == other->owner()) ++others;
   CHECK(others >= 4);
@@ -218,12 +223,12 @@ TEST_CASE("a client that had nothing waiting goes before those that always have"
   for (std::int32_t i = 0; i < 5; ++i) {
     greedy.push_back(client_box());
     for (std::int32_t patch = 0; patch < 10; ++patch) {
-      REQUIRE(queue.add(greedy.back(), at((i * 10 + patch) * kPatch)));
+      REQUIRE(add(queue, greedy.back(), at((i * 10 + patch) * kPatch)));
     }
   }
   for (int piece = 0; piece < 7; ++piece) (void)queue.take();
   const auto walker = client_box();
-  REQUIRE(queue.add(walker, at(-1)));
+  REQUIRE(add(queue, walker, at(-1)));
   CHECK(queue.take()->turn.client == walker->owner());
 }
 
@@ -233,13 +238,13 @@ TEST_CASE("a client that asks for one thing after the other goes first once in a
   for (std::int32_t i = 0; i < 5; ++i) {
     others.push_back(client_box());
     for (std::int32_t patch = 0; patch < 20; ++patch) {
-      REQUIRE(queue.add(others.back(), at((i * 20 + patch) * kPatch)));
+      REQUIRE(add(queue, others.back(), at((i * 20 + patch) * kPatch)));
     }
   }
   const auto sly = client_box();
   int turns = 0;
   for (std::int32_t piece = 0; piece < 60; ++piece) {
-    REQUIRE(queue.add(sly, at(-1 - piece * kPatch)));
+    REQUIRE(add(queue, sly, at(-1 - piece * kPatch)));
     if (queue.take()->turn.client == sly->owner()) ++turns;
   }
   CHECK(turns <= 11);  // one of six, and the first
@@ -251,7 +256,7 @@ TEST_CASE("the same asked in the same order is done in the same order") {
     std::vector<MailboxPtr> clients;
     for (int i = 0; i < 7; ++i) clients.push_back(client_box());
     for (std::int32_t i = 0; i < 100; ++i) {
-      REQUIRE(queue.add(clients[static_cast<std::size_t>(i * i % 7)], at(i * 37 % 101 * kPatch)));
+      REQUIRE(add(queue, clients[static_cast<std::size_t>(i * i % 7)], at(i * 37 % 101 * kPatch)));
     }
     std::vector<PatchKey> taken;
     while (auto work = queue.take({3, 1, 0, [](const PatchKey& patch) { return patch.x % 2 == 0; }})) {
@@ -266,9 +271,9 @@ TEST_CASE("a job for which two wait is done when the more urgent one's turn come
   WorkQueue queue{kPatch, 1000};
   const auto patient = client_box();
   const auto urgent = client_box();
-  for (std::int32_t patch = 1; patch <= 10; ++patch) REQUIRE(queue.add(patient, at(patch * kPatch)));
-  REQUIRE(queue.add(patient, at(0)));  // after ten others
-  REQUIRE(queue.add(urgent, at(0)));   // at once
+  for (std::int32_t patch = 1; patch <= 10; ++patch) REQUIRE(add(queue, patient, at(patch * kPatch)));
+  REQUIRE(add(queue, patient, at(0)));  // after ten others
+  REQUIRE(add(queue, urgent, at(0)));   // at once
   (void)take_batch(queue);
   CHECK(take_batch(queue).keys == std::vector{at(0)});
   CHECK(queue.finish(at(0)) == std::vector<MailboxPtr>{patient, urgent});
@@ -278,25 +283,25 @@ TEST_CASE("in a batch the chunks of the client whose turn it is come first") {
   WorkQueue queue{kPatch, 1000};
   const auto first = client_box();
   const auto second = client_box();
-  REQUIRE(queue.add(first, at(100)));
-  for (std::int32_t y = 0; y < 5; ++y) REQUIRE(queue.add(first, at(0, y)));
-  REQUIRE(queue.add(second, at(0, 9)));
+  REQUIRE(add(queue, first, at(100)));
+  for (std::int32_t y = 0; y < 5; ++y) REQUIRE(add(queue, first, at(0, y)));
+  REQUIRE(add(queue, second, at(0, 9)));
   (void)take_batch(queue);
   CHECK(take_batch(queue).keys.front() == at(0, 9));
 }
 
 TEST_CASE("a flow without room gets no new jobs, but waits for those that are there") {
   WorkQueue queue{kPatch, 1};
-  REQUIRE(queue.add(client_box(), at(1)));
-  CHECK(queue.add(client_box(), at(1)));
-  CHECK_FALSE(queue.add(client_box(), at(2)));
+  REQUIRE(add(queue, client_box(), at(1)));
+  CHECK(add(queue, client_box(), at(1)));
+  CHECK_FALSE(add(queue, client_box(), at(2)));
 }
 
 TEST_CASE("a flow has room for as many jobs as are free, however many clients it has") {
   WorkQueue queue{kPatch, 90};
   const auto jobs_of = [&](FlowId flow, std::int32_t z) {
     int jobs = 0;
-    for (std::int32_t x = 0; x < 200; ++x) jobs += queue.add(client_box(flow), {{x, 0, z}, Lod{}}) ? 1 : 0;
+    for (std::int32_t x = 0; x < 200; ++x) jobs += add(queue, client_box(flow), {{x, 0, z}, Lod{}}) ? 1 : 0;
     return jobs;
   };
   CHECK(jobs_of(kFlow, 0) == 45);
@@ -310,18 +315,86 @@ TEST_CASE("a client of a flow leaves room for the next") {
   const auto greedy = client_box(kFlow);
   const auto next = client_box(kFlow);
   std::int32_t x = 0;
-  while (queue.add(greedy, at(x))) ++x;
+  while (add(queue, greedy, at(x))) ++x;
   CHECK(x == 14);  // 14 wait, the flow has 26 - 14 places more
   CHECK(queue.has_room(kFlow));
-  CHECK(queue.add(next, at(1000)));
+  CHECK(add(queue, next, at(1000)));
+}
+
+TEST_CASE("a client that waits for nothing is not refused, and gets all that it asks for at once") {
+  WorkQueue queue{kPatch, 4, 1};
+  for (int i = 0; i < 4; ++i) REQUIRE(add(queue, client_box(kFlow), at(100 + i)));
+  const auto client = client_box(kFlow);
+  std::vector<ChunkKey> keys;
+  for (std::int32_t x = 0; x < 9; ++x) keys.push_back(at(x));
+  CHECK(queue.add(client, keys) == 9);
+  CHECK(queue.jobs() == 13);
+  CHECK_FALSE(add(queue, client, at(50)));
+  CHECK(queue.waits(client->owner()));
+  while (queue.waits(client->owner())) (void)take_batch(queue);
+  CHECK(add(queue, client, at(50)));
+}
+
+TEST_CASE("where no new jobs are taken a client may wait for those that are there, up to the first that is not") {
+  WorkQueue queue{kPatch, 100, 1};
+  REQUIRE(add(queue, client_box(), at(0)));
+  REQUIRE(add(queue, client_box(), at(1)));
+  CHECK(queue.add(client_box(), std::array{at(0), at(1), at(2), at(0)}, false) == 2);
+  CHECK(queue.jobs() == 2);
+}
+
+TEST_CASE("jobs of one patch end in any order") {
+  CHECK(rc::check([] {
+    WorkQueue queue{64, 1000};
+    const auto client = client_box();
+    std::vector<ChunkKey> keys;
+    for (std::int32_t x = 0; x < 60; ++x) keys.push_back(at(x));
+    RC_ASSERT(queue.add(client, keys) == keys.size());
+    const bool taken = *rc::gen::arbitrary<bool>();
+    const auto order = *rc::gen::container<std::vector<std::size_t>>(
+        rc::gen::inRange<std::size_t>(0, keys.size()));
+    if (taken) RC_ASSERT(take_batch(queue).keys == keys);
+    std::set<ChunkKey> left{keys.begin(), keys.end()};
+    for (const std::size_t index : order) {
+      if (left.erase(keys[index]) == 0) continue;
+      if (taken) {
+        RC_ASSERT(queue.finish(keys[index]).size() == 1U);
+      } else {
+        queue.cancel(client->owner(), keys[index]);
+      }
+      RC_ASSERT(queue.jobs() == left.size());
+    }
+    for (const ChunkKey key : left) {
+      if (taken) {
+        RC_ASSERT(queue.begin(key));
+        RC_ASSERT(queue.finish(key).size() == 1U);
+      } else {
+        queue.cancel(client->owner(), key);
+      }
+    }
+    RC_ASSERT(queue.jobs() == 0U);
+    RC_ASSERT(queue.waits(client->owner()) == false);
+  }));
+}
+
+TEST_CASE("what a thread leaves of a batch is gone with it") {
+  WorkQueue queue{kPatch, 100};
+  const auto client = client_box(kFlow);
+  REQUIRE(queue.add(client, std::array{at(0), at(1), at(2)}) == 3);
+  const auto batch = take_batch(queue);
+  (void)queue.finish(at(1));
+  queue.release(batch.patch);
+  CHECK(queue.jobs() == 0);
+  CHECK(add(queue, client, at(0)));
+  CHECK(take_batch(queue).keys == std::vector{at(0)});
 }
 
 TEST_CASE("a flow has room while it has fewer jobs than are free") {
   WorkQueue queue{kPatch, 8};
-  for (std::int32_t y = 0; y < 4; ++y) REQUIRE(queue.add(client_box(kFlow), at(0, y)));
+  for (std::int32_t y = 0; y < 4; ++y) REQUIRE(add(queue, client_box(kFlow), at(0, y)));
   CHECK_FALSE(queue.has_room(kFlow));
   CHECK(queue.has_room(kOtherFlow));
-  CHECK_FALSE(queue.add(client_box(kFlow), at(0, 4)));
+  CHECK_FALSE(add(queue, client_box(kFlow), at(0, 4)));
   (void)take_batch(queue);
   (void)queue.finish(at(0, 0));
   CHECK(queue.has_room(kFlow));
@@ -331,9 +404,9 @@ TEST_CASE("a job counts for a flow that waits for it") {
   WorkQueue queue{kPatch, 4};
   const auto first = client_box(kFlow);
   const auto second = client_box(kOtherFlow);
-  REQUIRE(queue.add(first, at(0)));
-  REQUIRE(queue.add(second, at(0)));
-  REQUIRE(queue.add(client_box(kFlow), at(1)));
+  REQUIRE(add(queue, first, at(0)));
+  REQUIRE(add(queue, second, at(0)));
+  REQUIRE(add(queue, client_box(kFlow), at(1)));
   CHECK_FALSE(queue.has_room(kFlow));
   queue.cancel(first->owner(), at(0));
   CHECK(queue.has_room(kFlow));
@@ -344,11 +417,11 @@ TEST_CASE("a job counts for a flow that waits for it") {
 TEST_CASE("a patch is not given up while somebody waits for any of it") {
   WorkQueue queue{kPatch, 100};
   const auto client = client_box();
-  REQUIRE(queue.add(client, at(0)));
+  REQUIRE(add(queue, client, at(0)));
   const auto batch = take_batch(queue);
   CHECK_FALSE(queue.drop_unwanted(batch));
   queue.cancel(client->owner(), at(0));
-  REQUIRE(queue.add(client, at(1)));
+  REQUIRE(add(queue, client, at(1)));
   CHECK_FALSE(queue.drop_unwanted(batch));
   queue.cancel(client->owner(), at(1));
   CHECK(queue.drop_unwanted(batch));
@@ -361,11 +434,11 @@ TEST_CASE("flows take turns, and clients within a flow") {
   for (std::int32_t i = 0; i < 10; ++i) {
     many.push_back(client_box(kFlow));
     for (std::int32_t patch = 0; patch < 20; ++patch) {
-      REQUIRE(queue.add(many.back(), at((i * 20 + patch) * kPatch)));
+      REQUIRE(add(queue, many.back(), at((i * 20 + patch) * kPatch)));
     }
   }
   const auto alone = client_box();
-  for (std::int32_t patch = 0; patch < 100; ++patch) REQUIRE(queue.add(alone, at(-1 - patch * kPatch)));
+  for (std::int32_t patch = 0; patch < 100; ++patch) REQUIRE(add(queue, alone, at(-1 - patch * kPatch)));
   std::map<ClientId, int> pieces;
   for (int piece = 0; piece < 100; ++piece) ++pieces[queue.take()->turn.client];
   CHECK(pieces[alone->owner()] == 50);
@@ -377,13 +450,13 @@ TEST_CASE("a client that comes and goes gains nothing within its flow, and its f
   const auto steady = client_box(kFlow);
   const auto other = client_box(kOtherFlow);
   for (std::int32_t patch = 0; patch < 200; ++patch) {
-    REQUIRE(queue.add(steady, at(patch * kPatch)));
-    REQUIRE(queue.add(other, at((1000 + patch) * kPatch)));
+    REQUIRE(add(queue, steady, at(patch * kPatch)));
+    REQUIRE(add(queue, other, at((1000 + patch) * kPatch)));
   }
   std::map<FlowId, int> flows;
   int newcomers = 0;
   for (std::int32_t piece = 0; piece < 120; ++piece) {
-    REQUIRE(queue.add(client_box(kFlow), at(-1 - piece * kPatch)));
+    REQUIRE(add(queue, client_box(kFlow), at(-1 - piece * kPatch)));
     const auto work = queue.take();
     ++flows[work->turn.flow];
     if (work->turn.flow == kFlow && work->turn.client != steady->owner()) ++newcomers;
@@ -395,7 +468,7 @@ TEST_CASE("a client that comes and goes gains nothing within its flow, and its f
 TEST_CASE("a flow that is new goes first, but for one turn's worth of time") {
   WorkQueue queue{kPatch, 10'000};
   const auto player = client_box();
-  for (std::int32_t patch = 0; patch < 100; ++patch) REQUIRE(queue.add(player, at(patch * kPatch)));
+  for (std::int32_t patch = 0; patch < 100; ++patch) REQUIRE(add(queue, player, at(patch * kPatch)));
   const WorkCosts costs{10, 0, 0, {}};
   const auto run = [&](std::uint64_t cost) {
     const auto work = queue.take(costs);
@@ -409,7 +482,7 @@ TEST_CASE("a flow that is new goes first, but for one turn's worth of time") {
   std::map<FlowId, int> pieces;
   // Each newcomer of the other flow asks for what costs as much as ten patches, and is gone.
   for (std::int32_t i = 0; i < 60; ++i) {
-    REQUIRE(queue.add(client_box(kOtherFlow), at(-1 - i * kPatch)));
+    REQUIRE(add(queue, client_box(kOtherFlow), at(-1 - i * kPatch)));
     const bool dear = pieces[kOtherFlow] * 10 <= pieces[player->flow()];
     const FlowId flow = run(dear ? 100 : 10);
     ++pieces[flow];
@@ -421,7 +494,7 @@ TEST_CASE("of one flow only so many pieces are in flight, whoever of it they are
   WorkQueue queue{kPatch, 1000};
   WorkCosts costs{100, 10, 0, {}};
   costs.max_in_flight = 2;
-  for (std::int32_t i = 0; i < 5; ++i) REQUIRE(queue.add(client_box(kFlow), at(i * kPatch)));
+  for (std::int32_t i = 0; i < 5; ++i) REQUIRE(add(queue, client_box(kFlow), at(i * kPatch)));
   REQUIRE(queue.take(costs).has_value());
   REQUIRE(queue.take(costs).has_value());
   CHECK_FALSE(queue.take(costs).has_value());
@@ -431,7 +504,7 @@ TEST_CASE("a client that waits for both gets heights and patches in turns") {
   WorkQueue queue{kPatch, 100};
   const auto client = client_box();
   for (std::uint64_t i = 0; i < 3; ++i) {
-    REQUIRE(queue.add(client, at(static_cast<std::int32_t>(i) * kPatch)));
+    REQUIRE(add(queue, client, at(static_cast<std::int32_t>(i) * kPatch)));
     queue.add(HeightsTask{client, i, {{0, 0}}});
   }
   std::string order;
@@ -492,7 +565,7 @@ TEST_CASE("every job is taken once or cancelled, and nothing is left behind") {
     for (const auto& [step, who, where] : steps) {
       const auto& client = clients[static_cast<std::size_t>(who)];
       if (step < 3) {
-        RC_ASSERT(queue.add(client, at(where)));
+        RC_ASSERT(add(queue, client, at(where)));
         waiting[at(where)].insert(client->owner());
       } else if (step == 3) {
         queue.cancel(client->owner(), at(where));

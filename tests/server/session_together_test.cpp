@@ -1,0 +1,81 @@
+// Chunks of a View that are made together are asked for together.
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <set>
+
+#include "session_bench.h"
+#include "views.h"
+
+using namespace talus;
+using namespace talus::server;
+using Body = wire::Body;
+
+namespace {
+
+struct Bench : SessionBench {
+  Bench() { source.together = 4; }
+};
+
+bool same_square(ChunkKey a, ChunkKey b) {
+  return a.coord.x >> 2 == b.coord.x >> 2 && a.coord.z >> 2 == b.coord.z >> 2;
+}
+
+}  // namespace
+
+TEST_CASE("of each square of columns the chunks are asked for at once, the nearest first") {
+  Bench bench;
+  bench.look_at(1, 3);
+  REQUIRE_FALSE(bench.source.submissions.empty());
+  const auto& first = bench.source.submissions.front();
+  CHECK(first.front() == chunk_at(1));
+  CHECK(first.size() == 16);
+  (void)bench.run_dry();
+  std::set<ChunkKey> asked;
+  for (const auto& submission : bench.source.submissions) {
+    for (const ChunkKey key : submission) {
+      CHECK(same_square(key, submission.front()));
+      CHECK(asked.insert(key).second);
+    }
+  }
+  CHECK(asked.size() == 49);
+  CHECK(bench.source.submissions.size() <= 9);  // 3 x 3 squares, none asked twice
+}
+
+TEST_CASE("what is much farther away than the nearest of its square is asked for in its turn") {
+  Bench bench;
+  bench.look_at(0, 1, 9);
+  const auto& first = bench.source.submissions.front();
+  for (const ChunkKey key : first) CHECK(std::abs(key.coord.y) <= 4);
+  CHECK(first.size() > 4);
+  (void)bench.run_dry();
+  CHECK(bench.source.submitted == 9 * 19);
+}
+
+TEST_CASE("what a full queue refuses of a square is asked for again") {
+  Bench bench;
+  bench.source.queue_places = 5;
+  bench.look_at(0, 2);
+  CHECK(bench.source.waiting.size() == 5);
+  CHECK(bench.run_dry().size() == 25);
+  CHECK(bench.source.submitted == 25);
+}
+
+TEST_CASE("a chunk that a request waits for is not asked for again for the View") {
+  Bench bench;
+  bench.get_chunk(7, chunk_at(1));
+  bench.look_at(0, 1);
+  CHECK(bench.source.submitted == 9);
+  std::size_t to_request = 0;
+  for (const Said& said : bench.run_dry()) to_request += said.id == 7 ? 1U : 0U;
+  CHECK(to_request == 1);
+}
+
+TEST_CASE("uniform chunks of a square are told by columns, and not asked for") {
+  Bench bench;
+  bench.source.rows = {0, 0, MaterialId{2}};
+  bench.look_at(0, 1, 2);
+  CHECK(bench.source.submitted == 9);
+  std::size_t columns = 0;
+  for (const Said& said : bench.run_dry()) columns += said.kind == Body::UniformColumn ? 1U : 0U;
+  CHECK(columns == 9);
+}
