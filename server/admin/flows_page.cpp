@@ -36,10 +36,19 @@ std::string name_shown(const FlowName& name) {
   return name.kind == FlowName::Kind::subject ? "subject " + text : text;
 }
 
-nlohmann::ordered_json json_of(const FlowFigures& figures, const MeasureFormat& shown) {
-  return {{"per_second_10_s", figures.in_ten_seconds / shown.per_key_unit},
-          {"per_second_1_min", figures.in_a_minute / shown.per_key_unit},
-          {"total", static_cast<double>(figures.total) / shown.per_key_unit}};
+/// The members of a JSON object.
+std::string json_of(const FlowFigures& figures, const MeasureFormat& shown) {
+  return fmt::format(R"("per_second_10_s": {}, "per_second_1_min": {}, "total": {})",
+                     figures.in_ten_seconds / shown.per_key_unit, figures.in_a_minute / shown.per_key_unit,
+                     static_cast<double>(figures.total) / shown.per_key_unit);
+}
+
+std::string json_of(const FlowName& name) {
+  // A name that was cut may end inside a character.
+  const std::string text =
+      nlohmann::json(name.text).dump(-1, ' ', true, nlohmann::json::error_handler_t::replace);
+  return fmt::format(R"("{}": {}{})", name.kind == FlowName::Kind::subject ? "subject" : "address", text,
+                     name.cut ? R"(, "cut": true)" : "");
 }
 
 }  // namespace
@@ -76,21 +85,20 @@ std::string flows_text(const FlowsReport& report) {
 }
 
 std::string flows_json(const FlowsReport& report) {
-  nlohmann::ordered_json page{{"sessions", report.sessions}, {"flows", report.flows}};
+  std::string page = fmt::format("{{\n  \"sessions\": {},\n  \"flows\": {}", report.sessions, report.flows);
+  const auto out = std::back_inserter(page);
   for (std::size_t i = 0; i < kFlowMeasures; ++i) {
-    nlohmann::ordered_json top = nlohmann::ordered_json::array();
+    const MeasureFormat& shown = kFormats[i];
+    fmt::format_to(out, ",\n  \"{}\": {{\n    \"all\": {{{}}},\n    \"top\": [", shown.key,
+                   json_of(report.top[i].all, shown));
+    std::string_view comma;
     for (const FlowFigures& each : report.top[i].top) {
-      const bool subject = each.name->kind == FlowName::Kind::subject;
-      nlohmann::ordered_json flow{{subject ? "subject" : "address", each.name->text}};
-      if (each.name->cut) flow["cut"] = true;
-      flow.update(json_of(each, kFormats[i]));
-      top.push_back(std::move(flow));
+      fmt::format_to(out, "{}\n      {{{}, {}}}", comma, json_of(*each.name), json_of(each, shown));
+      comma = ",";
     }
-    page[std::string{kFormats[i].key}] = {{"all", json_of(report.top[i].all, kFormats[i])},
-                                          {"top", std::move(top)}};
+    page += "]\n  }";
   }
-  // A name that was cut may end inside a character.
-  return page.dump(2, ' ', true, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+  return page + "\n}\n";
 }
 
 }  // namespace talus::server

@@ -22,8 +22,8 @@ HeightsTask::HeightsTask(MailboxPtr mailbox, std::uint64_t ticket, std::vector<t
       order_(columns_.size()),
       heights_(columns_.size()) {
   std::iota(order_.begin(), order_.end(), 0U);
-  std::stable_sort(order_.begin(), order_.end(), [&](std::uint32_t a, std::uint32_t b) {
-    return tile_of(columns_[a]) < tile_of(columns_[b]);
+  std::sort(order_.begin(), order_.end(), [&](std::uint32_t a, std::uint32_t b) {
+    return std::pair{tile_of(columns_[a]), a} < std::pair{tile_of(columns_[b]), b};
   });
 }
 

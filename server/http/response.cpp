@@ -2,9 +2,10 @@
 
 #include <iterator>
 
-#include <fmt/chrono.h>
 #include <fmt/format.h>
 #include <http_parser.h>
+
+#include "log/utc_time.h"
 
 namespace talus::server::http {
 
@@ -14,10 +15,10 @@ Response response_to(const RequestError& error) {
 
 std::string head_of(const Response& response, bool keep_alive, std::chrono::sys_seconds date) {
   std::string head = fmt::format(
-      "HTTP/1.1 {} {}\r\nDate: {:%a, %d %b %Y %H:%M:%S} GMT\r\nContent-Type: {}\r\nContent-Length: {}\r\n"
+      "HTTP/1.1 {} {}\r\nDate: {} GMT\r\nContent-Type: {}\r\nContent-Length: {}\r\n"
       "Cache-Control: no-store\r\nConnection: {}\r\n",
       response.status, http_status_str(static_cast<http_status>(response.status)),
-      fmt::gmtime(std::chrono::system_clock::to_time_t(date)), response.content_type, response.body.size(),
+      utc_time(date, "%a, %d %b %Y %H:%M:%S"), response.content_type, response.body.size(),
       keep_alive ? "keep-alive" : "close");
   for (const Field& field : response.fields) {
     fmt::format_to(std::back_inserter(head), "{}: {}\r\n", field.name, field.value);

@@ -4,8 +4,10 @@
 #include <iterator>
 #include <string_view>
 
-#include <fmt/chrono.h>
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
+
+#include "log/utc_time.h"
 
 namespace talus::server {
 
@@ -17,10 +19,10 @@ void JsonLines::format(const spdlog::details::log_msg& line, spdlog::memory_buf_
   const nlohmann::json text = std::string_view{line.payload.data(), line.payload.size()};
   // Bytes that are not UTF-8 are replaced, because dump() would throw.
   fmt::format_to(std::back_inserter(out),
-                 R"({{"time":"{:%Y-%m-%dT%H:%M:%S}.{:03}Z","level":"{}","text":{}}})"
+                 R"({{"time":"{}.{:03}Z","level":"{}","text":{}}})"
                  "\n",
-                 fmt::gmtime(seconds.count()), (since_1970 - seconds).count(),
-                 std::string_view{level.data(), level.size()},
+                 utc_time(std::chrono::sys_seconds{seconds}, "%Y-%m-%dT%H:%M:%S"),
+                 (since_1970 - seconds).count(), std::string_view{level.data(), level.size()},
                  text.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace));
 }
 

@@ -11,12 +11,12 @@
 #include <chrono>
 #include <utility>
 
-#include <fmt/chrono.h>
 #include <fmt/format.h>
 
 #include <talus/files/secret_file.h>
 
 #include "log/escape.h"
+#include "log/utc_time.h"
 
 namespace talus::server {
 namespace {
@@ -231,8 +231,8 @@ tl::expected<TlsIdentity, std::string> load_tls(const std::filesystem::path& cer
   const auto now = std::chrono::system_clock::to_time_t(wall);
   return TlsIdentity{
       *std::move(context),
-      fmt::format("certificate of {}, valid until {:%Y-%m-%d %H:%M} UTC",
-                  escaped(certificate_file.string(), 500), fmt::gmtime(static_cast<std::time_t>(expires))),
+      fmt::format("certificate of {}, valid until {} UTC", escaped(certificate_file.string(), 500),
+                  utc_time(std::chrono::sys_seconds{std::chrono::seconds{expires}}, "%Y-%m-%d %H:%M")),
       expires, begins <= now && now < expires};
 }
 

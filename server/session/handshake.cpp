@@ -6,7 +6,6 @@
 #include <vector>
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <talus/protocol/limits.h>
 #include <talus/voxel/codec.h>
@@ -29,12 +28,12 @@ Rejection no_common_protocol(const wire::Hello& hello) {
 }
 
 Rejection no_common_codec(const std::vector<unsigned>& codecs) {
-  const auto named = codecs.size() <= kMaxCodecsNamed
-                         ? codecs
-                         : std::vector(codecs.begin(), codecs.begin() + kMaxCodecsNamed);
-  return {wire::ErrorCode::version,
-          fmt::format("this server sends chunk codec {}, this client decodes {}", unsigned{kCodecVersion},
-                      codecs.empty() ? "none" : fmt::format("{}", fmt::join(named, ", ")))};
+  std::string named;
+  for (std::size_t i = 0; i < std::min(codecs.size(), kMaxCodecsNamed); ++i) {
+    named += (i == 0 ? "" : ", ") + std::to_string(codecs[i]);
+  }
+  return {wire::ErrorCode::version, fmt::format("this server sends chunk codec {}, this client decodes {}",
+                                                unsigned{kCodecVersion}, named.empty() ? "none" : named)};
 }
 
 bool too_long(const flatbuffers::String* text) {

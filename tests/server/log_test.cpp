@@ -10,6 +10,7 @@
 #include "log/json_lines.h"
 #include "log/program_line.h"
 #include "log/text_lines.h"
+#include "log/utc_time.h"
 
 using namespace talus::server;
 
@@ -34,6 +35,13 @@ TEST_CASE("escaped text is printable ASCII and bounded, whatever it was") {
 TEST_CASE("printable text is left as it is") {
   CHECK(escaped("talus-client 1.0 (x86)") == "talus-client 1.0 (x86)");
   CHECK(escaped("a\nb\"\\") == "a\\x0ab\\x22\\x5c");
+}
+
+TEST_CASE("a time is text in UTC, in English") {
+  using std::chrono::seconds;
+  using std::chrono::sys_seconds;
+  CHECK(utc_time(sys_seconds{seconds{784111777}}, "%a, %d %b %Y %H:%M:%S") == "Sun, 06 Nov 1994 08:49:37");
+  CHECK(utc_time(sys_seconds{seconds{-1}}, "%Y-%m-%dT%H:%M:%S") == "1969-12-31T23:59:59");
 }
 
 TEST_CASE("a line of text has no control characters but its end, whatever it says") {

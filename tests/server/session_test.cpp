@@ -41,6 +41,21 @@ TEST_CASE("a client that decodes only an older codec is refused") {
   CHECK(bench.session.state() == State::closed);
 }
 
+TEST_CASE("a client that decodes none of this server's codecs is told which, and the first 16 of its own") {
+  const auto told = [](const std::vector<std::uint8_t>& codecs) {
+    SessionBench bench{{.greet = false}};
+    bench.receive([&](auto& builder) {
+      const auto list = builder.CreateVector(codecs);
+      return wire::CreateHello(builder, 1, 1, list, builder.CreateString(""));
+    });
+    return bench.output().at(0).text;
+  };
+  CHECK_THAT(told({}), Catch::EndsWith("this client decodes none"));
+  CHECK_THAT(told({200, 201}), Catch::EndsWith("this client decodes 200, 201"));
+  CHECK_THAT(told(std::vector<std::uint8_t>(17, 9)),
+             Catch::EndsWith("decodes 9, 9, 9, 9, 9, 9, 9, 9, 9, 9, 9, 9, 9, 9, 9, 9"));
+}
+
 TEST_CASE("Hello texts over 4,096 bytes close the session") {
   SessionBench bench{{.greet = false}};
   bench.hello(std::string(4097, 'x'));
