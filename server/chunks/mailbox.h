@@ -71,7 +71,8 @@ class Mailbox {
     mail_.push_back(std::move(mail));
   }
 
-  void put(std::vector<Mail> mail) {
+  /// As many at once. Throws std::bad_alloc, and then `mail` is what it was.
+  void put(std::vector<Mail>&& mail) {
     const std::lock_guard lock{mutex_};
     if (mail_.empty()) {
       mail_ = std::move(mail);

@@ -1,16 +1,22 @@
 #include "generation/answer_batcher.h"
 
 #include <exception>
+#include <new>
 #include <utility>
 
 namespace talus::server {
 namespace {
 
-// One client's trouble must not keep the answers from the others, nor end the thread.
+// One client's trouble must not keep the answers from the others, nor end the thread. What failed for want of
+// memory is tried again: much may be free a moment later.
 template <typename Step>
 void log_failure(const Logger& log, Step&& step) {
   try {
-    step();
+    try {
+      step();
+    } catch (const std::bad_alloc&) {
+      step();
+    }
   } catch (const std::exception& error) {
     log->error("an answer could not be delivered: {}", error.what());
   }
@@ -26,23 +32,21 @@ void AnswerBatcher::add(const std::vector<MailboxPtr>& waiters, ChunkKey key, co
 }
 
 void AnswerBatcher::wake() {
-  for (auto& [mailbox, mail] : mail_) {
-    Mailbox& box = *mailbox;
-    std::vector<Mail>& letters = mail;
-    log_failure(log_, [&] {
-      box.put(std::move(letters));
-      box.wake();
-    });
+  for (auto& each : mail_) {
+    log_failure(log_, [&] { each.first->put(std::move(each.second)); });
+    log_failure(log_, [&] { each.first->wake(); });
   }
   mail_.clear();
   woke_ = clock_.now();
 }
 
 void deliver(const MailboxPtr& mailbox, Mail mail, const Logger& log) {
-  log_failure(log, [&] {
-    mailbox->put(std::move(mail));
-    mailbox->wake();
-  });
+  std::vector<Mail> letters;
+  log_failure(log, [&] { letters.reserve(1); });
+  if (letters.capacity() == 0) return;
+  letters.push_back(std::move(mail));
+  log_failure(log, [&] { mailbox->put(std::move(letters)); });
+  log_failure(log, [&] { mailbox->wake(); });
 }
 
 }  // namespace talus::server

@@ -14,13 +14,16 @@ namespace talus::server {
 
 /// Puts answers into their mailboxes and wakes the owners, in batches: waking a thread costs as much as
 /// generating many a chunk, and on a busy core it takes the generator's place. For one thread and one piece of
-/// work, which wake() ends.
+/// work, whose last answers it tells when it is destroyed.
 class AnswerBatcher {
  public:
   /// From one wake-up to the next: some fifty chunks. No player sees it.
   static constexpr std::chrono::microseconds kInterval{1000};
 
   AnswerBatcher(const Logger& log, const Clock& clock) : log_{log}, clock_{clock}, woke_{clock.now()} {}
+  ~AnswerBatcher() { wake(); }
+  AnswerBatcher(const AnswerBatcher&) = delete;
+  AnswerBatcher& operator=(const AnswerBatcher&) = delete;
 
   /// A waiter for whom there is no memory goes without, which the log says.
   void add(const std::vector<MailboxPtr>& waiters, ChunkKey key, const ChunkAnswer& answer);

@@ -1,6 +1,8 @@
 #include "generation/generation_pool.h"
 
 #include <algorithm>
+#include <exception>
+#include <new>
 #include <utility>
 #include <variant>
 
@@ -24,6 +26,11 @@ constexpr std::size_t kChunksAtOnce = 8;
 
 // Of those that were refused, so many flows are looked at whenever a piece of work ends.
 constexpr std::size_t kFlowsToTell = 16;
+
+// After no memory was left to begin anything.
+constexpr std::chrono::milliseconds kMemoryRetry{100};
+
+const GenerationFailed kOutOfMemory{"out of memory"};
 
 void add_time(Counter& counter, std::chrono::nanoseconds time) {
   counter.add(static_cast<std::uint64_t>(time.count()));
@@ -121,7 +128,13 @@ void GenerationPool::work() {
   block_signals();
   std::unique_lock lock{mutex_};
   while (!stopping_) {
-    auto work = queue_.take(costs());
+    std::optional<WorkQueue::Work> work;
+    try {
+      work = queue_.take(costs());
+    } catch (const std::bad_alloc&) {
+      work_waits_.wait_for(lock, kMemoryRetry);
+      continue;
+    }
     if (!work) {
       work_waits_.wait(lock);
       continue;
@@ -129,25 +142,56 @@ void GenerationPool::work() {
     lock.unlock();
     MeasuredWork measured;
     const auto began = parts_.clock.thread_cpu();
-    std::visit([&](auto& piece) { run(piece, measured); }, work->what);
+    try {
+      std::visit([&](auto& piece) { run(piece, measured); }, work->what);
+    } catch (const std::exception& error) {
+      log_->error("a piece of work failed: {}", error.what());
+      std::visit([&](auto& piece) { fail(piece); }, work->what);
+    }
     const auto took = parts_.clock.thread_cpu() - began;
     count(measured);
     work->flow_use->add(FlowMeasure::generator, static_cast<std::uint64_t>(took.count()));
-    lock.lock();
-    measured_costs_.add(measured);
-    auto* const heights = std::get_if<HeightsTask>(&work->what);
-    if (heights != nullptr && heights->left() > 0) queue_.put_back(std::move(*heights));
-    queue_.reconcile(*work, static_cast<std::uint64_t>(took.count()));
-    if (const auto* batch = std::get_if<WorkQueue::Batch>(&work->what)) queue_.release(batch->patch);
-    const std::int64_t job_bytes = job_bytes_change();
-    const std::vector<MailboxPtr> with_room = clients_with_room();
-    lock.unlock();
-    // What could not be begun until now: jobs that came for this patch meanwhile, and its client's next.
-    work_waits_.notify_one();
-    parts_.memory.add(MemoryUse::jobs, job_bytes);
-    tell_of_room(with_room);
+    end(*work, measured, took);
     lock.lock();
   }
+}
+
+void GenerationPool::end(WorkQueue::Work& work, const MeasuredWork& measured, std::chrono::nanoseconds took) {
+  std::int64_t job_bytes = 0;
+  std::vector<MailboxPtr> with_room;
+  bool lost = false;
+  auto* const heights = std::get_if<HeightsTask>(&work.what);
+  {
+    const std::lock_guard lock{mutex_};
+    measured_costs_.add(measured);
+    try {
+      if (heights != nullptr && heights->left() > 0) queue_.put_back(std::move(*heights));
+    } catch (const std::bad_alloc&) {
+      lost = true;
+    }
+    queue_.reconcile(work, static_cast<std::uint64_t>(took.count()));
+    if (const auto* batch = std::get_if<WorkQueue::Batch>(&work.what)) queue_.release(batch->patch);
+    job_bytes = job_bytes_change();
+    with_room = clients_with_room();
+  }
+  // What could not be begun until now: jobs that came for this patch meanwhile, and its client's next.
+  work_waits_.notify_one();
+  parts_.memory.add(MemoryUse::jobs, job_bytes);
+  tell_of_room(with_room);
+  if (lost) fail(*heights);
+}
+
+void GenerationPool::fail(const WorkQueue::Batch& batch) {
+  try {
+    answer(batch, [](std::size_t) -> ChunkAnswer { return tl::make_unexpected(kOutOfMemory); });
+  } catch (const std::exception& error) {
+    log_->error("{} chunks are not answered: {}", batch.keys.size(), error.what());
+  }
+}
+
+void GenerationPool::fail(HeightsTask& task) {
+  deliver(task.mailbox(), HeightsReady{task.ticket(), tl::make_unexpected(kOutOfMemory)}, log_);
+  task.give_up();
 }
 
 void GenerationPool::run(const WorkQueue::Batch& batch, MeasuredWork& measured) {
@@ -157,13 +201,19 @@ void GenerationPool::run(const WorkQueue::Batch& batch, MeasuredWork& measured) 
     if (dropped) parts_.metrics.jobs_cancelled.add(batch.keys.size());
     return !dropped;
   });
-  const auto known = [&](ChunkKey key) { return parts_.maker.known(key); };
-  if (std::all_of(batch.keys.begin(), batch.keys.end(), known)) return answer(batch, known);
+  // Made since they were asked for, or known by their columns now.
+  std::vector<EncodedChunkPtr> known;
+  for (const ChunkKey key : batch.keys) known.push_back(parts_.maker.known(key));
+  if (std::find(known.begin(), known.end(), nullptr) == known.end()) {
+    return answer(batch, [&](std::size_t index) { return known[index]; });
+  }
   const PatchStore::Loan loan = parts_.patches.obtain(batch.patch, batch.keys, go_on, measured);
   if (dropped || loan.given_up) return;
   const auto began = parts_.clock.thread_cpu();
-  answer(batch, [&](ChunkKey key) -> ChunkAnswer {
-    if (EncodedChunkPtr chunk = known(key)) return chunk;
+  answer(batch, [&](std::size_t index) -> ChunkAnswer {
+    const ChunkKey key = batch.keys[index];
+    if (known[index] == nullptr) known[index] = parts_.maker.known(key);
+    if (known[index] != nullptr) return known[index];
     ++measured.chunks;
     return parts_.maker.chunk(loan.stacks.get(), key);
   });
@@ -174,33 +224,32 @@ void GenerationPool::run(const WorkQueue::Batch& batch, MeasuredWork& measured) 
 template <typename Chunk>
 void GenerationPool::answer(const WorkQueue::Batch& batch, Chunk&& chunk) {
   struct Answered {
-    ChunkKey key;
+    std::size_t index;
     ChunkAnswer answer;
     std::vector<MailboxPtr> waiters;
   };
   AnswerBatcher answers{log_, parts_.clock};
   std::vector<Answered> some;
-  for (auto next = batch.keys.begin(); next != batch.keys.end();) {
+  for (std::size_t next = 0; next < batch.keys.size();) {
     {
       const std::lock_guard lock{mutex_};
       if (stopping_) return;
-      for (; next != batch.keys.end() && some.size() < kChunksAtOnce; ++next) {
-        if (queue_.begin(*next)) {
-          some.push_back({*next, nullptr, {}});
+      for (; next < batch.keys.size() && some.size() < kChunksAtOnce; ++next) {
+        if (queue_.begin(batch.keys[next])) {
+          some.push_back({next, nullptr, {}});
         } else {
           parts_.metrics.jobs_cancelled.add();
         }
       }
     }
-    for (Answered& each : some) each.answer = chunk(each.key);
+    for (Answered& each : some) each.answer = chunk(each.index);
     {
       const std::lock_guard lock{mutex_};
-      for (Answered& each : some) each.waiters = queue_.finish(each.key);
+      for (Answered& each : some) each.waiters = queue_.finish(batch.keys[each.index]);
     }
-    for (const Answered& each : some) answers.add(each.waiters, each.key, each.answer);
+    for (const Answered& each : some) answers.add(each.waiters, batch.keys[each.index], each.answer);
     some.clear();
   }
-  answers.wake();
 }
 
 void GenerationPool::run(HeightsTask& task, MeasuredWork& measured) {
@@ -263,8 +312,12 @@ std::int64_t GenerationPool::job_bytes_change() {
 // all are told, and the first who come fill the queue.
 std::vector<MailboxPtr> GenerationPool::clients_with_room() {
   if (refused_.empty() || !parts_.memory.takes_work()) return {};
-  if (queue_.jobs() == 0) return refused_.take_all();
-  return refused_.take(kFlowsToTell, [this](FlowId flow) { return queue_.has_room(flow); });
+  try {
+    if (queue_.jobs() == 0) return refused_.take_all();
+    return refused_.take(kFlowsToTell, [this](FlowId flow) { return queue_.has_room(flow); });
+  } catch (const std::bad_alloc&) {
+    return {};  // they are told later
+  }
 }
 
 void GenerationPool::tell_of_room(const std::vector<MailboxPtr>& mailboxes) {

@@ -8,6 +8,7 @@
 #pragma once
 
 #include <atomic>
+#include <chrono>
 #include <condition_variable>
 #include <cstddef>
 #include <cstdint>
@@ -76,10 +77,15 @@ class GenerationPool {
   void run(const WorkQueue::Batch& batch, MeasuredWork& measured);
   /// A part of the task, for a bounded time.
   void run(HeightsTask& task, MeasuredWork& measured);
-  /// By `chunk`, which may be called without a chunk's job.
+  /// Those of the batch that are still waited for, by chunk(their index).
   template <typename Chunk>
   void answer(const WorkQueue::Batch& batch, Chunk&& chunk);
+  /// Answers by a failure what of it was not answered.
+  void fail(const WorkQueue::Batch& batch);
+  void fail(HeightsTask& task);
   void count(const MeasuredWork& measured);
+  /// Without the mutex, as all of these.
+  void end(WorkQueue::Work& work, const MeasuredWork& measured, std::chrono::nanoseconds took);
 
   /// For a piece of work: false once the pool stops, or is_wanted() is false, which is called under the
   /// mutex.

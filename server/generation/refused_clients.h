@@ -26,6 +26,7 @@ class RefusedClients {
   template <typename HasRoom>
   [[nodiscard]] std::vector<MailboxPtr> take(std::size_t flows, HasRoom&& has_room) {
     std::vector<MailboxPtr> taken;
+    taken.reserve(std::min(flows, order_.size()));  // who was taken is not lost
     for (std::size_t left = std::min(flows, order_.size()); left > 0; --left) {
       const FlowId flow = order_.front();
       order_.pop_front();

@@ -27,8 +27,15 @@ WorkQueue::Job* WorkQueue::Jobs::find(ChunkKey key) {
   return found == keys.end() ? nullptr : &jobs[static_cast<std::size_t>(found - keys.begin())];
 }
 
+void WorkQueue::Jobs::reserve(std::size_t more) {
+  const std::size_t needed = keys.size() + more;
+  if (needed <= std::min(keys.capacity(), jobs.capacity())) return;
+  keys.reserve(std::max(needed, 2 * keys.size()));
+  jobs.reserve(std::max(needed, 2 * jobs.size()));
+}
+
 void WorkQueue::Jobs::add(ChunkKey key, Job job) {
-  if (keys.size() == keys.capacity()) keys.reserve(std::max<std::size_t>(16, 2 * keys.size()));
+  reserve(1);
   jobs.push_back(std::move(job));
   keys.push_back(key);
 }
@@ -57,7 +64,12 @@ std::size_t WorkQueue::add(const MailboxPtr& mailbox, std::span<const ChunkKey> 
                                                    patch->second.waiting.find(key) != nullptr);
     if (!known && (!new_jobs || !(own || may_add(*mailbox)))) break;
     if (patch == patches_.end()) patch = patches_.try_emplace(patch_key).first;
-    add(mailbox, key, patch_key, patch->second);
+    try {
+      add(mailbox, key, patch->first, patch->second);
+    } catch (...) {
+      drop_if_unused(patch);
+      throw;
+    }
     ++added;
   }
   return added;
@@ -65,19 +77,36 @@ std::size_t WorkQueue::add(const MailboxPtr& mailbox, std::span<const ChunkKey> 
 
 void WorkQueue::add(const MailboxPtr& mailbox, ChunkKey key, const PatchKey& patch, PatchWork& work) {
   Job* const taken = work.taken.find(key);
-  Job* job = taken != nullptr ? taken : work.waiting.find(key);
-  if (job == nullptr) {
-    work.waiting.add(key, {mailbox->flow(), {}});
-    ++flows_[mailbox->flow()].jobs;
-    ++jobs_;
-    job = &work.waiting.jobs.back();
+  if (taken != nullptr) {
+    if (waiter_of(taken->waiters, mailbox->owner()) == taken->waiters.end()) taken->waiters.push_back(mailbox);
+    return;
   }
-  if (waiter_of(job->waiters, mailbox->owner()) != job->waiters.end()) return;
-  job->waiters.push_back(mailbox);
-  if (taken != nullptr) return;
+  Job* job = work.waiting.find(key);
+  if (job != nullptr && waiter_of(job->waiters, mailbox->owner()) != job->waiters.end()) return;
   Client& client = enter(*mailbox);
-  if (++client.jobs[patch] == 1) client.order.push_back(patch);
-  ++client.waiting;
+  const bool first_of_patch = !client.jobs.contains(patch);
+  try {
+    // What may throw comes first.
+    Flow& flow = flows_[mailbox->flow()];
+    std::uint32_t& jobs = client.jobs.try_emplace(patch, 0).first->second;
+    Job added{mailbox->flow(), {mailbox}};
+    job == nullptr ? work.waiting.reserve(1) : job->waiters.reserve(job->waiters.size() + 1);
+    if (first_of_patch) client.order.push_back(patch);
+    if (job == nullptr) {
+      work.waiting.add(key, std::move(added));
+      ++flow.jobs;
+      ++jobs_;
+    } else {
+      job->waiters.push_back(mailbox);
+    }
+    ++jobs;
+    ++client.waiting;
+  } catch (...) {
+    if (first_of_patch) client.jobs.erase(patch);
+    drop_if_unused(mailbox->flow());
+    drop_if_done(clients_.find(mailbox->owner()));
+    throw;
+  }
 }
 
 void WorkQueue::add(HeightsTask task) {
@@ -148,20 +177,31 @@ void WorkQueue::reconcile(const Work& work, std::uint64_t cost) {
 
 WorkQueue::Work WorkQueue::take_of(FlowTurns::Turn turn, const WorkCosts& costs) {
   Client& client = clients_.at(turn.client);
-  ++client.in_flight;
-  ++flows_[turn.flow].in_flight;
+  Flow& flow = flows_[turn.flow];
   const auto patch = free_patch(client);
   const bool chunks = patch != client.order.end();
   const bool heights = !client.heights.empty() && (client.heights_next || !chunks);
-  client.heights_next = !heights;
   if (heights) {
+    client.taken_heights.push_back(client.heights.front().ticket());
     HeightsTask task = std::move(client.heights.front());
     client.heights.pop_front();
-    client.taken_heights.push_back(task.ticket());
+    client.heights_next = false;
+    ++client.in_flight;
+    ++flow.in_flight;
     const std::uint64_t price = std::min(costs.height * task.left(), costs.longest_piece);
     return {std::move(task), turn, price, client.flow_use};
   }
-  Batch batch = take_patch(PatchKey{*patch}, turn.client);
+  // Its last job may leave the client, which this keeps.
+  ++client.in_flight;
+  Batch batch;
+  try {
+    batch = take_patch(PatchKey{*patch}, turn.client);
+  } catch (...) {
+    --client.in_flight;
+    throw;
+  }
+  client.heights_next = true;
+  ++flow.in_flight;
   const bool in_memory = costs.in_memory && costs.in_memory(batch.patch);
   const std::uint64_t price = (in_memory ? 0 : costs.patch) + costs.chunk * batch.keys.size();
   return {std::move(batch), turn, price, client.flow_use};
@@ -272,6 +312,9 @@ void WorkQueue::drop_if_done(Clients::iterator client) {
 WorkQueue::Batch WorkQueue::take_patch(const PatchKey& patch, ClientId client) {
   PatchWork& work = patches_.at(patch);
   Jobs& waiting = work.waiting;
+  work.taken.reserve(waiting.jobs.size() - waiting.ended);
+  Batch batch{patch, {}};
+  batch.keys.reserve(waiting.jobs.size() - waiting.ended);
   // First those for which the turn's client waits.
   for (const bool is_clients : {true, false}) {
     for (std::size_t i = waiting.ended; i < waiting.jobs.size(); ++i) {
@@ -283,9 +326,10 @@ WorkQueue::Batch WorkQueue::take_patch(const PatchKey& patch, ClientId client) {
       job.waiters.clear();
     }
   }
+  batch.keys.assign(work.taken.keys.begin(), work.taken.keys.end());
   waiting = {};
   work.is_taken = true;
-  return {patch, work.taken.keys};
+  return batch;
 }
 
 void WorkQueue::drop_if_unused(Patches::iterator patch) {
@@ -294,7 +338,7 @@ void WorkQueue::drop_if_unused(Patches::iterator patch) {
 
 void WorkQueue::drop_if_unused(FlowId flow) {
   const auto found = flows_.find(flow);
-  if (found->second.jobs == 0 && found->second.in_flight == 0) flows_.erase(found);
+  if (found != flows_.end() && found->second.jobs == 0 && found->second.in_flight == 0) flows_.erase(found);
 }
 
 }  // namespace talus::server

@@ -54,7 +54,7 @@ class WorkQueue {
 
   /// Lets the mailbox's owner wait for the chunks; for each once, however often it asks. Returns how many,
   /// from the first on: it ends at the first that needs a new job where there is no room for one, or where
-  /// `new_jobs` is false.
+  /// `new_jobs` is false. Throws std::bad_alloc, and then the owner waits for those before the one that failed.
   [[nodiscard]] std::size_t add(const MailboxPtr& mailbox, std::span<const ChunkKey> keys,
                                 bool new_jobs = true);
   void add(HeightsTask task);
@@ -68,7 +68,8 @@ class WorkQueue {
   /// No effect where the task is done.
   void cancel_heights(ClientId client, std::uint64_t ticket);
 
-  /// The next piece of work, if any may be begun. A Batch's patch is the taker's until release().
+  /// The next piece of work, if any may be begun. A Batch's patch is the taker's until release(). Throws
+  /// std::bad_alloc, and then nothing was taken.
   [[nodiscard]] std::optional<Work> take(const WorkCosts& costs = {});
   /// Heights that were taken go on at their client's next turn; not where they were cancelled meanwhile.
   /// Before reconcile().
@@ -104,6 +105,8 @@ class WorkQueue {
     [[nodiscard]] bool empty() const { return ended == keys.size(); }
     /// Null where there is none that is not ended.
     [[nodiscard]] Job* find(ChunkKey key);
+    /// For `more` to be added without an allocation.
+    void reserve(std::size_t more);
     void add(ChunkKey key, Job job);
     /// The job that find() gave.
     void remove(const Job& job);

@@ -85,8 +85,7 @@ class SessionRunner final : public Peer, public std::enable_shared_from_this<Ses
   /// other.
   template <typename Event>
   void dispatch(Event&& event);
-  /// After anything that happened to the session.
-  /// As Session::pump().
+  /// After anything that happened to the session. Returns as Session::pump().
   std::size_t pump();
   /// The client has shut its side, and may still read.
   void input_ended();

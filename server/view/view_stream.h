@@ -30,23 +30,23 @@ class ViewStream {
   template <typename Visit>
   void for_each_column_beside(ChunkKey key, int edge, Visit&& visit) const {
     visit(key);
-    const auto first = [edge](std::int32_t at) { return at & -edge; };
-    for (std::int32_t z = first(key.coord.z); z < first(key.coord.z) + edge; ++z) {
-      for (std::int32_t x = first(key.coord.x); x < first(key.coord.x) + edge; ++x) {
-        const ChunkKey column{{x, key.coord.y, z}, key.lod};
-        if ((x != key.coord.x || z != key.coord.z) && interest_.place_of(column)) visit(column);
-      }
+    // The square ends with the numbers, where the world does.
+    const std::int32_t x = key.coord.x & -edge;
+    const std::int32_t z = key.coord.z & -edge;
+    for (std::int32_t i = 0; i < edge * edge; ++i) {
+      const ChunkKey column{{x + i % edge, key.coord.y, z + i / edge}, key.lod};
+      if (column != key && interest_.place_of(column)) visit(column);
     }
   }
   /// Calls visit(chunk) for the chunks of the key's column, from below, that are still to be sent and at most
-  /// `rings` base chunks farther away than `nearest`. visit() may start() the chunk.
+  /// so many chunks of their size farther away than `nearest`. visit() may start() the chunk.
   template <typename Visit>
-  void for_each_to_send(ChunkKey column, ChunkKey nearest, int rings, Visit&& visit) const {
+  void for_each_to_send(ChunkKey column, ChunkKey nearest, int chunks, Visit&& visit) const {
     const ChunkRange rows = interest_.rows_of(column);
     for (std::int64_t y = rows.first; y <= rows.last; ++y) {
       const ChunkKey chunk{{column.coord.x, static_cast<std::int32_t>(y), column.coord.z}, column.lod};
       if (states_[*interest_.place_of(chunk)] != State::to_send) continue;
-      if (interest_.within(chunk, nearest, rings)) visit(chunk);
+      if (interest_.within(chunk, nearest, chunks << chunk.lod.value())) visit(chunk);
     }
   }
   /// A chunk that is to be sent is in flight from here on.
@@ -58,7 +58,7 @@ class ViewStream {
 
   /// Chunks of the area that are not done.
   [[nodiscard]] std::size_t left() const { return left_; }
-  /// Those of them that next() will give.
+  /// Those of them that nearest() will give.
   [[nodiscard]] std::size_t to_send() const { return left_ - in_flight_; }
 
   /// A chunk of each column of the area, each column once after replace(); none after the last.

@@ -73,6 +73,18 @@ TEST_CASE("answers wait for the interval or the end, and wake their owner once")
   CHECK(owner.woken == 2);
 }
 
+TEST_CASE("what was not told is told at the end") {
+  Bench bench;
+  Owner owner{1};
+  {
+    AnswerBatcher answers{bench.log, bench.clock};
+    answers.add({owner.mailbox}, at(0), bench.answer);
+    CHECK(owner.woken == 0);
+  }
+  CHECK(owner.woken == 1);
+  CHECK(owner.take() == Xs{0});
+}
+
 TEST_CASE("an owner that cannot be woken keeps nobody else waiting") {
   Bench bench;
   const auto broken = std::make_shared<Mailbox>(ClientId{1}, [] { throw std::bad_alloc{}; });

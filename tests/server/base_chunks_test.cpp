@@ -7,7 +7,9 @@
 
 #include <atomic>
 #include <catch2/catch.hpp>
+#include <optional>
 
+#include "failing_allocations.h"
 #include "fake_generator.h"
 #include "generation/background_thread.h"
 
@@ -291,6 +293,36 @@ TEST_CASE("a client that cannot be woken harms nobody") {
   REQUIRE(queued(fake.service, client, at(2)));
   fake.service.submit_heights(client.mailbox(), 1, {{1, 2}});
   client.await(2);
+}
+
+TEST_CASE("whichever allocation of a generator thread fails, all who wait are answered, and it goes on") {
+  bool failed = true;
+  for (std::size_t allocations = 0; failed; ++allocations) {
+    CAPTURE(allocations);
+    FakeService fake;
+    // Lives in the generator thread, from the first patch to the second.
+    std::optional<talus::test::FailingAllocations> failing;
+    fake.work->in_patch = [&] {
+      if (failing) {
+        failed = failing->has_failed();
+        failing.reset();
+      } else {
+        failing.emplace(allocations);
+      }
+    };
+    WaitingClient client;
+    WaitingClient other;
+    std::vector<ChunkKey> keys;
+    for (std::int32_t x = 0; x < 4; ++x) keys.push_back(at(x));
+    REQUIRE(fake.service.submit(client.mailbox(), keys) == keys.size());
+    client.await(keys.size());
+    // The allocation may fail only now; then all is well.
+    REQUIRE(queued(fake.service, other, at(100)));
+    other.await(1);
+    REQUIRE(queued(fake.service, other, at(200)));
+    other.await(2);
+    CHECK(other.answers()[1].second.has_value());
+  }
 }
 
 TEST_CASE("a client that was refused by a full queue is told when there is room, once") {

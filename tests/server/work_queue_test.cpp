@@ -9,6 +9,8 @@
 
 #include <rapidcheck.h>
 
+#include "failing_allocations.h"
+
 using namespace talus;
 using namespace talus::server;
 
@@ -375,6 +377,78 @@ TEST_CASE("jobs of one patch end in any order") {
     RC_ASSERT(queue.jobs() == 0U);
     RC_ASSERT(queue.waits(client->owner()) == false);
   }));
+}
+
+TEST_CASE("whichever allocation fails while chunks are asked for, the queue is whole") {
+  bool failed = true;
+  for (std::size_t allocations = 0; failed; ++allocations) {
+    CAPTURE(allocations);
+    WorkQueue queue{kPatch, 100};
+    const auto client = client_box(kFlow);
+    const auto other = client_box(kFlow);
+    const std::array shared{at(0), at(1)};
+    const std::array keys{at(0), at(1), at(2), at(100), at(101)};
+    REQUIRE(queue.add(other, shared) == 2);
+    {
+      const talus::test::FailingAllocations failing{allocations};
+      try {
+        (void)queue.add(client, keys);
+      } catch (const std::bad_alloc&) {
+      }
+      failed = failing.has_failed();
+    }
+    queue.cancel(other->owner(), at(0));
+    queue.cancel(other->owner(), at(1));
+    // Those before the one that failed, in their order, and nothing else.
+    std::vector<ChunkKey> got;
+    while (auto work = queue.take()) {
+      const auto& batch = std::get<WorkQueue::Batch>(work->what);
+      for (const ChunkKey key : batch.keys) {
+        got.push_back(key);
+        REQUIRE(queue.finish(key) == std::vector<MailboxPtr>{client});
+      }
+      queue.release(batch.patch);
+      queue.reconcile(*work, 1);
+    }
+    REQUIRE(std::equal(got.begin(), got.end(), keys.begin()));
+    CHECK((got.size() == keys.size()) == !failed);
+    REQUIRE(queue.jobs() == 0);
+    REQUIRE(queue.clients() == 0);
+    CHECK(queue.add(client, keys) == keys.size());
+  }
+}
+
+TEST_CASE("whichever allocation fails while a piece is taken, it is taken the next time") {
+  bool failed = true;
+  for (std::size_t allocations = 0; failed; ++allocations) {
+    CAPTURE(allocations);
+    WorkQueue queue{kPatch, 100};
+    const auto client = client_box(kFlow);
+    const std::array keys{at(0), at(1), at(2)};
+    REQUIRE(queue.add(client, keys) == 3);
+    queue.add(HeightsTask{client, 1, {{0, 0}}});
+    std::vector<WorkQueue::Work> taken;
+    taken.reserve(2);
+    {
+      const talus::test::FailingAllocations failing{allocations};
+      try {
+        while (auto work = queue.take()) taken.push_back(*std::move(work));
+      } catch (const std::bad_alloc&) {
+      }
+      failed = failing.has_failed();
+    }
+    while (auto work = queue.take()) taken.push_back(*std::move(work));
+    REQUIRE(taken.size() == 2);
+    for (const auto& work : taken) {
+      if (const auto* batch = std::get_if<WorkQueue::Batch>(&work.what)) {
+        CHECK(batch->keys == std::vector(keys.begin(), keys.end()));
+        queue.release(batch->patch);
+      }
+      queue.reconcile(work, 1);
+    }
+    REQUIRE(queue.jobs() == 0);
+    REQUIRE(queue.clients() == 0);
+  }
 }
 
 TEST_CASE("what a thread leaves of a batch is gone with it") {
