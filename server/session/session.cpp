@@ -144,6 +144,7 @@ void Session::go_away(std::string_view reason, std::chrono::milliseconds retry_a
 void Session::abandon() {
   state_ = State::closed;
   delivery_.abandon();
+  rates_.give_back();
 }
 
 void Session::fail(ErrorCode code, std::string_view text, std::chrono::milliseconds retry_after,
