@@ -8,7 +8,7 @@ namespace {
 
 // A View is forgotten when nothing that was sent for it can still be on its way.
 constexpr std::chrono::seconds kOnItsWay{20};
-constexpr std::size_t kMaxPast = 64;
+constexpr std::size_t kMaxPast = 1024;  // also of a program that was stopped for minutes, and catches up
 constexpr std::size_t kNearRings = 2;
 
 template <typename Visit>
@@ -29,11 +29,11 @@ Box box_around(const glm::i64vec3& centre, int horizontal_radius, int vertical_r
 }
 
 std::vector<PendingChunks::Missed> PendingChunks::move_to(const Box& box, const glm::i64vec3& centre,
-                                                          Time due) {
+                                                          Time due, Time now) {
   std::vector<Missed> gone;
   if (box == box_) return gone;
   const auto step = static_cast<Cell>(steps_.size() + 1);
-  while (!past_.empty() && (past_.back().until + kOnItsWay < due || past_.size() >= kMaxPast))
+  while (!past_.empty() && (past_.back().until + kOnItsWay < now || past_.size() >= kMaxPast))
     past_.pop_back();
 
   std::vector<Cell> cells;
@@ -58,7 +58,7 @@ std::vector<PendingChunks::Missed> PendingChunks::move_to(const Box& box, const 
       const Cell cell = cells_[index++];
       if ((cell & ~kReturned) != 0 && !box.contains(at)) gone.push_back(missed(cell));
     });
-    past_.push_front({box_, due});
+    past_.push_front({box_, now});
   }
   steps_.push_back({due, !shares});
   cells_ = std::move(cells);

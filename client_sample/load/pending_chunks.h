@@ -56,9 +56,10 @@ class PendingChunks {
     bool returned = false;
   };
 
-  /// A View due at `due` is sent. Its chunks that the one before had keep their state; the result is what
-  /// was waited for and is wanted no more.
-  [[nodiscard]] std::vector<Missed> move_to(const Box& box, const glm::i64vec3& centre, Time due);
+  /// A View due at `due` is sent at `now`, later where this program was late: what the server sent for the
+  /// View before is still on its way then. Its chunks that the one before had keep their state; the result is
+  /// what was waited for and is wanted no more.
+  [[nodiscard]] std::vector<Missed> move_to(const Box& box, const glm::i64vec3& centre, Time due, Time now);
   [[nodiscard]] Arrival arrive(ChunkCoord chunk);
   /// What still waits, which is then forgotten.
   [[nodiscard]] std::vector<Missed> give_up();

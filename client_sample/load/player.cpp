@@ -68,7 +68,7 @@ void Player::joined(Time now) {
   rings_ = {};
   near_.measure_from(worker().measure_from());
   first_to_come_ = true;
-  look_around(now, true);
+  look_around(now, now, true);
   // Its ticks stay where they were laid when it first was to join, however late the server is.
   const Time first_tick = began_ + phase_;
   tick_due_ = motion_->moves() ? first_tick + tick_ * ((now - first_tick + tick_) / tick_) : Time::max();
@@ -91,11 +91,11 @@ void Player::act_joined(Time now) {
       tick_due_ = Time::max();
       return;
     }
-    look_around(tick_due_, false);
+    look_around(tick_due_, now, false);
   }
 }
 
-void Player::look_around(Time due, bool first) {
+void Player::look_around(Time due, Time now, bool first) {
   const Pose pose = motion_->at(std::chrono::duration<double>(due - began_).count());
   const glm::i64vec3 centre = chunk_at(pose.place);
   const bool moved = first || centre != chunk_at(pose_.place);
@@ -107,7 +107,7 @@ void Player::look_around(Time due, bool first) {
   const Time jumped_before = pending_.jumped();
   const Box before = pending_.box();
   for (const PendingChunks::Missed& missed :
-       pending_.move_to(box_around(centre, options.radius, options.vertical), centre, due)) {
+       pending_.move_to(box_around(centre, options.radius, options.vertical), centre, due, now)) {
     record_missed(missed, due);
   }
   near_.step(due, pending_);

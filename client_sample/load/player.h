@@ -26,7 +26,7 @@ class Player final : public SimulatedClient {
   void take(const wire::Unchanged& unchanged) override;
   void give_up() override;
 
-  void look_around(Time due, bool first);
+  void look_around(Time due, Time now, bool first);
   void send_view(const Pose& pose);
   void record_near();
   void count_new_patches(const Box& before, Time due);

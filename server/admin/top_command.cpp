@@ -4,12 +4,16 @@
 #include <charconv>
 #include <cstddef>
 #include <cstdint>
+#include <future>
 #include <optional>
 #include <string_view>
+#include <thread>
+#include <utility>
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
-#include <asio/ip/tcp.hpp>
+#include <asio/error.hpp>
+#include <asio/io_context.hpp>
 
 #include "log/escape.h"
 
@@ -48,7 +52,39 @@ std::string printable_lines(std::string_view page) {
   return lines;
 }
 
+/// Names of hosts are looked up by a call that nothing ends: on a thread that is left to itself where it
+/// takes too long.
+std::vector<asio::ip::tcp::endpoint> resolve_until(std::chrono::steady_clock::time_point deadline,
+                                                   const protocol::Endpoint& host, Resolve resolve,
+                                                   std::error_code& failed) {
+  struct Answer {
+    std::vector<asio::ip::tcp::endpoint> addresses;
+    std::error_code failed;
+  };
+  std::promise<Answer> promise;
+  std::future<Answer> answer = promise.get_future();
+  std::thread{[host, resolve = std::move(resolve), promise = std::move(promise)]() mutable {
+    Answer found;
+    found.addresses = resolve(host, found.failed);
+    promise.set_value(std::move(found));
+  }}.detach();
+  if (answer.wait_until(deadline) != std::future_status::ready) {
+    failed = asio::error::timed_out;
+    return {};
+  }
+  Answer found = answer.get();
+  failed = found.failed;
+  return std::move(found.addresses);
+}
+
 }  // namespace
+
+std::vector<asio::ip::tcp::endpoint> resolve_by_system(const protocol::Endpoint& host,
+                                                       std::error_code& failed) {
+  asio::io_context io;
+  const auto results = asio::ip::tcp::resolver{io}.resolve(host.host, std::to_string(host.port), failed);
+  return {results.begin(), results.end()};
+}
 
 tl::expected<TopCommand, Exit> read_top_command(int argc, const char* const* argv,
                                                 const Environment& environment) {
@@ -101,15 +137,23 @@ tl::expected<TopCommand, Exit> read_top_command(int argc, const char* const* arg
   return command;
 }
 
-tl::expected<std::string, std::string> fetch_flows(const protocol::Endpoint& admin) {
+tl::expected<std::string, std::string> fetch_flows(const protocol::Endpoint& admin,
+                                                   std::chrono::milliseconds patience, Resolve resolve) {
   const std::string where = fmt::format("http://{}/flows", to_string(admin));
   const auto failed = [&](std::string_view why) {
     return tl::make_unexpected(fmt::format("{}: {}", where, why));
   };
-  constexpr std::chrono::seconds kLongest{5};
+  const auto deadline = std::chrono::steady_clock::now() + patience;
+  std::error_code unknown;
+  const auto addresses = resolve_until(deadline, admin, std::move(resolve), unknown);
+  if (unknown) return failed(unknown.message());
   asio::ip::tcp::iostream stream;
-  stream.expires_after(kLongest);
-  stream.connect(admin.host, std::to_string(admin.port));
+  stream.expires_at(deadline);
+  for (const asio::ip::tcp::endpoint& address : addresses) {
+    stream.clear();
+    stream.connect(address);
+    if (stream) break;
+  }
   stream << "GET /flows HTTP/1.1\r\nHost: " << to_string(admin) << "\r\nConnection: close\r\n\r\n"
          << std::flush;
   std::string answer;

@@ -2,8 +2,12 @@
 #pragma once
 
 #include <chrono>
+#include <functional>
 #include <string>
+#include <system_error>
+#include <vector>
 
+#include <asio/ip/tcp.hpp>
 #include <tl/expected.hpp>
 
 #include <talus/protocol/endpoint.h>
@@ -21,8 +25,17 @@ struct TopCommand {
 [[nodiscard]] tl::expected<TopCommand, Exit> read_top_command(int argc, const char* const* argv,
                                                               const Environment& environment);
 
-/// The page /flows of the server there, of printable text whoever answers. Waits for at most 5 s, and takes
-/// at most 1 MiB. An error is one line.
-[[nodiscard]] tl::expected<std::string, std::string> fetch_flows(const protocol::Endpoint& admin);
+/// The addresses of a host, and what was wrong where it has none. Called on a thread of its own, which may
+/// outlive the caller.
+using Resolve =
+    std::function<std::vector<asio::ip::tcp::endpoint>(const protocol::Endpoint&, std::error_code&)>;
+[[nodiscard]] std::vector<asio::ip::tcp::endpoint> resolve_by_system(const protocol::Endpoint& host,
+                                                                     std::error_code& failed);
+
+/// The page /flows of the server there, of printable text whoever answers. Waits for `patience` at most, also
+/// for names, and takes at most 1 MiB. An error is one line.
+[[nodiscard]] tl::expected<std::string, std::string> fetch_flows(
+    const protocol::Endpoint& admin, std::chrono::milliseconds patience = std::chrono::seconds{5},
+    Resolve resolve = resolve_by_system);
 
 }  // namespace talus::server

@@ -61,7 +61,7 @@ Server::Server(const Config& config, std::shared_ptr<const terrain::World> world
       generator_version_{static_cast<std::uint64_t>(to_integer(terrain_->generator_version()))},
       patch_size_{measured_patch_size(config, *terrain_, clock)},
       rates_{rate_limits(config.rates)},
-      memory_{config.limits.memory_bytes},
+      memory_{config.limits.memory_bytes, io_threads(config) + generator_threads(config)},
       admission_{admission_limits(config), clock},
       tls_{std::move(tls)},
       certificate_expires_{tls_ ? tls_->expires : 0},

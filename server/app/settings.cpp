@@ -75,13 +75,18 @@ Admission::Limits admission_limits(const Config& config) {
           rate_limits(config.rates).address};
 }
 
+std::uint64_t min_memory_bytes(const Config& config) {
+  return MemoryBudget::program_bytes(io_threads(config) + generator_threads(config)) * 3;
+}
+
 tl::expected<void, std::string> check_memory(const Config& config) {
   const std::uint64_t bytes = config.limits.memory_bytes;
-  if (bytes == 0 || bytes >= kMinMemoryBytes) return {};
+  const std::uint64_t least = min_memory_bytes(config);
+  if (bytes == 0 || bytes >= least) return {};
   return tl::make_unexpected(fmt::format(
       "limits.memory_bytes: {} is too little: after one load the server might refuse every client; give at "
       "least {}, or 0 for no limit",
-      bytes, kMinMemoryBytes));
+      bytes, least));
 }
 
 GenerationSettings generation_settings(const Config& config, int patch_tiles) {

@@ -37,11 +37,13 @@ namespace talus::server {
 [[nodiscard]] RunnerLimits runner_limits(const Config& config);
 [[nodiscard]] HandshakeSettings handshake_settings(const Config& config);
 [[nodiscard]] Admission::Limits admission_limits(const Config& config);
-/// The least limits.memory_bytes but 0. The program and the largest share of the generators stay below the
-/// half at which connections are taken again: whatever a load took, the server opens again.
+/// The least limits.memory_bytes but 0, with few threads. The program and the largest share of the generators
+/// stay below the half at which connections are taken again: whatever a load took, the server opens again.
 inline constexpr std::uint64_t kMinMemoryBytes = MemoryBudget::kProgramBytes * 3;
 static_assert(MemoryBudget::kProgramBytes + kMinMemoryBytes / GeneratorMemory::kLargestShare <
               kMinMemoryBytes / 2);
+/// With the threads that are configured.
+[[nodiscard]] std::uint64_t min_memory_bytes(const Config& config);
 /// An error, one line, where limits.memory_bytes is less.
 [[nodiscard]] tl::expected<void, std::string> check_memory(const Config& config);
 

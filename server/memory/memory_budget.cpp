@@ -5,11 +5,11 @@
 
 namespace talus::server {
 
-MemoryBudget::MemoryBudget(std::uint64_t limit_bytes)
+MemoryBudget::MemoryBudget(std::uint64_t limit_bytes, std::size_t threads)
     : limit_{limit_bytes},
       work_{limit_bytes / 4 * 3, limit_bytes / 8 * 5},
       connections_{limit_bytes / 8 * 5, limit_bytes / 2} {
-  set(MemoryUse::program, kProgramBytes);
+  set(MemoryUse::program, program_bytes(threads));
 }
 
 std::uint64_t MemoryBudget::used(MemoryUse use) const {

@@ -24,11 +24,19 @@ inline constexpr std::array<std::string_view, 6> kMemoryUses{"program",    "sess
 
 class MemoryBudget {
  public:
-  /// What the program takes before it serves anybody: its code, its threads, its log.
+  /// What the program takes before it serves anybody: its code, its log, and up to kFewThreads threads.
   static constexpr std::uint64_t kProgramBytes = std::uint64_t{24} << 20;
+  static constexpr std::size_t kFewThreads = 16;
+  /// What each thread beyond those keeps for its next work, at most: four outputs of 32 KiB where it serves
+  /// sockets; the layers and the code of a chunk, 63 and 65 KiB, where it generates.
+  static constexpr std::uint64_t kThreadBytes = std::uint64_t{128} << 10;
+  /// The same with so many threads that serve and generate.
+  [[nodiscard]] static constexpr std::uint64_t program_bytes(std::size_t threads) {
+    return kProgramBytes + (threads > kFewThreads ? (threads - kFewThreads) * kThreadBytes : 0);
+  }
 
   /// 0: no limit, nothing is ever refused.
-  explicit MemoryBudget(std::uint64_t limit_bytes);
+  explicit MemoryBudget(std::uint64_t limit_bytes, std::size_t threads = 0);
 
   [[nodiscard]] std::uint64_t limit_bytes() const { return limit_; }
   [[nodiscard]] std::uint64_t used(MemoryUse use) const;

@@ -47,6 +47,9 @@ struct RunnerContext {
 };
 using RunnerContextPtr = std::shared_ptr<const RunnerContext>;
 
+/// So much may wait for each client even where the server has no memory to spare.
+inline constexpr std::size_t kQueuedBytesAnyway = std::size_t{16} * 1024;
+
 template <Stream S>
 class SessionRunner final : public Peer, public std::enable_shared_from_this<SessionRunner<S>> {
  public:
@@ -95,7 +98,9 @@ class SessionRunner final : public Peer, public std::enable_shared_from_this<Ses
   void look_at_rates();
   [[nodiscard]] std::string silence() const;
   [[nodiscard]] bool too_much_queued() const {
-    return session_.queued_bytes() > context_.limits.queued_bytes;
+    const std::size_t queued = session_.queued_bytes();
+    return queued > context_.limits.queued_bytes ||
+           (queued > kQueuedBytesAnyway && !context_.session.memory.takes_work());
   }
   [[nodiscard]] bool too_many_views() const { return session_.views_pile_up(); }
   void end(std::string_view reason);

@@ -230,4 +230,18 @@ void SessionRates::sent(Time now, std::size_t chunks, std::size_t bytes) {
   spend(address_->bytes, limits_.address.bytes, bytes, &RateBatch::bytes);
 }
 
+void SessionRates::give_back() {
+  if (!batch_) return;
+  const auto give = [](std::atomic<TokenBucket>& shared, std::size_t tokens) {
+    if (tokens == 0) return;
+    update(shared, [&](TokenBucket& bucket) {
+      bucket.give_back(tokens);
+      return true;
+    });
+  };
+  give(address_->chunks, batch_->chunks);
+  give(address_->bytes, batch_->bytes);
+  batch_.reset();
+}
+
 }  // namespace talus::server

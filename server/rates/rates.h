@@ -110,6 +110,8 @@ class SessionRates {
   [[nodiscard]] Allowance allowance(Time now) const;
   /// `bytes` are those of all frames, chunks or not.
   void sent(Time now, std::size_t chunks, std::size_t bytes);
+  /// The session ends and sends no more chunks: others of its address have what it has reserved.
+  void give_back();
 
  private:
   /// Takes a token for a request, or says which rate has none.

@@ -33,6 +33,8 @@ class TokenBucket {
   [[nodiscard]] bool take(const Rate& rate, Time now, std::uint64_t tokens = 1);
   /// Takes `tokens` even if the bucket has fewer.
   void spend(const Rate& rate, Time now, std::uint64_t tokens);
+  /// Takes back tokens that were taken or spent before, and not used. What is more than a burst is lost.
+  void give_back(std::uint64_t tokens) { gone_ -= static_cast<std::int64_t>(tokens); }
 
   /// Tokens in the bucket; negative when overdrawn. `rate` must have a limit.
   [[nodiscard]] std::int64_t level(const Rate& rate, Time now) const;

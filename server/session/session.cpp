@@ -144,6 +144,7 @@ void Session::go_away(std::string_view reason, std::chrono::milliseconds retry_a
 void Session::abandon() {
   state_ = State::closed;
   delivery_.abandon();
+  rates_.give_back();
 }
 
 void Session::fail(ErrorCode code, std::string_view text, std::chrono::milliseconds retry_after,
@@ -202,8 +203,15 @@ void Session::on(const wire::View& view) {
     return replies_.error(about_view(view.number()), rejection.code, rejection.text);
   }
   if (state_ == State::leaving) return;
+  // Near the memory's limit a View may move, and not grow. What the client holds is then sent again.
+  const bool takes_work = context_.memory.takes_work();
+  const std::uint64_t chunks = count_chunks(*checked);
+  if (chunks > view_chunks_ && !takes_work) {
+    return replies_.error(about_view(view.number()), ErrorCode::overloaded, kNoMemory, retry_after::kBusy);
+  }
+  view_chunks_ = chunks;
   delivery_.view().request(*std::move(checked));
-  if (view.known() == nullptr) return;
+  if (view.known() == nullptr || !takes_work) return;
   for (const wire::KnownChunk* chunk : *view.known()) {
     const wire::ChunkKey& at = chunk->key();
     const auto lod = Lod::checked(at.lod());
@@ -360,7 +368,13 @@ void Session::written() {
 
 void Session::note_memory() {
   memory_.hold(kIdleBytes + writing_bytes_ + input_bytes_ + queued_bytes() + outbox_.chunk_bytes() +
-               delivery_.bytes());
+               delivery_.bytes() + view_bytes_to_come());
+}
+
+std::size_t Session::view_bytes_to_come() const {
+  const ViewSubscription& view = delivery_.view();
+  const std::size_t wanted = view.waits() ? view_chunks_ * kViewBytesPerChunk : 0;
+  return wanted - std::min(wanted, view.bytes());
 }
 
 }  // namespace talus::server

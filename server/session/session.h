@@ -51,6 +51,9 @@ class Session {
 
   /// Memory of a session that asks for nothing, with its connection and coroutines.
   static constexpr std::size_t kIdleBytes = std::size_t{32} * 1024;
+  /// A View that waits counts so much a chunk, at least what it takes when it is applied: by then the memory
+  /// must be there.
+  static constexpr std::size_t kViewBytesPerChunk = 12;
   /// Frames of a client that may grow to so much, however little memory there is.
   static constexpr std::size_t kMaxFrameBytesAnyway = std::size_t{64} * 1024;
 
@@ -160,6 +163,8 @@ class Session {
   /// A session that leaves closes with its last answer, one that finishes when all is served.
   void close_if_served();
   void note_memory();
+  /// Of the View that waits, beside what the one in force holds.
+  [[nodiscard]] std::size_t view_bytes_to_come() const;
 
   const SessionContext context_;
   State state_ = State::connected;
@@ -171,6 +176,7 @@ class Session {
   SessionRates rates_;
   MemoryReservation memory_;
   Clock::time_point received_at_{};  // the message that is handled
+  std::uint64_t view_chunks_ = 0;    // of the last View that was right
   std::size_t writing_bytes_ = 0;    // of the last output
   std::size_t input_bytes_ = 0;
   std::string failure_;

@@ -27,6 +27,7 @@
 #include "raw_client.h"
 #include "server_process.h"
 #include "siege.h"
+#include "view_flood.h"
 
 using namespace talus;
 using namespace talus::e2e;
@@ -120,33 +121,6 @@ void reset_one(asio::io_context& io, std::uint16_t port) {
   if (!failed) socket.set_option(asio::socket_base::linger{true, 0}, failed);
 }
 
-/// A session that sends Views without end, each of other chunks, and drops what it is sent.
-class ViewFlood {
- public:
-  ViewFlood(asio::io_context& io, std::uint16_t port, const protocol::Frame& views)
-      : socket_{io}, views_{views} {
-    socket_.connect(at_port(port));
-    asio::write(socket_, asio::buffer(hello()));
-    std::array<std::byte, 4> of_welcome;
-    asio::read(socket_, asio::buffer(of_welcome));
-    socket_.non_blocking(true);
-  }
-
-  /// As much as the server takes now.
-  void go_on() {
-    std::error_code failed;
-    sent_ += socket_.write_some(asio::buffer(views_) + sent_ % views_.size(), failed);
-    std::array<std::byte, 65536> dropped;
-    while (socket_.read_some(asio::buffer(dropped), failed) > 0) continue;
-  }
-  [[nodiscard]] std::size_t sent_bytes() const { return sent_; }
-
- private:
-  tcp::socket socket_;
-  const protocol::Frame& views_;
-  std::size_t sent_ = 0;
-};
-
 }  // namespace
 
 TEST_CASE("under siege operators are answered: connections that are reset before they are accepted") {
@@ -213,28 +187,9 @@ TEST_CASE("under siege operators are answered: a thousand sessions send Views wi
                                   {"TALUS_RATES_ADDRESS_BYTES", "0"}}),
                        kWithOperators};
   const std::uint16_t operators = server.admin_port();
-  protocol::Frame views;
-  for (int i = 0; i < 256; ++i) {
-    const auto one =
-        view({.centre = {i * 100'000, 100, -i * 50'000}, .horizontal_radius = 40, .vertical_radius = 4});
-    views.insert(views.end(), one.begin(), one.end());
-  }
-  asio::io_context io;
-  std::vector<std::unique_ptr<ViewFlood>> flood;
-  for (std::size_t i = 0; i < kSessions; ++i) {
-    flood.push_back(std::make_unique<ViewFlood>(io, server.port(), views));
-  }
-  std::jthread attack{[&](const std::stop_token& stop) {
-    while (!stop.stop_requested()) {
-      for (const auto& session : flood) session->go_on();
-    }
-  }};
+  ViewFloods flood{kSessions, 1, server.port()};
   probe_during("Views", operators);
-  attack.request_stop();
-  attack.join();
-  std::size_t bytes = 0;
-  for (const auto& session : flood) bytes += session->sent_bytes();
-  std::cout << "Views: about " << bytes / (views.size() / 256) << " sent\n";
+  std::cout << "Views: about " << flood.stop() << " sent\n";
   CHECK(metric(operators, R"(talus_sessions{state="greeted"})") == kSessions);
 }
 

@@ -33,9 +33,14 @@ void Received::check_kind(wire::Body expected) const {
   REQUIRE(std::string{wire::EnumNameBody(kind())} == wire::EnumNameBody(expected));
 }
 
-RawClient::RawClient(std::uint16_t port) : socket_{::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0)} {
+RawClient::RawClient(std::uint16_t port, std::uint32_t from)
+    : socket_{::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0)} {
   sockaddr_in address{};
   address.sin_family = AF_INET;
+  if (from != kLoopback) {  // a bound socket takes a port that no other may have, whomever it speaks to
+    address.sin_addr.s_addr = htonl(from);
+    REQUIRE(::bind(socket_, reinterpret_cast<const sockaddr*>(&address), sizeof(address)) == 0);
+  }
   address.sin_port = htons(port);
   address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
   REQUIRE(::connect(socket_, reinterpret_cast<const sockaddr*>(&address), sizeof(address)) == 0);
@@ -124,8 +129,8 @@ bool RawClient::closed() {
   return !receive().has_value();
 }
 
-RawClient greeted(std::uint16_t port, std::uint64_t window_bytes) {
-  RawClient client{port};
+RawClient greeted(std::uint16_t port, std::uint64_t window_bytes, std::uint32_t from) {
+  RawClient client{port, from};
   REQUIRE(client.send(hello({.window_bytes = window_bytes})));
   (void)client.expect_kind<wire::Welcome>();
   return client;

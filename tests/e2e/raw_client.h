@@ -34,10 +34,12 @@ class Received {
   const wire::Message* message_;
 };
 
+inline constexpr std::uint32_t kLoopback = 0x7F000001U;  // 127.0.0.1
+
 class RawClient {
  public:
-  /// Connects to 127.0.0.1.
-  explicit RawClient(std::uint16_t port);
+  /// Connects to 127.0.0.1, from an address of the loopback network: 127.0.0.1 unless another is given.
+  explicit RawClient(std::uint16_t port, std::uint32_t from = kLoopback);
   ~RawClient();
   RawClient(RawClient&& other) noexcept;
   RawClient& operator=(RawClient&&) = delete;
@@ -79,6 +81,7 @@ class RawClient {
 };
 
 /// A client that has said Hello and heard Welcome.
-[[nodiscard]] RawClient greeted(std::uint16_t port, std::uint64_t window_bytes = 0);
+[[nodiscard]] RawClient greeted(std::uint16_t port, std::uint64_t window_bytes = 0,
+                                std::uint32_t from = kLoopback);
 
 }  // namespace talus::e2e

@@ -67,6 +67,8 @@ class ServerProcess {
   std::string await_line(std::string_view part);
   /// Resident memory now.
   [[nodiscard]] std::size_t resident_bytes() const;
+  /// The most that it ever was.
+  [[nodiscard]] std::size_t most_resident_bytes() const;
 
   [[nodiscard]] pid_t pid() const { return pid_; }
 

@@ -23,7 +23,7 @@ struct Flyer {
   void step(int ms, std::int64_t x) {
     const glm::i64vec3 centre{x, 0, 0};
     Box box{{x - 5, 0, 0}, {x + 5, 0, 0}};
-    (void)pending.move_to(box, centre, at(ms));
+    (void)pending.move_to(box, centre, at(ms), at(ms));
     waits.step(at(ms), pending);
     note();
   }

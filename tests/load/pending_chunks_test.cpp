@@ -16,7 +16,7 @@ const Time kStart = Time{} + seconds{1000};
 std::vector<PendingChunks::Missed> go(PendingChunks& pending, std::int64_t x, Clock::duration at,
                                       int radius = 2) {
   const glm::i64vec3 centre{x, 0, 0};
-  return pending.move_to(box_around(centre, radius, 1), centre, kStart + at);
+  return pending.move_to(box_around(centre, radius, 1), centre, kStart + at, kStart + at);
 }
 
 std::size_t take_all(PendingChunks& pending) {
@@ -51,6 +51,22 @@ TEST_CASE("a chunk's wait begins with the View that first wanted it") {
   CHECK(fresh.since == kStart + milliseconds{500});
   CHECK(fresh.steps_late == 0);
   CHECK_FALSE(fresh.join);
+}
+
+TEST_CASE("what comes for a View is right after its program was stopped, and has caught up") {
+  PendingChunks pending;
+  (void)go(pending, 0, {});
+  const Time now = kStart + seconds{100};
+  for (int x = 1; x <= 100; ++x) {
+    const glm::i64vec3 centre{x, 0, 0};
+    (void)pending.move_to(box_around(centre, 2, 1), centre, kStart + seconds{x}, now);
+  }
+  CHECK(pending.arrive({0, 0, 0}).verdict == Verdict::stale);
+  CHECK(pending.arrive({102, 0, 0}).verdict == Verdict::came);
+  (void)go(pending, 101, seconds{119});
+  CHECK(pending.arrive({0, 1, 0}).verdict == Verdict::stale);
+  (void)go(pending, 102, seconds{121});
+  CHECK(pending.arrive({0, 1, 1}).verdict == Verdict::outside);
 }
 
 TEST_CASE("a chunk comes once") {

@@ -20,6 +20,8 @@ usage: tests/load/run.sh [--short] [SCENARIO...]
   idle     10,000 idle connections, and 20 new players among them
   greedy   100 walkers with one greedy client and without, by turns
   slow     100 walkers with four readers at 64 kbit/s and without, by turns
+  rates    250 players of one address whom its rate holds at 8,192 chunks/s and, by turns, as many who want just that
+           many: what a chunk costs the server
   pong     how long a Pong waits behind a View, on links of several speeds
   churn    joining, jumping and being cut off, CHURN_SECONDS long (1800 unless told otherwise)
 
@@ -372,6 +374,28 @@ greedy() { beside_walkers greedy 1.5 --greedy 1; }
 
 slow() { beside_walkers slow 1.5 --slow 4 --slow-rate 64; }
 
+# 250 players fly together over ground that is cached after the first. At speed 26 they want some 8,000 Chunks a second; at 30
+# some 10,000, more than the rate gives.
+rates() {
+  local turn held free
+  local players=(--players "$(pick 250 20)" --groups 1 --model fly --radius "$(pick 8 4)" --ramp-up 1 --warm-up "$(pick 5 1)"
+    --duration "$(pick 10 5)" --verify 0)
+  expect
+  : >"$out/rates-turns"
+  for ((turn = 1; turn <= $(pick 5 1); ++turn)); do
+    start "${no_session_rates[@]}" "${no_address_rates[@]}" TALUS_RATES_ADDRESS_CHUNKS="$(pick 8192 200)" TALUS_RATES_BURST_MS=1000
+    load rates-held "${players[@]}" --speed 30 "${expected[@]}"
+    start "${no_session_rates[@]}" "${no_address_rates[@]}"
+    load rates-free "${players[@]}" --speed 26 "${expected[@]}"
+    held="$(figure rates-held cpu_s_per_million_messages)" free="$(figure rates-free cpu_s_per_million_messages)"
+    [[ -n "$held" && -n "$free" ]] || { echo "rates: turn $turn gave no figure" >&2; exit 1; }
+    printf 'turn %s: %.2f us of server CPU a Chunk message where the rate holds (%.0f/s), %.2f without (%.0f/s)\n' "$turn" "$held" \
+      "$(figure rates-held chunk_messages_per_s)" "$free" "$(figure rates-free chunk_messages_per_s)"
+    echo "$held $free" >>"$out/rates-turns"
+  done
+  [[ -n "$short" ]] || medians rates held free 'us a Chunk message' 3 || failed=yes
+}
+
 pong() {
   [[ -z "${TLS:-}" ]] || { printf '\n== pong: left out: talus-pong speaks plain TCP alone\n'; return 0; }
   start
@@ -390,7 +414,7 @@ churn() {
     --verify 5 "${expected[@]}"
 }
 
-scenarios=(join horizon hot groups alone loners storm idle greedy slow pong churn)
+scenarios=(join horizon hot groups alone loners storm idle greedy slow rates pong churn)
 if [[ "${1:-}" == --short ]]; then
   short=yes
   shift

@@ -253,25 +253,35 @@ TEST_CASE("every mistake in a configuration has its message") {
   struct Mistake {
     std::string toml;
     std::string message;
+    std::string was;  // what it said before; "": the same
   };
   const Mistake mistakes[] = {
       {"[limits]\nconnections = \n",
        "file.toml:2: limits.connections: expected value, saw '\\n'; give a whole number from 1 to 1000000 "
-       "(connections)"},
-      {"listen == 3", "file.toml:1: listen: this is no value: a string stands in quotes; give \"HOST:PORT\""},
-      {"foo = {a = 1, a = 2}", "file.toml:1: foo: cannot redefine existing integer 'a'"},
-      {"[limits\n", "file.toml:1: table header: expected ']', saw '\\n'"},
+       "(connections)",
+       "file.toml:2: limits.connections: Error while parsing key-value pair: expected value, saw '\\n'; give "
+       "a whole number from 1 to 1000000 (connections)"},
+      {"listen == 3", "file.toml:1: listen: this is no value: a string stands in quotes; give \"HOST:PORT\"",
+       "file.toml:1: listen: Error while parsing value: could not determine value type; give \"HOST:PORT\""},
+      {"foo = {a = 1, a = 2}", "file.toml:1: foo: cannot redefine existing integer 'a'",
+       "file.toml:1: Error while parsing key-value pair: cannot redefine existing integer 'a'"},
+      {"[limits\n", "file.toml:1: table header: expected ']', saw '\\n'",
+       "file.toml:1: Error while parsing table header: expected ']', saw '\\n'"},
       {"# \xe2\x80\xa8\r\n[limits]\r\n\r\nconnections = = 5\r\n",
        "file.toml:4: limits.connections: this is no value: a string stands in quotes; give a whole number "
        "from 1 "
-       "to 1000000 (connections)"},
-      {long_key + " = 3", "file.toml:1: " + cut + ": no such key; did you mean access.signing_key_file?"},
-      {long_key + " = ", "file.toml:1: " + cut + ": encountered end-of-file"},
-      {std::string(talus::kMaxTomlBytes + 1, '#'), "file.toml:1: the file has over 1048576 bytes"},
+       "to 1000000 (connections)",
+       "file.toml:4: limits.connections: Error while parsing value: could not determine value type; give a "
+       "whole number from 1 to 1000000 (connections)"},
+      {long_key + " = 3", "file.toml:1: " + cut + ": no such key; did you mean access.signing_key_file?", ""},
+      {long_key + " = ", "file.toml:1: " + cut + ": encountered end-of-file",
+       "file.toml:1: Error while parsing key-value pair: encountered end-of-file"},
+      {std::string(talus::kMaxTomlBytes + 1, '#'), "file.toml:1: the file has over 1048576 bytes", ""},
   };
-  for (const auto& [toml, message] : mistakes) {
+  for (const auto& [toml, message, was] : mistakes) {
     INFO(toml.substr(0, 100));
     CHECK(toml_error(toml) == message);
+    CHECK(message != was);
   }
 }
 

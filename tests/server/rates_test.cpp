@@ -249,6 +249,26 @@ TEST_CASE("what one session of an address sends, another may not") {
   CHECK(one.chunks_due(kStart).throttled == RateKind::address_chunks);
 }
 
+TEST_CASE("what a session has reserved of its address's rates is others' when it ends") {
+  const RateLimits limits{{}, {{1000, 100}, {100'000, 10'000}, {}}};
+  const auto address = std::make_shared<AddressBuckets>();
+  SessionRates one{limits, address, kInFlight};
+  one.sent(kStart, 100, 10'000);
+  CHECK(one.chunks_due(kStart).at == kStart + 10ms);
+  one.sent(kStart + 10ms, 4, 300);
+  const auto level = [&](SessionRates::Time now) {
+    return std::pair{address->chunks.load().level(limits.address.chunks, now),
+                     address->bytes.load().level(limits.address.bytes, now)};
+  };
+  CHECK(level(kStart + 10ms) == std::pair<std::int64_t, std::int64_t>{0, 0});
+  one.give_back();
+  CHECK(level(kStart + 10ms) == std::pair<std::int64_t, std::int64_t>{6, 700});
+  one.give_back();
+  CHECK(level(kStart + 10ms) == std::pair<std::int64_t, std::int64_t>{6, 700});
+  // Not more than a burst.
+  CHECK(level(kStart + 10s) == std::pair<std::int64_t, std::int64_t>{100, 10'000});
+}
+
 TEST_CASE("a session far over its bytes in control frames may ask no more") {
   const RateLimits limits{{{}, {1000, 1000}, {}}, {}};
   SessionRates rates{limits, nullptr, kInFlight};

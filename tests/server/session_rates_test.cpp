@@ -221,6 +221,24 @@ TEST_CASE("a burst smaller than a frame keeps nobody from asking") {
   }
 }
 
+TEST_CASE("a session that ends gives back what it has reserved of its address's rates") {
+  const RateSet of_address{{1000, 100}, {}, {}};
+  const auto address = std::make_shared<AddressBuckets>(of_address);
+  SessionBench bench{{.rates = {{}, of_address, {}}, .address = address}};
+  address->chunks = [&] {
+    TokenBucket bucket;
+    bucket.spend(of_address.chunks, bench.clock.now(), 100);
+    return bucket;
+  }();
+  bench.get_chunk(1, chunk_at(5));
+  bench.answer_all();
+  CHECK(bench.session.sendable_at() > bench.clock.now());
+  const auto level = [&] { return address->chunks.load().level(of_address.chunks, bench.clock.now()); };
+  CHECK(level() == -10);
+  bench.session.abandon();
+  CHECK(level() == 0);
+}
+
 TEST_CASE("sessions of one address share its rates") {
   const SessionBench::Options options{.address = std::make_shared<AddressBuckets>(RateSet{{10, 3}, {}, {}})};
   SessionBench one{options};

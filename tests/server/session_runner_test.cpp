@@ -60,9 +60,11 @@ RunnerContextPtr kept(const RunnerContext& context) {
 
 /// What sessions share, and an io_context that the test runs.
 struct Bench {
+  explicit Bench(std::uint64_t memory_bytes = 0) : memory{memory_bytes} {}
+
   ManualClock clock{std::chrono::sys_seconds{1'700'000'000s}};
   ScriptedSource source;
-  MemoryBudget memory{0};
+  MemoryBudget memory;
   Metrics metrics;
   SessionLimits limits = test_limits(1U << 30);
   WorldInfo world;
@@ -406,6 +408,22 @@ TEST_CASE("nothing more is read from a client that does not read its answers") {
   client->changed();
   bench.io.poll();
   CHECK(bench.frames(*client).size() == 1001);
+}
+
+TEST_CASE("where memory is short little is read from a client that does not read its answers") {
+  Bench bench{256U << 20};
+  const auto client = bench.greeted();
+  client->room = 0;
+  bench.memory.set(MemoryUse::jobs, 256U << 20);
+  // Read by read, so that the session looks at the memory between them.
+  for (int i = 0; i < 3000; ++i) bench.send(*client, ping());
+  const std::uint64_t read = bench.metrics.received_bytes.total();
+  bench.send(*client, ping());
+  CHECK(bench.metrics.received_bytes.total() == read);
+  client->room = SIZE_MAX;
+  client->changed();
+  bench.io.poll();
+  CHECK(bench.frames(*client).size() == 3001);
 }
 
 TEST_CASE("a session that is told to go away answers what is pending, then closes") {

@@ -118,6 +118,38 @@ TEST_CASE("where memory is short a large frame ends its session, and a common on
   CHECK(bench.output().back().code == wire::ErrorCode::overloaded);
 }
 
+TEST_CASE("a View that waits is in the budget with what it comes to take") {
+  constexpr std::uint64_t kLimit = std::uint64_t{256} << 20;
+  SessionBench bench{{.memory_bytes = kLimit}};
+  const auto before = bench.memory.used(MemoryUse::sessions);
+  bench.say_view(0, 40);
+  const auto promised = bench.memory.used(MemoryUse::sessions);
+  constexpr std::uint64_t kPage = 4096;  // the budget is told of no less
+  CHECK(promised + kPage >= before + 81 * 81 * Session::kViewBytesPerChunk);
+  bench.apply_view();
+  // Those that wait for the source count beside it.
+  CHECK(bench.memory.used(MemoryUse::sessions) <= promised + Delivery::kMaxViewInFlight * 256 + kPage);
+}
+
+TEST_CASE("where memory is short a View may move, and a larger one is refused with a time to retry after") {
+  constexpr std::uint64_t kLimit = std::uint64_t{256} << 20;
+  SessionBench bench{{.memory_bytes = kLimit}};
+  bench.look_at(0, 2);
+  (void)bench.run_dry();
+  bench.memory.set(MemoryUse::jobs, kLimit);
+  bench.say_view(1, 2);
+  CHECK(bench.output().empty());
+  bench.say_view(1, 3);
+  const auto said = bench.output();
+  REQUIRE(said.size() == 1);
+  CHECK(said[0].about == wire::ErrorAbout::view);
+  CHECK(said[0].code == wire::ErrorCode::overloaded);
+  CHECK(said[0].retry_after_ms > 0);
+  bench.memory.set(MemoryUse::jobs, 0);
+  bench.say_view(1, 3);
+  CHECK(bench.output().empty());
+}
+
 TEST_CASE("a session that failed says so and nothing else") {
   SessionBench bench;
   bench.get_chunk(1, chunk_at(5));

@@ -149,8 +149,24 @@ TEST_CASE("the least memory budget opens again when everybody has left, whatever
   CHECK(budget.takes_connections());
 }
 
+TEST_CASE("many threads raise the least memory budget, by what each keeps") {
+  Config config;
+  config.threads = {8, 8};
+  CHECK(min_memory_bytes(config) == kMinMemoryBytes);
+  config.threads = {64, 64};
+  const std::uint64_t least = min_memory_bytes(config);
+  const std::uint64_t program = MemoryBudget{least, 128}.used(MemoryUse::program);
+  CHECK(program == MemoryBudget::kProgramBytes + 112 * MemoryBudget::kThreadBytes);
+  CHECK(least == 3 * program);
+  config.limits.memory_bytes = least;
+  CHECK(check_memory(config).has_value());
+  config.limits.memory_bytes = least - 1;
+  CHECK_FALSE(check_memory(config).has_value());
+}
+
 TEST_CASE("less memory than that is refused in a line that names the setting, its value and the least") {
   Config config;
+  config.threads = {1, 1};
   for (const std::uint64_t bytes : {std::uint64_t{0}, kMinMemoryBytes, Config{}.limits.memory_bytes}) {
     config.limits.memory_bytes = bytes;
     CHECK(check_memory(config).has_value());

@@ -5,6 +5,8 @@
 #include <asio/read_until.hpp>
 #include <asio/write.hpp>
 #include <catch2/catch.hpp>
+#include <future>
+#include <memory>
 #include <string>
 #include <thread>
 #include <utility>
@@ -119,6 +121,34 @@ TEST_CASE("talusd top takes no part of an answer for the whole, and no answer wi
 
 TEST_CASE("talusd top prints nothing that commands a terminal, whoever answers") {
   CHECK(fetched(with_length(12, "\x1b[2J\r\n\xc2\x9bm\xff\t\n")) == "\\x1b[2J\\x0d\n\\xc2\\x9bm\\xff\\x09\n");
+}
+
+TEST_CASE("talusd top gives up a name that takes too long, and asks a host by all its addresses") {
+  const auto name = std::make_shared<std::promise<void>>();
+  const auto never = [known = name->get_future().share()](const protocol::Endpoint&, std::error_code&) {
+    known.wait();
+    return std::vector<tcp::endpoint>{};
+  };
+  const auto page = fetch_flows({"slow.example", 4781}, std::chrono::milliseconds{1}, never);
+  REQUIRE_FALSE(page.has_value());
+  CHECK_THAT(page.error(),
+             Catch::StartsWith("http://slow.example:4781/flows: ") && Catch::Contains("timed out"));
+  name->set_value();
+
+  OneAnswer server{with_length(1, "a")};
+  const auto port = server.endpoint().port;
+  const auto two = [port](const protocol::Endpoint&, std::error_code&) {
+    return std::vector<tcp::endpoint>{{asio::ip::make_address("127.0.0.2"), port},
+                                      {asio::ip::address_v4::loopback(), port}};
+  };
+  CHECK(fetch_flows({"two.example", port}, std::chrono::seconds{60}, two) == "a");
+
+  const auto none = [](const protocol::Endpoint&, std::error_code& failed) {
+    failed = asio::error::host_not_found;
+    return std::vector<tcp::endpoint>{};
+  };
+  CHECK_THAT(fetch_flows({"no.example", port}, std::chrono::seconds{60}, none).error(),
+             Catch::Contains("Host not found"));
 }
 
 TEST_CASE("talusd top names the host that it asks as URLs do") {
