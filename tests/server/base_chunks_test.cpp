@@ -302,12 +302,13 @@ TEST_CASE("whichever allocation of a generator thread fails, all who wait are an
     FakeService fake;
     // Lives in the generator thread, from the first patch to the second.
     std::optional<talus::test::FailingAllocations> failing;
+    int patches = 0;
     fake.work->in_patch = [&] {
-      if (failing) {
+      ++patches;
+      if (patches == 1) failing.emplace(allocations);
+      if (patches == 2) {
         failed = failing->has_failed();
         failing.reset();
-      } else {
-        failing.emplace(allocations);
       }
     };
     WaitingClient client;
