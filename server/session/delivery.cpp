@@ -98,7 +98,7 @@ std::size_t Delivery::start_work() {
     if (requests_.has_unstarted() && (!view_may_start() || requests_hold_less())) {
       start_request(*requests_.next_unstarted());
     } else if (view_may_start()) {
-      start_view_chunks();
+      start_view_chunk();
     } else {
       break;
     }
@@ -152,25 +152,31 @@ void Delivery::start_request(std::uint32_t id) {
   }
 }
 
-void Delivery::start_view_chunks() {
+void Delivery::start_view_chunk() {
+  const ChunkKey nearest = *view_.stream().nearest();
+  if (answer_by_column(nearest)) return;
+  view_.stream().start(nearest);
+  if (EncodedChunkPtr chunk = find(nearest)) {
+    send_view_chunk(nearest, std::move(chunk));
+  } else {
+    to_submit_ = {nearest};
+    add_those_beside(nearest);
+    wait_for_view();
+    to_submit_.clear();
+  }
+}
+
+void Delivery::add_those_beside(ChunkKey nearest) {
   ViewStream& stream = view_.stream();
-  const ChunkKey nearest = *stream.nearest();
   const int edge = context_.chunks.columns_together();
-  to_submit_.clear();
   stream.for_each_column_beside(nearest, edge, [&](ChunkKey column) {
     tell_column(column, context_.chunks.column(column), nullptr);
     stream.for_each_to_send(column, nearest, edge, [&](ChunkKey key) {
       if (!has_room()) return;
       stream.start(key);
-      if (EncodedChunkPtr chunk = find(key)) {
-        answer_view(key, std::move(chunk));
-      } else {
-        to_submit_.push_back(key);
-      }
+      to_submit_.push_back(key);
     });
   });
-  if (!to_submit_.empty()) wait_for_view();
-  to_submit_.clear();
 }
 
 void Delivery::wait_for_view() {
@@ -220,8 +226,11 @@ void Delivery::answer_view(ChunkKey key, ChunkAnswer answer) {
     return;
   }
   // The column may be known now, and not have been when the chunk was submitted.
-  if (answer_by_column(key) || confirm_view(key, **answer)) return;
-  outbox_.push_chunk({0, key, *std::move(answer)});
+  if (!answer_by_column(key)) send_view_chunk(key, *std::move(answer));
+}
+
+void Delivery::send_view_chunk(ChunkKey key, EncodedChunkPtr chunk) {
+  if (!confirm_view(key, *chunk)) outbox_.push_chunk({0, key, std::move(chunk)});
 }
 
 bool Delivery::confirm_request(std::uint32_t id, const PendingRequests::ChunkRequest& request,

@@ -106,8 +106,10 @@ class Delivery {
   [[nodiscard]] bool requests_hold_less() const;
 
   void start_request(std::uint32_t id);
-  /// The nearest chunk of the View, with others that are made together with it and hardly farther away.
-  void start_view_chunks();
+  /// The nearest chunk of the View. Where it is to be made, those too that are made together with it and are
+  /// hardly farther away.
+  void start_view_chunk();
+  void add_those_beside(ChunkKey nearest);
   /// For the chunks in to_submit_, which are in flight.
   void wait_for_view();
 
@@ -115,6 +117,7 @@ class Delivery {
   void answer_request(std::uint32_t id, const PendingRequests::ChunkRequest& request, EncodedChunkPtr chunk);
   void fail_request(std::uint32_t id, const GenerationFailed& failure);
   void answer_view(ChunkKey key, ChunkAnswer answer);
+  void send_view_chunk(ChunkKey key, EncodedChunkPtr chunk);
   /// Where the client holds this version of the chunk: answers by Unchanged.
   [[nodiscard]] bool confirm_request(std::uint32_t id, const PendingRequests::ChunkRequest& request,
                                      const EncodedChunk& chunk);
@@ -142,7 +145,7 @@ class Delivery {
   std::size_t expected_chunk_bytes_ = kExpectedChunkBytes;
   std::size_t found_ = 0;  // chunks that were in memory since start_work() began
   std::uint64_t heights_asked_ = 0;
-  std::vector<ChunkKey> to_submit_;  // while start_view_chunks() runs
+  std::vector<ChunkKey> to_submit_;  // while start_view_chunk() runs
   bool queue_full_ = false;  // the View waits for mail before it submits again
 };
 
