@@ -172,7 +172,8 @@ const std::array kFields{
           "what the world's terrain is measured to cost",
           PowerOfTwoTarget{[](Config& c) -> std::uint64_t& { return c.generation.patch_tiles; }, 16}},
     Field{"generation.queue_chunks", "chunks",
-          "chunks of all clients that wait for a generator; more are refused, but for clients that wait for nothing",
+          "chunks of all clients that wait for a generator; more are refused, but for clients that wait for "
+          "nothing",
           number<&Config::generation, &Generation::queue_chunks>(1, 16'777'216)},
 
     Field{"shutdown.drain_ms", "ms", "time for sending pending answers before the server ends",

@@ -13,8 +13,8 @@
 namespace talus::server {
 
 /// Puts answers into their mailboxes and wakes the owners, in batches: waking a thread costs as much as
-/// generating many a chunk, and on a busy core it takes the generator's place. For one thread and one piece of
-/// work, whose last answers it tells when it is destroyed.
+/// generating many a chunk, and on a busy core it takes the generator's place. For one thread and one piece
+/// of work, whose last answers it tells when it is destroyed.
 class AnswerBatcher {
  public:
   /// From one wake-up to the next: some fifty chunks. No player sees it.

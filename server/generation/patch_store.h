@@ -1,11 +1,11 @@
 // Stacks of patches in memory, bounded in bytes: found, made, and turned into chunks before they go. Callable
 // from any thread.
 //
-// A chunk is a fiftieth of what its part of the patch takes. So when a piece of work on a patch ends, those of
-// its mixed chunks that somebody looks at, or comes to look at soon, are extracted into the chunk cache, and
-// the patch is let go: the next is made in its memory, which is still in the processor's cache. A patch stays
-// that was dear to make, that no View has, or that has more rows than are extracted; and what is wanted of it
-// is extracted when it is evicted.
+// A chunk is a fiftieth of what its part of the patch takes. So when a piece of work on a patch ends, those
+// of its mixed chunks that somebody looks at, or comes to look at soon, are extracted into the chunk cache,
+// and the patch is let go: the next is made in its memory, which is still in the processor's cache. A patch
+// stays that was dear to make, that no View has, or that has more rows than are extracted; and what is wanted
+// of it is extracted when it is evicted.
 #pragma once
 
 #include <chrono>
@@ -78,8 +78,8 @@ class PatchStore {
   /// for. `measured` gets what it took.
   [[nodiscard]] Loan obtain(const PatchKey& patch, std::span<const ChunkKey> asked, const GoOn& go_on,
                             MeasuredWork& measured);
-  /// Extracts what Views want of the patch, lets it go where nothing more is, and extracts what was evicted for
-  /// it: call it when nobody waits for this thread any more.
+  /// Extracts what Views want of the patch, lets it go where nothing more is, and extracts what was evicted
+  /// for it: call it when nobody waits for this thread any more.
   void finish(const Loan& loan, MeasuredWork& measured);
 
   /// Takes no time: call fit() until all fits.

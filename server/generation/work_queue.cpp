@@ -78,7 +78,8 @@ std::size_t WorkQueue::add(const MailboxPtr& mailbox, std::span<const ChunkKey> 
 void WorkQueue::add(const MailboxPtr& mailbox, ChunkKey key, const PatchKey& patch, PatchWork& work) {
   Job* const taken = work.taken.find(key);
   if (taken != nullptr) {
-    if (waiter_of(taken->waiters, mailbox->owner()) == taken->waiters.end()) taken->waiters.push_back(mailbox);
+    if (waiter_of(taken->waiters, mailbox->owner()) == taken->waiters.end())
+      taken->waiters.push_back(mailbox);
     return;
   }
   Job* job = work.waiting.find(key);

@@ -54,7 +54,8 @@ class WorkQueue {
 
   /// Lets the mailbox's owner wait for the chunks; for each once, however often it asks. Returns how many,
   /// from the first on: it ends at the first that needs a new job where there is no room for one, or where
-  /// `new_jobs` is false. Throws std::bad_alloc, and then the owner waits for those before the one that failed.
+  /// `new_jobs` is false. Throws std::bad_alloc, and then the owner waits for those before the one that
+  /// failed.
   [[nodiscard]] std::size_t add(const MailboxPtr& mailbox, std::span<const ChunkKey> keys,
                                 bool new_jobs = true);
   void add(HeightsTask task);

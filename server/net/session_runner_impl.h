@@ -231,7 +231,8 @@ void SessionRunner<S>::apply_view() {
   const auto used_before = clock_.thread_cpu();
   const auto dropped = static_cast<std::int64_t>(session_.apply_view());
   const auto found = static_cast<std::int64_t>(pump());
-  // Chunks that it was given from memory are no View's cost but a delivery's, unless the next View drops them.
+  // Chunks that it was given from memory are no View's cost but a delivery's, unless the next View drops
+  // them.
   const auto used = clock_.thread_cpu() - used_before;
   const auto cost = std::max(used - found * kFoundChunk, used / 8) + dropped * kFoundChunk;
   view_throttle_.applied(began, cost);

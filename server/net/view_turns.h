@@ -1,6 +1,6 @@
 // Whose View a thread applies next. A View may cost milliseconds, in which the thread hears nobody: so all
-// Views together get a quarter of its time, which flows share in turns. Chunks that a View finds in memory are
-// sent, which rates bound: they are no cost of the View, but of the next one if that drops them.
+// Views together get a quarter of its time, which flows share in turns. Chunks that a View finds in memory
+// are sent, which rates bound: they are no cost of the View, but of the next one if that drops them.
 #pragma once
 
 #include <chrono>

@@ -1,6 +1,7 @@
 // Who of one session waits for a chunk from the source: the View, requests, or both. No I/O.
 //
-// Invariant: the session has submitted each chunk here to its source, has not cancelled it, and had no answer.
+// Invariant: the session has submitted each chunk here to its source, has not cancelled it, and had no
+// answer.
 #pragma once
 
 #include <cstddef>
@@ -53,8 +54,8 @@ class ChunkWaits {
     std::erase(found->second.requests, request);
     return erase_if_unwanted(found);
   }
-  /// The View waits for the chunk no more, which is expected all the same, as its answer is on its way. Returns
-  /// whether it was waited for.
+  /// The View waits for the chunk no more, which is expected all the same, as its answer is on its way.
+  /// Returns whether it was waited for.
   bool end_view(ChunkKey key) {
     const auto found = waits_.find(key);
     if (found == waits_.end()) return false;

@@ -131,7 +131,8 @@ class Delivery {
   /// and is in neither; null: none is.
   void tell_column(ChunkKey column, const MixedRows& rows, const ChunkKey* answered);
 
-  /// Of chunks that left the View none is waited for, and none is sent. Returns how many waited for the client.
+  /// Of chunks that left the View none is waited for, and none is sent. Returns how many waited for the
+  /// client.
   std::size_t drop_what_left_view();
 
   const SessionContext& context_;
@@ -146,7 +147,7 @@ class Delivery {
   std::size_t found_ = 0;  // chunks that were in memory since start_work() began
   std::uint64_t heights_asked_ = 0;
   std::vector<ChunkKey> to_submit_;  // while start_view_chunk() runs
-  bool queue_full_ = false;  // the View waits for mail before it submits again
+  bool queue_full_ = false;          // the View waits for mail before it submits again
 };
 
 }  // namespace talus::server

@@ -1,6 +1,7 @@
 #include "view/view_stream.h"
 
 #include <algorithm>
+#include <functional>
 #include <utility>
 
 namespace talus::server {
@@ -18,7 +19,7 @@ void ViewStream::replace(AreaOfInterest wanted, std::span<const AreaOfInterest> 
   states_ = std::move(states);
   interest_ = std::move(wanted);
 
-  near_ = {};
+  near_.clear();
   near_end_ = 0;
   far_.clear();
   in_flight_ = 0;
@@ -39,7 +40,7 @@ void ViewStream::replace(AreaOfInterest wanted, std::span<const AreaOfInterest> 
 std::optional<ChunkKey> ViewStream::nearest() {
   refill_near();
   if (near_.empty()) return std::nullopt;
-  return interest_.ranked(near_.top()).first;
+  return interest_.ranked(near_.back()).first;
 }
 
 void ViewStream::start(ChunkKey key) {
@@ -55,14 +56,14 @@ bool ViewStream::unlist(AreaOfInterest::Place place) {
 
 void ViewStream::refill_near() {
   for (;;) {
-    while (!near_.empty() && !unlist(AreaOfInterest::place_of_rank(near_.top()))) near_.pop();
+    while (!near_.empty() && !unlist(AreaOfInterest::place_of_rank(near_.back()))) near_.pop_back();
     if (!near_.empty() || far_.empty()) return;
     move_near();
   }
 }
 
 void ViewStream::move_near() {
-  const std::size_t some = std::min(far_.size(), std::max(kMinSorted, far_.size() / 16));
+  const std::size_t some = std::min(far_.size(), std::max(kMinSorted, far_.size() / 8));
   if (some == 0) return;
   // Farthest first, so that the nearest are taken off the end. A ring of equal distance is never split.
   const auto nth = far_.end() - static_cast<std::ptrdiff_t>(some);
@@ -73,8 +74,9 @@ void ViewStream::move_near() {
   for (auto coarse = near; coarse != far_.end(); ++coarse) {
     if (!unlist(AreaOfInterest::place_of_rank(*coarse))) continue;
     const auto [key, place] = interest_.ranked(*coarse);
-    near_.push(interest_.rank(key, place));
+    near_.push_back(interest_.rank(key, place));
   }
+  std::sort(near_.begin(), near_.end(), std::greater<>{});
   far_.erase(near, far_.end());
 }
 
@@ -84,7 +86,8 @@ void ViewStream::put_back(ChunkKey key) {
   if (std::exchange(states_[place], State::to_send) == State::in_flight) return;  // it is listed
   const std::uint64_t coarse = interest_.coarse_priority(key, place);
   if (coarse < near_end_) {
-    near_.push(interest_.rank(key, place));
+    const std::uint64_t rank = interest_.rank(key, place);
+    near_.insert(std::lower_bound(near_.begin(), near_.end(), rank, std::greater<>{}), rank);
   } else {
     far_.push_back(coarse);
   }

@@ -4,9 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <optional>
-#include <queue>
 #include <span>
 #include <vector>
 
@@ -91,7 +89,7 @@ class ViewStream {
   [[nodiscard]] std::size_t in_flight_count() const { return in_flight_; }
   /// Memory held, roughly.
   [[nodiscard]] std::size_t bytes() const {
-    return states_.capacity() * sizeof(State) + (far_.capacity() + near_.size()) * sizeof(std::uint64_t);
+    return states_.capacity() * sizeof(State) + (far_.capacity() + near_.capacity()) * sizeof(std::uint64_t);
   }
 
  private:
@@ -108,8 +106,6 @@ class ViewStream {
   /// Moves the nearest rings of far_ to near_.
   void move_near();
 
-  using Ranks = std::priority_queue<std::uint64_t, std::vector<std::uint64_t>, std::greater<>>;
-
   AreaOfInterest interest_;
   std::vector<State> states_;  // by place
   std::size_t left_ = 0;       // of them, not done
@@ -117,9 +113,9 @@ class ViewStream {
 
   // The chunks to be sent, and some that no longer are. A View can be large, and is mostly replaced before
   // it is sent whole: only the nearest rings are sorted exactly, the others when their turn comes.
-  Ranks near_;
-  std::vector<std::uint64_t> far_;  // coarse priorities
-  std::uint64_t near_end_ = 0;      // the coarse priority at which far_ begins
+  std::vector<std::uint64_t> near_;  // ranks, the nearest last
+  std::vector<std::uint64_t> far_;   // coarse priorities
+  std::uint64_t near_end_ = 0;       // the coarse priority at which far_ begins
 
   std::size_t in_flight_ = 0;
 };

@@ -363,7 +363,8 @@ TEST_CASE("a job that is cancelled makes room for a client that was refused") {
   CHECK(fake.work->chunks == 1);
 }
 
-TEST_CASE("a flow that fills its part of the queue keeps no other out, and who waits for nothing is told of room") {
+TEST_CASE(
+    "a flow that fills its part of the queue keeps no other out, and who waits for nothing is told of room") {
   // Without start(): jobs end by cancellation, so all happens in this thread.
   constexpr std::int32_t kJobs = 400;
   Metrics metrics;

@@ -449,7 +449,8 @@ TEST_CASE("chunks that a UniformColumn answered are not answered again when they
   CHECK(kinds(bench.run_dry()) == Kinds{Body::Chunk, Body::Chunk});
 }
 
-TEST_CASE("a chunk that a UniformColumn answered is sent when it leaves the View and comes back before it came") {
+TEST_CASE(
+    "a chunk that a UniformColumn answered is sent when it leaves the View and comes back before it came") {
   SessionBench bench;
   bench.look_at(0, 0, 1);
   bench.source.rows = {0, 0, kRock};

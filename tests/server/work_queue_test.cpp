@@ -337,7 +337,8 @@ TEST_CASE("a client that waits for nothing is not refused, and gets all that it 
   CHECK(add(queue, client, at(50)));
 }
 
-TEST_CASE("where no new jobs are taken a client may wait for those that are there, up to the first that is not") {
+TEST_CASE(
+    "where no new jobs are taken a client may wait for those that are there, up to the first that is not") {
   WorkQueue queue{kPatch, 100, 1};
   REQUIRE(add(queue, client_box(), at(0)));
   REQUIRE(add(queue, client_box(), at(1)));
@@ -353,8 +354,8 @@ TEST_CASE("jobs of one patch end in any order") {
     for (std::int32_t x = 0; x < 60; ++x) keys.push_back(at(x));
     RC_ASSERT(queue.add(client, keys) == keys.size());
     const bool taken = *rc::gen::arbitrary<bool>();
-    const auto order = *rc::gen::container<std::vector<std::size_t>>(
-        rc::gen::inRange<std::size_t>(0, keys.size()));
+    const auto order =
+        *rc::gen::container<std::vector<std::size_t>>(rc::gen::inRange<std::size_t>(0, keys.size()));
     if (taken) RC_ASSERT(take_batch(queue).keys == keys);
     std::set<ChunkKey> left{keys.begin(), keys.end()};
     for (const std::size_t index : order) {
