@@ -54,7 +54,8 @@ class ChunkSource {
 
   /// Lets the mailbox's owner wait for the chunks: one ChunkReady comes for each. Returns how many, from the
   /// first on; the others are refused, as the queue is full or memory short. For those no answer comes; but
-  /// where the owner waits for nothing else, a QueueHasRoom does when it is worth another try.
+  /// where the owner waits for nothing else, a QueueHasRoom does when it is worth another try. Who cancels
+  /// the last of what it waits for tries again by itself.
   [[nodiscard]] virtual std::size_t submit(const MailboxPtr& mailbox, std::span<const ChunkKey> keys) = 0;
   /// An answer already in the mailbox may still be found there.
   virtual void cancel(ClientId client, std::span<const ChunkKey> keys) = 0;

@@ -5,6 +5,7 @@
 // wake() while one is pending does nothing.
 #pragma once
 
+#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -96,6 +97,11 @@ class Mailbox {
     }
   }
 
+  /// Any thread. There is no memory for mail that the owner waits for.
+  void lose() noexcept { lost_ = true; }
+  /// Whether mail was lost: what the owner waits for may never come.
+  [[nodiscard]] bool has_lost() const noexcept { return lost_; }
+
   /// The owner's thread. All that waits, oldest first.
   [[nodiscard]] std::vector<Mail> take() {
     const std::lock_guard lock{mutex_};
@@ -110,6 +116,7 @@ class Mailbox {
   std::mutex mutex_;
   std::vector<Mail> mail_;
   bool woken_ = false;
+  std::atomic<bool> lost_{false};
 };
 using MailboxPtr = std::shared_ptr<Mailbox>;
 

@@ -8,9 +8,9 @@ namespace talus::server {
 namespace {
 
 // One client's trouble must not keep the answers from the others, nor end the thread. What failed for want of
-// memory is tried again: much may be free a moment later.
+// memory is tried again, as much may be free a moment later; the mailbox learns of what is lost then.
 template <typename Step>
-void log_failure(const Logger& log, Step&& step) {
+void do_or_lose(Mailbox& mailbox, const Logger& log, Step&& step) {
   try {
     try {
       step();
@@ -18,6 +18,7 @@ void log_failure(const Logger& log, Step&& step) {
       step();
     }
   } catch (const std::exception& error) {
+    mailbox.lose();
     log->error("an answer could not be delivered: {}", error.what());
   }
 }
@@ -26,15 +27,15 @@ void log_failure(const Logger& log, Step&& step) {
 
 void AnswerBatcher::add(const std::vector<MailboxPtr>& waiters, ChunkKey key, const ChunkAnswer& answer) {
   for (const MailboxPtr& waiter : waiters) {
-    log_failure(log_, [&] { mail_[waiter].emplace_back(ChunkReady{key, answer}); });
+    do_or_lose(*waiter, log_, [&] { mail_[waiter].emplace_back(ChunkReady{key, answer}); });
   }
   if (!mail_.empty() && clock_.now() - woke_ >= kInterval) wake();
 }
 
 void AnswerBatcher::wake() {
   for (auto& each : mail_) {
-    log_failure(log_, [&] { each.first->put(std::move(each.second)); });
-    log_failure(log_, [&] { each.first->wake(); });
+    do_or_lose(*each.first, log_, [&] { each.first->put(std::move(each.second)); });
+    do_or_lose(*each.first, log_, [&] { each.first->wake(); });
   }
   mail_.clear();
   woke_ = clock_.now();
@@ -42,11 +43,11 @@ void AnswerBatcher::wake() {
 
 void deliver(const MailboxPtr& mailbox, Mail mail, const Logger& log) {
   std::vector<Mail> letters;
-  log_failure(log, [&] { letters.reserve(1); });
+  do_or_lose(*mailbox, log, [&] { letters.reserve(1); });
   if (letters.capacity() == 0) return;
   letters.push_back(std::move(mail));
-  log_failure(log, [&] { mailbox->put(std::move(letters)); });
-  log_failure(log, [&] { mailbox->wake(); });
+  do_or_lose(*mailbox, log, [&] { mailbox->put(std::move(letters)); });
+  do_or_lose(*mailbox, log, [&] { mailbox->wake(); });
 }
 
 }  // namespace talus::server

@@ -25,7 +25,7 @@ class AnswerBatcher {
   AnswerBatcher(const AnswerBatcher&) = delete;
   AnswerBatcher& operator=(const AnswerBatcher&) = delete;
 
-  /// A waiter for whom there is no memory goes without, which the log says.
+  /// A waiter for whom there is no memory goes without, which its mailbox and the log say.
   void add(const std::vector<MailboxPtr>& waiters, ChunkKey key, const ChunkAnswer& answer);
   /// Tells all that was added since the last time.
   void wake();

@@ -131,7 +131,7 @@ void GenerationPool::work() {
     std::optional<WorkQueue::Work> work;
     try {
       work = queue_.take(costs());
-    } catch (const std::bad_alloc&) {
+    } catch (const std::exception&) {
       work_waits_.wait_for(lock, kMemoryRetry);
       continue;
     }
@@ -183,9 +183,14 @@ void GenerationPool::end(WorkQueue::Work& work, const MeasuredWork& measured, st
 
 void GenerationPool::fail(const WorkQueue::Batch& batch) {
   try {
-    answer(batch, [](std::size_t) -> ChunkAnswer { return tl::make_unexpected(kOutOfMemory); });
+    answer(batch.keys, [](std::size_t) -> ChunkAnswer { return tl::make_unexpected(kOutOfMemory); });
   } catch (const std::exception& error) {
     log_->error("{} chunks are not answered: {}", batch.keys.size(), error.what());
+    const std::lock_guard lock{mutex_};
+    for (const ChunkKey key : batch.keys) {
+      if (!queue_.begin(key)) continue;
+      for (const MailboxPtr& waiter : queue_.finish(key)) waiter->lose();
+    }
   }
 }
 
@@ -201,42 +206,49 @@ void GenerationPool::run(const WorkQueue::Batch& batch, MeasuredWork& measured) 
     if (dropped) parts_.metrics.jobs_cancelled.add(batch.keys.size());
     return !dropped;
   });
-  // Made since they were asked for, or known by their columns now.
+  // Those that were made since they were asked for wait for nothing.
+  std::vector<ChunkKey> keys;
   std::vector<EncodedChunkPtr> known;
-  for (const ChunkKey key : batch.keys) known.push_back(parts_.maker.known(key));
-  if (std::find(known.begin(), known.end(), nullptr) == known.end()) {
-    return answer(batch, [&](std::size_t index) { return known[index]; });
+  std::vector<ChunkKey> to_make;
+  for (const ChunkKey key : batch.keys) {
+    if (EncodedChunkPtr chunk = parts_.maker.known(key)) {
+      keys.push_back(key);
+      known.push_back(std::move(chunk));
+    } else {
+      to_make.push_back(key);
+    }
   }
-  const PatchStore::Loan loan = parts_.patches.obtain(batch.patch, batch.keys, go_on, measured);
+  answer(keys, [&](std::size_t index) { return known[index]; });
+  if (to_make.empty()) return;
+  const PatchStore::Loan loan = parts_.patches.obtain(batch.patch, to_make, go_on, measured);
   if (dropped || loan.given_up) return;
   const auto began = parts_.clock.thread_cpu();
-  answer(batch, [&](std::size_t index) -> ChunkAnswer {
-    const ChunkKey key = batch.keys[index];
-    if (known[index] == nullptr) known[index] = parts_.maker.known(key);
-    if (known[index] != nullptr) return known[index];
+  answer(to_make, [&](std::size_t index) -> ChunkAnswer {
+    if (EncodedChunkPtr chunk = parts_.maker.known(to_make[index])) return chunk;
     ++measured.chunks;
-    return parts_.maker.chunk(loan.stacks.get(), key);
+    return parts_.maker.chunk(loan.stacks.get(), to_make[index]);
   });
   measured.chunk_time += parts_.clock.thread_cpu() - began;
   parts_.patches.finish(loan, measured);
 }
 
 template <typename Chunk>
-void GenerationPool::answer(const WorkQueue::Batch& batch, Chunk&& chunk) {
+void GenerationPool::answer(std::span<const ChunkKey> keys, Chunk&& chunk) {
   struct Answered {
-    std::size_t index;
+    std::size_t index = 0;
     ChunkAnswer answer;
-    std::vector<MailboxPtr> waiters;
+    std::vector<MailboxPtr> waiters{};
   };
   AnswerBatcher answers{log_, parts_.clock};
   std::vector<Answered> some;
-  for (std::size_t next = 0; next < batch.keys.size();) {
+  some.reserve(std::min(keys.size(), kChunksAtOnce));
+  for (std::size_t next = 0; next < keys.size();) {
     {
       const std::lock_guard lock{mutex_};
       if (stopping_) return;
-      for (; next < batch.keys.size() && some.size() < kChunksAtOnce; ++next) {
-        if (queue_.begin(batch.keys[next])) {
-          some.push_back({next, nullptr, {}});
+      for (std::size_t looks = 0; looks < kChunksAtOnce && next < keys.size(); ++looks, ++next) {
+        if (queue_.begin(keys[next])) {
+          some.push_back({next, nullptr});
         } else {
           parts_.metrics.jobs_cancelled.add();
         }
@@ -245,9 +257,9 @@ void GenerationPool::answer(const WorkQueue::Batch& batch, Chunk&& chunk) {
     for (Answered& each : some) each.answer = chunk(each.index);
     {
       const std::lock_guard lock{mutex_};
-      for (Answered& each : some) each.waiters = queue_.finish(batch.keys[each.index]);
+      for (Answered& each : some) each.waiters = queue_.finish(keys[each.index]);
     }
-    for (const Answered& each : some) answers.add(each.waiters, batch.keys[each.index], each.answer);
+    for (const Answered& each : some) answers.add(each.waiters, keys[each.index], each.answer);
     some.clear();
   }
 }
@@ -316,7 +328,7 @@ std::vector<MailboxPtr> GenerationPool::clients_with_room() {
     if (queue_.jobs() == 0) return refused_.take_all();
     return refused_.take(kFlowsToTell, [this](FlowId flow) { return queue_.has_room(flow); });
   } catch (const std::bad_alloc&) {
-    return {};  // they are told later
+    return {};  // they are told when the next piece of work ends
   }
 }
 

@@ -77,9 +77,9 @@ class GenerationPool {
   void run(const WorkQueue::Batch& batch, MeasuredWork& measured);
   /// A part of the task, for a bounded time.
   void run(HeightsTask& task, MeasuredWork& measured);
-  /// Those of the batch that are still waited for, by chunk(their index).
+  /// Those of a batch's keys that are still waited for, by chunk(their index).
   template <typename Chunk>
-  void answer(const WorkQueue::Batch& batch, Chunk&& chunk);
+  void answer(std::span<const ChunkKey> keys, Chunk&& chunk);
   /// Answers by a failure what of it was not answered.
   void fail(const WorkQueue::Batch& batch);
   void fail(HeightsTask& task);

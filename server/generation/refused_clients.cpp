@@ -5,10 +5,19 @@ namespace talus::server {
 void RefusedClients::remember(const MailboxPtr& mailbox) {
   if (clients_.contains(mailbox->owner())) return;
   if (clients_.size() >= look_at_size_) forget_dead();
-  auto& refused = by_flow_[mailbox->flow()];
-  if (refused.empty()) order_.push_back(mailbox->flow());
-  refused.push_back({mailbox->owner(), mailbox});
+  std::list<FlowId> place{mailbox->flow()};
   clients_.insert(mailbox->owner());
+  try {
+    auto& refused = by_flow_[mailbox->flow()];
+    refused.push_back({mailbox->owner(), mailbox});
+    if (refused.size() == 1) order_.splice(order_.end(), place);
+  } catch (...) {
+    clients_.erase(mailbox->owner());
+    if (const auto flow = by_flow_.find(mailbox->flow()); flow != by_flow_.end() && flow->second.empty()) {
+      by_flow_.erase(flow);
+    }
+    throw;
+  }
 }
 
 MailboxPtr RefusedClients::take_first(FlowId flow) {
@@ -25,10 +34,12 @@ MailboxPtr RefusedClients::take_first(FlowId flow) {
 
 std::vector<MailboxPtr> RefusedClients::take_all() {
   std::vector<MailboxPtr> taken;
+  taken.reserve(clients_.size());
   while (!order_.empty()) {
-    for (MailboxPtr& mailbox : take(order_.size(), [](FlowId) { return true; })) {
-      taken.push_back(std::move(mailbox));
+    while (by_flow_.contains(order_.front())) {
+      if (MailboxPtr mailbox = take_first(order_.front())) taken.push_back(std::move(mailbox));
     }
+    order_.pop_front();
   }
   return taken;
 }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <deque>
+#include <list>
 #include <memory>
 #include <unordered_map>
 #include <unordered_set>
@@ -19,7 +20,7 @@ namespace talus::server {
 /// looked at in turns; of each its clients come in the order in which they were refused.
 class RefusedClients {
  public:
-  /// No effect where the owner is remembered already.
+  /// No effect where the owner is remembered already. Throws std::bad_alloc, and then has changed nothing.
   void remember(const MailboxPtr& mailbox);
 
   /// Looks at the next `flows` flows, and takes one client of each for which has_room(flow) is true.
@@ -29,11 +30,14 @@ class RefusedClients {
     taken.reserve(std::min(flows, order_.size()));  // who was taken is not lost
     for (std::size_t left = std::min(flows, order_.size()); left > 0; --left) {
       const FlowId flow = order_.front();
-      order_.pop_front();
       if (has_room(flow)) {
         if (MailboxPtr mailbox = take_first(flow)) taken.push_back(std::move(mailbox));
       }
-      if (by_flow_.contains(flow)) order_.push_back(flow);
+      if (by_flow_.contains(flow)) {
+        order_.splice(order_.end(), order_, order_.begin());
+      } else {
+        order_.pop_front();
+      }
     }
     return taken;
   }
@@ -53,7 +57,7 @@ class RefusedClients {
   void forget_dead();
 
   std::unordered_map<FlowId, std::deque<Refused>> by_flow_;  // none is empty
-  std::deque<FlowId> order_;                                 // of by_flow_, the next first
+  std::list<FlowId> order_;                                  // of by_flow_, the next first
   std::unordered_set<ClientId> clients_;                     // of by_flow_
   std::size_t look_at_size_ = 64;                            // when to look for dead ones again
 };

@@ -22,9 +22,12 @@ bool WorkQueue::may_add(const Mailbox& mailbox) const {
 }
 
 WorkQueue::Job* WorkQueue::Jobs::find(ChunkKey key) {
-  const auto open = keys.begin() + static_cast<std::ptrdiff_t>(ended);
-  const auto found = std::find(open, keys.end(), key);
-  return found == keys.end() ? nullptr : &jobs[static_cast<std::size_t>(found - keys.begin())];
+  for (std::size_t from = first;; ++from) {
+    const auto begin = keys.begin() + static_cast<std::ptrdiff_t>(from);
+    from = static_cast<std::size_t>(std::find(begin, keys.end(), key) - keys.begin());
+    if (from == keys.size()) return nullptr;
+    if (!jobs[from].ended) return &jobs[from];
+  }
 }
 
 void WorkQueue::Jobs::reserve(std::size_t more) {
@@ -38,52 +41,60 @@ void WorkQueue::Jobs::add(ChunkKey key, Job job) {
   reserve(1);
   jobs.push_back(std::move(job));
   keys.push_back(key);
+  ++open;
 }
 
-void WorkQueue::Jobs::remove(const Job& job) {
-  const auto index = &job - jobs.data();
-  if (static_cast<std::size_t>(index) != ended) {
-    jobs.erase(jobs.begin() + index);
-    keys.erase(keys.begin() + index);
-    return;
+// Those that are ended go when they are more than the others: in all each moves once.
+void WorkQueue::Jobs::end(Job& job) {
+  job.ended = true;
+  --open;
+  while (first < jobs.size() && jobs[first].ended) ++first;
+  if (jobs.size() < 32 || 2 * open > jobs.size()) return;
+  std::size_t kept = 0;
+  for (std::size_t i = first; i < jobs.size(); ++i) {
+    if (jobs[i].ended) continue;
+    if (kept != i) {
+      jobs[kept] = std::move(jobs[i]);
+      keys[kept] = keys[i];
+    }
+    ++kept;
   }
-  if (++ended < 16 || 2 * ended < jobs.size()) return;
-  const auto gone = static_cast<std::ptrdiff_t>(std::exchange(ended, 0));
-  jobs.erase(jobs.begin(), jobs.begin() + gone);
-  keys.erase(keys.begin(), keys.begin() + gone);
+  jobs.erase(jobs.begin() + static_cast<std::ptrdiff_t>(kept), jobs.end());
+  keys.erase(keys.begin() + static_cast<std::ptrdiff_t>(kept), keys.end());
+  first = 0;
 }
 
 std::size_t WorkQueue::add(const MailboxPtr& mailbox, std::span<const ChunkKey> keys, bool new_jobs) {
   const bool own = waiting_of(mailbox->owner()) < own_jobs_;
   std::size_t added = 0;
   auto patch = patches_.end();
-  for (const ChunkKey key : keys) {
-    const PatchKey patch_key = patch_of(key, patch_tiles_);
-    if (patch == patches_.end() || patch->first != patch_key) patch = patches_.find(patch_key);
-    const bool known = patch != patches_.end() && (patch->second.taken.find(key) != nullptr ||
-                                                   patch->second.waiting.find(key) != nullptr);
-    if (!known && (!new_jobs || !(own || may_add(*mailbox)))) break;
-    if (patch == patches_.end()) patch = patches_.try_emplace(patch_key).first;
-    try {
-      add(mailbox, key, patch->first, patch->second);
-    } catch (...) {
-      drop_if_unused(patch);
-      throw;
+  try {
+    for (const ChunkKey key : keys) {
+      const PatchKey patch_key = patch_of(key, patch_tiles_);
+      if (patch == patches_.end() || patch->first != patch_key) patch = patches_.find(patch_key);
+      const bool known = patch != patches_.end();
+      Job* const taken = known ? patch->second.taken.find(key) : nullptr;
+      Job* const waiting = known && taken == nullptr ? patch->second.waiting.find(key) : nullptr;
+      if (taken != nullptr) {
+        if (waiter_of(taken->waiters, mailbox->owner()) == taken->waiters.end()) {
+          taken->waiters.push_back(mailbox);
+        }
+      } else {
+        if (waiting == nullptr && (!new_jobs || !(own || may_add(*mailbox)))) break;
+        if (!known) patch = patches_.try_emplace(patch_key).first;
+        add(mailbox, key, patch->first, patch->second, waiting);
+      }
+      ++added;
     }
-    ++added;
+  } catch (const std::bad_alloc&) {
+    if (patch != patches_.end()) drop_if_unused(patch);
   }
   return added;
 }
 
-void WorkQueue::add(const MailboxPtr& mailbox, ChunkKey key, const PatchKey& patch, PatchWork& work) {
-  Job* const taken = work.taken.find(key);
-  if (taken != nullptr) {
-    if (waiter_of(taken->waiters, mailbox->owner()) == taken->waiters.end())
-      taken->waiters.push_back(mailbox);
-    return;
-  }
-  Job* job = work.waiting.find(key);
-  if (job != nullptr && waiter_of(job->waiters, mailbox->owner()) != job->waiters.end()) return;
+void WorkQueue::add(const MailboxPtr& mailbox, ChunkKey key, const PatchKey& patch, PatchWork& work,
+                    Job* waiting) {
+  if (waiting != nullptr && waiter_of(waiting->waiters, mailbox->owner()) != waiting->waiters.end()) return;
   Client& client = enter(*mailbox);
   const bool first_of_patch = !client.jobs.contains(patch);
   try {
@@ -91,14 +102,14 @@ void WorkQueue::add(const MailboxPtr& mailbox, ChunkKey key, const PatchKey& pat
     Flow& flow = flows_[mailbox->flow()];
     std::uint32_t& jobs = client.jobs.try_emplace(patch, 0).first->second;
     Job added{mailbox->flow(), {mailbox}};
-    job == nullptr ? work.waiting.reserve(1) : job->waiters.reserve(job->waiters.size() + 1);
+    waiting == nullptr ? work.waiting.reserve(1) : waiting->waiters.reserve(waiting->waiters.size() + 1);
     if (first_of_patch) client.order.push_back(patch);
-    if (job == nullptr) {
+    if (waiting == nullptr) {
       work.waiting.add(key, std::move(added));
       ++flow.jobs;
       ++jobs_;
     } else {
-      job->waiters.push_back(mailbox);
+      waiting->waiters.push_back(mailbox);
     }
     ++jobs;
     ++client.waiting;
@@ -111,7 +122,14 @@ void WorkQueue::add(const MailboxPtr& mailbox, ChunkKey key, const PatchKey& pat
 }
 
 void WorkQueue::add(HeightsTask task) {
-  enter(*task.mailbox()).heights.push_back(std::move(task));
+  const ClientId owner = task.mailbox()->owner();
+  Client& client = enter(*task.mailbox());
+  try {
+    client.heights.push_back(std::move(task));
+  } catch (...) {
+    drop_if_done(clients_.find(owner));
+    throw;
+  }
 }
 
 void WorkQueue::cancel(ClientId client, ChunkKey key) {
@@ -123,11 +141,13 @@ void WorkQueue::cancel(ClientId client, ChunkKey key) {
   if (job == nullptr) return;
   const auto waiter = waiter_of(job->waiters, client);
   if (waiter == job->waiters.end()) return;
-  job->waiters.erase(waiter);
-  const auto counts = [&](const MailboxPtr& each) { return each->flow() == job->flow; };
-  if (!job->waiters.empty() && std::none_of(job->waiters.begin(), job->waiters.end(), counts)) {
-    move(*job, job->waiters.front()->flow());
+  const auto stays = [&](const MailboxPtr& each) { return each->owner() != client; };
+  const auto counts = [&](const MailboxPtr& each) { return stays(each) && each->flow() == job->flow; };
+  if (std::none_of(job->waiters.begin(), job->waiters.end(), counts)) {
+    const auto other = std::find_if(job->waiters.begin(), job->waiters.end(), stays);
+    if (other != job->waiters.end()) move(*job, (*other)->flow());  // which may throw
   }
+  job->waiters.erase(waiter);
   if (taken != nullptr) return;  // begin() or finish() ends it
 
   leave(client, patch->first);
@@ -144,9 +164,14 @@ void WorkQueue::cancel_heights(ClientId client, std::uint64_t ticket) {
   drop_if_done(found);
 }
 
-void WorkQueue::put_back(HeightsTask task) {
+void WorkQueue::put_back(HeightsTask&& task) {
   Client& client = enter(*task.mailbox());
-  if (std::erase(client.taken_heights, task.ticket()) > 0) client.heights.push_front(std::move(task));
+  const auto taken = std::find(client.taken_heights.begin(), client.taken_heights.end(), task.ticket());
+  if (taken == client.taken_heights.end()) return;
+  // First what may throw.
+  client.heights.emplace_front(task.mailbox(), task.ticket(), std::vector<terrain::BaseColumn>{});
+  client.heights.front() = std::move(task);
+  client.taken_heights.erase(taken);
 }
 
 std::optional<WorkQueue::Work> WorkQueue::take(const WorkCosts& costs) {
@@ -224,24 +249,25 @@ std::size_t WorkQueue::clients() const {
 
 bool WorkQueue::begin(ChunkKey key) {
   Jobs& taken = patches_.at(patch_of(key, patch_tiles_)).taken;
-  Job& job = *taken.find(key);
-  if (!job.waiters.empty()) return true;
-  (void)erase(taken, job);
+  Job* const job = taken.find(key);
+  if (job == nullptr) return false;
+  if (!job->waiters.empty()) return true;
+  (void)erase(taken, *job);
   return false;
 }
 
 bool WorkQueue::drop_unwanted(const Batch& batch) {
   PatchWork& work = patches_.at(batch.patch);
   if (!work.waiting.empty()) return false;
-  for (std::size_t i = work.taken.ended; i < work.taken.jobs.size(); ++i) {
-    if (!work.taken.jobs[i].waiters.empty()) return false;
+  for (const Job& job : work.taken.jobs) {
+    if (!job.waiters.empty()) return false;
   }
   end_taken(work);
   return true;
 }
 
 void WorkQueue::end_taken(PatchWork& work) {
-  while (!work.taken.empty()) (void)erase(work.taken, work.taken.jobs[work.taken.ended]);
+  while (!work.taken.empty()) (void)erase(work.taken, work.taken.jobs[work.taken.first]);
 }
 
 bool WorkQueue::is_wanted(const HeightsTask& task) const {
@@ -266,7 +292,7 @@ std::vector<MailboxPtr> WorkQueue::erase(Jobs& jobs, Job& job) {
   drop_if_unused(job.flow);
   --jobs_;
   std::vector<MailboxPtr> waiters = std::move(job.waiters);
-  jobs.remove(job);
+  jobs.end(job);
   return waiters;
 }
 
@@ -313,14 +339,14 @@ void WorkQueue::drop_if_done(Clients::iterator client) {
 WorkQueue::Batch WorkQueue::take_patch(const PatchKey& patch, ClientId client) {
   PatchWork& work = patches_.at(patch);
   Jobs& waiting = work.waiting;
-  work.taken.reserve(waiting.jobs.size() - waiting.ended);
+  work.taken.reserve(waiting.open);
   Batch batch{patch, {}};
-  batch.keys.reserve(waiting.jobs.size() - waiting.ended);
+  batch.keys.reserve(waiting.open);
   // First those for which the turn's client waits.
   for (const bool is_clients : {true, false}) {
-    for (std::size_t i = waiting.ended; i < waiting.jobs.size(); ++i) {
+    for (std::size_t i = waiting.first; i < waiting.jobs.size(); ++i) {
       Job& job = waiting.jobs[i];
-      if (job.waiters.empty()) continue;  // it was among the first
+      if (job.waiters.empty()) continue;  // it is ended, or was among the first
       if (is_clients && waiter_of(job.waiters, client) == job.waiters.end()) continue;
       for (const MailboxPtr& waiter : job.waiters) leave(waiter->owner(), patch);
       work.taken.add(waiting.keys[i], std::move(job));

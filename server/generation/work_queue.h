@@ -48,8 +48,8 @@ class WorkQueue {
     FlowUsePtr flow_use{};    // to which it is to be added
   };
 
-  /// Never more than `max_jobs` jobs, but that each client may have `own_jobs` in any case: so whoever waits
-  /// for nothing is not refused.
+  /// Never more than `max_jobs` jobs, but that a client for which fewer than `own_jobs` wait may ask for any
+  /// number at once: so whoever waits for nothing is not refused.
   WorkQueue(int patch_tiles, std::size_t max_jobs, std::size_t own_jobs = 0);
 
   /// Lets the mailbox's owner wait for the chunks; for each once, however often it asks. Returns how many,
@@ -73,11 +73,12 @@ class WorkQueue {
   /// std::bad_alloc, and then nothing was taken.
   [[nodiscard]] std::optional<Work> take(const WorkCosts& costs = {});
   /// Heights that were taken go on at their client's next turn; not where they were cancelled meanwhile.
-  /// Before reconcile().
-  void put_back(HeightsTask task);
+  /// Before reconcile(). Throws std::bad_alloc, and then the task is what it was.
+  void put_back(HeightsTask&& task);
   /// The piece is done and did cost `cost`: who had the turn pays the difference, or gets it back.
   void reconcile(const Work& work, std::uint64_t cost);
-  /// Whether somebody still waits for a chunk of a taken batch; where not, the job is gone.
+  /// Whether somebody still waits for a chunk of a taken batch that was not finished; where not, the job is
+  /// gone.
   [[nodiscard]] bool begin(ChunkKey key);
   /// Drops the jobs of a taken batch where nobody waits for any of them, or for others of its patch; false
   /// where somebody does.
@@ -96,21 +97,23 @@ class WorkQueue {
   struct Job {
     FlowId flow;  // of one who waits: the job is one of its
     std::vector<MailboxPtr> waiters;
+    bool ended = false;
   };
-  /// Jobs in the order in which they came. Searched from the first on: there are few, or they are ended in
+  /// Jobs in the order in which they came. Searched from the first open one on: there are few, or they end in
   /// that order.
   struct Jobs {
     std::vector<ChunkKey> keys;
     std::vector<Job> jobs;  // as many
-    std::size_t ended = 0;  // so many at the front
-    [[nodiscard]] bool empty() const { return ended == keys.size(); }
+    std::size_t first = 0;  // those before it are ended
+    std::size_t open = 0;   // not ended
+    [[nodiscard]] bool empty() const { return open == 0; }
     /// Null where there is none that is not ended.
     [[nodiscard]] Job* find(ChunkKey key);
     /// For `more` to be added without an allocation.
     void reserve(std::size_t more);
     void add(ChunkKey key, Job job);
-    /// The job that find() gave.
-    void remove(const Job& job);
+    /// Ends the job that find() gave. It may move others.
+    void end(Job& job);
   };
   struct PatchWork {
     Jobs waiting;
@@ -135,7 +138,8 @@ class WorkQueue {
     std::size_t in_flight = 0;  // pieces
   };
 
-  void add(const MailboxPtr& mailbox, ChunkKey key, const PatchKey& patch, PatchWork& work);
+  /// `waiting`: the chunk's job, if there is one and no thread has taken it.
+  void add(const MailboxPtr& mailbox, ChunkKey key, const PatchKey& patch, PatchWork& work, Job* waiting);
   Client& enter(const Mailbox& mailbox);
   /// The client waits for one job less of the patch.
   void leave(ClientId client, const PatchKey& patch);

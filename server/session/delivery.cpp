@@ -23,7 +23,10 @@ void Delivery::cancel(const std::vector<std::uint32_t>& ids) {
   std::unordered_set<std::uint32_t> cancelled;
   for (const std::uint32_t id : ids) {
     if (const auto* request = requests_.chunk(id)) {
-      if (waits_.leave(request->key, id)) context_.chunks.cancel(mailbox_->owner(), {&request->key, 1});
+      if (waits_.leave(request->key, id)) {
+        context_.chunks.cancel(mailbox_->owner(), {&request->key, 1});
+        queue_full_ = false;  // it may have been the last for which mail would come
+      }
     } else if (const auto ticket = requests_.heights_ticket(id)) {
       context_.chunks.cancel_heights(mailbox_->owner(), *ticket);
     } else {
@@ -172,7 +175,7 @@ void Delivery::add_those_beside(ChunkKey nearest) {
   stream.for_each_column_beside(nearest, edge, [&](ChunkKey column) {
     tell_column(column, context_.chunks.column(column), nullptr);
     stream.for_each_to_send(column, nearest, edge, [&](ChunkKey key) {
-      if (!has_room()) return;
+      if (!has_room() || waits_.size() + to_submit_.size() >= kMaxViewWaits) return;
       stream.start(key);
       to_submit_.push_back(key);
     });
@@ -180,8 +183,10 @@ void Delivery::add_those_beside(ChunkKey nearest) {
 }
 
 void Delivery::wait_for_view() {
-  // Those for which a request waits are submitted already.
+  // Those for which a request waits are submitted already; and a column that was told meanwhile may have
+  // ended some.
   const auto submitted = [&](ChunkKey key) {
+    if (!view_.stream().in_flight(key)) return true;
     ChunkWaits::Waiters* const waiters = waits_.find(key);
     if (waiters != nullptr) waiters->view = true;
     return waiters != nullptr;

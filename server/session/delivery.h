@@ -33,6 +33,8 @@ class Delivery {
   static constexpr std::size_t kMaxViewInFlight = 64;
   /// Chunks of one session that wait for the source at once.
   static constexpr std::size_t kMaxWaits = 192;
+  /// With so many no chunk of the View is begun beside the nearest: requests find room.
+  static constexpr std::size_t kMaxViewWaits = 128;
   /// Bytes of control frames above which no UniformColumn is added: control frames need no credit.
   static constexpr std::size_t kMaxColumnBytes = std::size_t{16} * 1024;
   /// What a chunk that waits for the source is expected to take in the outbox, until a larger one came.
@@ -74,6 +76,7 @@ class Delivery {
   // ---- mail
   void receive(ChunkReady&& mail);
   void receive(HeightsReady&& mail);
+  [[nodiscard]] bool has_lost_mail() const { return mailbox_->has_lost(); }
   void receive(QueueHasRoom) {}  // any mail ends queue_full_
   void take_mail();
 

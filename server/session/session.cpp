@@ -164,6 +164,9 @@ void Session::close_if_served() {
 }
 
 std::size_t Session::pump() {
+  if (!closing() && delivery_.has_lost_mail()) {
+    fail(ErrorCode::internal, "an answer was lost for want of memory", retry_after::kBusy);
+  }
   const Clock::time_point began = context_.clock.now();
   const std::size_t found = closing() ? 0 : delivery_.start_work();
   if (found > 0) context_.metrics.hot_latency.add(context_.clock.now() - began, found);

@@ -300,6 +300,7 @@ TEST_CASE("whichever allocation of a generator thread fails, all who wait are an
   for (std::size_t allocations = 0; failed; ++allocations) {
     CAPTURE(allocations);
     FakeService fake;
+    fake.work->close_gate();
     // Lives in the generator thread, from the first patch to the second.
     std::optional<talus::test::FailingAllocations> failing;
     int patches = 0;
@@ -313,10 +314,14 @@ TEST_CASE("whichever allocation of a generator thread fails, all who wait are an
     };
     WaitingClient client;
     WaitingClient other;
-    std::vector<ChunkKey> keys;
-    for (std::int32_t x = 0; x < 4; ++x) keys.push_back(at(x));
+    std::vector<ChunkKey> keys;  // more than are made under one lock
+    for (std::int32_t i = 0; i < 12; ++i) keys.push_back({{i % 4, 0, i / 4}, Lod{}});
     REQUIRE(fake.service.submit(client.mailbox(), keys) == keys.size());
-    client.await(keys.size());
+    // One is cancelled while its patch is made.
+    fake.work->await_somebody_at_gate();
+    cancel(fake.service, client, keys[1]);
+    fake.work->open_gate();
+    client.await(keys.size() - 1);
     // The allocation may fail only now; then all is well.
     REQUIRE(queued(fake.service, other, at(100)));
     other.await(1);

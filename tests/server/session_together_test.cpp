@@ -79,3 +79,26 @@ TEST_CASE("uniform chunks of a square are told by columns, and not asked for") {
   for (const Said& said : bench.run_dry()) columns += said.kind == Body::UniformColumn ? 1U : 0U;
   CHECK(columns == 9);
 }
+
+TEST_CASE("a View leaves requests room to wait for chunks of their own") {
+  Bench bench;
+  bench.source.together = 16;
+  bench.look_at(8, 8, 4);
+  CHECK(bench.source.waiting.size() == Delivery::kMaxViewWaits);
+  const std::size_t view_waits = bench.source.waiting.size();
+  for (std::uint32_t id = 1; id <= 20; ++id)
+    bench.get_chunk(id, chunk_at(1000 + static_cast<std::int32_t>(id)));
+  CHECK(bench.source.waiting.size() == view_waits + 20);
+}
+
+TEST_CASE("a session that lost an answer for want of memory ends and says so") {
+  Bench bench;
+  bench.look_at(0, 1);
+  bench.mailbox->lose();
+  bench.ping();
+  const auto said = bench.output();
+  REQUIRE_FALSE(said.empty());
+  CHECK(said.back().code == wire::ErrorCode::internal);
+  CHECK(bench.session.closing());
+  CHECK(bench.source.waiting.empty());
+}

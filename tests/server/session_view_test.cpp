@@ -350,6 +350,19 @@ TEST_CASE("a View that a full queue refused submits nothing before mail comes") 
   CHECK(bench.source.refused == 1);
 }
 
+TEST_CASE(
+    "a View that a full queue refused is tried again when the last request is cancelled that would bring "
+    "mail") {
+  SessionBench bench;
+  bench.source.queue_places = 1;
+  bench.get_chunk(7, chunk_at(100));
+  bench.look_at(0, 1);
+  REQUIRE(bench.source.refused == 1);
+  bench.source.queue_places = 100;
+  bench.cancel(7);
+  CHECK(bench.source.waiting.size() == 9);
+}
+
 TEST_CASE("QueueHasRoom starts a View that a full queue refused") {
   SessionBench bench;
   bench.source.queue_places = 0;

@@ -419,6 +419,59 @@ TEST_CASE("whichever allocation fails while chunks are asked for, the queue is w
   }
 }
 
+TEST_CASE("whichever allocation fails while a chunk is cancelled, it is waited for, or not") {
+  bool failed = true;
+  for (std::size_t allocations = 0; failed; ++allocations) {
+    CAPTURE(allocations);
+    WorkQueue queue{kPatch, 100};
+    const auto first = client_box(kFlow);
+    const auto second = client_box(kOtherFlow);
+    REQUIRE(add(queue, first, at(0)));
+    REQUIRE(add(queue, second, at(0)));
+    {
+      const talus::test::FailingAllocations failing{allocations};
+      try {
+        queue.cancel(first->owner(), at(0));
+      } catch (const std::bad_alloc&) {
+      }
+      failed = failing.has_failed();
+    }
+    const auto work = queue.take();
+    REQUIRE(work.has_value());
+    CHECK(queue.finish(at(0)).size() == (failed ? 2U : 1U));
+    queue.release(std::get<WorkQueue::Batch>(work->what).patch);
+    queue.reconcile(*work, 1);
+    while (queue.take()) {
+    }
+    CHECK(queue.jobs() == 0);
+    CHECK(queue.clients() == 0);
+  }
+}
+
+TEST_CASE("heights that cannot be put back for want of memory are the caller's still") {
+  bool failed = true;
+  for (std::size_t allocations = 0; failed; ++allocations) {
+    CAPTURE(allocations);
+    WorkQueue queue{kPatch, 100};
+    const auto client = client_box();
+    queue.add(HeightsTask{client, 1, {{0, 0}, {1000, 0}}});
+    auto work = queue.take();
+    REQUIRE(work.has_value());
+    auto& task = std::get<HeightsTask>(work->what);
+    {
+      const talus::test::FailingAllocations failing{allocations};
+      try {
+        queue.put_back(std::move(task));
+      } catch (const std::bad_alloc&) {
+      }
+      failed = failing.has_failed();
+    }
+    if (failed) CHECK(task.mailbox() == client);
+    queue.reconcile(*work, 1);
+    CHECK(queue.take().has_value() == !failed);
+  }
+}
+
 TEST_CASE("whichever allocation fails while a piece is taken, it is taken the next time") {
   bool failed = true;
   for (std::size_t allocations = 0; failed; ++allocations) {
