@@ -505,6 +505,16 @@ TEST_CASE("whichever allocation fails while a piece is taken, it is taken the ne
   }
 }
 
+TEST_CASE("a job that is finished is not begun again") {
+  WorkQueue queue{kPatch, 100};
+  REQUIRE(queue.add(client_box(), std::array{at(0), at(1)}) == 2);
+  const auto batch = take_batch(queue);
+  (void)queue.finish(at(1));
+  CHECK_FALSE(queue.begin(at(1)));
+  CHECK(queue.begin(at(0)));
+  queue.release(batch.patch);
+}
+
 TEST_CASE("what a thread leaves of a batch is gone with it") {
   WorkQueue queue{kPatch, 100};
   const auto client = client_box(kFlow);
