@@ -75,7 +75,7 @@ Server::Server(const Config& config, std::shared_ptr<const terrain::World> world
                   log_of_clients_,
                   [this](AcceptedConnection accepted) { on_connection(std::move(accepted)); }},
       io_{std::move(listeners.io)},
-      chunks_{std::make_unique<TerrainGenerator>(terrain_, patch_size_.tiles),
+      chunks_{std::make_unique<TerrainGenerator>(terrain_, patch_size_.tiles, generator_threads(config)),
               generation_settings(config, patch_size_.tiles),
               log_,
               metrics_,
@@ -101,8 +101,8 @@ RunnerContextPtr Server::make_context(const Config& config) {
                   server.registry_,
                   server.log_of_clients_} {}
   };
-  const auto kept =
-      std::make_shared<const Kept>(session_limits(config, *terrain_), runner_limits(config), *this);
+  const auto kept = std::make_shared<const Kept>(session_limits(config, *terrain_, patch_size_.tile_time),
+                                                 runner_limits(config), *this);
   return {kept, &kept->context};
 }
 

@@ -28,20 +28,20 @@ std::size_t generator_threads(const Config& config) {
   return threads_or_cores(config.threads.generator);
 }
 
-std::uint64_t height_tiles_per_request(const terrain::World& world) {
-  constexpr std::uint64_t kColumnSteps = 100'000'000;
+std::uint64_t height_tiles_per_request(const terrain::World& world, std::chrono::nanoseconds tile_time) {
+  constexpr std::chrono::nanoseconds kLongest = std::chrono::seconds{1};
   if (world.spec().method != terrain::Method::erosion) return protocol::kMaxHeightsPerRequest;
-  const auto side = static_cast<std::uint64_t>(kChunkSize + 2 * world.halo());
-  const std::uint64_t tile = side * side * static_cast<std::uint64_t>(world.spec().erosion_steps);
-  return std::max<std::uint64_t>(1, kColumnSteps / tile);
+  const auto tiles = kLongest / std::max(tile_time, std::chrono::nanoseconds{1});
+  return std::clamp<std::uint64_t>(static_cast<std::uint64_t>(tiles), 1, protocol::kMaxHeightsPerRequest);
 }
 
-SessionLimits session_limits(const Config& config, const terrain::World& world) {
+SessionLimits session_limits(const Config& config, const terrain::World& world,
+                             std::chrono::nanoseconds tile_time) {
   const Limits& limits = config.limits;
   return {.frame_bytes = static_cast<std::uint32_t>(limits.frame_bytes),
           .requests_in_flight = static_cast<std::uint32_t>(limits.requests_in_flight),
           .heights_per_request = static_cast<std::uint32_t>(limits.heights_per_request),
-          .height_tiles_per_request = height_tiles_per_request(world),
+          .height_tiles_per_request = height_tiles_per_request(world, tile_time),
           .view_horizontal_radius = static_cast<std::uint16_t>(limits.view_horizontal_radius),
           .view_vertical_radius = static_cast<std::uint16_t>(limits.view_vertical_radius),
           .view_chunks = static_cast<std::uint32_t>(limits.view_chunks),

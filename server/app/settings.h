@@ -27,12 +27,14 @@ namespace talus::server {
 [[nodiscard]] std::size_t io_threads(const Config& config);
 [[nodiscard]] std::size_t generator_threads(const Config& config);
 
-/// Tiles of 32 x 32 columns that one GetHeights may touch. Heights of eroded land cost a region for each
-/// tile, with a halo of two columns a step and a pass over it for every step: one request stays within about
-/// a second.
-[[nodiscard]] std::uint64_t height_tiles_per_request(const terrain::World& world);
+/// Tiles of 32 x 32 columns that one GetHeights may touch. Heights of eroded land cost a tile's terrain with
+/// its halo for each, which was measured to take `tile_time`: one request takes a second of a thread, or one
+/// tile.
+[[nodiscard]] std::uint64_t height_tiles_per_request(const terrain::World& world,
+                                                     std::chrono::nanoseconds tile_time);
 
-[[nodiscard]] SessionLimits session_limits(const Config& config, const terrain::World& world);
+[[nodiscard]] SessionLimits session_limits(const Config& config, const terrain::World& world,
+                                           std::chrono::nanoseconds tile_time);
 [[nodiscard]] RateLimits rate_limits(const Rates& config);
 [[nodiscard]] RunnerLimits runner_limits(const Config& config);
 [[nodiscard]] HandshakeSettings handshake_settings(const Config& config);

@@ -35,7 +35,7 @@ BaseChunks::BaseChunks(std::unique_ptr<const Generator> generator, const Generat
                settings.patch_tiles,
                settings.patch_cache_bytes,
                settings.threads},
-      pool_{{maker_, patches_, metrics, memory, clock},
+      pool_{{maker_, patches_, generator_memory_, metrics, memory, clock},
             {settings.threads, settings.patch_tiles, settings.queue_chunks, settings.own_chunks},
             log} {
   memory_.when_work_resumes([this] { pool_.work_resumes(); });

@@ -25,16 +25,20 @@ ChunkAnswer ChunkMaker::chunk(const terrain::Stacks* stacks, ChunkKey key) {
   }
 }
 
-std::optional<HeightsAnswer> ChunkMaker::heights(std::span<const terrain::BaseColumn> columns,
-                                                 const GoOn& go_on) {
+tl::expected<AfterStep, GenerationFailed> ChunkMaker::heights(HeightsTask& task,
+                                                              const AskAfterStep& after_step) {
   try {
-    auto heights = generator_.heights(columns, go_on);
-    if (!heights) return std::nullopt;
-    metrics_.heights_made.add(columns.size());
-    return HeightsAnswer{*std::move(heights)};
+    if (task.making() == nullptr) task.making() = generator_.start_heights(task.next_piece());
+    while (task.making()->step()) {
+      if (const AfterStep next = after_step(); next != AfterStep::go_on) return next;
+    }
+    const std::vector<std::int32_t> heights = task.making()->take();
+    metrics_.heights_made.add(heights.size());
+    task.add(heights);
+    return AfterStep::go_on;
   } catch (const std::exception& error) {
-    log_->error("heights of {} columns failed: {}", columns.size(), error.what());
-    return HeightsAnswer{tl::unexpect, GenerationFailed{error.what()}};
+    log_->error("heights of {} columns failed: {}", task.left(), error.what());
+    return tl::make_unexpected(GenerationFailed{error.what()});
   }
 }
 

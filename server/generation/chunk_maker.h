@@ -1,9 +1,6 @@
 // Makes chunks and heights by a Generator: counted, with failures as answers. Callable from any thread.
 #pragma once
 
-#include <optional>
-#include <span>
-
 #include <talus/terrain/extraction.h>
 #include <talus/terrain/stacks.h>
 #include <talus/voxel/coords.h>
@@ -12,6 +9,7 @@
 #include "chunks/mailbox.h"
 #include "generation/column_rows.h"
 #include "generation/generator.h"
+#include "generation/heights_task.h"
 #include "log/logger.h"
 #include "metrics/metrics.h"
 
@@ -29,9 +27,9 @@ class ChunkMaker {
   /// The chunk over its patch's stacks, which is in the cache when this returns. Null `stacks`: the patch
   /// could not be made.
   [[nodiscard]] ChunkAnswer chunk(const terrain::Stacks* stacks, ChunkKey key);
-  /// None where go_on() ended it.
-  [[nodiscard]] std::optional<HeightsAnswer> heights(std::span<const terrain::BaseColumn> columns,
-                                                     const GoOn& go_on);
+  /// Goes on with the task's next piece, as far as after_step() lets it: AfterStep::go_on once it is added.
+  [[nodiscard]] tl::expected<AfterStep, GenerationFailed> heights(HeightsTask& task,
+                                                                  const AskAfterStep& after_step);
 
  private:
   const Generator& generator_;

@@ -15,7 +15,7 @@ namespace {
 // A job with its place in each map, one waiter.
 constexpr std::int64_t kJobBytes = 384;
 
-// A thread makes heights for so long before it looks whose turn it is.
+// A thread works on one thing for so long before it gives way to others.
 constexpr std::chrono::milliseconds kLongestPiece{25};
 
 // While something dear is made, so long passes between looks at whether anybody still wants it.
@@ -143,7 +143,7 @@ void GenerationPool::work() {
     MeasuredWork measured;
     const auto began = parts_.clock.thread_cpu();
     try {
-      std::visit([&](auto& piece) { run(piece, measured); }, work->what);
+      std::visit([&](auto& piece) { run(piece, *work, measured); }, work->what);
     } catch (const std::exception& error) {
       log_->error("a piece of work failed: {}", error.what());
       std::visit([&](auto& piece) { fail(piece); }, work->what);
@@ -159,26 +159,46 @@ void GenerationPool::work() {
 void GenerationPool::end(WorkQueue::Work& work, const MeasuredWork& measured, std::chrono::nanoseconds took) {
   std::int64_t job_bytes = 0;
   std::vector<MailboxPtr> with_room;
-  bool lost = false;
-  auto* const heights = std::get_if<HeightsTask>(&work.what);
+  std::size_t begun = 0;
   {
     const std::lock_guard lock{mutex_};
     measured_costs_.add(measured);
-    try {
-      if (heights != nullptr && heights->left() > 0) queue_.put_back(std::move(*heights));
-    } catch (const std::bad_alloc&) {
-      lost = true;
-    }
+    put_back(work);
     queue_.reconcile(work, static_cast<std::uint64_t>(took.count()));
-    if (const auto* batch = std::get_if<WorkQueue::Batch>(&work.what)) queue_.release(batch->patch);
+    begun = queue_.begun();
     job_bytes = job_bytes_change();
     with_room = clients_with_room();
   }
+  parts_.generator_memory.note_begun(begun);
   // What could not be begun until now: jobs that came for this patch meanwhile, and its client's next.
   work_waits_.notify_one();
   parts_.memory.add(MemoryUse::jobs, job_bytes);
   tell_of_room(with_room);
-  if (lost) fail(*heights);
+}
+
+void GenerationPool::put_back(WorkQueue::Work& work) {
+  if (auto* const heights = std::get_if<HeightsTask>(&work.what)) {
+    try {
+      if (heights->left() > 0) queue_.put_back(std::move(*heights));
+    } catch (const std::bad_alloc&) {
+      heights->mailbox()->lose();
+    }
+    return;
+  }
+  auto& batch = std::get<WorkQueue::Batch>(work.what);
+  try {
+    if (batch.begun != nullptr) return queue_.put_back(std::move(batch), work.turn.flow);
+  } catch (const std::bad_alloc&) {
+    lose(batch);
+  }
+  queue_.release(batch.patch);
+}
+
+void GenerationPool::lose(const WorkQueue::Batch& batch) {
+  for (const ChunkKey key : batch.keys) {
+    if (!queue_.begin(key)) continue;
+    for (const MailboxPtr& waiter : queue_.finish(key)) waiter->lose();
+  }
 }
 
 void GenerationPool::fail(const WorkQueue::Batch& batch) {
@@ -187,10 +207,7 @@ void GenerationPool::fail(const WorkQueue::Batch& batch) {
   } catch (const std::exception& error) {
     log_->error("{} chunks are not answered: {}", batch.keys.size(), error.what());
     const std::lock_guard lock{mutex_};
-    for (const ChunkKey key : batch.keys) {
-      if (!queue_.begin(key)) continue;
-      for (const MailboxPtr& waiter : queue_.finish(key)) waiter->lose();
-    }
+    lose(batch);
   }
 }
 
@@ -199,13 +216,14 @@ void GenerationPool::fail(HeightsTask& task) {
   task.give_up();
 }
 
-void GenerationPool::run(const WorkQueue::Batch& batch, MeasuredWork& measured) {
+void GenerationPool::run(WorkQueue::Batch& batch, const WorkQueue::Work& work, MeasuredWork& measured) {
   bool dropped = false;
-  const GoOn go_on = while_wanted([&] {
+  const AskAfterStep after_step = after_step_of(work, [&] {
     dropped = queue_.drop_unwanted(batch);
     if (dropped) parts_.metrics.jobs_cancelled.add(batch.keys.size());
     return !dropped;
   });
+  BegunPatchPtr begun = std::move(batch.begun);
   // Those that were made since they were asked for wait for nothing.
   std::vector<ChunkKey> keys;
   std::vector<EncodedChunkPtr> known;
@@ -220,8 +238,9 @@ void GenerationPool::run(const WorkQueue::Batch& batch, MeasuredWork& measured) 
   }
   answer(keys, [&](std::size_t index) { return known[index]; });
   if (to_make.empty()) return;
-  const PatchStore::Loan loan = parts_.patches.obtain(batch.patch, to_make, go_on, measured);
-  if (dropped || loan.given_up) return;
+  PatchStore::Loan loan = parts_.patches.obtain(batch.patch, to_make, std::move(begun), after_step, measured);
+  batch.begun = std::move(loan.begun);
+  if (batch.begun != nullptr || dropped || loan.given_up) return;
   const auto began = parts_.clock.thread_cpu();
   answer(to_make, [&](std::size_t index) -> ChunkAnswer {
     if (EncodedChunkPtr chunk = parts_.maker.known(to_make[index])) return chunk;
@@ -264,22 +283,19 @@ void GenerationPool::answer(std::span<const ChunkKey> keys, Chunk&& chunk) {
   }
 }
 
-void GenerationPool::run(HeightsTask& task, MeasuredWork& measured) {
+void GenerationPool::run(HeightsTask& task, const WorkQueue::Work& work, MeasuredWork& measured) {
   const auto began = parts_.clock.thread_cpu();
   const auto took = [&] { return parts_.clock.thread_cpu() - began; };
-  const GoOn go_on = while_wanted([&] { return queue_.is_wanted(task); });
+  const AskAfterStep after_step = after_step_of(work, [&] { return queue_.is_wanted(task); });
   std::optional<GenerationFailed> failure;
+  const std::size_t left = task.left();
   do {
-    auto made = parts_.maker.heights(task.next_piece(), go_on);
-    if (!made) break;
-    if (!*made) {
-      failure = std::move(made->error());
-      break;
-    }
-    measured.heights += (*made)->size();
-    task.add(**made);
+    auto next = parts_.maker.heights(task, after_step);
+    if (!next) failure = std::move(next.error());
+    if (!next || *next != AfterStep::go_on) break;
   } while (task.left() > 0 && took() < kLongestPiece && !stopping_);
   measured.height_time += took();
+  measured.heights += left - task.left();
   if (failure) {
     deliver(task.mailbox(), HeightsReady{task.ticket(), tl::make_unexpected(*std::move(failure))}, log_);
     task.give_up();
@@ -288,14 +304,17 @@ void GenerationPool::run(HeightsTask& task, MeasuredWork& measured) {
   }
 }
 
-GoOn GenerationPool::while_wanted(std::function<bool()> is_wanted) {
-  return [this, is_wanted = std::move(is_wanted), next = parts_.clock.now() + kLookAgain]() mutable {
-    if (stopping_) return false;
+AskAfterStep GenerationPool::after_step_of(const WorkQueue::Work& work, std::function<bool()> is_wanted) {
+  return [this, &work, is_wanted = std::move(is_wanted), began = parts_.clock.thread_cpu(),
+          next = parts_.clock.now() + kLookAgain]() mutable {
+    if (stopping_) return AfterStep::give_up;
     const auto now = parts_.clock.now();
-    if (now < next) return true;
+    if (now < next) return AfterStep::go_on;
     next = now + kLookAgain;
+    const bool long_enough = parts_.clock.thread_cpu() - began >= kLongestPiece;
     const std::lock_guard lock{mutex_};
-    return is_wanted();
+    if (!is_wanted()) return AfterStep::give_up;
+    return long_enough && queue_.others_wait(work.turn.client, costs()) ? AfterStep::pause : AfterStep::go_on;
   };
 }
 
@@ -309,6 +328,7 @@ WorkCosts GenerationPool::costs() const {
   WorkCosts costs = measured_costs_.costs();
   costs.in_memory = [this](const PatchKey& patch) { return parts_.patches.holds(patch); };
   costs.longest_piece = std::chrono::nanoseconds{kLongestPiece}.count();
+  costs.max_begun = parts_.generator_memory.max_begun();
   // One flow gets all threads only while nobody else asks: whoever asks next should find one.
   const bool keep_one = recent_flows_.several(parts_.clock.now()) && settings_.threads > 1;
   costs.max_in_flight = keep_one ? settings_.threads - 1 : settings_.threads;

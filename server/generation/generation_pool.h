@@ -22,6 +22,7 @@
 #include "clock/clock.h"
 #include "generation/chunk_maker.h"
 #include "generation/cost_model.h"
+#include "generation/generator_memory.h"
 #include "generation/patch_store.h"
 #include "generation/recent_flows.h"
 #include "generation/refused_clients.h"
@@ -38,6 +39,7 @@ class GenerationPool {
   struct Parts {
     ChunkMaker& maker;
     PatchStore& patches;
+    GeneratorMemory& generator_memory;
     Metrics& metrics;
     MemoryBudget& memory;
     const Clock& clock;
@@ -74,9 +76,9 @@ class GenerationPool {
 
  private:
   void work();
-  void run(const WorkQueue::Batch& batch, MeasuredWork& measured);
-  /// A part of the task, for a bounded time.
-  void run(HeightsTask& task, MeasuredWork& measured);
+  /// Each goes on for a bounded time while others wait, and leaves the rest in `work`.
+  void run(WorkQueue::Batch& batch, const WorkQueue::Work& work, MeasuredWork& measured);
+  void run(HeightsTask& task, const WorkQueue::Work& work, MeasuredWork& measured);
   /// Those of a batch's keys that are still waited for, by chunk(their index).
   template <typename Chunk>
   void answer(std::span<const ChunkKey> keys, Chunk&& chunk);
@@ -87,11 +89,15 @@ class GenerationPool {
   /// Without the mutex, as all of these.
   void end(WorkQueue::Work& work, const MeasuredWork& measured, std::chrono::nanoseconds took);
 
-  /// For a piece of work: false once the pool stops, or is_wanted() is false, which is called under the
-  /// mutex.
-  [[nodiscard]] GoOn while_wanted(std::function<bool()> is_wanted);
+  /// For a piece of work: it is given up once the pool stops, or is_wanted() is false, which is called under
+  /// the mutex; and gives way to other clients after kLongestPiece.
+  [[nodiscard]] AskAfterStep after_step_of(const WorkQueue::Work& work, std::function<bool()> is_wanted);
 
   // Under the mutex.
+  /// Puts back what is not done, or ends it.
+  void put_back(WorkQueue::Work& work);
+  /// Those who wait for what of the batch is not finished get no answer: their mailboxes say so.
+  void lose(const WorkQueue::Batch& batch);
   [[nodiscard]] WorkCosts costs() const;
   /// Bytes of jobs since the last call: to be told to the budget without the mutex, which it may come back
   /// to.

@@ -5,7 +5,7 @@
 
 #include <cstdint>
 #include <functional>
-#include <optional>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -20,8 +20,24 @@
 
 namespace talus::server {
 
-/// Asked between pieces of work of some milliseconds; false: it is not wanted any more.
-using GoOn = std::function<bool()>;
+/// Something in the making, step by step. For one thread at a time, whichever it is; a destructor gives it
+/// up. Steps may throw std::bad_alloc, and then only the destructor may be called.
+template <typename Made>
+class Making {
+ public:
+  virtual ~Making() = default;
+  /// Some milliseconds of work; false when nothing is left.
+  [[nodiscard]] virtual bool step() = 0;
+  /// Once step() has returned false.
+  [[nodiscard]] virtual Made take() = 0;
+};
+using PatchMaking = Making<terrain::Stacks>;
+/// Surface heights in subvoxels (1/256 voxel), one a column.
+using HeightsMaking = Making<std::vector<std::int32_t>>;
+
+/// What becomes of it after a step.
+enum class AfterStep { go_on, pause, give_up };
+using AskAfterStep = std::function<AfterStep()>;
 
 class Generator {
  public:
@@ -35,14 +51,13 @@ class Generator {
   [[nodiscard]] virtual MixedRows mixed_rows_anywhere(Lod lod) const = 0;
   /// Of the key's column over this patch, exactly.
   [[nodiscard]] virtual MixedRows mixed_rows(const terrain::Stacks& stacks, ChunkKey key) const = 0;
-  /// Fills `stacks`, whose memory is reused. False where go_on() ended it; then they mean nothing.
-  [[nodiscard]] virtual bool make_patch(const PatchKey& patch, terrain::Stacks& stacks,
-                                        const GoOn& go_on) const = 0;
+  /// `memory` is reused. The generator outlives what it makes.
+  [[nodiscard]] virtual std::unique_ptr<PatchMaking> start_patch(const PatchKey& patch,
+                                                                 terrain::Stacks memory) const = 0;
   /// `stacks` is the patch over which the chunk stands.
   [[nodiscard]] virtual EncodedChunkPtr make_chunk(const terrain::Stacks& stacks, ChunkKey key) const = 0;
-  /// Surface heights in subvoxels (1/256 voxel), one a column; none where go_on() ended it.
-  [[nodiscard]] virtual std::optional<std::vector<std::int32_t>> heights(
-      std::span<const terrain::BaseColumn> columns, const GoOn& go_on) const = 0;
+  [[nodiscard]] virtual std::unique_ptr<HeightsMaking> start_heights(
+      std::span<const terrain::BaseColumn> columns) const = 0;
 };
 
 }  // namespace talus::server

@@ -20,14 +20,23 @@ class GeneratorMemory {
 
   GeneratorMemory(MemoryBudget& budget, std::size_t threads, Logger log);
 
+  /// How many patches may be begun and wait: what is left of the share, and some in any case.
+  [[nodiscard]] std::size_t max_begun() const;
+  static constexpr std::size_t kMostBegun = 16;
+  /// So many are.
+  void note_begun(std::size_t patches);
+
   /// A patch of `bytes` was made. Where the generators need more than their share, the log says so, once.
   void note_patch(std::size_t bytes);
 
  private:
+  void tell_budget();
+
   MemoryBudget& budget_;
   const std::size_t threads_;
   const Logger log_;
   std::atomic<std::size_t> largest_patch_bytes_{0};
+  std::atomic<std::size_t> begun_{0};
   std::atomic<bool> warned_{false};
 };
 

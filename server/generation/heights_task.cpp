@@ -39,6 +39,7 @@ std::vector<terrain::BaseColumn> HeightsTask::next_piece() const {
 
 void HeightsTask::add(const std::vector<std::int32_t>& heights) {
   for (const std::int32_t height : heights) heights_[order_[done_++]] = height;
+  making_.reset();
 }
 
 }  // namespace talus::server

@@ -3,12 +3,14 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <utility>
 #include <vector>
 
 #include <talus/terrain/heights.h>
 
 #include "chunks/mailbox.h"
+#include "generation/generator.h"
 
 namespace talus::server {
 
@@ -25,10 +27,16 @@ class HeightsTask {
 
   /// The next columns to be made, all of one tile; empty where none is left.
   [[nodiscard]] std::vector<terrain::BaseColumn> next_piece() const;
-  /// Of exactly those columns.
+  /// What makes the next piece; null where it was not begun.
+  [[nodiscard]] std::unique_ptr<HeightsMaking>& making() { return making_; }
+  [[nodiscard]] bool is_begun() const { return making_ != nullptr; }
+  /// Of exactly those columns; they are no longer in the making.
   void add(const std::vector<std::int32_t>& heights);
   /// No more are made.
-  void give_up() { done_ = order_.size(); }
+  void give_up() {
+    done_ = order_.size();
+    making_.reset();
+  }
   /// Once none is left: the heights in the order of the request.
   [[nodiscard]] std::vector<std::int32_t> take_heights() { return std::move(heights_); }
 
@@ -39,6 +47,7 @@ class HeightsTask {
   std::vector<std::uint32_t> order_;  // places in columns_, tile by tile
   std::size_t done_ = 0;              // of order_
   std::vector<std::int32_t> heights_;
+  std::unique_ptr<HeightsMaking> making_;
 };
 
 }  // namespace talus::server

@@ -54,7 +54,8 @@ std::uint64_t PatchSize::ns_a_column() const {
 }
 
 PatchSize patch_size(int tiles, std::chrono::nanoseconds tile_time, int halo) {
-  return {tiles, time_of(tiles, tile_time, halo), time_of(kMaxChosenTiles, tile_time, halo) > kPatchTime};
+  return {tiles, tile_time, time_of(tiles, tile_time, halo),
+          time_of(kMaxChosenTiles, tile_time, halo) > kPatchTime};
 }
 
 PatchSize choose_patch_size(std::chrono::nanoseconds tile_time, int halo) {

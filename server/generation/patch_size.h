@@ -17,7 +17,8 @@ namespace talus::server {
 
 /// How patches are made, and what one costs.
 struct PatchSize {
-  int tiles = 0;  // along each edge
+  int tiles = 0;                         // along each edge
+  std::chrono::nanoseconds tile_time{};  // of a lone tile with its halo
   std::chrono::nanoseconds patch_time{};
   bool expensive = false;  // a patch of kMaxChosenTiles takes longer than kPatchTime
 

@@ -18,11 +18,14 @@ bool PatchStore::holds(const PatchKey& patch) const {
   return patches_.holds(patch);
 }
 
-PatchStore::Loan PatchStore::obtain(const PatchKey& patch, std::span<const ChunkKey> asked, const GoOn& go_on,
+PatchStore::Loan PatchStore::obtain(const PatchKey& patch, std::span<const ChunkKey> asked,
+                                    BegunPatchPtr begun, const AskAfterStep& after_step,
                                     MeasuredWork& measured) {
   // Now, as whoever asks may have moved on when it is made.
-  Loan loan{patch, nullptr, false, false, in_views(asked), {}};
-  {
+  Loan loan;
+  loan.patch = patch;
+  loan.in_views = in_views(asked);
+  if (begun == nullptr) {
     const std::lock_guard lock{mutex_};
     if (const StoredPatch* const found = patches_.find(patch)) {
       loan.stacks = found->stacks;
@@ -32,11 +35,8 @@ PatchStore::Loan PatchStore::obtain(const PatchKey& patch, std::span<const Chunk
   }
   const bool outside_views = !in_some_view(patch);
   try {
-    const auto before = measured.patch_time;
-    loan.stacks = make(patch, go_on, measured);
-    loan.given_up = loan.stacks == nullptr;
-    if (loan.given_up) return loan;
-    loan.dear = measured.patch_time - before > kDearPatch;
+    make(loan, std::move(begun), after_step, measured);
+    if (loan.stacks == nullptr) return loan;
     parts_.memory.note_patch(loan.stacks->bytes());
     parts_.rows.note(patch, *loan.stacks);
     put(loan, outside_views);
@@ -67,14 +67,33 @@ bool PatchStore::in_views(std::span<const ChunkKey> keys) const {
   });
 }
 
-StacksPtr PatchStore::make(const PatchKey& patch, const GoOn& go_on, MeasuredWork& measured) {
+void PatchStore::make(Loan& loan, BegunPatchPtr begun, const AskAfterStep& after_step,
+                      MeasuredWork& measured) {
   const auto began = parts_.clock.thread_cpu();
-  auto stacks = spare_.take();
-  if (!parts_.generator.make_patch(patch, *stacks, go_on)) return nullptr;
+  if (begun == nullptr) {
+    begun = std::make_unique<BegunPatch>();
+    begun->stacks = spare_.take();
+    begun->making = parts_.generator.start_patch(loan.patch, std::move(*begun->stacks));
+  }
+  auto next = AfterStep::go_on;
+  while (next == AfterStep::go_on && begun->making->step()) next = after_step();
+  begun->spent += parts_.clock.thread_cpu() - began;
+  switch (next) {
+    case AfterStep::pause:
+      loan.begun = std::move(begun);
+      return;
+    case AfterStep::give_up:
+      loan.given_up = true;
+      return;
+    case AfterStep::go_on:
+      break;
+  }
+  *begun->stacks = begun->making->take();
   parts_.metrics.patches_made.add();
   ++measured.patches;
-  measured.patch_time += parts_.clock.thread_cpu() - began;
-  return spare_.share(std::move(stacks));
+  measured.patch_time += begun->spent;
+  loan.dear = begun->spent > kDearPatch;
+  loan.stacks = spare_.share(std::move(begun->stacks));
 }
 
 void PatchStore::put(Loan& loan, bool outside_views) {

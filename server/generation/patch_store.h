@@ -18,6 +18,7 @@
 #include "cache/chunk_cache.h"
 #include "cache/clock_cache.h"
 #include "clock/clock.h"
+#include "generation/begun_patch.h"
 #include "generation/chunk_maker.h"
 #include "generation/column_rows.h"
 #include "generation/cost_model.h"
@@ -67,17 +68,18 @@ class PatchStore {
 
   /// One piece of work on one patch: obtain() it, make chunks of it, and let it go by finish().
   struct Loan {
-    PatchKey patch;
-    StacksPtr stacks;                                       // null where the patch could not be made
-    bool given_up = false;                                  // go_on() ended it
+    PatchKey patch{};
+    StacksPtr stacks{};                                     // null where the patch could not be made
+    bool given_up = false;                                  // after_step() ended it
+    BegunPatchPtr begun{};                                  // after_step() paused it
     bool dear = false;                                      // as StoredPatch's
     bool in_views = false;                                  // some View has all that was asked of it
     std::vector<std::pair<PatchKey, StoredPatch>> evicted;  // for this one
   };
-  /// The patch from memory, or made now unless go_on() ends that. `asked` are the chunks that somebody waits
-  /// for. `measured` gets what it took.
-  [[nodiscard]] Loan obtain(const PatchKey& patch, std::span<const ChunkKey> asked, const GoOn& go_on,
-                            MeasuredWork& measured);
+  /// The patch from memory, or made now, from where it is if it was `begun`, as far as after_step() lets it.
+  /// `asked` are the chunks that somebody waits for. `measured` gets what it took once it is made.
+  [[nodiscard]] Loan obtain(const PatchKey& patch, std::span<const ChunkKey> asked, BegunPatchPtr begun,
+                            const AskAfterStep& after_step, MeasuredWork& measured);
   /// Extracts what Views want of the patch, lets it go where nothing more is, and extracts what was evicted
   /// for it: call it when nobody waits for this thread any more.
   void finish(const Loan& loan, MeasuredWork& measured);
@@ -89,8 +91,8 @@ class PatchStore {
   [[nodiscard]] std::size_t bytes() const;
 
  private:
-  /// Null where go_on() ended it.
-  [[nodiscard]] StacksPtr make(const PatchKey& patch, const GoOn& go_on, MeasuredWork& measured);
+  /// Fills in what became of it.
+  void make(Loan& loan, BegunPatchPtr begun, const AskAfterStep& after_step, MeasuredWork& measured);
   void put(Loan& loan, bool outside_views);
   /// Returns whether all that is wanted of the patch is in the chunk cache now.
   bool extract_wanted(const PatchKey& key, const StoredPatch& patch, MeasuredWork& measured);

@@ -11,8 +11,10 @@ MixedRows rows_of(const terrain::MixedRange& range) {
 
 }  // namespace
 
-TerrainGenerator::TerrainGenerator(std::shared_ptr<const terrain::World> world, int patch_tiles)
-    : world_{std::move(world)}, patch_tiles_{patch_tiles} {
+TerrainGenerator::TerrainGenerator(std::shared_ptr<const terrain::World> world, int patch_tiles,
+                                   std::size_t max_idle)
+    : world_{std::move(world)}, patch_tiles_{patch_tiles}, max_idle_{max_idle} {
+  idle_.reserve(max_idle);  // so that giving back never fails
   // Every request looks here first, and working it out costs as much as a look into the cache.
   for (int level = 0; level <= Lod::kMax; ++level) {
     rows_anywhere_[static_cast<std::size_t>(level)] = rows_of(terrain::mixed_range(*world_, Lod::of(level)));
@@ -39,25 +41,57 @@ MixedRows TerrainGenerator::mixed_rows(const terrain::Stacks& stacks, ChunkKey k
   return rows_of(terrain::mixed_range(*world_, stacks, key.coord.x, key.coord.z));
 }
 
-bool TerrainGenerator::make_patch(const PatchKey& patch, terrain::Stacks& stacks, const GoOn& go_on) const {
-  std::unique_ptr<terrain::Generator> generator = take_generator();
-  generator->start(region_of(patch, patch_tiles_), std::move(stacks));
-  while (generator->step()) {
-    if (!go_on()) return false;  // its memory goes, too: the next work is another's
+class TerrainGenerator::PatchOfWorld final : public PatchMaking {
+ public:
+  PatchOfWorld(const TerrainGenerator& owner, const PatchKey& patch, terrain::Stacks memory)
+      : owner_{owner}, generator_{owner.take_generator()} {
+    generator_->start(region_of(patch, owner.patch_tiles_), std::move(memory));
   }
-  stacks = generator->take();
-  const std::lock_guard lock{idle_mutex_};
-  idle_.push_back(std::move(generator));
-  return true;
+  [[nodiscard]] bool step() override { return generator_->step(); }
+  // What is given up takes its memory with it: the next work is another's.
+  [[nodiscard]] terrain::Stacks take() override {
+    terrain::Stacks stacks = generator_->take();
+    owner_.give_back(std::move(generator_));
+    return stacks;
+  }
+
+ private:
+  const TerrainGenerator& owner_;
+  std::unique_ptr<terrain::Generator> generator_;
+};
+
+class TerrainGenerator::HeightsOfWorld final : public HeightsMaking {
+ public:
+  HeightsOfWorld(const terrain::World& world, std::span<const terrain::BaseColumn> columns)
+      : work_{world, {columns.begin(), columns.end()}} {}
+  [[nodiscard]] bool step() override { return work_.step(); }
+  [[nodiscard]] std::vector<std::int32_t> take() override { return work_.take(); }
+
+ private:
+  terrain::HeightsWork work_;
+};
+
+std::unique_ptr<PatchMaking> TerrainGenerator::start_patch(const PatchKey& patch,
+                                                           terrain::Stacks memory) const {
+  return std::make_unique<PatchOfWorld>(*this, patch, std::move(memory));
 }
 
-// There are as many as ever worked at once: their memory is worth keeping from patch to patch.
+std::unique_ptr<HeightsMaking> TerrainGenerator::start_heights(
+    std::span<const terrain::BaseColumn> columns) const {
+  return std::make_unique<HeightsOfWorld>(*world_, columns);
+}
+
 std::unique_ptr<terrain::Generator> TerrainGenerator::take_generator() const {
   const std::lock_guard lock{idle_mutex_};
   if (idle_.empty()) return std::make_unique<terrain::Generator>(*world_);
   auto generator = std::move(idle_.back());
   idle_.pop_back();
   return generator;
+}
+
+void TerrainGenerator::give_back(std::unique_ptr<terrain::Generator> generator) const {
+  const std::lock_guard lock{idle_mutex_};
+  if (idle_.size() < max_idle_) idle_.push_back(std::move(generator));
 }
 
 EncodedChunkPtr TerrainGenerator::make_chunk(const terrain::Stacks& stacks, ChunkKey key) const {
@@ -67,15 +101,6 @@ EncodedChunkPtr TerrainGenerator::make_chunk(const terrain::Stacks& stacks, Chun
   EncodedChunkPtr encoded = chunk.is_uniform() ? uniform(chunk.at({})) : encode_shared(chunk);
   memory = std::move(chunk).take_layers();
   return encoded;
-}
-
-std::optional<std::vector<std::int32_t>> TerrainGenerator::heights(
-    std::span<const terrain::BaseColumn> columns, const GoOn& go_on) const {
-  terrain::HeightsWork work{*world_, {columns.begin(), columns.end()}};
-  while (work.step()) {
-    if (!go_on()) return std::nullopt;
-  }
-  return work.take();
 }
 
 }  // namespace talus::server

@@ -19,25 +19,31 @@ namespace talus::server {
 
 class TerrainGenerator final : public Generator {
  public:
-  /// Patches have `patch_tiles` tiles along each edge, a power of two.
-  TerrainGenerator(std::shared_ptr<const terrain::World> world, int patch_tiles);
+  /// Patches have `patch_tiles` tiles along each edge, a power of two. The memory of `max_idle` generators
+  /// that work on nothing is kept.
+  TerrainGenerator(std::shared_ptr<const terrain::World> world, int patch_tiles, std::size_t max_idle = 1);
 
   [[nodiscard]] EncodedChunkPtr instant(ChunkKey key) const override;
   /// `material` is one of the world's.
   [[nodiscard]] EncodedChunkPtr uniform(MaterialId material) const override;
   [[nodiscard]] MixedRows mixed_rows_anywhere(Lod lod) const override;
   [[nodiscard]] MixedRows mixed_rows(const terrain::Stacks& stacks, ChunkKey key) const override;
-  [[nodiscard]] bool make_patch(const PatchKey& patch, terrain::Stacks& stacks,
-                                const GoOn& go_on) const override;
+  [[nodiscard]] std::unique_ptr<PatchMaking> start_patch(const PatchKey& patch,
+                                                         terrain::Stacks memory) const override;
   [[nodiscard]] EncodedChunkPtr make_chunk(const terrain::Stacks& stacks, ChunkKey key) const override;
-  [[nodiscard]] std::optional<std::vector<std::int32_t>> heights(std::span<const terrain::BaseColumn> columns,
-                                                                 const GoOn& go_on) const override;
+  [[nodiscard]] std::unique_ptr<HeightsMaking> start_heights(
+      std::span<const terrain::BaseColumn> columns) const override;
 
  private:
+  class PatchOfWorld;
+  class HeightsOfWorld;
+
   [[nodiscard]] std::unique_ptr<terrain::Generator> take_generator() const;
+  void give_back(std::unique_ptr<terrain::Generator> generator) const;
 
   const std::shared_ptr<const terrain::World> world_;
   const int patch_tiles_;
+  const std::size_t max_idle_;
   std::array<MixedRows, Lod::kMax + 1> rows_anywhere_;  // by level
   std::vector<EncodedChunkPtr> uniform_;                // by material id
   mutable std::mutex idle_mutex_;

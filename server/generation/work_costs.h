@@ -15,8 +15,9 @@ struct WorkCosts {
   std::uint64_t chunk = 0;                           // to make one of a patch
   std::uint64_t height = 0;                          // of a column
   std::function<bool(const PatchKey&)> in_memory{};  // whether the patch need not be made; unset: none is
-  std::uint64_t longest_piece = UINT64_MAX;          // of heights, which are made in pieces
+  std::uint64_t longest_piece = UINT64_MAX;          // what is dearer gives way to others
   std::size_t max_in_flight = SIZE_MAX;              // pieces of one flow
+  std::size_t max_begun = SIZE_MAX;                  // of all flows
 };
 
 }  // namespace talus::server

@@ -159,7 +159,11 @@ void WorkQueue::cancel(ClientId client, ChunkKey key) {
 void WorkQueue::cancel_heights(ClientId client, std::uint64_t ticket) {
   const auto found = clients_.find(client);
   if (found == clients_.end()) return;
-  std::erase_if(found->second.heights, [&](const HeightsTask& task) { return task.ticket() == ticket; });
+  std::erase_if(found->second.heights, [&](const HeightsTask& task) {
+    if (task.ticket() != ticket) return false;
+    if (task.is_begun()) count_begun(found->second.flow, false);
+    return true;
+  });
   std::erase(found->second.taken_heights, ticket);
   drop_if_done(found);
 }
@@ -172,15 +176,85 @@ void WorkQueue::put_back(HeightsTask&& task) {
   client.heights.emplace_front(task.mailbox(), task.ticket(), std::vector<terrain::BaseColumn>{});
   client.heights.front() = std::move(task);
   client.taken_heights.erase(taken);
+  if (client.heights.front().is_begun()) count_begun(client.flow, true);
+}
+
+void WorkQueue::put_back(Batch&& batch, FlowId flow) {
+  const auto found = patches_.find(batch.patch);
+  PatchWork& work = found->second;
+  // First what may throw.
+  work.waiting.reserve(work.taken.open);
+  enter_waiters(found->first, work);
+  while (!work.taken.empty()) {
+    const std::size_t first = work.taken.first;
+    Job& job = work.taken.jobs[first];
+    if (job.waiters.empty()) {
+      (void)erase(work.taken, job);
+      continue;
+    }
+    for (const MailboxPtr& waiter : job.waiters) {
+      Client& client = clients_.at(waiter->owner());
+      ++client.jobs.at(found->first);
+      ++client.waiting;
+    }
+    work.waiting.add(work.taken.keys[first], std::move(job));
+    work.taken.end(job);
+  }
+  work.taken = {};
+  work.is_taken = false;
+  if (!work.waiting.empty()) {
+    work.begun = std::move(batch.begun);
+    work.begun_by = flow;
+    count_begun(flow, true);
+  }
+  batch.begun.reset();
+  drop_if_unused(found);
+}
+
+void WorkQueue::enter_waiters(const PatchKey& patch, const PatchWork& work) {
+  try {
+    for (const Job& job : work.taken.jobs) {
+      for (const MailboxPtr& waiter : job.waiters) {
+        Client& client = enter(*waiter);
+        if (!client.jobs.try_emplace(patch, 0).second) continue;
+        client.order.push_front(patch);
+      }
+    }
+  } catch (...) {
+    leave_where_none_waits(patch, work);
+    throw;
+  }
+}
+
+void WorkQueue::leave_where_none_waits(const PatchKey& patch, const PatchWork& work) {
+  for (const Job& job : work.taken.jobs) {
+    for (const MailboxPtr& waiter : job.waiters) {
+      const auto client = clients_.find(waiter->owner());
+      if (client == clients_.end()) continue;
+      const auto jobs = client->second.jobs.find(patch);
+      if (jobs != client->second.jobs.end() && jobs->second == 0) {
+        client->second.jobs.erase(jobs);
+        std::erase(client->second.order, patch);
+      }
+      drop_if_done(client);
+    }
+  }
+}
+
+void WorkQueue::count_begun(FlowId flow, bool more) {
+  std::size_t& of_flow = flows_.at(flow).begun;
+  more ? ++of_flow : --of_flow;
+  more ? ++begun_ : --begun_;
+  if (!more) drop_if_unused(flow);
 }
 
 std::optional<WorkQueue::Work> WorkQueue::take(const WorkCosts& costs) {
   const auto next = turns_.next(
-      static_cast<std::int64_t>(costs.patch),
+      static_cast<std::int64_t>(std::min(costs.patch, costs.longest_piece)),
       [&](FlowId flow) { return of(flow).in_flight < costs.max_in_flight; },
       [&](ClientId id) {
         const auto client = clients_.find(id);
-        return client != clients_.end() && can_begin(client->second);
+        return client != clients_.end() && can_begin(client->second, costs);
       },
       [&](ClientId id) { return clients_.contains(id); });
   if (!next) return std::nullopt;
@@ -203,43 +277,62 @@ void WorkQueue::reconcile(const Work& work, std::uint64_t cost) {
 
 WorkQueue::Work WorkQueue::take_of(FlowTurns::Turn turn, const WorkCosts& costs) {
   Client& client = clients_.at(turn.client);
-  Flow& flow = flows_[turn.flow];
-  const auto patch = free_patch(client);
+  const auto patch = free_patch(client, costs);
   const bool chunks = patch != client.order.end();
-  const bool heights = !client.heights.empty() && (client.heights_next || !chunks);
-  if (heights) {
-    client.taken_heights.push_back(client.heights.front().ticket());
-    HeightsTask task = std::move(client.heights.front());
-    client.heights.pop_front();
-    client.heights_next = false;
-    ++client.in_flight;
-    ++flow.in_flight;
-    const std::uint64_t price = std::min(costs.height * task.left(), costs.longest_piece);
-    return {std::move(task), turn, price, client.flow_use};
-  }
-  // Its last job may leave the client, which this keeps.
+  const bool heights = has_free_heights(client, costs) && (client.heights_next || !chunks);
+  // What it takes may be the last that the client and its flow have, which these keep.
+  Flow& flow = flows_[turn.flow];
+  ++flow.in_flight;
   ++client.in_flight;
-  Batch batch;
   try {
-    batch = take_patch(PatchKey{*patch}, turn.client);
+    if (heights) {
+      client.taken_heights.push_back(client.heights.front().ticket());
+      HeightsTask task = std::move(client.heights.front());
+      client.heights.pop_front();
+      client.heights_next = false;
+      if (task.is_begun()) count_begun(turn.flow, false);
+      const std::uint64_t price = std::min(costs.height * task.left(), costs.longest_piece);
+      return {std::move(task), turn, price, client.flow_use};
+    }
+    Batch batch = take_patch(PatchKey{*patch}, turn.client);
+    client.heights_next = true;
+    const bool in_memory = costs.in_memory && costs.in_memory(batch.patch);
+    const std::uint64_t price =
+        (in_memory ? 0 : std::min(costs.patch, costs.longest_piece)) + costs.chunk * batch.keys.size();
+    return {std::move(batch), turn, price, client.flow_use};
   } catch (...) {
     --client.in_flight;
+    --flow.in_flight;
+    drop_if_unused(turn.flow);
     throw;
   }
-  client.heights_next = true;
-  ++flow.in_flight;
-  const bool in_memory = costs.in_memory && costs.in_memory(batch.patch);
-  const std::uint64_t price = (in_memory ? 0 : costs.patch) + costs.chunk * batch.keys.size();
-  return {std::move(batch), turn, price, client.flow_use};
 }
 
-std::deque<PatchKey>::const_iterator WorkQueue::free_patch(const Client& client) const {
-  return std::find_if(client.order.begin(), client.order.end(),
-                      [&](const PatchKey& patch) { return !patches_.at(patch).is_taken; });
+std::deque<PatchKey>::const_iterator WorkQueue::free_patch(const Client& client,
+                                                           const WorkCosts& costs) const {
+  const bool any = may_begin_more(client.flow, costs);
+  return std::find_if(client.order.begin(), client.order.end(), [&](const PatchKey& patch) {
+    const PatchWork& work = patches_.at(patch);
+    return !work.is_taken && (any || work.begun != nullptr || (costs.in_memory && costs.in_memory(patch)));
+  });
 }
 
-bool WorkQueue::can_begin(const Client& client) const {
-  return !client.heights.empty() || free_patch(client) != client.order.end();
+bool WorkQueue::has_free_heights(const Client& client, const WorkCosts& costs) const {
+  return !client.heights.empty() && (client.heights.front().is_begun() || may_begin_more(client.flow, costs));
+}
+
+bool WorkQueue::may_begin_more(FlowId flow, const WorkCosts& costs) const {
+  return begun_ == 0 || (begun_ < costs.max_begun && of(flow).begun == 0);
+}
+
+bool WorkQueue::can_begin(const Client& client, const WorkCosts& costs) const {
+  return has_free_heights(client, costs) || free_patch(client, costs) != client.order.end();
+}
+
+bool WorkQueue::others_wait(ClientId client, const WorkCosts& costs) const {
+  return std::any_of(clients_.begin(), clients_.end(), [&](const auto& each) {
+    return each.first != client && !each.second.idle() && can_begin(each.second, costs);
+  });
 }
 
 std::size_t WorkQueue::clients() const {
@@ -307,6 +400,7 @@ void WorkQueue::release(const PatchKey& patch) {
 WorkQueue::Client& WorkQueue::enter(const Mailbox& mailbox) {
   turns_.enter({mailbox.flow(), mailbox.owner()});
   Client& client = clients_[mailbox.owner()];
+  client.flow = mailbox.flow();
   client.flow_use = mailbox.flow_use();
   return client;
 }
@@ -342,6 +436,10 @@ WorkQueue::Batch WorkQueue::take_patch(const PatchKey& patch, ClientId client) {
   work.taken.reserve(waiting.open);
   Batch batch{patch, {}};
   batch.keys.reserve(waiting.open);
+  if (work.begun != nullptr) {
+    batch.begun = std::move(work.begun);
+    count_begun(work.begun_by, false);
+  }
   // First those for which the turn's client waits.
   for (const bool is_clients : {true, false}) {
     for (std::size_t i = waiting.first; i < waiting.jobs.size(); ++i) {
@@ -360,12 +458,16 @@ WorkQueue::Batch WorkQueue::take_patch(const PatchKey& patch, ClientId client) {
 }
 
 void WorkQueue::drop_if_unused(Patches::iterator patch) {
-  if (!patch->second.is_taken && patch->second.waiting.empty()) patches_.erase(patch);
+  if (patch->second.is_taken || !patch->second.waiting.empty()) return;
+  if (patch->second.begun != nullptr) count_begun(patch->second.begun_by, false);
+  patches_.erase(patch);
 }
 
 void WorkQueue::drop_if_unused(FlowId flow) {
   const auto found = flows_.find(flow);
-  if (found != flows_.end() && found->second.jobs == 0 && found->second.in_flight == 0) flows_.erase(found);
+  if (found != flows_.end() && found->second.jobs == 0 && found->second.in_flight == 0 &&
+      found->second.begun == 0)
+    flows_.erase(found);
 }
 
 }  // namespace talus::server

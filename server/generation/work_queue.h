@@ -8,6 +8,10 @@
 // waits for chunks of the patch gets them with it, for nothing: a job is done in the turn of the waiter whose
 // turn comes first.
 //
+// What is dear gives way midway: it comes back as it is, and any turn of who waits for it goes on with it. It
+// holds memory meanwhile, so a flow begins nothing new before that, and all flows together have so much of it
+// at most.
+//
 // The queue is shared by dynamic thresholds (Choudhury and Hahne, 1998): a flow may have as many jobs as
 // there is room left, and a client as many as its flow has room then. So two flows take a third of the queue
 // each, two clients of a flow a third of its part, and whoever comes next finds room.
@@ -28,6 +32,7 @@
 
 #include "chunks/mailbox.h"
 #include "flows/flow_use.h"
+#include "generation/begun_patch.h"
 #include "generation/flow_turns.h"
 #include "generation/heights_task.h"
 #include "generation/patch.h"
@@ -40,6 +45,7 @@ class WorkQueue {
   struct Batch {
     PatchKey patch;
     std::vector<ChunkKey> keys;  // first those for which the turn's client waits
+    BegunPatchPtr begun{};
   };
   struct Work {
     std::variant<Batch, HeightsTask> what;
@@ -75,6 +81,9 @@ class WorkQueue {
   /// Heights that were taken go on at their client's next turn; not where they were cancelled meanwhile.
   /// Before reconcile(). Throws std::bad_alloc, and then the task is what it was.
   void put_back(HeightsTask&& task);
+  /// A batch's patch that was begun: the jobs that were not finished wait again. Before reconcile() and
+  /// instead of release(). Throws std::bad_alloc, and then the batch is what it was.
+  void put_back(Batch&& batch, FlowId flow);
   /// The piece is done and did cost `cost`: who had the turn pays the difference, or gets it back.
   void reconcile(const Work& work, std::uint64_t cost);
   /// Whether somebody still waits for a chunk of a taken batch that was not finished; where not, the job is
@@ -83,6 +92,8 @@ class WorkQueue {
   /// Drops the jobs of a taken batch where nobody waits for any of them, or for others of its patch; false
   /// where somebody does.
   [[nodiscard]] bool drop_unwanted(const Batch& batch);
+  /// Whether another client could begin something.
+  [[nodiscard]] bool others_wait(ClientId client, const WorkCosts& costs) const;
   /// Whether heights that were taken were not cancelled since.
   [[nodiscard]] bool is_wanted(const HeightsTask& task) const;
   /// Ends the job; its waiters are the caller's to answer.
@@ -90,6 +101,8 @@ class WorkQueue {
   void release(const PatchKey& patch);
 
   [[nodiscard]] std::size_t jobs() const { return jobs_; }
+  /// What was put back and holds memory.
+  [[nodiscard]] std::size_t begun() const { return begun_; }
   /// Those with something waiting.
   [[nodiscard]] std::size_t clients() const;
 
@@ -119,8 +132,11 @@ class WorkQueue {
     Jobs waiting;
     Jobs taken;  // empty where no thread works on the patch, or it has ended them all
     bool is_taken = false;
+    BegunPatchPtr begun{};
+    FlowId begun_by{};
   };
   struct Client {
+    FlowId flow{};
     std::deque<PatchKey> order;                        // exactly the keys of `jobs`
     std::unordered_map<PatchKey, std::uint32_t> jobs;  // waiting ones of each patch
     std::deque<HeightsTask> heights;
@@ -136,6 +152,7 @@ class WorkQueue {
   struct Flow {
     std::size_t jobs = 0;
     std::size_t in_flight = 0;  // pieces
+    std::size_t begun = 0;
   };
 
   /// `waiting`: the chunk's job, if there is one and no thread has taken it.
@@ -144,8 +161,17 @@ class WorkQueue {
   /// The client waits for one job less of the patch.
   void leave(ClientId client, const PatchKey& patch);
   void drop_if_done(Clients::iterator client);
-  [[nodiscard]] bool can_begin(const Client& client) const;
-  [[nodiscard]] std::deque<PatchKey>::const_iterator free_patch(const Client& client) const;
+  [[nodiscard]] bool can_begin(const Client& client, const WorkCosts& costs) const;
+  /// The first patch that the client may have worked on; the end where there is none.
+  [[nodiscard]] std::deque<PatchKey>::const_iterator free_patch(const Client& client,
+                                                                const WorkCosts& costs) const;
+  [[nodiscard]] bool has_free_heights(const Client& client, const WorkCosts& costs) const;
+  /// Whether the flow may begin what might be dear.
+  [[nodiscard]] bool may_begin_more(FlowId flow, const WorkCosts& costs) const;
+  void count_begun(FlowId flow, bool more);
+  /// Lets all who wait for jobs of `work` that were taken wait for the patch again, without counting them.
+  void enter_waiters(const PatchKey& patch, const PatchWork& work);
+  void leave_where_none_waits(const PatchKey& patch, const PatchWork& work);
   /// The first piece of a client that can begin one.
   [[nodiscard]] Work take_of(FlowTurns::Turn turn, const WorkCosts& costs);
   [[nodiscard]] Batch take_patch(const PatchKey& patch, ClientId client);
@@ -165,6 +191,7 @@ class WorkQueue {
   const std::size_t max_jobs_;
   const std::size_t own_jobs_;
   std::size_t jobs_ = 0;
+  std::size_t begun_ = 0;
   Patches patches_;
   Clients clients_;                         // those with something waiting or in flight
   std::unordered_map<FlowId, Flow> flows_;  // those with jobs, or pieces in flight

@@ -24,6 +24,7 @@ usage: tests/load/run.sh [--short] [SCENARIO...]
            many: what a chunk costs the server
   pong     how long a Pong waits behind a View, on links of several speeds
   churn    joining, jumping and being cut off, CHURN_SECONDS long (1800 unless told otherwise)
+  siege    the same beside 150 attackers of 4 other addresses
 
 All of them unless told otherwise. BUILD=DIR: the build to take the programs from (build/release). TLS=1: by TLS, but for pong.
 
@@ -37,6 +38,7 @@ build="${BUILD:-build/release}"
 talusd="$build/server/talusd"
 talus_load="$build/client_sample/load/talus-load"
 talus_pong="$build/tests/load/talus-pong"
+talus_siege="$build/tests/load/talus-siege"
 out=out/load
 pid=""
 short=""
@@ -406,15 +408,34 @@ pong() {
   done
 }
 
-churn() {
-  expect 'errors>0' 'files_left>0' 'resident_growth_percent>5'
-  start "${no_address_rates[@]}" TALUS_CACHE_CHUNK_BYTES=33554432 TALUS_CACHE_PATCH_BYTES=33554432  # full before the measured time begins
-  load churn --players "$(pick 100 10)" --model walk=50,fly=25,teleport=25 --groups "$(pick 20 4)" --churn "$(pick 10 2)" \
-    --radius "$(pick 6 4)" --ramp-up "$(pick 10 1)" --warm-up "$(pick 60 1)" --duration "${CHURN_SECONDS:-$(pick 1800 10)}" \
-    --verify 5 "${expected[@]}"
+churn() { churn_as churn 5; }
+
+# The attackers outlast the players, and are told to end.
+siege() {
+  [[ -z "${TLS:-}" ]] || { printf '\n== siege: left out: talus-siege speaks plain TCP alone\n'; return 0; }
+  churn_as siege 10
 }
 
-scenarios=(join horizon hot groups alone loners storm idle greedy slow rates pong churn)
+# churn_as NAME PERCENT: resident memory may grow by so much.
+churn_as() {
+  expect 'errors>0' "resident_growth_percent>$2"
+  [[ "$1" == siege ]] || expected+=(--fail-if 'files_left>0')  # attackers are still there at the end
+  # The caches are full before the measured time begins.
+  local settings=(TALUS_CACHE_CHUNK_BYTES=33554432 TALUS_CACHE_PATCH_BYTES=33554432) attack=""
+  if [[ "$1" == siege ]]; then
+    start "${settings[@]}"  # with the rates as shipped: they are there for attackers
+    "$talus_siege" "${address##*:}" 86400 >"$out/siege.txt" &
+    attack=$!
+  else
+    start "${no_address_rates[@]}" "${settings[@]}"
+  fi
+  load "$1" --from-addresses 10 --players "$(pick 100 10)" --model walk=50,fly=25,teleport=25 --groups "$(pick 20 4)" --churn "$(pick 10 2)" \
+    --radius "$(pick 6 4)" --ramp-up "$(pick 10 1)" --warm-up "$(pick 60 1)" --duration "${CHURN_SECONDS:-$(pick 1800 10)}" \
+    --verify 5 "${expected[@]}"
+  [[ -z "$attack" ]] || { kill "$attack"; wait "$attack" || true; cat "$out/siege.txt"; }
+}
+
+scenarios=(join horizon hot groups alone loners storm idle greedy slow rates pong churn siege)
 if [[ "${1:-}" == --short ]]; then
   short=yes
   shift

@@ -208,6 +208,103 @@ TEST_CASE("dear heights are made a piece at a time, and others have their turns 
   CHECK(dear.heights()[0].second.value().size() == scattered.size());
 }
 
+TEST_CASE("a dear patch gives way to others midway, and goes on where it was") {
+  FakeService fake;
+  fake.work->close_gate();
+  fake.work->patch_steps = 100;
+  const PatchKey dear_patch{100, 0, Lod{}};
+  std::atomic<int> steps_of_dear{0};
+  std::atomic<int> steps_of_others{0};
+  std::atomic<int> steps_before_player{-1};
+  fake.work->in_step = [&](const PatchKey& patch) {
+    ++(patch == dear_patch ? steps_of_dear : steps_of_others);
+    if (steps_of_others == 200 && steps_before_player < 0) steps_before_player = steps_of_dear.load();
+    const std::chrono::microseconds step{patch == dear_patch ? 10'000 : 10};
+    fake.clock.advance(step);
+    fake.clock.spend_cpu(step);
+  };
+  WaitingClient dear;
+  WaitingClient player;
+  REQUIRE(queued(fake.service, dear, at(400)));
+  fake.work->await_somebody_at_gate();
+  REQUIRE(queued(fake.service, player, at(0)));
+  REQUIRE(queued(fake.service, player, at(4)));
+  fake.work->open_gate();
+  player.await(2);
+  // Who comes while it waits gets its chunks by it, too.
+  WaitingClient late;
+  REQUIRE(queued(fake.service, late, at(401)));
+  late.await(1);
+  dear.await(1);
+  CHECK(steps_before_player < 50);
+  CHECK(steps_of_dear == 100);
+  CHECK(steps_of_others == 200);
+  CHECK(fake.work->patches == 3);
+  CHECK(fake.service.status().jobs == 0);
+}
+
+TEST_CASE("a patch that waits halfway goes with the last who wants it") {
+  FakeService fake;
+  fake.work->close_gate();
+  fake.work->patch_steps = 100;
+  const PatchKey dear_patch{100, 0, Lod{}};
+  WaitingClient dear;
+  WaitingClient player;
+  std::atomic<int> steps_of_dear{0};
+  fake.work->in_step = [&](const PatchKey& patch) {
+    const std::chrono::milliseconds step{10};
+    fake.clock.advance(step);
+    fake.clock.spend_cpu(step);
+    if (patch == dear_patch) {
+      ++steps_of_dear;
+    } else if (steps_of_dear > 0) {
+      cancel(fake.service, dear, at(400));
+    }
+  };
+  REQUIRE(queued(fake.service, dear, at(400)));
+  fake.work->await_somebody_at_gate();
+  REQUIRE(queued(fake.service, player, at(0)));
+  fake.work->open_gate();
+  player.await(1);
+  CHECK(steps_of_dear < 10);
+  CHECK(fake.work->patches == 1);
+  CHECK(fake.service.status().jobs == 0);
+  CHECK(fake.service.status().clients == 0);
+  fake.work->in_step = nullptr;
+  REQUIRE(queued(fake.service, dear, at(400)));
+  dear.await(1);
+  CHECK(fake.work->patches == 2);
+}
+
+TEST_CASE("heights of one tile that are dear give way midway, too") {
+  FakeService fake;
+  fake.work->close_gate();
+  fake.work->heights_steps = 100;
+  std::atomic<int> steps{0};
+  std::atomic<int> steps_at_patch{-1};
+  fake.work->in_heights = [&] {
+    ++steps;
+    fake.clock.advance(std::chrono::milliseconds{10});
+    fake.clock.spend_cpu(std::chrono::milliseconds{10});
+  };
+  fake.work->in_patch = [&] {
+    if (fake.work->patches == 1) steps_at_patch = steps.load();
+  };
+  WaitingClient holder;
+  WaitingClient dear;
+  WaitingClient player;
+  REQUIRE(queued(fake.service, holder, at(1000)));
+  fake.work->await_somebody_at_gate();
+  fake.service.submit_heights(dear.mailbox(), 1, {{5, 5}, {6, 6}});
+  REQUIRE(queued(fake.service, player, at(0)));
+  fake.work->open_gate();
+  player.await(1);
+  dear.await(1);
+  CHECK(steps == 100);
+  CHECK(steps_at_patch <= 10);
+  CHECK(dear.heights()[0].second.value().size() == 2);
+}
+
 TEST_CASE("heights that are cancelled while they are made end with their piece") {
   FakeService fake;
   WaitingClient dear;

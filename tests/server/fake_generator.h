@@ -30,8 +30,11 @@ struct FakeWork {
   std::atomic<std::int32_t> last_mixed_anywhere{std::numeric_limits<std::int32_t>::max()};
   std::atomic<std::int32_t> first_mixed{std::numeric_limits<std::int32_t>::min()};
   std::atomic<std::int32_t> last_mixed{std::numeric_limits<std::int32_t>::max()};
-  std::function<void()> in_patch{};    // called where a patch is made; set before any is
-  std::function<void()> in_heights{};  // likewise
+  std::atomic<int> patch_steps{1};
+  std::atomic<int> heights_steps{1};
+  std::function<void()> in_patch{};                // called in each step of a patch; set before any is made
+  std::function<void(const PatchKey&)> in_step{};  // likewise
+  std::function<void()> in_heights{};              // likewise
 
   /// While closed, generator threads wait before they make a patch.
   void close_gate() { set_gate(false); }
@@ -60,6 +63,54 @@ struct FakeWork {
   int at_gate_ = 0;
 };
 
+class FakePatch final : public PatchMaking {
+ public:
+  FakePatch(FakeWork& work, const PatchKey& patch, terrain::Stacks memory)
+      : work_{work}, patch_{patch}, memory_{std::move(memory)} {}
+  [[nodiscard]] bool step() override {
+    if (done_ == 0) work_.pass_gate();
+    if (done_ == work_.patch_steps) return false;
+    ++done_;
+    if (work_.in_patch) work_.in_patch();
+    if (work_.in_step) work_.in_step(patch_);
+    return true;
+  }
+  [[nodiscard]] terrain::Stacks take() override {
+    ++work_.patches;
+    if (work_.out_of_memory) throw std::bad_alloc{};
+    if (!memory_.tops.empty()) ++work_.reused;
+    memory_.tops.clear();
+    if (work_.patch_columns > 0) memory_.tops.emplace_back(work_.patch_columns, 1);
+    return std::move(memory_);
+  }
+
+ private:
+  FakeWork& work_;
+  const PatchKey patch_;
+  terrain::Stacks memory_;
+  int done_ = 0;
+};
+
+class FakeHeights final : public HeightsMaking {
+ public:
+  FakeHeights(FakeWork& work, std::size_t columns) : work_{work}, columns_{columns} {}
+  [[nodiscard]] bool step() override {
+    if (done_ == work_.heights_steps) return false;
+    ++done_;
+    if (work_.in_heights) work_.in_heights();
+    return true;
+  }
+  [[nodiscard]] std::vector<std::int32_t> take() override {
+    if (work_.out_of_memory) throw std::bad_alloc{};
+    return std::vector<std::int32_t>(columns_);
+  }
+
+ private:
+  FakeWork& work_;
+  const std::size_t columns_;
+  int done_ = 0;
+};
+
 class FakeGenerator final : public Generator {
  public:
   explicit FakeGenerator(std::shared_ptr<FakeWork> work) : work_{std::move(work)} {}
@@ -78,28 +129,18 @@ class FakeGenerator final : public Generator {
   [[nodiscard]] MixedRows mixed_rows(const terrain::Stacks&, ChunkKey) const override {
     return {work_->first_mixed, work_->last_mixed, MaterialId{2}};
   }
-  [[nodiscard]] bool make_patch(const PatchKey&, terrain::Stacks& stacks, const GoOn& go_on) const override {
-    work_->pass_gate();
-    if (work_->in_patch) work_->in_patch();
-    if (!go_on()) return false;
-    ++work_->patches;
-    if (work_->out_of_memory) throw std::bad_alloc{};
-    if (!stacks.tops.empty()) ++work_->reused;
-    stacks.tops.clear();
-    if (work_->patch_columns > 0) stacks.tops.emplace_back(work_->patch_columns, 1);
-    return true;
+  [[nodiscard]] std::unique_ptr<PatchMaking> start_patch(const PatchKey& patch,
+                                                         terrain::Stacks memory) const override {
+    return std::make_unique<FakePatch>(*work_, patch, std::move(memory));
   }
   [[nodiscard]] EncodedChunkPtr make_chunk(const terrain::Stacks&, ChunkKey key) const override {
     ++work_->chunks;
     return std::make_shared<const EncodedChunk>(ContentHash{std::hash<ChunkKey>{}(key), 0},
                                                 std::vector<std::byte>(work_->payload_bytes));
   }
-  [[nodiscard]] std::optional<std::vector<std::int32_t>> heights(std::span<const terrain::BaseColumn> columns,
-                                                                 const GoOn& go_on) const override {
-    if (work_->in_heights) work_->in_heights();
-    if (!go_on()) return std::nullopt;
-    if (work_->out_of_memory) throw std::bad_alloc{};
-    return std::vector<std::int32_t>(columns.size());
+  [[nodiscard]] std::unique_ptr<HeightsMaking> start_heights(
+      std::span<const terrain::BaseColumn> columns) const override {
+    return std::make_unique<FakeHeights>(*work_, columns.size());
   }
 
  private:

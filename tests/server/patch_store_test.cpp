@@ -40,7 +40,7 @@ struct Bench {
   }
   PatchStore::Loan obtain(std::int32_t x, std::span<const ChunkKey> asked = kOutside) {
     return store.obtain(
-        {x, 0, Lod{}}, asked, [] { return true; }, measured);
+        {x, 0, Lod{}}, asked, nullptr, [] { return AfterStep::go_on; }, measured);
   }
   /// All of the patch's chunks in the rows, made by hand.
   void make_chunks(const PatchStore::Loan& loan, std::int32_t first_row, std::int32_t last_row) {
@@ -330,11 +330,11 @@ TEST_CASE("making a patch takes the thread time that its clock counts") {
                    1 << 20,
                    1};
   const auto loan = store.obtain(
-      {0, 0, Lod{}}, kOutside, [] { return true; }, bench.measured);
+      {0, 0, Lod{}}, kOutside, nullptr, [] { return AfterStep::go_on; }, bench.measured);
   CHECK(bench.measured.patch_time == 7ms);
   store.finish(loan, bench.measured);
   store.finish(store.obtain(
-                   {1, 0, Lod{}}, kOutside, [] { return true; }, bench.measured),
+                   {1, 0, Lod{}}, kOutside, nullptr, [] { return AfterStep::go_on; }, bench.measured),
                bench.measured);
   CHECK(bench.measured.patch_time == 14ms);
   CHECK(bench.measured.chunk_time == 7ms);

@@ -10,6 +10,7 @@
 
 #include "generation/column_rows.h"
 #include "generation/terrain_generator.h"
+#include "made_whole.h"
 
 using namespace talus;
 using namespace talus::server;
@@ -67,8 +68,7 @@ TEST_CASE(
     for (const auto& [x, z] : {std::pair{kFirst, kLast}, std::pair{kLast, kFirst}, std::pair{kLast, kLast}}) {
       CAPTURE(tiles, x, z);
       const ChunkKey column{{x, 0, z}, Lod{}};
-      terrain::Stacks stacks;
-      REQUIRE(generator.make_patch(patch_of(column, tiles), stacks, [] { return true; }));
+      const terrain::Stacks stacks = made_whole(generator.start_patch(patch_of(column, tiles), {}));
       ColumnRows rows{generator, tiles, 1 << 22};
       rows.note(patch_of(column, tiles), stacks);
       // The other end's, which another patch generates.
@@ -76,8 +76,7 @@ TEST_CASE(
       CHECK_FALSE(rows.exact({{across(x), 0, z}, Lod{}}).has_value());
       CHECK_FALSE(rows.exact({{x, 0, across(z)}, Lod{}}).has_value());
 
-      terrain::Stacks alone;
-      REQUIRE(single.make_patch(patch_of(column, 1), alone, [] { return true; }));
+      const terrain::Stacks alone = made_whole(single.start_patch(patch_of(column, 1), {}));
       const MixedRows mixed = single.mixed_rows(alone, column);
       const auto noted = rows.exact(column);
       REQUIRE(noted.has_value());

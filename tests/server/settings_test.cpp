@@ -30,11 +30,6 @@ terrain::World eroded(int steps) {
   return *std::move(world);
 }
 
-std::uint64_t column_steps(const terrain::World& world, std::uint64_t tiles) {
-  const auto side = static_cast<std::uint64_t>(kChunkSize + 2 * world.halo());
-  return tiles * side * side * static_cast<std::uint64_t>(world.spec().erosion_steps);
-}
-
 }  // namespace
 
 TEST_CASE("every edge of a patch that can be configured is one that patches may have") {
@@ -53,23 +48,20 @@ TEST_CASE("every edge of a patch that can be configured is one that patches may 
 }
 
 TEST_CASE("heights of the slope method are limited by their number alone") {
-  CHECK(height_tiles_per_request(terrain::default_world()) == protocol::kMaxHeightsPerRequest);
+  CHECK(height_tiles_per_request(terrain::default_world(), 1h) == protocol::kMaxHeightsPerRequest);
 }
 
-TEST_CASE("heights of eroded land are limited by what they cost") {
-  constexpr std::uint64_t kColumnSteps = 100'000'000;
-  for (const int steps : {1, 8, 32}) {
-    const terrain::World world = eroded(steps);
-    const std::uint64_t tiles = height_tiles_per_request(world);
-    INFO(steps << " steps, " << tiles << " tiles");
-    CHECK(column_steps(world, tiles) <= kColumnSteps);
-    CHECK(column_steps(world, tiles + 1) > kColumnSteps);
-  }
+TEST_CASE("heights of eroded land are limited by what a tile was measured to cost") {
+  const terrain::World world = eroded(8);
+  CHECK(height_tiles_per_request(world, 4ms) == 250);
+  CHECK(height_tiles_per_request(world, 33ms) == 30);
+  CHECK(height_tiles_per_request(world, 5s) == 1);
+  CHECK(height_tiles_per_request(world, 1ns) == protocol::kMaxHeightsPerRequest);
+  CHECK(height_tiles_per_request(world, 0ns) == protocol::kMaxHeightsPerRequest);
 }
 
 TEST_CASE("the world's limit of height tiles is the session's") {
-  const terrain::World world = eroded(32);
-  CHECK(session_limits(Config{}, world).height_tiles_per_request == height_tiles_per_request(world));
+  CHECK(session_limits(Config{}, eroded(32), 100ms).height_tiles_per_request == 10);
 }
 
 TEST_CASE("the configuration's patch_tiles are kept, and chosen where it has none") {

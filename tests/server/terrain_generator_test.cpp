@@ -5,6 +5,8 @@
 
 #include <talus/voxel/codec.h>
 
+#include "made_whole.h"
+
 using namespace talus;
 using namespace talus::server;
 
@@ -24,7 +26,7 @@ struct Bench {
   terrain::Stacks stacks;
 
   explicit Bench(const PatchKey& key = {3, -2, Lod{}}) : patch{key} {
-    REQUIRE(generator.make_patch(patch, stacks, [] { return true; }));
+    stacks = made_whole(generator.start_patch(patch, {}));
   }
   /// All chunks of the patch that are mixed, and one row more at each end.
   template <typename Visit>
@@ -120,7 +122,7 @@ TEST_CASE("a patch made in the memory of another is the same, on any thread") {
     threads.emplace_back([&] {
       terrain::Stacks stacks;
       for (const std::int32_t x : {100, 3}) {
-        REQUIRE(generator.make_patch({x, -2, Lod{}}, stacks, [] { return true; }));
+        stacks = made_whole(generator.start_patch({x, -2, Lod{}}, std::move(stacks)));
       }
       expected.for_each_chunk(
           [&](ChunkKey key, const MixedRows&) { mine.push_back(generator.make_chunk(stacks, key)); });
@@ -138,19 +140,21 @@ TEST_CASE("a patch made in the memory of another is the same, on any thread") {
 TEST_CASE("heights are the surface's") {
   const TerrainGenerator generator{world(), kTiles};
   const std::vector<terrain::BaseColumn> columns{{0, 0}, {1000, -77}, {-31, 32}};
-  CHECK(generator.heights(columns, [] { return true; }) == terrain::surface_heights(*world(), columns));
+  CHECK(made_whole(generator.start_heights(columns)) == terrain::surface_heights(*world(), columns));
 }
 
-TEST_CASE("what nobody wants any more is given up, and the next patch is right") {
+TEST_CASE("what is given up or waits halfway leaves the next patch right") {
   const TerrainGenerator generator{world(), kTiles};
   const PatchKey patch{3, -2, Lod{}};
-  terrain::Stacks stacks;
-  int pieces = 0;
-  CHECK_FALSE(generator.make_patch(patch, stacks, [&] { return ++pieces < 3; }));
-  CHECK(pieces == 3);
-  terrain::Stacks again;
-  REQUIRE(generator.make_patch(patch, again, [] { return true; }));
+  const auto given_up = generator.start_patch(patch, {});
+  for (int i = 0; i < 3; ++i) REQUIRE(given_up->step());
+  // While it waits, or is gone, others are made.
+  const auto waiting = generator.start_patch(patch, {});
+  REQUIRE(waiting->step());
+  const terrain::Stacks again = made_whole(generator.start_patch(patch, {}));
   CHECK((again.tops.back().values == Bench{}.stacks.tops.back().values));
-  std::vector<terrain::BaseColumn> columns(2048);
-  CHECK_FALSE(generator.heights(columns, [] { return false; }).has_value());
+  while (waiting->step()) continue;
+  CHECK((waiting->take().tops.back().values == again.tops.back().values));
+  const std::vector<terrain::BaseColumn> columns(2048);
+  CHECK(generator.start_heights(columns)->step());
 }

@@ -9,46 +9,10 @@
 
 #include <rapidcheck.h>
 
-#include "failing_allocations.h"
+#include "work_queue_helpers.h"
 
 using namespace talus;
 using namespace talus::server;
-
-namespace {
-
-/// Of a client that nobody wakes; each has an id and a flow of its own.
-MailboxPtr client_box() {
-  static std::uint64_t last = 0;
-  return std::make_shared<Mailbox>(ClientId{++last}, [] {});
-}
-
-/// Of a client in that flow.
-MailboxPtr client_box(FlowId flow) {
-  auto box = client_box();
-  box->join(std::make_shared<FlowUse>(flow, FlowName{}));
-  return box;
-}
-
-constexpr FlowId kFlow{1'000'000};
-constexpr FlowId kOtherFlow{2'000'000};
-
-ChunkKey at(std::int32_t x, std::int32_t y = 0) {
-  return {{x, y, 0}, Lod{}};
-}
-
-WorkQueue::Batch take_batch(WorkQueue& queue) {
-  auto work = queue.take();
-  REQUIRE(work.has_value());
-  return std::get<WorkQueue::Batch>(std::move(work)->what);
-}
-
-bool add(WorkQueue& queue, const MailboxPtr& client, ChunkKey key) {
-  return queue.add(client, {&key, 1}) == 1;
-}
-
-constexpr int kPatch = 4;
-
-}  // namespace
 
 TEST_CASE("one job, however many wait") {
   WorkQueue queue{kPatch, 100};
@@ -380,131 +344,6 @@ TEST_CASE("jobs of one patch end in any order") {
   }));
 }
 
-TEST_CASE("whichever allocation fails while chunks are asked for, the queue is whole") {
-  bool failed = true;
-  for (std::size_t allocations = 0; failed; ++allocations) {
-    CAPTURE(allocations);
-    WorkQueue queue{kPatch, 100};
-    const auto client = client_box(kFlow);
-    const auto other = client_box(kFlow);
-    const std::array shared{at(0), at(1)};
-    const std::array keys{at(0), at(1), at(2), at(100), at(101)};
-    REQUIRE(queue.add(other, shared) == 2);
-    {
-      const talus::test::FailingAllocations failing{allocations};
-      try {
-        (void)queue.add(client, keys);
-      } catch (const std::bad_alloc&) {
-      }
-      failed = failing.has_failed();
-    }
-    queue.cancel(other->owner(), at(0));
-    queue.cancel(other->owner(), at(1));
-    // Those before the one that failed, in their order, and nothing else.
-    std::vector<ChunkKey> got;
-    while (auto work = queue.take()) {
-      const auto& batch = std::get<WorkQueue::Batch>(work->what);
-      for (const ChunkKey key : batch.keys) {
-        got.push_back(key);
-        REQUIRE(queue.finish(key) == std::vector<MailboxPtr>{client});
-      }
-      queue.release(batch.patch);
-      queue.reconcile(*work, 1);
-    }
-    REQUIRE(std::equal(got.begin(), got.end(), keys.begin()));
-    CHECK((got.size() == keys.size()) == !failed);
-    REQUIRE(queue.jobs() == 0);
-    REQUIRE(queue.clients() == 0);
-    CHECK(queue.add(client, keys) == keys.size());
-  }
-}
-
-TEST_CASE("whichever allocation fails while a chunk is cancelled, it is waited for, or not") {
-  bool failed = true;
-  for (std::size_t allocations = 0; failed; ++allocations) {
-    CAPTURE(allocations);
-    WorkQueue queue{kPatch, 100};
-    const auto first = client_box(kFlow);
-    const auto second = client_box(kOtherFlow);
-    REQUIRE(add(queue, first, at(0)));
-    REQUIRE(add(queue, second, at(0)));
-    {
-      const talus::test::FailingAllocations failing{allocations};
-      try {
-        queue.cancel(first->owner(), at(0));
-      } catch (const std::bad_alloc&) {
-      }
-      failed = failing.has_failed();
-    }
-    const auto work = queue.take();
-    REQUIRE(work.has_value());
-    CHECK(queue.finish(at(0)).size() == (failed ? 2U : 1U));
-    queue.release(std::get<WorkQueue::Batch>(work->what).patch);
-    queue.reconcile(*work, 1);
-    while (queue.take()) {
-    }
-    CHECK(queue.jobs() == 0);
-    CHECK(queue.clients() == 0);
-  }
-}
-
-TEST_CASE("heights that cannot be put back for want of memory are the caller's still") {
-  bool failed = true;
-  for (std::size_t allocations = 0; failed; ++allocations) {
-    CAPTURE(allocations);
-    WorkQueue queue{kPatch, 100};
-    const auto client = client_box();
-    queue.add(HeightsTask{client, 1, {{0, 0}, {1000, 0}}});
-    auto work = queue.take();
-    REQUIRE(work.has_value());
-    auto& task = std::get<HeightsTask>(work->what);
-    {
-      const talus::test::FailingAllocations failing{allocations};
-      try {
-        queue.put_back(std::move(task));
-      } catch (const std::bad_alloc&) {
-      }
-      failed = failing.has_failed();
-    }
-    if (failed) CHECK(task.mailbox() == client);
-    queue.reconcile(*work, 1);
-    CHECK(queue.take().has_value() == !failed);
-  }
-}
-
-TEST_CASE("whichever allocation fails while a piece is taken, it is taken the next time") {
-  bool failed = true;
-  for (std::size_t allocations = 0; failed; ++allocations) {
-    CAPTURE(allocations);
-    WorkQueue queue{kPatch, 100};
-    const auto client = client_box(kFlow);
-    const std::array keys{at(0), at(1), at(2)};
-    REQUIRE(queue.add(client, keys) == 3);
-    queue.add(HeightsTask{client, 1, {{0, 0}}});
-    std::vector<WorkQueue::Work> taken;
-    taken.reserve(2);
-    {
-      const talus::test::FailingAllocations failing{allocations};
-      try {
-        while (auto work = queue.take()) taken.push_back(*std::move(work));
-      } catch (const std::bad_alloc&) {
-      }
-      failed = failing.has_failed();
-    }
-    while (auto work = queue.take()) taken.push_back(*std::move(work));
-    REQUIRE(taken.size() == 2);
-    for (const auto& work : taken) {
-      if (const auto* batch = std::get_if<WorkQueue::Batch>(&work.what)) {
-        CHECK(batch->keys == std::vector(keys.begin(), keys.end()));
-        queue.release(batch->patch);
-      }
-      queue.reconcile(work, 1);
-    }
-    REQUIRE(queue.jobs() == 0);
-    REQUIRE(queue.clients() == 0);
-  }
-}
-
 TEST_CASE("a job that is finished is not begun again") {
   WorkQueue queue{kPatch, 100};
   REQUIRE(queue.add(client_box(), std::array{at(0), at(1)}) == 2);
@@ -685,8 +524,9 @@ TEST_CASE("every job is taken once or cancelled, and nothing is left behind") {
     WorkQueue queue{kPatch, 1000};
     const std::vector<MailboxPtr> clients{client_box(), client_box(), client_box()};
     std::map<ChunkKey, std::set<ClientId>> waiting;
-    std::vector<WorkQueue::Batch> taken;
-    const auto finish = [&](const WorkQueue::Batch& batch) {
+    std::vector<WorkQueue::Work> taken;
+    const auto finish = [&](WorkQueue::Work& work) {
+      const auto& batch = std::get<WorkQueue::Batch>(work.what);
       for (const ChunkKey key : batch.keys) {
         const auto expected = waiting[key];
         waiting.erase(key);
@@ -697,6 +537,16 @@ TEST_CASE("every job is taken once or cancelled, and nothing is left behind") {
         RC_ASSERT(got == expected);
       }
       queue.release(batch.patch);
+      queue.reconcile(work, 1);
+    };
+    const auto put_back = [&](WorkQueue::Work& work) {
+      auto& batch = std::get<WorkQueue::Batch>(work.what);
+      for (const ChunkKey key : batch.keys) {
+        if (waiting[key].empty()) waiting.erase(key);
+      }
+      if (batch.begun == nullptr) batch.begun = std::make_unique<BegunPatch>();
+      queue.put_back(std::move(batch), work.turn.flow);
+      queue.reconcile(work, 1);
     };
     const auto steps = *rc::gen::container<std::vector<std::tuple<int, int, int>>>(
         rc::gen::tuple(rc::gen::inRange(0, 6), rc::gen::inRange(0, 3), rc::gen::inRange(0, 12)));
@@ -709,14 +559,19 @@ TEST_CASE("every job is taken once or cancelled, and nothing is left behind") {
         queue.cancel(client->owner(), at(where));
         if (waiting.contains(at(where))) waiting[at(where)].erase(client->owner());
       } else if (step == 4) {
-        if (auto work = queue.take()) taken.push_back(std::get<WorkQueue::Batch>(std::move(work)->what));
+        if (auto work = queue.take()) taken.push_back(*std::move(work));
       } else if (!taken.empty()) {
-        finish(taken.back());
+        if (where % 3 == 0) {
+          put_back(taken.back());
+        } else {
+          finish(taken.back());
+        }
         taken.pop_back();
       }
     }
-    for (const auto& batch : taken) finish(batch);
-    while (auto work = queue.take()) finish(std::get<WorkQueue::Batch>(std::move(work)->what));
+    for (auto& work : taken) finish(work);
+    while (auto work = queue.take()) finish(*work);
+    RC_ASSERT(queue.begun() == 0U);
     RC_ASSERT(queue.jobs() == 0U);
     RC_ASSERT(queue.clients() == 0U);
     for (const auto& [key, clients_waiting] : waiting) RC_ASSERT(clients_waiting.empty());

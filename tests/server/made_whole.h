@@ -1,0 +1,16 @@
+#pragma once
+
+#include <memory>
+
+#include "generation/generator.h"
+
+namespace talus::server {
+
+/// What is made, after all its steps.
+template <typename Made>
+[[nodiscard]] Made made_whole(std::unique_ptr<Making<Made>> making) {
+  while (making->step()) continue;
+  return making->take();
+}
+
+}  // namespace talus::server
