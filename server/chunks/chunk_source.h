@@ -33,6 +33,9 @@ struct MixedRows {
   }
 };
 
+/// What is wanted soon goes before what is wanted later, but never takes all of the generators' time.
+enum class Urgency : std::uint8_t { soon, later };
+
 /// Callable from any thread. No call generates, reads a disk, or waits for who does.
 class ChunkSource {
  public:
@@ -56,7 +59,10 @@ class ChunkSource {
   /// first on; the others are refused, as the queue is full or memory short. For those no answer comes; but
   /// where the owner waits for nothing else, a QueueHasRoom does when it is worth another try. Who cancels
   /// the last of what it waits for tries again by itself.
-  [[nodiscard]] virtual std::size_t submit(const MailboxPtr& mailbox, std::span<const ChunkKey> keys) = 0;
+  [[nodiscard]] virtual std::size_t submit(const MailboxPtr& mailbox, std::span<const ChunkKey> keys,
+                                           Urgency urgency) = 0;
+  /// Chunks that the client waits for are wanted soon from now on. No effect on others.
+  virtual void hasten(ClientId client, std::span<const ChunkKey> keys) = 0;
   /// An answer already in the mailbox may still be found there.
   virtual void cancel(ClientId client, std::span<const ChunkKey> keys) = 0;
 

@@ -73,8 +73,12 @@ MixedRows BaseChunks::column(ChunkKey key) {
   return rows_.known(key);
 }
 
-std::size_t BaseChunks::submit(const MailboxPtr& mailbox, std::span<const ChunkKey> keys) {
-  return pool_.submit(mailbox, keys);
+std::size_t BaseChunks::submit(const MailboxPtr& mailbox, std::span<const ChunkKey> keys, Urgency urgency) {
+  return pool_.submit(mailbox, keys, urgency);
+}
+
+void BaseChunks::hasten(ClientId client, std::span<const ChunkKey> keys) {
+  pool_.hasten(client, keys);
 }
 
 void BaseChunks::cancel(ClientId client, std::span<const ChunkKey> keys) {

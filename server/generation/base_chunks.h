@@ -55,7 +55,9 @@ class BaseChunks final : public ChunkSource {
   /// Exact once the column's terrain was generated, until that is evicted.
   [[nodiscard]] MixedRows column(ChunkKey key) override;
   [[nodiscard]] int columns_together() const override { return std::min(settings_.patch_tiles, 4); }
-  [[nodiscard]] std::size_t submit(const MailboxPtr& mailbox, std::span<const ChunkKey> keys) override;
+  [[nodiscard]] std::size_t submit(const MailboxPtr& mailbox, std::span<const ChunkKey> keys,
+                                   Urgency urgency) override;
+  void hasten(ClientId client, std::span<const ChunkKey> keys) override;
   void cancel(ClientId client, std::span<const ChunkKey> keys) override;
   void set_wanted(ClientId client, std::span<const LevelBox> boxes) override;
   void submit_heights(const MailboxPtr& mailbox, std::uint64_t ticket,

@@ -59,12 +59,13 @@ GenerationPool::~GenerationPool() {
   for (std::thread& thread : threads_) thread.join();
 }
 
-std::size_t GenerationPool::submit(const MailboxPtr& mailbox, std::span<const ChunkKey> keys) {
+std::size_t GenerationPool::submit(const MailboxPtr& mailbox, std::span<const ChunkKey> keys,
+                                   Urgency urgency) {
   std::size_t accepted = 0;
   std::int64_t job_bytes = 0;
   {
     const std::lock_guard lock{mutex_};
-    accepted = queue_.add(mailbox, keys, parts_.memory.takes_work());
+    accepted = queue_.add(mailbox, keys, urgency, parts_.memory.takes_work());
     if (accepted < keys.size()) {
       parts_.metrics.jobs_refused.add(keys.size() - accepted);
       if (accepted == 0 && !queue_.waits(mailbox->owner())) refused_.remember(mailbox);
@@ -75,6 +76,11 @@ std::size_t GenerationPool::submit(const MailboxPtr& mailbox, std::span<const Ch
   parts_.memory.add(MemoryUse::jobs, job_bytes);
   if (accepted > 0) work_waits_.notify_one();
   return accepted;
+}
+
+void GenerationPool::hasten(ClientId client, std::span<const ChunkKey> keys) {
+  const std::lock_guard lock{mutex_};
+  for (const ChunkKey key : keys) queue_.hasten(client, key);
 }
 
 void GenerationPool::cancel(ClientId client, std::span<const ChunkKey> keys) {
@@ -187,7 +193,7 @@ void GenerationPool::put_back(WorkQueue::Work& work) {
   }
   auto& batch = std::get<WorkQueue::Batch>(work.what);
   try {
-    if (batch.begun != nullptr) return queue_.put_back(std::move(batch), work.turn.flow);
+    if (batch.begun != nullptr) return queue_.put_back(std::move(batch), work.turn);
   } catch (const std::bad_alloc&) {
     lose(batch);
   }

@@ -60,7 +60,9 @@ class GenerationPool {
   void start();
 
   // As ChunkSource defines them.
-  [[nodiscard]] std::size_t submit(const MailboxPtr& mailbox, std::span<const ChunkKey> keys);
+  [[nodiscard]] std::size_t submit(const MailboxPtr& mailbox, std::span<const ChunkKey> keys,
+                                   Urgency urgency);
+  void hasten(ClientId client, std::span<const ChunkKey> keys);
   void cancel(ClientId client, std::span<const ChunkKey> keys);
   void submit_heights(HeightsTask task);
   void cancel_heights(ClientId client, std::uint64_t ticket);

@@ -64,8 +64,11 @@ void WorkQueue::Jobs::end(Job& job) {
   first = 0;
 }
 
-std::size_t WorkQueue::add(const MailboxPtr& mailbox, std::span<const ChunkKey> keys, bool new_jobs) {
-  const bool own = waiting_of(mailbox->owner()) < own_jobs_;
+std::size_t WorkQueue::add(const MailboxPtr& mailbox, std::span<const ChunkKey> keys, Urgency urgency,
+                           bool new_jobs) {
+  // Whose far chunks wait is not refused the near ones.
+  const auto found = clients_.find(mailbox->owner());
+  const bool own = own_jobs_ > (found == clients_.end() ? 0 : found->second.waiting[urgency]);
   std::size_t added = 0;
   auto patch = patches_.end();
   try {
@@ -82,7 +85,7 @@ std::size_t WorkQueue::add(const MailboxPtr& mailbox, std::span<const ChunkKey> 
       } else {
         if (waiting == nullptr && (!new_jobs || !(own || may_add(*mailbox)))) break;
         if (!known) patch = patches_.try_emplace(patch_key).first;
-        add(mailbox, key, patch->first, patch->second, waiting);
+        add(mailbox, key, urgency, patch->first, patch->second, waiting);
       }
       ++added;
     }
@@ -92,18 +95,19 @@ std::size_t WorkQueue::add(const MailboxPtr& mailbox, std::span<const ChunkKey> 
   return added;
 }
 
-void WorkQueue::add(const MailboxPtr& mailbox, ChunkKey key, const PatchKey& patch, PatchWork& work,
-                    Job* waiting) {
+void WorkQueue::add(const MailboxPtr& mailbox, ChunkKey key, Urgency urgency, const PatchKey& patch,
+                    PatchWork& work, Job* waiting) {
+  Client& client = enter(*mailbox, urgency);
+  if (urgency == Urgency::soon) hasten(client, mailbox->owner(), patch);
   if (waiting != nullptr && waiter_of(waiting->waiters, mailbox->owner()) != waiting->waiters.end()) return;
-  Client& client = enter(*mailbox);
   const bool first_of_patch = !client.jobs.contains(patch);
   try {
     // What may throw comes first.
     Flow& flow = flows_[mailbox->flow()];
-    std::uint32_t& jobs = client.jobs.try_emplace(patch, 0).first->second;
+    JobsOfPatch& jobs = client.jobs.try_emplace(patch, JobsOfPatch{0, urgency}).first->second;
     Job added{mailbox->flow(), {mailbox}};
     waiting == nullptr ? work.waiting.reserve(1) : waiting->waiters.reserve(waiting->waiters.size() + 1);
-    if (first_of_patch) client.order.push_back(patch);
+    if (first_of_patch) client.order[urgency].push_back(patch);
     if (waiting == nullptr) {
       work.waiting.add(key, std::move(added));
       ++flow.jobs;
@@ -111,8 +115,8 @@ void WorkQueue::add(const MailboxPtr& mailbox, ChunkKey key, const PatchKey& pat
     } else {
       waiting->waiters.push_back(mailbox);
     }
-    ++jobs;
-    ++client.waiting;
+    ++jobs.count;
+    ++client.waiting[jobs.urgency];
   } catch (...) {
     if (first_of_patch) client.jobs.erase(patch);
     drop_if_unused(mailbox->flow());
@@ -121,9 +125,26 @@ void WorkQueue::add(const MailboxPtr& mailbox, ChunkKey key, const PatchKey& pat
   }
 }
 
+void WorkQueue::hasten(ClientId client, ChunkKey key) {
+  const auto found = clients_.find(client);
+  if (found != clients_.end()) hasten(found->second, client, patch_of(key, patch_tiles_));
+}
+
+void WorkQueue::hasten(Client& client, ClientId id, const PatchKey& patch) {
+  const auto jobs = client.jobs.find(patch);
+  if (jobs == client.jobs.end() || jobs->second.urgency == Urgency::soon) return;
+  turns_.enter({client.flow, id, Urgency::soon});
+  client.order[Urgency::soon].push_back(patch);
+  std::deque<PatchKey>& later = client.order[Urgency::later];
+  later.erase(std::find(later.begin(), later.end(), patch));
+  client.waiting[Urgency::later] -= jobs->second.count;
+  client.waiting[Urgency::soon] += jobs->second.count;
+  jobs->second.urgency = Urgency::soon;
+}
+
 void WorkQueue::add(HeightsTask task) {
   const ClientId owner = task.mailbox()->owner();
-  Client& client = enter(*task.mailbox());
+  Client& client = enter(*task.mailbox(), Urgency::later);
   try {
     client.heights.push_back(std::move(task));
   } catch (...) {
@@ -169,7 +190,7 @@ void WorkQueue::cancel_heights(ClientId client, std::uint64_t ticket) {
 }
 
 void WorkQueue::put_back(HeightsTask&& task) {
-  Client& client = enter(*task.mailbox());
+  Client& client = enter(*task.mailbox(), Urgency::later);
   const auto taken = std::find(client.taken_heights.begin(), client.taken_heights.end(), task.ticket());
   if (taken == client.taken_heights.end()) return;
   // First what may throw.
@@ -179,12 +200,12 @@ void WorkQueue::put_back(HeightsTask&& task) {
   if (client.heights.front().is_begun()) count_begun(client.flow, true);
 }
 
-void WorkQueue::put_back(Batch&& batch, FlowId flow) {
+void WorkQueue::put_back(Batch&& batch, const UrgencyTurns::Turn& turn) {
   const auto found = patches_.find(batch.patch);
   PatchWork& work = found->second;
   // First what may throw.
   work.waiting.reserve(work.taken.open);
-  enter_waiters(found->first, work);
+  enter_waiters(found->first, work, turn.urgency);
   while (!work.taken.empty()) {
     const std::size_t first = work.taken.first;
     Job& job = work.taken.jobs[first];
@@ -194,8 +215,9 @@ void WorkQueue::put_back(Batch&& batch, FlowId flow) {
     }
     for (const MailboxPtr& waiter : job.waiters) {
       Client& client = clients_.at(waiter->owner());
-      ++client.jobs.at(found->first);
-      ++client.waiting;
+      JobsOfPatch& jobs = client.jobs.at(found->first);
+      ++jobs.count;
+      ++client.waiting[jobs.urgency];
     }
     work.waiting.add(work.taken.keys[first], std::move(job));
     work.taken.end(job);
@@ -204,20 +226,20 @@ void WorkQueue::put_back(Batch&& batch, FlowId flow) {
   work.is_taken = false;
   if (!work.waiting.empty()) {
     work.begun = std::move(batch.begun);
-    work.begun_by = flow;
-    count_begun(flow, true);
+    work.begun_by = turn.flow;
+    count_begun(turn.flow, true);
   }
   batch.begun.reset();
   drop_if_unused(found);
 }
 
-void WorkQueue::enter_waiters(const PatchKey& patch, const PatchWork& work) {
+void WorkQueue::enter_waiters(const PatchKey& patch, const PatchWork& work, Urgency urgency) {
   try {
     for (const Job& job : work.taken.jobs) {
       for (const MailboxPtr& waiter : job.waiters) {
-        Client& client = enter(*waiter);
-        if (!client.jobs.try_emplace(patch, 0).second) continue;
-        client.order.push_front(patch);
+        Client& client = enter(*waiter, urgency);
+        if (!client.jobs.try_emplace(patch, JobsOfPatch{0, urgency}).second) continue;
+        client.order[urgency].push_front(patch);
       }
     }
   } catch (...) {
@@ -232,9 +254,9 @@ void WorkQueue::leave_where_none_waits(const PatchKey& patch, const PatchWork& w
       const auto client = clients_.find(waiter->owner());
       if (client == clients_.end()) continue;
       const auto jobs = client->second.jobs.find(patch);
-      if (jobs != client->second.jobs.end() && jobs->second == 0) {
+      if (jobs != client->second.jobs.end() && jobs->second.count == 0) {
+        std::erase(client->second.order[jobs->second.urgency], patch);
         client->second.jobs.erase(jobs);
-        std::erase(client->second.order, patch);
       }
       drop_if_done(client);
     }
@@ -252,11 +274,14 @@ std::optional<WorkQueue::Work> WorkQueue::take(const WorkCosts& costs) {
   const auto next = turns_.next(
       static_cast<std::int64_t>(std::min(costs.patch, costs.longest_piece)),
       [&](FlowId flow) { return of(flow).in_flight < costs.max_in_flight; },
-      [&](ClientId id) {
+      [&](ClientId id, Urgency urgency) {
         const auto client = clients_.find(id);
-        return client != clients_.end() && can_begin(client->second, costs);
+        return client != clients_.end() && can_begin(client->second, urgency, costs);
       },
-      [&](ClientId id) { return clients_.contains(id); });
+      [&](ClientId id, Urgency urgency) {
+        const auto client = clients_.find(id);
+        return client != clients_.end() && (client->second.wants(urgency) || client->second.in_flight > 0);
+      });
   if (!next) return std::nullopt;
   Work work = take_of(*next, costs);
   turns_.charge(*next, static_cast<std::int64_t>(work.price));
@@ -275,11 +300,11 @@ void WorkQueue::reconcile(const Work& work, std::uint64_t cost) {
   drop_if_done(client);
 }
 
-WorkQueue::Work WorkQueue::take_of(FlowTurns::Turn turn, const WorkCosts& costs) {
+WorkQueue::Work WorkQueue::take_of(const UrgencyTurns::Turn& turn, const WorkCosts& costs) {
   Client& client = clients_.at(turn.client);
-  const auto patch = free_patch(client, costs);
-  const bool chunks = patch != client.order.end();
-  const bool heights = has_free_heights(client, costs) && (client.heights_next || !chunks);
+  const auto patch = free_patch(client, turn.urgency, costs);
+  const bool heights =
+      turn.urgency == Urgency::later && has_free_heights(client, costs) && (client.heights_next || !patch);
   // What it takes may be the last that the client and its flow have, which these keep.
   Flow& flow = flows_[turn.flow];
   ++flow.in_flight;
@@ -294,7 +319,7 @@ WorkQueue::Work WorkQueue::take_of(FlowTurns::Turn turn, const WorkCosts& costs)
       const std::uint64_t price = std::min(costs.height * task.left(), costs.longest_piece);
       return {std::move(task), turn, price, client.flow_use};
     }
-    Batch batch = take_patch(PatchKey{*patch}, turn.client);
+    Batch batch = take_patch(*patch, turn.client);
     client.heights_next = true;
     const bool in_memory = costs.in_memory && costs.in_memory(batch.patch);
     const std::uint64_t price =
@@ -308,13 +333,15 @@ WorkQueue::Work WorkQueue::take_of(FlowTurns::Turn turn, const WorkCosts& costs)
   }
 }
 
-std::deque<PatchKey>::const_iterator WorkQueue::free_patch(const Client& client,
-                                                           const WorkCosts& costs) const {
+std::optional<PatchKey> WorkQueue::free_patch(const Client& client, Urgency urgency,
+                                              const WorkCosts& costs) const {
   const bool any = may_begin_more(client.flow, costs);
-  return std::find_if(client.order.begin(), client.order.end(), [&](const PatchKey& patch) {
+  for (const PatchKey& patch : client.order[urgency]) {
     const PatchWork& work = patches_.at(patch);
-    return !work.is_taken && (any || work.begun != nullptr || (costs.in_memory && costs.in_memory(patch)));
-  });
+    if (work.is_taken) continue;
+    if (any || work.begun != nullptr || (costs.in_memory && costs.in_memory(patch))) return patch;
+  }
+  return std::nullopt;
 }
 
 bool WorkQueue::has_free_heights(const Client& client, const WorkCosts& costs) const {
@@ -325,13 +352,14 @@ bool WorkQueue::may_begin_more(FlowId flow, const WorkCosts& costs) const {
   return begun_ == 0 || (begun_ < costs.max_begun && of(flow).begun == 0);
 }
 
-bool WorkQueue::can_begin(const Client& client, const WorkCosts& costs) const {
-  return has_free_heights(client, costs) || free_patch(client, costs) != client.order.end();
+bool WorkQueue::can_begin(const Client& client, Urgency urgency, const WorkCosts& costs) const {
+  return (urgency == Urgency::later && has_free_heights(client, costs)) || free_patch(client, urgency, costs);
 }
 
 bool WorkQueue::others_wait(ClientId client, const WorkCosts& costs) const {
   return std::any_of(clients_.begin(), clients_.end(), [&](const auto& each) {
-    return each.first != client && !each.second.idle() && can_begin(each.second, costs);
+    return each.first != client &&
+           (can_begin(each.second, Urgency::soon, costs) || can_begin(each.second, Urgency::later, costs));
   });
 }
 
@@ -397,8 +425,8 @@ void WorkQueue::release(const PatchKey& patch) {
   drop_if_unused(found);
 }
 
-WorkQueue::Client& WorkQueue::enter(const Mailbox& mailbox) {
-  turns_.enter({mailbox.flow(), mailbox.owner()});
+WorkQueue::Client& WorkQueue::enter(const Mailbox& mailbox, Urgency urgency) {
+  turns_.enter({mailbox.flow(), mailbox.owner(), urgency});
   Client& client = clients_[mailbox.owner()];
   client.flow = mailbox.flow();
   client.flow_use = mailbox.flow_use();
@@ -407,7 +435,7 @@ WorkQueue::Client& WorkQueue::enter(const Mailbox& mailbox) {
 
 std::size_t WorkQueue::waiting_of(ClientId client) const {
   const auto found = clients_.find(client);
-  return found == clients_.end() ? 0 : found->second.waiting;
+  return found == clients_.end() ? 0 : found->second.all_waiting();
 }
 
 WorkQueue::Flow WorkQueue::of(FlowId flow) const {
@@ -418,11 +446,13 @@ WorkQueue::Flow WorkQueue::of(FlowId flow) const {
 void WorkQueue::leave(ClientId client, const PatchKey& patch) {
   const auto found = clients_.find(client);
   Client& state = found->second;
-  --state.waiting;
   const auto jobs = state.jobs.find(patch);
-  if (--jobs->second > 0) return;
+  const Urgency urgency = jobs->second.urgency;
+  --state.waiting[urgency];
+  if (--jobs->second.count > 0) return;
   state.jobs.erase(jobs);
-  state.order.erase(std::find(state.order.begin(), state.order.end(), patch));
+  std::deque<PatchKey>& order = state.order[urgency];
+  order.erase(std::find(order.begin(), order.end(), patch));
   drop_if_done(found);
 }
 

@@ -18,6 +18,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <deque>
@@ -33,9 +34,9 @@
 #include "chunks/mailbox.h"
 #include "flows/flow_use.h"
 #include "generation/begun_patch.h"
-#include "generation/flow_turns.h"
 #include "generation/heights_task.h"
 #include "generation/patch.h"
+#include "generation/urgency_turns.h"
 #include "generation/work_costs.h"
 
 namespace talus::server {
@@ -49,7 +50,7 @@ class WorkQueue {
   };
   struct Work {
     std::variant<Batch, HeightsTask> what;
-    FlowTurns::Turn turn;     // whose it was
+    UrgencyTurns::Turn turn;  // whose it was
     std::uint64_t price = 0;  // what they have paid
     FlowUsePtr flow_use{};    // to which it is to be added
   };
@@ -63,7 +64,10 @@ class WorkQueue {
   /// `new_jobs` is false. Throws std::bad_alloc, and then the owner waits for those before the one that
   /// failed.
   [[nodiscard]] std::size_t add(const MailboxPtr& mailbox, std::span<const ChunkKey> keys,
-                                bool new_jobs = true);
+                                Urgency urgency = Urgency::later, bool new_jobs = true);
+  /// The client wants the chunk soon, and with it those of its patch for which it waits. No effect where it
+  /// waits for none that no thread has taken. Throws std::bad_alloc, and then nothing changed.
+  void hasten(ClientId client, ChunkKey key);
   void add(HeightsTask task);
   /// Whether the client waits for a chunk that no thread has taken.
   [[nodiscard]] bool waits(ClientId client) const { return waiting_of(client) > 0; }
@@ -83,7 +87,7 @@ class WorkQueue {
   void put_back(HeightsTask&& task);
   /// A batch's patch that was begun: the jobs that were not finished wait again. Before reconcile() and
   /// instead of release(). Throws std::bad_alloc, and then the batch is what it was.
-  void put_back(Batch&& batch, FlowId flow);
+  void put_back(Batch&& batch, const UrgencyTurns::Turn& turn);
   /// The piece is done and did cost `cost`: who had the turn pays the difference, or gets it back.
   void reconcile(const Work& work, std::uint64_t cost);
   /// Whether somebody still waits for a chunk of a taken batch that was not finished; where not, the job is
@@ -135,17 +139,33 @@ class WorkQueue {
     BegunPatchPtr begun{};
     FlowId begun_by{};
   };
+  template <typename Value>
+  struct ByUrgency {
+    std::array<Value, 2> values{};
+    [[nodiscard]] Value& operator[](Urgency urgency) { return values[static_cast<std::size_t>(urgency)]; }
+    [[nodiscard]] const Value& operator[](Urgency urgency) const {
+      return values[static_cast<std::size_t>(urgency)];
+    }
+  };
+  struct JobsOfPatch {
+    std::uint32_t count = 0;
+    Urgency urgency{};
+  };
   struct Client {
     FlowId flow{};
-    std::deque<PatchKey> order;                        // exactly the keys of `jobs`
-    std::unordered_map<PatchKey, std::uint32_t> jobs;  // waiting ones of each patch
-    std::deque<HeightsTask> heights;
-    std::vector<std::uint64_t> taken_heights;  // tickets of those that may be put back
-    std::size_t waiting = 0;                   // jobs, in `jobs`
-    bool heights_next = true;                  // heights and patches take turns, where it waits for both
-    std::size_t in_flight = 0;                 // pieces taken in its turns and not reconciled
+    ByUrgency<std::deque<PatchKey>> order;           // together exactly the keys of `jobs`
+    std::unordered_map<PatchKey, JobsOfPatch> jobs;  // waiting ones of each patch
+    std::deque<HeightsTask> heights;                 // all wanted later
+    std::vector<std::uint64_t> taken_heights;        // tickets of those that may be put back
+    ByUrgency<std::size_t> waiting;                  // jobs, in `jobs`
+    bool heights_next = true;   // heights and patches take turns, where it waits for both
+    std::size_t in_flight = 0;  // pieces taken in its turns and not reconciled
     FlowUsePtr flow_use{};
-    [[nodiscard]] bool idle() const { return order.empty() && heights.empty(); }
+    [[nodiscard]] bool idle() const { return jobs.empty() && heights.empty(); }
+    [[nodiscard]] bool wants(Urgency urgency) const {
+      return !order[urgency].empty() || (urgency == Urgency::later && !heights.empty());
+    }
+    [[nodiscard]] std::size_t all_waiting() const { return waiting[Urgency::soon] + waiting[Urgency::later]; }
   };
   using Clients = std::unordered_map<ClientId, Client>;
   using Patches = std::unordered_map<PatchKey, PatchWork>;
@@ -156,24 +176,27 @@ class WorkQueue {
   };
 
   /// `waiting`: the chunk's job, if there is one and no thread has taken it.
-  void add(const MailboxPtr& mailbox, ChunkKey key, const PatchKey& patch, PatchWork& work, Job* waiting);
-  Client& enter(const Mailbox& mailbox);
+  void add(const MailboxPtr& mailbox, ChunkKey key, Urgency urgency, const PatchKey& patch, PatchWork& work,
+           Job* waiting);
+  Client& enter(const Mailbox& mailbox, Urgency urgency);
+  /// What the client waits for of the patch is wanted soon.
+  void hasten(Client& client, ClientId id, const PatchKey& patch);
   /// The client waits for one job less of the patch.
   void leave(ClientId client, const PatchKey& patch);
   void drop_if_done(Clients::iterator client);
-  [[nodiscard]] bool can_begin(const Client& client, const WorkCosts& costs) const;
-  /// The first patch that the client may have worked on; the end where there is none.
-  [[nodiscard]] std::deque<PatchKey>::const_iterator free_patch(const Client& client,
-                                                                const WorkCosts& costs) const;
+  [[nodiscard]] bool can_begin(const Client& client, Urgency urgency, const WorkCosts& costs) const;
+  /// The first patch of that urgency on which a thread may work for the client.
+  [[nodiscard]] std::optional<PatchKey> free_patch(const Client& client, Urgency urgency,
+                                                   const WorkCosts& costs) const;
   [[nodiscard]] bool has_free_heights(const Client& client, const WorkCosts& costs) const;
   /// Whether the flow may begin what might be dear.
   [[nodiscard]] bool may_begin_more(FlowId flow, const WorkCosts& costs) const;
   void count_begun(FlowId flow, bool more);
   /// Lets all who wait for jobs of `work` that were taken wait for the patch again, without counting them.
-  void enter_waiters(const PatchKey& patch, const PatchWork& work);
+  void enter_waiters(const PatchKey& patch, const PatchWork& work, Urgency urgency);
   void leave_where_none_waits(const PatchKey& patch, const PatchWork& work);
   /// The first piece of a client that can begin one.
-  [[nodiscard]] Work take_of(FlowTurns::Turn turn, const WorkCosts& costs);
+  [[nodiscard]] Work take_of(const UrgencyTurns::Turn& turn, const WorkCosts& costs);
   [[nodiscard]] Batch take_patch(const PatchKey& patch, ClientId client);
   /// The job is one of another flow's from now on.
   void move(Job& job, FlowId flow);
@@ -195,7 +218,7 @@ class WorkQueue {
   Patches patches_;
   Clients clients_;                         // those with something waiting or in flight
   std::unordered_map<FlowId, Flow> flows_;  // those with jobs, or pieces in flight
-  FlowTurns turns_;
+  UrgencyTurns turns_;
 };
 
 }  // namespace talus::server

@@ -22,6 +22,7 @@ class ChunkWaits {
   struct Waiters {
     Clock::time_point since;  // of the first
     bool view = false;
+    bool soon = false;  // it was submitted as wanted soon, or hastened
     std::vector<std::uint32_t> requests;
   };
 
@@ -75,6 +76,19 @@ class ChunkWaits {
     }
     for (const ChunkKey key : unwanted) waits_.erase(key);
     return unwanted;
+  }
+
+  /// The chunks for which the View waits, that are not wanted soon yet, and for which near(chunk) is true;
+  /// from now on they are.
+  template <typename Near>
+  [[nodiscard]] std::vector<ChunkKey> hasten_where(Near&& near) {
+    std::vector<ChunkKey> hastened;
+    for (auto& [key, waiters] : waits_) {
+      if (!waiters.view || waiters.soon || !near(key)) continue;
+      hastened.push_back(key);
+      waiters.soon = true;
+    }
+    return hastened;
   }
 
   /// Forgets all chunks, and returns them.

@@ -45,6 +45,8 @@ std::size_t Delivery::apply_view() {
   queue_full_ = false;  // the new View may need no place in the queue
   view_.apply();
   const std::size_t dropped = drop_what_left_view();
+  const auto came_near = waits_.hasten_where([this](ChunkKey key) { return view_.stream().is_near(key); });
+  if (!came_near.empty()) context_.chunks.hasten(mailbox_->owner(), came_near);
   context_.chunks.set_wanted(mailbox_->owner(), view_.ahead());
   return dropped;
 }
@@ -111,6 +113,15 @@ std::size_t Delivery::start_work() {
   return found_;
 }
 
+bool Delivery::view_may_start() {
+  ViewStream& stream = view_.stream();
+  if (stream.to_send() == 0 || queue_full_ || outbox_.control_bytes() >= kMaxColumnBytes) return false;
+  if (stream.in_flight_count() < kMaxViewInFlight) return true;
+  // In a crowd far chunks wait long.
+  const auto nearest = stream.nearest();
+  return nearest && stream.is_near(*nearest);
+}
+
 bool Delivery::requests_hold_less() const {
   using Lane = Outbox::Lane;
   const std::size_t view_waits = view_.stream().in_flight_count() - outbox_.chunks(Lane::view);
@@ -145,7 +156,7 @@ void Delivery::start_request(std::uint32_t id) {
     answer_request(id, request, std::move(chunk));
   } else if (ChunkWaits::Waiters* const waiters = waits_.find(request.key)) {
     waiters->requests.push_back(id);
-  } else if (context_.chunks.submit(mailbox_, {&request.key, 1}) == 1) {
+  } else if (context_.chunks.submit(mailbox_, {&request.key, 1}, Urgency::later) == 1) {
     waits_.add(request.key, context_.clock.now()).requests.push_back(id);
   } else {
     replies_.error(about_request(id), ErrorCode::overloaded,
@@ -183,6 +194,7 @@ void Delivery::add_those_beside(ChunkKey nearest) {
 }
 
 void Delivery::wait_for_view() {
+  const bool soon = view_.stream().is_near(to_submit_.front());
   // Those for which a request waits are submitted already; and a column that was told meanwhile may have
   // ended some.
   const auto submitted = [&](ChunkKey key) {
@@ -193,10 +205,13 @@ void Delivery::wait_for_view() {
   };
   const auto news = std::remove_if(to_submit_.begin(), to_submit_.end(), submitted);
   to_submit_.erase(news, to_submit_.end());
-  const std::size_t accepted = context_.chunks.submit(mailbox_, to_submit_);
+  const std::size_t accepted =
+      context_.chunks.submit(mailbox_, to_submit_, soon ? Urgency::soon : Urgency::later);
   for (std::size_t i = 0; i < to_submit_.size(); ++i) {
     if (i < accepted) {
-      waits_.add(to_submit_[i], context_.clock.now()).view = true;
+      ChunkWaits::Waiters& waiters = waits_.add(to_submit_[i], context_.clock.now());
+      waiters.view = true;
+      waiters.soon = soon;
     } else {
       view_.stream().put_back(to_submit_[i]);
     }

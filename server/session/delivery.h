@@ -28,8 +28,8 @@ namespace talus::server {
 
 class Delivery {
  public:
-  /// With so many chunks of the View in flight no more are begun: few, so that a moved View soon counts. They
-  /// are begun together with those beside them.
+  /// With so many chunks of the View in flight no more are begun but the nearest: few, so that a moved View
+  /// soon counts. They are begun together with those beside them.
   static constexpr std::size_t kMaxViewInFlight = 64;
   /// Chunks of one session that wait for the source at once.
   static constexpr std::size_t kMaxWaits = 192;
@@ -101,10 +101,7 @@ class Delivery {
   [[nodiscard]] EncodedChunkPtr find(ChunkKey key);
   /// Whether one more chunk may come to wait for the client; those that wait for the source will, too.
   [[nodiscard]] bool has_room() const;
-  [[nodiscard]] bool view_may_start() const {
-    return view_.stream().to_send() > 0 && !queue_full_ &&
-           view_.stream().in_flight_count() < kMaxViewInFlight && outbox_.control_bytes() < kMaxColumnBytes;
-  }
+  [[nodiscard]] bool view_may_start();
   /// Whether requests hold no more than the View, of chunks that wait for the source or the client.
   [[nodiscard]] bool requests_hold_less() const;
 

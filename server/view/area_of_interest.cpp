@@ -135,6 +135,13 @@ bool AreaOfInterest::within(ChunkKey chunk, ChunkKey nearest, int base_chunks) c
   return glm::dot(to, to) <= most * most;
 }
 
+bool AreaOfInterest::is_near(ChunkKey key) const {
+  const glm::i64vec3 to = offset(key);
+  constexpr std::int64_t kEnd = 2 * kNearRings;  // in half base chunks
+  return std::max({std::abs(to.x), std::abs(to.y), std::abs(to.z)}) < kEnd &&
+         to.x * to.x + to.y * to.y + to.z * to.z < kEnd * kEnd;
+}
+
 AreaOfInterest::Place AreaOfInterest::place_of_rank(std::uint64_t rank) {
   return static_cast<Place>(rank & ((std::uint64_t{1} << kPlaceBits) - 1));
 }

@@ -62,6 +62,9 @@ class AreaOfInterest {
   [[nodiscard]] static std::uint64_t end_of_ring(std::uint64_t coarse_priority);
   /// Whether the first chunk's centre is at most so many base chunks farther away than the second's.
   [[nodiscard]] bool within(ChunkKey chunk, ChunkKey nearest, int base_chunks) const;
+  /// Whether the chunk is of the nearest kNearRings rings.
+  [[nodiscard]] bool is_near(ChunkKey key) const;
+  static constexpr int kNearRings = 2;
   /// Of a rank or coarse priority.
   [[nodiscard]] static Place place_of_rank(std::uint64_t rank);
   /// The chunk whose rank or coarse priority it is, and its place.

@@ -23,6 +23,8 @@ class ViewStream {
 
   /// The nearest chunk that is still to be sent.
   [[nodiscard]] std::optional<ChunkKey> nearest();
+  /// Of a chunk of the area: whether it is among the nearest.
+  [[nodiscard]] bool is_near(ChunkKey key) const { return interest_.is_near(key); }
   /// Calls visit(column) for each column of the area in the square of `edge` columns a side, aligned to its
   /// size, in which `key` lies; that of `key` first.
   template <typename Visit>

@@ -25,7 +25,7 @@ ChunkKey at(std::int32_t x) {
 }
 
 bool queued(ChunkSource& chunks, const MailboxPtr& mailbox, ChunkKey key) {
-  return chunks.submit(mailbox, {&key, 1}) == 1;
+  return chunks.submit(mailbox, {&key, 1}, Urgency::later) == 1;
 }
 bool queued(ChunkSource& chunks, const WaitingClient& client, ChunkKey key) {
   return queued(chunks, client.mailbox(), key);
@@ -413,7 +413,7 @@ TEST_CASE("whichever allocation of a generator thread fails, all who wait are an
     WaitingClient other;
     std::vector<ChunkKey> keys;  // more than are made under one lock
     for (std::int32_t i = 0; i < 12; ++i) keys.push_back({{i % 4, 0, i / 4}, Lod{}});
-    REQUIRE(fake.service.submit(client.mailbox(), keys) == keys.size());
+    REQUIRE(fake.service.submit(client.mailbox(), keys, Urgency::later) == keys.size());
     // One is cancelled while its patch is made.
     fake.work->await_somebody_at_gate();
     cancel(fake.service, client, keys[1]);

@@ -43,17 +43,19 @@ class EditedChunks final : public ChunkSource {
     return rows;
   }
   [[nodiscard]] int columns_together() const override { return base_.columns_together(); }
-  [[nodiscard]] std::size_t submit(const MailboxPtr& mailbox, std::span<const ChunkKey> keys) override {
+  [[nodiscard]] std::size_t submit(const MailboxPtr& mailbox, std::span<const ChunkKey> keys,
+                                   Urgency urgency) override {
     for (std::size_t i = 0; i < keys.size(); ++i) {
       if (EncodedChunkPtr edited = newer(keys[i], kBaseRevision)) {
         mailbox->put(ChunkReady{keys[i], std::move(edited)});
         mailbox->wake();
-      } else if (base_.submit(mailbox, keys.subspan(i, 1)) == 0) {
+      } else if (base_.submit(mailbox, keys.subspan(i, 1), urgency) == 0) {
         return i;
       }
     }
     return keys.size();
   }
+  void hasten(ClientId client, std::span<const ChunkKey> keys) override { base_.hasten(client, keys); }
   void cancel(ClientId client, std::span<const ChunkKey> keys) override { base_.cancel(client, keys); }
   void set_wanted(ClientId client, std::span<const LevelBox> boxes) override {
     base_.set_wanted(client, boxes);
@@ -81,7 +83,7 @@ struct Bench {
   WaitingClient client;
 
   EncodedChunkPtr get(ChunkKey key) {
-    REQUIRE(chunks.submit(client.mailbox(), {&key, 1}) == 1);
+    REQUIRE(chunks.submit(client.mailbox(), {&key, 1}, Urgency::later) == 1);
     client.await(client.answers().size() + 1);
     return client.answers().back().second.value();
   }
@@ -127,7 +129,7 @@ TEST_CASE("an edit of a cached base chunk hides it and leaves it as it is") {
 TEST_CASE("an edit while the base chunk is being generated is not lost: the answer has a newer version") {
   Bench bench;
   bench.fake.work->close_gate();
-  REQUIRE(bench.chunks.submit(bench.client.mailbox(), {&kKey, 1}) == 1);
+  REQUIRE(bench.chunks.submit(bench.client.mailbox(), {&kKey, 1}, Urgency::later) == 1);
   bench.fake.work->await_somebody_at_gate();
   bench.chunks.edit(kKey, kBuilt);
   bench.fake.work->open_gate();
@@ -160,9 +162,9 @@ TEST_CASE("room in the generators' queue is told through the edits") {
   fake.work->close_gate();
   WaitingClient first;
   WaitingClient late;
-  REQUIRE(chunks.submit(first.mailbox(), {&kKey, 1}) == 1);
+  REQUIRE(chunks.submit(first.mailbox(), {&kKey, 1}, Urgency::later) == 1);
   constexpr ChunkKey kFar{{100, 0, 0}, Lod{}};
-  REQUIRE(chunks.submit(late.mailbox(), {&kFar, 1}) == 0);
+  REQUIRE(chunks.submit(late.mailbox(), {&kFar, 1}, Urgency::later) == 0);
   fake.work->open_gate();
   late.await_room();
 }

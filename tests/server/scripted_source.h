@@ -7,6 +7,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <set>
 #include <span>
 #include <string>
 #include <utility>
@@ -42,6 +43,7 @@ class ScriptedSource final : public ChunkSource {
   std::map<std::uint64_t, MailboxPtr> waiting_heights;  // by ticket
   std::size_t submitted = 0;
   std::vector<std::vector<ChunkKey>> submissions;
+  std::set<ChunkKey> wanted_soon;  // when they were submitted, or since
   std::size_t refused = 0;
   std::size_t newer_asked = 0;
   std::vector<LevelBox> wanted;
@@ -58,17 +60,22 @@ class ScriptedSource final : public ChunkSource {
   [[nodiscard]] MixedRows column(ChunkKey key) override { return rows_of ? rows_of(key) : rows; }
 
   [[nodiscard]] int columns_together() const override { return together; }
-  [[nodiscard]] std::size_t submit(const MailboxPtr& mailbox, std::span<const ChunkKey> keys) override {
+  [[nodiscard]] std::size_t submit(const MailboxPtr& mailbox, std::span<const ChunkKey> keys,
+                                   Urgency urgency) override {
     std::size_t accepted = 0;
     submissions.emplace_back(keys.begin(), keys.end());
     for (const ChunkKey key : keys) {
       if (waiting.size() >= queue_places) break;
       waiting[key] = mailbox;
+      if (urgency == Urgency::soon) wanted_soon.insert(key);
       ++accepted;
     }
     submitted += accepted;
     if (accepted < keys.size()) ++refused;
     return accepted;
+  }
+  void hasten(ClientId, std::span<const ChunkKey> keys) override {
+    wanted_soon.insert(keys.begin(), keys.end());
   }
   void cancel(ClientId, std::span<const ChunkKey> keys) override {
     for (const ChunkKey key : keys) waiting.erase(key);

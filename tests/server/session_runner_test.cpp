@@ -318,7 +318,10 @@ TEST_CASE("what a session's work throws ends it and no other") {
     EncodedChunkPtr newer(ChunkKey, std::uint64_t) override { return nullptr; }
     MixedRows column(ChunkKey) override { return {}; }
     int columns_together() const override { return 1; }
-    std::size_t submit(const MailboxPtr&, std::span<const ChunkKey> keys) override { return keys.size(); }
+    std::size_t submit(const MailboxPtr&, std::span<const ChunkKey> keys, Urgency) override {
+      return keys.size();
+    }
+    void hasten(ClientId, std::span<const ChunkKey>) override {}
     void cancel(ClientId, std::span<const ChunkKey>) override {}
     void set_wanted(ClientId, std::span<const LevelBox>) override {}
     void submit_heights(const MailboxPtr&, std::uint64_t, std::vector<terrain::BaseColumn>) override {}

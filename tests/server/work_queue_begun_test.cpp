@@ -28,7 +28,7 @@ BegunPatch* pause(WorkQueue& queue, WorkQueue::Work& work) {
   auto& batch = batch_of(work);
   if (batch.begun == nullptr) batch.begun = std::make_unique<BegunPatch>();
   BegunPatch* const begun = batch.begun.get();
-  queue.put_back(std::move(batch), work.turn.flow);
+  queue.put_back(std::move(batch), work.turn);
   queue.reconcile(work, 25);
   return begun;
 }

@@ -152,7 +152,7 @@ TEST_CASE("whichever allocation fails while a patch is put back, its jobs are st
     {
       const talus::test::FailingAllocations failing{allocations};
       try {
-        queue.put_back(std::move(batch), work->turn.flow);
+        queue.put_back(std::move(batch), work->turn);
       } catch (const std::bad_alloc&) {
       }
       failed = failing.has_failed();

@@ -306,7 +306,7 @@ TEST_CASE(
   WorkQueue queue{kPatch, 100, 1};
   REQUIRE(add(queue, client_box(), at(0)));
   REQUIRE(add(queue, client_box(), at(1)));
-  CHECK(queue.add(client_box(), std::array{at(0), at(1), at(2), at(0)}, false) == 2);
+  CHECK(queue.add(client_box(), std::array{at(0), at(1), at(2), at(0)}, Urgency::later, false) == 2);
   CHECK(queue.jobs() == 2);
 }
 
@@ -545,19 +545,22 @@ TEST_CASE("every job is taken once or cancelled, and nothing is left behind") {
         if (waiting[key].empty()) waiting.erase(key);
       }
       if (batch.begun == nullptr) batch.begun = std::make_unique<BegunPatch>();
-      queue.put_back(std::move(batch), work.turn.flow);
+      queue.put_back(std::move(batch), work.turn);
       queue.reconcile(work, 1);
     };
     const auto steps = *rc::gen::container<std::vector<std::tuple<int, int, int>>>(
-        rc::gen::tuple(rc::gen::inRange(0, 6), rc::gen::inRange(0, 3), rc::gen::inRange(0, 12)));
+        rc::gen::tuple(rc::gen::inRange(0, 7), rc::gen::inRange(0, 3), rc::gen::inRange(0, 12)));
     for (const auto& [step, who, where] : steps) {
       const auto& client = clients[static_cast<std::size_t>(who)];
       if (step < 3) {
-        RC_ASSERT(add(queue, client, at(where)));
+        const Urgency urgency = step == 0 ? Urgency::soon : Urgency::later;
+        RC_ASSERT(queue.add(client, std::array{at(where)}, urgency) == 1U);
         waiting[at(where)].insert(client->owner());
       } else if (step == 3) {
         queue.cancel(client->owner(), at(where));
         if (waiting.contains(at(where))) waiting[at(where)].erase(client->owner());
+      } else if (step == 6) {
+        queue.hasten(client->owner(), at(where));
       } else if (step == 4) {
         if (auto work = queue.take()) taken.push_back(*std::move(work));
       } else if (!taken.empty()) {

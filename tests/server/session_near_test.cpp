@@ -1,0 +1,61 @@
+// A session's nearest chunks: wanted soon, and begun whatever else waits.
+#include <catch2/catch.hpp>
+#include <set>
+
+#include "session_bench.h"
+#include "views.h"
+
+using namespace talus;
+using namespace talus::server;
+
+namespace {
+
+bool is_near(ChunkKey key, std::int32_t centre_x = 0) {
+  const auto x = key.coord.x - centre_x;
+  return x * x + key.coord.y * key.coord.y + key.coord.z * key.coord.z < 4;
+}
+
+}  // namespace
+
+TEST_CASE("of a View the two nearest rings are wanted soon") {
+  SessionBench bench;
+  bench.look_at(0, 3, 3);
+  std::set<ChunkKey> near;
+  for (const auto& [key, mailbox] : bench.source.waiting) {
+    if (is_near(key)) near.insert(key);
+  }
+  CHECK(near.size() == 27);
+  CHECK(bench.source.wanted_soon == near);
+}
+
+TEST_CASE("what is asked for by id is wanted later") {
+  SessionBench bench;
+  bench.get_chunk(1, chunk_at(0));
+  CHECK(bench.source.waiting.size() == 1);
+  CHECK(bench.source.wanted_soon.empty());
+}
+
+TEST_CASE("chunks that wait and come near are wanted soon from then on") {
+  SessionBench bench;
+  bench.look_at(0, 2);
+  REQUIRE(bench.source.waiting.contains(chunk_at(2)));
+  CHECK_FALSE(bench.source.wanted_soon.contains(chunk_at(2)));
+  bench.look_at(1, 2);
+  CHECK(bench.source.wanted_soon.contains(chunk_at(2)));
+  // Once.
+  bench.source.wanted_soon.clear();
+  bench.look_at(1, 3);
+  CHECK_FALSE(bench.source.wanted_soon.contains(chunk_at(2)));
+}
+
+TEST_CASE("the nearest chunks are begun however many far ones wait, and no others") {
+  SessionBench bench;
+  bench.look_at(0, 20);
+  REQUIRE(bench.source.waiting.size() == Delivery::kMaxViewInFlight);
+  // As far as what waits stays in the View.
+  bench.look_at(12, 20);
+  std::size_t near = 0;
+  for (const auto& [key, mailbox] : bench.source.waiting) near += is_near(key, 12) ? 1U : 0U;
+  CHECK(near == 9);
+  CHECK(bench.source.waiting.size() == Delivery::kMaxViewInFlight + 9);
+}
