@@ -51,17 +51,12 @@ void BaseChunks::start() {
 
 EncodedChunkPtr BaseChunks::find(ChunkKey key) {
   EncodedChunkPtr chunk = generator_->instant(key);
+  if (chunk == nullptr) chunk = maker_.known(key);
   if (chunk == nullptr) {
-    chunk = chunks_.find(key);
-    if (chunk != nullptr) {
-      metrics_.cache_hits.add();
-      return chunk;
-    }
-    const auto rows = rows_.exact(key);
-    const auto material = rows ? rows->uniform_at(key.coord.y) : std::nullopt;
-    if (material) chunk = generator_->uniform(*material);
+    metrics_.cache_misses.add();
+  } else {
+    (chunk->uniform() ? metrics_.uniform_answers : metrics_.cache_hits).add();
   }
-  (chunk != nullptr ? metrics_.uniform_answers : metrics_.cache_misses).add();
   return chunk;
 }
 

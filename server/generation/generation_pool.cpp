@@ -86,6 +86,8 @@ void GenerationPool::hasten(ClientId client, std::span<const ChunkKey> keys) {
 void GenerationPool::cancel(ClientId client, std::span<const ChunkKey> keys) {
   std::size_t cancelled = 0;
   std::int64_t job_bytes = 0;
+  std::ptrdiff_t begun = 0;
+  BegunPatchPtr dropped;
   std::vector<MailboxPtr> with_room;
   {
     const std::lock_guard lock{mutex_};
@@ -94,8 +96,11 @@ void GenerationPool::cancel(ClientId client, std::span<const ChunkKey> keys) {
     cancelled = jobs - queue_.jobs();
     if (cancelled == 0) return;
     job_bytes = job_bytes_change();
+    begun = begun_change();
+    dropped = queue_.take_dropped();
     with_room = clients_with_room();
   }
+  parts_.generator_memory.add_begun(begun);
   parts_.metrics.jobs_cancelled.add(cancelled);
   parts_.memory.add(MemoryUse::jobs, job_bytes);
   tell_of_room(with_room);
@@ -111,8 +116,13 @@ void GenerationPool::submit_heights(HeightsTask task) {
 }
 
 void GenerationPool::cancel_heights(ClientId client, std::uint64_t ticket) {
-  const std::lock_guard lock{mutex_};
-  queue_.cancel_heights(client, ticket);
+  std::ptrdiff_t begun = 0;
+  {
+    const std::lock_guard lock{mutex_};
+    queue_.cancel_heights(client, ticket);
+    begun = begun_change();
+  }
+  parts_.generator_memory.add_begun(begun);
 }
 
 void GenerationPool::work_resumes() {
@@ -165,17 +175,19 @@ void GenerationPool::work() {
 void GenerationPool::end(WorkQueue::Work& work, const MeasuredWork& measured, std::chrono::nanoseconds took) {
   std::int64_t job_bytes = 0;
   std::vector<MailboxPtr> with_room;
-  std::size_t begun = 0;
+  std::ptrdiff_t begun = 0;
+  BegunPatchPtr dropped;
   {
     const std::lock_guard lock{mutex_};
     measured_costs_.add(measured);
     put_back(work);
     queue_.reconcile(work, static_cast<std::uint64_t>(took.count()));
-    begun = queue_.begun();
+    begun = begun_change();
+    dropped = queue_.take_dropped();
     job_bytes = job_bytes_change();
     with_room = clients_with_room();
   }
-  parts_.generator_memory.note_begun(begun);
+  parts_.generator_memory.add_begun(begun);
   // What could not be begun until now: jobs that came for this patch meanwhile, and its client's next.
   work_waits_.notify_one();
   parts_.memory.add(MemoryUse::jobs, job_bytes);
@@ -320,7 +332,7 @@ AskAfterStep GenerationPool::after_step_of(const WorkQueue::Work& work, std::fun
     const bool long_enough = parts_.clock.thread_cpu() - began >= kLongestPiece;
     const std::lock_guard lock{mutex_};
     if (!is_wanted()) return AfterStep::give_up;
-    return long_enough && queue_.others_wait(work.turn.client, costs()) ? AfterStep::pause : AfterStep::go_on;
+    return long_enough && queue_.should_give_way(work.turn, costs()) ? AfterStep::pause : AfterStep::go_on;
   };
 }
 
@@ -335,10 +347,16 @@ WorkCosts GenerationPool::costs() const {
   costs.in_memory = [this](const PatchKey& patch) { return parts_.patches.holds(patch); };
   costs.longest_piece = std::chrono::nanoseconds{kLongestPiece}.count();
   costs.max_begun = parts_.generator_memory.max_begun();
+  costs.max_begun_of_flow = (costs.max_begun + 3) / 4;  // so that several flows find room
   // One flow gets all threads only while nobody else asks: whoever asks next should find one.
   const bool keep_one = recent_flows_.several(parts_.clock.now()) && settings_.threads > 1;
   costs.max_in_flight = keep_one ? settings_.threads - 1 : settings_.threads;
   return costs;
+}
+
+std::ptrdiff_t GenerationPool::begun_change() {
+  const std::size_t before = std::exchange(begun_told_, queue_.begun());
+  return static_cast<std::ptrdiff_t>(begun_told_) - static_cast<std::ptrdiff_t>(before);
 }
 
 std::int64_t GenerationPool::job_bytes_change() {

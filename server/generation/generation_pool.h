@@ -104,6 +104,8 @@ class GenerationPool {
   /// Bytes of jobs since the last call: to be told to the budget without the mutex, which it may come back
   /// to.
   [[nodiscard]] std::int64_t job_bytes_change();
+  /// Of what was begun and gave way, likewise.
+  [[nodiscard]] std::ptrdiff_t begun_change();
   /// Those to be told that there is room for their jobs now.
   [[nodiscard]] std::vector<MailboxPtr> clients_with_room();
 
@@ -121,6 +123,7 @@ class GenerationPool {
   RecentFlows recent_flows_;
   RefusedClients refused_;
   std::size_t jobs_told_ = 0;          // to the budget
+  std::size_t begun_told_ = 0;         // likewise
   std::atomic<bool> stopping_{false};  // changes under the mutex
 
   std::vector<std::thread> threads_;

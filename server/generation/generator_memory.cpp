@@ -15,8 +15,10 @@ void GeneratorMemory::note_patch(std::size_t bytes) {
   tell_budget();
 }
 
-void GeneratorMemory::note_begun(std::size_t patches) {
-  if (begun_.exchange(patches) != patches) tell_budget();
+void GeneratorMemory::add_begun(std::ptrdiff_t change) {
+  if (change == 0) return;
+  begun_ += static_cast<std::size_t>(change);
+  tell_budget();
 }
 
 std::size_t GeneratorMemory::max_begun() const {

@@ -20,11 +20,11 @@ class GeneratorMemory {
 
   GeneratorMemory(MemoryBudget& budget, std::size_t threads, Logger log);
 
-  /// How many patches may be begun and wait: what is left of the share, and some in any case.
+  /// With so many that were begun and wait no more give way: what is left of the share, and some in any case.
   [[nodiscard]] std::size_t max_begun() const;
   static constexpr std::size_t kMostBegun = 16;
-  /// So many are.
-  void note_begun(std::size_t patches);
+  /// So many more are, or fewer.
+  void add_begun(std::ptrdiff_t change);
 
   /// A patch of `bytes` was made. Where the generators need more than their share, the log says so, once.
   void note_patch(std::size_t bytes);

@@ -1,4 +1,4 @@
-// What work for the generators is likely to cost, and how much of it one flow may have begun.
+// What work for the generators is likely to cost, and how much of it may be in flight or put back.
 #pragma once
 
 #include <cstddef>
@@ -17,7 +17,8 @@ struct WorkCosts {
   std::function<bool(const PatchKey&)> in_memory{};  // whether the patch need not be made; unset: none is
   std::uint64_t longest_piece = UINT64_MAX;          // what is dearer gives way to others
   std::size_t max_in_flight = SIZE_MAX;              // pieces of one flow
-  std::size_t max_begun = SIZE_MAX;                  // of all flows
+  std::size_t max_begun = SIZE_MAX;                  // pieces that gave way, of all flows
+  std::size_t max_begun_of_flow = SIZE_MAX;          // and of one
 };
 
 }  // namespace talus::server

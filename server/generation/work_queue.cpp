@@ -79,6 +79,7 @@ std::size_t WorkQueue::add(const MailboxPtr& mailbox, std::span<const ChunkKey> 
       Job* const taken = known ? patch->second.taken.find(key) : nullptr;
       Job* const waiting = known && taken == nullptr ? patch->second.waiting.find(key) : nullptr;
       if (taken != nullptr) {
+        if (urgency == Urgency::soon) patch->second.hastened = true;
         if (waiter_of(taken->waiters, mailbox->owner()) == taken->waiters.end()) {
           taken->waiters.push_back(mailbox);
         }
@@ -126,8 +127,13 @@ void WorkQueue::add(const MailboxPtr& mailbox, ChunkKey key, Urgency urgency, co
 }
 
 void WorkQueue::hasten(ClientId client, ChunkKey key) {
-  const auto found = clients_.find(client);
-  if (found != clients_.end()) hasten(found->second, client, patch_of(key, patch_tiles_));
+  const PatchKey patch = patch_of(key, patch_tiles_);
+  if (const auto found = clients_.find(client); found != clients_.end()) hasten(found->second, client, patch);
+  const auto work = patches_.find(patch);
+  if (work == patches_.end()) return;
+  Job* const taken = work->second.taken.find(key);
+  if (taken != nullptr && waiter_of(taken->waiters, client) != taken->waiters.end())
+    work->second.hastened = true;
 }
 
 void WorkQueue::hasten(Client& client, ClientId id, const PatchKey& patch) {
@@ -205,7 +211,7 @@ void WorkQueue::put_back(Batch&& batch, const UrgencyTurns::Turn& turn) {
   PatchWork& work = found->second;
   // First what may throw.
   work.waiting.reserve(work.taken.open);
-  enter_waiters(found->first, work, turn.urgency);
+  enter_waiters(found->first, work, work.hastened ? Urgency::soon : turn.urgency);
   while (!work.taken.empty()) {
     const std::size_t first = work.taken.first;
     Job& job = work.taken.jobs[first];
@@ -224,12 +230,13 @@ void WorkQueue::put_back(Batch&& batch, const UrgencyTurns::Turn& turn) {
   }
   work.taken = {};
   work.is_taken = false;
+  work.hastened = false;
   if (!work.waiting.empty()) {
     work.begun = std::move(batch.begun);
     work.begun_by = turn.flow;
     count_begun(turn.flow, true);
   }
-  batch.begun.reset();
+  if (batch.begun != nullptr && dropped_ == nullptr) dropped_ = std::move(batch.begun);
   drop_if_unused(found);
 }
 
@@ -276,7 +283,7 @@ std::optional<WorkQueue::Work> WorkQueue::take(const WorkCosts& costs) {
       [&](FlowId flow) { return of(flow).in_flight < costs.max_in_flight; },
       [&](ClientId id, Urgency urgency) {
         const auto client = clients_.find(id);
-        return client != clients_.end() && can_begin(client->second, urgency, costs);
+        return client != clients_.end() && can_begin(client->second, urgency);
       },
       [&](ClientId id, Urgency urgency) {
         const auto client = clients_.find(id);
@@ -302,9 +309,9 @@ void WorkQueue::reconcile(const Work& work, std::uint64_t cost) {
 
 WorkQueue::Work WorkQueue::take_of(const UrgencyTurns::Turn& turn, const WorkCosts& costs) {
   Client& client = clients_.at(turn.client);
-  const auto patch = free_patch(client, turn.urgency, costs);
+  const auto patch = free_patch(client, turn.urgency);
   const bool heights =
-      turn.urgency == Urgency::later && has_free_heights(client, costs) && (client.heights_next || !patch);
+      turn.urgency == Urgency::later && !client.heights.empty() && (client.heights_next || !patch);
   // What it takes may be the last that the client and its flow have, which these keep.
   Flow& flow = flows_[turn.flow];
   ++flow.in_flight;
@@ -333,33 +340,22 @@ WorkQueue::Work WorkQueue::take_of(const UrgencyTurns::Turn& turn, const WorkCos
   }
 }
 
-std::optional<PatchKey> WorkQueue::free_patch(const Client& client, Urgency urgency,
-                                              const WorkCosts& costs) const {
-  const bool any = may_begin_more(client.flow, costs);
+std::optional<PatchKey> WorkQueue::free_patch(const Client& client, Urgency urgency) const {
   for (const PatchKey& patch : client.order[urgency]) {
-    const PatchWork& work = patches_.at(patch);
-    if (work.is_taken) continue;
-    if (any || work.begun != nullptr || (costs.in_memory && costs.in_memory(patch))) return patch;
+    if (!patches_.at(patch).is_taken) return patch;
   }
   return std::nullopt;
 }
 
-bool WorkQueue::has_free_heights(const Client& client, const WorkCosts& costs) const {
-  return !client.heights.empty() && (client.heights.front().is_begun() || may_begin_more(client.flow, costs));
+bool WorkQueue::can_begin(const Client& client, Urgency urgency) const {
+  return (urgency == Urgency::later && !client.heights.empty()) || free_patch(client, urgency);
 }
 
-bool WorkQueue::may_begin_more(FlowId flow, const WorkCosts& costs) const {
-  return begun_ == 0 || (begun_ < costs.max_begun && of(flow).begun == 0);
-}
-
-bool WorkQueue::can_begin(const Client& client, Urgency urgency, const WorkCosts& costs) const {
-  return (urgency == Urgency::later && has_free_heights(client, costs)) || free_patch(client, urgency, costs);
-}
-
-bool WorkQueue::others_wait(ClientId client, const WorkCosts& costs) const {
+bool WorkQueue::should_give_way(const UrgencyTurns::Turn& turn, const WorkCosts& costs) const {
+  if (begun_ >= costs.max_begun || of(turn.flow).begun >= costs.max_begun_of_flow) return false;
   return std::any_of(clients_.begin(), clients_.end(), [&](const auto& each) {
-    return each.first != client &&
-           (can_begin(each.second, Urgency::soon, costs) || can_begin(each.second, Urgency::later, costs));
+    return each.first != turn.client &&
+           (can_begin(each.second, Urgency::soon) || can_begin(each.second, Urgency::later));
   });
 }
 
@@ -422,6 +418,7 @@ void WorkQueue::release(const PatchKey& patch) {
   end_taken(found->second);
   found->second.taken = {};
   found->second.is_taken = false;
+  found->second.hastened = false;
   drop_if_unused(found);
 }
 
@@ -489,7 +486,10 @@ WorkQueue::Batch WorkQueue::take_patch(const PatchKey& patch, ClientId client) {
 
 void WorkQueue::drop_if_unused(Patches::iterator patch) {
   if (patch->second.is_taken || !patch->second.waiting.empty()) return;
-  if (patch->second.begun != nullptr) count_begun(patch->second.begun_by, false);
+  if (patch->second.begun != nullptr) {
+    count_begun(patch->second.begun_by, false);
+    if (dropped_ == nullptr) dropped_ = std::move(patch->second.begun);
+  }
   patches_.erase(patch);
 }
 

@@ -8,9 +8,7 @@
 // waits for chunks of the patch gets them with it, for nothing: a job is done in the turn of the waiter whose
 // turn comes first.
 //
-// What is dear gives way midway: it comes back as it is, and any turn of who waits for it goes on with it. It
-// holds memory meanwhile, so a flow begins nothing new before that, and all flows together have so much of it
-// at most.
+// What is dear gives way midway: it comes back as it is, and any turn of who waits for it goes on with it.
 //
 // The queue is shared by dynamic thresholds (Choudhury and Hahne, 1998): a flow may have as many jobs as
 // there is room left, and a client as many as its flow has room then. So two flows take a third of the queue
@@ -55,8 +53,8 @@ class WorkQueue {
     FlowUsePtr flow_use{};    // to which it is to be added
   };
 
-  /// Never more than `max_jobs` jobs, but that a client for which fewer than `own_jobs` wait may ask for any
-  /// number at once: so whoever waits for nothing is not refused.
+  /// Never more than `max_jobs` jobs, but that a client for which fewer than `own_jobs` of an urgency wait
+  /// may ask for any number of that at once: so whoever waits for nothing is not refused.
   WorkQueue(int patch_tiles, std::size_t max_jobs, std::size_t own_jobs = 0);
 
   /// Lets the mailbox's owner wait for the chunks; for each once, however often it asks. Returns how many,
@@ -96,8 +94,9 @@ class WorkQueue {
   /// Drops the jobs of a taken batch where nobody waits for any of them, or for others of its patch; false
   /// where somebody does.
   [[nodiscard]] bool drop_unwanted(const Batch& batch);
-  /// Whether another client could begin something.
-  [[nodiscard]] bool others_wait(ClientId client, const WorkCosts& costs) const;
+  /// Whether a piece of this turn should be put back now: another client could begin something, and what was
+  /// put back does not hold too much memory, neither of the flow nor in all.
+  [[nodiscard]] bool should_give_way(const UrgencyTurns::Turn& turn, const WorkCosts& costs) const;
   /// Whether heights that were taken were not cancelled since.
   [[nodiscard]] bool is_wanted(const HeightsTask& task) const;
   /// Ends the job; its waiters are the caller's to answer.
@@ -107,6 +106,9 @@ class WorkQueue {
   [[nodiscard]] std::size_t jobs() const { return jobs_; }
   /// What was put back and holds memory.
   [[nodiscard]] std::size_t begun() const { return begun_; }
+  /// A patch that was begun and goes, as nobody waits for it any more; null where none does. To be destroyed
+  /// without the lock: it may be large. Of several between two calls the others are destroyed at once.
+  [[nodiscard]] BegunPatchPtr take_dropped() { return std::move(dropped_); }
   /// Those with something waiting.
   [[nodiscard]] std::size_t clients() const;
 
@@ -136,6 +138,7 @@ class WorkQueue {
     Jobs waiting;
     Jobs taken;  // empty where no thread works on the patch, or it has ended them all
     bool is_taken = false;
+    bool hastened = false;  // while it was taken somebody came to want it soon
     BegunPatchPtr begun{};
     FlowId begun_by{};
   };
@@ -184,13 +187,9 @@ class WorkQueue {
   /// The client waits for one job less of the patch.
   void leave(ClientId client, const PatchKey& patch);
   void drop_if_done(Clients::iterator client);
-  [[nodiscard]] bool can_begin(const Client& client, Urgency urgency, const WorkCosts& costs) const;
+  [[nodiscard]] bool can_begin(const Client& client, Urgency urgency) const;
   /// The first patch of that urgency on which a thread may work for the client.
-  [[nodiscard]] std::optional<PatchKey> free_patch(const Client& client, Urgency urgency,
-                                                   const WorkCosts& costs) const;
-  [[nodiscard]] bool has_free_heights(const Client& client, const WorkCosts& costs) const;
-  /// Whether the flow may begin what might be dear.
-  [[nodiscard]] bool may_begin_more(FlowId flow, const WorkCosts& costs) const;
+  [[nodiscard]] std::optional<PatchKey> free_patch(const Client& client, Urgency urgency) const;
   void count_begun(FlowId flow, bool more);
   /// Lets all who wait for jobs of `work` that were taken wait for the patch again, without counting them.
   void enter_waiters(const PatchKey& patch, const PatchWork& work, Urgency urgency);
@@ -215,9 +214,10 @@ class WorkQueue {
   const std::size_t own_jobs_;
   std::size_t jobs_ = 0;
   std::size_t begun_ = 0;
+  BegunPatchPtr dropped_{};
   Patches patches_;
   Clients clients_;                         // those with something waiting or in flight
-  std::unordered_map<FlowId, Flow> flows_;  // those with jobs, or pieces in flight
+  std::unordered_map<FlowId, Flow> flows_;  // those with jobs, pieces in flight, or something begun
   UrgencyTurns turns_;
 };
 

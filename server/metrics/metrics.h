@@ -37,7 +37,7 @@ struct Metrics {
   // ---- where chunks come from
   Counter cache_hits;
   Counter cache_misses;
-  Counter uniform_answers;  // known without a look at the cache
+  Counter uniform_answers;  // found to be of one material
   Counter patches_made;
   Counter patch_ns;
   Counter chunks_made;

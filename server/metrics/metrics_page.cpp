@@ -115,7 +115,7 @@ const std::array kRows{
 
     MetricRow{"talus_cache_hits_total", "Chunks found in the cache.", counter, {}, &Metrics::cache_hits},
     MetricRow{"talus_cache_misses_total", "Chunks not found in the cache.", counter, {}, &Metrics::cache_misses},
-    MetricRow{"talus_uniform_answers_total", "Chunks known to be all rock or all air without a look at the cache.",
+    MetricRow{"talus_uniform_answers_total", "Chunks found to be of one material, all rock or all air.",
               counter, {}, &Metrics::uniform_answers},
     MetricRow{"talus_cache_bytes", "Bytes in each cache.", gauge, {"cache"}, cache_bytes},
     MetricRow{"talus_patches_generated_total", "Patches of terrain generated.", counter, {}, &Metrics::patches_made},

@@ -113,15 +113,6 @@ std::size_t Delivery::start_work() {
   return found_;
 }
 
-bool Delivery::view_may_start() {
-  ViewStream& stream = view_.stream();
-  if (stream.to_send() == 0 || queue_full_ || outbox_.control_bytes() >= kMaxColumnBytes) return false;
-  if (stream.in_flight_count() < kMaxViewInFlight) return true;
-  // In a crowd far chunks wait long.
-  const auto nearest = stream.nearest();
-  return nearest && stream.is_near(*nearest);
-}
-
 bool Delivery::requests_hold_less() const {
   using Lane = Outbox::Lane;
   const std::size_t view_waits = view_.stream().in_flight_count() - outbox_.chunks(Lane::view);
@@ -200,8 +191,10 @@ void Delivery::wait_for_view() {
   const auto submitted = [&](ChunkKey key) {
     if (!view_.stream().in_flight(key)) return true;
     ChunkWaits::Waiters* const waiters = waits_.find(key);
-    if (waiters != nullptr) waiters->view = true;
-    return waiters != nullptr;
+    if (waiters == nullptr) return false;
+    waiters->view = true;
+    if (soon && !std::exchange(waiters->soon, true)) context_.chunks.hasten(mailbox_->owner(), {&key, 1});
+    return true;
   };
   const auto news = std::remove_if(to_submit_.begin(), to_submit_.end(), submitted);
   to_submit_.erase(news, to_submit_.end());

@@ -101,7 +101,11 @@ class Delivery {
   [[nodiscard]] EncodedChunkPtr find(ChunkKey key);
   /// Whether one more chunk may come to wait for the client; those that wait for the source will, too.
   [[nodiscard]] bool has_room() const;
-  [[nodiscard]] bool view_may_start();
+  [[nodiscard]] bool view_may_start() const {
+    // In a crowd far chunks wait long: they do not keep the nearest waiting.
+    return view_.stream().to_send() > 0 && !queue_full_ && outbox_.control_bytes() < kMaxColumnBytes &&
+           (view_.stream().in_flight_count() < kMaxViewInFlight || view_.stream().near_to_send());
+  }
   /// Whether requests hold no more than the View, of chunks that wait for the source or the client.
   [[nodiscard]] bool requests_hold_less() const;
 
@@ -110,7 +114,7 @@ class Delivery {
   /// hardly farther away.
   void start_view_chunk();
   void add_those_beside(ChunkKey nearest);
-  /// For the chunks in to_submit_, which are in flight.
+  /// For the chunks in to_submit_, which are in flight. All are wanted soon where the first is.
   void wait_for_view();
 
   /// `request` is the pending one of `id`.

@@ -136,10 +136,8 @@ bool AreaOfInterest::within(ChunkKey chunk, ChunkKey nearest, int base_chunks) c
 }
 
 bool AreaOfInterest::is_near(ChunkKey key) const {
-  const glm::i64vec3 to = offset(key);
-  constexpr std::int64_t kEnd = 2 * kNearRings;  // in half base chunks
-  return std::max({std::abs(to.x), std::abs(to.y), std::abs(to.z)}) < kEnd &&
-         to.x * to.x + to.y * to.y + to.z * to.z < kEnd * kEnd;
+  const glm::i64vec3 to = offset(key);  // in half chunks
+  return key.lod == Lod{} && std::max({std::abs(to.x), std::abs(to.y), std::abs(to.z)}) <= 2;
 }
 
 AreaOfInterest::Place AreaOfInterest::place_of_rank(std::uint64_t rank) {

@@ -62,9 +62,20 @@ class AreaOfInterest {
   [[nodiscard]] static std::uint64_t end_of_ring(std::uint64_t coarse_priority);
   /// Whether the first chunk's centre is at most so many base chunks farther away than the second's.
   [[nodiscard]] bool within(ChunkKey chunk, ChunkKey nearest, int base_chunks) const;
-  /// Whether the chunk is of the nearest kNearRings rings.
+  /// Whether the chunk is of the two nearest rings: of level 0, the 27 around the centre.
   [[nodiscard]] bool is_near(ChunkKey key) const;
-  static constexpr int kNearRings = 2;
+  /// Calls visit(Place) for those of the area.
+  template <typename Visit>
+  void for_each_near(Visit&& visit) const {
+    for (std::int64_t i = 0; i < 27; ++i) {
+      const glm::i64vec3 at = centre_ + glm::i64vec3{i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1};
+      constexpr std::int64_t kEnd = std::int64_t{1} << 31;
+      if (std::max({at.x, at.y, at.z}) >= kEnd || std::min({at.x, at.y, at.z}) < -kEnd) continue;
+      const ChunkCoord coord{static_cast<std::int32_t>(at.x), static_cast<std::int32_t>(at.y),
+                             static_cast<std::int32_t>(at.z)};
+      if (const auto place = place_of({coord, Lod{}})) visit(*place);
+    }
+  }
   /// Of a rank or coarse priority.
   [[nodiscard]] static Place place_of_rank(std::uint64_t rank);
   /// The chunk whose rank or coarse priority it is, and its place.

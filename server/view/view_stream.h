@@ -23,8 +23,15 @@ class ViewStream {
 
   /// The nearest chunk that is still to be sent.
   [[nodiscard]] std::optional<ChunkKey> nearest();
-  /// Of a chunk of the area: whether it is among the nearest.
+  /// Of a chunk of the area: whether it is of the two nearest rings.
   [[nodiscard]] bool is_near(ChunkKey key) const { return interest_.is_near(key); }
+  /// Whether one of those is still to be sent.
+  [[nodiscard]] bool near_to_send() const {
+    bool any = false;
+    interest_.for_each_near(
+        [&](AreaOfInterest::Place place) { any = any || states_[place] == State::to_send; });
+    return any;
+  }
   /// Calls visit(column) for each column of the area in the square of `edge` columns a side, aligned to its
   /// size, in which `key` lies; that of `key` first.
   template <typename Visit>

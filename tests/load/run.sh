@@ -64,7 +64,7 @@ stop() {
   wait "$server" 2>/dev/null || status=$?
   [[ -z "$short" || $status == 0 ]] || { cat "$out/talusd.log" >&2; echo "talusd ended with $status" >&2; exit 1; }
 }
-trap 'stop_redis; stop' EXIT
+trap 'stop_siege; stop_redis; stop' EXIT
 trap 'exit 130' INT TERM
 
 listen=127.0.0.1:0
@@ -209,6 +209,15 @@ medians() {
 has() {
   local program
   for program in "$@"; do command -v "$program" >/dev/null || return 1; done
+}
+
+siege_pid=""
+
+stop_siege() {
+  [[ -n "$siege_pid" ]] || return 0
+  kill "$siege_pid" 2>/dev/null || true
+  wait "$siege_pid" 2>/dev/null || true
+  siege_pid=""
 }
 
 redis_port=4791
@@ -421,18 +430,18 @@ churn_as() {
   expect 'errors>0' "resident_growth_percent>$2"
   [[ "$1" == siege ]] || expected+=(--fail-if 'files_left>0')  # attackers are still there at the end
   # The caches are full before the measured time begins.
-  local settings=(TALUS_CACHE_CHUNK_BYTES=33554432 TALUS_CACHE_PATCH_BYTES=33554432) attack=""
+  local settings=(TALUS_CACHE_CHUNK_BYTES=33554432 TALUS_CACHE_PATCH_BYTES=33554432)
   if [[ "$1" == siege ]]; then
     start "${settings[@]}"  # with the rates as shipped: they are there for attackers
     "$talus_siege" "${address##*:}" 86400 >"$out/siege.txt" &
-    attack=$!
+    siege_pid=$!
   else
     start "${no_address_rates[@]}" "${settings[@]}"
   fi
   load "$1" --from-addresses 10 --players "$(pick 100 10)" --model walk=50,fly=25,teleport=25 --groups "$(pick 20 4)" --churn "$(pick 10 2)" \
     --radius "$(pick 6 4)" --ramp-up "$(pick 10 1)" --warm-up "$(pick 60 1)" --duration "${CHURN_SECONDS:-$(pick 1800 10)}" \
     --verify 5 "${expected[@]}"
-  [[ -z "$attack" ]] || { kill "$attack"; wait "$attack" || true; cat "$out/siege.txt"; }
+  [[ -z "$siege_pid" ]] || { stop_siege; cat "$out/siege.txt"; }
 }
 
 scenarios=(join horizon hot groups alone loners storm idle greedy slow rates pong churn siege)

@@ -120,7 +120,7 @@ class FakeGenerator final : public Generator {
     return nullptr;
   }
   [[nodiscard]] EncodedChunkPtr uniform(MaterialId) const override {
-    return std::make_shared<const EncodedChunk>(ContentHash{}, std::vector<std::byte>{});
+    return std::make_shared<const EncodedChunk>(ContentHash{}, std::vector<std::byte>{}, kBaseRevision, true);
   }
   /// As if all were mixed, unless the test says from where on there is air.
   [[nodiscard]] MixedRows mixed_rows_anywhere(Lod) const override {

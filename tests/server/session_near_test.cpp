@@ -28,6 +28,25 @@ TEST_CASE("of a View the two nearest rings are wanted soon") {
   CHECK(bench.source.wanted_soon == near);
 }
 
+TEST_CASE("what is asked for beside a near chunk is wanted soon with it, and nothing else") {
+  SessionBench bench;
+  bench.source.together = 4;
+  bench.look_at(1, 8);
+  CHECK(bench.source.wanted_soon.contains(chunk_at(1)));
+  for (const ChunkKey key : bench.source.wanted_soon) {
+    CHECK((key.coord.x >> 2 == 0 || is_near(key, 1)));
+  }
+  CHECK(bench.source.wanted_soon.size() < bench.source.waiting.size());
+}
+
+TEST_CASE("a near chunk for which a request waits already is hastened") {
+  SessionBench bench;
+  bench.get_chunk(1, chunk_at(0));
+  REQUIRE(bench.source.wanted_soon.empty());
+  bench.look_at(0, 1);
+  CHECK(bench.source.wanted_soon.contains(chunk_at(0)));
+}
+
 TEST_CASE("what is asked for by id is wanted later") {
   SessionBench bench;
   bench.get_chunk(1, chunk_at(0));

@@ -13,6 +13,12 @@ namespace {
 
 const WorkCosts kCosts{.patch = 100, .longest_piece = 25, .max_begun = 2};
 
+class Nothing final : public HeightsMaking {
+ public:
+  [[nodiscard]] bool step() override { return true; }
+  [[nodiscard]] std::vector<std::int32_t> take() override { return {}; }
+};
+
 WorkQueue::Work take(WorkQueue& queue) {
   auto work = queue.take(kCosts);
   REQUIRE(work.has_value());
@@ -97,6 +103,8 @@ TEST_CASE("what was begun goes with the last job that waits for it") {
   REQUIRE(queue.begun() == 1);
   queue.cancel(client->owner(), at(0));
   CHECK(queue.begun() == 0);
+  CHECK(queue.take_dropped() != nullptr);
+  CHECK(queue.take_dropped() == nullptr);
   CHECK(queue.jobs() == 0);
   CHECK(queue.clients() == 0);
   // Where the last left while it was taken.
@@ -109,74 +117,84 @@ TEST_CASE("what was begun goes with the last job that waits for it") {
   CHECK(queue.clients() == 0);
 }
 
-TEST_CASE("a flow that has begun something begins nothing else but what is in memory") {
+TEST_CASE("a piece gives way where another client could begin something") {
   WorkQueue queue{kPatch, 100};
   const auto client = client_box(kFlow);
-  const auto same_flow = client_box(kFlow);
   const auto other = client_box(kOtherFlow);
   REQUIRE(add(queue, client, at(0)));
   auto work = take(queue);
-  (void)pause(queue, work);
-  REQUIRE(add(queue, same_flow, at(100)));
-  queue.add(HeightsTask{same_flow, 1, {{0, 0}}});
-  REQUIRE(add(queue, other, at(200)));
-  CHECK(queue.others_wait(client->owner(), kCosts));  // the other flow's
-  CHECK_FALSE(queue.others_wait(other->owner(), {.patch = 100, .max_begun = 0}) ==
-              false);  // its own begun patch
-  std::vector<ClientId> taken;
-  for (int i = 0; i < 2; ++i) taken.push_back(take(queue).turn.client);
-  CHECK(std::find(taken.begin(), taken.end(), same_flow->owner()) == taken.end());
-  // Nothing is begun any more that was put back, so all may begin.
-  CHECK(take(queue).turn.client == same_flow->owner());
+  CHECK_FALSE(queue.should_give_way(work.turn, kCosts));
+  REQUIRE(add(queue, client, at(100)));  // its own
+  CHECK_FALSE(queue.should_give_way(work.turn, kCosts));
+  REQUIRE(add(queue, other, at(1)));  // of the patch that is taken
+  CHECK_FALSE(queue.should_give_way(work.turn, kCosts));
+  const Urgency urgency = GENERATE(Urgency::soon, Urgency::later);
+  REQUIRE(queue.add(other, std::array{at(200)}, urgency) == 1);
+  CHECK(queue.should_give_way(work.turn, kCosts));
 }
 
-TEST_CASE("of a flow that has begun something what is in memory is taken") {
+TEST_CASE("heights that wait are reason enough to give way") {
   WorkQueue queue{kPatch, 100};
-  const auto client = client_box(kFlow);
-  const auto same_flow = client_box(kFlow);
-  REQUIRE(add(queue, client, at(0)));
-  auto work = take(queue);
-  (void)pause(queue, work);
-  REQUIRE(add(queue, same_flow, at(100)));
-  WorkCosts costs = kCosts;
-  const PatchKey there = patch_of(at(100), kPatch);
-  costs.in_memory = [&](const PatchKey& patch) { return patch == there; };
-  CHECK(queue.others_wait(client->owner(), costs));
-  CHECK_FALSE(queue.others_wait(client->owner(), kCosts));
+  REQUIRE(add(queue, client_box(), at(0)));
+  const auto work = take(queue);
+  queue.add(HeightsTask{client_box(), 1, {{0, 0}}});
+  CHECK(queue.should_give_way(work.turn, kCosts));
 }
 
-TEST_CASE("of all flows so much is begun at most, and then that is gone on with") {
+TEST_CASE("where much was put back nothing more gives way, and all may begin what they want") {
   WorkQueue queue{kPatch, 100};
+  const bool one_flow = GENERATE(true, false);
   std::vector<MailboxPtr> clients;
-  for (int i = 0; i < 4; ++i) clients.push_back(client_box());
-  for (std::size_t i = 0; i < 4; ++i) REQUIRE(add(queue, clients[i], at(static_cast<std::int32_t>(i) * 100)));
-  std::vector<WorkQueue::Work> begun;
-  for (int i = 0; i < 2; ++i) begun.push_back(take(queue));
-  for (auto& work : begun) (void)pause(queue, work);
-  REQUIRE(queue.begun() == kCosts.max_begun);
-  for (int i = 0; i < 6; ++i) {
-    auto next = take(queue);
-    REQUIRE(batch_of(next).begun != nullptr);
-    if (i < 5) {
-      (void)pause(queue, next);
-    } else {
-      finish(queue, next);
-    }
+  for (std::uint64_t i = 0; i < 5; ++i) clients.push_back(client_box(one_flow ? kFlow : FlowId{100 + i}));
+  for (std::size_t i = 0; i < 5; ++i) REQUIRE(add(queue, clients[i], at(static_cast<std::int32_t>(i) * 100)));
+  const WorkCosts costs{.patch = 100,
+                        .longest_piece = 25,
+                        .max_begun = one_flow ? 5U : 2U,
+                        .max_begun_of_flow = one_flow ? 2U : 1U};
+  std::vector<WorkQueue::Work> taken;
+  for (int i = 0; i < 3; ++i) taken.push_back(take(queue));
+  for (std::size_t i = 0; i < 3; ++i) {
+    CHECK(queue.should_give_way(taken[i].turn, costs) == (i < 2));
+    if (i < 2) (void)pause(queue, taken[i]);
   }
-  auto next = take(queue);
-  if (batch_of(next).begun != nullptr) {
-    (void)pause(queue, next);
-    next = take(queue);
+  finish(queue, taken[2]);
+  // Those that were put back and the others, each in its turn.
+  int pieces = 0;
+  while (auto work = queue.take(costs)) {
+    finish(queue, *work);
+    ++pieces;
   }
-  CHECK(batch_of(next).begun == nullptr);
+  CHECK(pieces == 4);
+  CHECK(queue.begun() == 0);
+  CHECK(queue.clients() == 0);
+}
+
+TEST_CASE("two heights of one client in the making are both gone on with") {
+  WorkQueue queue{kPatch, 100};
+  const auto client = client_box();
+  for (std::uint64_t ticket = 1; ticket <= 2; ++ticket) {
+    queue.add(HeightsTask{client, ticket, {{0, 0}, {1000, 0}}});
+  }
+  auto first = take(queue);
+  auto second = take(queue);
+  std::get<HeightsTask>(second.what).making() = std::make_unique<Nothing>();
+  queue.put_back(std::move(std::get<HeightsTask>(second.what)));
+  queue.reconcile(second, 25);
+  std::get<HeightsTask>(first.what).add({7});
+  queue.put_back(std::move(std::get<HeightsTask>(first.what)));
+  queue.reconcile(first, 25);
+  int pieces = 0;
+  while (auto work = queue.take(kCosts)) {
+    std::get<HeightsTask>(work->what).give_up();
+    queue.reconcile(*work, 25);
+    ++pieces;
+  }
+  CHECK(pieces == 2);
+  CHECK(queue.begun() == 0);
+  CHECK(queue.clients() == 0);
 }
 
 TEST_CASE("heights that were begun count until they are gone on with or cancelled") {
-  class Nothing final : public HeightsMaking {
-   public:
-    [[nodiscard]] bool step() override { return true; }
-    [[nodiscard]] std::vector<std::int32_t> take() override { return {}; }
-  };
   WorkQueue queue{kPatch, 100};
   const auto client = client_box();
   queue.add(HeightsTask{client, 1, {{0, 0}}});

@@ -102,6 +102,26 @@ TEST_CASE("what was wanted soon and gives way still is") {
   CHECK(work->turn.urgency == Urgency::soon);
 }
 
+TEST_CASE("what comes to be wanted soon while a thread works on it is, when it gives way") {
+  WorkQueue queue{kPatch, 1000};
+  const auto client = client_box();
+  const auto other = client_box();
+  REQUIRE(add(queue, client, at(0)));
+  auto work = queue.take();
+  REQUIRE(work.has_value());
+  const int how = GENERATE(0, 1, 2);
+  if (how == 0) queue.hasten(client->owner(), at(0));
+  if (how == 1) REQUIRE(queue.add(other, std::array{at(0)}, Urgency::soon) == 1);
+  if (how == 2) queue.hasten(other->owner(), at(0));  // who does not wait for it
+  auto& batch = std::get<WorkQueue::Batch>(work->what);
+  batch.begun = std::make_unique<BegunPatch>();
+  queue.put_back(std::move(batch), work->turn);
+  queue.reconcile(*work, 1);
+  const auto turns = turns_of(queue);
+  REQUIRE(turns.size() == 1);
+  CHECK(turns.front().second == (how == 2 ? Urgency::later : Urgency::soon));
+}
+
 TEST_CASE("whichever allocation fails while a chunk is hastened, it is wanted soon or later") {
   bool failed = true;
   for (std::size_t allocations = 0; failed; ++allocations) {
