@@ -47,8 +47,9 @@ tl::expected<KeyFile, std::string> read_key_file(const std::filesystem::path& fi
                  "; name a file that holds the secret and that the user of talusd may read");
   const std::string_view bytes = without_newline(read->text());
   if (bytes.size() < bounds.min_bytes || bytes.size() > bounds.max_bytes) {
-    return wrong(fmt::format("has {} bytes; it must have {} to {}, as \"openssl rand -base64 32\" prints",
-                             bytes.size(), bounds.min_bytes, bounds.max_bytes));
+    return wrong(
+        fmt::format("has {} bytes; it must have {} to {}, as \"head -c 32 /dev/urandom | base64\" prints",
+                    bytes.size(), bounds.min_bytes, bounds.max_bytes));
   }
   return KeyFile{Secret{bytes}, permission_warning(file, read->mode())};
 }

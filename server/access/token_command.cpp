@@ -48,7 +48,7 @@ tl::expected<std::string, Exit> token_command(int argc, const char* const* argv,
   CLI::App app{"Prints a signed token, with which a client may join until the token expires.",
                "talusd token"};
   app.footer(
-      "The key is that of access.signing_key_file. \"openssl rand -base64 32\" makes one.\n"
+      "The key is that of access.signing_key_file. \"head -c 32 /dev/urandom | base64\" makes one.\n"
       "Exit status: 0 success, 1 failure, 2 wrong flags.");
   std::string key_file;
   std::string subject;

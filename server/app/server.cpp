@@ -76,7 +76,7 @@ Server::Server(const Config& config, std::shared_ptr<const terrain::World> world
                   [this](AcceptedConnection accepted) { on_connection(std::move(accepted)); }},
       io_{std::move(listeners.io)},
       chunks_{std::make_unique<TerrainGenerator>(terrain_, patch_size_.tiles, generator_threads(config)),
-              generation_settings(config, patch_size_.tiles),
+              generation_settings(config, patch_size_),
               log_,
               metrics_,
               memory_,

@@ -89,9 +89,13 @@ tl::expected<void, std::string> check_memory(const Config& config) {
       bytes, least));
 }
 
-GenerationSettings generation_settings(const Config& config, int patch_tiles) {
-  return {generator_threads(config), patch_tiles, config.generation.queue_chunks, config.cache.chunk_bytes,
-          config.cache.patch_bytes};
+GenerationSettings generation_settings(const Config& config, const PatchSize& patch) {
+  return {.threads = generator_threads(config),
+          .patch_tiles = patch.tiles,
+          .queue_chunks = config.generation.queue_chunks,
+          .chunk_cache_bytes = config.cache.chunk_bytes,
+          .patch_cache_bytes = config.cache.patch_bytes,
+          .piece_bytes = patch.bytes_in_the_making()};
 }
 
 PatchSize measured_patch_size(const Config& config, const terrain::World& world, const Clock& clock) {

@@ -50,7 +50,7 @@ static_assert(MemoryBudget::kProgramBytes + kMinMemoryBytes / GeneratorMemory::k
 [[nodiscard]] tl::expected<void, std::string> check_memory(const Config& config);
 
 /// `patch_tiles` as configured, or as chosen where the configuration leaves it open.
-[[nodiscard]] GenerationSettings generation_settings(const Config& config, int patch_tiles);
+[[nodiscard]] GenerationSettings generation_settings(const Config& config, const PatchSize& patch);
 
 /// Measures what the world's terrain costs on this machine.
 [[nodiscard]] PatchSize measured_patch_size(const Config& config, const terrain::World& world,

@@ -35,6 +35,7 @@ struct GenerationSettings {
   std::size_t chunk_cache_bytes = 0;
   std::size_t patch_cache_bytes = 0;
   std::size_t own_chunks = 16;  // with fewer jobs a client may ask for more in any case
+  std::size_t piece_bytes = 0;  // as GeneratorMemory's
 };
 
 class BaseChunks final : public ChunkSource {

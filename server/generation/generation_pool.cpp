@@ -236,12 +236,13 @@ void GenerationPool::fail(HeightsTask& task) {
 
 void GenerationPool::run(WorkQueue::Batch& batch, const WorkQueue::Work& work, MeasuredWork& measured) {
   bool dropped = false;
-  const AskAfterStep after_step = after_step_of(work, [&] {
+  BegunPatchPtr begun = std::move(batch.begun);
+  const auto spent = begun == nullptr ? std::chrono::nanoseconds{} : begun->spent;
+  const AskAfterStep after_step = after_step_of(work, spent, [&] {
     dropped = queue_.drop_unwanted(batch);
     if (dropped) parts_.metrics.jobs_cancelled.add(batch.keys.size());
     return !dropped;
   });
-  BegunPatchPtr begun = std::move(batch.begun);
   // Those that were made since they were asked for wait for nothing.
   std::vector<ChunkKey> keys;
   std::vector<EncodedChunkPtr> known;
@@ -304,7 +305,7 @@ void GenerationPool::answer(std::span<const ChunkKey> keys, Chunk&& chunk) {
 void GenerationPool::run(HeightsTask& task, const WorkQueue::Work& work, MeasuredWork& measured) {
   const auto began = parts_.clock.thread_cpu();
   const auto took = [&] { return parts_.clock.thread_cpu() - began; };
-  const AskAfterStep after_step = after_step_of(work, [&] { return queue_.is_wanted(task); });
+  const AskAfterStep after_step = after_step_of(work, {}, [&] { return queue_.is_wanted(task); });
   std::optional<GenerationFailed> failure;
   const std::size_t left = task.left();
   do {
@@ -322,17 +323,22 @@ void GenerationPool::run(HeightsTask& task, const WorkQueue::Work& work, Measure
   }
 }
 
-AskAfterStep GenerationPool::after_step_of(const WorkQueue::Work& work, std::function<bool()> is_wanted) {
-  return [this, &work, is_wanted = std::move(is_wanted), began = parts_.clock.thread_cpu(),
-          next = parts_.clock.now() + kLookAgain]() mutable {
+AskAfterStep GenerationPool::after_step_of(const WorkQueue::Work& work, std::chrono::nanoseconds spent,
+                                           std::function<bool()> is_wanted) {
+  return [this, &work, spent, is_wanted = std::move(is_wanted), began = parts_.clock.thread_cpu(),
+          next = parts_.clock.now() + kLookAgain, piece = std::chrono::nanoseconds{kLongestPiece}]() mutable {
     if (stopping_) return AfterStep::give_up;
     const auto now = parts_.clock.now();
     if (now < next) return AfterStep::go_on;
     next = now + kLookAgain;
-    const bool long_enough = parts_.clock.thread_cpu() - began >= kLongestPiece;
+    const std::chrono::nanoseconds took = parts_.clock.thread_cpu() - began;
+    const bool long_enough = took >= piece;
     const std::lock_guard lock{mutex_};
     if (!is_wanted()) return AfterStep::give_up;
-    return long_enough && queue_.should_give_way(work.turn, costs()) ? AfterStep::pause : AfterStep::go_on;
+    if (!long_enough) return AfterStep::go_on;
+    piece += kLongestPiece;  // a look at all who wait is not for nothing
+    const auto all = static_cast<std::uint64_t>((spent + took).count());
+    return queue_.should_give_way(work.turn, all, costs()) ? AfterStep::pause : AfterStep::go_on;
   };
 }
 

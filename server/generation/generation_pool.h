@@ -92,8 +92,9 @@ class GenerationPool {
   void end(WorkQueue::Work& work, const MeasuredWork& measured, std::chrono::nanoseconds took);
 
   /// For a piece of work: it is given up once the pool stops, or is_wanted() is false, which is called under
-  /// the mutex; and gives way to other clients after kLongestPiece.
-  [[nodiscard]] AskAfterStep after_step_of(const WorkQueue::Work& work, std::function<bool()> is_wanted);
+  /// the mutex; and gives way to other clients' cheaper work after kLongestPiece. `spent`: before this piece.
+  [[nodiscard]] AskAfterStep after_step_of(const WorkQueue::Work& work, std::chrono::nanoseconds spent,
+                                           std::function<bool()> is_wanted);
 
   // Under the mutex.
   /// Puts back what is not done, or ends it.

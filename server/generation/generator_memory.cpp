@@ -5,8 +5,9 @@
 
 namespace talus::server {
 
-GeneratorMemory::GeneratorMemory(MemoryBudget& budget, std::size_t threads, Logger log)
-    : budget_{budget}, threads_{threads}, log_{std::move(log)} {}
+GeneratorMemory::GeneratorMemory(MemoryBudget& budget, std::size_t threads, Logger log,
+                                 std::size_t piece_bytes)
+    : budget_{budget}, threads_{threads}, piece_bytes_{piece_bytes}, log_{std::move(log)} {}
 
 void GeneratorMemory::note_patch(std::size_t bytes) {
   std::size_t largest = largest_patch_bytes_.load();
@@ -22,24 +23,27 @@ void GeneratorMemory::add_begun(std::ptrdiff_t change) {
 }
 
 std::size_t GeneratorMemory::max_begun() const {
-  const std::uint64_t each = kPatchesAtWork * largest_patch_bytes_.load();
+  const std::uint64_t each = each_bytes();
   if (budget_.limit_bytes() == 0 || each == 0) return kMostBegun;
-  const std::uint64_t fit = budget_.limit_bytes() / kLargestShare / each;
-  return std::clamp<std::uint64_t>(fit, threads_ + 2, threads_ + kMostBegun) - threads_;
+  return std::min<std::uint64_t>(kMostBegun, budget_.limit_bytes() / kLargestShare / each);
+}
+
+std::uint64_t GeneratorMemory::each_bytes() const {
+  return std::max<std::uint64_t>(piece_bytes_, kPatchesAtWork * largest_patch_bytes_.load());
 }
 
 void GeneratorMemory::tell_budget() {
-  const std::uint64_t each = kPatchesAtWork * largest_patch_bytes_.load();
-  const std::uint64_t at_work = threads_ * each;
-  const std::uint64_t needed = at_work + begun_.load() * each;
-  const std::uint64_t share = budget_.limit_bytes() == 0 ? needed : budget_.limit_bytes() / kLargestShare;
+  const std::uint64_t at_work = threads_ * each_bytes();
+  const std::uint64_t begun = begun_.load() * each_bytes();
+  const std::uint64_t share =
+      budget_.limit_bytes() == 0 ? at_work + begun : budget_.limit_bytes() / kLargestShare;
   if (at_work > share && !warned_.exchange(true)) {
     log_->warn(
         "generators at work may take {} MiB, more than an eighth of limits.memory_bytes ({} MiB): raise "
         "that, or set fewer threads.generator or a smaller generation.patch_tiles",
         at_work >> 20U, budget_.limit_bytes() >> 20U);
   }
-  budget_.set(MemoryUse::generators, std::min(needed, share));
+  budget_.set(MemoryUse::generators, std::min(at_work, share) + std::min(begun, share));
 }
 
 }  // namespace talus::server

@@ -18,9 +18,11 @@ class GeneratorMemory {
   /// At most this part of the budget counts as the generators': more would lock everybody out for good.
   static constexpr std::uint64_t kLargestShare = 8;
 
-  GeneratorMemory(MemoryBudget& budget, std::size_t threads, Logger log);
+  /// `piece_bytes`: what a patch in the making takes with its halo, as far as is known; 0: nothing is.
+  GeneratorMemory(MemoryBudget& budget, std::size_t threads, Logger log, std::size_t piece_bytes = 0);
 
-  /// With so many that were begun and wait no more give way: what is left of the share, and some in any case.
+  /// With so many that were begun and wait no more give way: as many as are an eighth of the budget. None
+  /// where memory is that short: then each is made whole.
   [[nodiscard]] std::size_t max_begun() const;
   static constexpr std::size_t kMostBegun = 16;
   /// So many more are, or fewer.
@@ -30,10 +32,13 @@ class GeneratorMemory {
   void note_patch(std::size_t bytes);
 
  private:
+  /// Of a patch in the making.
+  [[nodiscard]] std::uint64_t each_bytes() const;
   void tell_budget();
 
   MemoryBudget& budget_;
   const std::size_t threads_;
+  const std::size_t piece_bytes_;
   const Logger log_;
   std::atomic<std::size_t> largest_patch_bytes_{0};
   std::atomic<std::size_t> begun_{0};

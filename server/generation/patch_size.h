@@ -21,7 +21,10 @@ struct PatchSize {
   std::chrono::nanoseconds tile_time{};  // of a lone tile with its halo
   std::chrono::nanoseconds patch_time{};
   bool expensive = false;  // a patch of kMaxChosenTiles takes longer than kPatchTime
+  int halo = 0;            // columns
 
+  /// Bytes that a patch in the making takes, with its halo; an estimate.
+  [[nodiscard]] std::size_t bytes_in_the_making() const;
   /// Thread time for each column of a patch, its halo's included.
   [[nodiscard]] std::uint64_t ns_a_column() const;
 };

@@ -351,11 +351,23 @@ bool WorkQueue::can_begin(const Client& client, Urgency urgency) const {
   return (urgency == Urgency::later && !client.heights.empty()) || free_patch(client, urgency);
 }
 
-bool WorkQueue::should_give_way(const UrgencyTurns::Turn& turn, const WorkCosts& costs) const {
+bool WorkQueue::can_begin_for_less(const Client& client, std::uint64_t most, const WorkCosts& costs) const {
+  if (!client.heights.empty() && costs.height * client.heights.front().left() < most) return true;
+  for (const Urgency urgency : {Urgency::soon, Urgency::later}) {
+    const auto patch = free_patch(client, urgency);
+    if (!patch) continue;
+    if (costs.patch < most || (costs.in_memory && costs.in_memory(*patch))) return true;
+  }
+  return false;
+}
+
+bool WorkQueue::should_give_way(const UrgencyTurns::Turn& turn, std::uint64_t spent,
+                                const WorkCosts& costs) const {
   if (begun_ >= costs.max_begun || of(turn.flow).begun >= costs.max_begun_of_flow) return false;
+  // What takes longer than most is likely to take as long again.
+  const std::uint64_t left = spent < costs.patch ? costs.patch - spent : spent;
   return std::any_of(clients_.begin(), clients_.end(), [&](const auto& each) {
-    return each.first != turn.client &&
-           (can_begin(each.second, Urgency::soon) || can_begin(each.second, Urgency::later));
+    return each.first != turn.client && can_begin_for_less(each.second, left, costs);
   });
 }
 

@@ -94,9 +94,12 @@ class WorkQueue {
   /// Drops the jobs of a taken batch where nobody waits for any of them, or for others of its patch; false
   /// where somebody does.
   [[nodiscard]] bool drop_unwanted(const Batch& batch);
-  /// Whether a piece of this turn should be put back now: another client could begin something, and what was
-  /// put back does not hold too much memory, neither of the flow nor in all.
-  [[nodiscard]] bool should_give_way(const UrgencyTurns::Turn& turn, const WorkCosts& costs) const;
+  /// Whether a piece of this turn that took `spent` so far should be put back now: another client could begin
+  /// something that is likely to take less time than what is left of it, and what was put back does not hold
+  /// too much memory, neither of the flow nor in all. Where all is as expensive each is made whole, so that
+  /// the first is soon there.
+  [[nodiscard]] bool should_give_way(const UrgencyTurns::Turn& turn, std::uint64_t spent,
+                                     const WorkCosts& costs) const;
   /// Whether heights that were taken were not cancelled since.
   [[nodiscard]] bool is_wanted(const HeightsTask& task) const;
   /// Ends the job; its waiters are the caller's to answer.
@@ -188,6 +191,9 @@ class WorkQueue {
   void leave(ClientId client, const PatchKey& patch);
   void drop_if_done(Clients::iterator client);
   [[nodiscard]] bool can_begin(const Client& client, Urgency urgency) const;
+  /// Whether the client could begin something that is likely to cost less than `most`.
+  [[nodiscard]] bool can_begin_for_less(const Client& client, std::uint64_t most,
+                                        const WorkCosts& costs) const;
   /// The first patch of that urgency on which a thread may work for the client.
   [[nodiscard]] std::optional<PatchKey> free_patch(const Client& client, Urgency urgency) const;
   void count_begun(FlowId flow, bool more);

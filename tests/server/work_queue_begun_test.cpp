@@ -123,22 +123,38 @@ TEST_CASE("a piece gives way where another client could begin something") {
   const auto other = client_box(kOtherFlow);
   REQUIRE(add(queue, client, at(0)));
   auto work = take(queue);
-  CHECK_FALSE(queue.should_give_way(work.turn, kCosts));
+  CHECK_FALSE(queue.should_give_way(work.turn, 150, kCosts));
   REQUIRE(add(queue, client, at(100)));  // its own
-  CHECK_FALSE(queue.should_give_way(work.turn, kCosts));
+  CHECK_FALSE(queue.should_give_way(work.turn, 150, kCosts));
   REQUIRE(add(queue, other, at(1)));  // of the patch that is taken
-  CHECK_FALSE(queue.should_give_way(work.turn, kCosts));
+  CHECK_FALSE(queue.should_give_way(work.turn, 150, kCosts));
   const Urgency urgency = GENERATE(Urgency::soon, Urgency::later);
   REQUIRE(queue.add(other, std::array{at(200)}, urgency) == 1);
-  CHECK(queue.should_give_way(work.turn, kCosts));
+  CHECK(queue.should_give_way(work.turn, 150, kCosts));
 }
 
-TEST_CASE("heights that wait are reason enough to give way") {
+TEST_CASE("a piece gives way to what is likely to take less time than its rest") {
   WorkQueue queue{kPatch, 100};
+  const auto other = client_box();
   REQUIRE(add(queue, client_box(), at(0)));
   const auto work = take(queue);
-  queue.add(HeightsTask{client_box(), 1, {{0, 0}}});
-  CHECK(queue.should_give_way(work.turn, kCosts));
+  WorkCosts costs{.patch = 100, .height = 10, .max_begun = 2};
+  SECTION("not to a patch that is as expensive, until this one has taken more than most") {
+    REQUIRE(add(queue, other, at(100)));
+    CHECK_FALSE(queue.should_give_way(work.turn, 25, costs));
+    CHECK_FALSE(queue.should_give_way(work.turn, 100, costs));
+    CHECK(queue.should_give_way(work.turn, 101, costs));
+  }
+  SECTION("to one in memory at once") {
+    REQUIRE(add(queue, other, at(100)));
+    costs.in_memory = [&](const PatchKey& patch) { return patch == patch_of(at(100), kPatch); };
+    CHECK(queue.should_give_way(work.turn, 25, costs));
+  }
+  SECTION("to heights, if they are few") {
+    queue.add(HeightsTask{other, 1, {{0, 0}, {1, 1}, {2, 2}}});
+    CHECK(queue.should_give_way(work.turn, 25, costs));
+    CHECK_FALSE(queue.should_give_way(work.turn, 80, costs));
+  }
 }
 
 TEST_CASE("where much was put back nothing more gives way, and all may begin what they want") {
@@ -154,7 +170,7 @@ TEST_CASE("where much was put back nothing more gives way, and all may begin wha
   std::vector<WorkQueue::Work> taken;
   for (int i = 0; i < 3; ++i) taken.push_back(take(queue));
   for (std::size_t i = 0; i < 3; ++i) {
-    CHECK(queue.should_give_way(taken[i].turn, costs) == (i < 2));
+    CHECK(queue.should_give_way(taken[i].turn, 150, costs) == (i < 2));
     if (i < 2) (void)pause(queue, taken[i]);
   }
   finish(queue, taken[2]);

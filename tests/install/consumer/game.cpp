@@ -6,12 +6,14 @@
 #include <asio/io_context.hpp>
 
 int main() {
+  int status = 1;  // until all chunks are there
   asio::io_context io;
   talus::client::ChunkStore store{256 << 20};  // bytes of voxels that it may hold
   talus::client::Events events;
   events.on_chunk = [&](const talus::client::ReceivedChunk& chunk) { store.put(chunk); };
   events.on_left_view = [&](const talus::ChunkKey& key) { store.erase(key); };
-  talus::client::Client client{io.get_executor(), talus::client::Options{}, events};
+  const talus::client::Options options;  // a token, TLS, limits
+  talus::client::Client client{io.get_executor(), options, events};
 
   talus::client::View view;  // by default 8 chunks to each side, 4 up and 4 down
   client.connect("localhost", "4780", [&](const auto& world) {
@@ -29,7 +31,9 @@ int main() {
     const auto wanted = static_cast<std::size_t>(talus::client::ViewShape{view}.count());
     if (client.connected() && store.size() == wanted) {
       std::cout << store.size() << " chunks, " << client.stats().received_bytes << " bytes received\n";
+      status = 0;
       client.close();
     }
   }
+  return status;
 }

@@ -1,0 +1,56 @@
+#include "generation/generator_memory.h"
+
+#include <catch2/catch.hpp>
+#include <memory>
+
+#include <spdlog/logger.h>
+
+#include "generation/patch_size.h"
+
+using namespace talus::server;
+
+namespace {
+
+constexpr std::size_t kMebibyte = std::size_t{1} << 20;
+
+Logger silent() {
+  return std::make_shared<spdlog::logger>("silent");
+}
+
+}  // namespace
+
+TEST_CASE("a patch in the making takes what its halo does") {
+  using namespace std::chrono_literals;
+  CHECK(patch_size(1, 1ms, 128).bytes_in_the_making() == 288 * 288 * 64);
+  CHECK(patch_size(4, 1ms, 0).bytes_in_the_making() == 128 * 128 * 64);
+}
+
+TEST_CASE("so many patches may be put back as are an eighth of the budget, before any was made, too") {
+  MemoryBudget budget{256 * kMebibyte};
+  GeneratorMemory memory{budget, 2, silent(), 10 * kMebibyte};
+  CHECK(memory.max_begun() == 3);
+  memory.note_patch(4 * kMebibyte);  // five times this is more
+  CHECK(memory.max_begun() == 1);
+  memory.note_patch(100 * kMebibyte);
+  CHECK(memory.max_begun() == 0);
+}
+
+TEST_CASE("small patches are put back up to a number, and without a limit of memory as well") {
+  MemoryBudget small{256 * kMebibyte};
+  CHECK(GeneratorMemory{small, 2, silent(), 1000}.max_begun() == GeneratorMemory::kMostBegun);
+  MemoryBudget none{0};
+  CHECK(GeneratorMemory{none, 2, silent(), kMebibyte << 10}.max_begun() == GeneratorMemory::kMostBegun);
+}
+
+TEST_CASE("what was put back is in the budget as long as it is") {
+  MemoryBudget budget{256 * kMebibyte};
+  GeneratorMemory memory{budget, 2, silent(), 2 * kMebibyte};
+  memory.note_patch(1);
+  const auto at_work = budget.used(MemoryUse::generators);
+  CHECK(at_work == 4 * kMebibyte);
+  memory.add_begun(2);
+  memory.add_begun(1);
+  CHECK(budget.used(MemoryUse::generators) == at_work + 6 * kMebibyte);
+  memory.add_begun(-3);
+  CHECK(budget.used(MemoryUse::generators) == at_work);
+}
