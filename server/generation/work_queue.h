@@ -16,7 +16,6 @@
 #pragma once
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <deque>
@@ -145,12 +144,14 @@ class WorkQueue {
     BegunPatchPtr begun{};
     FlowId begun_by{};
   };
+  // No array: clang 14 takes the constructor of an array of deques, which may throw, for noexcept.
   template <typename Value>
   struct ByUrgency {
-    std::array<Value, 2> values{};
-    [[nodiscard]] Value& operator[](Urgency urgency) { return values[static_cast<std::size_t>(urgency)]; }
+    Value soon;
+    Value later;
+    [[nodiscard]] Value& operator[](Urgency urgency) { return urgency == Urgency::soon ? soon : later; }
     [[nodiscard]] const Value& operator[](Urgency urgency) const {
-      return values[static_cast<std::size_t>(urgency)];
+      return urgency == Urgency::soon ? soon : later;
     }
   };
   struct JobsOfPatch {
@@ -163,7 +164,7 @@ class WorkQueue {
     std::unordered_map<PatchKey, JobsOfPatch> jobs;  // waiting ones of each patch
     std::deque<HeightsTask> heights;                 // all wanted later
     std::vector<std::uint64_t> taken_heights;        // tickets of those that may be put back
-    ByUrgency<std::size_t> waiting;                  // jobs, in `jobs`
+    ByUrgency<std::size_t> waiting{};                // jobs, in `jobs`
     bool heights_next = true;   // heights and patches take turns, where it waits for both
     std::size_t in_flight = 0;  // pieces taken in its turns and not reconciled
     FlowUsePtr flow_use{};

@@ -125,7 +125,8 @@ class Attacker {
   void come(Clock::time_point now) {
     std::error_code failed;
     next_ = now + std::chrono::milliseconds{20};
-    ends_ = now + way_.stays / 2 + std::chrono::milliseconds{random_() % (way_.stays.count() + 1)};
+    ends_ = now + way_.stays / 2 +
+            std::chrono::milliseconds{static_cast<long>(random_()) % (way_.stays.count() + 1)};
     socket_ = std::make_unique<tcp::socket>(io_);
     socket_->open(tcp::v4(), failed);
     if (!failed) socket_->bind({asio::ip::address_v4{kFirstAddress + seed_ % kAddresses}, 0}, failed);

@@ -32,7 +32,7 @@ TEST_CASE("what is wanted soon goes before what others wanted earlier") {
   REQUIRE(queue.add(near, std::array{at(-100), at(-200), at(-300)}, Urgency::soon) == 3);
   const auto turns = turns_of(queue);
   REQUIRE(turns.size() == 11);
-  for (const std::size_t i : {0, 2, 3}) CHECK(turns[i].first == near->owner());
+  for (const std::size_t i : {0U, 2U, 3U}) CHECK(turns[i].first == near->owner());
   CHECK(turns[1].first == far->owner());  // whose share it is
 }
 
