@@ -38,11 +38,11 @@ BaseChunks::BaseChunks(std::unique_ptr<const Generator> generator, const Generat
       pool_{{maker_, patches_, generator_memory_, metrics, memory, clock},
             {settings.threads, settings.patch_tiles, settings.queue_chunks, settings.own_chunks},
             log} {
-  memory_.when_work_resumes([this] { pool_.work_resumes(); });
+  memory_.when_jobs_resume([this] { pool_.jobs_resume(); });
 }
 
 BaseChunks::~BaseChunks() {
-  memory_.when_work_resumes(nullptr);
+  memory_.when_jobs_resume(nullptr);
 }
 
 void BaseChunks::start() {

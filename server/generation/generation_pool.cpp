@@ -65,7 +65,7 @@ std::size_t GenerationPool::submit(const MailboxPtr& mailbox, std::span<const Ch
   std::int64_t job_bytes = 0;
   {
     const std::lock_guard lock{mutex_};
-    accepted = queue_.add(mailbox, keys, urgency, parts_.memory.takes_work());
+    accepted = queue_.add(mailbox, keys, urgency, parts_.memory.takes_jobs());
     if (accepted < keys.size()) {
       parts_.metrics.jobs_refused.add(keys.size() - accepted);
       if (accepted == 0 && !queue_.waits(mailbox->owner())) refused_.remember(mailbox);
@@ -125,7 +125,7 @@ void GenerationPool::cancel_heights(ClientId client, std::uint64_t ticket) {
   parts_.generator_memory.add_begun(begun);
 }
 
-void GenerationPool::work_resumes() {
+void GenerationPool::jobs_resume() {
   std::vector<MailboxPtr> with_room;
   {
     const std::lock_guard lock{mutex_};
@@ -373,7 +373,7 @@ std::int64_t GenerationPool::job_bytes_change() {
 // While jobs wait, each piece of work that ends comes by here again. Where none does this is the last chance:
 // all are told, and the first who come fill the queue.
 std::vector<MailboxPtr> GenerationPool::clients_with_room() {
-  if (refused_.empty() || !parts_.memory.takes_work()) return {};
+  if (refused_.empty() || !parts_.memory.takes_jobs()) return {};
   try {
     if (queue_.jobs() == 0) return refused_.take_all();
     return refused_.take(kFlowsToTell, [this](FlowId flow) { return queue_.has_room(flow); });

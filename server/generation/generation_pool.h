@@ -68,7 +68,7 @@ class GenerationPool {
   void cancel_heights(ClientId client, std::uint64_t ticket);
 
   /// Tells clients that were refused for want of memory; call it when the budget takes work again.
-  void work_resumes();
+  void jobs_resume();
 
   struct Status {
     std::size_t jobs = 0;

@@ -32,18 +32,30 @@ std::uint64_t GeneratorMemory::each_bytes() const {
   return std::max<std::uint64_t>(piece_bytes_, kPatchesAtWork * largest_patch_bytes_.load());
 }
 
-void GeneratorMemory::tell_budget() {
+std::uint64_t GeneratorMemory::bytes() {
   const std::uint64_t at_work = threads_ * each_bytes();
   const std::uint64_t begun = begun_.load() * each_bytes();
-  const std::uint64_t share =
-      budget_.limit_bytes() == 0 ? at_work + begun : budget_.limit_bytes() / kLargestShare;
+  if (budget_.limit_bytes() == 0) return at_work + begun;
+  const std::uint64_t share = budget_.limit_bytes() / kLargestShare;
   if (at_work > share && !warned_.exchange(true)) {
     log_->warn(
         "generators at work may take {} MiB, more than an eighth of limits.memory_bytes ({} MiB): raise "
         "that, or set fewer threads.generator or a smaller generation.patch_tiles",
         at_work >> 20U, budget_.limit_bytes() >> 20U);
   }
-  budget_.set(MemoryUse::generators, std::min(at_work, share) + std::min(begun, share));
+  return std::min(at_work, share) + std::min(begun, share);
+}
+
+// A thread that told what was true before another's change would leave the budget as of then. So whoever
+// tells looks again: either it sees the other's change, or the other tells after it.
+void GeneratorMemory::tell_budget() {
+  std::uint64_t told = 0;
+  std::uint64_t now = bytes();
+  do {
+    told = now;
+    budget_.set(MemoryUse::generators, told);
+    now = bytes();
+  } while (now != told);
 }
 
 }  // namespace talus::server

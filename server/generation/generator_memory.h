@@ -34,6 +34,8 @@ class GeneratorMemory {
  private:
   /// Of a patch in the making.
   [[nodiscard]] std::uint64_t each_bytes() const;
+  /// As they count in the budget.
+  [[nodiscard]] std::uint64_t bytes();
   void tell_budget();
 
   MemoryBudget& budget_;

@@ -7,8 +7,9 @@ namespace talus::server {
 
 MemoryBudget::MemoryBudget(std::uint64_t limit_bytes, std::size_t threads)
     : limit_{limit_bytes},
-      work_{limit_bytes / 4 * 3, limit_bytes / 8 * 5},
-      connections_{limit_bytes / 8 * 5, limit_bytes / 2} {
+      jobs_{limit_bytes / 4 * 3, limit_bytes / 8 * 5, limit_bytes / 8 * 7},
+      work_{limit_bytes / 4 * 3, limit_bytes / 8 * 5, limit_bytes / 4 * 3},
+      connections_{limit_bytes / 8 * 5, limit_bytes / 2, limit_bytes / 2} {
   set(MemoryUse::program, program_bytes(threads));
 }
 
@@ -39,13 +40,15 @@ void MemoryBudget::set(MemoryUse use, std::uint64_t bytes) {
 void MemoryBudget::update_gates() {
   if (limit_ == 0) return;
   const auto level = [this] { return beside_caches(); };
-  connections_.update(level);
-  if (!work_.update(level)) return;
+  const auto settled = [this] { return used(MemoryUse::jobs) == 0; };
+  connections_.update(level, [] { return false; });  // sessions end some time
+  work_.update(level, settled);
+  if (!jobs_.update(level, settled)) return;
   const std::lock_guard lock{resumed_mutex_};
   if (resumed_) resumed_();
 }
 
-void MemoryBudget::when_work_resumes(std::function<void()> resumed) {
+void MemoryBudget::when_jobs_resume(std::function<void()> resumed) {
   const std::lock_guard lock{resumed_mutex_};
   resumed_ = std::move(resumed);
 }

@@ -42,20 +42,24 @@ class MemoryBudget {
   [[nodiscard]] std::uint64_t used(MemoryUse use) const;
   [[nodiscard]] std::uint64_t used() const;
 
-  /// Both may call the function given to when_work_resumes(): hold no lock that it takes.
+  /// Both may call the function given to when_jobs_resume(): hold no lock that it takes.
   void add(MemoryUse use, std::int64_t bytes);
   void set(MemoryUse use, std::uint64_t bytes);
 
-  /// Whether generators may be asked for new chunks and heights: not from 3/4 of the limit on, until below
-  /// 5/8.
+  /// Whether generators may be asked for new chunks: not from 3/4 of the limit on, until below 5/8 or no job
+  /// is left. Then below 7/8: where sessions hold the memory, one after the other is served, as who waits for
+  /// chunks may hold it until they come.
+  [[nodiscard]] bool takes_jobs() const { return jobs_.open(); }
+  /// Whether heights may be asked for, and Views and frames may grow: not from 3/4 of the limit on, until
+  /// below 5/8, or below 3/4 where no job is left.
   [[nodiscard]] bool takes_work() const { return work_.open(); }
   /// Whether new connections may come: not from 5/8 on, until below 1/2. Those that are there need memory to
   /// work.
   [[nodiscard]] bool takes_connections() const { return connections_.open(); }
-  /// `resumed` is called when takes_work() becomes true again, on the thread that gave memory back; it must
+  /// `resumed` is called when takes_jobs() becomes true again, on the thread that gave memory back; it must
   /// not wait, throw, or change the budget. Replaces the function before, and returns when no thread is in
   /// it.
-  void when_work_resumes(std::function<void()> resumed);
+  void when_jobs_resume(std::function<void()> resumed);
 
   /// How much of `wanted` bytes caches may hold now: what everything else leaves of 7/8 of the limit, and at
   /// least 1/16 of it.
@@ -67,7 +71,7 @@ class MemoryBudget {
 
   const std::uint64_t limit_;
   std::array<std::atomic<std::int64_t>, kMemoryUses.size()> used_{};
-  HysteresisGate work_, connections_;
+  HysteresisGate jobs_, work_, connections_;
   std::mutex resumed_mutex_;
   std::function<void()> resumed_;
 };

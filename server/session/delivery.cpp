@@ -151,7 +151,7 @@ void Delivery::start_request(std::uint32_t id) {
     waits_.add(request.key, context_.clock.now()).requests.push_back(id);
   } else {
     replies_.error(about_request(id), ErrorCode::overloaded,
-                   context_.memory.takes_work() ? "too many chunks wait to be generated" : kNoMemory,
+                   context_.memory.takes_jobs() ? "too many chunks wait to be generated" : kNoMemory,
                    retry_after::kBusy);
     requests_.erase(id);
   }

@@ -235,6 +235,7 @@ TEST_CASE(
     (void)client.send(hello());
     const std::optional<Received> first = client.receive();
     received = first ? wire::EnumNameBody(first->kind()) : "the end of the connection";
+    if (received == "Error") received = first->as<wire::Error>().text()->str();
   }
 }
 

@@ -506,6 +506,9 @@ TEST_CASE(
 
 TEST_CASE("a client that was refused for want of memory is told when it is there again") {
   FakeService fake{1, 1000, 800 * kMebibyte};
+  fake.work->close_gate();
+  WaitingClient other;
+  REQUIRE(queued(fake.service, other, at(100)));
   fake.memory.set(MemoryUse::sessions, 600 * kMebibyte);
   WaitingClient client;
   CHECK_FALSE(queued(fake.service, client, at(1)));
@@ -516,7 +519,27 @@ TEST_CASE("a client that was refused for want of memory is told when it is there
   client.take_mail();
   CHECK(client.rooms() == 1);
   REQUIRE(queued(fake.service, client, at(1)));
+  fake.work->open_gate();
   client.await(1);
+}
+
+TEST_CASE("where sessions hold the memory for good, each is still served, one after the other") {
+  FakeService fake{1, 1000, 800 * kMebibyte};
+  fake.memory.set(MemoryUse::sessions, 600 * kMebibyte);
+  fake.work->close_gate();
+  WaitingClient first;
+  WaitingClient second;
+  WaitingClient third;
+  REQUIRE(queued(fake.service, first, at(1)));
+  CHECK_FALSE(queued(fake.service, second, at(100)));
+  CHECK_FALSE(queued(fake.service, third, at(200)));
+  fake.work->open_gate();
+  second.await_room();
+  REQUIRE(queued(fake.service, second, at(100)));
+  second.await(1);
+  third.await_room();
+  while (!queued(fake.service, third, at(200))) third.await_room();
+  third.await(1);
 }
 
 TEST_CASE("jobs are in the memory budget while they wait") {

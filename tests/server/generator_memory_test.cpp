@@ -1,7 +1,9 @@
 #include "generation/generator_memory.h"
 
+#include <barrier>
 #include <catch2/catch.hpp>
 #include <memory>
+#include <thread>
 
 #include <spdlog/logger.h>
 
@@ -53,4 +55,31 @@ TEST_CASE("what was put back is in the budget as long as it is") {
   CHECK(budget.used(MemoryUse::generators) == at_work + 6 * kMebibyte);
   memory.add_begun(-3);
   CHECK(budget.used(MemoryUse::generators) == at_work);
+}
+
+// Else connections may be refused for good: nothing else would tell the budget of what is no more.
+TEST_CASE("what threads put back and take at once is in the budget as it is when they are done") {
+  MemoryBudget budget{256 * kMebibyte};
+  GeneratorMemory memory{budget, 2, silent(), 2 * kMebibyte};
+  memory.note_patch(1);
+  const auto at_work = budget.used(MemoryUse::generators);
+  constexpr int kRounds = 20'000;
+  std::barrier both{2};
+  std::thread other{[&] {
+    for (int round = 0; round < kRounds; ++round) {
+      both.arrive_and_wait();
+      memory.add_begun(-1);
+      both.arrive_and_wait();
+    }
+  }};
+  int wrong = 0;
+  for (int round = 0; round < kRounds; ++round) {
+    memory.add_begun(2);
+    both.arrive_and_wait();
+    memory.add_begun(-1);
+    both.arrive_and_wait();
+    if (budget.used(MemoryUse::generators) != at_work) ++wrong;
+  }
+  other.join();
+  CHECK(wrong == 0);
 }

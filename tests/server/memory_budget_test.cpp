@@ -42,6 +42,7 @@ TEST_CASE("caches give way before anything is refused") {
 
 TEST_CASE("connections are refused before work is, and neither flaps") {
   MemoryBudget budget{kBudget};
+  budget.set(MemoryUse::jobs, 1);
   hold(budget, 500 * kMebibyte);
   CHECK_FALSE(budget.takes_connections());
   CHECK(budget.takes_work());
@@ -49,11 +50,41 @@ TEST_CASE("connections are refused before work is, and neither flaps") {
   CHECK_FALSE(budget.takes_work());
   hold(budget, 550 * kMebibyte);
   CHECK_FALSE(budget.takes_work());
+  CHECK_FALSE(budget.takes_jobs());
   hold(budget, 499 * kMebibyte);
   CHECK(budget.takes_work());
+  CHECK(budget.takes_jobs());
   CHECK_FALSE(budget.takes_connections());
   hold(budget, 399 * kMebibyte);
   CHECK(budget.takes_connections());
+}
+
+TEST_CASE("where no job is left nobody waits for memory that nothing gives back") {
+  MemoryBudget budget{kBudget};
+  int resumed = 0;
+  budget.when_jobs_resume([&] { ++resumed; });
+  budget.set(MemoryUse::jobs, 100 * kMebibyte);
+  hold(budget, 550 * kMebibyte);
+  CHECK_FALSE(budget.takes_jobs());
+  budget.set(MemoryUse::jobs, 0);
+  CHECK(budget.takes_jobs());
+  CHECK(budget.takes_work());
+  CHECK(resumed == 1);
+  // From 3/4 on one may have jobs, and nobody more of anything else.
+  hold(budget, 650 * kMebibyte);
+  CHECK(budget.takes_jobs());
+  CHECK_FALSE(budget.takes_work());
+  budget.set(MemoryUse::jobs, 1);
+  CHECK_FALSE(budget.takes_jobs());
+  budget.set(MemoryUse::jobs, 0);
+  CHECK(budget.takes_jobs());
+  CHECK(resumed == 2);
+  // The last eighth is nobody's.
+  hold(budget, 700 * kMebibyte);
+  CHECK_FALSE(budget.takes_jobs());
+  hold(budget, 699 * kMebibyte);
+  CHECK(budget.takes_jobs());
+  CHECK(resumed == 3);
 }
 
 TEST_CASE("while work is taken, it and the caches together are below the budget") {
@@ -84,21 +115,22 @@ TEST_CASE("what a holder told is given back with it, whatever other threads do")
 
 TEST_CASE("work resumes once each time that enough memory is given back, whoever gives it") {
   MemoryBudget budget{kBudget};
+  budget.set(MemoryUse::jobs, 1);
   int resumed = 0;
-  budget.when_work_resumes([&] {
-    CHECK(budget.takes_work());
+  budget.when_jobs_resume([&] {
+    CHECK(budget.takes_jobs());
     ++resumed;
   });
   for (int again = 1; again <= 3; ++again) {
     hold(budget, 600 * kMebibyte);
-    hold(budget, 500 * kMebibyte);
+    hold(budget, 500 * kMebibyte - 1);
     CHECK(resumed == again - 1);
     budget.add(MemoryUse::sessions, -1);
     CHECK(resumed == again);
     hold(budget, 100 * kMebibyte);
     CHECK(resumed == again);
   }
-  budget.when_work_resumes(nullptr);
+  budget.when_jobs_resume(nullptr);
   hold(budget, 600 * kMebibyte);
   hold(budget, 100 * kMebibyte);
   CHECK(resumed == 3);
@@ -107,7 +139,7 @@ TEST_CASE("work resumes once each time that enough memory is given back, whoever
 TEST_CASE("whatever threads take and give at once, the gate is in the end where the level puts it") {
   MemoryBudget budget{kBudget};
   std::atomic<int> resumed{0};
-  budget.when_work_resumes([&] { ++resumed; });
+  budget.when_jobs_resume([&] { ++resumed; });
   for (int round = 0; round < 200; ++round) {
     std::vector<std::thread> threads;
     for (int thread = 0; thread < 4; ++thread) {
@@ -125,11 +157,12 @@ TEST_CASE("whatever threads take and give at once, the gate is in the end where 
 }
 
 TEST_CASE("a gate closes at one level and opens below another") {
-  HysteresisGate gate{10, 5};
+  HysteresisGate gate{10, 5, 12};
   std::uint64_t now = 0;
+  bool settled = false;
   const auto update = [&](std::uint64_t to) {
     now = to;
-    return gate.update([&] { return now; });
+    return gate.update([&] { return now; }, [&] { return settled; });
   };
   CHECK_FALSE(update(9));
   CHECK(gate.open());
@@ -141,4 +174,13 @@ TEST_CASE("a gate closes at one level and opens below another") {
   CHECK(gate.open());
   CHECK_FALSE(update(9));
   CHECK(gate.open());
+  settled = true;
+  CHECK_FALSE(update(11));
+  CHECK(gate.open());
+  CHECK_FALSE(update(12));
+  CHECK_FALSE(gate.open());
+  CHECK(update(11));
+  settled = false;
+  CHECK_FALSE(update(11));
+  CHECK_FALSE(gate.open());
 }
