@@ -13,6 +13,7 @@
 #include "fixtures.h"
 #include "made_height_map.h"
 #include "noise/point_fbm.h"
+#include "noise/rotated_fbm.h"
 #include "table.h"
 
 namespace {
@@ -75,6 +76,17 @@ void point_by_point(State& state) {
   bench::works_on(state, "column", kPatchSide * kPatchSide);
 }
 
+// One octave of the regions' shape.
+void rotated(State& state, int k) {
+  RotatedFbm rows{instruction_set()};
+  const auto columns = bench::line(0, kPatchSide);
+  rows.start({2019, 1400, 8, 0.47, 0}, columns);
+  for (auto _ : state) {
+    for (int z = 0; z < kPatchSide; ++z) benchmark::DoNotOptimize(rows.octave(k, z));
+  }
+  bench::works_on(state, "column", kPatchSide * kPatchSide);
+}
+
 void patch(State& state, const World& world) {
   Generator generator{world};
   Stacks stacks;
@@ -97,6 +109,12 @@ BENCHMARK_CAPTURE(surface, warped_vs, "perlin")->Name("surface, warped/vs:perlin
 BENCHMARK(point_by_point)->Name("surface, warped/vs:its noise alone, a point at a time");
 BENCHMARK_CAPTURE(surface, height_map, "height_map")->Name("surface, height_map");
 BENCHMARK_CAPTURE(surface, height_map_vs, "perlin")->Name("surface, height_map/vs:perlin");
+BENCHMARK_CAPTURE(rotated, wide, 3)->Name("noise, a rotated octave of 175 columns");
+BENCHMARK_CAPTURE(surface, rotated_wide_vs, "perlin")
+    ->Name("noise, a rotated octave of 175 columns/vs:perlin");
+BENCHMARK_CAPTURE(rotated, narrow, 7)->Name("noise, a rotated octave of 11 columns");
+BENCHMARK_CAPTURE(surface, rotated_narrow_vs, "perlin")
+    ->Name("noise, a rotated octave of 11 columns/vs:perlin");
 BENCHMARK_CAPTURE(patch_of_kind, ridged, "ridged")->Name("patch, ridged");
 BENCHMARK_CAPTURE(patch_of_kind, ridged_vs, "perlin")->Name("patch, ridged/vs:perlin");
 BENCHMARK_CAPTURE(patch_of_kind, warped, "warped")->Name("patch, warped");

@@ -17,6 +17,7 @@
 #include "noise/displaced_fbm.h"
 #include "noise/fbm_rows.h"
 #include "noise/point_fbm.h"
+#include "noise/rotated_fbm.h"
 #include "overlay.h"
 #include "surface/surface_rows.h"
 #include "worlds.h"
@@ -154,6 +155,45 @@ TEST_CASE("Displaced noise has the bits of the noise of its points, from every i
       rows.start(fbm, xs);
       const float* row = rows.row(z, east.data(), south.data(), reach_fx);
       RC_ASSERT(std::memcmp(expected.data(), row, expected.size() * sizeof(float)) == 0);
+    }
+  }));
+}
+
+TEST_CASE("Rotated noise has the bits of the noise of its points, from every instruction set") {
+  CHECK(rc::check([] {
+    RotatedNoise noise;
+    noise.seed = *rc::gen::arbitrary<std::uint64_t>();
+    noise.octaves = *rc::gen::inRange(1, 9);
+    const std::int64_t least = std::int64_t{16} << noise.octaves;
+    noise.period =
+        *rc::gen::oneOf(rc::gen::inRange(least, 2 * least), rc::gen::inRange<std::int64_t>(least, 1 << 24));
+    noise.gain = *rc::gen::element(0.3, 0.5, 1.0);
+    noise.turn = *rc::gen::inRange(0, 8);
+    const auto xs = any_line();
+    const std::int64_t z = *any_column();
+    const bool displaced = *rc::gen::arbitrary<bool>();
+    const int reach = displaced ? *rc::gen::element(1, 40000, 1 << 22) : 0;
+    std::vector<std::int32_t> east(padded(xs.size()));
+    std::vector<std::int32_t> south(padded(xs.size()));
+    std::vector<float> expected;
+    std::vector<float> first;  // octave alone
+    for (std::size_t i = 0; i < xs.size(); ++i) {
+      east[i] = *rc::gen::inRange(-reach, reach + 1);
+      south[i] = *rc::gen::inRange(-reach, reach + 1);
+      expected.push_back(rotated_fbm(noise, xs[i], z, east[i], south[i]));
+      RotatedNoise alone = noise;
+      alone.octaves = 1;
+      first.push_back(rotated_fbm(alone, xs[i], z, east[i], south[i]));
+    }
+    const Displacements by =
+        displaced ? Displacements{east.data(), south.data()} : Displacements{nullptr, nullptr};
+    auto sets = vector_sets();
+    sets.push_back(InstructionSet::scalar);
+    for (const InstructionSet set : sets) {
+      RotatedFbm rows{set};
+      rows.start(noise, xs);
+      RC_ASSERT(std::memcmp(expected.data(), rows.row(z, by), expected.size() * sizeof(float)) == 0);
+      RC_ASSERT(std::memcmp(first.data(), rows.octave(0, z, by), first.size() * sizeof(float)) == 0);
     }
   }));
 }

@@ -9,6 +9,7 @@
 #include <hwy/highway.h>
 
 #include "kernels/gradients-inl.h"
+#include "kernels/interpolate-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace talus::terrain::HWY_NAMESPACE {
@@ -74,13 +75,6 @@ HWY_INLINE void locate(const Inside& inside, const Key& key, double frequency, d
   }
 }
 
-HWY_INLINE hn::Vec<Floats> faded(hn::Vec<Floats> t) {
-  const Floats f;
-  const auto inner = hn::Sub(hn::Mul(t, hn::Set(f, 6.0F)), hn::Set(f, 15.0F));
-  const auto outer = hn::Add(hn::Mul(t, inner), hn::Set(f, 10.0F));
-  return hn::Mul(hn::Mul(hn::Mul(t, t), t), outer);
-}
-
 void add_octave(const DisplacedScratch& at, float weight, std::size_t width, float* out) {
   const Floats f;
   const Words w;
@@ -89,7 +83,6 @@ void add_octave(const DisplacedScratch& at, float weight, std::size_t width, flo
                           HWY_ATTR { return hn::Or(hn::ShiftLeft<16>(hash), hn::ShiftRight<16>(hash)); };
   const auto toward = [](const Gradient& corner, auto dx, auto dz)
                           HWY_ATTR { return hn::Add(hn::Mul(corner.x, dx), hn::Mul(corner.z, dz)); };
-  const auto lerp = [](auto a, auto b, auto t) HWY_ATTR { return hn::Add(a, hn::Mul(t, hn::Sub(b, a))); };
   struct Sides {
     hn::Vec<Words> west;
     hn::Vec<Words> east;

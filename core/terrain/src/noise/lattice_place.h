@@ -14,6 +14,10 @@ namespace talus::terrain {
   return t * t * t * (t * (t * 6.0F - 15.0F) + 10.0F);
 }
 
+[[nodiscard]] inline float lerp(float a, float b, float t) {
+  return a + t * (b - a);
+}
+
 /// What keeps an octave's zeros apart from the others', 0 to period - 1.
 [[nodiscard]] inline std::int64_t offset_of(std::uint64_t octave_seed, Axis axis, std::int64_t period) {
   const std::uint64_t draw = derived_seed(octave_seed, static_cast<std::uint64_t>(axis)) >> 32;

@@ -17,10 +17,6 @@ float with_sign(float magnitude, std::uint32_t bits) {
   return std::bit_cast<float>(std::bit_cast<std::uint32_t>(magnitude) ^ (bits & 0x80000000U));
 }
 
-float lerp(float a, float b, float t) {
-  return a + t * (b - a);
-}
-
 }  // namespace
 
 PointFbm::PointFbm(const Fbm& fbm)

@@ -1,0 +1,39 @@
+// Noise on rotated lattices (noise/rotated_lattice.h), a row at a time.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include <talus/vectors/instruction_set.h>
+
+namespace talus::terrain {
+
+struct RotatedLattice;
+
+/// One octave of a row. The columns' places in its lattice, u[i] + row_u and v[i] + row_v, are in 2^-32 cells
+/// modulo 2^64; u and v are padded.
+struct RotatedOctave {
+  const RotatedLattice* lattice = nullptr;
+  const std::uint64_t* u = nullptr;
+  const std::uint64_t* v = nullptr;
+  std::uint64_t row_u = 0;
+  std::uint64_t row_v = 0;
+  float weight = 1;
+};
+
+/// Where a row's noise is read instead of at its columns: so far east and south, in 2^-8 columns, at most
+/// 2^22 either way. Padded. Null: at its columns.
+struct Displacements {
+  const std::int32_t* east = nullptr;
+  const std::int32_t* south = nullptr;
+};
+
+struct RotatedKernels {
+  /// The weighted sum of `count` octaves at `width` columns. Writes up to kPadding further.
+  void (*sum)(const RotatedOctave* octaves, std::size_t count, const Displacements& displaced,
+              std::size_t width, float* out);
+};
+
+[[nodiscard]] const RotatedKernels& rotated_kernels(InstructionSet set);
+
+}  // namespace talus::terrain

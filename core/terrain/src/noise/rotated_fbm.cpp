@@ -1,0 +1,95 @@
+#include "noise/rotated_fbm.h"
+
+#include <cmath>
+
+#include <talus/vectors/tables.h>
+
+namespace talus::terrain {
+namespace {
+
+RotatedLattice lattice_of(const RotatedNoise& noise, int k) {
+  const std::uint64_t seed = derived_seed(noise.seed, static_cast<std::uint64_t>(k));
+  return rotated_lattice(seed, noise.period, k, noise.turn);
+}
+
+double share_of(const RotatedNoise& noise, int k) {
+  double share = 1;
+  for (int i = 0; i < k; ++i) share *= noise.gain;
+  return share;
+}
+
+double sum_of_powers(const RotatedNoise& noise, int power) {
+  double sum = 0;
+  for (int k = 0; k < noise.octaves; ++k) sum += share_of(noise, power * k);
+  return sum;
+}
+
+std::uint64_t displaced_by(std::uint64_t sum) {
+  return static_cast<std::uint64_t>(static_cast<std::int64_t>(sum) >> 8);
+}
+
+}  // namespace
+
+double RotatedNoise::deviation() const {
+  return kRotatedDeviation * std::sqrt(sum_of_powers(*this, 2));
+}
+
+double RotatedNoise::dominance() const {
+  const double squares = sum_of_powers(*this, 2);
+  return sum_of_powers(*this, 4) / (squares * squares);
+}
+
+void RotatedFbm::start(const RotatedNoise& noise, std::span<const std::int64_t> xs) {
+  width_ = xs.size();
+  count_ = static_cast<std::size_t>(noise.octaves);
+  if (octaves_.size() < count_) octaves_.resize(count_);
+  for (std::size_t k = 0; k < count_; ++k) {
+    Octave& octave = octaves_[k];
+    octave.lattice = lattice_of(noise, static_cast<int>(k));
+    octave.weight = static_cast<float>(share_of(noise, static_cast<int>(k)));
+    octave.u.resize(padded(width_));
+    octave.v.resize(padded(width_));
+    for (std::size_t i = 0; i < width_; ++i) {
+      octave.u[i] = octave.lattice.u(xs[i], 0);
+      octave.v[i] = octave.lattice.v(xs[i], 0);
+    }
+  }
+  placed_.reserve(count_);
+  noise_.resize(padded(width_));
+}
+
+RotatedOctave RotatedFbm::placed(const Octave& octave, std::int64_t z) const {
+  const auto south = static_cast<std::uint64_t>(z);
+  return {&octave.lattice,           octave.u.data(),           octave.v.data(),
+          octave.lattice.dv * south, octave.lattice.du * south, octave.weight};
+}
+
+const float* RotatedFbm::row(std::int64_t z, const Displacements& displaced) {
+  placed_.clear();
+  for (std::size_t k = 0; k < count_; ++k) placed_.push_back(placed(octaves_[k], z));
+  kernels_->sum(placed_.data(), count_, displaced, width_, noise_.data());
+  return noise_.data();
+}
+
+const float* RotatedFbm::octave(int k, std::int64_t z, const Displacements& displaced) {
+  RotatedOctave one = placed(octaves_[static_cast<std::size_t>(k)], z);
+  one.weight = 1;
+  kernels_->sum(&one, 1, displaced, width_, noise_.data());
+  return noise_.data();
+}
+
+float rotated_fbm(const RotatedNoise& noise, std::int64_t x, std::int64_t z, std::int32_t east,
+                  std::int32_t south) {
+  const auto e = static_cast<std::uint64_t>(std::int64_t{east});
+  const auto s = static_cast<std::uint64_t>(std::int64_t{south});
+  float sum = 0;
+  for (int k = 0; k < noise.octaves; ++k) {
+    const RotatedLattice lattice = lattice_of(noise, k);
+    const std::uint64_t u = lattice.u(x, z) + displaced_by(lattice.du * e + lattice.dv * s);
+    const std::uint64_t v = lattice.v(x, z) + displaced_by(lattice.du * s - lattice.dv * e);
+    sum += static_cast<float>(share_of(noise, k)) * rotated_noise(lattice, u, v);
+  }
+  return sum;
+}
+
+}  // namespace talus::terrain

@@ -1,0 +1,47 @@
+// Curves that authors give by their knots.
+#pragma once
+
+#include <span>
+#include <vector>
+
+namespace talus::terrain {
+
+struct Knot {
+  double x = 0;
+  double y = 0;
+};
+
+/// A cubic through its knots that is monotone between any two of them, and level beyond the outer ones. The
+/// slope at an inner knot is the harmonic mean of the neighbouring chords', 0 where these differ in sign
+/// (Fritsch and Butland, 1984).
+///
+/// A sum over segments, each of which has its full height from its end on, so that vectors need no branches:
+/// y(v) = y_0 + sum of t (a + t (b + t c)), t = clamp((v - x) / (width), 0, 1).
+class Spline {
+ public:
+  struct Segment {
+    float x = 0;
+    float reciprocal = 0;  // of its width
+    float a = 0;
+    float b = 0;
+    float c = 0;
+  };
+
+  /// `knots`: at least one, x ascending. The slope at the first is `first_slope`, at the last 0.
+  explicit Spline(std::span<const Knot> knots, double first_slope = 0);
+
+  [[nodiscard]] float operator()(float v) const;
+
+  [[nodiscard]] float first_y() const { return first_y_; }
+  [[nodiscard]] const std::vector<Segment>& segments() const { return segments_; }
+  [[nodiscard]] float lowest() const { return lowest_; }
+  [[nodiscard]] float highest() const { return highest_; }
+
+ private:
+  float first_y_ = 0;
+  float lowest_ = 0;
+  float highest_ = 0;
+  std::vector<Segment> segments_;
+};
+
+}  // namespace talus::terrain
