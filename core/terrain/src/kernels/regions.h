@@ -1,0 +1,67 @@
+// The surface "regions" at every column, a row at a time: between the samples of its slow fields, and the
+// land that they and the shape make.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+#include <talus/vectors/instruction_set.h>
+
+namespace talus::terrain {
+
+struct RegionShape;
+struct SlowFields;
+
+/// A row of columns; all padded.
+struct RegionRow {
+  const float* base = nullptr;
+  const float* belt = nullptr;
+  const float* hills = nullptr;
+  const float* mesa = nullptr;
+  const float* terrace = nullptr;
+  const float* river = nullptr;
+  const float* tributary_a = nullptr;
+  const float* tributary_b = nullptr;
+  std::array<const float*, 8> shape{};  // the noise of its octaves
+};
+
+/// A line of samples: the noises of the slow fields, not equalized. Padded.
+struct SlowNoises {
+  const float* continents = nullptr;
+  const float* ranges = nullptr;
+  const float* hilliness = nullptr;
+  const float* mesas = nullptr;
+  const float* temperature = nullptr;
+  const float* moisture = nullptr;
+};
+
+/// And what they say: regions.h. Padded.
+struct SlowLand {
+  float* base = nullptr;
+  float* belt = nullptr;
+  float* hills = nullptr;
+  float* mesa = nullptr;
+  float* terrace = nullptr;
+  float* temperature = nullptr;
+  float* moisture = nullptr;
+};
+
+struct RegionKernels {
+  /// A displacement by two noises, each times its reach, in 2^-8 columns, rounded to even and at most 2^22.
+  /// Writes up to kPadding further; so do the others.
+  void (*displace)(const float* wide, const float* narrow, const std::array<float, 2>& reach,
+                   std::size_t width, std::int32_t* out);
+  void (*lay)(const SlowNoises& noises, const SlowFields& fields, std::size_t width, const SlowLand& land);
+  /// Straight lines between samples: out[c * columns + k] is so much of the way from samples[c] to
+  /// samples[c + 1] as fractions[k] says, for c < cells and k < columns. `columns` of a cell: 1, 2, 4 or 8.
+  void (*spread)(const float* samples, std::size_t cells, std::size_t columns, const float* fractions,
+                 float* out);
+  /// H in subvoxels at `width` columns.
+  void (*compose)(const RegionRow& row, const RegionShape& shape, std::size_t width, float highest_fx,
+                  std::int32_t* heights_fx);
+};
+
+[[nodiscard]] const RegionKernels& region_kernels(InstructionSet set);
+
+}  // namespace talus::terrain

@@ -1,0 +1,184 @@
+#include "regions_reference.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <talus/voxel/coords.h>
+
+namespace talus::terrain::test::reference {
+namespace {
+
+using Values = std::array<float, kSlowCount>;
+
+float& of(Values& values, Slow slow) {
+  return values[static_cast<std::size_t>(slow)];
+}
+
+float unit(float v) {
+  return std::min(std::max(v, 0.0F), 1.0F);
+}
+float ramp(float a, float b, float v) {
+  return unit((v - a) * (1 / (b - a)));
+}
+float s_curve(float t) {
+  return t * t * (3 - 2 * t);
+}
+
+struct Warped {
+  std::int32_t east = 0;
+  std::int32_t south = 0;
+};
+
+Warped warp_at(const SlowFields& fields, std::int64_t x, std::int64_t z) {
+  const auto along = [&](const std::array<RotatedNoise, 2>& noise) {
+    const float far = fields.warp_reach[0] * rotated_fbm(noise[0], x, z) +
+                      fields.warp_reach[1] * rotated_fbm(noise[1], x, z);
+    return static_cast<std::int32_t>(std::lrint(far));
+  };
+  return {along(fields.warp_east), along(fields.warp_south)};
+}
+
+float river_noise(const SlowFields& fields, std::size_t river, std::int64_t x, std::int64_t z) {
+  const Warped warp = warp_at(fields, x, z);
+  return rotated_fbm(fields.rivers[river], x, z, warp.east, warp.south);
+}
+
+Values sample(const Regions& regions, std::int64_t x, std::int64_t z) {
+  const SlowFields& f = regions.slow;
+  const Warped warp = warp_at(f, x, z);
+  const auto field = [&](const SlowFields::Field& of, bool warped) {
+    return of.equalized(warped ? rotated_fbm(of.noise, x, z, warp.east, warp.south)
+                               : rotated_fbm(of.noise, x, z));
+  };
+  const float c = field(f.continents, true);
+  const float r = std::abs(field(f.ranges, true));
+  const float e = field(f.hilliness, false);
+  const float t = std::clamp(0.75F * field(f.temperature, false) + 0.3F + f.temperature_bias, -1.0F, 1.2F);
+  const float m = std::clamp(field(f.moisture, false) + f.moisture_bias, -1.0F, 1.0F);
+  const float inland = f.inland(c);
+  const float belt = f.belt(r) * inland * f.broken(e);
+  const float mesa = std::max(f.mesa_any, ramp(0.05F, -0.3F, m) * ramp(-0.1F, 0.15F, t)) *
+                     (1 - 0.85F * s_curve(unit(2 * belt))) * ramp(f.mesa_coast[0], f.mesa_coast[1], c);
+  Values values{};
+  of(values, Slow::base) = f.base(c);
+  of(values, Slow::belt) = belt;
+  of(values, Slow::hills) = f.hills(e) * (0.12F + 0.88F * inland) * (1 - 0.55F * mesa) * (1 - 0.5F * belt);
+  of(values, Slow::mesa) = mesa;
+  of(values, Slow::terrace) = field(f.mesas, true);
+  of(values, Slow::temperature) = t;
+  of(values, Slow::moisture) = m;
+  for (std::size_t river = 0; river < 3; ++river) {
+    const float n = river_noise(f, river, x, z);
+    const float gx = (river_noise(f, river, x + 8, z) - river_noise(f, river, x - 8, z)) / 16;
+    const float gz = (river_noise(f, river, x, z + 8) - river_noise(f, river, x, z - 8)) / 16;
+    const float kappa = f.saddle[river == 0 ? 0 : 1];
+    const float d = n / std::sqrt(gx * gx + gz * gz + kappa * std::abs(n) + 1e-14F) * f.units_a_column;
+    values[static_cast<std::size_t>(Slow::river) + river] = std::clamp(d, -1000.0F, 1000.0F);
+  }
+  for (int k = 0; k < kSlowOctaves; ++k) {
+    const std::uint64_t seed = derived_seed(regions.shape.seed, static_cast<std::uint64_t>(k));
+    const RotatedLattice lattice = rotated_lattice(seed, regions.shape.period, k, regions.shape.turn);
+    const auto east = static_cast<std::uint64_t>(static_cast<std::int64_t>(warp.east >> 1));
+    const auto south = static_cast<std::uint64_t>(static_cast<std::int64_t>(warp.south >> 1));
+    const auto by = [](std::uint64_t sum) {
+      return static_cast<std::uint64_t>(static_cast<std::int64_t>(sum) >> 8);
+    };
+    values[static_cast<std::size_t>(Slow::shape_0) + static_cast<std::size_t>(k)] =
+        rotated_noise(lattice, lattice.u(x, z) + by(lattice.du * east + lattice.dv * south),
+                      lattice.v(x, z) + by(lattice.du * south - lattice.dv * east));
+  }
+  return values;
+}
+
+Values between(const Regions& regions, std::int64_t x, std::int64_t z) {
+  const std::int64_t west = floor_div(x, 8) * 8;
+  const std::int64_t north = floor_div(z, 8) * 8;
+  const auto along_x = static_cast<float>(x - west) / 8;
+  const auto along_z = static_cast<float>(z - north) / 8;
+  const Values nw = sample(regions, west, north);
+  const Values ne = sample(regions, west + 8, north);
+  const Values sw = sample(regions, west, north + 8);
+  const Values se = sample(regions, west + 8, north + 8);
+  Values values{};
+  for (std::size_t i = 0; i < kSlowCount; ++i) {
+    const float l = nw[i] + (sw[i] - nw[i]) * along_z;
+    const float r = ne[i] + (se[i] - ne[i]) * along_z;
+    values[i] = l + (r - l) * along_x;
+  }
+  return values;
+}
+
+float valley(float d, float w, float v) {
+  const float t = unit((d - w) / (v - w));
+  return 0.72F * s_curve(t) + 0.28F * (t * t);
+}
+
+}  // namespace
+
+std::int32_t region_height_fx(const Regions& regions, float highest_fx, std::int64_t x, std::int64_t z) {
+  Values v = between(regions, x, z);
+  const RegionShape& p = regions.at_columns;
+  const float B = of(v, Slow::base);
+  const float G = of(v, Slow::belt);
+  const float A = of(v, Slow::hills);
+  float ridge = 0;
+  float fbm = 0;
+  float small = 0;
+  float shown = 1;
+  for (int k = 0; k < kShapeOctaves; ++k) {
+    const auto i = static_cast<std::size_t>(k);
+    float n = 0;
+    if (k < kSlowOctaves) {
+      n = v[static_cast<std::size_t>(Slow::shape_0) + i];
+    } else {
+      const std::uint64_t seed = derived_seed(regions.shape.seed, i);
+      const RotatedLattice lattice = rotated_lattice(seed, regions.shape.period, k, regions.shape.turn);
+      n = rotated_noise(lattice, lattice.u(x, z), lattice.v(x, z));
+    }
+    const float s = std::max(0.0F, 1 - 1.8F * std::sqrt(n * n + 0.0005F));
+    const float signal = s * s * shown;
+    ridge += p.ridge_weights[i] * signal;
+    shown = std::min(1.0F, 0.3F + 1.1F * signal);
+    if (k >= 1) fbm += p.hill_weights[i] * n;
+    if (k >= 3) small += p.small_weights[i] * n;
+  }
+  const float filled = unit(0.5F + 0.45F * fbm);
+  const float hill = filled * std::sqrt(filled);
+  const float r0 = std::max(0.0F, p.ridge_scale * ridge - 0.1F);
+  const float over = std::max(0.0F, r0 - 0.9F);
+  const float R = std::min(r0, 0.9F) + over / (1 + 3 * over);
+
+  const float bs = B + p.belt_base * s_curve(unit(G));
+  const float above = std::max(0.0F, bs - p.carve[0]);
+  const float up = above * above / (above + 20);
+  const float kb = 1.2F + up;
+  const float low = p.carve[1];
+  const float a1 = 0.45F + 0.55F * ramp(low + 90, low + 30, bs);
+  const float a2 = ramp(low + 28, low, bs + 0.3F * A);
+  const float wide = 0.8F + 0.8F * ramp(24, 3, B);
+  const float w1 = p.half_width[0] * wide;
+  const float w2 = p.half_width[1] * wide;
+  const float shallow = 1 - 0.7F * ramp(0.5F, 6, up);
+  const float dp1 = std::min(p.bed_depth + 1.2F, w1 / 2) * shallow;
+  const float dp2 = std::min(0.8F * p.bed_depth + 1.2F, w2 / 2) * shallow;
+  const float d1 = of(v, Slow::river);
+  const float d2 = d1 > 0 ? of(v, Slow::tributary_a) : of(v, Slow::tributary_b);
+  const float D1 = std::abs(d1);
+  const float D2 = std::abs(d2);
+  const float s1 = 1 - a1 * (1 - valley(D1, w1, p.valley_width[0] + G * 150));
+  const float s2 = 1 - a2 * (1 - valley(D2, w2, p.valley_width[1] + G * 120));
+  const float s = s1 * s2;
+  const float b1 = a1 * dp1 * s_curve(unit(1 - D1 / w1));
+  const float b2 = a2 * dp2 * s_curve(unit(1 - D2 / w2));
+  const float field = of(v, Slow::terrace) + p.mesa_roughness * small - 0.6F * (1 - unit(1.15F * s)) + 0.1F;
+  const float mesa = of(v, Slow::mesa) * p.mesa_height * p.terrace(field) * s_curve(unit(4 * s));
+  const float hm = bs + A * hill + G * p.belt_relief * R;
+  float h = hm > kb ? kb + (hm - kb) * s : hm;
+  h = h + mesa - std::max(b1, b2) * ramp(-9, -1, B);
+  h = h * (0.3F + 0.7F * s_curve(unit(std::abs(h) * (1.0F / 7))));
+  const float fx = std::min(std::max(1.0F, h + p.sea_level) * p.subvoxels_a_unit, highest_fx);
+  return static_cast<std::int32_t>(std::lrint(fx));
+}
+
+}  // namespace talus::terrain::test::reference

@@ -1,0 +1,129 @@
+#include "surface/regions/regions.h"
+
+#include <rapidcheck.h>
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <cstring>
+#include <vector>
+
+#include <talus/vectors/instruction_set.h>
+
+#include "regions_reference.h"
+#include "surface/regions/region_rows.h"
+
+namespace talus::terrain {
+namespace {
+
+constexpr std::int64_t kFar = std::int64_t{1} << 36;
+
+rc::Gen<std::int64_t> any_place() {
+  return rc::gen::oneOf(rc::gen::inRange<std::int64_t>(-20'000, 20'000),
+                        rc::gen::inRange<std::int64_t>(-kFar, kFar), rc::gen::just(kFar - 512),
+                        rc::gen::just(-kFar));
+}
+
+std::vector<std::int64_t> any_columns() {
+  std::vector<std::int64_t> columns{*any_place()};
+  const int count = *rc::gen::inRange(1, 60);
+  const int step = *rc::gen::element(1, 1, 2, 4, 8, 64, 0);
+  if (step > 1) columns.front() = columns.front() / step * step;
+  while (static_cast<int>(columns.size()) < count) {
+    columns.push_back(columns.back() + (step != 0 ? step : *rc::gen::inRange(1, 30)));
+  }
+  return columns;
+}
+
+RegionsSpec any_regions() {
+  RegionsSpec spec;
+  spec.mesa_any = *rc::gen::element(0.0, 0.4);
+  spec.temperature_bias = *rc::gen::inRange(-5, 6) * 0.1;
+  spec.moisture_bias = *rc::gen::inRange(-5, 6) * 0.1;
+  return spec;
+}
+
+float highest_fx(const RegionsSpec& spec, int resolution) {
+  return static_cast<float>(highest_land(spec) * resolution * 256);
+}
+
+std::vector<std::int32_t> heights(const Regions& regions, float highest_fx,
+                                  const std::vector<std::int64_t>& xs, const std::vector<std::int64_t>& zs,
+                                  InstructionSet set) {
+  RegionRows rows{regions, highest_fx, set};
+  std::vector<std::int32_t> all(xs.size() * zs.size());
+  rows.start(xs);
+  for (std::size_t j = 0; j < zs.size(); ++j) rows.row(zs[j], all.data() + j * xs.size());
+  return all;
+}
+
+std::vector<InstructionSet> sets_here() {
+  std::vector<InstructionSet> sets;
+  for (const auto set :
+       {InstructionSet::scalar, InstructionSet::sse4, InstructionSet::avx2, InstructionSet::avx512}) {
+    if (runs_here(set)) sets.push_back(set);
+  }
+  return sets;
+}
+
+TEST_CASE(
+    "Regions have the bits of their formulas at each column, in whatever rows, by every instruction set") {
+  CHECK(rc::check([] {
+    const RegionsSpec spec = any_regions();
+    const int resolution = *rc::gen::element(1, 1, 2, 5);
+    const Regions regions = regions_of(spec, *rc::gen::arbitrary<std::uint64_t>(), resolution);
+    const float highest = highest_fx(spec, resolution);
+    const auto xs = any_columns();
+    const std::int64_t z = *any_place();
+    const std::vector<std::int64_t> zs{z, z + 1, z + 7, z + 9, z + 200, z};
+    std::vector<std::int32_t> expected;
+    for (const std::int64_t each_z : zs) {
+      for (const std::int64_t x : xs) {
+        expected.push_back(test::reference::region_height_fx(regions, highest, x, each_z));
+      }
+    }
+    for (const InstructionSet set : sets_here())
+      RC_ASSERT(heights(regions, highest, xs, zs, set) == expected);
+  }));
+}
+
+TEST_CASE("Land of regions lies between the sea's floor and the highest there may be") {
+  const RegionsSpec spec;
+  const Regions regions = regions_of(spec, 2019, 1);
+  std::vector<std::int64_t> places;
+  for (std::int64_t i = 0; i < 400; ++i) places.push_back((i - 200) * 5000);
+  const auto land = heights(regions, highest_fx(spec, 1), places, places, instruction_set());
+  const auto [lowest, highest] = std::minmax_element(land.begin(), land.end());
+  CHECK(*lowest >= 256);
+  CHECK(*lowest < (128 - 40) * 256);
+  CHECK(*highest > (128 + 250) * 256);
+  CHECK(static_cast<float>(*highest) < highest_fx(spec, 1));
+  const auto water = std::count_if(land.begin(), land.end(), [](std::int32_t h) { return h < 128 * 256; });
+  const double share = static_cast<double>(water) / static_cast<double>(land.size());
+  CHECK(share > 0.3);
+  CHECK(share < 0.45);
+}
+
+TEST_CASE("Neighbouring columns of regions are steep nowhere but at mesas") {
+  RegionsSpec spec;
+  spec.mesa_height = 0;
+  const Regions regions = regions_of(spec, 2019, 1);
+  std::vector<std::int64_t> xs;
+  for (std::int64_t x = 0; x < 200'000; ++x) xs.push_back(x);
+  std::vector<std::int32_t> land =
+      heights(regions, highest_fx(spec, 1), xs, {-70'000, 3, 1'000'000}, instruction_set());
+  std::int32_t most = 0;
+  for (std::size_t i = 0; i + 1 < land.size(); ++i) {
+    if ((i + 1) % xs.size() != 0) most = std::max(most, std::abs(land[i + 1] - land[i]));
+  }
+  CHECK(most < 15 * 256);
+  CHECK(most > 256);
+}
+
+TEST_CASE("What bears another name has another seed") {
+  CHECK(named_seed(1, "rivers") == named_seed(1, "rivers"));
+  CHECK(named_seed(1, "rivers") != named_seed(1, "ranges"));
+  CHECK(named_seed(1, "rivers") != named_seed(2, "rivers"));
+}
+
+}  // namespace
+}  // namespace talus::terrain
