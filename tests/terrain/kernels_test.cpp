@@ -176,11 +176,16 @@ TEST_CASE("Rotated noise has the bits of the noise of its points, from every ins
     std::vector<std::int32_t> east(padded(xs.size()));
     std::vector<std::int32_t> south(padded(xs.size()));
     std::vector<float> expected;
+    std::vector<float> rises_east;
+    std::vector<float> rises_south;
     std::vector<float> first;  // octave alone
     for (std::size_t i = 0; i < xs.size(); ++i) {
       east[i] = *rc::gen::inRange(-reach, reach + 1);
       south[i] = *rc::gen::inRange(-reach, reach + 1);
-      expected.push_back(rotated_fbm(noise, xs[i], z, east[i], south[i]));
+      const SlopedNoise sum = sloped_rotated_fbm(noise, xs[i], z, east[i], south[i]);
+      expected.push_back(sum.value);
+      rises_east.push_back(sum.east);
+      rises_south.push_back(sum.south);
       RotatedNoise alone = noise;
       alone.octaves = 1;
       first.push_back(rotated_fbm(alone, xs[i], z, east[i], south[i]));
@@ -192,8 +197,15 @@ TEST_CASE("Rotated noise has the bits of the noise of its points, from every ins
     for (const InstructionSet set : sets) {
       RotatedFbm rows{set};
       rows.start(noise, xs);
-      RC_ASSERT(std::memcmp(expected.data(), rows.row(z, by), expected.size() * sizeof(float)) == 0);
-      RC_ASSERT(std::memcmp(first.data(), rows.octave(0, z, by), first.size() * sizeof(float)) == 0);
+      const auto same = [&](const float* row, const std::vector<float>& as) {
+        return std::memcmp(as.data(), row, as.size() * sizeof(float)) == 0;
+      };
+      RC_ASSERT(same(rows.row(z, by), expected));
+      RC_ASSERT(same(rows.octave(0, z, by), first));
+      const SlopedRow sloped = rows.sloped_row(z, by);
+      RC_ASSERT(same(sloped.value, expected));
+      RC_ASSERT(same(sloped.east, rises_east));
+      RC_ASSERT(same(sloped.south, rises_south));
     }
   }));
 }

@@ -28,20 +28,26 @@ float s_curve(float t) {
 struct Warped {
   std::int32_t east = 0;
   std::int32_t south = 0;
+  float east_by_x = 0;  // how the displacements grow a column
+  float east_by_z = 0;
+  float south_by_x = 0;
+  float south_by_z = 0;
 };
 
 Warped warp_at(const SlowFields& fields, std::int64_t x, std::int64_t z) {
-  const auto along = [&](const std::array<RotatedNoise, 2>& noise) {
-    const float far = fields.warp_reach[0] * rotated_fbm(noise[0], x, z) +
-                      fields.warp_reach[1] * rotated_fbm(noise[1], x, z);
-    return static_cast<std::int32_t>(std::lrint(far));
+  const auto along = [&](const std::array<RotatedNoise, 2>& noise, std::int32_t& far, float& by_x,
+                         float& by_z) {
+    const SlopedNoise wide = sloped_rotated_fbm(noise[0], x, z);
+    const SlopedNoise narrow = sloped_rotated_fbm(noise[1], x, z);
+    const auto sum = [&](float w, float n) { return fields.warp_reach[0] * w + fields.warp_reach[1] * n; };
+    far = static_cast<std::int32_t>(std::lrint(sum(wide.value, narrow.value)));
+    by_x = sum(wide.east, narrow.east) / 256;
+    by_z = sum(wide.south, narrow.south) / 256;
   };
-  return {along(fields.warp_east), along(fields.warp_south)};
-}
-
-float river_noise(const SlowFields& fields, std::size_t river, std::int64_t x, std::int64_t z) {
-  const Warped warp = warp_at(fields, x, z);
-  return rotated_fbm(fields.rivers[river], x, z, warp.east, warp.south);
+  Warped warp;
+  along(fields.warp_east, warp.east, warp.east_by_x, warp.east_by_z);
+  along(fields.warp_south, warp.south, warp.south_by_x, warp.south_by_z);
+  return warp;
 }
 
 Values sample(const Regions& regions, std::int64_t x, std::int64_t z) {
@@ -69,9 +75,10 @@ Values sample(const Regions& regions, std::int64_t x, std::int64_t z) {
   of(values, Slow::temperature) = t;
   of(values, Slow::moisture) = m;
   for (std::size_t river = 0; river < 3; ++river) {
-    const float n = river_noise(f, river, x, z);
-    const float gx = (river_noise(f, river, x + 8, z) - river_noise(f, river, x - 8, z)) / 16;
-    const float gz = (river_noise(f, river, x, z + 8) - river_noise(f, river, x, z - 8)) / 16;
+    const SlopedNoise noise = sloped_rotated_fbm(f.rivers[river], x, z, warp.east, warp.south);
+    const float n = noise.value;
+    const float gx = noise.east * (1 + warp.east_by_x) + noise.south * warp.south_by_x;
+    const float gz = noise.east * warp.east_by_z + noise.south * (1 + warp.south_by_z);
     const float kappa = f.saddle[river == 0 ? 0 : 1];
     const float d = n / std::sqrt(gx * gx + gz * gz + kappa * std::abs(n) + 1e-14F) * f.units_a_column;
     values[static_cast<std::size_t>(Slow::river) + river] = std::clamp(d, -1000.0F, 1000.0F);
@@ -85,8 +92,9 @@ Values sample(const Regions& regions, std::int64_t x, std::int64_t z) {
       return static_cast<std::uint64_t>(static_cast<std::int64_t>(sum) >> 8);
     };
     values[static_cast<std::size_t>(Slow::shape_0) + static_cast<std::size_t>(k)] =
-        rotated_noise(lattice, lattice.u(x, z) + by(lattice.du * east + lattice.dv * south),
-                      lattice.v(x, z) + by(lattice.du * south - lattice.dv * east));
+        rotated_sample(lattice, lattice.u(x, z) + by(lattice.du * east + lattice.dv * south),
+                       lattice.v(x, z) + by(lattice.du * south - lattice.dv * east))
+            .value;
   }
   return values;
 }
@@ -134,7 +142,7 @@ std::int32_t region_height_fx(const Regions& regions, float highest_fx, std::int
     } else {
       const std::uint64_t seed = derived_seed(regions.shape.seed, i);
       const RotatedLattice lattice = rotated_lattice(seed, regions.shape.period, k, regions.shape.turn);
-      n = rotated_noise(lattice, lattice.u(x, z), lattice.v(x, z));
+      n = rotated_sample(lattice, lattice.u(x, z), lattice.v(x, z)).value;
     }
     const float s = std::max(0.0F, 1 - 1.8F * std::sqrt(n * n + 0.0005F));
     const float signal = s * s * shown;

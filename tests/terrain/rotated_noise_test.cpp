@@ -58,10 +58,10 @@ TEST_CASE("Rotated noise varies as much at its lattice's points as between them,
     const std::uint64_t u = random();
     const std::uint64_t v = random();
     constexpr std::uint64_t kWhole = ~std::uint64_t{0xFFFFFFFF};
-    corners.add(rotated_noise(lattice, u & kWhole, v & kWhole));
-    middles.add(rotated_noise(lattice, (u & kWhole) + 0x80000000U, (v & kWhole) + 0x80000000U));
-    anywhere.add(rotated_noise(lattice, u, v));
-    most = std::max(most, std::abs(static_cast<double>(rotated_noise(lattice, u, v))));
+    corners.add(rotated_sample(lattice, u & kWhole, v & kWhole).value);
+    middles.add(rotated_sample(lattice, (u & kWhole) + 0x80000000U, (v & kWhole) + 0x80000000U).value);
+    anywhere.add(rotated_sample(lattice, u, v).value);
+    most = std::max(most, std::abs(static_cast<double>(rotated_sample(lattice, u, v).value)));
   }
   CHECK(std::abs(corners.mean()) < 0.002);
   CHECK(std::abs(middles.mean()) < 0.002);
@@ -129,6 +129,20 @@ TEST_CASE("Rotated noise is as smooth at the world's ends as at its origin") {
     CHECK(steepest < 0.1F);
     CHECK(steepest > 0.005F);
   }
+}
+
+TEST_CASE("Rotated noise rises as its neighbours say") {
+  CHECK(rc::check([] {
+    const RotatedNoise noise{*rc::gen::arbitrary<std::uint64_t>(), 2048, *rc::gen::inRange(1, 4), 0.5,
+                             *rc::gen::inRange(0, 8)};
+    const std::int64_t x = *rc::gen::inRange<std::int64_t>(-kFar, kFar);
+    const std::int64_t z = *rc::gen::inRange<std::int64_t>(-kFar, kFar);
+    const SlopedNoise here = sloped_rotated_fbm(noise, x, z);
+    const float east = (rotated_fbm(noise, x + 4, z) - rotated_fbm(noise, x - 4, z)) / 8;
+    const float south = (rotated_fbm(noise, x, z + 4) - rotated_fbm(noise, x, z - 4)) / 8;
+    RC_ASSERT(std::abs(here.east - east) < 2e-5F);
+    RC_ASSERT(std::abs(here.south - south) < 2e-5F);
+  }));
 }
 
 TEST_CASE("A displacement of whole columns is as good as being there") {

@@ -24,6 +24,13 @@ HWY_INLINE V faded(V t) {
 }
 
 template <class V>
+HWY_INLINE V faded_slope(V t) {
+  const hn::DFromV<V> f;
+  const auto both = hn::Mul(t, hn::Sub(t, hn::Set(f, 1.0F)));
+  return hn::Mul(hn::Set(f, 30.0F), hn::Mul(both, both));
+}
+
+template <class V>
 HWY_INLINE V lerp(V a, V b, V t) {
   return hn::Add(a, hn::Mul(t, hn::Sub(b, a)));
 }

@@ -2,6 +2,7 @@
 
 #include <talus/vectors/tables.h>
 
+#include "noise/rotated_fbm.h"
 #include "surface/regions/regions.h"
 
 #undef HWY_TARGET_INCLUDE
@@ -59,18 +60,41 @@ HWY_INLINE RegionVector equalized(const Equalizer& equalizer, RegionVector noise
   return hn::CopySign(half, noise);
 }
 
-void displace(const float* wide, const float* narrow, const std::array<float, 2>& reach, std::size_t width,
-              std::int32_t* out) {
+void displace(const SlopedRow& wide, const SlopedRow& narrow, const std::array<float, 2>& reach,
+              std::size_t width, std::int32_t* out, const Stretch& stretch) {
   const RegionTag f;
   const hn::RebindToSigned<RegionTag> ints;
   const auto most = constant(4194304);             // 2^22
   const auto no_fraction = constant(12582912.0F);  // 1.5 * 2^23: a float of this size has none
   for (std::size_t i = 0; i < width; i += hn::Lanes(f)) {
-    const auto far =
-        hn::Add(times(hn::LoadU(f, wide + i), reach[0]), times(hn::LoadU(f, narrow + i), reach[1]));
-    const auto bounded = hn::Max(hn::Min(far, most), hn::Neg(most));
+    const auto sum = [&](const float* w, const float* n) HWY_ATTR {
+      return hn::Add(times(hn::LoadU(f, w + i), reach[0]), times(hn::LoadU(f, n + i), reach[1]));
+    };
+    const auto bounded = hn::Max(hn::Min(sum(wide.value, narrow.value), most), hn::Neg(most));
     const auto whole = hn::Sub(hn::Add(bounded, no_fraction), no_fraction);
     hn::StoreU(hn::ConvertTo(ints, whole), ints, out + i);
+    hn::StoreU(times(sum(wide.east, narrow.east), 1.0F / 256), f, stretch.by_x + i);
+    hn::StoreU(times(sum(wide.south, narrow.south), 1.0F / 256), f, stretch.by_z + i);
+  }
+}
+
+void distances(const SlopedRow& noise, const Stretch& east, const Stretch& south, float saddle,
+               float units_a_column, std::size_t width, float* out) {
+  const RegionTag f;
+  const auto most = constant(1000);  // rivers are felt no further
+  for (std::size_t i = 0; i < width; i += hn::Lanes(f)) {
+    const auto load = [&](const float* values) HWY_ATTR { return hn::LoadU(f, values + i); };
+    const auto n = load(noise.value);
+    const auto rise_east = load(noise.east);
+    const auto rise_south = load(noise.south);
+    const auto gx =
+        hn::Add(hn::Mul(rise_east, plus(load(east.by_x), 1)), hn::Mul(rise_south, load(south.by_x)));
+    const auto gz =
+        hn::Add(hn::Mul(rise_east, load(east.by_z)), hn::Mul(rise_south, plus(load(south.by_z), 1)));
+    const auto squares = hn::Add(hn::Mul(gx, gx), hn::Mul(gz, gz));
+    const auto rounded_off = plus(hn::Add(squares, times(hn::Abs(n), saddle)), 1e-14F);
+    const auto units = times(hn::Div(n, hn::Sqrt(rounded_off)), units_a_column);
+    hn::StoreU(hn::Max(hn::Min(units, most), hn::Neg(most)), f, out + i);
   }
 }
 
@@ -239,7 +263,7 @@ void compose(const RegionRow& row, const RegionShape& shape, std::size_t width, 
 
 }  // namespace
 
-constexpr RegionKernels kRegions{displace, lay, spread, compose};
+constexpr RegionKernels kRegions{displace, distances, lay, spread, compose};
 
 }  // namespace talus::terrain::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

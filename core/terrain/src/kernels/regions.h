@@ -11,6 +11,7 @@
 namespace talus::terrain {
 
 struct RegionShape;
+struct SlopedRow;
 struct SlowFields;
 
 /// A row of columns; all padded.
@@ -47,11 +48,21 @@ struct SlowLand {
   float* moisture = nullptr;
 };
 
+/// How a displacement grows a column eastward and southward. Padded.
+struct Stretch {
+  float* by_x = nullptr;
+  float* by_z = nullptr;
+};
+
 struct RegionKernels {
-  /// A displacement by two noises, each times its reach, in 2^-8 columns, rounded to even and at most 2^22.
-  /// Writes up to kPadding further; so do the others.
-  void (*displace)(const float* wide, const float* narrow, const std::array<float, 2>& reach,
-                   std::size_t width, std::int32_t* out);
+  /// A displacement by two noises, each times its reach, in 2^-8 columns, rounded to even and at most 2^22;
+  /// and its stretch. Writes up to kPadding further; so do the others.
+  void (*displace)(const SlopedRow& wide, const SlopedRow& narrow, const std::array<float, 2>& reach,
+                   std::size_t width, std::int32_t* out, const Stretch& stretch);
+  /// The signed distance, in terrain units, from where a displaced noise is 0: that over its gradient.
+  /// `saddle` keeps it finite and continuous where the gradient is 0, at saddles and summits.
+  void (*distances)(const SlopedRow& noise, const Stretch& east, const Stretch& south, float saddle,
+                    float units_a_column, std::size_t width, float* out);
   void (*lay)(const SlowNoises& noises, const SlowFields& fields, std::size_t width, const SlowLand& land);
   /// Straight lines between samples: out[c * columns + k] is so much of the way from samples[c] to
   /// samples[c + 1] as fractions[k] says, for c < cells and k < columns. `columns` of a cell: 1, 2, 4 or 8.

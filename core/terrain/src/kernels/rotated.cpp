@@ -81,14 +81,20 @@ HWY_INLINE hn::Vec<Floats> toward(const Corner& corner, hn::Vec<Floats> du, hn::
   return hn::Add(hn::Add(hn::Mul(corner.along_u, du), hn::Mul(corner.along_v, dv)), corner.value);
 }
 
+HWY_INLINE void add(Floats f, hn::Vec<Floats> more, float* sum) {
+  hn::StoreU(hn::Add(hn::LoadU(f, sum), more), f, sum);
+}
+
 /// Adds one octave; u_at and v_at give the columns' positions, as place_of() wants them.
-template <class UAt, class VAt>
+template <bool kSlopes, class UAt, class VAt>
 HWY_INLINE void add_octave(const RotatedOctave& octave, const UAt& u_at, const VAt& v_at, std::size_t width,
-                           float* out) {
+                           const RotatedSums& out) {
   const Floats f;
   const Words w;
   const auto one = hn::Set(f, 1.0F);
   const auto step = hn::Set(w, kRotatedCellStep);
+  const auto u_share = hn::Set(f, octave.weight * octave.lattice->u_a_column());
+  const auto v_share = hn::Set(f, octave.weight * octave.lattice->v_a_column());
   const auto turned = [](auto hash)
                           HWY_ATTR { return hn::Or(hn::ShiftLeft<16>(hash), hn::ShiftRight<16>(hash)); };
   auto known_u = hn::Zero(w);
@@ -118,25 +124,44 @@ HWY_INLINE void add_octave(const RotatedOctave& octave, const UAt& u_at, const V
     }
     const auto back_u = hn::Sub(u.inside, one);
     const auto back_v = hn::Sub(v.inside, one);
+    const auto a00 = toward(c00, u.inside, v.inside);
+    const auto a10 = toward(c10, back_u, v.inside);
+    const auto a01 = toward(c01, u.inside, back_v);
+    const auto a11 = toward(c11, back_u, back_v);
     const auto faded_u = faded(u.inside);
-    const auto on_0 = lerp(toward(c00, u.inside, v.inside), toward(c10, back_u, v.inside), faded_u);
-    const auto on_1 = lerp(toward(c01, u.inside, back_v), toward(c11, back_u, back_v), faded_u);
-    const auto noise = hn::Mul(hn::Set(f, octave.weight), lerp(on_0, on_1, faded(v.inside)));
-    hn::StoreU(hn::Add(hn::LoadU(f, out + i), noise), f, out + i);
+    const auto faded_v = faded(v.inside);
+    const auto on_0 = lerp(a00, a10, faded_u);
+    const auto on_1 = lerp(a01, a11, faded_u);
+    add(f, hn::Mul(hn::Set(f, octave.weight), lerp(on_0, on_1, faded_v)), out.value + i);
+    if constexpr (kSlopes) {
+      const auto rise_u = faded_slope(u.inside);
+      const auto along_0 =
+          hn::Add(lerp(c00.along_u, c10.along_u, faded_u), hn::Mul(rise_u, hn::Sub(a10, a00)));
+      const auto along_1 =
+          hn::Add(lerp(c01.along_u, c11.along_u, faded_u), hn::Mul(rise_u, hn::Sub(a11, a01)));
+      const auto across =
+          lerp(lerp(c00.along_v, c10.along_v, faded_u), lerp(c01.along_v, c11.along_v, faded_u), faded_v);
+      const auto along_u = lerp(along_0, along_1, faded_v);
+      const auto along_v = hn::Add(across, hn::Mul(faded_slope(v.inside), hn::Sub(on_1, on_0)));
+      add(f, hn::Sub(hn::Mul(along_u, u_share), hn::Mul(along_v, v_share)), out.east + i);
+      add(f, hn::Add(hn::Mul(along_u, v_share), hn::Mul(along_v, u_share)), out.south + i);
+    }
   }
 }
 
-void add_undisplaced(const RotatedOctave& octave, std::size_t width, float* out) {
+template <bool kSlopes>
+void add_undisplaced(const RotatedOctave& octave, std::size_t width, const RotatedSums& out) {
   const Positions p;
-  add_octave(
+  add_octave<kSlopes>(
       octave,
       [&](std::size_t i) HWY_ATTR { return hn::Add(hn::LoadU(p, octave.u + i), hn::Set(p, octave.row_u)); },
       [&](std::size_t i) HWY_ATTR { return hn::Add(hn::LoadU(p, octave.v + i), hn::Set(p, octave.row_v)); },
       width, out);
 }
 
+template <bool kSlopes>
 void add_displaced(const RotatedOctave& octave, const Displacements& displaced, std::size_t width,
-                   float* out) {
+                   const RotatedSums& out) {
   const Positions p;
   using Signed = hn::RebindToSigned<Positions>;
   const Signed s;
@@ -148,7 +173,7 @@ void add_displaced(const RotatedOctave& octave, const Displacements& displaced, 
   // To columns from 2^-8 of them, rounded down.
   const auto moved = [&](auto sum)
                          HWY_ATTR { return hn::BitCast(p, hn::ShiftRight<8>(hn::BitCast(s, sum))); };
-  add_octave(
+  add_octave<kSlopes>(
       octave,
       [&](std::size_t i) HWY_ATTR {
         const auto by = hn::Add(hn::Mul(du, far(displaced.east, i)), hn::Mul(dv, far(displaced.south, i)));
@@ -161,16 +186,32 @@ void add_displaced(const RotatedOctave& octave, const Displacements& displaced, 
       width, out);
 }
 
-void sum(const RotatedOctave* octaves, std::size_t count, const Displacements& displaced, std::size_t width,
-         float* out) {
+template <bool kSlopes>
+void sum_of(const RotatedOctave* octaves, std::size_t count, const Displacements& displaced,
+            std::size_t width, const RotatedSums& out) {
   const Floats f;
-  for (std::size_t i = 0; i < width; i += hn::Lanes(f)) hn::StoreU(hn::Zero(f), f, out + i);
+  for (std::size_t i = 0; i < width; i += hn::Lanes(f)) {
+    hn::StoreU(hn::Zero(f), f, out.value + i);
+    if constexpr (kSlopes) {
+      hn::StoreU(hn::Zero(f), f, out.east + i);
+      hn::StoreU(hn::Zero(f), f, out.south + i);
+    }
+  }
   for (const RotatedOctave* octave = octaves; octave != octaves + count; ++octave) {
     if (displaced.east == nullptr) {
-      add_undisplaced(*octave, width, out);
+      add_undisplaced<kSlopes>(*octave, width, out);
     } else {
-      add_displaced(*octave, displaced, width, out);
+      add_displaced<kSlopes>(*octave, displaced, width, out);
     }
+  }
+}
+
+void sum(const RotatedOctave* octaves, std::size_t count, const Displacements& displaced, std::size_t width,
+         const RotatedSums& out) {
+  if (out.east == nullptr) {
+    sum_of<false>(octaves, count, displaced, width, out);
+  } else {
+    sum_of<true>(octaves, count, displaced, width, out);
   }
 }
 

@@ -28,10 +28,18 @@ struct Displacements {
   const std::int32_t* south = nullptr;
 };
 
+/// Where sums go. Padded.
+struct RotatedSums {
+  float* value = nullptr;
+  float* east =
+      nullptr;  // how the noise rises eastward, a column, at the place where it is read; may be null
+  float* south = nullptr;  // null where that is
+};
+
 struct RotatedKernels {
   /// The weighted sum of `count` octaves at `width` columns. Writes up to kPadding further.
   void (*sum)(const RotatedOctave* octaves, std::size_t count, const Displacements& displaced,
-              std::size_t width, float* out);
+              std::size_t width, const RotatedSums& out);
 };
 
 [[nodiscard]] const RotatedKernels& rotated_kernels(InstructionSet set);

@@ -14,6 +14,12 @@ namespace talus::terrain {
   return t * t * t * (t * (t * 6.0F - 15.0F) + 10.0F);
 }
 
+/// Its derivative.
+[[nodiscard]] inline float fade_slope(float t) {
+  const float both = t * (t - 1.0F);
+  return 30.0F * (both * both);
+}
+
 [[nodiscard]] inline float lerp(float a, float b, float t) {
   return a + t * (b - a);
 }

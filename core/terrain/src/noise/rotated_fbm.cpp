@@ -64,30 +64,48 @@ RotatedOctave RotatedFbm::placed(const Octave& octave, std::int64_t z) const {
           octave.lattice.dv * south, octave.lattice.du * south, octave.weight};
 }
 
-const float* RotatedFbm::row(std::int64_t z, const Displacements& displaced) {
+void RotatedFbm::place(std::int64_t z) {
   placed_.clear();
   for (std::size_t k = 0; k < count_; ++k) placed_.push_back(placed(octaves_[k], z));
-  kernels_->sum(placed_.data(), count_, displaced, width_, noise_.data());
+}
+
+SlopedRow RotatedFbm::sloped_row(std::int64_t z, const Displacements& displaced) {
+  east_.resize(padded(width_));
+  south_.resize(padded(width_));
+  place(z);
+  kernels_->sum(placed_.data(), count_, displaced, width_, {noise_.data(), east_.data(), south_.data()});
+  return {noise_.data(), east_.data(), south_.data()};
+}
+
+const float* RotatedFbm::row(std::int64_t z, const Displacements& displaced) {
+  place(z);
+  kernels_->sum(placed_.data(), count_, displaced, width_, {noise_.data()});
   return noise_.data();
 }
 
 const float* RotatedFbm::octave(int k, std::int64_t z, const Displacements& displaced) {
   RotatedOctave one = placed(octaves_[static_cast<std::size_t>(k)], z);
   one.weight = 1;
-  kernels_->sum(&one, 1, displaced, width_, noise_.data());
+  kernels_->sum(&one, 1, displaced, width_, {noise_.data()});
   return noise_.data();
 }
 
-float rotated_fbm(const RotatedNoise& noise, std::int64_t x, std::int64_t z, std::int32_t east,
-                  std::int32_t south) {
+SlopedNoise sloped_rotated_fbm(const RotatedNoise& noise, std::int64_t x, std::int64_t z, std::int32_t east,
+                               std::int32_t south) {
   const auto e = static_cast<std::uint64_t>(std::int64_t{east});
   const auto s = static_cast<std::uint64_t>(std::int64_t{south});
-  float sum = 0;
+  SlopedNoise sum;
   for (int k = 0; k < noise.octaves; ++k) {
     const RotatedLattice lattice = lattice_of(noise, k);
     const std::uint64_t u = lattice.u(x, z) + displaced_by(lattice.du * e + lattice.dv * s);
     const std::uint64_t v = lattice.v(x, z) + displaced_by(lattice.du * s - lattice.dv * e);
-    sum += static_cast<float>(share_of(noise, k)) * rotated_noise(lattice, u, v);
+    const RotatedSample sample = rotated_sample(lattice, u, v);
+    const auto weight = static_cast<float>(share_of(noise, k));
+    const float u_share = weight * lattice.u_a_column();
+    const float v_share = weight * lattice.v_a_column();
+    sum.value += weight * sample.value;
+    sum.east += sample.along_u * u_share - sample.along_v * v_share;
+    sum.south += sample.along_u * v_share + sample.along_v * u_share;
   }
   return sum;
 }

@@ -28,6 +28,18 @@ struct RotatedNoise {
   [[nodiscard]] double dominance() const;
 };
 
+/// A noise, and how it rises a column eastward and southward at the place where it is read.
+struct SlopedRow {
+  const float* value = nullptr;
+  const float* east = nullptr;
+  const float* south = nullptr;
+};
+struct SlopedNoise {
+  float value = 0;
+  float east = 0;
+  float south = 0;
+};
+
 /// Keeps its memory from one start() to the next. For one thread at a time.
 class RotatedFbm {
  public:
@@ -38,6 +50,7 @@ class RotatedFbm {
 
   /// The sum of all octaves at (xs[i], z), or displaced from there, valid until the next call.
   [[nodiscard]] const float* row(std::int64_t z, const Displacements& displaced = {});
+  [[nodiscard]] SlopedRow sloped_row(std::int64_t z, const Displacements& displaced = {});
   /// Octave k alone, by weight 1.
   [[nodiscard]] const float* octave(int k, std::int64_t z, const Displacements& displaced = {});
 
@@ -49,6 +62,7 @@ class RotatedFbm {
     AlignedVector<std::uint64_t> v;
   };
 
+  void place(std::int64_t z);
   [[nodiscard]] RotatedOctave placed(const Octave& octave, std::int64_t z) const;
 
   const RotatedKernels* kernels_;
@@ -57,10 +71,16 @@ class RotatedFbm {
   std::vector<Octave> octaves_;
   std::vector<RotatedOctave> placed_;
   AlignedVector<float> noise_;
+  AlignedVector<float> east_;
+  AlignedVector<float> south_;
 };
 
-/// The same at one position that is (east, south) of the column by 2^-8 columns: as row() to the bit.
-[[nodiscard]] float rotated_fbm(const RotatedNoise& noise, std::int64_t x, std::int64_t z,
-                                std::int32_t east = 0, std::int32_t south = 0);
+/// The same at one position that is (east, south) of the column by 2^-8 columns: as sloped_row() to the bit.
+[[nodiscard]] SlopedNoise sloped_rotated_fbm(const RotatedNoise& noise, std::int64_t x, std::int64_t z,
+                                             std::int32_t east = 0, std::int32_t south = 0);
+[[nodiscard]] inline float rotated_fbm(const RotatedNoise& noise, std::int64_t x, std::int64_t z,
+                                       std::int32_t east = 0, std::int32_t south = 0) {
+  return sloped_rotated_fbm(noise, x, z, east, south).value;
+}
 
 }  // namespace talus::terrain

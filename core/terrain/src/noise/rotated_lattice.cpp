@@ -25,12 +25,18 @@ float odd_number(std::uint32_t bits, int count) {
   return static_cast<float>((static_cast<std::int32_t>(bits) >> (32 - count)) | 1);
 }
 
-float corner(std::uint32_t u_hash, std::uint32_t v_hash, float du, float dv) {
+struct Corner {
+  float along_u = 0;
+  float along_v = 0;
+  float value = 0;
+
+  [[nodiscard]] float toward(float du, float dv) const { return (along_u * du + along_v * dv) + value; }
+};
+
+Corner corner(std::uint32_t u_hash, std::uint32_t v_hash) {
   const std::uint32_t hash = corner_hash(u_hash, v_hash);
-  const float along_u = odd_number(hash, 11) * kGradientUnit;
-  const float along_v = odd_number(hash << 11, 11) * kGradientUnit;
-  const float value = (odd_number(hash << 22, 5) + odd_number(hash << 27, 5)) * kValueUnit;
-  return (along_u * du + along_v * dv) + value;
+  return {odd_number(hash, 11) * kGradientUnit, odd_number(hash << 11, 11) * kGradientUnit,
+          (odd_number(hash << 22, 5) + odd_number(hash << 27, 5)) * kValueUnit};
 }
 
 float inside_of(std::uint64_t position) {
@@ -53,19 +59,36 @@ RotatedLattice rotated_lattice(std::uint64_t octave_seed, std::int64_t period, i
           static_cast<std::uint32_t>(salts >> 32)};
 }
 
-float rotated_noise(const RotatedLattice& lattice, std::uint64_t u, std::uint64_t v) {
+RotatedSample rotated_sample(const RotatedLattice& lattice, std::uint64_t u, std::uint64_t v) {
   const std::uint32_t u_key = static_cast<std::uint32_t>(u >> 32) * kRotatedCellStep + lattice.u_salt;
   const std::uint32_t v_key = static_cast<std::uint32_t>(v >> 32) * kRotatedCellStep + lattice.v_salt;
   const std::uint32_t u_0 = mix32(u_key);
   const std::uint32_t u_1 = mix32(u_key + kRotatedCellStep);
   const std::uint32_t v_0 = mix32(v_key);
   const std::uint32_t v_1 = mix32(v_key + kRotatedCellStep);
+  const Corner c00 = corner(u_0, v_0);
+  const Corner c10 = corner(u_1, v_0);
+  const Corner c01 = corner(u_0, v_1);
+  const Corner c11 = corner(u_1, v_1);
   const float du = inside_of(u);
   const float dv = inside_of(v);
+  const float back_u = du - 1.0F;
+  const float back_v = dv - 1.0F;
+  const float a00 = c00.toward(du, dv);
+  const float a10 = c10.toward(back_u, dv);
+  const float a01 = c01.toward(du, back_v);
+  const float a11 = c11.toward(back_u, back_v);
   const float faded_u = fade(du);
-  const float on_0 = lerp(corner(u_0, v_0, du, dv), corner(u_1, v_0, du - 1.0F, dv), faded_u);
-  const float on_1 = lerp(corner(u_0, v_1, du, dv - 1.0F), corner(u_1, v_1, du - 1.0F, dv - 1.0F), faded_u);
-  return lerp(on_0, on_1, fade(dv));
+  const float faded_v = fade(dv);
+  const float on_0 = lerp(a00, a10, faded_u);
+  const float on_1 = lerp(a01, a11, faded_u);
+  const float rise_u = fade_slope(du);
+  const float along_0 = lerp(c00.along_u, c10.along_u, faded_u) + rise_u * (a10 - a00);
+  const float along_1 = lerp(c01.along_u, c11.along_u, faded_u) + rise_u * (a11 - a01);
+  const float across =
+      lerp(lerp(c00.along_v, c10.along_v, faded_u), lerp(c01.along_v, c11.along_v, faded_u), faded_v);
+  return {lerp(on_0, on_1, faded_v), lerp(along_0, along_1, faded_v),
+          across + fade_slope(dv) * (on_1 - on_0)};
 }
 
 }  // namespace talus::terrain

@@ -23,6 +23,14 @@ struct RotatedLattice {
   std::uint32_t u_salt = 0;
   std::uint32_t v_salt = 0;
 
+  /// du and dv in cells.
+  [[nodiscard]] float u_a_column() const {
+    return static_cast<float>(static_cast<double>(du) / 4294967296.0);
+  }
+  [[nodiscard]] float v_a_column() const {
+    return static_cast<float>(static_cast<double>(dv) / 4294967296.0);
+  }
+
   [[nodiscard]] std::uint64_t u(std::int64_t x, std::int64_t z) const {
     return du * static_cast<std::uint64_t>(x) + dv * static_cast<std::uint64_t>(z) + u_offset;
   }
@@ -47,7 +55,13 @@ inline constexpr float kValueUnit = 0.018078F;
 /// is larger on the cells' edges.
 inline constexpr double kRotatedDeviation = 0.25524;
 
-/// The noise of one octave at a position of its lattice, mostly between -1 and 1; 1.55 is never exceeded.
-[[nodiscard]] float rotated_noise(const RotatedLattice& lattice, std::uint64_t u, std::uint64_t v);
+/// The noise of one octave at a position of its lattice, mostly between -1 and 1; 1.55 is never exceeded. And
+/// how it rises along both axes of the lattice, a cell.
+struct RotatedSample {
+  float value = 0;
+  float along_u = 0;
+  float along_v = 0;
+};
+[[nodiscard]] RotatedSample rotated_sample(const RotatedLattice& lattice, std::uint64_t u, std::uint64_t v);
 
 }  // namespace talus::terrain
