@@ -53,25 +53,25 @@ Warped warp_at(const SlowFields& fields, std::int64_t x, std::int64_t z) {
 Values sample(const Regions& regions, std::int64_t x, std::int64_t z) {
   const SlowFields& f = regions.slow;
   const Warped warp = warp_at(f, x, z);
-  const auto field = [&](const SlowFields::Field& of, bool warped) {
-    return of.equalized(warped ? rotated_fbm(of.noise, x, z, warp.east, warp.south)
-                               : rotated_fbm(of.noise, x, z));
+  const auto field = [&](const SlowFields::Field& of) {
+    return of.equalized(of.warped ? rotated_fbm(of.noise, x, z, warp.east, warp.south)
+                                  : rotated_fbm(of.noise, x, z));
   };
-  const float c = field(f.continents, true);
-  const float r = std::abs(field(f.ranges, true));
-  const float e = field(f.hilliness, false);
-  const float t = std::clamp(0.75F * field(f.temperature, false) + 0.3F + f.temperature_bias, -1.0F, 1.2F);
-  const float m = std::clamp(field(f.moisture, false) + f.moisture_bias, -1.0F, 1.0F);
+  const float c = field(f.continents);
+  const float r = std::abs(field(f.ranges));
+  const float e = field(f.hilliness);
+  const float t = std::clamp(0.75F * field(f.temperature) + 0.3F + f.warmer, -1.0F, 1.2F);
+  const float m = std::clamp(field(f.moisture) + f.wetter, -1.0F, 1.0F);
   const float inland = f.inland(c);
-  const float belt = f.belt(r) * inland * f.broken(e);
-  const float mesa = std::max(f.mesa_any, ramp(0.05F, -0.3F, m) * ramp(-0.1F, 0.15F, t)) *
+  const float belt = f.belt(r) * inland * f.passes(e);
+  const float mesa = std::max(f.mesas_anywhere, ramp(0.05F, -0.3F, m) * ramp(-0.1F, 0.15F, t)) *
                      (1 - 0.85F * s_curve(unit(2 * belt))) * ramp(f.mesa_coast[0], f.mesa_coast[1], c);
   Values values{};
   of(values, Slow::base) = f.base(c);
   of(values, Slow::belt) = belt;
   of(values, Slow::hills) = f.hills(e) * (0.12F + 0.88F * inland) * (1 - 0.55F * mesa) * (1 - 0.5F * belt);
   of(values, Slow::mesa) = mesa;
-  of(values, Slow::terrace) = field(f.mesas, true);
+  of(values, Slow::terrace) = field(f.mesas);
   of(values, Slow::temperature) = t;
   of(values, Slow::moisture) = m;
   for (std::size_t river = 0; river < 3; ++river) {
@@ -157,7 +157,7 @@ std::int32_t region_height_fx(const Regions& regions, float highest_fx, std::int
   const float over = std::max(0.0F, r0 - 0.9F);
   const float R = std::min(r0, 0.9F) + over / (1 + 3 * over);
 
-  const float bs = B + p.belt_base * s_curve(unit(G));
+  const float bs = B + p.range_base * s_curve(unit(G));
   const float above = std::max(0.0F, bs - p.carve[0]);
   const float up = above * above / (above + 20);
   const float kb = 1.2F + up;
@@ -168,20 +168,20 @@ std::int32_t region_height_fx(const Regions& regions, float highest_fx, std::int
   const float w1 = p.half_width[0] * wide;
   const float w2 = p.half_width[1] * wide;
   const float shallow = 1 - 0.7F * ramp(0.5F, 6, up);
-  const float dp1 = std::min(p.bed_depth + 1.2F, w1 / 2) * shallow;
-  const float dp2 = std::min(0.8F * p.bed_depth + 1.2F, w2 / 2) * shallow;
+  const float dp1 = std::min(p.bed + 1.2F, w1 / 2) * shallow;
+  const float dp2 = std::min(0.8F * p.bed + 1.2F, w2 / 2) * shallow;
   const float d1 = of(v, Slow::river);
   const float d2 = d1 > 0 ? of(v, Slow::tributary_a) : of(v, Slow::tributary_b);
   const float D1 = std::abs(d1);
   const float D2 = std::abs(d2);
-  const float s1 = 1 - a1 * (1 - valley(D1, w1, p.valley_width[0] + G * 150));
-  const float s2 = 1 - a2 * (1 - valley(D2, w2, p.valley_width[1] + G * 120));
+  const float s1 = 1 - a1 * (1 - valley(D1, w1, p.valley[0] + G * 150));
+  const float s2 = 1 - a2 * (1 - valley(D2, w2, p.valley[1] + G * 120));
   const float s = s1 * s2;
   const float b1 = a1 * dp1 * s_curve(unit(1 - D1 / w1));
   const float b2 = a2 * dp2 * s_curve(unit(1 - D2 / w2));
   const float field = of(v, Slow::terrace) + p.mesa_roughness * small - 0.6F * (1 - unit(1.15F * s)) + 0.1F;
-  const float mesa = of(v, Slow::mesa) * p.mesa_height * p.terrace(field) * s_curve(unit(4 * s));
-  const float hm = bs + A * hill + G * p.belt_relief * R;
+  const float mesa = of(v, Slow::mesa) * p.mesa_height * p.terraces(field) * s_curve(unit(4 * s));
+  const float hm = bs + A * hill + G * p.range_relief * R;
   float h = hm > kb ? kb + (hm - kb) * s : hm;
   h = h + mesa - std::max(b1, b2) * ramp(-9, -1, B);
   h = h * (0.3F + 0.7F * s_curve(unit(std::abs(h) * (1.0F / 7))));

@@ -4,7 +4,7 @@
 #include <catch2/catch.hpp>
 
 #include <algorithm>
-#include <cstring>
+#include <string>
 #include <vector>
 
 #include <talus/vectors/instruction_set.h>
@@ -34,11 +34,20 @@ std::vector<std::int64_t> any_columns() {
   return columns;
 }
 
-RegionsSpec any_regions() {
+RegionsSpec regions_spec() {
   RegionsSpec spec;
-  spec.mesa_any = *rc::gen::element(0.0, 0.4);
-  spec.temperature_bias = *rc::gen::inRange(-5, 6) * 0.1;
-  spec.moisture_bias = *rc::gen::inRange(-5, 6) * 0.1;
+  spec.sea_level = 128;
+  return spec;
+}
+
+RegionsSpec any_regions() {
+  RegionsSpec spec = regions_spec();
+  spec.mesas_anywhere = *rc::gen::element(0.0, 0.4);
+  spec.temperature.warped = *rc::gen::arbitrary<bool>();
+  spec.mesas.warped = *rc::gen::arbitrary<bool>();
+  spec.moisture.name = *rc::gen::element<std::string>("rain", "x");
+  spec.warmer = *rc::gen::inRange(-5, 6) * 0.1;
+  spec.wetter = *rc::gen::inRange(-5, 6) * 0.1;
   return spec;
 }
 
@@ -87,7 +96,7 @@ TEST_CASE(
 }
 
 TEST_CASE("Land of regions lies between the sea's floor and the highest there may be") {
-  const RegionsSpec spec;
+  const RegionsSpec spec = regions_spec();
   const Regions regions = regions_of(spec, 2019, 1);
   std::vector<std::int64_t> places;
   for (std::int64_t i = 0; i < 400; ++i) places.push_back((i - 200) * 5000);
@@ -104,7 +113,7 @@ TEST_CASE("Land of regions lies between the sea's floor and the highest there ma
 }
 
 TEST_CASE("Neighbouring columns of regions are steep nowhere but at mesas") {
-  RegionsSpec spec;
+  RegionsSpec spec = regions_spec();
   spec.mesa_height = 0;
   const Regions regions = regions_of(spec, 2019, 1);
   std::vector<std::int64_t> xs;

@@ -16,15 +16,26 @@ terrain::World parsed(const std::string& text, const std::string& name) {
   return *std::move(world);
 }
 
-}  // namespace
-
-std::string sample_world_text(const std::string& name) {
-  const std::string path = std::string{TALUS_SOURCE_DIR} + "/core/worlds/" + name + ".toml";
+std::string text_of_file(const std::string& name) {
+  const std::string path = std::string{TALUS_SOURCE_DIR} + "/" + name;
   std::ifstream file{path};
   if (!file) throw std::runtime_error("cannot open " + path);
   std::ostringstream text;
   text << file.rdbuf();
   return text.str();
+}
+
+}  // namespace
+
+std::string sample_world_text(const std::string& name) {
+  return text_of_file("core/worlds/" + name + ".toml");
+}
+
+std::string regions_world_text() {
+  const std::string document = text_of_file("docs/WORLDS.md");
+  const std::string begins = "```toml\n";
+  const std::size_t begin = document.find(begins) + begins.size();
+  return document.substr(begin, document.find("```", begin) - begin);
 }
 
 const terrain::World& sample_world(const std::string& name) {

@@ -11,6 +11,9 @@ namespace talus::test {
 [[nodiscard]] std::string sample_world_text(const std::string& name);
 [[nodiscard]] const terrain::World& sample_world(const std::string& name);
 
+/// The whole file of a world of regions that docs/WORLDS.md shows.
+[[nodiscard]] std::string regions_world_text();
+
 /// A busy spec of low resolution: four strata, three loose materials (two of one weight), sea.
 [[nodiscard]] std::string small_world_text(std::uint64_t seed);
 [[nodiscard]] terrain::World small_world(std::uint64_t seed);

@@ -109,14 +109,14 @@ void lay(const SlowNoises& noises, const SlowFields& fields, std::size_t width, 
     const auto range = hn::Abs(field(fields.ranges, noises.ranges));
     const auto hilly = field(fields.hilliness, noises.hilliness);
     const auto warmth = plus(times(field(fields.temperature, noises.temperature), 0.75F), 0.3F);
-    const auto temperature = bounded(plus(warmth, fields.temperature_bias), -1, 1.2F);
-    const auto moisture = bounded(plus(field(fields.moisture, noises.moisture), fields.moisture_bias), -1, 1);
+    const auto temperature = bounded(plus(warmth, fields.warmer), -1, 1.2F);
+    const auto moisture = bounded(plus(field(fields.moisture, noises.moisture), fields.wetter), -1, 1);
     const auto inland = on_spline(fields.inland, continent);
     const auto belt =
-        hn::Mul(hn::Mul(on_spline(fields.belt, range), inland), on_spline(fields.broken, hilly));
+        hn::Mul(hn::Mul(on_spline(fields.belt, range), inland), on_spline(fields.passes, hilly));
     const auto warm_and_dry = hn::Mul(ramp(0.05F, -0.3F, moisture), ramp(-0.1F, 0.15F, temperature));
     const auto off_ranges = less(1, times(smooth(unit(times(belt, 2))), 0.85F));
-    const auto mesa = hn::Mul(hn::Mul(hn::Max(constant(fields.mesa_any), warm_and_dry), off_ranges),
+    const auto mesa = hn::Mul(hn::Mul(hn::Max(constant(fields.mesas_anywhere), warm_and_dry), off_ranges),
                               ramp(fields.mesa_coast[0], fields.mesa_coast[1], continent));
     const auto hills = hn::Mul(on_spline(fields.hills, hilly), plus(times(inland, 0.88F), 0.12F));
     hn::StoreU(on_spline(fields.base, continent), f, land.base + i);
@@ -213,7 +213,7 @@ HWY_INLINE RegionVector height_at(const RegionRow& row, const RegionShape& shape
   const auto over = hn::Max(plus(ridge, -0.9F), constant(0));
   const auto relief = hn::Add(hn::Min(ridge, constant(0.9F)), hn::Div(over, plus(times(over, 3), 1)));
 
-  const auto plain = hn::Add(base, times(smooth(unit(belt)), shape.belt_base));
+  const auto plain = hn::Add(base, times(smooth(unit(belt)), shape.range_base));
   const auto above = hn::Max(plus(plain, -shape.carve[0]), constant(0));
   const auto lifted = hn::Div(hn::Mul(above, above), plus(above, 20));
   const auto flood_plain = plus(lifted, 1.2F);
@@ -224,23 +224,22 @@ HWY_INLINE RegionVector height_at(const RegionRow& row, const RegionShape& shape
   const auto side_share = ramp(low + 28, low, hn::Add(plain, times(hills, 0.3F)));
   const auto tributary =
       hn::IfThenElse(hn::Gt(river, constant(0)), load(row.tributary_a), load(row.tributary_b));
-  const Cut main =
-      cut_by(hn::Abs(river), times(wide, shape.half_width[0]), plus(times(belt, 150), shape.valley_width[0]),
-             main_share, shallow, shape.bed_depth + 1.2F);
-  const Cut side = cut_by(hn::Abs(tributary), times(wide, shape.half_width[1]),
-                          plus(times(belt, 120), shape.valley_width[1]), side_share, shallow,
-                          0.8F * shape.bed_depth + 1.2F);
+  const Cut main = cut_by(hn::Abs(river), times(wide, shape.half_width[0]),
+                          plus(times(belt, 150), shape.valley[0]), main_share, shallow, shape.bed + 1.2F);
+  const Cut side =
+      cut_by(hn::Abs(tributary), times(wide, shape.half_width[1]), plus(times(belt, 120), shape.valley[1]),
+             side_share, shallow, 0.8F * shape.bed + 1.2F);
   const auto left = hn::Mul(main.left, side.left);
 
   // A valley lowers the field of the terraces, not the land: so canyons are stepped.
   const auto rough = hn::Add(load(row.terrace), times(sums.small, shape.mesa_roughness));
   const auto cut_field = plus(hn::Sub(rough, times(less(1, unit(times(left, 1.15F))), 0.6F)), 0.1F);
   const auto mesa =
-      hn::Mul(hn::Mul(times(load(row.mesa), shape.mesa_height), on_spline(shape.terrace, cut_field)),
+      hn::Mul(hn::Mul(times(load(row.mesa), shape.mesa_height), on_spline(shape.terraces, cut_field)),
               smooth(unit(times(left, 4))));
 
   const auto land =
-      hn::Add(hn::Add(plain, hn::Mul(hills, hill)), hn::Mul(times(belt, shape.belt_relief), relief));
+      hn::Add(hn::Add(plain, hn::Mul(hills, hill)), hn::Mul(times(belt, shape.range_relief), relief));
   const auto carved = hn::Add(flood_plain, hn::Mul(hn::Sub(land, flood_plain), left));
   auto height = hn::IfThenElse(hn::Gt(land, flood_plain), carved, land);
   height = hn::Sub(hn::Add(height, mesa), hn::Mul(hn::Max(main.bed, side.bed), ramp(-9, -1, base)));

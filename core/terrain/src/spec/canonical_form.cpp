@@ -1,6 +1,7 @@
 #include "spec/canonical_form.h"
 
 #include <bit>
+#include <initializer_list>
 #include <iomanip>
 #include <locale>
 #include <sstream>
@@ -13,6 +14,7 @@
 #include <talus/terrain/world.h>
 
 #include "feature.h"
+#include "surface/regions/regions.h"
 
 namespace talus::terrain {
 namespace {
@@ -27,6 +29,60 @@ void add_noise(const Surface& surface, SurfaceKind kind, std::ostream& form) {
     form << "surface warped reach_fx " << bits_of(surface.warp.reach_fx) << " period "
          << surface.warp.east.period << " octaves " << surface.warp.east.octaves << '\n';
   }
+}
+
+void add_spline(const char* name, const Spline& spline, std::ostream& form) {
+  form << "regions " << name << ' ' << bits_of(spline.first_y());
+  for (const Spline::Segment& s : spline.segments()) {
+    for (const float number : {s.x, s.reciprocal, s.a, s.b, s.c}) form << ' ' << bits_of(number);
+  }
+  form << '\n';
+}
+
+void add_rotated(const char* name, const RotatedNoise& noise, std::ostream& form) {
+  form << "regions " << name << " seed " << noise.seed << " period " << noise.period << " octaves "
+       << noise.octaves << " gain " << bits_of(static_cast<float>(noise.gain)) << '\n';
+}
+
+void add_numbers(const char* name, std::initializer_list<float> numbers, std::ostream& form) {
+  form << "regions " << name;
+  for (const float number : numbers) form << ' ' << bits_of(number);
+  form << '\n';
+}
+
+void add_regions(const Regions& regions, std::ostream& form) {
+  const SlowFields& slow = regions.slow;
+  const RegionShape& shape = regions.at_columns;
+  const auto add_field = [&](const char* name, const SlowFields::Field& field) {
+    add_rotated(name, field.noise, form);
+    form << "regions " << name << " warped " << (field.warped ? 1 : 0) << '\n';
+  };
+  add_field("continents", slow.continents);
+  add_field("ranges", slow.ranges);
+  add_field("hilliness", slow.hilliness);
+  add_field("mesas", slow.mesas);
+  add_field("temperature", slow.temperature);
+  add_field("moisture", slow.moisture);
+  add_rotated("rivers", slow.rivers[0], form);
+  add_rotated("tributaries", slow.rivers[1], form);
+  add_rotated("shape", regions.shape, form);
+  add_spline("base", slow.base, form);
+  add_spline("inland", slow.inland, form);
+  add_spline("belt", slow.belt, form);
+  add_spline("passes", slow.passes, form);
+  add_spline("hills", slow.hills, form);
+  add_spline("terraces", shape.terraces, form);
+  add_numbers("climate", {slow.warmer, slow.wetter}, form);
+  add_numbers(
+      "mesas",
+      {slow.mesas_anywhere, slow.mesa_coast[0], slow.mesa_coast[1], shape.mesa_height, shape.mesa_roughness},
+      form);
+  add_numbers("ranges", {shape.range_base, shape.range_relief}, form);
+  add_numbers("rivers",
+              {shape.half_width[0], shape.half_width[1], shape.valley[0], shape.valley[1], shape.carve[0],
+               shape.carve[1], shape.bed},
+              form);
+  add_numbers("units", {shape.sea_level, shape.subvoxels_a_unit, slow.units_a_column}, form);
 }
 
 void add_map(const PlacedMap& map, std::ostream& form) {
@@ -63,6 +119,7 @@ std::string World::canonical_form() const {
        << "seed " << spec_.seed << '\n';
   if (const auto noise = spec_.surface.noise()) add_noise(surface, *noise, form);
   if (spec_.surface.height_map) add_map(surface.map, form);
+  if (spec_.surface.regions) add_regions(*surface.regions, form);
   form << "surface highest_fx " << bits_of(surface.highest_fx) << '\n'
        << (spec_.method == Method::erosion ? "erosion " + std::to_string(spec_.erosion_steps) + '\n' : "")
        << "sea_fx " << (sea_fx_ ? std::to_string(*sea_fx_) : "none") << '\n';

@@ -9,6 +9,7 @@
 #include <talus/terrain/surface.h>
 #include <talus/toml/toml_error.h>
 
+#include "spec/regions_section.h"
 #include "spec/units.h"
 #include "surface/scaled_heights.h"
 
@@ -69,12 +70,21 @@ void read_noise(TableReader& surface, SurfaceKind kind, int resolution, SurfaceS
 
 }  // namespace
 
-void read_surface(TableReader surface, WorldSpec& world) {
+void read_surface(TableReader root, TableReader surface, WorldSpec& world) {
   SurfaceSpec& spec = world.surface;
   if (surface.has("kind")) {
-    spec.kind =
-        static_cast<SurfaceKind>(surface.choice("kind", {"perlin", "ridged", "warped", "height_map"}));
+    spec.kind = static_cast<SurfaceKind>(
+        surface.choice("kind", {"perlin", "ridged", "warped", "height_map", "regions"}));
   }
+  if (spec.kind == SurfaceKind::regions) {
+    std::vector<std::string_view> known = region_tables();
+    known.push_back("kind");
+    surface.only(known);
+    spec.regions = read_regions(root, surface, world.resolution);
+    return;
+  }
+  if (root.has("field"))
+    root.fail("field", "is for surface.kind = \"regions\"; leave it out or choose that kind");
   if (spec.kind == SurfaceKind::height_map) {
     auto map = surface.table("height_map");
     if (!map) return;

@@ -10,7 +10,7 @@ namespace talus::terrain {
 
 /// Reads and checks spec.surface; spec.resolution has been read. A key that its kind of surface has no use
 /// for is unknown, as any other.
-void read_surface(TableReader surface, WorldSpec& spec);
+void read_surface(TableReader root, TableReader surface, WorldSpec& spec);
 
 /// Fetches the height map of a surface that has one and was read without a fault.
 void load_height_map(TableReader surface, WorldSpec& spec, const LoadHeightMap& load);

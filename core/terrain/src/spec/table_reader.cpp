@@ -159,6 +159,78 @@ std::int64_t TableReader::units_q16(const std::string& key, Range range) {
   return rounded(real(key, range) * 65536.0);
 }
 
+namespace {
+
+// The numbers of an array of `size`; none where it is no such array.
+std::optional<std::vector<double>> numbers_of(const toml::node& node, std::size_t size) {
+  const toml::array* const array = node.as_array();
+  if (array == nullptr || array->size() != size) return std::nullopt;
+  std::vector<double> numbers;
+  for (const toml::node& element : *array) {
+    const auto number = element.is_number() ? element.value<double>() : std::nullopt;
+    if (!number) return std::nullopt;
+    numbers.push_back(*number);
+  }
+  return numbers;
+}
+
+bool within(double value, Range range) {
+  return value >= range.min && value <= range.max;
+}
+
+}  // namespace
+
+Curve TableReader::curve(const std::string& key, Range xs, Range ys, std::size_t most,
+                         const Curve& otherwise) {
+  const toml::node* const node = table_of(table_).get(key);
+  if (node == nullptr) return otherwise;
+  const std::string wanted = text_of("a list of 1 to ", most, " knots [x, y]");
+  const toml::array* const array = node->as_array();
+  if (array == nullptr) return wrong_type(*this, *node, key, wanted), otherwise;
+  if (array->empty() || array->size() > most) {
+    fail(key, text_of(array->size(), " knots; ", wanted, " is needed"));
+    return otherwise;
+  }
+  Curve curve;
+  for (const toml::node& element : *array) {
+    const auto knot = numbers_of(element, 2);
+    const std::size_t place = curve.size();
+    const auto refuse = [&](const auto&... what) {
+      errors_->add(line_of(element), text_of(qualified(name_, key), "[", place, "]: ", what...));
+    };
+    if (!knot) return refuse("is no knot; ", wanted, " is needed"), otherwise;
+    const double x = (*knot)[0];
+    const double y = (*knot)[1];
+    if (!within(x, xs)) {
+      return refuse("x = ", x, " is out of range; ", xs.min, " to ", xs.max), otherwise;
+    }
+    if (!within(y, ys)) {
+      return refuse("y = ", y, " is out of range; ", ys.min, " to ", ys.max), otherwise;
+    }
+    if (!curve.empty() && x - curve.back().x < 1e-3) {
+      return refuse("x = ", x, " follows ", curve.back().x,
+                    "; each is at least 0.001 more than the one before"),
+             otherwise;
+    }
+    curve.push_back({x, y});
+  }
+  return curve;
+}
+
+std::array<double, 2> TableReader::pair(const std::string& key, Range range,
+                                        const std::array<double, 2>& otherwise) {
+  const toml::node* const node = table_of(table_).get(key);
+  if (node == nullptr) return otherwise;
+  const auto numbers = numbers_of(*node, 2);
+  if (!numbers) return wrong_type(*this, *node, key, "a pair of numbers [a, b]"), otherwise;
+  for (const double number : *numbers) {
+    if (within(number, range)) continue;
+    fail(key, text_of(number, " is out of range; ", range.min, " to ", range.max));
+    return otherwise;
+  }
+  return {(*numbers)[0], (*numbers)[1]};
+}
+
 std::string TableReader::text(const std::string& key, std::size_t max_bytes) {
   const toml::node* node = find(*this, table_of(table_), key, "a string");
   if (node == nullptr) return {};
@@ -221,6 +293,12 @@ std::optional<TableReader> TableReader::table(const std::string& key) {
   if (node == nullptr) return std::nullopt;
   if (!node->is_table()) return wrong_type(*this, *node, key, wanted), std::nullopt;
   return TableReader{opaque(*node->as_table()), qualified(name_, key), *errors_};
+}
+
+std::optional<TableReader> TableReader::table_or_empty(const std::string& key) {
+  static const toml::table kNone;
+  if (has(key)) return table(key);
+  return TableReader{opaque(kNone), qualified(name_, key), *errors_};
 }
 
 std::vector<TableReader> TableReader::tables(const std::string& key) {

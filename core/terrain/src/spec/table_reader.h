@@ -1,6 +1,7 @@
 // One table of a world's TOML file, read key by key. Private to core/terrain.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <initializer_list>
@@ -71,6 +72,11 @@ class TableReader {
   /// length() of the rounded units.
   std::int64_t length_q16(const std::string& key, Range units, const Voxels& voxels);
 
+  /// `key = [[x, y], ...]`: 1 to `most` knots, x ascending, both in range. Left out: `otherwise`.
+  Curve curve(const std::string& key, Range xs, Range ys, std::size_t most, const Curve& otherwise);
+  /// `key = [a, b]`. Left out: `otherwise`.
+  std::array<double, 2> pair(const std::string& key, Range range, const std::array<double, 2>& otherwise);
+
   std::string text(const std::string& key, std::size_t max_bytes);
   /// The index in `names` of the key's value.
   std::size_t choice(const std::string& key, std::initializer_list<std::string_view> names);
@@ -81,6 +87,8 @@ class TableReader {
 
   /// The table [key]; none where the key is no table, which is an error.
   std::optional<TableReader> table(const std::string& key);
+  /// The same, and one without keys where there is none.
+  std::optional<TableReader> table_or_empty(const std::string& key);
   /// All tables [[key]], of which there must be at least one.
   std::vector<TableReader> tables(const std::string& key);
 

@@ -17,6 +17,7 @@
 #include "feature.h"
 #include "spec/canonical_form.h"
 #include "spec/material_sections.h"
+#include "spec/regions_section.h"
 #include "spec/surface_section.h"
 #include "spec/table_reader.h"
 #include "spec/units.h"
@@ -78,10 +79,11 @@ tl::expected<World, SpecError> World::parse(std::string_view toml, std::string_v
 void World::Builder::build(const LoadHeightMap& load, std::span<const FeatureKind> kinds) {
   check_keys(kinds);
   read_general();
-  const auto surface = root.table("surface");
-  if (surface) read_surface(*surface, spec);
+  auto surface = root.table("surface");
+  if (surface) read_surface(root, *surface, spec);
   read_strata_wavelength();
   read_sea();
+  if (spec.surface.regions) check_regions(root, *surface, spec);
   read_method();
   read_materials();
   read_features(kinds);
@@ -97,9 +99,9 @@ void World::Builder::build(const LoadHeightMap& load, std::span<const FeatureKin
 }
 
 void World::Builder::check_keys(std::span<const FeatureKind> kinds) {
-  std::vector<std::string_view> known{"seed",      "resolution", "strata_wavelength",
-                                      "sea_level", "method",     "erosion_steps",
-                                      "surface",   "stratified", "eroded"};
+  std::vector<std::string_view> known{
+      "seed",          "resolution", "strata_wavelength", "sea_level",  "method",
+      "erosion_steps", "field",      "surface",           "stratified", "eroded"};
   for (const FeatureKind& kind : kinds) known.push_back(kind.section);
   root.only(known);
 }
@@ -237,7 +239,7 @@ int World::erosion_steps_at(Lod lod) const {
 
 // One step is one step at every level, by the rules of both versions.
 GeneratorVersion World::generator_version() const {
-  return erosion_steps_at(Lod{}) > 1 ? GeneratorVersion::v3 : GeneratorVersion::v2;
+  return erosion_steps_at(Lod{}) > 1 || spec_.surface.regions ? GeneratorVersion::v3 : GeneratorVersion::v2;
 }
 
 void World::Builder::derive_halo() {

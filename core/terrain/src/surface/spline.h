@@ -4,12 +4,9 @@
 #include <span>
 #include <vector>
 
-namespace talus::terrain {
+#include <talus/terrain/regions_spec.h>
 
-struct Knot {
-  double x = 0;
-  double y = 0;
-};
+namespace talus::terrain {
 
 /// A cubic through its knots that is monotone between any two of them, and level beyond the outer ones. The
 /// slope at an inner knot is the harmonic mean of the neighbouring chords', 0 where these differ in sign

@@ -5,6 +5,7 @@
 #include <talus/terrain/lattice_hash.h>
 
 #include "spec/units.h"
+#include "surface/regions/regions.h"
 #include "surface/surface_rows.h"
 
 namespace talus::terrain {
@@ -40,6 +41,9 @@ Surface surface_of(const WorldSpec& spec) {
   surface.feedback = static_cast<float>(s.feedback);
   if (s.noise() == SurfaceKind::warped) surface.warp = warp_of(spec);
   if (s.height_map) surface.map = placed(*s.height_map, spec.resolution);
+  if (s.regions) {
+    surface.regions = std::make_shared<const Regions>(regions_of(*s.regions, spec.seed, spec.resolution));
+  }
   return surface;
 }
 

@@ -2,6 +2,7 @@
 
 #include "surface/height_map_rows.h"
 #include "surface/perlin_rows.h"
+#include "surface/regions/region_rows.h"
 #include "surface/ridged_rows.h"
 #include "surface/warped_rows.h"
 
@@ -15,6 +16,8 @@ std::unique_ptr<SurfaceRows> make_surface_rows(const Surface& surface, Instructi
       return std::make_unique<RidgedRows>(surface, set);
     case SurfaceKind::warped:
       return std::make_unique<WarpedRows>(surface, set);
+    case SurfaceKind::regions:
+      return std::make_unique<RegionRows>(*surface.regions, surface.highest_fx, set);
     case SurfaceKind::height_map: {
       if (surface.map.outside != Outside::blend) return std::make_unique<HeightMapRows>(surface, nullptr);
       Surface around = surface;

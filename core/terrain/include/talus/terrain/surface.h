@@ -32,6 +32,8 @@ struct PlacedMap {
   SurfaceKind around = SurfaceKind::perlin;
 };
 
+struct Regions;
+
 /// The surface of a spec in the numbers it is computed with.
 struct Surface {
   SurfaceKind kind = SurfaceKind::perlin;
@@ -41,7 +43,8 @@ struct Surface {
   float highest_fx = 0;  // amplitude * resolution in subvoxels
   float feedback = 0;
   Warp warp;
-  PlacedMap map;  // of height_map alone
+  PlacedMap map;                           // of height_map alone
+  std::shared_ptr<const Regions> regions;  // of regions alone
 };
 
 [[nodiscard]] Surface surface_of(const WorldSpec& spec);

@@ -14,6 +14,7 @@
 
 #include <talus/terrain/field.h>
 #include <talus/terrain/height_map.h>
+#include <talus/terrain/regions_spec.h>
 #include <talus/voxel/content_hash.h>
 #include <talus/voxel/coords.h>
 #include <talus/voxel/material.h>
@@ -25,7 +26,7 @@ namespace talus::terrain {
 /// and only the worlds whose voxels it changes have that one.
 enum class GeneratorVersion : std::uint8_t {
   v2 = 2,
-  /// Erosion of two or more steps takes fewer of them at coarse levels.
+  /// Erosion of two or more steps takes fewer of them at coarse levels. Surfaces of kind "regions".
   v3 = 3,
 };
 inline constexpr GeneratorVersion kNewestGeneratorVersion = GeneratorVersion::v3;
@@ -44,7 +45,7 @@ struct Colour {
 };
 
 /// What gives the surface its heights.
-enum class SurfaceKind : std::uint8_t { perlin, ridged, warped, height_map };
+enum class SurfaceKind : std::uint8_t { perlin, ridged, warped, height_map, regions };
 
 /// What lies outside of a height map.
 enum class Outside : std::uint8_t { mirror, sea, blend, repeat };
@@ -77,9 +78,12 @@ struct SurfaceSpec {
   double warp_wavelength = 0;
   int warp_octaves = 0;
   std::optional<HeightMapSpec> height_map;
+  std::optional<RegionsSpec> regions;
 
-  /// The kind of noise that the surface has, or has around its height map; none where all is the map.
+  /// The kind of noise of one power that the surface has, or has around its height map; none where all is the
+  /// map, and for regions.
   [[nodiscard]] std::optional<SurfaceKind> noise() const {
+    if (regions) return std::nullopt;
     if (!height_map) return kind;
     return height_map->outside == Outside::blend ? std::optional{height_map->around} : std::nullopt;
   }

@@ -73,8 +73,12 @@ void SlowLines::draw(std::int64_t z, SlowLine& line) {
   warp(warp_east_, warp_east_narrow_, z, east_);
   warp(warp_south_, warp_south_narrow_, z, south_);
   const Displacements warped{east_.displacement.data(), south_.displacement.data()};
-  const SlowNoises noises{continents_.row(z, warped), ranges_.row(z, warped), hilliness_.row(z),
-                          mesas_.row(z, warped),      temperature_.row(z),    moisture_.row(z)};
+  const auto row = [&](RotatedFbm& noise, const SlowFields::Field& field) {
+    return noise.row(z, field.warped ? warped : Displacements{});
+  };
+  const SlowNoises noises{row(continents_, fields_.continents),   row(ranges_, fields_.ranges),
+                          row(hilliness_, fields_.hilliness),     row(mesas_, fields_.mesas),
+                          row(temperature_, fields_.temperature), row(moisture_, fields_.moisture)};
   const auto out = [&](Slow slow) { return line[static_cast<std::size_t>(slow)].data(); };
   kernels_->lay(noises, fields_, width_,
                 {out(Slow::base), out(Slow::belt), out(Slow::hills), out(Slow::mesa), out(Slow::terrace),
