@@ -23,7 +23,7 @@ constexpr Range kHeights{-kMaxHeight, kMaxHeight};
 constexpr Range kWidths{0, 65536};
 constexpr std::int64_t kSeaStep = 64;  // voxels: a voxel of the coarsest level
 
-/// Reads what one of the tables says, on the values of the default world.
+/// Reads one table after another; what they leave out is as in the default world.
 class RegionTables {
  public:
   RegionTables(std::vector<FieldSpec> fields, int resolution)
@@ -37,10 +37,10 @@ class RegionTables {
   void rivers(TableReader& table);
   void shape(TableReader& table);
 
-  /// What was said of fields that no table names.
-  [[nodiscard]] RegionsSpec take();
+  [[nodiscard]] RegionsSpec take() { return std::move(spec_); }
 
  private:
+  /// The field that the key names, or that has its place in the default world.
   void choose(TableReader& table, const std::string& key, FieldSpec& field);
 
   RegionsSpec spec_;
@@ -108,10 +108,6 @@ void RegionTables::choose(TableReader& table, const std::string& key, FieldSpec&
     return;
   }
   table.fail(key, "no field is named '" + field.name + "'; a [[field]] of that name is needed");
-}
-
-RegionsSpec RegionTables::take() {
-  return std::move(spec_);
 }
 
 void RegionTables::land(TableReader& table) {
