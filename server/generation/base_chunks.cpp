@@ -94,6 +94,7 @@ void BaseChunks::cancel_heights(ClientId client, std::uint64_t ticket) {
 }
 
 bool BaseChunks::fit_caches() {
+  pool_.jobs_resume();
   const std::unique_lock lock{fitting_, std::try_to_lock};
   if (!lock) return true;  // another thread is at it
   const std::uint64_t configured = settings_.chunk_cache_bytes + settings_.patch_cache_bytes;

@@ -370,12 +370,14 @@ std::int64_t GenerationPool::job_bytes_change() {
   return (static_cast<std::int64_t>(jobs_told_) - static_cast<std::int64_t>(before)) * kJobBytes;
 }
 
-// While jobs wait, each piece of work that ends comes by here again. Where none does this is the last chance:
-// all are told, and the first who come fill the queue.
+// While jobs wait, each piece of work that ends comes by here again. Where none does all are told, and the
+// first who come fill the queue. But where memory is so short that one after the other is served, so few are
+// told that the others need not be refused again; housekeeping comes by for those who had nothing to ask.
 std::vector<MailboxPtr> GenerationPool::clients_with_room() {
   if (refused_.empty() || !parts_.memory.takes_jobs()) return {};
   try {
-    if (queue_.jobs() == 0) return refused_.take_all();
+    if (queue_.jobs() == 0 && parts_.memory.takes_work()) return refused_.take_all();
+    if (queue_.jobs() == 0) return refused_.take(kFlowsToTell, [](FlowId) { return true; });
     return refused_.take(kFlowsToTell, [this](FlowId flow) { return queue_.has_room(flow); });
   } catch (const std::bad_alloc&) {
     return {};  // they are told when the next piece of work ends

@@ -67,7 +67,8 @@ class GenerationPool {
   void submit_heights(HeightsTask task);
   void cancel_heights(ClientId client, std::uint64_t ticket);
 
-  /// Tells clients that were refused for want of memory; call it when the budget takes work again.
+  /// Tells clients that were refused for want of memory; call it when the budget takes jobs again, and now
+  /// and then.
   void jobs_resume();
 
   struct Status {

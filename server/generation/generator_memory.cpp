@@ -18,7 +18,7 @@ void GeneratorMemory::note_patch(std::size_t bytes) {
 
 void GeneratorMemory::add_begun(std::ptrdiff_t change) {
   if (change == 0) return;
-  begun_ += static_cast<std::size_t>(change);
+  begun_ += change;
   tell_budget();
 }
 
@@ -34,7 +34,7 @@ std::uint64_t GeneratorMemory::each_bytes() const {
 
 std::uint64_t GeneratorMemory::bytes() {
   const std::uint64_t at_work = threads_ * each_bytes();
-  const std::uint64_t begun = begun_.load() * each_bytes();
+  const auto begun = static_cast<std::uint64_t>(std::max<std::ptrdiff_t>(0, begun_.load())) * each_bytes();
   if (budget_.limit_bytes() == 0) return at_work + begun;
   const std::uint64_t share = budget_.limit_bytes() / kLargestShare;
   if (at_work > share && !warned_.exchange(true)) {

@@ -43,7 +43,7 @@ class GeneratorMemory {
   const std::size_t piece_bytes_;
   const Logger log_;
   std::atomic<std::size_t> largest_patch_bytes_{0};
-  std::atomic<std::size_t> begun_{0};
+  std::atomic<std::ptrdiff_t> begun_{0};  // below 0 where a change is told before the one before it
   std::atomic<bool> warned_{false};
 };
 

@@ -8,7 +8,7 @@ namespace talus::server {
 MemoryBudget::MemoryBudget(std::uint64_t limit_bytes, std::size_t threads)
     : limit_{limit_bytes},
       jobs_{limit_bytes / 4 * 3, limit_bytes / 8 * 5, limit_bytes / 8 * 7},
-      work_{limit_bytes / 4 * 3, limit_bytes / 8 * 5, limit_bytes / 4 * 3},
+      work_{limit_bytes / 4 * 3, limit_bytes / 8 * 5, limit_bytes / 16 * 13},
       connections_{limit_bytes / 8 * 5, limit_bytes / 2, limit_bytes / 2} {
   set(MemoryUse::program, program_bytes(threads));
 }

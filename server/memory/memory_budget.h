@@ -51,7 +51,8 @@ class MemoryBudget {
   /// chunks may hold it until they come.
   [[nodiscard]] bool takes_jobs() const { return jobs_.open(); }
   /// Whether heights may be asked for, and Views and frames may grow: not from 3/4 of the limit on, until
-  /// below 5/8, or below 3/4 where no job is left.
+  /// below 5/8, or below 13/16 where no job is left: idle sessions may have 5/8, and generators take an
+  /// eighth for good.
   [[nodiscard]] bool takes_work() const { return work_.open(); }
   /// Whether new connections may come: not from 5/8 on, until below 1/2. Those that are there need memory to
   /// work.

@@ -54,8 +54,9 @@ class Session {
   /// A View that waits counts so much a chunk, at least what it takes when it is applied: by then the memory
   /// must be there.
   static constexpr std::size_t kViewBytesPerChunk = 12;
-  /// Frames of a client that may grow to so much, however little memory there is.
-  static constexpr std::size_t kMaxFrameBytesAnyway = std::size_t{64} * 1024;
+  /// Frames of a client that may grow to so much, however little memory there is: what an idle session does
+  /// not need of kIdleBytes.
+  static constexpr std::size_t kMaxFrameBytesAnyway = std::size_t{16} * 1024;
 
   /// `address` holds the rates that the session shares with others of its address; null: none.
   Session(const SessionContext& context, MailboxPtr mailbox, const AddressBucketsPtr& address);

@@ -57,6 +57,17 @@ TEST_CASE("what was put back is in the budget as long as it is") {
   CHECK(budget.used(MemoryUse::generators) == at_work);
 }
 
+TEST_CASE("that what ended is told before what began harms nothing") {
+  MemoryBudget budget{256 * kMebibyte};
+  GeneratorMemory memory{budget, 2, silent(), 2 * kMebibyte};
+  memory.note_patch(1);
+  const auto at_work = budget.used(MemoryUse::generators);
+  memory.add_begun(-1);
+  CHECK(budget.used(MemoryUse::generators) == at_work);
+  memory.add_begun(1);
+  CHECK(budget.used(MemoryUse::generators) == at_work);
+}
+
 // Else connections may be refused for good: nothing else would tell the budget of what is no more.
 TEST_CASE("what threads put back and take at once is in the budget as it is when they are done") {
   MemoryBudget budget{256 * kMebibyte};
