@@ -9,6 +9,8 @@
 
 #include <hwy/highway.h>
 
+#include "kernels/hash-inl.h"
+
 HWY_BEFORE_NAMESPACE();
 namespace talus::terrain::HWY_NAMESPACE {
 namespace {
@@ -43,10 +45,7 @@ HWY_INLINE Gradient gradient_at(hn::Vec<Words> a, hn::Vec<Words> turned_b) {
   const Floats f;
   const Words w;
   const auto sign = hn::Set(w, 0x80000000U);
-  auto hash = hn::Xor(a, turned_b);
-  hash = hn::Mul(hn::Xor(hash, hn::ShiftRight<16>(hash)), hn::Set(w, 0x7FEB352DU));
-  hash = hn::Mul(hn::Xor(hash, hn::ShiftRight<15>(hash)), hn::Set(w, 0x846CA68BU));
-  hash = hn::Xor(hash, hn::ShiftRight<16>(hash));
+  const auto hash = mixed(hn::Xor(a, turned_b));
   const auto second = hn::ShiftLeft<1>(hash);
   const auto mirrored = hn::And(hn::Sub(hn::Zero(w), hn::ShiftRight<31>(second)), hn::Set(w, 3));
   const auto chosen = hn::Xor(hn::And(hn::ShiftRight<28>(hash), hn::Set(w, 3)), mirrored);

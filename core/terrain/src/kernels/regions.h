@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include <talus/terrain/regions_spec.h>
 #include <talus/vectors/instruction_set.h>
 
 namespace talus::terrain {
@@ -24,7 +25,7 @@ struct RegionRow {
   const float* river = nullptr;
   const float* tributary_a = nullptr;
   const float* tributary_b = nullptr;
-  std::array<const float*, 8> shape{};  // the noise of its octaves
+  std::array<const float*, kShapeOctaves> shape{};  // the noise of its octaves
 };
 
 /// A line of samples: the noises of the slow fields, not equalized. Padded.

@@ -9,6 +9,7 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
+#include "kernels/hash-inl.h"
 #include "kernels/interpolate-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -52,14 +53,6 @@ HWY_INLINE Place place_of(const At& at, std::size_t i) {
   const auto second = hn::BitCast(w, at(i + hn::Lanes(Positions{})));
   return {hn::ConcatOdd(w, second, first), inside_of(hn::ConcatEven(w, second, first))};
 #endif
-}
-
-// mix32 of lattice_hash.h.
-HWY_INLINE hn::Vec<Words> mixed(hn::Vec<Words> key) {
-  const Words w;
-  key = hn::Mul(hn::Xor(key, hn::ShiftRight<16>(key)), hn::Set(w, 0x7FEB352DU));
-  key = hn::Mul(hn::Xor(key, hn::ShiftRight<15>(key)), hn::Set(w, 0x846CA68BU));
-  return hn::Xor(key, hn::ShiftRight<16>(key));
 }
 
 template <int kBits>

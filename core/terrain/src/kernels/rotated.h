@@ -31,9 +31,9 @@ struct Displacements {
 /// Where sums go. Padded.
 struct RotatedSums {
   float* value = nullptr;
-  float* east =
-      nullptr;  // how the noise rises eastward, a column, at the place where it is read; may be null
-  float* south = nullptr;  // null where that is
+  /// How the noise rises a column eastward and southward, at the place where it is read. Both may be null.
+  float* east = nullptr;
+  float* south = nullptr;
 };
 
 struct RotatedKernels {

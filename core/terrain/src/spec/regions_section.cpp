@@ -21,7 +21,8 @@ constexpr Range kFieldValues{-2, 2};
 constexpr Range kShare{0, 1};
 constexpr Range kHeights{-kMaxHeight, kMaxHeight};
 constexpr Range kWidths{0, 65536};
-constexpr std::int64_t kSeaStep = 64;  // voxels: a voxel of the coarsest level
+constexpr int kMaxRegionsResolution = 64;  // so that no warp is longer than kernels take
+constexpr std::int64_t kSeaStep = 64;      // voxels: a voxel of the coarsest level
 
 /// Reads one table after another; what they leave out is as in the default world.
 class RegionTables {
@@ -216,6 +217,10 @@ RegionsSpec read_regions(TableReader& root, TableReader& surface, int resolution
 
 void check_regions(TableReader& root, TableReader& surface, WorldSpec& world) {
   RegionsSpec& regions = *world.surface.regions;
+  if (world.resolution > kMaxRegionsResolution) {
+    return root.fail("resolution", text_of(world.resolution, " is out of range; 1 to ", kMaxRegionsResolution,
+                                           " for regions"));
+  }
   if (!world.sea_level) return root.fail("sea_level", "missing; land of regions is measured from the sea");
   const double voxels = *world.sea_level * world.resolution;
   if (voxels < kSeaStep || std::fmod(voxels, static_cast<double>(kSeaStep)) != 0) {

@@ -17,10 +17,6 @@ double slope_between(double before, double after) {
 
 Spline::Spline(std::span<const Knot> knots, double first_slope) {
   first_y_ = static_cast<float>(knots.front().y);
-  const auto [lowest, highest] =
-      std::minmax_element(knots.begin(), knots.end(), [](const Knot& a, const Knot& b) { return a.y < b.y; });
-  lowest_ = static_cast<float>(lowest->y);
-  highest_ = static_cast<float>(highest->y);
   double slope = first_slope;
   for (std::size_t i = 0; i + 1 < knots.size(); ++i) {
     const double width = knots[i + 1].x - knots[i].x;

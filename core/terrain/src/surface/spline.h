@@ -31,13 +31,9 @@ class Spline {
 
   [[nodiscard]] float first_y() const { return first_y_; }
   [[nodiscard]] const std::vector<Segment>& segments() const { return segments_; }
-  [[nodiscard]] float lowest() const { return lowest_; }
-  [[nodiscard]] float highest() const { return highest_; }
 
  private:
   float first_y_ = 0;
-  float lowest_ = 0;
-  float highest_ = 0;
   std::vector<Segment> segments_;
 };
 
