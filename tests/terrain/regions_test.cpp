@@ -58,7 +58,11 @@ float highest_fx(const RegionsSpec& spec, int resolution) {
 std::vector<std::int32_t> heights(const Regions& regions, float highest_fx,
                                   const std::vector<std::int64_t>& xs, const std::vector<std::int64_t>& zs,
                                   InstructionSet set) {
-  RegionRows rows{regions, highest_fx, set};
+  Surface surface;
+  surface.kind = SurfaceKind::regions;
+  surface.regions = std::make_shared<const Regions>(regions);
+  surface.highest_fx = highest_fx;
+  RegionRows rows{surface, set};
   std::vector<std::int32_t> all(xs.size() * zs.size());
   rows.start(xs);
   for (std::size_t j = 0; j < zs.size(); ++j) rows.row(zs[j], all.data() + j * xs.size());
@@ -79,7 +83,7 @@ TEST_CASE(
   CHECK(rc::check([] {
     const RegionsSpec spec = any_regions();
     const int resolution = *rc::gen::element(1, 1, 2, 5);
-    const Regions regions = regions_of(spec, *rc::gen::arbitrary<std::uint64_t>(), resolution);
+    const Regions regions = regions_of(spec, {}, *rc::gen::arbitrary<std::uint64_t>(), resolution);
     const float highest = highest_fx(spec, resolution);
     const auto xs = any_columns();
     const std::int64_t z = *any_place();
@@ -97,7 +101,7 @@ TEST_CASE(
 
 TEST_CASE("Land of regions lies between the sea's floor and the highest there may be") {
   const RegionsSpec spec = regions_spec();
-  const Regions regions = regions_of(spec, 2019, 1);
+  const Regions regions = regions_of(spec, {}, 2019, 1);
   std::vector<std::int64_t> places;
   for (std::int64_t i = 0; i < 400; ++i) places.push_back((i - 200) * 5000);
   const auto land = heights(regions, highest_fx(spec, 1), places, places, instruction_set());
@@ -115,7 +119,7 @@ TEST_CASE("Land of regions lies between the sea's floor and the highest there ma
 TEST_CASE("Neighbouring columns of regions are steep nowhere but at mesas") {
   RegionsSpec spec = regions_spec();
   spec.mesa_height = 0;
-  const Regions regions = regions_of(spec, 2019, 1);
+  const Regions regions = regions_of(spec, {}, 2019, 1);
   std::vector<std::int64_t> xs;
   for (std::int64_t x = 0; x < 200'000; ++x) xs.push_back(x);
   std::vector<std::int32_t> land =

@@ -38,6 +38,10 @@ class TileRows {
 
   [[nodiscard]] std::size_t planes() const { return stacks_.tops.size(); }
   [[nodiscard]] MaterialId material(std::size_t plane) const { return stacks_.materials[plane]; }
+  /// Row z of the looks of the tile's columns, by some rules.
+  [[nodiscard]] const std::uint8_t* looks(std::size_t rules, int z) const {
+    return stacks_.looks[rules].row(z_ + z).data() + x_;
+  }
 
   [[nodiscard]] std::int32_t lowest(std::size_t plane) const {
     return extreme(plane, [](std::int32_t a, std::int32_t b) { return std::min(a, b); });
@@ -145,8 +149,8 @@ class TileRows {
 // all between them, and need not be looked at: of most chunks that is more than half.
 class LayerPicker {
  public:
-  LayerPicker(const TileRows& tile, std::int32_t floor_row, Layers memory)
-      : tile_{tile}, floor_row_{floor_row}, layers_{std::move(memory)} {
+  LayerPicker(const World& world, const TileRows& tile, std::int32_t floor_row, Layers memory)
+      : world_{world}, tile_{tile}, floor_row_{floor_row}, layers_{std::move(memory)} {
     layers_.materials.clear();
     layers_.tops.clear();
   }
@@ -163,14 +167,24 @@ class LayerPicker {
   }
   /// Where it does not lie on the plane before, in all columns.
   void add(MaterialId material, const ChunkPlane& plane) {
-    static constexpr ChunkPlane kFloor{};
-    std::vector<std::uint8_t>& tops = layers_.tops;
-    const std::size_t size = tops.size();
-    const std::uint8_t* const below = size == 0 ? kFloor.data() : tops.data() + size - kChunkArea;
-    if (std::equal(plane.begin(), plane.end(), below)) return;
-    layers_.materials.push_back(material);
-    tops.resize(size + kChunkArea);
-    std::copy(plane.begin(), plane.end(), tops.begin() + static_cast<std::ptrdiff_t>(size));
+    if (std::equal(plane.begin(), plane.end(), below())) return;
+    const World::ShownBy* const shown = world_.shown_by(material);
+    if (shown == nullptr || material == kWater) return push(material, plane);
+    add_shown(*shown, plane);
+  }
+  /// `plane` is the sea's, whose topmost voxel may show another material, such as ice.
+  void add_water(const ChunkPlane& plane, bool shows_top) {
+    const World::ShownBy* const shown = world_.shown_by(kWater);
+    if (shown == nullptr || !shows_top || std::equal(plane.begin(), plane.end(), below())) {
+      return add(kWater, plane);
+    }
+    ChunkPlane under;
+    const std::uint8_t* const ground = below();
+    std::transform(plane.begin(), plane.end(), ground, under.begin(), [](std::uint8_t top, std::uint8_t low) {
+      return top > low ? static_cast<std::uint8_t>(top - 1) : top;
+    });
+    add(kWater, under);
+    if (!std::equal(plane.begin(), plane.end(), below())) add_shown(*shown, plane);
   }
   [[nodiscard]] Layers take() {
     layers_.materials.push_back(kAir);
@@ -189,9 +203,66 @@ class LayerPicker {
     add_between(middle, rows, high, high_rows);
   }
 
+  [[nodiscard]] const std::uint8_t* below() const {
+    static constexpr ChunkPlane kFloor{};
+    return layers_.tops.empty() ? kFloor.data() : layers_.tops.data() + layers_.tops.size() - kChunkArea;
+  }
+  void push(MaterialId material, const ChunkPlane& plane) {
+    layers_.materials.push_back(material);
+    layers_.tops.insert(layers_.tops.end(), plane.begin(), plane.end());
+  }
+
+  /// A layer for each material that shows: each ends at the plane where it shows, and where it does not, or
+  /// one before it did, at the layer below.
+  void add_shown(const World::ShownBy& shown, const ChunkPlane& plane) {
+    const std::vector<std::uint8_t>& present = looks_in_tile(shown.looks);
+    std::vector<MaterialId> materials;
+    for (const std::uint8_t look : present) {
+      const MaterialId material = shown.by_look[look];
+      if (std::find(materials.begin(), materials.end(), material) == materials.end()) {
+        materials.push_back(material);
+      }
+    }
+    std::sort(materials.begin(), materials.end());
+    for (std::size_t m = 0; m + 1 < materials.size(); ++m) {
+      ChunkPlane rows;
+      std::copy_n(below(), kChunkArea, rows.begin());
+      bool any = false;
+      for (int z = 0; z < kChunkSize; ++z) {
+        const std::uint8_t* const looks = tile_.looks(shown.looks, z);
+        for (int x = 0; x < kChunkSize; ++x) {
+          const std::size_t i = column_index(x, z);
+          if (shown.by_look[looks[x]] != materials[m] || rows[i] == plane[i]) continue;
+          rows[i] = plane[i];
+          any = true;
+        }
+      }
+      if (any) push(materials[m], rows);
+    }
+    if (!std::equal(plane.begin(), plane.end(), below())) push(materials.back(), plane);
+  }
+
+  /// Those that some column of the tile has, ascending.
+  const std::vector<std::uint8_t>& looks_in_tile(std::size_t rules) {
+    if (present_.size() <= rules) present_.resize(rules + 1);
+    std::vector<std::uint8_t>& present = present_[rules];
+    if (!present.empty()) return present;
+    std::array<bool, kMaxLooks + 1> seen{};
+    for (int z = 0; z < kChunkSize; ++z) {
+      const std::uint8_t* const looks = tile_.looks(rules, z);
+      for (int x = 0; x < kChunkSize; ++x) seen[looks[x]] = true;
+    }
+    for (std::size_t look = 0; look < seen.size(); ++look) {
+      if (seen[look]) present.push_back(static_cast<std::uint8_t>(look));
+    }
+    return present;
+  }
+
+  const World& world_;
   const TileRows& tile_;
   std::int32_t floor_row_;
   Layers layers_;
+  std::vector<std::vector<std::uint8_t>> present_;  // by rules
 };
 
 class ExtractedSite final : public ChunkSite {
@@ -243,12 +314,13 @@ Chunk extract_chunk(const World& world, const Stacks& stacks, ChunkCoord coord, 
   const TileRows tile{world, stacks, coord.x, coord.z};
   const auto floor_row = static_cast<std::int32_t>(
       std::clamp<std::int64_t>(std::int64_t{coord.y} * kChunkSize, -kFarRow, kFarRow));
-  LayerPicker layers{tile, floor_row, std::move(memory)};
+  LayerPicker layers{world, tile, floor_row, std::move(memory)};
   ChunkPlane rows;
   layers.add_planes(rows);
   const std::uint8_t sea = TileRows::cut(tile.sea_row(), floor_row);
   for (std::uint8_t& row : rows) row = std::max(row, sea);
-  layers.add(kWater, rows);
+  const std::int64_t sea_above = std::int64_t{tile.sea_row()} - floor_row;
+  layers.add_water(rows, sea_above > 0 && sea_above <= kChunkSize);
 
   std::vector<Overlay> overlays;
   if (!world.features().empty()) {

@@ -12,6 +12,7 @@
 #include "feature.h"
 #include "kernels/columns.h"
 #include "loose/settle_grid.h"
+#include "place/places.h"
 #include "strata/strata_builder.h"
 #include "surface/ground.h"
 
@@ -51,7 +52,7 @@ void shift_left(Field& field, int shift) {
 struct Generator::Scratch {
   explicit Scratch(const World& world)
       : set{instruction_set()},
-        ground{surface_of(world.spec()), set},
+        ground{world, set},
         strata{world, set},
         grid{set},
         columns{column_kernels(set)},
@@ -70,6 +71,8 @@ struct Generator::Scratch {
   std::vector<Field> surveys;  // one a feature; empty where it keeps nothing
   std::size_t survey = 0;      // whose turn it is
   Field slope;                 // for loose material, where it is not `ground`'s
+  Field share;                 // of a loose material, likewise
+  std::vector<Field> most;     // of loose materials, bottom up, for erosion
   const Field* loose_slope = nullptr;
   std::vector<std::int64_t> xs;
   std::vector<std::int64_t> zs;
@@ -196,7 +199,8 @@ void Generator::generate_with_halo(const Region& region, int halo, Terrain& terr
   const Field& slope = slope_for_loose(ring);
   for (std::size_t m = 0; m < terrain.loose.size(); ++m) {
     const LooseSpec& loose = world_->loose()[m];
-    s.grid.start(slope, loose.thickness_at(region.lod), loose.S_fx);
+    s.loose_slope = &slope;
+    start_grid(loose);
     s.grid.settle(loose.c_fx);
     terrain.loose[m].reshape(region.width, region.depth);
     for (int z = 0; z < region.depth; ++z) {
@@ -306,6 +310,7 @@ void Generator::finish() {
   s.stacks.loose_planes = bottom_up.size();
   take_caves(world_->spec().method == Method::erosion ? s.ring : 0, s.stacks.tops.back(), s.stacks.caves);
   take_surveys(s.stacks.surveys);
+  take_looks(s.stacks.looks);
 }
 
 void Generator::start_loose() {
@@ -330,7 +335,7 @@ bool Generator::step_loose() {
 void Generator::settle(std::size_t place) {
   Scratch& s = *scratch_;
   const LooseSpec& loose = world_->loose()[world_->loose_bottom_up()[place]];
-  s.grid.start(*s.loose_slope, loose.thickness_at(s.region.lod), loose.S_fx);
+  start_grid(loose);
   s.grid.settle(loose.c_fx);
   std::swap(s.loose_tops[place], s.limit);
   s.limit.reshape(s.region.width, s.region.depth);
@@ -370,7 +375,16 @@ void Generator::set_loose_over_ground() {
     const LooseSpec& loose = world_->loose()[m];
     s.rules.push_back({loose.thickness_at(s.region.lod), loose.c_fx});
   }
-  set_loose(s.surface, s.rules, s.loose_ground);
+  s.most.resize(s.rules.size());
+  for (std::size_t i = 0; i < s.rules.size(); ++i) {
+    const LooseSpec& loose = world_->loose()[world_->loose_bottom_up()[i]];
+    Field& most = s.most[i];
+    most.reshape(0, 0);
+    if (!loose.share) continue;
+    s.ground.shares()[*loose.share].crop_into(s.around - s.ring, most);
+    for (std::int32_t& value : most.values) value = loose.thickness_at(s.region.lod, value);
+  }
+  set_loose(s.surface, s.rules, s.most, s.loose_ground);
   if (!s.carver) return;
   // Entrances are bare ground from the start.
   const Field& entrances = s.carver->entrances();
@@ -414,6 +428,21 @@ void Generator::take_caves(int ring, const Field& surface, CaveAir& air) {
       if (entrances.at(x + ring, z + ring) != Carver::kClosed) air.floor.at(x, z) = surface.at(x, z);
     }
   }
+}
+
+/// The thickness before settling, by slope and place, over the region and its ring.
+void Generator::start_grid(const LooseSpec& loose) {
+  Scratch& s = *scratch_;
+  const Lod lod = s.region.lod;
+  if (!loose.share) return s.grid.start(*s.loose_slope, loose.thickness_at(lod), loose.S_fx);
+  s.ground.shares()[*loose.share].crop_into(s.around - s.ring, s.share);
+  s.grid.start(*s.loose_slope, s.share, loose.t_fx, kWholeShare << lod.value(), loose.S_fx);
+}
+
+void Generator::take_looks(std::vector<LookField>& looks) {
+  const Scratch& s = *scratch_;
+  looks.resize(s.ground.looks().size());
+  for (std::size_t i = 0; i < looks.size(); ++i) s.ground.looks()[i].crop_into(s.around, looks[i]);
 }
 
 void Generator::take_surveys(std::vector<Field>& surveys) {

@@ -14,6 +14,15 @@
 #include "surface/surface_rows.h"
 
 namespace talus::terrain {
+namespace {
+
+Surface heights_alone(const World& world) {
+  Surface surface = surface_of(world.spec());
+  surface.places.reset();
+  return surface;
+}
+
+}  // namespace
 
 class HeightsWork::Pieces {
  public:
@@ -34,8 +43,8 @@ class HeightsWork::ByColumns final : public HeightsWork::Pieces {
  public:
   ByColumns(const World& world, std::vector<BaseColumn> columns)
       : Pieces{std::move(columns)},
-        rows_{make_surface_rows(surface_of(world.spec()), instruction_set())},
-        ground_{surface_of(world.spec()), instruction_set()},
+        rows_{make_surface_rows(heights_alone(world), instruction_set())},
+        ground_{world, instruction_set(), false},
         carver_{make_carver(world, instruction_set())} {}
 
   bool step(std::size_t columns) override {

@@ -198,7 +198,8 @@ HWY_INLINE Cut cut_by(RegionVector distance, RegionVector half_width, RegionVect
   return {less(1, hn::Mul(share, less(1, flank))), hn::Mul(hn::Mul(share, deepest), across)};
 }
 
-HWY_INLINE RegionVector height_at(const RegionRow& row, const RegionShape& shape, std::size_t i) {
+HWY_INLINE RegionVector height_at(const RegionRow& row, const RegionShape& shape, std::size_t i,
+                                  const RegionDetails& details) {
   const RegionTag f;
   const auto load = [&](const float* values) HWY_ATTR { return hn::LoadU(f, values + i); };
   const auto base = load(row.base);
@@ -234,9 +235,9 @@ HWY_INLINE RegionVector height_at(const RegionRow& row, const RegionShape& shape
   // A valley lowers the field of the terraces, not the land: so canyons are stepped.
   const auto rough = hn::Add(load(row.terrace), times(sums.small, shape.mesa_roughness));
   const auto cut_field = plus(hn::Sub(rough, times(less(1, unit(times(left, 1.15F))), 0.6F)), 0.1F);
+  const auto terraces = on_spline(shape.terraces, cut_field);
   const auto mesa =
-      hn::Mul(hn::Mul(times(load(row.mesa), shape.mesa_height), on_spline(shape.terraces, cut_field)),
-              smooth(unit(times(left, 4))));
+      hn::Mul(hn::Mul(times(load(row.mesa), shape.mesa_height), terraces), smooth(unit(times(left, 4))));
 
   const auto land =
       hn::Add(hn::Add(plain, hn::Mul(hills, hill)), hn::Mul(times(belt, shape.range_relief), relief));
@@ -246,23 +247,35 @@ HWY_INLINE RegionVector height_at(const RegionRow& row, const RegionShape& shape
   // Beaches: at the shore the land is flatter.
   const auto from_shore = unit(times(hn::Abs(height), 1.0F / 7));
   height = hn::Mul(height, plus(times(smooth(from_shore), 0.7F), 0.3F));
+  if (details.height != nullptr) {
+    hn::StoreU(height, f, details.height + i);
+    hn::StoreU(terraces, f, details.terraces + i);
+    hn::StoreU(sums.small, f, details.small + i);
+  }
   return hn::Max(plus(height, shape.sea_level), constant(1));
 }
 
 void compose(const RegionRow& row, const RegionShape& shape, std::size_t width, float highest_fx,
-             std::int32_t* heights_fx) {
+             std::int32_t* heights_fx, const RegionDetails& details) {
   const RegionTag f;
   const hn::RebindToSigned<RegionTag> ints;
   for (std::size_t i = 0; i < width; i += hn::Lanes(f)) {
     const auto height_fx =
-        hn::Min(times(height_at(row, shape, i), shape.subvoxels_a_unit), constant(highest_fx));
+        hn::Min(times(height_at(row, shape, i, details), shape.subvoxels_a_unit), constant(highest_fx));
     hn::StoreU(talus::HWY_NAMESPACE::round_to_even(f, height_fx), ints, heights_fx + i);
+  }
+}
+
+void equalize(const Equalizer& equalizer, const float* noise, std::size_t width, float* out) {
+  const RegionTag f;
+  for (std::size_t i = 0; i < width; i += hn::Lanes(f)) {
+    hn::StoreU(equalized(equalizer, hn::LoadU(f, noise + i)), f, out + i);
   }
 }
 
 }  // namespace
 
-constexpr RegionKernels kRegions{displace, distances, lay, spread, compose};
+constexpr RegionKernels kRegions{displace, distances, lay, spread, compose, equalize};
 
 }  // namespace talus::terrain::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

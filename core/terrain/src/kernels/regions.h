@@ -11,6 +11,7 @@
 
 namespace talus::terrain {
 
+class Equalizer;
 struct RegionShape;
 struct SlopedRow;
 struct SlowFields;
@@ -26,6 +27,13 @@ struct RegionRow {
   const float* tributary_a = nullptr;
   const float* tributary_b = nullptr;
   std::array<const float*, kShapeOctaves> shape{};  // the noise of its octaves
+};
+
+/// What compose() also says of each column, where it is not null. Padded.
+struct RegionDetails {
+  float* height = nullptr;    // over the sea, before it is rounded
+  float* terraces = nullptr;  // 0 to 1
+  float* small = nullptr;     // small hills
 };
 
 /// A line of samples: the noises of the slow fields, not equalized. Padded.
@@ -71,7 +79,9 @@ struct RegionKernels {
                  float* out);
   /// H in subvoxels at `width` columns.
   void (*compose)(const RegionRow& row, const RegionShape& shape, std::size_t width, float highest_fx,
-                  std::int32_t* heights_fx);
+                  std::int32_t* heights_fx, const RegionDetails& details);
+  /// A noise made uniform.
+  void (*equalize)(const Equalizer& equalizer, const float* noise, std::size_t width, float* out);
 };
 
 [[nodiscard]] const RegionKernels& region_kernels(InstructionSet set);

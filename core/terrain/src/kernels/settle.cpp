@@ -188,17 +188,17 @@ void settle(const PaddedRows<Cell>& rows, std::int32_t repose) {
 }
 
 // The quotient in doubles: t * room is exact below 2^53 and a quotient that is no integer lies at least 1 / S
-// from the next one, so half a unit more in the numerator leaves rounding no way past it.
-template <class Cell>
-void start(const std::int32_t* slope, std::size_t width, std::int32_t thickness_fx, std::int32_t max_slope_fx,
-           Cell* cells) {
-  const double thickness = thickness_fx;
+// from the next one, so half a unit more in the numerator leaves rounding no way past it. `thickness_at`
+// gives t at a vector's columns.
+template <class Cell, class Thickness>
+HWY_INLINE void start_with(const std::int32_t* slope, std::size_t width, std::int32_t max_slope_fx,
+                           const Thickness& thickness_at, Cell* cells) {
   const double part = 1.0 / max_slope_fx;
   over_row(hn::ScalableTag<double>{}, width, [=](auto d, std::size_t i) HWY_ATTR {
     const hn::Rebind<std::int32_t, decltype(d)> ints;
     const auto steepness = hn::Min(hn::LoadU(ints, slope + i), hn::Set(ints, max_slope_fx));
     const auto room = hn::PromoteTo(d, hn::Sub(hn::Set(ints, max_slope_fx), steepness));
-    const auto product = hn::Add(hn::Mul(room, hn::Set(d, thickness)), hn::Set(d, 0.5));
+    const auto product = hn::Add(hn::Mul(room, thickness_at(d, i)), hn::Set(d, 0.5));
     const auto quotient = hn::DemoteTo(ints, hn::Mul(product, hn::Set(d, part)));
     const hn::Rebind<Cell, decltype(d)> out;
     if constexpr (sizeof(Cell) == sizeof(std::int32_t)) {
@@ -209,10 +209,33 @@ void start(const std::int32_t* slope, std::size_t width, std::int32_t thickness_
   });
 }
 
+template <class Cell>
+void start(const std::int32_t* slope, std::size_t width, std::int32_t thickness_fx, std::int32_t max_slope_fx,
+           Cell* cells) {
+  const double thickness = thickness_fx;
+  start_with(
+      slope, width, max_slope_fx, [=](auto d, std::size_t) HWY_ATTR { return hn::Set(d, thickness); }, cells);
+}
+
+// t * share is exact in doubles, and so is its part of a power of two.
+template <class Cell>
+void start_shared(const std::int32_t* slope, const std::int32_t* share, std::size_t width,
+                  std::int32_t thickness_fx, std::int32_t whole, std::int32_t max_slope_fx, Cell* cells) {
+  const double thickness = static_cast<double>(thickness_fx) / whole;
+  start_with(
+      slope, width, max_slope_fx,
+      [=](auto d, std::size_t i) HWY_ATTR {
+        const hn::Rebind<std::int32_t, decltype(d)> ints;
+        const auto exact = hn::Mul(hn::PromoteTo(d, hn::LoadU(ints, share + i)), hn::Set(d, thickness));
+        return hn::PromoteTo(d, hn::DemoteTo(ints, exact));
+      },
+      cells);
+}
+
 }  // namespace
 
-constexpr SettleKernels kSettle{start<std::int16_t>, start<std::int32_t>, settle<std::int16_t>,
-                                settle<std::int32_t>};
+constexpr SettleKernels kSettle{start<std::int16_t>,        start<std::int32_t>,  start_shared<std::int16_t>,
+                                start_shared<std::int32_t>, settle<std::int16_t>, settle<std::int32_t>};
 
 }  // namespace talus::terrain::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

@@ -41,6 +41,13 @@ struct SettleKernels {
                       std::int32_t max_slope_fx, std::int16_t* cells);
   void (*start_int32)(const std::int32_t* slope, std::size_t width, std::int32_t thickness_fx,
                       std::int32_t max_slope_fx, std::int32_t* cells);
+  /// The same of floor(t * share / whole), where `whole` is a power of two.
+  void (*start_shared_int16)(const std::int32_t* slope, const std::int32_t* share, std::size_t width,
+                             std::int32_t thickness_fx, std::int32_t whole, std::int32_t max_slope_fx,
+                             std::int16_t* cells);
+  void (*start_shared_int32)(const std::int32_t* slope, const std::int32_t* share, std::size_t width,
+                             std::int32_t thickness_fx, std::int32_t whole, std::int32_t max_slope_fx,
+                             std::int32_t* cells);
   /// Lowers every cell to what rests there: at most `repose_fx` above each of its 8 neighbours. It
   /// is kSteepest<Cell> or less. Leaves numbers without meaning between a row's width and its stride.
   void (*settle_int16)(const PaddedRows<std::int16_t>& rows, std::int32_t repose_fx);

@@ -17,14 +17,17 @@ Field LooseGround::surface() const {
   return surface;
 }
 
-void set_loose(const Field& surface, std::span<const LooseRules> rules, LooseGround& ground) {
+void set_loose(const Field& surface, std::span<const LooseRules> rules, std::span<const Field> most,
+               LooseGround& ground) {
   ground.base = surface;
   ground.thickness.resize(rules.size());
   for (std::size_t m = rules.size(); m-- > 0;) {
     Field& loose = ground.thickness[m];
     loose.reshape(surface.width, surface.depth);
     for (std::size_t i = 0; i < loose.values.size(); ++i) {
-      loose.values[i] = std::min(rules[m].t_fx, ground.base.values[i]);
+      const bool alike = most.empty() || most[m].values.empty();
+      const std::int32_t t_fx = alike ? rules[m].t_fx : most[m].values[i];
+      loose.values[i] = std::min(t_fx, ground.base.values[i]);
       ground.base.values[i] -= loose.values[i];
     }
   }

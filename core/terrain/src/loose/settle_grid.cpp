@@ -52,6 +52,23 @@ void SettleGrid::start(const Field& slope, std::int32_t thickness_fx, std::int32
   }
 }
 
+void SettleGrid::start(const Field& slope, const Field& share, std::int32_t thickness_fx, std::int32_t whole,
+                       std::int32_t max_slope_fx) {
+  reshape(slope.width, slope.depth, thickness_fx);
+  for (int z = 0; z < slope.depth; ++z) {
+    const auto row = static_cast<std::size_t>(z);
+    const std::int32_t* from = slope.row(z).data();
+    const std::int32_t* part = share.row(z).data();
+    if (narrow_) {
+      kernels_->start_shared_int16(from, part, narrow_rows_.width, thickness_fx, whole, max_slope_fx,
+                                   narrow_rows_.row(row));
+    } else {
+      kernels_->start_shared_int32(from, part, wide_rows_.width, thickness_fx, whole, max_slope_fx,
+                                   wide_rows_.row(row));
+    }
+  }
+}
+
 void SettleGrid::start(const Field& thickness) {
   const auto thickest = std::max_element(thickness.values.begin(), thickness.values.end());
   reshape(thickness.width, thickness.depth, thickest == thickness.values.end() ? 0 : *thickest);

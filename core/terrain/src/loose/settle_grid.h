@@ -19,6 +19,10 @@ class SettleGrid {
 
   /// The thickness before settling (eq. 3) over `slope`.
   void start(const Field& slope, std::int32_t thickness_fx, std::int32_t max_slope_fx);
+  /// The same of floor(thickness * share / whole), 0 <= share <= whole, a power of two: `thickness_fx` is the
+  /// most that this can be before it is cut to the cells.
+  void start(const Field& slope, const Field& share, std::int32_t thickness_fx, std::int32_t whole,
+             std::int32_t max_slope_fx);
   /// Any field of 0 to 2^20 instead.
   void start(const Field& thickness);
   /// May change the type of the cells, as a steep repose needs wide ones.

@@ -14,6 +14,7 @@
 #include <talus/terrain/world.h>
 
 #include "feature.h"
+#include "place/places.h"
 #include "surface/regions/regions.h"
 
 namespace talus::terrain {
@@ -66,6 +67,7 @@ void add_regions(const Regions& regions, std::ostream& form) {
   add_rotated("rivers", slow.rivers[0], form);
   add_rotated("tributaries", slow.rivers[1], form);
   add_rotated("shape", regions.shape, form);
+  for (const SlowFields::Field& other : slow.others) add_field("field", other);
   add_spline("base", slow.base, form);
   add_spline("inland", slow.inland, form);
   add_spline("belt", slow.belt, form);
@@ -101,6 +103,37 @@ void add_features(const World& world, Feature::Stage stage, std::ostream& form) 
   }
 }
 
+void add_places(const World& world, const Places& places, std::ostream& form) {
+  form << "places lapse " << bits_of(places.reciprocal_lapse) << '\n';
+  for (const auto& rules : places.looks) {
+    form << "looks " << rules.size() << '\n';
+    for (const Places::Case& one : rules) {
+      form << "look " << int{one.look};
+      for (const Places::Condition& condition : one.conditions) {
+        form << ' ' << condition.quantity << (condition.above ? " above " : " below ")
+             << bits_of(condition.limit);
+      }
+      form << '\n';
+    }
+  }
+  for (const Places::Share& share : places.shares) {
+    form << "share looks " << share.looks;
+    for (const auto* const ramps : {&share.early, &share.late}) {
+      for (const Places::Ramp& ramp : *ramps) {
+        form << " ramp " << ramp.quantity << ' ' << bits_of(ramp.none) << ' ' << bits_of(ramp.reciprocal);
+      }
+    }
+    form << '\n';
+  }
+  for (const Material& material : world.materials()) {
+    const World::ShownBy* const shown = world.shown_by(material.id);
+    if (shown == nullptr) continue;
+    form << "material " << to_integer(material.id) << " by looks " << shown->looks << " shows";
+    for (const MaterialId each : shown->by_look) form << ' ' << to_integer(each);
+    form << '\n';
+  }
+}
+
 }  // namespace
 
 std::string bits_of(float value) {
@@ -120,6 +153,7 @@ std::string World::canonical_form() const {
   if (const auto noise = spec_.surface.noise()) add_noise(surface, *noise, form);
   if (spec_.surface.height_map) add_map(surface.map, form);
   if (spec_.surface.regions) add_regions(*surface.regions, form);
+  if (surface.places) add_places(*this, *surface.places, form);
   form << "surface highest_fx " << bits_of(surface.highest_fx) << '\n'
        << (spec_.method == Method::erosion ? "erosion " + std::to_string(spec_.erosion_steps) + '\n' : "")
        << "sea_fx " << (sea_fx_ ? std::to_string(*sea_fx_) : "none") << '\n';
@@ -132,7 +166,9 @@ std::string World::canonical_form() const {
   add_features(*this, Feature::Stage::strata, form);
   for (const std::size_t i : loose_bottom_up_) {
     form << "loose " << to_integer(loose_[i].material) << " t_fx " << loose_[i].t_fx << " S_fx "
-         << loose_[i].S_fx << " c_fx " << loose_[i].c_fx << '\n';
+         << loose_[i].S_fx << " c_fx " << loose_[i].c_fx;
+    if (loose_[i].share) form << " share " << *loose_[i].share;
+    form << '\n';
   }
   add_features(*this, Feature::Stage::voxels, form);
   return form.str();

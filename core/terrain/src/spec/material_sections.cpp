@@ -43,10 +43,10 @@ std::vector<StratifiedSpec> read_stratified(std::vector<TableReader>& tables, st
 }
 
 std::vector<ErodedSpec> read_eroded(std::vector<TableReader>& tables, const WorldSpec& spec,
-                                    std::set<std::string>& names) {
+                                    PlacesReader& places, std::set<std::string>& names) {
   std::vector<ErodedSpec> materials;
   for (TableReader& table : tables) {
-    table.only({"name", "colour", "weight", "thickness", "angle_of_repose", "max_slope"});
+    table.only({"name", "colour", "weight", "thickness", "angle_of_repose", "max_slope", "where"});
     ErodedSpec& eroded = materials.emplace_back();
     eroded.name = table.material_name(names);
     eroded.colour = table.colour();
@@ -55,15 +55,19 @@ std::vector<ErodedSpec> read_eroded(std::vector<TableReader>& tables, const Worl
                                             {spec.resolution, {0, kMaxLooseThickness}});
     eroded.angle_of_repose = table.real("angle_of_repose", kAngles);
     eroded.max_slope = table.real("max_slope", kAngles);
+    eroded.share = places.share(table);
     check_halo(table, eroded, spec);
   }
   return materials;
 }
 
 LooseSpec loose_of(const ErodedSpec& eroded, int resolution) {
-  return {MaterialId{}, eroded.weight,
+  return {MaterialId{},
+          eroded.weight,
           static_cast<std::int32_t>(subvoxels_of(eroded.thickness_q16, resolution)),
-          tangent_fx(eroded.max_slope), tangent_fx(eroded.angle_of_repose)};
+          tangent_fx(eroded.max_slope),
+          tangent_fx(eroded.angle_of_repose),
+          eroded.share};
 }
 
 }  // namespace talus::terrain

@@ -7,6 +7,7 @@
 
 #include <talus/terrain/world.h>
 
+#include "spec/places_section.h"
 #include "spec/table_reader.h"
 
 namespace talus::terrain {
@@ -16,7 +17,7 @@ namespace talus::terrain {
                                                           std::set<std::string>& names);
 /// spec.resolution and spec.method have been read: the slope method bounds the halo that a material needs.
 [[nodiscard]] std::vector<ErodedSpec> read_eroded(std::vector<TableReader>& tables, const WorldSpec& spec,
-                                                  std::set<std::string>& names);
+                                                  PlacesReader& places, std::set<std::string>& names);
 
 /// An eroded material in integers. `material` stays 0.
 [[nodiscard]] LooseSpec loose_of(const ErodedSpec& eroded, int resolution);

@@ -27,8 +27,9 @@ constexpr std::int64_t kSeaStep = 64;      // voxels: a voxel of the coarsest le
 /// Reads one table after another; what they leave out is as in the default world.
 class RegionTables {
  public:
-  RegionTables(std::vector<FieldSpec> fields, int resolution)
-      : fields_{std::move(fields)}, resolution_{resolution} {}
+  /// `fields`: known_fields().
+  RegionTables(const std::vector<FieldSpec>& fields, int resolution, PlacesSpec& places)
+      : fields_{fields}, resolution_{resolution}, places_{places} {}
 
   void land(TableReader& table);
   void ranges(TableReader& table);
@@ -45,8 +46,9 @@ class RegionTables {
   void choose(TableReader& table, const std::string& key, FieldSpec& field);
 
   RegionsSpec spec_;
-  std::vector<FieldSpec> fields_;
+  const std::vector<FieldSpec>& fields_;
   int resolution_;
+  PlacesSpec& places_;
 };
 
 double number_or(TableReader& table, const std::string& key, Range range, double otherwise) {
@@ -76,36 +78,12 @@ FieldSpec read_field(TableReader& table, int resolution) {
   return field;
 }
 
-std::vector<FieldSpec> read_fields(TableReader& root, int resolution) {
-  std::vector<FieldSpec> fields;
-  if (!root.has("field")) return fields;
-  for (TableReader& table : root.tables("field")) {
-    if (fields.size() == kMaxFields) {
-      table.fail("name", text_of("more than ", kMaxFields, " fields; leave some out"));
-      break;
-    }
-    FieldSpec field = read_field(table, resolution);
-    const bool known = std::any_of(fields.begin(), fields.end(),
-                                   [&](const FieldSpec& other) { return other.name == field.name; });
-    if (known) table.fail("name", "'" + field.name + "' names another field already; names are unique");
-    fields.push_back(std::move(field));
-  }
-  return fields;
-}
-
 void RegionTables::choose(TableReader& table, const std::string& key, FieldSpec& field) {
   if (table.has(key)) field.name = table.text(key, kMaxNameBytes);
   const auto said = std::find_if(fields_.begin(), fields_.end(),
                                  [&](const FieldSpec& other) { return other.name == field.name; });
   if (said != fields_.end()) {
     field = *said;
-    return;
-  }
-  const RegionsSpec shipped;
-  for (const FieldSpec* const known : {&shipped.continents, &shipped.ranges, &shipped.hilliness,
-                                       &shipped.mesas, &shipped.temperature, &shipped.moisture}) {
-    if (known->name != field.name) continue;
-    field = *known;
     return;
   }
   table.fail(key, "no field is named '" + field.name + "'; a [[field]] of that name is needed");
@@ -149,11 +127,12 @@ void RegionTables::mesas(TableReader& table) {
 }
 
 void RegionTables::climate(TableReader& table) {
-  table.only({"temperature", "moisture", "warmer", "wetter"});
+  table.only({"temperature", "moisture", "warmer", "wetter", "lapse"});
   choose(table, "temperature", spec_.temperature);
   choose(table, "moisture", spec_.moisture);
   spec_.warmer = number_or(table, "warmer", kFieldValues, spec_.warmer);
   spec_.wetter = number_or(table, "wetter", kFieldValues, spec_.wetter);
+  places_.lapse = number_or(table, "lapse", {1, kMaxLength}, places_.lapse);
 }
 
 void RegionTables::rivers(TableReader& table) {
@@ -197,6 +176,34 @@ constexpr std::array<Section, 7> kSections{{{"land", &RegionTables::land},
 
 }  // namespace
 
+std::vector<FieldSpec> read_fields(TableReader& root, int resolution) {
+  std::vector<FieldSpec> fields;
+  if (!root.has("field")) return fields;
+  for (TableReader& table : root.tables("field")) {
+    if (fields.size() == kMaxFields) {
+      table.fail("name", text_of("more than ", kMaxFields, " fields; leave some out"));
+      break;
+    }
+    FieldSpec field = read_field(table, resolution);
+    const bool known = std::any_of(fields.begin(), fields.end(),
+                                   [&](const FieldSpec& other) { return other.name == field.name; });
+    if (known) table.fail("name", "'" + field.name + "' names another field already; names are unique");
+    fields.push_back(std::move(field));
+  }
+  return fields;
+}
+
+std::vector<FieldSpec> known_fields(std::vector<FieldSpec> fields) {
+  const RegionsSpec shipped;
+  for (const FieldSpec* const known : {&shipped.continents, &shipped.ranges, &shipped.hilliness,
+                                       &shipped.mesas, &shipped.temperature, &shipped.moisture}) {
+    const bool given = std::any_of(fields.begin(), fields.end(),
+                                   [&](const FieldSpec& field) { return field.name == known->name; });
+    if (!given) fields.push_back(*known);
+  }
+  return fields;
+}
+
 const std::vector<std::string_view>& region_tables() {
   static const std::vector<std::string_view> kNames = [] {
     std::vector<std::string_view> names;
@@ -206,8 +213,9 @@ const std::vector<std::string_view>& region_tables() {
   return kNames;
 }
 
-RegionsSpec read_regions(TableReader& root, TableReader& surface, int resolution) {
-  RegionTables regions{read_fields(root, resolution), resolution};
+RegionsSpec read_regions(const std::vector<FieldSpec>& fields, TableReader& surface, int resolution,
+                         PlacesSpec& places) {
+  RegionTables regions{fields, resolution, places};
   for (const Section& section : kSections) {
     auto table = surface.table_or_empty(std::string{section.name});
     if (table) (regions.*section.read)(*table);

@@ -70,7 +70,8 @@ void read_noise(TableReader& surface, SurfaceKind kind, int resolution, SurfaceS
 
 }  // namespace
 
-void read_surface(TableReader root, TableReader surface, WorldSpec& world) {
+void read_surface(TableReader root, TableReader surface, const std::vector<FieldSpec>& fields,
+                  WorldSpec& world) {
   SurfaceSpec& spec = world.surface;
   if (surface.has("kind")) {
     spec.kind = static_cast<SurfaceKind>(
@@ -80,7 +81,7 @@ void read_surface(TableReader root, TableReader surface, WorldSpec& world) {
     std::vector<std::string_view> known = region_tables();
     known.push_back("kind");
     surface.only(known);
-    spec.regions = read_regions(root, surface, world.resolution);
+    spec.regions = read_regions(fields, surface, world.resolution, world.places);
     return;
   }
   if (root.has("field"))

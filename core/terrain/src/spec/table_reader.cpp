@@ -231,6 +231,52 @@ std::array<double, 2> TableReader::pair(const std::string& key, Range range,
   return {(*numbers)[0], (*numbers)[1]};
 }
 
+std::vector<double> TableReader::numbers(const std::string& key, Range range,
+                                         const std::vector<std::size_t>& counts) {
+  const toml::node* const node = find(*this, table_of(table_), key, "a list of numbers");
+  if (node == nullptr) return {};
+  for (const std::size_t count : counts) {
+    const auto numbers = numbers_of(*node, count);
+    if (!numbers) continue;
+    for (const double number : *numbers) {
+      if (within(number, range)) continue;
+      return fail(key, text_of(number, " is out of range; ", range.min, " to ", range.max)),
+             std::vector<double>{};
+    }
+    return {numbers->begin(), numbers->end()};
+  }
+  std::string wanted = "a list of";
+  for (std::size_t i = 0; i < counts.size(); ++i) wanted += text_of(i == 0 ? " " : " or ", counts[i]);
+  return wrong_type(*this, *node, key, wanted + " numbers"), std::vector<double>{};
+}
+
+std::vector<std::string> TableReader::texts(const std::string& key, std::size_t max_bytes, std::size_t most) {
+  const toml::node* const node = find(*this, table_of(table_), key, "a list of strings");
+  if (node == nullptr) return {};
+  const toml::array* const list = node->as_array();
+  const bool sized = list != nullptr && !list->empty() && list->size() <= most;
+  if (!sized)
+    return wrong_type(*this, *node, key, text_of("a list of 1 to ", most, " strings")),
+           std::vector<std::string>{};
+  std::vector<std::string> texts;
+  for (const toml::node& each : *list) {
+    const auto value = each.is_string() ? each.value<std::string>() : std::nullopt;
+    if (!value || value->empty() || value->size() > max_bytes) {
+      return fail(key, text_of("each must be a string of 1 to ", max_bytes, " bytes")),
+             std::vector<std::string>{};
+    }
+    texts.push_back(*value);
+  }
+  return texts;
+}
+
+std::vector<std::string> TableReader::keys() const {
+  std::vector<std::string> keys;
+  for (const auto& [key, value] : table_of(table_)) keys.emplace_back(key.str());
+  std::sort(keys.begin(), keys.end());
+  return keys;
+}
+
 std::string TableReader::text(const std::string& key, std::size_t max_bytes) {
   const toml::node* node = find(*this, table_of(table_), key, "a string");
   if (node == nullptr) return {};
@@ -250,35 +296,40 @@ std::size_t TableReader::choice(const std::string& key, std::initializer_list<st
   return 0;
 }
 
+void TableReader::take_material_name(const std::string& key, const std::string& name,
+                                     std::set<std::string>& taken) {
+  const bool printable =
+      std::none_of(name.begin(), name.end(), [](char c) { return (c >= 0 && c < ' ') || c == '\x7F'; });
+  if (name.empty() || name.size() > kMaxNameBytes) {
+    fail(key, text_of("a name has 1 to ", kMaxNameBytes, " bytes, this has ", name.size()));
+  } else if (!printable) {
+    fail(key, "a name is printed as it is, so it holds no control characters");
+  } else if (name == "air" || name == "water") {
+    fail(key, "'" + name + "' is the world's own; choose another name");
+  } else if (!taken.insert(name).second) {
+    fail(key, "'" + name + "' names another material already; names are unique");
+  }
+}
+
 std::string TableReader::material_name(std::set<std::string>& taken) {
   const toml::node* node = find(*this, table_of(table_), "name", "a string");
   if (node == nullptr) return {};
   const auto value = node->is_string() ? node->value<std::string>() : std::nullopt;
   if (!value) return wrong_type(*this, *node, "name", "a string"), std::string{};
-  const bool printable =
-      std::none_of(value->begin(), value->end(), [](char c) { return (c >= 0 && c < ' ') || c == '\x7F'; });
-  if (value->empty() || value->size() > kMaxNameBytes) {
-    fail("name", text_of("a name has 1 to ", kMaxNameBytes, " bytes, this has ", value->size()));
-  } else if (!printable) {
-    fail("name", "a name is printed as it is, so it holds no control characters");
-  } else if (*value == "air" || *value == "water") {
-    fail("name", "'" + *value + "' is the world's own; choose another name");
-  } else if (!taken.insert(*value).second) {
-    fail("name", "'" + *value + "' names another material already; names are unique");
-  }
+  take_material_name("name", *value, taken);
   return *value;
 }
 
-Colour TableReader::colour() {
+Colour TableReader::colour(const std::string& key) {
   constexpr const char* kWanted = "\"#rrggbb\", as \"#8d8478\",";
-  const toml::node* node = find(*this, table_of(table_), "colour", kWanted);
+  const toml::node* node = find(*this, table_of(table_), key, kWanted);
   if (node == nullptr) return {};
   const auto text = node->is_string() ? node->value<std::string>() : std::nullopt;
   const bool shaped = text && text->size() == 7 && text->front() == '#' &&
                       text->find_first_not_of("0123456789abcdefABCDEF", 1) == std::string::npos;
-  if (!text) return wrong_type(*this, *node, "colour", kWanted), Colour{};
+  if (!text) return wrong_type(*this, *node, key, kWanted), Colour{};
   if (!shaped) {
-    fail("colour", text_of("'", shortened(*text, kMaxShown), "' is no colour; ", kWanted, " is needed"));
+    fail(key, text_of("'", shortened(*text, kMaxShown), "' is no colour; ", kWanted, " is needed"));
     return {};
   }
   const auto channel = [&](std::size_t at) {

@@ -52,6 +52,8 @@ class TableReader {
 
   [[nodiscard]] const std::string& name() const { return name_; }
   [[nodiscard]] bool has(std::string_view key) const;
+  /// All, by name.
+  [[nodiscard]] std::vector<std::string> keys() const;
   /// Where the table begins.
   [[nodiscard]] int line() const;
   /// Where a key stands; where it is left out, the table's line.
@@ -77,13 +79,20 @@ class TableReader {
   /// `key = [a, b]`. Left out: `otherwise`.
   std::array<double, 2> pair(const std::string& key, Range range, const std::array<double, 2>& otherwise);
 
+  /// `key = [a, b, ...]` of one of these counts; empty after a fault.
+  std::vector<double> numbers(const std::string& key, Range range, const std::vector<std::size_t>& counts);
+
   std::string text(const std::string& key, std::size_t max_bytes);
+  /// `key = ["a", ...]`: 1 to `most` strings.
+  std::vector<std::string> texts(const std::string& key, std::size_t max_bytes, std::size_t most);
   /// The index in `names` of the key's value.
   std::size_t choice(const std::string& key, std::initializer_list<std::string_view> names);
   /// `name`: a material's, which none of `taken` may be; it joins them.
   std::string material_name(std::set<std::string>& taken);
-  /// `colour`: "#rrggbb".
-  Colour colour();
+  /// The same of a name that is not in the file by itself; faults go to `key`.
+  void take_material_name(const std::string& key, const std::string& name, std::set<std::string>& taken);
+  /// `colour`, or that key: "#rrggbb".
+  Colour colour(const std::string& key = "colour");
 
   /// The table [key]; none where the key is no table, which is an error.
   std::optional<TableReader> table(const std::string& key);

@@ -16,7 +16,9 @@
 
 #include "feature.h"
 #include "spec/canonical_form.h"
+#include "spec/looks_section.h"
 #include "spec/material_sections.h"
+#include "spec/places_section.h"
 #include "spec/regions_section.h"
 #include "spec/surface_section.h"
 #include "spec/table_reader.h"
@@ -43,8 +45,10 @@ struct World::Builder {
   void read_strata_wavelength();
   void read_sea();
   void read_method();
-  void read_materials();
+  void read_materials(PlacesReader& places);
   void read_features(std::span<const FeatureKind> kinds);
+  void read_world_looks(PlacesReader& places);
+  void check_materials();
   void check_lifts();
   void derive_strata();
   void derive_loose();
@@ -80,13 +84,16 @@ void World::Builder::build(const LoadHeightMap& load, std::span<const FeatureKin
   check_keys(kinds);
   read_general();
   auto surface = root.table("surface");
-  if (surface) read_surface(root, *surface, spec);
+  const std::vector<FieldSpec> fields = known_fields(read_fields(root, spec.resolution));
+  if (surface) read_surface(root, *surface, fields, spec);
   read_strata_wavelength();
   read_sea();
   if (spec.surface.regions) check_regions(root, *surface, spec);
   read_method();
-  read_materials();
+  PlacesReader places{spec, fields, spec.places};
+  read_materials(places);
   read_features(kinds);
+  read_world_looks(places);
   if (errors.any()) return;
   load_height_map(*surface, spec, load);
   check_lifts();
@@ -100,8 +107,8 @@ void World::Builder::build(const LoadHeightMap& load, std::span<const FeatureKin
 
 void World::Builder::check_keys(std::span<const FeatureKind> kinds) {
   std::vector<std::string_view> known{
-      "seed",          "resolution", "strata_wavelength", "sea_level",  "method",
-      "erosion_steps", "field",      "surface",           "stratified", "eroded"};
+      "seed",  "resolution", "strata_wavelength", "sea_level", "method", "erosion_steps",
+      "field", "surface",    "stratified",        "eroded",    "look",   "province"};
   for (const FeatureKind& kind : kinds) known.push_back(kind.section);
   root.only(known);
 }
@@ -148,12 +155,12 @@ MaterialId FeatureSection::add_material(TableReader& table, MaterialKind kind) {
   return id;
 }
 
-void World::Builder::read_materials() {
+void World::Builder::read_materials(PlacesReader& places) {
   auto stratified = root.tables("stratified");
   if (!stratified.empty()) stratified_line = stratified.front().line();
   spec.stratified = read_stratified(stratified, names);
   auto eroded = root.tables("eroded");
-  spec.eroded = read_eroded(eroded, spec, names);
+  spec.eroded = read_eroded(eroded, spec, places, names);
   add_material("air", {186, 215, 236}, MaterialKind::air);
   add_material("water", {58, 108, 150}, MaterialKind::water);
   for (const StratifiedSpec& s : spec.stratified) add_material(s.name, s.colour, MaterialKind::stratified);
@@ -173,6 +180,16 @@ void World::Builder::read_features(std::span<const FeatureKind> kinds) {
     if (feature->carves()) carver = kind.section;
     world.features_.push_back(std::move(feature));
   }
+}
+
+void World::Builder::read_world_looks(PlacesReader& places) {
+  LookTables looks = read_looks(root, places, spec.places.looks, names, world.materials_);
+  world.shown_by_ = std::move(looks.shown_by);
+  world.look_names_ = std::move(looks.names);
+  check_materials();
+}
+
+void World::Builder::check_materials() {
   const std::size_t materials = world.materials_.size() - 2;
   if (materials > kMaxMaterials) {
     errors.add(stratified_line, text_of("stratified: ", materials,
@@ -233,13 +250,19 @@ void World::Builder::derive_loose() {
   }
 }
 
+const World::ShownBy* World::shown_by(MaterialId material) const {
+  const std::size_t place = to_integer(material);
+  return place < shown_by_.size() && shown_by_[place] ? &*shown_by_[place] : nullptr;
+}
+
 int World::erosion_steps_at(Lod lod) const {
   return spec_.method == Method::erosion ? std::max(1, spec_.erosion_steps >> lod.value()) : 0;
 }
 
 // One step is one step at every level, by the rules of both versions.
 GeneratorVersion World::generator_version() const {
-  return erosion_steps_at(Lod{}) > 1 || spec_.surface.regions ? GeneratorVersion::v3 : GeneratorVersion::v2;
+  return erosion_steps_at(Lod{}) > 1 || spec_.surface.regions || spec_.places.any() ? GeneratorVersion::v3
+                                                                                    : GeneratorVersion::v2;
 }
 
 void World::Builder::derive_halo() {

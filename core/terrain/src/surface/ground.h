@@ -3,11 +3,14 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
+#include <span>
 #include <vector>
 
 #include <talus/terrain/field.h>
 
 #include "kernels/columns.h"
+#include "place/place_fields.h"
 #include "surface/surface_rows.h"
 
 namespace talus::terrain {
@@ -15,8 +18,8 @@ namespace talus::terrain {
 /// Keeps its memory from region to region. For one thread at a time.
 class Ground {
  public:
-  Ground(const Surface& surface, InstructionSet set)
-      : rows_{make_surface_rows(surface, set)}, kernels_{column_kernels(set)} {}
+  /// `places`: whether looks and shares are wanted, too, where the world has any.
+  Ground(const World& world, InstructionSet set, bool places = true);
 
   void compute(const Region& region) {
     start(region);
@@ -30,10 +33,17 @@ class Ground {
 
   [[nodiscard]] const Field& height() const { return height_; }
   [[nodiscard]] const Field& slope() const { return slope_; }
+  /// One for each LookRules and each ShareRule of the world; none where they are not wanted.
+  [[nodiscard]] std::span<const LookField> looks() const { return places_ ? places_->looks() : kNoLooks; }
+  [[nodiscard]] std::span<const Field> shares() const { return places_ ? places_->shares() : kNoShares; }
 
  private:
   void compute_base(int first, int last);
   void compute_coarse(int first, int last);
+  void set_places(int z, std::int64_t base_z, std::size_t first, std::size_t step);
+
+  static inline const std::vector<LookField> kNoLooks;
+  static inline const std::vector<Field> kNoShares;
 
   std::unique_ptr<SurfaceRows> rows_;
   const ColumnKernels& kernels_;
@@ -44,6 +54,8 @@ class Ground {
   std::vector<std::int32_t> slopes_;
   Field height_;
   Field slope_;
+  std::optional<PlaceFields> places_;
+  std::vector<const float*> quantities_;
 };
 
 }  // namespace talus::terrain

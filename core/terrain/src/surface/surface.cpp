@@ -4,6 +4,7 @@
 
 #include <talus/terrain/lattice_hash.h>
 
+#include "place/places.h"
 #include "spec/units.h"
 #include "surface/regions/regions.h"
 #include "surface/surface_rows.h"
@@ -42,8 +43,10 @@ Surface surface_of(const WorldSpec& spec) {
   if (s.noise() == SurfaceKind::warped) surface.warp = warp_of(spec);
   if (s.height_map) surface.map = placed(*s.height_map, spec.resolution);
   if (s.regions) {
-    surface.regions = std::make_shared<const Regions>(regions_of(*s.regions, spec.seed, spec.resolution));
+    surface.regions = std::make_shared<const Regions>(
+        regions_of(*s.regions, spec.places.fields, spec.seed, spec.resolution));
   }
+  if (spec.places.any()) surface.places = std::make_shared<const Places>(places_of(spec.places));
   return surface;
 }
 

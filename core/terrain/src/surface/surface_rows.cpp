@@ -17,7 +17,7 @@ std::unique_ptr<SurfaceRows> make_surface_rows(const Surface& surface, Instructi
     case SurfaceKind::warped:
       return std::make_unique<WarpedRows>(surface, set);
     case SurfaceKind::regions:
-      return std::make_unique<RegionRows>(*surface.regions, surface.highest_fx, set);
+      return std::make_unique<RegionRows>(surface, set);
     case SurfaceKind::height_map: {
       if (surface.map.outside != Outside::blend) return std::make_unique<HeightMapRows>(surface, nullptr);
       Surface around = surface;

@@ -21,6 +21,11 @@ class SurfaceRows {
 
   /// Writes H at (xs[i], z) for all i: 0 to highest_fx, rounded. Rows close to the one before cost least.
   virtual void row(std::int64_t z, std::int32_t* heights_fx) = 0;
+
+  /// Of each Quantity and then of each field that places ask for, a value a column of the last row(), which
+  /// was at z; called once at most after each. What a surface does not know, or not by itself, stays null.
+  /// REQUIRES that the surface has places.
+  virtual void quantities(std::int64_t /*z*/, std::span<const float*> /*rows*/) {}
 };
 
 [[nodiscard]] std::unique_ptr<SurfaceRows> make_surface_rows(const Surface& surface, InstructionSet set);

@@ -40,8 +40,13 @@ struct LooseRules {
 }
 
 /// Turns the top of each stack into loose material and orders it (thesis fig. 10). `rules` heaviest first. A
-/// column too low for all of it lacks the lowest.
-void set_loose(const Field& surface, std::span<const LooseRules> rules, LooseGround& ground);
+/// column too low for all of it lacks the lowest. `most`, where it is not empty: the thickness of each
+/// material at each column instead of its rule's; an empty field stands for that.
+void set_loose(const Field& surface, std::span<const LooseRules> rules, std::span<const Field> most,
+               LooseGround& ground);
+inline void set_loose(const Field& surface, std::span<const LooseRules> rules, LooseGround& ground) {
+  set_loose(surface, rules, {}, ground);
+}
 
 /// Moves material step by step. Keeps its memory; for one thread at a time.
 class Eroder {

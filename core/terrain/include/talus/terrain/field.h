@@ -28,16 +28,17 @@ struct Region {
   bool operator==(const Region&) const = default;
 };
 
-/// One int32 a column, z slowest, then x: values[z * width + x].
-struct Field {
-  using Values = AlignedVector<std::int32_t>;
+/// One value a column, z slowest, then x: values[z * width + x].
+template <class Value>
+struct BasicField {
+  using Values = AlignedVector<Value>;
 
   int width = 0;
   int depth = 0;
   Values values;
 
-  Field() = default;
-  Field(int width_, int depth_)
+  BasicField() = default;
+  BasicField(int width_, int depth_)
       : width{width_},
         depth{depth_},
         values(static_cast<std::size_t>(width_) * static_cast<std::size_t>(depth_)) {}
@@ -49,23 +50,28 @@ struct Field {
     values.resize(static_cast<std::size_t>(width_) * static_cast<std::size_t>(depth_));
   }
 
-  [[nodiscard]] std::int32_t at(int x, int z) const { return values[index(x, z)]; }
-  [[nodiscard]] std::int32_t& at(int x, int z) { return values[index(x, z)]; }
-  [[nodiscard]] std::span<std::int32_t> row(int z) {
+  [[nodiscard]] Value at(int x, int z) const { return values[index(x, z)]; }
+  [[nodiscard]] Value& at(int x, int z) { return values[index(x, z)]; }
+  [[nodiscard]] std::span<Value> row(int z) {
     return {values.data() + index(0, z), static_cast<std::size_t>(width)};
   }
-  [[nodiscard]] std::span<const std::int32_t> row(int z) const {
+  [[nodiscard]] std::span<const Value> row(int z) const {
     return {values.data() + index(0, z), static_cast<std::size_t>(width)};
   }
   /// The field without its outermost `ring` columns on every side.
-  [[nodiscard]] Field cropped(int ring) const;
+  [[nodiscard]] BasicField cropped(int ring) const;
   /// The same into `inside`, whose memory is kept.
-  void crop_into(int ring, Field& inside) const;
+  void crop_into(int ring, BasicField& inside) const;
 
  private:
   [[nodiscard]] std::size_t index(int x, int z) const {
     return static_cast<std::size_t>(z) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x);
   }
 };
+
+/// Heights, slopes, thicknesses.
+using Field = BasicField<std::int32_t>;
+/// Looks: places_spec.h.
+using LookField = BasicField<std::uint8_t>;
 
 }  // namespace talus::terrain

@@ -89,6 +89,7 @@ class Generator {
   /// over the region.
   void start_loose();
   void settle(std::size_t place);
+  void start_grid(const LooseSpec& loose);
   /// With the ring still around everything, which take_eroded() takes off.
   void set_loose_over_ground();
   void start_strata();
@@ -99,6 +100,7 @@ class Generator {
   /// `surface` lies over the region, in its level's subvoxels.
   void take_caves(int ring, const Field& surface, CaveAir& air);
   void take_surveys(std::vector<Field>& surveys);
+  void take_looks(std::vector<LookField>& looks);
 
   const World* world_;
   std::unique_ptr<Scratch> scratch_;

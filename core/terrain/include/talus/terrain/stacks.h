@@ -7,6 +7,7 @@
 
 #include <talus/terrain/cave_air.h>
 #include <talus/terrain/field.h>
+#include <talus/terrain/world.h>
 #include <talus/voxel/material.h>
 
 namespace talus::terrain {
@@ -23,6 +24,8 @@ struct Stacks {
   /// What features keep of each column, one of World::features() each; of those that keep nothing it is
   /// empty.
   std::vector<Field> surveys;
+  /// Which look each column has, by each of PlacesSpec::looks.
+  std::vector<LookField> looks;
 
   /// Where rock ends, under loose material.
   [[nodiscard]] const Field& rock_top() const { return tops[tops.size() - 1 - loose_planes]; }
@@ -34,6 +37,8 @@ struct Stacks {
   [[nodiscard]] std::int32_t ground_fx(int x, int z) const {
     return is_entrance(x, z) ? caves.floor.at(x, z) : tops.back().at(x, z);
   }
+  /// What plane k's material shows at a column.
+  [[nodiscard]] MaterialId shown(const World& world, std::size_t plane, int x, int z) const;
   /// Memory, for budgets.
   [[nodiscard]] std::size_t bytes() const;
 };

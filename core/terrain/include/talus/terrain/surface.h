@@ -32,6 +32,7 @@ struct PlacedMap {
   SurfaceKind around = SurfaceKind::perlin;
 };
 
+struct Places;
 struct Regions;
 
 /// The surface of a spec in the numbers it is computed with.
@@ -45,6 +46,7 @@ struct Surface {
   Warp warp;
   PlacedMap map;                           // of height_map alone
   std::shared_ptr<const Regions> regions;  // of regions alone
+  std::shared_ptr<const Places> places;    // where the world has looks or shares
 };
 
 [[nodiscard]] Surface surface_of(const WorldSpec& spec);

@@ -14,6 +14,7 @@
 
 #include <talus/terrain/field.h>
 #include <talus/terrain/height_map.h>
+#include <talus/terrain/places_spec.h>
 #include <talus/terrain/regions_spec.h>
 #include <talus/voxel/content_hash.h>
 #include <talus/voxel/coords.h>
@@ -104,8 +105,9 @@ struct ErodedSpec {
   Colour colour;
   double weight = 0;
   std::int64_t thickness_q16 = 0;
-  double angle_of_repose = 0;  // degrees
-  double max_slope = 0;        // degrees
+  double angle_of_repose = 0;        // degrees
+  double max_slope = 0;              // degrees
+  std::optional<std::size_t> share;  // of PlacesSpec::shares
 };
 
 /// How loose material comes to lie: by the slope of the ground (thesis 3.6), which leaves the surface as it
@@ -123,6 +125,7 @@ struct WorldSpec {
   SurfaceSpec surface;
   std::vector<StratifiedSpec> stratified;
   std::vector<ErodedSpec> eroded;
+  PlacesSpec places;
 };
 
 class Feature;
@@ -159,8 +162,14 @@ struct LooseSpec {
   std::int32_t S_fx = 0;  // rise over a run of one column above which nothing stays
   std::int32_t c_fx = 0;  // largest difference of thickness between neighbours at rest
 
+  std::optional<std::size_t> share;  // of PlacesSpec::shares: what part of t there is at a column
+
   /// Thickness in subvoxels of a level.
   [[nodiscard]] std::int32_t thickness_at(Lod lod) const { return t_fx >> lod.value(); }
+  /// The same where there is a share of it, of kWholeShare.
+  [[nodiscard]] std::int32_t thickness_at(Lod lod, std::int32_t share_of_it) const {
+    return static_cast<std::int32_t>(std::int64_t{t_fx} * share_of_it / kWholeShare) >> lod.value();
+  }
   /// Columns of surface around a region that can matter to it: the halo theorem's ceil(t / c).
   [[nodiscard]] int halo_at(Lod lod) const { return (thickness_at(lod) + c_fx - 1) / c_fx; }
 };
@@ -185,6 +194,15 @@ class World {
   /// Air, water, stratified, eroded, those of features; materials()[to_integer(id)] is the material of that
   /// id.
   [[nodiscard]] const std::vector<Material>& materials() const { return materials_; }
+  /// What shows in place of a material, by the look that a column has.
+  struct ShownBy {
+    std::size_t looks = 0;            // of PlacesSpec::looks
+    std::vector<MaterialId> by_look;  // by_look[0] is the material itself
+  };
+  /// Null where it always shows itself. Of water it is the topmost voxel that shows so.
+  [[nodiscard]] const ShownBy* shown_by(MaterialId material) const;
+  /// By number; look_names()[0] is empty: no look.
+  [[nodiscard]] const std::vector<std::string>& look_names() const { return look_names_; }
   /// The sequence of layers from the bottom up, the same at every column; 1 to 256.
   [[nodiscard]] const std::vector<StratumSpec>& strata() const { return strata_; }
   /// Eroded materials in the order of the spec.
@@ -225,6 +243,8 @@ class World {
   WorldSpec spec_;
   std::vector<std::shared_ptr<const Feature>> features_;
   std::vector<Material> materials_;
+  std::vector<std::optional<ShownBy>> shown_by_;  // by material; shorter where the rest shows itself
+  std::vector<std::string> look_names_;
   std::vector<StratumSpec> strata_;
   std::vector<LooseSpec> loose_;
   std::vector<std::size_t> loose_bottom_up_;

@@ -27,31 +27,40 @@ std::int64_t step_of(std::span<const std::int64_t> xs) {
 
 }  // namespace
 
-RegionRows::RegionRows(const Regions& regions, float highest_fx, InstructionSet set)
-    : regions_{regions},
-      highest_fx_{highest_fx},
+RegionRows::RegionRows(const Surface& surface, InstructionSet set)
+    : regions_{surface.regions},
+      places_{surface.places},
+      highest_fx_{surface.highest_fx},
       kernels_{&region_kernels(set)},
-      lines_{regions_.slow, regions_.shape, set},
-      shape_{set} {}
+      place_kernels_{&place_kernels(set)},
+      lines_{regions_->slow, regions_->shape, set},
+      shape_{set},
+      border_{set},
+      spread_(kSlowCount + regions_->slow.others.size()),
+      at_columns_(spread_.size()) {}
 
 void RegionRows::start(std::span<const std::int64_t> xs) {
   width_ = xs.size();
   lay_out(xs);
   lines_.start(samples_);
-  shape_.start(regions_.shape, xs);
+  shape_.start(regions_->shape, xs);
+  if (places_) border_.start(regions_->border, xs);
   const std::size_t spread_width = columns_a_cell_ == 0 ? width_ : samples_.size() * columns_a_cell_;
-  for (std::size_t slow = 0; slow < kSlowCount; ++slow) {
+  for (std::size_t slow = 0; slow < spread_.size(); ++slow) {
     spread_[slow].resize(padded(spread_width));
     at_columns_[slow] = spread_[slow].data() + skipped_;
   }
   for (auto& octave : octaves_) octave.resize(padded(width_));
   blended_.resize(samples_.size());
   heights_.resize(padded(width_));
+  if (places_) {
+    for (auto& detail : details_) detail.resize(padded(width_));
+  }
 }
 
 void RegionRows::lay_out(std::span<const std::int64_t> xs) {
   samples_.clear();
-  places_.clear();
+  offsets_.clear();
   skipped_ = 0;
   const std::int64_t step = step_of(xs);
   columns_a_cell_ = step == 0 ? 0 : static_cast<std::size_t>(kSampleStep / step);
@@ -76,7 +85,7 @@ void RegionRows::lay_out(std::span<const std::int64_t> xs) {
     const auto west = static_cast<std::size_t>(
         std::lower_bound(samples_.begin(), samples_.end(), cell_of(x)) - samples_.begin());
     const std::int64_t inside = floor_mod(x, kSampleStep);
-    places_.push_back(
+    offsets_.push_back(
         {west, inside == 0 ? west : west + 1, static_cast<float>(inside) / static_cast<float>(kSampleStep)});
   }
 }
@@ -86,8 +95,8 @@ void RegionRows::spread(const float* samples, std::size_t slow) {
   if (columns_a_cell_ != 0) {
     return kernels_->spread(samples, samples_.size() - 1, columns_a_cell_, fractions_.data(), out);
   }
-  for (std::size_t i = 0; i < places_.size(); ++i) {
-    const Place& at = places_[i];
+  for (std::size_t i = 0; i < offsets_.size(); ++i) {
+    const Offset& at = offsets_[i];
     out[i] = samples[at.west] + (samples[at.east] - samples[at.west]) * at.fraction;
   }
 }
@@ -97,10 +106,10 @@ void RegionRows::row(std::int64_t z, std::int32_t* heights_fx) {
   const auto fraction = static_cast<float>(z - north_z) / static_cast<float>(kSampleStep);
   const SlowLine& north = lines_.at(north_z);
   if (z == north_z) {
-    for (std::size_t slow = 0; slow < kSlowCount; ++slow) spread(north[slow].data(), slow);
+    for (std::size_t slow = 0; slow < spread_.size(); ++slow) spread(north[slow].data(), slow);
   } else {
     const SlowLine& south = lines_.at(north_z + kSampleStep);
-    for (std::size_t slow = 0; slow < kSlowCount; ++slow) {
+    for (std::size_t slow = 0; slow < spread_.size(); ++slow) {
       for (std::size_t i = 0; i < samples_.size(); ++i) {
         blended_[i] = north[slow][i] + (south[slow][i] - north[slow][i]) * fraction;
       }
@@ -119,8 +128,36 @@ void RegionRows::row(std::int64_t z, std::int32_t* heights_fx) {
       at.shape[k] = octaves_[k].data();
     }
   }
-  kernels_->compose(at, regions_.at_columns, width_, highest_fx_, heights_.data());
+  const RegionDetails details =
+      places_ ? RegionDetails{details_[0].data(), details_[1].data(), details_[2].data()} : RegionDetails{};
+  kernels_->compose(at, regions_->at_columns, width_, highest_fx_, heights_.data(), details);
   std::copy_n(heights_.begin(), width_, heights_fx);
+}
+
+void RegionRows::quantities(std::int64_t z, std::span<const float*> rows) {
+  const auto at = [&](Slow slow) { return at_columns_[static_cast<std::size_t>(slow)]; };
+  const float* const border = border_.row(z);
+  const PlaceKernels& kernels = *place_kernels_;
+  kernels.climate({border, details_[2].data(), details_[0].data()}, places_->reciprocal_lapse, width_,
+                  at(Slow::temperature), at(Slow::moisture));
+  constexpr float kJitter = 0.03F;
+  constexpr float kBaseJitter = 20 * kJitter;  // of heights
+  kernels.jitter(border, kJitter, width_, at(Slow::mesa));
+  kernels.jitter(border, kJitter, width_, at(Slow::belt));
+  kernels.jitter(border, kBaseJitter, width_, at(Slow::base));
+  kernels.jitter(border, kJitter, width_, details_[1].data());
+  const auto set = [&](Quantity quantity, const float* values) { rows[number_of(quantity)] = values; };
+  set(Quantity::height, details_[0].data());
+  set(Quantity::temperature, at(Slow::temperature));
+  set(Quantity::moisture, at(Slow::moisture));
+  set(Quantity::mesas, at(Slow::mesa));
+  set(Quantity::ranges, at(Slow::belt));
+  set(Quantity::base, at(Slow::base));
+  set(Quantity::terraces, details_[1].data());
+  for (std::size_t i = 0; i < regions_->slow.others.size(); ++i) {
+    kernels.jitter(border, kJitter, width_, at_columns_[kSlowCount + i]);
+    rows[kQuantities + i] = at_columns_[kSlowCount + i];
+  }
 }
 
 }  // namespace talus::terrain

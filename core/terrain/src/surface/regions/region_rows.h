@@ -2,10 +2,13 @@
 #pragma once
 
 #include <array>
+#include <memory>
+#include <span>
 #include <vector>
 
 #include <talus/vectors/aligned.h>
 
+#include "kernels/places.h"
 #include "kernels/regions.h"
 #include "noise/rotated_fbm.h"
 #include "surface/regions/regions.h"
@@ -16,10 +19,11 @@ namespace talus::terrain {
 
 class RegionRows final : public SurfaceRows {
  public:
-  RegionRows(const Regions& regions, float highest_fx, InstructionSet set);
+  RegionRows(const Surface& surface, InstructionSet set);
 
   void start(std::span<const std::int64_t> xs) override;
   void row(std::int64_t z, std::int32_t* heights_fx) override;
+  void quantities(std::int64_t z, std::span<const float*> rows) override;
 
   /// What a slow field says at the columns of the last row.
   [[nodiscard]] const float* slow(Slow slow) const { return at_columns_[static_cast<std::size_t>(slow)]; }
@@ -28,27 +32,31 @@ class RegionRows final : public SurfaceRows {
   void lay_out(std::span<const std::int64_t> xs);
   void spread(const float* samples, std::size_t slow);
 
-  const Regions regions_;
+  const std::shared_ptr<const Regions> regions_;
+  const std::shared_ptr<const Places> places_;  // none: nobody asks for quantities
   const float highest_fx_;
   const RegionKernels* kernels_;
+  const PlaceKernels* place_kernels_;
   SlowLines lines_;
   RotatedFbm shape_;
+  RotatedFbm border_;
   std::size_t width_ = 0;
   std::vector<std::int64_t> samples_;
   std::size_t columns_a_cell_ = 0;  // 0: they are irregular
   std::size_t skipped_ = 0;         // columns of the first cell that are not asked for
   std::array<float, kSampleStep> fractions_{};
-  struct Place {
+  struct Offset {
     std::size_t west = 0;  // the sample
     std::size_t east = 0;
     float fraction = 0;
   };
-  std::vector<Place> places_;  // a column, where they are irregular
+  std::vector<Offset> offsets_;  // a column, where they are irregular
   std::vector<float> blended_;
-  std::array<AlignedVector<float>, kSlowCount> spread_;
-  std::array<const float*, kSlowCount> at_columns_{};
+  std::vector<AlignedVector<float>> spread_;  // Slow, and others
+  std::vector<float*> at_columns_;
   std::array<AlignedVector<float>, kShapeOctaves> octaves_;
   AlignedVector<std::int32_t> heights_;
+  std::array<AlignedVector<float>, 3> details_;
 };
 
 }  // namespace talus::terrain

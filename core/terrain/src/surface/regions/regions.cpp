@@ -20,6 +20,7 @@ struct Waves {
 };
 constexpr std::array<Waves, 2> kWarps{{{520, 3, 0.5}, {150, 1, 0.5}}};
 constexpr double kRiverGain = 0.3;
+constexpr Waves kBorder{5, 2, 0.7};
 // Weights of the shape's octaves: of hills the first is 1.7, and each next .54 of it; small land adds to the
 // fields of mesas, four times as much of each as ridges have.
 constexpr double kHillWeight = 1.7;
@@ -44,7 +45,8 @@ std::uint64_t named_seed(std::uint64_t world_seed, std::string_view name) {
   return derived_seed(world_seed, hash);
 }
 
-Regions regions_of(const RegionsSpec& spec, std::uint64_t world_seed, int resolution) {
+Regions regions_of(const RegionsSpec& spec, std::span<const FieldSpec> others, std::uint64_t world_seed,
+                   int resolution) {
   const auto noise = [&](std::string_view name, const Waves& waves) {
     const std::uint64_t seed = named_seed(world_seed, name);
     return RotatedNoise{seed, rounded(waves.wavelength * resolution), waves.octaves, waves.gain,
@@ -87,7 +89,8 @@ Regions regions_of(const RegionsSpec& spec, std::uint64_t world_seed, int resolu
                   static_cast<float>(spec.wetter),
                   static_cast<float>(spec.mesas_anywhere),
                   floats(spec.mesa_coast),
-                  static_cast<float>(1.0 / resolution)};
+                  static_cast<float>(1.0 / resolution),
+                  {}};
   RegionShape shape{{},
                     {},
                     {},
@@ -115,8 +118,9 @@ Regions regions_of(const RegionsSpec& spec, std::uint64_t world_seed, int resolu
     ridge *= spec.shape_gain;
   }
   shape.ridge_scale = static_cast<float>(1.5 / all_ridges);
+  for (const FieldSpec& other : others) slow.others.push_back(field(other));
   return {std::move(slow), noise(".shape", {spec.shape_wavelength, kShapeOctaves, spec.shape_gain}),
-          std::move(shape)};
+          std::move(shape), noise(".border", kBorder)};
 }
 
 double highest_land(const RegionsSpec& spec) {

@@ -8,6 +8,7 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <string_view>
 #include <vector>
 
@@ -35,7 +36,7 @@ enum class Slow : std::uint8_t {
   shape_1,
   shape_2,
 };
-inline constexpr std::size_t kSlowCount = 13;
+inline constexpr std::size_t kSlowCount = 13;  // and SlowFields::others
 /// The octaves of the shape that are slow.
 inline constexpr int kSlowOctaves = 3;
 inline constexpr int kRiverOctaves = 2;
@@ -62,6 +63,7 @@ struct SlowFields {
   float warmer, wetter, mesas_anywhere;
   std::array<float, 2> mesa_coast;
   float units_a_column;
+  std::vector<Field> others;  // those that places alone ask for
 };
 
 /// What the shape is computed with, in terrain units.
@@ -80,8 +82,11 @@ struct Regions {
   SlowFields slow;
   RotatedNoise shape;
   RegionShape at_columns;
+  RotatedNoise border;  // makes the borders of places ragged
 };
 
-[[nodiscard]] Regions regions_of(const RegionsSpec& spec, std::uint64_t world_seed, int resolution);
+/// `others`: fields that places ask for.
+[[nodiscard]] Regions regions_of(const RegionsSpec& spec, std::span<const FieldSpec> others,
+                                 std::uint64_t world_seed, int resolution);
 
 }  // namespace talus::terrain

@@ -23,7 +23,10 @@ SlowLines::SlowLines(const SlowFields& fields, const RotatedNoise& shape, Instru
       temperature_{set},
       moisture_{set},
       shape_{set},
-      rivers_{RotatedFbm{set}, RotatedFbm{set}, RotatedFbm{set}} {}
+      rivers_{RotatedFbm{set}, RotatedFbm{set}, RotatedFbm{set}},
+      others_(fields.others.size(), RotatedFbm{set}) {
+  for (Line& line : lines_) line.values.resize(kSlowCount + others_.size());
+}
 
 void SlowLines::start(std::span<const std::int64_t> samples) {
   width_ = samples.size();
@@ -41,6 +44,7 @@ void SlowLines::start(std::span<const std::int64_t> samples) {
   slow_shape.octaves = kSlowOctaves;
   shape_.start(slow_shape, samples);
   for (std::size_t i = 0; i < rivers_.size(); ++i) rivers_[i].start(fields_.rivers[i], samples);
+  for (std::size_t i = 0; i < others_.size(); ++i) others_[i].start(fields_.others[i].noise, samples);
   for (Warp* const warp : {&east_, &south_}) {
     warp->displacement.resize(padded(width_));
     warp->half.resize(padded(width_));
@@ -87,6 +91,10 @@ void SlowLines::draw(std::int64_t z, SlowLine& line) {
   for (std::size_t i = 0; i < rivers_.size(); ++i) {
     kernels_->distances(rivers_[i].sloped_row(z, warped), east_.stretch(), south_.stretch(),
                         fields_.saddle[i == 0 ? 0 : 1], fields_.units_a_column, width_, out(kRivers[i]));
+  }
+  for (std::size_t i = 0; i < others_.size(); ++i) {
+    const SlowFields::Field& other = fields_.others[i];
+    kernels_->equalize(other.equalized, row(others_[i], other), width_, line[kSlowCount + i].data());
   }
   // By half the warp, so that hills and ridges bend with the land, and keep their size.
   const Displacements half{east_.half.data(), south_.half.data()};

@@ -14,8 +14,8 @@
 
 namespace talus::terrain {
 
-/// A line of samples: a row of each of Slow, padded.
-using SlowLine = std::array<AlignedVector<float>, kSlowCount>;
+/// A line of samples: a row of each of Slow, then of each of SlowFields::others; padded.
+using SlowLine = std::vector<AlignedVector<float>>;
 
 /// Keeps the last two lines. For one thread at a time.
 class SlowLines {
@@ -53,6 +53,7 @@ class SlowLines {
   RotatedFbm warp_east_, warp_east_narrow_, warp_south_, warp_south_narrow_;
   RotatedFbm continents_, ranges_, hilliness_, mesas_, temperature_, moisture_, shape_;
   std::array<RotatedFbm, 3> rivers_;
+  std::vector<RotatedFbm> others_;
   Warp east_;
   Warp south_;
   std::array<Line, 2> lines_;

@@ -1,0 +1,109 @@
+#include "places.h"
+
+#include <talus/vectors/tables.h>
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "kernels/places.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
+#include <talus/vectors/vectors-inl.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace talus::terrain::HWY_NAMESPACE {
+namespace {
+
+namespace hn = hwy::HWY_NAMESPACE;
+using talus::HWY_NAMESPACE::over_row;
+
+using PlaceTag = hn::ScalableTag<float>;
+
+void climate(const JitterRow& jitter, float reciprocal_lapse, std::size_t width, float* temperature,
+             float* moisture) {
+  const PlaceTag f;
+  for (std::size_t i = 0; i < width; i += hn::Lanes(f)) {
+    const auto noise = hn::Mul(hn::LoadU(f, jitter.noise + i), hn::Set(f, 0.03F));
+    const auto small = hn::LoadU(f, jitter.small + i);
+    const auto over = hn::Max(hn::Sub(hn::LoadU(f, jitter.height + i), hn::Set(f, 15)), hn::Zero(f));
+    const auto colder = hn::Mul(over, hn::Set(f, reciprocal_lapse));
+    const auto warm = hn::Add(hn::Sub(hn::LoadU(f, temperature + i), colder), noise);
+    hn::StoreU(hn::Add(warm, hn::Mul(small, hn::Set(f, 0.05F))), f, temperature + i);
+    const auto wet = hn::Add(hn::LoadU(f, moisture + i), noise);
+    hn::StoreU(hn::Sub(wet, hn::Mul(small, hn::Set(f, 0.06F))), f, moisture + i);
+  }
+}
+
+void jitter(const float* noise, float factor, std::size_t width, float* values) {
+  const PlaceTag f;
+  for (std::size_t i = 0; i < width; i += hn::Lanes(f)) {
+    const auto ragged = hn::Mul(hn::LoadU(f, noise + i), hn::Set(f, factor));
+    hn::StoreU(hn::Add(hn::LoadU(f, values + i), ragged), f, values + i);
+  }
+}
+
+void look(std::span<const Places::Case> cases, std::span<const float* const> quantities, std::size_t width,
+          std::uint8_t* looks) {
+  over_row(PlaceTag{}, width, [=](auto f, std::size_t i) HWY_ATTR {
+    const hn::RebindToSigned<decltype(f)> ints;
+    auto found = hn::Zero(ints);
+    // From the last case to the first, so that the first that holds is left.
+    for (std::size_t c = cases.size(); c-- > 0;) {
+      auto holds = hn::Eq(found, found);
+      for (const Places::Condition& condition : cases[c].conditions) {
+        const auto value = hn::LoadU(f, quantities[condition.quantity] + i);
+        const auto limit = hn::Set(f, condition.limit);
+        const auto one = condition.above ? hn::Ge(value, limit) : hn::Lt(value, limit);
+        holds = hn::And(holds, hn::RebindMask(ints, one));
+      }
+      found = hn::IfThenElse(holds, hn::Set(ints, cases[c].look), found);
+    }
+    const hn::Rebind<std::uint8_t, decltype(f)> bytes;
+    hn::StoreU(hn::DemoteTo(bytes, found), bytes, looks + i);
+  });
+}
+
+// Truncated: what is not negative is rounded down so.
+template <class F, class V>
+HWY_INLINE void thin_at(F f, V value, const Places::Ramp& ramp, const std::int32_t* share,
+                        std::int32_t* thinned) {
+  const hn::RebindToSigned<F> ints;
+  const auto t = hn::Mul(hn::Sub(value, hn::Set(f, ramp.none)), hn::Set(f, ramp.reciprocal));
+  const auto unit = hn::Min(hn::Max(t, hn::Zero(f)), hn::Set(f, 1));
+  const auto part = hn::ConvertTo(ints, hn::Mul(unit, hn::Set(f, static_cast<float>(kWholeShare))));
+  const auto product = hn::Mul(hn::LoadU(ints, share), part);
+  static_assert(kWholeShare == 1 << 12);
+  hn::StoreU(hn::ShiftRight<12>(product), ints, thinned);
+}
+
+void thin(const Places::Ramp& ramp, const float* values, const std::int32_t* share, std::size_t width,
+          std::int32_t* thinned) {
+  over_row(PlaceTag{}, width, [=, &ramp](auto f, std::size_t i) HWY_ATTR {
+    thin_at(f, hn::LoadU(f, values + i), ramp, share + i, thinned + i);
+  });
+}
+
+void thin_by_int32(const Places::Ramp& ramp, const std::int32_t* values, const std::int32_t* share,
+                   std::size_t width, std::int32_t* thinned) {
+  over_row(PlaceTag{}, width, [=, &ramp](auto f, std::size_t i) HWY_ATTR {
+    const hn::RebindToSigned<decltype(f)> ints;
+    thin_at(f, hn::ConvertTo(f, hn::LoadU(ints, values + i)), ramp, share + i, thinned + i);
+  });
+}
+
+}  // namespace
+
+constexpr PlaceKernels kPlaces{climate, jitter, look, thin, thin_by_int32};
+
+}  // namespace talus::terrain::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace talus::terrain {
+
+const PlaceKernels& place_kernels(InstructionSet set) {
+  static constexpr const PlaceKernels* kTables[] = TALUS_TABLES(kPlaces);
+  return *kTables[static_cast<std::size_t>(set)];
+}
+
+}  // namespace talus::terrain
+#endif

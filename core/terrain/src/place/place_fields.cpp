@@ -1,0 +1,75 @@
+#include "place/place_fields.h"
+
+#include <algorithm>
+
+#include <talus/vectors/tables.h>
+
+namespace talus::terrain {
+
+void PlaceFields::start(int width, int depth) {
+  const auto columns = static_cast<std::size_t>(width);
+  looks_.resize(places_->looks.size());
+  for (LookField& looks : looks_) looks.reshape(width, depth);
+  shares_.resize(places_->shares.size());
+  for (Field& share : shares_) share.reshape(width, depth);
+  gathered_.resize(places_->quantities);
+  rows_.resize(places_->quantities);
+  share_.resize(padded(columns));
+  thinned_.resize(padded(columns));
+}
+
+void PlaceFields::set_row(int z, std::span<const float* const> quantities, std::size_t first,
+                          std::size_t step, std::span<const std::int32_t> heights_fx) {
+  const std::size_t width = heights_fx.size();
+  for (std::size_t q = 0; q < quantities.size(); ++q) {
+    const bool height = q == number_of(Quantity::height) && quantities[q] == nullptr;
+    if (quantities[q] == nullptr && !height) continue;
+    if (quantities[q] != nullptr && step == 1) {
+      rows_[q] = quantities[q] + first;
+      continue;
+    }
+    AlignedVector<float>& row = gathered_[q];
+    row.resize(padded(width));
+    for (std::size_t i = 0; i < width; ++i) {
+      row[i] = height ? static_cast<float>(heights_fx[i] - sea_fx_) * units_a_subvoxel_
+                      : quantities[q][first + i * step];
+    }
+    rows_[q] = row.data();
+  }
+  for (std::size_t i = 0; i < looks_.size(); ++i) {
+    kernels_.look(places_->looks[i], rows_, width, looks_[i].row(z).data());
+  }
+  for (std::size_t i = 0; i < shares_.size(); ++i) {
+    const Places::Share& rule = places_->shares[i];
+    std::fill_n(share_.begin(), width, kWholeShare);
+    for (const Places::Ramp& ramp : rule.early) {
+      kernels_.thin(ramp, rows_[ramp.quantity], share_.data(), width, thinned_.data());
+      std::swap(share_, thinned_);
+    }
+    if (~rule.looks != 0 && !looks_.empty()) {
+      const auto looks = looks_.front().row(z);
+      for (std::size_t x = 0; x < width; ++x) {
+        if (((rule.looks >> looks[x]) & 1) == 0) share_[x] = 0;
+      }
+    }
+    std::copy_n(share_.begin(), width, shares_[i].row(z).begin());
+  }
+}
+
+void PlaceFields::thin_late(const Field& slope, const Field* cliff) {
+  for (std::size_t i = 0; i < shares_.size(); ++i) {
+    Field& share = shares_[i];
+    const auto width = static_cast<std::size_t>(share.width);
+    for (const Places::Ramp& ramp : places_->shares[i].late) {
+      const bool by_slope = ramp.quantity == number_of(Quantity::slope);
+      if (!by_slope && cliff == nullptr) continue;
+      for (int z = 0; z < share.depth; ++z) {
+        std::copy_n(share.row(z).begin(), width, share_.begin());
+        kernels_.thin_by_int32(ramp, (by_slope ? slope : *cliff).row(z).data(), share_.data(), width,
+                               share.row(z).data());
+      }
+    }
+  }
+}
+
+}  // namespace talus::terrain

@@ -1,0 +1,53 @@
+// Looks and shares of the columns of a region, row after row.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include <talus/terrain/field.h>
+#include <talus/vectors/aligned.h>
+
+#include "kernels/places.h"
+#include "place/places.h"
+
+namespace talus::terrain {
+
+/// Keeps its memory from region to region. For one thread at a time.
+class PlaceFields {
+ public:
+  PlaceFields(std::shared_ptr<const Places> places, std::int32_t sea_fx, float subvoxels_a_unit,
+              InstructionSet set)
+      : places_{std::move(places)},
+        kernels_{place_kernels(set)},
+        sea_fx_{sea_fx},
+        units_a_subvoxel_{1 / subvoxels_a_unit} {}
+
+  void start(int width, int depth);
+  /// Row z of the region: a row of each quantity, of which columns first, first + step, ... are the region's.
+  /// A surface that knows no quantities leaves them null; of `heights_fx`, rows of the region's columns
+  /// alone, height is made then.
+  void set_row(int z, std::span<const float* const> quantities, std::size_t first, std::size_t step,
+               std::span<const std::int32_t> heights_fx);
+  /// Once all rows are set: ramps of slope, and of cliff, 0 to kWholeShare, where there is any.
+  void thin_late(const Field& slope, const Field* cliff);
+
+  [[nodiscard]] const std::vector<LookField>& looks() const { return looks_; }
+  /// 0 to kWholeShare.
+  [[nodiscard]] const std::vector<Field>& shares() const { return shares_; }
+
+ private:
+  std::shared_ptr<const Places> places_;
+  const PlaceKernels& kernels_;
+  std::int32_t sea_fx_;
+  float units_a_subvoxel_;
+  std::vector<LookField> looks_;
+  std::vector<Field> shares_;
+  std::vector<AlignedVector<float>> gathered_;
+  std::vector<const float*> rows_;
+  AlignedVector<std::int32_t> share_;
+  AlignedVector<std::int32_t> thinned_;
+};
+
+}  // namespace talus::terrain

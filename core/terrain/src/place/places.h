@@ -1,0 +1,42 @@
+// Places in the numbers they are computed with: which look a column has, and how much of a material there is.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include <talus/terrain/places_spec.h>
+#include <talus/terrain/world.h>
+
+namespace talus::terrain {
+
+struct Places {
+  struct Condition {
+    QuantityNumber quantity = 0;
+    bool above = false;
+    float limit = 0;
+  };
+  struct Case {
+    std::vector<Condition> conditions;
+    std::uint8_t look = 0;
+  };
+  /// floor(kWholeShare * clamp((value - none) * reciprocal, 0, 1)), of slope in subvoxels.
+  struct Ramp {
+    QuantityNumber quantity = 0;
+    float none = 0;
+    float reciprocal = 0;
+  };
+  struct Share {
+    std::vector<Ramp> early;  // of what is known with the height
+    std::vector<Ramp> late;   // of slope and cliff
+    std::uint64_t looks = ~std::uint64_t{0};
+  };
+
+  std::vector<std::vector<Case>> looks;  // each list's first case that holds counts
+  std::vector<Share> shares;
+  float reciprocal_lapse = 0;
+  std::size_t quantities = kQuantities;  // and fields
+};
+
+[[nodiscard]] Places places_of(const PlacesSpec& spec);
+
+}  // namespace talus::terrain

@@ -1,0 +1,180 @@
+#include "spec/looks_section.h"
+
+#include <algorithm>
+#include <string_view>
+#include <utility>
+
+namespace talus::terrain {
+namespace {
+
+class LooksReader {
+ public:
+  LooksReader(TableReader& root, PlacesReader& places, std::vector<LookRules>& rules,
+              std::set<std::string>& names, std::vector<Material>& materials)
+      : root_{root}, places_{places}, rules_{rules}, names_{names}, materials_{materials} {}
+
+  LookTables read() {
+    if (root_.has("look")) read_looks();
+    if (root_.has("province")) read_provinces();
+    return std::move(tables_);
+  }
+
+ private:
+  struct Look {
+    std::string name;
+    std::size_t rules = 0;
+    std::uint8_t number = 0;
+    MaterialId of{};
+  };
+
+  void read_looks() {
+    std::vector<TableReader> tables = root_.tables("look");
+    for (TableReader& table : tables) read_look(table);
+    // Once all have their materials, as a look may show that of one behind it.
+    for (auto& [look, table] : showing_) {
+      const std::string name = table.text("shows", kMaxNameBytes);
+      const Material* const material = material_named(name);
+      if (material == nullptr) {
+        table.fail("shows",
+                   "no material is named '" + name + "'; that of a look, a layer or loose one is needed");
+        continue;
+      }
+      tables_.shown_by[to_integer(looks_[look].of)]->by_look[looks_[look].number] = material->id;
+    }
+  }
+
+  void read_look(TableReader& table) {
+    table.only({"name", "of", "below", "above", "colour", "shows"});
+    const std::string name = table.text("name", kMaxNameBytes);
+    const Material* const of = replaced(table);
+    LookCase one{places_.conditions(table), 0};
+    if (of == nullptr) return;
+    const auto known = std::find_if(looks_.begin(), looks_.end(),
+                                    [&](const Look& look) { return look.name == name && look.of == of->id; });
+    const bool has_material = table.has("colour") || table.has("shows");
+    if (known != looks_.end()) {
+      if (has_material)
+        table.fail(
+            "name",
+            "'" + name +
+                "' names another look already; without colour and shows it is one more place for that");
+      one.look = known->number;
+      rules_[known->rules].cases.push_back(std::move(one));
+      return;
+    }
+    if (!has_material)
+      return table.fail("colour",
+                        "missing; a colour of its own, or `shows` with another material's name, is needed");
+    if (table.has("colour") && table.has("shows"))
+      return table.fail("shows", "with a colour beside it; leave one of them out");
+    add(name, *of, std::move(one), table);
+  }
+
+  void add(const std::string& name, const Material& of, LookCase one, TableReader& table) {
+    const MaterialId of_id = of.id;
+    World::ShownBy& shown = shown_by(of_id);
+    if (shown.by_look.size() > kMaxLooks) {
+      return table.fail("name", text_of("more than ", kMaxLooks, " looks of one material; leave some out"));
+    }
+    one.look = static_cast<std::uint8_t>(shown.by_look.size());
+    looks_.push_back({name, shown.looks, one.look, of_id});
+    rules_[shown.looks].cases.push_back(std::move(one));
+    if (shown.looks == 0) tables_.names.push_back(name);
+    if (table.has("shows")) {
+      showing_.emplace_back(looks_.size() - 1, table);
+      shown.by_look.push_back(of_id);
+      return;
+    }
+    const MaterialKind kind = of_id == kWater ? MaterialKind::stratified : of.kind;
+    const MaterialId id{static_cast<std::uint16_t>(materials_.size())};
+    table.take_material_name("name", name, names_);
+    shown.by_look.push_back(id);
+    materials_.push_back({id, name, table.colour(), kind});
+  }
+
+  void read_provinces() {
+    const std::size_t rules = rules_.size();
+    rules_.emplace_back();
+    std::vector<TableReader> tables = root_.tables("province");
+    for (std::size_t i = 0; i < tables.size(); ++i) {
+      if (i == kMaxLooks)
+        return tables[i].fail("name", text_of("more than ", kMaxLooks, " provinces; leave some out"));
+      read_province(tables[i], rules, static_cast<std::uint8_t>(i + 1));
+    }
+  }
+
+  void read_province(TableReader& table, std::size_t rules, std::uint8_t number) {
+    table.only({"name", "below", "above", "colours"});
+    const std::string name = table.text("name", kMaxNameBytes);
+    rules_[rules].cases.push_back({places_.conditions(table), number});
+    auto colours = table.table("colours");
+    if (!colours) return;
+    for (const std::string& rock : colours->keys()) {
+      const Material* const of = material_named(rock);
+      if (of == nullptr || of->kind != MaterialKind::stratified || to_integer(of->id) >= strata_end_) {
+        colours->fail(rock, "no [[stratified]] material is named so");
+        continue;
+      }
+      const MaterialId of_id = of->id;
+      World::ShownBy& shown = shown_by(of_id, rules);
+      shown.by_look.resize(number + 1U, of_id);
+      const MaterialId id{static_cast<std::uint16_t>(materials_.size())};
+      const std::string shown_name = name + " " + rock;
+      colours->take_material_name(rock, shown_name, names_);
+      shown.by_look[number] = id;
+      materials_.push_back({id, shown_name, colours->colour(rock), MaterialKind::stratified});
+    }
+    for (auto& shown : tables_.shown_by) {
+      if (shown && shown->looks == rules) shown->by_look.resize(number + 1U, shown->by_look.front());
+    }
+  }
+
+  /// The loose material, or water, that a look is of.
+  const Material* replaced(TableReader& table) {
+    const std::string of = table.text("of", kMaxNameBytes);
+    const Material* const material = material_named(of);
+    const bool fits =
+        material != nullptr && (material->kind == MaterialKind::eroded || material->id == kWater);
+    if (!fits)
+      table.fail("of", "no [[eroded]] material is named '" + of + "'; one of them, or \"water\", is needed");
+    return fits ? material : nullptr;
+  }
+
+  const Material* material_named(const std::string& name) const {
+    const auto found = std::find_if(materials_.begin(), materials_.end(),
+                                    [&](const Material& material) { return material.name == name; });
+    return found == materials_.end() || found->id == kAir ? nullptr : &*found;
+  }
+
+  World::ShownBy& shown_by(MaterialId material) { return shown_by(material, rules_.size()); }
+  /// With these rules, where it has none yet.
+  World::ShownBy& shown_by(MaterialId material, std::size_t rules) {
+    const std::size_t place = to_integer(material);
+    if (tables_.shown_by.size() <= place) tables_.shown_by.resize(place + 1);
+    auto& shown = tables_.shown_by[place];
+    if (!shown) {
+      if (rules == rules_.size()) rules_.emplace_back();
+      shown = World::ShownBy{rules, {material}};
+    }
+    return *shown;
+  }
+
+  TableReader& root_;
+  PlacesReader& places_;
+  std::vector<LookRules>& rules_;
+  std::set<std::string>& names_;
+  std::vector<Material>& materials_;
+  const std::size_t strata_end_ = materials_.size();  // ids of this and later looks' materials are not strata
+  std::vector<Look> looks_;
+  std::vector<std::pair<std::size_t, TableReader>> showing_;
+  LookTables tables_{{}, {""}};
+};
+
+}  // namespace
+
+LookTables read_looks(TableReader& root, PlacesReader& places, std::vector<LookRules>& rules,
+                      std::set<std::string>& names, std::vector<Material>& materials) {
+  return LooksReader{root, places, rules, names, materials}.read();
+}
+
+}  // namespace talus::terrain

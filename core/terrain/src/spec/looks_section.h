@@ -1,0 +1,26 @@
+// [[look]] and [[province]] of a world.toml. Private to core/terrain.
+#pragma once
+
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include <talus/terrain/world.h>
+
+#include "spec/places_section.h"
+#include "spec/table_reader.h"
+
+namespace talus::terrain {
+
+struct LookTables {
+  std::vector<std::optional<World::ShownBy>> shown_by;  // by material
+  std::vector<std::string> names;                       // World::look_names()
+};
+
+/// Reads both kinds of sections, in the order of the file, looks first. Their materials join `materials` and
+/// `names`, their rules `rules`. Air, water, strata and loose materials stand in `materials` already.
+[[nodiscard]] LookTables read_looks(TableReader& root, PlacesReader& places, std::vector<LookRules>& rules,
+                                    std::set<std::string>& names, std::vector<Material>& materials);
+
+}  // namespace talus::terrain
