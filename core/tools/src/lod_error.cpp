@@ -41,7 +41,8 @@ struct Sums {
 class Ground {
  public:
   Ground(const terrain::World& world, const terrain::Region& region)
-      : stacks_{generate_stacks(world, region)},
+      : world_{world},
+        stacks_{generate_stacks(world, region)},
         ore_{exposed_overlays(world, stacks_)},
         rock_planes_{stacks_.tops.size() - world.loose().size()} {
     if (const auto sea_fx = world.sea_fx()) {
@@ -66,10 +67,11 @@ class Ground {
     while (k + 1 < stacks_.tops.size() && stacks_.tops[k].at(x, z) <= seen) ++k;
     const MaterialId ore = ore_[static_cast<std::size_t>(z) * static_cast<std::size_t>(stacks_.region.width) +
                                 static_cast<std::size_t>(x)];
-    return k < rock_planes_ && ore != kAir ? ore : stacks_.materials[k];
+    return k < rock_planes_ && ore != kAir ? ore : stacks_.shown(world_, k, x, z);
   }
 
  private:
+  const terrain::World& world_;
   terrain::Stacks stacks_;
   std::vector<MaterialId> ore_;
   std::size_t rock_planes_;

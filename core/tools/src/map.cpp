@@ -90,7 +90,7 @@ class MapPainter {
       const std::int32_t under = k == 0 ? bottom : std::max(bottom, stacks.tops[k - 1].at(x, z));
       if (under >= top) continue;
       sum += static_cast<float>(top - under) *
-             lights_[to_integer(k < strata && outcrop != kAir ? outcrop : stacks.materials[k])];
+             lights_[to_integer(k < strata && outcrop != kAir ? outcrop : stacks.shown(world_, k, x, z))];
       top = under;
     }
     return sum / static_cast<float>(base_voxel_fx);

@@ -1,5 +1,6 @@
 #include "spec/material_sections.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -28,16 +29,27 @@ void check_halo(TableReader& table, const ErodedSpec& eroded, const WorldSpec& s
 
 }  // namespace
 
-std::vector<StratifiedSpec> read_stratified(std::vector<TableReader>& tables, std::set<std::string>& names) {
+std::vector<StratifiedSpec> read_stratified(std::vector<TableReader>& tables, bool repeat,
+                                            std::set<std::string>& names) {
   std::vector<StratifiedSpec> materials;
   for (TableReader& table : tables) {
-    table.only({"name", "colour", "depth", "thickness", "roughness"});
+    table.only(repeat ? std::vector<std::string_view>{"name", "colour", "band", "thickness", "roughness"}
+                      : std::vector<std::string_view>{"name", "colour", "depth", "thickness", "roughness"});
     StratifiedSpec& stratified = materials.emplace_back();
     stratified.name = table.material_name(names);
     stratified.colour = table.colour();
-    stratified.depth_q16 = table.units_q16("depth", {-kMaxHeight, kMaxHeight});
+    if (repeat) {
+      stratified.band = table.has("band") && table.boolean("band");
+    } else {
+      stratified.depth_q16 = table.units_q16("depth", {-kMaxHeight, kMaxHeight});
+    }
     stratified.thickness_q16 = table.units_q16("thickness", {kMinUnits_q16, kMaxHeight});
     stratified.roughness = table.real("roughness", {0, kMaxRoughness});
+  }
+  const bool bands = std::any_of(materials.begin(), materials.end(),
+                                 [](const StratifiedSpec& material) { return material.band; });
+  if (repeat && !bands && !tables.empty()) {
+    tables.front().fail("band", "no layer has band = true; the first that repeats needs it");
   }
   return materials;
 }

@@ -13,7 +13,8 @@
 namespace talus::terrain {
 
 /// Both read their tables in order and add each material's name to `names`.
-[[nodiscard]] std::vector<StratifiedSpec> read_stratified(std::vector<TableReader>& tables,
+/// Strata that `repeat` lie in their order, without depths, and one at least is a band.
+[[nodiscard]] std::vector<StratifiedSpec> read_stratified(std::vector<TableReader>& tables, bool repeat,
                                                           std::set<std::string>& names);
 /// spec.resolution and spec.method have been read: the slope method bounds the halo that a material needs.
 [[nodiscard]] std::vector<ErodedSpec> read_eroded(std::vector<TableReader>& tables, const WorldSpec& spec,

@@ -277,6 +277,14 @@ std::vector<std::string> TableReader::keys() const {
   return keys;
 }
 
+bool TableReader::boolean(const std::string& key) {
+  const toml::node* const node = find(*this, table_of(table_), key, "true or false");
+  if (node == nullptr) return false;
+  const auto value = node->is_boolean() ? node->value<bool>() : std::nullopt;
+  if (!value) return wrong_type(*this, *node, key, "true or false"), false;
+  return *value;
+}
+
 std::string TableReader::text(const std::string& key, std::size_t max_bytes) {
   const toml::node* node = find(*this, table_of(table_), key, "a string");
   if (node == nullptr) return {};

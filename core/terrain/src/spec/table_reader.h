@@ -69,6 +69,7 @@ class TableReader {
   /// Terrain units that must also come to a range in voxels. The error tells the one range that holds both.
   double length(const std::string& key, Range units, const Voxels& voxels);
   std::int64_t integer(const std::string& key, std::int64_t min, std::int64_t max);
+  bool boolean(const std::string& key);
   /// Terrain units as integers of 2^-16, so that no sequence depends on binary fractions.
   std::int64_t units_q16(const std::string& key, Range range);
   /// length() of the rounded units.

@@ -108,7 +108,8 @@ void World::Builder::build(const LoadHeightMap& load, std::span<const FeatureKin
 void World::Builder::check_keys(std::span<const FeatureKind> kinds) {
   std::vector<std::string_view> known{
       "seed",  "resolution", "strata_wavelength", "sea_level", "method", "erosion_steps",
-      "field", "surface",    "stratified",        "eroded",    "look",   "province"};
+      "field", "surface",    "stratified",        "eroded",    "look",   "province",
+      "strata"};
   for (const FeatureKind& kind : kinds) known.push_back(kind.section);
   root.only(known);
 }
@@ -158,7 +159,13 @@ MaterialId FeatureSection::add_material(TableReader& table, MaterialKind kind) {
 void World::Builder::read_materials(PlacesReader& places) {
   auto stratified = root.tables("stratified");
   if (!stratified.empty()) stratified_line = stratified.front().line();
-  spec.stratified = read_stratified(stratified, names);
+  if (root.has("strata")) {
+    if (auto strata = root.table("strata")) {
+      strata->only({"repeat"});
+      spec.strata_repeat = strata->has("repeat") && strata->boolean("repeat");
+    }
+  }
+  spec.stratified = read_stratified(stratified, spec.strata_repeat, names);
   auto eroded = root.tables("eroded");
   spec.eroded = read_eroded(eroded, spec, places, names);
   add_material("air", {186, 215, 236}, MaterialKind::air);
@@ -215,7 +222,8 @@ void World::Builder::check_lifts() {
 
 void World::Builder::derive_strata() {
   const auto amplitude_q16 = rounded(spec.surface.amplitude * 65536.0);
-  for (const std::size_t i : layer_sequence(spec.stratified, amplitude_q16, world.max_lift_q16_)) {
+  const auto sequence = spec.strata_repeat ? repeated_sequence : layer_sequence;
+  for (const std::size_t i : sequence(spec.stratified, amplitude_q16, world.max_lift_q16_)) {
     const StratifiedSpec& material = spec.stratified[i];
     world.strata_.push_back({world.materials_[2 + i].id, material.thickness_q16, material.roughness});
   }

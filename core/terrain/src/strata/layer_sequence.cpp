@@ -32,6 +32,22 @@ std::vector<std::size_t> layer_sequence(std::span<const StratifiedSpec> stratifi
   return sequence;
 }
 
+std::vector<std::size_t> repeated_sequence(std::span<const StratifiedSpec> stratified,
+                                           std::int64_t amplitude_q16, std::int64_t max_lift_q16) {
+  const auto bands = std::find_if(stratified.begin(), stratified.end(),
+                                  [](const StratifiedSpec& material) { return material.band; });
+  const auto first_band = static_cast<std::size_t>(bands - stratified.begin());
+  std::vector<std::size_t> sequence;
+  std::int64_t stacked = 0;
+  for (std::size_t next = 0; 4 * (stacked - max_lift_q16) < 5 * amplitude_q16; ++next) {
+    if (sequence.size() == kMaxLayers) return {};
+    if (next == stratified.size()) next = first_band;
+    sequence.push_back(next);
+    stacked += stratified[next].thickness_q16;
+  }
+  return sequence;
+}
+
 Fbm layer_noise(const WorldSpec& spec, double roughness, std::size_t j) {
   const double period = spec.resolution * spec.strata_wavelength / (1.0 + 3.0 * roughness);
   Fbm noise;

@@ -21,6 +21,12 @@ inline constexpr std::size_t kMaxLayers = 256;
                                                       std::int64_t amplitude_q16,
                                                       std::int64_t max_lift_q16 = 0);
 
+/// The same of strata that repeat: all in their order, and then again and again from the first that is a band
+/// on. REQUIRES that one is.
+[[nodiscard]] std::vector<std::size_t> repeated_sequence(std::span<const StratifiedSpec> stratified,
+                                                         std::int64_t amplitude_q16,
+                                                         std::int64_t max_lift_q16 = 0);
+
 /// The noise that varies layer j of a world, j counted before any merging.
 [[nodiscard]] Fbm layer_noise(const WorldSpec& spec, double roughness, std::size_t j);
 

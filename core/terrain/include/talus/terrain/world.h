@@ -97,6 +97,7 @@ struct StratifiedSpec {
   std::int64_t depth_q16 = 0;
   std::int64_t thickness_q16 = 0;
   double roughness = 0;
+  bool band = false;  // one of those that repeat
 };
 
 /// Thesis 3.2.2.
@@ -123,6 +124,7 @@ struct WorldSpec {
   Method method = Method::slope;
   int erosion_steps = 0;  // at level 0: how far material has moved; 0 for the slope method
   SurfaceSpec surface;
+  bool strata_repeat = false;  // layers lie in the order of the list, its bands again and again
   std::vector<StratifiedSpec> stratified;
   std::vector<ErodedSpec> eroded;
   PlacesSpec places;

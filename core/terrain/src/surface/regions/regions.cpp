@@ -20,7 +20,7 @@ struct Waves {
 };
 constexpr std::array<Waves, 2> kWarps{{{520, 3, 0.5}, {150, 1, 0.5}}};
 constexpr double kRiverGain = 0.3;
-constexpr Waves kBorder{5, 2, 0.7};
+constexpr Waves kBorder{24, 2, 0.6};
 // Weights of the shape's octaves: of hills the first is 1.7, and each next .54 of it; small land adds to the
 // fields of mesas, four times as much of each as ridges have.
 constexpr double kHillWeight = 1.7;
