@@ -46,16 +46,18 @@ void look(std::span<const Places::Case> cases, std::span<const float* const> qua
   over_row(PlaceTag{}, width, [=](auto f, std::size_t i) HWY_ATTR {
     const hn::RebindToSigned<decltype(f)> ints;
     auto found = hn::Zero(ints);
-    // From the last case to the first, so that the first that holds is left.
-    for (std::size_t c = cases.size(); c-- > 0;) {
-      auto holds = hn::Eq(found, found);
-      for (const Places::Condition& condition : cases[c].conditions) {
+    auto open = hn::Eq(found, found);  // no case has held yet
+    for (const Places::Case& one : cases) {
+      auto holds = open;
+      for (const Places::Condition& condition : one.conditions) {
         const auto value = hn::LoadU(f, quantities[condition.quantity] + i);
         const auto limit = hn::Set(f, condition.limit);
-        const auto one = condition.above ? hn::Ge(value, limit) : hn::Lt(value, limit);
-        holds = hn::And(holds, hn::RebindMask(ints, one));
+        const auto within = condition.above ? hn::Ge(value, limit) : hn::Lt(value, limit);
+        holds = hn::And(holds, hn::RebindMask(ints, within));
       }
-      found = hn::IfThenElse(holds, hn::Set(ints, cases[c].look), found);
+      found = hn::IfThenElse(holds, hn::Set(ints, one.look), found);
+      open = hn::AndNot(holds, open);
+      if (hn::AllFalse(ints, open)) break;
     }
     const hn::Rebind<std::uint8_t, decltype(f)> bytes;
     hn::StoreU(hn::DemoteTo(bytes, found), bytes, looks + i);

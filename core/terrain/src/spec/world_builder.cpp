@@ -86,6 +86,7 @@ void World::Builder::build(const LoadHeightMap& load, std::span<const FeatureKin
   auto surface = root.table("surface");
   const std::vector<FieldSpec> fields = known_fields(read_fields(root, spec.resolution));
   if (surface) read_surface(root, *surface, fields, spec);
+  if (spec.surface.regions) spec.fields = fields;
   read_strata_wavelength();
   read_sea();
   if (spec.surface.regions) check_regions(root, *surface, spec);

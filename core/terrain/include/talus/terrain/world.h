@@ -127,6 +127,8 @@ struct WorldSpec {
   bool strata_repeat = false;  // layers lie in the order of the list, its bands again and again
   std::vector<StratifiedSpec> stratified;
   std::vector<ErodedSpec> eroded;
+  std::vector<FieldSpec>
+      fields;  // of regions: those of the file, and shipped ones that it does not give anew
   PlacesSpec places;
 };
 
