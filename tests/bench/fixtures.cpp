@@ -45,9 +45,13 @@ std::vector<Chunk> mixed_chunks(const terrain::World& world, Lod lod) {
   return chunks;
 }
 
-terrain::World default_world_with(const std::string& sections) {
-  return terrain::World::parse(std::string{terrain::default_world_toml()} + "\n" + sections, "default")
-      .value();
+const terrain::World& classic_world() {
+  static const terrain::World world = terrain::World::parse(text_of_world("classic"), "classic").value();
+  return world;
+}
+
+terrain::World classic_world_with(const std::string& sections) {
+  return terrain::World::parse(text_of_world("classic") + "\n" + sections, "classic").value();
 }
 
 std::string text_of(const std::string& path) {

@@ -18,11 +18,13 @@ namespace talus::bench {
 /// `count` neighbouring columns from `first` on.
 [[nodiscard]] std::vector<std::int64_t> line(std::int64_t first, int count);
 
-/// The mixed chunks over 8 x 8 tiles of a world, spread over four places far apart.
-[[nodiscard]] std::vector<Chunk> mixed_chunks(const terrain::World& world = terrain::default_world(),
-                                              Lod lod = {});
+/// core/worlds/classic.toml: what codecs and stages are measured by.
+[[nodiscard]] const terrain::World& classic_world();
 
-/// Sections to add to the default world: what may lie in its ground.
+/// The mixed chunks over 8 x 8 tiles of a world, spread over four places far apart.
+[[nodiscard]] std::vector<Chunk> mixed_chunks(const terrain::World& world = classic_world(), Lod lod = {});
+
+/// Sections to add to the classic world: what may lie in its ground.
 inline constexpr const char* kFolds =
     "[folds]\namplitude = 0.16\nwavelength = 1.1\nstrike = 30\nstretch = 5\n";
 inline constexpr const char* kFaults =
@@ -40,7 +42,7 @@ inline constexpr const char* kOre =
     "[[veins]]\nname = \"gold\"\ncolour = \"#ffcf26\"\nshape = \"pocket\"\nlow = 0.0\nhigh = 1.2\nsize = "
     "0.06\n"
     "abundance = 0.03\n";
-[[nodiscard]] terrain::World default_world_with(const std::string& sections);
+[[nodiscard]] terrain::World classic_world_with(const std::string& sections);
 
 /// A sample world: "canyon", "hills".
 [[nodiscard]] terrain::World sample_world(const std::string& name);

@@ -24,15 +24,15 @@ using benchmark::State;
 
 constexpr int kPatchSide = 128;
 
-// The default world with other keys in its [surface], or before it.
+// The classic world with other keys in its [surface], or before it.
 World world_with(const std::string& root, const std::string& surface, bool noise = true) {
-  std::string text = root + std::string{default_world_toml()};
+  std::string text = root + bench::text_of_world("classic");
   const std::size_t table = text.find("[surface]");
   const std::size_t amplitude = text.find("\namplitude", table) + 1;
   const std::size_t begin = text.find('\n', table) + 1;
   if (!noise) text.erase(begin, amplitude - begin);
   text.insert(begin, surface);
-  auto world = World::parse(text, "default", test::made_height_maps());
+  auto world = World::parse(text, "classic", test::made_height_maps());
   if (!world) {
     std::fprintf(stderr, "%s\n", world.error().message.c_str());
     std::abort();
@@ -41,7 +41,7 @@ World world_with(const std::string& root, const std::string& surface, bool noise
 }
 
 World of_kind(const std::string& kind) {
-  if (kind == "perlin") return default_world();
+  if (kind == "perlin") return bench::classic_world();
   if (kind == "ridged") return world_with("", "kind = \"ridged\"\n");
   if (kind == "warped") return world_with("", "kind = \"warped\"\nwarp = 0.6\n");
   return world_with("",
@@ -51,7 +51,7 @@ World of_kind(const std::string& kind) {
 }
 
 World by_method(int steps) {
-  if (steps == 0) return default_world();
+  if (steps == 0) return bench::classic_world();
   return world_with("method = \"erosion\"\nerosion_steps = " + std::to_string(steps) + "\n", "");
 }
 
@@ -65,7 +65,7 @@ void surface(State& state, const std::string& kind) {
 
 // What a warped surface would pay for its own noise without vectors.
 void point_by_point(State& state) {
-  PointFbm noise{surface_of(default_world().spec()).noise};
+  PointFbm noise{surface_of(bench::classic_world().spec()).noise};
   for (auto _ : state) {
     for (int z = 0; z < kPatchSide; ++z) {
       for (int x = 0; x < kPatchSide; ++x) {

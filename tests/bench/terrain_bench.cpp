@@ -33,7 +33,7 @@ constexpr int kViewRadius = 16;
 constexpr int kPatchTiles = 4;
 
 const World& world() {
-  return default_world();
+  return bench::classic_world();
 }
 
 void noise(State& state) {

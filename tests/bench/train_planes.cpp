@@ -168,7 +168,7 @@ void print(const char* comment, const char* name, const std::array<int, kClasses
 
 int main() {
   ByKind<Columns> found;
-  for (const std::string name : {"default", "canyon", "hills"}) {
+  for (const std::string name : {"classic", "canyon", "hills"}) {
     std::ifstream file{std::string{TALUS_SOURCE_DIR "/core/worlds/"} + name + ".toml"};
     const std::string text{std::istreambuf_iterator<char>{file}, {}};
     const auto world = terrain::World::parse(text, name);

@@ -109,7 +109,7 @@ std::vector<ByContext> all_counts() {
   add(bench::forest_chunks(base));
   add(changed(bench::edited));
   add(changed(bench::with_hole));
-  add(bench::mixed_chunks(terrain::default_world(), Lod::of(2)));
+  add(bench::mixed_chunks(bench::classic_world(), Lod::of(2)));
   add(bench::mixed_chunks(bench::sample_world("canyon"), Lod::of(1)));
   add(bench::cave_chunks(true));
   for (const int times : {1, 2, 4, 8}) add(bench::mixed_chunks(bench::rough_world(7, times)));

@@ -19,7 +19,7 @@ constexpr int kTiles = 4;
 constexpr Region kPatch{0, 0, kTiles* kChunkSize, kTiles* kChunkSize, Lod{}};
 
 void generate(State& state, const char* sections) {
-  const World world = bench::default_world_with(sections);
+  const World world = bench::classic_world_with(sections);
   Generator generator{world};
   Stacks stacks;
   for (auto _ : state) generator.generate(kPatch, stacks);
@@ -27,7 +27,7 @@ void generate(State& state, const char* sections) {
 }
 
 void extract(State& state, const char* sections) {
-  const World world = bench::default_world_with(sections);
+  const World world = bench::classic_world_with(sections);
   const Stacks stacks = generate_stacks(world, kPatch);
   std::vector<ChunkCoord> coords;
   for (std::int32_t i = 0; i < kTiles * kTiles; ++i) {

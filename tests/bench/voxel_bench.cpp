@@ -53,14 +53,14 @@ struct Content {
 constexpr Content kContents[] = {
     {"canyon", [] { return bench::mixed_chunks(bench::sample_world("canyon")); }},
     {"hills", [] { return bench::mixed_chunks(bench::sample_world("hills")); }},
-    {"default, level 2", [] { return bench::mixed_chunks(terrain::default_world(), Lod::of(2)); }},
+    {"default, level 2", [] { return bench::mixed_chunks(bench::classic_world(), Lod::of(2)); }},
     {"chunks with caves", [] { return bench::cave_chunks(true); }},
     {"those without their caves", [] { return bench::cave_chunks(false); }},
     {"default, folds and faults",
      [] {
-       return bench::mixed_chunks(bench::default_world_with(std::string{bench::kFolds} + bench::kFaults));
+       return bench::mixed_chunks(bench::classic_world_with(std::string{bench::kFolds} + bench::kFaults));
      }},
-    {"default, four ores", [] { return bench::mixed_chunks(bench::default_world_with(bench::kOre)); }},
+    {"default, four ores", [] { return bench::mixed_chunks(bench::classic_world_with(bench::kOre)); }},
     {"default, with tunnels", [] { return changed(chunks(), bench::with_hole); }},
     {"default, edited", [] { return changed(chunks(), bench::edited); }},
     {"a game's chunks", [] { return bench::game_chunks(1); }},
@@ -255,7 +255,7 @@ void hash(State& state) {
 BENCHMARK(hash)->Name("content hash");
 
 void extract(State& state) {
-  const auto& world = terrain::default_world();
+  const auto& world = bench::classic_world();
   const terrain::Stacks stacks = generate_stacks(world, {0, 0, 128, 128, Lod{}});
   std::vector<ChunkCoord> coords;
   for (std::int32_t i = 0; i < 16; ++i) {

@@ -30,8 +30,8 @@ void count_noise() {
 }
 
 void count_settle() {
-  const auto& gravel = terrain::default_world().loose()[0];
-  const auto ground = generate_terrain(terrain::default_world(), {0, 0, 200, 200, Lod{}});
+  const auto& gravel = bench::classic_world().loose()[0];
+  const auto ground = generate_terrain(bench::classic_world(), {0, 0, 200, 200, Lod{}});
   terrain::SettleGrid grid{instruction_set()};
   talus_counted_work([&] {
     grid.start(ground.slope, gravel.t_fx, gravel.S_fx);
@@ -40,14 +40,14 @@ void count_settle() {
 }
 
 void count_whole() {
-  terrain::Generator generator{terrain::default_world()};
+  terrain::Generator generator{bench::classic_world()};
   terrain::Stacks stacks;
   generator.generate({0, 0, 200, 200, Lod{}}, stacks);
   talus_counted_work([&] { generator.generate({0, 0, 200, 200, Lod{}}, stacks); });
 }
 
 void count_slabs() {
-  const auto& world = terrain::default_world();
+  const auto& world = bench::classic_world();
   const auto stacks = generate_stacks(world, {0, 0, 128, 128, Lod{}});
   talus_counted_work([&] {
     for (std::int32_t y = 0; y < 4; ++y) (void)extract_chunk(world, stacks, {1, y, 1});

@@ -57,19 +57,23 @@ struct Sample {
   std::string more;  // keys that come before its own
 };
 const Sample kWorlds[] = {
-    {"default", "core/worlds/default", ""},
+    {"classic", "core/worlds/classic", ""},
     {"canyon", "core/worlds/canyon", ""},
     {"hills", "core/worlds/hills", ""},
     {"features", "core/worlds/features", ""},
     {"features, eroded", "core/worlds/features", "method = \"erosion\"\nerosion_steps = 8\n"},
-    {"default, eroded", "core/worlds/default", "method = \"erosion\"\nerosion_steps = 8\n"},
-    {"default, eroded by one step", "core/worlds/default", "method = \"erosion\"\nerosion_steps = 1\n"},
+    {"classic, eroded", "core/worlds/classic", "method = \"erosion\"\nerosion_steps = 8\n"},
+    {"classic, eroded by one step", "core/worlds/classic", "method = \"erosion\"\nerosion_steps = 1\n"},
     {"ridged", "tests/golden/worlds/ridged", ""},
     {"warped", "tests/golden/worlds/warped", ""},
     {"height_map", "tests/golden/worlds/height_map", ""},
     {"repeated map", "tests/golden/worlds/repeated_map", ""},
     {"underground", "tests/golden/worlds/underground", ""},
-    {"underground, eroded", "tests/golden/worlds/underground", "method = \"erosion\"\nerosion_steps = 5\n"}};
+    {"underground, eroded", "tests/golden/worlds/underground", "method = \"erosion\"\nerosion_steps = 5\n"},
+    {"default", "core/worlds/default", ""},
+    {"archipelago", "core/worlds/archipelago", ""},
+    {"mesas", "core/worlds/mesas", ""},
+    {"alpine", "core/worlds/alpine", ""}};
 
 void print_place(const terrain::World& world, const Place& place, std::ostream& out) {
   const Lod lod = Lod::of(place.lod);

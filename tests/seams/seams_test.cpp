@@ -28,7 +28,8 @@ Bytes encoded(const Chunk& chunk) {
 }
 
 const World& any_sample_world() {
-  return test::sample_world(*rc::gen::element<std::string>("default", "canyon", "hills", "features"));
+  return test::sample_world(
+      *rc::gen::element<std::string>("default", "classic", "canyon", "hills", "features"));
 }
 
 // Anywhere, around 0, and within a few chunks of either end of the world.
@@ -150,7 +151,7 @@ int mismatches(const World& world, Lod lod, int halo) {
 }
 
 TEST_CASE("The theorem's halo leaves no mismatch at any level") {
-  for (const char* name : {"default", "canyon", "hills", "features"}) {
+  for (const char* name : {"default", "classic", "canyon", "hills", "features"}) {
     const World& world = test::sample_world(name);
     for (int level = 0; level <= 2; ++level) {
       INFO(name << " at level " << level);
@@ -204,7 +205,7 @@ TEST_CASE("Caves are exact with a halo of their roofs' span, and not with less")
 }
 
 TEST_CASE("Any number of threads in any order makes the same chunks") {
-  const World& world = test::sample_world("default");
+  const World& world = test::sample_world("classic");
   std::vector<ChunkKey> keys;
   for (std::int32_t i = 0; i < 48; ++i) keys.push_back({{i % 4 - 2, i / 16, i / 4 % 4 - 2}, Lod::of(i % 3)});
   std::vector<Bytes> in_order;
@@ -230,7 +231,7 @@ TEST_CASE("Any number of threads in any order makes the same chunks") {
 }
 
 TEST_CASE("Terrain at the ends of the world is as rough as at the origin") {
-  const World& world = test::sample_world("default");
+  const World& world = test::sample_world("classic");
   const auto mean_slope = [&](std::int64_t x) {
     const Terrain terrain = generate_terrain(world, {x, x, 256, 256, Lod{}});
     double sum = 0;

@@ -33,7 +33,7 @@ TEST_CASE("Heights, strata and slope of a coarse level are level 0's at its colu
 }
 
 TEST_CASE("The halo of a coarse level is that of its thinner layers") {
-  const World& world = test::sample_world("default");
+  const World& world = test::sample_world("classic");
   int previous = world.halo();
   CHECK(halo_columns(world, Lod{}) == world.halo());
   for (int level = 1; level <= Lod::kMax; ++level) {
@@ -44,7 +44,7 @@ TEST_CASE("The halo of a coarse level is that of its thinner layers") {
 }
 
 TEST_CASE("Far hills keep their grass: the top voxel of a coarse column is the top of its stack") {
-  const World& world = test::sample_world("default");
+  const World& world = test::sample_world("classic");
   const MaterialId grass = world.loose()[world.loose_bottom_up().back()].material;
   int topped = 0;
   for (int cx = -4; cx < 4; ++cx) {

@@ -177,7 +177,8 @@ TEST_CASE("Materials are air, water, then stratified, then eroded in the order o
 }
 
 TEST_CASE("The sample worlds parse, and the default one is built in") {
-  for (const char* name : {"default", "canyon", "hills", "features"})
+  for (const char* name :
+       {"default", "classic", "archipelago", "mesas", "alpine", "canyon", "hills", "features"})
     CHECK(test::sample_world(name).halo() > 0);
   CHECK(default_world().fingerprint() == test::sample_world("default").fingerprint());
 }
