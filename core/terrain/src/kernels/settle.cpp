@@ -20,6 +20,7 @@ namespace hn = hwy::HWY_NAMESPACE;
 using talus::HWY_NAMESPACE::over_row;
 
 enum class Direction { east, west };
+enum class Metric { chessboard, octagonal };
 
 template <class Cell, class Vec>
 HWY_INLINE Vec plus(Vec a, Vec b) {
@@ -157,33 +158,49 @@ class RunningMinimum {
 };
 #endif
 
-/// own = min(own, smallest of the three cells beside it in `other` + repose), then the running minimum.
-template <class Cell, Direction kDirection>
-HWY_INLINE void settle_row(Cell* own, const Cell* other, std::size_t width, std::int32_t repose,
+/// own = min(own, smallest of the three cells beside it in `other` + the rise to them), then the running
+/// minimum. One rise for all three where `kMetric` is the chessboard's.
+template <Metric kMetric, class Cell, Direction kDirection>
+HWY_INLINE void settle_row(Cell* own, const Cell* other, std::size_t width, Rise rise,
                            RunningMinimum<Cell, kDirection>& minimum) {
   const hn::ScalableTag<Cell> d;
   const auto ramp = minimum.ramp();
-  const auto step = hn::Sub(hn::Set(d, static_cast<Cell>(repose)), ramp);
+  const auto step = hn::Sub(hn::Set(d, static_cast<Cell>(rise.straight)), ramp);
+  const auto slant = hn::Sub(hn::Set(d, static_cast<Cell>(rise.diagonal)), ramp);
   minimum.begin_row();
   const std::size_t vectors = (width + hn::Lanes(d) - 1) / hn::Lanes(d);
   for (std::size_t v = 0; v < vectors; ++v) {
     const std::size_t x = (kDirection == Direction::east ? v : vectors - 1 - v) * hn::Lanes(d);
-    const auto beside =
-        hn::Min(hn::Min(hn::LoadU(d, other + x - 1), hn::LoadU(d, other + x)), hn::LoadU(d, other + x + 1));
-    const auto levelled = hn::Min(hn::Sub(hn::LoadU(d, own + x), ramp), plus<Cell>(beside, step));
-    hn::StoreU(minimum.next(levelled), d, own + x);
+    const auto corners = hn::Min(hn::LoadU(d, other + x - 1), hn::LoadU(d, other + x + 1));
+    const auto beside = [&]() HWY_ATTR {
+      if constexpr (kMetric == Metric::chessboard) {
+        return plus<Cell>(hn::Min(corners, hn::LoadU(d, other + x)), step);
+      } else {
+        return hn::Min(plus<Cell>(corners, slant), plus<Cell>(hn::LoadU(d, other + x), step));
+      }
+    }();
+    hn::StoreU(minimum.next(hn::Min(hn::Sub(hn::LoadU(d, own + x), ramp), beside)), d, own + x);
+  }
+}
+
+template <Metric kMetric, class Cell>
+void settle_by(const PaddedRows<Cell>& rows, Rise rise) {
+  RunningMinimum<Cell, Direction::east> eastward{rise.straight};
+  for (std::size_t z = 0; z < rows.depth; ++z) {
+    settle_row<kMetric>(rows.row(z), rows.row(z) - rows.stride, rows.width, rise, eastward);
+  }
+  RunningMinimum<Cell, Direction::west> westward{rise.straight};
+  for (std::size_t z = rows.depth; z-- > 0;) {
+    settle_row<kMetric>(rows.row(z), rows.row(z) + rows.stride, rows.width, rise, westward);
   }
 }
 
 template <class Cell>
-void settle(const PaddedRows<Cell>& rows, std::int32_t repose) {
-  RunningMinimum<Cell, Direction::east> eastward{repose};
-  for (std::size_t z = 0; z < rows.depth; ++z) {
-    settle_row(rows.row(z), rows.row(z) - rows.stride, rows.width, repose, eastward);
-  }
-  RunningMinimum<Cell, Direction::west> westward{repose};
-  for (std::size_t z = rows.depth; z-- > 0;) {
-    settle_row(rows.row(z), rows.row(z) + rows.stride, rows.width, repose, westward);
+void settle(const PaddedRows<Cell>& rows, Rise rise) {
+  if (rise.straight == rise.diagonal) {
+    settle_by<Metric::chessboard>(rows, rise);
+  } else {
+    settle_by<Metric::octagonal>(rows, rise);
   }
 }
 

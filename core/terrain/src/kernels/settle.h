@@ -35,6 +35,13 @@ struct PaddedRows {
   [[nodiscard]] Cell* row(std::size_t z) const { return cells + z * stride; }
 };
 
+/// How much a cell may stand above its neighbours. Two passes are exact where straight <= diagonal <= 2
+/// straight; the distance is then the chessboard's where both are the same, and else an octagon's.
+struct Rise {
+  std::int32_t straight;
+  std::int32_t diagonal;
+};
+
 struct SettleKernels {
   /// Eq. 3: floor(t * (S - slope) / S), 0 where the slope is steeper than S.
   void (*start_int16)(const std::int32_t* slope, std::size_t width, std::int32_t thickness_fx,
@@ -48,10 +55,10 @@ struct SettleKernels {
   void (*start_shared_int32)(const std::int32_t* slope, const std::int32_t* share, std::size_t width,
                              std::int32_t thickness_fx, std::int32_t whole, std::int32_t max_slope_fx,
                              std::int32_t* cells);
-  /// Lowers every cell to what rests there: at most `repose_fx` above each of its 8 neighbours. It
+  /// Lowers every cell to what rests there: at most `rise` above each of its 8 neighbours. rise.straight
   /// is kSteepest<Cell> or less. Leaves numbers without meaning between a row's width and its stride.
-  void (*settle_int16)(const PaddedRows<std::int16_t>& rows, std::int32_t repose_fx);
-  void (*settle_int32)(const PaddedRows<std::int32_t>& rows, std::int32_t repose_fx);
+  void (*settle_int16)(const PaddedRows<std::int16_t>& rows, Rise rise);
+  void (*settle_int32)(const PaddedRows<std::int32_t>& rows, Rise rise);
 };
 
 [[nodiscard]] const SettleKernels& settle_kernels(InstructionSet set);

@@ -84,12 +84,13 @@ void SettleGrid::start(const Field& thickness) {
   }
 }
 
-void SettleGrid::settle(std::int32_t repose_fx) {
-  if (repose_fx > kSteepest<std::int16_t>) widen();
+void SettleGrid::settle(Rise rise) {
+  if (rise.straight > kSteepest<std::int16_t>) widen();
   if (narrow_) {
-    kernels_->settle_int16(narrow_rows_, repose_fx);
+    kernels_->settle_int16(narrow_rows_, rise);
   } else {
-    kernels_->settle_int32(wide_rows_, std::min(repose_fx, kSteepest<std::int32_t>));
+    constexpr std::int32_t kMost = kSteepest<std::int32_t>;
+    kernels_->settle_int32(wide_rows_, {std::min(rise.straight, kMost), std::min(rise.diagonal, 2 * kMost)});
   }
 }
 

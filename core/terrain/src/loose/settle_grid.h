@@ -26,7 +26,8 @@ class SettleGrid {
   /// Any field of 0 to 2^20 instead.
   void start(const Field& thickness);
   /// May change the type of the cells, as a steep repose needs wide ones.
-  void settle(std::int32_t repose_fx);
+  void settle(std::int32_t repose_fx) { settle(Rise{repose_fx, repose_fx}); }
+  void settle(Rise rise);
 
   /// Calls visit(cells) with a pointer to the cells of row z, of the type that they have.
   template <class Visit>

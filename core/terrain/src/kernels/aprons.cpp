@@ -1,0 +1,155 @@
+#include "aprons.h"
+
+#include <talus/vectors/tables.h>
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "kernels/aprons.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
+#include <talus/vectors/vectors-inl.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace talus::terrain::HWY_NAMESPACE {
+namespace {
+
+namespace hn = hwy::HWY_NAMESPACE;
+using talus::HWY_NAMESPACE::over_row;
+
+using Columns = hn::ScalableTag<std::int32_t>;
+
+bool start_feet(const std::int32_t* height, const std::int32_t* slope, std::size_t width,
+                std::int32_t wall_fx, std::int32_t* foot) {
+  bool walls = false;
+  over_row(Columns{}, width, [=, &walls](auto d, std::size_t x) HWY_ATTR {
+    const auto wall = hn::Gt(hn::LoadU(d, slope + x), hn::Set(d, wall_fx));
+    walls = walls || !hn::AllFalse(d, wall);
+    hn::StoreU(hn::IfThenElse(wall, hn::Set(d, kNoGround_fx), hn::LoadU(d, height + x)), d, foot + x);
+  });
+  return walls;
+}
+
+void descend(const std::int32_t* feet, std::size_t stride, const std::int32_t* slope, std::size_t width,
+             std::int32_t wall_fx, std::int32_t* foot) {
+  over_row(Columns{}, width, [=](auto d, std::size_t x) HWY_ATTR {
+    const std::int32_t* own = feet + stride + x;
+    const auto before = hn::LoadU(d, own + 1);
+    auto lowest = hn::Min(before, hn::Min(hn::LoadU(d, own), hn::LoadU(d, own + 2)));
+    for (const std::int32_t* row : {own - stride, own + stride}) {
+      const auto ends = hn::Min(hn::LoadU(d, row), hn::LoadU(d, row + 2));
+      lowest = hn::Min(lowest, hn::Min(ends, hn::LoadU(d, row + 1)));
+    }
+    const auto wall = hn::Gt(hn::LoadU(d, slope + x), hn::Set(d, wall_fx));
+    hn::StoreU(hn::IfThenElse(wall, lowest, before), d, foot + x);
+  });
+}
+
+// Rows overlap where a row is added to itself, shifted: what is read lies ahead of all that is written. So no
+// vector may come twice.
+void add(const std::int32_t* other, std::size_t width, std::int32_t* sum) {
+  const Columns d;
+  std::size_t x = 0;
+  for (; x + hn::Lanes(d) <= width; x += hn::Lanes(d)) {
+    hn::StoreU(hn::Add(hn::LoadU(d, sum + x), hn::LoadU(d, other + x)), d, sum + x);
+  }
+  for (; x < width; ++x) sum[x] += other[x];
+}
+
+void halve(std::size_t width, int times, std::int32_t* sum) {
+  const Columns d;
+  std::size_t x = 0;
+  for (; x + hn::Lanes(d) <= width; x += hn::Lanes(d)) {
+    hn::StoreU(hn::ShiftRightSame(hn::LoadU(d, sum + x), times), d, sum + x);
+  }
+  for (; x < width; ++x) sum[x] >>= times;
+}
+
+bool begin(const std::int32_t* height, const std::int32_t* slope, const std::int32_t* foot,
+           const std::int32_t* mean, std::size_t width, const ApronSupply& supply, const ApronRows& out) {
+  bool begins = false;
+  over_row(Columns{}, width, [=, &begins](auto d, std::size_t x) HWY_ATTR {
+    const auto own = hn::LoadU(d, height + x);
+    const auto low = hn::LoadU(d, foot + x);
+    const auto none = hn::Set(d, kNoGround_fx);
+    const auto wall = hn::Gt(hn::LoadU(d, slope + x), hn::Set(d, supply.wall_fx));
+    const auto above = hn::And(wall, hn::Lt(low, own));
+    const auto rock = hn::Max(hn::Sub(hn::LoadU(d, mean + x), low), hn::Zero(d));
+    const auto share =
+        hn::ShiftRight<8>(hn::Mul(hn::Min(rock, hn::Set(d, supply.enough_fx)), hn::Set(d, supply.share_q8)));
+    const auto given = hn::Min(share, hn::Set(d, supply.most_fx));
+    const auto leaning = hn::Add(low, given);
+    const auto surface = hn::IfThenElse(above, hn::Min(own, leaning), own);
+    // A wall is free of scree where it stands over its apron, and where its foot is not in reach.
+    const auto free = hn::Or(hn::AndNot(hn::Lt(own, leaning), above), hn::And(wall, hn::Eq(low, none)));
+    const auto source = hn::And(above, hn::Gt(given, hn::Zero(d)));
+    begins = begins || !hn::AllFalse(d, source);
+    hn::StoreU(hn::IfThenElse(free, none, own), d, out.floor + x);
+    hn::StoreU(hn::IfThenElse(source, surface, hn::Neg(none)), d, out.top + x);
+    hn::StoreU(surface, d, out.surface + x);
+  });
+  return begins;
+}
+
+void spread(const std::int32_t* tops, std::size_t stride, const std::int32_t* floor, std::size_t width,
+            std::int32_t c_fx, std::int32_t diagonal_fx, std::int32_t thickest_fx, std::int32_t* top) {
+  over_row(Columns{}, width, [=](auto d, std::size_t x) HWY_ATTR {
+    const std::int32_t* own = tops + stride + x;
+    const std::int32_t* north = own - stride;
+    const std::int32_t* south = own + stride;
+    const auto straight = hn::Max(hn::Max(hn::LoadU(d, own), hn::LoadU(d, own + 2)),
+                                  hn::Max(hn::LoadU(d, north + 1), hn::LoadU(d, south + 1)));
+    const auto diagonal = hn::Max(hn::Max(hn::LoadU(d, north), hn::LoadU(d, north + 2)),
+                                  hn::Max(hn::LoadU(d, south), hn::LoadU(d, south + 2)));
+    const auto reached =
+        hn::Max(hn::Sub(straight, hn::Set(d, c_fx)), hn::Sub(diagonal, hn::Set(d, diagonal_fx)));
+    const auto ground = hn::LoadU(d, floor + x);
+    const auto none = hn::Set(d, kNoGround_fx);
+    const auto before = hn::IfThenElse(hn::Eq(ground, none), hn::Neg(none), hn::LoadU(d, own + 1));
+    const auto bounded = hn::Min(reached, hn::Add(ground, hn::Set(d, thickest_fx)));
+    hn::StoreU(hn::IfThenElse(hn::Gt(reached, ground), hn::Max(before, bounded), before), d, top + x);
+  });
+}
+
+void cover(const std::int32_t* top, std::size_t width, std::int32_t* surface) {
+  over_row(Columns{}, width, [=](auto d, std::size_t x) HWY_ATTR {
+    hn::StoreU(hn::Max(hn::LoadU(d, surface + x), hn::LoadU(d, top + x)), d, surface + x);
+  });
+}
+
+void finish(const std::int32_t* surfaces, std::size_t stride, const std::int32_t* height,
+            const std::int32_t* top, std::size_t width, std::int32_t c_fx, std::int32_t bare_fx,
+            std::int32_t* raised) {
+  over_row(Columns{}, width, [=](auto d, std::size_t x) HWY_ATTR {
+    const auto across = [d](const std::int32_t* row) HWY_ATTR {
+      const auto ends = hn::Add(hn::LoadU(d, row), hn::LoadU(d, row + 2));
+      return hn::Add(ends, hn::ShiftLeft<1>(hn::LoadU(d, row + 1)));
+    };
+    const std::int32_t* row = surfaces + x;
+    const auto sides = hn::Add(across(row), across(row + 2 * stride));
+    const auto smooth = hn::ShiftRight<4>(hn::Add(sides, hn::ShiftLeft<1>(across(row + stride))));
+    const auto own = hn::LoadU(d, height + x);
+    const auto apron = hn::LoadU(d, top + x);
+    const auto highest = hn::Min(smooth, hn::Add(apron, hn::Set(d, c_fx >> 1)));
+    const auto room = hn::Sub(own, hn::Set(d, bare_fx));
+    const auto thickness = hn::Max(hn::Min(hn::Sub(highest, own), room), hn::Zero(d));
+    hn::StoreU(hn::Add(own, hn::IfThenElseZero(hn::Gt(apron, own), thickness)), d, raised + x);
+  });
+}
+
+}  // namespace
+
+constexpr ApronKernels kAprons{start_feet, descend, add, halve, begin, spread, cover, finish};
+
+}  // namespace talus::terrain::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace talus::terrain {
+
+const ApronKernels& apron_kernels(InstructionSet set) {
+  static constexpr const ApronKernels* kTables[] = TALUS_TABLES(kAprons);
+  return *kTables[static_cast<std::size_t>(set)];
+}
+
+}  // namespace talus::terrain
+#endif

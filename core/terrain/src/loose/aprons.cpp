@@ -1,0 +1,192 @@
+#include "loose/aprons.h"
+
+#include <algorithm>
+#include <bit>
+#include <cassert>
+#include <utility>
+
+namespace talus::terrain {
+namespace {
+
+constexpr std::int32_t kSteepestRepose_fx = 1 << 20;
+
+// sqrt(2) times as far.
+std::int32_t along_diagonal(std::int32_t straight) {
+  return (straight * 362) >> 8;
+}
+
+// How many steps an apron spreads from its wall: as many as leave it some thickness.
+int spreads(const ApronNumbers& numbers) {
+  if (numbers.steps == 0 || numbers.share_q8 == 0 || numbers.most_fx == 0) return 0;
+  return (numbers.most_fx - 1) / numbers.c_fx;
+}
+
+// Of columns whose aprons must be known: feet and means around their walls, and one for smoothing.
+int raised_halo(const ApronNumbers& numbers) {
+  const int steps = spreads(numbers);
+  return steps == 0 ? 0 : numbers.steps + steps + 1;
+}
+
+int cliff_halo(const ApronNumbers& numbers) {
+  return std::max(0, numbers.cliff_reach - 1);
+}
+
+std::size_t inner(int side, int ring) {
+  return static_cast<std::size_t>(side - 2 * ring);
+}
+
+}  // namespace
+
+ApronNumbers at_level(ApronNumbers numbers, Lod lod) {
+  const int level = lod.value();
+  numbers.c_fx = static_cast<std::int32_t>(
+      std::min<std::int64_t>(std::int64_t{numbers.c_fx} << level, kSteepestRepose_fx));
+  numbers.steps >>= level;
+  numbers.cliff_reach >>= level;
+  return numbers;
+}
+
+int apron_halo(const ApronNumbers& numbers) {
+  return std::max(raised_halo(numbers), cliff_halo(numbers));
+}
+
+void Aprons::compute(const Field& height, const Field& slope, int margin, const ApronNumbers& numbers,
+                     Field& raised, Field& cliff) {
+  assert(margin >= apron_halo(numbers) && height.width == slope.width && height.depth == slope.depth);
+  assert(numbers.steps == 0 || std::has_single_bit(static_cast<unsigned>(numbers.steps)));
+  near_walls(slope, margin, numbers, cliff);
+  // Every pass looks at neighbours, so what it knows ends one ring farther in, and at the region in the end.
+  int ring = margin - raised_halo(numbers);
+  if (spreads(numbers) == 0 || !start_feet(height, slope, numbers, ring)) {
+    height.crop_into(margin, raised);
+    return;
+  }
+  find_feet(slope, numbers, ring);
+  find_means(height, numbers.steps, ring);
+  ring += numbers.steps;
+  if (!begin(height, slope, numbers, ring)) {
+    height.crop_into(margin, raised);
+    return;
+  }
+  spread(numbers, ring);
+  ring += spreads(numbers);
+  for (int z = ring; z < height.depth - ring; ++z) {
+    kernels_->cover(&next_.at(ring, z), inner(height.width, ring), &surface_.at(ring, z));
+  }
+  raised.reshape(height.width - 2 * margin, height.depth - 2 * margin);
+  const auto stride = static_cast<std::size_t>(height.width);
+  for (int z = margin; z < height.depth - margin; ++z) {
+    kernels_->finish(&surface_.at(margin - 1, z - 1), stride, height.row(z).data() + margin,
+                     &next_.at(margin, z), inner(height.width, margin), numbers.c_fx, numbers.bare_fx,
+                     raised.row(z - margin).data());
+  }
+}
+
+bool Aprons::start_feet(const Field& height, const Field& slope, const ApronNumbers& numbers, int ring) {
+  feet_.reshape(height.width, height.depth);
+  next_.reshape(height.width, height.depth);
+  bool walls = false;
+  for (int z = ring; z < height.depth - ring; ++z) {
+    walls |= kernels_->start_feet(height.row(z).data() + ring, slope.row(z).data() + ring,
+                                  inner(height.width, ring), numbers.wall_fx, &feet_.at(ring, z));
+  }
+  return walls;
+}
+
+void Aprons::find_feet(const Field& slope, const ApronNumbers& numbers, int ring) {
+  const auto stride = static_cast<std::size_t>(slope.width);
+  for (int step = 0; step < numbers.steps; ++step) {
+    ++ring;
+    for (int z = ring; z < slope.depth - ring; ++z) {
+      kernels_->descend(&feet_.at(ring - 1, z - 1), stride, slope.row(z).data() + ring,
+                        inner(slope.width, ring), numbers.wall_fx, &next_.at(ring, z));
+    }
+    std::swap(feet_, next_);
+  }
+}
+
+// A tent of 2 steps - 1 columns, as two boxes along each axis, and a box of 2^k columns as k additions of
+// what lies 1, 2, 4, .. farther on. The mean of column (steps - 1 + ring + x, ..) comes to lie at (x, ..).
+void Aprons::find_means(const Field& height, int steps, int ring) {
+  const int halvings = std::bit_width(static_cast<unsigned>(steps)) - 1;
+  std::size_t width = inner(height.width, ring);
+  int depth = height.depth - 2 * ring;
+  means_.reshape(height.width, height.depth);
+  for (int z = 0; z < depth; ++z) {
+    std::int32_t* const row = means_.row(z).data();
+    std::copy_n(height.row(z + ring).data() + ring, width, row);
+    std::size_t left = width;
+    for (int box = 0; box < 2; ++box) {
+      for (std::size_t past = 1; past < static_cast<std::size_t>(steps); past *= 2) {
+        left -= past;
+        kernels_->add(row + past, left, row);
+      }
+      kernels_->halve(left, halvings, row);
+    }
+  }
+  width -= 2 * static_cast<std::size_t>(steps - 1);
+  for (int box = 0; box < 2; ++box) {
+    for (int past = 1; past < steps; past *= 2) {
+      depth -= past;
+      for (int z = 0; z < depth; ++z) {
+        kernels_->add(means_.row(z + past).data(), width, means_.row(z).data());
+      }
+    }
+    for (int z = 0; z < depth; ++z) kernels_->halve(width, halvings, means_.row(z).data());
+  }
+}
+
+bool Aprons::begin(const Field& height, const Field& slope, const ApronNumbers& numbers, int ring) {
+  floor_.reshape(height.width, height.depth);
+  surface_.reshape(height.width, height.depth);
+  const std::int32_t enough_fx = (numbers.most_fx * 256 + numbers.share_q8 - 1) / numbers.share_q8;
+  const ApronSupply supply{numbers.wall_fx, numbers.most_fx, numbers.share_q8, enough_fx};
+  bool any = false;
+  for (int z = ring; z < height.depth - ring; ++z) {
+    any |= kernels_->begin(height.row(z).data() + ring, slope.row(z).data() + ring, &feet_.at(ring, z),
+                           &means_.at(1, z - ring + 1), inner(height.width, ring), supply,
+                           {&floor_.at(ring, z), &next_.at(ring, z), &surface_.at(ring, z)});
+  }
+  return any;
+}
+
+void Aprons::spread(const ApronNumbers& numbers, int ring) {
+  const auto stride = static_cast<std::size_t>(floor_.width);
+  const int steps = spreads(numbers);
+  for (int step = 1; step <= steps; ++step) {
+    ++ring;
+    std::swap(feet_, next_);
+    for (int z = ring; z < floor_.depth - ring; ++z) {
+      kernels_->spread(&feet_.at(ring - 1, z - 1), stride, &floor_.at(ring, z), inner(floor_.width, ring),
+                       numbers.c_fx, along_diagonal(numbers.c_fx), numbers.most_fx - numbers.c_fx * step,
+                       &next_.at(ring, z));
+    }
+  }
+}
+
+void Aprons::near_walls(const Field& slope, int margin, const ApronNumbers& numbers, Field& cliff) {
+  cliff.reshape(slope.width - 2 * margin, slope.depth - 2 * margin);
+  if (numbers.cliff_reach == 0) {
+    std::fill(cliff.values.begin(), cliff.values.end(), 0);
+    return;
+  }
+  const int halo = cliff_halo(numbers);
+  const int ring = margin - halo;
+  walls_.reshape(slope.width - 2 * ring, slope.depth - 2 * ring);
+  for (int z = 0; z < walls_.depth; ++z) {
+    const std::int32_t* const from = slope.row(z + ring).data() + ring;
+    std::transform(from, from + walls_.width, walls_.row(z).begin(),
+                   [&](std::int32_t rise) { return rise > numbers.wall_fx ? 0 : kCliff; });
+  }
+  distances_.start(walls_);
+  const std::int32_t straight = (kCliff + numbers.cliff_reach - 1) / numbers.cliff_reach;
+  distances_.settle(Rise{straight, along_diagonal(straight)});
+  for (int z = 0; z < cliff.depth; ++z) {
+    distances_.with_row(z + halo, [&](const auto* row) {
+      std::transform(row + halo, row + halo + cliff.width, cliff.row(z).begin(),
+                     [](auto far) { return kCliff - std::int32_t{far}; });
+    });
+  }
+}
+
+}  // namespace talus::terrain

@@ -1,0 +1,69 @@
+// Talus aprons: scree that cliffs shed and that leans on their feet (docs/DESIGN.md "Talus aprons"), and how
+// near a cliff each column is. Private to core/terrain.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include <talus/terrain/field.h>
+#include <talus/vectors/aligned.h>
+#include <talus/vectors/instruction_set.h>
+
+#include "kernels/aprons.h"
+#include "loose/settle_grid.h"
+
+namespace talus::terrain {
+
+/// Columns are those of a level, heights (`_fx`) always level 0's subvoxels.
+struct ApronNumbers {
+  std::int32_t wall_fx = 0;   // a column is wall where its slope is above that
+  std::int32_t c_fx = 1;      // rise per column at repose, 1 to 2^20
+  std::int32_t most_fx = 0;   // no apron is thicker, 0 to 2^20
+  std::int32_t share_q8 = 0;  // of the rock around that stands above a foot, 0 to 1024 (= 4)
+  int steps =
+      0;  // how far from its foot a wall is known, and the rock above it: 1, 2, 4, .. 32; 0: no aprons
+  std::int32_t bare_fx = -(1 << 29);  // aprons are no thicker than H - bare_fx: so beds and shores are free
+  int cliff_reach = 0;                // how far from a wall it counts as near, up to 4096; 0: nowhere
+};
+
+/// The same ground at a level's columns, 2^level base columns apart, given the numbers of level 0.
+[[nodiscard]] ApronNumbers at_level(ApronNumbers numbers, Lod lod);
+
+/// How many columns beyond a region height and slope must be known so that all over the region the results
+/// are those of the endless plane.
+[[nodiscard]] int apron_halo(const ApronNumbers& numbers);
+
+/// How near cliffs are that stand in a column: `Aprons::compute`'s `cliff` there.
+inline constexpr std::int32_t kCliff = 4096;
+
+/// Keeps its memory from call to call. For one thread at a time.
+class Aprons {
+ public:
+  explicit Aprons(InstructionSet set) : kernels_{&apron_kernels(set)}, distances_{set} {}
+
+  /// `height`, 0 to 2^23, and `slope` (eq. 1) cover a region.expanded(margin), margin >= apron_halo(numbers).
+  /// What comes out covers the region: `raised`, H with its aprons, and `cliff`, from kCliff at walls to 0 at
+  /// cliff_reach columns from them, by octagonal distance. Neither is an input.
+  void compute(const Field& height, const Field& slope, int margin, const ApronNumbers& numbers,
+               Field& raised, Field& cliff);
+
+ private:
+  // `ring`: how many columns from the edges of the fields what is known begins.
+  bool start_feet(const Field& height, const Field& slope, const ApronNumbers& numbers, int ring);
+  void find_feet(const Field& slope, const ApronNumbers& numbers, int ring);
+  void find_means(const Field& height, int steps, int ring);
+  bool begin(const Field& height, const Field& slope, const ApronNumbers& numbers, int ring);
+  void spread(const ApronNumbers& numbers, int ring);
+  void near_walls(const Field& slope, int margin, const ApronNumbers& numbers, Field& cliff);
+
+  const ApronKernels* kernels_;
+  SettleGrid distances_;
+  Field feet_;  // these two by turns: feet, then the tops of aprons
+  Field next_;
+  Field means_;
+  Field floor_;
+  Field surface_;
+  Field walls_;
+};
+
+}  // namespace talus::terrain
