@@ -209,6 +209,25 @@ void Generator::generate_with_halo(const Region& region, int halo, Terrain& terr
       });
     }
   }
+  add_aprons(terrain);
+}
+
+/// The material of aprons reaches down to the ground without them, under all that is lighter.
+void Generator::add_aprons(Terrain& terrain) {
+  Scratch& s = *scratch_;
+  s.ground.bare().crop_into(s.around, terrain.bare);
+  shift_right(terrain.bare, terrain.region.lod.value());
+  if (!world_->spec().talus) return;
+  Field top = terrain.surface;
+  for (std::size_t i = world_->loose_bottom_up().size(); i-- > 0;) {
+    Field& loose = terrain.loose[world_->loose_bottom_up()[i]];
+    for (std::size_t k = 0; k < top.values.size(); ++k) {
+      const std::int32_t room = top.values[k] - terrain.bare.values[k];
+      if (is_talus(i)) loose.values[k] = std::max(loose.values[k], room);
+      top.values[k] = std::max(top.values[k] - loose.values[k], 0);
+    }
+    if (is_talus(i)) return;
+  }
 }
 
 /// `surface` is in subvoxels of level 0, and of the region's level from then on.
@@ -344,6 +363,7 @@ void Generator::settle(std::size_t place) {
       lower(s.columns, s.loose_tops[place].row(z), row + s.ring, s.limit.row(z));
     });
   }
+  if (is_talus(place)) cut_at_bare(s.limit);
 }
 
 bool Generator::step_erosion() {
@@ -380,9 +400,15 @@ void Generator::set_loose_over_ground() {
     const LooseSpec& loose = world_->loose()[world_->loose_bottom_up()[i]];
     Field& most = s.most[i];
     most.reshape(0, 0);
-    if (!loose.share) continue;
-    s.ground.shares()[*loose.share].crop_into(s.around - s.ring, most);
+    if (!loose.share && !is_talus(i)) continue;
+    if (loose.share) {
+      s.ground.shares()[*loose.share].crop_into(s.around - s.ring, most);
+    } else {
+      most.reshape(s.surface.width, s.surface.depth);
+      std::fill(most.values.begin(), most.values.end(), kWholeShare);
+    }
     for (std::int32_t& value : most.values) value = loose.thickness_at(s.region.lod, value);
+    if (is_talus(i)) add_aprons(most);
   }
   set_loose(s.surface, s.rules, s.most, s.loose_ground);
   if (!s.carver) return;
@@ -392,6 +418,19 @@ void Generator::set_loose_over_ground() {
     if (entrances.values[i] == Carver::kClosed) continue;
     s.loose_ground.base.values[i] = entrances.values[i];
     for (Field& thickness : s.loose_ground.thickness) thickness.values[i] = 0;
+  }
+}
+
+/// To the thickness of their material, over the region and its ring.
+void Generator::add_aprons(Field& thickness) {
+  const Scratch& s = *scratch_;
+  const int ring = s.around - s.ring;
+  for (int z = 0; z < thickness.depth; ++z) {
+    for (int x = 0; x < thickness.width; ++x) {
+      const std::int32_t apron_fx =
+          s.ground.height().at(x + ring, z + ring) - s.ground.bare().at(x + ring, z + ring);
+      thickness.at(x, z) += apron_fx >> s.region.lod.value();
+    }
   }
 }
 
@@ -427,6 +466,20 @@ void Generator::take_caves(int ring, const Field& surface, CaveAir& air) {
     for (int x = 0; x < surface.width; ++x) {
       if (entrances.at(x + ring, z + ring) != Carver::kClosed) air.floor.at(x, z) = surface.at(x, z);
     }
+  }
+}
+
+bool Generator::is_talus(std::size_t place) const {
+  return world_->spec().talus && world_->spec().talus->of == world_->loose_bottom_up()[place];
+}
+
+/// Aprons are of one loose material down to the ground without them. `top` in the level's subvoxels.
+void Generator::cut_at_bare(Field& top) const {
+  const Scratch& s = *scratch_;
+  for (int z = 0; z < top.depth; ++z) {
+    const auto bare = s.ground.bare().row(z + s.around).subspan(static_cast<std::size_t>(s.around));
+    const auto row = top.row(z);
+    for (std::size_t x = 0; x < row.size(); ++x) row[x] = std::min(row[x], bare[x] >> s.region.lod.value());
   }
 }
 

@@ -6,6 +6,7 @@
 #include <cstdint>
 
 #include <talus/terrain/field.h>
+#include <talus/terrain/world.h>
 #include <talus/vectors/aligned.h>
 #include <talus/vectors/instruction_set.h>
 
@@ -25,6 +26,9 @@ struct ApronNumbers {
   std::int32_t bare_fx = -(1 << 29);  // aprons are no thicker than H - bare_fx: so beds and shores are free
   int cliff_reach = 0;                // how far from a wall it counts as near, up to 4096; 0: nowhere
 };
+
+/// What a world's [talus] says, at level 0. REQUIRES that it has one.
+[[nodiscard]] ApronNumbers apron_numbers(const World& world);
 
 /// The same ground at a level's columns, 2^level base columns apart, given the numbers of level 0.
 [[nodiscard]] ApronNumbers at_level(ApronNumbers numbers, Lod lod);

@@ -170,6 +170,13 @@ std::string World::canonical_form() const {
     if (loose_[i].share) form << " share " << *loose_[i].share;
     form << '\n';
   }
+  if (spec_.talus) {
+    form << "talus of " << spec_.talus->of << " thickness "
+         << bits_of(static_cast<float>(spec_.talus->thickness)) << " share "
+         << bits_of(static_cast<float>(spec_.talus->share)) << " reach "
+         << bits_of(static_cast<float>(spec_.talus->reach)) << " cliff "
+         << bits_of(static_cast<float>(spec_.talus->cliff)) << '\n';
+  }
   add_features(*this, Feature::Stage::voxels, form);
   return form.str();
 }

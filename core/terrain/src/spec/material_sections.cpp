@@ -11,6 +11,8 @@ namespace {
 
 constexpr double kMaxLooseThickness = 4096;  // voxels
 constexpr int kMaxHalo = 64;                 // columns
+constexpr double kMaxApron = 48;             // voxels
+constexpr double kMaxWallReach = 32;         // voxels
 constexpr double kMaxRoughness = 16;
 constexpr double kMaxWeight = 1e9;
 constexpr Range kAngles{1, 89};  // degrees
@@ -71,6 +73,28 @@ std::vector<ErodedSpec> read_eroded(std::vector<TableReader>& tables, const Worl
     check_halo(table, eroded, spec);
   }
   return materials;
+}
+
+TalusSpec read_talus(TableReader& table, const WorldSpec& spec) {
+  table.only({"of", "thickness", "share", "reach", "cliff"});
+  TalusSpec talus;
+  const std::string of = table.text("of", kMaxNameBytes);
+  const auto found = std::find_if(spec.eroded.begin(), spec.eroded.end(),
+                                  [&](const ErodedSpec& eroded) { return eroded.name == of; });
+  if (found == spec.eroded.end()) {
+    table.fail("of", "no [[eroded]] material is named '" + of + "'; aprons are made of one of them");
+    return talus;
+  }
+  talus.of = static_cast<std::size_t>(found - spec.eroded.begin());
+  const auto length = [&](const char* key, double most_voxels, double otherwise) {
+    return table.has(key) ? table.length(key, {0, kMaxHeight}, {spec.resolution, {0, most_voxels}})
+                          : otherwise;
+  };
+  talus.thickness = length("thickness", kMaxApron, talus.thickness);
+  talus.reach = length("reach", kMaxWallReach, talus.reach);
+  talus.cliff = length("cliff", kMaxHalo, talus.cliff);
+  if (table.has("share")) talus.share = table.real("share", {0, 4});
+  return talus;
 }
 
 LooseSpec loose_of(const ErodedSpec& eroded, int resolution) {

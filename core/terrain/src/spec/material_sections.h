@@ -20,6 +20,9 @@ namespace talus::terrain {
 [[nodiscard]] std::vector<ErodedSpec> read_eroded(std::vector<TableReader>& tables, const WorldSpec& spec,
                                                   PlacesReader& places, std::set<std::string>& names);
 
+/// [talus]; `eroded` have been read.
+[[nodiscard]] TalusSpec read_talus(TableReader& table, const WorldSpec& spec);
+
 /// An eroded material in integers. `material` stays 0.
 [[nodiscard]] LooseSpec loose_of(const ErodedSpec& eroded, int resolution);
 

@@ -15,6 +15,7 @@
 #include <talus/terrain/world.h>
 
 #include "feature.h"
+#include "loose/aprons.h"
 #include "spec/canonical_form.h"
 #include "spec/looks_section.h"
 #include "spec/material_sections.h"
@@ -108,9 +109,9 @@ void World::Builder::build(const LoadHeightMap& load, std::span<const FeatureKin
 
 void World::Builder::check_keys(std::span<const FeatureKind> kinds) {
   std::vector<std::string_view> known{
-      "seed",  "resolution", "strata_wavelength", "sea_level", "method", "erosion_steps",
-      "field", "surface",    "stratified",        "eroded",    "look",   "province",
-      "strata"};
+      "seed",   "resolution", "strata_wavelength", "sea_level", "method", "erosion_steps",
+      "field",  "surface",    "stratified",        "eroded",    "look",   "province",
+      "strata", "talus"};
   for (const FeatureKind& kind : kinds) known.push_back(kind.section);
   root.only(known);
 }
@@ -169,6 +170,9 @@ void World::Builder::read_materials(PlacesReader& places) {
   spec.stratified = read_stratified(stratified, spec.strata_repeat, names);
   auto eroded = root.tables("eroded");
   spec.eroded = read_eroded(eroded, spec, places, names);
+  if (root.has("talus")) {
+    if (auto talus = root.table("talus")) spec.talus = read_talus(*talus, spec);
+  }
   add_material("air", {186, 215, 236}, MaterialKind::air);
   add_material("water", {58, 108, 150}, MaterialKind::water);
   for (const StratifiedSpec& s : spec.stratified) add_material(s.name, s.colour, MaterialKind::stratified);
@@ -270,8 +274,9 @@ int World::erosion_steps_at(Lod lod) const {
 
 // One step is one step at every level, by the rules of both versions.
 GeneratorVersion World::generator_version() const {
-  return erosion_steps_at(Lod{}) > 1 || spec_.surface.regions || spec_.places.any() ? GeneratorVersion::v3
-                                                                                    : GeneratorVersion::v2;
+  return erosion_steps_at(Lod{}) > 1 || spec_.surface.regions || spec_.places.any() || spec_.talus
+             ? GeneratorVersion::v3
+             : GeneratorVersion::v2;
 }
 
 void World::Builder::derive_halo() {
@@ -281,6 +286,7 @@ void World::Builder::derive_halo() {
     return;
   }
   for (const LooseSpec& loose : world.loose_) world.halo_ = std::max(world.halo_, loose.halo_at(Lod{}));
+  if (spec.talus) world.halo_ += apron_halo(apron_numbers(world)) + 1;
 }
 
 const World& default_world() {

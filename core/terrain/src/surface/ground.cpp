@@ -8,13 +8,21 @@ Ground::Ground(const World& world, InstructionSet set, bool places) : kernels_{c
   Surface surface = surface_of(world.spec());
   if (!places) surface.places.reset();
   rows_ = make_surface_rows(surface, set);
+  if (world.spec().talus) {
+    aprons_.emplace(set);
+    apron_numbers_ = apron_numbers(world);
+  }
   if (!surface.places) return;
   quantities_.resize(surface.places->quantities);
   places_.emplace(surface.places, world.sea_fx().value_or(0),
                   static_cast<float>(world.spec().resolution * kSubvoxels), set);
 }
 
-void Ground::start(const Region& region) {
+void Ground::start(const Region& asked) {
+  asked_ = asked;
+  // One column more, so that the slope of what is raised is known.
+  margin_ = aprons_ ? apron_halo(at_level(apron_numbers_, asked.lod)) + 1 : 0;
+  const Region region = asked.expanded(margin_);
   region_ = region;
   next_ = 0;
   height_.reshape(region.width, region.depth);
@@ -35,7 +43,7 @@ void Ground::start(const Region& region) {
     slopes_.resize(xs_.size() - 2);
   }
   rows_->start(xs_);
-  if (places_) places_->start(region.width, region.depth);
+  if (places_) places_->start(asked.width, asked.depth);
 }
 
 void Ground::compute_rows(int count) {
@@ -46,19 +54,20 @@ void Ground::compute_rows(int count) {
     compute_coarse(next_, last);
   }
   next_ = last;
-  if (places_ && !pending()) places_->thin_late(slope_, nullptr);
+  if (pending()) return;
+  if (aprons_) raise_aprons();
+  if (places_) places_->thin_late(slope(), aprons_ ? &cliff_ : nullptr);
 }
 
 // Row z has rows z to z + 2 of `around_` about it.
 void Ground::compute_base(int first, int last) {
   for (int z = first == 0 ? 0 : first + 2; z < last + 2; ++z) {
     rows_->row(region_.z - 1 + z, around_.row(z).data());
-    if (!places_ || z == 0 || z == region_.depth + 1) continue;
+    if (z == 0 || z == region_.depth + 1) continue;
     std::copy_n(around_.row(z).begin() + 1, region_.width, height_.row(z - 1).begin());
-    set_places(z - 1, region_.z - 1 + z, 1, 1);
+    set_places(z - 1, 1, 1);
   }
   for (int z = first; z < last; ++z) {
-    std::copy_n(around_.row(z + 1).begin() + 1, region_.width, height_.row(z).begin());
     kernels_.slope(around_.row(z).data(), around_.row(z + 1).data(), around_.row(z + 2).data(),
                    static_cast<std::size_t>(region_.width), slope_.row(z).data());
   }
@@ -75,13 +84,39 @@ void Ground::compute_coarse(int first, int last) {
       height_.at(x, z) = around_.at(3 * x + 1, 1);
       slope_.at(x, z) = slopes_[static_cast<std::size_t>(3 * x)];
     }
-    if (places_) set_places(z, (region_.z + z) * step, 1, 3);
+    set_places(z, 1, 3);
   }
 }
 
-void Ground::set_places(int z, std::int64_t base_z, std::size_t first, std::size_t step) {
-  rows_->quantities(base_z, quantities_);
-  places_->set_row(z, quantities_, first, step, height_.row(z));
+// Row z of the region, which is the last that `rows_` has computed.
+void Ground::set_places(int z, std::size_t first, std::size_t step) {
+  const int asked_z = z - margin_;
+  if (!places_ || asked_z < 0 || asked_z >= asked_.depth) return;
+  rows_->quantities((region_.z + z) * (std::int64_t{1} << region_.lod.value()), quantities_);
+  places_->set_row(
+      asked_z, quantities_, first + static_cast<std::size_t>(margin_) * step, step,
+      height_.row(z).subspan(static_cast<std::size_t>(margin_), static_cast<std::size_t>(asked_.width)));
+}
+
+void Ground::raise_aprons() {
+  aprons_->compute(height_, slope_, margin_ - 1, at_level(apron_numbers_, region_.lod), with_ring_,
+                   ringed_cliff_);
+  height_.crop_into(margin_, bare_);
+  with_ring_.crop_into(1, raised_);
+  ringed_cliff_.crop_into(1, cliff_);
+  raised_slope_.reshape(asked_.width, asked_.depth);
+  if (region_.lod.value() == 0) {
+    for (int z = 0; z < asked_.depth; ++z) {
+      kernels_.slope(with_ring_.row(z).data(), with_ring_.row(z + 1).data(), with_ring_.row(z + 2).data(),
+                     static_cast<std::size_t>(asked_.width), raised_slope_.row(z).data());
+    }
+    return;
+  }
+  // Base columns beside a coarse one have no apron of their own: it lies at its angle of repose.
+  slope_.crop_into(margin_, raised_slope_);
+  for (std::size_t i = 0; i < raised_slope_.values.size(); ++i) {
+    if (raised_.values[i] > bare_.values[i]) raised_slope_.values[i] = apron_numbers_.c_fx;
+  }
 }
 
 }  // namespace talus::terrain

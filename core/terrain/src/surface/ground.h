@@ -10,6 +10,7 @@
 #include <talus/terrain/field.h>
 
 #include "kernels/columns.h"
+#include "loose/aprons.h"
 #include "place/place_fields.h"
 #include "surface/surface_rows.h"
 
@@ -31,8 +32,11 @@ class Ground {
   /// REQUIRES pending() and count > 0.
   void compute_rows(int count);
 
-  [[nodiscard]] const Field& height() const { return height_; }
-  [[nodiscard]] const Field& slope() const { return slope_; }
+  /// With its aprons, where the world has them.
+  [[nodiscard]] const Field& height() const { return aprons_ ? raised_ : height_; }
+  /// Without.
+  [[nodiscard]] const Field& bare() const { return aprons_ ? bare_ : height_; }
+  [[nodiscard]] const Field& slope() const { return aprons_ ? raised_slope_ : slope_; }
   /// One for each LookRules and each ShareRule of the world; none where they are not wanted.
   [[nodiscard]] std::span<const LookField> looks() const { return places_ ? places_->looks() : kNoLooks; }
   [[nodiscard]] std::span<const Field> shares() const { return places_ ? places_->shares() : kNoShares; }
@@ -40,21 +44,27 @@ class Ground {
  private:
   void compute_base(int first, int last);
   void compute_coarse(int first, int last);
-  void set_places(int z, std::int64_t base_z, std::size_t first, std::size_t step);
+  void raise_aprons();
+  void set_places(int z, std::size_t first, std::size_t step);
 
   static inline const std::vector<LookField> kNoLooks;
   static inline const std::vector<Field> kNoShares;
 
   std::unique_ptr<SurfaceRows> rows_;
   const ColumnKernels& kernels_;
-  Region region_;
-  int next_ = 0;  // row of the region that is not computed yet
+  Region asked_;
+  Region region_;  // with what aprons need around it
+  int next_ = 0;   // row of the region that is not computed yet
   std::vector<std::int64_t> xs_;
   Field around_;
   std::vector<std::int32_t> slopes_;
   Field height_;
   Field slope_;
   std::optional<PlaceFields> places_;
+  std::optional<Aprons> aprons_;
+  ApronNumbers apron_numbers_;  // of level 0
+  int margin_ = 0;              // columns around the region that aprons are made from
+  Field bare_, raised_, raised_slope_, cliff_, with_ring_, ringed_cliff_;
   std::vector<const float*> quantities_;
 };
 

@@ -20,8 +20,9 @@ namespace talus::terrain {
 /// are width x depth of the region, in subvoxels of the region's level.
 struct Terrain {
   Region region;
-  Field surface;                             // H; with the erosion method as it is after erosion
-  Field slope;                               // eq. 1, rise over a run of one column, before erosion
+  Field surface;  // H; with the erosion method as it is after erosion
+  Field bare;     // the ground before talus aprons raise it; H where there are none
+  Field slope;    // eq. 1, rise over a run of one column, before erosion
   std::vector<MaterialId> strata_materials;  // bottom up, neighbours of one material merged
   std::vector<Field> strata;                 // tops of all planes, cut at H; the last equals H
   std::vector<Field> loose;                  // settled thickness, in the order of World::loose()
@@ -90,6 +91,10 @@ class Generator {
   void start_loose();
   void settle(std::size_t place);
   void start_grid(const LooseSpec& loose);
+  [[nodiscard]] bool is_talus(std::size_t place) const;
+  void cut_at_bare(Field& top) const;
+  void add_aprons(Field& thickness);
+  void add_aprons(Terrain& terrain);
   /// With the ring still around everything, which take_eroded() takes off.
   void set_loose_over_ground();
   void start_strata();

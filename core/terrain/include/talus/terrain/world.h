@@ -111,6 +111,15 @@ struct ErodedSpec {
   std::optional<std::size_t> share;  // of PlacesSpec::shares
 };
 
+/// Talus aprons: loose material that cliffs shed and that leans on their feet. Lengths in terrain units.
+struct TalusSpec {
+  std::size_t of = 0;    // the eroded material that it is; walls are steeper than its max_slope
+  double thickness = 8;  // no apron is thicker
+  double share = 0.25;   // of the height of the wall that stands over it
+  double reach = 8;      // how far from its foot a wall sheds
+  double cliff = 12;     // how far from a wall the quantity `cliff` reaches
+};
+
 /// How loose material comes to lie: by the slope of the ground (thesis 3.6), which leaves the surface as it
 /// is, or by moving down (3.5), which changes it.
 enum class Method : std::uint8_t { slope, erosion };
@@ -130,6 +139,7 @@ struct WorldSpec {
   std::vector<FieldSpec>
       fields;  // of regions: those of the file, and shipped ones that it does not give anew
   PlacesSpec places;
+  std::optional<TalusSpec> talus;
 };
 
 class Feature;
