@@ -14,6 +14,7 @@
 #include <talus/voxel/codec.h>
 
 #include "made_height_map.h"
+#include "random_regions.h"
 #include "worlds.h"
 
 namespace talus::terrain {
@@ -71,6 +72,9 @@ World eroding_world(std::uint64_t seed, int steps, const std::string& undergroun
 // strata can hold.
 World any_small_world() {
   const std::uint64_t seed = *rc::gen::arbitrary<std::uint64_t>();
+  if (*rc::gen::inRange(0, 3) == 0) {
+    if (auto regions = World::parse(test::random_regions_text(seed), "regions")) return *std::move(regions);
+  }
   const int steps = *rc::gen::inRange(0, 13);
   if (*rc::gen::inRange(0, 3) == 0) return test::small_caves(seed, std::max(0, steps - 6));
   const std::string underground = *rc::gen::arbitrary<bool>() ? test::underground_text() : "";
@@ -89,6 +93,35 @@ TEST_CASE("A chunk alone has the bytes of the same chunk from any larger patch")
     const Stacks patch = generate_stacks(world, patch_around(key, *rc::gen::inRange(2, 5)));
     RC_ASSERT(encoded(generate_chunk(world, key)) == encoded(extract_chunk(world, patch, key.coord)));
   }));
+}
+
+TEST_CASE("300 random worlds of regions have no seam") {
+  const auto first = static_cast<std::uint64_t>(Catch::rngSeed());
+  int worlds = 0;
+  for (std::uint64_t i = 0; i < 300; ++i) {
+    const std::string text = test::random_regions_text(first + i);
+    const auto world = World::parse(text, "regions");
+    INFO(text);
+    if (!world) {
+      CAPTURE(world.error().message);
+      REQUIRE(world.error().message.find("more than 256 layers") != std::string::npos);
+      continue;
+    }
+    ++worlds;
+    const Lod lod = Lod::of(static_cast<int>(i % (Lod::kMax + 1)));
+    const auto x = static_cast<std::int32_t>(static_cast<std::int64_t>(i * 7919 % 2000) - 1000);
+    const auto z = static_cast<std::int32_t>(static_cast<std::int64_t>(i * 104729 % 2000) - 1000);
+    const Region patch{std::int64_t{x} * kChunkSize, std::int64_t{z} * kChunkSize, 2 * kChunkSize, kChunkSize,
+                       lod};
+    const Stacks stacks = generate_stacks(*world, patch);
+    const MixedRange rows = mixed_range(*world, stacks, x + 1, z);
+    for (std::int32_t y = rows.first - 1; y <= rows.last + 1; ++y) {
+      const ChunkKey key{{x + 1, y, z}, lod};
+      CAPTURE(i, y);
+      REQUIRE(encoded(generate_chunk(*world, key)) == encoded(extract_chunk(*world, stacks, key.coord)));
+    }
+  }
+  CHECK(worlds > 200);
 }
 
 TEST_CASE("Any two overlapping regions agree on every field of every column they share") {

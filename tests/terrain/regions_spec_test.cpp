@@ -33,7 +33,7 @@ std::string short_text() {
   const std::string text = test::regions_world_text();
   const std::size_t fields = text.find("[[field]]");
   const std::size_t surface = text.find("[surface]");
-  const std::size_t materials = text.find("[[stratified]]");
+  const std::size_t materials = text.find("[strata]");
   return text.substr(0, fields) + text.substr(surface, text.find("[surface.land]") - surface) +
          text.substr(materials);
 }
