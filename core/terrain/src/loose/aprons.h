@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <vector>
 
 #include <talus/terrain/field.h>
 #include <talus/vectors/aligned.h>
@@ -64,6 +65,10 @@ class Aprons {
   Field floor_;
   Field surface_;
   Field walls_;
+  std::vector<ColumnRange> active_;  // of each row: where walls are, then where aprons may have come
+  std::vector<ColumnRange> spread_;
+  int first_ = 0;  // rows among which all walls are, to before the last
+  int last_ = 0;
 };
 
 }  // namespace talus::terrain
