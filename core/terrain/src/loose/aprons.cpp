@@ -229,6 +229,10 @@ void Aprons::near_walls(const Field& slope, int margin, const ApronNumbers& numb
     std::transform(from, from + walls_.width, walls_.row(z).begin(),
                    [&](std::int32_t rise) { return rise > numbers.wall_fx ? 0 : kCliff; });
   }
+  if (std::find(walls_.values.begin(), walls_.values.end(), 0) == walls_.values.end()) {
+    std::fill(cliff.values.begin(), cliff.values.end(), 0);
+    return;
+  }
   distances_.start(walls_);
   const std::int32_t straight = (kCliff + numbers.cliff_reach - 1) / numbers.cliff_reach;
   distances_.settle(Rise{straight, along_diagonal(straight)});
