@@ -7,14 +7,17 @@
 #include <vector>
 
 #include <talus/terrain/generator.h>
+#include <talus/terrain/slope.h>
 #include <talus/terrain/stacks.h>
 #include <talus/terrain/surface.h>
 
 #include "fixtures.h"
+#include "loose/aprons.h"
 #include "made_height_map.h"
 #include "noise/point_fbm.h"
 #include "noise/rotated_fbm.h"
 #include "table.h"
+#include "worlds.h"
 
 namespace {
 
@@ -87,6 +90,36 @@ void rotated(State& state, int k) {
   bench::works_on(state, "column", kPatchSide * kPatchSide);
 }
 
+// Among the mesas of a world of regions, where some 7 % of columns are walls.
+struct Mesas {
+  static constexpr ApronNumbers kNumbers{284, 179, 8 * kSubvoxels, 192, 8, 128 * kSubvoxels, 12};
+  const int halo = apron_halo(kNumbers);
+  const int side = kPatchSide + 2 * halo;
+  const std::vector<std::int64_t> xs = bench::line(-3400, side + 2);
+  const std::vector<std::int64_t> zs = bench::line(-5100, side + 2);
+  const Surface surface = surface_of(World::parse(test::regions_world_text(), "mesas").value().spec());
+};
+
+void aprons(State& state) {
+  const Mesas mesas;
+  Field around{mesas.side + 2, mesas.side + 2};
+  sample_surface(mesas.surface, mesas.xs, mesas.zs, around.values);
+  const Field height = around.cropped(1);
+  const Field slope = slope_inside(around);
+  Aprons aprons{instruction_set()};
+  Field raised;
+  Field cliff;
+  for (auto _ : state) aprons.compute(height, slope, mesas.halo, Mesas::kNumbers, raised, cliff);
+  bench::works_on(state, "column", std::int64_t{mesas.side} * mesas.side);
+}
+
+void surface_of_mesas(State& state) {
+  const Mesas mesas;
+  Field around{mesas.side + 2, mesas.side + 2};
+  for (auto _ : state) sample_surface(mesas.surface, mesas.xs, mesas.zs, around.values);
+  bench::works_on(state, "column", std::int64_t{mesas.side + 2} * (mesas.side + 2));
+}
+
 void patch(State& state, const World& world) {
   Generator generator{world};
   Stacks stacks;
@@ -115,6 +148,8 @@ BENCHMARK_CAPTURE(surface, rotated_wide_vs, "perlin")
 BENCHMARK_CAPTURE(rotated, narrow, 7)->Name("noise, a rotated octave of 11 columns");
 BENCHMARK_CAPTURE(surface, rotated_narrow_vs, "perlin")
     ->Name("noise, a rotated octave of 11 columns/vs:perlin");
+BENCHMARK(aprons)->Name("aprons and cliffs among mesas");
+BENCHMARK(surface_of_mesas)->Name("aprons and cliffs among mesas/vs:their surface");
 BENCHMARK_CAPTURE(patch_of_kind, ridged, "ridged")->Name("patch, ridged");
 BENCHMARK_CAPTURE(patch_of_kind, ridged_vs, "perlin")->Name("patch, ridged/vs:perlin");
 BENCHMARK_CAPTURE(patch_of_kind, warped, "warped")->Name("patch, warped");

@@ -1,6 +1,7 @@
 // Counts what the hot path allocates: nothing, once its buffers have the size of the work.
 #include <catch2/catch.hpp>
 
+#include <algorithm>
 #include <atomic>
 #include <cstdlib>
 #include <new>
@@ -10,10 +11,12 @@
 
 #include <talus/terrain/extraction.h>
 #include <talus/terrain/generator.h>
+#include <talus/terrain/slope.h>
 #include <talus/terrain/stacks.h>
 #include <talus/voxel/codec.h>
 
 #include "features_of.h"
+#include "loose/aprons.h"
 #include "worlds.h"
 
 namespace {
@@ -76,6 +79,23 @@ TEST_CASE("Neither does one of a world whose features survey the ground") {
       "thickness = 0.4\nabundance = 0.8\npool_reach = 0.4\n";
   check_warm_generation(
       World::parse(test::small_world_text(1) + lava, "lava", {}, features_with_fixture()).value());
+}
+
+TEST_CASE("Aprons and cliffs of a patch need no allocation once there was one") {
+  const ApronNumbers numbers{284, 179, 2048, 192, 8, 0, 12};
+  Field height{168, 168};
+  for (int i = 0; i < 168; ++i) std::fill(height.row(i).begin(), height.row(i).end(), i / 20 * 5000);
+  const Field slope = slope_inside(height);
+  height = height.cropped(1);
+  Aprons aprons{instruction_set()};
+  Field raised;
+  Field cliff;
+  const auto compute = [&] { aprons.compute(height, slope, apron_halo(numbers), numbers, raised, cliff); };
+  compute();
+  CHECK(raised.values != height.cropped(apron_halo(numbers)).values);
+  const std::size_t before = allocations;
+  compute();
+  CHECK(allocations == before);
 }
 
 TEST_CASE("A chunk that is made in another's memory is extracted and coded without an allocation") {

@@ -152,16 +152,16 @@ class SlowAprons {
   Field surface_;
 };
 
-// Terraces, holes and noise: walls over one column or several, ledges, lone peaks.
+// Terraces whose walls are one column wide or more, ditches, lone peaks, and noise.
 Field any_ground(int side) {
   Field height{side, side};
-  const int kind = *rc::gen::inRange(0, 4);
-  const int rough = *rc::gen::element(1, 60, 400);
-  const int wide = *rc::gen::inRange(2, 20);
-  const int tall = *rc::gen::element(500, 4000, 12000, 60000);
+  const int kind = *rc::gen::element(0, 1, 1, 1, 2, 3);
+  const int rough = *rc::gen::element(1, 20, 60, 250);
+  const int apart = *rc::gen::inRange(4, 40);
+  const int wide = *rc::gen::inRange(1, 10);
+  const int tall = *rc::gen::element(500, 4000, 8000, 12000, 60000);
   const int aslant = *rc::gen::inRange(0, 4);
-  const int start = *rc::gen::inRange(0, 1 << 20);
-  std::uint32_t state = static_cast<std::uint32_t>(start) * 2654435761U + 1;
+  auto state = static_cast<std::uint32_t>(*rc::gen::inRange(0, 1 << 20)) * 2654435761U + 1;
   const auto draw = [&](int most) {
     state = state * 1664525U + 1013904223U;
     return static_cast<std::int32_t>((state >> 8) % static_cast<std::uint32_t>(most));
@@ -169,11 +169,12 @@ Field any_ground(int side) {
   for (int z = 0; z < side; ++z) {
     for (int x = 0; x < side; ++x) {
       const int along = x + z * aslant / 2;
+      const int past = along % apart;
       std::int32_t h = draw(rough);
       if (kind == 0) h += draw(tall);
-      if (kind == 1) h += along / wide * tall;
-      if (kind == 2) h += along % (3 * wide) < wide ? tall : (along % (3 * wide) - wide) * 100;
-      if (kind == 3) h += draw(6 * wide) == 0 ? tall : 0;
+      if (kind == 1) h += along / apart * tall + std::min(past, wide) * tall / wide;
+      if (kind == 2) h += past < wide ? tall : (past - wide) * 100;
+      if (kind == 3) h += draw(6 * apart) == 0 ? tall : 0;
       height.at(x, z) = std::min(h, 1 << 23);
     }
   }
@@ -197,12 +198,13 @@ Field slope_of(const Field& height) {
 
 ApronNumbers any_numbers() {
   ApronNumbers numbers;
-  numbers.wall_fx = *rc::gen::element(50, 284, 900);
-  numbers.c_fx = *rc::gen::oneOf(rc::gen::inRange(60, 400), rc::gen::just(5000));
-  numbers.most_fx = *rc::gen::oneOf(rc::gen::inRange(0, 2100), rc::gen::inRange(0, 9));
-  numbers.share_q8 = *rc::gen::element(0, 64, 192, 1024);
-  numbers.steps = *rc::gen::element(0, 1, 2, 4, 8);
-  numbers.bare_fx = *rc::gen::element(-(1 << 29), 300, 3000);
+  numbers.wall_fx = *rc::gen::element(120, 284, 900);
+  numbers.c_fx =
+      *rc::gen::oneOf(rc::gen::inRange(60, 400), rc::gen::inRange(60, 400), rc::gen::inRange(60, 3000));
+  numbers.most_fx = *rc::gen::oneOf(rc::gen::inRange(400, 2100), rc::gen::inRange(0, 2100));
+  numbers.share_q8 = *rc::gen::element(0, 64, 192, 256, 1024);
+  numbers.steps = *rc::gen::element(0, 1, 2, 4, 8, 8);
+  numbers.bare_fx = *rc::gen::element(-(1 << 29), -(1 << 29), 300, 3000);
   numbers.cliff_reach = *rc::gen::inRange(0, 20);
   numbers.c_fx = std::max(numbers.c_fx, numbers.most_fx / 24);
   return numbers;

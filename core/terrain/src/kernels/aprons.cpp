@@ -18,12 +18,20 @@ using talus::HWY_NAMESPACE::over_row;
 
 using Columns = hn::ScalableTag<std::int32_t>;
 
-bool start_feet(const std::int32_t* height, const std::int32_t* slope, std::size_t width,
-                std::int32_t wall_fx, std::int32_t* foot) {
-  bool walls = false;
+// Widens a range by the vector at x where any lane of the mask is set.
+template <class Tag, class Mask>
+HWY_INLINE void include(Tag d, Mask mask, std::size_t x, ColumnRange& range) {
+  if (hn::AllFalse(d, mask)) return;
+  if (range.last == 0) range.first = x;
+  range.last = x + hn::Lanes(d);
+}
+
+ColumnRange start_feet(const std::int32_t* height, const std::int32_t* slope, std::size_t width,
+                       std::int32_t wall_fx, std::int32_t* foot) {
+  ColumnRange walls;
   over_row(Columns{}, width, [=, &walls](auto d, std::size_t x) HWY_ATTR {
     const auto wall = hn::Gt(hn::LoadU(d, slope + x), hn::Set(d, wall_fx));
-    walls = walls || !hn::AllFalse(d, wall);
+    include(d, wall, x, walls);
     hn::StoreU(hn::IfThenElse(wall, hn::Set(d, kNoGround_fx), hn::LoadU(d, height + x)), d, foot + x);
   });
   return walls;
@@ -34,12 +42,16 @@ void descend(const std::int32_t* feet, std::size_t stride, const std::int32_t* s
   over_row(Columns{}, width, [=](auto d, std::size_t x) HWY_ATTR {
     const std::int32_t* own = feet + stride + x;
     const auto before = hn::LoadU(d, own + 1);
+    const auto wall = hn::Gt(hn::LoadU(d, slope + x), hn::Set(d, wall_fx));
+    if (hn::AllFalse(d, wall)) {
+      hn::StoreU(before, d, foot + x);
+      return;
+    }
     auto lowest = hn::Min(before, hn::Min(hn::LoadU(d, own), hn::LoadU(d, own + 2)));
     for (const std::int32_t* row : {own - stride, own + stride}) {
       const auto ends = hn::Min(hn::LoadU(d, row), hn::LoadU(d, row + 2));
       lowest = hn::Min(lowest, hn::Min(ends, hn::LoadU(d, row + 1)));
     }
-    const auto wall = hn::Gt(hn::LoadU(d, slope + x), hn::Set(d, wall_fx));
     hn::StoreU(hn::IfThenElse(wall, lowest, before), d, foot + x);
   });
 }
@@ -64,9 +76,10 @@ void halve(std::size_t width, int times, std::int32_t* sum) {
   for (; x < width; ++x) sum[x] >>= times;
 }
 
-bool begin(const std::int32_t* height, const std::int32_t* slope, const std::int32_t* foot,
-           const std::int32_t* mean, std::size_t width, const ApronSupply& supply, const ApronRows& out) {
-  bool begins = false;
+ColumnRange begin(const std::int32_t* height, const std::int32_t* slope, const std::int32_t* foot,
+                  const std::int32_t* mean, std::size_t width, const ApronSupply& supply,
+                  const ApronRows& out) {
+  ColumnRange begins;
   over_row(Columns{}, width, [=, &begins](auto d, std::size_t x) HWY_ATTR {
     const auto own = hn::LoadU(d, height + x);
     const auto low = hn::LoadU(d, foot + x);
@@ -82,7 +95,7 @@ bool begin(const std::int32_t* height, const std::int32_t* slope, const std::int
     // A wall is free of scree where it stands over its apron, and where its foot is not in reach.
     const auto free = hn::Or(hn::AndNot(hn::Lt(own, leaning), above), hn::And(wall, hn::Eq(low, none)));
     const auto source = hn::And(above, hn::Gt(given, hn::Zero(d)));
-    begins = begins || !hn::AllFalse(d, source);
+    include(d, source, x, begins);
     hn::StoreU(hn::IfThenElse(free, none, own), d, out.floor + x);
     hn::StoreU(hn::IfThenElse(source, surface, hn::Neg(none)), d, out.top + x);
     hn::StoreU(surface, d, out.surface + x);
@@ -120,6 +133,13 @@ void finish(const std::int32_t* surfaces, std::size_t stride, const std::int32_t
             const std::int32_t* top, std::size_t width, std::int32_t c_fx, std::int32_t bare_fx,
             std::int32_t* raised) {
   over_row(Columns{}, width, [=](auto d, std::size_t x) HWY_ATTR {
+    const auto own = hn::LoadU(d, height + x);
+    const auto apron = hn::LoadU(d, top + x);
+    const auto covered = hn::Gt(apron, own);
+    if (hn::AllFalse(d, covered)) {
+      hn::StoreU(own, d, raised + x);
+      return;
+    }
     const auto across = [d](const std::int32_t* row) HWY_ATTR {
       const auto ends = hn::Add(hn::LoadU(d, row), hn::LoadU(d, row + 2));
       return hn::Add(ends, hn::ShiftLeft<1>(hn::LoadU(d, row + 1)));
@@ -127,12 +147,10 @@ void finish(const std::int32_t* surfaces, std::size_t stride, const std::int32_t
     const std::int32_t* row = surfaces + x;
     const auto sides = hn::Add(across(row), across(row + 2 * stride));
     const auto smooth = hn::ShiftRight<4>(hn::Add(sides, hn::ShiftLeft<1>(across(row + stride))));
-    const auto own = hn::LoadU(d, height + x);
-    const auto apron = hn::LoadU(d, top + x);
     const auto highest = hn::Min(smooth, hn::Add(apron, hn::Set(d, c_fx >> 1)));
     const auto room = hn::Sub(own, hn::Set(d, bare_fx));
     const auto thickness = hn::Max(hn::Min(hn::Sub(highest, own), room), hn::Zero(d));
-    hn::StoreU(hn::Add(own, hn::IfThenElseZero(hn::Gt(apron, own), thickness)), d, raised + x);
+    hn::StoreU(hn::Add(own, hn::IfThenElseZero(covered, thickness)), d, raised + x);
   });
 }
 

@@ -21,6 +21,12 @@ struct ApronRows {
   std::int32_t* surface;  // H; in walls, the top of the apron that leans on them
 };
 
+/// Columns of a row, from the first to before the last; none where that is the first.
+struct ColumnRange {
+  std::size_t first = 0;
+  std::size_t last = 0;
+};
+
 struct ApronSupply {
   std::int32_t wall_fx;
   std::int32_t most_fx;
@@ -29,9 +35,9 @@ struct ApronSupply {
 };
 
 struct ApronKernels {
-  /// foot = H where the slope is no wall's, else kNoGround_fx. Whether there is a wall.
-  bool (*start_feet)(const std::int32_t* height, const std::int32_t* slope, std::size_t width,
-                     std::int32_t wall_fx, std::int32_t* foot);
+  /// foot = H where the slope is no wall's, else kNoGround_fx. Columns among which all walls are.
+  ColumnRange (*start_feet)(const std::int32_t* height, const std::int32_t* slope, std::size_t width,
+                            std::int32_t wall_fx, std::int32_t* foot);
   /// In walls the lowest foot of the nine columns; elsewhere what it was. `feet` is the row before the
   /// middle one.
   void (*descend)(const std::int32_t* feet, std::size_t stride, const std::int32_t* slope, std::size_t width,
@@ -39,9 +45,10 @@ struct ApronKernels {
   /// sum += other.
   void (*add)(const std::int32_t* other, std::size_t width, std::int32_t* sum);
   void (*halve)(std::size_t width, int times, std::int32_t* sum);
-  /// From the means of H around. Whether an apron begins here.
-  bool (*begin)(const std::int32_t* height, const std::int32_t* slope, const std::int32_t* foot,
-                const std::int32_t* mean, std::size_t width, const ApronSupply& supply, const ApronRows& out);
+  /// From the means of H around. Columns among which all are where an apron begins.
+  ColumnRange (*begin)(const std::int32_t* height, const std::int32_t* slope, const std::int32_t* foot,
+                       const std::int32_t* mean, std::size_t width, const ApronSupply& supply,
+                       const ApronRows& out);
   /// One step outward: at least c lower than a neighbour in a row or column, diagonal_fx than the others, and
   /// at most thickest_fx above the floor. Tops in walls end with it. `tops` is the row before the middle one.
   void (*spread)(const std::int32_t* tops, std::size_t stride, const std::int32_t* floor, std::size_t width,

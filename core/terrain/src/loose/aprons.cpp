@@ -37,6 +37,26 @@ std::size_t inner(int side, int ring) {
   return static_cast<std::size_t>(side - 2 * ring);
 }
 
+// `range` counted from `ring`.
+ColumnRange past(ColumnRange range, int ring) {
+  const auto columns = static_cast<std::size_t>(ring);
+  return range.last == 0 ? range : ColumnRange{range.first + columns, range.last + columns};
+}
+
+// What of it lies `ring` columns or more from the ends of a row.
+ColumnRange within(ColumnRange range, int width, int ring) {
+  const auto first = static_cast<std::size_t>(ring);
+  const ColumnRange inside{std::max(range.first, first),
+                           std::min(range.last, static_cast<std::size_t>(width) - first)};
+  return inside.first < inside.last ? inside : ColumnRange{};
+}
+
+ColumnRange both(ColumnRange a, ColumnRange b) {
+  if (a.last == 0) return b;
+  if (b.last == 0) return a;
+  return {std::min(a.first, b.first), std::max(a.last, b.last)};
+}
+
 }  // namespace
 
 ApronNumbers apron_numbers(const World& world) {
@@ -102,21 +122,33 @@ void Aprons::compute(const Field& height, const Field& slope, int margin, const 
 bool Aprons::start_feet(const Field& height, const Field& slope, const ApronNumbers& numbers, int ring) {
   feet_.reshape(height.width, height.depth);
   next_.reshape(height.width, height.depth);
-  bool walls = false;
+  active_.assign(static_cast<std::size_t>(height.depth), {});
+  first_ = height.depth;
+  last_ = 0;
+  const std::size_t width = inner(height.width, ring);
   for (int z = ring; z < height.depth - ring; ++z) {
-    walls |= kernels_->start_feet(height.row(z).data() + ring, slope.row(z).data() + ring,
-                                  inner(height.width, ring), numbers.wall_fx, &feet_.at(ring, z));
+    const ColumnRange walls = kernels_->start_feet(height.row(z).data() + ring, slope.row(z).data() + ring,
+                                                   width, numbers.wall_fx, &feet_.at(ring, z));
+    std::copy_n(&feet_.at(ring, z), width, &next_.at(ring, z));
+    if (walls.last == 0) continue;
+    active_[static_cast<std::size_t>(z)] = past(walls, ring);
+    first_ = std::min(first_, z);
+    last_ = z + 1;
   }
-  return walls;
+  return first_ < last_;
 }
 
+// Where no walls are, both fields have the ground from the start.
 void Aprons::find_feet(const Field& slope, const ApronNumbers& numbers, int ring) {
   const auto stride = static_cast<std::size_t>(slope.width);
   for (int step = 0; step < numbers.steps; ++step) {
     ++ring;
-    for (int z = ring; z < slope.depth - ring; ++z) {
-      kernels_->descend(&feet_.at(ring - 1, z - 1), stride, slope.row(z).data() + ring,
-                        inner(slope.width, ring), numbers.wall_fx, &next_.at(ring, z));
+    for (int z = std::max(ring, first_); z < std::min(slope.depth - ring, last_); ++z) {
+      const ColumnRange columns = within(active_[static_cast<std::size_t>(z)], slope.width, ring);
+      if (columns.last == 0) continue;
+      const auto x = static_cast<int>(columns.first);
+      kernels_->descend(&feet_.at(x - 1, z - 1), stride, slope.row(z).data() + x,
+                        columns.last - columns.first, numbers.wall_fx, &next_.at(x, z));
     }
     std::swap(feet_, next_);
   }
@@ -124,12 +156,15 @@ void Aprons::find_feet(const Field& slope, const ApronNumbers& numbers, int ring
 
 // A tent of 2 steps - 1 columns, as two boxes along each axis, and a box of 2^k columns as k additions of
 // what lies 1, 2, 4, .. farther on. The mean of column (steps - 1 + ring + x, ..) comes to lie at (x, ..).
+// Only rows that walls need.
 void Aprons::find_means(const Field& height, int steps, int ring) {
   const int halvings = std::bit_width(static_cast<unsigned>(steps)) - 1;
   std::size_t width = inner(height.width, ring);
-  int depth = height.depth - 2 * ring;
+  const int past_first = ring + steps - 1;
+  const int first = std::max(0, first_ - past_first);
+  int last = std::min(height.depth - ring, last_ + steps - 1) - ring;
   means_.reshape(height.width, height.depth);
-  for (int z = 0; z < depth; ++z) {
+  for (int z = first; z < last; ++z) {
     std::int32_t* const row = means_.row(z).data();
     std::copy_n(height.row(z + ring).data() + ring, width, row);
     std::size_t left = width;
@@ -144,12 +179,12 @@ void Aprons::find_means(const Field& height, int steps, int ring) {
   width -= 2 * static_cast<std::size_t>(steps - 1);
   for (int box = 0; box < 2; ++box) {
     for (int past = 1; past < steps; past *= 2) {
-      depth -= past;
-      for (int z = 0; z < depth; ++z) {
+      last -= past;
+      for (int z = first; z < last; ++z) {
         kernels_->add(means_.row(z + past).data(), width, means_.row(z).data());
       }
     }
-    for (int z = 0; z < depth; ++z) kernels_->halve(width, halvings, means_.row(z).data());
+    for (int z = first; z < last; ++z) kernels_->halve(width, halvings, means_.row(z).data());
   }
 }
 
@@ -158,26 +193,42 @@ bool Aprons::begin(const Field& height, const Field& slope, const ApronNumbers& 
   surface_.reshape(height.width, height.depth);
   const std::int32_t enough_fx = (numbers.most_fx * 256 + numbers.share_q8 - 1) / numbers.share_q8;
   const ApronSupply supply{numbers.wall_fx, numbers.most_fx, numbers.share_q8, enough_fx};
+  active_.assign(active_.size(), {});
   bool any = false;
   for (int z = ring; z < height.depth - ring; ++z) {
-    any |= kernels_->begin(height.row(z).data() + ring, slope.row(z).data() + ring, &feet_.at(ring, z),
-                           &means_.at(1, z - ring + 1), inner(height.width, ring), supply,
-                           {&floor_.at(ring, z), &next_.at(ring, z), &surface_.at(ring, z)});
+    const ColumnRange begins =
+        kernels_->begin(height.row(z).data() + ring, slope.row(z).data() + ring, &feet_.at(ring, z),
+                        &means_.at(1, z - ring + 1), inner(height.width, ring), supply,
+                        {&floor_.at(ring, z), &next_.at(ring, z), &surface_.at(ring, z)});
+    active_[static_cast<std::size_t>(z)] = past(begins, ring);
+    any |= begins.last != 0;
   }
   return any;
 }
 
+// An apron comes one column and one row farther in a step, so what lies beyond needs no look: there both
+// fields have no tops from the start.
 void Aprons::spread(const ApronNumbers& numbers, int ring) {
   const auto stride = static_cast<std::size_t>(floor_.width);
+  const std::int32_t diagonal_fx = along_diagonal(numbers.c_fx);
   const int steps = spreads(numbers);
+  std::fill(feet_.values.begin(), feet_.values.end(), -kNoGround_fx);
+  spread_.assign(active_.size(), {});
   for (int step = 1; step <= steps; ++step) {
     ++ring;
     std::swap(feet_, next_);
     for (int z = ring; z < floor_.depth - ring; ++z) {
-      kernels_->spread(&feet_.at(ring - 1, z - 1), stride, &floor_.at(ring, z), inner(floor_.width, ring),
-                       numbers.c_fx, along_diagonal(numbers.c_fx), numbers.most_fx - numbers.c_fx * step,
-                       &next_.at(ring, z));
+      const auto row = static_cast<std::size_t>(z);
+      const ColumnRange near = both(active_[row - 1], both(active_[row], active_[row + 1]));
+      if (near.last == 0) continue;
+      const ColumnRange columns = within({near.first - 1, near.last + 1}, floor_.width, ring);
+      spread_[row] = columns;
+      if (columns.last == 0) continue;
+      const auto x = static_cast<int>(columns.first);
+      kernels_->spread(&feet_.at(x - 1, z - 1), stride, &floor_.at(x, z), columns.last - columns.first,
+                       numbers.c_fx, diagonal_fx, numbers.most_fx - numbers.c_fx * step, &next_.at(x, z));
     }
+    std::swap(active_, spread_);
   }
 }
 
@@ -194,6 +245,10 @@ void Aprons::near_walls(const Field& slope, int margin, const ApronNumbers& numb
     const std::int32_t* const from = slope.row(z + ring).data() + ring;
     std::transform(from, from + walls_.width, walls_.row(z).begin(),
                    [&](std::int32_t rise) { return rise > numbers.wall_fx ? 0 : kCliff; });
+  }
+  if (std::find(walls_.values.begin(), walls_.values.end(), 0) == walls_.values.end()) {
+    std::fill(cliff.values.begin(), cliff.values.end(), 0);
+    return;
   }
   distances_.start(walls_);
   const std::int32_t straight = (kCliff + numbers.cliff_reach - 1) / numbers.cliff_reach;

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <vector>
 
 #include <talus/terrain/field.h>
 #include <talus/terrain/world.h>
@@ -19,12 +20,11 @@ namespace talus::terrain {
 struct ApronNumbers {
   std::int32_t wall_fx = 0;   // a column is wall where its slope is above that
   std::int32_t c_fx = 1;      // rise per column at repose, 1 to 2^20
-  std::int32_t most_fx = 0;   // no apron is thicker, 0 to 2^20
+  std::int32_t most_fx = 0;   // no apron is thicker, 0 to 2^20; 0: no aprons
   std::int32_t share_q8 = 0;  // of the rock around that stands above a foot, 0 to 1024 (= 4)
-  int steps =
-      0;  // how far from its foot a wall is known, and the rock above it: 1, 2, 4, .. 32; 0: no aprons
-  std::int32_t bare_fx = -(1 << 29);  // aprons are no thicker than H - bare_fx: so beds and shores are free
-  int cliff_reach = 0;                // how far from a wall it counts as near, up to 4096; 0: nowhere
+  int steps = 0;              // columns in which a wall's foot is looked for, and rock: 1, 2, 4, .. 32, or 0
+  std::int32_t bare_fx = -(1 << 29);  // no apron is thicker than H - bare_fx, so that beds are free; to 2^23
+  int cliff_reach = 0;                // columns from a wall that count as near, up to 4096; 0: none
 };
 
 /// What a world's [talus] says, at level 0. REQUIRES that it has one.
@@ -68,6 +68,10 @@ class Aprons {
   Field floor_;
   Field surface_;
   Field walls_;
+  std::vector<ColumnRange> active_;  // of each row: where walls are, then where aprons may have come
+  std::vector<ColumnRange> spread_;
+  int first_ = 0;  // rows among which all walls are, to before the last
+  int last_ = 0;
 };
 
 }  // namespace talus::terrain
