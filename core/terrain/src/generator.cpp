@@ -179,6 +179,7 @@ void Generator::generate_with_halo(const Region& region, int halo, Terrain& terr
   if (erodes) {
     const int ring = std::min(halo, loose_halo(*world_, region.lod));
     compute_ground(region, ring, halo);
+    take_places(terrain);
     set_loose_over_ground();
     while (step_erosion()) {
     }
@@ -192,6 +193,7 @@ void Generator::generate_with_halo(const Region& region, int halo, Terrain& terr
   // The outermost column of the halo serves the slope alone.
   const int ring = std::clamp(loose_halo(*world_, region.lod), 1, halo) - 1;
   compute_ground(region, ring, halo);
+  take_places(terrain);
   s.ground.slope().crop_into(s.around, terrain.slope);
   s.ground.height().crop_into(s.around, terrain.surface);
   build_strata(terrain);
@@ -214,9 +216,6 @@ void Generator::generate_with_halo(const Region& region, int halo, Terrain& terr
 
 /// The material of aprons reaches down to the ground without them, under all that is lighter.
 void Generator::add_aprons(Terrain& terrain) {
-  Scratch& s = *scratch_;
-  s.ground.bare().crop_into(s.around, terrain.bare);
-  shift_right(terrain.bare, terrain.region.lod.value());
   if (!world_->spec().talus) return;
   Field top = terrain.surface;
   for (std::size_t i = world_->loose_bottom_up().size(); i-- > 0;) {
@@ -245,11 +244,12 @@ void Generator::build_strata(Terrain& terrain) {
 
 std::int64_t Generator::generate_to_rest(const Region& region, Neighbours neighbours, Terrain& terrain) {
   Scratch& s = *scratch_;
+  terrain.region = region;
   compute_ground(region, 0, halo_columns(*world_, region.lod));
+  take_places(terrain);
   set_loose_over_ground();
   Eroder eroder{neighbours};
   const std::int64_t steps = eroder.rest(s.rules, s.loose_ground);
-  terrain.region = region;
   s.ground.slope().crop_into(s.around, terrain.slope);
   terrain.loose.resize(world_->loose().size());
   take_eroded(0, terrain);
@@ -490,6 +490,23 @@ void Generator::start_grid(const LooseSpec& loose) {
   if (!loose.share) return s.grid.start(*s.loose_slope, loose.thickness_at(lod), loose.S_fx);
   s.ground.shares()[*loose.share].crop_into(s.around - s.ring, s.share);
   s.grid.start(*s.loose_slope, s.share, loose.t_fx, kWholeShare << lod.value(), loose.S_fx);
+}
+
+/// All that is known with the ground.
+void Generator::take_places(Terrain& terrain) {
+  Scratch& s = *scratch_;
+  s.ground.bare().crop_into(s.around, terrain.bare);
+  shift_right(terrain.bare, terrain.region.lod.value());
+  take_looks(terrain.looks);
+  terrain.place.resize(world_->loose().size());
+  for (std::size_t m = 0; m < terrain.place.size(); ++m) {
+    const LooseSpec& loose = world_->loose()[m];
+    Field& place = terrain.place[m];
+    place.reshape(terrain.region.width, terrain.region.depth);
+    std::fill(place.values.begin(), place.values.end(), kWholeShare);
+    if (loose.share) s.ground.shares()[*loose.share].crop_into(s.around, place);
+    for (std::int32_t& value : place.values) value = loose.thickness_at(terrain.region.lod, value);
+  }
 }
 
 void Generator::take_looks(std::vector<LookField>& looks) {

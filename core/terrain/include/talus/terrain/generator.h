@@ -26,7 +26,9 @@ struct Terrain {
   std::vector<MaterialId> strata_materials;  // bottom up, neighbours of one material merged
   std::vector<Field> strata;                 // tops of all planes, cut at H; the last equals H
   std::vector<Field> loose;                  // settled thickness, in the order of World::loose()
-  CaveAir caves;                             // not cut out of surface and strata, but for erosion's entrances
+  std::vector<Field> place;      // t(x, z) of each: what a place allows before the slope takes its part
+  std::vector<LookField> looks;  // of each column, by each of PlacesSpec::looks
+  CaveAir caves;                 // not cut out of surface and strata, but for erosion's entrances
 };
 
 /// Halo columns of surface around a region at `lod`: max over the loose materials of ceil(t_l / c); with the
@@ -105,6 +107,7 @@ class Generator {
   /// `surface` lies over the region, in its level's subvoxels.
   void take_caves(int ring, const Field& surface, CaveAir& air);
   void take_surveys(std::vector<Field>& surveys);
+  void take_places(Terrain& terrain);
   void take_looks(std::vector<LookField>& looks);
 
   const World* world_;
