@@ -141,7 +141,7 @@ void Aprons::find_feet(const Field& slope, const ApronNumbers& numbers, int ring
 // what lies 1, 2, 4, .. farther on. The mean of column (steps - 1 + ring + x, ..) comes to lie at (x, ..).
 // Only rows that walls need.
 void Aprons::find_means(const Field& height, int steps, int ring) {
-  const int halvings = std::bit_width(static_cast<unsigned>(steps)) - 1;
+  const int halvings = std::countr_zero(static_cast<unsigned>(steps));
   std::size_t width = inner_columns(height.width, ring);
   const int past_first = ring + steps - 1;
   const int first = std::max(0, first_ - past_first);
