@@ -20,7 +20,7 @@ using Columns = hn::ScalableTag<std::int32_t>;
 
 // Widens a range by the vector at x where any lane of the mask is set.
 template <class Tag, class Mask>
-HWY_INLINE void include(Tag d, Mask mask, std::size_t x, ColumnRange& range) {
+HWY_INLINE void include_vector(Tag d, Mask mask, std::size_t x, ColumnRange& range) {
   if (hn::AllFalse(d, mask)) return;
   if (range.last == 0) range.first = x;
   range.last = x + hn::Lanes(d);
@@ -31,7 +31,7 @@ ColumnRange start_feet(const std::int32_t* height, const std::int32_t* slope, st
   ColumnRange walls;
   over_row(Columns{}, width, [=, &walls](auto d, std::size_t x) HWY_ATTR {
     const auto wall = hn::Gt(hn::LoadU(d, slope + x), hn::Set(d, wall_fx));
-    include(d, wall, x, walls);
+    include_vector(d, wall, x, walls);
     hn::StoreU(hn::IfThenElse(wall, hn::Set(d, kNoGround_fx), hn::LoadU(d, height + x)), d, foot + x);
   });
   return walls;
@@ -58,7 +58,7 @@ void descend(const std::int32_t* feet, std::size_t stride, const std::int32_t* s
 
 // Rows overlap where a row is added to itself, shifted: what is read lies ahead of all that is written. So no
 // vector may come twice.
-void add(const std::int32_t* other, std::size_t width, std::int32_t* sum) {
+void add_row(const std::int32_t* other, std::size_t width, std::int32_t* sum) {
   const Columns d;
   std::size_t x = 0;
   for (; x + hn::Lanes(d) <= width; x += hn::Lanes(d)) {
@@ -67,7 +67,7 @@ void add(const std::int32_t* other, std::size_t width, std::int32_t* sum) {
   for (; x < width; ++x) sum[x] += other[x];
 }
 
-void halve(std::size_t width, int times, std::int32_t* sum) {
+void halve_row(std::size_t width, int times, std::int32_t* sum) {
   const Columns d;
   std::size_t x = 0;
   for (; x + hn::Lanes(d) <= width; x += hn::Lanes(d)) {
@@ -76,9 +76,9 @@ void halve(std::size_t width, int times, std::int32_t* sum) {
   for (; x < width; ++x) sum[x] >>= times;
 }
 
-ColumnRange begin(const std::int32_t* height, const std::int32_t* slope, const std::int32_t* foot,
-                  const std::int32_t* mean, std::size_t width, const ApronSupply& supply,
-                  const ApronRows& out) {
+ColumnRange begin_aprons(const std::int32_t* height, const std::int32_t* slope, const std::int32_t* foot,
+                         const std::int32_t* mean, std::size_t width, const ApronSupply& supply,
+                         const ApronRows& out) {
   ColumnRange begins;
   over_row(Columns{}, width, [=, &begins](auto d, std::size_t x) HWY_ATTR {
     const auto own = hn::LoadU(d, height + x);
@@ -95,7 +95,7 @@ ColumnRange begin(const std::int32_t* height, const std::int32_t* slope, const s
     // A wall is free of scree where it stands over its apron, and where its foot is not in reach.
     const auto free = hn::Or(hn::AndNot(hn::Lt(own, leaning), above), hn::And(wall, hn::Eq(low, none)));
     const auto source = hn::And(above, hn::Gt(given, hn::Zero(d)));
-    include(d, source, x, begins);
+    include_vector(d, source, x, begins);
     hn::StoreU(hn::IfThenElse(free, none, own), d, out.floor + x);
     hn::StoreU(hn::IfThenElse(source, surface, hn::Neg(none)), d, out.top + x);
     hn::StoreU(surface, d, out.surface + x);
@@ -103,8 +103,8 @@ ColumnRange begin(const std::int32_t* height, const std::int32_t* slope, const s
   return begins;
 }
 
-void spread(const std::int32_t* tops, std::size_t stride, const std::int32_t* floor, std::size_t width,
-            std::int32_t c_fx, std::int32_t diagonal_fx, std::int32_t thickest_fx, std::int32_t* top) {
+void spread_aprons(const std::int32_t* tops, std::size_t stride, const std::int32_t* floor, std::size_t width,
+                   std::int32_t c_fx, std::int32_t diagonal_fx, std::int32_t thickest_fx, std::int32_t* top) {
   over_row(Columns{}, width, [=](auto d, std::size_t x) HWY_ATTR {
     const std::int32_t* own = tops + stride + x;
     const std::int32_t* north = own - stride;
@@ -123,15 +123,15 @@ void spread(const std::int32_t* tops, std::size_t stride, const std::int32_t* fl
   });
 }
 
-void cover(const std::int32_t* top, std::size_t width, std::int32_t* surface) {
+void cover_row(const std::int32_t* top, std::size_t width, std::int32_t* surface) {
   over_row(Columns{}, width, [=](auto d, std::size_t x) HWY_ATTR {
     hn::StoreU(hn::Max(hn::LoadU(d, surface + x), hn::LoadU(d, top + x)), d, surface + x);
   });
 }
 
-void finish(const std::int32_t* surfaces, std::size_t stride, const std::int32_t* height,
-            const std::int32_t* top, std::size_t width, std::int32_t c_fx, std::int32_t bare_fx,
-            std::int32_t* raised) {
+void finish_aprons(const std::int32_t* surfaces, std::size_t stride, const std::int32_t* height,
+                   const std::int32_t* top, std::size_t width, std::int32_t c_fx, std::int32_t bare_fx,
+                   std::int32_t* raised) {
   over_row(Columns{}, width, [=](auto d, std::size_t x) HWY_ATTR {
     const auto own = hn::LoadU(d, height + x);
     const auto apron = hn::LoadU(d, top + x);
@@ -156,7 +156,8 @@ void finish(const std::int32_t* surfaces, std::size_t stride, const std::int32_t
 
 }  // namespace
 
-constexpr ApronKernels kAprons{start_feet, descend, add, halve, begin, spread, cover, finish};
+constexpr ApronKernels kAprons{start_feet,   descend,       add_row,   halve_row,
+                               begin_aprons, spread_aprons, cover_row, finish_aprons};
 
 }  // namespace talus::terrain::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

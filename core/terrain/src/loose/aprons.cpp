@@ -33,25 +33,25 @@ int cliff_halo(const ApronNumbers& numbers) {
   return std::max(0, numbers.cliff_reach - 1);
 }
 
-std::size_t inner(int side, int ring) {
+std::size_t inner_columns(int side, int ring) {
   return static_cast<std::size_t>(side - 2 * ring);
 }
 
 // `range` counted from `ring`.
-ColumnRange past(ColumnRange range, int ring) {
+ColumnRange counted_from_field(ColumnRange range, int ring) {
   const auto columns = static_cast<std::size_t>(ring);
   return range.last == 0 ? range : ColumnRange{range.first + columns, range.last + columns};
 }
 
 // What of it lies `ring` columns or more from the ends of a row.
-ColumnRange within(ColumnRange range, int width, int ring) {
+ColumnRange known_columns(ColumnRange range, int width, int ring) {
   const auto first = static_cast<std::size_t>(ring);
   const ColumnRange inside{std::max(range.first, first),
                            std::min(range.last, static_cast<std::size_t>(width) - first)};
   return inside.first < inside.last ? inside : ColumnRange{};
 }
 
-ColumnRange both(ColumnRange a, ColumnRange b) {
+ColumnRange hull(ColumnRange a, ColumnRange b) {
   if (a.last == 0) return b;
   if (b.last == 0) return a;
   return {std::min(a.first, b.first), std::max(a.last, b.last)};
@@ -108,13 +108,13 @@ void Aprons::compute(const Field& height, const Field& slope, int margin, const 
   spread(numbers, ring);
   ring += spreads(numbers);
   for (int z = ring; z < height.depth - ring; ++z) {
-    kernels_->cover(&next_.at(ring, z), inner(height.width, ring), &surface_.at(ring, z));
+    kernels_->cover(&next_.at(ring, z), inner_columns(height.width, ring), &surface_.at(ring, z));
   }
   raised.reshape(height.width - 2 * margin, height.depth - 2 * margin);
   const auto stride = static_cast<std::size_t>(height.width);
   for (int z = margin; z < height.depth - margin; ++z) {
     kernels_->finish(&surface_.at(margin - 1, z - 1), stride, height.row(z).data() + margin,
-                     &next_.at(margin, z), inner(height.width, margin), numbers.c_fx, numbers.bare_fx,
+                     &next_.at(margin, z), inner_columns(height.width, margin), numbers.c_fx, numbers.bare_fx,
                      raised.row(z - margin).data());
   }
 }
@@ -125,13 +125,13 @@ bool Aprons::start_feet(const Field& height, const Field& slope, const ApronNumb
   active_.assign(static_cast<std::size_t>(height.depth), {});
   first_ = height.depth;
   last_ = 0;
-  const std::size_t width = inner(height.width, ring);
+  const std::size_t width = inner_columns(height.width, ring);
   for (int z = ring; z < height.depth - ring; ++z) {
     const ColumnRange walls = kernels_->start_feet(height.row(z).data() + ring, slope.row(z).data() + ring,
                                                    width, numbers.wall_fx, &feet_.at(ring, z));
     std::copy_n(&feet_.at(ring, z), width, &next_.at(ring, z));
     if (walls.last == 0) continue;
-    active_[static_cast<std::size_t>(z)] = past(walls, ring);
+    active_[static_cast<std::size_t>(z)] = counted_from_field(walls, ring);
     first_ = std::min(first_, z);
     last_ = z + 1;
   }
@@ -144,7 +144,7 @@ void Aprons::find_feet(const Field& slope, const ApronNumbers& numbers, int ring
   for (int step = 0; step < numbers.steps; ++step) {
     ++ring;
     for (int z = std::max(ring, first_); z < std::min(slope.depth - ring, last_); ++z) {
-      const ColumnRange columns = within(active_[static_cast<std::size_t>(z)], slope.width, ring);
+      const ColumnRange columns = known_columns(active_[static_cast<std::size_t>(z)], slope.width, ring);
       if (columns.last == 0) continue;
       const auto x = static_cast<int>(columns.first);
       kernels_->descend(&feet_.at(x - 1, z - 1), stride, slope.row(z).data() + x,
@@ -158,8 +158,8 @@ void Aprons::find_feet(const Field& slope, const ApronNumbers& numbers, int ring
 // what lies 1, 2, 4, .. farther on. The mean of column (steps - 1 + ring + x, ..) comes to lie at (x, ..).
 // Only rows that walls need.
 void Aprons::find_means(const Field& height, int steps, int ring) {
-  const int halvings = std::bit_width(static_cast<unsigned>(steps)) - 1;
-  std::size_t width = inner(height.width, ring);
+  const int halvings = std::countr_zero(static_cast<unsigned>(steps));
+  std::size_t width = inner_columns(height.width, ring);
   const int past_first = ring + steps - 1;
   const int first = std::max(0, first_ - past_first);
   int last = std::min(height.depth - ring, last_ + steps - 1) - ring;
@@ -198,9 +198,9 @@ bool Aprons::begin(const Field& height, const Field& slope, const ApronNumbers& 
   for (int z = ring; z < height.depth - ring; ++z) {
     const ColumnRange begins =
         kernels_->begin(height.row(z).data() + ring, slope.row(z).data() + ring, &feet_.at(ring, z),
-                        &means_.at(1, z - ring + 1), inner(height.width, ring), supply,
+                        &means_.at(1, z - ring + 1), inner_columns(height.width, ring), supply,
                         {&floor_.at(ring, z), &next_.at(ring, z), &surface_.at(ring, z)});
-    active_[static_cast<std::size_t>(z)] = past(begins, ring);
+    active_[static_cast<std::size_t>(z)] = counted_from_field(begins, ring);
     any |= begins.last != 0;
   }
   return any;
@@ -219,9 +219,9 @@ void Aprons::spread(const ApronNumbers& numbers, int ring) {
     std::swap(feet_, next_);
     for (int z = ring; z < floor_.depth - ring; ++z) {
       const auto row = static_cast<std::size_t>(z);
-      const ColumnRange near = both(active_[row - 1], both(active_[row], active_[row + 1]));
+      const ColumnRange near = hull(active_[row - 1], hull(active_[row], active_[row + 1]));
       if (near.last == 0) continue;
-      const ColumnRange columns = within({near.first - 1, near.last + 1}, floor_.width, ring);
+      const ColumnRange columns = known_columns({near.first - 1, near.last + 1}, floor_.width, ring);
       spread_[row] = columns;
       if (columns.last == 0) continue;
       const auto x = static_cast<int>(columns.first);
