@@ -115,7 +115,7 @@ struct ErodedSpec {
 struct TalusSpec {
   std::size_t of = 0;    // the eroded material that it is; walls are steeper than its max_slope
   double thickness = 8;  // no apron is thicker
-  double share = 0.25;   // of the height of the wall that stands over it
+  double share = 0.75;   // of the rock around that stands over its foot
   double reach = 8;      // how far from its foot a wall sheds
   double cliff = 12;     // how far from a wall the quantity `cliff` reaches
 };
