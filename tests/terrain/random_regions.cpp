@@ -174,7 +174,7 @@ class RegionsWriter {
     for (int i = 0; i < provinces; ++i) {
       text_ << "[[province]]\nname = \"province " << i << "\"\n";
       conditions();
-      text_ << "colours = { \"rock " << draws_.whole(0, layers_ - 1) << "\" = \"#00ff00\" }\n";
+      text_ << "colours = { \"rock " << draws_.whole(1, layers_ - 1) << "\" = \"#00ff00\" }\n";
     }
   }
 

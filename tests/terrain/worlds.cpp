@@ -31,6 +31,18 @@ std::string sample_world_text(const std::string& name) {
   return text_of_file("core/worlds/" + name + ".toml");
 }
 
+std::string sample_world_without(const std::string& name, const std::vector<std::string>& tables) {
+  std::string text = sample_world_text(name);
+  for (const std::string& table : tables) {
+    for (;;) {
+      const std::size_t begin = text.find("\n" + table + "\n");
+      if (begin == std::string::npos) break;
+      text.erase(begin, text.find("\n\n", begin + 1) - begin);
+    }
+  }
+  return text;
+}
+
 std::string regions_world_text() {
   const std::string document = text_of_file("docs/WORLDS.md");
   const std::string begins = "```toml\n";

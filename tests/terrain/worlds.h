@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include <talus/terrain/world.h>
 
@@ -10,6 +11,9 @@ namespace talus::test {
 /// core/worlds/NAME.toml.
 [[nodiscard]] std::string sample_world_text(const std::string& name);
 [[nodiscard]] const terrain::World& sample_world(const std::string& name);
+/// Its text without all tables that begin so, each up to the next blank line.
+[[nodiscard]] std::string sample_world_without(const std::string& name,
+                                               const std::vector<std::string>& tables);
 
 /// The whole file of a world of regions that docs/WORLDS.md shows.
 [[nodiscard]] std::string regions_world_text();

@@ -3,6 +3,7 @@
 #include <array>
 #include <cassert>
 #include <numeric>
+#include <span>
 #include <utility>
 
 #include <talus/terrain/boundary_row.h>
@@ -215,14 +216,17 @@ class LayerPicker {
   /// A layer for each material that shows: each ends at the plane where it shows, and where it does not, or
   /// one before it did, at the layer below.
   void add_shown(const World::ShownBy& shown, const ChunkPlane& plane) {
-    const std::vector<std::uint8_t>& present = looks_in_tile(shown.looks);
-    std::vector<MaterialId> materials;
-    for (const std::uint8_t look : present) {
+    const std::uint64_t present = looks_in_tile(shown.looks);
+    std::array<MaterialId, kMaxLooks + 1> found{};
+    std::size_t count = 0;
+    for (std::size_t look = 0; look < shown.by_look.size(); ++look) {
       const MaterialId material = shown.by_look[look];
-      if (std::find(materials.begin(), materials.end(), material) == materials.end()) {
-        materials.push_back(material);
+      if (((present >> look) & 1) == 0) continue;
+      if (std::find(found.begin(), found.begin() + count, material) == found.begin() + count) {
+        found[count++] = material;
       }
     }
+    const std::span<MaterialId> materials{found.data(), count};
     std::sort(materials.begin(), materials.end());
     for (std::size_t m = 0; m + 1 < materials.size(); ++m) {
       ChunkPlane rows;
@@ -242,27 +246,31 @@ class LayerPicker {
     if (!std::equal(plane.begin(), plane.end(), below())) push(materials.back(), plane);
   }
 
-  /// Those that some column of the tile has, ascending.
-  const std::vector<std::uint8_t>& looks_in_tile(std::size_t rules) {
-    if (present_.size() <= rules) present_.resize(rules + 1);
-    std::vector<std::uint8_t>& present = present_[rules];
-    if (!present.empty()) return present;
-    std::array<bool, kMaxLooks + 1> seen{};
+  /// Bit k: some column of the tile has look k.
+  [[nodiscard]] std::uint64_t looks_in_tile(std::size_t rules) {
+    for (const Present& known : present_) {
+      if (known.looks != 0 && known.rules == rules) return known.looks;
+    }
+    std::uint64_t looks = 0;
     for (int z = 0; z < kChunkSize; ++z) {
-      const std::uint8_t* const looks = tile_.looks(rules, z);
-      for (int x = 0; x < kChunkSize; ++x) seen[looks[x]] = true;
+      const std::uint8_t* const row = tile_.looks(rules, z);
+      for (int x = 0; x < kChunkSize; ++x) looks |= std::uint64_t{1} << row[x];
     }
-    for (std::size_t look = 0; look < seen.size(); ++look) {
-      if (seen[look]) present.push_back(static_cast<std::uint8_t>(look));
-    }
-    return present;
+    present_[next_present_++ % present_.size()] = {rules, looks};
+    return looks;
   }
+
+  struct Present {
+    std::size_t rules = 0;
+    std::uint64_t looks = 0;
+  };
 
   const World& world_;
   const TileRows& tile_;
   std::int32_t floor_row_;
   Layers layers_;
-  std::vector<std::vector<std::uint8_t>> present_;  // by rules
+  std::array<Present, 4> present_{};  // the last that were asked for
+  std::size_t next_present_ = 0;
 };
 
 class ExtractedSite final : public ChunkSite {

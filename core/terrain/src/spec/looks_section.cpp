@@ -9,9 +9,9 @@ namespace {
 
 class LooksReader {
  public:
-  LooksReader(TableReader& root, PlacesReader& places, std::vector<LookRules>& rules,
+  LooksReader(TableReader& root, PlacesReader& places, std::vector<LookRules>& rules, MaterialId lowest,
               std::set<std::string>& names, std::vector<Material>& materials)
-      : root_{root}, places_{places}, rules_{rules}, names_{names}, materials_{materials} {}
+      : root_{root}, places_{places}, rules_{rules}, lowest_{lowest}, names_{names}, materials_{materials} {}
 
   LookTables read() {
     if (root_.has("look")) read_looks();
@@ -115,6 +115,11 @@ class LooksReader {
         colours->fail(rock, "no [[stratified]] material is named so");
         continue;
       }
+      if (of->id == lowest_) {
+        colours->fail(rock,
+                      "the lowest layer goes on without end below y = 0, so it looks the same everywhere");
+        continue;
+      }
       const MaterialId of_id = of->id;
       World::ShownBy& shown = shown_by(of_id, rules);
       shown.by_look.resize(number + 1U, of_id);
@@ -162,6 +167,7 @@ class LooksReader {
   TableReader& root_;
   PlacesReader& places_;
   std::vector<LookRules>& rules_;
+  MaterialId lowest_;
   std::set<std::string>& names_;
   std::vector<Material>& materials_;
   const std::size_t strata_end_ = materials_.size();  // ids of this and later looks' materials are not strata
@@ -173,8 +179,8 @@ class LooksReader {
 }  // namespace
 
 LookTables read_looks(TableReader& root, PlacesReader& places, std::vector<LookRules>& rules,
-                      std::set<std::string>& names, std::vector<Material>& materials) {
-  return LooksReader{root, places, rules, names, materials}.read();
+                      MaterialId lowest, std::set<std::string>& names, std::vector<Material>& materials) {
+  return LooksReader{root, places, rules, lowest, names, materials}.read();
 }
 
 }  // namespace talus::terrain

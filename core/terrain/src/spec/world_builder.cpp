@@ -195,7 +195,12 @@ void World::Builder::read_features(std::span<const FeatureKind> kinds) {
 }
 
 void World::Builder::read_world_looks(PlacesReader& places) {
-  LookTables looks = read_looks(root, places, spec.places.looks, names, world.materials_);
+  const auto deepest =
+      std::max_element(spec.stratified.begin(), spec.stratified.end(),
+                       [](const auto& a, const auto& b) { return a.depth_q16 < b.depth_q16; });
+  const auto lowest = spec.strata_repeat || spec.stratified.empty() ? 0 : deepest - spec.stratified.begin();
+  LookTables looks = read_looks(root, places, spec.places.looks,
+                                MaterialId{static_cast<std::uint16_t>(2 + lowest)}, names, world.materials_);
   world.shown_by_ = std::move(looks.shown_by);
   world.look_names_ = std::move(looks.names);
   check_materials();
