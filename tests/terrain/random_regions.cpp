@@ -49,6 +49,7 @@ class RegionsWriter {
     loose();
     looks();
     if (draws_.chance(20)) caves();
+    if (!erodes && draws_.chance(50)) objects();
     return text_.str();
   }
 
@@ -182,6 +183,25 @@ class RegionsWriter {
     text_ << "[caves]\nlow = 30\nhigh = 150\nclimb_wavelength = 300\nwavelength = 150\nwidth = 12\nheight = "
              "14\n"
              "chamber_wavelength = 120\nchamber_threshold = 0.3\nchamber_height = 24\nroof = 3\nspan = 16\n";
+  }
+
+  void objects() {
+    static constexpr std::array kTrees{"conifer", "broadleaf", "acacia", "jungle_tree"};
+    const int count = draws_.whole(1, 3);
+    for (int i = 0; i < count; ++i) {
+      text_ << "[[object]]\nname = \"object " << i << "\"\nmodel = \"" << draws_.one_of(kTrees)
+            << "\"\nspacing = " << draws_.whole(5, 14);
+      text_ << "\nchance = " << draws_.real(0, 1) << "\n";
+      if (draws_.chance(50)) text_ << "clumps = \"" << (draws_.chance(50) ? "woods" : "groves") << "\"\n";
+      if (draws_.chance(50)) {
+        const std::string by = quantity(true);
+        const double first = value_of(by);
+        text_ << "where = { " << by << " = [" << first << ", ";
+        text_ << value_of(by) << "] }\n";
+      }
+      text_ << "wood = { name = \"rock 0\" }\nleaves = { name = \"leaves " << i
+            << "\", colour = \"#00aa00\" }\n";
+    }
   }
 
   Draws draws_;

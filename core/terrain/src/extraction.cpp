@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 #include <cassert>
+#include <limits>
 #include <numeric>
 #include <span>
 #include <utility>
@@ -11,6 +12,7 @@
 #include <talus/terrain/generator.h>
 
 #include "feature.h"
+#include "features/object_models.h"
 #include "kernels/columns.h"
 #include "overlay.h"
 
@@ -298,6 +300,34 @@ const Field* survey_of(const Stacks& stacks, std::size_t feature) {
   return kept ? &stacks.surveys[feature] : nullptr;
 }
 
+// Of features whose overlays rise above the ground; objects count where they stand, or anywhere.
+int above_ground(const World& world, Lod lod, bool objects) {
+  int rows = 0;
+  for (const auto& feature : world.features()) {
+    if (objects || !feature->stands()) rows = std::max(rows, feature->overlay_rows(lod).above_ground);
+  }
+  return rows;
+}
+
+// Where the highest object ends that may stand over a tile, whichever tile its foot is in.
+std::int64_t highest_object_row(const World& world, const Stacks& stacks, std::int32_t chunk_x,
+                                std::int32_t chunk_z) {
+  std::int64_t highest = std::numeric_limits<std::int32_t>::min();
+  if (stacks.objects.empty()) return highest;
+  const int level = stacks.region.lod.value();
+  const int rows = above_ground(world, Lod{}, true);
+  const auto apart = [&](std::int64_t foot, std::int32_t chunk) {
+    const std::int64_t from = std::int64_t{chunk} * kChunkSize << level;
+    const std::int64_t to = (std::int64_t{chunk} + 1) * kChunkSize << level;
+    return foot + kObjectReach < from || foot - kObjectReach >= to;
+  };
+  for (const PlacedObject& object : stacks.objects) {
+    if (apart(object.x, chunk_x) || apart(object.z, chunk_z)) continue;
+    highest = std::max(highest, ((object.y + rows) >> level) + 1);
+  }
+  return highest;
+}
+
 // Of all features together.
 OverlayRows overlay_rows(const World& world, Lod lod) {
   OverlayRows all;
@@ -337,7 +367,20 @@ Chunk extract_chunk(const World& world, const Stacks& stacks, ChunkCoord coord, 
       world.features()[i]->add_overlays(site, survey_of(stacks, i), overlays);
     }
   }
-  return chunk_with(layers.take(), overlays);
+  Chunk chunk = chunk_with(layers.take(), overlays);
+  if (stacks.objects.empty()) return chunk;
+  std::vector<Override> overrides;
+  const ExtractedSite site{world, stacks, tile, coord, floor_row};
+  for (const auto& feature : world.features()) feature->add_overrides(site, overrides);
+  return overrides.empty() ? std::move(chunk) : chunk.with_overrides(overrides);
+}
+
+ObjectTops object_tops(const World& world, const Stacks& stacks) {
+  ObjectTops tops{
+      std::vector<MaterialId>(stacks.region.columns(), kAir),
+      std::vector<std::int32_t>(stacks.region.columns(), std::numeric_limits<std::int32_t>::min())};
+  for (const auto& feature : world.features()) feature->add_tops(stacks, tops.materials, tops.rows);
+  return tops;
 }
 
 std::vector<MaterialId> exposed_overlays(const World& world, const Stacks& stacks) {
@@ -353,7 +396,9 @@ MixedRange mixed_range(const World& world, const Stacks& stacks, std::int32_t ch
   const OverlayRows overlays = overlay_rows(world, stacks.region.lod);
   const std::int64_t lowest = std::min<std::int64_t>({tile.lowest(0), tile.lowest_cave(), overlays.lowest});
   const std::int64_t highest =
-      std::max(tile.highest(tile.planes() - 1), tile.sea_row()) + overlays.above_ground;
+      std::max<std::int64_t>(std::max(tile.highest(tile.planes() - 1), tile.sea_row()) +
+                                 above_ground(world, stacks.region.lod, false),
+                             highest_object_row(world, stacks, chunk_x, chunk_z));
   const auto chunk_row = [](std::int64_t row) {
     return static_cast<std::int32_t>(floor_div(row, kChunkSize));
   };

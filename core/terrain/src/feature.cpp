@@ -16,6 +16,11 @@ bool World::has_caves() const {
                      [](const auto& feature) { return feature->carves(); });
 }
 
+bool World::has_objects() const {
+  return std::any_of(features_.begin(), features_.end(),
+                     [](const auto& feature) { return feature->stands(); });
+}
+
 int World::feature_halo(Lod lod) const {
   int halo = 0;
   for (const auto& feature : features_) halo = std::max(halo, feature->halo(lod));

@@ -1,11 +1,12 @@
 // What a kind of feature is made of: folds, faults, ores and caves each are one file in features/, and so is
 // the next (docs/DESIGN.md, "Adding a feature"). Private to core/terrain.
 //
-// A feature is a section of world.toml. It takes part in any of four stages, by the functions it overrides:
+// A feature is a section of world.toml. It takes part in any of five stages, by the functions it overrides:
 //   strata   make_deformation()  moves the strata of a column up or down
 //   ground   survey()            looks at the ground around a region and keeps a number a column
 //   air      make_carver()       carves air out of columns, and says where it opens to the sky
 //   chunks   add_overlays()      puts material into a chunk's voxels
+//   objects  place()             stands on the ground of a region, and add_overrides() gives its voxels
 // Everything that it does is a pure function of the world and of positions: whatever region, chunk or thread
 // computes them, the voxels are the same.
 #pragma once
@@ -31,6 +32,7 @@
 #include <talus/voxel/material.h>
 
 #include "overlay.h"
+#include "spec/places_section.h"
 #include "spec/table_reader.h"
 
 namespace talus::terrain {
@@ -111,6 +113,29 @@ struct OverlayRows {
   int above_ground = 0;
 };
 
+/// The ground of a region on which objects stand. Columns count from the region's corner; those of
+/// Feature::halo() around it are known, too.
+struct StandingGround {
+  Region region;
+  int around = 0;                    // columns around the region that `height` and `shares` have
+  const Field* height = nullptr;     // level 0's subvoxels
+  std::span<const Field> shares;     // by PlacesSpec::shares
+  const Field* entrances = nullptr;  // Carver::entrances(), or null
+  int open_ring = 0;                 // columns around the region that those have
+  std::optional<std::int32_t> sea_fx;
+
+  [[nodiscard]] std::int32_t height_fx(int x, int z) const { return height->at(x + around, z + around); }
+  /// Of kWholeShare.
+  [[nodiscard]] std::int32_t share(const std::optional<std::size_t>& rule, int x, int z) const {
+    return rule ? shares[*rule].at(x + around, z + around) : kWholeShare;
+  }
+  /// Whether there is dry ground, or any where water may be, and no cave opens.
+  [[nodiscard]] bool carries(int x, int z, bool in_water) const {
+    if (entrances != nullptr && entrances->at(x + open_ring, z + open_ring) != Carver::kClosed) return false;
+    return in_water || !sea_fx || height_fx(x, z) >= *sea_fx;
+  }
+};
+
 /// A feature of one world. Immutable; threads may share it.
 class Feature {
  public:
@@ -161,6 +186,15 @@ class Feature {
   /// in the order of their list. `survey` is that of the site's stacks, or null.
   virtual void add_overlays(const ChunkSite& /*site*/, const Field* /*survey*/,
                             std::vector<Overlay>& /*overlays*/) const {}
+  /// Whether place() is called and its objects are kept in Stacks::objects. At most one feature stands.
+  [[nodiscard]] virtual bool stands() const { return false; }
+  virtual void place(const StandingGround& /*ground*/, std::vector<PlacedObject>& /*objects*/) const {}
+  /// The voxels of Stacks::objects in a chunk, by rising index, each once.
+  virtual void add_overrides(const ChunkSite& /*site*/, std::vector<Override>& /*overrides*/) const {}
+  /// What they show from above: of the columns of the stacks' region that they cover, where the topmost voxel
+  /// ends, if that is not under `rows`, and its material.
+  virtual void add_tops(const Stacks& /*stacks*/, std::span<MaterialId> /*materials*/,
+                        std::span<std::int32_t> /*rows*/) const {}
   /// What it puts at the top of the rock of each column of the stacks' region, at the topmost voxel of bare
   /// ground, for maps; other columns stay as they are. z slowest, then x.
   virtual void add_exposed(const Stacks& /*stacks*/, const Field* /*survey*/,
@@ -171,8 +205,15 @@ class Feature {
 class FeatureSection {
  public:
   FeatureSection(TableReader& root, std::string_view name, const WorldSpec& spec,
-                 std::set<std::string>& names, std::vector<Material>& materials)
-      : root_{root}, name_{name}, spec_{spec}, names_{names}, materials_{materials} {}
+                 std::set<std::string>& names, std::vector<Material>& materials, PlacesReader& places,
+                 std::span<const std::string> look_names)
+      : root_{root},
+        name_{name},
+        spec_{spec},
+        names_{names},
+        materials_{materials},
+        places_{places},
+        look_names_{look_names} {}
 
   [[nodiscard]] const WorldSpec& spec() const { return spec_; }
   /// [name]; none where the key is no table, which is an error.
@@ -182,6 +223,12 @@ class FeatureSection {
 
   /// Reads `name` and `colour` of a table as a new material of the world. Ids go up in the order of calls.
   MaterialId add_material(TableReader& table, MaterialKind kind);
+  /// One that the world has already, of any kind but air and water.
+  [[nodiscard]] std::optional<MaterialId> material_named(std::string_view name) const;
+  /// For `where` and looks of the section's tables.
+  [[nodiscard]] PlacesReader& places() const { return places_; }
+  /// World::look_names(); empty for kinds that are read before looks.
+  [[nodiscard]] std::span<const std::string> look_names() const { return look_names_; }
 
  private:
   TableReader& root_;
@@ -189,6 +236,8 @@ class FeatureSection {
   const WorldSpec& spec_;
   std::set<std::string>& names_;
   std::vector<Material>& materials_;
+  PlacesReader& places_;
+  std::span<const std::string> look_names_;
 };
 
 /// A kind of feature: what a section of world.toml becomes.
@@ -198,6 +247,8 @@ struct FeatureKind {
   /// Reads and checks the section, which is there. Faults go to its tables' fail(); what is returned after
   /// one is not used.
   std::unique_ptr<const Feature> (*read)(FeatureSection& section) = nullptr;
+  /// Whether it asks for looks by name; its materials come after theirs.
+  bool after_looks = false;
 };
 
 /// The kinds that ship with the library, as core/terrain/CMakeLists.txt lists them.

@@ -68,10 +68,12 @@ struct Generator::Scratch {
   Region region;
   int ring = 0;                // columns around it that loose material needs
   int around = 0;              // and that `ground` covers
+  int open_ring = 0;           // and whose entrances are known
   std::vector<Field> surveys;  // one a feature; empty where it keeps nothing
   std::size_t survey = 0;      // whose turn it is
   Field slope;                 // for loose material, where it is not `ground`'s
   Field share;                 // of a loose material, likewise
+  Field entrances;             // with less around
   std::vector<Field> most;     // of loose materials, bottom up, for erosion
   const Field* loose_slope = nullptr;
   std::vector<std::int64_t> xs;
@@ -131,9 +133,13 @@ void Generator::start_ground(const Region& region, int ring, int halo) {
   s.region = region;
   s.ring = ring;
   const int for_entrances = s.carver ? s.carver->entrance_halo(region.lod) : 0;
-  s.around = std::max(ring + for_entrances, std::min(halo, world_->feature_halo(region.lod)));
+  s.open_ring = ring;
+  for (const auto& feature : world_->features()) {
+    if (feature->stands()) s.open_ring = std::max(s.open_ring, feature->halo(region.lod));
+  }
+  s.around = std::max(s.open_ring + for_entrances, std::min(halo, world_->feature_halo(region.lod)));
   s.ground.start(region.expanded(s.around));
-  if (s.carver) s.carver->start(region, s.around, ring);
+  if (s.carver) s.carver->start(region, s.around, s.open_ring);
   s.survey = 0;
 }
 
@@ -159,12 +165,21 @@ bool Generator::step_ground(int columns) {
   return false;
 }
 
+/// Empty where all columns are closed.
+const Field& Generator::entrances_around(int ring) {
+  Scratch& s = *scratch_;
+  const Field& all = s.carver->entrances();
+  if (ring == s.open_ring || all.values.empty()) return all;
+  all.crop_into(s.open_ring - ring, s.entrances);
+  return s.entrances;
+}
+
 const Field& Generator::slope_for_loose(int ring) {
   Scratch& s = *scratch_;
   if (s.around == ring && !s.carver) return s.ground.slope();
   s.ground.slope().crop_into(s.around - ring, s.slope);
   if (!s.carver) return s.slope;
-  const Field& entrances = s.carver->entrances();
+  const Field& entrances = entrances_around(ring);
   for (std::size_t i = 0; i < entrances.values.size(); ++i) {
     if (entrances.values[i] != Carver::kClosed) s.slope.values[i] = kSheer_fx;
   }
@@ -330,6 +345,7 @@ void Generator::finish() {
   take_caves(world_->spec().method == Method::erosion ? s.ring : 0, s.stacks.tops.back(), s.stacks.caves);
   take_surveys(s.stacks.surveys);
   take_looks(s.stacks.looks);
+  take_objects(s.stacks.objects);
 }
 
 void Generator::start_loose() {
@@ -413,7 +429,7 @@ void Generator::set_loose_over_ground() {
   set_loose(s.surface, s.rules, s.most, s.loose_ground);
   if (!s.carver) return;
   // Entrances are bare ground from the start.
-  const Field& entrances = s.carver->entrances();
+  const Field& entrances = entrances_around(s.ring);
   for (std::size_t i = 0; i < entrances.values.size(); ++i) {
     if (entrances.values[i] == Carver::kClosed) continue;
     s.loose_ground.base.values[i] = entrances.values[i];
@@ -459,7 +475,7 @@ void Generator::take_caves(int ring, const Field& surface, CaveAir& air) {
   Scratch& s = *scratch_;
   if (!s.carver) return air.clear();
   s.carver->take(air);
-  const Field& entrances = s.carver->entrances();
+  const Field& entrances = entrances_around(ring);
   if (air.none() || entrances.values.empty() || world_->spec().method != Method::erosion) return;
   // What has slid into an entrance lies on its floor.
   for (int z = 0; z < surface.depth; ++z) {
@@ -498,6 +514,7 @@ void Generator::take_places(Terrain& terrain) {
   s.ground.bare().crop_into(s.around, terrain.bare);
   shift_right(terrain.bare, terrain.region.lod.value());
   take_looks(terrain.looks);
+  take_objects(terrain.objects);
   terrain.place.resize(world_->loose().size());
   for (std::size_t m = 0; m < terrain.place.size(); ++m) {
     const LooseSpec& loose = world_->loose()[m];
@@ -506,6 +523,17 @@ void Generator::take_places(Terrain& terrain) {
     std::fill(place.values.begin(), place.values.end(), kWholeShare);
     if (loose.share) s.ground.shares()[*loose.share].crop_into(s.around, place);
     for (std::int32_t& value : place.values) value = loose.thickness_at(terrain.region.lod, value);
+  }
+}
+
+void Generator::take_objects(std::vector<PlacedObject>& objects) {
+  const Scratch& s = *scratch_;
+  objects.clear();
+  StandingGround ground{s.region, s.around,    &s.ground.height(), s.ground.shares(),
+                        nullptr,  s.open_ring, world_->sea_fx()};
+  if (s.carver && !s.carver->entrances().values.empty()) ground.entrances = &s.carver->entrances();
+  for (const auto& feature : world_->features()) {
+    if (feature->stands()) feature->place(ground, objects);
   }
 }
 

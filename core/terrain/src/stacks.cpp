@@ -14,6 +14,7 @@ std::size_t Stacks::bytes() const {
                       bytes_of(caves.roof);
   for (const Field& plane : tops) bytes += bytes_of(plane);
   for (const Field& survey : surveys) bytes += bytes_of(survey);
+  bytes += objects.capacity() * sizeof(PlacedObject);
   for (const LookField& look : looks) bytes += sizeof look + look.values.capacity();
   return bytes;
 }

@@ -47,6 +47,11 @@ class MapPainter {
     const terrain::Stacks stacks = generate_stacks(world_, patch.expanded(kReliefRing));
     const terrain::Field ground = ground_of(stacks);
     const std::vector<MaterialId> ore = exposed_overlays(world_, stacks);
+    const terrain::ObjectTops objects = object_tops(world_, stacks);
+    terrain::Field canopy = ground;
+    for (std::size_t i = 0; i < objects.rows.size(); ++i) {
+      if (objects.materials[i] != kAir) canopy.values[i] = objects.rows[i] * terrain::kSubvoxels;
+    }
     terrain::Field seen = ground;  // the sea's surface where it covers the ground
     if (sea_fx_) {
       for (int z = 0; z < seen.depth; ++z) {
@@ -60,7 +65,10 @@ class MapPainter {
         const int inner_x = x + kReliefRing;
         const int inner_z = z + kReliefRing;
         glm::vec3 pixel = lit(top_colour(stacks, ore, inner_x, inner_z), light_at(ground, inner_x, inner_z));
-        const std::int32_t depth_fx = seen.at(inner_x, inner_z) - ground.at(inner_x, inner_z);
+        const MaterialId object =
+            objects.materials[static_cast<std::size_t>(inner_z * stacks.region.width + inner_x)];
+        if (object != kAir) pixel = lit(lights_[to_integer(object)], light_at(canopy, inner_x, inner_z));
+        const std::int32_t depth_fx = seen.at(inner_x, inner_z) - canopy.at(inner_x, inner_z);
         if (depth_fx > 0) pixel = under_water(pixel, depth_fx, light_at(seen, inner_x, inner_z));
         image.set(image_x + x, image_y + z, to_colour(developed(pixel)));
       }

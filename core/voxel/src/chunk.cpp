@@ -101,7 +101,8 @@ Chunk Chunk::with_overrides(std::span<const Override> overrides) const {
 
   std::vector<Override> all{this->overrides().begin(), this->overrides().end()};
   all.insert(all.end(), overrides.begin(), overrides.end());
-  std::stable_sort(all.begin(), all.end(), [](Override a, Override b) { return a.index < b.index; });
+  const auto before = [](Override a, Override b) { return a.index < b.index; };
+  if (!std::is_sorted(all.begin(), all.end(), before)) std::stable_sort(all.begin(), all.end(), before);
   std::size_t kept = 0;
   for (std::size_t i = 0; i < all.size(); ++i) {
     const bool last = i + 1 == all.size() || all[i + 1].index != all[i].index;

@@ -47,7 +47,7 @@ struct World::Builder {
   void read_sea();
   void read_method();
   void read_materials(PlacesReader& places);
-  void read_features(std::span<const FeatureKind> kinds);
+  void read_features(std::span<const FeatureKind> kinds, PlacesReader& places, bool after_looks);
   void read_world_looks(PlacesReader& places);
   void check_materials();
   void check_lifts();
@@ -94,8 +94,10 @@ void World::Builder::build(const LoadHeightMap& load, std::span<const FeatureKin
   read_method();
   PlacesReader places{spec, fields, spec.places};
   read_materials(places);
-  read_features(kinds);
+  read_features(kinds, places, false);
   read_world_looks(places);
+  read_features(kinds, places, true);
+  check_materials();
   if (errors.any()) return;
   load_height_map(*surface, spec, load);
   check_lifts();
@@ -158,6 +160,12 @@ MaterialId FeatureSection::add_material(TableReader& table, MaterialKind kind) {
   return id;
 }
 
+std::optional<MaterialId> FeatureSection::material_named(std::string_view name) const {
+  const auto found = std::find_if(materials_.begin() + 2, materials_.end(),
+                                  [&](const Material& material) { return material.name == name; });
+  return found == materials_.end() ? std::nullopt : std::optional{found->id};
+}
+
 void World::Builder::read_materials(PlacesReader& places) {
   auto stratified = root.tables("stratified");
   if (!stratified.empty()) stratified_line = stratified.front().line();
@@ -179,11 +187,12 @@ void World::Builder::read_materials(PlacesReader& places) {
   for (const ErodedSpec& e : spec.eroded) add_material(e.name, e.colour, MaterialKind::eroded);
 }
 
-void World::Builder::read_features(std::span<const FeatureKind> kinds) {
+void World::Builder::read_features(std::span<const FeatureKind> kinds, PlacesReader& places,
+                                   bool after_looks) {
   std::string_view carver;
   for (const FeatureKind& kind : kinds) {
-    if (!root.has(kind.section)) continue;
-    FeatureSection section{root, kind.section, spec, names, world.materials_};
+    if (kind.after_looks != after_looks || !root.has(kind.section)) continue;
+    FeatureSection section{root, kind.section, spec, names, world.materials_, places, world.look_names_};
     std::shared_ptr<const Feature> feature = kind.read(section);
     if (!feature) continue;
     if (feature->carves() && !carver.empty()) {
@@ -203,7 +212,6 @@ void World::Builder::read_world_looks(PlacesReader& places) {
                                 MaterialId{static_cast<std::uint16_t>(2 + lowest)}, names, world.materials_);
   world.shown_by_ = std::move(looks.shown_by);
   world.look_names_ = std::move(looks.names);
-  check_materials();
 }
 
 void World::Builder::check_materials() {
@@ -279,7 +287,8 @@ int World::erosion_steps_at(Lod lod) const {
 
 // One step is one step at every level, by the rules of both versions.
 GeneratorVersion World::generator_version() const {
-  return erosion_steps_at(Lod{}) > 1 || spec_.surface.regions || spec_.places.any() || spec_.talus
+  return erosion_steps_at(Lod{}) > 1 || spec_.surface.regions || spec_.places.any() || spec_.talus ||
+                 has_objects()
              ? GeneratorVersion::v3
              : GeneratorVersion::v2;
 }

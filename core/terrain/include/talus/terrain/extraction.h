@@ -24,6 +24,14 @@ namespace talus::terrain {
 /// such as ore; kAir where they put nothing. z slowest, then x. It shows where no loose material lies.
 [[nodiscard]] std::vector<MaterialId> exposed_overlays(const World& world, const Stacks& stacks);
 
+/// What objects show from above: of each column of the stacks the material of their topmost voxel, kAir where
+/// there is none, and the row at which it ends. z slowest, then x.
+struct ObjectTops {
+  std::vector<MaterialId> materials;
+  std::vector<std::int32_t> rows;
+};
+[[nodiscard]] ObjectTops object_tops(const World& world, const Stacks& stacks);
+
 /// Chunk rows [first, last] outside which every chunk over these 32 x 32 columns is uniform: `below` under
 /// them, air above.
 struct MixedRange {

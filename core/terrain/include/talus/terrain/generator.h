@@ -9,6 +9,7 @@
 #include <talus/terrain/cave_air.h>
 #include <talus/terrain/erosion.h>
 #include <talus/terrain/field.h>
+#include <talus/terrain/objects.h>
 #include <talus/terrain/stacks.h>
 #include <talus/terrain/world.h>
 #include <talus/voxel/coords.h>
@@ -27,6 +28,7 @@ struct Terrain {
   std::vector<Field> strata;                 // tops of all planes, cut at H; the last equals H
   std::vector<Field> loose;                  // settled thickness, in the order of World::loose()
   std::vector<Field> place;      // t(x, z) of each: what a place allows before the slope takes its part
+  std::vector<PlacedObject> objects;  // whose voxels may lie over the region
   std::vector<LookField> looks;  // of each column, by each of PlacesSpec::looks
   CaveAir caves;                 // not cut out of surface and strata, but for erosion's entrances
 };
@@ -88,6 +90,7 @@ class Generator {
   bool step_erosion();
   /// The slope over the region and `ring` columns around it; entrances are too steep for anything to stay.
   const Field& slope_for_loose(int ring);
+  const Field& entrances_around(int ring);
   /// Both methods leave the top of the rock in the scratch's `limit` and of each loose material above it,
   /// over the region.
   void start_loose();
@@ -109,6 +112,7 @@ class Generator {
   void take_surveys(std::vector<Field>& surveys);
   void take_places(Terrain& terrain);
   void take_looks(std::vector<LookField>& looks);
+  void take_objects(std::vector<PlacedObject>& objects);
 
   const World* world_;
   std::unique_ptr<Scratch> scratch_;

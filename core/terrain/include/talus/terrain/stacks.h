@@ -7,6 +7,7 @@
 
 #include <talus/terrain/cave_air.h>
 #include <talus/terrain/field.h>
+#include <talus/terrain/objects.h>
 #include <talus/terrain/world.h>
 #include <talus/voxel/material.h>
 
@@ -26,6 +27,8 @@ struct Stacks {
   std::vector<Field> surveys;
   /// Which look each column has, by each of PlacesSpec::looks.
   std::vector<LookField> looks;
+  /// Whose voxels may lie over the region.
+  std::vector<PlacedObject> objects;
 
   /// Where rock ends, under loose material.
   [[nodiscard]] const Field& rock_top() const { return tops[tops.size() - 1 - loose_planes]; }

@@ -205,6 +205,8 @@ class World {
   [[nodiscard]] const std::vector<std::shared_ptr<const Feature>>& features() const { return features_; }
   /// Whether a feature carves air out of the ground.
   [[nodiscard]] bool has_caves() const;
+  /// Whether objects stand on the ground.
+  [[nodiscard]] bool has_objects() const;
   /// Air, water, stratified, eroded, those of features; materials()[to_integer(id)] is the material of that
   /// id.
   [[nodiscard]] const std::vector<Material>& materials() const { return materials_; }

@@ -1,0 +1,240 @@
+#include "features/object_models.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <tuple>
+
+#include <talus/terrain/lattice_hash.h>
+
+namespace talus::terrain {
+namespace {
+
+constexpr std::uint8_t kTrunk = 0;
+constexpr std::uint8_t kCrown = 1;
+
+/// Numbers one after another; each by a statement of its own.
+class ModelDraws {
+ public:
+  explicit ModelDraws(std::uint64_t seed) : state_{seed} {}
+  int whole(int low, int high) {
+    state_ += 0x9E3779B97F4A7C15U;
+    return low + static_cast<int>(mix64(state_) % static_cast<std::uint64_t>(high - low + 1));
+  }
+
+ private:
+  std::uint64_t state_;
+};
+
+// Compass directions, clockwise from east.
+constexpr std::array<std::array<int, 2>, 8> kDirections{
+    {{1, 0}, {1, 1}, {0, 1}, {-1, 1}, {-1, 0}, {-1, -1}, {0, -1}, {1, -1}}};
+
+class Sculptor {
+ public:
+  explicit Sculptor(std::uint64_t seed) : draws{seed}, seed_{seed} {}
+
+  void put(int x, int y, int z, std::uint8_t part) {
+    if (std::abs(x) > kObjectReach || std::abs(z) > kObjectReach || y >= kObjectTop || y < -kObjectRoot)
+      return;
+    model.push_back(
+        {static_cast<std::int8_t>(x), static_cast<std::int8_t>(y), static_cast<std::int8_t>(z), part});
+  }
+  void pillar(int x, int z, int from, int to, std::uint8_t part) {
+    for (int y = from; y < to; ++y) put(x, y, z, part);
+  }
+  /// Whether a quarter of the ragged rim's voxels is left out here.
+  [[nodiscard]] bool frayed(int x, int y, int z) const {
+    const auto place = static_cast<std::uint64_t>((x + 64) | (y + 64) << 8 | (z + 64) << 16);
+    return mix64(seed_ ^ place * 0xD1B54A32D192ED03U) % 4 == 0;
+  }
+  struct Ellipsoid {
+    int x, y, z;        // its middle, quarter voxels
+    int width, height;  // half of either, quarter voxels
+  };
+  /// Of several: the voxels of any, the outermost ones ragged.
+  void ellipsoids(const std::vector<Ellipsoid>& all, int lowest, bool ragged, std::uint8_t part) {
+    for (int y = lowest; y < kObjectTop; ++y) {
+      for (int z = -kObjectReach; z <= kObjectReach; ++z) {
+        for (int x = -kObjectReach; x <= kObjectReach; ++x) {
+          int nearest = 1 << 20;
+          for (const Ellipsoid& each : all) {
+            const int dx = 4 * x - each.x;
+            const int dz = 4 * z - each.z;
+            const int dy = 4 * y + 2 - each.y;
+            const int across = 256 * (dx * dx + dz * dz) / (each.width * each.width);
+            nearest = std::min(nearest, across + 256 * dy * dy / (each.height * each.height));
+          }
+          if (nearest >= 256 || (ragged && nearest > kRim && frayed(x, y, z))) continue;
+          put(x, y, z, part);
+        }
+      }
+    }
+  }
+
+  ModelDraws draws;
+  ObjectModel model;
+  static constexpr int kRim = 170;  // of 256, of an ellipsoid
+
+ private:
+  std::uint64_t seed_;
+};
+
+void conifer(Sculptor& tree) {
+  const int height = tree.draws.whole(10, 22);
+  const int tier = tree.draws.whole(3, 4);
+  const int base = 2 + height / 8;
+  tree.pillar(0, 0, -kObjectRoot, height, kTrunk);
+  for (int y = base; y < height + 2; ++y) {
+    const int down = height + 2 - y;
+    const int cone = 4 * down * (height / 5 + 2) / (height + 2 - base) + 2;
+    const int radius = cone * (5 + 3 * (down % tier) / (tier - 1)) / 8 + 1;
+    for (int z = -kObjectReach; z <= kObjectReach; ++z) {
+      for (int x = -kObjectReach; x <= kObjectReach; ++x) {
+        const int square = 16 * (x * x + z * z);
+        if (square > radius * radius) continue;
+        const bool rim = 256 * square > Sculptor::kRim * radius * radius && square > 16;
+        if (!(rim && tree.frayed(x, y, z))) tree.put(x, y, z, kCrown);
+      }
+    }
+  }
+}
+
+struct Crown {
+  int radius;  // voxels
+  int flat;    // quarters: how high it is, of its width
+};
+
+// A middle and three around it.
+void crown(Sculptor& tree, int trunk, Crown form) {
+  const int wide = 4 * form.radius;
+  const auto high = [&](int width) { return std::max(4, width * form.flat / 4); };
+  const int middle_y = 4 * trunk + high(wide) / 2;
+  std::vector<Sculptor::Ellipsoid> all{{0, middle_y, 0, wide, high(wide)}};
+  const int turn = tree.draws.whole(0, 7);
+  for (int k = 0; k < 3; ++k) {
+    const int away = wide * tree.draws.whole(5, 8) / 14;
+    const int lift = tree.draws.whole(-2, 3);
+    const auto& direction = kDirections[static_cast<std::size_t>((turn + 3 * k) % 8)];
+    const bool diagonal = direction[0] != 0 && direction[1] != 0;
+    const int step = diagonal ? away * 181 / 256 : away;
+    all.push_back(
+        {direction[0] * step, middle_y + lift, direction[1] * step, wide * 3 / 4, high(wide * 3 / 4)});
+  }
+  tree.ellipsoids(all, std::max(1, trunk - form.radius), true, kCrown);
+}
+
+void broadleaf(Sculptor& tree) {
+  const int trunk = tree.draws.whole(4, 8);
+  const int radius = tree.draws.whole(3, 5);
+  tree.pillar(0, 0, -kObjectRoot, trunk + radius / 2, kTrunk);
+  crown(tree, trunk, {radius, 3});
+}
+
+void acacia(Sculptor& tree) {
+  const int trunk = tree.draws.whole(5, 7);
+  const int radius = tree.draws.whole(4, 6);
+  tree.pillar(0, 0, -kObjectRoot, trunk, kTrunk);
+  // Two boughs hold the canopy.
+  const int turn = tree.draws.whole(0, 7);
+  for (int k = 0; k < 2; ++k) {
+    const auto& direction = kDirections[static_cast<std::size_t>((turn + 4 * k) % 8)];
+    for (int i = 1; i <= 3; ++i) tree.put(direction[0] * i, trunk - 3 + i, direction[1] * i, kTrunk);
+  }
+  crown(tree, trunk, {radius, 1});
+}
+
+void jungle_tree(Sculptor& tree) {
+  const int trunk = tree.draws.whole(12, 18);
+  const int radius = tree.draws.whole(5, 7);
+  for (int x = 0; x < 2; ++x) {
+    for (int z = 0; z < 2; ++z) tree.pillar(x, z, -kObjectRoot, trunk + radius / 2, kTrunk);
+  }
+  // Buttresses, each a step lower outward.
+  const int turn = tree.draws.whole(0, 3);
+  for (int k = 0; k < 3; ++k) {
+    const auto& direction = kDirections[static_cast<std::size_t>(2 * ((turn + k) % 4))];
+    const int high = tree.draws.whole(2, 4);
+    const int from_x = direction[0] > 0 ? 2 : direction[0] < 0 ? -1 : 0;
+    const int from_z = direction[1] > 0 ? 2 : direction[1] < 0 ? -1 : 0;
+    tree.pillar(from_x, from_z, -kObjectRoot, high, kTrunk);
+    tree.pillar(from_x + direction[0], from_z + direction[1], -kObjectRoot, high / 2, kTrunk);
+  }
+  crown(tree, trunk, {radius, 2});
+}
+
+void dead_tree(Sculptor& tree) {
+  const int height = tree.draws.whole(6, 12);
+  tree.pillar(0, 0, -kObjectRoot, height, kTrunk);
+  const int turn = tree.draws.whole(0, 7);
+  for (int branch = 0; branch < 4; ++branch) {
+    const auto& direction = kDirections[static_cast<std::size_t>((turn + 3 * branch) % 8)];
+    const int from = height / 3 + branch * height / 6;
+    const int length = tree.draws.whole(2, 5);
+    const int rise = tree.draws.whole(1, 2);
+    for (int i = 1; i <= length; ++i) {
+      tree.put(direction[0] * i, from + i * rise / 2, direction[1] * i, kTrunk);
+    }
+  }
+}
+
+void cactus(Sculptor& plant) {
+  const int height = plant.draws.whole(4, 9);
+  plant.pillar(0, 0, -kObjectRoot, height, kTrunk);
+  const int turn = plant.draws.whole(0, 3);
+  for (int arm = 0; arm < 2; ++arm) {
+    const auto& direction = kDirections[static_cast<std::size_t>(2 * ((turn + 2 * arm) % 4))];
+    const int from = height / 3 + arm;
+    const int up = plant.draws.whole(2, 5);
+    for (int i = 1; i <= 2; ++i) plant.put(direction[0] * i, from, direction[1] * i, kTrunk);
+    plant.pillar(2 * direction[0], 2 * direction[1], from, std::min(from + up, height + 1), kTrunk);
+  }
+}
+
+void boulder(Sculptor& stone) {
+  const int radius = stone.draws.whole(1, 3);
+  std::vector<Sculptor::Ellipsoid> all;
+  for (int k = 0; k < 3; ++k) {
+    const int width = 4 * radius - k * radius + stone.draws.whole(0, 3);
+    const int x = k == 0 ? 0 : stone.draws.whole(-3 * radius, 3 * radius);
+    const int z = k == 0 ? 0 : stone.draws.whole(-3 * radius, 3 * radius);
+    const int y = stone.draws.whole(-2, radius);
+    all.push_back({x, y, z, std::max(5, width), std::max(5, width * 3 / 4)});
+  }
+  stone.ellipsoids(all, -2, false, kTrunk);
+}
+
+void bush(Sculptor& plant) {
+  const int wide = plant.draws.whole(5, 12);
+  const int high = plant.draws.whole(5, 11);
+  plant.ellipsoids({{0, 0, 0, wide, high}}, -1, true, kTrunk);
+}
+
+}  // namespace
+
+void tidy(ObjectModel& model) {
+  const auto key = [](const ModelVoxel& v) { return std::tuple{v.part, v.y, v.z, v.x}; };
+  std::sort(model.begin(), model.end(),
+            [&](const ModelVoxel& a, const ModelVoxel& b) { return key(a) < key(b); });
+  ObjectModel kept;
+  std::vector<std::array<std::int8_t, 3>> taken;
+  for (const ModelVoxel& voxel : model) {
+    const std::array<std::int8_t, 3> place{voxel.x, voxel.y, voxel.z};
+    const auto found = std::lower_bound(taken.begin(), taken.end(), place);
+    if (found != taken.end() && *found == place) continue;
+    taken.insert(found, place);
+    kept.push_back(voxel);
+  }
+  model = std::move(kept);
+}
+
+ObjectModel make_model(ModelKind kind, std::uint64_t seed) {
+  using Make = void (*)(Sculptor&);
+  static constexpr std::array<Make, kModelKinds> kMakers{conifer,   broadleaf, acacia,  jungle_tree,
+                                                         dead_tree, cactus,    boulder, bush};
+  Sculptor sculptor{seed};
+  kMakers[static_cast<std::size_t>(kind)](sculptor);
+  tidy(sculptor.model);
+  return std::move(sculptor.model);
+}
+
+}  // namespace talus::terrain

@@ -1,0 +1,391 @@
+#include "features/objects.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <memory>
+#include <ostream>
+#include <string_view>
+
+#include <talus/terrain/boundary_row.h>
+#include <talus/terrain/lattice_hash.h>
+
+#include "place/places.h"
+#include "spec/places_section.h"
+#include "spec/units.h"
+#include "surface/regions/regions.h"
+
+namespace talus::terrain {
+namespace {
+
+constexpr std::size_t kMaxKinds = 32;
+constexpr int kVariants = 32;  // shapes of a formula; objects draw one of them and a quarter turn
+constexpr int kGap = 2;        // of a cell stay free, so that no two trunks touch across its border
+constexpr Lod kLastEnumerated = Lod::of(2);
+constexpr double kClumpWavelength = 260;  // voxels
+constexpr int kClumpOctaves = 3;
+constexpr double kClumpGain = 0.6;
+
+// Quarter turns about the foot.
+std::array<int, 2> turned(const ModelVoxel& voxel, int turn) {
+  switch (turn & 3) {
+    case 0:
+      return {voxel.x, voxel.z};
+    case 1:
+      return {-voxel.z, voxel.x};
+    case 2:
+      return {-voxel.x, -voxel.z};
+    default:
+      return {voxel.z, -voxel.x};
+  }
+}
+
+float clump_share(Clumps clumps, float n) {
+  if (clumps == Clumps::woods) return std::clamp(0.55F + 2.2F * n, 0.02F, 1.0F);
+  return std::clamp(6 * std::clamp(n / 0.35F, 0.0F, 1.0F) + 0.25F, 0.0F, 1.0F);
+}
+
+std::uint64_t model_hash(const ObjectModel& model) {
+  std::uint64_t hash = 0;
+  for (const ModelVoxel& v : model) {
+    const auto word = static_cast<std::uint64_t>(static_cast<std::uint8_t>(v.x)) |
+                      static_cast<std::uint64_t>(static_cast<std::uint8_t>(v.y)) << 8 |
+                      static_cast<std::uint64_t>(static_cast<std::uint8_t>(v.z)) << 16 |
+                      static_cast<std::uint64_t>(v.part) << 24;
+    hash = mix64(hash ^ word) + word;
+  }
+  return hash;
+}
+
+}  // namespace
+
+struct Objects::Candidate {
+  std::size_t kind = 0;
+  std::int64_t x = 0;
+  std::int64_t z = 0;
+  std::uint64_t hash = 0;
+
+  [[nodiscard]] std::int32_t draw_q16() const { return static_cast<std::int32_t>(hash >> 32 & 0xFFFF); }
+  [[nodiscard]] PlacedObject at(std::int64_t y, std::size_t models) const {
+    return {static_cast<std::uint16_t>(kind),
+            static_cast<std::uint8_t>((hash >> 50 & 0xFF) % models),
+            static_cast<std::uint8_t>(hash >> 48 & 3),
+            x,
+            y,
+            z,
+            hash};
+  }
+};
+
+void Objects::write_canonical_form(std::ostream& form) const {
+  for (const ObjectKind& kind : kinds_) {
+    form << "object seed " << kind.seed << " spacing " << kind.spacing << " chance_q16 " << kind.chance_q16
+         << " clumps " << static_cast<int>(kind.clumps) << " in_water " << (kind.in_water ? 1 : 0);
+    if (kind.share) form << " share " << *kind.share;
+    std::array<bool, 256> used{};
+    for (const ObjectModel& model : kind.models) {
+      form << " model " << model_hash(model);
+      for (const ModelVoxel& voxel : model) used[voxel.part] = true;
+    }
+    for (std::size_t part = 0; part < used.size(); ++part) {
+      if (used[part]) form << " part " << part << ' ' << to_integer(kind.parts[part]);
+    }
+    form << '\n';
+  }
+}
+
+int Objects::halo(Lod lod) const {
+  if (lod.value() > kLastEnumerated.value()) return 0;
+  int reach = 0;
+  for (const ObjectKind& kind : kinds_) reach = std::max(reach, kind.reach);
+  const int step = 1 << lod.value();
+  return (reach + step - 1) / step;
+}
+
+OverlayRows Objects::overlay_rows(Lod lod) const {
+  int top = 0;
+  for (const ObjectKind& kind : kinds_) top = std::max(top, kind.top);
+  OverlayRows rows;
+  rows.above_ground = (top >> lod.value()) + 1;
+  return rows;
+}
+
+/// The candidate of a cell; none where its own draw keeps it away everywhere.
+std::optional<Objects::Candidate> Objects::candidate(std::size_t kind, std::int64_t cell_x,
+                                                     std::int64_t cell_z) const {
+  const ObjectKind& of = kinds_[kind];
+  const std::uint64_t x_key = mix64(axis_key(of.seed, Axis::x, cell_x));
+  const std::uint64_t hash = mix64(x_key ^ std::rotl(axis_key(of.seed, Axis::z, cell_z), 32));
+  Candidate candidate{kind, 0, 0, hash};
+  if (candidate.draw_q16() >= of.chance_q16) return std::nullopt;
+  const std::int64_t room = of.spacing - kGap;
+  candidate.x = cell_x * of.spacing +
+                static_cast<std::int64_t>((hash & 0xFFFF) * static_cast<std::uint64_t>(room) >> 16);
+  candidate.z = cell_z * of.spacing +
+                static_cast<std::int64_t>((hash >> 16 & 0xFFFF) * static_cast<std::uint64_t>(room) >> 16);
+  return candidate;
+}
+
+/// Where there is so much of its kind, of kWholeShare.
+bool Objects::present(const Candidate& candidate, std::int32_t share) const {
+  const ObjectKind& kind = kinds_[candidate.kind];
+  const auto limit_q16 = static_cast<std::int32_t>(std::int64_t{kind.chance_q16} * share / kWholeShare);
+  if (candidate.draw_q16() >= limit_q16) return false;
+  if (kind.clumps == Clumps::none) return true;
+  const float n = rotated_fbm(clumps_, candidate.x, candidate.z);
+  const auto clump = static_cast<std::int32_t>(clump_share(kind.clumps, n) * static_cast<float>(kWholeShare));
+  return candidate.draw_q16() < static_cast<std::int32_t>(std::int64_t{limit_q16} * clump / kWholeShare);
+}
+
+void Objects::place(const StandingGround& ground, std::vector<PlacedObject>& objects) const {
+  for (std::size_t kind = 0; kind < kinds_.size(); ++kind) {
+    if (ground.region.lod.value() <= kLastEnumerated.value()) {
+      place_in_cells(ground, kind, objects);
+    } else {
+      place_by_columns(ground, kind, objects);
+    }
+  }
+}
+
+// An object stands on the ground of the column of the level that holds its foot.
+void Objects::place_in_cells(const StandingGround& ground, std::size_t kind,
+                             std::vector<PlacedObject>& objects) const {
+  const ObjectKind& of = kinds_[kind];
+  const int level = ground.region.lod.value();
+  const Region around = ground.region.expanded(halo(ground.region.lod));
+  const std::int64_t west = around.x << level;
+  const std::int64_t north = around.z << level;
+  const std::int64_t east = (around.x + around.width) << level;
+  const std::int64_t south = (around.z + around.depth) << level;
+  for (std::int64_t cz = floor_div(north, of.spacing); cz * of.spacing < south; ++cz) {
+    for (std::int64_t cx = floor_div(west, of.spacing); cx * of.spacing < east; ++cx) {
+      const auto found = candidate(kind, cx, cz);
+      if (!found || found->x < west || found->x >= east || found->z < north || found->z >= south) continue;
+      const int x = static_cast<int>((found->x >> level) - ground.region.x);
+      const int z = static_cast<int>((found->z >> level) - ground.region.z);
+      if (!ground.carries(x, z, of.in_water) || !present(*found, ground.share(of.share, x, z))) continue;
+      objects.push_back(found->at(boundary_row(ground.height_fx(x, z)), of.models.size()));
+    }
+  }
+}
+
+// A coarse column shows one base column. So many objects lie between the columns that each looks only for
+// those that reach it, and takes its own ground for theirs.
+void Objects::place_by_columns(const StandingGround& ground, std::size_t kind,
+                               std::vector<PlacedObject>& objects) const {
+  const ObjectKind& of = kinds_[kind];
+  const int level = ground.region.lod.value();
+  for (int z = 0; z < ground.region.depth; ++z) {
+    for (int x = 0; x < ground.region.width; ++x) {
+      const std::int32_t share = ground.share(of.share, x, z);
+      if (share == 0 || !ground.carries(x, z, of.in_water)) continue;
+      const std::int64_t base_x = (ground.region.x + x) << level;
+      const std::int64_t base_z = (ground.region.z + z) << level;
+      for (std::int64_t cz = floor_div(base_z - of.reach, of.spacing); cz * of.spacing <= base_z + of.reach;
+           ++cz) {
+        for (std::int64_t cx = floor_div(base_x - of.reach, of.spacing); cx * of.spacing <= base_x + of.reach;
+             ++cx) {
+          const auto found = candidate(kind, cx, cz);
+          if (!found || std::abs(found->x - base_x) > of.reach || std::abs(found->z - base_z) > of.reach)
+            continue;
+          if (!present(*found, share)) continue;
+          PlacedObject object = found->at(boundary_row(ground.height_fx(x, z)), of.models.size());
+          object.seen_x = base_x;
+          object.seen_z = base_z;
+          objects.push_back(object);
+        }
+      }
+    }
+  }
+}
+
+// Voxel (x, y, z) of level l shows the base voxel (x << l, (y << l) + half of a voxel, z << l).
+template <class Visit>
+void Objects::for_each_voxel(const PlacedObject& object, Lod lod, bool front, const Visit& visit) const {
+  const ObjectKind& kind = kinds_[object.kind];
+  const int level = lod.value();
+  const std::int64_t half = level == 0 ? 0 : std::int64_t{1} << (level - 1);
+  const std::int64_t mask = (std::int64_t{1} << level) - 1;
+  const bool seen_alone = level > kLastEnumerated.value();
+  for (const ModelVoxel& voxel : kind.models[object.variant]) {
+    if ((voxel.part == 0) != front) continue;
+    const auto [dx, dz] = turned(voxel, object.turn);
+    const std::int64_t x = object.x + dx;
+    const std::int64_t y = object.y + voxel.y - half;
+    const std::int64_t z = object.z + dz;
+    if (((x | y | z) & mask) != 0) continue;
+    if (seen_alone && (x != object.seen_x || z != object.seen_z)) continue;
+    visit(x >> level, y >> level, z >> level, kind.parts[voxel.part]);
+  }
+}
+
+void Objects::add_overrides(const ChunkSite& site, std::vector<Override>& overrides) const {
+  const Stacks& stacks = site.stacks();
+  if (stacks.objects.empty()) return;
+  const Lod lod = site.key().lod;
+  const int level = lod.value();
+  const VoxelPos origin = chunk_origin(site.key().coord);
+  const std::int64_t sea_row =
+      site.world().sea_fx() ? boundary_row(*site.world().sea_fx() >> level) : std::int64_t{-1} << 40;
+  // What a voxel becomes, and 0 where it stays; and a bit for each that changes.
+  std::vector<std::uint16_t> materials(kChunkVolume);
+  std::array<std::uint64_t, kChunkVolume / 64> changed{};
+  bool any = false;
+  const auto reaches = [&](const PlacedObject& object) {
+    const ObjectKind& kind = kinds_[object.kind];
+    const auto apart = [&](std::int64_t middle, std::int64_t below, std::int64_t above, std::int64_t from) {
+      return middle + above < from << level || middle - below >= (from + kChunkSize) << level;
+    };
+    return !apart(object.x, kind.reach, kind.reach, origin.x) &&
+           !apart(object.z, kind.reach, kind.reach, origin.z) &&
+           !apart(object.y, kObjectRoot, kind.top, origin.y);
+  };
+  // From back to front: what is written later stays. Crowns first, then stems, each from the last kind on.
+  for (const bool front : {false, true}) {
+    for (auto object = stacks.objects.rbegin(); object != stacks.objects.rend(); ++object) {
+      if (!reaches(*object)) continue;
+      const bool in_water = kinds_[object->kind].in_water;
+      for_each_voxel(
+          *object, lod, front, [&](std::int64_t x, std::int64_t y, std::int64_t z, MaterialId material) {
+            const std::int64_t in_x = x - origin.x;
+            const std::int64_t in_y = y - origin.y;
+            const std::int64_t in_z = z - origin.z;
+            if (std::min({in_x, in_y, in_z}) < 0 || std::max({in_x, in_y, in_z}) >= kChunkSize) return;
+            const int column_x = site.x() + static_cast<int>(in_x);
+            const int column_z = site.z() + static_cast<int>(in_z);
+            if (y < boundary_row(stacks.tops.back().at(column_x, column_z))) return;
+            if (!in_water && y < sea_row && !stacks.is_entrance(column_x, column_z)) return;
+            const auto index = voxel_index({static_cast<std::uint8_t>(in_x), static_cast<std::uint8_t>(in_y),
+                                            static_cast<std::uint8_t>(in_z)});
+            materials[index] = to_integer(material);
+            changed[index / 64] |= std::uint64_t{1} << index % 64;
+            any = true;
+          });
+    }
+  }
+  if (!any) return;
+  for (std::size_t word = 0; word < changed.size(); ++word) {
+    for (std::uint64_t bits = changed[word]; bits != 0; bits &= bits - 1) {
+      const auto index = word * 64 + static_cast<std::size_t>(std::countr_zero(bits));
+      overrides.push_back({static_cast<std::uint16_t>(index), MaterialId{materials[index]}});
+    }
+  }
+}
+
+void Objects::add_tops(const Stacks& stacks, std::span<MaterialId> materials,
+                       std::span<std::int32_t> rows) const {
+  const Region& region = stacks.region;
+  for (const bool front : {false, true}) {
+    for (const PlacedObject& object : stacks.objects) {
+      for_each_voxel(object, region.lod, front,
+                     [&](std::int64_t x, std::int64_t y, std::int64_t z, MaterialId material) {
+                       const std::int64_t in_x = x - region.x;
+                       const std::int64_t in_z = z - region.z;
+                       if (in_x < 0 || in_z < 0 || in_x >= region.width || in_z >= region.depth) return;
+                       const auto i = static_cast<std::size_t>(in_z * region.width + in_x);
+                       if (y < boundary_row(stacks.tops.back().values[i]) || y + 1 < rows[i]) return;
+                       materials[i] = material;
+                       rows[i] = static_cast<std::int32_t>(y + 1);
+                     });
+    }
+  }
+}
+
+namespace {
+
+class ObjectReader {
+ public:
+  explicit ObjectReader(FeatureSection& section) : section_{section} {}
+
+  std::unique_ptr<const Feature> read() {
+    std::vector<TableReader> tables = section_.tables();
+    const WorldSpec& spec = section_.spec();
+    if (spec.method == Method::erosion && !tables.empty()) {
+      tables.front().fail("name",
+                          "objects stand on ground that stays; leave them out, or method = \"erosion\"");
+    }
+    std::vector<ObjectKind> kinds;
+    for (TableReader& table : tables) {
+      if (kinds.size() == kMaxKinds) {
+        table.fail("name", text_of("more than ", kMaxKinds, " kinds of objects; leave some out"));
+        break;
+      }
+      kinds.push_back(read_kind(table, kinds));
+    }
+    const std::uint64_t seed = named_seed(spec.seed, ".clumps");
+    const RotatedNoise clumps{seed, rounded(kClumpWavelength), kClumpOctaves, kClumpGain,
+                              static_cast<int>(seed % kLatticeAngles)};
+    return std::make_unique<Objects>(std::move(kinds), clumps);
+  }
+
+ private:
+  ObjectKind read_kind(TableReader& table, const std::vector<ObjectKind>& others) {
+    ObjectKind kind;
+    kind.name = table.text("name", kMaxNameBytes);
+    const bool known = std::any_of(others.begin(), others.end(),
+                                   [&](const ObjectKind& other) { return other.name == kind.name; });
+    if (known) table.fail("name", "'" + kind.name + "' names another object already; names are unique");
+    kind.seed = named_seed(section_.spec().seed, ".object " + kind.name);
+    const auto form = table.choice(
+        "model", {"conifer", "broadleaf", "acacia", "jungle_tree", "dead_tree", "cactus", "boulder", "bush"});
+    std::vector<std::string_view> keys{"name",  "model", "spacing", "chance",
+                                       "looks", "where", "clumps",  "in_water"};
+    for (const std::string_view part : kModelForms[form].parts) {
+      if (!part.empty()) keys.push_back(part);
+    }
+    table.only(keys);
+    for (std::size_t part = 0; part < kModelForms[form].parts.size(); ++part) {
+      const std::string name{kModelForms[form].parts[part]};
+      if (!name.empty()) kind.parts[part] = read_part(table, name);
+    }
+    kind.spacing = static_cast<int>(table.integer("spacing", 4, 64));
+    kind.chance_q16 = static_cast<std::int32_t>(rounded(table.real("chance", {0, 1}) * 65536));
+    if (table.has("clumps"))
+      kind.clumps = table.choice("clumps", {"woods", "groves"}) == 0 ? Clumps::woods : Clumps::groves;
+    kind.in_water = table.has("in_water") && table.boolean("in_water");
+    kind.share = section_.places().share(table, section_.look_names());
+    for (int variant = 0; variant < kVariants; ++variant) {
+      kind.models.push_back(make_model(static_cast<ModelKind>(form),
+                                       derived_seed(kind.seed, static_cast<std::uint64_t>(variant))));
+    }
+    for (const ObjectModel& model : kind.models) {
+      for (const ModelVoxel& voxel : model) {
+        kind.reach = std::max({kind.reach, std::abs(int{voxel.x}), std::abs(int{voxel.z})});
+        kind.top = std::max(kind.top, voxel.y + 1);
+      }
+    }
+    return kind;
+  }
+
+  /// A new material with a colour, or one that the world has.
+  MaterialId read_part(TableReader& table, const std::string& key) {
+    auto part = table.table(key);
+    if (!part) return kAir;
+    part->only({"name", "colour"});
+    if (part->has("colour")) return section_.add_material(*part, MaterialKind::stratified);
+    const std::string name = part->text("name", kMaxNameBytes);
+    const auto material = section_.material_named(name);
+    if (!material) {
+      part->fail("name", "no material is named '" + name + "'; a colour beside it makes a new one");
+      return kAir;
+    }
+    return *material;
+  }
+
+  FeatureSection& section_;
+};
+
+std::unique_ptr<const Feature> read_objects(FeatureSection& section) {
+  return ObjectReader{section}.read();
+}
+
+}  // namespace
+
+namespace features {
+
+FeatureKind objects() {
+  return {"object", read_objects, true};
+}
+
+}  // namespace features
+}  // namespace talus::terrain

@@ -1,0 +1,207 @@
+// Trees, boulders and bushes: whole wherever they are cut, on the ground, never in it.
+#include <rapidcheck.h>
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <cstdint>
+#include <iterator>
+#include <set>
+#include <string>
+#include <tuple>
+#include <vector>
+
+#include <talus/terrain/boundary_row.h>
+#include <talus/terrain/extraction.h>
+#include <talus/terrain/generator.h>
+#include <talus/terrain/lattice_hash.h>
+#include <talus/terrain/world.h>
+
+#include "features/object_models.h"
+#include "worlds.h"
+#include "wrong_spec.h"
+
+namespace talus::terrain {
+namespace {
+
+const std::string kWood =
+    "[[object]]\nname = \"oak\"\nmodel = \"broadleaf\"\nspacing = 6\nchance = 1\n"
+    "wood = { name = \"oak wood\", colour = \"#6b5136\" }\n"
+    "leaves = { name = \"oak leaves\", colour = \"#4a7d33\" }\n";
+const std::string kThorns =
+    "[[object]]\nname = \"thorn\"\nmodel = \"acacia\"\nspacing = 9\nchance = 0.5\nclumps = \"groves\"\n"
+    "wood = { name = \"thorn wood\", colour = \"#6b5136\" }\nleaves = { name = \"oak leaves\" }\n"
+    "[[object]]\nname = \"stone\"\nmodel = \"boulder\"\nspacing = 11\nchance = 0.3\nin_water = true\n"
+    "stone = { name = \"gravel\" }\n";
+
+World wooded(const std::string& more = "", const std::string& text = test::small_world_text(7)) {
+  auto world = World::parse(text + kWood + more, "wood.toml");
+  INFO((world ? "" : world.error().message));
+  REQUIRE(world.has_value());
+  return *std::move(world);
+}
+
+bool of_objects(const World& world, MaterialId material) {
+  return world.materials()[to_integer(material)].name.find("oak") != std::string::npos;
+}
+
+Region any_patch(Lod lod) {
+  const std::int64_t end = chunk_limit(lod);
+  const auto axis = [&] {
+    return *rc::gen::oneOf(rc::gen::inRange<std::int64_t>(-200, 200),
+                           rc::gen::element<std::int64_t>(-end, end - 2));
+  };
+  const std::int64_t x = axis();
+  const std::int64_t z = axis();
+  return {x * kChunkSize, z * kChunkSize, 2 * kChunkSize, 2 * kChunkSize, lod};
+}
+
+TEST_CASE("No model leaves its bounds, and no two of its voxels are one") {
+  for (std::size_t kind = 0; kind < kModelKinds; ++kind) {
+    std::size_t most = 0;
+    for (std::uint64_t seed = 0; seed < 1250; ++seed) {
+      const ObjectModel model = make_model(static_cast<ModelKind>(kind), mix64(seed));
+      REQUIRE(!model.empty());
+      std::set<std::tuple<int, int, int>> places;
+      for (const ModelVoxel& voxel : model) {
+        REQUIRE(std::abs(voxel.x) <= kObjectReach);
+        REQUIRE(std::abs(voxel.z) <= kObjectReach);
+        REQUIRE((voxel.y >= -kObjectRoot && voxel.y < kObjectTop));
+        places.insert({voxel.x, voxel.y, voxel.z});
+      }
+      REQUIRE(places.size() == model.size());
+      most = std::max(most, model.size());
+    }
+    CAPTURE(kModelForms[kind].name);
+    CHECK(most < 2000);
+  }
+}
+
+TEST_CASE("An object across chunks is whole from whatever patch it is cut, at every level and end") {
+  const World world = wooded(kThorns);
+  CHECK(world.generator_version() == GeneratorVersion::v3);
+  std::size_t seen = 0;
+  CHECK(rc::check([&] {
+    const Lod lod = Lod::of(*rc::gen::inRange(0, Lod::kMax + 1));
+    const Region patch = any_patch(lod);
+    const Stacks stacks = generate_stacks(world, patch);
+    for (int i = 0; i < 4; ++i) {
+      const auto x = static_cast<std::int32_t>(patch.x / kChunkSize) + i % 2;
+      const auto z = static_cast<std::int32_t>(patch.z / kChunkSize) + i / 2;
+      const MixedRange rows = mixed_range(world, stacks, x, z);
+      const MixedRange all = mixed_range(world, lod);
+      RC_ASSERT((rows.last <= all.last && rows.first >= all.first));
+      for (std::int32_t y = rows.first; y <= rows.last + 1; ++y) {
+        const ChunkKey key{{x, y, z}, lod};
+        const Chunk chunk = extract_chunk(world, stacks, key.coord);
+        RC_ASSERT(chunk == generate_chunk(world, key));
+        RC_ASSERT((y <= rows.last || chunk.is_uniform()));
+        seen += chunk.overrides().size();
+      }
+    }
+  }));
+  CHECK(seen > 10000);
+}
+
+TEST_CASE("Objects fill air above the ground alone, with caves, too") {
+  const World world = wooded("", test::small_caves_text(5));
+  std::size_t seen = 0;
+  CHECK(rc::check([&] {
+    const Region patch = any_patch(Lod::of(*rc::gen::inRange(0, 3)));
+    const Stacks stacks = generate_stacks(world, patch);
+    Stacks bare = stacks;
+    bare.objects.clear();
+    const auto sea_row = boundary_row(*world.sea_fx() >> patch.lod.value());
+    const auto x = static_cast<std::int32_t>(patch.x / kChunkSize);
+    const auto z = static_cast<std::int32_t>(patch.z / kChunkSize);
+    const MixedRange rows = mixed_range(world, stacks, x, z);
+    for (std::int32_t y = rows.first; y <= rows.last; ++y) {
+      const Chunk with = extract_chunk(world, stacks, {x, y, z});
+      const Chunk without = extract_chunk(world, bare, {x, y, z});
+      for (std::size_t i = 0; i < kChunkVolume; ++i) {
+        const LocalPos at{static_cast<std::uint8_t>(i % 32), static_cast<std::uint8_t>(i / 1024),
+                          static_cast<std::uint8_t>(i / 32 % 32)};
+        if (with.at(at) == without.at(at)) continue;
+        ++seen;
+        const std::int32_t row = y * kChunkSize + at.y;
+        RC_ASSERT(of_objects(world, with.at(at)));
+        RC_ASSERT(without.at(at) == kAir);
+        RC_ASSERT(row >= boundary_row(stacks.tops.back().at(at.x, at.z)));
+        RC_ASSERT((row >= sea_row || stacks.is_entrance(at.x, at.z)));
+      }
+    }
+    // No foot stands in an entrance or under water.
+    for (const PlacedObject& object : stacks.objects) {
+      const auto cx = static_cast<int>((object.x >> patch.lod.value()) - patch.x);
+      const auto cz = static_cast<int>((object.z >> patch.lod.value()) - patch.z);
+      if (cx < 0 || cz < 0 || cx >= patch.width || cz >= patch.depth) continue;
+      RC_ASSERT(!stacks.is_entrance(cx, cz));
+      RC_ASSERT(object.y >= boundary_row(*world.sea_fx()));
+    }
+  }));
+  CHECK(seen > 1000);
+}
+
+TEST_CASE("Another kind of object moves no other, and no ground") {
+  const World before = wooded();
+  const World after = wooded(kThorns);
+  const Region patch{640, -320, 96, 96, Lod{}};
+  const Stacks own = generate_stacks(before, patch);
+  const Stacks both = generate_stacks(after, patch);
+  // Around the patch the farthest reach decides which are known.
+  const auto inside = [&](const Stacks& stacks) {
+    std::vector<PlacedObject> oaks;
+    std::copy_if(stacks.objects.begin(), stacks.objects.end(), std::back_inserter(oaks),
+                 [&](const PlacedObject& object) {
+                   return object.kind == 0 && object.x >= patch.x && object.x < patch.x + patch.width &&
+                          object.z >= patch.z && object.z < patch.z + patch.depth;
+                 });
+    return oaks;
+  };
+  REQUIRE(!inside(own).empty());
+  REQUIRE(both.objects.size() > own.objects.size());
+  CHECK(inside(own) == inside(both));
+  CHECK(own.tops.back().values == both.tops.back().values);
+  // Kinds have one place in the order of the file.
+  CHECK(std::is_sorted(both.objects.begin(), both.objects.end(),
+                       [](const PlacedObject& a, const PlacedObject& b) { return a.kind < b.kind; }));
+}
+
+TEST_CASE("Where decides how many objects there are") {
+  const auto count = [](const std::string& where) {
+    const std::string kind = test::replaced(kWood, "chance = 1\n", "chance = 0.5\n" + where);
+    const auto world = World::parse(test::small_world_text(7) + kind, "wood.toml");
+    REQUIRE(world.has_value());
+    return generate_stacks(*world, {0, 0, 192, 192, Lod{}}).objects.size();
+  };
+  const std::size_t all = count("");
+  CHECK(count("where = { height = [1000, 1001] }\n") == 0);
+  const std::size_t gentle = count("where = { slope = [12, 4] }\n");
+  CHECK((gentle > 0 && gentle < all));
+}
+
+TEST_CASE("What is wrong about objects") {
+  const auto [from, to, message] = GENERATE(values<test::Wrong>({
+      {"model = \"broadleaf\"", "model = \"palm\"", "object[0].model: 'palm'"},
+      {"spacing = 6", "spacing = 3", "object[0].spacing: 3 is out of range; 4 to 64"},
+      {"chance = 1", "chance = 1.1", "object[0].chance: 1.1 is out of range; 0 to 1"},
+      {"chance = 1", "chance = 1\nlooks = [\"wood\"]", "no look is named 'wood'"},
+      {"chance = 1", "chance = 1\nlooks = []", "a list of 1 to 63 strings"},
+      {"chance = 1", "chance = 1\nclumps = \"herds\"", "object[0].clumps: 'herds'"},
+      {"chance = 1", "chance = 1\nstone = { name = \"x\" }", "object[0].stone: unknown key"},
+      {"{ name = \"oak leaves\", colour = \"#4a7d33\" }", "{ name = \"birch\" }",
+       "no material is named 'birch'"},
+      {"{ name = \"oak leaves\", colour = \"#4a7d33\" }", "{ name = \"air\" }", "no material is named 'air'"},
+      {"{ name = \"oak leaves\", colour = \"#4a7d33\" }", "{ name = \"gravel\", colour = \"#4a7d33\" }",
+       "names another material already"},
+      {"leaves = ", "leafs = ", "object[0].leafs: unknown key"},
+  }));
+  CAPTURE(to);
+  const std::string text = test::small_world_text(7);
+  CHECK_THAT(test::error_of(text + test::replaced(kWood, from, to)), Catch::Contains(message));
+  CHECK_THAT(test::error_of(text + kWood + kWood), Catch::Contains("names another object already"));
+  CHECK_THAT(test::error_of("method = \"erosion\"\nerosion_steps = 3\n" + text + kWood),
+             Catch::Contains("objects stand on ground that stays"));
+}
+
+}  // namespace
+}  // namespace talus::terrain
