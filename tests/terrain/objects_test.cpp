@@ -175,7 +175,8 @@ TEST_CASE("Where decides how many objects there are") {
   };
   const std::size_t all = count("");
   CHECK(count("where = { height = [1000, 1001] }\n") == 0);
-  const std::size_t gentle = count("where = { slope = [12, 4] }\n");
+  const std::size_t gentle = count("where = { slope = [50, 30] }\n");
+  CAPTURE(all, gentle);
   CHECK((gentle > 0 && gentle < all));
 }
 
