@@ -66,7 +66,7 @@ TEST_CASE("metrics count what a client was sent") {
 }
 
 TEST_CASE("a server is healthy and ready until it drains") {
-  ServerProcess server{{{"TALUS_SHUTDOWN_DRAIN_MS", "3600000"}}, {"--admin", "127.0.0.1:0"}};
+  ServerProcess server{{{"TALUS_SHUTDOWN_DRAIN_MS", "3600000"}, kClassicWorld}, {"--admin", "127.0.0.1:0"}};
   const std::uint16_t admin = server.admin_port();
   CHECK(get(admin, "/-/healthy").starts_with("HTTP/1.1 200 "));
   CHECK(get(admin, "/-/ready").starts_with("HTTP/1.1 200 "));

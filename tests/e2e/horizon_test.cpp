@@ -122,7 +122,7 @@ std::multiset<ChunkKey> sent_for(const ServerProcess& server, const client::View
 TEST_CASE("the summit above the plain comes with a horizon, and not without") {
   const bool horizon = GENERATE(false, true);
   CAPTURE(horizon);
-  const ServerProcess server;
+  const ServerProcess server{{kClassicWorld}};
   asio::io_context io;
   Seen seen;
   Valley valley;

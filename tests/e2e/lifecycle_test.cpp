@@ -64,7 +64,7 @@ std::string default_world_with_seed(int seed) {
 
 TEST_CASE("SIGTERM and SIGINT: GoAway, pending answers, exit 0") {
   const int signal = GENERATE(SIGTERM, SIGINT);
-  ServerProcess server;
+  ServerProcess server{{kClassicWorld}};
   RawClient client = greeted(server.port(), 1);
   RawClient idle{server.port()};
   // The window of one byte holds the second chunk back until there is credit, so it is pending for sure.
@@ -94,7 +94,7 @@ TEST_CASE("a client that takes nothing cannot keep the server from ending") {
 }
 
 TEST_CASE("a second signal ends the server at once") {
-  ServerProcess server{{{"TALUS_SHUTDOWN_DRAIN_MS", "3600000"}}};
+  ServerProcess server{{{"TALUS_SHUTDOWN_DRAIN_MS", "3600000"}, kClassicWorld}};
   RawClient client = greeted(server.port(), 1);
   REQUIRE(client.send(get_chunks({chunk_request(1, at(0, 0, 0)), chunk_request(2, at(0, 0, 0))})));
   (void)client.expect_kind<wire::Chunk>();
@@ -120,7 +120,7 @@ TEST_CASE("SIGHUP before the server is up does not end it") {
 }
 
 TEST_CASE("requests after GoAway are refused by their ids") {
-  ServerProcess server;
+  ServerProcess server{{kClassicWorld}};
   RawClient client = greeted(server.port(), 1);
   REQUIRE(client.send(get_chunks({chunk_request(1, at(0, 0, 0)), chunk_request(2, at(0, 0, 0))})));
   (void)client.expect_kind<wire::Chunk>();

@@ -196,7 +196,7 @@ TEST_CASE("under siege operators are answered: a thousand sessions send Views wi
 TEST_CASE("under siege operators are answered: a drain that a thousand clients hold up") {
   constexpr std::size_t kSessions = 1000;
   allow_many_sockets();
-  ServerProcess server{unlimited({{"TALUS_SHUTDOWN_DRAIN_MS", "3600000"}}), kWithOperators};
+  ServerProcess server{unlimited({{"TALUS_SHUTDOWN_DRAIN_MS", "3600000"}, kClassicWorld}), kWithOperators};
   const std::uint16_t operators = server.admin_port();
   std::vector<RawClient> held;
   for (std::size_t i = 0; i < kSessions; ++i) {

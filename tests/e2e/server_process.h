@@ -23,6 +23,9 @@ inline constexpr bool kSanitized = false;
 /// TALUS_* variables for the child; it gets no others.
 using Settings = std::map<std::string, std::string>;
 
+/// A world whose chunk (0, 0, 0) is mixed, and whose heights have valleys within a View.
+inline const Settings::value_type kClassicWorld{"TALUS_WORLD", TALUS_SOURCE_DIR "/core/worlds/classic.toml"};
+
 /// How a program that was not expected to go on ended.
 struct Ended {
   int status = -1;  // exit status; 128 + n for signal n

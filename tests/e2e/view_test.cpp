@@ -144,7 +144,7 @@ TEST_CASE("a View over the limits is refused and the old one stays") {
 
 TEST_CASE("Chunk frames stop at the window and go on with Credit") {
   constexpr std::uint64_t kWindow = 2000;
-  const ServerProcess server;
+  const ServerProcess server{{kClassicWorld}};
   RawClient client = greeted(server.port(), kWindow);
   // A chunk that is in memory: what does not come is held back, not still being made.
   REQUIRE(client.send(get_chunks({chunk_request(1, at(0, 0, 0))})));

@@ -150,7 +150,7 @@ TEST_CASE("a server that hears its client's end lets it go and serves the others
 }
 
 TEST_CASE("a flipped bit is never taken for a chunk") {
-  ServerProcess server;
+  ServerProcess server{{e2e::kClassicWorld}};
   const ChunkKey key = e2e::at(0, 1, 0);
   RawClient raw{server.port()};
   REQUIRE(raw.send(e2e::hello()));

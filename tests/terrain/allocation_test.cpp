@@ -100,10 +100,11 @@ TEST_CASE("Aprons and cliffs of a patch need no allocation once there was one") 
 
 TEST_CASE("A chunk that is made in another's memory is extracted and coded without an allocation") {
   // Overlays, of caves and ores, do allocate.
-  const World world = World::parse(GENERATE(test::sample_world_text("classic"),
-                                            test::sample_world_without("default", {"[caves]", "[[veins]]"})),
-                                   "sample")
-                          .value();
+  const World world =
+      World::parse(GENERATE(test::sample_world_text("classic"),
+                            test::sample_world_without("default", {"[caves]", "[[veins]]", "[[object]]"})),
+                   "sample")
+          .value();
   const Stacks stacks = generate_stacks(world, {0, 0, 128, 128, Lod{}});
   Layers memory;
   std::vector<std::byte> payload;

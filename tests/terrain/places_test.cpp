@@ -32,7 +32,8 @@ World parsed_places(const std::string& text) {
 // A world in which a patch has many looks, all three kinds of strata and ice.
 std::string places_text() {
   // Without what else changes voxels.
-  const std::string text = test::sample_world_without("default", {"[caves]", "[[veins]]", "[talus]"});
+  const std::string text =
+      test::sample_world_without("default", {"[caves]", "[[veins]]", "[talus]", "[[object]]"});
   return test::replaced(text, "where = { cliff = [0.75, 0.15] }", "");
 }
 

@@ -132,6 +132,71 @@ TEST_CASE("Neighbouring columns of regions are steep nowhere but at mesas") {
   CHECK(most > 256);
 }
 
+struct LevelRow {
+  std::vector<std::int32_t> heights;
+  std::vector<std::int32_t> slopes;
+  bool operator==(const LevelRow&) const = default;
+};
+
+LevelRow level_row(const Regions& regions, float highest_fx, const std::vector<std::int64_t>& xs,
+                   std::int64_t z, Lod lod, InstructionSet set) {
+  Surface surface;
+  surface.kind = SurfaceKind::regions;
+  surface.regions = std::make_shared<const Regions>(regions);
+  surface.highest_fx = highest_fx;
+  RegionRows rows{surface, set};
+  LevelRow row{std::vector<std::int32_t>(xs.size()), std::vector<std::int32_t>(xs.size())};
+  REQUIRE(rows.starts_level(xs, lod));
+  rows.sloped_row(z, row.heights.data(), row.slopes.data());
+  return row;
+}
+
+TEST_CASE("A coarse level has level 0's land but for rivers, and slopes near its, by every instruction set") {
+  double error = 0;
+  double all = 0;
+  std::size_t columns = 0;
+  std::size_t others = 0;
+  CHECK(rc::check([&] {
+    const RegionsSpec spec = any_regions();
+    const Regions regions = regions_of(spec, {}, *rc::gen::arbitrary<std::uint64_t>(), 1);
+    const float highest = highest_fx(spec, 1);
+    const Lod lod = Lod::of(*rc::gen::inRange(1, 7));
+    const std::int64_t step = std::int64_t{1} << lod.value();
+    const std::int64_t first = *rc::gen::inRange<std::int64_t>(-100'000, 100'000) * step;
+    const std::int64_t z = *rc::gen::inRange<std::int64_t>(-100'000, 100'000) * step;
+    const int width = *rc::gen::inRange(1, 80);
+    std::vector<std::int64_t> xs;
+    std::vector<std::int64_t> around;
+    for (int i = 0; i < width; ++i) {
+      xs.push_back(first + i * step);
+      around.insert(around.end(), {xs.back() - 1, xs.back(), xs.back() + 1});
+    }
+    const LevelRow row = level_row(regions, highest, xs, z, lod, InstructionSet::scalar);
+    for (const InstructionSet set : sets_here()) {
+      RC_ASSERT(level_row(regions, highest, xs, z, lod, set) == row);
+    }
+    // One column alone is the same as one of many.
+    const LevelRow alone = level_row(regions, highest, {xs.back()}, z, lod, instruction_set());
+    RC_ASSERT(alone.heights.back() == row.heights.back());
+    RC_ASSERT(alone.slopes.back() == row.slopes.back());
+    const auto base = heights(regions, highest, around, {z - 1, z, z + 1}, instruction_set());
+    for (std::size_t i = 0; i < xs.size(); ++i) {
+      const auto at = [&](std::size_t dz, std::size_t dx) { return base[dz * around.size() + 3 * i + dx]; };
+      std::int32_t slope = 0;
+      for (std::size_t n = 0; n < 9; ++n) slope = std::max(slope, std::abs(at(n / 3, n % 3) - at(1, 1)));
+      error += (slope - row.slopes[i]) * (slope - row.slopes[i]);
+      all += slope * slope;
+      ++columns;
+      if (row.heights[i] != at(1, 1)) ++others;
+      // Rivers are widened, so that land is lowered alone.
+      RC_ASSERT(row.heights[i] <= at(1, 1) + 2 * kSubvoxels);
+    }
+  }));
+  CAPTURE(error / static_cast<double>(columns), all / static_cast<double>(columns), others, columns);
+  CHECK(error < 0.25 * all);
+  CHECK(others < columns);
+}
+
 TEST_CASE("What bears another name has another seed") {
   CHECK(named_seed(1, "rivers") == named_seed(1, "rivers"));
   CHECK(named_seed(1, "rivers") != named_seed(1, "ranges"));

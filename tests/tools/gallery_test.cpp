@@ -15,10 +15,15 @@ using namespace talus::tools;
 
 namespace {
 
+const terrain::World& classic_world() {
+  static const auto world = terrain::World::parse(terrain::classic_world_toml(), "classic.toml").value();
+  return world;
+}
+
 Image draw(const Figure& figure, int threads) {
-  const WorldText text{std::string{terrain::default_world_toml()}, "here.toml"};
+  const WorldText text{std::string{terrain::classic_world_toml()}, "here.toml"};
   ProgressBar progress{"gallery", "rows"};
-  auto image = figure.draw({text, terrain::default_world(), threads, progress});
+  auto image = figure.draw({text, classic_world(), threads, progress});
   REQUIRE(image);
   return std::move(*image);
 }
@@ -39,12 +44,12 @@ TEST_CASE("A figure of the same world is the same picture, whatever the threads"
 
 TEST_CASE("A place is the same ground at every resolution") {
   const Place place{-1.5, 2.25, 2};
-  const terrain::Region columns = columns_of(place, terrain::default_world());
+  const terrain::Region columns = columns_of(place, classic_world());
   CHECK(columns == terrain::Region{-300, 450, 400, 400, Lod{}});
 }
 
 TEST_CASE("A scenic place has high ground at the back and low ground in front") {
-  const terrain::World& world = terrain::default_world();
+  const terrain::World& world = classic_world();
   const Place place = scenic_place(world, 1);
   const terrain::Region columns = columns_of(place, world);
   const auto height = [&](int x, int z) {
@@ -55,7 +60,7 @@ TEST_CASE("A scenic place has high ground at the back and low ground in front") 
 }
 
 TEST_CASE("A figure that is not there is named, and nothing is made") {
-  const WorldText text{std::string{terrain::default_world_toml()}, "here.toml"};
+  const WorldText text{std::string{terrain::classic_world_toml()}, "here.toml"};
   ProgressBar progress{"gallery", "rows"};
   const ScratchDirectory scratch;
   const auto written = write_gallery(text, "no such", scratch / "gallery", 1, progress);

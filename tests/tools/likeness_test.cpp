@@ -4,6 +4,8 @@
 
 #include <catch2/catch.hpp>
 
+#include "worlds.h"
+
 using namespace talus;
 using namespace talus::tools;
 
@@ -41,11 +43,11 @@ TEST_CASE("Even layers have no correlation, and empty ones nothing in which to d
 }
 
 TEST_CASE("Both methods lay their loose material in the same places more than by chance") {
-  const WorldText text{std::string{terrain::default_world_toml()}, "here.toml"};
+  const WorldText text{test::sample_world_text("classic"), "here.toml"};
   ProgressBar progress{"likeness", "seeds"};
   const auto likeness = measure_likeness(text, 2, progress);
   REQUIRE(likeness);
-  REQUIRE(likeness->rows.size() == 1 + terrain::default_world().loose().size());
+  REQUIRE(likeness->rows.size() == 1 + test::sample_world("classic").loose().size());
   const LikenessRow& all = likeness->rows.front();
   CHECK(all.name == "all");
   CHECK(all.overlap.mean > all.unrelated.mean);

@@ -2,17 +2,19 @@
 
 #include <catch2/catch.hpp>
 
+#include "worlds.h"
+
 using namespace talus;
 using namespace talus::tools;
 
 namespace {
 
-WorldText default_text() {
-  return {std::string{terrain::default_world_toml()}, "here.toml"};
+WorldText classic_text() {
+  return {test::sample_world_text("classic"), "here.toml"};
 }
 
 terrain::World variant(const WorldChanges& changes) {
-  auto world = world_variant(default_text(), changes);
+  auto world = world_variant(classic_text(), changes);
   REQUIRE(world);
   return std::move(*world);
 }
@@ -20,11 +22,11 @@ terrain::World variant(const WorldChanges& changes) {
 }  // namespace
 
 TEST_CASE("A world with nothing changed is the world") {
-  CHECK(variant({}).canonical_form() == terrain::default_world().canonical_form());
+  CHECK(variant({}).canonical_form() == test::sample_world("classic").canonical_form());
 }
 
 TEST_CASE("A change back gives the world again, so nothing else is touched") {
-  const terrain::World& world = terrain::default_world();
+  const terrain::World& world = test::sample_world("classic");
   CHECK(variant({.resolution = world.spec().resolution, .exponent = world.spec().surface.exponent})
             .canonical_form() == world.canonical_form());
 }
@@ -34,11 +36,11 @@ TEST_CASE("Resolution, exponent and roughness are changed where they stand") {
   CHECK(variant({.exponent = 2}).spec().surface.exponent == 2);
   const terrain::World rough = variant({.roughness = 1.5});
   for (const auto& material : rough.spec().stratified) CHECK(material.roughness == 1.5);
-  CHECK(rough.spec().resolution == terrain::default_world().spec().resolution);
+  CHECK(rough.spec().resolution == test::sample_world("classic").spec().resolution);
 }
 
 TEST_CASE("A change that leads out of bounds is told in one line") {
-  const auto world = world_variant(default_text(), {.resolution = 4000});
+  const auto world = world_variant(classic_text(), {.resolution = 4000});
   REQUIRE_FALSE(world);
   CHECK_THAT(world.error().message, Catch::StartsWith("here.toml: at resolution 4000: "));
   CHECK(world.error().message.find('\n') == std::string::npos);

@@ -35,8 +35,11 @@ class TileRows {
         coarse_{stacks.region.lod.value() > 0} {
     assert(x_ >= 0 && z_ >= 0 && x_ + kChunkSize <= stacks.region.width &&
            z_ + kChunkSize <= stacks.region.depth);
+    const int level = stacks.region.lod.value();
+    if (world.sea_fx()) sea_row_ = boundary_row(*world.sea_fx() >> level);
+    if (coarse_ && world.sea_fx() && world.spec().surface.regions)
+      wet_fx_ = (*world.sea_fx() - kSubvoxels / 2) >> level;
     if (coarse_) find_caps();
-    if (world.sea_fx()) sea_row_ = boundary_row(*world.sea_fx() >> stacks.region.lod.value());
   }
 
   [[nodiscard]] std::size_t planes() const { return stacks_.tops.size(); }
@@ -130,7 +133,11 @@ class TileRows {
   void read_ground() {
     for (int z = 0; z < kChunkSize; ++z) {
       const std::int32_t* tops = stacks_.tops.back().row(z_ + z).data() + x_;
-      for (int x = 0; x < kChunkSize; ++x) ground_[column_index(x, z)] = boundary_row(tops[x]);
+      for (int x = 0; x < kChunkSize; ++x) {
+        // Where level 0 has water the topmost voxel is water, or no river would be left.
+        const std::int32_t most = tops[x] < wet_fx_ ? sea_row_ - 1 : kFarRow;
+        ground_[column_index(x, z)] = std::min(boundary_row(tops[x]), most);
+      }
     }
   }
 
@@ -144,6 +151,7 @@ class TileRows {
   int z_;
   bool coarse_;
   std::int32_t sea_row_ = -kFarRow;
+  std::int32_t wet_fx_ = std::numeric_limits<std::int32_t>::min();  // ground of a coarse level under water
   std::array<std::size_t, kChunkArea> cap_plane_{};  // the plane of the material at the top of each stack
   Rows ground_{};
 };

@@ -11,7 +11,7 @@
 namespace talus::tools {
 
 Expected<WorldText> read_world_text(const std::string& path) {
-  if (path.empty()) return WorldText{std::string{terrain::default_world_toml()}, "the built-in world"};
+  if (path.empty()) return WorldText{std::string{terrain::classic_world_toml()}, "the classic world"};
   auto text = files::read_regular_file(path, kMaxTomlBytes);
   if (text) return WorldText{*std::move(text), path};
   const files::FileError& error = text.error();

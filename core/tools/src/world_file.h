@@ -15,10 +15,11 @@ struct WorldText {
   std::string source;
 };
 
-/// The spec in the file at `path`; that of the built-in default world where `path` is empty.
+/// The spec in the file at `path`; that of the built-in classic world, which figures of the thesis are drawn
+/// from, where `path` is empty.
 [[nodiscard]] Expected<WorldText> read_world_text(const std::string& path);
 
-/// The world that the text of read_world_text() describes.
+/// The world in that file; the built-in default world where `path` is empty.
 [[nodiscard]] Expected<terrain::World> load_world(const std::string& path);
 
 }  // namespace talus::tools

@@ -21,8 +21,33 @@ namespace hn = hwy::HWY_NAMESPACE;
 using RegionTag = hn::ScalableTag<float>;
 using RegionVector = hn::Vec<RegionTag>;
 
+/// A number of each lane.
 HWY_INLINE RegionVector constant(float value) {
   return hn::Set(RegionTag{}, value);
+}
+HWY_INLINE RegionVector add(RegionVector a, RegionVector b) {
+  return hn::Add(a, b);
+}
+HWY_INLINE RegionVector sub(RegionVector a, RegionVector b) {
+  return hn::Sub(a, b);
+}
+HWY_INLINE RegionVector mul(RegionVector a, RegionVector b) {
+  return hn::Mul(a, b);
+}
+HWY_INLINE RegionVector quotient(RegionVector a, RegionVector b) {
+  return hn::Div(a, b);
+}
+HWY_INLINE RegionVector root(RegionVector v) {
+  return hn::Sqrt(v);
+}
+HWY_INLINE RegionVector size_of(RegionVector v) {
+  return hn::Abs(v);
+}
+HWY_INLINE RegionVector larger(RegionVector a, RegionVector b) {
+  return hn::Max(a, b);
+}
+HWY_INLINE RegionVector smaller(RegionVector a, RegionVector b) {
+  return hn::Min(a, b);
 }
 HWY_INLINE RegionVector times(RegionVector v, float factor) {
   return hn::Mul(v, constant(factor));
@@ -37,20 +62,106 @@ HWY_INLINE RegionVector less(float whole, RegionVector v) {
 HWY_INLINE RegionVector unit(RegionVector v) {
   return hn::Min(hn::Max(v, constant(0)), constant(1));
 }
-/// From 0 at `none` to 1 at `all`.
-HWY_INLINE RegionVector ramp(float none, float all, RegionVector v) {
-  return unit(times(plus(v, -none), 1 / (all - none)));
+/// `yes` where a > b.
+HWY_INLINE RegionVector where_above(RegionVector a, RegionVector b, RegionVector yes, RegionVector no) {
+  return hn::IfThenElse(hn::Gt(a, b), yes, no);
 }
-HWY_INLINE RegionVector smooth(RegionVector t) {
-  return hn::Mul(hn::Mul(t, t), less(3, times(t, 2)));
+HWY_INLINE RegionVector at_least(RegionVector v, float least) {
+  return hn::Max(v, constant(least));
+}
+HWY_INLINE RegionVector at_most(RegionVector v, float most) {
+  return hn::Min(v, constant(most));
+}
+HWY_INLINE RegionVector value_of(RegionVector v) {
+  return v;
 }
 
-HWY_INLINE RegionVector on_spline(const Spline& spline, RegionVector v) {
-  auto y = constant(spline.first_y());
+/// A number, and how it rises a column eastward and southward: what is computed with it has its derivatives.
+struct Sloped {
+  RegionVector v;
+  RegionVector x;
+  RegionVector z;
+};
+
+HWY_INLINE Sloped add(Sloped a, Sloped b) {
+  return {hn::Add(a.v, b.v), hn::Add(a.x, b.x), hn::Add(a.z, b.z)};
+}
+HWY_INLINE Sloped sub(Sloped a, Sloped b) {
+  return {hn::Sub(a.v, b.v), hn::Sub(a.x, b.x), hn::Sub(a.z, b.z)};
+}
+HWY_INLINE Sloped mul(Sloped a, Sloped b) {
+  return {hn::Mul(a.v, b.v), hn::Add(hn::Mul(a.x, b.v), hn::Mul(a.v, b.x)),
+          hn::Add(hn::Mul(a.z, b.v), hn::Mul(a.v, b.z))};
+}
+HWY_INLINE Sloped quotient(Sloped a, Sloped b) {
+  const auto q = hn::Div(a.v, b.v);
+  return {q, hn::Div(hn::Sub(a.x, hn::Mul(q, b.x)), b.v), hn::Div(hn::Sub(a.z, hn::Mul(q, b.z)), b.v)};
+}
+/// Level where it is 0.
+HWY_INLINE Sloped root(Sloped a) {
+  const auto r = hn::Sqrt(a.v);
+  const auto by = hn::IfThenElseZero(hn::Gt(r, constant(1e-6F)), hn::Div(constant(0.5F), r));
+  return {r, hn::Mul(a.x, by), hn::Mul(a.z, by)};
+}
+HWY_INLINE Sloped size_of(Sloped a) {
+  const auto negative = hn::Lt(a.v, constant(0));
+  return {hn::Abs(a.v), hn::IfThenElse(negative, hn::Neg(a.x), a.x),
+          hn::IfThenElse(negative, hn::Neg(a.z), a.z)};
+}
+HWY_INLINE Sloped where_above(Sloped a, Sloped b, Sloped yes, Sloped no) {
+  const auto above = hn::Gt(a.v, b.v);
+  return {hn::IfThenElse(above, yes.v, no.v), hn::IfThenElse(above, yes.x, no.x),
+          hn::IfThenElse(above, yes.z, no.z)};
+}
+HWY_INLINE Sloped larger(Sloped a, Sloped b) {
+  return where_above(a, b, a, b);
+}
+HWY_INLINE Sloped smaller(Sloped a, Sloped b) {
+  return where_above(a, b, b, a);
+}
+HWY_INLINE Sloped times(Sloped a, float factor) {
+  return {times(a.v, factor), times(a.x, factor), times(a.z, factor)};
+}
+HWY_INLINE Sloped plus(Sloped a, float more) {
+  return {plus(a.v, more), a.x, a.z};
+}
+HWY_INLINE Sloped less(float whole, Sloped a) {
+  return {less(whole, a.v), hn::Neg(a.x), hn::Neg(a.z)};
+}
+HWY_INLINE Sloped level(float value) {
+  return {constant(value), constant(0), constant(0)};
+}
+HWY_INLINE Sloped at_least(Sloped a, float least) {
+  return larger(a, level(least));
+}
+HWY_INLINE Sloped at_most(Sloped a, float most) {
+  return smaller(a, level(most));
+}
+HWY_INLINE Sloped unit(Sloped a) {
+  const auto inside = hn::And(hn::Gt(a.v, constant(0)), hn::Lt(a.v, constant(1)));
+  return {unit(a.v), hn::IfThenElseZero(inside, a.x), hn::IfThenElseZero(inside, a.z)};
+}
+HWY_INLINE RegionVector value_of(Sloped a) {
+  return a.v;
+}
+
+/// From 0 at `none` to 1 at `all`.
+template <class N>
+HWY_INLINE N ramp(float none, float all, N v) {
+  return unit(times(plus(v, -none), 1 / (all - none)));
+}
+template <class N>
+HWY_INLINE N smooth(N t) {
+  return mul(mul(t, t), less(3, times(t, 2)));
+}
+
+template <class N>
+HWY_INLINE N on_spline(const Spline& spline, N v) {
+  N y = plus(times(v, 0), spline.first_y());
   for (const Spline::Segment& s : spline.segments()) {
-    const auto t = unit(times(plus(v, -s.x), s.reciprocal));
-    const auto inner = plus(hn::Mul(t, plus(times(t, s.c), s.b)), s.a);
-    y = hn::Add(y, hn::Mul(t, inner));
+    const N t = unit(times(plus(v, -s.x), s.reciprocal));
+    const N inner = plus(mul(t, plus(times(t, s.c), s.b)), s.a);
+    y = add(y, mul(t, inner));
   }
   return y;
 }
@@ -58,6 +169,13 @@ HWY_INLINE RegionVector on_spline(const Spline& spline, RegionVector v) {
 HWY_INLINE RegionVector equalized(const Equalizer& equalizer, RegionVector noise) {
   const auto half = on_spline(equalizer.half(), hn::Abs(times(noise, equalizer.reciprocal_deviation())));
   return hn::CopySign(half, noise);
+}
+/// Its curve is odd, so that its derivative is even.
+HWY_INLINE Sloped equalized(const Equalizer& equalizer, Sloped noise) {
+  const Sloped half = on_spline(equalizer.half(), size_of(times(noise, equalizer.reciprocal_deviation())));
+  const auto negative = hn::Lt(noise.v, constant(0));
+  return {hn::CopySign(half.v, noise.v), hn::IfThenElse(negative, hn::Neg(half.x), half.x),
+          hn::IfThenElse(negative, hn::Neg(half.z), half.z)};
 }
 
 void displace(const SlopedRow& wide, const SlopedRow& narrow, const std::array<float, 2>& reach,
@@ -79,7 +197,7 @@ void displace(const SlopedRow& wide, const SlopedRow& narrow, const std::array<f
 }
 
 void distances(const SlopedRow& noise, const Stretch& east, const Stretch& south, float saddle,
-               float units_a_column, std::size_t width, float* out) {
+               float units_a_column, std::size_t width, const SlopedOut& out) {
   const RegionTag f;
   const auto most = constant(1000);  // rivers are felt no further
   for (std::size_t i = 0; i < width; i += hn::Lanes(f)) {
@@ -94,39 +212,102 @@ void distances(const SlopedRow& noise, const Stretch& east, const Stretch& south
     const auto squares = hn::Add(hn::Mul(gx, gx), hn::Mul(gz, gz));
     const auto rounded_off = plus(hn::Add(squares, times(hn::Abs(n), saddle)), 1e-14F);
     const auto units = times(hn::Div(n, hn::Sqrt(rounded_off)), units_a_column);
-    hn::StoreU(hn::Max(hn::Min(units, most), hn::Neg(most)), f, out + i);
+    hn::StoreU(hn::Max(hn::Min(units, most), hn::Neg(most)), f, out.value + i);
+    if (out.east == nullptr) continue;
+    // Beside a river the distance rises by about a column a column across it.
+    const auto rise = hn::Div(constant(units_a_column), hn::Sqrt(rounded_off));
+    const auto near = hn::Lt(hn::Abs(units), most);
+    hn::StoreU(hn::IfThenElseZero(near, hn::Mul(gx, rise)), f, out.east + i);
+    hn::StoreU(hn::IfThenElseZero(near, hn::Mul(gz, rise)), f, out.south + i);
   }
 }
 
-void lay(const SlowNoises& noises, const SlowFields& fields, std::size_t width, const SlowLand& land) {
+template <class N>
+struct Land {
+  N base, belt, hills, mesa, terrace, temperature, moisture;
+};
+
+/// `field(of)` is what a field says, made uniform.
+template <class N, class Field>
+HWY_INLINE Land<N> laid(const SlowFields& fields, const Field& field) {
+  const N continent = field(fields.continents, &SlowNoises::continents);
+  const N range = size_of(field(fields.ranges, &SlowNoises::ranges));
+  const N hilly = field(fields.hilliness, &SlowNoises::hilliness);
+  const N warmth = plus(times(field(fields.temperature, &SlowNoises::temperature), 0.75F), 0.3F);
+  const N temperature = at_most(at_least(plus(warmth, fields.warmer), -1), 1.2F);
+  const N moisture =
+      at_most(at_least(plus(field(fields.moisture, &SlowNoises::moisture), fields.wetter), -1), 1);
+  const N inland = on_spline(fields.inland, continent);
+  const N belt = mul(mul(on_spline(fields.belt, range), inland), on_spline(fields.passes, hilly));
+  const N warm_and_dry = mul(ramp(0.05F, -0.3F, moisture), ramp(-0.1F, 0.15F, temperature));
+  const N off_ranges = less(1, times(smooth(unit(times(belt, 2))), 0.85F));
+  const N mesa = mul(mul(at_least(warm_and_dry, fields.mesas_anywhere), off_ranges),
+                     ramp(fields.mesa_coast[0], fields.mesa_coast[1], continent));
+  const N hills = mul(on_spline(fields.hills, hilly), plus(times(inland, 0.88F), 0.12F));
+  return {on_spline(fields.base, continent),
+          belt,
+          mul(mul(hills, less(1, times(mesa, 0.55F))), less(1, times(belt, 0.5F))),
+          mesa,
+          field(fields.mesas, &SlowNoises::mesas),
+          temperature,
+          moisture};
+}
+
+using LandRow = float* SlowLand::*;
+constexpr std::array<LandRow, 5> kShapingRows{&SlowLand::base, &SlowLand::belt, &SlowLand::hills,
+                                              &SlowLand::mesa, &SlowLand::terrace};
+
+template <class N>
+HWY_INLINE std::array<N, 5> shaping(const Land<N>& land) {
+  return {land.base, land.belt, land.hills, land.mesa, land.terrace};
+}
+
+void lay(const SlowNoises& noises, const SlowFields& fields, std::size_t width, const SlowLand& out) {
   const RegionTag f;
   for (std::size_t i = 0; i < width; i += hn::Lanes(f)) {
-    const auto field = [&](const SlowFields::Field& of, const float* noise)
-                           HWY_ATTR { return equalized(of.equalized, hn::LoadU(f, noise + i)); };
-    const auto bounded = [](RegionVector v, float least, float most)
-                             HWY_ATTR { return hn::Min(hn::Max(v, constant(least)), constant(most)); };
-    const auto continent = field(fields.continents, noises.continents);
-    const auto range = hn::Abs(field(fields.ranges, noises.ranges));
-    const auto hilly = field(fields.hilliness, noises.hilliness);
-    const auto warmth = plus(times(field(fields.temperature, noises.temperature), 0.75F), 0.3F);
-    const auto temperature = bounded(plus(warmth, fields.warmer), -1, 1.2F);
-    const auto moisture = bounded(plus(field(fields.moisture, noises.moisture), fields.wetter), -1, 1);
-    const auto inland = on_spline(fields.inland, continent);
-    const auto belt =
-        hn::Mul(hn::Mul(on_spline(fields.belt, range), inland), on_spline(fields.passes, hilly));
-    const auto warm_and_dry = hn::Mul(ramp(0.05F, -0.3F, moisture), ramp(-0.1F, 0.15F, temperature));
-    const auto off_ranges = less(1, times(smooth(unit(times(belt, 2))), 0.85F));
-    const auto mesa = hn::Mul(hn::Mul(hn::Max(constant(fields.mesas_anywhere), warm_and_dry), off_ranges),
-                              ramp(fields.mesa_coast[0], fields.mesa_coast[1], continent));
-    const auto hills = hn::Mul(on_spline(fields.hills, hilly), plus(times(inland, 0.88F), 0.12F));
-    hn::StoreU(on_spline(fields.base, continent), f, land.base + i);
-    hn::StoreU(belt, f, land.belt + i);
-    hn::StoreU(hn::Mul(hn::Mul(hills, less(1, times(mesa, 0.55F))), less(1, times(belt, 0.5F))), f,
-               land.hills + i);
-    hn::StoreU(mesa, f, land.mesa + i);
-    hn::StoreU(field(fields.mesas, noises.mesas), f, land.terrace + i);
-    hn::StoreU(temperature, f, land.temperature + i);
-    hn::StoreU(moisture, f, land.moisture + i);
+    const auto field = [&](const SlowFields::Field& of, const float* SlowNoises::*noise)
+                           HWY_ATTR { return equalized(of.equalized, hn::LoadU(f, noises.*noise + i)); };
+    const Land<RegionVector> land = laid<RegionVector>(fields, field);
+    const auto rows = shaping(land);
+    for (std::size_t k = 0; k < rows.size(); ++k) hn::StoreU(rows[k], f, out.*kShapingRows[k] + i);
+    hn::StoreU(land.temperature, f, out.temperature + i);
+    hn::StoreU(land.moisture, f, out.moisture + i);
+  }
+}
+
+void lay_sloped(const SlowNoises& noises, const SlowNoises& east, const SlowNoises& south,
+                const SlowFields& fields, std::size_t width, const SlowLand& out, const SlowLand& out_east,
+                const SlowLand& out_south) {
+  const RegionTag f;
+  for (std::size_t i = 0; i < width; i += hn::Lanes(f)) {
+    const auto field = [&](const SlowFields::Field& of, const float* SlowNoises::*noise) HWY_ATTR {
+      return equalized(of.equalized, Sloped{hn::LoadU(f, noises.*noise + i), hn::LoadU(f, east.*noise + i),
+                                            hn::LoadU(f, south.*noise + i)});
+    };
+    const Land<Sloped> land = laid<Sloped>(fields, field);
+    const auto rows = shaping(land);
+    for (std::size_t k = 0; k < rows.size(); ++k) {
+      hn::StoreU(rows[k].v, f, out.*kShapingRows[k] + i);
+      hn::StoreU(rows[k].x, f, out_east.*kShapingRows[k] + i);
+      hn::StoreU(rows[k].z, f, out_south.*kShapingRows[k] + i);
+    }
+    hn::StoreU(land.temperature.v, f, out.temperature + i);
+    hn::StoreU(land.moisture.v, f, out.moisture + i);
+  }
+}
+
+void bend(const SlopedRow& noise, const Stretch& east, const Stretch& south, float share, std::size_t width,
+          float* out_east, float* out_south) {
+  const RegionTag f;
+  for (std::size_t i = 0; i < width; i += hn::Lanes(f)) {
+    const auto load = [&](const float* values) HWY_ATTR { return hn::LoadU(f, values + i); };
+    const auto stretched = [&](const float* by) HWY_ATTR { return times(load(by), share); };
+    const auto e = load(noise.east);
+    const auto s = load(noise.south);
+    hn::StoreU(hn::Add(hn::Mul(e, plus(stretched(east.by_x), 1)), hn::Mul(s, stretched(south.by_x))), f,
+               out_east + i);
+    hn::StoreU(hn::Add(hn::Mul(e, stretched(east.by_z)), hn::Mul(s, plus(stretched(south.by_z), 1))), f,
+               out_south + i);
   }
 }
 
@@ -156,113 +337,188 @@ void spread(const float* samples, std::size_t cells, std::size_t columns, const 
   }
 }
 
+template <class N>
 struct ShapeSums {
-  RegionVector ridge;
-  RegionVector hill;
-  RegionVector small;
+  N ridge;
+  N hill;
+  N small;
+};
+
+/// What is read of a row at some columns.
+struct PlainAt {
+  using Number = RegionVector;
+  const RegionRow& row;
+  std::size_t i;
+
+  [[nodiscard]] HWY_INLINE RegionVector load(const float* RegionRow::*values) const {
+    return hn::LoadU(RegionTag{}, row.*values + i);
+  }
+  [[nodiscard]] HWY_INLINE RegionVector octave(std::size_t k) const {
+    return hn::LoadU(RegionTag{}, row.shape[k] + i);
+  }
+  [[nodiscard]] static HWY_INLINE RegionVector number(float value) { return constant(value); }
+};
+struct SlopedAt {
+  using Number = Sloped;
+  const SlopedRegionRow& row;
+  std::size_t i;
+
+  [[nodiscard]] HWY_INLINE Sloped load(const float* RegionRow::*values) const {
+    const RegionTag f;
+    return {hn::LoadU(f, row.value.*values + i), hn::LoadU(f, row.east.*values + i),
+            hn::LoadU(f, row.south.*values + i)};
+  }
+  [[nodiscard]] HWY_INLINE Sloped octave(std::size_t k) const {
+    const RegionTag f;
+    return {hn::LoadU(f, row.value.shape[k] + i), hn::LoadU(f, row.east.shape[k] + i),
+            hn::LoadU(f, row.south.shape[k] + i)};
+  }
+  [[nodiscard]] static HWY_INLINE Sloped number(float value) { return level(value); }
 };
 
 // Ridges where an octave is near 0; each shows the more of the next the higher it is.
-HWY_INLINE ShapeSums summed(const RegionRow& row, const RegionShape& shape, std::size_t i) {
-  const RegionTag f;
-  ShapeSums sums{constant(0), constant(0), constant(0)};
-  auto shown = constant(1);
-  for (std::size_t k = 0; k < row.shape.size(); ++k) {
-    const auto n = hn::LoadU(f, row.shape[k] + i);
-    const auto distance = hn::Sqrt(plus(hn::Mul(n, n), 0.0005F));
-    const auto crest = hn::Max(less(1, times(distance, 1.8F)), constant(0));
-    const auto signal = hn::Mul(hn::Mul(crest, crest), shown);
-    sums.ridge = hn::Add(sums.ridge, times(signal, shape.ridge_weights[k]));
-    shown = hn::Min(plus(times(signal, 1.1F), 0.3F), constant(1));
-    if (k > 0) sums.hill = hn::Add(sums.hill, times(n, shape.hill_weights[k]));
+template <class At, class N = typename At::Number>
+HWY_INLINE ShapeSums<N> summed(const At& at, const RegionShape& shape) {
+  ShapeSums<N> sums{At::number(0), At::number(0), At::number(0)};
+  N shown = At::number(1);
+  for (std::size_t k = 0; k < static_cast<std::size_t>(kShapeOctaves); ++k) {
+    const N n = at.octave(k);
+    const N distance = root(plus(mul(n, n), 0.0005F));
+    const N crest = at_least(less(1, times(distance, 1.8F)), 0);
+    const N signal = mul(mul(crest, crest), shown);
+    sums.ridge = add(sums.ridge, times(signal, shape.ridge_weights[k]));
+    shown = at_most(plus(times(signal, 1.1F), 0.3F), 1);
+    if (k > 0) sums.hill = add(sums.hill, times(n, shape.hill_weights[k]));
     if (k >= static_cast<std::size_t>(kSlowOctaves)) {
-      sums.small = hn::Add(sums.small, times(n, shape.small_weights[k]));
+      sums.small = add(sums.small, times(n, shape.small_weights[k]));
     }
   }
   return sums;
 }
 
 /// How a river or its tributaries cut the land at a column.
+template <class N>
 struct Cut {
-  RegionVector left;  // of what stands over the flood plain: 0 in the bed, 1 outside the valley
-  RegionVector bed;   // how deep under the flood plain
+  N left;  // of what stands over the flood plain: 0 in the bed, 1 outside the valley
+  N bed;   // how deep under the flood plain
 };
 
-/// `share`: 0 to 1, how much of a river there is; `depth`: of its bed, where the river is wide enough.
-HWY_INLINE Cut cut_by(RegionVector distance, RegionVector half_width, RegionVector valley, RegionVector share,
-                      RegionVector shallow, float depth) {
-  const auto t = unit(hn::Div(hn::Sub(distance, half_width), hn::Sub(valley, half_width)));
-  const auto flank = hn::Add(times(smooth(t), 0.72F), times(hn::Mul(t, t), 0.28F));
-  const auto deepest = hn::Mul(hn::Min(constant(depth), times(half_width, 0.5F)), shallow);
-  const auto across = smooth(unit(less(1, hn::Div(distance, half_width))));
-  return {less(1, hn::Mul(share, less(1, flank))), hn::Mul(hn::Mul(share, deepest), across)};
+/// `share`: 0 to 1, how much of a river there is; `depth`: of its bed, where the river is wide enough;
+/// `widened`: how wide it is at least.
+template <class N>
+HWY_INLINE Cut<N> cut_by(N distance, N own_width, N own_valley, N share, N shallow, float depth,
+                         float widened) {
+  const N half_width = at_least(own_width, widened);
+  const N valley = widened == 0 ? own_valley : larger(own_valley, plus(half_width, 2 * widened));
+  const N t = unit(quotient(sub(distance, half_width), sub(valley, half_width)));
+  const N flank = add(times(smooth(t), 0.72F), times(mul(t, t), 0.28F));
+  const N deepest = mul(at_most(times(own_width, 0.5F), depth), shallow);
+  const N across = smooth(unit(less(1, quotient(distance, half_width))));
+  return {less(1, mul(share, less(1, flank))), mul(mul(share, deepest), across)};
 }
 
-HWY_INLINE RegionVector height_at(const RegionRow& row, const RegionShape& shape, std::size_t i,
-                                  const RegionDetails& details) {
-  const RegionTag f;
-  const auto load = [&](const float* values) HWY_ATTR { return hn::LoadU(f, values + i); };
-  const auto base = load(row.base);
-  const auto belt = load(row.belt);
-  const auto hills = load(row.hills);
-  const auto river = load(row.river);
-  const ShapeSums sums = summed(row, shape, i);
+template <class N>
+struct Height {
+  N height;  // over the sea
+  N terraces;
+  N small;
+};
 
-  const auto filled = unit(plus(times(sums.hill, 0.45F), 0.5F));
-  const auto hill = hn::Mul(filled, hn::Sqrt(filled));
-  const auto ridge = hn::Max(plus(times(sums.ridge, shape.ridge_scale), -0.1F), constant(0));
-  const auto over = hn::Max(plus(ridge, -0.9F), constant(0));
-  const auto relief = hn::Add(hn::Min(ridge, constant(0.9F)), hn::Div(over, plus(times(over, 3), 1)));
+template <class At, class N = typename At::Number>
+HWY_INLINE Height<N> height_at(const At& at, const RegionShape& shape, float widened) {
+  const N base = at.load(&RegionRow::base);
+  const N belt = at.load(&RegionRow::belt);
+  const N hills = at.load(&RegionRow::hills);
+  const N river = at.load(&RegionRow::river);
+  const ShapeSums<N> sums = summed(at, shape);
 
-  const auto plain = hn::Add(base, times(smooth(unit(belt)), shape.range_base));
-  const auto above = hn::Max(plus(plain, -shape.carve[0]), constant(0));
-  const auto lifted = hn::Div(hn::Mul(above, above), plus(above, 20));
-  const auto flood_plain = plus(lifted, 1.2F);
-  const auto wide = plus(times(ramp(24, 3, base), 0.8F), 0.8F);
-  const auto shallow = less(1, times(ramp(0.5F, 6, lifted), 0.7F));
+  const N filled = unit(plus(times(sums.hill, 0.45F), 0.5F));
+  const N hill = mul(filled, root(filled));
+  const N ridge = at_least(plus(times(sums.ridge, shape.ridge_scale), -0.1F), 0);
+  const N over = at_least(plus(ridge, -0.9F), 0);
+  const N relief = add(at_most(ridge, 0.9F), quotient(over, plus(times(over, 3), 1)));
+
+  const N plain = add(base, times(smooth(unit(belt)), shape.range_base));
+  const N above = at_least(plus(plain, -shape.carve[0]), 0);
+  const N lifted = quotient(mul(above, above), plus(above, 20));
+  const N flood_plain = plus(lifted, 1.2F);
+  const N wide = plus(times(ramp(24, 3, base), 0.8F), 0.8F);
+  const N shallow = less(1, times(ramp(0.5F, 6, lifted), 0.7F));
   const float low = shape.carve[1];
-  const auto main_share = plus(times(ramp(low + 90, low + 30, plain), 0.55F), 0.45F);
-  const auto side_share = ramp(low + 28, low, hn::Add(plain, times(hills, 0.3F)));
-  const auto tributary =
-      hn::IfThenElse(hn::Gt(river, constant(0)), load(row.tributary_a), load(row.tributary_b));
-  const Cut main = cut_by(hn::Abs(river), times(wide, shape.half_width[0]),
-                          plus(times(belt, 150), shape.valley[0]), main_share, shallow, shape.bed + 1.2F);
-  const Cut side =
-      cut_by(hn::Abs(tributary), times(wide, shape.half_width[1]), plus(times(belt, 120), shape.valley[1]),
-             side_share, shallow, 0.8F * shape.bed + 1.2F);
-  const auto left = hn::Mul(main.left, side.left);
+  const N main_share = plus(times(ramp(low + 90, low + 30, plain), 0.55F), 0.45F);
+  const N side_share = ramp(low + 28, low, add(plain, times(hills, 0.3F)));
+  const N tributary =
+      where_above(river, At::number(0), at.load(&RegionRow::tributary_a), at.load(&RegionRow::tributary_b));
+  const Cut<N> main =
+      cut_by(size_of(river), times(wide, shape.half_width[0]), plus(times(belt, 150), shape.valley[0]),
+             main_share, shallow, shape.bed + 1.2F, widened);
+  const Cut<N> side =
+      cut_by(size_of(tributary), times(wide, shape.half_width[1]), plus(times(belt, 120), shape.valley[1]),
+             side_share, shallow, 0.8F * shape.bed + 1.2F, widened);
+  const N left = mul(main.left, side.left);
 
   // A valley lowers the field of the terraces, not the land: so canyons are stepped.
-  const auto rough = hn::Add(load(row.terrace), times(sums.small, shape.mesa_roughness));
-  const auto cut_field = plus(hn::Sub(rough, times(less(1, unit(times(left, 1.15F))), 0.6F)), 0.1F);
-  const auto terraces = on_spline(shape.terraces, cut_field);
-  const auto mesa =
-      hn::Mul(hn::Mul(times(load(row.mesa), shape.mesa_height), terraces), smooth(unit(times(left, 4))));
+  const N rough = add(at.load(&RegionRow::terrace), times(sums.small, shape.mesa_roughness));
+  const N cut_field = plus(sub(rough, times(less(1, unit(times(left, 1.15F))), 0.6F)), 0.1F);
+  const N terraces = on_spline(shape.terraces, cut_field);
+  const N mesa =
+      mul(mul(times(at.load(&RegionRow::mesa), shape.mesa_height), terraces), smooth(unit(times(left, 4))));
 
-  const auto land =
-      hn::Add(hn::Add(plain, hn::Mul(hills, hill)), hn::Mul(times(belt, shape.range_relief), relief));
-  const auto carved = hn::Add(flood_plain, hn::Mul(hn::Sub(land, flood_plain), left));
-  auto height = hn::IfThenElse(hn::Gt(land, flood_plain), carved, land);
-  height = hn::Sub(hn::Add(height, mesa), hn::Mul(hn::Max(main.bed, side.bed), ramp(-9, -1, base)));
+  const N land = add(add(plain, mul(hills, hill)), mul(times(belt, shape.range_relief), relief));
+  const N carved = add(flood_plain, mul(sub(land, flood_plain), left));
+  N height = where_above(land, flood_plain, carved, land);
+  height = sub(add(height, mesa), mul(larger(main.bed, side.bed), ramp(-9, -1, base)));
   // Beaches: at the shore the land is flatter.
-  const auto from_shore = unit(times(hn::Abs(height), 1.0F / 7));
-  height = hn::Mul(height, plus(times(smooth(from_shore), 0.7F), 0.3F));
-  if (details.height != nullptr) {
-    hn::StoreU(height, f, details.height + i);
-    hn::StoreU(terraces, f, details.terraces + i);
-    hn::StoreU(sums.small, f, details.small + i);
-  }
-  return hn::Max(plus(height, shape.sea_level), constant(1));
+  const N from_shore = unit(times(size_of(height), 1.0F / 7));
+  height = mul(height, plus(times(smooth(from_shore), 0.7F), 0.3F));
+  return {height, terraces, sums.small};
+}
+
+template <class N>
+HWY_INLINE void store_details(const Height<N>& at, const RegionDetails& details, std::size_t i) {
+  if (details.height == nullptr) return;
+  const RegionTag f;
+  hn::StoreU(value_of(at.height), f, details.height + i);
+  hn::StoreU(value_of(at.terraces), f, details.terraces + i);
+  hn::StoreU(value_of(at.small), f, details.small + i);
+}
+
+HWY_INLINE void store_height(RegionVector over_sea, const RegionShape& shape, float highest_fx,
+                             std::int32_t* heights_fx) {
+  const RegionTag f;
+  const hn::RebindToSigned<RegionTag> ints;
+  const auto height = hn::Max(plus(over_sea, shape.sea_level), constant(1));
+  const auto height_fx = hn::Min(times(height, shape.subvoxels_a_unit), constant(highest_fx));
+  hn::StoreU(talus::HWY_NAMESPACE::round_to_even(f, height_fx), ints, heights_fx);
 }
 
 void compose(const RegionRow& row, const RegionShape& shape, std::size_t width, float highest_fx,
              std::int32_t* heights_fx, const RegionDetails& details) {
+  for (std::size_t i = 0; i < width; i += hn::Lanes(RegionTag{})) {
+    const auto at = height_at(PlainAt{row, i}, shape, 0);
+    store_details(at, details, i);
+    store_height(at.height, shape, highest_fx, heights_fx + i);
+  }
+}
+
+constexpr float kRounder = 1.046875F;
+
+void compose_sloped(const SlopedRegionRow& row, const RegionShape& shape, float widened, std::size_t width,
+                    float highest_fx, std::int32_t* heights_fx, std::int32_t* slopes_fx,
+                    const RegionDetails& details) {
   const RegionTag f;
   const hn::RebindToSigned<RegionTag> ints;
+  const auto steepest = constant(4194304);  // 2^22
   for (std::size_t i = 0; i < width; i += hn::Lanes(f)) {
-    const auto height_fx =
-        hn::Min(times(height_at(row, shape, i, details), shape.subvoxels_a_unit), constant(highest_fx));
-    hn::StoreU(talus::HWY_NAMESPACE::round_to_even(f, height_fx), ints, heights_fx + i);
+    const auto at = height_at(SlopedAt{row, i}, shape, 0);
+    store_details(at, details, i);
+    // A plane rises most toward a diagonal neighbour: by both of its slopes. Ground is rounder than that, and
+    // eq. 1 takes the steepest of its eight directions: kRounder was measured.
+    const auto slope =
+        times(hn::Add(hn::Abs(at.height.x), hn::Abs(at.height.z)), kRounder * shape.subvoxels_a_unit);
+    hn::StoreU(talus::HWY_NAMESPACE::round_to_even(f, hn::Min(slope, steepest)), ints, slopes_fx + i);
+    const auto seen = height_at(PlainAt{row.value, i}, shape, widened);
+    store_height(seen.height, shape, highest_fx, heights_fx + i);
   }
 }
 
@@ -275,7 +531,8 @@ void equalize(const Equalizer& equalizer, const float* noise, std::size_t width,
 
 }  // namespace
 
-constexpr RegionKernels kRegions{displace, distances, lay, spread, compose, equalize};
+constexpr RegionKernels kRegions{displace, distances,      lay,     lay_sloped, bend, spread,
+                                 compose,  compose_sloped, equalize};
 
 }  // namespace talus::terrain::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

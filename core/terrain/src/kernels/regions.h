@@ -29,6 +29,13 @@ struct RegionRow {
   std::array<const float*, kShapeOctaves> shape{};  // the noise of its octaves
 };
 
+/// The same with its derivatives: how each rises a column eastward and southward.
+struct SlopedRegionRow {
+  RegionRow value;
+  RegionRow east;
+  RegionRow south;
+};
+
 /// What compose() also says of each column, where it is not null. Padded.
 struct RegionDetails {
   float* height = nullptr;    // over the sea, before it is rounded
@@ -63,6 +70,13 @@ struct Stretch {
   float* by_z = nullptr;
 };
 
+/// A row that is written, and its derivatives, which may be null. Padded.
+struct SlopedOut {
+  float* value = nullptr;
+  float* east = nullptr;
+  float* south = nullptr;
+};
+
 struct RegionKernels {
   /// A displacement by two noises, each times its reach, in 2^-8 columns, rounded to even and at most 2^22;
   /// and its stretch. Writes up to kPadding further; so do the others.
@@ -71,8 +85,15 @@ struct RegionKernels {
   /// The signed distance, in terrain units, from where a displaced noise is 0: that over its gradient.
   /// `saddle` keeps it finite and continuous where the gradient is 0, at saddles and summits.
   void (*distances)(const SlopedRow& noise, const Stretch& east, const Stretch& south, float saddle,
-                    float units_a_column, std::size_t width, float* out);
+                    float units_a_column, std::size_t width, const SlopedOut& out);
   void (*lay)(const SlowNoises& noises, const SlowFields& fields, std::size_t width, const SlowLand& land);
+  /// The same from noises and their derivatives; of temperature and moisture the derivatives are left out.
+  void (*lay_sloped)(const SlowNoises& noises, const SlowNoises& east, const SlowNoises& south,
+                     const SlowFields& fields, std::size_t width, const SlowLand& land,
+                     const SlowLand& land_east, const SlowLand& land_south);
+  /// The derivatives of a noise that is displaced by `share` of a warp.
+  void (*bend)(const SlopedRow& noise, const Stretch& east, const Stretch& south, float share,
+               std::size_t width, float* out_east, float* out_south);
   /// Straight lines between samples: out[c * columns + k] is so much of the way from samples[c] to
   /// samples[c + 1] as fractions[k] says, for c < cells and k < columns. `columns` of a cell: 1, 2, 4 or 8.
   void (*spread)(const float* samples, std::size_t cells, std::size_t columns, const float* fractions,
@@ -80,6 +101,11 @@ struct RegionKernels {
   /// H in subvoxels at `width` columns.
   void (*compose)(const RegionRow& row, const RegionShape& shape, std::size_t width, float highest_fx,
                   std::int32_t* heights_fx, const RegionDetails& details);
+  /// At columns of a coarse level: H with rivers `widened` to that half width at least, the slope of H as
+  /// level 0 has it, by its derivatives, and what level 0 has of the rest.
+  void (*compose_sloped)(const SlopedRegionRow& row, const RegionShape& shape, float widened,
+                         std::size_t width, float highest_fx, std::int32_t* heights_fx,
+                         std::int32_t* slopes_fx, const RegionDetails& details);
   /// A noise made uniform.
   void (*equalize)(const Equalizer& equalizer, const float* noise, std::size_t width, float* out);
 };

@@ -90,6 +90,15 @@ const float* RotatedFbm::octave(int k, std::int64_t z, const Displacements& disp
   return noise_.data();
 }
 
+SlopedRow RotatedFbm::sloped_octave(int k, std::int64_t z, const Displacements& displaced) {
+  east_.resize(padded(width_));
+  south_.resize(padded(width_));
+  RotatedOctave one = placed(octaves_[static_cast<std::size_t>(k)], z);
+  one.weight = 1;
+  kernels_->sum(&one, 1, displaced, width_, {noise_.data(), east_.data(), south_.data()});
+  return {noise_.data(), east_.data(), south_.data()};
+}
+
 SlopedNoise sloped_rotated_fbm(const RotatedNoise& noise, std::int64_t x, std::int64_t z, std::int32_t east,
                                std::int32_t south) {
   const auto e = static_cast<std::uint64_t>(std::int64_t{east});

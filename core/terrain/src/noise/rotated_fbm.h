@@ -53,6 +53,7 @@ class RotatedFbm {
   [[nodiscard]] SlopedRow sloped_row(std::int64_t z, const Displacements& displaced = {});
   /// Octave k alone, by weight 1.
   [[nodiscard]] const float* octave(int k, std::int64_t z, const Displacements& displaced = {});
+  [[nodiscard]] SlopedRow sloped_octave(int k, std::int64_t z, const Displacements& displaced = {});
 
  private:
   struct Octave {

@@ -33,16 +33,21 @@ void Ground::start(const Region& asked) {
     for (int i = 0; i < around.width; ++i) xs_.push_back(around.x + i);
     around_.reshape(around.width, around.depth);
   } else {
-    // Coarse columns lie apart: each takes the three base columns and rows around it.
     const std::int64_t step = std::int64_t{1} << region.lod.value();
-    for (int i = 0; i < region.width; ++i) {
-      const std::int64_t x = (region.x + i) * step;
-      xs_.insert(xs_.end(), {x - 1, x, x + 1});
+    for (int i = 0; i < region.width; ++i) xs_.push_back((region.x + i) * step);
+    knows_slopes_ = rows_->starts_level(xs_, region.lod);
+    if (!knows_slopes_) {
+      // Each takes the three base columns and rows around it.
+      xs_.clear();
+      for (int i = 0; i < region.width; ++i) {
+        const std::int64_t x = (region.x + i) * step;
+        xs_.insert(xs_.end(), {x - 1, x, x + 1});
+      }
+      around_.reshape(3 * region.width, 3);
+      slopes_.resize(xs_.size() - 2);
     }
-    around_.reshape(3 * region.width, 3);
-    slopes_.resize(xs_.size() - 2);
   }
-  rows_->start(xs_);
+  if (region.lod.value() == 0 || !knows_slopes_) rows_->start(xs_);
   if (places_) places_->start(asked.width, asked.depth);
 }
 
@@ -75,7 +80,11 @@ void Ground::compute_base(int first, int last) {
 
 void Ground::compute_coarse(int first, int last) {
   const std::int64_t step = std::int64_t{1} << region_.lod.value();
-  for (int z = first; z < last; ++z) {
+  for (int z = first; knows_slopes_ && z < last; ++z) {
+    rows_->sloped_row((region_.z + z) * step, height_.row(z).data(), slope_.row(z).data());
+    set_places(z, 0, 1);
+  }
+  for (int z = first; !knows_slopes_ && z < last; ++z) {
     // The middle row last, as places ask for what it was made of.
     for (const int row : {0, 2, 1}) rows_->row((region_.z + z) * step + row - 1, around_.row(row).data());
     kernels_.slope(around_.row(0).data(), around_.row(1).data(), around_.row(2).data(), slopes_.size(),

@@ -22,6 +22,12 @@ class SurfaceRows {
   /// Writes H at (xs[i], z) for all i: 0 to highest_fx, rounded. Rows close to the one before cost least.
   virtual void row(std::int64_t z, std::int32_t* heights_fx) = 0;
 
+  /// Begins rows of a coarse level over its columns, as start() does, where the surface knows their slopes by
+  /// itself: false where it does not, and nothing is begun.
+  [[nodiscard]] virtual bool starts_level(std::span<const std::int64_t> /*xs*/, Lod /*lod*/) { return false; }
+  /// Writes H and eq. 1's slope, in level 0's subvoxels. REQUIRES starts_level().
+  virtual void sloped_row(std::int64_t /*z*/, std::int32_t* /*heights_fx*/, std::int32_t* /*slopes_fx*/) {}
+
   /// Of each Quantity and then of each field that places ask for, a value a column of the last row(), which
   /// was at z; called once at most after each. What a surface does not know, or not by itself, stays null.
   /// REQUIRES that the surface has places.

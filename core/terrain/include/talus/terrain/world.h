@@ -275,5 +275,7 @@ class World {
 /// core/worlds/default.toml, built into the library: the world that programs use without --world.
 [[nodiscard]] std::string_view default_world_toml();
 [[nodiscard]] const World& default_world();
+/// core/worlds/classic.toml, likewise: one noise raised to a power, as the thesis has it.
+[[nodiscard]] std::string_view classic_world_toml();
 
 }  // namespace talus::terrain

@@ -40,22 +40,45 @@ RegionRows::RegionRows(const Surface& surface, InstructionSet set)
       at_columns_(spread_.size()) {}
 
 void RegionRows::start(std::span<const std::int64_t> xs) {
+  begin(xs, false);
+}
+
+bool RegionRows::starts_level(std::span<const std::int64_t> xs, Lod lod) {
+  begin(xs, true);
+  // Two columns wide at least, so that no diagonal breaks it.
+  widened_ = static_cast<float>(std::int64_t{1} << lod.value()) * regions_->slow.units_a_column;
+  return true;
+}
+
+void RegionRows::begin(std::span<const std::int64_t> xs, bool sloped) {
   width_ = xs.size();
+  sloped_ = sloped;
   lay_out(xs);
-  lines_.start(samples_);
+  lines_.start(samples_, sloped);
   shape_.start(regions_->shape, xs);
   if (places_) border_.start(regions_->border, xs);
-  const std::size_t spread_width = columns_a_cell_ == 0 ? width_ : samples_.size() * columns_a_cell_;
-  for (std::size_t slow = 0; slow < spread_.size(); ++slow) {
-    spread_[slow].resize(padded(spread_width));
-    at_columns_[slow] = spread_[slow].data() + skipped_;
-  }
+  const std::size_t spread_width = padded(columns_a_cell_ == 0 ? width_ : samples_.size() * columns_a_cell_);
+  const auto resize = [&](std::vector<AlignedVector<float>>& rows, std::vector<float*>& at) {
+    at.resize(rows.size());
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      rows[i].resize(spread_width);
+      at[i] = rows[i].data() + skipped_;
+    }
+  };
+  resize(spread_, at_columns_);
   for (auto& octave : octaves_) octave.resize(padded(width_));
   blended_.resize(samples_.size());
   heights_.resize(padded(width_));
   if (places_) {
     for (auto& detail : details_) detail.resize(padded(width_));
   }
+  if (!sloped) return;
+  for (std::size_t axis = 0; axis < rises_.size(); ++axis) {
+    rises_[axis].resize(kSlowCount);
+    resize(rises_[axis], rises_at_columns_[axis]);
+    for (auto& octave : octave_rises_[axis]) octave.resize(padded(width_));
+  }
+  slopes_.resize(padded(width_));
 }
 
 void RegionRows::lay_out(std::span<const std::int64_t> xs) {
@@ -90,8 +113,7 @@ void RegionRows::lay_out(std::span<const std::int64_t> xs) {
   }
 }
 
-void RegionRows::spread(const float* samples, std::size_t slow) {
-  float* const out = spread_[slow].data();
+void RegionRows::spread(const float* samples, float* out) {
   if (columns_a_cell_ != 0) {
     return kernels_->spread(samples, samples_.size() - 1, columns_a_cell_, fractions_.data(), out);
   }
@@ -101,37 +123,69 @@ void RegionRows::spread(const float* samples, std::size_t slow) {
   }
 }
 
-void RegionRows::row(std::int64_t z, std::int32_t* heights_fx) {
+/// The first `count` of the slow rows, at the columns of row z.
+void RegionRows::spread_row(std::int64_t z, const SlowLine SlopedLine::*rows, std::size_t count,
+                            std::vector<AlignedVector<float>>& out) {
   const std::int64_t north_z = cell_of(z);
   const auto fraction = static_cast<float>(z - north_z) / static_cast<float>(kSampleStep);
-  const SlowLine& north = lines_.at(north_z);
+  const SlowLine& north = lines_.at(north_z).*rows;
   if (z == north_z) {
-    for (std::size_t slow = 0; slow < spread_.size(); ++slow) spread(north[slow].data(), slow);
-  } else {
-    const SlowLine& south = lines_.at(north_z + kSampleStep);
-    for (std::size_t slow = 0; slow < spread_.size(); ++slow) {
-      for (std::size_t i = 0; i < samples_.size(); ++i) {
-        blended_[i] = north[slow][i] + (south[slow][i] - north[slow][i]) * fraction;
-      }
-      spread(blended_.data(), slow);
-    }
+    for (std::size_t slow = 0; slow < count; ++slow) spread(north[slow].data(), out[slow].data());
+    return;
   }
-  RegionRow at{slow(Slow::base),        slow(Slow::belt),        slow(Slow::hills),
-               slow(Slow::mesa),        slow(Slow::terrace),     slow(Slow::river),
-               slow(Slow::tributary_a), slow(Slow::tributary_b), {}};
-  for (std::size_t k = 0; k < kShapeOctaves; ++k) {
-    if (k < static_cast<std::size_t>(kSlowOctaves)) {
-      at.shape[k] = at_columns_[static_cast<std::size_t>(Slow::shape_0) + k];
-    } else {
-      const float* const octave = shape_.octave(static_cast<int>(k), z);
-      std::copy_n(octave, width_, octaves_[k].begin());
-      at.shape[k] = octaves_[k].data();
+  const SlowLine& south = lines_.at(north_z + kSampleStep).*rows;
+  for (std::size_t slow = 0; slow < count; ++slow) {
+    for (std::size_t i = 0; i < samples_.size(); ++i) {
+      blended_[i] = north[slow][i] + (south[slow][i] - north[slow][i]) * fraction;
     }
+    spread(blended_.data(), out[slow].data());
+  }
+}
+
+RegionRow RegionRows::row_of(const std::vector<float*>& at) const {
+  const auto slow = [&](Slow of) { return at[static_cast<std::size_t>(of)]; };
+  RegionRow row{slow(Slow::base),        slow(Slow::belt),        slow(Slow::hills),
+                slow(Slow::mesa),        slow(Slow::terrace),     slow(Slow::river),
+                slow(Slow::tributary_a), slow(Slow::tributary_b), {}};
+  for (std::size_t k = 0; k < static_cast<std::size_t>(kSlowOctaves); ++k) {
+    row.shape[k] = at[static_cast<std::size_t>(Slow::shape_0) + k];
+  }
+  return row;
+}
+
+void RegionRows::row(std::int64_t z, std::int32_t* heights_fx) {
+  spread_row(z, &SlopedLine::values, spread_.size(), spread_);
+  RegionRow at = row_of(at_columns_);
+  for (std::size_t k = kSlowOctaves; k < kShapeOctaves; ++k) {
+    std::copy_n(shape_.octave(static_cast<int>(k), z), width_, octaves_[k].begin());
+    at.shape[k] = octaves_[k].data();
   }
   const RegionDetails details =
       places_ ? RegionDetails{details_[0].data(), details_[1].data(), details_[2].data()} : RegionDetails{};
   kernels_->compose(at, regions_->at_columns, width_, highest_fx_, heights_.data(), details);
   std::copy_n(heights_.begin(), width_, heights_fx);
+}
+
+void RegionRows::sloped_row(std::int64_t z, std::int32_t* heights_fx, std::int32_t* slopes_fx) {
+  spread_row(z, &SlopedLine::values, spread_.size(), spread_);
+  spread_row(z, &SlopedLine::east, kSlowCount, rises_[0]);
+  spread_row(z, &SlopedLine::south, kSlowCount, rises_[1]);
+  SlopedRegionRow at{row_of(at_columns_), row_of(rises_at_columns_[0]), row_of(rises_at_columns_[1])};
+  for (std::size_t k = kSlowOctaves; k < kShapeOctaves; ++k) {
+    const SlopedRow octave = shape_.sloped_octave(static_cast<int>(k), z);
+    std::copy_n(octave.value, width_, octaves_[k].begin());
+    std::copy_n(octave.east, width_, octave_rises_[0][k].begin());
+    std::copy_n(octave.south, width_, octave_rises_[1][k].begin());
+    at.value.shape[k] = octaves_[k].data();
+    at.east.shape[k] = octave_rises_[0][k].data();
+    at.south.shape[k] = octave_rises_[1][k].data();
+  }
+  const RegionDetails details =
+      places_ ? RegionDetails{details_[0].data(), details_[1].data(), details_[2].data()} : RegionDetails{};
+  kernels_->compose_sloped(at, regions_->at_columns, widened_, width_, highest_fx_, heights_.data(),
+                           slopes_.data(), details);
+  std::copy_n(heights_.begin(), width_, heights_fx);
+  std::copy_n(slopes_.begin(), width_, slopes_fx);
 }
 
 void RegionRows::quantities(std::int64_t z, std::span<const float*> rows) {

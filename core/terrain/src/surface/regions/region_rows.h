@@ -23,6 +23,8 @@ class RegionRows final : public SurfaceRows {
 
   void start(std::span<const std::int64_t> xs) override;
   void row(std::int64_t z, std::int32_t* heights_fx) override;
+  [[nodiscard]] bool starts_level(std::span<const std::int64_t> xs, Lod lod) override;
+  void sloped_row(std::int64_t z, std::int32_t* heights_fx, std::int32_t* slopes_fx) override;
   void quantities(std::int64_t z, std::span<const float*> rows) override;
 
   /// What a slow field says at the columns of the last row.
@@ -30,7 +32,11 @@ class RegionRows final : public SurfaceRows {
 
  private:
   void lay_out(std::span<const std::int64_t> xs);
-  void spread(const float* samples, std::size_t slow);
+  void begin(std::span<const std::int64_t> xs, bool sloped);
+  void spread(const float* samples, float* out);
+  void spread_row(std::int64_t z, const SlowLine SlopedLine::*rows, std::size_t count,
+                  std::vector<AlignedVector<float>>& out);
+  [[nodiscard]] RegionRow row_of(const std::vector<float*>& at) const;
 
   const std::shared_ptr<const Regions> regions_;
   const std::shared_ptr<const Places> places_;  // none: nobody asks for quantities
@@ -54,6 +60,13 @@ class RegionRows final : public SurfaceRows {
   std::vector<float> blended_;
   std::vector<AlignedVector<float>> spread_;  // Slow, and others
   std::vector<float*> at_columns_;
+  // Of coarse levels: how those rise, and the shape's fast octaves.
+  bool sloped_ = false;
+  float widened_ = 0;  // terrain units: no half of a river is narrower
+  std::array<std::vector<AlignedVector<float>>, 2> rises_;
+  std::array<std::vector<float*>, 2> rises_at_columns_;
+  std::array<std::array<AlignedVector<float>, kShapeOctaves>, 2> octave_rises_;
+  AlignedVector<std::int32_t> slopes_;
   std::array<AlignedVector<float>, kShapeOctaves> octaves_;
   AlignedVector<std::int32_t> heights_;
   std::array<AlignedVector<float>, 3> details_;

@@ -25,11 +25,16 @@ SlowLines::SlowLines(const SlowFields& fields, const RotatedNoise& shape, Instru
       shape_{set},
       rivers_{RotatedFbm{set}, RotatedFbm{set}, RotatedFbm{set}},
       others_(fields.others.size(), RotatedFbm{set}) {
-  for (Line& line : lines_) line.values.resize(kSlowCount + others_.size());
+  for (Line& line : lines_) {
+    line.line.values.resize(kSlowCount + others_.size());
+    line.line.east.resize(kSlowCount);
+    line.line.south.resize(kSlowCount);
+  }
 }
 
-void SlowLines::start(std::span<const std::int64_t> samples) {
+void SlowLines::start(std::span<const std::int64_t> samples, bool sloped) {
   width_ = samples.size();
+  sloped_ = sloped;
   warp_east_.start(fields_.warp_east[0], samples);
   warp_east_narrow_.start(fields_.warp_east[1], samples);
   warp_south_.start(fields_.warp_south[0], samples);
@@ -45,6 +50,11 @@ void SlowLines::start(std::span<const std::int64_t> samples) {
   shape_.start(slow_shape, samples);
   for (std::size_t i = 0; i < rivers_.size(); ++i) rivers_[i].start(fields_.rivers[i], samples);
   for (std::size_t i = 0; i < others_.size(); ++i) others_[i].start(fields_.others[i].noise, samples);
+  if (sloped) {
+    for (auto& field : bent_) {
+      for (auto& values : field) values.resize(padded(width_));
+    }
+  }
   for (Warp* const warp : {&east_, &south_}) {
     warp->displacement.resize(padded(width_));
     warp->half.resize(padded(width_));
@@ -53,18 +63,22 @@ void SlowLines::start(std::span<const std::int64_t> samples) {
   }
   for (Line& line : lines_) {
     line.drawn = false;
-    for (auto& values : line.values) values.resize(padded(width_));
+    for (auto& values : line.line.values) values.resize(padded(width_));
+    if (!sloped) continue;
+    for (auto* const slopes : {&line.line.east, &line.line.south}) {
+      for (auto& values : *slopes) values.resize(padded(width_));
+    }
   }
 }
 
-const SlowLine& SlowLines::at(std::int64_t z) {
+const SlopedLine& SlowLines::at(std::int64_t z) {
   Line& line = lines_[static_cast<std::size_t>(floor_mod(z / kSampleStep, 2))];
   if (!line.drawn || line.z != z) {
-    draw(z, line.values);
+    draw(z, line.line);
     line.z = z;
     line.drawn = true;
   }
-  return line.values;
+  return line.line;
 }
 
 void SlowLines::warp(RotatedFbm& wide, RotatedFbm& narrow, std::int64_t z, Warp& warp) const {
@@ -73,9 +87,55 @@ void SlowLines::warp(RotatedFbm& wide, RotatedFbm& narrow, std::int64_t z, Warp&
   for (std::size_t i = 0; i < width_; ++i) warp.half[i] = warp.displacement[i] >> 1;
 }
 
-void SlowLines::draw(std::int64_t z, SlowLine& line) {
+void SlowLines::draw(std::int64_t z, SlopedLine& line) {
   warp(warp_east_, warp_east_narrow_, z, east_);
   warp(warp_south_, warp_south_narrow_, z, south_);
+  if (sloped_) {
+    lay_sloped(z, line);
+  } else {
+    lay(z, line);
+  }
+  const Displacements warped{east_.displacement.data(), south_.displacement.data()};
+  const auto at = [](SlowLine& rows, Slow slow) { return rows[static_cast<std::size_t>(slow)].data(); };
+  constexpr std::array<Slow, 3> kRivers{Slow::river, Slow::tributary_a, Slow::tributary_b};
+  for (std::size_t i = 0; i < rivers_.size(); ++i) {
+    const SlopedOut out{at(line.values, kRivers[i]), sloped_ ? at(line.east, kRivers[i]) : nullptr,
+                        sloped_ ? at(line.south, kRivers[i]) : nullptr};
+    kernels_->distances(rivers_[i].sloped_row(z, warped), east_.stretch(), south_.stretch(),
+                        fields_.saddle[i == 0 ? 0 : 1], fields_.units_a_column, width_, out);
+  }
+  for (std::size_t i = 0; i < others_.size(); ++i) {
+    const SlowFields::Field& other = fields_.others[i];
+    kernels_->equalize(other.equalized, others_[i].row(z, other.warped ? warped : Displacements{}), width_,
+                       line.values[kSlowCount + i].data());
+  }
+  // By half the warp, so that hills and ridges bend with the land, and keep their size.
+  const Displacements half{east_.half.data(), south_.half.data()};
+  constexpr std::array<Slow, kSlowOctaves> kShapes{Slow::shape_0, Slow::shape_1, Slow::shape_2};
+  for (int k = 0; k < kSlowOctaves; ++k) {
+    const Slow slow = kShapes[static_cast<std::size_t>(k)];
+    if (!sloped_) {
+      std::copy_n(shape_.octave(k, z, half), width_, at(line.values, slow));
+      continue;
+    }
+    const SlopedRow octave = shape_.sloped_octave(k, z, half);
+    std::copy_n(octave.value, width_, at(line.values, slow));
+    kernels_->bend(octave, east_.stretch(), south_.stretch(), 0.5F, width_, at(line.east, slow),
+                   at(line.south, slow));
+  }
+}
+
+namespace {
+
+SlowLand land_of(SlowLine& rows) {
+  const auto out = [&](Slow slow) { return rows[static_cast<std::size_t>(slow)].data(); };
+  return {out(Slow::base),    out(Slow::belt),        out(Slow::hills),   out(Slow::mesa),
+          out(Slow::terrace), out(Slow::temperature), out(Slow::moisture)};
+}
+
+}  // namespace
+
+void SlowLines::lay(std::int64_t z, SlopedLine& line) {
   const Displacements warped{east_.displacement.data(), south_.displacement.data()};
   const auto row = [&](RotatedFbm& noise, const SlowFields::Field& field) {
     return noise.row(z, field.warped ? warped : Displacements{});
@@ -83,25 +143,39 @@ void SlowLines::draw(std::int64_t z, SlowLine& line) {
   const SlowNoises noises{row(continents_, fields_.continents),   row(ranges_, fields_.ranges),
                           row(hilliness_, fields_.hilliness),     row(mesas_, fields_.mesas),
                           row(temperature_, fields_.temperature), row(moisture_, fields_.moisture)};
-  const auto out = [&](Slow slow) { return line[static_cast<std::size_t>(slow)].data(); };
-  kernels_->lay(noises, fields_, width_,
-                {out(Slow::base), out(Slow::belt), out(Slow::hills), out(Slow::mesa), out(Slow::terrace),
-                 out(Slow::temperature), out(Slow::moisture)});
-  constexpr std::array<Slow, 3> kRivers{Slow::river, Slow::tributary_a, Slow::tributary_b};
-  for (std::size_t i = 0; i < rivers_.size(); ++i) {
-    kernels_->distances(rivers_[i].sloped_row(z, warped), east_.stretch(), south_.stretch(),
-                        fields_.saddle[i == 0 ? 0 : 1], fields_.units_a_column, width_, out(kRivers[i]));
+  kernels_->lay(noises, fields_, width_, land_of(line.values));
+}
+
+void SlowLines::lay_sloped(std::int64_t z, SlopedLine& line) {
+  const Displacements warped{east_.displacement.data(), south_.displacement.data()};
+  struct One {
+    RotatedFbm* noise;
+    const SlowFields::Field* field;
+    const float* SlowNoises::*row;
+  };
+  const std::array<One, 6> all{{{&continents_, &fields_.continents, &SlowNoises::continents},
+                                {&ranges_, &fields_.ranges, &SlowNoises::ranges},
+                                {&hilliness_, &fields_.hilliness, &SlowNoises::hilliness},
+                                {&mesas_, &fields_.mesas, &SlowNoises::mesas},
+                                {&temperature_, &fields_.temperature, &SlowNoises::temperature},
+                                {&moisture_, &fields_.moisture, &SlowNoises::moisture}}};
+  SlowNoises values;
+  SlowNoises east;
+  SlowNoises south;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const One& one = all[i];
+    const bool bends = one.field->warped;
+    const SlopedRow row = one.noise->sloped_row(z, bends ? warped : Displacements{});
+    values.*one.row = row.value;
+    east.*one.row = row.east;
+    south.*one.row = row.south;
+    if (!bends) continue;
+    kernels_->bend(row, east_.stretch(), south_.stretch(), 1, width_, bent_[i][0].data(), bent_[i][1].data());
+    east.*one.row = bent_[i][0].data();
+    south.*one.row = bent_[i][1].data();
   }
-  for (std::size_t i = 0; i < others_.size(); ++i) {
-    const SlowFields::Field& other = fields_.others[i];
-    kernels_->equalize(other.equalized, row(others_[i], other), width_, line[kSlowCount + i].data());
-  }
-  // By half the warp, so that hills and ridges bend with the land, and keep their size.
-  const Displacements half{east_.half.data(), south_.half.data()};
-  constexpr std::array<Slow, kSlowOctaves> kShapes{Slow::shape_0, Slow::shape_1, Slow::shape_2};
-  for (int k = 0; k < kSlowOctaves; ++k) {
-    std::copy_n(shape_.octave(k, z, half), width_, out(kShapes[static_cast<std::size_t>(k)]));
-  }
+  kernels_->lay_sloped(values, east, south, fields_, width_, land_of(line.values), land_of(line.east),
+                       land_of(line.south));
 }
 
 }  // namespace talus::terrain

@@ -17,16 +17,24 @@ namespace talus::terrain {
 /// A line of samples: a row of each of Slow, then of each of SlowFields::others; padded.
 using SlowLine = std::vector<AlignedVector<float>>;
 
+/// And how they rise a column eastward and southward, where that is asked for; of the first ones alone: those
+/// that the land is shaped by. Temperature, moisture and other fields have none.
+struct SlopedLine {
+  SlowLine values;
+  SlowLine east;
+  SlowLine south;
+};
+
 /// Keeps the last two lines. For one thread at a time.
 class SlowLines {
  public:
   SlowLines(const SlowFields& fields, const RotatedNoise& shape, InstructionSet set);
 
   /// From here on lines are of these samples: ascending base columns, multiples of kSampleStep.
-  void start(std::span<const std::int64_t> samples);
+  void start(std::span<const std::int64_t> samples, bool sloped);
 
   /// The line at z, a multiple of kSampleStep, valid until a third line is asked for.
-  [[nodiscard]] const SlowLine& at(std::int64_t z);
+  [[nodiscard]] const SlopedLine& at(std::int64_t z);
 
  private:
   /// Where along one axis the noises are read on a line. Padded.
@@ -40,22 +48,26 @@ class SlowLines {
   struct Line {
     std::int64_t z = 0;
     bool drawn = false;
-    SlowLine values;
+    SlopedLine line;
   };
 
   void warp(RotatedFbm& wide, RotatedFbm& narrow, std::int64_t z, Warp& warp) const;
-  void draw(std::int64_t z, SlowLine& line);
+  void draw(std::int64_t z, SlopedLine& line);
+  void lay(std::int64_t z, SlopedLine& line);
+  void lay_sloped(std::int64_t z, SlopedLine& line);
 
   const SlowFields& fields_;
   const RotatedNoise& shape_noise_;
   const RegionKernels* kernels_;
   std::size_t width_ = 0;
+  bool sloped_ = false;
   RotatedFbm warp_east_, warp_east_narrow_, warp_south_, warp_south_narrow_;
   RotatedFbm continents_, ranges_, hilliness_, mesas_, temperature_, moisture_, shape_;
   std::array<RotatedFbm, 3> rivers_;
   std::vector<RotatedFbm> others_;
   Warp east_;
   Warp south_;
+  std::array<std::array<AlignedVector<float>, 2>, 6> bent_;  // derivatives of the six fields
   std::array<Line, 2> lines_;
 };
 
