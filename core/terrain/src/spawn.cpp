@@ -1,10 +1,12 @@
 #include <algorithm>
 #include <array>
+#include <cstdlib>
 #include <optional>
 #include <span>
 #include <vector>
 
 #include <talus/terrain/boundary_row.h>
+#include <talus/terrain/generator.h>
 #include <talus/terrain/heights.h>
 #include <talus/terrain/slope.h>
 #include <talus/terrain/surface.h>
@@ -25,6 +27,7 @@ constexpr int kShore = 4;
 constexpr std::int32_t kHighestView_fx = 220 * kSubvoxels;
 constexpr std::int32_t kShoreWorth_fx = 60 * kSubvoxels;
 constexpr std::int32_t kStepWorth_fx = 2 * kSubvoxels;
+constexpr std::int64_t kFreeOfObjects = 5;  // columns to the next one's foot
 
 struct Candidate {
   std::int64_t x;
@@ -134,10 +137,19 @@ class SpawnSearch {
       // deeper.
       const BaseColumn column{place.x, place.z};
       const std::int32_t ground_fx = surface_heights(world_, {&column, 1}).front();
-      if (ground_fx < place.height_fx - loose_fx_) continue;
+      if (ground_fx < place.height_fx - loose_fx_ || overgrown(place.x, place.z)) continue;
       return standing(place.x, place.z, ground_fx);
     }
     return std::nullopt;
+  }
+
+  /// Whether an object stands so near that one would stand in it.
+  [[nodiscard]] bool overgrown(std::int64_t x, std::int64_t z) const {
+    if (!world_.has_objects()) return false;
+    const Stacks around = generate_stacks(world_, {x, z, 1, 1, Lod{}});
+    return std::any_of(around.objects.begin(), around.objects.end(), [&](const PlacedObject& object) {
+      return std::max(std::abs(object.x - x), std::abs(object.z - z)) <= kFreeOfObjects;
+    });
   }
 
   [[nodiscard]] std::int32_t slope_at(std::int64_t x, std::int64_t z) const {
