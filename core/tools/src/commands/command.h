@@ -31,6 +31,7 @@ struct Command {
 
 // For authors of worlds (world_commands.cpp).
 [[nodiscard]] Command add_find(CLI::App& app);
+[[nodiscard]] Command add_quality(CLI::App& app);
 
 // Of height maps, without a world (height_map_commands.cpp).
 [[nodiscard]] Command add_erode(CLI::App& app);
