@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cinttypes>
+#include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <memory>
@@ -14,6 +16,7 @@
 #include "made_height_map.h"
 #include "scratch_directory.h"
 #include "talus_gen.h"
+#include "world_with_looks.h"
 #include "worlds.h"
 
 using talus::test::Outcome;
@@ -145,6 +148,46 @@ TEST_CASE("likeness and lod-error print their figures and write them as JSON") {
   check_refused("lod-error --size 100", 2, "--size: 100 is no multiple of 64");
   check_refused("lod-error --center 68719476736,0", 2, "--center");
   check_refused("likeness --seeds 0", 2, "--seeds");
+}
+
+TEST_CASE("find prints a column and its height, and says in one line why there is none") {
+  const ScratchDirectory scratch;
+  scratch.write("world.toml", talus::test::text_of_world_with_looks());
+  const std::string find = "find --near -300,40 --world " + in(scratch, "world.toml");
+  const Outcome meadow = talus_gen(find + " --look meadow");
+  CHECK(meadow.exit_code == 0);
+  std::int64_t x = 0;
+  std::int64_t z = 0;
+  int height = 0;
+  CHECK(std::sscanf(meadow.output.c_str(), "%" SCNd64 ",%" SCNd64 " %d\n", &x, &z, &height) == 3);
+  CHECK(std::count(meadow.output.begin(), meadow.output.end(), '\n') == 1);
+  CHECK(height > 0);
+  CHECK_THAT(talus_gen(find + " --looks").output, Catch::Contains(" %  sea floor\n"));
+  check_refused(find + " --look nowhere --within 500", 1,
+                "no column with look 'nowhere' within 500 columns of -300,40");
+  check_refused(find + " --look fen", 2,
+                "no look is named 'fen'; the looks are sea floor, desert, nowhere, meadow");
+  check_refused(find, 2, "one of --look and --looks is needed");
+  check_refused(find + " --looks --look meadow", 2, "one of --look and --looks is needed");
+  check_refused(find + " --look meadow --within 0", 2, "--within");
+  check_refused("find --look meadow", 2, "--near");
+  check_refused("find --look meadow --near 0", 2, "'0' is not a pair");
+  check_refused("find --look meadow --near 68719476736,0", 2, "x = 68719476736");
+  check_refused("find --looks --near 0,0 --world '" TALUS_SOURCE_DIR "/core/worlds/canyon.toml'", 1,
+                "this world has no looks");
+}
+
+TEST_CASE("A map of every Nth column is written for any N from 1 to 4096, and not beside --lod") {
+  const ScratchDirectory scratch;
+  const std::string map = "map --center 0,0 --size 20,10 -o " + in(scratch, "a.png");
+  for (const char* every : {"1", "7", "64", "1000", "4096"}) {
+    CHECK(talus_gen(map + " --every " + every).exit_code == 0);
+  }
+  check_refused(map + " --every 0", 2, "--every");
+  check_refused(map + " --every 4097", 2, "--every");
+  check_refused(map + " --every 64 --lod 2", 2, "excludes");
+  check_refused("map --center 68719476735,0 --size 20,10 --every 9 -o " + in(scratch, "b.png"), 2,
+                "--center: column x = 68719476824 lies outside the world");
 }
 
 TEST_CASE("What cannot be done is one line and exit code 1") {

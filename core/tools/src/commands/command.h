@@ -29,6 +29,10 @@ struct Command {
 [[nodiscard]] Command add_likeness(CLI::App& app);
 [[nodiscard]] Command add_lod_error(CLI::App& app);
 
+// For authors of worlds (world_commands.cpp).
+[[nodiscard]] Command add_find(CLI::App& app);
+[[nodiscard]] Command add_quality(CLI::App& app);
+
 // Of height maps, without a world (height_map_commands.cpp).
 [[nodiscard]] Command add_erode(CLI::App& app);
 [[nodiscard]] Command add_diamond_square(CLI::App& app);

@@ -7,12 +7,14 @@
 #include <string_view>
 #include <utility>
 
+#include "column_grid.h"
 #include "commands/command.h"
 #include "export.h"
 #include "image.h"
 #include "map.h"
 #include "option_values.h"
 #include "region_hash.h"
+#include "sampled_map.h"
 #include "section.h"
 #include "vox.h"
 #include "vox_file.h"
@@ -70,6 +72,36 @@ Expected<void> run_map(const Arguments& arguments) {
   if (!file) return tl::make_unexpected(file.error());
   ProgressBar progress{"map", "columns"};
   return file->write(render_map(where->world, region, {.threads = arguments.threads}, progress));
+}
+
+struct MapArguments : Arguments {
+  std::int64_t every = 0;  // 0: not asked for
+};
+
+// The same centre as a region of columns; what lies outside of the world is refused likewise.
+Expected<ColumnGrid> grid_of(const MapArguments& arguments) {
+  const auto place = parse_pair("--center", arguments.place);
+  if (!place) return tl::make_unexpected(place.error());
+  const auto size = parse_size("--size", arguments.size, kMaxPictureSide);
+  if (!size) return tl::make_unexpected(size.error());
+  const IntegerPair span{size->first * arguments.every, size->second * arguments.every};
+  if (auto inside = region_around("--center", *place, span, Lod{}); !inside) {
+    return tl::make_unexpected(inside.error());
+  }
+  return grid_around(place->first, place->second, arguments.every, static_cast<int>(size->first),
+                     static_cast<int>(size->second));
+}
+
+Expected<void> run_map_from_afar(const MapArguments& arguments) {
+  const auto grid = grid_of(arguments);
+  if (!grid) return tl::make_unexpected(grid.error());
+  if (auto fits = check_picture_size("--size", grid->width, grid->depth); !fits) return fits;
+  const auto world = load_world(arguments.world);
+  if (!world) return tl::make_unexpected(world.error());
+  auto file = PngFile::create(arguments.output);
+  if (!file) return tl::make_unexpected(file.error());
+  ProgressBar progress{"map", "columns"};
+  return file->write(render_sampled_map(*world, *grid, {.threads = arguments.threads}, progress));
 }
 
 struct SectionArguments : Arguments {
@@ -148,14 +180,25 @@ void add_common(CLI::App& command, Arguments& arguments) {
 
 Command add_map(CLI::App& app) {
   auto* map = app.add_subcommand("map", "Draw a shaded map of materials, north (low z) at the top");
-  const auto arguments = std::make_shared<Arguments>();
+  const auto arguments = std::make_shared<MapArguments>();
   add_place(*map, *arguments, "--center",
             "Base voxel at the middle of the picture, at every level of detail");
-  add_size(*map, *arguments, "Pixels, each one column of the level of detail; at most 2^28 in all");
+  add_size(*map, *arguments,
+           "Pixels, each one column of the level of detail, or one of --every; at most 2^28 in all");
   add_lod(*map, arguments->lod);
+  map->add_option("--every", arguments->every,
+                  "Instead of --lod: one pixel for every N base columns along x and z, 1 to 4096")
+      ->check(CLI::Range(std::int64_t{1}, std::int64_t{4096}))
+      ->type_name("N")
+      ->excludes("--lod");
   add_output(*map, arguments->output, "Picture to write", "F.png");
   add_common(*map, *arguments);
-  return {map, [arguments] { return run_map(*arguments); }};
+  map->footer(
+      "--every samples the world: at 64, a picture of 1024 x 1024 pixels shows 65,536 columns. From 16 on, "
+      "worlds\n"
+      "with looks are drawn by look and height alone, without walls of bare rock, and mountains are lifted.");
+  return {map,
+          [arguments] { return arguments->every > 0 ? run_map_from_afar(*arguments) : run_map(*arguments); }};
 }
 
 Command add_section(CLI::App& app) {

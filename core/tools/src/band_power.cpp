@@ -1,0 +1,138 @@
+#include "band_power.h"
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <cstddef>
+#include <numbers>
+
+namespace talus::tools {
+namespace {
+
+constexpr auto kSide = static_cast<std::size_t>(kSpectrumSide);
+constexpr double kLongest = kSpectrumSide / 16.0;  // waves a window
+constexpr double kShortest = kSpectrumSide / 8.0;
+constexpr double kSectorDegrees = 15;
+
+using Samples = std::vector<std::complex<double>>;
+
+// Cooley and Tukey's, in place: `line` has kSide values, `stride` apart.
+void transform_line(std::complex<double>* line, std::size_t stride) {
+  for (std::size_t i = 1, j = 0; i < kSide; ++i) {
+    std::size_t bit = kSide / 2;
+    for (; (j & bit) != 0; bit /= 2) j ^= bit;
+    j ^= bit;
+    if (i < j) std::swap(line[i * stride], line[j * stride]);
+  }
+  static const Samples roots = [] {
+    Samples all(kSide / 2);
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      all[i] = std::polar(1.0, -2 * std::numbers::pi * static_cast<double>(i) / kSpectrumSide);
+    }
+    return all;
+  }();
+  for (std::size_t length = 2; length <= kSide; length *= 2) {
+    for (std::size_t first = 0; first < kSide; first += length) {
+      for (std::size_t i = 0; i < length / 2; ++i) {
+        auto& low = line[(first + i) * stride];
+        auto& high = line[(first + i + length / 2) * stride];
+        // By hand: the library's product looks for infinities.
+        const std::complex<double> root = roots[i * (kSide / length)];
+        const std::complex<double> turned{high.real() * root.real() - high.imag() * root.imag(),
+                                          high.real() * root.imag() + high.imag() * root.real()};
+        high = low - turned;
+        low += turned;
+      }
+    }
+  }
+}
+
+void transform(Samples& samples) {
+  for (std::size_t z = 0; z < kSide; ++z) transform_line(samples.data() + z * kSide, 1);
+  for (std::size_t x = 0; x < kSide; ++x) transform_line(samples.data() + x, kSide);
+}
+
+double from_middle(std::size_t i) {
+  return static_cast<double>(i) - (kSpectrumSide - 1) / 2.0;
+}
+
+Samples windowed(std::span<const double> heights) {
+  double mean = 0;
+  double along_x = 0;
+  double along_z = 0;
+  double squares = 0;
+  for (std::size_t i = 0; i < heights.size(); ++i) {
+    const double x = from_middle(i % kSide);
+    const double z = from_middle(i / kSide);
+    mean += heights[i];
+    along_x += heights[i] * x;
+    along_z += heights[i] * z;
+    squares += x * x;
+  }
+  mean /= static_cast<double>(heights.size());
+  Samples samples(heights.size());
+  for (std::size_t i = 0; i < heights.size(); ++i) {
+    const double x = from_middle(i % kSide);
+    const double z = from_middle(i / kSide);
+    const double out = std::min(1.0, std::hypot(x, z) / (kSpectrumSide / 2.0));
+    const double cosine = std::cos(out * std::numbers::pi / 2);
+    const double weight = cosine * cosine * cosine * cosine;
+    samples[i] = weight * (heights[i] - mean - (along_x * x + along_z * z) / squares);
+  }
+  return samples;
+}
+
+}  // namespace
+
+std::optional<BandPower> band_power(std::span<const double> heights) {
+  Samples samples = windowed(heights);
+  transform(samples);
+  struct Mean {
+    double sum = 0;
+    int count = 0;
+    void add(double value) { sum += value, ++count; }
+    [[nodiscard]] double value() const { return sum / count; }
+  };
+  Mean axes;
+  Mean diagonals;
+  Mean all;
+  // Half of the plane: the other half is its mirror image.
+  for (int kz = 0; kz <= static_cast<int>(kShortest); ++kz) {
+    for (int kx = -static_cast<int>(kShortest); kx <= static_cast<int>(kShortest); ++kx) {
+      const double k = std::hypot(kx, kz);
+      if (k < kLongest || k >= kShortest || (kz == 0 && kx < 0)) continue;
+      const std::size_t x = static_cast<std::size_t>(kx + kSpectrumSide) % kSide;
+      const double power = std::norm(samples[static_cast<std::size_t>(kz) * kSide + x]) * k * k * k;
+      all.add(power);  // land has about as much of this at every wavelength
+      const double degrees = std::atan2(std::min(std::abs(kx), kz), std::max(std::abs(kx), kz)) * 180 /
+                             std::numbers::pi;  // from the nearest axis, up to 45
+      if (degrees <= kSectorDegrees) axes.add(power);
+      if (degrees >= 45 - kSectorDegrees) diagonals.add(power);
+    }
+  }
+  if (!(all.sum > 1e-9)) return std::nullopt;
+  return BandPower{axes.value() / all.value(), diagonals.value() / all.value()};
+}
+
+BandRatio ratio_of(std::span<const BandPower> windows) {
+  BandRatio band;
+  band.windows = static_cast<int>(windows.size());
+  if (windows.size() < 2) return band;
+  double axes = 0;
+  double diagonals = 0;
+  for (const BandPower& window : windows) {
+    axes += window.axes;
+    diagonals += window.diagonals;
+  }
+  band.ratio = axes / diagonals;
+  double squares = 0;
+  for (const BandPower& window : windows) {
+    const double left = window.axes - band.ratio * window.diagonals;
+    squares += left * left;
+  }
+  const auto n = static_cast<double>(windows.size());
+  band.error = std::sqrt(squares * n / (n - 1)) / diagonals;
+  return band;
+}
+
+}  // namespace talus::tools

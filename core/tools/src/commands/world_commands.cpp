@@ -1,0 +1,158 @@
+#include <algorithm>
+#include <cerrno>
+#include <cstdint>
+#include <cstdio>
+#include <cstring>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <talus/terrain/boundary_row.h>
+#include <talus/terrain/heights.h>
+
+#include "commands/command.h"
+#include "find_look.h"
+#include "option_values.h"
+#include "quality.h"
+#include "world_file.h"
+
+namespace talus::tools {
+namespace {
+
+Expected<void> print_line(const std::string& line) {
+  if (std::printf("%s\n", line.c_str()) < 0 || std::fflush(stdout) != 0) {
+    return failed(std::string{"standard output: "} + std::strerror(errno));
+  }
+  return {};
+}
+
+struct FindArguments {
+  std::string world;
+  std::string look;
+  bool looks = false;
+  std::string near;
+  std::int64_t within = 65536;
+};
+constexpr std::int64_t kFarthest = std::int64_t{1} << 24;
+
+std::string listed(const std::vector<std::string>& look_names) {
+  std::string list;
+  for (std::size_t look = 1; look < look_names.size(); ++look) {
+    list += (look == 1 ? "" : ", ") + look_names[look];
+  }
+  return list;
+}
+
+Expected<void> print_looks(const terrain::World& world, IntegerPair near, std::int64_t within) {
+  const std::vector<double> shares = look_shares(world, near.first, near.second, within);
+  std::string text;
+  for (std::size_t look = 1; look < shares.size(); ++look) {
+    char share[32];
+    std::snprintf(share, sizeof share, "%6.2f %%  ", 100 * shares[look]);
+    text += (look == 1 ? "" : "\n") + std::string{share} + world.look_names()[look];
+  }
+  return print_line(text);
+}
+
+Expected<void> run_find(const FindArguments& arguments) {
+  if (arguments.looks == !arguments.look.empty()) return wrong_use("one of --look and --looks is needed");
+  const auto near = parse_pair("--near", arguments.near);
+  if (!near) return tl::make_unexpected(near.error());
+  if (auto inside = region_around("--near", *near, {1, 1}, Lod{}); !inside) {
+    return tl::make_unexpected(inside.error());
+  }
+  const auto world = load_world(arguments.world);
+  if (!world) return tl::make_unexpected(world.error());
+  const auto& names = world->look_names();
+  if (names.size() < 2) return failed("this world has no looks; [[look]] in its file makes them");
+  if (arguments.looks) return print_looks(*world, *near, arguments.within);
+  const auto name = std::find(names.begin() + 1, names.end(), arguments.look);
+  if (name == names.end()) {
+    return wrong_use("--look: no look is named '" + arguments.look + "'; the looks are " + listed(names));
+  }
+  const auto found = [&] {
+    ProgressBar progress{"find", "rings"};
+    return find_look(*world, static_cast<std::uint8_t>(name - names.begin()), near->first, near->second,
+                     arguments.within, progress);
+  }();
+  if (!found) {
+    return failed("no column with look '" + arguments.look + "' within " + std::to_string(arguments.within) +
+                  " columns of " + arguments.near);
+  }
+  const terrain::BaseColumn column{found->x, found->z};
+  const std::int32_t row = terrain::boundary_row(terrain::surface_heights(*world, {&column, 1}).front());
+  return print_line(std::to_string(found->x) + "," + std::to_string(found->z) + " " + std::to_string(row));
+}
+
+struct QualityArguments {
+  std::string world;
+  bool quick = false;
+  bool json = false;
+  int threads = 0;
+};
+
+Expected<void> run_quality(const QualityArguments& arguments) {
+  const auto world = load_world(arguments.world);
+  if (!world) return tl::make_unexpected(world.error());
+  QualityOptions options = QualityOptions::quick(arguments.threads);
+  if (!arguments.quick) options = {.threads = arguments.threads};
+  const Quality quality = [&] {
+    ProgressBar progress{"quality", "columns"};
+    return measure_quality(*world, options, progress);
+  }();
+  std::string text = arguments.json ? to_json(quality) : to_text(quality);
+  text.pop_back();  // print_line() ends it
+  return print_line(text);
+}
+
+}  // namespace
+
+Command add_quality(CLI::App& app) {
+  auto* quality = app.add_subcommand(
+      "quality", "Measure a world: evenness of directions, variety, water, steps, slopes and heights");
+  const auto arguments = std::make_shared<QualityArguments>();
+  quality->add_flag("--quick", arguments->quick,
+                    "Look at a tenth of the places: seconds instead of up to minutes, and wide errors");
+  quality->add_flag("--json", arguments->json, "Print JSON instead of a table");
+  add_world(*quality, arguments->world);
+  add_threads(*quality, arguments->threads);
+  quality->footer(
+      "Places lie up to 2^24 columns from the origin and are the same each time, so equal worlds have equal "
+      "figures,\n"
+      "whatever the threads. Directions: power of heights in octave bands of wavelength, within 15 degrees "
+      "of the\n"
+      "axes and of the diagonals, of windows of 256 x 256 samples, 8 to a wave; each window weighs alike. "
+      "Blocks: one\n"
+      "column of 50 along x and z. Water: columns whose top voxel lies under the sea's; a lone piece is less "
+      "than 16\n"
+      "columns that touch no other water, not even at a corner. Slope: rise to the highest of eight "
+      "neighbours or fall\n"
+      "to the lowest, over one column (thesis, equation 1). Heights are those of the rock's surface before "
+      "talus and\n"
+      "erosion move it, in voxels over the sea. What the default world should have is printed with whether "
+      "it is met.");
+  return {quality, [arguments] { return run_quality(*arguments); }};
+}
+
+Command add_find(CLI::App& app) {
+  auto* find = app.add_subcommand("find", "Find the nearest column with a look, such as a desert");
+  const auto arguments = std::make_shared<FindArguments>();
+  find->add_option("--look", arguments->look, "Name of a [[look]] of the world")->type_name("NAME");
+  find->add_flag("--looks", arguments->looks, "Instead: list all looks, with their shares of what is near");
+  find->add_option("--near", arguments->near, "Base column to begin at")->type_name("X,Z")->required();
+  find->add_option("--within", arguments->within, "Base columns to go along x and z at most, 1 to 2^24")
+      ->check(CLI::Range(std::int64_t{1}, kFarthest))
+      ->type_name("COLUMNS")
+      ->capture_default_str();
+  add_world(*find, arguments->world);
+  find->footer(
+      "Prints \"X,Z HEIGHT\": the column, and the row of the first free voxel over its ground, which may lie "
+      "under\n"
+      "water. Looks at every column up to 256 away, at every second up to 512, and so on, so it may overlook "
+      "a\n"
+      "patch narrower than 1/128 of its distance. The same world gives the same column. Exit status 1: "
+      "none.");
+  return {find, [arguments] { return run_find(*arguments); }};
+}
+
+}  // namespace talus::tools

@@ -1,0 +1,119 @@
+#include "find_look.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdlib>
+
+#include <talus/voxel/coords.h>
+
+#include "column_grid.h"
+
+namespace talus::tools {
+namespace {
+
+constexpr std::int64_t kEveryColumn = 256;  // up to that distance
+constexpr int kShareSide = 512;
+
+bool in_world(std::int64_t base) {
+  const std::int64_t limit = chunk_limit(Lod{}) * kChunkSize;
+  return base >= -limit && base < limit;
+}
+
+class LookSearch {
+ public:
+  LookSearch(const terrain::World& world, std::uint8_t look, std::int64_t x, std::int64_t z)
+      : world_{world}, look_{look}, x_{x}, z_{z} {}
+
+  // Looks at the grid's columns that are at most `within` away along x and z.
+  void look_at(const ColumnGrid& grid, std::int64_t within) {
+    const ColumnSamples samples = sample_columns(world_, grid);
+    for (int k = 0; k < grid.depth; ++k) {
+      for (int i = 0; i < grid.width; ++i) {
+        if (samples.looks.at(i, k) == look_) consider(grid.x_of(i), grid.z_of(k), within);
+      }
+    }
+  }
+
+  // Between the columns of the grid that found it there may be a nearer one.
+  void refine(std::int64_t spacing, std::int64_t within) {
+    while (best_ && spacing > 1) {
+      const std::int64_t finer = (spacing + 1) / 2;
+      const int reach = 4;
+      look_at(grid_around(best_->x, best_->z, finer, 2 * reach + 1, 2 * reach + 1), within);
+      spacing = finer;
+    }
+  }
+
+  [[nodiscard]] const std::optional<FoundColumn>& best() const { return best_; }
+  [[nodiscard]] double distance() const { return std::sqrt(square_); }
+
+ private:
+  // Distances fit: neither side is longer than the world.
+  void consider(std::int64_t x, std::int64_t z, std::int64_t within) {
+    const std::int64_t dx = x - x_;
+    const std::int64_t dz = z - z_;
+    if (std::max(std::abs(dx), std::abs(dz)) > within || !in_world(x) || !in_world(z)) return;
+    const double square =
+        static_cast<double>(dx) * static_cast<double>(dx) + static_cast<double>(dz) * static_cast<double>(dz);
+    if (best_ && square >= square_) return;
+    square_ = square;
+    best_ = FoundColumn{x, z};
+  }
+
+  const terrain::World& world_;
+  std::uint8_t look_;
+  std::int64_t x_;
+  std::int64_t z_;
+  double square_ = 0;  // of the distance of the best
+  std::optional<FoundColumn> best_;
+};
+
+}  // namespace
+
+std::optional<FoundColumn> find_look(const terrain::World& world, std::uint8_t look, std::int64_t x,
+                                     std::int64_t z, std::int64_t within, ProgressBar& progress) {
+  LookSearch search{world, look, x, z};
+  std::uint64_t rings = 1;
+  for (std::int64_t reach = kEveryColumn; reach < within; reach *= 2) ++rings;
+  progress.expect(rings);
+  // A square is drawn in four pieces, so that the first has no hole and the others no middle: each ring is
+  // what its square has outside of the one before.
+  std::int64_t inner = 0;
+  for (std::int64_t reach = kEveryColumn, spacing = 1;; reach *= 2, spacing *= 2) {
+    const auto half = static_cast<int>(std::min(reach, (within / spacing) * spacing) / spacing);
+    const auto gap = static_cast<int>(inner / spacing);
+    const int side = 2 * half + 1;
+    const ColumnGrid all = grid_around(x, z, spacing, side, side);
+    if (gap == 0) {
+      search.look_at(all, within);
+    } else if (half > gap) {
+      const int rim = half - gap;
+      search.look_at(all.part(0, 0, side, rim), within);
+      search.look_at(all.part(0, side - rim, side, rim), within);
+      search.look_at(all.part(0, rim, rim, side - 2 * rim), within);
+      search.look_at(all.part(side - rim, rim, rim, side - 2 * rim), within);
+    }
+    progress.advance(1);
+    // A corner of the square is farther away than what lies beside it in the next.
+    if ((search.best() && search.distance() <= static_cast<double>(reach)) || reach >= within) {
+      search.refine(spacing, within);
+      return search.best();
+    }
+    inner = reach;
+  }
+}
+
+std::vector<double> look_shares(const terrain::World& world, std::int64_t x, std::int64_t z,
+                                std::int64_t within) {
+  const std::int64_t every = std::max<std::int64_t>(1, 2 * within / kShareSide);
+  const auto side = static_cast<int>(std::min<std::int64_t>(kShareSide, 2 * within + 1));
+  const ColumnSamples samples = sample_columns(world, grid_around(x, z, every, side, side));
+  std::vector<double> shares(world.look_names().size());
+  for (const std::uint8_t look : samples.looks.values) {
+    shares[look] += 1.0 / static_cast<double>(samples.looks.values.size());
+  }
+  return shares;
+}
+
+}  // namespace talus::tools
