@@ -21,7 +21,7 @@ namespace {
 
 /// The default world, eroded in so many steps.
 terrain::World eroded(int steps) {
-  std::ifstream in{TALUS_SOURCE_DIR "/core/worlds/default.toml"};
+  std::ifstream in{TALUS_SOURCE_DIR "/core/worlds/classic.toml"};
   const std::string text{std::istreambuf_iterator<char>{in}, {}};
   const std::string method = "method = \"erosion\"\nerosion_steps = " + std::to_string(steps) + "\n";
   auto world = terrain::World::parse(method + text, "test.toml", nullptr);

@@ -37,77 +37,120 @@ class HeightsWork::Pieces {
   std::vector<std::int32_t> heights_;
 };
 
-/// H is a function of the column alone. Whether one opens to the sky takes no more to know than itself and
-/// the columns beside.
+/// H is a function of the column alone.
 class HeightsWork::ByColumns final : public HeightsWork::Pieces {
  public:
   ByColumns(const World& world, std::vector<BaseColumn> columns)
-      : Pieces{std::move(columns)},
-        rows_{make_surface_rows(heights_alone(world), instruction_set())},
-        ground_{world, instruction_set(), false},
-        carver_{make_carver(world, instruction_set())} {}
+      : Pieces{std::move(columns)}, rows_{make_surface_rows(heights_alone(world), instruction_set())} {}
 
   bool step(std::size_t columns) override {
     const std::size_t last = next_ + std::min(columns, columns_.size() - next_);
-    for (; next_ < last; ++next_) heights_[next_] = height(columns_[next_]);
+    for (; next_ < last; ++next_) {
+      rows_->start({&columns_[next_].x, 1});
+      rows_->row(columns_[next_].z, &heights_[next_]);
+    }
     return next_ < columns_.size();
   }
 
  private:
-  std::int32_t height(const BaseColumn& column) {
-    std::int32_t height = 0;
-    rows_->start({&column.x, 1});
-    rows_->row(column.z, &height);
-    if (!carver_) return height;
-    const Region region{column.x, column.z, 1, 1, Lod{}};
-    const int around = carver_->entrance_halo(Lod{});
-    ground_.compute(region.expanded(around));
-    carver_->compute(region, around, 0, ground_.height());
-    const Field& entrances = carver_->entrances();
-    const bool opens = !entrances.values.empty() && entrances.values[0] != Carver::kClosed;
-    return opens ? entrances.values[0] : height;
+  std::unique_ptr<SurfaceRows> rows_;
+  std::size_t next_ = 0;
+};
+
+/// Columns by the tile of 32 x 32 that holds them.
+class ColumnsByTile {
+ public:
+  explicit ColumnsByTile(const std::vector<BaseColumn>& columns) {
+    for (std::size_t i = 0; i < columns.size(); ++i) {
+      tiles_[{floor_div(columns[i].x, kChunkSize), floor_div(columns[i].z, kChunkSize)}].push_back(i);
+    }
+  }
+  using Tile = std::pair<std::int64_t, std::int64_t>;
+  [[nodiscard]] bool empty() const { return tiles_.empty(); }
+  [[nodiscard]] const Tile& tile() const { return tiles_.begin()->first; }
+  /// The places of its columns.
+  [[nodiscard]] const std::vector<std::size_t>& places() const { return tiles_.begin()->second; }
+  void next() { tiles_.erase(tiles_.begin()); }
+
+ private:
+  std::map<Tile, std::vector<std::size_t>> tiles_;
+};
+
+/// Talus and the openings of caves take the ground around a column to know: of a tile's columns, once.
+class HeightsWork::ByGround final : public HeightsWork::Pieces {
+ public:
+  ByGround(const World& world, std::vector<BaseColumn> columns)
+      : Pieces{std::move(columns)},
+        tiles_{columns_},
+        ground_{world, instruction_set(), false},
+        carver_{make_carver(world, instruction_set())} {}
+
+  bool step(std::size_t columns) override {
+    for (std::size_t made = 0; !tiles_.empty() && made < columns; tiles_.next()) {
+      make_tile();
+      made += tiles_.places().size();
+    }
+    return !tiles_.empty();
   }
 
-  std::unique_ptr<SurfaceRows> rows_;
+ private:
+  void make_tile() {
+    BaseColumn low = columns_[tiles_.places().front()];
+    BaseColumn high = low;
+    for (const std::size_t i : tiles_.places()) {
+      low = {std::min(low.x, columns_[i].x), std::min(low.z, columns_[i].z)};
+      high = {std::max(high.x, columns_[i].x), std::max(high.z, columns_[i].z)};
+    }
+    const Region region{low.x, low.z, static_cast<int>(high.x - low.x) + 1,
+                        static_cast<int>(high.z - low.z) + 1, Lod{}};
+    const int around = carver_ ? carver_->entrance_halo(Lod{}) : 0;
+    ground_.compute(region.expanded(around));
+    if (carver_) carver_->compute(region, around, 0, ground_.height());
+    for (const std::size_t i : tiles_.places()) {
+      const int x = static_cast<int>(columns_[i].x - region.x);
+      const int z = static_cast<int>(columns_[i].z - region.z);
+      heights_[i] = ground_.height().at(x + around, z + around);
+      if (!carver_ || carver_->entrances().values.empty()) continue;
+      const std::int32_t opening = carver_->entrances().at(x, z);
+      if (opening != Carver::kClosed) heights_[i] = opening;
+    }
+  }
+
+  ColumnsByTile tiles_;
   Ground ground_;
   std::unique_ptr<Carver> carver_;
-  std::size_t next_ = 0;
 };
 
 /// The erosion method moves the ground: a region for each tile that holds a column.
 class HeightsWork::ByTiles final : public HeightsWork::Pieces {
  public:
   ByTiles(const World& world, std::vector<BaseColumn> columns)
-      : Pieces{std::move(columns)}, generator_{world} {
-    for (std::size_t i = 0; i < columns_.size(); ++i) {
-      by_tile_[{floor_div(columns_[i].x, kChunkSize), floor_div(columns_[i].z, kChunkSize)}].push_back(i);
-    }
+      : Pieces{std::move(columns)}, tiles_{columns_}, generator_{world} {
     start_tile();
   }
 
   bool step(std::size_t columns) override {
-    if (by_tile_.empty()) return false;
+    if (tiles_.empty()) return false;
     if (generator_.step(static_cast<int>(columns))) return true;
     stacks_ = generator_.take();
-    for (const std::size_t i : by_tile_.begin()->second) {
+    for (const std::size_t i : tiles_.places()) {
       heights_[i] = stacks_.ground_fx(static_cast<int>(columns_[i].x - stacks_.region.x),
                                       static_cast<int>(columns_[i].z - stacks_.region.z));
     }
-    by_tile_.erase(by_tile_.begin());
+    tiles_.next();
     start_tile();
-    return !by_tile_.empty();
+    return !tiles_.empty();
   }
 
  private:
   void start_tile() {
-    if (by_tile_.empty()) return;
-    const auto& [tile_x, tile_z] = by_tile_.begin()->first;
+    if (tiles_.empty()) return;
+    const auto& [tile_x, tile_z] = tiles_.tile();
     generator_.start({tile_x * kChunkSize, tile_z * kChunkSize, kChunkSize, kChunkSize, Lod{}},
                      std::move(stacks_));
   }
 
-  // Tiles to come, the first in work, and the places of their columns.
-  std::map<std::pair<std::int64_t, std::int64_t>, std::vector<std::size_t>> by_tile_;
+  ColumnsByTile tiles_;  // to come, the first in work
   Generator generator_;
   Stacks stacks_;
 };
@@ -115,6 +158,8 @@ class HeightsWork::ByTiles final : public HeightsWork::Pieces {
 HeightsWork::HeightsWork(const World& world, std::vector<BaseColumn> columns) {
   if (world.spec().method == Method::erosion) {
     pieces_ = std::make_unique<ByTiles>(world, std::move(columns));
+  } else if (world.spec().talus || world.has_caves()) {
+    pieces_ = std::make_unique<ByGround>(world, std::move(columns));
   } else {
     pieces_ = std::make_unique<ByColumns>(world, std::move(columns));
   }

@@ -14,7 +14,7 @@ namespace talus::terrain {
 
 /// The ground of single base columns, in subvoxels: H, or a cave's floor where it is open to the sky. With
 /// the erosion method each tile of 32 x 32 columns that holds a requested column costs a region of its own
-/// with its halo.
+/// with its halo; with caves or talus, the ground around the requested ones.
 struct BaseColumn {
   std::int64_t x = 0;
   std::int64_t z = 0;
@@ -41,6 +41,7 @@ class HeightsWork {
  private:
   class Pieces;
   class ByColumns;
+  class ByGround;
   class ByTiles;
   std::unique_ptr<Pieces> pieces_;
 };
