@@ -2,6 +2,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include <talus/terrain/generator.h>
+
 namespace talus::tools {
 namespace {
 
@@ -21,33 +23,90 @@ const char* kind_name(terrain::MaterialKind kind) {
   return "";
 }
 
+const char* type_name(files::NpyType type) {
+  switch (type) {
+    case files::NpyType::int32:
+      return "int32";
+    case files::NpyType::uint8:
+      return "uint8";
+    case files::NpyType::uint16:
+      return "uint16";
+    case files::NpyType::float32:
+      return "float32";
+  }
+  return "";
+}
+
+Json ids_of(const std::vector<MaterialId>& materials) {
+  Json ids = Json::array();
+  for (const MaterialId id : materials) ids.push_back(to_integer(id));
+  return ids;
+}
+
+Json told_materials(const terrain::World& world) {
+  Json told = Json::array();
+  for (const terrain::Material& material : world.materials()) {
+    told.push_back(
+        {{"id", to_integer(material.id)}, {"name", material.name}, {"kind", kind_name(material.kind)}});
+  }
+  return told;
+}
+
+Json told_eroded(const terrain::World& world) {
+  Json told = Json::array();
+  for (const terrain::LooseSpec& loose : world.loose()) {
+    told.push_back({{"id", to_integer(loose.material)},
+                    {"name", world.materials()[to_integer(loose.material)].name},
+                    {"weight", loose.weight},
+                    {"t_fx", loose.t_fx},
+                    {"S_fx", loose.S_fx},
+                    {"c_fx", loose.c_fx}});
+  }
+  return told;
+}
+
+Json told_arrays(const ExportPlan& plan, std::size_t rows) {
+  Json told = Json::object();
+  for (const PlannedArray& array : plan.arrays) {
+    told[array.file] = {{"dtype", type_name(array.type)},
+                        {"shape", shape_of(plan, array, rows)},
+                        {"axes", array.axis.empty() ? "[z][x]" : "[" + array.axis + "][z][x]"},
+                        {"unit", array.unit},
+                        {"meaning", array.meaning}};
+  }
+  return told;
+}
+
 }  // namespace
 
-std::string export_json(const terrain::World& world, const terrain::Region& region,
-                        std::span<const MaterialId> layers) {
+std::vector<std::size_t> shape_of(const ExportPlan& plan, const PlannedArray& array, std::size_t rows) {
+  std::vector<std::size_t> shape;
+  if (array.slices) shape.push_back(array.array == ExportArray::voxels ? rows : *array.slices);
+  shape.push_back(static_cast<std::size_t>(plan.region.depth));
+  shape.push_back(static_cast<std::size_t>(plan.region.width));
+  return shape;
+}
+
+std::string export_json(const ExportPlan& plan, std::size_t rows) {
+  const terrain::World& world = *plan.world;
+  const int level = plan.region.lod.value();
   Json json;
   json["fingerprint"] = to_string(world.fingerprint());
   json["resolution"] = world.spec().resolution;
-  json["origin"] = {region.x, region.z};
-  json["size"] = {region.width, region.depth};
-  json["y0"] = 0;
-  json["halo"] = world.halo();
-  json["materials"] = Json::array();
-  for (const terrain::Material& material : world.materials()) {
-    json["materials"].push_back(
-        {{"id", to_integer(material.id)}, {"name", material.name}, {"kind", kind_name(material.kind)}});
-  }
-  json["layers"] = Json::array();
-  for (const MaterialId id : layers) json["layers"].push_back(to_integer(id));
-  json["eroded"] = Json::array();
-  for (const terrain::LooseSpec& loose : world.loose()) {
-    json["eroded"].push_back({{"id", to_integer(loose.material)},
-                              {"name", world.materials()[to_integer(loose.material)].name},
-                              {"weight", loose.weight},
-                              {"t_fx", loose.t_fx},
-                              {"S_fx", loose.S_fx},
-                              {"c_fx", loose.c_fx}});
-  }
+  json["level"] = level;
+  json["origin"] = {plan.region.x, plan.region.z};
+  json["size"] = {plan.region.width, plan.region.depth};
+  json["y0"] = plan.y0;
+  json["halo"] = terrain::halo_columns(world, plan.region.lod);
+  json["sea_fx"] = world.sea_fx() ? Json(*world.sea_fx() >> level) : Json();
+  json["slope_of"] = plan.slope_of;
+  json["materials"] = told_materials(world);
+  json["layers"] = ids_of(plan.layers);
+  json["planes"] = ids_of(plan.planes);
+  json["eroded"] = told_eroded(world);
+  json["fields"] = {{"names", plan.fields}, {"scale", kFieldScale}};
+  if (world.look_names().size() > 1) json["looks"] = world.look_names();
+  json["arrays"] = told_arrays(plan, rows);
   return json.dump(2) + "\n";
 }
 

@@ -1,16 +1,19 @@
 // export.json: what the arrays of an export mean.
 #pragma once
 
-#include <span>
+#include <cstddef>
 #include <string>
+#include <vector>
 
-#include <talus/terrain/field.h>
-#include <talus/terrain/world.h>
+#include "export_plan.h"
 
 namespace talus::tools {
 
-/// `layers` are the materials of the planes of strata.npy, bottom up.
-[[nodiscard]] std::string export_json(const terrain::World& world, const terrain::Region& region,
-                                      std::span<const MaterialId> layers);
+/// `rows`: of voxels.npy.
+[[nodiscard]] std::string export_json(const ExportPlan& plan, std::size_t rows);
+
+/// The shape of an array of the plan. `rows`: of voxels.npy.
+[[nodiscard]] std::vector<std::size_t> shape_of(const ExportPlan& plan, const PlannedArray& array,
+                                                std::size_t rows);
 
 }  // namespace talus::tools

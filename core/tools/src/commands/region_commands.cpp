@@ -224,20 +224,26 @@ Command add_section(CLI::App& app) {
 
 Command add_export(CLI::App& app) {
   auto* command = app.add_subcommand(
-      "export", "Write surface, slope, loose material, strata and voxels of a region as NumPy arrays");
+      "export", "Write every intermediate result over a region, and its voxels, as NumPy arrays");
   const auto arguments = std::make_shared<Arguments>();
-  add_place(*command, *arguments, "--origin", "Base voxel at the region's north-west corner");
-  add_size(*command, *arguments, "Columns along x and z; refused if the arrays could exceed 8 GiB");
+  add_place(*command, *arguments, "--origin", "Base voxel at the region's north-west corner, at every level");
+  add_size(*command, *arguments,
+           "Columns of the level of detail along x and z; refused if the arrays could exceed 8 GiB");
+  add_lod(*command, arguments->lod);
   add_output(*command, arguments->output, "Directory for the arrays and export.json; created if missing",
              "DIR");
   add_common(*command, *arguments);
   command->footer(
-      "Heights and thicknesses are int32 in 1/256 voxel.\n"
-      "  surface.npy [z][x]         slope.npy [z][x], rise over a run of one column\n"
-      "  eroded.npy [m][z][x], settled thickness, materials in the order of the spec\n"
+      "Heights and thicknesses are int32 in 1/256 voxel of the level; export.json documents every array.\n"
+      "  surface.npy [z][x]         slope.npy [z][x], 1/256 of rise over run\n"
+      "  apron.npy [z][x], what talus aprons added to the ground (not with the erosion method)\n"
+      "  place.npy, eroded.npy [m][z][x], thickness that the place allows, and settled, in the spec's order\n"
       "  strata.npy [layer][z][x], tops before loose material is inserted; the last is the surface\n"
-      "  voxels.npy [y][z][x], material ids (uint8; uint16 in worlds with ids over 255), from y = 0 up to\n"
-      "             the highest row that ground or sea reaches");
+      "  shown.npy [plane][z][x], uint16, ids that strata, loose material bottom up and water show\n"
+      "  fields.npy [f][z][x], quantities such as temperature, times 65536\n"
+      "  look.npy [z][x], uint8, in worlds with looks\n"
+      "  voxels.npy [y][z][x], material ids (uint8; uint16 in worlds with ids over 255), from y = 0, or -1\n"
+      "             at coarse levels, up to the highest voxel that is not air");
   return {command, [arguments] { return run_export(*arguments); }};
 }
 
