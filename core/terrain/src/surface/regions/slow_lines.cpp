@@ -66,7 +66,7 @@ void SlowLines::start(std::span<const std::int64_t> samples, bool sloped) {
     for (auto& values : line.line.values) values.resize(padded(width_));
     if (!sloped) continue;
     for (auto* const slopes : {&line.line.east, &line.line.south}) {
-      for (auto& values : *slopes) values.resize(padded(width_));
+      for (auto& values : *slopes) values.assign(padded(width_), 0);  // of climate they stay 0
     }
   }
 }
