@@ -43,8 +43,8 @@ std::string in(const ScratchDirectory& scratch, const std::string& name) {
 TEST_CASE("talus-gen explains itself") {
   CHECK(talus_gen("--help").exit_code == 0);
   CHECK_THAT(talus_gen("--version").output, Catch::StartsWith("talus-gen "));
-  for (const char* command :
-       {"map", "section", "export", "hash", "vox", "gallery", "table1", "likeness", "lod-error"}) {
+  for (const char* command : {"map", "section", "export", "hash", "vox", "gallery", "table1", "likeness",
+                              "lod-error", "find", "quality"}) {
     const Outcome outcome = talus_gen(std::string{command} + " --help");
     CHECK(outcome.exit_code == 0);
     CHECK_THAT(outcome.output, Catch::Contains("--world"));
@@ -188,6 +188,20 @@ TEST_CASE("A map of every Nth column is written for any N from 1 to 4096, and no
   check_refused(map + " --every 64 --lod 2", 2, "excludes");
   check_refused("map --center 68719476735,0 --size 20,10 --every 9 -o " + in(scratch, "b.png"), 2,
                 "--center: column x = 68719476824 lies outside the world");
+}
+
+TEST_CASE("quality prints a table or JSON") {
+  const ScratchDirectory scratch;
+  scratch.write("world.toml", talus::test::text_of_world_with_looks());
+  const std::string quality = "quality --quick --world " + in(scratch, "world.toml");
+  const Outcome table = talus_gen(quality);
+  CHECK(table.exit_code == 0);
+  CHECK_THAT(table.output, Catch::Contains("Wanted in the default world") && Catch::Contains("lone pieces"));
+  const Outcome json = talus_gen(quality + " --json");
+  CHECK(json.exit_code == 0);
+  CHECK_THAT(json.output, Catch::StartsWith("{\n") && Catch::EndsWith("\n}\n"));
+  check_refused("quality --quick --world " + in(scratch, "none.toml"), 1, "cannot read the world file");
+  check_refused("quality --threads -1", 2, "--threads");
 }
 
 TEST_CASE("What cannot be done is one line and exit code 1") {

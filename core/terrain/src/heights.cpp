@@ -76,6 +76,9 @@ class ColumnsByTile {
   std::map<Tile, std::vector<std::size_t>> tiles_;
 };
 
+/// What a tile costs at least, in columns: the ground around it.
+constexpr std::size_t kTileCost = 16;
+
 /// Talus and the openings of caves take the ground around a column to know: of a tile's columns, once.
 class HeightsWork::ByGround final : public HeightsWork::Pieces {
  public:
@@ -88,7 +91,7 @@ class HeightsWork::ByGround final : public HeightsWork::Pieces {
   bool step(std::size_t columns) override {
     for (std::size_t made = 0; !tiles_.empty() && made < columns; tiles_.next()) {
       make_tile();
-      made += tiles_.places().size();
+      made += std::max(tiles_.places().size(), kTileCost);
     }
     return !tiles_.empty();
   }

@@ -9,35 +9,35 @@
 namespace talus::tools {
 namespace {
 
-constexpr auto kWindowSide = static_cast<std::size_t>(kSpectrumSide);
-constexpr double kLongest = kSpectrumSide / 16.0;  // waves a window
-constexpr double kShortest = kSpectrumSide / 8.0;
+constexpr auto kSpectrumLine = static_cast<std::size_t>(kSpectrumSide);
+constexpr double kLongestWave = kSpectrumSide / 16.0;  // waves a window
+constexpr double kShortestWave = kSpectrumSide / 8.0;
 constexpr double kSectorDegrees = 15;
 
-using Samples = std::vector<std::complex<double>>;
+using SpectrumSamples = std::vector<std::complex<double>>;
 
-// Cooley and Tukey's, in place: `line` has kWindowSide values, `stride` apart.
+// Cooley and Tukey's, in place: `line` has kSpectrumLine values, `stride` apart.
 void transform_line(std::complex<double>* line, std::size_t stride) {
-  for (std::size_t i = 1, j = 0; i < kWindowSide; ++i) {
-    std::size_t bit = kWindowSide / 2;
+  for (std::size_t i = 1, j = 0; i < kSpectrumLine; ++i) {
+    std::size_t bit = kSpectrumLine / 2;
     for (; (j & bit) != 0; bit /= 2) j ^= bit;
     j ^= bit;
     if (i < j) std::swap(line[i * stride], line[j * stride]);
   }
-  static const Samples roots = [] {
-    Samples all(kWindowSide / 2);
+  static const SpectrumSamples roots = [] {
+    SpectrumSamples all(kSpectrumLine / 2);
     for (std::size_t i = 0; i < all.size(); ++i) {
       all[i] = std::polar(1.0, -2 * std::numbers::pi * static_cast<double>(i) / kSpectrumSide);
     }
     return all;
   }();
-  for (std::size_t length = 2; length <= kWindowSide; length *= 2) {
-    for (std::size_t first = 0; first < kWindowSide; first += length) {
+  for (std::size_t length = 2; length <= kSpectrumLine; length *= 2) {
+    for (std::size_t first = 0; first < kSpectrumLine; first += length) {
       for (std::size_t i = 0; i < length / 2; ++i) {
         auto& low = line[(first + i) * stride];
         auto& high = line[(first + i + length / 2) * stride];
         // By hand: the library's product looks for infinities.
-        const std::complex<double> root = roots[i * (kWindowSide / length)];
+        const std::complex<double> root = roots[i * (kSpectrumLine / length)];
         const std::complex<double> turned{high.real() * root.real() - high.imag() * root.imag(),
                                           high.real() * root.imag() + high.imag() * root.real()};
         high = low - turned;
@@ -47,33 +47,33 @@ void transform_line(std::complex<double>* line, std::size_t stride) {
   }
 }
 
-void transform(Samples& samples) {
-  for (std::size_t z = 0; z < kWindowSide; ++z) transform_line(samples.data() + z * kWindowSide, 1);
-  for (std::size_t x = 0; x < kWindowSide; ++x) transform_line(samples.data() + x, kWindowSide);
+void transform(SpectrumSamples& samples) {
+  for (std::size_t z = 0; z < kSpectrumLine; ++z) transform_line(samples.data() + z * kSpectrumLine, 1);
+  for (std::size_t x = 0; x < kSpectrumLine; ++x) transform_line(samples.data() + x, kSpectrumLine);
 }
 
 double from_middle(std::size_t i) {
   return static_cast<double>(i) - (kSpectrumSide - 1) / 2.0;
 }
 
-Samples windowed(std::span<const double> heights) {
+SpectrumSamples windowed(std::span<const double> heights) {
   double mean = 0;
   double along_x = 0;
   double along_z = 0;
   double squares = 0;
   for (std::size_t i = 0; i < heights.size(); ++i) {
-    const double x = from_middle(i % kWindowSide);
-    const double z = from_middle(i / kWindowSide);
+    const double x = from_middle(i % kSpectrumLine);
+    const double z = from_middle(i / kSpectrumLine);
     mean += heights[i];
     along_x += heights[i] * x;
     along_z += heights[i] * z;
     squares += x * x;
   }
   mean /= static_cast<double>(heights.size());
-  Samples samples(heights.size());
+  SpectrumSamples samples(heights.size());
   for (std::size_t i = 0; i < heights.size(); ++i) {
-    const double x = from_middle(i % kWindowSide);
-    const double z = from_middle(i / kWindowSide);
+    const double x = from_middle(i % kSpectrumLine);
+    const double z = from_middle(i / kSpectrumLine);
     const double out = std::min(1.0, std::hypot(x, z) / (kSpectrumSide / 2.0));
     const double cosine = std::cos(out * std::numbers::pi / 2);
     const double weight = cosine * cosine * cosine * cosine;
@@ -85,7 +85,7 @@ Samples windowed(std::span<const double> heights) {
 }  // namespace
 
 std::optional<BandPower> band_power(std::span<const double> heights) {
-  Samples samples = windowed(heights);
+  SpectrumSamples samples = windowed(heights);
   transform(samples);
   struct Mean {
     double sum = 0;
@@ -97,12 +97,12 @@ std::optional<BandPower> band_power(std::span<const double> heights) {
   Mean diagonals;
   Mean all;
   // Half of the plane: the other half is its mirror image.
-  for (int kz = 0; kz <= static_cast<int>(kShortest); ++kz) {
-    for (int kx = -static_cast<int>(kShortest); kx <= static_cast<int>(kShortest); ++kx) {
+  for (int kz = 0; kz <= static_cast<int>(kShortestWave); ++kz) {
+    for (int kx = -static_cast<int>(kShortestWave); kx <= static_cast<int>(kShortestWave); ++kx) {
       const double k = std::hypot(kx, kz);
-      if (k < kLongest || k >= kShortest || (kz == 0 && kx < 0)) continue;
-      const std::size_t x = static_cast<std::size_t>(kx + kSpectrumSide) % kWindowSide;
-      const double power = std::norm(samples[static_cast<std::size_t>(kz) * kWindowSide + x]) * k * k * k;
+      if (k < kLongestWave || k >= kShortestWave || (kz == 0 && kx < 0)) continue;
+      const std::size_t x = static_cast<std::size_t>(kx + kSpectrumSide) % kSpectrumLine;
+      const double power = std::norm(samples[static_cast<std::size_t>(kz) * kSpectrumLine + x]) * k * k * k;
       all.add(power);  // land has about as much of this at every wavelength
       const double degrees = std::atan2(std::min(std::abs(kx), kz), std::max(std::abs(kx), kz)) * 180 /
                              std::numbers::pi;  // from the nearest axis, up to 45

@@ -78,10 +78,10 @@ int run_command_line(int argc, const char* const* argv, const std::string& versi
   app.get_formatter()->column_width(34);
 
   const std::vector<Command> commands{
-      add_map(app),     add_section(app), add_export(app),         add_hash(app),      add_vox(app),
-      add_gallery(app), add_table1(app),  add_likeness(app),       add_lod_error(app), add_find(app),
-      add_quality(app), add_erode(app),   add_diamond_square(app), add_encode(app),    add_decode(app),
-      add_explain(app)};
+      add_map(app),     add_section(app), add_export(app),   add_hash(app),           add_vox(app),
+      add_gallery(app), add_table1(app),  add_likeness(app), add_lod_error(app),      add_preview(app),
+      add_find(app),    add_quality(app), add_erode(app),    add_diamond_square(app), add_encode(app),
+      add_decode(app),  add_explain(app)};
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

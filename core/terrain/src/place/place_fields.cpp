@@ -12,6 +12,8 @@ void PlaceFields::start(int width, int depth) {
   for (LookField& looks : looks_) looks.reshape(width, depth);
   shares_.resize(places_->shares.size());
   for (Field& share : shares_) share.reshape(width, depth);
+  any_.resize(shares_.size());
+  for (auto& rows : any_) rows.resize(static_cast<std::size_t>(depth));
   gathered_.resize(places_->quantities);
   rows_.resize(places_->quantities);
   share_.resize(padded(columns));
@@ -39,21 +41,33 @@ void PlaceFields::set_row(int z, std::span<const float* const> quantities, std::
   for (std::size_t i = 0; i < looks_.size(); ++i) {
     kernels_.look(places_->looks[i], rows_, width, looks_[i].row(z).data());
   }
-  for (std::size_t i = 0; i < shares_.size(); ++i) {
-    const Places::Share& rule = places_->shares[i];
-    std::fill_n(share_.begin(), width, kWholeShare);
-    for (const Places::Ramp& ramp : rule.early) {
-      kernels_.thin(ramp, rows_[ramp.quantity], share_.data(), width, thinned_.data());
-      std::swap(share_, thinned_);
-    }
-    if (~rule.looks != 0 && !looks_.empty()) {
-      const auto looks = looks_.front().row(z);
-      for (std::size_t x = 0; x < width; ++x) {
-        if (((rule.looks >> looks[x]) & 1) == 0) share_[x] = 0;
-      }
-    }
-    std::copy_n(share_.begin(), width, shares_[i].row(z).begin());
+  std::uint64_t present = 0;  // bit k: some column of the row has look k
+  if (!looks_.empty()) {
+    for (const std::uint8_t look : looks_.front().row(z)) present |= std::uint64_t{1} << look;
   }
+  for (std::size_t i = 0; i < shares_.size(); ++i) set_share(i, z, width, present);
+}
+
+// Most rows have few looks, and most rules ask for others.
+void PlaceFields::set_share(std::size_t i, int z, std::size_t width, std::uint64_t present) {
+  const Places::Share& rule = places_->shares[i];
+  std::uint8_t& any = any_[i][static_cast<std::size_t>(z)];
+  any = present == 0 || (rule.looks & present) != 0 ? 1 : 0;
+  const auto out = shares_[i].row(z);
+  std::fill(out.begin(), out.end(), any == 0 ? 0 : kWholeShare);
+  if (any == 0) return;
+  std::copy_n(out.begin(), width, share_.begin());
+  for (const Places::Ramp& ramp : rule.early) {
+    kernels_.thin(ramp, rows_[ramp.quantity], share_.data(), width, thinned_.data());
+    std::swap(share_, thinned_);
+  }
+  if ((present & ~rule.looks) != 0) {
+    const auto looks = looks_.front().row(z);
+    for (std::size_t x = 0; x < width; ++x) {
+      if (((rule.looks >> looks[x]) & 1) == 0) share_[x] = 0;
+    }
+  }
+  std::copy_n(share_.begin(), width, out.begin());
 }
 
 void PlaceFields::thin_late(const Field& slope, const Field* cliff) {
@@ -64,6 +78,7 @@ void PlaceFields::thin_late(const Field& slope, const Field* cliff) {
       const bool by_slope = ramp.quantity == number_of(Quantity::slope);
       if (!by_slope && cliff == nullptr) continue;
       for (int z = 0; z < share.depth; ++z) {
+        if (any_[i][static_cast<std::size_t>(z)] == 0) continue;
         std::copy_n(share.row(z).begin(), width, share_.begin());
         kernels_.thin_by_int32(ramp, (by_slope ? slope : *cliff).row(z).data(), share_.data(), width,
                                share.row(z).data());

@@ -38,12 +38,15 @@ class PlaceFields {
   [[nodiscard]] const std::vector<Field>& shares() const { return shares_; }
 
  private:
+  void set_share(std::size_t i, int z, std::size_t width, std::uint64_t present);
+
   std::shared_ptr<const Places> places_;
   const PlaceKernels& kernels_;
   std::int32_t sea_fx_;
   float units_a_subvoxel_;
   std::vector<LookField> looks_;
   std::vector<Field> shares_;
+  std::vector<std::vector<std::uint8_t>> any_;  // 0 where a row of a share is 0 all along
   std::vector<AlignedVector<float>> gathered_;
   std::vector<const float*> rows_;
   AlignedVector<std::int32_t> share_;

@@ -30,6 +30,7 @@ struct Command {
 [[nodiscard]] Command add_lod_error(CLI::App& app);
 
 // For authors of worlds (world_commands.cpp).
+[[nodiscard]] Command add_preview(CLI::App& app);
 [[nodiscard]] Command add_find(CLI::App& app);
 [[nodiscard]] Command add_quality(CLI::App& app);
 

@@ -3,7 +3,9 @@
 #include <cstdint>
 #include <cstdio>
 #include <cstring>
+#include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -12,7 +14,9 @@
 
 #include "commands/command.h"
 #include "find_look.h"
+#include "image.h"
 #include "option_values.h"
+#include "preview.h"
 #include "quality.h"
 #include "world_file.h"
 
@@ -24,6 +28,36 @@ Expected<void> print_line(const std::string& line) {
     return failed(std::string{"standard output: "} + std::strerror(errno));
   }
   return {};
+}
+
+struct PreviewArguments {
+  std::string world;
+  std::string centre;
+  int threads = 0;
+  std::string output;
+};
+
+Expected<void> run_preview(const PreviewArguments& arguments) {
+  std::optional<IntegerPair> centre;
+  if (!arguments.centre.empty()) {
+    const auto given = parse_pair("--center", arguments.centre);
+    if (!given) return tl::make_unexpected(given.error());
+    centre = *given;
+  }
+  const auto world = load_world(arguments.world);
+  if (!world) return tl::make_unexpected(world.error());
+  if (!centre) {
+    const VoxelPos spawn = terrain::find_spawn(*world);
+    centre = IntegerPair{spawn.x, spawn.z};
+  }
+  auto file = PngFile::create(arguments.output);
+  if (!file) return tl::make_unexpected(file.error());
+  const std::string name =
+      arguments.world.empty() ? "default" : std::filesystem::path{arguments.world}.stem().string();
+  const auto sheet =
+      draw_preview(*world, name, centre->first, centre->second, {.threads = arguments.threads});
+  if (!sheet) return tl::make_unexpected(sheet.error());
+  return file->write(*sheet);
 }
 
 struct FindArguments {
@@ -106,6 +140,25 @@ Expected<void> run_quality(const QualityArguments& arguments) {
 }
 
 }  // namespace
+
+Command add_preview(CLI::App& app) {
+  auto* preview = app.add_subcommand("preview", "Draw one sheet that shows what a world is like");
+  const auto arguments = std::make_shared<PreviewArguments>();
+  add_output(*preview, arguments->output, "Picture to write", "F.png");
+  preview
+      ->add_option("--center", arguments->centre,
+                   "Base column in the middle of all maps; default: where players arrive")
+      ->type_name("X,Z");
+  add_world(*preview, arguments->world);
+  add_threads(*preview, arguments->threads);
+  preview->footer(
+      "Three maps of 616 pixels a side, of every column, every 8th and every 64th; a section with the "
+      "layers; the\n"
+      "fields and quantities of the largest map; shares of looks, materials and slopes, heights, and what "
+      "columns and\n"
+      "chunks cost. Times are CPU time on this machine, so two sheets differ in them and in nothing else.");
+  return {preview, [arguments] { return run_preview(*arguments); }};
+}
 
 Command add_quality(CLI::App& app) {
   auto* quality = app.add_subcommand(
