@@ -2,8 +2,6 @@
 
 #include <nlohmann/json.hpp>
 
-#include <talus/terrain/generator.h>
-
 namespace talus::tools {
 namespace {
 
@@ -97,7 +95,7 @@ std::string export_json(const ExportPlan& plan, std::size_t rows) {
   json["origin"] = {plan.region.x, plan.region.z};
   json["size"] = {plan.region.width, plan.region.depth};
   json["y0"] = plan.y0;
-  json["halo"] = terrain::halo_columns(world, plan.region.lod);
+  json["halo"] = world.halo();
   json["sea_fx"] = world.sea_fx() ? Json(*world.sea_fx() >> level) : Json();
   json["slope_of"] = plan.slope_of;
   json["materials"] = told_materials(world);

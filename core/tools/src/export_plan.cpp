@@ -1,5 +1,7 @@
 #include "export_plan.h"
 
+#include <utility>
+
 #include <talus/terrain/extraction.h>
 #include <talus/terrain/generator.h>
 #include <talus/terrain/places.h>
