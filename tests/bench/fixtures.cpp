@@ -45,15 +45,6 @@ std::vector<Chunk> mixed_chunks(const terrain::World& world, Lod lod) {
   return chunks;
 }
 
-const terrain::World& classic_world() {
-  static const terrain::World world = terrain::World::parse(text_of_world("classic"), "classic").value();
-  return world;
-}
-
-terrain::World classic_world_with(const std::string& sections) {
-  return terrain::World::parse(text_of_world("classic") + "\n" + sections, "classic").value();
-}
-
 std::string text_of(const std::string& path) {
   std::ifstream file{TALUS_SOURCE_DIR "/" + path};
   return {std::istreambuf_iterator<char>{file}, {}};
@@ -61,6 +52,15 @@ std::string text_of(const std::string& path) {
 
 std::string text_of_world(const std::string& name) {
   return text_of("core/worlds/" + name + ".toml");
+}
+
+const terrain::World& classic_world() {
+  static const terrain::World world = terrain::World::parse(text_of_world("classic"), "classic").value();
+  return world;
+}
+
+terrain::World classic_world_with(const std::string& sections) {
+  return terrain::World::parse(text_of_world("classic") + "\n" + sections, "classic").value();
 }
 
 terrain::World sample_world(const std::string& name) {

@@ -44,7 +44,8 @@ inline constexpr const char* kOre =
     "abundance = 0.03\n";
 [[nodiscard]] terrain::World classic_world_with(const std::string& sections);
 
-/// A sample world: "canyon", "hills".
+/// The text of core/worlds/NAME.toml, and its world.
+[[nodiscard]] std::string text_of_world(const std::string& name);
 [[nodiscard]] terrain::World sample_world(const std::string& name);
 
 /// tests/load/rough.toml by another seed, its features `times` as wide: layers that swell and fade within two

@@ -16,6 +16,7 @@
 #include "made_height_map.h"
 #include "noise/point_fbm.h"
 #include "noise/rotated_fbm.h"
+#include "surface/surface_rows.h"
 #include "table.h"
 #include "worlds.h"
 
@@ -127,6 +128,50 @@ void patch(State& state, const World& world) {
   bench::works_on(state, "column", kPatchSide * kPatchSide);
 }
 
+// The default world, or that with less in it, over mesas, mountains and forest.
+void patch_of_regions(State& state, int level, const std::vector<std::string>& without) {
+  const World world = World::parse(test::sample_world_without("default", without), "default").value();
+  Generator generator{world};
+  Stacks stacks;
+  const Lod lod = Lod::of(level);
+  for (auto _ : state) {
+    generator.generate({-2000 >> level, -6200 >> level, kPatchSide, kPatchSide, lod}, stacks);
+  }
+  bench::works_on(state, "column", kPatchSide * kPatchSide);
+}
+
+void patch_of_classic(State& state, int level) {
+  Generator generator{bench::classic_world()};
+  Stacks stacks;
+  for (auto _ : state) generator.generate({0, 0, kPatchSide, kPatchSide, Lod::of(level)}, stacks);
+  bench::works_on(state, "column", kPatchSide * kPatchSide);
+}
+
+void ground_of_regions(State& state, int level) {
+  const World world = World::parse(test::regions_world_text(), "regions").value();
+  WorldSpec spec = world.spec();
+  spec.places = {};
+  const Surface surface = surface_of(spec);
+  const auto rows = make_surface_rows(surface, instruction_set());
+  std::vector<std::int64_t> xs;
+  for (std::int64_t x = 0; x < kPatchSide; ++x) xs.push_back((x - 2000) << level);
+  std::vector<std::int32_t> heights(xs.size());
+  std::vector<std::int32_t> slopes(xs.size());
+  for (auto _ : state) {
+    const bool sloped = level > 0 && rows->starts_level(xs, Lod::of(level));
+    if (!sloped) rows->start(xs);
+    for (std::int64_t z = 0; z < kPatchSide; ++z) {
+      if (sloped) {
+        rows->sloped_row(z << level, heights.data(), slopes.data());
+      } else {
+        rows->row(z, heights.data());
+      }
+    }
+    benchmark::DoNotOptimize(heights.data());
+  }
+  bench::works_on(state, "column", kPatchSide * kPatchSide);
+}
+
 void patch_of_kind(State& state, const std::string& kind) {
   patch(state, of_kind(kind));
 }
@@ -150,6 +195,30 @@ BENCHMARK_CAPTURE(surface, rotated_narrow_vs, "perlin")
     ->Name("noise, a rotated octave of 11 columns/vs:perlin");
 BENCHMARK(aprons)->Name("aprons and cliffs among mesas");
 BENCHMARK(surface_of_mesas)->Name("aprons and cliffs among mesas/vs:their surface");
+BENCHMARK_CAPTURE(ground_of_regions, level_0, 0)->Name("surface, regions, level 0");
+BENCHMARK_CAPTURE(surface, regions_0_vs, "perlin")->Name("surface, regions, level 0/vs:perlin at level 0");
+BENCHMARK_CAPTURE(ground_of_regions, level_1, 1)->Name("surface, regions, level 1");
+BENCHMARK_CAPTURE(surface, regions_1_vs, "perlin")->Name("surface, regions, level 1/vs:perlin at level 0");
+BENCHMARK_CAPTURE(ground_of_regions, level_2, 2)->Name("surface, regions, level 2");
+BENCHMARK_CAPTURE(surface, regions_2_vs, "perlin")->Name("surface, regions, level 2/vs:perlin at level 0");
+BENCHMARK_CAPTURE(ground_of_regions, level_3, 3)->Name("surface, regions, level 3");
+BENCHMARK_CAPTURE(surface, regions_3_vs, "perlin")->Name("surface, regions, level 3/vs:perlin at level 0");
+BENCHMARK_CAPTURE(ground_of_regions, level_6, 6)->Name("surface, regions, level 6");
+BENCHMARK_CAPTURE(surface, regions_6_vs, "perlin")->Name("surface, regions, level 6/vs:perlin at level 0");
+BENCHMARK_CAPTURE(patch_of_regions, all_0, 0, {})->Name("patch, default world, level 0");
+BENCHMARK_CAPTURE(patch_of_classic, all_0_vs, 0)->Name("patch, default world, level 0/vs:classic");
+BENCHMARK_CAPTURE(patch_of_regions, all_1, 1, {})->Name("patch, default world, level 1");
+BENCHMARK_CAPTURE(patch_of_classic, all_1_vs, 1)->Name("patch, default world, level 1/vs:classic");
+BENCHMARK_CAPTURE(patch_of_regions, all_2, 2, {})->Name("patch, default world, level 2");
+BENCHMARK_CAPTURE(patch_of_classic, all_2_vs, 2)->Name("patch, default world, level 2/vs:classic");
+BENCHMARK_CAPTURE(patch_of_regions, all_3, 3, {})->Name("patch, default world, level 3");
+BENCHMARK_CAPTURE(patch_of_classic, all_3_vs, 3)->Name("patch, default world, level 3/vs:classic");
+BENCHMARK_CAPTURE(patch_of_regions, all_6, 6, {})->Name("patch, default world, level 6");
+BENCHMARK_CAPTURE(patch_of_classic, all_6_vs, 6)->Name("patch, default world, level 6/vs:classic");
+BENCHMARK_CAPTURE(patch_of_regions, bare, 0, {"[talus]", "[[object]]", "[caves]", "[[veins]]"})
+    ->Name("patch, default world without talus, objects, caves and ores");
+BENCHMARK_CAPTURE(patch_of_classic, bare_vs, 0)
+    ->Name("patch, default world without talus, objects, caves and ores/vs:classic");
 BENCHMARK_CAPTURE(patch_of_kind, ridged, "ridged")->Name("patch, ridged");
 BENCHMARK_CAPTURE(patch_of_kind, ridged_vs, "perlin")->Name("patch, ridged/vs:perlin");
 BENCHMARK_CAPTURE(patch_of_kind, warped, "warped")->Name("patch, warped");

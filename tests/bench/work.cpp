@@ -46,6 +46,23 @@ void count_whole() {
   talus_counted_work([&] { generator.generate({0, 0, 200, 200, Lod{}}, stacks); });
 }
 
+void count_default(int level) {
+  terrain::Generator generator{terrain::default_world()};
+  terrain::Stacks stacks;
+  const terrain::Region patch{-2000 >> level, -6200 >> level, 96, 96, Lod::of(level)};
+  generator.generate(patch, stacks);
+  talus_counted_work([&] { generator.generate(patch, stacks); });
+}
+
+void count_default_slabs() {
+  const auto& world = terrain::default_world();
+  const auto stacks = generate_stacks(world, {-62 * kChunkSize, -194 * kChunkSize, 96, 96, Lod{}});
+  const terrain::MixedRange rows = mixed_range(world, stacks, -61, -193);
+  talus_counted_work([&] {
+    for (std::int32_t y = rows.first; y <= rows.last; ++y) (void)extract_chunk(world, stacks, {-61, y, -193});
+  });
+}
+
 void count_slabs() {
   const auto& world = bench::classic_world();
   const auto stacks = generate_stacks(world, {0, 0, 128, 128, Lod{}});
@@ -118,6 +135,9 @@ int main(int argc, char** argv) {
                                   {"settle", count_settle},
                                   {"whole", count_whole},
                                   {"slabs", count_slabs},
+                                  {"default", [] { count_default(0); }},
+                                  {"default_level_3", [] { count_default(3); }},
+                                  {"default_slabs", count_default_slabs},
                                   {"encode", count_encode},
                                   {"decode", count_decode},
                                   {"voxelise", count_voxelise},
