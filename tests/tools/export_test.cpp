@@ -69,7 +69,7 @@ nlohmann::json exported_json() {
 
 TEST_CASE("An export has exactly the files and shapes that it promises") {
   const auto json = exported_json();
-  CHECK(exported().file_count() == 11);
+  CHECK(exported().file_count() == 12);
   for (const char* name : {"surface.npy", "slope.npy", "apron.npy", "look.npy"}) {
     CHECK(shape_of(exported() / name) == "(50, 70)");
   }
@@ -115,9 +115,26 @@ TEST_CASE("export.json says what the arrays mean") {
   CHECK(json.size() == 16);
 }
 
+TEST_CASE("objects.json has every object of the region, which voxels.npy shows") {
+  const terrain::World& world = terrain::default_world();
+  const auto json = nlohmann::json::parse(read_whole(exported() / "objects.json"));
+  const terrain::Stacks stacks = generate_stacks(world, kRegion);
+  std::size_t inside = 0;
+  for (const terrain::PlacedObject& object : stacks.objects) {
+    if (object.x < kRegion.x || object.x >= kRegion.x + kRegion.width) continue;
+    if (object.z < kRegion.z || object.z >= kRegion.z + kRegion.depth) continue;
+    ++inside;
+    CHECK(std::any_of(json.begin(), json.end(), [&](const auto& told) {
+      return told["kind"] == world.object_kinds()[object.kind].name && told["x"] == object.x &&
+             told["y"] == object.y && told["z"] == object.z && told["turn"] == object.turn;
+    }));
+  }
+  CHECK(json.size() == inside);
+}
+
 TEST_CASE("export.json documents every array as it is") {
   const auto json = exported_json();
-  CHECK(json["arrays"].size() + 1 == exported().file_count());
+  CHECK(json["arrays"].size() + 2 == exported().file_count());
   for (const auto& [file, array] : json["arrays"].items()) {
     CAPTURE(file);
     const std::string header = read_whole(exported() / file).substr(0, kNpyHeaderBytes);
@@ -188,7 +205,7 @@ TEST_CASE("An export does not depend on threads or patches, and replaces an olde
   const ScratchDirectory scratch;
   REQUIRE(export_to(scratch.path(), {.threads = 3, .patch_edge = 128}));
   REQUIRE(export_to(scratch.path(), {.threads = 2, .patch_edge = 13}));
-  CHECK(scratch.file_count() == 11);
+  CHECK(scratch.file_count() == 12);
   for (const auto& file : std::filesystem::directory_iterator{exported().path()}) {
     CAPTURE(file.path().filename().string());
     const bool same = read_whole(scratch.path() / file.path().filename()) == read_whole(file.path());

@@ -21,6 +21,13 @@ bool World::has_objects() const {
                      [](const auto& feature) { return feature->stands(); });
 }
 
+std::vector<ObjectKindName> World::object_kinds() const {
+  for (const auto& feature : features_) {
+    if (feature->stands()) return feature->object_kinds();
+  }
+  return {};
+}
+
 int World::feature_halo(Lod lod) const {
   int halo = 0;
   for (const auto& feature : features_) halo = std::max(halo, feature->halo(lod));

@@ -188,6 +188,7 @@ class Feature {
                             std::vector<Overlay>& /*overlays*/) const {}
   /// Whether place() is called and its objects are kept in Stacks::objects. At most one feature stands.
   [[nodiscard]] virtual bool stands() const { return false; }
+  [[nodiscard]] virtual std::vector<ObjectKindName> object_kinds() const { return {}; }
   virtual void place(const StandingGround& /*ground*/, std::vector<PlacedObject>& /*objects*/) const {}
   /// The voxels of Stacks::objects in a chunk, by rising index, each once.
   virtual void add_overrides(const ChunkSite& /*site*/, std::vector<Override>& /*overrides*/) const {}

@@ -87,6 +87,7 @@ Expected<void> export_region(const terrain::World& world, const terrain::Region&
   const PatchWriter writer{plan, *arrays};
   progress.expect(region.columns());
   std::int32_t rows = 0;
+  std::vector<terrain::PlacedObject> objects;
   Expected<void> outcome;
   const auto produce = [&](std::size_t index) { return writer.write(grid.patch(index)); };
   work_in_order(grid.count(), thread_count(options.threads), produce,
@@ -96,6 +97,7 @@ Expected<void> export_region(const terrain::World& world, const terrain::Region&
                     return false;
                   }
                   rows = std::max(rows, patch->rows);
+                  objects.insert(objects.end(), patch->objects.begin(), patch->objects.end());
                   progress.advance(grid.patch(index).columns());
                   return true;
                 });
@@ -103,6 +105,14 @@ Expected<void> export_region(const terrain::World& world, const terrain::Region&
   const auto all_rows = static_cast<std::size_t>(rows);
   if (auto done = finish(plan, *arrays, all_rows); !done) return outcome_of(done);
   if (auto done = remove_left_out(plan, directory); !done) return done;
+  std::filesystem::remove(directory / "objects.json", made);  // of an earlier export
+  if (world.has_objects()) {
+    auto list = files::AtomicFile::create(directory / "objects.json");
+    if (!list) return tl::make_unexpected(list.error());
+    const std::string told = objects_json(plan, std::move(objects));
+    if (auto done = list->write_at(0, std::as_bytes(std::span{told})); !done) return outcome_of(done);
+    if (auto done = list->commit(); !done) return outcome_of(done);
+  }
   const std::string text = export_json(plan, all_rows);
   if (auto done = json->write_at(0, std::as_bytes(std::span{text})); !done) return outcome_of(done);
   return outcome_of(json->commit());

@@ -39,6 +39,8 @@ struct ExportOptions {
 ///                then loose material bottom up, which is heaviest first, then the sea's topmost voxel
 /// - fields.npy   int32[f][z][x]: quantities of the base column by PlaceSampler, times 65536, rounded to even
 /// - look.npy     uint8[z][x]: the column's look, in worlds with looks
+/// - objects.json in worlds with objects: those whose foot is in the region, and from level 3 on those that a
+///                column sees (docs/DESIGN.md, "Objects"): kind, model, variant, foot, quarter turns, hash
 /// - voxels.npy   uint8[y][z][x] (uint16 where the world has ids over 255), material ids, from row y0 up to
 ///                the highest voxel that is not air; y0 is 0, and -1 at coarse levels
 /// - export.json  the world's numbers, names, and of each array shape, dtype, axes, unit and meaning

@@ -1,5 +1,11 @@
 #include "export_json.h"
 
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <tuple>
+#include <utility>
+
 #include <nlohmann/json.hpp>
 
 namespace talus::tools {
@@ -106,6 +112,31 @@ std::string export_json(const ExportPlan& plan, std::size_t rows) {
   if (world.look_names().size() > 1) json["looks"] = world.look_names();
   json["arrays"] = told_arrays(plan, rows);
   return json.dump(2) + "\n";
+}
+
+std::string objects_json(const ExportPlan& plan, std::vector<terrain::PlacedObject> objects) {
+  const auto place = [](const terrain::PlacedObject& object) {
+    return std::tuple{object.kind, object.z, object.x, object.seen_z, object.seen_x};
+  };
+  std::sort(objects.begin(), objects.end(),
+            [&](const auto& a, const auto& b) { return place(a) < place(b); });
+  const std::vector<terrain::ObjectKindName> kinds = plan.world->object_kinds();
+  Json json = Json::array();
+  for (const terrain::PlacedObject& object : objects) {
+    std::array<char, 17> hash{};
+    std::snprintf(hash.data(), hash.size(), "%016llx", static_cast<unsigned long long>(object.hash));
+    Json told{{"kind", kinds[object.kind].name},
+              {"model", kinds[object.kind].model},
+              {"variant", object.variant},
+              {"x", object.x},
+              {"y", object.y},
+              {"z", object.z},
+              {"turn", object.turn},
+              {"hash", hash.data()}};
+    if (plan.region.lod.value() > 2) told["seen"] = {object.seen_x, object.seen_z};
+    json.push_back(std::move(told));
+  }
+  return json.dump(1) + "\n";
 }
 
 }  // namespace talus::tools

@@ -105,6 +105,17 @@ Expected<PatchSummary> PatchWriter::write(const terrain::Region& patch) const {
     if (!rows) return tl::unexpected{Failure{rows.error()}};
     summary.rows = *rows;
   }
+  const auto inside = [&](std::int64_t place, std::int64_t first, int count) {
+    const std::int64_t column = (place >> patch.lod.value()) - first;
+    return column >= 0 && column < count;
+  };
+  for (const terrain::PlacedObject& object : terrain.objects) {
+    const bool seen_alone = patch.lod.value() > 2;
+    if (inside(seen_alone ? object.seen_x : object.x, patch.x, patch.width) &&
+        inside(seen_alone ? object.seen_z : object.z, patch.z, patch.depth)) {
+      summary.objects.push_back(object);
+    }
+  }
   return summary;
 }
 

@@ -15,10 +15,10 @@
 
 namespace talus::tools {
 
-/// What the whole export must know of a patch; it comes to one thread, in the order of patches. Lists that
-/// are no arrays, as that of objects would be, belong here.
+/// What the whole export must know of a patch; it comes to one thread, in the order of patches.
 struct PatchSummary {
-  std::int32_t rows = 0;  // of voxels from y0 up to the highest that is not air
+  std::int32_t rows = 0;                       // of voxels from y0 up to the highest that is not air
+  std::vector<terrain::PlacedObject> objects;  // that stand in the patch, or are seen there alone
 };
 
 /// Any threads may write patches at once. Plan and files must outlive it.

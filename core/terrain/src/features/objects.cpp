@@ -94,6 +94,12 @@ void Objects::write_canonical_form(std::ostream& form) const {
   }
 }
 
+std::vector<ObjectKindName> Objects::object_kinds() const {
+  std::vector<ObjectKindName> names;
+  for (const ObjectKind& kind : kinds_) names.push_back({kind.name, kind.model});
+  return names;
+}
+
 int Objects::halo(Lod lod) const {
   if (lod.value() > kLastEnumerated.value()) return 0;
   int reach = 0;
@@ -328,6 +334,7 @@ class ObjectReader {
     kind.seed = named_seed(section_.spec().seed, ".object " + kind.name);
     const auto form = table.choice(
         "model", {"conifer", "broadleaf", "acacia", "jungle_tree", "dead_tree", "cactus", "boulder", "bush"});
+    kind.model = kModelForms[form].name;
     std::vector<std::string_view> keys{"name",  "model", "spacing", "chance",
                                        "looks", "where", "clumps",  "in_water"};
     for (const std::string_view part : kModelForms[form].parts) {

@@ -19,6 +19,7 @@ enum class Clumps : std::uint8_t { none, woods, groves };
 /// Where objects of a kind stand: one candidate in each square cell of the endless plane.
 struct ObjectKind {
   std::string name;
+  std::string model;
   std::uint64_t seed = 0;
   int spacing = 0;              // base columns: the edge of a cell
   std::int32_t chance_q16 = 0;  // of a candidate
@@ -35,12 +36,11 @@ class Objects final : public Feature {
  public:
   Objects(std::vector<ObjectKind> kinds, RotatedNoise clumps) : kinds_{std::move(kinds)}, clumps_{clumps} {}
 
-  [[nodiscard]] const std::vector<ObjectKind>& kinds() const { return kinds_; }
-
   void write_canonical_form(std::ostream& form) const override;
   [[nodiscard]] int halo(Lod lod) const override;
   [[nodiscard]] OverlayRows overlay_rows(Lod lod) const override;
   [[nodiscard]] bool stands() const override { return true; }
+  [[nodiscard]] std::vector<ObjectKindName> object_kinds() const override;
   void place(const StandingGround& ground, std::vector<PlacedObject>& objects) const override;
   void add_overrides(const ChunkSite& site, std::vector<Override>& overrides) const override;
   void add_tops(const Stacks& stacks, std::span<MaterialId> materials,

@@ -27,10 +27,10 @@ struct Terrain {
   std::vector<MaterialId> strata_materials;  // bottom up, neighbours of one material merged
   std::vector<Field> strata;                 // tops of all planes, cut at H; the last equals H
   std::vector<Field> loose;                  // settled thickness, in the order of World::loose()
-  std::vector<Field> place;      // t(x, z) of each: what a place allows before the slope takes its part
+  std::vector<Field> place;           // t(x, z) of each: what a place allows before the slope takes its part
   std::vector<PlacedObject> objects;  // whose voxels may lie over the region
-  std::vector<LookField> looks;  // of each column, by each of PlacesSpec::looks
-  CaveAir caves;                 // not cut out of surface and strata, but for erosion's entrances
+  std::vector<LookField> looks;       // of each column, by each of PlacesSpec::looks
+  CaveAir caves;                      // not cut out of surface and strata, but for erosion's entrances
 };
 
 /// Halo columns of surface around a region at `lod`: max over the loose materials of ceil(t_l / c); with the

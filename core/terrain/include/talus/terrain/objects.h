@@ -2,12 +2,19 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 
 namespace talus::terrain {
 
+/// A kind of objects, as its section of world.toml has it.
+struct ObjectKindName {
+  std::string name;
+  std::string model;  // "conifer"
+};
+
 /// One object of a region. Where it stands, not its voxels: those are its model's.
 struct PlacedObject {
-  std::uint16_t kind = 0;    // of World::object_names()
+  std::uint16_t kind = 0;    // of World::object_kinds()
   std::uint8_t variant = 0;  // of its kind
   std::uint8_t turn = 0;     // quarter turns
   std::int64_t x = 0;        // base voxel of its foot, the first above the ground

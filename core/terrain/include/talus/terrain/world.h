@@ -14,6 +14,7 @@
 
 #include <talus/terrain/field.h>
 #include <talus/terrain/height_map.h>
+#include <talus/terrain/objects.h>
 #include <talus/terrain/places_spec.h>
 #include <talus/terrain/regions_spec.h>
 #include <talus/voxel/content_hash.h>
@@ -207,6 +208,8 @@ class World {
   [[nodiscard]] bool has_caves() const;
   /// Whether objects stand on the ground.
   [[nodiscard]] bool has_objects() const;
+  /// PlacedObject::kind is a place in it.
+  [[nodiscard]] std::vector<ObjectKindName> object_kinds() const;
   /// Air, water, stratified, eroded, those of features; materials()[to_integer(id)] is the material of that
   /// id.
   [[nodiscard]] const std::vector<Material>& materials() const { return materials_; }
