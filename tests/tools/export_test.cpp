@@ -12,6 +12,7 @@
 #include <talus/files/npy_file.h>
 #include <talus/terrain/boundary_row.h>
 #include <talus/terrain/extraction.h>
+#include <talus/terrain/generator.h>
 #include <talus/terrain/places.h>
 #include <talus/terrain/settle.h>
 #include <catch2/catch.hpp>
@@ -118,7 +119,7 @@ TEST_CASE("export.json says what the arrays mean") {
 TEST_CASE("objects.json has every object of the region, which voxels.npy shows") {
   const terrain::World& world = terrain::default_world();
   const auto json = nlohmann::json::parse(read_whole(exported() / "objects.json"));
-  const terrain::Stacks stacks = generate_stacks(world, kRegion);
+  const terrain::Stacks stacks = terrain::generate_stacks(world, kRegion);
   std::size_t inside = 0;
   for (const terrain::PlacedObject& object : stacks.objects) {
     if (object.x < kRegion.x || object.x >= kRegion.x + kRegion.width) continue;
