@@ -121,7 +121,7 @@ class Sheet {
     if (world_.sea_fx()) facts += "   \u00B7   sea at " + counted(*world_.sea_fx() / terrain::kSubvoxels);
     facts += "   \u00B7   centre " + counted(x_) + ", " + counted(z_);
     canvas_.text(kMargin + kInside, y_, facts, kWords, kPale, Align::right);
-    y_ += 22;
+    y_ += 26;
     canvas_.fill({kMargin, y_, kInside, 2}, kInk);
   }
 
