@@ -44,7 +44,7 @@ TEST_CASE("talus-gen explains itself") {
   CHECK(talus_gen("--help").exit_code == 0);
   CHECK_THAT(talus_gen("--version").output, Catch::StartsWith("talus-gen "));
   for (const char* command : {"map", "section", "export", "hash", "vox", "gallery", "table1", "likeness",
-                              "lod-error", "find", "quality"}) {
+                              "lod-error", "preview", "find", "quality"}) {
     const Outcome outcome = talus_gen(std::string{command} + " --help");
     CHECK(outcome.exit_code == 0);
     CHECK_THAT(outcome.output, Catch::Contains("--world"));
@@ -188,6 +188,25 @@ TEST_CASE("A map of every Nth column is written for any N from 1 to 4096, and no
   check_refused(map + " --every 64 --lod 2", 2, "excludes");
   check_refused("map --center 68719476735,0 --size 20,10 --every 9 -o " + in(scratch, "b.png"), 2,
                 "--center: column x = 68719476824 lies outside the world");
+}
+
+TEST_CASE("preview writes a sheet, and refuses in one line") {
+  const ScratchDirectory scratch;
+  scratch.write("world.toml", talus::test::text_of_world_with_looks());
+  const std::string world = " --world " + in(scratch, "world.toml");
+  const Outcome sheet = talus_gen("preview --center=-300,40 -o " + in(scratch, "a.png") + world);
+  CHECK(sheet.exit_code == 0);
+  CHECK(sheet.output.empty());
+  CHECK_THAT(read_whole(scratch / "a.png"), Catch::StartsWith("\x89PNG\r\n"));
+  CHECK(scratch.file_count() == 2);
+  check_refused("preview" + world, 2, "--output");
+  check_refused("preview --center here -o " + in(scratch, "b.png") + world, 2, "'here' is not a pair");
+  check_refused("preview --center 68719476735,0 -o " + in(scratch, "b.png") + world, 2,
+                "--center: column x = ");
+  check_refused("preview -o " + in(scratch, "missing/b.png") + world, 1, "b.png: cannot write");
+  check_refused("preview -o " + in(scratch, "b.png") + " --world " + in(scratch, "none.toml"), 1,
+                "cannot read the world file");
+  CHECK(scratch.file_count() == 2);
 }
 
 TEST_CASE("quality prints a table or JSON") {

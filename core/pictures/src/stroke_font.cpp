@@ -263,11 +263,13 @@ float text_width(std::string_view text, const TextStyle& style) {
 
 void draw_text(std::string_view text, int x, int y, const TextStyle& style,
                const std::function<void(int, int, float)>& ink) {
-  const float base = static_cast<float>(y) + 1 - style.pen / 2;
-  float at = static_cast<float>(x) + style.pen / 2;
+  // Relative to (x, y), so that a text is the same wherever it stands.
+  const float base = 1 - style.pen / 2;
+  float at = style.pen / 2;
+  const auto moved = [&](int px, int py, float part) { ink(x + px, y + py, part); };
   while (!text.empty()) {
     const Letter& letter = letter_of(take_code(text));
-    draw_letter(letter, std::round(at * 4) / 4, base, style, ink);
+    draw_letter(letter, std::round(at * 4) / 4, base, style, moved);
     at += (letter.width + kGap) * style.size / kCapitals;
   }
 }

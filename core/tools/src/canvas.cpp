@@ -78,7 +78,7 @@ void Canvas::cut(int height) {
 
 std::string fitted(std::string_view words, const pictures::TextStyle& style, int width) {
   std::string text{words};
-  while (text.size() > 1 && text_width(text, style) > static_cast<float>(width)) {
+  while (!words.empty() && text_width(text, style) > static_cast<float>(width)) {
     // Letters of several bytes go whole.
     std::size_t end = words.size() - 1;
     while (end > 0 && (static_cast<unsigned char>(words[end]) & 0xC0U) == 0x80) --end;

@@ -21,9 +21,10 @@ constexpr std::array kMuch{ScaleColour{242, 238, 226}, ScaleColour{222, 190, 150
 constexpr std::array kPeaks{ScaleColour{242, 238, 226}, ScaleColour{186, 190, 196},
                             ScaleColour{110, 118, 138}, ScaleColour{42, 46, 70}};
 constexpr std::array kDepths{ScaleColour{24, 48, 88}, ScaleColour{52, 98, 148}, ScaleColour{130, 178, 206}};
-constexpr std::array kElevations{ScaleColour{126, 160, 104}, ScaleColour{196, 196, 134},
-                                 ScaleColour{206, 168, 112}, ScaleColour{158, 116, 88},
-                                 ScaleColour{170, 160, 156}, ScaleColour{250, 250, 250}};
+constexpr std::array kElevations{ScaleColour{112, 150, 98},  ScaleColour{150, 176, 112},
+                                 ScaleColour{198, 196, 138}, ScaleColour{204, 166, 112},
+                                 ScaleColour{160, 118, 92},  ScaleColour{176, 166, 162},
+                                 ScaleColour{252, 252, 252}};
 
 }  // namespace
 
@@ -48,11 +49,11 @@ ColourScale scale_of(std::string_view name) {
   return {kEven};
 }
 
-ColourScale depths() {
-  return {kDepths};
-}
-ColourScale elevations() {
-  return {kElevations};
+terrain::Colour colour_of_height(float height, float low, float high, bool sea) {
+  if (sea && height < 0) return ColourScale{kDepths}.at(1 - height / std::min(low, -1.0F));
+  const float bottom = sea ? std::max(low, 0.0F) : low;
+  // Most land is low.
+  return ColourScale{kElevations}.at(std::sqrt((height - bottom) / std::max(high - bottom, 1e-3F)));
 }
 
 }  // namespace talus::tools

@@ -17,8 +17,7 @@ struct ColourScale {
 
 /// That of a quantity or field by its name (places.h); of unknown ones, one that is pale in the middle.
 [[nodiscard]] ColourScale scale_of(std::string_view name);
-/// Below the sea, and above it.
-[[nodiscard]] ColourScale depths();
-[[nodiscard]] ColourScale elevations();
+/// That of a height between the lowest and the highest; heights below 0 are under water where there is a sea.
+[[nodiscard]] terrain::Colour colour_of_height(float height, float low, float high, bool sea);
 
 }  // namespace talus::tools

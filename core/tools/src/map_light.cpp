@@ -13,8 +13,9 @@ const glm::vec3 kMapSky{0.27F, 0.33F, 0.43F};
 const glm::vec3 kClearWater{0.012F, 0.024F, 0.032F};
 // The light that the water's surface lets through, so that a shore shows even where the water is shallow.
 constexpr float kThroughSurface = 0.62F;
+constexpr float kThroughRivers = 0.42F;  // of regions: rivers are shallow, and must show from afar
 // A terrain unit of regions is about a metre; of other surfaces it is as large as a mountain.
-constexpr float kUnitsOfRegions = 450;
+constexpr float kUnitsOfRegions = 110;
 // The seas of regions have shelves and deeps: water grows darker over so many terrain units, down to that
 // light.
 constexpr float kDeepUnits = 28;
@@ -31,12 +32,13 @@ WaterLight::WaterLight(const terrain::World& world) {
   const auto unit_fx = static_cast<float>(terrain::kSubvoxels * spec.resolution);
   const bool regions = spec.surface.regions.has_value();
   lost_a_subvoxel_ = 1.0F / (kClearWater * ((regions ? kUnitsOfRegions : 1.0F) * unit_fx));
+  through_surface_ = regions ? kThroughRivers : kThroughSurface;
   if (regions) darker_a_subvoxel_ = 1.0F / (kDeepUnits * unit_fx);
 }
 
 glm::vec3 WaterLight::over(glm::vec3 bed, glm::vec3 water, std::int64_t depth_fx, Light light) const {
   const auto depth = static_cast<float>(depth_fx);
-  const glm::vec3 through = kThroughSurface * glm::exp(-depth * lost_a_subvoxel_);
+  const glm::vec3 through = through_surface_ * glm::exp(-depth * lost_a_subvoxel_);
   const float deep = kDeepest + (1 - kDeepest) * glm::exp(-depth * darker_a_subvoxel_);
   return lit(water, light) * deep * (1.0F - through) + bed * through;
 }

@@ -24,6 +24,7 @@ class WaterLight {
  private:
   glm::vec3 lost_a_subvoxel_;
   float darker_a_subvoxel_ = 0;
+  float through_surface_ = 0;
 };
 
 /// As a picture shows it: bright light is compressed, so that slopes keep their colour instead of clipping,

@@ -14,62 +14,27 @@
 #include "colour_scale.h"
 #include "column_grid.h"
 #include "map.h"
-#include "map_light.h"
 #include "option_values.h"
+#include "preview_cards.h"
 #include "preview_numbers.h"
+#include "profile.h"
 #include "sampled_map.h"
 #include "section.h"
+#include "sheet_style.h"
 
 namespace talus::tools {
 namespace {
 
-using terrain::Colour;
+using namespace sheet;
 
-constexpr int kMargin = 56;
-constexpr int kMapSide = 616;
-constexpr int kMapGap = 32;
-constexpr int kInside = 3 * kMapSide + 2 * kMapGap;
-constexpr int kSheetWidth = kInside + 2 * kMargin;
 constexpr int kRoom = 6000;  // rows, cut to what is used
 constexpr int kTallestSection = 640;
-constexpr int kSectionUnderground = 56;
+constexpr int kTallestProfile = 460;
+constexpr int kUnderground = 56;  // rows under the lowest ground
+constexpr int kWideUnderground = 40;
 constexpr int kTilesAcross = 9;
 constexpr int kTileGap = 20;
 constexpr int kTileSide = (kInside - (kTilesAcross - 1) * kTileGap) / kTilesAcross;
-constexpr int kCards = 4;
-constexpr int kCardGap = 48;
-constexpr int kCardWidth = (kInside - (kCards - 1) * kCardGap) / kCards;
-constexpr int kLine = 25;
-constexpr int kMostLines = 16;
-
-constexpr Colour kPaper{246, 243, 236};
-constexpr Colour kInk{38, 42, 50};
-constexpr Colour kPale{122, 122, 120};
-constexpr Colour kRule{214, 208, 196};
-constexpr Colour kBar{168, 160, 146};
-
-constexpr pictures::TextStyle kHeading{30, 3.2F};
-constexpr pictures::TextStyle kTitle{15, 2};
-constexpr pictures::TextStyle kWords{11, 1.4F};
-constexpr pictures::TextStyle kSmall{10, 1.25F};
-
-template <typename... Values>
-std::string words_of(const char* format, Values... values) {
-  std::array<char, 256> text{};
-  std::snprintf(text.data(), text.size(), format, values...);
-  return text.data();
-}
-
-// 39,424: thousands apart.
-std::string counted(std::int64_t number) {
-  std::string digits = std::to_string(std::abs(number));
-  for (std::size_t at = digits.size(); at > 3;) digits.insert(at -= 3, ",");
-  return number < 0 ? "\u2212" + digits : digits;
-}
-
-std::string signed_number(double number) {
-  return counted(std::lround(number));
-}
 
 // A quantity as the pictures of it need it.
 struct Tile {
@@ -125,14 +90,14 @@ class Sheet {
         near_{around(Lod{})},
         middle_{around(Lod::of(3))},
         far_{grid_around(x, z, 64, kMapSide, kMapSide)},
-        canvas_{kSheetWidth, kRoom, kPaper} {}
+        canvas_{kWidth, kRoom, kPaper} {}
 
   Expected<Image> draw(const std::string& name) {
     heading(name);
     maps();
-    if (auto drawn = section(); !drawn) return tl::make_unexpected(drawn.error());
+    if (auto drawn = sections(); !drawn) return tl::make_unexpected(drawn.error());
     tiles();
-    cards();
+    numbers();
     canvas_.cut(y_ + kMargin);
     return canvas_.image();
   }
@@ -146,7 +111,9 @@ class Sheet {
 
   void heading(const std::string& name) {
     y_ = kMargin + 30;
-    canvas_.text(kMargin, y_, fitted(name, kHeading, kInside - 700), kHeading, kInk);
+    std::string spoken = name;
+    std::replace(spoken.begin(), spoken.end(), '_', ' ');
+    canvas_.text(kMargin, y_, fitted(spoken, kHeading, kInside - 900), kHeading, kInk);
     const terrain::WorldSpec& spec = world_.spec();
     std::string facts = "seed " + std::to_string(spec.seed) + "   \u00B7   " + name_of(spec.surface.kind) +
                         "   \u00B7   " + words_of("%d", spec.resolution) +
@@ -154,15 +121,8 @@ class Sheet {
     if (world_.sea_fx()) facts += "   \u00B7   sea at " + counted(*world_.sea_fx() / terrain::kSubvoxels);
     facts += "   \u00B7   centre " + counted(x_) + ", " + counted(z_);
     canvas_.text(kMargin + kInside, y_, facts, kWords, kPale, Align::right);
-    y_ += 22;
+    y_ += 26;
     canvas_.fill({kMargin, y_, kInside, 2}, kInk);
-  }
-
-  // A title with a remark behind it, on a line of its own.
-  void title(int x, int y, int width, const std::string& words, const std::string& remark) {
-    canvas_.text(x, y, words, kTitle, kInk);
-    const int used = static_cast<int>(text_width(words, kTitle)) + 16;
-    canvas_.text(x + used, y, fitted(remark, kSmall, width - used), kSmall, kPale);
   }
 
   void maps() {
@@ -190,7 +150,7 @@ class Sheet {
     }
     int x = kMargin;
     for (const Map& map : all) {
-      title(x, y_, kMapSide, map.words, counted(map.every * kMapSide) + " columns across");
+      title(canvas_, x, y_, kMapSide, map.words, counted(map.every * kMapSide) + " columns across");
       const Box box{x, y_ + 16, kMapSide, kMapSide};
       canvas_.picture(box.x, box.y, map.image);
       if (map.every > 1) mark(box);
@@ -198,9 +158,11 @@ class Sheet {
       canvas_.frame(box, kInk);
       x += kMapSide + kMapGap;
     }
-    // Where the section runs: through the middle of the first map, and as far as it goes on the second.
-    for (int i = 0; i < kMapSide; i += 12) {
-      canvas_.fill({kMargin + i, y_ + 16 + kMapSide / 2, 6, 1}, {255, 255, 255}, 0.7F);
+    // Where the sections run: through the middle of both maps.
+    for (const int map_x : {kMargin, kMargin + kMapSide + kMapGap}) {
+      for (int i = 0; i < kMapSide; i += 12) {
+        canvas_.fill({map_x + i, y_ + 16 + kMapSide / 2, std::min(6, kMapSide - i), 1}, kWhite, 0.7F);
+      }
     }
     y_ += 16 + kMapSide;
   }
@@ -209,63 +171,89 @@ class Sheet {
   void mark(const Box& box) {
     const int side = kMapSide / 8;
     const Box inner{box.x + (kMapSide - side) / 2, box.y + (kMapSide - side) / 2, side, side};
-    canvas_.frame({inner.x - 1, inner.y - 1, side + 2, side + 2}, {20, 24, 30});
-    canvas_.frame(inner, {255, 255, 255}, 2);
-    canvas_.frame({inner.x + 2, inner.y + 2, side - 4, side - 4}, {20, 24, 30});
+    canvas_.frame({inner.x - 1, inner.y - 1, side + 2, side + 2}, kNight);
+    canvas_.frame(inner, kWhite, 2);
+    canvas_.frame({inner.x + 2, inner.y + 2, side - 4, side - 4}, kNight);
   }
 
   void scale_bar(const Box& box, std::int64_t columns, std::int64_t every) {
     const int length = static_cast<int>(columns / every);
     const int x = box.x + 16;
     const int y = box.y + box.height - 18;
-    canvas_.fill({x - 2, y - 2, length + 4, 8}, {20, 24, 30}, 0.55F);
-    canvas_.fill({x, y, length, 4}, {255, 255, 255});
-    canvas_.text_on_picture(x + length + 10, y + 5, counted(columns), kSmall);
+    const int words = static_cast<int>(text_width(counted(columns), kSmall));
+    canvas_.fill({x - 8, y - 10, length + words + 26, 20}, kNight, 0.5F);
+    canvas_.fill({x, y - 2, length, 4}, kWhite);
+    canvas_.text(x + length + 10, y + 4, counted(columns), kSmall, kWhite);
   }
 
-  Expected<void> section() {
+  // Rows of base voxels that a cut shows.
+  [[nodiscard]] ProfileRows rows_of(const std::vector<std::int32_t>& heights_fx, int underground, int tallest,
+                                    bool may_squeeze) const {
+    const auto [lowest, highest] = std::minmax_element(heights_fx.begin(), heights_fx.end());
+    const int top = std::max(*highest, zero_fx()) / terrain::kSubvoxels + 40;
+    const int low = std::max(-8, std::min(*lowest, zero_fx()) / terrain::kSubvoxels - underground);
+    const int step = may_squeeze ? (top - low + tallest - 1) / tallest : 1;
+    const int rows = std::min(tallest, (top - low) / step);
+    return {top - rows * step, rows, step};
+  }
+
+  Expected<void> sections() {
+    const terrain::Region wide{(x_ >> 3) - kInside / 2, z_ >> 3, kInside, 1, Lod::of(3)};
+    const auto wide_heights =
+        sample_columns(world_, {wide.x * 8, wide.z * 8, 8, kInside, 1}).heights_fx.values;
+    const ProfileRows wide_rows =
+        rows_of({wide_heights.begin(), wide_heights.end()}, kWideUnderground, kTallestProfile, true);
+    {
+      ProgressBar progress{"preview: long section", "columns"};
+      cut("Long section",
+          words_of("west to east through the centre, %s columns, heights %s", counted(kInside * 8).c_str(),
+                   wide_rows.step == 1 ? "8 times larger" : words_of("%d : 8", wide_rows.step).c_str()),
+          render_profile(world_, wide, wide_rows, options_.threads, progress), wide_rows);
+    }
     const terrain::Region line{x_ - kInside / 2, z_, kInside, 1, Lod{}};
     ProgressBar progress{"preview: section", "columns"};
-    auto cut = render_section(world_, line, {.threads = options_.threads}, progress);
-    if (!cut) return tl::make_unexpected(cut.error());
+    const auto whole = render_section(world_, line, {.threads = options_.threads}, progress);
+    if (!whole) return tl::make_unexpected(whole.error());
     const auto heights = sample_columns(world_, {line.x, line.z, 1, kInside, 1}).heights_fx.values;
-    const auto [lowest, highest] = std::minmax_element(heights.begin(), heights.end());
+    ProfileRows rows = rows_of({heights.begin(), heights.end()}, kUnderground, kTallestSection, false);
     // Row 0 is that many pixels over the picture's lower edge (section.h).
     constexpr int kUnderZero = 8;
-    const int top_row = std::max(*highest, zero_fx()) / terrain::kSubvoxels + 40;
-    const int low_row =
-        std::max({-kUnderZero, std::min(*lowest, zero_fx()) / terrain::kSubvoxels - kSectionUnderground,
-                  top_row - kTallestSection});
-    const int first = std::max(0, cut->height - kUnderZero - top_row);
-    const int rows = std::min(cut->height - first, top_row - low_row);
-    Image shown{kInside, rows};
-    for (int y = 0; y < rows; ++y) {
-      for (int x = 0; x < kInside; ++x) shown.set(x, y, cut->at(x, first + y));
+    const int first = std::max(0, whole->height - kUnderZero - (rows.low + rows.rows));
+    rows.rows = std::min(rows.rows, whole->height - first);
+    rows.low = whole->height - kUnderZero - first - rows.rows;
+    Image shown{kInside, rows.rows};
+    for (int y = 0; y < rows.rows; ++y) {
+      for (int x = 0; x < kInside; ++x) shown.set(x, y, whole->at(x, first + y));
     }
-    y_ += 48;
-    title(
-        kMargin, y_, kInside, "Section",
-        words_of("west to east through the centre, one voxel a pixel, %s columns", counted(kInside).c_str()));
-    const Box box{kMargin, y_ + 16, kInside, rows};
-    canvas_.picture(box.x, box.y, shown);
-    // Heights over the sea at the left edge.
-    const int zero_row = zero_fx() / terrain::kSubvoxels;
-    const int row_at_top = cut->height - kUnderZero - first;
-    for (int height = -1000; height <= 2000; height += 50) {
-      const int y = row_at_top - (zero_row + height);
-      if (y < 14 || y > rows - 4) continue;
-      canvas_.fill({box.x, box.y + y, 12, 1}, {255, 255, 255});
-      canvas_.fill({box.x, box.y + y + 1, 12, 1}, {20, 24, 30}, 0.5F);
-      canvas_.text_on_picture(box.x + 18, box.y + y + 5, signed_number(height), kSmall);
-    }
-    // Where the first map ends on both sides.
-    for (const int x : {(kInside - kMapSide) / 2, (kInside + kMapSide) / 2}) {
-      for (int y = 0; y < rows; y += 12) canvas_.fill({box.x + x, box.y + y, 1, 6}, {255, 255, 255}, 0.6F);
-    }
-    canvas_.frame(box, kInk);
-    y_ += 16 + rows;
+    cut("Section", words_of("the middle of it, one voxel a pixel, %s columns", counted(kInside).c_str()),
+        shown, rows);
     layers();
     return {};
+  }
+
+  void cut(const char* words, const std::string& remark, const Image& image, const ProfileRows& rows) {
+    y_ += 48;
+    title(canvas_, kMargin, y_, kInside, words, remark);
+    const Box box{kMargin, y_ + 16, kInside, rows.rows};
+    canvas_.picture(box.x, box.y, image);
+    // Heights over the sea at the left edge.
+    const int zero_row = zero_fx() / terrain::kSubvoxels;
+    const int apart = rows.rows * rows.step > 500 ? 100 : 50;
+    for (int height = -32 * apart; height <= 640 * apart; height += apart) {
+      const int y = rows.rows - (zero_row + height - rows.low) / rows.step;
+      if (y < 14 || y > rows.rows - 4) continue;
+      canvas_.fill({box.x, box.y + y, 12, 1}, kWhite);
+      canvas_.fill({box.x, box.y + y + 1, 12, 1}, kNight, 0.5F);
+      canvas_.text_on_picture(box.x + 18, box.y + y + 5, rounded(height), kSmall);
+    }
+    // Where the map of the same columns ends on both sides.
+    for (const int x : {(kInside - kMapSide) / 2, (kInside + kMapSide) / 2}) {
+      for (int y = 0; y < rows.rows; y += 12) {
+        canvas_.fill({box.x + x, box.y + y, 1, std::min(6, rows.rows - y)}, kWhite, 0.6F);
+      }
+    }
+    canvas_.frame(box, kInk);
+    y_ += 16 + rows.rows;
   }
 
   // The layers' colours and names from the bottom up, then loose material.
@@ -283,22 +271,17 @@ class Sheet {
         x = kMargin;
         y_ += 24;
       }
-      swatch(x, y_, material.colour);
+      swatch(canvas_, x, y_, material.colour);
       canvas_.text(x + 20, y_, material.name, kSmall, kInk);
       x += width + 22;
     }
   }
 
-  void swatch(int x, int y, Colour colour) {
-    canvas_.fill({x, y - 12, 14, 14}, colour);
-    canvas_.frame({x, y - 12, 14, 14}, kInk);
-  }
-
   void tiles() {
-    y_ += 52;
     const std::vector<std::string> names = names_in_order(world_);
-    title(kMargin, y_, kInside, names.size() > 1 ? "Fields and quantities" : "Heights",
-          "of the largest map, with its coasts");
+    if (names.size() < 2) return;  // the maps show heights better
+    y_ += 52;
+    title(canvas_, kMargin, y_, kInside, "Fields and quantities", "of the largest map, with its coasts");
     const std::int64_t every = (far_.every * kMapSide + kTileSide - 1) / kTileSide;
     const ColumnSamples samples =
         sample_columns(world_, grid_around(x_, z_, every, kTileSide, kTileSide), names);
@@ -309,53 +292,42 @@ class Sheet {
       const int x = kMargin + across * (kTileSide + kTileGap);
       tile(x, y_, tile_of(names[n]), samples, samples.values[n]);
     }
-    y_ += kTileSide + 46;
+    y_ += kTileSide + 34;
   }
 
   void tile(int x, int y, const Tile& what, const ColumnSamples& samples, const std::vector<float>& values) {
+    const bool sea = world_.sea_fx().has_value();
     const bool height = what.name == "height" || what.name == "base";
-    const auto [low, high] = std::minmax_element(values.begin(), values.end());
+    const auto [least, most] = std::minmax_element(values.begin(), values.end());
+    const float low = height ? *least : what.low;
+    const float high = height ? *most : what.high;
+    if (what.name == "height") top_ = high;
+    const auto colour_of = [&](float value) {
+      // The plain has no snow: it is seen beside the heights.
+      return height ? colour_of_height(value, low, std::max(high, top_ / 2), sea)
+                    : scale_of(what.name).at((value - low) / (high - low));
+    };
     for (int k = 0; k < kTileSide; ++k) {
       for (int i = 0; i < kTileSide; ++i) {
-        const float value = values[static_cast<std::size_t>(k * kTileSide + i)];
-        canvas_.fill({x + i, y + k, 1, 1},
-                     height ? colour_of_height(value, *low, *high)
-                            : scale_of(what.name).at((value - what.low) / (what.high - what.low)));
+        canvas_.fill({x + i, y + k, 1, 1}, colour_of(values[static_cast<std::size_t>(k * kTileSide + i)]));
         if (coast(samples.heights_fx, i, k)) canvas_.fill({x + i, y + k, 1, 1}, kInk, 0.55F);
       }
     }
     canvas_.frame({x, y, kTileSide, kTileSide}, kInk);
     canvas_.text(x, y + kTileSide + 20, fitted(what.name, kWords, kTileSide - 70), kWords, kInk);
     // The scale lies under the name, its ends at the numbers.
-    const int bar = y + kTileSide + 28;
     for (int i = 0; i < kTileSide; ++i) {
       const float part = static_cast<float>(i) / static_cast<float>(kTileSide - 1);
-      canvas_.fill({x + i, bar, 1, 6}, height ? colour_of_height(*low + part * (*high - *low), *low, *high)
-                                              : scale_of(what.name).at(part));
+      canvas_.fill({x + i, y + kTileSide + 28, 1, 6}, colour_of(low + part * (high - low)));
     }
-    const std::string ends =
-        height ? signed_number(*low) + " to " + signed_number(*high)
-               : words_of("%g to %g", static_cast<double>(what.low), static_cast<double>(what.high));
+    const auto voxels = static_cast<float>(world_.spec().resolution);
+    const std::string ends = height
+                                 ? rounded(voxels * low) + " to " + rounded(voxels * high)
+                                 : words_of("%g to %g", static_cast<double>(low), static_cast<double>(high));
     canvas_.text(x + kTileSide, y + kTileSide + 20, ends, kSmall, kPale, Align::right);
   }
 
-  [[nodiscard]] Colour colour_of_height(float value, float low, float high) const {
-    if (value < 0 && world_.sea_fx()) return depths().at(1 - value / std::min(low, -1.0F));
-    const float bottom = world_.sea_fx() ? 0 : low;
-    return elevations().at(std::sqrt((value - bottom) / std::max(high - bottom, 1e-3F)));
-  }
-
-  // Land at the water.
-  [[nodiscard]] bool coast(const terrain::Field& heights_fx, int i, int k) const {
-    if (!world_.sea_fx() || heights_fx.at(i, k) < *world_.sea_fx()) return false;
-    const auto wet = [&](int x, int z) {
-      return x >= 0 && z >= 0 && x < heights_fx.width && z < heights_fx.depth &&
-             heights_fx.at(x, z) < *world_.sea_fx();
-    };
-    return wet(i - 1, k) || wet(i + 1, k) || wet(i, k - 1) || wet(i, k + 1);
-  }
-
-  void cards() {
+  void numbers() {
     y_ += 44;
     canvas_.fill({kMargin, y_, kInside, 1}, kRule);
     y_ += 40;
@@ -371,125 +343,17 @@ class Sheet {
       ProgressBar progress{"preview: cost", "squares"};
       return measure_cost(world_, {middle_.x * 8, middle_.z * 8, 8, kMapSide, kMapSide}, progress);
     }();
-    const int first = y_;
-    int lowest = y_;
-    const auto card = [&](int index) {
-      y_ = first;
-      return kMargin + index * (kCardWidth + kCardGap);
+    y_ = draw_preview_cards(canvas_, y_, world_, land, tops, cost);
+  }
+
+  // Land at the water.
+  [[nodiscard]] bool coast(const terrain::Field& heights_fx, int i, int k) const {
+    if (!world_.sea_fx() || heights_fx.at(i, k) < *world_.sea_fx()) return false;
+    const auto wet = [&](int x, int z) {
+      return x >= 0 && z >= 0 && x < heights_fx.width && z < heights_fx.depth &&
+             heights_fx.at(x, z) < *world_.sea_fx();
     };
-    const auto end = [&] { lowest = std::max(lowest, y_); };
-    shares(card(0), "Looks", land.looks.empty() ? "this world has none" : "of land, 1 : 64", land.looks);
-    end();
-    shares(card(1), "On top", "materials seen from above, 1 : 8", tops);
-    end();
-    shape(card(2), land);
-    end();
-    costs(card(3), cost);
-    end();
-    y_ = lowest;
-  }
-
-  void shares(int x, const char* words, const char* remark, const std::vector<NamedShare>& all) {
-    title(x, y_, kCardWidth, words, remark);
-    y_ += 14;
-    const double most = all.empty() ? 1 : all.front().share;
-    double rest = 0;
-    for (std::size_t i = 0; i < all.size(); ++i) {
-      if (i + 1 > kMostLines && all.size() > kMostLines) {
-        rest += all[i].share;
-        continue;
-      }
-      y_ += kLine;
-      swatch(x, y_, all[i].colour);
-      canvas_.text(x + 24, y_, fitted(all[i].name, kWords, 176), kWords, kInk);
-      bar(x, all[i].share / most, all[i].colour);
-      percent(x, all[i].share);
-    }
-    if (rest <= 0) return;
-    y_ += kLine;
-    canvas_.text(x + 24, y_, counted(static_cast<std::int64_t>(all.size()) - kMostLines) + " more", kWords,
-                 kPale);
-    percent(x, rest);
-  }
-
-  void bar(int x, double part, Colour colour) {
-    constexpr int kLeft = 212;
-    const int room = kCardWidth - kLeft - 76;
-    const int length = std::max(2, static_cast<int>(std::lround(part * room)));
-    canvas_.fill({x + kLeft, y_ - 11, length, 12}, colour);
-    canvas_.frame({x + kLeft, y_ - 11, length, 12}, kInk);
-  }
-  void percent(int x, double share) {
-    canvas_.text(x + kCardWidth, y_, words_of(share < 0.0995 ? "%.2f %%" : "%.1f %%", 100 * share), kWords,
-                 kInk, Align::right);
-  }
-  void fact(int x, const std::string& words, const std::string& value) {
-    y_ += kLine;
-    canvas_.text(x, y_, words, kWords, kInk);
-    canvas_.text(x + kCardWidth, y_, value, kWords, kInk, Align::right);
-    canvas_.fill({x, y_ + 8, kCardWidth, 1}, kRule);
-  }
-
-  void shape(int x, const LandNumbers& land) {
-    title(x, y_, kCardWidth, "Shape", world_.sea_fx() ? "heights over the sea, 1 : 64" : "heights, 1 : 64");
-    // A bar a step of height; square roots, or the plains would hide the peaks.
-    constexpr int kChart = 120;
-    y_ += 22;
-    const double most = *std::max_element(land.heights.begin(), land.heights.end());
-    const auto steps = static_cast<int>(land.heights.size());
-    const auto low = static_cast<float>(land.deepest.voxels);
-    const auto high = static_cast<float>(land.highest.voxels);
-    for (int i = 0; i < kCardWidth; ++i) {
-      const double share = land.heights[static_cast<std::size_t>(i * steps / kCardWidth)];
-      const int length = static_cast<int>(std::lround(std::sqrt(share / most) * kChart));
-      const float height = low + (high - low) * static_cast<float>(i) / kCardWidth;
-      canvas_.fill({x + i, y_ + kChart - length, 1, length}, colour_of_height(height, low, high));
-    }
-    canvas_.fill({x, y_ + kChart, kCardWidth, 1}, kInk);
-    y_ += kChart + 18;
-    canvas_.text(x, y_, signed_number(land.deepest.voxels), kSmall, kPale);
-    canvas_.text(x + kCardWidth, y_, signed_number(land.highest.voxels), kSmall, kPale, Align::right);
-    if (low < 0 && high > 0 && world_.sea_fx()) {
-      const int sea = x + static_cast<int>(std::lround(-low / (high - low) * kCardWidth));
-      if (sea > x + 50 && sea < x + kCardWidth - 50) canvas_.text(sea, y_, "0", kSmall, kPale, Align::middle);
-    }
-    y_ += 4;
-    const auto at = [](const HeightAt& place) {
-      return signed_number(place.voxels) + " at " + counted(place.x) + ", " + counted(place.z);
-    };
-    fact(x, "highest", at(land.highest));
-    fact(x, "deepest", at(land.deepest));
-    fact(x, "water", words_of("%.1f %%", 100 * land.water));
-    constexpr std::array kNames{"land above 35\u00B0", "land above 45\u00B0", "land above 60\u00B0"};
-    for (std::size_t d = 0; d < kNames.size(); ++d)
-      fact(x, kNames[d], words_of("%.1f %%", 100 * land.steep[d]));
-    y_ += kLine;
-    canvas_.text(x, y_, "Slopes: every column of 64 squares of 96 \u00D7 96.", kSmall, kPale);
-  }
-
-  void costs(int x, const CostNumbers& cost) {
-    title(x, y_, kCardWidth, "Cost", "16 squares of 128 \u00D7 128 columns, 1 : 8");
-    y_ += 14;
-    fact(x, "ground to stacks", words_of("%.1f ns a column", cost.ns_a_column));
-    fact(x, "stacks to bytes", words_of("%.1f \u00B5s a chunk", cost.ns_a_chunk / 1000));
-    fact(x, "encoded", words_of("%.0f bytes a chunk", cost.bytes_a_chunk));
-    fact(x, "largest", counted(cost.most_bytes) + " bytes");
-    fact(x, "chunks over 32 \u00D7 32 columns", words_of("%.2f", cost.chunks_a_column));
-    y_ += kLine;
-    canvas_.text(x, y_, "CPU time of one thread, measured on this machine", kSmall, kPale);
-    y_ += 20;
-    canvas_.text(x, y_, "as the sheet was drawn. Chunks that are not uniform.", kSmall, kPale);
-    y_ += 36;
-    title(x, y_, kCardWidth, "World", "");
-    y_ += 14;
-    const auto facts_of = [](std::size_t number) { return counted(static_cast<std::int64_t>(number)); };
-    fact(x, "materials", facts_of(world_.materials().size()));
-    fact(x, "layers of rock", facts_of(world_.strata().size()));
-    fact(x, "features", facts_of(world_.features().size()));
-    fact(x, "halo", counted(world_.halo()) + " columns");
-    fact(x, "generator version", words_of("%d", to_integer(world_.generator_version())));
-    const std::string hash = to_string(world_.fingerprint());
-    fact(x, "fingerprint", hash.substr(0, 16));
+    return wet(i - 1, k) || wet(i + 1, k) || wet(i, k - 1) || wet(i, k + 1);
   }
 
   const terrain::World& world_;
@@ -500,6 +364,7 @@ class Sheet {
   terrain::Region middle_;
   ColumnGrid far_;
   Canvas canvas_;
+  float top_ = 0;  // of the heights' tile
   int y_ = 0;
 };
 

@@ -1,25 +1,21 @@
 #include "section.h"
 
 #include <algorithm>
-#include <cmath>
 #include <iterator>
 #include <utility>
 #include <vector>
 
 #include <talus/terrain/extraction.h>
-#include <glm/common.hpp>
 
 #include "ordered_work.h"
 #include "patch_grid.h"
+#include "section_colours.h"
 #include "voxel_grid.h"
 
 namespace talus::tools {
 namespace {
 
 constexpr int kPatchColumns = 256;
-const terrain::Colour kZenith{120, 164, 210};
-const terrain::Colour kHorizon{222, 234, 240};
-const terrain::Colour kUnderRoof{66, 60, 82};  // air in a cave; the sky's colours could be an ore's
 
 struct RowRun {
   MaterialId material{};
@@ -57,11 +53,8 @@ class SectionPainter {
       : lights_{material_lights(world)}, image_{image}, scale_{scale}, bottom_{bottom} {}
 
   void paint_sky() {
-    const glm::vec3 zenith = to_light(kZenith);
-    const glm::vec3 horizon = to_light(kHorizon);
     for (int y = 0; y < image_.height; ++y) {
-      const float down = static_cast<float>(y) / static_cast<float>(image_.height);
-      const terrain::Colour colour = to_colour(glm::mix(zenith, horizon, down));
+      const auto colour = sky_colour(static_cast<float>(y) / static_cast<float>(image_.height));
       for (int x = 0; x < image_.width; ++x) image_.set(x, y, colour);
     }
   }
@@ -73,17 +66,14 @@ class SectionPainter {
       above = run.to;
       const glm::vec3 light = lights_[to_integer(run.material)];
       for (std::int32_t row = run.from; row < run.to; ++row) {
-        fill(column, row, to_colour(run.material == kWater ? light * daylight(run.to - row) : light));
+        fill(column, row,
+             to_colour(run.material == kWater ? light * daylight_under(static_cast<float>(run.to - row))
+                                              : light));
       }
     }
   }
 
  private:
-  // Water darkens with depth.
-  static float daylight(std::int32_t depth_rows) {
-    return 0.6F + 0.8F * std::exp(-static_cast<float>(depth_rows) / 12);
-  }
-
   void fill(int column, std::int32_t row, terrain::Colour colour) {
     const int left = column * scale_;
     const int under = image_.height - (row - bottom_) * scale_;

@@ -1,0 +1,100 @@
+#include "preview.h"
+
+#include <numeric>
+
+#include <catch2/catch.hpp>
+
+#include "column_grid.h"
+#include "preview_numbers.h"
+#include "profile.h"
+#include "section.h"
+#include "world_with_looks.h"
+
+using namespace talus;
+using namespace talus::tools;
+
+namespace {
+
+double sum_of(const std::vector<NamedShare>& shares) {
+  double sum = 0;
+  for (const NamedShare& one : shares) sum += one.share;
+  return sum;
+}
+
+}  // namespace
+
+TEST_CASE("A sheet is drawn of every kind of world, as wide for all") {
+  const terrain::World looks = test::world_with_looks();
+  const auto with_fields = draw_preview(looks, "looks_world", -300, 40, {.threads = 2});
+  REQUIRE(with_fields);
+  const auto without = draw_preview(terrain::default_world(), "default", 0, 0, {});
+  REQUIRE(without);
+  CHECK(with_fields->width == without->width);
+  CHECK(with_fields->height > 1400);
+  CHECK(with_fields->rgb.size() == std::size_t{3} * static_cast<std::size_t>(with_fields->width) *
+                                       static_cast<std::size_t>(with_fields->height));
+}
+
+TEST_CASE("A sheet is refused where its largest map leaves the world") {
+  const terrain::World world = test::world_with_looks();
+  const auto sheet = draw_preview(world, "looks", (std::int64_t{1} << 36) - 1000, 0, {});
+  REQUIRE_FALSE(sheet);
+  CHECK(sheet.error().exit_code == kExitWrongUse);
+  CHECK_THAT(sheet.error().message, Catch::StartsWith("--center: column x = "));
+}
+
+TEST_CASE("Shares of land and of what is seen add up, whatever the threads") {
+  const terrain::World world = test::world_with_looks();
+  const ColumnGrid grid = grid_around(100, 200, 64, 100, 90);
+  ProgressBar progress{"land", "columns"};
+  const LandNumbers land = measure_land(world, grid, 1, progress);
+  CHECK(sum_of(land.looks) == Approx(1));
+  CHECK(std::accumulate(land.heights.begin(), land.heights.end(), 0.0) == Approx(1));
+  CHECK(land.deepest.voxels < land.highest.voxels);
+  CHECK(land.water > 0);
+  CHECK(land.water < 1);
+  CHECK(land.steep[0] >= land.steep[2]);
+  const LandNumbers again = measure_land(world, grid, 3, progress);
+  CHECK(again.water == land.water);
+  CHECK(again.highest.x == land.highest.x);
+  CHECK(again.steep == land.steep);
+
+  const auto tops = materials_on_top(world, {-150, -90, 300, 280, Lod::of(3)}, 2, progress);
+  CHECK(sum_of(tops) == Approx(1));
+  for (std::size_t i = 1; i < tops.size(); ++i) CHECK(tops[i].share <= tops[i - 1].share);
+}
+
+TEST_CASE("Bytes of chunks are the same each time; only seconds differ") {
+  const terrain::World world = test::world_with_looks();
+  ProgressBar progress{"cost", "squares"};
+  const CostNumbers cost = measure_cost(world, grid_around(0, 0, 8, 100, 100), progress);
+  CHECK(cost.ns_a_column > 0);
+  CHECK(cost.ns_a_chunk > 0);
+  CHECK(cost.chunks_a_column >= 1);
+  CHECK(cost.bytes_a_chunk > 10);
+  CHECK(cost.bytes_a_chunk <= static_cast<double>(cost.most_bytes));
+  const CostNumbers again = measure_cost(world, grid_around(0, 0, 8, 100, 100), progress);
+  CHECK(again.bytes_a_chunk == cost.bytes_a_chunk);
+  CHECK(again.most_bytes == cost.most_bytes);
+}
+
+TEST_CASE("At level 0 a profile shows what a section shows") {
+  const terrain::World& world = terrain::default_world();
+  const terrain::Region line{-100, 33, 200, 1, Lod{}};
+  ProgressBar progress{"section", "columns"};
+  const auto section = render_section(world, line, {}, progress);
+  REQUIRE(section);
+  constexpr int kUnderZero = 8;
+  const Image profile =
+      render_profile(world, line, {.low = -kUnderZero, .rows = section->height, .step = 1}, 2, progress);
+  CHECK(profile.rgb == section->rgb);
+  // Every third row.
+  const Image squeezed =
+      render_profile(world, line, {.low = -kUnderZero, .rows = 20, .step = 3}, 1, progress);
+  for (int x = 0; x < line.width; ++x) {
+    CHECK(squeezed.at(x, 19) == section->at(x, section->height - 1));
+    if (section->at(x, section->height - 13) == world.materials()[2].colour) {
+      CHECK(squeezed.at(x, 15) == world.materials()[2].colour);
+    }
+  }
+}
