@@ -53,9 +53,9 @@ class Ground {
   std::unique_ptr<SurfaceRows> rows_;
   const ColumnKernels& kernels_;
   Region asked_;
-  Region region_;  // with what aprons need around it
+  Region region_;              // with what aprons need around it
   bool knows_slopes_ = false;  // the surface does, at this coarse level
-  int next_ = 0;   // row of the region that is not computed yet
+  int next_ = 0;               // row of the region that is not computed yet
   std::vector<std::int64_t> xs_;
   Field around_;
   std::vector<std::int32_t> slopes_;
