@@ -38,3 +38,15 @@ TEST_CASE("A grid past the world's end repeats the last columns") {
   CHECK(samples.heights_fx.at(1, 0) == samples.heights_fx.at(3, 0));
   CHECK(samples.heights_fx.at(0, 0) == samples.heights_fx.at(0, 1));
 }
+
+TEST_CASE("Provinces are no looks") {
+  std::string text = test::text_of_world_with_looks();
+  text.resize(text.find("[[look]]"));
+  text += "[[province]]\nname = \"red\"\nabove = { height = -1000 }\ncolours = { granite = \"#ff0000\" }\n";
+  const auto world = terrain::World::parse(text, "provinces.toml");
+  INFO((world ? "" : world.error().message));
+  REQUIRE(world);
+  const ColumnSamples samples = sample_columns(*world, {0, 0, 100, 20, 20});
+  CHECK(std::all_of(samples.looks.values.begin(), samples.looks.values.end(),
+                    [](auto look) { return look == 0; }));
+}
