@@ -16,8 +16,9 @@ TEST_CASE("A grid's samples are those of its columns one by one") {
   CHECK(rc::check([&] {
     const std::int64_t every = *rc::gen::inRange<std::int64_t>(1, 5000);
     const std::int64_t far = std::int64_t{1} << 30;
-    const ColumnGrid grid =
-        grid_around(*rc::gen::inRange(-far, far), *rc::gen::inRange(-far, far), every, 9, 7);
+    const std::int64_t x = *rc::gen::inRange(-far, far);
+    const std::int64_t z = *rc::gen::inRange(-far, far);
+    const ColumnGrid grid = grid_around(x, z, every, 9, 7);
     const ColumnSamples all = sample_columns(world, grid, names);
     const int i = *rc::gen::inRange(0, 9);
     const int k = *rc::gen::inRange(0, 7);
