@@ -16,8 +16,9 @@ TEST_CASE("A grid's samples are those of its columns one by one") {
   CHECK(rc::check([&] {
     const std::int64_t every = *rc::gen::inRange<std::int64_t>(1, 5000);
     const std::int64_t far = std::int64_t{1} << 30;
-    const ColumnGrid grid =
-        grid_around(*rc::gen::inRange(-far, far), *rc::gen::inRange(-far, far), every, 9, 7);
+    const std::int64_t x = *rc::gen::inRange(-far, far);
+    const std::int64_t z = *rc::gen::inRange(-far, far);
+    const ColumnGrid grid = grid_around(x, z, every, 9, 7);
     const ColumnSamples all = sample_columns(world, grid, names);
     const int i = *rc::gen::inRange(0, 9);
     const int k = *rc::gen::inRange(0, 7);
@@ -37,4 +38,16 @@ TEST_CASE("A grid past the world's end repeats the last columns") {
   const ColumnSamples samples = sample_columns(world, {end - 2, -end - 1, 1, 4, 2});
   CHECK(samples.heights_fx.at(1, 0) == samples.heights_fx.at(3, 0));
   CHECK(samples.heights_fx.at(0, 0) == samples.heights_fx.at(0, 1));
+}
+
+TEST_CASE("Provinces are no looks") {
+  std::string text = test::text_of_world_with_looks();
+  text.resize(text.find("[[look]]"));
+  text += "[[province]]\nname = \"red\"\nabove = { height = -1000 }\ncolours = { granite = \"#ff0000\" }\n";
+  const auto world = terrain::World::parse(text, "provinces.toml");
+  INFO((world ? "" : world.error().message));
+  REQUIRE(world);
+  const ColumnSamples samples = sample_columns(*world, {0, 0, 100, 20, 20});
+  CHECK(std::all_of(samples.looks.values.begin(), samples.looks.values.end(),
+                    [](auto look) { return look == 0; }));
 }

@@ -34,6 +34,20 @@ TEST_CASE("Pieces of water meet at corners, and go on beyond the edge") {
   CHECK(pieces.lone == 4);
 }
 
+TEST_CASE("Two pieces of eight columns that meet at a corner, on either side, are no lone pieces") {
+  const std::vector<std::string> leftward{
+      "............",  //
+      "......~~~~..",  //
+      "......~~~~..",  //
+      "..~~~~......",  //
+      "..~~~~......",  //
+      "............",
+  };
+  CHECK(pieces_of(leftward).lone == 0);
+  CHECK(pieces_of({leftward.rbegin(), leftward.rend()}).lone == 0);
+  CHECK(pieces_of(leftward).inland == 16);
+}
+
 TEST_CASE("A lone piece has fewer than 16 columns") {
   std::vector<std::string> rows(6, "........");
   for (int z = 1; z < 4; ++z) rows[static_cast<std::size_t>(z)] = ".~~~~~..";

@@ -35,6 +35,9 @@ ColumnSamples sample_columns(const terrain::World& world, const ColumnGrid& grid
   ColumnSamples samples;
   samples.heights_fx.reshape(grid.width, grid.depth);
   samples.looks.reshape(grid.width, grid.depth);
+  // Without looks the sampler's first rules are those of provinces.
+  const bool has_looks = world.look_names().size() > 1;
+  if (!has_looks) std::fill(samples.looks.values.begin(), samples.looks.values.end(), std::uint8_t{0});
   samples.values.assign(names.size(), std::vector<float>(grid.columns()));
   const auto spread = [&](auto from, auto to) {
     for (std::size_t i = 0; i < place_of.size(); ++i) to[i] = from[place_of[i]];
@@ -42,7 +45,7 @@ ColumnSamples sample_columns(const terrain::World& world, const ColumnGrid& grid
   for (int k = 0; k < grid.depth; ++k) {
     sampler->row(inside_world(grid.z_of(k)));
     spread(sampler->heights_fx(), samples.heights_fx.row(k));
-    spread(sampler->looks(), samples.looks.row(k));
+    if (has_looks) spread(sampler->looks(), samples.looks.row(k));
     for (std::size_t n = 0; n < names.size(); ++n) {
       spread(sampler->values(n), samples.values[n].begin() + std::ptrdiff_t{grid.width} * k);
     }

@@ -42,7 +42,7 @@ struct ColumnGrid {
 /// What PlaceSampler says of a grid's columns.
 struct ColumnSamples {
   terrain::Field heights_fx;               // H, before talus and erosion move it
-  terrain::LookField looks;                // numbers of World::look_names()
+  terrain::LookField looks;                // numbers of World::look_names(); 0 in a world without looks
   std::vector<std::vector<float>> values;  // of each name asked for; z slowest, then x
 };
 

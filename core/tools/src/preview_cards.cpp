@@ -126,8 +126,9 @@ class PreviewCards {
     for (std::size_t d = 0; d < kNames.size(); ++d)
       fact(x, kNames[d], words_of("%.1f %%", 100 * land.steep[d]));
     y_ += kLine;
-    canvas_.text(x, y_, "Bars are as high as roots of shares. Slopes: 64 squares of 96 \u00D7 96.", kSmall,
-                 kPale);
+    canvas_.text(x, y_, "Bars: roots of shares of columns.", kSmall, kPale);
+    y_ += 20;
+    canvas_.text(x, y_, "Slopes: every column of 64 squares of 96 \u00D7 96.", kSmall, kPale);
   }
 
   void costs(int x, const CostNumbers& cost) {
