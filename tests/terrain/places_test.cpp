@@ -203,6 +203,28 @@ TEST_CASE("One more field, look or province moves nothing else") {
   }));
 }
 
+TEST_CASE("A column's look is the ground's, whatever stands first in the file") {
+  const auto without_looks =
+      test::sample_world_without("default", {"[caves]", "[[veins]]", "[[object]]", "[[look]]"});
+  const World provinces = parsed_places(without_looks);
+  CHECK(provinces.look_names() == std::vector<std::string>{""});
+  auto sampler = PlaceSampler::make(provinces, {});
+  REQUIRE(sampler.has_value());
+  std::vector<std::int64_t> xs;
+  for (std::int64_t x = 0; x < 200; ++x) xs.push_back(x * 100);
+  sampler->start(xs);
+  sampler->row(-5000);
+  CHECK(std::all_of(sampler->looks().begin(), sampler->looks().end(),
+                    [](std::uint8_t look) { return look == 0; }));
+
+  const World iced = parsed_places(without_looks +
+                                   "[[look]]\nname = \"ice\"\nof = \"water\"\nbelow = { temperature = 0 }\n"
+                                   "colour = \"#ffffff\"\n[[look]]\nname = \"moor\"\nof = \"soil\"\n"
+                                   "colour = \"#777777\"\n");
+  CHECK(iced.look_names() == std::vector<std::string>{"", "moor"});
+  CHECK(iced.shown_by(kWater)->looks != 0);
+}
+
 TEST_CASE("What is wrong about places") {
   const auto [from, to, message] = GENERATE(values<std::array<std::string, 3>>({
       {"below = { height = -7 }", "below = { depth = -7 }", "no quantity and no [[field]] is named so"},

@@ -93,6 +93,7 @@ class LooksReader {
   }
 
   void read_provinces() {
+    if (rules_.empty()) rules_.emplace_back();
     const std::size_t rules = rules_.size();
     rules_.emplace_back();
     std::vector<TableReader> tables = root_.tables("province");
@@ -151,7 +152,15 @@ class LooksReader {
     return found == materials_.end() || found->id == kAir ? nullptr : &*found;
   }
 
-  World::ShownBy& shown_by(MaterialId material) { return shown_by(material, rules_.size()); }
+  /// The first rules are the ground's, even where it has none: they are what a column's look is.
+  World::ShownBy& shown_by(MaterialId material) {
+    const std::size_t place = to_integer(material);
+    if (place < tables_.shown_by.size() && tables_.shown_by[place]) return *tables_.shown_by[place];
+    if (rules_.empty()) rules_.emplace_back();
+    const bool first_of_ground = material != kWater && !has_ground_;
+    if (first_of_ground) has_ground_ = true;
+    return shown_by(material, first_of_ground ? 0 : rules_.size());
+  }
   /// With these rules, where it has none yet.
   World::ShownBy& shown_by(MaterialId material, std::size_t rules) {
     const std::size_t place = to_integer(material);
@@ -172,6 +181,7 @@ class LooksReader {
   std::vector<Material>& materials_;
   const std::size_t strata_end_ = materials_.size();  // ids of this and later looks' materials are not strata
   std::vector<Look> looks_;
+  bool has_ground_ = false;  // whether the first rules are a loose material's
   std::vector<std::pair<std::size_t, TableReader>> showing_;
   LookTables tables_{{}, {""}};
 };
