@@ -43,7 +43,9 @@ TEST_CASE("A grid past the world's end repeats the last columns") {
 TEST_CASE("Provinces are no looks") {
   std::string text = test::text_of_world_with_looks();
   text.resize(text.find("[[look]]"));
-  text += "[[province]]\nname = \"red\"\nabove = { height = -1000 }\ncolours = { granite = \"#ff0000\" }\n";
+  text +=
+      "[[stratified]]\nname = \"chalk\"\ncolour = \"#eeeeee\"\ndepth = 100\nthickness = 50\nroughness = 0.1\n"
+      "[[province]]\nname = \"red\"\nabove = { height = -1000 }\ncolours = { chalk = \"#ff0000\" }\n";
   const auto world = terrain::World::parse(text, "provinces.toml");
   INFO((world ? "" : world.error().message));
   REQUIRE(world);

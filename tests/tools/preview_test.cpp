@@ -10,6 +10,8 @@
 #include "section.h"
 #include "world_with_looks.h"
 
+#include "worlds.h"
+
 using namespace talus;
 using namespace talus::tools;
 
@@ -79,7 +81,8 @@ TEST_CASE("Bytes of chunks are the same each time; only seconds differ") {
 }
 
 TEST_CASE("At level 0 a profile shows what a section shows") {
-  const terrain::World& world = terrain::default_world();
+  // Caves, ores and objects are left out of profiles.
+  const terrain::World& world = test::sample_world("classic");
   const terrain::Region line{-100, 33, 200, 1, Lod{}};
   ProgressBar progress{"section", "columns"};
   const auto section = render_section(world, line, {}, progress);
