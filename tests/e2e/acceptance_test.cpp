@@ -20,6 +20,7 @@
 #include "messages.h"
 #include "raw_client.h"
 #include "scratch_directory.h"
+#include "served_world.h"
 #include "server_process.h"
 
 using namespace talus;
@@ -129,7 +130,7 @@ Pair random_pair(std::mt19937_64& random) {
   const VoxelPos origin = chunk_origin(first);
   const terrain::Region both{origin.x, origin.z, along_x ? 2 * kChunkSize : kChunkSize,
                              along_x ? kChunkSize : 2 * kChunkSize, lod};
-  return {first, second, terrain::generate_stacks(terrain::default_world(), both)};
+  return {first, second, terrain::generate_stacks(served_world(), both)};
 }
 
 struct Wanted {
@@ -140,7 +141,7 @@ struct Wanted {
 
 /// Every chunk of the pair that is not uniform in both tiles, the tiles by different connections.
 void add_wanted(std::vector<Wanted>& wanted, const Pair& pair, std::size_t index, std::size_t connection) {
-  const terrain::World& world = terrain::default_world();
+  const terrain::World& world = served_world();
   const auto first_rows = mixed_range(world, pair.stacks, pair.first.x, pair.first.z);
   const auto second_rows = mixed_range(world, pair.stacks, pair.second.x, pair.second.z);
   const std::int32_t highest = std::max(first_rows.last, second_rows.last);
@@ -209,8 +210,7 @@ TEST_CASE(
       CAPTURE(to_string(got.key));
       REQUIRE_FALSE(answered[id - 1]);
       answered[id - 1] = true;
-      const bool same =
-          chunk == extract_chunk(terrain::default_world(), pairs[got.pair].stacks, got.key.coord);
+      const bool same = chunk == extract_chunk(served_world(), pairs[got.pair].stacks, got.key.coord);
       REQUIRE(same);
     }
   }

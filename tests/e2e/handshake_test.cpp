@@ -6,6 +6,7 @@
 
 #include "messages.h"
 #include "raw_client.h"
+#include "served_world.h"
 #include "server_process.h"
 
 using namespace talus;
@@ -31,7 +32,7 @@ TEST_CASE("Welcome describes the world and the limits") {
   const Received received = client.expect();
   const auto& welcome = received.as<wire::Welcome>();
 
-  const terrain::World& world = terrain::default_world();
+  const terrain::World& world = served_world();
   CHECK(welcome.protocol() == 1);
   CHECK(welcome.codec() == kCodecVersion);
   CHECK(hash_of(*welcome.fingerprint()) == world.fingerprint());

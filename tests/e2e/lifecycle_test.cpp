@@ -19,6 +19,7 @@
 #include "messages.h"
 #include "raw_client.h"
 #include "scratch_directory.h"
+#include "served_world.h"
 #include "server_process.h"
 
 using namespace talus;
@@ -178,7 +179,7 @@ TEST_CASE("a store of another world is refused with both fingerprints") {
   const std::string world = scratch.write("other.toml", default_world_with_seed(1));
   const std::string line =
       one_line(run_talusd({"--data", data, "--world", world, "--listen", "127.0.0.1:0"}));
-  CHECK_THAT(line, Catch::Contains(to_string(terrain::default_world().fingerprint())));
+  CHECK_THAT(line, Catch::Contains(to_string(served_world().fingerprint())));
 }
 
 TEST_CASE("two servers do not share a data directory") {

@@ -11,6 +11,7 @@
 
 #include "messages.h"
 #include "raw_client.h"
+#include "served_world.h"
 #include "server_process.h"
 
 using namespace talus;
@@ -82,7 +83,7 @@ TEST_CASE("chunks are the generator's, at every level and at the world's ends") 
     const auto& chunk = received.as<wire::Chunk>();
     const ChunkKey key = key_of(*chunk.key());
     REQUIRE(key == keys.at(chunk.id() - 1));
-    const Chunk expected = terrain::generate_chunk(terrain::default_world(), key);
+    const Chunk expected = terrain::generate_chunk(served_world(), key);
     const auto decoded = decode(std::as_bytes(std::span{chunk.payload()->data(), chunk.payload()->size()}));
     REQUIRE(decoded.has_value());
     CHECK(*decoded == expected);
@@ -122,7 +123,7 @@ TEST_CASE("every request is answered exactly once, whatever is cancelled") {
 TEST_CASE("a known chunk is confirmed, not sent") {
   const ServerProcess server;
   RawClient client = greeted(server.port());
-  const ContentHash known = content_hash(terrain::generate_chunk(terrain::default_world(), at(1, 0, 1)));
+  const ContentHash known = content_hash(terrain::generate_chunk(served_world(), at(1, 0, 1)));
   REQUIRE(client.send(get_chunks({chunk_request(9, at(1, 0, 1), known)})));
   const Received received = client.expect();
   CHECK(received.as<wire::Unchanged>().id() == 9);
@@ -179,7 +180,7 @@ TEST_CASE("heights are the surface's") {
   const Received received = client.expect();
   const auto& heights = *received.as<wire::Heights>().heights_fx();
   CHECK(std::vector<std::int32_t>(heights.begin(), heights.end()) ==
-        terrain::surface_heights(terrain::default_world(), columns));
+        terrain::surface_heights(served_world(), columns));
 }
 
 TEST_CASE("heights outside the world are refused") {

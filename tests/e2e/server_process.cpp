@@ -6,6 +6,7 @@
 #include <spawn.h>
 #include <sys/wait.h>
 #include <unistd.h>
+#include <algorithm>
 
 #include <array>
 #include <catch2/catch.hpp>
@@ -81,6 +82,9 @@ bool read_to_end(int out, int err, Ended& ended, int patience_ms = kPatienceMs) 
 
 ChildProcess start_server(Settings settings, std::vector<std::string> flags) {
   settings.emplace("TALUS_THREADS_IO", "2");  // so that connections are dealt, also on a small machine
+  const bool says_world = std::find(flags.begin(), flags.end(), "--world") != flags.end() ||
+                          std::find(flags.begin(), flags.end(), "--config") != flags.end();
+  if (kSanitized && !says_world) settings.insert(kClassicWorld);  // served_world.h
   flags.insert(flags.end(), {"--listen", "127.0.0.1:0"});
   return start(TALUSD_PATH, flags, settings);
 }

@@ -36,6 +36,8 @@ USAGE
 failed=""
 build="${BUILD:-build/release}"
 talusd="$build/server/talusd"
+# What the tables of docs/SPEED.md were measured with.
+export TALUS_WORLD="${TALUS_WORLD:-core/worlds/classic.toml}"
 talus_load="$build/client_sample/load/talus-load"
 talus_pong="$build/tests/load/talus-pong"
 talus_siege="$build/tests/load/talus-siege"
