@@ -46,9 +46,6 @@ HWY_INLINE RegionVector size_of(RegionVector v) {
 HWY_INLINE RegionVector larger(RegionVector a, RegionVector b) {
   return hn::Max(a, b);
 }
-HWY_INLINE RegionVector smaller(RegionVector a, RegionVector b) {
-  return hn::Min(a, b);
-}
 HWY_INLINE RegionVector times(RegionVector v, float factor) {
   return hn::Mul(v, constant(factor));
 }
