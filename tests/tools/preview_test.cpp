@@ -1,7 +1,12 @@
 #include "preview.h"
 
+#include <cstddef>
+#include <cstdint>
 #include <numeric>
+#include <vector>
 
+#include <talus/terrain/extraction.h>
+#include <talus/voxel/codec.h>
 #include <catch2/catch.hpp>
 
 #include "column_grid.h"
@@ -73,11 +78,51 @@ TEST_CASE("Bytes of chunks are the same each time; only seconds differ") {
   CHECK(cost.ns_a_column > 0);
   CHECK(cost.ns_a_chunk > 0);
   CHECK(cost.chunks_a_column >= 1);
-  CHECK(cost.bytes_a_chunk > 10);
   CHECK(cost.bytes_a_chunk <= static_cast<double>(cost.most_bytes));
   const CostNumbers again = measure_cost(world, grid_around(0, 0, 8, 100, 100), progress);
   CHECK(again.bytes_a_chunk == cost.bytes_a_chunk);
   CHECK(again.most_bytes == cost.most_bytes);
+}
+
+TEST_CASE("The cost of chunks is that of mixed ones alone") {
+  // Caves and objects widen the range of rows in which chunks may be mixed.
+  const terrain::World& world = terrain::default_world();
+  const ColumnGrid grid = grid_around(-2496, -2240, 8, 616, 616);
+  ProgressBar progress{"cost", "squares"};
+  const CostNumbers cost = measure_cost(world, grid, progress);
+  std::int64_t mixed = 0;
+  std::int64_t bytes = 0;
+  for (int square = 0; square < 16; ++square) {
+    const auto chunk_at = [&](std::int64_t first, int index) {
+      const std::int64_t apart = grid.every * 616 / 4;
+      return static_cast<std::int32_t>(floor_div(first + apart * index + apart / 2, kChunkSize));
+    };
+    for (int chunk = 0; chunk < 16; ++chunk) {
+      const std::int32_t x = chunk_at(grid.x, square % 4) + chunk % 4;
+      const std::int32_t z = chunk_at(grid.z, square / 4) + chunk / 4;
+      const terrain::MixedRange rows = mixed_range(world, Lod{});
+      for (std::int32_t y = rows.first; y <= rows.last; ++y) {
+        const Chunk one = generate_chunk(world, {{x, y, z}, Lod{}});
+        if (one.is_uniform()) continue;
+        std::vector<std::byte> payload;
+        encode(one, payload);
+        ++mixed;
+        bytes += static_cast<std::int64_t>(payload.size());
+      }
+    }
+  }
+  REQUIRE(mixed > 256);
+  CHECK(cost.bytes_a_chunk == Approx(static_cast<double>(bytes) / static_cast<double>(mixed)));
+  CHECK(cost.chunks_a_column == Approx(static_cast<double>(mixed) / 256));
+}
+
+TEST_CASE("No column is higher than a sheet says is possible") {
+  for (const terrain::World& world : {test::world_with_looks(), test::sample_world("classic")}) {
+    ProgressBar progress{"land", "columns"};
+    const LandNumbers land = measure_land(world, grid_around(0, 0, 640, 200, 200), 2, progress);
+    CHECK(land.highest.voxels <= land.highest_possible);
+    CHECK(land.highest_possible < 20 * land.highest.voxels);
+  }
 }
 
 TEST_CASE("At level 0 a profile shows what a section shows") {

@@ -120,6 +120,7 @@ class PreviewCards {
       return rounded(place.voxels) + " at " + counted(place.x) + ", " + counted(place.z);
     };
     fact(x, "highest", at(land.highest));
+    fact(x, "highest possible", rounded(land.highest_possible));
     fact(x, "deepest", at(land.deepest));
     fact(x, "water", words_of("%.1f %%", 100 * land.water));
     constexpr std::array kNames{"land above 35\u00B0", "land above 45\u00B0", "land above 60\u00B0"};
@@ -135,14 +136,14 @@ class PreviewCards {
     title(canvas_, x, y_, card_width_, "Cost", "16 squares of 128 \u00D7 128 columns, 1 : 8");
     y_ += 14;
     fact(x, "ground to stacks", words_of("%.1f ns a column", cost.ns_a_column));
-    fact(x, "stacks to bytes", words_of("%.1f \u00B5s a chunk", cost.ns_a_chunk / 1000));
-    fact(x, "encoded", words_of("%.0f bytes a chunk", cost.bytes_a_chunk));
+    fact(x, "stacks to bytes", words_of("%.1f \u00B5s a mixed chunk", cost.ns_a_chunk / 1000));
+    fact(x, "encoded", words_of("%.0f bytes a mixed chunk", cost.bytes_a_chunk));
     fact(x, "largest", counted(cost.most_bytes) + " bytes");
-    fact(x, "chunks over 32 \u00D7 32 columns", words_of("%.2f", cost.chunks_a_column));
+    fact(x, "mixed chunks over 32 \u00D7 32 columns", words_of("%.2f", cost.chunks_a_column));
     y_ += kLine;
     canvas_.text(x, y_, "CPU time of one thread, measured on this machine", kSmall, kPale);
     y_ += 20;
-    canvas_.text(x, y_, "as the sheet was drawn. Chunks that are not uniform.", kSmall, kPale);
+    canvas_.text(x, y_, "as the sheet was drawn. Mixed: not uniform.", kSmall, kPale);
     y_ += 36;
     title(canvas_, x, y_, card_width_, "World", "");
     y_ += 14;

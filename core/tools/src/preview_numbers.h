@@ -32,6 +32,7 @@ struct LandNumbers {
   std::vector<NamedShare> looks;  // of land, the largest first; none in a world without looks
   HeightAt highest;
   HeightAt deepest;
+  double highest_possible = 0;  // of any column of the world, in voxels over the same zero
   std::vector<double> heights;  // shares of columns by height, from deepest to highest in even steps
   std::array<double, 3>
       steep{};  // share of land above 35, 45 and 60 degrees, in squares spread over the grid
