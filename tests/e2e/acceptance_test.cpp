@@ -78,8 +78,11 @@ TEST_CASE("talus-client gets the voxels that talus-gen exports, also at the worl
              {"--connect", "127.0.0.1:" + std::to_string(server.port()), "get", std::to_string(chunk.x),
               std::to_string(chunk.y), std::to_string(chunk.z), "-o", client_file});
     const VoxelPos origin = chunk_origin(chunk);
-    run_well(TALUS_GEN_PATH, {"export", "--origin", std::to_string(origin.x) + ',' + std::to_string(origin.z),
-                              "--size", "32,32", "-o", export_folder});
+    std::vector<std::string> exporting{
+        "export", "--origin",   std::to_string(origin.x) + ',' + std::to_string(origin.z), "--size", "32,32",
+        "-o",     export_folder};
+    if (kSanitized) exporting.insert(exporting.end(), {"--world", kClassicWorld.second});
+    run_well(TALUS_GEN_PATH, exporting);
     const std::string fetched = npy_bytes(client_file);
     const std::string exported = npy_bytes(std::filesystem::path{export_folder} / "voxels.npy");
     REQUIRE(fetched.size() == std::size_t{kChunkVolume});
