@@ -24,6 +24,7 @@ constexpr double kMaxFlight = 10e6;  // voxels: its heights are asked for and ke
 struct Words {
   std::int64_t x = 0, y = 0, z = 0, lod = 0;
   std::vector<std::int64_t> center;
+  std::vector<std::int64_t> columns;
   std::vector<std::int64_t> size{1024, 1024};
 };
 
@@ -42,6 +43,14 @@ void add_get(CLI::App& app, GetOptions& options, Words& words) {
       ->capture_default_str();
   command->add_option("-o,--output", options.output,
                       "Write the voxels as .npy, [y][z][x], instead of printing a summary");
+  add_timeout(*command, options.timeout_seconds);
+}
+
+void add_at(CLI::App& app, AtOptions& options, Words& words) {
+  auto* command = app.add_subcommand("at", "Tell the ground's height and what the place is like at columns");
+  command->add_option("columns", words.columns, "X,Z of each column, base columns")
+      ->delimiter(',')
+      ->required();
   add_timeout(*command, options.timeout_seconds);
 }
 
@@ -98,6 +107,18 @@ Checked check_get(CommandLine line, GetOptions options, const Words& words) {
   return line;
 }
 
+Checked check_at(CommandLine line, AtOptions options, const Words& words) {
+  if (words.columns.size() % 2 != 0) {
+    return tl::unexpected{std::string{"columns: "} + std::to_string(words.columns.back()) +
+                          " has no z; X,Z of each is needed"};
+  }
+  for (std::size_t i = 0; i < words.columns.size(); i += 2) {
+    options.columns.push_back({words.columns[i], words.columns[i + 1]});
+  }
+  line.options = std::move(options);
+  return line;
+}
+
 Checked check_fly(CommandLine line, FlyOptions options) {
   if (options.seconds * options.speed > kMaxFlight) {
     std::ostringstream text;
@@ -138,9 +159,11 @@ tl::expected<CommandLine, Exit> read_command_line(int argc, const char* const* a
   command_line::ConnectWords connect;
   command_line::add_connect_options(app, connect);
   GetOptions get_options;
+  AtOptions at_options;
   FlyOptions fly_options;
   MapOptions map_options;
   add_get(app, get_options, words);
+  add_at(app, at_options, words);
   add_fly(app, fly_options);
   add_map(app, map_options, words);
 
@@ -152,6 +175,7 @@ tl::expected<CommandLine, Exit> read_command_line(int argc, const char* const* a
   line.connecting.options.tls = std::move(connecting->tls);
 
   auto checked = app.got_subcommand("get")   ? check_get(std::move(line), get_options, words)
+                 : app.got_subcommand("at")  ? check_at(std::move(line), at_options, words)
                  : app.got_subcommand("fly") ? check_fly(std::move(line), fly_options)
                                              : check_map(std::move(line), map_options, words);
   return std::move(checked).map_error([](std::string text) { return Exit{kExitWrongUse, std::move(text)}; });

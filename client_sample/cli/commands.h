@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include <asio/awaitable.hpp>
 #include <tl/expected.hpp>
@@ -43,6 +44,12 @@ struct FlyOptions {
   std::filesystem::path view;    // what the camera saw at the end; empty: none
 };
 [[nodiscard]] asio::awaitable<CommandResult> fly(Connecting connecting, FlyOptions options);
+
+struct AtOptions {
+  std::vector<client::Column> columns;
+  double timeout_seconds = 30;  // without an answer
+};
+[[nodiscard]] asio::awaitable<CommandResult> at(Connecting connecting, AtOptions options);
 
 struct MapOptions {
   std::optional<client::Column> center;     // none: the spawn point

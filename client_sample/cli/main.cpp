@@ -1,4 +1,4 @@
-// talus-client: one chunk, a flight, or a map, from a running server.
+// talus-client: one chunk, what there is at a column, a flight, or a map, from a running server.
 #include "program.h"
 
 int main(int argc, char** argv) {

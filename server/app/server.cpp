@@ -13,6 +13,7 @@
 #include <asio/post.hpp>
 #include <asio/use_awaitable.hpp>
 
+#include <talus/terrain/places.h>
 #include <talus/vectors/instruction_set.h>
 
 #include "access/auth_failure.h"
@@ -42,7 +43,8 @@ constexpr std::chrono::seconds kMaxSilence{15};
 WorldInfo describe_world(const terrain::World& world, ContentHash store_id) {
   return {world.fingerprint(),        store_id,
           world.materials(),          terrain::height_range(world),
-          terrain::find_spawn(world), "talusd " TALUS_VERSION};
+          terrain::find_spawn(world), "talusd " TALUS_VERSION,
+          world.look_names(),         terrain::place_names(world)};
 }
 
 }  // namespace

@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 
 #include <talus/files/secret_file.h>
-#include <talus/height_files/height_files.h>
 #include <talus/toml/toml_bounds.h>
+#include <talus/world_files/world_files.h>
 
 namespace talus::server {
 
@@ -18,7 +18,7 @@ tl::expected<std::shared_ptr<const terrain::World>, std::string> load_world(
     return tl::make_unexpected(fmt::format("{}: {}; give --world a TOML file that talusd may read",
                                            file.string(), read.error().reason));
   }
-  auto world = terrain::World::parse(read->text(), file.string(), height_files::beside(file));
+  auto world = terrain::World::parse(read->text(), file.string(), world_files::beside(file));
   if (!world) return tl::make_unexpected(world.error().message);
   return std::make_shared<const terrain::World>(*std::move(world));
 }

@@ -7,14 +7,13 @@
 #include <limits>
 #include <optional>
 #include <span>
-#include <vector>
 
-#include <talus/terrain/heights.h>
 #include <talus/voxel/coords.h>
 #include <talus/voxel/material.h>
 #include <talus/voxel/view_shape.h>
 
 #include "chunks/encoded_chunk.h"
+#include "chunks/heights_query.h"
 #include "chunks/mailbox.h"
 
 namespace talus::server {
@@ -71,10 +70,9 @@ class ChunkSource {
   /// std::bad_alloc.
   virtual void set_wanted(ClientId client, std::span<const LevelBox> boxes) = 0;
 
-  /// Surface heights of base columns, as generated; one HeightsReady comes. The caller never gives a ticket
-  /// twice.
-  virtual void submit_heights(const MailboxPtr& mailbox, std::uint64_t ticket,
-                              std::vector<terrain::BaseColumn> columns) = 0;
+  /// Surface heights of base columns, as generated, and what else the query asks for; one HeightsReady comes.
+  /// The caller never gives a ticket twice.
+  virtual void submit_heights(const MailboxPtr& mailbox, std::uint64_t ticket, HeightsQuery query) = 0;
   virtual void cancel_heights(ClientId client, std::uint64_t ticket) = 0;
 };
 

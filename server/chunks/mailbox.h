@@ -22,6 +22,7 @@
 #include <talus/voxel/coords.h>
 
 #include "chunks/encoded_chunk.h"
+#include "chunks/heights_query.h"
 #include "flows/flow_use.h"
 
 namespace talus::server {
@@ -34,7 +35,7 @@ struct GenerationFailed {
   std::string reason;
 };
 using ChunkAnswer = tl::expected<EncodedChunkPtr, GenerationFailed>;
-using HeightsAnswer = tl::expected<std::vector<std::int32_t>, GenerationFailed>;
+using HeightsAnswer = tl::expected<HeightsFound, GenerationFailed>;
 
 struct ChunkReady {
   ChunkKey key;

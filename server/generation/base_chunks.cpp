@@ -84,9 +84,8 @@ void BaseChunks::set_wanted(ClientId client, std::span<const LevelBox> boxes) {
   wanted_.set(client, boxes);
 }
 
-void BaseChunks::submit_heights(const MailboxPtr& mailbox, std::uint64_t ticket,
-                                std::vector<terrain::BaseColumn> columns) {
-  pool_.submit_heights(HeightsTask{mailbox, ticket, std::move(columns)});
+void BaseChunks::submit_heights(const MailboxPtr& mailbox, std::uint64_t ticket, HeightsQuery query) {
+  pool_.submit_heights(HeightsTask{mailbox, ticket, std::move(query)});
 }
 
 void BaseChunks::cancel_heights(ClientId client, std::uint64_t ticket) {

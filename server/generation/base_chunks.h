@@ -61,8 +61,7 @@ class BaseChunks final : public ChunkSource {
   void hasten(ClientId client, std::span<const ChunkKey> keys) override;
   void cancel(ClientId client, std::span<const ChunkKey> keys) override;
   void set_wanted(ClientId client, std::span<const LevelBox> boxes) override;
-  void submit_heights(const MailboxPtr& mailbox, std::uint64_t ticket,
-                      std::vector<terrain::BaseColumn> columns) override;
+  void submit_heights(const MailboxPtr& mailbox, std::uint64_t ticket, HeightsQuery query) override;
   void cancel_heights(ClientId client, std::uint64_t ticket) override;
 
   /// The most that one fit_caches() evicts: chunks and columns' rows, and tiles of patches, but always one

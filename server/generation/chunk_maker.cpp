@@ -32,9 +32,9 @@ tl::expected<AfterStep, GenerationFailed> ChunkMaker::heights(HeightsTask& task,
     while (task.making()->step()) {
       if (const AfterStep next = after_step(); next != AfterStep::go_on) return next;
     }
-    const std::vector<std::int32_t> heights = task.making()->take();
-    metrics_.heights_made.add(heights.size());
-    task.add(heights);
+    const HeightsFound found = task.making()->take();
+    metrics_.heights_made.add(found.heights_fx.size());
+    task.add(found);
     return AfterStep::go_on;
   } catch (const std::exception& error) {
     log_->error("heights of {} columns failed: {}", task.left(), error.what());

@@ -319,7 +319,7 @@ void GenerationPool::run(HeightsTask& task, const WorkQueue::Work& work, Measure
     deliver(task.mailbox(), HeightsReady{task.ticket(), tl::make_unexpected(*std::move(failure))}, log_);
     task.give_up();
   } else if (task.left() == 0) {
-    deliver(task.mailbox(), HeightsReady{task.ticket(), task.take_heights()}, log_);
+    deliver(task.mailbox(), HeightsReady{task.ticket(), task.take_found()}, log_);
   }
 }
 

@@ -32,8 +32,7 @@ class Making {
   [[nodiscard]] virtual Made take() = 0;
 };
 using PatchMaking = Making<terrain::Stacks>;
-/// Surface heights in subvoxels (1/256 voxel), one a column.
-using HeightsMaking = Making<std::vector<std::int32_t>>;
+using HeightsMaking = Making<HeightsFound>;
 
 /// What becomes of it after a step.
 enum class AfterStep { go_on, pause, give_up };
@@ -56,8 +55,7 @@ class Generator {
                                                                  terrain::Stacks memory) const = 0;
   /// `stacks` is the patch over which the chunk stands.
   [[nodiscard]] virtual EncodedChunkPtr make_chunk(const terrain::Stacks& stacks, ChunkKey key) const = 0;
-  [[nodiscard]] virtual std::unique_ptr<HeightsMaking> start_heights(
-      std::span<const terrain::BaseColumn> columns) const = 0;
+  [[nodiscard]] virtual std::unique_ptr<HeightsMaking> start_heights(HeightsQuery query) const = 0;
 };
 
 }  // namespace talus::server

@@ -1,6 +1,10 @@
 #include "generation/terrain_generator.h"
 
+#include <string>
 #include <utility>
+#include <vector>
+
+#include <talus/terrain/places.h>
 
 namespace talus::server {
 namespace {
@@ -13,7 +17,10 @@ MixedRows rows_of(const terrain::MixedRange& range) {
 
 TerrainGenerator::TerrainGenerator(std::shared_ptr<const terrain::World> world, int patch_tiles,
                                    std::size_t max_idle)
-    : world_{std::move(world)}, patch_tiles_{patch_tiles}, max_idle_{max_idle} {
+    : world_{std::move(world)},
+      patch_tiles_{patch_tiles},
+      max_idle_{max_idle},
+      place_names_{terrain::place_names(*world_)} {
   idle_.reserve(max_idle);  // so that giving back never fails
   // Every request looks here first, and working it out costs as much as a look into the cache.
   for (int level = 0; level <= Lod::kMax; ++level) {
@@ -62,12 +69,26 @@ class TerrainGenerator::PatchOfWorld final : public PatchMaking {
 
 class TerrainGenerator::HeightsOfWorld final : public HeightsMaking {
  public:
-  HeightsOfWorld(const terrain::World& world, std::span<const terrain::BaseColumn> columns)
-      : work_{world, {columns.begin(), columns.end()}} {}
+  HeightsOfWorld(const TerrainGenerator& owner, HeightsQuery query)
+      : owner_{owner}, query_{std::move(query)}, work_{*owner.world_, query_.columns} {}
   [[nodiscard]] bool step() override { return work_.step(); }
-  [[nodiscard]] std::vector<std::int32_t> take() override { return work_.take(); }
+  [[nodiscard]] HeightsFound take() override {
+    HeightsFound found{.heights_fx = work_.take()};
+    if (query_.looks || !query_.fields.empty()) add_places(found);
+    return found;
+  }
 
  private:
+  void add_places(HeightsFound& found) const {
+    std::vector<std::string> names;
+    for (const std::uint8_t field : query_.fields) names.push_back(owner_.place_names_.at(field));
+    terrain::PlacesFound places = terrain::places_at(*owner_.world_, query_.columns, names);
+    if (query_.looks) found.looks = std::move(places.looks);
+    found.values = std::move(places.values);
+  }
+
+  const TerrainGenerator& owner_;
+  const HeightsQuery query_;
   terrain::HeightsWork work_;
 };
 
@@ -76,9 +97,8 @@ std::unique_ptr<PatchMaking> TerrainGenerator::start_patch(const PatchKey& patch
   return std::make_unique<PatchOfWorld>(*this, patch, std::move(memory));
 }
 
-std::unique_ptr<HeightsMaking> TerrainGenerator::start_heights(
-    std::span<const terrain::BaseColumn> columns) const {
-  return std::make_unique<HeightsOfWorld>(*world_, columns);
+std::unique_ptr<HeightsMaking> TerrainGenerator::start_heights(HeightsQuery query) const {
+  return std::make_unique<HeightsOfWorld>(*this, std::move(query));
 }
 
 std::unique_ptr<terrain::Generator> TerrainGenerator::take_generator() const {

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <memory>
 #include <mutex>
+#include <string>
 #include <vector>
 
 #include <talus/terrain/extraction.h>
@@ -31,8 +32,7 @@ class TerrainGenerator final : public Generator {
   [[nodiscard]] std::unique_ptr<PatchMaking> start_patch(const PatchKey& patch,
                                                          terrain::Stacks memory) const override;
   [[nodiscard]] EncodedChunkPtr make_chunk(const terrain::Stacks& stacks, ChunkKey key) const override;
-  [[nodiscard]] std::unique_ptr<HeightsMaking> start_heights(
-      std::span<const terrain::BaseColumn> columns) const override;
+  [[nodiscard]] std::unique_ptr<HeightsMaking> start_heights(HeightsQuery query) const override;
 
  private:
   class PatchOfWorld;
@@ -46,6 +46,7 @@ class TerrainGenerator final : public Generator {
   const std::size_t max_idle_;
   std::array<MixedRows, Lod::kMax + 1> rows_anywhere_;  // by level
   std::vector<EncodedChunkPtr> uniform_;                // by material id
+  const std::vector<std::string> place_names_;
   mutable std::mutex idle_mutex_;
   mutable std::vector<std::unique_ptr<terrain::Generator>> idle_;
 };

@@ -200,7 +200,7 @@ void WorkQueue::put_back(HeightsTask&& task) {
   const auto taken = std::find(client.taken_heights.begin(), client.taken_heights.end(), task.ticket());
   if (taken == client.taken_heights.end()) return;
   // First what may throw.
-  client.heights.emplace_front(task.mailbox(), task.ticket(), std::vector<terrain::BaseColumn>{});
+  client.heights.emplace_front(task.mailbox(), task.ticket(), HeightsQuery{});
   client.heights.front() = std::move(task);
   client.taken_heights.erase(taken);
   if (client.heights.front().is_begun()) count_begun(client.flow, true);

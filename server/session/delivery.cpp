@@ -11,12 +11,13 @@ namespace talus::server {
 
 using wire::ErrorCode;
 
-void Delivery::request_heights(std::uint32_t id, std::vector<terrain::BaseColumn> columns) {
+void Delivery::request_heights(std::uint32_t id, HeightsQuery query) {
   constexpr std::size_t kTaskBytes = 256;
   const std::uint64_t ticket = (++heights_asked_ << 32) | id;
-  requests_.add_heights(
-      id, ticket, kTaskBytes + columns.size() * (sizeof(terrain::BaseColumn) + 2 * sizeof(std::int32_t)));
-  context_.chunks.submit_heights(mailbox_, ticket, std::move(columns));
+  const std::size_t column_bytes = sizeof(terrain::BaseColumn) + 2 * sizeof(std::int32_t) +
+                                   sizeof(std::uint8_t) + query.fields.size() * sizeof(float);
+  requests_.add_heights(id, ticket, kTaskBytes + query.columns.size() * column_bytes);
+  context_.chunks.submit_heights(mailbox_, ticket, std::move(query));
 }
 
 void Delivery::cancel(const std::vector<std::uint32_t>& ids) {

@@ -12,7 +12,6 @@
 #include <utility>
 #include <vector>
 
-#include <talus/terrain/heights.h>
 #include <talus/voxel/coords.h>
 
 #include "chunks/mailbox.h"
@@ -61,7 +60,7 @@ class Delivery {
     requests_.add_chunk(id, request);
   }
   /// REQUIRES: no request `id` is pending.
-  void request_heights(std::uint32_t id, std::vector<terrain::BaseColumn> columns);
+  void request_heights(std::uint32_t id, HeightsQuery query);
   /// Answers those of `ids` that are pending by Error cancelled.
   void cancel(const std::vector<std::uint32_t>& ids);
 

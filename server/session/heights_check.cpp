@@ -8,6 +8,8 @@
 
 #include <fmt/format.h>
 
+#include <talus/protocol/limits.h>
+
 namespace talus::server {
 namespace {
 
@@ -29,8 +31,8 @@ std::size_t count_tiles(const std::vector<terrain::BaseColumn>& columns) {
 
 }  // namespace
 
-tl::expected<std::vector<terrain::BaseColumn>, Rejection> check_heights(const wire::GetHeights& get,
-                                                                        const SessionLimits& limits) {
+tl::expected<HeightsQuery, Rejection> check_heights(const wire::GetHeights& get, const SessionLimits& limits,
+                                                    std::size_t world_fields) {
   const std::size_t count = get.columns() == nullptr ? 0 : get.columns()->size();
   if (count > limits.heights_per_request) {
     return rejected(ErrorCode::too_large,
@@ -54,7 +56,20 @@ tl::expected<std::vector<terrain::BaseColumn>, Rejection> check_heights(const wi
         fmt::format("GetHeights reaches into {} tiles of 32 x 32 columns; in this world at most {}", tiles,
                     limits.height_tiles_per_request));
   }
-  return columns;
+  HeightsQuery query{std::move(columns), get.looks(), {}};
+  if (get.fields() == nullptr) return query;
+  if (get.fields()->size() > protocol::kMaxFieldsPerRequest) {
+    return rejected(ErrorCode::too_large, fmt::format("GetHeights asks for {} fields; at most {}",
+                                                      get.fields()->size(), protocol::kMaxFieldsPerRequest));
+  }
+  query.fields.assign(get.fields()->begin(), get.fields()->end());
+  for (const std::uint8_t field : query.fields) {
+    if (field >= world_fields) {
+      return rejected(ErrorCode::out_of_range,
+                      fmt::format("GetHeights asks for field {}; Welcome has {}", field, world_fields));
+    }
+  }
+  return query;
 }
 
 }  // namespace talus::server

@@ -1,20 +1,21 @@
-// Checks the columns of a GetHeights message. Pure.
+// Checks what a GetHeights message asks for. Pure.
 #pragma once
 
-#include <vector>
+#include <cstddef>
 
 #include <tl/expected.hpp>
 
 #include <talus/protocol/message.h>
-#include <talus/terrain/heights.h>
 
+#include "chunks/heights_query.h"
 #include "session/rejection.h"
 #include "session/session_limits.h"
 
 namespace talus::server {
 
-/// The columns in their order, or what is wrong: `too_large` or `out_of_range`.
-[[nodiscard]] tl::expected<std::vector<terrain::BaseColumn>, Rejection> check_heights(
-    const wire::GetHeights& get, const SessionLimits& limits);
+/// The query, or what is wrong: `too_large` or `out_of_range`. The world has so many fields.
+[[nodiscard]] tl::expected<HeightsQuery, Rejection> check_heights(const wire::GetHeights& get,
+                                                                  const SessionLimits& limits,
+                                                                  std::size_t world_fields);
 
 }  // namespace talus::server

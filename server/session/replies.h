@@ -46,8 +46,8 @@ class Replies {
     outbox_.push_control(column_frame(column, runs));
   }
   void view_complete(std::uint32_t number) { outbox_.push_control(view_complete_frame(number)); }
-  void heights(std::uint32_t request_id, const std::vector<std::int32_t>& heights) {
-    outbox_.push_control(heights_frame(request_id, heights));
+  void heights(std::uint32_t request_id, const HeightsFound& found) {
+    outbox_.push_control(heights_frame(request_id, found));
   }
   void pong(std::uint64_t nonce) { outbox_.push_control(pong_frame(nonce)); }
   void go_away(std::string_view reason, std::chrono::milliseconds retry_after) {

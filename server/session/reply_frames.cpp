@@ -56,6 +56,8 @@ protocol::Frame welcome_frame(const Greeting& greeting, const WorldInfo& world, 
                            greeting.window_bytes, on_wire(limits.idle_timeout), session_rates, address_rates,
                            /*view_horizon=*/true);
     const auto server = builder.CreateString(world.server);
+    const auto looks = builder.CreateVectorOfStrings(world.looks);
+    const auto fields = builder.CreateVectorOfStrings(world.fields);
 
     const wire::Hash128 fingerprint = on_wire(world.fingerprint);
     const wire::Hash128 store_id = on_wire(world.store_id);
@@ -72,6 +74,8 @@ protocol::Frame welcome_frame(const Greeting& greeting, const WorldInfo& world, 
     welcome.add_spawn(&spawn);
     welcome.add_limits(said_limits);
     welcome.add_server(server);
+    welcome.add_looks(looks);
+    welcome.add_fields(fields);
     return welcome.Finish();
   });
 }
@@ -123,10 +127,12 @@ protocol::Frame view_complete_frame(std::uint32_t number) {
       [&](flatbuffers::FlatBufferBuilder& builder) { return wire::CreateViewComplete(builder, number); });
 }
 
-protocol::Frame heights_frame(std::uint32_t request_id, std::span<const std::int32_t> heights) {
+protocol::Frame heights_frame(std::uint32_t request_id, const HeightsFound& found) {
   return protocol::make_frame([&](flatbuffers::FlatBufferBuilder& builder) {
-    const auto values = builder.CreateVector(heights.data(), heights.size());
-    return wire::CreateHeights(builder, request_id, values);
+    const auto heights = builder.CreateVector(found.heights_fx);
+    const auto looks = found.looks.empty() ? 0 : builder.CreateVector(found.looks);
+    const auto values = found.values.empty() ? 0 : builder.CreateVector(found.values);
+    return wire::CreateHeights(builder, request_id, heights, looks, values);
   });
 }
 

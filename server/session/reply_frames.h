@@ -11,6 +11,7 @@
 #include <talus/voxel/coords.h>
 
 #include "chunks/encoded_chunk.h"
+#include "chunks/heights_query.h"
 #include "rates/rates.h"
 #include "session/handshake.h"
 #include "session/retry_after.h"
@@ -36,7 +37,7 @@ inline constexpr std::string_view kNoMemory = "this server's memory is all in us
 /// `column` is any chunk of the column.
 [[nodiscard]] protocol::Frame column_frame(ChunkKey column, const std::vector<wire::UniformRun>& runs);
 [[nodiscard]] protocol::Frame view_complete_frame(std::uint32_t number);
-[[nodiscard]] protocol::Frame heights_frame(std::uint32_t request_id, std::span<const std::int32_t> heights);
+[[nodiscard]] protocol::Frame heights_frame(std::uint32_t request_id, const HeightsFound& found);
 [[nodiscard]] protocol::Frame pong_frame(std::uint64_t nonce);
 [[nodiscard]] protocol::Frame go_away_frame(std::string_view reason, std::chrono::milliseconds retry_after);
 

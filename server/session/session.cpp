@@ -268,9 +268,9 @@ void Session::on(const wire::GetHeights& get) {
   if (!context_.memory.takes_work()) {
     return replies_.error(about_request(get.id()), ErrorCode::overloaded, kNoMemory, retry_after::kBusy);
   }
-  auto columns = check_heights(get, context_.limits);
-  if (!columns) return replies_.error(about_request(get.id()), columns.error().code, columns.error().text);
-  delivery_.request_heights(get.id(), *std::move(columns));
+  auto query = check_heights(get, context_.limits, context_.world.fields.size());
+  if (!query) return replies_.error(about_request(get.id()), query.error().code, query.error().text);
+  delivery_.request_heights(get.id(), *std::move(query));
 }
 
 void Session::on(const wire::Credit& credit) {

@@ -17,7 +17,9 @@ struct WorldInfo {
   const std::vector<terrain::Material> materials{};
   const HeightRange heights{};
   const VoxelPos spawn{};
-  const std::string server{};  // name and version
+  const std::string server{};               // name and version
+  const std::vector<std::string> looks{};   // terrain::World::look_names()
+  const std::vector<std::string> fields{};  // terrain::place_names(), at most 256
 };
 
 }  // namespace talus::server

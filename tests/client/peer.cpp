@@ -125,8 +125,10 @@ protocol::Frame welcome_frame(std::uint64_t fingerprint, std::uint64_t window_by
     const wire::Hash128 store{7, 7};
     const wire::Voxel spawn{8, 70, -8};
     const auto server = b.CreateString("a test");
+    const auto looks = b.CreateVectorOfStrings({"", "snow"});
+    const auto fields = b.CreateVectorOfStrings({"temperature", "moisture"});
     return wire::CreateWelcome(b, 1, kCodecVersion, &world, &store, 32, material_list, 0, horizon.max_y,
-                               &spawn, limits, server);
+                               &spawn, limits, server, looks, fields);
   });
 }
 

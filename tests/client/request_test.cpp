@@ -215,6 +215,49 @@ TEST_CASE("heights come in the order asked") {
   run(m.io, {visit, serve});
 }
 
+TEST_CASE("places are told by the names of Welcome") {
+  Meeting m;
+  const std::vector<Column> one{{1, 2}};
+  const std::vector<Column> two{{1, 2}, {-3, 4}};
+  const std::vector<std::uint8_t> one_zero{1, 0};
+  const std::vector<std::uint8_t> zero_one{0, 1};
+  const std::vector<std::string> unknown{"height"};
+  const std::vector<std::string> known{"moisture", "temperature"};
+  const auto visit = [&]() -> asio::awaitable<void> {
+    co_await m.join();
+    const auto none = co_await m.client.get_places(one, unknown);
+    CHECK(none.error().message == "this world has no field 'height'");
+    const auto places = co_await m.client.get_places(two, known);
+    REQUIRE(places.has_value());
+    CHECK(places->heights_fx == std::vector<std::int32_t>{100, -200});
+    CHECK(places->looks == one_zero);
+    CHECK(places->values == std::vector<float>{0.5F, 1.5F, -2.5F, 3.5F});
+    const auto wrong = co_await m.client.get_places(one, std::vector<std::string>{});
+    CHECK(wrong.error().kind == ErrorKind::broken_protocol);
+  };
+  const auto serve = [&]() -> asio::awaitable<void> {
+    co_await m.peer.welcome();
+    const auto* get = (co_await m.peer.receive())->body_as_GetHeights();
+    REQUIRE(get != nullptr);
+    CHECK(get->looks());
+    CHECK(std::vector<std::uint8_t>(get->fields()->begin(), get->fields()->end()) == one_zero);
+    const auto answer = [&](std::uint32_t id, const std::vector<std::uint8_t>& looks) {
+      return protocol::make_frame([&](auto& b) {
+        const auto heights = b.CreateVector(std::vector<std::int32_t>{100, -200});
+        const auto look_list = b.CreateVector(looks);
+        return wire::CreateHeights(b, id, heights, look_list,
+                                   b.CreateVector(std::vector<float>{0.5F, 1.5F, -2.5F, 3.5F}));
+      });
+    };
+    const auto first = get->id();
+    co_await m.peer.send(answer(first, one_zero));
+    get = (co_await m.peer.receive())->body_as_GetHeights();
+    const auto second = get->id();
+    co_await m.peer.send(answer(second, zero_one));
+  };
+  run(m.io, {visit, serve});
+}
+
 TEST_CASE("what the server cannot answer is refused before it is asked") {
   Meeting m;
   const auto visit = [&]() -> asio::awaitable<void> {

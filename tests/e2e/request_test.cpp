@@ -7,6 +7,7 @@
 
 #include <talus/terrain/extraction.h>
 #include <talus/terrain/heights.h>
+#include <talus/terrain/places.h>
 #include <talus/voxel/codec.h>
 
 #include "messages.h"
@@ -180,6 +181,31 @@ TEST_CASE("heights are the surface's") {
   const Received received = client.expect();
   const auto& heights = *received.as<wire::Heights>().heights_fx();
   CHECK(std::vector<std::int32_t>(heights.begin(), heights.end()) ==
+        terrain::surface_heights(served_world(), columns));
+}
+
+TEST_CASE("looks and fields come with the heights, numbered as in Welcome") {
+  const ServerProcess server;
+  RawClient client{server.port()};
+  REQUIRE(client.send(hello({})));
+  const Received greeting = client.expect();
+  const auto& welcome = greeting.as<wire::Welcome>();
+  const std::vector<std::string> names = terrain::place_names(served_world());
+  REQUIRE(welcome.fields()->size() == names.size());
+  REQUIRE(welcome.looks()->size() == served_world().look_names().size());
+  const std::vector<terrain::BaseColumn> columns{{0, 0}, {-1000, 77}, {1LL << 35, -(1LL << 36)}};
+  std::vector<wire::ColumnPos> wire_columns;
+  for (const auto& column : columns) wire_columns.emplace_back(column.x, column.z);
+  REQUIRE(client.send(protocol::make_frame([&](auto& b) {
+    const auto column_list = b.CreateVectorOfStructs(wire_columns);
+    return wire::CreateGetHeights(b, 8, column_list, true, b.CreateVector(std::vector<std::uint8_t>{0}));
+  })));
+  const Received received = client.expect();
+  const auto& heights = received.as<wire::Heights>();
+  const auto places = terrain::places_at(served_world(), columns, std::vector{names[0]});
+  CHECK(std::vector<std::uint8_t>(heights.looks()->begin(), heights.looks()->end()) == places.looks);
+  CHECK(std::vector<float>(heights.values()->begin(), heights.values()->end()) == places.values);
+  CHECK(std::vector<std::int32_t>(heights.heights_fx()->begin(), heights.heights_fx()->end()) ==
         terrain::surface_heights(served_world(), columns));
 }
 

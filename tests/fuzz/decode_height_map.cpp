@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include <talus/height_files/height_files.h>
+#include <talus/world_files/world_files.h>
 
 #include "surface/scaled_heights.h"
 
@@ -25,7 +25,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   // An exact copy on the heap, so that a read past the end is one past an allocation too.
   const auto* first = reinterpret_cast<const std::byte*>(data);
   const std::vector<std::byte> file(first, first + size);
-  const auto map = height_files::decode_height_map(file);
+  const auto map = world_files::decode_height_map(file);
   if (!map) {
     require(!map.error().empty(), "an error describes itself");
     return 0;

@@ -25,7 +25,8 @@ Frame get_chunks() {
 Frame get_heights() {
   return make_frame([](auto& b) {
     const std::array columns{wire::ColumnPos{-5, 9}, wire::ColumnPos{std::int64_t{1} << 36, 0}};
-    return wire::CreateGetHeights(b, 9, b.CreateVectorOfStructs(columns.data(), columns.size()));
+    const auto column_vector = b.CreateVectorOfStructs(columns.data(), columns.size());
+    return wire::CreateGetHeights(b, 9, column_vector, true, b.CreateVector(std::vector<std::uint8_t>{1, 0}));
   });
 }
 
@@ -41,7 +42,10 @@ Frame welcome() {
         wire::CreateLimits(b, 65536, 256, 4096, 32, 16, 40000, 1U << 20, 60000, session, address, true);
     const auto server = b.CreateString("talusd 0.1.0");
     const wire::Hash128 store{1, 2};
-    return wire::CreateWelcome(b, 1, 1, &kHash, &store, 32, material_vector, 0, 320, &kVoxel, limits, server);
+    const auto looks = b.CreateVectorOfStrings({"", "snow"});
+    const auto fields = b.CreateVectorOfStrings({"height", "temperature"});
+    return wire::CreateWelcome(b, 1, 1, &kHash, &store, 32, material_vector, 0, 320, &kVoxel, limits, server,
+                               looks, fields);
   });
 }
 
@@ -121,7 +125,13 @@ std::vector<Sample> sample_frames() {
       {Body::Chunk, sample_chunk()},
       simple(Body::Unchanged, [](auto& b) { return wire::CreateUnchanged(b, 8, &kKey, 42, &kHash); }),
       {Body::UniformColumn, column()},
-      simple(Body::Heights, [&](auto& b) { return wire::CreateHeights(b, 9, b.CreateVector(heights)); }),
+      simple(Body::Heights,
+             [&](auto& b) {
+               const auto heights_fx = b.CreateVector(heights);
+               const auto looks = b.CreateVector(std::vector<std::uint8_t>{0, 1, 1});
+               return wire::CreateHeights(b, 9, heights_fx, looks,
+                                          b.CreateVector(std::vector<float>{0.5F, -0.25F, 3}));
+             }),
       {Body::Error, error()},
       simple(Body::EditResult, [](auto& b) { return wire::CreateEditResult(b, 11, 43); }),
       {Body::EditBroadcast, edit_broadcast()},

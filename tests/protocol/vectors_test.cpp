@@ -102,7 +102,9 @@ TEST_CASE("every field of the schema has a value in the test vectors") {
                             "requests",        "burst_ms",
                             "about",           "repeated_id",
                             "view_number",     "chunk",
-                            "horizon",         "view_horizon"}) {
+                            "horizon",         "view_horizon",
+                            "looks",           "fields",
+                            "values"}) {
     CAPTURE(field);
     CHECK(all.find(std::string{"\""} + field + "\"") != std::string::npos);
   }

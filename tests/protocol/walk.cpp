@@ -82,7 +82,7 @@ void walk_from_client(const wire::Message& message, Digest& digest) {
   } else if (const auto* cancel = message.body_as_Cancel()) {
     digest.add(cancel->ids());
   } else if (const auto* heights = message.body_as_GetHeights()) {
-    digest.add(heights->id(), heights->columns());
+    digest.add(heights->id(), heights->columns(), heights->looks(), heights->fields());
   } else if (const auto* credit = message.body_as_Credit()) {
     digest.add(credit->total_bytes());
   } else if (const auto* edit = message.body_as_Edit()) {
@@ -95,7 +95,7 @@ void walk_from_client(const wire::Message& message, Digest& digest) {
 void walk_from_server(const wire::Message& message, Digest& digest) {
   if (const auto* m = message.body_as_Welcome()) {
     digest.add(m->protocol(), m->codec(), m->fingerprint(), m->store_id(), m->chunk_size(), m->materials(),
-               m->min_y(), m->max_y(), m->spawn(), m->limits(), m->server());
+               m->min_y(), m->max_y(), m->spawn(), m->limits(), m->server(), m->looks(), m->fields());
   } else if (const auto* chunk = message.body_as_Chunk()) {
     digest.add(chunk->id(), chunk->key(), chunk->revision(), chunk->hash(), chunk->codec(), chunk->payload());
   } else if (const auto* unchanged = message.body_as_Unchanged()) {
@@ -103,7 +103,7 @@ void walk_from_server(const wire::Message& message, Digest& digest) {
   } else if (const auto* column = message.body_as_UniformColumn()) {
     digest.add(column->x(), column->z(), column->lod(), column->revision(), column->runs());
   } else if (const auto* heights = message.body_as_Heights()) {
-    digest.add(heights->id(), heights->heights_fx());
+    digest.add(heights->id(), heights->heights_fx(), heights->looks(), heights->values());
   } else if (const auto* error = message.body_as_Error()) {
     digest.add(error->code(), error->text(), error->request_id(), error->retry_after_ms(), error->about(),
                error->repeated_id(), error->view_number(), error->chunk());

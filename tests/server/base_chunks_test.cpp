@@ -171,12 +171,12 @@ TEST_CASE("out of memory is an answer, and the next request may succeed") {
 TEST_CASE("heights come by their ticket, failed ones too") {
   FakeService fake;
   WaitingClient client;
-  fake.service.submit_heights(client.mailbox(), 6, {{1, 2}, {3, 4}});
+  fake.service.submit_heights(client.mailbox(), 6, HeightsQuery{.columns = {{1, 2}, {3, 4}}});
   client.await(1);
   CHECK(client.heights()[0].first == 6);
-  CHECK(client.heights()[0].second.value().size() == 2);
+  CHECK(client.heights()[0].second.value().heights_fx.size() == 2);
   fake.work->out_of_memory = true;
-  fake.service.submit_heights(client.mailbox(), 7, {{1, 2}});
+  fake.service.submit_heights(client.mailbox(), 7, HeightsQuery{.columns = {{1, 2}}});
   client.await(2);
   CHECK(client.heights()[1].first == 7);
   CHECK_FALSE(client.heights()[1].second.has_value());
@@ -201,14 +201,14 @@ TEST_CASE("dear heights are made a piece at a time, and others have their turns 
   WaitingClient player;
   REQUIRE(queued(fake.service, holder, at(1000)));
   fake.work->await_somebody_at_gate();  // until all have asked
-  fake.service.submit_heights(dear.mailbox(), 1, scattered);
+  fake.service.submit_heights(dear.mailbox(), 1, HeightsQuery{.columns = scattered});
   REQUIRE(queued(fake.service, player, at(0)));
   fake.work->open_gate();
   player.await(1);
   dear.await(1);
   CHECK(pieces == 50);
   CHECK(pieces_at_patch <= 3);
-  CHECK(dear.heights()[0].second.value().size() == scattered.size());
+  CHECK(dear.heights()[0].second.value().heights_fx.size() == scattered.size());
 }
 
 TEST_CASE("a dear patch gives way to others midway, and goes on where it was") {
@@ -298,14 +298,14 @@ TEST_CASE("heights of one tile that are dear give way midway, too") {
   WaitingClient player;
   REQUIRE(queued(fake.service, holder, at(1000)));
   fake.work->await_somebody_at_gate();
-  fake.service.submit_heights(dear.mailbox(), 1, {{5, 5}, {6, 6}});
+  fake.service.submit_heights(dear.mailbox(), 1, HeightsQuery{.columns = {{5, 5}, {6, 6}}});
   REQUIRE(queued(fake.service, player, at(0)));
   fake.work->open_gate();
   player.await(1);
   dear.await(1);
   CHECK(steps == 100);
   CHECK(steps_at_patch <= 10);
-  CHECK(dear.heights()[0].second.value().size() == 2);
+  CHECK(dear.heights()[0].second.value().heights_fx.size() == 2);
 }
 
 TEST_CASE("heights that are cancelled while they are made end with their piece") {
@@ -318,8 +318,8 @@ TEST_CASE("heights that are cancelled while they are made end with their piece")
   };
   std::vector<terrain::BaseColumn> scattered;
   for (std::int64_t tile = 0; tile < 50; ++tile) scattered.push_back({tile * kChunkSize, 0});
-  fake.service.submit_heights(dear.mailbox(), 1, scattered);
-  fake.service.submit_heights(dear.mailbox(), 2, {{1, 2}});
+  fake.service.submit_heights(dear.mailbox(), 1, HeightsQuery{.columns = scattered});
+  fake.service.submit_heights(dear.mailbox(), 2, HeightsQuery{.columns = {{1, 2}}});
   dear.await(1);
   CHECK(dear.heights()[0].first == 2);
   CHECK(pieces <= 8);
@@ -388,10 +388,10 @@ TEST_CASE("a client that cannot be woken harms nobody") {
   FakeService fake;
   const auto broken = std::make_shared<Mailbox>(ClientId{1'000'000}, [] { throw std::bad_alloc{}; });
   REQUIRE(queued(fake.service, broken, at(1)));
-  fake.service.submit_heights(broken, 1, {{1, 2}});
+  fake.service.submit_heights(broken, 1, HeightsQuery{.columns = {{1, 2}}});
   WaitingClient client;
   REQUIRE(queued(fake.service, client, at(2)));
-  fake.service.submit_heights(client.mailbox(), 1, {{1, 2}});
+  fake.service.submit_heights(client.mailbox(), 1, HeightsQuery{.columns = {{1, 2}}});
   client.await(2);
 }
 

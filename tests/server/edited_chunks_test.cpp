@@ -60,9 +60,8 @@ class EditedChunks final : public ChunkSource {
   void set_wanted(ClientId client, std::span<const LevelBox> boxes) override {
     base_.set_wanted(client, boxes);
   }
-  void submit_heights(const MailboxPtr& mailbox, std::uint64_t ticket,
-                      std::vector<terrain::BaseColumn> columns) override {
-    base_.submit_heights(mailbox, ticket, std::move(columns));
+  void submit_heights(const MailboxPtr& mailbox, std::uint64_t ticket, HeightsQuery query) override {
+    base_.submit_heights(mailbox, ticket, std::move(query));
   }
   void cancel_heights(ClientId client, std::uint64_t ticket) override {
     base_.cancel_heights(client, ticket);

@@ -100,9 +100,9 @@ class FakeHeights final : public HeightsMaking {
     if (work_.in_heights) work_.in_heights();
     return true;
   }
-  [[nodiscard]] std::vector<std::int32_t> take() override {
+  [[nodiscard]] HeightsFound take() override {
     if (work_.out_of_memory) throw std::bad_alloc{};
-    return std::vector<std::int32_t>(columns_);
+    return {.heights_fx = std::vector<std::int32_t>(columns_)};
   }
 
  private:
@@ -138,9 +138,8 @@ class FakeGenerator final : public Generator {
     return std::make_shared<const EncodedChunk>(ContentHash{std::hash<ChunkKey>{}(key), 0},
                                                 std::vector<std::byte>(work_->payload_bytes));
   }
-  [[nodiscard]] std::unique_ptr<HeightsMaking> start_heights(
-      std::span<const terrain::BaseColumn> columns) const override {
-    return std::make_unique<FakeHeights>(*work_, columns.size());
+  [[nodiscard]] std::unique_ptr<HeightsMaking> start_heights(HeightsQuery query) const override {
+    return std::make_unique<FakeHeights>(*work_, query.columns.size());
   }
 
  private:

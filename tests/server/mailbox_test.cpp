@@ -8,7 +8,7 @@ using namespace talus::server;
 namespace {
 
 HeightsReady mail(std::uint64_t ticket) {
-  return {ticket, std::vector<std::int32_t>{}};
+  return {ticket, HeightsFound{}};
 }
 
 std::vector<std::uint64_t> tickets(const std::vector<Mail>& mail) {

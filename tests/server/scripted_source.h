@@ -83,10 +83,9 @@ class ScriptedSource final : public ChunkSource {
   void set_wanted(ClientId, std::span<const LevelBox> boxes) override {
     wanted.assign(boxes.begin(), boxes.end());
   }
-  void submit_heights(const MailboxPtr& mailbox, std::uint64_t ticket,
-                      std::vector<terrain::BaseColumn> columns) override {
+  void submit_heights(const MailboxPtr& mailbox, std::uint64_t ticket, HeightsQuery query) override {
     waiting_heights[ticket] = mailbox;
-    heights_[ticket] = columns.size();
+    heights_[ticket] = query.columns.size();
   }
   void cancel_heights(ClientId, std::uint64_t ticket) override { waiting_heights.erase(ticket); }
 
@@ -107,7 +106,8 @@ class ScriptedSource final : public ChunkSource {
   }
   /// Every height is 256.
   void answer_heights(std::uint64_t ticket) {
-    waiting_heights.at(ticket)->put(HeightsReady{ticket, std::vector<std::int32_t>(heights_[ticket], 256)});
+    waiting_heights.at(ticket)->put(
+        HeightsReady{ticket, HeightsFound{.heights_fx = std::vector<std::int32_t>(heights_[ticket], 256)}});
     waiting_heights.erase(ticket);
   }
 

@@ -372,6 +372,24 @@ TEST_CASE("a height outside the world is refused by its id") {
   CHECK(said[0].id == 4);
 }
 
+TEST_CASE("fields that Welcome does not have, or too many, are refused by the request's id") {
+  SessionBench bench;
+  const auto ask = [&](const std::vector<std::uint8_t>& fields) {
+    bench.receive([&](auto& builder) {
+      const auto columns = builder.CreateVectorOfStructs(std::vector{wire::ColumnPos{0, 0}});
+      return wire::CreateGetHeights(builder, 4, columns, true, builder.CreateVector(fields));
+    });
+    return bench.output();
+  };
+  auto said = ask({0, 255});  // the bench's world has none
+  REQUIRE(said.size() == 1);
+  CHECK(said[0].code == wire::ErrorCode::out_of_range);
+  CHECK(said[0].id == 4);
+  said = ask(std::vector<std::uint8_t>(17));
+  REQUIRE(said.size() == 1);
+  CHECK(said[0].code == wire::ErrorCode::too_large);
+}
+
 TEST_CASE("heights in more tiles than the world allows are refused") {
   SessionBench bench;
   bench.limits.height_tiles_per_request = 1;

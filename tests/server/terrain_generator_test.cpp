@@ -1,8 +1,14 @@
 #include "generation/terrain_generator.h"
 
 #include <catch2/catch.hpp>
+#include <random>
+#include <set>
+#include <string>
 #include <thread>
+#include <vector>
 
+#include <talus/terrain/heights.h>
+#include <talus/terrain/places.h>
 #include <talus/voxel/codec.h>
 
 #include "made_whole.h"
@@ -140,7 +146,43 @@ TEST_CASE("a patch made in the memory of another is the same, on any thread") {
 TEST_CASE("heights are the surface's") {
   const TerrainGenerator generator{world(), kTiles};
   const std::vector<terrain::BaseColumn> columns{{0, 0}, {1000, -77}, {-31, 32}};
-  CHECK(made_whole(generator.start_heights(columns)) == terrain::surface_heights(*world(), columns));
+  const HeightsFound found = made_whole(generator.start_heights({columns}));
+  CHECK(found.heights_fx == terrain::surface_heights(*world(), columns));
+  CHECK(found.looks.empty());
+  CHECK(found.values.empty());
+}
+
+TEST_CASE("looks and fields are those of the places") {
+  const terrain::World& land = *world();
+  const TerrainGenerator generator{world(), kTiles};
+  std::mt19937_64 random{20'261'123};
+  std::vector<terrain::BaseColumn> columns;
+  for (int i = 0; i < 300; ++i) {
+    const auto some = [&] { return static_cast<std::int64_t>(random() % 200) - 100; };
+    const std::int64_t x = some() * (i % 3 == 0 ? 1000 : 1);
+    columns.push_back({x, some()});
+  }
+  const std::vector<std::string> names = terrain::place_names(land);
+  REQUIRE(names.size() > 3);
+  const std::vector<std::uint8_t> fields{3, 0, static_cast<std::uint8_t>(names.size() - 1)};
+  const std::vector<std::string> asked{names[3], names[0], names.back()};
+  const HeightsFound found = made_whole(generator.start_heights({columns, true, fields}));
+  CHECK(found.heights_fx == terrain::surface_heights(land, columns));
+  REQUIRE(found.looks.size() == columns.size());
+  REQUIRE(found.values.size() == columns.size() * fields.size());
+  // One column at a time, by a sampler that was at another one before.
+  auto sampler = terrain::PlaceSampler::make(land, asked).value();
+  std::set<int> looks;
+  for (std::size_t i = 0; i < columns.size(); ++i) {
+    sampler.start({&columns[i].x, 1});
+    sampler.row(columns[i].z);
+    CHECK(found.looks[i] == sampler.looks()[0]);
+    looks.insert(found.looks[i]);
+    for (std::size_t f = 0; f < fields.size(); ++f) {
+      CHECK(found.values[i * fields.size() + f] == sampler.values(f)[0]);
+    }
+  }
+  CHECK(looks.size() > 3);
 }
 
 TEST_CASE("what is given up or waits halfway leaves the next patch right") {
@@ -157,5 +199,5 @@ TEST_CASE("what is given up or waits halfway leaves the next patch right") {
   CHECK((waiting->take().tops.back().values == again.tops.back().values));
   std::vector<terrain::BaseColumn> columns;  // of many tiles
   for (std::int64_t i = 0; i < 512; ++i) columns.push_back({i * 64, 0});
-  CHECK(generator.start_heights(columns)->step());
+  CHECK(generator.start_heights({columns})->step());
 }

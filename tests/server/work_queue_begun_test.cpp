@@ -16,7 +16,7 @@ const WorkCosts kCosts{.patch = 100, .longest_piece = 25, .max_begun = 2};
 class Nothing final : public HeightsMaking {
  public:
   [[nodiscard]] bool step() override { return true; }
-  [[nodiscard]] std::vector<std::int32_t> take() override { return {}; }
+  [[nodiscard]] HeightsFound take() override { return {}; }
 };
 
 WorkQueue::Work take(WorkQueue& queue) {
@@ -151,7 +151,7 @@ TEST_CASE("a piece gives way to what is likely to take less time than its rest")
     CHECK(queue.should_give_way(work.turn, 25, costs));
   }
   SECTION("to heights, if they are few") {
-    queue.add(HeightsTask{other, 1, {{0, 0}, {1, 1}, {2, 2}}});
+    queue.add(HeightsTask{other, 1, HeightsQuery{.columns = {{0, 0}, {1, 1}, {2, 2}}}});
     CHECK(queue.should_give_way(work.turn, 25, costs));
     CHECK_FALSE(queue.should_give_way(work.turn, 80, costs));
   }
@@ -189,14 +189,14 @@ TEST_CASE("two heights of one client in the making are both gone on with") {
   WorkQueue queue{kPatch, 100};
   const auto client = client_box();
   for (std::uint64_t ticket = 1; ticket <= 2; ++ticket) {
-    queue.add(HeightsTask{client, ticket, {{0, 0}, {1000, 0}}});
+    queue.add(HeightsTask{client, ticket, HeightsQuery{.columns = {{0, 0}, {1000, 0}}}});
   }
   auto first = take(queue);
   auto second = take(queue);
   std::get<HeightsTask>(second.what).making() = std::make_unique<Nothing>();
   queue.put_back(std::move(std::get<HeightsTask>(second.what)));
   queue.reconcile(second, 25);
-  std::get<HeightsTask>(first.what).add({7});
+  std::get<HeightsTask>(first.what).add({{7}, {}, {}});
   queue.put_back(std::move(std::get<HeightsTask>(first.what)));
   queue.reconcile(first, 25);
   int pieces = 0;
@@ -213,7 +213,7 @@ TEST_CASE("two heights of one client in the making are both gone on with") {
 TEST_CASE("heights that were begun count until they are gone on with or cancelled") {
   WorkQueue queue{kPatch, 100};
   const auto client = client_box();
-  queue.add(HeightsTask{client, 1, {{0, 0}}});
+  queue.add(HeightsTask{client, 1, HeightsQuery{.columns = {{0, 0}}}});
   for (const bool cancelled : {false, true}) {
     auto work = take(queue);
     auto& task = std::get<HeightsTask>(work.what);

@@ -85,7 +85,7 @@ TEST_CASE("heights that cannot be put back for want of memory are the caller's s
     CAPTURE(allocations);
     WorkQueue queue{kPatch, 100};
     const auto client = client_box();
-    queue.add(HeightsTask{client, 1, {{0, 0}, {1000, 0}}});
+    queue.add(HeightsTask{client, 1, HeightsQuery{.columns = {{0, 0}, {1000, 0}}}});
     auto work = queue.take();
     REQUIRE(work.has_value());
     auto& task = std::get<HeightsTask>(work->what);
@@ -111,7 +111,7 @@ TEST_CASE("whichever allocation fails while a piece is taken, it is taken the ne
     const auto client = client_box(kFlow);
     const std::array keys{at(0), at(1), at(2)};
     REQUIRE(queue.add(client, keys) == 3);
-    queue.add(HeightsTask{client, 1, {{0, 0}}});
+    queue.add(HeightsTask{client, 1, HeightsQuery{.columns = {{0, 0}}}});
     std::vector<WorkQueue::Work> taken;
     taken.reserve(2);
     {

@@ -39,7 +39,7 @@ TEST_CASE("what is wanted soon goes before what others wanted earlier") {
 TEST_CASE("of one client, too, what is wanted soon goes first") {
   WorkQueue queue{kPatch, 1000};
   const auto client = client_box();
-  queue.add(HeightsTask{client, 1, {{0, 0}}});
+  queue.add(HeightsTask{client, 1, HeightsQuery{.columns = {{0, 0}}}});
   REQUIRE(add(queue, client, at(0)));
   REQUIRE(queue.add(client, std::array{at(100)}, Urgency::soon) == 1);
   auto work = queue.take();

@@ -482,7 +482,7 @@ TEST_CASE("a client that waits for both gets heights and patches in turns") {
   const auto client = client_box();
   for (std::uint64_t i = 0; i < 3; ++i) {
     REQUIRE(add(queue, client, at(static_cast<std::int32_t>(i) * kPatch)));
-    queue.add(HeightsTask{client, i, {{0, 0}}});
+    queue.add(HeightsTask{client, i, HeightsQuery{.columns = {{0, 0}}}});
   }
   std::string order;
   while (const auto work = queue.take()) order += std::holds_alternative<HeightsTask>(work->what) ? 'h' : 'p';
@@ -492,8 +492,8 @@ TEST_CASE("a client that waits for both gets heights and patches in turns") {
 TEST_CASE("cancelled heights are not begun") {
   WorkQueue queue{kPatch, 100};
   const auto client = client_box();
-  queue.add(HeightsTask{client, 1, {{0, 0}}});
-  queue.add(HeightsTask{client, 2, {{0, 0}}});
+  queue.add(HeightsTask{client, 1, HeightsQuery{.columns = {{0, 0}}}});
+  queue.add(HeightsTask{client, 2, HeightsQuery{.columns = {{0, 0}}}});
   queue.cancel_heights(client->owner(), 1);
   queue.cancel_heights(client->owner(), 7);
   CHECK(std::get<HeightsTask>(queue.take()->what).ticket() == 2);
@@ -503,10 +503,10 @@ TEST_CASE("cancelled heights are not begun") {
 TEST_CASE("heights that are put back go on, unless they were cancelled") {
   WorkQueue queue{kPatch, 100};
   const auto client = client_box();
-  queue.add(HeightsTask{client, 1, {{0, 0}, {1000, 0}}});
+  queue.add(HeightsTask{client, 1, HeightsQuery{.columns = {{0, 0}, {1000, 0}}}});
   auto work = queue.take();
   auto& task = std::get<HeightsTask>(work->what);
-  task.add({7});
+  task.add({{7}, {}, {}});
   queue.put_back(std::move(task));
   queue.reconcile(*work, 1);
   work = queue.take();

@@ -8,6 +8,7 @@
 
 #include <talus/terrain/height_map.h>
 #include <talus/terrain/lattice_hash.h>
+#include <talus/terrain/world_files.h>
 
 namespace talus::test {
 

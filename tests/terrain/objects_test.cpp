@@ -8,13 +8,16 @@
 #include <set>
 #include <string>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 #include <talus/terrain/boundary_row.h>
 #include <talus/terrain/extraction.h>
 #include <talus/terrain/generator.h>
 #include <talus/terrain/lattice_hash.h>
+#include <talus/terrain/voxel_model.h>
 #include <talus/terrain/world.h>
+#include <talus/terrain/world_files.h>
 
 #include "features/object_models.h"
 #include "worlds.h"
@@ -33,8 +36,42 @@ const std::string kThorns =
     "[[object]]\nname = \"stone\"\nmodel = \"boulder\"\nspacing = 11\nchance = 0.3\nin_water = true\n"
     "stone = { name = \"gravel\" }\n";
 
+const std::string kHuts =
+    "[[object]]\nname = \"hut\"\nmodel = \"hut.vox\"\nspacing = 24\nchance = 0.8\n"
+    "[object.palette]\n9 = { name = \"oak thatch\", colour = \"#a08040\" }\n"
+    "200 = { name = \"oak planks\", colour = \"#806040\" }\n";
+
+/// "hut.vox": one hut that no turn leaves as it is, and one as large as may be.
+const std::vector<VoxelModel>& huts() {
+  static const std::vector<VoxelModel> models = [] {
+    VoxelModel small{4, 6, 3, {}};
+    for (std::uint8_t y = 0; y < 6; ++y) {
+      for (std::uint8_t x = 0; x + y < 8 && x < 4; ++x) {
+        for (std::uint8_t z = 0; z < 3; ++z) {
+          if (x == 3 && z == 2) continue;
+          small.voxels.push_back({x, y, z, static_cast<std::uint8_t>(y < 3 ? 200 : 9)});
+        }
+      }
+    }
+    VoxelModel large{kMaxModelWidth, kMaxModelHeight, kMaxModelWidth, {}};
+    for (std::uint8_t i = 0; i < 21; ++i) {
+      large.voxels.push_back({i, static_cast<std::uint8_t>(i + 11), 3, 9});
+      large.voxels.push_back({10, 0, i, 200});
+    }
+    return std::vector{small, large};
+  }();
+  return models;
+}
+
+WorldFiles with_huts() {
+  return {{}, [](const std::string& file) -> tl::expected<std::vector<VoxelModel>, std::string> {
+            if (file == "hut.vox") return huts();
+            return tl::unexpected{std::string{"is not there"}};
+          }};
+}
+
 World wooded(const std::string& more = "", const std::string& text = test::small_world_text(7)) {
-  auto world = World::parse(text + kWood + more, "wood.toml");
+  auto world = World::parse(text + kWood + more, "wood.toml", with_huts());
   INFO((world ? "" : world.error().message));
   REQUIRE(world.has_value());
   return *std::move(world);
@@ -77,7 +114,7 @@ TEST_CASE("No model leaves its bounds, and no two of its voxels are one") {
 }
 
 TEST_CASE("An object across chunks is whole from whatever patch it is cut, at every level and end") {
-  const World world = wooded(kThorns);
+  const World world = wooded(kThorns + kHuts);
   CHECK(world.generator_version() == GeneratorVersion::v3);
   std::size_t seen = 0;
   CHECK(rc::check([&] {
@@ -139,6 +176,63 @@ TEST_CASE("Objects fill air above the ground alone, with caves, too") {
     }
   }));
   CHECK(seen > 1000);
+}
+
+TEST_CASE("An author's model stands as it was drawn, turned, and its lowest layer goes down to the ground") {
+  auto parsed = World::parse(test::small_world_text(7) + kHuts, "huts.toml", with_huts());
+  REQUIRE(parsed.has_value());
+  const World& world = *parsed;
+  const Region patch{0, 0, 256, 256, Lod{}};
+  const Stacks stacks = generate_stacks(world, patch);
+  const auto at = [&](std::int64_t x, std::int64_t y, std::int64_t z) {
+    const auto chunk_of = [](std::int64_t v) { return static_cast<std::int32_t>(floor_div(v, kChunkSize)); };
+    const auto in = [](std::int64_t v) { return static_cast<std::uint8_t>(v & 31); };
+    const Chunk chunk = extract_chunk(world, stacks, {chunk_of(x), chunk_of(y), chunk_of(z)});
+    return world.materials()[to_integer(chunk.at({in(x), in(y), in(z)}))].name;
+  };
+  std::set<int> turns;
+  std::set<int> variants;
+  for (const PlacedObject& object : stacks.objects) {
+    const VoxelModel& model = huts().at(object.variant);
+    const auto inside = [](std::int64_t v) { return v >= 12 && v < 244; };
+    if (!inside(object.x) || !inside(object.z)) continue;
+    turns.insert(object.turn);
+    variants.insert(object.variant);
+    for (const auto& [vx, vy, vz, colour] : model.voxels) {
+      int x = vx - model.width / 2;
+      int z = vz - model.depth / 2;
+      for (int turn = 0; turn < object.turn; ++turn) x = std::exchange(z, x) * -1;
+      const auto ground =
+          boundary_row(stacks.tops.back().at(static_cast<int>(object.x) + x, static_cast<int>(object.z) + z));
+      for (int y = vy == 0 ? -4 : vy; y <= vy; ++y) {
+        if (object.y + y < ground) continue;
+        CHECK(at(object.x + x, object.y + y, object.z + z) == (colour == 9 ? "oak thatch" : "oak planks"));
+      }
+    }
+  }
+  CHECK(turns.size() == 4);
+  CHECK(variants.size() == 2);
+}
+
+TEST_CASE("What is wrong about models of files") {
+  const auto [from, to, message] = GENERATE(values<test::Wrong>({
+      {"hut.vox", "tower.vox", "object[0].model: 'tower.vox': is not there"},
+      {"spacing = 24", "spacing = 9", "object[0].spacing: 9 is out of range; 10 to 64"},
+      {"9 = { name", "8 = { name", "object[0].palette.9: is a colour of 'hut.vox' that names no material"},
+      {"[object.palette]\n", "[object.palette]\n1 = { name = \"gravel\" }\n",
+       "object[0].palette.1: unknown key"},
+      {"chance = 0.8\n", "chance = 0.8\nwood = { name = \"gravel\" }\n", "object[0].wood: unknown key"},
+      {", colour = \"#a08040\"", "", "no material is named 'oak thatch'"},
+  }));
+  CAPTURE(to);
+  const auto error = [](const std::string& text, const WorldFiles& files) {
+    const auto world = World::parse(text, "w.toml", files);
+    return world ? "accepted" : world.error().message;
+  };
+  const std::string land = test::small_world_text(7);
+  CHECK_THAT(error(land + test::replaced(kHuts, from, to), with_huts()), Catch::Contains(message));
+  CHECK(error(land + kHuts, with_huts()) == "accepted");
+  CHECK_THAT(error(land + kHuts, {}), Catch::Contains("models cannot be read here"));
 }
 
 TEST_CASE("Another kind of object moves no other, and no ground") {

@@ -124,9 +124,9 @@ TEST_CASE("What is no chunk is one line that names the file, and nothing is writ
   std::string other = array;
   other.replace(other.find("(32, 32, 32)"), 12, "(32, 16, 64)");
   refused(other, "encode", "32 x 32 x 32");
-  refused(vox_file({33, 4, 5}, {{0, 0, 0, 7}}), "encode", "at most 32 voxels a side");
-  refused(vox_file({3, 4, 5}, {{3, 0, 0, 7}}), "encode", "at most 32 voxels a side");
-  refused(vox_file({3, 4, 5}, {{0, 0, 0, 7}}).substr(0, 50), "encode", "at most 32 voxels a side");
+  refused(vox_file({33, 4, 5}, {{0, 0, 0, 7}}), "encode", "33 x 4 voxels, 5 high; at most 32 x 32, 32 high");
+  refused(vox_file({3, 4, 5}, {{3, 0, 0, 7}}), "encode", "voxel 1 is outside its size");
+  refused(vox_file({3, 4, 5}, {{0, 0, 0, 7}}).substr(0, 50), "encode", "ends within the part at byte");
   refused("", "decode", "the chunk payload is empty");
   refused("\x02\x01", "decode", "versions 3 and 4");
   refused(std::string(70'000, '\x04'), "decode", "goes on after the chunk's end");

@@ -8,7 +8,7 @@
 #include <cstring>
 #include <numeric>
 
-#include <talus/height_files/height_files.h>
+#include <talus/world_files/world_files.h>
 
 #include "erode_height_map.h"
 #include "height_map_file.h"
@@ -89,14 +89,14 @@ TEST_CASE("Height maps come back from their files to the number") {
   const terrain::HeightMap real{2, 2, std::vector<float>{-1.5F, 0, 3e9F, 1e-9F}};
   for (const char* name : {"a.png", "a.npy"}) {
     REQUIRE(write_height_map(scratch / name, words));
-    const auto back = height_files::read_height_map(scratch / name);
+    const auto back = world_files::read_height_map(scratch / name);
     REQUIRE(back);
     CHECK(back->width == 3);
     CHECK(back->depth == 2);
     CHECK(back->samples == words.samples);
   }
   REQUIRE(write_height_map(scratch / "b.npy", real));
-  CHECK(height_files::read_height_map(scratch / "b.npy")->samples == real.samples);
+  CHECK(world_files::read_height_map(scratch / "b.npy")->samples == real.samples);
   CHECK(write_height_map(scratch / "b.png", real).error().exit_code == kExitWrongUse);
   CHECK(write_height_map(scratch / "b.tif", real).error().exit_code == kExitWrongUse);
 }
@@ -110,7 +110,7 @@ TEST_CASE("An eroded file is a height map like any other, with the type of its i
   REQUIRE(write_height_map(scratch / "in.png", map));
   REQUIRE(erode_height_map(scratch / "in.png", scratch / "out.png", {5000, 1}));
   REQUIRE(erode_height_map(scratch / "in.png", scratch / "again.png", {5000, 1}));
-  const auto out = height_files::read_height_map(scratch / "out.png");
+  const auto out = world_files::read_height_map(scratch / "out.png");
   REQUIRE(out);
   CHECK(out->width == 40);
   CHECK(std::holds_alternative<std::vector<std::uint16_t>>(out->samples));

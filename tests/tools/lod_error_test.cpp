@@ -53,6 +53,11 @@ TEST_CASE("Coarser levels lie further off") {
   }
   CHECK(error.rows[0].mean_surface < 1);
   CHECK(error.rows[0].same_material > 0.5);
+  for (const LodErrorRow& row : error.rows) {
+    CAPTURE(row.level);
+    CHECK((row.skyline > 0 && row.skyline < 4));
+    CHECK(row.same_elsewhere >= row.same_material);
+  }
 }
 
 TEST_CASE("Errors of the levels do not depend on threads") {

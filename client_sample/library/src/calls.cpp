@@ -1,5 +1,9 @@
 // What a caller asks for.
+#include <algorithm>
+
 #include <asio/post.hpp>
+
+#include <talus/protocol/limits.h>
 
 #include "core.h"
 #include "outgoing.h"
@@ -50,6 +54,28 @@ Result<void> check_view(const View& view, const WorldInfo& world) {
   return {};
 }
 
+Result<void> check_heights(const HeightsRequest& request, const WorldInfo& world) {
+  const std::size_t most =
+      std::min<std::size_t>(world.limits.heights_per_request, columns_per_frame(world.limits.frame_bytes));
+  if (request.columns.size() > most) {
+    return tl::unexpected{beyond("a request for heights of columns:", request.columns.size(), most)};
+  }
+  if (request.fields.size() > protocol::kMaxFieldsPerRequest) {
+    return tl::unexpected{
+        beyond("a request for fields:", request.fields.size(), protocol::kMaxFieldsPerRequest)};
+  }
+  if (request.looks && world.looks.empty()) {
+    return tl::unexpected{ClientError{ErrorKind::out_of_range, "this server does not tell looks", {}}};
+  }
+  for (const std::string& field : request.fields) {
+    if (std::find(world.fields.begin(), world.fields.end(), field) == world.fields.end()) {
+      return tl::unexpected{
+          ClientError{ErrorKind::out_of_range, "this world has no field '" + field + "'", {}}};
+    }
+  }
+  return {};
+}
+
 }  // namespace
 
 RequestId Core::get(ChunkKey key, std::optional<ContentHash> known,
@@ -85,19 +111,27 @@ void Core::cancel(RequestId request) {
 
 void Core::get_heights(std::vector<Column> columns,
                        std::function<void(Result<std::vector<std::int32_t>>)> handler) {
-  std::optional<ClientError> error;
-  if (!running_ || !world_) {
-    error = kNotConnected;
-  } else {
-    const std::size_t most = std::min<std::size_t>(world_->limits.heights_per_request,
-                                                   columns_per_frame(world_->limits.frame_bytes));
-    if (columns.size() > most) error = beyond("a request for heights of columns:", columns.size(), most);
-  }
-  if (error) {
-    asio::post(executor_, [handler = std::move(handler), error = *error] { handler(tl::unexpected{error}); });
+  add(HeightsRequest{
+      std::move(columns), false, {}, [handler = std::move(handler)](auto found) {
+        handler(std::move(found).map([](ColumnPlaces&& places) { return std::move(places.heights_fx); }));
+      }});
+}
+
+void Core::get_places(std::vector<Column> columns, std::vector<std::string> fields,
+                      std::function<void(Result<ColumnPlaces>)> handler) {
+  add(HeightsRequest{std::move(columns), true, std::move(fields), std::move(handler)});
+}
+
+void Core::add(HeightsRequest request) {
+  const Result<void> checked =
+      running_ && world_ ? check_heights(request, *world_) : tl::unexpected{kNotConnected};
+  if (!checked) {
+    asio::post(executor_, [request = std::move(request), error = checked.error()] {
+      request.handler(tl::unexpected{error});
+    });
     return;
   }
-  (void)requests_.add(HeightsRequest{std::move(columns), std::move(handler)});
+  (void)requests_.add(std::move(request));
   wake();
 }
 

@@ -87,6 +87,17 @@ asio::awaitable<Result<std::vector<std::int32_t>>> Client::get_heights(std::vect
   });
 }
 
+void Client::get_places(std::vector<Column> columns, std::vector<std::string> fields,
+                        std::function<void(Result<ColumnPlaces>)> handler) {
+  core_->get_places(std::move(columns), std::move(fields), std::move(handler));
+}
+
+asio::awaitable<Result<ColumnPlaces>> Client::get_places(std::vector<Column> columns,
+                                                         std::vector<std::string> fields) {
+  return awaited<ColumnPlaces>([core = core_, columns = std::move(columns), fields = std::move(fields)](
+                                   auto handler) { core->get_places(columns, fields, std::move(handler)); });
+}
+
 Result<void> Client::set_view(const View& view) {
   return core_->set_view(view);
 }

@@ -384,7 +384,7 @@ void Core::compose_requests(std::vector<std::byte>& out) {
     const std::uint32_t id = *requests_.send_next(in_flight_limit(limits));
     const Request& request = requests_.at(id);
     if (const auto* heights = std::get_if<HeightsRequest>(&request)) {
-      append(out, heights_frame(id, *heights));
+      append(out, heights_frame(id, *heights, *world_));
       continue;
     }
     chunks.push_back(wire_request(id, std::get<ChunkRequest>(request)));

@@ -39,6 +39,8 @@ class Core : public std::enable_shared_from_this<Core> {
   void cancel(RequestId request);
   void get_heights(std::vector<Column> columns,
                    std::function<void(Result<std::vector<std::int32_t>>)> handler);
+  void get_places(std::vector<Column> columns, std::vector<std::string> fields,
+                  std::function<void(Result<ColumnPlaces>)> handler);
   [[nodiscard]] Result<void> set_view(const View& view);
   void ping(PingHandler handler);
   void close();
@@ -73,6 +75,7 @@ class Core : public std::enable_shared_from_this<Core> {
   [[nodiscard]] Result<void> handle_chunk(const wire::Chunk& chunk, std::size_t frame_bytes);
   [[nodiscard]] Result<void> handle_unchanged(const wire::Unchanged& unchanged);
   [[nodiscard]] Result<void> handle_column(const wire::UniformColumn& column);
+  void add(HeightsRequest request);
   [[nodiscard]] Result<void> handle_heights(const wire::Heights& heights);
   [[nodiscard]] Result<void> handle_error(const wire::Error& error);
   [[nodiscard]] Result<void> handle_edit(const wire::EditBroadcast& edit);

@@ -40,6 +40,14 @@ Result<Material> read_material(const wire::Material& material) {
                   static_cast<Phase>(material.phase())};
 }
 
+std::vector<std::string> read_texts(
+    const flatbuffers::Vector<flatbuffers::Offset<flatbuffers::String>>* texts) {
+  std::vector<std::string> read;
+  if (texts == nullptr) return read;
+  for (const auto* text : *texts) read.push_back(read_text(text));
+  return read;
+}
+
 std::optional<Rates> read_rates(const wire::Rates* rates) {
   if (rates == nullptr) return std::nullopt;
   return Rates{rates->chunks(), rates->bytes(), rates->requests(),
@@ -107,6 +115,8 @@ Result<WorldInfo> read_welcome(const wire::Welcome& welcome) {
   world.spawn = {welcome.spawn()->x(), welcome.spawn()->y(), welcome.spawn()->z()};
   world.limits = read_limits(*welcome.limits());
   world.server = read_text(welcome.server());
+  world.looks = read_texts(welcome.looks());
+  world.fields = read_texts(welcome.fields());
   return world;
 }
 

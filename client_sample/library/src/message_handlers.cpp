@@ -166,10 +166,23 @@ Result<void> Core::handle_heights(const wire::Heights& heights) {
     return tl::unexpected{broken_protocol(std::to_string(count) + " heights as the answer to request " +
                                           std::to_string(heights.id()) + ", which did not ask for them")};
   }
+  const std::size_t looks = heights.looks() == nullptr ? 0 : heights.looks()->size();
+  const std::size_t values = heights.values() == nullptr ? 0 : heights.values()->size();
+  if (looks != (asked->looks ? count : 0) || values != count * asked->fields.size()) {
+    return tl::unexpected{broken_protocol("Heights of " + std::to_string(count) + " columns with " +
+                                          std::to_string(looks) + " looks and " + std::to_string(values) +
+                                          " values for request " + std::to_string(heights.id()))};
+  }
+  ColumnPlaces places;
+  if (count > 0) places.heights_fx.assign(heights.heights_fx()->begin(), heights.heights_fx()->end());
+  if (looks > 0) places.looks.assign(heights.looks()->begin(), heights.looks()->end());
+  if (values > 0) places.values.assign(heights.values()->begin(), heights.values()->end());
+  for (const std::uint8_t look : places.looks) {
+    if (look < world_->looks.size()) continue;
+    return tl::unexpected{broken_protocol("look " + std::to_string(look) + ", which is not in Welcome")};
+  }
   useful_ = true;
-  std::vector<std::int32_t> values;
-  if (count > 0) values.assign(heights.heights_fx()->begin(), heights.heights_fx()->end());
-  std::get<HeightsRequest>(requests_.take(heights.id())).handler(std::move(values));
+  std::get<HeightsRequest>(requests_.take(heights.id())).handler(std::move(places));
   wake();
   return {};
 }

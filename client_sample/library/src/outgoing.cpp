@@ -1,5 +1,6 @@
 #include "outgoing.h"
 
+#include <algorithm>
 #include <array>
 
 #include <talus/protocol/limits.h>
@@ -55,12 +56,19 @@ protocol::Frame view_frame(const View& view, std::uint32_t number, const std::ve
   });
 }
 
-protocol::Frame heights_frame(std::uint32_t id, const HeightsRequest& request) {
+protocol::Frame heights_frame(std::uint32_t id, const HeightsRequest& request, const WorldInfo& world) {
   return protocol::make_frame([&](auto& b) {
     std::vector<wire::ColumnPos> columns;
     columns.reserve(request.columns.size());
     for (const auto& column : request.columns) columns.emplace_back(column.x, column.z);
-    return wire::CreateGetHeights(b, id, b.CreateVectorOfStructs(columns));
+    std::vector<std::uint8_t> fields;
+    for (const std::string& name : request.fields) {
+      const auto found = std::find(world.fields.begin(), world.fields.end(), name);
+      fields.push_back(static_cast<std::uint8_t>(found - world.fields.begin()));
+    }
+    const auto column_list = b.CreateVectorOfStructs(columns);
+    const auto field_list = fields.empty() ? 0 : b.CreateVector(fields);
+    return wire::CreateGetHeights(b, id, column_list, request.looks, field_list);
   });
 }
 

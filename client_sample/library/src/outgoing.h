@@ -17,7 +17,8 @@ namespace talus::client {
 /// `known`: chunks of the View that need not be sent where they are the same.
 [[nodiscard]] protocol::Frame view_frame(const View& view, std::uint32_t number,
                                          const std::vector<ReceivedChunk>& known = {});
-[[nodiscard]] protocol::Frame heights_frame(std::uint32_t id, const HeightsRequest& request);
+[[nodiscard]] protocol::Frame heights_frame(std::uint32_t id, const HeightsRequest& request,
+                                            const WorldInfo& world);
 [[nodiscard]] protocol::Frame get_chunks_frame(const std::vector<wire::ChunkRequest>& requests);
 [[nodiscard]] protocol::Frame cancel_frame(std::span<const std::uint32_t> ids);
 [[nodiscard]] protocol::Frame credit_frame(std::uint64_t total_bytes);

@@ -6,6 +6,7 @@
 #include <functional>
 #include <map>
 #include <optional>
+#include <string>
 #include <variant>
 #include <vector>
 
@@ -21,7 +22,9 @@ struct ChunkRequest {
 
 struct HeightsRequest {
   std::vector<Column> columns;
-  std::function<void(Result<std::vector<std::int32_t>>)> handler;
+  bool looks = false;
+  std::vector<std::string> fields;  // names, as the next server may count otherwise
+  std::function<void(Result<ColumnPlaces>)> handler;
 };
 
 using Request = std::variant<ChunkRequest, HeightsRequest>;

@@ -207,13 +207,14 @@ class FeatureSection {
  public:
   FeatureSection(TableReader& root, std::string_view name, const WorldSpec& spec,
                  std::set<std::string>& names, std::vector<Material>& materials, PlacesReader& places,
-                 std::span<const std::string> look_names)
+                 const WorldFiles& files, std::span<const std::string> look_names)
       : root_{root},
         name_{name},
         spec_{spec},
         names_{names},
         materials_{materials},
         places_{places},
+        files_{files},
         look_names_{look_names} {}
 
   [[nodiscard]] const WorldSpec& spec() const { return spec_; }
@@ -228,6 +229,8 @@ class FeatureSection {
   [[nodiscard]] std::optional<MaterialId> material_named(std::string_view name) const;
   /// For `where` and looks of the section's tables.
   [[nodiscard]] PlacesReader& places() const { return places_; }
+  /// What the spec may name.
+  [[nodiscard]] const WorldFiles& files() const { return files_; }
   /// World::look_names(); empty for kinds that are read before looks.
   [[nodiscard]] std::span<const std::string> look_names() const { return look_names_; }
 
@@ -238,6 +241,7 @@ class FeatureSection {
   std::set<std::string>& names_;
   std::vector<Material>& materials_;
   PlacesReader& places_;
+  const WorldFiles& files_;
   std::span<const std::string> look_names_;
 };
 

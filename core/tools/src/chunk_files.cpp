@@ -8,6 +8,7 @@
 #include <cstring>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <system_error>
@@ -16,6 +17,7 @@
 #include <talus/files/npy_file.h>
 #include <talus/files/read_file.h>
 #include <talus/voxel/codec.h>
+#include <talus/world_files/world_files.h>
 #include <zstd.h>
 
 namespace talus::tools {
@@ -86,44 +88,15 @@ std::optional<Chunk> chunk_of_npy(const Bytes& bytes) {
   return Chunk::from_dense(*voxels);
 }
 
-std::optional<Chunk> chunk_of_vox(const Bytes& bytes) {
-  // A header of 8 bytes, then parts: id, bytes of content, bytes of children; MAIN has all others as
-  // children.
-  constexpr std::size_t kPartHeader = 12;
-  std::optional<std::array<std::uint32_t, 3>> size;
-  std::optional<Chunk> chunk;
-  for (std::size_t at = 8; at < bytes.size();) {
-    if (bytes.size() - at < kPartHeader) return std::nullopt;
-    const std::string_view id{bytes.data() + at, 4};
-    const std::size_t content = little_endian(bytes.data() + at + 4);
-    at += kPartHeader;
-    if (content > bytes.size() - at) return std::nullopt;
-    const char* const data = bytes.data() + at;
-    at += content;
-    if (id == "SIZE") {
-      if (size.has_value() || content < 12) return std::nullopt;
-      size = {little_endian(data), little_endian(data + 4), little_endian(data + 8)};
-      for (const std::uint32_t side : *size) {
-        if (side < 1 || side > kChunkSize) return std::nullopt;
-      }
-    }
-    if (id != "XYZI") continue;
-    if (!size.has_value() || chunk.has_value() || content < 4) return std::nullopt;
-    const std::size_t count = little_endian(data);
-    if (count > (content - 4) / 4) return std::nullopt;
-    const auto voxels = std::make_unique<DenseVoxels>();
-    for (std::size_t i = 0; i < count; ++i) {
-      std::array<std::uint8_t, 4> voxel;
-      std::memcpy(voxel.data(), data + 4 + 4 * i, voxel.size());
-      for (std::size_t axis = 0; axis < 3; ++axis) {
-        if (voxel[axis] >= (*size)[axis]) return std::nullopt;
-      }
-      const auto south = static_cast<std::uint8_t>((*size)[1] - 1 - voxel[1]);
-      (*voxels)[voxel_index({voxel[0], voxel[2], south})] = MaterialId{voxel[3]};
-    }
-    chunk = Chunk::from_dense(*voxels);
+tl::expected<Chunk, std::string> chunk_of_vox(const Bytes& bytes) {
+  const world_files::ModelBounds bounds{kChunkSize, kChunkSize, 1};
+  const auto models = world_files::decode_vox(std::as_bytes(std::span{bytes}), bounds);
+  if (!models) return tl::unexpected{models.error()};
+  const auto voxels = std::make_unique<DenseVoxels>();
+  for (const auto& [x, y, z, colour] : models->front().voxels) {
+    (*voxels)[voxel_index({x, y, z})] = MaterialId{colour};
   }
-  return chunk;
+  return Chunk::from_dense(*voxels);
 }
 
 }  // namespace
@@ -134,7 +107,11 @@ Expected<Chunk> read_voxels(const std::string& path) {
   const std::string_view text{*bytes};
   std::optional<Chunk> chunk;
   if (text.starts_with("\x93NUMPY")) chunk = chunk_of_npy(*bytes);
-  if (text.starts_with("VOX ")) chunk = chunk_of_vox(*bytes);
+  if (text.starts_with("VOX ")) {
+    auto found = chunk_of_vox(*bytes);
+    if (!found) return failed(path + ": " + found.error());
+    chunk = *std::move(found);
+  }
   if (!chunk) return failed(path + ": no chunk of voxels; " + std::string{kWanted});
   return *std::move(chunk);
 }

@@ -6,7 +6,7 @@
 #include <type_traits>
 #include <utility>
 
-#include <talus/height_files/height_files.h>
+#include <talus/world_files/world_files.h>
 
 #include "height_map_file.h"
 
@@ -41,7 +41,7 @@ Expected<void> erode_samples(const std::filesystem::path& input, int width, int 
 
 Expected<void> erode_height_map(const std::filesystem::path& input, const std::filesystem::path& output,
                                 const DropletOptions& options) {
-  auto map = height_files::read_height_map(input);
+  auto map = world_files::read_height_map(input);
   if (!map) return failed(input.string() + ": " + map.error());
   if (auto fits = check_height_map_name(output, *map); !fits) return fits;
   const auto eroded = std::visit(

@@ -1,4 +1,4 @@
-// Height maps as files that this program writes; core/height_files reads them.
+// Height maps as files that this program writes; core/world_files reads them.
 #pragma once
 
 #include <filesystem>

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <numeric>
 
 #include <talus/terrain/boundary_row.h>
 #include <talus/terrain/extraction.h>
@@ -18,8 +19,34 @@
 namespace talus::tools {
 namespace {
 
-constexpr int kPatchSide = 512;  // base columns; a multiple of level 6's
+constexpr int kPatchSide = kSkylineDepth;  // base columns; a multiple of level 6's
 constexpr std::size_t kLevels = 6;
+
+// How many columns of a skyline are so far off, in sixteenths of the level's voxel.
+class SkylineErrors {
+ public:
+  void add(std::int64_t base_voxels, int level) {
+    const std::int64_t sixteenths = 16 * base_voxels >> level;
+    ++counts_[static_cast<std::size_t>(std::min<std::int64_t>(sixteenths, counts_.size() - 1))];
+  }
+  void add(const SkylineErrors& other) {
+    for (std::size_t i = 0; i < counts_.size(); ++i) counts_[i] += other.counts_[i];
+  }
+  /// In voxels; `share` of all are not more.
+  [[nodiscard]] double percentile(double share) const {
+    const auto all = std::accumulate(counts_.begin(), counts_.end(), std::int64_t{0});
+    std::int64_t below = 0;
+    std::size_t i = 0;
+    while (i + 1 < counts_.size() &&
+           static_cast<double>(below + counts_[i]) < share * static_cast<double>(all)) {
+      below += counts_[i++];
+    }
+    return static_cast<double>(i + 1) / 16;
+  }
+
+ private:
+  std::array<std::int64_t, 512> counts_{};
+};
 
 // Sums of integers, which do not depend on the order of the patches.
 struct Sums {
@@ -28,6 +55,9 @@ struct Sums {
   std::int64_t rows = 0;
   std::int64_t most_rows = 0;
   std::int64_t same_material = 0;
+  std::int64_t elsewhere = 0;  // columns away from widened rivers
+  std::int64_t same_elsewhere = 0;
+  SkylineErrors skyline;
 
   void add(const Sums& other) {
     surface_fx += other.surface_fx;
@@ -35,6 +65,9 @@ struct Sums {
     rows += other.rows;
     most_rows = std::max(most_rows, other.most_rows);
     same_material += other.same_material;
+    elsewhere += other.elsewhere;
+    same_elsewhere += other.same_elsewhere;
+    skyline.add(other.skyline);
   }
 };
 
@@ -53,6 +86,24 @@ class Ground {
   [[nodiscard]] std::int64_t height_fx(int x, int z) const { return stacks_.ground_fx(x, z); }
   [[nodiscard]] std::int64_t row(int x, int z) const {
     return terrain::boundary_row(stacks_.ground_fx(x, z));
+  }
+
+  /// The highest rows of the ground or the sea, by x from the south and by z from the west, in base voxels.
+  [[nodiscard]] std::array<std::vector<std::int64_t>, 2> skylines() const {
+    const terrain::Region& region = stacks_.region;
+    std::array<std::vector<std::int64_t>, 2> lines;
+    lines[0].resize(static_cast<std::size_t>(region.width));
+    lines[1].resize(static_cast<std::size_t>(region.depth));
+    for (int z = 0; z < region.depth; ++z) {
+      for (int x = 0; x < region.width; ++x) {
+        const std::int64_t top = std::max(row(x, z), sea_row_) << region.lod.value();
+        auto& from_south = lines[0][static_cast<std::size_t>(x)];
+        auto& from_west = lines[1][static_cast<std::size_t>(z)];
+        from_south = std::max(from_south, top);
+        from_west = std::max(from_west, top);
+      }
+    }
+    return lines;
   }
 
   // The material of the highest voxel that is not air.
@@ -75,11 +126,12 @@ class Ground {
   terrain::Stacks stacks_;
   std::vector<MaterialId> ore_;
   std::size_t rock_planes_;
-  std::int32_t sea_row_ = -1;
+  std::int64_t sea_row_ = -1;
 };
 
 std::array<Sums, kLevels> compare(const terrain::World& world, const terrain::Region& patch) {
   const Ground base{world, patch};
+  const auto base_lines = base.skylines();
   std::array<Sums, kLevels> levels;
   for (std::size_t i = 0; i < kLevels; ++i) {
     const int level = static_cast<int>(i) + 1;
@@ -97,7 +149,20 @@ std::array<Sums, kLevels> compare(const terrain::World& world, const terrain::Re
         sums.most_surface_fx = std::max(sums.most_surface_fx, surface);
         sums.rows += rows;
         sums.most_rows = std::max(sums.most_rows, rows);
-        sums.same_material += coarse.shown(cx, cz) == base.shown(x, z) ? 1 : 0;
+        const int same = coarse.shown(cx, cz) == base.shown(x, z) ? 1 : 0;
+        sums.same_material += same;
+        // Of what a level changes at its own base column, only wider rivers lower the ground.
+        const std::int64_t lowered =
+            base.height_fx(cx << level, cz << level) - (coarse.height_fx(cx, cz) << level);
+        if (lowered > std::int64_t{terrain::kSubvoxels} << (level - 1)) continue;
+        ++sums.elsewhere;
+        sums.same_elsewhere += same;
+      }
+    }
+    const auto lines = coarse.skylines();
+    for (std::size_t side = 0; side < lines.size(); ++side) {
+      for (std::size_t column = 0; column < base_lines[side].size(); ++column) {
+        sums.skyline.add(std::abs(lines[side][column >> level] - base_lines[side][column]), level);
       }
     }
   }
@@ -128,7 +193,10 @@ LodError measure_lod_error(const terrain::World& world, const terrain::Region& r
                           static_cast<double>(sums.surface_fx) / terrain::kSubvoxels / columns,
                           static_cast<double>(sums.most_surface_fx) / terrain::kSubvoxels,
                           static_cast<double>(sums.rows) / columns, static_cast<double>(sums.most_rows),
-                          static_cast<double>(sums.same_material) / columns});
+                          static_cast<double>(sums.same_material) / columns,
+                          static_cast<double>(sums.same_elsewhere) /
+                              static_cast<double>(std::max<std::int64_t>(sums.elsewhere, 1)),
+                          sums.skyline.percentile(0.95)});
   }
   return error;
 }
@@ -140,12 +208,14 @@ std::string to_text(const LodError& error) {
                 error.side);
   std::string text = line.data();
   text +=
-      "               surface             voxels           mean in the      same material\n"
-      "  level     mean  largest      mean  largest    level's voxels     from above\n";
+      "               surface             voxels           mean in the   same material  away from  skyline,\n"
+      "  level     mean  largest      mean  largest    level's voxels   from above     wide rivers   95 %\n";
   for (const LodErrorRow& row : error.rows) {
-    std::snprintf(line.data(), line.size(), "  %5d  %7.2f  %7.1f   %7.2f  %7.0f    %14.2f     %8.1f %%\n",
-                  row.level, row.mean_surface, row.most_surface, row.mean_voxels, row.most_voxels,
-                  std::ldexp(row.mean_voxels, -row.level), 100 * row.same_material);
+    std::snprintf(line.data(), line.size(),
+                  "  %5d  %7.2f  %7.1f   %7.2f  %7.0f    %14.2f  %10.1f %%  %10.1f %%  %7.2f\n", row.level,
+                  row.mean_surface, row.most_surface, row.mean_voxels, row.most_voxels,
+                  std::ldexp(row.mean_voxels, -row.level), 100 * row.same_material, 100 * row.same_elsewhere,
+                  row.skyline);
     text += line.data();
   }
   return text;
@@ -159,7 +229,9 @@ std::string to_json(const LodError& error) {
                               {"most_surface_voxels", row.most_surface},
                               {"mean_voxel_top_voxels", row.mean_voxels},
                               {"most_voxel_top_voxels", row.most_voxels},
-                              {"same_material_from_above", row.same_material}});
+                              {"same_material_from_above", row.same_material},
+                              {"same_material_away_from_wide_rivers", row.same_elsewhere},
+                              {"skyline_95_percent_level_voxels", row.skyline}});
   }
   return json.dump(2) + "\n";
 }

@@ -19,8 +19,14 @@ struct LodErrorRow {
   double most_surface = 0;
   double mean_voxels = 0;  // the same of the tops of their highest solid voxels: what is drawn
   double most_voxels = 0;
-  double same_material = 0;  // share of the columns that show the same material from above
+  double same_material = 0;   // share of the columns that show the same material from above, without objects
+  double same_elsewhere = 0;  // the same away from rivers that the level widens
+  double skyline = 0;         // how far 95 % of the skyline's columns are off at most, in the level's voxels
 };
+
+/// Skylines are those of squares of kSkylineDepth base columns, from the west and from the south: at each
+/// column the highest row of the ground or the sea behind it.
+inline constexpr int kSkylineDepth = 512;
 
 struct LodError {
   int side = 0;                   // base columns

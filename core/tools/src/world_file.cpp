@@ -5,8 +5,8 @@
 #include <utility>
 
 #include <talus/files/read_file.h>
-#include <talus/height_files/height_files.h>
 #include <talus/toml/toml_bounds.h>
+#include <talus/world_files/world_files.h>
 
 namespace talus::tools {
 
@@ -24,7 +24,7 @@ Expected<terrain::World> load_world(const std::string& path) {
   if (path.empty()) return terrain::default_world();
   const auto text = read_world_text(path);
   if (!text) return tl::make_unexpected(text.error());
-  auto world = terrain::World::parse(text->toml, text->source, height_files::beside(path));
+  auto world = terrain::World::parse(text->toml, text->source, world_files::beside(path));
   if (!world) return failed(std::move(world.error().message));
   return std::move(*world);
 }

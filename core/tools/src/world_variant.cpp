@@ -4,7 +4,7 @@
 #include <string>
 #include <utility>
 
-#include <talus/height_files/height_files.h>
+#include <talus/world_files/world_files.h>
 #include <toml++/toml.h>
 
 namespace talus::tools {
@@ -31,7 +31,7 @@ std::string told(const WorldChanges& changes) {
 
 Expected<terrain::World> world_variant(const WorldText& text, const WorldChanges& changes) {
   // World::parse() says what is wrong with the text. What it accepts is TOML.
-  if (auto unchanged = terrain::World::parse(text.toml, text.source, height_files::beside(text.source));
+  if (auto unchanged = terrain::World::parse(text.toml, text.source, world_files::beside(text.source));
       !unchanged) {
     return failed(std::move(unchanged.error().message));
   }
@@ -54,7 +54,7 @@ Expected<terrain::World> world_variant(const WorldText& text, const WorldChanges
   }
   std::ostringstream changed;
   changed << document;
-  auto world = terrain::World::parse(changed.str(), "", height_files::beside(text.source));
+  auto world = terrain::World::parse(changed.str(), "", world_files::beside(text.source));
   if (world) return std::move(*world);
   // The message begins with ":LINE: ", a line of a text that nobody wrote.
   const std::string& message = world.error().message;

@@ -212,19 +212,39 @@ void bush(Sculptor& plant) {
 }  // namespace
 
 void tidy(ObjectModel& model) {
-  const auto key = [](const ModelVoxel& v) { return std::tuple{v.part, v.y, v.z, v.x}; };
-  std::sort(model.begin(), model.end(),
-            [&](const ModelVoxel& a, const ModelVoxel& b) { return key(a) < key(b); });
-  ObjectModel kept;
-  std::vector<std::array<std::int8_t, 3>> taken;
-  for (const ModelVoxel& voxel : model) {
-    const std::array<std::int8_t, 3> place{voxel.x, voxel.y, voxel.z};
-    const auto found = std::lower_bound(taken.begin(), taken.end(), place);
-    if (found != taken.end() && *found == place) continue;
-    taken.insert(found, place);
-    kept.push_back(voxel);
+  const auto place = [](const ModelVoxel& v) { return std::tuple{v.y, v.z, v.x}; };
+  std::sort(model.begin(), model.end(), [&](const ModelVoxel& a, const ModelVoxel& b) {
+    return std::tuple{place(a), a.part} < std::tuple{place(b), b.part};
+  });
+  const auto same = [&](const ModelVoxel& a, const ModelVoxel& b) { return place(a) == place(b); };
+  model.erase(std::unique(model.begin(), model.end(), same), model.end());
+  std::stable_sort(model.begin(), model.end(),
+                   [](const ModelVoxel& a, const ModelVoxel& b) { return a.part < b.part; });
+}
+
+ObjectModel model_of(const VoxelModel& model, const std::array<std::uint8_t, 256>& parts) {
+  ObjectModel made;
+  for (const VoxelModel::Voxel& voxel : model.voxels) {
+    const auto x = static_cast<std::int8_t>(voxel.x - model.width / 2);
+    const auto z = static_cast<std::int8_t>(voxel.z - model.depth / 2);
+    for (int y = voxel.y == 0 ? -kObjectRoot : voxel.y; y <= voxel.y; ++y) {
+      made.push_back({x, static_cast<std::int8_t>(y), z, parts[voxel.colour]});
+    }
   }
-  model = std::move(kept);
+  tidy(made);
+  return made;
+}
+
+ModelColumns::ModelColumns(const ObjectModel& model) : voxels_{model} {
+  const auto column_of = [](const ModelVoxel& v) {
+    return static_cast<std::size_t>((v.z + kObjectReach) * kWidth + v.x + kObjectReach);
+  };
+  std::stable_sort(voxels_.begin(), voxels_.end(),
+                   [&](const ModelVoxel& a, const ModelVoxel& b) { return column_of(a) < column_of(b); });
+  for (const ModelVoxel& voxel : voxels_) ++starts_[column_of(voxel) + 1];
+  for (std::size_t i = 1; i < starts_.size(); ++i) {
+    starts_[i] = static_cast<std::uint16_t>(starts_[i] + starts_[i - 1]);
+  }
 }
 
 ObjectModel make_model(ModelKind kind, std::uint64_t seed) {

@@ -1,11 +1,15 @@
-// The shapes of objects: trees, boulders and the like by formulas, in integers. Private to core/terrain.
+// The shapes of objects: trees, boulders and the like by formulas, in integers, and authors' models. Private
+// to core/terrain.
 #pragma once
 
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <string_view>
 #include <vector>
+
+#include <talus/terrain/voxel_model.h>
 
 namespace talus::terrain {
 
@@ -25,6 +29,7 @@ using ObjectModel = std::vector<ModelVoxel>;
 inline constexpr int kObjectReach = 10;
 inline constexpr int kObjectTop = 32;
 inline constexpr int kObjectRoot = 4;
+static_assert(kMaxModelWidth == 2 * kObjectReach + 1 && kMaxModelHeight == kObjectTop);
 
 enum class ModelKind : std::uint8_t {
   conifer,
@@ -53,7 +58,27 @@ inline constexpr std::array<ModelForm, kModelKinds> kModelForms{{{"conifer", {"w
 /// One of the many of a kind: `seed` decides its size and every voxel.
 [[nodiscard]] ObjectModel make_model(ModelKind kind, std::uint64_t seed);
 
+/// An author's model, its foot in the middle of its lowest layer, which goes on into the ground. `parts` is
+/// by colour.
+[[nodiscard]] ObjectModel model_of(const VoxelModel& model, const std::array<std::uint8_t, 256>& parts);
+
 /// Sorts, and drops what is said twice or out of bounds.
 void tidy(ObjectModel& model);
+
+/// A model's voxels by column, for who looks at one alone.
+class ModelColumns {
+ public:
+  explicit ModelColumns(const ObjectModel& model);
+  /// REQUIRES that both are within kObjectReach of 0.
+  [[nodiscard]] std::span<const ModelVoxel> at(int x, int z) const {
+    const auto column = static_cast<std::size_t>((z + kObjectReach) * kWidth + x + kObjectReach);
+    return std::span{voxels_}.subspan(starts_[column], starts_[column + 1] - starts_[column]);
+  }
+
+ private:
+  static constexpr int kWidth = 2 * kObjectReach + 1;
+  std::vector<ModelVoxel> voxels_;
+  std::array<std::uint16_t, kWidth * kWidth + 1> starts_{};
+};
 
 }  // namespace talus::terrain

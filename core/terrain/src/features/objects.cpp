@@ -3,12 +3,14 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <iterator>
 #include <memory>
 #include <ostream>
 #include <string_view>
 
 #include <talus/terrain/boundary_row.h>
 #include <talus/terrain/lattice_hash.h>
+#include <talus/toml/toml_error.h>
 
 #include "place/places.h"
 #include "spec/places_section.h"
@@ -19,6 +21,8 @@ namespace talus::terrain {
 namespace {
 
 constexpr std::size_t kMaxKinds = 32;
+constexpr int kLeastSpacing = 4;
+constexpr std::size_t kMaxModelNameBytes = 200;
 constexpr int kVariants = 32;  // shapes of a formula; objects draw one of them and a quarter turn
 constexpr int kGap = 2;        // of a cell stay free, so that no two trunks touch across its border
 constexpr Lod kLastEnumerated = Lod::of(2);
@@ -175,6 +179,14 @@ void Objects::place_in_cells(const StandingGround& ground, std::size_t kind,
   }
 }
 
+/// The voxels of its model in the one column that shows it.
+std::span<const ModelVoxel> Objects::seen(const PlacedObject& object) const {
+  const ModelVoxel column{static_cast<std::int8_t>(object.seen_x - object.x), 0,
+                          static_cast<std::int8_t>(object.seen_z - object.z)};
+  const auto [x, z] = turned(column, 4 - object.turn);
+  return kinds_[object.kind].columns[object.variant].at(x, z);
+}
+
 // A coarse column shows one base column. So many objects lie between the columns that each looks only for
 // those that reach it, and takes its own ground for theirs.
 void Objects::place_by_columns(const StandingGround& ground, std::size_t kind,
@@ -198,7 +210,7 @@ void Objects::place_by_columns(const StandingGround& ground, std::size_t kind,
           PlacedObject object = found->at(boundary_row(ground.height_fx(x, z)), of.models.size());
           object.seen_x = base_x;
           object.seen_z = base_z;
-          objects.push_back(object);
+          if (!seen(object).empty()) objects.push_back(object);
         }
       }
     }
@@ -213,14 +225,15 @@ void Objects::for_each_voxel(const PlacedObject& object, Lod lod, bool front, co
   const std::int64_t half = level == 0 ? 0 : std::int64_t{1} << (level - 1);
   const std::int64_t mask = (std::int64_t{1} << level) - 1;
   const bool seen_alone = level > kLastEnumerated.value();
-  for (const ModelVoxel& voxel : kind.models[object.variant]) {
+  const std::span<const ModelVoxel> voxels =
+      seen_alone ? seen(object) : std::span<const ModelVoxel>{kind.models[object.variant]};
+  for (const ModelVoxel& voxel : voxels) {
     if ((voxel.part == 0) != front) continue;
     const auto [dx, dz] = turned(voxel, object.turn);
     const std::int64_t x = object.x + dx;
     const std::int64_t y = object.y + voxel.y - half;
     const std::int64_t z = object.z + dz;
     if (((x | y | z) & mask) != 0) continue;
-    if (seen_alone && (x != object.seen_x || z != object.seen_z)) continue;
     visit(x >> level, y >> level, z >> level, kind.parts[voxel.part]);
   }
 }
@@ -332,36 +345,92 @@ class ObjectReader {
                                    [&](const ObjectKind& other) { return other.name == kind.name; });
     if (known) table.fail("name", "'" + kind.name + "' names another object already; names are unique");
     kind.seed = named_seed(section_.spec().seed, ".object " + kind.name);
-    const auto form = table.choice(
-        "model", {"conifer", "broadleaf", "acacia", "jungle_tree", "dead_tree", "cactus", "boulder", "bush"});
-    kind.model = kModelForms[form].name;
-    std::vector<std::string_view> keys{"name",  "model", "spacing", "chance",
-                                       "looks", "where", "clumps",  "in_water"};
-    for (const std::string_view part : kModelForms[form].parts) {
-      if (!part.empty()) keys.push_back(part);
-    }
-    table.only(keys);
-    for (std::size_t part = 0; part < kModelForms[form].parts.size(); ++part) {
-      const std::string name{kModelForms[form].parts[part]};
-      if (!name.empty()) kind.parts[part] = read_part(table, name);
-    }
-    kind.spacing = static_cast<int>(table.integer("spacing", 4, 64));
+    read_models(table, kind);
+    // So that few of an author's models, which may be full, reach any one column.
+    const int closest = is_file(kind) ? std::max(kLeastSpacing, kind.reach) : kLeastSpacing;
+    kind.spacing = static_cast<int>(table.integer("spacing", closest, 64));
     kind.chance_q16 = static_cast<std::int32_t>(rounded(table.real("chance", {0, 1}) * 65536));
     if (table.has("clumps"))
       kind.clumps = table.choice("clumps", {"woods", "groves"}) == 0 ? Clumps::woods : Clumps::groves;
     kind.in_water = table.has("in_water") && table.boolean("in_water");
     kind.share = section_.places().share(table, section_.look_names());
-    for (int variant = 0; variant < kVariants; ++variant) {
-      kind.models.push_back(make_model(static_cast<ModelKind>(form),
-                                       derived_seed(kind.seed, static_cast<std::uint64_t>(variant))));
-    }
+    return kind;
+  }
+
+  static bool is_file(const ObjectKind& kind) { return kind.model.ends_with(".vox"); }
+
+  void read_models(TableReader& table, ObjectKind& kind) {
+    kind.model = table.text("model", kMaxModelNameBytes);
+    is_file(kind) ? read_file(table, kind) : read_formula(table, kind);
     for (const ObjectModel& model : kind.models) {
+      kind.columns.emplace_back(model);
       for (const ModelVoxel& voxel : model) {
         kind.reach = std::max({kind.reach, std::abs(int{voxel.x}), std::abs(int{voxel.z})});
         kind.top = std::max(kind.top, voxel.y + 1);
       }
     }
-    return kind;
+  }
+
+  static void allow(TableReader& table, std::span<const std::string_view> parts) {
+    std::vector<std::string_view> keys{"name",  "model", "spacing", "chance",
+                                       "looks", "where", "clumps",  "in_water"};
+    std::copy_if(parts.begin(), parts.end(), std::back_inserter(keys),
+                 [](std::string_view part) { return !part.empty(); });
+    table.only(keys);
+  }
+
+  void read_formula(TableReader& table, ObjectKind& kind) {
+    const auto* const form = std::find_if(kModelForms.begin(), kModelForms.end(),
+                                          [&](const ModelForm& each) { return each.name == kind.model; });
+    if (form == kModelForms.end()) {
+      std::string names;
+      for (const ModelForm& each : kModelForms) names += std::string{each.name} + ", ";
+      table.fail("model", "'" + shortened(kind.model, kMaxModelNameBytes) + "' is no model; " + names +
+                              "or the name of a .vox file is needed");
+      return;
+    }
+    allow(table, form->parts);
+    for (std::size_t part = 0; part < form->parts.size(); ++part) {
+      if (form->parts[part].empty()) continue;
+      kind.parts[part] = read_part(table, std::string{form->parts[part]});
+    }
+    for (int variant = 0; variant < kVariants; ++variant) {
+      kind.models.push_back(make_model(static_cast<ModelKind>(form - kModelForms.begin()),
+                                       derived_seed(kind.seed, static_cast<std::uint64_t>(variant))));
+    }
+  }
+
+  /// Of a .vox file; its palette's entries are parts, the lowest number in front.
+  void read_file(TableReader& table, ObjectKind& kind) {
+    const auto refuse = [&](const std::string& why) {
+      table.fail("model", "'" + shortened(kind.model, kMaxModelNameBytes) + "': " + why);
+    };
+    allow(table, std::array<std::string_view, 1>{"palette"});
+    if (!section_.files().models) return refuse("models cannot be read here; give a spec without one");
+    const auto models = section_.files().models(kind.model);
+    if (!models) return refuse(models.error());
+    std::array<bool, 256> used{};
+    for (const VoxelModel& model : *models) {
+      if (model.voxels.empty()) return refuse("a model without voxels");
+      for (const VoxelModel::Voxel& voxel : model.voxels) used[voxel.colour] = true;
+    }
+    auto palette = table.table("palette");
+    if (!palette) return;
+    std::vector<std::string> numbers;
+    std::array<std::uint8_t, 256> part_of{};
+    for (std::size_t colour = 0; colour < used.size(); ++colour) {
+      if (!used[colour]) continue;
+      part_of[colour] = static_cast<std::uint8_t>(numbers.size());
+      const std::string number = numbers.emplace_back(std::to_string(colour));
+      if (palette->has(number)) {
+        kind.parts[part_of[colour]] = read_part(*palette, number);
+      } else {
+        palette->fail(number, "is a colour of '" + shortened(kind.model, kMaxModelNameBytes) +
+                                  "' that names no material; { name = \"...\" } is needed");
+      }
+    }
+    palette->only({numbers.begin(), numbers.end()});
+    for (const VoxelModel& model : *models) kind.models.push_back(model_of(model, part_of));
   }
 
   /// A new material with a colour, or one that the world has.

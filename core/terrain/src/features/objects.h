@@ -28,6 +28,7 @@ struct ObjectKind {
   std::optional<std::size_t> share;     // of PlacesSpec::shares
   std::array<MaterialId, 256> parts{};  // by ModelVoxel::part
   std::vector<ObjectModel> models;      // a candidate draws one
+  std::vector<ModelColumns> columns;    // of each model
   int reach = 0;                        // of all models: columns from the foot
   int top = 0;                          // rows above the ground
 };
@@ -53,6 +54,7 @@ class Objects final : public Feature {
   [[nodiscard]] bool present(const Candidate& candidate, std::int32_t share) const;
   void place_in_cells(const StandingGround& ground, std::size_t kind,
                       std::vector<PlacedObject>& objects) const;
+  [[nodiscard]] std::span<const ModelVoxel> seen(const PlacedObject& object) const;
   void place_by_columns(const StandingGround& ground, std::size_t kind,
                         std::vector<PlacedObject>& objects) const;
   /// Calls visit(x, y, z, part) for the voxels of the level that show it, of the given part only.

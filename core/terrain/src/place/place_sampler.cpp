@@ -1,6 +1,7 @@
 #include <talus/terrain/places.h>
 
 #include <algorithm>
+#include <map>
 #include <utility>
 
 #include <talus/terrain/surface.h>
@@ -130,6 +131,52 @@ std::span<const std::uint8_t> PlaceSampler::looks() const {
 
 std::span<const float> PlaceSampler::values(std::size_t i) const {
   return scratch_->values[i];
+}
+
+namespace {
+
+// Columns of one tile: rows over all that lie in it, so that no row begins anew.
+using TileOfColumns = std::vector<std::size_t>;
+std::vector<TileOfColumns> by_tile(std::span<const BaseColumn> columns) {
+  std::map<std::pair<std::int64_t, std::int64_t>, TileOfColumns> tiles;
+  for (std::size_t i = 0; i < columns.size(); ++i) {
+    tiles[{floor_div(columns[i].z, kChunkSize), floor_div(columns[i].x, kChunkSize)}].push_back(i);
+  }
+  std::vector<TileOfColumns> found;
+  for (auto& [tile, places] : tiles) found.push_back(std::move(places));
+  return found;
+}
+
+}  // namespace
+
+PlacesFound places_at(const World& world, std::span<const BaseColumn> columns,
+                      std::span<const std::string> names) {
+  PlaceSampler sampler = PlaceSampler::make(world, names).value();
+  PlacesFound found;
+  found.looks.resize(columns.size());
+  found.values.resize(columns.size() * names.size());
+  std::vector<std::int64_t> xs;
+  for (TileOfColumns& tile : by_tile(columns)) {
+    xs.clear();
+    for (const std::size_t i : tile) xs.push_back(columns[i].x);
+    std::sort(xs.begin(), xs.end());
+    xs.erase(std::unique(xs.begin(), xs.end()), xs.end());
+    std::sort(tile.begin(), tile.end(),
+              [&](std::size_t a, std::size_t b) { return columns[a].z < columns[b].z; });
+    sampler.start(xs);
+    std::optional<std::int64_t> row;
+    for (const std::size_t i : tile) {
+      if (row != columns[i].z) sampler.row(columns[i].z);
+      row = columns[i].z;
+      const auto x =
+          static_cast<std::size_t>(std::lower_bound(xs.begin(), xs.end(), columns[i].x) - xs.begin());
+      found.looks[i] = sampler.looks()[x];
+      for (std::size_t name = 0; name < names.size(); ++name) {
+        found.values[i * names.size() + name] = sampler.values(name)[x];
+      }
+    }
+  }
+  return found;
 }
 
 }  // namespace talus::terrain

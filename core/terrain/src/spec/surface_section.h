@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include <talus/terrain/height_map.h>
 #include <talus/terrain/world.h>
+#include <talus/terrain/world_files.h>
 
 #include "spec/table_reader.h"
 

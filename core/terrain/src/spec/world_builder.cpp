@@ -39,7 +39,7 @@ struct World::Builder {
   Builder(TableReader root_table, SpecErrors& spec_errors, World& built)
       : root{root_table}, errors{spec_errors}, world{built} {}
 
-  void build(const LoadHeightMap& load, std::span<const FeatureKind> kinds);
+  void build(const WorldFiles& files, std::span<const FeatureKind> kinds);
 
   void check_keys(std::span<const FeatureKind> kinds);
   void read_general();
@@ -47,7 +47,8 @@ struct World::Builder {
   void read_sea();
   void read_method();
   void read_materials(PlacesReader& places);
-  void read_features(std::span<const FeatureKind> kinds, PlacesReader& places, bool after_looks);
+  void read_features(std::span<const FeatureKind> kinds, PlacesReader& places, const WorldFiles& files,
+                     bool after_looks);
   void read_world_looks(PlacesReader& places);
   void check_materials();
   void check_lifts();
@@ -66,22 +67,22 @@ struct World::Builder {
 };
 
 tl::expected<World, SpecError> World::parse(std::string_view toml, std::string_view file,
-                                            const LoadHeightMap& load) {
-  return parse(toml, file, load, shipped_features());
+                                            const WorldFiles& files) {
+  return parse(toml, file, files, shipped_features());
 }
 
 tl::expected<World, SpecError> World::parse(std::string_view toml, std::string_view file,
-                                            const LoadHeightMap& load, std::span<const FeatureKind> kinds) {
+                                            const WorldFiles& files, std::span<const FeatureKind> kinds) {
   SpecErrors errors{file};
   World world;
   if (const auto document = TomlDocument::parse(toml, errors)) {
-    Builder{TableReader{document->root(), "", errors}, errors, world}.build(load, kinds);
+    Builder{TableReader{document->root(), "", errors}, errors, world}.build(files, kinds);
   }
   if (errors.any()) return tl::unexpected(errors.first());
   return world;
 }
 
-void World::Builder::build(const LoadHeightMap& load, std::span<const FeatureKind> kinds) {
+void World::Builder::build(const WorldFiles& files, std::span<const FeatureKind> kinds) {
   check_keys(kinds);
   read_general();
   auto surface = root.table("surface");
@@ -94,12 +95,12 @@ void World::Builder::build(const LoadHeightMap& load, std::span<const FeatureKin
   read_method();
   PlacesReader places{spec, fields, spec.places};
   read_materials(places);
-  read_features(kinds, places, false);
+  read_features(kinds, places, files, false);
   read_world_looks(places);
-  read_features(kinds, places, true);
+  read_features(kinds, places, files, true);
   check_materials();
   if (errors.any()) return;
-  load_height_map(*surface, spec, load);
+  load_height_map(*surface, spec, files.height_map);
   check_lifts();
   if (errors.any()) return;
   world.highest_fx_ = highest_height_fx(surface_of(spec));
@@ -188,11 +189,12 @@ void World::Builder::read_materials(PlacesReader& places) {
 }
 
 void World::Builder::read_features(std::span<const FeatureKind> kinds, PlacesReader& places,
-                                   bool after_looks) {
+                                   const WorldFiles& files, bool after_looks) {
   std::string_view carver;
   for (const FeatureKind& kind : kinds) {
     if (kind.after_looks != after_looks || !root.has(kind.section)) continue;
-    FeatureSection section{root, kind.section, spec, names, world.materials_, places, world.look_names_};
+    FeatureSection section{root,  kind.section,     spec, names, world.materials_, places,
+                           files, world.look_names_};
     std::shared_ptr<const Feature> feature = kind.read(section);
     if (!feature) continue;
     if (feature->carves() && !carver.empty()) {

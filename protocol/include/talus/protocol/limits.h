@@ -25,6 +25,9 @@ inline constexpr std::uint32_t kServerFrameBytes = 256U * 1024;
 /// GetHeights columns per request: 16 bytes each, so the largest fits the default frame from a client.
 inline constexpr std::uint32_t kMaxHeightsPerRequest = 2048;
 
+/// GetHeights fields per request, so that the answer about the most columns fits a frame.
+inline constexpr std::uint32_t kMaxFieldsPerRequest = 16;
+
 /// Strings from a client (token, name), in bytes.
 inline constexpr std::uint32_t kMaxStringBytes = 4096;
 

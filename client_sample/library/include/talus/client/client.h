@@ -72,6 +72,13 @@ struct Column {
   std::int64_t z = 0;
 };
 
+/// What there is at some columns, in the order in which they were asked for.
+struct ColumnPlaces {
+  std::vector<std::int32_t> heights_fx;  // of the ground, 1/256 voxel above y = 0
+  std::vector<std::uint8_t> looks;       // places in WorldInfo::looks: which biome it is
+  std::vector<float> values;             // of each column those of all fields, in the order of the request
+};
+
 /// Callbacks, all optional.
 struct Events {
   /// A chunk of the current View has come, or has changed.
@@ -140,6 +147,14 @@ class Client {
   [[nodiscard]] asio::awaitable<Result<std::vector<std::int32_t>>> get_heights(std::vector<Column> columns);
   void get_heights(std::vector<Column> columns,
                    std::function<void(Result<std::vector<std::int32_t>>)> handler);
+
+  /// As get_heights(), with the look of each column and the values there of `fields`, names of
+  /// WorldInfo::fields: quantities such as temperature, and the world's own. At most
+  /// protocol::kMaxFieldsPerRequest.
+  [[nodiscard]] asio::awaitable<Result<ColumnPlaces>> get_places(std::vector<Column> columns,
+                                                                 std::vector<std::string> fields);
+  void get_places(std::vector<Column> columns, std::vector<std::string> fields,
+                  std::function<void(Result<ColumnPlaces>)> handler);
 
   /// Says what the player wants around it, in place of what it wanted before. Cheap: only the newest View
   /// is sent, and an equal one is not. An error, which leaves the View before, when it goes beyond the

@@ -53,7 +53,9 @@ struct WorldInfo {
   std::int64_t max_y = 0;  // at and above this row everything is air
   VoxelPos spawn;          // feet: the first free voxel above dry ground
   ServerLimits limits;
-  std::string server;  // name and version
+  std::string server;               // name and version
+  std::vector<std::string> looks;   // what ColumnPlaces::looks count; the first is that of no look, empty
+  std::vector<std::string> fields;  // that get_places() knows; both empty: a server that knows none
 
   [[nodiscard]] HeightRange heights() const { return {min_y, max_y}; }
 };

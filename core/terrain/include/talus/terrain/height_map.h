@@ -1,14 +1,10 @@
-// A finite grid of heights from a file, and how one is found. Reading files is the business of programs.
+// A finite grid of heights from a file. Reading files is the business of programs.
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
-#include <functional>
-#include <string>
 #include <variant>
 #include <vector>
-
-#include <tl/expected.hpp>
 
 namespace talus::terrain {
 
@@ -22,8 +18,5 @@ struct HeightMap {
   int depth = 0;  // along z
   std::variant<std::vector<std::uint16_t>, std::vector<std::int32_t>, std::vector<float>> samples;
 };
-
-/// Gives the height map that a spec names as `file`, or says in one line why it cannot.
-using LoadHeightMap = std::function<tl::expected<HeightMap, std::string>(const std::string& file)>;
 
 }  // namespace talus::terrain

@@ -10,6 +10,7 @@
 #include <string_view>
 #include <vector>
 
+#include <talus/terrain/heights.h>
 #include <talus/terrain/places_spec.h>
 #include <talus/terrain/world.h>
 
@@ -45,5 +46,14 @@ class PlaceSampler {
   explicit PlaceSampler(std::unique_ptr<Scratch> scratch);
   std::unique_ptr<Scratch> scratch_;
 };
+
+/// What there is at columns anywhere.
+struct PlacesFound {
+  std::vector<std::uint8_t> looks;  // one a column: a number of World::look_names()
+  std::vector<float> values;        // of each column those of all names, in their order
+};
+/// REQUIRES that place_names() has all of `names`. Columns of one row cost least beside each other.
+[[nodiscard]] PlacesFound places_at(const World& world, std::span<const BaseColumn> columns,
+                                    std::span<const std::string> names);
 
 }  // namespace talus::terrain

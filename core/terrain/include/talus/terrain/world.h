@@ -17,6 +17,7 @@
 #include <talus/terrain/objects.h>
 #include <talus/terrain/places_spec.h>
 #include <talus/terrain/regions_spec.h>
+#include <talus/terrain/world_files.h>
 #include <talus/voxel/content_hash.h>
 #include <talus/voxel/coords.h>
 #include <talus/voxel/material.h>
@@ -191,13 +192,13 @@ struct LooseSpec {
 
 class World {
  public:
-  /// Reads and checks a whole spec. `file` only names the source in errors. Without `load` a spec with a
-  /// height map is refused.
+  /// Reads and checks a whole spec. `file` only names the source in errors. Without `files` a spec that names
+  /// any is refused.
   [[nodiscard]] static tl::expected<World, SpecError> parse(std::string_view toml, std::string_view file,
-                                                            const LoadHeightMap& load = {});
+                                                            const WorldFiles& files = {});
   /// The same with these kinds of features instead of those that ship with the library; for tests.
   [[nodiscard]] static tl::expected<World, SpecError> parse(std::string_view toml, std::string_view file,
-                                                            const LoadHeightMap& load,
+                                                            const WorldFiles& files,
                                                             std::span<const FeatureKind> kinds);
 
   [[nodiscard]] const WorldSpec& spec() const { return spec_; }

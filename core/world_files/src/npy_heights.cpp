@@ -8,7 +8,7 @@
 
 #include "decoders.h"
 
-namespace talus::height_files {
+namespace talus::world_files {
 namespace {
 
 static_assert(std::endian::native == std::endian::little, "samples are taken as they lie in the file");
@@ -113,4 +113,4 @@ Decoded decode_npy(std::span<const std::byte> bytes) {
   return refused("is an .npy of another type than '<u2', '<i4' and '<f4'; one of them is needed");
 }
 
-}  // namespace talus::height_files
+}  // namespace talus::world_files

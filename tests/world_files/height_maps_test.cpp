@@ -1,5 +1,5 @@
 // Height maps come from outside: what is whole is read to the number, what is not is refused by name.
-#include <talus/height_files/height_files.h>
+#include <talus/world_files/world_files.h>
 
 #include <png.h>
 #include <rapidcheck.h>
@@ -14,7 +14,7 @@
 
 #include "scratch_directory.h"
 
-namespace talus::height_files {
+namespace talus::world_files {
 namespace {
 
 using Words = std::vector<std::uint16_t>;
@@ -185,7 +185,7 @@ TEST_CASE("A spec's file is looked for beside the spec") {
   const ScratchDirectory scratch;
   std::filesystem::create_directory(scratch / "maps");
   scratch.write("maps/m.png", png_of(4, 4, 16, PNG_COLOR_TYPE_GRAY));
-  const auto load = beside(scratch / "world.toml");
+  const auto load = beside(scratch / "world.toml").height_map;
   REQUIRE(load("maps/m.png"));
   REQUIRE(load((scratch / "maps/m.png").string()));
   CHECK(load("m.png").error() == "cannot read it: No such file or directory");
@@ -193,4 +193,4 @@ TEST_CASE("A spec's file is looked for beside the spec") {
 }
 
 }  // namespace
-}  // namespace talus::height_files
+}  // namespace talus::world_files

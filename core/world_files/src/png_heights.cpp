@@ -11,7 +11,7 @@
 
 #include "decoders.h"
 
-namespace talus::height_files {
+namespace talus::world_files {
 namespace {
 
 static_assert(std::endian::native == std::endian::little, "samples are swapped to the order of this machine");
@@ -109,4 +109,4 @@ Decoded decode_png(std::span<const std::byte> bytes) {
   return map;
 }
 
-}  // namespace talus::height_files
+}  // namespace talus::world_files

@@ -1,4 +1,4 @@
-// One function a format. Private to core/height_files.
+// Height maps: one function a format. Private to core/world_files.
 #pragma once
 
 #include <cstddef>
@@ -12,7 +12,7 @@
 
 #include <talus/terrain/height_map.h>
 
-namespace talus::height_files {
+namespace talus::world_files {
 
 using Decoded = tl::expected<terrain::HeightMap, std::string>;
 
@@ -29,4 +29,4 @@ using Decoded = tl::expected<terrain::HeightMap, std::string>;
 /// What is wrong with a size that a file claims, if anything.
 [[nodiscard]] std::optional<std::string> wrong_size(std::uint64_t width, std::uint64_t depth);
 
-}  // namespace talus::height_files
+}  // namespace talus::world_files

@@ -1,4 +1,4 @@
-#include <talus/height_files/height_files.h>
+#include <talus/world_files/world_files.h>
 
 #include <algorithm>
 #include <array>
@@ -10,13 +10,17 @@
 
 #include "decoders.h"
 
-namespace talus::height_files {
+namespace talus::world_files {
 namespace {
 
 // The largest map at four bytes a sample, and a header.
-constexpr std::size_t kMaxFileBytes = terrain::kMaxHeightMapSamples * 4 + (std::size_t{1} << 20);
+constexpr std::size_t kMaxHeightMapBytes = terrain::kMaxHeightMapSamples * 4 + (std::size_t{1} << 20);
 
-tl::expected<std::vector<std::byte>, std::string> read_bytes(const std::filesystem::path& file) {
+// Models of the largest sizes; .vox files carry palettes and scene graphs, too.
+constexpr std::size_t kMaxModelFileBytes = std::size_t{1} << 22;
+
+tl::expected<std::vector<std::byte>, std::string> read_bytes(const std::filesystem::path& file,
+                                                             std::size_t max_bytes) {
   std::error_code ignored;
   if (std::filesystem::is_directory(file, ignored)) return refused("is a directory");
   // A pipe may never end, and a device has no end.
@@ -32,8 +36,8 @@ tl::expected<std::vector<std::byte>, std::string> read_bytes(const std::filesyst
     in.read(block.data(), block.size());
     const auto read = std::as_bytes(std::span{block}).first(static_cast<std::size_t>(in.gcount()));
     bytes.insert(bytes.end(), read.begin(), read.end());
-    if (bytes.size() > kMaxFileBytes) {
-      return refused("has more than " + std::to_string(kMaxFileBytes) + " bytes");
+    if (bytes.size() > max_bytes) {
+      return refused("has more than " + std::to_string(max_bytes) + " bytes");
     }
   } while (in);
   if (in.bad()) return refused(std::string{"cannot read it: "} + std::strerror(errno));
@@ -59,14 +63,20 @@ tl::expected<terrain::HeightMap, std::string> decode_height_map(std::span<const 
 }
 
 tl::expected<terrain::HeightMap, std::string> read_height_map(const std::filesystem::path& file) {
-  const auto bytes = read_bytes(file);
+  const auto bytes = read_bytes(file, kMaxHeightMapBytes);
   if (!bytes) return refused(bytes.error());
   return decode_height_map(*bytes);
 }
 
-terrain::LoadHeightMap beside(const std::filesystem::path& world_file) {
-  return
-      [folder = world_file.parent_path()](const std::string& name) { return read_height_map(folder / name); };
+terrain::WorldFiles beside(const std::filesystem::path& world_file) {
+  const std::filesystem::path folder = world_file.parent_path();
+  using Models = tl::expected<std::vector<terrain::VoxelModel>, std::string>;
+  return {[folder](const std::string& name) { return read_height_map(folder / name); },
+          [folder](const std::string& name) -> Models {
+            const auto bytes = read_bytes(folder / name, kMaxModelFileBytes);
+            if (!bytes) return refused(bytes.error());
+            return decode_vox(*bytes);
+          }};
 }
 
-}  // namespace talus::height_files
+}  // namespace talus::world_files

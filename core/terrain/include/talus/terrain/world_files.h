@@ -1,0 +1,36 @@
+// How World::parse gets the files that a spec names. core/world_files implements it.
+#pragma once
+
+#include <concepts>
+#include <functional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <tl/expected.hpp>
+
+#include <talus/terrain/height_map.h>
+#include <talus/terrain/voxel_model.h>
+
+namespace talus::terrain {
+
+/// Each gives what a spec names as `file`, or says in one line why it cannot. Empty: a spec that names such a
+/// file is refused.
+using LoadHeightMap = std::function<tl::expected<HeightMap, std::string>(const std::string& file)>;
+/// 1 to kMaxModels models, none larger than kMaxModelWidth x kMaxModelHeight x kMaxModelWidth, each voxel
+/// within its model.
+using LoadModels = std::function<tl::expected<std::vector<VoxelModel>, std::string>(const std::string& file)>;
+
+struct WorldFiles {
+  WorldFiles() = default;
+  /// A loader of height maps is enough.
+  template <std::convertible_to<LoadHeightMap> Load>
+  WorldFiles(const Load& load_height_map) : height_map{load_height_map} {}  // NOLINT: on purpose
+  WorldFiles(LoadHeightMap load_height_map, LoadModels load_models)
+      : height_map{std::move(load_height_map)}, models{std::move(load_models)} {}
+
+  LoadHeightMap height_map;
+  LoadModels models;
+};
+
+}  // namespace talus::terrain
