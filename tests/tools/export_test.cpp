@@ -330,12 +330,12 @@ struct Plane {
 
 // Of columns, from rows of voxels, what the planes say. `ground_row`: where the ground ends at most.
 std::uint16_t solid_voxel(const std::vector<Plane>& planes, std::int32_t row, bool coarse,
-                          std::int32_t most_row) {
+                          std::int32_t most_row, std::int32_t depth_fx) {
   const std::int32_t ground = std::min(terrain::boundary_row(planes.back().top_fx), most_row);
   if (row >= ground) return 0;
-  if (coarse && row == ground - 1) {  // the topmost solid voxel shows what lies at the top of the stack
+  if (coarse && row == ground - 1) {  // the topmost solid voxel shows what lies near the top of the stack
     std::size_t top = planes.size() - 1;
-    while (top > 0 && planes[top].top_fx == planes[top - 1].top_fx) --top;
+    while (top > 0 && planes[top - 1].top_fx >= planes.back().top_fx - depth_fx) --top;
     return planes[top].shown;
   }
   std::size_t plane = 0;
@@ -362,7 +362,8 @@ TEST_CASE("Exported voxels follow from the arrays beside them, near and far") {
     const auto sea_fx = json["sea_fx"].get<std::int32_t>();
     const std::int32_t sea_row = terrain::boundary_row(sea_fx);
     // Ground under water at level 0 leaves the topmost voxel of a coarse level to water.
-    const std::int32_t wet_fx = coarse ? sea_fx - (128 >> json["level"].get<int>()) : -1;
+    const std::int32_t depth_fx = 128 >> json["level"].get<int>();
+    const std::int32_t wet_fx = coarse ? sea_fx - depth_fx : -1;
     CHECK(y0 == (coarse ? -1 : 0));
     REQUIRE(json["planes"].size() == shown.size());
     REQUIRE(json["planes"].back() == 1);
@@ -387,7 +388,7 @@ TEST_CASE("Exported voxels follow from the arrays beside them, near and far") {
       const std::int32_t most_row = is_wet ? sea_row - 1 : std::numeric_limits<std::int32_t>::max();
       for (std::size_t y = 0; y < voxels.size(); ++y) {
         const std::int32_t row = y0 + static_cast<std::int32_t>(y);
-        std::uint16_t expected = solid_voxel(planes, row, coarse, most_row);
+        std::uint16_t expected = solid_voxel(planes, row, coarse, most_row, depth_fx);
         if (expected == 0 && row < sea_row) expected = row == sea_row - 1 ? shown.back()[i] : 1;
         wrong += voxels[y][i] != expected ? 1 : 0;
         seen.insert(voxels[y][i]);

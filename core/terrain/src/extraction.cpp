@@ -39,7 +39,7 @@ class TileRows {
     if (world.sea_fx()) sea_row_ = boundary_row(*world.sea_fx() >> level);
     if (coarse_ && world.sea_fx() && world.spec().surface.regions)
       wet_fx_ = (*world.sea_fx() - kSubvoxels / 2) >> level;
-    if (coarse_) find_caps();
+    if (coarse_) find_caps(world.shown_depth_fx(stacks.region.lod));
   }
 
   [[nodiscard]] std::size_t planes() const { return stacks_.tops.size(); }
@@ -104,7 +104,7 @@ class TileRows {
   }
 
   /// Boundary rows of a plane of a coarse level. Far hills keep their grass: the topmost solid voxel takes
-  /// the material at the top of the stack, even where that is too thin to reach the voxel's centre.
+  /// the material near the top of the stack, even where that is too thin to reach the voxel's centre.
   [[nodiscard]] Rows read(std::size_t plane) const {
     Rows rows;
     for (int z = 0; z < kChunkSize; ++z) {
@@ -117,14 +117,14 @@ class TileRows {
     return rows;
   }
 
-  void find_caps() {
+  void find_caps(std::int32_t depth_fx) {
     read_ground();
     for (std::size_t plane = 1; plane < planes(); ++plane) {
       for (int z = 0; z < kChunkSize; ++z) {
-        const std::int32_t* tops = stacks_.tops[plane].row(z_ + z).data() + x_;
-        const std::int32_t* below = stacks_.tops[plane - 1].row(z_ + z).data() + x_;
+        const std::int32_t* const tops = line(planes() - 1, z);
+        const std::int32_t* const below = line(plane - 1, z);
         for (int x = 0; x < kChunkSize; ++x) {
-          if (tops[x] > below[x]) cap_plane_[column_index(x, z)] = plane;
+          if (below[x] < tops[x] - depth_fx) cap_plane_[column_index(x, z)] = plane;
         }
       }
     }
@@ -152,7 +152,7 @@ class TileRows {
   bool coarse_;
   std::int32_t sea_row_ = -kFarRow;
   std::int32_t wet_fx_ = std::numeric_limits<std::int32_t>::min();  // ground of a coarse level under water
-  std::array<std::size_t, kChunkArea> cap_plane_{};  // the plane of the material at the top of each stack
+  std::array<std::size_t, kChunkArea> cap_plane_{};  // the plane that the topmost solid voxel shows
   Rows ground_{};
 };
 

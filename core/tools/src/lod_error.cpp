@@ -57,6 +57,8 @@ struct Sums {
   std::int64_t same_material = 0;
   std::int64_t elsewhere = 0;  // columns away from widened rivers
   std::int64_t same_elsewhere = 0;
+  std::int64_t own = 0;  // of those, base columns that the level samples
+  std::int64_t same_at_own = 0;
   SkylineErrors skyline;
 
   void add(const Sums& other) {
@@ -67,6 +69,8 @@ struct Sums {
     same_material += other.same_material;
     elsewhere += other.elsewhere;
     same_elsewhere += other.same_elsewhere;
+    own += other.own;
+    same_at_own += other.same_at_own;
     skyline.add(other.skyline);
   }
 };
@@ -111,9 +115,10 @@ class Ground {
     const std::int32_t top = stacks_.ground_fx(x, z);
     const std::int32_t row = terrain::boundary_row(top);
     if (row < sea_row_ && !stacks_.is_entrance(x, z)) return kWater;
-    // At level 0 the material at the voxel's centre, at other levels the material on top.
+    // At level 0 the material at the voxel's centre, at other levels that near the top.
+    const Lod lod = stacks_.region.lod;
     const std::int32_t centre = (row - 1) * terrain::kSubvoxels + terrain::kSubvoxels / 2;
-    const std::int32_t seen = stacks_.region.lod.value() == 0 ? centre : top - 1;
+    const std::int32_t seen = lod.value() == 0 ? centre : top - 1 - world_.shown_depth_fx(lod);
     std::size_t k = 0;
     while (k + 1 < stacks_.tops.size() && stacks_.tops[k].at(x, z) <= seen) ++k;
     const MaterialId ore = ore_[static_cast<std::size_t>(z) * static_cast<std::size_t>(stacks_.region.width) +
@@ -128,6 +133,10 @@ class Ground {
   std::size_t rock_planes_;
   std::int64_t sea_row_ = -1;
 };
+
+double share(std::int64_t part, std::int64_t all) {
+  return all == 0 ? 1 : static_cast<double>(part) / static_cast<double>(all);
+}
 
 std::array<Sums, kLevels> compare(const terrain::World& world, const terrain::Region& patch) {
   const Ground base{world, patch};
@@ -157,6 +166,9 @@ std::array<Sums, kLevels> compare(const terrain::World& world, const terrain::Re
         if (lowered > std::int64_t{terrain::kSubvoxels} << (level - 1)) continue;
         ++sums.elsewhere;
         sums.same_elsewhere += same;
+        if (x != cx << level || z != cz << level) continue;
+        ++sums.own;
+        sums.same_at_own += same;
       }
     }
     const auto lines = coarse.skylines();
@@ -189,14 +201,12 @@ LodError measure_lod_error(const terrain::World& world, const terrain::Region& r
   const auto columns = static_cast<double>(region.columns());
   for (std::size_t i = 0; i < kLevels; ++i) {
     const Sums& sums = levels[i];
-    error.rows.push_back({static_cast<int>(i) + 1,
-                          static_cast<double>(sums.surface_fx) / terrain::kSubvoxels / columns,
-                          static_cast<double>(sums.most_surface_fx) / terrain::kSubvoxels,
-                          static_cast<double>(sums.rows) / columns, static_cast<double>(sums.most_rows),
-                          static_cast<double>(sums.same_material) / columns,
-                          static_cast<double>(sums.same_elsewhere) /
-                              static_cast<double>(std::max<std::int64_t>(sums.elsewhere, 1)),
-                          sums.skyline.percentile(0.95)});
+    error.rows.push_back(
+        {static_cast<int>(i) + 1, static_cast<double>(sums.surface_fx) / terrain::kSubvoxels / columns,
+         static_cast<double>(sums.most_surface_fx) / terrain::kSubvoxels,
+         static_cast<double>(sums.rows) / columns, static_cast<double>(sums.most_rows),
+         static_cast<double>(sums.same_material) / columns, share(sums.same_elsewhere, sums.elsewhere),
+         share(sums.same_at_own, sums.own), sums.skyline.percentile(0.95)});
   }
   return error;
 }
@@ -208,14 +218,16 @@ std::string to_text(const LodError& error) {
                 error.side);
   std::string text = line.data();
   text +=
-      "               surface             voxels           mean in the   same material  away from  skyline,\n"
-      "  level     mean  largest      mean  largest    level's voxels   from above     wide rivers   95 %\n";
+      "               surface             voxels         mean in       same material from above       "
+      "skyline,\n"
+      "  level     mean  largest      mean  largest   level's voxels    all  off rivers  own column     95 "
+      "%\n";
   for (const LodErrorRow& row : error.rows) {
     std::snprintf(line.data(), line.size(),
-                  "  %5d  %7.2f  %7.1f   %7.2f  %7.0f    %14.2f  %10.1f %%  %10.1f %%  %7.2f\n", row.level,
-                  row.mean_surface, row.most_surface, row.mean_voxels, row.most_voxels,
+                  "  %5d  %7.2f  %7.1f   %7.2f  %7.0f  %14.2f  %5.1f %%     %5.1f %%     %5.1f %%  %7.2f\n",
+                  row.level, row.mean_surface, row.most_surface, row.mean_voxels, row.most_voxels,
                   std::ldexp(row.mean_voxels, -row.level), 100 * row.same_material, 100 * row.same_elsewhere,
-                  row.skyline);
+                  100 * row.same_at_own, row.skyline);
     text += line.data();
   }
   return text;
@@ -231,6 +243,7 @@ std::string to_json(const LodError& error) {
                               {"most_voxel_top_voxels", row.most_voxels},
                               {"same_material_from_above", row.same_material},
                               {"same_material_away_from_wide_rivers", row.same_elsewhere},
+                              {"same_material_at_own_column", row.same_at_own},
                               {"skyline_95_percent_level_voxels", row.skyline}});
   }
   return json.dump(2) + "\n";

@@ -21,6 +21,7 @@ struct LodErrorRow {
   double most_voxels = 0;
   double same_material = 0;   // share of the columns that show the same material from above, without objects
   double same_elsewhere = 0;  // the same away from rivers that the level widens
+  double same_at_own = 0;     // the same of the base columns alone that the level's columns sample
   double skyline = 0;         // how far 95 % of the skyline's columns are off at most, in the level's voxels
 };
 

@@ -221,6 +221,11 @@ class World {
   };
   /// Null where it always shows itself. Of water it is the topmost voxel that shows so.
   [[nodiscard]] const ShownBy* shown_by(MaterialId material) const;
+  /// How far under the ground lies what the topmost voxel of a column of level 1 to 6 shows, in subvoxels of
+  /// the level. With regions half a base voxel, where the voxel's centre lies on average at level 0; else 0.
+  [[nodiscard]] std::int32_t shown_depth_fx(Lod lod) const {
+    return spec_.surface.regions ? kSubvoxels / 2 >> lod.value() : 0;
+  }
   /// By number; look_names()[0] is empty: no look.
   [[nodiscard]] const std::vector<std::string>& look_names() const { return look_names_; }
   /// The sequence of layers from the bottom up, the same at every column; 1 to 256.
