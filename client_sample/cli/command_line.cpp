@@ -24,6 +24,7 @@ constexpr double kMaxFlight = 10e6;  // voxels: its heights are asked for and ke
 struct Words {
   std::int64_t x = 0, y = 0, z = 0, lod = 0;
   std::vector<std::int64_t> center;
+  std::vector<std::int64_t> from;
   std::vector<std::int64_t> columns;
   std::vector<std::int64_t> size{1024, 1024};
 };
@@ -54,7 +55,7 @@ void add_at(CLI::App& app, AtOptions& options, Words& words) {
   add_timeout(*command, options.timeout_seconds);
 }
 
-void add_fly(CLI::App& app, FlyOptions& options) {
+void add_fly(CLI::App& app, FlyOptions& options, Words& words) {
   const auto or_less = [](int radius) {
     return " (default: " + std::to_string(radius) + ", or as far as the server allows)";
   };
@@ -71,6 +72,13 @@ void add_fly(CLI::App& app, FlyOptions& options) {
                    "Radius out to which coarser levels fill the view, in chunks of level 0" +
                        or_less(FlyOptions::kFarRadius))
       ->check(CLI::Range(0, 4096));
+  command->add_option("--from", words.from, "X,Z where the flight begins (default: the spawn point)")
+      ->delimiter(',')
+      ->expected(2);
+  command
+      ->add_option("--heading", options.heading,
+                   "Degrees clockwise from north (default: towards open ground with high land behind it)")
+      ->check(within(-360, 360));
   command->add_option("--height", options.height, "Flying height in voxels above the ground")
       ->check(within(1, 10000))
       ->capture_default_str();
@@ -119,7 +127,12 @@ Checked check_at(CommandLine line, AtOptions options, const Words& words) {
   return line;
 }
 
-Checked check_fly(CommandLine line, FlyOptions options) {
+Checked check_fly(CommandLine line, FlyOptions options, const Words& words) {
+  if (!words.from.empty()) {
+    options.from = client::Column{words.from[0], words.from[1]};
+    const auto there = extent_around(options.from->x, options.from->z, 1, 1);
+    if (!there) return tl::unexpected{"--from leaves the world: " + there.error().message};
+  }
   if (options.seconds * options.speed > kMaxFlight) {
     std::ostringstream text;
     text << "--seconds " << options.seconds << " at --speed " << options.speed << " is a flight longer than "
@@ -164,7 +177,7 @@ tl::expected<CommandLine, Exit> read_command_line(int argc, const char* const* a
   MapOptions map_options;
   add_get(app, get_options, words);
   add_at(app, at_options, words);
-  add_fly(app, fly_options);
+  add_fly(app, fly_options, words);
   add_map(app, map_options, words);
 
   if (auto exit = command_line::parse(app, argc, argv)) return tl::unexpected{*std::move(exit)};
@@ -176,7 +189,7 @@ tl::expected<CommandLine, Exit> read_command_line(int argc, const char* const* a
 
   auto checked = app.got_subcommand("get")   ? check_get(std::move(line), get_options, words)
                  : app.got_subcommand("at")  ? check_at(std::move(line), at_options, words)
-                 : app.got_subcommand("fly") ? check_fly(std::move(line), fly_options)
+                 : app.got_subcommand("fly") ? check_fly(std::move(line), fly_options, words)
                                              : check_map(std::move(line), map_options, words);
   return std::move(checked).map_error([](std::string text) { return Exit{kExitWrongUse, std::move(text)}; });
 }

@@ -37,11 +37,13 @@ struct FlyOptions {
   double seconds = 8;
   std::optional<int> radius;  // chunks of level 0; none: kRadius, or what the server allows
   std::optional<int>
-      far_radius;                // chunks of level 0 out to which coarser ones are wanted; 0: no coarser ones
-  double height = 45;            // voxels above the ground
-  double speed = 60;             // voxels a second
-  std::filesystem::path output;  // map; empty: none
-  std::filesystem::path view;    // what the camera saw at the end; empty: none
+      far_radius;  // chunks of level 0 out to which coarser ones are wanted; 0: no coarser ones
+  std::optional<client::Column> from;  // none: the spawn point
+  std::optional<double> heading;       // degrees clockwise from north; none: where the land is worth it
+  double height = 45;                  // voxels above the ground
+  double speed = 60;                   // voxels a second
+  std::filesystem::path output;        // map; empty: none
+  std::filesystem::path view;          // what the camera saw at the end; empty: none
 };
 [[nodiscard]] asio::awaitable<CommandResult> fly(Connecting connecting, FlyOptions options);
 

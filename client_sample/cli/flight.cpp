@@ -39,6 +39,10 @@ glm::dvec2 Course::direction(double distance) const {
   return glm::normalize(at(distance + 0.5) - at(distance - 0.5));
 }
 
+double radians_of(double compass_degrees) {
+  return (compass_degrees - 90) * kTurn / 360;
+}
+
 std::vector<client::Column> candidate_columns(glm::dvec2 start, double length) {
   std::vector<client::Column> columns;
   for (int heading = 0; heading < kHeadings; ++heading) {

@@ -38,6 +38,9 @@ inline constexpr double kCourseSpacing = 8.0;  // voxels between the heights alo
 /// at candidate_columns().
 [[nodiscard]] double choose_heading(const std::vector<std::int32_t>& heights_fx);
 
+/// A Course's heading of one in degrees clockwise from north, which is towards low z.
+[[nodiscard]] double radians_of(double compass_degrees);
+
 /// Columns along a course, kCourseSpacing apart, and past its end.
 [[nodiscard]] std::vector<client::Column> course_columns(const Course& course);
 

@@ -133,11 +133,18 @@ asio::awaitable<Heights> heights_of(client::Client& client, const client::Server
 
 asio::awaitable<client::Result<Flight>> plan(client::Client& client, const client::WorldInfo& world,
                                              const FlyOptions& options, RequestTimeout& timeout) {
-  const glm::dvec2 start{static_cast<double>(world.spawn.x) + 0.5, static_cast<double>(world.spawn.z) + 0.5};
+  const client::Column from = options.from.value_or(client::Column{world.spawn.x, world.spawn.z});
+  const glm::dvec2 start{static_cast<double>(from.x) + 0.5, static_cast<double>(from.z) + 0.5};
   const double length = options.seconds * options.speed;
-  const auto around = co_await heights_of(client, world.limits, timeout, candidate_columns(start, length));
-  if (!around) co_return tl::unexpected{around.error()};
-  const Course course{start, choose_heading(*around), length};
+  double heading = 0;
+  if (options.heading) {
+    heading = radians_of(*options.heading);
+  } else {
+    const auto around = co_await heights_of(client, world.limits, timeout, candidate_columns(start, length));
+    if (!around) co_return tl::unexpected{around.error()};
+    heading = choose_heading(*around);
+  }
+  const Course course{start, heading, length};
   const auto heights = co_await heights_of(client, world.limits, timeout, course_columns(course));
   if (!heights) co_return tl::unexpected{heights.error()};
   co_return Flight{course, Altitude{*heights, options.height}};

@@ -47,6 +47,26 @@ TEST_CASE("a flight of more heights than fit in memory is wrong use") {
   CHECK(read({"fly", "--speed", "100000"}).has_value());
 }
 
+TEST_CASE("a flight begins where the user says") {
+  check_wrong_use({"fly", "--from", "9223372036854775807,0"}, "--from leaves the world");
+  check_wrong_use({"fly", "--heading", "400"}, "--heading");
+  const auto line = read({"fly", "--from", "-70,12", "--heading", "90"});
+  REQUIRE(line.has_value());
+  const auto& options = std::get<FlyOptions>(line->options);
+  CHECK((options.from->x == -70 && options.from->z == 12));
+  CHECK(options.heading == 90);
+}
+
+TEST_CASE("columns of at are pairs") {
+  check_wrong_use({"at", "1,2,3"}, "columns: 3 has no z");
+  check_wrong_use({"at"}, "columns");
+  const auto line = read({"at", "1,-2", "3,4"});
+  REQUIRE(line.has_value());
+  const auto& columns = std::get<AtOptions>(line->options).columns;
+  REQUIRE(columns.size() == 2);
+  CHECK((columns[0].z == -2 && columns[1].x == 3));
+}
+
 TEST_CASE("only a radius that the user gave is the user's") {
   const auto silent = read({"fly"});
   REQUIRE(silent.has_value());

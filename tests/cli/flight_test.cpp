@@ -16,6 +16,14 @@ TEST_CASE("a course begins where it is told, along its heading") {
   CHECK(course.at(1000).y == Approx(-50).margin(1e-6));
 }
 
+TEST_CASE("headings of the compass turn clockwise from north") {
+  const auto way = [](double degrees) { return Course{{0, 0}, radians_of(degrees), 100}.at(100); };
+  CHECK(way(0).y == Approx(-100));
+  CHECK(way(90).x == Approx(100));
+  CHECK(way(180).y == Approx(100));
+  CHECK(way(-90).x == Approx(-100));
+}
+
 TEST_CASE("a course's direction is the way to its next point, of length 1") {
   const Course course{{0, 0}, 1, 600};
   for (double distance = 1; distance < 600; distance += 37) {
