@@ -99,7 +99,7 @@ TEST_CASE("Every wrong key of regions is refused with file, line, key and what w
       {"sea_level = 128", "sea_level = 0", "w.toml:3: sea_level: 0 is 0 voxels; a multiple of 64 is needed"},
       {"resolution = 1 ", "resolution = 65 ",
        "w.toml:2: resolution: 65 is out of range; 1 to 64 for regions"},
-      {"strata_wavelength = 300", "", "strata_wavelength: missing"},
+      {"strata_wavelength = 600", "", "strata_wavelength: missing"},
       {"name = \"ranges\"", "name = \"continents\"",
        "w.toml:13: field[1].name: 'continents' names another field already; names are unique"},
       {"name = \"ranges\"", "name = \".ranges\"", "w.toml:13: field[1].name: '.ranges' begins with a dot"},
