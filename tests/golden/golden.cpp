@@ -17,6 +17,7 @@
 #include <talus/voxel/content_hash.h>
 
 #include "made_height_map.h"
+#include "random_regions.h"
 
 namespace {
 
@@ -75,13 +76,17 @@ const Sample kWorlds[] = {
     {"mesas", "core/worlds/mesas", ""},
     {"alpine", "core/worlds/alpine", ""}};
 
-void print_place(const terrain::World& world, const Place& place, std::ostream& out) {
+/// Hashes of all chunks' voxels, and all payloads.
+struct Made {
+  std::vector<std::uint64_t> content;
+  std::vector<std::byte> payloads;
+};
+
+void make_place(const terrain::World& world, const Place& place, Made& made) {
   const Lod lod = Lod::of(place.lod);
   const int width = place.tiles * kChunkSize;
   const terrain::Stacks stacks = terrain::generate_stacks(
       world, {place.chunk_x * kChunkSize, place.chunk_z * kChunkSize, width, width, lod});
-  std::vector<std::uint64_t> content;
-  std::vector<std::byte> payloads;
   for (int tz = 0; tz < place.tiles; ++tz) {
     for (int tx = 0; tx < place.tiles; ++tx) {
       const auto x = static_cast<std::int32_t>(place.chunk_x + tx);
@@ -90,17 +95,40 @@ void print_place(const terrain::World& world, const Place& place, std::ostream& 
       for (std::int32_t y = rows.first - 1; y <= rows.last + 1; ++y) {
         const Chunk chunk = terrain::extract_chunk(world, stacks, {x, y, z});
         const ContentHash hash = content_hash(chunk);
-        content.insert(content.end(), {hash.low, hash.high});
-        encode(chunk, payloads);
+        made.content.insert(made.content.end(), {hash.low, hash.high});
+        encode(chunk, made.payloads);
       }
     }
   }
+}
+
+void print(const std::string& what, const Made& made, std::ostream& out) {
   const auto digest = [](const void* data, std::size_t bytes) {
     const XXH128_hash_t hash = XXH3_128bits(data, bytes);
     return to_string(ContentHash{hash.low64, hash.high64});
   };
-  out << "  " << place.what << ": voxels " << digest(content.data(), content.size() * sizeof content[0])
-      << " payloads " << digest(payloads.data(), payloads.size()) << '\n';
+  out << "  " << what << ": voxels "
+      << digest(made.content.data(), made.content.size() * sizeof made.content[0]) << " payloads "
+      << digest(made.payloads.data(), made.payloads.size()) << '\n';
+}
+
+// A tile of each, at all levels, near, far and at the ends.
+void print_random_regions(std::ostream& out) {
+  constexpr int kCount = 100;
+  Made made;
+  int worlds = 0;
+  for (int i = 0; i < kCount; ++i) {
+    const auto seed = static_cast<std::uint64_t>(i);
+    const auto world = terrain::World::parse(test::random_regions_text(seed), "random");
+    if (!world) continue;  // it asks for too many layers
+    ++worlds;
+    const int level = i % (Lod::kMax + 1);
+    const std::int64_t end = kEnd >> level;
+    const std::int64_t places[] = {0, i * 7919 % 2000 - 1000, end - 1, -end};
+    make_place(*world, {"", places[i / 7 % 4], places[i / 28 % 4], 1, level}, made);
+  }
+  out << "random regions, " << worlds << " worlds\n";
+  print("a tile of each", made, out);
 }
 
 }  // namespace
@@ -128,8 +156,13 @@ int main(int argc, char** argv) {
       return 1;
     }
     text << name << ' ' << to_string(world->fingerprint()) << '\n';
-    for (const Place& place : kPlaces) print_place(*world, place, text);
+    for (const Place& place : kPlaces) {
+      Made made;
+      make_place(*world, place, made);
+      print(place.what, made, text);
+    }
   }
+  print_random_regions(text);
   if (argc != 2) return std::cerr << "usage: golden GOLDEN.TXT | --write\n", 2;
   if (std::string{argv[1]} == "--write") return std::cout << text.str(), 0;
   const std::string expected = read_file(argv[1]);
