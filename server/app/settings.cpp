@@ -30,7 +30,9 @@ std::size_t generator_threads(const Config& config) {
 
 std::uint64_t height_tiles_per_request(const terrain::World& world, std::chrono::nanoseconds tile_time) {
   constexpr std::chrono::nanoseconds kLongest = std::chrono::seconds{1};
-  if (world.spec().method != terrain::Method::erosion) return protocol::kMaxHeightsPerRequest;
+  const bool by_tile =
+      world.spec().method == terrain::Method::erosion || world.spec().talus || world.has_caves();
+  if (!by_tile) return protocol::kMaxHeightsPerRequest;
   const auto tiles = kLongest / std::max(tile_time, std::chrono::nanoseconds{1});
   return std::clamp<std::uint64_t>(static_cast<std::uint64_t>(tiles), 1, protocol::kMaxHeightsPerRequest);
 }

@@ -267,6 +267,50 @@ TEST_CASE("Another kind of object moves no other, and no ground") {
                        [](const PlacedObject& a, const PlacedObject& b) { return a.kind < b.kind; }));
 }
 
+TEST_CASE("From above objects show what their voxels show") {
+  const World world = wooded(kThorns + kHuts);
+  for (const int level : {0, 1, 3}) {
+    CAPTURE(level);
+    const Lod lod = Lod::of(level);
+    const Stacks stacks = generate_stacks(world, {0, 0, kChunkSize, kChunkSize, lod});
+    const ObjectTops tops = object_tops(world, stacks);
+    const MixedRange rows = mixed_range(world, stacks, 0, 0);
+    std::vector<MaterialId> seen(kChunkArea, kAir);
+    for (std::int32_t y = rows.first; y <= rows.last; ++y) {
+      const Chunk chunk = extract_chunk(world, stacks, {0, y, 0});
+      for (std::size_t i = 0; i < kChunkVolume; ++i) {
+        const MaterialId voxel =
+            chunk.at({static_cast<std::uint8_t>(i % 32), static_cast<std::uint8_t>(i / 1024),
+                      static_cast<std::uint8_t>(i / 32 % 32)});
+        if (voxel != kAir) seen[i % kChunkArea] = voxel;
+      }
+    }
+    std::size_t covered = 0;
+    std::size_t wrong = 0;
+    for (std::size_t i = 0; i < seen.size(); ++i) {
+      if (tops.materials[i] != kAir) {
+        ++covered;
+        wrong += tops.materials[i] == seen[i] ? 0 : 1;
+      } else if (seen[i] != kAir) {
+        wrong += of_objects(world, seen[i]) ? 1 : 0;
+      }
+    }
+    CHECK(covered > 100);
+    CHECK(wrong == 0);
+  }
+}
+
+TEST_CASE("A column of a coarse level shows at most 16 objects of a kind") {
+  std::string text = test::small_world_text(7);
+  std::string every =
+      test::replaced(test::replaced(kWood, "spacing = 6", "spacing = 4"), "broadleaf", "jungle_tree");
+  const auto world = World::parse(text + every, "wood.toml");
+  REQUIRE(world.has_value());
+  const Stacks stacks = generate_stacks(*world, {0, 0, 64, 64, Lod::of(3)});
+  CHECK(stacks.objects.size() > 64 * 64 / 8);
+  CHECK(stacks.objects.size() <= 64 * 64 * 16);
+}
+
 TEST_CASE("Where decides how many objects there are") {
   const auto count = [](const std::string& where) {
     const std::string kind = test::replaced(kWood, "chance = 1\n", "chance = 0.5\n" + where);

@@ -225,6 +225,41 @@ TEST_CASE("A column's look is the ground's, whatever stands first in the file") 
   CHECK(iced.shown_by(kWater)->looks != 0);
 }
 
+TEST_CASE("What is wrong about talus, its halo and its defaults") {
+  const auto error = [](const std::string& repose, const std::string& talus) {
+    // 40 voxels a unit.
+    const std::string scree =
+        "[[eroded]]\nname = \"scree\"\ncolour = \"#888888\"\nweight = 9\nthickness = 0.02\nmax_slope = 45\n"
+        "angle_of_repose = ";
+    return test::error_of(test::small_world_text(7) + scree + repose + "\n[talus]\nof = \"scree\"\n" + talus);
+  };
+  CHECK(error("35", "thickness = 1.2\nreach = 0.8\ncliff = 1\n") == "accepted");
+  CHECK_THAT(error("1", "thickness = 1.2\nreach = 0.8\ncliff = 1\n"),
+             Catch::Contains("talus.thickness: at the angle of repose of 'scree' it needs a halo of"));
+  CHECK_THAT(error("35", ""),
+             Catch::Contains("talus.thickness: missing; 8 units, the default, are 320 voxels"));
+}
+
+TEST_CASE("Talus that comes to the same numbers has one fingerprint, and other numbers have another") {
+  const auto fingerprint = [](const std::string& from, const std::string& to) {
+    const auto world = World::parse(test::replaced(std::string{default_world_toml()}, from, to), "w.toml");
+    REQUIRE(world.has_value());
+    return world->fingerprint();
+  };
+  // 513.0 and 512.5 subvoxels, or nearly, which are rounded apart; floats of both are one.
+  const std::string thickness = "thickness = 8                 # at most";
+  CHECK(fingerprint(thickness, "thickness = 1.001953125") !=
+        fingerprint(thickness, "thickness = 1.001953124999"));
+  CHECK(fingerprint("reach = 8 ", "reach = 5 ") == default_world().fingerprint());
+  CHECK(fingerprint("reach = 8 ", "reach = 9 ") != default_world().fingerprint());
+}
+
+TEST_CASE("Ores have no colours of provinces") {
+  const std::string text = test::replaced(std::string{default_world_toml()}, "colours = { gneiss",
+                                          "colours = { coal = \"#00ff00\", gneiss");
+  CHECK_THAT(test::error_of(text), Catch::Contains("colours.coal: no [[stratified]] material is named so"));
+}
+
 TEST_CASE("What is wrong about places") {
   const auto [from, to, message] = GENERATE(values<std::array<std::string, 3>>({
       {"below = { height = -7 }", "below = { depth = -7 }", "no quantity and no [[field]] is named so"},
@@ -234,12 +269,14 @@ TEST_CASE("What is wrong about places") {
       {"of = \"water\"", "of = \"wine\"", "no [[eroded]] material is named 'wine'"},
       {"of = \"water\"", "of = \"granite\"", "no [[eroded]] material is named 'granite'"},
       {"shows = \"snow\"", "shows = \"sleet\"", "no material is named 'sleet'"},
+      {"shows = \"snow\"", "shows = \"water\"", "no material is named 'water'"},
       {"shows = \"snow\"", "shows = \"snow\"\ncolour = \"#ffffff\"", "leave one of them out"},
       {"shows = \"snow\"\n", "", "a colour of its own"},
       {"above = { mesas = 0.3 }", "above = { mesas = \"red\" }", "is a string"},
       {"colours = { gneiss = \"#8a5a48\"", "colours = { grass = \"#6a4a42\"", "no [[stratified]] material"},
       {"colours = { gneiss = \"#8a5a48\"", "colours = { granite = \"#6a4a42\"", "the lowest layer goes on"},
-      {"temperature = [-0.50, -0.60]", "temperature = [-0.50, -0.50]", "two that differ"},
+      {"temperature = [-0.50, -0.60]", "temperature = [-0.50, -0.50]", "0.001 between them"},
+      {"temperature = [-0.50, -0.60]", "cliff = [0, 1e-45]", "0.001 between them"},
       {"temperature = [-0.50, -0.60]", "temperature = [-0.50, -0.60, 1]", "a list of 2 or 4 numbers"},
       {"temperature = [-0.50, -0.60]", "slope = [-0.50, -0.60]", "out of range; 0 to 89"},
       {"temperature = [-0.50, -0.60]", "wetness = [-0.50, -0.60]", "fields by name"},

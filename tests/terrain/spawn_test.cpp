@@ -25,6 +25,16 @@ TEST_CASE("A spawn stands on solid ground in free air, and dry where any ground 
   }));
 }
 
+TEST_CASE("In a world full of bushes the spawn is near all the same") {
+  const std::string bushes =
+      "[[object]]\nname = \"bush\"\nmodel = \"bush\"\nspacing = 6\nchance = 1\n"
+      "leaves = { name = \"leaves\", colour = \"#4a7d33\" }\n";
+  const auto world = World::parse(test::small_world_text(7) + bushes, "bushes.toml");
+  REQUIRE(world);
+  const VoxelPos feet = find_spawn(*world);
+  CHECK(std::max(std::abs(feet.x), std::abs(feet.z)) < 4096);
+}
+
 TEST_CASE("In a world all sea the spawn floats on the water") {
   std::string text = test::small_world_text(1);
   text.replace(text.find("sea_level = 0.3"), 15, "sea_level = 9.0");

@@ -76,9 +76,6 @@ class ColumnsByTile {
   std::map<Tile, std::vector<std::size_t>> tiles_;
 };
 
-/// What a tile costs at least, in columns: the ground around it.
-constexpr std::size_t kTileCost = 16;
-
 /// Talus and the openings of caves take the ground around a column to know: of a tile's columns, once.
 class HeightsWork::ByGround final : public HeightsWork::Pieces {
  public:
@@ -89,9 +86,10 @@ class HeightsWork::ByGround final : public HeightsWork::Pieces {
         carver_{make_carver(world, instruction_set())} {}
 
   bool step(std::size_t columns) override {
-    for (std::size_t made = 0; !tiles_.empty() && made < columns; tiles_.next()) {
+    // The ground around it makes a tile as dear as many columns.
+    if (columns > 0 && !tiles_.empty()) {
       make_tile();
-      made += std::max(tiles_.places().size(), kTileCost);
+      tiles_.next();
     }
     return !tiles_.empty();
   }

@@ -28,6 +28,7 @@ constexpr std::int32_t kHighestView_fx = 220 * kSubvoxels;
 constexpr std::int32_t kShoreWorth_fx = 60 * kSubvoxels;
 constexpr std::int32_t kStepWorth_fx = 2 * kSubvoxels;
 constexpr std::int64_t kFreeOfObjects = 5;  // columns to the next one's foot
+constexpr int kMaxOvergrown = 64;           // places that are looked at before one is taken all the same
 
 struct Candidate {
   std::int64_t x;
@@ -129,18 +130,24 @@ class SpawnSearch {
     return first_good(best, kGentle_fx);
   }
 
+  /// In a world full of objects the first good place, though one stands there.
   [[nodiscard]] std::optional<VoxelPos> first_good(std::span<const Candidate> candidates,
                                                    std::int32_t steepest_fx) const {
+    std::optional<VoxelPos> overgrown_place;
+    int tried = 0;
     for (const Candidate& place : candidates) {
       if (slope_at(place.x, place.z) > steepest_fx) continue;
       // Erosion may have changed the ground since, by no more than what was loose; a cave's entrance lies
       // deeper.
       const BaseColumn column{place.x, place.z};
       const std::int32_t ground_fx = surface_heights(world_, {&column, 1}).front();
-      if (ground_fx < place.height_fx - loose_fx_ || overgrown(place.x, place.z)) continue;
-      return standing(place.x, place.z, ground_fx);
+      if (ground_fx < place.height_fx - loose_fx_) continue;
+      const VoxelPos found = standing(place.x, place.z, ground_fx);
+      if (!overgrown(place.x, place.z)) return found;
+      if (!overgrown_place) overgrown_place = found;
+      if (++tried == kMaxOvergrown) break;
     }
-    return std::nullopt;
+    return overgrown_place;
   }
 
   /// Whether an object stands so near that one would stand in it.

@@ -224,10 +224,13 @@ void tidy(ObjectModel& model) {
 
 ObjectModel model_of(const VoxelModel& model, const std::array<std::uint8_t, 256>& parts) {
   ObjectModel made;
+  int lowest = kMaxModelHeight;
+  for (const VoxelModel::Voxel& voxel : model.voxels) lowest = std::min<int>(lowest, voxel.y);
   for (const VoxelModel::Voxel& voxel : model.voxels) {
+    const int top = voxel.y - lowest;
     const auto x = static_cast<std::int8_t>(voxel.x - model.width / 2);
     const auto z = static_cast<std::int8_t>(voxel.z - model.depth / 2);
-    for (int y = voxel.y == 0 ? -kObjectRoot : voxel.y; y <= voxel.y; ++y) {
+    for (int y = top == 0 ? -kObjectRoot : top; y <= top; ++y) {
       made.push_back({x, static_cast<std::int8_t>(y), z, parts[voxel.colour]});
     }
   }

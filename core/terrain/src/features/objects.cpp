@@ -22,6 +22,7 @@ namespace {
 
 constexpr std::size_t kMaxKinds = 32;
 constexpr int kLeastSpacing = 4;
+constexpr std::size_t kMaxSeen = 16;  // objects of a kind that a column of level 3 to 6 shows
 constexpr std::size_t kMaxModelNameBytes = 200;
 constexpr int kVariants = 32;  // shapes of a formula; objects draw one of them and a quarter turn
 constexpr int kGap = 2;        // of a cell stay free, so that no two trunks touch across its border
@@ -197,6 +198,7 @@ void Objects::place_by_columns(const StandingGround& ground, std::size_t kind,
     for (int x = 0; x < ground.region.width; ++x) {
       const std::int32_t share = ground.share(of.share, x, z);
       if (share == 0 || !ground.carries(x, z, of.in_water)) continue;
+      const std::size_t most = objects.size() + kMaxSeen;
       const std::int64_t base_x = (ground.region.x + x) << level;
       const std::int64_t base_z = (ground.region.z + z) << level;
       for (std::int64_t cz = floor_div(base_z - of.reach, of.spacing); cz * of.spacing <= base_z + of.reach;
@@ -210,7 +212,7 @@ void Objects::place_by_columns(const StandingGround& ground, std::size_t kind,
           PlacedObject object = found->at(boundary_row(ground.height_fx(x, z)), of.models.size());
           object.seen_x = base_x;
           object.seen_z = base_z;
-          if (!seen(object).empty()) objects.push_back(object);
+          if (objects.size() < most && !seen(object).empty()) objects.push_back(object);
         }
       }
     }
@@ -294,15 +296,19 @@ void Objects::add_overrides(const ChunkSite& site, std::vector<Override>& overri
 void Objects::add_tops(const Stacks& stacks, std::span<MaterialId> materials,
                        std::span<std::int32_t> rows) const {
   const Region& region = stacks.region;
+  // As add_overrides(): what comes later is in front.
   for (const bool front : {false, true}) {
-    for (const PlacedObject& object : stacks.objects) {
-      for_each_voxel(object, region.lod, front,
+    for (auto object = stacks.objects.rbegin(); object != stacks.objects.rend(); ++object) {
+      const bool in_water = kinds_[object->kind].in_water;
+      for_each_voxel(*object, region.lod, front,
                      [&](std::int64_t x, std::int64_t y, std::int64_t z, MaterialId material) {
                        const std::int64_t in_x = x - region.x;
                        const std::int64_t in_z = z - region.z;
                        if (in_x < 0 || in_z < 0 || in_x >= region.width || in_z >= region.depth) return;
                        const auto i = static_cast<std::size_t>(in_z * region.width + in_x);
                        if (y < boundary_row(stacks.tops.back().values[i]) || y + 1 < rows[i]) return;
+                       // The row is the sea's topmost where no object has given it.
+                       if (y + 1 == rows[i] && materials[i] == kAir && !in_water) return;
                        materials[i] = material;
                        rows[i] = static_cast<std::int32_t>(y + 1);
                      });

@@ -59,18 +59,22 @@ ColumnRange hull(ColumnRange a, ColumnRange b) {
 
 }  // namespace
 
-ApronNumbers apron_numbers(const World& world) {
-  const TalusSpec& talus = *world.spec().talus;
-  const LooseSpec& loose = world.loose()[talus.of];
-  const double voxels = world.spec().resolution;
+ApronNumbers apron_numbers(const TalusSpec& talus, const LooseSpec& loose, int resolution) {
+  const double voxels = resolution;
   ApronNumbers numbers;
   numbers.wall_fx = loose.S_fx;
   numbers.c_fx = loose.c_fx;
   numbers.most_fx = static_cast<std::int32_t>(rounded(talus.thickness * voxels * kSubvoxels));
   numbers.share_q8 = static_cast<std::int32_t>(rounded(talus.share * 256));
   numbers.steps = static_cast<int>(std::bit_ceil(static_cast<unsigned>(rounded(talus.reach * voxels))));
-  if (world.sea_fx()) numbers.bare_fx = *world.sea_fx();
   numbers.cliff_reach = static_cast<int>(rounded(talus.cliff * voxels));
+  return numbers;
+}
+
+ApronNumbers apron_numbers(const World& world) {
+  const TalusSpec& talus = *world.spec().talus;
+  ApronNumbers numbers = apron_numbers(talus, world.loose()[talus.of], world.spec().resolution);
+  if (world.sea_fx()) numbers.bare_fx = *world.sea_fx();
   return numbers;
 }
 

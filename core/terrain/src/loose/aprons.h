@@ -27,6 +27,8 @@ struct ApronNumbers {
   int cliff_reach = 0;                // columns from a wall that count as near, up to 4096; 0: none
 };
 
+/// What [talus] says of aprons of that loose material, at level 0, but for the sea.
+[[nodiscard]] ApronNumbers apron_numbers(const TalusSpec& talus, const LooseSpec& loose, int resolution);
 /// What a world's [talus] says, at level 0. REQUIRES that it has one.
 [[nodiscard]] ApronNumbers apron_numbers(const World& world);
 

@@ -40,7 +40,7 @@ struct PlaceSampler::Scratch {
   std::vector<std::vector<float>> values;
   std::vector<std::uint8_t> no_looks;
   std::int32_t sea_fx = 0;
-  float subvoxels_a_unit = 1;
+  float units_a_subvoxel = 1;
 };
 
 std::vector<std::string> place_names(const World& world) {
@@ -83,9 +83,9 @@ std::optional<PlaceSampler> PlaceSampler::make(const World& world, std::span<con
   scratch->surface.places = std::make_shared<const Places>(looks_alone(places));
   scratch->rows = make_surface_rows(scratch->surface, instruction_set());
   scratch->sea_fx = world.sea_fx().value_or(0);
-  scratch->subvoxels_a_unit = static_cast<float>(spec.resolution * kSubvoxels);
-  scratch->fields.emplace(scratch->surface.places, scratch->sea_fx, scratch->subvoxels_a_unit,
-                          instruction_set());
+  const auto subvoxels_a_unit = static_cast<float>(spec.resolution * kSubvoxels);
+  scratch->units_a_subvoxel = 1 / subvoxels_a_unit;  // as PlaceFields has it
+  scratch->fields.emplace(scratch->surface.places, scratch->sea_fx, subvoxels_a_unit, instruction_set());
   scratch->quantities.resize(scratch->surface.places->quantities);
   scratch->values.resize(names.size());
   return PlaceSampler{std::move(scratch)};
@@ -115,7 +115,7 @@ void PlaceSampler::row(std::int64_t z) {
     for (std::size_t k = 0; k < s.heights.size(); ++k) {
       // A surface that knows no quantities has this one alone.
       s.values[i][k] =
-          from != nullptr ? from[k] : static_cast<float>(s.heights[k] - s.sea_fx) / s.subvoxels_a_unit;
+          from != nullptr ? from[k] : static_cast<float>(s.heights[k] - s.sea_fx) * s.units_a_subvoxel;
     }
   }
 }

@@ -14,6 +14,7 @@
 #include <talus/terrain/world.h>
 
 #include "feature.h"
+#include "loose/aprons.h"
 #include "place/places.h"
 #include "surface/regions/regions.h"
 
@@ -42,7 +43,7 @@ void add_spline(const char* name, const Spline& spline, std::ostream& form) {
 
 void add_rotated(const char* name, const RotatedNoise& noise, std::ostream& form) {
   form << "regions " << name << " seed " << noise.seed << " period " << noise.period << " octaves "
-       << noise.octaves << " gain " << bits_of(static_cast<float>(noise.gain)) << '\n';
+       << noise.octaves << " gain " << std::bit_cast<std::uint64_t>(noise.gain) << '\n';
 }
 
 void add_numbers(const char* name, std::initializer_list<float> numbers, std::ostream& form) {
@@ -171,11 +172,9 @@ std::string World::canonical_form() const {
     form << '\n';
   }
   if (spec_.talus) {
-    form << "talus of " << spec_.talus->of << " thickness "
-         << bits_of(static_cast<float>(spec_.talus->thickness)) << " share "
-         << bits_of(static_cast<float>(spec_.talus->share)) << " reach "
-         << bits_of(static_cast<float>(spec_.talus->reach)) << " cliff "
-         << bits_of(static_cast<float>(spec_.talus->cliff)) << '\n';
+    const ApronNumbers aprons = apron_numbers(*this);
+    form << "talus of " << spec_.talus->of << " most_fx " << aprons.most_fx << " share_q8 " << aprons.share_q8
+         << " steps " << aprons.steps << " cliff_reach " << aprons.cliff_reach << '\n';
   }
   add_features(*this, Feature::Stage::voxels, form);
   return form.str();

@@ -9,9 +9,9 @@ namespace {
 
 class LooksReader {
  public:
-  LooksReader(TableReader& root, PlacesReader& places, std::vector<LookRules>& rules, MaterialId lowest,
+  LooksReader(TableReader& root, PlacesReader& places, std::vector<LookRules>& rules, const RockIds& rock,
               std::set<std::string>& names, std::vector<Material>& materials)
-      : root_{root}, places_{places}, rules_{rules}, lowest_{lowest}, names_{names}, materials_{materials} {}
+      : root_{root}, places_{places}, rules_{rules}, rock_{rock}, names_{names}, materials_{materials} {}
 
   LookTables read() {
     if (root_.has("look")) read_looks();
@@ -34,7 +34,7 @@ class LooksReader {
     for (auto& [look, table] : showing_) {
       const std::string name = table.text("shows", kMaxNameBytes);
       const Material* const material = material_named(name);
-      if (material == nullptr) {
+      if (material == nullptr || material->id == kWater) {
         table.fail("shows",
                    "no material is named '" + name + "'; that of a look, a layer or loose one is needed");
         continue;
@@ -112,11 +112,11 @@ class LooksReader {
     if (!colours) return;
     for (const std::string& rock : colours->keys()) {
       const Material* const of = material_named(rock);
-      if (of == nullptr || of->kind != MaterialKind::stratified || to_integer(of->id) >= strata_end_) {
+      if (of == nullptr || to_integer(of->id) < 2 || to_integer(of->id) >= to_integer(rock_.end)) {
         colours->fail(rock, "no [[stratified]] material is named so");
         continue;
       }
-      if (of->id == lowest_) {
+      if (of->id == rock_.lowest) {
         colours->fail(rock,
                       "the lowest layer goes on without end below y = 0, so it looks the same everywhere");
         continue;
@@ -176,10 +176,9 @@ class LooksReader {
   TableReader& root_;
   PlacesReader& places_;
   std::vector<LookRules>& rules_;
-  MaterialId lowest_;
+  const RockIds rock_;
   std::set<std::string>& names_;
   std::vector<Material>& materials_;
-  const std::size_t strata_end_ = materials_.size();  // ids of this and later looks' materials are not strata
   std::vector<Look> looks_;
   bool has_ground_ = false;  // whether the first rules are a loose material's
   std::vector<std::pair<std::size_t, TableReader>> showing_;
@@ -189,8 +188,8 @@ class LooksReader {
 }  // namespace
 
 LookTables read_looks(TableReader& root, PlacesReader& places, std::vector<LookRules>& rules,
-                      MaterialId lowest, std::set<std::string>& names, std::vector<Material>& materials) {
-  return LooksReader{root, places, rules, lowest, names, materials}.read();
+                      const RockIds& rock, std::set<std::string>& names, std::vector<Material>& materials) {
+  return LooksReader{root, places, rules, rock, names, materials}.read();
 }
 
 }  // namespace talus::terrain

@@ -18,11 +18,16 @@ struct LookTables {
   std::vector<std::string> names;                       // World::look_names()
 };
 
+/// Ids of strata are 2 to before `end`; `lowest` goes on without end below all others.
+struct RockIds {
+  MaterialId lowest{};
+  MaterialId end{};
+};
+
 /// Reads both kinds of sections, in the order of the file, looks first. Their materials join `materials` and
-/// `names`, their rules `rules`. `lowest` is the layer that goes on without end below all others. Air, water,
-/// strata and loose materials stand in `materials` already.
+/// `names`, their rules `rules`. Air, water, strata and loose materials stand in `materials` already.
 [[nodiscard]] LookTables read_looks(TableReader& root, PlacesReader& places, std::vector<LookRules>& rules,
-                                    MaterialId lowest, std::set<std::string>& names,
+                                    const RockIds& rock, std::set<std::string>& names,
                                     std::vector<Material>& materials);
 
 }  // namespace talus::terrain

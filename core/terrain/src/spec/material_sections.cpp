@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "loose/aprons.h"
 #include "spec/units.h"
 
 namespace talus::terrain {
@@ -13,6 +14,7 @@ constexpr double kMaxLooseThickness = 4096;  // voxels
 constexpr int kMaxHalo = 64;                 // columns
 constexpr double kMaxApron = 48;             // voxels
 constexpr double kMaxWallReach = 32;         // voxels
+constexpr int kMaxApronHalo = 128;           // columns
 constexpr double kMaxRoughness = 16;
 constexpr double kMaxWeight = 1e9;
 constexpr Range kAngles{1, 89};  // degrees
@@ -87,13 +89,21 @@ TalusSpec read_talus(TableReader& table, const WorldSpec& spec) {
   }
   talus.of = static_cast<std::size_t>(found - spec.eroded.begin());
   const auto length = [&](const char* key, double most_voxels, double otherwise) {
-    return table.has(key) ? table.length(key, {0, kMaxHeight}, {spec.resolution, {0, most_voxels}})
-                          : otherwise;
+    if (table.has(key)) return table.length(key, {0, kMaxHeight}, {spec.resolution, {0, most_voxels}});
+    if (otherwise * spec.resolution <= most_voxels) return otherwise;
+    table.fail(key, text_of("missing; ", otherwise, " units, the default, are ", otherwise * spec.resolution,
+                            " voxels at this resolution, more than ", most_voxels, ", so give a length"));
+    return 0.0;
   };
   talus.thickness = length("thickness", kMaxApron, talus.thickness);
   talus.reach = length("reach", kMaxWallReach, talus.reach);
   talus.cliff = length("cliff", kMaxHalo, talus.cliff);
   if (table.has("share")) talus.share = table.real("share", {0, 4});
+  const int halo = apron_halo(apron_numbers(talus, loose_of(*found, spec.resolution), spec.resolution));
+  if (halo > kMaxApronHalo) {
+    table.fail("thickness", text_of("at the angle of repose of '", of, "' it needs a halo of ", halo,
+                                    " columns; at most ", kMaxApronHalo, ", so make it smaller"));
+  }
   return talus;
 }
 

@@ -12,6 +12,8 @@
 namespace talus::terrain {
 namespace {
 
+constexpr double kLeastRamp = 0.001;  // so that its steepness is a finite float
+
 constexpr Range kDegrees{0, 89};
 constexpr Range kQuantityValues{-kMaxHeight, kMaxHeight};
 
@@ -66,8 +68,9 @@ void PlacesReader::add_ramps(TableReader& table, std::vector<PlaceRamp>& ramps) 
       // Of four the last two are [all, none]: what rises falls again.
       const double none = i == 0 ? points[0] : points[3];
       const double all = i == 0 ? points[1] : points[2];
-      if (none == all) {
-        table.fail(name, "the same value for none and all; two that differ are needed");
+      if (std::abs(none - all) < kLeastRamp) {
+        table.fail(name, text_of("the same value for none and all, or nearly; ", kLeastRamp,
+                                 " between them is needed"));
         continue;
       }
       ramps.push_back({*number, none, all});

@@ -20,7 +20,8 @@ constexpr double kMinGain = 1e-3;
 constexpr Range kFieldValues{-2, 2};
 constexpr Range kShare{0, 1};
 constexpr Range kHeights{-kMaxHeight, kMaxHeight};
-constexpr Range kWidths{0, 65536};
+constexpr Range kWidths{0, 400};           // so that valleys are wider
+constexpr Range kValleys{0, 700};          // ranges widen them; distances are known up to 1000
 constexpr int kMaxRegionsResolution = 64;  // so that no warp is longer than kernels take
 constexpr std::int64_t kSeaStep = 64;      // voxels: a voxel of the coarsest level
 
@@ -63,12 +64,22 @@ double wavelength_or(TableReader& table, const std::string& key, int octaves, in
   return table.length(key, {kMinLength, kMaxLength}, {resolution, {shortest, kMaxLength}, true});
 }
 
+/// Whether conditions mean a quantity by the name that is not a field's of the default world.
+bool is_quantity_alone(const std::string& name) {
+  const bool quantity = std::find(kQuantityNames.begin(), kQuantityNames.end(), name) != kQuantityNames.end();
+  return quantity && name != "temperature" && name != "moisture" && name != "mesas" && name != "ranges";
+}
+
 FieldSpec read_field(TableReader& table, int resolution) {
   table.only({"name", "wavelength", "octaves", "gain", "warp"});
   FieldSpec field;
   field.name = table.text("name", kMaxNameBytes);
   if (!field.name.empty() && field.name.front() == '.') {
     table.fail("name", "'" + field.name + "' begins with a dot, as the generator's own noises do");
+  }
+  if (is_quantity_alone(field.name)) {
+    table.fail("name", "'" + field.name +
+                           "' is a quantity, so nothing could ask for this field; another name is needed");
   }
   field.octaves = static_cast<int>(table.integer("octaves", 1, kMaxFieldOctaves));
   field.wavelength = wavelength_or(table, "wavelength", field.octaves, resolution, 0);
@@ -118,9 +129,9 @@ void RegionTables::mesas(TableReader& table) {
   spec_.mesa_height = number_or(table, "height", {0, kMaxHeight}, spec_.mesa_height);
   spec_.mesas_anywhere = number_or(table, "anywhere", kShare, spec_.mesas_anywhere);
   spec_.mesa_coast = table.pair("coast", kFieldValues, spec_.mesa_coast);
-  if (spec_.mesa_coast[0] == spec_.mesa_coast[1]) {
+  if (std::abs(spec_.mesa_coast[0] - spec_.mesa_coast[1]) < 0.001) {
     table.fail("coast", text_of(spec_.mesa_coast[0],
-                                " twice; a field's value where there are no mesas, and one"
+                                " twice, or nearly; a field's value where there are no mesas, and one"
                                 " where there are all, are needed"));
   }
   spec_.mesa_roughness = number_or(table, "roughness", {0, 4}, spec_.mesa_roughness);
@@ -142,7 +153,7 @@ void RegionTables::rivers(TableReader& table) {
   spec_.tributary_wavelength =
       wavelength_or(table, "tributaries", kRiverOctaves, resolution_, spec_.tributary_wavelength);
   spec_.half_width = table.pair("half_width", {0.5, kWidths.max}, spec_.half_width);
-  spec_.valley = table.pair("valley", kWidths, spec_.valley);
+  spec_.valley = table.pair("valley", kValleys, spec_.valley);
   for (std::size_t i = 0; i < spec_.valley.size(); ++i) {
     const double least = kWidestRiver * spec_.half_width[i] + 1;
     if (spec_.valley[i] >= least) continue;

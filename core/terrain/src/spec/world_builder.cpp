@@ -210,8 +210,10 @@ void World::Builder::read_world_looks(PlacesReader& places) {
       std::max_element(spec.stratified.begin(), spec.stratified.end(),
                        [](const auto& a, const auto& b) { return a.depth_q16 < b.depth_q16; });
   const auto lowest = spec.strata_repeat || spec.stratified.empty() ? 0 : deepest - spec.stratified.begin();
+  const auto id_of = [](std::size_t layer) { return MaterialId{static_cast<std::uint16_t>(2 + layer)}; };
   LookTables looks = read_looks(root, places, spec.places.looks,
-                                MaterialId{static_cast<std::uint16_t>(2 + lowest)}, names, world.materials_);
+                                {id_of(static_cast<std::size_t>(lowest)), id_of(spec.stratified.size())},
+                                names, world.materials_);
   world.shown_by_ = std::move(looks.shown_by);
   world.look_names_ = std::move(looks.names);
 }
@@ -219,8 +221,9 @@ void World::Builder::read_world_looks(PlacesReader& places) {
 void World::Builder::check_materials() {
   const std::size_t materials = world.materials_.size() - 2;
   if (materials > kMaxMaterials) {
-    errors.add(stratified_line, text_of("stratified: ", materials,
-                                        " materials beside air and water; at most ", kMaxMaterials));
+    errors.add(stratified_line,
+               text_of("stratified: ", materials, " materials beside air and water; at most ", kMaxMaterials,
+                       ", with those of looks, provinces, ores and objects"));
   }
 }
 

@@ -29,7 +29,8 @@ namespace talus::terrain {
 /// and only the worlds whose voxels it changes have that one.
 enum class GeneratorVersion : std::uint8_t {
   v2 = 2,
-  /// Erosion of two or more steps takes fewer of them at coarse levels. Surfaces of kind "regions".
+  /// Erosion of two or more steps takes fewer of them at coarse levels. Surfaces of kind "regions", materials
+  /// by place, talus and objects.
   v3 = 3,
 };
 inline constexpr GeneratorVersion kNewestGeneratorVersion = GeneratorVersion::v3;
