@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <iterator>
+#include <map>
 #include <set>
 #include <string>
 #include <tuple>
@@ -300,15 +301,26 @@ TEST_CASE("From above objects show what their voxels show") {
   }
 }
 
-TEST_CASE("A column of a coarse level shows at most 16 objects of a kind") {
-  std::string text = test::small_world_text(7);
-  std::string every =
-      test::replaced(test::replaced(kWood, "spacing = 6", "spacing = 4"), "broadleaf", "jungle_tree");
-  const auto world = World::parse(text + every, "wood.toml");
+TEST_CASE("A column of a coarse level shows at most 32 objects, of the kinds that come first") {
+  std::string kinds;
+  for (int i = 0; i < 6; ++i) {
+    kinds += "[[object]]\nname = \"giant " + std::to_string(i) +
+             "\"\nmodel = \"jungle_tree\"\nspacing = 4\nchance = 1\nwood = { name = \"gravel\" }\nleaves = { "
+             "name = \"gravel\" }\n";
+  }
+  const auto world = World::parse(test::small_world_text(7) + kinds, "wood.toml");
   REQUIRE(world.has_value());
   const Stacks stacks = generate_stacks(*world, {0, 0, 64, 64, Lod::of(3)});
-  CHECK(stacks.objects.size() > 64 * 64 / 8);
-  CHECK(stacks.objects.size() <= 64 * 64 * 16);
+  std::map<std::pair<std::int64_t, std::int64_t>, int> seen;
+  std::set<int> kinds_seen;
+  for (const PlacedObject& object : stacks.objects) {
+    ++seen[{object.seen_x, object.seen_z}];
+    kinds_seen.insert(object.kind);
+  }
+  int most = 0;
+  for (const auto& [column, count] : seen) most = std::max(most, count);
+  CHECK(most == 32);
+  CHECK(kinds_seen.contains(0));
 }
 
 TEST_CASE("Where decides how many objects there are") {

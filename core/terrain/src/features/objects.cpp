@@ -22,7 +22,7 @@ namespace {
 
 constexpr std::size_t kMaxKinds = 32;
 constexpr int kLeastSpacing = 4;
-constexpr std::size_t kMaxSeen = 16;  // objects of a kind that a column of level 3 to 6 shows
+constexpr std::uint8_t kMaxSeen = 32;  // objects that a column of level 3 to 6 shows
 constexpr std::size_t kMaxModelNameBytes = 200;
 constexpr int kVariants = 32;  // shapes of a formula; objects draw one of them and a quarter turn
 constexpr int kGap = 2;        // of a cell stay free, so that no two trunks touch across its border
@@ -149,11 +149,16 @@ bool Objects::present(const Candidate& candidate, std::int32_t share) const {
 }
 
 void Objects::place(const StandingGround& ground, std::vector<PlacedObject>& objects) const {
+  const Region& region = ground.region;
+  std::vector<std::uint8_t> seen_in;  // how many each column shows
+  if (region.lod.value() > kLastEnumerated.value()) {
+    seen_in.resize(static_cast<std::size_t>(region.width) * static_cast<std::size_t>(region.depth));
+  }
   for (std::size_t kind = 0; kind < kinds_.size(); ++kind) {
     if (ground.region.lod.value() <= kLastEnumerated.value()) {
       place_in_cells(ground, kind, objects);
     } else {
-      place_by_columns(ground, kind, objects);
+      place_by_columns(ground, kind, seen_in, objects);
     }
   }
 }
@@ -188,17 +193,20 @@ std::span<const ModelVoxel> Objects::seen(const PlacedObject& object) const {
   return kinds_[object.kind].columns[object.variant].at(x, z);
 }
 
+// Of kinds that come first, at most kMaxSeen a column, so that dense woods take a bounded memory.
 // A coarse column shows one base column. So many objects lie between the columns that each looks only for
 // those that reach it, and takes its own ground for theirs.
 void Objects::place_by_columns(const StandingGround& ground, std::size_t kind,
-                               std::vector<PlacedObject>& objects) const {
+                               std::span<std::uint8_t> seen_in, std::vector<PlacedObject>& objects) const {
   const ObjectKind& of = kinds_[kind];
   const int level = ground.region.lod.value();
   for (int z = 0; z < ground.region.depth; ++z) {
     for (int x = 0; x < ground.region.width; ++x) {
       const std::int32_t share = ground.share(of.share, x, z);
       if (share == 0 || !ground.carries(x, z, of.in_water)) continue;
-      const std::size_t most = objects.size() + kMaxSeen;
+      std::uint8_t& shown =
+          seen_in[static_cast<std::size_t>(z) * static_cast<std::size_t>(ground.region.width) +
+                  static_cast<std::size_t>(x)];
       const std::int64_t base_x = (ground.region.x + x) << level;
       const std::int64_t base_z = (ground.region.z + z) << level;
       for (std::int64_t cz = floor_div(base_z - of.reach, of.spacing); cz * of.spacing <= base_z + of.reach;
@@ -212,7 +220,9 @@ void Objects::place_by_columns(const StandingGround& ground, std::size_t kind,
           PlacedObject object = found->at(boundary_row(ground.height_fx(x, z)), of.models.size());
           object.seen_x = base_x;
           object.seen_z = base_z;
-          if (objects.size() < most && !seen(object).empty()) objects.push_back(object);
+          if (shown == kMaxSeen || seen(object).empty()) continue;
+          ++shown;
+          objects.push_back(object);
         }
       }
     }

@@ -55,7 +55,7 @@ class Objects final : public Feature {
   void place_in_cells(const StandingGround& ground, std::size_t kind,
                       std::vector<PlacedObject>& objects) const;
   [[nodiscard]] std::span<const ModelVoxel> seen(const PlacedObject& object) const;
-  void place_by_columns(const StandingGround& ground, std::size_t kind,
+  void place_by_columns(const StandingGround& ground, std::size_t kind, std::span<std::uint8_t> seen_in,
                         std::vector<PlacedObject>& objects) const;
   /// Calls visit(x, y, z, part) for the voxels of the level that show it, of the given part only.
   template <class Visit>
