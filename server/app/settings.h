@@ -27,9 +27,9 @@ namespace talus::server {
 [[nodiscard]] std::size_t io_threads(const Config& config);
 [[nodiscard]] std::size_t generator_threads(const Config& config);
 
-/// Tiles of 32 x 32 columns that one GetHeights may touch. Heights of eroded land, and with talus or caves,
-/// cost a tile's terrain with its halo for each, which was measured to take `tile_time`: one request takes a
-/// second of a thread, or one tile.
+/// Tiles of 32 x 32 columns that one GetHeights may touch. Heights of eroded land cost a tile's terrain with
+/// its halo for each, which was measured to take `tile_time`, and heights with talus a quarter of that: one
+/// request takes a second of a thread, or one tile.
 [[nodiscard]] std::uint64_t height_tiles_per_request(const terrain::World& world,
                                                      std::chrono::nanoseconds tile_time);
 

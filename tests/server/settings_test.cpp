@@ -50,8 +50,9 @@ TEST_CASE("every edge of a patch that can be configured is one that patches may 
 TEST_CASE("heights of the slope method are limited by their number alone") {
   const auto classic = terrain::World::parse(terrain::classic_world_toml(), "classic.toml").value();
   CHECK(height_tiles_per_request(classic, 1h) == protocol::kMaxHeightsPerRequest);
-  // Talus and the openings of caves take the ground around a column.
-  CHECK(height_tiles_per_request(terrain::default_world(), 4ms) == 250);
+  // Talus takes the ground around a column.
+  CHECK(height_tiles_per_request(terrain::default_world(), 100us) == protocol::kMaxHeightsPerRequest);
+  CHECK(height_tiles_per_request(terrain::default_world(), 4ms) == 1000);
 }
 
 TEST_CASE("heights of eroded land are limited by what a tile was measured to cost") {
