@@ -3,6 +3,7 @@
 #include <catch2/catch.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <iterator>
 #include <map>
@@ -21,6 +22,7 @@
 #include <talus/terrain/world_files.h>
 
 #include "features/object_models.h"
+#include "spec/spec_errors.h"
 #include "worlds.h"
 #include "wrong_spec.h"
 
@@ -241,6 +243,54 @@ TEST_CASE("What is wrong about models of files") {
   CHECK_THAT(error(land + test::replaced(kHuts, from, to), with_huts()), Catch::Contains(message));
   CHECK(error(land + kHuts, with_huts()) == "accepted");
   CHECK_THAT(error(land + kHuts, {}), Catch::Contains("models cannot be read here"));
+}
+
+TEST_CASE("Objects may stand so thick and no thicker") {
+  // A full model is 21 x 21 x 32 voxels and 4 more of root: 36 a column where the next stands 21 on.
+  WorldFiles files;
+  files.models = [](const std::string&) {
+    VoxelModel full{kMaxModelWidth, kMaxModelHeight, kMaxModelWidth, {}};
+    for (std::uint8_t y = 0; y < kMaxModelHeight; ++y) {
+      for (std::uint8_t z = 0; z < kMaxModelWidth; ++z) {
+        for (std::uint8_t x = 0; x < kMaxModelWidth; ++x) full.voxels.push_back({x, y, z, 9});
+      }
+    }
+    return std::vector<VoxelModel>{full};
+  };
+  std::string text = test::small_world_text(7);
+  for (int kind = 0; kind < 7; ++kind) {
+    text += text_of(
+        "[[object]]\nname = \"block ", kind,
+        "\"\nmodel = \"b.vox\"\nspacing = 21\nchance = 1\n[object.palette]\n9 = { name = \"gravel\" }\n");
+  }
+  CHECK(World::parse(text, "w.toml", files).has_value());
+  text +=
+      "[[object]]\nname = \"one too many\"\nmodel = \"boulder\"\nspacing = 4\nchance = 1\n"
+      "stone = { name = \"gravel\" }\n";
+  const auto world = World::parse(text, "w.toml", files);
+  REQUIRE_FALSE(world.has_value());
+  CHECK_THAT(world.error().message, Catch::Contains("object[7].spacing: with this kind 2") &&
+                                        Catch::Contains("stand on a column; at most 256"));
+}
+
+TEST_CASE("A model's voxels are found by where a level looks") {
+  const ObjectModel model = make_model(ModelKind::jungle_tree, 12345);
+  const ModelLevels levels{model};
+  for (const int level : {0, 1, 2}) {
+    const std::int64_t mask = (1 << level) - 1;
+    for (int place = 0; place < 64; ++place) {
+      const std::array<std::int64_t, 3> at{place & 3, place >> 2 & 3, -(place >> 4)};
+      for (const bool front : {false, true}) {
+        ObjectModel expected;
+        std::copy_if(model.begin(), model.end(), std::back_inserter(expected), [&](const ModelVoxel& v) {
+          return (v.part == 0) == front && ((v.x - at[0]) & mask) == 0 && ((v.y - at[1]) & mask) == 0 &&
+                 ((v.z - at[2]) & mask) == 0;
+        });
+        const auto found = levels.at(front, level, at[0], at[1], at[2]);
+        CHECK(std::is_permutation(found.begin(), found.end(), expected.begin(), expected.end()));
+      }
+    }
+  }
 }
 
 TEST_CASE("Another kind of object moves no other, and no ground") {

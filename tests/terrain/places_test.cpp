@@ -281,6 +281,9 @@ TEST_CASE("What is wrong about places") {
       {"temperature = [-0.50, -0.60]", "slope = [-0.50, -0.60]", "out of range; 0 to 89"},
       {"temperature = [-0.50, -0.60]", "wetness = [-0.50, -0.60]", "fields by name"},
       {"repeat = true", "repeat = 1", "true or false"},
+      {"[strata]", "[folds]\namplitude = 32700\nwavelength = 900\n[strata]",
+       "the highest ground (757.4 units)"},
+      {"octaves = 2", "octaves = 5", "strata.octaves: 5 is out of range; 1 to 4"},
       {"band = true\n", "", "no layer has band = true"},
   }));
   const auto world = World::parse(test::replaced(places_text(), from, to), "w.toml");

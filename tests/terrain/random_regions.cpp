@@ -99,7 +99,8 @@ class RegionsWriter {
 
   void strata() {
     repeat_ = draws_.chance(50);
-    if (repeat_) text_ << "[strata]\nrepeat = true\n";
+    text_ << "[strata]\nrepeat = " << (repeat_ ? "true" : "false") << "\n";
+    if (draws_.chance(50)) text_ << "octaves = " << draws_.whole(1, 4) << "\n";
     layers_ = draws_.whole(2, 6);
     for (int i = 0; i < layers_; ++i) {
       text_ << "[[stratified]]\nname = \"rock " << i << "\"\ncolour = \"#777777\"\n";

@@ -98,7 +98,7 @@ TEST_CASE("A world with a height map is read with the file beside it, and eroded
   check_refused("hash --origin 0,0 --size 8,8" + world, 1,
                 "surface.height_map.file: 'made.png': has 172 bytes of samples; its shape needs 1334");
   check_refused("hash --origin 0,0 --size 8,8 --world '" TALUS_SOURCE_DIR "/docs/jacksboro.toml'", 1,
-                "'jacksboro.png': cannot read it: No such file");
+                "'jacksboro.png': cannot be read: No such file");
 }
 
 TEST_CASE("erode-heightmap refuses what it cannot read or write") {
@@ -111,7 +111,7 @@ TEST_CASE("erode-heightmap refuses what it cannot read or write") {
   check_refused(a + " -o " + in(scratch, "b.png"), 2, "give a .npy");
   check_refused(a + " -o " + in(scratch, "b.txt"), 2, "neither .png nor .npy");
   check_refused("erode-heightmap " + in(scratch, "c.npy") + " -o " + in(scratch, "b.npy"), 1,
-                "c.npy: cannot read it");
+                "c.npy: cannot be read");
   scratch.write("d.npy", "text");
   check_refused("erode-heightmap " + in(scratch, "d.npy") + " -o " + in(scratch, "b.npy"), 1,
                 "neither PNG nor .npy");

@@ -188,7 +188,7 @@ TEST_CASE("A spec's file is looked for beside the spec") {
   const auto load = beside(scratch / "world.toml").height_map;
   REQUIRE(load("maps/m.png"));
   REQUIRE(load((scratch / "maps/m.png").string()));
-  CHECK(load("m.png").error() == "cannot read it: No such file or directory");
+  CHECK(load("m.png").error() == "cannot be read: No such file or directory");
   CHECK(load("maps").error() == "is a directory");
 }
 

@@ -1,4 +1,6 @@
 // Models of .vox files, whole and hostile ones.
+#include <sys/stat.h>
+
 #include <array>
 #include <catch2/catch.hpp>
 #include <string>
@@ -109,9 +111,12 @@ TEST_CASE("A spec's models are looked for beside the spec") {
   scratch.write("tree.vox", vox(model({1, 1, 1}, {{0, 0, 0, 7}})));
   const auto load = beside(scratch / "world.toml").models;
   REQUIRE(load("tree.vox"));
-  CHECK(load("none.vox").error() == "cannot read it: No such file or directory");
+  CHECK(load("none.vox").error() == "cannot be read: No such file or directory");
   CHECK(load(".").error() == "is a directory");
   CHECK(load("/dev/zero").error() == "is not a regular file");
+  REQUIRE(::mkfifo((scratch / "pipe.vox").c_str(), 0600) == 0);  // which nobody writes to
+  CHECK(load("pipe.vox").error() == "is not a regular file");
+  CHECK(load(std::string{"tree.vox\0.vox", 13}).error() == "has control characters in its name");
 }
 
 }  // namespace

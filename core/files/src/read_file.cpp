@@ -17,7 +17,7 @@ tl::unexpected<FileError> cannot_read(const std::filesystem::path& file, std::er
 tl::expected<std::string, FileError> read_to_end(const std::filesystem::path& path, int file,
                                                  std::size_t max_bytes, FileLayer& layer) {
   std::string text;
-  std::array<char, 4096> block{};
+  std::array<char, 1 << 16> block{};
   for (;;) {
     const auto bytes = layer.read(file, std::as_writable_bytes(std::span{block}));
     if (!bytes) return cannot_read(path, bytes.error());

@@ -1,12 +1,9 @@
 #include <talus/world_files/world_files.h>
 
 #include <algorithm>
-#include <array>
-#include <cerrno>
-#include <cstring>
-#include <fstream>
-#include <system_error>
 #include <vector>
+
+#include <talus/files/read_file.h>
 
 #include "decoders.h"
 
@@ -19,29 +16,11 @@ constexpr std::size_t kMaxHeightMapBytes = terrain::kMaxHeightMapSamples * 4 + (
 // Models of the largest sizes; .vox files carry palettes and scene graphs, too.
 constexpr std::size_t kMaxModelFileBytes = std::size_t{1} << 22;
 
-tl::expected<std::vector<std::byte>, std::string> read_bytes(const std::filesystem::path& file,
-                                                             std::size_t max_bytes) {
-  std::error_code ignored;
-  if (std::filesystem::is_directory(file, ignored)) return refused("is a directory");
-  // A pipe may never end, and a device has no end.
-  if (std::filesystem::exists(file, ignored) && !std::filesystem::is_regular_file(file, ignored)) {
-    return refused("is not a regular file");
-  }
-  errno = 0;
-  std::ifstream in{file, std::ios::binary};
-  if (!in) return refused(std::string{"cannot read it: "} + std::strerror(errno));
-  std::vector<std::byte> bytes;
-  std::array<char, 1 << 16> block{};
-  do {  // a file may have another size than it says, as those of /proc have
-    in.read(block.data(), block.size());
-    const auto read = std::as_bytes(std::span{block}).first(static_cast<std::size_t>(in.gcount()));
-    bytes.insert(bytes.end(), read.begin(), read.end());
-    if (bytes.size() > max_bytes) {
-      return refused("has more than " + std::to_string(max_bytes) + " bytes");
-    }
-  } while (in);
-  if (in.bad()) return refused(std::string{"cannot read it: "} + std::strerror(errno));
-  return bytes;
+tl::expected<std::filesystem::path, std::string> path_of(const std::filesystem::path& folder,
+                                                         const std::string& name) {
+  const auto is_control = [](unsigned char c) { return c < 32 || c == 127; };
+  if (std::any_of(name.begin(), name.end(), is_control)) return refused("has control characters in its name");
+  return folder / name;
 }
 
 }  // namespace
@@ -63,20 +42,27 @@ tl::expected<terrain::HeightMap, std::string> decode_height_map(std::span<const 
 }
 
 tl::expected<terrain::HeightMap, std::string> read_height_map(const std::filesystem::path& file) {
-  const auto bytes = read_bytes(file, kMaxHeightMapBytes);
-  if (!bytes) return refused(bytes.error());
-  return decode_height_map(*bytes);
+  const auto bytes = files::read_regular_file(file, kMaxHeightMapBytes);
+  if (!bytes) return refused(bytes.error().reason);
+  return decode_height_map(std::as_bytes(std::span{*bytes}));
 }
 
 terrain::WorldFiles beside(const std::filesystem::path& world_file) {
   const std::filesystem::path folder = world_file.parent_path();
   using Models = tl::expected<std::vector<terrain::VoxelModel>, std::string>;
-  return {[folder](const std::string& name) { return read_height_map(folder / name); },
-          [folder](const std::string& name) -> Models {
-            const auto bytes = read_bytes(folder / name, kMaxModelFileBytes);
-            if (!bytes) return refused(bytes.error());
-            return decode_vox(*bytes);
-          }};
+  const auto load_map = [folder](const std::string& name) -> Decoded {
+    const auto file = path_of(folder, name);
+    if (!file) return refused(file.error());
+    return read_height_map(*file);
+  };
+  const auto load_models = [folder](const std::string& name) -> Models {
+    const auto file = path_of(folder, name);
+    if (!file) return refused(file.error());
+    const auto bytes = files::read_regular_file(*file, kMaxModelFileBytes);
+    if (!bytes) return refused(bytes.error().reason);
+    return decode_vox(std::as_bytes(std::span{*bytes}));
+  };
+  return {load_map, load_models};
 }
 
 }  // namespace talus::world_files

@@ -250,6 +250,38 @@ ModelColumns::ModelColumns(const ObjectModel& model) : voxels_{model} {
   }
 }
 
+namespace {
+
+// Of x, y and z modulo 4. Groups that agree modulo 2 follow each other.
+std::size_t group_of(std::int64_t x, std::int64_t y, std::int64_t z) {
+  const auto bits = [&](int shift) {
+    return static_cast<std::size_t>((x >> shift & 1) | (y >> shift & 1) << 1 | (z >> shift & 1) << 2);
+  };
+  return bits(0) << 3 | bits(1);
+}
+
+}  // namespace
+
+ModelLevels::ModelLevels(const ObjectModel& model) : voxels_{model} {
+  const auto place_of = [](const ModelVoxel& v) {
+    return (v.part == 0 ? 0 : kGroups) + group_of(v.x, v.y, v.z);
+  };
+  std::stable_sort(voxels_.begin(), voxels_.end(),
+                   [&](const ModelVoxel& a, const ModelVoxel& b) { return place_of(a) < place_of(b); });
+  for (const ModelVoxel& voxel : voxels_) ++starts_[place_of(voxel) + 1];
+  for (std::size_t i = 1; i < starts_.size(); ++i) {
+    starts_[i] = static_cast<std::uint16_t>(starts_[i] + starts_[i - 1]);
+  }
+}
+
+std::span<const ModelVoxel> ModelLevels::at(bool front, int level, std::int64_t x, std::int64_t y,
+                                            std::int64_t z) const {
+  const std::size_t groups = kGroups >> 3 * level;
+  const std::size_t group = group_of(x, y, z) & ~(groups - 1);
+  const std::size_t first = (front ? 0 : kGroups) + group;
+  return std::span{voxels_}.subspan(starts_[first], starts_[first + groups] - starts_[first]);
+}
+
 ObjectModel make_model(ModelKind kind, std::uint64_t seed) {
   using Make = void (*)(Sculptor&);
   static constexpr std::array<Make, kModelKinds> kMakers{conifer,   broadleaf, acacia,  jungle_tree,

@@ -81,4 +81,20 @@ class ModelColumns {
   std::array<std::uint16_t, kWidth * kWidth + 1> starts_{};
 };
 
+/// A model's voxels in front (part 0) and behind, for levels 0 to 2: those that a level shows stand together.
+class ModelLevels {
+ public:
+  static constexpr int kCoarsest = 2;
+
+  explicit ModelLevels(const ObjectModel& model);
+  /// Those whose x, y and z are the given ones modulo 1 << level. REQUIRES level <= kCoarsest.
+  [[nodiscard]] std::span<const ModelVoxel> at(bool front, int level, std::int64_t x, std::int64_t y,
+                                               std::int64_t z) const;
+
+ private:
+  static constexpr std::size_t kGroups = 64;  // by x, y and z modulo 4; first by their lowest bits
+  std::vector<ModelVoxel> voxels_;
+  std::array<std::uint16_t, 2 * kGroups + 1> starts_{};
+};
+
 }  // namespace talus::terrain

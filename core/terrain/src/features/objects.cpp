@@ -24,26 +24,24 @@ constexpr std::size_t kMaxKinds = 32;
 constexpr int kLeastSpacing = 4;
 constexpr std::uint8_t kMaxSeen = 32;  // objects that a column of level 3 to 6 shows
 constexpr std::size_t kMaxModelNameBytes = 200;
-constexpr int kVariants = 32;  // shapes of a formula; objects draw one of them and a quarter turn
-constexpr int kGap = 2;        // of a cell stay free, so that no two trunks touch across its border
-constexpr Lod kLastEnumerated = Lod::of(2);
+constexpr int kVariants = 32;        // shapes of a formula; objects draw one of them and a quarter turn
+constexpr double kMaxDensity = 256;  // voxels of objects on a column, on average, where all kinds stand
+constexpr int kGap = 2;              // of a cell stay free, so that no two trunks touch across its border
+constexpr Lod kLastEnumerated = Lod::of(ModelLevels::kCoarsest);
 constexpr double kClumpWavelength = 260;  // voxels
 constexpr int kClumpOctaves = 3;
 constexpr double kClumpGain = 0.6;
 
-// Quarter turns about the foot.
-std::array<int, 2> turned(const ModelVoxel& voxel, int turn) {
-  switch (turn & 3) {
-    case 0:
-      return {voxel.x, voxel.z};
-    case 1:
-      return {-voxel.z, voxel.x};
-    case 2:
-      return {-voxel.x, -voxel.z};
-    default:
-      return {voxel.z, -voxel.x};
-  }
-}
+/// Quarter turns about the foot.
+struct Turned {
+  int cos;
+  int sin;
+
+  explicit Turned(int turn)
+      : cos{(turn & 1) != 0 ? 0 : 1 - (turn & 2)}, sin{(turn & 1) == 0 ? 0 : 2 - (turn & 3)} {}
+  [[nodiscard]] int x(const ModelVoxel& voxel) const { return cos * voxel.x - sin * voxel.z; }
+  [[nodiscard]] int z(const ModelVoxel& voxel) const { return sin * voxel.x + cos * voxel.z; }
+};
 
 float clump_share(Clumps clumps, float n) {
   if (clumps == Clumps::woods) return std::clamp(0.55F + 2.2F * n, 0.02F, 1.0F);
@@ -189,8 +187,8 @@ void Objects::place_in_cells(const StandingGround& ground, std::size_t kind,
 std::span<const ModelVoxel> Objects::seen(const PlacedObject& object) const {
   const ModelVoxel column{static_cast<std::int8_t>(object.seen_x - object.x), 0,
                           static_cast<std::int8_t>(object.seen_z - object.z)};
-  const auto [x, z] = turned(column, 4 - object.turn);
-  return kinds_[object.kind].columns[object.variant].at(x, z);
+  const Turned back{4 - object.turn};
+  return kinds_[object.kind].columns[object.variant].at(back.x(column), back.z(column));
 }
 
 // Of kinds that come first, at most kMaxSeen a column, so that dense woods take a bounded memory.
@@ -231,24 +229,61 @@ void Objects::place_by_columns(const StandingGround& ground, std::size_t kind,
 
 // Voxel (x, y, z) of level l shows the base voxel (x << l, (y << l) + half of a voxel, z << l).
 template <class Visit>
-void Objects::for_each_voxel(const PlacedObject& object, Lod lod, bool front, const Visit& visit) const {
+void Objects::for_each_voxel(const PlacedObject& object, Lod lod, bool front, const VoxelPos& origin,
+                             const Visit& visit) const {
   const ObjectKind& kind = kinds_[object.kind];
   const int level = lod.value();
   const std::int64_t half = level == 0 ? 0 : std::int64_t{1} << (level - 1);
-  const std::int64_t mask = (std::int64_t{1} << level) - 1;
-  const bool seen_alone = level > kLastEnumerated.value();
-  const std::span<const ModelVoxel> voxels =
-      seen_alone ? seen(object) : std::span<const ModelVoxel>{kind.models[object.variant]};
-  for (const ModelVoxel& voxel : voxels) {
-    if ((voxel.part == 0) != front) continue;
-    const auto [dx, dz] = turned(voxel, object.turn);
-    const std::int64_t x = object.x + dx;
-    const std::int64_t y = object.y + voxel.y - half;
-    const std::int64_t z = object.z + dz;
-    if (((x | y | z) & mask) != 0) continue;
-    visit(x >> level, y >> level, z >> level, kind.parts[voxel.part]);
-  }
+  const int mask = (1 << level) - 1;
+  const Turned turn{object.turn};
+  const auto foot_x = static_cast<int>(object.x - (origin.x << level));
+  const auto foot_y = static_cast<int>(object.y - half - (origin.y << level));
+  const auto foot_z = static_cast<int>(object.z - (origin.z << level));
+  const auto visit_shown = [&](std::span<const ModelVoxel> voxels) {
+    for (const ModelVoxel& voxel : voxels) {
+      if ((voxel.part == 0) != front) continue;
+      const int x = foot_x + turn.x(voxel);
+      const int y = foot_y + voxel.y;
+      const int z = foot_z + turn.z(voxel);
+      if (((x | y | z) & mask) != 0) continue;
+      visit(x >> level, y >> level, z >> level, kind.parts[voxel.part]);
+    }
+  };
+  if (level > kLastEnumerated.value()) return visit_shown(seen(object));
+  // The foot as the model sees it: what is that far from it lies on the level's planes.
+  const ModelVoxel low{static_cast<std::int8_t>(-foot_x & mask), 0, static_cast<std::int8_t>(-foot_z & mask)};
+  const Turned back{4 - object.turn};
+  visit_shown(kind.levels[object.variant].at(front, level, back.x(low), -foot_y, back.z(low)));
 }
+
+namespace {
+
+/// The rows of a chunk from which on objects may have voxels.
+struct ObjectFloors {
+  ChunkPlane in_water;
+  ChunkPlane dry;
+};
+
+ObjectFloors floors_of(const ChunkSite& site) {
+  ObjectFloors floors;
+  const Stacks& stacks = site.stacks();
+  site.cut(stacks.tops.back(), floors.in_water);
+  floors.dry = floors.in_water;
+  const auto sea_fx = site.world().sea_fx();
+  if (!sea_fx) return floors;
+  const std::int64_t above =
+      boundary_row(*sea_fx >> site.key().lod.value()) - chunk_origin(site.key().coord).y;
+  const auto sea = static_cast<std::uint8_t>(std::clamp<std::int64_t>(above, 0, kChunkSize));
+  for (int z = 0; sea > 0 && z < kChunkSize; ++z) {
+    for (int x = 0; x < kChunkSize; ++x) {
+      std::uint8_t& floor = floors.dry[column_index(x, z)];
+      if (floor < sea && !stacks.is_entrance(site.x() + x, site.z() + z)) floor = sea;
+    }
+  }
+  return floors;
+}
+
+}  // namespace
 
 void Objects::add_overrides(const ChunkSite& site, std::vector<Override>& overrides) const {
   const Stacks& stacks = site.stacks();
@@ -256,12 +291,6 @@ void Objects::add_overrides(const ChunkSite& site, std::vector<Override>& overri
   const Lod lod = site.key().lod;
   const int level = lod.value();
   const VoxelPos origin = chunk_origin(site.key().coord);
-  const std::int64_t sea_row =
-      site.world().sea_fx() ? boundary_row(*site.world().sea_fx() >> level) : std::int64_t{-1} << 40;
-  // What a voxel becomes, and 0 where it stays; and a bit for each that changes.
-  std::vector<std::uint16_t> materials(kChunkVolume);
-  std::array<std::uint64_t, kChunkVolume / 64> changed{};
-  bool any = false;
   const auto reaches = [&](const PlacedObject& object) {
     const ObjectKind& kind = kinds_[object.kind];
     const auto apart = [&](std::int64_t middle, std::int64_t below, std::int64_t above, std::int64_t from) {
@@ -271,34 +300,30 @@ void Objects::add_overrides(const ChunkSite& site, std::vector<Override>& overri
            !apart(object.z, kind.reach, kind.reach, origin.z) &&
            !apart(object.y, kObjectRoot, kind.top, origin.y);
   };
+  std::vector<PlacedObject> near;
+  std::copy_if(stacks.objects.rbegin(), stacks.objects.rend(), std::back_inserter(near), reaches);
+  if (near.empty()) return;
+  const ObjectFloors floors = floors_of(site);
+  // What a voxel becomes, where its bit tells that it changes.
+  const auto materials = std::make_unique_for_overwrite<std::array<MaterialId, kChunkVolume>>();
+  std::array<std::uint64_t, kChunkVolume / 64> changed{};
   // From back to front: what is written later stays. Crowns first, then stems, each from the last kind on.
   for (const bool front : {false, true}) {
-    for (auto object = stacks.objects.rbegin(); object != stacks.objects.rend(); ++object) {
-      if (!reaches(*object)) continue;
-      const bool in_water = kinds_[object->kind].in_water;
-      for_each_voxel(
-          *object, lod, front, [&](std::int64_t x, std::int64_t y, std::int64_t z, MaterialId material) {
-            const std::int64_t in_x = x - origin.x;
-            const std::int64_t in_y = y - origin.y;
-            const std::int64_t in_z = z - origin.z;
-            if (std::min({in_x, in_y, in_z}) < 0 || std::max({in_x, in_y, in_z}) >= kChunkSize) return;
-            const int column_x = site.x() + static_cast<int>(in_x);
-            const int column_z = site.z() + static_cast<int>(in_z);
-            if (y < boundary_row(stacks.tops.back().at(column_x, column_z))) return;
-            if (!in_water && y < sea_row && !stacks.is_entrance(column_x, column_z)) return;
-            const auto index = voxel_index({static_cast<std::uint8_t>(in_x), static_cast<std::uint8_t>(in_y),
-                                            static_cast<std::uint8_t>(in_z)});
-            materials[index] = to_integer(material);
-            changed[index / 64] |= std::uint64_t{1} << index % 64;
-            any = true;
-          });
+    for (const PlacedObject& object : near) {
+      const ChunkPlane& floor = kinds_[object.kind].in_water ? floors.in_water : floors.dry;
+      for_each_voxel(object, lod, front, origin, [&](int x, int y, int z, MaterialId material) {
+        if (((x | y | z) & ~(kChunkSize - 1)) != 0 || y < floor[column_index(x, z)]) return;
+        const auto index = voxel_index(
+            {static_cast<std::uint8_t>(x), static_cast<std::uint8_t>(y), static_cast<std::uint8_t>(z)});
+        (*materials)[index] = material;
+        changed[index / 64] |= std::uint64_t{1} << index % 64;
+      });
     }
   }
-  if (!any) return;
   for (std::size_t word = 0; word < changed.size(); ++word) {
     for (std::uint64_t bits = changed[word]; bits != 0; bits &= bits - 1) {
       const auto index = word * 64 + static_cast<std::size_t>(std::countr_zero(bits));
-      overrides.push_back({static_cast<std::uint16_t>(index), MaterialId{materials[index]}});
+      overrides.push_back({static_cast<std::uint16_t>(index), (*materials)[index]});
     }
   }
 }
@@ -310,17 +335,15 @@ void Objects::add_tops(const Stacks& stacks, std::span<MaterialId> materials,
   for (const bool front : {false, true}) {
     for (auto object = stacks.objects.rbegin(); object != stacks.objects.rend(); ++object) {
       const bool in_water = kinds_[object->kind].in_water;
-      for_each_voxel(*object, region.lod, front,
-                     [&](std::int64_t x, std::int64_t y, std::int64_t z, MaterialId material) {
-                       const std::int64_t in_x = x - region.x;
-                       const std::int64_t in_z = z - region.z;
-                       if (in_x < 0 || in_z < 0 || in_x >= region.width || in_z >= region.depth) return;
-                       const auto i = static_cast<std::size_t>(in_z * region.width + in_x);
+      for_each_voxel(*object, region.lod, front, {region.x, 0, region.z},
+                     [&](int x, int y, int z, MaterialId material) {
+                       if (x < 0 || z < 0 || x >= region.width || z >= region.depth) return;
+                       const auto i = static_cast<std::size_t>(z * region.width + x);
                        if (y < boundary_row(stacks.tops.back().values[i]) || y + 1 < rows[i]) return;
                        // The row is the sea's topmost where no object has given it.
                        if (y + 1 == rows[i] && materials[i] == kAir && !in_water) return;
                        materials[i] = material;
-                       rows[i] = static_cast<std::int32_t>(y + 1);
+                       rows[i] = y + 1;
                      });
     }
   }
@@ -346,6 +369,7 @@ class ObjectReader {
         break;
       }
       kinds.push_back(read_kind(table, kinds));
+      check_density(table, kinds.back());
     }
     const std::uint64_t seed = named_seed(spec.seed, ".clumps");
     const RotatedNoise clumps{seed, rounded(kClumpWavelength), kClumpOctaves, kClumpGain,
@@ -373,6 +397,22 @@ class ObjectReader {
     return kind;
   }
 
+  // So that no chunk takes long, whatever stands in it.
+  void check_density(TableReader& table, const ObjectKind& kind) {
+    if (kind.models.empty() || kind.spacing == 0) return;
+    std::size_t voxels = 0;
+    for (const ObjectModel& model : kind.models) voxels += model.size();
+    const double mean = static_cast<double>(voxels) / static_cast<double>(kind.models.size());
+    density_ += mean * kind.chance_q16 / 65536 / kind.spacing / kind.spacing;
+    if (density_ <= kMaxDensity) return;
+    table.fail(
+        "spacing",
+        text_of("with this kind ", std::ceil(density_),
+                " voxels of objects (voxels of a model * chance / spacing^2) stand on a column; at most ",
+                kMaxDensity, ", so space some kinds wider"));
+    density_ = 0;
+  }
+
   static bool is_file(const ObjectKind& kind) { return kind.model.ends_with(".vox"); }
 
   void read_models(TableReader& table, ObjectKind& kind) {
@@ -380,6 +420,7 @@ class ObjectReader {
     is_file(kind) ? read_file(table, kind) : read_formula(table, kind);
     for (const ObjectModel& model : kind.models) {
       kind.columns.emplace_back(model);
+      kind.levels.emplace_back(model);
       for (const ModelVoxel& voxel : model) {
         kind.reach = std::max({kind.reach, std::abs(int{voxel.x}), std::abs(int{voxel.z})});
         kind.top = std::max(kind.top, voxel.y + 1);
@@ -465,6 +506,7 @@ class ObjectReader {
   }
 
   FeatureSection& section_;
+  double density_ = 0;  // voxels of the kinds read so far on a column
 };
 
 std::unique_ptr<const Feature> read_objects(FeatureSection& section) {

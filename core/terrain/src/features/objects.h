@@ -29,6 +29,7 @@ struct ObjectKind {
   std::array<MaterialId, 256> parts{};  // by ModelVoxel::part
   std::vector<ObjectModel> models;      // a candidate draws one
   std::vector<ModelColumns> columns;    // of each model
+  std::vector<ModelLevels> levels;      // of each model
   int reach = 0;                        // of all models: columns from the foot
   int top = 0;                          // rows above the ground
 };
@@ -57,9 +58,11 @@ class Objects final : public Feature {
   [[nodiscard]] std::span<const ModelVoxel> seen(const PlacedObject& object) const;
   void place_by_columns(const StandingGround& ground, std::size_t kind, std::span<std::uint8_t> seen_in,
                         std::vector<PlacedObject>& objects) const;
-  /// Calls visit(x, y, z, part) for the voxels of the level that show it, of the given part only.
+  /// Calls visit(x, y, z, material) for the voxels of the level that show it, counted from `origin`, a voxel
+  /// of the level; for those of the part in front, or all others.
   template <class Visit>
-  void for_each_voxel(const PlacedObject& object, Lod lod, bool front, const Visit& visit) const;
+  void for_each_voxel(const PlacedObject& object, Lod lod, bool front, const VoxelPos& origin,
+                      const Visit& visit) const;
 
   std::vector<ObjectKind> kinds_;
   RotatedNoise clumps_;

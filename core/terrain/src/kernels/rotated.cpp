@@ -1,5 +1,7 @@
 #include "rotated.h"
 
+#include <algorithm>
+
 #include <talus/vectors/tables.h>
 
 #include "noise/rotated_lattice.h"
@@ -74,8 +76,61 @@ HWY_INLINE hn::Vec<Floats> toward(const Corner& corner, hn::Vec<Floats> du, hn::
   return hn::Add(hn::Add(hn::Mul(corner.along_u, du), hn::Mul(corner.along_v, dv)), corner.value);
 }
 
+/// The corners of the cells that columns lie in.
+struct Corners {
+  Corner c00, c10, c01, c11;
+};
+
+HWY_INLINE Corners corners_of(const RotatedLattice& lattice, hn::Vec<Words> u_cell, hn::Vec<Words> v_cell) {
+  const Words w;
+  const auto step = hn::Set(w, kRotatedCellStep);
+  const auto turned = [](auto hash)
+                          HWY_ATTR { return hn::Or(hn::ShiftLeft<16>(hash), hn::ShiftRight<16>(hash)); };
+  const auto u_key = hn::Add(hn::Mul(u_cell, step), hn::Set(w, lattice.u_salt));
+  const auto v_key = hn::Add(hn::Mul(v_cell, step), hn::Set(w, lattice.v_salt));
+  const auto u_0 = mixed(u_key);
+  const auto u_1 = mixed(hn::Add(u_key, step));
+  const auto v_0 = turned(mixed(v_key));
+  const auto v_1 = turned(mixed(hn::Add(v_key, step)));
+  return {corner_of(u_0, v_0), corner_of(u_1, v_0), corner_of(u_0, v_1), corner_of(u_1, v_1)};
+}
+
 HWY_INLINE void add(Floats f, hn::Vec<Floats> more, float* sum) {
   hn::StoreU(hn::Add(hn::LoadU(f, sum), more), f, sum);
+}
+
+/// Adds the octave's noise at columns that lie at `u` and `v` of their cells.
+template <bool kSlopes>
+HWY_INLINE void add_noise(const RotatedOctave& octave, const Corners& c, hn::Vec<Floats> u, hn::Vec<Floats> v,
+                          const RotatedSums& out, std::size_t i) {
+  const Floats f;
+  const auto one = hn::Set(f, 1.0F);
+  const auto back_u = hn::Sub(u, one);
+  const auto back_v = hn::Sub(v, one);
+  const auto a00 = toward(c.c00, u, v);
+  const auto a10 = toward(c.c10, back_u, v);
+  const auto a01 = toward(c.c01, u, back_v);
+  const auto a11 = toward(c.c11, back_u, back_v);
+  const auto faded_u = faded(u);
+  const auto faded_v = faded(v);
+  const auto on_0 = lerp(a00, a10, faded_u);
+  const auto on_1 = lerp(a01, a11, faded_u);
+  add(f, hn::Mul(hn::Set(f, octave.weight), lerp(on_0, on_1, faded_v)), out.value + i);
+  if constexpr (kSlopes) {
+    const auto u_share = hn::Set(f, octave.weight * octave.lattice->u_a_column());
+    const auto v_share = hn::Set(f, octave.weight * octave.lattice->v_a_column());
+    const auto rise_u = faded_slope(u);
+    const auto along_0 =
+        hn::Add(lerp(c.c00.along_u, c.c10.along_u, faded_u), hn::Mul(rise_u, hn::Sub(a10, a00)));
+    const auto along_1 =
+        hn::Add(lerp(c.c01.along_u, c.c11.along_u, faded_u), hn::Mul(rise_u, hn::Sub(a11, a01)));
+    const auto across = lerp(lerp(c.c00.along_v, c.c10.along_v, faded_u),
+                             lerp(c.c01.along_v, c.c11.along_v, faded_u), faded_v);
+    const auto along_u = lerp(along_0, along_1, faded_v);
+    const auto along_v = hn::Add(across, hn::Mul(faded_slope(v), hn::Sub(on_1, on_0)));
+    add(f, hn::Sub(hn::Mul(along_u, u_share), hn::Mul(along_v, v_share)), out.east + i);
+    add(f, hn::Add(hn::Mul(along_u, v_share), hn::Mul(along_v, u_share)), out.south + i);
+  }
 }
 
 /// Adds one octave; u_at and v_at give the columns' positions, as place_of() wants them.
@@ -84,18 +139,9 @@ HWY_INLINE void add_octave(const RotatedOctave& octave, const UAt& u_at, const V
                            const RotatedSums& out) {
   const Floats f;
   const Words w;
-  const auto one = hn::Set(f, 1.0F);
-  const auto step = hn::Set(w, kRotatedCellStep);
-  const auto u_share = hn::Set(f, octave.weight * octave.lattice->u_a_column());
-  const auto v_share = hn::Set(f, octave.weight * octave.lattice->v_a_column());
-  const auto turned = [](auto hash)
-                          HWY_ATTR { return hn::Or(hn::ShiftLeft<16>(hash), hn::ShiftRight<16>(hash)); };
   auto known_u = hn::Zero(w);
   auto known_v = hn::Zero(w);
-  Corner c00{};
-  Corner c10{};
-  Corner c01{};
-  Corner c11{};
+  Corners corners{};
   for (std::size_t i = 0; i < width; i += hn::Lanes(f)) {
     const Place u = place_of(u_at, i);
     const Place v = place_of(v_at, i);
@@ -104,46 +150,119 @@ HWY_INLINE void add_octave(const RotatedOctave& octave, const UAt& u_at, const V
     if (i == 0 || !hn::AllTrue(w, hn::Eq(moved, hn::Zero(w)))) {
       known_u = u.cell;
       known_v = v.cell;
-      const auto u_key = hn::Add(hn::Mul(u.cell, step), hn::Set(w, octave.lattice->u_salt));
-      const auto v_key = hn::Add(hn::Mul(v.cell, step), hn::Set(w, octave.lattice->v_salt));
-      const auto u_0 = mixed(u_key);
-      const auto u_1 = mixed(hn::Add(u_key, step));
-      const auto v_0 = turned(mixed(v_key));
-      const auto v_1 = turned(mixed(hn::Add(v_key, step)));
-      c00 = corner_of(u_0, v_0);
-      c10 = corner_of(u_1, v_0);
-      c01 = corner_of(u_0, v_1);
-      c11 = corner_of(u_1, v_1);
+      corners = corners_of(*octave.lattice, u.cell, v.cell);
     }
-    const auto back_u = hn::Sub(u.inside, one);
-    const auto back_v = hn::Sub(v.inside, one);
-    const auto a00 = toward(c00, u.inside, v.inside);
-    const auto a10 = toward(c10, back_u, v.inside);
-    const auto a01 = toward(c01, u.inside, back_v);
-    const auto a11 = toward(c11, back_u, back_v);
-    const auto faded_u = faded(u.inside);
-    const auto faded_v = faded(v.inside);
-    const auto on_0 = lerp(a00, a10, faded_u);
-    const auto on_1 = lerp(a01, a11, faded_u);
-    add(f, hn::Mul(hn::Set(f, octave.weight), lerp(on_0, on_1, faded_v)), out.value + i);
-    if constexpr (kSlopes) {
-      const auto rise_u = faded_slope(u.inside);
-      const auto along_0 =
-          hn::Add(lerp(c00.along_u, c10.along_u, faded_u), hn::Mul(rise_u, hn::Sub(a10, a00)));
-      const auto along_1 =
-          hn::Add(lerp(c01.along_u, c11.along_u, faded_u), hn::Mul(rise_u, hn::Sub(a11, a01)));
-      const auto across =
-          lerp(lerp(c00.along_v, c10.along_v, faded_u), lerp(c01.along_v, c11.along_v, faded_u), faded_v);
-      const auto along_u = lerp(along_0, along_1, faded_v);
-      const auto along_v = hn::Add(across, hn::Mul(faded_slope(v.inside), hn::Sub(on_1, on_0)));
-      add(f, hn::Sub(hn::Mul(along_u, u_share), hn::Mul(along_v, v_share)), out.east + i);
-      add(f, hn::Add(hn::Mul(along_u, v_share), hn::Mul(along_v, u_share)), out.south + i);
+    add_noise<kSlopes>(octave, corners, u.inside, v.inside, out, i);
+  }
+}
+
+constexpr std::size_t kBlock = 256;  // columns whose runs are found at once
+// Of a quarter of a cell a column along u and v at most.
+constexpr std::size_t kMaxRuns = kBlock / 2 + kMaxLanes;
+constexpr std::uint64_t kMostInRuns = std::uint64_t{1} << 30;
+
+std::uint32_t cell_of(std::uint64_t position) {
+  return static_cast<std::uint32_t>(position >> 32);
+}
+
+/// The cells that evenly spaced columns come through from west to east, u rising and v falling. They are
+/// known by how many lines of the lattice were crossed: where a column crosses two, one cell holds none.
+struct Runs {
+  std::uint32_t u[kMaxRuns];
+  std::uint32_t v[kMaxRuns];
+  float corners[12][kMaxRuns + kMaxLanes];
+
+  /// REQUIRES that columns are at most kMostInRuns apart, and `crossed` < kMaxRuns.
+  void find(const RotatedOctave& octave, std::uint64_t first_u, std::uint64_t first_v, std::size_t crossed) {
+    const auto du = static_cast<std::int64_t>(octave.step_u);
+    const auto dv = static_cast<std::int64_t>(octave.step_v);
+    const auto to_next_u = (std::int64_t{1} << 32) - static_cast<std::uint32_t>(first_u);
+    const auto to_next_v = static_cast<std::int64_t>(static_cast<std::uint32_t>(first_v));
+    // Which line is next: of u where this is below 0. A column on a line of u is past it, of v not.
+    std::int64_t order = to_next_u * dv - to_next_v * du - 1;
+    std::uint32_t u_cell = cell_of(first_u);
+    std::uint32_t v_cell = cell_of(first_v);
+    for (std::size_t k = 0;; ++k) {
+      u[k] = u_cell;
+      v[k] = v_cell;
+      if (k == crossed) return;
+      const std::int64_t crosses_u = order >> 63;  // all bits, or none
+      u_cell -= static_cast<std::uint32_t>(crosses_u);
+      v_cell -= static_cast<std::uint32_t>(crosses_u + 1);
+      order += ((dv & crosses_u) - (du & ~crosses_u)) * (std::int64_t{1} << 32);
+    }
+  }
+
+  void hash(const RotatedLattice& lattice, std::size_t count) {
+    const Floats f;
+    const Words w;
+    for (std::size_t k = 0; k < count; k += hn::Lanes(f)) {
+      const Corners c = corners_of(lattice, hn::LoadU(w, u + k), hn::LoadU(w, v + k));
+      std::size_t row = 0;
+      for (const Corner* corner : {&c.c00, &c.c10, &c.c01, &c.c11}) {
+        hn::StoreU(corner->along_u, f, corners[row++] + k);
+        hn::StoreU(corner->along_v, f, corners[row++] + k);
+        hn::StoreU(corner->value, f, corners[row++] + k);
+      }
+    }
+  }
+
+  HWY_INLINE Corners at(std::size_t first, hn::Vec<Words> crossed) const {
+    const Floats f;
+    const auto lanes = hn::IndicesFromVec(f, hn::BitCast(Integers{}, crossed));
+    const auto look_up = [&](std::size_t row) HWY_ATTR {
+      return hn::TableLookupLanes(hn::LoadU(f, corners[row] + first), lanes);
+    };
+    const auto corner = [&](std::size_t row) HWY_ATTR {
+      return Corner{look_up(row), look_up(row + 1), look_up(row + 2)};
+    };
+    return {corner(0), corner(3), corner(6), corner(9)};
+  }
+};
+
+/// As add_octave() of columns that are as far apart everywhere: hashes each cell once a row.
+template <bool kSlopes>
+void add_in_runs(const RotatedOctave& octave, std::size_t width, const RotatedSums& out) {
+  const Floats f;
+  const Words w;
+  const std::size_t lanes = hn::Lanes(f);
+  const LaneSteps& steps = *octave.lane_steps;
+  const auto u_low = hn::LoadU(w, steps.u_low.data());
+  const auto v_low = hn::LoadU(w, steps.v_low.data());
+  const auto cells = hn::Add(hn::LoadU(w, steps.u_cells.data()), hn::LoadU(w, steps.v_cells.data()));
+  std::uint64_t u = octave.u[0] + octave.row_u;
+  std::uint64_t v = octave.v[0] + octave.row_v;
+  Runs runs;
+  for (std::size_t block = 0; block < width; block += kBlock) {
+    const std::size_t end = std::min(width, block + kBlock);
+    const std::uint64_t steps_on = (end - block - 1 + lanes) / lanes * lanes - 1;
+    const std::uint32_t first_u = cell_of(u);
+    const std::uint32_t first_v = cell_of(v);
+    const std::size_t crossed =
+        (cell_of(u + steps_on * octave.step_u) - first_u) + (first_v - cell_of(v - steps_on * octave.step_v));
+    runs.find(octave, u, v, crossed);
+    runs.hash(*octave.lattice, crossed + 1);
+    for (std::size_t i = block; i < end; i += lanes) {
+      const auto first_u_low = hn::Set(w, static_cast<std::uint32_t>(u));
+      const auto first_v_low = hn::Set(w, static_cast<std::uint32_t>(v));
+      const auto here_u = hn::Add(first_u_low, u_low);
+      const auto here_v = hn::Sub(first_v_low, v_low);
+      auto crossed_here = hn::Sub(cells, hn::VecFromMask(w, hn::Lt(here_u, u_low)));
+      crossed_here = hn::Sub(crossed_here, hn::VecFromMask(w, hn::Lt(first_v_low, v_low)));
+      const std::size_t first = (cell_of(u) - first_u) + (first_v - cell_of(v));
+      add_noise<kSlopes>(octave, runs.at(first, crossed_here), inside_of(here_u), inside_of(here_v), out, i);
+      u += lanes * octave.step_u;
+      v -= lanes * octave.step_v;
     }
   }
 }
 
 template <bool kSlopes>
 void add_undisplaced(const RotatedOctave& octave, std::size_t width, const RotatedSums& out) {
+  const bool even = octave.lane_steps != nullptr;
+  if (even && octave.step_u <= kMostInRuns && octave.step_v <= kMostInRuns) {
+    return add_in_runs<kSlopes>(octave, width, out);
+  }
   const Positions p;
   add_octave<kSlopes>(
       octave,

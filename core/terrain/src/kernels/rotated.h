@@ -1,6 +1,7 @@
 // Noise on rotated lattices (noise/rotated_lattice.h), a row at a time.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 
@@ -9,6 +10,18 @@
 namespace talus::terrain {
 
 struct RotatedLattice;
+
+/// Of 32 bits, in the widest vectors.
+inline constexpr std::size_t kMaxLanes = 16;
+
+/// How far the columns of a vector are from its first where all are as far apart: cells of the lattice, and
+/// the rest in 2^-32 cells. u rises, v falls.
+struct LaneSteps {
+  std::array<std::uint32_t, kMaxLanes> u_low{};
+  std::array<std::uint32_t, kMaxLanes> v_low{};
+  std::array<std::uint32_t, kMaxLanes> u_cells{};
+  std::array<std::uint32_t, kMaxLanes> v_cells{};
+};
 
 /// One octave of a row. The columns' places in its lattice, u[i] + row_u and v[i] + row_v, are in 2^-32 cells
 /// modulo 2^64; u and v are padded.
@@ -19,6 +32,10 @@ struct RotatedOctave {
   std::uint64_t row_u = 0;
   std::uint64_t row_v = 0;
   float weight = 1;
+  /// Of evenly spaced columns, whose u rises and v falls by so much; else null.
+  const LaneSteps* lane_steps = nullptr;
+  std::uint64_t step_u = 0;
+  std::uint64_t step_v = 0;
 };
 
 /// Where a row's noise is read instead of at its columns: so far east and south, in 2^-8 columns, at most

@@ -7,6 +7,8 @@
 namespace talus::terrain {
 namespace {
 
+constexpr std::int64_t kMostEvenStep = 1 << 16;  // so that a vector's columns stay within 2^64 of its first
+
 RotatedLattice lattice_of(const RotatedNoise& noise, int k) {
   const std::uint64_t seed = derived_seed(noise.seed, static_cast<std::uint64_t>(k));
   return rotated_lattice(seed, noise.period, k, noise.turn);
@@ -28,6 +30,27 @@ std::uint64_t displaced_by(std::uint64_t sum) {
   return static_cast<std::uint64_t>(static_cast<std::int64_t>(sum) >> 8);
 }
 
+std::uint64_t even_step(std::span<const std::int64_t> xs) {
+  if (xs.size() < 2 || xs[1] <= xs[0] || xs[1] - xs[0] > kMostEvenStep) return 0;
+  for (std::size_t i = 2; i < xs.size(); ++i) {
+    if (xs[i] - xs[i - 1] != xs[1] - xs[0]) return 0;
+  }
+  return static_cast<std::uint64_t>(xs[1] - xs[0]);
+}
+
+LaneSteps lane_steps_of(const RotatedLattice& lattice, std::uint64_t step) {
+  LaneSteps steps;
+  for (std::size_t lane = 0; lane < kMaxLanes; ++lane) {
+    const std::uint64_t u = lattice.du * step * lane;
+    const std::uint64_t v = lattice.dv * step * lane;
+    steps.u_low[lane] = static_cast<std::uint32_t>(u);
+    steps.v_low[lane] = static_cast<std::uint32_t>(v);
+    steps.u_cells[lane] = static_cast<std::uint32_t>(u >> 32);
+    steps.v_cells[lane] = static_cast<std::uint32_t>(v >> 32);
+  }
+  return steps;
+}
+
 }  // namespace
 
 double RotatedNoise::deviation() const {
@@ -41,12 +64,14 @@ double RotatedNoise::dominance() const {
 
 void RotatedFbm::start(const RotatedNoise& noise, std::span<const std::int64_t> xs) {
   width_ = xs.size();
+  step_ = even_step(xs);
   count_ = static_cast<std::size_t>(noise.octaves);
   if (octaves_.size() < count_) octaves_.resize(count_);
   for (std::size_t k = 0; k < count_; ++k) {
     Octave& octave = octaves_[k];
     octave.lattice = lattice_of(noise, static_cast<int>(k));
     octave.weight = static_cast<float>(share_of(noise, static_cast<int>(k)));
+    octave.lane_steps = lane_steps_of(octave.lattice, step_);
     octave.u.resize(padded(width_));
     octave.v.resize(padded(width_));
     for (std::size_t i = 0; i < width_; ++i) {
@@ -60,8 +85,15 @@ void RotatedFbm::start(const RotatedNoise& noise, std::span<const std::int64_t> 
 
 RotatedOctave RotatedFbm::placed(const Octave& octave, std::int64_t z) const {
   const auto south = static_cast<std::uint64_t>(z);
-  return {&octave.lattice,           octave.u.data(),           octave.v.data(),
-          octave.lattice.dv * south, octave.lattice.du * south, octave.weight};
+  return {&octave.lattice,
+          octave.u.data(),
+          octave.v.data(),
+          octave.lattice.dv * south,
+          octave.lattice.du * south,
+          octave.weight,
+          step_ == 0 ? nullptr : &octave.lane_steps,
+          octave.lattice.du * step_,
+          octave.lattice.dv * step_};
 }
 
 void RotatedFbm::place(std::int64_t z) {
@@ -83,20 +115,10 @@ const float* RotatedFbm::row(std::int64_t z, const Displacements& displaced) {
   return noise_.data();
 }
 
-const float* RotatedFbm::octave(int k, std::int64_t z, const Displacements& displaced) {
+void RotatedFbm::octave(int k, std::int64_t z, const RotatedSums& out, const Displacements& displaced) {
   RotatedOctave one = placed(octaves_[static_cast<std::size_t>(k)], z);
   one.weight = 1;
-  kernels_->sum(&one, 1, displaced, width_, {noise_.data()});
-  return noise_.data();
-}
-
-SlopedRow RotatedFbm::sloped_octave(int k, std::int64_t z, const Displacements& displaced) {
-  east_.resize(padded(width_));
-  south_.resize(padded(width_));
-  RotatedOctave one = placed(octaves_[static_cast<std::size_t>(k)], z);
-  one.weight = 1;
-  kernels_->sum(&one, 1, displaced, width_, {noise_.data(), east_.data(), south_.data()});
-  return {noise_.data(), east_.data(), south_.data()};
+  kernels_->sum(&one, 1, displaced, width_, out);
 }
 
 SlopedNoise sloped_rotated_fbm(const RotatedNoise& noise, std::int64_t x, std::int64_t z, std::int32_t east,

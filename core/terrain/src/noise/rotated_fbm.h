@@ -51,9 +51,8 @@ class RotatedFbm {
   /// The sum of all octaves at (xs[i], z), or displaced from there, valid until the next call.
   [[nodiscard]] const float* row(std::int64_t z, const Displacements& displaced = {});
   [[nodiscard]] SlopedRow sloped_row(std::int64_t z, const Displacements& displaced = {});
-  /// Octave k alone, by weight 1.
-  [[nodiscard]] const float* octave(int k, std::int64_t z, const Displacements& displaced = {});
-  [[nodiscard]] SlopedRow sloped_octave(int k, std::int64_t z, const Displacements& displaced = {});
+  /// Octave k alone, by weight 1, into rows of the caller's.
+  void octave(int k, std::int64_t z, const RotatedSums& out, const Displacements& displaced = {});
 
  private:
   struct Octave {
@@ -61,6 +60,7 @@ class RotatedFbm {
     float weight = 0;
     AlignedVector<std::uint64_t> u;  // of each column at z = 0
     AlignedVector<std::uint64_t> v;
+    LaneSteps lane_steps;  // where columns are evenly spaced
   };
 
   void place(std::int64_t z);
@@ -68,7 +68,8 @@ class RotatedFbm {
 
   const RotatedKernels* kernels_;
   std::size_t width_ = 0;
-  std::size_t count_ = 0;  // octaves in use; more may be kept for their memory
+  std::uint64_t step_ = 0;  // from one column to the next, where it is the same everywhere; else 0
+  std::size_t count_ = 0;   // octaves in use; more may be kept for their memory
   std::vector<Octave> octaves_;
   std::vector<RotatedOctave> placed_;
   AlignedVector<float> noise_;

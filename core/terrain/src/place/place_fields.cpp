@@ -54,20 +54,20 @@ void PlaceFields::set_share(std::size_t i, int z, std::size_t width, std::uint64
   std::uint8_t& any = any_[i][static_cast<std::size_t>(z)];
   any = present == 0 || (rule.looks & present) != 0 ? 1 : 0;
   const auto out = shares_[i].row(z);
-  std::fill(out.begin(), out.end(), any == 0 ? 0 : kWholeShare);
-  if (any == 0) return;
-  std::copy_n(out.begin(), width, share_.begin());
+  if (any == 0) return std::fill(out.begin(), out.end(), 0);
+  std::fill_n(share_.begin(), width, kWholeShare);
   for (const Places::Ramp& ramp : rule.early) {
     kernels_.thin(ramp, rows_[ramp.quantity], share_.data(), width, thinned_.data());
     std::swap(share_, thinned_);
   }
-  if ((present & ~rule.looks) != 0) {
-    const auto looks = looks_.front().row(z);
-    for (std::size_t x = 0; x < width; ++x) {
-      if (((rule.looks >> looks[x]) & 1) == 0) share_[x] = 0;
-    }
+  if ((present & ~rule.looks) == 0) {
+    std::copy_n(share_.begin(), width, out.begin());
+    return;
   }
-  std::copy_n(share_.begin(), width, out.begin());
+  const auto looks = looks_.front().row(z);
+  for (std::size_t x = 0; x < width; ++x) {
+    out[x] = share_[x] & -static_cast<std::int32_t>((rule.looks >> looks[x]) & 1);
+  }
 }
 
 void PlaceFields::thin_late(const Field& slope, const Field* cliff) {

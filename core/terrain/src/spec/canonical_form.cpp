@@ -158,6 +158,7 @@ std::string World::canonical_form() const {
   form << "surface highest_fx " << bits_of(surface.highest_fx) << '\n'
        << (spec_.method == Method::erosion ? "erosion " + std::to_string(spec_.erosion_steps) + '\n' : "")
        << "sea_fx " << (sea_fx_ ? std::to_string(*sea_fx_) : "none") << '\n';
+  if (spec_.strata_octaves != kMaxLayerOctaves) form << "layer octaves " << spec_.strata_octaves << '\n';
   for (std::size_t j = 0; j < strata_.size(); ++j) {
     form << "layer " << to_integer(strata_[j].material) << " thickness_q16 " << strata_[j].thickness_q16
          << " resolution " << spec_.resolution << " period "

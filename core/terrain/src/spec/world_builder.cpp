@@ -32,6 +32,11 @@ constexpr std::int64_t kMaxResolution = 32768;  // voxels a terrain unit
 constexpr int kMaxErosionSteps = 64;            // a halo of 128 columns
 constexpr std::size_t kMaxMaterials = 255;      // beside air and water
 
+std::string too_many_materials(std::size_t materials) {
+  return text_of(materials, " materials beside air and water; at most ", kMaxMaterials,
+                 ", with those of looks, provinces, ores and objects");
+}
+
 }  // namespace
 
 /// Reads the sections in order; each may use what those before it hold.
@@ -51,6 +56,7 @@ struct World::Builder {
                      bool after_looks);
   void read_world_looks(PlacesReader& places);
   void check_materials();
+  [[nodiscard]] std::string height_term() const;
   void check_lifts();
   void derive_strata();
   void derive_loose();
@@ -157,6 +163,8 @@ MaterialId World::Builder::add_material(const std::string& name, Colour colour, 
 MaterialId FeatureSection::add_material(TableReader& table, MaterialKind kind) {
   const MaterialId id{static_cast<std::uint16_t>(materials_.size())};
   const std::string name = table.material_name(names_);
+  if (materials_.size() == 2 + kMaxMaterials) table.fail("name", too_many_materials(kMaxMaterials + 1));
+  if (materials_.size() >= 2 + kMaxMaterials) return kAir;
   materials_.push_back({id, name, table.colour(), kind});
   return id;
 }
@@ -172,7 +180,10 @@ void World::Builder::read_materials(PlacesReader& places) {
   if (!stratified.empty()) stratified_line = stratified.front().line();
   if (root.has("strata")) {
     if (auto strata = root.table("strata")) {
-      strata->only({"repeat"});
+      strata->only({"repeat", "octaves"});
+      if (strata->has("octaves")) {
+        spec.strata_octaves = static_cast<int>(strata->integer("octaves", 1, kMaxLayerOctaves));
+      }
       spec.strata_repeat = strata->has("repeat") && strata->boolean("repeat");
     }
   }
@@ -221,14 +232,18 @@ void World::Builder::read_world_looks(PlacesReader& places) {
 void World::Builder::check_materials() {
   const std::size_t materials = world.materials_.size() - 2;
   if (materials > kMaxMaterials) {
-    errors.add(stratified_line,
-               text_of("stratified: ", materials, " materials beside air and water; at most ", kMaxMaterials,
-                       ", with those of looks, provinces, ores and objects"));
+    errors.add(stratified_line, "stratified: " + too_many_materials(materials));
   }
 }
 
+/// How errors name the height of the surface, which regions derive.
+std::string World::Builder::height_term() const {
+  if (!spec.surface.regions) return "surface.amplitude";
+  return text_of("the highest ground (", spec.surface.amplitude, " units)");
+}
+
 void World::Builder::check_lifts() {
-  std::string terms = "surface.amplitude";
+  std::string terms = height_term();
   Feature::MaxLift largest;
   for (const auto& feature : world.features_) {
     const Feature::MaxLift lift = feature->max_lift();
@@ -252,7 +267,7 @@ void World::Builder::derive_strata() {
   }
   if (!world.strata_.empty()) return;
   errors.add(stratified_line,
-             text_of("stratified.thickness: filling 1.25 * amplitude",
+             text_of("stratified.thickness: filling 1.25 * ", height_term(),
                      world.max_lift_q16_ > 0 ? " and how far strata are sunk" : "", " takes more than ",
                      kMaxLayers, " layers; at most ", kMaxLayers, ", so make the thicknesses larger"));
 }

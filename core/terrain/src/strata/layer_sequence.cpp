@@ -6,12 +6,6 @@
 #include <talus/terrain/lattice_hash.h>
 
 namespace talus::terrain {
-namespace {
-
-constexpr int kLayerOctaves = 4;
-
-}  // namespace
-
 std::vector<std::size_t> layer_sequence(std::span<const StratifiedSpec> stratified,
                                         std::int64_t amplitude_q16, std::int64_t max_lift_q16) {
   std::int64_t depth = stratified.front().depth_q16;
@@ -53,7 +47,7 @@ Fbm layer_noise(const WorldSpec& spec, double roughness, std::size_t j) {
   Fbm noise;
   noise.seed = derived_seed(spec.seed, 0x5354524154410000U + j);  // apart from the surface's octaves
   noise.period = std::max<std::int64_t>(8, static_cast<std::int64_t>(std::floor(period + 0.5)));
-  noise.octaves = kLayerOctaves;
+  noise.octaves = spec.strata_octaves;
   return noise;
 }
 

@@ -127,6 +127,8 @@ struct TalusSpec {
 /// is, or by moving down (3.5), which changes it.
 enum class Method : std::uint8_t { slope, erosion };
 
+inline constexpr int kMaxLayerOctaves = 4;  // and as many unless a world says otherwise
+
 /// world.toml as it stands but for its features, in range and consistent (docs/DESIGN.md, "Bounds").
 struct WorldSpec {
   std::uint64_t seed = 0;
@@ -136,7 +138,8 @@ struct WorldSpec {
   Method method = Method::slope;
   int erosion_steps = 0;  // at level 0: how far material has moved; 0 for the slope method
   SurfaceSpec surface;
-  bool strata_repeat = false;  // layers lie in the order of the list, its bands again and again
+  bool strata_repeat = false;             // layers lie in the order of the list, its bands again and again
+  int strata_octaves = kMaxLayerOctaves;  // of the noise that varies a layer
   std::vector<StratifiedSpec> stratified;
   std::vector<ErodedSpec> eroded;
   std::vector<FieldSpec>

@@ -157,7 +157,7 @@ void RegionRows::row(std::int64_t z, std::int32_t* heights_fx) {
   spread_row(z, &SlopedLine::values, spread_.size(), spread_);
   RegionRow at = row_of(at_columns_);
   for (std::size_t k = kSlowOctaves; k < kShapeOctaves; ++k) {
-    std::copy_n(shape_.octave(static_cast<int>(k), z), width_, octaves_[k].begin());
+    shape_.octave(static_cast<int>(k), z, {octaves_[k].data()});
     at.shape[k] = octaves_[k].data();
   }
   const RegionDetails details =
@@ -172,10 +172,8 @@ void RegionRows::sloped_row(std::int64_t z, std::int32_t* heights_fx, std::int32
   spread_row(z, &SlopedLine::south, kSlowCount, rises_[1]);
   SlopedRegionRow at{row_of(at_columns_), row_of(rises_at_columns_[0]), row_of(rises_at_columns_[1])};
   for (std::size_t k = kSlowOctaves; k < kShapeOctaves; ++k) {
-    const SlopedRow octave = shape_.sloped_octave(static_cast<int>(k), z);
-    std::copy_n(octave.value, width_, octaves_[k].begin());
-    std::copy_n(octave.east, width_, octave_rises_[0][k].begin());
-    std::copy_n(octave.south, width_, octave_rises_[1][k].begin());
+    shape_.octave(static_cast<int>(k), z,
+                  {octaves_[k].data(), octave_rises_[0][k].data(), octave_rises_[1][k].data()});
     at.value.shape[k] = octaves_[k].data();
     at.east.shape[k] = octave_rises_[0][k].data();
     at.south.shape[k] = octave_rises_[1][k].data();

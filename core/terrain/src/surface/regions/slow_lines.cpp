@@ -114,14 +114,15 @@ void SlowLines::draw(std::int64_t z, SlopedLine& line) {
   constexpr std::array<Slow, kSlowOctaves> kShapes{Slow::shape_0, Slow::shape_1, Slow::shape_2};
   for (int k = 0; k < kSlowOctaves; ++k) {
     const Slow slow = kShapes[static_cast<std::size_t>(k)];
+    float* const value = at(line.values, slow);
     if (!sloped_) {
-      std::copy_n(shape_.octave(k, z, half), width_, at(line.values, slow));
+      shape_.octave(k, z, {value}, half);
       continue;
     }
-    const SlopedRow octave = shape_.sloped_octave(k, z, half);
-    std::copy_n(octave.value, width_, at(line.values, slow));
-    kernels_->bend(octave, east_.stretch(), south_.stretch(), 0.5F, width_, at(line.east, slow),
-                   at(line.south, slow));
+    float* const east = at(line.east, slow);
+    float* const south = at(line.south, slow);
+    shape_.octave(k, z, {value, east, south}, half);
+    kernels_->bend({value, east, south}, east_.stretch(), south_.stretch(), 0.5F, width_, east, south);
   }
 }
 
