@@ -17,6 +17,8 @@ target_compile_options(talus_flags INTERFACE
   # libstdc++ silences these three for its own char_traits by pragmas, which g++ loses in a precompiled header.
   # Builds without precompiled headers keep them, as release-plain.
   "$<$<AND:$<CXX_COMPILER_ID:GNU>,$<NOT:$<BOOL:${CMAKE_DISABLE_PRECOMPILE_HEADERS}>>>:-Wno-array-bounds;-Wno-stringop-overflow;-Wno-stringop-overread>"
+  # There g++ does not align the stack for AVX (GCC bug 54412).
+  $<$<AND:$<PLATFORM_ID:Windows>,$<CXX_COMPILER_ID:GNU>>:-Wa,-muse-unaligned-vector-move>
   $<$<BOOL:${TALUS_WARNINGS_AS_ERRORS}>:-Werror>)
 if(TALUS_SANITIZE)
   target_compile_options(talus_flags INTERFACE -fsanitize=${TALUS_SANITIZE} -fno-sanitize-recover=all
@@ -206,4 +208,4 @@ set_target_properties(talus_asio PROPERTIES EXPORT_NAME asio)
 # have to set it too.
 target_compile_definitions(talus_asio INTERFACE ASIO_STANDALONE ASIO_DISABLE_STD_ALIGNED_ALLOC
   $<$<CXX_COMPILER_ID:Clang>:ASIO_HAS_CO_AWAIT=1> $<$<CXX_COMPILER_ID:Clang>:ASIO_HAS_STD_COROUTINE=1>)
-target_link_libraries(talus_asio INTERFACE Threads::Threads)
+target_link_libraries(talus_asio INTERFACE Threads::Threads $<$<PLATFORM_ID:Windows>:ws2_32> $<$<PLATFORM_ID:Windows>:mswsock>)

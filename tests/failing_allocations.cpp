@@ -8,6 +8,7 @@ namespace {
 
 constexpr std::size_t kNever = std::numeric_limits<std::size_t>::max();
 thread_local std::size_t left = kNever;  // until the allocation that fails
+thread_local std::size_t counted_from_bytes = 0;
 thread_local bool failed = false;
 
 }  // namespace
@@ -15,7 +16,7 @@ thread_local bool failed = false;
 // The forms of arrays call these. Those that throw nothing are here too, for what one form allocates another
 // may free.
 void* operator new(std::size_t size) {
-  if (left != kNever && left-- == 0) {
+  if (left != kNever && size >= counted_from_bytes && left-- == 0) {
     left = kNever;
     failed = true;
     throw std::bad_alloc{};
@@ -42,8 +43,9 @@ void operator delete(void* memory, const std::nothrow_t&) noexcept {
 
 namespace talus::test {
 
-FailingAllocations::FailingAllocations(std::size_t allocations) {
+FailingAllocations::FailingAllocations(std::size_t allocations, std::size_t from_bytes) {
   left = allocations;
+  counted_from_bytes = from_bytes;
   failed = false;
 }
 

@@ -6,10 +6,10 @@
 namespace talus::test {
 
 /// While this lives, operator new of this thread serves `allocations` times, and then throws std::bad_alloc
-/// once. One at a time in a thread.
+/// once. Allocations of less than `from_bytes` are served and do not count. One at a time in a thread.
 class FailingAllocations {
  public:
-  explicit FailingAllocations(std::size_t allocations);
+  explicit FailingAllocations(std::size_t allocations, std::size_t from_bytes = 0);
   ~FailingAllocations();
   FailingAllocations(const FailingAllocations&) = delete;
   FailingAllocations& operator=(const FailingAllocations&) = delete;

@@ -1,5 +1,7 @@
 #include "connection.h"
 
+#include <utility>
+
 #include <asio/connect.hpp>
 #include <asio/experimental/as_tuple.hpp>
 #include <asio/use_awaitable.hpp>
@@ -51,24 +53,23 @@ asio::awaitable<Result<void>> Connection::open(const std::string& host, const st
 }
 
 asio::awaitable<Result<void>> Connection::shake_hands(const std::string& host, const TlsOptions& options) {
-  const auto context = make_tls_context(options);
-  if (!context) co_return tl::unexpected{context.error()};
-  tls_.emplace(socket_, new_tls(*context, options, host).release());
-  const auto [error] = co_await tls_->async_handshake(asio::ssl::stream_base::client, kAsTuple);
+  auto stream = make_tls_stream(socket_, options, host);
+  if (!stream) co_return tl::unexpected{stream.error()};
+  tls_ = std::move(*stream);
+  auto shaken = co_await tls_->handshake();
   if (is_closed()) co_return tl::unexpected{*reason_};
-  if (error) co_return tl::unexpected{handshake_failure(tls_->native_handle(), error)};
-  co_return Result<void>{};
+  co_return shaken;
 }
 
 // Outside the coroutines: g++ 12 destroys what a condition in a co_await chose twice.
-asio::awaitable<Connection::Transferred> Connection::read_some() {
-  if (tls_) return tls_->async_read_some(asio::buffer(buffer_), kAsTuple);
+asio::awaitable<Transferred> Connection::read_some() {
+  if (tls_) return tls_->read_some(asio::buffer(buffer_));
   return socket_.async_read_some(asio::buffer(buffer_), kAsTuple);
 }
 
-asio::awaitable<Connection::Transferred> Connection::write_all(std::span<const std::byte> bytes) {
+asio::awaitable<Transferred> Connection::write_all(std::span<const std::byte> bytes) {
   const auto buffer = asio::buffer(bytes.data(), bytes.size());
-  if (tls_) return asio::async_write(*tls_, buffer, kAsTuple);
+  if (tls_) return tls_->write_all(buffer);
   return asio::async_write(socket_, buffer, kAsTuple);
 }
 

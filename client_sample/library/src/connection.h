@@ -9,20 +9,19 @@
 #include <span>
 #include <string>
 #include <system_error>
-#include <tuple>
 #include <vector>
 
 #include <asio/awaitable.hpp>
 #include <asio/ip/tcp.hpp>
-#include <asio/ssl/stream.hpp>
 #include <asio/steady_timer.hpp>
 
 #include <talus/client/client.h>
 #include <talus/client/clock.h>
 #include <talus/client/error.h>
 #include <talus/client/options.h>
-#include <talus/client/tls.h>
 #include <talus/protocol/frame.h>
+
+#include "tls_stream.h"
 
 namespace talus::client {
 
@@ -61,16 +60,15 @@ class Connection {
 
  private:
   [[nodiscard]] asio::awaitable<Result<void>> shake_hands(const std::string& host, const TlsOptions& options);
-  using Transferred = std::tuple<std::error_code, std::size_t>;
   [[nodiscard]] asio::awaitable<Transferred> read_some();
   [[nodiscard]] asio::awaitable<Transferred> write_all(std::span<const std::byte> bytes);
   [[nodiscard]] ClientError reason_or(ErrorKind kind, std::string message) const;
 
   asio::ip::tcp::resolver resolver_;
   asio::ip::tcp::socket socket_;
-  std::optional<asio::ssl::stream<asio::ip::tcp::socket&>> tls_;
-  std::string where_;          // HOST:PORT
-  bool received_any_ = false;  // a byte from the server
+  std::unique_ptr<TlsStream> tls_;  // null: plain
+  std::string where_;               // HOST:PORT
+  bool received_any_ = false;       // a byte from the server
   Clock& clock_;
   std::unique_ptr<Timer> deadline_;
   std::unique_ptr<Timer> pause_;

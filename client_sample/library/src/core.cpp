@@ -2,9 +2,9 @@
 #include "core.h"
 
 #include <algorithm>
+#include <exception>
 
 #include <asio/co_spawn.hpp>
-#include <asio/detached.hpp>
 #include <asio/post.hpp>
 #include <asio/use_awaitable.hpp>
 
@@ -19,6 +19,12 @@ namespace talus::client {
 namespace {
 
 const ClientError kClosed{ErrorKind::not_connected, "the client was closed", {}};
+
+// At a coroutine's end. What it threw, and only an allocation that fails throws, leaves by the executor's
+// run(): a client whose coroutine ended unnoticed would wait forever.
+void rethrow(const std::exception_ptr& thrown) {
+  if (thrown) std::rethrow_exception(thrown);
+}
 
 bool worth_retrying(const ClientError& error) {
   return error.kind != ErrorKind::refused && error.kind != ErrorKind::untrusted &&
@@ -68,7 +74,7 @@ void Core::connect(std::string host, std::string port, ConnectHandler handler) {
        handler = std::move(handler)]() mutable {
         return self->run(mine, std::move(host), std::move(port), std::move(handler));
       },
-      asio::detached);
+      rethrow);
 }
 
 asio::awaitable<void> Core::run(Generation mine, std::string host, std::string port, ConnectHandler handler) {
@@ -207,13 +213,13 @@ void Core::start_session(const ConnectionPtr& connection) {
   const auto self = shared_from_this();
   // The lambdas' frames keep self alive; the coroutines end when the connection is closed.
   asio::co_spawn(
-      executor_, [self, connection] { return self->write_loop(connection); }, asio::detached);
+      executor_, [self, connection] { return self->write_loop(connection); }, rethrow);
   asio::co_spawn(
       executor_,
       [self, connection, interval = ping_interval(options_, world_->limits)] {
         return self->ping_loop(connection, interval);
       },
-      asio::detached);
+      rethrow);
 }
 
 // What belonged to the connection and not to the client.

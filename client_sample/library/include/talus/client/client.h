@@ -2,7 +2,8 @@
 //
 // Everything runs on the executor given to the constructor, and nothing starts a thread. A Client is not
 // thread-safe: call it, and expect its callbacks, on that executor only (a single-threaded io_context, or
-// a strand). Callbacks may call the client, even close() it or destroy it; they must not throw.
+// a strand). Callbacks may call the client, even close() it or destroy it; they must not throw. Where memory
+// runs out, std::bad_alloc leaves by the call or by the executor's run(); the client is then to be destroyed.
 //
 // In a coroutine:
 //

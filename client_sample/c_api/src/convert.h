@@ -1,0 +1,34 @@
+// The header's values as the C++ library's, and back.
+#pragma once
+
+#include <string>
+
+#include <tl/expected.hpp>
+
+#include <talus.h>
+#include <talus/client/error.h>
+#include <talus/client/options.h>
+#include <talus/client/view.h>
+#include <talus/client/world_info.h>
+
+namespace talus::c_api {
+
+/// Why an argument is wrong, as the end of "FUNCTION: ...".
+template <typename T>
+using Checked = tl::expected<T, std::string>;
+
+[[nodiscard]] talus_status status_of(client::ErrorKind kind);
+
+/// NULL is the empty text.
+[[nodiscard]] inline std::string text_of(const char* text) {
+  return text == nullptr ? std::string{} : std::string{text};
+}
+
+[[nodiscard]] Checked<client::Options> options_of(const talus_connect_options& options);
+[[nodiscard]] Checked<client::View> view_of(const talus_view& view);
+/// As Client::set_view() compares: then it sends nothing.
+[[nodiscard]] bool is_same_view(const client::View& a, const client::View& b);
+[[nodiscard]] talus_world world_of(const client::WorldInfo& world);
+[[nodiscard]] talus_material material_of(const client::Material& material);
+
+}  // namespace talus::c_api

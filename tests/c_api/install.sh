@@ -1,0 +1,18 @@
+#!/usr/bin/env bash
+# install.sh CMAKE BUILD LIBDIR EXAMPLE CC SANITIZE: installs libtalus alone, and builds the example as a user does: by the
+# flags that pkg-config tells, as C99.
+set -euo pipefail
+cmake="$1" build="$2" libdir="$3" example="$4" compiler="$5" sanitize="$6"
+prefix="$build/c-api-install-test"
+rm -rf "$prefix"
+"$cmake" --install "$build" --prefix "$prefix" --component c_api
+export PKG_CONFIG_PATH="$prefix/$libdir/pkgconfig"
+read -ra flags <<<"$(pkg-config --cflags --libs talus)"
+[[ -z "$sanitize" ]] || flags+=("-fsanitize=$sanitize")
+"$compiler" -std=c99 -Wall -Wextra -pedantic -Werror "$example" -o "$prefix/fly" "${flags[@]}"
+# Nobody listens on port 1: the program runs, links and says so.
+if said="$(LD_LIBRARY_PATH="$prefix/$libdir" "$prefix/fly" 127.0.0.1 1 2>&1)"; then
+  echo "it ended well without a server: $said"
+  exit 1
+fi
+[[ "$said" == "127.0.0.1:1: no server answers there: Connection refused" ]] || { echo "it said: $said"; exit 1; }
