@@ -99,6 +99,7 @@ int serve(const Command& command, const ReadSettings& read_settings) {
   const auto data = drop_privileges_and_open_data(config, *account, (*world)->fingerprint());
   if (!data) return fail(data.error());
   const std::string address = listeners->players_address;
+  const std::string web_address = listeners->web_address;
   const std::string operators_address = listeners->operators_address;
   Server server{config, *world, *data ? (*data)->store_id() : talus::ContentHash{},
                 access, tls,    *std::move(listeners),
@@ -110,6 +111,9 @@ int serve(const Command& command, const ReadSettings& read_settings) {
   if (tls && tls->valid_now) log->info("TLS with {}", tls->description);
   // On its own and whatever the log level: programs that start a server read this line.
   fmt::print("listening on {}\n", address);
+  if (!web_address.empty()) {
+    fmt::print("HTTP and WebSocket on {}://{}\n", tls && config.http.tls ? "https" : "http", web_address);
+  }
   if (!operators_address.empty()) fmt::print("metrics and health on http://{}\n", operators_address);
   std::fflush(stdout);
   server.run();

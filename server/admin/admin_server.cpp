@@ -8,7 +8,7 @@ namespace talus::server {
 AdminServer::AdminServer(const Clock& clock, Logger log)
     : log_{std::move(log)},
       acceptor_{io_, log_, clock},
-      service_{nullptr, clock, log_},
+      service_{clock, log_},
       connections_{service_, kMaxConnections} {}
 
 AdminServer::~AdminServer() {
@@ -21,9 +21,10 @@ tl::expected<std::string, std::string> AdminServer::listen(const protocol::Endpo
 }
 
 void AdminServer::start(OperatorAnswers answers) {
-  service_.handler = [answers = std::move(answers)](const http::Request& request) {
-    return answer_operator(request, answers);
-  };
+  connections_.set_handler(
+      std::make_shared<http::FunctionHandler>([answers = std::move(answers)](const http::Request& request) {
+        return answer_operator(request, answers);
+      }));
   acceptor_.start([this]() -> asio::io_context& { return io_; },
                   [this](asio::ip::tcp::socket socket) { connections_.add(TcpStream{std::move(socket)}); },
                   [this] { return connections_.make_room(); });

@@ -5,7 +5,7 @@
 namespace talus::server {
 
 http::Response answer_operator(const http::Request& request, const OperatorAnswers& answers) {
-  if (request.method == http::Method::other) {
+  if (request.method != http::Method::get && request.method != http::Method::head) {
     return {405, http::kPlainText, "only GET and HEAD are answered here\n", {{"Allow", "GET, HEAD"}}};
   }
   const std::string_view path = request.path();

@@ -21,6 +21,12 @@ tl::expected<Listeners, std::string> open_listeners(const Config& config, const 
   auto address = listeners.players->listen(config.listen);
   if (!address) return failed("listen", config.listen, address.error());
   listeners.players_address = *std::move(address);
+  if (config.http.listen) {
+    listeners.web = std::make_unique<Acceptor>(listeners.io->control(), log, clock);
+    address = listeners.web->listen(*config.http.listen);
+    if (!address) return failed("http", *config.http.listen, address.error());
+    listeners.web_address = *std::move(address);
+  }
   if (config.admin) {
     listeners.operators = std::make_unique<AdminServer>(clock, log);
     address = listeners.operators->listen(*config.admin);

@@ -17,8 +17,10 @@ namespace talus::server {
 
 struct Listeners {
   std::unique_ptr<IoPool> io;
-  std::unique_ptr<Acceptor> players;       // on io->control()
-  std::string players_address;             // with the real port
+  std::unique_ptr<Acceptor> players;  // on io->control()
+  std::string players_address;        // with the real port
+  std::unique_ptr<Acceptor> web;      // on io->control(); null: the configuration has none
+  std::string web_address;
   std::unique_ptr<AdminServer> operators;  // null: the configuration has none
   std::string operators_address;
 };

@@ -29,6 +29,7 @@
 #include "net/refusal_reason.h"
 #include "rates/rate_kind.h"
 #include "session/retry_after.h"
+#include "web/web_connection.h"
 
 namespace talus::server {
 namespace {
@@ -76,6 +77,16 @@ Server::Server(const Config& config, std::shared_ptr<const terrain::World> world
                   clock,
                   log_of_clients_,
                   [this](AcceptedConnection accepted) { on_connection(std::move(accepted)); }},
+      web_handshaker_{web_handshake_settings(config),
+                      admission_,
+                      access_,
+                      flows_,
+                      metrics_,
+                      memory_,
+                      clock,
+                      log_of_clients_,
+                      [this](AcceptedConnection accepted) { on_web_connection(std::move(accepted)); },
+                      web::refusal_response},
       io_{std::move(listeners.io)},
       chunks_{std::make_unique<TerrainGenerator>(terrain_, patch_size_.tiles, generator_threads(config)),
               generation_settings(config, patch_size_),
@@ -84,7 +95,9 @@ Server::Server(const Config& config, std::shared_ptr<const terrain::World> world
               memory_,
               clock},
       context_{make_context(config_)},
+      web_context_{make_web_context(config_, context_)},
       acceptor_{std::move(listeners.players)},
+      web_acceptor_{std::move(listeners.web)},
       shutdown_signals_{io_->control(), SIGTERM, SIGINT},
       reload_signals_{io_->control(), SIGHUP},
       drain_timer_{io_->control()},
@@ -108,6 +121,12 @@ RunnerContextPtr Server::make_context(const Config& config) {
   return {kept, &kept->context};
 }
 
+web::WebContextPtr Server::make_web_context(const Config& config, const RunnerContextPtr& runner) {
+  return std::make_shared<const web::WebContext>(
+      web::WebContext{runner, web_settings(config), admission_, web_service(config, clock_, log_of_clients_),
+                      to_string(world_.fingerprint), web_answers_, web_fetches_});
+}
+
 std::string Server::metrics_text() {
   const BaseChunks::Status status = chunks_.status();
   RuntimeGauges gauges{status.jobs, status.clients, status.chunk_cache_bytes, status.patch_cache_bytes,
@@ -123,7 +142,8 @@ std::string Server::metrics_text() {
   for (std::size_t code = 1; code <= static_cast<std::size_t>(wire::ErrorCode::MAX); ++code) {
     error_codes.emplace_back(wire::EnumNameErrorCode(static_cast<wire::ErrorCode>(code)));
   }
-  const MetricLabels labels{kRefusalNames, error_codes, kAuthFailureNames, kRateNames, kMemoryUses};
+  const MetricLabels labels{kRefusalNames, error_codes, kAuthFailureNames,
+                            kRateNames,    kMemoryUses, kStatusClasses};
   const BuildInfo build{TALUS_VERSION, generator_version_, to_string(world_.fingerprint),
                         std::string{to_string(instruction_set())}};
   return metrics_page({metrics_, gauges, read_process(), build, labels});
@@ -164,6 +184,14 @@ void Server::run() {
                    [this](asio::ip::tcp::socket socket) {
                      handshaker_.begin(std::move(socket), ++last_id_, tls_ ? tls_->context : nullptr);
                    });
+  if (web_acceptor_ != nullptr) {
+    const bool by_tls = tls_ && config_.http.tls;
+    web_acceptor_->start([this]() -> asio::io_context& { return io_->next(); },
+                         [this, by_tls](asio::ip::tcp::socket socket) {
+                           web_handshaker_.begin(std::move(socket), ++last_id_,
+                                                 by_tls ? tls_->context : nullptr);
+                         });
+  }
   asio::co_spawn(control, wait_for_shutdown(), end);
   asio::co_spawn(control, wait_for_reload(), end);
   housekeeping();
@@ -171,6 +199,7 @@ void Server::run() {
   stop_handling_signals();
   operators_.reset();
   handshaker_.refusal_log().flush({});
+  web_handshaker_.refusal_log().flush({});
   if (failure) std::rethrow_exception(failure);
 }
 
@@ -196,6 +225,15 @@ void Server::on_connection(AcceptedConnection accepted) {
     context = context_;
   }
   start_session(std::move(accepted), context);
+}
+
+void Server::on_web_connection(AcceptedConnection accepted) {
+  web::WebContextPtr context;
+  {
+    const std::lock_guard lock{context_mutex_};
+    context = web_context_;
+  }
+  web::start_connection(std::move(accepted), context);
 }
 
 asio::awaitable<void> Server::wait_for_reload() {
@@ -242,7 +280,9 @@ Access Server::reload_settings() {
 
 void Server::change_settings(Config changed) {
   auto context = make_context(changed);
+  auto web_context = make_web_context(changed, context);
   handshaker_.change(handshake_settings(changed));
+  web_handshaker_.change(web_handshake_settings(changed));
   rates_.set(rate_limits(changed.rates));
   admission_.change(admission_limits(changed));
   registry_.rates_changed();
@@ -250,6 +290,7 @@ void Server::change_settings(Config changed) {
   {
     const std::lock_guard lock{context_mutex_};
     context_.swap(context);
+    web_context_.swap(web_context);
   }
   check_descriptors(raise_descriptor_limit(descriptors_wanted(config_)));
 }

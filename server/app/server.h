@@ -39,6 +39,7 @@
 #include "net/tls_context.h"
 #include "rates/rates.h"
 #include "session/world_info.h"
+#include "web/player_handler.h"
 
 namespace talus::server {
 
@@ -62,9 +63,11 @@ class Server {
   [[nodiscard]] std::string metrics_text();
   [[nodiscard]] FlowsReport flows_report();
   [[nodiscard]] RunnerContextPtr make_context(const Config& config);
+  [[nodiscard]] web::WebContextPtr make_web_context(const Config& config, const RunnerContextPtr& runner);
   /// Warns where the limit of open files is less than the settings need.
   void check_descriptors(std::uint64_t allowed);
   void on_connection(AcceptedConnection accepted);
+  void on_web_connection(AcceptedConnection accepted);
   [[nodiscard]] asio::awaitable<void> wait_for_shutdown();
   [[nodiscard]] asio::awaitable<void> wait_for_reload();
   /// Reads everything again. Where it throws, the next one does the rest.
@@ -107,12 +110,17 @@ class Server {
   std::atomic<std::int64_t> certificate_expires_;
   std::atomic<bool> draining_ = false;
   Handshaker handshaker_;
+  Handshaker web_handshaker_;
+  std::atomic<std::uint64_t> web_answers_{0};
+  std::atomic<std::uint64_t> web_fetches_{0};
   std::unique_ptr<IoPool> io_;
   BaseChunks chunks_;
   mutable std::mutex context_mutex_;
-  RunnerContextPtr context_;  // of sessions to come; changes under the mutex
+  RunnerContextPtr context_;        // of sessions to come; changes under the mutex
+  web::WebContextPtr web_context_;  // the same of HTTP connections
 
   std::unique_ptr<Acceptor> acceptor_;
+  std::unique_ptr<Acceptor> web_acceptor_;  // null: no HTTP for players
   asio::signal_set shutdown_signals_;
   asio::signal_set reload_signals_;
   asio::steady_timer drain_timer_;

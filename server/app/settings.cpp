@@ -73,6 +73,21 @@ HandshakeSettings handshake_settings(const Config& config) {
           limits.handshakes_in_flight, limits.handshake_timeout, config.proxies};
 }
 
+HandshakeSettings web_handshake_settings(const Config& config) {
+  HandshakeSettings settings = handshake_settings(config);
+  settings.header_optional = true;
+  return settings;
+}
+
+web::WebSettings web_settings(const Config& config) {
+  return {config.http.public_chunks, config.http.origins, config.proxies, config.http.log_every};
+}
+
+http::Service web_service(const Config& config, const Clock& clock, Logger log) {
+  const Limits& limits = config.limits;
+  return {clock, std::move(log), {}, limits.idle_timeout, limits.handshake_timeout, limits.write_timeout};
+}
+
 Admission::Limits admission_limits(const Config& config) {
   return {config.limits.connections, config.limits.connections_per_address, config.rates.burst,
           rate_limits(config.rates).address};

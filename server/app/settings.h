@@ -20,6 +20,7 @@
 #include "net/session_runner.h"
 #include "rates/rates.h"
 #include "session/session_limits.h"
+#include "web/player_handler.h"
 
 namespace talus::server {
 
@@ -38,6 +39,11 @@ namespace talus::server {
 [[nodiscard]] RateLimits rate_limits(const Rates& config);
 [[nodiscard]] RunnerLimits runner_limits(const Config& config);
 [[nodiscard]] HandshakeSettings handshake_settings(const Config& config);
+/// The same for the HTTP port.
+[[nodiscard]] HandshakeSettings web_handshake_settings(const Config& config);
+[[nodiscard]] web::WebSettings web_settings(const Config& config);
+/// Times of HTTP connections.
+[[nodiscard]] http::Service web_service(const Config& config, const Clock& clock, Logger log);
 [[nodiscard]] Admission::Limits admission_limits(const Config& config);
 /// The least limits.memory_bytes but 0, with few threads. The program and the largest share of the generators
 /// stay below the half at which connections are taken again: whatever a load took, the server opens again.

@@ -11,6 +11,7 @@ namespace {
 
 /// A flag for a setting.
 struct Flag {
+  std::string_view name;
   std::string_view key;
   std::string_view type;
   std::string text{};
@@ -44,13 +45,14 @@ tl::expected<Command, Exit> read_command_line(int argc, const char* const* argv,
   std::string config_file;
   app.add_option("--config", config_file, "settings in TOML, as in talusd.toml; default: no file")
       ->type_name("FILE");
-  std::array flags{Flag{"world", "FILE"}, Flag{"listen", "HOST:PORT"}, Flag{"http", "HOST:PORT"},
-                   Flag{"admin", "HOST:PORT"}, Flag{"data", "DIR"}};
+  std::array flags{Flag{"world", "world", "FILE"}, Flag{"listen", "listen", "HOST:PORT"},
+                   Flag{"http", "http.listen", "HOST:PORT"}, Flag{"admin", "admin", "HOST:PORT"},
+                   Flag{"data", "data", "DIR"}};
   for (Flag& flag : flags) {
     const std::string fallback =
         flag.key == "listen" ? fmt::format("; default {}", to_string(Config{}.listen)) : std::string{};
     flag.option =
-        app.add_option(fmt::format("--{}", flag.key), flag.text, help_of(*find_field(flag.key), fallback))
+        app.add_option(fmt::format("--{}", flag.name), flag.text, help_of(*find_field(flag.key), fallback))
             ->type_name(std::string{flag.type});
   }
   app.add_flag("--check-config", command.check_only,
@@ -72,13 +74,10 @@ tl::expected<Command, Exit> read_command_line(int argc, const char* const* argv,
   for (const Flag& flag : flags) {
     if (flag.option->count() == 0) continue;
     if (auto done = set_from_text(*find_field(flag.key), command.config, flag.text); !done) {
-      return tl::make_unexpected(one_line(fmt::format("--{}: {}", flag.key, done.error()), kWrongUse));
+      return tl::make_unexpected(one_line(fmt::format("--{}: {}", flag.name, done.error()), kWrongUse));
     }
     command.origins.forget(flag.key);
   }
-
-  if (command.config.http)
-    command.warnings.push_back(command.origins.locate("http: this version does not serve it"));
   return command;
 }
 

@@ -11,6 +11,7 @@
 #include <talus/protocol/endpoint.h>
 #include <talus/protocol/limits.h>
 
+#include "config/allowed_origins.h"
 #include "config/networks.h"
 
 namespace talus::server {
@@ -107,9 +108,18 @@ struct Log {
   bool operator==(const Log&) const = default;
 };
 
+/// HTTP and WebSocket for players.
+struct Http {
+  std::optional<protocol::Endpoint> listen;
+  bool tls = true;                 // where there is a certificate
+  bool public_chunks = false;      // chunks need no token, and every cache may keep them
+  AllowedOrigins origins;          // of pages that may read and stream
+  std::uint64_t log_every = 1000;  // answers, of which one is logged; 0: none
+  bool operator==(const Http&) const = default;
+};
+
 struct Config {
   protocol::Endpoint listen{"0.0.0.0", kDefaultPort};
-  std::optional<protocol::Endpoint> http;
   std::optional<protocol::Endpoint> admin;
   std::filesystem::path data;   // empty: talusd keeps nothing on disk
   std::filesystem::path world;  // empty: the world built into the program
@@ -117,6 +127,7 @@ struct Config {
   Access access;
   Networks proxies;  // proxies that must send a PROXY header
   Tls tls;
+  Http http;
   Threads threads;
   Limits limits;
   Rates rates;

@@ -48,8 +48,6 @@ constexpr DurationTarget duration(std::chrono::milliseconds min, std::chrono::mi
 const std::array kFields{
     Field{"listen", "HOST:PORT", "address for game clients; port 0 lets the system choose a free port",
           EndpointTarget{[](Config& c) -> protocol::Endpoint& { return c.listen; }}},
-    Field{"http", "HOST:PORT", "address for public HTTP and WebSocket; read, but not served yet; empty: none",
-          OptionalEndpointTarget{[](Config& c) -> std::optional<protocol::Endpoint>& { return c.http; }}},
     Field{"admin", "HOST:PORT",
           "address for metrics and health over HTTP; keep it away from the open network; empty: none",
           OptionalEndpointTarget{[](Config& c) -> std::optional<protocol::Endpoint>& { return c.admin; }}},
@@ -92,6 +90,21 @@ const std::array kFields{
           PathTarget{[](Config& c) -> std::filesystem::path& { return c.tls.certificate; }}},
     Field{"tls.key", "file", "PEM file with the certificate's key, without a passphrase",
           PathTarget{[](Config& c) -> std::filesystem::path& { return c.tls.key; }}},
+
+    Field{"http.listen", "HOST:PORT", "address for HTTP and WebSocket of players; empty: none",
+          OptionalEndpointTarget{
+              [](Config& c) -> std::optional<protocol::Endpoint>& { return c.http.listen; }}},
+    Field{"http.tls", "switch",
+          "whether HTTP comes by TLS where tls.certificate is set; false where a proxy in front does that",
+          SwitchTarget{[](Config& c) -> bool& { return c.http.tls; }}},
+    Field{"http.public_chunks", "switch",
+          "whether chunks over HTTP need no token, so that caches may keep them",
+          SwitchTarget{[](Config& c) -> bool& { return c.http.public_chunks; }}},
+    Field{"http.origins", "origins",
+          "origins whose pages may read and stream, beside the server's own; *: all; empty: no other",
+          OriginsTarget{[](Config& c) -> AllowedOrigins& { return c.http.origins; }}},
+    Field{"http.log_every", "answers", "of so many HTTP answers one is logged; 0: none",
+          number<&Config::http, &Http::log_every>(0, 1'000'000'000)},
 
     Field{"threads.io", "threads", "threads that serve sockets; 0: one for each core",
           number<&Config::threads, &Threads::io>(0, 1024)},
@@ -186,6 +199,7 @@ const std::array kFields{
 };
 
 constexpr std::array kRenamedKeys{
+    RenamedKey{"http", "http.listen"},
     RenamedKey{"limits.handshakes_under_way", "limits.handshakes_in_flight"},
 };
 
@@ -281,6 +295,17 @@ struct AssignText {
     target.at(config) = *std::move(networks);
     return {};
   }
+  tl::expected<void, std::string> operator()(const SwitchTarget& target) const {
+    if (text != "true" && text != "false") return refused(field, fmt::format("\"{}\"", escaped(text)));
+    target.at(config) = text == "true";
+    return {};
+  }
+  tl::expected<void, std::string> operator()(const OriginsTarget& target) const {
+    auto origins = AllowedOrigins::parse(text);
+    if (!origins) return tl::make_unexpected(escaped(origins.error()));
+    target.at(config) = *std::move(origins);
+    return {};
+  }
   tl::expected<void, std::string> operator()(const WordTarget& target) const {
     if (std::find(target.words.begin(), target.words.end(), text) == target.words.end()) {
       return refused(field, fmt::format("\"{}\"", escaped(text)));
@@ -310,6 +335,8 @@ struct ShowText {
   }
   std::string operator()(const PathTarget& target) const { return target.at(config).string(); }
   std::string operator()(const NetworksTarget& target) const { return target.at(config).text(); }
+  std::string operator()(const SwitchTarget& target) const { return target.at(config) ? "true" : "false"; }
+  std::string operator()(const OriginsTarget& target) const { return target.at(config).text(); }
   std::string operator()(const WordTarget& target) const { return target.at(config); }
   std::string operator()(const TextTarget& target) const { return target.at(config); }
 };
@@ -334,6 +361,10 @@ struct Describe {
   std::string operator()(const PathTarget&) const { return fmt::format("the path of a {} in quotes", unit); }
   std::string operator()(const NetworksTarget&) const {
     return "addresses and networks in one string, separated by commas, or \"\" for none";
+  }
+  std::string operator()(const SwitchTarget&) const { return "true or false"; }
+  std::string operator()(const OriginsTarget&) const {
+    return "origins such as https://play.example in one string, separated by commas, or \"*\", or \"\"";
   }
   std::string operator()(const WordTarget& target) const {
     return fmt::format("one of \"{}\"", fmt::join(target.words, "\", \""));

@@ -48,6 +48,14 @@ struct PathTarget {
 struct NetworksTarget {
   Networks& (*at)(Config&);
 };
+/// true or false.
+struct SwitchTarget {
+  bool& (*at)(Config&);
+};
+/// An empty string means the page's own host.
+struct OriginsTarget {
+  AllowedOrigins& (*at)(Config&);
+};
 /// One of `words`.
 struct WordTarget {
   std::string& (*at)(Config&);
@@ -67,7 +75,7 @@ struct Field {
   std::string_view unit;  // "" where the value has none
   std::string_view help;
   std::variant<NumberTarget, PowerOfTwoTarget, DurationTarget, EndpointTarget, OptionalEndpointTarget,
-               PathTarget, NetworksTarget, WordTarget, TextTarget>
+               PathTarget, NetworksTarget, SwitchTarget, OriginsTarget, WordTarget, TextTarget>
       target;
 };
 

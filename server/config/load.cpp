@@ -42,7 +42,11 @@ Done set_from_node(const Field& field, Config& config, const toml::node& node) {
                       std::holds_alternative<PowerOfTwoTarget>(field.target) ||
                       std::holds_alternative<DurationTarget>(field.target);
   if (number && node.is_integer()) return set_from_number(field, config, node.as_integer()->get());
-  if (!number && node.is_string()) return set_from_text(field, config, node.as_string()->get());
+  const bool is_switch = std::holds_alternative<SwitchTarget>(field.target);
+  if (is_switch && node.is_boolean()) {
+    return set_from_text(field, config, node.as_boolean()->get() ? "true" : "false");
+  }
+  if (!number && !is_switch && node.is_string()) return set_from_text(field, config, node.as_string()->get());
   return tl::make_unexpected(fmt::format("the value has the wrong type; give {}", expectation(field)));
 }
 
@@ -72,7 +76,7 @@ class TomlFile {
   }
 
   Done apply_node(const toml::key& key, const std::string& path, const toml::node& node) {
-    if (is_table(path)) {
+    if (is_table(path) && (node.is_table() || find_renamed(path) == nullptr)) {
       if (const auto* const inner = node.as_table()) return apply_table(*inner, path);
       return fail(key, fmt::format("{}: is a table; write [{}]", path, path));
     }

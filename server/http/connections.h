@@ -19,11 +19,14 @@ class Connections {
   /// `max` at least 1. `service` outlives the connections.
   Connections(const Service& service, std::size_t max) : service_{service}, max_{max} {}
 
+  /// Before the first connection.
+  void set_handler(std::shared_ptr<Handler> handler) { handler_ = std::move(handler); }
+
   /// On the stream's executor.
   void add(S stream) {
     forget_closed();
     if (open_.size() >= max_) close_quietest();
-    open_.push_back(std::make_shared<Connection<S>>(std::move(stream), service_));
+    open_.push_back(std::make_shared<Connection<S>>(std::move(stream), service_, handler_));
     open_.back()->start();
   }
 
@@ -52,6 +55,7 @@ class Connections {
   }
 
   const Service& service_;
+  std::shared_ptr<Handler> handler_;
   const std::size_t max_;
   std::vector<std::shared_ptr<Connection<S>>> open_;  // some have ended
 };

@@ -13,16 +13,19 @@ struct Field {
   std::string value;
 };
 
-enum class Method : std::uint8_t { get, head, other };
+enum class Method : std::uint8_t { get, head, options, other };
 
 struct Request {
   Method method = Method::other;
   std::string target;  // as sent: path and query, or a whole URL
   std::vector<Field> fields;
   bool keep_alive = false;  // whether another request may follow
+  bool upgrade = false;     // whether the client asks for another protocol from here on
 
   /// The target's path, without host and query. Source: RFC 9112, 3.2.1 and 3.2.2.
   [[nodiscard]] std::string_view path() const;
+  /// What follows the target's first '?'; empty: nothing.
+  [[nodiscard]] std::string_view query() const;
   /// The value of the first field of this name, in any case; null where there is none.
   [[nodiscard]] const std::string* field(std::string_view name) const;
 };

@@ -58,6 +58,7 @@ void trim(std::string& value) {
 
 Method method_of(unsigned method) {
   if (method == HTTP_GET) return Method::get;
+  if (method == HTTP_OPTIONS) return Method::options;
   return method == HTTP_HEAD ? Method::head : Method::other;
 }
 
@@ -74,6 +75,12 @@ std::string_view Request::path() const {
   }
   path = path.substr(0, path.find('?'));
   return absolute && path.empty() ? "/" : path;
+}
+
+std::string_view Request::query() const {
+  const std::string_view whole{target};
+  const std::size_t mark = whole.find('?');
+  return mark == std::string_view::npos ? std::string_view{} : whole.substr(mark + 1);
 }
 
 const std::string* Request::field(std::string_view name) const {
@@ -146,6 +153,7 @@ struct RequestParser::State {
     if (has_length || parser.uses_transfer_encoding != 0) return fail(kBody);
     request.method = method_of(parser.method);
     request.keep_alive = http_should_keep_alive(&parser) != 0;
+    request.upgrade = parser.upgrade != 0;
     return 0;
   }
 

@@ -3,6 +3,7 @@
 
 #include <chrono>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "http/request.h"
@@ -10,19 +11,24 @@
 namespace talus::server::http {
 
 inline constexpr const char* kPlainText = "text/plain; charset=utf-8";
+/// For Cache-Control. No cache keeps the response; or it asks before each use whether it is still right.
+inline constexpr std::string_view kNoStore = "no-store";
+inline constexpr std::string_view kNoCache = "no-cache";
 
 struct Response {
   int status = 200;
   std::string content_type = kPlainText;
   std::string body{};
   std::vector<Field> fields{};  // beside Date, Content-Type, Content-Length, Cache-Control and Connection
+  std::string_view cache_control = kNoStore;
 };
 
 /// What a request that is no request gets.
 [[nodiscard]] Response response_to(const RequestError& error);
 
-/// All before the body, which follows unless the request was HEAD: Content-Length is the body's then too.
-/// No cache may keep the response. `date`: now.
-[[nodiscard]] std::string head_of(const Response& response, bool keep_alive, std::chrono::sys_seconds date);
+/// Appends all before the body, which follows unless the request was HEAD: Content-Length is the body's then
+/// too. Responses 101, 204 and 304 have no body and no word of one. `date`: now.
+void append_head(std::string& output, const Response& response, bool keep_alive,
+                 std::chrono::sys_seconds date);
 
 }  // namespace talus::server::http

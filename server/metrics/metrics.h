@@ -2,9 +2,17 @@
 // has the names under which operators read them.
 #pragma once
 
+#include <array>
+#include <cstdint>
+#include <string_view>
+
 #include "metrics/instruments.h"
 
 namespace talus::server {
+
+/// Of an HTTP status: its first digit.
+enum class StatusClass : std::uint8_t {};
+inline constexpr std::array<std::string_view, 6> kStatusClasses{"", "1xx", "2xx", "3xx", "4xx", "5xx"};
 
 struct Metrics {
   // ---- connections
@@ -15,7 +23,9 @@ struct Metrics {
   Counter tls_failed;
   Counter tls_late;
   Gauge open;
-  Gauge greeted;  // of those open
+  Gauge greeted;                   // of those open
+  Gauge web_open;                  // of HTTP; those that became streams are among `open`
+  LabelledCounters web_responses;  // by the first digit of their status
   Counter received_bytes;
   Counter sent_bytes;
 
@@ -52,6 +62,7 @@ struct Metrics {
   Counter& denied(auto failure) { return auth_failures[failure]; }
   Counter& refused_for(auto reason) { return refused[reason]; }
   Counter& error(auto code) { return errors[code]; }
+  Counter& http_responses_of(int status) { return web_responses[static_cast<StatusClass>(status / 100)]; }
 };
 
 }  // namespace talus::server

@@ -31,11 +31,12 @@ struct RuntimeGauges {
 /// out. The texts outlive the page.
 struct MetricLabels {
   using Names = std::span<const std::string_view>;
-  Names refusals{};       // of Metrics::refused
-  Names error_codes{};    // of Metrics::errors
-  Names auth_failures{};  // of Metrics::auth_failures
-  Names rates{};          // of Metrics::throttled_by
-  Names memory_uses{};    // of RuntimeGauges::memory_bytes
+  Names refusals{};        // of Metrics::refused
+  Names error_codes{};     // of Metrics::errors
+  Names auth_failures{};   // of Metrics::auth_failures
+  Names rates{};           // of Metrics::throttled_by
+  Names memory_uses{};     // of RuntimeGauges::memory_bytes
+  Names status_classes{};  // of Metrics::web_responses
 };
 
 struct BuildInfo {

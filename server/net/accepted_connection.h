@@ -16,6 +16,7 @@ struct ConnectionInfo {
   ConnectionId id{};
   std::string address;  // as the log names it; the client's own, where a proxy speaks for it
   Clock::time_point accepted;
+  bool through_proxy = false;  // a proxy's own: each request says whose it is
 };
 
 struct AcceptedConnection {

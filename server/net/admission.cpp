@@ -42,7 +42,7 @@ Admission::Slot::~Slot() {
   if (admission_ != nullptr) admission_->leave(counted_);
 }
 
-tl::expected<Admission::Slot, std::string> Admission::enter(const asio::ip::address& address) {
+tl::expected<Admission::Slot, std::string> Admission::enter(const asio::ip::address& address, bool of_proxy) {
   const asio::ip::address counted = counted_as(address);
   const std::lock_guard lock{mutex_};
   if (connections_ >= limits_.connections) {
@@ -55,7 +55,7 @@ tl::expected<Admission::Slot, std::string> Admission::enter(const asio::ip::addr
     known = by_address_.emplace(counted, Address{std::make_shared<AddressBuckets>(limits_.rates)}).first;
   }
   Address& here = known->second;
-  if (here.connections >= limits_.per_address) {
+  if (!of_proxy && here.connections >= limits_.per_address) {
     return tl::make_unexpected(fmt::format(
         "your address has {} connections, all that this server takes from one", here.connections));
   }

@@ -63,7 +63,13 @@ class Admission {
   };
 
   /// A slot, or a line that says which limit is reached.
-  [[nodiscard]] tl::expected<Slot, std::string> enter(const asio::ip::address& address);
+  [[nodiscard]] tl::expected<Slot, std::string> enter(const asio::ip::address& address) {
+    return enter(address, /*of_proxy=*/false);
+  }
+  /// For a connection on which a proxy speaks for many clients: not one of its address's.
+  [[nodiscard]] tl::expected<Slot, std::string> enter_proxy(const asio::ip::address& address) {
+    return enter(address, /*of_proxy=*/true);
+  }
 
   [[nodiscard]] std::size_t connections() const;
   /// With a connection, or remembered.
@@ -77,6 +83,7 @@ class Admission {
     bool listed = false;            // in left_
   };
 
+  [[nodiscard]] tl::expected<Slot, std::string> enter(const asio::ip::address& address, bool of_proxy);
   [[nodiscard]] AddressBucketsPtr rates_of(const asio::ip::address& counted) const;
   void leave(const asio::ip::address& counted);
   void forget();

@@ -1,5 +1,7 @@
 #include "net/handshaker.h"
 
+#include <sys/socket.h>
+
 #include <array>
 #include <exception>
 #include <optional>
@@ -69,14 +71,21 @@ struct Handshaker::PendingConnection {
   Clock::time_point accepted;
   MemoryReservation memory;
   std::optional<Admission::Slot> slot;
+  bool through_proxy = false;  // it sent no PROXY header
   bool late = false;
   bool done = false;  // accepted or failed
 };
 
+std::vector<std::byte> refusal_frame(wire::ErrorCode code, const std::string& text,
+                                     milliseconds retry_after) {
+  return error_frame(code, text, {}, retry_after);
+}
+
 Handshaker::Handshaker(const HandshakeSettings& settings, Admission& admission, const AccessControl& access,
                        FlowUses& flows, Metrics& metrics, MemoryBudget& memory, const Clock& clock,
-                       Logger log, OnAccepted on_accepted)
+                       Logger log, OnAccepted on_accepted, RefusalMessage refusal_message)
     : proxies_{settings.proxies},
+      header_optional_{settings.header_optional},
       per_address_per_second_{settings.per_address_per_second},
       max_in_flight_{settings.max_in_flight},
       timeout_{settings.timeout},
@@ -88,6 +97,7 @@ Handshaker::Handshaker(const HandshakeSettings& settings, Admission& admission, 
       clock_{clock},
       log_{std::move(log)},
       on_accepted_{std::move(on_accepted)},
+      refusal_message_{std::move(refusal_message)},
       rate_{settings.per_address_per_second, settings.per_address_burst, random_seed()},
       refusal_log_{log_, clock} {}
 
@@ -164,12 +174,27 @@ asio::awaitable<void> Handshaker::shake_hands(PendingPtr pending) {
   bool accepted = true;
   {
     const MarkDone mark{*pending};
-    if (proxies_.contain(pending->peer.address())) accepted = co_await read_proxy_header(*pending);
+    if (proxies_.contain(pending->peer.address())) {
+      pending->through_proxy = header_optional_ && !co_await sends_proxy_header(*pending);
+      accepted = pending->through_proxy ? !pending->late : co_await read_proxy_header(*pending);
+    }
     if (accepted) accepted = admit(*pending);
     if (accepted && pending->tls != nullptr) accepted = co_await begin_tls(*pending);
   }
   deadline.cancel();
   if (accepted) accept(*pending);
+}
+
+// Neither HTTP nor TLS begins with a line break.
+asio::awaitable<bool> Handshaker::sends_proxy_header(PendingConnection& pending) {
+  std::error_code failed;
+  co_await pending.socket().async_wait(tcp::socket::wait_read,
+                                       asio::redirect_error(asio::use_awaitable, failed));
+  char first = 0;
+  if (failed || ::recv(pending.socket().native_handle(), &first, 1, MSG_PEEK | MSG_DONTWAIT) != 1) {
+    co_return false;
+  }
+  co_return first == '\r';
 }
 
 asio::awaitable<bool> Handshaker::read_proxy_header(PendingConnection& pending) {
@@ -222,12 +247,14 @@ bool Handshaker::admit(PendingConnection& pending) {
     refuse(pending, Refusal::memory, std::string{kNoMemory}, retry_after::kServerFull);
     return false;
   }
-  auto slot = admission_.enter(pending.client.address());
+  auto slot = pending.through_proxy ? admission_.enter_proxy(pending.client.address())
+                                    : admission_.enter(pending.client.address());
   if (!slot) {
     refuse(pending, Refusal::places, slot.error(), retry_after::kServerFull);
     return false;
   }
-  const auto wait = rate_.admit(pending.client.address(), clock_.now());
+  const auto wait =
+      pending.through_proxy ? Clock::duration::zero() : rate_.admit(pending.client.address(), clock_.now());
   if (wait > Clock::duration::zero()) {
     refuse(pending, Refusal::pace,
            fmt::format("your address begins connections faster than {} a second",
@@ -241,7 +268,7 @@ bool Handshaker::admit(PendingConnection& pending) {
 
 void Handshaker::accept(PendingConnection& pending) {
   pending.memory.hold(0);  // from here on it is the session's
-  ConnectionInfo info{pending.id, to_text(pending.client), pending.accepted};
+  ConnectionInfo info{pending.id, to_text(pending.client), pending.accepted, pending.through_proxy};
   if (pending.secured) {
     pending.secured->transport().prefer_latency();
     on_accepted_({std::move(info), *std::move(pending.slot), *std::move(pending.secured)});
@@ -275,7 +302,7 @@ void Handshaker::count_and_close(PendingConnection& pending, Refusal why, wire::
   // nothing.
   if (pending.tls != nullptr || why == Refusal::proxy) return pending.stream->close();
   metrics_.error(code).add();
-  refusals_.refuse(std::move(pending.stream->socket()), code, text, retry_after);
+  refusals_.refuse(std::move(pending.stream->socket()), refusal_message_(code, text, retry_after));
 }
 
 }  // namespace talus::server

@@ -8,9 +8,12 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include <asio/awaitable.hpp>
 #include <asio/ip/tcp.hpp>
+
+#include <talus/protocol/message.h>
 
 #include "access/access_control.h"
 #include "clock/clock.h"
@@ -35,7 +38,17 @@ struct HandshakeSettings {
   std::uint64_t max_in_flight = 1;  // of those with a PROXY header or TLS
   std::chrono::milliseconds timeout{};
   Networks proxies;  // who must send a PROXY header
+  /// Whether they may leave it out, as their connections carry requests of many clients. The connection is
+  /// the proxy's then: ConnectionInfo::through_proxy.
+  bool header_optional = false;
 };
+
+/// What a client is told that is refused, before it is disconnected.
+using RefusalMessage = std::function<std::vector<std::byte>(wire::ErrorCode code, const std::string& text,
+                                                            std::chrono::milliseconds retry_after)>;
+/// A frame with an Error.
+[[nodiscard]] std::vector<std::byte> refusal_frame(wire::ErrorCode code, const std::string& text,
+                                                   std::chrono::milliseconds retry_after);
 
 class Handshaker {
  public:
@@ -50,7 +63,7 @@ class Handshaker {
   /// `admission`, `metrics`, `memory` and `clock` outlive it. It outlives the sockets' io_contexts.
   Handshaker(const HandshakeSettings& settings, Admission& admission, const AccessControl& access,
              FlowUses& flows, Metrics& metrics, MemoryBudget& memory, const Clock& clock, Logger log,
-             OnAccepted on_accepted);
+             OnAccepted on_accepted, RefusalMessage refusal_message = refusal_frame);
 
   /// Takes a socket and returns at once, whatever the peer does; over TLS where there is a context. Each
   /// socket is accepted, refused, or closed within the timeout. From one thread at a time.
@@ -69,6 +82,8 @@ class Handshaker {
   void spawn(const PendingPtr& pending, ConnectionId id);
   [[nodiscard]] asio::awaitable<void> shake_hands(PendingPtr pending);
   [[nodiscard]] asio::awaitable<bool> read_proxy_header(PendingConnection& pending);
+  /// Whether what comes first is a PROXY header. No byte is taken.
+  [[nodiscard]] asio::awaitable<bool> sends_proxy_header(PendingConnection& pending);
   [[nodiscard]] asio::awaitable<bool> begin_tls(PendingConnection& pending);
   /// A slot among the connections, within the rate of its address; else it has been refused.
   [[nodiscard]] bool admit(PendingConnection& pending);
@@ -81,6 +96,7 @@ class Handshaker {
                        std::chrono::milliseconds retry_after);
 
   const Networks proxies_;
+  const bool header_optional_;
   std::atomic<std::uint64_t> per_address_per_second_;
   std::atomic<std::uint64_t> max_in_flight_;
   std::atomic<std::chrono::milliseconds> timeout_;
@@ -92,6 +108,7 @@ class Handshaker {
   const Clock& clock_;
   Logger log_;
   OnAccepted on_accepted_;
+  RefusalMessage refusal_message_;
   ConnectionRateLimiter rate_;
   Refusals refusals_;
   RefusalLog refusal_log_;

@@ -13,7 +13,6 @@
 #include <asio/write.hpp>
 
 #include "net/descriptors.h"
-#include "session/reply_frames.h"
 
 namespace talus::server {
 namespace {
@@ -40,7 +39,7 @@ struct Closing {
   InFlightSlot slot;
   asio::ip::tcp::socket socket;
   asio::steady_timer deadline;
-  protocol::Frame error;
+  std::vector<std::byte> message;
   std::array<std::byte, 512> unread{};
 };
 using ClosingPtr = std::shared_ptr<Closing>;
@@ -48,7 +47,7 @@ using ClosingPtr = std::shared_ptr<Closing>;
 // No coroutines: where Asio has no memory to begin an operation of one, the process ends. Here whoever begins
 // an operation gets std::bad_alloc.
 
-// Closing with unread bytes would reset the connection and could take the error with it.
+// Closing with unread bytes would reset the connection and could take the message with it.
 void read_to_end(const ClosingPtr& closing) {
   closing->socket.async_read_some(asio::buffer(closing->unread),
                                   [closing](std::error_code ended, std::size_t) {
@@ -66,7 +65,7 @@ void send_and_close(const ClosingPtr& closing) {
     std::error_code ignored;
     if (!cancelled) closing->socket.close(ignored);
   });
-  asio::async_write(closing->socket, asio::buffer(closing->error),
+  asio::async_write(closing->socket, asio::buffer(closing->message),
                     [closing](std::error_code failed, std::size_t) {
                       if (!failed) closing->socket.shutdown(asio::ip::tcp::socket::shutdown_send, failed);
                       if (!failed) return read_to_end(closing);
@@ -76,17 +75,15 @@ void send_and_close(const ClosingPtr& closing) {
 
 }  // namespace
 
-void Refusals::refuse(asio::ip::tcp::socket socket, wire::ErrorCode code, const std::string& text,
-                      std::chrono::milliseconds retry_after) {
+void Refusals::refuse(asio::ip::tcp::socket socket, std::vector<std::byte> message) {
   const bool spare = is_spare(socket.native_handle());
   std::atomic<std::size_t>& in_flight = spare ? spare_in_flight_ : in_flight_;
   const bool full = in_flight.fetch_add(1) >= (spare ? kMaxSpare : kMax);
   InFlightSlot slot{in_flight};
   if (full) return;
   const auto executor = socket.get_executor();
-  const auto closing =
-      std::make_shared<Closing>(Closing{std::move(slot), std::move(socket), asio::steady_timer{executor},
-                                        error_frame(code, text, {}, retry_after)});
+  const auto closing = std::make_shared<Closing>(
+      Closing{std::move(slot), std::move(socket), asio::steady_timer{executor}, std::move(message)});
   asio::dispatch(executor, [closing] { send_and_close(closing); });
 }
 

@@ -2,13 +2,10 @@
 #pragma once
 
 #include <atomic>
-#include <chrono>
 #include <cstddef>
-#include <string>
+#include <vector>
 
 #include <asio/ip/tcp.hpp>
-
-#include <talus/protocol/message.h>
 
 namespace talus::server {
 
@@ -19,10 +16,9 @@ class Refusals {
   /// Beside them, on spare descriptors.
   static constexpr std::size_t kMaxSpare = 4;
 
-  /// Sends Error{code, text, retry_after} and closes once the client has had time to read it. Must outlive
+  /// Sends `message` and closes once the client has had time to read it. Must outlive
   /// the socket's io_context.
-  void refuse(asio::ip::tcp::socket socket, wire::ErrorCode code, const std::string& text,
-              std::chrono::milliseconds retry_after);
+  void refuse(asio::ip::tcp::socket socket, std::vector<std::byte> message);
 
  private:
   std::atomic<std::size_t> in_flight_{0};

@@ -8,7 +8,7 @@ void Registry::add(ConnectionId id, const std::shared_ptr<Peer>& peer) {
   std::optional<Farewell> farewell;
   {
     const std::lock_guard lock{mutex_};
-    peers_.emplace(id, peer);
+    peers_.insert_or_assign(id, peer);
     farewell = farewell_;
   }
   if (farewell) peer->go_away(farewell->reason, farewell->retry_after);

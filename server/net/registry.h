@@ -30,7 +30,8 @@ class Peer {
 
 class Registry {
  public:
-  /// Once tell_all_to_go() was called the peer is told at once.
+  /// Once tell_all_to_go() was called the peer is told at once. A peer with the id of another takes its
+  /// place.
   void add(ConnectionId id, const std::shared_ptr<Peer>& peer);
   void remove(ConnectionId id);
   [[nodiscard]] bool empty() const;

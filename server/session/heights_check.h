@@ -17,5 +17,9 @@ namespace talus::server {
 [[nodiscard]] tl::expected<HeightsQuery, Rejection> check_heights(const wire::GetHeights& get,
                                                                   const SessionLimits& limits,
                                                                   std::size_t world_fields);
+/// The same of a query that came otherwise, but for its number of columns.
+[[nodiscard]] tl::expected<void, Rejection> check_query(const HeightsQuery& query,
+                                                        const SessionLimits& limits,
+                                                        std::size_t world_fields);
 
 }  // namespace talus::server

@@ -219,10 +219,3 @@ TEST_CASE("wrong flags are wrong use") {
   CHECK_THAT(one_line(run_talusd({"--lisen", "127.0.0.1:0"}), 2), Catch::Contains("--lisen"));
   CHECK_THAT(one_line(run_talusd({"--http", "nowhere"}), 2), Catch::Contains("--http"));
 }
-
-TEST_CASE("the flag --http is checked, and a line says that it is not served") {
-  ServerProcess server{{}, {"--http", "127.0.0.1:0"}};
-  server.signal(SIGTERM);
-  const std::string out = server.wait().out;
-  CHECK_THAT(out, Catch::Contains("http: this version does not serve it"));
-}

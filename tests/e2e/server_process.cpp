@@ -155,6 +155,10 @@ std::uint16_t ServerProcess::admin_port() {
   return await_port("metrics and health on http://127.0.0.1:");
 }
 
+std::uint16_t ServerProcess::http_port() {
+  return await_port("HTTP and WebSocket on http://127.0.0.1:");
+}
+
 std::string ServerProcess::await_line(std::string_view part) {
   for (;;) {
     for (std::size_t end = said_.find('\n', looked_at_); end != std::string::npos;

@@ -61,6 +61,8 @@ class ServerProcess {
   [[nodiscard]] std::uint16_t port() const { return port_; }
   /// Of the operators' HTTP; the server must have been started with --admin.
   [[nodiscard]] std::uint16_t admin_port();
+  /// Of players' HTTP; the server must have been started with --http.
+  [[nodiscard]] std::uint16_t http_port();
   void signal(int number) const;
   /// Waits for the end and returns how it was.
   [[nodiscard]] Ended wait();

@@ -54,6 +54,11 @@ std::string other_than_default(const Field& field) {
     return std::to_string((duration->at(defaults) == duration->max ? duration->min : duration->max).count());
   }
   if (std::holds_alternative<NetworksTarget>(field.target)) return "192.0.2.0/24";
+  if (std::holds_alternative<OriginsTarget>(field.target)) return "https://play.example";
+  if (const auto* is_on = std::get_if<SwitchTarget>(&field.target)) {
+    Config defaults;
+    return is_on->at(defaults) ? "false" : "true";
+  }
   const auto* word = std::get_if<WordTarget>(&field.target);
   if (word == nullptr) return "somewhere:7";
   Config defaults;
@@ -97,6 +102,28 @@ TEST_CASE("every field is set by its variable") {
     CHECK_FALSE(settings.config == defaults);
     CHECK(settings.warnings.empty());
   }
+}
+
+TEST_CASE("a switch is true or false, in the file and as a variable") {
+  Settings settings;
+  REQUIRE(apply_toml(settings, "[http]\ntls = false\npublic_chunks = true\n", "f.toml"));
+  CHECK_FALSE(settings.config.http.tls);
+  CHECK(settings.config.http.public_chunks);
+  for (const auto* text : {"[http]\ntls = 1\n", "[http]\ntls = \"true\"\n"}) {
+    const auto wrong = apply_toml(settings, text, "f.toml");
+    REQUIRE_FALSE(wrong);
+    CHECK_THAT(wrong.error(), Catch::StartsWith("f.toml:2: http.tls: ") && Catch::Contains("true or false"));
+  }
+}
+
+TEST_CASE("the old key http is read as http.listen, with a warning") {
+  Settings settings;
+  REQUIRE(apply_toml(settings, "http = \"127.0.0.1:1\"\n", "f.toml"));
+  REQUIRE(settings.config.http.listen);
+  CHECK(settings.config.http.listen->port == 1);
+  CHECK(settings.warnings.size() == 1);
+  const auto wrong = apply_toml(settings, "http = 3\n", "f.toml");
+  REQUIRE_FALSE(wrong);
 }
 
 TEST_CASE("every field is written as it is read") {

@@ -20,12 +20,16 @@ struct Bench {
   ManualClock clock;
   asio::io_context io{1};
   asio::executor_work_guard<asio::io_context::executor_type> guard{io.get_executor()};
-  http::Service service{[](const http::Request& request) -> http::Response {
-                          if (request.path() == "/throw") throw std::runtime_error{"no"};
-                          return {200, http::kPlainText, std::string{request.path()} + "\n"};
-                        },
-                        clock, std::make_shared<spdlog::logger>("silent")};
+  http::Service service{clock, std::make_shared<spdlog::logger>("silent")};
   http::Connections<LoopbackStream> connections{service, 2};
+
+  Bench() {
+    connections.set_handler(
+        std::make_shared<http::FunctionHandler>([](const http::Request& request) -> http::Response {
+          if (request.path() == "/throw") throw std::runtime_error{"no"};
+          return {200, http::kPlainText, std::string{request.path()} + "\n"};
+        }));
+  }
 
   std::shared_ptr<Loopback> connect() {
     auto client = std::make_shared<Loopback>(io);

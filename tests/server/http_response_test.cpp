@@ -4,6 +4,16 @@
 
 using namespace talus::server::http;
 
+namespace {
+
+std::string head_of(const Response& response, bool keep_alive, std::chrono::sys_seconds date) {
+  std::string head;
+  append_head(head, response, keep_alive, date);
+  return head;
+}
+
+}  // namespace
+
 TEST_CASE("a response's head says its status, date, length and what becomes of the connection") {
   const std::chrono::sys_seconds date{std::chrono::seconds{784'111'777}};
   CHECK(head_of({404, kPlainText, "nothing\n"}, true, date) ==
@@ -22,4 +32,14 @@ TEST_CASE("a request that is no request gets its error as one line") {
   const Response response = response_to({431, "too much"});
   CHECK(response.status == 431);
   CHECK(response.body == "too much\n");
+}
+
+TEST_CASE("responses that cannot have a body say nothing of one") {
+  for (const int status : {204, 304}) {
+    const std::string head = head_of({status, kPlainText, "", {{"ETag", "\"a\""}}, kNoCache}, true, {});
+    CHECK_THAT(head, !Catch::Contains("Content-") && Catch::Contains("\r\nCache-Control: no-cache\r\n") &&
+                         Catch::Contains("\r\nETag: \"a\"\r\n"));
+  }
+  CHECK_THAT(head_of({101}, true, {}), !Catch::Contains("Content-") && !Catch::Contains("Cache-Control") &&
+                                           Catch::Contains("\r\nConnection: Upgrade\r\n"));
 }

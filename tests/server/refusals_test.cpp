@@ -19,6 +19,8 @@ using talus::test::FailingAllocations;
 
 namespace {
 
+const std::vector<std::byte> kMessage(40, std::byte{7});
+
 struct Bench {
   Refusals refusals;
   asio::io_context io{1};
@@ -33,8 +35,7 @@ struct Bench {
   /// Bytes that a client is sent before the end.
   [[nodiscard]] std::size_t bytes_of_refusal() {
     auto [client, socket] = connect();
-    refusals.refuse(std::move(socket), talus::wire::ErrorCode::overloaded, "no",
-                    std::chrono::milliseconds{1});
+    refusals.refuse(std::move(socket), kMessage);
     io.restart();
     io.poll();
     client.shutdown(tcp::socket::shutdown_send);
@@ -58,8 +59,7 @@ TEST_CASE("more refusals than may be in flight are closed without a word, until 
   std::vector<tcp::socket> clients;
   for (std::size_t i = 0; i < Refusals::kMax; ++i) {
     auto [client, socket] = bench.connect();
-    bench.refusals.refuse(std::move(socket), talus::wire::ErrorCode::overloaded, "no",
-                          std::chrono::milliseconds{1});
+    bench.refusals.refuse(std::move(socket), kMessage);
     clients.push_back(std::move(client));
   }
   bench.io.poll();
@@ -76,8 +76,7 @@ TEST_CASE("on spare descriptors only a few are told, and others are closed at on
   std::vector<tcp::socket> clients;
   for (std::size_t i = 0; i < Refusals::kMaxSpare; ++i) {
     auto [client, socket] = bench.connect();
-    bench.refusals.refuse(std::move(socket), talus::wire::ErrorCode::overloaded, "no",
-                          std::chrono::milliseconds{1});
+    bench.refusals.refuse(std::move(socket), kMessage);
     clients.push_back(std::move(client));
   }
   bench.io.poll();
@@ -97,8 +96,7 @@ TEST_CASE("a refusal that finds no memory takes no place from the next") {
       auto [client, socket] = bench.connect();
       const FailingAllocations failing{allocations};
       try {
-        bench.refusals.refuse(std::move(socket), talus::wire::ErrorCode::overloaded, "no",
-                              std::chrono::milliseconds{1});
+        bench.refusals.refuse(std::move(socket), kMessage);
         bench.io.restart();
         bench.io.poll();
       } catch (const std::bad_alloc&) {

@@ -41,6 +41,7 @@ class ScriptedSource final : public ChunkSource {
   // ---- what was asked of it
   std::map<ChunkKey, MailboxPtr> waiting;
   std::map<std::uint64_t, MailboxPtr> waiting_heights;  // by ticket
+  MailboxPtr last_mailbox;                              // of a submission, refused or not
   std::size_t submitted = 0;
   std::vector<std::vector<ChunkKey>> submissions;
   std::set<ChunkKey> wanted_soon;  // when they were submitted, or since
@@ -63,6 +64,7 @@ class ScriptedSource final : public ChunkSource {
   [[nodiscard]] std::size_t submit(const MailboxPtr& mailbox, std::span<const ChunkKey> keys,
                                    Urgency urgency) override {
     std::size_t accepted = 0;
+    last_mailbox = mailbox;
     submissions.emplace_back(keys.begin(), keys.end());
     for (const ChunkKey key : keys) {
       if (waiting.size() >= queue_places) break;

@@ -1,0 +1,43 @@
+// What answers the requests of HTTP connections.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <utility>
+
+#include <asio/awaitable.hpp>
+
+#include "http/request.h"
+#include "http/response.h"
+
+namespace talus::server::http {
+
+/// Called on the connection's executor, for one request after the other. What it throws becomes a 500.
+class Handler {
+ public:
+  virtual ~Handler() = default;
+
+  /// The response, where nothing has to be waited for. None: respond() gives it.
+  [[nodiscard]] virtual std::optional<Response> respond_now(const Request& request) = 0;
+  /// `request` stays until the response is there. The connection waits as long as the handler does.
+  [[nodiscard]] virtual asio::awaitable<Response> respond(const Request& request) = 0;
+
+  /// The connection is closed, and asks nothing more.
+  virtual void closed() {}
+};
+
+/// Answers at once, whatever connection asks.
+class FunctionHandler final : public Handler {
+ public:
+  using Function = std::function<Response(const Request&)>;
+
+  explicit FunctionHandler(Function function) : function_{std::move(function)} {}
+
+  std::optional<Response> respond_now(const Request& request) override { return function_(request); }
+  asio::awaitable<Response> respond(const Request& request) override { co_return function_(request); }
+
+ private:
+  Function function_;
+};
+
+}  // namespace talus::server::http

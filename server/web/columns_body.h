@@ -1,0 +1,31 @@
+// Columns of chunks in one body. Pure. Source: PROTOCOL.md, "Columns of chunks".
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include <talus/voxel/coords.h>
+
+#include "chunks/encoded_chunk.h"
+
+namespace talus::server::web {
+
+/// Of one body. A column beyond has to be asked for chunk by chunk.
+inline constexpr std::size_t kMaxBodyBytes = std::size_t{4} << 20;
+
+/// As many chunks, one over the other, that are the same.
+struct ChunkRun {
+  std::int32_t first_y = 0;
+  std::uint32_t count = 0;
+  EncodedChunkPtr chunk;
+};
+
+/// Appends a column; its runs go upward and leave out no chunk of the world.
+void append_column(std::string& body, const std::vector<ChunkRun>& runs);
+
+/// Before the columns of a square, which go row by row southward, each after its length in bytes.
+void append_square_head(std::string& body, std::int32_t edge);
+void append_length(std::string& body, std::uint32_t bytes);
+
+}  // namespace talus::server::web

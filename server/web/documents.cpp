@@ -1,0 +1,127 @@
+#include "web/documents.h"
+
+#include <bit>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <talus/files/npy_file.h>
+#include <talus/voxel/codec.h>
+
+namespace talus::server::web {
+namespace {
+
+using nlohmann::ordered_json;
+
+std::string_view phase_name(terrain::MaterialKind kind) {
+  switch (kind) {
+    case terrain::MaterialKind::air:
+      return "gas";
+    case terrain::MaterialKind::water:
+      return "liquid";
+    default:
+      return "solid";
+  }
+}
+
+/// The double of fewest digits that is the float.
+double shortest(float value) {
+  return std::stod(fmt::to_string(value));
+}
+
+ordered_json rates_object(const RateSet& rates, std::chrono::milliseconds burst) {
+  return {{"chunks_per_second", rates.chunks.per_second},
+          {"bytes_per_second", rates.bytes.per_second},
+          {"requests_per_second", rates.requests.per_second},
+          {"burst_ms", burst.count()}};
+}
+
+ordered_json limits_object(const SessionLimits& limits, const RateLimits& rates) {
+  return {{"heights_per_request", limits.heights_per_request},
+          {"view_horizontal_radius", limits.view_horizontal_radius},
+          {"view_vertical_radius", limits.view_vertical_radius},
+          {"view_chunks", limits.view_chunks},
+          {"square_edge", kMaxSquareEdge},
+          {"session", rates_object(rates.session, rates.burst)},
+          {"address", rates_object(rates.address, rates.burst)}};
+}
+
+}  // namespace
+
+http::Response error_response(int status, wire::ErrorCode code, std::string_view text,
+                              std::chrono::milliseconds retry_after) {
+  ordered_json error{{"code", wire::EnumNameErrorCode(code)}, {"text", text}};
+  http::Response response{status, kJson};
+  if (retry_after.count() > 0) {
+    error["retry_after_ms"] = retry_after.count();
+    response.fields.push_back(
+        {"Retry-After", std::to_string(std::chrono::ceil<std::chrono::seconds>(retry_after).count())});
+  }
+  if (status == 401) response.fields.push_back({"WWW-Authenticate", "Bearer"});
+  response.body =
+      ordered_json{{"error", error}}.dump(-1, ' ', false, ordered_json::error_handler_t::replace) + '\n';
+  return response;
+}
+
+std::string world_document(const WorldInfo& world, const SessionLimits& limits, const RateLimits& rates) {
+  ordered_json materials = ordered_json::array();
+  for (const terrain::Material& material : world.materials) {
+    materials.push_back({{"id", to_integer(material.id)},
+                         {"name", material.name},
+                         {"colour", fmt::format("#{:02x}{:02x}{:02x}", material.colour.red,
+                                                material.colour.green, material.colour.blue)},
+                         {"phase", phase_name(material.kind)}});
+  }
+  const ordered_json document{{"server", world.server},
+                              {"fingerprint", to_string(world.fingerprint)},
+                              {"store_id", to_string(world.store_id)},
+                              {"codec", kCodecVersion},
+                              {"chunk_size", kChunkSize},
+                              {"levels", Lod::kMax + 1},
+                              {"min_y", world.heights.low},
+                              {"max_y", world.heights.high},
+                              {"spawn", {world.spawn.x, world.spawn.y, world.spawn.z}},
+                              {"materials", materials},
+                              {"looks", world.looks},
+                              {"fields", world.fields},
+                              {"limits", limits_object(limits, rates)}};
+  return document.dump() + '\n';
+}
+
+std::string heights_document(const WorldInfo& world, const HeightsRoute& route, const HeightsFound& found) {
+  ordered_json document{{"subvoxels_per_voxel", terrain::kSubvoxels}};
+  if (route.width > 0) {
+    document["w"] = route.width;
+    document["h"] = found.heights_fx.size() / static_cast<std::size_t>(route.width);
+  }
+  document["heights"] = found.heights_fx;
+  if (route.looks) {
+    ordered_json looks = ordered_json::array();
+    for (const std::uint8_t look : found.looks) looks.push_back(world.looks.at(look));
+    document["looks"] = std::move(looks);
+  }
+  for (std::size_t field = 0; field < route.fields.size(); ++field) {
+    ordered_json values = ordered_json::array();
+    for (std::size_t at = field; at < found.values.size(); at += route.fields.size()) {
+      values.push_back(shortest(found.values[at]));
+    }
+    document["fields"][std::string{route.fields[field]}] = std::move(values);
+  }
+  return document.dump() + '\n';
+}
+
+std::string heights_npy(const HeightsRoute& route, const HeightsFound& found) {
+  static_assert(std::endian::native == std::endian::little);
+  const std::size_t count = found.heights_fx.size();
+  std::vector<std::size_t> shape{count};
+  if (route.width > 0) {
+    const auto width = static_cast<std::size_t>(route.width);
+    shape = {count / width, width};
+  }
+  std::string array = files::npy_header(files::NpyType::int32, shape);
+  return array.append(reinterpret_cast<const char*>(found.heights_fx.data()), count * sizeof(std::int32_t));
+}
+
+}  // namespace talus::server::web

@@ -1,0 +1,35 @@
+// The JSON that players get over HTTP. Pure. Source: PROTOCOL.md, "HTTP".
+#pragma once
+
+#include <chrono>
+#include <string>
+#include <string_view>
+
+#include <talus/protocol/message.h>
+
+#include "chunks/heights_query.h"
+#include "http/response.h"
+#include "rates/rates.h"
+#include "session/session_limits.h"
+#include "session/world_info.h"
+#include "web/routes.h"
+
+namespace talus::server::web {
+
+inline constexpr const char* kJson = "application/json";
+
+/// {"error": {"code", "text", "retry_after_ms"}}, with Retry-After in whole seconds where trying again helps.
+[[nodiscard]] http::Response error_response(int status, wire::ErrorCode code, std::string_view text,
+                                            std::chrono::milliseconds retry_after = {});
+
+/// Welcome: 128-bit numbers as 32 hexadecimal digits.
+[[nodiscard]] std::string world_document(const WorldInfo& world, const SessionLimits& limits,
+                                         const RateLimits& rates);
+
+/// Heights in subvoxels, and what else the route asks for. `found` is of its columns.
+[[nodiscard]] std::string heights_document(const WorldInfo& world, const HeightsRoute& route,
+                                           const HeightsFound& found);
+/// int32[row][column], or int32[column] of a list.
+[[nodiscard]] std::string heights_npy(const HeightsRoute& route, const HeightsFound& found);
+
+}  // namespace talus::server::web

@@ -1,0 +1,497 @@
+#include "web/player_handler.h"
+
+#include <algorithm>
+#include <limits>
+#include <stdexcept>
+#include <type_traits>
+#include <utility>
+#include <variant>
+
+#include <fmt/format.h>
+#include <xxhash.h>
+
+#include <talus/voxel/codec.h>
+
+#include "chunks/chunk_source.h"
+#include "log/escape.h"
+#include "session/heights_check.h"
+#include "session/reply_frames.h"
+#include "session/retry_after.h"
+#include "web/columns_body.h"
+#include "web/documents.h"
+#include "web/forwarded_for.h"
+#include "websocket/handshake.h"
+
+namespace talus::server::web {
+namespace {
+
+using wire::ErrorCode;
+
+// What has to be generated comes within so long, or the client is told to ask again.
+constexpr std::chrono::seconds kMaxWait{20};
+// A rate makes a request wait so long at most.
+constexpr std::chrono::seconds kMaxThrottle{5};
+constexpr std::string_view kImmutable = "public, max-age=31536000, immutable";
+constexpr std::string_view kPrivate = "private, no-store";
+// Chunks' clients are numbered from here, apart from connections.
+constexpr std::uint64_t kFirstFetch = std::uint64_t{1} << 63;
+
+std::string_view bearer_token(const http::Request& request) {
+  constexpr std::string_view kScheme = "Bearer ";
+  const std::string* const field = request.field("Authorization");
+  if (field == nullptr || !field->starts_with(kScheme)) return {};
+  return std::string_view{*field}.substr(kScheme.size());
+}
+
+std::string etag_of(std::string_view body) {
+  const XXH128_hash_t hash = XXH3_128bits(body.data(), body.size());
+  return fmt::format("\"{:016x}{:016x}\"", hash.high64, hash.low64);
+}
+
+/// RFC 9110, 13.1.2.
+bool matches(const std::string* if_none_match, std::string_view etag) {
+  return if_none_match != nullptr &&
+         (*if_none_match == "*" || if_none_match->find(etag) != std::string::npos);
+}
+
+std::int64_t first_row(Lod lod) {
+  return -chunk_limit(lod);
+}
+
+}  // namespace
+
+std::vector<std::byte> refusal_response(ErrorCode code, const std::string& text,
+                                        std::chrono::milliseconds retry_after) {
+  const int status = code == ErrorCode::unauthorized ? 403 : 503;
+  const http::Response response = error_response(status, code, text, retry_after);
+  std::string whole;
+  http::append_head(whole, response, false,
+                    std::chrono::floor<std::chrono::seconds>(std::chrono::system_clock::now()));
+  whole += response.body;
+  const auto bytes = std::as_bytes(std::span{whole});
+  return {bytes.begin(), bytes.end()};
+}
+
+PlayerHandler::Caller::Caller(Admission::Slot of, const WebContext& context)
+    : slot{std::move(of)},
+      rates{context.runner->session.rates.get(), slot.rates(),
+            context.runner->session.limits.requests_in_flight},
+      flow{flow_of(slot.counted(), context.runner->session.flows)} {}
+
+PlayerHandler::PlayerHandler(WebContextPtr context, const ConnectionInfo& connection, Admission::Slot slot,
+                             asio::any_io_executor executor)
+    : context_{std::move(context)},
+      shared_{context_->runner->session},
+      connection_{connection},
+      executor_{std::move(executor)},
+      memory_{shared_.memory, MemoryUse::sessions} {
+  memory_.hold(kIdleBytes);
+  if (connection_.through_proxy) {
+    proxy_slot_.emplace(std::move(slot));
+  } else {
+    caller_.emplace(std::move(slot), *context_);
+  }
+}
+
+PlayerHandler::~PlayerHandler() = default;
+
+void PlayerHandler::closed() {
+  if (fetch_ != nullptr) fetch_->abandon();
+  // Who sees the end finds the slot free.
+  if (caller_) caller_->rates.give_back();
+  caller_.reset();
+  proxy_slot_.reset();
+  if (told_) std::exchange(told_, nullptr)();
+}
+
+bool PlayerHandler::blocked() const {
+  return caller_ && shared_.access.blocks(caller_->slot.address());
+}
+
+void PlayerHandler::rates_changed() {
+  if (caller_) caller_->rates.change(shared_.rates.get(), caller_->slot.rates(), shared_.clock.now());
+}
+
+Admission::Slot PlayerHandler::take_slot() {
+  Admission::Slot slot = std::move(caller_->slot);
+  caller_.reset();
+  return slot;
+}
+
+ConnectionInfo PlayerHandler::session_info() const {
+  ConnectionInfo info = connection_;
+  if (info.through_proxy && caller_) info.address = caller_->slot.address().to_string();
+  return info;
+}
+
+std::optional<http::Response> PlayerHandler::respond_now(const http::Request& request) {
+  request_ = &request;
+  began_ = shared_.clock.now();
+  route_.reset();
+  public_ = false;
+  Answer answer = decide(request);
+  if (answer) finish(request, *answer);
+  return answer;
+}
+
+asio::awaitable<http::Response> PlayerHandler::respond(const http::Request& request) {
+  http::Response response = co_await std::visit(
+      [this](const auto& route) -> asio::awaitable<http::Response> {
+        using R = std::decay_t<decltype(route)>;
+        if constexpr (std::is_same_v<R, WorldRoute> || std::is_same_v<R, StreamRoute>) {
+          throw std::logic_error{"this route is answered at once"};
+        } else {
+          return fetch(route);
+        }
+      },
+      *route_);
+  finish(request, response);
+  co_return response;
+}
+
+PlayerHandler::Answer PlayerHandler::decide(const http::Request& request) {
+  if (request.method == http::Method::options) {
+    return http::Response{204,
+                          "",
+                          "",
+                          {{"Allow", "GET, HEAD, OPTIONS"},
+                           {"Access-Control-Allow-Methods", "GET, HEAD"},
+                           {"Access-Control-Allow-Headers", "Authorization"},
+                           {"Access-Control-Max-Age", "86400"}}};
+  }
+  if (request.method == http::Method::other) {
+    http::Response wrong = error_response(405, ErrorCode::malformed, "only GET and HEAD are answered here");
+    wrong.fields.push_back({"Allow", "GET, HEAD, OPTIONS"});
+    return wrong;
+  }
+  if (!is_for_players(request.path())) {
+    return error_response(404, ErrorCode::malformed,
+                          "here are /v1/world, /v1/heights, /v1/stream and chunks");
+  }
+  if (auto wrong = find_caller(request)) return wrong;
+  auto route = find_route(request.path(), request.query(), shared_.limits.heights_per_request);
+  if (!route) return error_response(route.error().status, ErrorCode::malformed, route.error().text);
+  route_.emplace(*std::move(route));
+  const bool chunks =
+      std::holds_alternative<ChunkRoute>(*route_) || std::holds_alternative<ColumnsRoute>(*route_);
+  // A stream's token comes in its Hello.
+  if (!std::holds_alternative<StreamRoute>(*route_)) {
+    if (auto wrong = check_token(request, chunks)) return wrong;
+  }
+  if (auto wrong = check_rates()) return wrong;
+  return std::visit([this](const auto& of) { return answer(of); }, *route_);
+}
+
+PlayerHandler::Answer PlayerHandler::find_caller(const http::Request& request) {
+  if (!connection_.through_proxy) return std::nullopt;
+  if (caller_) caller_->rates.give_back();
+  caller_.reset();
+  const std::string* const list = request.field("X-Forwarded-For");
+  const auto address = list == nullptr ? std::nullopt : forwarded_for(*list, context_->settings.proxies);
+  if (!address) {
+    return error_response(400, ErrorCode::malformed,
+                          "the proxy in front of this server names no client; it must set X-Forwarded-For");
+  }
+  if (shared_.access.meet(*address)) {
+    shared_.metrics.denied(AuthFailure::blocked).add();
+    return error_response(403, ErrorCode::unauthorized, describe(AuthFailure::blocked));
+  }
+  auto slot = context_->admission.enter(*address);
+  if (!slot) return error_response(503, ErrorCode::overloaded, slot.error(), retry_after::kServerFull);
+  caller_.emplace(*std::move(slot), *context_);
+  return std::nullopt;
+}
+
+PlayerHandler::Answer PlayerHandler::check_token(const http::Request& request, bool may_be_public) {
+  if (may_be_public && context_->settings.public_chunks) {
+    public_ = true;
+    return std::nullopt;
+  }
+  const auto open = shared_.access.admit({}, shared_.clock.wall());
+  public_ = may_be_public && open && open->rights.has(Right::read);
+  const std::string_view token = bearer_token(request);
+  if (public_ && token.empty()) return std::nullopt;
+  const auto grant = shared_.access.admit(token, shared_.clock.wall());
+  if (!grant) {
+    shared_.metrics.denied(grant.error().failure).add();
+    return error_response(401, ErrorCode::unauthorized, describe(grant.error().failure));
+  }
+  if (!grant->rights.has(Right::read)) {
+    return error_response(403, ErrorCode::forbidden, "this token does not permit to read");
+  }
+  return std::nullopt;
+}
+
+PlayerHandler::Answer PlayerHandler::check_rates() {
+  const auto refusal = caller_->rates.refuse_request(shared_.clock.now());
+  return refusal ? Answer{refuse(*refusal)} : std::nullopt;
+}
+
+http::Response PlayerHandler::refuse(const SessionRates::Refusal& refusal) const {
+  shared_.metrics.throttled(refusal.kind).add();
+  caller_->flow->add(FlowMeasure::refusals, 1);
+  return error_response(
+      429, ErrorCode::too_many_requests, "too many requests; Retry-After says when there is room",
+      std::max(std::chrono::milliseconds{1}, std::chrono::ceil<std::chrono::milliseconds>(refusal.wait)));
+}
+
+PlayerHandler::Answer PlayerHandler::answer(const WorldRoute&) {
+  http::Response response{200, kJson, world_document(shared_.world, shared_.limits, caller_->rates.limits())};
+  response.cache_control = http::kNoCache;
+  return tagged(std::move(response));
+}
+
+PlayerHandler::Answer PlayerHandler::answer(const StreamRoute&) {
+  const std::string* const origin = request_->field("Origin");
+  const std::string* const host = request_->field("Host");
+  if (origin != nullptr &&
+      !context_->settings.origins.allow(*origin, host == nullptr ? std::string_view{} : *host)) {
+    return error_response(403, ErrorCode::forbidden,
+                          "pages of this origin may not stream; http.origins lists those that may");
+  }
+  return websocket::answer_handshake(*request_);
+}
+
+PlayerHandler::Answer PlayerHandler::check_world(std::string_view fingerprint, std::string_view codec) const {
+  if (fingerprint != context_->fingerprint) {
+    return error_response(
+        404, ErrorCode::out_of_range,
+        fmt::format("this server's world is {}; /v1/world describes it", context_->fingerprint));
+  }
+  if (codec != std::to_string(kCodecVersion)) {
+    return error_response(404, ErrorCode::version,
+                          fmt::format("this server sends chunk codec {}", kCodecVersion));
+  }
+  return std::nullopt;
+}
+
+PlayerHandler::Answer PlayerHandler::answer(const ChunkRoute& route) {
+  if (auto wrong = check_world(route.fingerprint, route.codec)) return wrong;
+  const EncodedChunkPtr chunk = shared_.chunks.find(route.key);
+  if (chunk == nullptr) return std::nullopt;
+  const auto now = shared_.clock.now();
+  if (caller_->rates.chunks_due(now).at > now) return std::nullopt;
+  shared_.metrics.hot_latency.add(shared_.clock.now() - began_);
+  caller_->rates.sent(now, 1, chunk->payload().size());
+  return chunk_response(*chunk);
+}
+
+PlayerHandler::Answer PlayerHandler::answer(const ColumnsRoute& route) {
+  return check_world(route.fingerprint, route.codec);
+}
+
+PlayerHandler::Answer PlayerHandler::answer(const HeightsRoute& route) {
+  HeightsQuery query{route.columns, route.looks, {}};
+  for (const std::string_view name : route.fields) {
+    const auto& fields = shared_.world.fields;
+    const auto found = std::find(fields.begin(), fields.end(), name);
+    if (found == fields.end()) {
+      return error_response(400, ErrorCode::out_of_range,
+                            fmt::format("fields: this world has no '{}'; /v1/world lists them",
+                                        escaped(std::string{name}, 40)));
+    }
+    query.fields.push_back(static_cast<std::uint8_t>(found - fields.begin()));
+  }
+  if (route.columns.size() > shared_.limits.heights_per_request) {
+    return error_response(400, ErrorCode::too_large,
+                          fmt::format("columns: at most {} at once", shared_.limits.heights_per_request));
+  }
+  if (const auto checked = check_query(query, shared_.limits, shared_.world.fields.size()); !checked) {
+    return error_response(400, checked.error().code, checked.error().text);
+  }
+  return std::nullopt;
+}
+
+asio::awaitable<http::Response> PlayerHandler::fetch(const ChunkRoute& route) {
+  const std::vector<ChunkKey> keys(1, route.key);
+  fetch_ = std::make_shared<Fetch>(executor_, shared_.chunks, shared_.clock,
+                                   ClientId{kFirstFetch + ++context_->fetches}, caller_->flow);
+  auto chunks = co_await fetch_->get(keys, began_ + kMaxWait);
+  if (!chunks) co_return failure(chunks.error());
+  shared_.metrics.cold_latency.add(shared_.clock.now() - began_);
+  const EncodedChunkPtr chunk = chunks->front();
+  if (auto wrong = co_await wait_for_rates(1, chunk->payload().size())) co_return *std::move(wrong);
+  co_return chunk_response(*chunk);
+}
+
+asio::awaitable<http::Response> PlayerHandler::fetch(const ColumnsRoute& route) {
+  fetch_ = std::make_shared<Fetch>(executor_, shared_.chunks, shared_.clock,
+                                   ClientId{kFirstFetch + ++context_->fetches}, caller_->flow);
+  std::string body;
+  if (route.square) append_square_head(body, route.edge);
+  std::size_t chunks = 0;
+  for (std::int32_t i = 0; i < route.edge * route.edge; ++i) {
+    ChunkKey column = route.corner;
+    column.coord.x += i % route.edge;
+    column.coord.z += i / route.edge;
+    std::string one;
+    if (auto wrong = co_await append(column, one, chunks)) co_return *std::move(wrong);
+    if (route.square) append_length(body, static_cast<std::uint32_t>(one.size()));
+    body += one;
+    memory_.hold(kIdleBytes + 2 * body.size());
+    if (body.size() > kMaxBodyBytes) {
+      co_return error_response(400, ErrorCode::too_large,
+                               "this is over 4 MiB; ask for its chunks one by one");
+    }
+  }
+  if (auto wrong = co_await wait_for_rates(chunks, body.size())) co_return *std::move(wrong);
+  shared_.metrics.chunks_sent.add(chunks);
+  shared_.metrics.chunk_bytes_sent.add(body.size());
+  co_return body_response(std::move(body));
+}
+
+// A column's rows are known once any of its chunks was made.
+asio::awaitable<PlayerHandler::Answer> PlayerHandler::append(ChunkKey column, std::string& body,
+                                                             std::size_t& chunks) {
+  constexpr std::size_t kBatch = 64;
+  const Lod lod = column.lod;
+  const auto known = [&](const MixedRows& rows) {
+    return rows.first != std::numeric_limits<std::int32_t>::min();
+  };
+  MixedRows rows = shared_.chunks.column(column);
+  if (!known(rows)) {
+    column.coord.y = static_cast<std::int32_t>(floor_div(shared_.world.spawn.y >> lod.value(), kChunkSize));
+    const std::vector<ChunkKey> one(1, column);
+    if (const auto made = co_await fetch_->get(one, began_ + kMaxWait); !made)
+      co_return failure(made.error());
+    rows = shared_.chunks.column(column);
+  }
+  // Without them all rows between the world's lowest and highest may hold anything.
+  if (!known(rows)) {
+    const HeightRange& heights = shared_.world.heights;
+    rows.first = static_cast<std::int32_t>(floor_div(heights.low >> lod.value(), kChunkSize)) - 1;
+    rows.last = static_cast<std::int32_t>(floor_div(heights.high >> lod.value(), kChunkSize)) + 1;
+  }
+  std::vector<ChunkRun> runs;
+  const std::int64_t top = chunk_limit(lod) - 1;
+  for (std::int64_t y = std::int64_t{rows.first} - 1; y <= std::int64_t{rows.last} + 1;) {
+    std::vector<ChunkKey> keys;
+    for (; keys.size() < kBatch && y <= std::int64_t{rows.last} + 1; ++y) {
+      column.coord.y = static_cast<std::int32_t>(y);
+      keys.push_back(column);
+    }
+    auto made = co_await fetch_->get(keys, began_ + kMaxWait);
+    if (!made) co_return failure(made.error());
+    for (std::size_t i = 0; i < keys.size(); ++i) runs.push_back({keys[i].coord.y, 1, (*made)[i]});
+    std::size_t bytes = body.size();
+    for (const ChunkRun& run : runs) bytes += run.chunk->payload().size();
+    if (bytes > kMaxBodyBytes || runs.size() > UINT16_MAX) {
+      co_return error_response(400, ErrorCode::too_large,
+                               "this is over 4 MiB; ask for its chunks one by one");
+    }
+  }
+  chunks += runs.size() - 2;
+  // The first stands for all below it, the last for all above.
+  runs.front().count = static_cast<std::uint32_t>(runs.front().first_y - first_row(lod) + 1);
+  runs.front().first_y = static_cast<std::int32_t>(first_row(lod));
+  runs.back().count = static_cast<std::uint32_t>(top - runs.back().first_y + 1);
+  append_column(body, runs);
+  co_return std::nullopt;
+}
+
+asio::awaitable<http::Response> PlayerHandler::fetch(const HeightsRoute& route) {
+  if (!shared_.memory.takes_work()) {
+    co_return error_response(503, ErrorCode::overloaded, kNoMemory, retry_after::kBusy);
+  }
+  HeightsQuery query{route.columns, route.looks, {}};
+  for (const std::string_view name : route.fields) {
+    const auto& fields = shared_.world.fields;
+    query.fields.push_back(
+        static_cast<std::uint8_t>(std::find(fields.begin(), fields.end(), name) - fields.begin()));
+  }
+  constexpr std::size_t kColumnBytes = 64;
+  memory_.hold(kIdleBytes + route.columns.size() * (kColumnBytes + 2 * sizeof(float) * query.fields.size()));
+  fetch_ = std::make_shared<Fetch>(executor_, shared_.chunks, shared_.clock,
+                                   ClientId{kFirstFetch + ++context_->fetches}, caller_->flow);
+  const auto found = co_await fetch_->heights(std::move(query), began_ + kMaxWait);
+  if (!found) co_return failure(found.error());
+  if (route.npy) co_return http::Response{200, "application/octet-stream", heights_npy(route, *found)};
+  co_return http::Response{200, kJson, heights_document(shared_.world, route, *found)};
+}
+
+asio::awaitable<PlayerHandler::Answer> PlayerHandler::wait_for_rates(std::size_t chunks, std::size_t bytes) {
+  TimedEvent event{executor_, shared_.clock};
+  const auto until = shared_.clock.now() + kMaxThrottle;
+  for (;;) {
+    if (!caller_) co_return failure(FetchError::gone);
+    const auto now = shared_.clock.now();
+    const SessionRates::Due due = caller_->rates.chunks_due(now);
+    if (due.throttled) shared_.metrics.throttled(*due.throttled).add();
+    if (due.at <= now) break;
+    if (due.at > until) {
+      caller_->flow->add(FlowMeasure::refusals, 1);
+      co_return error_response(429, ErrorCode::too_many_requests,
+                               "chunks come too fast for your rate; Retry-After says when there is room",
+                               std::chrono::ceil<std::chrono::milliseconds>(due.at - now));
+    }
+    co_await event.wait_until(due.at);
+  }
+  caller_->rates.sent(shared_.clock.now(), chunks, bytes);
+  co_return std::nullopt;
+}
+
+http::Response PlayerHandler::chunk_response(const EncodedChunk& chunk) {
+  const auto payload = chunk.payload();
+  shared_.metrics.chunks_sent.add();
+  shared_.metrics.chunk_bytes_sent.add(payload.size());
+  return body_response(std::string{reinterpret_cast<const char*>(payload.data()), payload.size()});
+}
+
+http::Response PlayerHandler::body_response(std::string body) {
+  http::Response response{200, "application/octet-stream", std::move(body)};
+  response.cache_control = public_ ? kImmutable : kPrivate;
+  return tagged(std::move(response));
+}
+
+http::Response PlayerHandler::tagged(http::Response response) const {
+  std::string etag = etag_of(response.body);
+  if (matches(request_->field("If-None-Match"), etag)) {
+    response.status = 304;
+    response.body.clear();
+  }
+  response.fields.push_back({"ETag", std::move(etag)});
+  return response;
+}
+
+http::Response PlayerHandler::failure(FetchError error) const {
+  switch (error) {
+    case FetchError::busy:
+      return error_response(503, ErrorCode::overloaded,
+                            shared_.memory.takes_jobs() ? "too many chunks wait to be generated" : kNoMemory,
+                            retry_after::kBusy);
+    case FetchError::late:
+      return error_response(503, ErrorCode::overloaded, "this takes longer than 20 s now",
+                            retry_after::kBusy);
+    default:
+      return error_response(503, ErrorCode::internal, "this could not be generated", retry_after::kFailed);
+  }
+}
+
+void PlayerHandler::finish(const http::Request& request, http::Response& response) {
+  fetch_.reset();
+  memory_.hold(kIdleBytes + response.body.size());
+  if (const std::string* const origin = request.field("Origin")) {
+    const std::string* const host = request.field("Host");
+    if (context_->settings.origins.all()) {
+      response.fields.push_back({"Access-Control-Allow-Origin", "*"});
+    } else if (context_->settings.origins.allow(*origin, host == nullptr ? std::string_view{} : *host)) {
+      response.fields.push_back({"Access-Control-Allow-Origin", *origin});
+    }
+  }
+  // A cache must not show one origin the answer to another.
+  if (!context_->settings.origins.all() && response.status != 101)
+    response.fields.push_back({"Vary", "Origin"});
+  shared_.metrics.http_responses_of(response.status).add();
+  shared_.metrics.sent_bytes.add(response.body.size());
+  if (caller_) caller_->flow->add(FlowMeasure::sent, response.body.size());
+  const std::uint64_t every = context_->settings.log_every;
+  if (every == 0 || ++context_->answers % every != 0) return;
+  context_->runner->log->info("conn {} {}: {} {}: {} in {:.1f} ms, {} bytes; one answer in {} is logged",
+                              connection_.id, connection_.address,
+                              request.method == http::Method::head ? "HEAD" : "GET",
+                              escaped(request.target, 200), response.status,
+                              std::chrono::duration<double, std::milli>(shared_.clock.now() - began_).count(),
+                              response.body.size(), every);
+}
+
+}  // namespace talus::server::web

@@ -1,0 +1,196 @@
+#include "web/routes.h"
+
+#include <charconv>
+#include <optional>
+
+#include <fmt/format.h>
+
+namespace talus::server::web {
+namespace {
+
+constexpr std::string_view kRoot = "/v1/";
+constexpr std::size_t kMaxSegments = 8;
+
+tl::unexpected<RouteError> wrong(int status, std::string text) {
+  return tl::make_unexpected(RouteError{status, std::move(text)});
+}
+
+std::vector<std::string_view> split(std::string_view text, char by, std::size_t most) {
+  std::vector<std::string_view> parts;
+  while (parts.size() + 1 < most) {
+    const std::size_t at = text.find(by);
+    if (at == std::string_view::npos) break;
+    parts.push_back(text.substr(0, at));
+    text.remove_prefix(at + 1);
+  }
+  parts.push_back(text);
+  return parts;
+}
+
+/// As std::to_chars writes it: 007, +7 and -0 are none.
+std::optional<std::int64_t> number_of(std::string_view text) {
+  std::int64_t number = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  if (error != std::errc{} || end != text.data() + text.size()) return std::nullopt;
+  return fmt::format_int{number}.str() == text ? std::optional{number} : std::nullopt;
+}
+
+/// "4x4"; none where it is no square of 1, 2 or 4.
+std::optional<std::int32_t> edge_of(std::string_view text) {
+  for (std::int32_t edge = 1; edge <= kMaxSquareEdge; edge *= 2) {
+    if (text == fmt::format("{}x{}", edge, edge)) return edge;
+  }
+  return std::nullopt;
+}
+
+tl::expected<Route, RouteError> chunks(const std::vector<std::string_view>& parts) {
+  constexpr std::string_view kForms =
+      "/v1/{fingerprint}/{codec}/{lod}/{x}/{y}/{z} is a chunk, .../{lod}/{x}/{z} a column of chunks, "
+      ".../{lod}/{x}/{z}/4x4 a square of them";
+  if (parts.size() != 5 && parts.size() != 6) return wrong(404, std::string{kForms});
+  const bool square = parts.size() == 6 && parts[5].find('x') != std::string_view::npos;
+  std::vector<std::int64_t> numbers;
+  for (std::size_t i = 2; i < parts.size() - (square ? 1 : 0); ++i) {
+    const auto number = number_of(parts[i]);
+    if (!number) {
+      return wrong(404, fmt::format("'{}' is no integer as 0, 7 or -12; {}", parts[i].substr(0, 40), kForms));
+    }
+    numbers.push_back(*number);
+  }
+  const auto lod = Lod::checked(numbers[0]);
+  if (!lod) return wrong(404, lod.error().message);
+  const bool column = numbers.size() == 3;
+  const auto key = checked_chunk(numbers[1], column ? 0 : numbers[2], numbers.back(), *lod);
+  if (!key) return wrong(404, key.error().message);
+  if (!column) return ChunkRoute{parts[0], parts[1], *key};
+  ColumnsRoute route{parts[0], parts[1], *key, 1, square};
+  if (!square) return route;
+  const auto edge = edge_of(parts[5]);
+  if (!edge) return wrong(404, fmt::format("'{}' is none of 1x1, 2x2, 4x4", parts[5].substr(0, 40)));
+  if (floor_mod(key->coord.x, *edge) != 0 || floor_mod(key->coord.z, *edge) != 0) {
+    return wrong(404, fmt::format("squares of {} begin at multiples of {}", parts[5], *edge));
+  }
+  route.edge = *edge;
+  return route;
+}
+
+/// The values of a query's keys.
+class Query {
+ public:
+  explicit Query(std::string_view text) {
+    for (const std::string_view part : split(text, '&', 32)) {
+      const std::size_t equals = part.find('=');
+      if (!part.empty()) {
+        values_.emplace_back(part.substr(0, equals),
+                             equals == std::string_view::npos ? std::string_view{} : part.substr(equals + 1));
+      }
+    }
+  }
+
+  /// None where the key is not there. A second value of a key is left for unknown().
+  [[nodiscard]] std::optional<std::string_view> take(std::string_view key) {
+    for (auto value = values_.begin(); value != values_.end(); ++value) {
+      if (value->first != key) continue;
+      const std::string_view text = value->second;
+      values_.erase(value);
+      return text;
+    }
+    return std::nullopt;
+  }
+  /// A key that nobody took.
+  [[nodiscard]] std::optional<std::string_view> unknown() const {
+    return values_.empty() ? std::nullopt : std::optional{values_.front().first};
+  }
+
+ private:
+  std::vector<std::pair<std::string_view, std::string_view>> values_;
+};
+
+constexpr std::string_view kHeightForms =
+    "/v1/heights?columns=X,Z;X,Z or ?x=X&z=Z&w=COLUMNS&h=ROWS[&step=S], with &looks=1, &fields=NAME,NAME and "
+    "&format=npy where wanted";
+
+tl::expected<void, RouteError> list_columns(std::string_view text, std::size_t most, HeightsRoute& route) {
+  for (const std::string_view each : split(text, ';', most + 2)) {
+    const auto pair = split(each, ',', 3);
+    const auto x = number_of(pair[0]);
+    const auto z = pair.size() == 2 ? number_of(pair[1]) : std::nullopt;
+    if (!x || !z) return wrong(400, fmt::format("columns: '{}' is no X,Z", each.substr(0, 40)));
+    route.columns.push_back({*x, *z});
+  }
+  return {};
+}
+
+tl::expected<void, RouteError> grid_columns(Query& query, std::size_t most, HeightsRoute& route) {
+  // Beyond any world; check_heights() says where the world ends.
+  constexpr std::int64_t kFar = std::int64_t{1} << 40;
+  const auto read = [&](std::string_view key, std::optional<std::int64_t> otherwise, std::int64_t least,
+                        std::int64_t greatest) -> tl::expected<std::int64_t, RouteError> {
+    const auto text = query.take(key);
+    const auto number = text ? number_of(*text) : otherwise;
+    if (number && *number >= least && *number <= greatest) return *number;
+    return wrong(400, fmt::format("{}: {} is needed; {}", key,
+                                  fmt::format("an integer from {} to {}", least, greatest), kHeightForms));
+  };
+  const auto columns = static_cast<std::int64_t>(most);
+  const auto x = read("x", std::nullopt, -kFar, kFar);
+  if (!x) return tl::make_unexpected(x.error());
+  const auto z = read("z", std::nullopt, -kFar, kFar);
+  if (!z) return tl::make_unexpected(z.error());
+  const auto width = read("w", std::nullopt, 1, columns);
+  if (!width) return tl::make_unexpected(width.error());
+  const auto depth = read("h", std::nullopt, 1, columns / *width);
+  if (!depth) return tl::make_unexpected(depth.error());
+  const auto step = read("step", 1, 1, std::int64_t{1} << 20);
+  if (!step) return tl::make_unexpected(step.error());
+  route.width = *width;
+  for (std::int64_t row = 0; row < *depth; ++row) {
+    for (std::int64_t column = 0; column < *width; ++column) {
+      route.columns.push_back({*x + column * *step, *z + row * *step});
+    }
+  }
+  return {};
+}
+
+tl::expected<Route, RouteError> heights(std::string_view text, std::size_t most) {
+  Query query{text};
+  HeightsRoute route;
+  const auto list = query.take("columns");
+  if (const auto done = list ? list_columns(*list, most, route) : grid_columns(query, most, route); !done) {
+    return tl::make_unexpected(done.error());
+  }
+  if (const auto looks = query.take("looks")) {
+    if (*looks != "0" && *looks != "1") return wrong(400, "looks: 0 or 1 is needed");
+    route.looks = *looks == "1";
+  }
+  if (const auto fields = query.take("fields")) route.fields = split(*fields, ',', 64);
+  if (const auto format = query.take("format")) {
+    if (*format != "json" && *format != "npy") return wrong(400, "format: json or npy is needed");
+    route.npy = *format == "npy";
+  }
+  if (route.npy && (route.looks || !route.fields.empty())) {
+    return wrong(400, "format: .npy holds heights alone; ask for looks and fields in JSON");
+  }
+  if (const auto unknown = query.unknown()) {
+    return wrong(400, fmt::format("'{}' is no key here; {}", unknown->substr(0, 40), kHeightForms));
+  }
+  return route;
+}
+
+}  // namespace
+
+bool is_for_players(std::string_view path) {
+  return path.starts_with(kRoot);
+}
+
+tl::expected<Route, RouteError> find_route(std::string_view path, std::string_view query,
+                                           std::size_t max_columns) {
+  const auto parts = split(path.substr(std::min(kRoot.size(), path.size())), '/', kMaxSegments);
+  if (parts.size() == 1 && parts[0] == "heights") return heights(query, max_columns);
+  if (!query.empty()) return wrong(400, "there is no query here: caches would hold an answer many times");
+  if (parts.size() == 1 && parts[0] == "world") return WorldRoute{};
+  if (parts.size() == 1 && parts[0] == "stream") return StreamRoute{};
+  return chunks(parts);
+}
+
+}  // namespace talus::server::web

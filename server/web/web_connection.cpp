@@ -1,0 +1,106 @@
+#include "web/web_connection.h"
+
+#include <exception>
+#include <memory>
+#include <type_traits>
+#include <utility>
+#include <variant>
+
+#include <asio/post.hpp>
+
+#include "http/connection.h"
+#include "net/session_runner_impl.h"
+#include "websocket/stream.h"
+
+namespace talus::server {
+
+template class SessionRunner<websocket::WebSocketStream<TcpStream>>;
+template class SessionRunner<websocket::WebSocketStream<TlsStream>>;
+
+namespace web {
+namespace {
+
+/// What the registry says to an HTTP connection.
+template <Stream S>
+class WebPeer final : public Peer, public std::enable_shared_from_this<WebPeer<S>> {
+ public:
+  WebPeer(asio::any_io_executor executor, std::shared_ptr<PlayerHandler> handler)
+      : executor_{std::move(executor)}, handler_{std::move(handler)} {}
+
+  /// Before any other call.
+  void set_connection(const std::shared_ptr<http::Connection<S>>& connection) { connection_ = connection; }
+
+  void go_away(const std::string&, std::chrono::milliseconds) override {
+    with_connection([](http::Connection<S>& connection, PlayerHandler&) { connection.finish(); });
+  }
+  void access_changed() override {
+    with_connection([](http::Connection<S>& connection, PlayerHandler& handler) {
+      if (handler.blocked()) connection.close();
+    });
+  }
+  void rates_changed() override {
+    with_connection([](http::Connection<S>&, PlayerHandler& handler) { handler.rates_changed(); });
+  }
+
+ private:
+  template <typename Call>
+  void with_connection(Call call) {
+    asio::post(executor_, [call, self = this->shared_from_this()] {
+      const auto connection = self->connection_.lock();
+      if (connection != nullptr && connection->open()) call(*connection, *self->handler_);
+    });
+  }
+
+  const asio::any_io_executor executor_;
+  const std::shared_ptr<PlayerHandler> handler_;
+  std::weak_ptr<http::Connection<S>> connection_;
+};
+
+template <Stream S>
+void become_session(S stream, std::span<const std::byte> unread, PlayerHandler& handler,
+                    const WebContext& context) {
+  using WebSocket = websocket::WebSocketStream<S>;
+  const RunnerContextPtr& runner_context = context.runner;
+  runner_context->session.metrics.web_open.fall();
+  ConnectionInfo info = handler.session_info();
+  info.accepted = runner_context->session.clock.now();  // from here on Hello has its time
+  const ConnectionId id = info.id;
+  const auto runner = SessionRunner<WebSocket>::make(WebSocket{std::move(stream), unread}, std::move(info),
+                                                     handler.take_slot(), runner_context);
+  runner_context->registry.add(id, runner);
+  runner->start();
+}
+
+template <Stream S>
+void start(S stream, const ConnectionInfo& info, Admission::Slot slot, const WebContextPtr& context) {
+  Metrics& metrics = context->runner->session.metrics;
+  Registry& registry = context->runner->registry;
+  const asio::any_io_executor executor = stream.get_executor();
+  const auto handler = std::make_shared<PlayerHandler>(context, info, std::move(slot), executor);
+  handler->on_closed([&metrics, &registry, id = info.id] {
+    registry.remove(id);
+    metrics.web_open.fall();
+  });
+  const auto peer = std::make_shared<WebPeer<S>>(executor, handler);
+  // The peer lives as long as the connection.
+  const auto take_over = [peer, handler, context](S taken, std::span<const std::byte> unread) {
+    become_session(std::move(taken), unread, *handler, *context);
+  };
+  const auto connection =
+      std::make_shared<http::Connection<S>>(std::move(stream), context->service, handler, take_over);
+  peer->set_connection(connection);
+  metrics.web_open.rise();
+  registry.add(info.id, peer);
+  asio::post(executor, [connection] { connection->start(); });
+}
+
+}  // namespace
+
+void start_connection(AcceptedConnection accepted, const WebContextPtr& context) {
+  std::visit(
+      [&](auto& stream) { start(std::move(stream), accepted.info, std::move(accepted.slot), context); },
+      accepted.stream);
+}
+
+}  // namespace web
+}  // namespace talus::server

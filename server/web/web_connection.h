@@ -1,0 +1,13 @@
+// An accepted connection of the HTTP port: serves its requests, and becomes a session where it asks for a
+// WebSocket.
+#pragma once
+
+#include "net/accepted_connection.h"
+#include "web/player_handler.h"
+
+namespace talus::server::web {
+
+/// From any thread.
+void start_connection(AcceptedConnection accepted, const WebContextPtr& context);
+
+}  // namespace talus::server::web

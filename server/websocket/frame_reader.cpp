@@ -1,0 +1,137 @@
+#include "websocket/frame_reader.h"
+
+#include <algorithm>
+#include <string>
+
+namespace talus::server::websocket {
+namespace {
+
+constexpr std::byte kFinal{0x80};
+constexpr std::byte kReserved{0x70};
+constexpr std::byte kOpcode{0x0F};
+constexpr std::byte kMasked{0x80};
+constexpr std::byte kLength{0x7F};
+constexpr std::uint8_t kLength16 = 126;  // two bytes of length follow
+constexpr std::uint8_t kLength64 = 127;  // eight
+
+class Category final : public std::error_category {
+ public:
+  [[nodiscard]] const char* name() const noexcept override { return "websocket"; }
+  [[nodiscard]] std::string message(int end) const override {
+    constexpr std::array kTexts{"nothing is wrong",
+                                "closed by the client",
+                                "a WebSocket frame is not masked",
+                                "a WebSocket frame has a reserved bit set",
+                                "a WebSocket frame has an unknown opcode",
+                                "a WebSocket message is text; here they are binary",
+                                "a WebSocket continuation frame comes without a message",
+                                "a WebSocket message begins inside another",
+                                "a WebSocket frame's length is over 2^63 - 1",
+                                "a WebSocket control frame is fragmented",
+                                "a WebSocket control frame has more than 125 bytes",
+                                "a WebSocket Close frame has one byte"};
+    static_assert(kTexts.size() == static_cast<std::size_t>(End::malformed_close) + 1);
+    return kTexts.at(static_cast<std::size_t>(end));
+  }
+};
+
+std::uint8_t length_of(std::byte second) {
+  return std::to_integer<std::uint8_t>(second & kLength);
+}
+
+}  // namespace
+
+std::error_code make_error_code(End end) {
+  static const Category category;
+  return {static_cast<int>(end), category};
+}
+
+CloseCode close_code(End end) {
+  if (end == End::text) return CloseCode::unsupported_data;
+  return end == End::none || end == End::closed_by_client ? CloseCode::normal : CloseCode::protocol_error;
+}
+
+std::size_t FrameReader::head_bytes() const {
+  if (head_filled_ < 2) return 2;
+  const std::uint8_t length = length_of(head_[1]);
+  return 2 + (length == kLength16 ? 2U : length == kLength64 ? 8U : 0U) + mask_.size();
+}
+
+std::size_t FrameReader::take(std::span<std::byte> bytes) {
+  std::size_t kept = 0;
+  std::size_t at = 0;
+  while (end_ == End::none && (at < bytes.size() || (in_frame_ && frame_taken_ == frame_bytes_))) {
+    if (!in_frame_) {
+      head_[head_filled_++] = bytes[at++];
+      // What is wrong is said as soon as it is known.
+      if (head_filled_ == 2 && (head_[1] & kMasked) == std::byte{0}) end_ = End::not_masked;
+      if (end_ == End::none && head_filled_ == head_bytes()) begin_frame();
+      continue;
+    }
+    const std::size_t piece =
+        static_cast<std::size_t>(std::min<std::uint64_t>(bytes.size() - at, frame_bytes_ - frame_taken_));
+    std::byte* const into = is_control() ? control_.data() + frame_taken_ : bytes.data() + kept;
+    for (std::size_t i = 0; i < piece; ++i)
+      into[i] = bytes[at + i] ^ mask_[(frame_taken_ + i) % mask_.size()];
+    if (!is_control()) kept += piece;
+    at += piece;
+    frame_taken_ += piece;
+    if (frame_taken_ == frame_bytes_) end_frame();
+  }
+  return kept;
+}
+
+std::uint64_t FrameReader::payload_bytes() const {
+  const std::uint8_t length = length_of(head_[1]);
+  if (length < kLength16) return length;
+  std::uint64_t bytes = 0;
+  for (std::size_t i = 2; i < (length == kLength16 ? 4U : 10U); ++i) {
+    bytes = bytes << 8 | std::to_integer<std::uint64_t>(head_[i]);
+  }
+  return bytes;
+}
+
+void FrameReader::begin_frame() {
+  opcode_ = static_cast<Opcode>(head_[0] & kOpcode);
+  last_ = (head_[0] & kFinal) != std::byte{0};
+  frame_bytes_ = payload_bytes();
+  frame_taken_ = 0;
+  std::copy_n(head_.begin() + static_cast<std::ptrdiff_t>(head_filled_ - mask_.size()), mask_.size(),
+              mask_.begin());
+  head_filled_ = 0;
+  in_frame_ = true;
+  if ((head_[0] & kReserved) != std::byte{0}) return void(end_ = End::reserved_bit);
+  if (frame_bytes_ >> 63 != 0) return void(end_ = End::too_long);
+  switch (opcode_) {
+    case Opcode::continuation:
+      if (!in_message_) return void(end_ = End::lone_continuation);
+      break;
+    case Opcode::binary:
+      if (in_message_) return void(end_ = End::nested_message);
+      break;
+    case Opcode::text:
+      return void(end_ = End::text);
+    case Opcode::close:
+    case Opcode::ping:
+    case Opcode::pong:
+      if (!last_) return void(end_ = End::fragmented_control);
+      if (frame_bytes_ > kMaxControlBytes) return void(end_ = End::long_control);
+      break;
+    default:
+      return void(end_ = End::unknown_opcode);
+  }
+  if (!is_control()) in_message_ = !last_;
+}
+
+void FrameReader::end_frame() {
+  in_frame_ = false;
+  if (opcode_ == Opcode::ping) {
+    has_ping_ = true;
+    ping_bytes_ = static_cast<std::size_t>(frame_bytes_);
+    std::copy_n(control_.begin(), ping_bytes_, ping_.begin());
+  } else if (opcode_ == Opcode::close) {
+    end_ = frame_bytes_ == 1 ? End::malformed_close : End::closed_by_client;
+  }
+}
+
+}  // namespace talus::server::websocket

@@ -1,0 +1,309 @@
+// A real talusd over HTTP and WebSocket: the same chunks as over TCP, whatever way they come.
+#include <signal.h>
+
+#include <asio/buffer.hpp>
+#include <asio/io_context.hpp>
+#include <asio/ip/tcp.hpp>
+#include <asio/read.hpp>
+#include <asio/read_until.hpp>
+#include <asio/write.hpp>
+#include <catch2/catch.hpp>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include <talus/voxel/codec.h>
+
+#include "messages.h"
+#include "raw_client.h"
+#include "scratch_directory.h"
+#include "server/websocket_frames.h"
+#include "server_process.h"
+
+using namespace talus;
+using namespace talus::e2e;
+using asio::ip::tcp;
+
+namespace {
+
+const std::vector<std::string> kWithHttp{"--http", "127.0.0.1:0"};
+
+struct Answer {
+  int status = 0;
+  std::string head;
+  std::string body;
+};
+
+/// A connection that is kept.
+class HttpClient {
+ public:
+  explicit HttpClient(std::uint16_t port) { socket_.connect({asio::ip::address_v4::loopback(), port}); }
+
+  void send(const std::string& text) { asio::write(socket_, asio::buffer(text)); }
+  static std::string request(const std::string& target, const std::string& fields = "") {
+    return "GET " + target + " HTTP/1.1\r\nHost: talus\r\n" + fields + "\r\n";
+  }
+  Answer read() {
+    Answer answer;
+    const std::size_t head = asio::read_until(socket_, asio::dynamic_buffer(input_), "\r\n\r\n");
+    answer.head = input_.substr(0, head);
+    input_.erase(0, head);
+    answer.status = std::stoi(answer.head.substr(9));
+    const std::size_t at = answer.head.find("Content-Length: ");
+    const std::size_t bytes = at == std::string::npos ? 0 : std::stoul(answer.head.substr(at + 16));
+    if (input_.size() < bytes) {
+      asio::read(socket_, asio::dynamic_buffer(input_), asio::transfer_exactly(bytes - input_.size()));
+    }
+    answer.body = input_.substr(0, bytes);
+    input_.erase(0, bytes);
+    return answer;
+  }
+  Answer get(const std::string& target, const std::string& fields = "") {
+    send(request(target, fields));
+    return read();
+  }
+  /// Whether the server has closed the connection; what it said before that is dropped.
+  bool closed() {
+    std::error_code ended;
+    asio::read(socket_, asio::dynamic_buffer(input_), ended);
+    return ended == asio::error::eof || ended == asio::error::connection_reset;
+  }
+  tcp::socket& socket() { return socket_; }
+  std::string& input() { return input_; }
+
+ private:
+  asio::io_context io_;
+  tcp::socket socket_{io_};
+  std::string input_;
+};
+
+std::string root_of(HttpClient& client) {
+  const Answer world = client.get("/v1/world");
+  REQUIRE(world.status == 200);
+  return "/v1/" + nlohmann::json::parse(world.body)["fingerprint"].get<std::string>() + "/4";
+}
+
+std::string path_of(ChunkKey key) {
+  return "/" + std::to_string(key.lod.value()) + "/" + std::to_string(key.coord.x) + "/" +
+         std::to_string(key.coord.y) + "/" + std::to_string(key.coord.z);
+}
+
+std::string payload_of(const wire::Chunk& chunk) {
+  return {reinterpret_cast<const char*>(chunk.payload()->data()), chunk.payload()->size()};
+}
+
+/// A client that speaks frames inside a WebSocket.
+class WebSocketClient {
+ public:
+  explicit WebSocketClient(std::uint16_t port) : http_{port} {
+    http_.send(
+        HttpClient::request("/v1/stream",
+                            "Connection: Upgrade\r\nUpgrade: websocket\r\nSec-WebSocket-Version: 13\r\n"
+                            "Sec-WebSocket-Key: dGhlIHNhbXBsZSBub25jZQ==\r\n"));
+    const Answer answer = http_.read();
+    REQUIRE(answer.status == 101);
+    CHECK_THAT(answer.head, Catch::Contains("Sec-WebSocket-Accept: s3pPLMBiTxaQ9kYGzzhZRbK+xOo="));
+  }
+
+  /// In messages of so many bytes.
+  void send(std::span<const std::byte> bytes, std::size_t piece = SIZE_MAX) {
+    std::vector<std::byte> output;
+    for (std::size_t at = 0; at < bytes.size(); at += std::min(piece, bytes.size() - at)) {
+      talus::server::append_client_frame(output, 2, bytes.subspan(at, std::min(piece, bytes.size() - at)),
+                                         0xDECADE);
+    }
+    asio::write(http_.socket(), asio::buffer(output));
+  }
+  Received expect() {
+    while (!frames_.has_frame()) {
+      const std::string& input = http_.input();
+      auto got = talus::server::read_server_frames(std::as_bytes(std::span{input}));
+      http_.input().erase(0, got.bytes);
+      payload_ += got.payload;
+      closed_ = closed_ || got.close.has_value();
+      const auto taken = frames_.feed(std::as_bytes(std::span{payload_}));
+      REQUIRE(taken);
+      payload_.erase(0, *taken);
+      if (frames_.has_frame()) break;
+      REQUIRE_FALSE(closed_);
+      if (*taken > 0) continue;
+      std::array<char, 4096> more{};
+      const std::size_t bytes = http_.socket().read_some(asio::buffer(more));
+      http_.input().append(more.data(), bytes);
+    }
+    Received received{{frames_.frame().begin(), frames_.frame().end()}};
+    frames_.pop();
+    return received;
+  }
+
+ private:
+  HttpClient http_;
+  std::string payload_;
+  bool closed_ = false;
+  protocol::FrameReader frames_{protocol::kMaxFrameBytes};
+};
+
+}  // namespace
+
+TEST_CASE("chunks by HTTP and by WebSocket are those by TCP") {
+  ServerProcess server{{kClassicWorld}, kWithHttp};
+  RawClient by_tcp = greeted(server.port());
+  WebSocketClient by_socket{server.http_port()};
+  by_socket.send(hello(), 3);
+  (void)by_socket.expect().as<wire::Welcome>();
+  HttpClient by_http{server.http_port()};
+  const std::string root = root_of(by_http);
+  std::uint32_t id = 0;
+  for (const ChunkKey key : {at(0, 0, 0), at(-3, 1, 2), at(1000, 0, -70'000), at(5, 100, 5), at(5, -7, 5),
+                             ChunkKey{{2, 0, -1}, Lod::of(3)}, ChunkKey{{0, 0, 0}, Lod::of(6)}}) {
+    const protocol::Frame ask = get_chunks({chunk_request(++id, key)});
+    by_tcp.send(ask);
+    by_socket.send(ask, id % 2 == 0 ? 1 : SIZE_MAX);
+    const Received tcp_answer = by_tcp.expect_kind<wire::Chunk>();
+    const Received socket_answer = by_socket.expect();
+    const Answer answer = by_http.get(root + path_of(key));
+    CHECK(answer.status == 200);
+    CHECK_THAT(answer.head, Catch::Contains("Cache-Control: public, max-age=31536000, immutable\r\n"));
+    CHECK(answer.body == payload_of(tcp_answer.as<wire::Chunk>()));
+    CHECK(answer.body == payload_of(socket_answer.as<wire::Chunk>()));
+  }
+}
+
+TEST_CASE("a column and a square by HTTP are the chunks of it") {
+  ServerProcess server{{kClassicWorld}, kWithHttp};
+  HttpClient client{server.http_port()};
+  const std::string root = root_of(client);
+  const auto check_column = [&](std::string_view body, std::int32_t x, std::int32_t z) {
+    const auto number = [&](std::size_t bytes) {
+      std::uint32_t value = 0;
+      for (std::size_t i = 0; i < bytes; ++i)
+        value |= std::uint32_t{static_cast<unsigned char>(body[i])} << (8 * i);
+      body.remove_prefix(bytes);
+      return value;
+    };
+    CHECK(number(2) == 1);
+    std::int64_t next = -(std::int64_t{1} << 31);
+    for (std::uint32_t runs = number(2); runs > 0; --runs) {
+      const auto first = static_cast<std::int32_t>(number(4));
+      const std::uint32_t count = number(4);
+      const std::uint32_t bytes = number(4);
+      CHECK(first == next);
+      next += count;
+      for (const std::int64_t y : {std::int64_t{first}, first + std::int64_t{count} - 1}) {
+        const Answer chunk = client.get(root + path_of(at(x, static_cast<std::int32_t>(y), z)));
+        CHECK(chunk.body == body.substr(0, bytes));
+      }
+      body.remove_prefix(bytes);
+    }
+    CHECK(next == std::int64_t{1} << 31);
+    CHECK(body.empty());
+  };
+  const Answer column = client.get(root + "/0/7/-3");
+  REQUIRE(column.status == 200);
+  check_column(column.body, 7, -3);
+  Answer square = client.get(root + "/0/4/-4/2x2");
+  REQUIRE(square.status == 200);
+  std::string_view body{square.body};
+  body.remove_prefix(4);
+  for (int i = 0; i < 4; ++i) {
+    const auto byte = [&](std::size_t at) { return std::uint32_t{static_cast<unsigned char>(body[at])}; };
+    const std::uint32_t bytes = byte(0) | byte(1) << 8 | byte(2) << 16 | byte(3) << 24;
+    check_column(body.substr(4, bytes), 4 + i % 2, -4 + i / 2);
+    body.remove_prefix(4 + bytes);
+  }
+  CHECK(body.empty());
+}
+
+TEST_CASE("pipelined requests are answered in order, cold and hot") {
+  ServerProcess server{{kClassicWorld}, kWithHttp};
+  HttpClient client{server.http_port()};
+  const std::string root = root_of(client);
+  std::vector<std::string> first;
+  for (int round = 0; round < 2; ++round) {
+    std::string all;
+    for (int x = 0; x < 16; ++x) all += HttpClient::request(root + path_of(at(x * 40, 0, 0)));
+    client.send(all);
+    for (std::size_t x = 0; x < 16; ++x) {
+      const Answer answer = client.read();
+      CHECK(answer.status == 200);
+      if (round == 0) first.push_back(answer.body);
+      CHECK(answer.body == first[x]);
+    }
+  }
+}
+
+TEST_CASE("heights by HTTP are those by TCP") {
+  ServerProcess server{{kClassicWorld}, kWithHttp};
+  RawClient by_tcp = greeted(server.port());
+  by_tcp.send(get_heights(1, {{10, -20}, {74, -20}, {10, 44}, {74, 44}}));
+  const Received heights = by_tcp.expect_kind<wire::Heights>();
+  HttpClient client{server.http_port()};
+  const Answer answer = client.get("/v1/heights?x=10&z=-20&w=2&h=2&step=64");
+  REQUIRE(answer.status == 200);
+  const auto found = nlohmann::json::parse(answer.body)["heights"].get<std::vector<std::int32_t>>();
+  const auto* const expected = heights.as<wire::Heights>().heights_fx();
+  CHECK(found == std::vector<std::int32_t>(expected->begin(), expected->end()));
+  CHECK(client.get("/v1/heights?columns=10,-20;74,-20;10,44;74,44&format=npy").body.size() == 128 + 4 * 4);
+  CHECK(client.get("/v1/heights?columns=10,-20&fields=warmth").status == 400);
+}
+
+TEST_CASE("a server that ends answers what was asked and closes kept connections") {
+  ServerProcess server{{kClassicWorld}, kWithHttp};
+  HttpClient idle{server.http_port()};
+  const std::string root = root_of(idle);
+  WebSocketClient stream{server.http_port()};
+  stream.send(hello());
+  (void)stream.expect().as<wire::Welcome>();
+  server.signal(SIGTERM);
+  CHECK(idle.closed());
+  (void)stream.expect().as<wire::GoAway>();
+  CHECK(server.wait().status == 0);
+}
+
+TEST_CASE("hostile bytes on the HTTP port end their own connection alone") {
+  ServerProcess server{{kClassicWorld, {"TALUS_LIMITS_HANDSHAKE_TIMEOUT_MS", "300"}}, kWithHttp};
+  HttpClient friendly{server.http_port()};
+  const std::string root = root_of(friendly);
+  for (const std::string& text :
+       {std::string{"\x16\x03\x01\x02\x00"}, std::string(100'000, 'A'),
+        std::string{"GET / HTTP/1.1\r\nHost: a\r\nX: "},
+        std::string{"POST /v1/world HTTP/1.1\r\nHost: a\r\nContent-Length: 99999999999999\r\n\r\n"},
+        std::string{"GET " + std::string(4000, '/') + " HTTP/1.1\r\nHost: a\r\n\r\n"}}) {
+    HttpClient hostile{server.http_port()};
+    std::error_code ignored;
+    asio::write(hostile.socket(), asio::buffer(text), ignored);
+    CHECK(hostile.closed());
+  }
+  {
+    // A frame of 2^62 bytes, and ten thousand frames of nothing: a Hello that never comes.
+    HttpClient socket{server.http_port()};
+    socket.send(
+        HttpClient::request("/v1/stream",
+                            "Connection: Upgrade\r\nUpgrade: websocket\r\nSec-WebSocket-Version: 13\r\n"
+                            "Sec-WebSocket-Key: dGhlIHNhbXBsZSBub25jZQ==\r\n"));
+    REQUIRE(socket.read().status == 101);
+    std::string nothing{"\x02\x80\0\0\0\0", 6};
+    for (int i = 0; i < 10'000; ++i) nothing += std::string{"\x00\x80\0\0\0\0", 6};
+    std::error_code ignored;
+    asio::write(socket.socket(), asio::buffer(nothing), ignored);
+    asio::write(socket.socket(), asio::buffer(std::string{"\x00\xFF\x40\0\0\0\0\0\0\0\0\0\0\0", 14}),
+                ignored);
+    CHECK(socket.closed());
+  }
+  CHECK(friendly.get(root + path_of(at(0, 0, 0))).status == 200);
+}
+
+TEST_CASE("behind a proxy that sends X-Forwarded-For, rates count whom it names") {
+  ServerProcess server{{kClassicWorld,
+                        {"TALUS_PROXIES", "127.0.0.1"},
+                        {"TALUS_RATES_ADDRESS_REQUESTS", "1"},
+                        {"TALUS_RATES_BURST_MS", "5000"}},
+                       kWithHttp};
+  HttpClient proxy{server.http_port()};
+  CHECK(proxy.get("/v1/world").status == 400);
+  std::map<int, int> statuses;
+  for (int i = 0; i < 20; ++i) ++statuses[proxy.get("/v1/world", "X-Forwarded-For: 192.0.2.7\r\n").status];
+  CHECK(statuses[200] >= 5);
+  CHECK(statuses[429] >= 10);
+  CHECK(proxy.get("/v1/world", "X-Forwarded-For: 192.0.2.8\r\n").status == 200);
+}

@@ -1,0 +1,36 @@
+// The input is the target of an HTTP request of a player. Whatever it is, it has a route or an error of one
+// line, and a chunk's path is the only one of its chunk.
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <string_view>
+#include <variant>
+
+#include <fmt/format.h>
+
+#include "web/routes.h"
+
+using namespace talus::server::web;
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  constexpr std::size_t kMaxColumns = 100;
+  const std::string_view target{reinterpret_cast<const char*>(data), size};
+  const std::size_t mark = target.find('?');
+  const std::string_view path = target.substr(0, mark);
+  const auto route = find_route(
+      path, mark == std::string_view::npos ? std::string_view{} : target.substr(mark + 1), kMaxColumns);
+  if (!route) {
+    if (route.error().status < 400 || route.error().text.empty()) std::abort();
+    return 0;
+  }
+  if (const auto* const heights = std::get_if<HeightsRoute>(&*route)) {
+    if (heights->columns.size() > kMaxColumns + 2) std::abort();
+  }
+  if (const auto* const chunk = std::get_if<ChunkRoute>(&*route)) {
+    const auto& [coord, lod] = chunk->key;
+    const std::string again = fmt::format("/v1/{}/{}/{}/{}/{}/{}", chunk->fingerprint, chunk->codec,
+                                          lod.value(), coord.x, coord.y, coord.z);
+    if (is_for_players(path) && again != path) std::abort();
+  }
+  return 0;
+}

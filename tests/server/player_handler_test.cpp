@@ -1,0 +1,349 @@
+// Players' HTTP over a stream in memory, a scripted source of chunks, and a clock that the test moves.
+#include "web/player_handler.h"
+
+#include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "access/access_control.h"
+#include "clock/manual_clock.h"
+#include "http/connection.h"
+#include "loopback_stream.h"
+#include "scratch_directory.h"
+#include "scripted_source.h"
+#include "session_limits_of_tests.h"
+#include "web/columns_body.h"
+
+#include <asio/executor_work_guard.hpp>
+
+using namespace talus;
+using namespace talus::server;
+using namespace std::chrono_literals;
+
+namespace {
+
+struct Answer {
+  int status = 0;
+  std::string head;
+  std::string body;
+
+  [[nodiscard]] std::string field(const std::string& name) const {
+    const std::size_t at = head.find("\r\n" + name + ": ");
+    if (at == std::string::npos) return "";
+    const std::size_t from = at + name.size() + 4;
+    return head.substr(from, head.find("\r\n", from) - from);
+  }
+  [[nodiscard]] std::string code() const { return nlohmann::json::parse(body)["error"]["code"]; }
+};
+
+std::vector<Answer> answers_in(std::string_view text, bool heads_alone = false) {
+  std::vector<Answer> all;
+  while (!text.empty()) {
+    Answer answer;
+    const std::size_t end = text.find("\r\n\r\n");
+    REQUIRE(end != std::string_view::npos);
+    answer.head = text.substr(0, end + 2);
+    answer.status = std::stoi(answer.head.substr(9, 3));
+    text.remove_prefix(end + 4);
+    if (!heads_alone && !answer.field("Content-Length").empty()) {
+      answer.body = text.substr(0, std::stoul(answer.field("Content-Length")));
+      text.remove_prefix(answer.body.size());
+    }
+    all.push_back(answer);
+  }
+  return all;
+}
+
+struct Site {
+  ManualClock clock{std::chrono::sys_seconds{1'700'000'000s}};
+  ScriptedSource source;
+  MemoryBudget memory{0};
+  Metrics metrics;
+  SessionLimits limits = test_limits(1U << 30);
+  WorldInfo world{ContentHash{1, 2}, {}, {}, {0, 256}, {}, "test", {"meadow"}, {"temperature"}};
+  CurrentRates rates;
+  FlowUses flows;
+  Access access_settings;
+  AccessControl access;
+  Admission admission{{10, 2}, clock};
+  Registry registry;
+  RunnerContext runner{{limits, world, source, memory, metrics, access, rates, flows, clock},
+                       {65'536, 1U << 20, {10s, 60s, 15s}},
+                       registry,
+                       std::make_shared<spdlog::logger>("silent")};
+  http::Service service{clock, runner.log, {}, 60s, 10s, 15s};
+  web::WebSettings settings;
+  std::atomic<std::uint64_t> answers{0};
+  std::atomic<std::uint64_t> fetches{0};
+  asio::io_context io{1};
+  asio::executor_work_guard<asio::io_context::executor_type> guard{io.get_executor()};
+  std::optional<web::WebContext> context;
+  std::vector<std::shared_ptr<http::Connection<LoopbackStream>>> connections;
+  bool through_proxy = false;
+
+  explicit Site(Access of = {})
+      : access_settings{std::move(of)}, access{access_settings, *load_keys(access_settings)} {}
+  ~Site() {
+    for (const auto& each : connections) each->close();
+    io.poll();
+  }
+
+  std::shared_ptr<Loopback> connect() {
+    if (!context) {
+      context.emplace(web::WebContext{{RunnerContextPtr{}, &runner},
+                                      settings,
+                                      admission,
+                                      service,
+                                      to_string(world.fingerprint),
+                                      answers,
+                                      fetches});
+    }
+    auto client = std::make_shared<Loopback>(io);
+    const auto address = asio::ip::address_v4::loopback();
+    auto slot = through_proxy ? admission.enter_proxy(address) : admission.enter(address);
+    const auto handler = std::make_shared<web::PlayerHandler>(
+        web::WebContextPtr{web::WebContextPtr{}, &*context},
+        ConnectionInfo{connections.size() + 1, "test", clock.now(), through_proxy}, *std::move(slot),
+        io.get_executor());
+    connections.push_back(std::make_shared<http::Connection<LoopbackStream>>(LoopbackStream{client},
+                                                                             context->service, handler));
+    connections.back()->start();
+    io.poll();
+    return client;
+  }
+  Answer ask(Loopback& client, const std::string& target, const std::string& fields = "",
+             const std::string& method = "GET") {
+    client.received.clear();
+    client.send(method + " " + target + " HTTP/1.1\r\nHost: a.example\r\n" + fields + "\r\n");
+    io.poll();
+    if (client.received.empty()) return {};
+    const auto all = answers_in(client.text(), method == "HEAD");
+    REQUIRE(all.size() == 1);
+    return all[0];
+  }
+  Answer ask(const std::string& target, const std::string& fields = "", const std::string& method = "GET") {
+    const auto client = connect();
+    Answer answer = ask(*client, target, fields, method);
+    connections.back()->close();
+    io.poll();
+    return answer;
+  }
+  void answer_all() {
+    const auto waiting = source.waiting;
+    source.answer_all();
+    for (const auto& [key, mailbox] : waiting) mailbox->wake();
+    io.poll();
+  }
+};
+
+const std::string kChunks = "/v1/00000000000000020000000000000001/4";
+
+ChunkKey key_at(std::int32_t x, std::int32_t y, std::int32_t z) {
+  return {{x, y, z}, Lod{}};
+}
+
+Access with_secret(const ScratchDirectory& scratch) {
+  Access access;
+  access.secret_file = scratch.write("secret", "a secret of more than sixteen bytes\n");
+  return access;
+}
+const std::string kToken = "Authorization: Bearer a secret of more than sixteen bytes\r\n";
+
+}  // namespace
+
+TEST_CASE("a chunk in memory is answered at once, for every cache to keep") {
+  Site site;
+  const EncodedChunkPtr chunk = scripted_chunk(key_at(1, -2, 3));
+  site.source.in_memory[key_at(1, -2, 3)] = chunk;
+  const Answer answer = site.ask(kChunks + "/0/1/-2/3");
+  CHECK(answer.status == 200);
+  CHECK(answer.body.size() == chunk->payload().size());
+  CHECK(std::equal(answer.body.begin(), answer.body.end(),
+                   reinterpret_cast<const char*>(chunk->payload().data())));
+  CHECK(answer.field("Cache-Control") == "public, max-age=31536000, immutable");
+  CHECK(site.source.submitted == 0);
+  const std::string etag = answer.field("ETag");
+  const Answer same = site.ask(kChunks + "/0/1/-2/3", "If-None-Match: " + etag + "\r\n");
+  CHECK(same.status == 304);
+  CHECK(same.field("ETag") == etag);
+  const Answer head = site.ask(kChunks + "/0/1/-2/3", "", "HEAD");
+  CHECK(head.status == 200);
+  CHECK(head.field("Content-Length") == "100");
+}
+
+TEST_CASE("a chunk that is not in memory is waited for, and those before it are not") {
+  Site site;
+  site.source.in_memory[key_at(0, 0, 0)] = scripted_chunk(key_at(0, 0, 0));
+  const auto client = site.connect();
+  client->send("GET " + kChunks + "/0/0/0/0 HTTP/1.1\r\nHost: a\r\n\r\nGET " + kChunks +
+               "/0/5/0/5 HTTP/1.1\r\nHost: a\r\n\r\nGET " + kChunks + "/0/0/0/0 HTTP/1.1\r\nHost: a\r\n\r\n");
+  site.io.poll();
+  CHECK(answers_in(client->text()).size() == 1);
+  CHECK(site.source.waiting.size() == 1);
+  site.answer_all();
+  const auto all = answers_in(client->text());
+  REQUIRE(all.size() == 3);
+  for (const Answer& each : all) CHECK(each.status == 200);
+}
+
+TEST_CASE("who closes waits for nothing any more") {
+  Site site;
+  const auto client = site.connect();
+  client->send("GET " + kChunks + "/0/5/0/5 HTTP/1.1\r\nHost: a\r\n\r\n");
+  site.io.poll();
+  REQUIRE(site.source.waiting.size() == 1);
+  site.connections.back()->close();
+  site.io.poll();
+  CHECK(site.source.waiting.empty());
+  CHECK(site.admission.connections() == 0);
+}
+
+TEST_CASE("a full queue is waited for, and said when it stays full") {
+  Site site;
+  site.source.queue_places = 0;
+  const auto client = site.connect();
+  client->send("GET " + kChunks + "/0/5/0/5 HTTP/1.1\r\nHost: a\r\n\r\n");
+  site.io.poll();
+  CHECK(client->received.empty());
+  site.clock.advance(21s);
+  site.source.last_mailbox->put(QueueHasRoom{});
+  site.source.last_mailbox->wake();
+  site.io.poll();
+  const auto all = answers_in(client->text());
+  REQUIRE(all.size() == 1);
+  CHECK(all[0].status == 503);
+  CHECK(all[0].field("Retry-After") == "1");
+  CHECK(all[0].code() == "overloaded");
+}
+
+TEST_CASE("a column holds every chunk of the world once") {
+  Site site;
+  site.source.rows = {2, 4, MaterialId{3}};
+  for (std::int32_t y = 1; y <= 5; ++y)
+    site.source.in_memory[key_at(8, y, -4)] = scripted_chunk(key_at(8, y, -4));
+  const Answer answer = site.ask(kChunks + "/0/8/-4");
+  REQUIRE(answer.status == 200);
+  const auto* at = reinterpret_cast<const unsigned char*>(answer.body.data());
+  const auto number = [&](int bytes) {
+    std::uint32_t value = 0;
+    for (int i = 0; i < bytes; ++i) value |= std::uint32_t{*at++} << (8 * i);
+    return value;
+  };
+  CHECK(number(1) == 1);
+  CHECK(number(1) == 0);
+  const std::uint32_t runs = number(2);
+  CHECK(runs == 5);
+  std::int64_t next = -(std::int64_t{1} << 31);
+  for (std::uint32_t run = 0; run < runs; ++run) {
+    CHECK(static_cast<std::int32_t>(number(4)) == next);
+    next += number(4);
+    const std::uint32_t bytes = number(4);
+    CHECK(bytes == 100);
+    at += bytes;
+  }
+  CHECK(next == std::int64_t{1} << 31);
+  CHECK(at == reinterpret_cast<const unsigned char*>(answer.body.data() + answer.body.size()));
+}
+
+TEST_CASE("a square holds its columns row by row") {
+  Site site;
+  site.source.rows = {0, 0, MaterialId{3}};
+  for (std::int32_t x = 2; x < 4; ++x) {
+    for (std::int32_t z = -2; z < 0; ++z) {
+      for (std::int32_t y = -1; y <= 1; ++y)
+        site.source.in_memory[key_at(x, y, z)] = scripted_chunk(key_at(x, y, z));
+    }
+  }
+  const Answer answer = site.ask(kChunks + "/0/2/-2/2x2");
+  REQUIRE(answer.status == 200);
+  const std::size_t column = 4 + 3 * (12 + 100);
+  CHECK(answer.body.size() == 4 + 4 * (4 + column));
+  CHECK(answer.body.substr(0, 4) == std::string("\x01\x02\x00\x00", 4));
+  CHECK(site.ask(kChunks + "/0/3/-2/2x2").status == 404);
+}
+
+TEST_CASE("another world and another codec are named") {
+  Site site;
+  CHECK_THAT(site.ask("/v1/ffff/4/0/0/0/0").body, Catch::Contains("00000000000000020000000000000001"));
+  CHECK(site.ask("/v1/00000000000000020000000000000001/3/0/0/0/0").code() == "version");
+}
+
+TEST_CASE("the world is described, and its description has a tag") {
+  Site site;
+  const Answer answer = site.ask("/v1/world");
+  CHECK(answer.status == 200);
+  const auto world = nlohmann::json::parse(answer.body);
+  CHECK(world["fingerprint"] == "00000000000000020000000000000001");
+  CHECK(world["looks"][0] == "meadow");
+  CHECK(site.ask("/v1/world", "If-None-Match: " + answer.field("ETag") + "\r\n").status == 304);
+}
+
+TEST_CASE("where a token is needed, no cache keeps a chunk unless chunks are public") {
+  const ScratchDirectory scratch;
+  for (const bool chunks_are_public : {false, true}) {
+    Site site{with_secret(scratch)};
+    site.settings.public_chunks = chunks_are_public;
+    site.source.in_memory[key_at(0, 0, 0)] = scripted_chunk(key_at(0, 0, 0));
+    const Answer without = site.ask(kChunks + "/0/0/0/0");
+    CHECK(without.status == (chunks_are_public ? 200 : 401));
+    if (!chunks_are_public) {
+      CHECK(without.field("WWW-Authenticate") == "Bearer");
+      CHECK(without.field("Cache-Control") == "no-store");
+      CHECK(without.code() == "unauthorized");
+      const Answer with = site.ask(kChunks + "/0/0/0/0", kToken);
+      CHECK(with.status == 200);
+      CHECK(with.field("Cache-Control") == "private, no-store");
+    }
+    CHECK(site.ask("/v1/world").status == 401);
+    CHECK(site.ask("/v1/world", kToken).status == 200);
+    CHECK(site.ask("/v1/world", "Authorization: Bearer wrong\r\n").status == 401);
+  }
+}
+
+TEST_CASE("requests over the rate are told when there is room") {
+  Site site;
+  site.rates.set({{{}, {}, {2, 2}}, {}, 1s});
+  const auto client = site.connect();
+  CHECK(site.ask(*client, "/v1/world").status == 200);
+  CHECK(site.ask(*client, "/v1/world").status == 200);
+  const Answer refused = site.ask(*client, "/v1/world");
+  CHECK(refused.status == 429);
+  CHECK(refused.field("Retry-After") == "1");
+  CHECK(refused.code() == "too_many_requests");
+  site.clock.advance(2s);
+  CHECK(site.ask(*client, "/v1/world").status == 200);
+}
+
+TEST_CASE("a proxy's requests count as those whom it names") {
+  Site site;
+  site.through_proxy = true;
+  site.settings.proxies = *Networks::parse("127.0.0.1");
+  const auto client = site.connect();
+  CHECK(site.ask(*client, "/v1/world").status == 400);
+  CHECK(site.ask(*client, "/v1/world", "X-Forwarded-For: 192.0.2.1\r\n").status == 200);
+  // The last caller keeps its place until the next request; its address takes two connections here.
+  const auto a = site.connect();
+  const auto b = site.connect();
+  CHECK(site.ask(*a, "/v1/world", "X-Forwarded-For: 192.0.2.1\r\n").status == 200);
+  CHECK(site.ask(*b, "/v1/world", "X-Forwarded-For: 192.0.2.1\r\n").status == 503);
+  CHECK(site.ask(*b, "/v1/world", "X-Forwarded-For: 192.0.2.2\r\n").status == 200);
+}
+
+TEST_CASE("pages of other hosts read only where they are listed") {
+  Site site;
+  CHECK(site.ask("/v1/world", "Origin: https://a.example\r\n").field("Access-Control-Allow-Origin") ==
+        "https://a.example");
+  CHECK(site.ask("/v1/world", "Origin: https://b.example\r\n").field("Access-Control-Allow-Origin").empty());
+  CHECK(site.ask("/v1/stream", "Origin: https://b.example\r\nConnection: Upgrade\r\nUpgrade: websocket\r\n")
+            .status == 403);
+  CHECK(site.ask("/v1/stream").status == 426);
+  const Answer before = site.ask("/v1/world", "Origin: https://a.example\r\n", "OPTIONS");
+  CHECK(before.status == 204);
+  CHECK(before.field("Access-Control-Allow-Headers") == "Authorization");
+  CHECK(site.ask("/v1/world", "", "POST").status == 405);
+  Site open;
+  open.settings.origins = *AllowedOrigins::parse("*");
+  const Answer all = open.ask("/v1/world", "Origin: https://b.example\r\n");
+  CHECK(all.field("Access-Control-Allow-Origin") == "*");
+  CHECK(all.field("Vary").empty());
+}

@@ -1,0 +1,95 @@
+#include <catch2/catch.hpp>
+
+#include "web/forwarded_for.h"
+#include "web/routes.h"
+
+using namespace talus;
+using namespace talus::server;
+using namespace talus::server::web;
+
+namespace {
+
+tl::expected<Route, RouteError> route_of(std::string_view path, std::string_view query = {}) {
+  return find_route(path, query, 100);
+}
+
+using Places = std::vector<std::pair<std::int64_t, std::int64_t>>;
+Places places(const HeightsRoute& route) {
+  Places all;
+  for (const terrain::BaseColumn& column : route.columns) all.emplace_back(column.x, column.z);
+  return all;
+}
+
+}  // namespace
+
+TEST_CASE("a chunk has one path") {
+  const auto route = route_of("/v1/abc/4/2/-12/4/7");
+  REQUIRE(route);
+  const auto& chunk = std::get<ChunkRoute>(*route);
+  CHECK(chunk.key == ChunkKey{{-12, 4, 7}, Lod::of(2)});
+  CHECK(chunk.fingerprint == "abc");
+  CHECK(chunk.codec == "4");
+  for (const auto* path :
+       {"/v1/abc/4/2/-12/4/07", "/v1/abc/4/2/-12/4/-0", "/v1/abc/4/2/-12/4/+7", "/v1/abc/4/2/-12/4/7/",
+        "/v1/abc/4/2/-12/4/ 7", "/v1/abc/4/2/-12//7", "/v1/abc/4/7/0/0/0", "/v1/abc/4/-1/0/0/0",
+        "/v1/abc/4/0/0/0/2147483648", "/v1/abc/4/6/33554432/0/0", "/v1/abc/4/0/0/0/99999999999999999999",
+        "/v1/abc/4/0", "/v1/", "/v1/abc"}) {
+    INFO(path);
+    const auto wrong = route_of(path);
+    REQUIRE_FALSE(wrong);
+    CHECK(wrong.error().status == 404);
+    CHECK_FALSE(wrong.error().text.empty());
+  }
+  CHECK(route_of("/v1/abc/4/0/0/0/0", "nocache=1").error().status == 400);
+  CHECK(route_of("/v1/abc/4/6/33554431/-33554432/0"));
+}
+
+TEST_CASE("a column and squares of columns") {
+  CHECK(std::get<ColumnsRoute>(*route_of("/v1/abc/4/2/-12/7")).edge == 1);
+  const auto square = std::get<ColumnsRoute>(*route_of("/v1/abc/4/2/-12/8/4x4"));
+  CHECK(square.edge == 4);
+  CHECK(square.square);
+  CHECK(square.corner == ChunkKey{{-12, 0, 8}, Lod::of(2)});
+  CHECK(std::get<ColumnsRoute>(*route_of("/v1/abc/4/2/-11/7/1x1")).square);
+  for (const auto* path :
+       {"/v1/abc/4/2/-11/8/4x4", "/v1/abc/4/2/-12/8/3x3", "/v1/abc/4/2/-12/8/8x8", "/v1/abc/4/2/-12/8/4x2"}) {
+    CHECK(route_of(path).error().status == 404);
+  }
+}
+
+TEST_CASE("heights of a list and of a grid") {
+  const auto list = std::get<HeightsRoute>(*route_of("/v1/heights", "columns=1,-2;3,4&looks=1&fields=a,b"));
+  CHECK(places(list) == Places{{1, -2}, {3, 4}});
+  CHECK(list.looks);
+  CHECK(list.fields == std::vector<std::string_view>{"a", "b"});
+  const auto grid = std::get<HeightsRoute>(*route_of("/v1/heights", "x=-4&z=8&w=2&h=2&step=16"));
+  CHECK(places(grid) == Places{{-4, 8}, {12, 8}, {-4, 24}, {12, 24}});
+  CHECK(grid.width == 2);
+  for (const auto* query :
+       {"", "columns=", "columns=1", "columns=1,2;", "columns=1,2&x=3", "x=1&z=2&w=0&h=1",
+        "x=1&z=2&w=101&h=1", "x=1&z=2&w=11&h=11", "x=1&z=2&w=1&h=1&step=0", "columns=1,2&looks=yes",
+        "columns=1,2&format=csv", "columns=1,2&format=npy&looks=1", "columns=1,2&colums=3,4",
+        "columns=1,2&columns=3,4"}) {
+    INFO(query);
+    const auto wrong = route_of("/v1/heights", query);
+    REQUIRE_FALSE(wrong);
+    CHECK(wrong.error().status == 400);
+  }
+}
+
+TEST_CASE("the client behind proxies is the rightmost that is no proxy") {
+  const Networks proxies = *Networks::parse("10.0.0.0/8, 2001:db8::7");
+  const auto client = [&](std::string_view list) {
+    const auto address = forwarded_for(list, proxies);
+    return address ? address->to_string() : std::string{"none"};
+  };
+  CHECK(client("192.0.2.1") == "192.0.2.1");
+  CHECK(client("203.0.113.9, 192.0.2.1, 10.1.2.3") == "192.0.2.1");
+  CHECK(client("192.0.2.1:4711,2001:db8::7") == "192.0.2.1");
+  CHECK(client("[2001:db8::1]:80") == "2001:db8::1");
+  CHECK(client(" 2001:db8::1 ") == "2001:db8::1");
+  CHECK(client("192.0.2.1, unknown, 10.1.2.3") == "none");
+  CHECK(client("10.1.2.3") == "none");
+  CHECK(client("") == "none");
+  CHECK(client(",") == "none");
+}
