@@ -6,6 +6,7 @@
 #include <csignal>
 #include <cstdio>
 #include <exception>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -27,10 +28,12 @@
 #include "app/world_file.h"
 #include "clock/clock.h"
 #include "config/command_line.h"
+#include "log/escape.h"
 #include "log/logger.h"
 #include "log/program_line.h"
 #include "net/tls_context.h"
 #include "privileges/privileges.h"
+#include "web/site.h"
 
 #include <talus/vectors/instruction_set.h>
 
@@ -79,6 +82,13 @@ int serve(const Command& command, const ReadSettings& read_settings) {
     if (!loaded) return fail(loaded.error());
     tls = *std::move(loaded);
   }
+  std::shared_ptr<const web::Site> site;
+  if (!config.http.web.empty()) {
+    auto read = web::Site::read(config.http.web);
+    if (!read) return fail(fmt::format("http.web: {}", read.error()));
+    site = *std::move(read);
+    if (const auto enough = check_memory(config, site->bytes()); !enough) return fail(enough.error());
+  }
   if (command.check_only) {
     for (const std::string& warning : startup_warnings(command, keys->warnings, tls))
       fmt::print(stderr, "{}", program_line(config.log.format, spdlog::level::warn, warning));
@@ -101,9 +111,9 @@ int serve(const Command& command, const ReadSettings& read_settings) {
   const std::string address = listeners->players_address;
   const std::string web_address = listeners->web_address;
   const std::string operators_address = listeners->operators_address;
-  Server server{config, *world, *data ? (*data)->store_id() : talus::ContentHash{},
-                access, tls,    *std::move(listeners),
-                clock,  log,    command.has_file ? read_settings : ReadSettings{}};
+  Server server{
+      config, *world, *data ? (*data)->store_id() : talus::ContentHash{}, access, tls, *std::move(listeners),
+      clock,  log,    command.has_file ? read_settings : ReadSettings{},  site};
 
   for (const std::string& warning : startup_warnings(command, of_keys, tls)) log->warn("{}", warning);
   log->info("world {}, generator {} with {} kernels", to_string((*world)->fingerprint()),
@@ -112,6 +122,8 @@ int serve(const Command& command, const ReadSettings& read_settings) {
   // On its own and whatever the log level: programs that start a server read this line.
   fmt::print("listening on {}\n", address);
   if (!web_address.empty()) {
+    if (site != nullptr)
+      log->info("{}: {} files at /", escaped(config.http.web.string(), 300), site->files());
     fmt::print("HTTP and WebSocket on {}://{}\n", tls && config.http.tls ? "https" : "http", web_address);
   }
   if (!operators_address.empty()) fmt::print("metrics and health on http://{}\n", operators_address);

@@ -52,7 +52,7 @@ WorldInfo describe_world(const terrain::World& world, ContentHash store_id) {
 
 Server::Server(const Config& config, std::shared_ptr<const terrain::World> world, ContentHash store_id,
                AccessControl& access, std::optional<TlsIdentity> tls, Listeners listeners, const Clock& clock,
-               Logger log, ReadSettings read_settings)
+               Logger log, ReadSettings read_settings, std::shared_ptr<const web::Site> site)
     : config_{config},
       read_settings_{std::move(read_settings)},
       clock_{clock},
@@ -64,6 +64,7 @@ Server::Server(const Config& config, std::shared_ptr<const terrain::World> world
       generator_version_{static_cast<std::uint64_t>(to_integer(terrain_->generator_version()))},
       patch_size_{measured_patch_size(config, *terrain_, clock)},
       rates_{rate_limits(config.rates)},
+      site_{std::move(site)},
       memory_{config.limits.memory_bytes, io_threads(config) + generator_threads(config)},
       admission_{admission_limits(config), clock},
       tls_{std::move(tls)},
@@ -102,7 +103,9 @@ Server::Server(const Config& config, std::shared_ptr<const terrain::World> world
       reload_signals_{io_->control(), SIGHUP},
       drain_timer_{io_->control()},
       housekeeping_timer_{io_->control()},
-      operators_{std::move(listeners.operators)} {}
+      operators_{std::move(listeners.operators)} {
+  if (site_ != nullptr) memory_.add(MemoryUse::program, static_cast<std::int64_t>(site_->bytes()));
+}
 
 RunnerContextPtr Server::make_context(const Config& config) {
   struct Kept {
@@ -124,7 +127,7 @@ RunnerContextPtr Server::make_context(const Config& config) {
 web::WebContextPtr Server::make_web_context(const Config& config, const RunnerContextPtr& runner) {
   return std::make_shared<const web::WebContext>(
       web::WebContext{runner, web_settings(config), admission_, web_service(config, clock_, log_of_clients_),
-                      to_string(world_.fingerprint), web_answers_, web_fetches_});
+                      to_string(world_.fingerprint), web_answers_, web_fetches_, site_});
 }
 
 std::string Server::metrics_text() {
@@ -320,6 +323,7 @@ void Server::housekeeping() {
   last_housekeeping_ = clock_.now();
   const bool caches_fit = chunks_.fit_caches();
   handshaker_.refusal_log().flush();
+  web_handshaker_.refusal_log().flush();
   collect_flows();
   give_memory_back();
   // Sockets that are ready come before the next slice.
@@ -376,6 +380,7 @@ asio::awaitable<void> Server::wait_for_shutdown() {
 void Server::drain() {
   draining_ = true;
   acceptor_->close();
+  if (web_acceptor_ != nullptr) web_acceptor_->close();
   registry_.tell_all_to_go("the server is ending", retry_after::kShutdown);
   registry_.when_empty([this] { asio::post(io_->control(), [this] { io_->stop(); }); });
   drain_timer_.expires_after(config_.shutdown.drain);

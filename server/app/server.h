@@ -40,6 +40,7 @@
 #include "rates/rates.h"
 #include "session/world_info.h"
 #include "web/player_handler.h"
+#include "web/site.h"
 
 namespace talus::server {
 
@@ -49,11 +50,11 @@ using ReadSettings = std::function<tl::expected<Config, std::string>()>;
 class Server {
  public:
   /// `access` and `clock` outlive it. `store_id`: what clients are told; 0 where nothing is kept. `tls`: of
-  /// config.tls; none where connections are plain. From here on signals wait for run(). No thread is started
-  /// before run().
+  /// config.tls; none where connections are plain. `site`: files at / of HTTP; null: none. From here on
+  /// signals wait for run(). No thread is started before run().
   Server(const Config& config, std::shared_ptr<const terrain::World> world, ContentHash store_id,
          AccessControl& access, std::optional<TlsIdentity> tls, Listeners listeners, const Clock& clock,
-         Logger log, ReadSettings read_settings = {});
+         Logger log, ReadSettings read_settings = {}, std::shared_ptr<const web::Site> site = nullptr);
 
   /// Serves until SIGTERM or SIGINT, and then until every answer is sent or shutdown.drain is over. SIGHUP
   /// reads settings, certificates, keys and lists again. Once.
@@ -102,6 +103,7 @@ class Server {
   CurrentRates rates_;
   FlowUses flows_;
   Metrics metrics_;
+  const std::shared_ptr<const web::Site> site_;
   MemoryBudget memory_;  // connections give back to it
   Admission admission_;
   Registry registry_;

@@ -97,9 +97,9 @@ std::uint64_t min_memory_bytes(const Config& config) {
   return MemoryBudget::program_bytes(io_threads(config) + generator_threads(config)) * 3;
 }
 
-tl::expected<void, std::string> check_memory(const Config& config) {
+tl::expected<void, std::string> check_memory(const Config& config, std::uint64_t site_bytes) {
   const std::uint64_t bytes = config.limits.memory_bytes;
-  const std::uint64_t least = min_memory_bytes(config);
+  const std::uint64_t least = min_memory_bytes(config) + 3 * site_bytes;
   if (bytes == 0 || bytes >= least) return {};
   return tl::make_unexpected(fmt::format(
       "limits.memory_bytes: {} is too little: after one load the server might refuse every client; give at "

@@ -53,7 +53,9 @@ static_assert(MemoryBudget::kProgramBytes + kMinMemoryBytes / GeneratorMemory::k
 /// With the threads that are configured.
 [[nodiscard]] std::uint64_t min_memory_bytes(const Config& config);
 /// An error, one line, where limits.memory_bytes is less.
-[[nodiscard]] tl::expected<void, std::string> check_memory(const Config& config);
+/// `site_bytes`: files that the server keeps in memory to serve them.
+[[nodiscard]] tl::expected<void, std::string> check_memory(const Config& config,
+                                                           std::uint64_t site_bytes = 0);
 
 /// `patch_tiles` as configured, or as chosen where the configuration leaves it open.
 [[nodiscard]] GenerationSettings generation_settings(const Config& config, const PatchSize& patch);

@@ -54,6 +54,9 @@ std::vector<std::string> startup_warnings(const Command& command, const std::vec
         fmt::format("{}: the user that talusd runs as cannot read it; a reload will keep the old one",
                     escaped(file.string(), 500)));
   }
+  if (!config.http.web.empty() && !config.http.listen) {
+    warnings.emplace_back("http.web: nothing is served without an address; give --http HOST:PORT");
+  }
   if (command.config.user.empty() && runs_as_root()) {
     warnings.emplace_back(
         "talusd runs as root and does not need to: set user in the configuration file or TALUS_USER, or "

@@ -45,9 +45,9 @@ tl::expected<Command, Exit> read_command_line(int argc, const char* const* argv,
   std::string config_file;
   app.add_option("--config", config_file, "settings in TOML, as in talusd.toml; default: no file")
       ->type_name("FILE");
-  std::array flags{Flag{"world", "world", "FILE"}, Flag{"listen", "listen", "HOST:PORT"},
-                   Flag{"http", "http.listen", "HOST:PORT"}, Flag{"admin", "admin", "HOST:PORT"},
-                   Flag{"data", "data", "DIR"}};
+  std::array flags{Flag{"world", "world", "FILE"},           Flag{"listen", "listen", "HOST:PORT"},
+                   Flag{"http", "http.listen", "HOST:PORT"}, Flag{"web", "http.web", "DIR"},
+                   Flag{"admin", "admin", "HOST:PORT"},      Flag{"data", "data", "DIR"}};
   for (Flag& flag : flags) {
     const std::string fallback =
         flag.key == "listen" ? fmt::format("; default {}", to_string(Config{}.listen)) : std::string{};

@@ -111,6 +111,7 @@ struct Log {
 /// HTTP and WebSocket for players.
 struct Http {
   std::optional<protocol::Endpoint> listen;
+  std::filesystem::path web;       // files served at /; empty: none
   bool tls = true;                 // where there is a certificate
   bool public_chunks = false;      // chunks need no token, and every cache may keep them
   AllowedOrigins origins;          // of pages that may read and stream

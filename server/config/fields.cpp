@@ -94,6 +94,9 @@ const std::array kFields{
     Field{"http.listen", "HOST:PORT", "address for HTTP and WebSocket of players; empty: none",
           OptionalEndpointTarget{
               [](Config& c) -> std::optional<protocol::Endpoint>& { return c.http.listen; }}},
+    Field{"http.web", "directory",
+          "directory of files served at / of http.listen: the viewer; read at the start; empty: none",
+          PathTarget{[](Config& c) -> std::filesystem::path& { return c.http.web; }}},
     Field{"http.tls", "switch",
           "whether HTTP comes by TLS where tls.certificate is set; false where a proxy in front does that",
           SwitchTarget{[](Config& c) -> bool& { return c.http.tls; }}},

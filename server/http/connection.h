@@ -13,6 +13,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <utility>
 
 #include <asio/awaitable.hpp>
@@ -179,19 +180,20 @@ class Connection : public std::enable_shared_from_this<Connection<S>> {
     if (head_only) {
       co_return;
     }
-    if (output_.size() + response.body.size() <= kBatchBytes) {
-      output_ += response.body;
+    const std::string_view content = response.content();
+    if (output_.size() + content.size() <= kBatchBytes) {
+      output_ += content;
       co_return;
     }
-    co_await write(response.body);
+    co_await write(content);
   }
 
   [[nodiscard]] asio::awaitable<void> flush() {
-    if (!output_.empty()) co_await write(kNothing);
+    if (!output_.empty()) co_await write({});
   }
 
   /// What waits, and `body` after it.
-  [[nodiscard]] asio::awaitable<void> write(const std::string& body) {
+  [[nodiscard]] asio::awaitable<void> write(std::string_view body) {
     deadline_ = service_.clock.now() + service_.response_timeout;
     const std::array<asio::const_buffer, 2> pieces{asio::buffer(output_), asio::buffer(body)};
     const auto progress = [this](const std::error_code& error, std::size_t) -> std::size_t {
@@ -226,8 +228,6 @@ class Connection : public std::enable_shared_from_this<Connection<S>> {
     while (open_ && service_.clock.now() < deadline_) co_await watch_waits_.wait_until(deadline_);
     close();
   }
-
-  static inline const std::string kNothing;
 
   S stream_;
   const Service& service_;

@@ -37,7 +37,7 @@ void append_head(std::string& output, const Response& response, bool keep_alive,
                  http_status_str(static_cast<http_status>(response.status)), date_text(date));
   if (response.status != 101 && response.status != 204 && response.status != 304) {
     fmt::format_to(into, "Content-Type: {}\r\nContent-Length: {}\r\n", response.content_type,
-                   response.body.size());
+                   response.content().size());
   }
   if (response.status != 101) fmt::format_to(into, "Cache-Control: {}\r\n", response.cache_control);
   fmt::format_to(into, "Connection: {}\r\n", connection_field(response.status, keep_alive));

@@ -21,6 +21,9 @@ struct Response {
   std::string body{};
   std::vector<Field> fields{};  // beside Date, Content-Type, Content-Length, Cache-Control and Connection
   std::string_view cache_control = kNoStore;
+  std::string_view kept{};  // a body that the handler keeps as long as it lives; `body` is empty then
+
+  [[nodiscard]] std::string_view content() const { return kept.empty() ? std::string_view{body} : kept; }
 };
 
 /// What a request that is no request gets.

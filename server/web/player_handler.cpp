@@ -8,7 +8,6 @@
 #include <variant>
 
 #include <fmt/format.h>
-#include <xxhash.h>
 
 #include <talus/voxel/codec.h>
 
@@ -19,7 +18,9 @@
 #include "session/retry_after.h"
 #include "web/columns_body.h"
 #include "web/documents.h"
+#include "web/entity_tag.h"
 #include "web/forwarded_for.h"
+#include "web/site_answer.h"
 #include "websocket/handshake.h"
 
 namespace talus::server::web {
@@ -41,17 +42,6 @@ std::string_view bearer_token(const http::Request& request) {
   const std::string* const field = request.field("Authorization");
   if (field == nullptr || !field->starts_with(kScheme)) return {};
   return std::string_view{*field}.substr(kScheme.size());
-}
-
-std::string etag_of(std::string_view body) {
-  const XXH128_hash_t hash = XXH3_128bits(body.data(), body.size());
-  return fmt::format("\"{:016x}{:016x}\"", hash.high64, hash.low64);
-}
-
-/// RFC 9110, 13.1.2.
-bool matches(const std::string* if_none_match, std::string_view etag) {
-  return if_none_match != nullptr &&
-         (*if_none_match == "*" || if_none_match->find(etag) != std::string::npos);
 }
 
 std::int64_t first_row(Lod lod) {
@@ -129,6 +119,7 @@ std::optional<http::Response> PlayerHandler::respond_now(const http::Request& re
   began_ = shared_.clock.now();
   route_.reset();
   public_ = false;
+  counted_ = false;
   Answer answer = decide(request);
   if (answer) finish(request, *answer);
   return answer;
@@ -164,11 +155,11 @@ PlayerHandler::Answer PlayerHandler::decide(const http::Request& request) {
     wrong.fields.push_back({"Allow", "GET, HEAD, OPTIONS"});
     return wrong;
   }
-  if (!is_for_players(request.path())) {
-    return error_response(404, ErrorCode::malformed,
-                          "here are /v1/world, /v1/heights, /v1/stream and chunks");
-  }
   if (auto wrong = find_caller(request)) return wrong;
+  if (!is_for_players(request.path())) {
+    if (auto wrong = check_rates()) return wrong;
+    return site_answer(context_->site.get(), request);
+  }
   auto route = find_route(request.path(), request.query(), shared_.limits.heights_per_request);
   if (!route) return error_response(route.error().status, ErrorCode::malformed, route.error().text);
   route_.emplace(*std::move(route));
@@ -273,6 +264,7 @@ PlayerHandler::Answer PlayerHandler::answer(const ChunkRoute& route) {
   if (caller_->rates.chunks_due(now).at > now) return std::nullopt;
   shared_.metrics.hot_latency.add(shared_.clock.now() - began_);
   caller_->rates.sent(now, 1, chunk->payload().size());
+  counted_ = true;
   return chunk_response(*chunk);
 }
 
@@ -427,6 +419,7 @@ asio::awaitable<PlayerHandler::Answer> PlayerHandler::wait_for_rates(std::size_t
     co_await event.wait_until(due.at);
   }
   caller_->rates.sent(shared_.clock.now(), chunks, bytes);
+  counted_ = true;
   co_return std::nullopt;
 }
 
@@ -444,8 +437,8 @@ http::Response PlayerHandler::body_response(std::string body) {
 }
 
 http::Response PlayerHandler::tagged(http::Response response) const {
-  std::string etag = etag_of(response.body);
-  if (matches(request_->field("If-None-Match"), etag)) {
+  std::string etag = entity_tag(response.body);
+  if (lists_tag(request_->field("If-None-Match"), etag)) {
     response.status = 304;
     response.body.clear();
   }
@@ -470,6 +463,24 @@ http::Response PlayerHandler::failure(FetchError error) const {
 void PlayerHandler::finish(const http::Request& request, http::Response& response) {
   fetch_.reset();
   memory_.hold(kIdleBytes + response.body.size());
+  if (is_for_players(request.path())) add_origin_fields(request, response);
+  const bool head = request.method == http::Method::head;
+  const std::size_t bytes = head ? 0 : response.content().size();
+  shared_.metrics.http_responses_of(response.status).add();
+  shared_.metrics.sent_bytes.add(bytes);
+  if (caller_) {
+    caller_->flow->add(FlowMeasure::sent, bytes);
+    if (!counted_) caller_->rates.sent(shared_.clock.now(), 0, bytes);
+  }
+  const std::uint64_t every = context_->settings.log_every;
+  if (every == 0 || ++context_->answers % every != 0) return;
+  context_->runner->log->info(
+      "conn {} {}: {} {}: {} in {:.1f} ms, {} bytes; one answer in {} is logged", connection_.id,
+      connection_.address, head ? "HEAD" : "GET", escaped(request.target, 200), response.status,
+      std::chrono::duration<double, std::milli>(shared_.clock.now() - began_).count(), bytes, every);
+}
+
+void PlayerHandler::add_origin_fields(const http::Request& request, http::Response& response) const {
   if (const std::string* const origin = request.field("Origin")) {
     const std::string* const host = request.field("Host");
     if (context_->settings.origins.all()) {
@@ -481,17 +492,6 @@ void PlayerHandler::finish(const http::Request& request, http::Response& respons
   // A cache must not show one origin the answer to another.
   if (!context_->settings.origins.all() && response.status != 101)
     response.fields.push_back({"Vary", "Origin"});
-  shared_.metrics.http_responses_of(response.status).add();
-  shared_.metrics.sent_bytes.add(response.body.size());
-  if (caller_) caller_->flow->add(FlowMeasure::sent, response.body.size());
-  const std::uint64_t every = context_->settings.log_every;
-  if (every == 0 || ++context_->answers % every != 0) return;
-  context_->runner->log->info("conn {} {}: {} {}: {} in {:.1f} ms, {} bytes; one answer in {} is logged",
-                              connection_.id, connection_.address,
-                              request.method == http::Method::head ? "HEAD" : "GET",
-                              escaped(request.target, 200), response.status,
-                              std::chrono::duration<double, std::milli>(shared_.clock.now() - began_).count(),
-                              response.body.size(), every);
 }
 
 }  // namespace talus::server::web

@@ -29,6 +29,7 @@
 #include "rates/rates.h"
 #include "web/fetch.h"
 #include "web/routes.h"
+#include "web/site.h"
 
 namespace talus::server::web {
 
@@ -48,6 +49,7 @@ struct WebContext {
   std::string fingerprint;              // as paths have it
   std::atomic<std::uint64_t>& answers;  // of all connections, for the log
   std::atomic<std::uint64_t>& fetches;  // that ever waited, for their ids
+  std::shared_ptr<const Site> site{};   // null: none
 };
 using WebContextPtr = std::shared_ptr<const WebContext>;
 
@@ -114,6 +116,8 @@ class PlayerHandler final : public http::Handler {
   [[nodiscard]] http::Response failure(FetchError error) const;
   [[nodiscard]] http::Response refuse(const SessionRates::Refusal& refusal) const;
   void finish(const http::Request& request, http::Response& response);
+  /// Which pages may read it.
+  void add_origin_fields(const http::Request& request, http::Response& response) const;
 
   const WebContextPtr context_;
   const SessionContext& shared_;
@@ -129,7 +133,8 @@ class PlayerHandler final : public http::Handler {
   const http::Request* request_ = nullptr;
   Clock::time_point began_{};
   std::optional<Route> route_;
-  bool public_ = false;  // every cache may keep the answer
+  bool public_ = false;   // every cache may keep the answer
+  bool counted_ = false;  // its bytes count in the rates already
 };
 
 }  // namespace talus::server::web

@@ -2,10 +2,6 @@
 #include <signal.h>
 
 #include <asio/buffer.hpp>
-#include <asio/io_context.hpp>
-#include <asio/ip/tcp.hpp>
-#include <asio/read.hpp>
-#include <asio/read_until.hpp>
 #include <asio/write.hpp>
 #include <catch2/catch.hpp>
 #include <map>
@@ -14,6 +10,7 @@
 
 #include <talus/voxel/codec.h>
 
+#include "http_client.h"
 #include "messages.h"
 #include "raw_client.h"
 #include "scratch_directory.h"
@@ -22,66 +19,8 @@
 
 using namespace talus;
 using namespace talus::e2e;
-using asio::ip::tcp;
 
 namespace {
-
-const std::vector<std::string> kWithHttp{"--http", "127.0.0.1:0"};
-
-struct Answer {
-  int status = 0;
-  std::string head;
-  std::string body;
-};
-
-/// A connection that is kept.
-class HttpClient {
- public:
-  explicit HttpClient(std::uint16_t port) { socket_.connect({asio::ip::address_v4::loopback(), port}); }
-
-  void send(const std::string& text) { asio::write(socket_, asio::buffer(text)); }
-  static std::string request(const std::string& target, const std::string& fields = "") {
-    return "GET " + target + " HTTP/1.1\r\nHost: talus\r\n" + fields + "\r\n";
-  }
-  Answer read() {
-    Answer answer;
-    const std::size_t head = asio::read_until(socket_, asio::dynamic_buffer(input_), "\r\n\r\n");
-    answer.head = input_.substr(0, head);
-    input_.erase(0, head);
-    answer.status = std::stoi(answer.head.substr(9));
-    const std::size_t at = answer.head.find("Content-Length: ");
-    const std::size_t bytes = at == std::string::npos ? 0 : std::stoul(answer.head.substr(at + 16));
-    if (input_.size() < bytes) {
-      asio::read(socket_, asio::dynamic_buffer(input_), asio::transfer_exactly(bytes - input_.size()));
-    }
-    answer.body = input_.substr(0, bytes);
-    input_.erase(0, bytes);
-    return answer;
-  }
-  Answer get(const std::string& target, const std::string& fields = "") {
-    send(request(target, fields));
-    return read();
-  }
-  /// Whether the server has closed the connection; what it said before that is dropped.
-  bool closed() {
-    std::error_code ended;
-    asio::read(socket_, asio::dynamic_buffer(input_), ended);
-    return ended == asio::error::eof || ended == asio::error::connection_reset;
-  }
-  tcp::socket& socket() { return socket_; }
-  std::string& input() { return input_; }
-
- private:
-  asio::io_context io_;
-  tcp::socket socket_{io_};
-  std::string input_;
-};
-
-std::string root_of(HttpClient& client) {
-  const Answer world = client.get("/v1/world");
-  REQUIRE(world.status == 200);
-  return "/v1/" + nlohmann::json::parse(world.body)["fingerprint"].get<std::string>() + "/4";
-}
 
 std::string path_of(ChunkKey key) {
   return "/" + std::to_string(key.lod.value()) + "/" + std::to_string(key.coord.x) + "/" +

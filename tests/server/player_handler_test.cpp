@@ -73,6 +73,7 @@ struct Site {
                        std::make_shared<spdlog::logger>("silent")};
   http::Service service{clock, runner.log, {}, 60s, 10s, 15s};
   web::WebSettings settings;
+  std::shared_ptr<const web::Site> site;
   std::atomic<std::uint64_t> answers{0};
   std::atomic<std::uint64_t> fetches{0};
   asio::io_context io{1};
@@ -96,7 +97,8 @@ struct Site {
                                       service,
                                       to_string(world.fingerprint),
                                       answers,
-                                      fetches});
+                                      fetches,
+                                      site});
     }
     auto client = std::make_shared<Loopback>(io);
     const auto address = asio::ip::address_v4::loopback();
@@ -346,4 +348,30 @@ TEST_CASE("pages of other hosts read only where they are listed") {
   const Answer all = open.ask("/v1/world", "Origin: https://b.example\r\n");
   CHECK(all.field("Access-Control-Allow-Origin") == "*");
   CHECK(all.field("Vary").empty());
+}
+
+TEST_CASE("files beside /v1 need no token, and count in the rates as all requests and bytes do") {
+  const ScratchDirectory scratch;
+  const ScratchDirectory dist;
+  const std::string page(100'000, 'x');
+  dist.write("index.html", page);
+  Site site{with_secret(scratch)};
+  site.site = *web::Site::read(dist.path());
+  site.rates.set({{{}, {150'000, 150'000}, {}}, {}, 1s});
+  const auto client = site.connect();
+  CHECK(site.ask(*client, "/", "", "HEAD").field("Content-Length") == "100000");
+  // A client may owe as much as a burst.
+  for (int i = 0; i < 5; ++i) {
+    const Answer answer = site.ask(*client, "/", "Origin: https://a.example\r\n");
+    if (i < 4) {
+      CHECK(answer.status == 200);
+      CHECK(answer.body == page);
+      CHECK(answer.field("Access-Control-Allow-Origin").empty());
+      CHECK(answer.field("Vary").empty());
+    } else {
+      CHECK(answer.status == 429);
+    }
+  }
+  CHECK(site.ask("/v1/world").status == 401);
+  CHECK(site.ask("/", "", "POST").status == 405);
 }

@@ -1,0 +1,15 @@
+// Tags of answers, by which caches ask whether one is still right. Pure. Source: RFC 9110, 8.8.3 and 13.1.2.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace talus::server::web {
+
+/// Of these bytes, in quotes.
+[[nodiscard]] std::string entity_tag(std::string_view bytes);
+
+/// Whether an If-None-Match field lists the tag; null: there is no such field.
+[[nodiscard]] bool lists_tag(const std::string* if_none_match, std::string_view tag);
+
+}  // namespace talus::server::web
