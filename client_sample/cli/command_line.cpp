@@ -186,6 +186,7 @@ tl::expected<CommandLine, Exit> read_command_line(int argc, const char* const* a
   line.connecting.server = std::move(connecting->server);
   line.connecting.options.token = std::move(connecting->token);
   line.connecting.options.tls = std::move(connecting->tls);
+  line.connecting.options.websocket = std::move(connecting->websocket);
 
   auto checked = app.got_subcommand("get")   ? check_get(std::move(line), get_options, words)
                  : app.got_subcommand("at")  ? check_at(std::move(line), at_options, words)

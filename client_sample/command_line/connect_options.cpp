@@ -1,5 +1,6 @@
 #include "command_line/connect_options.h"
 
+#include <algorithm>
 #include <cstdlib>
 
 #include <CLI/CLI.hpp>
@@ -11,6 +12,8 @@ namespace talus::command_line {
 namespace {
 
 constexpr std::size_t kMaxTokenBytes = protocol::kMaxStringBytes;
+constexpr std::string_view kWebSocket = "ws://";
+constexpr std::string_view kSecureWebSocket = "wss://";
 
 tl::expected<std::string, std::string> read_token(const ConnectWords& words) {
   if (words.token_file.empty()) return words.token;
@@ -31,7 +34,9 @@ tl::expected<std::string, std::string> read_token(const ConnectWords& words) {
 }  // namespace
 
 void add_connect_options(CLI::App& app, ConnectWords& words) {
-  app.add_option("--connect", words.connect, "HOST:PORT of the server")->capture_default_str();
+  app.add_option("--connect", words.connect,
+                 "HOST:PORT of the server, or ws://HOST:PORT[/PATH] (wss:// by TLS) for its HTTP address")
+      ->capture_default_str();
   // A flag takes the place of both variables, so they are looked at where no flag was.
   auto* file = app.add_option("--token-file", words.token_file,
                               "File with a token from the server's operator; default: $TALUS_TOKEN_FILE");
@@ -51,15 +56,29 @@ void add_connect_options(CLI::App& app, ConnectWords& words) {
       "Use TLS and trust the certificates in this PEM file (default: those that the system trusts)");
   app.add_option("--tls-name", words.tls.server_name,
                  "Use TLS and expect a certificate for this name (default: the host of --connect)");
+  app.add_flag("--websocket", words.websocket,
+               "Connect by WebSocket, as ws:// in --connect: to talusd's HTTP address (--http) or a proxy");
 }
 
 tl::expected<ConnectOptions, std::string> read_connect_options(const ConnectWords& words) {
-  auto server = read_server_address("--connect", words.connect);
+  ConnectOptions options{{}, {}, words.tls, {}};
+  options.websocket.on = words.websocket;
+  std::string_view address = words.connect;
+  const bool secure = address.starts_with(kSecureWebSocket);
+  if (secure || address.starts_with(kWebSocket)) {
+    options.websocket.on = true;
+    address.remove_prefix((secure ? kSecureWebSocket : kWebSocket).size());
+    const std::size_t slash = std::min(address.find('/'), address.size());
+    if (slash + 1 < address.size()) options.websocket.path = address.substr(slash);
+    address = address.substr(0, slash);
+  }
+  auto server = read_server_address("--connect", address);
   if (!server) return tl::unexpected{server.error()};
+  options.server = *std::move(server);
   auto token = read_token(words);
   if (!token) return tl::unexpected{token.error()};
-  ConnectOptions options{*std::move(server), *std::move(token), words.tls};
-  options.tls.on = words.tls.on || !words.tls.ca_file.empty() || !words.tls.server_name.empty();
+  options.token = *std::move(token);
+  options.tls.on = secure || words.tls.on || !words.tls.ca_file.empty() || !words.tls.server_name.empty();
   return options;
 }
 

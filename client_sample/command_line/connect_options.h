@@ -1,4 +1,4 @@
-// Which server to connect to, by TLS or not, and what to show it.
+// Which server to connect to, by TLS or not, by WebSocket or not, and what to show it.
 #pragma once
 
 #include <string>
@@ -21,9 +21,11 @@ struct ConnectWords {
   std::string token;
   std::string token_file;
   client::TlsOptions tls;
+  bool websocket = false;
 };
 
-/// Adds --connect, --token-file (or TALUS_TOKEN_FILE), --token (or TALUS_TOKEN), --tls, --ca and --tls-name.
+/// Adds --connect, --token-file (or TALUS_TOKEN_FILE), --token (or TALUS_TOKEN), --tls, --ca, --tls-name and
+/// --websocket.
 /// Variables, unlike words, are not in the list of processes; flags win over them. `words` outlives the
 /// parsing.
 void add_connect_options(CLI::App& app, ConnectWords& words);
@@ -32,6 +34,7 @@ struct ConnectOptions {
   protocol::Endpoint server;
   std::string token;  // empty: none
   client::TlsOptions tls;
+  client::WebSocketOptions websocket;
 };
 
 /// The error is one line that names the option.

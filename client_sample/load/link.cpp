@@ -56,19 +56,25 @@ void Link::open(const Opening& opening) {
     tls_.emplace(client::new_tls(opening.tls, opening.tls_options, opening.server.address().to_string()),
                  socket_.native_handle());
   }
+  if (opening.websocket.on) {
+    auto side = client::new_websocket(opening.websocket, opening.server.address().to_string(),
+                                      std::to_string(opening.server.port()));
+    if (!side) return fail(side.error().message);
+    websocket_ = std::move(*side);
+  }
   socket_.async_connect(opening.server, [this, mine = opening_](std::error_code failed) {
     if (mine != opening_) return;
     if (failed) return fail(words_of(failed));
     std::error_code ignored;
     socket_.set_option(tcp::no_delay{true}, ignored);
     if (tls_) return shake_hands();
-    established();
+    secured();
   });
 }
 
 void Link::shake_hands() {
   const tls::Step step = tls_->handshake();
-  if (step.result == tls::Step::Result::done) return established();
+  if (step.result == tls::Step::Result::done) return secured();
   if (!step.waits()) return fail(client::handshake_failure(tls_->handle(), error_of(step)).message);
   const bool to_write = step.result == tls::Step::Result::wait_to_write;
   const auto ready = to_write ? tcp::socket::wait_write : tcp::socket::wait_read;
@@ -76,6 +82,27 @@ void Link::shake_hands() {
     if (mine != opening_) return;
     if (failed) return fail(words_of(failed));
     shake_hands();
+  });
+}
+
+void Link::secured() {
+  if (!websocket_) return established();
+  send_bytes(std::as_bytes(std::span{websocket_->request()}));
+  upgrade();
+}
+
+void Link::upgrade() {
+  socket_.async_wait(tcp::socket::wait_read, [this, mine = opening_](std::error_code failed) {
+    if (mine != opening_) return;
+    if (failed) return fail(words_of(failed));
+    std::error_code error;
+    const std::size_t bytes = read_some(scratch_, error);
+    if (error && error != asio::error::would_block) return fail(words_of(error));
+    const std::size_t payload = websocket_->take(scratch_.first(bytes));
+    if (websocket_->failure()) return fail(websocket_->failure()->text);
+    if (!websocket_->is_open()) return upgrade();
+    established();
+    if (mine == opening_ && payload > 0) feed(scratch_.first(payload));
   });
 }
 
@@ -106,14 +133,27 @@ std::size_t Link::write_some(std::span<const std::byte> from, std::error_code& e
 }
 
 void Link::send(std::span<const std::byte> frame) {
+  if (!websocket_) return send_bytes(frame);
+  std::vector<std::byte> wrapped;
+  websocket::ClientSide::append(wrapped, frame, client::random_mask());
+  send_bytes(wrapped);
+}
+
+void Link::send_control() {
+  std::vector<std::byte> wrapped;
+  while (websocket_->has_control()) websocket_->append_control(wrapped, client::random_mask());
+  if (!wrapped.empty()) send_bytes(wrapped);
+}
+
+void Link::send_bytes(std::span<const std::byte> bytes) {
   if (!socket_.is_open()) return;
   if (unsent_.empty()) {
     std::error_code error;
-    frame = frame.subspan(write_some(frame, error));
+    bytes = bytes.subspan(write_some(bytes, error));
     if (error && error != asio::error::would_block) return;  // a broken connection is found by reading
   }
-  if (frame.empty()) return;
-  unsent_.insert(unsent_.end(), frame.begin(), frame.end());
+  if (bytes.empty()) return;
+  unsent_.insert(unsent_.end(), bytes.begin(), bytes.end());
   if (!writing_) await_output();
 }
 
@@ -123,7 +163,7 @@ void Link::await_output() {
     if (mine != opening_) return;
     writing_ = false;
     const std::vector<std::byte> rest = std::exchange(unsent_, {});
-    if (!failed) send(rest);
+    if (!failed) send_bytes(rest);
   });
 }
 
@@ -145,7 +185,13 @@ void Link::take(std::size_t most) {
   if (error == asio::error::would_block) return;
   if (error) return fail(words_of(error));
   received_bytes_ += bytes;
-  feed(scratch_.first(bytes));
+  if (!websocket_) return feed(scratch_.first(bytes));
+  const std::uint32_t mine = opening_;
+  const std::size_t payload = websocket_->take(scratch_.first(bytes));
+  send_control();
+  if (payload > 0) feed(scratch_.first(payload));
+  if (mine != opening_ || !websocket_->failure()) return;
+  fail(websocket_->failure()->text, websocket_->failure()->kind == websocket::Failure::Kind::violation);
 }
 
 void Link::feed(std::span<const std::byte> bytes) {
@@ -177,6 +223,7 @@ void Link::close(bool abruptly) {
   std::error_code ignored;
   if (abruptly) socket_.set_option(asio::socket_base::linger{true, 0}, ignored);
   tls_.reset();
+  websocket_.reset();
   socket_.close(ignored);
 }
 

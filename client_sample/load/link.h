@@ -16,6 +16,7 @@
 #include <talus/protocol/message.h>
 
 #include <talus/client/tls.h>
+#include <talus/client/websocket.h>
 #include <talus/tls/session.h>
 
 namespace talus::load {
@@ -43,6 +44,7 @@ class Link {
     bool paced = false;  // bytes are read by take() alone, and the kernel is asked to keep few
     tls::Context tls{};  // null: plain
     client::TlsOptions tls_options{};
+    client::WebSocketOptions websocket{};
   };
   void open(const Opening& opening);
   void send(std::span<const std::byte> frame);
@@ -56,7 +58,11 @@ class Link {
 
  private:
   void shake_hands();
+  void secured();
+  void upgrade();
   void established();
+  void send_bytes(std::span<const std::byte> bytes);
+  void send_control();
   void await_input();
   void await_output();
   void feed(std::span<const std::byte> bytes);
@@ -67,6 +73,7 @@ class Link {
 
   asio::ip::tcp::socket socket_;
   std::optional<tls::Session> tls_;
+  std::optional<websocket::ClientSide> websocket_;
   bool paced_ = false;
   bool established_ = false;
   std::span<std::byte> scratch_;

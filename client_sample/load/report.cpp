@@ -191,7 +191,8 @@ nlohmann::json settings_json(const Options& options) {
       {"verify_percent", options.verify_percent},
       {"ring_tolerance", options.ring_tolerance},
       {"from_addresses", options.from_addresses},
-      {"tls", options.connect.tls.on}};
+      {"tls", options.connect.tls.on},
+      {"websocket", options.connect.websocket.on}};
 }
 
 }  // namespace

@@ -118,6 +118,9 @@ asio::awaitable<void> look(asio::io_context& io, Plan& plan) {
   connecting.token = options.connect.token;
   connecting.client_name = "talus-load " TALUS_VERSION;
   connecting.tls = options.connect.tls;
+  connecting.websocket = options.connect.websocket;
+  if (connecting.websocket.host.empty()) connecting.websocket.host = to_string(options.connect.server);
+  plan.options.connect.websocket = connecting.websocket;
   if (options.connect.tls.on) {
     // Players connect to the address that was found, and expect who was named.
     if (connecting.tls.server_name.empty()) connecting.tls.server_name = options.connect.server.host;

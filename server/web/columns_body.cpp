@@ -1,6 +1,8 @@
 #include "web/columns_body.h"
 
+#include <algorithm>
 #include <span>
+#include <utility>
 
 namespace talus::server::web {
 namespace {
@@ -14,6 +16,17 @@ void append_little(std::string& body, Integer number) {
 }
 
 }  // namespace
+
+void add_chunk(std::vector<ChunkRun>& runs, std::int32_t y, EncodedChunkPtr chunk) {
+  const auto same = [](const EncodedChunk& a, const EncodedChunk& b) {
+    return a.hash() == b.hash() && std::ranges::equal(a.payload(), b.payload());
+  };
+  if (!runs.empty() && same(*runs.back().chunk, *chunk)) {
+    ++runs.back().count;
+  } else {
+    runs.push_back({y, 1, std::move(chunk)});
+  }
+}
 
 void append_column(std::string& body, const std::vector<ChunkRun>& runs) {
   append_little(body, kVersion);

@@ -21,6 +21,10 @@ struct ChunkRun {
   EncodedChunkPtr chunk;
 };
 
+/// One more chunk upward: a run of its own where it differs from the chunk below, so that a column's bytes
+/// are the same however much of it was known when it was asked for.
+void add_chunk(std::vector<ChunkRun>& runs, std::int32_t y, EncodedChunkPtr chunk);
+
 /// Appends a column; its runs go upward and leave out no chunk of the world.
 void append_column(std::string& body, const std::vector<ChunkRun>& runs);
 

@@ -355,6 +355,7 @@ asio::awaitable<PlayerHandler::Answer> PlayerHandler::append(ChunkKey column, st
     rows.last = static_cast<std::int32_t>(floor_div(heights.high >> lod.value(), kChunkSize)) + 1;
   }
   std::vector<ChunkRun> runs;
+  std::size_t fetched = 0;
   const std::int64_t top = chunk_limit(lod) - 1;
   for (std::int64_t y = std::int64_t{rows.first} - 1; y <= std::int64_t{rows.last} + 1;) {
     std::vector<ChunkKey> keys;
@@ -364,7 +365,8 @@ asio::awaitable<PlayerHandler::Answer> PlayerHandler::append(ChunkKey column, st
     }
     auto made = co_await fetch_->get(keys, began_ + kMaxWait);
     if (!made) co_return failure(made.error());
-    for (std::size_t i = 0; i < keys.size(); ++i) runs.push_back({keys[i].coord.y, 1, (*made)[i]});
+    for (std::size_t i = 0; i < keys.size(); ++i) add_chunk(runs, keys[i].coord.y, (*made)[i]);
+    fetched += keys.size();
     std::size_t bytes = body.size();
     for (const ChunkRun& run : runs) bytes += run.chunk->payload().size();
     if (bytes > kMaxBodyBytes || runs.size() > UINT16_MAX) {
@@ -372,9 +374,9 @@ asio::awaitable<PlayerHandler::Answer> PlayerHandler::append(ChunkKey column, st
                                "this is over 4 MiB; ask for its chunks one by one");
     }
   }
-  chunks += runs.size() - 2;
+  chunks += fetched - 2;
   // The first stands for all below it, the last for all above.
-  runs.front().count = static_cast<std::uint32_t>(runs.front().first_y - first_row(lod) + 1);
+  runs.front().count += static_cast<std::uint32_t>(runs.front().first_y - first_row(lod));
   runs.front().first_y = static_cast<std::int32_t>(first_row(lod));
   runs.back().count = static_cast<std::uint32_t>(top - runs.back().first_y + 1);
   append_column(body, runs);

@@ -1,16 +1,10 @@
 // How an HTTP request becomes a WebSocket. Pure. Source: RFC 6455, section 4.2.
 #pragma once
 
-#include <string>
-#include <string_view>
-
 #include "http/request.h"
 #include "http/response.h"
 
 namespace talus::server::websocket {
-
-/// The Sec-WebSocket-Accept for a client's key.
-[[nodiscard]] std::string accept_key(std::string_view key);
 
 /// Status 101, or what is wrong with the request. Whether its origin may connect is the caller's to check.
 [[nodiscard]] http::Response answer_handshake(const http::Request& request);

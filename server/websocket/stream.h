@@ -22,11 +22,20 @@
 #include <asio/use_awaitable.hpp>
 #include <asio/write.hpp>
 
+#include <talus/websocket/frame_reader.h>
+#include <talus/websocket/frame_writer.h>
+
 #include "net/stream.h"
-#include "websocket/frame_reader.h"
-#include "websocket/frame_writer.h"
 
 namespace talus::server::websocket {
+
+using talus::websocket::append_close;
+using talus::websocket::append_pong;
+using talus::websocket::CloseCode;
+using talus::websocket::End;
+using talus::websocket::FrameReader;
+using talus::websocket::kMaxHeadBytes;
+using talus::websocket::write_head;
 
 template <Stream S>
 class WebSocketStream {
@@ -114,7 +123,7 @@ class WebSocketStream {
 
     S inner;
     asio::steady_timer turn;  // cancelled when a write ends
-    FrameReader reader;
+    FrameReader reader{talus::websocket::Sender::client};
     std::vector<std::byte> unread;
     bool writing = false;
     std::optional<CloseCode> close_waits;

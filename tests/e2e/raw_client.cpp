@@ -6,6 +6,7 @@
 #include <sys/socket.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <catch2/catch.hpp>
 #include <cerrno>
@@ -33,7 +34,7 @@ void Received::check_kind(wire::Body expected) const {
   REQUIRE(std::string{wire::EnumNameBody(kind())} == wire::EnumNameBody(expected));
 }
 
-RawClient::RawClient(std::uint16_t port, std::uint32_t from)
+RawClient::RawClient(std::uint16_t port, std::uint32_t from, Transport transport)
     : socket_{::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0)} {
   sockaddr_in address{};
   address.sin_family = AF_INET;
@@ -46,6 +47,37 @@ RawClient::RawClient(std::uint16_t port, std::uint32_t from)
   REQUIRE(::connect(socket_, reinterpret_cast<const sockaddr*>(&address), sizeof(address)) == 0);
   const int on = 1;
   ::setsockopt(socket_, IPPROTO_TCP, TCP_NODELAY, &on, sizeof(on));
+  if (transport == Transport::websocket) open_websocket();
+}
+
+void RawClient::open_websocket() {
+  constexpr std::array<std::byte, websocket::kNonceBytes> kNonce{};  // nobody here would foretell it
+  websocket_.emplace("127.0.0.1", "/v1/stream", kNonce);
+  REQUIRE(send_raw(std::as_bytes(std::span{websocket_->request()})));
+  while (!websocket_->is_open()) {
+    REQUIRE(fill(kPatienceMs));
+    REQUIRE_FALSE(ended_);
+  }
+}
+
+std::vector<std::byte> RawClient::wrapped(std::span<const std::byte> bytes) {
+  constexpr std::array kMask{std::byte{0xDE}, std::byte{0xCA}, std::byte{0xDE}, std::byte{0x01}};
+  constexpr std::byte kFinal{0x80};
+  constexpr std::array<std::size_t, 6> kSizes{0, 1, 7, 125, 126, 100'000};
+  std::vector<std::byte> frames;
+  while (websocket_->has_control()) websocket_->append_control(frames, kMask);
+  bool begins = true;
+  do {
+    const std::size_t size = std::min(bytes.size(), kSizes[sizes_() % kSizes.size()]);
+    const std::size_t head = frames.size();
+    websocket::ClientSide::append(frames, bytes.first(size), kMask);
+    bytes = bytes.subspan(size);
+    const bool ends = bytes.empty() || sizes_() % 2 == 0;
+    if (!begins) frames[head] = kFinal;  // a continuation
+    if (!ends) frames[head] &= ~kFinal;
+    begins = ends;
+  } while (!bytes.empty());
+  return frames;
 }
 
 RawClient::~RawClient() {
@@ -54,6 +86,9 @@ RawClient::~RawClient() {
 
 RawClient::RawClient(RawClient&& other) noexcept
     : socket_{std::exchange(other.socket_, -1)},
+      websocket_{std::move(other.websocket_)},
+      unsent_{std::move(other.unsent_)},
+      sizes_{other.sizes_},
       ended_{other.ended_},
       frames_{std::move(other.frames_)},
       whole_{std::move(other.whole_)} {}
@@ -67,6 +102,11 @@ void RawClient::close() {
 }
 
 bool RawClient::send(std::span<const std::byte> bytes) {
+  if (!websocket_) return send_raw(bytes);
+  return send_raw(std::exchange(unsent_, {})) && send_raw(wrapped(bytes));
+}
+
+bool RawClient::send_raw(std::span<const std::byte> bytes) {
   while (!bytes.empty()) {
     const ssize_t sent = ::send(socket_, bytes.data(), bytes.size(), MSG_NOSIGNAL);
     if (sent < 0) return false;
@@ -76,7 +116,14 @@ bool RawClient::send(std::span<const std::byte> bytes) {
 }
 
 std::optional<std::size_t> RawClient::send_some(std::span<const std::byte> bytes) {
+  const std::size_t fresh = websocket_ && unsent_.empty() ? bytes.size() : 0;
+  if (fresh > 0) unsent_ = wrapped(bytes);
+  if (websocket_) bytes = unsent_;
   const ssize_t sent = ::send(socket_, bytes.data(), bytes.size(), MSG_NOSIGNAL | MSG_DONTWAIT);
+  if (sent >= 0 && websocket_) {
+    unsent_.erase(unsent_.begin(), unsent_.begin() + sent);
+    return fresh;
+  }
   if (sent >= 0) return static_cast<std::size_t>(sent);
   if (errno == EAGAIN || errno == EWOULDBLOCK) return 0;
   return std::nullopt;
@@ -91,7 +138,19 @@ bool RawClient::fill(int patience_ms) {
     ended_ = true;
     return true;
   }
-  std::span<const std::byte> bytes{buffer.data(), static_cast<std::size_t>(got)};
+  take(std::span{buffer}.first(static_cast<std::size_t>(got)));
+  return true;
+}
+
+void RawClient::take(std::span<std::byte> came) {
+  if (websocket_) {
+    came = came.first(websocket_->take(came));
+    ended_ = websocket_->failure().has_value();
+    if (ended_ && websocket_->failure()->kind != websocket::Failure::Kind::closed) {
+      FAIL(websocket_->failure()->text);
+    }
+  }
+  std::span<const std::byte> bytes{came};
   while (!bytes.empty()) {
     const auto taken = frames_.feed(bytes);
     REQUIRE(taken.has_value());
@@ -100,7 +159,6 @@ bool RawClient::fill(int patience_ms) {
     whole_.emplace_back(frames_.frame().begin(), frames_.frame().end());
     frames_.pop();
   }
-  return true;
 }
 
 std::optional<Received> RawClient::receive() {

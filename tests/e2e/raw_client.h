@@ -1,4 +1,5 @@
-// A client that speaks frames and keeps no rule: what a test needs to break them.
+// A client that speaks frames and keeps no rule: what a test needs to break them. By TCP, or the same bytes
+// inside a WebSocket.
 #pragma once
 
 #include <chrono>
@@ -6,11 +7,15 @@
 #include <cstdint>
 #include <deque>
 #include <optional>
+#include <random>
 #include <span>
 #include <vector>
 
 #include <talus/protocol/frame.h>
 #include <talus/protocol/message.h>
+#include <talus/websocket/client_side.h>
+
+#include "server_process.h"
 
 namespace talus::e2e {
 
@@ -38,14 +43,18 @@ inline constexpr std::uint32_t kLoopback = 0x7F000001U;  // 127.0.0.1
 
 class RawClient {
  public:
-  /// Connects to 127.0.0.1, from an address of the loopback network: 127.0.0.1 unless another is given.
-  explicit RawClient(std::uint16_t port, std::uint32_t from = kLoopback);
+  /// Connects to 127.0.0.1, from an address of the loopback network: 127.0.0.1 unless another is given. By
+  /// WebSocket `port` is that of the server's HTTP.
+  explicit RawClient(std::uint16_t port, std::uint32_t from = kLoopback,
+                     Transport transport = tested_transport());
   ~RawClient();
   RawClient(RawClient&& other) noexcept;
   RawClient& operator=(RawClient&&) = delete;
 
   /// Sends all of it; false where the server has closed the connection.
   bool send(std::span<const std::byte> bytes);
+  /// The same past the WebSocket, whatever that makes of it.
+  bool send_raw(std::span<const std::byte> bytes);
   /// Sends what fits into the socket now; the count, or none where the connection is closed.
   [[nodiscard]] std::optional<std::size_t> send_some(std::span<const std::byte> bytes);
 
@@ -72,9 +81,16 @@ class RawClient {
   void close();
 
  private:
+  void open_websocket();
+  /// `bytes` in messages and fragments of many sizes, behind what the WebSocket itself has to say.
+  [[nodiscard]] std::vector<std::byte> wrapped(std::span<const std::byte> bytes);
+  void take(std::span<std::byte> bytes);
   [[nodiscard]] bool fill(int patience_ms);
 
   int socket_;
+  std::optional<websocket::ClientSide> websocket_;
+  std::vector<std::byte> unsent_;  // of a WebSocket frame that send_some() has begun
+  std::minstd_rand sizes_;
   bool ended_ = false;
   protocol::FrameReader frames_{protocol::kMaxFrameBytes};
   std::deque<protocol::Frame> whole_;

@@ -11,6 +11,7 @@
 #include <array>
 #include <catch2/catch.hpp>
 #include <chrono>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <utility>
@@ -86,6 +87,10 @@ ChildProcess start_server(Settings settings, std::vector<std::string> flags) {
                           std::find(flags.begin(), flags.end(), "--config") != flags.end();
   if (kSanitized && !says_world) settings.insert(kClassicWorld);  // served_world.h
   flags.insert(flags.end(), {"--listen", "127.0.0.1:0"});
+  const bool says_http = std::find(flags.begin(), flags.end(), "--http") != flags.end();
+  if (tested_transport() == Transport::websocket && !says_http) {
+    flags.insert(flags.end(), {"--http", "127.0.0.1:0"});
+  }
   return start(TALUSD_PATH, flags, settings);
 }
 
@@ -96,6 +101,11 @@ int reap(pid_t pid) {
 }
 
 }  // namespace
+
+Transport tested_transport() {
+  const char* const wanted = std::getenv("TALUS_E2E_TRANSPORT");
+  return wanted != nullptr && std::string_view{wanted} == "websocket" ? Transport::websocket : Transport::tcp;
+}
 
 Ended run_program(const std::string& path, const std::vector<std::string>& flags, const Settings& settings) {
   const ChildProcess child = start(path, flags, settings);
@@ -116,6 +126,7 @@ ServerProcess::ServerProcess(Settings settings, std::vector<std::string> flags,
     : ServerProcess{start_server(std::move(settings), std::move(flags))} {
   if (meanwhile) meanwhile(*this);
   port_ = await_port("listening on 127.0.0.1:");
+  if (tested_transport() == Transport::websocket) port_ = http_port();
 }
 
 ServerProcess::~ServerProcess() {
@@ -157,6 +168,10 @@ std::uint16_t ServerProcess::admin_port() {
 
 std::uint16_t ServerProcess::http_port() {
   return await_port("HTTP and WebSocket on http://127.0.0.1:");
+}
+
+std::uint16_t ServerProcess::https_port() {
+  return await_port("HTTP and WebSocket on https://127.0.0.1:");
 }
 
 std::string ServerProcess::await_line(std::string_view part) {

@@ -20,6 +20,11 @@ inline constexpr bool kSanitized = true;
 inline constexpr bool kSanitized = false;
 #endif
 
+/// How tests speak to the server that are not about one way: the same ones run by both
+/// (TALUS_E2E_TRANSPORT=websocket).
+enum class Transport : std::uint8_t { tcp, websocket };
+[[nodiscard]] Transport tested_transport();
+
 /// TALUS_* variables for the child; it gets no others.
 using Settings = std::map<std::string, std::string>;
 
@@ -58,11 +63,14 @@ class ServerProcess {
   ServerProcess(const ServerProcess&) = delete;
   ServerProcess& operator=(const ServerProcess&) = delete;
 
+  /// That RawClients connect to: by WebSocket that of players' HTTP.
   [[nodiscard]] std::uint16_t port() const { return port_; }
   /// Of the operators' HTTP; the server must have been started with --admin.
   [[nodiscard]] std::uint16_t admin_port();
   /// Of players' HTTP; the server must have been started with --http.
   [[nodiscard]] std::uint16_t http_port();
+  /// The same by TLS.
+  [[nodiscard]] std::uint16_t https_port();
   void signal(int number) const;
   /// Waits for the end and returns how it was.
   [[nodiscard]] Ended wait();

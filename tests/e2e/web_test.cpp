@@ -14,7 +14,6 @@
 #include "messages.h"
 #include "raw_client.h"
 #include "scratch_directory.h"
-#include "server/websocket_frames.h"
 #include "server_process.h"
 
 using namespace talus;
@@ -31,65 +30,14 @@ std::string payload_of(const wire::Chunk& chunk) {
   return {reinterpret_cast<const char*>(chunk.payload()->data()), chunk.payload()->size()};
 }
 
-/// A client that speaks frames inside a WebSocket.
-class WebSocketClient {
- public:
-  explicit WebSocketClient(std::uint16_t port) : http_{port} {
-    http_.send(
-        HttpClient::request("/v1/stream",
-                            "Connection: Upgrade\r\nUpgrade: websocket\r\nSec-WebSocket-Version: 13\r\n"
-                            "Sec-WebSocket-Key: dGhlIHNhbXBsZSBub25jZQ==\r\n"));
-    const Answer answer = http_.read();
-    REQUIRE(answer.status == 101);
-    CHECK_THAT(answer.head, Catch::Contains("Sec-WebSocket-Accept: s3pPLMBiTxaQ9kYGzzhZRbK+xOo="));
-  }
-
-  /// In messages of so many bytes.
-  void send(std::span<const std::byte> bytes, std::size_t piece = SIZE_MAX) {
-    std::vector<std::byte> output;
-    for (std::size_t at = 0; at < bytes.size(); at += std::min(piece, bytes.size() - at)) {
-      talus::server::append_client_frame(output, 2, bytes.subspan(at, std::min(piece, bytes.size() - at)),
-                                         0xDECADE);
-    }
-    asio::write(http_.socket(), asio::buffer(output));
-  }
-  Received expect() {
-    while (!frames_.has_frame()) {
-      const std::string& input = http_.input();
-      auto got = talus::server::read_server_frames(std::as_bytes(std::span{input}));
-      http_.input().erase(0, got.bytes);
-      payload_ += got.payload;
-      closed_ = closed_ || got.close.has_value();
-      const auto taken = frames_.feed(std::as_bytes(std::span{payload_}));
-      REQUIRE(taken);
-      payload_.erase(0, *taken);
-      if (frames_.has_frame()) break;
-      REQUIRE_FALSE(closed_);
-      if (*taken > 0) continue;
-      std::array<char, 4096> more{};
-      const std::size_t bytes = http_.socket().read_some(asio::buffer(more));
-      http_.input().append(more.data(), bytes);
-    }
-    Received received{{frames_.frame().begin(), frames_.frame().end()}};
-    frames_.pop();
-    return received;
-  }
-
- private:
-  HttpClient http_;
-  std::string payload_;
-  bool closed_ = false;
-  protocol::FrameReader frames_{protocol::kMaxFrameBytes};
-};
-
 }  // namespace
 
 TEST_CASE("chunks by HTTP and by WebSocket are those by TCP") {
   ServerProcess server{{kClassicWorld}, kWithHttp};
   RawClient by_tcp = greeted(server.port());
-  WebSocketClient by_socket{server.http_port()};
-  by_socket.send(hello(), 3);
-  (void)by_socket.expect().as<wire::Welcome>();
+  RawClient by_socket{server.http_port(), kLoopback, Transport::websocket};
+  by_socket.send(hello());
+  (void)by_socket.expect_kind<wire::Welcome>();
   HttpClient by_http{server.http_port()};
   const std::string root = root_of(by_http);
   std::uint32_t id = 0;
@@ -97,9 +45,9 @@ TEST_CASE("chunks by HTTP and by WebSocket are those by TCP") {
                              ChunkKey{{2, 0, -1}, Lod::of(3)}, ChunkKey{{0, 0, 0}, Lod::of(6)}}) {
     const protocol::Frame ask = get_chunks({chunk_request(++id, key)});
     by_tcp.send(ask);
-    by_socket.send(ask, id % 2 == 0 ? 1 : SIZE_MAX);
+    by_socket.send(ask);
     const Received tcp_answer = by_tcp.expect_kind<wire::Chunk>();
-    const Received socket_answer = by_socket.expect();
+    const Received socket_answer = by_socket.expect_kind<wire::Chunk>();
     const Answer answer = by_http.get(root + path_of(key));
     CHECK(answer.status == 200);
     CHECK_THAT(answer.head, Catch::Contains("Cache-Control: public, max-age=31536000, immutable\r\n"));
@@ -190,12 +138,12 @@ TEST_CASE("a server that ends answers what was asked and closes kept connections
   ServerProcess server{{kClassicWorld}, kWithHttp};
   HttpClient idle{server.http_port()};
   const std::string root = root_of(idle);
-  WebSocketClient stream{server.http_port()};
+  RawClient stream{server.http_port(), kLoopback, Transport::websocket};
   stream.send(hello());
-  (void)stream.expect().as<wire::Welcome>();
+  (void)stream.expect_kind<wire::Welcome>();
   server.signal(SIGTERM);
   CHECK(idle.closed());
-  (void)stream.expect().as<wire::GoAway>();
+  (void)stream.expect_kind<wire::GoAway>();
   CHECK(server.wait().status == 0);
 }
 

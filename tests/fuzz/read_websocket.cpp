@@ -1,5 +1,5 @@
-// The input is what a WebSocket client sends. Read whole and in pieces, it gives the same bytes and the same
-// end, and never more bytes than came.
+// The input is what a WebSocket client sends, or a server. Read whole and in pieces, it gives the same bytes
+// and the same end, and never more bytes than came.
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
@@ -8,14 +8,14 @@
 #include <string>
 #include <vector>
 
-#include "websocket/frame_reader.h"
+#include <talus/websocket/frame_reader.h>
 
 namespace {
 
-using namespace talus::server::websocket;
+using namespace talus::websocket;
 
-std::string told(std::vector<std::byte> input, std::size_t piece) {
-  FrameReader reader;
+std::string told(Sender sender, std::vector<std::byte> input, std::size_t piece) {
+  FrameReader reader{sender};
   std::string all;
   for (std::size_t at = 0; at < input.size() && reader.end() == End::none; at += piece) {
     const auto part = std::span{input}.subspan(at, std::min(piece, input.size() - at));
@@ -32,9 +32,11 @@ std::string told(std::vector<std::byte> input, std::size_t piece) {
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const auto bytes = std::as_bytes(std::span{data, size});
   const std::vector<std::byte> input{bytes.begin(), bytes.end()};
-  const std::string whole = told(input, SIZE_MAX / 2);
-  for (const std::size_t piece : {std::size_t{1}, std::size_t{3}, std::size_t{16}}) {
-    if (told(input, piece) != whole) std::abort();
+  for (const Sender sender : {Sender::client, Sender::server}) {
+    const std::string whole = told(sender, input, SIZE_MAX / 2);
+    for (const std::size_t piece : {std::size_t{1}, std::size_t{3}, std::size_t{16}}) {
+      if (told(sender, input, piece) != whole) std::abort();
+    }
   }
   return 0;
 }

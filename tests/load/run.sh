@@ -22,6 +22,8 @@ usage: tests/load/run.sh [--short] [SCENARIO...]
   slow     100 walkers with four readers at 64 kbit/s and without, by turns
   rates    250 players of one address whom its rate holds at 8,192 chunks/s and, by turns, as many who want just that
            many: what a chunk costs the server
+  websocket
+           200 players by WebSocket and, by turns, by TCP, over the same cached land: what a message costs the server
   pong     how long a Pong waits behind a View, on links of several speeds
   churn    joining, jumping and being cut off, CHURN_SECONDS long (1800 unless told otherwise)
   siege    the same beside 150 attackers of 4 other addresses
@@ -84,11 +86,18 @@ start() {
     kill -0 "$pid" 2>/dev/null || { cat "$out/talusd.log" >&2; exit 1; }
     sleep 0.05
   done
-  [[ " $* " == *" TALUS_ADMIN="* ]] || return 0
-  until admin="$(sed -n 's/.*metrics and health on http:\/\/\([^ /]*\).*/\1/p' "$out/talusd.log")" && [[ -n "$admin" ]]; do
+  [[ " $* " != *" TALUS_ADMIN="* ]] || await_address admin 'metrics and health on http'
+  [[ " $* " != *" TALUS_HTTP_LISTEN="* ]] || await_address http 'HTTP and WebSocket on https\{0,1\}'
+}
+
+# await_address VARIABLE WORDS: the HOST:PORT that the server says after WORDS://.
+await_address() {
+  local found
+  until found="$(sed -n "s/.*$2:\/\/\([^ /]*\).*/\1/p" "$out/talusd.log")" && [[ -n "$found" ]]; do
     kill -0 "$pid" 2>/dev/null || { cat "$out/talusd.log" >&2; exit 1; }
     sleep 0.05
   done
+  printf -v "$1" '%s' "$found"
 }
 
 # What a closed loop of requests needs, or a thousand players from one address.
@@ -409,6 +418,26 @@ rates() {
   [[ -n "$short" ]] || medians rates held free 'us a Chunk message' 3 || failed=yes
 }
 
+# On one server, after a run that leaves its land cached.
+websocket() {
+  local turn by players=(--players "$(pick 200 10)" --groups 4 --model fly --radius "$(pick 8 4)" --ramp-up 1 --warm-up "$(pick 5 1)"
+    --duration "$(pick 10 4)" --verify "$(pick 0 20)")
+  expect
+  start "${no_session_rates[@]}" "${no_address_rates[@]}" TALUS_HTTP_LISTEN=127.0.0.1:0
+  load websocket-warm-up "${players[@]}" "${expected[@]}"
+  : >"$out/websocket-turns"
+  for ((turn = 1; turn <= $(pick 5 1); ++turn)); do
+    load by-websocket --websocket --connect "$http" "${players[@]}" "${expected[@]}"
+    load by-tcp "${players[@]}" "${expected[@]}"
+    for by in websocket tcp; do
+      [[ -n "$(figure "by-$by" cpu_s_per_million_messages)" ]] || { echo "websocket: turn $turn gave no figure" >&2; exit 1; }
+    done
+    echo "$(figure by-websocket cpu_s_per_million_messages) $(figure by-tcp cpu_s_per_million_messages)" >>"$out/websocket-turns"
+    echo "turn $turn: $(tail -n 1 "$out/websocket-turns") us of server CPU a Chunk message by WebSocket and by TCP"
+  done
+  [[ -n "$short" ]] || medians websocket WebSocket TCP 'us a Chunk message' 1.3 || failed=yes
+}
+
 pong() {
   [[ -z "${TLS:-}" ]] || { printf '\n== pong: left out: talus-pong speaks plain TCP alone\n'; return 0; }
   start
@@ -446,7 +475,7 @@ churn_as() {
   [[ -z "$siege_pid" ]] || { stop_siege; cat "$out/siege.txt"; }
 }
 
-scenarios=(join horizon hot groups alone loners storm idle greedy slow rates pong churn siege)
+scenarios=(join horizon hot groups alone loners storm idle greedy slow rates websocket pong churn siege)
 if [[ "${1:-}" == --short ]]; then
   short=yes
   shift

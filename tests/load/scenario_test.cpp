@@ -59,6 +59,20 @@ TEST_CASE("players of all kinds get what is right") {
   check_clean(twenty({"--model", "mixed"}));
 }
 
+TEST_CASE("players of all kinds get what is right by WebSocket, slow readers too") {
+  ServerProcess server{{}, {"--http", "127.0.0.1:0"}};
+  for (const Words& kind : {Words{"--model", "mixed"}, Words{"--churn", "0.5"}, Words{"--slow", "2"}}) {
+    Words words = twenty(kind);
+    words.insert(words.end(), {"--connect", "ws://127.0.0.1:" + std::to_string(server.http_port())});
+    for (const char* threshold : {"wrong>0", "errors>0", "unanswered>0", "chunks_per_s==0"}) {
+      words.insert(words.end(), {"--fail-if", threshold});
+    }
+    const Ended ended = run_load(server.port(), words);
+    INFO(said(ended));
+    CHECK(ended.status == 0);
+  }
+}
+
 TEST_CASE("players that fly in groups get what is right") {
   check_clean(twenty({"--model", "fly", "--groups", "4", "--speed", "60", "--threads", "2"}));
 }

@@ -247,6 +247,24 @@ TEST_CASE("a column holds every chunk of the world once") {
   CHECK(at == reinterpret_cast<const unsigned char*>(answer.body.data() + answer.body.size()));
 }
 
+TEST_CASE("a column has the same bytes however much is known of it") {
+  // Rows 2 to 4 between rock and air.
+  const auto body = [](MixedRows rows) {
+    Site site;
+    site.source.rows = rows;
+    for (std::int32_t y = rows.first - 1; y <= rows.last + 1; ++y) {
+      const ChunkKey like = key_at(0, y < 2 ? 1 : y > 4 ? 5 : y, 0);
+      site.source.in_memory[key_at(8, y, -4)] = scripted_chunk(like);
+    }
+    const Answer answer = site.ask(kChunks + "/0/8/-4");
+    CHECK(answer.status == 200);
+    return answer.body;
+  };
+  const std::string exact = body({2, 4, MaterialId{3}});
+  CHECK(exact.size() == 4 + 5 * (12 + 100));
+  CHECK(body({-3, 9, MaterialId{3}}) == exact);
+}
+
 TEST_CASE("a square holds its columns row by row") {
   Site site;
   site.source.rows = {0, 0, MaterialId{3}};

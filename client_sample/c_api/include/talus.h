@@ -98,7 +98,7 @@ typedef struct talus_chunk talus_chunk;
 /* How to connect. Numbers that are 0 stand for the default. */
 typedef struct talus_connect_options {
   uint32_t size;
-  uint32_t flags;              /* TALUS_TLS, TALUS_TLS_NO_VERIFY */
+  uint32_t flags;              /* TALUS_TLS, TALUS_TLS_NO_VERIFY, TALUS_WEBSOCKET */
   const char* host;            /* a name or an address; not empty */
   const char* token;           /* what the server's operator gave out; empty: none */
   const char* client_name;     /* for the server's log; empty: "libtalus" */
@@ -119,8 +119,9 @@ typedef struct talus_connect_options {
 } talus_connect_options;
 
 enum {
-  TALUS_TLS = 1,          /* encrypted, by TLS 1.3, and the server proves who it is */
-  TALUS_TLS_NO_VERIFY = 2 /* anybody may pose as the server */
+  TALUS_TLS = 1,           /* encrypted, by TLS 1.3, and the server proves who it is */
+  TALUS_TLS_NO_VERIFY = 2, /* anybody may pose as the server */
+  TALUS_WEBSOCKET = 4      /* ws://host:port/v1/stream: `port` is that of talusd's HTTP address, or of a proxy */
 };
 
 /* What a player wants around it: all chunks of level 0 within the radii, and coarser ones farther out. */

@@ -55,9 +55,9 @@ Checked<client::Options> options_of(const talus_connect_options& options) {
   if (options.port > std::numeric_limits<std::uint16_t>::max()) {
     return tl::unexpected{"options.port is " + std::to_string(options.port) + "; the highest is 65535"};
   }
-  if ((options.flags & ~std::uint32_t{TALUS_TLS | TALUS_TLS_NO_VERIFY}) != 0) {
+  if ((options.flags & ~std::uint32_t{TALUS_TLS | TALUS_TLS_NO_VERIFY | TALUS_WEBSOCKET}) != 0) {
     return tl::unexpected{"options.flags is " + std::to_string(options.flags) +
-                          "; it may hold TALUS_TLS and TALUS_TLS_NO_VERIFY"};
+                          "; it may hold TALUS_TLS, TALUS_TLS_NO_VERIFY and TALUS_WEBSOCKET"};
   }
   client::Options own;
   own.token = text_of(options.token);
@@ -69,6 +69,7 @@ Checked<client::Options> options_of(const talus_connect_options& options) {
   own.tls.verify = (options.flags & TALUS_TLS_NO_VERIFY) == 0;
   own.tls.ca_file = text_of(options.tls_ca_file);
   own.tls.server_name = text_of(options.tls_server_name);
+  own.websocket.on = (options.flags & TALUS_WEBSOCKET) != 0;
   set_unless_zero(own.connect_timeout, options.connect_timeout_ms);
   set_unless_zero(own.handshake_timeout, options.handshake_timeout_ms);
   set_unless_zero(own.ping_interval, options.ping_interval_ms);

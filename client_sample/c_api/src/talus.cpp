@@ -185,7 +185,9 @@ talus_status talus_connect(talus_client* client, const talus_connect_options* op
     const auto own = read_argument(options, "options", options_of);
     if (!own) return call.wrong(own.error());
 #ifndef TALUS_HAS_TLS
-    if (own->tls.on) return call.fail(TALUS_UNSUPPORTED, "this library was built without TLS");
+    if (own->tls.on || own->websocket.on) {
+      return call.fail(TALUS_UNSUPPORTED, "this library was built without TLS, and so without WebSocket");
+    }
 #endif
     const std::uint32_t port = options->port == 0 ? TALUS_DEFAULT_PORT : options->port;
     auto session = std::make_unique<Session>(options->host, std::to_string(port), *own);

@@ -7,6 +7,8 @@
 #include <asio/use_awaitable.hpp>
 #include <asio/write.hpp>
 
+#include <talus/client/websocket.h>
+
 #include "wait_until.h"
 
 namespace talus::client {
@@ -31,7 +33,7 @@ ClientError Connection::reason_or(ErrorKind kind, std::string message) const {
 }
 
 asio::awaitable<Result<void>> Connection::open(const std::string& host, const std::string& port,
-                                               const TlsOptions& tls) {
+                                               const TlsOptions& tls, const WebSocketOptions& websocket) {
   where_ = host + ":" + port;
   const auto [resolve_error, endpoints] = co_await resolver_.async_resolve(host, port, kAsTuple);
   if (resolve_error || is_closed()) {
@@ -46,10 +48,11 @@ asio::awaitable<Result<void>> Connection::open(const std::string& host, const st
   std::error_code ignored;  // a connection without it is slower, not wrong
   socket_.set_option(asio::ip::tcp::no_delay{true}, ignored);
   last_received_ = clock_.now();
-  if (!tls.on) co_return Result<void>{};
-  auto secured = co_await shake_hands(host, tls);
-  if (!secured && !is_closed()) secured.error().message = where_ + ": " + secured.error().message;
-  co_return secured;
+  Result<void> done;
+  if (tls.on) done = co_await shake_hands(host, tls);
+  if (done && websocket.on) done = co_await upgrade(host, port, websocket);
+  if (!done && !is_closed()) done.error().message = where_ + ": " + done.error().message;
+  co_return done;
 }
 
 asio::awaitable<Result<void>> Connection::shake_hands(const std::string& host, const TlsOptions& options) {
@@ -59,6 +62,42 @@ asio::awaitable<Result<void>> Connection::shake_hands(const std::string& host, c
   auto shaken = co_await tls_->handshake();
   if (is_closed()) co_return tl::unexpected{*reason_};
   co_return shaken;
+}
+
+asio::awaitable<Result<void>> Connection::upgrade(const std::string& host, const std::string& port,
+                                                  const WebSocketOptions& options) {
+  auto side = new_websocket(options, host, port);
+  if (!side) co_return tl::unexpected{side.error()};
+  websocket_ = std::move(*side);
+  const std::string request = websocket_->request();
+  std::error_code error;
+  std::tie(error, std::ignore) = co_await write_all(std::as_bytes(std::span{request}));
+  while (!error && !websocket_->is_open() && !websocket_->failure()) {
+    std::size_t count = 0;
+    std::tie(error, count) = co_await read_some();
+    unread_ = unwrap(std::span{buffer_}.first(count));
+  }
+  if (is_closed()) co_return tl::unexpected{*reason_};
+  if (websocket_->failure() && !websocket_->is_open()) {
+    co_return tl::unexpected{error_of(*websocket_->failure())};
+  }
+  if (error) {
+    co_return tl::unexpected{
+        ClientError{ErrorKind::disconnected,
+                    "the server ended the connection in the WebSocket handshake (" + error.message() +
+                        "); a WebSocket needs talusd's HTTP address (--http), and TLS where that has it",
+                    {}}};
+  }
+  received_any_ = true;
+  last_received_ = clock_.now();
+  co_return Result<void>{};
+}
+
+std::span<const std::byte> Connection::unwrap(std::span<std::byte> bytes) {
+  if (!websocket_) return bytes;
+  const std::size_t payload = websocket_->take(bytes);
+  if (websocket_->has_control()) wake();
+  return bytes.first(payload);
 }
 
 // Outside the coroutines: g++ 12 destroys what a condition in a co_await chose twice.
@@ -84,6 +123,9 @@ asio::awaitable<Result<std::span<const std::byte>>> Connection::next_frame(Stats
     }
     unread_ = unread_.subspan(*taken);
     if (reader_.has_frame()) co_return reader_.frame();
+    if (websocket_ && websocket_->failure()) {
+      co_return tl::unexpected{is_closed() ? *reason_ : error_of(*websocket_->failure())};
+    }
 
     const auto [error, count] = co_await read_some();
     if (error && !received_any_ && !tls_) {
@@ -99,11 +141,17 @@ asio::awaitable<Result<std::span<const std::byte>>> Connection::next_frame(Stats
     received_any_ = true;
     stats.received_bytes += count;
     last_received_ = clock_.now();
-    unread_ = std::span{buffer_}.first(count);
+    unread_ = unwrap(std::span{buffer_}.first(count));
   }
 }
 
 asio::awaitable<Result<void>> Connection::write(std::span<const std::byte> bytes) {
+  if (websocket_) {
+    wrapped_.clear();
+    while (websocket_->has_control()) websocket_->append_control(wrapped_, random_mask());
+    if (!bytes.empty()) websocket::ClientSide::append(wrapped_, bytes, random_mask());
+    bytes = wrapped_;
+  }
   const auto [error, count] = co_await write_all(bytes);
   if (error) {
     co_return tl::unexpected{reason_or(ErrorKind::disconnected, "the connection ended: " + error.message())};

@@ -1,4 +1,5 @@
-// One connection, plain or by TLS: frames in, bytes out, and the reason it ended.
+// One connection, plain or by TLS, and maybe inside a WebSocket: frames in, bytes out, and the reason it
+// ended.
 #pragma once
 
 #include <array>
@@ -20,6 +21,7 @@
 #include <talus/client/error.h>
 #include <talus/client/options.h>
 #include <talus/protocol/frame.h>
+#include <talus/websocket/client_side.h>
 
 #include "tls_stream.h"
 
@@ -32,12 +34,15 @@ class Connection {
   Connection(const asio::any_io_executor& executor, Clock& clock, std::uint32_t frame_limit_bytes);
 
   [[nodiscard]] asio::awaitable<Result<void>> open(const std::string& host, const std::string& port,
-                                                   const TlsOptions& tls);
+                                                   const TlsOptions& tls, const WebSocketOptions& websocket);
 
   /// The next whole frame, valid until the next call.
   [[nodiscard]] asio::awaitable<Result<std::span<const std::byte>>> next_frame(Stats& stats);
 
+  /// `bytes` may be empty while must_write().
   [[nodiscard]] asio::awaitable<Result<void>> write(std::span<const std::byte> bytes);
+  /// The connection itself has something to say; whoever waits for work was woken for it.
+  [[nodiscard]] bool must_write() const { return websocket_ && websocket_->has_control(); }
 
   /// Ends the connection; whatever waits on it gets `reason`. The first reason stays.
   void close(ClientError reason);
@@ -60,6 +65,10 @@ class Connection {
 
  private:
   [[nodiscard]] asio::awaitable<Result<void>> shake_hands(const std::string& host, const TlsOptions& options);
+  [[nodiscard]] asio::awaitable<Result<void>> upgrade(const std::string& host, const std::string& port,
+                                                      const WebSocketOptions& options);
+  /// Of what came, what is the protocol's.
+  [[nodiscard]] std::span<const std::byte> unwrap(std::span<std::byte> bytes);
   [[nodiscard]] asio::awaitable<Transferred> read_some();
   [[nodiscard]] asio::awaitable<Transferred> write_all(std::span<const std::byte> bytes);
   [[nodiscard]] ClientError reason_or(ErrorKind kind, std::string message) const;
@@ -67,6 +76,8 @@ class Connection {
   asio::ip::tcp::resolver resolver_;
   asio::ip::tcp::socket socket_;
   std::unique_ptr<TlsStream> tls_;  // null: plain
+  std::optional<websocket::ClientSide> websocket_;
+  std::vector<std::byte> wrapped_;  // in flight
   std::string where_;               // HOST:PORT
   bool received_any_ = false;       // a byte from the server
   Clock& clock_;

@@ -134,7 +134,7 @@ asio::awaitable<Result<WorldInfo>> Core::join(ConnectionPtr connection, std::str
   const std::string where = host + ":" + port;
   connection->set_deadline(connection, options_.connect_timeout,
                            {ErrorKind::timed_out, where + ": no connection in time", {}});
-  const auto opened = co_await connection->open(host, port, options_.tls);
+  const auto opened = co_await connection->open(host, port, options_.tls, options_.websocket);
   if (!opened) co_return tl::unexpected{opened.error()};
 
   connection->set_deadline(connection, options_.handshake_timeout,
@@ -282,7 +282,7 @@ asio::awaitable<void> Core::write_loop(ConnectionPtr connection) {
   const auto self = shared_from_this();
   while (!connection->is_closed()) {
     const auto bytes = compose();
-    if (bytes.empty()) {
+    if (bytes.empty() && !connection->must_write()) {
       co_await connection->wait_for_work();
       continue;
     }

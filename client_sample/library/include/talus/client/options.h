@@ -33,6 +33,14 @@ struct TlsOptions {
   bool verify = true;       // false: anybody may pose as the server
 };
 
+/// The same stream inside a WebSocket, for servers behind an HTTP proxy: connect to talusd's --http address,
+/// or to the proxy. Not in builds without TLS.
+struct WebSocketOptions {
+  bool on = false;
+  std::string path = "/v1/stream";
+  std::string host;  // that the server is asked for; empty: HOST:PORT as given to connect()
+};
+
 struct Options {
   std::string token;                          // what the server's operator gave out; empty: none
   std::string client_name = "talus::client";  // for the server's log
@@ -41,7 +49,8 @@ struct Options {
   /// and on_chunk brings them again. Only of chunks that somebody still held when they left; 0: none.
   std::size_t keep_bytes = 32U << 20;
   TlsOptions tls;
-  std::chrono::milliseconds connect_timeout{5'000};    // resolving, connecting, and TLS
+  WebSocketOptions websocket;
+  std::chrono::milliseconds connect_timeout{5'000};    // resolving, connecting, TLS, and the WebSocket
   std::chrono::milliseconds handshake_timeout{5'000};  // from Hello to Welcome
   std::chrono::milliseconds ping_interval{20'000};  // at most; a third of the server's idle time-out if less
   std::chrono::milliseconds silence_timeout{60'000};  // no byte from the server for this long: it is gone

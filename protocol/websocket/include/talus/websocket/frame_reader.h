@@ -1,4 +1,5 @@
-// Reads what a WebSocket client sends: a stream of bytes in masked frames. No I/O, and no payload is kept.
+// Reads what the other end of a WebSocket sends: a stream of bytes in frames, masked where a client sends
+// them. No I/O, and no payload is kept.
 // Source: RFC 6455 (The WebSocket Protocol), section 5.
 //
 // Message boundaries mean nothing here, so binary frames and their continuations are bytes one after the
@@ -12,7 +13,7 @@
 #include <system_error>
 #include <type_traits>
 
-namespace talus::server::websocket {
+namespace talus::websocket {
 
 /// Codes of a Close frame (section 7.4.1).
 enum class CloseCode : std::uint16_t {
@@ -24,8 +25,9 @@ enum class CloseCode : std::uint16_t {
 /// Why nothing more is read. As a std::error_code its message is one line.
 enum class End : std::uint8_t {
   none,
-  closed_by_client,
+  closed,  // by the other end
   not_masked,
+  masked,
   reserved_bit,
   unknown_opcode,
   text,
@@ -37,11 +39,16 @@ enum class End : std::uint8_t {
   malformed_close,
 };
 [[nodiscard]] std::error_code make_error_code(End end);
-/// With which code the server closes.
+/// With which code to close then.
 [[nodiscard]] CloseCode close_code(End end);
+
+/// Whose frames are read. A client masks them, a server must not (section 5.1).
+enum class Sender : std::uint8_t { client, server };
 
 class FrameReader {
  public:
+  explicit FrameReader(Sender sender) : sender_{sender} {}
+
   /// Of a control frame (section 5.5).
   static constexpr std::size_t kMaxControlBytes = 125;
 
@@ -74,6 +81,7 @@ class FrameReader {
   void end_frame();
   [[nodiscard]] bool is_control() const { return static_cast<std::uint8_t>(opcode_) >= 8; }
 
+  Sender sender_;
   std::array<std::byte, 14> head_{};  // flags and opcode, length, mask
   std::size_t head_filled_ = 0;
   std::array<std::byte, 4> mask_{};
@@ -92,7 +100,7 @@ class FrameReader {
   End end_ = End::none;
 };
 
-}  // namespace talus::server::websocket
+}  // namespace talus::websocket
 
 template <>
-struct std::is_error_code_enum<talus::server::websocket::End> : std::true_type {};
+struct std::is_error_code_enum<talus::websocket::End> : std::true_type {};

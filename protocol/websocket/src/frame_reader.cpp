@@ -1,9 +1,10 @@
-#include "websocket/frame_reader.h"
+#include <talus/websocket/frame_reader.h>
 
 #include <algorithm>
+#include <cstring>
 #include <string>
 
-namespace talus::server::websocket {
+namespace talus::websocket {
 namespace {
 
 constexpr std::byte kFinal{0x80};
@@ -19,8 +20,9 @@ class Category final : public std::error_category {
   [[nodiscard]] const char* name() const noexcept override { return "websocket"; }
   [[nodiscard]] std::string message(int end) const override {
     constexpr std::array kTexts{"nothing is wrong",
-                                "closed by the client",
-                                "a WebSocket frame is not masked",
+                                "closed by the other end",
+                                "a client's WebSocket frame is not masked",
+                                "a server's WebSocket frame is masked",
                                 "a WebSocket frame has a reserved bit set",
                                 "a WebSocket frame has an unknown opcode",
                                 "a WebSocket message is text; here they are binary",
@@ -48,13 +50,17 @@ std::error_code make_error_code(End end) {
 
 CloseCode close_code(End end) {
   if (end == End::text) return CloseCode::unsupported_data;
-  return end == End::none || end == End::closed_by_client ? CloseCode::normal : CloseCode::protocol_error;
+  return end == End::none || end == End::closed ? CloseCode::normal : CloseCode::protocol_error;
 }
 
 std::size_t FrameReader::head_bytes() const {
   if (head_filled_ < 2) return 2;
   const std::uint8_t length = length_of(head_[1]);
-  return 2 + (length == kLength16 ? 2U : length == kLength64 ? 8U : 0U) + mask_.size();
+  return 2 +
+         (length == kLength16   ? 2U
+          : length == kLength64 ? 8U
+                                : 0U) +
+         (sender_ == Sender::client ? mask_.size() : 0);
 }
 
 std::size_t FrameReader::take(std::span<std::byte> bytes) {
@@ -64,15 +70,22 @@ std::size_t FrameReader::take(std::span<std::byte> bytes) {
     if (!in_frame_) {
       head_[head_filled_++] = bytes[at++];
       // What is wrong is said as soon as it is known.
-      if (head_filled_ == 2 && (head_[1] & kMasked) == std::byte{0}) end_ = End::not_masked;
+      const bool masked = (head_[1] & kMasked) != std::byte{0};
+      if (head_filled_ == 2 && masked != (sender_ == Sender::client)) {
+        end_ = masked ? End::masked : End::not_masked;
+      }
       if (end_ == End::none && head_filled_ == head_bytes()) begin_frame();
       continue;
     }
     const std::size_t piece =
         static_cast<std::size_t>(std::min<std::uint64_t>(bytes.size() - at, frame_bytes_ - frame_taken_));
     std::byte* const into = is_control() ? control_.data() + frame_taken_ : bytes.data() + kept;
-    for (std::size_t i = 0; i < piece; ++i)
-      into[i] = bytes[at + i] ^ mask_[(frame_taken_ + i) % mask_.size()];
+    if (sender_ == Sender::client) {
+      for (std::size_t i = 0; i < piece; ++i)
+        into[i] = bytes[at + i] ^ mask_[(frame_taken_ + i) % mask_.size()];
+    } else if (piece > 0) {
+      std::memmove(into, bytes.data() + at, piece);
+    }
     if (!is_control()) kept += piece;
     at += piece;
     frame_taken_ += piece;
@@ -96,8 +109,10 @@ void FrameReader::begin_frame() {
   last_ = (head_[0] & kFinal) != std::byte{0};
   frame_bytes_ = payload_bytes();
   frame_taken_ = 0;
-  std::copy_n(head_.begin() + static_cast<std::ptrdiff_t>(head_filled_ - mask_.size()), mask_.size(),
-              mask_.begin());
+  if (sender_ == Sender::client) {
+    std::copy_n(head_.begin() + static_cast<std::ptrdiff_t>(head_filled_ - mask_.size()), mask_.size(),
+                mask_.begin());
+  }
   head_filled_ = 0;
   in_frame_ = true;
   if ((head_[0] & kReserved) != std::byte{0}) return void(end_ = End::reserved_bit);
@@ -130,8 +145,8 @@ void FrameReader::end_frame() {
     ping_bytes_ = static_cast<std::size_t>(frame_bytes_);
     std::copy_n(control_.begin(), ping_bytes_, ping_.begin());
   } else if (opcode_ == Opcode::close) {
-    end_ = frame_bytes_ == 1 ? End::malformed_close : End::closed_by_client;
+    end_ = frame_bytes_ == 1 ? End::malformed_close : End::closed;
   }
 }
 
-}  // namespace talus::server::websocket
+}  // namespace talus::websocket

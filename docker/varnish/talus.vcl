@@ -1,0 +1,47 @@
+vcl 4.1;
+
+# Varnish in front of talusd's HTTP and WebSocket:
+#   varnishd -a :80 -f talus.vcl -s malloc,8g
+# Set the backend's address; Varnish's own goes into talusd's `proxies`. The test of it is tests/proxies/run.sh.
+
+backend talus {
+    .host = "127.0.0.1";
+    .port = "4782";
+    .first_byte_timeout = 60s;  # talusd itself gives up after 20 s
+    .max_connections = 256;
+}
+
+sub vcl_recv {
+    # Varnish has added the client to X-Forwarded-For.
+    if (req.http.Upgrade ~ "(?i)^websocket$") {
+        return (pipe);
+    }
+}
+
+sub vcl_pipe {
+    set bereq.http.Upgrade = req.http.Upgrade;
+    set bereq.http.Connection = "Upgrade";
+}
+
+sub vcl_backend_response {
+    if (beresp.status >= 500 && bereq.is_bgfetch) {
+        return (abandon);  # what is held is better
+    }
+    if (beresp.status == 200 && bereq.url == "/v1/world" && !bereq.http.Authorization) {
+        # What a client asks for first: one answer does for a second, and for as long as talusd is away.
+        set beresp.ttl = 1s;
+        set beresp.grace = 7d;
+        return (deliver);
+    }
+    if (beresp.status == 200 && beresp.ttl > 0s) {
+        set beresp.grace = 30d;  # chunks, which never change under their path
+    }
+}
+
+sub vcl_deliver {
+    if (obj.hits > 0) {
+        set resp.http.X-Cache = "HIT";
+    } else {
+        set resp.http.X-Cache = "MISS";
+    }
+}

@@ -1,0 +1,136 @@
+#!/usr/bin/env bash
+# nginx and Varnish really in front of talusd, with the configurations that ship: docker/nginx/talus.conf and
+# docker/varnish/talus.vcl, changed in their addresses and folders alone. Results go to out/proxies.
+#
+#   - a flight over the same land twice: at most 1 % of the second flight's requests reach talusd
+#   - every answer is talusd's own, byte for byte, also while talusd is away
+#   - a client behind a proxy is held by the rates of its own address, whatever it claims to be, and no other client is
+#   - players by WebSocket get what is right
+set -euo pipefail
+cd "$(dirname "$0")/../.."
+
+out="$PWD/out/proxies"
+. tests/proxies/servers.sh
+talus_load="$build/client_sample/load/talus-load"
+
+# The paths of a flight: what a player with Views of 4 columns' radius wants along 48 chunks, in columns of level 0, single
+# chunks where it stands, and squares of level 3 around.
+flight() {
+  local root="$1" step x z
+  for ((step = 0; step < 48; ++step)); do
+    for z in {-4..4}; do
+      if ((step == 0)); then
+        for x in {-4..4}; do echo "$root/0/$x/$z"; done
+      else
+        echo "$root/0/$((step + 4))/$z"
+      fi
+    done
+    echo "$root/0/$step/0/0"
+    ((step % 4 != 0)) || for z in -8 -4 0 4; do echo "$root/3/$((step + 8))/$z/4x4"; done
+  done
+}
+
+# fetch PORT FOLDER [curl option...]: the flight's answers, each in a file. All must be 200.
+fetch() {
+  local port="$1" folder="$out/$2" number=0 path
+  shift 2
+  rm -rf "$folder"
+  mkdir -p "$folder"
+  while read -r path; do
+    printf 'url = "http://127.0.0.1:%s%s"\noutput = "%s/%s"\n' "$port" "$path" "$folder" "$((++number))"
+  done <"$out/paths" >"$out/list"
+  curl -sS --fail --parallel --parallel-max 8 --interface 127.0.0.2 "$@" -K "$out/list" || die "not all of the flight came by port $port"
+}
+
+# answered: how many requests talusd has answered.
+answered() {
+  curl -sS --fail "http://127.0.0.1:$admin_port/metrics" | awk '/^talus_http_responses_total/ { sum += $2 } END { print sum + 0 }'
+}
+
+# same FOLDER: its answers are talusd's own.
+same() { diff -rq "$out/own" "$out/$1" >/dev/null || die "$1 differs from talusd's own answers"; }
+
+# fly_twice NAME PORT
+fly_twice() {
+  local name="$1" port="$2" requests before after
+  requests="$(wc -l <"$out/paths")"
+  fetch "$port" "$name-first"
+  same "$name-first"
+  before="$(answered)"
+  fetch "$port" "$name-second"
+  after="$(answered)"
+  same "$name-second"
+  awk -v name="$name" -v n="$requests" -v through=$((after - before)) 'BEGIN {
+    hits = 100 * (1 - through / n)
+    printf "%s: %d requests of the second flight, %.2f %% hits\n", name, n, hits
+    exit hits < 99
+  }' || die "$name: too many requests of the second flight reached talusd"
+}
+
+# without_talusd NAME PORT: the land seen before, and which world it is.
+without_talusd() {
+  fetch "$2" "$1-away"
+  same "$1-away"
+  curl -sS --fail --interface 127.0.0.2 "http://127.0.0.1:$2/v1/world" | cmp -s - "$out/world" ||
+    die "$1 has no right /v1/world while talusd is away"
+  printf '%s: all right while talusd is away\n' "$1"
+}
+
+# status PORT ADDRESS [curl option...]: of a request that no cache answers, from that address.
+status() {
+  local port="$1" from="$2"
+  shift 2
+  curl -sS -o /dev/null -w '%{http_code}\n' --interface "$from" "$@" "http://127.0.0.1:$port/v1/heights?columns=1,1"
+}
+
+# rates_behind NAME PORT FIRST-ADDRESS SECOND-ADDRESS: talusd grants an address 20 requests at once.
+rates_behind() {
+  local name="$1" port="$2" i refused=0
+  for ((i = 0; i < 40; ++i)); do
+    [[ "$(status "$port" "$3" -H "X-Forwarded-For: 198.51.100.$i")" != 429 ]] || refused=$((refused + 1))
+  done
+  ((refused >= 15)) || die "$name: a client that floods was refused $refused times of 40"
+  [[ "$(status "$port" "$4")" == 200 ]] || die "$name: another client is refused with the one that floods"
+  printf '%s: %s of 40 requests of one client are refused, none of another\n' "$name" "$refused"
+}
+
+# players NAME PORT: by IPv6, so that they have another address than the proxies.
+players() {
+  "$talus_load" --connect "ws://[::1]:$2" --players 10 --model fly --radius 4 --duration 4 --drain 60 --verify 20 \
+    --fail-if 'wrong>0' --fail-if 'errors>0' --fail-if 'disconnects>0' --fail-if 'unanswered>0' --fail-if 'chunks_per_s==0' \
+    >"$out/$1-players.txt" 2>&1 || { cat "$out/$1-players.txt" >&2; die "players by WebSocket through $1"; }
+  printf '%s: players by WebSocket get what is right\n' "$1"
+}
+
+rm -rf "$out"
+mkdir -p "$out"
+has nginx
+has varnishd
+for port in talusd_port admin_port nginx_port varnish_port; do free_port $port; done
+
+start_talusd
+curl -sS --fail "http://127.0.0.1:$talusd_port/v1/world" -H 'X-Forwarded-For: 127.0.0.2' >"$out/world"
+fingerprint="$(sed -n 's/.*"fingerprint": *"\([0-9a-f]*\)".*/\1/p' "$out/world")"
+flight "/v1/$fingerprint/4" >"$out/paths"
+fetch "$talusd_port" own
+sed -e "s#/var/cache/nginx/talus#$out/nginx/cache#" -e "s#server 127.0.0.1:4782#server 127.0.0.1:$talusd_port#" \
+  -e "s#listen 80;#listen 127.0.0.1:$nginx_port; listen [::1]:$nginx_port;#" docker/nginx/talus.conf >"$out/talus.conf"
+start_nginx nginx "$nginx_port" "$out/talus.conf"
+sed -e "s#\"4782\"#\"$talusd_port\"#" docker/varnish/talus.vcl >"$out/talus.vcl"
+start_varnish varnish "$varnish_port" "$out/talus.vcl"
+for proxy in nginx varnish; do
+  port="${proxy}_port"
+  curl -sS --fail -o /dev/null --interface 127.0.0.2 "http://127.0.0.1:${!port}/v1/world"
+  fly_twice $proxy "${!port}"
+  players $proxy "${!port}"
+done
+stop_talusd
+for proxy in nginx varnish; do
+  port="${proxy}_port"
+  without_talusd $proxy "${!port}"
+done
+start_talusd TALUS_RATES_ADDRESS_REQUESTS=1 TALUS_RATES_BURST_MS=20000
+rates_behind nginx "$nginx_port" 127.0.0.3 127.0.0.4
+rates_behind varnish "$varnish_port" 127.0.0.5 127.0.0.6
+stop_talusd
+echo "nginx and Varnish in front of talusd: all right"
