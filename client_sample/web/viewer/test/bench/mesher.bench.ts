@@ -28,10 +28,10 @@ for (let round = 0; round < 3; round++) {
         for (let y = -1; y <= SIDE; y++)
           for (let z = -1; z <= SIDE; z++)
             for (let x = -1; x <= SIDE; x++) padded[paddedIndex(x, y, z)] = at(cx * 32 + x, cy * 32 + y, cz * 32 + z);
-        const start = performance.now();
+        const start = process.cpuUsage().user;
         const mesh = meshChunk(padded, { kinds, places, slot: 1, occlusion: true, kept: null });
         if (round === 0) continue;
-        times.push(performance.now() - start);
+        times.push((process.cpuUsage().user - start) / 1000);
         chunks++;
         quads += mesh.counts.subarray(0, 6).reduce((a, b) => a + b);
         skirts += mesh.counts.subarray(6, 10).reduce((a, b) => a + b);
