@@ -2,7 +2,6 @@
 import { Session, type Trouble } from './connection/session';
 import { Server } from './connection/server';
 import { TokenStore } from './connection/token';
-import { EYE } from './controls/body';
 import { Keyboard } from './controls/keyboard';
 import { Mouse } from './controls/mouse';
 import { Player } from './controls/player';
@@ -347,7 +346,7 @@ void session.open();
 // For the console, and for tests.
 declare global {
   interface Window {
-    talus: { readonly engine: Engine | null; readonly player: Player; readonly settings: Settings; readonly eyeHeight: number };
+    talus: { readonly engine: Engine | null; readonly player: Player; readonly settings: Settings; pick: (x: number, y: number) => void };
   }
 }
 window.talus = {
@@ -356,5 +355,5 @@ window.talus = {
   },
   player,
   settings,
-  eyeHeight: EYE,
+  pick,
 };

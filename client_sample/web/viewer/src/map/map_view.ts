@@ -175,7 +175,14 @@ export class MapView {
       store.want(wanted);
     }
     context.setTransform(pixels, 0, 0, pixels, 0, 0);
-    for (const marker of this.#markers) this.#drawMarker(context, marker);
+    const at = this.#markers.map((marker) => ({ marker, place: toScreen(this.camera, size, marker.x, marker.z) }));
+    for (const { marker, place } of at) this.#drawMarker(context, marker, ...place);
+    // The last marker's name matters most: one that would lie on it stays away.
+    const isCovered = (x: number, y: number, by: typeof at) =>
+      by.some(({ place: [nx, ny] }) => Math.abs(nx - x) < 60 && Math.abs(ny - y) < 40);
+    at.forEach(({ marker, place }, i) => {
+      if (!isCovered(...place, at.slice(i + 1))) this.#drawName(context, marker, ...place);
+    });
     if (this.#byKeys) this.#drawCross(context);
     this.#drawScale(context);
   }
@@ -195,8 +202,7 @@ export class MapView {
     }
   }
 
-  #drawMarker(context: CanvasRenderingContext2D, marker: Marker): void {
-    const [x, y] = toScreen(this.camera, this.#size, marker.x, marker.z);
+  #drawMarker(context: CanvasRenderingContext2D, marker: Marker, x: number, y: number): void {
     context.save();
     context.translate(x, y);
     context.lineWidth = 2;
@@ -216,6 +222,9 @@ export class MapView {
     context.fill();
     context.stroke();
     context.restore();
+  }
+
+  #drawName(context: CanvasRenderingContext2D, marker: Marker, x: number, y: number): void {
     context.font = '600 12px system-ui, sans-serif';
     context.textAlign = 'center';
     context.lineWidth = 3.5;

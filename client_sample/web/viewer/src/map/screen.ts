@@ -71,8 +71,8 @@ export class MapScreen {
     tools.append(
       button('Zoom in', '+', () => this.view.zoomBy(1)),
       button('Zoom out', '−', () => this.view.zoomBy(-1)),
-      button('Where you are', 'Me', () => this.#player !== null && this.view.look({ ...this.view.camera, ...this.#player })),
-      button('The spawn', 'Spawn', () => this.#world !== null && this.view.look({ ...this.view.camera, ...this.#world.spawn })),
+      button('Where you are', 'Me', () => this.#player !== null && this.#centre(this.#player)),
+      button('The spawn', 'Spawn', () => this.#world !== null && this.#centre(this.#world.spawn)),
     );
     const close = button('Close the map', '', handlers.close);
     close.className = 'map-close';
@@ -128,6 +128,10 @@ export class MapScreen {
     this.#canvas.parentElement?.replaceChildren();
   }
 
+  #centre({ x, z }: { x: number; z: number }): void {
+    this.view.look({ ...this.view.camera, x, z });
+  }
+
   readonly #onKey = (event: KeyboardEvent) => {
     if (event.key === 'Escape' || (event.code === 'KeyM' && !event.ctrlKey && !event.metaKey)) {
       event.preventDefault();
@@ -138,7 +142,7 @@ export class MapScreen {
 
   #mark(): void {
     const markers: Marker[] = [];
-    if (this.#world !== null) markers.push({ ...this.#world.spawn, yaw: null, name: 'Spawn' });
+    if (this.#world !== null) markers.push({ x: this.#world.spawn.x, z: this.#world.spawn.z, yaw: null, name: 'Spawn' });
     if (this.#player !== null) markers.push({ ...this.#player, name: 'You' });
     this.view.mark(markers);
   }

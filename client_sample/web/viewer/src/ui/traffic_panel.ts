@@ -47,15 +47,15 @@ export class TrafficPanel {
     this.#row('View', STATES[stats.state]);
     this.#row('Chunks', `${count(stats.chunks)}, ${count(stats.chunkRate)} /s`);
     this.#row('Received', `${bytes(stats.receivedBytes)}, ${bytes(this.#byteRate)}/s`);
-    this.#row('Ask to picture, p50', latency === null ? '–' : `${ms(latency.p50)} ms`);
+    this.#row('Asked to drawn, p50', latency === null ? '–' : `${ms(latency.p50)} ms`);
     this.#row('p95, p99', latency === null ? '–' : `${ms(latency.p95)}, ${ms(latency.p99)} ms`);
     this.#row('Land is missing', stats.nearestMissing === null ? 'nowhere' : `${count(stats.nearestMissing)} blocks away`);
     this.#row('Meshes, to come', `${count(stats.meshes)}, ${count(stats.pendingMeshes)}`);
     this.#row('Triangles', count(stats.triangles));
     this.#row('Draw calls', count(stats.drawCalls));
     this.#row('Pictures a second', framesPerSecond.toFixed(0));
-    this.#row('Frame’s CPU, p50, p95', `${ms(frameCpu.p50)}, ${ms(frameCpu.p95)} ms`);
-    this.#row('Memory: card, page', `${bytes(stats.gpuBytes)}, ${bytes(stats.heapBytes)}`);
+    this.#row('Frame, p50, p95', `${ms(frameCpu.p50)}, ${ms(frameCpu.p95)} ms`);
+    this.#row('On the card, in the page', `${bytes(stats.gpuBytes)}, ${bytes(stats.heapBytes)}`);
     this.#chart();
     this.#levels(stats.chunksPerLevel);
   }
