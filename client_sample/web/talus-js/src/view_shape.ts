@@ -46,7 +46,7 @@ function touching(centre: number, radius: number, size: number): Range {
 /** Chunks of `size` base chunks wholly inside chunks of `finerSize`. */
 function whollyInside(finer: Range, finerSize: number, size: number): Range {
   return {
-    first: Math.ceil((finer.first * finerSize) / size),
+    first: Math.ceil((finer.first * finerSize) / size) + 0, // not -0
     last: Math.floor(((finer.last + 1) * finerSize) / size) - 1,
   };
 }
@@ -183,8 +183,8 @@ function refuse(what: string): never {
 /** The View with whole numbers; throws a TalusError where a server would refuse it. */
 export function checkedView(view: View): View {
   for (const axis of ['x', 'y', 'z'] as const) {
-    if (!Number.isSafeInteger(Math.floor(view.centre[axis]))) {
-      refuse(`the View's centre has ${axis} = ${view.centre[axis]}; it must be a number within 2^53`);
+    if (!Number.isFinite(view.centre[axis])) {
+      refuse(`the View's centre has ${axis} = ${view.centre[axis]}; it must be a finite number`);
     }
   }
   const radius = (value: number, name: string) => {
@@ -204,9 +204,10 @@ export function checkedView(view: View): View {
     lod = ring.lod;
     before = ring.radius;
   }
-  const { x, y, z } = view.centre;
+  // Worlds end at 2^36: what lies farther out than numbers are exact has no chunks anyway.
+  const whole = (at: number) => Math.max(-(2 ** 52), Math.min(2 ** 52, Math.floor(at)));
   return {
-    centre: { x: Math.floor(x), y: Math.floor(y), z: Math.floor(z) },
+    centre: { x: whole(view.centre.x), y: whole(view.centre.y), z: whole(view.centre.z) },
     ...(view.direction === undefined ? {} : { direction: { ...view.direction } }),
     horizontalRadius: view.horizontalRadius,
     verticalRadius: view.verticalRadius,
