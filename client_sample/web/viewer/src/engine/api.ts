@@ -62,14 +62,16 @@ export interface Stats {
   readonly chunks: number;
   /** The same, by level. */
   readonly chunksPerLevel: readonly number[];
-  /** Asked for by the current View, and not here yet: an estimate until the view is complete. */
+  /** Chunks that the current View has. */
+  readonly chunksWanted: number;
+  /** Chunks that are here and wait for a worker, or are with one. */
   readonly pendingMeshes: number;
   readonly meshes: number;
   /** Of the last frame, shadow passes included. */
   readonly triangles: number;
   readonly drawCalls: number;
   readonly receivedBytes: number;
-  /** From being asked for to being drawn, of the last 1,024 chunks, in milliseconds. */
+  /** Of a chunk, from its coming to its being on the GPU, its neighbours' coming included; of the last 1,024. */
   readonly latency: { readonly p50: number; readonly p95: number; readonly p99: number } | null;
   /** Chunks a second, over the last second. */
   readonly chunkRate: number;
