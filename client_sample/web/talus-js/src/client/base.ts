@@ -1,0 +1,269 @@
+// What clients over a stream and over HTTP have in common: events, the View, statistics.
+import { Emitter } from '../emitter.js';
+import { TalusError } from '../errors.js';
+import type {
+  Chunk,
+  ChunkKey,
+  Client,
+  ClientEvents,
+  ConnectOptions,
+  Places,
+  Stats,
+  View,
+  World,
+} from '../types.js';
+import { checkedView, checkLimits, ViewShape } from '../view_shape.js';
+import { Backoff } from './backoff.js';
+import { Tracker } from './tracker.js';
+
+type Mutable<T> = { -readonly [K in keyof T]: T[K] };
+
+/** Views are sent no oftener, as servers do not apply them much oftener. */
+const VIEW_INTERVAL_MS = 50;
+
+const COUNTS = {
+  chunks: 0,
+  uniformChunks: 0,
+  unchangedChunks: 0,
+  receivedBytes: 0,
+  sentBytes: 0,
+  chunkBytes: 0,
+  connections: 0,
+  requests: 0,
+  latencyMs: null,
+  firstChunkMs: null,
+  viewCompleteMs: null,
+} as const;
+
+export abstract class ClientBase implements Client {
+  world: World | null = null;
+  connected = false;
+  readonly stats: Mutable<Stats> = { ...COUNTS };
+
+  protected readonly tracker = new Tracker();
+  protected readonly backoff: Backoff;
+  protected isClosed = false;
+  private readonly events = new Emitter<ClientEvents>();
+  private closeError: TalusError | null = null;
+  private wanted: View | null = null; // the newest View; the tracker's is the one applied last
+  private viewTimer: ReturnType<typeof setTimeout> | undefined;
+  private retryTimer: ReturnType<typeof setTimeout> | undefined;
+  private appliedAt = -Infinity;
+  private viewSince = 0;
+
+  protected constructor(protected readonly options: ConnectOptions) {
+    this.backoff = new Backoff(options.reconnect);
+    globalThis.addEventListener?.('online', this.retryNow);
+  }
+
+  on<K extends keyof ClientEvents>(event: K, handler: ClientEvents[K]): this {
+    this.events.on(event, handler);
+    return this;
+  }
+
+  off<K extends keyof ClientEvents>(event: K, handler: ClientEvents[K]): this {
+    this.events.off(event, handler);
+    return this;
+  }
+
+  protected emit<K extends keyof ClientEvents>(event: K, ...args: Parameters<ClientEvents[K]>): void {
+    this.events.emit(event, ...args);
+  }
+
+  ready(): Promise<World> {
+    return new Promise((resolve, reject) => {
+      if (this.connected && this.world !== null) {
+        resolve(this.world);
+        return;
+      }
+      if (this.isClosed) {
+        reject(this.closedError());
+        return;
+      }
+      const done = () => {
+        this.off('connected', join).off('closed', end);
+      };
+      const join = (world: World) => {
+        done();
+        resolve(world);
+      };
+      const end = () => {
+        done();
+        reject(this.closedError());
+      };
+      this.on('connected', join).on('closed', end);
+    });
+  }
+
+  protected closedError(): TalusError {
+    return this.closeError ?? new TalusError('closed', 'the client is closed');
+  }
+
+  setView(view: View | null): void {
+    if (this.isClosed) throw this.closedError();
+    const checked = view === null ? null : checkedView(view);
+    if (checked !== null && this.world !== null) {
+      checkLimits(checked, new ViewShape(checked, this.world), this.world.limits);
+    }
+    if (sameView(checked, this.wanted)) return;
+    this.wanted = checked;
+    this.applyViewSoon();
+  }
+
+  private applyViewSoon(): void {
+    if (!this.connected || this.viewTimer !== undefined) return;
+    const wait = this.appliedAt + VIEW_INTERVAL_MS - performance.now();
+    if (wait <= 0) {
+      this.applyView();
+      return;
+    }
+    this.viewTimer = setTimeout(() => {
+      this.viewTimer = undefined;
+      if (this.connected) this.applyView();
+    }, wait);
+  }
+
+  /** Makes the newest View that of the tracker, and tells the server. */
+  private applyView(): void {
+    const view = this.wanted;
+    const before = this.tracker.view;
+    this.appliedAt = performance.now();
+    if (before === null || view === null || !sameChunks(before, view)) {
+      this.viewSince = this.appliedAt;
+      this.stats.firstChunkMs = this.stats.viewCompleteMs = null;
+    }
+    for (const key of this.tracker.replace(view, this.world!)) this.emit('chunkLeft', key);
+    if (this.connected && this.tracker.view === view) this.viewApplied();
+  }
+
+  /** The tracker has a new View. */
+  protected abstract viewApplied(): void;
+
+  /** Tells of the world that a server has; the View goes on. */
+  protected joined(world: World): void {
+    const before = this.world;
+    const sameWorld = before !== null && before.fingerprint === world.fingerprint;
+    if (!sameWorld) {
+      for (const key of this.tracker.forget()) this.emit('chunkLeft', key);
+    } else if (before.storeId !== world.storeId) {
+      this.tracker.forgetRevisions();
+    }
+    this.world = world;
+    this.connected = true;
+    ++this.stats.connections;
+    this.worldKnown(sameWorld);
+    this.emit('connected', world, before === null || sameWorld);
+    if (!this.connected) return; // a handler closed the client
+    if (this.wanted !== null) {
+      try {
+        checkLimits(this.wanted, new ViewShape(this.wanted, world), world.limits);
+      } catch (error) {
+        this.wanted = this.tracker.view = null;
+        this.emit('error', error as TalusError);
+      }
+    }
+    if (this.wanted !== null) this.applyView();
+  }
+
+  /** Before the application hears of it. */
+  protected abstract worldKnown(sameWorld: boolean): void;
+
+  /** Gives the application a chunk of the View, unless it has it. */
+  protected deliver(chunk: Chunk): boolean {
+    if (!this.tracker.deliver(chunk)) return false;
+    ++this.stats.chunks;
+    if (chunk.material !== null) ++this.stats.uniformChunks;
+    this.stats.firstChunkMs ??= performance.now() - this.viewSince;
+    this.emit('chunk', chunk);
+    return true;
+  }
+
+  protected tellComplete(): void {
+    this.stats.viewCompleteMs ??= performance.now() - this.viewSince;
+    this.emit('viewComplete', this.tracker.view!);
+  }
+
+  /** The connection is gone: comes back by itself, or ends. */
+  protected lost(error: TalusError): void {
+    if (this.isClosed) return;
+    this.connected = false;
+    clearTimeout(this.viewTimer);
+    this.viewTimer = undefined;
+    const wait = error.kind === 'refused' ? null : this.backoff.next(error.retryAfterMs);
+    this.emit('disconnected', error, wait);
+    if (this.isClosed) return;
+    if (wait === null) {
+      this.end(error);
+      return;
+    }
+    this.retryTimer = setTimeout(this.retryNow, wait);
+  }
+
+  private readonly retryNow = (): void => {
+    if (this.retryTimer === undefined) return;
+    clearTimeout(this.retryTimer);
+    this.retryTimer = undefined;
+    this.attempt();
+  };
+
+  /** Connects; calls joined() or lost(). */
+  protected abstract attempt(): void;
+
+  protected end(error: TalusError | null): void {
+    if (this.isClosed) return;
+    this.isClosed = true;
+    this.connected = false;
+    this.closeError = error;
+    clearTimeout(this.viewTimer);
+    clearTimeout(this.retryTimer);
+    this.retryTimer = undefined;
+    globalThis.removeEventListener?.('online', this.retryNow);
+    this.stopped();
+    this.emit('closed', error);
+  }
+
+  /** Frees what the connection held, and fails what is unanswered. */
+  protected abstract stopped(): void;
+
+  close(): void {
+    this.end(null);
+  }
+
+  abstract taken(chunk: Chunk): void;
+  abstract getChunk(key: ChunkKey): Promise<Chunk>;
+  abstract getPlaces(
+    columns: readonly { readonly x: number; readonly z: number }[],
+    wanted?: { readonly looks?: boolean; readonly fields?: readonly string[] },
+  ): Promise<Places>;
+  abstract ping(): Promise<number>;
+}
+
+function sameRings(a: View, b: View): boolean {
+  return JSON.stringify(a.rings) === JSON.stringify(b.rings);
+}
+
+/** Whether two Views have the same chunks. */
+function sameChunks(a: View, b: View): boolean {
+  const chunk = (at: number) => Math.floor(at / 32);
+  return (
+    chunk(a.centre.x) === chunk(b.centre.x) &&
+    chunk(a.centre.y) === chunk(b.centre.y) &&
+    chunk(a.centre.z) === chunk(b.centre.z) &&
+    a.horizontalRadius === b.horizontalRadius &&
+    a.verticalRadius === b.verticalRadius &&
+    a.horizon === b.horizon &&
+    sameRings(a, b)
+  );
+}
+
+/** Whether a server would send the same chunks in nearly the same order: while they come, small turns say nothing. */
+function sameView(a: View | null, b: View | null): boolean {
+  if (a === null || b === null) return a === b;
+  return sameChunks(a, b) && isNear(a.direction, b.direction);
+}
+
+function isNear(a: View['direction'], b: View['direction']): boolean {
+  if (a === undefined || b === undefined) return a === b;
+  const length = Math.hypot(a.x, a.y, a.z) * Math.hypot(b.x, b.y, b.z);
+  return !(length > 0) || a.x * b.x + a.y * b.y + a.z * b.z > 0.97 * length;
+}

@@ -1,0 +1,85 @@
+// The View, and which chunks of it the application was given.
+import { keyName } from '../keys.js';
+import type { Chunk, ChunkKey, View } from '../types.js';
+import type { Heights, ViewShape } from '../view_shape.js';
+import { ViewShape as Shape } from '../view_shape.js';
+
+interface Delivered {
+  readonly key: ChunkKey;
+  readonly revision: bigint;
+  readonly hash: string | null;
+  readonly material: number | null;
+}
+
+export class Tracker {
+  view: View | null = null;
+  shape: ViewShape | null = null;
+  private readonly delivered = new Map<string, Delivered>();
+
+  /** Takes a View in place of the one before; gives the chunks that left. */
+  replace(view: View | null, heights: Heights): ChunkKey[] {
+    this.view = view;
+    this.shape = view === null ? null : new Shape(view, heights);
+    const left: ChunkKey[] = [];
+    for (const [name, { key }] of this.delivered) {
+      if (this.shape?.covers(key)) continue;
+      this.delivered.delete(name);
+      left.push(key);
+    }
+    return left;
+  }
+
+  /** All chunks leave. */
+  forget(): ChunkKey[] {
+    const left = [...this.delivered.values()].map(({ key }) => key);
+    this.delivered.clear();
+    return left;
+  }
+
+  /** Revisions of another store cannot be compared with those held. */
+  forgetRevisions(): void {
+    for (const [name, chunk] of this.delivered) this.delivered.set(name, { ...chunk, revision: -1n });
+  }
+
+  /** Whether the application is to be told of the chunk: it is in the View, and new or newer. */
+  deliver(chunk: Chunk): boolean {
+    if (!this.shape?.covers(chunk.key)) return false;
+    const name = keyName(chunk.key);
+    const before = this.delivered.get(name);
+    const { key, revision, hash, material } = chunk;
+    if (before !== undefined) {
+      if (before.revision > revision) return false;
+      const same = hash !== null && before.hash !== null ? hash === before.hash : sameUniform(material, before.material);
+      this.delivered.set(name, { key, revision, hash: hash ?? before.hash, material });
+      if (same) return false;
+    } else {
+      this.delivered.set(name, { key, revision, hash, material });
+    }
+    return true;
+  }
+
+  has(key: ChunkKey): boolean {
+    return this.delivered.has(keyName(key));
+  }
+
+  hashOf(key: ChunkKey): string | null {
+    return this.delivered.get(keyName(key))?.hash ?? null;
+  }
+
+  isWhole(): boolean {
+    return this.delivered.size === (this.shape?.count ?? 0);
+  }
+
+  missing(): ChunkKey[] {
+    const missing: ChunkKey[] = [];
+    if (this.isWhole()) return missing;
+    this.shape?.forEach((key) => {
+      if (!this.has(key)) missing.push(key);
+    });
+    return missing;
+  }
+}
+
+function sameUniform(a: number | null, b: number | null): boolean {
+  return a !== null && a === b;
+}

@@ -1,0 +1,86 @@
+// The probabilities of a column's symbol: FORMAT.md, "Layered: the model". Terrain has few neighbourhoods, which come
+// again and again: a cache keeps the intervals of each.
+import { OTHER_START, SAME_END, UP_SPLIT, WEIGHTS } from './plane_weights.js';
+
+export const LEVEL = 0;
+export const CARRIED = 1;
+export const FIRST = 2;
+
+// Where the features of a column lie in its key, two bits each. The first twelve are those of even columns.
+const WEST = 0;
+const EAST = 2;
+const FAR_EAST = 4;
+const STEP_FAR_EAST = 6;
+const STEP_EAST = 8;
+const STEP = 10;
+const STEP_WEST = 12;
+const STEP_FAR_WEST = 14;
+const FLOOR = 16;
+const THICKNESS_EAST = 18;
+const THICKNESS = 20;
+const THICKNESS_WEST = 22;
+export const SYMBOL_WEST = 24;
+export const SYMBOL_EAST = 26;
+export const KIND = 28;
+
+const PAIRS = [
+  [STEP_WEST, STEP_EAST],
+  [FLOOR, THICKNESS_EAST],
+  [WEST, EAST],
+  [STEP, STEP_FAR_WEST],
+  [FAR_EAST, STEP_FAR_EAST],
+  [THICKNESS_WEST, THICKNESS_EAST],
+  [WEST, THICKNESS],
+  [EAST, THICKNESS],
+  [FLOOR, THICKNESS],
+  [WEST, SYMBOL_WEST],
+  [EAST, SYMBOL_EAST],
+  [THICKNESS, SYMBOL_WEST],
+  [THICKNESS, SYMBOL_EAST],
+] as const;
+const EVEN_PAIRS = 9;
+
+function parseWeights(): Int8Array[] {
+  return WEIGHTS.map((text) => Int8Array.from(text.trim().split(/\s+/), Number));
+}
+
+export const CACHE_BITS = 13;
+
+/** The intervals of even columns, or of odd ones, by key. */
+export class PlaneModel {
+  /** Of a key the place is cachePlace(key): keys[place] says which key's intervals are there. */
+  readonly keys = new Int32Array(1 << CACHE_BITS).fill(-1);
+  /** Ends of the intervals of symbols 0, 1 and 2, eight bits each. */
+  readonly ends = new Int32Array(1 << CACHE_BITS);
+  private readonly weights: Int8Array[];
+
+  constructor(private readonly odd: boolean) {
+    this.weights = parseWeights().filter((_, i) => (i % 2 === 1) === odd);
+  }
+
+  /** Puts the intervals of `key` where they belong. */
+  fill(key: number, place: number): number {
+    const weights = this.weights[key >>> KIND]!;
+    const pairs = this.odd ? PAIRS.length : EVEN_PAIRS;
+    let same = 0;
+    let up = 0;
+    for (let p = 0; p < pairs; ++p) {
+      const [first, second] = PAIRS[p]!;
+      const at = p * 32 + ((key >>> first) & 3) + 4 * ((key >>> second) & 3);
+      same = Math.max(-128, Math.min(127, same + weights[at]!));
+      up = Math.max(-128, Math.min(127, up + weights[at + 16]!));
+    }
+    const sameClass = Math.max(same, 0) >> 3;
+    const end = SAME_END[sameClass]!;
+    const other = OTHER_START[sameClass]!;
+    const down = end + 1 + (((other - end - 2) * UP_SPLIT[Math.max(up, 0) >> 3]!) >> 8);
+    const ends = end | (down << 8) | (other << 16);
+    this.keys[place] = key;
+    this.ends[place] = ends;
+    return ends;
+  }
+}
+
+export function cachePlace(key: number): number {
+  return Math.imul(key, 0x9e3779b1 | 0) >>> (32 - CACHE_BITS);
+}

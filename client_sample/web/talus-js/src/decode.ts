@@ -1,0 +1,72 @@
+// From the payload of a chunk to its voxels: core/voxel/FORMAT.md, codec version 4. Needs nothing else of this
+// package, so that a worker may take it alone.
+import { DecodeError, type DecodeFault } from './codec/decode_error.js';
+import { LayersDecoder } from './codec/layers.js';
+import { decodePalette } from './codec/palette.js';
+import { RunsDecoder } from './codec/runs.js';
+import { MAX_PAYLOAD_BYTES, Source } from './codec/source.js';
+import { VolumeDecoder } from './codec/volume.js';
+import { hashVoxels } from './hash.js';
+import type { Voxels } from './types.js';
+
+export { DecodeError, type DecodeFault };
+
+export const CHUNK_SIZE = 32;
+export const CHUNK_VOLUME = 32_768;
+
+/** What decoding works in; made at the first chunk. */
+class Workshop {
+  readonly source = new Source();
+  readonly layers = new LayersDecoder();
+  readonly volume = new VolumeDecoder();
+  readonly runs = new RunsDecoder();
+}
+let workshop: Workshop | undefined;
+
+/**
+ * The voxels of a payload. Throws DecodeError where it is none, or where its voxels do not have the hash `hash`, which
+ * costs more than decoding. `into`, of 32,768, is filled and returned as `voxels` instead of a new array, unless the
+ * chunk is uniform; after an error its content is undefined.
+ */
+export function decodeChunk(
+  payload: Uint8Array,
+  options: { readonly hash?: string | null; readonly into?: Uint16Array<ArrayBuffer> } = {},
+): Voxels {
+  if (options.into !== undefined && options.into.length !== CHUNK_VOLUME) {
+    throw new RangeError(`decodeChunk: into must have ${CHUNK_VOLUME} voxels, not ${options.into.length}`);
+  }
+  const decoded = decode(payload, options.into);
+  if (options.hash != null && hashVoxels(decoded) !== options.hash) throw new DecodeError('bad_hash');
+  return decoded;
+}
+
+function decode(payload: Uint8Array, into?: Uint16Array<ArrayBuffer>): Voxels {
+  if (payload.length === 0) throw new DecodeError('empty');
+  const version = payload[0]!;
+  if (version !== 3 && version !== 4) throw new DecodeError('unknown_version');
+  if (payload.length < 2) throw new DecodeError('truncated');
+  if (payload.length > MAX_PAYLOAD_BYTES) throw new DecodeError('too_long');
+  const encoding = payload[1]!;
+  if (encoding > 3 || (version === 3 ? encoding === 3 : encoding === 0)) throw new DecodeError('unknown_encoding');
+
+  workshop ??= new Workshop();
+  const { source, layers, volume, runs } = workshop;
+  source.begin(payload);
+  const isLayered = version === 3 && encoding === 0;
+  if (isLayered) {
+    const uniform = layers.decode(source);
+    if (uniform !== null) return { uniform, voxels: null };
+  }
+  const voxels = into ?? new Uint16Array(CHUNK_VOLUME);
+  if (isLayered) layers.expand(voxels);
+  else if (encoding === 2) readRaw(payload, voxels);
+  else if (version === 3) decodePalette(source, voxels);
+  else if (encoding === 1) volume.decode(source, voxels);
+  else runs.decode(source, voxels);
+  return { uniform: null, voxels };
+}
+
+function readRaw(payload: Uint8Array, voxels: Uint16Array): void {
+  if (payload.length < MAX_PAYLOAD_BYTES) throw new DecodeError('truncated');
+  for (let i = 0; i < CHUNK_VOLUME; ++i) voxels[i] = payload[2 + 2 * i]! | (payload[3 + 2 * i]! << 8);
+}

@@ -1,0 +1,104 @@
+// One GET: its answer is bounded before it is held, and every failure is a TalusError.
+import { TalusError, type TalusErrorKind } from '../errors.js';
+
+export class HttpError extends TalusError {
+  constructor(
+    kind: TalusErrorKind,
+    message: string,
+    retryAfterMs: number,
+    readonly status: number,
+    /** An ErrorCode of the protocol; empty: the answer was none of a Talus server. */
+    readonly code: string,
+  ) {
+    super(kind, message, retryAfterMs);
+  }
+}
+
+const TIMEOUT_MS = 30_000; // a server answers within 20 s
+const MAX_ERROR_BYTES = 16_384;
+
+export interface Getter {
+  readonly fetch: typeof fetch;
+  readonly token: string | undefined;
+}
+
+/** The body, of at most `most` bytes. */
+export async function get(
+  { fetch, token }: Getter,
+  url: string,
+  most: number,
+  signal: AbortSignal,
+  method = 'GET',
+): Promise<Uint8Array> {
+  const timeout = AbortSignal.timeout(TIMEOUT_MS);
+  const abort = new AbortController();
+  const pass = () => abort.abort();
+  signal.addEventListener('abort', pass);
+  timeout.addEventListener('abort', pass);
+  try {
+    const response = await fetch(url, {
+      method,
+      signal: abort.signal,
+      ...(token === undefined ? {} : { headers: { Authorization: `Bearer ${token}` } }),
+    });
+    if (!response.ok) throw await failure(response, url);
+    return await readBounded(response, most, url);
+  } catch (error) {
+    if (error instanceof TalusError) throw error;
+    if (signal.aborted) throw new TalusError('cancelled', `the request for ${url} was given up`);
+    if (timeout.aborted) throw new TalusError('timed_out', `${url} did not answer within ${TIMEOUT_MS / 1_000} s`);
+    const cause = (error as { cause?: { message?: string } }).cause?.message ?? (error as Error).message;
+    throw new TalusError('unreachable', `${url} cannot be reached: ${cause}`);
+  } finally {
+    signal.removeEventListener('abort', pass);
+    timeout.removeEventListener('abort', pass);
+    abort.abort(); // of what is not read
+  }
+}
+
+async function readBounded(response: Response, most: number, url: string): Promise<Uint8Array> {
+  const reader = response.body?.getReader();
+  if (reader === undefined) return new Uint8Array(0);
+  let body = new Uint8Array(0);
+  let count = 0;
+  for (;;) {
+    const { done, value } = await reader.read();
+    if (done) return body.subarray(0, count);
+    if (count + value.length > most) {
+      void reader.cancel().catch(() => {});
+      throw new TalusError('broken_protocol', `${url} has more than ${most} bytes`);
+    }
+    if (count === 0) {
+      body = value; // most answers are one piece
+    } else {
+      if (count + value.length > body.length) {
+        const grown = new Uint8Array(Math.min(most, Math.max(2 * body.length, count + value.length)));
+        grown.set(body.subarray(0, count));
+        body = grown;
+      }
+      body.set(value, count);
+    }
+    count += value.length;
+  }
+}
+
+async function failure(response: Response, url: string): Promise<TalusError> {
+  let code = '';
+  let text = `${url} answered ${response.status}`;
+  let retryAfterMs = 1_000 * (Number(response.headers.get('Retry-After')) || 0);
+  try {
+    const { error } = JSON.parse(new TextDecoder().decode(await readBounded(response, MAX_ERROR_BYTES, url)));
+    code = String(error.code);
+    text = `the server says: ${String(error.text)}`;
+    retryAfterMs = Number(error.retry_after_ms) || retryAfterMs;
+  } catch {
+    // Not of a Talus server but of what stands in front: the status has to do.
+  }
+  return new HttpError(kindOf(response.status), text, retryAfterMs, response.status, code);
+}
+
+function kindOf(status: number): TalusErrorKind {
+  if (status === 401 || status === 403) return 'refused';
+  if (status === 429 || status >= 500) return 'overloaded';
+  return status === 400 ? 'out_of_range' : 'server_failed';
+}

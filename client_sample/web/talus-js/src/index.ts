@@ -1,0 +1,28 @@
+// Talus in browsers and Node. README.md begins with an example.
+import { TalusError } from './errors.js';
+import { HttpClient } from './http/client.js';
+import { StreamClient } from './stream/client.js';
+import { openWebSocket } from './stream/websocket.js';
+import type { Client, ConnectOptions } from './types.js';
+
+export { CHUNK_SIZE, CHUNK_VOLUME, decodeChunk, DecodeError, type DecodeFault } from './decode.js';
+export { apronVolume, ChunkStore, MAX_APRON, neighbourBit } from './chunk_store.js';
+export { hashVoxels } from './hash.js';
+export { TalusError, type TalusErrorKind } from './errors.js';
+export type * from './types.js';
+export { MAX_LOD, type Range, ringsBetween, ViewShape } from './view_shape.js';
+
+/** Connects, and joins; see ConnectOptions.url for which way. Nothing is to be awaited: what the client is told before
+ *  it has joined, it keeps. */
+export function connect(options: ConnectOptions): Client {
+  const url = new URL(options.url, globalThis.location?.href);
+  if (url.protocol === 'ws:' || url.protocol === 'wss:') {
+    if (!url.pathname.endsWith('/v1/stream')) url.pathname = `${url.pathname.replace(/\/$/, '')}/v1/stream`;
+    return new StreamClient(options, openWebSocket(url.href, options.WebSocket));
+  }
+  if (url.protocol === 'http:' || url.protocol === 'https:') return new HttpClient(options, url);
+  throw new TalusError(
+    'unreachable',
+    `url ${options.url}: ws:, wss:, http: and https: are known here; tcp: and tls: in talus-client/node`,
+  );
+}

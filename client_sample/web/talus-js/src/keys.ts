@@ -1,0 +1,23 @@
+import { TalusError } from './errors.js';
+import type { ChunkKey } from './types.js';
+
+/** Names a chunk in maps and messages. */
+export function keyName(key: ChunkKey): string {
+  return `${key.lod}/${key.x}/${key.y}/${key.z}`;
+}
+
+export function sameKey(a: ChunkKey, b: ChunkKey): boolean {
+  return a.x === b.x && a.y === b.y && a.z === b.z && a.lod === b.lod;
+}
+
+/** Throws a TalusError where a chunk lies in no world. */
+export function checkKey(key: ChunkKey): void {
+  const limit = 2 ** (31 - key.lod);
+  const inside = (at: number) => Number.isInteger(at) && -limit <= at && at < limit;
+  const hasLevel = Number.isInteger(key.lod) && key.lod >= 0 && key.lod <= 6;
+  if (hasLevel && inside(key.x) && inside(key.y) && inside(key.z)) return;
+  throw new TalusError(
+    'out_of_range',
+    `chunk ${keyName(key)} (level/x/y/z) lies in no world: levels are 0 to 6, coordinates whole and within 2^31 >> level`,
+  );
+}

@@ -1,0 +1,78 @@
+// Requests that are not answered: those in flight, by id, and those that wait for room in the server's limits.
+import type { TalusError } from '../errors.js';
+import type { Chunk, ChunkKey, Places } from '../types.js';
+
+export interface ChunkWanted {
+  readonly kind: 'chunk';
+  readonly key: ChunkKey;
+  resolve(chunk: Chunk): void;
+  reject(error: TalusError): void;
+}
+
+export interface PlacesWanted {
+  readonly kind: 'places';
+  readonly columns: readonly { readonly x: number; readonly z: number }[];
+  readonly looks: boolean;
+  readonly fields: readonly string[];
+  resolve(places: Places): void;
+  reject(error: TalusError): void;
+}
+
+export type Wanted = ChunkWanted | PlacesWanted;
+
+export class Requests {
+  private readonly inFlight = new Map<number, Wanted>();
+  private waiting: Wanted[] = [];
+  private lastId = 0;
+
+  add(request: Wanted): void {
+    this.waiting.push(request);
+  }
+
+  get inFlightCount(): number {
+    return this.inFlight.size;
+  }
+
+  /** The next to be sent, with its id. */
+  next(): { id: number; request: Wanted } | null {
+    const request = this.waiting.shift();
+    if (request === undefined) return null;
+    do this.lastId = (this.lastId % 0xffffffff) + 1;
+    while (this.inFlight.has(this.lastId));
+    this.inFlight.set(this.lastId, request);
+    return { id: this.lastId, request };
+  }
+
+  peek(): Wanted | undefined {
+    return this.waiting[0];
+  }
+
+  find(id: number): Wanted | undefined {
+    return this.inFlight.get(id);
+  }
+
+  take(id: number): Wanted | undefined {
+    const request = this.inFlight.get(id);
+    this.inFlight.delete(id);
+    return request;
+  }
+
+  /** The server refused it for now. */
+  putBack(id: number): void {
+    const request = this.take(id);
+    if (request !== undefined) this.waiting.unshift(request);
+  }
+
+  /** The connection ended: what was in flight is to be sent again. */
+  putAllBack(): void {
+    this.waiting = [...this.inFlight.values(), ...this.waiting];
+    this.inFlight.clear();
+  }
+
+  failAll(error: TalusError): void {
+    this.putAllBack();
+    const all = this.waiting;
+    this.waiting = [];
+    for (const request of all) request.reject(error);
+  }
+}

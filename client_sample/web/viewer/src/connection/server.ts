@@ -1,0 +1,69 @@
+// What the page itself asks the server by HTTP: whether it is there, heights, tiles of the map.
+
+export interface ServerWorld {
+  readonly server: string;
+  readonly fingerprint: string;
+  readonly spawn: readonly [number, number, number];
+}
+
+/** Why there is no answer, as the page tells people. */
+export type Obstacle = { kind: 'away' | 'token' | 'blocked' | 'other'; text: string };
+
+export class Server {
+  /** Of the page's own folder, so that a proxy may serve everything under a path. */
+  readonly base: string;
+
+  constructor(
+    page: string,
+    private readonly token: () => string | null,
+  ) {
+    this.base = new URL('./', page).href;
+  }
+
+  fetch(path: string, init: RequestInit = {}): Promise<Response> {
+    const token = this.token();
+    const headers = new Headers(init.headers);
+    if (token !== null) headers.set('Authorization', `Bearer ${token}`);
+    return fetch(this.base + path, { ...init, headers });
+  }
+
+  async world(signal?: AbortSignal): Promise<ServerWorld> {
+    const answer = await this.fetch('v1/world', { signal: signal ?? null });
+    if (!answer.ok) throw new Error(await reasonOf(answer));
+    return (await answer.json()) as ServerWorld;
+  }
+
+  /** The first free row above the ground of a column. */
+  async ground(x: number, z: number): Promise<number> {
+    const answer = await this.fetch(`v1/heights?columns=${Math.floor(x)},${Math.floor(z)}`);
+    if (!answer.ok) throw new Error(await reasonOf(answer));
+    const { heights } = (await answer.json()) as { heights: number[] };
+    return (heights[0]! + 127) >> 8;
+  }
+
+  /** Asked after a failure: what stands between this page and the world; null: nothing any more. */
+  async obstacle(): Promise<Obstacle | null> {
+    let answer: Response;
+    try {
+      answer = await this.fetch('v1/world', { signal: AbortSignal.timeout(10_000), cache: 'no-store' });
+    } catch {
+      return { kind: 'away', text: 'Nobody answers there.' };
+    }
+    if (answer.ok) return null;
+    const text = await reasonOf(answer);
+    if (answer.status === 401) return { kind: 'token', text };
+    if (answer.status === 403) return { kind: 'blocked', text };
+    // 502 to 504: a proxy whose server is away; 429, 503: the server is full.
+    return { kind: answer.status === 429 || answer.status >= 500 ? 'away' : 'other', text };
+  }
+}
+
+async function reasonOf(answer: Response): Promise<string> {
+  try {
+    const { error } = (await answer.json()) as { error: { text: string } };
+    if (typeof error.text === 'string') return error.text;
+  } catch {
+    // Not talusd's answer.
+  }
+  return `the server answers ${answer.status}`;
+}

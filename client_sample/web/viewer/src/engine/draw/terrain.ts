@@ -1,0 +1,234 @@
+// Meshes of the land on the GPU, and which of them a camera sees.
+import {
+  DataTexture,
+  FloatType,
+  NearestFilter,
+  RGBAFormat,
+  RawShaderMaterial,
+  Scene,
+  type Matrix4,
+  type WebGLRenderer,
+} from 'three';
+import type { ChunkMesh } from '../mesh/mesher.js';
+import { GROUPS, SLOTS } from '../mesh/quad.js';
+import type { Column, Drawable, Drawer } from '../stream/land.js';
+import { sideOf } from '../stream/slice.js';
+import type { SlicePlane } from '../stream/messages.js';
+import { PageMesh, Pages, bind, type Place } from './pages.js';
+
+export interface TerrainMesh extends Drawable {
+  readonly place: Place;
+  readonly counts: Uint32Array;
+  readonly quads: number;
+  readonly scale: number;
+  /** Of the chunk, in blocks of the world. */
+  readonly x: number;
+  readonly y: number;
+  readonly z: number;
+  readonly low: number;
+  readonly high: number;
+}
+
+const SLOT_WIDTH = 256;
+export const ANCHOR_STEP = 4096;
+
+interface Slot {
+  lod: number;
+  x: number;
+  y: number;
+  z: number;
+}
+
+/** Planes of a frustum around the eye: 6 x (normal, distance). */
+export function planesOf(matrix: Matrix4): Float64Array {
+  const m = matrix.elements;
+  const planes = new Float64Array(24);
+  for (let i = 0; i < 6; i++) {
+    const row = i >> 1;
+    const sign = i & 1 ? -1 : 1;
+    for (let k = 0; k < 4; k++) planes[i * 4 + k] = m[k * 4 + 3]! + sign * m[k * 4 + row]!;
+  }
+  return planes;
+}
+
+export class Terrain implements Drawer<TerrainMesh> {
+  readonly solid = new Scene();
+  readonly liquid = new Scene();
+  readonly shadow = new Scene();
+  readonly slots: DataTexture;
+  anchor = { x: 0, y: 0, z: 0 };
+  meshes = 0;
+  quads = 0;
+  private readonly pages: Pages;
+  private readonly slotData = new Float32Array(SLOTS * 4);
+  private readonly used: (Slot | null)[] = [];
+  private readonly freeSlots: number[] = [];
+  private readonly sets: { solid: PageMesh; liquid: PageMesh; shadow: PageMesh }[] = [];
+
+  constructor(
+    private readonly renderer: WebGLRenderer,
+    private readonly makeMaterial: (pass: 'solid' | 'liquid' | 'shadow') => RawShaderMaterial,
+  ) {
+    this.pages = new Pages(renderer);
+    this.slots = new DataTexture(this.slotData, SLOT_WIDTH, SLOTS / SLOT_WIDTH, RGBAFormat, FloatType);
+    this.slots.minFilter = this.slots.magFilter = NearestFilter;
+    this.slots.needsUpdate = true;
+    for (const scene of [this.solid, this.liquid, this.shadow]) scene.matrixWorldAutoUpdate = false;
+  }
+
+  get bytes(): number {
+    return this.pages.bytes + SLOTS * 16;
+  }
+
+  takeSlot(lod: number, x: number, y: number, z: number): number {
+    const slot = this.freeSlots.pop() ?? this.used.length;
+    if (slot >= SLOTS) throw new Error('the view has more meshes than there are slots; make it smaller');
+    this.used[slot] = { lod, x, y, z };
+    this.writeSlot(slot);
+    const gl = bind(this.renderer, this.slots);
+    gl.texSubImage2D(gl.TEXTURE_2D, 0, slot % SLOT_WIDTH, Math.floor(slot / SLOT_WIDTH), 1, 1, gl.RGBA, gl.FLOAT, this.slotData, slot * 4);
+    return slot;
+  }
+
+  freeSlot(slot: number): void {
+    this.used[slot] = null;
+    this.freeSlots.push(slot);
+  }
+
+  add(slot: number, mesh: ChunkMesh): TerrainMesh {
+    const place = this.pages.add(mesh.quads);
+    while (this.sets.length <= place.page) this.addPage();
+    const { lod, x, y, z } = this.used[slot]!;
+    const scale = 2 ** lod;
+    const quads = mesh.quads.length / 2;
+    this.meshes++;
+    this.quads += quads;
+    return {
+      slot, place, counts: mesh.counts, quads, scale,
+      x: x * 32 * scale, y: y * 32 * scale, z: z * 32 * scale, low: mesh.low, high: mesh.high,
+    };
+  }
+
+  remove(mesh: TerrainMesh): void {
+    this.pages.remove(mesh.place);
+    this.freeSlot(mesh.slot);
+    this.meshes--;
+    this.quads -= mesh.quads;
+  }
+
+  setAnchor(x: number, y: number, z: number): void {
+    this.anchor = { x, y, z };
+    for (let slot = 0; slot < this.used.length; slot++) if (this.used[slot]) this.writeSlot(slot);
+    this.slots.needsUpdate = true;
+  }
+
+  /** Lists what the camera at `eye` (blocks of the world) sees of the columns. */
+  list(columns: Iterable<Column<TerrainMesh>>, eye: { x: number; y: number; z: number }, matrix: Matrix4, slice: SlicePlane | null, hideBuried: boolean): void {
+    for (const set of this.sets) {
+      set.solid.empty();
+      set.liquid.empty();
+    }
+    const planes = planesOf(matrix);
+    for (const column of columns) {
+      const size = 32 * 2 ** column.lod;
+      const x = column.x * size - eye.x;
+      const z = column.z * size - eye.z;
+      if (slice !== null && sideOf(slice, column.x * size, column.z * size, size) === 'gone') continue;
+      for (const chunk of column.chunks.values()) {
+        const mesh = chunk.drawable;
+        if (mesh === null) continue;
+        const low = mesh.y + mesh.low * mesh.scale - eye.y;
+        const high = mesh.y + (mesh.high + 1) * mesh.scale - eye.y;
+        // Caves deep under the land, seen from above it far away: nobody does.
+        if (hideBuried && column.ready && mesh.y + (mesh.high + 1) * mesh.scale < (column.lowest - 6) * mesh.scale &&
+          (column.lod > 0 || x * x + z * z > 25600)) continue;
+        if (!isVisible(planes, x, low, z, size, high)) continue;
+        this.push(mesh, x, low, z, size, high, column.skirts);
+      }
+    }
+  }
+
+  /** Lists what casts shadows into the map of `matrix`. */
+  listShadow(columns: Iterable<Column<TerrainMesh>>, eye: { x: number; y: number; z: number }, matrix: Matrix4, light: { x: number; z: number }, slice: SlicePlane | null): void {
+    for (const set of this.sets) set.shadow.empty();
+    const planes = planesOf(matrix);
+    for (const column of columns) {
+      if (column.lod > 1) continue;
+      const size = 32 * 2 ** column.lod;
+      const x = column.x * size - eye.x;
+      const z = column.z * size - eye.z;
+      if (slice !== null && sideOf(slice, column.x * size, column.z * size, size) === 'gone') continue;
+      for (const chunk of column.chunks.values()) {
+        const mesh = chunk.drawable;
+        if (mesh === null) continue;
+        const high = mesh.y + (mesh.high + 1) * mesh.scale;
+        if (column.ready && high < (column.lowest - 2) * mesh.scale) continue;
+        if (!isVisible(planes, x, mesh.y + mesh.low * mesh.scale - eye.y, z, size, high - eye.y)) continue;
+        // Of each mesh the faces that see the light are enough.
+        const c = mesh.counts;
+        const shadow = this.sets[mesh.place.page]!.shadow;
+        let first = mesh.place.firstQuad;
+        for (let face = 0; face < 6; face++) {
+          const seen = face === 0 ? light.x < 0 : face === 3 ? light.x > 0 : face === 1 ? light.z < 0 : face === 4 ? light.z > 0 : face === 2;
+          if (seen && c[face]! > 0) shadow.push(first, c[face]!);
+          first += c[face]!;
+        }
+      }
+    }
+  }
+
+  dispose(): void {
+    this.pages.dispose();
+    this.slots.dispose();
+    for (const { solid, liquid, shadow } of this.sets) for (const mesh of [solid, liquid, shadow]) (mesh.material as RawShaderMaterial).dispose();
+  }
+
+  private push(mesh: TerrainMesh, x: number, low: number, z: number, size: number, high: number, skirts: number): void {
+    const set = this.sets[mesh.place.page]!;
+    const counts = mesh.counts;
+    let first = mesh.place.firstQuad;
+    for (let group = 0; group < 10; group++) {
+      const count = counts[group]!;
+      if (count > 0) {
+        const face = group < 6 ? group : group - 6 < 2 ? group - 6 : group - 5; // skirts: west, north, east, south
+        const seen =
+          face === 0 ? x + size > 0 : face === 3 ? x < 0 : face === 1 ? z + size > 0 : face === 4 ? z < 0 : face === 2 ? low < 0 : high > 0;
+        if (seen && (group < 6 || (skirts >> (group - 6)) & 1)) set.solid.push(first, count);
+        first += count;
+      }
+    }
+    if (counts[GROUPS]! > 0) set.liquid.push(first, counts[GROUPS]!);
+  }
+
+  private addPage(): void {
+    const page = this.sets.length;
+    const make = (pass: 'solid' | 'liquid' | 'shadow', scene: Scene) => {
+      const material = this.makeMaterial(pass);
+      material.uniforms.quads = { value: this.pages.pages[page]!.texture };
+      material.uniforms.slots = { value: this.slots };
+      const mesh = new PageMesh(this.pages.geometry, material);
+      scene.add(mesh);
+      return mesh;
+    };
+    this.sets.push({ solid: make('solid', this.solid), liquid: make('liquid', this.liquid), shadow: make('shadow', this.shadow) });
+  }
+
+  private writeSlot(slot: number): void {
+    const { lod, x, y, z } = this.used[slot]!;
+    const scale = 2 ** lod;
+    this.slotData[slot * 4] = x * 32 * scale - this.anchor.x;
+    this.slotData[slot * 4 + 1] = y * 32 * scale - this.anchor.y;
+    this.slotData[slot * 4 + 2] = z * 32 * scale - this.anchor.z;
+    this.slotData[slot * 4 + 3] = scale;
+  }
+}
+
+function isVisible(planes: Float64Array, x: number, low: number, z: number, size: number, high: number): boolean {
+  for (let i = 0; i < 24; i += 4) {
+    const a = planes[i]!;
+    const b = planes[i + 1]!;
+    const c = planes[i + 2]!;
+    if (a * (a > 0 ? x + size : x) + b * (b > 0 ? high : low) + c * (c > 0 ? z + size : z) + planes[i + 3]! < 0) return false;
+  }
+  return true;
+}

@@ -1,0 +1,441 @@
+// The engine of the viewer: streams chunks, meshes them in workers and draws them.
+import { connect, type Client, type TalusError, type World } from 'talus';
+import type { EngineEvents, EngineOptions, EngineState, Hit, Slice, Stats, Vector, WorldInfo } from './api.js';
+import { Frame, type Eye } from './draw/frame.js';
+import { Ground } from './draw/ground.js';
+import { materialTexture } from './draw/materials.js';
+import type { TerrainMesh } from './draw/terrain.js';
+import { GAS, LIQUID, SOLID } from './mesh/mesher.js';
+import { MATERIALS_MAX } from './mesh/quad.js';
+import { Rate, Sample } from './meter.js';
+import { castRay } from './raycast.js';
+import { Land, type Kind } from './stream/land.js';
+import { Pool, workersFor } from './stream/pool.js';
+import { chunksOf, shapeOf, viewFor } from './stream/shape.js';
+import { Voxels } from './stream/voxels.js';
+
+export type * from './api.js';
+
+/** A View is sent when the camera has gone a chunk or turned by 30 degrees, and no more often than this. */
+const VIEW_EVERY_MS = 250;
+/** Chunks that may wait for workers before the server is let know that no more are taken. */
+const WAITING_MAX = 3000;
+
+export class Engine {
+  /** Resolves once the server has said what its world is; rejects with a TalusError, or an Error whose text says
+   *  what the browser lacks (WebGL 2). */
+  static async create(options: EngineOptions): Promise<Engine> {
+    const engine = new Engine(options);
+    try {
+      await engine.joined;
+    } catch (error) {
+      engine.dispose();
+      throw error;
+    }
+    return engine;
+  }
+
+  private info: WorldInfo | null = null;
+  private client!: Client;
+  private joined!: Promise<World>;
+  private readonly frames: Frame;
+  private readonly pool: Pool;
+  private readonly land: Land<TerrainMesh>;
+  private readonly voxels = new Voxels();
+  private readonly handlers = new Map<keyof EngineEvents, Set<(...args: never[]) => void>>();
+  private kinds: Uint8Array = new Uint8Array();
+  private state: EngineState = 'connecting';
+  private viewComplete = false;
+  private complete = false;
+  private eye: Eye = { x: 0, y: 0, z: 0, yaw: 0, pitch: 0 };
+  private viewSent = { x: Infinity, y: 0, z: 0, yaw: 0, at: -Infinity };
+  private chunksWanted = 0;
+  private radius: number;
+  private horizon: number;
+  private token: string | undefined;
+  private slice: Slice | null = null;
+  private selection: Vector | null = null;
+  private lost = false;
+  private disposed = false;
+  private readonly started = performance.now();
+  private firstFrameMs: number | null = null;
+  private completeMs: number | null = null;
+  private readonly latency = new Sample(1024);
+  private readonly cpu = new Sample(256);
+  private readonly rate = new Rate();
+  private readonly untaken: Parameters<Client['taken']>[0][] = [];
+  private seaLevel: number | null = null;
+  private drawnVersion = -1;
+  private reducedMotion: boolean;
+  private wantsPicture: ((blob: Blob | null) => void)[] = [];
+
+  private constructor(private readonly options: EngineOptions) {
+    this.radius = options.radius;
+    this.horizon = options.horizon;
+    this.token = options.token;
+    this.reducedMotion = options.reducedMotion;
+    this.frames = makeFrame(options);
+    this.pool = new Pool(
+      workersFor(navigator.hardwareConcurrency ?? 2),
+      () => new Worker(new URL('./stream/worker.ts', import.meta.url), { type: 'module' }),
+      (answer) => {
+        if (this.disposed) return;
+        if (answer.kind === 'meshed') this.land.meshed(answer.id, answer.mesh);
+        else {
+          this.land.failed(answer.id);
+          if (answer.text !== 'not held') this.emit('error', `a chunk does not decode: ${answer.text}`);
+        }
+      },
+    );
+    this.land = new Land<TerrainMesh>({
+      drawer: this.frames.terrain,
+      meshers: this.pool,
+      kindOf: (material) => this.kindOf(material),
+      now: () => performance.now(),
+      heights: (column) => {
+        this.frames.ground?.set(column);
+        if (column.liquids !== null && this.seaLevel === null) this.seeSea(column.liquids, column.lod);
+      },
+      arrivedToDrawn: (ms) => this.latency.add(ms),
+    });
+    options.canvas.addEventListener('webglcontextlost', this.onContextLost);
+    options.canvas.addEventListener('webglcontextrestored', this.onContextRestored);
+    this.connect();
+  }
+
+  get world(): WorldInfo {
+    if (this.info === null) throw new Error('the engine has not joined yet');
+    return { ...this.info, seaLevel: this.seaLevel };
+  }
+
+  setCamera(x: number, y: number, z: number, yaw: number, pitch: number): void {
+    this.eye = { x, y, z, yaw, pitch };
+  }
+
+  setFov(degrees: number): void {
+    this.frames.setFov(degrees);
+  }
+
+  resize(width: number, height: number, devicePixelRatio: number): void {
+    this.frames.resize(width, height, devicePixelRatio);
+  }
+
+  /** Draws. `now` as of requestAnimationFrame, in milliseconds. */
+  frame(now: number): void {
+    if (this.disposed) return;
+    const start = performance.now();
+    this.sendView(start);
+    this.takeBacklog();
+    this.land.update(this.eye, 4);
+    this.pool.flush();
+    this.settle(start);
+    if (!this.lost && this.info !== null) this.draw(now);
+    this.cpu.add(performance.now() - start);
+  }
+
+  /** Material of the base voxel at integer coordinates; undefined: not here yet. */
+  voxelAt(x: number, y: number, z: number): number | undefined {
+    if (this.info !== null && y >= this.info.maxY) return 0;
+    const chunk = this.land.get(0, Math.floor(x / 32), Math.floor(z / 32))?.chunks.get(Math.floor(y / 32));
+    if (chunk === undefined || chunk.left) return undefined;
+    const within = (v: number) => ((v % 32) + 32) % 32;
+    return this.voxels.at(chunk, within(x), within(y), within(z));
+  }
+
+  /** The first voxel that is not gas, nor liquid unless `liquids`. */
+  raycast(origin: Vector, direction: Vector, max: number, liquids = false): Hit | null {
+    return castRay(origin, direction, max, (x, y, z) => this.voxelAt(x, y, z), (m) => this.isSolid(m) || (liquids && this.isLiquid(m)));
+  }
+
+  isSolid(material: number): boolean {
+    return this.kindOf(material) === 'solid';
+  }
+
+  isLiquid(material: number): boolean {
+    return this.kindOf(material) === 'liquid';
+  }
+
+  /** 0 to 24; the sun rises at 6. */
+  setTimeOfDay(hours: number): void {
+    this.frames.setTimeOfDay(((hours % 24) + 24) % 24);
+  }
+
+  setSlice(slice: Slice | null): void {
+    const same = this.slice?.x === slice?.x && this.slice?.z === slice?.z && this.slice?.yaw === slice?.yaw;
+    this.slice = slice;
+    if (same) return;
+    this.land.setSlice(slice === null ? null : { x: slice.x, z: slice.z, nx: Math.sin(slice.yaw), nz: -Math.cos(slice.yaw) });
+  }
+
+  setChunkBorders(on: boolean): void {
+    this.frames.setBorders(on);
+  }
+
+  /** Frames a voxel; null: none. */
+  setSelection(voxel: Vector | null): void {
+    this.selection = voxel;
+  }
+
+  setRadius(radius: number, horizon: number): void {
+    if (radius === this.radius && horizon === this.horizon) return;
+    this.radius = radius;
+    this.horizon = horizon;
+    if (this.info !== null) this.makeGround();
+    this.viewSent.x = Infinity;
+  }
+
+  setQuality(quality: 'low' | 'high'): void {
+    this.frames.setQuality(quality);
+  }
+
+  setReducedMotion(on: boolean): void {
+    this.reducedMotion = on;
+  }
+
+  setToken(token: string): void {
+    this.token = token;
+    this.reconnect();
+  }
+
+  /** Begins anew with the server; what is drawn stays until it comes again. */
+  reconnect(): void {
+    this.client.close();
+    this.setState('connecting', '');
+    this.connect();
+  }
+
+  /** The next picture as a PNG. */
+  screenshot(): Promise<Blob> {
+    return new Promise((resolve, reject) => {
+      this.wantsPicture.push((blob) => (blob ? resolve(blob) : reject(new Error('the browser made no picture'))));
+    });
+  }
+
+  stats(): Stats {
+    const now = performance.now();
+    const latency = this.latency.percentiles(0.5, 0.95, 0.99);
+    const cpu = this.cpu.percentiles(0.5, 0.95);
+    return {
+      state: this.state,
+      chunks: this.land.held,
+      chunksPerLevel: [...this.land.heldPerLevel],
+      chunksWanted: this.chunksWanted,
+      pendingMeshes: this.land.waiting,
+      meshes: this.frames.terrain.meshes,
+      triangles: this.frames.triangles,
+      drawCalls: this.frames.drawCalls,
+      receivedBytes: this.client.stats.receivedBytes,
+      latency: latency && { p50: latency[0]!, p95: latency[1]!, p99: latency[2]! },
+      chunkRate: this.rate.at(now),
+      nearestMissing: this.land.nearestMissing(this.eye.x, this.eye.z),
+      gpuBytes: this.frames.gpuBytes,
+      heapBytes: this.pool.heldBytes + this.voxels.bytes + this.land.payloadBytes,
+      frameCpu: { p50: cpu?.[0] ?? 0, p95: cpu?.[1] ?? 0 },
+      meshMs: this.pool.meanMs,
+      firstFrameMs: this.firstFrameMs,
+      completeMs: this.completeMs,
+    };
+  }
+
+  on<K extends keyof EngineEvents>(event: K, handler: EngineEvents[K]): () => void {
+    let handlers = this.handlers.get(event);
+    if (handlers === undefined) this.handlers.set(event, (handlers = new Set()));
+    handlers.add(handler);
+    return () => void handlers.delete(handler);
+  }
+
+  dispose(): void {
+    if (this.disposed) return;
+    this.disposed = true;
+    this.options.canvas.removeEventListener('webglcontextlost', this.onContextLost);
+    this.options.canvas.removeEventListener('webglcontextrestored', this.onContextRestored);
+    this.client.close();
+    this.pool.dispose();
+    this.frames.dispose();
+  }
+
+  private connect(): void {
+    const url = new URL(this.options.url);
+    if (this.options.transport === 'websocket') url.protocol = url.protocol === 'https:' ? 'wss:' : 'ws:';
+    const client = connect({ url: url.href, token: this.token, clientName: 'talus-viewer', manualCredit: true });
+    this.client = client;
+    const current = () => client === this.client && !this.disposed;
+    client.on('connected', (world, sameWorld) => current() && this.onConnected(world, sameWorld));
+    client.on('chunk', (chunk) => {
+      if (!current()) return;
+      const { lod, x, y, z } = chunk.key;
+      this.rate.add(performance.now());
+      this.land.add(lod, x, y, z, chunk.payload, chunk.material);
+      if (this.land.waiting < WAITING_MAX) client.taken(chunk);
+      else this.untaken.push(chunk);
+    });
+    client.on('chunkLeft', ({ lod, x, y, z }) => current() && this.land.leave(lod, x, y, z));
+    client.on('viewComplete', () => {
+      if (current()) this.viewComplete = true;
+    });
+    client.on('disconnected', (error, retryInMs) => {
+      if (current() && retryInMs !== null) this.setState('lost', error.message);
+    });
+    client.on('error', (error) => current() && this.emit('error', error.message));
+    client.on('closed', (error: TalusError | null) => {
+      if (current() && error !== null) this.setState(error.kind === 'refused' ? 'refused' : 'lost', error.message);
+    });
+    this.joined = client.ready();
+    this.joined.catch(() => {}); // told by `closed` as well
+  }
+
+  private onConnected(world: World, sameWorld: boolean): void {
+    const isNew = this.info === null || !sameWorld || this.info.fingerprint !== world.fingerprint;
+    if (isNew) {
+      if (this.info !== null) {
+        this.land.clear();
+        this.voxels.clear();
+      }
+      this.info = { ...world, seaLevel: null };
+      this.seaLevel = null;
+      this.prepareMaterials(world);
+      this.makeGround();
+      if (this.viewSent.x === Infinity && this.eye.x === 0 && this.eye.z === 0) {
+        this.eye = { ...this.eye, x: world.spawn.x + 0.5, y: world.spawn.y + 1.6, z: world.spawn.z + 0.5 };
+      }
+    }
+    this.viewSent.x = Infinity;
+    this.setState('streaming', '');
+    this.emit('world', this.world, !isNew);
+  }
+
+  private prepareMaterials(world: World): void {
+    const materials = world.materials.slice(0, MATERIALS_MAX);
+    const highest = materials.reduce((most, m) => Math.max(most, m.id), 0);
+    const kinds = new Uint8Array(highest + 1).fill(SOLID);
+    const places = new Uint16Array(65536);
+    materials.forEach((material, place) => {
+      kinds[material.id] = material.phase === 'gas' ? GAS : material.phase === 'liquid' ? LIQUID : SOLID;
+      places[material.id] = place;
+    });
+    this.kinds = kinds;
+    this.pool.setWorld(kinds, places);
+    this.frames.setMaterials(materialTexture(materials));
+  }
+
+  private makeGround(): void {
+    const levels = viewFor(this.info!, this.eye, { x: 0, y: 0, z: 0 }, this.radius, this.horizon).rings!.length + 1;
+    const middle = Math.round((this.info!.minY + this.info!.maxY) / 128) * 64;
+    this.groundBase = this.info!.maxY - this.info!.minY < 4000 ? 0 : middle;
+    this.frames.setGround(new Ground(this.frames.renderer, this.radius, levels, this.groundBase));
+    for (const column of this.land.values()) if (column.heights !== null || column.liquids !== null) this.frames.ground!.set(column);
+  }
+  private groundBase = 0;
+
+  private kindOf(material: number): Kind {
+    const kind = this.kinds[material] ?? SOLID;
+    return kind === GAS ? 'gas' : kind === LIQUID ? 'liquid' : 'solid';
+  }
+
+  private seeSea(liquids: Int16Array, lod: number): void {
+    for (const height of liquids) {
+      if (height <= -32768) continue;
+      this.seaLevel = height * 2 ** lod;
+      return;
+    }
+  }
+
+  private sendView(now: number): void {
+    if (this.info === null || now - this.viewSent.at < VIEW_EVERY_MS) return;
+    const { x, y, z, yaw, pitch } = this.eye;
+    const chunk = (v: number) => Math.floor(v / 32);
+    const before = this.viewSent;
+    const turned = Math.abs(Math.atan2(Math.sin(yaw - before.yaw), Math.cos(yaw - before.yaw))) > Math.PI / 6;
+    const moved = !Number.isFinite(before.x) || chunk(x) !== chunk(before.x) || chunk(z) !== chunk(before.z) || chunk(y) !== chunk(before.y);
+    if (!moved && !(turned && !this.complete)) return;
+    this.viewSent = { x, y, z, yaw, at: now };
+    const direction = { x: Math.sin(yaw) * Math.cos(pitch), y: Math.sin(pitch), z: -Math.cos(yaw) * Math.cos(pitch) };
+    const view = viewFor(this.info, this.eye, direction, this.radius, this.horizon);
+    try {
+      this.client.setView(view);
+    } catch (error) {
+      this.emit('error', (error as Error).message);
+      return;
+    }
+    if (!moved) return;
+    const shape = shapeOf(view, this.info);
+    this.land.setShape(shape);
+    this.chunksWanted = chunksOf(shape);
+    this.viewComplete = this.complete = false;
+    if (this.state === 'complete') this.setState('streaming', '');
+    const middle = (v: number) => chunk(v) * 32 + 16;
+    this.frames.setReach(middle(x), middle(z), view.horizontalRadius * 32, Math.min(this.horizon, 32 * (view.rings!.at(-1)?.radius ?? view.horizontalRadius)));
+  }
+
+  private takeBacklog(): void {
+    while (this.untaken.length > 0 && this.land.waiting < WAITING_MAX) this.client.taken(this.untaken.shift()!);
+  }
+
+  private settle(now: number): void {
+    if (!this.viewComplete || this.complete || !this.land.settled) return;
+    this.complete = true;
+    this.completeMs ??= now - this.started;
+    if (this.state === 'streaming') this.setState('complete', '');
+  }
+
+  private draw(now: number): void {
+    const { eye } = this;
+    if (this.land.version !== this.drawnVersion) {
+      this.drawnVersion = this.land.version;
+      this.frames.landChanged();
+    }
+    const still = this.options.frozenTime ?? (this.reducedMotion ? 0 : null);
+    const here = this.voxelAt(Math.floor(eye.x), Math.floor(eye.y), Math.floor(eye.z));
+    const column = this.land.get(0, Math.floor(eye.x / 32), Math.floor(eye.z / 32));
+    const within = (v: number) => ((Math.floor(v) % 32) + 32) % 32;
+    const roof = column?.heights?.[within(eye.z) * 32 + within(eye.x)] ?? -32768;
+    this.frames.draw({
+      eye,
+      columns: this.land.drawn,
+      seconds: still ?? now / 1000,
+      now: performance.now(),
+      slice: this.land.slice,
+      selected: this.selection,
+      seaLevel: this.seaLevel,
+      underWater: here !== undefined && this.isLiquid(here),
+      hideBuried: this.land.slice === null && eye.y > roof - 4,
+      groundBase: this.groundBase,
+    });
+    if (this.firstFrameMs === null && this.frames.triangles > 1) this.firstFrameMs = performance.now() - this.started;
+    for (const done of this.wantsPicture.splice(0)) this.options.canvas.toBlob(done, 'image/png');
+  }
+
+  private setState(state: EngineState, reason: string): void {
+    if (state === this.state && reason === '') return;
+    this.state = state;
+    this.emit('state', state, reason);
+  }
+
+  private emit<K extends keyof EngineEvents>(event: K, ...args: Parameters<EngineEvents[K]>): void {
+    for (const handler of this.handlers.get(event) ?? []) (handler as (...a: unknown[]) => void)(...args);
+  }
+
+  private readonly onContextLost = (event: Event): void => {
+    event.preventDefault();
+    this.lost = true;
+    this.emit('contextLost');
+  };
+
+  private readonly onContextRestored = (): void => {
+    this.lost = false;
+    this.frames.contextRestored();
+    this.land.loseMeshes();
+    if (this.info !== null) this.makeGround();
+    this.complete = false;
+    this.emit('contextRestored');
+  };
+}
+
+function makeFrame(options: EngineOptions): Frame {
+  try {
+    return new Frame(options.canvas, options.quality);
+  } catch (error) {
+    throw new Error(`this browser cannot draw the world: it needs WebGL 2 (${(error as Error).message})`);
+  }
+}
+

@@ -1,0 +1,398 @@
+// Greedy meshing with ambient occlusion at the corners. Rows of 32 voxels along x are one bit mask each, so that
+// the visible faces of a whole row come from a few operations; only those are looked at one by one.
+import { DOWN, EAST, GROUPS, NORTH, SKIRTS, SOUTH, UP, WEST } from './quad.js';
+import { PADDED, SIDE, UNKNOWN, paddedIndex } from './volume.js';
+
+export const GAS = 0;
+export const LIQUID = 1;
+export const SOLID = 2;
+
+/** How deep a skirt reaches below what is open, in voxels. */
+const SKIRT_DEPTH = 12;
+/** How much of one is at the top of a border column whose surface lies in the chunk above. */
+const SKIRT_CAP = 6;
+
+export interface MeshOptions {
+  /** Of materials by id: GAS, LIQUID or SOLID. Ids beyond the end are solid. */
+  readonly kinds: Uint8Array;
+  /** Of materials by id: their place in the world's list. */
+  readonly places: Uint16Array;
+  readonly slot: number;
+  readonly occlusion: boolean;
+  /** Of each row z the voxels x that a slice leaves, as bits; null: all. Of 34 rows, -1 to 32, bit 0 of which is x = 0;
+   *  aprons west and east have arrays of their own. */
+  readonly kept: Kept | null;
+}
+
+/** What a slice leaves of columns: rows z = -1 to 32; bit x - 0 of `mask`, and x = -1 and x = 32. */
+export interface Kept {
+  readonly mask: Uint32Array;
+  readonly west: Uint8Array;
+  readonly east: Uint8Array;
+}
+
+export interface ChunkMesh {
+  /** Two words a quad. Opaque quads by FACES, then SKIRTS, then liquid. */
+  readonly quads: Uint32Array<ArrayBuffer>;
+  /** Quads of each of FACES and SKIRTS, and at the end of liquids. */
+  readonly counts: Uint32Array<ArrayBuffer>;
+  /** Of each column (z * 32 + x): 1 + the highest solid voxel, 0 where there is none. */
+  readonly tops: Uint8Array<ArrayBuffer>;
+  /** The same of liquids; null where there is none. */
+  readonly liquidTops: Uint8Array<ArrayBuffer> | null;
+  /** Lowest and highest voxel row of a quad. */
+  readonly low: number;
+  readonly high: number;
+}
+
+const ROWS = PADDED * PADDED;
+const row = (y: number, z: number) => (y + 1) * PADDED + z + 1;
+
+/** Of padded index: x, y and z steps. */
+const DX = 1;
+const DZ = PADDED;
+const DY = PADDED * PADDED;
+
+// Buffers that every call uses again: a mesher belongs to one thread.
+const solidRow = new Uint32Array(ROWS); // solid voxels x = 0 to 31
+const solidEnds = new Uint8Array(ROWS); // bit 0: x = -1 is solid, bit 1: x = 32
+const blockRow = new Uint32Array(ROWS); // the same, unknown ones too: nothing is drawn toward them
+const blockEnds = new Uint8Array(ROWS);
+const liquidRow = new Uint32Array(ROWS);
+const liquidEnds = new Uint8Array(ROWS);
+const openCut = new Uint32Array(ROWS); // voxels that a slice took away
+const openCutEnds = new Uint8Array(ROWS);
+const solid = new Uint8Array(PADDED * PADDED * PADDED);
+const planes = new Uint32Array(6 * SIDE * SIDE); // of each face: [plane][row of v], bits along u
+const keys = new Uint32Array(SIDE * SIDE);
+
+let out = new Uint32Array(1 << 14);
+let used = 0;
+let low = SIDE;
+let high = -1;
+
+function classify(padded: Uint16Array, kinds: Uint8Array, kept: Kept | null): { solids: boolean; liquids: boolean } {
+  let anySolid = 0;
+  let anyLiquid = 0;
+  for (let y = -1; y <= SIDE; y++) {
+    for (let z = -1; z <= SIDE; z++) {
+      const r = row(y, z);
+      const at = paddedIndex(-1, y, z);
+      let s = 0;
+      let b = 0;
+      let l = 0;
+      let sEnds = 0;
+      let bEnds = 0;
+      let lEnds = 0;
+      const first = padded[at]!;
+      let same = true;
+      for (let i = 1; i < PADDED; i++) {
+        if (padded[at + i] !== first) {
+          same = false;
+          break;
+        }
+      }
+      if (same) {
+        const kind = first === UNKNOWN ? 3 : (kinds[first] ?? SOLID);
+        solid.fill(kind === SOLID ? 1 : 0, at, at + PADDED);
+        if (kind >= SOLID) {
+          b = 0xffffffff;
+          bEnds = 3;
+          if (kind === SOLID) {
+            s = 0xffffffff;
+            sEnds = 3;
+          }
+        } else if (kind === LIQUID) {
+          l = 0xffffffff;
+          lEnds = 3;
+        }
+      } else {
+        for (let i = 0; i < PADDED; i++) {
+          const material = padded[at + i]!;
+          const kind = material === UNKNOWN ? 3 : (kinds[material] ?? SOLID);
+          solid[at + i] = kind === SOLID ? 1 : 0;
+          if (kind === GAS) continue;
+          if (i === 0 || i === PADDED - 1) {
+            const bit = i === 0 ? 1 : 2;
+            if (kind >= SOLID) bEnds |= bit;
+            if (kind === SOLID) sEnds |= bit;
+            if (kind === LIQUID) lEnds |= bit;
+          } else {
+            const bit = 1 << (i - 1);
+            if (kind >= SOLID) b |= bit;
+            if (kind === SOLID) s |= bit;
+            if (kind === LIQUID) l |= bit;
+          }
+        }
+      }
+      if (kept !== null) {
+        const keep = kept.mask[z + 1]!;
+        const ends = kept.west[z + 1]! | (kept.east[z + 1]! << 1);
+        if (keep !== 0xffffffff || ends !== 3) {
+          openCut[r] = s & ~keep;
+          openCutEnds[r] = sEnds & ~ends;
+          s &= keep;
+          l &= keep;
+          b &= keep;
+          sEnds &= ends;
+          lEnds &= ends;
+          bEnds &= ends;
+          for (let i = 0; i < SIDE; i++) if (((keep >>> i) & 1) === 0) solid[at + 1 + i] = 0;
+          if ((ends & 1) === 0) solid[at] = 0;
+          if ((ends & 2) === 0) solid[at + PADDED - 1] = 0;
+        } else {
+          openCut[r] = 0;
+          openCutEnds[r] = 0;
+        }
+      }
+      solidRow[r] = s;
+      solidEnds[r] = sEnds;
+      blockRow[r] = b;
+      blockEnds[r] = bEnds;
+      liquidRow[r] = l;
+      liquidEnds[r] = lEnds;
+      if (y >= 0 && y < SIDE && z >= 0 && z < SIDE) {
+        anySolid |= s;
+        anyLiquid |= l;
+      }
+    }
+  }
+  return { solids: anySolid !== 0, liquids: anyLiquid !== 0 };
+}
+
+/** Bits of the voxels one step west, so that bit x says what is at x - 1. */
+const westOf = (rows: Uint32Array, ends: Uint8Array, r: number) => (rows[r]! << 1) | (ends[r]! & 1);
+const eastOf = (rows: Uint32Array, ends: Uint8Array, r: number) => (rows[r]! >>> 1) | ((ends[r]! & 2) << 30);
+
+/** Writes a row of visible faces toward west or east, bits along x, into planes of x with bits along z. */
+function scatter(face: number, bits: number, y: number, z: number): void {
+  for (let rest = bits; rest !== 0; rest &= rest - 1) {
+    const x = 31 - Math.clz32(rest & -rest);
+    planes[(face * SIDE + x) * SIDE + y]! |= 1 << z;
+  }
+}
+
+function facesOf(rows: Uint32Array, notToward: Uint32Array, notTowardEnds: Uint8Array): void {
+  planes.fill(0);
+  for (let y = 0; y < SIDE; y++) {
+    for (let z = 0; z < SIDE; z++) {
+      const r = row(y, z);
+      const here = rows[r]!;
+      if (here === 0) continue;
+      const west = here & ~westOf(notToward, notTowardEnds, r);
+      const east = here & ~eastOf(notToward, notTowardEnds, r);
+      if (west !== 0) scatter(WEST, west, y, z);
+      if (east !== 0) scatter(EAST, east, y, z);
+      planes[(UP * SIDE + y) * SIDE + z] = here & ~notToward[r + PADDED]!;
+      planes[(DOWN * SIDE + y) * SIDE + z] = here & ~notToward[r - PADDED]!;
+      planes[(SOUTH * SIDE + z) * SIDE + y] = here & ~notToward[r + 1]!;
+      planes[(NORTH * SIDE + z) * SIDE + y] = here & ~notToward[r - 1]!;
+    }
+  }
+}
+
+/** Occlusion of the four corners of the face of the cell before it, `at`, with steps `du` and `dv`: 8 bits. */
+function occlusionAt(at: number, du: number, dv: number): number {
+  const w = solid[at - du]!;
+  const e = solid[at + du]!;
+  const n = solid[at - dv]!;
+  const s = solid[at + dv]!;
+  const nw = solid[at - du - dv]!;
+  const ne = solid[at + du - dv]!;
+  const sw = solid[at - du + dv]!;
+  const se = solid[at + du + dv]!;
+  if ((w | e | n | s | nw | ne | sw | se) === 0) return 0xff;
+  const a = w & n ? 0 : 3 - w - n - nw;
+  const b = e & n ? 0 : 3 - e - n - ne;
+  const c = e & s ? 0 : 3 - e - s - se;
+  const d = w & s ? 0 : 3 - w - s - sw;
+  return a | (b << 2) | (c << 4) | (d << 6);
+}
+
+const STEP_U = [DZ, DX, DX, DZ, DX, DX];
+const STEP_V = [DY, DY, DZ, DY, DY, DZ];
+const STEP_N = [-DX, -DZ, DY, DX, DZ, -DY];
+const PLANE_STEP = [DX, DZ, DY, DX, DZ, DY];
+const ORIGIN = paddedIndex(0, 0, 0);
+
+const CUT_BIT = 1 << 26;
+
+function isCut(face: number, plane: number, u: number, v: number): number {
+  let bit: number;
+  if (face === WEST || face === EAST) {
+    const r = row(v, u);
+    bit = face === WEST ? (plane === 0 ? openCutEnds[r]! & 1 : (openCut[r]! >>> (plane - 1)) & 1)
+      : plane === 31 ? openCutEnds[r]! >>> 1 : (openCut[r]! >>> (plane + 1)) & 1;
+  } else if (face === NORTH || face === SOUTH) {
+    bit = (openCut[row(v, face === NORTH ? plane - 1 : plane + 1)]! >>> u) & 1;
+  } else {
+    return 0;
+  }
+  return bit === 0 ? 0 : CUT_BIT;
+}
+
+/** Covers the faces of one plane, bits along u in 32 rows of v from planes[rows] on, with as few quads as a greedy
+ *  walk finds, and takes their bits away. */
+function coverPlane(padded: Uint16Array, face: number, plane: number, options: MeshOptions, occlusion: boolean): void {
+  const rows = (face * SIDE + plane) * SIDE;
+  let any = 0;
+  for (let v = 0; v < SIDE; v++) any |= planes[rows + v]!;
+  if (any === 0) return;
+  const du = STEP_U[face]!;
+  const dv = STEP_V[face]!;
+  const base = ORIGIN + plane * PLANE_STEP[face]!;
+  const toFront = STEP_N[face]!;
+  const places = options.places;
+  const cuts = options.kept !== null;
+  for (let v = 0; v < SIDE; v++) {
+    for (let rest = planes[rows + v]!; rest !== 0; rest &= rest - 1) {
+      const u = 31 - Math.clz32(rest & -rest);
+      const at = base + u * du + v * dv;
+      let key = (places[padded[at]!]! << 8) | (occlusion ? occlusionAt(at + toFront, du, dv) : 0xff);
+      if (cuts) key |= isCut(face, plane, u, v);
+      keys[v * SIDE + u] = key;
+    }
+  }
+  for (let v = 0; v < SIDE; v++) {
+    while (planes[rows + v] !== 0) {
+      const bits = planes[rows + v]!;
+      const u = 31 - Math.clz32(bits & -bits);
+      const key = keys[v * SIDE + u]!;
+      const a = key & 3;
+      const b = (key >>> 2) & 3;
+      const c = (key >>> 4) & 3;
+      const d = (key >>> 6) & 3;
+      // Quads merge along an axis only where occlusion does not change along it.
+      let width = 1;
+      if (a === b && c === d) {
+        while (u + width < SIDE && (bits >>> (u + width)) & 1 && keys[v * SIDE + u + width] === key) width++;
+      }
+      const mask = width === SIDE ? 0xffffffff : ((1 << width) - 1) << u;
+      let height = 1;
+      if (a === d && b === c) {
+        while (v + height < SIDE && (planes[rows + v + height]! & mask) === (mask | 0)) {
+          const next = (v + height) * SIDE + u;
+          let i = 0;
+          while (i < width && keys[next + i] === key) i++;
+          if (i < width) break;
+          height++;
+        }
+      }
+      for (let i = 0; i < height; i++) planes[rows + v + i]! &= ~mask;
+      emit(face, plane, u, v, width, height, key, options.slot, a + c < b + d ? 1 : 0);
+    }
+  }
+}
+
+function emit(face: number, plane: number, u: number, v: number, width: number, height: number, key: number, slot: number, flip: number): void {
+  let x = u;
+  let y = v;
+  let z = plane;
+  if (face === WEST || face === EAST) {
+    x = plane;
+    z = u;
+  } else if (face === UP || face === DOWN) {
+    y = plane;
+    z = v;
+  }
+  if (used + 2 > out.length) {
+    const bigger = new Uint32Array(out.length * 2);
+    bigger.set(out);
+    out = bigger;
+  }
+  const material = (key >>> 8) & 0x3ff;
+  const cut = key & CUT_BIT ? 1 : 0;
+  out[used++] = x | (y << 5) | (z << 10) | (face << 15) | ((width - 1) << 18) | ((height - 1) << 23) |
+    (flip << 28) | (cut << 29) | ((material >>> 8) << 30);
+  out[used++] = slot | ((key & 0xff) << 16) | ((material & 0xff) << 24);
+  if (y < low) low = y;
+  const top = face === UP || face === DOWN ? y : y + height - 1;
+  if (top > high) high = top;
+}
+
+/** Faces at the chunk's side that are hidden by, or beside, the neighbour there, near what is open: walls that close
+ *  the gap where another level of detail is drawn beyond. */
+function skirtPlane(face: number): void {
+  const plane = face === EAST || face === SOUTH ? 31 : 0;
+  const rows = (face * SIDE + plane) * SIDE;
+  for (let v = 0; v < SIDE; v++) planes[rows + v] = 0;
+  const step = STEP_N[face]!;
+  for (let u = 0; u < SIDE; u++) {
+    const column = ORIGIN + plane * PLANE_STEP[face]! + u * STEP_U[face]!;
+    // From above: how far below something open.
+    let depth = solid[column + SIDE * DY] && solid[column + SIDE * DY + step] ? SKIRT_DEPTH - SKIRT_CAP : 0;
+    for (let y = SIDE - 1; y >= 0; y--) {
+      const at = column + y * DY;
+      const outer = isBlocked(face, u, y);
+      if (!solid[at] || !outer) {
+        depth = 0;
+      } else if (depth++ < SKIRT_DEPTH) {
+        planes[rows + y]! |= 1 << u;
+      }
+    }
+  }
+}
+
+function isBlocked(face: number, u: number, y: number): boolean {
+  if (face === WEST || face === EAST) return (blockEnds[row(y, u)]! & (face === WEST ? 1 : 2)) !== 0;
+  return ((blockRow[row(y, face === NORTH ? -1 : SIDE)]! >>> u) & 1) !== 0;
+}
+
+function topsOf(rows: Uint32Array): Uint8Array<ArrayBuffer> {
+  const tops = new Uint8Array(SIDE * SIDE);
+  for (let z = 0; z < SIDE; z++) {
+    let left = 0xffffffff;
+    for (let y = SIDE - 1; y >= 0 && left !== 0; y--) {
+      for (let found = rows[row(y, z)]! & left; found !== 0; found &= found - 1) {
+        tops[z * SIDE + 31 - Math.clz32(found & -found)] = y + 1;
+      }
+      left &= ~rows[row(y, z)]!;
+    }
+  }
+  return tops;
+}
+
+export function meshChunk(padded: Uint16Array, options: MeshOptions): ChunkMesh {
+  used = 0;
+  low = SIDE;
+  high = -1;
+  const counts = new Uint32Array(GROUPS + 1);
+  const { solids, liquids } = classify(padded, options.kinds, options.kept);
+  let before = 0;
+  if (solids) {
+    facesOf(solidRow, blockRow, blockEnds);
+    for (let face = 0; face < 6; face++) {
+      for (let plane = 0; plane < SIDE; plane++) coverPlane(padded, face, plane, options, options.occlusion);
+      counts[face] = (used - before) / 2;
+      before = used;
+    }
+    SKIRTS.forEach((face, i) => {
+      skirtPlane(face);
+      coverPlane(padded, face, face === EAST || face === SOUTH ? 31 : 0, options, false);
+      counts[6 + i] = (used - before) / 2;
+      before = used;
+    });
+  }
+  if (liquids) {
+    for (let r = 0; r < ROWS; r++) {
+      liquidBlock[r] = blockRow[r]! | liquidRow[r]!;
+      liquidBlockEnds[r] = blockEnds[r]! | liquidEnds[r]!;
+    }
+    facesOf(liquidRow, liquidBlock, liquidBlockEnds);
+    for (let face = 0; face < 6; face++) {
+      for (let plane = 0; plane < SIDE; plane++) coverPlane(padded, face, plane, options, false);
+    }
+    counts[GROUPS] = (used - before) / 2;
+  }
+  return {
+    quads: out.slice(0, used),
+    counts,
+    tops: topsOf(solidRow),
+    liquidTops: liquids ? topsOf(liquidRow) : null,
+    low,
+    high,
+  };
+}
+
+const liquidBlock = new Uint32Array(ROWS);
+const liquidBlockEnds = new Uint8Array(ROWS);

@@ -1,0 +1,114 @@
+// The meshing workers. Each owns squares of 8 x 8 columns of chunks, and holds what lies in them and right around.
+import type { Chunk, Meshers } from './land.js';
+import type { ChunkData, FromWorker, Job, ToWorker } from './messages.js';
+
+const SQUARE = 3; // 2^3 columns
+const JOBS_AT_ONCE = 6;
+
+interface Crew {
+  readonly worker: Worker;
+  jobs: number;
+  chunks: ChunkData[];
+  drops: { lod: number; x: number; y: number; z: number }[];
+  orders: Job[];
+  heldBytes: number;
+}
+
+export const workersFor = (cores: number): number => Math.min(4, Math.max(2, cores - 1));
+
+export class Pool implements Meshers {
+  private readonly crews: Crew[];
+  private readonly ownerOfJob = new Map<number, Crew>();
+  private meshMs = 0;
+  private meshes = 0;
+
+  constructor(
+    workers: number,
+    makeWorker: () => Worker,
+    private readonly handle: (answer: FromWorker) => void,
+  ) {
+    this.crews = Array.from({ length: workers }, () => {
+      const crew: Crew = { worker: makeWorker(), jobs: 0, chunks: [], drops: [], orders: [], heldBytes: 0 };
+      crew.worker.onmessage = (event: MessageEvent<FromWorker>) => this.answered(crew, event.data);
+      return crew;
+    });
+  }
+
+  get heldBytes(): number {
+    return this.crews.reduce((sum, crew) => sum + crew.heldBytes, 0);
+  }
+
+  get meanMs(): number {
+    return this.meshes === 0 ? 0 : this.meshMs / this.meshes;
+  }
+
+  setWorld(kinds: Uint8Array, places: Uint16Array): void {
+    for (const crew of this.crews) this.post(crew, { kind: 'world', kinds, places });
+  }
+
+  send(chunk: Chunk): void {
+    const { lod, x, y, z, payload, material } = chunk;
+    for (const crew of this.holdersOf(lod, x, z)) crew.chunks.push({ lod, x, y, z, payload: material === null ? payload : null, material });
+  }
+
+  drop(chunk: Chunk): void {
+    const { lod, x, y, z } = chunk;
+    for (const crew of this.holdersOf(lod, x, z)) {
+      // In order: what was to be sent must not come after its drop.
+      if (crew.chunks.length > 0) this.flushCrew(crew);
+      crew.drops.push({ lod, x, y, z });
+    }
+  }
+
+  hasRoom(chunk: Chunk): boolean {
+    return this.ownerOf(chunk.lod, chunk.x, chunk.z).jobs < JOBS_AT_ONCE;
+  }
+
+  mesh(chunk: Chunk, job: Job): void {
+    const crew = this.ownerOf(chunk.lod, chunk.x, chunk.z);
+    crew.jobs++;
+    crew.orders.push(job);
+    this.ownerOfJob.set(job.id, crew);
+  }
+
+  /** Sends what was gathered. */
+  flush(): void {
+    for (const crew of this.crews) this.flushCrew(crew);
+  }
+
+  dispose(): void {
+    for (const crew of this.crews) crew.worker.terminate();
+  }
+
+  private flushCrew(crew: Crew): void {
+    if (crew.drops.length > 0) this.post(crew, { kind: 'drop', chunks: crew.drops.splice(0) });
+    if (crew.chunks.length > 0) this.post(crew, { kind: 'chunks', chunks: crew.chunks.splice(0) });
+    if (crew.orders.length > 0) this.post(crew, { kind: 'mesh', jobs: crew.orders.splice(0) });
+  }
+
+  private post(crew: Crew, message: ToWorker): void {
+    crew.worker.postMessage(message);
+  }
+
+  private ownerOf(lod: number, x: number, z: number): Crew {
+    const count = this.crews.length;
+    const square = (x >> SQUARE) + (z >> SQUARE) + lod;
+    return this.crews[((square % count) + count) % count]!;
+  }
+
+  private holdersOf(lod: number, x: number, z: number): Set<Crew> {
+    const holders = new Set<Crew>();
+    for (let dz = -1; dz <= 1; dz++) for (let dx = -1; dx <= 1; dx++) holders.add(this.ownerOf(lod, x + dx, z + dz));
+    return holders;
+  }
+
+  private answered(crew: Crew, answer: FromWorker): void {
+    if (this.ownerOfJob.delete(answer.id)) crew.jobs--;
+    if (answer.kind === 'meshed') {
+      this.meshMs += answer.ms;
+      this.meshes++;
+      crew.heldBytes = answer.heldBytes;
+    }
+    this.handle(answer);
+  }
+}

@@ -1,0 +1,124 @@
+// Which chunks a View has (PROTOCOL.md, "View"), so that the engine knows what is still to come.
+import type { LodRing, View, World } from 'talus';
+
+export interface Square {
+  readonly x0: number;
+  readonly x1: number;
+  readonly z0: number;
+  readonly z1: number;
+}
+
+/** Columns and rows of one level, in chunks of it, both ends included. */
+export interface LevelShape extends Square {
+  readonly lod: number;
+  readonly y0: number;
+  readonly y1: number;
+  /** Columns that are left out, as the level before has them. */
+  readonly hole: Square | null;
+}
+
+/** By level; a level that the View has not is absent. */
+export type Shape = readonly (LevelShape | undefined)[];
+
+const floorDiv = (a: number, b: number) => Math.floor(a / b);
+
+/** Rings of growing levels, each twice as far as the one before, out to `horizon` blocks. */
+export function ringsFor(radius: number, horizon: number): LodRing[] {
+  const far = Math.ceil(horizon / 32);
+  const rings: LodRing[] = [];
+  for (let lod = 1, reach = radius; lod <= 6 && reach < far; lod++) {
+    reach = lod === 6 ? far : Math.min(radius * 2 ** lod, far);
+    rings.push({ lod, radius: reach });
+  }
+  return rings;
+}
+
+/** A View around a camera. Level 0 has all rows of the world where the limits allow it. */
+export function viewFor(
+  world: Pick<World, 'minY' | 'maxY' | 'limits'>,
+  camera: { x: number; y: number; z: number },
+  direction: { x: number; y: number; z: number },
+  radius: number,
+  horizon: number,
+): View {
+  const limits = world.limits;
+  const lowest = floorDiv(world.minY, 32);
+  const highest = floorDiv(world.maxY - 1, 32);
+  // The middle of the world, so that ground comes before what lies deep under it; around the player where the limits
+  // do not allow all rows.
+  const vertical = Math.min(Math.max(Math.ceil((highest - lowest) / 2), 1), limits.viewVerticalRadius);
+  const row = Math.max(lowest + vertical, Math.min(floorDiv(camera.y, 32), highest - vertical));
+  return {
+    centre: { x: Math.floor(camera.x), y: row * 32 + 16, z: Math.floor(camera.z) },
+    direction,
+    horizontalRadius: Math.min(radius, limits.viewHorizontalRadius),
+    verticalRadius: vertical,
+    rings: ringsFor(Math.min(radius, limits.viewHorizontalRadius), horizon),
+    horizon: limits.viewHorizon,
+  };
+}
+
+export function shapeOf(view: View, world: Pick<World, 'minY' | 'maxY'>): Shape {
+  const cx = floorDiv(view.centre.x, 32);
+  const cy = floorDiv(view.centre.y, 32);
+  const cz = floorDiv(view.centre.z, 32);
+  const shape: (LevelShape | undefined)[] = [];
+  let before: LevelShape = {
+    lod: 0,
+    x0: cx - view.horizontalRadius,
+    x1: cx + view.horizontalRadius,
+    z0: cz - view.horizontalRadius,
+    z1: cz + view.horizontalRadius,
+    y0: cy - view.verticalRadius,
+    y1: cy + view.verticalRadius,
+    hole: null,
+  };
+  shape[0] = before;
+  (view.rings ?? []).forEach(({ lod, radius }, i) => {
+    const scale = 2 ** lod;
+    const ratio = 2 ** (lod - before.lod);
+    const hole = {
+      x0: Math.ceil(before.x0 / ratio),
+      x1: floorDiv(before.x1 + 1, ratio) - 1,
+      z0: Math.ceil(before.z0 / ratio),
+      z1: floorDiv(before.z1 + 1, ratio) - 1,
+    };
+    const none = (view.horizon === true && i === 0) || hole.x1 < hole.x0 || hole.z1 < hole.z0;
+    before = shape[lod] = {
+      lod,
+      x0: floorDiv(cx - radius, scale),
+      x1: floorDiv(cx + radius, scale),
+      z0: floorDiv(cz - radius, scale),
+      z1: floorDiv(cz + radius, scale),
+      y0: view.horizon ? floorDiv(floorDiv(world.minY, scale) - 1, 32) : floorDiv(cy - view.verticalRadius, scale),
+      y1: view.horizon ? floorDiv(floorDiv(world.maxY - 1, scale), 32) : floorDiv(cy + view.verticalRadius, scale),
+      hole: none ? null : hole,
+    };
+  });
+  return shape;
+}
+
+export const inSquare = (square: Square, x: number, z: number): boolean =>
+  x >= square.x0 && x <= square.x1 && z >= square.z0 && z <= square.z1;
+
+/** Whether a View of this shape has chunks of the column. */
+export function hasColumn(shape: Shape, lod: number, x: number, z: number): boolean {
+  const level = shape[lod];
+  return level !== undefined && inSquare(level, x, z) && !(level.hole !== null && inSquare(level.hole, x, z));
+}
+
+/** Whether the level, or a finer one in its place, has the column. */
+export function reaches(shape: Shape, lod: number, x: number, z: number): boolean {
+  const level = shape[lod];
+  return level !== undefined && inSquare(level, x, z);
+}
+
+export function chunksOf(shape: Shape): number {
+  let chunks = 0;
+  for (const level of shape) {
+    if (level === undefined) continue;
+    const area = (s: Square) => (s.x1 - s.x0 + 1) * (s.z1 - s.z0 + 1);
+    chunks += (area(level) - (level.hole === null ? 0 : area(level.hole))) * (level.y1 - level.y0 + 1);
+  }
+  return chunks;
+}

@@ -1,0 +1,359 @@
+// The viewer's page: puts its parts together. Each frame: what the player wants, the body's step, the engine's picture.
+import { Session, type Trouble } from './connection/session';
+import { Server } from './connection/server';
+import { TokenStore } from './connection/token';
+import { Keyboard } from './controls/keyboard';
+import { Mouse } from './controls/mouse';
+import { Player } from './controls/player';
+import { Touch } from './controls/touch';
+import type { Engine, Vector } from './engine/engine';
+import { Loop } from './loop';
+import { Address } from './place/address';
+import { readCoordinate, readLink, wrapHours, clock, type Mode, type Place } from './place/place';
+import { defaults, fromLink, load, mend, save, type Settings } from './place/settings';
+import { find, say } from './ui/dom';
+import { Hud, share } from './ui/hud';
+import { Notices } from './ui/notices';
+import { Panels } from './ui/panels';
+import { SettingsPanel } from './ui/settings_panel';
+import { SharePanel } from './ui/share_panel';
+import { SlicePanel } from './ui/slice_panel';
+import { TokenDialog } from './ui/token_dialog';
+import { TrafficPanel } from './ui/traffic_panel';
+import { FIELD_OF_VIEW, rayThrough, VoxelCard } from './ui/voxel_card';
+
+const isPhone = matchMedia('(pointer: coarse)').matches;
+const isReducedBySystem = matchMedia('(prefers-reduced-motion: reduce)');
+const storage = () => localStorage;
+const DAY_S = 24 * 60;
+const SPAWN_PITCH = -8;
+const SPAWN_RISE = 14;
+
+let kept = load(defaults(isPhone), storage);
+const settings: Settings = mend(kept, fromLink(location.hash));
+const isReduced = () => settings.reducedMotion ?? isReducedBySystem.matches;
+
+const tokens = new TokenStore();
+const server = new Server(location.href, () => tokens.token);
+const player = new Player();
+const { body } = player;
+const address = new Address();
+const stage = find('stage');
+let engine: Engine | null = null;
+let hours = readLink(location.hash).time ?? 10.5;
+let isPlaced = false;
+
+// --- Where one is ---
+
+function place(): Place {
+  const [x, y, z] = body.position;
+  return { x, y, z, yaw: body.yaw, pitch: body.pitch, time: hours, mode: body.mode };
+}
+
+/** To the ground of a column where y is null. */
+async function travel(x: number, y: number | null, z: number): Promise<void> {
+  let row = y;
+  if (row === null) {
+    const ground = Math.max(await server.ground(x, z), engine?.world.seaLevel ?? -Infinity);
+    row = ground + (body.mode === 'fly' ? SPAWN_RISE : 0);
+  }
+  body.place(x, row, z);
+  isPlaced = true;
+}
+
+function toSpawn(): void {
+  if (engine === null) return;
+  const { x, y, z } = engine.world.spawn;
+  body.place(x + 0.5, y + (body.mode === 'fly' ? SPAWN_RISE : 0), z + 0.5);
+  isPlaced = true;
+}
+
+function follow(link: Partial<Place>): void {
+  body.mode = link.mode ?? body.mode;
+  body.yaw = link.yaw ?? body.yaw;
+  body.pitch = link.pitch ?? body.pitch;
+  if (link.time !== undefined) setTime(link.time);
+  if (link.x !== undefined && link.z !== undefined)
+    travel(link.x, link.y ?? null, link.z).catch((error: Error) => {
+      hud.status(error.message, 'bad');
+      if (!isPlaced) toSpawn();
+    });
+  else if (!isPlaced) toSpawn();
+}
+
+addEventListener('hashchange', () => follow(readLink(location.hash)));
+
+// --- Light ---
+
+const timeField = find<HTMLInputElement>('time');
+const timeRuns = find<HTMLInputElement>('time-runs');
+
+function setTime(to: number): void {
+  hours = wrapHours(to);
+  engine?.setTimeOfDay(hours);
+  timeField.value = String(hours);
+  say(find('time-now'), clock(hours));
+}
+
+timeField.addEventListener('input', () => setTime(Math.min(23.99, Number(timeField.value))));
+timeRuns.checked = settings.timeRuns;
+timeRuns.addEventListener('change', () => change({ timeRuns: timeRuns.checked }));
+
+// --- Settings ---
+
+function change(changed: Partial<Settings>): void {
+  Object.assign(settings, changed);
+  kept = { ...kept, ...changed };
+  save(kept, storage);
+  if ('transport' in changed) void session.open();
+  if ('radius' in changed || 'horizon' in changed) engine?.setRadius(settings.radius, settings.horizon);
+  if ('quality' in changed) engine?.setQuality(settings.quality);
+  if ('reducedMotion' in changed) applyMotion();
+  if ('chunkBorders' in changed) applyBorders();
+  timeRuns.checked = settings.timeRuns;
+}
+
+function applyMotion(): void {
+  engine?.setReducedMotion(isReduced());
+  document.body.classList.toggle('still', isReduced());
+}
+isReducedBySystem.addEventListener('change', applyMotion);
+
+const bordersField = find<HTMLInputElement>('borders');
+function applyBorders(): void {
+  bordersField.checked = settings.chunkBorders;
+  engine?.setChunkBorders(settings.chunkBorders);
+}
+bordersField.addEventListener('change', () => change({ chunkBorders: bordersField.checked }));
+
+// --- Parts of the page ---
+
+const toStage = () => stage.focus({ preventScroll: true });
+const panels = new Panels(toStage);
+const hud = new Hud(toStage);
+const traffic = new TrafficPanel();
+const voxel = new VoxelCard();
+const slice = new SlicePanel(
+  () => ({ x: body.position[0], z: body.position[2], yaw: body.yaw }),
+  (plane) => engine?.setSlice(plane),
+);
+new SettingsPanel(settings, change, isPhone);
+new SharePanel(() => engine?.screenshot() ?? null, place, () => address.write(place()));
+const tokenDialog = new TokenDialog(tokens, () => session.again());
+find('token-change').addEventListener('click', () => tokenDialog.ask('The next connection uses it.'));
+
+const help = find<HTMLDialogElement>('help');
+const openHelp = () => {
+  document.exitPointerLock?.();
+  help.showModal();
+};
+find('open-help').addEventListener('click', openHelp);
+help.addEventListener('close', toStage);
+
+find('goto-form').addEventListener('submit', (event) => {
+  event.preventDefault();
+  const to = readCoordinate(find<HTMLInputElement>('goto-text').value);
+  const wrong = find('goto-wrong');
+  if (to === null) return say(wrong, 'Two or three numbers, such as 1200 -340 or 1200 90 -340.');
+  say(wrong, '');
+  travel(to.x, to.y, to.z).then(
+    () => panels.close(),
+    (error: Error) => say(wrong, error.message),
+  );
+});
+find('goto-spawn').addEventListener('click', () => (toSpawn(), panels.close()));
+
+// --- The connection ---
+
+const notices = new Notices({
+  retry: () => session.hurry(),
+  again: () => session.again(),
+  reload: () => void session.open(),
+  askToken: (why) => tokenDialog.ask(why),
+  toSpawn,
+});
+
+const session = new Session(stage, settings, server, tokens, isReduced, {
+  opened(opened) {
+    engine = opened;
+    player.enter(opened);
+    opened.setFov(FIELD_OF_VIEW);
+    resize();
+    opened.setTimeOfDay(hours);
+    opened.setSlice(slice.slice);
+    applyMotion();
+    applyBorders();
+    if (!isPlaced) follow(startingPlace());
+    hud.opening('The land is on its way', null);
+    say(find('help-world'), `${opened.world.server}, world ${opened.world.fingerprint}`);
+  },
+  closing() {
+    engine = null;
+    player.enter(null);
+    voxel.clear();
+  },
+  trouble(trouble: Trouble | null) {
+    notices.trouble(trouble);
+    if (trouble === null) return;
+    const words: Record<Trouble['kind'], string> = {
+      away: 'Server away',
+      token: 'No access',
+      refused: 'Refused',
+      'no-webgl': 'No 3D',
+      'graphics-lost': 'No graphics',
+    };
+    hud.status(words[trouble.kind], 'bad');
+    if (trouble.kind === 'away') hud.opening('Waiting for the server', null);
+    else hud.opened();
+  },
+  worldChanged(world) {
+    voxel.clear();
+    say(find('help-world'), `${world.server}, world ${world.fingerprint}`);
+    notices.worldChanged();
+  },
+});
+
+function startingPlace(): Partial<Place> {
+  const link = readLink(location.hash);
+  return { pitch: SPAWN_PITCH, mode: 'fly' satisfies Mode, ...link };
+}
+
+function resize(): void {
+  engine?.resize(stage.clientWidth, stage.clientHeight, devicePixelRatio);
+}
+addEventListener('resize', resize);
+
+// --- Hands ---
+
+const eye = (): Vector => {
+  const [x, y, z] = body.eye;
+  return { x, y, z };
+};
+
+function pick(x: number, y: number): void {
+  if (engine === null) return;
+  const half = stage.clientHeight / 2;
+  const direction = rayThrough(body.yaw, body.pitch, (x - stage.clientWidth / 2) / half, 1 - y / half);
+  voxel.hold(engine, eye(), direction);
+}
+const pickAhead = () => pick(stage.clientWidth / 2, stage.clientHeight / 2);
+
+const speedUp = (notches: number) => player.changeSpeed(notches);
+const commands: Record<string, () => void> = {
+  KeyF: () => player.toggleMode(),
+  KeyM: () => openMap(),
+  KeyG: () => panels.toggle('goto'),
+  KeyT: () => panels.toggle('time'),
+  KeyX: () => (slice.slice === null ? slice.cutHere() : slice.off()),
+  BracketLeft: () => slice.move(-1),
+  BracketRight: () => slice.move(1),
+  KeyP: () => panels.toggle('traffic', false),
+  KeyB: () => change({ chunkBorders: !settings.chunkBorders }),
+  KeyK: () => panels.toggle('share'),
+  KeyO: () => panels.toggle('settings'),
+  KeyU: () => document.body.classList.toggle('bare'),
+  KeyH: openHelp,
+  '?': openHelp,
+  Home: () => (body.pitch = 0),
+  Comma: () => setTime(hours - 0.25),
+  Period: () => setTime(hours + 0.25),
+  '+': () => speedUp(1),
+  '-': () => speedUp(-1),
+  Enter: () => (voxel.held === null ? pickAhead() : voxel.letGo()),
+  Escape: () => panels.close() || voxel.letGo(),
+};
+
+const isShut = () => help.open || find<HTMLDialogElement>('token').open || !find('map').hidden;
+player.add(new Keyboard(commands, isShut));
+player.add(new Mouse(stage, settings, pick, speedUp));
+const touch = new Touch(stage, find('stick'), settings, pick, () => {
+  document.body.classList.add('touched');
+  find('thumbs').hidden = false;
+});
+touch.hold(find('thumb-up'), 1);
+touch.hold(find('thumb-down'), -1);
+find('thumb-mode').addEventListener('click', () => player.toggleMode());
+player.add(touch);
+if (isPhone) {
+  document.body.classList.add('touched');
+  find('thumbs').hidden = false;
+}
+addEventListener('blur', () => player.release());
+
+// --- The map ---
+
+async function openMap(): Promise<void> {
+  document.exitPointerLock?.();
+  player.release();
+  const { openMapOverlay } = await import('./map/overlay');
+  openMapOverlay(find('map'), server, {
+    place,
+    world: () => engine?.world ?? null,
+    go: (x, z) => travel(x, null, z),
+    closed: toStage,
+  });
+}
+find('open-map').addEventListener('click', () => void openMap());
+
+// --- Every frame ---
+
+let told = 0;
+let looked = 0;
+const loop = new Loop(
+  () => settings.frameRate,
+  (now, seconds) => {
+    if (settings.timeRuns) setTime(hours + (seconds * 24) / DAY_S);
+    if (isPlaced) player.step(seconds);
+    if (engine !== null && isPlaced) {
+      player.look(engine);
+      engine.frame(now);
+      if (now - looked > 100) {
+        looked = now;
+        voxel.look(engine, eye(), body.yaw, body.pitch);
+      }
+      address.follow(now, place());
+    }
+    if (now - told > 250) {
+      told = now;
+      tell(now);
+    }
+  },
+);
+
+function tell(now: number): void {
+  notices.tick(now);
+  if (engine === null) return;
+  const stats = engine.stats();
+  hud.connection(stats);
+  hud.where(place(), body);
+  if (stats.meshes > 0) hud.opened();
+  else hud.opening('The land is on its way', share(stats));
+  hud.hint(isHinting && !player.hasMoved);
+  traffic.update(stats, now, loop.framesPerSecond, panels.isOpen('traffic'));
+}
+let isHinting = true;
+find('hint-close').addEventListener('click', () => (isHinting = false));
+
+setTime(hours);
+applyMotion();
+applyBorders();
+hud.opening('Connecting', null);
+hud.status('Connecting', 'busy');
+toStage();
+loop.start();
+void session.open();
+
+// For the console, and for tests.
+declare global {
+  interface Window {
+    talus: { readonly engine: Engine | null; readonly player: Player; readonly settings: Settings; pick: (x: number, y: number) => void };
+  }
+}
+window.talus = {
+  get engine() {
+    return engine;
+  },
+  player,
+  settings,
+  pick,
+};

@@ -1,0 +1,67 @@
+// What is always on the screen: the state of the connection, the place, how one moves.
+import type { Stats } from '../engine/engine';
+import type { Body } from '../controls/body';
+import { windOf, type Place } from '../place/place';
+import { count } from './traffic_panel';
+import { find, say } from './dom';
+
+/** Of the view: what is drawn or known to be empty, of what was asked for. */
+export function share(stats: Stats): number | null {
+  if (stats.state === 'complete') return 1;
+  const all = stats.chunks + stats.pendingMeshes;
+  return all === 0 ? null : Math.min(0.99, stats.chunks / all);
+}
+
+export class Hud {
+  readonly #opening = find('opening');
+  readonly #hint = find('hint');
+
+  constructor(onHintClosed: () => void) {
+    find('hint-close').addEventListener('click', () => {
+      this.#hint.hidden = true;
+      onHintClosed();
+    });
+  }
+
+  opening(text: string, progress: number | null): void {
+    say(find('opening-text'), text);
+    const bar = find<HTMLProgressElement>('opening-progress');
+    if (progress === null) bar.removeAttribute('value');
+    else bar.value = progress;
+  }
+
+  /** The land is there: away with what stood before it. */
+  opened(): void {
+    this.#opening.classList.add('gone');
+    this.#opening.removeAttribute('role');
+  }
+
+  hint(shows: boolean): void {
+    this.#hint.hidden = !shows;
+  }
+
+  status(text: string, state: 'busy' | 'good' | 'bad'): void {
+    say(find('status-text'), text);
+    find('status').dataset.state = state;
+  }
+
+  connection(stats: Stats): void {
+    if (stats.state === 'lost') return this.status('Server away', 'bad');
+    if (stats.state === 'refused') return this.status('Refused', 'bad');
+    if (stats.state === 'connecting') return this.status('Connecting', 'busy');
+    if (stats.state === 'complete') return this.status('All here', 'good');
+    const done = share(stats);
+    this.status(done === null ? 'Receiving' : `Receiving ${Math.floor(done * 100)} %`, 'busy');
+  }
+
+  where(place: Place, body: Body): void {
+    const [x, y, z] = [place.x, place.y ?? 0, place.z].map((n) => count(Math.floor(n)));
+    say(find('where-at'), `${x}, ${y}, ${z}`);
+    const how = body.waiting
+      ? 'waiting for the land'
+      : body.mode === 'fly'
+        ? `flying ${windOf(place.yaw)}, ${count(body.flySpeed)} blocks/s`
+        : `${body.swimming ? 'swimming' : 'walking'} ${windOf(place.yaw)}`;
+    say(find('where-how'), how);
+  }
+}

@@ -1,0 +1,44 @@
+// The form of the settings.
+import { defaults, mend, type Settings } from '../place/settings';
+import { find, say } from './dom';
+
+const figures: Record<string, (settings: Settings) => string> = {
+  radius: ({ radius }) => `${radius} chunks`,
+  horizon: ({ horizon }) => (horizon === 0 ? 'none' : `${(horizon / 1000).toFixed(1)} km`),
+  sensitivity: ({ sensitivity }) => `${Math.round(sensitivity * 100)}`,
+};
+
+export class SettingsPanel {
+  readonly #form = find<HTMLFormElement>('settings');
+
+  constructor(
+    private readonly settings: Settings,
+    onChange: (changed: Partial<Settings>) => void,
+    isPhone: boolean,
+  ) {
+    this.#form.addEventListener('submit', (event) => event.preventDefault());
+    this.#form.addEventListener('input', (event) => {
+      const field = event.target as HTMLInputElement | HTMLSelectElement;
+      const text = field instanceof HTMLInputElement && field.type === 'checkbox' ? String(field.checked) : field.value;
+      const value = text === 'null' ? null : text === 'true' ? true : text === 'false' ? false : Number.isNaN(Number(text)) ? text : Number(text);
+      const mended = mend(settings, { [field.name]: value });
+      const key = field.name as keyof Settings;
+      if (mended[key] !== settings[key]) onChange({ [key]: mended[key] });
+      this.show();
+    });
+    find('settings-reset').addEventListener('click', () => {
+      onChange(defaults(isPhone));
+      this.show();
+    });
+    this.show();
+  }
+
+  show(): void {
+    for (const [key, value] of Object.entries(this.settings)) {
+      const field = this.#form.elements.namedItem(key);
+      if (field instanceof HTMLInputElement && field.type === 'checkbox') field.checked = value as boolean;
+      else if (field instanceof HTMLInputElement || field instanceof HTMLSelectElement) field.value = String(value);
+      if (key in figures) say(find(`${key}-now`), figures[key]!(this.settings));
+    }
+  }
+}

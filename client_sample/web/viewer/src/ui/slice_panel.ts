@@ -1,0 +1,73 @@
+// The slice: a vertical plane across where the player looked, with the land on this side of it taken away.
+import type { Slice } from '../engine/engine';
+import { wrapDegrees } from '../place/place';
+import { find, say } from './dom';
+
+const FIRST_DISTANCE = 24;
+
+export interface Stand {
+  readonly x: number;
+  readonly z: number;
+  /** Degrees. */
+  readonly yaw: number;
+}
+
+/** The plane at `distance` before a stand, across its direction. Land on the side of the stand is not drawn. */
+export function planeBefore(stand: Stand, distance: number): Slice {
+  const yaw = (stand.yaw * Math.PI) / 180;
+  return { x: stand.x + Math.sin(yaw) * distance, z: stand.z - Math.cos(yaw) * distance, yaw: yaw + Math.PI };
+}
+
+export class SlicePanel {
+  readonly #on = find<HTMLInputElement>('slice-on');
+  readonly #distance = find<HTMLInputElement>('slice-distance');
+  readonly #yaw = find<HTMLInputElement>('slice-yaw');
+  #stand: Stand = { x: 0, z: 0, yaw: 0 };
+
+  constructor(
+    private readonly standNow: () => Stand,
+    private readonly apply: (slice: Slice | null) => void,
+  ) {
+    this.#on.addEventListener('change', () => (this.#on.checked ? this.cutHere() : this.#send()));
+    this.#distance.addEventListener('input', () => this.#send());
+    this.#yaw.addEventListener('input', () => {
+      // The plane turns about where it stands, not about the player.
+      const { x, z } = planeBefore(this.#stand, Number(this.#distance.value));
+      this.#stand = { x, z, yaw: Number(this.#yaw.value) };
+      this.#distance.value = '0';
+      this.#send();
+    });
+    find('slice-here').addEventListener('click', () => this.cutHere());
+    this.#send();
+  }
+
+  get slice(): Slice | null {
+    return this.#on.checked ? planeBefore(this.#stand, Number(this.#distance.value)) : null;
+  }
+
+  cutHere(): void {
+    const { x, z, yaw } = this.standNow();
+    this.#stand = { x, z, yaw: Math.round(wrapDegrees(yaw)) % 360 };
+    this.#distance.value = String(FIRST_DISTANCE);
+    this.#yaw.value = String(this.#stand.yaw);
+    this.#on.checked = true;
+    this.#send();
+  }
+
+  off(): void {
+    this.#on.checked = false;
+    this.#send();
+  }
+
+  move(by: number): void {
+    if (!this.#on.checked) return this.cutHere();
+    this.#distance.value = String(Number(this.#distance.value) + by);
+    this.#send();
+  }
+
+  #send(): void {
+    say(find('slice-distance-now'), `${this.#distance.value} blocks`);
+    say(find('slice-yaw-now'), `${this.#yaw.value}°`);
+    this.apply(this.slice);
+  }
+}
