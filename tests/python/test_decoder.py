@@ -10,7 +10,7 @@ import numpy as np
 from paths import ROOT
 
 import talus
-from talus import decoder, model
+from talus.decoder import model
 
 
 def vectors():
