@@ -355,19 +355,19 @@ def read(frame):
 
 
 class _Reader:
-    """Reads after checking that all it reads lies in the frame, and that all together is not much more than the frame."""
+    """Reads after checking that what it reads lies in the frame, aligned, and that all together is not much more."""
 
     def __init__(self, frame):
         self.frame = frame
         self.tables_left = _MOST_TABLES
         self.bytes_left = _MOST_COPIES * len(frame)
 
-    def check(self, at, size):
-        if at < 4 or at + size > len(self.frame):
+    def check(self, at, size, align):
+        if at < 4 or at + size > len(self.frame) or at % align:
             raise ProtocolError(f"a frame of {len(self.frame)} bytes refers to bytes {at} to {at + size}")
 
     def number(self, kind, at):
-        self.check(at, kind.size)
+        self.check(at, kind.size, kind.align)
         return kind.unpack(self.frame, at)
 
     def follow(self, at):
@@ -391,7 +391,7 @@ class _Reader:
             raise ProtocolError(f"a frame with over {_MOST_TABLES} tables")
         vtable = at - self.number(I32, at)
         size = self.number(U16, vtable)
-        self.check(vtable, size)
+        self.check(vtable, size, 2)
         if size < 4 or size % 2:
             raise ProtocolError("a table's layout has no right length")
         offsets = struct.unpack_from(f"<{size // 2 - 2}H", self.frame, vtable + 4)
@@ -416,24 +416,24 @@ class _Reader:
             return self.list(kind.element, self.follow(at))
         return self.number(kind, at)
 
-    def span(self, at, size_of_each):
+    def span(self, at, size_of_each, align):
         """Where the elements of a list begin, and how many there are."""
         count = self.number(U32, at)
-        self.check(at + 4, count * size_of_each)
+        self.check(at + 4, count * size_of_each, align)
         self.bytes_left -= count * size_of_each
         if self.bytes_left < 0:
             raise ProtocolError("lists and texts of a frame lie over one another")
         return at + 4, count
 
     def text(self, at):
-        begin, count = self.span(at, 1)
+        begin, count = self.span(at, 1, 1)
         return bytes(self.frame[begin : begin + count]).decode()
 
     def list(self, element, at):
         if isinstance(element, (_Text, _Table)):
-            begin, count = self.span(at, 4)
+            begin, count = self.span(at, 4, 4)
             return [self.field(element, begin + 4 * i) for i in range(count)]
-        begin, count = self.span(at, element.size)
+        begin, count = self.span(at, element.size, element.align)
         if element is U8:
             return bytes(self.frame[begin : begin + count])
         if isinstance(element, _Struct):
@@ -475,6 +475,7 @@ def _put_layout(data, fields):
     slots = [0] * (max((slot for _, slot in fields), default=-1) + 1)
     for (_, slot), offset in zip(fields, offsets):
         slots[slot] = offset
+    data += bytes(len(data) % 2)
     vtable = len(data)
     data += struct.pack(f"<{2 + len(slots)}H", 4 + 2 * len(slots), size, *slots)
     _start_object(data)
