@@ -23,7 +23,7 @@ _TRIES = 5
 class WebWorld(Queries):
     """Made by talus.connect("http://...")."""
 
-    heights_per_request = 256  # what fits a line of a request; a server may allow fewer
+    heights_per_request = 64  # so many fit the line of a request, however far out
 
     def __init__(self, address, token="", context=None, timeout=10):
         self._root = address.rstrip("/")
@@ -32,7 +32,6 @@ class WebWorld(Queries):
         handlers = [urllib.request.HTTPSHandler(context=context)] if context else []
         self._opener = urllib.request.build_opener(*handlers)
         self.info = self._get_json("/v1/world")  # Welcome as JSON
-        self.heights_per_request = min(self.heights_per_request, self.info.get("heights_per_request", 256))
         self._chunks = f"/v1/{self.info['fingerprint']}/{self.info['codec']}"
 
     def __enter__(self):
@@ -137,9 +136,10 @@ class WebWorld(Queries):
 
 def _error(path, refusal):
     """The ServerError that an answer with an error status says."""
+    path = path.partition("?")[0]
     try:
         said = json.loads(refusal.read(65536))["error"]
-        return ServerError(ErrorCode[said["code"]], f"{path}: {said['text']}", int(said["retry_after_ms"]))
+        return ServerError(ErrorCode[said["code"]], f"{path}: {said['text']}", int(said.get("retry_after_ms", 0)))
     except (ValueError, KeyError, TypeError):
         return ServerError(ErrorCode.internal, f"{path}: HTTP status {refusal.code}")
 

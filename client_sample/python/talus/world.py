@@ -1,6 +1,7 @@
 """A world by the stream of frames: one connection, and calls that block until they are answered."""
 
 import collections
+import itertools
 import time
 
 import numpy as np
@@ -92,6 +93,9 @@ class World(Queries):
             raise ValueError("this server knows no horizon; ask for a view without")
         heights = (self.welcome.min_y, self.welcome.max_y) if horizon else None
         view = _View(message, level_boxes(message.centre, radius, vertical_radius, rings, heights))
+        if self._viewing:
+            # What the server has sent for one view it does not send again for the next, unless it leaves in between.
+            self._send_view(_NOWHERE)
         self._view = view
         self._send_view(message)
         return self._follow(view)
@@ -102,7 +106,7 @@ class World(Queries):
         self._connection = self._open_connection()
         self._credit = self._credited = 0
         self._unanswered, self._answers = set(), {}
-        self._view, self._ponged = None, 0
+        self._view, self._viewing, self._ponged = None, False, 0
         hello = protocol.Hello(
             protocol_min=1,
             protocol_max=1,
@@ -147,8 +151,7 @@ class World(Queries):
             while True:
                 # Half of them at once: messages of many requests are cheaper.
                 if len(asked) <= most // 2:
-                    new = [key for key, _ in zip(keys, range(most - len(asked)))]
-                    asked += self._ask_for(new)
+                    asked += self._ask_for(list(itertools.islice(keys, most - len(asked))))
                     if not asked:
                         return
                 id, key = asked.popleft()
@@ -231,6 +234,7 @@ class World(Queries):
     def _send_view(self, message):
         self._pace.wait(1)
         self._connection.send(message)
+        self._viewing = message is not _NOWHERE
 
     def _follow(self, view):
         try:
