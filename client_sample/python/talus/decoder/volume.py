@@ -124,7 +124,12 @@ def _odd_contexts():
 
 _EVEN_CONTEXTS = _even_contexts()
 _ODD_CONTEXTS, _EAST_FIRST = _odd_contexts()
-_STEADY = (63, 128 + 63)  # the contexts of steady voxels, of even and odd columns
+_STEADY_EVEN, _STEADY_ODD = 63, 128 + 63  # the contexts of steady voxels
+
+
+def _packed(equal):
+    """Each voxel's eight bits, the last axis, as one number. Along any other axis packbits takes ten times as long."""
+    return np.packbits(equal, bitorder="little").reshape(equal.shape[:2]).astype(np.intp)
 
 
 def read_volume(payload):
@@ -162,50 +167,51 @@ class Wave:
         padded = around[1].copy()
         now = padded[:, 1:-1]
         north, below, below_north, below_south = around[:, :, 1:-1]
-        equal = np.empty((_NEAR_BITS, *now.shape), bool)
-        np.equal(north, below_north, out=equal[0])  # upright
-        np.equal(below, below_south, out=equal[1])  # level south
-        np.equal(around[:2, :, :-2], around[:2, :, 1:-1], out=equal[2:6:2])  # west n, west b
-        np.equal(around[:2, :, 2:], around[:2, :, 1:-1], out=equal[3:6:2])  # east n, east b
-        np.equal(north, below, out=equal[6])  # same
-        np.equal(below, below_north, out=equal[7])  # level
-        near = np.packbits(equal, axis=0, bitorder="little")[0]
-        np.copyto(now, north, where=equal[7])  # base, the first candidate of even columns
+        equal = np.empty((*now.shape, _NEAR_BITS), bool)
+        bits = equal.transpose(2, 0, 1)
+        np.equal(north, below_north, out=bits[0])  # upright
+        np.equal(below, below_south, out=bits[1])  # level south
+        np.equal(around[:2, :, :-2], around[:2, :, 1:-1], out=bits[2:6:2])  # west n, west b
+        np.equal(around[:2, :, 2:], around[:2, :, 1:-1], out=bits[3:6:2])  # east n, east b
+        np.equal(north, below, out=bits[6])  # same
+        np.equal(below, below_north, out=bits[7])  # level
+        near = _packed(equal)
+        np.copyto(now, north, where=bits[7])  # base, the first candidate of even columns
         if (near & 127).min() == 127 and self.exceptions.wait >= now.size:
             self.exceptions.pass_by(now.size)  # odd voxels are steady too, as their neighbours are base
             return padded
         self.read_even(now, near[:, 0::2], north[:, 0::2] == below_south[:, 0::2])
-        self.read_odd(now, near[:, 1::2], north[:, 1::2], below[:, 1::2])
+        padded[:, -1] = padded[:, -3]  # E of the last column is W
+        self.read_odd(padded, near[:, 1::2], north[:, 1::2], below[:, 1::2])
         padded[:, 0] = padded[:, 1]
         padded[:, -1] = padded[:, -2]
         return padded
 
     def read_even(self, now, near, south_north):
-        contexts = _EVEN_CONTEXTS[near + (south_north.astype(np.int16) << _NEAR_BITS)]
-        now[:, 0::2] = self.read_batch(now[:, 0::2].ravel(), contexts.ravel(), 0).reshape(near.shape)
+        contexts = _EVEN_CONTEXTS[near + south_north * (1 << _NEAR_BITS)]
+        now[:, 0::2] = self.read_batch(now[:, 0::2].ravel(), contexts.ravel(), None).reshape(near.shape)
 
-    def read_odd(self, now, near, north, below):
-        west = now[:, 0::2]
-        east = np.concatenate((west[:, 1:], west[:, -1:]), axis=1)
-        equal = np.empty((5, *near.shape), bool)
-        np.equal(west, east, out=equal[0])
-        np.equal(north, west, out=equal[1])
-        np.equal(below, west, out=equal[2])
-        np.equal(north, east, out=equal[3])
-        np.equal(below, east, out=equal[4])
-        places = near + (np.packbits(equal, axis=0, bitorder="little")[0].astype(np.int16) << _NEAR_BITS)
+    def read_odd(self, padded, near, north, below):
+        west, east = padded[:, 1:-2:2], padded[:, 3::2]
+        equal = np.zeros((*near.shape, 8), bool)
+        bits = equal.transpose(2, 0, 1)
+        np.equal(west, east, out=bits[0])
+        np.equal(north, west, out=bits[1])
+        np.equal(below, west, out=bits[2])
+        np.equal(north, east, out=bits[3])
+        np.equal(below, east, out=bits[4])
+        places = near + (_packed(equal) << _NEAR_BITS)
         swap = _EAST_FIRST[places]
-        self.second = np.where(swap, west, east).ravel()
         first = np.where(swap, east, west).ravel()
-        now[:, 1::2] = self.read_batch(first, _ODD_CONTEXTS[places].ravel(), 1).reshape(near.shape)
+        read = self.read_batch(first, _ODD_CONTEXTS[places].ravel(), lambda: np.where(swap, west, east).ravel())
+        padded[:, 2::2] = read.reshape(near.shape)
 
-    def read_batch(self, voxels, contexts, odd):
-        """`voxels`, the first candidates of a batch, become the voxels."""
+    def read_batch(self, voxels, contexts, seconds):
+        """`voxels`, the first candidates of a batch, become the voxels. `seconds`, of odd columns: gives the second ones."""
         coded, exceptions, ends = self.coded, self.exceptions, self.ends
-        steady = contexts == _STEADY[odd]
-        others = np.flatnonzero(~steady).tolist()
-        firsts = voxels[others].tolist()  # before exceptions change steady voxels
-        count = steady.size - len(others)
+        steady = contexts == (_STEADY_EVEN if seconds is None else _STEADY_ODD)
+        others = np.flatnonzero(~steady)
+        count = steady.size - others.size
         if exceptions.wait >= count:
             exceptions.pass_by(count)
         else:
@@ -217,11 +223,13 @@ class Wave:
         if any(symbols):
             escapes = []
             around = self.around.tobytes()
-            for place, first, symbol in zip(others, firsts, symbols):
+            if seconds:
+                seconds = seconds()
+            for place, first, symbol in zip(others.tolist(), voxels[others].tolist(), symbols):
                 if symbol == 3:
                     escapes.append(place)
                 elif symbol:
-                    candidates = self.candidates(around, place, (first, int(self.second[place])) if odd else ())
+                    candidates = self.candidates(around, place, () if seconds is None else (first, int(seconds[place])))
                     if symbol < len(candidates):
                         voxels[place] = candidates[symbol]
                     else:
