@@ -1,0 +1,55 @@
+"""Talus for Python: voxels of a Talus world as numpy arrays.
+
+    import talus
+
+    with talus.connect("127.0.0.1:4780") as world:
+        chunk = world.chunk(0, 3, 0)                      # chunk.voxels: uint16[y][z][x]
+        heights = world.heights([(0, 0), (1, 0)])
+        for chunk in world.view(0, 0, radius=4):
+            ...
+
+`talus.protocol` and `talus.decode` also serve alone, for programs that have their own event loop.
+"""
+
+from .chunk import Chunk
+from .content_hash import content_hash
+from .decoder import DecodeError, decode
+from .errors import ServerError, ServerLeaving
+from .protocol import ErrorCode, ProtocolError
+from .queries import Places
+
+__all__ = [
+    "Chunk",
+    "DecodeError",
+    "ErrorCode",
+    "Places",
+    "ProtocolError",
+    "ServerError",
+    "ServerLeaving",
+    "connect",
+    "content_hash",
+    "decode",
+]
+
+
+def connect(address, *, token="", tls=False, ca=None, timeout=10):
+    """A World at "HOST:PORT", or a world by HTTP at "http://HOST:PORT" or "https://HOST:PORT".
+
+    `token`: the secret or JSON Web Token that the server asks for. `tls`: by TLS, trusting the system's certificates;
+    `ca`: by TLS, trusting those in this PEM file. `timeout`: seconds to connect in.
+    Raises OSError where nobody answers, and ServerError where the server refuses.
+    """
+    from .connection import tls_context
+
+    by_http = address.startswith(("http://", "https://"))
+    context = tls_context(ca) if tls or ca or address.startswith("https://") else None
+    if by_http:
+        from .web import WebWorld
+
+        return WebWorld(address, token, context, timeout)
+    from .world import World
+
+    host, separator, port = address.rpartition(":")
+    if not separator or not host or not port.isdigit() or int(port) > 65535:
+        raise ValueError(f"address {address!r} is not HOST:PORT, such as 127.0.0.1:4780 or [::1]:4780")
+    return World(host.strip("[]"), int(port), token, context, timeout)

@@ -1,0 +1,84 @@
+"""Frames over a TCP connection, by TLS or without."""
+
+import socket
+import ssl
+import time
+
+from . import protocol
+
+PING_AFTER_S = 20  # of silence
+DEAD_AFTER_S = 60
+
+
+class Connection:
+    """Sends and receives messages, each call blocking. Pings by itself while it waits."""
+
+    def __init__(self, host, port, context, receive_bytes, connect_timeout):
+        addresses = socket.getaddrinfo(host, port, type=socket.SOCK_STREAM)
+        deadline = time.monotonic() + connect_timeout
+        for place, (family, kind, number, _, address) in enumerate(addresses):
+            self.socket = socket.socket(family, kind, number)
+            try:
+                # Before connecting, for TCP to offer a window of this size.
+                self.socket.setsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF, receive_bytes)
+                self.socket.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
+                self.socket.settimeout(max(deadline - time.monotonic(), 0.1))
+                self.socket.connect(address)
+                if context:
+                    self.socket = context.wrap_socket(self.socket, server_hostname=host)
+                break
+            except OSError:
+                self.socket.close()
+                if place == len(addresses) - 1:
+                    raise
+        self.socket.settimeout(PING_AFTER_S)
+        self.buffer = bytearray()
+        self.sent_at = self.heard_at = time.monotonic()
+
+    def close(self):
+        self.socket.close()
+
+    def send(self, message):
+        self.socket.sendall(protocol.write(message))
+        self.sent_at = time.monotonic()
+
+    def idle_s(self):
+        """How long nothing was sent."""
+        return time.monotonic() - self.sent_at
+
+    def keep_alive(self):
+        if self.idle_s() > PING_AFTER_S:
+            self.send(protocol.Ping())
+
+    def receive(self):
+        """The next message and the bytes of its frame."""
+        while True:
+            length = protocol.frame_length(self.buffer[:4]) if len(self.buffer) >= 4 else None
+            if length and len(self.buffer) >= length:
+                frame = bytes(self.buffer[:length])
+                del self.buffer[:length]
+                message = protocol.read(frame)
+                if message is not None:
+                    return message, length
+            else:
+                self._receive_bytes()
+
+    def _receive_bytes(self):
+        self.keep_alive()
+        try:
+            data = self.socket.recv(65536)
+        except (TimeoutError, socket.timeout):
+            if time.monotonic() - self.heard_at > DEAD_AFTER_S:
+                raise TimeoutError(f"the server said nothing for {DEAD_AFTER_S} s") from None
+            return
+        if not data:
+            raise ConnectionError("the server closed the connection")
+        self.heard_at = time.monotonic()
+        self.buffer += data
+
+
+def tls_context(ca):
+    """`ca`: a PEM file of the certificates to trust; None: those that the system trusts."""
+    context = ssl.create_default_context(cafile=ca)
+    context.minimum_version = ssl.TLSVersion.TLSv1_3
+    return context

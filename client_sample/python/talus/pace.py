@@ -1,0 +1,42 @@
+"""When to send what a server's rates count (PROTOCOL.md, Rates), so that it never refuses."""
+
+import time
+
+
+class Pace:
+    def __init__(self, limits, now=time.monotonic, sleep=time.sleep):
+        self.now, self.sleep = now, sleep
+        rates = [rates for rates in (limits.session_rates, limits.address_rates) if rates and rates.requests]
+        self.per_second = min((rates.requests for rates in rates), default=0)
+        # An eighth is left, for the two clocks do not agree.
+        self.most = min((max(1, rates.requests * rates.burst_ms / 1000 * 7 / 8) for rates in rates), default=1)
+        self.level = self.most
+        self.updated = now()
+        self.held_until = self.updated
+
+    def wait(self, wanted):
+        """Blocks until something may be sent; how many of the `wanted` requests may go now, at least 1."""
+        delay = self.held_until - self.now()
+        if delay > 0:
+            self.sleep(delay)
+        if not self.per_second:
+            return wanted
+        self._fill()
+        if self.level < 1:
+            self.sleep((1 - self.level) / self.per_second)
+            self._fill()
+            self.level = max(self.level, 1)
+        granted = min(wanted, int(self.level))
+        self.level -= granted
+        return granted
+
+    def refused(self, retry_after_ms):
+        """The server refused something all the same: everything waits."""
+        self.held_until = max(self.held_until, self.now() + retry_after_ms / 1000)
+        self.level = 1
+        self.updated = self.held_until
+
+    def _fill(self):
+        now = self.now()
+        self.level = min(self.most, self.level + max(0, now - self.updated) * self.per_second)
+        self.updated = max(self.updated, now)

@@ -1,0 +1,181 @@
+"""A world by HTTP (PROTOCOL.md, HTTP): the same calls as World, through any cache, without a session."""
+
+import json
+import struct
+import time
+import urllib.error
+import urllib.parse
+import urllib.request
+
+import numpy as np
+
+from .chunk import Chunk
+from .errors import ServerError, again_later
+from .protocol import ErrorCode, Material, Phase, ProtocolError
+from .queries import Places, Queries
+from .view_shape import CHUNK_SIZE, level_boxes
+
+_MOST_BYTES = 4 << 20
+_SQUARE = 4
+_TRIES = 5
+
+
+class WebWorld(Queries):
+    """Made by talus.connect("http://...")."""
+
+    heights_per_request = 64  # so many fit the line of a request, however far out
+
+    def __init__(self, address, token="", context=None, timeout=10):
+        self._root = address.rstrip("/")
+        self._headers = {"User-Agent": "talus for Python", **({"Authorization": f"Bearer {token}"} if token else {})}
+        self._timeout = timeout
+        handlers = [urllib.request.HTTPSHandler(context=context)] if context else []
+        self._opener = urllib.request.build_opener(*handlers)
+        self.info = self._get_json("/v1/world")  # Welcome as JSON
+        self._chunks = f"/v1/{self.info['fingerprint']}/{self.info['codec']}"
+
+    def __enter__(self):
+        return self
+
+    def __exit__(self, *_):
+        self.close()
+
+    def close(self):
+        self._opener.close()
+
+    @property
+    def materials(self):
+        """By its id, each material with id, name, colour (0xRRGGBB) and phase."""
+        return {
+            m["id"]: Material(id=m["id"], name=m["name"], colour=int(m["colour"][1:], 16), phase=Phase[m["phase"]])
+            for m in self.info["materials"]
+        }
+
+    @property
+    def spawn(self):
+        """Base voxel (x, y, z) for a player's feet."""
+        return tuple(self.info["spawn"])
+
+    def get_chunks(self, keys):
+        for x, y, z, lod in keys:
+            yield Chunk((x, y, z, lod), self._get(f"{self._chunks}/{lod}/{x}/{y}/{z}"))
+
+    def column(self, x, z, lod=0):
+        """A Column: all chunks at (x, z), from the lowest of the world to the highest."""
+        return Column(x, z, lod, self._get(f"{self._chunks}/{lod}/{x}/{z}"))
+
+    def square(self, x, z, n, lod=0):
+        """Columns of n x n, from west to east, then from north to south. n is 1, 2 or 4; x and z are multiples of it."""
+        body = self._get(f"{self._chunks}/{lod}/{x}/{z}/{n}x{n}")
+        version, size, _ = _unpack("<BBH", body, 0)
+        if (version, size) != (1, n):
+            raise ProtocolError(f"a square of version {version} and size {size}; asked for were 1 and {n}")
+        columns, at = [], 4
+        for place in range(n * n):
+            (length,) = _unpack("<I", body, at)
+            column = body[at + 4 : at + 4 + length]
+            if len(column) != length:
+                raise ProtocolError("a square ends within a column")
+            columns.append(Column(x + place % n, z + place // n, lod, column))
+            at += 4 + length
+        if at != len(body):
+            raise ProtocolError("a square has bytes after its last column")
+        return columns
+
+    def view(self, x, z, radius, *, y=None, vertical_radius=4, rings=(), horizon=False):
+        """Yields every Chunk around base voxel (x, y, z), as World.view does: whole squares of columns, nearest first."""
+        if y is None:
+            y = int(self.heights([(x, z)])[0])
+        heights = (int(self.info["min_y"]), int(self.info["max_y"])) if horizon else None
+        for box in level_boxes((int(x), int(y), int(z)), radius, vertical_radius, rings, heights):
+            squares = {(cx // _SQUARE, cz // _SQUARE) for cx in box.x for cz in box.z if box.has_column(cx, cz)}
+            size = _SQUARE * CHUNK_SIZE << box.lod
+
+            def distance(square):
+                return ((square[0] + 0.5) * size - x) ** 2 + ((square[1] + 0.5) * size - z) ** 2
+
+            for sx, sz in sorted(squares, key=distance):
+                for column in self.square(sx * _SQUARE, sz * _SQUARE, _SQUARE, box.lod):
+                    if box.has_column(column.x, column.z):
+                        for row in box.y:
+                            yield column.chunk(row)
+
+    def get_places(self, columns, looks, fields):
+        query = {"columns": ";".join(f"{x},{z}" for x, z in columns)}
+        query.update({"looks": "1"} if looks else {}, **({"fields": ",".join(fields)} if fields else {}))
+        found = self._get_json("/v1/heights?" + urllib.parse.urlencode(query, safe=",;"))
+        return Places(
+            np.array(found["heights"], float) / found["subvoxels_per_voxel"],
+            found.get("looks", []),
+            {name: np.array(values, np.float32) for name, values in found.get("fields", {}).items()},
+        )
+
+    def _get_json(self, path):
+        try:
+            return json.loads(self._get(path))
+        except ValueError:
+            raise ProtocolError(f"{path} is not answered by JSON") from None
+
+    def _get(self, path):
+        request = urllib.request.Request(self._root + path, headers=self._headers)
+        for turn in range(_TRIES):
+            try:
+                with self._opener.open(request, timeout=self._timeout) as answer:
+                    body = answer.read(_MOST_BYTES + 1)
+                if len(body) > _MOST_BYTES:
+                    raise ProtocolError(f"{path} is answered by over {_MOST_BYTES} bytes")
+                return body
+            except urllib.error.HTTPError as refusal:
+                with refusal:
+                    error = _error(path, refusal)
+                if not again_later(error) or turn == _TRIES - 1:
+                    raise error from None
+                time.sleep(min(error.retry_after_ms / 1000, 30))
+        raise AssertionError("not reached")
+
+
+def _error(path, refusal):
+    """The ServerError that an answer with an error status says."""
+    path = path.partition("?")[0]
+    try:
+        said = json.loads(refusal.read(65536))["error"]
+        return ServerError(ErrorCode[said["code"]], f"{path}: {said['text']}", int(said.get("retry_after_ms", 0)))
+    except (ValueError, KeyError, TypeError):
+        return ServerError(ErrorCode.internal, f"{path}: HTTP status {refusal.code}")
+
+
+class Column:
+    """All chunks of level `lod` at (x, z). `runs` are (first y, count, payload), from the bottom up."""
+
+    def __init__(self, x, z, lod, body):
+        self.x, self.z, self.lod = x, z, lod
+        version, _, count = _unpack("<BBH", body, 0)
+        if version != 1:
+            raise ProtocolError(f"a column of version {version}; this client knows 1")
+        self.runs = []
+        at = 4
+        limit = 1 << 31 >> lod
+        expected = -limit
+        for _ in range(count):
+            first, rows, length = _unpack("<iII", body, at)
+            payload = body[at + 12 : at + 12 + length]
+            if first != expected or rows == 0 or len(payload) != length:
+                raise ProtocolError("a column with a gap, an empty run or one that is cut off")
+            self.runs.append((first, rows, payload))
+            expected = first + rows
+            at += 12 + length
+        if at != len(body) or expected != limit:
+            raise ProtocolError("a column that does not end at the world's top")
+
+    def chunk(self, y):
+        for first, rows, payload in self.runs:
+            if first <= y < first + rows:
+                return Chunk((self.x, y, self.z, self.lod), payload)
+        raise IndexError(f"the world has no chunk {y} of level {self.lod}")
+
+
+def _unpack(form, body, at):
+    try:
+        return struct.unpack_from(form, body, at)
+    except struct.error:
+        raise ProtocolError("a column or square is cut off") from None

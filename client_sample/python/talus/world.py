@@ -1,0 +1,361 @@
+"""A world by the stream of frames: one connection, and calls that block until they are answered."""
+
+import collections
+import itertools
+import time
+
+import numpy as np
+
+from . import protocol
+from .chunk import Chunk
+from .connection import Connection
+from .errors import ServerError, ServerLeaving, again_later
+from .pace import Pace
+from .protocol import ChunkKey, ChunkRequest, ErrorAbout
+from .queries import Places, Queries
+from .view_shape import level_boxes
+
+_REQUESTS_AT_ONCE = 64
+# So few that they fit the kernel's buffer: a server has then never to wait for a program that computes between chunks.
+_WINDOW_BYTES = 128 * 1024
+_NOWHERE = protocol.View(centre=(1 << 40, 0, 0))
+
+
+class World(Queries):
+    """Made by talus.connect(). Use it by one thread at a time, and close it, or use it in `with`."""
+
+    def __init__(self, host, port, token="", context=None, timeout=10):
+        self._open_connection = lambda: Connection(host, port, context, _WINDOW_BYTES, timeout)
+        self._token = token
+        self._next_id = self._view_number = 0
+        self._join()
+
+    def __enter__(self):
+        return self
+
+    def __exit__(self, *_):
+        self.close()
+
+    def close(self):
+        self._connection.close()
+
+    @property
+    def materials(self):
+        """By its id, each material with id, name, colour (0xRRGGBB) and phase."""
+        return {material.id: material for material in self.welcome.materials}
+
+    @property
+    def heights_per_request(self):
+        return self.welcome.limits.heights_per_request
+
+    @property
+    def spawn(self):
+        """Base voxel (x, y, z) for a player's feet."""
+        return self.welcome.spawn
+
+    def ping(self):
+        """Seconds to the server and back."""
+        self._wake()
+        nonce = self._new_id()
+        self._ponged = None
+        while self._ponged != nonce:
+            if self._ponged is None:
+                self._ponged = 0
+                self._pace.wait(1)
+                began = time.monotonic()
+                self._connection.send(protocol.Ping(nonce=nonce))
+            self._receive()
+        return time.monotonic() - began
+
+    def view(
+        self, x, z, radius, *, y=None, vertical_radius=4, rings=(), horizon=False, direction=(0, 0, 0)
+    ):
+        """Yields every Chunk around base voxel (x, y, z), nearest first, and ends when all have come.
+
+        `radius` and `vertical_radius` are in chunks of level 0; without `y` it is the ground's. `rings`, (lod, radius)
+        each, add coarser levels farther out, `horizon` gives them all rows in which the world has anything, and chunks
+        in `direction` come first. A world has one view at a time: a new one ends the one before.
+        """
+        if y is None:
+            y = int(self.heights([(x, z)])[0])
+        self._wake()
+        self._view_number += 1
+        message = protocol.View(
+            centre=(int(x), int(y), int(z)),
+            direction=tuple(direction),
+            horizontal_radius=radius,
+            vertical_radius=vertical_radius,
+            rings=[tuple(ring) for ring in rings],
+            number=self._view_number,
+            horizon=horizon,
+        )
+        if horizon and not self.welcome.limits.view_horizon:
+            raise ValueError("this server knows no horizon; ask for a view without")
+        heights = (self.welcome.min_y, self.welcome.max_y) if horizon else None
+        view = _View(message, level_boxes(message.centre, radius, vertical_radius, rings, heights))
+        if self._viewing:
+            # What the server has sent for one view it does not send again for the next, unless it leaves in between.
+            self._send_view(_NOWHERE)
+        self._view = view
+        self._send_view(message)
+        return self._follow(view)
+
+    # ---- how it works ----
+
+    def _join(self):
+        self._connection = self._open_connection()
+        self._credit = self._credited = 0
+        self._unanswered, self._answers = set(), {}
+        self._view, self._viewing, self._ponged = None, False, 0
+        hello = protocol.Hello(
+            protocol_min=1,
+            protocol_max=1,
+            codecs=b"\4",
+            token=self._token,
+            client="talus for Python",
+            window_bytes=_WINDOW_BYTES,
+        )
+        try:
+            self._connection.send(hello)
+            welcome, _ = self._connection.receive()
+            if isinstance(welcome, protocol.Error):
+                raise ServerError(welcome.code, welcome.text, welcome.retry_after_ms)
+            if not isinstance(welcome, protocol.Welcome) or not welcome.limits or not welcome.fingerprint:
+                raise protocol.ProtocolError("the server did not answer Hello by a whole Welcome")
+        except BaseException:
+            self._connection.close()
+            raise
+        self.welcome = welcome
+        self._pace = Pace(welcome.limits)
+
+    def _wake(self):
+        """Connects again where nobody asked for so long that the server has ended the session."""
+        limit_ms = self.welcome.limits.idle_timeout_ms
+        if limit_ms and self._connection.idle_s() * 1000 > 0.9 * limit_ms and not self._view:
+            self._connection.close()
+            fingerprint = self.welcome.fingerprint
+            self._join()
+            if self.welcome.fingerprint != fingerprint:
+                raise ConnectionError("the server has another world now; connect again")
+
+    def _new_id(self):
+        self._next_id = self._next_id % 0xFFFFFFFF + 1
+        return self._next_id
+
+    def get_chunks(self, keys):
+        self._wake()
+        keys = iter(keys)
+        asked = collections.deque()  # (id, key), in order
+        most = min(_REQUESTS_AT_ONCE, self.welcome.limits.requests_in_flight)
+        try:
+            while True:
+                # Half of them at once: messages of many requests are cheaper.
+                if len(asked) <= most // 2:
+                    asked += self._ask_for(list(itertools.islice(keys, most - len(asked))))
+                    if not asked:
+                        return
+                id, key = asked.popleft()
+                while id not in self._answers:
+                    self._receive()
+                answer = self._answers.pop(id)
+                if isinstance(answer, protocol.Error):
+                    error = ServerError(answer.code, f"chunk {key}: {answer.text}", answer.retry_after_ms)
+                    if not again_later(error):
+                        raise error
+                    asked.extendleft(self._ask_for([key]))
+                elif isinstance(answer, protocol.Chunk) and answer.key == key:
+                    yield _chunk(answer)
+                else:
+                    raise protocol.ProtocolError(f"the answer to a request for chunk {key} is none")
+        finally:
+            self._forget(id for id, _ in asked)
+
+    def _ask_for(self, keys):
+        asked = []
+        while len(asked) < len(keys):
+            count = self._pace.wait(len(keys) - len(asked))
+            now = [(self._new_id(), key) for key in keys[len(asked) : len(asked) + count]]
+            self._unanswered.update(id for id, _ in now)
+            requests = [ChunkRequest(id, ChunkKey(*key), False, protocol.Hash128(0, 0)) for id, key in now]
+            self._connection.send(protocol.GetChunks(requests=requests))
+            asked += now
+        return asked
+
+    def _forget(self, ids):
+        """Of requests whose answers nobody will take."""
+        ids = list(ids)
+        for id in ids:
+            self._answers.pop(id, None)
+        open_ids = [id for id in ids if id in self._unanswered]
+        self._unanswered.difference_update(open_ids)
+        if open_ids:
+            try:
+                self._connection.send(protocol.Cancel(ids=open_ids))
+            except OSError:
+                pass  # the next call will say so
+
+    def get_places(self, columns, looks, fields):
+        self._wake()
+        known = list(self.welcome.fields)
+        for field in fields:
+            if field not in known:
+                raise ValueError(f"this world has no field {field!r}; it has {', '.join(known)}")
+        message = protocol.GetHeights(columns=columns, looks=looks, fields=bytes(known.index(f) for f in fields))
+        answer = None
+        while answer is None:
+            self._pace.wait(1)
+            message.id = self._new_id()
+            self._unanswered.add(message.id)
+            self._connection.send(message)
+            while message.id not in self._answers:
+                self._receive()
+            answer = self._answers.pop(message.id)
+            if isinstance(answer, protocol.Error):
+                error = ServerError(answer.code, answer.text, answer.retry_after_ms)
+                if not again_later(error):
+                    raise error
+                answer = None
+        return self._places(answer, len(columns), looks, fields)
+
+    def _places(self, answer, count, looks, fields):
+        names = self.welcome.looks
+        sizes = (len(answer.heights_fx), len(answer.looks), len(answer.values)) if type(answer) is protocol.Heights else ()
+        if sizes != (count, count if looks and names else 0, count * len(fields)) or max(answer.looks, default=0) >= max(
+            len(names), 1
+        ):
+            raise protocol.ProtocolError("the answer to GetHeights is not what was asked for")
+        values = np.array(answer.values, np.float32).reshape(count, len(fields))
+        return Places(
+            np.array(answer.heights_fx, float) / 256,
+            [names[look] for look in answer.looks] or [""] * (count if looks else 0),
+            {field: values[:, i] for i, field in enumerate(fields)},
+        )
+
+    def _send_view(self, message):
+        self._pace.wait(1)
+        self._connection.send(message)
+        self._viewing = message is not _NOWHERE
+
+    def _follow(self, view):
+        try:
+            while True:
+                if self._view is not view:
+                    raise RuntimeError("a newer view has ended this one")
+                while view.ready:
+                    self._connection.keep_alive()
+                    yield view.ready.popleft()
+                    if self._view is not view:
+                        break
+                else:
+                    if view.lost:  # the server could not make them for the view
+                        yield from self.chunks([view.lost.popleft()])
+                    elif view.complete:
+                        return
+                    else:
+                        self._receive()
+        finally:
+            if self._view is view:
+                self._view = None
+                if not view.complete:
+                    try:
+                        self._send_view(_NOWHERE)
+                    except OSError:
+                        pass
+
+    def _receive(self):
+        """Receives one message and puts it where somebody waits for it."""
+        message, size = self._connection.receive()
+        kind = type(message)
+        if kind is protocol.Chunk:
+            if message.key is None or message.hash is None:
+                raise protocol.ProtocolError("a Chunk without key or hash")
+            self._take_credit(size)
+        if kind in (protocol.Chunk, protocol.Unchanged, protocol.Heights) and message.id:
+            self._answer(message.id, message)
+        elif kind is protocol.Chunk:
+            if self._view:
+                self._view.put(_chunk(message))
+        elif kind is protocol.UniformColumn:
+            if self._view:
+                self._view.put_column(message)
+        elif kind is protocol.ViewComplete:
+            if self._view and self._view.message.number == message.number:
+                self._view.complete = True
+        elif kind is protocol.Pong:
+            self._ponged = message.nonce
+        elif kind is protocol.GoAway:
+            raise ServerLeaving(message.reason, message.retry_after_ms)
+        elif kind is protocol.Error:
+            self._receive_error(message)
+        elif kind not in (protocol.EditBroadcast, protocol.EditResult):
+            raise protocol.ProtocolError(f"the server sent a {kind.__name__} that nobody asked for")
+
+    def _answer(self, id, message):
+        if id in self._unanswered:  # else given up
+            self._unanswered.discard(id)
+            self._answers[id] = message
+
+    def _receive_error(self, message):
+        error = ServerError(message.code, message.text, message.retry_after_ms)
+        if again_later(error) and message.about != ErrorAbout.connection:
+            self._pace.refused(message.retry_after_ms)
+        if message.about == ErrorAbout.request or (message.about == ErrorAbout.unspecified and message.request_id):
+            self._answer(message.request_id, message)
+        elif message.about == ErrorAbout.view:
+            view = self._view
+            if view and view.message.number == message.view_number:
+                if not again_later(error):
+                    self._view = None
+                    raise error
+                self._send_view(view.message)
+            elif again_later(error) and message.view_number == 0 and not view:
+                self._send_view(_NOWHERE)
+        elif message.about == ErrorAbout.view_chunk:
+            if self._view and self._view.message.number == message.view_number and message.chunk:
+                self._view.lose(message.chunk)
+        elif message.about == ErrorAbout.ping and again_later(error):
+            self._ponged = None
+        else:
+            raise error
+
+    def _take_credit(self, size):
+        self._credit += size
+        # All that comes is kept until somebody takes it, which the view's number of chunks bounds.
+        if self._credit - self._credited >= self.welcome.limits.window_bytes // 2:
+            self._credited = self._credit
+            self._connection.send(protocol.Credit(total_bytes=self._credit))
+
+
+class _View:
+    """Chunks of a view that have come and were not taken. One that came already, or that it has not, is thrown away."""
+
+    def __init__(self, message, boxes):
+        self.message = message
+        self.boxes = {box.lod: box for box in boxes}
+        self.ready, self.lost = collections.deque(), collections.deque()
+        self.seen = set()
+        self.complete = False
+
+    def put(self, chunk):
+        box = self.boxes.get(chunk.key.lod)
+        if box is not None and chunk.key in box and chunk.key not in self.seen:
+            self.seen.add(chunk.key)
+            self.ready.append(chunk)
+
+    def lose(self, key):
+        box = self.boxes.get(key.lod)
+        if box is not None and key in box and key not in self.seen:
+            self.seen.add(key)
+            self.lost.append(key)
+
+    def put_column(self, column):
+        box = self.boxes.get(column.lod)
+        if box is None or not box.has_column(column.x, column.z):
+            return
+        for run in column.runs:
+            for y in range(max(run.first_y, box.y.start), min(run.last_y + 1, box.y.stop)):
+                self.put(Chunk.uniform((column.x, y, column.z, column.lod), run.material))
+
+
+def _chunk(message):
+    return Chunk(message.key, message.payload, message.hash.high << 64 | message.hash.low, message.revision)

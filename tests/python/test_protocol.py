@@ -1,0 +1,132 @@
+"""Messages and frames against protocol/vectors, the schema and hostile bytes."""
+
+import json
+import os
+import random
+import re
+import unittest
+
+from paths import ROOT
+
+from test_decoder import mutate
+
+from talus import protocol
+
+FRAMES = json.loads((ROOT / "protocol/vectors/frames.json").read_text())["frames"]
+
+
+def plain(value):
+    """A message as frames.json writes it."""
+    if isinstance(value, protocol.Message):
+        return {name: plain(part) for name, part in vars(value).items()}
+    if hasattr(value, "_asdict"):
+        return {name: plain(part) for name, part in value._asdict().items()}
+    if hasattr(value, "name"):
+        return value.name
+    if isinstance(value, (tuple, list, bytes)):
+        return [plain(part) for part in value]
+    if isinstance(value, int) and not isinstance(value, bool) and abs(value) > 2**53 - 1:
+        return str(value)
+    return value
+
+
+class Vectors(unittest.TestCase):
+    def test_every_kind_of_message_is_there(self):
+        self.assertEqual([(f["kind"], f["number"]) for f in FRAMES],
+                         [(body.__name__, i) for i, body in enumerate(protocol.BODIES, 1)])
+
+    def test_frames_are_read(self):
+        for frame in FRAMES:
+            with self.subTest(frame["kind"]):
+                message = protocol.read(bytes.fromhex(frame["hex"]))
+                self.assertEqual(type(message).__name__, frame["kind"])
+                self.assertEqual(plain(message), frame["message"])
+
+    def test_what_is_written_is_read_as_the_same(self):
+        for frame in FRAMES:
+            with self.subTest(frame["kind"]):
+                message = protocol.read(bytes.fromhex(frame["hex"]))
+                self.assertEqual(protocol.read(protocol.write(message)), message)
+                empty = type(message)()
+                self.assertEqual(protocol.read(protocol.write(empty)), empty)
+
+    def test_fields_and_their_order_are_those_of_the_schema(self):
+        schema = re.sub(r"//.*", "", (ROOT / "protocol/schema/talus.fbs").read_text())
+        for kind, name, body in re.findall(r"(table|struct) (\w+) \{(.*?)\}", schema, re.DOTALL):
+            names = re.findall(r"(\w+):", body)
+            if name != "Message":
+                ours = getattr(protocol, name)
+                self.assertEqual(list(ours.FIELDS if kind == "table" else ours._fields), names, name)
+        for name, body in re.findall(r"enum (\w+) : \w+ \{(.*?)\}", schema, re.DOTALL):
+            members = {m: int(n) for m, n in re.findall(r"(\w+) = (\d+)", body)}
+            self.assertEqual({m.name: m.value for m in getattr(protocol, name)}, members)
+        union = re.search(r"union Body \{(.*?)\}", schema, re.DOTALL).group(1)
+        self.assertEqual(re.findall(r"\w+", union), [body.__name__ for body in protocol.BODIES])
+
+
+class Writing(unittest.TestCase):
+    def test_64_bit_fields_and_structs_are_aligned_from_the_prefix_on(self):
+        ping = protocol.write(protocol.Ping(nonce=0x1122334455667788))
+        self.assertEqual(ping.index(bytes.fromhex("8877665544332211")) % 8, 0)
+        view = protocol.write(protocol.View(centre=(0x1122334455667788, 0, 0), number=7, horizon=True))
+        self.assertEqual(view.index(bytes.fromhex("8877665544332211")) % 8, 0)
+        columns = protocol.write(protocol.GetHeights(id=1, columns=[(0x1122334455667788, 3)], looks=True))
+        self.assertEqual(columns.index(bytes.fromhex("8877665544332211")) % 8, 0)
+
+    def test_a_field_that_there_is_not_is_refused_by_name(self):
+        with self.assertRaisesRegex(TypeError, "Ping has no field once; it has nonce"):
+            protocol.Ping(once=1)
+
+
+class Hostile(unittest.TestCase):
+    def test_lengths_are_bounded_before_anything_is_read(self):
+        for length in (0, 7, 262_141, 0xFFFFFFFF):
+            with self.assertRaises(protocol.ProtocolError):
+                protocol.frame_length(length.to_bytes(4, "little"))
+        self.assertEqual(protocol.frame_length(bytes([8, 0, 0, 0])), 12)
+
+    def test_mutated_frames_are_read_or_refused(self):
+        seed = int(os.environ.get("TALUS_SEED", random.randrange(1 << 32)))
+        rounds = int(os.environ.get("TALUS_ROUNDS", 300))
+        print(f"\nTALUS_SEED={seed}", flush=True)
+        rng = random.Random(seed)
+        refused = 0
+        for frame in FRAMES:
+            for turn in range(rounds):
+                body = mutate(bytes.fromhex(frame["hex"])[4:], rng)
+                hostile = len(body).to_bytes(4, "little") + body
+                try:
+                    protocol.read(hostile)
+                except protocol.ProtocolError:
+                    refused += 1
+                except Exception as error:
+                    raise AssertionError(f"{frame['kind']}, turn {turn}, seed {seed}: {hostile.hex()}") from error
+        self.assertGreater(refused, 100)
+
+    def test_one_text_shared_by_many_tables_takes_no_memory(self):
+        # 60,000 materials, all the same table: 4 bytes each, but a Material and its name for each if they were read.
+        frame = bytearray(protocol.write(protocol.Welcome(materials=[protocol.Material(name="x" * 1000)] * 2)))
+        with self.assertRaisesRegex(protocol.ProtocolError, "tables"):
+            protocol.read(self.with_long_list(frame, 60_000))
+
+    def with_long_list(self, frame, count):
+        message = protocol.Welcome(materials=[protocol.Material(id=1)])
+        data = bytearray(protocol.write(message))
+        reader = protocol._Reader(bytes(data))
+        slots = reader.slots(reader.follow(4))
+        slot = reader.slots(reader.follow(slots[1]))[5]
+        table = reader.follow(reader.follow(slot) + 4)
+        data += bytes(-len(data) % 4)
+        at = len(data)
+        vtable = at + 4 + 4 * count
+        table = vtable + 4
+        data += count.to_bytes(4, "little")
+        data += b"".join((table - (at + 4 + 4 * i)).to_bytes(4, "little") for i in range(count))
+        data += bytes([4, 0, 4, 0]) + (4).to_bytes(4, "little")
+        data[slot : slot + 4] = (at - slot).to_bytes(4, "little")
+        data[:4] = (len(data) - 4).to_bytes(4, "little")
+        return bytes(data)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,311 @@
+"""World against a server that a test scripts: what goes wrong, and what must wait."""
+
+import queue
+import socket
+import threading
+import unittest
+
+import paths  # noqa: F401
+
+import talus
+from talus import pace, protocol
+from talus.protocol import ErrorAbout, ErrorCode
+
+UNIFORM = bytes.fromhex("030001ac02")  # of the vectors
+UNIFORM_HASH = protocol.Hash128(0x77FFA3CA1005EF6D, 0x8FD40E1B20C8F078)
+
+
+def welcome(**limits):
+    given = dict(frame_bytes=65536, requests_in_flight=64, heights_per_request=2048, window_bytes=1 << 17)
+    return protocol.Welcome(
+        protocol=1,
+        codec=4,
+        fingerprint=protocol.Hash128(1, 2),
+        store_id=protocol.Hash128(0, 0),
+        chunk_size=32,
+        max_y=320,
+        spawn=(0, 64, 0),
+        limits=protocol.Limits(**{**given, **limits}),
+        looks=["", "desert"],
+        fields=["height", "temperature"],
+    )
+
+
+class Peer:
+    """The server's side of one connection."""
+
+    def __init__(self, connection):
+        self.socket = connection
+        self.file = connection.makefile("rb")
+
+    def receive(self):
+        prefix = self.file.read(4)
+        if len(prefix) < 4:
+            return None
+        return protocol.read(prefix + self.file.read(int.from_bytes(prefix, "little")))
+
+    def send(self, message):
+        self.socket.sendall(message if isinstance(message, bytes) else protocol.write(message))
+
+    def greet(self, answer=None):
+        hello = self.receive()
+        self.send(answer or welcome())
+        return hello
+
+    def ids(self):
+        return [request.id for request in self.receive().requests]
+
+
+class Scripted(unittest.TestCase):
+    """Runs `script`, a function of a Peer, for each connection."""
+
+    def serve(self, script, connections=1):
+        listener = socket.create_server(("127.0.0.1", 0))
+        self.failures = []
+
+        def run():
+            for _ in range(connections):
+                connection, _ = listener.accept()
+                with connection:
+                    try:
+                        script(Peer(connection))
+                    except Exception as error:
+                        self.failures.append(error)
+
+        thread = threading.Thread(target=run, daemon=True)
+        thread.start()
+
+        def end():
+            thread.join(20)
+            listener.close()
+            self.assertFalse(thread.is_alive(), "the script did not end")
+            self.assertEqual(self.failures, [])
+
+        self.addCleanup(end)
+        return f"127.0.0.1:{listener.getsockname()[1]}"
+
+    def chunk(self, id, key, **fields):
+        given = dict(id=id, key=protocol.ChunkKey(*key), hash=UNIFORM_HASH, codec=4, payload=UNIFORM)
+        return protocol.Chunk(**{**given, **fields})
+
+
+class Requests(Scripted):
+    def test_hello_offers_codec_4_and_carries_the_token(self):
+        seen = queue.Queue()
+        with talus.connect(self.serve(lambda peer: seen.put(peer.greet())), token="open sesame"):
+            pass
+        hello = seen.get(timeout=20)
+        self.assertEqual((hello.codecs, hello.token, hello.protocol_min), (b"\4", "open sesame", 1))
+
+    def test_answers_may_come_in_any_order(self):
+        keys = [(x, 2, 3, 1) for x in range(5)]
+
+        def script(peer):
+            peer.greet()
+            for id, key in sorted(zip(peer.ids(), keys), reverse=True):
+                peer.send(self.chunk(id, key))
+
+        with talus.connect(self.serve(script)) as world:
+            self.assertEqual([tuple(chunk.key) for chunk in world.chunks(keys)], keys)
+
+    def test_voxels_that_are_not_those_of_the_hash_are_refused(self):
+        def script(peer):
+            peer.greet()
+            peer.send(self.chunk(peer.ids()[0], (0, 0, 0, 0), hash=protocol.Hash128(1, 1)))
+
+        with talus.connect(self.serve(script)) as world:
+            with self.assertRaises(talus.DecodeError) as raised:
+                world.chunk(0, 0, 0).voxels
+            self.assertEqual(raised.exception.reason, "wrong_hash")
+
+    def test_what_is_overloaded_is_asked_for_again(self):
+        def script(peer):
+            peer.greet()
+            for id in peer.ids():
+                peer.send(protocol.Error(code=ErrorCode.overloaded, text="wait", request_id=id, retry_after_ms=1,
+                                         about=ErrorAbout.request))
+            for key in ((0, 0, 0, 0), (1, 0, 0, 0)):
+                peer.send(self.chunk(peer.ids()[0], key))
+
+        with talus.connect(self.serve(script)) as world:
+            self.assertEqual([chunk.key.x for chunk in world.chunks([(0, 0, 0), (1, 0, 0)])], [0, 1])
+
+    def test_another_error_is_raised_and_the_world_stays(self):
+        def script(peer):
+            peer.greet()
+            peer.send(protocol.Error(code=ErrorCode.out_of_range, text="no", request_id=peer.ids()[0],
+                                     about=ErrorAbout.request))
+            peer.send(self.chunk(peer.ids()[0], (1, 1, 1, 0)))
+
+        with talus.connect(self.serve(script)) as world:
+            with self.assertRaisesRegex(talus.ServerError, r"out_of_range: chunk \(0, 0, 0, 7\): no"):
+                world.chunk(0, 0, 0, lod=7)
+            self.assertEqual(int(world.chunk(1, 1, 1).voxels[0, 0, 0]), 300)
+
+    def test_requests_that_nobody_waits_for_are_cancelled(self):
+        seen = queue.Queue()
+
+        def script(peer):
+            peer.greet()
+            ids = peer.ids()
+            peer.send(self.chunk(ids[0], (0, 0, 0, 0)))
+            seen.put((ids, peer.receive()))
+
+        with talus.connect(self.serve(script)) as world:
+            chunks = world.chunks((x, 0, 0) for x in range(100))
+            next(chunks)
+            chunks.close()
+        ids, cancel = seen.get(timeout=20)
+        self.assertEqual(len(ids), 64)
+        self.assertEqual(sorted(cancel.ids), ids[1:])
+
+    def test_columns_that_are_too_many_are_asked_for_in_halves(self):
+        def script(peer):
+            peer.greet()
+            request = peer.receive()
+            peer.send(protocol.Error(code=ErrorCode.too_large, text="tiles", request_id=request.id,
+                                     about=ErrorAbout.request))
+            for _ in range(2):
+                request = peer.receive()
+                peer.send(protocol.Heights(id=request.id, heights_fx=[256 * c.x + 128 for c in request.columns]))
+
+        with talus.connect(self.serve(script)) as world:
+            self.assertEqual(world.heights([(x, 0) for x in range(5)]).tolist(), [0.5, 1.5, 2.5, 3.5, 4.5])
+
+    def test_credit_is_given_by_the_half_window(self):
+        noise = bytes.fromhex("0402") + bytes(65536)
+        seen = queue.Queue()
+
+        def script(peer):
+            peer.greet()
+            sent = 0
+            for key in ((0, 0, 0, 0), (1, 0, 0, 0)):
+                message = protocol.write(self.chunk(peer.ids()[0], key, payload=noise))
+                sent += len(message)
+                peer.send(message)
+                seen.put((peer.receive().total_bytes, sent))
+
+        with talus.connect(self.serve(script)) as world:
+            world.chunk(0, 0, 0)
+            world.chunk(1, 0, 0)
+        for _ in range(2):
+            self.assertEqual(*seen.get(timeout=20))
+
+    def test_after_a_long_silence_the_session_is_begun_again(self):
+        def script(peer):
+            peer.greet(welcome(idle_timeout_ms=1))
+            request = peer.receive()
+            if request:  # of the second connection
+                peer.send(self.chunk(request.requests[0].id, (0, 0, 0, 0)))
+
+        with talus.connect(self.serve(script, connections=2)) as world:
+            world._connection.sent_at -= 1
+            self.assertEqual(world.chunk(0, 0, 0).payload, UNIFORM)
+
+
+class Views(Scripted):
+    def test_columns_chunks_and_chunks_that_were_given_up_make_a_view(self):
+        def script(peer):
+            peer.greet()
+            view = peer.receive()
+            # More rows than the view has, a chunk of another view and one twice: nothing of this may show.
+            run = protocol.UniformRun(-(1 << 31), 1, 7)
+            peer.send(protocol.UniformColumn(x=0, z=0, runs=[run]))
+            for y in (2, 2, 90):
+                peer.send(self.chunk(0, (0, y, 0, 0)))
+            peer.send(protocol.Error(code=ErrorCode.internal, about=ErrorAbout.view_chunk, view_number=view.number,
+                                     chunk=protocol.ChunkKey(0, 3, 0, 0)))
+            peer.send(protocol.ViewComplete(number=view.number))
+            peer.send(self.chunk(peer.ids()[0], (0, 3, 0, 0)))
+
+        with talus.connect(self.serve(script)) as world:
+            chunks = list(world.view(0, 0, 0, y=64, vertical_radius=1))
+        self.assertEqual([tuple(chunk.key) for chunk in chunks], [(0, y, 0, 0) for y in (1, 2, 3)])
+        self.assertEqual([int(chunk.voxels.max()) for chunk in chunks], [7, 300, 300])
+
+    def test_a_view_that_is_left_is_switched_off(self):
+        seen = queue.Queue()
+
+        def script(peer):
+            peer.greet()
+            peer.receive()
+            peer.send(self.chunk(0, (0, 2, 0, 0)))
+            seen.put(peer.receive())
+
+        with talus.connect(self.serve(script)) as world:
+            for _ in world.view(0, 0, 0, y=64, vertical_radius=1):
+                break
+        self.assertEqual(seen.get(timeout=20).centre.x, 1 << 40)
+
+    def test_a_view_that_is_refused_is_raised(self):
+        def script(peer):
+            peer.greet()
+            peer.send(protocol.Error(code=ErrorCode.too_large, text="radius is 999", about=ErrorAbout.view,
+                                     view_number=peer.receive().number))
+
+        with talus.connect(self.serve(script)) as world, self.assertRaisesRegex(talus.ServerError, "radius is 999"):
+            next(world.view(0, 0, 999, y=0))
+
+
+class Broken(Scripted):
+    def fails(self, sent, error, text):
+        def script(peer):
+            peer.greet()
+            peer.receive()
+            peer.send(sent)
+
+        with talus.connect(self.serve(script)) as world, self.assertRaisesRegex(error, text):
+            world.chunk(0, 0, 0)
+
+    def test_bytes_that_are_no_frames(self):
+        self.fails(b"HTTP/1.1 400 Bad Request\r\n\r\n", talus.ProtocolError, "a frame of 1347703884 bytes")
+
+    def test_a_frame_that_is_cut_off(self):
+        self.fails(protocol.write(protocol.Pong(nonce=1))[:-4], ConnectionError, "closed the connection")
+
+    def test_a_message_of_the_clients_kind(self):
+        self.fails(protocol.Ping(nonce=1), talus.ProtocolError, "sent a Ping")
+
+    def test_a_server_that_leaves(self):
+        self.fails(protocol.GoAway(reason="restart", retry_after_ms=5), talus.ServerLeaving, "restart")
+
+    def test_a_server_that_refuses_hello(self):
+        address = self.serve(lambda peer: peer.greet(protocol.Error(code=ErrorCode.unauthorized, text="no token")))
+        with self.assertRaisesRegex(talus.ServerError, "unauthorized: no token"):
+            talus.connect(address)
+
+    def test_an_address_that_is_none(self):
+        with self.assertRaisesRegex(ValueError, "address 'localhost' is not HOST:PORT"):
+            talus.connect("localhost")
+
+
+class Rates(unittest.TestCase):
+    """By a clock that the test turns."""
+
+    def setUp(self):
+        self.time = 100.0
+
+    def sleep(self, seconds):
+        self.time += seconds
+
+    def pace(self, **rates):
+        return pace.Pace(protocol.Limits(session_rates=protocol.Rates(**rates)), lambda: self.time, self.sleep)
+
+    def test_no_more_goes_than_the_rate(self):
+        paced = self.pace(requests=8, burst_ms=2000)
+        sent = 0
+        while sent < 94:
+            sent += paced.wait(94 - sent)
+        self.assertAlmostEqual(self.time - 100, (94 - 14) / 8)
+
+    def test_all_waits_for_what_was_refused(self):
+        paced = self.pace(requests=1000, burst_ms=1000)
+        paced.refused(3000)
+        self.assertEqual((paced.wait(50), self.time), (1, 103.0))
+
+    def test_no_rates_no_waiting(self):
+        self.assertEqual((self.pace().wait(1000), self.time), (1000, 100.0))
+
+
+if __name__ == "__main__":
+    unittest.main()
