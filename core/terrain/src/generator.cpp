@@ -370,6 +370,12 @@ bool Generator::step_loose() {
 void Generator::settle(std::size_t place) {
   Scratch& s = *scratch_;
   const LooseSpec& loose = world_->loose()[world_->loose_bottom_up()[place]];
+  const bool none = loose.share && s.ground.no_share(*loose.share);
+  if (none && !is_talus(place)) {
+    s.loose_tops[place].values = s.limit.values;
+    s.loose_tops[place].reshape(s.region.width, s.region.depth);
+    return;
+  }
   start_grid(loose);
   s.grid.settle(loose.c_fx);
   std::swap(s.loose_tops[place], s.limit);

@@ -193,15 +193,19 @@ void CaveCarver::take(CaveAir& air) const {
   if (!any_) return;
   air.floor.reshape(region_.width, region_.depth);
   air.roof.reshape(region_.width, region_.depth);
+  std::fill(air.floor.values.begin(), air.floor.values.end(), 0);
+  std::fill(air.roof.values.begin(), air.roof.values.end(), 0);
   bool any = false;
   for (int z = 0; z < region_.depth; ++z) {
-    for (int x = 0; x < region_.width; ++x) {
+    const Hollow hollow = hollows_[static_cast<std::size_t>(z + judged_)];
+    const int last = std::min(hollow.last - judged_, region_.width);
+    for (int x = std::max(hollow.first - judged_, 0); x < last; ++x) {
       const std::size_t i = index(x + judged_, z + judged_);
       const bool open = kinds_[i] == Kind::open;
-      const bool has_air = open || (kinds_[i] == Kind::roofed && carried_[i] != 0);
-      air.floor.at(x, z) = has_air ? floor_.values[i] : 0;
-      air.roof.at(x, z) = open ? surface_.values[i] : has_air ? roof_.values[i] : 0;
-      any |= has_air;
+      if (!open && (kinds_[i] != Kind::roofed || carried_[i] == 0)) continue;
+      air.floor.at(x, z) = floor_.values[i];
+      air.roof.at(x, z) = open ? surface_.values[i] : roof_.values[i];
+      any = true;
     }
   }
   if (!any) air.clear();

@@ -1,5 +1,7 @@
 #include "places.h"
 
+#include <algorithm>
+
 #include <talus/vectors/tables.h>
 
 #undef HWY_TARGET_INCLUDE
@@ -64,6 +66,39 @@ void look(std::span<const Places::Case> cases, std::span<const float* const> qua
   });
 }
 
+ValueRange range(const float* values, std::size_t width) {
+  const PlaceTag f;
+  const std::size_t lanes = hn::Lanes(f);
+  auto low = hn::Set(f, values[0]);
+  auto high = low;
+  std::size_t i = 0;
+  for (; i + lanes <= width; i += lanes) {
+    const auto value = hn::LoadU(f, values + i);
+    low = hn::Min(low, value);
+    high = hn::Max(high, value);
+  }
+  ValueRange range{hn::GetLane(hn::MinOfLanes(f, low)), hn::GetLane(hn::MaxOfLanes(f, high))};
+  for (; i < width; ++i) {
+    range.low = std::min(range.low, values[i]);
+    range.high = std::max(range.high, values[i]);
+  }
+  return range;
+}
+
+void keep(std::uint64_t wanted, const std::uint8_t* looks, const std::int32_t* share, std::size_t width,
+          std::int32_t* kept) {
+  over_row(hn::ScalableTag<std::int32_t>{}, width, [=](auto d, std::size_t i) HWY_ATTR {
+    const hn::RebindToUnsigned<decltype(d)> words;
+    const auto look = hn::PromoteTo(words, hn::LoadU(hn::Rebind<std::uint8_t, decltype(words)>{}, looks + i));
+    const auto low = hn::Set(words, static_cast<std::uint32_t>(wanted));
+    const auto high = hn::Set(words, static_cast<std::uint32_t>(wanted >> 32));
+    const auto of_32 = hn::IfThenElse(hn::Gt(look, hn::Set(words, 31)), high, low);
+    const auto bit = hn::Shr(of_32, hn::And(look, hn::Set(words, 31)));
+    const auto all = hn::Neg(hn::BitCast(d, hn::And(bit, hn::Set(words, 1))));
+    hn::StoreU(hn::And(hn::LoadU(d, share + i), all), d, kept + i);
+  });
+}
+
 // Truncated: what is not negative is rounded down so.
 template <class F, class V>
 HWY_INLINE void thin_at(F f, V value, const Places::Ramp& ramp, const std::int32_t* share,
@@ -94,7 +129,7 @@ void thin_by_int32(const Places::Ramp& ramp, const std::int32_t* values, const s
 
 }  // namespace
 
-constexpr PlaceKernels kPlaces{climate, jitter, look, thin, thin_by_int32};
+constexpr PlaceKernels kPlaces{climate, jitter, look, range, keep, thin, thin_by_int32};
 
 }  // namespace talus::terrain::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

@@ -19,6 +19,12 @@ struct JitterRow {
   const float* height = nullptr;
 };
 
+/// Between which values a row of a quantity lies.
+struct ValueRange {
+  float low = 0;
+  float high = 0;
+};
+
 struct PlaceKernels {
   /// temperature, moisture: falls with height, and both get the noise. All padded; in place.
   void (*climate)(const JitterRow& jitter, float reciprocal_lapse, std::size_t width, float* temperature,
@@ -28,6 +34,11 @@ struct PlaceKernels {
   /// The look of the first case that holds, or 0. `quantities[q]` is a row of quantity q.
   void (*look)(std::span<const Places::Case> cases, std::span<const float* const> quantities,
                std::size_t width, std::uint8_t* looks);
+  /// REQUIRES width > 0.
+  ValueRange (*range)(const float* values, std::size_t width);
+  /// kept = share where bit looks[i] of `wanted` is set, else 0.
+  void (*keep)(std::uint64_t wanted, const std::uint8_t* looks, const std::int32_t* share, std::size_t width,
+               std::int32_t* kept);
   /// thinned = floor(share * ramp / kWholeShare); not in place.
   void (*thin)(const Places::Ramp& ramp, const float* values, const std::int32_t* share, std::size_t width,
                std::int32_t* thinned);

@@ -2,9 +2,30 @@
 
 #include <algorithm>
 
+#include <utility>
+
 #include <talus/vectors/tables.h>
 
 namespace talus::terrain {
+
+PlaceFields::PlaceFields(std::shared_ptr<const Places> places, std::int32_t sea_fx, float subvoxels_a_unit,
+                         InstructionSet set)
+    : places_{std::move(places)},
+      kernels_{place_kernels(set)},
+      sea_fx_{sea_fx},
+      units_a_subvoxel_{1 / subvoxels_a_unit},
+      ranges_(places_->quantities) {
+  for (const auto& cases : places_->looks) {
+    for (const Places::Case& one : cases) {
+      for (const Places::Condition& condition : one.conditions) asked_.push_back(condition.quantity);
+    }
+  }
+  for (const Places::Share& share : places_->shares) {
+    for (const Places::Ramp& ramp : share.early) asked_.push_back(ramp.quantity);
+  }
+  std::sort(asked_.begin(), asked_.end());
+  asked_.erase(std::unique(asked_.begin(), asked_.end()), asked_.end());
+}
 
 void PlaceFields::start(int width, int depth) {
   const auto columns = static_cast<std::size_t>(width);
@@ -38,14 +59,25 @@ void PlaceFields::set_row(int z, std::span<const float* const> quantities, std::
     }
     rows_[q] = row.data();
   }
-  for (std::size_t i = 0; i < looks_.size(); ++i) {
-    kernels_.look(places_->looks[i], rows_, width, looks_[i].row(z).data());
-  }
+  for (const QuantityNumber quantity : asked_) ranges_[quantity] = kernels_.range(rows_[quantity], width);
+  set_looks(z, width);
   std::uint64_t present = 0;  // bit k: some column of the row has look k
   if (!looks_.empty()) {
     for (const std::uint8_t look : looks_.front().row(z)) present |= std::uint64_t{1} << look;
   }
   for (std::size_t i = 0; i < shares_.size(); ++i) set_share(i, z, width, present);
+}
+
+void PlaceFields::set_looks(int z, std::size_t width) {
+  for (std::size_t i = 0; i < looks_.size(); ++i) {
+    const std::span<const Places::Case> cases = narrowed_.of(places_->looks[i], ranges_);
+    const auto looks = looks_[i].row(z);
+    if (cases.empty() || cases.front().conditions.empty()) {
+      std::fill(looks.begin(), looks.end(), cases.empty() ? 0 : cases.front().look);
+    } else {
+      kernels_.look(cases, rows_, width, looks.data());
+    }
+  }
 }
 
 // Most rows have few looks, and most rules ask for others.
@@ -54,20 +86,26 @@ void PlaceFields::set_share(std::size_t i, int z, std::size_t width, std::uint64
   std::uint8_t& any = any_[i][static_cast<std::size_t>(z)];
   any = present == 0 || (rule.looks & present) != 0 ? 1 : 0;
   const auto out = shares_[i].row(z);
+  // A ramp and its rounding are monotone, so that the ends of a row's range bound what it leaves there.
+  for (const Places::Ramp& ramp : rule.early) {
+    if (ramp.at(ranges_[ramp.quantity].low) <= 0 && ramp.at(ranges_[ramp.quantity].high) <= 0) any = 0;
+  }
   if (any == 0) return std::fill(out.begin(), out.end(), 0);
   std::fill_n(share_.begin(), width, kWholeShare);
   for (const Places::Ramp& ramp : rule.early) {
+    if (ramp.at(ranges_[ramp.quantity].low) >= 1 && ramp.at(ranges_[ramp.quantity].high) >= 1) continue;
     kernels_.thin(ramp, rows_[ramp.quantity], share_.data(), width, thinned_.data());
     std::swap(share_, thinned_);
   }
   if ((present & ~rule.looks) == 0) {
     std::copy_n(share_.begin(), width, out.begin());
-    return;
+  } else {
+    kernels_.keep(rule.looks, looks_.front().row(z).data(), share_.data(), width, out.data());
   }
-  const auto looks = looks_.front().row(z);
-  for (std::size_t x = 0; x < width; ++x) {
-    out[x] = share_[x] & -static_cast<std::int32_t>((rule.looks >> looks[x]) & 1);
-  }
+}
+
+bool PlaceFields::none(std::size_t i) const {
+  return std::find(any_[i].begin(), any_[i].end(), 1) == any_[i].end();
 }
 
 void PlaceFields::thin_late(const Field& slope, const Field* cliff) {

@@ -10,6 +10,7 @@
 #include <talus/vectors/aligned.h>
 
 #include "kernels/places.h"
+#include "place/narrowed_cases.h"
 #include "place/places.h"
 
 namespace talus::terrain {
@@ -18,11 +19,7 @@ namespace talus::terrain {
 class PlaceFields {
  public:
   PlaceFields(std::shared_ptr<const Places> places, std::int32_t sea_fx, float subvoxels_a_unit,
-              InstructionSet set)
-      : places_{std::move(places)},
-        kernels_{place_kernels(set)},
-        sea_fx_{sea_fx},
-        units_a_subvoxel_{1 / subvoxels_a_unit} {}
+              InstructionSet set);
 
   void start(int width, int depth);
   /// Row z of the region: a row of each quantity, of which columns first, first + step, ... are the region's.
@@ -36,14 +33,20 @@ class PlaceFields {
   [[nodiscard]] const std::vector<LookField>& looks() const { return looks_; }
   /// 0 to kWholeShare.
   [[nodiscard]] const std::vector<Field>& shares() const { return shares_; }
+  /// Whether that share is known to be 0 all over the region.
+  [[nodiscard]] bool none(std::size_t i) const;
 
  private:
+  void set_looks(int z, std::size_t width);
   void set_share(std::size_t i, int z, std::size_t width, std::uint64_t present);
 
   std::shared_ptr<const Places> places_;
   const PlaceKernels& kernels_;
   std::int32_t sea_fx_;
   float units_a_subvoxel_;
+  std::vector<QuantityNumber> asked_;  // that looks and early ramps ask for
+  std::vector<ValueRange> ranges_;     // of a row
+  NarrowedCases narrowed_;
   std::vector<LookField> looks_;
   std::vector<Field> shares_;
   std::vector<std::vector<std::uint8_t>> any_;  // 0 where a row of a share is 0 all along

@@ -24,6 +24,9 @@ struct Places {
     QuantityNumber quantity = 0;
     float none = 0;
     float reciprocal = 0;
+
+    /// Before it is cut to 0 and 1.
+    [[nodiscard]] float at(float value) const { return (value - none) * reciprocal; }
   };
   struct Share {
     std::vector<Ramp> early;  // of what is known with the height

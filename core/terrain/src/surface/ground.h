@@ -40,6 +40,8 @@ class Ground {
   /// One for each LookRules and each ShareRule of the world; none where they are not wanted.
   [[nodiscard]] std::span<const LookField> looks() const { return places_ ? places_->looks() : kNoLooks; }
   [[nodiscard]] std::span<const Field> shares() const { return places_ ? places_->shares() : kNoShares; }
+  /// Whether that share is known to be 0 all over the region.
+  [[nodiscard]] bool no_share(std::size_t i) const { return places_->none(i); }
 
  private:
   void compute_base(int first, int last);
