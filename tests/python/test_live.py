@@ -1,5 +1,7 @@
 """The client against a real talusd: by TCP, TLS and HTTP the voxels are those that talus-gen exports."""
 
+import contextlib
+import io
 import itertools
 import os
 import random
@@ -138,6 +140,15 @@ class Live(unittest.TestCase):
                        capture_output=True)
         with open(picture, "rb") as file:
             self.assertTrue(file.read().startswith(b"\x89PNG"))
+
+    def test_the_readme_says_what_runs(self):
+        readme = (paths.ROOT / "client_sample/python/README.md").read_text()
+        program = readme.split("```python\n")[1].split("```")[0]
+        self.assertLessEqual(len(program.splitlines()), 10)
+        with contextlib.redirect_stdout(io.StringIO()) as said:
+            exec(program.replace("127.0.0.1:4780", self.server.address), {})
+        self.assertIn("(32, 32, 32) uint16", said.getvalue())
+        self.assertGreater(len(said.getvalue().splitlines()), 9 * 9 * 9)
 
     def spawn(self):
         with talus.connect(self.server.web) as web:

@@ -77,6 +77,12 @@ class Writing(unittest.TestCase):
         with self.assertRaisesRegex(TypeError, "Ping has no field once; it has nonce"):
             protocol.Ping(once=1)
 
+    def test_a_value_that_does_not_fit_is_refused_by_name(self):
+        with self.assertRaisesRegex(ValueError, "horizontal_radius of View does not fit"):
+            protocol.write(protocol.View(horizontal_radius=65536))
+        with self.assertRaisesRegex(ValueError, "columns of GetHeights does not fit"):
+            protocol.write(protocol.GetHeights(columns=[(1.5, 0)]))
+
 
 class Hostile(unittest.TestCase):
     def test_lengths_are_bounded_before_anything_is_read(self):

@@ -243,6 +243,20 @@ class Views(Scripted):
                 break
         self.assertEqual(seen.get(timeout=20).centre.x, 1 << 40)
 
+    def test_a_view_that_is_refused_for_now_is_asked_for_again(self):
+        def script(peer):
+            peer.greet()
+            view = peer.receive()
+            peer.send(protocol.Error(code=ErrorCode.overloaded, text="wait", retry_after_ms=1, about=ErrorAbout.view,
+                                     view_number=view.number))
+            again = peer.receive()
+            peer.send(protocol.ViewComplete(number=view.number))  # of the first: says nothing
+            peer.send(self.chunk(0, (0, 0, 0, 0)))
+            peer.send(protocol.ViewComplete(number=again.number))
+
+        with talus.connect(self.serve(script)) as world:
+            self.assertEqual(len(list(world.view(0, 0, 0, y=0, vertical_radius=0))), 1)
+
     def test_a_view_that_is_refused_is_raised(self):
         def script(peer):
             peer.greet()

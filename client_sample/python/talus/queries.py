@@ -40,7 +40,7 @@ class Queries:
     def heights(self, columns):
         """Height of the ground at each (x, z), in base voxels above y = 0, as float64: exact multiples of 1/256.
 
-        The first free voxel row is (256 * height + 127) // 256: a voxel row is solid where its centre is below the height.
+        A voxel row is solid where its centre is below the height, so the first free row is (256 * height + 127) // 256.
         """
         return self.places(columns, looks=False).heights
 

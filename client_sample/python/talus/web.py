@@ -65,7 +65,7 @@ class WebWorld(Queries):
         return Column(x, z, lod, self._get(f"{self._chunks}/{lod}/{x}/{z}"))
 
     def square(self, x, z, n, lod=0):
-        """Columns of n x n, from west to east, then from north to south. n is 1, 2 or 4; x and z are multiples of it."""
+        """n x n Columns, from west to east, then from north to south. n is 1, 2 or 4; x and z are multiples of it."""
         body = self._get(f"{self._chunks}/{lod}/{x}/{z}/{n}x{n}")
         version, size, _ = _unpack("<BBH", body, 0)
         if (version, size) != (1, n):
@@ -83,7 +83,7 @@ class WebWorld(Queries):
         return columns
 
     def view(self, x, z, radius, *, y=None, vertical_radius=4, rings=(), horizon=False):
-        """Yields every Chunk around base voxel (x, y, z), as World.view does: whole squares of columns, nearest first."""
+        """Yields every Chunk around base voxel (x, y, z), by squares of columns, nearest first."""
         if y is None:
             y = int(self.heights([(x, z)])[0])
         heights = (int(self.info["min_y"]), int(self.info["max_y"])) if horizon else None
