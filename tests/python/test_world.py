@@ -178,6 +178,21 @@ class Requests(Scripted):
         with talus.connect(self.serve(script)) as world:
             self.assertEqual(world.heights([(x, 0) for x in range(5)]).tolist(), [0.5, 1.5, 2.5, 3.5, 4.5])
 
+    def test_a_place_within_a_voxel_is_that_voxels(self):
+        seen = queue.Queue()
+
+        def script(peer):
+            peer.greet()
+            request = peer.receive()
+            seen.put(request.columns)
+            peer.send(protocol.Heights(id=request.id, heights_fx=[-128]))
+            seen.put(peer.receive().centre)
+
+        with talus.connect(self.serve(script)) as world:
+            world.view(-0.5, 7.9, 1)
+            self.assertEqual(seen.get(timeout=20), [(-1, 7)])
+            self.assertEqual(seen.get(timeout=20), (-1, -1, 7))
+
     def test_credit_is_given_by_the_half_window(self):
         noise = bytes.fromhex("0402") + bytes(65536)
         seen = queue.Queue()

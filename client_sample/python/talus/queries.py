@@ -1,6 +1,7 @@
 """What both ways to a world offer, made of what each of them asks for."""
 
 import dataclasses
+import math
 
 import numpy as np
 
@@ -46,7 +47,7 @@ class Queries:
 
     def places(self, columns, looks=True, fields=()):
         """Places: heights, names of looks, and values of `fields`, names of the world's fields, at each (x, z)."""
-        columns = [(int(x), int(z)) for x, z in columns]
+        columns = [(math.floor(x), math.floor(z)) for x, z in columns]
         most = max(1, self.heights_per_request)
         groups = [columns[i : i + most] for i in range(0, len(columns), most)][::-1]
         parts = []

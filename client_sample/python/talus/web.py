@@ -1,6 +1,7 @@
 """A world by HTTP (PROTOCOL.md, HTTP): the same calls as World, through any cache, without a session."""
 
 import json
+import math
 import struct
 import time
 import urllib.error
@@ -85,9 +86,9 @@ class WebWorld(Queries):
     def view(self, x, z, radius, *, y=None, vertical_radius=4, rings=(), horizon=False):
         """Yields every Chunk around base voxel (x, y, z), by squares of columns, nearest first."""
         if y is None:
-            y = int(self.heights([(x, z)])[0])
+            y = self.heights([(x, z)])[0]
         heights = (int(self.info["min_y"]), int(self.info["max_y"])) if horizon else None
-        for box in level_boxes((int(x), int(y), int(z)), radius, vertical_radius, rings, heights):
+        for box in level_boxes((math.floor(x), math.floor(y), math.floor(z)), radius, vertical_radius, rings, heights):
             squares = {(cx // _SQUARE, cz // _SQUARE) for cx in box.x for cz in box.z if box.has_column(cx, cz)}
             size = _SQUARE * CHUNK_SIZE << box.lod
 

@@ -2,6 +2,7 @@
 
 import collections
 import itertools
+import math
 import time
 
 import numpy as np
@@ -75,12 +76,12 @@ class World(Queries):
         in `direction` come first. A world has one view at a time: a new one ends the one before.
         """
         if y is None:
-            y = int(self.heights([(x, z)])[0])
+            y = self.heights([(x, z)])[0]
         if horizon and not self.welcome.limits.view_horizon:
             raise ValueError("this server knows no horizon; ask for a view without")
         self._wake()
         message = protocol.View(
-            centre=(int(x), int(y), int(z)),
+            centre=(math.floor(x), math.floor(y), math.floor(z)),
             direction=tuple(direction),
             horizontal_radius=radius,
             vertical_radius=vertical_radius,
