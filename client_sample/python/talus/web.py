@@ -1,5 +1,6 @@
 """A world by HTTP (PROTOCOL.md, HTTP): the same calls as World, through any cache, without a session."""
 
+import http.client
 import json
 import math
 import struct
@@ -126,6 +127,8 @@ class WebWorld(Queries):
                 if len(body) > _MOST_BYTES:
                     raise ProtocolError(f"{path} is answered by over {_MOST_BYTES} bytes")
                 return body
+            except http.client.HTTPException as error:
+                raise ProtocolError(f"{path} is not answered by HTTP: {error!r}") from None
             except urllib.error.HTTPError as refusal:
                 with refusal:
                     error = _error(path, refusal)
