@@ -372,6 +372,11 @@ class Rates(unittest.TestCase):
         paced.refused(3000)
         self.assertEqual((paced.wait(50), self.time), (1, 103.0))
 
+    def test_no_server_makes_wait_for_days(self):
+        paced = self.pace()
+        paced.refused(0xFFFFFFFF)
+        self.assertEqual((paced.wait(5), self.time), (5, 160.0))
+
     def test_no_rates_no_waiting(self):
         self.assertEqual((self.pace().wait(1000), self.time), (1000, 100.0))
 

@@ -13,6 +13,7 @@ import numpy as np
 
 from .chunk import Chunk
 from .errors import ServerError, again_later
+from .pace import LONGEST_WAIT_S
 from .protocol import ErrorCode, Material, Phase, ProtocolError
 from .queries import Places, Queries
 from .view_shape import CHUNK_SIZE, level_boxes
@@ -134,7 +135,7 @@ class WebWorld(Queries):
                     error = _error(path, refusal)
                 if not again_later(error) or turn == _TRIES - 1:
                     raise error from None
-                time.sleep(min(error.retry_after_ms / 1000, 30))
+                time.sleep(min(error.retry_after_ms / 1000, LONGEST_WAIT_S))
         raise AssertionError("not reached")
 
 
