@@ -10,6 +10,7 @@ import subprocess
 import sys
 import tempfile
 import unittest
+from unittest import mock
 
 import numpy as np
 
@@ -196,8 +197,9 @@ class Judgement(unittest.TestCase):
 class Limited(unittest.TestCase):
     def test_a_low_rate_refuses_nothing(self):
         with Server(TALUS_RATES_SESSION_REQUESTS="50", TALUS_RATES_BURST_MS="1000") as server:
-            with talus.connect(server.address) as world:
+            with mock.patch("talus.pace.Pace.refused") as refused, talus.connect(server.address) as world:
                 self.assertEqual(sum(1 for _ in world.chunks((x, 0, 0) for x in range(90))), 90)
+                refused.assert_not_called()
 
 
 @needs_programs
