@@ -57,8 +57,8 @@ class Export:
         self.x, self.z = chunk_x, chunk_z
         span = 32 << lod
         subprocess.run(
-            [TALUS_GEN, "export", "--origin", f"{chunk_x * span},{chunk_z * span}", "--size", f"{32 * size},{32 * size}"]
-            + ["--lod", str(lod), "-o", str(folder)],
+            [TALUS_GEN, "export", "--origin", f"{chunk_x * span},{chunk_z * span}"]
+            + ["--size", f"{32 * size},{32 * size}", "--lod", str(lod), "-o", str(folder)],
             check=True,
             capture_output=True,
         )

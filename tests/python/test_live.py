@@ -1,17 +1,22 @@
 """The client against a real talusd: by TCP, TLS and HTTP the voxels are those that talus-gen exports."""
 
+import contextlib
+import io
 import itertools
 import os
+import random
 import shutil
 import subprocess
 import sys
 import tempfile
 import unittest
+from unittest import mock
 
 import numpy as np
 
 import paths
-from server import TALUSD, Export, Server, needs_programs
+from server import TALUS_GEN, TALUSD, Export, Server, needs_programs
+from test_decoder import mutate, vectors
 
 import talus
 from talus.view_shape import level_boxes
@@ -137,17 +142,64 @@ class Live(unittest.TestCase):
         with open(picture, "rb") as file:
             self.assertTrue(file.read().startswith(b"\x89PNG"))
 
+    def test_the_readme_says_what_runs(self):
+        readme = (paths.ROOT / "client_sample/python/README.md").read_text()
+        program = readme.split("```python\n")[1].split("```")[0]
+        self.assertLessEqual(len(program.splitlines()), 10)
+        with contextlib.redirect_stdout(io.StringIO()) as said:
+            exec(program.replace("127.0.0.1:4780", self.server.address), {})
+        self.assertIn("(32, 32, 32) uint16", said.getvalue())
+        self.assertGreater(len(said.getvalue().splitlines()), 9 * 9 * 9)
+
     def spawn(self):
         with talus.connect(self.server.web) as web:
             return web.spawn
 
 
 @needs_programs
+class Judgement(unittest.TestCase):
+    """Both decoders say the same of bytes that are nearly payloads: the voxels, or which error comes first."""
+
+    SAYS = {
+        "empty": "payload is empty",
+        "unknown_version": "no codec version known",
+        "unknown_encoding": "names no encoding",
+        "truncated": "ends before the chunk",
+        "too_long": "goes on after the chunk's end",
+        "bad_materials": "list of materials",
+        "bad_number": "number that is past its range",
+        "bad_ending": "last bytes are not those",
+    }
+
+    def test_hostile_payloads_are_judged_as_talus_gen_does(self):
+        seed = int(os.environ.get("TALUS_SEED", random.randrange(1 << 32)))
+        print(f"\nTALUS_SEED={seed}", flush=True)
+        rng = random.Random(seed)
+        originals = [payload for kind, _, _, payload in vectors() if kind == "chunk"]
+        with tempfile.TemporaryDirectory() as folder:
+            file, array = (os.path.join(folder, name) for name in ("m.chunk", "m.npy"))
+            for _ in range(int(os.environ.get("TALUS_ROUNDS", 60))):
+                hostile = mutate(rng.choice(originals), rng)
+                with open(file, "wb") as out:
+                    out.write(hostile)
+                theirs = subprocess.run([TALUS_GEN, "decode", file, "-o", array], capture_output=True, text=True)
+                with self.subTest(hostile.hex()):
+                    try:
+                        voxels = talus.decode(hostile)
+                    except talus.DecodeError as error:
+                        self.assertIn(self.SAYS[error.reason], theirs.stderr)
+                    else:
+                        self.assertEqual(theirs.returncode, 0, theirs.stderr)
+                        np.testing.assert_array_equal(voxels, np.load(array))
+
+
+@needs_programs
 class Limited(unittest.TestCase):
     def test_a_low_rate_refuses_nothing(self):
         with Server(TALUS_RATES_SESSION_REQUESTS="50", TALUS_RATES_BURST_MS="1000") as server:
-            with talus.connect(server.address) as world:
+            with mock.patch("talus.pace.Pace.refused") as refused, talus.connect(server.address) as world:
                 self.assertEqual(sum(1 for _ in world.chunks((x, 0, 0) for x in range(90))), 90)
+                refused.assert_not_called()
 
 
 @needs_programs

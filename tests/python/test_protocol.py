@@ -77,6 +77,12 @@ class Writing(unittest.TestCase):
         with self.assertRaisesRegex(TypeError, "Ping has no field once; it has nonce"):
             protocol.Ping(once=1)
 
+    def test_a_value_that_does_not_fit_is_refused_by_name(self):
+        with self.assertRaisesRegex(ValueError, "horizontal_radius of View does not fit"):
+            protocol.write(protocol.View(horizontal_radius=65536))
+        with self.assertRaisesRegex(ValueError, "columns of GetHeights does not fit"):
+            protocol.write(protocol.GetHeights(columns=[(1.5, 0)]))
+
 
 class Hostile(unittest.TestCase):
     def test_lengths_are_bounded_before_anything_is_read(self):
@@ -103,29 +109,40 @@ class Hostile(unittest.TestCase):
                     raise AssertionError(f"{frame['kind']}, turn {turn}, seed {seed}: {hostile.hex()}") from error
         self.assertGreater(refused, 100)
 
-    def test_one_text_shared_by_many_tables_takes_no_memory(self):
-        # 60,000 materials, all the same table: 4 bytes each, but a Material and its name for each if they were read.
-        frame = bytearray(protocol.write(protocol.Welcome(materials=[protocol.Material(name="x" * 1000)] * 2)))
-        with self.assertRaisesRegex(protocol.ProtocolError, "tables"):
-            protocol.read(self.with_long_list(frame, 60_000))
+    def test_what_is_not_aligned_is_refused(self):
+        frame = bytearray(protocol.write(protocol.Ping(nonce=5)))
+        table = Inside(frame).body()
+        slot = table - int.from_bytes(frame[table : table + 4], "little", signed=True) + 4
+        self.assertEqual(frame[slot], 4)
+        frame[slot] = 3
+        with self.assertRaisesRegex(protocol.ProtocolError, "refers to bytes"):
+            protocol.read(frame)
 
-    def with_long_list(self, frame, count):
-        message = protocol.Welcome(materials=[protocol.Material(id=1)])
-        data = bytearray(protocol.write(message))
-        reader = protocol._Reader(bytes(data))
-        slots = reader.slots(reader.follow(4))
-        slot = reader.slots(reader.follow(slots[1]))[5]
-        table = reader.follow(reader.follow(slot) + 4)
-        data += bytes(-len(data) % 4)
-        at = len(data)
-        vtable = at + 4 + 4 * count
-        table = vtable + 4
-        data += count.to_bytes(4, "little")
-        data += b"".join((table - (at + 4 + 4 * i)).to_bytes(4, "little") for i in range(count))
-        data += bytes([4, 0, 4, 0]) + (4).to_bytes(4, "little")
-        data[slot : slot + 4] = (at - slot).to_bytes(4, "little")
-        data[:4] = (len(data) - 4).to_bytes(4, "little")
-        return bytes(data)
+    def test_a_table_that_a_list_has_many_times_takes_no_memory(self):
+        frame = same_everywhere(protocol.Welcome(materials=[protocol.Material(id=1)] * 9_000), "materials")
+        with self.assertRaisesRegex(protocol.ProtocolError, "a frame with over 1024 tables"):
+            protocol.read(frame)
+
+    def test_a_text_that_a_list_has_1_000_times_takes_no_memory(self):
+        frame = same_everywhere(protocol.Welcome(looks=["x" * 20_000] + ["y"] * 1000), "looks")
+        with self.assertRaisesRegex(protocol.ProtocolError, "lie over one another"):
+            protocol.read(frame)
+
+
+class Inside(protocol._Reader):
+    def body(self):
+        return self.follow(self.slots(self.follow(4))[1])
+
+
+def same_everywhere(message, field):
+    """The message's frame, with the first element of the list at all its places."""
+    frame = bytearray(protocol.write(message))
+    inside = Inside(bytes(frame))
+    at = inside.follow(inside.slots(inside.body())[list(message.FIELDS).index(field)])
+    first = inside.follow(at + 4)
+    for place in range(at + 4, at + 4 + 4 * len(getattr(message, field)), 4):
+        frame[place : place + 4] = (first - place).to_bytes(4, "little")
+    return bytes(frame)
 
 
 if __name__ == "__main__":

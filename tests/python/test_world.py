@@ -4,6 +4,7 @@ import queue
 import socket
 import threading
 import unittest
+from unittest import mock
 
 import paths  # noqa: F401
 
@@ -150,14 +151,19 @@ class Requests(Scripted):
             ids = peer.ids()
             peer.send(self.chunk(ids[0], (0, 0, 0, 0)))
             seen.put((ids, peer.receive()))
+            for id in ids[1:] + peer.ids():
+                peer.send(self.chunk(id, (7, 7, 7, 0)))
 
         with talus.connect(self.serve(script)) as world:
             chunks = world.chunks((x, 0, 0) for x in range(100))
             next(chunks)
             chunks.close()
-        ids, cancel = seen.get(timeout=20)
-        self.assertEqual(len(ids), 64)
-        self.assertEqual(sorted(cancel.ids), ids[1:])
+            ids, cancel = seen.get(timeout=20)
+            self.assertEqual(len(ids), 64)
+            self.assertEqual(sorted(cancel.ids), ids[1:])
+            # Those that were on their way already are not kept.
+            self.assertEqual(int(world.chunk(7, 7, 7).voxels[0, 0, 0]), 300)
+            self.assertEqual(world._answers, {})
 
     def test_columns_that_are_too_many_are_asked_for_in_halves(self):
         def script(peer):
@@ -171,6 +177,21 @@ class Requests(Scripted):
 
         with talus.connect(self.serve(script)) as world:
             self.assertEqual(world.heights([(x, 0) for x in range(5)]).tolist(), [0.5, 1.5, 2.5, 3.5, 4.5])
+
+    def test_a_place_within_a_voxel_is_that_voxels(self):
+        seen = queue.Queue()
+
+        def script(peer):
+            peer.greet()
+            request = peer.receive()
+            seen.put(request.columns)
+            peer.send(protocol.Heights(id=request.id, heights_fx=[-128]))
+            seen.put(peer.receive().centre)
+
+        with talus.connect(self.serve(script)) as world:
+            world.view(-0.5, 7.9, 1)
+            self.assertEqual(seen.get(timeout=20), [(-1, 7)])
+            self.assertEqual(seen.get(timeout=20), (-1, -1, 7))
 
     def test_credit_is_given_by_the_half_window(self):
         noise = bytes.fromhex("0402") + bytes(65536)
@@ -209,8 +230,8 @@ class Views(Scripted):
             peer.greet()
             view = peer.receive()
             # More rows than the view has, a chunk of another view and one twice: nothing of this may show.
-            run = protocol.UniformRun(-(1 << 31), 1, 7)
-            peer.send(protocol.UniformColumn(x=0, z=0, runs=[run]))
+            runs = [protocol.UniformRun(-(1 << 31), 1, 7), protocol.UniformRun(4, (1 << 31) - 1, 9)]
+            peer.send(protocol.UniformColumn(x=0, z=0, runs=runs))
             for y in (2, 2, 90):
                 peer.send(self.chunk(0, (0, y, 0, 0)))
             peer.send(protocol.Error(code=ErrorCode.internal, about=ErrorAbout.view_chunk, view_number=view.number,
@@ -237,6 +258,20 @@ class Views(Scripted):
                 break
         self.assertEqual(seen.get(timeout=20).centre.x, 1 << 40)
 
+    def test_a_view_that_is_refused_for_now_is_asked_for_again(self):
+        def script(peer):
+            peer.greet()
+            view = peer.receive()
+            peer.send(protocol.Error(code=ErrorCode.overloaded, text="wait", retry_after_ms=1, about=ErrorAbout.view,
+                                     view_number=view.number))
+            again = peer.receive()
+            peer.send(protocol.ViewComplete(number=view.number))  # of the first: says nothing
+            peer.send(self.chunk(0, (0, 0, 0, 0)))
+            peer.send(protocol.ViewComplete(number=again.number))
+
+        with talus.connect(self.serve(script)) as world:
+            self.assertEqual(len(list(world.view(0, 0, 0, y=0, vertical_radius=0))), 1)
+
     def test_a_view_that_is_refused_is_raised(self):
         def script(peer):
             peer.greet()
@@ -245,6 +280,40 @@ class Views(Scripted):
 
         with talus.connect(self.serve(script)) as world, self.assertRaisesRegex(talus.ServerError, "radius is 999"):
             next(world.view(0, 0, 999, y=0))
+
+
+class Silence(Scripted):
+    def test_a_client_that_waits_sends_pings(self):
+        seen = queue.Queue()
+
+        def script(peer):
+            peer.greet()
+            id = peer.ids()[0]
+            seen.put(peer.receive())  # only then the answer
+            peer.send(self.chunk(id, (0, 0, 0, 0)))
+
+        with mock.patch("talus.connection.PING_AFTER_S", 0.01), talus.connect(self.serve(script)) as world:
+            world.chunk(0, 0, 0)
+        self.assertIsInstance(seen.get(timeout=20), protocol.Ping)
+
+    def test_a_server_that_says_nothing_for_long_is_dead(self):
+        def script(peer):
+            peer.greet()
+            while peer.receive():
+                pass
+
+        with mock.patch("talus.connection.PING_AFTER_S", 0.01), mock.patch("talus.connection.DEAD_AFTER_S", 0.05):
+            with talus.connect(self.serve(script)) as world, self.assertRaisesRegex(TimeoutError, "said nothing"):
+                world.chunk(0, 0, 0)
+
+
+class Uniform(unittest.TestCase):
+    def test_chunks_of_one_material(self):
+        for material in (0, 1, 127, 128, 300, 16383, 16384, 65535):
+            chunk = talus.Chunk.uniform((1, 2, 3, 1), material)
+            self.assertTrue(chunk.is_uniform)
+            self.assertEqual((int(chunk.voxels.min()), int(chunk.voxels.max())), (material, material))
+            self.assertEqual(chunk.origin, (64, 128, 192))
 
 
 class Broken(Scripted):
@@ -302,6 +371,11 @@ class Rates(unittest.TestCase):
         paced = self.pace(requests=1000, burst_ms=1000)
         paced.refused(3000)
         self.assertEqual((paced.wait(50), self.time), (1, 103.0))
+
+    def test_no_server_makes_wait_for_days(self):
+        paced = self.pace()
+        paced.refused(0xFFFFFFFF)
+        self.assertEqual((paced.wait(5), self.time), (5, 160.0))
 
     def test_no_rates_no_waiting(self):
         self.assertEqual((self.pace().wait(1000), self.time), (1000, 100.0))

@@ -32,7 +32,10 @@ class Chunk:
 
     @functools.cached_property
     def voxels(self):
-        """Material ids, uint16[y][z][x]: x east, y up, z south. Decoded, and compared with the hash, when first read."""
+        """Material ids, uint16[y][z][x]: x east, y up, z south.
+
+        Decoded, and compared with the hash, when first read.
+        """
         voxels = decode(self.payload)
         if self.hash is not None and content_hash(voxels) != self.hash:
             raise DecodeError("wrong_hash", f"chunk {self.key} has not the voxels that its hash says")

@@ -2,6 +2,8 @@
 
 import time
 
+LONGEST_WAIT_S = 60  # whatever a server says
+
 
 class Pace:
     def __init__(self, limits, now=time.monotonic, sleep=time.sleep):
@@ -32,7 +34,7 @@ class Pace:
 
     def refused(self, retry_after_ms):
         """The server refused something all the same: everything waits."""
-        self.held_until = max(self.held_until, self.now() + retry_after_ms / 1000)
+        self.held_until = max(self.held_until, self.now() + min(retry_after_ms / 1000, LONGEST_WAIT_S))
         self.level = 1
         self.updated = self.held_until
 

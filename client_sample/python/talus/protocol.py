@@ -4,8 +4,8 @@
     read(frame)                     # a message; raises ProtocolError for anything that is none
 
 A message has the fields of its table by their names in the schema, each at its default unless given: 0, False, "", (),
-b"" for lists of bytes, None for tables and structs. Structs are named tuples. FlatBuffers is read and written here: what
-the schema needs of it is little, and its library for Python does not verify.
+b"" for lists of bytes, None for tables and structs. Structs are named tuples. FlatBuffers is read and written here: the
+schema needs little of it, and its library for Python does not verify.
 """
 
 import collections
@@ -490,18 +490,21 @@ def _put_reference(data, at, target):
 
 def _put_table(data, message):
     fields = [
-        (kind, slot, getattr(message, name))
+        (name, kind, slot)
         for slot, (name, kind) in enumerate(message.FIELDS.items())
         if not _is_default(kind, getattr(message, name))
     ]
-    inline = [(kind if isinstance(kind, (_Scalar, _Struct)) else U32, slot) for kind, slot, _ in fields]
+    inline = [(kind if isinstance(kind, (_Scalar, _Struct)) else U32, slot) for _, kind, slot in fields]
     table, places = _put_layout(data, inline)
-    for kind, slot, value in fields:
-        at = places[slot]
-        if isinstance(kind, (_Scalar, _Struct)):
-            data[at : at + kind.size] = kind.pack(value)
-        else:
-            _put_reference(data, at, _put_object(data, kind, value))
+    for name, kind, slot in fields:
+        at, value = places[slot], getattr(message, name)
+        try:
+            if isinstance(kind, (_Scalar, _Struct)):
+                data[at : at + kind.size] = kind.pack(value)
+            else:
+                _put_reference(data, at, _put_object(data, kind, value))
+        except struct.error as error:
+            raise ValueError(f"{name} of {type(message).__name__} does not fit its type: {error}") from None
     return table
 
 

@@ -1,6 +1,7 @@
 """What both ways to a world offer, made of what each of them asks for."""
 
 import dataclasses
+import math
 
 import numpy as np
 
@@ -40,13 +41,13 @@ class Queries:
     def heights(self, columns):
         """Height of the ground at each (x, z), in base voxels above y = 0, as float64: exact multiples of 1/256.
 
-        The first free voxel row is (256 * height + 127) // 256: a voxel row is solid where its centre is below the height.
+        A voxel row is solid where its centre is below the height, so the first free row is (256 * height + 127) // 256.
         """
         return self.places(columns, looks=False).heights
 
     def places(self, columns, looks=True, fields=()):
         """Places: heights, names of looks, and values of `fields`, names of the world's fields, at each (x, z)."""
-        columns = [(int(x), int(z)) for x, z in columns]
+        columns = [(math.floor(x), math.floor(z)) for x, z in columns]
         most = max(1, self.heights_per_request)
         groups = [columns[i : i + most] for i in range(0, len(columns), most)][::-1]
         parts = []

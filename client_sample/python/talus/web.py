@@ -1,6 +1,8 @@
 """A world by HTTP (PROTOCOL.md, HTTP): the same calls as World, through any cache, without a session."""
 
+import http.client
 import json
+import math
 import struct
 import time
 import urllib.error
@@ -11,6 +13,7 @@ import numpy as np
 
 from .chunk import Chunk
 from .errors import ServerError, again_later
+from .pace import LONGEST_WAIT_S
 from .protocol import ErrorCode, Material, Phase, ProtocolError
 from .queries import Places, Queries
 from .view_shape import CHUNK_SIZE, level_boxes
@@ -65,7 +68,7 @@ class WebWorld(Queries):
         return Column(x, z, lod, self._get(f"{self._chunks}/{lod}/{x}/{z}"))
 
     def square(self, x, z, n, lod=0):
-        """Columns of n x n, from west to east, then from north to south. n is 1, 2 or 4; x and z are multiples of it."""
+        """n x n Columns, from west to east, then from north to south. n is 1, 2 or 4; x and z are multiples of it."""
         body = self._get(f"{self._chunks}/{lod}/{x}/{z}/{n}x{n}")
         version, size, _ = _unpack("<BBH", body, 0)
         if (version, size) != (1, n):
@@ -83,11 +86,11 @@ class WebWorld(Queries):
         return columns
 
     def view(self, x, z, radius, *, y=None, vertical_radius=4, rings=(), horizon=False):
-        """Yields every Chunk around base voxel (x, y, z), as World.view does: whole squares of columns, nearest first."""
+        """Yields every Chunk around base voxel (x, y, z), by squares of columns, nearest first."""
         if y is None:
-            y = int(self.heights([(x, z)])[0])
+            y = self.heights([(x, z)])[0]
         heights = (int(self.info["min_y"]), int(self.info["max_y"])) if horizon else None
-        for box in level_boxes((int(x), int(y), int(z)), radius, vertical_radius, rings, heights):
+        for box in level_boxes((math.floor(x), math.floor(y), math.floor(z)), radius, vertical_radius, rings, heights):
             squares = {(cx // _SQUARE, cz // _SQUARE) for cx in box.x for cz in box.z if box.has_column(cx, cz)}
             size = _SQUARE * CHUNK_SIZE << box.lod
 
@@ -125,12 +128,14 @@ class WebWorld(Queries):
                 if len(body) > _MOST_BYTES:
                     raise ProtocolError(f"{path} is answered by over {_MOST_BYTES} bytes")
                 return body
+            except http.client.HTTPException as error:
+                raise ProtocolError(f"{path} is not answered by HTTP: {error!r}") from None
             except urllib.error.HTTPError as refusal:
                 with refusal:
                     error = _error(path, refusal)
                 if not again_later(error) or turn == _TRIES - 1:
                     raise error from None
-                time.sleep(min(error.retry_after_ms / 1000, 30))
+                time.sleep(min(error.retry_after_ms / 1000, LONGEST_WAIT_S))
         raise AssertionError("not reached")
 
 

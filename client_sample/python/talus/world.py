@@ -2,6 +2,7 @@
 
 import collections
 import itertools
+import math
 import time
 
 import numpy as np
@@ -67,9 +68,7 @@ class World(Queries):
             self._receive()
         return time.monotonic() - began
 
-    def view(
-        self, x, z, radius, *, y=None, vertical_radius=4, rings=(), horizon=False, direction=(0, 0, 0)
-    ):
+    def view(self, x, z, radius, *, y=None, vertical_radius=4, rings=(), horizon=False, direction=(0, 0, 0)):
         """Yields every Chunk around base voxel (x, y, z), nearest first, and ends when all have come.
 
         `radius` and `vertical_radius` are in chunks of level 0; without `y` it is the ground's. `rings`, (lod, radius)
@@ -77,20 +76,19 @@ class World(Queries):
         in `direction` come first. A world has one view at a time: a new one ends the one before.
         """
         if y is None:
-            y = int(self.heights([(x, z)])[0])
+            y = self.heights([(x, z)])[0]
+        if horizon and not self.welcome.limits.view_horizon:
+            raise ValueError("this server knows no horizon; ask for a view without")
         self._wake()
-        self._view_number += 1
         message = protocol.View(
-            centre=(int(x), int(y), int(z)),
+            centre=(math.floor(x), math.floor(y), math.floor(z)),
             direction=tuple(direction),
             horizontal_radius=radius,
             vertical_radius=vertical_radius,
             rings=[tuple(ring) for ring in rings],
-            number=self._view_number,
+            number=self._new_view_number(),
             horizon=horizon,
         )
-        if horizon and not self.welcome.limits.view_horizon:
-            raise ValueError("this server knows no horizon; ask for a view without")
         heights = (self.welcome.min_y, self.welcome.max_y) if horizon else None
         view = _View(message, level_boxes(message.centre, radius, vertical_radius, rings, heights))
         if self._viewing:
@@ -141,6 +139,10 @@ class World(Queries):
     def _new_id(self):
         self._next_id = self._next_id % 0xFFFFFFFF + 1
         return self._next_id
+
+    def _new_view_number(self):
+        self._view_number = self._view_number % 0xFFFFFFFF + 1
+        return self._view_number
 
     def get_chunks(self, keys):
         self._wake()
@@ -219,9 +221,11 @@ class World(Queries):
 
     def _places(self, answer, count, looks, fields):
         names = self.welcome.looks
-        sizes = (len(answer.heights_fx), len(answer.looks), len(answer.values)) if type(answer) is protocol.Heights else ()
-        if sizes != (count, count if looks and names else 0, count * len(fields)) or max(answer.looks, default=0) >= max(
-            len(names), 1
+        expected = (count, count if looks and names else 0, count * len(fields))
+        if (
+            not isinstance(answer, protocol.Heights)
+            or (len(answer.heights_fx), len(answer.looks), len(answer.values)) != expected
+            or any(look >= len(names) for look in answer.looks)
         ):
             raise protocol.ProtocolError("the answer to GetHeights is not what was asked for")
         values = np.array(answer.values, np.float32).reshape(count, len(fields))
@@ -303,13 +307,16 @@ class World(Queries):
             self._answer(message.request_id, message)
         elif message.about == ErrorAbout.view:
             view = self._view
-            if view and view.message.number == message.view_number:
-                if not again_later(error):
-                    self._view = None
-                    raise error
-                self._send_view(view.message)
-            elif again_later(error) and message.view_number == 0 and not view:
-                self._send_view(_NOWHERE)
+            if again_later(error):
+                if message.view_number == 0:
+                    self._send_view(_NOWHERE)
+                if view and message.view_number in (0, view.message.number):
+                    # By a number of its own: what is complete may lack what it was refused for.
+                    view.message.number = self._new_view_number()
+                    self._send_view(view.message)
+            elif view and view.message.number == message.view_number:
+                self._view = None
+                raise error
         elif message.about == ErrorAbout.view_chunk:
             if self._view and self._view.message.number == message.view_number and message.chunk:
                 self._view.lose(message.chunk)

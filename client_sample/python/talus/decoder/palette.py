@@ -82,8 +82,6 @@ def read_palette(payload):
         node = 1
         for _ in range(8):
             node = node * 2 + bits.read(models.index[node])
-        if node - 256 >= len(ids):
-            raise DecodeError("bad_number", "a palette index past the end of the list")
         return node - 256
 
     for y, z, x in np.ndindex(8, 8, 8):
@@ -97,4 +95,6 @@ def read_palette(payload):
             at = (4 * y + 1, 4 * z + 1, 4 * x + 1)
             voxels[at[0] : at[0] + 4, at[1] : at[1] + 4, at[2] : at[2] + 4] = symbol(of_blocks, 4 * y, 4 * z, 4 * x)
     bits.finish()
+    if voxels.max() >= len(ids):
+        raise DecodeError("bad_number", "a palette index past the end of the list")
     return np.array(ids, np.uint16)[voxels[1:, 1:, 1:]]

@@ -102,7 +102,7 @@ def _even_contexts():
 
 
 def _odd_contexts():
-    """By the bits of _EVEN_CONTEXTS but the last, and W = E, N = W, B = W, N = E, B = E: contexts, and where E is first."""
+    """Contexts, and where E is first: by the first eight bits and W = E, N = W, B = W, N = E, B = E."""
     upright, level_south, west_n, east_n, west_b, east_b, same, level, between, nw, bw, ne, be = _bits(_NEAR_BITS + 5)
     base_west, other_west = np.where(level, nw, bw), np.where(level, bw, nw)
     base_east, other_east = np.where(level, ne, be), np.where(level, be, ne)
@@ -207,7 +207,7 @@ class Wave:
         padded[:, 2::2] = read.reshape(near.shape)
 
     def read_batch(self, voxels, contexts, seconds):
-        """`voxels`, the first candidates of a batch, become the voxels. `seconds`, of odd columns: gives the second ones."""
+        """`voxels`, the first candidates of a batch, become the voxels. `seconds`, of odd columns, gives the second."""
         coded, exceptions, ends = self.coded, self.exceptions, self.ends
         steady = contexts == (_STEADY_EVEN if seconds is None else _STEADY_ODD)
         others = np.flatnonzero(~steady)
