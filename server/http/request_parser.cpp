@@ -95,7 +95,11 @@ struct RequestParser::State {
   void begin() {
     http_parser_init(&parser, HTTP_REQUEST);
     parser.data = this;
-    request = {};
+    // A connection that is kept asks for much the same again; what one long request took goes back.
+    constexpr std::size_t kKeptBytes = 1024;
+    if (head_bytes > kKeptBytes) request = {};
+    request.target.clear();
+    request.fields.clear();
     head_bytes = 0;
     last = 0;
     in_value = true;
@@ -105,8 +109,13 @@ struct RequestParser::State {
   /// Whether a line ends without CR. http_parser takes that, and a proxy in front may not: the two would see
   /// other requests.
   [[nodiscard]] bool has_bare_line_feed(std::string_view taken) {
-    return std::any_of(taken.begin(), taken.end(),
-                       [&](char c) { return std::exchange(last, c) != '\r' && c == '\n'; });
+    bool bare = false;
+    for (std::size_t at = taken.find('\n'); at != std::string_view::npos && !bare;
+         at = taken.find('\n', at + 1)) {
+      bare = (at == 0 ? last : taken[at - 1]) != '\r';
+    }
+    if (!taken.empty()) last = taken.back();
+    return bare;
   }
 
   // Returned by callbacks: http_parser stops.

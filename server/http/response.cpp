@@ -1,6 +1,7 @@
 #include "http/response.h"
 
-#include <iterator>
+#include <array>
+#include <charconv>
 
 #include <fmt/format.h>
 #include <http_parser.h>
@@ -32,16 +33,24 @@ Response response_to(const RequestError& error) {
 
 void append_head(std::string& output, const Response& response, bool keep_alive,
                  std::chrono::sys_seconds date) {
-  const auto into = std::back_inserter(output);
-  fmt::format_to(into, "HTTP/1.1 {} {}\r\nDate: {} GMT\r\n", response.status,
-                 http_status_str(static_cast<http_status>(response.status)), date_text(date));
+  const auto append = [&output](auto... parts) { (output.append(parts), ...); };
+  const auto number = [](std::array<char, 20>& digits, std::size_t value) {
+    char* const end = std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr;
+    return std::string_view{digits.data(), static_cast<std::size_t>(end - digits.data())};
+  };
+  std::array<char, 20> digits{};
+  append("HTTP/1.1 ", number(digits, static_cast<std::size_t>(response.status)), " ",
+         http_status_str(static_cast<http_status>(response.status)),
+         "\r\nDate: ", std::string_view{date_text(date)}, " GMT\r\n");
   if (response.status != 101 && response.status != 204 && response.status != 304) {
-    fmt::format_to(into, "Content-Type: {}\r\nContent-Length: {}\r\n", response.content_type,
-                   response.body.size());
+    append("Content-Type: ", response.content_type,
+           "\r\nContent-Length: ", number(digits, response.body.size()), "\r\n");
   }
-  if (response.status != 101) fmt::format_to(into, "Cache-Control: {}\r\n", response.cache_control);
-  fmt::format_to(into, "Connection: {}\r\n", connection_field(response.status, keep_alive));
-  for (const Field& field : response.fields) fmt::format_to(into, "{}: {}\r\n", field.name, field.value);
+  if (response.status != 101) append("Cache-Control: ", response.cache_control, "\r\n");
+  append("Connection: ", connection_field(response.status, keep_alive), "\r\n");
+  for (const Field& field : response.fields) {
+    append(std::string_view{field.name}, ": ", std::string_view{field.value}, "\r\n");
+  }
   output += "\r\n";
 }
 
