@@ -3,6 +3,7 @@
 // nothing is locked. It lives as long as the last of them.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <chrono>
 #include <cstddef>
@@ -22,7 +23,6 @@
 #include <asio/detached.hpp>
 #include <asio/redirect_error.hpp>
 #include <asio/use_awaitable.hpp>
-#include <asio/write.hpp>
 
 #include "clock/clock.h"
 #include "http/handler.h"
@@ -70,7 +70,7 @@ class Connection : public std::enable_shared_from_this<Connection<S>> {
   /// Closes after the response in flight: no further request is answered.
   void finish() {
     finishing_ = true;
-    if (!answering_ && !parser_.mid_request()) close();
+    if (!answering_ && output_.empty() && !parser_.mid_request()) close();
   }
   [[nodiscard]] bool open() const { return open_; }
   /// When the client last sent or took something.
@@ -82,54 +82,60 @@ class Connection : public std::enable_shared_from_this<Connection<S>> {
   // Responses wait for each other up to so many bytes.
   static constexpr std::size_t kBatchBytes = std::size_t{32} * 1024;
 
+  // Few coroutines call each other here: of a chunk in memory each costs as much as finding it.
   [[nodiscard]] asio::awaitable<void> serve() {
     bool more = true;
     while (open_ && more) {
       const auto taken = parser_.feed(std::span{input_}.subspan(read_, filled_ - read_));
       if (!taken) {
         more = false;
-        co_await add(response_to(taken.error()), false, false);
+        const Response response = response_to(taken.error());
+        if (!add(response, false, false)) co_await write(response.body);
         continue;
       }
       read_ += *taken;
-      if (parser_.has_request()) {
-        more = co_await answer(parser_.request());
-        if (parser_.has_request()) parser_.pop();
-      } else {
-        co_await flush();
-        more = open_ && co_await read();
+      if (!parser_.has_request()) {
+        if (!output_.empty() && !write_now()) co_await write({});
+        if (!open_) co_return;
+        if (finishing_ && !parser_.mid_request()) break;
+        begin_reading();
+        end_reading(co_await stream_.async_read_some(asio::buffer(input_),
+                                                     asio::redirect_error(asio::use_awaitable, read_error_)));
+        more = !read_error_;
+        continue;
       }
+      const Request& request = parser_.request();
+      answering_ = true;
+      std::optional<Response> response = respond_now(request);
+      if (!response) response = co_await wait_for_response(request);
+      if (!open_) co_return;
+      more = request.keep_alive && !finishing_;
+      upgraded_ = response->status == 101;
+      if (!add(*response, request.method == Method::head, more)) co_await write(response->body);
+      if (open_ && upgraded_) co_return co_await hand_over();
+      answering_ = false;
+      parser_.pop();
     }
     if (!open_) co_return;
-    co_await flush();
+    if (!output_.empty()) co_await write({});
     if (open_) co_await end();
     close();
   }
 
-  /// Returns whether another request may follow.
-  [[nodiscard]] asio::awaitable<bool> answer(const Request& request) {
-    answering_ = true;
-    std::optional<Response> response = respond_now(request);
-    if (!response) {
-      co_await flush();
-      wait_for_handler();
-      response = co_await respond(request);
-      if (!open_) co_return false;
-      deadline_ = service_.clock.now() + service_.response_timeout;
-      watch_waits_.notify();
-    }
-    const bool more = request.keep_alive && !finishing_;
-    co_await add(*std::move(response), request.method == Method::head, more);
-    if (!open_ || !upgraded_) {
-      answering_ = false;
-      co_return more;
-    }
-    co_await flush();
-    if (!open_) co_return false;
+  [[nodiscard]] asio::awaitable<Response> wait_for_response(const Request& request) {
+    if (!output_.empty()) co_await write({});
+    deadline_ = Clock::time_point::max();  // the handler keeps to times of its own
+    Response response = co_await respond(request);
+    deadline_ = service_.clock.now() + service_.response_timeout;
+    co_return response;
+  }
+
+  [[nodiscard]] asio::awaitable<void> hand_over() {
+    co_await write({});
+    if (!open_) co_return;
     open_ = false;
     watch_waits_.notify();
     take_over_(std::move(stream_), std::span{input_}.subspan(read_, filled_ - read_));
-    co_return false;
   }
 
   [[nodiscard]] std::optional<Response> respond_now(const Request& request) {
@@ -155,63 +161,61 @@ class Connection : public std::enable_shared_from_this<Connection<S>> {
     return {500, kPlainText, "the server failed to answer this; its log says more\n"};
   }
 
-  // The handler keeps to times of its own.
-  void wait_for_handler() { deadline_ = Clock::time_point::max(); }
-
-  [[nodiscard]] asio::awaitable<bool> read() {
-    const bool began = parser_.mid_request();
-    if (!began && answered_) deadline_ = service_.clock.now() + service_.idle_timeout;
-    std::error_code failed;
+  void begin_reading() {
+    reads_next_ = answered_ && !parser_.mid_request();
+    if (reads_next_) deadline_ = last_active_ + service_.idle_timeout;
     read_ = 0;
-    filled_ = co_await stream_.async_read_some(asio::buffer(input_),
-                                               asio::redirect_error(asio::use_awaitable, failed));
+  }
+  void end_reading(std::size_t bytes) {
+    filled_ = bytes;
     last_active_ = service_.clock.now();
-    if (!began && answered_) {
-      deadline_ = last_active_ + service_.request_timeout;
-      watch_waits_.notify();
-    }
-    co_return !failed;
+    if (reads_next_) deadline_ = last_active_ + service_.request_timeout;
   }
 
-  [[nodiscard]] asio::awaitable<void> add(Response response, bool head_only, bool keep_alive) {
-    upgraded_ = response.status == 101;
+  /// Puts a response to those that wait for the next write; false: all but its body, which is too long.
+  [[nodiscard]] bool add(const Response& response, bool head_only, bool keep_alive) {
     append_head(output_, response, keep_alive, service_.clock.wall());
     answered_ = true;
-    if (head_only) {
-      co_return;
-    }
-    const std::string_view content = response.content();
-    if (output_.size() + content.size() <= kBatchBytes) {
-      output_ += content;
-      co_return;
-    }
-    co_await write(content);
+    if (head_only) return true;
+    if (output_.size() + response.content().size() > kBatchBytes) return false;
+    output_ += response.content();
+    return true;
   }
 
-  [[nodiscard]] asio::awaitable<void> flush() {
-    if (!output_.empty()) co_await write({});
+  /// Where the stream takes all that waits at once, without a coroutine's turn.
+  [[nodiscard]] bool write_now() {
+    if constexpr (requires { stream_.write_now(asio::const_buffer{}); }) {
+      output_.erase(0, stream_.write_now(asio::buffer(output_)));
+      if (output_.empty()) last_active_ = service_.clock.now();
+      if (output_.empty()) deadline_ = last_active_ + service_.request_timeout;
+      return output_.empty();
+    }
+    return false;
   }
 
   /// What waits, and `body` after it.
   [[nodiscard]] asio::awaitable<void> write(std::string_view body) {
+    std::array<asio::const_buffer, 2> pieces{asio::buffer(output_), asio::buffer(body)};
+    std::error_code failed;
     deadline_ = service_.clock.now() + service_.response_timeout;
-    const std::array<asio::const_buffer, 2> pieces{asio::buffer(output_), asio::buffer(body)};
-    const auto progress = [this](const std::error_code& error, std::size_t) -> std::size_t {
+    while (!failed && pieces[0].size() + pieces[1].size() > 0) {
+      auto token = asio::redirect_error(asio::use_awaitable, failed);
+      std::size_t sent = 0;
+      if (pieces[1].size() == 0 || pieces[0].size() == 0) {  // a cheaper system call
+        sent = co_await stream_.async_write_some(pieces[pieces[0].size() == 0 ? 1 : 0], token);
+      } else {
+        sent = co_await stream_.async_write_some(pieces, token);
+      }
+      const std::size_t of_first = std::min(sent, pieces[0].size());
+      pieces[0] += of_first;
+      pieces[1] += sent - of_first;
       last_active_ = service_.clock.now();
       deadline_ = last_active_ + service_.response_timeout;
-      return error ? 0 : SIZE_MAX;
-    };
-    std::error_code failed;
-    auto token = asio::redirect_error(asio::use_awaitable, failed);
-    if (body.empty()) {  // a cheaper system call
-      co_await asio::async_write(stream_, pieces.front(), progress, token);
-    } else {
-      co_await asio::async_write(stream_, pieces, progress, token);
     }
     output_.clear();
     if (output_.capacity() > 2 * kBatchBytes) output_.shrink_to_fit();
     if (failed) close();
-    deadline_ = service_.clock.now() + service_.request_timeout;
+    deadline_ = last_active_ + service_.request_timeout;
   }
 
   /// Closing over unread bytes would reset the connection, and could take the response with it.
@@ -221,11 +225,19 @@ class Connection : public std::enable_shared_from_this<Connection<S>> {
     if (!open_) co_return;
     stream_.shutdown();
     answered_ = false;  // what is read now begins no request
-    for (bool more = true; open_ && more;) more = co_await read();
+    while (open_ && !read_error_) {
+      begin_reading();
+      end_reading(co_await stream_.async_read_some(asio::buffer(input_),
+                                                   asio::redirect_error(asio::use_awaitable, read_error_)));
+    }
   }
 
+  /// Sleeps no longer than the shortest time-out, so nobody who brings the deadline forward has to wake it.
   [[nodiscard]] asio::awaitable<void> watch() {
-    while (open_ && service_.clock.now() < deadline_) co_await watch_waits_.wait_until(deadline_);
+    const auto nap = std::min({service_.idle_timeout, service_.request_timeout, service_.response_timeout});
+    for (auto now = service_.clock.now(); open_ && now < deadline_; now = service_.clock.now()) {
+      co_await watch_waits_.wait_until(std::min(deadline_, now + nap));
+    }
     close();
   }
 
@@ -236,15 +248,17 @@ class Connection : public std::enable_shared_from_this<Connection<S>> {
   RequestParser parser_;
   TimedEvent watch_waits_;
   Clock::time_point last_active_;
-  Clock::time_point deadline_;  // who brings it forward notifies watch()
+  Clock::time_point deadline_;
   bool open_ = true;
   bool finishing_ = false;
   bool answering_ = false;
   bool answered_ = false;  // some request
   bool upgraded_ = false;
+  bool reads_next_ = false;  // between two requests
+  std::error_code read_error_;
   std::size_t read_ = 0;  // of input_
   std::size_t filled_ = 0;
-  std::string output_;  // responses that wait for the next write
+  std::string output_;  // responses that wait for the next write, or what is left of them
   std::array<std::byte, 4096> input_;
 };
 

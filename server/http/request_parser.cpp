@@ -1,6 +1,7 @@
 #include "http/request_parser.h"
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -56,6 +57,24 @@ void trim(std::string& value) {
   value.erase(last == std::string::npos ? 0 : last + 1);
 }
 
+constexpr std::string_view kGet = "GET ";
+// Of a request that is kept to compare the next one with.
+constexpr std::size_t kMaxKept = 1024;
+
+/// Of a path and a query as those here are: right wherever one stands.
+constexpr std::array<bool, 256> kPlain = [] {
+  std::array<bool, 256> plain{};
+  for (const char c :
+       std::string_view{"0123456789abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ/-._~?=&,;"}) {
+    plain[static_cast<unsigned char>(c)] = true;
+  }
+  return plain;
+}();
+bool is_plain(std::string_view target) {
+  return target.starts_with('/') && std::all_of(target.begin(), target.end(),
+                                                [](char c) { return kPlain[static_cast<unsigned char>(c)]; });
+}
+
 Method method_of(unsigned method) {
   if (method == HTTP_GET) return Method::get;
   if (method == HTTP_OPTIONS) return Method::options;
@@ -95,18 +114,53 @@ struct RequestParser::State {
   void begin() {
     http_parser_init(&parser, HTTP_REQUEST);
     parser.data = this;
-    request = {};
     head_bytes = 0;
     last = 0;
     in_value = true;
     whole = false;
   }
 
+  /// A connection that is kept asks for other targets with the same fields: all after the target is as in the
+  /// request before, and is not parsed again, which would cost as much as finding a chunk. How many bytes are
+  /// a request then; 0: they may be one, but another.
+  std::size_t take_similar(std::string_view text) {
+    if (after_target.empty() || !text.starts_with(kGet)) return 0;
+    const std::size_t end = text.find(' ', kGet.size());
+    if (end == std::string_view::npos || text.substr(end, after_target.size()) != after_target) return 0;
+    const std::string_view target = text.substr(kGet.size(), end - kGet.size());
+    const std::size_t bytes = end + after_target.size();
+    if (target.size() > bounds.target_bytes || bytes > bounds.head_bytes || !is_plain(target)) return 0;
+    request.target = target;
+    head_bytes = bytes;
+    whole = true;
+    return bytes;
+  }
+
+  /// `text`: all of a request that is right.
+  void keep(std::string_view text) {
+    const std::size_t end = text.starts_with(kGet) ? text.find(' ', kGet.size()) : std::string_view::npos;
+    if (end != std::string_view::npos && text.size() <= kMaxKept) after_target = text.substr(end);
+  }
+
+  /// What one long request took goes back.
+  void forget() {
+    after_target.clear();
+    if (request.target.size() + kept_fields > kMaxKept) request = {};
+    kept_fields = 0;
+    request.target.clear();
+    request.fields.clear();
+  }
+
   /// Whether a line ends without CR. http_parser takes that, and a proxy in front may not: the two would see
   /// other requests.
   [[nodiscard]] bool has_bare_line_feed(std::string_view taken) {
-    return std::any_of(taken.begin(), taken.end(),
-                       [&](char c) { return std::exchange(last, c) != '\r' && c == '\n'; });
+    bool bare = false;
+    for (std::size_t at = taken.find('\n'); at != std::string_view::npos && !bare;
+         at = taken.find('\n', at + 1)) {
+      bare = (at == 0 ? last : taken[at - 1]) != '\r';
+    }
+    if (!taken.empty()) last = taken.back();
+    return bare;
   }
 
   // Returned by callbacks: http_parser stops.
@@ -122,12 +176,14 @@ struct RequestParser::State {
   }
   int append_name(std::string_view part) {
     if (in_value && request.fields.size() == bounds.fields) return fail(kTooManyFields);
+    kept_fields += part.size();
     if (in_value) request.fields.emplace_back();
     in_value = false;
     return append(request.fields.back().name, part);
   }
   int append_value(std::string_view part) {
     in_value = true;
+    kept_fields += part.size();
     return append(request.fields.back().value, part);
   }
   int append(std::string& text, std::string_view part) {
@@ -187,6 +243,8 @@ struct RequestParser::State {
   const RequestBounds bounds;
   http_parser parser{};
   Request request;
+  std::string after_target;     // of the request before; empty: it is not to be compared with
+  std::size_t kept_fields = 0;  // bytes of names and values
   std::size_t head_bytes = 0;
   char last = 0;         // byte before the next one
   bool in_value = true;  // the next name begins a field
@@ -204,6 +262,11 @@ tl::expected<std::size_t, RequestError> RequestParser::feed(std::span<const std:
   const auto offered = bytes.first(std::min(bytes.size(), state.bounds.head_bytes - state.head_bytes));
   if (offered.empty()) return 0;  // to http_parser that would be the end
   const std::string_view text{reinterpret_cast<const char*>(offered.data()), offered.size()};
+  const bool begins = state.head_bytes == 0;
+  if (begins) {
+    if (const std::size_t similar = state.take_similar(text)) return similar;
+    state.forget();
+  }
   const std::size_t taken = http_parser_execute(&state.parser, &State::settings(), text.data(), text.size());
   state.head_bytes += taken;
   if (state.has_bare_line_feed(text.substr(0, taken)) && !state.error) state.error = kBareLineFeed;
@@ -216,6 +279,8 @@ tl::expected<std::size_t, RequestError> RequestParser::feed(std::span<const std:
     else if (state.head_bytes == state.bounds.head_bytes)
       state.error = kHeadTooLarge;
     if (state.error) return tl::make_unexpected(*state.error);
+  } else if (begins) {
+    state.keep(text.substr(0, taken));
   }
   return taken;
 }

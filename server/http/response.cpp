@@ -1,5 +1,7 @@
 #include "http/response.h"
 
+#include <array>
+#include <charconv>
 #include <iterator>
 
 #include <fmt/format.h>
@@ -10,18 +12,42 @@
 namespace talus::server::http {
 namespace {
 
-/// RFC 9110, 5.6.7. A busy thread makes it once a second.
-const std::string& date_text(std::chrono::sys_seconds date) {
-  thread_local std::chrono::sys_seconds last = std::chrono::sys_seconds::max();
-  thread_local std::string text;
-  if (date != last) text = utc_time(date, "%a, %d %b %Y %H:%M:%S");
-  last = date;
-  return text;
+bool has_body(int status) {
+  return status != 101 && status != 204 && status != 304;
 }
 
 std::string_view connection_field(int status, bool keep_alive) {
   if (status == 101) return "Upgrade";
   return keep_alive ? "keep-alive" : "close";
+}
+
+/// The lines that one answer has as the next. A busy thread makes them once a second.
+const std::string& same_lines(const Response& response, bool keep_alive, std::chrono::sys_seconds date) {
+  struct Lines {
+    std::chrono::sys_seconds date = std::chrono::sys_seconds::max();
+    int status = 0;
+    bool keep_alive = false;
+    std::string_view content_type, cache_control;  // constants
+    std::string text;
+  };
+  thread_local Lines last;
+  const auto same_view = [](std::string_view a, std::string_view b) {
+    return a.data() == b.data() && a.size() == b.size();
+  };
+  if (last.date == date && last.status == response.status && last.keep_alive == keep_alive &&
+      same_view(last.content_type, response.content_type) &&
+      same_view(last.cache_control, response.cache_control)) {
+    return last.text;
+  }
+  last = {date, response.status, keep_alive, response.content_type, response.cache_control, {}};
+  const auto into = std::back_inserter(last.text);
+  fmt::format_to(into, "HTTP/1.1 {} {}\r\nDate: {} GMT\r\n", response.status,
+                 http_status_str(static_cast<http_status>(response.status)),
+                 utc_time(date, "%a, %d %b %Y %H:%M:%S"));
+  if (has_body(response.status)) fmt::format_to(into, "Content-Type: {}\r\n", response.content_type);
+  if (response.status != 101) fmt::format_to(into, "Cache-Control: {}\r\n", response.cache_control);
+  fmt::format_to(into, "Connection: {}\r\n", connection_field(response.status, keep_alive));
+  return last.text;
 }
 
 }  // namespace
@@ -32,16 +58,21 @@ Response response_to(const RequestError& error) {
 
 void append_head(std::string& output, const Response& response, bool keep_alive,
                  std::chrono::sys_seconds date) {
-  const auto into = std::back_inserter(output);
-  fmt::format_to(into, "HTTP/1.1 {} {}\r\nDate: {} GMT\r\n", response.status,
-                 http_status_str(static_cast<http_status>(response.status)), date_text(date));
-  if (response.status != 101 && response.status != 204 && response.status != 304) {
-    fmt::format_to(into, "Content-Type: {}\r\nContent-Length: {}\r\n", response.content_type,
-                   response.content().size());
+  output += same_lines(response, keep_alive, date);
+  if (has_body(response.status)) {
+    std::array<char, 20> digits{};
+    const char* const end =
+        std::to_chars(digits.data(), digits.data() + digits.size(), response.content().size()).ptr;
+    output += "Content-Length: ";
+    output += std::string_view{digits.data(), static_cast<std::size_t>(end - digits.data())};
+    output += "\r\n";
   }
-  if (response.status != 101) fmt::format_to(into, "Cache-Control: {}\r\n", response.cache_control);
-  fmt::format_to(into, "Connection: {}\r\n", connection_field(response.status, keep_alive));
-  for (const Field& field : response.fields) fmt::format_to(into, "{}: {}\r\n", field.name, field.value);
+  for (const Field& field : response.fields) {
+    output += field.name;
+    output += ": ";
+    output += field.value;
+    output += "\r\n";
+  }
   output += "\r\n";
 }
 

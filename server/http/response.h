@@ -17,7 +17,7 @@ inline constexpr std::string_view kNoCache = "no-cache";
 
 struct Response {
   int status = 200;
-  std::string content_type = kPlainText;
+  std::string_view content_type = kPlainText;  // lives as long as the program
   std::string body{};
   std::vector<Field> fields{};  // beside Date, Content-Type, Content-Length, Cache-Control and Connection
   std::string_view cache_control = kNoStore;

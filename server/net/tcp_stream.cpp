@@ -18,4 +18,9 @@ void TcpStream::prefer_latency() {
                sizeof(kUnsentLowWaterBytes));
 }
 
+std::size_t TcpStream::write_now(asio::const_buffer from) {
+  const ssize_t sent = ::send(socket_.native_handle(), from.data(), from.size(), MSG_DONTWAIT | MSG_NOSIGNAL);
+  return sent < 0 ? 0 : static_cast<std::size_t>(sent);
+}
+
 }  // namespace talus::server

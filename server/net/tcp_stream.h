@@ -5,6 +5,7 @@
 #include <utility>
 
 #include <asio/awaitable.hpp>
+#include <asio/buffer.hpp>
 #include <asio/ip/tcp.hpp>
 
 namespace talus::server {
@@ -34,6 +35,9 @@ class TcpStream {
   auto async_write_some(const Buffers& buffers, Token&& token) {
     return socket_.async_write_some(buffers, std::forward<Token>(token));
   }
+
+  /// Without waiting: how many bytes the kernel took, 0 also where it never will, as async_write_some tells.
+  [[nodiscard]] std::size_t write_now(asio::const_buffer from);
 
   [[nodiscard]] asio::awaitable<void> say_end() { co_return; }
   void shutdown() {

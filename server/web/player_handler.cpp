@@ -214,7 +214,7 @@ PlayerHandler::Answer PlayerHandler::check_token(const http::Request& request, b
 }
 
 PlayerHandler::Answer PlayerHandler::check_rates() {
-  const auto refusal = caller_->rates.refuse_request(shared_.clock.now());
+  const auto refusal = caller_->rates.refuse_request(began_);
   return refusal ? Answer{refuse(*refusal)} : std::nullopt;
 }
 
@@ -249,7 +249,8 @@ PlayerHandler::Answer PlayerHandler::check_world(std::string_view fingerprint, s
         404, ErrorCode::out_of_range,
         fmt::format("this server's world is {}; /v1/world describes it", context_->fingerprint));
   }
-  if (codec != std::to_string(kCodecVersion)) {
+  static const std::string kCodec = std::to_string(kCodecVersion);
+  if (codec != kCodec) {
     return error_response(404, ErrorCode::version,
                           fmt::format("this server sends chunk codec {}", kCodecVersion));
   }
@@ -260,10 +261,9 @@ PlayerHandler::Answer PlayerHandler::answer(const ChunkRoute& route) {
   if (auto wrong = check_world(route.fingerprint, route.codec)) return wrong;
   const EncodedChunkPtr chunk = shared_.chunks.find(route.key);
   if (chunk == nullptr) return std::nullopt;
-  const auto now = shared_.clock.now();
-  if (caller_->rates.chunks_due(now).at > now) return std::nullopt;
+  if (caller_->rates.chunks_due(began_).at > began_) return std::nullopt;
   shared_.metrics.hot_latency.add(shared_.clock.now() - began_);
-  caller_->rates.sent(now, 1, chunk->payload().size());
+  caller_->rates.sent(began_, 1, chunk->payload().size());
   counted_ = true;
   return chunk_response(*chunk);
 }
@@ -444,6 +444,7 @@ http::Response PlayerHandler::tagged(http::Response response) const {
     response.status = 304;
     response.body.clear();
   }
+  response.fields.reserve(3);  // with what finish() adds
   response.fields.push_back({"ETag", std::move(etag)});
   return response;
 }

@@ -1,7 +1,9 @@
 #include "web/routes.h"
 
+#include <array>
 #include <charconv>
 #include <optional>
+#include <span>
 
 #include <fmt/format.h>
 
@@ -29,10 +31,12 @@ std::vector<std::string_view> split(std::string_view text, char by, std::size_t 
 
 /// As std::to_chars writes it: 007, +7 and -0 are none.
 std::optional<std::int64_t> number_of(std::string_view text) {
+  const std::string_view digits = text.substr(text.starts_with('-') ? 1 : 0);
+  if (digits.starts_with('0') && text != "0") return std::nullopt;
   std::int64_t number = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
   if (error != std::errc{} || end != text.data() + text.size()) return std::nullopt;
-  return fmt::format_int{number}.str() == text ? std::optional{number} : std::nullopt;
+  return number;
 }
 
 /// "4x4"; none where it is no square of 1, 2 or 4.
@@ -43,24 +47,25 @@ std::optional<std::int32_t> edge_of(std::string_view text) {
   return std::nullopt;
 }
 
-tl::expected<Route, RouteError> chunks(const std::vector<std::string_view>& parts) {
+tl::expected<Route, RouteError> chunks(std::span<const std::string_view> parts) {
   constexpr std::string_view kForms =
       "/v1/{fingerprint}/{codec}/{lod}/{x}/{y}/{z} is a chunk, .../{lod}/{x}/{z} a column of chunks, "
       ".../{lod}/{x}/{z}/4x4 a square of them";
   if (parts.size() != 5 && parts.size() != 6) return wrong(404, std::string{kForms});
   const bool square = parts.size() == 6 && parts[5].find('x') != std::string_view::npos;
-  std::vector<std::int64_t> numbers;
+  std::array<std::int64_t, 4> numbers{};
+  std::size_t count = 0;
   for (std::size_t i = 2; i < parts.size() - (square ? 1 : 0); ++i) {
     const auto number = number_of(parts[i]);
     if (!number) {
       return wrong(404, fmt::format("'{}' is no integer as 0, 7 or -12; {}", parts[i].substr(0, 40), kForms));
     }
-    numbers.push_back(*number);
+    numbers[count++] = *number;
   }
   const auto lod = Lod::checked(numbers[0]);
   if (!lod) return wrong(404, lod.error().message);
-  const bool column = numbers.size() == 3;
-  const auto key = checked_chunk(numbers[1], column ? 0 : numbers[2], numbers.back(), *lod);
+  const bool column = count == 3;
+  const auto key = checked_chunk(numbers[1], column ? 0 : numbers[2], numbers[count - 1], *lod);
   if (!key) return wrong(404, key.error().message);
   if (!column) return ChunkRoute{parts[0], parts[1], *key};
   ColumnsRoute route{parts[0], parts[1], *key, 1, square};
@@ -185,7 +190,15 @@ bool is_for_players(std::string_view path) {
 
 tl::expected<Route, RouteError> find_route(std::string_view path, std::string_view query,
                                            std::size_t max_columns) {
-  const auto parts = split(path.substr(std::min(kRoot.size(), path.size())), '/', kMaxSegments);
+  std::array<std::string_view, kMaxSegments> segments;
+  std::string_view rest = path.substr(std::min(kRoot.size(), path.size()));
+  std::size_t count = 0;
+  for (std::size_t slash = 0; slash != std::string_view::npos && count < segments.size(); ++count) {
+    slash = count + 1 < segments.size() ? rest.find('/') : std::string_view::npos;
+    segments[count] = rest.substr(0, slash);
+    rest.remove_prefix(std::min(rest.size(), segments[count].size() + 1));
+  }
+  const std::span<const std::string_view> parts = std::span{segments}.first(count);
   if (parts.size() == 1 && parts[0] == "heights") return heights(query, max_columns);
   if (!query.empty()) return wrong(400, "there is no query here: caches would hold an answer many times");
   if (parts.size() == 1 && parts[0] == "world") return WorldRoute{};

@@ -94,6 +94,42 @@ TEST_CASE("however its bytes are cut a request is the same") {
   }
 }
 
+TEST_CASE("requests of one connection that are alike are told apart") {
+  // Of which each comes whole, and some differ from the one before in their target alone.
+  const std::string fields = " HTTP/1.1\r\nHost: a\r\nX: y\r\n\r\n";
+  const std::vector<std::string> all{"GET /a" + fields,
+                                     "GET /b?c=1,2;3" + fields,
+                                     "GET /" + fields,
+                                     "HEAD /a" + fields,
+                                     "GET http://b/c" + fields,
+                                     "GET /d HTTP/1.1\r\nHost: a\r\nX: yy\r\n\r\n",
+                                     "GET /e HTTP/1.1\r\nHost: a\r\nX: yy\r\n\r\n",
+                                     "GET /e HTTP/1.0\r\nHost: a\r\nX: yy\r\n\r\n",
+                                     "GET /f HTTP/1.1\r\nHost: a\r\nConnection: close\r\n\r\n",
+                                     "GET /g" + fields};
+  std::string text;
+  for (const std::string& each : all) text += each;
+  const Parsed together = parse(text);
+  const Parsed by_bytes = parse(text, 1);
+  REQUIRE(together.requests.size() == all.size());
+  REQUIRE(by_bytes.requests.size() == all.size());
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const Request alone = parse(all[i]).requests.at(0);
+    for (const Request& request : {together.requests[i], by_bytes.requests[i]}) {
+      CHECK(request.target == alone.target);
+      CHECK(request.method == alone.method);
+      CHECK(request.keep_alive == alone.keep_alive);
+      CHECK(*request.field("Host") == "a");
+      CHECK(request.fields.size() == alone.fields.size());
+      CHECK(request.fields.back().value == alone.fields.back().value);
+    }
+  }
+  CHECK(parse("GET /a" + fields + "GET /\x01" + fields).error == 400);
+  CHECK(parse("GET /a" + fields + "GET a" + fields).error == 400);
+  CHECK(parse("GET /a" + fields + "GET /" + std::string(RequestBounds{}.target_bytes, 'b') + fields).error ==
+        414);
+}
+
 TEST_CASE("a request takes no byte of the next one") {
   RequestParser parser;
   const std::string text = kGet + "GET / HTTP/1.1\r\n";

@@ -18,8 +18,8 @@ TEST_CASE("a response's head says its status, date, length and what becomes of t
   const std::chrono::sys_seconds date{std::chrono::seconds{784'111'777}};
   CHECK(head_of({404, kPlainText, "nothing\n"}, true, date) ==
         "HTTP/1.1 404 Not Found\r\nDate: Sun, 06 Nov 1994 08:49:37 GMT\r\n"
-        "Content-Type: text/plain; charset=utf-8\r\nContent-Length: 8\r\nCache-Control: no-store\r\n"
-        "Connection: keep-alive\r\n\r\n");
+        "Content-Type: text/plain; charset=utf-8\r\nCache-Control: no-store\r\nConnection: keep-alive\r\n"
+        "Content-Length: 8\r\n\r\n");
 }
 
 TEST_CASE("further fields stand in the head") {
