@@ -12,8 +12,8 @@ backend talus {
 }
 
 sub vcl_recv {
-    # Varnish has added the client to X-Forwarded-For.
-    if (req.http.Upgrade ~ "(?i)^websocket$") {
+    # Varnish has added the client to X-Forwarded-For. What is piped is not looked at any more.
+    if (req.url == "/v1/stream" && req.http.Upgrade ~ "(?i)^websocket$") {
         return (pipe);
     }
 }

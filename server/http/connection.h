@@ -67,10 +67,10 @@ class Connection : public std::enable_shared_from_this<Connection<S>> {
     watch_waits_.notify();
     handler_->closed();
   }
-  /// Closes after the response in flight: no further request is answered.
+  /// Closes after the request that has begun and the responses that wait: no further request is answered.
   void finish() {
     finishing_ = true;
-    if (!answering_ && output_.empty() && !parser_.mid_request()) close();
+    if (between_requests_) close();
   }
   [[nodiscard]] bool open() const { return open_; }
   /// When the client last sent or took something.
@@ -81,6 +81,9 @@ class Connection : public std::enable_shared_from_this<Connection<S>> {
  private:
   // Responses wait for each other up to so many bytes.
   static constexpr std::size_t kBatchBytes = std::size_t{32} * 1024;
+  // How often a connection whose request waits is looked at: its work is dropped where nobody takes the
+  // answer.
+  static constexpr std::chrono::milliseconds kHangUpCheck{250};
 
   // Few coroutines call each other here: of a chunk in memory each costs as much as finding it.
   [[nodiscard]] asio::awaitable<void> serve() {
@@ -90,7 +93,7 @@ class Connection : public std::enable_shared_from_this<Connection<S>> {
       if (!taken) {
         more = false;
         const Response response = response_to(taken.error());
-        if (!add(response, false, false)) co_await write(response.body);
+        if (!add(response, false, false)) co_await write(response.content());
         continue;
       }
       read_ += *taken;
@@ -99,21 +102,23 @@ class Connection : public std::enable_shared_from_this<Connection<S>> {
         if (!open_) co_return;
         if (finishing_ && !parser_.mid_request()) break;
         begin_reading();
+        between_requests_ = !parser_.mid_request();
         end_reading(co_await stream_.async_read_some(asio::buffer(input_),
                                                      asio::redirect_error(asio::use_awaitable, read_error_)));
+        between_requests_ = false;
         more = !read_error_;
         continue;
       }
       const Request& request = parser_.request();
-      answering_ = true;
       std::optional<Response> response = respond_now(request);
       if (!response) response = co_await wait_for_response(request);
       if (!open_) co_return;
-      more = request.keep_alive && !finishing_;
       upgraded_ = response->status == 101;
-      if (!add(*response, request.method == Method::head, more)) co_await write(response->body);
+      // A proxy passes on whatever follows a request for an upgrade, which may have other clients' names in
+      // it.
+      more = request.keep_alive && !request.upgrade && !response->last && !finishing_;
+      if (!add(*response, request.method == Method::head, more)) co_await write(response->content());
       if (open_ && upgraded_) co_return co_await hand_over();
-      answering_ = false;
       parser_.pop();
     }
     if (!open_) co_return;
@@ -125,7 +130,10 @@ class Connection : public std::enable_shared_from_this<Connection<S>> {
   [[nodiscard]] asio::awaitable<Response> wait_for_response(const Request& request) {
     if (!output_.empty()) co_await write({});
     deadline_ = Clock::time_point::max();  // the handler keeps to times of its own
+    waiting_ = true;
+    watch_waits_.notify();
     Response response = co_await respond(request);
+    waiting_ = false;
     deadline_ = service_.clock.now() + service_.response_timeout;
     co_return response;
   }
@@ -186,9 +194,11 @@ class Connection : public std::enable_shared_from_this<Connection<S>> {
   [[nodiscard]] bool write_now() {
     if constexpr (requires { stream_.write_now(asio::const_buffer{}); }) {
       output_.erase(0, stream_.write_now(asio::buffer(output_)));
-      if (output_.empty()) last_active_ = service_.clock.now();
-      if (output_.empty()) deadline_ = last_active_ + service_.request_timeout;
-      return output_.empty();
+      if (!output_.empty()) return false;
+      last_active_ = service_.clock.now();
+      deadline_ = last_active_ + service_.request_timeout;
+      handler_->sent();
+      return true;
     }
     return false;
   }
@@ -214,7 +224,8 @@ class Connection : public std::enable_shared_from_this<Connection<S>> {
     }
     output_.clear();
     if (output_.capacity() > 2 * kBatchBytes) output_.shrink_to_fit();
-    if (failed) close();
+    if (failed) co_return close();
+    handler_->sent();
     deadline_ = last_active_ + service_.request_timeout;
   }
 
@@ -233,12 +244,20 @@ class Connection : public std::enable_shared_from_this<Connection<S>> {
   }
 
   /// Sleeps no longer than the shortest time-out, so nobody who brings the deadline forward has to wake it.
+  /// Nothing is read while the handler works, so whether the client is still there is asked for.
   [[nodiscard]] asio::awaitable<void> watch() {
     const auto nap = std::min({service_.idle_timeout, service_.request_timeout, service_.response_timeout});
     for (auto now = service_.clock.now(); open_ && now < deadline_; now = service_.clock.now()) {
-      co_await watch_waits_.wait_until(std::min(deadline_, now + nap));
+      if (waiting_ && peer_hung_up()) break;
+      const auto longest = waiting_ ? std::min(nap, kHangUpCheck) : nap;
+      co_await watch_waits_.wait_until(std::min(deadline_, now + longest));
     }
     close();
+  }
+
+  [[nodiscard]] bool peer_hung_up() {
+    if constexpr (requires { stream_.peer_hung_up(); }) return stream_.peer_hung_up();
+    return false;
   }
 
   S stream_;
@@ -251,8 +270,9 @@ class Connection : public std::enable_shared_from_this<Connection<S>> {
   Clock::time_point deadline_;
   bool open_ = true;
   bool finishing_ = false;
-  bool answering_ = false;
-  bool answered_ = false;  // some request
+  bool waiting_ = false;           // for the handler
+  bool between_requests_ = false;  // and reading
+  bool answered_ = false;          // some request
   bool upgraded_ = false;
   bool reads_next_ = false;  // between two requests
   std::error_code read_error_;

@@ -22,6 +22,8 @@ class Handler {
   /// `request` stays until the response is there. The connection waits as long as the handler does.
   [[nodiscard]] virtual asio::awaitable<Response> respond(const Request& request) = 0;
 
+  /// All responses so far are with the system, or lost.
+  virtual void sent() {}
   /// The connection is closed, and asks nothing more.
   virtual void closed() {}
 };

@@ -28,6 +28,9 @@ struct Request {
   [[nodiscard]] std::string_view query() const;
   /// The value of the first field of this name, in any case; null where there is none.
   [[nodiscard]] const std::string* field(std::string_view name) const;
+  /// The values of all fields of this name as one list, in order. Source: RFC 9110, 5.2. Empty: there is
+  /// none.
+  [[nodiscard]] std::string list(std::string_view name) const;
 };
 
 /// Why a request cannot be answered as asked. The connection closes: where the next request would begin is

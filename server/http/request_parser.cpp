@@ -108,6 +108,16 @@ const std::string* Request::field(std::string_view name) const {
   return found == fields.end() ? nullptr : &found->value;
 }
 
+std::string Request::list(std::string_view name) const {
+  std::string values;
+  for (const Field& field : fields) {
+    if (!equal_names(field.name, name)) continue;
+    if (!values.empty()) values += ", ";
+    values += field.value;
+  }
+  return values;
+}
+
 struct RequestParser::State {
   explicit State(const RequestBounds& wanted) : bounds{wanted} { begin(); }
 

@@ -18,6 +18,7 @@ bool has_body(int status) {
 
 std::string_view connection_field(int status, bool keep_alive) {
   if (status == 101) return "Upgrade";
+  if (status == 426) return "Upgrade, close";
   return keep_alive ? "keep-alive" : "close";
 }
 

@@ -23,6 +23,8 @@ struct Response {
   std::string_view cache_control = kNoStore;
   std::string_view kept{};  // a body that the handler keeps as long as it lives; `body` is empty then
 
+  bool last = false;  // the connection closes after it
+
   [[nodiscard]] std::string_view content() const { return kept.empty() ? std::string_view{body} : kept; }
 };
 

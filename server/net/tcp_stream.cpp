@@ -2,6 +2,7 @@
 
 #include <netinet/in.h>
 #include <netinet/tcp.h>
+#include <poll.h>
 #include <sys/socket.h>
 
 #include "net/stream.h"
@@ -21,6 +22,11 @@ void TcpStream::prefer_latency() {
 std::size_t TcpStream::write_now(asio::const_buffer from) {
   const ssize_t sent = ::send(socket_.native_handle(), from.data(), from.size(), MSG_DONTWAIT | MSG_NOSIGNAL);
   return sent < 0 ? 0 : static_cast<std::size_t>(sent);
+}
+
+bool TcpStream::peer_hung_up() {
+  pollfd peer{socket_.native_handle(), POLLRDHUP, 0};
+  return ::poll(&peer, 1, 0) > 0 && (peer.revents & (POLLRDHUP | POLLHUP | POLLERR | POLLNVAL)) != 0;
 }
 
 }  // namespace talus::server

@@ -39,6 +39,9 @@ class TcpStream {
   /// Without waiting: how many bytes the kernel took, 0 also where it never will, as async_write_some tells.
   [[nodiscard]] std::size_t write_now(asio::const_buffer from);
 
+  /// Whether the peer sends nothing more, also where bytes wait to be read before its end.
+  [[nodiscard]] bool peer_hung_up();
+
   [[nodiscard]] asio::awaitable<void> say_end() { co_return; }
   void shutdown() {
     std::error_code ignored;

@@ -60,6 +60,8 @@ class TlsStream {
         std::forward<Token>(token));
   }
 
+  [[nodiscard]] bool peer_hung_up() { return stream_.peer_hung_up(); }
+
   [[nodiscard]] asio::awaitable<void> say_end();
   void shutdown() { stream_.shutdown(); }
   void close() {

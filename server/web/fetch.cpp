@@ -17,10 +17,6 @@ Fetch::Fetch(const asio::any_io_executor& executor, ChunkSource& chunks, const C
       flow_{std::move(flow)},
       mail_{executor, clock} {}
 
-Fetch::~Fetch() {
-  leave_queues();
-}
-
 const MailboxPtr& Fetch::mailbox() {
   if (mailbox_ == nullptr) {
     const auto wake = [executor = executor_, self = weak_from_this()] {

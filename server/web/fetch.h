@@ -33,7 +33,8 @@ class Fetch : public std::enable_shared_from_this<Fetch> {
   /// `chunks` and `clock` outlive it. `owner` is used by nobody else.
   Fetch(const asio::any_io_executor& executor, ChunkSource& chunks, const Clock& clock, ClientId owner,
         FlowUsePtr flow);
-  ~Fetch();
+  /// Asks the source for nothing more: whoever lets go of a Fetch that waits calls abandon().
+  ~Fetch() = default;
   Fetch(const Fetch&) = delete;
   Fetch& operator=(const Fetch&) = delete;
 

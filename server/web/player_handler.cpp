@@ -85,11 +85,14 @@ PlayerHandler::PlayerHandler(WebContextPtr context, const ConnectionInfo& connec
 
 PlayerHandler::~PlayerHandler() = default;
 
+void PlayerHandler::sent() {
+  memory_.hold(kIdleBytes);
+}
+
 void PlayerHandler::closed() {
   if (fetch_ != nullptr) fetch_->abandon();
   // Who sees the end finds the slot free.
-  if (caller_) caller_->rates.give_back();
-  caller_.reset();
+  leave();
   proxy_slot_.reset();
   if (told_) std::exchange(told_, nullptr)();
 }
@@ -117,8 +120,10 @@ ConnectionInfo PlayerHandler::session_info() const {
 std::optional<http::Response> PlayerHandler::respond_now(const http::Request& request) {
   request_ = &request;
   began_ = shared_.clock.now();
+  if (fetch_ != nullptr) std::exchange(fetch_, nullptr)->abandon();  // of a request that threw
   route_.reset();
   public_ = false;
+  open_ = false;
   counted_ = false;
   Answer answer = decide(request);
   if (answer) finish(request, *answer);
@@ -141,6 +146,8 @@ asio::awaitable<http::Response> PlayerHandler::respond(const http::Request& requ
 }
 
 PlayerHandler::Answer PlayerHandler::decide(const http::Request& request) {
+  if (auto wrong = find_caller(request)) return wrong;
+  if (auto wrong = check_rates()) return wrong;
   if (request.method == http::Method::options) {
     return http::Response{204,
                           "",
@@ -155,11 +162,7 @@ PlayerHandler::Answer PlayerHandler::decide(const http::Request& request) {
     wrong.fields.push_back({"Allow", "GET, HEAD, OPTIONS"});
     return wrong;
   }
-  if (auto wrong = find_caller(request)) return wrong;
-  if (!is_for_players(request.path())) {
-    if (auto wrong = check_rates()) return wrong;
-    return site_answer(context_->site.get(), request);
-  }
+  if (!is_for_players(request.path())) return site_answer(context_->site.get(), request);
   auto route = find_route(request.path(), request.query(), shared_.limits.heights_per_request);
   if (!route) return error_response(route.error().status, ErrorCode::malformed, route.error().text);
   route_.emplace(*std::move(route));
@@ -169,16 +172,12 @@ PlayerHandler::Answer PlayerHandler::decide(const http::Request& request) {
   if (!std::holds_alternative<StreamRoute>(*route_)) {
     if (auto wrong = check_token(request, chunks)) return wrong;
   }
-  if (auto wrong = check_rates()) return wrong;
   return std::visit([this](const auto& of) { return answer(of); }, *route_);
 }
 
 PlayerHandler::Answer PlayerHandler::find_caller(const http::Request& request) {
   if (!connection_.through_proxy) return std::nullopt;
-  if (caller_) caller_->rates.give_back();
-  caller_.reset();
-  const std::string* const list = request.field("X-Forwarded-For");
-  const auto address = list == nullptr ? std::nullopt : forwarded_for(*list, context_->settings.proxies);
+  const auto address = forwarded_for(request.list("X-Forwarded-For"), context_->settings.proxies);
   if (!address) {
     return error_response(400, ErrorCode::malformed,
                           "the proxy in front of this server names no client; it must set X-Forwarded-For");
@@ -199,7 +198,8 @@ PlayerHandler::Answer PlayerHandler::check_token(const http::Request& request, b
     return std::nullopt;
   }
   const auto open = shared_.access.admit({}, shared_.clock.wall());
-  public_ = may_be_public && open && open->rights.has(Right::read);
+  open_ = open && open->rights.has(Right::read);
+  public_ = may_be_public && open_;
   const std::string_view token = bearer_token(request);
   if (public_ && token.empty()) return std::nullopt;
   const auto grant = shared_.access.admit(token, shared_.clock.wall());
@@ -221,14 +221,16 @@ PlayerHandler::Answer PlayerHandler::check_rates() {
 http::Response PlayerHandler::refuse(const SessionRates::Refusal& refusal) const {
   shared_.metrics.throttled(refusal.kind).add();
   caller_->flow->add(FlowMeasure::refusals, 1);
-  return error_response(
-      429, ErrorCode::too_many_requests, "too many requests; Retry-After says when there is room",
+  http::Response response = error_response(
+      429, ErrorCode::overloaded, "too many requests; Retry-After says when there is room",
       std::max(std::chrono::milliseconds{1}, std::chrono::ceil<std::chrono::milliseconds>(refusal.wait)));
+  response.last = refusal.abusive && !connection_.through_proxy;
+  return response;
 }
 
 PlayerHandler::Answer PlayerHandler::answer(const WorldRoute&) {
   http::Response response{200, kJson, world_document(shared_.world, shared_.limits, caller_->rates.limits())};
-  response.cache_control = http::kNoCache;
+  response.cache_control = open_ ? http::kNoCache : kPrivate;
   return tagged(std::move(response));
 }
 
@@ -263,9 +265,7 @@ PlayerHandler::Answer PlayerHandler::answer(const ChunkRoute& route) {
   if (chunk == nullptr) return std::nullopt;
   if (caller_->rates.chunks_due(began_).at > began_) return std::nullopt;
   shared_.metrics.hot_latency.add(shared_.clock.now() - began_);
-  caller_->rates.sent(began_, 1, chunk->payload().size());
-  counted_ = true;
-  return chunk_response(*chunk);
+  return charged(1, chunk_response(*chunk));
 }
 
 PlayerHandler::Answer PlayerHandler::answer(const ColumnsRoute& route) {
@@ -295,6 +295,7 @@ PlayerHandler::Answer PlayerHandler::answer(const HeightsRoute& route) {
 }
 
 asio::awaitable<http::Response> PlayerHandler::fetch(const ChunkRoute& route) {
+  if (auto wrong = co_await wait_for_rates()) co_return *std::move(wrong);
   const std::vector<ChunkKey> keys(1, route.key);
   fetch_ = std::make_shared<Fetch>(executor_, shared_.chunks, shared_.clock,
                                    ClientId{kFirstFetch + ++context_->fetches}, caller_->flow);
@@ -302,22 +303,24 @@ asio::awaitable<http::Response> PlayerHandler::fetch(const ChunkRoute& route) {
   if (!chunks) co_return failure(chunks.error());
   shared_.metrics.cold_latency.add(shared_.clock.now() - began_);
   const EncodedChunkPtr chunk = chunks->front();
-  if (auto wrong = co_await wait_for_rates(1, chunk->payload().size())) co_return *std::move(wrong);
-  co_return chunk_response(*chunk);
+  co_return charged(1, chunk_response(*chunk));
 }
 
 asio::awaitable<http::Response> PlayerHandler::fetch(const ColumnsRoute& route) {
+  if (!shared_.memory.takes_work()) {
+    co_return error_response(503, ErrorCode::overloaded, kNoMemory, retry_after::kBusy);
+  }
+  if (auto wrong = co_await wait_for_rates()) co_return *std::move(wrong);
   fetch_ = std::make_shared<Fetch>(executor_, shared_.chunks, shared_.clock,
                                    ClientId{kFirstFetch + ++context_->fetches}, caller_->flow);
   std::string body;
   if (route.square) append_square_head(body, route.edge);
-  std::size_t chunks = 0;
   for (std::int32_t i = 0; i < route.edge * route.edge; ++i) {
     ChunkKey column = route.corner;
     column.coord.x += i % route.edge;
     column.coord.z += i / route.edge;
     std::string one;
-    if (auto wrong = co_await append(column, one, chunks)) co_return *std::move(wrong);
+    if (auto wrong = co_await append(column, one, 2 * body.size())) co_return *std::move(wrong);
     if (route.square) append_length(body, static_cast<std::uint32_t>(one.size()));
     body += one;
     memory_.hold(kIdleBytes + 2 * body.size());
@@ -326,15 +329,12 @@ asio::awaitable<http::Response> PlayerHandler::fetch(const ColumnsRoute& route) 
                                "this is over 4 MiB; ask for its chunks one by one");
     }
   }
-  if (auto wrong = co_await wait_for_rates(chunks, body.size())) co_return *std::move(wrong);
-  shared_.metrics.chunks_sent.add(chunks);
-  shared_.metrics.chunk_bytes_sent.add(body.size());
-  co_return body_response(std::move(body));
+  co_return charged(0, body_response(std::move(body)));
 }
 
 // A column's rows are known once any of its chunks was made.
 asio::awaitable<PlayerHandler::Answer> PlayerHandler::append(ChunkKey column, std::string& body,
-                                                             std::size_t& chunks) {
+                                                             std::size_t held) {
   constexpr std::size_t kBatch = 64;
   const Lod lod = column.lod;
   const auto known = [&](const MixedRows& rows) {
@@ -366,15 +366,16 @@ asio::awaitable<PlayerHandler::Answer> PlayerHandler::append(ChunkKey column, st
     auto made = co_await fetch_->get(keys, began_ + kMaxWait);
     if (!made) co_return failure(made.error());
     for (std::size_t i = 0; i < keys.size(); ++i) add_chunk(runs, keys[i].coord.y, (*made)[i]);
+    charge(keys.size() - (fetched == 0 ? 2 : 0), 0);  // those below and above were known
     fetched += keys.size();
     std::size_t bytes = body.size();
     for (const ChunkRun& run : runs) bytes += run.chunk->payload().size();
+    memory_.hold(kIdleBytes + held + bytes);
     if (bytes > kMaxBodyBytes || runs.size() > UINT16_MAX) {
       co_return error_response(400, ErrorCode::too_large,
                                "this is over 4 MiB; ask for its chunks one by one");
     }
   }
-  chunks += fetched - 2;
   // The first stands for all below it, the last for all above.
   runs.front().count += static_cast<std::uint32_t>(runs.front().first_y - first_row(lod));
   runs.front().first_y = static_cast<std::int32_t>(first_row(lod));
@@ -403,7 +404,7 @@ asio::awaitable<http::Response> PlayerHandler::fetch(const HeightsRoute& route) 
   co_return http::Response{200, kJson, heights_document(shared_.world, route, *found)};
 }
 
-asio::awaitable<PlayerHandler::Answer> PlayerHandler::wait_for_rates(std::size_t chunks, std::size_t bytes) {
+asio::awaitable<PlayerHandler::Answer> PlayerHandler::wait_for_rates() {
   TimedEvent event{executor_, shared_.clock};
   const auto until = shared_.clock.now() + kMaxThrottle;
   for (;;) {
@@ -414,21 +415,29 @@ asio::awaitable<PlayerHandler::Answer> PlayerHandler::wait_for_rates(std::size_t
     if (due.at <= now) break;
     if (due.at > until) {
       caller_->flow->add(FlowMeasure::refusals, 1);
-      co_return error_response(429, ErrorCode::too_many_requests,
+      co_return error_response(429, ErrorCode::overloaded,
                                "chunks come too fast for your rate; Retry-After says when there is room",
                                std::chrono::ceil<std::chrono::milliseconds>(due.at - now));
     }
     co_await event.wait_until(due.at);
   }
-  caller_->rates.sent(shared_.clock.now(), chunks, bytes);
-  counted_ = true;
   co_return std::nullopt;
+}
+
+void PlayerHandler::charge(std::size_t chunks, std::size_t bytes) {
+  counted_ = true;
+  shared_.metrics.chunks_sent.add(chunks);
+  shared_.metrics.chunk_bytes_sent.add(bytes);
+  if (caller_) caller_->rates.sent(shared_.clock.now(), chunks, bytes);
+}
+
+http::Response PlayerHandler::charged(std::size_t chunks, http::Response response) {
+  charge(chunks, request_->method == http::Method::head ? 0 : response.content().size());
+  return response;
 }
 
 http::Response PlayerHandler::chunk_response(const EncodedChunk& chunk) {
   const auto payload = chunk.payload();
-  shared_.metrics.chunks_sent.add();
-  shared_.metrics.chunk_bytes_sent.add(payload.size());
   return body_response(std::string{reinterpret_cast<const char*>(payload.data()), payload.size()});
 }
 
@@ -465,7 +474,7 @@ http::Response PlayerHandler::failure(FetchError error) const {
 
 void PlayerHandler::finish(const http::Request& request, http::Response& response) {
   fetch_.reset();
-  memory_.hold(kIdleBytes + response.body.size());
+  memory_.hold(kIdleBytes + response.body.size());  // until it is sent
   if (is_for_players(request.path())) add_origin_fields(request, response);
   const bool head = request.method == http::Method::head;
   const std::size_t bytes = head ? 0 : response.content().size();
@@ -476,25 +485,39 @@ void PlayerHandler::finish(const http::Request& request, http::Response& respons
     if (!counted_) caller_->rates.sent(shared_.clock.now(), 0, bytes);
   }
   const std::uint64_t every = context_->settings.log_every;
-  if (every == 0 || ++context_->answers % every != 0) return;
+  if (every != 0 && ++context_->answers % every == 0) log_answer(request, response.status, bytes);
+  // The next request may be somebody else's; until then nobody has a place here.
+  if (connection_.through_proxy && response.status != 101) leave();
+}
+
+void PlayerHandler::leave() {
+  if (caller_) caller_->rates.give_back();
+  caller_.reset();
+}
+
+void PlayerHandler::log_answer(const http::Request& request, int status, std::size_t bytes) const {
   context_->runner->log->info(
       "conn {} {}: {} {}: {} in {:.1f} ms, {} bytes; one answer in {} is logged", connection_.id,
-      connection_.address, head ? "HEAD" : "GET", escaped(request.target, 200), response.status,
-      std::chrono::duration<double, std::milli>(shared_.clock.now() - began_).count(), bytes, every);
+      caller_ ? caller_->slot.address().to_string() : connection_.address,
+      request.method == http::Method::head ? "HEAD" : "GET", escaped(request.target, 200), status,
+      std::chrono::duration<double, std::milli>(shared_.clock.now() - began_).count(), bytes,
+      context_->settings.log_every);
 }
 
 void PlayerHandler::add_origin_fields(const http::Request& request, http::Response& response) const {
-  if (const std::string* const origin = request.field("Origin")) {
-    const std::string* const host = request.field("Host");
-    if (context_->settings.origins.all()) {
-      response.fields.push_back({"Access-Control-Allow-Origin", "*"});
-    } else if (context_->settings.origins.allow(*origin, host == nullptr ? std::string_view{} : *host)) {
-      response.fields.push_back({"Access-Control-Allow-Origin", *origin});
-    }
+  if (response.status == 101) return;
+  // What every cache may keep is the same for all: one copy, which any page may read.
+  if (public_ || context_->settings.origins.all()) {
+    response.fields.push_back({"Access-Control-Allow-Origin", "*"});
+    return;
   }
-  // A cache must not show one origin the answer to another.
-  if (!context_->settings.origins.all() && response.status != 101)
-    response.fields.push_back({"Vary", "Origin"});
+  const std::string* const origin = request.field("Origin");
+  const std::string* const host = request.field("Host");
+  if (origin != nullptr &&
+      context_->settings.origins.allow(*origin, host == nullptr ? std::string_view{} : *host)) {
+    response.fields.push_back({"Access-Control-Allow-Origin", *origin});
+  }
+  response.fields.push_back({"Vary", "Origin"});  // a cache must not show one origin the answer to another
 }
 
 }  // namespace talus::server::web

@@ -69,6 +69,7 @@ class PlayerHandler final : public http::Handler {
 
   std::optional<http::Response> respond_now(const http::Request& request) override;
   asio::awaitable<http::Response> respond(const http::Request& request) override;
+  void sent() override;
   void closed() override;
   /// Called once, where the connection ends without having become a session.
   void on_closed(std::function<void()> told) { told_ = std::move(told); }
@@ -104,10 +105,15 @@ class PlayerHandler final : public http::Handler {
   [[nodiscard]] asio::awaitable<http::Response> fetch(const ChunkRoute& route);
   [[nodiscard]] asio::awaitable<http::Response> fetch(const ColumnsRoute& route);
   [[nodiscard]] asio::awaitable<http::Response> fetch(const HeightsRoute& route);
-  /// One column of the square appended to `body`; an answer where that cannot be had.
-  [[nodiscard]] asio::awaitable<Answer> append(ChunkKey column, std::string& body, std::size_t& chunks);
-  /// Waits until the rates let so many chunks and bytes go; an answer where that is too long.
-  [[nodiscard]] asio::awaitable<Answer> wait_for_rates(std::size_t chunks, std::size_t bytes);
+  /// One column of the square appended to `body`; an answer where that cannot be had. `held`: bytes of the
+  /// others.
+  [[nodiscard]] asio::awaitable<Answer> append(ChunkKey column, std::string& body, std::size_t held);
+  /// Waits until the rates let a chunk go; an answer where that is too long. Before the work: who has no rate
+  /// left costs the generators nothing.
+  [[nodiscard]] asio::awaitable<Answer> wait_for_rates();
+  /// Counts chunks that were found or made, and bytes that are sent of them.
+  void charge(std::size_t chunks, std::size_t bytes);
+  [[nodiscard]] http::Response charged(std::size_t chunks, http::Response response);
 
   [[nodiscard]] http::Response chunk_response(const EncodedChunk& chunk);
   [[nodiscard]] http::Response body_response(std::string body);
@@ -116,6 +122,8 @@ class PlayerHandler final : public http::Handler {
   [[nodiscard]] http::Response failure(FetchError error) const;
   [[nodiscard]] http::Response refuse(const SessionRates::Refusal& refusal) const;
   void finish(const http::Request& request, http::Response& response);
+  void log_answer(const http::Request& request, int status, std::size_t bytes) const;
+  void leave();
   /// Which pages may read it.
   void add_origin_fields(const http::Request& request, http::Response& response) const;
 
@@ -133,6 +141,7 @@ class PlayerHandler final : public http::Handler {
   const http::Request* request_ = nullptr;
   Clock::time_point began_{};
   std::optional<Route> route_;
+  bool open_ = false;     // nobody needs a token
   bool public_ = false;   // every cache may keep the answer
   bool counted_ = false;  // its bytes count in the rates already
 };

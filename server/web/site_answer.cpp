@@ -57,7 +57,7 @@ http::Response site_answer(const Site* site, const http::Request& request) {
   const Site::File* const file = site->find(path);
   if (file == nullptr) return nothing_there(path);
   const Site::Form& form = file->form_for(request.field("Accept-Encoding"));
-  http::Response response{200, std::string{file->content_type}};
+  http::Response response{200, file->content_type};
   response.cache_control = file->hashed ? kForever : http::kNoCache;
   response.fields.push_back({"ETag", form.etag});
   if (file->forms.size() > 1) response.fields.push_back({"Vary", "Accept-Encoding"});

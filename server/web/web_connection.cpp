@@ -91,7 +91,12 @@ void start(S stream, const ConnectionInfo& info, Admission::Slot slot, const Web
   peer->set_connection(connection);
   metrics.web_open.rise();
   registry.add(info.id, peer);
-  asio::post(executor, [connection] { connection->start(); });
+  asio::post(executor, [connection, handler] {
+    // What changed before the registry had it.
+    if (handler->blocked()) return connection->close();
+    handler->rates_changed();
+    connection->start();
+  });
 }
 
 }  // namespace

@@ -96,6 +96,14 @@ TEST_CASE("what follows the last request of a connection is not answered") {
   CHECK(statuses(client->text()) == "200 ");
 }
 
+TEST_CASE("a connection that asked for an upgrade and got none ends with the answer") {
+  Bench bench;
+  const auto client = bench.connect();
+  bench.send(*client, get("/a", "Connection: Upgrade\r\nUpgrade: websocket\r\n") + get("/b"));
+  CHECK(statuses(client->text()) == "200 ");
+  CHECK(client->text().find("Connection: close") != std::string::npos);
+}
+
 TEST_CASE("HEAD gets the length of GET's body and no body") {
   Bench bench;
   const auto client = bench.connect();

@@ -73,6 +73,12 @@ TEST_CASE("a request gives its method, target, path and fields") {
   CHECK(request.keep_alive);
 }
 
+TEST_CASE("fields of one name are one list, in their order") {
+  const http::Request request{http::Method::get, "/", {{"a", "1, 2"}, {"B", "3"}, {"A", "4"}}};
+  CHECK(request.list("A") == "1, 2, 4");
+  CHECK(request.list("c").empty());
+}
+
 TEST_CASE("however its bytes are cut a request is the same") {
   const std::string text = kGet + "HEAD /-/ready HTTP/1.0\r\nConnection: keep-alive\r\n\r\n" + kGet;
   const Parsed whole = parse(text);

@@ -59,6 +59,7 @@ class Loopback {
   bool said_end = false;
   bool shut = false;
   bool closed = false;
+  bool hung_up = false;  // says the system, whatever waits to be read
 
   [[nodiscard]] std::string_view text() const {
     return {reinterpret_cast<const char*>(received.data()), received.size()};
@@ -100,6 +101,7 @@ class LoopbackStream {
         std::forward<Token>(token));
   }
 
+  [[nodiscard]] bool peer_hung_up() const { return loopback_->hung_up; }
   [[nodiscard]] asio::awaitable<void> say_end() {
     loopback_->said_end = true;
     co_return;

@@ -23,6 +23,13 @@ _SQUARE = 4
 _TRIES = 5
 
 
+class _NoRedirects(urllib.request.HTTPRedirectHandler):
+    """talusd sends none, and another's would take the token along."""
+
+    def redirect_request(self, *_):
+        return None
+
+
 class WebWorld(Queries):
     """Made by talus.connect("http://...")."""
 
@@ -32,7 +39,7 @@ class WebWorld(Queries):
         self._root = address.rstrip("/")
         self._headers = {"User-Agent": "talus for Python", **({"Authorization": f"Bearer {token}"} if token else {})}
         self._timeout = timeout
-        handlers = [urllib.request.HTTPSHandler(context=context)] if context else []
+        handlers = [_NoRedirects()] + ([urllib.request.HTTPSHandler(context=context)] if context else [])
         self._opener = urllib.request.build_opener(*handlers)
         self.info = self._get_json("/v1/world")  # Welcome as JSON
         self._chunks = f"/v1/{self.info['fingerprint']}/{self.info['codec']}"
@@ -107,16 +114,24 @@ class WebWorld(Queries):
         query = {"columns": ";".join(f"{x},{z}" for x, z in columns)}
         query.update({"looks": "1"} if looks else {}, **({"fields": ",".join(fields)} if fields else {}))
         found = self._get_json("/v1/heights?" + urllib.parse.urlencode(query, safe=",;"))
-        return Places(
-            np.array(found["heights"], float) / found["subvoxels_per_voxel"],
-            found.get("looks", []),
-            {name: np.array(values, np.float32) for name, values in found.get("fields", {}).items()},
-        )
+        try:
+            places = Places(
+                np.array(found["heights"], float) / found["subvoxels_per_voxel"],
+                found.get("looks", []),
+                {name: np.array(values, np.float32) for name, values in found.get("fields", {}).items()},
+            )
+            lists = [places.heights, *places.fields.values(), *([places.looks] if looks else [])]
+            whole = all(len(each) == len(columns) for each in lists) and set(places.fields) == set(fields)
+        except (KeyError, TypeError, ValueError, AttributeError, ZeroDivisionError):
+            whole = False
+        if not whole:
+            raise ProtocolError("/v1/heights is not answered by a value for each column")
+        return places
 
     def _get_json(self, path):
         try:
             return json.loads(self._get(path))
-        except ValueError:
+        except (ValueError, RecursionError):
             raise ProtocolError(f"{path} is not answered by JSON") from None
 
     def _get(self, path):
