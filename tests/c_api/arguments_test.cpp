@@ -91,8 +91,8 @@ TEST_CASE("talus_connect checks its options") {
   options.port = 65536;
   check_wrong(connect(options), client, "talus_connect", "65535");
   options.port = 1;
-  options.flags = 4;
-  check_wrong(connect(options), client, "talus_connect", "options.flags is 4");
+  options.flags = 8;
+  check_wrong(connect(options), client, "talus_connect", "options.flags is 8");
 }
 
 TEST_CASE("a program of a newer header runs where it sets none of the newer fields") {

@@ -62,6 +62,22 @@ TEST_CASE("a talus_client's voxels are those of the C++ client") {
   CHECK(chunks == by_cpp(server.port(), view));
 }
 
+TEST_CASE("a talus_client by WebSocket sees what it sees by TCP") {
+  e2e::ServerProcess server{{}, {"--http", "127.0.0.1:0"}};
+  auto options = sized<talus_connect_options>();
+  TestClient by_tcp;
+  by_tcp.join(server.port(), options);
+  by_tcp.set_view(by_tcp.view(2, 1));
+  options.flags = TALUS_WEBSOCKET;
+  TestClient by_websocket;
+  by_websocket.join(server.http_port(), options);
+  by_websocket.set_view(by_websocket.view(2, 1));
+  const auto seen = by_tcp.until_complete();
+  CHECK(seen.size() == 75);
+  const bool same = by_websocket.until_complete() == seen;
+  CHECK(same);
+}
+
 TEST_CASE("an event of a chunk says which material is all of it") {
   const ServerProcess server;
   TestClient client;

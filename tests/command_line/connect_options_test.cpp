@@ -85,6 +85,29 @@ TEST_CASE("TLS is on with --ca or --tls-name") {
   CHECK(read_connect_options(parsed({"--tls-name", "name"}))->tls.on);
 }
 
+TEST_CASE("a WebSocket is asked for by --websocket or by its URL") {
+  const auto read = [](std::vector<const char*> words) {
+    return read_connect_options(parsed(std::move(words))).value();
+  };
+  CHECK_FALSE(read({}).websocket.on);
+  const ConnectOptions flag = read({"--websocket", "--connect", "a:1"});
+  CHECK(flag.websocket.on);
+  CHECK(flag.websocket.path == "/v1/stream");
+  CHECK_FALSE(flag.tls.on);
+  const ConnectOptions plain = read({"--connect", "ws://a:1/"});
+  CHECK(plain.websocket.on);
+  CHECK_FALSE(plain.tls.on);
+  CHECK(plain.websocket.path == "/v1/stream");
+  CHECK(plain.server == protocol::Endpoint{"a", 1});
+  const ConnectOptions secure = read({"--connect", "wss://[::1]:2/other/stream"});
+  CHECK(secure.websocket.on);
+  CHECK(secure.tls.on);
+  CHECK(secure.websocket.path == "/other/stream");
+  CHECK(secure.server == protocol::Endpoint{"::1", 2});
+  CHECK_FALSE(read_connect_options(parsed({"--connect", "ws://a"})).has_value());
+  CHECK_FALSE(read_connect_options(parsed({"--connect", "http://a:1"})).has_value());
+}
+
 TEST_CASE("a server's address that is none names the option and what is wrong") {
   for (const char* text : {"host", "host:0", "::1:80", ":80", "host:x"}) {
     CAPTURE(text);

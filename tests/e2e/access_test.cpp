@@ -96,7 +96,7 @@ TEST_CASE("a bad key file is one line, also where the configuration is only chec
   }
 }
 
-TEST_CASE("no byte of a stranger's changes the log") {
+TEST_CASE("no byte of a stranger's changes the log", "[tcp]") {
   const std::string format = GENERATE(as<std::string>{}, "text", "json");
   const ScratchDirectory scratch;
   const std::string key = scratch.write("key", "0123456789abcdef0123456789abcdef");

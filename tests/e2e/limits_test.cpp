@@ -60,7 +60,8 @@ TEST_CASE("a frame of one byte at a time does not count as life") {
   check_timeout(client, drip(client, cancel(std::vector<std::uint32_t>(300, 1))));
 }
 
-TEST_CASE("one connection too many from an address is told so") {
+// By WebSocket it is told so by HTTP, and asking for one is a request itself.
+TEST_CASE("one connection too many from an address is told so", "[tcp]") {
   const ServerProcess server{{{"TALUS_LIMITS_CONNECTIONS_PER_ADDRESS", "2"}}};
   RawClient first = greeted(server.port());
   RawClient second = greeted(server.port());
@@ -74,7 +75,7 @@ TEST_CASE("one connection too many from an address is told so") {
   (void)first.expect_kind<wire::Pong>();
 }
 
-TEST_CASE("a place is free again when its connection has ended") {
+TEST_CASE("a place is free again when its connection has ended", "[tcp]") {
   const ServerProcess server{{{"TALUS_LIMITS_CONNECTIONS", "1"}}};
   {
     RawClient first = greeted(server.port());
@@ -185,7 +186,7 @@ TEST_CASE(
   CHECK(second->as<wire::Chunk>().id() == 2);
 }
 
-TEST_CASE("connections of one address share its rates") {
+TEST_CASE("connections of one address share its rates", "[tcp]") {
   const ServerProcess server{{{"TALUS_RATES_ADDRESS_REQUESTS", "1"}, {"TALUS_RATES_BURST_MS", "20000"}}};
   RawClient first = greeted(server.port());
   // Twenty are taken at once, and one a second comes back: a minute's worth is more than both have.
@@ -203,8 +204,8 @@ TEST_CASE("connections of one address share its rates") {
   }
 }
 
-TEST_CASE(
-    "a server without memory to spare refuses connections, and takes them again when others have left") {
+TEST_CASE("a server without memory to spare refuses connections, and takes them again when others have left",
+          "[tcp]") {
   const ServerProcess server{{{"TALUS_LIMITS_MEMORY_BYTES", "75497472"},  // the least there may be
                               {"TALUS_LIMITS_HANDSHAKES_PER_ADDRESS_PER_SECOND", "1000000"},
                               {"TALUS_LIMITS_HANDSHAKES_PER_ADDRESS_BURST", "1000000"}}};

@@ -179,7 +179,7 @@ TEST_CASE("under siege memory stays within its limit: frames of 16 MiB in flight
   while (first_word(server.port()) != wire::Body::Welcome) continue;
 }
 
-TEST_CASE("under siege memory stays within its limit: TLS handshakes that stop half-way") {
+TEST_CASE("under siege memory stays within its limit: TLS handshakes that stop half-way", "[tcp]") {
   if (kSanitized) return;
   constexpr std::size_t kHandshakes = 5000;
   allow_many_sockets();

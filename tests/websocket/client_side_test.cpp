@@ -94,7 +94,10 @@ TEST_CASE("What a client sends a server reads, and masked") {
 
 TEST_CASE("A Ping is answered by its own Pong, a Close by a Close, masked") {
   ClientSide side = new_side();
-  Bytes input = bytes_of(kGoodAnswer + std::string{"\x89\x02hi", 4} + std::string{"\x82\x03end", 5} +
+  Bytes input = bytes_of(kGoodAnswer + std::string{"\x89\x02hi", 4} +
+                         std::string{"\x82\x03"
+                                     "end",
+                                     5} +
                          std::string{"\x88\x02\x03\xE8", 4} + "what no longer counts");
   CHECK(take(side, input) == "end");
   REQUIRE(side.failure());
