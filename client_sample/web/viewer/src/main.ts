@@ -169,6 +169,7 @@ const notices = new Notices({
   retry: () => session.hurry(),
   again: () => session.again(),
   reload: () => void session.open(),
+  byHttp: () => change({ transport: 'http' }),
   askToken: (why) => tokenDialog.ask(why),
   toSpawn,
 });
@@ -199,6 +200,7 @@ const session = new Session(stage, settings, server, tokens, isReduced, {
       away: 'Server away',
       token: 'No access',
       refused: 'Refused',
+      'no-socket': 'No connection',
       'no-webgl': 'No 3D',
       'graphics-lost': 'No graphics',
     };
@@ -299,14 +301,14 @@ find('open-map').addEventListener('click', () => void openMap());
 
 let told = 0;
 let looked = 0;
-const loop = new Loop(
-  () => settings.frameRate,
-  (now, seconds) => {
+const loop = new Loop({
+  cap: () => settings.frameRate,
+  step(now, seconds) {
     if (settings.timeRuns) setTime(hours + (seconds * 24) / DAY_S);
     if (isPlaced) player.step(seconds);
     if (engine !== null && isPlaced) {
       player.look(engine);
-      engine.frame(now);
+      update(engine, now);
       if (now - looked > 100) {
         looked = now;
         voxel.look(engine, eye(), body.yaw, body.pitch);
@@ -318,7 +320,14 @@ const loop = new Loop(
       tell(now);
     }
   },
-);
+  draw(now) {
+    if (engine !== null && isPlaced) engine.frame(now);
+  },
+});
+
+function update(engine: Engine & { update?: (now: number) => void }, now: number): void {
+  engine.update?.(now);
+}
 
 function tell(now: number): void {
   notices.tick(now);
