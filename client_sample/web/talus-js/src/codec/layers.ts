@@ -7,20 +7,20 @@ const SIZE = 32;
 const AREA = SIZE * SIZE;
 const MAX_MATERIALS = 64;
 
-// Rows stand in arrays with two places more on either side.
-const PAD = 2;
-const PADDED = SIZE + 2 * PAD;
+// Signs in keys: 0, 1 and 2 for -, 0 and +.
+const FLAT = 1;
+const FLAT_STEPS = 0x155; // five of them
+function sign(value: number): number {
+  return (value > 0 ? 2 : 1) - (value < 0 ? 1 : 0);
+}
 
 export class LayersDecoder {
   private readonly even = new PlaneModel(false);
   private readonly odd = new PlaneModel(true);
   // The planes one after the other, the first of them all 0: the floor of the second.
-  private readonly planes = new Uint8Array(AREA * MAX_MATERIALS);
-  private readonly north = new Int32Array(PADDED);
-  private readonly thick = new Int32Array(PADDED); // of the plane's material to the north, at most 2
-  private readonly signs = new Int32Array(PADDED); // of the steps to the north: 0, 1, 2
+  private readonly planes = new Uint8Array(AREA * MAX_MATERIALS + SIZE); // and a row that is read past the last
   private readonly keys = new Int32Array(SIZE);
-  private readonly symbols = new Int32Array(SIZE + 1);
+  private readonly symbols = new Int32Array(SIZE + 1); // and one beyond the row, 0
   // Of the columns' boundaries within the chunk, by height: which column, and what begins there.
   private readonly boundaryBegin = new Int32Array(SIZE + 2);
   private readonly boundaries = new Int32Array(AREA * MAX_MATERIALS);
@@ -58,124 +58,164 @@ export class LayersDecoder {
 
   private readPlane(source: Source, plane: number): void {
     const carried = readCarried(source);
-    this.signs.fill(1);
+    this.prepareFirstRow(plane - AREA);
     for (let z = 0; z < SIZE; ++z) {
-      const kind = z === 0 ? FIRST : (carried >>> z) & 1 ? CARRIED : LEVEL;
-      this.prepareRow(plane + z * SIZE, kind);
-      this.readSymbols(source);
-      this.readRow(source, plane + z * SIZE, kind);
+      this.readEvenSymbols(source);
+      this.readOddSymbols(source);
+      const next = z + 1 < SIZE && (carried >>> (z + 1)) & 1 ? CARRIED : LEVEL;
+      const bad = this.readRow(source, plane, z, z > 0 && ((carried >>> z) & 1) === 0, next << KIND);
+      source.checkRead();
+      if (bad) throw new DecodeError('bad_number');
     }
   }
 
-  /** Works out the keys of a row's columns, but for the symbols beside them. */
-  private prepareRow(row: number, kind: number): void {
-    const { planes, north, thick, signs, keys } = this;
-    const toNorth = kind === FIRST ? row - AREA : row - SIZE;
-    const floorToNorth = kind === FIRST ? row - AREA : row - AREA - SIZE;
+  /** The keys of row 0, but for the symbols beside columns: the row to its north is its floor, without steps. */
+  private prepareFirstRow(floor: number): void {
+    const { planes, keys } = this;
+    const at = (x: number) => planes[floor + (x < SIZE ? x : SIZE - 1)]!;
+    let rises = FLAT;
     for (let x = 0; x < SIZE; ++x) {
-      const height = planes[toNorth + x]!;
-      const thickness = height - planes[floorToNorth + x]!;
-      north[PAD + x] = height;
-      thick[PAD + x] = thickness < 2 ? thickness : 2;
-    }
-    north[PAD - 1] = north[PAD]!;
-    thick[PAD - 1] = thick[PAD]!;
-    north[PAD + SIZE] = north[PAD + SIZE + 1] = north[PAD + SIZE - 1]!;
-    thick[PAD + SIZE] = thick[PAD + SIZE - 1]!;
-
-    let here = north[PAD]!;
-    let east = here;
-    let rises = 1; // to the east of the column before, and so to the west of this one
-    let steps = (signs[0]! << 6) | (signs[1]! << 4) | (signs[2]! << 2) | signs[3]!; // two to the west, ... one to the east
-    let thicks = (thick[PAD - 1]! << 2) | thick[PAD]!;
-    east = here;
-    for (let x = 0; x < SIZE; ++x) {
-      here = east;
-      east = north[PAD + x + 1]!;
+      const here = at(x);
       const west = rises;
-      rises = east > here ? 2 : east < here ? 0 : 1;
-      const farEast = north[PAD + x + 2]!;
-      const farRises = farEast > here ? 2 : farEast < here ? 0 : 1;
-      steps = ((steps << 2) | signs[PAD + x + 2]!) & 0x3ff;
-      thicks = ((thicks << 2) | thick[PAD + x + 1]!) & 0x3f;
-      const floor = planes[row - AREA + x]! - planes[floorToNorth + x]!;
-      const floorRises = floor > 0 ? 2 : floor < 0 ? 0 : 1;
-      keys[x] =
-        west | (rises << 2) | (farRises << 4) | (steps << 6) | (floorRises << 16) | (thicks << 18) | (kind << KIND);
+      rises = sign(at(x + 1) - here);
+      keys[x] = west | (rises << 2) | (sign(at(x + 2) - here) << 4) | (FLAT_STEPS << 6) | (FLAT << 16) | (FIRST << KIND);
     }
   }
 
-  private readSymbols(source: Source): void {
+  private readEvenSymbols(source: Source): void {
     const { keys, symbols } = this;
+    const { fill, keys: cached, ends: cachedEnds } = this.even;
     const { bytes, states } = source;
     let next = source.next;
-    for (let odd = 0; odd < 2; ++odd) {
-      const model = odd ? this.odd : this.even;
-      const cached = model.keys;
-      const cachedEnds = model.ends;
-      for (let x = odd; x < SIZE; x += 2) {
-        let key = keys[x]!;
-        if (odd) key |= (symbols[x - 1]! << SYMBOL_WEST) | (symbols[x + 1]! << SYMBOL_EAST);
+    let lastKey = -1; // neighbours are often alike
+    let ends = 0;
+    for (let lane = 0; lane < LANES; ++lane) {
+      const key = keys[2 * lane]!;
+      if (key !== lastKey) {
         const place = cachePlace(key);
-        const ends = cached[place] === key ? cachedEnds[place]! : model.fill(key, place);
-        const lane = x >> 1;
-        let state = states[lane]!;
-        const slot = state & 0xff;
-        const first = ends & 0xff;
-        if (slot < first) {
-          symbols[x] = 0;
-          state = first * (state >> 8) + slot;
-        } else {
-          const second = (ends >> 8) & 0xff;
-          const third = ends >> 16;
-          let start = 0;
-          let end = 0;
-          if (slot < second) {
-            symbols[x] = 1;
-            start = first;
-            end = second;
-          } else if (slot < third) {
-            symbols[x] = 2;
-            start = second;
-            end = third;
-          } else {
-            symbols[x] = 3;
-            start = third;
-            end = 256;
-          }
-          state = (end - start) * (state >> 8) + slot - start;
-        }
-        if (state < 256) state = (state << 8) | bytes[next++]!;
-        states[lane] = state;
+        ends = cached[place] === key ? cachedEnds[place]! : fill(key, place);
+        lastKey = key;
       }
+      let state = states[lane]!;
+      const slot = state & 0xff;
+      const first = ends & 0xff;
+      if (slot < first) {
+        symbols[2 * lane] = 0;
+        state = first * (state >> 8) + slot;
+      } else {
+        const second = (ends >> 8) & 0xff;
+        const third = ends >> 16;
+        const symbol = slot < second ? 1 : slot < third ? 2 : 3;
+        const start = symbol === 1 ? first : symbol === 2 ? second : third;
+        const end = symbol === 1 ? second : symbol === 2 ? third : 256;
+        symbols[2 * lane] = symbol;
+        state = (end - start) * (state >> 8) + slot - start;
+      }
+      if (state < 256) state = (state << 8) | bytes[next++]!;
+      states[lane] = state;
     }
     source.next = next;
   }
 
-  /** Makes heights of the symbols. */
-  private readRow(source: Source, row: number, kind: number): void {
-    const { planes, north, signs, symbols } = this;
-    const { bytes } = source;
-    const floorToNorth = kind === FIRST ? row - AREA : row - AREA - SIZE;
+  /** The same of odd columns, by the symbols to their west and east. */
+  private readOddSymbols(source: Source): void {
+    const { keys, symbols } = this;
+    const { fill, keys: cached, ends: cachedEnds } = this.odd;
+    const { bytes, states } = source;
     let next = source.next;
-    let step = 0;
+    let lastKey = -1;
+    let ends = 0;
+    let west = symbols[0]!;
+    for (let lane = 0; lane < LANES; ++lane) {
+      const east = symbols[2 * lane + 2]!; // 0 beyond the row
+      const key = keys[2 * lane + 1]! | (west << SYMBOL_WEST) | (east << SYMBOL_EAST);
+      west = east;
+      if (key !== lastKey) {
+        const place = cachePlace(key);
+        ends = cached[place] === key ? cachedEnds[place]! : fill(key, place);
+        lastKey = key;
+      }
+      let state = states[lane]!;
+      const slot = state & 0xff;
+      const first = ends & 0xff;
+      if (slot < first) {
+        symbols[2 * lane + 1] = 0;
+        state = first * (state >> 8) + slot;
+      } else {
+        const second = (ends >> 8) & 0xff;
+        const third = ends >> 16;
+        const symbol = slot < second ? 1 : slot < third ? 2 : 3;
+        const start = symbol === 1 ? first : symbol === 2 ? second : third;
+        const end = symbol === 1 ? second : symbol === 2 ? third : 256;
+        symbols[2 * lane + 1] = symbol;
+        state = (end - start) * (state >> 8) + slot - start;
+      }
+      if (state < 256) state = (state << 8) | bytes[next++]!;
+      states[lane] = state;
+    }
+    source.next = next;
+  }
+
+  /** Makes heights of the symbols of row z, and in the same go the keys of the row to its south: a column's key is
+   *  known two columns later. True where a height is wrong. */
+  private readRow(source: Source, plane: number, z: number, level: boolean, nextKind: number): boolean {
+    const { planes, keys, symbols } = this;
+    const { bytes } = source;
+    const row = plane + z * SIZE;
+    const floorRow = row - AREA;
+    const north = z === 0 ? floorRow : row - SIZE;
+    const floorNorth = z === 0 ? floorRow : floorRow - SIZE;
+    let next = source.next;
     let bad = 0;
+    let step = 0;
+    let height = 0;
+    let before = 0; // the height one column to the west, and two
+    let before2 = 0;
+    let rises = FLAT << 2; // west of the column before, and of that before it
+    let steps = FLAT_STEPS;
+    let thicks = 0;
+    let floors = 0;
     for (let x = 0; x < SIZE; ++x) {
       const symbol = symbols[x]!;
       let change = symbol;
       if (symbol > 1) change = symbol === 2 ? -1 : (bytes[next++]! << 24) >> 24;
-      step = kind === LEVEL ? change : step + change;
-      const floor = planes[row - AREA + x]!;
-      const toNorth = north[PAD + x]!;
-      const predicted = toNorth === planes[floorToNorth + x]! || toNorth < floor ? floor : toNorth;
-      const height = predicted + step;
+      step = level ? change : step + change;
+      const floor = planes[floorRow + x]!;
+      const toNorth = planes[north + x]!;
+      height = (toNorth === planes[floorNorth + x]! || toNorth < floor ? floor : toNorth) + step;
       if (height < floor || height > SIZE) bad = 1;
       planes[row + x] = height;
-      signs[PAD + x] = step > 0 ? 2 : step < 0 ? 0 : 1;
+
+      const thickness = height - floor;
+      const thick = thickness < 2 ? thickness : 2;
+      if (x === 0) {
+        before = before2 = height;
+        thicks = thick;
+      }
+      steps = ((steps << 2) | sign(step)) & 0x3ff;
+      const rise = sign(height - before);
+      if (x > 1) {
+        keys[x - 2] =
+          rises | (sign(height - before2) << 4) | (steps << 6) | ((floors & 0xc) << 14) | (thicks << 18) | nextKind;
+      }
+      // Two bits each: of rises the older first, as keys have them; of the others the newer.
+      rises = (rises >> 2) | (rise << 2);
+      thicks = ((thicks << 2) | thick) & 0x3f;
+      floors = (floors << 2) | sign(planes[floorRow + SIZE + x]! - floor);
+      before2 = before;
+      before = height;
     }
+    // Beyond the row's end heights repeat, and there are no steps.
+    const thick = thicks & 3;
+    steps = ((steps << 2) | FLAT) & 0x3ff;
+    keys[SIZE - 2] =
+      rises | (sign(before - before2) << 4) | (steps << 6) | ((floors & 0xc) << 14) | (thicks << 18) | nextKind;
+    rises = (rises >> 2) | (FLAT << 2);
+    thicks = ((thicks << 2) | thick) & 0x3f;
+    steps = ((steps << 2) | FLAT) & 0x3ff;
+    keys[SIZE - 1] = rises | (FLAT << 4) | (steps << 6) | ((floors & 3) << 16) | (thicks << 18) | nextKind;
     source.next = next;
-    source.checkRead();
-    if (bad) throw new DecodeError('bad_number');
+    return bad !== 0;
   }
 
   /** From planes to voxels: each slice is the one below it, but for the columns in which a material begins there. */

@@ -9,7 +9,7 @@ import { GAS, LIQUID, SOLID } from './mesh/mesher.js';
 import { MATERIALS_MAX } from './mesh/quad.js';
 import { Rate, Sample } from './meter.js';
 import { castRay } from './raycast.js';
-import { Land, type Kind } from './stream/land.js';
+import { Land, type Column, type Kind } from './stream/land.js';
 import { Pool, workersFor } from './stream/pool.js';
 import { chunksOf, shapeOf, viewFor } from './stream/shape.js';
 import { Voxels } from './stream/voxels.js';
@@ -391,7 +391,7 @@ export class Engine {
     const roof = column?.heights?.[within(eye.z) * 32 + within(eye.x)] ?? -32768;
     this.frames.draw({
       eye,
-      columns: this.land.drawn,
+      columns: this.nearestFirst(),
       seconds: still ?? now / 1000,
       now: performance.now(),
       slice: this.land.slice,
@@ -404,6 +404,22 @@ export class Engine {
     if (this.firstFrameMs === null && this.frames.triangles > 1) this.firstFrameMs = performance.now() - this.started;
     for (const done of this.wantsPicture.splice(0)) this.options.canvas.toBlob(done, 'image/png');
   }
+
+  /** Columns to draw, so that what is near hides what is behind it before that is shaded. */
+  private nearestFirst(): Column<TerrainMesh>[] {
+    const { x, z } = this.eye;
+    if (this.sorted.version !== this.land.version || Math.abs(x - this.sorted.x) + Math.abs(z - this.sorted.z) > 32) {
+      const distance = (c: Column<TerrainMesh>) => {
+        const size = 32 * 2 ** c.lod;
+        return Math.hypot((c.x + 0.5) * size - x, (c.z + 0.5) * size - z) - size / 2;
+      };
+      const keyed = Array.from(this.land.drawn, (column) => ({ column, at: distance(column) }));
+      keyed.sort((a, b) => a.at - b.at);
+      this.sorted = { version: this.land.version, x, z, columns: keyed.map((k) => k.column) };
+    }
+    return this.sorted.columns;
+  }
+  private sorted: { version: number; x: number; z: number; columns: Column<TerrainMesh>[] } = { version: -1, x: 0, z: 0, columns: [] };
 
   private setState(state: EngineState, reason: string): void {
     if (state === this.state && reason === '') return;

@@ -202,7 +202,7 @@ export class Frame {
 
   draw(options: {
     eye: Eye;
-    columns: Iterable<Column<TerrainMesh>> & { readonly size: number };
+    columns: readonly Column<TerrainMesh>[];
     seconds: number;
     now: number;
     slice: SlicePlane | null;
