@@ -6,7 +6,7 @@ import { Keyboard } from './controls/keyboard';
 import { Mouse } from './controls/mouse';
 import { Player } from './controls/player';
 import { Touch } from './controls/touch';
-import type { Engine, Vector } from './engine/engine';
+import type { Engine, Stats, Vector } from './engine/engine';
 import { Loop } from './loop';
 import { Address } from './place/address';
 import { readCoordinate, readLink, wrapHours, clock, type Mode, type Place } from './place/place';
@@ -329,10 +329,18 @@ function update(engine: Engine & { update?: (now: number) => void }, now: number
   engine.update?.(now);
 }
 
+/** For measurements: when the first terrain was submitted, and when all of the view was. From the address on, in ms. */
+function mark(stats: Stats): void {
+  const marks: [string, number | null][] = [['talus:first', stats.firstFrameMs], ['talus:complete', stats.completeMs]]; // prettier-ignore
+  for (const [name, since] of marks)
+    if (since !== null && performance.getEntriesByName(name).length === 0) performance.mark(name, { startTime: session.began + since });
+}
+
 function tell(now: number): void {
   notices.tick(now);
   if (engine === null) return;
   const stats = engine.stats();
+  mark(stats);
   hud.connection(stats);
   hud.where(place(), body);
   if (stats.meshes > 0) hud.opened();

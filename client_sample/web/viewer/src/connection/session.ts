@@ -32,6 +32,8 @@ const asksForToken = (reason: string) => /token|unauthori[sz]ed/i.test(reason);
 
 export class Session {
   engine: Engine | null = null;
+  /** When the engine was asked for, of performance.now(): its own times count from there. */
+  began = 0;
   #attempt = 0;
   #failures = 0;
   #silences = 0;
@@ -70,6 +72,7 @@ export class Session {
     const { token } = this.tokens;
     let engine: Engine;
     this.#patience = setTimeout(() => void this.#lookInto(attempt), PATIENCE_MS);
+    this.began = performance.now();
     try {
       engine = await Engine.create({
         canvas,
