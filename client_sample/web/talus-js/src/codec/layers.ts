@@ -10,8 +10,14 @@ const MAX_MATERIALS = 64;
 // Signs in keys: 0, 1 and 2 for -, 0 and +.
 const FLAT = 1;
 const FLAT_STEPS = 0x155; // five of them
+// Without branches, as in all that follows: which way terrain goes cannot be foreseen.
 function sign(value: number): number {
-  return (value > 0 ? 2 : 1) - (value < 0 ? 1 : 0);
+  return ((value >> 31) | ((0 - value) >>> 31)) + 1;
+}
+
+/** Whose interval holds `slot`: the ends of those of 0, 1 and 2 stand in `ends`. */
+function symbolOf(ends: number, slot: number): number {
+  return 3 - ((((slot - (ends & 0xff)) >>> 31) + ((slot - ((ends >> 8) & 0xff)) >>> 31)) + ((slot - (ends >> 16)) >>> 31));
 }
 
 export class LayersDecoder {
@@ -21,10 +27,10 @@ export class LayersDecoder {
   private readonly planes = new Uint8Array(AREA * MAX_MATERIALS + SIZE); // and a row that is read past the last
   private readonly keys = new Int32Array(SIZE);
   private readonly symbols = new Int32Array(SIZE + 1); // and one beyond the row, 0
-  // Of the columns' boundaries within the chunk, by height: which column, and what begins there.
-  private readonly boundaryBegin = new Int32Array(SIZE + 2);
-  private readonly boundaries = new Int32Array(AREA * MAX_MATERIALS);
-
+  // Columns whose boundary has one height: the column and how many more, and the plane; in lists by height.
+  private readonly firstOfHeight = new Int32Array(SIZE + 1);
+  private readonly runs = new Int32Array(AREA * MAX_MATERIALS);
+  private readonly nextRun = new Int32Array(AREA * MAX_MATERIALS);
   private ids: number[] = [];
 
   /** The one material of a uniform chunk; else null, and expand() gives the voxels. */
@@ -87,32 +93,23 @@ export class LayersDecoder {
     const { fill, keys: cached, ends: cachedEnds } = this.even;
     const { bytes, states } = source;
     let next = source.next;
-    let lastKey = -1; // neighbours are often alike
-    let ends = 0;
     for (let lane = 0; lane < LANES; ++lane) {
       const key = keys[2 * lane]!;
-      if (key !== lastKey) {
-        const place = cachePlace(key);
-        ends = cached[place] === key ? cachedEnds[place]! : fill(key, place);
-        lastKey = key;
-      }
+      const place = cachePlace(key);
+      const ends = cached[place] === key ? cachedEnds[place]! : fill(key, place);
       let state = states[lane]!;
       const slot = state & 0xff;
-      const first = ends & 0xff;
-      if (slot < first) {
-        symbols[2 * lane] = 0;
-        state = first * (state >> 8) + slot;
-      } else {
-        const second = (ends >> 8) & 0xff;
-        const third = ends >> 16;
-        const symbol = slot < second ? 1 : slot < third ? 2 : 3;
-        const start = symbol === 1 ? first : symbol === 2 ? second : third;
-        const end = symbol === 1 ? second : symbol === 2 ? third : 256;
-        symbols[2 * lane] = symbol;
-        state = (end - start) * (state >> 8) + slot - start;
-      }
-      if (state < 256) state = (state << 8) | bytes[next++]!;
-      states[lane] = state;
+      const symbol = symbolOf(ends, slot);
+      const shift = symbol << 3;
+      // Modulo 256: where the interval of symbol 3 ends reads as 0.
+      const start = ((ends << 8) >>> shift) & 0xff;
+      const size = ((ends >>> shift) - start) & 0xff;
+      state = size * (state >> 8) + slot - start;
+      // Whether a byte is taken cannot be foreseen: it is read in any case.
+      const taken = (state - 256) >>> 31;
+      states[lane] = (state << (taken << 3)) | (bytes[next]! & -taken);
+      next += taken;
+      symbols[2 * lane] = symbol;
     }
     source.next = next;
   }
@@ -123,42 +120,33 @@ export class LayersDecoder {
     const { fill, keys: cached, ends: cachedEnds } = this.odd;
     const { bytes, states } = source;
     let next = source.next;
-    let lastKey = -1;
-    let ends = 0;
     let west = symbols[0]!;
     for (let lane = 0; lane < LANES; ++lane) {
       const east = symbols[2 * lane + 2]!; // 0 beyond the row
       const key = keys[2 * lane + 1]! | (west << SYMBOL_WEST) | (east << SYMBOL_EAST);
       west = east;
-      if (key !== lastKey) {
-        const place = cachePlace(key);
-        ends = cached[place] === key ? cachedEnds[place]! : fill(key, place);
-        lastKey = key;
-      }
+      const place = cachePlace(key);
+      const ends = cached[place] === key ? cachedEnds[place]! : fill(key, place);
       let state = states[lane]!;
       const slot = state & 0xff;
-      const first = ends & 0xff;
-      if (slot < first) {
-        symbols[2 * lane + 1] = 0;
-        state = first * (state >> 8) + slot;
-      } else {
-        const second = (ends >> 8) & 0xff;
-        const third = ends >> 16;
-        const symbol = slot < second ? 1 : slot < third ? 2 : 3;
-        const start = symbol === 1 ? first : symbol === 2 ? second : third;
-        const end = symbol === 1 ? second : symbol === 2 ? third : 256;
-        symbols[2 * lane + 1] = symbol;
-        state = (end - start) * (state >> 8) + slot - start;
-      }
-      if (state < 256) state = (state << 8) | bytes[next++]!;
-      states[lane] = state;
+      const symbol = symbolOf(ends, slot);
+      const shift = symbol << 3;
+      // Modulo 256: where the interval of symbol 3 ends reads as 0.
+      const start = ((ends << 8) >>> shift) & 0xff;
+      const size = ((ends >>> shift) - start) & 0xff;
+      state = size * (state >> 8) + slot - start;
+      // Whether a byte is taken cannot be foreseen: it is read in any case.
+      const taken = (state - 256) >>> 31;
+      states[lane] = (state << (taken << 3)) | (bytes[next]! & -taken);
+      next += taken;
+      symbols[2 * lane + 1] = symbol;
     }
     source.next = next;
   }
 
   /** Makes heights of the symbols of row z, and in the same go the keys of the row to its south: a column's key is
    *  known two columns later. True where a height is wrong. */
-  private readRow(source: Source, plane: number, z: number, level: boolean, nextKind: number): boolean {
+  private readRow(source: Source, plane: number, z: number, isLevel: boolean, nextKind: number): boolean {
     const { planes, keys, symbols } = this;
     const { bytes } = source;
     const row = plane + z * SIZE;
@@ -166,7 +154,8 @@ export class LayersDecoder {
     const north = z === 0 ? floorRow : row - SIZE;
     const floorNorth = z === 0 ? floorRow : floorRow - SIZE;
     let next = source.next;
-    let bad = 0;
+    const keep = isLevel ? 0 : -1;
+    let bad = 0; // below 0 where a height is
     let step = 0;
     let height = 0;
     let before = 0; // the height one column to the west, and two
@@ -177,17 +166,19 @@ export class LayersDecoder {
     let floors = 0;
     for (let x = 0; x < SIZE; ++x) {
       const symbol = symbols[x]!;
-      let change = symbol;
-      if (symbol > 1) change = symbol === 2 ? -1 : (bytes[next++]! << 24) >> 24;
-      step = level ? change : step + change;
+      let change = (symbol & 1) - (symbol >> 1);
+      if (symbol === 3) change = (bytes[next++]! << 24) >> 24;
+      step = change + (step & keep);
       const floor = planes[floorRow + x]!;
+      // To the north, but not below the floor, unless the material is absent there.
       const toNorth = planes[north + x]!;
-      height = (toNorth === planes[floorNorth + x]! || toNorth < floor ? floor : toNorth) + step;
-      if (height < floor || height > SIZE) bad = 1;
+      const above = toNorth - floor;
+      height = floor + (above & ~(above >> 31) & ((planes[floorNorth + x]! - toNorth) >> 31)) + step;
+      const thickness = height - floor;
+      bad |= thickness | (SIZE - height);
       planes[row + x] = height;
 
-      const thickness = height - floor;
-      const thick = thickness < 2 ? thickness : 2;
+      const thick = 2 + ((thickness - 2) & ((thickness - 2) >> 31));
       if (x === 0) {
         before = before2 = height;
         thicks = thick;
@@ -215,34 +206,39 @@ export class LayersDecoder {
     steps = ((steps << 2) | FLAT) & 0x3ff;
     keys[SIZE - 1] = rises | (FLAT << 4) | (steps << 6) | ((floors & 3) << 16) | (thicks << 18) | nextKind;
     source.next = next;
-    return bad !== 0;
+    return bad < 0;
   }
 
   /** From planes to voxels: each slice is the one below it, but for the columns in which a material begins there. */
   expand(voxels: Uint16Array): void {
-    const { ids, planes, boundaryBegin, boundaries } = this;
-    const first = AREA;
-    const last = AREA * ids.length;
-    // Sorted by height, and of one height from the lowest plane up, so that the highest counts.
-    boundaryBegin.fill(0);
-    for (let i = first; i < last; ++i) ++boundaryBegin[planes[i]! + 1]!;
-    for (let y = 1; y <= SIZE; ++y) boundaryBegin[y]! += boundaryBegin[y - 1]!;
-    for (let p = 1; p < ids.length; ++p) {
-      const id = ids[p]! << 10;
-      const plane = p * AREA;
-      for (let i = 0; i < AREA; ++i) {
-        const height = planes[plane + i]!;
-        boundaries[boundaryBegin[height]!++] = id | i;
+    const { ids, planes, firstOfHeight, nextRun, runs } = this;
+    // Columns after one another of one height, by that height; of one height the lowest plane comes first, so that the
+    // highest counts.
+    firstOfHeight.fill(-1);
+    let count = 0;
+    for (let p = ids.length - 1; p > 0; --p) {
+      const end = (p + 1) * AREA;
+      for (let i = p * AREA; i < end; ) {
+        const begin = i;
+        const height = planes[i]!;
+        do ++i;
+        while (i < end && planes[i] === height);
+        runs[count] = (begin & (AREA - 1)) | ((i - begin - 1) << 10) | (p << 20);
+        nextRun[count] = firstOfHeight[height]!;
+        firstOfHeight[height] = count++;
       }
     }
     voxels.fill(ids[0]!, 0, AREA);
-    let at = 0;
     for (let y = 0; y < SIZE; ++y) {
       const slice = y * AREA;
       if (y > 0) voxels.copyWithin(slice, slice - AREA, slice);
-      for (const end = boundaryBegin[y]!; at < end; ++at) {
-        const boundary = boundaries[at]!;
-        voxels[slice + (boundary & (AREA - 1))] = boundary >>> 10;
+      for (let at = firstOfHeight[y]!; at >= 0; at = nextRun[at]!) {
+        const run = runs[at]!;
+        const id = ids[run >> 20]!;
+        const begin = slice + (run & (AREA - 1));
+        const length = ((run >> 10) & (AREA - 1)) + 1;
+        if (length > 64) voxels.fill(id, begin, begin + length);
+        else for (let i = begin; i < begin + length; ++i) voxels[i] = id;
       }
     }
   }
