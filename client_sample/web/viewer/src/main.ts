@@ -308,7 +308,7 @@ const loop = new Loop({
     if (isPlaced) player.step(seconds);
     if (engine !== null && isPlaced) {
       player.look(engine);
-      update(engine, now);
+      engine.update();
       if (now - looked > 100) {
         looked = now;
         voxel.look(engine, eye(), body.yaw, body.pitch);
@@ -324,10 +324,6 @@ const loop = new Loop({
     if (engine !== null && isPlaced) engine.frame(now);
   },
 });
-
-function update(engine: Engine & { update?: (now: number) => void }, now: number): void {
-  engine.update?.(now);
-}
 
 /** For measurements: when the first terrain was submitted, and when all of the view was. From the address on, in ms. */
 function mark(stats: Stats): void {

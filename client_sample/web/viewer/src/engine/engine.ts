@@ -62,6 +62,8 @@ export class Engine {
   private completeMs: number | null = null;
   private readonly latency = new Sample(1024);
   private readonly cpu = new Sample(256);
+  /** Time in update() since the last frame(). */
+  private updated = 0;
   private readonly rate = new Rate();
   private readonly untaken: Parameters<Client['taken']>[0][] = [];
   private seaLevel: number | null = null;
@@ -120,8 +122,9 @@ export class Engine {
     this.frames.resize(width, height, devicePixelRatio);
   }
 
-  /** Draws. `now` as of requestAnimationFrame, in milliseconds. */
-  frame(now: number): void {
+  /** Streams on: asks for the View of where the camera is, and hands chunks to the workers and meshes to the card. To be
+   *  called as often as may be, for each frame or more. */
+  update(): void {
     if (this.disposed) return;
     const start = performance.now();
     this.sendView(start);
@@ -129,8 +132,16 @@ export class Engine {
     this.land.update(this.eye, 4);
     this.pool.flush();
     this.settle(start);
+    this.updated += performance.now() - start;
+  }
+
+  /** Draws. `now` as of requestAnimationFrame, in milliseconds. */
+  frame(now: number): void {
+    if (this.disposed) return;
+    const start = performance.now();
     if (!this.lost && this.info !== null) this.draw(now);
-    this.cpu.add(performance.now() - start);
+    this.cpu.add(performance.now() - start + this.updated);
+    this.updated = 0;
   }
 
   /** Material of the base voxel at integer coordinates; undefined: not here yet. */
