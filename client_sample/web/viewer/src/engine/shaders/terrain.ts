@@ -190,7 +190,9 @@ void main() {
   vec3 lean = slope.y > 1e5 ? normal : normalize(vec3(-slope.x, 1.0, -slope.y));
   float rough = smoothstep(24.0, 190.0, distance / scale * 1.0) * 0.85;
   vec3 shading = normalize(mix(normal, lean, rough));
-  float facing = max(dot(shading, sunDirection), 0.0);
+  // A cut is a plane, although it is made of steps.
+  if (cut) shading = normalize(vec3(slice.x, 0.55, slice.y));
+  float facing = cut ? 0.5 : max(dot(shading, sunDirection), 0.0);
   float dither = fract(52.9829189 * fract(dot(gl_FragCoord.xy, vec2(0.06711056, 0.00583715)))) * 0.5 + 0.25;
   float lit = 0.0;
   if (facing > 0.0 || through > 0.0) {
@@ -219,7 +221,7 @@ void main() {
   vec3 ambient = mix(groundLight, skyLight, up) * (open * 0.92 + 0.08);
   // A breath of light in caves, or one would see nothing at all.
   ambient += vec3(0.012, 0.013, 0.016);
-  if (side) ambient *= abs(normal.x) > 0.5 ? 0.94 : 1.04;
+  if (side && !cut) ambient *= abs(normal.x) > 0.5 ? 0.94 : 1.04;
   vec3 light = sun * mix(corner, 1.0, 0.6) + ambient * corner;
   vec3 colour = albedo * light;
   if (shine > 0.0) {
