@@ -1,5 +1,8 @@
 // Against a real talusd, by all three ways.
 import assert from 'node:assert/strict';
+import { mkdtempSync, rmSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
 import { after, before, test } from 'node:test';
 import WebSocket from 'ws';
 import { ChunkStore, connect, decodeChunk, hashVoxels, ViewShape } from '../dist/node.js';
@@ -16,7 +19,7 @@ before(async () => {
 });
 after(() => server?.stop('SIGTERM'));
 
-function join(url, more = {}) {
+function open(url, more = {}) {
   return connect({ url, WebSocket, reconnect: { firstDelayMs: 20, maxDelayMs: 200 }, ...more });
 }
 
@@ -58,7 +61,7 @@ function assertWhole(held, wanted, world) {
 test('a View comes whole, and the same by TCP, WebSocket and HTTP', options, async () => {
   const hashes = {};
   for (const way of WAYS) {
-    const client = join(server.urls[way]);
+    const client = open(server.urls[way]);
     const held = hold(client);
     const world = await client.ready();
     const wanted = view(world, { rings: [{ lod: 1, radius: 8 }, { lod: 2, radius: 16 }], horizon: true });
@@ -82,7 +85,7 @@ test('a View comes whole, and the same by TCP, WebSocket and HTTP', options, asy
 
 for (const way of WAYS) {
   test(`chunks come and leave as the View moves: ${way}`, options, async () => {
-    const client = join(server.urls[way]);
+    const client = open(server.urls[way]);
     const held = hold(client);
     const world = await client.ready();
     const step = random(`a moving View by ${way}`);
@@ -106,7 +109,7 @@ for (const way of WAYS) {
 
   test(`talusd is killed and started again: ${way}`, options, async () => {
     let mortal = await startTalusd();
-    const client = join(mortal.urls[way]);
+    const client = open(mortal.urls[way]);
     const held = hold(client);
     const world = await client.ready();
     client.setView(view(world));
@@ -136,7 +139,7 @@ for (const way of WAYS) {
   });
 
   test(`single chunks and places: ${way}`, options, async () => {
-    const client = join(server.urls[way]);
+    const client = open(server.urls[way]);
     const world = await client.ready();
     const key = { lod: 0, x: Math.floor(world.spawn.x / 32), y: 3, z: Math.floor(world.spawn.z / 32) };
     const chunk = await client.getChunk(key);
@@ -157,7 +160,7 @@ for (const way of WAYS) {
 }
 
 test('heights agree with voxels', options, async () => {
-  const client = join(server.urls.tcp);
+  const client = open(server.urls.tcp);
   const store = new ChunkStore(64 << 20);
   client.on('chunk', (chunk) => store.put(chunk.key, decodeChunk(chunk.payload)));
   const world = await client.ready();
@@ -174,7 +177,7 @@ test('heights agree with voxels', options, async () => {
 
 test('a slow application is sent no more than its window', options, async () => {
   const windowBytes = 65_536;
-  const client = join(server.urls.tcp, { windowBytes, manualCredit: true });
+  const client = open(server.urls.tcp, { windowBytes, manualCredit: true });
   const world = await client.ready();
   const owed = [];
   let whole = false;
@@ -195,7 +198,7 @@ test('a slow application is sent no more than its window', options, async () => 
 
 test('a server that goes away says so, and is waited for', options, async () => {
   const mortal = await startTalusd();
-  const client = join(mortal.urls.tcp);
+  const client = open(mortal.urls.tcp);
   await client.ready();
   const gone = next(client, 'disconnected');
   await mortal.stop('SIGTERM');
@@ -206,11 +209,15 @@ test('a server that goes away says so, and is waited for', options, async () => 
 });
 
 test('a wrong token is told at once, and not tried again', options, async () => {
-  const guarded = await startTalusd({ env: { TALUS_ACCESS_TOKEN: 'a secret of thirty-two bytes, at least' } });
+  const folder = mkdtempSync(join(tmpdir(), 'talus-js-'));
+  after(() => rmSync(folder, { recursive: true }));
+  const secret = 'a secret of thirty-two bytes, at least';
+  writeFileSync(join(folder, 'secret'), secret, { mode: 0o600 });
+  const guarded = await startTalusd({ env: { TALUS_ACCESS_SECRET_FILE: join(folder, 'secret') } });
   for (const way of WAYS) {
-    const client = join(guarded.urls[way], { token: 'wrong' });
+    const client = open(guarded.urls[way], { token: 'wrong' });
     await assert.rejects(client.ready(), { kind: 'refused' }, way);
-    const welcome = join(guarded.urls[way], { token: 'a secret of thirty-two bytes, at least' });
+    const welcome = open(guarded.urls[way], { token: secret });
     const world = await welcome.ready();
     welcome.setView(view(world, { horizontalRadius: 1 }));
     await next(welcome, 'viewComplete');
@@ -221,7 +228,7 @@ test('a wrong token is told at once, and not tried again', options, async () => 
 
 test('nobody there: told, and given up after the attempts of the policy', async () => {
   for (const url of ['tcp://127.0.0.1:1', 'ws://127.0.0.1:1', 'http://127.0.0.1:1']) {
-    const client = join(url, { reconnect: { maxAttempts: 2, firstDelayMs: 1 } });
+    const client = open(url, { reconnect: { maxAttempts: 2, firstDelayMs: 1 } });
     let attempts = 0;
     client.on('disconnected', () => ++attempts);
     await assert.rejects(client.ready(), { kind: 'unreachable' });
