@@ -3,7 +3,12 @@
 /** A step after a pause (a tab that slept) moves nobody by the whole pause. */
 const LONGEST_STEP_S = 0.25;
 
+/** Pictures may take longer than this; what streams in does not wait for them. */
+const UPDATE_EVERY_MS = 20;
+
 export interface Turns {
+  /** For each step, and between steps that are far apart. */
+  update: () => void;
   step: (now: number, seconds: number) => void;
   draw: (now: number) => void;
   /** Pictures a second at most; 0: as the display does. */
@@ -13,6 +18,7 @@ export interface Turns {
 export class Loop {
   #stepped = 0;
   #drawn = 0;
+  #updated = 0;
   readonly #drawnAt: number[] = [];
 
   constructor(private readonly turns: Turns) {}
@@ -22,6 +28,7 @@ export class Loop {
       requestAnimationFrame(tick);
       this.turns.step(now, Math.min(LONGEST_STEP_S, Math.max(0, (now - this.#stepped) / 1000)));
       this.#stepped = now;
+      this.#update();
       const cap = this.turns.cap();
       // A millisecond's slack: a display's frames do not come on the dot.
       if (cap > 0 && now - this.#drawn < 1000 / cap - 1) return;
@@ -31,6 +38,14 @@ export class Loop {
       this.turns.draw(now);
     };
     requestAnimationFrame(tick);
+    setInterval(() => {
+      if (performance.now() - this.#updated >= UPDATE_EVERY_MS) this.#update();
+    }, UPDATE_EVERY_MS);
+  }
+
+  #update(): void {
+    this.turns.update();
+    this.#updated = performance.now();
   }
 
   get framesPerSecond(): number {

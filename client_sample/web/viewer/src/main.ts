@@ -107,7 +107,10 @@ function change(changed: Partial<Settings>): void {
   save(kept, storage);
   if ('transport' in changed) void session.open();
   if ('radius' in changed || 'horizon' in changed) engine?.setRadius(settings.radius, settings.horizon);
-  if ('quality' in changed) engine?.setQuality(settings.quality);
+  if ('quality' in changed) {
+    engine?.setQuality(settings.quality);
+    resize();
+  }
   if ('reducedMotion' in changed) applyMotion();
   if ('chunkBorders' in changed) applyBorders();
   timeRuns.checked = settings.timeRuns;
@@ -221,7 +224,9 @@ function startingPlace(): Partial<Place> {
 }
 
 function resize(): void {
-  engine?.resize(stage.clientWidth, stage.clientHeight, devicePixelRatio);
+  // More pixels than these cost much and show little.
+  const pixels = Math.min(devicePixelRatio, settings.quality === 'high' ? 2 : 1);
+  engine?.resize(stage.clientWidth, stage.clientHeight, pixels);
 }
 addEventListener('resize', resize);
 
@@ -308,7 +313,6 @@ const loop = new Loop({
     if (isPlaced) player.step(seconds);
     if (engine !== null && isPlaced) {
       player.look(engine);
-      engine.update();
       if (now - looked > 100) {
         looked = now;
         voxel.look(engine, eye(), body.yaw, body.pitch);
@@ -319,6 +323,9 @@ const loop = new Loop({
       told = now;
       tell(now);
     }
+  },
+  update() {
+    if (engine !== null && isPlaced) engine.update();
   },
   draw(now) {
     if (engine !== null && isPlaced) engine.frame(now);

@@ -5,7 +5,7 @@ import { writeFileSync } from 'node:fs';
 import { createServer } from 'node:net';
 import test from 'node:test';
 import { DIST, scratch, startTalusd } from './talusd.mjs';
-import { filled, launch, newPage, stats } from './browser.mjs';
+import { filled, launch, newPage, SMALL, stats } from './browser.mjs';
 import { serve } from './site.mjs';
 
 const hasVarnish = spawnSync('varnishd', ['-V']).status === 0;
@@ -49,7 +49,7 @@ test('a flight by HTTP through Varnish, with talusd away over land seen before',
   const site = await serve(DIST, () => varnish);
   t.after(() => site.close());
   const page = await newPage(await launch(t));
-  await page.goto(`${site.url}#radius=3&horizon=0&quality=low&transport=http`);
+  await page.goto(`${site.url}#${SMALL}&transport=http`);
   await filled(page);
   const flight = async () => {
     for (let i = 0; i < 6; ++i) {
