@@ -82,6 +82,7 @@ export class Engine {
       () => new Worker(new URL('./stream/worker.ts', import.meta.url), { type: 'module' }),
       (answer) => {
         if (this.disposed) return;
+        this.workSoon();
         if (answer.kind === 'meshed') this.land.meshed(answer.id, answer.mesh);
         else {
           this.land.failed(answer.id);
@@ -128,10 +129,7 @@ export class Engine {
     if (this.disposed) return;
     const start = performance.now();
     this.sendView(start);
-    this.takeBacklog();
-    this.land.update(this.eye, 4);
-    this.pool.flush();
-    this.settle(start);
+    this.work();
     this.updated += performance.now() - start;
   }
 
@@ -276,13 +274,16 @@ export class Engine {
       if (!current()) return;
       const { lod, x, y, z } = chunk.key;
       this.rate.add(performance.now());
+      this.workSoon();
       this.land.add(lod, x, y, z, chunk.payload, chunk.material);
       if (this.land.waiting < WAITING_MAX) client.taken(chunk);
       else this.untaken.push(chunk);
     });
     client.on('chunkLeft', ({ lod, x, y, z }) => current() && this.land.leave(lod, x, y, z));
     client.on('viewComplete', () => {
-      if (current()) this.viewComplete = true;
+      if (!current()) return;
+      this.viewComplete = true;
+      this.workSoon();
     });
     client.on('disconnected', (error, retryInMs) => {
       if (current() && retryInMs !== null) this.setState('lost', error.message);
@@ -332,7 +333,9 @@ export class Engine {
   private makeGround(): void {
     const levels = viewFor(this.info!, this.eye, { x: 0, y: 0, z: 0 }, this.radius, this.horizon).rings!.length + 1;
     const middle = Math.round((this.info!.minY + this.info!.maxY) / 128) * 64;
-    this.groundBase = this.info!.maxY - this.info!.minY < 4000 ? 0 : middle;
+    this.groundBase = this.info!.maxY - this.info!.minY < 2000 ? 0 : middle;
+    const current = this.frames.ground;
+    if (current !== null && current.isFor(this.radius, levels, this.groundBase) && !this.lost) return;
     this.frames.setGround(new Ground(this.frames.renderer, this.radius, levels, this.groundBase));
     for (const column of this.land.values()) if (column.heights !== null || column.liquids !== null) this.frames.ground!.set(column);
   }
@@ -377,6 +380,24 @@ export class Engine {
     const middle = (v: number) => chunk(v) * 32 + 16;
     this.frames.setReach(middle(x), middle(z), view.horizontalRadius * 32, Math.min(this.horizon, 32 * (view.rings!.at(-1)?.radius ?? view.horizontalRadius)));
   }
+
+  /** What is to be done between frames too, so that slow ones do not hold up what streams. */
+  private work(): void {
+    this.takeBacklog();
+    this.land.update(this.eye, 4);
+    this.pool.flush();
+    this.settle(performance.now());
+  }
+
+  private workSoon(): void {
+    if (this.working) return;
+    this.working = true;
+    setTimeout(() => {
+      this.working = false;
+      if (!this.disposed) this.work();
+    }, 6);
+  }
+  private working = false;
 
   private takeBacklog(): void {
     while (this.untaken.length > 0 && this.land.waiting < WAITING_MAX) this.client.taken(this.untaken.shift()!);
@@ -449,10 +470,10 @@ export class Engine {
   };
 
   private readonly onContextRestored = (): void => {
-    this.lost = false;
     this.frames.contextRestored();
     this.land.loseMeshes();
-    if (this.info !== null) this.makeGround();
+    if (this.info !== null) this.makeGround(); // a new one, as the old one is empty now
+    this.lost = false;
     this.complete = false;
     this.emit('contextRestored');
   };

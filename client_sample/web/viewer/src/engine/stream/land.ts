@@ -115,6 +115,7 @@ export class Land<D extends Drawable> {
   private readonly jobs = new Map<number, Chunk<D>>();
   private queue: Chunk<D>[] = [];
   private queueSorted = false;
+  private sortedAt = -Infinity;
   private nextJob = 1;
   private coverStale = true;
   private coveredAt = -Infinity;
@@ -267,7 +268,7 @@ export class Land<D extends Drawable> {
     }
     this.dispatch();
     // While it fills, a few times a second are enough.
-    if (this.coverStale && start - this.coveredAt > 80 && this.options.now() - start < budgetMs) this.recover(budgetMs);
+    if (this.coverStale && start - this.coveredAt > 80) this.recover(budgetMs);
   }
 
   /** Meshes are gone, as when the graphics context was lost: all are made again. */
@@ -419,7 +420,9 @@ export class Land<D extends Drawable> {
 
   private dispatch(): void {
     if (this.queue.length === 0) return;
-    if (!this.queueSorted) {
+    const now = this.options.now();
+    if (!this.queueSorted && now - this.sortedAt > 120) {
+      this.sortedAt = now;
       const by = new Map(this.queue.map((chunk) => [chunk, this.priority(chunk)]));
       this.queue.sort((a, b) => by.get(b)! - by.get(a)!);
       this.queueSorted = true;
@@ -470,9 +473,10 @@ export class Land<D extends Drawable> {
   private recover(budgetMs: number): void {
     this.coverStale = false;
     this.coveredAt = this.options.now();
+    let refreshed = 0;
     for (const column of this.columns.values()) {
       if (!column.stale) continue;
-      if (this.options.now() - this.coveredAt > budgetMs) {
+      if (refreshed++ >= 24 && this.options.now() - this.coveredAt > budgetMs) {
         this.coverStale = true; // the rest next time
         break;
       }
