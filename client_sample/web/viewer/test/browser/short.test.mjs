@@ -23,7 +23,7 @@ test('a page of a real talusd', async (t) => {
     assert.ok(await page.locator('#notice').isHidden());
   });
 
-  await t.test('voxels are those of talus-gen export', async () => {
+  await t.test('voxels are those of talus-gen export', async (t) => {
     const spawn = await page.evaluate(() => window.talus.engine.world.spawn);
     const origin = { x: spawn.x - 32, z: spawn.z - 32 };
     const folder = scratch(t);
