@@ -243,8 +243,8 @@ void main() {
   }
   // Wet where water has just been.
   if (kind == SAND && top) {
-    float wet = 1.0 - smoothstep(0.4, 1.6, p.y - seaLevel);
-    colour *= 1.0 - 0.25 * wet * step(0.0, p.y - seaLevel);
+    float wet = 1.0 - smoothstep(0.3, 1.5, abs(p.y - seaLevel));
+    colour *= 1.0 - 0.16 * wet;
   }
   colour = throughAir(colour, ray, eye);
   if (borders > 0.5) {
