@@ -475,6 +475,7 @@ export class Engine {
     if (this.info !== null) this.makeGround(); // a new one, as the old one is empty now
     this.lost = false;
     this.complete = false;
+    if (this.state === 'complete') this.setState('streaming', '');
     this.emit('contextRestored');
   };
 }

@@ -191,6 +191,7 @@ export class Frame {
   /** Textures that are filled in parts have lost them; three fills the others again. */
   contextRestored(): void {
     this.terrain.slots.needsUpdate = true;
+    this.ground = null; // its texture went with the context
     this.shadowStale = true;
     this.shadowAt = -Infinity;
   }

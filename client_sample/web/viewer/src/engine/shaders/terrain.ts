@@ -129,7 +129,7 @@ void main() {
     albedo *= 1.0 + grainy * (speck - 0.5) * 0.14;
     swing = 0.03;
   } else if (kind == SNOW) {
-    albedo *= vec3(0.94, 0.97, 1.0) * (0.94 + 0.06 * broad);
+    albedo *= vec3(0.80, 0.83, 0.87) * (0.92 + 0.08 * broad);
     albedo *= 1.0 + grainy * (speck - 0.5) * 0.05;
     shine = 0.25 * step(0.985, speck) * grainy;
     swing = 0.02;
@@ -192,6 +192,7 @@ void main() {
   vec3 shading = normalize(mix(normal, lean, rough));
   // A cut is a plane, although it is made of steps.
   if (cut) shading = normalize(vec3(slice.x, 0.55, slice.y));
+  corner = mix(corner, 1.0, rough * 0.55);
   float facing = cut ? 0.5 : max(dot(shading, sunDirection), 0.0);
   float dither = fract(52.9829189 * fract(dot(gl_FragCoord.xy, vec2(0.06711056, 0.00583715)))) * 0.5 + 0.25;
   float lit = 0.0;
