@@ -74,7 +74,7 @@ TEST_CASE("a request gives its method, target, path and fields") {
 }
 
 TEST_CASE("fields of one name are one list, in their order") {
-  const http::Request request{http::Method::get, "/", {{"a", "1, 2"}, {"B", "3"}, {"A", "4"}}};
+  const Request request{Method::get, "/", {{"a", "1, 2"}, {"B", "3"}, {"A", "4"}}};
   CHECK(request.list("A") == "1, 2, 4");
   CHECK(request.list("c").empty());
 }

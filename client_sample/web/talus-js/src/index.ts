@@ -16,6 +16,7 @@ export { MAX_LOD, type Range, ringsBetween, ViewShape } from './view_shape.js';
  *  it has joined, it keeps. */
 export function connect(options: ConnectOptions): Client {
   const url = new URL(options.url, globalThis.location?.href);
+  url.search = url.hash = '';
   if (url.protocol === 'ws:' || url.protocol === 'wss:') {
     if (!url.pathname.endsWith('/v1/stream')) url.pathname = `${url.pathname.replace(/\/$/, '')}/v1/stream`;
     return new StreamClient(options, openWebSocket(url.href, options.WebSocket));

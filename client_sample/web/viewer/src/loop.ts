@@ -1,34 +1,55 @@
-// Calls for a frame as often as the display does, or less often where a cap says so.
+// Steps the world as often as the display asks, and draws it as often, or less often where a cap says so.
 
-/** A frame after a pause (a tab that slept) moves nobody by the whole pause. */
-const LONGEST_FRAME_S = 0.25;
+/** A step after a pause (a tab that slept) moves nobody by the whole pause. */
+const LONGEST_STEP_S = 0.25;
+
+/** Pictures may take longer than this; what streams in does not wait for them. */
+const UPDATE_EVERY_MS = 20;
+
+export interface Turns {
+  /** For each step, and between steps that are far apart. */
+  update: () => void;
+  step: (now: number, seconds: number) => void;
+  draw: (now: number) => void;
+  /** Pictures a second at most; 0: as the display does. */
+  cap: () => number;
+}
 
 export class Loop {
-  #last = 0;
-  readonly #ends: number[] = [];
+  #stepped = 0;
+  #drawn = 0;
+  #updated = 0;
+  readonly #drawnAt: number[] = [];
 
-  constructor(
-    private readonly cap: () => number,
-    private readonly frame: (now: number, seconds: number) => void,
-  ) {}
+  constructor(private readonly turns: Turns) {}
 
   start(): void {
     const tick = (now: number) => {
       requestAnimationFrame(tick);
-      const cap = this.cap();
+      this.turns.step(now, Math.min(LONGEST_STEP_S, Math.max(0, (now - this.#stepped) / 1000)));
+      this.#stepped = now;
+      this.#update();
+      const cap = this.turns.cap();
       // A millisecond's slack: a display's frames do not come on the dot.
-      if (cap > 0 && now - this.#last < 1000 / cap - 1) return;
-      const seconds = Math.min(LONGEST_FRAME_S, Math.max(0, (now - this.#last) / 1000));
-      this.#last = now;
-      this.#ends.push(now);
-      if (this.#ends.length > 60) this.#ends.shift();
-      this.frame(now, seconds);
+      if (cap > 0 && now - this.#drawn < 1000 / cap - 1) return;
+      this.#drawn = now;
+      this.#drawnAt.push(now);
+      if (this.#drawnAt.length > 60) this.#drawnAt.shift();
+      this.turns.draw(now);
     };
     requestAnimationFrame(tick);
+    setInterval(() => {
+      if (performance.now() - this.#updated >= UPDATE_EVERY_MS) this.#update();
+    }, UPDATE_EVERY_MS);
+  }
+
+  #update(): void {
+    this.turns.update();
+    this.#updated = performance.now();
   }
 
   get framesPerSecond(): number {
-    const [first, last] = [this.#ends[0], this.#ends.at(-1)];
-    return first === undefined || last === undefined || last === first ? 0 : ((this.#ends.length - 1) * 1000) / (last - first);
+    const [first, last] = [this.#drawnAt[0], this.#drawnAt.at(-1)];
+    return first === undefined || last === undefined || last === first ? 0 : ((this.#drawnAt.length - 1) * 1000) / (last - first);
   }
 }

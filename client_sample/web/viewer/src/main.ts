@@ -6,7 +6,7 @@ import { Keyboard } from './controls/keyboard';
 import { Mouse } from './controls/mouse';
 import { Player } from './controls/player';
 import { Touch } from './controls/touch';
-import type { Engine, Vector } from './engine/engine';
+import type { Engine, Stats, Vector } from './engine/engine';
 import { Loop } from './loop';
 import { Address } from './place/address';
 import { readCoordinate, readLink, wrapHours, clock, type Mode, type Place } from './place/place';
@@ -107,7 +107,10 @@ function change(changed: Partial<Settings>): void {
   save(kept, storage);
   if ('transport' in changed) void session.open();
   if ('radius' in changed || 'horizon' in changed) engine?.setRadius(settings.radius, settings.horizon);
-  if ('quality' in changed) engine?.setQuality(settings.quality);
+  if ('quality' in changed) {
+    engine?.setQuality(settings.quality);
+    resize();
+  }
   if ('reducedMotion' in changed) applyMotion();
   if ('chunkBorders' in changed) applyBorders();
   timeRuns.checked = settings.timeRuns;
@@ -169,6 +172,7 @@ const notices = new Notices({
   retry: () => session.hurry(),
   again: () => session.again(),
   reload: () => void session.open(),
+  byHttp: () => change({ transport: 'http' }),
   askToken: (why) => tokenDialog.ask(why),
   toSpawn,
 });
@@ -199,6 +203,7 @@ const session = new Session(stage, settings, server, tokens, isReduced, {
       away: 'Server away',
       token: 'No access',
       refused: 'Refused',
+      'no-socket': 'No connection',
       'no-webgl': 'No 3D',
       'graphics-lost': 'No graphics',
     };
@@ -219,7 +224,9 @@ function startingPlace(): Partial<Place> {
 }
 
 function resize(): void {
-  engine?.resize(stage.clientWidth, stage.clientHeight, devicePixelRatio);
+  // More pixels than these cost much and show little.
+  const pixels = Math.min(devicePixelRatio, settings.quality === 'high' ? 2 : 1);
+  engine?.resize(stage.clientWidth, stage.clientHeight, pixels);
 }
 addEventListener('resize', resize);
 
@@ -299,14 +306,13 @@ find('open-map').addEventListener('click', () => void openMap());
 
 let told = 0;
 let looked = 0;
-const loop = new Loop(
-  () => settings.frameRate,
-  (now, seconds) => {
+const loop = new Loop({
+  cap: () => settings.frameRate,
+  step(now, seconds) {
     if (settings.timeRuns) setTime(hours + (seconds * 24) / DAY_S);
     if (isPlaced) player.step(seconds);
     if (engine !== null && isPlaced) {
       player.look(engine);
-      engine.frame(now);
       if (now - looked > 100) {
         looked = now;
         voxel.look(engine, eye(), body.yaw, body.pitch);
@@ -318,12 +324,26 @@ const loop = new Loop(
       tell(now);
     }
   },
-);
+  update() {
+    if (engine !== null && isPlaced) engine.update();
+  },
+  draw(now) {
+    if (engine !== null && isPlaced) engine.frame(now);
+  },
+});
+
+/** For measurements: when the first terrain was submitted, and when all of the view was. From the address on, in ms. */
+function mark(stats: Stats): void {
+  const marks: [string, number | null][] = [['talus:first', stats.firstFrameMs], ['talus:complete', stats.completeMs]]; // prettier-ignore
+  for (const [name, since] of marks)
+    if (since !== null && performance.getEntriesByName(name).length === 0) performance.mark(name, { startTime: session.began + since });
+}
 
 function tell(now: number): void {
   notices.tick(now);
   if (engine === null) return;
   const stats = engine.stats();
+  mark(stats);
   hud.connection(stats);
   hud.where(place(), body);
   if (stats.meshes > 0) hud.opened();

@@ -178,7 +178,9 @@ export abstract class ClientBase implements Client {
     return true;
   }
 
+  /** Unless a newer View waits to be applied. */
   protected tellComplete(): void {
+    if (this.tracker.view !== this.wanted) return;
     this.stats.viewCompleteMs ??= performance.now() - this.viewSince;
     this.emit('viewComplete', this.tracker.view!);
   }

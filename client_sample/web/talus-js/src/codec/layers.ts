@@ -7,24 +7,30 @@ const SIZE = 32;
 const AREA = SIZE * SIZE;
 const MAX_MATERIALS = 64;
 
-// Rows stand in arrays with two places more on either side.
-const PAD = 2;
-const PADDED = SIZE + 2 * PAD;
+// Signs in keys: 0, 1 and 2 for -, 0 and +.
+const FLAT = 1;
+const FLAT_STEPS = 0x155; // five of them
+// Without branches, as in all that follows: which way terrain goes cannot be foreseen.
+function sign(value: number): number {
+  return ((value >> 31) | ((0 - value) >>> 31)) + 1;
+}
+
+/** Whose interval holds `slot`: the ends of those of 0, 1 and 2 stand in `ends`. */
+function symbolOf(ends: number, slot: number): number {
+  return 3 - ((((slot - (ends & 0xff)) >>> 31) + ((slot - ((ends >> 8) & 0xff)) >>> 31)) + ((slot - (ends >> 16)) >>> 31));
+}
 
 export class LayersDecoder {
   private readonly even = new PlaneModel(false);
   private readonly odd = new PlaneModel(true);
   // The planes one after the other, the first of them all 0: the floor of the second.
-  private readonly planes = new Uint8Array(AREA * MAX_MATERIALS);
-  private readonly north = new Int32Array(PADDED);
-  private readonly thick = new Int32Array(PADDED); // of the plane's material to the north, at most 2
-  private readonly signs = new Int32Array(PADDED); // of the steps to the north: 0, 1, 2
+  private readonly planes = new Uint8Array(AREA * MAX_MATERIALS + SIZE); // and a row that is read past the last
   private readonly keys = new Int32Array(SIZE);
-  private readonly symbols = new Int32Array(SIZE + 1);
-  // Of the columns' boundaries within the chunk, by height: which column, and what begins there.
-  private readonly boundaryBegin = new Int32Array(SIZE + 2);
-  private readonly boundaries = new Int32Array(AREA * MAX_MATERIALS);
-
+  private readonly symbols = new Int32Array(SIZE + 1); // and one beyond the row, 0
+  // Columns whose boundary has one height: the column and how many more, and the plane; in lists by height.
+  private readonly firstOfHeight = new Int32Array(SIZE + 1);
+  private readonly runs = new Int32Array(AREA * MAX_MATERIALS);
+  private readonly nextRun = new Int32Array(AREA * MAX_MATERIALS);
   private ids: number[] = [];
 
   /** The one material of a uniform chunk; else null, and expand() gives the voxels. */
@@ -58,151 +64,181 @@ export class LayersDecoder {
 
   private readPlane(source: Source, plane: number): void {
     const carried = readCarried(source);
-    this.signs.fill(1);
+    this.prepareFirstRow(plane - AREA);
     for (let z = 0; z < SIZE; ++z) {
-      const kind = z === 0 ? FIRST : (carried >>> z) & 1 ? CARRIED : LEVEL;
-      this.prepareRow(plane + z * SIZE, kind);
-      this.readSymbols(source);
-      this.readRow(source, plane + z * SIZE, kind);
+      this.readEvenSymbols(source);
+      this.readOddSymbols(source);
+      const next = z + 1 < SIZE && (carried >>> (z + 1)) & 1 ? CARRIED : LEVEL;
+      const bad = this.readRow(source, plane, z, z > 0 && ((carried >>> z) & 1) === 0, next << KIND);
+      source.checkRead();
+      if (bad) throw new DecodeError('bad_number');
     }
   }
 
-  /** Works out the keys of a row's columns, but for the symbols beside them. */
-  private prepareRow(row: number, kind: number): void {
-    const { planes, north, thick, signs, keys } = this;
-    const toNorth = kind === FIRST ? row - AREA : row - SIZE;
-    const floorToNorth = kind === FIRST ? row - AREA : row - AREA - SIZE;
+  /** The keys of row 0, but for the symbols beside columns: the row to its north is its floor, without steps. */
+  private prepareFirstRow(floor: number): void {
+    const { planes, keys } = this;
+    const at = (x: number) => planes[floor + (x < SIZE ? x : SIZE - 1)]!;
+    let rises = FLAT;
     for (let x = 0; x < SIZE; ++x) {
-      const height = planes[toNorth + x]!;
-      const thickness = height - planes[floorToNorth + x]!;
-      north[PAD + x] = height;
-      thick[PAD + x] = thickness < 2 ? thickness : 2;
-    }
-    north[PAD - 1] = north[PAD]!;
-    thick[PAD - 1] = thick[PAD]!;
-    north[PAD + SIZE] = north[PAD + SIZE + 1] = north[PAD + SIZE - 1]!;
-    thick[PAD + SIZE] = thick[PAD + SIZE - 1]!;
-
-    let here = north[PAD]!;
-    let east = here;
-    let rises = 1; // to the east of the column before, and so to the west of this one
-    let steps = (signs[0]! << 6) | (signs[1]! << 4) | (signs[2]! << 2) | signs[3]!; // two to the west, ... one to the east
-    let thicks = (thick[PAD - 1]! << 2) | thick[PAD]!;
-    east = here;
-    for (let x = 0; x < SIZE; ++x) {
-      here = east;
-      east = north[PAD + x + 1]!;
+      const here = at(x);
       const west = rises;
-      rises = east > here ? 2 : east < here ? 0 : 1;
-      const farEast = north[PAD + x + 2]!;
-      const farRises = farEast > here ? 2 : farEast < here ? 0 : 1;
-      steps = ((steps << 2) | signs[PAD + x + 2]!) & 0x3ff;
-      thicks = ((thicks << 2) | thick[PAD + x + 1]!) & 0x3f;
-      const floor = planes[row - AREA + x]! - planes[floorToNorth + x]!;
-      const floorRises = floor > 0 ? 2 : floor < 0 ? 0 : 1;
-      keys[x] =
-        west | (rises << 2) | (farRises << 4) | (steps << 6) | (floorRises << 16) | (thicks << 18) | (kind << KIND);
+      rises = sign(at(x + 1) - here);
+      keys[x] = west | (rises << 2) | (sign(at(x + 2) - here) << 4) | (FLAT_STEPS << 6) | (FLAT << 16) | (FIRST << KIND);
     }
   }
 
-  private readSymbols(source: Source): void {
+  private readEvenSymbols(source: Source): void {
     const { keys, symbols } = this;
+    const { fill, keys: cached, ends: cachedEnds } = this.even;
     const { bytes, states } = source;
     let next = source.next;
-    for (let odd = 0; odd < 2; ++odd) {
-      const model = odd ? this.odd : this.even;
-      const cached = model.keys;
-      const cachedEnds = model.ends;
-      for (let x = odd; x < SIZE; x += 2) {
-        let key = keys[x]!;
-        if (odd) key |= (symbols[x - 1]! << SYMBOL_WEST) | (symbols[x + 1]! << SYMBOL_EAST);
-        const place = cachePlace(key);
-        const ends = cached[place] === key ? cachedEnds[place]! : model.fill(key, place);
-        const lane = x >> 1;
-        let state = states[lane]!;
-        const slot = state & 0xff;
-        const first = ends & 0xff;
-        if (slot < first) {
-          symbols[x] = 0;
-          state = first * (state >> 8) + slot;
-        } else {
-          const second = (ends >> 8) & 0xff;
-          const third = ends >> 16;
-          let start = 0;
-          let end = 0;
-          if (slot < second) {
-            symbols[x] = 1;
-            start = first;
-            end = second;
-          } else if (slot < third) {
-            symbols[x] = 2;
-            start = second;
-            end = third;
-          } else {
-            symbols[x] = 3;
-            start = third;
-            end = 256;
-          }
-          state = (end - start) * (state >> 8) + slot - start;
-        }
-        if (state < 256) state = (state << 8) | bytes[next++]!;
-        states[lane] = state;
-      }
+    for (let lane = 0; lane < LANES; ++lane) {
+      const key = keys[2 * lane]!;
+      const place = cachePlace(key);
+      const ends = cached[place] === key ? cachedEnds[place]! : fill(key, place);
+      let state = states[lane]!;
+      const slot = state & 0xff;
+      const symbol = symbolOf(ends, slot);
+      const shift = symbol << 3;
+      // Modulo 256: where the interval of symbol 3 ends reads as 0.
+      const start = ((ends << 8) >>> shift) & 0xff;
+      const size = ((ends >>> shift) - start) & 0xff;
+      state = size * (state >> 8) + slot - start;
+      // Whether a byte is taken cannot be foreseen: it is read in any case.
+      const taken = (state - 256) >>> 31;
+      states[lane] = (state << (taken << 3)) | (bytes[next]! & -taken);
+      next += taken;
+      symbols[2 * lane] = symbol;
     }
     source.next = next;
   }
 
-  /** Makes heights of the symbols. */
-  private readRow(source: Source, row: number, kind: number): void {
-    const { planes, north, signs, symbols } = this;
-    const { bytes } = source;
-    const floorToNorth = kind === FIRST ? row - AREA : row - AREA - SIZE;
+  /** The same of odd columns, by the symbols to their west and east. */
+  private readOddSymbols(source: Source): void {
+    const { keys, symbols } = this;
+    const { fill, keys: cached, ends: cachedEnds } = this.odd;
+    const { bytes, states } = source;
     let next = source.next;
-    let step = 0;
-    let bad = 0;
-    for (let x = 0; x < SIZE; ++x) {
-      const symbol = symbols[x]!;
-      let change = symbol;
-      if (symbol > 1) change = symbol === 2 ? -1 : (bytes[next++]! << 24) >> 24;
-      step = kind === LEVEL ? change : step + change;
-      const floor = planes[row - AREA + x]!;
-      const toNorth = north[PAD + x]!;
-      const predicted = toNorth === planes[floorToNorth + x]! || toNorth < floor ? floor : toNorth;
-      const height = predicted + step;
-      if (height < floor || height > SIZE) bad = 1;
-      planes[row + x] = height;
-      signs[PAD + x] = step > 0 ? 2 : step < 0 ? 0 : 1;
+    let west = symbols[0]!;
+    for (let lane = 0; lane < LANES; ++lane) {
+      const east = symbols[2 * lane + 2]!; // 0 beyond the row
+      const key = keys[2 * lane + 1]! | (west << SYMBOL_WEST) | (east << SYMBOL_EAST);
+      west = east;
+      const place = cachePlace(key);
+      const ends = cached[place] === key ? cachedEnds[place]! : fill(key, place);
+      let state = states[lane]!;
+      const slot = state & 0xff;
+      const symbol = symbolOf(ends, slot);
+      const shift = symbol << 3;
+      // Modulo 256: where the interval of symbol 3 ends reads as 0.
+      const start = ((ends << 8) >>> shift) & 0xff;
+      const size = ((ends >>> shift) - start) & 0xff;
+      state = size * (state >> 8) + slot - start;
+      // Whether a byte is taken cannot be foreseen: it is read in any case.
+      const taken = (state - 256) >>> 31;
+      states[lane] = (state << (taken << 3)) | (bytes[next]! & -taken);
+      next += taken;
+      symbols[2 * lane + 1] = symbol;
     }
     source.next = next;
-    source.checkRead();
-    if (bad) throw new DecodeError('bad_number');
+  }
+
+  /** Makes heights of the symbols of row z, and in the same go the keys of the row to its south: a column's key is
+   *  known two columns later. True where a height is wrong. */
+  private readRow(source: Source, plane: number, z: number, isLevel: boolean, nextKind: number): boolean {
+    const { planes, keys, symbols } = this;
+    const { bytes } = source;
+    const row = plane + z * SIZE;
+    const floorRow = row - AREA;
+    const north = z === 0 ? floorRow : row - SIZE;
+    const floorNorth = z === 0 ? floorRow : floorRow - SIZE;
+    let next = source.next;
+    const keep = isLevel ? 0 : -1;
+    let bad = 0; // below 0 where a height is
+    let step = 0;
+    let height = 0;
+    let before = 0; // the height one column to the west, and two
+    let before2 = 0;
+    let rises = FLAT << 2; // west of the column before, and of that before it
+    let steps = FLAT_STEPS;
+    let thicks = 0;
+    let floors = 0;
+    for (let x = 0; x < SIZE; ++x) {
+      const symbol = symbols[x]!;
+      let change = (symbol & 1) - (symbol >> 1);
+      if (symbol === 3) change = (bytes[next++]! << 24) >> 24;
+      step = change + (step & keep);
+      const floor = planes[floorRow + x]!;
+      // To the north, but not below the floor, unless the material is absent there.
+      const toNorth = planes[north + x]!;
+      const above = toNorth - floor;
+      height = floor + (above & ~(above >> 31) & ((planes[floorNorth + x]! - toNorth) >> 31)) + step;
+      const thickness = height - floor;
+      bad |= thickness | (SIZE - height);
+      planes[row + x] = height;
+
+      const thick = 2 + ((thickness - 2) & ((thickness - 2) >> 31));
+      if (x === 0) {
+        before = before2 = height;
+        thicks = thick;
+      }
+      steps = ((steps << 2) | sign(step)) & 0x3ff;
+      const rise = sign(height - before);
+      if (x > 1) {
+        keys[x - 2] =
+          rises | (sign(height - before2) << 4) | (steps << 6) | ((floors & 0xc) << 14) | (thicks << 18) | nextKind;
+      }
+      // Two bits each: of rises the older first, as keys have them; of the others the newer.
+      rises = (rises >> 2) | (rise << 2);
+      thicks = ((thicks << 2) | thick) & 0x3f;
+      floors = (floors << 2) | sign(planes[floorRow + SIZE + x]! - floor);
+      before2 = before;
+      before = height;
+    }
+    // Beyond the row's end heights repeat, and there are no steps.
+    const thick = thicks & 3;
+    steps = ((steps << 2) | FLAT) & 0x3ff;
+    keys[SIZE - 2] =
+      rises | (sign(before - before2) << 4) | (steps << 6) | ((floors & 0xc) << 14) | (thicks << 18) | nextKind;
+    rises = (rises >> 2) | (FLAT << 2);
+    thicks = ((thicks << 2) | thick) & 0x3f;
+    steps = ((steps << 2) | FLAT) & 0x3ff;
+    keys[SIZE - 1] = rises | (FLAT << 4) | (steps << 6) | ((floors & 3) << 16) | (thicks << 18) | nextKind;
+    source.next = next;
+    return bad < 0;
   }
 
   /** From planes to voxels: each slice is the one below it, but for the columns in which a material begins there. */
   expand(voxels: Uint16Array): void {
-    const { ids, planes, boundaryBegin, boundaries } = this;
-    const first = AREA;
-    const last = AREA * ids.length;
-    // Sorted by height, and of one height from the lowest plane up, so that the highest counts.
-    boundaryBegin.fill(0);
-    for (let i = first; i < last; ++i) ++boundaryBegin[planes[i]! + 1]!;
-    for (let y = 1; y <= SIZE; ++y) boundaryBegin[y]! += boundaryBegin[y - 1]!;
-    for (let p = 1; p < ids.length; ++p) {
-      const id = ids[p]! << 10;
-      const plane = p * AREA;
-      for (let i = 0; i < AREA; ++i) {
-        const height = planes[plane + i]!;
-        boundaries[boundaryBegin[height]!++] = id | i;
+    const { ids, planes, firstOfHeight, nextRun, runs } = this;
+    // Columns after one another of one height, by that height; of one height the lowest plane comes first, so that the
+    // highest counts.
+    firstOfHeight.fill(-1);
+    let count = 0;
+    for (let p = ids.length - 1; p > 0; --p) {
+      const end = (p + 1) * AREA;
+      for (let i = p * AREA; i < end; ) {
+        const begin = i;
+        const height = planes[i]!;
+        do ++i;
+        while (i < end && planes[i] === height);
+        runs[count] = (begin & (AREA - 1)) | ((i - begin - 1) << 10) | (p << 20);
+        nextRun[count] = firstOfHeight[height]!;
+        firstOfHeight[height] = count++;
       }
     }
     voxels.fill(ids[0]!, 0, AREA);
-    let at = 0;
     for (let y = 0; y < SIZE; ++y) {
       const slice = y * AREA;
       if (y > 0) voxels.copyWithin(slice, slice - AREA, slice);
-      for (const end = boundaryBegin[y]!; at < end; ++at) {
-        const boundary = boundaries[at]!;
-        voxels[slice + (boundary & (AREA - 1))] = boundary >>> 10;
+      for (let at = firstOfHeight[y]!; at >= 0; at = nextRun[at]!) {
+        const run = runs[at]!;
+        const id = ids[run >> 20]!;
+        const begin = slice + (run & (AREA - 1));
+        const length = ((run >> 10) & (AREA - 1)) + 1;
+        if (length > 64) voxels.fill(id, begin, begin + length);
+        else for (let i = begin; i < begin + length; ++i) voxels[i] = id;
       }
     }
   }

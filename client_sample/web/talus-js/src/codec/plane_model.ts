@@ -53,18 +53,19 @@ export class PlaneModel {
   /** Ends of the intervals of symbols 0, 1 and 2, eight bits each. */
   readonly ends = new Int32Array(1 << CACHE_BITS);
   private readonly weights: Int8Array[];
+  private readonly pairs: number;
 
-  constructor(private readonly odd: boolean) {
+  constructor(odd: boolean) {
     this.weights = parseWeights().filter((_, i) => (i % 2 === 1) === odd);
+    this.pairs = odd ? PAIRS.length : EVEN_PAIRS;
   }
 
   /** Puts the intervals of `key` where they belong. */
-  fill(key: number, place: number): number {
+  readonly fill = (key: number, place: number): number => {
     const weights = this.weights[key >>> KIND]!;
-    const pairs = this.odd ? PAIRS.length : EVEN_PAIRS;
     let same = 0;
     let up = 0;
-    for (let p = 0; p < pairs; ++p) {
+    for (let p = 0; p < this.pairs; ++p) {
       const [first, second] = PAIRS[p]!;
       const at = p * 32 + ((key >>> first) & 3) + 4 * ((key >>> second) & 3);
       same = Math.max(-128, Math.min(127, same + weights[at]!));
@@ -78,7 +79,7 @@ export class PlaneModel {
     this.keys[place] = key;
     this.ends[place] = ends;
     return ends;
-  }
+  };
 }
 
 export function cachePlace(key: number): number {

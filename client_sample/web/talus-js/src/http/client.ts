@@ -17,7 +17,7 @@ const MAX_PAYLOAD_BYTES = 65_538;
 const MAX_WORLD_BYTES = 4 << 20;
 const MAX_REQUESTS_AT_ONCE = 6; // a browser's connections to one server
 const DEFAULT_WINDOW_BYTES = 1 << 20;
-const COLUMNS_A_REQUEST = 100; // so that a path of heights has some 4 KB at most
+const HEIGHTS_PATH_BYTES = 700; // of columns; servers and caches bound the length of a path
 
 /** Something to get; nearest first. */
 type Task = { readonly tile: Tile } | { readonly key: ChunkKey };
@@ -301,18 +301,22 @@ export class HttpClient extends ClientBase {
       looks: looks ? new Uint8Array(columns.length) : null,
       values: fields.length > 0 ? new Float32Array(columns.length * fields.length) : null,
     };
-    for (let at = 0; at < columns.length; at += COLUMNS_A_REQUEST) {
-      const part = columns.slice(at, at + COLUMNS_A_REQUEST);
-      const query = [
-        `columns=${part.map(({ x, z }) => `${x},${z}`).join(';')}`,
-        ...(looks ? ['looks=1'] : []),
-        ...(fields.length > 0 ? [`fields=${fields.map(encodeURIComponent).join(',')}`] : []),
-      ].join('&');
-      const body = await this.ask(() => `${this.base}/v1/heights?${query}`, MAX_BODY_BYTES);
-      const places = readHeights(body, part.length, looks, fields, this.world!.looks);
+    const rest = [
+      ...(looks ? ['&looks=1'] : []),
+      ...(fields.length > 0 ? [`&fields=${fields.map(encodeURIComponent).join(',')}`] : []),
+    ].join('');
+    for (let at = 0; at < columns.length; ) {
+      let list = '';
+      let end = at;
+      for (; end < columns.length && list.length < HEIGHTS_PATH_BYTES; ++end) {
+        list += `${list === '' ? '' : ';'}${columns[end]!.x},${columns[end]!.z}`;
+      }
+      const body = await this.ask(() => `${this.base}/v1/heights?columns=${list}${rest}`, MAX_BODY_BYTES);
+      const places = readHeights(body, end - at, looks, fields, this.world!.looks);
       all.heightsFx.set(places.heightsFx, at);
       if (places.looks !== null) all.looks!.set(places.looks, at);
       if (places.values !== null) all.values!.set(places.values, at * fields.length);
+      at = end;
     }
     return all;
   }

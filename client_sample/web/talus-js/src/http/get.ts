@@ -84,7 +84,7 @@ async function readBounded(response: Response, most: number, url: string): Promi
 
 async function failure(response: Response, url: string): Promise<TalusError> {
   let code = '';
-  let text = `${url} answered ${response.status}`;
+  let text = `${url.slice(0, 200)} answered ${response.status}`;
   let retryAfterMs = 1_000 * (Number(response.headers.get('Retry-After')) || 0);
   try {
     const { error } = JSON.parse(new TextDecoder().decode(await readBounded(response, MAX_ERROR_BYTES, url)));

@@ -1,13 +1,14 @@
 // Keeps an engine at work: makes it, makes it again when the server, the token or the graphics fail, and says what is wrong.
 import { Engine, type WorldInfo } from '../engine/engine';
 import type { Settings } from '../place/settings';
-import type { Server } from './server';
+import type { Obstacle, Server } from './server';
 import type { TokenStore } from './token';
 
 export type Trouble =
   | { kind: 'away'; text: string; retryAt: number | null }
   | { kind: 'token'; text: string }
   | { kind: 'refused'; text: string }
+  | { kind: 'no-socket'; text: string }
   | { kind: 'no-webgl'; text: string }
   | { kind: 'graphics-lost' };
 
@@ -22,6 +23,8 @@ export interface Listener {
 
 const FIRST_RETRY_MS = 500;
 const LAST_RETRY_MS = 15_000;
+/** A first answer that takes longer is looked into. */
+const PATIENCE_MS = 2_000;
 /** Browsers give lost graphics back by themselves, mostly. */
 const GRAPHICS_PATIENCE_MS = 6_000;
 
@@ -29,8 +32,11 @@ const asksForToken = (reason: string) => /token|unauthori[sz]ed/i.test(reason);
 
 export class Session {
   engine: Engine | null = null;
+  /** When the engine was asked for, of performance.now(): its own times count from there. */
+  began = 0;
   #attempt = 0;
   #failures = 0;
+  #silences = 0;
   #retry: ReturnType<typeof setTimeout> | undefined;
   #patience: ReturnType<typeof setTimeout> | undefined;
   #fingerprint: string | null = null;
@@ -53,13 +59,20 @@ export class Session {
 
   async open(): Promise<void> {
     this.#close();
+    this.#silences = 0;
     const attempt = ++this.#attempt;
+    // Asked first, as an engine that is on its way tries on and on, and does not say why.
+    const obstacle = await this.server.obstacle();
+    if (attempt !== this.#attempt) return;
+    if (obstacle !== null) return this.#blocked(obstacle);
     const canvas = document.createElement('canvas');
     canvas.id = 'view';
     this.stage.querySelector('canvas')?.remove();
     this.stage.prepend(canvas);
     const { token } = this.tokens;
     let engine: Engine;
+    this.#patience = setTimeout(() => void this.#lookInto(attempt), PATIENCE_MS);
+    this.began = performance.now();
     try {
       engine = await Engine.create({
         canvas,
@@ -79,6 +92,7 @@ export class Session {
       engine.dispose();
       return;
     }
+    clearTimeout(this.#patience);
     this.#failures = 0;
     this.#adopt(engine);
   }
@@ -126,18 +140,31 @@ export class Session {
     if (isOther) this.listener.worldChanged(world);
   }
 
+  /** No engine after a while, though the server answers: its stream does not come through, or the server just went. */
+  async #lookInto(attempt: number): Promise<void> {
+    const obstacle = await this.server.obstacle();
+    if (attempt !== this.#attempt || this.engine !== null) return;
+    if (obstacle?.kind === 'away') this.#trouble({ kind: 'away', text: obstacle.text, retryAt: null });
+    else if (this.settings.transport === 'websocket' && ++this.#silences > 1)
+      this.#trouble({ kind: 'no-socket', text: 'The server answers, but its WebSocket does not open.' });
+    this.#patience = setTimeout(() => void this.#lookInto(attempt), PATIENCE_MS);
+  }
+
   async #failed(attempt: number, reason: string): Promise<void> {
+    clearTimeout(this.#patience);
     if (document.createElement('canvas').getContext('webgl2') === null)
       return this.#trouble({ kind: 'no-webgl', text: reason });
     const obstacle = await this.server.obstacle();
-    if (attempt !== this.#attempt) return;
-    if (obstacle?.kind === 'token' || (obstacle === null && asksForToken(reason)))
-      return this.#trouble({ kind: 'token', text: obstacle?.text ?? reason });
-    if (obstacle?.kind === 'blocked' || obstacle?.kind === 'other')
-      return this.#trouble({ kind: 'refused', text: obstacle.text });
+    if (attempt === this.#attempt)
+      this.#blocked(obstacle ?? { kind: asksForToken(reason) ? 'token' : 'away', text: reason });
+  }
+
+  #blocked({ kind, text }: Obstacle): void {
+    if (kind === 'token') return this.#trouble({ kind, text });
+    if (kind !== 'away') return this.#trouble({ kind: 'refused', text });
     const delay = Math.min(LAST_RETRY_MS, FIRST_RETRY_MS * 2 ** this.#failures++);
     this.#retry = setTimeout(() => void this.open(), delay);
-    this.#trouble({ kind: 'away', text: obstacle?.text ?? reason, retryAt: performance.now() + delay });
+    this.#trouble({ kind, text, retryAt: performance.now() + delay });
   }
 
   #trouble(trouble: Trouble | null): void {

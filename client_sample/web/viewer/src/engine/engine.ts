@@ -9,7 +9,7 @@ import { GAS, LIQUID, SOLID } from './mesh/mesher.js';
 import { MATERIALS_MAX } from './mesh/quad.js';
 import { Rate, Sample } from './meter.js';
 import { castRay } from './raycast.js';
-import { Land, type Kind } from './stream/land.js';
+import { Land, type Column, type Kind } from './stream/land.js';
 import { Pool, workersFor } from './stream/pool.js';
 import { chunksOf, shapeOf, viewFor } from './stream/shape.js';
 import { Voxels } from './stream/voxels.js';
@@ -62,6 +62,8 @@ export class Engine {
   private completeMs: number | null = null;
   private readonly latency = new Sample(1024);
   private readonly cpu = new Sample(256);
+  /** Time in update() since the last frame(). */
+  private updated = 0;
   private readonly rate = new Rate();
   private readonly untaken: Parameters<Client['taken']>[0][] = [];
   private seaLevel: number | null = null;
@@ -80,6 +82,7 @@ export class Engine {
       () => new Worker(new URL('./stream/worker.ts', import.meta.url), { type: 'module' }),
       (answer) => {
         if (this.disposed) return;
+        this.workSoon();
         if (answer.kind === 'meshed') this.land.meshed(answer.id, answer.mesh);
         else {
           this.land.failed(answer.id);
@@ -120,17 +123,23 @@ export class Engine {
     this.frames.resize(width, height, devicePixelRatio);
   }
 
+  /** Streams on: asks for the View of where the camera is, and hands chunks to the workers and meshes to the card. To be
+   *  called as often as may be, for each frame or more. */
+  update(): void {
+    if (this.disposed) return;
+    const start = performance.now();
+    this.sendView(start);
+    this.work();
+    this.updated += performance.now() - start;
+  }
+
   /** Draws. `now` as of requestAnimationFrame, in milliseconds. */
   frame(now: number): void {
     if (this.disposed) return;
     const start = performance.now();
-    this.sendView(start);
-    this.takeBacklog();
-    this.land.update(this.eye, 4);
-    this.pool.flush();
-    this.settle(start);
     if (!this.lost && this.info !== null) this.draw(now);
-    this.cpu.add(performance.now() - start);
+    this.cpu.add(performance.now() - start + this.updated);
+    this.updated = 0;
   }
 
   /** Material of the base voxel at integer coordinates; undefined: not here yet. */
@@ -265,13 +274,16 @@ export class Engine {
       if (!current()) return;
       const { lod, x, y, z } = chunk.key;
       this.rate.add(performance.now());
+      this.workSoon();
       this.land.add(lod, x, y, z, chunk.payload, chunk.material);
       if (this.land.waiting < WAITING_MAX) client.taken(chunk);
       else this.untaken.push(chunk);
     });
     client.on('chunkLeft', ({ lod, x, y, z }) => current() && this.land.leave(lod, x, y, z));
     client.on('viewComplete', () => {
-      if (current()) this.viewComplete = true;
+      if (!current()) return;
+      this.viewComplete = true;
+      this.workSoon();
     });
     client.on('disconnected', (error, retryInMs) => {
       if (current() && retryInMs !== null) this.setState('lost', error.message);
@@ -321,7 +333,9 @@ export class Engine {
   private makeGround(): void {
     const levels = viewFor(this.info!, this.eye, { x: 0, y: 0, z: 0 }, this.radius, this.horizon).rings!.length + 1;
     const middle = Math.round((this.info!.minY + this.info!.maxY) / 128) * 64;
-    this.groundBase = this.info!.maxY - this.info!.minY < 4000 ? 0 : middle;
+    this.groundBase = this.info!.maxY - this.info!.minY < 2000 ? 0 : middle;
+    const current = this.frames.ground;
+    if (current !== null && current.isFor(this.radius, levels, this.groundBase) && !this.lost) return;
     this.frames.setGround(new Ground(this.frames.renderer, this.radius, levels, this.groundBase));
     for (const column of this.land.values()) if (column.heights !== null || column.liquids !== null) this.frames.ground!.set(column);
   }
@@ -367,6 +381,24 @@ export class Engine {
     this.frames.setReach(middle(x), middle(z), view.horizontalRadius * 32, Math.min(this.horizon, 32 * (view.rings!.at(-1)?.radius ?? view.horizontalRadius)));
   }
 
+  /** What is to be done between frames too, so that slow ones do not hold up what streams. */
+  private work(): void {
+    this.takeBacklog();
+    this.land.update(this.eye, 4);
+    this.pool.flush();
+    this.settle(performance.now());
+  }
+
+  private workSoon(): void {
+    if (this.working) return;
+    this.working = true;
+    setTimeout(() => {
+      this.working = false;
+      if (!this.disposed) this.work();
+    }, 6);
+  }
+  private working = false;
+
   private takeBacklog(): void {
     while (this.untaken.length > 0 && this.land.waiting < WAITING_MAX) this.client.taken(this.untaken.shift()!);
   }
@@ -391,7 +423,7 @@ export class Engine {
     const roof = column?.heights?.[within(eye.z) * 32 + within(eye.x)] ?? -32768;
     this.frames.draw({
       eye,
-      columns: this.land.drawn,
+      columns: this.nearestFirst(),
       seconds: still ?? now / 1000,
       now: performance.now(),
       slice: this.land.slice,
@@ -404,6 +436,22 @@ export class Engine {
     if (this.firstFrameMs === null && this.frames.triangles > 1) this.firstFrameMs = performance.now() - this.started;
     for (const done of this.wantsPicture.splice(0)) this.options.canvas.toBlob(done, 'image/png');
   }
+
+  /** Columns to draw, so that what is near hides what is behind it before that is shaded. */
+  private nearestFirst(): Column<TerrainMesh>[] {
+    const { x, z } = this.eye;
+    if (this.sorted.version !== this.land.version || Math.abs(x - this.sorted.x) + Math.abs(z - this.sorted.z) > 32) {
+      const distance = (c: Column<TerrainMesh>) => {
+        const size = 32 * 2 ** c.lod;
+        return Math.hypot((c.x + 0.5) * size - x, (c.z + 0.5) * size - z) - size / 2;
+      };
+      const keyed = Array.from(this.land.drawn, (column) => ({ column, at: distance(column) }));
+      keyed.sort((a, b) => a.at - b.at);
+      this.sorted = { version: this.land.version, x, z, columns: keyed.map((k) => k.column) };
+    }
+    return this.sorted.columns;
+  }
+  private sorted: { version: number; x: number; z: number; columns: Column<TerrainMesh>[] } = { version: -1, x: 0, z: 0, columns: [] };
 
   private setState(state: EngineState, reason: string): void {
     if (state === this.state && reason === '') return;
@@ -422,11 +470,12 @@ export class Engine {
   };
 
   private readonly onContextRestored = (): void => {
-    this.lost = false;
     this.frames.contextRestored();
     this.land.loseMeshes();
-    if (this.info !== null) this.makeGround();
+    if (this.info !== null) this.makeGround(); // a new one, as the old one is empty now
+    this.lost = false;
     this.complete = false;
+    if (this.state === 'complete') this.setState('streaming', '');
     this.emit('contextRestored');
   };
 }

@@ -6,6 +6,7 @@ export interface Answers {
   retry: () => void;
   again: () => void;
   reload: () => void;
+  byHttp: () => void;
   askToken: (why: string) => void;
   toSpawn: () => void;
 }
@@ -39,6 +40,12 @@ export class Notices {
         break;
       case 'refused':
         this.#show('refused', 'The server refuses', trouble.text, [['Try again', this.answers.again]]);
+        break;
+      case 'no-socket':
+        this.#show('no-socket', 'The land does not come', trouble.text, [
+          ['Take it by HTTP', this.answers.byHttp],
+          ['Try again', this.answers.reload],
+        ]);
         break;
       case 'no-webgl':
         this.#show('no-webgl', 'This browser shows no 3D here', `It needs WebGL 2: ${trouble.text} The map works without.`, [

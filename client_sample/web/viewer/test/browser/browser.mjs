@@ -20,7 +20,7 @@ export async function launch(t, args = []) {
 
 /** A page of its own context. `page.problems`: console errors, uncaught errors, failed requests, requests to other hosts. */
 export async function newPage(browser, options = {}) {
-  const context = await browser.newContext({ viewport: { width: 640, height: 400 }, ...options });
+  const context = await browser.newContext({ viewport: { width: 320, height: 240 }, ...options });
   context.setDefaultTimeout(PATIENCE_MS);
   const page = await context.newPage();
   page.problems = [];
@@ -45,8 +45,8 @@ export async function newPage(browser, options = {}) {
   return page;
 }
 
-/** Small and plain, so that software draws it fast. */
-export const SMALL = 'radius=3&horizon=0&quality=low';
+/** Small, plain and seldom drawn: software draws on the cores that everything else needs. */
+export const SMALL = 'radius=3&horizon=0&quality=low&frameRate=1';
 
 /** All that the view has is on the screen. */
 export async function filled(page) {

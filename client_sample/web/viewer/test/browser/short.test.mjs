@@ -23,16 +23,16 @@ test('a page of a real talusd', async (t) => {
     assert.ok(await page.locator('#notice').isHidden());
   });
 
-  await t.test('voxels are those of talus-gen export', async () => {
+  await t.test('voxels are those of talus-gen export', async (t) => {
     const spawn = await page.evaluate(() => window.talus.engine.world.spawn);
-    const origin = { x: spawn.x - 40, z: spawn.z - 40 };
+    const origin = { x: spawn.x - 32, z: spawn.z - 32 };
     const folder = scratch(t);
-    talusGen('export', '--origin', `${origin.x},${origin.z}`, '--size', '80,80', '-o', folder);
+    talusGen('export', '--origin', `${origin.x},${origin.z}`, '--size', '64,64', '-o', folder);
     const { shape, values } = readNpy(`${folder}/voxels.npy`);
     const { y0 } = JSON.parse(readFileSync(`${folder}/export.json`, 'utf8'));
     const [rows, depth, width] = shape;
-    const low = Math.max(y0, spawn.y - 40);
-    const high = spawn.y + 40;
+    const low = Math.max(y0, spawn.y - 24);
+    const high = spawn.y + 24;
     const seen = await page.evaluate(
       ([{ x, z }, low, high, width, depth]) => {
         const { engine } = window.talus;
@@ -57,7 +57,7 @@ test('a page of a real talusd', async (t) => {
         window.talus.player.body.pitch = -60;
       });
       let picked = 0;
-      for (const [x, y] of [[320, 200], [200, 240], [420, 260], [320, 320], [250, 150]]) {
+      for (const [x, y] of [[160, 120], [100, 140], [210, 160], [160, 190], [120, 90]]) {
         await page.evaluate(() => new Promise(requestAnimationFrame));
         await page.evaluate(([x, y]) => window.talus.pick(x, y), [x, y]);
         if (await page.locator('#voxel').isHidden()) continue;

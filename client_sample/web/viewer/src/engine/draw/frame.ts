@@ -191,6 +191,7 @@ export class Frame {
   /** Textures that are filled in parts have lost them; three fills the others again. */
   contextRestored(): void {
     this.terrain.slots.needsUpdate = true;
+    this.ground = null; // its texture went with the context
     this.shadowStale = true;
     this.shadowAt = -Infinity;
   }
@@ -202,7 +203,7 @@ export class Frame {
 
   draw(options: {
     eye: Eye;
-    columns: Iterable<Column<TerrainMesh>> & { readonly size: number };
+    columns: readonly Column<TerrainMesh>[];
     seconds: number;
     now: number;
     slice: SlicePlane | null;
@@ -308,7 +309,13 @@ export class Frame {
   /** A map around the eye, in steps of its texels so that edges do not crawl; drawn again only when it must. */
   private castShadows(eye: Eye, columns: Iterable<Column<TerrainMesh>>, now: number, slice: SlicePlane | null): void {
     const target = this.shadowTarget;
-    if (this.shadowReach === 0 || target === null) return;
+    if (target === null) return;
+    if (this.shadowReach === 0) {
+      // Nothing is drawn into it, but shaders are to find a depth texture there.
+      if (this.shadowStale) this.renderer.initRenderTarget(target);
+      this.shadowStale = false;
+      return;
+    }
     const direction = this.light.direction;
     const moved = Math.hypot(eye.x - this.shadowCentre.x, eye.y - this.shadowCentre.y, eye.z - this.shadowCentre.z);
     const must = !(moved < 24) || direction.distanceToSquared(this.shadowDirection) > 1e-6;

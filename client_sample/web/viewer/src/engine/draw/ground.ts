@@ -22,7 +22,7 @@ export class Ground {
     readonly levels: number,
     private readonly base: number,
   ) {
-    this.size = (2 * radius + 3) * 32 <= 1024 ? 1024 : 2048;
+    this.size = sizeFor(radius);
     const texture = new DataArrayTexture(null, this.size, this.size, levels);
     texture.format = RGFormat;
     texture.type = HalfFloatType;
@@ -33,6 +33,10 @@ export class Ground {
     texture.needsUpdate = true;
     this.texture = texture;
     this.clear();
+  }
+
+  isFor(radius: number, levels: number, base: number): boolean {
+    return this.size === sizeFor(radius) && this.levels === levels && this.base === base;
   }
 
   get bytes(): number {
@@ -68,6 +72,9 @@ export class Ground {
     gl.texSubImage3D(gl.TEXTURE_2D_ARRAY, 0, x, y, level, width, height, 1, gl.RG, gl.HALF_FLOAT, data);
   }
 }
+
+/** Columns of level 0, and a margin, must not wrap onto each other. */
+const sizeFor = (radius: number): number => ((2 * radius + 3) * 32 <= 1024 ? 1024 : 2048);
 
 function half(height: number, base: number): number {
   if (height === NO_HEIGHT) return NONE;

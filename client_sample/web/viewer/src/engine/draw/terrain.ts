@@ -134,9 +134,7 @@ export class Terrain implements Drawer<TerrainMesh> {
       const x = column.x * size - eye.x;
       const z = column.z * size - eye.z;
       if (slice !== null && sideOf(slice, column.x * size, column.z * size, size) === 'gone') continue;
-      for (const chunk of column.chunks.values()) {
-        const mesh = chunk.drawable;
-        if (mesh === null) continue;
+      for (const mesh of column.drawables) {
         const low = mesh.y + mesh.low * mesh.scale - eye.y;
         const high = mesh.y + (mesh.high + 1) * mesh.scale - eye.y;
         // Caves deep under the land, seen from above it far away: nobody does.
@@ -158,9 +156,7 @@ export class Terrain implements Drawer<TerrainMesh> {
       const x = column.x * size - eye.x;
       const z = column.z * size - eye.z;
       if (slice !== null && sideOf(slice, column.x * size, column.z * size, size) === 'gone') continue;
-      for (const chunk of column.chunks.values()) {
-        const mesh = chunk.drawable;
-        if (mesh === null) continue;
+      for (const mesh of column.drawables) {
         const high = mesh.y + (mesh.high + 1) * mesh.scale;
         if (column.ready && high < (column.lowest - 2) * mesh.scale) continue;
         if (!isVisible(planes, x, mesh.y + mesh.low * mesh.scale - eye.y, z, size, high - eye.y)) continue;

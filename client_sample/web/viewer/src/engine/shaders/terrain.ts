@@ -41,21 +41,26 @@ const int ROCK = 0, TURF = 1, SAND = 2, SNOW = 3, LEAVES = 4, WOOD = 5, ICE = 6,
 vec2 onFace(vec3 p) { return abs(normal.x) > 0.5 ? p.zy : abs(normal.y) > 0.5 ? p.xz : p.xy; }
 
 /** How much of the sky is open above a place: the land's own heights around it, near and farther. */
-float openness(vec3 p, vec3 n, int level, float grain) {
+float openness(vec3 p, vec3 n, int level, out vec2 slope) {
   vec3 q = p + n * 0.55 * scale;
   float y = q.y;
   float roof = groundAt(q.xz, level) - y;
   float open = 1.0 - smoothstep(0.0, 1.6 * scale, roof);
   float near = 0.0, far = 0.0;
+  slope = vec2(0.0);
   float r1 = 2.2 * scale, r2 = 7.0 * scale;
   vec2 d = vec2(0.7071, 0.7071);
   for (int i = 0; i < 4; i++) {
-    near += clamp((groundAt(q.xz + d * r1, level) - y) / (r1 * 2.2), 0.0, 1.0);
+    float beside = groundAt(q.xz + d * r1, level) - y;
+    slope += d * beside;
+    near += clamp(beside / (r1 * 2.2), 0.0, 1.0);
     if (detail > 0.5) far += clamp((groundAt(q.xz + vec2(d.x - d.y, d.x + d.y) * 0.7071 * r2, level) - y) / (r2 * 1.8), 0.0, 1.0);
     d = vec2(-d.y, d.x);
   }
   near *= 0.25;
   far *= 0.25;
+  slope /= 2.0 * r1;
+  if (abs(roof) > 4.0 * scale || length(slope) > 3.0) slope = vec2(0.0, 1e6);
   float around = 1.0 - (detail > 0.5 ? near * 0.5 + far * 0.5 : near);
   return around * (0.25 + 0.75 * open) * mix(1.0, 0.35, (1.0 - open) * near);
 }
@@ -103,6 +108,7 @@ void main() {
   float through = 0.0;                // light that leaves let through
   float swing = 0.06;
   if (kind == TURF) {
+    albedo = mix(albedo, vec3(dot(albedo, vec3(0.3, 0.6, 0.1))), 0.16) * 0.88;
     vec3 dry = mix(albedo, albedo * vec3(1.28, 1.06, 0.55), 0.65);
     vec3 lush = albedo * vec3(0.72, 0.92, 0.66);
     albedo = mix(albedo, dry, smoothstep(0.48, 0.85, broad) * 0.75);
@@ -123,7 +129,7 @@ void main() {
     albedo *= 1.0 + grainy * (speck - 0.5) * 0.14;
     swing = 0.03;
   } else if (kind == SNOW) {
-    albedo *= vec3(0.94, 0.97, 1.0) * (0.94 + 0.06 * broad);
+    albedo *= vec3(0.80, 0.83, 0.87) * (0.92 + 0.08 * broad);
     albedo *= 1.0 + grainy * (speck - 0.5) * 0.05;
     shine = 0.25 * step(0.985, speck) * grainy;
     swing = 0.02;
@@ -137,6 +143,7 @@ void main() {
     through = 0.35;
   } else if (kind == WOOD) {
     float bark = hash2(ivec2(texel.x, texel.y >> 2) + worldVoxel.y * 3);
+    albedo = mix(albedo, vec3(dot(albedo, vec3(0.35, 0.5, 0.15))), 0.3) * 1.1;
     albedo *= side ? 1.0 + grainy * (bark - 0.5) * 0.55 : 1.0 + grainy * (speck - 0.5) * 0.2;
   } else if (kind == ICE) {
     albedo *= 0.92 + 0.14 * mid;
@@ -174,12 +181,20 @@ void main() {
   }
 
   // Light.
-  float open = cut ? 1.0 : openness(p, normal, level, own);
+  vec2 slope;
+  float open = openness(p, normal, level, slope);
+  if (cut) open = 1.0;
   float corner = mix(0.42, 1.0, occlusion * (0.35 + 0.65 * occlusion));
   corner = mix(1.0, corner, cut ? 0.0 : 1.0 / (1.0 + max(scale - 1.0, 0.0) * 0.35));
-  float facing = max(dot(normal, sunDirection), 0.0);
-  // Faces of voxels stand in for a rough surface: far away its lean shows more than its steps.
-  float dither = fract(52.9829189 * fract(dot(gl_FragCoord.xy, vec2(0.06711056, 0.00583715))));
+  // Faces of voxels stand in for a rough surface: far away its lean shows, not its steps.
+  vec3 lean = slope.y > 1e5 ? normal : normalize(vec3(-slope.x, 1.0, -slope.y));
+  float rough = smoothstep(24.0, 190.0, distance / scale * 1.0) * 0.85;
+  vec3 shading = normalize(mix(normal, lean, rough));
+  // A cut is a plane, although it is made of steps.
+  if (cut) shading = normalize(vec3(slice.x, 0.55, slice.y));
+  corner = mix(corner, 1.0, rough * 0.55);
+  float facing = cut ? 0.5 : max(dot(shading, sunDirection), 0.0);
+  float dither = fract(52.9829189 * fract(dot(gl_FragCoord.xy, vec2(0.06711056, 0.00583715)))) * 0.5 + 0.25;
   float lit = 0.0;
   if (facing > 0.0 || through > 0.0) {
     float mapped = 1.0;
@@ -203,11 +218,11 @@ void main() {
   }
   vec3 sun = sunLight * lit * mix(facing, 0.5 + 0.5 * facing, through);
   if (through > 0.0) sun *= 1.0 + through * 0.8 * pow(max(dot(-toEye, sunDirection), 0.0), 3.0);
-  float up = normal.y * 0.5 + 0.5;
+  float up = shading.y * 0.5 + 0.5;
   vec3 ambient = mix(groundLight, skyLight, up) * (open * 0.92 + 0.08);
   // A breath of light in caves, or one would see nothing at all.
   ambient += vec3(0.012, 0.013, 0.016);
-  if (side) ambient *= abs(normal.x) > 0.5 ? 0.94 : 1.04;
+  if (side && !cut) ambient *= abs(normal.x) > 0.5 ? 0.94 : 1.04;
   vec3 light = sun * mix(corner, 1.0, 0.6) + ambient * corner;
   vec3 colour = albedo * light;
   if (shine > 0.0) {
@@ -229,8 +244,8 @@ void main() {
   }
   // Wet where water has just been.
   if (kind == SAND && top) {
-    float wet = 1.0 - smoothstep(0.4, 1.6, p.y - seaLevel);
-    colour *= 1.0 - 0.25 * wet * step(0.0, p.y - seaLevel);
+    float wet = 1.0 - smoothstep(0.3, 1.5, abs(p.y - seaLevel));
+    colour *= 1.0 - 0.16 * wet;
   }
   colour = throughAir(colour, ray, eye);
   if (borders > 0.5) {

@@ -81,6 +81,11 @@ export class Column<D extends Drawable = Drawable> {
   heights: Int16Array | null = null;
   liquids: Int16Array | null = null;
   lowest = -32768;
+  /** Of its chunks. */
+  drawables: D[] = [];
+  left = 0;
+  /** Whether a slice cut it when that was last looked at. */
+  cut = false;
   /** Sides (mesh/quad.ts, SKIRTS) beyond which another level is drawn, as bits. */
   skirts = 0;
 
@@ -110,6 +115,7 @@ export class Land<D extends Drawable> {
   private readonly jobs = new Map<number, Chunk<D>>();
   private queue: Chunk<D>[] = [];
   private queueSorted = false;
+  private sortedAt = -Infinity;
   private nextJob = 1;
   private coverStale = true;
   private coveredAt = -Infinity;
@@ -150,9 +156,12 @@ export class Land<D extends Drawable> {
   }
 
   setShape(shape: Shape): void {
+    const rows = shape.map((level, lod) => level?.y0 !== this.shape[lod]?.y0 || level?.y1 !== this.shape[lod]?.y1);
     this.shape = shape;
     for (const column of this.columns.values()) {
+      const before = column.around;
       this.placeInShape(column);
+      if (before === column.around && !rows[column.lod]) continue;
       for (const chunk of column.chunks.values()) this.consider(chunk);
     }
     this.coverStale = true;
@@ -160,7 +169,12 @@ export class Land<D extends Drawable> {
 
   setSlice(slice: SlicePlane | null): void {
     this.slice = slice;
-    for (const column of this.columns.values()) for (const chunk of column.chunks.values()) this.consider(chunk);
+    for (const column of this.columns.values()) {
+      const cut = this.isCut(column);
+      if (cut || column.cut) for (const chunk of column.chunks.values()) this.consider(chunk);
+      column.cut = cut;
+    }
+    this.version++;
   }
 
   add(lod: number, x: number, y: number, z: number, payload: Uint8Array | null, material: number | null): void {
@@ -181,6 +195,7 @@ export class Land<D extends Drawable> {
       this.held++;
       this.heldPerLevel[lod]!++;
     }
+    if (returns) column.left--;
     chunk.left = false;
     this.payloadBytes += (payload?.length ?? 0) - (chunk.payload?.length ?? 0);
     chunk.payload = payload;
@@ -203,6 +218,7 @@ export class Land<D extends Drawable> {
     const chunk = this.get(lod, x, z)?.chunks.get(y);
     if (chunk === undefined || chunk.left) return;
     chunk.left = true;
+    chunk.column.left++;
     this.payloadBytes -= chunk.payload?.length ?? 0;
     chunk.payload = null;
     chunk.known = 0;
@@ -252,7 +268,7 @@ export class Land<D extends Drawable> {
     }
     this.dispatch();
     // While it fills, a few times a second are enough.
-    if (this.coverStale && start - this.coveredAt > 80 && this.options.now() - start < budgetMs) this.recover();
+    if (this.coverStale && start - this.coveredAt > 80) this.recover(budgetMs);
   }
 
   /** Meshes are gone, as when the graphics context was lost: all are made again. */
@@ -260,6 +276,7 @@ export class Land<D extends Drawable> {
     for (const column of this.columns.values()) {
       column.ready = column.begun = false;
       column.stale = true;
+      column.drawables = [];
       for (const chunk of [...column.chunks.values()]) {
         if (chunk.drawable !== null) this.options.drawer.remove(chunk.drawable);
         chunk.drawable = null;
@@ -280,7 +297,7 @@ export class Land<D extends Drawable> {
     }
     this.queue = [];
     this.coverStale = true;
-    this.recover();
+    this.recover(Infinity);
   }
 
   private placeInShape(column: Column<D>): void {
@@ -341,9 +358,14 @@ export class Land<D extends Drawable> {
 
   /** What a slice does to it: null where it leaves the chunk whole. */
   private sliceOf(chunk: Chunk<D>): SlicePlane | null {
-    if (this.slice === null) return null;
-    const size = 32 * 2 ** chunk.lod;
-    return sideOf(this.slice, (chunk.x - 1 / 32) * size, (chunk.z - 1 / 32) * size, size * 1.0625) === 'cut' ? this.slice : null;
+    return this.isCut(chunk.column) ? this.slice : null;
+  }
+
+  /** With its apron. */
+  private isCut(column: Column<D>): boolean {
+    if (this.slice === null) return false;
+    const size = 32 * 2 ** column.lod;
+    return sideOf(this.slice, (column.x - 1 / 32) * size, (column.z - 1 / 32) * size, size * 1.0625) === 'cut';
   }
 
   /** Whether the chunk has no faces, as it is of one material and so are its neighbours. */
@@ -376,7 +398,9 @@ export class Land<D extends Drawable> {
 
   private replace(chunk: Chunk<D>, drawable: D | null, known: number, slice: SlicePlane | null): void {
     if (chunk.drawable !== null) this.options.drawer.remove(chunk.drawable);
+    const had = chunk.drawable !== null;
     chunk.drawable = drawable;
+    if (had || drawable !== null) this.gather(chunk.column);
     chunk.meshedWith = known;
     chunk.meshedSlice = slice;
     chunk.column.begun ||= drawable !== null;
@@ -396,7 +420,9 @@ export class Land<D extends Drawable> {
 
   private dispatch(): void {
     if (this.queue.length === 0) return;
-    if (!this.queueSorted) {
+    const now = this.options.now();
+    if (!this.queueSorted && now - this.sortedAt > 120) {
+      this.sortedAt = now;
       const by = new Map(this.queue.map((chunk) => [chunk, this.priority(chunk)]));
       this.queue.sort((a, b) => by.get(b)! - by.get(a)!);
       this.queueSorted = true;
@@ -433,14 +459,29 @@ export class Land<D extends Drawable> {
     if (chunk.drawable !== null) this.options.drawer.remove(chunk.drawable);
     chunk.drawable = null;
     const column = chunk.column;
+    if (chunk.left) column.left--;
     column.chunks.delete(chunk.y);
+    this.gather(column);
     if (column.chunks.size === 0) this.columns.delete(columnKey(column.lod, column.x, column.z));
   }
 
-  private recover(): void {
+  private gather(column: Column<D>): void {
+    column.drawables = [];
+    for (const chunk of column.chunks.values()) if (chunk.drawable !== null) column.drawables.push(chunk.drawable);
+  }
+
+  private recover(budgetMs: number): void {
     this.coverStale = false;
     this.coveredAt = this.options.now();
-    for (const column of this.columns.values()) if (column.stale) this.refresh(column);
+    let refreshed = 0;
+    for (const column of this.columns.values()) {
+      if (!column.stale) continue;
+      if (refreshed++ >= 24 && this.options.now() - this.coveredAt > budgetMs) {
+        this.coverStale = true; // the rest next time
+        break;
+      }
+      this.refresh(column);
+    }
     this.version++;
     const before = this.cover;
     this.cover = coverOf(this.shape, this);
@@ -454,7 +495,7 @@ export class Land<D extends Drawable> {
     }
     // What left the View and is not drawn in place of something: gone.
     for (const column of [...this.columns.values()]) {
-      if (column.drawn && !column.wanted) continue;
+      if (column.left === 0 || (column.drawn && !column.wanted)) continue;
       for (const chunk of [...column.chunks.values()]) if (chunk.left && !(column.drawn && !column.ready)) this.forget(chunk);
     }
   }

@@ -1,0 +1,181 @@
+// By keyboard alone, and by fingers alone.
+import assert from 'node:assert/strict';
+import test from 'node:test';
+import { filled, launch, newPage, noProblems, place, SMALL } from './browser.mjs';
+import { startSite } from './talusd.mjs';
+
+const focused = (page) => page.evaluate(() => document.activeElement?.id || document.activeElement?.tagName);
+
+test('keyboard alone suffices', async (t) => {
+  const site = await startSite(t);
+  const page = await newPage(await launch(t));
+  await page.goto(`${site.url}#${SMALL}`);
+  await filled(page);
+  assert.equal(await focused(page), 'stage');
+
+  await t.test('moving and looking', async () => {
+    const before = await place(page);
+    const until = async (key, isDone) => {
+      await page.keyboard.down(key);
+      await page.waitForFunction(isDone, before);
+      await page.keyboard.up(key);
+    };
+    await until('ArrowRight', (was) => Math.abs(window.talus.player.body.yaw - was.yaw) > 20);
+    await until('PageDown', (was) => window.talus.player.body.pitch < was.pitch - 10);
+    await until('KeyW', (was) => Math.hypot(window.talus.player.body.position[0] - was.x, window.talus.player.body.position[2] - was.z) > 5);
+    await until('Space', (was) => window.talus.player.body.position[1] > was.y + 2);
+    await page.keyboard.press('Home');
+    await page.waitForFunction(() => window.talus.player.body.pitch === 0);
+    await page.keyboard.press('KeyF');
+    assert.equal((await place(page)).mode, 'walk');
+    await page.keyboard.press('KeyF');
+  });
+
+  await t.test('going to a coordinate', async () => {
+    await page.keyboard.press('KeyG');
+    assert.equal(await focused(page), 'goto-text');
+    await page.keyboard.type('nowhere');
+    await page.keyboard.press('Enter');
+    assert.match(await page.locator('#goto-wrong').textContent(), /numbers/);
+    await page.keyboard.press('Control+A');
+    await page.keyboard.type('1200 300 -340');
+    await page.keyboard.press('Enter');
+    await page.waitForFunction(() => window.talus.player.body.position[0] === 1200);
+    assert.equal(await focused(page), 'stage');
+    await filled(page);
+  });
+
+  await t.test('panels, help and their focus', async () => {
+    for (const key of ['KeyT', 'KeyO', 'KeyK']) {
+      await page.keyboard.press(key);
+      assert.equal(await page.locator('.panel:visible').count(), 1, key);
+      await page.keyboard.press('Escape');
+      assert.equal(await page.locator('.panel:visible').count(), 0, key);
+      assert.equal(await focused(page), 'stage');
+    }
+    await page.keyboard.press('KeyH');
+    assert.ok(await page.locator('#help').isVisible());
+    await page.keyboard.press('Escape');
+    assert.ok(await page.locator('#help').isHidden());
+    // A slider that has the focus keeps the arrows for itself.
+    await page.keyboard.press('KeyT');
+    const { yaw } = await place(page);
+    await page.keyboard.press('ArrowRight');
+    assert.equal((await place(page)).yaw, yaw);
+    await page.keyboard.press('Escape');
+  });
+
+  await t.test('slice, borders, time', async () => {
+    await page.keyboard.press('KeyX');
+    assert.ok(await page.locator('#slice-on').isChecked());
+    await page.keyboard.press('BracketRight');
+    assert.equal(await page.locator('#slice-distance').inputValue(), '25');
+    await page.keyboard.press('KeyX');
+    assert.ok(!(await page.locator('#slice-on').isChecked()));
+    await page.keyboard.press('KeyB');
+    assert.ok(await page.locator('#borders').isChecked());
+    await page.keyboard.press('KeyB');
+    const hours = async () => Number(await page.locator('#time').inputValue());
+    const before = await hours();
+    await page.keyboard.press('Period');
+    assert.ok(Math.abs((await hours()) - before - 0.25) < 0.03);
+  });
+
+  await t.test('tabbing reaches every tool, in order, with a focus that one sees', async () => {
+    const reached = [];
+    const tools = await page.locator('.tools button').evaluateAll((all) => all.map((b) => b.getAttribute('aria-label')));
+    await page.focus('#stage');
+    for (let i = 0; i < tools.length; ++i) {
+      await page.keyboard.press('Tab');
+      reached.push(await page.evaluate(() => document.activeElement.getAttribute('aria-label')));
+      const outline = await page.evaluate(() => getComputedStyle(document.activeElement).outlineStyle);
+      assert.equal(outline, 'solid', reached.at(-1));
+    }
+    assert.deepEqual(reached, tools);
+  });
+
+  await t.test('the map', async () => {
+    await page.focus('#stage');
+    await page.keyboard.press('KeyM');
+    await page.locator('#map canvas').waitFor();
+    for (let i = 0; i < 3; ++i) await page.keyboard.press('ArrowRight');
+    const before = await place(page);
+    await page.keyboard.press('Enter');
+    await page.locator('#map').waitFor({ state: 'hidden' });
+    const after = await place(page);
+    assert.ok(after.x > before.x + 100, `from ${before.x} to ${after.x}`);
+    assert.equal(await focused(page), 'stage');
+    await page.keyboard.press('KeyM');
+    await page.locator('#map canvas').waitFor();
+    await page.keyboard.press('Escape');
+    await page.locator('#map').waitFor({ state: 'hidden' });
+  });
+
+  noProblems(page, [/\/map\/.* 404|404 \(Not Found\)/]);
+});
+
+test('touch alone suffices', async (t) => {
+  const site = await startSite(t);
+  const browser = await launch(t);
+  const page = await newPage(browser, { viewport: { width: 360, height: 480 }, hasTouch: true, isMobile: true });
+  await page.goto(`${site.url}#${SMALL}`);
+  await filled(page);
+  const session = await page.context().newCDPSession(page);
+  const touch = (type, ...points) =>
+    session.send('Input.dispatchTouchEvent', { type, touchPoints: points.map(([x, y, id = 0]) => ({ x, y, id })) });
+
+  await t.test('the left thumb moves', async () => {
+    const before = await place(page);
+    await touch('touchStart', [90, 330]);
+    await touch('touchMove', [90, 260]);
+    assert.equal(await page.locator('#stick[hidden]').count(), 0);
+    await page.waitForFunction((was) => Math.hypot(window.talus.player.body.position[0] - was.x, window.talus.player.body.position[2] - was.z) > 3, before);
+    await touch('touchEnd');
+    assert.equal(await page.locator('#stick[hidden]').count(), 1);
+  });
+
+  await t.test('the right thumb looks, while the left moves', async () => {
+    const before = await place(page);
+    await touch('touchStart', [90, 330, 0]);
+    await touch('touchStart', [90, 330, 0], [240, 300, 1]);
+    await touch('touchMove', [90, 280, 0], [280, 280, 1]);
+    await page.waitForFunction((was) => Math.abs(window.talus.player.body.yaw - was.yaw) > 3, before);
+    await touch('touchEnd');
+    const after = await place(page);
+    assert.ok(after.pitch > before.pitch, 'up is up');
+  });
+
+  await t.test('a tap picks', async () => {
+    await page.evaluate(() => {
+      window.talus.player.body.pitch = -70;
+    });
+    await page.evaluate(() => new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(resolve))));
+    await page.touchscreen.tap(190, 260);
+    await page.locator('#voxel-close').waitFor();
+    assert.notEqual(await page.locator('#voxel-name').textContent(), '');
+    await page.locator('#voxel-close').tap();
+    await page.locator('#voxel-close').waitFor({ state: 'hidden' });
+  });
+
+  await t.test('buttons rise and change between walking and flying', async () => {
+    const before = await place(page);
+    const { x, y, width, height } = await page.locator('#thumb-up').boundingBox();
+    await touch('touchStart', [x + width / 2, y + height / 2]);
+    await page.waitForFunction((was) => window.talus.player.body.position[1] > was.y + 1, before);
+    await touch('touchEnd');
+    await page.locator('#thumb-mode').tap();
+    assert.equal((await place(page)).mode, 'walk');
+  });
+
+  await t.test('everything fits on the screen', async () => {
+    const { scroll, client } = await page.evaluate(() => ({ scroll: document.documentElement.scrollWidth, client: document.documentElement.clientWidth }));
+    assert.ok(scroll <= client, `${scroll} pixels wide on ${client}`);
+    const tools = await page.locator('.tools button').evaluateAll((all) => all.map((b) => b.getBoundingClientRect()).map(({ left, right, width, height }) => ({ left, right, width, height })));
+    for (const { left, right, width, height } of tools) {
+      assert.ok(left >= 0 && right <= 360);
+      assert.ok(width >= 40 && height >= 40, 'a finger hits it');
+    }
+  });
+
+  noProblems(page);
+});
