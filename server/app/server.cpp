@@ -132,8 +132,9 @@ web::WebContextPtr Server::make_web_context(const Config& config, const RunnerCo
 
 std::string Server::metrics_text() {
   const BaseChunks::Status status = chunks_.status();
-  RuntimeGauges gauges{status.jobs, status.clients, status.chunk_cache_bytes, status.patch_cache_bytes,
-                       draining_};
+  RuntimeGauges gauges{
+      status.jobs, status.clients, status.chunk_cache_bytes, status.patch_cache_bytes, status.map_cache_bytes,
+      draining_};
   for (std::size_t use = 0; use < kMemoryUses.size(); ++use) {
     gauges.memory_bytes.push_back(memory_.used(static_cast<MemoryUse>(use)));
   }

@@ -88,7 +88,7 @@ class Connection : public std::enable_shared_from_this<Connection<S>> {
       const auto taken = parser_.feed(std::span{input_}.subspan(read_, filled_ - read_));
       if (!taken) {
         more = false;
-        co_await add(response_to(taken.error()), false, false);
+        co_await add(handler_->refuse(taken.error()), false, false);
         continue;
       }
       read_ += *taken;

@@ -90,6 +90,13 @@ std::string world_document(const WorldInfo& world, const SessionLimits& limits, 
   return document.dump() + '\n';
 }
 
+std::string access_fields(const AccessLine& line) {
+  const ordered_json fields{{"connection", line.connection}, {"client", line.client}, {"method", line.method},
+                            {"target", line.target},         {"status", line.status}, {"ms", line.ms},
+                            {"bytes", line.bytes},           {"one_in", line.one_in}};
+  return fields.dump(-1, ' ', false, ordered_json::error_handler_t::replace);
+}
+
 std::string heights_document(const WorldInfo& world, const HeightsRoute& route, const HeightsFound& found) {
   ordered_json document{{"subvoxels_per_voxel", terrain::kSubvoxels}};
   if (route.width > 0) {

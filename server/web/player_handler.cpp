@@ -13,6 +13,7 @@
 
 #include "chunks/chunk_source.h"
 #include "log/escape.h"
+#include "log/log_with_fields.h"
 #include "session/heights_check.h"
 #include "session/reply_frames.h"
 #include "session/retry_after.h"
@@ -85,6 +86,12 @@ PlayerHandler::PlayerHandler(WebContextPtr context, const ConnectionInfo& connec
 
 PlayerHandler::~PlayerHandler() = default;
 
+http::Response PlayerHandler::refuse(const http::RequestError& error) {
+  http::Response response = error_response(error.status, ErrorCode::malformed, error.text);
+  shared_.metrics.http_responses_of(response.status).add();
+  return response;
+}
+
 void PlayerHandler::closed() {
   if (fetch_ != nullptr) fetch_->abandon();
   // Who sees the end finds the slot free.
@@ -118,6 +125,7 @@ std::optional<http::Response> PlayerHandler::respond_now(const http::Request& re
   request_ = &request;
   began_ = shared_.clock.now();
   route_.reset();
+  picture_.reset();
   public_ = false;
   counted_ = false;
   Answer answer = decide(request);
@@ -163,8 +171,9 @@ PlayerHandler::Answer PlayerHandler::decide(const http::Request& request) {
   auto route = find_route(request.path(), request.query(), shared_.limits.heights_per_request);
   if (!route) return error_response(route.error().status, ErrorCode::malformed, route.error().text);
   route_.emplace(*std::move(route));
-  const bool chunks =
-      std::holds_alternative<ChunkRoute>(*route_) || std::holds_alternative<ColumnsRoute>(*route_);
+  const bool chunks = std::holds_alternative<ChunkRoute>(*route_) ||
+                      std::holds_alternative<ColumnsRoute>(*route_) ||
+                      std::holds_alternative<MapRoute>(*route_);
   // A stream's token comes in its Hello.
   if (!std::holds_alternative<StreamRoute>(*route_)) {
     if (auto wrong = check_token(request, chunks)) return wrong;
@@ -240,18 +249,29 @@ PlayerHandler::Answer PlayerHandler::answer(const StreamRoute&) {
     return error_response(403, ErrorCode::forbidden,
                           "pages of this origin may not stream; http.origins lists those that may");
   }
-  return websocket::answer_handshake(*request_);
+  http::Response response = websocket::answer_handshake(*request_);
+  if (response.status == 101) return response;
+  // As all errors here.
+  http::Response wrong = error_response(response.status, ErrorCode::malformed,
+                                        std::string_view{response.body}.substr(0, response.body.size() - 1));
+  wrong.fields.insert(wrong.fields.end(), response.fields.begin(), response.fields.end());
+  return wrong;
 }
 
 PlayerHandler::Answer PlayerHandler::check_world(std::string_view fingerprint, std::string_view codec) const {
+  if (auto wrong = check_world(fingerprint)) return wrong;
+  if (codec != std::to_string(kCodecVersion)) {
+    return error_response(404, ErrorCode::version,
+                          fmt::format("this server sends chunk codec {}", kCodecVersion));
+  }
+  return std::nullopt;
+}
+
+PlayerHandler::Answer PlayerHandler::check_world(std::string_view fingerprint) const {
   if (fingerprint != context_->fingerprint) {
     return error_response(
         404, ErrorCode::out_of_range,
         fmt::format("this server's world is {}; /v1/world describes it", context_->fingerprint));
-  }
-  if (codec != std::to_string(kCodecVersion)) {
-    return error_response(404, ErrorCode::version,
-                          fmt::format("this server sends chunk codec {}", kCodecVersion));
   }
   return std::nullopt;
 }
@@ -292,6 +312,17 @@ PlayerHandler::Answer PlayerHandler::answer(const HeightsRoute& route) {
     return error_response(400, checked.error().code, checked.error().text);
   }
   return std::nullopt;
+}
+
+PlayerHandler::Answer PlayerHandler::answer(const MapRoute& route) {
+  if (auto wrong = check_world(route.fingerprint)) return wrong;
+  PicturePtr picture = shared_.chunks.find_map(route.tile);
+  if (picture == nullptr) return std::nullopt;
+  const auto now = shared_.clock.now();
+  if (caller_->rates.chunks_due(now).at > now) return std::nullopt;
+  caller_->rates.sent(now, 1, picture->png.size());
+  counted_ = true;
+  return picture_response(std::move(picture));
 }
 
 asio::awaitable<http::Response> PlayerHandler::fetch(const ChunkRoute& route) {
@@ -401,6 +432,28 @@ asio::awaitable<http::Response> PlayerHandler::fetch(const HeightsRoute& route) 
   co_return http::Response{200, kJson, heights_document(shared_.world, route, *found)};
 }
 
+// A tile counts as the columns of chunks that it shows at its level, where it has to be drawn. They count
+// before that: who has no rate left costs nothing.
+asio::awaitable<http::Response> PlayerHandler::fetch(const MapRoute& route) {
+  constexpr std::size_t kColumnsShown =
+      std::size_t{map::kTilePixels / kChunkSize} * (map::kTilePixels / kChunkSize);
+  PicturePtr picture = shared_.chunks.find_map(route.tile);
+  if (picture == nullptr && !shared_.memory.takes_work()) {
+    co_return error_response(503, ErrorCode::overloaded, kNoMemory, retry_after::kBusy);
+  }
+  if (auto wrong = co_await wait_for_rates(picture == nullptr ? kColumnsShown : 1, 0))
+    co_return *std::move(wrong);
+  if (picture == nullptr) {
+    fetch_ = std::make_shared<Fetch>(executor_, shared_.chunks, shared_.clock,
+                                     ClientId{kFirstFetch + ++context_->fetches}, caller_->flow);
+    auto drawn = co_await fetch_->map(route.tile, began_ + kMaxWait);
+    if (!drawn) co_return failure(drawn.error());
+    picture = *std::move(drawn);
+  }
+  if (caller_) caller_->rates.sent(shared_.clock.now(), 0, picture->png.size());
+  co_return picture_response(std::move(picture));
+}
+
 asio::awaitable<PlayerHandler::Answer> PlayerHandler::wait_for_rates(std::size_t chunks, std::size_t bytes) {
   TimedEvent event{executor_, shared_.clock};
   const auto until = shared_.clock.now() + kMaxThrottle;
@@ -436,11 +489,20 @@ http::Response PlayerHandler::body_response(std::string body) {
   return tagged(std::move(response));
 }
 
+http::Response PlayerHandler::picture_response(PicturePtr picture) {
+  picture_ = std::move(picture);
+  http::Response response{200, "image/png"};
+  response.cache_control = public_ ? kImmutable : kPrivate;
+  response.kept = picture_->png;
+  return tagged(std::move(response));
+}
+
 http::Response PlayerHandler::tagged(http::Response response) const {
-  std::string etag = entity_tag(response.body);
+  std::string etag = entity_tag(response.content());
   if (lists_tag(request_->field("If-None-Match"), etag)) {
     response.status = 304;
     response.body.clear();
+    response.kept = {};
   }
   response.fields.push_back({"ETag", std::move(etag)});
   return response;
@@ -467,6 +529,7 @@ void PlayerHandler::finish(const http::Request& request, http::Response& respons
   const bool head = request.method == http::Method::head;
   const std::size_t bytes = head ? 0 : response.content().size();
   shared_.metrics.http_responses_of(response.status).add();
+  if (response.status != 101) shared_.metrics.web_latency_of(kind()).add(shared_.clock.now() - began_);
   shared_.metrics.sent_bytes.add(bytes);
   if (caller_) {
     caller_->flow->add(FlowMeasure::sent, bytes);
@@ -474,10 +537,28 @@ void PlayerHandler::finish(const http::Request& request, http::Response& respons
   }
   const std::uint64_t every = context_->settings.log_every;
   if (every == 0 || ++context_->answers % every != 0) return;
-  context_->runner->log->info(
-      "conn {} {}: {} {}: {} in {:.1f} ms, {} bytes; one answer in {} is logged", connection_.id,
-      connection_.address, head ? "HEAD" : "GET", escaped(request.target, 200), response.status,
-      std::chrono::duration<double, std::milli>(shared_.clock.now() - began_).count(), bytes, every);
+  log_answer(request, response.status, bytes);
+}
+
+void PlayerHandler::log_answer(const http::Request& request, int status, std::size_t bytes) const {
+  const char* const method = request.method == http::Method::head ? "HEAD" : "GET";
+  const std::string client = caller_ ? caller_->slot.address().to_string() : connection_.address;
+  const std::string target = escaped(request.target, 200);
+  const std::uint64_t every = context_->settings.log_every;
+  const double ms = std::chrono::duration<double, std::milli>(shared_.clock.now() - began_).count();
+  log_with_fields(context_->runner->log,
+                  fmt::format("conn {} {}: {} {}: {} in {:.1f} ms, {} bytes; one answer in {} is logged",
+                              connection_.id, client, method, target, status, ms, bytes, every),
+                  "http", access_fields({connection_.id, client, method, target, status, ms, bytes, every}));
+}
+
+AnswerKind PlayerHandler::kind() const {
+  if (!is_for_players(request_->path())) return AnswerKind::file;
+  if (!route_) return AnswerKind::other;
+  if (std::holds_alternative<ChunkRoute>(*route_)) return AnswerKind::chunk;
+  if (std::holds_alternative<ColumnsRoute>(*route_)) return AnswerKind::columns;
+  if (std::holds_alternative<HeightsRoute>(*route_)) return AnswerKind::heights;
+  return std::holds_alternative<MapRoute>(*route_) ? AnswerKind::map : AnswerKind::other;
 }
 
 void PlayerHandler::add_origin_fields(const http::Request& request, http::Response& response) const {

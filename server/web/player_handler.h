@@ -69,6 +69,7 @@ class PlayerHandler final : public http::Handler {
 
   std::optional<http::Response> respond_now(const http::Request& request) override;
   asio::awaitable<http::Response> respond(const http::Request& request) override;
+  http::Response refuse(const http::RequestError& error) override;
   void closed() override;
   /// Called once, where the connection ends without having become a session.
   void on_closed(std::function<void()> told) { told_ = std::move(told); }
@@ -99,11 +100,14 @@ class PlayerHandler final : public http::Handler {
   [[nodiscard]] Answer answer(const ChunkRoute& route);
   [[nodiscard]] Answer answer(const ColumnsRoute& route);
   [[nodiscard]] Answer answer(const HeightsRoute& route);
+  [[nodiscard]] Answer answer(const MapRoute& route);
+  [[nodiscard]] Answer check_world(std::string_view fingerprint) const;
   [[nodiscard]] Answer check_world(std::string_view fingerprint, std::string_view codec) const;
 
   [[nodiscard]] asio::awaitable<http::Response> fetch(const ChunkRoute& route);
   [[nodiscard]] asio::awaitable<http::Response> fetch(const ColumnsRoute& route);
   [[nodiscard]] asio::awaitable<http::Response> fetch(const HeightsRoute& route);
+  [[nodiscard]] asio::awaitable<http::Response> fetch(const MapRoute& route);
   /// One column of the square appended to `body`; an answer where that cannot be had.
   [[nodiscard]] asio::awaitable<Answer> append(ChunkKey column, std::string& body, std::size_t& chunks);
   /// Waits until the rates let so many chunks and bytes go; an answer where that is too long.
@@ -111,11 +115,14 @@ class PlayerHandler final : public http::Handler {
 
   [[nodiscard]] http::Response chunk_response(const EncodedChunk& chunk);
   [[nodiscard]] http::Response body_response(std::string body);
+  [[nodiscard]] http::Response picture_response(PicturePtr picture);
+  [[nodiscard]] AnswerKind kind() const;
   /// With ETag, and 304 where the client has it.
   [[nodiscard]] http::Response tagged(http::Response response) const;
   [[nodiscard]] http::Response failure(FetchError error) const;
   [[nodiscard]] http::Response refuse(const SessionRates::Refusal& refusal) const;
   void finish(const http::Request& request, http::Response& response);
+  void log_answer(const http::Request& request, int status, std::size_t bytes) const;
   /// Which pages may read it.
   void add_origin_fields(const http::Request& request, http::Response& response) const;
 
@@ -133,6 +140,7 @@ class PlayerHandler final : public http::Handler {
   const http::Request* request_ = nullptr;
   Clock::time_point began_{};
   std::optional<Route> route_;
+  PicturePtr picture_;    // whose bytes the answer has
   bool public_ = false;   // every cache may keep the answer
   bool counted_ = false;  // its bytes count in the rates already
 };
