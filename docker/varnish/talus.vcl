@@ -12,6 +12,10 @@ backend talus {
 }
 
 sub vcl_recv {
+    # Varnish itself would pipe methods that it does not know, and looks no more at what follows.
+    if (req.method != "GET" && req.method != "HEAD" && req.method != "OPTIONS") {
+        return (synth(405));
+    }
     # Varnish has added the client to X-Forwarded-For. What is piped is not looked at any more.
     if (req.url == "/v1/stream" && req.http.Upgrade ~ "(?i)^websocket$") {
         return (pipe);

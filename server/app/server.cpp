@@ -127,13 +127,15 @@ RunnerContextPtr Server::make_context(const Config& config) {
 web::WebContextPtr Server::make_web_context(const Config& config, const RunnerContextPtr& runner) {
   return std::make_shared<const web::WebContext>(
       web::WebContext{runner, web_settings(config), admission_, web_service(config, clock_, log_of_clients_),
-                      to_string(world_.fingerprint), web_answers_, web_fetches_, site_});
+                      to_string(world_.fingerprint), web_answers_, web_fetches_, site_,
+                      std::make_shared<web::WorldDocument>(world_, runner->session.limits)});
 }
 
 std::string Server::metrics_text() {
   const BaseChunks::Status status = chunks_.status();
-  RuntimeGauges gauges{status.jobs, status.clients, status.chunk_cache_bytes, status.patch_cache_bytes,
-                       draining_};
+  RuntimeGauges gauges{
+      status.jobs, status.clients, status.chunk_cache_bytes, status.patch_cache_bytes, status.map_cache_bytes,
+      draining_};
   for (std::size_t use = 0; use < kMemoryUses.size(); ++use) {
     gauges.memory_bytes.push_back(memory_.used(static_cast<MemoryUse>(use)));
   }

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include <talus/map/tile_painting.h>
 #include <talus/protocol/limits.h>
 #include <talus/voxel/coords.h>
 
@@ -108,12 +109,19 @@ tl::expected<void, std::string> check_memory(const Config& config, std::uint64_t
 }
 
 GenerationSettings generation_settings(const Config& config, const PatchSize& patch) {
+  // Maps are asked for over HTTP alone.
+  constexpr std::uint64_t kMapsShare = 8;
+  constexpr std::size_t kMapBytesAColumn =
+      160;  // of a map in the making: its stacks, and what light falls on
+  const bool maps = config.http.listen.has_value();
+  const std::size_t map_bytes = maps ? map::TilePainting::kColumnsAtOnce * kMapBytesAColumn : 0;
   return {.threads = generator_threads(config),
           .patch_tiles = patch.tiles,
           .queue_chunks = config.generation.queue_chunks,
           .chunk_cache_bytes = config.cache.chunk_bytes,
           .patch_cache_bytes = config.cache.patch_bytes,
-          .piece_bytes = patch.bytes_in_the_making()};
+          .piece_bytes = std::max(patch.bytes_in_the_making(), map_bytes),
+          .map_cache_bytes = maps ? config.cache.chunk_bytes / kMapsShare : 0};
 }
 
 PatchSize measured_patch_size(const Config& config, const terrain::World& world, const Clock& clock) {

@@ -74,6 +74,9 @@ class ChunkSource {
   /// The caller never gives a ticket twice.
   virtual void submit_heights(const MailboxPtr& mailbox, std::uint64_t ticket, HeightsQuery query) = 0;
   virtual void cancel_heights(ClientId client, std::uint64_t ticket) = 0;
+
+  /// The tile of the map where it is in memory; else null, and submit_heights() draws it.
+  [[nodiscard]] virtual PicturePtr find_map(const map::Tile&) { return nullptr; }
 };
 
 }  // namespace talus::server

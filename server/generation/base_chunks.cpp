@@ -14,7 +14,7 @@ std::size_t bytes_of_rows(const GenerationSettings& settings) {
 }
 
 std::size_t bytes_of_chunks(const GenerationSettings& settings) {
-  return settings.chunk_cache_bytes - bytes_of_rows(settings);
+  return settings.chunk_cache_bytes - bytes_of_rows(settings) - settings.map_cache_bytes;
 }
 
 }  // namespace
@@ -28,7 +28,8 @@ BaseChunks::BaseChunks(std::unique_ptr<const Generator> generator, const Generat
       fitted_bytes_{settings.chunk_cache_bytes + settings.patch_cache_bytes},
       chunks_{bytes_of_chunks(settings)},
       rows_{*generator_, settings.patch_tiles, bytes_of_rows(settings)},
-      maker_{*generator_, chunks_, rows_, metrics, log},
+      maps_{settings.map_cache_bytes},
+      maker_{*generator_, chunks_, rows_, metrics, log, &maps_},
       generator_memory_{memory, settings.threads, log, settings.piece_bytes},
       patches_{{*generator_, maker_, chunks_, rows_, wanted_, generator_memory_, metrics, clock},
                log,
@@ -92,6 +93,12 @@ void BaseChunks::cancel_heights(ClientId client, std::uint64_t ticket) {
   pool_.cancel_heights(client, ticket);
 }
 
+PicturePtr BaseChunks::find_map(const map::Tile& tile) {
+  PicturePtr picture = maps_.find(tile);
+  if (picture != nullptr) metrics_.map_tiles_found.add();
+  return picture;
+}
+
 bool BaseChunks::fit_caches() {
   pool_.jobs_resume();
   const std::unique_lock lock{fitting_, std::try_to_lock};
@@ -106,6 +113,7 @@ bool BaseChunks::fit_caches() {
     };
     chunks_.set_capacity(share(bytes_of_chunks(settings_)));
     rows_.set_capacity(share(bytes_of_rows(settings_)));
+    maps_.set_capacity(share(settings_.map_cache_bytes));
     patches_.set_capacity(share(settings_.patch_cache_bytes));
     fitted_bytes_ = allowed;
   }
@@ -114,15 +122,15 @@ bool BaseChunks::fit_caches() {
       static_cast<std::size_t>(settings_.patch_tiles) * static_cast<std::size_t>(settings_.patch_tiles);
   std::size_t patches = std::max<std::size_t>(1, kTilesPerFit / tiles);
   const bool patches_fit = patches_.fit(patches);
-  const bool chunks_fit = chunks_.fit(chunks) && rows_.fit(chunks);
-  memory_.set(MemoryUse::chunk_cache, chunks_.bytes() + rows_.bytes());
+  const bool chunks_fit = chunks_.fit(chunks) && rows_.fit(chunks) && maps_.fit(chunks);
+  memory_.set(MemoryUse::chunk_cache, chunks_.bytes() + rows_.bytes() + maps_.bytes());
   memory_.set(MemoryUse::patch_cache, patches_.bytes());
   return patches_fit && chunks_fit;
 }
 
 BaseChunks::Status BaseChunks::status() {
   const GenerationPool::Status pool = pool_.status();
-  return {pool.jobs, pool.clients, chunks_.bytes(), patches_.bytes()};
+  return {pool.jobs, pool.clients, chunks_.bytes(), patches_.bytes(), maps_.bytes()};
 }
 
 }  // namespace talus::server

@@ -20,6 +20,7 @@
 #include "generation/generation_pool.h"
 #include "generation/generator.h"
 #include "generation/generator_memory.h"
+#include "generation/map_cache.h"
 #include "generation/patch_store.h"
 #include "generation/wanted_chunks.h"
 #include "log/logger.h"
@@ -34,8 +35,9 @@ struct GenerationSettings {
   std::size_t queue_chunks = 0;  // jobs of all clients together, beyond each client's own
   std::size_t chunk_cache_bytes = 0;
   std::size_t patch_cache_bytes = 0;
-  std::size_t own_chunks = 16;  // with fewer jobs a client may ask for more in any case
-  std::size_t piece_bytes = 0;  // as GeneratorMemory's
+  std::size_t own_chunks = 16;      // with fewer jobs a client may ask for more in any case
+  std::size_t piece_bytes = 0;      // as GeneratorMemory's
+  std::size_t map_cache_bytes = 0;  // of chunk_cache_bytes
 };
 
 class BaseChunks final : public ChunkSource {
@@ -63,6 +65,7 @@ class BaseChunks final : public ChunkSource {
   void set_wanted(ClientId client, std::span<const LevelBox> boxes) override;
   void submit_heights(const MailboxPtr& mailbox, std::uint64_t ticket, HeightsQuery query) override;
   void cancel_heights(ClientId client, std::uint64_t ticket) override;
+  [[nodiscard]] PicturePtr find_map(const map::Tile& tile) override;
 
   /// The most that one fit_caches() evicts: chunks and columns' rows, and tiles of patches, but always one
   /// patch. Freeing them takes about a millisecond.
@@ -79,6 +82,7 @@ class BaseChunks final : public ChunkSource {
     std::size_t clients = 0;  // with something waiting
     std::size_t chunk_cache_bytes = 0;
     std::size_t patch_cache_bytes = 0;
+    std::size_t map_cache_bytes = 0;
   };
   [[nodiscard]] Status status();
 
@@ -92,6 +96,7 @@ class BaseChunks final : public ChunkSource {
   // In the order of their use: each is used by those after it.
   ChunkCache chunks_;
   ColumnRows rows_;
+  MapCache maps_;
   ChunkMaker maker_;
   WantedChunks wanted_;
   GeneratorMemory generator_memory_;

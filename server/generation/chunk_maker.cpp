@@ -28,16 +28,24 @@ ChunkAnswer ChunkMaker::chunk(const terrain::Stacks* stacks, ChunkKey key) {
 tl::expected<AfterStep, GenerationFailed> ChunkMaker::heights(HeightsTask& task,
                                                               const AskAfterStep& after_step) {
   try {
+    const bool keeps = task.tile() && maps_ != nullptr;
+    // Another may have asked for it too, and have it drawn since.
+    if (const PicturePtr drawn = keeps ? maps_->find(*task.tile()) : nullptr) {
+      task.add({.picture = drawn});
+      return AfterStep::go_on;
+    }
     if (task.making() == nullptr) task.making() = generator_.start_heights(task.next_piece());
     while (task.making()->step()) {
       if (const AfterStep next = after_step(); next != AfterStep::go_on) return next;
     }
     const HeightsFound found = task.making()->take();
     metrics_.heights_made.add(found.heights_fx.size());
+    if (task.tile()) metrics_.map_tiles_made.add();
+    if (keeps) maps_->put(*task.tile(), found.picture);
     task.add(found);
     return AfterStep::go_on;
   } catch (const std::exception& error) {
-    log_->error("heights of {} columns failed: {}", task.left(), error.what());
+    log_->error("{} of {} columns failed: {}", task.tile() ? "a map" : "heights", task.left(), error.what());
     return tl::make_unexpected(GenerationFailed{error.what()});
   }
 }

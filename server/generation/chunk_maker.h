@@ -1,4 +1,4 @@
-// Makes chunks and heights by a Generator: counted, with failures as answers. Callable from any thread.
+// Makes chunks, heights and maps by a Generator: counted, with failures as answers. Callable from any thread.
 #pragma once
 
 #include <talus/terrain/extraction.h>
@@ -10,6 +10,7 @@
 #include "generation/column_rows.h"
 #include "generation/generator.h"
 #include "generation/heights_task.h"
+#include "generation/map_cache.h"
 #include "log/logger.h"
 #include "metrics/metrics.h"
 
@@ -17,9 +18,15 @@ namespace talus::server {
 
 class ChunkMaker {
  public:
-  /// All but the log outlive this.
-  ChunkMaker(const Generator& generator, ChunkCache& cache, ColumnRows& rows, Metrics& metrics, Logger log)
-      : generator_{generator}, cache_{cache}, rows_{rows}, metrics_{metrics}, log_{std::move(log)} {}
+  /// All but the log outlive this. `maps`: where drawn tiles are kept; null: nowhere.
+  ChunkMaker(const Generator& generator, ChunkCache& cache, ColumnRows& rows, Metrics& metrics, Logger log,
+             MapCache* maps = nullptr)
+      : generator_{generator},
+        cache_{cache},
+        rows_{rows},
+        metrics_{metrics},
+        log_{std::move(log)},
+        maps_{maps} {}
 
   /// The chunk where it is in the cache, or its column's rows say that it is uniform; else null.
   [[nodiscard]] EncodedChunkPtr known(ChunkKey key) const;
@@ -37,6 +44,7 @@ class ChunkMaker {
   ColumnRows& rows_;
   Metrics& metrics_;
   const Logger log_;
+  MapCache* const maps_;
 };
 
 }  // namespace talus::server

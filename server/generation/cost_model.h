@@ -13,6 +13,7 @@ struct MeasuredWork {
   std::chrono::nanoseconds patch_time{};
   std::chrono::nanoseconds chunk_time{};
   std::chrono::nanoseconds height_time{};
+  std::chrono::nanoseconds map_time{};
   std::uint64_t patches = 0;
   std::uint64_t chunks = 0;
   std::uint64_t heights = 0;  // columns

@@ -18,6 +18,7 @@ std::pair<std::int64_t, std::int64_t> tile_of(const terrain::BaseColumn& column)
 HeightsTask::HeightsTask(MailboxPtr mailbox, std::uint64_t ticket, HeightsQuery query)
     : mailbox_{std::move(mailbox)}, ticket_{ticket}, query_{std::move(query)}, order_(query_.columns.size()) {
   const std::size_t columns = query_.columns.size();
+  columns_ = query_.tile ? std::size_t{map::kTilePixels} * map::kTilePixels : columns;
   found_.heights_fx.resize(columns);
   if (query_.looks) found_.looks.resize(columns);
   found_.values.resize(columns * query_.fields.size());
@@ -28,7 +29,7 @@ HeightsTask::HeightsTask(MailboxPtr mailbox, std::uint64_t ticket, HeightsQuery 
 }
 
 HeightsQuery HeightsTask::next_piece() const {
-  HeightsQuery piece{{}, query_.looks, query_.fields};
+  HeightsQuery piece{{}, query_.looks, query_.fields, query_.tile};
   for (std::size_t i = done_; i < order_.size(); ++i) {
     const terrain::BaseColumn& column = query_.columns[order_[i]];
     if (!piece.columns.empty() && tile_of(column) != tile_of(piece.columns.front())) break;
@@ -38,6 +39,10 @@ HeightsQuery HeightsTask::next_piece() const {
 }
 
 void HeightsTask::add(const HeightsFound& found) {
+  if (query_.tile) {
+    found_.picture = found.picture;
+    done_ = columns_;
+  }
   const std::size_t fields = query_.fields.size();
   for (std::size_t i = 0; i < found.heights_fx.size(); ++i) {
     const std::size_t place = order_[done_++];

@@ -1,9 +1,13 @@
 #include "generation/terrain_generator.h"
 
+#include <optional>
+#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include <talus/map/tile_painting.h>
+#include <talus/pictures/png.h>
 #include <talus/terrain/places.h>
 
 namespace talus::server {
@@ -92,12 +96,41 @@ class TerrainGenerator::HeightsOfWorld final : public HeightsMaking {
   terrain::HeightsWork work_;
 };
 
+class TerrainGenerator::MapOfWorld final : public HeightsMaking {
+ public:
+  MapOfWorld(const terrain::World& world, const map::Tile& tile) : painting_{std::in_place, world, tile} {}
+  [[nodiscard]] bool step() override {
+    if (painting_) {
+      if (painting_->step()) return true;
+      image_.emplace(painting_->take());
+      painting_.reset();
+      return true;
+    }
+    if (image_) {
+      // The PNG takes as long as a step.
+      auto png = pictures::encode_png({.width = image_->width, .height = image_->height, .rgb = image_->rgb});
+      if (!png) throw std::runtime_error{png.error()};
+      found_.picture =
+          std::make_shared<const Picture>(Picture{{reinterpret_cast<const char*>(png->data()), png->size()}});
+      image_.reset();
+    }
+    return false;
+  }
+  [[nodiscard]] HeightsFound take() override { return std::move(found_); }
+
+ private:
+  std::optional<map::TilePainting> painting_;
+  std::optional<map::Image> image_;
+  HeightsFound found_;
+};
+
 std::unique_ptr<PatchMaking> TerrainGenerator::start_patch(const PatchKey& patch,
                                                            terrain::Stacks memory) const {
   return std::make_unique<PatchOfWorld>(*this, patch, std::move(memory));
 }
 
 std::unique_ptr<HeightsMaking> TerrainGenerator::start_heights(HeightsQuery query) const {
+  if (query.tile) return std::make_unique<MapOfWorld>(*world_, *query.tile);
   return std::make_unique<HeightsOfWorld>(*this, std::move(query));
 }
 

@@ -37,6 +37,7 @@ class TerrainGenerator final : public Generator {
  private:
   class PatchOfWorld;
   class HeightsOfWorld;
+  class MapOfWorld;
 
   [[nodiscard]] std::unique_ptr<terrain::Generator> take_generator() const;
   void give_back(std::unique_ptr<terrain::Generator> generator) const;

@@ -21,6 +21,7 @@
 #include <asio/buffer.hpp>
 #include <asio/co_spawn.hpp>
 #include <asio/detached.hpp>
+#include <asio/post.hpp>
 #include <asio/redirect_error.hpp>
 #include <asio/use_awaitable.hpp>
 
@@ -81,6 +82,8 @@ class Connection : public std::enable_shared_from_this<Connection<S>> {
  private:
   // Responses wait for each other up to so many bytes.
   static constexpr std::size_t kBatchBytes = std::size_t{32} * 1024;
+  // After so many responses others of the thread have their turn.
+  static constexpr int kTurn = 32;
   // How often a connection whose request waits is looked at: its work is dropped where nobody takes the
   // answer.
   static constexpr std::chrono::milliseconds kHangUpCheck{250};
@@ -92,7 +95,7 @@ class Connection : public std::enable_shared_from_this<Connection<S>> {
       const auto taken = parser_.feed(std::span{input_}.subspan(read_, filled_ - read_));
       if (!taken) {
         more = false;
-        const Response response = response_to(taken.error());
+        const Response response = handler_->refuse(taken.error());
         if (!add(response, false, false)) co_await write(response.content());
         continue;
       }
@@ -120,6 +123,9 @@ class Connection : public std::enable_shared_from_this<Connection<S>> {
       if (!add(*response, request.method == Method::head, more)) co_await write(response->content());
       if (open_ && upgraded_) co_return co_await hand_over();
       parser_.pop();
+      if (++in_turn_ < kTurn) continue;
+      in_turn_ = 0;
+      co_await asio::post(stream_.get_executor(), asio::use_awaitable);
     }
     if (!open_) co_return;
     if (!output_.empty()) co_await write({});
@@ -127,8 +133,10 @@ class Connection : public std::enable_shared_from_this<Connection<S>> {
     close();
   }
 
+  /// Where the connection is closed then, it is no response.
   [[nodiscard]] asio::awaitable<Response> wait_for_response(const Request& request) {
     if (!output_.empty()) co_await write({});
+    if (!open_) co_return Response{};
     deadline_ = Clock::time_point::max();  // the handler keeps to times of its own
     waiting_ = true;
     watch_waits_.notify();
@@ -223,7 +231,7 @@ class Connection : public std::enable_shared_from_this<Connection<S>> {
       deadline_ = last_active_ + service_.response_timeout;
     }
     output_.clear();
-    if (output_.capacity() > 2 * kBatchBytes) output_.shrink_to_fit();
+    if (output_.capacity() > kBatchBytes) output_.shrink_to_fit();
     if (failed) co_return close();
     handler_->sent();
     deadline_ = last_active_ + service_.request_timeout;
@@ -274,6 +282,7 @@ class Connection : public std::enable_shared_from_this<Connection<S>> {
   bool between_requests_ = false;  // and reading
   bool answered_ = false;          // some request
   bool upgraded_ = false;
+  int in_turn_ = 0;
   bool reads_next_ = false;  // between two requests
   std::error_code read_error_;
   std::size_t read_ = 0;  // of input_

@@ -22,6 +22,9 @@ class Handler {
   /// `request` stays until the response is there. The connection waits as long as the handler does.
   [[nodiscard]] virtual asio::awaitable<Response> respond(const Request& request) = 0;
 
+  /// The response to what is no request. The connection closes after it.
+  [[nodiscard]] virtual Response refuse(const RequestError& error) { return response_to(error); }
+
   /// All responses so far are with the system, or lost.
   virtual void sent() {}
   /// The connection is closed, and asks nothing more.

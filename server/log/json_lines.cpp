@@ -18,12 +18,15 @@ void JsonLines::format(const spdlog::details::log_msg& line, spdlog::memory_buf_
   const auto level = spdlog::level::to_string_view(line.level);
   const nlohmann::json text = std::string_view{line.payload.data(), line.payload.size()};
   // Bytes that are not UTF-8 are replaced, because dump() would throw.
-  fmt::format_to(std::back_inserter(out),
-                 R"({{"time":"{}.{:03}Z","level":"{}","text":{}}})"
-                 "\n",
+  fmt::format_to(std::back_inserter(out), R"({{"time":"{}.{:03}Z","level":"{}","text":{})",
                  utc_time(std::chrono::sys_seconds{seconds}, "%Y-%m-%dT%H:%M:%S"),
                  (since_1970 - seconds).count(), std::string_view{level.data(), level.size()},
                  text.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace));
+  if (!line.source.empty()) {
+    fmt::format_to(std::back_inserter(out), R"(,"{}":{})", line.source.filename, line.source.funcname);
+  }
+  out.push_back('}');
+  out.push_back('\n');
 }
 
 std::unique_ptr<spdlog::formatter> JsonLines::clone() const {

@@ -1,4 +1,5 @@
-// Log lines as JSON objects, one a line: {"time": RFC 3339 in UTC, "level": ..., "text": ...}.
+// Log lines as JSON objects, one a line: {"time": RFC 3339 in UTC, "level": ..., "text": ...},
+// and what log_with_fields() adds.
 #pragma once
 
 #include <memory>

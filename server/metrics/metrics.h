@@ -14,6 +14,11 @@ namespace talus::server {
 enum class StatusClass : std::uint8_t {};
 inline constexpr std::array<std::string_view, 6> kStatusClasses{"", "1xx", "2xx", "3xx", "4xx", "5xx"};
 
+/// What an HTTP request asks for.
+enum class AnswerKind : std::uint8_t { chunk, columns, heights, map, file, other };
+inline constexpr std::array<std::string_view, 6> kAnswerKinds{"chunk", "columns", "heights",
+                                                              "map",   "file",    "other"};
+
 struct Metrics {
   // ---- connections
   Counter accepted;
@@ -43,6 +48,8 @@ struct Metrics {
   /// generator. The time that the client's link takes does not count.
   LatencyHistogram hot_latency;
   LatencyHistogram cold_latency;
+  /// Of an HTTP request: from when it is whole to when its answer is ready to be sent, by what was asked for.
+  std::array<LatencyHistogram, kAnswerKinds.size()> web_latency;
 
   // ---- where chunks come from
   Counter cache_hits;
@@ -54,6 +61,9 @@ struct Metrics {
   Counter chunk_ns;
   Counter heights_made;  // columns
   Counter heights_ns;
+  Counter map_tiles_made;
+  Counter map_tiles_found;  // in the cache
+  Counter map_ns;
   Counter jobs_refused;
   Counter jobs_cancelled;  // the last client that waited is gone
 
@@ -62,6 +72,7 @@ struct Metrics {
   Counter& denied(auto failure) { return auth_failures[failure]; }
   Counter& refused_for(auto reason) { return refused[reason]; }
   Counter& error(auto code) { return errors[code]; }
+  LatencyHistogram& web_latency_of(AnswerKind kind) { return web_latency[static_cast<std::size_t>(kind)]; }
   Counter& http_responses_of(int status) { return web_responses[static_cast<StatusClass>(status / 100)]; }
 };
 

@@ -53,16 +53,29 @@ Samples chunk_latency(const Source& s) {
   return {labelled("hot", s.metrics.hot_latency), labelled("cold", s.metrics.cold_latency)};
 }
 
+Samples web_latency(const Source& s) {
+  Samples samples;
+  for (std::size_t kind = 0; kind < kAnswerKinds.size(); ++kind) {
+    samples.push_back({0, {std::string{kAnswerKinds[kind]}}, &s.metrics.web_latency[kind]});
+  }
+  return samples;
+}
+
+Samples map_tiles(const Source& s) {
+  return {labelled("drawn", s.metrics.map_tiles_made), labelled("cached", s.metrics.map_tiles_found)};
+}
+
 Samples cache_bytes(const Source& s) {
   return {labelled("chunks", static_cast<double>(s.gauges.chunk_cache_bytes)),
-          labelled("patches", static_cast<double>(s.gauges.patch_cache_bytes))};
+          labelled("patches", static_cast<double>(s.gauges.patch_cache_bytes)),
+          labelled("maps", static_cast<double>(s.gauges.map_cache_bytes))};
 }
 
 Samples generation_seconds(const Source& s) {
   constexpr double kNanosecond = 1e-9;
-  return {labelled("patch", s.metrics.patch_ns, kNanosecond),
-          labelled("chunk", s.metrics.chunk_ns, kNanosecond),
-          labelled("heights", s.metrics.heights_ns, kNanosecond)};
+  return {
+      labelled("patch", s.metrics.patch_ns, kNanosecond), labelled("chunk", s.metrics.chunk_ns, kNanosecond),
+      labelled("heights", s.metrics.heights_ns, kNanosecond), labelled("map", s.metrics.map_ns, kNanosecond)};
 }
 
 Samples memory_bytes(const Source& s) {
@@ -89,6 +102,9 @@ const std::array kRows{
               &Metrics::web_open},
     MetricRow{"talus_http_responses_total", "HTTP responses to players, by the class of their status.", counter, {"status"},
               LabelledMetric{&Metrics::web_responses, &MetricLabels::status_classes}},
+    MetricRow{"talus_http_latency_seconds",
+              "From when a player's HTTP request is whole to when its response is ready to be sent, by what it asks for.",
+              histogram, {"kind"}, web_latency},
     MetricRow{"talus_received_bytes_total", "Bytes received from clients.", counter, {}, &Metrics::received_bytes},
     MetricRow{"talus_sent_bytes_total", "Bytes written to clients.", counter, {}, &Metrics::sent_bytes},
     MetricRow{"talus_errors_total", "Error messages sent to clients, by code.", counter,
@@ -128,6 +144,7 @@ const std::array kRows{
               generation_seconds},
     MetricRow{"talus_heights_generated_total", "Columns whose height was looked up.", counter, {},
               &Metrics::heights_made},
+    MetricRow{"talus_map_tiles_total", "Tiles of the map, drawn or found in the cache.", counter, {"source"}, map_tiles},
     MetricRow{"talus_jobs", "Chunks that wait for a generator or are in one.", gauge, {}, &RuntimeGauges::jobs},
     MetricRow{"talus_waiting_sessions", "Sessions that wait for a generator.", gauge, {},
               &RuntimeGauges::waiting_clients},

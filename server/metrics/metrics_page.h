@@ -19,6 +19,7 @@ struct RuntimeGauges {
   std::uint64_t waiting_clients = 0;  // with a job in the queue
   std::uint64_t chunk_cache_bytes = 0;
   std::uint64_t patch_cache_bytes = 0;
+  std::uint64_t map_cache_bytes = 0;
   bool draining = false;
   std::vector<std::uint64_t> memory_bytes{};  // by use, as MetricLabels::memory_uses names them
   std::uint64_t memory_limit_bytes = 0;       // 0: none

@@ -1,6 +1,7 @@
 #include "web/documents.h"
 
 #include <bit>
+#include <iterator>
 #include <string>
 #include <vector>
 
@@ -26,9 +27,15 @@ std::string_view phase_name(terrain::MaterialKind kind) {
   }
 }
 
-/// The double of fewest digits that is the float.
-double shortest(float value) {
-  return std::stod(fmt::to_string(value));
+/// A JSON array, each value in the fewest digits that are that value. There may be tens of thousands.
+template <typename Value>
+void append_array(std::string& json, std::size_t count, const Value& value_at) {
+  json += '[';
+  for (std::size_t i = 0; i < count; ++i) {
+    if (i > 0) json += ',';
+    fmt::format_to(std::back_inserter(json), "{}", value_at(i));
+  }
+  json += ']';
 }
 
 ordered_json rates_object(const RateSet& rates, std::chrono::milliseconds burst) {
@@ -90,26 +97,38 @@ std::string world_document(const WorldInfo& world, const SessionLimits& limits, 
   return document.dump() + '\n';
 }
 
+std::string access_fields(const AccessLine& line) {
+  const ordered_json fields{{"connection", line.connection}, {"client", line.client}, {"method", line.method},
+                            {"target", line.target},         {"status", line.status}, {"ms", line.ms},
+                            {"bytes", line.bytes},           {"one_in", line.one_in}};
+  return fields.dump(-1, ' ', false, ordered_json::error_handler_t::replace);
+}
+
 std::string heights_document(const WorldInfo& world, const HeightsRoute& route, const HeightsFound& found) {
-  ordered_json document{{"subvoxels_per_voxel", terrain::kSubvoxels}};
+  const std::size_t columns = found.heights_fx.size();
+  std::string json = fmt::format(R"({{"subvoxels_per_voxel":{})", terrain::kSubvoxels);
   if (route.width > 0) {
-    document["w"] = route.width;
-    document["h"] = found.heights_fx.size() / static_cast<std::size_t>(route.width);
+    fmt::format_to(std::back_inserter(json), R"(,"w":{},"h":{})", route.width,
+                   columns / static_cast<std::size_t>(route.width));
   }
-  document["heights"] = found.heights_fx;
+  json += R"(,"heights":)";
+  append_array(json, columns, [&](std::size_t i) { return found.heights_fx[i]; });
   if (route.looks) {
-    ordered_json looks = ordered_json::array();
-    for (const std::uint8_t look : found.looks) looks.push_back(world.looks.at(look));
-    document["looks"] = std::move(looks);
+    std::vector<std::string> names;
+    for (const std::string& look : world.looks) names.push_back(ordered_json(look).dump());
+    json += R"(,"looks":)";
+    append_array(json, found.looks.size(),
+                 [&](std::size_t i) -> const std::string& { return names.at(found.looks[i]); });
   }
-  for (std::size_t field = 0; field < route.fields.size(); ++field) {
-    ordered_json values = ordered_json::array();
-    for (std::size_t at = field; at < found.values.size(); at += route.fields.size()) {
-      values.push_back(shortest(found.values[at]));
-    }
-    document["fields"][std::string{route.fields[field]}] = std::move(values);
+  const std::size_t fields = route.fields.size();
+  for (std::size_t field = 0; field < fields; ++field) {
+    json += field == 0 ? R"(,"fields":{)" : ",";
+    json += ordered_json(std::string{route.fields[field]}).dump() + ':';
+    append_array(json, found.values.size() / fields,
+                 [&](std::size_t i) { return found.values[i * fields + field]; });
   }
-  return document.dump() + '\n';
+  json += fields > 0 ? "}}\n" : "}\n";
+  return json;
 }
 
 std::string heights_npy(const HeightsRoute& route, const HeightsFound& found) {

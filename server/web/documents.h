@@ -2,6 +2,8 @@
 #pragma once
 
 #include <chrono>
+#include <cstddef>
+#include <cstdint>
 #include <string>
 #include <string_view>
 
@@ -25,6 +27,19 @@ inline constexpr const char* kJson = "application/json";
 /// Welcome: 128-bit numbers as 32 hexadecimal digits.
 [[nodiscard]] std::string world_document(const WorldInfo& world, const SessionLimits& limits,
                                          const RateLimits& rates);
+
+/// A line of the access log, as a JSON object.
+struct AccessLine {
+  std::uint64_t connection = 0;
+  std::string_view client{};
+  std::string_view method{};
+  std::string_view target{};
+  int status = 0;
+  double ms = 0;
+  std::size_t bytes = 0;
+  std::uint64_t one_in = 0;  // so many answers one is logged
+};
+[[nodiscard]] std::string access_fields(const AccessLine& line);
 
 /// Heights in subvoxels, and what else the route asks for. `found` is of its columns.
 [[nodiscard]] std::string heights_document(const WorldInfo& world, const HeightsRoute& route,

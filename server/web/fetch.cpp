@@ -123,4 +123,12 @@ asio::awaitable<tl::expected<HeightsFound, FetchError>> Fetch::heights(HeightsQu
   co_return *std::exchange(heights_, std::nullopt);
 }
 
+asio::awaitable<tl::expected<PicturePtr, FetchError>> Fetch::map(const map::Tile& tile,
+                                                                 Clock::time_point deadline) {
+  const auto self = shared_from_this();
+  auto found = co_await heights({.tile = tile}, deadline);
+  if (!found) co_return tl::make_unexpected(found.error());
+  co_return std::move(found->picture);
+}
+
 }  // namespace talus::server::web

@@ -44,6 +44,10 @@ class Fetch : public std::enable_shared_from_this<Fetch> {
   [[nodiscard]] asio::awaitable<tl::expected<HeightsFound, FetchError>> heights(HeightsQuery query,
                                                                                 Clock::time_point deadline);
 
+  /// A tile of the map.
+  [[nodiscard]] asio::awaitable<tl::expected<PicturePtr, FetchError>> map(const map::Tile& tile,
+                                                                          Clock::time_point deadline);
+
   /// Whoever waits gets FetchError::gone.
   void abandon();
 

@@ -13,7 +13,8 @@ std::string_view trimmed_address(std::string_view text) {
 std::string_view without_port(std::string_view text) {
   if (text.starts_with('[')) {
     const std::size_t end = text.find(']');
-    return end == std::string_view::npos ? text : text.substr(1, end - 1);
+    const bool whole = end != std::string_view::npos && (end + 1 == text.size() || text[end + 1] == ':');
+    return whole ? text.substr(1, end - 1) : text;
   }
   const std::size_t colon = text.find(':');
   const bool one_colon =

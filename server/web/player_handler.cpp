@@ -13,6 +13,7 @@
 
 #include "chunks/chunk_source.h"
 #include "log/escape.h"
+#include "log/log_with_fields.h"
 #include "session/heights_check.h"
 #include "session/reply_frames.h"
 #include "session/retry_after.h"
@@ -89,7 +90,14 @@ void PlayerHandler::sent() {
   memory_.hold(kIdleBytes);
 }
 
+http::Response PlayerHandler::refuse(const http::RequestError& error) {
+  http::Response response = error_response(error.status, ErrorCode::malformed, error.text);
+  shared_.metrics.http_responses_of(response.status).add();
+  return response;
+}
+
 void PlayerHandler::closed() {
+  closed_ = true;
   if (fetch_ != nullptr) fetch_->abandon();
   // Who sees the end finds the slot free.
   leave();
@@ -122,9 +130,9 @@ std::optional<http::Response> PlayerHandler::respond_now(const http::Request& re
   began_ = shared_.clock.now();
   if (fetch_ != nullptr) std::exchange(fetch_, nullptr)->abandon();  // of a request that threw
   route_.reset();
+  kept_.reset();
   public_ = false;
   open_ = false;
-  counted_ = false;
   Answer answer = decide(request);
   if (answer) finish(request, *answer);
   return answer;
@@ -141,7 +149,7 @@ asio::awaitable<http::Response> PlayerHandler::respond(const http::Request& requ
         }
       },
       *route_);
-  finish(request, response);
+  if (!closed_) finish(request, response);  // nobody is answered otherwise
   co_return response;
 }
 
@@ -159,6 +167,7 @@ PlayerHandler::Answer PlayerHandler::decide(const http::Request& request) {
   }
   if (request.method == http::Method::other) {
     http::Response wrong = error_response(405, ErrorCode::malformed, "only GET and HEAD are answered here");
+    wrong.last = true;  // a proxy may pass on whatever follows a method that it does not know
     wrong.fields.push_back({"Allow", "GET, HEAD, OPTIONS"});
     return wrong;
   }
@@ -166,8 +175,9 @@ PlayerHandler::Answer PlayerHandler::decide(const http::Request& request) {
   auto route = find_route(request.path(), request.query(), shared_.limits.heights_per_request);
   if (!route) return error_response(route.error().status, ErrorCode::malformed, route.error().text);
   route_.emplace(*std::move(route));
-  const bool chunks =
-      std::holds_alternative<ChunkRoute>(*route_) || std::holds_alternative<ColumnsRoute>(*route_);
+  const bool chunks = std::holds_alternative<ChunkRoute>(*route_) ||
+                      std::holds_alternative<ColumnsRoute>(*route_) ||
+                      std::holds_alternative<MapRoute>(*route_);
   // A stream's token comes in its Hello.
   if (!std::holds_alternative<StreamRoute>(*route_)) {
     if (auto wrong = check_token(request, chunks)) return wrong;
@@ -179,12 +189,17 @@ PlayerHandler::Answer PlayerHandler::find_caller(const http::Request& request) {
   if (!connection_.through_proxy) return std::nullopt;
   const auto address = forwarded_for(request.list("X-Forwarded-For"), context_->settings.proxies);
   if (!address) {
-    return error_response(400, ErrorCode::malformed,
-                          "the proxy in front of this server names no client; it must set X-Forwarded-For");
+    http::Response wrong =
+        error_response(400, ErrorCode::malformed,
+                       "the proxy in front of this server names no client; it must set X-Forwarded-For");
+    wrong.last = true;
+    return wrong;
   }
   if (shared_.access.meet(*address)) {
     shared_.metrics.denied(AuthFailure::blocked).add();
-    return error_response(403, ErrorCode::unauthorized, describe(AuthFailure::blocked));
+    http::Response blocked = error_response(403, ErrorCode::unauthorized, describe(AuthFailure::blocked));
+    blocked.last = true;
+    return blocked;
   }
   auto slot = context_->admission.enter(*address);
   if (!slot) return error_response(503, ErrorCode::overloaded, slot.error(), retry_after::kServerFull);
@@ -214,8 +229,11 @@ PlayerHandler::Answer PlayerHandler::check_token(const http::Request& request, b
 }
 
 PlayerHandler::Answer PlayerHandler::check_rates() {
-  const auto refusal = caller_->rates.refuse_request(began_);
-  return refusal ? Answer{refuse(*refusal)} : std::nullopt;
+  if (const auto refusal = caller_->rates.refuse_request(began_)) return refuse(*refusal);
+  // What is no chunk takes bytes too: a client that owes that many waits.
+  const SessionRates::Due due = caller_->rates.chunks_due(began_);
+  if (due.at <= began_ + kMaxThrottle) return std::nullopt;
+  return over_rate(due.at - began_);
 }
 
 http::Response PlayerHandler::refuse(const SessionRates::Refusal& refusal) const {
@@ -229,9 +247,12 @@ http::Response PlayerHandler::refuse(const SessionRates::Refusal& refusal) const
 }
 
 PlayerHandler::Answer PlayerHandler::answer(const WorldRoute&) {
-  http::Response response{200, kJson, world_document(shared_.world, shared_.limits, caller_->rates.limits())};
+  const auto text = context_->world->get(caller_->rates.limits());
+  kept_ = text;
+  http::Response response{200, kJson};
+  response.kept = text->body;
   response.cache_control = open_ ? http::kNoCache : kPrivate;
-  return tagged(std::move(response));
+  return tagged(std::move(response), text->tag);
 }
 
 PlayerHandler::Answer PlayerHandler::answer(const StreamRoute&) {
@@ -242,19 +263,30 @@ PlayerHandler::Answer PlayerHandler::answer(const StreamRoute&) {
     return error_response(403, ErrorCode::forbidden,
                           "pages of this origin may not stream; http.origins lists those that may");
   }
-  return websocket::answer_handshake(*request_);
+  http::Response response = websocket::answer_handshake(*request_);
+  if (response.status == 101) return response;
+  // As all errors here.
+  http::Response wrong = error_response(response.status, ErrorCode::malformed,
+                                        std::string_view{response.body}.substr(0, response.body.size() - 1));
+  wrong.fields.insert(wrong.fields.end(), response.fields.begin(), response.fields.end());
+  return wrong;
 }
 
 PlayerHandler::Answer PlayerHandler::check_world(std::string_view fingerprint, std::string_view codec) const {
-  if (fingerprint != context_->fingerprint) {
-    return error_response(
-        404, ErrorCode::out_of_range,
-        fmt::format("this server's world is {}; /v1/world describes it", context_->fingerprint));
-  }
+  if (auto wrong = check_world(fingerprint)) return wrong;
   static const std::string kCodec = std::to_string(kCodecVersion);
   if (codec != kCodec) {
     return error_response(404, ErrorCode::version,
                           fmt::format("this server sends chunk codec {}", kCodecVersion));
+  }
+  return std::nullopt;
+}
+
+PlayerHandler::Answer PlayerHandler::check_world(std::string_view fingerprint) const {
+  if (fingerprint != context_->fingerprint) {
+    return error_response(
+        404, ErrorCode::out_of_range,
+        fmt::format("this server's world is {}; /v1/world describes it", context_->fingerprint));
   }
   return std::nullopt;
 }
@@ -292,6 +324,15 @@ PlayerHandler::Answer PlayerHandler::answer(const HeightsRoute& route) {
     return error_response(400, checked.error().code, checked.error().text);
   }
   return std::nullopt;
+}
+
+PlayerHandler::Answer PlayerHandler::answer(const MapRoute& route) {
+  if (auto wrong = check_world(route.fingerprint)) return wrong;
+  PicturePtr picture = shared_.chunks.find_map(route.tile);
+  if (picture == nullptr) return std::nullopt;
+  if (caller_->rates.chunks_due(began_).at > began_) return std::nullopt;
+  charge(1);
+  return picture_response(picture);
 }
 
 asio::awaitable<http::Response> PlayerHandler::fetch(const ChunkRoute& route) {
@@ -366,7 +407,9 @@ asio::awaitable<PlayerHandler::Answer> PlayerHandler::append(ChunkKey column, st
     auto made = co_await fetch_->get(keys, began_ + kMaxWait);
     if (!made) co_return failure(made.error());
     for (std::size_t i = 0; i < keys.size(); ++i) add_chunk(runs, keys[i].coord.y, (*made)[i]);
-    charge(keys.size() - (fetched == 0 ? 2 : 0), 0);  // those below and above were known
+    const std::size_t made_here = keys.size() - (fetched == 0 ? 2 : 0);  // those below and above were known
+    charge(made_here);
+    shared_.metrics.chunks_sent.add(made_here);
     fetched += keys.size();
     std::size_t bytes = body.size();
     for (const ChunkRun& run : runs) bytes += run.chunk->payload().size();
@@ -404,6 +447,27 @@ asio::awaitable<http::Response> PlayerHandler::fetch(const HeightsRoute& route) 
   co_return http::Response{200, kJson, heights_document(shared_.world, route, *found)};
 }
 
+// A tile counts as the columns of chunks that it shows at its level, where it has to be drawn. They count
+// before it is drawn, whether or not anybody takes it.
+asio::awaitable<http::Response> PlayerHandler::fetch(const MapRoute& route) {
+  constexpr std::size_t kColumnsShown =
+      std::size_t{map::kTilePixels / kChunkSize} * (map::kTilePixels / kChunkSize);
+  PicturePtr picture = shared_.chunks.find_map(route.tile);
+  if (picture == nullptr && !shared_.memory.takes_work()) {
+    co_return error_response(503, ErrorCode::overloaded, kNoMemory, retry_after::kBusy);
+  }
+  if (auto wrong = co_await wait_for_rates()) co_return *std::move(wrong);
+  charge(picture == nullptr ? kColumnsShown : 1);
+  if (picture == nullptr) {
+    fetch_ = std::make_shared<Fetch>(executor_, shared_.chunks, shared_.clock,
+                                     ClientId{kFirstFetch + ++context_->fetches}, caller_->flow);
+    auto drawn = co_await fetch_->map(route.tile, began_ + kMaxWait);
+    if (!drawn) co_return failure(drawn.error());
+    picture = *std::move(drawn);
+  }
+  co_return picture_response(picture);
+}
+
 asio::awaitable<PlayerHandler::Answer> PlayerHandler::wait_for_rates() {
   TimedEvent event{executor_, shared_.clock};
   const auto until = shared_.clock.now() + kMaxThrottle;
@@ -413,26 +477,27 @@ asio::awaitable<PlayerHandler::Answer> PlayerHandler::wait_for_rates() {
     const SessionRates::Due due = caller_->rates.chunks_due(now);
     if (due.throttled) shared_.metrics.throttled(*due.throttled).add();
     if (due.at <= now) break;
-    if (due.at > until) {
-      caller_->flow->add(FlowMeasure::refusals, 1);
-      co_return error_response(429, ErrorCode::overloaded,
-                               "chunks come too fast for your rate; Retry-After says when there is room",
-                               std::chrono::ceil<std::chrono::milliseconds>(due.at - now));
-    }
+    if (due.at > until) co_return over_rate(due.at - now);
     co_await event.wait_until(due.at);
   }
   co_return std::nullopt;
 }
 
-void PlayerHandler::charge(std::size_t chunks, std::size_t bytes) {
-  counted_ = true;
-  shared_.metrics.chunks_sent.add(chunks);
-  shared_.metrics.chunk_bytes_sent.add(bytes);
-  if (caller_) caller_->rates.sent(shared_.clock.now(), chunks, bytes);
+http::Response PlayerHandler::over_rate(std::chrono::nanoseconds wait) const {
+  caller_->flow->add(FlowMeasure::refusals, 1);
+  return error_response(429, ErrorCode::overloaded,
+                        "this comes too fast for your rate; Retry-After says when there is room",
+                        std::chrono::ceil<std::chrono::milliseconds>(wait));
+}
+
+void PlayerHandler::charge(std::size_t chunks) {
+  if (caller_) caller_->rates.sent(shared_.clock.now(), chunks, 0);
 }
 
 http::Response PlayerHandler::charged(std::size_t chunks, http::Response response) {
-  charge(chunks, request_->method == http::Method::head ? 0 : response.content().size());
+  charge(chunks);
+  shared_.metrics.chunks_sent.add(chunks);
+  shared_.metrics.chunk_bytes_sent.add(response.content().size());
   return response;
 }
 
@@ -447,14 +512,27 @@ http::Response PlayerHandler::body_response(std::string body) {
   return tagged(std::move(response));
 }
 
+http::Response PlayerHandler::picture_response(const PicturePtr& picture) {
+  kept_ = picture;
+  http::Response response{200, "image/png"};
+  response.cache_control = public_ ? kImmutable : kPrivate;
+  response.kept = picture->png;
+  return tagged(std::move(response));
+}
+
 http::Response PlayerHandler::tagged(http::Response response) const {
-  std::string etag = entity_tag(response.body);
-  if (lists_tag(request_->field("If-None-Match"), etag)) {
+  std::string tag = entity_tag(response.content());
+  return tagged(std::move(response), std::move(tag));
+}
+
+http::Response PlayerHandler::tagged(http::Response response, std::string tag) const {
+  if (lists_tag(request_->field("If-None-Match"), tag)) {
     response.status = 304;
     response.body.clear();
+    response.kept = {};
   }
   response.fields.reserve(3);  // with what finish() adds
-  response.fields.push_back({"ETag", std::move(etag)});
+  response.fields.push_back({"ETag", std::move(tag)});
   return response;
 }
 
@@ -479,10 +557,11 @@ void PlayerHandler::finish(const http::Request& request, http::Response& respons
   const bool head = request.method == http::Method::head;
   const std::size_t bytes = head ? 0 : response.content().size();
   shared_.metrics.http_responses_of(response.status).add();
+  if (response.status != 101) shared_.metrics.web_latency_of(kind()).add(shared_.clock.now() - began_);
   shared_.metrics.sent_bytes.add(bytes);
   if (caller_) {
     caller_->flow->add(FlowMeasure::sent, bytes);
-    if (!counted_) caller_->rates.sent(shared_.clock.now(), 0, bytes);
+    caller_->rates.sent(shared_.clock.now(), 0, bytes);
   }
   const std::uint64_t every = context_->settings.log_every;
   if (every != 0 && ++context_->answers % every == 0) log_answer(request, response.status, bytes);
@@ -496,12 +575,24 @@ void PlayerHandler::leave() {
 }
 
 void PlayerHandler::log_answer(const http::Request& request, int status, std::size_t bytes) const {
-  context_->runner->log->info(
-      "conn {} {}: {} {}: {} in {:.1f} ms, {} bytes; one answer in {} is logged", connection_.id,
-      caller_ ? caller_->slot.address().to_string() : connection_.address,
-      request.method == http::Method::head ? "HEAD" : "GET", escaped(request.target, 200), status,
-      std::chrono::duration<double, std::milli>(shared_.clock.now() - began_).count(), bytes,
-      context_->settings.log_every);
+  const char* const method = request.method == http::Method::head ? "HEAD" : "GET";
+  const std::string client = caller_ ? caller_->slot.address().to_string() : connection_.address;
+  const std::string target = escaped(request.target, 200);
+  const std::uint64_t every = context_->settings.log_every;
+  const double ms = std::chrono::duration<double, std::milli>(shared_.clock.now() - began_).count();
+  log_with_fields(context_->runner->log,
+                  fmt::format("conn {} {}: {} {}: {} in {:.1f} ms, {} bytes; one answer in {} is logged",
+                              connection_.id, client, method, target, status, ms, bytes, every),
+                  "http", access_fields({connection_.id, client, method, target, status, ms, bytes, every}));
+}
+
+AnswerKind PlayerHandler::kind() const {
+  if (!is_for_players(request_->path())) return AnswerKind::file;
+  if (!route_) return AnswerKind::other;
+  if (std::holds_alternative<ChunkRoute>(*route_)) return AnswerKind::chunk;
+  if (std::holds_alternative<ColumnsRoute>(*route_)) return AnswerKind::columns;
+  if (std::holds_alternative<HeightsRoute>(*route_)) return AnswerKind::heights;
+  return std::holds_alternative<MapRoute>(*route_) ? AnswerKind::map : AnswerKind::other;
 }
 
 void PlayerHandler::add_origin_fields(const http::Request& request, http::Response& response) const {

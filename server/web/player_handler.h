@@ -30,6 +30,7 @@
 #include "web/fetch.h"
 #include "web/routes.h"
 #include "web/site.h"
+#include "web/world_document.h"
 
 namespace talus::server::web {
 
@@ -49,7 +50,8 @@ struct WebContext {
   std::string fingerprint;              // as paths have it
   std::atomic<std::uint64_t>& answers;  // of all connections, for the log
   std::atomic<std::uint64_t>& fetches;  // that ever waited, for their ids
-  std::shared_ptr<const Site> site{};   // null: none
+  std::shared_ptr<const Site> site;     // null: none
+  std::shared_ptr<WorldDocument> world;
 };
 using WebContextPtr = std::shared_ptr<const WebContext>;
 
@@ -69,6 +71,7 @@ class PlayerHandler final : public http::Handler {
 
   std::optional<http::Response> respond_now(const http::Request& request) override;
   asio::awaitable<http::Response> respond(const http::Request& request) override;
+  http::Response refuse(const http::RequestError& error) override;
   void sent() override;
   void closed() override;
   /// Called once, where the connection ends without having become a session.
@@ -100,25 +103,32 @@ class PlayerHandler final : public http::Handler {
   [[nodiscard]] Answer answer(const ChunkRoute& route);
   [[nodiscard]] Answer answer(const ColumnsRoute& route);
   [[nodiscard]] Answer answer(const HeightsRoute& route);
+  [[nodiscard]] Answer answer(const MapRoute& route);
+  [[nodiscard]] Answer check_world(std::string_view fingerprint) const;
   [[nodiscard]] Answer check_world(std::string_view fingerprint, std::string_view codec) const;
 
   [[nodiscard]] asio::awaitable<http::Response> fetch(const ChunkRoute& route);
   [[nodiscard]] asio::awaitable<http::Response> fetch(const ColumnsRoute& route);
   [[nodiscard]] asio::awaitable<http::Response> fetch(const HeightsRoute& route);
+  [[nodiscard]] asio::awaitable<http::Response> fetch(const MapRoute& route);
   /// One column of the square appended to `body`; an answer where that cannot be had. `held`: bytes of the
   /// others.
   [[nodiscard]] asio::awaitable<Answer> append(ChunkKey column, std::string& body, std::size_t held);
   /// Waits until the rates let a chunk go; an answer where that is too long. Before the work: who has no rate
   /// left costs the generators nothing.
   [[nodiscard]] asio::awaitable<Answer> wait_for_rates();
-  /// Counts chunks that were found or made, and bytes that are sent of them.
-  void charge(std::size_t chunks, std::size_t bytes);
+  /// Counts chunks that were found or made in the rates; finish() counts all bytes.
+  void charge(std::size_t chunks);
+  [[nodiscard]] http::Response over_rate(std::chrono::nanoseconds wait) const;
   [[nodiscard]] http::Response charged(std::size_t chunks, http::Response response);
 
   [[nodiscard]] http::Response chunk_response(const EncodedChunk& chunk);
   [[nodiscard]] http::Response body_response(std::string body);
+  [[nodiscard]] http::Response picture_response(const PicturePtr& picture);
+  [[nodiscard]] AnswerKind kind() const;
   /// With ETag, and 304 where the client has it.
   [[nodiscard]] http::Response tagged(http::Response response) const;
+  [[nodiscard]] http::Response tagged(http::Response response, std::string tag) const;
   [[nodiscard]] http::Response failure(FetchError error) const;
   [[nodiscard]] http::Response refuse(const SessionRates::Refusal& refusal) const;
   void finish(const http::Request& request, http::Response& response);
@@ -136,14 +146,15 @@ class PlayerHandler final : public http::Handler {
   std::optional<Admission::Slot> proxy_slot_;  // of a connection whose requests name their clients
   std::shared_ptr<Fetch> fetch_;
   std::function<void()> told_;
+  bool closed_ = false;
 
   // ---- of the request that is answered
   const http::Request* request_ = nullptr;
   Clock::time_point began_{};
   std::optional<Route> route_;
-  bool open_ = false;     // nobody needs a token
-  bool public_ = false;   // every cache may keep the answer
-  bool counted_ = false;  // its bytes count in the rates already
+  std::shared_ptr<const void> kept_;  // whose bytes the answer has
+  bool open_ = false;                 // nobody needs a token
+  bool public_ = false;               // every cache may keep the answer
 };
 
 }  // namespace talus::server::web

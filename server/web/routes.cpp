@@ -50,7 +50,7 @@ std::optional<std::int32_t> edge_of(std::string_view text) {
 tl::expected<Route, RouteError> chunks(std::span<const std::string_view> parts) {
   constexpr std::string_view kForms =
       "/v1/{fingerprint}/{codec}/{lod}/{x}/{y}/{z} is a chunk, .../{lod}/{x}/{z} a column of chunks, "
-      ".../{lod}/{x}/{z}/4x4 a square of them";
+      ".../{lod}/{x}/{z}/4x4 a square of them, /v1/{fingerprint}/map/{zoom}/{x}/{z}.png a tile of the map";
   if (parts.size() != 5 && parts.size() != 6) return wrong(404, std::string{kForms});
   const bool square = parts.size() == 6 && parts[5].find('x') != std::string_view::npos;
   std::array<std::int64_t, 4> numbers{};
@@ -77,6 +77,23 @@ tl::expected<Route, RouteError> chunks(std::span<const std::string_view> parts) 
   }
   route.edge = *edge;
   return route;
+}
+
+tl::expected<Route, RouteError> map_tile(const std::vector<std::string_view>& parts) {
+  constexpr std::string_view kForm = "/v1/{fingerprint}/map/{zoom}/{x}/{z}.png is a tile of the map";
+  constexpr std::string_view kEnding = ".png";
+  if (parts.size() != 5 || !parts[4].ends_with(kEnding)) return wrong(404, std::string{kForm});
+  const std::array texts{parts[2], parts[3], parts[4].substr(0, parts[4].size() - kEnding.size())};
+  std::vector<std::int64_t> numbers;
+  for (const std::string_view text : texts) {
+    const auto number = number_of(text);
+    if (!number)
+      return wrong(404, fmt::format("'{}' is no integer as 0, 7 or -12; {}", text.substr(0, 40), kForm));
+    numbers.push_back(*number);
+  }
+  const auto tile = map::checked_tile(numbers[0], numbers[1], numbers[2]);
+  if (!tile) return wrong(404, tile.error());
+  return MapRoute{parts[0], *tile};
 }
 
 /// The values of a query's keys.
@@ -203,6 +220,7 @@ tl::expected<Route, RouteError> find_route(std::string_view path, std::string_vi
   if (!query.empty()) return wrong(400, "there is no query here: caches would hold an answer many times");
   if (parts.size() == 1 && parts[0] == "world") return WorldRoute{};
   if (parts.size() == 1 && parts[0] == "stream") return StreamRoute{};
+  if (parts.size() > 1 && parts[1] == "map") return map_tile(parts);
   return chunks(parts);
 }
 

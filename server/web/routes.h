@@ -9,6 +9,7 @@
 
 #include <tl/expected.hpp>
 
+#include <talus/map/tile.h>
 #include <talus/terrain/heights.h>
 #include <talus/voxel/coords.h>
 
@@ -38,7 +39,11 @@ struct HeightsRoute {
   std::vector<std::string_view> fields;
   bool npy = false;
 };
-using Route = std::variant<WorldRoute, StreamRoute, ChunkRoute, ColumnsRoute, HeightsRoute>;
+struct MapRoute {
+  std::string_view fingerprint;
+  map::Tile tile;
+};
+using Route = std::variant<WorldRoute, StreamRoute, ChunkRoute, ColumnsRoute, HeightsRoute, MapRoute>;
 
 struct RouteError {
   int status = 404;

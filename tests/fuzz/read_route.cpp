@@ -32,5 +32,10 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
                                           lod.value(), coord.x, coord.y, coord.z);
     if (is_for_players(path) && again != path) std::abort();
   }
+  if (const auto* const map = std::get_if<MapRoute>(&*route)) {
+    const std::string again =
+        fmt::format("/v1/{}/map/{}/{}/{}.png", map->fingerprint, map->tile.zoom, map->tile.x, map->tile.z);
+    if (is_for_players(path) && again != path) std::abort();
+  }
   return 0;
 }

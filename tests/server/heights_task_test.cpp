@@ -68,3 +68,20 @@ TEST_CASE("heights come in the order of the request, and each tile is made once"
     }
   }));
 }
+
+TEST_CASE("a tile of the map is one piece, and done when it is drawn") {
+  HeightsQuery query;
+  query.tile = map::Tile{3, -1, 2};
+  HeightsTask task{nullptr, 1, query};
+  CHECK(task.left() == 256 * 256);
+  CHECK(task.next_piece().tile == query.tile);
+  CHECK(task.next_piece().columns.empty());
+  HeightsFound found;
+  found.picture = std::make_shared<const Picture>(Picture{"png"});
+  task.add(found);
+  CHECK(task.left() == 0);
+  CHECK(task.take_found().picture->png == "png");
+  HeightsTask given_up{nullptr, 2, query};
+  given_up.give_up();
+  CHECK(given_up.left() == 0);
+}

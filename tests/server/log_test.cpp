@@ -83,3 +83,16 @@ TEST_CASE("a log line is one JSON object, whatever its text") {
   if (text.find('\xff') == std::string::npos) CHECK(object.at("text") == text);
   CHECK(object.at("time").get<std::string>().size() == std::string{"2026-01-01T00:00:00.000Z"}.size());
 }
+
+TEST_CASE("a line with fields has them where lines are JSON, and its text alone where they are text") {
+  spdlog::details::log_msg line{spdlog::source_loc{"http", 1, R"({"status":200})"}, "talusd",
+                                spdlog::level::info, "GET /"};
+  spdlog::memory_buf_t json;
+  JsonLines{}.format(line, json);
+  const auto object = nlohmann::json::parse(std::string{json.data(), json.size()});
+  CHECK(object["text"] == "GET /");
+  CHECK(object["http"]["status"] == 200);
+  spdlog::memory_buf_t text;
+  TextLines{}.format(line, text);
+  CHECK_THAT((std::string{text.data(), text.size()}), Catch::EndsWith("info GET /\n"));
+}

@@ -98,7 +98,8 @@ struct Site {
                                       to_string(world.fingerprint),
                                       answers,
                                       fetches,
-                                      site});
+                                      site,
+                                      std::make_shared<web::WorldDocument>(world, limits)});
     }
     auto client = std::make_shared<Loopback>(io);
     const auto address = asio::ip::address_v4::loopback();
@@ -457,4 +458,53 @@ TEST_CASE("files beside /v1 need no token, and count in the rates as all request
   }
   CHECK(site.ask("/v1/world").status == 401);
   CHECK(site.ask("/", "", "POST").status == 405);
+}
+
+TEST_CASE("a tile of the map is drawn once in the client's turn, and kept by every cache") {
+  Site site;
+  const std::string path = "/v1/00000000000000020000000000000001/map/8/-1/2.png";
+  const auto client = site.connect();
+  client->send("GET " + path + " HTTP/1.1\r\nHost: a\r\n\r\n");
+  site.io.poll();
+  CHECK(client->received.empty());
+  REQUIRE(site.source.waiting_maps.size() == 1);
+  CHECK(site.source.waiting_maps.begin()->second == map::Tile{8, -1, 2});
+  site.source.answer_map(site.source.waiting_maps.begin()->first);
+  site.io.poll();
+  const auto all = answers_in(client->text());
+  REQUIRE(all.size() == 1);
+  CHECK(all[0].status == 200);
+  CHECK(all[0].body == "a map");
+  CHECK(all[0].field("Content-Type") == "image/png");
+  CHECK(all[0].field("Cache-Control") == "public, max-age=31536000, immutable");
+  site.source.drawn = map::Tile{8, -1, 2};
+  const Answer again = site.ask(path);
+  CHECK(again.body == "a map");
+  CHECK(site.ask(path, "If-None-Match: " + again.field("ETag") + "\r\n").status == 304);
+  CHECK(site.ask("/v1/ffff/map/8/-1/2.png").status == 404);
+}
+
+TEST_CASE("who leaves has no map drawn, and a map counts for what it costs") {
+  Site site;
+  site.rates.set({{{100, 100}, {}, {}}, {}, 1s});
+  const std::string path = "/v1/00000000000000020000000000000001/map/8/0/0.png";
+  const auto client = site.connect();
+  client->send("GET " + path + " HTTP/1.1\r\nHost: a\r\n\r\n");
+  site.io.poll();
+  REQUIRE(site.source.waiting_maps.size() == 1);
+  site.connections.back()->close();
+  site.io.poll();
+  CHECK(site.source.waiting_maps.empty());
+  const auto greedy = site.connect();
+  for (int i = 0; i < 2; ++i) {
+    greedy->send("GET " + path + " HTTP/1.1\r\nHost: a\r\n\r\n");
+    site.io.poll();
+    REQUIRE(site.source.waiting_maps.size() == 1);
+    site.source.answer_map(site.source.waiting_maps.begin()->first);
+    site.io.poll();
+  }
+  // 128 of 100 are gone.
+  greedy->send("GET " + path + " HTTP/1.1\r\nHost: a\r\n\r\n");
+  site.io.poll();
+  CHECK(site.source.waiting_maps.empty());
 }

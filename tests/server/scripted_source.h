@@ -7,6 +7,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <optional>
 #include <set>
 #include <span>
 #include <string>
@@ -36,11 +37,13 @@ class ScriptedSource final : public ChunkSource {
   std::function<MixedRows(ChunkKey)> rows_of;     // of a chunk's column; empty: `rows`
   std::size_t queue_places = SIZE_MAX;            // submissions beyond them are refused
   std::size_t payload_bytes = 100;
-  int together = 1;  // columns along a square whose chunks are asked for together
+  std::optional<map::Tile> drawn;  // the tile of the map that is in memory
+  int together = 1;                // columns along a square whose chunks are asked for together
 
   // ---- what was asked of it
   std::map<ChunkKey, MailboxPtr> waiting;
   std::map<std::uint64_t, MailboxPtr> waiting_heights;  // by ticket
+  std::map<std::uint64_t, map::Tile> waiting_maps;      // those of them that are maps
   MailboxPtr last_mailbox;                              // of a submission, refused or not
   std::size_t submitted = 0;
   std::vector<std::vector<ChunkKey>> submissions;
@@ -88,8 +91,15 @@ class ScriptedSource final : public ChunkSource {
   void submit_heights(const MailboxPtr& mailbox, std::uint64_t ticket, HeightsQuery query) override {
     waiting_heights[ticket] = mailbox;
     heights_[ticket] = query.columns.size();
+    if (query.tile) waiting_maps[ticket] = *query.tile;
   }
-  void cancel_heights(ClientId, std::uint64_t ticket) override { waiting_heights.erase(ticket); }
+  void cancel_heights(ClientId, std::uint64_t ticket) override {
+    waiting_heights.erase(ticket);
+    waiting_maps.erase(ticket);
+  }
+  [[nodiscard]] PicturePtr find_map(const map::Tile& tile) override {
+    return drawn.has_value() && *drawn == tile ? std::make_shared<const Picture>(Picture{"a map"}) : nullptr;
+  }
 
   // ---- answers: they lie in the mailbox until the session takes them
   /// The chunk's newest version where one is in memory, else revision 0.
@@ -111,6 +121,15 @@ class ScriptedSource final : public ChunkSource {
     waiting_heights.at(ticket)->put(
         HeightsReady{ticket, HeightsFound{.heights_fx = std::vector<std::int32_t>(heights_[ticket], 256)}});
     waiting_heights.erase(ticket);
+  }
+  void answer_map(std::uint64_t ticket) {
+    const MailboxPtr mailbox = waiting_heights.at(ticket);
+    HeightsFound found;
+    found.picture = std::make_shared<const Picture>(Picture{"a map"});
+    mailbox->put(HeightsReady{ticket, std::move(found)});
+    waiting_heights.erase(ticket);
+    waiting_maps.erase(ticket);
+    mailbox->wake();
   }
 
  private:

@@ -93,3 +93,22 @@ TEST_CASE("the client behind proxies is the rightmost that is no proxy") {
   CHECK(client("") == "none");
   CHECK(client(",") == "none");
 }
+
+TEST_CASE("a tile of the map has one path") {
+  const auto route = route_of("/v1/abc/map/8/-12/7.png");
+  REQUIRE(route);
+  const auto& map = std::get<MapRoute>(*route);
+  CHECK(map.fingerprint == "abc");
+  CHECK(map.tile == talus::map::Tile{8, -12, 7});
+  for (const auto* path : {"/v1/abc/map/8/-12/7", "/v1/abc/map/8/-12/7.jpg", "/v1/abc/map/13/0/0.png",
+                           "/v1/abc/map/-1/0/0.png", "/v1/abc/map/0/65536/0.png", "/v1/abc/map/08/0/0.png",
+                           "/v1/abc/map/8/0/.png", "/v1/abc/map/8/0/0.png/", "/v1/abc/map/8/0.png",
+                           "/v1/abc/map/8/0/0/0.png", "/v1/abc/map", "/v1/abc/map/8/0/-0.png"}) {
+    INFO(path);
+    const auto wrong = route_of(path);
+    REQUIRE_FALSE(wrong);
+    CHECK(wrong.error().status == 404);
+  }
+  CHECK(route_of("/v1/abc/map/0/-65536/65535.png"));
+  CHECK(route_of("/v1/abc/map/8/0/0.png", "t=1").error().status == 400);
+}

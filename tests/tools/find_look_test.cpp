@@ -6,7 +6,7 @@
 #include <rapidcheck.h>
 #include <catch2/catch.hpp>
 
-#include "column_grid.h"
+#include <talus/map/column_grid.h>
 #include "world_with_looks.h"
 
 using namespace talus;
@@ -40,10 +40,10 @@ TEST_CASE("What is found has the look, and within 256 columns nothing is nearer"
     const auto column = found(world, look, x, z, 40000);
     RC_PRE(column.has_value());
     const auto number = number_of_look(world, look);
-    RC_ASSERT(sample_columns(world, {column->x, column->z, 1, 1, 1}).looks.values[0] == number);
+    RC_ASSERT(map::sample_columns(world, {column->x, column->z, 1, 1, 1}).looks.values[0] == number);
     RC_ASSERT(std::max(std::abs(column->x - x), std::abs(column->z - z)) <= 40000);
-    const ColumnGrid grid = grid_around(x, z, 1, 513, 513);
-    const ColumnSamples all = sample_columns(world, grid);
+    const map::ColumnGrid grid = map::grid_around(x, z, 1, 513, 513);
+    const map::ColumnSamples all = map::sample_columns(world, grid);
     for (int k = 0; k < grid.depth; ++k) {
       for (int i = 0; i < grid.width; ++i) {
         if (all.looks.at(i, k) != number) continue;

@@ -9,7 +9,7 @@
 #include <talus/voxel/codec.h>
 #include <catch2/catch.hpp>
 
-#include "column_grid.h"
+#include <talus/map/column_grid.h>
 #include "preview_numbers.h"
 #include "profile.h"
 #include "section.h"
@@ -52,7 +52,7 @@ TEST_CASE("A sheet is refused where its largest map leaves the world") {
 
 TEST_CASE("Shares of land and of what is seen add up, whatever the threads") {
   const terrain::World world = test::world_with_looks();
-  const ColumnGrid grid = grid_around(100, 200, 64, 100, 90);
+  const map::ColumnGrid grid = map::grid_around(100, 200, 64, 100, 90);
   ProgressBar progress{"land", "columns"};
   const LandNumbers land = measure_land(world, grid, 1, progress);
   CHECK(sum_of(land.looks) == Approx(1));
@@ -74,12 +74,12 @@ TEST_CASE("Shares of land and of what is seen add up, whatever the threads") {
 TEST_CASE("Bytes of chunks are the same each time; only seconds differ") {
   const terrain::World world = test::world_with_looks();
   ProgressBar progress{"cost", "squares"};
-  const CostNumbers cost = measure_cost(world, grid_around(0, 0, 8, 100, 100), progress);
+  const CostNumbers cost = measure_cost(world, map::grid_around(0, 0, 8, 100, 100), progress);
   CHECK(cost.ns_a_column > 0);
   CHECK(cost.ns_a_chunk > 0);
   CHECK(cost.chunks_a_column >= 1);
   CHECK(cost.bytes_a_chunk <= static_cast<double>(cost.most_bytes));
-  const CostNumbers again = measure_cost(world, grid_around(0, 0, 8, 100, 100), progress);
+  const CostNumbers again = measure_cost(world, map::grid_around(0, 0, 8, 100, 100), progress);
   CHECK(again.bytes_a_chunk == cost.bytes_a_chunk);
   CHECK(again.most_bytes == cost.most_bytes);
 }
@@ -87,7 +87,7 @@ TEST_CASE("Bytes of chunks are the same each time; only seconds differ") {
 TEST_CASE("The cost of chunks is that of mixed ones alone") {
   // Caves and objects widen the range of rows in which chunks may be mixed.
   const terrain::World& world = terrain::default_world();
-  const ColumnGrid grid = grid_around(-2496, -2240, 8, 616, 616);
+  const map::ColumnGrid grid = map::grid_around(-2496, -2240, 8, 616, 616);
   ProgressBar progress{"cost", "squares"};
   const CostNumbers cost = measure_cost(world, grid, progress);
   std::int64_t mixed = 0;
@@ -119,7 +119,7 @@ TEST_CASE("The cost of chunks is that of mixed ones alone") {
 TEST_CASE("No column is higher than a sheet says is possible") {
   for (const terrain::World& world : {test::world_with_looks(), test::sample_world("classic")}) {
     ProgressBar progress{"land", "columns"};
-    const LandNumbers land = measure_land(world, grid_around(0, 0, 640, 200, 200), 2, progress);
+    const LandNumbers land = measure_land(world, map::grid_around(0, 0, 640, 200, 200), 2, progress);
     CHECK(land.highest.voxels <= land.highest_possible);
     CHECK(land.highest_possible < 20 * land.highest.voxels);
   }

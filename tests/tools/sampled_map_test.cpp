@@ -9,14 +9,15 @@ using namespace talus::tools;
 
 namespace {
 
-Image sampled(const terrain::World& world, const ColumnGrid& grid, const SampledMapOptions& options = {}) {
+Image sampled(const terrain::World& world, const map::ColumnGrid& grid,
+              const SampledMapOptions& options = {}) {
   ProgressBar progress{"map", "columns"};
   return render_sampled_map(world, grid, options, progress);
 }
 
 void check_crop(const terrain::World& world, std::int64_t every) {
   INFO("every " << every);
-  const ColumnGrid grid = grid_around(-12345, 6789, every, 60, 50);
+  const map::ColumnGrid grid = map::grid_around(-12345, 6789, every, 60, 50);
   const Image whole = sampled(world, grid, {.threads = 1, .patch_edge = 64});
   CHECK(sampled(world, grid, {.threads = 3, .patch_edge = 17}).rgb == whole.rgb);
   const Image part = sampled(world, grid.part(11, 7, 20, 30));
@@ -35,9 +36,9 @@ TEST_CASE("A map from afar depends neither on threads nor on patches, and its pa
 
 TEST_CASE("From afar a column has the colour of its look, and the sea is darker where it is deep") {
   const terrain::World world = test::world_with_looks();
-  const ColumnGrid grid = grid_around(0, 0, 300, 128, 128);
+  const map::ColumnGrid grid = map::grid_around(0, 0, 300, 128, 128);
   const Image map = sampled(world, grid);
-  const ColumnSamples samples = sample_columns(world, grid);
+  const map::ColumnSamples samples = map::sample_columns(world, grid);
   double desert_red = 0;
   double meadow_red = 0;
   int deserts = 0;

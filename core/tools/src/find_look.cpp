@@ -7,7 +7,7 @@
 
 #include <talus/voxel/coords.h>
 
-#include "column_grid.h"
+#include <talus/map/column_grid.h>
 
 namespace talus::tools {
 namespace {
@@ -26,8 +26,8 @@ class LookSearch {
       : world_{world}, look_{look}, x_{x}, z_{z} {}
 
   // Looks at the grid's columns that are at most `within` away along x and z.
-  void look_at(const ColumnGrid& grid, std::int64_t within) {
-    const ColumnSamples samples = sample_columns(world_, grid);
+  void look_at(const map::ColumnGrid& grid, std::int64_t within) {
+    const map::ColumnSamples samples = map::sample_columns(world_, grid);
     for (int k = 0; k < grid.depth; ++k) {
       for (int i = 0; i < grid.width; ++i) {
         if (samples.looks.at(i, k) == look_) consider(grid.x_of(i), grid.z_of(k), within);
@@ -40,7 +40,7 @@ class LookSearch {
     while (best_ && spacing > 1) {
       const std::int64_t finer = (spacing + 1) / 2;
       const int reach = 4;
-      look_at(grid_around(best_->x, best_->z, finer, 2 * reach + 1, 2 * reach + 1), within);
+      look_at(map::grid_around(best_->x, best_->z, finer, 2 * reach + 1, 2 * reach + 1), within);
       spacing = finer;
     }
   }
@@ -84,7 +84,7 @@ std::optional<FoundColumn> find_look(const terrain::World& world, std::uint8_t l
     const auto half = static_cast<int>(std::min(reach, (within / spacing) * spacing) / spacing);
     const auto gap = static_cast<int>(inner / spacing);
     const int side = 2 * half + 1;
-    const ColumnGrid all = grid_around(x, z, spacing, side, side);
+    const map::ColumnGrid all = map::grid_around(x, z, spacing, side, side);
     if (gap == 0) {
       search.look_at(all, within);
     } else if (half > gap) {
@@ -108,7 +108,7 @@ std::vector<double> look_shares(const terrain::World& world, std::int64_t x, std
                                 std::int64_t within) {
   const std::int64_t every = std::max<std::int64_t>(1, 2 * within / kShareSide);
   const auto side = static_cast<int>(std::min<std::int64_t>(kShareSide, 2 * within + 1));
-  const ColumnSamples samples = sample_columns(world, grid_around(x, z, every, side, side));
+  const map::ColumnSamples samples = map::sample_columns(world, map::grid_around(x, z, every, side, side));
   std::vector<double> shares(world.look_names().size());
   for (const std::uint8_t look : samples.looks.values) {
     shares[look] += 1.0 / static_cast<double>(samples.looks.values.size());

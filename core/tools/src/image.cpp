@@ -4,7 +4,6 @@
 #include <utility>
 
 #include <talus/pictures/png.h>
-#include <talus/pictures/srgb.h>
 
 #include "palette.h"
 
@@ -19,20 +18,6 @@ Expected<void> write_image(files::AtomicFile& file, const pictures::PngImage& im
 }
 
 }  // namespace
-
-glm::vec3 to_light(terrain::Colour colour) {
-  return {pictures::light_of(colour.red), pictures::light_of(colour.green), pictures::light_of(colour.blue)};
-}
-
-terrain::Colour to_colour(glm::vec3 light) {
-  return {pictures::channel_of(light.x), pictures::channel_of(light.y), pictures::channel_of(light.z)};
-}
-
-std::vector<glm::vec3> material_lights(const terrain::World& world) {
-  std::vector<glm::vec3> lights;
-  for (const terrain::Material& material : world.materials()) lights.push_back(to_light(material.colour));
-  return lights;
-}
 
 Expected<void> check_picture_size(const char* option, std::int64_t width, std::int64_t height) {
   if (width <= kMaxPictureSide && height <= kMaxPictureSide && width * height <= kMaxPixels) return {};

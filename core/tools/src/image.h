@@ -1,4 +1,4 @@
-// Pictures: pixels, colours as light, and PNG files.
+// Pictures as PNG files.
 #pragma once
 
 #include <cstddef>
@@ -7,8 +7,8 @@
 #include <span>
 #include <vector>
 
-#include <talus/terrain/world.h>
-#include <glm/vec3.hpp>
+#include <talus/map/image.h>
+#include <talus/map/light.h>
 
 #include <talus/files/atomic_file.h>
 
@@ -20,41 +20,10 @@ namespace talus::tools {
 inline constexpr std::int64_t kMaxPixels = std::int64_t{1} << 28;
 inline constexpr std::int64_t kMaxPictureSide = 1 << 16;
 
-/// RGB, 8 bits a channel, rows from the top. Threads may set different pixels at once.
-struct Image {
-  int width = 0;
-  int height = 0;
-  std::vector<std::uint8_t> rgb;
-
-  Image(int width_, int height_)
-      : width{width_},
-        height{height_},
-        rgb(static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_) * 3) {}
-
-  [[nodiscard]] terrain::Colour at(int x, int y) const {
-    const std::uint8_t* pixel = rgb.data() + offset(x, y);
-    return {pixel[0], pixel[1], pixel[2]};
-  }
-  void set(int x, int y, terrain::Colour colour) {
-    std::uint8_t* pixel = rgb.data() + offset(x, y);
-    pixel[0] = colour.red;
-    pixel[1] = colour.green;
-    pixel[2] = colour.blue;
-  }
-
- private:
-  [[nodiscard]] std::size_t offset(int x, int y) const {
-    return (static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x)) * 3;
-  }
-};
-
-/// Amounts of light, in which colours may be mixed and lit: sRGB with its curve undone, 0 to 1.
-[[nodiscard]] glm::vec3 to_light(terrain::Colour colour);
-/// Clamps values outside 0 to 1.
-[[nodiscard]] terrain::Colour to_colour(glm::vec3 light);
-
-/// The colour of every material of a world as light, by id.
-[[nodiscard]] std::vector<glm::vec3> material_lights(const terrain::World& world);
+using map::Image;
+using map::material_lights;
+using map::to_colour;
+using map::to_light;
 
 /// Refuses what has more than kMaxPixels or a side over kMaxPictureSide; `option` names the source.
 [[nodiscard]] Expected<void> check_picture_size(const char* option, std::int64_t width, std::int64_t height);

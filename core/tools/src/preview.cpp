@@ -10,9 +10,9 @@
 #include <talus/progress/progress_bar.h>
 #include <talus/terrain/places.h>
 
+#include <talus/map/column_grid.h>
 #include "canvas.h"
 #include "colour_scale.h"
-#include "column_grid.h"
 #include "map.h"
 #include "option_values.h"
 #include "preview_cards.h"
@@ -89,7 +89,7 @@ class Sheet {
         options_{options},
         near_{around(Lod{})},
         middle_{around(Lod::of(3))},
-        far_{grid_around(x, z, 64, kMapSide, kMapSide)},
+        far_{map::grid_around(x, z, 64, kMapSide, kMapSide)},
         canvas_{kWidth, kRoom, kPaper} {}
 
   Expected<Image> draw(const std::string& name) {
@@ -200,7 +200,7 @@ class Sheet {
   Expected<void> sections() {
     const terrain::Region wide{(x_ >> 3) - kInside / 2, z_ >> 3, kInside, 1, Lod::of(3)};
     const auto wide_heights =
-        sample_columns(world_, {wide.x * 8, wide.z * 8, 8, kInside, 1}).heights_fx.values;
+        map::sample_columns(world_, {wide.x * 8, wide.z * 8, 8, kInside, 1}).heights_fx.values;
     const ProfileRows wide_rows =
         rows_of({wide_heights.begin(), wide_heights.end()}, kWideUnderground, kTallestProfile, true);
     {
@@ -214,7 +214,7 @@ class Sheet {
     ProgressBar progress{"preview: section", "columns"};
     const auto whole = render_section(world_, line, {.threads = options_.threads}, progress);
     if (!whole) return tl::make_unexpected(whole.error());
-    const auto heights = sample_columns(world_, {line.x, line.z, 1, kInside, 1}).heights_fx.values;
+    const auto heights = map::sample_columns(world_, {line.x, line.z, 1, kInside, 1}).heights_fx.values;
     ProfileRows rows = rows_of({heights.begin(), heights.end()}, kUnderground, kTallestSection, false);
     // Row 0 is that many pixels over the picture's lower edge (section.h).
     constexpr int kUnderZero = 8;
@@ -283,8 +283,8 @@ class Sheet {
     y_ += 52;
     title(canvas_, kMargin, y_, kInside, "Fields and quantities", "of the largest map, with its coasts");
     const std::int64_t every = (far_.every * kMapSide + kTileSide - 1) / kTileSide;
-    const ColumnSamples samples =
-        sample_columns(world_, grid_around(x_, z_, every, kTileSide, kTileSide), names);
+    const map::ColumnSamples samples =
+        map::sample_columns(world_, map::grid_around(x_, z_, every, kTileSide, kTileSide), names);
     y_ += 16;
     for (std::size_t n = 0; n < names.size(); ++n) {
       const int across = static_cast<int>(n) % kTilesAcross;
@@ -295,7 +295,8 @@ class Sheet {
     y_ += kTileSide + 34;
   }
 
-  void tile(int x, int y, const Tile& what, const ColumnSamples& samples, const std::vector<float>& values) {
+  void tile(int x, int y, const Tile& what, const map::ColumnSamples& samples,
+            const std::vector<float>& values) {
     const bool sea = world_.sea_fx().has_value();
     const bool height = what.name == "height" || what.name == "base";
     const auto [least, most] = std::minmax_element(values.begin(), values.end());
@@ -362,7 +363,7 @@ class Sheet {
   PreviewOptions options_;
   terrain::Region near_;
   terrain::Region middle_;
-  ColumnGrid far_;
+  map::ColumnGrid far_;
   Canvas canvas_;
   float top_ = 0;  // of the heights' tile
   int y_ = 0;

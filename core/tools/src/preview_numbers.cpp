@@ -50,10 +50,10 @@ terrain::Colour colour_of_look(const terrain::World& world, std::size_t look) {
 
 class LandTally {
  public:
-  LandTally(const terrain::World& world, const ColumnGrid& grid)
+  LandTally(const terrain::World& world, const map::ColumnGrid& grid)
       : world_{world}, grid_{grid}, by_look_(world.look_names().size()) {}
 
-  void add(int first_row, const ColumnSamples& strip) {
+  void add(int first_row, const map::ColumnSamples& strip) {
     for (int k = 0; k < strip.heights_fx.depth; ++k) {
       for (int i = 0; i < strip.heights_fx.width; ++i) {
         const std::int32_t fx = strip.heights_fx.at(i, k);
@@ -106,7 +106,7 @@ class LandTally {
   }
 
   const terrain::World& world_;
-  const ColumnGrid& grid_;
+  const map::ColumnGrid& grid_;
   LandNumbers land_;
   std::vector<std::int32_t> heights_;
   std::int32_t highest_fx_ = 0;
@@ -121,13 +121,14 @@ struct Steep {
 };
 
 // Square `index` of kSlopeSquares^2, of every base column.
-Steep steep_in_square(const terrain::World& world, const ColumnGrid& grid, std::size_t index) {
+Steep steep_in_square(const terrain::World& world, const map::ColumnGrid& grid, std::size_t index) {
   const auto apart = [&](int columns) { return grid.every * columns / kSlopeSquares; };
   const auto i = static_cast<std::int64_t>(index % kSlopeSquares);
   const auto k = static_cast<std::int64_t>(index / kSlopeSquares);
-  const ColumnGrid square{grid.x + apart(grid.width) * i + apart(grid.width) / 2,
-                          grid.z + apart(grid.depth) * k + apart(grid.depth) / 2, 1, kSlopeSide, kSlopeSide};
-  const terrain::Field heights_fx = sample_columns(world, square.expanded(1)).heights_fx;
+  const map::ColumnGrid square{grid.x + apart(grid.width) * i + apart(grid.width) / 2,
+                               grid.z + apart(grid.depth) * k + apart(grid.depth) / 2, 1, kSlopeSide,
+                               kSlopeSide};
+  const terrain::Field heights_fx = map::sample_columns(world, square.expanded(1)).heights_fx;
   const terrain::Field slope = slope_inside(heights_fx);
   Steep steep;
   for (int z = 0; z < slope.depth; ++z) {
@@ -162,7 +163,7 @@ MaterialId seen_from_above(const terrain::World& world, const terrain::Stacks& s
 
 }  // namespace
 
-LandNumbers measure_land(const terrain::World& world, const ColumnGrid& grid, int threads,
+LandNumbers measure_land(const terrain::World& world, const map::ColumnGrid& grid, int threads,
                          ProgressBar& progress) {
   progress.expect(grid.columns());
   LandTally tally{world, grid};
@@ -171,10 +172,10 @@ LandNumbers measure_land(const terrain::World& world, const ColumnGrid& grid, in
       strips, thread_count(threads),
       [&](std::size_t index) {
         const int first = static_cast<int>(index) * kStripRows;
-        return sample_columns(world,
-                              grid.part(0, first, grid.width, std::min(kStripRows, grid.depth - first)));
+        return map::sample_columns(world,
+                                   grid.part(0, first, grid.width, std::min(kStripRows, grid.depth - first)));
       },
-      [&](std::size_t index, const ColumnSamples& strip) {
+      [&](std::size_t index, const map::ColumnSamples& strip) {
         tally.add(static_cast<int>(index) * kStripRows, strip);
         progress.advance(strip.heights_fx.values.size());
         return true;
@@ -227,7 +228,7 @@ std::vector<NamedShare> materials_on_top(const terrain::World& world, const terr
   return shares;
 }
 
-CostNumbers measure_cost(const terrain::World& world, const ColumnGrid& grid, ProgressBar& progress) {
+CostNumbers measure_cost(const terrain::World& world, const map::ColumnGrid& grid, ProgressBar& progress) {
   constexpr int kSquares = kCostSquares * kCostSquares;
   progress.expect(kSquares);
   terrain::Generator generator{world};

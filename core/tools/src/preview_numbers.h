@@ -9,8 +9,8 @@
 #include <talus/terrain/field.h>
 #include <talus/terrain/world.h>
 
+#include <talus/map/column_grid.h>
 #include <talus/progress/progress_bar.h>
-#include "column_grid.h"
 
 namespace talus::tools {
 
@@ -37,7 +37,7 @@ struct LandNumbers {
   std::array<double, 3>
       steep{};  // share of land above 35, 45 and 60 degrees, in squares spread over the grid
 };
-[[nodiscard]] LandNumbers measure_land(const terrain::World& world, const ColumnGrid& grid, int threads,
+[[nodiscard]] LandNumbers measure_land(const terrain::World& world, const map::ColumnGrid& grid, int threads,
                                        ProgressBar& progress);
 
 /// What is seen of a region from above, the largest share first.
@@ -54,7 +54,7 @@ struct CostNumbers {
   double bytes_a_chunk = 0;    // of such chunks, encoded
   std::int64_t most_bytes = 0;
 };
-[[nodiscard]] CostNumbers measure_cost(const terrain::World& world, const ColumnGrid& grid,
+[[nodiscard]] CostNumbers measure_cost(const terrain::World& world, const map::ColumnGrid& grid,
                                        ProgressBar& progress);
 
 }  // namespace talus::tools

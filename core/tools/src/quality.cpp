@@ -10,7 +10,7 @@
 #include <talus/terrain/boundary_row.h>
 #include <talus/terrain/slope.h>
 
-#include "column_grid.h"
+#include <talus/map/column_grid.h>
 #include "ordered_work.h"
 #include "spread.h"
 #include "water_pieces.h"
@@ -39,7 +39,7 @@ std::int64_t coordinate(std::uint64_t purpose, std::uint64_t index, std::uint64_
   return static_cast<std::int64_t>(mixed(mixed(purpose * 2 + axis) + index) % (2 * kReach)) - kReach;
 }
 
-ColumnGrid grid_at_random(std::uint64_t purpose, std::size_t index, std::int64_t every, int side) {
+map::ColumnGrid grid_at_random(std::uint64_t purpose, std::size_t index, std::int64_t every, int side) {
   return {coordinate(purpose, index, 0), coordinate(purpose, index, 1), every, side, side};
 }
 
@@ -95,7 +95,8 @@ class Places {
     return world_.sea_fx() && terrain::boundary_row(height_fx) < terrain::boundary_row(*world_.sea_fx());
   }
 
-  static void note_extremes(const ColumnGrid& grid, const terrain::Field& heights_fx, PlaceResult& result) {
+  static void note_extremes(const map::ColumnGrid& grid, const terrain::Field& heights_fx,
+                            PlaceResult& result) {
     result.columns = static_cast<std::int64_t>(grid.columns());
     for (int k = 0; k < grid.depth; ++k) {
       for (int i = 0; i < grid.width; ++i) {
@@ -107,8 +108,9 @@ class Places {
   }
 
   [[nodiscard]] PlaceResult spectrum(std::size_t band, std::size_t index) const {
-    const ColumnGrid grid = grid_at_random(1 + band, index, kBandsFrom[band] / kSamplesAWave, kSpectrumSide);
-    const terrain::Field heights_fx = sample_columns(world_, grid).heights_fx;
+    const map::ColumnGrid grid =
+        grid_at_random(1 + band, index, kBandsFrom[band] / kSamplesAWave, kSpectrumSide);
+    const terrain::Field heights_fx = map::sample_columns(world_, grid).heights_fx;
     PlaceResult result;
     result.band = band;
     result.power = band_power(std::vector<double>(heights_fx.values.begin(), heights_fx.values.end()));
@@ -117,8 +119,8 @@ class Places {
   }
 
   [[nodiscard]] PlaceResult block(std::size_t index) const {
-    const ColumnGrid grid = grid_at_random(100, index, kBlockEvery, kBlockSide / kBlockEvery);
-    const ColumnSamples samples = sample_columns(world_, grid);
+    const map::ColumnGrid grid = grid_at_random(100, index, kBlockEvery, kBlockSide / kBlockEvery);
+    const map::ColumnSamples samples = map::sample_columns(world_, grid);
     PlaceResult result;
     result.kind = PlaceResult::Kind::block;
     result.by_look.resize(world_.look_names().size());
@@ -133,8 +135,8 @@ class Places {
   // Slopes need a ring around the window; the rest does without.
   [[nodiscard]] PlaceResult window(std::size_t index) const {
     const int side = options_.window_side;
-    const ColumnGrid grid = grid_at_random(200, index, 1, side);
-    const terrain::Field ringed = sample_columns(world_, grid.expanded(1)).heights_fx;
+    const map::ColumnGrid grid = grid_at_random(200, index, 1, side);
+    const terrain::Field ringed = map::sample_columns(world_, grid.expanded(1)).heights_fx;
     const terrain::Field slope = slope_inside(ringed);
     const terrain::Field heights_fx = ringed.cropped(1);
     PlaceResult result;

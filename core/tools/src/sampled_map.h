@@ -3,8 +3,8 @@
 
 #include <talus/terrain/world.h>
 
+#include <talus/map/column_grid.h>
 #include <talus/progress/progress_bar.h>
-#include "column_grid.h"
 #include "image.h"
 
 namespace talus::tools {
@@ -18,7 +18,7 @@ struct SampledMapOptions {
 /// columns, which stand up the more the farther they lie apart. Where columns lie 16 base columns apart or
 /// more and the world has looks, a colour is that of the look and of the loose material of level ground
 /// there; else it is that of the top of the stack in the nearest level of detail.
-[[nodiscard]] Image render_sampled_map(const terrain::World& world, const ColumnGrid& grid,
+[[nodiscard]] Image render_sampled_map(const terrain::World& world, const map::ColumnGrid& grid,
                                        const SampledMapOptions& options, ProgressBar& progress);
 
 }  // namespace talus::tools

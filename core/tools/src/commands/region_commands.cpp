@@ -7,7 +7,7 @@
 #include <string_view>
 #include <utility>
 
-#include "column_grid.h"
+#include <talus/map/column_grid.h>
 #include "commands/command.h"
 #include "export.h"
 #include "image.h"
@@ -79,7 +79,7 @@ struct MapArguments : Arguments {
 };
 
 // The same centre as a region of columns; what lies outside of the world is refused likewise.
-Expected<ColumnGrid> grid_of(const MapArguments& arguments) {
+Expected<map::ColumnGrid> grid_of(const MapArguments& arguments) {
   const auto place = parse_pair("--center", arguments.place);
   if (!place) return tl::make_unexpected(place.error());
   const auto size = parse_size("--size", arguments.size, kMaxPictureSide);
@@ -88,8 +88,8 @@ Expected<ColumnGrid> grid_of(const MapArguments& arguments) {
   if (auto inside = region_around("--center", *place, span, Lod{}); !inside) {
     return tl::make_unexpected(inside.error());
   }
-  return grid_around(place->first, place->second, arguments.every, static_cast<int>(size->first),
-                     static_cast<int>(size->second));
+  return map::grid_around(place->first, place->second, arguments.every, static_cast<int>(size->first),
+                          static_cast<int>(size->second));
 }
 
 Expected<void> run_map_from_afar(const MapArguments& arguments) {

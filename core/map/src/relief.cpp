@@ -9,7 +9,7 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
-namespace talus::tools {
+namespace talus::map {
 namespace {
 
 constexpr std::array kReach{1, 2, 4, 7, 11, 16, kReliefRing};
@@ -71,4 +71,4 @@ Light light_at(const terrain::Field& surface, int x, int z) {
   return light;
 }
 
-}  // namespace talus::tools
+}  // namespace talus::map

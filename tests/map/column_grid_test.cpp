@@ -1,4 +1,4 @@
-#include "column_grid.h"
+#include <talus/map/column_grid.h>
 
 #include <rapidcheck.h>
 #include <catch2/catch.hpp>
@@ -8,7 +8,7 @@
 #include "world_with_looks.h"
 
 using namespace talus;
-using namespace talus::tools;
+using namespace talus::map;
 
 TEST_CASE("A grid's samples are those of its columns one by one") {
   const terrain::World world = test::world_with_looks();

@@ -4,13 +4,14 @@
 #include <cstdint>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <talus/terrain/field.h>
 #include <talus/terrain/places.h>
 #include <talus/terrain/world.h>
 
-namespace talus::tools {
+namespace talus::map {
 
 /// Base columns (x + every * i, z + every * k), i below width and k below depth.
 struct ColumnGrid {
@@ -46,9 +47,44 @@ struct ColumnSamples {
   std::vector<std::vector<float>> values;  // of each name asked for; z slowest, then x
 };
 
-/// On the calling thread. Columns outside of the world have what the nearest inside has. All names must be
-/// among place_names() of the world.
+/// Samples a grid in pieces. Columns outside of the world have what the nearest inside has. All names must be
+/// among place_names() of the world, which outlives this.
+class ColumnSampling {
+ public:
+  ColumnSampling(const terrain::World& world, const ColumnGrid& grid,
+                 std::span<const std::string> names = {});
+  /// Some rows; false when none is left.
+  bool step();
+  [[nodiscard]] ColumnSamples take() { return std::move(samples_); }
+
+ private:
+  const ColumnGrid grid_;
+  terrain::PlaceSampler sampler_;
+  const bool has_looks_;
+  std::vector<std::size_t> place_of_;  // in the sampler's row, of each column of the grid
+  ColumnSamples samples_;
+  int next_row_ = 0;
+};
+
+/// How steep the ground is at a grid's columns, by eq. 1 with the neighbours to the east and the south, in
+/// pieces.
+class SlopeSampling {
+ public:
+  SlopeSampling(const terrain::World& world, const ColumnGrid& grid);
+  /// Some rows; false when none is left.
+  bool step();
+  /// Subvoxels a base column.
+  [[nodiscard]] terrain::Field take() { return std::move(slopes_fx_); }
+
+ private:
+  const ColumnGrid grid_;
+  terrain::PlaceSampler sampler_;
+  terrain::Field slopes_fx_;
+  int next_row_ = 0;
+};
+
+/// All of a ColumnSampling.
 [[nodiscard]] ColumnSamples sample_columns(const terrain::World& world, const ColumnGrid& grid,
                                            std::span<const std::string> names = {});
 
-}  // namespace talus::tools
+}  // namespace talus::map

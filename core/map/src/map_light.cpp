@@ -4,7 +4,7 @@
 #include <glm/exponential.hpp>
 #include <glm/geometric.hpp>
 
-namespace talus::tools {
+namespace talus::map {
 namespace {
 
 const glm::vec3 kMapSun{0.74F, 0.68F, 0.58F};
@@ -49,4 +49,4 @@ glm::vec3 developed(glm::vec3 light) {
   return calm * 1.18F / (1.0F + 0.25F * calm);
 }
 
-}  // namespace talus::tools
+}  // namespace talus::map

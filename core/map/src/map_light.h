@@ -8,7 +8,7 @@
 
 #include "relief.h"
 
-namespace talus::tools {
+namespace talus::map {
 
 /// A colour of the ground under that light.
 [[nodiscard]] glm::vec3 lit(glm::vec3 colour, Light light);
@@ -31,4 +31,4 @@ class WaterLight {
 /// and strong colours are softened.
 [[nodiscard]] glm::vec3 developed(glm::vec3 light);
 
-}  // namespace talus::tools
+}  // namespace talus::map

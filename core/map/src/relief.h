@@ -1,12 +1,10 @@
 // Light on a surface, which makes mountains of a map of heights.
 #pragma once
 
+#include <talus/map/painting.h>
 #include <talus/terrain/field.h>
 
-namespace talus::tools {
-
-/// Columns around a place that decide its light.
-inline constexpr int kReliefRing = 24;
+namespace talus::map {
 
 /// Both are 1 on a plain under open sky.
 struct Light {
@@ -19,4 +17,4 @@ struct Light {
 /// overlapping regions agree.
 [[nodiscard]] Light light_at(const terrain::Field& surface, int x, int z);
 
-}  // namespace talus::tools
+}  // namespace talus::map

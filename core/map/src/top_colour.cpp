@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace talus::tools {
+namespace talus::map {
 
 glm::vec3 top_colour(const terrain::World& world, const terrain::Stacks& stacks,
                      std::span<const MaterialId> outcrops, std::span<const glm::vec3> lights, int x, int z) {
@@ -23,4 +23,4 @@ glm::vec3 top_colour(const terrain::World& world, const terrain::Stacks& stacks,
   return sum / static_cast<float>(base_voxel_fx);
 }
 
-}  // namespace talus::tools
+}  // namespace talus::map

@@ -8,7 +8,7 @@
 #include <talus/voxel/material.h>
 #include <glm/vec3.hpp>
 
-namespace talus::tools {
+namespace talus::map {
 
 /// The mean over the topmost base voxel of a column of the stacks, so that thin soil lets the rock shine
 /// through. `outcrops` are exposed_overlays() of the stacks, `lights` the world's material_lights().
@@ -16,4 +16,4 @@ namespace talus::tools {
                                    std::span<const MaterialId> outcrops, std::span<const glm::vec3> lights,
                                    int x, int z);
 
-}  // namespace talus::tools
+}  // namespace talus::map

@@ -1,0 +1,48 @@
+// The world from above, as it is generated: materials as light falls on them.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include <talus/map/image.h>
+#include <talus/map/painting.h>
+#include <talus/terrain/generator.h>
+#include <talus/terrain/world.h>
+#include <glm/vec3.hpp>
+
+namespace talus::map {
+
+class WaterLight;
+
+/// One pixel a column of a level. A pixel's colour is the mean of the topmost base voxel of its stack, so
+/// thin soil lets the rock shine through; the sea lets its bed shine through where it is shallow. Any number
+/// of threads may paint.
+class RegionPainter {
+ public:
+  /// `relief`: how much heights count for light. The world outlives this.
+  RegionPainter(const terrain::World& world, Lod lod, float relief = 1);
+  ~RegionPainter();
+
+  /// The patch, into the picture from pixel (x, y) on, north (low z) at the top. `generator` is the world's;
+  /// it, the image and this outlive the painting.
+  [[nodiscard]] std::unique_ptr<Painting> start(terrain::Generator& generator, const terrain::Region& patch,
+                                                Image& image, int x, int y) const;
+
+ private:
+  class Work;
+  struct Scene;
+  [[nodiscard]] Scene scene_of(terrain::Stacks stacks) const;
+  [[nodiscard]] glm::vec3 pixel(const Scene& scene, int x, int z) const;
+  [[nodiscard]] MaterialId water_at(const terrain::Stacks& stacks, int x, int z) const;
+
+  const terrain::World& world_;
+  const Lod lod_;
+  const float relief_;
+  std::vector<glm::vec3> lights_;
+  std::unique_ptr<const WaterLight> water_;
+  std::optional<std::int32_t> sea_fx_;
+};
+
+}  // namespace talus::map

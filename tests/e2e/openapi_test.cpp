@@ -1,0 +1,228 @@
+// protocol/openapi.json, held against a running talusd: every path, and every status that it lists.
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <functional>
+#include <nlohmann/json.hpp>
+#include <regex>
+#include <set>
+#include <string>
+
+#include "http_client.h"
+#include "scratch_directory.h"
+#include "server_process.h"
+
+using namespace talus;
+using namespace talus::e2e;
+using nlohmann::json;
+
+namespace {
+
+const json& document() {
+  static const json kDocument = json::parse(read_whole(TALUS_SOURCE_DIR "/protocol/openapi.json"));
+  return kDocument;
+}
+
+/// What a "$ref" of this file names, or the value itself.
+const json& resolved(const json& value) {
+  if (!value.contains("$ref")) return value;
+  return document().at(json::json_pointer{value["$ref"].get<std::string>().substr(1)});
+}
+
+/// What is wrong with a value by its schema; empty: nothing. As much of JSON Schema as the file uses.
+std::string fault_of(const json& value, const json& reference, const std::string& at = "body") {
+  const json& schema = resolved(reference);
+  const std::string type = schema.value("type", "");
+  const bool fits = type == "object"    ? value.is_object()
+                    : type == "array"   ? value.is_array()
+                    : type == "integer" ? value.is_number_integer()
+                    : type == "number"  ? value.is_number()
+                                        : value.is_string();
+  if (!fits) return at + " is no " + type;
+  if (schema.contains("enum") &&
+      std::find(schema["enum"].begin(), schema["enum"].end(), value) == schema["enum"].end()) {
+    return at + " is none of the listed: " + value.dump();
+  }
+  if (schema.contains("minimum") && value < schema["minimum"]) return at + " is too small";
+  if (schema.contains("pattern") &&
+      !std::regex_search(value.get<std::string>(), std::regex{schema["pattern"].get<std::string>()})) {
+    return at + " does not match: " + value.dump();
+  }
+  if (type == "array") {
+    if (value.size() < schema.value("minItems", std::size_t{0})) return at + " is too short";
+    if (value.size() > schema.value("maxItems", SIZE_MAX)) return at + " is too long";
+    for (const json& item : value) {
+      if (std::string fault = fault_of(item, schema.at("items"), at + "[]"); !fault.empty()) return fault;
+    }
+  }
+  if (type != "object") return "";
+  for (const json& key : schema.value("required", json::array())) {
+    if (!value.contains(key.get<std::string>())) return at + " lacks " + key.get<std::string>();
+  }
+  for (const auto& [key, inner] : value.items()) {
+    const json properties = schema.value("properties", json::object());
+    const json others = schema.value("additionalProperties", json(true));
+    if (!properties.contains(key) && !others.is_object()) return at + " has an unlisted " + key;
+    const json& rule = properties.contains(key) ? properties[key] : others;
+    if (std::string fault = fault_of(inner, rule, at + "." + key); !fault.empty()) return fault;
+  }
+  return "";
+}
+
+/// A request as the file's examples have it.
+struct Example {
+  std::string target;
+  std::string fields;
+};
+
+Example example_of(const std::string& path, const json& operation, const std::string& fingerprint) {
+  Example example{path, ""};
+  std::string query;
+  for (const json& each : operation.value("parameters", json::array())) {
+    const json& parameter = resolved(each);
+    const std::string name = parameter["name"];
+    const std::string value = name == "fingerprint" ? fingerprint : parameter["example"].get<std::string>();
+    if (parameter["in"] == "path") {
+      const std::string mark = "{" + name + "}";
+      REQUIRE(example.target.find(mark) != std::string::npos);
+      example.target.replace(example.target.find(mark), mark.size(), value);
+    } else if (parameter["in"] == "header") {
+      example.fields += name + ": " + value + "\r\n";
+    } else if (name != "columns") {  // a list or a grid, never both
+      query += (query.empty() ? "?" : "&") + name + "=" + value;
+    }
+  }
+  REQUIRE(example.target.find('{') == std::string::npos);
+  example.target += query;
+  if (path == "/v1/stream") example.fields += "Connection: Upgrade\r\n";
+  return example;
+}
+
+/// Whether an answer is as the file says of its status.
+void check_answer(const Answer& answer, const json& responses) {
+  const std::string status = std::to_string(answer.status);
+  INFO("answered by " << answer.head);
+  REQUIRE(responses.contains(status));
+  const json& response = resolved(responses[status]);
+  const json headers = response.value("headers", json::object());
+  for (const auto& [name, header] : headers.items()) {
+    INFO("field " << name);
+    REQUIRE_FALSE(answer.field(name).empty());
+    CHECK(fault_of(answer.field(name), resolved(header)["schema"], name).empty());
+  }
+  if (!response.contains("content")) {
+    CHECK(answer.body.empty());
+    return;
+  }
+  const std::string type = answer.field("Content-Type");
+  REQUIRE(response["content"].contains(type));
+  CHECK_FALSE(answer.body.empty());
+  if (type == "application/json")
+    CHECK(fault_of(json::parse(answer.body), response["content"][type]["schema"]) == "");
+}
+
+/// Servers in which each status can be provoked, and how.
+class Provoker {
+ public:
+  Provoker()
+      : secret_{scratch_.write("secret", "a secret of more than sixteen bytes\n")},
+        blocked_{scratch_.write("blocked", "127.0.0.1\n")} {}
+
+  std::string fingerprint() {
+    HttpClient client{open_.http_port()};
+    return json::parse(client.get("/v1/world").body)["fingerprint"];
+  }
+
+  Answer ask(const std::string& status, const std::string& path, const Example& example) {
+    const std::string& target = example.target;
+    if (status == "200" || status == "101") return get(open_, target, example.fields);
+    if (status == "304") {
+      const std::string tag = get(open_, target, example.fields).field("ETag");
+      return get(open_, target, "If-None-Match: " + tag + "\r\n");
+    }
+    if (status == "400") {
+      if (path == "/v1/stream")
+        return get(open_, target,
+                   "Connection: Upgrade\r\nUpgrade: websocket\r\nSec-WebSocket-Version: 13\r\n");
+      return get(open_, target + (target.find('?') == std::string::npos ? "?" : "&") + "unknown=1");
+    }
+    if (status == "401") return get(with_secret_, target, example.fields);
+    if (status == "403") {
+      HttpClient client{with_block_.http_port()};
+      return client.read();
+    }
+    if (status == "404") {
+      return get(open_, "/v1/" + std::string(32, '0') + target.substr(36), example.fields);
+    }
+    if (status == "405") {
+      HttpClient client{open_.http_port()};
+      client.send("POST " + target + " HTTP/1.1\r\nHost: a\r\n\r\n");
+      return client.read();
+    }
+    if (status == "426") return get(open_, target);
+    if (status == "429") {
+      HttpClient client{slow_.http_port()};
+      for (int i = 0; i < 3; ++i) (void)client.get("/v1/world");
+      return client.get(target, example.fields);
+    }
+    REQUIRE(status == "503");
+    const HttpClient first{full_.http_port()};
+    HttpClient second{full_.http_port()};
+    return second.read();
+  }
+
+ private:
+  static Answer get(ServerProcess& server, const std::string& target, const std::string& fields = "") {
+    HttpClient client{server.http_port()};
+    return client.get(target, fields);
+  }
+
+  ScratchDirectory scratch_;
+  std::string secret_;
+  std::string blocked_;
+  ServerProcess open_{{kClassicWorld}, kWithHttp};
+  ServerProcess with_secret_{{kClassicWorld, {"TALUS_ACCESS_SECRET_FILE", secret_}}, kWithHttp};
+  ServerProcess with_block_{{kClassicWorld, {"TALUS_ACCESS_BLOCKED_FILE", blocked_}}, kWithHttp};
+  ServerProcess slow_{
+      {kClassicWorld, {"TALUS_RATES_SESSION_REQUESTS", "1"}, {"TALUS_RATES_BURST_MS", "1000"}}, kWithHttp};
+  ServerProcess full_{{kClassicWorld, {"TALUS_LIMITS_CONNECTIONS", "1"}}, kWithHttp};
+};
+
+}  // namespace
+
+TEST_CASE("each path of openapi.json answers as it says, by each status that it lists") {
+  Provoker provoker;
+  const std::string fingerprint = provoker.fingerprint();
+  REQUIRE(document()["paths"].size() == 9);
+  for (const auto& [path, operations] : document()["paths"].items()) {
+    const json& operation = operations["get"];
+    const Example example = example_of(path, operation, fingerprint);
+    for (const auto& [status, response] : operation["responses"].items()) {
+      INFO(path << ": " << status << ", asked for " << example.target);
+      const Answer answer = provoker.ask(status, path, example);
+      CHECK(std::to_string(answer.status) == status);
+      check_answer(answer, operation["responses"]);
+    }
+  }
+}
+
+TEST_CASE("openapi.json names what it refers to, and uses all that it names") {
+  std::set<std::string> used;
+  const std::function<void(const json&)> look = [&](const json& value) {
+    if (value.is_object() && value.contains("$ref")) {
+      const std::string name = value["$ref"];
+      CHECK(document().contains(json::json_pointer{name.substr(1)}));
+      used.insert(name);
+    }
+    if (value.is_structured()) {
+      for (const json& inner : value) look(inner);
+    }
+  };
+  look(document());
+  for (const auto& [kind, components] : document()["components"].items()) {
+    if (kind == "securitySchemes") continue;
+    for (const auto& [name, component] : components.items()) {
+      INFO(kind << '/' << name);
+      CHECK(used.contains("#/components/" + kind + "/" + name));
+    }
+  }
+}
