@@ -35,7 +35,7 @@ std::string text_of(const Metrics& metrics,
                     const RuntimeGauges& gauges = {.memory_bytes = {1, 2, 3},
                                                    .certificate_expires = 1'900'000'000}) {
   const BuildInfo build{"1.2.3", 2, "abc", "avx2"};
-  const MetricLabels labels{kReasons, kReasons, kReasons, kReasons, kReasons};
+  const MetricLabels labels{kReasons, kReasons, kReasons, kReasons, kReasons, kReasons};
   return metrics_page({metrics, gauges, read_process(), build, labels});
 }
 
