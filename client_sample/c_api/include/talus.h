@@ -121,7 +121,7 @@ typedef struct talus_connect_options {
 enum {
   TALUS_TLS = 1,           /* encrypted, by TLS 1.3, and the server proves who it is */
   TALUS_TLS_NO_VERIFY = 2, /* anybody may pose as the server */
-  TALUS_WEBSOCKET = 4 /* ws://host:port/v1/stream: `port` is that of talusd's HTTP address, or of a proxy */
+  TALUS_WEBSOCKET = 4      /* in ws://host:port/v1/stream: `port` is talusd's for HTTP, or a proxy's */
 };
 
 /* What a player wants around it: all chunks of level 0 within the radii, and coarser ones farther out. */
