@@ -107,13 +107,23 @@ tl::expected<void, std::string> check_memory(const Config& config) {
       bytes, least));
 }
 
-GenerationSettings generation_settings(const Config& config, const PatchSize& patch) {
+std::size_t ground_bytes(const Config& config, const terrain::World& world) {
+  if (!world.spec().surface.regions) return 0;
+  constexpr std::size_t kGroundBytes = std::size_t{8} << 20;  // a View's edge of 16 chunks all around, twice
+  constexpr std::uint64_t kLargestShare = 64;                 // of the budget
+  if (config.limits.memory_bytes == 0) return kGroundBytes;
+  return std::min<std::uint64_t>(kGroundBytes, config.limits.memory_bytes / kLargestShare);
+}
+
+GenerationSettings generation_settings(const Config& config, const terrain::World& world,
+                                       const PatchSize& patch) {
   return {.threads = generator_threads(config),
           .patch_tiles = patch.tiles,
           .queue_chunks = config.generation.queue_chunks,
           .chunk_cache_bytes = config.cache.chunk_bytes,
           .patch_cache_bytes = config.cache.patch_bytes,
-          .piece_bytes = patch.bytes_in_the_making()};
+          .piece_bytes = patch.bytes_in_the_making(),
+          .ground_bytes = ground_bytes(config, world)};
 }
 
 PatchSize measured_patch_size(const Config& config, const terrain::World& world, const Clock& clock) {

@@ -55,8 +55,12 @@ static_assert(MemoryBudget::kProgramBytes + kMinMemoryBytes / GeneratorMemory::k
 /// An error, one line, where limits.memory_bytes is less.
 [[nodiscard]] tl::expected<void, std::string> check_memory(const Config& config);
 
+/// What generators of the world keep of ground that patches share: nothing where that would not pay.
+[[nodiscard]] std::size_t ground_bytes(const Config& config, const terrain::World& world);
+
 /// `patch_tiles` as configured, or as chosen where the configuration leaves it open.
-[[nodiscard]] GenerationSettings generation_settings(const Config& config, const PatchSize& patch);
+[[nodiscard]] GenerationSettings generation_settings(const Config& config, const terrain::World& world,
+                                                     const PatchSize& patch);
 
 /// Measures what the world's terrain costs on this machine.
 [[nodiscard]] PatchSize measured_patch_size(const Config& config, const terrain::World& world,

@@ -29,7 +29,7 @@ BaseChunks::BaseChunks(std::unique_ptr<const Generator> generator, const Generat
       chunks_{bytes_of_chunks(settings)},
       rows_{*generator_, settings.patch_tiles, bytes_of_rows(settings)},
       maker_{*generator_, chunks_, rows_, metrics, log},
-      generator_memory_{memory, settings.threads, log, settings.piece_bytes},
+      generator_memory_{memory, settings.threads, log, settings.piece_bytes, settings.ground_bytes},
       patches_{{*generator_, maker_, chunks_, rows_, wanted_, generator_memory_, metrics, clock},
                log,
                settings.patch_tiles,

@@ -34,8 +34,9 @@ struct GenerationSettings {
   std::size_t queue_chunks = 0;  // jobs of all clients together, beyond each client's own
   std::size_t chunk_cache_bytes = 0;
   std::size_t patch_cache_bytes = 0;
-  std::size_t own_chunks = 16;  // with fewer jobs a client may ask for more in any case
-  std::size_t piece_bytes = 0;  // as GeneratorMemory's
+  std::size_t own_chunks = 16;   // with fewer jobs a client may ask for more in any case
+  std::size_t piece_bytes = 0;   // as GeneratorMemory's
+  std::size_t ground_bytes = 0;  // likewise
 };
 
 class BaseChunks final : public ChunkSource {
