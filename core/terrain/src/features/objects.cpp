@@ -141,7 +141,7 @@ bool Objects::present(const Candidate& candidate, std::int32_t share) const {
   const auto limit_q16 = static_cast<std::int32_t>(std::int64_t{kind.chance_q16} * share / kWholeShare);
   if (candidate.draw_q16() >= limit_q16) return false;
   if (kind.clumps == Clumps::none) return true;
-  const float n = rotated_fbm(clumps_, candidate.x, candidate.z);
+  const float n = clumps_.at(candidate.x, candidate.z);
   const auto clump = static_cast<std::int32_t>(clump_share(kind.clumps, n) * static_cast<float>(kWholeShare));
   return candidate.draw_q16() < static_cast<std::int32_t>(std::int64_t{limit_q16} * clump / kWholeShare);
 }
@@ -226,11 +226,10 @@ bool Objects::place_by_columns(const StandingGround& ground, std::int64_t rows, 
           const auto found = candidate(at.kind, cx, cz);
           if (!found || std::abs(found->x - base_x) > of.reach || std::abs(found->z - base_z) > of.reach)
             continue;
-          if (!present(*found, share)) continue;
           PlacedObject object = found->at(boundary_row(ground.height_fx(x, z)), of.models.size());
           object.seen_x = base_x;
           object.seen_z = base_z;
-          if (shown == kMaxSeen || seen(object).empty()) continue;
+          if (shown == kMaxSeen || seen(object).empty() || !present(*found, share)) continue;
           ++shown;
           objects.push_back(object);
         }

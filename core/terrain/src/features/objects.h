@@ -67,7 +67,7 @@ class Objects final : public Feature {
                       const Visit& visit) const;
 
   std::vector<ObjectKind> kinds_;
-  RotatedNoise clumps_;
+  RotatedPoints clumps_;
 };
 
 }  // namespace talus::terrain

@@ -50,6 +50,7 @@ class RegionRows final : public SurfaceRows {
   std::size_t width_ = 0;
   std::vector<std::int64_t> samples_;
   std::size_t columns_a_cell_ = 0;  // 0: they are irregular
+  bool at_samples_ = false;         // each column is one
   std::size_t skipped_ = 0;         // columns of the first cell that are not asked for
   std::array<float, kSampleStep> fractions_{};
   struct Offset {
