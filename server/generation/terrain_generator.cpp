@@ -9,6 +9,15 @@
 namespace talus::server {
 namespace {
 
+class MutexLock final : public terrain::GroundLock {
+ public:
+  void lock() override { mutex_.lock(); }
+  void unlock() override { mutex_.unlock(); }
+
+ private:
+  std::mutex mutex_;
+};
+
 MixedRows rows_of(const terrain::MixedRange& range) {
   return {range.first, range.last, range.below};
 }
@@ -20,7 +29,9 @@ TerrainGenerator::TerrainGenerator(std::shared_ptr<const terrain::World> world, 
     : world_{std::move(world)},
       patch_tiles_{patch_tiles},
       max_idle_{max_idle},
-      ground_{ground_bytes == 0 ? nullptr : std::make_shared<terrain::GroundCache>(ground_bytes)},
+      ground_{ground_bytes == 0
+                  ? nullptr
+                  : std::make_shared<terrain::GroundCache>(ground_bytes, std::make_unique<MutexLock>())},
       place_names_{terrain::place_names(*world_)} {
   idle_.reserve(max_idle);  // so that giving back never fails
   // Every request looks here first, and working it out costs as much as a look into the cache.

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <mutex>
 #include <string>
 #include <thread>
 #include <tuple>
@@ -114,9 +115,18 @@ TEST_CASE("A cache keeps the tiles that were used last, and no more than it may"
   CHECK(found == nullptr);
 }
 
-TEST_CASE("Threads share a cache of ground") {
+class MutexLock final : public GroundLock {
+ public:
+  void lock() override { mutex_.lock(); }
+  void unlock() override { mutex_.unlock(); }
+
+ private:
+  std::mutex mutex_;
+};
+
+TEST_CASE("Threads share a cache of ground that has a lock") {
   const World& world = test::sample_world("default");
-  const auto cache = std::make_shared<GroundCache>(200'000);
+  const auto cache = std::make_shared<GroundCache>(200'000, std::make_unique<MutexLock>());
   std::vector<Region> regions;
   for (int i = 0; i < 6; ++i) regions.push_back({-2000 + 20 * i, -6200 + 30 * (i % 2), 40, 40, Lod{}});
   std::vector<std::vector<Stacks>> made(2);

@@ -20,7 +20,7 @@ std::size_t GroundTiles::Hash::operator()(const GroundTileKey& key) const {
 }
 
 void GroundTiles::find(std::span<const GroundTileKey> keys, std::span<GroundTilePtr> found) {
-  const std::lock_guard lock{mutex_};
+  const Guard guard{lock_.get()};
   for (std::size_t i = 0; i < keys.size(); ++i) {
     const auto known = by_key_.find(keys[i]);
     found[i] = known == by_key_.end() ? nullptr : known->second->tile;
@@ -29,7 +29,7 @@ void GroundTiles::find(std::span<const GroundTileKey> keys, std::span<GroundTile
 }
 
 void GroundTiles::put(const GroundTileKey& key, GroundTilePtr tile) {
-  const std::lock_guard lock{mutex_};
+  const Guard guard{lock_.get()};
   if (by_key_.contains(key)) return;  // another thread was first, with the same
   const std::size_t bytes = tile->bytes();
   entries_.push_front({key, std::move(tile)});
@@ -48,11 +48,12 @@ void GroundTiles::put(const GroundTileKey& key, GroundTilePtr tile) {
 }
 
 std::size_t GroundTiles::bytes() const {
-  const std::lock_guard lock{mutex_};
+  const Guard guard{lock_.get()};
   return bytes_;
 }
 
-GroundCache::GroundCache(std::size_t max_bytes) : tiles_{std::make_unique<GroundTiles>(max_bytes)} {}
+GroundCache::GroundCache(std::size_t max_bytes, std::unique_ptr<GroundLock> lock)
+    : tiles_{std::make_unique<GroundTiles>(max_bytes, std::move(lock))} {}
 GroundCache::~GroundCache() = default;
 
 std::size_t GroundCache::bytes() const {

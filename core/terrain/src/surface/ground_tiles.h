@@ -6,9 +6,9 @@
 #include <cstdint>
 #include <list>
 #include <memory>
-#include <mutex>
 #include <span>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
 #include <talus/terrain/ground_cache.h>
@@ -44,7 +44,8 @@ using GroundTilePtr = std::shared_ptr<const GroundTile>;
 
 struct GroundTiles {
  public:
-  explicit GroundTiles(std::size_t max_bytes) : max_bytes_{max_bytes} {}
+  explicit GroundTiles(std::size_t max_bytes, std::unique_ptr<GroundLock> lock = nullptr)
+      : max_bytes_{max_bytes}, lock_{std::move(lock)} {}
 
   /// found[i] is the tile of keys[i], or null.
   void find(std::span<const GroundTileKey> keys, std::span<GroundTilePtr> found);
@@ -55,13 +56,27 @@ struct GroundTiles {
   struct Hash {
     std::size_t operator()(const GroundTileKey& key) const;
   };
+  class Guard {
+   public:
+    explicit Guard(GroundLock* lock) : lock_{lock} {
+      if (lock_ != nullptr) lock_->lock();
+    }
+    ~Guard() {
+      if (lock_ != nullptr) lock_->unlock();
+    }
+    Guard(const Guard&) = delete;
+    Guard& operator=(const Guard&) = delete;
+
+   private:
+    GroundLock* const lock_;
+  };
   struct Entry {
     GroundTileKey key;
     GroundTilePtr tile;
   };
 
   const std::size_t max_bytes_;
-  mutable std::mutex mutex_;
+  const std::unique_ptr<GroundLock> lock_;
   std::size_t bytes_ = 0;
   std::list<Entry> entries_;  // the one used last first
   std::unordered_map<GroundTileKey, std::list<Entry>::iterator, Hash> by_key_;
