@@ -108,7 +108,16 @@ tl::expected<void, std::string> check_memory(const Config& config, std::uint64_t
       bytes, least));
 }
 
-GenerationSettings generation_settings(const Config& config, const PatchSize& patch) {
+std::size_t ground_bytes(const Config& config, const terrain::World& world) {
+  if (!world.spec().surface.regions) return 0;
+  constexpr std::size_t kGroundBytes = std::size_t{8} << 20;  // a View's edge of 16 chunks all around, twice
+  constexpr std::uint64_t kLargestShare = 64;                 // of the budget
+  if (config.limits.memory_bytes == 0) return kGroundBytes;
+  return std::min<std::uint64_t>(kGroundBytes, config.limits.memory_bytes / kLargestShare);
+}
+
+GenerationSettings generation_settings(const Config& config, const terrain::World& world,
+                                       const PatchSize& patch) {
   // Maps are asked for over HTTP alone.
   constexpr std::uint64_t kMapsShare = 8;
   constexpr std::size_t kMapBytesAColumn =
@@ -121,6 +130,7 @@ GenerationSettings generation_settings(const Config& config, const PatchSize& pa
           .chunk_cache_bytes = config.cache.chunk_bytes,
           .patch_cache_bytes = config.cache.patch_bytes,
           .piece_bytes = std::max(patch.bytes_in_the_making(), map_bytes),
+          .ground_bytes = ground_bytes(config, world),
           .map_cache_bytes = maps ? config.cache.chunk_bytes / kMapsShare : 0};
 }
 

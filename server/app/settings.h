@@ -57,8 +57,12 @@ static_assert(MemoryBudget::kProgramBytes + kMinMemoryBytes / GeneratorMemory::k
 [[nodiscard]] tl::expected<void, std::string> check_memory(const Config& config,
                                                            std::uint64_t site_bytes = 0);
 
+/// What generators of the world keep of ground that patches share: nothing where that would not pay.
+[[nodiscard]] std::size_t ground_bytes(const Config& config, const terrain::World& world);
+
 /// `patch_tiles` as configured, or as chosen where the configuration leaves it open.
-[[nodiscard]] GenerationSettings generation_settings(const Config& config, const PatchSize& patch);
+[[nodiscard]] GenerationSettings generation_settings(const Config& config, const terrain::World& world,
+                                                     const PatchSize& patch);
 
 /// Measures what the world's terrain costs on this machine.
 [[nodiscard]] PatchSize measured_patch_size(const Config& config, const terrain::World& world,

@@ -30,7 +30,7 @@ BaseChunks::BaseChunks(std::unique_ptr<const Generator> generator, const Generat
       rows_{*generator_, settings.patch_tiles, bytes_of_rows(settings)},
       maps_{settings.map_cache_bytes},
       maker_{*generator_, chunks_, rows_, metrics, log, &maps_},
-      generator_memory_{memory, settings.threads, log, settings.piece_bytes},
+      generator_memory_{memory, settings.threads, log, settings.piece_bytes, settings.ground_bytes},
       patches_{{*generator_, maker_, chunks_, rows_, wanted_, generator_memory_, metrics, clock},
                log,
                settings.patch_tiles,

@@ -37,6 +37,7 @@ struct GenerationSettings {
   std::size_t patch_cache_bytes = 0;
   std::size_t own_chunks = 16;      // with fewer jobs a client may ask for more in any case
   std::size_t piece_bytes = 0;      // as GeneratorMemory's
+  std::size_t ground_bytes = 0;     // likewise
   std::size_t map_cache_bytes = 0;  // of chunk_cache_bytes
 };
 

@@ -292,11 +292,17 @@ void GenerationPool::answer(std::span<const ChunkKey> keys, Chunk&& chunk) {
         }
       }
     }
-    for (Answered& each : some) each.answer = chunk(each.index);
+    std::size_t made = 0;
+    for (Answered& each : some) {
+      if (stopping_) break;  // a chunk may take long, and nobody waits for it any more
+      each.answer = chunk(each.index);
+      ++made;
+    }
     {
       const std::lock_guard lock{mutex_};
       for (Answered& each : some) each.waiters = queue_.finish(keys[each.index]);
     }
+    some.resize(made);
     for (const Answered& each : some) answers.add(each.waiters, keys[each.index], each.answer);
     some.clear();
   }

@@ -6,8 +6,12 @@
 namespace talus::server {
 
 GeneratorMemory::GeneratorMemory(MemoryBudget& budget, std::size_t threads, Logger log,
-                                 std::size_t piece_bytes)
-    : budget_{budget}, threads_{threads}, piece_bytes_{piece_bytes}, log_{std::move(log)} {}
+                                 std::size_t piece_bytes, std::size_t ground_bytes)
+    : budget_{budget},
+      threads_{threads},
+      piece_bytes_{piece_bytes},
+      ground_bytes_{ground_bytes},
+      log_{std::move(log)} {}
 
 void GeneratorMemory::note_patch(std::size_t bytes) {
   std::size_t largest = largest_patch_bytes_.load();
@@ -33,7 +37,7 @@ std::uint64_t GeneratorMemory::each_bytes() const {
 }
 
 std::uint64_t GeneratorMemory::bytes() {
-  const std::uint64_t at_work = threads_ * each_bytes();
+  const std::uint64_t at_work = ground_bytes_ + threads_ * each_bytes();
   const auto begun = static_cast<std::uint64_t>(std::max<std::ptrdiff_t>(0, begun_.load())) * each_bytes();
   if (budget_.limit_bytes() == 0) return at_work + begun;
   const std::uint64_t share = budget_.limit_bytes() / kLargestShare;

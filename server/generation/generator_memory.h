@@ -19,7 +19,9 @@ class GeneratorMemory {
   static constexpr std::uint64_t kLargestShare = 8;
 
   /// `piece_bytes`: what a patch in the making takes with its halo, as far as is known; 0: nothing is.
-  GeneratorMemory(MemoryBudget& budget, std::size_t threads, Logger log, std::size_t piece_bytes = 0);
+  /// `ground_bytes`: what they keep together.
+  GeneratorMemory(MemoryBudget& budget, std::size_t threads, Logger log, std::size_t piece_bytes = 0,
+                  std::size_t ground_bytes = 0);
 
   /// With so many that were begun and wait no more give way: as many as are an eighth of the budget. None
   /// where memory is that short: then each is made whole.
@@ -41,6 +43,7 @@ class GeneratorMemory {
   MemoryBudget& budget_;
   const std::size_t threads_;
   const std::size_t piece_bytes_;
+  const std::size_t ground_bytes_;
   const Logger log_;
   std::atomic<std::size_t> largest_patch_bytes_{0};
   std::atomic<std::ptrdiff_t> begun_{0};  // below 0 where a change is told before the one before it

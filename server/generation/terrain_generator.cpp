@@ -13,6 +13,15 @@
 namespace talus::server {
 namespace {
 
+class MutexLock final : public terrain::GroundLock {
+ public:
+  void lock() override { mutex_.lock(); }
+  void unlock() override { mutex_.unlock(); }
+
+ private:
+  std::mutex mutex_;
+};
+
 MixedRows rows_of(const terrain::MixedRange& range) {
   return {range.first, range.last, range.below};
 }
@@ -20,10 +29,13 @@ MixedRows rows_of(const terrain::MixedRange& range) {
 }  // namespace
 
 TerrainGenerator::TerrainGenerator(std::shared_ptr<const terrain::World> world, int patch_tiles,
-                                   std::size_t max_idle)
+                                   std::size_t max_idle, std::size_t ground_bytes)
     : world_{std::move(world)},
       patch_tiles_{patch_tiles},
       max_idle_{max_idle},
+      ground_{ground_bytes == 0
+                  ? nullptr
+                  : std::make_shared<terrain::GroundCache>(ground_bytes, std::make_unique<MutexLock>())},
       place_names_{terrain::place_names(*world_)} {
   idle_.reserve(max_idle);  // so that giving back never fails
   // Every request looks here first, and working it out costs as much as a look into the cache.
@@ -136,7 +148,7 @@ std::unique_ptr<HeightsMaking> TerrainGenerator::start_heights(HeightsQuery quer
 
 std::unique_ptr<terrain::Generator> TerrainGenerator::take_generator() const {
   const std::lock_guard lock{idle_mutex_};
-  if (idle_.empty()) return std::make_unique<terrain::Generator>(*world_);
+  if (idle_.empty()) return std::make_unique<terrain::Generator>(*world_, ground_);
   auto generator = std::move(idle_.back());
   idle_.pop_back();
   return generator;

@@ -10,6 +10,7 @@
 
 #include <talus/terrain/extraction.h>
 #include <talus/terrain/generator.h>
+#include <talus/terrain/ground_cache.h>
 #include <talus/terrain/heights.h>
 #include <talus/terrain/stacks.h>
 #include <talus/terrain/world.h>
@@ -21,8 +22,9 @@ namespace talus::server {
 class TerrainGenerator final : public Generator {
  public:
   /// Patches have `patch_tiles` tiles along each edge, a power of two. The memory of `max_idle` generators
-  /// that work on nothing is kept.
-  TerrainGenerator(std::shared_ptr<const terrain::World> world, int patch_tiles, std::size_t max_idle = 1);
+  /// that work on nothing is kept. They share about `ground_bytes` of ground; 0: none.
+  TerrainGenerator(std::shared_ptr<const terrain::World> world, int patch_tiles, std::size_t max_idle = 1,
+                   std::size_t ground_bytes = 0);
 
   [[nodiscard]] EncodedChunkPtr instant(ChunkKey key) const override;
   /// `material` is one of the world's.
@@ -45,6 +47,7 @@ class TerrainGenerator final : public Generator {
   const std::shared_ptr<const terrain::World> world_;
   const int patch_tiles_;
   const std::size_t max_idle_;
+  const std::shared_ptr<terrain::GroundCache> ground_;  // or null
   std::array<MixedRows, Lod::kMax + 1> rows_anywhere_;  // by level
   std::vector<EncodedChunkPtr> uniform_;                // by material id
   const std::vector<std::string> place_names_;

@@ -79,7 +79,7 @@ tl::expected<Route, RouteError> chunks(std::span<const std::string_view> parts) 
   return route;
 }
 
-tl::expected<Route, RouteError> map_tile(const std::vector<std::string_view>& parts) {
+tl::expected<Route, RouteError> map_tile(std::span<const std::string_view> parts) {
   constexpr std::string_view kForm = "/v1/{fingerprint}/map/{zoom}/{x}/{z}.png is a tile of the map";
   constexpr std::string_view kEnding = ".png";
   if (parts.size() != 5 || !parts[4].ends_with(kEnding)) return wrong(404, std::string{kForm});

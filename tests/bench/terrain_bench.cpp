@@ -1,6 +1,8 @@
 // The generator's stages, one thread unless said otherwise. Items are columns or noise samples.
 #include <array>
 #include <atomic>
+#include <memory>
+#include <string>
 #include <thread>
 #include <utility>
 #include <vector>
@@ -9,6 +11,7 @@
 
 #include <talus/terrain/fbm.h>
 #include <talus/terrain/generator.h>
+#include <talus/terrain/ground_cache.h>
 #include <talus/terrain/settle.h>
 #include <talus/terrain/slope.h>
 #include <talus/terrain/stacks.h>
@@ -20,6 +23,7 @@
 #include "loose/settle_grid.h"
 #include "reference.h"
 #include "table.h"
+#include "worlds.h"
 
 namespace {
 
@@ -168,6 +172,31 @@ void stream_noise(State& state) {
   bench::works_on(state, "column", static_cast<std::int64_t>(patches.size() * patches.front().columns()));
 }
 BENCHMARK(stream_noise)->Name("stream, tiles a patch side/4/vs:its surface noise alone");
+
+// A cold view of the default world, with the ground that patches share kept, as a server does, or computed
+// anew for each.
+void default_view(State& state, const std::vector<std::string>& without, std::size_t ground_bytes) {
+  const World world = World::parse(test::sample_world_without("default", without), "default").value();
+  auto patches = bench::patches_of_view(kViewRadius, kPatchTiles);
+  for (Region& patch : patches) {  // over mesas, mountains and forest
+    patch.x -= 2048;
+    patch.z -= 6144;
+  }
+  Stacks stacks;
+  for (auto _ : state) {
+    Generator generator{world, ground_bytes == 0 ? nullptr : std::make_shared<GroundCache>(ground_bytes)};
+    for (const Region& patch : patches) generator.generate(patch, stacks);
+  }
+  bench::works_on(state, "column", static_cast<std::int64_t>(patches.size() * patches.front().columns()));
+}
+constexpr std::size_t kGroundBytes = std::size_t{8} << 20;
+const std::vector<std::string> kBare{"[talus]", "[[object]]"};
+BENCHMARK_CAPTURE(default_view, all, {}, kGroundBytes)->Name("view of the default world");
+BENCHMARK_CAPTURE(default_view, all_vs, {}, 0)->Name("view of the default world/vs:without shared ground");
+BENCHMARK_CAPTURE(default_view, bare, kBare, kGroundBytes)
+    ->Name("view of the default world without aprons and objects");
+BENCHMARK_CAPTURE(default_view, bare_vs, kBare, 0)
+    ->Name("view of the default world without aprons and objects/vs:without shared ground");
 
 // Each keeps its generator and its memory from view to view, and takes the next patch when it is done with
 // one, as a server's do.

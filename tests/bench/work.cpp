@@ -54,6 +54,18 @@ void count_default(int level) {
   talus_counted_work([&] { generator.generate(patch, stacks); });
 }
 
+// Nine patches, each beside those before it, with the ground that they share kept.
+void count_default_view() {
+  terrain::Stacks stacks;
+  terrain::Generator{terrain::default_world()}.generate({0, 0, 96, 96, Lod{}}, stacks);
+  terrain::Generator generator{terrain::default_world(), std::make_shared<terrain::GroundCache>(8U << 20U)};
+  talus_counted_work([&] {
+    for (int i = 0; i < 9; ++i) {
+      generator.generate({-2048 + 128 * (i % 3), -6272 + 128 * (i / 3), 128, 128, Lod{}}, stacks);
+    }
+  });
+}
+
 void count_default_slabs() {
   const auto& world = terrain::default_world();
   const auto stacks = generate_stacks(world, {-62 * kChunkSize, -194 * kChunkSize, 96, 96, Lod{}});
@@ -136,6 +148,7 @@ int main(int argc, char** argv) {
                                   {"whole", count_whole},
                                   {"slabs", count_slabs},
                                   {"default", [] { count_default(0); }},
+                                  {"default_view", count_default_view},
                                   {"default_level_3", [] { count_default(3); }},
                                   {"default_slabs", count_default_slabs},
                                   {"encode", count_encode},

@@ -76,6 +76,28 @@ TEST_CASE("Stacks do not depend on where their making is cut, nor on what was gi
   }));
 }
 
+TEST_CASE("Objects do not depend on where their placing is cut, at any level") {
+  CHECK(rc::check([] {
+    const World& world = test::sample_world(*rc::gen::element<std::string>("default", "archipelago"));
+    const int level = *rc::gen::inRange(0, 5);
+    const Region region{*rc::gen::inRange<std::int64_t>(-2100, -1900) >> level,
+                        *rc::gen::inRange<std::int64_t>(-6300, -6100) >> level, *rc::gen::inRange(1, 60),
+                        *rc::gen::inRange(1, 60), Lod::of(level)};
+    Generator generator{world};
+    generator.start(region, {});
+    while (generator.step(any_columns())) {
+    }
+    const auto keys = [](const Stacks& stacks) {
+      std::vector<std::uint64_t> found;
+      for (const PlacedObject& object : stacks.objects) {
+        found.insert(found.end(), {object.kind, object.hash, static_cast<std::uint64_t>(object.y)});
+      }
+      return found;
+    };
+    RC_ASSERT(keys(generator.take()) == keys(generate_stacks(world, region)));
+  }));
+}
+
 TEST_CASE("A piece is rows of ground, or one pass of one material or layer") {
   const auto pieces = [](const World& world, int columns) {
     Generator generator{world};

@@ -16,6 +16,7 @@
 #include <talus/terrain/world.h>
 
 #include "kernels/places.h"
+#include "place/narrowed_cases.h"
 #include "worlds.h"
 #include "wrong_spec.h"
 
@@ -339,6 +340,22 @@ TEST_CASE("Place kernels of every instruction set agree") {
       const PlaceKernels& kernels = place_kernels(set);
       std::vector<std::uint8_t> looks(width);
       kernels.look(cases, quantities, width, looks.data());
+      // Of what a row's ranges leave of the cases comes the same.
+      std::vector<ValueRange> ranges;
+      for (const float* row : quantities) ranges.push_back(kernels.range(row, width));
+      for (std::size_t q = 0; q < 3; ++q) {
+        RC_ASSERT(ranges[q].low == *std::min_element(rows[q].begin(), rows[q].end()));
+        RC_ASSERT(ranges[q].high == *std::max_element(rows[q].begin(), rows[q].end()));
+      }
+      std::vector<std::uint8_t> narrowed(width);
+      kernels.look(NarrowedCases{}.of(cases, ranges), quantities, width, narrowed.data());
+      RC_ASSERT(narrowed == looks);
+      std::vector<std::int32_t> kept(width);
+      const std::uint64_t wanted = std::uint64_t{0b10110} | std::uint64_t{1} << 40;
+      kernels.keep(wanted, looks.data(), share.data(), width, kept.data());
+      for (std::size_t i = 0; i < width; ++i) {
+        RC_ASSERT(kept[i] == ((wanted >> looks[i] & 1) != 0 ? share[i] : 0));
+      }
       std::vector<std::int32_t> all(2 * width);
       kernels.thin(ramp, rows[0].data(), share.data(), width, all.data());
       kernels.thin_by_int32(ramp, share.data(), all.data(), width, all.data() + width);

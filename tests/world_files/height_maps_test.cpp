@@ -187,7 +187,12 @@ TEST_CASE("A spec's file is looked for beside the spec") {
   scratch.write("maps/m.png", png_of(4, 4, 16, PNG_COLOR_TYPE_GRAY));
   const auto load = beside(scratch / "world.toml").height_map;
   REQUIRE(load("maps/m.png"));
-  REQUIRE(load((scratch / "maps/m.png").string()));
+  REQUIRE(load("./maps/m.png"));
+  const std::string outside = "is not below the world file's folder; a path from there without .. is needed";
+  for (const std::string& name : {(scratch / "maps/m.png").string(), std::string{"../m.png"},
+                                  std::string{"maps/../maps/m.png"}, std::string{".."}}) {
+    CHECK(load(name).error() == outside);
+  }
   CHECK(load("m.png").error() == "cannot be read: No such file or directory");
   CHECK(load("maps").error() == "is a directory");
 }

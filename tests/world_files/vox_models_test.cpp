@@ -3,6 +3,7 @@
 
 #include <array>
 #include <catch2/catch.hpp>
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -113,7 +114,10 @@ TEST_CASE("A spec's models are looked for beside the spec") {
   REQUIRE(load("tree.vox"));
   CHECK(load("none.vox").error() == "cannot be read: No such file or directory");
   CHECK(load(".").error() == "is a directory");
-  CHECK(load("/dev/zero").error() == "is not a regular file");
+  CHECK(load("/dev/zero").error() ==
+        "is not below the world file's folder; a path from there without .. is needed");
+  std::filesystem::create_symlink("/dev/zero", scratch / "zero.vox");
+  CHECK(load("zero.vox").error() == "is not a regular file");
   REQUIRE(::mkfifo((scratch / "pipe.vox").c_str(), 0600) == 0);  // which nobody writes to
   CHECK(load("pipe.vox").error() == "is not a regular file");
   CHECK(load(std::string{"tree.vox\0.vox", 13}).error() == "has control characters in its name");

@@ -119,13 +119,16 @@ struct StandingGround {
   Region region;
   int around = 0;                    // columns around the region that `height` and `shares` have
   const Field* height = nullptr;     // level 0's subvoxels
-  std::span<const Field> shares;     // by PlacesSpec::shares
+  std::span<const Field> shares;     // by PlacesSpec::shares; empty where one is 0 all over
   const Field* entrances = nullptr;  // Carver::entrances(), or null
   int open_ring = 0;                 // columns around the region that those have
   std::optional<std::int32_t> sea_fx;
 
   [[nodiscard]] std::int32_t height_fx(int x, int z) const { return height->at(x + around, z + around); }
-  /// Of kWholeShare.
+  [[nodiscard]] bool none(const std::optional<std::size_t>& rule) const {
+    return rule && shares[*rule].values.empty();
+  }
+  /// Of kWholeShare. REQUIRES !none(rule).
   [[nodiscard]] std::int32_t share(const std::optional<std::size_t>& rule, int x, int z) const {
     return rule ? shares[*rule].at(x + around, z + around) : kWholeShare;
   }
@@ -134,6 +137,13 @@ struct StandingGround {
     if (entrances != nullptr && entrances->at(x + open_ring, z + open_ring) != Carver::kClosed) return false;
     return in_water || !sea_fx || height_fx(x, z) >= *sea_fx;
   }
+};
+
+/// How far the objects of a region are placed.
+struct Placement {
+  std::size_t kind = 0;               // whose turn it is
+  std::int64_t row = 0;               // of its cells, or of the region's columns
+  std::vector<std::uint8_t> seen_in;  // how many objects a column shows, where each looks for its own
 };
 
 /// A feature of one world. Immutable; threads may share it.
@@ -189,7 +199,12 @@ class Feature {
   /// Whether place() is called and its objects are kept in Stacks::objects. At most one feature stands.
   [[nodiscard]] virtual bool stands() const { return false; }
   [[nodiscard]] virtual std::vector<ObjectKindName> object_kinds() const { return {}; }
-  virtual void place(const StandingGround& /*ground*/, std::vector<PlacedObject>& /*objects*/) const {}
+  /// One piece of the work, which begins with Placement{}: about what `columns` columns of ground take, a row
+  /// at least. False when nothing is left. REQUIRES columns > 0.
+  virtual bool place(const StandingGround& /*ground*/, int /*columns*/, Placement& /*at*/,
+                     std::vector<PlacedObject>& /*objects*/) const {
+    return false;
+  }
   /// The voxels of Stacks::objects in a chunk, by rising index, each once.
   virtual void add_overrides(const ChunkSite& /*site*/, std::vector<Override>& /*overrides*/) const {}
   /// What they show from above: of the columns of the stacks' region that they cover, where the topmost voxel

@@ -50,9 +50,9 @@ void shift_left(Field& field, int shift) {
 }  // namespace
 
 struct Generator::Scratch {
-  explicit Scratch(const World& world)
+  Scratch(const World& world, std::shared_ptr<GroundCache> cache)
       : set{instruction_set()},
-        ground{world, set},
+        ground{world, set, true, std::move(cache)},
         strata{world, set},
         grid{set},
         columns{column_kernels(set)},
@@ -89,11 +89,13 @@ struct Generator::Scratch {
   std::size_t erosion_piece = 0;  // of the step: each material is looked at and then moved
   bool moved = false;             // in this step
 
-  enum class Stage : std::uint8_t { none, ground, loose, strata };
+  enum class Stage : std::uint8_t { none, ground, loose, strata, objects };
   Stage stage = Stage::none;
   std::size_t unsettled = 0;  // materials
   Stacks stacks;
-  std::optional<Planes> planes;  // of `stacks`, while strata are built
+  std::optional<Planes> planes;       // of `stacks`, while strata are built
+  const Feature* standing = nullptr;  // whose objects are placed
+  Placement placement;
 };
 
 namespace {
@@ -111,7 +113,8 @@ int halo_columns(const World& world, Lod lod) {
   return std::max(loose_halo(world, lod), world.feature_halo(lod));
 }
 
-Generator::Generator(const World& world) : world_{&world}, scratch_{std::make_unique<Scratch>(world)} {}
+Generator::Generator(const World& world, std::shared_ptr<GroundCache> cache)
+    : world_{&world}, scratch_{std::make_unique<Scratch>(world, std::move(cache))} {}
 Generator::~Generator() = default;
 Generator::Generator(Generator&&) noexcept = default;
 Generator& Generator::operator=(Generator&&) noexcept = default;
@@ -309,6 +312,11 @@ bool Generator::step(int columns) {
         return true;
       }
       finish();
+      start_objects(s.stacks.objects);
+      s.stage = Scratch::Stage::objects;
+      return true;
+    case Scratch::Stage::objects:
+      if (step_objects(columns, s.stacks.objects)) return true;
       s.stage = Scratch::Stage::none;
       return false;
     case Scratch::Stage::none:
@@ -345,7 +353,6 @@ void Generator::finish() {
   take_caves(world_->spec().method == Method::erosion ? s.ring : 0, s.stacks.tops.back(), s.stacks.caves);
   take_surveys(s.stacks.surveys);
   take_looks(s.stacks.looks);
-  take_objects(s.stacks.objects);
 }
 
 void Generator::start_loose() {
@@ -370,7 +377,7 @@ bool Generator::step_loose() {
 void Generator::settle(std::size_t place) {
   Scratch& s = *scratch_;
   const LooseSpec& loose = world_->loose()[world_->loose_bottom_up()[place]];
-  const bool none = loose.share && s.ground.no_share(*loose.share);
+  const bool none = loose.share && s.ground.shares()[*loose.share].values.empty();
   if (none && !is_talus(place)) {
     s.loose_tops[place].values = s.limit.values;
     s.loose_tops[place].reshape(s.region.width, s.region.depth);
@@ -424,7 +431,7 @@ void Generator::set_loose_over_ground() {
     most.reshape(0, 0);
     if (!loose.share && !is_talus(i)) continue;
     if (loose.share) {
-      s.ground.shares()[*loose.share].crop_into(s.around - s.ring, most);
+      crop_share(*loose.share, s.ring, most);
     } else {
       most.reshape(s.surface.width, s.surface.depth);
       std::fill(most.values.begin(), most.values.end(), kWholeShare);
@@ -510,8 +517,17 @@ void Generator::start_grid(const LooseSpec& loose) {
   Scratch& s = *scratch_;
   const Lod lod = s.region.lod;
   if (!loose.share) return s.grid.start(*s.loose_slope, loose.thickness_at(lod), loose.S_fx);
-  s.ground.shares()[*loose.share].crop_into(s.around - s.ring, s.share);
+  crop_share(*loose.share, s.ring, s.share);
   s.grid.start(*s.loose_slope, s.share, loose.t_fx, kWholeShare << lod.value(), loose.S_fx);
+}
+
+/// Over the region and `ring` columns around it.
+void Generator::crop_share(std::size_t rule, int ring, Field& share) const {
+  const Scratch& s = *scratch_;
+  const Field& all = s.ground.shares()[rule];
+  if (!all.values.empty()) return all.crop_into(s.around - ring, share);
+  share.reshape(s.region.width + 2 * ring, s.region.depth + 2 * ring);
+  std::fill(share.values.begin(), share.values.end(), 0);
 }
 
 /// All that is known with the ground.
@@ -520,27 +536,39 @@ void Generator::take_places(Terrain& terrain) {
   s.ground.bare().crop_into(s.around, terrain.bare);
   shift_right(terrain.bare, terrain.region.lod.value());
   take_looks(terrain.looks);
-  take_objects(terrain.objects);
+  start_objects(terrain.objects);
+  while (step_objects(kColumnsAPiece, terrain.objects)) {
+  }
   terrain.place.resize(world_->loose().size());
   for (std::size_t m = 0; m < terrain.place.size(); ++m) {
     const LooseSpec& loose = world_->loose()[m];
     Field& place = terrain.place[m];
     place.reshape(terrain.region.width, terrain.region.depth);
     std::fill(place.values.begin(), place.values.end(), kWholeShare);
-    if (loose.share) s.ground.shares()[*loose.share].crop_into(s.around, place);
+    if (loose.share) crop_share(*loose.share, 0, place);
     for (std::int32_t& value : place.values) value = loose.thickness_at(terrain.region.lod, value);
   }
 }
 
-void Generator::take_objects(std::vector<PlacedObject>& objects) {
-  const Scratch& s = *scratch_;
+void Generator::start_objects(std::vector<PlacedObject>& objects) {
+  Scratch& s = *scratch_;
   objects.clear();
+  s.standing = nullptr;
+  s.placement.kind = 0;
+  s.placement.row = 0;
+  s.placement.seen_in.clear();
+  for (const auto& feature : world_->features()) {
+    if (feature->stands()) s.standing = feature.get();
+  }
+}
+
+bool Generator::step_objects(int columns, std::vector<PlacedObject>& objects) {
+  Scratch& s = *scratch_;
+  if (s.standing == nullptr) return false;
   StandingGround ground{s.region, s.around,    &s.ground.height(), s.ground.shares(),
                         nullptr,  s.open_ring, world_->sea_fx()};
   if (s.carver && !s.carver->entrances().values.empty()) ground.entrances = &s.carver->entrances();
-  for (const auto& feature : world_->features()) {
-    if (feature->stands()) feature->place(ground, objects);
-  }
+  return s.standing->place(ground, columns, s.placement, objects);
 }
 
 void Generator::take_looks(std::vector<LookField>& looks) {

@@ -20,7 +20,12 @@ tl::expected<std::filesystem::path, std::string> path_of(const std::filesystem::
                                                          const std::string& name) {
   const auto is_control = [](unsigned char c) { return c < 32 || c == 127; };
   if (std::any_of(name.begin(), name.end(), is_control)) return refused("has control characters in its name");
-  return folder / name;
+  // Worlds come from strangers, and what they name is read.
+  const std::filesystem::path path{name};
+  if (path.is_absolute() || std::find(path.begin(), path.end(), "..") != path.end()) {
+    return refused("is not below the world file's folder; a path from there without .. is needed");
+  }
+  return folder / path;
 }
 
 }  // namespace

@@ -31,6 +31,8 @@ void CaveCarver::start(const Region& region, int around, int open_ring) {
   for (const std::int32_t t_fx : loose_thickness_fx_) loose_fx_ += t_fx >> level;
   // Two rows at least, so that the topmost can be of loose material and rock is under it.
   least_rows_ = std::max(2, ((plan_.roof_fx >> level) + kSubvoxels - 1) / kSubvoxels);
+  const std::int32_t lowest = boundary_row(std::max(kSubvoxels, shape_.lowest_floor_fx() >> level));
+  least_fx_ = (lowest + least_rows_ - 1) * kSubvoxels + loose_fx_;
   any_ = false;
   next_ = 0;
   entrances_.reshape(0, 0);
@@ -52,12 +54,30 @@ void CaveCarver::compute_rows(int count, const Field& height) {
   const Region judged = region_.expanded(judged_);
   const std::int64_t step = std::int64_t{1} << region_.lod.value();
   const int last = std::min(judged.depth, next_ + count);
+  if (next_ == 0) airy_.assign(static_cast<std::size_t>(judged.depth), 0);
   for (; next_ < last; ++next_) {
-    any_ |= shape_.row((judged.z + next_) * step, floor_.row(next_).data(), roof_.row(next_).data());
+    const Hollow thick = thick_enough(next_, height);
+    const bool air =
+        shape_.row((judged.z + next_) * step, static_cast<std::size_t>(thick.first),
+                   static_cast<std::size_t>(thick.last), floor_.row(next_).data(), roof_.row(next_).data());
+    airy_[static_cast<std::size_t>(next_)] = air ? 1 : 0;
+    any_ |= air;
   }
   if (next_ < judged.depth) return;
   pending_ = false;
   if (any_) judge_all(height);
+}
+
+// Columns of the row between which ground is high enough for a cave and its roof: many worlds' seas and
+// plains are not.
+CaveCarver::Hollow CaveCarver::thick_enough(int z, const Field& height) const {
+  const auto row = height.row(z + shore_).subspan(static_cast<std::size_t>(shore_));
+  const int level = region_.lod.value();
+  const auto thick = [&](int x) { return row[static_cast<std::size_t>(x)] >> level > least_fx_; };
+  Hollow columns{0, floor_.width};
+  while (columns.first < columns.last && !thick(columns.first)) ++columns.first;
+  while (columns.first < columns.last && !thick(columns.last - 1)) --columns.last;
+  return columns;
 }
 
 void CaveCarver::judge_all(const Field& height) {
@@ -67,7 +87,12 @@ void CaveCarver::judge_all(const Field& height) {
   rock_row_.reshape(judged.width, judged.depth);
   kinds_.assign(judged.columns(), Kind::solid);
   hollows_.assign(static_cast<std::size_t>(judged.depth), {});
-  for (int z = 0; z < judged.depth; ++z) judge_row(z, height);
+  const auto airy = [&](int z) {
+    return z >= 0 && z < judged.depth && airy_[static_cast<std::size_t>(z)] != 0;
+  };
+  for (int z = 0; z < judged.depth; ++z) {
+    if (airy(z - 1) || airy(z) || airy(z + 1)) judge_row(z, height);
+  }
   find_carried();
   find_entrances();
 }
@@ -76,11 +101,14 @@ void CaveCarver::find_entrances() {
   if (std::find(kinds_.begin(), kinds_.end(), Kind::open) == kinds_.end()) return;
   const Region around = region_.expanded(open_ring_);
   entrances_.reshape(around.width, around.depth);
+  std::fill(entrances_.values.begin(), entrances_.values.end(), kClosed);
   const int ring = judged_ - open_ring_;
   for (int z = 0; z < around.depth; ++z) {
-    for (int x = 0; x < around.width; ++x) {
+    const Hollow hollow = hollows_[static_cast<std::size_t>(z + ring)];
+    const int last = std::min(hollow.last - ring, around.width);
+    for (int x = std::max(hollow.first - ring, 0); x < last; ++x) {
       const std::size_t i = index(x + ring, z + ring);
-      entrances_.at(x, z) = kinds_[i] == Kind::open ? floor_.values[i] : kClosed;
+      if (kinds_[i] == Kind::open) entrances_.at(x, z) = floor_.values[i];
     }
   }
 }

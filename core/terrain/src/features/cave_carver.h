@@ -32,6 +32,13 @@ class CaveCarver final : public Carver {
   /// Solid from below up to the rock's top; with a roof that is thick enough; with one that is not.
   enum class Kind : std::uint8_t { solid, roofed, open };
 
+  /// Columns of a row outside which all are solid.
+  struct Hollow {
+    int first = 0;
+    int last = 0;  // exclusive
+  };
+
+  [[nodiscard]] Hollow thick_enough(int z, const Field& height) const;
   void judge_all(const Field& height);
   void judge_row(int z, const Field& height);
   void find_entrances();
@@ -57,6 +64,7 @@ class CaveCarver final : public Carver {
   int span_ = 0;
   std::int32_t loose_fx_ = 0;    // all that can be loose, at the region's level
   std::int32_t least_rows_ = 0;  // of a roof that holds
+  std::int32_t least_fx_ = 0;    // where less ground than that stands, all is solid
   bool any_ = false;
   bool pending_ = false;
   int next_ = 0;  // row of floors and roofs that is not computed yet
@@ -68,11 +76,7 @@ class CaveCarver final : public Carver {
   Field rock_row_;  // where solid rock surely ends; far below in open ones
   std::vector<Kind> kinds_;
   std::vector<std::uint8_t> carried_;
-  /// Columns of a row outside which all are solid.
-  struct Hollow {
-    int first = 0;
-    int last = 0;  // exclusive
-  };
+  std::vector<std::uint8_t> airy_;  // rows that have air before they are judged
   std::vector<Hollow> hollows_;
   std::vector<int> distances_;  // of a row
   Field surface_;               // of the level, over the judged columns

@@ -38,22 +38,27 @@ void CaveShape::start(std::span<const std::int64_t> xs) {
   }
 }
 
-bool CaveShape::row(std::int64_t z, std::int32_t* floor_fx, std::int32_t* roof_fx) {
+std::int32_t CaveShape::lowest_floor_fx() const {
+  const std::int32_t deepest = std::max(plan_.height_fx, plan_.chamber_height_fx) / 4;
+  return std::max(kSubvoxels, plan_.low_fx - deepest);
+}
+
+bool CaveShape::row(std::int64_t z, std::size_t first, std::size_t last, std::int32_t* floor_fx,
+                    std::int32_t* roof_fx) {
   std::fill_n(floor_fx, width_, 0);
   std::fill_n(roof_fx, width_, 0);
-  const float* tunnels = tunnels_.row(z);
-  const float* chambers = chambers_.row(z);
-  for (std::size_t i = 0; i < width_; ++i) {
+  if (first >= last) return false;
+  const float* tunnels = tunnels_.row(z, first, last);
+  const float* chambers = chambers_.row(z, first, last);
+  for (std::size_t i = first; i < last; ++i) {
     tunnel_noise_[i] = std::abs(noise_of(tunnels[i]));
     chamber_noise_[i] = noise_of(chambers[i]);
   }
   const auto has_air = [&](std::size_t i) {
     return tunnel_noise_[i] < plan_.half_width_noise || chamber_noise_[i] > plan_.threshold_noise;
   };
-  std::size_t first = 0;
-  while (first < width_ && !has_air(first)) ++first;
-  if (first == width_) return false;
-  std::size_t last = width_;
+  while (first < last && !has_air(first)) ++first;
+  if (first == last) return false;
   while (!has_air(last - 1)) --last;
   const float* climb = climb_.row(z, first, last);
   for (std::size_t i = first; i < last; ++i) {

@@ -23,8 +23,12 @@ class CaveShape {
   void start(std::span<const std::int64_t> xs);
 
   /// The air at (xs[i], z), from floor_fx[i] to roof_fx[i] in subvoxels of level 0; both 0 where there is
-  /// none. Whether there is any.
-  bool row(std::int64_t z, std::int32_t* floor_fx, std::int32_t* roof_fx);
+  /// none, and outside `first` <= i < `last`. Whether there is any.
+  bool row(std::int64_t z, std::size_t first, std::size_t last, std::int32_t* floor_fx,
+           std::int32_t* roof_fx);
+
+  /// No floor lies lower.
+  [[nodiscard]] std::int32_t lowest_floor_fx() const;
 
  private:
   void open(std::int32_t tunnel_noise, std::int32_t chamber_noise, float climb_noise, std::int32_t& floor_fx,

@@ -141,39 +141,49 @@ bool Objects::present(const Candidate& candidate, std::int32_t share) const {
   const auto limit_q16 = static_cast<std::int32_t>(std::int64_t{kind.chance_q16} * share / kWholeShare);
   if (candidate.draw_q16() >= limit_q16) return false;
   if (kind.clumps == Clumps::none) return true;
-  const float n = rotated_fbm(clumps_, candidate.x, candidate.z);
+  const float n = clumps_.at(candidate.x, candidate.z);
   const auto clump = static_cast<std::int32_t>(clump_share(kind.clumps, n) * static_cast<float>(kWholeShare));
   return candidate.draw_q16() < static_cast<std::int32_t>(std::int64_t{limit_q16} * clump / kWholeShare);
 }
 
-void Objects::place(const StandingGround& ground, std::vector<PlacedObject>& objects) const {
+bool Objects::place(const StandingGround& ground, int columns, Placement& at,
+                    std::vector<PlacedObject>& objects) const {
   const Region& region = ground.region;
-  std::vector<std::uint8_t> seen_in;  // how many each column shows
-  if (region.lod.value() > kLastEnumerated.value()) {
-    seen_in.resize(static_cast<std::size_t>(region.width) * static_cast<std::size_t>(region.depth));
+  while (at.kind < kinds_.size() && ground.none(kinds_[at.kind].share)) ++at.kind;
+  if (at.kind == kinds_.size()) return false;
+  const bool in_cells = region.lod.value() <= kLastEnumerated.value();
+  if (!in_cells && at.seen_in.size() != region.columns()) at.seen_in.assign(region.columns(), 0);
+  // A candidate takes as long as some columns of ground, and a column looks at those of some cells.
+  constexpr std::int64_t kColumnsACandidate = 8;
+  const std::int64_t spacing = kinds_[at.kind].spacing;
+  const std::int64_t a_row =
+      in_cells ? ((std::int64_t{region.width} << region.lod.value()) + 2 * kinds_[at.kind].reach) / spacing
+               : 4 * std::int64_t{region.width};
+  const std::int64_t rows =
+      std::max<std::int64_t>(1, columns / kColumnsACandidate / std::max<std::int64_t>(1, a_row));
+  if (in_cells ? place_in_cells(ground, rows, at, objects) : place_by_columns(ground, rows, at, objects)) {
+    return true;
   }
-  for (std::size_t kind = 0; kind < kinds_.size(); ++kind) {
-    if (ground.region.lod.value() <= kLastEnumerated.value()) {
-      place_in_cells(ground, kind, objects);
-    } else {
-      place_by_columns(ground, kind, seen_in, objects);
-    }
-  }
+  ++at.kind;
+  at.row = 0;
+  return at.kind < kinds_.size();
 }
 
 // An object stands on the ground of the column of the level that holds its foot.
-void Objects::place_in_cells(const StandingGround& ground, std::size_t kind,
+bool Objects::place_in_cells(const StandingGround& ground, std::int64_t rows, Placement& at,
                              std::vector<PlacedObject>& objects) const {
-  const ObjectKind& of = kinds_[kind];
+  const ObjectKind& of = kinds_[at.kind];
   const int level = ground.region.lod.value();
   const Region around = ground.region.expanded(halo(ground.region.lod));
   const std::int64_t west = around.x << level;
   const std::int64_t north = around.z << level;
   const std::int64_t east = (around.x + around.width) << level;
   const std::int64_t south = (around.z + around.depth) << level;
-  for (std::int64_t cz = floor_div(north, of.spacing); cz * of.spacing < south; ++cz) {
+  std::int64_t cz = floor_div(north, of.spacing) + at.row;
+  at.row += rows;
+  for (; rows > 0 && cz * of.spacing < south; ++cz, --rows) {
     for (std::int64_t cx = floor_div(west, of.spacing); cx * of.spacing < east; ++cx) {
-      const auto found = candidate(kind, cx, cz);
+      const auto found = candidate(at.kind, cx, cz);
       if (!found || found->x < west || found->x >= east || found->z < north || found->z >= south) continue;
       const int x = static_cast<int>((found->x >> level) - ground.region.x);
       const int z = static_cast<int>((found->z >> level) - ground.region.z);
@@ -181,6 +191,7 @@ void Objects::place_in_cells(const StandingGround& ground, std::size_t kind,
       objects.push_back(found->at(boundary_row(ground.height_fx(x, z)), of.models.size()));
     }
   }
+  return cz * of.spacing < south;
 }
 
 /// The voxels of its model in the one column that shows it.
@@ -194,37 +205,39 @@ std::span<const ModelVoxel> Objects::seen(const PlacedObject& object) const {
 // Of kinds that come first, at most kMaxSeen a column, so that dense woods take a bounded memory.
 // A coarse column shows one base column. So many objects lie between the columns that each looks only for
 // those that reach it, and takes its own ground for theirs.
-void Objects::place_by_columns(const StandingGround& ground, std::size_t kind,
-                               std::span<std::uint8_t> seen_in, std::vector<PlacedObject>& objects) const {
-  const ObjectKind& of = kinds_[kind];
+bool Objects::place_by_columns(const StandingGround& ground, std::int64_t rows, Placement& at,
+                               std::vector<PlacedObject>& objects) const {
+  const ObjectKind& of = kinds_[at.kind];
   const int level = ground.region.lod.value();
-  for (int z = 0; z < ground.region.depth; ++z) {
+  const auto last = static_cast<int>(std::min<std::int64_t>(at.row + rows, ground.region.depth));
+  for (auto z = static_cast<int>(at.row); z < last; ++z) {
     for (int x = 0; x < ground.region.width; ++x) {
       const std::int32_t share = ground.share(of.share, x, z);
       if (share == 0 || !ground.carries(x, z, of.in_water)) continue;
       std::uint8_t& shown =
-          seen_in[static_cast<std::size_t>(z) * static_cast<std::size_t>(ground.region.width) +
-                  static_cast<std::size_t>(x)];
+          at.seen_in[static_cast<std::size_t>(z) * static_cast<std::size_t>(ground.region.width) +
+                     static_cast<std::size_t>(x)];
       const std::int64_t base_x = (ground.region.x + x) << level;
       const std::int64_t base_z = (ground.region.z + z) << level;
       for (std::int64_t cz = floor_div(base_z - of.reach, of.spacing); cz * of.spacing <= base_z + of.reach;
            ++cz) {
         for (std::int64_t cx = floor_div(base_x - of.reach, of.spacing); cx * of.spacing <= base_x + of.reach;
              ++cx) {
-          const auto found = candidate(kind, cx, cz);
+          const auto found = candidate(at.kind, cx, cz);
           if (!found || std::abs(found->x - base_x) > of.reach || std::abs(found->z - base_z) > of.reach)
             continue;
-          if (!present(*found, share)) continue;
           PlacedObject object = found->at(boundary_row(ground.height_fx(x, z)), of.models.size());
           object.seen_x = base_x;
           object.seen_z = base_z;
-          if (shown == kMaxSeen || seen(object).empty()) continue;
+          if (shown == kMaxSeen || seen(object).empty() || !present(*found, share)) continue;
           ++shown;
           objects.push_back(object);
         }
       }
     }
   }
+  at.row = last;
+  return last < ground.region.depth;
 }
 
 // Voxel (x, y, z) of level l shows the base voxel (x << l, (y << l) + half of a voxel, z << l).

@@ -43,7 +43,8 @@ class Objects final : public Feature {
   [[nodiscard]] OverlayRows overlay_rows(Lod lod) const override;
   [[nodiscard]] bool stands() const override { return true; }
   [[nodiscard]] std::vector<ObjectKindName> object_kinds() const override;
-  void place(const StandingGround& ground, std::vector<PlacedObject>& objects) const override;
+  bool place(const StandingGround& ground, int columns, Placement& at,
+             std::vector<PlacedObject>& objects) const override;
   void add_overrides(const ChunkSite& site, std::vector<Override>& overrides) const override;
   void add_tops(const Stacks& stacks, std::span<MaterialId> materials,
                 std::span<std::int32_t> rows) const override;
@@ -53,10 +54,11 @@ class Objects final : public Feature {
   [[nodiscard]] std::optional<Candidate> candidate(std::size_t kind, std::int64_t cell_x,
                                                    std::int64_t cell_z) const;
   [[nodiscard]] bool present(const Candidate& candidate, std::int32_t share) const;
-  void place_in_cells(const StandingGround& ground, std::size_t kind,
+  /// `rows` of them at most. False where none is left of the kind.
+  bool place_in_cells(const StandingGround& ground, std::int64_t rows, Placement& at,
                       std::vector<PlacedObject>& objects) const;
   [[nodiscard]] std::span<const ModelVoxel> seen(const PlacedObject& object) const;
-  void place_by_columns(const StandingGround& ground, std::size_t kind, std::span<std::uint8_t> seen_in,
+  bool place_by_columns(const StandingGround& ground, std::int64_t rows, Placement& at,
                         std::vector<PlacedObject>& objects) const;
   /// Calls visit(x, y, z, material) for the voxels of the level that show it, counted from `origin`, a voxel
   /// of the level; for those of the part in front, or all others.
@@ -65,7 +67,7 @@ class Objects final : public Feature {
                       const Visit& visit) const;
 
   std::vector<ObjectKind> kinds_;
-  RotatedNoise clumps_;
+  RotatedPoints clumps_;
 };
 
 }  // namespace talus::terrain

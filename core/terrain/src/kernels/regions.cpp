@@ -320,15 +320,47 @@ void spread_over(const float* samples, std::size_t cells, const float* fractions
   }
 }
 
+/// The same where a vector has more columns than a cell.
+template <std::size_t kColumns>
+void spread_cells(const float* samples, std::size_t cells, const float* fractions, float* out) {
+#if HWY_TARGET == HWY_SCALAR
+  spread_over<kColumns>(samples, cells, fractions, out);
+#else
+  const RegionTag f;
+  const hn::RebindToSigned<RegionTag> ints;
+  constexpr std::size_t kLanes = hn::MaxLanes(RegionTag{});
+  if constexpr (kLanes <= kColumns) {
+    spread_over<kColumns>(samples, cells, fractions, out);
+  } else {
+    HWY_ALIGN std::int32_t cell_of[kLanes];
+    HWY_ALIGN float fraction_of[kLanes];
+    for (std::size_t i = 0; i < kLanes; ++i) {
+      cell_of[i] = static_cast<std::int32_t>(i / kColumns);
+      fraction_of[i] = fractions[i % kColumns];
+    }
+    const auto cell = hn::Load(ints, cell_of);
+    const auto west_lanes = hn::IndicesFromVec(f, cell);
+    const auto east_lanes = hn::IndicesFromVec(f, hn::Add(cell, hn::Set(ints, 1)));
+    const auto fraction = hn::Load(f, fraction_of);
+    for (std::size_t first = 0; first < cells; first += kLanes / kColumns) {
+      const auto here = hn::LoadU(f, samples + first);
+      const auto west = hn::TableLookupLanes(here, west_lanes);
+      const auto rise = hn::Sub(hn::TableLookupLanes(here, east_lanes), west);
+      hn::StoreU(hn::Add(west, hn::Mul(rise, fraction)), f, out + first * kColumns);
+    }
+  }
+#endif
+}
+
 void spread(const float* samples, std::size_t cells, std::size_t columns, const float* fractions,
             float* out) {
   switch (columns) {
     case 8:
-      return spread_over<8>(samples, cells, fractions, out);
+      return spread_cells<8>(samples, cells, fractions, out);
     case 4:
-      return spread_over<4>(samples, cells, fractions, out);
+      return spread_cells<4>(samples, cells, fractions, out);
     case 2:
-      return spread_over<2>(samples, cells, fractions, out);
+      return spread_cells<2>(samples, cells, fractions, out);
     default:
       return spread_over<1>(samples, cells, fractions, out);
   }

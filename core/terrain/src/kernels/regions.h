@@ -96,6 +96,7 @@ struct RegionKernels {
                std::size_t width, float* out_east, float* out_south);
   /// Straight lines between samples: out[c * columns + k] is so much of the way from samples[c] to
   /// samples[c + 1] as fractions[k] says, for c < cells and k < columns. `columns` of a cell: 1, 2, 4 or 8.
+  /// Both padded.
   void (*spread)(const float* samples, std::size_t cells, std::size_t columns, const float* fractions,
                  float* out);
   /// H in subvoxels at `width` columns.

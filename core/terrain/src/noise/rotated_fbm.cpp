@@ -121,6 +121,21 @@ void RotatedFbm::octave(int k, std::int64_t z, const RotatedSums& out, const Dis
   kernels_->sum(&one, 1, displaced, width_, out);
 }
 
+RotatedPoints::RotatedPoints(const RotatedNoise& noise) {
+  for (int k = 0; k < noise.octaves; ++k) {
+    octaves_.push_back({lattice_of(noise, k), static_cast<float>(share_of(noise, k))});
+  }
+}
+
+float RotatedPoints::at(std::int64_t x, std::int64_t z) const {
+  float sum = 0;
+  for (const Octave& octave : octaves_) {
+    const RotatedLattice& lattice = octave.lattice;
+    sum += octave.weight * rotated_sample(lattice, lattice.u(x, z), lattice.v(x, z)).value;
+  }
+  return sum;
+}
+
 SlopedNoise sloped_rotated_fbm(const RotatedNoise& noise, std::int64_t x, std::int64_t z, std::int32_t east,
                                std::int32_t south) {
   const auto e = static_cast<std::uint64_t>(std::int64_t{east});

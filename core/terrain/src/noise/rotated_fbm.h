@@ -77,6 +77,20 @@ class RotatedFbm {
   AlignedVector<float> south_;
 };
 
+/// The same at single columns, value alone. Immutable.
+class RotatedPoints {
+ public:
+  explicit RotatedPoints(const RotatedNoise& noise);
+  [[nodiscard]] float at(std::int64_t x, std::int64_t z) const;
+
+ private:
+  struct Octave {
+    RotatedLattice lattice;
+    float weight = 0;
+  };
+  std::vector<Octave> octaves_;
+};
+
 /// The same at one position that is (east, south) of the column by 2^-8 columns: as sloped_row() to the bit.
 [[nodiscard]] SlopedNoise sloped_rotated_fbm(const RotatedNoise& noise, std::int64_t x, std::int64_t z,
                                              std::int32_t east = 0, std::int32_t south = 0);

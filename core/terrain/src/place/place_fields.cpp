@@ -6,6 +6,8 @@
 
 #include <talus/vectors/tables.h>
 
+#include "surface/ground_tiles.h"
+
 namespace talus::terrain {
 
 PlaceFields::PlaceFields(std::shared_ptr<const Places> places, std::int32_t sea_fx, float subvoxels_a_unit,
@@ -29,12 +31,14 @@ PlaceFields::PlaceFields(std::shared_ptr<const Places> places, std::int32_t sea_
 
 void PlaceFields::start(int width, int depth) {
   const auto columns = static_cast<std::size_t>(width);
+  width_ = width;
+  depth_ = depth;
   looks_.resize(places_->looks.size());
   for (LookField& looks : looks_) looks.reshape(width, depth);
   shares_.resize(places_->shares.size());
-  for (Field& share : shares_) share.reshape(width, depth);
+  for (Field& share : shares_) share.reshape(0, 0);
   any_.resize(shares_.size());
-  for (auto& rows : any_) rows.resize(static_cast<std::size_t>(depth));
+  for (auto& rows : any_) rows.assign(static_cast<std::size_t>(depth), 0);
   gathered_.resize(places_->quantities);
   rows_.resize(places_->quantities);
   share_.resize(padded(columns));
@@ -85,12 +89,12 @@ void PlaceFields::set_share(std::size_t i, int z, std::size_t width, std::uint64
   const Places::Share& rule = places_->shares[i];
   std::uint8_t& any = any_[i][static_cast<std::size_t>(z)];
   any = present == 0 || (rule.looks & present) != 0 ? 1 : 0;
-  const auto out = shares_[i].row(z);
   // A ramp and its rounding are monotone, so that the ends of a row's range bound what it leaves there.
   for (const Places::Ramp& ramp : rule.early) {
     if (ramp.at(ranges_[ramp.quantity].low) <= 0 && ramp.at(ranges_[ramp.quantity].high) <= 0) any = 0;
   }
-  if (any == 0) return std::fill(out.begin(), out.end(), 0);
+  if (any == 0) return;
+  const auto out = share_to_set(i).row(z);
   std::fill_n(share_.begin(), width, kWholeShare);
   for (const Places::Ramp& ramp : rule.early) {
     if (ramp.at(ranges_[ramp.quantity].low) >= 1 && ramp.at(ranges_[ramp.quantity].high) >= 1) continue;
@@ -104,13 +108,66 @@ void PlaceFields::set_share(std::size_t i, int z, std::size_t width, std::uint64
   }
 }
 
-bool PlaceFields::none(std::size_t i) const {
-  return std::find(any_[i].begin(), any_[i].end(), 1) == any_[i].end();
+Field& PlaceFields::share_to_set(std::size_t i) {
+  Field& share = shares_[i];
+  if (share.values.empty()) share.reshape(width_, depth_);  // of zeros
+  return share;
+}
+
+void PlaceFields::fill(int x, int z, GroundTile& tile) const {
+  constexpr int kSide = kGroundTileSide;
+  tile.looks.resize(looks_.size());
+  tile.shares.resize(shares_.size());
+  for (std::size_t i = 0; i < looks_.size(); ++i) {
+    for (int row = 0; row < kSide; ++row) {
+      std::copy_n(&looks_[i].row(z + row)[static_cast<std::size_t>(x)], kSide, &tile.looks[i][kSide * row]);
+    }
+  }
+  for (std::size_t i = 0; i < shares_.size(); ++i) {
+    if (shares_[i].values.empty()) continue;
+    GroundTile::Columns<std::uint16_t> share{};
+    std::int32_t any = 0;
+    for (int row = 0; row < kSide; ++row) {
+      if (any_[i][static_cast<std::size_t>(z + row)] == 0) continue;
+      const std::int32_t* const from = &shares_[i].row(z + row)[static_cast<std::size_t>(x)];
+      for (int k = 0; k < kSide; ++k) {
+        share[static_cast<std::size_t>(kSide * row + k)] = static_cast<std::uint16_t>(from[k]);
+        any |= from[k];
+      }
+    }
+    if (any != 0) tile.shares[i] = std::make_unique<GroundTile::Columns<std::uint16_t>>(share);
+  }
+}
+
+void PlaceFields::take(int x, int z, const GroundTile& tile) {
+  constexpr int kSide = kGroundTileSide;
+  const int first = std::max(-x, 0);  // of the tile's columns
+  const int count = std::min(width_ - x, kSide) - first;
+  const int first_row = std::max(-z, 0);
+  const int last_row = std::min(depth_ - z, kSide);
+  if (count <= 0) return;
+  const auto to = static_cast<std::size_t>(x + first);
+  for (std::size_t i = 0; i < looks_.size(); ++i) {
+    for (int row = first_row; row < last_row; ++row) {
+      std::copy_n(&tile.looks[i][static_cast<std::size_t>(kSide * row + first)], count,
+                  &looks_[i].row(z + row)[to]);
+    }
+  }
+  for (std::size_t i = 0; i < shares_.size(); ++i) {
+    if (!tile.shares[i] || first_row >= last_row) continue;
+    Field& share = share_to_set(i);
+    for (int row = first_row; row < last_row; ++row) {
+      std::copy_n(&(*tile.shares[i])[static_cast<std::size_t>(kSide * row + first)], count,
+                  &share.row(z + row)[to]);
+      any_[i][static_cast<std::size_t>(z + row)] = 1;
+    }
+  }
 }
 
 void PlaceFields::thin_late(const Field& slope, const Field* cliff) {
   for (std::size_t i = 0; i < shares_.size(); ++i) {
     Field& share = shares_[i];
+    if (share.values.empty()) continue;
     const auto width = static_cast<std::size_t>(share.width);
     for (const Places::Ramp& ramp : places_->shares[i].late) {
       const bool by_slope = ramp.quantity == number_of(Quantity::slope);

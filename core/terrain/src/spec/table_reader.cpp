@@ -31,7 +31,8 @@ int line_of(const toml::node& node) {
   return static_cast<int>(node.source().begin.line);
 }
 
-constexpr std::size_t kMaxKeyShown = 120;  // bytes
+constexpr std::size_t kMaxKeyShown = 120;   // bytes
+constexpr std::size_t kMaxMaterials = 255;  // beside air and water
 
 std::string qualified(const std::string& table, std::string_view key) {
   return (table.empty() ? "" : table + ".") + shortened(key, kMaxKeyShown);
@@ -316,6 +317,9 @@ void TableReader::take_material_name(const std::string& key, const std::string& 
     fail(key, "'" + name + "' is the world's own; choose another name");
   } else if (!taken.insert(name).second) {
     fail(key, "'" + name + "' names another material already; names are unique");
+  } else if (taken.size() > kMaxMaterials) {
+    fail(key, text_of("'", name, "' is one material too many: at most ", kMaxMaterials,
+                      " beside air and water, with those of looks, provinces, ores and objects"));
   }
 }
 

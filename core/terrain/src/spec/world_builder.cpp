@@ -30,12 +30,6 @@ namespace {
 
 constexpr std::int64_t kMaxResolution = 32768;  // voxels a terrain unit
 constexpr int kMaxErosionSteps = 64;            // a halo of 128 columns
-constexpr std::size_t kMaxMaterials = 255;      // beside air and water
-
-std::string too_many_materials(std::size_t materials) {
-  return text_of(materials, " materials beside air and water; at most ", kMaxMaterials,
-                 ", with those of looks, provinces, ores and objects");
-}
 
 }  // namespace
 
@@ -55,7 +49,6 @@ struct World::Builder {
   void read_features(std::span<const FeatureKind> kinds, PlacesReader& places, const WorldFiles& files,
                      bool after_looks);
   void read_world_looks(PlacesReader& places);
-  void check_materials();
   [[nodiscard]] std::string height_term() const;
   void check_lifts();
   void derive_strata();
@@ -104,7 +97,6 @@ void World::Builder::build(const WorldFiles& files, std::span<const FeatureKind>
   read_features(kinds, places, files, false);
   read_world_looks(places);
   read_features(kinds, places, files, true);
-  check_materials();
   if (errors.any()) return;
   load_height_map(*surface, spec, files.height_map);
   check_lifts();
@@ -163,8 +155,6 @@ MaterialId World::Builder::add_material(const std::string& name, Colour colour, 
 MaterialId FeatureSection::add_material(TableReader& table, MaterialKind kind) {
   const MaterialId id{static_cast<std::uint16_t>(materials_.size())};
   const std::string name = table.material_name(names_);
-  if (materials_.size() == 2 + kMaxMaterials) table.fail("name", too_many_materials(kMaxMaterials + 1));
-  if (materials_.size() >= 2 + kMaxMaterials) return kAir;
   materials_.push_back({id, name, table.colour(), kind});
   return id;
 }
@@ -227,13 +217,6 @@ void World::Builder::read_world_looks(PlacesReader& places) {
                                 names, world.materials_);
   world.shown_by_ = std::move(looks.shown_by);
   world.look_names_ = std::move(looks.names);
-}
-
-void World::Builder::check_materials() {
-  const std::size_t materials = world.materials_.size() - 2;
-  if (materials > kMaxMaterials) {
-    errors.add(stratified_line, "stratified: " + too_many_materials(materials));
-  }
 }
 
 /// How errors name the height of the surface, which regions derive.

@@ -12,6 +12,7 @@
 #include "kernels/columns.h"
 #include "loose/aprons.h"
 #include "place/place_fields.h"
+#include "surface/ground_tiles.h"
 #include "surface/surface_rows.h"
 
 namespace talus::terrain {
@@ -19,8 +20,10 @@ namespace talus::terrain {
 /// Keeps its memory from region to region. For one thread at a time.
 class Ground {
  public:
-  /// `places`: whether looks and shares are wanted, too, where the world has any.
-  Ground(const World& world, InstructionSet set, bool places = true);
+  /// `places`: whether looks and shares are wanted, too, where the world has any. `cache`: where ground of
+  /// the world is looked for, and kept, where that pays; or null. REQUIRES places where there is a cache.
+  Ground(const World& world, InstructionSet set, bool places = true,
+         std::shared_ptr<GroundCache> cache = nullptr);
 
   void compute(const Region& region) {
     start(region);
@@ -28,7 +31,7 @@ class Ground {
   }
   /// The same in pieces.
   void start(const Region& region);
-  [[nodiscard]] bool pending() const { return next_ < region_.depth; }
+  [[nodiscard]] bool pending() const { return pending_; }
   /// REQUIRES pending() and count > 0.
   void compute_rows(int count);
 
@@ -38,32 +41,58 @@ class Ground {
   [[nodiscard]] const Field& bare() const { return aprons_ ? bare_ : height_; }
   [[nodiscard]] const Field& slope() const { return aprons_ ? raised_slope_ : slope_; }
   /// One for each LookRules and each ShareRule of the world; none where they are not wanted.
+  /// A share that is 0 all over the region is empty.
   [[nodiscard]] std::span<const LookField> looks() const { return places_ ? places_->looks() : kNoLooks; }
   [[nodiscard]] std::span<const Field> shares() const { return places_ ? places_->shares() : kNoShares; }
-  /// Whether that share is known to be 0 all over the region.
-  [[nodiscard]] bool no_share(std::size_t i) const { return places_->none(i); }
 
  private:
-  void compute_base(int first, int last);
-  void compute_coarse(int first, int last);
+  /// Columns and rows of `known_` that are computed together.
+  struct Block {
+    int x = 0;
+    int z = 0;
+    int width = 0;
+    int depth = 0;
+  };
+
+  [[nodiscard]] bool caches(Lod lod) const;
+  [[nodiscard]] bool coarse() const { return region_.lod.value() > 0; }
+  [[nodiscard]] GroundTileKey key_of(int tile_x, int tile_z) const;
+  void look_up_tiles();
+  void take_tile(int tile_x, int tile_z, const GroundTile& tile);
+  void keep_tiles(const Block& block, int first);
+  void begin(const Block& block);
+  void compute_row(const Block& block, int z);
+  void compute_row_by_neighbours(const Block& block, int z);
+  void finish();
   void raise_aprons();
-  void set_places(int z, std::size_t first, std::size_t step);
+  void set_places(const Block& block, int z, std::size_t first, std::size_t step);
 
   static inline const std::vector<LookField> kNoLooks;
   static inline const std::vector<Field> kNoShares;
 
   std::unique_ptr<SurfaceRows> rows_;
   const ColumnKernels& kernels_;
+  std::shared_ptr<GroundCache> cache_;
   Region asked_;
   Region region_;              // with what aprons need around it
+  Region known_;               // with a column more for slopes, or made of whole tiles
   bool knows_slopes_ = false;  // the surface does, at this coarse level
-  int next_ = 0;               // row of the region that is not computed yet
+  bool tiled_ = false;         // `known_` is of tiles, and the cache is asked
+  bool pending_ = false;
+  std::vector<Block> blocks_;  // to compute
+  std::size_t block_ = 0;      // whose turn it is
+  int next_ = 0;               // row of it
+  std::vector<GroundTileKey> keys_;
+  std::vector<GroundTilePtr> found_;
   std::vector<std::int64_t> xs_;
-  Field around_;
+  Field known_height_;
+  Field known_slope_;
+  Field around_;  // three rows, of base columns beside coarse ones
   std::vector<std::int32_t> slopes_;
   Field height_;
   Field slope_;
   std::optional<PlaceFields> places_;
+  std::optional<PlaceFields> places_of_block_;  // of a row of its tiles
   std::optional<Aprons> aprons_;
   ApronNumbers apron_numbers_;  // of level 0
   int margin_ = 0;              // columns around the region that aprons are made from

@@ -22,6 +22,8 @@ class SurfaceRows {
   /// Writes H at (xs[i], z) for all i: 0 to highest_fx, rounded. Rows close to the one before cost least.
   virtual void row(std::int64_t z, std::int32_t* heights_fx) = 0;
 
+  /// Whether starts_level() begins something.
+  [[nodiscard]] virtual bool knows_slopes() const { return false; }
   /// Begins rows of a coarse level over its columns, as start() does, where the surface knows their slopes by
   /// itself: false where it does not, and nothing is begun.
   [[nodiscard]] virtual bool starts_level(std::span<const std::int64_t> /*xs*/, Lod /*lod*/) { return false; }

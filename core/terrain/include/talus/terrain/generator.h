@@ -9,6 +9,7 @@
 #include <talus/terrain/cave_air.h>
 #include <talus/terrain/erosion.h>
 #include <talus/terrain/field.h>
+#include <talus/terrain/ground_cache.h>
 #include <talus/terrain/objects.h>
 #include <talus/terrain/stacks.h>
 #include <talus/terrain/world.h>
@@ -39,10 +40,11 @@ struct Terrain {
 [[nodiscard]] int halo_columns(const World& world, Lod lod);
 
 /// The method for one world after another region, with the memory of the one before: after the first regions
-/// of a size nothing more is allocated. For one thread at a time; the world must outlive it.
+/// of a size nothing more is allocated, but for a cache. For one thread at a time; the world must outlive it.
 class Generator {
  public:
-  explicit Generator(const World& world);
+  /// `cache`: of ground of this world, which other generators may share; or null.
+  explicit Generator(const World& world, std::shared_ptr<GroundCache> cache = nullptr);
   ~Generator();
   Generator(Generator&&) noexcept;
   Generator& operator=(Generator&&) noexcept;
@@ -62,8 +64,8 @@ class Generator {
   /// and take() ends the work, and so does the destructor. After a std::bad_alloc only that may be called.
   void start(const Region& region, Stacks memory = {});
   /// One piece: some rows of ground, or one pass over the region with its halo: a material that settles, a
-  /// material of a step of erosion, a layer of strata. About as long as `columns` columns of ground take, or
-  /// a pass. False when nothing is left. REQUIRES columns > 0.
+  /// material of a step of erosion, a layer of strata; or some rows of objects. About as long as `columns`
+  /// columns of ground take, or a pass. False when nothing is left. REQUIRES columns > 0.
   bool step(int columns = kColumnsAPiece);
   static constexpr int kColumnsAPiece = 4096;
   /// What start() began, once step() has returned false.
@@ -96,6 +98,7 @@ class Generator {
   void start_loose();
   void settle(std::size_t place);
   void start_grid(const LooseSpec& loose);
+  void crop_share(std::size_t rule, int ring, Field& share) const;
   [[nodiscard]] bool is_talus(std::size_t place) const;
   void cut_at_bare(Field& top) const;
   void add_aprons(Field& thickness);
@@ -112,7 +115,9 @@ class Generator {
   void take_surveys(std::vector<Field>& surveys);
   void take_places(Terrain& terrain);
   void take_looks(std::vector<LookField>& looks);
-  void take_objects(std::vector<PlacedObject>& objects);
+  /// Those of the ground that is known last.
+  void start_objects(std::vector<PlacedObject>& objects);
+  bool step_objects(int columns, std::vector<PlacedObject>& objects);
 
   const World* world_;
   std::unique_ptr<Scratch> scratch_;

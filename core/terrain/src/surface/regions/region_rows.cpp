@@ -67,7 +67,7 @@ void RegionRows::begin(std::span<const std::int64_t> xs, bool sloped) {
   };
   resize(spread_, at_columns_);
   for (auto& octave : octaves_) octave.resize(padded(width_));
-  blended_.resize(samples_.size());
+  blended_.resize(padded(samples_.size()));
   heights_.resize(padded(width_));
   if (places_) {
     for (auto& detail : details_) detail.resize(padded(width_));
@@ -87,6 +87,8 @@ void RegionRows::lay_out(std::span<const std::int64_t> xs) {
   skipped_ = 0;
   const std::int64_t step = step_of(xs);
   columns_a_cell_ = step == 0 ? 0 : static_cast<std::size_t>(kSampleStep / step);
+  at_samples_ =
+      std::all_of(xs.begin(), xs.end(), [](std::int64_t x) { return floor_mod(x, kSampleStep) == 0; });
   if (step != 0) {
     for (std::int64_t x = cell_of(xs.front()); x <= cell_of(xs.back()) + kSampleStep; x += kSampleStep) {
       samples_.push_back(x);
@@ -114,6 +116,10 @@ void RegionRows::lay_out(std::span<const std::int64_t> xs) {
 }
 
 void RegionRows::spread(const float* samples, float* out) {
+  if (at_samples_) {
+    std::copy_n(samples, width_, out);
+    return;
+  }
   if (columns_a_cell_ != 0) {
     return kernels_->spread(samples, samples_.size() - 1, columns_a_cell_, fractions_.data(), out);
   }

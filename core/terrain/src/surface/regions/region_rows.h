@@ -23,6 +23,7 @@ class RegionRows final : public SurfaceRows {
 
   void start(std::span<const std::int64_t> xs) override;
   void row(std::int64_t z, std::int32_t* heights_fx) override;
+  [[nodiscard]] bool knows_slopes() const override { return true; }
   [[nodiscard]] bool starts_level(std::span<const std::int64_t> xs, Lod lod) override;
   void sloped_row(std::int64_t z, std::int32_t* heights_fx, std::int32_t* slopes_fx) override;
   void quantities(std::int64_t z, std::span<const float*> rows) override;
@@ -49,6 +50,7 @@ class RegionRows final : public SurfaceRows {
   std::size_t width_ = 0;
   std::vector<std::int64_t> samples_;
   std::size_t columns_a_cell_ = 0;  // 0: they are irregular
+  bool at_samples_ = false;         // each column is one
   std::size_t skipped_ = 0;         // columns of the first cell that are not asked for
   std::array<float, kSampleStep> fractions_{};
   struct Offset {

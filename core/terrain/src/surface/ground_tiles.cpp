@@ -1,0 +1,63 @@
+#include "surface/ground_tiles.h"
+
+#include <utility>
+
+#include <talus/terrain/lattice_hash.h>
+
+namespace talus::terrain {
+
+std::size_t GroundTile::bytes() const {
+  constexpr std::size_t kOverhead = 192;  // of its places in list and table
+  std::size_t bytes = sizeof(GroundTile) + kOverhead + slopes_fx.size() * sizeof(Columns<std::int32_t>) +
+                      looks.size() * sizeof(Columns<std::uint8_t>) + shares.size() * sizeof(void*);
+  for (const auto& share : shares) bytes += share ? sizeof(*share) : 0;
+  return bytes;
+}
+
+std::size_t GroundTiles::Hash::operator()(const GroundTileKey& key) const {
+  const auto level = static_cast<std::uint64_t>(key.level);
+  return mix64(static_cast<std::uint64_t>(key.x) + mix64(static_cast<std::uint64_t>(key.z) + level));
+}
+
+void GroundTiles::find(std::span<const GroundTileKey> keys, std::span<GroundTilePtr> found) {
+  const Guard guard{lock_.get()};
+  for (std::size_t i = 0; i < keys.size(); ++i) {
+    const auto known = by_key_.find(keys[i]);
+    found[i] = known == by_key_.end() ? nullptr : known->second->tile;
+    if (found[i]) entries_.splice(entries_.begin(), entries_, known->second);
+  }
+}
+
+void GroundTiles::put(const GroundTileKey& key, GroundTilePtr tile) {
+  const Guard guard{lock_.get()};
+  if (by_key_.contains(key)) return;  // another thread was first, with the same
+  const std::size_t bytes = tile->bytes();
+  entries_.push_front({key, std::move(tile)});
+  try {
+    by_key_.emplace(key, entries_.begin());
+  } catch (...) {
+    entries_.pop_front();
+    throw;
+  }
+  bytes_ += bytes;
+  while (bytes_ > max_bytes_ && !entries_.empty()) {
+    bytes_ -= entries_.back().tile->bytes();
+    by_key_.erase(entries_.back().key);
+    entries_.pop_back();
+  }
+}
+
+std::size_t GroundTiles::bytes() const {
+  const Guard guard{lock_.get()};
+  return bytes_;
+}
+
+GroundCache::GroundCache(std::size_t max_bytes, std::unique_ptr<GroundLock> lock)
+    : tiles_{std::make_unique<GroundTiles>(max_bytes, std::move(lock))} {}
+GroundCache::~GroundCache() = default;
+
+std::size_t GroundCache::bytes() const {
+  return tiles_->bytes();
+}
+
+}  // namespace talus::terrain

@@ -1,0 +1,85 @@
+// What a GroundCache holds. Private to core/terrain.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <list>
+#include <memory>
+#include <span>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+#include <talus/terrain/ground_cache.h>
+
+namespace talus::terrain {
+
+/// Columns along an edge: few, so that little is computed that nobody asked for.
+inline constexpr int kGroundTileSide = 16;
+inline constexpr std::size_t kGroundTileColumns = kGroundTileSide * kGroundTileSide;
+
+/// Counted in tiles of a level.
+struct GroundTileKey {
+  std::int64_t x = 0;
+  std::int64_t z = 0;
+  int level = 0;
+  bool operator==(const GroundTileKey&) const = default;
+};
+
+/// The ground of a tile before aprons, z slowest, then x. Immutable once it is shared.
+struct GroundTile {
+  template <class Value>
+  using Columns = std::array<Value, kGroundTileColumns>;
+
+  Columns<std::int32_t> heights_fx;
+  std::vector<Columns<std::int32_t>> slopes_fx;  // one, of levels whose slope the surface knows by itself
+  std::vector<Columns<std::uint8_t>> looks;      // by LookRules
+  /// By ShareRule: before slope and cliff take their part. 0 to kWholeShare; null where it is 0 all over.
+  std::vector<std::unique_ptr<Columns<std::uint16_t>>> shares;
+
+  [[nodiscard]] std::size_t bytes() const;
+};
+using GroundTilePtr = std::shared_ptr<const GroundTile>;
+
+struct GroundTiles {
+ public:
+  explicit GroundTiles(std::size_t max_bytes, std::unique_ptr<GroundLock> lock = nullptr)
+      : max_bytes_{max_bytes}, lock_{std::move(lock)} {}
+
+  /// found[i] is the tile of keys[i], or null.
+  void find(std::span<const GroundTileKey> keys, std::span<GroundTilePtr> found);
+  void put(const GroundTileKey& key, GroundTilePtr tile);
+  [[nodiscard]] std::size_t bytes() const;
+
+ private:
+  struct Hash {
+    std::size_t operator()(const GroundTileKey& key) const;
+  };
+  class Guard {
+   public:
+    explicit Guard(GroundLock* lock) : lock_{lock} {
+      if (lock_ != nullptr) lock_->lock();
+    }
+    ~Guard() {
+      if (lock_ != nullptr) lock_->unlock();
+    }
+    Guard(const Guard&) = delete;
+    Guard& operator=(const Guard&) = delete;
+
+   private:
+    GroundLock* const lock_;
+  };
+  struct Entry {
+    GroundTileKey key;
+    GroundTilePtr tile;
+  };
+
+  const std::size_t max_bytes_;
+  const std::unique_ptr<GroundLock> lock_;
+  std::size_t bytes_ = 0;
+  std::list<Entry> entries_;  // the one used last first
+  std::unordered_map<GroundTileKey, std::list<Entry>::iterator, Hash> by_key_;
+};
+
+}  // namespace talus::terrain
