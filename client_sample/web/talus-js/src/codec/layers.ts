@@ -1,6 +1,6 @@
 // Layers: the boundary planes between materials. FORMAT.md, "Layered".
 import { DecodeError } from './decode_error.js';
-import { CARRIED, cachePlace, FIRST, KIND, LEVEL, PlaneModel, SYMBOL_EAST, SYMBOL_WEST } from './plane_model.js';
+import { CARRIED, cachePlace, FIRST, KIND, LEVEL, PlaneModel, planeSlots, SYMBOL_EAST, SYMBOL_WEST } from './plane_model.js';
 import { LANES, type Source } from './source.js';
 
 const SIZE = 32;
@@ -15,14 +15,10 @@ function sign(value: number): number {
   return ((value >> 31) | ((0 - value) >>> 31)) + 1;
 }
 
-/** Whose interval holds `slot`: the ends of those of 0, 1 and 2 stand in `ends`. */
-function symbolOf(ends: number, slot: number): number {
-  return 3 - ((((slot - (ends & 0xff)) >>> 31) + ((slot - ((ends >> 8) & 0xff)) >>> 31)) + ((slot - (ends >> 16)) >>> 31));
-}
-
 export class LayersDecoder {
   private readonly even = new PlaneModel(false);
   private readonly odd = new PlaneModel(true);
+  private readonly slots = planeSlots();
   // The planes one after the other, the first of them all 0: the floor of the second.
   private readonly planes = new Uint8Array(AREA * MAX_MATERIALS + SIZE); // and a row that is read past the last
   private readonly keys = new Int32Array(SIZE);
@@ -89,35 +85,30 @@ export class LayersDecoder {
   }
 
   private readEvenSymbols(source: Source): void {
-    const { keys, symbols } = this;
-    const { fill, keys: cached, ends: cachedEnds } = this.even;
+    const { keys, symbols, slots } = this;
+    const { fill, keys: cached, found } = this.even;
     const { bytes, states } = source;
     let next = source.next;
     for (let lane = 0; lane < LANES; ++lane) {
       const key = keys[2 * lane]!;
       const place = cachePlace(key);
-      const ends = cached[place] === key ? cachedEnds[place]! : fill(key, place);
+      const intervals = cached[place] === key ? found[place]! : fill(key, place);
       let state = states[lane]!;
-      const slot = state & 0xff;
-      const symbol = symbolOf(ends, slot);
-      const shift = symbol << 3;
-      // Modulo 256: where the interval of symbol 3 ends reads as 0.
-      const start = ((ends << 8) >>> shift) & 0xff;
-      const size = ((ends >>> shift) - start) & 0xff;
-      state = size * (state >> 8) + slot - start;
+      const slot = slots[intervals + (state & 0xff)]!;
+      state = (slot >> 16) * (state >> 8) + (state & 0xff) - ((slot >> 8) & 0xff);
       // Whether a byte is taken cannot be foreseen: it is read in any case.
       const taken = (state - 256) >>> 31;
       states[lane] = (state << (taken << 3)) | (bytes[next]! & -taken);
       next += taken;
-      symbols[2 * lane] = symbol;
+      symbols[2 * lane] = slot & 0xff;
     }
     source.next = next;
   }
 
   /** The same of odd columns, by the symbols to their west and east. */
   private readOddSymbols(source: Source): void {
-    const { keys, symbols } = this;
-    const { fill, keys: cached, ends: cachedEnds } = this.odd;
+    const { keys, symbols, slots } = this;
+    const { fill, keys: cached, found } = this.odd;
     const { bytes, states } = source;
     let next = source.next;
     let west = symbols[0]!;
@@ -126,20 +117,15 @@ export class LayersDecoder {
       const key = keys[2 * lane + 1]! | (west << SYMBOL_WEST) | (east << SYMBOL_EAST);
       west = east;
       const place = cachePlace(key);
-      const ends = cached[place] === key ? cachedEnds[place]! : fill(key, place);
+      const intervals = cached[place] === key ? found[place]! : fill(key, place);
       let state = states[lane]!;
-      const slot = state & 0xff;
-      const symbol = symbolOf(ends, slot);
-      const shift = symbol << 3;
-      // Modulo 256: where the interval of symbol 3 ends reads as 0.
-      const start = ((ends << 8) >>> shift) & 0xff;
-      const size = ((ends >>> shift) - start) & 0xff;
-      state = size * (state >> 8) + slot - start;
+      const slot = slots[intervals + (state & 0xff)]!;
+      state = (slot >> 16) * (state >> 8) + (state & 0xff) - ((slot >> 8) & 0xff);
       // Whether a byte is taken cannot be foreseen: it is read in any case.
       const taken = (state - 256) >>> 31;
       states[lane] = (state << (taken << 3)) | (bytes[next]! & -taken);
       next += taken;
-      symbols[2 * lane + 1] = symbol;
+      symbols[2 * lane + 1] = slot & 0xff;
     }
     source.next = next;
   }

@@ -1,5 +1,6 @@
 // The probabilities of a column's symbol: FORMAT.md, "Layered: the model". Terrain has few neighbourhoods, which come
 // again and again: a cache keeps the intervals of each.
+import { fillSlots } from './source.js';
 import { OTHER_START, SAME_END, UP_SPLIT, WEIGHTS } from './plane_weights.js';
 
 export const LEVEL = 0;
@@ -39,6 +40,7 @@ const PAIRS = [
   [THICKNESS, SYMBOL_EAST],
 ] as const;
 const EVEN_PAIRS = 9;
+const CLASSES = 16;
 
 function parseWeights(): Int8Array[] {
   return WEIGHTS.map((text) => Int8Array.from(text.trim().split(/\s+/), Number));
@@ -50,8 +52,8 @@ export const CACHE_BITS = 13;
 export class PlaneModel {
   /** Of a key the place is cachePlace(key): keys[place] says which key's intervals are there. */
   readonly keys = new Int32Array(1 << CACHE_BITS).fill(-1);
-  /** Ends of the intervals of symbols 0, 1 and 2, eight bits each. */
-  readonly ends = new Int32Array(1 << CACHE_BITS);
+  /** Where in `slots` its intervals begin. */
+  readonly found = new Int32Array(1 << CACHE_BITS);
   private readonly weights: Int8Array[];
   private readonly pairs: number;
 
@@ -71,15 +73,26 @@ export class PlaneModel {
       same = Math.max(-128, Math.min(127, same + weights[at]!));
       up = Math.max(-128, Math.min(127, up + weights[at + 16]!));
     }
-    const sameClass = Math.max(same, 0) >> 3;
-    const end = SAME_END[sameClass]!;
-    const other = OTHER_START[sameClass]!;
-    const down = end + 1 + (((other - end - 2) * UP_SPLIT[Math.max(up, 0) >> 3]!) >> 8);
-    const ends = end | (down << 8) | (other << 16);
+    const intervals = ((Math.max(same, 0) >> 3) * CLASSES + (Math.max(up, 0) >> 3)) << 8;
     this.keys[place] = key;
-    this.ends[place] = ends;
-    return ends;
+    this.found[place] = intervals;
+    return intervals;
   };
+}
+
+/** By the classes of both scores and then by slot: symbol | start << 8 | size << 16. */
+export function planeSlots(): Int32Array {
+  const slots = new Int32Array(CLASSES * CLASSES << 8);
+  for (let same = 0; same < CLASSES; ++same) {
+    const end = SAME_END[same]!;
+    const other = OTHER_START[same]!;
+    for (let up = 0; up < CLASSES; ++up) {
+      const down = end + 1 + (((other - end - 2) * UP_SPLIT[up]!) >> 8);
+      const begin = (same * CLASSES + up) << 8;
+      fillSlots(slots.subarray(begin, begin + 256), [end, down - end, other - down, 256 - other]);
+    }
+  }
+  return slots;
 }
 
 export function cachePlace(key: number): number {
