@@ -109,7 +109,7 @@ void main() {
   float through = 0.0;                // light that leaves let through
   float swing = 0.06;
   if (kind == TURF) {
-    albedo = mix(albedo, vec3(dot(albedo, vec3(0.3, 0.6, 0.1))), 0.16) * 0.88;
+    albedo = mix(albedo, vec3(dot(albedo, vec3(0.32, 0.6, 0.08))), 0.24) * vec3(0.9, 0.86, 0.84);
     vec3 dry = mix(albedo, albedo * vec3(1.28, 1.06, 0.55), 0.65);
     vec3 lush = albedo * vec3(0.72, 0.92, 0.66);
     albedo = mix(albedo, dry, smoothstep(0.48, 0.85, broad) * 0.75);
@@ -124,7 +124,7 @@ void main() {
     albedo *= 1.0 + grainy * ((speck - 0.5) * 0.26 + (speck2 - 0.5) * 0.16);
     // Here and there a flower, in drifts of one colour.
     float meadow = smoothstep(0.45, 0.75, mid) * second.a;
-    if (top && scale < 1.5 && own > 1.0 - 0.14 * meadow) {
+    if (top && scale < 1.5 && own > 1.0 - 0.26 * meadow) {
       ivec2 bloom = texel - ivec2(floor(vec2(hash2(worldVoxel.xz), hash2(worldVoxel.zx + 9)) * 9.0 + 1.0)) - ivec2(floor(uv)) * 12;
       if (all(greaterThanEqual(bloom, ivec2(0))) && all(lessThan(bloom, ivec2(2)))) {
         float colour = noise(p.xz + 211.0, 5);
