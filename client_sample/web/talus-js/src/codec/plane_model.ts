@@ -7,22 +7,32 @@ export const LEVEL = 0;
 export const CARRIED = 1;
 export const FIRST = 2;
 
-// Where the features of a column lie in its key, two bits each. The first twelve are those of even columns.
-const WEST = 0;
-const EAST = 2;
-const FAR_EAST = 4;
-const STEP_FAR_EAST = 6;
-const STEP_EAST = 8;
-const STEP = 10;
-const STEP_WEST = 12;
-const STEP_FAR_WEST = 14;
-const FLOOR = 16;
-const THICKNESS_EAST = 18;
-const THICKNESS = 20;
+// Where the features of a column lie in its key, two bits each. Five cells of six bits hold a sign of a step, how the
+// row rises to its west, and a thickness: of the columns from two to the west (highest) to two to the east. What of them
+// is no feature makes room for other features.
+export const STEP_BITS = 0;
+export const RISE_BITS = 2;
+export const THICKNESS_BITS = 4;
+export const CELL_BITS = 6;
+const STEP_FAR_EAST = 0;
+const STEP_EAST = 6;
+const EAST = 8;
+const THICKNESS_EAST = 10;
+const STEP = 12;
+const WEST = 14;
+const THICKNESS = 16;
+const STEP_WEST = 18;
 const THICKNESS_WEST = 22;
-export const SYMBOL_WEST = 24;
-export const SYMBOL_EAST = 26;
-export const KIND = 28;
+const STEP_FAR_WEST = 24;
+/** The features that a key has from the cells. */
+export const FROM_CELLS = [
+  STEP_FAR_EAST, STEP_EAST, EAST, THICKNESS_EAST, STEP, WEST, THICKNESS, STEP_WEST, THICKNESS_WEST, STEP_FAR_WEST,
+].reduce((mask, at) => mask | (3 << at), 0);
+export const SYMBOL_WEST = 2;
+export const SYMBOL_EAST = 4;
+export const KIND = 20;
+export const FAR_EAST = 26;
+const FLOOR = 28;
 
 const PAIRS = [
   [STEP_WEST, STEP_EAST],
@@ -64,7 +74,7 @@ export class PlaneModel {
 
   /** Puts the intervals of `key` where they belong. */
   readonly fill = (key: number, place: number): number => {
-    const weights = this.weights[key >>> KIND]!;
+    const weights = this.weights[(key >>> KIND) & 3]!;
     let same = 0;
     let up = 0;
     for (let p = 0; p < this.pairs; ++p) {
