@@ -140,7 +140,7 @@ export class LayersDecoder {
   /** Reads the symbols of even columns, and makes the keys of odd ones. */
   private readEvenSymbols(source: Source, kind: number): void {
     const { cells, extras, oddKeys, symbols, slots } = this;
-    const { fill, keys: cached, found } = this.even;
+    const { fill, cache } = this.even;
     const { bytes, states } = source;
     let next = source.next;
     let window = (cells[2]! << (3 * CELL_BITS)) | (cells[3]! << (2 * CELL_BITS)) | (cells[4]! << CELL_BITS) | cells[5]!;
@@ -150,7 +150,7 @@ export class LayersDecoder {
       window = (window << CELL_BITS) | cells[2 * lane + 7]!;
       oddKeys[lane] = (window & FROM_CELLS) | (extras[2 * lane + 1]! << FAR_EAST) | kind;
       const place = cachePlace(key);
-      const intervals = cached[place] === key ? found[place]! : fill(key, place);
+      const intervals = cache[place] === key ? cache[place + 1]! : fill(key, place);
       let state = states[lane]!;
       const slot = slots[intervals + (state & 0xff)]!;
       state = (slot >> 16) * (state >> 8) + (state & 0xff) - ((slot >> 8) & 0xff);
@@ -166,7 +166,7 @@ export class LayersDecoder {
   /** Those of odd columns, by the symbols to their west and east too. */
   private readOddSymbols(source: Source): void {
     const { oddKeys, symbols, slots } = this;
-    const { fill, keys: cached, found } = this.odd;
+    const { fill, cache } = this.odd;
     const { bytes, states } = source;
     let next = source.next;
     let west = symbols[0]!;
@@ -175,7 +175,7 @@ export class LayersDecoder {
       const key = oddKeys[lane]! | (west << SYMBOL_WEST) | (east << SYMBOL_EAST);
       west = east;
       const place = cachePlace(key);
-      const intervals = cached[place] === key ? found[place]! : fill(key, place);
+      const intervals = cache[place] === key ? cache[place + 1]! : fill(key, place);
       let state = states[lane]!;
       const slot = slots[intervals + (state & 0xff)]!;
       state = (slot >> 16) * (state >> 8) + (state & 0xff) - ((slot >> 8) & 0xff);

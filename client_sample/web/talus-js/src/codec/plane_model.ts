@@ -56,14 +56,13 @@ function parseWeights(): Int8Array[] {
   return WEIGHTS.map((text) => Int8Array.from(text.trim().split(/\s+/), Number));
 }
 
-export const CACHE_BITS = 13;
+const CACHE_BITS = 12;
 
 /** The intervals of even columns, or of odd ones, by key. */
 export class PlaneModel {
-  /** Of a key the place is cachePlace(key): keys[place] says which key's intervals are there. */
-  readonly keys = new Int32Array(1 << CACHE_BITS).fill(-1);
-  /** Where in `slots` its intervals begin. */
-  readonly found = new Int32Array(1 << CACHE_BITS);
+  /** Of a key the place is cachePlace(key): there stands which key it is that the cache has, and then where in
+   *  planeSlots() its intervals begin. */
+  readonly cache = new Int32Array(2 << CACHE_BITS).fill(-1);
   private readonly weights: Int8Array[];
   private readonly pairs: number;
 
@@ -84,8 +83,8 @@ export class PlaneModel {
       up = Math.max(-128, Math.min(127, up + weights[at + 16]!));
     }
     const intervals = ((Math.max(same, 0) >> 3) * CLASSES + (Math.max(up, 0) >> 3)) << 8;
-    this.keys[place] = key;
-    this.found[place] = intervals;
+    this.cache[place] = key;
+    this.cache[place + 1] = intervals;
     return intervals;
   };
 }
@@ -106,5 +105,5 @@ export function planeSlots(): Int32Array {
 }
 
 export function cachePlace(key: number): number {
-  return Math.imul(key, 0x9e3779b1 | 0) >>> (32 - CACHE_BITS);
+  return (Math.imul(key, 0x9e3779b1 | 0) >>> (32 - CACHE_BITS)) << 1;
 }
