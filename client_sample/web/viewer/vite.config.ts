@@ -16,6 +16,8 @@ export default defineConfig({
     assetsInlineLimit: 0,
     modulePreload: { polyfill: false },
     sourcemap: false,
+    // three.js is most of it.
+    chunkSizeWarningLimit: 900,
     rollupOptions: { input: { index: here('index.html'), map: here('map.html') } },
   },
   server: { proxy: { '/v1': { target: server, ws: true, changeOrigin: true } } },

@@ -11,7 +11,7 @@ import { Loop } from './loop';
 import { Address } from './place/address';
 import { readCoordinate, readLink, wrapHours, clock, type Mode, type Place } from './place/place';
 import { defaults, fromLink, load, mend, save, type Settings } from './place/settings';
-import { find, say } from './ui/dom';
+import { find, say, showFocusToTabs } from './ui/dom';
 import { Hud, share } from './ui/hud';
 import { Notices } from './ui/notices';
 import { Panels } from './ui/panels';
@@ -180,6 +180,7 @@ const notices = new Notices({
 const session = new Session(stage, settings, server, tokens, isReduced, {
   opened(opened) {
     engine = opened;
+    document.body.classList.remove('empty');
     player.enter(opened);
     opened.setFov(FIELD_OF_VIEW);
     resize();
@@ -193,6 +194,7 @@ const session = new Session(stage, settings, server, tokens, isReduced, {
   },
   closing() {
     engine = null;
+    document.body.classList.add('empty');
     player.enter(null);
     voxel.clear();
   },
@@ -357,6 +359,7 @@ find('hint-close').addEventListener('click', () => (isHinting = false));
 setTime(hours);
 applyMotion();
 applyBorders();
+showFocusToTabs();
 hud.opening('Connecting', null);
 hud.status('Connecting', 'busy');
 toStage();

@@ -1,32 +1,58 @@
 // Layers: the boundary planes between materials. FORMAT.md, "Layered".
 import { DecodeError } from './decode_error.js';
-import { CARRIED, cachePlace, FIRST, KIND, LEVEL, PlaneModel, SYMBOL_EAST, SYMBOL_WEST } from './plane_model.js';
+import {
+  CARRIED,
+  cachePlace,
+  CELL_BITS,
+  FAR_EAST,
+  FIRST,
+  FROM_CELLS,
+  KIND,
+  LEVEL,
+  planeSlots,
+  PlaneModel,
+  RISE_BITS,
+  STEP_BITS,
+  SYMBOL_EAST,
+  SYMBOL_WEST,
+  THICKNESS_BITS,
+} from './plane_model.js';
 import { LANES, type Source } from './source.js';
 
 const SIZE = 32;
 const AREA = SIZE * SIZE;
 const MAX_MATERIALS = 64;
 
-// Signs in keys: 0, 1 and 2 for -, 0 and +.
-const FLAT = 1;
-const FLAT_STEPS = 0x155; // five of them
-// Without branches, as in all that follows: which way terrain goes cannot be foreseen.
-function sign(value: number): number {
-  return ((value >> 31) | ((0 - value) >>> 31)) + 1;
-}
+// Four columns at a time, a byte each: heights are at most 32, so a high bit is free to borrow from.
+const WORDS = SIZE / 4;
+const ONES = 0x01010101;
+const SEVENS = 0x7f7f7f7f;
+const GUARDS = 0x80808080 | 0;
 
-/** Whose interval holds `slot`: the ends of those of 0, 1 and 2 stand in `ends`. */
-function symbolOf(ends: number, slot: number): number {
-  return 3 - ((((slot - (ends & 0xff)) >>> 31) + ((slot - ((ends >> 8) & 0xff)) >>> 31)) + ((slot - (ends >> 16)) >>> 31));
+/** Of bytes below 128: 2 where a > b, 1 where they are equal, 0 where a < b. */
+function signs(a: number, b: number): number {
+  const notBelow = (((a | GUARDS) - b) >>> 7) & ONES;
+  const notAbove = (((b | GUARDS) - a) >>> 7) & ONES;
+  return notBelow + (notAbove ^ ONES);
 }
 
 export class LayersDecoder {
   private readonly even = new PlaneModel(false);
   private readonly odd = new PlaneModel(true);
+  private readonly slots = planeSlots();
   // The planes one after the other, the first of them all 0: the floor of the second.
   private readonly planes = new Uint8Array(AREA * MAX_MATERIALS + SIZE); // and a row that is read past the last
-  private readonly keys = new Int32Array(SIZE);
-  private readonly symbols = new Int32Array(SIZE + 1); // and one beyond the row, 0
+  private readonly planeWords = new Int32Array(this.planes.buffer);
+  // Of the row that is read: parts of keys, which plane_model.ts explains. Cells begin four before column 0.
+  private readonly cells = new Uint8Array(SIZE + 8);
+  private readonly cellWords = new Int32Array(this.cells.buffer);
+  private readonly extras = new Uint8Array(SIZE);
+  private readonly extraWords = new Int32Array(this.extras.buffer);
+  private readonly oddKeys = new Int32Array(LANES);
+  private readonly symbols = new Uint8Array(SIZE + 4); // and one beyond the row, 0
+  private readonly symbolWords = new Int32Array(this.symbols.buffer);
+  private readonly stepSigns = new Int32Array(WORDS);
+  private readonly stepSignBytes = new Uint8Array(this.stepSigns.buffer);
   // Columns whose boundary has one height: the column and how many more, and the plane; in lists by height.
   private readonly firstOfHeight = new Int32Array(SIZE + 1);
   private readonly runs = new Int32Array(AREA * MAX_MATERIALS);
@@ -64,149 +90,160 @@ export class LayersDecoder {
 
   private readPlane(source: Source, plane: number): void {
     const carried = readCarried(source);
-    this.prepareFirstRow(plane - AREA);
+    // The row to the north of row 0 is its floor, without steps.
+    this.stepSigns.fill(ONES);
+    const floor = plane - AREA;
+    this.prepareRow(floor, floor, floor);
+    let kind = FIRST;
     for (let z = 0; z < SIZE; ++z) {
-      this.readEvenSymbols(source);
+      const row = plane + z * SIZE;
+      this.readEvenSymbols(source, kind << KIND);
       this.readOddSymbols(source);
-      const next = z + 1 < SIZE && (carried >>> (z + 1)) & 1 ? CARRIED : LEVEL;
-      const bad = this.readRow(source, plane, z, z > 0 && ((carried >>> z) & 1) === 0, next << KIND);
+      const bad = this.readRow(source, row, kind);
       source.checkRead();
       if (bad) throw new DecodeError('bad_number');
+      kind = z + 1 < SIZE && (carried >>> (z + 1)) & 1 ? CARRIED : LEVEL;
+      this.prepareRow(row, row - AREA, row - AREA + SIZE);
     }
   }
 
-  /** The keys of row 0, but for the symbols beside columns: the row to its north is its floor, without steps. */
-  private prepareFirstRow(floor: number): void {
-    const { planes, keys } = this;
-    const at = (x: number) => planes[floor + (x < SIZE ? x : SIZE - 1)]!;
-    let rises = FLAT;
-    for (let x = 0; x < SIZE; ++x) {
-      const here = at(x);
-      const west = rises;
-      rises = sign(at(x + 1) - here);
-      keys[x] = west | (rises << 2) | (sign(at(x + 2) - here) << 4) | (FLAT_STEPS << 6) | (FLAT << 16) | (FIRST << KIND);
+  /** The features of a row's columns, but for the symbols beside them, from the row to its north, the floor of that,
+   *  its own floor, and stepSigns. */
+  private prepareRow(north: number, floorNorth: number, floor: number): void {
+    const { planeWords, stepSigns, cellWords, cells, extraWords } = this;
+    north >>= 2;
+    floorNorth >>= 2;
+    floor >>= 2;
+    let here = planeWords[north]!;
+    let before = here << 24; // the height west of this word, in the highest byte
+    for (let i = 0; i < WORDS; ++i) {
+      // Beyond the row's end heights repeat.
+      const next = i < WORDS - 1 ? planeWords[north + i + 1]! : Math.imul(here >>> 24, ONES);
+      const below = planeWords[floorNorth + i]!;
+      const rises = signs(here, (here << 8) | (before >>> 24));
+      const rises2 = signs((here >>> 16) | (next << 16), here);
+      const thickness = here - below;
+      const thick = (((thickness + SEVENS) >>> 7) & ONES) + (((thickness + SEVENS - ONES) >>> 7) & ONES);
+      cellWords[1 + i] = (stepSigns[i]! << STEP_BITS) | (rises << RISE_BITS) | (thick << THICKNESS_BITS);
+      extraWords[i] = rises2 | (signs(planeWords[floor + i]!, below) << 2);
+      before = here;
+      here = next;
     }
+    const flat = (1 << STEP_BITS) | (1 << RISE_BITS);
+    const thickAt = 3 << THICKNESS_BITS;
+    cells[2] = flat;
+    cells[3] = flat | (cells[4]! & thickAt);
+    cells[4 + SIZE] = flat | (cells[3 + SIZE]! & thickAt);
+    cells[5 + SIZE] = flat;
   }
 
-  private readEvenSymbols(source: Source): void {
-    const { keys, symbols } = this;
-    const { fill, keys: cached, ends: cachedEnds } = this.even;
+  /** Reads the symbols of even columns, and makes the keys of odd ones. */
+  private readEvenSymbols(source: Source, kind: number): void {
+    const { cells, extras, oddKeys, symbols, slots } = this;
+    const { fill, cache } = this.even;
     const { bytes, states } = source;
     let next = source.next;
+    let window = (cells[2]! << (3 * CELL_BITS)) | (cells[3]! << (2 * CELL_BITS)) | (cells[4]! << CELL_BITS) | cells[5]!;
     for (let lane = 0; lane < LANES; ++lane) {
-      const key = keys[2 * lane]!;
+      window = (window << CELL_BITS) | cells[2 * lane + 6]!;
+      const key = (window & FROM_CELLS) | (extras[2 * lane]! << FAR_EAST) | kind;
+      window = (window << CELL_BITS) | cells[2 * lane + 7]!;
+      oddKeys[lane] = (window & FROM_CELLS) | (extras[2 * lane + 1]! << FAR_EAST) | kind;
       const place = cachePlace(key);
-      const ends = cached[place] === key ? cachedEnds[place]! : fill(key, place);
+      const intervals = cache[place] === key ? cache[place + 1]! : fill(key, place);
       let state = states[lane]!;
-      const slot = state & 0xff;
-      const symbol = symbolOf(ends, slot);
-      const shift = symbol << 3;
-      // Modulo 256: where the interval of symbol 3 ends reads as 0.
-      const start = ((ends << 8) >>> shift) & 0xff;
-      const size = ((ends >>> shift) - start) & 0xff;
-      state = size * (state >> 8) + slot - start;
+      const slot = slots[intervals + (state & 0xff)]!;
+      state = (slot >> 16) * (state >> 8) + (state & 0xff) - ((slot >> 8) & 0xff);
       // Whether a byte is taken cannot be foreseen: it is read in any case.
       const taken = (state - 256) >>> 31;
       states[lane] = (state << (taken << 3)) | (bytes[next]! & -taken);
       next += taken;
-      symbols[2 * lane] = symbol;
+      symbols[2 * lane] = slot;
     }
     source.next = next;
   }
 
-  /** The same of odd columns, by the symbols to their west and east. */
+  /** Those of odd columns, by the symbols to their west and east too. */
   private readOddSymbols(source: Source): void {
-    const { keys, symbols } = this;
-    const { fill, keys: cached, ends: cachedEnds } = this.odd;
+    const { oddKeys, symbols, slots } = this;
+    const { fill, cache } = this.odd;
     const { bytes, states } = source;
     let next = source.next;
     let west = symbols[0]!;
     for (let lane = 0; lane < LANES; ++lane) {
       const east = symbols[2 * lane + 2]!; // 0 beyond the row
-      const key = keys[2 * lane + 1]! | (west << SYMBOL_WEST) | (east << SYMBOL_EAST);
+      const key = oddKeys[lane]! | (west << SYMBOL_WEST) | (east << SYMBOL_EAST);
       west = east;
       const place = cachePlace(key);
-      const ends = cached[place] === key ? cachedEnds[place]! : fill(key, place);
+      const intervals = cache[place] === key ? cache[place + 1]! : fill(key, place);
       let state = states[lane]!;
-      const slot = state & 0xff;
-      const symbol = symbolOf(ends, slot);
-      const shift = symbol << 3;
-      // Modulo 256: where the interval of symbol 3 ends reads as 0.
-      const start = ((ends << 8) >>> shift) & 0xff;
-      const size = ((ends >>> shift) - start) & 0xff;
-      state = size * (state >> 8) + slot - start;
-      // Whether a byte is taken cannot be foreseen: it is read in any case.
+      const slot = slots[intervals + (state & 0xff)]!;
+      state = (slot >> 16) * (state >> 8) + (state & 0xff) - ((slot >> 8) & 0xff);
       const taken = (state - 256) >>> 31;
       states[lane] = (state << (taken << 3)) | (bytes[next]! & -taken);
       next += taken;
-      symbols[2 * lane + 1] = symbol;
+      symbols[2 * lane + 1] = slot;
     }
     source.next = next;
   }
 
-  /** Makes heights of the symbols of row z, and in the same go the keys of the row to its south: a column's key is
-   *  known two columns later. True where a height is wrong. */
-  private readRow(source: Source, plane: number, z: number, isLevel: boolean, nextKind: number): boolean {
-    const { planes, keys, symbols } = this;
+  /** Makes the heights of the row at `row`, and stepSigns, of the symbols. True where a height is wrong. */
+  private readRow(source: Source, row: number, kind: number): boolean {
+    const { planeWords, symbolWords, stepSigns } = this;
+    const floorRow = (row - AREA) >> 2;
+    const north = kind === FIRST ? floorRow : (row - SIZE) >> 2;
+    const floorNorth = kind === FIRST ? floorRow : (row - AREA - SIZE) >> 2;
+    const at = row >> 2;
+    let sum = 0; // of the changes so far, each one more than it is
+    let counts = 0x04030201; // how many these are
+    let good = GUARDS;
+    for (let i = 0; i < WORDS; ++i) {
+      const symbols = symbolWords[i]!;
+      if ((symbols & (symbols >> 1) & ONES) !== 0) return this.readRowWithOthers(source, row, kind);
+      const changes = ONES + (symbols & ONES) - ((symbols >> 1) & ONES);
+      let steps = changes;
+      let bias = ONES;
+      if (kind !== LEVEL) {
+        steps = Math.imul(changes, ONES) + sum;
+        sum = Math.imul(steps >>> 24, ONES);
+        bias = counts;
+        counts += 4 * ONES;
+      }
+      const floor = planeWords[floorRow + i]!;
+      const toNorth = planeWords[north + i]!;
+      // To the north, but not below the floor, unless the material is absent there.
+      const above = (toNorth | GUARDS) - floor;
+      const present = ((toNorth ^ planeWords[floorNorth + i]!) + SEVENS) >>> 7;
+      const risen = above & Math.imul((above >>> 7) & present & ONES, 0x7f);
+      const height = ((floor + risen) | GUARDS) + steps - bias;
+      good &= (height - floor) & ((GUARDS | 0x20202020) - (height & SEVENS)) & height;
+      planeWords[at + i] = height & SEVENS;
+      stepSigns[i] = signs(steps, bias);
+    }
+    return good !== GUARDS;
+  }
+
+  /** The same column by column, where some change by more than 1. */
+  private readRowWithOthers(source: Source, row: number, kind: number): boolean {
+    const { planes, symbols, stepSignBytes } = this;
     const { bytes } = source;
-    const row = plane + z * SIZE;
     const floorRow = row - AREA;
-    const north = z === 0 ? floorRow : row - SIZE;
-    const floorNorth = z === 0 ? floorRow : floorRow - SIZE;
-    let next = source.next;
-    const keep = isLevel ? 0 : -1;
-    let bad = 0; // below 0 where a height is
+    const north = kind === FIRST ? floorRow : row - SIZE;
+    const floorNorth = kind === FIRST ? floorRow : floorRow - SIZE;
     let step = 0;
-    let height = 0;
-    let before = 0; // the height one column to the west, and two
-    let before2 = 0;
-    let rises = FLAT << 2; // west of the column before, and of that before it
-    let steps = FLAT_STEPS;
-    let thicks = 0;
-    let floors = 0;
+    let bad = false;
     for (let x = 0; x < SIZE; ++x) {
       const symbol = symbols[x]!;
-      let change = (symbol & 1) - (symbol >> 1);
-      if (symbol === 3) change = (bytes[next++]! << 24) >> 24;
-      step = change + (step & keep);
+      const change = symbol === 3 ? (bytes[source.next++]! << 24) >> 24 : symbol === 2 ? -1 : symbol;
+      step = kind === LEVEL ? change : step + change;
       const floor = planes[floorRow + x]!;
-      // To the north, but not below the floor, unless the material is absent there.
       const toNorth = planes[north + x]!;
-      const above = toNorth - floor;
-      height = floor + (above & ~(above >> 31) & ((planes[floorNorth + x]! - toNorth) >> 31)) + step;
-      const thickness = height - floor;
-      bad |= thickness | (SIZE - height);
-      planes[row + x] = height;
-
-      const thick = 2 + ((thickness - 2) & ((thickness - 2) >> 31));
-      if (x === 0) {
-        before = before2 = height;
-        thicks = thick;
-      }
-      steps = ((steps << 2) | sign(step)) & 0x3ff;
-      const rise = sign(height - before);
-      if (x > 1) {
-        keys[x - 2] =
-          rises | (sign(height - before2) << 4) | (steps << 6) | ((floors & 0xc) << 14) | (thicks << 18) | nextKind;
-      }
-      // Two bits each: of rises the older first, as keys have them; of the others the newer.
-      rises = (rises >> 2) | (rise << 2);
-      thicks = ((thicks << 2) | thick) & 0x3f;
-      floors = (floors << 2) | sign(planes[floorRow + SIZE + x]! - floor);
-      before2 = before;
-      before = height;
+      const height = (toNorth === planes[floorNorth + x]! || toNorth < floor ? floor : toNorth) + step;
+      bad ||= height < floor || height > SIZE;
+      planes[row + x] = bad ? floor : height;
+      stepSignBytes[x] = step > 0 ? 2 : step < 0 ? 0 : 1;
     }
-    // Beyond the row's end heights repeat, and there are no steps.
-    const thick = thicks & 3;
-    steps = ((steps << 2) | FLAT) & 0x3ff;
-    keys[SIZE - 2] =
-      rises | (sign(before - before2) << 4) | (steps << 6) | ((floors & 0xc) << 14) | (thicks << 18) | nextKind;
-    rises = (rises >> 2) | (FLAT << 2);
-    thicks = ((thicks << 2) | thick) & 0x3f;
-    steps = ((steps << 2) | FLAT) & 0x3ff;
-    keys[SIZE - 1] = rises | (FLAT << 4) | (steps << 6) | ((floors & 3) << 16) | (thicks << 18) | nextKind;
-    source.next = next;
-    return bad < 0;
+    return bad;
   }
 
   /** From planes to voxels: each slice is the one below it, but for the columns in which a material begins there. */

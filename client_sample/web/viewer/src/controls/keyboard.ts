@@ -34,7 +34,6 @@ export class Keyboard implements Device {
 
   constructor(commands: Readonly<Record<string, () => void>>, isShut: () => boolean) {
     addEventListener('keydown', (event) => {
-      if (event.code === 'Tab') document.body.classList.add('tabs');
       if (event.ctrlKey || event.altKey || event.metaKey || belongsToWidget(event.target, event.code)) return;
       if (isShut()) return;
       if (event.code in HELD) {
@@ -50,7 +49,6 @@ export class Keyboard implements Device {
         command();
       }
     });
-    addEventListener('pointerdown', () => document.body.classList.remove('tabs'));
     addEventListener('keyup', (event) => this.#held.delete(event.key === 'Shift' ? 'Shift' : event.code));
   }
 

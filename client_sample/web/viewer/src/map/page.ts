@@ -2,7 +2,7 @@
 import { Server, type Obstacle } from '../connection/server';
 import { TokenStore } from '../connection/token';
 import { readLink, writeLink, type Place } from '../place/place';
-import { find } from '../ui/dom';
+import { find, showFocusToTabs } from '../ui/dom';
 import { TokenDialog } from '../ui/token_dialog';
 import { MapScreen } from './screen';
 
@@ -51,6 +51,7 @@ async function open(): Promise<void> {
 }
 
 if (link.x !== undefined && link.z !== undefined) screen.setPlayer({ x: link.x, z: link.z, yaw: link.yaw ?? 0 });
+showFocusToTabs();
 screen.focus();
 void open();
 

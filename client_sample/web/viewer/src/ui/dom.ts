@@ -16,3 +16,9 @@ export function make<K extends keyof HTMLElementTagNameMap>(tag: K, text = ''): 
   element.textContent = text;
   return element;
 }
+
+/** What fills the page has the focus mostly: that it has shows to those alone who walk through the page by Tab. */
+export function showFocusToTabs(): void {
+  addEventListener('keydown', ({ key }) => key === 'Tab' && document.body.classList.add('tabs'));
+  addEventListener('pointerdown', () => document.body.classList.remove('tabs'));
+}

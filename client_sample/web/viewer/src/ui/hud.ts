@@ -15,6 +15,7 @@ export function share(stats: Stats): number | null {
 export class Hud {
   readonly #opening = find('opening');
   readonly #hint = find('hint');
+  readonly #toMode = this.#hint.querySelector('.to-mode')!;
 
   constructor(onHintClosed: () => void) {
     find('hint-close').addEventListener('click', () => {
@@ -63,5 +64,6 @@ export class Hud {
         ? `flying ${windOf(place.yaw)}, ${count(body.flySpeed)} blocks/s`
         : `${body.swimming ? 'swimming' : 'walking'} ${windOf(place.yaw)}`;
     say(find('where-how'), how);
+    say(this.#toMode, body.mode === 'fly' ? 'walk' : 'fly');
   }
 }

@@ -48,7 +48,7 @@ export class Notices {
         ]);
         break;
       case 'no-webgl':
-        this.#show('no-webgl', 'This browser shows no 3D here', `It needs WebGL 2: ${trouble.text} The map works without.`, [
+        this.#show('no-webgl', 'This browser shows no 3D here', `${sentence(trouble.text)} The map works without.`, [
           ['Open the map', () => location.assign('map.html' + location.hash)],
           ['Try again', this.answers.reload],
         ]);

@@ -6,7 +6,7 @@ import { chromium } from 'playwright-core';
 const executablePath = process.env.CHROMIUM ?? ['/usr/bin/chromium', '/usr/bin/chromium-browser', '/usr/bin/google-chrome'].find(existsSync);
 
 /** How long a view may take to fill on a machine that is busy: no measure, only the end of a test that hangs. */
-export const PATIENCE_MS = 180_000;
+export const PATIENCE_MS = 120_000;
 
 export async function launch(t, args = []) {
   assert.ok(executablePath, 'there is no chromium: apt-get install chromium fonts-dejavu-core, or set CHROMIUM');

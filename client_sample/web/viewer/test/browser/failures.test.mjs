@@ -11,7 +11,7 @@ const EXPECTED_401 = /\b401\b|WebSocket connection/;
 
 test('a wrong token is refused, a right one is taken and kept', async (t) => {
   const folder = scratch(t);
-  writeFileSync(`${folder}/secret`, 'open sesame');
+  writeFileSync(`${folder}/secret`, 'open sesame, by all means');
   writeFileSync(`${folder}/talusd.toml`, `[access]\nsecret_file = "${folder}/secret"\n`);
   const site = await startSite(t, ['--config', `${folder}/talusd.toml`]);
   const page = await newPage(await launch(t));
@@ -23,7 +23,7 @@ test('a wrong token is refused, a right one is taken and kept', async (t) => {
   };
   await give('wrong');
   await page.locator('#token:not([open])').waitFor({ state: 'hidden' });
-  await give('open sesame');
+  await give('open sesame, by all means');
   await filled(page);
   assert.ok(await page.locator('#notice').isHidden());
   await page.reload();

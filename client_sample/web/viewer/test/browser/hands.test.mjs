@@ -117,7 +117,7 @@ test('keyboard alone suffices', async (t) => {
 test('touch alone suffices', async (t) => {
   const site = await startSite(t);
   const browser = await launch(t);
-  const page = await newPage(browser, { viewport: { width: 360, height: 480 }, hasTouch: true, isMobile: true });
+  const page = await newPage(browser, { viewport: { width: 320, height: 300 }, hasTouch: true, isMobile: true });
   await page.goto(`${site.url}#${SMALL}`);
   await filled(page);
   const session = await page.context().newCDPSession(page);
@@ -126,8 +126,8 @@ test('touch alone suffices', async (t) => {
 
   await t.test('the left thumb moves', async () => {
     const before = await place(page);
-    await touch('touchStart', [90, 330]);
-    await touch('touchMove', [90, 260]);
+    await touch('touchStart', [80, 200]);
+    await touch('touchMove', [80, 140]);
     assert.equal(await page.locator('#stick[hidden]').count(), 0);
     await page.waitForFunction((was) => Math.hypot(window.talus.player.body.position[0] - was.x, window.talus.player.body.position[2] - was.z) > 3, before);
     await touch('touchEnd');
@@ -136,9 +136,9 @@ test('touch alone suffices', async (t) => {
 
   await t.test('the right thumb looks, while the left moves', async () => {
     const before = await place(page);
-    await touch('touchStart', [90, 330, 0]);
-    await touch('touchStart', [90, 330, 0], [240, 300, 1]);
-    await touch('touchMove', [90, 280, 0], [280, 280, 1]);
+    await touch('touchStart', [80, 200, 0]);
+    await touch('touchStart', [80, 200, 0], [220, 160, 1]);
+    await touch('touchMove', [80, 160, 0], [250, 145, 1]);
     await page.waitForFunction((was) => Math.abs(window.talus.player.body.yaw - was.yaw) > 3, before);
     await touch('touchEnd');
     const after = await place(page);
@@ -150,7 +150,8 @@ test('touch alone suffices', async (t) => {
       window.talus.player.body.pitch = -70;
     });
     await page.evaluate(() => new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(resolve))));
-    await page.touchscreen.tap(190, 260);
+    // A page that is busy hears late of the finger's lifting, and takes it for a long press: then once more.
+    for (let taps = 0; taps < 10 && (await page.locator('#voxel-close').isHidden()); ++taps) await page.touchscreen.tap(175, 190);
     await page.locator('#voxel-close').waitFor();
     assert.notEqual(await page.locator('#voxel-name').textContent(), '');
     await page.locator('#voxel-close').tap();
@@ -172,7 +173,7 @@ test('touch alone suffices', async (t) => {
     assert.ok(scroll <= client, `${scroll} pixels wide on ${client}`);
     const tools = await page.locator('.tools button').evaluateAll((all) => all.map((b) => b.getBoundingClientRect()).map(({ left, right, width, height }) => ({ left, right, width, height })));
     for (const { left, right, width, height } of tools) {
-      assert.ok(left >= 0 && right <= 360);
+      assert.ok(left >= 0 && right <= 320);
       assert.ok(width >= 40 && height >= 40, 'a finger hits it');
     }
   });

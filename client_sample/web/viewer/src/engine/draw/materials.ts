@@ -25,7 +25,8 @@ export function lookOf(material: Material): Look {
   return 'rock';
 }
 
-/** Two texels a material: its colour and look, and the colour beneath (earth under turf, rock around ore). */
+/** Two texels a material: its colour and look, and the colour beneath (earth under turf, rock around ore), and whether flowers
+ *  grow there. */
 export function materialTexture(materials: readonly Material[]): DataTexture {
   const data = new Float32Array(materials.length * 8);
   const colour = new Color();
@@ -35,7 +36,7 @@ export function materialTexture(materials: readonly Material[]): DataTexture {
     const look = lookOf(material);
     colour.set(material.colour); // sRGB to linear
     const beneath = look === 'ore' ? rock : /cactus/.test(material.name) ? colour : earth;
-    data.set([colour.r, colour.g, colour.b, LOOKS[look], beneath.r, beneath.g, beneath.b, 0], i * 8);
+    data.set([colour.r, colour.g, colour.b, LOOKS[look], beneath.r, beneath.g, beneath.b, /meadow|forest|grass|heath|taiga/.test(material.name) ? 1 : 0], i * 8);
   });
   const texture = new DataTexture(data, 2, materials.length, RGBAFormat, FloatType);
   texture.minFilter = texture.magFilter = NearestFilter;

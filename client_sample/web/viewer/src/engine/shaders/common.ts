@@ -76,7 +76,7 @@ float cloudShade(vec3 p) {
 vec3 throughAir(vec3 colour, vec3 ray, vec3 eye) {
   float distance = length(ray);
   vec3 direction = ray / max(distance, 0.001);
-  if (waterFog.w > 0.5) return mix(waterFog.rgb, colour * vec3(0.55, 0.85, 0.9), exp(-distance * 0.045));
+  if (waterFog.w > 0.5) return mix(waterFog.rgb, colour * vec3(0.34, 0.68, 0.74), exp(-distance * 0.06));
   float far = distance / horizonBlocks;
   float thick = far * far * 3.4 * fogDensity;
   // Mist lies low: the integral of exp(-height / 40) along the ray.
@@ -86,7 +86,7 @@ vec3 throughAir(vec3 colour, vec3 ray, vec3 eye) {
   thick += mist * distance * along;
   float edge = smoothstep(0.86, 1.0, length(ray.xz) / horizonBlocks);
   float kept = exp(-thick) * (1.0 - edge);
-  return mix(skyColour(normalize(vec3(direction.x, max(direction.y, 0.0) * (1.0 - edge * 0.0) + 0.012, direction.z))), colour, kept);
+  return mix(skyColour(normalize(vec3(direction.x, max(direction.y, 0.0) + 0.012, direction.z))), colour, kept);
 }
 `;
 

@@ -22,7 +22,7 @@ void main() {
 
 export const terrainFragment = /* glsl */ `${PRECISION}${NOISE}${SKY}${OUTPUT}${GROUND}${SHADOW}
 uniform vec3 eye;
-uniform sampler2D materials;          // two texels each: colour and kind; colour below, and grain
+uniform sampler2D materials;          // two texels each: colour and kind; colour below, and whether flowers grow
 uniform vec4 slice;                   // normal x, z, distance; w: 1 where there is one
 uniform float time;
 uniform float detail;                 // 0: far taps are left out
@@ -45,7 +45,8 @@ float openness(vec3 p, vec3 n, int level, out vec2 slope) {
   vec3 q = p + n * 0.55 * scale;
   float y = q.y;
   float roof = groundAt(q.xz, level) - y;
-  float open = 1.0 - smoothstep(0.0, 1.6 * scale, roof);
+  // Under a tree or a ledge some light comes from the sides; deep in a cave none does.
+  float open = 1.0 - smoothstep(0.0, 1.6 * scale, roof) * mix(0.5, 1.0, smoothstep(5.0, 26.0, roof));
   float near = 0.0, far = 0.0;
   slope = vec2(0.0);
   float r1 = 2.2 * scale, r2 = 7.0 * scale;
@@ -108,7 +109,7 @@ void main() {
   float through = 0.0;                // light that leaves let through
   float swing = 0.06;
   if (kind == TURF) {
-    albedo = mix(albedo, vec3(dot(albedo, vec3(0.3, 0.6, 0.1))), 0.16) * 0.88;
+    albedo = mix(albedo, vec3(dot(albedo, vec3(0.32, 0.6, 0.08))), 0.18) * vec3(0.95, 0.9, 0.86);
     vec3 dry = mix(albedo, albedo * vec3(1.28, 1.06, 0.55), 0.65);
     vec3 lush = albedo * vec3(0.72, 0.92, 0.66);
     albedo = mix(albedo, dry, smoothstep(0.48, 0.85, broad) * 0.75);
@@ -121,6 +122,16 @@ void main() {
       albedo = mix(albedo, second.rgb * (0.9 + 0.2 * own), clamp(under, 0.0, 1.0) * 0.85);
     }
     albedo *= 1.0 + grainy * ((speck - 0.5) * 0.26 + (speck2 - 0.5) * 0.16);
+    // Here and there a flower, in drifts of one colour.
+    float meadow = smoothstep(0.45, 0.75, mid) * second.a;
+    if (top && scale < 1.5 && own > 1.0 - 0.26 * meadow) {
+      ivec2 bloom = texel - ivec2(floor(vec2(hash2(worldVoxel.xz), hash2(worldVoxel.zx + 9)) * 9.0 + 1.0)) - ivec2(floor(uv)) * 12;
+      if (all(greaterThanEqual(bloom, ivec2(0))) && all(lessThan(bloom, ivec2(2)))) {
+        float colour = noise(p.xz + 211.0, 5);
+        vec3 petals = colour < 0.4 ? vec3(0.85, 0.62, 0.06) : colour < 0.52 ? vec3(0.8, 0.8, 0.75) : colour < 0.62 ? vec3(0.55, 0.08, 0.06) : vec3(0.3, 0.2, 0.6);
+        albedo = mix(albedo, petals, grainy);
+      }
+    }
     swing = 0.07;
     through = 0.06;
   } else if (kind == SAND) {
@@ -184,6 +195,7 @@ void main() {
   vec2 slope;
   float open = openness(p, normal, level, slope);
   if (cut) open = 1.0;
+  if (kind == LEAVES) open = mix(open, 1.0, 0.4);
   float corner = mix(0.42, 1.0, occlusion * (0.35 + 0.65 * occlusion));
   corner = mix(1.0, corner, cut ? 0.0 : 1.0 / (1.0 + max(scale - 1.0, 0.0) * 0.35));
   // Faces of voxels stand in for a rough surface: far away its lean shows, not its steps.

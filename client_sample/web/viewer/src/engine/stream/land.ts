@@ -162,7 +162,11 @@ export class Land<D extends Drawable> {
       const before = column.around;
       this.placeInShape(column);
       if (before === column.around && !rows[column.lod]) continue;
-      for (const chunk of column.chunks.values()) this.consider(chunk);
+      const level = shape[column.lod];
+      for (const chunk of [...column.chunks.values()]) {
+        if (column.wanted && chunk.y >= level!.y0 && chunk.y <= level!.y1) this.consider(chunk);
+        else this.leave(chunk.lod, chunk.x, chunk.y, chunk.z); // a client that is gone would not say so
+      }
     }
     this.coverStale = true;
   }

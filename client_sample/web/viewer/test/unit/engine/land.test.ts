@@ -39,10 +39,16 @@ function stage(room = 4) {
     hasRoom: () => jobs.length < room,
     mesh: (chunk: Chunk, job: Job) => {
       expect(sent.has(key(chunk)), 'meshed but not sent').toBe(true);
+      const level = land.shape[job.lod]!;
+      for (let bit = 0; bit < 27; bit++) {
+        const [x, y, z] = [job.x + (bit % 3) - 1, job.y + Math.floor(bit / 9) - 1, job.z + (Math.floor(bit / 3) % 3) - 1];
+        const inView = bit !== 13 && hasColumn(land.shape, job.lod, x, z) && y >= level.y0 && y <= level.y1;
+        if (inView) expect((job.known >>> bit) & 1, `without its neighbour ${bit}`).toBe(1);
+      }
       jobs.push(job);
     },
   };
-  const land = new Land<Drawable>({
+  const land: Land<Drawable> = new Land<Drawable>({
     drawer: {
       takeSlot: () => {
         slots.add(++free);
