@@ -4773,7 +4773,7 @@ void main() {
   float through = 0.0;                // light that leaves let through
   float swing = 0.06;
   if (kind == TURF) {
-    albedo = mix(albedo, vec3(dot(albedo, vec3(0.32, 0.6, 0.08))), 0.24) * vec3(0.9, 0.86, 0.84);
+    albedo = mix(albedo, vec3(dot(albedo, vec3(0.32, 0.6, 0.08))), 0.18) * vec3(0.95, 0.9, 0.86);
     vec3 dry = mix(albedo, albedo * vec3(1.28, 1.06, 0.55), 0.65);
     vec3 lush = albedo * vec3(0.72, 0.92, 0.66);
     albedo = mix(albedo, dry, smoothstep(0.48, 0.85, broad) * 0.75);
