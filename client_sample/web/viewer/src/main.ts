@@ -308,8 +308,10 @@ find('open-map').addEventListener('click', () => void openMap());
 
 let told = 0;
 let looked = 0;
+let hasShownLand = false;
 const loop = new Loop({
-  cap: () => settings.frameRate,
+  // The first land is shown at once.
+  cap: () => (isFirstLand() ? 0 : settings.frameRate),
   step(now, seconds) {
     if (settings.timeRuns) setTime(hours + (seconds * 24) / DAY_S);
     if (isPlaced) player.step(seconds);
@@ -333,6 +335,13 @@ const loop = new Loop({
     if (engine !== null && isPlaced) engine.frame(now);
   },
 });
+
+function isFirstLand(): boolean {
+  if (hasShownLand || engine === null) return false;
+  const { meshes, firstFrameMs } = engine.stats();
+  hasShownLand = firstFrameMs !== null;
+  return meshes > 0 && !hasShownLand;
+}
 
 /** For measurements: when the first terrain was submitted, and when all of the view was. From the address on, in ms. */
 function mark(stats: Stats): void {

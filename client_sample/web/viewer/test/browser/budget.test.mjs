@@ -17,6 +17,7 @@ test('from the address to the first terrain, and to all of it', async (t) => {
     const page = await newPage(browser);
     await page.goto(`${site.url}#radius=8&horizon=0&quality=low&frameRate=1`);
     await filled(page);
+    await page.waitForFunction(() => performance.getEntriesByName('talus:complete').length > 0);
     times.push(await page.evaluate(() => Object.fromEntries(performance.getEntriesByType('mark').map((m) => [m.name, m.startTime]))));
     noProblems(page);
     await page.context().close();

@@ -1,7 +1,7 @@
 // Chunks by HTTP through Varnish: land that was seen before is there though talusd is away.
 import assert from 'node:assert/strict';
 import { spawn, spawnSync } from 'node:child_process';
-import { writeFileSync } from 'node:fs';
+import { chmodSync, writeFileSync } from 'node:fs';
 import { createServer } from 'node:net';
 import test from 'node:test';
 import { DIST, scratch, startTalusd } from './talusd.mjs';
@@ -20,6 +20,8 @@ async function freePort() {
 
 async function startVarnish(t, backend) {
   const folder = scratch(t);
+  // Varnish reads as a user of its own.
+  chmodSync(folder, 0o755);
   const [host, port] = backend.split(':');
   writeFileSync(`${folder}/talus.vcl`, `vcl 4.1;\nbackend default { .host = "${host}"; .port = "${port}"; }\nsub vcl_backend_response { set beresp.grace = 10m; }\n`);
   const listen = await freePort();
