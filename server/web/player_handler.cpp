@@ -133,6 +133,8 @@ std::optional<http::Response> PlayerHandler::respond_now(const http::Request& re
   kept_.reset();
   public_ = false;
   open_ = false;
+  counted_ = false;
+  made_ = 0;
   Answer answer = decide(request);
   if (answer) finish(request, *answer);
   return answer;
@@ -189,11 +191,8 @@ PlayerHandler::Answer PlayerHandler::find_caller(const http::Request& request) {
   if (!connection_.through_proxy) return std::nullopt;
   const auto address = forwarded_for(request.list("X-Forwarded-For"), context_->settings.proxies);
   if (!address) {
-    http::Response wrong =
-        error_response(400, ErrorCode::malformed,
-                       "the proxy in front of this server names no client; it must set X-Forwarded-For");
-    wrong.last = true;
-    return wrong;
+    return error_response(400, ErrorCode::malformed,
+                          "the proxy in front of this server names no client; it must set X-Forwarded-For");
   }
   if (shared_.access.meet(*address)) {
     shared_.metrics.denied(AuthFailure::blocked).add();
@@ -331,7 +330,7 @@ PlayerHandler::Answer PlayerHandler::answer(const MapRoute& route) {
   PicturePtr picture = shared_.chunks.find_map(route.tile);
   if (picture == nullptr) return std::nullopt;
   if (caller_->rates.chunks_due(began_).at > began_) return std::nullopt;
-  charge(1);
+  charge(1, 0);
   return picture_response(picture);
 }
 
@@ -361,16 +360,20 @@ asio::awaitable<http::Response> PlayerHandler::fetch(const ColumnsRoute& route) 
     column.coord.x += i % route.edge;
     column.coord.z += i / route.edge;
     std::string one;
-    if (auto wrong = co_await append(column, one, 2 * body.size())) co_return *std::move(wrong);
+    if (auto wrong = co_await append(column, one, 2 * body.size())) {
+      charge(made_, 0);
+      co_return *std::move(wrong);
+    }
     if (route.square) append_length(body, static_cast<std::uint32_t>(one.size()));
     body += one;
     memory_.hold(kIdleBytes + 2 * body.size());
     if (body.size() > kMaxBodyBytes) {
+      charge(made_, 0);
       co_return error_response(400, ErrorCode::too_large,
                                "this is over 4 MiB; ask for its chunks one by one");
     }
   }
-  co_return charged(0, body_response(std::move(body)));
+  co_return charged(made_, body_response(std::move(body)));
 }
 
 // A column's rows are known once any of its chunks was made.
@@ -407,9 +410,7 @@ asio::awaitable<PlayerHandler::Answer> PlayerHandler::append(ChunkKey column, st
     auto made = co_await fetch_->get(keys, began_ + kMaxWait);
     if (!made) co_return failure(made.error());
     for (std::size_t i = 0; i < keys.size(); ++i) add_chunk(runs, keys[i].coord.y, (*made)[i]);
-    const std::size_t made_here = keys.size() - (fetched == 0 ? 2 : 0);  // those below and above were known
-    charge(made_here);
-    shared_.metrics.chunks_sent.add(made_here);
+    made_ += keys.size() - (fetched == 0 ? 2 : 0);  // those below and above were known
     fetched += keys.size();
     std::size_t bytes = body.size();
     for (const ChunkRun& run : runs) bytes += run.chunk->payload().size();
@@ -457,7 +458,7 @@ asio::awaitable<http::Response> PlayerHandler::fetch(const MapRoute& route) {
     co_return error_response(503, ErrorCode::overloaded, kNoMemory, retry_after::kBusy);
   }
   if (auto wrong = co_await wait_for_rates()) co_return *std::move(wrong);
-  charge(picture == nullptr ? kColumnsShown : 1);
+  charge(picture == nullptr ? kColumnsShown : 1, 0);
   if (picture == nullptr) {
     fetch_ = std::make_shared<Fetch>(executor_, shared_.chunks, shared_.clock,
                                      ClientId{kFirstFetch + ++context_->fetches}, caller_->flow);
@@ -490,12 +491,13 @@ http::Response PlayerHandler::over_rate(std::chrono::nanoseconds wait) const {
                         std::chrono::ceil<std::chrono::milliseconds>(wait));
 }
 
-void PlayerHandler::charge(std::size_t chunks) {
-  if (caller_) caller_->rates.sent(shared_.clock.now(), chunks, 0);
+void PlayerHandler::charge(std::size_t chunks, std::size_t bytes) {
+  if (caller_) caller_->rates.sent(shared_.clock.now(), chunks, bytes);
 }
 
 http::Response PlayerHandler::charged(std::size_t chunks, http::Response response) {
-  charge(chunks);
+  charge(chunks, request_->method == http::Method::head ? 0 : response.content().size());
+  counted_ = true;
   shared_.metrics.chunks_sent.add(chunks);
   shared_.metrics.chunk_bytes_sent.add(response.content().size());
   return response;
@@ -561,7 +563,7 @@ void PlayerHandler::finish(const http::Request& request, http::Response& respons
   shared_.metrics.sent_bytes.add(bytes);
   if (caller_) {
     caller_->flow->add(FlowMeasure::sent, bytes);
-    caller_->rates.sent(shared_.clock.now(), 0, bytes);
+    if (!counted_) caller_->rates.sent(shared_.clock.now(), 0, bytes);
   }
   const std::uint64_t every = context_->settings.log_every;
   if (every != 0 && ++context_->answers % every == 0) log_answer(request, response.status, bytes);

@@ -117,9 +117,10 @@ class PlayerHandler final : public http::Handler {
   /// Waits until the rates let a chunk go; an answer where that is too long. Before the work: who has no rate
   /// left costs the generators nothing.
   [[nodiscard]] asio::awaitable<Answer> wait_for_rates();
-  /// Counts chunks that were found or made in the rates; finish() counts all bytes.
-  void charge(std::size_t chunks);
+  /// Counts in the rates.
+  void charge(std::size_t chunks, std::size_t bytes);
   [[nodiscard]] http::Response over_rate(std::chrono::nanoseconds wait) const;
+  /// The response, whose chunks and bytes count now.
   [[nodiscard]] http::Response charged(std::size_t chunks, http::Response response);
 
   [[nodiscard]] http::Response chunk_response(const EncodedChunk& chunk);
