@@ -156,6 +156,8 @@ class PlayerHandler final : public http::Handler {
   std::shared_ptr<const void> kept_;  // whose bytes the answer has
   bool open_ = false;                 // nobody needs a token
   bool public_ = false;               // every cache may keep the answer
+  bool counted_ = false;              // its bytes count in the rates already
+  std::size_t made_ = 0;              // chunks of columns, so far
 };
 
 }  // namespace talus::server::web
