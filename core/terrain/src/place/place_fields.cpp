@@ -120,7 +120,8 @@ void PlaceFields::fill(int x, int z, GroundTile& tile) const {
   tile.shares.resize(shares_.size());
   for (std::size_t i = 0; i < looks_.size(); ++i) {
     for (int row = 0; row < kSide; ++row) {
-      std::copy_n(&looks_[i].row(z + row)[static_cast<std::size_t>(x)], kSide, &tile.looks[i][kSide * row]);
+      std::copy_n(&looks_[i].row(z + row)[static_cast<std::size_t>(x)], kSide,
+                  &tile.looks[i][static_cast<std::size_t>(kSide * row)]);
     }
   }
   for (std::size_t i = 0; i < shares_.size(); ++i) {
