@@ -17,7 +17,7 @@ first='<!-- modules: written by tests/layering/check.sh --write -->'
 last='<!-- end of modules -->'
 
 # files: every header and source of a module, tests apart.
-files() { find core protocol server client_sample \( -name '*.h' -o -name '*.cpp' \) -print | LC_ALL=C sort; }
+files() { find core protocol server client_sample -name node_modules -prune -o \( -name '*.h' -o -name '*.cpp' \) -print | LC_ALL=C sort; }
 includes() { files | xargs grep -nHE '^[[:space:]]*#[[:space:]]*include[[:space:]]*[<"]'; }
 judge() { awk -v MODE="$1" -f tests/layering/modules.awk docs/modules.txt <(files) <(includes); }
 # printed: the lines of docs/DESIGN.md between the two marks.
@@ -46,7 +46,7 @@ if [[ "$(judge table)" != "$(printed)" ]]; then
   echo "docs/DESIGN.md: its table of modules is not that of docs/modules.txt; tests/layering/check.sh --write"
   failed=1
 fi
-if find core protocol server client_sample tests docs -type d \( -name utils -o -name common -o -name helpers \) -print | grep .; then
+if find core protocol server client_sample tests docs -name node_modules -prune -o -type d \( -name utils -o -name common -o -name helpers \) -print | grep .; then
   echo "a thing lives with what it serves: no utils, common or helpers"
   failed=1
 fi
