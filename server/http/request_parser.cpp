@@ -10,8 +10,12 @@
 
 #include <http_parser.h>
 
+#include <talus/protocol/header_fields.h>
+
 namespace talus::server::http {
 namespace {
+
+using protocol::same_name;
 
 constexpr RequestError kMalformed{400, "this is not HTTP/1.1"};
 constexpr RequestError kTargetTooLong{414, "the request's target is too long"};
@@ -25,12 +29,6 @@ constexpr RequestError kNoHost{400, "an HTTP/1.1 request has exactly one Host fi
 constexpr RequestError kBareLineFeed{400, "a line ends with LF alone instead of CR LF"};
 constexpr RequestError kFieldName{400, "a header field's name is no token"};
 constexpr RequestError kFieldValue{400, "a header field's value has a control character"};
-
-bool equal_names(std::string_view a, std::string_view b) {
-  const auto lower = [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + ('a' - 'A')) : c; };
-  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
-                    [&](char left, char right) { return lower(left) == lower(right); });
-}
 
 // Debian's http_parser is compiled without its strict checks, and lets some of what follows pass.
 
@@ -49,12 +47,6 @@ bool is_value(std::string_view value) {
     const auto byte = static_cast<unsigned char>(c);
     return (byte < 0x20 && c != '\t') || byte == 0x7F;
   });
-}
-
-/// Without the white space at its end; http_parser drops that before it.
-void trim(std::string& value) {
-  const std::size_t last = value.find_last_not_of(" \t");
-  value.erase(last == std::string::npos ? 0 : last + 1);
 }
 
 constexpr std::string_view kGet = "GET ";
@@ -86,8 +78,8 @@ Method method_of(unsigned method) {
 std::string_view Request::path() const {
   std::string_view path{target};
   const std::size_t scheme = path.find("://");
-  const bool absolute = scheme != std::string_view::npos && (equal_names(path.substr(0, scheme), "http") ||
-                                                             equal_names(path.substr(0, scheme), "https"));
+  const bool absolute = scheme != std::string_view::npos && (same_name(path.substr(0, scheme), "http") ||
+                                                             same_name(path.substr(0, scheme), "https"));
   if (absolute) {
     path.remove_prefix(scheme + 3);
     path.remove_prefix(std::min(path.find_first_of("/?"), path.size()));
@@ -104,14 +96,14 @@ std::string_view Request::query() const {
 
 const std::string* Request::field(std::string_view name) const {
   const auto found = std::find_if(fields.begin(), fields.end(),
-                                  [&](const Field& field) { return equal_names(field.name, name); });
+                                  [&](const Field& field) { return same_name(field.name, name); });
   return found == fields.end() ? nullptr : &found->value;
 }
 
 std::string Request::list(std::string_view name) const {
   std::string values;
   for (const Field& field : fields) {
-    if (!equal_names(field.name, name)) continue;
+    if (!same_name(field.name, name)) continue;
     if (!values.empty()) values += ", ";
     values += field.value;
   }
@@ -210,9 +202,10 @@ struct RequestParser::State {
     for (Field& field : request.fields) {
       if (!is_token(field.name)) return fail(kFieldName);
       if (!is_value(field.value)) return fail(kFieldValue);
-      trim(field.value);
-      if (equal_names(field.name, "Host")) ++hosts;
-      if (equal_names(field.name, "Expect")) return fail(kExpectation);
+      // http_parser drops the white space before it.
+      field.value.resize(protocol::trimmed(field.value).size());
+      if (same_name(field.name, "Host")) ++hosts;
+      if (same_name(field.name, "Expect")) return fail(kExpectation);
     }
     if (hosts > 1 || (hosts == 0 && parser.http_minor > 0)) return fail(kNoHost);
     const bool has_length = (parser.flags & F_CONTENTLENGTH) != 0 && parser.content_length > 0;
