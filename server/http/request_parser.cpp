@@ -27,6 +27,7 @@ constexpr RequestError kExpectation{417, "no request here has a body to continue
 constexpr RequestError kVersion{400, "only HTTP/1.0 and HTTP/1.1 are spoken here"};
 constexpr RequestError kNoHost{400, "an HTTP/1.1 request has exactly one Host field"};
 constexpr RequestError kBareLineFeed{400, "a line ends with LF alone instead of CR LF"};
+constexpr RequestError kFolded{400, "a header line begins with white space"};
 constexpr RequestError kFieldName{400, "a header field's name is no token"};
 constexpr RequestError kFieldValue{400, "a header field's value has a control character"};
 
@@ -153,16 +154,22 @@ struct RequestParser::State {
     request.fields.clear();
   }
 
-  /// Whether a line ends without CR. http_parser takes that, and a proxy in front may not: the two would see
-  /// other requests.
-  [[nodiscard]] bool has_bare_line_feed(std::string_view taken) {
-    bool bare = false;
-    for (std::size_t at = taken.find('\n'); at != std::string_view::npos && !bare;
+  /// Lines that http_parser takes, and a proxy in front may take otherwise: the two would see other requests.
+  /// A line may not end without CR; nor begin with white space, as if it continued the one before it (RFC
+  /// 9112, 5.2).
+  [[nodiscard]] std::optional<RequestError> wrong_line(std::string_view taken) {
+    std::optional<RequestError> wrong;
+    const auto is_space = [](char c) { return c == ' ' || c == '\t'; };
+    if (last == '\n' && !taken.empty() && is_space(taken.front())) wrong = kFolded;
+    for (std::size_t at = taken.find('\n'); at != std::string_view::npos && !wrong;
          at = taken.find('\n', at + 1)) {
-      bare = (at == 0 ? last : taken[at - 1]) != '\r';
+      if ((at == 0 ? last : taken[at - 1]) != '\r')
+        wrong = kBareLineFeed;
+      else if (at + 1 < taken.size() && is_space(taken[at + 1]))
+        wrong = kFolded;
     }
     if (!taken.empty()) last = taken.back();
-    return bare;
+    return wrong;
   }
 
   // Returned by callbacks: http_parser stops.
@@ -211,8 +218,10 @@ struct RequestParser::State {
     const bool has_length = (parser.flags & F_CONTENTLENGTH) != 0 && parser.content_length > 0;
     if (has_length || parser.uses_transfer_encoding != 0) return fail(kBody);
     request.method = method_of(parser.method);
-    request.keep_alive = http_should_keep_alive(&parser) != 0;
-    request.upgrade = parser.upgrade != 0;
+    // HTTP/1.0 has no upgrades (RFC 9110, 7.8). What follows the request may be meant for another protocol.
+    const bool asks = parser.upgrade != 0;
+    request.upgrade = asks && parser.http_minor > 0;
+    request.keep_alive = http_should_keep_alive(&parser) != 0 && (!asks || request.upgrade);
     return 0;
   }
 
@@ -272,7 +281,8 @@ tl::expected<std::size_t, RequestError> RequestParser::feed(std::span<const std:
   }
   const std::size_t taken = http_parser_execute(&state.parser, &State::settings(), text.data(), text.size());
   state.head_bytes += taken;
-  if (state.has_bare_line_feed(text.substr(0, taken)) && !state.error) state.error = kBareLineFeed;
+  const auto wrong = state.wrong_line(text.substr(0, taken));
+  if (!state.error) state.error = wrong;
   if (state.error) return tl::make_unexpected(*state.error);
   if (!state.whole) {
     if (HTTP_PARSER_ERRNO(&state.parser) == HPE_HEADER_OVERFLOW)

@@ -325,6 +325,22 @@ TEST_CASE("the world is described, and its description has a tag") {
   CHECK(site.ask("/v1/world", "If-None-Match: " + answer.field("ETag") + "\r\n").status == 304);
 }
 
+TEST_CASE("a stream that is asked for in HTTP/1.0 is none: 426, and the connection closes") {
+  Site site;
+  const auto client = site.connect();
+  client->send(
+      "GET /v1/stream HTTP/1.0\r\nHost: a\r\nConnection: Upgrade, keep-alive\r\nUpgrade: websocket\r\n"
+      "Sec-WebSocket-Version: 13\r\nSec-WebSocket-Key: dGhlIHNhbXBsZSBub25jZQ==\r\n\r\n"
+      "GET /v1/world HTTP/1.1\r\nHost: a\r\n\r\n");
+  site.io.poll();
+  const auto all = answers_in(client->text());
+  REQUIRE(all.size() == 1);
+  CHECK(all[0].status == 426);
+  CHECK(all[0].field("Connection") == "Upgrade, close");
+  CHECK(all[0].field("Upgrade") == "websocket");
+  CHECK(client->shut);
+}
+
 TEST_CASE("where a token is needed, no cache keeps a chunk unless chunks are public") {
   const ScratchDirectory scratch;
   for (const bool chunks_are_public : {false, true}) {
