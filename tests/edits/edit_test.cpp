@@ -1,6 +1,8 @@
 // The bounds of an edit, and which voxels it touches.
 #include <talus/edits/edit.h>
 
+#include <algorithm>
+
 #include <catch2/catch.hpp>
 
 namespace talus::edits {
@@ -91,7 +93,7 @@ TEST_CASE("a paste touches what it writes, and lies in the world whole") {
   CHECK(refusal(edit).starts_with("paste: voxel x is 9223372036854775807;"));
 }
 
-TEST_CASE("touched chunks come in order, with the ranks of their voxels") {
+TEST_CASE("touched chunks come in order, and in each its voxels, once") {
   Edit edit;
   for (const VoxelPos voxel :
        {VoxelPos{40, 0, 0}, VoxelPos{-1, -1, -1}, VoxelPos{33, 2, 1}, VoxelPos{40, 0, 0}}) {
@@ -100,11 +102,20 @@ TEST_CASE("touched chunks come in order, with the ranks of their voxels") {
   const auto touched = touched_voxels(edit).value();
   REQUIRE(touched.size() == 2);
   CHECK(touched[0].chunk == ChunkCoord{-1, -1, -1});
-  CHECK(touched[0].voxels.contains(32767));
+  CHECK(touched[0].voxels == std::vector<std::uint16_t>{32767});
   CHECK(touched[1].chunk == ChunkCoord{1, 0, 0});
-  CHECK(touched[1].voxels.size() == 2);
-  CHECK(touched[1].voxels.rank(8) == 0);
-  CHECK(touched[1].voxels.rank((2 * 32 + 1) * 32 + 1) == 1);
+  CHECK(touched[1].voxels == std::vector<std::uint16_t>{8, (2 * 32 + 1) * 32 + 1});
+}
+
+TEST_CASE("boxes that overlap touch each voxel once, in order, be they small or large") {
+  for (const std::int64_t size : {3, 20}) {
+    Edit edit = filling({5, 5, 5}, {4 + size, 4 + size, 4 + size});
+    edit.fills.push_back({{5, 4, 5}, {4 + size, 4 + size, 4 + size}, kStone, {}});
+    const auto touched = touched_voxels(edit).value();
+    REQUIRE(touched.size() == 1);
+    CHECK(touched[0].voxels.size() == static_cast<std::size_t>(size * (size + 1) * size));
+    CHECK(std::is_sorted(touched[0].voxels.begin(), touched[0].voxels.end()));
+  }
 }
 
 TEST_CASE("a world names the rows and materials that edits may use") {

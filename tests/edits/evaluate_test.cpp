@@ -82,7 +82,12 @@ TEST_CASE("filling as generated takes edits away, where `only` says so") {
   CHECK(first.changed == 1);
   CHECK(writes_of(first.chunks.at(0)) == std::vector<OverrideWrite>{{0, std::nullopt}});
   restore.fills[0].only = std::nullopt;
-  CHECK(outcome_of(restore, staging).changed == 2);
+  const Outcome second = outcome_of(restore, staging);
+  CHECK(second.changed == 2);
+  CHECK(staging.find({{0, 0, 0}, Lod{}}) != nullptr);
+  staging.stage(second);
+  CHECK(staging.find({{0, 0, 0}, Lod{}}) == nullptr);
+  CHECK(staging.hash() == StateHash{});
 }
 
 TEST_CASE("a base that lacks a touched voxel is an error that names it; nothing is generated in its place") {

@@ -62,10 +62,10 @@ BaseVoxels base_of(const Edit& edit) {
   const auto touched = touched_voxels(edit);
   for (const TouchedChunk& each : touched.value()) {
     const VoxelPos origin = chunk_origin(each.chunk);
-    each.voxels.for_each([&](std::uint16_t index) {
+    for (const std::uint16_t index : each.voxels) {
       const VoxelPos voxel = plus(origin, {index % 32, index / 1024, index / 32 % 32});
       base[each.chunk].push_back({index, base_at(voxel)});
-    });
+    }
   }
   return base;
 }

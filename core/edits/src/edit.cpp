@@ -1,6 +1,8 @@
 #include <talus/edits/edit.h>
 
 #include <algorithm>
+#include <bitset>
+#include <functional>
 #include <map>
 #include <string_view>
 #include <tuple>
@@ -69,33 +71,47 @@ tl::expected<std::size_t, EditError> count_voxels(const Edit& edit) {
   return count;
 }
 
-/// Sets of voxels by chunk. Neighbours are mostly in one chunk, so the last one is asked first.
+/// Puts indices in rising order, each once. Those of one box are so already; many others go through a bitmap.
+void put_in_order(std::vector<std::uint16_t>& indices) {
+  constexpr std::size_t kMany = 512;  // about what clearing and reading a bitmap costs
+  if (std::ranges::adjacent_find(indices, std::greater_equal{}) == indices.end()) return;
+  if (indices.size() < kMany) {
+    std::ranges::sort(indices);
+    indices.erase(std::ranges::unique(indices).begin(), indices.end());
+    return;
+  }
+  std::bitset<kChunkVolume> seen;
+  for (const std::uint16_t index : indices) seen.set(index);
+  indices.clear();
+  for (std::size_t index = 0; index < seen.size(); ++index) {
+    if (seen[index]) indices.push_back(static_cast<std::uint16_t>(index));
+  }
+}
+
+/// Voxels by chunk. Neighbours are mostly in one chunk, so the last one is asked first.
 class Touched {
  public:
   /// False once there are more than kMaxChunks.
   bool insert(VoxelPos voxel) {
     const ChunkCoord chunk = chunk_of(voxel);
-    if (last_ == nullptr || last_->first != chunk) {
-      if (chunks_.size() > kMaxChunks) return false;
-      last_ = &*chunks_.try_emplace(chunk).first;
-    }
-    last_->second.insert(index_of(voxel));
+    if (last_ == nullptr || last_->first != chunk) last_ = &*chunks_.try_emplace(chunk).first;
+    last_->second.push_back(index_of(voxel));
     return chunks_.size() <= kMaxChunks;
   }
 
   std::vector<TouchedChunk> take() {
     std::vector<TouchedChunk> all;
     all.reserve(chunks_.size());
-    for (auto& [chunk, voxels] : chunks_) {
-      voxels.count();
-      all.push_back({chunk, voxels});
+    for (auto& [chunk, indices] : chunks_) {
+      put_in_order(indices);
+      all.push_back({chunk, std::move(indices)});
     }
     return all;
   }
 
  private:
-  std::map<ChunkCoord, VoxelSet> chunks_;
-  std::pair<const ChunkCoord, VoxelSet>* last_ = nullptr;
+  std::map<ChunkCoord, std::vector<std::uint16_t>> chunks_;
+  std::pair<const ChunkCoord, std::vector<std::uint16_t>>* last_ = nullptr;
 };
 
 tl::expected<void, EditError> check_rows(const std::string& what, std::int64_t first, std::int64_t last,

@@ -17,7 +17,7 @@ class OverrideCursor {
   /// REQUIRES: `index` is not below that of the call before.
   std::optional<MaterialId> find(std::uint16_t index) {
     std::size_t step = 1;
-    while (step < left_.size() && left_[step].index <= index) step *= 2;
+    while (step < left_.size() && left_[step].index < index) step *= 2;
     const auto near = left_.first(std::min(step, left_.size()));
     const auto at = std::ranges::lower_bound(near, index, {}, &Override::index);
     left_ = left_.subspan(static_cast<std::size_t>(at - near.begin()));
@@ -29,35 +29,38 @@ class OverrideCursor {
   std::span<const Override> left_;
 };
 
-/// The voxels of an edit in one chunk, as they were and as they become; those of `set`, in its order.
+/// The voxels of an edit in one chunk, as they were and as they become, by rising index.
 struct StagedChunk {
   ChunkCoord chunk;
-  VoxelSet set;
   std::vector<VoxelChange> voxels;
+  std::size_t next = 0;  // behind the voxel that was asked for last: operations mostly ask for it
+
+  VoxelChange& at(std::uint16_t index) {
+    if (next == voxels.size() || voxels[next].index != index) {
+      const auto found = std::ranges::lower_bound(voxels, index, {}, &VoxelChange::index);
+      next = static_cast<std::size_t>(found - voxels.begin());
+    }
+    return voxels[next++];
+  }
 };
 
 tl::expected<StagedChunk, EditError> stage(const TouchedChunk& touched, const BaseVoxels& base,
                                            const OverrideSource& overrides) {
-  StagedChunk staged{touched.chunk, touched.voxels, {}};
+  StagedChunk staged{touched.chunk, {}};
   staged.voxels.reserve(touched.voxels.size());
   const auto generated = base.find(touched.chunk);
   const ChunkOverrides* const changed = overrides.find({touched.chunk, Lod{}});
   OverrideCursor of_base{generated == base.end() ? std::span<const Override>{} : generated->second};
   OverrideCursor of_edits{changed == nullptr ? std::span<const Override>{} : changed->voxels()};
-  std::optional<std::uint16_t> missing;
-  touched.voxels.for_each([&](std::uint16_t index) {
+  for (const std::uint16_t index : touched.voxels) {
     const auto material = of_base.find(index);
     if (!material) {
-      if (!missing) missing = index;
-      return;
+      return tl::unexpected{EditError{"chunk " + to_string(touched.chunk) + ": the base of voxel " +
+                                      std::to_string(index) +
+                                      " is missing; an entry must hold the base of every voxel it touches"}};
     }
     const MaterialId now = of_edits.find(index).value_or(*material);
     staged.voxels.push_back({index, now, now, *material});
-  });
-  if (missing) {
-    return tl::unexpected{EditError{"chunk " + to_string(touched.chunk) + ": the base of voxel " +
-                                    std::to_string(*missing) +
-                                    " is missing; an entry must hold the base of every voxel it touches"}};
   }
   return staged;
 }
@@ -73,7 +76,7 @@ class StagedVoxels {
     if (last_ == nullptr || last_->chunk != chunk) {
       last_ = &*std::ranges::lower_bound(chunks_, chunk, {}, &StagedChunk::chunk);
     }
-    return last_->voxels[last_->set.rank(index_of(voxel))];
+    return last_->at(index_of(voxel));
   }
 
  private:

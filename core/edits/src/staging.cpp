@@ -1,5 +1,6 @@
 #include <talus/edits/staging.h>
 
+#include <algorithm>
 #include <map>
 #include <utility>
 
@@ -21,8 +22,8 @@ void Staging::apply(const ChunkWrites& writes) {
 
 std::vector<ChunkWrites> Staging::stage(const Outcome& outcome) {
   std::vector<ChunkWrites> all;
-  // Several base chunks share a coarse one, each with voxels anywhere in it: there they are put in order.
-  std::map<ChunkKey, std::map<std::uint16_t, OverrideWrite>> coarse;
+  // Several base chunks share a coarse one, each with voxels anywhere in it.
+  std::map<ChunkKey, std::vector<OverrideWrite>> coarse;
   for (const ChunkChanges& changes : outcome.chunks) {
     for (const VoxelChange& voxel : changes.voxels) {
       if (voxel.before != voxel.base) hash_.remove(changes.chunk, {voxel.index, voxel.before});
@@ -30,13 +31,13 @@ std::vector<ChunkWrites> Staging::stage(const Outcome& outcome) {
     }
     all.push_back({{changes.chunk, Lod{}}, writes_of(changes)});
     for (const ChunkWrites& each : coarse_writes(changes.chunk, all.back().writes)) {
-      for (const OverrideWrite& write : each.writes) coarse[each.key].emplace(write.index, write);
+      auto& writes = coarse[each.key];
+      writes.insert(writes.end(), each.writes.begin(), each.writes.end());
     }
   }
-  for (const auto& [key, writes] : coarse) {
-    ChunkWrites of_chunk{key, {}};
-    for (const auto& [index, write] : writes) of_chunk.writes.push_back(write);
-    all.push_back(std::move(of_chunk));
+  for (auto& [key, writes] : coarse) {
+    std::ranges::sort(writes, {}, &OverrideWrite::index);
+    all.push_back({key, std::move(writes)});
   }
   for (const ChunkWrites& writes : all) apply(writes);
   return all;

@@ -11,7 +11,6 @@
 
 #include <tl/expected.hpp>
 
-#include <talus/edits/voxel_set.h>
 #include <talus/voxel/chunk.h>
 #include <talus/voxel/coords.h>
 
@@ -58,10 +57,10 @@ struct EditError {
   std::string message;
 };
 
-/// A chunk of level 0 and those of its voxels that an edit may write or guards. `voxels` is counted.
+/// A chunk of level 0 and those of its voxels that an edit may write or guards, by rising index, each once.
 struct TouchedChunk {
   ChunkCoord chunk;
-  VoxelSet voxels;
+  std::vector<std::uint16_t> voxels;
 };
 
 /// The voxels whose base materials evaluate() needs, by chunk, in the order of chunk coordinates; or an error
