@@ -77,7 +77,7 @@ void put_in_order(std::vector<std::uint16_t>& indices) {
   if (std::ranges::adjacent_find(indices, std::greater_equal{}) == indices.end()) return;
   if (indices.size() < kMany) {
     std::ranges::sort(indices);
-    indices.erase(std::ranges::unique(indices).begin(), indices.end());
+    indices.erase(std::unique(indices.begin(), indices.end()), indices.end());
     return;
   }
   std::bitset<kChunkVolume> seen;

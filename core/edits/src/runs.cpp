@@ -65,7 +65,7 @@ std::vector<MaterialId> materials_of(std::span<const Override> voxels) {
     if (materials.empty() || materials.back() != voxel.material) materials.push_back(voxel.material);
   }
   std::ranges::sort(materials);
-  materials.erase(std::ranges::unique(materials).begin(), materials.end());
+  materials.erase(std::unique(materials.begin(), materials.end()), materials.end());
   return materials;
 }
 
