@@ -1,6 +1,8 @@
 #include <talus/edits/chunk_overrides.h>
 
+#include <array>
 #include <map>
+#include <memory>
 
 #include <rapidcheck.h>
 #include <catch2/catch.hpp>

@@ -1,5 +1,7 @@
 #include <talus/edits/levels.h>
 
+#include <array>
+
 #include <rapidcheck.h>
 #include <catch2/catch.hpp>
 

@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <initializer_list>
 #include <map>
+#include <optional>
+#include <string_view>
+#include <vector>
 
 #include <rapidcheck.h>
 #include <catch2/catch.hpp>
