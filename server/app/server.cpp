@@ -29,6 +29,7 @@
 #include "net/refusal_reason.h"
 #include "rates/rate_kind.h"
 #include "session/retry_after.h"
+#include "web/error_answers.h"
 #include "web/web_connection.h"
 
 namespace talus::server {

@@ -39,8 +39,8 @@
 #include "net/tls_context.h"
 #include "rates/rates.h"
 #include "session/world_info.h"
-#include "web/player_handler.h"
 #include "web/site.h"
+#include "web/web_context.h"
 
 namespace talus::server {
 

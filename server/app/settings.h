@@ -20,7 +20,7 @@
 #include "net/session_runner.h"
 #include "rates/rates.h"
 #include "session/session_limits.h"
-#include "web/player_handler.h"
+#include "web/web_context.h"
 
 namespace talus::server {
 

@@ -10,8 +10,12 @@
 
 #include <http_parser.h>
 
+#include <talus/protocol/header_fields.h>
+
 namespace talus::server::http {
 namespace {
+
+using protocol::same_name;
 
 constexpr RequestError kMalformed{400, "this is not HTTP/1.1"};
 constexpr RequestError kTargetTooLong{414, "the request's target is too long"};
@@ -23,14 +27,9 @@ constexpr RequestError kExpectation{417, "no request here has a body to continue
 constexpr RequestError kVersion{400, "only HTTP/1.0 and HTTP/1.1 are spoken here"};
 constexpr RequestError kNoHost{400, "an HTTP/1.1 request has exactly one Host field"};
 constexpr RequestError kBareLineFeed{400, "a line ends with LF alone instead of CR LF"};
+constexpr RequestError kFolded{400, "a header line begins with white space"};
 constexpr RequestError kFieldName{400, "a header field's name is no token"};
 constexpr RequestError kFieldValue{400, "a header field's value has a control character"};
-
-bool equal_names(std::string_view a, std::string_view b) {
-  const auto lower = [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + ('a' - 'A')) : c; };
-  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
-                    [&](char left, char right) { return lower(left) == lower(right); });
-}
 
 // Debian's http_parser is compiled without its strict checks, and lets some of what follows pass.
 
@@ -49,12 +48,6 @@ bool is_value(std::string_view value) {
     const auto byte = static_cast<unsigned char>(c);
     return (byte < 0x20 && c != '\t') || byte == 0x7F;
   });
-}
-
-/// Without the white space at its end; http_parser drops that before it.
-void trim(std::string& value) {
-  const std::size_t last = value.find_last_not_of(" \t");
-  value.erase(last == std::string::npos ? 0 : last + 1);
 }
 
 constexpr std::string_view kGet = "GET ";
@@ -86,8 +79,8 @@ Method method_of(unsigned method) {
 std::string_view Request::path() const {
   std::string_view path{target};
   const std::size_t scheme = path.find("://");
-  const bool absolute = scheme != std::string_view::npos && (equal_names(path.substr(0, scheme), "http") ||
-                                                             equal_names(path.substr(0, scheme), "https"));
+  const bool absolute = scheme != std::string_view::npos && (same_name(path.substr(0, scheme), "http") ||
+                                                             same_name(path.substr(0, scheme), "https"));
   if (absolute) {
     path.remove_prefix(scheme + 3);
     path.remove_prefix(std::min(path.find_first_of("/?"), path.size()));
@@ -104,14 +97,14 @@ std::string_view Request::query() const {
 
 const std::string* Request::field(std::string_view name) const {
   const auto found = std::find_if(fields.begin(), fields.end(),
-                                  [&](const Field& field) { return equal_names(field.name, name); });
+                                  [&](const Field& field) { return same_name(field.name, name); });
   return found == fields.end() ? nullptr : &found->value;
 }
 
 std::string Request::list(std::string_view name) const {
   std::string values;
   for (const Field& field : fields) {
-    if (!equal_names(field.name, name)) continue;
+    if (!same_name(field.name, name)) continue;
     if (!values.empty()) values += ", ";
     values += field.value;
   }
@@ -161,16 +154,22 @@ struct RequestParser::State {
     request.fields.clear();
   }
 
-  /// Whether a line ends without CR. http_parser takes that, and a proxy in front may not: the two would see
-  /// other requests.
-  [[nodiscard]] bool has_bare_line_feed(std::string_view taken) {
-    bool bare = false;
-    for (std::size_t at = taken.find('\n'); at != std::string_view::npos && !bare;
+  /// Lines that http_parser takes, and a proxy in front may take otherwise: the two would see other requests.
+  /// A line may not end without CR; nor begin with white space, as if it continued the one before it (RFC
+  /// 9112, 5.2).
+  [[nodiscard]] std::optional<RequestError> wrong_line(std::string_view taken) {
+    std::optional<RequestError> wrong;
+    const auto is_space = [](char c) { return c == ' ' || c == '\t'; };
+    if (last == '\n' && !taken.empty() && is_space(taken.front())) wrong = kFolded;
+    for (std::size_t at = taken.find('\n'); at != std::string_view::npos && !wrong;
          at = taken.find('\n', at + 1)) {
-      bare = (at == 0 ? last : taken[at - 1]) != '\r';
+      if ((at == 0 ? last : taken[at - 1]) != '\r')
+        wrong = kBareLineFeed;
+      else if (at + 1 < taken.size() && is_space(taken[at + 1]))
+        wrong = kFolded;
     }
     if (!taken.empty()) last = taken.back();
-    return bare;
+    return wrong;
   }
 
   // Returned by callbacks: http_parser stops.
@@ -210,16 +209,19 @@ struct RequestParser::State {
     for (Field& field : request.fields) {
       if (!is_token(field.name)) return fail(kFieldName);
       if (!is_value(field.value)) return fail(kFieldValue);
-      trim(field.value);
-      if (equal_names(field.name, "Host")) ++hosts;
-      if (equal_names(field.name, "Expect")) return fail(kExpectation);
+      // http_parser drops the white space before it.
+      field.value.resize(protocol::trimmed(field.value).size());
+      if (same_name(field.name, "Host")) ++hosts;
+      if (same_name(field.name, "Expect")) return fail(kExpectation);
     }
     if (hosts > 1 || (hosts == 0 && parser.http_minor > 0)) return fail(kNoHost);
     const bool has_length = (parser.flags & F_CONTENTLENGTH) != 0 && parser.content_length > 0;
     if (has_length || parser.uses_transfer_encoding != 0) return fail(kBody);
     request.method = method_of(parser.method);
-    request.keep_alive = http_should_keep_alive(&parser) != 0;
-    request.upgrade = parser.upgrade != 0;
+    // HTTP/1.0 has no upgrades (RFC 9110, 7.8). What follows the request may be meant for another protocol.
+    const bool asks = parser.upgrade != 0;
+    request.upgrade = asks && parser.http_minor > 0;
+    request.keep_alive = http_should_keep_alive(&parser) != 0 && (!asks || request.upgrade);
     return 0;
   }
 
@@ -279,7 +281,8 @@ tl::expected<std::size_t, RequestError> RequestParser::feed(std::span<const std:
   }
   const std::size_t taken = http_parser_execute(&state.parser, &State::settings(), text.data(), text.size());
   state.head_bytes += taken;
-  if (state.has_bare_line_feed(text.substr(0, taken)) && !state.error) state.error = kBareLineFeed;
+  const auto wrong = state.wrong_line(text.substr(0, taken));
+  if (!state.error) state.error = wrong;
   if (state.error) return tl::make_unexpected(*state.error);
   if (!state.whole) {
     if (HTTP_PARSER_ERRNO(&state.parser) == HPE_HEADER_OVERFLOW)

@@ -1,13 +1,9 @@
 #include "web/forwarded_for.h"
 
+#include <talus/protocol/header_fields.h>
+
 namespace talus::server::web {
 namespace {
-
-std::string_view trimmed_address(std::string_view text) {
-  while (!text.empty() && (text.front() == ' ' || text.front() == '\t')) text.remove_prefix(1);
-  while (!text.empty() && (text.back() == ' ' || text.back() == '\t')) text.remove_suffix(1);
-  return text;
-}
 
 /// Some proxies add a port: 192.0.2.1:80, [2001:db8::1]:80.
 std::string_view without_port(std::string_view text) {
@@ -30,7 +26,7 @@ std::optional<asio::ip::address> forwarded_for(std::string_view list, const Netw
     const std::size_t begin = comma == std::string_view::npos ? 0 : comma + 1;
     std::error_code failed;
     const auto address =
-        asio::ip::make_address(std::string{without_port(trimmed_address(list.substr(begin)))}, failed);
+        asio::ip::make_address(std::string{without_port(protocol::trimmed(list.substr(begin)))}, failed);
     if (failed) return std::nullopt;
     if (!proxies.contain(address)) return address;
     list = list.substr(0, comma == std::string_view::npos ? 0 : comma);

@@ -10,6 +10,7 @@
 
 #include "http/connection.h"
 #include "net/session_runner_impl.h"
+#include "web/player_handler.h"
 #include "websocket/stream.h"
 
 namespace talus::server {
@@ -35,11 +36,12 @@ class WebPeer final : public Peer, public std::enable_shared_from_this<WebPeer<S
   }
   void access_changed() override {
     with_connection([](http::Connection<S>& connection, PlayerHandler& handler) {
-      if (handler.blocked()) connection.close();
+      if (handler.requester().blocked()) connection.close();
     });
   }
   void rates_changed() override {
-    with_connection([](http::Connection<S>&, PlayerHandler& handler) { handler.rates_changed(); });
+    with_connection(
+        [](http::Connection<S>&, PlayerHandler& handler) { handler.requester().rates_changed(); });
   }
 
  private:
@@ -62,11 +64,11 @@ void become_session(S stream, std::span<const std::byte> unread, PlayerHandler& 
   using WebSocket = websocket::WebSocketStream<S>;
   const RunnerContextPtr& runner_context = context.runner;
   runner_context->session.metrics.web_open.fall();
-  ConnectionInfo info = handler.session_info();
+  ConnectionInfo info = handler.requester().session_info();
   info.accepted = runner_context->session.clock.now();  // from here on Hello has its time
   const ConnectionId id = info.id;
   const auto runner = SessionRunner<WebSocket>::make(WebSocket{std::move(stream), unread}, std::move(info),
-                                                     handler.take_slot(), runner_context);
+                                                     handler.requester().take_slot(), runner_context);
   runner_context->registry.add(id, runner);
   runner->start();
 }
@@ -93,8 +95,8 @@ void start(S stream, const ConnectionInfo& info, Admission::Slot slot, const Web
   registry.add(info.id, peer);
   asio::post(executor, [connection, handler] {
     // What changed before the registry had it.
-    if (handler->blocked()) return connection->close();
-    handler->rates_changed();
+    if (handler->requester().blocked()) return connection->close();
+    handler->requester().rates_changed();
     connection->start();
   });
 }

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "net/accepted_connection.h"
-#include "web/player_handler.h"
+#include "web/web_context.h"
 
 namespace talus::server::web {
 

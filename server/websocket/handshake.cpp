@@ -4,6 +4,7 @@
 #include <cctype>
 #include <string>
 
+#include <talus/protocol/header_fields.h>
 #include <talus/websocket/handshake.h>
 
 namespace talus::server::websocket {
@@ -22,7 +23,7 @@ bool is_key(const std::string* key) {
 
 http::Response answer_handshake(const http::Request& request) {
   const std::string* const upgrade = request.field("Upgrade");
-  if (!request.upgrade || upgrade == nullptr || !talus::websocket::has_word(*upgrade, "websocket")) {
+  if (!request.upgrade || upgrade == nullptr || !protocol::has_word(*upgrade, "websocket")) {
     return {426,
             http::kPlainText,
             "this is a WebSocket; ask with Connection: Upgrade and Upgrade: websocket\n",

@@ -50,7 +50,8 @@ class WebSocketStream {
 
   [[nodiscard]] executor_type get_executor() { return state_->inner.get_executor(); }
 
-  /// Fails with an End where the client closes, or breaks the protocol.
+  /// Fails with an End where the client closes, or breaks the protocol: after it was told so by a Close,
+  /// which goes behind the frame that is being written.
   template <typename Buffers, typename Token>
   auto async_read_some(const Buffers& buffers, Token&& token) {
     return asio::async_compose<Token, void(std::error_code, std::size_t)>(
@@ -70,7 +71,7 @@ class WebSocketStream {
 
   [[nodiscard]] asio::awaitable<void> say_end() {
     const auto state = state_;
-    if (!state->close_sent) state->close_waits = CloseCode::normal;
+    if (!state->close_sent && !state->close_waits) state->close_waits = CloseCode::normal;
     for (state->write_control(state); state->writing; state->write_control(state)) {
       co_await state->wait_for_turn();
     }
@@ -78,6 +79,7 @@ class WebSocketStream {
   }
   void shutdown() { state_->inner.shutdown(); }
   void close() {
+    state_->broken = true;
     state_->inner.close();
     state_->turn.cancel();
   }
@@ -91,7 +93,9 @@ class WebSocketStream {
   // Operations hold it: one may end after the stream is gone.
   struct State {
     State(S stream, std::span<const std::byte> bytes)
-        : inner{std::move(stream)}, turn{inner.get_executor()}, unread(bytes.begin(), bytes.end()) {}
+        : inner{std::move(stream)},
+          turn{inner.get_executor(), asio::steady_timer::time_point::max()},
+          unread(bytes.begin(), bytes.end()) {}
 
     /// Sends the Pong and the Close that wait, where no frame is being written.
     static void write_control(const std::shared_ptr<State>& self) {
@@ -108,24 +112,34 @@ class WebSocketStream {
       asio::async_write(self->inner, asio::buffer(self->control),
                         [self](std::error_code failed, std::size_t) {
                           self->end_turn();
-                          if (!failed) write_control(self);
+                          if (failed) {
+                            self->broken = true;
+                          } else {
+                            write_control(self);
+                          }
                         });
+    }
+    /// Whether no Close is on its way.
+    [[nodiscard]] bool has_told_end() const { return broken || !(close_waits || (close_sent && writing)); }
+    [[nodiscard]] std::error_code end_of_writing() const {
+      if (reader.end() != End::none) return reader.end();
+      return asio::error::broken_pipe;
     }
     void end_turn() {
       writing = false;
       turn.cancel();
     }
     [[nodiscard]] asio::awaitable<void> wait_for_turn() {
-      turn.expires_at(asio::steady_timer::time_point::max());
       std::error_code cancelled;
       co_await turn.async_wait(asio::redirect_error(asio::use_awaitable, cancelled));
     }
 
     S inner;
-    asio::steady_timer turn;  // cancelled when a write ends
+    asio::steady_timer turn;  // never expires; cancelled when a write ends. Several may wait for it
     FrameReader reader{talus::websocket::Sender::client};
     std::vector<std::byte> unread;
     bool writing = false;
+    bool broken = false;  // nothing more can be written
     std::optional<CloseCode> close_waits;
     bool close_sent = false;
     std::vector<std::byte> control;  // in flight
@@ -141,12 +155,13 @@ class WebSocketStream {
   struct Read {
     StatePtr state;
     asio::mutable_buffer into;
-    bool began = false;
+    enum class Step : std::uint8_t { begin, read, end } step = Step::begin;
 
     template <typename Self>
     void operator()(Self& self, std::error_code failed = {}, std::size_t bytes = 0) {
+      if (step == Step::end) return end(self);
       if (failed) return self.complete(failed, 0);
-      if (!std::exchange(began, true)) {
+      if (std::exchange(step, Step::read) == Step::begin) {
         if (state->reader.end() == End::none && state->unread.empty()) {
           return state->inner.async_read_some(into, std::move(self));
         }
@@ -158,13 +173,21 @@ class WebSocketStream {
                             state->unread.begin() + static_cast<std::ptrdiff_t>(bytes));
       }
       const std::size_t payload = state->reader.take({static_cast<std::byte*>(into.data()), bytes});
-      const End end = state->reader.end();
-      if (end != End::none && !state->close_sent) state->close_waits = close_code(end);
+      const End why = state->reader.end();
+      if (why != End::none && !state->close_sent) state->close_waits = close_code(why);
       State::write_control(state);
       if (payload > 0) return self.complete({}, payload);
-      if (end != End::none) return self.complete(end, 0);
+      if (why != End::none) return end(self);
       if (!state->unread.empty()) return asio::post(state->inner.get_executor(), std::move(self));
       state->inner.async_read_some(into, std::move(self));
+    }
+
+    /// Who reads closes the stream after an end.
+    template <typename Self>
+    void end(Self& self) {
+      step = Step::end;
+      if (state->has_told_end()) return self.complete(state->reader.end(), 0);
+      state->turn.async_wait(std::move(self));
     }
   };
 
@@ -177,15 +200,11 @@ class WebSocketStream {
     template <typename Self>
     void operator()(Self& self, std::error_code failed = {}, std::size_t bytes = 0) {
       if (step != Step::write) {
-        if (step == Step::begin && state->close_sent) {
-          step = Step::wait;
-          return asio::post(state->inner.get_executor(), std::move(self));
-        }
-        if (state->close_sent) return self.complete(asio::error::broken_pipe, 0);
-        step = Step::wait;
-        if (state->writing) {
-          state->turn.expires_at(asio::steady_timer::time_point::max());
-          return state->turn.async_wait(std::move(self));
+        const bool begins = std::exchange(step, Step::wait) == Step::begin;
+        if (state->writing) return state->turn.async_wait(std::move(self));
+        if (state->close_sent) {
+          if (begins) return asio::post(state->inner.get_executor(), std::move(self));
+          return self.complete(state->end_of_writing(), 0);
         }
         state->writing = true;
         step = Step::write;
@@ -198,7 +217,11 @@ class WebSocketStream {
       state->frame_left -= bytes;
       if (!failed && bytes == 0 && state->frame_left > 0) return write(self);
       state->end_turn();
-      if (!failed) State::write_control(state);
+      if (failed) {
+        state->broken = true;
+      } else {
+        State::write_control(state);
+      }
       self.complete(failed, bytes);
     }
 

@@ -81,6 +81,8 @@ TEST_CASE("a WebSocket frame that cannot be right ends its connection, and no ot
            bytes_of({0x80, 0x81, 1, 2, 3, 4, 'x'}),     // continues nothing
            bytes_of({0x89, 0xFE, 0, 126, 1, 2, 3, 4}),  // a Ping of 126 bytes
            bytes_of({0x09, 0x80, 1, 2, 3, 4}),          // a Ping in pieces
+           bytes_of({0x82, 0xFE, 0, 1, 1, 2, 3, 4}),    // one byte, said in two
+           bytes_of({0x88, 0x81, 1, 2, 3, 4, 3}),       // a Close of one byte
        }) {
     RawClient bad = socket_of(bench.port);
     REQUIRE(bad.send(hello()));
@@ -115,10 +117,9 @@ TEST_CASE("a million empty fragments are nothing") {
     REQUIRE(bad.send_raw(begin));
     for (int i = 0; i < 10; ++i) REQUIRE(bad.send_raw(many));
     // The connection is still there, in the middle of a message: what comes now is a Hello.
-    Bytes last = bytes_of({0x80, 0xFE, 0, 0, 0, 0, 0, 0});
     const protocol::Frame whole = hello();
-    last[2] = static_cast<std::byte>(whole.size() >> 8);
-    last[3] = static_cast<std::byte>(whole.size());
+    REQUIRE(whole.size() < 126);
+    Bytes last = bytes_of({0x80, 0x80U | static_cast<unsigned>(whole.size()), 0, 0, 0, 0});
     last.insert(last.end(), whole.begin(), whole.end());
     REQUIRE(bad.send_raw(last));
     (void)bad.expect_kind<wire::Welcome>();

@@ -189,6 +189,30 @@ TEST_CASE("a line that ends with LF alone is a 400, however its bytes are cut") 
   }
 }
 
+TEST_CASE("a header line that continues the one before it is a 400, however its bytes are cut") {
+  for (const char* const fields : {"X: a\r\n b\r\n", "X: a\r\n\tb\r\n", "X:\r\n a\r\n", "X: a\r\n \r\n",
+                                   " X: a\r\n", "\tX: a\r\n", "Content-Length:\r\n 0\r\n"}) {
+    const std::string text = std::string{"GET / HTTP/1.1\r\nHost: a\r\n"} + fields + "\r\n";
+    INFO(text);
+    for (std::size_t piece = 1; piece <= text.size(); ++piece) CHECK(parse(text, piece).error == 400);
+  }
+  CHECK(error_of("GET / HTTP/1.1\r\n Host: a\r\n\r\n") == 400);
+  const Parsed spaces = parse("GET / HTTP/1.1\r\nHost: a\r\nX:  \t \r\nY: \t b\t \r\n\r\n");
+  REQUIRE(spaces.requests.size() == 1);
+  CHECK(spaces.requests.front().field("X")->empty());
+  CHECK(*spaces.requests.front().field("Y") == "b");
+}
+
+TEST_CASE("HTTP/1.0 asks for no other protocol, and nothing that follows is a request") {
+  const std::string fields = "Host: a\r\nConnection: Upgrade, keep-alive\r\nUpgrade: websocket\r\n\r\n";
+  const Request old = parse("GET / HTTP/1.0\r\n" + fields).requests.at(0);
+  CHECK_FALSE(old.upgrade);
+  CHECK_FALSE(old.keep_alive);
+  const Request now = parse("GET / HTTP/1.1\r\n" + fields).requests.at(0);
+  CHECK(now.upgrade);
+  CHECK(now.keep_alive);
+}
+
 TEST_CASE("a method that HTTP does not have is a 400, and one that it has is a request") {
   for (const char* const method : {"FETCH", "get", "G\xC3\x8BT", "GET\t", "PRI", ""})
     CHECK(error_of(std::string{method} + " / HTTP/1.1\r\nHost: a\r\n\r\n") == 400);

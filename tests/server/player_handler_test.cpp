@@ -283,6 +283,32 @@ TEST_CASE("a square holds its columns row by row") {
   CHECK(site.ask(kChunks + "/0/3/-2/2x2").status == 404);
 }
 
+TEST_CASE("what is over 4 MiB has to be asked for chunk by chunk, a column as a square") {
+  Site site;
+  site.source.rows = {0, 39, MaterialId{3}};
+  const auto fill = [&](std::size_t payload_bytes) {
+    for (std::int32_t x = 0; x < 2; ++x) {
+      for (std::int32_t z = 0; z < 2; ++z) {
+        for (std::int32_t y = -1; y <= 40; ++y)
+          site.source.in_memory[key_at(x, y, z)] = scripted_chunk(key_at(x, y, z), 0, payload_bytes);
+      }
+    }
+  };
+  const auto is_refused = [&](const std::string& path) {
+    const Answer answer = site.ask(kChunks + path);
+    if (answer.status == 200) return false;
+    CHECK(answer.status == 400);
+    CHECK(answer.code() == "too_large");
+    CHECK_THAT(answer.body, Catch::Contains("this is over 4 MiB; ask for its chunks one by one"));
+    return true;
+  };
+  fill((web::kMaxBodyBytes / 42) + 1);
+  CHECK(is_refused("/0/0/0"));
+  fill(web::kMaxBodyBytes / 42 - 100);  // a column is under it, two are not
+  CHECK_FALSE(is_refused("/0/0/0"));
+  CHECK(is_refused("/0/0/0/2x2"));
+}
+
 TEST_CASE("another world and another codec are named") {
   Site site;
   CHECK_THAT(site.ask("/v1/ffff/4/0/0/0/0").body, Catch::Contains("00000000000000020000000000000001"));
@@ -297,6 +323,22 @@ TEST_CASE("the world is described, and its description has a tag") {
   CHECK(world["fingerprint"] == "00000000000000020000000000000001");
   CHECK(world["looks"][0] == "meadow");
   CHECK(site.ask("/v1/world", "If-None-Match: " + answer.field("ETag") + "\r\n").status == 304);
+}
+
+TEST_CASE("a stream that is asked for in HTTP/1.0 is none: 426, and the connection closes") {
+  Site site;
+  const auto client = site.connect();
+  client->send(
+      "GET /v1/stream HTTP/1.0\r\nHost: a\r\nConnection: Upgrade, keep-alive\r\nUpgrade: websocket\r\n"
+      "Sec-WebSocket-Version: 13\r\nSec-WebSocket-Key: dGhlIHNhbXBsZSBub25jZQ==\r\n\r\n"
+      "GET /v1/world HTTP/1.1\r\nHost: a\r\n\r\n");
+  site.io.poll();
+  const auto all = answers_in(client->text());
+  REQUIRE(all.size() == 1);
+  CHECK(all[0].status == 426);
+  CHECK(all[0].field("Connection") == "Upgrade, close");
+  CHECK(all[0].field("Upgrade") == "websocket");
+  CHECK(client->shut);
 }
 
 TEST_CASE("where a token is needed, no cache keeps a chunk unless chunks are public") {

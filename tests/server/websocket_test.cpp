@@ -89,7 +89,13 @@ TEST_CASE("A client that breaks the protocol is told how") {
       {{0x82, 0xFF, 0x80, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0}, End::too_long},
       {{0x09, 0x80, 0, 0, 0, 0}, End::fragmented_control},
       {{0x89, 0xFE, 0, 126, 0, 0, 0, 0}, End::long_control},
+      {{0x82, 0xFE, 0, 125, 0, 0, 0, 0}, End::long_length},
+      {{0x82, 0xFE, 0, 0, 0, 0, 0, 0}, End::long_length},
+      {{0x82, 0xFF, 0, 0, 0, 0, 0, 0, 0xFF, 0xFF, 0, 0, 0, 0}, End::long_length},
+      {{0x89, 0xFE, 0, 5, 0, 0, 0, 0}, End::long_length},
       {{0x88, 0x81, 0, 0, 0, 0, 3}, End::malformed_close},
+      {{0x88, 0x82, 0, 0, 0, 0, 3, 237}, End::bad_close_code},
+      {{0x88, 0x83, 0, 0, 0, 0, 3, 232, 0xFF}, End::bad_close_reason},
       {{0x88, 0x80, 0, 0, 0, 0}, End::closed},
       {{0x88, 0x82, 0, 0, 0, 0, 3, 232, 1, 2, 3}, End::closed},
   }));
@@ -100,6 +106,49 @@ TEST_CASE("A client that breaks the protocol is told how") {
     CHECK(read(bytes, piece) == Read{"", "", end});
   }
   CHECK_FALSE(make_error_code(end).message().empty());
+}
+
+TEST_CASE("A length in the fewest bytes is taken, whatever it is") {
+  for (const std::size_t bytes : {125, 126, 0xFFFF, 0x10000}) {
+    Bytes input;
+    append_client_frame(input, 2, Bytes(bytes), 1);
+    const Read got = read(input, SIZE_MAX / 2);
+    CHECK(got.end == End::none);
+    CHECK(got.payload.size() == bytes);
+  }
+}
+
+TEST_CASE("A Close has a code that may be sent, and a reason in UTF-8") {
+  const auto end_of = [](int code, std::string_view reason) {
+    Bytes payload{static_cast<std::byte>(code >> 8), static_cast<std::byte>(code)};
+    for (const char c : reason) payload.push_back(static_cast<std::byte>(c));
+    Bytes input;
+    append_client_frame(input, 8, payload, 0x01020304);
+    return read(input, 1).end;
+  };
+  for (const int code : {1000, 1001, 1002, 1003, 1007, 1008, 1011, 1012, 1014, 3000, 3999, 4000, 4999}) {
+    INFO(code);
+    CHECK(end_of(code, "") == End::closed);
+  }
+  for (const int code : {0, 999, 1004, 1005, 1006, 1015, 1016, 1100, 2000, 2999, 5000, 65'535}) {
+    INFO(code);
+    CHECK(end_of(code, "") == End::bad_close_code);
+  }
+  using namespace std::string_view_literals;
+  for (const std::string_view reason : {"going home"sv, "bis sp\xC3\xA4ter"sv,
+                                        "\xE2\x82\xAC \xF0\x9F\x8C\x8D"sv, "a\0b"sv, "\xF4\x8F\xBF\xBF"sv}) {
+    CHECK(end_of(1000, reason) == End::closed);
+  }
+  // Cut, alone, too long for what they are, a surrogate, beyond the last code point, never in UTF-8.
+  for (const std::string_view reason :
+       {"a\xC3"sv, "\xE2\x82"sv, "\xA4"sv, "\xC0\x80"sv, "\xE0\x80\xAF"sv, "\xED\xA0\x80"sv,
+        "\xF4\x90\x80\x80"sv, "\xF8\x88\x80\x80\x80"sv, "\xFF"sv, "\xC3\0"sv}) {
+    CHECK(end_of(1000, reason) == End::bad_close_reason);
+  }
+  CHECK(close_code(End::bad_close_code) == talus::websocket::CloseCode::protocol_error);
+  CHECK(close_code(End::malformed_close) == talus::websocket::CloseCode::protocol_error);
+  CHECK(close_code(End::long_length) == talus::websocket::CloseCode::protocol_error);
+  CHECK(static_cast<int>(close_code(End::bad_close_reason)) == 1007);
 }
 
 TEST_CASE("The largest length is waited for, and takes no memory") {
@@ -204,6 +253,55 @@ TEST_CASE("A client's Close is answered, and ends the stream") {
   CHECK(read_server_frames(socket.client->received).close == 1000);
   const auto written = socket.write({"more"});
   CHECK_FALSE(*written);
+}
+
+TEST_CASE("A Close that comes while a frame is being written is answered behind it") {
+  const auto [payload, end, code] = GENERATE(table<Bytes, End, int>({
+      {Bytes{std::byte{3}, std::byte{232}}, End::closed, 1000},
+      {Bytes{std::byte{3}}, End::malformed_close, 1002},
+      {Bytes{std::byte{3}, std::byte{232}, std::byte{0xFF}}, End::bad_close_reason, 1007},
+  }));
+  Bytes input;
+  append_client_frame(input, 8, payload, 3);
+  for (const std::size_t each : {std::size_t{1}, std::size_t{3}, SIZE_MAX}) {
+    Socket socket;
+    socket.client->write_bytes = each;
+    socket.client->room = 4;
+    const auto first = socket.write({"some words"});
+    socket.send(input);
+    CHECK_FALSE(socket.ended);  // who reads would close the stream
+    CHECK_FALSE(*first);
+    socket.client->room = SIZE_MAX;
+    socket.client->changed();
+    socket.io.poll();
+    CHECK(*first);
+    CHECK(socket.ended == make_error_code(end));
+    const ServerFrames frames = read_server_frames(socket.client->received);
+    CHECK(frames.whole);
+    CHECK(frames.payload == "some words");
+    CHECK(frames.close == code);
+    CHECK_FALSE(*socket.write({"more"}));
+  }
+}
+
+TEST_CASE("Who waits to tell a client of its end waits no longer than the stream") {
+  Bytes input;
+  append_client_frame(input, 8, {}, 3);
+  for (const bool fails : {false, true}) {
+    Socket socket;
+    socket.client->room = 4;
+    (void)socket.write({"some words"});
+    socket.send(input);
+    CHECK_FALSE(socket.ended);
+    if (fails) {
+      socket.client->write_error = asio::error::connection_reset;
+      socket.client->changed();
+    } else {
+      socket.stream.close();
+    }
+    socket.io.poll();
+    CHECK(socket.ended == make_error_code(End::closed));
+  }
 }
 
 TEST_CASE("The server's own end is a Close, behind what is being written") {

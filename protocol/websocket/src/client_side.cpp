@@ -5,6 +5,8 @@
 #include <cstring>
 #include <utility>
 
+#include <talus/protocol/header_fields.h>
+
 #include "fields.h"
 
 namespace talus::websocket {
@@ -90,8 +92,8 @@ void ClientSide::check_answer() {
     std::from_chars(wait.data(), wait.data() + wait.size(), failure_->retry_after_seconds);
     return;
   }
-  if (!has_word(fields.value("Upgrade").value_or(""), "websocket") ||
-      !has_word(fields.value("Connection").value_or(""), "upgrade")) {
+  if (!protocol::has_word(fields.value("Upgrade").value_or(""), "websocket") ||
+      !protocol::has_word(fields.value("Connection").value_or(""), "upgrade")) {
     return fail(Failure::Kind::violation, "the server's 101 is for no WebSocket");
   }
   if (fields.value("Sec-WebSocket-Accept") != accept_) {

@@ -4,6 +4,8 @@
 #include <cstring>
 #include <string>
 
+#include "close_payload.h"
+
 namespace talus::websocket {
 namespace {
 
@@ -31,14 +33,22 @@ class Category final : public std::error_category {
                                 "a WebSocket frame's length is over 2^63 - 1",
                                 "a WebSocket control frame is fragmented",
                                 "a WebSocket control frame has more than 125 bytes",
-                                "a WebSocket Close frame has one byte"};
-    static_assert(kTexts.size() == static_cast<std::size_t>(End::malformed_close) + 1);
+                                "a WebSocket frame's length is in more bytes than it needs",
+                                "a WebSocket Close frame has one byte",
+                                "a WebSocket Close frame has a code that no end may send",
+                                "a WebSocket Close frame's reason is no UTF-8"};
+    static_assert(kTexts.size() == static_cast<std::size_t>(End::bad_close_reason) + 1);
     return kTexts.at(static_cast<std::size_t>(end));
   }
 };
 
 std::uint8_t length_of(std::byte second) {
   return std::to_integer<std::uint8_t>(second & kLength);
+}
+
+/// Section 5.2: the fewest bytes that hold it.
+bool is_minimal(std::uint8_t length, std::uint64_t bytes) {
+  return length < kLength16 || (length == kLength16 ? bytes >= kLength16 : bytes > 0xFFFF);
 }
 
 }  // namespace
@@ -50,6 +60,7 @@ std::error_code make_error_code(End end) {
 
 CloseCode close_code(End end) {
   if (end == End::text) return CloseCode::unsupported_data;
+  if (end == End::bad_close_reason) return CloseCode::invalid_payload;
   return end == End::none || end == End::closed ? CloseCode::normal : CloseCode::protocol_error;
 }
 
@@ -117,6 +128,7 @@ void FrameReader::begin_frame() {
   in_frame_ = true;
   if ((head_[0] & kReserved) != std::byte{0}) return void(end_ = End::reserved_bit);
   if (frame_bytes_ >> 63 != 0) return void(end_ = End::too_long);
+  if (!is_minimal(length_of(head_[1]), frame_bytes_)) return void(end_ = End::long_length);
   switch (opcode_) {
     case Opcode::continuation:
       if (!in_message_) return void(end_ = End::lone_continuation);
@@ -145,7 +157,7 @@ void FrameReader::end_frame() {
     ping_bytes_ = static_cast<std::size_t>(frame_bytes_);
     std::copy_n(control_.begin(), ping_bytes_, ping_.begin());
   } else if (opcode_ == Opcode::close) {
-    end_ = frame_bytes_ == 1 ? End::malformed_close : End::closed;
+    end_ = end_by_close(std::span{control_}.first(static_cast<std::size_t>(frame_bytes_)));
   }
 }
 

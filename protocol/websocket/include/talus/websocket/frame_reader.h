@@ -15,11 +15,12 @@
 
 namespace talus::websocket {
 
-/// Codes of a Close frame (section 7.4.1).
+/// Codes of the Close frames sent here (section 7.4.1).
 enum class CloseCode : std::uint16_t {
   normal = 1000,
   protocol_error = 1002,
   unsupported_data = 1003,
+  invalid_payload = 1007,
 };
 
 /// Why nothing more is read. As a std::error_code its message is one line.
@@ -36,7 +37,10 @@ enum class End : std::uint8_t {
   too_long,
   fragmented_control,
   long_control,
+  long_length,
   malformed_close,
+  bad_close_code,
+  bad_close_reason,
 };
 [[nodiscard]] std::error_code make_error_code(End end);
 /// With which code to close then.

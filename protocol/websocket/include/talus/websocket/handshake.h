@@ -17,7 +17,4 @@ inline constexpr std::size_t kNonceBytes = 16;
 /// The server's Sec-WebSocket-Accept for a key.
 [[nodiscard]] std::string accept_key(std::string_view key);
 
-/// Whether a list of words separated by commas has the word, in any case.
-[[nodiscard]] bool has_word(std::string_view list, std::string_view word);
-
 }  // namespace talus::websocket

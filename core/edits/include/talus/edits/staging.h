@@ -1,0 +1,43 @@
+// Edits that are evaluated but not yet stored: an overlay on the applied state. A batch is evaluated here,
+// edit upon edit, written, and only then made the state; if the write fails, the overlay is dropped and
+// nothing happened.
+#pragma once
+
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+#include <talus/edits/evaluate.h>
+#include <talus/edits/state_hash.h>
+
+namespace talus::edits {
+
+/// Of one thread. Holds a copy of each chunk that the batch changes.
+class Staging final : public OverrideSource {
+ public:
+  /// `applied` is the state under the batch, which must outlive this and stay as it is meanwhile; `hash` is
+  /// its S.
+  Staging(const OverrideSource& applied, StateHash hash) : applied_{applied}, hash_{hash} {}
+
+  /// The chunk after what was staged; null where it has no overrides (any more).
+  [[nodiscard]] const ChunkOverrides* find(ChunkKey chunk) const override;
+
+  /// Makes the changes of an outcome of evaluate() on this very staging, at level 0 and, by rule 1, at all
+  /// others. Returns the writes, which a store keeps and views are told of: each chunk of each level at most
+  /// once.
+  std::vector<ChunkWrites> stage(const Outcome& outcome);
+
+  [[nodiscard]] StateHash hash() const { return hash_; }
+  /// Every chunk that was staged, as it is now; empty where its last override went.
+  [[nodiscard]] const std::unordered_map<ChunkKey, ChunkOverrides>& chunks() const { return chunks_; }
+  [[nodiscard]] std::unordered_map<ChunkKey, ChunkOverrides> take() && { return std::move(chunks_); }
+
+ private:
+  void apply(const ChunkWrites& writes);
+
+  const OverrideSource& applied_;
+  StateHash hash_;
+  std::unordered_map<ChunkKey, ChunkOverrides> chunks_;
+};
+
+}  // namespace talus::edits

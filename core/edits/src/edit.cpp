@@ -1,0 +1,191 @@
+#include <talus/edits/edit.h>
+
+#include <algorithm>
+#include <bitset>
+#include <functional>
+#include <map>
+#include <string_view>
+#include <tuple>
+#include <utility>
+
+#include "visit.h"
+
+namespace talus::edits {
+namespace {
+
+using Refusal = tl::unexpected<EditError>;
+
+Refusal refused(std::string message) {
+  return Refusal{EditError{std::move(message)}};
+}
+
+std::string numbered(std::string_view what, std::size_t index) {
+  return std::string{what} + " " + std::to_string(index);
+}
+
+tl::expected<void, EditError> check_in_world(const std::string& what, VoxelPos voxel) {
+  const auto held = chunk_holding(voxel, Lod{});
+  if (!held) return refused(what + ": " + held.error().message);
+  return {};
+}
+
+/// The voxels of a box whose corners lie in the world; beyond kMaxVoxels only that they are more.
+tl::expected<std::size_t, EditError> volume(const std::string& what, const Fill& fill) {
+  std::size_t product = 1;
+  for (const auto& [axis, first, last] :
+       {std::tuple{'x', fill.first.x, fill.last.x}, std::tuple{'y', fill.first.y, fill.last.y},
+        std::tuple{'z', fill.first.z, fill.last.z}}) {
+    if (first > last) {
+      return refused(what + ": its first " + axis + " is " + std::to_string(first) + ", its last " +
+                     std::to_string(last) + "; the first must not be greater");
+    }
+    // Neither factor is above 2^17, so the product cannot wrap.
+    product *= std::min(static_cast<std::size_t>(last - first) + 1, kMaxVoxels + 1);
+    product = std::min(product, kMaxVoxels + 1);
+  }
+  return product;
+}
+
+/// Voxels that the edit names, each as often as it does, or an error where one lies outside the world.
+tl::expected<std::size_t, EditError> count_voxels(const Edit& edit) {
+  std::size_t count = edit.guards.size() + edit.writes.size();
+  for (const auto& [name, list] : {std::pair{"guard", &edit.guards}, std::pair{"write", &edit.writes}}) {
+    for (std::size_t i = 0; i < list->size(); ++i) {
+      if (auto in = check_in_world(numbered(name, i), (*list)[i].voxel); !in) return Refusal{in.error()};
+    }
+  }
+  for (std::size_t i = 0; i < edit.fills.size(); ++i) {
+    const std::string what = numbered("fill", i);
+    for (const VoxelPos corner : {edit.fills[i].first, edit.fills[i].last}) {
+      if (auto in = check_in_world(what, corner); !in) return Refusal{in.error()};
+    }
+    const auto voxels = volume(what, edit.fills[i]);
+    if (!voxels) return Refusal{voxels.error()};
+    count += *voxels;
+  }
+  if (edit.paste) {
+    if (auto in = check_in_world("paste", edit.paste->origin); !in) return Refusal{in.error()};
+    if (auto in = check_in_world("paste", last_of(*edit.paste)); !in) return Refusal{in.error()};
+    visit_paste(*edit.paste, [&](VoxelPos, MaterialId) { ++count; });
+  }
+  return count;
+}
+
+/// Puts indices in rising order, each once. Those of one box are so already; many others go through a bitmap.
+void put_in_order(std::vector<std::uint16_t>& indices) {
+  constexpr std::size_t kMany = 512;  // about what clearing and reading a bitmap costs
+  if (std::ranges::adjacent_find(indices, std::greater_equal{}) == indices.end()) return;
+  if (indices.size() < kMany) {
+    std::ranges::sort(indices);
+    indices.erase(std::unique(indices.begin(), indices.end()), indices.end());
+    return;
+  }
+  std::bitset<kChunkVolume> seen;
+  for (const std::uint16_t index : indices) seen.set(index);
+  indices.clear();
+  for (std::size_t index = 0; index < seen.size(); ++index) {
+    if (seen[index]) indices.push_back(static_cast<std::uint16_t>(index));
+  }
+}
+
+/// Voxels by chunk. Neighbours are mostly in one chunk, so the last one is asked first.
+class Touched {
+ public:
+  /// False once there are more than kMaxChunks.
+  bool insert(VoxelPos voxel) {
+    const ChunkCoord chunk = chunk_of(voxel);
+    if (last_ == nullptr || last_->first != chunk) last_ = &*chunks_.try_emplace(chunk).first;
+    last_->second.push_back(index_of(voxel));
+    return chunks_.size() <= kMaxChunks;
+  }
+
+  std::vector<TouchedChunk> take() {
+    std::vector<TouchedChunk> all;
+    all.reserve(chunks_.size());
+    for (auto& [chunk, indices] : chunks_) {
+      put_in_order(indices);
+      all.push_back({chunk, std::move(indices)});
+    }
+    return all;
+  }
+
+ private:
+  std::map<ChunkCoord, std::vector<std::uint16_t>> chunks_;
+  std::pair<const ChunkCoord, std::vector<std::uint16_t>>* last_ = nullptr;
+};
+
+tl::expected<void, EditError> check_rows(const std::string& what, std::int64_t first, std::int64_t last,
+                                         HeightRange rows) {
+  const std::int64_t lowest = rows.low - kRowMargin;
+  const std::int64_t highest = rows.high + kRowMargin;
+  if (first >= lowest && last <= highest) return {};
+  return refused(what + ": voxel y is " + std::to_string(first < lowest ? first : last) +
+                 "; in this world it must lie in " + std::to_string(lowest) + " to " +
+                 std::to_string(highest));
+}
+
+tl::expected<void, EditError> check_material(const std::string& what, MaterialId material,
+                                             std::span<const MaterialId> materials) {
+  if (std::ranges::binary_search(materials, material)) return {};
+  return refused(what + ": material " + std::to_string(to_integer(material)) +
+                 " is none of this world; it must be one that Welcome names");
+}
+
+}  // namespace
+
+tl::expected<std::vector<TouchedChunk>, EditError> touched_voxels(const Edit& edit) {
+  const auto count = count_voxels(edit);
+  if (!count) return Refusal{count.error()};
+  if (*count > kMaxVoxels) {
+    return refused("edit: it names more than " + std::to_string(kMaxVoxels) +
+                   " voxels; guards, writes, fills and paste must keep to that together");
+  }
+  Touched touched;
+  bool fits = true;
+  for (const auto* list : {&edit.guards, &edit.writes}) {
+    for (const VoxelWrite& each : *list) fits = fits && touched.insert(each.voxel);
+  }
+  for (const Fill& fill : edit.fills) {
+    visit_box(fill.first, fill.last, [&](VoxelPos voxel) { fits = fits && touched.insert(voxel); });
+  }
+  if (edit.paste) {
+    visit_paste(*edit.paste, [&](VoxelPos voxel, MaterialId) { fits = fits && touched.insert(voxel); });
+  }
+  if (!fits) {
+    return refused("edit: it reaches more than " + std::to_string(kMaxChunks) +
+                   " chunks; it must be divided into edits that keep to that");
+  }
+  return touched.take();
+}
+
+tl::expected<void, EditError> check(const Edit& edit, const EditRules& rules) {
+  tl::expected<void, EditError> good;
+  const auto voxel = [&](const std::string& what, const VoxelWrite& each) {
+    return check_rows(what, each.voxel.y, each.voxel.y, rules.rows).and_then([&] {
+      return check_material(what, each.material, rules.materials);
+    });
+  };
+  for (std::size_t i = 0; good && i < edit.guards.size(); ++i) {
+    good = voxel(numbered("guard", i), edit.guards[i]);
+  }
+  for (std::size_t i = 0; good && i < edit.writes.size(); ++i) {
+    good = voxel(numbered("write", i), edit.writes[i]);
+  }
+  for (std::size_t i = 0; good && i < edit.fills.size(); ++i) {
+    const Fill& fill = edit.fills[i];
+    const std::string what = numbered("fill", i);
+    good = check_rows(what, fill.first.y, fill.last.y, rules.rows);
+    for (const auto& material : {fill.material, fill.only}) {
+      if (good && material) good = check_material(what, *material, rules.materials);
+    }
+  }
+  if (good && edit.paste) {
+    good = check_rows("paste", edit.paste->origin.y, last_of(*edit.paste).y, rules.rows);
+    visit_paste(*edit.paste, [&](VoxelPos, MaterialId material) {
+      if (good) good = check_material("paste", material, rules.materials);
+    });
+  }
+  return good;
+}
+
+}  // namespace talus::edits

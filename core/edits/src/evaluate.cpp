@@ -1,0 +1,140 @@
+#include <talus/edits/evaluate.h>
+
+#include <algorithm>
+#include <string>
+#include <utility>
+
+#include "visit.h"
+
+namespace talus::edits {
+namespace {
+
+/// Finds voxels by rising index, by steps that double: cheap for neighbours, and for few voxels among many.
+class OverrideCursor {
+ public:
+  explicit OverrideCursor(std::span<const Override> voxels) : left_{voxels} {}
+
+  /// REQUIRES: `index` is not below that of the call before.
+  std::optional<MaterialId> find(std::uint16_t index) {
+    std::size_t step = 1;
+    while (step < left_.size() && left_[step].index < index) step *= 2;
+    const auto near = left_.first(std::min(step, left_.size()));
+    const auto at = std::ranges::lower_bound(near, index, {}, &Override::index);
+    left_ = left_.subspan(static_cast<std::size_t>(at - near.begin()));
+    if (left_.empty() || left_.front().index != index) return std::nullopt;
+    return left_.front().material;
+  }
+
+ private:
+  std::span<const Override> left_;
+};
+
+/// The voxels of an edit in one chunk, as they were and as they become, by rising index.
+struct StagedChunk {
+  ChunkCoord chunk;
+  std::vector<VoxelChange> voxels;
+  std::size_t next = 0;  // behind the voxel that was asked for last: operations mostly ask for it
+
+  VoxelChange& at(std::uint16_t index) {
+    if (next == voxels.size() || voxels[next].index != index) {
+      const auto found = std::ranges::lower_bound(voxels, index, {}, &VoxelChange::index);
+      next = static_cast<std::size_t>(found - voxels.begin());
+    }
+    return voxels[next++];
+  }
+};
+
+tl::expected<StagedChunk, EditError> stage(const TouchedChunk& touched, const BaseVoxels& base,
+                                           const OverrideSource& overrides) {
+  StagedChunk staged{touched.chunk, {}};
+  staged.voxels.reserve(touched.voxels.size());
+  const auto generated = base.find(touched.chunk);
+  const ChunkOverrides* const changed = overrides.find({touched.chunk, Lod{}});
+  OverrideCursor of_base{generated == base.end() ? std::span<const Override>{} : generated->second};
+  OverrideCursor of_edits{changed == nullptr ? std::span<const Override>{} : changed->voxels()};
+  for (const std::uint16_t index : touched.voxels) {
+    const auto material = of_base.find(index);
+    if (!material) {
+      return tl::unexpected{EditError{"chunk " + to_string(touched.chunk) + ": the base of voxel " +
+                                      std::to_string(index) +
+                                      " is missing; an entry must hold the base of every voxel it touches"}};
+    }
+    const MaterialId now = of_edits.find(index).value_or(*material);
+    staged.voxels.push_back({index, now, now, *material});
+  }
+  return staged;
+}
+
+/// The staged voxels of an edit by position. Neighbours are mostly in one chunk, so the last one is asked
+/// first.
+class StagedVoxels {
+ public:
+  explicit StagedVoxels(std::vector<StagedChunk>& chunks) : chunks_{chunks} {}
+
+  VoxelChange& at(VoxelPos voxel) {
+    const ChunkCoord chunk = chunk_of(voxel);
+    if (last_ == nullptr || last_->chunk != chunk) {
+      last_ = &*std::ranges::lower_bound(chunks_, chunk, {}, &StagedChunk::chunk);
+    }
+    return last_->at(index_of(voxel));
+  }
+
+ private:
+  std::vector<StagedChunk>& chunks_;
+  StagedChunk* last_ = nullptr;
+};
+
+void operate(const Edit& edit, StagedVoxels& staged) {
+  for (const VoxelWrite& write : edit.writes) staged.at(write.voxel).after = write.material;
+  for (const Fill& fill : edit.fills) {
+    visit_box(fill.first, fill.last, [&](VoxelPos at) {
+      VoxelChange& voxel = staged.at(at);
+      if (!fill.only || voxel.after == *fill.only) voxel.after = fill.material.value_or(voxel.base);
+    });
+  }
+  if (edit.paste) {
+    visit_paste(*edit.paste, [&](VoxelPos at, MaterialId material) { staged.at(at).after = material; });
+  }
+}
+
+}  // namespace
+
+std::vector<OverrideWrite> writes_of(const ChunkChanges& changes) {
+  std::vector<OverrideWrite> writes;
+  writes.reserve(changes.voxels.size());
+  for (const VoxelChange& voxel : changes.voxels) {
+    writes.push_back(OverrideWrite::of(voxel.index, voxel.after, voxel.base));
+  }
+  return writes;
+}
+
+tl::expected<Outcome, EditError> evaluate(const Edit& edit, const BaseVoxels& base,
+                                          const OverrideSource& overrides) {
+  const auto touched = touched_voxels(edit);
+  if (!touched) return tl::unexpected{touched.error()};
+  std::vector<StagedChunk> chunks;
+  chunks.reserve(touched->size());
+  for (const TouchedChunk& each : *touched) {
+    auto staged = stage(each, base, overrides);
+    if (!staged) return tl::unexpected{std::move(staged.error())};
+    chunks.push_back(std::move(*staged));
+  }
+
+  StagedVoxels voxels{chunks};
+  Outcome outcome;
+  for (std::size_t i = 0; i < edit.guards.size(); ++i) {
+    if (voxels.at(edit.guards[i].voxel).before == edit.guards[i].material) continue;
+    outcome.conflict = i;
+    return outcome;
+  }
+  operate(edit, voxels);
+  for (StagedChunk& each : chunks) {
+    std::erase_if(each.voxels, [](const VoxelChange& voxel) { return voxel.before == voxel.after; });
+    if (each.voxels.empty()) continue;
+    outcome.changed += each.voxels.size();
+    outcome.chunks.push_back({each.chunk, std::move(each.voxels)});
+  }
+  return outcome;
+}
+
+}  // namespace talus::edits

@@ -1,0 +1,47 @@
+// The voxels that the operations of an edit write, in order.
+#pragma once
+
+#include <cstddef>
+#include <memory>
+
+#include <talus/edits/edit.h>
+
+namespace talus::edits {
+
+/// Calls visit(voxel) for each voxel of a box, both corners included; y slowest, then z, then x.
+template <typename Visit>
+void visit_box(VoxelPos first, VoxelPos last, Visit&& visit) {
+  for (std::int64_t y = first.y; y <= last.y; ++y) {
+    for (std::int64_t z = first.z; z <= last.z; ++z) {
+      for (std::int64_t x = first.x; x <= last.x; ++x) visit(VoxelPos{x, y, z});
+    }
+  }
+}
+
+[[nodiscard]] inline VoxelPos last_of(const Paste& paste) {
+  return {paste.origin.x + kChunkSize - 1, paste.origin.y + kChunkSize - 1, paste.origin.z + kChunkSize - 1};
+}
+
+/// Calls visit(voxel, material) for each voxel that the paste writes.
+template <typename Visit>
+void visit_paste(const Paste& paste, Visit&& visit) {
+  const auto voxels = std::make_unique<DenseVoxels>();
+  paste.voxels.copy_to(*voxels);
+  std::size_t index = 0;  // in the order of visit_box
+  visit_box(paste.origin, last_of(paste), [&](VoxelPos voxel) {
+    const MaterialId material = (*voxels)[index++];
+    if (paste.with_air || material != kAir) visit(voxel, material);
+  });
+}
+
+/// The chunk of level 0 that holds `voxel`, which lies in the world, and the voxel's index there.
+[[nodiscard]] inline ChunkCoord chunk_of(VoxelPos voxel) {
+  return {static_cast<std::int32_t>(floor_div(voxel.x, kChunkSize)),
+          static_cast<std::int32_t>(floor_div(voxel.y, kChunkSize)),
+          static_cast<std::int32_t>(floor_div(voxel.z, kChunkSize))};
+}
+[[nodiscard]] inline std::uint16_t index_of(VoxelPos voxel) {
+  return static_cast<std::uint16_t>(voxel_index(local_pos(voxel)));
+}
+
+}  // namespace talus::edits

@@ -1,0 +1,60 @@
+#include "web/cache_fields.h"
+
+#include <utility>
+
+#include "web/entity_tag.h"
+
+namespace talus::server::web {
+namespace {
+
+constexpr std::string_view kImmutable = "public, max-age=31536000, immutable";
+constexpr std::string_view kPrivate = "private, no-store";
+
+}  // namespace
+
+std::string_view immutable_for(const Audience& audience) {
+  return audience.caches ? kImmutable : kPrivate;
+}
+
+std::string_view fresh_for(const Audience& audience) {
+  return audience.anybody ? http::kNoCache : kPrivate;
+}
+
+http::Response tagged(const http::Request& request, http::Response response) {
+  std::string tag = entity_tag(response.content());
+  return tagged(request, std::move(response), std::move(tag));
+}
+
+http::Response tagged(const http::Request& request, http::Response response, std::string tag) {
+  if (lists_tag(request.field("If-None-Match"), tag)) {
+    response.status = 304;
+    response.body.clear();
+    response.kept = {};
+  }
+  response.fields.reserve(3);  // with those of the origin
+  response.fields.push_back({"ETag", std::move(tag)});
+  return response;
+}
+
+bool is_strange_page(const http::Request& request, const AllowedOrigins& origins) {
+  const std::string* const origin = request.field("Origin");
+  const std::string* const host = request.field("Host");
+  return origin != nullptr && !origins.allow(*origin, host == nullptr ? std::string_view{} : *host);
+}
+
+void add_origin_fields(const http::Request& request, const Audience& audience, const AllowedOrigins& origins,
+                       http::Response& response) {
+  if (response.status == 101) return;
+  // What every cache may keep is the same for all: one copy, which any page may read.
+  if (audience.caches || origins.all()) {
+    response.fields.push_back({"Access-Control-Allow-Origin", "*"});
+    return;
+  }
+  const std::string* const origin = request.field("Origin");
+  if (origin != nullptr && !is_strange_page(request, origins)) {
+    response.fields.push_back({"Access-Control-Allow-Origin", *origin});
+  }
+  response.fields.push_back({"Vary", "Origin"});  // a cache must not show one origin the answer to another
+}
+
+}  // namespace talus::server::web

@@ -1,0 +1,62 @@
+#include "web/exchange.h"
+
+#include <chrono>
+#include <utility>
+
+namespace talus::server::web {
+namespace {
+
+constexpr std::chrono::seconds kMaxWait{20};
+// Chunks' clients are numbered from here, apart from connections.
+constexpr std::uint64_t kFirstFetch = std::uint64_t{1} << 63;
+
+}  // namespace
+
+Exchange::Exchange(const WebContext& context, Requester& requester, asio::any_io_executor executor)
+    : context_{context},
+      shared_{context.runner->session},
+      requester_{requester},
+      executor_{std::move(executor)},
+      memory_{shared_.memory, MemoryUse::sessions} {
+  hold(0);
+}
+
+void Exchange::begin(const http::Request& request) {
+  request_ = &request;
+  began_ = shared_.clock.now();
+  abandon();  // of a request that threw
+  fetch_.reset();
+  kept_.reset();
+  audience = {};
+  counted_ = false;
+}
+
+void Exchange::abandon() {
+  if (fetch_ != nullptr) fetch_->abandon();
+}
+
+Clock::time_point Exchange::deadline() const {
+  return began_ + kMaxWait;
+}
+
+Fetch& Exchange::start_fetch() {
+  fetch_ = std::make_shared<Fetch>(executor_, shared_.chunks, shared_.clock,
+                                   ClientId{kFirstFetch + ++context_.fetches}, requester_.flow());
+  return *fetch_;
+}
+
+http::Response Exchange::charged(std::size_t chunks, http::Response response) {
+  requester_.charge(chunks, request_->method == http::Method::head ? 0 : response.content().size());
+  counted_ = true;
+  shared_.metrics.chunks_sent.add(chunks);
+  shared_.metrics.chunk_bytes_sent.add(response.content().size());
+  return response;
+}
+
+http::Response Exchange::immutable(std::string body) const {
+  http::Response response{200, "application/octet-stream", std::move(body)};
+  response.cache_control = immutable_for(audience);
+  return tagged(*request_, std::move(response));
+}
+
+}  // namespace talus::server::web

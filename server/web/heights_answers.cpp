@@ -1,0 +1,64 @@
+#include "web/heights_answers.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <string>
+#include <utility>
+
+#include <fmt/format.h>
+#include <tl/expected.hpp>
+
+#include "chunks/heights_query.h"
+#include "log/escape.h"
+#include "session/heights_check.h"
+#include "web/documents.h"
+
+namespace talus::server::web {
+namespace {
+
+using wire::ErrorCode;
+
+/// What the route asks for; or which field the world does not have.
+tl::expected<HeightsQuery, std::string_view> query_of(const HeightsRoute& route, const WorldInfo& world) {
+  HeightsQuery query{route.columns, route.looks, {}};
+  for (const std::string_view name : route.fields) {
+    const auto found = std::find(world.fields.begin(), world.fields.end(), name);
+    if (found == world.fields.end()) return tl::make_unexpected(name);
+    query.fields.push_back(static_cast<std::uint8_t>(found - world.fields.begin()));
+  }
+  return query;
+}
+
+}  // namespace
+
+Answer answer_now(Exchange& exchange, const HeightsRoute& route) {
+  const SessionContext& shared = exchange.shared();
+  const auto query = query_of(route, shared.world);
+  if (!query) {
+    return error_response(400, ErrorCode::out_of_range,
+                          fmt::format("fields: this world has no '{}'; /v1/world lists them",
+                                      escaped(std::string{query.error()}, 40)));
+  }
+  if (route.columns.size() > shared.limits.heights_per_request) {
+    return error_response(400, ErrorCode::too_large,
+                          fmt::format("columns: at most {} at once", shared.limits.heights_per_request));
+  }
+  if (const auto checked = check_query(*query, shared.limits, shared.world.fields.size()); !checked) {
+    return error_response(400, checked.error().code, checked.error().text);
+  }
+  return std::nullopt;
+}
+
+asio::awaitable<http::Response> answer_later(Exchange& exchange, const HeightsRoute& route) {
+  constexpr std::size_t kColumnBytes = 64;
+  const SessionContext& shared = exchange.shared();
+  if (!shared.memory.takes_work()) co_return no_memory();
+  auto query = query_of(route, shared.world);
+  exchange.hold(route.columns.size() * (kColumnBytes + 2 * sizeof(float) * query->fields.size()));
+  const auto found = co_await exchange.start_fetch().heights(*std::move(query), exchange.deadline());
+  if (!found) co_return fetch_failed(found.error(), shared.memory);
+  if (route.npy) co_return http::Response{200, "application/octet-stream", heights_npy(route, *found)};
+  co_return http::Response{200, kJson, heights_document(shared.world, route, *found)};
+}
+
+}  // namespace talus::server::web

@@ -1,0 +1,17 @@
+// Heights by HTTP. Source: PROTOCOL.md, "HTTP".
+#pragma once
+
+#include <asio/awaitable.hpp>
+
+#include "http/response.h"
+#include "web/error_answers.h"
+#include "web/exchange.h"
+#include "web/routes.h"
+
+namespace talus::server::web {
+
+/// Only what is wrong.
+[[nodiscard]] Answer answer_now(Exchange& exchange, const HeightsRoute& route);
+[[nodiscard]] asio::awaitable<http::Response> answer_later(Exchange& exchange, const HeightsRoute& route);
+
+}  // namespace talus::server::web

@@ -1,0 +1,171 @@
+#include "web/requester.h"
+
+#include <algorithm>
+#include <string_view>
+#include <utility>
+
+#include "net/timed_event.h"
+#include "session/retry_after.h"
+#include "web/documents.h"
+#include "web/forwarded_for.h"
+
+namespace talus::server::web {
+namespace {
+
+using wire::ErrorCode;
+
+// A rate makes a request wait so long at most.
+constexpr std::chrono::seconds kMaxThrottle{5};
+
+std::string_view bearer_token(const http::Request& request) {
+  constexpr std::string_view kScheme = "Bearer ";
+  const std::string* const field = request.field("Authorization");
+  if (field == nullptr || !field->starts_with(kScheme)) return {};
+  return std::string_view{*field}.substr(kScheme.size());
+}
+
+}  // namespace
+
+Requester::Caller::Caller(Admission::Slot of, const WebContext& context)
+    : slot{std::move(of)},
+      rates{context.runner->session.rates.get(), slot.rates(),
+            context.runner->session.limits.requests_in_flight},
+      flow{flow_of(slot.counted(), context.runner->session.flows)} {}
+
+Requester::Requester(const WebContext& context, const ConnectionInfo& connection, Admission::Slot slot)
+    : context_{context}, shared_{context.runner->session}, connection_{connection} {
+  if (connection_.through_proxy) {
+    proxy_slot_.emplace(std::move(slot));
+  } else {
+    caller_.emplace(std::move(slot), context_);
+  }
+}
+
+Answer Requester::find(const http::Request& request) {
+  if (!connection_.through_proxy) return std::nullopt;
+  const auto address = forwarded_for(request.list("X-Forwarded-For"), context_.settings.proxies);
+  if (!address) {
+    return error_response(400, ErrorCode::malformed,
+                          "the proxy in front of this server names no client; it must set X-Forwarded-For");
+  }
+  if (shared_.access.meet(*address)) {
+    shared_.metrics.denied(AuthFailure::blocked).add();
+    http::Response blocked = error_response(403, ErrorCode::unauthorized, describe(AuthFailure::blocked));
+    blocked.last = true;
+    return blocked;
+  }
+  auto slot = context_.admission.enter(*address);
+  if (!slot) return error_response(503, ErrorCode::overloaded, slot.error(), retry_after::kServerFull);
+  caller_.emplace(*std::move(slot), context_);
+  return std::nullopt;
+}
+
+Answer Requester::check_rates(Clock::time_point now) {
+  if (const auto refusal = caller_->rates.refuse_request(now)) return refuse(*refusal);
+  // What is no chunk takes bytes too: a client that owes that many waits.
+  const SessionRates::Due due = caller_->rates.chunks_due(now);
+  if (due.at <= now + kMaxThrottle) return std::nullopt;
+  return over_rate(due.at - now);
+}
+
+Answer Requester::check_token(const http::Request& request, bool for_caches, Audience& audience) const {
+  if (for_caches && context_.settings.public_chunks) {
+    audience.caches = true;
+    return std::nullopt;
+  }
+  const auto open = shared_.access.admit({}, shared_.clock.wall());
+  audience.anybody = open && open->rights.has(Right::read);
+  audience.caches = for_caches && audience.anybody;
+  const std::string_view token = bearer_token(request);
+  if (audience.caches && token.empty()) return std::nullopt;
+  const auto grant = shared_.access.admit(token, shared_.clock.wall());
+  if (!grant) {
+    shared_.metrics.denied(grant.error().failure).add();
+    return error_response(401, ErrorCode::unauthorized, describe(grant.error().failure));
+  }
+  if (!grant->rights.has(Right::read)) {
+    return error_response(403, ErrorCode::forbidden, "this token does not permit to read");
+  }
+  return std::nullopt;
+}
+
+asio::awaitable<Answer> Requester::wait_for_rates(asio::any_io_executor executor) {
+  TimedEvent event{executor, shared_.clock};
+  const auto until = shared_.clock.now() + kMaxThrottle;
+  for (;;) {
+    if (!caller_) co_return fetch_failed(FetchError::gone, shared_.memory);
+    const auto now = shared_.clock.now();
+    const SessionRates::Due due = caller_->rates.chunks_due(now);
+    if (due.throttled) shared_.metrics.throttled(*due.throttled).add();
+    if (due.at <= now) break;
+    if (due.at > until) co_return over_rate(due.at - now);
+    co_await event.wait_until(due.at);
+  }
+  co_return std::nullopt;
+}
+
+http::Response Requester::over_rate(std::chrono::nanoseconds wait) const {
+  caller_->flow->add(FlowMeasure::refusals, 1);
+  return error_response(429, ErrorCode::overloaded,
+                        "this comes too fast for your rate; Retry-After says when there is room",
+                        std::chrono::ceil<std::chrono::milliseconds>(wait));
+}
+
+void Requester::charge(std::size_t chunks, std::size_t bytes) {
+  if (caller_) caller_->rates.sent(shared_.clock.now(), chunks, bytes);
+}
+
+void Requester::sent(std::size_t bytes) {
+  if (caller_) caller_->flow->add(FlowMeasure::sent, bytes);
+}
+
+void Requester::answered(int status) {
+  // The next request may be somebody else's; until then nobody has a place here.
+  if (connection_.through_proxy && status != 101) leave();
+}
+
+void Requester::end() {
+  leave();
+  proxy_slot_.reset();
+}
+
+void Requester::leave() {
+  if (caller_) caller_->rates.give_back();
+  caller_.reset();
+}
+
+bool Requester::blocked() const {
+  return caller_ && shared_.access.blocks(caller_->slot.address());
+}
+
+void Requester::rates_changed() {
+  if (caller_) caller_->rates.change(shared_.rates.get(), caller_->slot.rates(), shared_.clock.now());
+}
+
+Admission::Slot Requester::take_slot() {
+  Admission::Slot slot = std::move(caller_->slot);
+  caller_.reset();
+  return slot;
+}
+
+ConnectionInfo Requester::session_info() const {
+  ConnectionInfo info = connection_;
+  if (info.through_proxy && caller_) info.address = caller_->slot.address().to_string();
+  return info;
+}
+
+std::string Requester::address() const {
+  return caller_ ? caller_->slot.address().to_string() : connection_.address;
+}
+
+http::Response Requester::refuse(const SessionRates::Refusal& refusal) const {
+  shared_.metrics.throttled(refusal.kind).add();
+  caller_->flow->add(FlowMeasure::refusals, 1);
+  http::Response response = error_response(
+      429, ErrorCode::overloaded, "too many requests; Retry-After says when there is room",
+      std::max(std::chrono::milliseconds{1}, std::chrono::ceil<std::chrono::milliseconds>(refusal.wait)));
+  response.last = refusal.abusive && !connection_.through_proxy;
+  return response;
+}
+
+}  // namespace talus::server::web

@@ -1,0 +1,151 @@
+// The bounds of an edit, and which voxels it touches.
+#include <talus/edits/edit.h>
+
+#include <algorithm>
+
+#include <catch2/catch.hpp>
+
+namespace talus::edits {
+namespace {
+
+constexpr std::int64_t kWorldEnd = std::int64_t{1} << 36;
+constexpr MaterialId kStone{3};
+
+Edit filling(VoxelPos first, VoxelPos last) {
+  Edit edit;
+  edit.fills.push_back({first, last, kStone, {}});
+  return edit;
+}
+
+std::string refusal(const Edit& edit) {
+  const auto touched = touched_voxels(edit);
+  return touched ? "" : touched.error().message;
+}
+
+std::size_t touched_count(const Edit& edit) {
+  std::size_t count = 0;
+  const auto touched = touched_voxels(edit);
+  for (const TouchedChunk& each : touched.value()) count += each.voxels.size();
+  return count;
+}
+
+constexpr const char* kTooManyVoxels =
+    "edit: it names more than 65536 voxels; guards, writes, fills and paste must keep to that together";
+constexpr const char* kTooManyChunks =
+    "edit: it reaches more than 64 chunks; it must be divided into edits that keep to that";
+
+}  // namespace
+
+TEST_CASE("an edit names up to 65,536 voxels, guards with them") {
+  Edit edit = filling({0, 0, 0}, {63, 31, 31});
+  CHECK(touched_count(edit) == kMaxVoxels);
+  edit.guards.push_back({{0, 0, 0}, kStone});
+  CHECK(refusal(edit) == kTooManyVoxels);
+  CHECK(refusal(filling({0, 0, 0}, {64, 31, 31})) == kTooManyVoxels);
+}
+
+TEST_CASE("boxes whose volume wraps any integer are refused at once") {
+  CHECK(refusal(filling({-kWorldEnd, -kWorldEnd, -kWorldEnd},
+                        {kWorldEnd - 1, kWorldEnd - 1, kWorldEnd - 1})) == kTooManyVoxels);
+  Edit many = filling({0, 0, 0}, {63, 31, 31});
+  many.fills.resize(5000, many.fills.front());
+  CHECK(refusal(many) == kTooManyVoxels);
+}
+
+TEST_CASE("an edit reaches up to 64 chunks") {
+  CHECK(touched_voxels(filling({-5, 0, 0}, {-5 + 32 * 63, 0, 0})).value().size() == 64);
+  CHECK(refusal(filling({-5, 0, 0}, {-5 + 32 * 64, 0, 0})) == kTooManyChunks);
+  Edit edit;
+  for (int i = 0; i < 65; ++i) edit.writes.push_back({{i * 1000, 0, 0}, kStone});
+  CHECK(refusal(edit) == kTooManyChunks);
+  edit.writes.back() = edit.writes.front();
+  CHECK(touched_count(edit) == 64);
+}
+
+TEST_CASE("a box has its corners in order and in the world") {
+  CHECK(refusal(filling({0, 5, 0}, {0, 4, 0})) ==
+        "fill 0: its first y is 5, its last 4; the first must not be greater");
+  CHECK(refusal(filling({0, 0, kWorldEnd - 1}, {0, 0, kWorldEnd})) ==
+        "fill 0: voxel z is 68719476736; it must lie in -68719476736 to 68719476735 at level of detail 0");
+  CHECK(refusal(filling({INT64_MIN, 0, 0}, {INT64_MAX, 0, 0}))
+            .starts_with("fill 0: voxel x is -9223372036854775808;"));
+  Edit edit;
+  edit.writes.push_back({{0, 0, 0}, kStone});
+  edit.writes.push_back({{0, INT64_MAX, 0}, kStone});
+  CHECK(refusal(edit).starts_with("write 1: voxel y is 9223372036854775807;"));
+  edit.guards.push_back({{0, 0, INT64_MIN}, kStone});
+  CHECK(refusal(edit).starts_with("guard 0: voxel z is"));
+}
+
+TEST_CASE("a paste touches what it writes, and lies in the world whole") {
+  const std::vector<Override> two{{0, kStone}, {32767, kStone}};
+  Edit edit;
+  edit.paste = Paste{{1, 1, 1}, Chunk::uniform(kAir).with_overrides(two), false};
+  CHECK(touched_count(edit) == 2);
+  edit.paste->with_air = true;
+  CHECK(touched_count(edit) == 32768);
+  CHECK(touched_voxels(edit).value().size() == 8);
+  edit.paste->origin = {kWorldEnd - 32, 0, 0};
+  CHECK(refusal(edit).empty());
+  edit.paste->origin = {kWorldEnd - 31, 0, 0};
+  CHECK(refusal(edit).starts_with("paste: voxel x is 68719476736;"));
+  edit.paste->origin = {INT64_MAX, 0, 0};
+  CHECK(refusal(edit).starts_with("paste: voxel x is 9223372036854775807;"));
+}
+
+TEST_CASE("touched chunks come in order, and in each its voxels, once") {
+  Edit edit;
+  for (const VoxelPos voxel :
+       {VoxelPos{40, 0, 0}, VoxelPos{-1, -1, -1}, VoxelPos{33, 2, 1}, VoxelPos{40, 0, 0}}) {
+    edit.writes.push_back({voxel, kStone});
+  }
+  const auto touched = touched_voxels(edit).value();
+  REQUIRE(touched.size() == 2);
+  CHECK(touched[0].chunk == ChunkCoord{-1, -1, -1});
+  CHECK(touched[0].voxels == std::vector<std::uint16_t>{32767});
+  CHECK(touched[1].chunk == ChunkCoord{1, 0, 0});
+  CHECK(touched[1].voxels == std::vector<std::uint16_t>{8, (2 * 32 + 1) * 32 + 1});
+}
+
+TEST_CASE("boxes that overlap touch each voxel once, in order, be they small or large") {
+  for (const std::int64_t size : {3, 20}) {
+    Edit edit = filling({5, 5, 5}, {4 + size, 4 + size, 4 + size});
+    edit.fills.push_back({{5, 4, 5}, {4 + size, 4 + size, 4 + size}, kStone, {}});
+    const auto touched = touched_voxels(edit).value();
+    REQUIRE(touched.size() == 1);
+    CHECK(touched[0].voxels.size() == static_cast<std::size_t>(size * (size + 1) * size));
+    CHECK(std::is_sorted(touched[0].voxels.begin(), touched[0].voxels.end()));
+  }
+}
+
+TEST_CASE("a world names the rows and materials that edits may use") {
+  const std::vector<MaterialId> materials{kAir, kStone, MaterialId{300}};
+  const EditRules rules{{-10, 100}, materials};
+  const auto refused = [&](const Edit& edit) {
+    const auto checked = check(edit, rules);
+    return checked ? std::string{} : checked.error().message;
+  };
+  CHECK(refused(filling({0, -4106, 0}, {0, 4196, 0})).empty());
+  CHECK(refused(filling({0, -4107, 0}, {0, 0, 0})) ==
+        "fill 0: voxel y is -4107; in this world it must lie in -4106 to 4196");
+  CHECK(refused(filling({0, 0, 0}, {0, 4197, 0})) ==
+        "fill 0: voxel y is 4197; in this world it must lie in -4106 to 4196");
+  Edit edit = filling({0, 0, 0}, {0, 0, 0});
+  edit.fills[0].material = MaterialId{4};
+  CHECK(refused(edit) == "fill 0: material 4 is none of this world; it must be one that Welcome names");
+  edit.fills[0] = {{0, 0, 0}, {0, 0, 0}, {}, MaterialId{4}};
+  CHECK(refused(edit).starts_with("fill 0: material 4"));
+  edit.fills[0].only = MaterialId{300};
+  CHECK(refused(edit).empty());
+  edit.writes.push_back({{0, 0, 0}, MaterialId{301}});
+  CHECK(refused(edit).starts_with("write 0: material 301"));
+  edit.guards.push_back({{0, 5000, 0}, kStone});
+  CHECK(refused(edit).starts_with("guard 0: voxel y is 5000"));
+  Edit pasting;
+  pasting.paste = Paste{{0, 0, 0}, Chunk::uniform(MaterialId{9}), false};
+  CHECK(refused(pasting).starts_with("paste: material 9"));
+  pasting.paste = Paste{{0, 4166, 0}, Chunk::uniform(kStone), false};
+  CHECK(refused(pasting).starts_with("paste: voxel y is 4197"));
+}
+
+}  // namespace talus::edits
