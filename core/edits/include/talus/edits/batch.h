@@ -1,0 +1,108 @@
+// Entries of the log applied to a state, several at once: they are staged here, written by a store, and only
+// then made the state. Every node that applies the same entries comes to the same state and the same
+// answers, however they are cut into batches.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <talus/edits/editors.h>
+#include <talus/edits/evaluate.h>
+#include <talus/edits/levels.h>
+#include <talus/edits/staging.h>
+#include <talus/edits/state_hash.h>
+
+namespace talus::edits {
+
+/// Where a state stands.
+struct Head {
+  std::uint64_t position = 0;  // of the last entry of the log; every entry has one
+  std::uint64_t revision = 0;  // one more for each edit that changed something
+  std::int64_t time_ms = 0;    // since 1970, of the last batch; never falls
+  StateHash hash;
+  bool operator==(const Head&) const = default;
+};
+
+/// A connection that wants to edit as `editor`. Its epoch is one more than the editor's: of two that attach
+/// at once one comes too late.
+struct AttachEntry {
+  EditorId editor;
+  std::uint64_t epoch = 0;
+  std::string subject;
+};
+
+struct EditEntry {
+  EditorId editor;
+  std::uint64_t epoch = 0;
+  std::uint64_t sequence = 0;  // chosen by the client, rising; gaps are allowed
+  Edit edit;
+  BaseVoxels base;  // of all that it touches
+};
+
+/// What became of an entry.
+struct Applied {
+  enum class Kind : std::uint8_t {
+    attached,
+    superseded,    // of an attach: its epoch is not the next one
+    editors_full,  // of an attach: as many are not idle as there may be
+    done,          // an edit that happened; result says how much it changed
+    conflict,      // a guard does not hold; nothing happened
+    repeat,        // it happened before; result is that of then
+    not_applied,   // its sequence is behind, and its result is not kept: it did not happen, or long ago
+    expired,       // another connection has attached as its editor, or the editor is forgotten
+    invalid,       // it breaks a bound or lacks a base; no sound node logs such an entry
+  };
+  Kind kind = Kind::invalid;
+  EditorId editor;
+  std::uint64_t position = 0;
+  std::uint64_t revision = 0;         // of the state after it
+  EditResult result;                  // of done, conflict and repeat
+  std::vector<ChunkChanges> changes;  // of done: voxels of level 0
+  std::vector<ChunkWrites> writes;    // the same as writes, at all levels
+
+  /// Whether it made a revision.
+  [[nodiscard]] bool changed() const { return !changes.empty(); }
+};
+
+class Batch {
+ public:
+  /// Of a state that outlives this and stays as it is meanwhile. `now_ms` is the wall clock of the node that
+  /// logs: where that went back, the head's time counts.
+  Batch(const OverrideSource& overrides, const Editors& editors, const Head& head, std::int64_t now_ms);
+
+  /// Each takes the next position, whatever becomes of it. What is returned lives as long as this.
+  const Applied& apply(const AttachEntry& entry);
+  const Applied& apply(const EditEntry& entry);
+
+  /// Of the state after all of it.
+  [[nodiscard]] const Head& head() const { return head_; }
+  /// The editors that it touched as they are now; none: forgotten.
+  [[nodiscard]] const std::map<EditorId, std::optional<Editor>>& editors() const { return touched_; }
+  /// One for each entry, in order.
+  [[nodiscard]] const std::vector<Applied>& applied() const { return applied_; }
+  /// Every chunk that it changed, of any level, as it is now; empty where its last override went.
+  [[nodiscard]] const std::unordered_map<ChunkKey, ChunkOverrides>& chunks() const {
+    return staging_.chunks();
+  }
+  [[nodiscard]] std::unordered_map<ChunkKey, ChunkOverrides> take_chunks() && {
+    return std::move(staging_).take();
+  }
+
+ private:
+  [[nodiscard]] const Editor* find(EditorId id) const;
+  /// Forgets who was idle for too long.
+  void forget_idle();
+  Applied& begin(EditorId editor, Applied::Kind kind);
+
+  const Editors& editors_;
+  Head head_;
+  Staging staging_;
+  std::map<EditorId, std::optional<Editor>> touched_;
+  std::size_t count_ = 0;  // of editors
+  std::vector<Applied> applied_;
+};
+
+}  // namespace talus::edits

@@ -1,0 +1,84 @@
+// Who edits, and what became of what each sent last: by this an edit happens once, however often it is sent.
+#pragma once
+
+#include <compare>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace talus::edits {
+
+/// 128 random bits that a server made, and a secret: who knows them may go on with the edits of another
+/// connection, if its token has the same subject. 0 is nobody.
+struct EditorId {
+  std::uint64_t low = 0;
+  std::uint64_t high = 0;
+  constexpr auto operator<=>(const EditorId&) const = default;
+};
+
+/// Results kept of an editor, and so edits that it may have sent without an answer.
+inline constexpr std::size_t kKeptResults = 64;
+/// Editors of a world.
+inline constexpr std::size_t kMaxEditors = 65'536;
+/// An editor that was idle for so long, by the log's time, is forgotten.
+inline constexpr std::int64_t kEditorIdleMs = std::int64_t{24} * 60 * 60 * 1000;
+/// Bytes of a subject.
+inline constexpr std::size_t kMaxSubjectBytes = 256;
+
+/// What became of an edit.
+struct EditResult {
+  std::uint64_t sequence = 0;
+  std::uint64_t revision = 0;             // of the state after it; where nothing changed, that before it
+  std::uint32_t changed = 0;              // voxels of level 0
+  std::optional<std::uint32_t> conflict;  // the first guard that did not hold
+  bool operator==(const EditResult&) const = default;
+};
+
+struct Editor {
+  std::uint64_t epoch = 0;          // one more for each connection that attached
+  std::uint64_t last_sequence = 0;  // edits up to this one are decided
+  std::int64_t used_ms = 0;         // by the log's time
+  std::string subject;              // of the token; empty: of no token
+  std::vector<EditResult> results;  // the newest kKeptResults, by rising sequence
+  bool operator==(const Editor&) const = default;
+
+  void keep(const EditResult& result);
+  [[nodiscard]] const EditResult* result_of(std::uint64_t sequence) const;
+};
+
+/// All editors. For one thread.
+class Editors {
+ public:
+  [[nodiscard]] const Editor* find(EditorId id) const;
+  [[nodiscard]] std::size_t size() const { return editors_.size(); }
+  [[nodiscard]] const std::map<EditorId, Editor>& all() const { return editors_; }
+
+  void put(EditorId id, Editor editor);
+  void erase(EditorId id);
+
+  /// Calls visit(id) for editors by the time of their last use, the least recent first, those of one time by
+  /// their ids, until it returns false.
+  template <typename Visit>
+  void for_each_by_use(Visit&& visit) const {
+    for (const auto& [used_ms, id] : by_use_) {
+      if (!visit(id)) return;
+    }
+  }
+
+ private:
+  std::map<EditorId, Editor> editors_;
+  std::set<std::pair<std::int64_t, EditorId>> by_use_;
+};
+
+}  // namespace talus::edits
+
+template <>
+struct std::hash<talus::edits::EditorId> {
+  std::size_t operator()(talus::edits::EditorId id) const noexcept { return id.low; }  // random already
+};

@@ -1,0 +1,92 @@
+#include <talus/edits/batch.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace talus::edits {
+
+Batch::Batch(const OverrideSource& overrides, const Editors& editors, const Head& head, std::int64_t now_ms)
+    : editors_{editors}, head_{head}, staging_{overrides, head.hash}, count_{editors.size()} {
+  head_.time_ms = std::max(head.time_ms, now_ms);
+}
+
+const Editor* Batch::find(EditorId id) const {
+  const auto touched = touched_.find(id);
+  if (touched == touched_.end()) return editors_.find(id);
+  return touched->second ? &*touched->second : nullptr;
+}
+
+void Batch::forget_idle() {
+  editors_.for_each_by_use([this](EditorId id) {
+    if (touched_.contains(id)) return true;  // used by this batch, or forgotten
+    if (editors_.find(id)->used_ms > head_.time_ms - kEditorIdleMs) return false;
+    touched_.emplace(id, std::nullopt);
+    --count_;
+    return true;
+  });
+}
+
+Applied& Batch::begin(EditorId editor, Applied::Kind kind) {
+  ++head_.position;
+  Applied& applied = applied_.emplace_back();
+  applied.kind = kind;
+  applied.editor = editor;
+  applied.position = head_.position;
+  applied.revision = head_.revision;
+  return applied;
+}
+
+const Applied& Batch::apply(const AttachEntry& entry) {
+  using Kind = Applied::Kind;
+  forget_idle();
+  const Editor* const before = find(entry.editor);
+  if (entry.epoch != (before == nullptr ? 0 : before->epoch) + 1 ||
+      (before != nullptr && before->subject != entry.subject)) {
+    return begin(entry.editor, Kind::superseded);
+  }
+  if (before == nullptr && count_ >= kMaxEditors) return begin(entry.editor, Kind::editors_full);
+  Editor after = before == nullptr ? Editor{} : *before;
+  if (before == nullptr) {
+    after.subject = entry.subject;
+    ++count_;
+  }
+  after.epoch = entry.epoch;
+  after.used_ms = head_.time_ms;
+  touched_.insert_or_assign(entry.editor, std::move(after));
+  return begin(entry.editor, Kind::attached);
+}
+
+const Applied& Batch::apply(const EditEntry& entry) {
+  using Kind = Applied::Kind;
+  const Editor* const editor = find(entry.editor);
+  if (editor == nullptr || editor->epoch != entry.epoch) return begin(entry.editor, Kind::expired);
+  if (entry.sequence <= editor->last_sequence) {
+    const EditResult* const kept = editor->result_of(entry.sequence);
+    Applied& repeated = begin(entry.editor, kept == nullptr ? Kind::not_applied : Kind::repeat);
+    if (kept != nullptr) repeated.result = *kept;
+    return repeated;
+  }
+  auto outcome = evaluate(entry.edit, entry.base, staging_);
+  if (!outcome) return begin(entry.editor, Kind::invalid);
+
+  Applied& applied = begin(entry.editor, outcome->conflict ? Kind::conflict : Kind::done);
+  if (outcome->changed > 0) {
+    applied.writes = staging_.stage(*outcome);
+    head_.hash = staging_.hash();
+    applied.revision = ++head_.revision;
+  }
+  applied.result = {.sequence = entry.sequence,
+                    .revision = head_.revision,
+                    .changed = static_cast<std::uint32_t>(outcome->changed),
+                    .conflict = std::nullopt};
+  if (outcome->conflict) applied.result.conflict = static_cast<std::uint32_t>(*outcome->conflict);
+  applied.changes = std::move(outcome->chunks);
+
+  Editor after = *editor;
+  after.keep(applied.result);
+  after.used_ms = head_.time_ms;
+  touched_.insert_or_assign(entry.editor, std::move(after));
+  return applied;
+}
+
+}  // namespace talus::edits
