@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include <talus/edits/edit.h>
 #include <talus/map/tile_painting.h>
 #include <talus/protocol/limits.h>
 #include <talus/voxel/coords.h>
@@ -56,8 +57,16 @@ SessionLimits session_limits(const Config& config, const terrain::World& world,
 
 RateLimits rate_limits(const Rates& config) {
   const auto rate = [&](std::uint64_t per_second) { return Rate::with_burst_of(per_second, config.burst); };
-  return {{rate(config.session_chunks), rate(config.session_bytes), rate(config.session_requests)},
-          {rate(config.address_chunks), rate(config.address_bytes), rate(config.address_requests)},
+  // However short the pause, one edit may be as large as any.
+  const auto voxels = [&](std::uint64_t per_second) {
+    Rate of_voxels = rate(per_second);
+    if (of_voxels.limited()) of_voxels.burst = std::max<std::uint64_t>(of_voxels.burst, edits::kMaxVoxels);
+    return of_voxels;
+  };
+  return {{rate(config.session_chunks), rate(config.session_bytes), rate(config.session_requests),
+           voxels(config.session_voxels)},
+          {rate(config.address_chunks), rate(config.address_bytes), rate(config.address_requests),
+           voxels(config.address_voxels)},
           config.burst};
 }
 

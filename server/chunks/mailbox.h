@@ -1,4 +1,5 @@
-// What other threads tell a session: chunks, heights, and that the generators' queue has room again.
+// What other threads tell a session: chunks, heights, that the generators' queue has room again, and what
+// became of its edits.
 //
 // One mailbox a session. Generator threads put() answers and wake() the owner; the owner takes all that
 // waits at once. Waking a thread costs as much as generating many a chunk, so put() does not wake, and a
@@ -21,6 +22,7 @@
 
 #include <talus/voxel/coords.h>
 
+#include "chunks/edit_answers.h"
 #include "chunks/encoded_chunk.h"
 #include "chunks/heights_query.h"
 #include "flows/flow_use.h"
@@ -47,7 +49,7 @@ struct HeightsReady {
 };
 /// A submission was refused because the queue was full; it may be tried again.
 struct QueueHasRoom {};
-using Mail = std::variant<ChunkReady, HeightsReady, QueueHasRoom>;
+using Mail = std::variant<ChunkReady, HeightsReady, QueueHasRoom, AttachAnswer, EditAnswer>;
 
 class Mailbox {
  public:

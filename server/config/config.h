@@ -56,6 +56,8 @@ struct Rates {
   std::uint64_t address_chunks = 8192;
   std::uint64_t address_bytes = 16U << 20;
   std::uint64_t address_requests = 16'384;
+  std::uint64_t session_voxels = 65'536;
+  std::uint64_t address_voxels = 524'288;
   milliseconds burst{32'000};
   bool operator==(const Rates&) const = default;
 };

@@ -173,6 +173,11 @@ const std::array kFields{
     Field{"rates.address_requests", "requests per second",
           "requests accepted from all sessions of one address; 0: no limit",
           number<&Config::rates, &Rates::address_requests>(0, kMaxPerSecond)},
+    Field{"rates.session_voxels", "voxels per second", "voxels that edits of one session name; 0: no limit",
+          number<&Config::rates, &Rates::session_voxels>(0, kMaxPerSecond)},
+    Field{"rates.address_voxels", "voxels per second",
+          "voxels that edits of all sessions of one address name; 0: no limit",
+          number<&Config::rates, &Rates::address_voxels>(0, kMaxPerSecond)},
     Field{"rates.burst_ms", "ms", "how much of each rate an idle session or address saves up",
           duration<&Config::rates, &Rates::burst>(milliseconds{1}, milliseconds{600'000})},
 

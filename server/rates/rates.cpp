@@ -58,7 +58,8 @@ AddressBuckets::AddressBuckets(const AddressBuckets& before, const RateSet& to, 
     : rates{to},
       chunks{moved(before.chunks, before.rates.chunks, to.chunks, now)},
       bytes{moved(before.bytes, before.rates.bytes, to.bytes, now)},
-      requests{moved(before.requests, before.rates.requests, to.requests, now)} {}
+      requests{moved(before.requests, before.rates.requests, to.requests, now)},
+      voxels{moved(before.voxels, before.rates.voxels, to.voxels, now)} {}
 
 SessionRates::SessionRates(const RateLimits& limits, AddressBucketsPtr address,
                            std::uint32_t requests_in_flight)
@@ -73,6 +74,7 @@ void SessionRates::change(const RateLimits& limits, AddressBucketsPtr address, T
   chunks_ = chunks_.moved(before.chunks, limits.session.chunks, now);
   bytes_ = bytes_.moved(before.bytes, limits.session.bytes, now);
   requests_ = requests_.moved(before.requests, limits.session.requests, now);
+  voxels_ = voxels_.moved(before.voxels, limits.session.voxels, now);
   const Rate patience = patience_for(limits, requests_in_flight_);
   patience_ = patience_.moved(patience_rate_, patience, now);
   patience_rate_ = patience;
@@ -87,13 +89,32 @@ std::optional<SessionRates::Refusal> SessionRates::refuse_request(Time now) {
   return std::nullopt;
 }
 
+std::optional<SessionRates::Refusal> SessionRates::refuse_voxels(Time now, std::uint64_t voxels) {
+  const Rate& own = limits_.session.voxels;
+  if (own.limited() && voxels_.level(own, now) < static_cast<std::int64_t>(voxels)) {
+    return refuse_for(RateKind::session_voxels, now, voxels_.wait(own, now, voxels));
+  }
+  const Rate& shared = limits_.address.voxels;
+  if (address_ != nullptr && shared.limited() &&
+      !update(address_->voxels, [&](TokenBucket& all) { return all.take(shared, now, voxels); })) {
+    return refuse_for(RateKind::address_voxels, now,
+                      address_->voxels.load(std::memory_order_relaxed).wait(shared, now, voxels));
+  }
+  voxels_.spend(own, now, voxels);
+  return std::nullopt;
+}
+
 SessionRates::Refusal SessionRates::refuse(RateKind kind, Time now) {
+  return refuse_for(kind, now, wait(kind, now < room_at_ ? in_line_ + 1 : 1, now));
+}
+
+SessionRates::Refusal SessionRates::refuse_for(RateKind kind, Time now, nanoseconds wait) {
   if (now >= room_at_) {
     in_line_ = 0;
     patience_ = {};
   }
   ++in_line_;
-  room_at_ = std::max(room_at_, now + wait(kind, in_line_, now));
+  room_at_ = std::max(room_at_, now + wait);
   return {kind, room_at_ - now, !patience_.take(patience_rate_, now)};
 }
 

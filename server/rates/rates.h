@@ -15,9 +15,11 @@
 
 namespace talus::server {
 
-/// Requests count when they arrive, chunks and bytes (of all frames) when they are written.
+/// Requests, and voxels that edits name, count when they arrive, chunks and bytes (of all frames) when they
+/// are written.
 struct RateSet {
   Rate chunks, bytes, requests;
+  Rate voxels{};
   bool operator==(const RateSet&) const = default;
 };
 struct RateLimits {
@@ -54,7 +56,7 @@ struct AddressBuckets {
   AddressBuckets(const AddressBuckets& before, const RateSet& to, TokenBucket::Time now);
 
   const RateSet rates{};  // by which the buckets are used
-  std::atomic<TokenBucket> chunks{}, bytes{}, requests{};
+  std::atomic<TokenBucket> chunks{}, bytes{}, requests{}, voxels{};
 };
 using AddressBucketsPtr = std::shared_ptr<AddressBuckets>;
 
@@ -93,6 +95,9 @@ class SessionRates {
   /// Counts one request. None: it is granted.
   [[nodiscard]] std::optional<Refusal> refuse_request(Time now);
 
+  /// Counts an edit that names so many voxels, no more than a burst. None: it is granted.
+  [[nodiscard]] std::optional<Refusal> refuse_voxels(Time now, std::uint64_t voxels);
+
   struct Due {
     Time at;                              // when the next chunk may go; `now`: at once
     std::optional<RateKind> throttled{};  // where this call is the first to say "later"
@@ -117,6 +122,7 @@ class SessionRates {
   /// Takes a token for a request, or says which rate has none.
   [[nodiscard]] std::optional<RateKind> take_request(Time now);
   [[nodiscard]] Refusal refuse(RateKind kind, Time now);
+  [[nodiscard]] Refusal refuse_for(RateKind kind, Time now, std::chrono::nanoseconds wait);
   /// Until `in_line` requests have room by this rate.
   [[nodiscard]] std::chrono::nanoseconds wait(RateKind kind, std::uint64_t in_line, Time now) const;
 
@@ -126,7 +132,7 @@ class SessionRates {
 
   RateLimits limits_;
   AddressBucketsPtr address_;
-  TokenBucket chunks_, bytes_, requests_;
+  TokenBucket chunks_, bytes_, requests_, voxels_;
   std::optional<RateBatch> batch_;
 
   // Since the client was first refused. It ends when it is refused again although it waited.

@@ -1,6 +1,7 @@
 #include "session/delivery.h"
 
 #include <algorithm>
+#include <type_traits>
 #include <unordered_set>
 #include <utility>
 #include <variant>
@@ -66,11 +67,19 @@ std::size_t Delivery::drop_what_left_view() {
       [&](const Outbox::Entry& entry) { return entry.request_id == 0 && left(entry.key); });
 }
 
-void Delivery::take_mail() {
+void Delivery::take_mail(Editing& editing) {
   std::vector<Mail> mail = mailbox_->take();
   if (!mail.empty()) queue_full_ = false;  // an answer shows as well that the queue moves
   for (Mail& each : mail) {
-    std::visit([this](auto& letter) { receive(std::move(letter)); }, each);
+    std::visit(
+        [&]<typename Letter>(Letter& letter) {
+          if constexpr (std::is_same_v<Letter, AttachAnswer> || std::is_same_v<Letter, EditAnswer>) {
+            editing.receive(std::move(letter));
+          } else {
+            receive(std::move(letter));
+          }
+        },
+        each);
   }
 }
 

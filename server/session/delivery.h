@@ -16,6 +16,7 @@
 
 #include "chunks/mailbox.h"
 #include "session/chunk_waits.h"
+#include "session/editing.h"
 #include "session/pending_requests.h"
 #include "session/replies.h"
 #include "session/session_context.h"
@@ -77,7 +78,8 @@ class Delivery {
   void receive(HeightsReady&& mail);
   [[nodiscard]] bool has_lost_mail() const { return mailbox_->has_lost(); }
   void receive(QueueHasRoom) {}  // any mail ends queue_full_
-  void take_mail();
+  /// Of edits goes to `editing`.
+  void take_mail(Editing& editing);
 
   // ---- work
   /// Starts requests and chunks of the View until a bound is reached: of both the one that holds less, so

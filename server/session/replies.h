@@ -49,6 +49,12 @@ class Replies {
   void heights(std::uint32_t request_id, const HeightsFound& found) {
     outbox_.push_control(heights_frame(request_id, found));
   }
+  void attached(const EditorSession& editor, std::uint64_t voxels_per_second) {
+    outbox_.push_control(attached_frame(editor, voxels_per_second));
+  }
+  void edit_result(std::uint32_t request_id, const edits::EditResult& result) {
+    outbox_.push_control(edit_result_frame(request_id, result));
+  }
   void pong(std::uint64_t nonce) { outbox_.push_control(pong_frame(nonce)); }
   void go_away(std::string_view reason, std::chrono::milliseconds retry_after) {
     outbox_.push_control(go_away_frame(reason, retry_after));

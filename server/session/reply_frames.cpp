@@ -136,6 +136,23 @@ protocol::Frame heights_frame(std::uint32_t request_id, const HeightsFound& foun
   });
 }
 
+protocol::Frame attached_frame(const EditorSession& editor, std::uint64_t voxels_per_second) {
+  return protocol::make_frame([&](flatbuffers::FlatBufferBuilder& builder) {
+    const wire::Hash128 id{editor.editor.low, editor.editor.high};
+    const auto limits = wire::CreateEditLimits(
+        builder, static_cast<std::uint32_t>(edits::kMaxVoxels), static_cast<std::uint32_t>(edits::kMaxChunks),
+        static_cast<std::uint32_t>(edits::kKeptResults), voxels_per_second);
+    return wire::CreateAttached(builder, &id, editor.epoch, editor.last_sequence, editor.known,
+                                editor.revision, limits);
+  });
+}
+
+protocol::Frame edit_result_frame(std::uint32_t request_id, const edits::EditResult& result) {
+  return protocol::make_frame([&](flatbuffers::FlatBufferBuilder& builder) {
+    return wire::CreateEditResult(builder, request_id, result.revision, result.changed);
+  });
+}
+
 protocol::Frame pong_frame(std::uint64_t nonce) {
   return protocol::make_frame(
       [&](flatbuffers::FlatBufferBuilder& builder) { return wire::CreatePong(builder, nonce); });

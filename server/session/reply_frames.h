@@ -10,6 +10,7 @@
 #include <talus/protocol/message.h>
 #include <talus/voxel/coords.h>
 
+#include "chunks/edit_answers.h"
 #include "chunks/encoded_chunk.h"
 #include "chunks/heights_query.h"
 #include "rates/rates.h"
@@ -38,6 +39,8 @@ inline constexpr std::string_view kNoMemory = "this server's memory is all in us
 [[nodiscard]] protocol::Frame column_frame(ChunkKey column, const std::vector<wire::UniformRun>& runs);
 [[nodiscard]] protocol::Frame view_complete_frame(std::uint32_t number);
 [[nodiscard]] protocol::Frame heights_frame(std::uint32_t request_id, const HeightsFound& found);
+[[nodiscard]] protocol::Frame attached_frame(const EditorSession& editor, std::uint64_t voxels_per_second);
+[[nodiscard]] protocol::Frame edit_result_frame(std::uint32_t request_id, const edits::EditResult& result);
 [[nodiscard]] protocol::Frame pong_frame(std::uint64_t nonce);
 [[nodiscard]] protocol::Frame go_away_frame(std::string_view reason, std::chrono::milliseconds retry_after);
 

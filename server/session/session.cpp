@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "session/edit_check.h"
 #include "session/heights_check.h"
 #include "session/view_check.h"
 
@@ -22,12 +23,22 @@ RateLimits rates_of(const SessionContext& context, const AddressBucketsPtr& addr
   return limits;
 }
 
+/// Until it is answered: as it came, as it waits for its base, and as an entry of the log.
+std::size_t memory_of(const edits::Edit& edit) {
+  constexpr std::size_t kAnyEdit = 512;
+  std::size_t bytes = kAnyEdit + edit.fills.size() * sizeof(edits::Fill) +
+                      (edit.guards.size() + edit.writes.size()) * 3 * sizeof(edits::VoxelWrite);
+  if (edit.paste) bytes += sizeof(DenseVoxels);
+  return bytes;
+}
+
 }  // namespace
 
 Session::Session(const SessionContext& context, MailboxPtr mailbox, const AddressBucketsPtr& address)
     : context_{context},
       replies_{outbox_, context.metrics},
-      delivery_{context_, std::move(mailbox), replies_, outbox_, credit_},
+      delivery_{context_, mailbox, replies_, outbox_, credit_},
+      editing_{context.edits, std::move(mailbox), replies_},
       rates_{rates_of(context, address), address, context.limits.requests_in_flight},
       memory_{context.memory, MemoryUse::sessions} {}
 
@@ -63,6 +74,9 @@ void Session::receive(std::span<const std::byte> frame) {
       break;
     case wire::Body::Credit:
       on(*verified.body_as_Credit());
+      break;
+    case wire::Body::Attach:
+      on(*verified.body_as_Attach());
       break;
     case wire::Body::Edit:
       on(*verified.body_as_Edit());
@@ -118,7 +132,7 @@ void Session::rates_changed(const AddressBucketsPtr& address) {
 }
 
 void Session::take_mail() {
-  delivery_.take_mail();
+  delivery_.take_mail(editing_);
   close_if_served();
 }
 
@@ -144,6 +158,7 @@ void Session::go_away(std::string_view reason, std::chrono::milliseconds retry_a
 void Session::abandon() {
   state_ = State::closed;
   delivery_.abandon();
+  editing_.abandon();
   rates_.give_back();
 }
 
@@ -157,8 +172,9 @@ void Session::fail(ErrorCode code, std::string_view text, std::chrono::milliseco
 }
 
 void Session::close_if_served() {
-  if (state_ == State::leaving ? delivery_.requests().empty()
-                               : state_ == State::finishing && delivery_.served()) {
+  const bool served = state_ == State::leaving ? delivery_.requests().empty()
+                                               : state_ == State::finishing && delivery_.served();
+  if (served && editing_.served()) {
     state_ = State::closed;
   }
 }
@@ -287,7 +303,65 @@ void Session::on(const wire::Edit& edit) {
     return replies_.error(subject, ErrorCode::forbidden,
                           "this session has no right to edit; its token gives none");
   }
-  replies_.error(subject, ErrorCode::unsupported, "this server does not take edits yet");
+  if (!editing_.stored()) {
+    return replies_.error(subject, ErrorCode::unsupported,
+                          "this server stores no edits: it was started without a directory for data");
+  }
+  if (greeting_->protocol < protocol::kEditsProtocol) {
+    return replies_.error(subject, ErrorCode::unsupported, "edits need version 2 of the protocol");
+  }
+  if (!editing_.attached()) {
+    return replies_.error(subject, ErrorCode::expired, "an Attach must be answered before the first Edit");
+  }
+  if (state_ == State::leaving) return refuse_pending(edit.id());
+  if (editing_.unanswered() >= edits::kKeptResults) {
+    return replies_.error(subject, ErrorCode::too_many_requests,
+                          fmt::format("{} edits are not answered yet, the limit", editing_.unanswered()),
+                          retry_after::kBusy);
+  }
+  if (!context_.memory.takes_work()) {
+    return replies_.error(subject, ErrorCode::overloaded, kNoMemory, retry_after::kBusy);
+  }
+  auto checked = check_edit(edit);
+  if (!checked) {
+    const Rejection& rejection = checked.error();
+    if (rejection.code == ErrorCode::malformed) return fail(rejection.code, rejection.text);
+    return replies_.error(subject, rejection.code, rejection.text);
+  }
+  if (const auto refusal = rates_.refuse_voxels(received_at_, checked->voxels)) {
+    return say_refusal(subject, *refusal);
+  }
+  const std::size_t bytes = memory_of(checked->edit);
+  editing_.edit(edit.id(), edit.sequence(), std::move(checked->edit), bytes);
+}
+
+void Session::on(const wire::Attach& attach) {
+  const Subject subject = about_attach();
+  if (!within_rates(subject)) return;
+  if (greeting_->protocol < protocol::kEditsProtocol) {
+    return fail(ErrorCode::unexpected, "Attach is a message of version 2 of the protocol");
+  }
+  if (editing_.attaching()) return fail(ErrorCode::unexpected, "an Attach before the last was answered");
+  if (!greeting_->grant.rights.has(Right::edit)) {
+    return replies_.error(subject, ErrorCode::forbidden,
+                          "this session has no right to edit; its token gives none");
+  }
+  if (!editing_.stored()) {
+    return replies_.error(subject, ErrorCode::unsupported,
+                          "this server stores no edits: it was started without a directory for data");
+  }
+  if (state_ == State::leaving) {
+    return replies_.error(subject, ErrorCode::overloaded, "this server is about to end",
+                          retry_after::kLeaving);
+  }
+  if (greeting_->grant.subject.size() > edits::kMaxSubjectBytes) {
+    return replies_.error(subject, ErrorCode::forbidden,
+                          fmt::format("the token's subject has {} bytes; who edits may have one of {}",
+                                      greeting_->grant.subject.size(), edits::kMaxSubjectBytes));
+  }
+  AttachRequest request{{}, greeting_->grant.subject, attach.seen_revision()};
+  if (attach.editor() != nullptr) request.editor = {attach.editor()->low(), attach.editor()->high()};
+  editing_.attach(std::move(request), rates_.limits().session.voxels.per_second);
 }
 
 void Session::on(const wire::Ping& ping) {
@@ -308,7 +382,7 @@ void Session::say_refusal(const Subject& subject, const SessionRates::Refusal& r
 }
 
 bool Session::admit_id(std::uint32_t id, bool repeated) {
-  repeated = repeated || delivery_.requests().contains(id);
+  repeated = repeated || delivery_.requests().contains(id) || editing_.contains(id);
   const Subject subject = repeated ? about_repeated(id) : about_request(id);
   if (!within_rates(subject)) return false;
   if (repeated) {
@@ -371,7 +445,7 @@ void Session::written() {
 
 void Session::note_memory() {
   memory_.hold(kIdleBytes + writing_bytes_ + input_bytes_ + queued_bytes() + outbox_.chunk_bytes() +
-               delivery_.bytes() + view_bytes_to_come());
+               delivery_.bytes() + editing_.bytes() + view_bytes_to_come());
 }
 
 std::size_t Session::view_bytes_to_come() const {

@@ -30,6 +30,7 @@
 #include "memory/memory_reservation.h"
 #include "rates/rates.h"
 #include "session/delivery.h"
+#include "session/editing.h"
 #include "session/handshake.h"
 #include "session/id_map.h"
 #include "session/replies.h"
@@ -137,6 +138,7 @@ class Session {
   void on(const wire::Cancel& cancel);
   void on(const wire::GetHeights& get);
   void on(const wire::Credit& credit);
+  void on(const wire::Attach& attach);
   void on(const wire::Edit& edit);
   void on(const wire::Ping& ping);
 
@@ -174,6 +176,7 @@ class Session {
   Outbox outbox_;
   Replies replies_;
   Delivery delivery_;
+  Editing editing_;
   SessionRates rates_;
   MemoryReservation memory_;
   Clock::time_point received_at_{};  // the message that is handled

@@ -4,6 +4,7 @@
 #include "access/access_control.h"
 #include "chunks/chunk_source.h"
 #include "clock/clock.h"
+#include "edits/edit_taker.h"
 #include "flows/flow_uses.h"
 #include "memory/memory_budget.h"
 #include "metrics/metrics.h"
@@ -24,6 +25,7 @@ struct SessionContext {
   const CurrentRates& rates;
   FlowUses& flows;
   const Clock& clock;
+  EditTaker* edits = nullptr;  // null: nothing is stored
 };
 
 }  // namespace talus::server

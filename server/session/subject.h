@@ -27,6 +27,9 @@ struct Subject {
 [[nodiscard]] inline Subject about_view_chunk(std::uint32_t number, ChunkKey chunk) {
   return {wire::ErrorAbout::view_chunk, number, chunk};
 }
+[[nodiscard]] inline Subject about_attach() {
+  return {wire::ErrorAbout::attach};
+}
 [[nodiscard]] inline Subject about_ping() {
   return {wire::ErrorAbout::ping};
 }

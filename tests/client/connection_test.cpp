@@ -38,7 +38,7 @@ TEST_CASE("a client says Hello with its versions, codecs, token and window") {
         const auto* hello = (co_await peer.receive())->body_as_Hello();
         REQUIRE(hello != nullptr);
         CHECK(hello->protocol_min() == 1);
-        CHECK(hello->protocol_max() == 1);
+        CHECK(hello->protocol_max() == protocol::kProtocolVersion);
         CHECK(hello->codecs()->size() == kCodecVersion - kOldestCodecVersion + 1U);
         CHECK(hello->codecs()->Get(0) == kCodecVersion);
         CHECK(hello->codecs()->Get(hello->codecs()->size() - 1) == kOldestCodecVersion);

@@ -65,14 +65,21 @@ Frame error() {
 
 Frame edit() {
   return make_frame([](auto& b) {
-    return wire::CreateEdit(b, 11, b.CreateVectorOfStructs(kWrites.data(), kWrites.size()));
+    const auto writes = b.CreateVectorOfStructs(kWrites.data(), kWrites.size());
+    const auto guards = b.CreateVectorOfStructs(kWrites.data(), 1);
+    const std::array fills{wire::Fill{{-1, 2, -3}, {4, 5, 6}, 3, 0, 1}};
+    const auto fill_vector = b.CreateVectorOfStructs(fills.data(), fills.size());
+    const auto payload = b.CreateVector(std::vector<std::uint8_t>{4, 0, 1});
+    const auto paste = wire::CreatePaste(b, &kVoxel, payload, true);
+    return wire::CreateEdit(b, 11, writes, 21, guards, fill_vector, paste);
   });
 }
 
 Frame edit_broadcast() {
   return make_frame([](auto& b) {
-    const auto writes = b.CreateVectorOfStructs(kWrites.data(), kWrites.size());
-    return wire::CreateEditBroadcast(b, &kKey, 13, 12, writes);
+    // Voxels 5 to 7 of material 3, and 8 and 40 of material 300.
+    const std::vector<std::uint8_t> runs{2, 3, 0xAC, 2, 3, 5, 4, 0, 1, 0x1F, 1};
+    return wire::CreateEditBroadcast(b, &kKey, 13, 12, 0, b.CreateVector(runs));
   });
 }
 
@@ -133,11 +140,17 @@ std::vector<Sample> sample_frames() {
                                           b.CreateVector(std::vector<float>{0.5F, -0.25F, 3}));
              }),
       {Body::Error, error()},
-      simple(Body::EditResult, [](auto& b) { return wire::CreateEditResult(b, 11, 43); }),
+      simple(Body::EditResult, [](auto& b) { return wire::CreateEditResult(b, 11, 43, 2); }),
       {Body::EditBroadcast, edit_broadcast()},
       simple(Body::Pong, [](auto& b) { return wire::CreatePong(b, 5); }),
       simple(Body::GoAway, [](auto& b) { return wire::CreateGoAway(b, b.CreateString("restart"), 3000); }),
       simple(Body::ViewComplete, [](auto& b) { return wire::CreateViewComplete(b, 12); }),
+      simple(Body::Attach, [](auto& b) { return wire::CreateAttach(b, &kHash, 42); }),
+      simple(Body::Attached,
+             [](auto& b) {
+               const auto limits = wire::CreateEditLimits(b, 65'536, 64, 64, 65'536);
+               return wire::CreateAttached(b, &kHash, 3, 20, true, 42, limits);
+             }),
   };
 }
 

@@ -104,7 +104,14 @@ TEST_CASE("every field of the schema has a value in the test vectors") {
                             "view_number",     "chunk",
                             "horizon",         "view_horizon",
                             "looks",           "fields",
-                            "values"}) {
+                            "values",          "writes",
+                            "sequence",        "guards",
+                            "fills",           "only",
+                            "flags",           "paste",
+                            "with_air",        "editor",
+                            "seen_revision",   "epoch",
+                            "last_sequence",   "unanswered",
+                            "changed",         "voxels_per_second"}) {
     CAPTURE(field);
     CHECK(all.find(std::string{"\""} + field + "\"") != std::string::npos);
   }

@@ -47,6 +47,13 @@ class Digest {
         limits.window_bytes(), limits.idle_timeout_ms(), limits.session_rates(), limits.address_rates(),
         limits.view_horizon());
   }
+  void one(const wire::Fill& fill) {
+    add(fill.first(), fill.last(), fill.material(), fill.only(), fill.flags());
+  }
+  void one(const wire::Paste& paste) { add(paste.origin(), paste.payload(), paste.with_air()); }
+  void one(const wire::EditLimits& limits) {
+    add(limits.voxels(), limits.chunks(), limits.unanswered(), limits.voxels_per_second());
+  }
   void one(const wire::Rates& rates) {
     add(rates.chunks(), rates.bytes(), rates.requests(), rates.burst_ms());
   }
@@ -86,7 +93,9 @@ void walk_from_client(const wire::Message& message, Digest& digest) {
   } else if (const auto* credit = message.body_as_Credit()) {
     digest.add(credit->total_bytes());
   } else if (const auto* edit = message.body_as_Edit()) {
-    digest.add(edit->id(), edit->writes());
+    digest.add(edit->id(), edit->writes(), edit->sequence(), edit->guards(), edit->fills(), edit->paste());
+  } else if (const auto* attach = message.body_as_Attach()) {
+    digest.add(attach->editor(), attach->seen_revision());
   } else if (const auto* ping = message.body_as_Ping()) {
     digest.add(ping->nonce());
   }
@@ -108,15 +117,19 @@ void walk_from_server(const wire::Message& message, Digest& digest) {
     digest.add(error->code(), error->text(), error->request_id(), error->retry_after_ms(), error->about(),
                error->repeated_id(), error->view_number(), error->chunk());
   } else if (const auto* result = message.body_as_EditResult()) {
-    digest.add(result->id(), result->revision());
+    digest.add(result->id(), result->revision(), result->changed());
   } else if (const auto* broadcast = message.body_as_EditBroadcast()) {
-    digest.add(broadcast->key(), broadcast->revision(), broadcast->previous_revision(), broadcast->writes());
+    digest.add(broadcast->key(), broadcast->revision(), broadcast->previous_revision(), broadcast->writes(),
+               broadcast->runs());
   } else if (const auto* pong = message.body_as_Pong()) {
     digest.add(pong->nonce());
   } else if (const auto* away = message.body_as_GoAway()) {
     digest.add(away->reason(), away->retry_after_ms());
   } else if (const auto* complete = message.body_as_ViewComplete()) {
     digest.add(complete->number());
+  } else if (const auto* attached = message.body_as_Attached()) {
+    digest.add(attached->editor(), attached->epoch(), attached->last_sequence(), attached->known(),
+               attached->revision(), attached->limits());
   }
 }
 

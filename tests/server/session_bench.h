@@ -54,6 +54,9 @@ struct Said {
     said.id = unchanged->id();
     said.key = key_of(*unchanged->key());
     said.revision = unchanged->revision();
+  } else if (const auto* result = message.body_as_EditResult()) {
+    said.id = result->id();
+    said.revision = result->revision();
   } else if (const auto* heights = message.body_as_Heights()) {
     said.id = heights->id();
   } else if (const auto* error = message.body_as_Error()) {
@@ -97,6 +100,8 @@ struct SessionBench {
     Access access{};
     bool greet = true;
     HeightRange heights{};  // of the world
+    EditTaker* edits = nullptr;
+    std::uint16_t protocol = protocol::kOldestProtocol;
   };
 
   ScriptedSource source;
@@ -111,14 +116,17 @@ struct SessionBench {
   MailboxPtr mailbox = std::make_shared<Mailbox>(ClientId{1}, [] {});
   Session session;
   std::uint32_t view_number = 0;  // of the Views to come
+  std::uint16_t protocol;
 
   explicit SessionBench(const Options& options)
       : memory{options.memory_bytes},
         world{.heights = options.heights},
         rates{options.rates},
         access{options.access, *load_keys(options.access)},
-        session{
-            {limits, world, source, memory, metrics, access, rates, flows, clock}, mailbox, options.address} {
+        session{{limits, world, source, memory, metrics, access, rates, flows, clock, options.edits},
+                mailbox,
+                options.address},
+        protocol{options.protocol} {
     if (!options.greet) return;
     hello();
     (void)output();
@@ -135,7 +143,7 @@ struct SessionBench {
     receive([&](auto& builder) {
       const auto codecs = builder.CreateVector(std::vector{codec});
       const auto shown = builder.CreateString(token);
-      return wire::CreateHello(builder, 1, 1, codecs, shown);
+      return wire::CreateHello(builder, 1, protocol, codecs, shown);
     });
   }
   void get_chunk(std::uint32_t id, ChunkKey key, const EncodedChunkPtr& known = nullptr) {
@@ -176,6 +184,19 @@ struct SessionBench {
   }
   void edit(std::uint32_t id) {
     receive([&](auto& builder) { return wire::CreateEdit(builder, id); });
+  }
+  void attach(edits::EditorId editor = {}, std::uint64_t seen_revision = 0) {
+    receive([&](auto& builder) {
+      const wire::Hash128 id{editor.low, editor.high};
+      return wire::CreateAttach(builder, &id, seen_revision);
+    });
+  }
+  /// One voxel.
+  void write_voxel(std::uint32_t id, std::uint64_t sequence, VoxelPos at = {}, std::uint16_t material = 1) {
+    receive([&](auto& builder) {
+      const std::vector<wire::VoxelWrite> writes{{{at.x, at.y, at.z}, material}};
+      return wire::CreateEdit(builder, id, builder.CreateVectorOfStructs(writes), sequence);
+    });
   }
   void credit(std::uint64_t total_bytes) {
     receive([&](auto& builder) { return wire::CreateCredit(builder, total_bytes); });

@@ -1,0 +1,55 @@
+#include "edits/decoded_bases.h"
+
+#include <stdexcept>
+#include <string>
+
+#include <talus/voxel/codec.h>
+
+namespace talus::server {
+namespace {
+
+std::size_t bytes_of(const Chunk& chunk) {
+  if (chunk.dense() != nullptr) return sizeof(Chunk) + sizeof(DenseVoxels);
+  const Layers* const layers = chunk.layers() != nullptr ? chunk.layers() : chunk.base();
+  return sizeof(Chunk) + layers->tops.capacity() + layers->materials.capacity() * sizeof(MaterialId) +
+         chunk.overrides().size() * sizeof(Override);
+}
+
+LocalPos local_of(std::uint16_t index) {
+  return {static_cast<std::uint8_t>(index % kChunkSize), static_cast<std::uint8_t>(index / kChunkArea),
+          static_cast<std::uint8_t>(index / kChunkSize % kChunkSize)};
+}
+
+}  // namespace
+
+DecodedChunkPtr DecodedBases::find(ChunkCoord chunk) {
+  const DecodedChunkPtr* const kept = chunks_.find({chunk, Lod{}});
+  return kept == nullptr ? nullptr : *kept;
+}
+
+DecodedChunkPtr DecodedBases::put(ChunkCoord chunk, const EncodedChunk& encoded) {
+  auto decoded = decode(encoded.payload());
+  if (!decoded) {
+    throw std::runtime_error{"chunk " + to_string(chunk) +
+                             " as generated: " + std::string{describe(decoded.error())}};
+  }
+  auto shared = std::make_shared<const Chunk>(*std::move(decoded));
+  chunks_.put({chunk, Lod{}}, shared, bytes_of(*shared));
+  return shared;
+}
+
+std::vector<Override> voxels_at(const Chunk& chunk, std::span<const std::uint16_t> indices) {
+  std::vector<Override> voxels;
+  voxels.reserve(indices.size());
+  constexpr std::size_t kMany = 64;  // about what copying all out costs
+  if (indices.size() < kMany) {
+    for (const std::uint16_t index : indices) voxels.push_back({index, chunk.at(local_of(index))});
+    return voxels;
+  }
+  const auto dense = std::make_unique<DenseVoxels>();
+  chunk.copy_to(*dense);
+  for (const std::uint16_t index : indices) voxels.push_back({index, (*dense)[index]});
+  return voxels;
+}
+
+}  // namespace talus::server

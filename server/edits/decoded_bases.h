@@ -1,0 +1,36 @@
+// Chunks of level 0 as generated, decoded, for who looks up single voxels of them. For one thread.
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include <talus/voxel/chunk.h>
+#include <talus/voxel/coords.h>
+
+#include "cache/clock_cache.h"
+#include "chunks/encoded_chunk.h"
+
+namespace talus::server {
+
+using DecodedChunkPtr = std::shared_ptr<const Chunk>;
+
+class DecodedBases {
+ public:
+  /// Keeps about so many bytes of those used last.
+  explicit DecodedBases(std::size_t capacity_bytes) : chunks_{capacity_bytes} {}
+
+  /// Null where it is not kept.
+  [[nodiscard]] DecodedChunkPtr find(ChunkCoord chunk);
+  /// Decodes and keeps it. Throws std::runtime_error where it does not decode, which only a fault can cause.
+  DecodedChunkPtr put(ChunkCoord chunk, const EncodedChunk& encoded);
+
+ private:
+  ClockCache<ChunkKey, DecodedChunkPtr> chunks_;
+};
+
+/// The voxels at `indices`, which rise.
+[[nodiscard]] std::vector<Override> voxels_at(const Chunk& chunk, std::span<const std::uint16_t> indices);
+
+}  // namespace talus::server

@@ -1,0 +1,39 @@
+// Where sessions bring edits.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include <talus/edits/edit.h>
+#include <talus/edits/editors.h>
+
+#include "chunks/mailbox.h"
+
+namespace talus::server {
+
+struct AttachRequest {
+  edits::EditorId editor;           // whose edits the client goes on with; 0: none
+  std::string subject;              // of its token; empty: none
+  std::uint64_t seen_revision = 0;  // the client was told of this one
+};
+
+struct EditRequest {
+  std::uint32_t id = 0;  // the client's
+  edits::EditorId editor;
+  std::uint64_t epoch = 0;
+  std::uint64_t sequence = 0;
+  edits::Edit edit;
+};
+
+/// Callable from any thread. No call looks anything up, writes, or waits for who does; each is answered by
+/// one mail, and edits of one mailbox are logged in the order in which they came.
+class EditTaker {
+ public:
+  virtual ~EditTaker() = default;
+  virtual void attach(const MailboxPtr& mailbox, AttachRequest request) = 0;
+  virtual void edit(const MailboxPtr& mailbox, EditRequest request) = 0;
+  /// The session is gone: what of its edits is not logged yet will not be.
+  virtual void forget(ClientId client) = 0;
+};
+
+}  // namespace talus::server

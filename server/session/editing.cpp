@@ -1,0 +1,50 @@
+#include "session/editing.h"
+
+namespace talus::server {
+
+void Editing::attach(AttachRequest request, std::uint64_t voxels_per_second) {
+  attaching_ = true;
+  voxels_per_second_ = voxels_per_second;
+  taker_->attach(mailbox_, std::move(request));
+}
+
+void Editing::edit(std::uint32_t id, std::uint64_t sequence, edits::Edit edit, std::size_t bytes) {
+  unanswered_.insert(id, bytes);
+  bytes_ += bytes;
+  taker_->edit(mailbox_, {id, editor_->editor, editor_->epoch, sequence, std::move(edit)});
+}
+
+void Editing::receive(AttachAnswer&& mail) {
+  if (!attaching_) return;  // abandoned
+  attaching_ = false;
+  if (mail.answer) {
+    editor_ = *mail.answer;
+    replies_.attached(*editor_, voxels_per_second_);
+  } else {
+    replies_.error(about_attach(), mail.answer.error().code, mail.answer.error().text,
+                   mail.answer.error().retry_after);
+  }
+}
+
+void Editing::receive(EditAnswer&& mail) {
+  const std::size_t* const bytes = unanswered_.find(mail.id);
+  if (bytes == nullptr) return;  // abandoned
+  bytes_ -= *bytes;
+  unanswered_.erase(mail.id);
+  if (mail.answer) {
+    replies_.edit_result(mail.id, *mail.answer);
+  } else {
+    replies_.error(about_request(mail.id), mail.answer.error().code, mail.answer.error().text,
+                   mail.answer.error().retry_after);
+  }
+}
+
+void Editing::abandon() {
+  if (taker_ != nullptr && (attaching_ || editor_)) taker_->forget(mailbox_->owner());
+  attaching_ = false;
+  editor_.reset();
+  unanswered_.clear();
+  bytes_ = 0;
+}
+
+}  // namespace talus::server

@@ -1,0 +1,62 @@
+// A session's edits: as which editor it edits, and which of its edits are not answered yet. No I/O.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "chunks/edit_answers.h"
+#include "chunks/mailbox.h"
+#include "edits/edit_taker.h"
+#include "session/edit_check.h"
+#include "session/id_map.h"
+#include "session/replies.h"
+
+namespace talus::server {
+
+class Editing {
+ public:
+  /// `taker` null: nothing is stored, and edits are refused. It and `replies` outlive this.
+  Editing(EditTaker* taker, MailboxPtr mailbox, Replies& replies)
+      : taker_{taker}, mailbox_{std::move(mailbox)}, replies_{replies} {}
+  ~Editing() { abandon(); }
+  Editing(const Editing&) = delete;
+  Editing& operator=(const Editing&) = delete;
+
+  [[nodiscard]] bool stored() const { return taker_ != nullptr; }
+  /// Whether an Attach is not answered yet.
+  [[nodiscard]] bool attaching() const { return attaching_; }
+  [[nodiscard]] bool attached() const { return editor_.has_value(); }
+  [[nodiscard]] bool contains(std::uint32_t id) const { return unanswered_.find(id) != nullptr; }
+  [[nodiscard]] std::size_t unanswered() const { return unanswered_.size(); }
+  /// Whether nothing is to be answered.
+  [[nodiscard]] bool served() const { return !attaching_ && unanswered_.empty(); }
+
+  /// REQUIRES: stored(), not attaching().
+  void attach(AttachRequest request, std::uint64_t voxels_per_second);
+  /// REQUIRES: attached(), no edit `id` is unanswered. `bytes`: the memory that it takes until it is
+  /// answered.
+  void edit(std::uint32_t id, std::uint64_t sequence, edits::Edit edit, std::size_t bytes);
+
+  void receive(AttachAnswer&& mail);
+  void receive(EditAnswer&& mail);
+
+  /// Forgets everything; what is logged already happens all the same.
+  void abandon();
+
+  [[nodiscard]] std::size_t bytes() const { return bytes_ + unanswered_.bytes(); }
+
+ private:
+  EditTaker* const taker_;
+  const MailboxPtr mailbox_;
+  Replies& replies_;
+  bool attaching_ = false;
+  std::uint64_t voxels_per_second_ = 0;
+  std::optional<EditorSession> editor_;
+  IdMap<std::size_t> unanswered_;  // bytes of each
+  std::size_t bytes_ = 0;
+};
+
+}  // namespace talus::server
