@@ -1,8 +1,8 @@
 # What another CMake project gets from find_package(talus): talus::voxel, talus::protocol, talus::client.
 include(CMakePackageConfigHelpers)
 
-set(installed talus_vectors talus_voxel talus_protocol talus_tls talus_websocket)
-install(DIRECTORY core/vectors/include/ core/voxel/include/ protocol/include/ protocol/tls/include/ protocol/websocket/include/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}
+set(installed talus_vectors talus_voxel talus_edits talus_protocol talus_tls talus_websocket)
+install(DIRECTORY core/vectors/include/ core/voxel/include/ core/edits/include/ protocol/include/ protocol/tls/include/ protocol/websocket/include/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}
   PATTERN tables.h EXCLUDE PATTERN vectors-inl.h EXCLUDE)  # what only kernel sources need
 install(FILES ${PROJECT_BINARY_DIR}/protocol/generated/talus/protocol/talus_generated.h
   DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/talus/protocol)

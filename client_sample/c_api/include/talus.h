@@ -86,7 +86,10 @@ enum {
   TALUS_OVERLOADED = -25,      /* the server asks to come back after `retry_after_ms` */
   TALUS_CANCELLED = -26,       /* talus_cancel() was faster than the answer */
   TALUS_SERVER_FAILED = -27,   /* the server could not answer; repeating may help */
-  TALUS_NOT_CONNECTED = -28    /* asked before JOINED, or after CLOSED or talus_disconnect() */
+  TALUS_NOT_CONNECTED = -28,   /* asked before JOINED, or after CLOSED or talus_disconnect() */
+  TALUS_CONFLICT = -29,        /* a guard of the edit does not hold; nothing happened */
+  TALUS_NOT_APPLIED = -30,     /* the edit did not happen, and a later one did */
+  TALUS_OUTCOME_UNKNOWN = -31  /* the edit may have happened: the server has forgotten who sent it */
 };
 
 /* One client, its connection, and the events that wait to be polled. */

@@ -44,6 +44,12 @@ talus_status status_of(client::ErrorKind kind) {
       return TALUS_SERVER_FAILED;
     case ErrorKind::not_connected:
       return TALUS_NOT_CONNECTED;
+    case ErrorKind::conflict:
+      return TALUS_CONFLICT;
+    case ErrorKind::not_applied:
+      return TALUS_NOT_APPLIED;
+    case ErrorKind::outcome_unknown:
+      return TALUS_OUTCOME_UNKNOWN;
   }
   return TALUS_INTERNAL;
 }

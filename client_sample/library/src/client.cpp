@@ -102,6 +102,15 @@ Result<void> Client::set_view(const View& view) {
   return core_->set_view(view);
 }
 
+void Client::edit(Edit edit, std::function<void(Result<EditDone>)> handler) {
+  core_->edit(std::move(edit), std::move(handler));
+}
+
+asio::awaitable<Result<EditDone>> Client::edit(Edit edit) {
+  return awaited<EditDone>(
+      [core = core_, edit = std::move(edit)](auto handler) { core->edit(edit, std::move(handler)); });
+}
+
 void Client::ping(std::function<void(Result<std::chrono::nanoseconds>)> handler) {
   core_->ping(std::move(handler));
 }

@@ -67,6 +67,7 @@ void Core::connect(std::string host, std::string port, ConnectHandler handler) {
   tracker_ = ViewTracker{options_.keep_bytes};
   uniform_chunks_.clear();
   left_to_tell_.clear();
+  (void)edits_.forget_editor();  // none are open
   // The lambda's frame keeps self alive until run() is over.
   asio::co_spawn(
       executor_,
@@ -171,7 +172,10 @@ asio::awaitable<Result<WorldInfo>> Core::join(ConnectionPtr connection, std::str
 }
 
 Result<void> Core::accept_world(const WorldInfo& world) {
-  if (world.store_id != world_->store_id) tracker_.forget_revisions();
+  if (world.store_id != world_->store_id) {
+    tracker_.forget_revisions();
+    fail_edits(edits_.forget_editor(), kOutcomeUnknown);
+  }
   if (world.fingerprint == world_->fingerprint) {
     if (tracker_.view() && world.heights() != world_->heights()) {  // another release may know them better
       const auto left = tracker_.replace(*tracker_.view(), world.heights());
@@ -228,6 +232,7 @@ void Core::end_session() {
   pace_timer_.reset();
   cancels_to_send_.clear();
   pings_to_send_.clear();
+  edits_.connection_ended();
   const ClientError lost{ErrorKind::disconnected, "the connection ended before the server answered", {}};
   for (const auto& [nonce, ping] : std::exchange(open_pings_, {})) {
     if (ping.handler) ping.handler(tl::unexpected{lost});
@@ -242,8 +247,10 @@ void Core::end_run(const ClientError& why) {
   joined_ = false;
   // The event first: those who wait for answers may close the client, and then no event comes any more.
   const auto unanswered = requests_.take_all();
+  auto edits = edits_.take_all();
   if (events_.on_disconnect) events_.on_disconnect(why, false);
   for (const auto& request : unanswered) fail(request, why);
+  fail_edits(std::move(edits), why);
 }
 
 void Core::close() {
@@ -257,8 +264,10 @@ void Core::close() {
   if (retry_timer_) retry_timer_->cancel();
   if (connection_) connection_->close(kClosed);
   // Not from inside close(): the caller may be in the middle of anything.
-  asio::post(executor_, [requests = requests_.take_all(), pings = std::exchange(open_pings_, {})] {
+  asio::post(executor_, [requests = requests_.take_all(), edits = edits_.take_all(),
+                         pings = std::exchange(open_pings_, {})] {
     for (const auto& request : requests) fail(request, kClosed);
+    for (const auto& edit : edits) edit.handler(tl::unexpected{kClosed});
     for (const auto& [nonce, ping] : pings) {
       if (ping.handler) ping.handler(tl::unexpected{kClosed});
     }
@@ -324,6 +333,7 @@ std::vector<std::byte> Core::compose() {
   std::vector<std::byte> out;
   if (!leaving_) compose_view(out);
   compose_pings(out);
+  if (!leaving_) compose_edits(out);
   if (!leaving_) compose_requests(out);
   // In pieces that fit the smallest frame a server may allow.
   constexpr std::size_t kIdsAFrame = 512;
@@ -346,7 +356,8 @@ std::vector<std::byte> Core::compose() {
 
 bool Core::waits_for_pace() const {
   if (leaving_) return false;
-  return view_to_send_ || !pings_to_send_.empty() || requests_.has_next(in_flight_limit(world_->limits));
+  return view_to_send_ || !pings_to_send_.empty() || edits_.must_attach() || edits_.has_next() ||
+         requests_.has_next(in_flight_limit(world_->limits));
 }
 
 void Core::compose_view(std::vector<std::byte>& out) {

@@ -17,6 +17,7 @@
 #include <talus/protocol/message.h>
 
 #include "connection.h"
+#include "open_edits.h"
 #include "request_pace.h"
 #include "requests.h"
 #include "view_tracker.h"
@@ -25,6 +26,11 @@ namespace talus::client {
 
 inline const ClientError kNoHorizon{
     ErrorKind::out_of_range, "this server knows no View with a horizon (ServerLimits::view_horizon)", {}};
+
+inline const ClientError kOutcomeUnknown{ErrorKind::outcome_unknown,
+                                         "the connection broke before the edit was answered, and the server "
+                                         "has forgotten who sent it: it may have happened",
+                                         {}};
 
 using ConnectHandler = std::function<void(Result<WorldInfo>)>;
 using PingHandler = std::function<void(Result<std::chrono::nanoseconds>)>;
@@ -42,6 +48,7 @@ class Core : public std::enable_shared_from_this<Core> {
   void get_places(std::vector<Column> columns, std::vector<std::string> fields,
                   std::function<void(Result<ColumnPlaces>)> handler);
   [[nodiscard]] Result<void> set_view(const View& view);
+  void edit(Edit edit, std::function<void(Result<EditDone>)> handler);
   void ping(PingHandler handler);
   void close();
 
@@ -78,7 +85,12 @@ class Core : public std::enable_shared_from_this<Core> {
   void add(HeightsRequest request);
   [[nodiscard]] Result<void> handle_heights(const wire::Heights& heights);
   [[nodiscard]] Result<void> handle_error(const wire::Error& error);
-  [[nodiscard]] Result<void> handle_edit(const wire::EditBroadcast& edit);
+  [[nodiscard]] Result<void> handle_broadcast(const wire::EditBroadcast& edit);
+  [[nodiscard]] Result<void> handle_attached(const wire::Attached& attached);
+  [[nodiscard]] Result<void> handle_edit_result(const wire::EditResult& result);
+  [[nodiscard]] Result<void> edit_refused(const wire::Error& error, bool comes_back);
+  void attach_refused(const ClientError& why, bool comes_back);
+  void fail_edits(std::vector<OpenEdit> edits, const ClientError& why);
   void refetch(ChunkKey key);
   [[nodiscard]] Result<void> handle_pong(const wire::Pong& pong);
   void ping_refused(const ClientError& why);
@@ -98,6 +110,7 @@ class Core : public std::enable_shared_from_this<Core> {
   void compose_view(std::vector<std::byte>& out);
   void compose_pings(std::vector<std::byte>& out);
   void compose_requests(std::vector<std::byte>& out);
+  void compose_edits(std::vector<std::byte>& out);
   [[nodiscard]] bool waits_for_pace() const;
   void wake();
   void wake_at(Clock::Time when);
@@ -120,6 +133,7 @@ class Core : public std::enable_shared_from_this<Core> {
   std::optional<ClientError> close_reason_;  // what the server gave as the reason, before it closed
 
   Requests requests_;
+  OpenEdits edits_;
   ViewTracker tracker_;
   bool view_to_send_ = false;
   bool view_sent_ = false;                             // on this connection

@@ -1,5 +1,6 @@
 #include "incoming.h"
 
+#include <talus/edits/runs.h>
 #include <talus/voxel/codec.h>
 
 namespace talus::client {
@@ -25,6 +26,10 @@ ErrorKind kind_of(wire::ErrorCode code) {
       return ErrorKind::overloaded;
     case wire::ErrorCode::cancelled:
       return ErrorKind::cancelled;
+    case wire::ErrorCode::conflict:
+      return ErrorKind::conflict;
+    case wire::ErrorCode::not_applied:
+      return ErrorKind::not_applied;
     case wire::ErrorCode::timeout:
       return ErrorKind::timed_out;
     default:
@@ -103,6 +108,7 @@ Result<WorldInfo> read_welcome(const wire::Welcome& welcome) {
     return tl::unexpected{broken_protocol("Welcome lacks fingerprint, materials, spawn or limits")};
   }
   WorldInfo world;
+  world.protocol = welcome.protocol();
   world.fingerprint = read_hash(welcome.fingerprint());
   world.store_id = read_hash(welcome.store_id());
   for (const auto* material : *welcome.materials()) {
@@ -145,6 +151,20 @@ Result<ReceivedChunk> read_chunk(ChunkKey key, const wire::Chunk& message) {
                to_string(promised));
   }
   return ReceivedChunk{key, message.revision(), promised, std::make_shared<const Chunk>(std::move(*chunk))};
+}
+
+Result<ReceivedChunk> read_broadcast(const ReceivedChunk& chunk, const wire::EditBroadcast& edit) {
+  const auto bytes = edit.runs() == nullptr
+                         ? std::span<const std::byte>{}
+                         : std::as_bytes(std::span{edit.runs()->data(), edit.runs()->size()});
+  const auto voxels = edits::decode_runs(bytes);
+  if (!voxels) {
+    return tl::unexpected{broken_protocol("an EditBroadcast for chunk " + to_string(chunk.key) + ": " +
+                                          std::string{describe(voxels.error())})};
+  }
+  auto edited = std::make_shared<const Chunk>(chunk.chunk->with_overrides(*voxels));
+  const ContentHash hash = content_hash(*edited);
+  return ReceivedChunk{chunk.key, edit.revision(), hash, std::move(edited)};
 }
 
 ClientError read_error(const wire::Error& error) {

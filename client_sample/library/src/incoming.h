@@ -19,6 +19,10 @@ namespace talus::client {
 /// A coordinate inside the world, at a level that exists.
 [[nodiscard]] Result<ChunkKey> read_key(const wire::ChunkKey* key);
 
+/// `chunk` after `edit`, which applies to its revision; ErrorKind::broken_protocol where its runs are none.
+[[nodiscard]] Result<ReceivedChunk> read_broadcast(const ReceivedChunk& chunk,
+                                                   const wire::EditBroadcast& edit);
+
 /// Decodes the payload and compares the content with its hash; ErrorKind::bad_chunk where that fails.
 [[nodiscard]] Result<ReceivedChunk> read_chunk(ChunkKey key, const wire::Chunk& message);
 

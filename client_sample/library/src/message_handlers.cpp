@@ -23,7 +23,11 @@ Result<void> Core::handle(std::span<const std::byte> frame) {
     case wire::Body::Error:
       return handle_error(*m.body_as_Error());
     case wire::Body::EditBroadcast:
-      return handle_edit(*m.body_as_EditBroadcast());
+      return handle_broadcast(*m.body_as_EditBroadcast());
+    case wire::Body::Attached:
+      return handle_attached(*m.body_as_Attached());
+    case wire::Body::EditResult:
+      return handle_edit_result(*m.body_as_EditResult());
     case wire::Body::Pong:
       return handle_pong(*m.body_as_Pong());
     case wire::Body::GoAway:
@@ -195,6 +199,11 @@ Result<void> Core::handle_error(const wire::Error& error) {
   const bool is_request = told ? error.about() == wire::ErrorAbout::request : error.request_id() != 0;
   const bool comes_back = told && error.code() == wire::ErrorCode::overloaded && why.retry_after.count() > 0;
   if (comes_back) pace_.refused(options_.clock->now(), why.retry_after);
+  if (is_request && (error.request_id() & OpenEdits::kIdBit) != 0) return edit_refused(error, comes_back);
+  if (error.about() == wire::ErrorAbout::attach) {
+    attach_refused(why, comes_back);
+    return {};
+  }
   if (is_request) {
     if (requests_.in_flight(error.request_id()) == nullptr) {
       return tl::unexpected{broken_protocol("an Error about request " + std::to_string(error.request_id()) +
@@ -227,15 +236,6 @@ void Core::ping_refused(const ClientError& why) {
   const OpenPing ping = std::move(open->second);
   open_pings_.erase(open);
   if (ping.handler) ping.handler(tl::unexpected{why});
-}
-
-// The edits themselves are not applied: the chunk is fetched anew, which is always right.
-Result<void> Core::handle_edit(const wire::EditBroadcast& edit) {
-  const auto key = read_key(edit.key());
-  if (!key) return tl::unexpected{key.error()};
-  if (!tracker_.was_delivered(*key)) return {};
-  refetch(*key);
-  return {};
 }
 
 void Core::refetch(ChunkKey key) {

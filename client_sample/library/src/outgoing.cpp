@@ -20,6 +20,10 @@ wire::ChunkKey wire_key(const ChunkKey& key) {
   return {key.coord.x, key.coord.y, key.coord.z, static_cast<std::uint8_t>(key.lod.value())};
 }
 
+wire::Voxel wire_voxel(VoxelPos at) {
+  return {at.x, at.y, at.z};
+}
+
 }  // namespace
 
 protocol::Frame hello_frame(const Options& options) {
@@ -84,6 +88,48 @@ protocol::Frame cancel_frame(std::span<const std::uint32_t> ids) {
 
 protocol::Frame credit_frame(std::uint64_t total_bytes) {
   return protocol::make_frame([&](auto& b) { return wire::CreateCredit(b, total_bytes); });
+}
+
+protocol::Frame attach_frame(edits::EditorId editor, std::uint64_t seen_revision) {
+  return protocol::make_frame([&](auto& b) {
+    const wire::Hash128 id{editor.low, editor.high};
+    return wire::CreateAttach(b, &id, seen_revision);
+  });
+}
+
+protocol::Frame edit_frame(std::uint32_t id, const OpenEdit& open) {
+  const Edit& edit = open.edit;
+  return protocol::make_frame([&](auto& b) {
+    const auto voxels = [&](const std::vector<VoxelWrite>& list) {
+      std::vector<wire::VoxelWrite> wire;
+      wire.reserve(list.size());
+      for (const VoxelWrite& each : list)
+        wire.emplace_back(wire_voxel(each.voxel), to_integer(each.material));
+      return wire.empty() ? 0 : b.CreateVectorOfStructs(wire);
+    };
+    std::vector<wire::Fill> fills;
+    for (const Fill& fill : edit.fills) {
+      constexpr unsigned kOfAny = 1;
+      constexpr unsigned kAsGenerated = 2;
+      const unsigned flags = (fill.only ? 0 : kOfAny) | (fill.material ? 0 : kAsGenerated);
+      fills.emplace_back(wire_voxel(fill.first), wire_voxel(fill.last),
+                         to_integer(fill.material.value_or(kAir)), to_integer(fill.only.value_or(kAir)),
+                         static_cast<std::uint8_t>(flags));
+    }
+    const auto writes = voxels(edit.writes);
+    const auto guards = voxels(edit.guards);
+    const auto fill_list = fills.empty() ? 0 : b.CreateVectorOfStructs(fills);
+    flatbuffers::Offset<wire::Paste> paste;
+    if (edit.paste) {
+      std::vector<std::byte> payload;
+      encode(edit.paste->voxels, payload);
+      const auto bytes =
+          b.CreateVector(reinterpret_cast<const std::uint8_t*>(payload.data()), payload.size());
+      const wire::Voxel origin = wire_voxel(edit.paste->origin);
+      paste = wire::CreatePaste(b, &origin, bytes, edit.paste->with_air);
+    }
+    return wire::CreateEdit(b, id, writes, open.sequence, guards, fill_list, paste);
+  });
 }
 
 protocol::Frame ping_frame(std::uint64_t nonce) {

@@ -9,6 +9,7 @@
 #include <talus/client/client.h>
 #include <talus/protocol/message.h>
 
+#include "open_edits.h"
 #include "requests.h"
 
 namespace talus::client {
@@ -22,6 +23,8 @@ namespace talus::client {
 [[nodiscard]] protocol::Frame get_chunks_frame(const std::vector<wire::ChunkRequest>& requests);
 [[nodiscard]] protocol::Frame cancel_frame(std::span<const std::uint32_t> ids);
 [[nodiscard]] protocol::Frame credit_frame(std::uint64_t total_bytes);
+[[nodiscard]] protocol::Frame attach_frame(edits::EditorId editor, std::uint64_t seen_revision);
+[[nodiscard]] protocol::Frame edit_frame(std::uint32_t id, const OpenEdit& edit);
 [[nodiscard]] protocol::Frame ping_frame(std::uint64_t nonce);
 
 [[nodiscard]] wire::ChunkRequest wire_request(std::uint32_t id, const ChunkRequest& request);

@@ -2,11 +2,13 @@
 
 #include <algorithm>
 
+#include "open_edits.h"
+
 namespace talus::client {
 
 std::uint32_t Requests::add(Request request) {
   do {
-    ++last_id_;
+    last_id_ = (last_id_ + 1) & ~OpenEdits::kIdBit;
   } while (last_id_ == 0 || open_.contains(last_id_));
   open_.emplace(last_id_, std::move(request));
   waiting_.push_back(last_id_);

@@ -59,6 +59,7 @@
 #include <asio/any_io_executor.hpp>
 #include <asio/awaitable.hpp>
 
+#include <talus/client/edit.h>
 #include <talus/client/error.h>
 #include <talus/client/options.h>
 #include <talus/client/received_chunk.h>
@@ -161,6 +162,15 @@ class Client {
   /// is sent, and an equal one is not. An error, which leaves the View before, when it goes beyond the
   /// server's limits, or before connect() has brought a world; while reconnecting it is kept.
   [[nodiscard]] Result<void> set_view(const View& view);
+
+  /// Changes voxels. Edits happen in the order of the calls, each once, however often the connection breaks
+  /// meanwhile; at most as many as the server allows are on their way, the others wait here. One that the
+  /// server refuses for now is sent again, behind those that were sent since: where order matters, use
+  /// guards. The answer comes when the edit is stored; chunks of the View change by on_chunk, before or after
+  /// it. Errors: conflict, out_of_range, not_applied, outcome_unknown; refused where the token does not give
+  /// the right, or the server stores no edits.
+  [[nodiscard]] asio::awaitable<Result<EditDone>> edit(Edit edit);
+  void edit(Edit edit, std::function<void(Result<EditDone>)> handler);
 
   /// Round-trip time.
   [[nodiscard]] asio::awaitable<Result<std::chrono::nanoseconds>> ping();

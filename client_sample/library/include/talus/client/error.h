@@ -18,11 +18,14 @@ enum class ErrorKind : std::uint8_t {
   world_changed,    // a reconnect met a server with another world
   broken_protocol,  // the server sent what the protocol does not allow; the connection was dropped
   bad_chunk,        // a chunk that does not decode, or whose content is not what its hash says
-  out_of_range,     // a coordinate, radius or list beyond the world's or the server's limits
+  out_of_range,     // a coordinate, radius, list or edit beyond the world's or the server's limits
   overloaded,       // the server asks to come back after `retry_after`
   cancelled,        // cancel() was faster than the answer
   server_failed,    // the server could not answer; repeating may help
   not_connected,    // asked before connect(), or after close()
+  conflict,         // a guard of the edit does not hold; nothing happened
+  not_applied,      // the edit did not happen, and a later one did
+  outcome_unknown,  // the edit may have happened: the server has forgotten who sent it
 };
 
 struct ClientError {

@@ -47,13 +47,14 @@ struct ServerLimits {
 
 struct WorldInfo {
   ContentHash fingerprint;  // worlds of one fingerprint have equal voxels everywhere
-  ContentHash store_id;     // revisions of one store id may be compared
+  ContentHash store_id;     // revisions of one store id may be compared; 0: nothing is stored
   std::vector<Material> materials;
   std::int64_t min_y = 0;  // below this row everything is one rock
   std::int64_t max_y = 0;  // at and above this row everything is air
   VoxelPos spawn;          // feet: the first free voxel above dry ground
   ServerLimits limits;
   std::string server;               // name and version
+  std::uint16_t protocol = 1;       // the version that both speak; edits need 2
   std::vector<std::string> looks;   // what ColumnPlaces::looks count; the first is that of no look, empty
   std::vector<std::string> fields;  // that get_places() knows; both empty: a server that knows none
 

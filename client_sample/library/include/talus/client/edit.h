@@ -1,0 +1,23 @@
+// What a client may change, and what it is told.
+#pragma once
+
+#include <cstdint>
+
+#include <talus/edits/edit.h>
+
+namespace talus::client {
+
+/// Guards, writes, fills and a paste, as core/edits has them: where all guards hold, all of it happens, on
+/// whatever chunks it reaches, or nothing does.
+using edits::Edit;
+using edits::Fill;
+using edits::Paste;
+using edits::VoxelWrite;
+
+/// The edit happened, and is stored.
+struct EditDone {
+  std::uint64_t revision = 0;  // of the world after it
+  std::uint32_t changed = 0;   // voxels; 0: all was so before
+};
+
+}  // namespace talus::client

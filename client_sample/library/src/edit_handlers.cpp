@@ -1,0 +1,134 @@
+// Edits: what is sent, what the server says of it, and what others edit.
+#include <algorithm>
+#include <utility>
+
+#include <asio/post.hpp>
+
+#include <talus/protocol/limits.h>
+
+#include "core.h"
+#include "incoming.h"
+#include "outgoing.h"
+
+namespace talus::client {
+
+void Core::edit(Edit edit, std::function<void(Result<EditDone>)> handler) {
+  std::optional<ClientError> error;
+  if (!running_ || !world_) {
+    error = ClientError{ErrorKind::not_connected, "connect() comes first", {}};
+  } else if (world_->protocol < protocol::kEditsProtocol || world_->store_id == ContentHash{}) {
+    error = ClientError{ErrorKind::refused, "this server stores no edits", {}};
+  }
+  if (error) {
+    asio::post(executor_, [handler = std::move(handler), why = *error] { handler(tl::unexpected{why}); });
+    return;
+  }
+  edits_.add({std::move(edit), std::move(handler)});
+  wake();
+}
+
+void Core::compose_edits(std::vector<std::byte>& out) {
+  const auto now = options_.clock->now();
+  const auto append = [&](const protocol::Frame& frame) {
+    out.insert(out.end(), frame.begin(), frame.end());
+  };
+  if (edits_.must_attach() && pace_.take(now)) {
+    append(attach_frame(edits_.editor(), edits_.seen_revision()));
+    edits_.attach_sent();
+  }
+  while (edits_.has_next() && pace_.take(now)) {
+    const std::uint32_t id = edits_.send_next();
+    const protocol::Frame frame = edit_frame(id, *edits_.in_flight(id));
+    if (frame.size() <= world_->limits.frame_bytes) {
+      append(frame);
+      continue;
+    }
+    const ClientError too_large{ErrorKind::out_of_range,
+                                "an edit of " + std::to_string(frame.size()) +
+                                    " bytes is more than this server takes in a frame (" +
+                                    std::to_string(world_->limits.frame_bytes) + "); divide it",
+                                {}};
+    std::vector<OpenEdit> refused;
+    refused.push_back(edits_.take(id));
+    fail_edits(std::move(refused), too_large);
+  }
+}
+
+Result<void> Core::handle_attached(const wire::Attached& attached) {
+  if (!edits_.attaching() || attached.editor() == nullptr || attached.limits() == nullptr) {
+    return tl::unexpected{broken_protocol("an Attached that no Attach asked for, or without its fields")};
+  }
+  useful_ = true;
+  auto lost = edits_.attached({attached.editor()->low(), attached.editor()->high()}, attached.known(),
+                              attached.last_sequence(), attached.revision(), attached.limits()->unanswered());
+  fail_edits(std::move(lost), kOutcomeUnknown);
+  wake();
+  return {};
+}
+
+Result<void> Core::handle_edit_result(const wire::EditResult& result) {
+  if (edits_.in_flight(result.id()) == nullptr) {
+    return tl::unexpected{broken_protocol("an EditResult for request " + std::to_string(result.id()) +
+                                          ", which is no edit in flight")};
+  }
+  useful_ = true;
+  edits_.saw(result.revision());
+  const OpenEdit edit = edits_.take(result.id());
+  edit.handler(EditDone{result.revision(), result.changed()});
+  wake();
+  return {};
+}
+
+Result<void> Core::edit_refused(const wire::Error& error, bool comes_back) {
+  const std::uint32_t id = error.request_id();
+  if (edits_.in_flight(id) == nullptr) {
+    return tl::unexpected{
+        broken_protocol("an Error about request " + std::to_string(id) + ", which is no edit in flight")};
+  }
+  if (comes_back) {
+    edits_.put_back(id);
+  } else if (error.code() == wire::ErrorCode::expired) {
+    edits_.put_back(id);
+    edits_.attach_again();
+  } else {
+    const OpenEdit edit = edits_.take(id);
+    edit.handler(tl::unexpected{read_error(error)});
+  }
+  wake();
+  return {};
+}
+
+// Without an editor no edit goes: where the server asks to come back they wait, else none ever will.
+void Core::attach_refused(const ClientError& why, bool comes_back) {
+  if (!edits_.attaching()) return;
+  edits_.attach_again();
+  if (!comes_back) fail_edits(edits_.take_all(), why);
+  wake();
+}
+
+void Core::fail_edits(std::vector<OpenEdit> edits, const ClientError& why) {
+  if (edits.empty()) return;
+  asio::post(executor_, [edits = std::move(edits), why] {
+    for (const OpenEdit& edit : edits) edit.handler(tl::unexpected{why});
+  });
+}
+
+// The revision says whether it is news, and whether it applies to what is here. Where it does not, or nobody
+// holds the chunk any more, the chunk is asked for: that is always right.
+Result<void> Core::handle_broadcast(const wire::EditBroadcast& edit) {
+  const auto key = read_key(edit.key());
+  if (!key) return tl::unexpected{key.error()};
+  if (!tracker_.was_delivered(*key)) return {};
+  const auto held = tracker_.held(*key);
+  if (held && edit.revision() <= held->revision) return {};
+  if (!held || edit.runs() == nullptr || edit.previous_revision() > held->revision) {
+    refetch(*key);
+    return {};
+  }
+  const auto edited = read_broadcast(*held, edit);
+  if (!edited) return tl::unexpected{edited.error()};
+  deliver(*edited);
+  return {};
+}
+
+}  // namespace talus::client
