@@ -40,6 +40,9 @@ class ErrorCode(enum.IntEnum):
     duplicate_id = 12
     internal = 13
     forbidden = 14
+    conflict = 15
+    expired = 16
+    not_applied = 17
 
 
 class ErrorAbout(enum.IntEnum):
@@ -50,6 +53,7 @@ class ErrorAbout(enum.IntEnum):
     view = 4
     view_chunk = 5
     ping = 6
+    attach = 7
 
 
 class Phase(enum.IntEnum):
@@ -167,11 +171,12 @@ LOD_RING = _Struct("LodRing", lod=U8, radius=U16)
 KNOWN_CHUNK = _Struct("KnownChunk", key=CHUNK_KEY, hash=HASH128)
 CHUNK_REQUEST = _Struct("ChunkRequest", id=U32, key=CHUNK_KEY, has_known=BOOL, known=HASH128)
 VOXEL_WRITE = _Struct("VoxelWrite", voxel=VOXEL, material=U16)
+FILL = _Struct("Fill", first=VOXEL, last=VOXEL, material=U16, only=U16, flags=U8)
 UNIFORM_RUN = _Struct("UniformRun", first_y=I32, last_y=I32, material=U16)
 
 Hash128, ChunkKey, Voxel, Direction = HASH128.type, CHUNK_KEY.type, VOXEL.type, DIRECTION.type
 ColumnPos, LodRing, KnownChunk, ChunkRequest = COLUMN_POS.type, LOD_RING.type, KNOWN_CHUNK.type, CHUNK_REQUEST.type
-VoxelWrite, UniformRun = VOXEL_WRITE.type, UNIFORM_RUN.type
+VoxelWrite, Fill, UniformRun = VOXEL_WRITE.type, FILL.type, UNIFORM_RUN.type
 
 
 class Hello(Message):
@@ -209,8 +214,23 @@ class Credit(Message):
     FIELDS = dict(total_bytes=U64)
 
 
+class Paste(Message):
+    FIELDS = dict(origin=VOXEL, payload=_List(U8), with_air=BOOL)
+
+
 class Edit(Message):
-    FIELDS = dict(id=U32, writes=_List(VOXEL_WRITE))
+    FIELDS = dict(
+        id=U32,
+        writes=_List(VOXEL_WRITE),
+        sequence=U64,
+        guards=_List(VOXEL_WRITE),
+        fills=_List(FILL),
+        paste=_Table(Paste),
+    )
+
+
+class Attach(Message):
+    FIELDS = dict(editor=HASH128, seen_revision=U64)
 
 
 class Ping(Message):
@@ -289,11 +309,26 @@ class Error(Message):
 
 
 class EditResult(Message):
-    FIELDS = dict(id=U32, revision=U64)
+    FIELDS = dict(id=U32, revision=U64, changed=U32)
+
+
+class EditLimits(Message):
+    FIELDS = dict(voxels=U32, chunks=U32, unanswered=U32, voxels_per_second=U64)
+
+
+class Attached(Message):
+    FIELDS = dict(
+        editor=HASH128,
+        epoch=U64,
+        last_sequence=U64,
+        known=BOOL,
+        revision=U64,
+        limits=_Table(EditLimits),
+    )
 
 
 class EditBroadcast(Message):
-    FIELDS = dict(key=CHUNK_KEY, revision=U64, previous_revision=U64, writes=_List(VOXEL_WRITE))
+    FIELDS = dict(key=CHUNK_KEY, revision=U64, previous_revision=U64, writes=_List(VOXEL_WRITE), runs=_List(U8))
 
 
 class Pong(Message):
@@ -329,6 +364,8 @@ BODIES = (
     Pong,
     GoAway,
     ViewComplete,
+    Attach,
+    Attached,
 )
 
 

@@ -89,6 +89,7 @@ const structsOf = (t, field, bytes) => {
 };
 
 for (const { kind, number, hex, message } of frames) {
+  if (kind === 'Attached') continue; // of version 2, which this client does not speak
   if (EXPECTED[kind]) {
     test(`reads ${kind}`, () => assert.deepEqual(readMessage(fromHex(hex)), EXPECTED[kind](message)));
     continue;
@@ -96,7 +97,7 @@ for (const { kind, number, hex, message } of frames) {
   test(`refuses ${kind}, which only a client sends`, () => {
     assert.throws(() => readMessage(fromHex(hex)), { name: 'TalusError', kind: 'broken_protocol' });
   });
-  if (kind === 'Edit') continue; // this client does not edit
+  if (kind === 'Edit' || kind === 'Attach') continue; // this client does not edit
   test(`writes ${kind}`, () => {
     const written = WRITTEN[kind](message);
     const [mine, theirs] = [written, fromHex(hex)].map((bytes) => {
