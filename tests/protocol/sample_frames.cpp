@@ -79,8 +79,8 @@ Frame edit_broadcast() {
   return make_frame([](auto& b) {
     // Voxels 5 to 7 of material 3, and 8 and 40 of material 300.
     const std::vector<std::uint8_t> runs{2, 3, 0xAC, 2, 3, 5, 4, 0, 1, 0x1F, 1};
-    const auto none = b.CreateVectorOfStructs(kWrites.data(), 0);
-    return wire::CreateEditBroadcast(b, &kKey, 13, 12, none, b.CreateVector(runs));
+    const auto writes = b.CreateVectorOfStructs(kWrites.data(), kWrites.size());
+    return wire::CreateEditBroadcast(b, &kKey, 13, 12, writes, b.CreateVector(runs));
   });
 }
 
