@@ -25,6 +25,7 @@
 #include "app/server.h"
 #include "app/settings.h"
 #include "app/startup.h"
+#include "app/world_edits.h"
 #include "app/world_file.h"
 #include "clock/clock.h"
 #include "config/command_line.h"
@@ -90,6 +91,7 @@ int serve(const Command& command, const ReadSettings& read_settings) {
     if (const auto enough = check_memory(config, site->bytes()); !enough) return fail(enough.error());
   }
   if (command.check_only) {
+    if (!*data) log->info("edits are not taken: there is no directory to keep them; give --data DIRECTORY");
     for (const std::string& warning : startup_warnings(command, keys->warnings, tls))
       fmt::print(stderr, "{}", program_line(config.log.format, spdlog::level::warn, warning));
     fmt::print("ok\n");
@@ -108,12 +110,26 @@ int serve(const Command& command, const ReadSettings& read_settings) {
   // Addresses and keys are what root may be needed for. No thread runs yet.
   const auto data = drop_privileges_and_open_data(config, *account, (*world)->fingerprint());
   if (!data) return fail(data.error());
+  std::unique_ptr<WorldEdits> edits;
+  if (*data) {
+    auto opened = WorldEdits::open(config.data, (*world)->fingerprint(), (*data)->store_id(), log);
+    if (!opened) return fail(opened.error());
+    edits = *std::move(opened);
+  }
   const std::string address = listeners->players_address;
   const std::string web_address = listeners->web_address;
   const std::string operators_address = listeners->operators_address;
-  Server server{
-      config, *world, *data ? (*data)->store_id() : talus::ContentHash{}, access, tls, *std::move(listeners),
-      clock,  log,    command.has_file ? read_settings : ReadSettings{},  site};
+  Server server{config,
+                *world,
+                *data ? (*data)->store_id() : talus::ContentHash{},
+                access,
+                tls,
+                *std::move(listeners),
+                clock,
+                log,
+                command.has_file ? read_settings : ReadSettings{},
+                site,
+                std::move(edits)};
 
   for (const std::string& warning : startup_warnings(command, of_keys, tls)) log->warn("{}", warning);
   log->info("world {}, generator {} with {} kernels", to_string((*world)->fingerprint()),

@@ -53,7 +53,8 @@ WorldInfo describe_world(const terrain::World& world, ContentHash store_id) {
 
 Server::Server(const Config& config, std::shared_ptr<const terrain::World> world, ContentHash store_id,
                AccessControl& access, std::optional<TlsIdentity> tls, Listeners listeners, const Clock& clock,
-               Logger log, ReadSettings read_settings, std::shared_ptr<const web::Site> site)
+               Logger log, ReadSettings read_settings, std::shared_ptr<const web::Site> site,
+               std::unique_ptr<WorldEdits> edits)
     : config_{config},
       read_settings_{std::move(read_settings)},
       clock_{clock},
@@ -90,13 +91,16 @@ Server::Server(const Config& config, std::shared_ptr<const terrain::World> world
                       [this](AcceptedConnection accepted) { on_web_connection(std::move(accepted)); },
                       web::refusal_response},
       io_{std::move(listeners.io)},
+      edits_{std::move(edits)},
       chunks_{std::make_unique<TerrainGenerator>(terrain_, patch_size_.tiles, generator_threads(config),
                                                  ground_bytes(config, *terrain_)),
               generation_settings(config, *terrain_, patch_size_),
               log_,
               metrics_,
               memory_,
-              clock},
+              clock,
+              edits_ == nullptr ? nullptr : &edits_->overlay()},
+      chunks_with_edits_{edits_ == nullptr ? chunks_ : edits_->join(*terrain_, chunks_, clock_, metrics_)},
       context_{make_context(config_)},
       web_context_{make_web_context(config_, context_)},
       acceptor_{std::move(listeners.players)},
@@ -106,6 +110,8 @@ Server::Server(const Config& config, std::shared_ptr<const terrain::World> world
       drain_timer_{io_->control()},
       housekeeping_timer_{io_->control()},
       operators_{std::move(listeners.operators)} {
+  if (edits_ != nullptr)
+    log_->info("edits: store {} at revision {}", to_string(store_id), edits_->state().revision());
   if (site_ != nullptr) memory_.add(MemoryUse::program, static_cast<std::int64_t>(site_->bytes()));
 }
 
@@ -115,8 +121,9 @@ RunnerContextPtr Server::make_context(const Config& config) {
     RunnerContext context;
     Kept(const SessionLimits& of_sessions, const RunnerLimits& of_runners, Server& server)
         : limits{of_sessions},
-          context{{limits, server.world_, server.chunks_, server.memory_, server.metrics_, server.access_,
-                   server.rates_, server.flows_, server.clock_},
+          context{{limits, server.world_, server.chunks_with_edits_, server.memory_, server.metrics_,
+                   server.access_, server.rates_, server.flows_, server.clock_,
+                   server.edits_ == nullptr ? nullptr : &server.edits_->taker()},
                   of_runners,
                   server.registry_,
                   server.log_of_clients_} {}
@@ -173,6 +180,7 @@ void Server::run() {
   check_descriptors(set_descriptor_limit(descriptors_wanted(config_)));
   log_->log(patch_size_.expensive ? spdlog::level::warn : spdlog::level::info, "{}", describe(patch_size_));
   chunks_.start();
+  if (edits_ != nullptr) edits_->start();
   if (operators_) {
     last_housekeeping_ = clock_.now();
     operators_->start({[this] { return metrics_text(); },
@@ -204,6 +212,7 @@ void Server::run() {
   housekeeping();
   io_->run();
   stop_handling_signals();
+  if (edits_ != nullptr) edits_->stop();  // while there are generators, and mailboxes to answer
   operators_.reset();
   handshaker_.refusal_log().flush({});
   web_handshaker_.refusal_log().flush({});

@@ -21,6 +21,7 @@
 #include "access/access_control.h"
 #include "admin/admin_server.h"
 #include "app/listeners.h"
+#include "app/world_edits.h"
 #include "clock/clock.h"
 #include "config/config.h"
 #include "flows/flow_uses.h"
@@ -50,11 +51,13 @@ using ReadSettings = std::function<tl::expected<Config, std::string>()>;
 class Server {
  public:
   /// `access` and `clock` outlive it. `store_id`: what clients are told; 0 where nothing is kept. `tls`: of
-  /// config.tls; none where connections are plain. `site`: files at / of HTTP; null: none. From here on
-  /// signals wait for run(). No thread is started before run().
+  /// config.tls; none where connections are plain. `site`: files at / of HTTP; null: none. `edits`: those of
+  /// the store; null: none are kept, and none are taken. From here on signals wait for run(). No thread is
+  /// started before run().
   Server(const Config& config, std::shared_ptr<const terrain::World> world, ContentHash store_id,
          AccessControl& access, std::optional<TlsIdentity> tls, Listeners listeners, const Clock& clock,
-         Logger log, ReadSettings read_settings = {}, std::shared_ptr<const web::Site> site = nullptr);
+         Logger log, ReadSettings read_settings = {}, std::shared_ptr<const web::Site> site = nullptr,
+         std::unique_ptr<WorldEdits> edits = nullptr);
 
   /// Serves until SIGTERM or SIGINT, and then until every answer is sent or shutdown.drain is over. SIGHUP
   /// reads settings, certificates, keys and lists again. Once.
@@ -116,7 +119,9 @@ class Server {
   std::atomic<std::uint64_t> web_answers_{0};
   std::atomic<std::uint64_t> web_fetches_{0};
   std::unique_ptr<IoPool> io_;
-  BaseChunks chunks_;
+  const std::unique_ptr<WorldEdits> edits_;  // null: none are kept
+  BaseChunks chunks_;                        // as generated
+  ChunkSource& chunks_with_edits_;
   mutable std::mutex context_mutex_;
   RunnerContextPtr context_;        // of sessions to come; changes under the mutex
   web::WebContextPtr web_context_;  // the same of HTTP connections

@@ -72,7 +72,7 @@ EditAnswer answer_of(std::uint32_t id, const tl::expected<const edits::Applied*,
 EditIntake::EditIntake(Parts parts, Rules rules, Logger log)
     : parts_{std::move(parts)}, rules_{std::move(rules)}, log_{std::move(log)} {}
 
-EditIntake::~EditIntake() {
+void EditIntake::stop() {
   {
     const std::lock_guard lock{mutex_};
     stopping_ = true;

@@ -49,13 +49,14 @@ class EditIntake final : public EditTaker {
   static constexpr std::size_t kBaseBytes = std::size_t{16} << 20;
 
   EditIntake(Parts parts, Rules rules, Logger log);
-  /// Waits for the thread; what is not logged yet is not answered.
-  ~EditIntake() override;
+  ~EditIntake() override { stop(); }
   EditIntake(const EditIntake&) = delete;
   EditIntake& operator=(const EditIntake&) = delete;
 
   /// Starts the thread; once.
   void start();
+  /// Ends the thread. What is not logged yet is not answered, nor is what comes from now on.
+  void stop();
 
   void attach(const MailboxPtr& mailbox, AttachRequest request) override;
   void edit(const MailboxPtr& mailbox, EditRequest request) override;

@@ -1,0 +1,71 @@
+// A world's edits in one server, from the directory on disk to the sessions: database, applied state, log,
+// and the intake that prepares edits for it.
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <string>
+
+#include <tl/expected.hpp>
+
+#include <talus/terrain/world.h>
+#include <talus/voxel/content_hash.h>
+
+#include "chunks/chunk_overlay.h"
+#include "chunks/chunk_source.h"
+#include "clock/clock.h"
+#include "edits/change_feed.h"
+#include "edits/edit_intake.h"
+#include "edits/edit_state.h"
+#include "edits/edited_chunks.h"
+#include "edits/local_log.h"
+#include "edits/merged_chunks.h"
+#include "log/logger.h"
+#include "metrics/metrics.h"
+#include "store/edit_database.h"
+
+namespace talus::server {
+
+class WorldEdits {
+ public:
+  /// Opens what is stored in `directory`, which a DataDirectory has locked. An error is one line.
+  [[nodiscard]] static tl::expected<std::unique_ptr<WorldEdits>, std::string> open(
+      const std::filesystem::path& directory, ContentHash fingerprint, ContentHash store_id, Logger log);
+  ~WorldEdits() { stop(); }
+  WorldEdits(const WorldEdits&) = delete;
+  WorldEdits& operator=(const WorldEdits&) = delete;
+
+  [[nodiscard]] const EditState& state() const { return *state_; }
+  /// Through which generators answer.
+  [[nodiscard]] ChunkOverlay& overlay() { return merged_; }
+
+  /// The source of chunks with their edits, over those as generated; once, before all that follows. What is
+  /// given outlives stop(), and what is returned this.
+  [[nodiscard]] ChunkSource& join(const terrain::World& world, ChunkSource& base, const Clock& clock,
+                                  Metrics& metrics);
+  [[nodiscard]] EditTaker& taker() { return *intake_; }
+  /// Starts the threads; once.
+  void start();
+  /// Takes no more edits, and answers those that were taken.
+  void stop();
+  [[nodiscard]] LocalLog::Status status() const { return log_->status(); }
+
+ private:
+  WorldEdits(std::unique_ptr<EditDatabase> database, std::unique_ptr<EditState> state, const Logger& log)
+      : logger_{log},
+        database_{std::move(database)},
+        state_{std::move(state)},
+        merged_{*state_, log},
+        feed_{log} {}
+
+  const Logger logger_;
+  const std::unique_ptr<EditDatabase> database_;
+  const std::unique_ptr<EditState> state_;
+  MergedChunks merged_;
+  ChangeFeed feed_;
+  std::unique_ptr<EditedChunks> chunks_;
+  std::unique_ptr<LocalLog> log_;
+  std::unique_ptr<EditIntake> intake_;
+};
+
+}  // namespace talus::server
