@@ -17,13 +17,19 @@ const Editor* Batch::find(EditorId id) const {
 }
 
 void Batch::forget_idle() {
-  editors_.for_each_by_use([this](EditorId id) {
-    if (touched_.contains(id)) return true;  // used by this batch, or forgotten
-    if (editors_.find(id)->used_ms > head_.time_ms - kEditorIdleMs) return false;
-    touched_.emplace(id, std::nullopt);
-    --count_;
-    return true;
-  });
+  // All of a batch has one time.
+  if (std::exchange(forgot_idle_, true)) return;
+  for (const EditorId id : editors_.idle_at(head_.time_ms)) {
+    // Whom this batch touched is not idle.
+    if (touched_.try_emplace(id, std::nullopt).second) --count_;
+  }
+}
+
+Editor& Batch::touch(EditorId id, const Editor& editor) {
+  std::optional<Editor>& touched = touched_[id];
+  if (!touched) touched = editor;
+  touched->used_ms = head_.time_ms;
+  return *touched;
 }
 
 Applied& Batch::begin(EditorId editor, Applied::Kind kind) {
@@ -45,14 +51,12 @@ const Applied& Batch::apply(const AttachEntry& entry) {
     return begin(entry.editor, Kind::superseded);
   }
   if (before == nullptr && count_ >= kMaxEditors) return begin(entry.editor, Kind::editors_full);
-  Editor after = before == nullptr ? Editor{} : *before;
+  Editor& after = touch(entry.editor, before == nullptr ? Editor{} : *before);
   if (before == nullptr) {
     after.subject = entry.subject;
     ++count_;
   }
   after.epoch = entry.epoch;
-  after.used_ms = head_.time_ms;
-  touched_.insert_or_assign(entry.editor, std::move(after));
   return begin(entry.editor, Kind::attached);
 }
 
@@ -82,10 +86,7 @@ const Applied& Batch::apply(const EditEntry& entry) {
   if (outcome->conflict) applied.result.conflict = static_cast<std::uint32_t>(*outcome->conflict);
   applied.changes = std::move(outcome->chunks);
 
-  Editor after = *editor;
-  after.keep(applied.result);
-  after.used_ms = head_.time_ms;
-  touched_.insert_or_assign(entry.editor, std::move(after));
+  touch(entry.editor, *editor).keep(applied.result);
   return applied;
 }
 

@@ -21,9 +21,15 @@ const Editor* Editors::find(EditorId id) const {
 }
 
 void Editors::put(EditorId id, Editor editor) {
-  erase(id);
-  by_use_.emplace(editor.used_ms, id);
-  editors_.emplace(id, std::move(editor));
+  const auto [at, added] = editors_.try_emplace(id);
+  if (added) {
+    by_use_.emplace(editor.used_ms, id);
+  } else if (at->second.used_ms != editor.used_ms) {
+    auto use = by_use_.extract({at->second.used_ms, id});
+    use.value().first = editor.used_ms;
+    by_use_.insert(std::move(use));
+  }
+  at->second = std::move(editor);
 }
 
 void Editors::erase(EditorId id) {
@@ -31,6 +37,15 @@ void Editors::erase(EditorId id) {
   if (at == editors_.end()) return;
   by_use_.erase({at->second.used_ms, id});
   editors_.erase(at);
+}
+
+std::vector<EditorId> Editors::idle_at(std::int64_t time_ms) const {
+  std::vector<EditorId> idle;
+  for (const auto& [used_ms, id] : by_use_) {
+    if (used_ms > time_ms - kEditorIdleMs) break;
+    idle.push_back(id);
+  }
+  return idle;
 }
 
 }  // namespace talus::edits

@@ -6,6 +6,25 @@
 
 namespace talus::edits {
 
+std::vector<ChunkWrites> writes_at_all_levels(std::span<const ChunkChanges> changes) {
+  std::vector<ChunkWrites> all;
+  all.reserve(changes.size());
+  // Several base chunks share a coarse one, each with voxels anywhere in it.
+  std::map<ChunkKey, std::vector<OverrideWrite>> coarse;
+  for (const ChunkChanges& each : changes) {
+    all.push_back({{each.chunk, Lod{}}, writes_of(each)});
+    for (const ChunkWrites& of_level : coarse_writes(each.chunk, all.back().writes)) {
+      auto& writes = coarse[of_level.key];
+      writes.insert(writes.end(), of_level.writes.begin(), of_level.writes.end());
+    }
+  }
+  for (auto& [key, writes] : coarse) {
+    std::ranges::sort(writes, {}, &OverrideWrite::index);
+    all.push_back({key, std::move(writes)});
+  }
+  return all;
+}
+
 const ChunkOverrides* Staging::find(ChunkKey chunk) const {
   const auto staged = chunks_.find(chunk);
   if (staged == chunks_.end()) return applied_.find(chunk);
@@ -21,24 +40,13 @@ void Staging::apply(const ChunkWrites& writes) {
 }
 
 std::vector<ChunkWrites> Staging::stage(const Outcome& outcome) {
-  std::vector<ChunkWrites> all;
-  // Several base chunks share a coarse one, each with voxels anywhere in it.
-  std::map<ChunkKey, std::vector<OverrideWrite>> coarse;
   for (const ChunkChanges& changes : outcome.chunks) {
     for (const VoxelChange& voxel : changes.voxels) {
       if (voxel.before != voxel.base) hash_.remove(changes.chunk, {voxel.index, voxel.before});
       if (voxel.after != voxel.base) hash_.add(changes.chunk, {voxel.index, voxel.after});
     }
-    all.push_back({{changes.chunk, Lod{}}, writes_of(changes)});
-    for (const ChunkWrites& each : coarse_writes(changes.chunk, all.back().writes)) {
-      auto& writes = coarse[each.key];
-      writes.insert(writes.end(), each.writes.begin(), each.writes.end());
-    }
   }
-  for (auto& [key, writes] : coarse) {
-    std::ranges::sort(writes, {}, &OverrideWrite::index);
-    all.push_back({key, std::move(writes)});
-  }
+  std::vector<ChunkWrites> all = writes_at_all_levels(outcome.chunks);
   for (const ChunkWrites& writes : all) apply(writes);
   return all;
 }

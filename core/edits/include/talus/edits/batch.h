@@ -7,6 +7,8 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <unordered_map>
+#include <utility>
 #include <vector>
 
 #include <talus/edits/editors.h>
@@ -81,6 +83,7 @@ class Batch {
   [[nodiscard]] const Head& head() const { return head_; }
   /// The editors that it touched as they are now; none: forgotten.
   [[nodiscard]] const std::map<EditorId, std::optional<Editor>>& editors() const { return touched_; }
+  [[nodiscard]] std::map<EditorId, std::optional<Editor>> take_editors() && { return std::move(touched_); }
   /// One for each entry, in order.
   [[nodiscard]] const std::vector<Applied>& applied() const { return applied_; }
   /// Every chunk that it changed, of any level, as it is now; empty where its last override went.
@@ -95,6 +98,8 @@ class Batch {
   [[nodiscard]] const Editor* find(EditorId id) const;
   /// Forgets who was idle for too long.
   void forget_idle();
+  /// As it is now, to be changed.
+  Editor& touch(EditorId id, const Editor& editor);
   Applied& begin(EditorId editor, Applied::Kind kind);
 
   const Editors& editors_;
@@ -102,6 +107,7 @@ class Batch {
   Staging staging_;
   std::map<EditorId, std::optional<Editor>> touched_;
   std::size_t count_ = 0;  // of editors
+  bool forgot_idle_ = false;
   std::vector<Applied> applied_;
 };
 

@@ -62,14 +62,8 @@ class Editors {
   void put(EditorId id, Editor editor);
   void erase(EditorId id);
 
-  /// Calls visit(id) for editors by the time of their last use, the least recent first, those of one time by
-  /// their ids, until it returns false.
-  template <typename Visit>
-  void for_each_by_use(Visit&& visit) const {
-    for (const auto& [used_ms, id] : by_use_) {
-      if (!visit(id)) return;
-    }
-  }
+  /// Those that at `time_ms` were idle for too long, the least recent first, those of one time by their ids.
+  [[nodiscard]] std::vector<EditorId> idle_at(std::int64_t time_ms) const;
 
  private:
   std::map<EditorId, Editor> editors_;

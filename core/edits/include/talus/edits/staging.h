@@ -3,6 +3,7 @@
 // nothing happened.
 #pragma once
 
+#include <span>
 #include <unordered_map>
 #include <utility>
 #include <vector>
@@ -11,6 +12,10 @@
 #include <talus/edits/state_hash.h>
 
 namespace talus::edits {
+
+/// What changed at level 0 as absolute writes, at that and, by rule 1, at all other levels: first those of
+/// level 0, in the order of `changes`, then the others. Each chunk of each level at most once.
+[[nodiscard]] std::vector<ChunkWrites> writes_at_all_levels(std::span<const ChunkChanges> changes);
 
 /// Of one thread. Holds a copy of each chunk that the batch changes.
 class Staging final : public OverrideSource {
@@ -22,9 +27,8 @@ class Staging final : public OverrideSource {
   /// The chunk after what was staged; null where it has no overrides (any more).
   [[nodiscard]] const ChunkOverrides* find(ChunkKey chunk) const override;
 
-  /// Makes the changes of an outcome of evaluate() on this very staging, at level 0 and, by rule 1, at all
-  /// others. Returns the writes, which a store keeps and views are told of: each chunk of each level at most
-  /// once.
+  /// Makes the changes of an outcome of evaluate() on this very staging, at all levels. Returns the writes,
+  /// which a store keeps and views are told of.
   std::vector<ChunkWrites> stage(const Outcome& outcome);
 
   [[nodiscard]] StateHash hash() const { return hash_; }

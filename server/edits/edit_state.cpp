@@ -1,0 +1,202 @@
+#include "edits/edit_state.h"
+
+#include <algorithm>
+#include <mutex>
+#include <utility>
+
+#include "edits/replay.h"
+
+namespace talus::server {
+namespace {
+
+std::size_t bytes_of_edited(const EditedChunk& chunk) {
+  constexpr std::size_t kBytes = sizeof(edits::ChunkOverrides) + 32;
+  return chunk.overrides == nullptr ? 0 : kBytes + chunk.overrides->size() * sizeof(Override);
+}
+std::size_t dirty_bytes_of(const EditedChunk& chunk) {
+  return 64 + bytes_of_edited(chunk);
+}
+
+EditedChunk edited_chunk(std::uint64_t revision, edits::ChunkOverrides overrides) {
+  if (overrides.empty()) return {revision, nullptr};
+  return {revision, std::make_shared<const edits::ChunkOverrides>(std::move(overrides))};
+}
+
+/// The voxels of a chunk that an edit wrote, as they are now; none where one of a coarser level is as
+/// generated, which is not known here.
+std::vector<Override> voxels_now(const edits::Applied& applied, std::size_t write) {
+  std::vector<Override> voxels;
+  if (write < applied.changes.size()) {  // level 0, in the order of the changes
+    const edits::ChunkChanges& changes = applied.changes[write];
+    if (changes.voxels.size() > RecentChanges::kMostVoxels) return {};
+    voxels.reserve(changes.voxels.size());
+    for (const edits::VoxelChange& voxel : changes.voxels) voxels.push_back({voxel.index, voxel.after});
+    return voxels;
+  }
+  for (const edits::OverrideWrite& each : applied.writes[write].writes) {
+    if (!each.material) return {};
+    voxels.push_back({each.index, *each.material});
+  }
+  return voxels;
+}
+
+}  // namespace
+
+EditState::EditState(EditDatabase& database, const EditStateSettings& settings)
+    : database_{database},
+      settings_{settings},
+      recent_{settings.recent_bytes},
+      cache_{settings.cache_bytes} {}
+
+tl::expected<std::unique_ptr<EditState>, std::string> EditState::open(EditDatabase& database,
+                                                                      const EditStateSettings& settings) {
+  std::unique_ptr<EditState> state{new EditState{database, settings}};
+  auto good = database.for_each_chunk(
+      [&](ChunkKey key, std::uint64_t revision) { state->index_.raise(key, revision); });
+  if (good) good = state->replay();
+  if (!good) return tl::unexpected{std::move(good.error())};
+  return state;
+}
+
+EditDatabase::Done EditState::replay() {
+  Replay replay{database_, index_};
+  auto good = database_.for_each_editor(
+      [&](edits::EditorId id, StoredEditor&& editor) { replay.start(id, std::move(editor)); });
+  if (good) good = database_.replay([&](LogRecord&& record) { return replay.apply(record); });
+  if (!good) return good;
+  for (auto& [key, chunk] : replay.take_chunks()) {
+    index_.raise(key, chunk.revision);
+    put_dirty(key, edited_chunk(chunk.revision, std::move(chunk.overrides)));
+  }
+  editors_ = replay.take_editors();
+  dirty_editors_ = replay.take_dirty_editors();
+  head_ = database_.meta().head;
+  revision_ = head_.revision;
+  return {};
+}
+
+tl::expected<EditedChunk, std::string> EditState::load(ChunkKey key) const {
+  if (index_.revision(key) == 0) return EditedChunk{};
+  {
+    const std::shared_lock lock{dirty_mutex_};
+    if (const auto found = dirty_.find(key); found != dirty_.end()) return found->second;
+  }
+  if (const auto cached = cache_.find(key)) return *cached;
+  auto stored = database_.chunk(key);
+  if (!stored) return tl::unexpected{std::move(stored.error())};
+  if (!*stored) {
+    return tl::unexpected{"chunk " + to_string(key) +
+                          ": its edits are missing in the store; restore a backup"};
+  }
+  EditedChunk chunk = edited_chunk((*stored)->revision, edits::ChunkOverrides{std::move((*stored)->voxels)});
+  // Under this lock nothing is committed, so that what is older than the newest never stays in the cache.
+  const std::shared_lock lock{dirty_mutex_};
+  if (index_.revision(key) == chunk.revision) cache_.put(key, chunk, bytes_of_edited(chunk));
+  return chunk;
+}
+
+std::optional<AppliedEdits::Changes> EditState::changes_since(ChunkKey key, std::uint64_t since,
+                                                              std::size_t most) const {
+  const std::uint64_t now = index_.revision(key);
+  if (since >= now) return Changes{.revision = now, .voxels = {}};
+  return recent_.since(key, since, most);
+}
+
+std::optional<edits::Editor> EditState::editor(edits::EditorId id) const {
+  const std::shared_lock lock{editors_mutex_};
+  const edits::Editor* const editor = editors_.find(id);
+  return editor == nullptr ? std::nullopt : std::optional{*editor};
+}
+
+std::vector<ChunkChange> EditState::commit(edits::Batch&& batch) {
+  std::vector<ChunkChange> changed;
+  std::unordered_map<ChunkKey, std::size_t> places;  // in `changed`
+  std::vector<RecentChanges::Change> recent;
+  for (const edits::Applied& applied : batch.applied()) {
+    for (std::size_t i = 0; i < applied.writes.size(); ++i) {
+      const ChunkKey key = applied.writes[i].key;
+      const auto [place, added] = places.try_emplace(key, changed.size());
+      if (added) {
+        const std::uint64_t before = index_.revision(key);
+        changed.push_back({key, before, before});
+      }
+      ChunkChange& change = changed[place->second];
+      recent.push_back({key, change.revision, applied.revision, voxels_now(applied, i)});
+      change.revision = applied.revision;
+    }
+  }
+  head_ = batch.head();
+  {
+    const std::lock_guard lock{editors_mutex_};
+    for (auto& [id, editor] : std::move(batch).take_editors()) {
+      dirty_editors_.insert(id);
+      if (editor) {
+        editors_.put(id, std::move(*editor));
+      } else {
+        editors_.erase(id);
+      }
+    }
+  }
+  // Overrides first, then the index: who sees a revision there gets it.
+  {
+    const std::lock_guard lock{dirty_mutex_};
+    for (auto& [key, overrides] : std::move(batch).take_chunks()) {
+      put_dirty(key, edited_chunk(changed[places.at(key)].revision, std::move(overrides)));
+    }
+  }
+  recent_.add(std::move(recent));
+  for (const ChunkChange& change : changed) index_.raise(change.key, change.revision);
+  revision_.store(head_.revision, std::memory_order_release);
+  return changed;
+}
+
+void EditState::put_dirty(ChunkKey key, EditedChunk chunk) {
+  EditedChunk& held = dirty_[key];
+  if (held.revision != 0) dirty_bytes_ -= dirty_bytes_of(held);
+  dirty_bytes_ += dirty_bytes_of(chunk);
+  held = std::move(chunk);
+}
+
+std::vector<ChunkKey> EditState::dirty_chunks() const {
+  std::vector<ChunkKey> keys;
+  keys.reserve(dirty_.size());
+  for (const auto& [key, chunk] : dirty_) keys.push_back(key);
+  return keys;
+}
+
+std::vector<edits::EditorId> EditState::take_dirty_editors() {
+  std::vector<edits::EditorId> ids(dirty_editors_.begin(), dirty_editors_.end());
+  dirty_editors_.clear();
+  return ids;
+}
+
+const EditedChunk* EditState::dirty(ChunkKey key) const {
+  const auto found = dirty_.find(key);
+  return found == dirty_.end() ? nullptr : &found->second;
+}
+
+void EditState::mark_clean(ChunkKey key, std::uint64_t revision) {
+  const std::lock_guard lock{dirty_mutex_};
+  const auto found = dirty_.find(key);
+  if (found == dirty_.end() || found->second.revision != revision) return;
+  dirty_bytes_ -= dirty_bytes_of(found->second);
+  cache_.put(key, found->second, bytes_of_edited(found->second));
+  dirty_.erase(found);
+}
+
+const edits::ChunkOverrides* EditState::Reading::find(ChunkKey key) const {
+  if (const EditedChunk* const dirty = state_.dirty(key)) return dirty->overrides.get();
+  if (state_.revision(key) == 0) return nullptr;
+  const auto [held, added] = held_.try_emplace(key);
+  if (added) {
+    auto loaded = state_.load(key);
+    if (loaded) {
+      held->second = std::move(loaded->overrides);
+    } else {
+      error_ = std::move(loaded.error());
+    }
+  }
+  return held->second.get();
+}
+
+}  // namespace talus::server

@@ -1,0 +1,105 @@
+// The applied state of one server: which chunks have edits, their overrides, who edits. The log's thread
+// changes it; everybody reads.
+#pragma once
+
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <shared_mutex>
+#include <string>
+#include <unordered_map>
+#include <unordered_set>
+#include <vector>
+
+#include <tl/expected.hpp>
+
+#include <talus/edits/batch.h>
+
+#include "cache/sharded_cache.h"
+#include "edits/applied_edits.h"
+#include "edits/chunk_index.h"
+#include "edits/recent_changes.h"
+#include "store/edit_database.h"
+
+namespace talus::server {
+
+struct EditStateSettings {
+  std::size_t cache_bytes = std::size_t{64} << 20U;   // of overrides that are stored too
+  std::size_t recent_bytes = std::size_t{8} << 20U;   // of changes remembered voxel by voxel
+  std::size_t index_bytes = std::size_t{512} << 20U;  // beyond it no further chunk may be edited
+};
+
+class EditState final : public AppliedEdits {
+ public:
+  /// What `database` holds, which is newly opened and outlives this. An error is one line.
+  [[nodiscard]] static tl::expected<std::unique_ptr<EditState>, std::string> open(
+      EditDatabase& database, const EditStateSettings& settings);
+
+  // Any thread.
+  [[nodiscard]] std::uint64_t revision(ChunkKey key) const override { return index_.revision(key); }
+  [[nodiscard]] ChunkRange edited_rows(ChunkKey key) const override { return index_.rows(key); }
+  [[nodiscard]] tl::expected<EditedChunk, std::string> load(ChunkKey key) const override;
+  [[nodiscard]] std::optional<Changes> changes_since(ChunkKey key, std::uint64_t since,
+                                                     std::size_t most) const override;
+  /// Of the whole state.
+  [[nodiscard]] std::uint64_t revision() const { return revision_.load(std::memory_order_acquire); }
+  [[nodiscard]] std::optional<edits::Editor> editor(edits::EditorId id) const;
+  /// Whether the index has no place for further chunks.
+  [[nodiscard]] bool is_full() const { return index_.bytes() >= settings_.index_bytes; }
+  [[nodiscard]] const ChunkIndex& index() const { return index_; }
+
+  // The log's thread alone, from here on.
+  [[nodiscard]] const edits::Head& head() const { return head_; }
+  [[nodiscard]] const edits::Editors& editors() const { return editors_; }
+
+  /// What a batch reads. An override that the disk did not give is missing: then error() says so, and the
+  /// batch must be dropped.
+  class Reading;
+
+  /// Makes a batch of this very state, which is stored, the state. Returns each chunk that it changed once.
+  std::vector<ChunkChange> commit(edits::Batch&& batch);
+
+  // What differs from the database's chunks and editors.
+  [[nodiscard]] std::size_t dirty_bytes() const { return dirty_bytes_; }
+  [[nodiscard]] std::vector<ChunkKey> dirty_chunks() const;
+  [[nodiscard]] std::vector<edits::EditorId> take_dirty_editors();
+  /// Null where the chunk is not dirty.
+  [[nodiscard]] const EditedChunk* dirty(ChunkKey key) const;
+  /// The database has the chunk as of `revision`.
+  void mark_clean(ChunkKey key, std::uint64_t revision);
+
+ private:
+  EditState(EditDatabase& database, const EditStateSettings& settings);
+  [[nodiscard]] EditDatabase::Done replay();
+  void put_dirty(ChunkKey key, EditedChunk chunk);
+
+  EditDatabase& database_;
+  EditStateSettings settings_;
+  ChunkIndex index_;
+  RecentChanges recent_;
+  mutable ShardedCache<ChunkKey, EditedChunk> cache_;
+  mutable std::shared_mutex dirty_mutex_;
+  std::unordered_map<ChunkKey, EditedChunk> dirty_;  // the log's thread reads it without the lock
+  std::size_t dirty_bytes_ = 0;
+  edits::Head head_;
+  std::atomic<std::uint64_t> revision_{0};  // the head's
+  mutable std::shared_mutex editors_mutex_;
+  edits::Editors editors_;  // the log's thread reads it without the lock
+  std::unordered_set<edits::EditorId> dirty_editors_;
+};
+
+class EditState::Reading final : public edits::OverrideSource {
+ public:
+  explicit Reading(const EditState& state) : state_{state} {}
+  [[nodiscard]] const edits::ChunkOverrides* find(ChunkKey chunk) const override;
+  [[nodiscard]] const std::optional<std::string>& error() const { return error_; }
+
+ private:
+  const EditState& state_;
+  mutable std::unordered_map<ChunkKey, std::shared_ptr<const edits::ChunkOverrides>> held_;
+  mutable std::optional<std::string> error_;
+};
+
+}  // namespace talus::server

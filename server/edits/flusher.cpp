@@ -1,0 +1,51 @@
+#include "edits/flusher.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace talus::server {
+
+void Flusher::start() {
+  position_ = state_.head().position;
+  chunks_ = state_.dirty_chunks();
+  editors_ = state_.take_dirty_editors();
+  // Keys in order cost the database less.
+  std::ranges::sort(chunks_, std::greater{});
+  running_ = true;
+}
+
+EditDatabase::Done Flusher::step() {
+  EditDatabase::Slice slice;
+  const auto has_place = [&] { return slice.count() < kSliceValues && slice.bytes() < kSliceBytes; };
+  std::vector<std::pair<ChunkKey, std::uint64_t>> written;
+  std::size_t chunks_left = chunks_.size();
+  for (; chunks_left > 0 && has_place(); --chunks_left) {
+    const ChunkKey key = chunks_[chunks_left - 1];
+    const EditedChunk* const chunk = state_.dirty(key);
+    if (chunk == nullptr) continue;
+    const auto* const overrides = chunk->overrides.get();
+    slice.put(key, chunk->revision, overrides == nullptr ? std::span<const Override>{} : overrides->voxels());
+    written.emplace_back(key, chunk->revision);
+  }
+  std::size_t editors_left = editors_.size();
+  for (; editors_left > 0 && has_place(); --editors_left) {
+    const edits::EditorId id = editors_[editors_left - 1];
+    if (const edits::Editor* const editor = state_.editors().find(id)) {
+      slice.put(id, state_.head().position, *editor);
+    } else {
+      slice.erase(id);
+    }
+  }
+  if (slice.count() > 0) {
+    if (auto put = database_.put(slice); !put) return put;
+  }
+  for (const auto& [key, revision] : written) state_.mark_clean(key, revision);
+  chunks_.resize(chunks_left);
+  editors_.resize(editors_left);
+  if (chunks_left > 0 || editors_left > 0) return {};
+  if (auto marked = database_.mark_flushed(position_); !marked) return marked;
+  running_ = false;
+  return {};
+}
+
+}  // namespace talus::server

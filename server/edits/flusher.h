@@ -1,0 +1,38 @@
+// Writes chunks and editors that the log's records alone hold, slice by slice, so that edits need not wait
+// for all of them; then the records are history. Of the log's thread.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "edits/edit_state.h"
+#include "store/edit_database.h"
+
+namespace talus::server {
+
+class Flusher {
+ public:
+  /// A slice has at most so much.
+  static constexpr std::size_t kSliceBytes = std::size_t{256} << 10U;
+  static constexpr std::size_t kSliceValues = 512;
+
+  /// Both outlive this.
+  Flusher(EditState& state, EditDatabase& database) : state_{state}, database_{database} {}
+
+  [[nodiscard]] bool is_running() const { return running_; }
+  /// Begins with all that is dirty now. REQUIRES: !is_running().
+  void start();
+  /// Writes one slice. An error is one line, and the slice is written again by the next step.
+  [[nodiscard]] EditDatabase::Done step();
+
+ private:
+  EditState& state_;
+  EditDatabase& database_;
+  bool running_ = false;
+  std::uint64_t position_ = 0;  // all that is dirty up to it is flushed at the end
+  std::vector<ChunkKey> chunks_;
+  std::vector<edits::EditorId> editors_;
+};
+
+}  // namespace talus::server

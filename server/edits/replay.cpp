@@ -1,0 +1,70 @@
+#include "edits/replay.h"
+
+#include <algorithm>
+#include <utility>
+
+#include <talus/edits/staging.h>
+
+namespace talus::server {
+
+void Replay::start(edits::EditorId id, StoredEditor&& stored) {
+  positions_.emplace(id, stored.position);
+  editors_.put(id, std::move(stored.editor));
+}
+
+Replay::Chunk* Replay::chunk_for(ChunkKey key) {
+  const auto [at, added] = chunks_.try_emplace(key);
+  if (!added) return &at->second;
+  if (index_.revision(key) == 0) return &at->second;
+  auto stored = database_.chunk(key);
+  if (!stored || !*stored) return nullptr;
+  at->second = {(*stored)->revision, edits::ChunkOverrides{std::move((*stored)->voxels)}};
+  return &at->second;
+}
+
+bool Replay::apply(const LogRecord& record) {
+  const bool changed = !record.changes.empty();
+  if (revision_ && record.revision != *revision_ + (changed ? 1 : 0)) return false;
+  revision_ = record.revision;
+  apply_to_editors(record);
+  for (const edits::ChunkWrites& writes : edits::writes_at_all_levels(record.changes)) {
+    Chunk* const chunk = chunk_for(writes.key);
+    if (chunk == nullptr) return false;
+    if (chunk->revision >= record.revision) continue;  // it was written after this record
+    chunk->overrides.apply(writes.writes);
+    chunk->revision = record.revision;
+  }
+  return true;
+}
+
+void Replay::apply_to_editors(const LogRecord& record) {
+  using Kind = edits::Applied::Kind;
+  const bool attach =
+      record.kind == Kind::attached || record.kind == Kind::superseded || record.kind == Kind::editors_full;
+  if (attach) {
+    for (const edits::EditorId id : editors_.idle_at(record.time_ms)) {
+      editors_.erase(id);
+      dirty_editors_.insert(id);
+    }
+  }
+  if (record.kind != Kind::attached && record.kind != Kind::done && record.kind != Kind::conflict) return;
+  if (const auto has = positions_.find(record.editor);
+      has != positions_.end() && has->second >= record.position) {
+    return;
+  }
+  const edits::Editor* const before = editors_.find(record.editor);
+  // One that the database has forgotten already, by a record that follows.
+  if (before == nullptr && record.kind != Kind::attached) return;
+  edits::Editor editor = before == nullptr ? edits::Editor{} : *before;
+  editor.used_ms = record.time_ms;
+  if (record.kind == Kind::attached) {
+    editor.epoch = record.epoch;
+    editor.subject = record.subject;
+  } else {
+    editor.keep(record.result);
+  }
+  editors_.put(record.editor, std::move(editor));
+  dirty_editors_.insert(record.editor);
+}
+
+}  // namespace talus::server

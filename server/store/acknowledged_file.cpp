@@ -1,0 +1,73 @@
+#include "store/acknowledged_file.h"
+
+#include <filesystem>
+#include <utility>
+
+#include <fmt/format.h>
+#include <rocksdb/env.h>
+
+namespace talus::server {
+namespace {
+
+rocksdb::Slice slice_of_bytes(const Bytes& bytes) {
+  return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
+}
+
+rocksdb::Status make_whole(rocksdb::Env& env, const std::string& path, const Bytes& bytes) {
+  const std::string temporary = path + ".new";
+  rocksdb::Status status = rocksdb::WriteStringToFile(&env, slice_of_bytes(bytes), temporary, true);
+  if (status.ok()) status = env.RenameFile(temporary, path);
+  std::unique_ptr<rocksdb::Directory> directory;
+  if (status.ok()) status = env.NewDirectory(std::filesystem::path{path}.parent_path().string(), &directory);
+  if (status.ok()) status = directory->Fsync();
+  return status;
+}
+
+}  // namespace
+
+tl::expected<std::optional<Acknowledged>, std::string> AcknowledgedFile::read(rocksdb::Env& env,
+                                                                              const std::string& path) {
+  if (env.FileExists(path).IsNotFound()) return std::nullopt;
+  std::string text;
+  if (const auto status = rocksdb::ReadFileToString(&env, path, &text); !status.ok()) {
+    return tl::unexpected{fmt::format("{}: {}; talusd must be able to read it", path, status.ToString())};
+  }
+  const auto acknowledged = decode_acknowledged(std::as_bytes(std::span{text}));
+  if (!acknowledged) {
+    return tl::unexpected{
+        fmt::format("{}: it is damaged, and so the disk may be; restore a backup, or delete this file to go "
+                    "on with what the "
+                    "store holds",
+                    path)};
+  }
+  return acknowledged;
+}
+
+tl::expected<AcknowledgedFile, std::string> AcknowledgedFile::open(rocksdb::Env& env, const std::string& path,
+                                                                   const Acknowledged& now) {
+  Bytes bytes;
+  encode(now, bytes);
+  std::unique_ptr<rocksdb::RandomRWFile> file;
+  rocksdb::Status status = make_whole(env, path, bytes);
+  if (status.ok()) status = env.NewRandomRWFile(path, &file, rocksdb::EnvOptions{});
+  if (!status.ok()) {
+    return tl::unexpected{fmt::format("{}: {}; talusd must be able to write it", path, status.ToString())};
+  }
+  return AcknowledgedFile{std::move(file)};
+}
+
+AcknowledgedFile::AcknowledgedFile(std::unique_ptr<rocksdb::RandomRWFile> file) : file_{std::move(file)} {}
+AcknowledgedFile::AcknowledgedFile(AcknowledgedFile&&) noexcept = default;
+AcknowledgedFile& AcknowledgedFile::operator=(AcknowledgedFile&&) noexcept = default;
+AcknowledgedFile::~AcknowledgedFile() = default;
+
+void AcknowledgedFile::write(const Acknowledged& now) {
+  encode(now, bytes_);
+  file_->Write(0, slice_of_bytes(bytes_)).PermitUncheckedError();
+}
+
+void AcknowledgedFile::sync() {
+  file_->Sync().PermitUncheckedError();
+}
+
+}  // namespace talus::server

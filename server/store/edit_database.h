@@ -1,0 +1,161 @@
+// The edits of one world on disk: the log's records, and by them chunks and editors, which are written later
+// and make the records history. FORMAT.md has every byte.
+//
+// One thread writes. Whatever a power cut leaves, the store opens with all that append() returned for, or
+// says in one line what is lost.
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <deque>
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <memory>
+#include <optional>
+#include <shared_mutex>
+#include <span>
+#include <string>
+
+#include <tl/expected.hpp>
+
+#include <talus/edits/batch.h>
+
+#include "store/acknowledged_file.h"
+#include "store/records.h"
+
+namespace rocksdb {
+class DB;
+class Env;
+class WriteBatch;
+}  // namespace rocksdb
+
+namespace talus::server {
+
+struct EditDatabaseSettings {
+  std::filesystem::path path;  // a directory that a DataDirectory has locked
+  ContentHash fingerprint;     // of the world
+  ContentHash store_id;
+  std::size_t write_buffer_bytes = std::size_t{32} << 20U;
+  std::size_t block_cache_bytes = std::size_t{8} << 20U;
+  /// What is flushed stays as history until there is more, or until it is older, by the log's time.
+  std::uint64_t history_bytes = std::uint64_t{1} << 30U;
+  std::chrono::milliseconds history_age = std::chrono::days{30};
+  /// On a full disk RocksDB may abort the process where it opens.
+  std::uint64_t free_bytes_to_open = std::uint64_t{64} << 20U;
+  rocksdb::Env* env = nullptr;  // for tests; null: the system's. Outlives the database
+  /// Tests alone set it to false: what is acknowledged then may be lost by a power cut.
+  bool sync = true;
+};
+
+class EditDatabase {
+ public:
+  using Done = tl::expected<void, std::string>;  // an error is one line
+
+  /// Makes the store where there is none. Refuses one of another world or store, of a newer format, a damaged
+  /// one, and one that has less than was acknowledged.
+  [[nodiscard]] static tl::expected<std::unique_ptr<EditDatabase>, std::string> open(
+      const EditDatabaseSettings& settings);
+  ~EditDatabase();
+
+  [[nodiscard]] const StoreMeta& meta() const { return meta_; }
+  [[nodiscard]] const std::filesystem::path& path() const { return settings_.path; }
+
+  /// After open(), in this order, before anything is written. Every checksum is verified.
+  [[nodiscard]] Done for_each_chunk(const std::function<void(ChunkKey, std::uint64_t revision)>& visit) const;
+  [[nodiscard]] Done for_each_editor(const std::function<void(edits::EditorId, StoredEditor&&)>& visit) const;
+  /// The records behind meta().flushed, which neither chunks nor editors need hold: no position is missing,
+  /// and each record's link is right. A false of `visit` is a record that does not fit.
+  [[nodiscard]] Done replay(const std::function<bool(LogRecord&&)>& visit);
+
+  /// Any thread. Nothing where the chunk was never flushed.
+  [[nodiscard]] tl::expected<std::optional<StoredChunk>, std::string> chunk(ChunkKey key) const;
+
+  /// History as far as it is kept, and what is not flushed, from `first` on, until `visit` returns false.
+  /// Links are verified but for that of the first. On the thread that writes.
+  [[nodiscard]] Done for_each_record(std::uint64_t first,
+                                     const std::function<bool(LogRecord&&)>& visit) const;
+
+  /// Writes all that the batch applied, at once and synced. After an error nobody knows whether it is on the
+  /// disk: nothing but this batch may be appended until it succeeds, which does no harm where it was.
+  [[nodiscard]] Done append(const edits::Batch& batch);
+
+  /// Chunks and editors as they are now, in one write that is not synced: until mark_flushed() the log's
+  /// records have them too.
+  class Slice;
+  [[nodiscard]] Done put(const Slice& slice);
+  /// All chunks and editors as of `position`, that of a batch's last record, were put. What history need not
+  /// keep goes.
+  [[nodiscard]] Done mark_flushed(std::uint64_t position);
+  /// Where what was put is not in the log's records any more: on the disk when it returns. Makes the next
+  /// opening cheap.
+  [[nodiscard]] Done settle();
+
+  /// After an error of a write: whether writing may be tried again.
+  [[nodiscard]] Done recover();
+
+  [[nodiscard]] std::uint64_t free_bytes() const;
+
+  /// Which name has which id, for ever.
+  [[nodiscard]] const std::map<std::string, MaterialId>& materials() const { return materials_; }
+  /// Binds names that are not bound yet, synced. Refuses a name that has another id, and an id that has
+  /// another name; then nothing is bound.
+  [[nodiscard]] Done bind(const std::map<std::string, MaterialId>& materials);
+
+ private:
+  /// Of a batch that is not flushed yet.
+  struct Unflushed {
+    std::uint64_t position = 0;  // of its last record
+    std::uint64_t link = 0;
+    std::uint64_t bytes = 0;
+    std::int64_t time_ms = 0;
+  };
+
+  explicit EditDatabase(const EditDatabaseSettings& settings);
+  [[nodiscard]] rocksdb::Env& env() const;
+  [[nodiscard]] std::string acknowledged_path() const { return (settings_.path / "acknowledged").string(); }
+  [[nodiscard]] std::string database_path() const { return (settings_.path / "db").string(); }
+  [[nodiscard]] tl::unexpected<std::string> failure(std::string_view what) const;
+  [[nodiscard]] Done open_database();
+  [[nodiscard]] Done read_meta();
+  [[nodiscard]] Done make_store();
+  [[nodiscard]] Done check_meta() const;
+  [[nodiscard]] Done check_acknowledged();
+  [[nodiscard]] Done read_materials();
+  [[nodiscard]] Done read_history();
+  [[nodiscard]] Done drop_records_beyond();
+  [[nodiscard]] Done write(rocksdb::WriteBatch& batch, bool sync);
+  void extend_history(const Unflushed& flushed, std::uint64_t first, rocksdb::WriteBatch& batch);
+
+  EditDatabaseSettings settings_;
+  mutable std::shared_mutex handle_;  // unique: while the database is opened again
+  std::unique_ptr<rocksdb::DB> db_;
+  std::optional<AcknowledgedFile> acknowledged_;
+  StoreMeta meta_;
+  std::deque<Unflushed> unflushed_;
+  std::deque<HistorySegment> history_;
+  std::uint64_t history_bytes_ = 0;
+  std::map<std::string, MaterialId> materials_;
+  Bytes value_;  // of the thread that writes
+};
+
+/// Values to be written at once.
+class EditDatabase::Slice {
+ public:
+  Slice();
+  ~Slice();
+  void put(ChunkKey key, std::uint64_t revision, std::span<const Override> voxels);
+  /// As after the entry `position`.
+  void put(edits::EditorId id, std::uint64_t position, const edits::Editor& editor);
+  void erase(edits::EditorId id);
+  [[nodiscard]] std::size_t bytes() const;
+  [[nodiscard]] std::size_t count() const { return count_; }
+
+ private:
+  friend class EditDatabase;
+  std::unique_ptr<rocksdb::WriteBatch> batch_;
+  std::size_t count_ = 0;
+  Bytes value_;
+};
+
+}  // namespace talus::server
