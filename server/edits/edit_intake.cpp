@@ -124,7 +124,7 @@ void EditIntake::work() {
       if (stopping_) return;
     }
     try {
-      take_in();
+      do_what_waits();
     } catch (const std::exception& error) {
       // No memory. What was taken in and is not answered is sent again by clients that connect again.
       log_->error("edits: {}", error.what());
@@ -132,7 +132,7 @@ void EditIntake::work() {
   }
 }
 
-void EditIntake::take_in() {
+void EditIntake::do_what_waits() {
   std::vector<Attaching> attaching;
   std::vector<std::pair<MailboxPtr, EditRequest>> edits;
   std::vector<ClientId> forgotten;

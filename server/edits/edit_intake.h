@@ -58,6 +58,9 @@ class EditIntake final : public EditTaker {
   /// Ends the thread. What is not logged yet is not answered, nor is what comes from now on.
   void stop();
 
+  /// Does what waits now: what the thread does.
+  void do_what_waits();
+
   void attach(const MailboxPtr& mailbox, AttachRequest request) override;
   void edit(const MailboxPtr& mailbox, EditRequest request) override;
   void forget(ClientId client) override;
@@ -87,8 +90,6 @@ class EditIntake final : public EditTaker {
   };
 
   void work();
-  /// Each with the thread's own lanes.
-  void take_in();
   void attach_now(Attaching attaching);
   void attached(const Attaching& attaching, const tl::expected<const edits::Applied*, LogFailure>& outcome);
   void take_look_ups(Lane& lane);

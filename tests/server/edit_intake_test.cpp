@@ -1,0 +1,239 @@
+// What the intake makes of sessions' edits, in the test's own thread: bases looked up, order kept, refusals.
+#include "edits/edit_intake.h"
+
+#include <catch2/catch.hpp>
+
+#include <talus/voxel/codec.h>
+
+#include "scripted_source.h"
+
+namespace talus::server {
+namespace {
+
+constexpr MaterialId kStone{2};
+constexpr MaterialId kGlass{3};
+constexpr edits::EditorId kEditor{1, 2};
+
+EncodedChunkPtr of(MaterialId material) {
+  return encode_shared(Chunk::uniform(material));
+}
+
+struct HeldLog final : EditLog {
+  struct Entry {
+    LogEntry entry;
+    Done done;
+  };
+  std::vector<Entry> entries;
+  bool full = false;
+
+  bool append(LogEntry entry, Done done) override {
+    if (full) return false;
+    entries.push_back({std::move(entry), std::move(done)});
+    return true;
+  }
+  [[nodiscard]] const edits::EditEntry& edit(std::size_t index) const {
+    return std::get<edits::EditEntry>(entries.at(index).entry);
+  }
+};
+
+struct Bench {
+  ScriptedSource source;
+  HeldLog log;
+  std::map<edits::EditorId, edits::Editor> editors;
+  std::uint64_t revision = 10;
+  EditIntake intake{{source, log,
+                     [this](edits::EditorId id) {
+                       const auto at = editors.find(id);
+                       return at == editors.end() ? std::nullopt : std::optional{at->second};
+                     },
+                     [this] { return revision; }},
+                    {{0, 100}, {kAir, kStone, kGlass}},
+                    make_logger("off", "text")};
+  MailboxPtr session = std::make_shared<Mailbox>(ClientId{1}, [] {});
+
+  void edit(std::uint32_t id, std::vector<VoxelPos> voxels, MaterialId material = kGlass) {
+    EditRequest request{id, kEditor, 3, id, {}};
+    for (const VoxelPos voxel : voxels) request.edit.writes.push_back({voxel, material});
+    intake.edit(session, std::move(request));
+    intake.do_what_waits();
+  }
+  void look_ups_answered(MaterialId material) {
+    while (!source.waiting.empty()) {
+      const ChunkKey key = source.waiting.begin()->first;
+      source.mail(key, of(material));
+      source.last_mailbox->wake();
+    }
+    intake.do_what_waits();
+  }
+  template <typename Letter>
+  Letter only_mail() {
+    auto mail = session->take();
+    REQUIRE(mail.size() == 1);
+    return std::get<Letter>(std::move(mail[0]));
+  }
+};
+
+}  // namespace
+
+TEST_CASE("an edit is logged with the base of what it touches, looked up in the session's turns") {
+  Bench bench;
+  bench.edit(1, {{0, 0, 0}, {33, 5, 0}});
+  CHECK(bench.log.entries.empty());
+  CHECK(bench.source.wanted_soon.size() == 2);
+  CHECK(bench.source.last_mailbox->flow() == bench.session->flow());
+  CHECK(bench.source.last_mailbox->owner() != bench.session->owner());
+  bench.look_ups_answered(kStone);
+  REQUIRE(bench.log.entries.size() == 1);
+  const edits::EditEntry& entry = bench.log.edit(0);
+  CHECK(entry.editor == kEditor);
+  CHECK(entry.epoch == 3);
+  CHECK(entry.sequence == 1);
+  CHECK(entry.base == edits::BaseVoxels{{{0, 0, 0}, {{0, kStone}}}, {{1, 0, 0}, {{5 * 1024 + 1, kStone}}}});
+
+  bench.edit(2, {{1, 0, 0}});  // a chunk that is kept decoded
+  CHECK(bench.log.entries.size() == 2);
+}
+
+TEST_CASE("edits of a session keep their order, and those of others do not wait for them") {
+  Bench bench;
+  bench.source.in_memory[{{5, 0, 0}, Lod{}}] = of(kStone);
+  bench.edit(1, {{0, 0, 0}});
+  bench.edit(2, {{160, 0, 0}});  // in memory
+  CHECK(bench.log.entries.empty());
+  const MailboxPtr other = std::make_shared<Mailbox>(ClientId{2}, [] {});
+  EditRequest request{7, {5, 6}, 1, 1, {}};
+  request.edit.writes = {{{161, 0, 0}, kGlass}};
+  bench.intake.edit(other, std::move(request));
+  bench.intake.do_what_waits();
+  REQUIRE(bench.log.entries.size() == 1);
+  CHECK(bench.log.edit(0).editor == edits::EditorId{5, 6});
+  bench.look_ups_answered(kStone);
+  REQUIRE(bench.log.entries.size() == 3);
+  CHECK(bench.log.edit(1).sequence == 1);
+  CHECK(bench.log.edit(2).sequence == 2);
+}
+
+TEST_CASE("look-ups that the generators refuse are tried again") {
+  Bench bench;
+  bench.source.queue_places = 1;
+  bench.edit(1, {{0, 0, 0}, {33, 0, 0}, {65, 0, 0}});
+  for (int round = 0; round < 3; ++round) {
+    CHECK(bench.log.entries.empty());
+    bench.look_ups_answered(kStone);
+  }
+  CHECK(bench.log.entries.size() == 1);
+}
+
+TEST_CASE("an edit that may not be is refused, and the next goes on") {
+  Bench bench;
+  bench.source.in_memory[{{0, 0, 0}, Lod{}}] = of(kStone);
+  bench.edit(1, {{0, 0, 0}}, MaterialId{9});
+  const auto refused = bench.only_mail<EditAnswer>();
+  CHECK(refused.id == 1);
+  CHECK(refused.answer.error().code == wire::ErrorCode::out_of_range);
+  bench.edit(2, {{0, 5'000, 0}});
+  CHECK(bench.only_mail<EditAnswer>().answer.error().code == wire::ErrorCode::out_of_range);
+  bench.edit(3, {{0, 0, 0}});
+  CHECK(bench.log.entries.size() == 1);
+  bench.log.full = true;
+  bench.edit(4, {{0, 0, 0}});
+  const auto full = bench.only_mail<EditAnswer>();
+  CHECK(full.answer.error().code == wire::ErrorCode::overloaded);
+  CHECK(full.answer.error().retry_after.count() > 0);
+}
+
+TEST_CASE("a failed look-up fails its edit alone") {
+  Bench bench;
+  bench.edit(1, {{0, 0, 0}});
+  bench.source.fail({{0, 0, 0}, Lod{}});
+  bench.source.last_mailbox->wake();
+  bench.intake.do_what_waits();
+  CHECK(bench.only_mail<EditAnswer>().answer.error().code == wire::ErrorCode::internal);
+  bench.edit(2, {{0, 0, 0}});
+  bench.look_ups_answered(kStone);
+  CHECK(bench.log.entries.size() == 1);
+}
+
+TEST_CASE("of a session that is gone nothing more is looked up or logged") {
+  Bench bench;
+  bench.edit(1, {{0, 0, 0}});
+  CHECK(bench.source.waiting.size() == 1);
+  bench.intake.forget(ClientId{1});
+  bench.intake.do_what_waits();
+  CHECK(bench.source.waiting.empty());
+  CHECK(bench.log.entries.empty());
+}
+
+TEST_CASE("what the log says of an edit is what its session is told") {
+  Bench bench;
+  bench.source.in_memory[{{0, 0, 0}, Lod{}}] = of(kStone);
+  using Kind = edits::Applied::Kind;
+  const auto told = [&](edits::Applied applied) {
+    bench.edit(1, {{0, 0, 0}});
+    bench.log.entries.back().done(&applied);
+    return bench.only_mail<EditAnswer>().answer;
+  };
+  edits::Applied applied;
+  applied.kind = Kind::done;
+  applied.result = {1, 11, 1, {}};
+  CHECK(told(applied).value() == applied.result);
+  applied.kind = Kind::repeat;
+  CHECK(told(applied).value() == applied.result);
+  applied.result.conflict = 2;
+  CHECK(told(applied).error().code == wire::ErrorCode::conflict);
+  applied.kind = Kind::expired;
+  CHECK(told(applied).error().code == wire::ErrorCode::expired);
+  applied.kind = Kind::not_applied;
+  CHECK(told(applied).error().code == wire::ErrorCode::not_applied);
+  bench.edit(1, {{0, 0, 0}});
+  bench.log.entries.back().done(tl::unexpected{LogFailure{"the disk is full"}});
+  CHECK(bench.only_mail<EditAnswer>().answer.error().code == wire::ErrorCode::overloaded);
+}
+
+TEST_CASE("Attach goes on as the editor that is known to the same subject, else as a new one") {
+  Bench bench;
+  bench.editors[kEditor] = {.epoch = 4, .last_sequence = 17, .used_ms = 0, .subject = "ann", .results = {}};
+  const auto attach = [&](AttachRequest request) {
+    bench.intake.attach(bench.session, std::move(request));
+    bench.intake.do_what_waits();
+    return std::get<edits::AttachEntry>(bench.log.entries.back().entry);
+  };
+  const auto again = attach({kEditor, "ann", 0});
+  CHECK(again.editor == kEditor);
+  CHECK(again.epoch == 5);
+  const auto stolen = attach({kEditor, "eve", 0});
+  CHECK(stolen.editor != kEditor);
+  CHECK(stolen.epoch == 1);
+  CHECK(stolen.subject == "eve");
+  CHECK(attach({{}, "", 0}).editor != edits::EditorId{});
+
+  edits::Applied applied;
+  applied.kind = edits::Applied::Kind::attached;
+  applied.revision = 12;
+  bench.editors[kEditor].epoch = 5;
+  bench.log.entries[0].done(&applied);
+  const auto answer = bench.only_mail<AttachAnswer>().answer.value();
+  CHECK(answer.editor == kEditor);
+  CHECK(answer.epoch == 5);
+  CHECK(answer.last_sequence == 17);
+  CHECK(answer.known);
+  CHECK(answer.revision == 12);
+}
+
+TEST_CASE("who has seen more than this server has waits, and of two who attach at once one tries again") {
+  Bench bench;
+  bench.intake.attach(bench.session, {{}, "", 11});
+  bench.intake.do_what_waits();
+  CHECK(bench.only_mail<AttachAnswer>().answer.error().code == wire::ErrorCode::overloaded);
+  CHECK(bench.log.entries.empty());
+
+  bench.intake.attach(bench.session, {{}, "", 10});
+  bench.intake.do_what_waits();
+  edits::Applied applied;
+  applied.kind = edits::Applied::Kind::superseded;
+  bench.log.entries[0].done(&applied);
+  bench.intake.do_what_waits();
+  CHECK(bench.log.entries.size() == 2);
+}
+
+}  // namespace talus::server
