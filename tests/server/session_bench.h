@@ -10,6 +10,8 @@
 #include <utility>
 #include <vector>
 
+#include <talus/edits/runs.h>
+#include <talus/protocol/limits.h>
 #include <talus/voxel/codec.h>
 
 #include "access/access_control.h"
@@ -27,6 +29,8 @@ struct Said {
   std::uint32_t id = 0;  // of the request; 0: about none
   ChunkKey key;
   std::uint64_t revision = 0;
+  std::uint64_t previous_revision = 0;  // of an EditBroadcast
+  std::vector<Override> voxels;         // likewise
   wire::ErrorCode code{};
   wire::ErrorAbout about{};
   std::uint32_t repeated_id = 0;
@@ -54,6 +58,13 @@ struct Said {
     said.id = unchanged->id();
     said.key = key_of(*unchanged->key());
     said.revision = unchanged->revision();
+  } else if (const auto* broadcast = message.body_as_EditBroadcast()) {
+    said.key = key_of(*broadcast->key());
+    said.revision = broadcast->revision();
+    said.previous_revision = broadcast->previous_revision();
+    said.voxels = edits::decode_runs({reinterpret_cast<const std::byte*>(broadcast->runs()->data()),
+                                      broadcast->runs()->size()})
+                      .value();
   } else if (const auto* heights = message.body_as_Heights()) {
     said.id = heights->id();
   } else if (const auto* error = message.body_as_Error()) {
@@ -97,6 +108,7 @@ struct SessionBench {
     Access access{};
     bool greet = true;
     HeightRange heights{};  // of the world
+    std::uint16_t protocol = 1;
   };
 
   ScriptedSource source;
@@ -109,6 +121,7 @@ struct SessionBench {
   FlowUses flows;
   AccessControl access;
   MailboxPtr mailbox = std::make_shared<Mailbox>(ClientId{1}, [] {});
+  const std::uint16_t protocol;
   Session session;
   std::uint32_t view_number = 0;  // of the Views to come
 
@@ -117,6 +130,7 @@ struct SessionBench {
         world{.heights = options.heights},
         rates{options.rates},
         access{options.access, *load_keys(options.access)},
+        protocol{options.protocol},
         session{
             {limits, world, source, memory, metrics, access, rates, flows, clock}, mailbox, options.address} {
     if (!options.greet) return;
@@ -135,7 +149,7 @@ struct SessionBench {
     receive([&](auto& builder) {
       const auto codecs = builder.CreateVector(std::vector{codec});
       const auto shown = builder.CreateString(token);
-      return wire::CreateHello(builder, 1, 1, codecs, shown);
+      return wire::CreateHello(builder, 1, protocol, codecs, shown);
     });
   }
   void get_chunk(std::uint32_t id, ChunkKey key, const EncodedChunkPtr& known = nullptr) {
