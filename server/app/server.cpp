@@ -182,7 +182,9 @@ void Server::check_descriptors(std::uint64_t allowed) {
 
 void Server::run() {
   check_descriptors(set_descriptor_limit(descriptors_wanted(config_)));
-  log_->log(patch_size_.expensive ? spdlog::level::warn : spdlog::level::info, "{}", describe(patch_size_));
+  log_->log(
+      patch_size_.expensive || patch_size_.chunks_expensive() ? spdlog::level::warn : spdlog::level::info,
+      "{}", describe(patch_size_));
   chunks_.start();
   if (edits_ != nullptr) edits_->start();
   if (operators_) {
