@@ -9,7 +9,7 @@ flat out float scale;
 flat out uint material;
 
 void main() {
-  Corner c = unpackCorner(0.0003);
+  Corner c = unpackCorner(0.0);         // what is seen through must not overlap
   ray = c.position;
   // The surface lies a little below its voxel's top, at every level of detail alike.
   if (c.normal.y > 0.5) ray.y -= 0.14;
