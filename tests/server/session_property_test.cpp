@@ -189,7 +189,9 @@ class Client {
   /// Once, and again only where it was changed since.
   void deliver(ChunkKey key, std::uint64_t revision) {
     RC_ASSERT(in_view_.contains(key));
-    RC_ASSERT(delivered_.insert(key).second || revision > revisions_.at(key));
+    const bool changed = !delivered_.contains(key) || revision > revisions_.at(key);
+    RC_ASSERT(changed);
+    delivered_.insert(key);
     revisions_[key] = revision;
   }
 
