@@ -129,6 +129,8 @@ GenerationSettings generation_settings(const Config& config, const terrain::Worl
                                        const PatchSize& patch) {
   // Maps are asked for over HTTP alone.
   constexpr std::uint64_t kMapsShare = 8;
+  // Of chunks with edits, where there may be any.
+  constexpr std::uint64_t kMergedShare = 8;
   constexpr std::size_t kMapBytesAColumn =
       160;  // of a map in the making: its stacks, and what light falls on
   const bool maps = config.http.listen.has_value();
@@ -140,7 +142,8 @@ GenerationSettings generation_settings(const Config& config, const terrain::Worl
           .patch_cache_bytes = config.cache.patch_bytes,
           .piece_bytes = std::max(patch.bytes_in_the_making(), map_bytes),
           .ground_bytes = ground_bytes(config, world),
-          .map_cache_bytes = maps ? config.cache.chunk_bytes / kMapsShare : 0};
+          .map_cache_bytes = maps ? config.cache.chunk_bytes / kMapsShare : 0,
+          .merged_cache_bytes = config.data.empty() ? 0 : config.cache.chunk_bytes / kMergedShare};
 }
 
 PatchSize measured_patch_size(const Config& config, const terrain::World& world, const Clock& clock) {

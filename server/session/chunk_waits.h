@@ -58,12 +58,11 @@ class ChunkWaits {
     return erase_if_unwanted(found);
   }
   /// The View waits for the chunk no more, which is expected all the same, as its answer is on its way.
-  /// Returns whether it was waited for.
+  /// Returns whether the View waited for it: where a request alone does, the View's own may have come before,
+  /// and wait for the client.
   bool end_view(ChunkKey key) {
     const auto found = waits_.find(key);
-    if (found == waits_.end()) return false;
-    found->second.view = false;
-    return true;
+    return found != waits_.end() && std::exchange(found->second.view, false);
   }
 
   /// The View waits no more for the chunks for which gone(chunk) is true. Returns those of them for which

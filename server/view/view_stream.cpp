@@ -1,6 +1,7 @@
 #include "view/view_stream.h"
 
 #include <algorithm>
+#include <cassert>
 #include <functional>
 #include <utility>
 
@@ -95,7 +96,8 @@ void ViewStream::put_back(ChunkKey key) {
 
 void ViewStream::done(ChunkKey key) {
   State& state = states_[*interest_.place_of(key)];
-  if (is_in_flight(state)) --in_flight_;
+  assert(is_in_flight(state));
+  --in_flight_;
   state = State::done;
   --left_;
 }

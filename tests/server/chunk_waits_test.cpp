@@ -40,8 +40,10 @@ TEST_CASE("a chunk that the View has otherwise is expected all the same") {
   waits.add(kKey, kNow).view = true;
   CHECK(waits.end_view(kKey));
   CHECK(waits.leave_view_where([](ChunkKey) { return true; }).empty());
+  CHECK_FALSE(waits.end_view(kKey));  // no more
   CHECK_FALSE(waits.take(kKey)->view);
-  CHECK_FALSE(waits.end_view(kKey));
+  waits.add(kOther, kNow).requests = {1};
+  CHECK_FALSE(waits.end_view(kOther));  // for which a request alone waits
 }
 
 TEST_CASE("a request that leaves a chunk does not cancel it for the View") {

@@ -80,6 +80,24 @@ TEST_CASE("uniform chunks of a square are told by columns, and not asked for") {
   CHECK(columns == 9);
 }
 
+TEST_CASE("a chunk that waits for the client is not told by its column as well, whoever else waits for it") {
+  Bench bench;
+  bench.look_at(0, 0);
+  bench.answer_all();               // the View's chunk waits to be written
+  bench.get_chunk(7, chunk_at(0));  // and is in no memory any more: the request has it made again
+  REQUIRE(bench.source.waiting.size() == 1);
+  bench.source.rows = {5, 5, MaterialId{2}};
+  bench.look_at(0, 0, 1);  // tells the column, of which that chunk is
+  std::size_t as_chunk = 0;
+  std::size_t in_column = 0;
+  for (const Said& said : bench.run_dry()) {
+    as_chunk += said.kind == Body::Chunk && said.id == 0 && said.key == chunk_at(0) ? 1U : 0U;
+    for (const auto& [first, last, material] : said.runs) in_column += first <= 0 && 0 <= last ? 1U : 0U;
+  }
+  CHECK(as_chunk == 1);
+  CHECK(in_column == 0);
+}
+
 TEST_CASE("a View leaves requests room to wait for chunks of their own") {
   Bench bench;
   bench.source.together = 16;
