@@ -16,6 +16,8 @@
 #include "scratch_directory.h"
 #include "scripted_source.h"
 #include "session_limits_of_tests.h"
+#include "websocket/stream.h"
+#include "websocket_frames.h"
 
 using namespace talus;
 using namespace talus::server;
@@ -85,13 +87,17 @@ struct Bench {
   /// The client's end of a new session.
   std::shared_ptr<Loopback> connect() {
     auto client = std::make_shared<Loopback>(io);
-    const ConnectionId id = runners.size() + 1;
-    runners.push_back(Runner::make(LoopbackStream{client}, {id, "test", clock.now()},
-                                   *admission.enter(asio::ip::address_v4::loopback()), kept(context)));
-    registry.add(id, runners.back());
-    runners.back()->start();
-    io.poll();
+    runners.push_back(begin<Runner>(LoopbackStream{client}, runners.size() + 1));
     return client;
+  }
+  template <typename R, typename S>
+  std::shared_ptr<R> begin(S stream, ConnectionId id) {
+    auto runner = R::make(std::move(stream), {id, "test", clock.now()},
+                          *admission.enter(asio::ip::address_v4::loopback()), kept(context));
+    registry.add(id, runner);
+    runner->start();
+    io.poll();
+    return runner;
   }
   std::shared_ptr<Loopback> greeted() {
     auto client = connect();
@@ -381,6 +387,45 @@ TEST_CASE("who reads nothing while it is sent something is closed") {
   bench.advance(15s - 1ms);
   CHECK_FALSE(client->closed);
   bench.advance(1ms);
+  bench.check_gone(*client);
+}
+
+TEST_CASE("who closes its WebSocket and reads nothing is closed in the end") {
+  using WebSocketStream = server::websocket::WebSocketStream<LoopbackStream>;
+  Bench bench;
+  const auto client = std::make_shared<Loopback>(bench.io);
+  const auto runner =
+      bench.begin<SessionRunner<WebSocketStream>>(WebSocketStream{LoopbackStream{client}, {}}, 1);
+  const auto say = [&](int opcode, std::span<const std::byte> payload) {
+    std::vector<std::byte> frame;
+    append_client_frame(frame, opcode, payload, 5);
+    client->send(frame);
+    bench.io.poll();
+  };
+  const auto advance = [&](Clock::duration by) {
+    bench.clock.advance(by);
+    runner->clock_moved();
+    bench.io.poll();
+  };
+  say(2, hello());
+  REQUIRE(bench.metrics.greeted.now() == 1);
+  SECTION("behind what it is being sent") {
+    client->room = 10;
+    say(2, ping());
+    say(8, {});
+    advance(15s - 1ms);
+    CHECK_FALSE(client->closed);
+    advance(1ms);
+  }
+  SECTION("when it is sent nothing but the answer to its Close") {
+    client->room = 0;
+    say(8, {});
+    advance(60s - 1ms);
+    CHECK_FALSE(client->closed);
+    advance(1ms);  // silent for too long, which it is told
+    CHECK_FALSE(client->closed);
+    advance(2s);
+  }
   bench.check_gone(*client);
 }
 

@@ -76,7 +76,8 @@ export class Engine {
     this.horizon = options.horizon;
     this.token = options.token;
     this.reducedMotion = options.reducedMotion;
-    this.frames = makeFrame(options);
+    // What waits for the network and for other threads begins first.
+    this.connect();
     this.pool = new Pool(
       workersFor(navigator.hardwareConcurrency ?? 2),
       () => new Worker(new URL('./stream/worker.ts', import.meta.url), { type: 'module' }),
@@ -90,6 +91,13 @@ export class Engine {
         }
       },
     );
+    try {
+      this.frames = new Frame(options.canvas, options.quality);
+    } catch (error) {
+      this.client.close();
+      this.pool.dispose();
+      throw new Error(`this browser cannot draw the world: it needs WebGL 2 (${(error as Error).message})`);
+    }
     this.land = new Land<TerrainMesh>({
       drawer: this.frames.terrain,
       meshers: this.pool,
@@ -103,7 +111,6 @@ export class Engine {
     });
     options.canvas.addEventListener('webglcontextlost', this.onContextLost);
     options.canvas.addEventListener('webglcontextrestored', this.onContextRestored);
-    this.connect();
   }
 
   get world(): WorldInfo {
@@ -479,12 +486,3 @@ export class Engine {
     this.emit('contextRestored');
   };
 }
-
-function makeFrame(options: EngineOptions): Frame {
-  try {
-    return new Frame(options.canvas, options.quality);
-  } catch (error) {
-    throw new Error(`this browser cannot draw the world: it needs WebGL 2 (${(error as Error).message})`);
-  }
-}
-

@@ -1,6 +1,6 @@
 // A real talusd for a test: on free ports of its own, ended with the test.
 import { execFileSync, spawn } from 'node:child_process';
-import { mkdtempSync, rmSync } from 'node:fs';
+import { mkdtempSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
@@ -21,6 +21,16 @@ export function scratch(t) {
   const folder = mkdtempSync(join(tmpdir(), 'talus-browser-'));
   t.after(() => rmSync(folder, { recursive: true, force: true }));
   return folder;
+}
+
+/** A certificate for 127.0.0.1 that vouches for itself: flags of a talusd that speaks TLS. */
+export function tlsFlags(t) {
+  const folder = scratch(t);
+  const [key, certificate] = [`${folder}/key.pem`, `${folder}/certificate.pem`];
+  const of = ['-subj', '/CN=localhost', '-addext', 'subjectAltName=DNS:localhost,IP:127.0.0.1'];
+  execFileSync('openssl', ['req', '-x509', '-newkey', 'ec', '-pkeyopt', 'ec_paramgen_curve:P-256', '-nodes', '-days', '1', ...of, '-keyout', key, '-out', certificate], { stdio: 'ignore' });
+  writeFileSync(`${folder}/talusd.toml`, `[tls]\ncertificate = "${certificate}"\nkey = "${key}"\n`);
+  return ['--config', `${folder}/talusd.toml`];
 }
 
 /** Resolves when it listens: { http: 'HOST:PORT', stop, kill }. */

@@ -69,9 +69,11 @@ export class Frame {
     this.renderer.autoClear = false;
     this.renderer.sortObjects = false;
     this.renderer.info.autoReset = false;
+    this.renderer.debug.checkShaderErrors = false; // asking waits; one that fails says so when it is used
     this.uniforms = {
       eye: { value: new Vector3() },
       viewProjection: { value: this.viewProjection },
+      pixel: { value: 0.001 },
       inverseViewProjection: { value: new Matrix4() },
       anchor: { value: new Vector2() },
       materials: { value: null },
@@ -122,6 +124,8 @@ export class Frame {
     sky.frustumCulled = false;
     this.sky.add(sky);
     this.setQuality(quality);
+    // The programs are made while the first chunks come, and are not waited for.
+    for (const scene of [this.terrain.solid, this.sky, this.terrain.liquid]) this.renderer.compile(scene, this.camera);
   }
 
   get gpuBytes(): number {
@@ -179,6 +183,7 @@ export class Frame {
   setFov(degrees: number): void {
     this.camera.fov = degrees;
     this.camera.updateProjectionMatrix();
+    this.measurePixel();
   }
 
   resize(width: number, height: number, pixelRatio: number): void {
@@ -186,6 +191,11 @@ export class Frame {
     this.renderer.setSize(width, height, false);
     this.camera.aspect = width / Math.max(height, 1);
     this.camera.updateProjectionMatrix();
+    this.measurePixel();
+  }
+
+  private measurePixel(): void {
+    this.set('pixel', (2 * Math.tan((this.camera.fov * Math.PI) / 360)) / Math.max(this.renderer.domElement.height, 1));
   }
 
   /** Textures that are filled in parts have lost them; three fills the others again. */

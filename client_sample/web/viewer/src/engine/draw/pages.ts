@@ -90,6 +90,7 @@ export class Pages {
 
   constructor(private readonly renderer: WebGLRenderer) {
     this.geometry.setIndex(makeIndex());
+    this.addPage();
   }
 
   get bytes(): number {
@@ -106,12 +107,7 @@ export class Pages {
     }
     if (first < 0) {
       page = this.pages.length;
-      const texture = new DataTexture(null, PAGE_WIDTH, PAGE_ROWS, RGIntegerFormat, UnsignedIntType);
-      texture.internalFormat = 'RG32UI';
-      texture.minFilter = texture.magFilter = NearestFilter;
-      texture.source.dataReady = false; // room alone: parts are written as meshes come
-      texture.needsUpdate = true;
-      this.pages.push({ texture, ranges: new Ranges(PAGE_ROWS) });
+      this.addPage();
       first = this.pages[page]!.ranges.take(rows);
     }
     this.upload(this.pages[page]!.texture, first, rows, quads);
@@ -125,6 +121,15 @@ export class Pages {
   dispose(): void {
     for (const page of this.pages) page.texture.dispose();
     this.geometry.dispose();
+  }
+
+  private addPage(): void {
+    const texture = new DataTexture(null, PAGE_WIDTH, PAGE_ROWS, RGIntegerFormat, UnsignedIntType);
+    texture.internalFormat = 'RG32UI';
+    texture.minFilter = texture.magFilter = NearestFilter;
+    texture.source.dataReady = false; // room alone: parts are written as meshes come
+    texture.needsUpdate = true;
+    this.pages.push({ texture, ranges: new Ranges(PAGE_ROWS) });
   }
 
   private upload(texture: DataTexture, row: number, rows: number, quads: Uint32Array): void {

@@ -74,6 +74,7 @@ export class Terrain implements Drawer<TerrainMesh> {
     this.slots.minFilter = this.slots.magFilter = NearestFilter;
     this.slots.needsUpdate = true;
     for (const scene of [this.solid, this.liquid, this.shadow]) scene.matrixWorldAutoUpdate = false;
+    this.addPage();
   }
 
   get bytes(): number {

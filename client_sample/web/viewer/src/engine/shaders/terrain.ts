@@ -8,9 +8,10 @@ out float occlusion;
 flat out vec3 normal;
 flat out uvec2 about;                 // material, and bit 0: cut, bit 1: top, bit 2: along x
 flat out float scale;
+uniform float pixel;                  // its angle
 
 void main() {
-  Corner c = unpackCorner(0.0003);
+  Corner c = unpackCorner(0.4 * pixel);
   ray = c.position;
   normal = c.normal;
   occlusion = c.occlusion / 3.0;

@@ -7,9 +7,10 @@ out vec3 ray;
 flat out vec3 normal;
 flat out float scale;
 flat out uint material;
+uniform float pixel;
 
 void main() {
-  Corner c = unpackCorner(0.0003);
+  Corner c = unpackCorner(0.4 * pixel);
   ray = c.position;
   // The surface lies a little below its voxel's top, at every level of detail alike.
   if (c.normal.y > 0.5) ray.y -= 0.14;
