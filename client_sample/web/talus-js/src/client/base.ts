@@ -7,6 +7,9 @@ import type {
   Client,
   ClientEvents,
   ConnectOptions,
+  Edit,
+  EditDone,
+  EditLimits,
   Places,
   Stats,
   View,
@@ -237,6 +240,8 @@ export abstract class ClientBase implements Client {
     columns: readonly { readonly x: number; readonly z: number }[],
     wanted?: { readonly looks?: boolean; readonly fields?: readonly string[] },
   ): Promise<Places>;
+  abstract edit(edit: Edit): Promise<EditDone>;
+  abstract editLimits(): Promise<EditLimits>;
   abstract ping(): Promise<number>;
 }
 
