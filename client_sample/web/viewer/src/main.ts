@@ -42,6 +42,8 @@ const stage = find('stage');
 let engine: Engine | null = null;
 let hours = readLink(location.hash).time ?? 10.5;
 let isPlaced = false;
+/** Whether one is to be lifted out of water, once it is known whether there is any. */
+let surfaces = false;
 
 // --- Where one is ---
 
@@ -58,13 +60,26 @@ async function travel(x: number, y: number | null, z: number): Promise<void> {
     row = ground + (body.mode === 'fly' ? SPAWN_RISE : 0);
   }
   body.place(x, row, z);
+  surfaces = y === null;
   isPlaced = true;
+}
+
+/** Heights are those of the ground: water may stand on it. */
+function surface(engine: Engine): void {
+  const [x, y, z] = body.position;
+  const at = (row: number) => engine.voxelAt(Math.floor(x), row, Math.floor(z));
+  let row = Math.floor(y);
+  while (engine.isLiquid(at(row) ?? 0)) ++row;
+  if (at(row) === undefined) return;
+  surfaces = false;
+  if (row > y) body.place(x, row + (body.mode === 'fly' ? SPAWN_RISE : 0), z);
 }
 
 function toSpawn(): void {
   if (engine === null) return;
   const { x, y, z } = engine.world.spawn;
   body.place(x + 0.5, y + (body.mode === 'fly' ? SPAWN_RISE : 0), z + 0.5);
+  surfaces = false;
   isPlaced = true;
 }
 
@@ -316,6 +331,7 @@ const loop = new Loop({
     if (settings.timeRuns) setTime(hours + (seconds * 24) / DAY_S);
     if (isPlaced) player.step(seconds);
     if (engine !== null && isPlaced) {
+      if (surfaces) surface(engine);
       player.look(engine);
       if (now - looked > 100) {
         looked = now;

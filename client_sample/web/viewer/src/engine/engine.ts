@@ -48,7 +48,8 @@ export class Engine {
   private viewComplete = false;
   private complete = false;
   private eye: Eye = { x: 0, y: 0, z: 0, yaw: 0, pitch: 0 };
-  private viewSent = { x: Infinity, y: 0, z: 0, yaw: 0, at: -Infinity };
+  /** `chunks` names those of the View; empty: none was sent. */
+  private viewSent = { chunks: '', yaw: 0, at: -Infinity };
   private chunksWanted = 0;
   private radius: number;
   private horizon: number;
@@ -197,7 +198,6 @@ export class Engine {
     this.radius = radius;
     this.horizon = horizon;
     if (this.info !== null) this.makeGround();
-    this.viewSent.x = Infinity;
   }
 
   setQuality(quality: 'low' | 'high'): void {
@@ -314,12 +314,16 @@ export class Engine {
       this.seaLevel = null;
       this.prepareMaterials(world);
       this.makeGround();
-      if (this.viewSent.x === Infinity && this.eye.x === 0 && this.eye.z === 0) {
+      if (this.viewSent.chunks === '' && this.eye.x === 0 && this.eye.z === 0) {
         this.eye = { ...this.eye, x: world.spawn.x + 0.5, y: world.spawn.y + 1.6, z: world.spawn.z + 0.5 };
       }
     }
-    this.viewSent.x = Infinity;
     this.setState('streaming', '');
+    // At once, so that the end of the View is not told before it is waited for.
+    if (this.viewSent.chunks !== '') {
+      this.viewSent = { ...this.viewSent, chunks: '', at: -Infinity };
+      this.sendView(performance.now());
+    }
     this.emit('world', this.world, !isNew);
   }
 
@@ -363,15 +367,18 @@ export class Engine {
 
   private sendView(now: number): void {
     if (this.info === null || now - this.viewSent.at < VIEW_EVERY_MS) return;
-    const { x, y, z, yaw, pitch } = this.eye;
-    const chunk = (v: number) => Math.floor(v / 32);
-    const before = this.viewSent;
-    const turned = Math.abs(Math.atan2(Math.sin(yaw - before.yaw), Math.cos(yaw - before.yaw))) > Math.PI / 6;
-    const moved = !Number.isFinite(before.x) || chunk(x) !== chunk(before.x) || chunk(z) !== chunk(before.z) || chunk(y) !== chunk(before.y);
-    if (!moved && !(turned && !this.complete)) return;
-    this.viewSent = { x, y, z, yaw, at: now };
+    const { yaw, pitch } = this.eye;
     const direction = { x: Math.sin(yaw) * Math.cos(pitch), y: Math.sin(pitch), z: -Math.cos(yaw) * Math.cos(pitch) };
     const view = viewFor(this.info, this.eye, direction, this.radius, this.horizon);
+    const chunk = (v: number) => Math.floor(v / 32);
+    const { x, y, z } = view.centre;
+    const chunks = JSON.stringify([chunk(x), chunk(y), chunk(z), view.horizontalRadius, view.verticalRadius, view.rings]);
+    const before = this.viewSent;
+    const turned = Math.abs(Math.atan2(Math.sin(yaw - before.yaw), Math.cos(yaw - before.yaw))) > Math.PI / 6;
+    // Only another View has another end: one moves through rows of chunks without.
+    const moved = chunks !== before.chunks;
+    if (!moved && !(turned && !this.complete)) return;
+    this.viewSent = { chunks, yaw, at: now };
     try {
       this.client.setView(view);
     } catch (error) {

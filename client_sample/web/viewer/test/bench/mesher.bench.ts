@@ -1,5 +1,5 @@
 // Meshing real land: node --import tsx, or `npx vite-node test/bench/mesher.bench.ts DIR`, where DIR is what
-// `talus-gen export --size 320,320 -o DIR` wrote.
+// `talus-gen export --origin 0,0 --size 320,320 -o DIR` wrote.
 import { readFileSync } from 'node:fs';
 import { LIQUID, SOLID, meshChunk } from '../../src/engine/mesh/mesher.js';
 import { PADDED_VOXELS, SIDE, paddedIndex } from '../../src/engine/mesh/volume.js';

@@ -51,6 +51,26 @@ test('a hundred chunks walked', async (t) => {
   noProblems(page);
 });
 
+test('a place without its height is above the ground, and above the water on it', async (t) => {
+  const site = await startSite(t);
+  const page = await newPage(await launch(t));
+  const [x, z] = [0, 0]; // in the sea
+  const { heights } = await (await fetch(`${site.url}v1/heights?columns=${x},${z}`)).json();
+  await page.goto(`${site.url}#${SMALL}&at=${x},,${z}&mode=fly`);
+  await filled(page);
+  const seen = await page.evaluate(() => {
+    const { engine, player } = window.talus;
+    const [x, y, z] = player.body.position.map(Math.floor);
+    const isLiquid = (row) => engine.isLiquid(engine.voxelAt(x, row, z));
+    let depth = 0;
+    for (let row = y; row > y - 200 && !isLiquid(row); --row) ++depth;
+    return { y, isLiquid: isLiquid(y), depth };
+  });
+  assert.ok(!seen.isLiquid && seen.depth < 20, `${seen.depth} above the water`);
+  assert.ok(seen.y > heights[0] / 256 + 20, 'the ground lies deep below');
+  noProblems(page);
+});
+
 test('talusd is killed under the player, and started again', async (t) => {
   const site = await startSite(t);
   const page = await newPage(await launch(t));
