@@ -236,5 +236,8 @@ export interface Client {
   /** Round-trip time in milliseconds. */
   ping(): Promise<number>;
 
+  /** Where the connection is lost: tries at once what would be tried later. */
+  retry(): void;
+
   close(): void;
 }

@@ -204,6 +204,10 @@ export abstract class ClientBase implements Client {
     this.retryTimer = setTimeout(this.retryNow, wait);
   }
 
+  retry(): void {
+    this.retryNow();
+  }
+
   private readonly retryNow = (): void => {
     if (this.retryTimer === undefined) return;
     clearTimeout(this.retryTimer);
