@@ -91,7 +91,6 @@ int serve(const Command& command, const ReadSettings& read_settings) {
     if (const auto enough = check_memory(config, site->bytes()); !enough) return fail(enough.error());
   }
   if (command.check_only) {
-    if (!*data) log->info("edits are not taken: there is no directory to keep them; give --data DIRECTORY");
     for (const std::string& warning : startup_warnings(command, keys->warnings, tls))
       fmt::print(stderr, "{}", program_line(config.log.format, spdlog::level::warn, warning));
     fmt::print("ok\n");
@@ -112,7 +111,7 @@ int serve(const Command& command, const ReadSettings& read_settings) {
   if (!data) return fail(data.error());
   std::unique_ptr<WorldEdits> edits;
   if (*data) {
-    auto opened = WorldEdits::open(config.data, (*world)->fingerprint(), (*data)->store_id(), log);
+    auto opened = WorldEdits::open(config.data, **world, (*data)->store_id(), log);
     if (!opened) return fail(opened.error());
     edits = *std::move(opened);
   }
@@ -132,6 +131,7 @@ int serve(const Command& command, const ReadSettings& read_settings) {
                 std::move(edits)};
 
   for (const std::string& warning : startup_warnings(command, of_keys, tls)) log->warn("{}", warning);
+  if (!*data) log->info("edits are not taken: there is no directory to keep them in; give --data DIRECTORY");
   log->info("world {}, generator {} with {} kernels", to_string((*world)->fingerprint()),
             to_integer((*world)->generator_version()), to_string(talus::instruction_set()));
   if (tls && tls->valid_now) log->info("TLS with {}", tls->description);

@@ -1,6 +1,7 @@
 #include "scratch_directory.h"
 
 #include <stdlib.h>
+#include <unistd.h>
 
 #include <fstream>
 #include <iterator>
@@ -8,10 +9,17 @@
 
 #include <catch2/catch.hpp>
 
-ScratchDirectory::ScratchDirectory() {
-  std::string pattern = (std::filesystem::temp_directory_path() / "talus-test-XXXXXX").string();
+ScratchDirectory::ScratchDirectory() : ScratchDirectory{std::filesystem::temp_directory_path()} {}
+
+ScratchDirectory::ScratchDirectory(const std::filesystem::path& parent) {
+  std::string pattern = (parent / "talus-test-XXXXXX").string();
   REQUIRE(::mkdtemp(pattern.data()) != nullptr);
   path_ = pattern;
+}
+
+std::filesystem::path ScratchDirectory::memory() {
+  const char* const memory = "/dev/shm";
+  return ::access(memory, W_OK) == 0 ? std::filesystem::path{memory} : std::filesystem::temp_directory_path();
 }
 
 ScratchDirectory::~ScratchDirectory() {

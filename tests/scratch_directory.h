@@ -9,6 +9,9 @@
 class ScratchDirectory {
  public:
   ScratchDirectory();
+  explicit ScratchDirectory(const std::filesystem::path& parent);
+  /// In memory, where the machine has such files: for tests that write much and whose disk is their own.
+  static std::filesystem::path memory();
   ScratchDirectory(const ScratchDirectory&) = delete;
   ScratchDirectory& operator=(const ScratchDirectory&) = delete;
   ~ScratchDirectory();

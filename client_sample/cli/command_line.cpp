@@ -26,6 +26,9 @@ struct Words {
   std::vector<std::int64_t> center;
   std::vector<std::int64_t> from;
   std::vector<std::int64_t> columns;
+  std::vector<std::int64_t> box_from;
+  std::vector<std::int64_t> box_to;
+  bool as_generated = false;
   std::vector<std::int64_t> size{1024, 1024};
 };
 
@@ -102,6 +105,23 @@ void add_map(CLI::App& app, MapOptions& options, Words& words) {
   add_timeout(*command, options.timeout_seconds);
 }
 
+void add_edit(CLI::App& app, EditOptions& options, Words& words) {
+  auto* command = app.add_subcommand(
+      "edit", "Make a box of voxels one material, or as generated; needs a token of the right edit");
+  command->add_option("from", words.box_from, "X,Y,Z of a corner, base voxels")
+      ->delimiter(',')
+      ->expected(3)
+      ->required();
+  command->add_option("to", words.box_to, "X,Y,Z of the other corner, included (default: the same voxel)")
+      ->delimiter(',')
+      ->expected(3);
+  auto* material =
+      command->add_option("--material", options.material, "Name of the material, \"air\" to dig");
+  command->add_flag("--as-generated", words.as_generated, "Undo all edits there")->excludes(material);
+  command->add_option("--only", options.only, "Change voxels of this material alone");
+  add_timeout(*command, options.timeout_seconds);
+}
+
 // What the parser cannot check. The error is one line.
 using Checked = tl::expected<CommandLine, std::string>;
 
@@ -158,6 +178,17 @@ Checked check_map(CommandLine line, MapOptions options, const Words& words) {
   return line;
 }
 
+Checked check_edit(CommandLine line, EditOptions options, const Words& words) {
+  if (options.material.empty() && !words.as_generated) {
+    return tl::unexpected{std::string{"edit: give --material NAME, or --as-generated"}};
+  }
+  const auto corner = [](const std::vector<std::int64_t>& at) { return VoxelPos{at[0], at[1], at[2]}; };
+  options.from = corner(words.box_from);
+  options.to = words.box_to.empty() ? options.from : corner(words.box_to);
+  line.options = std::move(options);
+  return line;
+}
+
 }  // namespace
 
 tl::expected<CommandLine, Exit> read_command_line(int argc, const char* const* argv) {
@@ -175,10 +206,12 @@ tl::expected<CommandLine, Exit> read_command_line(int argc, const char* const* a
   AtOptions at_options;
   FlyOptions fly_options;
   MapOptions map_options;
+  EditOptions edit_options;
   add_get(app, get_options, words);
   add_at(app, at_options, words);
   add_fly(app, fly_options, words);
   add_map(app, map_options, words);
+  add_edit(app, edit_options, words);
 
   if (auto exit = command_line::parse(app, argc, argv)) return tl::unexpected{*std::move(exit)};
   auto connecting = command_line::read_connect_options(connect);
@@ -188,10 +221,11 @@ tl::expected<CommandLine, Exit> read_command_line(int argc, const char* const* a
   line.connecting.options.tls = std::move(connecting->tls);
   line.connecting.options.websocket = std::move(connecting->websocket);
 
-  auto checked = app.got_subcommand("get")   ? check_get(std::move(line), get_options, words)
-                 : app.got_subcommand("at")  ? check_at(std::move(line), at_options, words)
-                 : app.got_subcommand("fly") ? check_fly(std::move(line), fly_options, words)
-                                             : check_map(std::move(line), map_options, words);
+  auto checked = app.got_subcommand("get")    ? check_get(std::move(line), get_options, words)
+                 : app.got_subcommand("at")   ? check_at(std::move(line), at_options, words)
+                 : app.got_subcommand("edit") ? check_edit(std::move(line), edit_options, words)
+                 : app.got_subcommand("fly")  ? check_fly(std::move(line), fly_options, words)
+                                              : check_map(std::move(line), map_options, words);
   return std::move(checked).map_error([](std::string text) { return Exit{kExitWrongUse, std::move(text)}; });
 }
 

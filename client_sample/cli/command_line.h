@@ -12,7 +12,7 @@ namespace talus::cli {
 
 struct CommandLine {
   Connecting connecting;
-  std::variant<GetOptions, AtOptions, FlyOptions, MapOptions> options;
+  std::variant<GetOptions, AtOptions, FlyOptions, MapOptions, EditOptions> options;
 };
 
 [[nodiscard]] tl::expected<CommandLine, command_line::Exit> read_command_line(int argc,

@@ -53,6 +53,14 @@ struct AtOptions {
 };
 [[nodiscard]] asio::awaitable<CommandResult> at(Connecting connecting, AtOptions options);
 
+struct EditOptions {
+  VoxelPos from, to;            // corners of a box, both included, in any order
+  std::string material;         // by name; empty: as generated
+  std::string only;             // voxels of other materials stay; empty: of any
+  double timeout_seconds = 30;  // without an answer
+};
+[[nodiscard]] asio::awaitable<CommandResult> edit(Connecting connecting, EditOptions options);
+
 struct MapOptions {
   std::optional<client::Column> center;     // none: the spawn point
   std::int64_t width = 1024, depth = 1024;  // base columns

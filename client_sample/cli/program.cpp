@@ -22,6 +22,7 @@ asio::awaitable<CommandResult> start(const CommandLine& line) {
   if (const auto* options = std::get_if<GetOptions>(&line.options)) return get(line.connecting, *options);
   if (const auto* options = std::get_if<AtOptions>(&line.options)) return at(line.connecting, *options);
   if (const auto* options = std::get_if<FlyOptions>(&line.options)) return fly(line.connecting, *options);
+  if (const auto* options = std::get_if<EditOptions>(&line.options)) return edit(line.connecting, *options);
   return map(line.connecting, std::get<MapOptions>(line.options));
 }
 

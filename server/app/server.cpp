@@ -42,9 +42,13 @@ constexpr std::size_t kTopFlows = 10;
 // Without housekeeping for so long the main thread counts as hung.
 constexpr std::chrono::seconds kMaxSilence{15};
 
-WorldInfo describe_world(const terrain::World& world, ContentHash store_id) {
+WorldInfo describe_world(const terrain::World& world, ContentHash store_id, const WorldEdits* edits) {
+  auto materials = world.materials();
+  if (edits != nullptr) {
+    materials.insert(materials.end(), edits->placeables().begin(), edits->placeables().end());
+  }
   return {world.fingerprint(),        store_id,
-          world.materials(),          terrain::height_range(world),
+          std::move(materials), terrain::height_range(world),
           terrain::find_spawn(world), "talusd " TALUS_VERSION,
           world.look_names(),         terrain::place_names(world)};
 }
@@ -62,7 +66,7 @@ Server::Server(const Config& config, std::shared_ptr<const terrain::World> world
       log_of_clients_{for_clients(log_)},
       access_{access},
       terrain_{std::move(world)},
-      world_{describe_world(*terrain_, store_id)},
+      world_{describe_world(*terrain_, store_id, edits.get())},
       generator_version_{static_cast<std::uint64_t>(to_integer(terrain_->generator_version()))},
       patch_size_{measured_patch_size(config, *terrain_, clock)},
       rates_{rate_limits(config.rates)},
@@ -134,10 +138,10 @@ RunnerContextPtr Server::make_context(const Config& config) {
 }
 
 web::WebContextPtr Server::make_web_context(const Config& config, const RunnerContextPtr& runner) {
-  return std::make_shared<const web::WebContext>(
-      web::WebContext{runner, web_settings(config), admission_, web_service(config, clock_, log_of_clients_),
-                      to_string(world_.fingerprint), web_answers_, web_fetches_, site_,
-                      std::make_shared<web::WorldDocument>(world_, runner->session.limits)});
+  return std::make_shared<const web::WebContext>(web::WebContext{
+      runner, chunks_, web_settings(config), admission_, web_service(config, clock_, log_of_clients_),
+      to_string(world_.fingerprint), web_answers_, web_fetches_, site_,
+      std::make_shared<web::WorldDocument>(world_, runner->session.limits)});
 }
 
 std::string Server::metrics_text() {

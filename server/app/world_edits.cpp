@@ -1,18 +1,26 @@
 #include "app/world_edits.h"
 
 #include <algorithm>
+#include <set>
 #include <utility>
 #include <vector>
+
+#include <fmt/format.h>
 
 #include <talus/terrain/extraction.h>
 
 namespace talus::server {
 namespace {
 
+/// Ids below are those of what worlds generate, at most 255.
+constexpr std::uint16_t kFirstPlaceable = 256;
+
 /// All that the world names, air and water among them.
-EditIntake::Rules rules_of(const terrain::World& world) {
+EditIntake::Rules rules_of(const terrain::World& world, const std::vector<terrain::Material>& placeables) {
   EditIntake::Rules rules{terrain::height_range(world), {}};
-  for (const terrain::Material& material : world.materials()) rules.materials.push_back(material.id);
+  for (const auto* const materials : {&world.materials(), &placeables}) {
+    for (const terrain::Material& material : *materials) rules.materials.push_back(material.id);
+  }
   std::ranges::sort(rules.materials);
   return rules;
 }
@@ -20,16 +28,64 @@ EditIntake::Rules rules_of(const terrain::World& world) {
 }  // namespace
 
 tl::expected<std::unique_ptr<WorldEdits>, std::string> WorldEdits::open(
-    const std::filesystem::path& directory, ContentHash fingerprint, ContentHash store_id, Logger log) {
+    const std::filesystem::path& directory, const terrain::World& world, ContentHash store_id, Logger log) {
   EditDatabaseSettings settings;
   settings.path = directory;
-  settings.fingerprint = fingerprint;
+  settings.fingerprint = world.fingerprint();
   settings.store_id = store_id;
   auto database = EditDatabase::open(settings);
   if (!database) return tl::unexpected{std::move(database.error())};
   auto state = EditState::open(**database, EditStateSettings{});
   if (!state) return tl::unexpected{std::move(state.error())};
-  return std::unique_ptr<WorldEdits>{new WorldEdits{*std::move(database), *std::move(state), log}};
+  std::unique_ptr<WorldEdits> edits{new WorldEdits{*std::move(database), *std::move(state), log}};
+  if (const auto bound = edits->bind_placeables(world); !bound) return tl::unexpected{bound.error()};
+  return edits;
+}
+
+EditDatabase::Done WorldEdits::bind_placeables(const terrain::World& world) {
+  const std::map<std::string, MaterialId>& known = database_->materials();
+  std::map<std::string, MaterialId> missing = known;
+  std::map<std::string, MaterialId> added;
+  std::uint16_t next = kFirstPlaceable;
+  for (const auto& [name, id] : known) {
+    next = std::max(next, static_cast<std::uint16_t>(to_integer(id) + 1));
+  }
+  for (const terrain::Placeable& placeable : world.placeables()) {
+    const auto bound = known.find(placeable.name);
+    const MaterialId id = bound != known.end() ? bound->second : MaterialId{next++};
+    if (bound == known.end()) added.emplace(placeable.name, id);
+    missing.erase(placeable.name);
+    placeables_.push_back({id, placeable.name, placeable.colour, placeable.kind});
+  }
+  if (!missing.empty()) {
+    const auto uses = count_uses();
+    if (!uses) return tl::unexpected{uses.error()};
+    for (const auto& [name, id] : missing) {
+      if (const auto count = uses->find(id); count != uses->end()) {
+        return tl::unexpected{fmt::format(
+            "data {}: the world has no [[placeable]] \"{}\" any more, of which the store has {} voxels; put it "
+            "back into the world's file",
+            database_->path().string(), name, count->second)};
+      }
+    }
+  }
+  return added.empty() ? EditDatabase::Done{} : database_->bind(added);
+}
+
+tl::expected<std::map<MaterialId, std::uint64_t>, std::string> WorldEdits::count_uses() const {
+  std::set<ChunkKey> chunks;
+  const auto scanned = database_->for_each_chunk([&](ChunkKey key, std::uint64_t) { chunks.insert(key); });
+  if (!scanned) return tl::unexpected{scanned.error()};
+  for (const ChunkKey key : state_->dirty_chunks()) chunks.insert(key);
+  std::map<MaterialId, std::uint64_t> uses;
+  for (const ChunkKey key : chunks) {
+    if (key.lod != Lod{}) continue;
+    const auto chunk = state_->load(key);
+    if (!chunk) return tl::unexpected{chunk.error()};
+    if (chunk->overrides == nullptr) continue;
+    for (const Override& voxel : chunk->overrides->voxels()) ++uses[voxel.material];
+  }
+  return uses;
 }
 
 ChunkSource& WorldEdits::join(const terrain::World& world, ChunkSource& base, const Clock& clock,
@@ -40,7 +96,7 @@ ChunkSource& WorldEdits::join(const terrain::World& world, ChunkSource& base, co
                                  [this](std::span<const ChunkChange> changes) { feed_.on_changed(changes); });
   EditIntake::Parts parts{base, *log_, [this](edits::EditorId id) { return state_->editor(id); },
                           [this] { return state_->revision(); }};
-  intake_ = std::make_unique<EditIntake>(std::move(parts), rules_of(world), logger_);
+  intake_ = std::make_unique<EditIntake>(std::move(parts), rules_of(world, placeables_), logger_);
   return *chunks_;
 }
 

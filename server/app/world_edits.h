@@ -3,8 +3,11 @@
 #pragma once
 
 #include <filesystem>
+#include <cstdint>
+#include <map>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include <tl/expected.hpp>
 
@@ -30,12 +33,14 @@ class WorldEdits {
  public:
   /// Opens what is stored in `directory`, which a DataDirectory has locked. An error is one line.
   [[nodiscard]] static tl::expected<std::unique_ptr<WorldEdits>, std::string> open(
-      const std::filesystem::path& directory, ContentHash fingerprint, ContentHash store_id, Logger log);
+      const std::filesystem::path& directory, const terrain::World& world, ContentHash store_id, Logger log);
   ~WorldEdits() { stop(); }
   WorldEdits(const WorldEdits&) = delete;
   WorldEdits& operator=(const WorldEdits&) = delete;
 
   [[nodiscard]] const EditState& state() const { return *state_; }
+  /// What the world names beyond what it generates, by the ids that the store has given for ever.
+  [[nodiscard]] const std::vector<terrain::Material>& placeables() const { return placeables_; }
   /// Through which generators answer.
   [[nodiscard]] ChunkOverlay& overlay() { return merged_; }
 
@@ -58,7 +63,12 @@ class WorldEdits {
         merged_{*state_, log},
         feed_{log} {}
 
+  [[nodiscard]] EditDatabase::Done bind_placeables(const terrain::World& world);
+  /// Voxels of each material that overrides have.
+  [[nodiscard]] tl::expected<std::map<MaterialId, std::uint64_t>, std::string> count_uses() const;
+
   const Logger logger_;
+  std::vector<terrain::Material> placeables_;
   const std::unique_ptr<EditDatabase> database_;
   const std::unique_ptr<EditState> state_;
   MergedChunks merged_;

@@ -1,5 +1,5 @@
-// Where a session gets chunks and heights. BaseChunks (generation/) gives them as generated; edited chunks
-// will stand before it, as another ChunkSource with a cache of its own, keyed by revision.
+// Where a session gets chunks and heights. BaseChunks (generation/) gives them as generated; EditedChunks
+// (edits/) stands before it, with a cache of its own for chunks that were edited.
 #pragma once
 
 #include <cstddef>
@@ -12,6 +12,7 @@
 #include <talus/voxel/material.h>
 #include <talus/voxel/view_shape.h>
 
+#include "chunks/chunk_change.h"
 #include "chunks/encoded_chunk.h"
 #include "chunks/heights_query.h"
 #include "chunks/mailbox.h"
@@ -47,6 +48,16 @@ class ChunkSource {
   /// change. Asked when a chunk that waited is written.
   [[nodiscard]] virtual EncodedChunkPtr newer(ChunkKey key, std::uint64_t revision) = 0;
 
+  /// Of the newest version, in memory or not: kBaseRevision as generated. Never falls. It is raised before
+  /// the change is told, so who was not told yet finds it here.
+  [[nodiscard]] virtual std::uint64_t revision(ChunkKey) const { return kBaseRevision; }
+  /// The voxels that changed after revision `since`. None where that is not known, or they are more than
+  /// `most`.
+  [[nodiscard]] virtual std::optional<ChangedVoxels> changes_since(ChunkKey, std::uint64_t /*since*/,
+                                                                   std::size_t /*most*/) const {
+    return std::nullopt;
+  }
+
   /// What is known of the key's column. A source that has edited chunks counts their rows as mixed.
   [[nodiscard]] virtual MixedRows column(ChunkKey key) = 0;
 
@@ -65,10 +76,10 @@ class ChunkSource {
   /// An answer already in the mailbox may still be found there.
   virtual void cancel(ClientId client, std::span<const ChunkKey> keys) = 0;
 
-  /// The chunks that the client looks at, and those that it comes to look at soon if it moves on as it does;
-  /// in place of what was said before, empty: none. A hint on what else is worth making, no more. Throws
-  /// std::bad_alloc.
-  virtual void set_wanted(ClientId client, std::span<const LevelBox> boxes) = 0;
+  /// The chunks that the mailbox's owner looks at, and those that it comes to look at soon if it moves on as
+  /// it does; in place of what was said before, empty: none. A hint on what else is worth making; and from
+  /// here on ChunksChanged comes where one of them is edited. Throws std::bad_alloc.
+  virtual void set_wanted(const MailboxPtr& mailbox, std::span<const LevelBox> boxes) = 0;
 
   /// Surface heights of base columns, as generated, and what else the query asks for; one HeightsReady comes.
   /// The caller never gives a ticket twice.

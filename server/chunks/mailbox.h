@@ -1,5 +1,5 @@
-// What other threads tell a session: chunks, heights, that the generators' queue has room again, and what
-// became of its edits.
+// What other threads tell a session: chunks, heights, that the generators' queue has room again, which chunks
+// were edited, and what became of its own edits.
 //
 // One mailbox a session. Generator threads put() answers and wake() the owner; the owner takes all that
 // waits at once. Waking a thread costs as much as generating many a chunk, so put() does not wake, and a
@@ -22,6 +22,7 @@
 
 #include <talus/voxel/coords.h>
 
+#include "chunks/chunk_change.h"
 #include "chunks/edit_answers.h"
 #include "chunks/encoded_chunk.h"
 #include "chunks/heights_query.h"
@@ -49,7 +50,11 @@ struct HeightsReady {
 };
 /// A submission was refused because the queue was full; it may be tried again.
 struct QueueHasRoom {};
-using Mail = std::variant<ChunkReady, HeightsReady, QueueHasRoom, AttachAnswer, EditAnswer>;
+/// Chunks were edited, the owner's and others. Null: any may have been. Their source says so already.
+struct ChunksChanged {
+  ChunkChangesPtr changes;
+};
+using Mail = std::variant<ChunkReady, HeightsReady, QueueHasRoom, ChunksChanged, AttachAnswer, EditAnswer>;
 
 class Mailbox {
  public:
@@ -69,6 +74,10 @@ class Mailbox {
   /// Before the owner asks any source for anything.
   void join(FlowUsePtr flow) { flow_ = std::move(flow); }
 
+  /// Whether chunks come to it with their edits; a source that has edits says so before it submits anything.
+  [[nodiscard]] bool sees_edits() const { return sees_edits_; }
+  void see_edits() { sees_edits_ = true; }
+
   /// Any thread. The owner finds it at its next take().
   void put(Mail mail) {
     const std::lock_guard lock{mutex_};
@@ -82,6 +91,26 @@ class Mailbox {
       mail_ = std::move(mail);
     } else {
       mail_.insert(mail_.end(), std::make_move_iterator(mail.begin()), std::make_move_iterator(mail.end()));
+    }
+  }
+
+  /// So many changes wait at most. What comes beyond them turns all into one ChunksChanged of any chunk,
+  /// which an owner that takes its mail late reads for less.
+  static constexpr std::size_t kMaxChanges = 4096;
+  /// Any thread. `changes` null: any chunk may have changed. Throws std::bad_alloc, and then nothing was put.
+  void put_changes(const ChunkChangesPtr& changes) {
+    const std::lock_guard lock{mutex_};
+    if (any_changed_) return;
+    const bool any = changes == nullptr || changes_ + changes->size() > kMaxChanges;
+    mail_.emplace_back(std::in_place_type<ChunksChanged>, any ? nullptr : changes);
+    if (any) {
+      any_changed_ = true;
+      std::erase_if(mail_, [](const Mail& mail) {
+        const auto* const changed = std::get_if<ChunksChanged>(&mail);
+        return changed != nullptr && changed->changes != nullptr;
+      });
+    } else {
+      changes_ += changes->size();
     }
   }
 
@@ -109,15 +138,20 @@ class Mailbox {
   [[nodiscard]] std::vector<Mail> take() {
     const std::lock_guard lock{mutex_};
     woken_ = false;
+    changes_ = 0;
+    any_changed_ = false;
     return std::exchange(mail_, {});
   }
 
  private:
   const ClientId owner_;
   FlowUsePtr flow_;
+  bool sees_edits_ = false;  // changes before anything is submitted
   const std::function<void()> wake_;
   std::mutex mutex_;
   std::vector<Mail> mail_;
+  std::size_t changes_ = 0;   // in all lists of mail_
+  bool any_changed_ = false;  // a ChunksChanged without a list is in mail_
   bool woken_ = false;
   std::atomic<bool> lost_{false};
 };

@@ -6,13 +6,14 @@
 #include <memory>
 #include <optional>
 #include <string>
-#include <vector>
 
 #include <tl/expected.hpp>
 
 #include <talus/edits/chunk_overrides.h>
 #include <talus/voxel/coords.h>
 #include <talus/voxel/view_shape.h>
+
+#include "chunks/chunk_change.h"
 
 namespace talus::server {
 
@@ -40,19 +41,9 @@ class AppliedEdits {
   /// Voxels that changed in the chunk after revision `since`, by rising index, with their materials now, and
   /// the revision that they make. None where that is not remembered any more, or they are more than `most`.
   /// Reads memory alone.
-  struct Changes {
-    std::uint64_t revision = 0;
-    std::vector<Override> voxels;
-  };
+  using Changes = ChangedVoxels;
   [[nodiscard]] virtual std::optional<Changes> changes_since(ChunkKey key, std::uint64_t since,
                                                              std::size_t most) const = 0;
-};
-
-/// A chunk of any level was changed by an edit.
-struct ChunkChange {
-  ChunkKey key;
-  std::uint64_t previous = 0;  // its revision before
-  std::uint64_t revision = 0;
 };
 
 }  // namespace talus::server

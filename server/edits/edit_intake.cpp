@@ -7,6 +7,8 @@
 
 #include <fmt/format.h>
 
+#include <talus/protocol/message.h>
+
 namespace talus::server {
 namespace {
 

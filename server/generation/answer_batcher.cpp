@@ -25,7 +25,7 @@ void do_or_lose(Mailbox& mailbox, const Logger& log, Step&& step) {
 
 }  // namespace
 
-void AnswerBatcher::add(const std::vector<MailboxPtr>& waiters, ChunkKey key, const ChunkAnswer& answer) {
+void AnswerBatcher::add(std::span<const MailboxPtr> waiters, ChunkKey key, const ChunkAnswer& answer) {
   for (const MailboxPtr& waiter : waiters) {
     do_or_lose(*waiter, log_, [&] { mail_[waiter].emplace_back(ChunkReady{key, answer}); });
   }

@@ -3,6 +3,7 @@
 
 #include <chrono>
 #include <cstddef>
+#include <span>
 #include <unordered_map>
 #include <vector>
 
@@ -26,7 +27,7 @@ class AnswerBatcher {
   AnswerBatcher& operator=(const AnswerBatcher&) = delete;
 
   /// A waiter for whom there is no memory goes without, which its mailbox and the log say.
-  void add(const std::vector<MailboxPtr>& waiters, ChunkKey key, const ChunkAnswer& answer);
+  void add(std::span<const MailboxPtr> waiters, ChunkKey key, const ChunkAnswer& answer);
   /// Tells all that was added since the last time.
   void wake();
 

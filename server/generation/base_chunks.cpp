@@ -14,17 +14,20 @@ std::size_t bytes_of_rows(const GenerationSettings& settings) {
 }
 
 std::size_t bytes_of_chunks(const GenerationSettings& settings) {
-  return settings.chunk_cache_bytes - bytes_of_rows(settings) - settings.map_cache_bytes;
+  return settings.chunk_cache_bytes - bytes_of_rows(settings) - settings.map_cache_bytes -
+         settings.merged_cache_bytes;
 }
 
 }  // namespace
 
 BaseChunks::BaseChunks(std::unique_ptr<const Generator> generator, const GenerationSettings& settings,
-                       Logger log, Metrics& metrics, MemoryBudget& memory, const Clock& clock)
+                       Logger log, Metrics& metrics, MemoryBudget& memory, const Clock& clock,
+                       ChunkOverlay* overlay)
     : generator_{std::move(generator)},
       settings_{settings},
       metrics_{metrics},
       memory_{memory},
+      overlay_{overlay},
       fitted_bytes_{settings.chunk_cache_bytes + settings.patch_cache_bytes},
       chunks_{bytes_of_chunks(settings)},
       rows_{*generator_, settings.patch_tiles, bytes_of_rows(settings)},
@@ -36,9 +39,10 @@ BaseChunks::BaseChunks(std::unique_ptr<const Generator> generator, const Generat
                settings.patch_tiles,
                settings.patch_cache_bytes,
                settings.threads},
-      pool_{{maker_, patches_, generator_memory_, metrics, memory, clock},
+      pool_{{maker_, patches_, generator_memory_, metrics, memory, clock, overlay},
             {settings.threads, settings.patch_tiles, settings.queue_chunks, settings.own_chunks},
             log} {
+  if (overlay_ != nullptr) overlay_->set_capacity(settings.merged_cache_bytes);
   memory_.when_jobs_resume([this] { pool_.jobs_resume(); });
 }
 
@@ -51,8 +55,7 @@ void BaseChunks::start() {
 }
 
 EncodedChunkPtr BaseChunks::find(ChunkKey key) {
-  EncodedChunkPtr chunk = generator_->instant(key);
-  if (chunk == nullptr) chunk = maker_.known(key);
+  EncodedChunkPtr chunk = maker_.known(key);
   if (chunk == nullptr) {
     metrics_.cache_misses.add();
   } else {
@@ -81,8 +84,8 @@ void BaseChunks::cancel(ClientId client, std::span<const ChunkKey> keys) {
   pool_.cancel(client, keys);
 }
 
-void BaseChunks::set_wanted(ClientId client, std::span<const LevelBox> boxes) {
-  wanted_.set(client, boxes);
+void BaseChunks::set_wanted(const MailboxPtr& mailbox, std::span<const LevelBox> boxes) {
+  wanted_.set(mailbox->owner(), boxes);
 }
 
 void BaseChunks::submit_heights(const MailboxPtr& mailbox, std::uint64_t ticket, HeightsQuery query) {
@@ -114,6 +117,7 @@ bool BaseChunks::fit_caches() {
     chunks_.set_capacity(share(bytes_of_chunks(settings_)));
     rows_.set_capacity(share(bytes_of_rows(settings_)));
     maps_.set_capacity(share(settings_.map_cache_bytes));
+    if (overlay_ != nullptr) overlay_->set_capacity(share(settings_.merged_cache_bytes));
     patches_.set_capacity(share(settings_.patch_cache_bytes));
     fitted_bytes_ = allowed;
   }
@@ -122,8 +126,10 @@ bool BaseChunks::fit_caches() {
       static_cast<std::size_t>(settings_.patch_tiles) * static_cast<std::size_t>(settings_.patch_tiles);
   std::size_t patches = std::max<std::size_t>(1, kTilesPerFit / tiles);
   const bool patches_fit = patches_.fit(patches);
-  const bool chunks_fit = chunks_.fit(chunks) && rows_.fit(chunks) && maps_.fit(chunks);
-  memory_.set(MemoryUse::chunk_cache, chunks_.bytes() + rows_.bytes() + maps_.bytes());
+  const bool chunks_fit = chunks_.fit(chunks) && rows_.fit(chunks) && maps_.fit(chunks) &&
+                          (overlay_ == nullptr || overlay_->fit(chunks));
+  const std::size_t merged = overlay_ == nullptr ? 0 : overlay_->bytes();
+  memory_.set(MemoryUse::chunk_cache, chunks_.bytes() + rows_.bytes() + maps_.bytes() + merged);
   memory_.set(MemoryUse::patch_cache, patches_.bytes());
   return patches_fit && chunks_fit;
 }

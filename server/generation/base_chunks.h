@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "cache/chunk_cache.h"
+#include "chunks/chunk_overlay.h"
 #include "chunks/chunk_source.h"
 #include "clock/clock.h"
 #include "generation/chunk_maker.h"
@@ -35,17 +36,20 @@ struct GenerationSettings {
   std::size_t queue_chunks = 0;  // jobs of all clients together, beyond each client's own
   std::size_t chunk_cache_bytes = 0;
   std::size_t patch_cache_bytes = 0;
-  std::size_t own_chunks = 16;      // with fewer jobs a client may ask for more in any case
-  std::size_t piece_bytes = 0;      // as GeneratorMemory's
-  std::size_t ground_bytes = 0;     // likewise
-  std::size_t map_cache_bytes = 0;  // of chunk_cache_bytes
+  std::size_t own_chunks = 16;         // with fewer jobs a client may ask for more in any case
+  std::size_t piece_bytes = 0;         // as GeneratorMemory's
+  std::size_t ground_bytes = 0;        // likewise
+  std::size_t map_cache_bytes = 0;     // of chunk_cache_bytes
+  std::size_t merged_cache_bytes = 0;  // likewise: of the overlay, where there is one
 };
 
 class BaseChunks final : public ChunkSource {
  public:
-  /// `metrics`, `memory` and `clock` outlive this. Nothing is generated before start().
+  /// `metrics`, `memory` and `clock` outlive this. Nothing is generated before start(). Clients that see
+  /// edits (Mailbox::sees_edits) are answered through `overlay`, which outlives this too; null: there are no
+  /// edits.
   BaseChunks(std::unique_ptr<const Generator> generator, const GenerationSettings& settings, Logger log,
-             Metrics& metrics, MemoryBudget& memory, const Clock& clock);
+             Metrics& metrics, MemoryBudget& memory, const Clock& clock, ChunkOverlay* overlay = nullptr);
   /// Starts the threads; once.
   void start();
   /// Waits for the threads; what still waits is not answered.
@@ -63,7 +67,7 @@ class BaseChunks final : public ChunkSource {
                                    Urgency urgency) override;
   void hasten(ClientId client, std::span<const ChunkKey> keys) override;
   void cancel(ClientId client, std::span<const ChunkKey> keys) override;
-  void set_wanted(ClientId client, std::span<const LevelBox> boxes) override;
+  void set_wanted(const MailboxPtr& mailbox, std::span<const LevelBox> boxes) override;
   void submit_heights(const MailboxPtr& mailbox, std::uint64_t ticket, HeightsQuery query) override;
   void cancel_heights(ClientId client, std::uint64_t ticket) override;
   [[nodiscard]] PicturePtr find_map(const map::Tile& tile) override;
@@ -92,6 +96,7 @@ class BaseChunks final : public ChunkSource {
   const GenerationSettings settings_;
   Metrics& metrics_;
   MemoryBudget& memory_;
+  ChunkOverlay* const overlay_;
   std::mutex fitting_;
   std::uint64_t fitted_bytes_;
   // In the order of their use: each is used by those after it.

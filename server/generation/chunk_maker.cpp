@@ -6,6 +6,7 @@
 namespace talus::server {
 
 EncodedChunkPtr ChunkMaker::known(ChunkKey key) const {
+  if (EncodedChunkPtr chunk = generator_.instant(key)) return chunk;
   if (EncodedChunkPtr chunk = cache_.find(key)) return chunk;
   const auto rows = rows_.exact(key);
   const auto material = rows ? rows->uniform_at(key.coord.y) : std::nullopt;

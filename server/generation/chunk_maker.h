@@ -28,7 +28,8 @@ class ChunkMaker {
         log_{std::move(log)},
         maps_{maps} {}
 
-  /// The chunk where it is in the cache, or its column's rows say that it is uniform; else null.
+  /// The chunk where it costs nothing to know it, is in the cache, or is uniform as its column's rows say;
+  /// else null.
   [[nodiscard]] EncodedChunkPtr known(ChunkKey key) const;
 
   /// The chunk over its patch's stacks, which is in the cache when this returns. Null `stacks`: the patch

@@ -303,9 +303,27 @@ void GenerationPool::answer(std::span<const ChunkKey> keys, Chunk&& chunk) {
       for (Answered& each : some) each.waiters = queue_.finish(keys[each.index]);
     }
     some.resize(made);
-    for (const Answered& each : some) answers.add(each.waiters, keys[each.index], each.answer);
+    for (Answered& each : some) {
+      const ChunkKey key = keys[each.index];
+      const std::size_t edited = edits_seen_from(each.waiters);
+      const std::span<const MailboxPtr> waiters{each.waiters};
+      answers.add(waiters.first(edited), key, each.answer);
+      if (edited < waiters.size()) answers.add(waiters.subspan(edited), key, with_edits(key, each.answer));
+    }
     some.clear();
   }
+}
+
+std::size_t GenerationPool::edits_seen_from(std::vector<MailboxPtr>& waiters) const {
+  if (parts_.overlay == nullptr) return waiters.size();
+  const auto as_generated = [](const MailboxPtr& waiter) { return !waiter->sees_edits(); };
+  return static_cast<std::size_t>(std::partition(waiters.begin(), waiters.end(), as_generated) -
+                                  waiters.begin());
+}
+
+ChunkAnswer GenerationPool::with_edits(ChunkKey key, const ChunkAnswer& base) const {
+  if (!base || parts_.overlay->revision(key) == kBaseRevision) return base;
+  return parts_.overlay->merged(key, *base);
 }
 
 void GenerationPool::run(HeightsTask& task, const WorkQueue::Work& work, MeasuredWork& measured) {

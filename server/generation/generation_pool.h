@@ -3,8 +3,8 @@
 //
 // Why no chunk is made twice: a thread puts a chunk into the cache before it ends the chunk's job, and looks
 // there before it makes one, which a patch's chunks are by one thread at a time. A chunk as generated never
-// changes, so nothing in that cache is ever invalidated. Chunks that do change are not this pool's: a
-// ChunkSource that has them keeps a cache of its own and orders it by revision.
+// changes, so nothing in that cache is ever invalidated. Edits are laid over a chunk when it is made, for
+// those alone who see edits: the overlay keeps a cache of its own.
 #pragma once
 
 #include <atomic>
@@ -18,6 +18,7 @@
 #include <thread>
 #include <vector>
 
+#include "chunks/chunk_overlay.h"
 #include "chunks/chunk_source.h"
 #include "clock/clock.h"
 #include "generation/chunk_maker.h"
@@ -43,6 +44,7 @@ class GenerationPool {
     Metrics& metrics;
     MemoryBudget& memory;
     const Clock& clock;
+    ChunkOverlay* overlay = nullptr;  // null: no edits
   };
   struct Settings {
     std::size_t threads = 1;
@@ -85,6 +87,9 @@ class GenerationPool {
   /// Those of a batch's keys that are still waited for, by chunk(their index).
   template <typename Chunk>
   void answer(std::span<const ChunkKey> keys, Chunk&& chunk);
+  /// Puts those waiters that see edits behind the others, and returns the first of them.
+  [[nodiscard]] std::size_t edits_seen_from(std::vector<MailboxPtr>& waiters) const;
+  [[nodiscard]] ChunkAnswer with_edits(ChunkKey key, const ChunkAnswer& base) const;
   /// Answers by a failure what of it was not answered.
   void fail(const WorkQueue::Batch& batch);
   void fail(HeightsTask& task);

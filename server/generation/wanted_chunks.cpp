@@ -1,43 +1,15 @@
 #include "generation/wanted_chunks.h"
 
 #include <algorithm>
-#include <bit>
-#include <cstdint>
 
 namespace talus::server {
-namespace {
-
-std::uint64_t scrambled(std::uint64_t bits) {
-  bits *= 0x9E3779B97F4A7C15U;
-  return bits ^ (bits >> 29);
-}
-
-}  // namespace
-
-std::size_t WantedChunks::CellHash::operator()(const Cell& cell) const noexcept {
-  const auto kind = static_cast<std::uint64_t>(cell.scale * 16 + cell.level);
-  return scrambled(scrambled(scrambled(kind) + static_cast<std::uint64_t>(cell.x)) +
-                   static_cast<std::uint64_t>(cell.z));
-}
-
-template <typename Visit>
-void WantedChunks::for_each_cell(const LevelBox& box, Visit&& visit) {
-  const std::uint64_t width = std::max(box.x.size(), box.z.size());
-  if (box.x.size() == 0 || box.z.size() == 0 || box.y.size() == 0) return;
-  const auto scale = static_cast<int>(std::bit_width(width));
-  for (std::int64_t z = box.z.first >> scale; z <= box.z.last >> scale; ++z) {
-    for (std::int64_t x = box.x.first >> scale; x <= box.x.last >> scale; ++x)
-      visit(Cell{x, z, scale, box.lod.value()});
-  }
-}
-
 template <typename Visit>
 void WantedChunks::for_each_box(ChunkKey column, Visit&& visit) const {
   const std::int64_t x = column.coord.x;
   const std::int64_t z = column.coord.z;
-  for (int scale = 0; scale < kScales; ++scale) {
+  for (int scale = 0; scale < BoxCell::kScales; ++scale) {
     if (entries_of_scale_[static_cast<std::size_t>(scale)] == 0) continue;
-    const auto cell = cells_.find(Cell{x >> scale, z >> scale, scale, column.lod.value()});
+    const auto cell = cells_.find(BoxCell::of(column, scale));
     if (cell == cells_.end()) continue;
     for (const Entry& entry : cell->second) {
       if (entry.box.has_column(x, z) && !visit(entry.box)) return;
@@ -57,7 +29,7 @@ void WantedChunks::set(ClientId client, std::span<const LevelBox> boxes) {
   try {
     boxes_.emplace(client, std::vector(boxes.begin(), boxes.end()));
     for (const LevelBox& box : boxes) {
-      for_each_cell(box, [&](const Cell& cell) {
+      for_each_cell(box, [&](const BoxCell& cell) {
         add(cell, box);
         ++places;
       });
@@ -69,7 +41,7 @@ void WantedChunks::set(ClientId client, std::span<const LevelBox> boxes) {
   }
 }
 
-void WantedChunks::add(const Cell& cell, const LevelBox& box) {
+void WantedChunks::add(const BoxCell& cell, const LevelBox& box) {
   const auto [found, is_new] = cells_.try_emplace(cell);
   std::vector<Entry>& entries = found->second;
   const auto entry =
@@ -87,7 +59,7 @@ void WantedChunks::add(const Cell& cell, const LevelBox& box) {
   ++entries_of_scale_[static_cast<std::size_t>(cell.scale)];
 }
 
-void WantedChunks::remove(const Cell& cell, const LevelBox& box) {
+void WantedChunks::remove(const BoxCell& cell, const LevelBox& box) {
   const auto found = cells_.find(cell);
   std::vector<Entry>& entries = found->second;
   const auto entry =
@@ -101,7 +73,7 @@ void WantedChunks::remove(const Cell& cell, const LevelBox& box) {
 
 void WantedChunks::remove(std::span<const LevelBox> boxes, std::size_t places) {
   for (const LevelBox& box : boxes) {
-    for_each_cell(box, [&](const Cell& cell) {
+    for_each_cell(box, [&](const BoxCell& cell) {
       if (places == 0) return;
       --places;
       remove(cell, box);

@@ -13,13 +13,13 @@
 #include <talus/voxel/coords.h>
 #include <talus/voxel/view_shape.h>
 
+#include "chunks/box_cells.h"
 #include "chunks/mailbox.h"
 
 namespace talus::server {
 
-/// Boxes of chunks by client, found by column. A box lies in one to four cells of a grid as coarse as the box
-/// is wide, so a wide View costs no more than a small one; and a cell has each box once, so a crowd in one
-/// place costs little more than one client.
+/// Boxes of chunks by client, found by column. A cell has each box once, so a crowd in one place costs little
+/// more than one client.
 class WantedChunks {
  public:
   /// Replaces the client's boxes; empty: forgets the client. Throws std::bad_alloc, and then the client has
@@ -36,38 +36,23 @@ class WantedChunks {
   [[nodiscard]] bool empty() const;
 
  private:
-  // Along x and z, from 2^0 chunks.
-  static constexpr int kScales = 40;
-  struct Cell {
-    std::int64_t x = 0;
-    std::int64_t z = 0;
-    int scale = 0;  // the edge is 2^scale chunks
-    int level = 0;
-    bool operator==(const Cell&) const = default;
-  };
-  struct CellHash {
-    std::size_t operator()(const Cell& cell) const noexcept;
-  };
   struct Entry {
     LevelBox box;
     std::size_t clients = 0;  // who have it
   };
 
-  /// Calls visit(Cell) for the cells in which the box lies.
-  template <typename Visit>
-  static void for_each_cell(const LevelBox& box, Visit&& visit);
   /// Calls visit(LevelBox) for the boxes that have the key's column, until it returns false.
   template <typename Visit>
   void for_each_box(ChunkKey column, Visit&& visit) const;
-  void add(const Cell& cell, const LevelBox& box);
-  void remove(const Cell& cell, const LevelBox& box);
+  void add(const BoxCell& cell, const LevelBox& box);
+  void remove(const BoxCell& cell, const LevelBox& box);
   /// The first `places` of the places that the boxes have in cells.
   void remove(std::span<const LevelBox> boxes, std::size_t places);
 
   mutable std::mutex mutex_;
   std::unordered_map<ClientId, std::vector<LevelBox>> boxes_;
-  std::unordered_map<Cell, std::vector<Entry>, CellHash> cells_;
-  std::array<std::size_t, kScales> entries_of_scale_{};
+  std::unordered_map<BoxCell, std::vector<Entry>, BoxCellHash> cells_;
+  std::array<std::size_t, BoxCell::kScales> entries_of_scale_{};
 };
 
 }  // namespace talus::server

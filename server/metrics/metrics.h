@@ -41,6 +41,7 @@ struct Metrics {
   Counter chunks_sent;
   Counter columns_sent;
   Counter unchanged_sent;
+  Counter broadcasts_sent;
   Counter chunk_bytes_sent;  // of their frames
 
   /// From when a session starts on a request for a chunk to when the chunk is ready to be sent. Hot: the

@@ -132,6 +132,7 @@ const std::array kRows{
     MetricRow{"talus_columns_sent_total", "UniformColumn messages sent; each stands for the uniform chunks of a column.",
               counter, {}, &Metrics::columns_sent},
     MetricRow{"talus_unchanged_sent_total", "Unchanged messages sent.", counter, {}, &Metrics::unchanged_sent},
+    MetricRow{"talus_edit_broadcasts_sent_total", "EditBroadcast messages sent.", counter, {}, &Metrics::broadcasts_sent},
 
     MetricRow{"talus_cache_hits_total", "Chunks found in the cache.", counter, {}, &Metrics::cache_hits},
     MetricRow{"talus_cache_misses_total", "Chunks not found in the cache.", counter, {}, &Metrics::cache_misses},

@@ -1,4 +1,5 @@
-// Who of one session waits for a chunk from the source: the View, requests, or both. No I/O.
+// Who of one session waits for a chunk from the source: the View, an update of a chunk that the View has
+// sent, or requests. No I/O.
 //
 // Invariant: the session has submitted each chunk here to its source, has not cancelled it, and had no
 // answer.
@@ -22,6 +23,7 @@ class ChunkWaits {
   struct Waiters {
     Clock::time_point since;  // of the first
     bool view = false;
+    bool update = false;
     bool soon = false;  // it was submitted as wanted soon, or hastened
     std::vector<std::uint32_t> requests;
   };
@@ -72,7 +74,19 @@ class ChunkWaits {
     for (auto& [key, waiters] : waits_) {
       if (!waiters.view || !gone(key)) continue;
       waiters.view = false;
-      if (waiters.requests.empty()) unwanted.push_back(key);
+      if (!waiters.update && waiters.requests.empty()) unwanted.push_back(key);
+    }
+    for (const ChunkKey key : unwanted) waits_.erase(key);
+    return unwanted;
+  }
+  /// Likewise of updates.
+  template <typename Gone>
+  [[nodiscard]] std::vector<ChunkKey> leave_updates_where(Gone&& gone) {
+    std::vector<ChunkKey> unwanted;
+    for (auto& [key, waiters] : waits_) {
+      if (!waiters.update || !gone(key)) continue;
+      waiters.update = false;
+      if (!waiters.view && waiters.requests.empty()) unwanted.push_back(key);
     }
     for (const ChunkKey key : unwanted) waits_.erase(key);
     return unwanted;
@@ -103,7 +117,7 @@ class ChunkWaits {
   using Waits = std::unordered_map<ChunkKey, Waiters>;
 
   bool erase_if_unwanted(Waits::iterator at) {
-    if (at->second.view || !at->second.requests.empty()) return false;
+    if (at->second.view || at->second.update || !at->second.requests.empty()) return false;
     waits_.erase(at);
     return true;
   }

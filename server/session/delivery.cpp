@@ -8,9 +8,15 @@
 
 #include <fmt/format.h>
 
+#include <talus/protocol/limits.h>
+
 namespace talus::server {
 
 using wire::ErrorCode;
+
+void Delivery::speaks(std::uint16_t protocol) {
+  broadcasts_ = protocol >= protocol::kEditsProtocol;
+}
 
 void Delivery::request_heights(std::uint32_t id, HeightsQuery query) {
   constexpr std::size_t kTaskBytes = 256;
@@ -49,33 +55,43 @@ std::size_t Delivery::apply_view() {
   const std::size_t dropped = drop_what_left_view();
   const auto came_near = waits_.hasten_where([this](ChunkKey key) { return view_.stream().is_near(key); });
   if (!came_near.empty()) context_.chunks.hasten(mailbox_->owner(), came_near);
-  context_.chunks.set_wanted(mailbox_->owner(), view_.ahead());
+  context_.chunks.set_wanted(mailbox_, view_.ahead());
   return dropped;
 }
 
 void Delivery::end_view() {
   view_.clear();
   drop_what_left_view();
-  context_.chunks.set_wanted(mailbox_->owner(), {});
+  context_.chunks.set_wanted(mailbox_, {});
 }
 
 std::size_t Delivery::drop_what_left_view() {
   const auto left = [this](ChunkKey key) { return !view_.stream().in_flight(key); };
   const std::vector<ChunkKey> unwanted = waits_.leave_view_where(left);
   if (!unwanted.empty()) context_.chunks.cancel(mailbox_->owner(), unwanted);
+  drop_updates();
   return outbox_.drop_chunks(
       [&](const Outbox::Entry& entry) { return entry.request_id == 0 && left(entry.key); });
 }
 
+void Delivery::drop_updates() {
+  const auto gone = [this](ChunkKey key) { return !view_.stream().is_done(key); };
+  const std::vector<ChunkKey> unwanted = waits_.leave_updates_where(gone);
+  if (!unwanted.empty()) context_.chunks.cancel(mailbox_->owner(), unwanted);
+  outbox_.drop_updates(gone);
+  updates_.drop(gone);
+}
+
 void Delivery::take_mail(Editing& editing) {
   std::vector<Mail> mail = mailbox_->take();
-  if (!mail.empty()) queue_full_ = false;  // an answer shows as well that the queue moves
   for (Mail& each : mail) {
     std::visit(
         [&]<typename Letter>(Letter& letter) {
           if constexpr (std::is_same_v<Letter, AttachAnswer> || std::is_same_v<Letter, EditAnswer>) {
             editing.receive(std::move(letter));
           } else {
+            // An answer of the generators shows as well that their queue moves.
+            if constexpr (!std::is_same_v<Letter, ChunksChanged>) queue_full_ = false;
             receive(std::move(letter));
           }
         },
@@ -92,7 +108,22 @@ void Delivery::receive(ChunkReady&& mail) {
   for (const std::uint32_t id : waiters->requests) {
     answer ? answer_request(id, *requests_.chunk(id), *answer) : fail_request(id, answer.error());
   }
+  if (waiters->update) answer_update(key, answer);
   if (waiters->view) answer_view(key, std::move(answer));
+}
+
+void Delivery::receive(ChunksChanged&& mail) {
+  const ViewStream& stream = view_.stream();
+  if (mail.changes == nullptr) {
+    // What the client has of each is not known any more, but it has at least the chunk as generated.
+    stream.for_each_done([this](ChunkKey key) {
+      if (context_.chunks.revision(key) != kBaseRevision) add_update(key, kBaseRevision);
+    });
+    return;
+  }
+  for (const ChunkChange& change : *mail.changes) {
+    if (stream.is_done(change.key)) add_update(change.key, change.previous);
+  }
 }
 
 void Delivery::receive(HeightsReady&& mail) {
@@ -109,6 +140,7 @@ void Delivery::receive(HeightsReady&& mail) {
 
 std::size_t Delivery::start_work() {
   found_ = 0;
+  ask_for_updates();
   while (has_room()) {
     if (requests_.has_unstarted() && (!view_may_start() || requests_hold_less())) {
       start_request(*requests_.next_unstarted());
@@ -142,7 +174,8 @@ void Delivery::tell_columns() {
 bool Delivery::has_room() const {
   const std::size_t waits = waits_.size() + to_submit_.size();
   const std::size_t to_come = waits * expected_chunk_bytes_;
-  return waits < kMaxWaits && outbox_.chunk_bytes() + to_come < context_.limits.queued_bytes;
+  const std::size_t queued = outbox_.chunk_bytes() + updates_.chunk_bytes();
+  return waits < kMaxWaits && queued + to_come < context_.limits.queued_bytes;
 }
 
 EncodedChunkPtr Delivery::find(ChunkKey key) {
@@ -258,16 +291,16 @@ void Delivery::send_view_chunk(ChunkKey key, EncodedChunkPtr chunk) {
 
 bool Delivery::confirm_request(std::uint32_t id, const PendingRequests::ChunkRequest& request,
                                const EncodedChunk& chunk) {
-  if (request.known != chunk.hash()) return false;
+  if (chunk.revision() != kBaseRevision || request.known != chunk.hash()) return false;
   replies_.unchanged(id, request.key, chunk);
   requests_.erase(id);
   return true;
 }
 
 bool Delivery::confirm_view(ChunkKey key, const EncodedChunk& chunk) {
-  if (!view_.knows(key, chunk.hash())) return false;
+  if (chunk.revision() != kBaseRevision || !view_.knows(key, chunk.hash())) return false;
   replies_.unchanged(0, key, chunk);
-  view_.done(key);
+  sent_to_view(key, kBaseRevision, context_.chunks.revision(key));
   return true;
 }
 
@@ -296,20 +329,97 @@ void Delivery::tell_column(ChunkKey column, const MixedRows& rows, const ChunkKe
   if (!runs.empty()) replies_.column(column, runs);
 }
 
-bool Delivery::refresh(Outbox::Entry& entry) {
-  EncodedChunkPtr newer = context_.chunks.newer(entry.key, entry.chunk->revision());
-  if (newer == nullptr) return true;
-  entry.chunk = std::move(newer);
-  return entry.request_id != 0
-             ? !confirm_request(entry.request_id, *requests_.chunk(entry.request_id), *entry.chunk)
-             : !confirm_view(entry.key, *entry.chunk);
-}
-
-void Delivery::sent(const Outbox::Entry& entry) {
+std::optional<protocol::Frame> Delivery::write(Outbox::Entry& entry) {
+  std::uint64_t newest = context_.chunks.revision(entry.key);
+  if (newest > entry.chunk->revision()) {
+    if (EncodedChunkPtr newer = context_.chunks.newer(entry.key, entry.chunk->revision())) {
+      entry.chunk = std::move(newer);
+      newest = context_.chunks.revision(entry.key);
+    }
+  }
+  const EncodedChunk& chunk = *entry.chunk;
+  std::optional<protocol::Frame> unchanged;
+  if (chunk.revision() != kBaseRevision) {
+    const bool held = entry.request_id != 0 ? requests_.chunk(entry.request_id)->known == chunk.hash()
+                                            : view_.knows(entry.key, chunk.hash());
+    if (held) unchanged = unchanged_frame(entry.request_id, entry.key, chunk);
+  }
+  if (unchanged) context_.metrics.unchanged_sent.add();
   if (entry.request_id != 0) {
     requests_.erase(entry.request_id);
   } else {
-    view_.done(entry.key);
+    sent_to_view(entry.key, chunk.revision(), newest);
+  }
+  return unchanged;
+}
+
+void Delivery::sent_to_view(ChunkKey key, std::uint64_t revision, std::uint64_t newest) {
+  view_.done(key);
+  if (newest > revision) add_update(key, revision);
+}
+
+Outbox::Update Delivery::write_update(ChunkKey key) {
+  const std::uint64_t has = updates_.at(key).has;
+  if (context_.chunks.revision(key) <= has) {
+    updates_.erase(key);
+    return {};
+  }
+  EncodedChunkPtr chunk = context_.chunks.newer(key, has);
+  const EncodedChunkPtr& given = updates_.at(key).chunk;
+  if (given != nullptr && (chunk == nullptr || chunk->revision() < given->revision())) chunk = given;
+  const auto changed =
+      broadcasts_ ? context_.chunks.changes_since(key, has, kMaxBroadcastVoxels) : std::nullopt;
+  if (changed) {
+    protocol::Frame frame = edit_broadcast_frame(key, has, *changed);
+    if (chunk == nullptr || frame.size() < chunk->frame_bytes()) {
+      context_.metrics.broadcasts_sent.add();
+      updated(key, changed->revision);
+      return {.frame = std::move(frame)};
+    }
+  }
+  if (chunk == nullptr) {
+    updates_.want(key);
+    return {};
+  }
+  updated(key, chunk->revision());
+  return {.chunk = std::move(chunk)};
+}
+
+void Delivery::updated(ChunkKey key, std::uint64_t revision) {
+  updates_.erase(key);
+  if (context_.chunks.revision(key) > revision) add_update(key, revision);
+}
+
+void Delivery::ask_for_updates() {
+  while (const auto key = updates_.next_wanted()) {
+    if (context_.chunks.newer(*key, updates_.at(*key).has) != nullptr) {
+      outbox_.push_update(*key);
+    } else if (queue_full_ || !has_room()) {
+      return;
+    } else if (ChunkWaits::Waiters* const waiters = waits_.find(*key)) {
+      waiters->update = true;
+    } else if (context_.chunks.submit(mailbox_, {&*key, 1}, Urgency::soon) == 1) {
+      waits_.add(*key, context_.clock.now()).update = true;
+    } else {
+      queue_full_ = true;
+      return;
+    }
+    updates_.asked();
+  }
+}
+
+void Delivery::answer_update(ChunkKey key, ChunkAnswer answer) {
+  if (!answer) {
+    replies_.error(
+        about_view_chunk(view_.number(), key), ErrorCode::internal,
+        fmt::format("chunk {} of the View was edited, and failed: {}", to_string(key), answer.error().reason),
+        retry_after::kFailed);
+    updates_.erase(key);
+  } else if ((*answer)->revision() > updates_.at(key).has) {
+    updates_.give(key, *std::move(answer));
+    outbox_.push_update(key);
+  } else {
+    updates_.want(key);  // it was made before the edit
   }
 }
 
@@ -322,13 +432,15 @@ void Delivery::abandon() {
   }
   requests_.clear();
   view_.clear();
-  context_.chunks.set_wanted(mailbox_->owner(), {});
+  context_.chunks.set_wanted(mailbox_, {});
   outbox_.drop_chunks([](const Outbox::Entry&) { return true; });
+  drop_updates();
 }
 
 std::size_t Delivery::bytes() const {
   constexpr std::size_t kPerRequest = 128;  // in the source's queue
-  return view_.bytes() + requests_.bytes() + (requests_.size() + waits_.size()) * kPerRequest;
+  return view_.bytes() + requests_.bytes() + updates_.bytes() +
+         (requests_.size() + waits_.size()) * kPerRequest;
 }
 
 }  // namespace talus::server

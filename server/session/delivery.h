@@ -2,12 +2,19 @@
 // heights. Takes a chunk that is in memory at once, and waits for the others; decides whether a chunk is
 // sent, confirmed (Unchanged), or told as part of its column.
 //
+// Edits: whenever the client has been sent a chunk of the View, by whatever message, and whenever it is told
+// of a change, what the client has is held against the source's newest revision. The source raises that
+// before it tells of the change, so of the two one comes second and finds the difference: no edit is lost,
+// however mail, generators, credit and Views interleave. A chunk that is still on its way is left alone: it
+// is looked at when it is written.
+//
 // No I/O. Bounded: kMaxWaits chunks wait for the source, and what waits for the client stays within
 // limits.queued_bytes and one chunk.
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
@@ -18,6 +25,7 @@
 #include "session/chunk_waits.h"
 #include "session/editing.h"
 #include "session/pending_requests.h"
+#include "session/pending_updates.h"
 #include "session/replies.h"
 #include "session/session_context.h"
 #include "view/credit.h"
@@ -40,6 +48,9 @@ class Delivery {
   /// What a chunk that waits for the source is expected to take in the outbox, until a larger one came.
   static constexpr std::size_t kExpectedChunkBytes = 4096;
 
+  /// An EditBroadcast has at most so many voxels; beyond, the whole chunk is sent again.
+  static constexpr std::size_t kMaxBroadcastVoxels = 1024;
+
   /// All outlive it.
   Delivery(const SessionContext& context, MailboxPtr mailbox, Replies& replies, Outbox& outbox,
            Credit& credit)
@@ -51,6 +62,9 @@ class Delivery {
 
   /// In whose turns its chunks are generated from now on; before it asks for anything.
   void join(FlowUsePtr flow) { mailbox_->join(std::move(flow)); }
+
+  /// The protocol's version that was agreed on: whether the client knows EditBroadcast.
+  void speaks(std::uint16_t protocol);
 
   [[nodiscard]] FlowUse& flow() const { return *mailbox_->flow_use(); }
 
@@ -77,8 +91,9 @@ class Delivery {
   void receive(ChunkReady&& mail);
   void receive(HeightsReady&& mail);
   [[nodiscard]] bool has_lost_mail() const { return mailbox_->has_lost(); }
-  void receive(QueueHasRoom) {}  // any mail ends queue_full_
-  /// Of edits goes to `editing`.
+  void receive(QueueHasRoom) {}  // it ends queue_full_, as any mail does that comes from the queue
+  void receive(ChunksChanged&& mail);
+  /// Of the session's own edits goes to `editing`.
   void take_mail(Editing& editing);
 
   // ---- work
@@ -86,11 +101,12 @@ class Delivery {
   /// that both have chunks in the outbox. Says ViewComplete. Returns how many chunks were in memory.
   [[nodiscard]] std::size_t start_work();
 
-  /// A chunk is about to be written: replaces it by a newer version that is in memory. Returns false where
-  /// the client holds that version and was told so instead.
-  [[nodiscard]] bool refresh(Outbox::Entry& entry);
-  /// A chunk was written.
-  void sent(const Outbox::Entry& entry);
+  /// A chunk leaves: replaces it by a newer version that is in memory. Where the client holds that version,
+  /// returns an Unchanged, which goes in its place.
+  [[nodiscard]] std::optional<protocol::Frame> write(Outbox::Entry& entry);
+  /// An update leaves: an EditBroadcast where the client knows it and it is smaller than the chunk, else the
+  /// newest version of the chunk. Nothing where that is to be asked for first, or the client has it already.
+  [[nodiscard]] Outbox::Update write_update(ChunkKey key);
 
   /// Forgets everything, and cancels it at the source.
   void abandon();
@@ -123,7 +139,21 @@ class Delivery {
   void fail_request(std::uint32_t id, const GenerationFailed& failure);
   void answer_view(ChunkKey key, ChunkAnswer answer);
   void send_view_chunk(ChunkKey key, EncodedChunkPtr chunk);
-  /// Where the client holds this version of the chunk: answers by Unchanged.
+  /// The client was sent, or is about to be sent, this revision of a chunk of the View. `newest`: as the
+  /// source has it now.
+  void sent_to_view(ChunkKey key, std::uint64_t revision, std::uint64_t newest);
+  /// The client has this revision of a chunk of the View, and there is a newer one.
+  void add_update(ChunkKey key, std::uint64_t has) {
+    if (updates_.add(key, has)) outbox_.push_update(key);
+  }
+  /// The client has this revision now, by an update.
+  void updated(ChunkKey key, std::uint64_t revision);
+  /// Asks for chunks that are to be sent again.
+  void ask_for_updates();
+  void answer_update(ChunkKey key, ChunkAnswer answer);
+
+  /// Where the client holds this version of the chunk, and it is as generated: answers by Unchanged. Of an
+  /// edited chunk that is said in its turn, by write().
   [[nodiscard]] bool confirm_request(std::uint32_t id, const PendingRequests::ChunkRequest& request,
                                      const EncodedChunk& chunk);
   [[nodiscard]] bool confirm_view(ChunkKey key, const EncodedChunk& chunk);
@@ -139,6 +169,8 @@ class Delivery {
   /// Of chunks that left the View none is waited for, and none is sent. Returns how many waited for the
   /// client.
   std::size_t drop_what_left_view();
+  /// Of chunks that the View has not sent: what comes into it comes in its newest version.
+  void drop_updates();
 
   const SessionContext& context_;
   const MailboxPtr mailbox_;
@@ -148,6 +180,8 @@ class Delivery {
   PendingRequests requests_;
   ViewSubscription view_;
   ChunkWaits waits_;
+  PendingUpdates updates_;
+  bool broadcasts_ = false;  // the client knows EditBroadcast
   std::size_t expected_chunk_bytes_ = kExpectedChunkBytes;
   std::size_t found_ = 0;  // chunks that were in memory since start_work() began
   std::uint64_t heights_asked_ = 0;

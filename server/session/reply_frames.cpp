@@ -1,5 +1,7 @@
 #include "session/reply_frames.h"
 
+#include <talus/edits/runs.h>
+
 namespace talus::server {
 namespace {
 
@@ -103,6 +105,16 @@ protocol::Frame unchanged_frame(std::uint32_t request_id, ChunkKey key, const En
     const wire::ChunkKey wire_key = on_wire(key);
     const wire::Hash128 wire_hash = on_wire(chunk.hash());
     return wire::CreateUnchanged(builder, request_id, &wire_key, chunk.revision(), &wire_hash);
+  });
+}
+
+protocol::Frame edit_broadcast_frame(ChunkKey key, std::uint64_t previous, const ChangedVoxels& changed) {
+  std::vector<std::byte> runs;
+  edits::encode_runs(changed.voxels, runs);
+  return protocol::make_frame([&](flatbuffers::FlatBufferBuilder& builder) {
+    const wire::ChunkKey wire_key = on_wire(key);
+    const auto bytes = builder.CreateVector(reinterpret_cast<const std::uint8_t*>(runs.data()), runs.size());
+    return wire::CreateEditBroadcast(builder, &wire_key, changed.revision, previous, 0, bytes);
   });
 }
 

@@ -10,6 +10,7 @@
 #include <talus/protocol/message.h>
 #include <talus/voxel/coords.h>
 
+#include "chunks/chunk_change.h"
 #include "chunks/edit_answers.h"
 #include "chunks/encoded_chunk.h"
 #include "chunks/heights_query.h"
@@ -33,6 +34,9 @@ inline constexpr std::string_view kNoMemory = "this server's memory is all in us
 /// `request_id` 0: for the View.
 [[nodiscard]] protocol::Frame unchanged_frame(std::uint32_t request_id, ChunkKey key,
                                               const EncodedChunk& chunk);
+/// To a client that has revision `previous` of the chunk, or one between that and the voxels'.
+[[nodiscard]] protocol::Frame edit_broadcast_frame(ChunkKey key, std::uint64_t previous,
+                                                   const ChangedVoxels& changed);
 /// As for a request; `request_id` is not 0.
 [[nodiscard]] protocol::Frame chunk_frame(std::uint32_t request_id, ChunkKey key, const EncodedChunk& chunk);
 /// `column` is any chunk of the column.

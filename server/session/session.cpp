@@ -208,6 +208,7 @@ void Session::on(const wire::Hello& hello) {
   greeting_ = *std::move(greeting);
   const std::string& subject = greeting_->grant.subject;
   if (!subject.empty()) delivery_.join(context_.flows.of_subject(subject));
+  delivery_.speaks(greeting_->protocol);
   credit_ = Credit{greeting_->window_bytes};
   replies_.welcome(*greeting_, context_.world, context_.limits, rates_.limits());
   state_ = State::joined;
@@ -419,21 +420,15 @@ Output Session::take_output(std::size_t enough_bytes, std::size_t shared_from) {
   const Clock::time_point now = context_.clock.now();
   Output output{shared_from};
   output.reserve(std::min(enough_bytes, outbox_.bytes_to_copy(shared_from)));
-  std::size_t chunks = 0;
-  std::size_t chunk_bytes = 0;
   const SessionRates::Allowance allowance = rates_.allowance(now);
-  outbox_.take(
+  const Outbox::Taken taken = outbox_.take(
       {enough_bytes, allowance.chunks, allowance.bytes}, credit_, output,
-      [this](Outbox::Entry& entry) { return delivery_.refresh(entry); },
-      [&](const Outbox::Entry& entry) {
-        ++chunks;
-        chunk_bytes += entry.chunk->frame_bytes();
-        delivery_.sent(entry);
-      });
-  rates_.sent(now, chunks, output.size());
+      [this](Outbox::Entry& entry) { return delivery_.write(entry); },
+      [this](ChunkKey key) { return delivery_.write_update(key); });
+  rates_.sent(now, taken.chunks, output.size());
   writing_bytes_ = output.held_bytes();
-  context_.metrics.chunks_sent.add(chunks);
-  context_.metrics.chunk_bytes_sent.add(chunk_bytes);
+  context_.metrics.chunks_sent.add(taken.chunks);
+  context_.metrics.chunk_bytes_sent.add(taken.chunk_bytes);
   close_if_served();
   return output;
 }

@@ -420,6 +420,10 @@ EditDatabase::Done EditDatabase::mark_flushed(std::uint64_t position) {
     flushed.time_ms = left->time_ms;
   }
   if (left == unflushed_.begin()) return {};
+  // RocksDB's log is of several files, of which the newest may outlive a power cut that takes the end of the one
+  // before. So nothing may say that chunks were put before they are on the disk.
+  if (!db_) return failure("the store is closed after an error of the disk");
+  if (const auto synced = db_->SyncWAL(); !synced.ok()) return failure(synced.ToString());
   StoreMeta meta = meta_;
   meta.flushed = flushed.position;
   meta.flushed_link = flushed.link;

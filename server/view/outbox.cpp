@@ -23,7 +23,8 @@ void Outbox::push_chunk(Entry&& entry) {
 }
 
 bool Outbox::sendable(const Credit& credit) const {
-  return !control_.empty() || ((!requests_.entries.empty() || !view_.entries.empty()) && credit.may_send());
+  const bool waits = !updates_.empty() || !requests_.entries.empty() || !view_.entries.empty();
+  return !control_.empty() || (waits && credit.may_send());
 }
 
 void Outbox::take_control(std::size_t enough_bytes, Output& output) {

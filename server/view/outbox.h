@@ -1,12 +1,13 @@
-// What waits to be written to one client. Control frames go first and need no credit. Chunks go while the
-// client's credit lasts, from two lanes, those of requests and those of the View, which share by bytes: a
-// deficit round robin of two flows whose quantum is one chunk. Chunks are shared with the cache, not copied.
-// No I/O.
+// What waits to be written to one client. Control frames go first and need no credit. Then updates go, of
+// chunks that the client holds and that were edited since, and then chunks, both while the client's credit
+// lasts: chunks from two lanes, those of requests and those of the View, which share by bytes: a deficit
+// round robin of two flows whose quantum is one chunk. Chunks are shared with the cache, not copied. No I/O.
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
 #include <deque>
+#include <optional>
 #include <utility>
 
 #include <talus/protocol/message.h>
@@ -36,7 +37,20 @@ class Outbox {
     std::size_t chunk_bytes = SIZE_MAX;  // the last chunk may pass it
   };
 
+  /// What goes for an update: a frame, a whole chunk of the View, or, where both are empty, nothing.
+  struct Update {
+    protocol::Frame frame{};
+    EncodedChunkPtr chunk{};
+  };
+
+  struct Taken {
+    std::size_t chunks = 0;
+    std::size_t chunk_bytes = 0;  // of their frames
+  };
+
   void push_control(protocol::Frame frame);
+  /// The chunk is not among the updates already.
+  void push_update(ChunkKey key) { updates_.push_back(key); }
   void push_chunk(Entry&& entry);
 
   /// Removes the chunks for which `unwanted(entry)` returns true. Returns how many.
@@ -53,34 +67,57 @@ class Outbox {
     return dropped;
   }
 
+  /// Likewise of updates.
+  template <typename Unwanted>
+  void drop_updates(Unwanted&& unwanted) {
+    std::erase_if(updates_, std::forward<Unwanted>(unwanted));
+  }
+
   [[nodiscard]] bool sendable(const Credit& credit) const;
   [[nodiscard]] bool has_control() const { return !control_.empty(); }
 
   /// Appends frames to `output` until a limit is reached or nothing is sendable. Also where both lanes had
   /// chunks and that whose turn it is has none left: the caller fills it again before the other goes on.
   ///
-  /// For each chunk, just before it is written, refresh(entry) may replace entry.chunk by a newer version, or
-  /// return false: then the chunk is not written, and refresh has answered for it otherwise. For each chunk
-  /// written, sent(entry) is called.
-  template <typename Refresh, typename Sent>
-  void take(const TakeLimits& limits, Credit& credit, Output& output, Refresh&& refresh, Sent&& sent) {
+  /// For each chunk that leaves write(entry) is called, which may replace entry.chunk by a newer version, or
+  /// returns a frame that goes in its place. For each update that leaves write_update(key) returns what goes;
+  /// it may push the same update again, for the next take().
+  template <typename Write, typename WriteUpdate>
+  Taken take(const TakeLimits& limits, Credit& credit, Output& output, Write&& write,
+             WriteUpdate&& write_update) {
     take_control(limits.enough_bytes, output);
-    std::size_t chunks = 0;
+    Taken taken;
     const std::size_t control_bytes = output.size();
     const auto may_go = [&] {
-      return output.size() < limits.enough_bytes && credit.may_send() && chunks < limits.chunks &&
+      return output.size() < limits.enough_bytes && credit.may_send() && taken.chunks < limits.chunks &&
              output.size() - control_bytes < limits.chunk_bytes;
     };
+    const auto append = [&](const EncodedChunkPtr& chunk, std::uint32_t request_id, ChunkKey key) {
+      output.append(chunk, request_id, key);
+      credit.sent(chunk->frame_bytes());
+      ++taken.chunks;
+      taken.chunk_bytes += chunk->frame_bytes();
+      return chunk->frame_bytes();
+    };
+    for (std::size_t left = updates_.size(); left > 0 && may_go(); --left) {
+      const ChunkKey key = updates_.front();
+      updates_.pop_front();
+      const Update update = write_update(key);
+      if (update.chunk != nullptr) {
+        append(update.chunk, 0, key);
+      } else {
+        output.append(update.frame);
+      }
+    }
     const auto send_first = [&](Queue& queue) -> std::size_t {
       Entry entry = std::move(queue.entries.front());
       queue.entries.pop_front();
       queue.bytes -= cost(*entry.chunk);
-      if (!refresh(entry)) return 0;
-      output.append(entry.chunk, entry.request_id, entry.key);
-      credit.sent(entry.chunk->frame_bytes());
-      ++chunks;
-      sent(std::as_const(entry));
-      return entry.chunk->frame_bytes();
+      if (const std::optional<protocol::Frame> instead = write(entry)) {
+        output.append(*instead);
+        return instead->size();
+      }
+      return append(entry.chunk, entry.request_id, entry.key);
     };
     if (requests_.entries.empty() || view_.entries.empty()) {
       requests_ahead_ = 0;  // what one was sent while the other wanted nothing is no debt
@@ -95,11 +132,13 @@ class Outbox {
         requests_ahead_ += view_turn ? -bytes : bytes;
       }
     }
-    take_control(limits.enough_bytes, output);  // what refresh answered
+    return taken;
   }
 
   /// Memory of the queued control frames.
   [[nodiscard]] std::size_t control_bytes() const { return control_bytes_; }
+  /// Updates that wait.
+  [[nodiscard]] std::size_t updates() const { return updates_.size(); }
   /// Memory of the queued chunks, as if nobody else held them.
   [[nodiscard]] std::size_t chunk_bytes() const { return requests_.bytes + view_.bytes; }
   [[nodiscard]] std::size_t chunk_bytes(Lane lane) const { return queue(lane).bytes; }
@@ -119,6 +158,7 @@ class Outbox {
   void take_control(std::size_t enough_bytes, Output& output);
 
   std::deque<protocol::Frame> control_;
+  std::deque<ChunkKey> updates_;
   Queue requests_;
   Queue view_;
   std::size_t control_bytes_ = 0;

@@ -91,6 +91,18 @@ class ViewStream {
     const auto place = interest_.place_of(key);
     return place && states_[*place] != State::done;
   }
+  /// Whether the area has the chunk, and it is done.
+  [[nodiscard]] bool is_done(ChunkKey key) const {
+    const auto place = interest_.place_of(key);
+    return place && states_[*place] == State::done;
+  }
+  /// Calls visit(ChunkKey) for every chunk of the area that is done.
+  template <typename Visit>
+  void for_each_done(Visit&& visit) const {
+    interest_.for_each([&](ChunkKey key, AreaOfInterest::Place place) {
+      if (states_[place] == State::done) visit(key);
+    });
+  }
   [[nodiscard]] bool in_flight(ChunkKey key) const {
     const auto place = interest_.place_of(key);
     return place && is_in_flight(states_[*place]);

@@ -21,7 +21,7 @@ http::Response chunk_response(const Exchange& exchange, const EncodedChunk& chun
 Answer answer_now(Exchange& exchange, const ChunkRoute& route) {
   if (auto wrong = check_world(exchange.context(), route.fingerprint, route.codec)) return wrong;
   const SessionContext& shared = exchange.shared();
-  const EncodedChunkPtr chunk = shared.chunks.find(route.key);
+  const EncodedChunkPtr chunk = exchange.chunks().find(route.key);
   if (chunk == nullptr) return std::nullopt;
   if (exchange.requester().next_chunk(exchange.began()) > exchange.began()) return std::nullopt;
   shared.metrics.hot_latency.add(shared.clock.now() - exchange.began());

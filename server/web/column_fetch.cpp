@@ -24,13 +24,13 @@ asio::awaitable<Answer> ColumnFetch::append(ChunkKey column, std::string& body, 
   const auto known = [&](const MixedRows& rows) {
     return rows.first != std::numeric_limits<std::int32_t>::min();
   };
-  MixedRows rows = shared.chunks.column(column);
+  MixedRows rows = exchange_.chunks().column(column);
   if (!known(rows)) {
     column.coord.y = static_cast<std::int32_t>(floor_div(shared.world.spawn.y >> lod.value(), kChunkSize));
     const std::vector<ChunkKey> one(1, column);
     if (const auto made = co_await fetch_.get(one, exchange_.deadline()); !made)
       co_return fetch_failed(made.error(), shared.memory);
-    rows = shared.chunks.column(column);
+    rows = exchange_.chunks().column(column);
   }
   // Without them all rows between the world's lowest and highest may hold anything.
   if (!known(rows)) {

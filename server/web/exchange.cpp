@@ -40,7 +40,7 @@ Clock::time_point Exchange::deadline() const {
 }
 
 Fetch& Exchange::start_fetch() {
-  fetch_ = std::make_shared<Fetch>(executor_, shared_.chunks, shared_.clock,
+  fetch_ = std::make_shared<Fetch>(executor_, context_.chunks, shared_.clock,
                                    ClientId{kFirstFetch + ++context_.fetches}, requester_.flow());
   return *fetch_;
 }

@@ -39,6 +39,8 @@ class Exchange {
 
   [[nodiscard]] const WebContext& context() const { return context_; }
   [[nodiscard]] const SessionContext& shared() const { return shared_; }
+  /// As generated, whatever sessions are sent.
+  [[nodiscard]] ChunkSource& chunks() const { return context_.chunks; }
   [[nodiscard]] Requester& requester() const { return requester_; }
   [[nodiscard]] const asio::any_io_executor& executor() const { return executor_; }
   [[nodiscard]] const http::Request& request() const { return *request_; }

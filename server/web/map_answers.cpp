@@ -18,7 +18,7 @@ http::Response picture_response(Exchange& exchange, const PicturePtr& picture) {
 
 Answer answer_now(Exchange& exchange, const MapRoute& route) {
   if (auto wrong = check_world(exchange.context(), route.fingerprint)) return wrong;
-  const PicturePtr picture = exchange.shared().chunks.find_map(route.tile);
+  const PicturePtr picture = exchange.chunks().find_map(route.tile);
   if (picture == nullptr) return std::nullopt;
   if (exchange.requester().next_chunk(exchange.began()) > exchange.began()) return std::nullopt;
   exchange.requester().charge(1, 0);
@@ -32,7 +32,7 @@ asio::awaitable<http::Response> answer_later(Exchange& exchange, const MapRoute&
       std::size_t{map::kTilePixels / kChunkSize} * (map::kTilePixels / kChunkSize);
   const SessionContext& shared = exchange.shared();
   Requester& requester = exchange.requester();
-  PicturePtr picture = shared.chunks.find_map(route.tile);
+  PicturePtr picture = exchange.chunks().find_map(route.tile);
   if (picture == nullptr && !shared.memory.takes_work()) co_return no_memory();
   if (auto wrong = co_await requester.wait_for_rates(exchange.executor())) co_return *std::move(wrong);
   requester.charge(picture == nullptr ? kColumnsShown : 1, 0);

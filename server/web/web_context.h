@@ -6,6 +6,7 @@
 #include <memory>
 #include <string>
 
+#include "chunks/chunk_source.h"
 #include "config/allowed_origins.h"
 #include "config/networks.h"
 #include "http/service.h"
@@ -26,6 +27,7 @@ struct WebSettings {
 /// `runner`'s context outlives the connections.
 struct WebContext {
   RunnerContextPtr runner;
+  ChunkSource& chunks;  // as generated: what stands under a path never changes
   WebSettings settings;
   Admission& admission;
   http::Service service;

@@ -9,6 +9,7 @@
 #include <asio/io_context.hpp>
 #include <catch2/catch.hpp>
 
+#include <talus/client/chunk_store.h>
 #include <talus/client/client.h>
 
 namespace talus::e2e {
@@ -62,7 +63,8 @@ struct Player {
   }
   /// What the player sees there; none where the chunk has not come.
   [[nodiscard]] std::optional<MaterialId> sees(VoxelPos voxel, Lod lod = {}) {
-    const auto key = chunk_holding({voxel.x >> lod.value(), voxel.y >> lod.value(), voxel.z >> lod.value()}, lod);
+    const auto key =
+        chunk_holding({voxel.x >> lod.value(), voxel.y >> lod.value(), voxel.z >> lod.value()}, lod);
     const auto chunk = store.find(*key);
     if (chunk == nullptr) return std::nullopt;
     return chunk->at(local_pos({voxel.x >> lod.value(), voxel.y >> lod.value(), voxel.z >> lod.value()}));

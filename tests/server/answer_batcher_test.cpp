@@ -55,17 +55,17 @@ TEST_CASE("answers come to each who waits, once and in the order in which they w
 TEST_CASE("answers wait for the interval or the end, and wake their owner once") {
   Bench bench;
   Owner owner{1};
-  bench.answers.add({owner.mailbox}, at(0), bench.answer);
+  bench.answers.add(std::vector{owner.mailbox}, at(0), bench.answer);
   bench.clock.advance(AnswerBatcher::kInterval - 1us);
-  bench.answers.add({owner.mailbox}, at(1), bench.answer);
+  bench.answers.add(std::vector{owner.mailbox}, at(1), bench.answer);
   CHECK(owner.woken == 0);
   CHECK(owner.take().empty());
   bench.clock.advance(1us);
-  bench.answers.add({owner.mailbox}, at(2), bench.answer);
+  bench.answers.add(std::vector{owner.mailbox}, at(2), bench.answer);
   CHECK(owner.woken == 1);
   CHECK(owner.take() == Xs{0, 1, 2});
 
-  bench.answers.add({owner.mailbox}, at(3), bench.answer);
+  bench.answers.add(std::vector{owner.mailbox}, at(3), bench.answer);
   bench.answers.wake();
   CHECK(owner.woken == 2);
   CHECK(owner.take() == Xs{3});
@@ -78,7 +78,7 @@ TEST_CASE("what was not told is told at the end") {
   Owner owner{1};
   {
     AnswerBatcher answers{bench.log, bench.clock};
-    answers.add({owner.mailbox}, at(0), bench.answer);
+    answers.add(std::vector{owner.mailbox}, at(0), bench.answer);
     CHECK(owner.woken == 0);
   }
   CHECK(owner.woken == 1);
@@ -89,7 +89,7 @@ TEST_CASE("an owner that cannot be woken keeps nobody else waiting") {
   Bench bench;
   const auto broken = std::make_shared<Mailbox>(ClientId{1}, [] { throw std::bad_alloc{}; });
   Owner owner{2};
-  bench.answers.add({broken, owner.mailbox}, at(0), bench.answer);
+  bench.answers.add(std::vector{broken, owner.mailbox}, at(0), bench.answer);
   bench.answers.wake();
   CHECK(owner.woken == 1);
   CHECK_NOTHROW(deliver(broken, QueueHasRoom{}, bench.log));

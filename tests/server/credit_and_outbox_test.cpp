@@ -23,6 +23,9 @@ Outbox::Entry entry(std::uint32_t id, std::size_t payload_bytes) {
 
 constexpr std::size_t kAll = std::size_t{1} << 40;
 
+constexpr std::optional<protocol::Frame> kItself;
+constexpr auto kNoUpdates = [](ChunkKey) { return Outbox::Update{}; };
+
 struct Taken {
   std::vector<std::byte> bytes;
   std::vector<std::uint32_t> ids;
@@ -31,9 +34,13 @@ struct Taken {
 Taken take(Outbox& outbox, const Outbox::TakeLimits& limits, Credit& credit) {
   Taken taken;
   Output output;
-  outbox.take(
-      limits, credit, output, [](Outbox::Entry&) { return true; },
-      [&](const Outbox::Entry& entry) { taken.ids.push_back(entry.request_id); });
+  (void)outbox.take(
+      limits, credit, output,
+      [&](Outbox::Entry& entry) {
+        taken.ids.push_back(entry.request_id);
+        return kItself;
+      },
+      kNoUpdates);
   taken.bytes = flat(output);
   return taken;
 }
@@ -186,39 +193,77 @@ TEST_CASE("a lane that runs empty ends the write before the other gets ahead") {
   CHECK(take(outbox, {}, credit).ids.size() == 48);  // nothing came: the others go on
 }
 
-TEST_CASE("a chunk is written as refresh leaves it") {
+TEST_CASE("a chunk is written as write() leaves it") {
   Outbox outbox;
   Credit credit{kAll};
   outbox.push_chunk(entry(1, 100));
   Output output;
-  outbox.take(
+  const Outbox::Taken taken = outbox.take(
       {}, credit, output,
       [](Outbox::Entry& entry) {
         entry.chunk = chunk_of(5000);
-        return true;
+        return kItself;
       },
-      [](const Outbox::Entry&) {});
+      kNoUpdates);
+  CHECK(taken.chunks == 1);
+  CHECK(taken.chunk_bytes == output.size());
   CHECK(output.size() == chunk_of(5000)->frame_bytes());
   CHECK(credit.taken(output.size()).has_value());
   CHECK(outbox.chunk_bytes() == 0);
 }
 
-TEST_CASE("a chunk that refresh answered is not written, and its answer is") {
+TEST_CASE("a frame in a chunk's place is written instead, and is no chunk") {
+  Outbox outbox;
+  Credit credit{1};
+  outbox.push_chunk(entry(1, 100));
+  Output output;
+  const Outbox::Taken taken = outbox.take(
+      {}, credit, output, [&](Outbox::Entry&) { return std::optional{protocol::Frame(7)}; }, kNoUpdates);
+  CHECK(output.size() == 7);
+  CHECK(taken.chunks == 0);
+  CHECK(credit.may_send());
+  CHECK(outbox.chunk_bytes() == 0);
+}
+
+TEST_CASE("updates go after control frames and before chunks, each once a write") {
   Outbox outbox;
   Credit credit{kAll};
   outbox.push_chunk(entry(1, 100));
+  const ChunkKey first{{5, 0, 0}, Lod{}};
+  const ChunkKey second{{6, 0, 0}, Lod{}};
+  outbox.push_update(first);
+  outbox.push_update(second);
+  outbox.push_control(protocol::Frame(7));
   Output output;
-  int sent = 0;
-  outbox.take(
+  std::vector<std::size_t> begins;
+  const Outbox::Taken taken = outbox.take(
       {}, credit, output,
       [&](Outbox::Entry&) {
-        outbox.push_control(protocol::Frame(7));
-        return false;
+        begins.push_back(output.size());
+        return kItself;
       },
-      [&](const Outbox::Entry&) { ++sent; });
-  CHECK(output.size() == 7);
-  CHECK(sent == 0);
-  CHECK(outbox.chunk_bytes() == 0);
+      [&](ChunkKey key) {
+        begins.push_back(output.size());
+        outbox.push_update(key);
+        return key == first ? Outbox::Update{protocol::Frame(11), nullptr} : Outbox::Update{{}, chunk_of(50)};
+      });
+  const std::size_t whole = chunk_of(50)->frame_bytes();
+  CHECK(begins == std::vector<std::size_t>{7, 18, 18 + whole});
+  CHECK(taken.chunks == 2);
+  CHECK(credit.taken(taken.chunk_bytes).has_value());
+  CHECK_FALSE(credit.taken(taken.chunk_bytes + 1).has_value());  // a frame counts as none
+  CHECK(outbox.updates() == 2);
+  outbox.drop_updates([&](ChunkKey key) { return key == first; });
+  CHECK(outbox.updates() == 1);
+}
+
+TEST_CASE("an update needs credit to begin") {
+  Outbox outbox;
+  outbox.push_update({{5, 0, 0}, Lod{}});
+  Credit none{0};
+  Credit some{1};
+  CHECK_FALSE(outbox.sendable(none));
+  CHECK(outbox.sendable(some));
 }
 
 TEST_CASE("a write has the same bytes whether large chunks are copied into it or not") {

@@ -59,3 +59,36 @@ TEST_CASE("an owner that could not be woken is woken by the next who tries, and 
   CHECK(woken == 1);
   CHECK(tickets(box.take()) == std::vector<std::uint64_t>{1});
 }
+
+namespace {
+
+ChunkChangesPtr changes(std::size_t count) {
+  return std::make_shared<const std::vector<ChunkChange>>(count);
+}
+
+}  // namespace
+
+TEST_CASE("changes that pile up become one that may be of any chunk, among the other mail") {
+  Mailbox mailbox{ClientId{1}, [] {}};
+  mailbox.put(QueueHasRoom{});
+  const ChunkChangesPtr half = changes(Mailbox::kMaxChanges / 2);
+  mailbox.put_changes(half);
+  mailbox.put_changes(half);
+  mailbox.put(HeightsReady{1, {}});
+  SECTION("as many as there may be") {
+    const auto mail = mailbox.take();
+    REQUIRE(mail.size() == 4);
+    CHECK(std::get<ChunksChanged>(mail[1]).changes == half);
+  }
+  SECTION("one more, and whatever comes then") {
+    mailbox.put_changes(changes(1));
+    for (int i = 0; i < 100; ++i) mailbox.put_changes(half);
+    const auto mail = mailbox.take();
+    REQUIRE(mail.size() == 3);
+    CHECK(std::holds_alternative<QueueHasRoom>(mail[0]));
+    CHECK(std::holds_alternative<HeightsReady>(mail[1]));
+    CHECK(std::get<ChunksChanged>(mail[2]).changes == nullptr);
+  }
+  mailbox.put_changes(half);  // once they are taken it begins anew
+  CHECK(std::get<ChunksChanged>(mailbox.take().at(0)).changes == half);
+}

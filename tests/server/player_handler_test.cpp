@@ -67,7 +67,8 @@ struct Site {
   AccessControl access;
   Admission admission{{10, 2}, clock};
   Registry registry;
-  RunnerContext runner{{limits, world, source, memory, metrics, access, rates, flows, clock},
+  ScriptedSource edited;  // what sessions are sent
+  RunnerContext runner{{limits, world, edited, memory, metrics, access, rates, flows, clock},
                        {65'536, 1U << 20, {10s, 60s, 15s}},
                        registry,
                        std::make_shared<spdlog::logger>("silent")};
@@ -92,6 +93,7 @@ struct Site {
   std::shared_ptr<Loopback> connect() {
     if (!context) {
       context.emplace(web::WebContext{{RunnerContextPtr{}, &runner},
+                                      source,
                                       settings,
                                       admission,
                                       service,
@@ -153,6 +155,16 @@ Access with_secret(const ScratchDirectory& scratch) {
 const std::string kToken = "Authorization: Bearer a secret of more than sixteen bytes\r\n";
 
 }  // namespace
+
+TEST_CASE("paths have chunks as generated, whatever sessions are sent") {
+  Site site;
+  const ChunkKey key{{1, 2, 3}, Lod{}};
+  site.source.in_memory[key] = scripted_chunk(key);
+  site.edited.in_memory[key] = scripted_chunk(key, 5, 50);
+  const std::string path = "/v1/" + to_string(site.world.fingerprint) + "/4/0/1/2/3";
+  CHECK(site.ask(path).body.size() == 100);
+  CHECK(site.edited.submitted == 0);
+}
 
 TEST_CASE("a chunk in memory is answered at once, for every cache to keep") {
   Site site;

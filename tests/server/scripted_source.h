@@ -2,6 +2,7 @@
 // when each answer comes.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -49,17 +50,34 @@ class ScriptedSource final : public ChunkSource {
   std::vector<std::vector<ChunkKey>> submissions;
   std::set<ChunkKey> wanted_soon;  // when they were submitted, or since
   std::size_t refused = 0;
-  std::size_t newer_asked = 0;
+  std::size_t revisions_asked = 0;
+  std::map<ChunkKey, std::uint64_t> revisions;  // of chunks whose newest version may not be in memory
+  /// What changes_since() answers; empty: nothing is known.
+  std::function<std::optional<ChangedVoxels>(ChunkKey, std::uint64_t since)> changes;
+  MailboxPtr watcher;  // of set_wanted()
   std::vector<LevelBox> wanted;
 
   [[nodiscard]] EncodedChunkPtr find(ChunkKey key) override {
     const auto found = in_memory.find(key);
-    return found == in_memory.end() ? nullptr : found->second;
+    const auto said = revisions.find(key);
+    if (found == in_memory.end()) return nullptr;
+    return said != revisions.end() && said->second > found->second->revision() ? nullptr : found->second;
   }
   [[nodiscard]] EncodedChunkPtr newer(ChunkKey key, std::uint64_t revision) override {
-    ++newer_asked;
-    EncodedChunkPtr newest = find(key);
+    EncodedChunkPtr newest = in_memory.contains(key) ? in_memory.at(key) : nullptr;
     return newest != nullptr && newest->revision() > revision ? newest : nullptr;
+  }
+  [[nodiscard]] std::uint64_t revision(ChunkKey key) const override {
+    ++const_cast<ScriptedSource*>(this)->revisions_asked;
+    const auto said = revisions.find(key);
+    const auto kept = in_memory.find(key);
+    return std::max(said == revisions.end() ? 0 : said->second,
+                    kept == in_memory.end() ? 0 : kept->second->revision());
+  }
+  [[nodiscard]] std::optional<ChangedVoxels> changes_since(ChunkKey key, std::uint64_t since,
+                                                           std::size_t most) const override {
+    auto changed = changes ? changes(key, since) : std::nullopt;
+    return changed && changed->voxels.size() <= most ? changed : std::nullopt;
   }
   [[nodiscard]] MixedRows column(ChunkKey key) override { return rows_of ? rows_of(key) : rows; }
 
@@ -85,7 +103,8 @@ class ScriptedSource final : public ChunkSource {
   void cancel(ClientId, std::span<const ChunkKey> keys) override {
     for (const ChunkKey key : keys) waiting.erase(key);
   }
-  void set_wanted(ClientId, std::span<const LevelBox> boxes) override {
+  void set_wanted(const MailboxPtr& mailbox, std::span<const LevelBox> boxes) override {
+    watcher = boxes.empty() ? nullptr : mailbox;
     wanted.assign(boxes.begin(), boxes.end());
   }
   void submit_heights(const MailboxPtr& mailbox, std::uint64_t ticket, HeightsQuery query) override {

@@ -10,6 +10,8 @@
 #include <utility>
 #include <vector>
 
+#include <talus/edits/runs.h>
+#include <talus/protocol/limits.h>
 #include <talus/voxel/codec.h>
 
 #include "access/access_control.h"
@@ -27,6 +29,8 @@ struct Said {
   std::uint32_t id = 0;  // of the request; 0: about none
   ChunkKey key;
   std::uint64_t revision = 0;
+  std::uint64_t previous_revision = 0;  // of an EditBroadcast
+  std::vector<Override> voxels;         // likewise
   wire::ErrorCode code{};
   wire::ErrorAbout about{};
   std::uint32_t repeated_id = 0;
@@ -57,6 +61,13 @@ struct Said {
   } else if (const auto* result = message.body_as_EditResult()) {
     said.id = result->id();
     said.revision = result->revision();
+  } else if (const auto* broadcast = message.body_as_EditBroadcast()) {
+    said.key = key_of(*broadcast->key());
+    said.revision = broadcast->revision();
+    said.previous_revision = broadcast->previous_revision();
+    said.voxels = edits::decode_runs({reinterpret_cast<const std::byte*>(broadcast->runs()->data()),
+                                      broadcast->runs()->size()})
+                      .value();
   } else if (const auto* heights = message.body_as_Heights()) {
     said.id = heights->id();
   } else if (const auto* error = message.body_as_Error()) {
@@ -101,7 +112,7 @@ struct SessionBench {
     bool greet = true;
     HeightRange heights{};  // of the world
     EditTaker* edits = nullptr;
-    std::uint16_t protocol = protocol::kOldestProtocol;
+    std::uint16_t protocol = 1;
   };
 
   ScriptedSource source;
@@ -114,19 +125,19 @@ struct SessionBench {
   FlowUses flows;
   AccessControl access;
   MailboxPtr mailbox = std::make_shared<Mailbox>(ClientId{1}, [] {});
+  const std::uint16_t protocol;
   Session session;
   std::uint32_t view_number = 0;  // of the Views to come
-  std::uint16_t protocol;
 
   explicit SessionBench(const Options& options)
       : memory{options.memory_bytes},
         world{.heights = options.heights},
         rates{options.rates},
         access{options.access, *load_keys(options.access)},
+        protocol{options.protocol},
         session{{limits, world, source, memory, metrics, access, rates, flows, clock, options.edits},
                 mailbox,
-                options.address},
-        protocol{options.protocol} {
+                options.address} {
     if (!options.greet) return;
     hello();
     (void)output();

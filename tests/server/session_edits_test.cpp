@@ -1,255 +1,352 @@
-// Edits of a session, as far as the session decides: rights, order, bounds, rates, and what each answer
-// becomes.
-#include "session/session.h"
+// Chunks of the View that are edited after they were sent: what changed comes, or the chunk again.
+#include <catch2/catch.hpp>
 
-#include <array>
-#include <limits>
-
-#include <talus/voxel/codec.h>
-
-#include "session/edit_check.h"
 #include "session_bench.h"
 
-namespace talus::server {
+using namespace talus;
+using namespace talus::server;
+using Body = wire::Body;
+
 namespace {
 
-using namespace std::chrono_literals;
-using wire::Body;
-using wire::ErrorCode;
-using State = Session::State;
+const ChunkKey kKey = chunk_at(5);
 
-struct ScriptedTaker final : EditTaker {
-  std::vector<AttachRequest> attaches;
-  std::vector<EditRequest> edits;
-  std::vector<ClientId> forgotten;
-
-  void attach(const MailboxPtr&, AttachRequest request) override { attaches.push_back(std::move(request)); }
-  void edit(const MailboxPtr&, EditRequest request) override { edits.push_back(std::move(request)); }
-  void forget(ClientId client) override { forgotten.push_back(client); }
-};
-
-Access editors() {
-  Access access;
-  access.without_token = "read,edit";
-  return access;
-}
-
-struct Bench {
-  ScriptedTaker taker;
-  SessionBench bench;
-
-  explicit Bench(const RateLimits& rates = {})
-      : bench{{.rates = rates, .access = editors(), .edits = &taker, .protocol = protocol::kEditsProtocol}} {}
-
-  void attached(std::uint64_t last_sequence = 0) {
-    bench.attach();
-    bench.mailbox->put(AttachAnswer{EditorSession{{1, 2}, 3, last_sequence, false, 9}});
-    bench.take_mail();
-    REQUIRE(kinds(bench.output()) == Kinds{Body::Attached});
+struct Bench : SessionBench {
+  explicit Bench(std::uint16_t of_protocol = protocol::kEditsProtocol, std::uint64_t window_bytes = 4U << 20)
+      : SessionBench{{.greet = false, .protocol = of_protocol}} {
+    limits.window_bytes = window_bytes;
+    hello();
+    (void)output();
   }
-  /// The answer to `id`, as values.
-  Said answered(EditAnswer answer) {
-    bench.mailbox->put(std::move(answer));
-    bench.take_mail();
-    return bench.output().at(0);
+  /// The View of kKey alone, which is written.
+  void see() {
+    if (!source.in_memory.contains(kKey)) source.in_memory[kKey] = scripted_chunk(kKey);
+    look_at(5, 0);
+    REQUIRE(kinds(output()) == Kinds{Body::Chunk});
   }
+  /// The first voxels change, the first of them to material 7. The chunk's new version is not in memory.
+  void edit(std::uint64_t revision, std::size_t voxels = 1) {
+    source.revisions[kKey] = revision;
+    voxels_ = voxels;
+    source.changes = [this](ChunkKey key, std::uint64_t since) -> std::optional<ChangedVoxels> {
+      ChangedVoxels changed{source.revisions.at(key), {}};
+      if (since >= changed.revision) return changed;
+      for (std::uint16_t i = 0; i < voxels_; ++i) changed.voxels.push_back({i, MaterialId(7 + i % 5)});
+      return changed;
+    };
+  }
+  void tell(std::uint64_t previous, std::uint64_t revision) {
+    mailbox->put_changes(
+        std::make_shared<const std::vector<ChunkChange>>(1, ChunkChange{kKey, previous, revision}));
+    take_mail();
+  }
+
+ private:
+  std::size_t voxels_ = 1;
 };
-
-RateLimits voxels(Rate session, Rate address = {}) {
-  RateLimits limits;
-  limits.session.voxels = session;
-  limits.address.voxels = address;
-  return limits;
-}
-
-Rejection refusal(std::vector<wire::Fill> fills) {
-  flatbuffers::FlatBufferBuilder builder;
-  builder.Finish(wire::CreateEdit(builder, 1, 0, 1, 0, builder.CreateVectorOfStructs(fills)));
-  const auto checked = check_edit(*flatbuffers::GetRoot<wire::Edit>(builder.GetBufferPointer()));
-  REQUIRE_FALSE(checked);
-  return checked.error();
-}
 
 }  // namespace
 
-TEST_CASE("an Edit before Attached is refused by its id, and the session stays") {
-  Bench shared;
-  shared.bench.write_voxel(4, 1);
-  const auto said = shared.bench.output();
+TEST_CASE("an edit of a chunk that was sent is broadcast") {
+  Bench bench;
+  bench.see();
+  bench.edit(3);
+  bench.tell(0, 3);
+  const auto said = bench.output();
+  REQUIRE(kinds(said) == Kinds{Body::EditBroadcast});
+  CHECK(said[0].key == kKey);
+  CHECK(said[0].previous_revision == 0);
+  CHECK(said[0].revision == 3);
+  CHECK(said[0].voxels == std::vector<Override>{{0, MaterialId{7}}});
+  CHECK(bench.output().empty());
+}
+
+TEST_CASE("several edits that were not written yet are one broadcast, from what the client has") {
+  Bench bench;
+  bench.see();
+  bench.edit(3);
+  bench.tell(0, 3);
+  bench.edit(4);
+  bench.tell(3, 4);
+  const auto said = bench.output();
+  REQUIRE(kinds(said) == Kinds{Body::EditBroadcast});
+  CHECK(said[0].previous_revision == 0);
+  CHECK(said[0].revision == 4);
+}
+
+TEST_CASE("a client of version 1 gets the chunk again") {
+  Bench bench{1};
+  bench.see();
+  bench.edit(3);
+  bench.source.in_memory[kKey] = scripted_chunk(kKey, 3);
+  bench.tell(0, 3);
+  const auto said = bench.output();
+  REQUIRE(kinds(said) == Kinds{Body::Chunk});
+  CHECK(said[0].id == 0);
+  CHECK(said[0].revision == 3);
+}
+
+TEST_CASE("a chunk that is to be sent again and is not in memory is asked for") {
+  Bench bench{1};
+  bench.see();
+  bench.edit(3);
+  bench.tell(0, 3);
+  CHECK(bench.output().empty());
+  REQUIRE(bench.source.waiting.contains(kKey));
+  bench.source.mail(kKey, scripted_chunk(kKey, 3));  // and is not kept there
+  bench.take_mail();
+  const auto said = bench.output();
+  REQUIRE(kinds(said) == Kinds{Body::Chunk});
+  CHECK(said[0].revision == 3);
+  CHECK(bench.run_dry().empty());
+}
+
+TEST_CASE("an answer from before the edit is asked for again") {
+  Bench bench{1};
+  bench.see();
+  bench.edit(3);
+  bench.tell(0, 3);
+  CHECK(bench.output().empty());
+  bench.source.mail(kKey, scripted_chunk(kKey, 0));
+  bench.take_mail();
+  CHECK(bench.output().empty());
+  CHECK(bench.source.waiting.contains(kKey));
+}
+
+TEST_CASE("where the source is full a chunk that is to be sent again waits for room") {
+  Bench bench{1};
+  bench.see();
+  bench.edit(3);
+  bench.source.queue_places = 0;
+  bench.tell(0, 3);
+  CHECK(bench.output().empty());
+  CHECK(bench.source.waiting.empty());
+  const std::size_t refused = bench.source.refused;
+  bench.tell(3, 4);  // changes of others' are no room
+  CHECK(bench.source.refused == refused);
+  bench.source.queue_places = 10;
+  bench.mailbox->put(QueueHasRoom{});
+  bench.take_mail();
+  CHECK(bench.source.waiting.contains(kKey));
+}
+
+TEST_CASE("where it fails the client is told, and may ask for it") {
+  Bench bench{1};
+  bench.see();
+  bench.edit(3);
+  bench.tell(0, 3);
+  CHECK(bench.output().empty());
+  bench.source.fail(kKey);
+  bench.take_mail();
+  const auto said = bench.output();
   REQUIRE(kinds(said) == Kinds{Body::Error});
-  CHECK(said[0].code == ErrorCode::expired);
-  CHECK(said[0].id == 4);
-  CHECK(shared.bench.session.state() == State::joined);
-  CHECK(shared.taker.edits.empty());
+  CHECK(said[0].about == wire::ErrorAbout::view_chunk);
+  CHECK(said[0].key == kKey);
 }
 
-TEST_CASE("an Edit goes to the log as its editor, and is answered by its id") {
-  Bench shared;
-  shared.attached();
-  shared.bench.write_voxel(4, 17, {-1, 2, 3}, 5);
-  REQUIRE(shared.taker.edits.size() == 1);
-  const EditRequest& request = shared.taker.edits[0];
-  CHECK(request.id == 4);
-  CHECK(request.editor == edits::EditorId{1, 2});
-  CHECK(request.epoch == 3);
-  CHECK(request.sequence == 17);
-  CHECK(request.edit.writes == std::vector{edits::VoxelWrite{{-1, 2, 3}, MaterialId{5}}});
-  CHECK(shared.bench.output().empty());
-
-  const Said said = shared.answered({4, edits::EditResult{17, 10, 1, {}}});
-  CHECK(said.kind == Body::EditResult);
-  CHECK(said.id == 4);
-  CHECK(said.revision == 10);
-}
-
-TEST_CASE("an edit that does not happen is an Error about its request") {
-  Bench shared;
-  shared.attached();
-  shared.bench.write_voxel(4, 1);
-  const Said said = shared.answered({4, tl::unexpected{EditRefusal{ErrorCode::conflict, "guard 0", 0ms}}});
-  CHECK(said.code == ErrorCode::conflict);
-  CHECK(said.id == 4);
-  CHECK(said.about == wire::ErrorAbout::request);
-}
-
-TEST_CASE("an edit's id is taken until it is answered") {
-  Bench shared;
-  shared.attached();
-  shared.bench.write_voxel(4, 1);
-  shared.bench.get_chunk(4, chunk_at(0));
-  CHECK(shared.bench.output().at(0).code == ErrorCode::duplicate_id);
-  CHECK(shared.answered({4, edits::EditResult{1, 1, 1, {}}}).kind == Body::EditResult);
-  shared.bench.write_voxel(4, 2);
-  CHECK(shared.taker.edits.size() == 2);
-}
-
-TEST_CASE("no more edits than there are kept results go unanswered") {
-  Bench shared;
-  shared.attached();
-  for (std::uint32_t id = 1; id <= edits::kKeptResults + 1; ++id) shared.bench.write_voxel(id, id);
-  CHECK(shared.taker.edits.size() == edits::kKeptResults);
-  const auto said = shared.bench.output();
-  REQUIRE(said.size() == 1);
-  CHECK(said[0].code == ErrorCode::too_many_requests);
-  CHECK(said[0].id == edits::kKeptResults + 1);
-}
-
-TEST_CASE("a session that leaves or finishes waits for the answers of its edits") {
-  for (const bool leaves : {true, false}) {
-    Bench shared;
-    shared.attached();
-    shared.bench.write_voxel(4, 1);
-    if (leaves) {
-      shared.bench.session.go_away("ending", 1ms);
-    } else {
-      shared.bench.session.input_ended();
-    }
-    (void)shared.bench.output();
-    CHECK(shared.bench.session.state() != State::closed);
-    CHECK(shared.answered({4, edits::EditResult{1, 1, 1, {}}}).kind == Body::EditResult);
-    CHECK(shared.bench.session.state() == State::closed);
+TEST_CASE("more voxels than a broadcast has, or than the chunk is large, are the chunk again") {
+  Bench bench;
+  bench.see();
+  SECTION("too many") {
+    bench.edit(3, Delivery::kMaxBroadcastVoxels + 1);
+    bench.source.in_memory[kKey] = scripted_chunk(kKey, 3, 100'000);
   }
-}
-
-TEST_CASE("a session that ends forgets its edits, and so does the taker") {
-  ScriptedTaker taker;
-  {
-    SessionBench bench{{.access = editors(), .edits = &taker, .protocol = 2}};
-    bench.attach();
-    bench.mailbox->put(AttachAnswer{EditorSession{{1, 2}, 3, 0, false, 9}});
-    bench.take_mail();
-    bench.write_voxel(4, 1);
-    bench.session.abandon();
-    CHECK(taker.forgotten == std::vector{ClientId{1}});
-    bench.mailbox->put(EditAnswer{4, edits::EditResult{1, 1, 1, {}}});
-    bench.take_mail();
+  SECTION("smaller as a chunk") {
+    bench.edit(3, 1000);
+    bench.source.in_memory[kKey] = scripted_chunk(kKey, 3, 0);
   }
-  CHECK(taker.forgotten.size() == 1);
+  bench.tell(0, 3);
+  const auto said = bench.output();
+  REQUIRE(kinds(said) == Kinds{Body::Chunk});
+  CHECK(said[0].revision == 3);
 }
 
-TEST_CASE("voxels over the rate are refused with a time, and the edit does not happen") {
-  Bench shared{voxels({10, 20})};
-  shared.attached();
-  for (std::uint32_t id = 1; id <= 21; ++id) shared.bench.write_voxel(id, id);
-  CHECK(shared.taker.edits.size() == 20);
-  const auto said = shared.bench.output();
-  REQUIRE(said.size() == 1);
-  CHECK(said[0].code == ErrorCode::overloaded);
-  CHECK(said[0].id == 21);
-  CHECK(said[0].retry_after_ms == 100);
-  CHECK(shared.bench.metrics.throttled(RateKind::session_voxels).total() == 1);
-  shared.bench.clock.advance(100ms);
-  shared.bench.write_voxel(22, 22);
-  CHECK(shared.taker.edits.size() == 21);
+TEST_CASE("as many voxels as a broadcast has are one") {
+  Bench bench;
+  bench.see();
+  bench.edit(3, Delivery::kMaxBroadcastVoxels);
+  bench.source.in_memory[kKey] = scripted_chunk(kKey, 3, 100'000);
+  bench.tell(0, 3);
+  CHECK(kinds(bench.output()) == Kinds{Body::EditBroadcast});
 }
 
-TEST_CASE("Attach needs the right, version 2, a store, and its turn") {
-  SECTION("the right") {
-    ScriptedTaker taker;
-    SessionBench bench{{.edits = &taker, .protocol = 2}};
-    bench.attach();
-    const auto said = bench.output();
-    CHECK(said.at(0).code == ErrorCode::forbidden);
-    CHECK(said.at(0).about == wire::ErrorAbout::attach);
+TEST_CASE("an edit between a chunk's making and its writing is found when it is written") {
+  Bench bench;
+  bench.look_at(5, 0);
+  bench.source.mail(kKey, scripted_chunk(kKey));
+  bench.edit(3);
+  bench.tell(0, 3);  // the chunk waits to be written: nothing to do yet
+  const auto said = bench.output();
+  REQUIRE(kinds(said) == Kinds{Body::Chunk});
+  CHECK(said[0].revision == 0);
+  const auto then = bench.output();
+  REQUIRE(kinds(then) == Kinds{Body::EditBroadcast});
+  CHECK(then[0].previous_revision == 0);
+}
+
+TEST_CASE("so is one between an Unchanged's making and its writing") {
+  Bench bench;
+  bench.say_view(5, 0, 0, {scripted_chunk(kKey)}, {kKey});
+  bench.apply_view();
+  bench.edit(3);
+  bench.tell(0, 3);
+  bench.source.mail(kKey, scripted_chunk(kKey));
+  bench.take_mail();
+  CHECK(kinds(bench.output()) == Kinds{Body::Unchanged, Body::EditBroadcast});
+}
+
+TEST_CASE("an edit that is told late is broadcast once more, which does no harm") {
+  Bench bench;
+  bench.source.in_memory[kKey] = scripted_chunk(kKey, 3);
+  bench.edit(3);
+  bench.look_at(5, 0);
+  CHECK(bench.output().at(0).revision == 3);
+  bench.tell(0, 3);
+  const auto said = bench.output();
+  REQUIRE(kinds(said) == Kinds{Body::EditBroadcast});
+  CHECK(said[0].revision == 3);  // what the client has: it ignores it
+}
+
+TEST_CASE("edits of chunks that are not in the View, or not sent, are nobody's business") {
+  Bench bench;
+  bench.tell(0, 1);
+  bench.look_at(5, 0);
+  bench.tell(1, 2);
+  CHECK(bench.output().empty());
+  CHECK(bench.source.waiting.size() == 1);
+}
+
+TEST_CASE("what left the View is forgotten, and comes back in its newest version") {
+  Bench bench;
+  bench.see();
+  bench.edit(3);
+  bench.tell(0, 3);
+  bench.look_at(8, 0);
+  CHECK(bench.output().empty());
+  bench.source.in_memory[kKey] = scripted_chunk(kKey, 3);
+  bench.look_at(5, 0);
+  const auto said = bench.output();
+  REQUIRE(kinds(said) == Kinds{Body::Chunk});
+  CHECK(said[0].revision == 3);
+}
+
+TEST_CASE("a chunk that was asked for again, and left the View, is cancelled") {
+  Bench bench{1};
+  bench.see();
+  bench.edit(3);
+  bench.tell(0, 3);
+  CHECK(bench.output().empty());
+  REQUIRE(bench.source.waiting.contains(kKey));
+  bench.look_at(8, 0);
+  CHECK_FALSE(bench.source.waiting.contains(kKey));
+}
+
+TEST_CASE("updates need credit to begin, and broadcasts count none") {
+  Bench bench{protocol::kEditsProtocol, 100};
+  bench.see();  // the window is overdrawn
+  const std::uint64_t sent = scripted_chunk(kKey)->frame_bytes();
+  bench.edit(3);
+  bench.tell(0, 3);
+  CHECK(bench.output().empty());
+  bench.credit(sent);
+  CHECK(kinds(bench.output()) == Kinds{Body::EditBroadcast});
+  bench.credit(sent + 1);
+  CHECK(bench.session.closing());
+}
+
+TEST_CASE("a chunk that is sent again counts as any") {
+  Bench bench{1};
+  bench.see();
+  bench.edit(3);
+  bench.source.in_memory[kKey] = scripted_chunk(kKey, 3);
+  bench.tell(0, 3);
+  CHECK(bench.output().size() == 1);
+  bench.credit(2 * scripted_chunk(kKey)->frame_bytes());
+  CHECK_FALSE(bench.session.closing());
+}
+
+TEST_CASE("an edited chunk that the client holds is confirmed in its turn, with its revision") {
+  const bool for_view = GENERATE(true, false);
+  Bench bench;
+  const EncodedChunkPtr chunk = scripted_chunk(kKey, 3);
+  bench.source.in_memory[kKey] = chunk;
+  if (for_view) {
+    bench.say_view(5, 0, 0, {chunk}, {kKey});
+    bench.apply_view();
+  } else {
+    bench.get_chunk(1, kKey, chunk);
   }
-  SECTION("version 2") {
-    ScriptedTaker taker;
-    SessionBench bench{{.access = editors(), .edits = &taker}};
-    bench.write_voxel(1, 1);
-    CHECK(bench.output().at(0).code == ErrorCode::unsupported);
-    bench.attach();
-    CHECK(bench.output().at(0).code == ErrorCode::unexpected);
-    CHECK(bench.session.state() == State::closed);
-  }
-  SECTION("a store") {
-    SessionBench bench{{.access = editors(), .protocol = 2}};
-    bench.attach();
-    bench.write_voxel(1, 1);
-    const auto said = bench.output();
-    REQUIRE(said.size() == 2);
-    CHECK(said[0].code == ErrorCode::unsupported);
-    CHECK(said[1].code == ErrorCode::unsupported);
-    CHECK(bench.session.state() == State::joined);
-  }
-  SECTION("its turn") {
-    Bench shared;
-    shared.bench.attach();
-    shared.bench.attach();
-    CHECK(shared.bench.output().at(0).code == ErrorCode::unexpected);
-    CHECK(shared.taker.attaches.size() == 1);
-  }
+  CHECK(bench.session.queued_bytes() == 0);  // no control frame
+  const auto said = bench.output();
+  REQUIRE(kinds(said) == Kinds{Body::Unchanged});
+  CHECK(said[0].revision == 3);
+  CHECK(bench.output().empty());
+  bench.edit(4);
+  bench.tell(3, 4);
+  CHECK(kinds(bench.output()) == (for_view ? Kinds{Body::EditBroadcast} : Kinds{}));
 }
 
-TEST_CASE("fills are counted before anything is made of them") {
-  constexpr auto kLow = std::numeric_limits<std::int64_t>::min();
-  constexpr auto kHigh = std::numeric_limits<std::int64_t>::max();
-  CHECK(refusal({{{kLow, kLow, kLow}, {kHigh, kHigh, kHigh}, 1, 0, 1}}).code == ErrorCode::too_large);
-  CHECK(refusal({{{0, 0, 0}, {65'536, 0, 0}, 1, 0, 1}}).code == ErrorCode::too_large);
-  CHECK(refusal({{{0, 0, 0}, {0, 0, 0}, 1, 0, 4}}).code == ErrorCode::malformed);
-  CHECK(refusal({}).code == ErrorCode::out_of_range);
-  CHECK(refusal(std::vector<wire::Fill>(3, {{0, 0, 0}, {31, 31, 31}, 1, 0, 1})).code == ErrorCode::too_large);
+TEST_CASE("a request's answer is no View's: an edit after it is not told") {
+  Bench bench;
+  bench.source.in_memory[kKey] = scripted_chunk(kKey, 2);
+  bench.get_chunk(1, kKey);
+  CHECK(bench.output().at(0).revision == 2);
+  bench.edit(3);
+  bench.tell(2, 3);
+  CHECK(bench.output().empty());
 }
 
-TEST_CASE("a paste is a chunk, or the connection ends") {
-  Bench shared;
-  shared.attached();
-  const auto paste = [&](std::uint32_t id, const std::vector<std::uint8_t>& payload) {
-    shared.bench.receive([&](auto& builder) {
-      const wire::Voxel origin{0, 0, 0};
-      const auto made = wire::CreatePaste(builder, &origin, builder.CreateVector(payload), false);
-      return wire::CreateEdit(builder, id, 0, 1, 0, 0, made);
-    });
-  };
-  std::vector<std::byte> payload;
-  encode(Chunk::uniform(MaterialId{3}), payload);
-  std::vector<std::uint8_t> bytes;
-  for (const std::byte byte : payload) bytes.push_back(std::to_integer<std::uint8_t>(byte));
-  paste(5, bytes);
-  REQUIRE(shared.taker.edits.size() == 1);
-  CHECK(shared.taker.edits[0].edit.paste->voxels == Chunk::uniform(MaterialId{3}));
-  paste(6, {9, 9, 9});
-  CHECK(shared.bench.output().at(0).code == ErrorCode::malformed);
-  CHECK(shared.bench.session.state() == State::closed);
+TEST_CASE("where any chunk may have changed, all edited ones are told from the chunk as generated") {
+  Bench bench;
+  bench.source.in_memory[chunk_at(4)] = scripted_chunk(chunk_at(4));
+  bench.source.in_memory[kKey] = scripted_chunk(kKey, 2);
+  bench.look_at(5, 1);
+  bench.answer_all();
+  CHECK(bench.output().size() == 9);
+  bench.edit(3);
+  bench.mailbox->put_changes(nullptr);
+  bench.take_mail();
+  const auto said = bench.output();
+  REQUIRE(kinds(said) == Kinds{Body::EditBroadcast});
+  CHECK(said[0].key == kKey);
+  CHECK(said[0].previous_revision == 0);
+  CHECK(said[0].revision == 3);
 }
 
-}  // namespace talus::server
+TEST_CASE("ViewComplete does not wait for updates") {
+  Bench bench{protocol::kEditsProtocol, 100};
+  bench.source.in_memory[kKey] = scripted_chunk(kKey);
+  bench.view_number = 9;
+  bench.look_at(5, 0);
+  CHECK(kinds(bench.output()) == Kinds{Body::Chunk});
+  bench.edit(3);
+  bench.tell(0, 3);
+  CHECK(kinds(bench.output()) == Kinds{Body::ViewComplete});
+}
+
+TEST_CASE("the source is told where to send changes, and forgets a session that ended") {
+  Bench bench;
+  bench.look_at(5, 0);
+  CHECK(bench.source.watcher == bench.mailbox);
+  bench.session.abandon();
+  CHECK(bench.source.watcher == nullptr);
+}
+
+TEST_CASE("updates that wait are memory of the session") {
+  Bench bench{protocol::kEditsProtocol, 1 << 20};
+  bench.look_at(0, 10);
+  const auto sent = bench.run_dry();
+  REQUIRE(sent.size() == 21 * 21);
+  std::uint64_t bytes = 0;
+  for (const Said& each : sent) bytes += each.frame_bytes;
+  const std::uint64_t before = bench.memory.used(MemoryUse::sessions);
+  for (const Said& each : sent) {
+    bench.source.revisions[each.key] = 1;
+    bench.mailbox->put_changes(
+        std::make_shared<const std::vector<ChunkChange>>(1, ChunkChange{each.key, 0, 1}));
+  }
+  bench.take_mail();
+  CHECK(bench.memory.used(MemoryUse::sessions) >= before + sent.size() * 64);
+  bench.look_at(100, 0);
+  CHECK(bench.memory.used(MemoryUse::sessions) <= before);
+}

@@ -82,9 +82,9 @@ TEST_CASE("the memory of a replaced chunk is given back") {
   CHECK(bench.memory.used(MemoryUse::sessions) <= Session::kIdleBytes + 4096);
 }
 
-TEST_CASE("a source is asked for a newer version once a chunk written") {
+TEST_CASE("a source is asked for the newest revision once a chunk written") {
   SessionBench bench;
   bench.look_at(0, 3);
   CHECK(bench.run_dry().size() == 49);
-  CHECK(bench.source.newer_asked == 49);
+  CHECK(bench.source.revisions_asked == 49);
 }

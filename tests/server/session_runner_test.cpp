@@ -329,7 +329,7 @@ TEST_CASE("what a session's work throws ends it and no other") {
     }
     void hasten(ClientId, std::span<const ChunkKey>) override {}
     void cancel(ClientId, std::span<const ChunkKey>) override {}
-    void set_wanted(ClientId, std::span<const LevelBox>) override {}
+    void set_wanted(const MailboxPtr&, std::span<const LevelBox>) override {}
     void submit_heights(const MailboxPtr&, std::uint64_t, HeightsQuery) override {}
     void cancel_heights(ClientId, std::uint64_t) override {}
   } source;

@@ -305,8 +305,7 @@ std::size_t TableReader::choice(const std::string& key, std::initializer_list<st
   return 0;
 }
 
-void TableReader::take_material_name(const std::string& key, const std::string& name,
-                                     std::set<std::string>& taken) {
+void TableReader::take_name(const std::string& key, const std::string& name, std::set<std::string>& taken) {
   const bool printable =
       std::none_of(name.begin(), name.end(), [](char c) { return (c >= 0 && c < ' ') || c == '\x7F'; });
   if (name.empty() || name.size() > kMaxNameBytes) {
@@ -317,7 +316,13 @@ void TableReader::take_material_name(const std::string& key, const std::string& 
     fail(key, "'" + name + "' is the world's own; choose another name");
   } else if (!taken.insert(name).second) {
     fail(key, "'" + name + "' names another material already; names are unique");
-  } else if (taken.size() > kMaxMaterials) {
+  }
+}
+
+void TableReader::take_material_name(const std::string& key, const std::string& name,
+                                     std::set<std::string>& taken) {
+  take_name(key, name, taken);
+  if (taken.size() > kMaxMaterials) {
     fail(key, text_of("'", name, "' is one material too many: at most ", kMaxMaterials,
                       " beside air and water, with those of looks, provinces, ores and objects"));
   }

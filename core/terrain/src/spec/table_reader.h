@@ -90,7 +90,9 @@ class TableReader {
   std::size_t choice(const std::string& key, std::initializer_list<std::string_view> names);
   /// `name`: a material's, which none of `taken` may be; it joins them.
   std::string material_name(std::set<std::string>& taken);
-  /// The same of a name that is not in the file by itself; faults go to `key`.
+  /// The same of a name that is not in the file by itself; faults go to `key`. Any number may be taken.
+  void take_name(const std::string& key, const std::string& name, std::set<std::string>& taken);
+  /// The same of a material that is generated, of which there are few.
   void take_material_name(const std::string& key, const std::string& name, std::set<std::string>& taken);
   /// `colour`, or that key: "#rrggbb".
   Colour colour(const std::string& key = "colour");

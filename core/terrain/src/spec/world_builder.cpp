@@ -19,6 +19,7 @@
 #include "spec/canonical_form.h"
 #include "spec/looks_section.h"
 #include "spec/material_sections.h"
+#include "spec/placeable_section.h"
 #include "spec/places_section.h"
 #include "spec/regions_section.h"
 #include "spec/surface_section.h"
@@ -97,6 +98,10 @@ void World::Builder::build(const WorldFiles& files, std::span<const FeatureKind>
   read_features(kinds, places, files, false);
   read_world_looks(places);
   read_features(kinds, places, files, true);
+  if (root.has("placeable")) {
+    auto placeables = root.tables("placeable");
+    world.placeables_ = read_placeables(placeables, names);
+  }
   if (errors.any()) return;
   load_height_map(*surface, spec, files.height_map);
   check_lifts();
@@ -112,7 +117,7 @@ void World::Builder::check_keys(std::span<const FeatureKind> kinds) {
   std::vector<std::string_view> known{
       "seed",   "resolution", "strata_wavelength", "sea_level", "method", "erosion_steps",
       "field",  "surface",    "stratified",        "eroded",    "look",   "province",
-      "strata", "talus"};
+      "strata", "talus",      "placeable"};
   for (const FeatureKind& kind : kinds) known.push_back(kind.section);
   root.only(known);
 }

@@ -7,7 +7,8 @@ namespace talus::protocol {
 
 inline constexpr std::uint16_t kProtocolVersion = 2;  // newest version spoken
 inline constexpr std::uint16_t kOldestProtocol = 1;   // oldest version still spoken
-inline constexpr std::uint16_t kEditsProtocol = 2;    // from which on a client may edit, and gets EditBroadcasts
+inline constexpr std::uint16_t kEditsProtocol =
+    2;  // from which on a client may edit, and gets EditBroadcasts
 
 /// Frames from a client, prefix included: the default, and the least that a server may set.
 inline constexpr std::uint32_t kDefaultClientFrameBytes = 64U * 1024;

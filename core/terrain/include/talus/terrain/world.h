@@ -167,6 +167,14 @@ struct Material {
   MaterialKind kind{};
 };
 
+/// A material that is never generated: who edits may place it. It has no id: a store gives it one, for ever.
+/// `kind` says its phase: stratified is solid, water liquid, air gas. No part of the fingerprint.
+struct Placeable {
+  std::string name;
+  Colour colour;
+  MaterialKind kind{};
+};
+
 /// One layer of the stratified sequence, before neighbours of one material are merged (thesis 3.4).
 struct StratumSpec {
   MaterialId material{};
@@ -218,6 +226,8 @@ class World {
   /// Air, water, stratified, eroded, those of features; materials()[to_integer(id)] is the material of that
   /// id.
   [[nodiscard]] const std::vector<Material>& materials() const { return materials_; }
+  /// What else may be placed, in the order of the spec; none has the name of another material.
+  [[nodiscard]] const std::vector<Placeable>& placeables() const { return placeables_; }
   /// What shows in place of a material, by the look that a column has.
   struct ShownBy {
     std::size_t looks = 0;            // of PlacesSpec::looks
@@ -272,6 +282,7 @@ class World {
   WorldSpec spec_;
   std::vector<std::shared_ptr<const Feature>> features_;
   std::vector<Material> materials_;
+  std::vector<Placeable> placeables_;
   std::vector<std::optional<ShownBy>> shown_by_;  // by material; shorter where the rest shows itself
   std::vector<std::string> look_names_;
   std::vector<StratumSpec> strata_;

@@ -1,0 +1,168 @@
+#include "edits/change_feed.h"
+
+#include <signal.h>
+
+#include <algorithm>
+#include <exception>
+#include <memory>
+#include <new>
+#include <utility>
+
+namespace talus::server {
+
+ChangeFeed::~ChangeFeed() {
+  {
+    const std::lock_guard lock{gathering_};
+    stopping_ = true;
+  }
+  changed_.notify_all();
+  if (thread_.joinable()) thread_.join();
+}
+
+void ChangeFeed::start() {
+  thread_ = std::thread{[this] { run(); }};
+}
+
+void ChangeFeed::run() {
+  sigset_t all;
+  sigfillset(&all);
+  ::pthread_sigmask(SIG_BLOCK, &all, nullptr);  // the main thread knows what they mean
+  std::unique_lock lock{gathering_};
+  for (;;) {
+    changed_.wait(lock, [this] { return stopping_ || has_gathered(); });
+    if (stopping_) return;
+    lock.unlock();
+    tell();
+    lock.lock();
+    changed_.wait_for(lock, kInterval, [this] { return stopping_; });
+  }
+}
+
+void ChangeFeed::on_changed(std::span<const ChunkChange> changes) noexcept {
+  if (changes.empty()) return;
+  bool first = false;
+  {
+    const std::lock_guard lock{gathering_};
+    first = !has_gathered();
+    try {
+      for (const ChunkChange& change : changes) {
+        if (any_changed_) break;
+        const auto [known, is_new] = gathered_.try_emplace(change.key, change);
+        if (!is_new) known->second.revision = change.revision;
+        any_changed_ = gathered_.size() > kMaxGathered;
+      }
+    } catch (const std::bad_alloc&) {
+      any_changed_ = true;
+    }
+    if (any_changed_) gathered_.clear();
+  }
+  if (first) changed_.notify_one();
+}
+
+void ChangeFeed::tell() {
+  std::unordered_map<ChunkKey, ChunkChange> gathered;
+  bool any = false;
+  {
+    const std::lock_guard lock{gathering_};
+    gathered.swap(gathered_);
+    any = std::exchange(any_changed_, false);
+  }
+  if (gathered.empty() && !any) return;
+  std::vector<MailboxPtr> mailboxes;
+  ChunkChangesPtr changes;  // null: any
+  try {
+    if (!any) {
+      std::vector<ChunkChange> list;
+      list.reserve(gathered.size());
+      for (const auto& [key, change] : gathered) list.push_back(change);
+      changes = std::make_shared<const std::vector<ChunkChange>>(std::move(list));
+    }
+    mailboxes = who_watches(changes);
+  } catch (const std::bad_alloc&) {
+    log_->error("there is no memory to tell who sees {} edited chunks; it is tried again", gathered.size());
+    const std::lock_guard lock{gathering_};
+    any_changed_ = true;
+    return;
+  }
+  for (const MailboxPtr& mailbox : mailboxes) {
+    try {
+      mailbox->put_changes(changes);
+      mailbox->wake();
+    } catch (const std::exception& error) {
+      mailbox->lose();
+      log_->error("changes could not be told: {}", error.what());
+    }
+  }
+}
+
+std::vector<MailboxPtr> ChangeFeed::who_watches(const ChunkChangesPtr& changes) {
+  std::vector<MailboxPtr> mailboxes;
+  const std::lock_guard lock{watching_};
+  if (changes == nullptr) {
+    for (const auto& [client, watcher] : watchers_) mailboxes.push_back(watcher.mailbox);
+    return mailboxes;
+  }
+  ++round_;
+  for (const ChunkChange& change : *changes) {
+    for (int scale = 0; scale < BoxCell::kScales; ++scale) {
+      if (entries_of_scale_[static_cast<std::size_t>(scale)] == 0) continue;
+      const auto cell = cells_.find(BoxCell::of(change.key, scale));
+      if (cell == cells_.end()) continue;
+      for (Watcher* const watcher : cell->second) {
+        const auto has = [&](const LevelBox& box) {
+          return box.lod == change.key.lod && box.contains(change.key.coord);
+        };
+        if (watcher->told == round_ || std::none_of(watcher->boxes.begin(), watcher->boxes.end(), has))
+          continue;
+        watcher->told = round_;
+        mailboxes.push_back(watcher->mailbox);
+      }
+    }
+  }
+  return mailboxes;
+}
+
+void ChangeFeed::watch(const MailboxPtr& mailbox, std::span<const LevelBox> boxes) {
+  const std::lock_guard lock{watching_};
+  if (const auto known = watchers_.find(mailbox->owner()); known != watchers_.end()) {
+    const std::vector<LevelBox>& before = known->second.boxes;
+    if (std::equal(boxes.begin(), boxes.end(), before.begin(), before.end())) return;
+    remove(known->second);
+    watchers_.erase(known);
+  }
+  if (boxes.empty()) return;
+  const auto added = watchers_.try_emplace(mailbox->owner()).first;
+  Watcher& watcher = added->second;
+  try {
+    watcher.boxes.assign(boxes.begin(), boxes.end());
+    watcher.mailbox = mailbox;
+    for (const LevelBox& box : boxes) {
+      for_each_cell(box, [&](const BoxCell& cell) {
+        cells_[cell].push_back(&watcher);
+        ++entries_of_scale_[static_cast<std::size_t>(cell.scale)];
+      });
+    }
+  } catch (...) {
+    remove(watcher);
+    watchers_.erase(added);
+    throw;
+  }
+}
+
+void ChangeFeed::remove(const Watcher& watcher) {
+  for (const LevelBox& box : watcher.boxes) {
+    for_each_cell(box, [&](const BoxCell& cell) {
+      const auto found = cells_.find(cell);
+      if (found == cells_.end()) return;
+      entries_of_scale_[static_cast<std::size_t>(cell.scale)] -= std::erase(found->second, &watcher);
+      if (found->second.empty()) cells_.erase(found);
+    });
+  }
+}
+
+std::size_t ChangeFeed::watchers() const {
+  const std::lock_guard lock{watching_};
+  return watchers_.size();
+}
+
+}  // namespace talus::server

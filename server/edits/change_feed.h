@@ -1,0 +1,85 @@
+// Tells sessions which chunks of their Views were edited.
+//
+// Changes are gathered, and told at most every kInterval by one thread: an edit wakes no session by itself,
+// and of many edits of a chunk one change is told. Bounded: beyond kMaxGathered chunks, and beyond what a
+// Mailbox takes of its own, "any chunk may have changed" is told instead.
+#pragma once
+
+#include <array>
+#include <chrono>
+#include <condition_variable>
+#include <cstddef>
+#include <cstdint>
+#include <mutex>
+#include <span>
+#include <thread>
+#include <unordered_map>
+#include <vector>
+
+#include <talus/voxel/view_shape.h>
+
+#include "chunks/box_cells.h"
+#include "chunks/chunk_change.h"
+#include "chunks/mailbox.h"
+#include "log/logger.h"
+
+namespace talus::server {
+
+/// Callable from any thread.
+class ChangeFeed {
+ public:
+  static constexpr std::chrono::milliseconds kInterval{5};
+  static constexpr std::size_t kMaxGathered = 16'384;
+
+  explicit ChangeFeed(Logger log) : log_{std::move(log)} {}
+  /// Waits for the thread. What was gathered and not told stays untold.
+  ~ChangeFeed();
+  ChangeFeed(const ChangeFeed&) = delete;
+  ChangeFeed& operator=(const ChangeFeed&) = delete;
+
+  /// Starts the thread; once.
+  void start();
+
+  /// The mailbox's owner is told of changes in these boxes from now on, in place of those before; empty: of
+  /// none, and the mailbox is let go. Throws std::bad_alloc, and then the owner is told of none.
+  void watch(const MailboxPtr& mailbox, std::span<const LevelBox> boxes);
+
+  /// Chunks were changed. Whoever asks for their revisions must find these already. Waits for nobody.
+  void on_changed(std::span<const ChunkChange> changes) noexcept;
+
+  /// Tells now what was gathered: what the thread does.
+  void tell();
+
+  /// Who watches anything.
+  [[nodiscard]] std::size_t watchers() const;
+
+ private:
+  struct Watcher {
+    MailboxPtr mailbox;
+    std::vector<LevelBox> boxes;
+    std::uint64_t told = 0;  // the last round in which it was
+  };
+
+  void run();
+  [[nodiscard]] bool has_gathered() const { return any_changed_ || !gathered_.empty(); }
+  void remove(const Watcher& watcher);
+  /// Those who watch one of the chunks; null: all.
+  [[nodiscard]] std::vector<MailboxPtr> who_watches(const ChunkChangesPtr& changes);
+
+  const Logger log_;
+
+  std::mutex gathering_;
+  std::condition_variable changed_;
+  std::unordered_map<ChunkKey, ChunkChange> gathered_;
+  bool any_changed_ = false;
+  bool stopping_ = false;
+  std::thread thread_;
+
+  mutable std::mutex watching_;
+  std::unordered_map<ClientId, Watcher> watchers_;
+  std::unordered_map<BoxCell, std::vector<Watcher*>, BoxCellHash> cells_;
+  std::array<std::size_t, BoxCell::kScales> entries_of_scale_{};
+  std::uint64_t round_ = 0;
+};
+
+}  // namespace talus::server

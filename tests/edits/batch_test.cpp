@@ -1,0 +1,229 @@
+// The log's entries, applied exactly once: random attaches and edits of several editors against a model that
+// keeps everything for ever; and the same log in any batches.
+#include <map>
+#include <set>
+#include <variant>
+
+#include <rapidcheck.h>
+#include <talus/edits/batch.h>
+#include <catch2/catch.hpp>
+
+#include "model.h"
+
+namespace talus::edits {
+namespace {
+
+using namespace testing;
+using Kind = Applied::Kind;
+using Entry = std::variant<AttachEntry, EditEntry>;
+
+std::uint64_t between(std::uint64_t first, std::uint64_t last) {
+  return *rc::gen::inRange<std::uint64_t>(first, last + 1);
+}
+
+/// Chunks, editors and head, as a store has them.
+struct Store {
+  State state;
+  Editors editors;
+  Head head;
+
+  /// Stores what the batch did.
+  std::vector<Applied> commit(Batch& batch) {
+    std::vector<Applied> applied = batch.applied();
+    head = batch.head();
+    state.hash = head.hash;
+    for (auto& [id, editor] : std::move(batch).take_editors()) {
+      if (editor) {
+        editors.put(id, *editor);
+      } else {
+        editors.erase(id);
+      }
+    }
+    for (auto& [key, overrides] : std::move(batch).take_chunks()) {
+      if (overrides.empty()) {
+        state.chunks.erase(key);
+      } else {
+        state.chunks.insert_or_assign(key, std::move(overrides));
+      }
+    }
+    return applied;
+  }
+
+  std::vector<Applied> apply(const std::vector<Entry>& entries, std::int64_t now_ms) {
+    Batch batch{state, editors, head, now_ms};
+    for (const Entry& each : entries) std::visit([&](const auto& entry) { batch.apply(entry); }, each);
+    return commit(batch);
+  }
+};
+
+bool operator==(const Applied& a, const Applied& b) {
+  return a.kind == b.kind && a.editor == b.editor && a.position == b.position && a.revision == b.revision &&
+         a.result == b.result && a.changes == b.changes && a.writes == b.writes;
+}
+
+/// What is known of an editor that keeps all of its results.
+struct PlainEditor {
+  std::uint64_t epoch = 0;
+  std::uint64_t last = 0;
+  std::string subject;
+  std::map<std::uint64_t, EditResult> results;
+};
+
+Entry any_entry(const Model& model, const std::map<EditorId, PlainEditor>& editors) {
+  const EditorId id{between(1, 4), 5};
+  const auto known = editors.find(id);
+  const PlainEditor editor = known == editors.end() ? PlainEditor{} : known->second;
+  if (between(0, 5) == 0) {
+    // Mostly the next epoch, mostly of the same subject.
+    const std::uint64_t epoch = between(0, 5) == 0 ? between(0, 5) : editor.epoch + 1;
+    return AttachEntry{id, epoch, between(0, 9) == 0 ? "another" : "somebody"};
+  }
+  EditEntry entry{id, editor.epoch, editor.last + between(1, 3), any_edit(model), {}};
+  if (between(0, 3) == 0) entry.sequence = between(0, editor.last);  // sent again
+  if (between(0, 9) == 0) entry.epoch = between(0, 5);
+  entry.base = base_of(entry.edit);
+  if (between(0, 19) == 0) entry.base.clear();
+  return entry;
+}
+
+/// What must become of an entry, by the model, which then has it.
+Kind follow(const Entry& entry, const Applied& applied, Model& model,
+            std::map<EditorId, PlainEditor>& editors) {
+  if (const auto* const attach = std::get_if<AttachEntry>(&entry)) {
+    PlainEditor& editor = editors[attach->editor];
+    const bool fits =
+        attach->epoch == editor.epoch + 1 && (editor.epoch == 0 || editor.subject == attach->subject);
+    if (!fits) return Kind::superseded;
+    editor.epoch = attach->epoch;
+    editor.subject = attach->subject;
+    return Kind::attached;
+  }
+  const EditEntry& edit = std::get<EditEntry>(entry);
+  PlainEditor& editor = editors[edit.editor];
+  if (editor.epoch == 0 || editor.epoch != edit.epoch) return Kind::expired;
+  if (edit.sequence <= editor.last) {
+    const auto kept = editor.results.find(edit.sequence);
+    if (kept == editor.results.end()) return Kind::not_applied;
+    RC_ASSERT(applied.result == kept->second);
+    return Kind::repeat;
+  }
+  if (edit.base.empty() && !touched_voxels(edit.edit)->empty()) return Kind::invalid;
+  const Model::Result result = model.apply(edit.edit);
+  RC_ASSERT(applied.result.sequence == edit.sequence);
+  RC_ASSERT(applied.result.changed == result.changed);
+  RC_ASSERT(applied.result.revision == applied.revision);
+  RC_ASSERT(applied.changed() == (result.changed > 0));
+  editor.last = edit.sequence;
+  editor.results[edit.sequence] = applied.result;
+  if (editor.results.size() > kKeptResults) editor.results.erase(editor.results.begin());
+  return result.conflict ? Kind::conflict : Kind::done;
+}
+
+}  // namespace
+
+TEST_CASE("random entries of several editors do what the model says, each edit at most once") {
+  CHECK(rc::check([] {
+    Store store;
+    Model model;
+    std::map<EditorId, PlainEditor> editors;
+    std::set<std::pair<EditorId, std::uint64_t>> happened;
+    std::uint64_t position = 0;
+    std::uint64_t revision = 0;
+    std::vector<Entry> log;
+    std::vector<Applied> results;
+    for (std::uint64_t batches = between(1, 6); batches > 0; --batches) {
+      Batch batch{store.state, store.editors, store.head, static_cast<std::int64_t>(position)};
+      for (std::uint64_t entries = between(1, 10); entries > 0; --entries) {
+        const Entry entry = any_entry(model, editors);
+        const Applied& applied =
+            std::visit([&](const auto& each) -> const Applied& { return batch.apply(each); }, entry);
+        RC_ASSERT(applied.kind == follow(entry, applied, model, editors));
+        RC_ASSERT(applied.position == ++position);
+        revision += applied.changed() ? 1 : 0;
+        RC_ASSERT(applied.revision == revision);
+        if (applied.kind == Kind::done || applied.kind == Kind::conflict) {
+          RC_ASSERT(happened.emplace(applied.editor, applied.result.sequence).second);
+        }
+        log.push_back(entry);
+      }
+      for (Applied& each : store.commit(batch)) results.push_back(std::move(each));
+      RC_ASSERT(store.state.overrides(Lod{}) == model.overrides());
+    }
+    // All of it again, cut otherwise: the same.
+    Store other;
+    std::vector<Applied> others;
+    for (std::size_t at = 0; at < log.size();) {
+      const std::size_t end = std::min(log.size(), at + between(1, 20));
+      const std::vector<Entry> part(log.begin() + static_cast<std::ptrdiff_t>(at),
+                                    log.begin() + static_cast<std::ptrdiff_t>(end));
+      for (Applied& each : other.apply(part, 1'000)) others.push_back(std::move(each));
+      at = end;
+    }
+    RC_ASSERT(std::equal(results.begin(), results.end(), others.begin(), others.end(),
+                         [](const Applied& a, const Applied& b) { return a == b; }));
+    RC_ASSERT(other.head.position == store.head.position);
+    RC_ASSERT(other.head.revision == store.head.revision);
+    RC_ASSERT(other.head.hash == store.head.hash);
+    RC_ASSERT(other.state.chunks == store.state.chunks);
+  }));
+}
+
+TEST_CASE("a batch that is dropped leaves nothing, and its entries may come again") {
+  Store store;
+  store.apply({AttachEntry{{1, 1}, 1, ""}}, 5);
+  Edit edit;
+  edit.writes.push_back({{0, 0, 0}, MaterialId{9}});
+  const EditEntry entry{{1, 1}, 1, 1, edit, base_of(edit)};
+  {
+    Batch dropped{store.state, store.editors, store.head, 6};
+    CHECK(dropped.apply(entry).kind == Kind::done);
+    CHECK(dropped.apply(entry).kind == Kind::repeat);
+  }
+  CHECK(store.head.position == 1);
+  const auto applied = store.apply({entry}, 7);
+  CHECK(applied.front().kind == Kind::done);
+  CHECK(applied.front().position == 2);
+  CHECK(applied.front().revision == 1);
+}
+
+TEST_CASE("results are kept of the newest edits, and older ones are told apart as decided") {
+  Store store;
+  store.apply({AttachEntry{{1, 1}, 1, ""}}, 5);
+  for (std::uint64_t sequence = 1; sequence <= kKeptResults + 1; ++sequence) {
+    store.apply({EditEntry{{1, 1}, 1, sequence, {}, {}}}, 5);
+  }
+  CHECK(store.apply({EditEntry{{1, 1}, 1, 1, {}, {}}}, 5).front().kind == Kind::not_applied);
+  CHECK(store.apply({EditEntry{{1, 1}, 1, 2, {}, {}}}, 5).front().kind == Kind::repeat);
+}
+
+TEST_CASE("an editor that was idle for a day is forgotten at the next attach, by the log's time") {
+  Store store;
+  store.apply({AttachEntry{{1, 1}, 1, ""}, AttachEntry{{2, 2}, 1, ""}}, 1'000);
+  store.apply({EditEntry{{2, 2}, 1, 1, {}, {}}}, 2'000);
+  store.apply({AttachEntry{{3, 3}, 1, ""}}, 1'000 + kEditorIdleMs - 1);
+  CHECK(store.editors.size() == 3);
+  // A clock that goes back forgets nobody.
+  store.apply({AttachEntry{{4, 4}, 1, ""}}, 0);
+  CHECK(store.editors.size() == 4);
+  store.apply({AttachEntry{{5, 5}, 1, ""}}, 1'000 + kEditorIdleMs);
+  CHECK(store.editors.find({1, 1}) == nullptr);
+  CHECK(store.editors.find({2, 2}) != nullptr);
+  const auto applied = store.apply({EditEntry{{1, 1}, 1, 1, {}, {}}, AttachEntry{{1, 1}, 1, "new"}}, 0);
+  CHECK(applied[0].kind == Kind::expired);
+  CHECK(applied[1].kind == Kind::attached);
+}
+
+TEST_CASE("of editors there are so many, and another finds a place where one was idle") {
+  Store store;
+  std::vector<Entry> attaches;
+  for (std::uint64_t i = 1; i <= kMaxEditors; ++i) attaches.emplace_back(AttachEntry{{i, 0}, 1, ""});
+  for (const Applied& each : store.apply(attaches, 1'000)) REQUIRE(each.kind == Kind::attached);
+  const Entry another = AttachEntry{{1, 9}, 1, ""};
+  CHECK(store.apply({another}, 2'000).front().kind == Kind::editors_full);
+  const Entry again = AttachEntry{{7, 0}, 2, ""};
+  CHECK(store.apply({again}, 2'000).front().kind == Kind::attached);
+  CHECK(store.apply({another}, 1'000 + kEditorIdleMs).front().kind == Kind::attached);
+  CHECK(store.editors.size() == 2);
+}
+
+}  // namespace talus::edits

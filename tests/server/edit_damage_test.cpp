@@ -1,0 +1,181 @@
+// What a disk can do to the store's files: each is refused in one line, or costs nothing.
+#include <filesystem>
+#include <fstream>
+
+#include <catch2/catch.hpp>
+
+#include "edits_of_tests.h"
+#include "scratch_directory.h"
+
+namespace talus::server {
+namespace {
+
+using namespace testing;
+namespace fs = std::filesystem;
+
+constexpr int kEdits = 400;
+
+/// A store as it lies on the disk when the process is killed: some of it in tables, the end in RocksDB's log.
+class Killed {
+ public:
+  Killed() {
+    EditStore store{scratch_ / "live"};
+    store.database_settings.write_buffer_bytes = 64 << 10;
+    std::mt19937_64 random{7};
+    REQUIRE(store.open() == "");
+    TestEditor editor;
+    editor.attach(store);
+    for (int i = 0; i < kEdits; ++i) REQUIRE(editor.edit(store, random_edit(random)).has_value());
+    store.close();
+    store.log_settings.flush_interval = std::chrono::hours{1};
+    REQUIRE(store.open() == "");
+    editor.attach(store);
+    for (int i = 0; i < kEdits; ++i) REQUIRE(editor.edit(store, random_edit(random)).has_value());
+    fs::copy(scratch_ / "live", scratch_ / "killed", fs::copy_options::recursive);
+    voxels_ = overrides_of(store.state());
+  }
+
+  [[nodiscard]] fs::path path() const { return scratch_ / "killed"; }
+  /// The largest file of the database with that ending.
+  [[nodiscard]] fs::path file(const std::string& ending) const {
+    fs::path largest;
+    for (const auto& entry : fs::directory_iterator{path() / "db"}) {
+      const std::string name = entry.path().filename();
+      const bool has = name.ends_with(ending) || name.starts_with(ending);
+      if (has && (largest.empty() || entry.file_size() > fs::file_size(largest))) largest = entry.path();
+    }
+    REQUIRE_FALSE(largest.empty());
+    return largest;
+  }
+
+  /// The error, or nothing where all is there.
+  std::string open() {
+    EditStore store{path()};
+    const std::string error = store.open_without_log();
+    if (error.empty()) CHECK(overrides_of(store.state()) == voxels_);
+    CHECK(error.find('\n') == std::string::npos);
+    return error;
+  }
+
+ private:
+  ScratchDirectory scratch_{ScratchDirectory::memory()};
+  std::map<VoxelPos, MaterialId> voxels_;
+};
+
+void overwrite(const fs::path& path, std::uint64_t offset, const std::string& bytes) {
+  std::fstream file{path, std::ios::in | std::ios::out | std::ios::binary};
+  file.seekp(static_cast<std::streamoff>(offset));
+  file << bytes;
+}
+
+void flip(const fs::path& path, std::uint64_t offset) {
+  const std::string whole = read_whole(path);
+  overwrite(path, offset, std::string(1, static_cast<char>(whole.at(offset) ^ 0x10)));
+}
+
+}  // namespace
+
+TEST_CASE("a killed process loses nothing") {
+  Killed store;
+  CHECK(store.open() == "");
+}
+
+TEST_CASE("a log that lost its end is refused, and the entries that are lost are named") {
+  Killed store;
+  const fs::path log = store.file(".log");
+  SECTION("one byte") {
+    fs::resize_file(log, fs::file_size(log) - 1);
+  }
+  SECTION("half of it") {
+    fs::resize_file(log, fs::file_size(log) / 2);
+  }
+  SECTION("all of it") {
+    fs::resize_file(log, 0);
+  }
+  const std::string error = store.open();
+  INFO(error);
+  CHECK(error.find("to 802 of its log were acknowledged and are lost") != std::string::npos);
+  CHECK(error.find("restore a backup, or delete") != std::string::npos);
+}
+
+TEST_CASE("who deletes the file of what was acknowledged goes on with what is left") {
+  Killed store;
+  const fs::path log = store.file(".log");
+  fs::resize_file(log, fs::file_size(log) - 1);
+  fs::remove(store.path() / "acknowledged");
+  EditStore again{store.path()};
+  REQUIRE(again.open_without_log() == "");
+  CHECK(again.state().head().position == 801);
+}
+
+TEST_CASE("damage in the log is refused") {
+  Killed store;
+  const fs::path log = store.file(".log");
+  SECTION("a flipped bit in the middle") {
+    flip(log, fs::file_size(log) / 2);
+  }
+  SECTION("a page at its end is zero") {
+    overwrite(log, fs::file_size(log) - 4096, std::string(4096, '\0'));
+  }
+  SECTION("a flipped bit at the end") {
+    flip(log, fs::file_size(log) - 2);
+  }
+  SECTION("a page of zeros in the middle") {
+    overwrite(log, 8192, std::string(4096, '\0'));
+  }
+  SECTION("the file is gone") {
+    fs::remove(log);
+  }
+  const std::string error = store.open();
+  INFO(error);
+  CHECK(error.starts_with("edits "));
+  CHECK(error.find("restore a backup") != std::string::npos);
+}
+
+TEST_CASE("files of the database that are gone are refused, and no empty store is made in their place") {
+  Killed store;
+  SECTION("CURRENT") {
+    fs::remove(store.path() / "db" / "CURRENT");
+  }
+  SECTION("the manifest") {
+    fs::remove(store.file("MANIFEST-"));
+  }
+  SECTION("a table") {
+    fs::remove(store.file(".sst"));
+  }
+  SECTION("all of it") {
+    fs::remove_all(store.path() / "db");
+  }
+  const std::string error = store.open();
+  INFO(error);
+  CHECK(error.starts_with("edits "));
+  CHECK(error.find("restore a backup") != std::string::npos);
+}
+
+TEST_CASE("a flipped bit in a table is refused") {
+  Killed store;
+  flip(store.file(".sst"), 100);
+  CHECK(store.open().find("restore a backup") != std::string::npos);
+}
+
+TEST_CASE("the file of what was acknowledged may be gone, but not damaged") {
+  Killed store;
+  const fs::path file = store.path() / "acknowledged";
+  SECTION("gone") {
+    fs::remove(file);
+    CHECK(store.open() == "");
+  }
+  SECTION("damaged") {
+    flip(file, 3);
+    CHECK(store.open().find("acknowledged: it is damaged") != std::string::npos);
+  }
+}
+
+TEST_CASE("a directory that cannot be written is refused") {
+  EditStore store{"/proc/edits"};
+  const std::string error = store.open();
+  INFO(error);
+  CHECK(error.find("give --data a directory that talusd may write") != std::string::npos);
+}
+
+}  // namespace talus::server

@@ -1,0 +1,122 @@
+// Disks that are full, or fail for a while: edits wait, nothing is lost, nothing happens twice.
+#include <thread>
+
+#include <catch2/catch.hpp>
+
+#include "edits_of_tests.h"
+#include "scratch_directory.h"
+#include "unsafe_disk.h"
+
+namespace talus::server {
+namespace {
+
+using namespace testing;
+using edits::testing::Model;
+using Kind = edits::Applied::Kind;
+
+/// A store on a disk of the test's, and one editor.
+struct Trouble {
+  explicit Trouble(std::uint64_t seed)
+      : random{seed},
+        disk{std::make_shared<UnsafeDisk>(seed)},
+        environment{environment_of(disk)},
+        store{scratch / "edits"} {
+    store.database_settings.env = environment.get();
+    store.database_settings.write_buffer_bytes = 64 << 10;
+    store.log_settings.flush_interval = std::chrono::milliseconds{2};
+    store.log_settings.retry_interval = std::chrono::milliseconds{5};
+  }
+
+  /// One edit, sent until it is decided.
+  void edit(const std::function<void()>& on_failure) {
+    const edits::Edit edit = random_edit(random);
+    ++editor.sequence;
+    std::optional<edits::Applied> applied;
+    while (!(applied = store.apply(editor.entry(edit)))) {
+      on_failure();
+      std::this_thread::yield();  // until the log takes entries again
+    }
+    REQUIRE((applied->kind == Kind::done || applied->kind == Kind::repeat));
+    REQUIRE(applied->result.changed == model.apply(edit).changed);
+  }
+
+  void check() {
+    CHECK(overrides_of(store.state()) == model.overrides());
+    CHECK(store.state().editor(editor.id)->last_sequence == editor.sequence);
+  }
+
+  ScratchDirectory scratch{ScratchDirectory::memory()};
+  std::mt19937_64 random;
+  std::shared_ptr<UnsafeDisk> disk;
+  std::unique_ptr<rocksdb::Env> environment;
+  EditStore store;
+  TestEditor editor;
+  Model model;
+};
+
+}  // namespace
+
+TEST_CASE(
+    "a disk that fills up, or does not sync, stops edits until it is mended; none is lost or done twice") {
+  const std::uint64_t seed = std::random_device{}();
+  CAPTURE(seed);
+  for (std::uint64_t round = 0; round < 12; ++round) {
+    Trouble trouble{seed + round};
+    REQUIRE(trouble.store.open() == "");
+    trouble.editor.attach(trouble.store);
+    int failures = 0;
+    for (int i = 0; i < 300; ++i) {
+      if (trouble.random() % 50 == 0) {
+        if (round % 2 == 0) {
+          trouble.disk->fill_after(static_cast<std::int64_t>(trouble.random() % 3'000));
+        } else {
+          trouble.disk->fail_sync_after(static_cast<std::int64_t>(trouble.random() % 10));
+        }
+      }
+      trouble.edit([&] {
+        ++failures;
+        trouble.disk->empty();
+        trouble.disk->mend();
+      });
+    }
+    CHECK(failures > 0);
+    trouble.check();
+    trouble.disk->empty();
+    trouble.disk->mend();
+    trouble.store.close();
+    REQUIRE(trouble.store.open_without_log() == "");
+    trouble.check();
+  }
+}
+
+TEST_CASE("a disk that stays full, and does not say so, is tried again until it is not") {
+  Trouble trouble{3};
+  REQUIRE(trouble.store.open() == "");
+  trouble.editor.attach(trouble.store);
+  for (int i = 0; i < 50; ++i) trouble.edit([] { FAIL("the disk is sound"); });
+  trouble.disk->fill_after(10);
+  trouble.edit([&] {
+    const auto reason = trouble.store.log().status().read_only;
+    if (reason && reason->find("the database does not open") != std::string::npos) trouble.disk->empty();
+  });
+  trouble.check();
+}
+
+TEST_CASE("with little free space edits are refused, and the reason is told") {
+  Trouble trouble{1};
+  REQUIRE(trouble.store.open() == "");
+  trouble.editor.attach(trouble.store);
+  trouble.disk->say_free(200 << 20);
+  while (!trouble.store.log().status().read_only) std::this_thread::yield();
+  CHECK(trouble.store.log().status().read_only->find("209715200 bytes free") != std::string::npos);
+  CHECK_FALSE(trouble.editor.edit(trouble.store, random_edit(trouble.random)).has_value());
+  trouble.disk->say_free({});
+  while (trouble.store.log().status().read_only) std::this_thread::yield();
+  CHECK(trouble.editor.edit(trouble.store, random_edit(trouble.random)).has_value());
+  trouble.store.close();
+  trouble.disk->say_free(1 << 20);
+  CHECK(trouble.store.open().find("1048576 bytes free; opening the store needs 67108864") !=
+        std::string::npos);
+}
+
+}  // namespace talus::server

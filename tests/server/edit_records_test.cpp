@@ -1,0 +1,149 @@
+// The store's bytes: what is written is read back, and anything else is refused.
+#include <random>
+
+#include <catch2/catch.hpp>
+
+#include "store/records.h"
+
+namespace talus::server {
+namespace {
+
+using Kind = edits::Applied::Kind;
+
+LogRecord done_record() {
+  LogRecord record;
+  record.kind = Kind::done;
+  record.editor = {1, 2};
+  record.position = 300;
+  record.revision = 200;
+  record.time_ms = 1'700'000'000'000;
+  record.result = {.sequence = 5, .revision = 200, .changed = 2, .conflict = {}};
+  record.changes = {
+      {{-3, 0, 70'000},
+       {{7, MaterialId{1}, MaterialId{2}, MaterialId{2}}, {9, MaterialId{0}, MaterialId{5}, MaterialId{1}}}}};
+  return record;
+}
+
+/// Every bit flipped and every end cut off must be refused.
+template <typename Decode>
+void check_damage(const Bytes& value, const Decode& decode) {
+  for (std::size_t bit = 0; bit < value.size() * 8; ++bit) {
+    Bytes damaged = value;
+    damaged[bit / 8] ^= static_cast<std::byte>(1U << (bit % 8));
+    if (decode(damaged)) FAIL("bit " << bit << " makes no difference");
+  }
+  for (std::size_t size = 0; size < value.size(); ++size) {
+    const Bytes cut(value.begin(), value.begin() + static_cast<std::ptrdiff_t>(size));
+    if (decode(cut)) FAIL(size << " bytes are enough");
+  }
+}
+
+}  // namespace
+
+TEST_CASE("keys say what they are of, and are in order") {
+  const ChunkKey west{{-5, 3, 2}, Lod::of(3)};
+  const ChunkKey east{{4, -3, 2}, Lod::of(3)};
+  CHECK(chunk_of_key(chunk_key(west)) == west);
+  CHECK(chunk_of_key(chunk_key(east)) == east);
+  CHECK(chunk_key(west) < chunk_key(east));
+  CHECK(editor_of_key(editor_key({1, 2})) == edits::EditorId{1, 2});
+  CHECK(position_of_key(log_key(77)) == 77);
+  CHECK(log_key(255) < log_key(256));
+  CHECK(material_of_key(material_key("glass")) == "glass");
+  CHECK_FALSE(chunk_of_key(editor_key({1, 2})));
+  CHECK_FALSE(chunk_of_key("c"));
+  std::string beyond = chunk_key(west);
+  beyond[1] = 7;
+  CHECK_FALSE(chunk_of_key(beyond));
+}
+
+TEST_CASE("the record of the store's state is read back, and damage is seen") {
+  StoreMeta meta;
+  meta.fingerprint = {1, 2};
+  meta.store_id = {3, 4};
+  meta.head = {.position = 9, .revision = 8, .time_ms = 7, .hash = {5, 6}};
+  meta.link = 10;
+  meta.flushed = 4;
+  meta.flushed_link = 11;
+  Bytes value;
+  encode(meta, value);
+  CHECK(decode_meta(value) == meta);
+  check_damage(value, [](const Bytes& bytes) { return decode_meta(bytes).has_value(); });
+}
+
+TEST_CASE("chunks are read back under their own key alone") {
+  const std::string key = chunk_key({{1, 2, 3}, Lod{}});
+  const std::vector<Override> voxels{{4, MaterialId{1}}, {5, MaterialId{1}}, {900, MaterialId{300}}};
+  Bytes value;
+  encode(key, 77, voxels, value);
+  CHECK(decode_chunk_value(key, value) == StoredChunk{77, voxels});
+  CHECK(decode_chunk_revision(key, value) == 77);
+  CHECK_FALSE(decode_chunk_value(chunk_key({{1, 2, 4}, Lod{}}), value));
+  check_damage(value, [&](const Bytes& bytes) { return decode_chunk_value(key, bytes).has_value(); });
+  encode(key, 78, std::span<const Override>{}, value);
+  CHECK(decode_chunk_value(key, value) == StoredChunk{78, {}});
+}
+
+TEST_CASE("editors are read back with their results") {
+  const std::string key = editor_key({1, 2});
+  edits::Editor editor;
+  editor.epoch = 3;
+  editor.used_ms = 1'700'000'000'000;
+  editor.subject = "somebody";
+  for (std::uint64_t i = 1; i <= 70; ++i)
+    editor.keep({.sequence = 2 * i, .revision = i, .changed = 1, .conflict = {}});
+  editor.keep({.sequence = 200, .revision = 70, .changed = 0, .conflict = 3});
+  Bytes value;
+  encode(key, 55, editor, value);
+  const auto read = decode_editor(key, value);
+  REQUIRE(read.has_value());
+  CHECK(read->position == 55);
+  CHECK(read->editor == editor);
+  check_damage(value, [&](const Bytes& bytes) { return decode_editor(key, bytes).has_value(); });
+}
+
+TEST_CASE("records of the log are read back in their chain alone") {
+  Bytes value;
+  const std::uint64_t link = encode(done_record(), 42, value);
+  std::uint64_t before = 42;
+  CHECK(decode_record(value, before) == done_record());
+  CHECK(before == link);
+  CHECK_FALSE(decode_record(value, before).has_value());
+  CHECK(before == link);
+  std::uint64_t alone = 0;
+  CHECK(decode_record_alone(value, alone) == done_record());
+  CHECK(alone == link);
+  check_damage(value, [](const Bytes& bytes) {
+    std::uint64_t right = 42;
+    return decode_record(bytes, right).has_value();
+  });
+  LogRecord attached;
+  attached.kind = Kind::attached;
+  attached.editor = {3, 4};
+  attached.position = 1;
+  attached.epoch = 9;
+  attached.subject = "somebody";
+  encode(attached, 0, value);
+  before = 0;
+  CHECK(decode_record(value, before) == attached);
+  LogRecord conflict = done_record();
+  conflict.kind = Kind::conflict;
+  conflict.changes.clear();
+  conflict.result.conflict = 0;
+  encode(conflict, 1, value);
+  before = 1;
+  CHECK(decode_record(value, before) == conflict);
+}
+
+TEST_CASE("history and materials are read back") {
+  const HistorySegment segment{.first = 5, .last = 900, .bytes = 70'000, .last_time_ms = 12};
+  Bytes value;
+  encode(history_key(5), segment, value);
+  CHECK(decode_history(history_key(5), value) == segment);
+  CHECK_FALSE(decode_history(history_key(6), value));
+  encode(material_key("glass"), MaterialId{301}, value);
+  CHECK(decode_material(material_key("glass"), value) == MaterialId{301});
+  CHECK_FALSE(decode_material(material_key("glas"), value));
+}
+
+}  // namespace talus::server

@@ -1,0 +1,105 @@
+// What those see of edits who serve chunks.
+#include <catch2/catch.hpp>
+
+#include "edits/chunk_index.h"
+#include "edits/recent_changes.h"
+#include "edits_of_tests.h"
+#include "scratch_directory.h"
+
+namespace talus::server {
+namespace {
+
+using namespace testing;
+
+constexpr ChunkKey kChunk{{0, 0, 0}, Lod{}};
+
+edits::Edit write(VoxelPos at, std::uint16_t material) {
+  edits::Edit edit;
+  edit.writes.push_back({at, MaterialId{material}});
+  return edit;
+}
+
+}  // namespace
+
+TEST_CASE("the index knows revisions and rows of edited chunks, and nothing of others") {
+  ChunkIndex index;
+  const ChunkKey key{{5, -3, 7}, Lod::of(2)};
+  CHECK(index.revision(key) == 0);
+  CHECK(index.rows(key).size() == 0);
+  CHECK(index.raise(key, 4) == 0);
+  CHECK(index.raise(key, 9) == 4);
+  CHECK(index.raise(key, 6) == 9);
+  CHECK(index.revision(key) == 9);
+  CHECK(index.raise({{5, 11, 7}, Lod::of(2)}, 10) == 0);
+  CHECK(index.rows(key) == ChunkRange{-3, 11});
+  CHECK(index.revision({{5, 0, 7}, Lod::of(2)}) == 0);
+  CHECK(index.revision({{5, -3, 7}, Lod::of(1)}) == 0);
+  CHECK(index.rows({{6, -3, 7}, Lod::of(2)}).size() == 0);
+  CHECK(index.chunks() == 2);
+  CHECK(index.bytes() == ChunkIndex::kColumnBytes + 2 * ChunkIndex::kChunkBytes);
+}
+
+TEST_CASE("changes since a revision are each voxel once, as it is now") {
+  RecentChanges recent{1 << 20};
+  recent.add({{kChunk, 3, 5, {{7, MaterialId{1}}, {9, MaterialId{1}}}}});
+  recent.add({{kChunk, 5, 8, {{8, MaterialId{2}}, {9, MaterialId{2}}}}});
+  const auto all = recent.since(kChunk, 3, 10);
+  REQUIRE(all.has_value());
+  CHECK(all->revision == 8);
+  CHECK(all->voxels == std::vector<Override>{{7, MaterialId{1}}, {8, MaterialId{2}}, {9, MaterialId{2}}});
+  CHECK(recent.since(kChunk, 4, 10)->voxels.size() == 3);
+  CHECK(recent.since(kChunk, 5, 10)->voxels.size() == 2);
+  CHECK_FALSE(recent.since(kChunk, 2, 10).has_value());
+  CHECK_FALSE(recent.since(kChunk, 3, 2).has_value());
+  CHECK_FALSE(recent.since({{1, 0, 0}, Lod{}}, 3, 10).has_value());
+  // A change that is not known hides those before it.
+  recent.add({{kChunk, 8, 9, {}}});
+  CHECK_FALSE(recent.since(kChunk, 5, 10).has_value());
+  recent.add({{kChunk, 9, 10, {{1, MaterialId{3}}}}});
+  CHECK_FALSE(recent.since(kChunk, 8, 10).has_value());
+  CHECK(recent.since(kChunk, 9, 10)->voxels.size() == 1);
+}
+
+TEST_CASE("of recent changes the oldest are forgotten") {
+  RecentChanges recent{1'000};
+  for (std::uint64_t revision = 1; revision <= 100; ++revision) {
+    const auto x = static_cast<std::int32_t>(revision % 3);
+    recent.add({{{{x, 0, 0}, Lod{}}, revision < 4 ? 0 : revision - 3, revision, {{1, MaterialId{1}}}}});
+  }
+  CHECK(recent.since({{1, 0, 0}, Lod{}}, 97, 10).has_value());
+  CHECK_FALSE(recent.since({{1, 0, 0}, Lod{}}, 80, 10).has_value());
+}
+
+TEST_CASE("edits are seen at every level, in changes and chunks, and what is put back leaves the revision") {
+  const ScratchDirectory scratch;
+  EditStore store{scratch / "edits"};
+  store.log_settings.flush_interval = std::chrono::milliseconds{1};
+  store.state_settings.cache_bytes = 0;  // the database answers
+  REQUIRE(store.open() == "");
+  TestEditor editor;
+  editor.attach(store);
+  const VoxelPos at{0, 1, 0};  // the sample of level 1's voxel (0, 0, 0)
+  const ChunkKey coarse{{0, 0, 0}, Lod::of(1)};
+  REQUIRE(editor.edit(store, write(at, 9)).has_value());
+  for (const ChunkKey key : {kChunk, coarse}) {
+    CHECK(store.state().revision(key) == 1);
+    CHECK(store.state().load(key)->overrides->size() == 1);
+    CHECK(store.state().changes_since(key, 0, 10)->voxels.size() == 1);
+    CHECK(store.state().changes_since(key, 1, 10)->voxels.empty());
+  }
+  CHECK(store.state().edited_rows({{0, 77, 0}, Lod{}}) == ChunkRange{0, 0});
+  const auto base = to_integer(edits::testing::base_at(at));
+  REQUIRE(editor.edit(store, write(at, base)).has_value());
+  CHECK(store.state().load(kChunk)->overrides == nullptr);
+  CHECK(store.state().revision(kChunk) == 2);
+  CHECK(store.state().changes_since(kChunk, 1, 10)->voxels ==
+        std::vector<Override>{{1024, MaterialId{base}}});
+  CHECK_FALSE(store.state().changes_since(coarse, 1, 10).has_value());
+  store.close();
+  REQUIRE(store.open() == "");
+  CHECK(store.state().load(kChunk)->revision == 2);
+  CHECK(store.state().load(kChunk)->overrides == nullptr);
+  CHECK_FALSE(store.state().changes_since(kChunk, 1, 10).has_value());
+}
+
+}  // namespace talus::server

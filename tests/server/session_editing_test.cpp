@@ -1,0 +1,255 @@
+// Edits of a session, as far as the session decides: rights, order, bounds, rates, and what each answer
+// becomes.
+#include "session/session.h"
+
+#include <array>
+#include <limits>
+
+#include <talus/voxel/codec.h>
+
+#include "session/edit_check.h"
+#include "session_bench.h"
+
+namespace talus::server {
+namespace {
+
+using namespace std::chrono_literals;
+using wire::Body;
+using wire::ErrorCode;
+using State = Session::State;
+
+struct ScriptedTaker final : EditTaker {
+  std::vector<AttachRequest> attaches;
+  std::vector<EditRequest> edits;
+  std::vector<ClientId> forgotten;
+
+  void attach(const MailboxPtr&, AttachRequest request) override { attaches.push_back(std::move(request)); }
+  void edit(const MailboxPtr&, EditRequest request) override { edits.push_back(std::move(request)); }
+  void forget(ClientId client) override { forgotten.push_back(client); }
+};
+
+Access editors() {
+  Access access;
+  access.without_token = "read,edit";
+  return access;
+}
+
+struct Bench {
+  ScriptedTaker taker;
+  SessionBench bench;
+
+  explicit Bench(const RateLimits& rates = {})
+      : bench{{.rates = rates, .access = editors(), .edits = &taker, .protocol = protocol::kEditsProtocol}} {}
+
+  void attached(std::uint64_t last_sequence = 0) {
+    bench.attach();
+    bench.mailbox->put(AttachAnswer{EditorSession{{1, 2}, 3, last_sequence, false, 9}});
+    bench.take_mail();
+    REQUIRE(kinds(bench.output()) == Kinds{Body::Attached});
+  }
+  /// The answer to `id`, as values.
+  Said answered(EditAnswer answer) {
+    bench.mailbox->put(std::move(answer));
+    bench.take_mail();
+    return bench.output().at(0);
+  }
+};
+
+RateLimits voxels(Rate session, Rate address = {}) {
+  RateLimits limits;
+  limits.session.voxels = session;
+  limits.address.voxels = address;
+  return limits;
+}
+
+Rejection refusal(std::vector<wire::Fill> fills) {
+  flatbuffers::FlatBufferBuilder builder;
+  builder.Finish(wire::CreateEdit(builder, 1, 0, 1, 0, builder.CreateVectorOfStructs(fills)));
+  const auto checked = check_edit(*flatbuffers::GetRoot<wire::Edit>(builder.GetBufferPointer()));
+  REQUIRE_FALSE(checked);
+  return checked.error();
+}
+
+}  // namespace
+
+TEST_CASE("an Edit before Attached is refused by its id, and the session stays") {
+  Bench shared;
+  shared.bench.write_voxel(4, 1);
+  const auto said = shared.bench.output();
+  REQUIRE(kinds(said) == Kinds{Body::Error});
+  CHECK(said[0].code == ErrorCode::expired);
+  CHECK(said[0].id == 4);
+  CHECK(shared.bench.session.state() == State::joined);
+  CHECK(shared.taker.edits.empty());
+}
+
+TEST_CASE("an Edit goes to the log as its editor, and is answered by its id") {
+  Bench shared;
+  shared.attached();
+  shared.bench.write_voxel(4, 17, {-1, 2, 3}, 5);
+  REQUIRE(shared.taker.edits.size() == 1);
+  const EditRequest& request = shared.taker.edits[0];
+  CHECK(request.id == 4);
+  CHECK(request.editor == edits::EditorId{1, 2});
+  CHECK(request.epoch == 3);
+  CHECK(request.sequence == 17);
+  CHECK(request.edit.writes == std::vector{edits::VoxelWrite{{-1, 2, 3}, MaterialId{5}}});
+  CHECK(shared.bench.output().empty());
+
+  const Said said = shared.answered({4, edits::EditResult{17, 10, 1, {}}});
+  CHECK(said.kind == Body::EditResult);
+  CHECK(said.id == 4);
+  CHECK(said.revision == 10);
+}
+
+TEST_CASE("an edit that does not happen is an Error about its request") {
+  Bench shared;
+  shared.attached();
+  shared.bench.write_voxel(4, 1);
+  const Said said = shared.answered({4, tl::unexpected{EditRefusal{ErrorCode::conflict, "guard 0", 0ms}}});
+  CHECK(said.code == ErrorCode::conflict);
+  CHECK(said.id == 4);
+  CHECK(said.about == wire::ErrorAbout::request);
+}
+
+TEST_CASE("an edit's id is taken until it is answered") {
+  Bench shared;
+  shared.attached();
+  shared.bench.write_voxel(4, 1);
+  shared.bench.get_chunk(4, chunk_at(0));
+  CHECK(shared.bench.output().at(0).code == ErrorCode::duplicate_id);
+  CHECK(shared.answered({4, edits::EditResult{1, 1, 1, {}}}).kind == Body::EditResult);
+  shared.bench.write_voxel(4, 2);
+  CHECK(shared.taker.edits.size() == 2);
+}
+
+TEST_CASE("no more edits than there are kept results go unanswered") {
+  Bench shared;
+  shared.attached();
+  for (std::uint32_t id = 1; id <= edits::kKeptResults + 1; ++id) shared.bench.write_voxel(id, id);
+  CHECK(shared.taker.edits.size() == edits::kKeptResults);
+  const auto said = shared.bench.output();
+  REQUIRE(said.size() == 1);
+  CHECK(said[0].code == ErrorCode::too_many_requests);
+  CHECK(said[0].id == edits::kKeptResults + 1);
+}
+
+TEST_CASE("a session that leaves or finishes waits for the answers of its edits") {
+  for (const bool leaves : {true, false}) {
+    Bench shared;
+    shared.attached();
+    shared.bench.write_voxel(4, 1);
+    if (leaves) {
+      shared.bench.session.go_away("ending", 1ms);
+    } else {
+      shared.bench.session.input_ended();
+    }
+    (void)shared.bench.output();
+    CHECK(shared.bench.session.state() != State::closed);
+    CHECK(shared.answered({4, edits::EditResult{1, 1, 1, {}}}).kind == Body::EditResult);
+    CHECK(shared.bench.session.state() == State::closed);
+  }
+}
+
+TEST_CASE("a session that ends forgets its edits, and so does the taker") {
+  ScriptedTaker taker;
+  {
+    SessionBench bench{{.access = editors(), .edits = &taker, .protocol = 2}};
+    bench.attach();
+    bench.mailbox->put(AttachAnswer{EditorSession{{1, 2}, 3, 0, false, 9}});
+    bench.take_mail();
+    bench.write_voxel(4, 1);
+    bench.session.abandon();
+    CHECK(taker.forgotten == std::vector{ClientId{1}});
+    bench.mailbox->put(EditAnswer{4, edits::EditResult{1, 1, 1, {}}});
+    bench.take_mail();
+  }
+  CHECK(taker.forgotten.size() == 1);
+}
+
+TEST_CASE("voxels over the rate are refused with a time, and the edit does not happen") {
+  Bench shared{voxels({10, 20})};
+  shared.attached();
+  for (std::uint32_t id = 1; id <= 21; ++id) shared.bench.write_voxel(id, id);
+  CHECK(shared.taker.edits.size() == 20);
+  const auto said = shared.bench.output();
+  REQUIRE(said.size() == 1);
+  CHECK(said[0].code == ErrorCode::overloaded);
+  CHECK(said[0].id == 21);
+  CHECK(said[0].retry_after_ms == 100);
+  CHECK(shared.bench.metrics.throttled(RateKind::session_voxels).total() == 1);
+  shared.bench.clock.advance(100ms);
+  shared.bench.write_voxel(22, 22);
+  CHECK(shared.taker.edits.size() == 21);
+}
+
+TEST_CASE("Attach needs the right, version 2, a store, and its turn") {
+  SECTION("the right") {
+    ScriptedTaker taker;
+    SessionBench bench{{.edits = &taker, .protocol = 2}};
+    bench.attach();
+    const auto said = bench.output();
+    CHECK(said.at(0).code == ErrorCode::forbidden);
+    CHECK(said.at(0).about == wire::ErrorAbout::attach);
+  }
+  SECTION("version 2") {
+    ScriptedTaker taker;
+    SessionBench bench{{.access = editors(), .edits = &taker}};
+    bench.write_voxel(1, 1);
+    CHECK(bench.output().at(0).code == ErrorCode::unsupported);
+    bench.attach();
+    CHECK(bench.output().at(0).code == ErrorCode::unexpected);
+    CHECK(bench.session.state() == State::closed);
+  }
+  SECTION("a store") {
+    SessionBench bench{{.access = editors(), .protocol = 2}};
+    bench.attach();
+    bench.write_voxel(1, 1);
+    const auto said = bench.output();
+    REQUIRE(said.size() == 2);
+    CHECK(said[0].code == ErrorCode::unsupported);
+    CHECK(said[1].code == ErrorCode::unsupported);
+    CHECK(bench.session.state() == State::joined);
+  }
+  SECTION("its turn") {
+    Bench shared;
+    shared.bench.attach();
+    shared.bench.attach();
+    CHECK(shared.bench.output().at(0).code == ErrorCode::unexpected);
+    CHECK(shared.taker.attaches.size() == 1);
+  }
+}
+
+TEST_CASE("fills are counted before anything is made of them") {
+  constexpr auto kLow = std::numeric_limits<std::int64_t>::min();
+  constexpr auto kHigh = std::numeric_limits<std::int64_t>::max();
+  CHECK(refusal({{{kLow, kLow, kLow}, {kHigh, kHigh, kHigh}, 1, 0, 1}}).code == ErrorCode::too_large);
+  CHECK(refusal({{{0, 0, 0}, {65'536, 0, 0}, 1, 0, 1}}).code == ErrorCode::too_large);
+  CHECK(refusal({{{0, 0, 0}, {0, 0, 0}, 1, 0, 4}}).code == ErrorCode::malformed);
+  CHECK(refusal({}).code == ErrorCode::out_of_range);
+  CHECK(refusal(std::vector<wire::Fill>(3, {{0, 0, 0}, {31, 31, 31}, 1, 0, 1})).code == ErrorCode::too_large);
+}
+
+TEST_CASE("a paste is a chunk, or the connection ends") {
+  Bench shared;
+  shared.attached();
+  const auto paste = [&](std::uint32_t id, const std::vector<std::uint8_t>& payload) {
+    shared.bench.receive([&](auto& builder) {
+      const wire::Voxel origin{0, 0, 0};
+      const auto made = wire::CreatePaste(builder, &origin, builder.CreateVector(payload), false);
+      return wire::CreateEdit(builder, id, 0, 1, 0, 0, made);
+    });
+  };
+  std::vector<std::byte> payload;
+  encode(Chunk::uniform(MaterialId{3}), payload);
+  std::vector<std::uint8_t> bytes;
+  for (const std::byte byte : payload) bytes.push_back(std::to_integer<std::uint8_t>(byte));
+  paste(5, bytes);
+  REQUIRE(shared.taker.edits.size() == 1);
+  CHECK(shared.taker.edits[0].edit.paste->voxels == Chunk::uniform(MaterialId{3}));
+  paste(6, {9, 9, 9});
+  CHECK(shared.bench.output().at(0).code == ErrorCode::malformed);
+  CHECK(shared.bench.session.state() == State::closed);
+}
+
+}  // namespace talus::server

@@ -1,0 +1,242 @@
+#include "unsafe_disk.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <utility>
+#include <vector>
+
+#include <rocksdb/system_clock.h>
+
+#include "scratch_directory.h"
+
+namespace talus::server::testing {
+namespace {
+
+namespace fs = std::filesystem;
+using rocksdb::IODebugContext;
+using rocksdb::IOOptions;
+using rocksdb::IOStatus;
+using rocksdb::Slice;
+
+/// RocksDB opens one file by several spellings of its path.
+std::string normal(const std::string& path) {
+  return fs::path{path}.lexically_normal().string();
+}
+
+class AppendedFile final : public rocksdb::FSWritableFileOwnerWrapper {
+ public:
+  AppendedFile(std::unique_ptr<rocksdb::FSWritableFile> file, std::string path, UnsafeDisk& disk)
+      : FSWritableFileOwnerWrapper{std::move(file)}, path_{std::move(path)}, disk_{disk} {}
+
+  IOStatus Append(const Slice& data, const IOOptions& options, IODebugContext* debug) override {
+    if (auto on = disk_.call(); !on.ok()) return on;
+    const std::size_t fits = disk_.room(data.size());
+    IOStatus status = FSWritableFileOwnerWrapper::Append(Slice{data.data(), fits}, options, debug);
+    disk_.wrote(path_, fits);
+    return status.ok() && fits < data.size() ? IOStatus::NoSpace("the test's disk is full") : status;
+  }
+  IOStatus Append(const Slice& data, const IOOptions& options, const rocksdb::DataVerificationInfo&,
+                  IODebugContext* debug) override {
+    return Append(data, options, debug);
+  }
+  IOStatus Sync(const IOOptions&, IODebugContext*) override {
+    IOStatus status = disk_.sync_call();
+    // The test's disk is in memory: what it calls synced stays.
+    if (status.ok()) disk_.synced(path_);
+    return status;
+  }
+  IOStatus Fsync(const IOOptions& options, IODebugContext* debug) override { return Sync(options, debug); }
+  IOStatus RangeSync(std::uint64_t, std::uint64_t, const IOOptions&, IODebugContext*) override {
+    return IOStatus::OK();
+  }
+  IOStatus Allocate(std::uint64_t, std::uint64_t, const IOOptions&, IODebugContext*) override {
+    return IOStatus::OK();
+  }
+
+ private:
+  std::string path_;
+  UnsafeDisk& disk_;
+};
+
+class FileInPlace final : public rocksdb::FSRandomRWFileOwnerWrapper {
+ public:
+  FileInPlace(std::unique_ptr<rocksdb::FSRandomRWFile> file, UnsafeDisk& disk)
+      : FSRandomRWFileOwnerWrapper{std::move(file)}, disk_{disk} {}
+
+  IOStatus Write(std::uint64_t offset, const Slice& data, const IOOptions& options,
+                 IODebugContext* debug) override {
+    if (disk_.is_off()) return IOStatus::IOError("the power is off");
+    return FSRandomRWFileOwnerWrapper::Write(offset, data, options, debug);
+  }
+  IOStatus Sync(const IOOptions&, IODebugContext*) override { return IOStatus::OK(); }
+
+ private:
+  UnsafeDisk& disk_;
+};
+
+class SyncedDirectory final : public rocksdb::FSDirectory {
+ public:
+  SyncedDirectory(std::string path, UnsafeDisk& disk) : path_{std::move(path)}, disk_{disk} {}
+  IOStatus Fsync(const IOOptions&, IODebugContext*) override {
+    IOStatus status = disk_.sync_call();
+    if (status.ok()) disk_.synced_directory(path_);
+    return status;
+  }
+
+ private:
+  std::string path_;
+  UnsafeDisk& disk_;
+};
+
+class HastyClock final : public rocksdb::SystemClockWrapper {
+ public:
+  HastyClock() : SystemClockWrapper{rocksdb::SystemClock::Default()} {}
+  const char* Name() const override { return "HastyClock"; }
+  void SleepForMicroseconds(int micros) override {
+    SystemClockWrapper::SleepForMicroseconds(std::min(micros, 1'000));
+  }
+};
+
+class TestEnvironment final : public rocksdb::EnvWrapper {
+ public:
+  explicit TestEnvironment(std::shared_ptr<UnsafeDisk> disk)
+      : EnvWrapper{rocksdb::NewCompositeEnv(std::move(disk))} {
+    system_clock_ = std::make_shared<HastyClock>();
+  }
+  const char* Name() const override { return "TestEnvironment"; }
+};
+
+}  // namespace
+
+std::unique_ptr<rocksdb::Env> environment_of(std::shared_ptr<UnsafeDisk> disk) {
+  return std::make_unique<TestEnvironment>(std::move(disk));
+}
+
+IOStatus UnsafeDisk::call() {
+  if (calls_left_.fetch_sub(1) <= 0) off_ = true;
+  return off_ ? IOStatus::IOError("the power is off") : IOStatus::OK();
+}
+
+IOStatus UnsafeDisk::sync_call() {
+  if (auto on = call(); !on.ok()) return on;
+  return syncs_left_.fetch_sub(1) <= 0 ? IOStatus::IOError("the test's disk does not sync") : IOStatus::OK();
+}
+
+std::size_t UnsafeDisk::room(std::size_t bytes) {
+  const std::int64_t left = bytes_left_.fetch_sub(static_cast<std::int64_t>(bytes));
+  return static_cast<std::size_t>(std::clamp<std::int64_t>(left, 0, static_cast<std::int64_t>(bytes)));
+}
+
+void UnsafeDisk::wrote(const std::string& path, std::size_t bytes) {
+  const std::lock_guard lock{mutex_};
+  files_[path].written += bytes;
+}
+
+void UnsafeDisk::synced(const std::string& path) {
+  const std::lock_guard lock{mutex_};
+  File& file = files_[path];
+  file.synced = file.written;
+}
+
+void UnsafeDisk::synced_directory(const std::string& directory) {
+  const std::lock_guard lock{mutex_};
+  const auto is_in = [&](const std::string& path) { return fs::path{path}.parent_path() == directory; };
+  for (auto& [path, file] : files_) file.named = file.named || is_in(path);
+  std::erase_if(renames_, [&](const Rename& each) { return is_in(each.to); });
+}
+
+IOStatus UnsafeDisk::NewWritableFile(const std::string& path, const rocksdb::FileOptions& options,
+                                     std::unique_ptr<rocksdb::FSWritableFile>* result,
+                                     IODebugContext* debug) {
+  if (auto on = call(); !on.ok()) return on;
+  std::unique_ptr<rocksdb::FSWritableFile> file;
+  if (auto made = FileSystemWrapper::NewWritableFile(path, options, &file, debug); !made.ok()) return made;
+  const std::lock_guard lock{mutex_};
+  files_[normal(path)] = {};
+  *result = std::make_unique<AppendedFile>(std::move(file), normal(path), *this);
+  return IOStatus::OK();
+}
+
+IOStatus UnsafeDisk::ReopenWritableFile(const std::string&, const rocksdb::FileOptions&,
+                                        std::unique_ptr<rocksdb::FSWritableFile>*, IODebugContext*) {
+  return IOStatus::NotSupported("the test's disk");
+}
+IOStatus UnsafeDisk::ReuseWritableFile(const std::string&, const std::string&, const rocksdb::FileOptions&,
+                                       std::unique_ptr<rocksdb::FSWritableFile>*, IODebugContext*) {
+  return IOStatus::NotSupported("the test's disk");
+}
+
+IOStatus UnsafeDisk::NewRandomRWFile(const std::string& path, const rocksdb::FileOptions& options,
+                                     std::unique_ptr<rocksdb::FSRandomRWFile>* result,
+                                     IODebugContext* debug) {
+  if (auto on = call(); !on.ok()) return on;
+  std::unique_ptr<rocksdb::FSRandomRWFile> file;
+  if (auto made = FileSystemWrapper::NewRandomRWFile(path, options, &file, debug); !made.ok()) return made;
+  *result = std::make_unique<FileInPlace>(std::move(file), *this);
+  return IOStatus::OK();
+}
+
+IOStatus UnsafeDisk::NewDirectory(const std::string& path, const IOOptions&,
+                                  std::unique_ptr<rocksdb::FSDirectory>* result, IODebugContext*) {
+  *result = std::make_unique<SyncedDirectory>(normal(path), *this);
+  return IOStatus::OK();
+}
+
+IOStatus UnsafeDisk::RenameFile(const std::string& from, const std::string& to, const IOOptions& options,
+                                IODebugContext* debug) {
+  if (auto on = call(); !on.ok()) return on;
+  Rename rename{normal(from), normal(to), {}};
+  if (fs::exists(rename.to)) rename.replaced = read_whole(rename.to);
+  if (auto renamed = FileSystemWrapper::RenameFile(from, to, options, debug); !renamed.ok()) return renamed;
+  const std::lock_guard lock{mutex_};
+  if (const auto file = files_.find(rename.from); file != files_.end()) {
+    files_[rename.to] = file->second;
+    files_[rename.to].named = true;  // as the rename is, or is undone
+    files_.erase(file);
+  }
+  renames_.push_back(std::move(rename));
+  return IOStatus::OK();
+}
+
+IOStatus UnsafeDisk::DeleteFile(const std::string& path, const IOOptions& options, IODebugContext* debug) {
+  if (auto on = call(); !on.ok()) return on;
+  {
+    const std::lock_guard lock{mutex_};
+    files_.erase(normal(path));
+    std::erase_if(renames_, [&](const Rename& each) { return each.to == normal(path); });
+  }
+  return FileSystemWrapper::DeleteFile(path, options, debug);
+}
+
+IOStatus UnsafeDisk::GetFreeSpace(const std::string& path, const IOOptions& options, std::uint64_t* free,
+                                  IODebugContext* debug) {
+  if (free_ < 0) return FileSystemWrapper::GetFreeSpace(path, options, free, debug);
+  *free = static_cast<std::uint64_t>(free_.load());
+  return IOStatus::OK();
+}
+
+void UnsafeDisk::restart() {
+  const std::lock_guard lock{mutex_};
+  for (; !renames_.empty(); renames_.pop_back()) {
+    const Rename& last = renames_.back();
+    if (below(2) == 0 || !fs::exists(last.to)) continue;
+    fs::rename(last.to, last.from);
+    files_.erase(last.to);
+    if (last.replaced) std::ofstream{last.to, std::ios::binary} << *last.replaced;
+  }
+  for (const auto& [path, file] : files_) {
+    if (!fs::exists(path)) continue;
+    if (!file.named && below(2) == 0) {
+      fs::remove(path);
+      continue;
+    }
+    const std::uint64_t unsynced = file.written - file.synced;
+    fs::resize_file(path, file.synced + (unsynced == 0 ? 0 : below(unsynced + 1)));
+  }
+  files_.clear();
+  calls_left_ = kMany;
+  off_ = false;
+}
+
+}  // namespace talus::server::testing

@@ -1,0 +1,103 @@
+// A disk for RocksDB that loses power, fills up and fails. What was not synced when the power went may be
+// lost: ends of files, new files, renames. What is lost is drawn by a seed.
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <random>
+#include <string>
+
+#include <rocksdb/env.h>
+#include <rocksdb/file_system.h>
+
+namespace talus::server::testing {
+
+class UnsafeDisk final : public rocksdb::FileSystemWrapper, public std::enable_shared_from_this<UnsafeDisk> {
+ public:
+  explicit UnsafeDisk(std::uint64_t seed)
+      : FileSystemWrapper{rocksdb::FileSystem::Default()}, random_{seed} {}
+
+  /// After so many further writes and syncs the power goes, and everything fails.
+  void cut_after(std::int64_t calls) { calls_left_ = calls; }
+  [[nodiscard]] bool is_off() const { return off_; }
+  /// Drops what the power cut drops, once nobody has a file open, and turns the power on.
+  void restart();
+
+  /// So many further bytes fit; the write that is too much leaves a part of itself.
+  void fill_after(std::int64_t bytes) { bytes_left_ = bytes; }
+  void empty() { bytes_left_ = kMany; }
+  /// The sync after so many others fails, and those after it until mend().
+  void fail_sync_after(std::int64_t syncs) { syncs_left_ = syncs; }
+  void mend() { syncs_left_ = kMany; }
+  /// What the disk says that it has free; none: the truth.
+  void say_free(std::optional<std::uint64_t> bytes) {
+    free_ = bytes ? static_cast<std::int64_t>(*bytes) : -1;
+  }
+
+  const char* Name() const override { return "UnsafeDisk"; }
+  rocksdb::IOStatus NewWritableFile(const std::string& path, const rocksdb::FileOptions& options,
+                                    std::unique_ptr<rocksdb::FSWritableFile>* result,
+                                    rocksdb::IODebugContext* debug) override;
+  rocksdb::IOStatus ReopenWritableFile(const std::string&, const rocksdb::FileOptions&,
+                                       std::unique_ptr<rocksdb::FSWritableFile>*,
+                                       rocksdb::IODebugContext*) override;
+  rocksdb::IOStatus ReuseWritableFile(const std::string&, const std::string&, const rocksdb::FileOptions&,
+                                      std::unique_ptr<rocksdb::FSWritableFile>*,
+                                      rocksdb::IODebugContext*) override;
+  rocksdb::IOStatus NewRandomRWFile(const std::string& path, const rocksdb::FileOptions& options,
+                                    std::unique_ptr<rocksdb::FSRandomRWFile>* result,
+                                    rocksdb::IODebugContext* debug) override;
+  rocksdb::IOStatus NewDirectory(const std::string& path, const rocksdb::IOOptions& options,
+                                 std::unique_ptr<rocksdb::FSDirectory>* result,
+                                 rocksdb::IODebugContext* debug) override;
+  rocksdb::IOStatus RenameFile(const std::string& from, const std::string& to,
+                               const rocksdb::IOOptions& options, rocksdb::IODebugContext* debug) override;
+  rocksdb::IOStatus DeleteFile(const std::string& path, const rocksdb::IOOptions& options,
+                               rocksdb::IODebugContext* debug) override;
+  rocksdb::IOStatus GetFreeSpace(const std::string& path, const rocksdb::IOOptions& options,
+                                 std::uint64_t* free, rocksdb::IODebugContext* debug) override;
+
+  // For its files.
+  [[nodiscard]] rocksdb::IOStatus call();
+  [[nodiscard]] rocksdb::IOStatus sync_call();
+  /// How many of so many bytes fit.
+  [[nodiscard]] std::size_t room(std::size_t bytes);
+  void wrote(const std::string& path, std::size_t bytes);
+  void synced(const std::string& path);
+  void synced_directory(const std::string& directory);
+
+ private:
+  static constexpr std::int64_t kMany = std::int64_t{1} << 60;
+
+  struct File {
+    std::uint64_t written = 0;
+    std::uint64_t synced = 0;
+    bool named = false;  // its directory was synced since it was made
+  };
+  struct Rename {
+    std::string from;
+    std::string to;
+    std::optional<std::string> replaced;  // what `to` held
+  };
+
+  [[nodiscard]] std::uint64_t below(std::uint64_t bound) { return random_() % bound; }
+
+  std::atomic<std::int64_t> calls_left_{kMany};
+  std::atomic<std::int64_t> bytes_left_{kMany};
+  std::atomic<std::int64_t> syncs_left_{kMany};
+  std::atomic<std::int64_t> free_{-1};
+  std::atomic<bool> off_{false};
+  std::mutex mutex_;
+  std::mt19937_64 random_;
+  std::map<std::string, File> files_;
+  std::vector<Rename> renames_;
+};
+
+/// RocksDB's environment with this disk. Where a flush failed it does not sleep for a second.
+[[nodiscard]] std::unique_ptr<rocksdb::Env> environment_of(std::shared_ptr<UnsafeDisk> disk);
+
+}  // namespace talus::server::testing
