@@ -300,6 +300,7 @@ export class StreamClient extends ClientBase {
     this.backoff.reset();
     ++this.stats.unchangedChunks;
     const held = this.tracker.find(key);
+    if (held !== undefined && revision < held.revision) return; // it crossed an edit
     if (held?.hash === hash) return this.tracker.confirm(held, revision);
     const kept = this.cache.find(keyName(key));
     if (kept?.hash !== hash) this.refetch(key);
