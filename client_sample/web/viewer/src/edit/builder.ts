@@ -231,7 +231,7 @@ export class Builder {
       this.#history.push(step.made);
       return this.#say('You stand where it would come back: step aside.', true);
     }
-    if (stayed > 0) this.#say(`Undone but for ${stayed} voxels that somebody has changed since.`, true);
+    if (stayed > 0) this.#say(`Undone but for ${stayed} ${stayed === 1 ? 'voxel' : 'voxels'} that somebody has changed since.`, true);
     const most = pairsThatFit(engine.world.limits.frameBytes, this.#limits?.voxels ?? 0);
     for (const { edit, made } of undoing(mine, most)) {
       const changes = made.map(({ voxel, before }) => ({ ...voxel, material: before }));
