@@ -22,7 +22,9 @@ function landSeen(page) {
     const { frames } = engine;
     frames.sky.visible = frames.terrain.liquid.visible = false;
     frames.renderer.setClearColor(0xff00ff, 1);
-    const picture = await createImageBitmap(await engine.screenshot());
+    const shot = engine.screenshot();
+    engine.frame(performance.now()); // the only picture, as software takes long for one
+    const picture = await createImageBitmap(await shot);
     const canvas = new OffscreenCanvas(width, height);
     const context = canvas.getContext('2d');
     context.drawImage(picture, 0, 0);
@@ -63,7 +65,7 @@ function lookFrom(page, place, rise, yaw) {
 test('levels of detail meet without cracks, and take turns without pops', async (t) => {
   const site = await startSite(t, ['--world', HILLS]);
   const page = await newPage(await launch(t), { viewport: SIZE });
-  await page.goto(`${site.url}#radius=${RADIUS}&horizon=${HORIZON}&quality=low&frameRate=4`);
+  await page.goto(`${site.url}#radius=${RADIUS}&horizon=${HORIZON}&quality=low&frameRate=0.02`);
   await filled(page);
   const spawn = await page.evaluate(() => window.talus.engine.world.spawn);
   let shifted = 0;
