@@ -38,6 +38,7 @@ namespace {
 constexpr std::chrono::milliseconds kHousekeepingInterval{50};
 constexpr std::chrono::seconds kLookAtMemory{1};
 constexpr std::chrono::seconds kLookAtFlows{1};
+constexpr std::chrono::seconds kLookAtEdits{1};
 constexpr std::size_t kTopFlows = 10;
 // Without housekeeping for so long the main thread counts as hung.
 constexpr std::chrono::seconds kMaxSilence{15};
@@ -48,7 +49,7 @@ WorldInfo describe_world(const terrain::World& world, ContentHash store_id, cons
     materials.insert(materials.end(), edits->placeables().begin(), edits->placeables().end());
   }
   return {world.fingerprint(),        store_id,
-          std::move(materials), terrain::height_range(world),
+          std::move(materials),       terrain::height_range(world),
           terrain::find_spawn(world), "talusd " TALUS_VERSION,
           world.look_names(),         terrain::place_names(world)};
 }
@@ -156,6 +157,10 @@ std::string Server::metrics_text() {
   gauges.flows = flows_.flows();
   gauges.flow_refusals = flows_.refusals();
   gauges.certificate_expires = certificate_expires_;
+  if (edits_ != nullptr) {
+    const LocalLog::Status log = edits_->status();
+    gauges.edits = {log.head.revision, log.waiting, log.read_only.has_value()};
+  }
   std::vector<std::string_view> error_codes{""};  // "none" is no error
   for (std::size_t code = 1; code <= static_cast<std::size_t>(wire::ErrorCode::MAX); ++code) {
     error_codes.emplace_back(wire::EnumNameErrorCode(static_cast<wire::ErrorCode>(code)));
@@ -182,7 +187,9 @@ void Server::check_descriptors(std::uint64_t allowed) {
 
 void Server::run() {
   check_descriptors(set_descriptor_limit(descriptors_wanted(config_)));
-  log_->log(patch_size_.expensive ? spdlog::level::warn : spdlog::level::info, "{}", describe(patch_size_));
+  log_->log(
+      patch_size_.expensive || patch_size_.chunks_expensive() ? spdlog::level::warn : spdlog::level::info,
+      "{}", describe(patch_size_));
   chunks_.start();
   if (edits_ != nullptr) edits_->start();
   if (operators_) {
@@ -342,12 +349,28 @@ void Server::housekeeping() {
   handshaker_.refusal_log().flush();
   web_handshaker_.refusal_log().flush();
   collect_flows();
+  watch_edits();
   give_memory_back();
   // Sockets that are ready come before the next slice.
   housekeeping_timer_.expires_after(caches_fit ? kHousekeepingInterval : std::chrono::milliseconds{0});
   housekeeping_timer_.async_wait([this](std::error_code cancelled) {
     if (!cancelled) housekeeping();
   });
+}
+
+void Server::watch_edits() {
+  if (edits_ == nullptr) return;
+  const auto now = clock_.now();
+  if (now - last_look_at_edits_ < kLookAtEdits) return;
+  last_look_at_edits_ = now;
+  auto read_only = edits_->status().read_only;
+  if (read_only == edits_read_only_) return;
+  if (read_only) {
+    log_->error("no edits are taken: {}", *read_only);
+  } else {
+    log_->info("edits are taken again");
+  }
+  edits_read_only_ = std::move(read_only);
 }
 
 void Server::collect_flows() {

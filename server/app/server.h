@@ -88,6 +88,8 @@ class Server {
   void housekeeping();
   void give_memory_back();
   void collect_flows();
+  /// Says when the store cannot be written, and when it can again.
+  void watch_edits();
   void drain();
   void stop_handling_signals();
 
@@ -135,6 +137,8 @@ class Server {
   TrimPolicy trim_policy_;
   Clock::time_point last_look_at_memory_{};
   Clock::time_point last_look_at_flows_{};
+  Clock::time_point last_look_at_edits_{};
+  std::optional<std::string> edits_read_only_;  // as the log was told
   ConnectionId last_id_ = 0;
   std::unique_ptr<AdminServer> operators_;  // its thread reads everything above
   std::atomic<bool> trims_ = false;         // whether trimming_ is at work

@@ -144,19 +144,24 @@ GenerationSettings generation_settings(const Config& config, const terrain::Worl
 }
 
 PatchSize measured_patch_size(const Config& config, const terrain::World& world, const Clock& clock) {
-  const auto tile_time = measure_tile(world, clock);
-  if (config.generation.patch_tiles == 0) return choose_patch_size(tile_time, world.halo());
-  return patch_size(static_cast<int>(config.generation.patch_tiles), tile_time, world.halo());
+  const TileCost tile = measure_tile(world, clock);
+  const auto tiles = static_cast<int>(config.generation.patch_tiles);
+  PatchSize size = tiles == 0 ? choose_patch_size(tile.terrain, world.halo())
+                              : patch_size(tiles, tile.terrain, world.halo());
+  size.chunk_time = tile.chunk;
+  return size;
 }
 
 std::string describe(const PatchSize& size) {
-  const std::string cost =
-      fmt::format("terrain takes {} ns a column here, {:.1f} ms a patch of {} x {} tiles", size.ns_a_column(),
-                  std::chrono::duration<double, std::milli>{size.patch_time}.count(), size.tiles, size.tiles);
-  if (!size.expensive) return cost;
-  return cost +
-         ": this world is expensive, and players wait for it; fewer erosion_steps make it cheaper, more "
-         "threads.generator and a larger cache.patch_bytes serve more players";
+  std::string text = fmt::format(
+      "terrain takes {} ns a column here, {:.1f} ms a patch of {} x {} tiles, {} us a chunk",
+      size.ns_a_column(), std::chrono::duration<double, std::milli>{size.patch_time}.count(), size.tiles,
+      size.tiles, std::chrono::duration_cast<std::chrono::microseconds>(size.chunk_time).count());
+  if (!size.expensive && !size.chunks_expensive()) return text;
+  text += ": this world is expensive, and players wait for it; ";
+  if (size.expensive) text += "fewer erosion_steps make it cheaper, ";
+  if (size.chunks_expensive()) text += "fewer or smaller [[object]]s make its chunks cheaper, ";
+  return text + "more threads.generator and larger caches serve more players";
 }
 
 std::uint64_t descriptors_wanted(const Config& config) {

@@ -8,7 +8,6 @@
 #include <optional>
 #include <shared_mutex>
 #include <unordered_map>
-#include <utility>
 #include <vector>
 
 #include <talus/voxel/chunk.h>
@@ -40,14 +39,18 @@ class RecentChanges {
                                                            std::size_t most) const;
 
  private:
+  struct Remembered {
+    Change change;
+    std::uint64_t before = 0;  // number of the chunk's change before it; 0: it has none that is remembered
+  };
   void forget_oldest();
 
   std::size_t capacity_bytes_;
   mutable std::shared_mutex mutex_;
-  std::unordered_map<ChunkKey, std::deque<Change>> chunks_;  // each by rising revision
-  std::deque<std::pair<ChunkKey, std::uint64_t>> order_;     // by age; those of forgotten changes too
-  std::size_t bytes_ = 0;                                    // of what order_ has
-  std::deque<std::size_t> sizes_;
+  std::deque<Remembered> changes_;                      // of all chunks, by age
+  std::uint64_t oldest_ = 1;                            // number of the first of them
+  std::unordered_map<ChunkKey, std::uint64_t> newest_;  // number of a chunk's last change
+  std::size_t bytes_ = 0;
 };
 
 }  // namespace talus::server

@@ -267,7 +267,7 @@ void GenerationPool::run(WorkQueue::Batch& batch, const WorkQueue::Work& work, M
     return parts_.maker.chunk(loan.stacks.get(), to_make[index]);
   });
   measured.chunk_time += parts_.clock.thread_cpu() - began;
-  parts_.patches.finish(loan, measured);
+  parts_.patches.finish(loan, measured, [this] { return stopping_.load(); });
 }
 
 template <typename Chunk>

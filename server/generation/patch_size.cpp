@@ -2,9 +2,13 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
+#include <vector>
 
+#include <talus/terrain/extraction.h>
 #include <talus/terrain/generator.h>
 #include <talus/terrain/stacks.h>
+#include <talus/voxel/codec.h>
 #include <talus/voxel/coords.h>
 
 namespace talus::server {
@@ -13,11 +17,12 @@ namespace {
 // Tiles that are measured: apart, since erosion ends early where the ground is level. The first is measured
 // again, for the memory that it warms.
 struct Place {
-  int x;
-  int z;
+  std::int32_t x;
+  std::int32_t z;
 };
 constexpr std::array<Place, 5> kPlaces{{{0, 0}, {0, 0}, {40, 24}, {-56, 72}, {88, -104}}};
 constexpr std::chrono::milliseconds kEnough{100};  // of measuring
+constexpr int kChunksMeasured = 3;                 // of a tile, from the highest down
 
 std::uint64_t side_of(int tiles, int halo) {
   return static_cast<std::uint64_t>(tiles * kChunkSize + 2 * halo);
@@ -32,19 +37,27 @@ std::chrono::nanoseconds time_of(int tiles, std::chrono::nanoseconds tile_time, 
 
 }  // namespace
 
-std::chrono::nanoseconds measure_tile(const terrain::World& world, const Clock& clock) {
+TileCost measure_tile(const terrain::World& world, const Clock& clock) {
   terrain::Generator generator{world};
   terrain::Stacks stacks;
+  std::vector<std::byte> encoded;
   std::chrono::nanoseconds spent{};
-  std::chrono::nanoseconds dearest{};
+  TileCost dearest;
   for (std::size_t i = 0; i < kPlaces.size() && spent < kEnough; ++i) {
+    const auto [x, z] = kPlaces[i];
     const auto start = clock.thread_cpu();
-    generator.generate({std::int64_t{kPlaces[i].x} * kChunkSize, std::int64_t{kPlaces[i].z} * kChunkSize,
-                        kChunkSize, kChunkSize, Lod{}},
-                       stacks);
-    const auto took = clock.thread_cpu() - start;
-    spent += took;
-    dearest = i == 1 ? took : std::max(dearest, took);  // the first alone counts where it took long enough
+    generator.generate(
+        {std::int64_t{x} * kChunkSize, std::int64_t{z} * kChunkSize, kChunkSize, kChunkSize, Lod{}}, stacks);
+    const auto made = clock.thread_cpu();
+    const std::int32_t top = terrain::mixed_range(world, stacks, x, z).last;
+    for (int below = 0; below < kChunksMeasured; ++below) {
+      encode(terrain::extract_chunk(world, stacks, {x, top - below, z}), encoded);
+    }
+    const auto end = clock.thread_cpu();
+    spent += end - start;
+    if (i == 1) dearest = {};  // the first alone counts where it took long enough
+    dearest.terrain = std::max(dearest.terrain, made - start);
+    dearest.chunk = std::max(dearest.chunk, (end - made) / kChunksMeasured);
   }
   return dearest;
 }
@@ -56,6 +69,10 @@ std::size_t PatchSize::bytes_in_the_making() const {
 
 std::uint64_t PatchSize::ns_a_column() const {
   return static_cast<std::uint64_t>(patch_time.count()) / (side_of(tiles, 0) * side_of(tiles, 0));
+}
+
+bool PatchSize::chunks_expensive() const {
+  return chunk_time > kChunkTime;
 }
 
 PatchSize patch_size(int tiles, std::chrono::nanoseconds tile_time, int halo) {

@@ -11,26 +11,34 @@
 
 namespace talus::server {
 
-/// Thread time that one tile with its halo takes at level 0: that of the dearest of a few places. Takes no
-/// more than a few tiles' time, and allocates as a generator does.
-[[nodiscard]] std::chrono::nanoseconds measure_tile(const terrain::World& world, const Clock& clock);
+/// Thread time that a tile takes at level 0, of the dearest of a few places each.
+struct TileCost {
+  std::chrono::nanoseconds terrain{};  // with its halo
+  std::chrono::nanoseconds chunk{};    // each of its highest, where objects stand
+};
+/// Takes no more than a few tiles' time, and allocates as a generator does.
+[[nodiscard]] TileCost measure_tile(const terrain::World& world, const Clock& clock);
 
 /// How patches are made, and what one costs.
 struct PatchSize {
   int tiles = 0;                         // along each edge
   std::chrono::nanoseconds tile_time{};  // of a lone tile with its halo
   std::chrono::nanoseconds patch_time{};
-  bool expensive = false;  // a patch of kMaxChosenTiles takes longer than kPatchTime
-  int halo = 0;            // columns
+  bool expensive = false;                 // a patch of kMaxChosenTiles takes longer than kPatchTime
+  int halo = 0;                           // columns
+  std::chrono::nanoseconds chunk_time{};  // to cut one out of a patch and encode it
 
   /// Bytes that a patch in the making takes, with its halo; an estimate.
   [[nodiscard]] std::size_t bytes_in_the_making() const;
   /// Thread time for each column of a patch, its halo's included.
   [[nodiscard]] std::uint64_t ns_a_column() const;
+  [[nodiscard]] bool chunks_expensive() const;
 };
 
 /// A client that needs one chunk of a patch waits for all of it.
 inline constexpr std::chrono::milliseconds kPatchTime{50};
+/// Of the 2,000 chunks of a View of radius 16, so much each is half a second of a thread.
+inline constexpr std::chrono::microseconds kChunkTime{250};
 /// Larger patches save little: the halo of most worlds is narrow against four tiles.
 inline constexpr int kMaxChosenTiles = 4;
 

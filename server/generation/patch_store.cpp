@@ -47,17 +47,17 @@ PatchStore::Loan PatchStore::obtain(const PatchKey& patch, std::span<const Chunk
   return loan;
 }
 
-void PatchStore::finish(const Loan& loan, MeasuredWork& measured) {
-  if (loan.stacks != nullptr && may_go(loan, measured)) {
+void PatchStore::finish(const Loan& loan, MeasuredWork& measured, const std::function<bool()>& stops) {
+  if (loan.stacks != nullptr && may_go(loan, measured, stops)) {
     const std::lock_guard lock{mutex_};
     patches_.erase(loan.patch);
   }
-  for (const auto& [key, patch] : loan.evicted) (void)extract_wanted(key, patch, measured);
+  for (const auto& [key, patch] : loan.evicted) (void)extract_wanted(key, patch, measured, stops);
 }
 
-bool PatchStore::may_go(const Loan& loan, MeasuredWork& measured) {
+bool PatchStore::may_go(const Loan& loan, MeasuredWork& measured, const std::function<bool()>& stops) {
   if (loan.dear || !loan.in_views) return fully_extracted(loan.patch, *loan.stacks);
-  return extract_wanted(loan.patch, {loan.stacks, false, false}, measured);
+  return extract_wanted(loan.patch, {loan.stacks, false, false}, measured, stops);
 }
 
 bool PatchStore::in_views(std::span<const ChunkKey> keys) const {
@@ -106,7 +106,8 @@ void PatchStore::put(Loan& loan, bool outside_views) {
                });
 }
 
-bool PatchStore::extract_wanted(const PatchKey& key, const StoredPatch& patch, MeasuredWork& measured) {
+bool PatchStore::extract_wanted(const PatchKey& key, const StoredPatch& patch, MeasuredWork& measured,
+                                const std::function<bool()>& stops) {
   const auto began = parts_.clock.thread_cpu();
   bool all = true;
   for_each_column(key, patch_tiles_, [&](ChunkKey column) {
@@ -116,6 +117,7 @@ bool PatchStore::extract_wanted(const PatchKey& key, const StoredPatch& patch, M
     const std::int64_t last = std::min(rows.last, rows.first + kMaxExtractedRows - 1);
     all = all && last == rows.last;
     for (std::int64_t y = rows.first; y <= last; ++y) {
+      if (stops()) return void(all = false);
       const ChunkKey chunk{{column.coord.x, static_cast<std::int32_t>(y), column.coord.z}, column.lod};
       if (parts_.chunks.holds(chunk)) continue;
       (void)parts_.maker.chunk(patch.stacks.get(), chunk);

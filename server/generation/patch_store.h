@@ -10,6 +10,7 @@
 
 #include <chrono>
 #include <cstddef>
+#include <functional>
 #include <mutex>
 #include <span>
 #include <utility>
@@ -81,8 +82,9 @@ class PatchStore {
   [[nodiscard]] Loan obtain(const PatchKey& patch, std::span<const ChunkKey> asked, BegunPatchPtr begun,
                             const AskAfterStep& after_step, MeasuredWork& measured);
   /// Extracts what Views want of the patch, lets it go where nothing more is, and extracts what was evicted
-  /// for it: call it when nobody waits for this thread any more.
-  void finish(const Loan& loan, MeasuredWork& measured);
+  /// for it: call it when nobody waits for this thread any more. Ends early, and keeps the patch, once
+  /// stops() is true, which is asked before each chunk.
+  void finish(const Loan& loan, MeasuredWork& measured, const std::function<bool()>& stops);
 
   /// Takes no time: call fit() until all fits.
   void set_capacity(std::size_t capacity_bytes);
@@ -95,9 +97,10 @@ class PatchStore {
   void make(Loan& loan, BegunPatchPtr begun, const AskAfterStep& after_step, MeasuredWork& measured);
   void put(Loan& loan, bool outside_views);
   /// Returns whether all that is wanted of the patch is in the chunk cache now.
-  bool extract_wanted(const PatchKey& key, const StoredPatch& patch, MeasuredWork& measured);
+  bool extract_wanted(const PatchKey& key, const StoredPatch& patch, MeasuredWork& measured,
+                      const std::function<bool()>& stops);
   /// Whether the patch is not worth its memory any more.
-  [[nodiscard]] bool may_go(const Loan& loan, MeasuredWork& measured);
+  [[nodiscard]] bool may_go(const Loan& loan, MeasuredWork& measured, const std::function<bool()>& stops);
   [[nodiscard]] bool in_views(std::span<const ChunkKey> keys) const;
   /// Whether all mixed chunks of the patch are in the chunk cache, where they stay longer for their size, and
   /// no column has more of them than would be extracted.

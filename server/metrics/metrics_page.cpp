@@ -29,6 +29,21 @@ Samples build_info(const Source& s) {
        {s.build.version, std::to_string(s.build.generator), s.build.fingerprint, s.build.instruction_set}}};
 }
 
+Samples edits_revision(const Source& s) {
+  if (!s.gauges.edits) return {};
+  return {{static_cast<double>(s.gauges.edits->revision)}};
+}
+
+Samples edits_waiting(const Source& s) {
+  if (!s.gauges.edits) return {};
+  return {{static_cast<double>(s.gauges.edits->waiting)}};
+}
+
+Samples edits_read_only(const Source& s) {
+  if (!s.gauges.edits) return {};
+  return {{s.gauges.edits->read_only ? 1.0 : 0.0}};
+}
+
 Samples draining(const Source& s) {
   return {{s.gauges.draining ? 1.0 : 0.0}};
 }
@@ -92,6 +107,9 @@ Samples memory_bytes(const Source& s) {
 const std::array kRows{
     MetricRow{"talus_build_info", "Versions of the program, the generator and the world; always 1.", gauge,
               {"version", "generator", "fingerprint", "instruction_set"}, build_info},
+    MetricRow{"talus_edits_revision", "Edits that changed something since the store was made; absent where nothing is stored.", gauge, {}, edits_revision},
+    MetricRow{"talus_edits_waiting", "Edits that wait to be written.", gauge, {}, edits_waiting},
+    MetricRow{"talus_edits_read_only", "1 while the store cannot be written and no edits are taken, else 0.", gauge, {}, edits_read_only},
     MetricRow{"talus_draining", "1 from the signal that ends the server until it ends, else 0.", gauge, {}, draining},
 
     MetricRow{"talus_sessions", "Open connections, by state.", gauge, {"state"}, sessions},

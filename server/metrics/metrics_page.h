@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -26,6 +27,12 @@ struct RuntimeGauges {
   std::int64_t certificate_expires = 0;       // seconds since 1970; 0: no TLS
   std::uint64_t flows = 0;                    // that are served
   std::uint64_t flow_refusals = 0;            // of all flows
+  struct Edits {
+    std::uint64_t revision = 0;
+    std::uint64_t waiting = 0;  // entries that wait for the log
+    bool read_only = false;     // the log cannot be written
+  };
+  std::optional<Edits> edits{};  // none: nothing is stored
 };
 
 /// Names of the values that modules count by, in the order of their enums. A value with an empty name is left

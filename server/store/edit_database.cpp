@@ -45,6 +45,7 @@ rocksdb::Options options_of(const EditDatabaseSettings& settings, bool create) {
   options.wal_compression = rocksdb::kNoCompression;
   options.write_buffer_size = settings.write_buffer_bytes;
   options.compression = rocksdb::kLZ4Compression;
+  options.allow_concurrent_memtable_write = false;  // one thread writes
   options.max_background_jobs = 2;
   options.max_open_files = 256;
   options.keep_log_file_num = 4;
@@ -420,8 +421,8 @@ EditDatabase::Done EditDatabase::mark_flushed(std::uint64_t position) {
     flushed.time_ms = left->time_ms;
   }
   if (left == unflushed_.begin()) return {};
-  // RocksDB's log is of several files, of which the newest may outlive a power cut that takes the end of the one
-  // before. So nothing may say that chunks were put before they are on the disk.
+  // RocksDB's log is of several files, of which the newest may outlive a power cut that takes the end of the
+  // one before. So nothing may say that chunks were put before they are on the disk.
   if (!db_) return failure("the store is closed after an error of the disk");
   if (const auto synced = db_->SyncWAL(); !synced.ok()) return failure(synced.ToString());
   StoreMeta meta = meta_;

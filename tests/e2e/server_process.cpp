@@ -86,7 +86,7 @@ ChildProcess start_server(Settings settings, std::vector<std::string> flags) {
   const bool says_world = std::find(flags.begin(), flags.end(), "--world") != flags.end() ||
                           std::find(flags.begin(), flags.end(), "--config") != flags.end();
   if (kSanitized && !says_world) settings.insert(kClassicWorld);  // served_world.h
-  flags.insert(flags.end(), {"--listen", "127.0.0.1:0"});
+  if (!settings.contains("TALUS_LISTEN")) flags.insert(flags.end(), {"--listen", "127.0.0.1:0"});
   const bool says_http = std::find(flags.begin(), flags.end(), "--http") != flags.end();
   if (tested_transport() == Transport::websocket && !says_http) {
     flags.insert(flags.end(), {"--http", "127.0.0.1:0"});

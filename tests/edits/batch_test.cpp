@@ -213,6 +213,14 @@ TEST_CASE("an editor that was idle for a day is forgotten at the next attach, by
   CHECK(applied[1].kind == Kind::attached);
 }
 
+TEST_CASE("a subject has so many bytes") {
+  Store store;
+  CHECK(store.apply({AttachEntry{{1, 1}, 1, std::string(kMaxSubjectBytes + 1, 's')}}, 0).front().kind ==
+        Kind::invalid);
+  CHECK(store.apply({AttachEntry{{1, 1}, 1, std::string(kMaxSubjectBytes, 's')}}, 0).front().kind ==
+        Kind::attached);
+}
+
 TEST_CASE("of editors there are so many, and another finds a place where one was idle") {
   Store store;
   std::vector<Entry> attaches;

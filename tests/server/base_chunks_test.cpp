@@ -6,8 +6,10 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <catch2/catch.hpp>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -52,6 +54,34 @@ TEST_CASE("many waiters, one generation") {
   for (const auto& client : clients) client->await(1);
   CHECK(fake.work->chunks == 1);
   CHECK(fake.work->patches == 1);
+}
+
+TEST_CASE("who stops waits for the chunk in the making, not for the others of its patch") {
+  auto fake = std::make_unique<FakeService>(3);  // of which one is kept for others
+  const std::shared_ptr<FakeWork> work = fake->work;
+  std::atomic<bool> at_first_chunk{false};
+  std::atomic<bool> other_begun{false};
+  // The first chunk takes until a patch without end is given up, as it is once the threads are to stop.
+  work->in_chunk = [&] {
+    at_first_chunk = true;
+    at_first_chunk.notify_all();
+    work->patch_given_up.wait(false);
+  };
+  work->in_step = [&](const PatchKey& patch) {
+    if (patch.x == 0) return;
+    other_begun = true;
+    other_begun.notify_all();
+  };
+  const WaitingClient first;
+  const WaitingClient second;
+  const std::array keys{at(0), at(1), at(2), at(3)};
+  REQUIRE(fake->service.submit(first.mailbox(), keys, Urgency::later) == keys.size());
+  at_first_chunk.wait(false);
+  work->patch_steps = std::numeric_limits<int>::max();
+  REQUIRE(queued(fake->service, second, at(100)));
+  other_begun.wait(false);
+  fake.reset();
+  CHECK(work->chunks == 1);
 }
 
 TEST_CASE("a generated chunk is found from then on, is of the base revision, and never newer") {

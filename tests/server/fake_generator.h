@@ -35,6 +35,8 @@ struct FakeWork {
   std::function<void()> in_patch{};                // called in each step of a patch; set before any is made
   std::function<void(const PatchKey&)> in_step{};  // likewise
   std::function<void()> in_heights{};              // likewise
+  std::function<void()> in_chunk{};                // likewise, of each chunk
+  std::atomic<bool> patch_given_up{false};         // one that was begun and not taken
 
   /// While closed, generator threads wait before they make a patch.
   void close_gate() { set_gate(false); }
@@ -67,6 +69,8 @@ class FakePatch final : public PatchMaking {
  public:
   FakePatch(FakeWork& work, const PatchKey& patch, terrain::Stacks memory)
       : work_{work}, patch_{patch}, memory_{std::move(memory)} {}
+  FakePatch(const FakePatch&) = delete;
+  FakePatch& operator=(const FakePatch&) = delete;
   [[nodiscard]] bool step() override {
     if (done_ == 0) work_.pass_gate();
     if (done_ == work_.patch_steps) return false;
@@ -75,7 +79,13 @@ class FakePatch final : public PatchMaking {
     if (work_.in_step) work_.in_step(patch_);
     return true;
   }
+  ~FakePatch() override {
+    if (taken_) return;
+    work_.patch_given_up = true;
+    work_.patch_given_up.notify_all();
+  }
   [[nodiscard]] terrain::Stacks take() override {
+    taken_ = true;
     ++work_.patches;
     if (work_.out_of_memory) throw std::bad_alloc{};
     if (!memory_.tops.empty()) ++work_.reused;
@@ -89,6 +99,7 @@ class FakePatch final : public PatchMaking {
   const PatchKey patch_;
   terrain::Stacks memory_;
   int done_ = 0;
+  bool taken_ = false;
 };
 
 class FakeHeights final : public HeightsMaking {
@@ -135,6 +146,7 @@ class FakeGenerator final : public Generator {
   }
   [[nodiscard]] EncodedChunkPtr make_chunk(const terrain::Stacks&, ChunkKey key) const override {
     ++work_->chunks;
+    if (work_->in_chunk) work_->in_chunk();
     return std::make_shared<const EncodedChunk>(ContentHash{std::hash<ChunkKey>{}(key), 0},
                                                 std::vector<std::byte>(work_->payload_bytes));
   }

@@ -15,20 +15,28 @@ using namespace std::chrono_literals;
 
 namespace {
 
-/// Every piece of work that is timed takes as long as the list says, the last one for ever.
+/// Every tile that is timed takes as long as the list says, its terrain and its chunks; the last one for
+/// ever.
 class ScriptedClock final : public Clock {
  public:
-  explicit ScriptedClock(std::vector<std::chrono::nanoseconds> times) : times_{std::move(times)} {}
+  struct Tile {
+    std::chrono::nanoseconds terrain;
+    std::chrono::nanoseconds chunks{};
+  };
+  explicit ScriptedClock(std::vector<Tile> tiles) : tiles_{std::move(tiles)} {}
   [[nodiscard]] time_point now() const override { return {}; }
   [[nodiscard]] std::chrono::sys_seconds wall() const override { return {}; }
   [[nodiscard]] std::chrono::nanoseconds thread_cpu() const override {
-    if (++looks_ % 2 == 0) time_ += times_[std::min(looks_ / 2, times_.size()) - 1];
+    const Tile& tile = tiles_[std::min(looks_ / 3, tiles_.size() - 1)];
+    if (looks_ % 3 == 1) time_ += tile.terrain;
+    if (looks_ % 3 == 2) time_ += tile.chunks;
+    ++looks_;
     return time_;
   }
-  [[nodiscard]] std::size_t measured() const { return looks_ / 2; }
+  [[nodiscard]] std::size_t measured() const { return looks_ / 3; }
 
  private:
-  std::vector<std::chrono::nanoseconds> times_;
+  std::vector<Tile> tiles_;
   mutable std::size_t looks_ = 0;
   mutable std::chrono::nanoseconds time_{};
 };
@@ -72,16 +80,22 @@ TEST_CASE("a configured number of tiles is kept, whatever they cost") {
 }
 
 TEST_CASE("the dearest of the places counts, but for the first, whose memory is cold") {
-  const ScriptedClock clock{{9ms, 1ms, 3ms, 2ms, 1ms}};
-  CHECK(measure_tile(terrain::default_world(), clock) == 3ms);
+  const ScriptedClock clock{{{9ms, 900us}, {1ms, 30us}, {3ms, 60us}, {2ms, 90us}, {1ms, 30us}}};
+  const TileCost cost = measure_tile(terrain::default_world(), clock);
+  CHECK(cost.terrain == 3ms);
+  CHECK(cost.chunk == 30us);  // of three
   CHECK(clock.measured() == 5);
 }
 
 TEST_CASE("measuring ends early where a tile takes long") {
-  const ScriptedClock slow{{400ms}};
-  CHECK(measure_tile(terrain::default_world(), slow) == 400ms);
-  CHECK(slow.measured() == 1);
-  const ScriptedClock slower_later{{90ms, 60ms}};
-  CHECK(measure_tile(terrain::default_world(), slower_later) == 60ms);
+  const ScriptedClock slow{{{400ms, 3ms}}};
+  CHECK(measure_tile(terrain::default_world(), slow).terrain == 400ms);
+  CHECK(measure_tile(terrain::default_world(), slow).chunk == 1ms);
+  CHECK(slow.measured() == 2);
+  const ScriptedClock slower_later{{{90ms}, {60ms}}};
+  CHECK(measure_tile(terrain::default_world(), slower_later).terrain == 60ms);
   CHECK(slower_later.measured() == 2);
+  const ScriptedClock slow_chunks{{{1ms, 120ms}}};
+  CHECK(measure_tile(terrain::default_world(), slow_chunks).chunk == 40ms);
+  CHECK(slow_chunks.measured() == 1);
 }

@@ -42,6 +42,9 @@ struct Bench {
     return store.obtain(
         {x, 0, Lod{}}, asked, nullptr, [] { return AfterStep::go_on; }, measured);
   }
+  void finish(const PatchStore::Loan& loan) {
+    store.finish(loan, measured, [] { return false; });
+  }
   /// All of the patch's chunks in the rows, made by hand.
   void make_chunks(const PatchStore::Loan& loan, std::int32_t first_row, std::int32_t last_row) {
     for_each_column(loan.patch, kTiles, [&](ChunkKey column) {
@@ -57,7 +60,7 @@ struct Bench {
 TEST_CASE("a patch is made once and found from then on") {
   Bench bench;
   const auto first = bench.obtain(0);
-  bench.store.finish(first, bench.measured);
+  bench.finish(first);
   const auto again = bench.obtain(0);
   CHECK(again.stacks == first.stacks);
   CHECK(again.stacks != nullptr);
@@ -82,11 +85,11 @@ TEST_CASE("an evicted patch that was in no View leaves its mixed chunks, each ma
   Bench bench;
   const auto first = bench.obtain(0);
   REQUIRE(bench.maker.chunk(first.stacks.get(), {{1, 2, 1}, Lod{}}).has_value());
-  bench.store.finish(first, bench.measured);
+  bench.finish(first);
   const auto second = bench.obtain(1);
   CHECK_FALSE(bench.store.holds({0, 0, Lod{}}));
   CHECK_FALSE(bench.chunks.holds({{3, 3, 3}, Lod{}}));  // whoever waits for the second patch goes first
-  bench.store.finish(second, bench.measured);
+  bench.finish(second);
   for (std::int32_t i = 0; i < kColumns; ++i) {
     CHECK(bench.chunks.holds({{i % kTiles, 2, i / kTiles}, Lod{}}));
     CHECK(bench.chunks.holds({{i % kTiles, 3, i / kTiles}, Lod{}}));
@@ -101,7 +104,7 @@ TEST_CASE("of a patch in a View the chunks that somebody wants are made, no othe
   // The eastern half of the patch, and of its mixed rows 2 and 3 the higher one.
   bench.wanted.set(ClientId{1}, std::array{LevelBox{Lod{}, {2, 3}, {3, 9}, any, {}, {}}});
   const std::array asked{ChunkKey{{2, 3, 0}, Lod{}}};
-  bench.store.finish(bench.obtain(0, asked), bench.measured);
+  bench.finish(bench.obtain(0, asked));
   for (std::int32_t i = 0; i < kColumns; ++i) {
     CHECK_FALSE(bench.chunks.holds({{i % kTiles, 2, i / kTiles}, Lod{}}));
     CHECK(bench.chunks.holds({{i % kTiles, 3, i / kTiles}, Lod{}}) == (i % kTiles >= 2));
@@ -110,16 +113,26 @@ TEST_CASE("of a patch in a View the chunks that somebody wants are made, no othe
   CHECK(bench.store.bytes() == 0);
 }
 
+TEST_CASE("what is extracted for Views ends with the server, and the patch stays") {
+  Bench bench;
+  const ChunkRange any{-100, 100};
+  bench.wanted.set(ClientId{1}, std::array{LevelBox{Lod{}, any, any, any, {}, {}}});
+  const auto loan = bench.obtain(0, std::array{ChunkKey{{0, 2, 0}, Lod{}}});
+  bench.store.finish(loan, bench.measured, [&] { return bench.work->chunks == 3; });
+  CHECK(bench.work->chunks == 3);
+  CHECK(bench.store.holds({0, 0, Lod{}}));
+}
+
 TEST_CASE("a patch stays of which somebody asked for what no View has") {
   Bench bench;
   const ChunkRange any{-100, 100};
   bench.wanted.set(ClientId{1}, std::array{LevelBox{Lod{}, any, {3, 9}, any, {}, {}}});
   const std::array asked{ChunkKey{{0, 3, 0}, Lod{}}, ChunkKey{{0, 2, 0}, Lod{}}};
-  bench.store.finish(bench.obtain(0, asked), bench.measured);
+  bench.finish(bench.obtain(0, asked));
   CHECK(bench.store.holds({0, 0, Lod{}}));
   // What is wanted of it when it is evicted is left.
   CHECK(bench.work->chunks == 0);
-  bench.store.finish(bench.obtain(1, asked), bench.measured);
+  bench.finish(bench.obtain(1, asked));
   CHECK(bench.work->chunks == kColumns);
 }
 
@@ -128,7 +141,7 @@ TEST_CASE("a patch stays of which a View has more rows than are extracted") {
   bench.work->last_mixed = 2 + PatchStore::kMaxExtractedRows;
   const ChunkRange any{-100, 100};
   bench.wanted.set(ClientId{1}, std::array{LevelBox{Lod{}, any, any, any, {}, {}}});
-  bench.store.finish(bench.obtain(0, std::array{ChunkKey{{0, 2, 0}, Lod{}}}), bench.measured);
+  bench.finish(bench.obtain(0, std::array{ChunkKey{{0, 2, 0}, Lod{}}}));
   CHECK(bench.store.holds({0, 0, Lod{}}));
 }
 
@@ -138,10 +151,10 @@ TEST_CASE("a patch that was dear to make stays, and leaves what is wanted when i
   bench.wanted.set(ClientId{1}, std::array{LevelBox{Lod{}, {0, 3}, any, any, {}, {}}});
   const std::array asked{ChunkKey{{0, 2, 0}, Lod{}}};
   bench.work->in_patch = [&] { bench.clock.spend_cpu(PatchStore::kDearPatch + 1ns); };
-  bench.store.finish(bench.obtain(0, asked), bench.measured);
+  bench.finish(bench.obtain(0, asked));
   CHECK(bench.store.holds({0, 0, Lod{}}));
   CHECK(bench.work->chunks == 0);
-  bench.store.finish(bench.obtain(1), bench.measured);
+  bench.finish(bench.obtain(1));
   CHECK(bench.work->chunks == 2 * kColumns);
   CHECK(bench.store.holds({1, 0, Lod{}}));
 }
@@ -152,7 +165,7 @@ TEST_CASE("whichever allocation fails while a patch is obtained, the store is wh
     CAPTURE(allocations);
     Bench bench;
     const auto first = bench.obtain(0);
-    bench.store.finish(first, bench.measured);
+    bench.finish(first);
     const std::size_t one_patch = bench.store.bytes();
     const auto second = [&] {
       const talus::test::FailingAllocations failing{allocations};
@@ -166,7 +179,7 @@ TEST_CASE("whichever allocation fails while a patch is obtained, the store is wh
     REQUIRE(bench.store.holds({1, 0, Lod{}}) == handed_out);
     REQUIRE(bench.store.bytes() == one_patch);
     if (!failed) CHECK(handed_out);
-    bench.store.finish(second, bench.measured);
+    bench.finish(second);
 
     const auto third = bench.obtain(2);
     REQUIRE(third.stacks != nullptr);
@@ -174,7 +187,7 @@ TEST_CASE("whichever allocation fails while a patch is obtained, the store is wh
     REQUIRE(bench.store.bytes() == one_patch);
     for_each_column(third.patch, kTiles,
                     [&](ChunkKey column) { CHECK(bench.rows.exact(column).has_value()); });
-    bench.store.finish(third, bench.measured);
+    bench.finish(third);
     REQUIRE(bench.store.bytes() == one_patch);
   }
 }
@@ -184,11 +197,11 @@ TEST_CASE("whichever allocation fails while evicted patches are extracted, what 
   for (std::size_t allocations = 0; failed; ++allocations) {
     CAPTURE(allocations);
     Bench bench;
-    bench.store.finish(bench.obtain(0), bench.measured);
+    bench.finish(bench.obtain(0));
     const auto second = bench.obtain(1);
     {
       const talus::test::FailingAllocations failing{allocations};
-      bench.store.finish(second, bench.measured);
+      bench.finish(second);
       failed = failing.has_failed();
     }
     std::size_t held = 0;
@@ -250,8 +263,8 @@ TEST_CASE("of a deep column only the lowest rows are extracted") {
   Bench bench;
   bench.work->first_mixed = -100;
   bench.work->last_mixed = 100;
-  bench.store.finish(bench.obtain(0), bench.measured);
-  bench.store.finish(bench.obtain(1), bench.measured);
+  bench.finish(bench.obtain(0));
+  bench.finish(bench.obtain(1));
   CHECK(bench.work->chunks == PatchStore::kMaxExtractedRows * kColumns);
   CHECK(bench.chunks.holds({{0, -93, 0}, Lod{}}));
   CHECK_FALSE(bench.chunks.holds({{0, -92, 0}, Lod{}}));
@@ -262,7 +275,7 @@ TEST_CASE("a patch whose mixed chunks are all cached is let go, and its memory s
   {
     const auto loan = bench.obtain(0);
     bench.make_chunks(loan, 2, 3);
-    bench.store.finish(loan, bench.measured);
+    bench.finish(loan);
   }
   CHECK_FALSE(bench.store.holds({0, 0, Lod{}}));
   CHECK(bench.store.bytes() == 0);
@@ -274,7 +287,7 @@ TEST_CASE("a patch with a mixed chunk that is not cached stays") {
   Bench bench;
   const auto loan = bench.obtain(0);
   bench.make_chunks(loan, 2, 2);
-  bench.store.finish(loan, bench.measured);
+  bench.finish(loan);
   CHECK(bench.store.holds({0, 0, Lod{}}));
 }
 
@@ -283,7 +296,7 @@ TEST_CASE("a patch deeper than what would be extracted stays, whatever is cached
   bench.work->last_mixed = 2 + PatchStore::kMaxExtractedRows;
   const auto loan = bench.obtain(0);
   bench.make_chunks(loan, 2, 2 + PatchStore::kMaxExtractedRows);
-  bench.store.finish(loan, bench.measured);
+  bench.finish(loan);
   CHECK(bench.store.holds({0, 0, Lod{}}));
 }
 
@@ -293,7 +306,7 @@ TEST_CASE("a patch that could not be made is none, and may be made the next time
   const auto failed = bench.obtain(0);
   CHECK(failed.stacks == nullptr);
   CHECK_FALSE(bench.maker.chunk(failed.stacks.get(), {{0, 2, 0}, Lod{}}).has_value());
-  bench.store.finish(failed, bench.measured);
+  bench.finish(failed);
   bench.work->out_of_memory = false;
   CHECK(bench.obtain(0).stacks != nullptr);
   CHECK(bench.measured.patches == 1);
@@ -332,10 +345,11 @@ TEST_CASE("making a patch takes the thread time that its clock counts") {
   const auto loan = store.obtain(
       {0, 0, Lod{}}, kOutside, nullptr, [] { return AfterStep::go_on; }, bench.measured);
   CHECK(bench.measured.patch_time == 7ms);
-  store.finish(loan, bench.measured);
+  const auto go_on = [] { return false; };
+  store.finish(loan, bench.measured, go_on);
   store.finish(store.obtain(
                    {1, 0, Lod{}}, kOutside, nullptr, [] { return AfterStep::go_on; }, bench.measured),
-               bench.measured);
+               bench.measured, go_on);
   CHECK(bench.measured.patch_time == 14ms);
   CHECK(bench.measured.chunk_time == 7ms);
 }

@@ -1,5 +1,6 @@
 // Random conversations against what a client can check: each request is answered once, each chunk of a View
-// comes once, the newest version is what is written, and nothing is held when nothing is asked.
+// comes once unless it changes, the newest version is what is written, and nothing is held when nothing is
+// asked.
 #include <catch2/catch.hpp>
 #include <map>
 #include <set>
@@ -178,15 +179,20 @@ class Client {
       RC_ASSERT(open_.erase(said.id) == 1);
     } else if (said.kind == Body::UniformColumn) {
       for (const auto& [first, last, material] : said.runs) {
-        for (std::int32_t y = first; y <= last; ++y) deliver({{said.key.coord.x, y, said.key.coord.z}, {}});
+        for (std::int32_t y = first; y <= last; ++y)
+          deliver({{said.key.coord.x, y, said.key.coord.z}, {}}, 0);
       }
     } else {
-      deliver(said.key);
+      deliver(said.key, said.revision);
     }
   }
-  void deliver(ChunkKey key) {
+  /// Once, and again only where it was changed since.
+  void deliver(ChunkKey key, std::uint64_t revision) {
     RC_ASSERT(in_view_.contains(key));
-    RC_ASSERT(delivered_.insert(key).second);
+    const bool changed = !delivered_.contains(key) || revision > revisions_.at(key);
+    RC_ASSERT(changed);
+    delivered_.insert(key);
+    revisions_[key] = revision;
   }
 
   SessionBench bench_{{.greet = false}};
@@ -195,9 +201,10 @@ class Client {
   std::uint64_t taken_ = 0;
   std::vector<std::set<ChunkKey>> said_;  // Views since the last was applied
   std::uint32_t last_number_ = 0;
-  std::uint32_t number_ = 0;      // of the View in force, until it was said to be complete
-  std::set<ChunkKey> in_view_;    // of the View in force
-  std::set<ChunkKey> delivered_;  // in this stay in the View
+  std::uint32_t number_ = 0;                     // of the View in force, until it was said to be complete
+  std::set<ChunkKey> in_view_;                   // of the View in force
+  std::set<ChunkKey> delivered_;                 // in this stay in the View
+  std::map<ChunkKey, std::uint64_t> revisions_;  // in which they came last
 };
 
 }  // namespace

@@ -82,10 +82,18 @@ TEST_CASE("the configuration's patch_tiles are kept, and chosen where it has non
 
 TEST_CASE("the log names the cost of terrain, and what to change where it is dear") {
   CHECK(describe(patch_size(4, 100us, 0)) ==
-        "terrain takes 97 ns a column here, 1.6 ms a patch of 4 x 4 tiles");
+        "terrain takes 97 ns a column here, 1.6 ms a patch of 4 x 4 tiles, 0 us a chunk");
   CHECK_THAT(describe(patch_size(2, 20ms, 0)),
-             Catch::StartsWith("terrain takes 19531 ns a column here, 80.0 ms a patch of 2 x 2 tiles: ") &&
-                 Catch::Contains("erosion_steps") && Catch::Contains("threads.generator"));
+             Catch::StartsWith(
+                 "terrain takes 19531 ns a column here, 80.0 ms a patch of 2 x 2 tiles, 0 us a chunk: ") &&
+                 Catch::Contains("erosion_steps") && Catch::Contains("threads.generator") &&
+                 !Catch::Contains("[[object]]"));
+  PatchSize size = patch_size(4, 100us, 0);
+  size.chunk_time = kChunkTime;
+  CHECK_THAT(describe(size), Catch::EndsWith(" tiles, 250 us a chunk"));
+  size.chunk_time += 1ns;
+  CHECK_THAT(describe(size),
+             Catch::Contains("expensive") && Catch::Contains("[[object]]") && !Catch::Contains("erosion"));
 }
 
 TEST_CASE("sessions, runners and handshakes get the configuration's times and bounds") {

@@ -276,7 +276,7 @@ TEST_CASE("Objects may stand so thick and no thicker") {
 TEST_CASE("A model's voxels are found by where a level looks") {
   const ObjectModel model = make_model(ModelKind::jungle_tree, 12345);
   const ModelLevels levels{model};
-  for (const int level : {0, 1, 2}) {
+  for (const int level : {1, 2}) {
     const std::int64_t mask = (1 << level) - 1;
     for (int place = 0; place < 64; ++place) {
       const std::array<std::int64_t, 3> at{place & 3, place >> 2 & 3, -(place >> 4)};
@@ -291,6 +291,36 @@ TEST_CASE("A model's voxels are found by where a level looks") {
       }
     }
   }
+}
+
+TEST_CASE("A model's voxels are found by their rows") {
+  const ObjectModel model = make_model(ModelKind::jungle_tree, 12345);
+  const ModelRows rows{model};
+  CHECK(rc::check([&] {
+    const auto from = *rc::gen::inRange<std::int64_t>(-50, 50);
+    const auto to = *rc::gen::inRange<std::int64_t>(-50, 50);
+    for (const bool front : {false, true}) {
+      ObjectModel expected;
+      std::copy_if(model.begin(), model.end(), std::back_inserter(expected),
+                   [&](const ModelVoxel& v) { return (v.part == 0) == front && v.y >= from && v.y < to; });
+      const auto found = rows.at(front, from, to);
+      RC_ASSERT(std::is_permutation(found.begin(), found.end(), expected.begin(), expected.end()));
+    }
+  }));
+}
+
+TEST_CASE("A file that several kinds name is read once") {
+  int reads = 0;
+  WorldFiles files;
+  files.models = [&](const std::string& file) {
+    ++reads;
+    return with_huts().models(file);
+  };
+  const std::string barns = test::replaced(kHuts, "\"hut\"", "\"barn\"");
+  const std::string materials = "[object.palette]\n9 = { name = \"gravel\" }\n200 = { name = \"gravel\" }\n";
+  const std::string more = barns.substr(0, barns.find("[object.palette]")) + materials;
+  REQUIRE(World::parse(test::small_world_text(7) + kHuts + more, "w.toml", files).has_value());
+  CHECK(reads == 1);
 }
 
 TEST_CASE("Another kind of object moves no other, and no ground") {

@@ -181,7 +181,8 @@ TEST_CASE("A share thins loose material out before it settles") {
 }
 
 TEST_CASE("One more field, look or province moves nothing else") {
-  const std::string text = places_text();
+  const std::string forest = "name = \"forest\"\nof = \"soil\"\n";
+  const std::string text = test::replaced(places_text(), forest, forest + "above = { temperature = -9 }\n");
   const World before = parsed_places(text);
   const World after = parsed_places(
       test::replaced(text, "[[look]]\nname = \"ice\"",
@@ -248,11 +249,11 @@ TEST_CASE("Talus that comes to the same numbers has one fingerprint, and other n
     return world->fingerprint();
   };
   // 513.0 and 512.5 subvoxels, or nearly, which are rounded apart; floats of both are one.
-  const std::string thickness = "thickness = 8                 # at most";
+  const std::string thickness = "thickness = 10                # at most";
   CHECK(fingerprint(thickness, "thickness = 1.001953125") !=
         fingerprint(thickness, "thickness = 1.001953124999"));
-  CHECK(fingerprint("reach = 8 ", "reach = 5 ") == default_world().fingerprint());
-  CHECK(fingerprint("reach = 8 ", "reach = 9 ") != default_world().fingerprint());
+  CHECK(fingerprint("reach = 4 ", "reach = 3 ") == default_world().fingerprint());
+  CHECK(fingerprint("reach = 4 ", "reach = 5 ") != default_world().fingerprint());
 }
 
 TEST_CASE("Ores have no colours of provinces") {
@@ -264,6 +265,9 @@ TEST_CASE("Ores have no colours of provinces") {
 TEST_CASE("What is wrong about places") {
   const auto [from, to, message] = GENERATE(values<std::array<std::string, 3>>({
       {"below = { height = -7 }", "below = { depth = -7 }", "no quantity and no [[field]] is named so"},
+      {"below = { height = -7 }", "below = { depth = -7 }", "base, terraces, and fields by name"},
+      {"below = { height = -7 }\n", "",
+       "'shingle beach' never shows, as 'sea floor' before it has no conditions"},
       {"below = { height = -7 }", "below = { slope = 30 }", "use it in `where`"},
       {"below = { height = -7 }", "under = { height = -7 }", "unknown key"},
       {"below = { height = -7 }", "below = 7", "a table"},

@@ -151,12 +151,15 @@ class RegionsWriter {
     text_ << draws_.real(0, 16) << "\n";
   }
 
-  void conditions() {
+  bool conditions() {
+    bool any = false;
     for (const char* const key : {"below", "above"}) {
       if (!draws_.chance(60)) continue;
+      any = true;
       const std::string by = quantity(false);
       text_ << key << " = { " << by << " = " << value_of(by) << " }\n";
     }
+    return any;
   }
 
   void looks() {
@@ -164,18 +167,19 @@ class RegionsWriter {
     for (int i = 0; i < count; ++i) {
       text_ << "[[look]]\nname = \"look " << i << "\"\nof = \"loose " << draws_.whole(0, loose_ - 1)
             << "\"\n";
-      conditions();
+      // What stands behind a look without any is refused.
+      if (!conditions()) text_ << "above = { height = -32768 }\n";
       text_ << "colour = \"#123456\"\n";
     }
     if (draws_.chance(40)) {
       text_ << "[[look]]\nname = \"ice\"\nof = \"water\"\n";
-      conditions();
+      (void)conditions();
       text_ << "colour = \"#abcdef\"\n";
     }
     const int provinces = draws_.whole(0, 2);
     for (int i = 0; i < provinces; ++i) {
       text_ << "[[province]]\nname = \"province " << i << "\"\n";
-      conditions();
+      (void)conditions();
       text_ << "colours = { \"rock " << draws_.whole(1, layers_ - 1) << "\" = \"#00ff00\" }\n";
     }
   }

@@ -45,6 +45,23 @@ TEST_CASE("Errors of the levels are those of their chunks' voxels") {
   CHECK(error.rows[5].mean_voxels <= error.rows[5].most_voxels);
 }
 
+TEST_CASE("A coarse level shows water where level 0 does, though its ground rounds up to the sea's row") {
+  const terrain::Region bay{12992, 8960, 64, 64, Lod{}};  // of the sea, 25 voxels deep
+  const std::int64_t x = bay.x >> 6;
+  const std::int64_t z = bay.z >> 6;
+  constexpr std::int64_t kSeaRow = 2;  // of level 6
+  const auto at = [&](std::int64_t row) {
+    const VoxelPos voxel{x, row, z};
+    const Lod lod = Lod::of(6);
+    return generate_chunk(terrain::default_world(), *chunk_holding(voxel, lod)).at(local_pos(voxel));
+  };
+  REQUIRE(at(kSeaRow - 1) == kWater);
+  REQUIRE(at(kSeaRow) == kAir);
+  REQUIRE(at(kSeaRow - 2) != kWater);  // the ground would reach the sea's row
+  const LodError error = measured(bay);
+  CHECK(error.rows[5].same_material == 1);
+}
+
 TEST_CASE("Coarser levels lie further off") {
   const LodError error = measured({-256, -256, 512, 512, Lod{}});
   for (std::size_t i = 1; i < error.rows.size(); ++i) {

@@ -44,6 +44,7 @@ Applied& Batch::begin(EditorId editor, Applied::Kind kind) {
 
 const Applied& Batch::apply(const AttachEntry& entry) {
   using Kind = Applied::Kind;
+  if (entry.subject.size() > kMaxSubjectBytes) return begin(entry.editor, Kind::invalid);
   forget_idle();
   const Editor* const before = find(entry.editor);
   if (entry.epoch != (before == nullptr ? 0 : before->epoch) + 1 ||

@@ -32,13 +32,12 @@ class TileRows {
         kernels_{column_kernels(instruction_set())},
         x_{static_cast<int>(std::int64_t{chunk_x} * kChunkSize - stacks.region.x)},
         z_{static_cast<int>(std::int64_t{chunk_z} * kChunkSize - stacks.region.z)},
-        coarse_{stacks.region.lod.value() > 0} {
+        coarse_{stacks.region.lod.value() > 0},
+        wet_fx_{wet_fx(world, stacks.region.lod)} {
     assert(x_ >= 0 && z_ >= 0 && x_ + kChunkSize <= stacks.region.width &&
            z_ + kChunkSize <= stacks.region.depth);
     const int level = stacks.region.lod.value();
     if (world.sea_fx()) sea_row_ = boundary_row(*world.sea_fx() >> level);
-    if (coarse_ && world.sea_fx() && world.spec().surface.regions)
-      wet_fx_ = (*world.sea_fx() - kSubvoxels / 2) >> level;
     if (coarse_) find_caps(world.shown_depth_fx(stacks.region.lod));
   }
 
@@ -134,7 +133,6 @@ class TileRows {
     for (int z = 0; z < kChunkSize; ++z) {
       const std::int32_t* tops = stacks_.tops.back().row(z_ + z).data() + x_;
       for (int x = 0; x < kChunkSize; ++x) {
-        // Where level 0 has water the topmost voxel is water, or no river would be left.
         const std::int32_t most = tops[x] < wet_fx_ ? sea_row_ - 1 : kFarRow;
         ground_[column_index(x, z)] = std::min(boundary_row(tops[x]), most);
       }
@@ -150,8 +148,8 @@ class TileRows {
   int x_;
   int z_;
   bool coarse_;
+  std::int32_t wet_fx_;
   std::int32_t sea_row_ = -kFarRow;
-  std::int32_t wet_fx_ = std::numeric_limits<std::int32_t>::min();  // ground of a coarse level under water
   std::array<std::size_t, kChunkArea> cap_plane_{};  // the plane that the topmost solid voxel shows
   Rows ground_{};
 };
@@ -381,6 +379,12 @@ Chunk extract_chunk(const World& world, const Stacks& stacks, ChunkCoord coord, 
   const ExtractedSite site{world, stacks, tile, coord, floor_row};
   for (const auto& feature : world.features()) feature->add_overrides(site, overrides);
   return overrides.empty() ? std::move(chunk) : chunk.with_overrides(overrides);
+}
+
+std::int32_t wet_fx(const World& world, Lod lod) {
+  const bool widens = world.sea_fx() && world.spec().surface.regions && lod.value() > 0;
+  return widens ? (*world.sea_fx() - kSubvoxels / 2) >> lod.value()
+                : std::numeric_limits<std::int32_t>::min();
 }
 
 ObjectTops object_tops(const World& world, const Stacks& stacks) {

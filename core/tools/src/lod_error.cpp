@@ -81,7 +81,8 @@ class Ground {
       : world_{world},
         stacks_{generate_stacks(world, region)},
         ore_{exposed_overlays(world, stacks_)},
-        rock_planes_{stacks_.tops.size() - world.loose().size()} {
+        rock_planes_{stacks_.tops.size() - world.loose().size()},
+        wet_fx_{terrain::wet_fx(world, region.lod)} {
     if (const auto sea_fx = world.sea_fx()) {
       sea_row_ = terrain::boundary_row(*sea_fx >> region.lod.value());
     }
@@ -89,7 +90,9 @@ class Ground {
 
   [[nodiscard]] std::int64_t height_fx(int x, int z) const { return stacks_.ground_fx(x, z); }
   [[nodiscard]] std::int64_t row(int x, int z) const {
-    return terrain::boundary_row(stacks_.ground_fx(x, z));
+    const std::int64_t row = terrain::boundary_row(stacks_.ground_fx(x, z));
+    const bool wet = stacks_.ground_fx(x, z) < wet_fx_ && !stacks_.is_entrance(x, z);
+    return wet ? std::min(row, sea_row_ - 1) : row;
   }
 
   /// The highest rows of the ground or the sea, by x from the south and by z from the west, in base voxels.
@@ -113,11 +116,11 @@ class Ground {
   // The material of the highest voxel that is not air.
   [[nodiscard]] MaterialId shown(int x, int z) const {
     const std::int32_t top = stacks_.ground_fx(x, z);
-    const std::int32_t row = terrain::boundary_row(top);
-    if (row < sea_row_ && !stacks_.is_entrance(x, z)) return kWater;
+    if (row(x, z) < sea_row_ && !stacks_.is_entrance(x, z)) return kWater;
     // At level 0 the material at the voxel's centre, at other levels that near the top.
     const Lod lod = stacks_.region.lod;
-    const std::int32_t centre = (row - 1) * terrain::kSubvoxels + terrain::kSubvoxels / 2;
+    const std::int32_t centre =
+        (terrain::boundary_row(top) - 1) * terrain::kSubvoxels + terrain::kSubvoxels / 2;
     const std::int32_t seen = lod.value() == 0 ? centre : top - 1 - world_.shown_depth_fx(lod);
     std::size_t k = 0;
     while (k + 1 < stacks_.tops.size() && stacks_.tops[k].at(x, z) <= seen) ++k;
@@ -131,6 +134,7 @@ class Ground {
   terrain::Stacks stacks_;
   std::vector<MaterialId> ore_;
   std::size_t rock_planes_;
+  std::int32_t wet_fx_;
   std::int64_t sea_row_ = -1;
 };
 

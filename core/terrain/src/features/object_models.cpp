@@ -250,6 +250,26 @@ ModelColumns::ModelColumns(const ObjectModel& model) : voxels_{model} {
   }
 }
 
+ModelRows::ModelRows(const ObjectModel& model) : voxels_{model} {
+  const auto row_of = [](const ModelVoxel& v) {
+    return (v.part == 0 ? 0 : kRows) + static_cast<std::size_t>(v.y + kObjectRoot);
+  };
+  std::stable_sort(voxels_.begin(), voxels_.end(),
+                   [&](const ModelVoxel& a, const ModelVoxel& b) { return row_of(a) < row_of(b); });
+  for (const ModelVoxel& voxel : voxels_) ++starts_[row_of(voxel) + 1];
+  for (std::size_t i = 1; i < starts_.size(); ++i) {
+    starts_[i] = static_cast<std::uint16_t>(starts_[i] + starts_[i - 1]);
+  }
+}
+
+std::span<const ModelVoxel> ModelRows::at(bool front, std::int64_t from, std::int64_t to) const {
+  const auto start_of = [&](std::int64_t row) {
+    const auto place = std::clamp<std::int64_t>(row + kObjectRoot, 0, kRows);
+    return std::size_t{starts_[(front ? 0 : kRows) + static_cast<std::size_t>(place)]};
+  };
+  return std::span{voxels_}.subspan(start_of(from), start_of(std::max(from, to)) - start_of(from));
+}
+
 namespace {
 
 // Of x, y and z modulo 4. Groups that agree modulo 2 follow each other.

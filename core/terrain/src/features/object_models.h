@@ -81,13 +81,26 @@ class ModelColumns {
   std::array<std::uint16_t, kWidth * kWidth + 1> starts_{};
 };
 
-/// A model's voxels in front (part 0) and behind, for levels 0 to 2: those that a level shows stand together.
+/// A model's voxels in front (part 0) and behind, row by row.
+class ModelRows {
+ public:
+  explicit ModelRows(const ObjectModel& model);
+  /// Those from row `from` on and under row `to`; rows where there are none may be asked for.
+  [[nodiscard]] std::span<const ModelVoxel> at(bool front, std::int64_t from, std::int64_t to) const;
+
+ private:
+  static constexpr std::size_t kRows = kObjectRoot + kObjectTop;
+  std::vector<ModelVoxel> voxels_;
+  std::array<std::uint16_t, 2 * kRows + 1> starts_{};
+};
+
+/// The same for levels 1 and 2: those that a level shows stand together.
 class ModelLevels {
  public:
   static constexpr int kCoarsest = 2;
 
   explicit ModelLevels(const ObjectModel& model);
-  /// Those whose x, y and z are the given ones modulo 1 << level. REQUIRES level <= kCoarsest.
+  /// Those whose x, y and z are the given ones modulo 1 << level. REQUIRES 1 <= level <= kCoarsest.
   [[nodiscard]] std::span<const ModelVoxel> at(bool front, int level, std::int64_t x, std::int64_t y,
                                                std::int64_t z) const;
 

@@ -4,6 +4,7 @@
 #include <bit>
 #include <cmath>
 #include <iterator>
+#include <map>
 #include <memory>
 #include <ostream>
 #include <string_view>
@@ -243,7 +244,7 @@ bool Objects::place_by_columns(const StandingGround& ground, std::int64_t rows, 
 // Voxel (x, y, z) of level l shows the base voxel (x << l, (y << l) + half of a voxel, z << l).
 template <class Visit>
 void Objects::for_each_voxel(const PlacedObject& object, Lod lod, bool front, const VoxelPos& origin,
-                             const Visit& visit) const {
+                             std::optional<int> height, const Visit& visit) const {
   const ObjectKind& kind = kinds_[object.kind];
   const int level = lod.value();
   const std::int64_t half = level == 0 ? 0 : std::int64_t{1} << (level - 1);
@@ -263,6 +264,11 @@ void Objects::for_each_voxel(const PlacedObject& object, Lod lod, bool front, co
     }
   };
   if (level > kLastEnumerated.value()) return visit_shown(seen(object));
+  if (level == 0) {
+    const ModelRows& rows = kind.rows[object.variant];
+    return visit_shown(height ? rows.at(front, -foot_y, *height - foot_y)
+                              : rows.at(front, -kObjectRoot, kObjectTop));
+  }
   // The foot as the model sees it: what is that far from it lies on the level's planes.
   const ModelVoxel low{static_cast<std::int8_t>(-foot_x & mask), 0, static_cast<std::int8_t>(-foot_z & mask)};
   const Turned back{4 - object.turn};
@@ -324,7 +330,7 @@ void Objects::add_overrides(const ChunkSite& site, std::vector<Override>& overri
   for (const bool front : {false, true}) {
     for (const PlacedObject& object : near) {
       const ChunkPlane& floor = kinds_[object.kind].in_water ? floors.in_water : floors.dry;
-      for_each_voxel(object, lod, front, origin, [&](int x, int y, int z, MaterialId material) {
+      for_each_voxel(object, lod, front, origin, kChunkSize, [&](int x, int y, int z, MaterialId material) {
         if (((x | y | z) & ~(kChunkSize - 1)) != 0 || y < floor[column_index(x, z)]) return;
         const auto index = voxel_index(
             {static_cast<std::uint8_t>(x), static_cast<std::uint8_t>(y), static_cast<std::uint8_t>(z)});
@@ -348,7 +354,7 @@ void Objects::add_tops(const Stacks& stacks, std::span<MaterialId> materials,
   for (const bool front : {false, true}) {
     for (auto object = stacks.objects.rbegin(); object != stacks.objects.rend(); ++object) {
       const bool in_water = kinds_[object->kind].in_water;
-      for_each_voxel(*object, region.lod, front, {region.x, 0, region.z},
+      for_each_voxel(*object, region.lod, front, {region.x, 0, region.z}, std::nullopt,
                      [&](int x, int y, int z, MaterialId material) {
                        if (x < 0 || z < 0 || x >= region.width || z >= region.depth) return;
                        const auto i = static_cast<std::size_t>(z * region.width + x);
@@ -433,6 +439,7 @@ class ObjectReader {
     is_file(kind) ? read_file(table, kind) : read_formula(table, kind);
     for (const ObjectModel& model : kind.models) {
       kind.columns.emplace_back(model);
+      kind.rows.emplace_back(model);
       kind.levels.emplace_back(model);
       for (const ModelVoxel& voxel : model) {
         kind.reach = std::max({kind.reach, std::abs(int{voxel.x}), std::abs(int{voxel.z})});
@@ -477,7 +484,9 @@ class ObjectReader {
     };
     allow(table, std::array<std::string_view, 1>{"palette"});
     if (!section_.files().models) return refuse("models cannot be read here; give a spec without one");
-    const auto models = section_.files().models(kind.model);
+    const auto [known, is_new] = files_.try_emplace(kind.model);
+    if (is_new) known->second = section_.files().models(kind.model);
+    const auto& models = known->second;
     if (!models) return refuse(models.error());
     std::array<bool, 256> used{};
     for (const VoxelModel& model : *models) {
@@ -519,6 +528,8 @@ class ObjectReader {
   }
 
   FeatureSection& section_;
+  std::map<std::string, tl::expected<std::vector<VoxelModel>, std::string>>
+      files_;           // that were read, by name
   double density_ = 0;  // voxels of the kinds read so far on a column
 };
 

@@ -29,6 +29,7 @@ struct ObjectKind {
   std::array<MaterialId, 256> parts{};  // by ModelVoxel::part
   std::vector<ObjectModel> models;      // a candidate draws one
   std::vector<ModelColumns> columns;    // of each model
+  std::vector<ModelRows> rows;          // of each model
   std::vector<ModelLevels> levels;      // of each model
   int reach = 0;                        // of all models: columns from the foot
   int top = 0;                          // rows above the ground
@@ -61,10 +62,11 @@ class Objects final : public Feature {
   bool place_by_columns(const StandingGround& ground, std::int64_t rows, Placement& at,
                         std::vector<PlacedObject>& objects) const;
   /// Calls visit(x, y, z, material) for the voxels of the level that show it, counted from `origin`, a voxel
-  /// of the level; for those of the part in front, or all others.
+  /// of the level; for those of the part in front, or all others. At level 0 none at or above `height`, nor
+  /// below 0 where there is one; else the visitor leaves them out.
   template <class Visit>
   void for_each_voxel(const PlacedObject& object, Lod lod, bool front, const VoxelPos& origin,
-                      const Visit& visit) const;
+                      std::optional<int> height, const Visit& visit) const;
 
   std::vector<ObjectKind> kinds_;
   RotatedPoints clumps_;

@@ -51,6 +51,10 @@ class LooksReader {
     if (of == nullptr) return;
     const auto known = std::find_if(looks_.begin(), looks_.end(),
                                     [&](const Look& look) { return look.name == name && look.of == of->id; });
+    if (const Look* const whole = shown_everywhere(of->id)) {
+      return table.fail("name", "'" + name + "' never shows, as '" + whole->name +
+                                    "' before it has no conditions; put it before that");
+    }
     const bool has_material = table.has("colour") || table.has("shows");
     if (known != looks_.end()) {
       if (has_material)
@@ -68,6 +72,17 @@ class LooksReader {
     if (table.has("colour") && table.has("shows"))
       return table.fail("shows", "with a colour beside it; leave one of them out");
     add(name, *of, std::move(one), table);
+  }
+
+  /// The look of a material that leaves no place to those after it.
+  const Look* shown_everywhere(MaterialId of) const {
+    const auto last =
+        std::find_if(looks_.rbegin(), looks_.rend(), [&](const Look& look) { return look.of == of; });
+    if (last == looks_.rend()) return nullptr;
+    const LookCase& last_case = rules_[last->rules].cases.back();
+    if (!last_case.conditions.empty()) return nullptr;
+    return &*std::find_if(looks_.begin(), looks_.end(),
+                          [&](const Look& look) { return look.of == of && look.number == last_case.look; });
   }
 
   void add(const std::string& name, const Material& of, LookCase one, TableReader& table) {

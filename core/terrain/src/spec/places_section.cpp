@@ -22,9 +22,12 @@ double slope_fx(double degrees) {
   return static_cast<double>(rounded(kSubvoxels * std::tan(degrees * std::numbers::pi / 180)));
 }
 
+bool decided_after_looks(QuantityNumber quantity) {
+  return quantity == number_of(Quantity::slope) || quantity == number_of(Quantity::cliff);
+}
+
 bool of_all_surfaces(QuantityNumber quantity) {
-  return quantity == number_of(Quantity::height) || quantity == number_of(Quantity::slope) ||
-         quantity == number_of(Quantity::cliff);
+  return quantity == number_of(Quantity::height) || decided_after_looks(quantity);
 }
 
 }  // namespace
@@ -32,7 +35,8 @@ bool of_all_surfaces(QuantityNumber quantity) {
 PlacesReader::PlacesReader(const WorldSpec& world, std::vector<FieldSpec> fields, PlacesSpec& places)
     : world_{world}, fields_{std::move(fields)}, places_{places} {}
 
-std::optional<QuantityNumber> PlacesReader::quantity(TableReader& table, const std::string& name) {
+std::optional<QuantityNumber> PlacesReader::quantity(TableReader& table, const std::string& name,
+                                                     bool of_looks) {
   const auto* const known = std::find(kQuantityNames.begin(), kQuantityNames.end(), name);
   if (known != kQuantityNames.end()) {
     const auto number = static_cast<QuantityNumber>(known - kQuantityNames.begin());
@@ -51,14 +55,16 @@ std::optional<QuantityNumber> PlacesReader::quantity(TableReader& table, const s
     return kQuantities + places_.fields.size() - 1;
   }
   std::string names;
-  for (const std::string_view each : kQuantityNames) names += std::string{each} + ", ";
+  for (QuantityNumber i = 0; i < kQuantityNames.size(); ++i) {
+    if (!of_looks || !decided_after_looks(i)) names += std::string{kQuantityNames[i]} + ", ";
+  }
   table.fail(name, "no quantity and no [[field]] is named so; known are " + names + "and fields by name");
   return std::nullopt;
 }
 
 void PlacesReader::add_ramps(TableReader& table, std::vector<PlaceRamp>& ramps) {
   for (const std::string& name : table.keys()) {
-    const auto number = quantity(table, name);
+    const auto number = quantity(table, name, false);
     if (!number) continue;
     const bool slope = *number == number_of(Quantity::slope);
     std::vector<double> points = table.numbers(name, slope ? kDegrees : kQuantityValues, {2, 4});
@@ -106,9 +112,9 @@ std::optional<std::size_t> PlacesReader::share(TableReader& table, std::span<con
 
 void PlacesReader::add_conditions(TableReader& table, bool above, std::vector<PlaceCondition>& conditions) {
   for (const std::string& name : table.keys()) {
-    const auto number = quantity(table, name);
+    const auto number = quantity(table, name, true);
     if (!number) continue;
-    if (*number == number_of(Quantity::slope) || *number == number_of(Quantity::cliff)) {
+    if (decided_after_looks(*number)) {
       table.fail(name, "what a place looks like may not depend on it; use it in `where`");
       continue;
     }

@@ -28,7 +28,8 @@ class PlacesReader {
   [[nodiscard]] std::vector<PlaceCondition> conditions(TableReader& table);
 
  private:
-  [[nodiscard]] std::optional<QuantityNumber> quantity(TableReader& table, const std::string& name);
+  [[nodiscard]] std::optional<QuantityNumber> quantity(TableReader& table, const std::string& name,
+                                                       bool of_looks);
   void add_ramps(TableReader& table, std::vector<PlaceRamp>& ramps);
   void add_conditions(TableReader& table, bool above, std::vector<PlaceCondition>& conditions);
 

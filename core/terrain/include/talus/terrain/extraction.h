@@ -20,6 +20,10 @@ namespace talus::terrain {
 [[nodiscard]] Chunk extract_chunk(const World& world, const Stacks& stacks, ChunkCoord coord,
                                   Layers memory = {});
 
+/// Ground of a level under this has water over it whatever its row: where level 0 has water the topmost voxel
+/// of a coarse level is water, or few rivers would be left. In subvoxels of the level.
+[[nodiscard]] std::int32_t wet_fx(const World& world, Lod lod);
+
 /// What features put at the top of each column's rock, or into the floor of a cave that is open to the sky,
 /// such as ore; kAir where they put nothing. z slowest, then x. It shows where no loose material lies.
 [[nodiscard]] std::vector<MaterialId> exposed_overlays(const World& world, const Stacks& stacks);

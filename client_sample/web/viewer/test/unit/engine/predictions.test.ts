@@ -58,6 +58,11 @@ describe('predictions', () => {
     arrive(6n, chunkWith([9, 3], [INDEX, 8])); // another was quick
     expect([shown(), predictions.size]).toEqual([8, 0]);
   });
+  it('stay though they are answered, until the chunk has come that holds them', () => {
+    predictions.settled(predictions.begin([{ ...VOXEL, material: 7 }]), 5n, true);
+    arrive(4n, chunkWith([9, 3]));
+    expect([shown(), shown(9), predictions.size]).toEqual([7, 3, 1]);
+  });
   it('go at once where the chunk came before the result', () => {
     const edit = predictions.begin([{ ...VOXEL, material: 7 }]);
     arrive(5n, chunkWith([INDEX, 7]));
