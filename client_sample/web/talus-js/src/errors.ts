@@ -2,7 +2,7 @@
 
 export type TalusErrorKind =
   | 'unreachable' // nobody answers there
-  | 'refused' // the server will not have this client: version, token
+  | 'refused' // the server will not have this client: version, token; or its edits
   | 'disconnected' // the connection broke, or the server closed it
   | 'timed_out'
   | 'broken_protocol' // the server sent what the protocol does not allow
@@ -10,6 +10,9 @@ export type TalusErrorKind =
   | 'out_of_range' // beyond the world or the server's limits
   | 'overloaded' // the server asks to come back after retryAfterMs
   | 'cancelled'
+  | 'conflict' // a guard of the edit does not hold: nothing happened
+  | 'not_applied' // the edit did not happen
+  | 'outcome_unknown' // nobody can say any more whether the edit happened
   | 'server_failed' // the server could not answer; repeating may help
   | 'closed'; // asked of a client that was closed
 

@@ -7,6 +7,7 @@ import type { Client, ConnectOptions } from './types.js';
 
 export { CHUNK_SIZE, CHUNK_VOLUME, decodeChunk, DecodeError, type DecodeFault } from './decode.js';
 export { apronVolume, ChunkStore, MAX_APRON, neighbourBit } from './chunk_store.js';
+export { encodeChunk } from './encode.js';
 export { hashVoxels } from './hash.js';
 export { TalusError, type TalusErrorKind } from './errors.js';
 export type * from './types.js';

@@ -1,6 +1,9 @@
 // What an application sees of Talus. Axes: x east, y up, z south. The unit of length is the base voxel; a chunk is
 // 32 x 32 x 32 voxels of one level of detail, and a voxel of level l spans 2^l base voxels along each axis.
+import type { Edit, EditDone, EditLimits } from './edits/types.js';
 import type { TalusError } from './errors.js';
+
+export type { Edit, EditDone, EditLimits, Fill, Paste, VoxelWrite } from './edits/types.js';
 
 /** A chunk. Coordinates count chunks of its level. */
 export interface ChunkKey {
@@ -72,8 +75,11 @@ export interface Limits {
 
 /** What a server tells about its world. */
 export interface World {
+  /** Of the stream, as agreed; by HTTP 0. */
+  readonly protocol: number;
   /** 32 hexadecimal digits; worlds of one fingerprint have equal voxels everywhere. */
   readonly fingerprint: string;
+  /** Revisions can be compared within one; 32 zeros: nothing is stored, so nobody edits. */
   readonly storeId: string;
   readonly codec: number;
   readonly materials: readonly Material[];
@@ -214,8 +220,24 @@ export interface Client {
     wanted?: { readonly looks?: boolean; readonly fields?: readonly string[] },
   ): Promise<Places>;
 
+  /**
+   * Changes voxels. Edits happen in the order of the calls, each once, however often the connection breaks meanwhile; at
+   * most as many as the server allows are on their way, the others wait here. One that the server refuses for now is
+   * sent again, behind those that were sent since: where order matters, use guards. Resolves when the edit is stored;
+   * chunks of the View change by `chunk`, before or after that. Rejects with a TalusError: `conflict`, `out_of_range`,
+   * `not_applied`, `outcome_unknown`; `refused` where the token does not give the right, where the server stores no
+   * edits, and by HTTP.
+   */
+  edit(edit: Edit): Promise<EditDone>;
+
+  /** What this client may edit. Rejects as edit() does, so an application may ask before it offers to edit. */
+  editLimits(): Promise<EditLimits>;
+
   /** Round-trip time in milliseconds. */
   ping(): Promise<number>;
+
+  /** Where the connection is lost: tries at once what would be tried later. */
+  retry(): void;
 
   close(): void;
 }

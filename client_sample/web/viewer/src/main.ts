@@ -6,6 +6,9 @@ import { Keyboard } from './controls/keyboard';
 import { Mouse } from './controls/mouse';
 import { Player } from './controls/player';
 import { Touch } from './controls/touch';
+import { Builder } from './edit/builder';
+import { EditBar } from './edit/edit_bar';
+import { editCommands, undoByHabit } from './edit/hands';
 import type { Engine, Stats, Vector } from './engine/engine';
 import { Loop } from './loop';
 import { Address } from './place/address';
@@ -181,6 +184,12 @@ find('goto-form').addEventListener('submit', (event) => {
 });
 find('goto-spawn').addEventListener('click', () => (toSpawn(), panels.close()));
 
+// --- Digging and building ---
+
+const editBar = new EditBar(toStage);
+const builder = new Builder(body, { changed: () => editBar.show(), say: (text, isBad) => editBar.say(text, isBad) });
+editBar.attach(builder);
+
 // --- The connection ---
 
 const notices = new Notices({
@@ -197,6 +206,7 @@ const session = new Session(stage, settings, server, tokens, isReduced, {
     engine = opened;
     document.body.classList.remove('empty');
     player.enter(opened);
+    builder.enter(opened);
     opened.setFov(FIELD_OF_VIEW);
     resize();
     opened.setTimeOfDay(hours);
@@ -211,6 +221,7 @@ const session = new Session(stage, settings, server, tokens, isReduced, {
     engine = null;
     document.body.classList.add('empty');
     player.enter(null);
+    builder.enter(null);
     voxel.clear();
   },
   trouble(trouble: Trouble | null) {
@@ -230,6 +241,7 @@ const session = new Session(stage, settings, server, tokens, isReduced, {
   },
   worldChanged(world) {
     voxel.clear();
+    builder.enter(engine);
     say(find('help-world'), `${world.server}, world ${world.fingerprint}`);
     notices.worldChanged();
   },
@@ -254,16 +266,21 @@ const eye = (): Vector => {
   return { x, y, z };
 };
 
-function pick(x: number, y: number): void {
+/** Holds on to the voxel there; with the tools of building, does their work there. */
+function pick(x: number, y: number, other = false): void {
   if (engine === null) return;
   const half = stage.clientHeight / 2;
   const direction = rayThrough(body.yaw, body.pitch, (x - stage.clientWidth / 2) / half, 1 - y / half);
-  voxel.hold(engine, eye(), direction);
+  if (builder.isOn) builder.act(eye(), direction, other);
+  else voxel.hold(engine, eye(), direction);
 }
 const pickAhead = () => pick(stage.clientWidth / 2, stage.clientHeight / 2);
 
+const gaze = { eye, ahead: () => rayThrough(body.yaw, body.pitch, 0, 0) };
 const speedUp = (notches: number) => player.changeSpeed(notches);
+const turnWheel = (notches: number, shift: boolean) => (builder.isOn && !shift ? builder.turn(-notches) : speedUp(notches));
 const commands: Record<string, () => void> = {
+  ...editCommands(builder, gaze),
   KeyF: () => player.toggleMode(),
   KeyM: () => openMap(),
   KeyG: () => panels.toggle('goto'),
@@ -283,13 +300,14 @@ const commands: Record<string, () => void> = {
   Period: () => setTime(hours + 0.25),
   '+': () => speedUp(1),
   '-': () => speedUp(-1),
-  Enter: () => (voxel.held === null ? pickAhead() : voxel.letGo()),
-  Escape: () => panels.close() || voxel.letGo(),
+  Enter: () => (builder.isOn || voxel.held === null ? pickAhead() : voxel.letGo()),
+  Escape: () => panels.close() || builder.cancel() || voxel.letGo(),
 };
 
 const isShut = () => help.open || find<HTMLDialogElement>('token').open || !find('map').hidden;
 player.add(new Keyboard(commands, isShut));
-player.add(new Mouse(stage, settings, pick, speedUp));
+undoByHabit(builder, isShut);
+player.add(new Mouse(stage, settings, pick, turnWheel, () => builder.isOn));
 const touch = new Touch(stage, find('stick'), settings, pick, () => {
   document.body.classList.add('touched');
   find('thumbs').hidden = false;
@@ -333,6 +351,7 @@ const loop = new Loop({
     if (engine !== null && isPlaced) {
       if (surfaces) surface(engine);
       player.look(engine);
+      builder.look(eye(), gaze.ahead());
       if (now - looked > 100) {
         looked = now;
         voxel.look(engine, eye(), body.yaw, body.pitch);
@@ -372,6 +391,7 @@ function tell(now: number): void {
   const stats = engine.stats();
   mark(stats);
   hud.connection(stats);
+  editBar.waits(stats.state === 'lost' ? builder.waiting : 0);
   hud.where(place(), body);
   if (stats.meshes > 0) hud.opened();
   else hud.opening('The land is on its way', share(stats));
@@ -394,7 +414,7 @@ void session.open();
 // For the console, and for tests.
 declare global {
   interface Window {
-    talus: { readonly engine: Engine | null; readonly player: Player; readonly settings: Settings; pick: (x: number, y: number) => void };
+    talus: { readonly engine: Engine | null; readonly player: Player; readonly settings: Settings; readonly builder: Builder; pick: (x: number, y: number) => void };
   }
 }
 window.talus = {
@@ -403,5 +423,6 @@ window.talus = {
   },
   player,
   settings,
+  builder,
   pick,
 };

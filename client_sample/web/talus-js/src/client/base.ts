@@ -7,6 +7,9 @@ import type {
   Client,
   ClientEvents,
   ConnectOptions,
+  Edit,
+  EditDone,
+  EditLimits,
   Places,
   Stats,
   View,
@@ -201,6 +204,10 @@ export abstract class ClientBase implements Client {
     this.retryTimer = setTimeout(this.retryNow, wait);
   }
 
+  retry(): void {
+    this.retryNow();
+  }
+
   private readonly retryNow = (): void => {
     if (this.retryTimer === undefined) return;
     clearTimeout(this.retryTimer);
@@ -237,6 +244,8 @@ export abstract class ClientBase implements Client {
     columns: readonly { readonly x: number; readonly z: number }[],
     wanted?: { readonly looks?: boolean; readonly fields?: readonly string[] },
   ): Promise<Places>;
+  abstract edit(edit: Edit): Promise<EditDone>;
+  abstract editLimits(): Promise<EditLimits>;
   abstract ping(): Promise<number>;
 }
 

@@ -4,7 +4,7 @@ import type { Chunk, ChunkKey, View } from '../types.js';
 import type { Heights, ViewShape } from '../view_shape.js';
 import { ViewShape as Shape } from '../view_shape.js';
 
-interface Delivered {
+export interface Delivered {
   readonly key: ChunkKey;
   readonly revision: bigint;
   readonly hash: string | null;
@@ -50,7 +50,7 @@ export class Tracker {
     if (before !== undefined) {
       if (before.revision > revision) return false;
       const same = hash !== null && before.hash !== null ? hash === before.hash : sameUniform(material, before.material);
-      this.delivered.set(name, { key, revision, hash: hash ?? before.hash, material });
+      this.delivered.set(name, { key, revision, hash: hash ?? (same ? before.hash : null), material });
       if (same) return false;
     } else {
       this.delivered.set(name, { key, revision, hash, material });
@@ -62,8 +62,13 @@ export class Tracker {
     return this.delivered.has(keyName(key));
   }
 
-  hashOf(key: ChunkKey): string | null {
-    return this.delivered.get(keyName(key))?.hash ?? null;
+  find(key: ChunkKey): Delivered | undefined {
+    return this.delivered.get(keyName(key));
+  }
+
+  /** What the application holds is that of a newer revision too. */
+  confirm(held: Delivered, revision: bigint): void {
+    this.delivered.set(keyName(held.key), { ...held, revision });
   }
 
   isWhole(): boolean {

@@ -3,7 +3,7 @@
 import { ClientBase } from '../client/base.js';
 import { TalusError } from '../errors.js';
 import { checkKey, keyName } from '../keys.js';
-import type { Chunk, ChunkKey, ConnectOptions, Places } from '../types.js';
+import type { Chunk, ChunkKey, ConnectOptions, EditDone, EditLimits, Places } from '../types.js';
 import { materialOf } from '../uniform.js';
 import type { Range } from '../view_shape.js';
 import { broken } from '../wire/table.js';
@@ -319,6 +319,14 @@ export class HttpClient extends ClientBase {
       at = end;
     }
     return all;
+  }
+
+  async edit(): Promise<EditDone> {
+    throw new TalusError('refused', 'edits need a stream: connect by ws:, wss:, tcp: or tls: instead of http:');
+  }
+
+  editLimits(): Promise<EditLimits> {
+    return this.edit() as Promise<never>;
   }
 
   async ping(): Promise<number> {

@@ -69,6 +69,7 @@ export function readWorld(json: unknown): World {
   if (![x, y, z].every(Number.isSafeInteger)) wrong('spawn');
   if (numberOf(from, 'chunk_size') !== 32) wrong('chunk_size');
   return {
+    protocol: 0,
     fingerprint: fingerprintOf(from, 'fingerprint'),
     storeId: fingerprintOf(from, 'store_id'),
     codec: numberOf(from, 'codec'),

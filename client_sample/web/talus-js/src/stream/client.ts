@@ -1,9 +1,15 @@
 // A client over a stream of frames: PROTOCOL.md from "States" on.
 import { ClientBase } from '../client/base.js';
 import { PayloadCache } from '../client/payload_cache.js';
+import { decodeChunk } from '../decode.js';
+import { readRuns } from '../edits/runs.js';
+import { EDIT_ID_BIT } from '../edits/open_edits.js';
+import { EditSession } from '../edits/session.js';
+import { encodeChunk } from '../encode.js';
 import { TalusError } from '../errors.js';
+import { hashVoxels } from '../hash.js';
 import { checkKey, keyName, sameKey } from '../keys.js';
-import type { Chunk, ChunkKey, ConnectOptions, Places } from '../types.js';
+import type { Chunk, ChunkKey, ConnectOptions, Edit, EditDone, EditLimits, Places } from '../types.js';
 import { materialOf, uniformPayload } from '../uniform.js';
 import { FrameReader } from '../wire/frames.js';
 import { readMessage, type ServerMessage } from '../wire/messages.js';
@@ -26,8 +32,10 @@ import { Pace } from './pace.js';
 import { Requests } from './requests.js';
 import type { OpenTransport, Transport } from './transport.js';
 
-const PROTOCOL = 1;
+const OLDEST_PROTOCOL = 1;
+const PROTOCOL = 2;
 const CODEC = 4;
+const CHUNK_VOLUME = 32_768;
 const MAX_TEXT_BYTES = 4_096; // of token and client in Hello
 const DEFAULT_WINDOW_BYTES = 1 << 20;
 const DEFAULT_KEEP_BYTES = 16 << 20;
@@ -68,7 +76,9 @@ export class StreamClient extends ClientBase {
   private viewNumber = 0;
   private viewToSend = false;
   private completeToTell = false;
-  private readonly refetching = new Set<string>();
+  /** Whether the chunk changed again while it is on its way. */
+  private readonly refetching = new Map<string, boolean>();
+  private readonly edits = new EditSession(() => this.connected && this.sendLater(0));
   private leaving: TalusError | null = null; // since GoAway, or an Error that ends the connection
   private heardAt = 0;
   private deadline: ReturnType<typeof setTimeout> | undefined;
@@ -113,7 +123,7 @@ export class StreamClient extends ClientBase {
   private sayHello(): void {
     this.send(
       helloFrame({
-        protocolMin: PROTOCOL,
+        protocolMin: OLDEST_PROTOCOL,
         protocolMax: PROTOCOL,
         codecs: [CODEC],
         token: this.options.token ?? '',
@@ -148,6 +158,7 @@ export class StreamClient extends ClientBase {
     this.completeToTell = false;
     this.viewToSend = false;
     this.requests.putAllBack();
+    this.edits.connectionEnded();
   }
 
   private takePings(): OpenPing[] {
@@ -161,6 +172,7 @@ export class StreamClient extends ClientBase {
     const error = this.closedError();
     for (const ping of this.takePings()) ping.reject(error);
     this.requests.failAll(error);
+    this.edits.failAll(error);
     this.cache.clear();
   }
 
@@ -201,7 +213,15 @@ export class StreamClient extends ClientBase {
       case 'error':
         return this.handleError(message);
       case 'edit_broadcast':
-        return void (this.tracker.has(message.key) && this.refetch(message.key));
+        return this.handleEditBroadcast(message);
+      case 'edit_result':
+        this.backoff.reset();
+        this.edits.handleResult(message);
+        return this.sendRequests();
+      case 'attached':
+        this.backoff.reset();
+        this.edits.handleAttached(message);
+        return this.sendRequests();
       case 'pong':
         return this.handlePong(message);
       case 'go_away':
@@ -211,9 +231,9 @@ export class StreamClient extends ClientBase {
     }
   }
 
-  private handleWelcome({ protocol, world }: Message<'welcome'>): void {
-    if (protocol !== PROTOCOL || world.codec !== CODEC) {
-      throw broken(`a Welcome for protocol ${protocol} and codec ${world.codec}, which were not offered`);
+  private handleWelcome({ world }: Message<'welcome'>): void {
+    if (world.protocol < OLDEST_PROTOCOL || world.protocol > PROTOCOL || world.codec !== CODEC) {
+      throw broken(`a Welcome for protocol ${world.protocol} and codec ${world.codec}, which were not offered`);
     }
     clearTimeout(this.deadline);
     this.pace.begin(world.limits.sessionRates, performance.now());
@@ -222,6 +242,7 @@ export class StreamClient extends ClientBase {
 
   protected worldKnown(sameWorld: boolean): void {
     if (!sameWorld) this.cache.clear();
+    this.edits.joined(this.world!, sameWorld);
     const idle = this.world!.limits.idleTimeoutMs || PING_INTERVAL_MS * 3;
     this.heardAt = performance.now();
     this.heartbeat = setInterval(() => this.beat(), Math.min(PING_INTERVAL_MS, idle / 3));
@@ -242,6 +263,7 @@ export class StreamClient extends ClientBase {
     this.stats.chunkBytes += frameBytes;
     const chunk: Chunk = { key, revision, hash, payload, material: materialOf(payload) };
     this.debts.set(chunk, { connection: this.connection, bytes: frameBytes });
+    this.edits.saw(revision);
     let given = false;
     if (id !== 0) {
       const request = this.requests.find(id);
@@ -255,7 +277,7 @@ export class StreamClient extends ClientBase {
       this.sendRequests();
     } else if (this.tracker.shape?.covers(key)) {
       this.backoff.reset();
-      if (chunk.material === null) this.cache.put(keyName(key), message);
+      this.keep(chunk);
       given = this.deliver(chunk);
     }
     if (!given || !this.options.manualCredit) this.taken(chunk);
@@ -277,10 +299,40 @@ export class StreamClient extends ClientBase {
     if (!this.tracker.shape?.covers(key)) return;
     this.backoff.reset();
     ++this.stats.unchangedChunks;
-    if (this.tracker.hashOf(key) === hash) return;
+    const held = this.tracker.find(key);
+    if (held !== undefined && revision < held.revision) return; // it crossed an edit
+    if (held?.hash === hash) return this.tracker.confirm(held, revision);
     const kept = this.cache.find(keyName(key));
     if (kept?.hash !== hash) this.refetch(key);
     else this.deliver({ key, revision, hash, payload: kept.payload.slice(), material: null });
+  }
+
+  /** The revision says whether it is news, and whether it applies to what is here. Where it does not, or what is here was
+   *  not kept, the chunk is asked for: that is always right. */
+  private handleEditBroadcast({ key, revision, previousRevision, runs }: Message<'edit_broadcast'>): void {
+    const held = this.tracker.find(key);
+    this.edits.saw(revision);
+    if (held === undefined || revision <= held.revision) return;
+    const payload = held.material === null ? this.cache.find(keyName(key)) : uniformPayload(held.material);
+    const isHeld = payload instanceof Uint8Array || (payload !== undefined && payload.hash === held.hash);
+    if (!isHeld || runs.length === 0 || previousRevision > held.revision) {
+      this.refetch(key);
+      return;
+    }
+    const edited = new Uint16Array(CHUNK_VOLUME);
+    const before = decodeChunk(payload instanceof Uint8Array ? payload : payload!.payload, { into: edited });
+    if (before.voxels === null) edited.fill(before.uniform);
+    readRuns(runs, (first, end, material) => edited.fill(material, first, end));
+    const after = encodeChunk({ uniform: null, voxels: edited });
+    const chunk: Chunk = { key, revision, hash: hashVoxels({ uniform: null, voxels: edited }), payload: after, material: materialOf(after) };
+    this.keep(chunk);
+    this.deliver(chunk);
+  }
+
+  /** So that it can be told by its hash, and changed by what is broadcast. */
+  private keep({ key, revision, hash, payload, material }: Chunk): void {
+    if (material === null && hash !== null) this.cache.put(keyName(key), { key, revision, hash, payload });
+    else this.cache.erase(keyName(key));
   }
 
   private handleUniformColumn({ x, z, lod, revision, runs }: Message<'uniform_column'>): void {
@@ -366,12 +418,18 @@ export class StreamClient extends ClientBase {
     const error = errorOf(message);
     const comesBack = message.code === 'overloaded' && message.retryAfterMs > 0;
     if (comesBack) this.pace.refused(message.retryAfterMs, performance.now());
+    // A server that leaves takes nothing any more: what it did not take goes to the next.
+    const waits = message.code === 'overloaded' && (comesBack || this.leaving !== null);
     switch (message.about) {
       case 'request':
+        if (message.requestId >= EDIT_ID_BIT) {
+          this.edits.editRefused(message, error, waits);
+          return this.sendRequests();
+        }
         if (this.requests.find(message.requestId) === undefined) {
           throw broken(`an Error about request ${message.requestId}, which is not in flight`);
         }
-        if (message.code === 'overloaded' && (comesBack || this.leaving !== null)) this.requests.putBack(message.requestId);
+        if (waits) this.requests.putBack(message.requestId);
         else this.requests.take(message.requestId)!.reject(error);
         this.sendRequests();
         return;
@@ -381,6 +439,9 @@ export class StreamClient extends ClientBase {
         else this.emit('error', error);
         this.sendRequests();
         return;
+      case 'attach':
+        this.edits.attachRefused(error, waits);
+        return this.sendRequests();
       case 'view_chunk':
         if (message.chunk !== null && this.tracker.shape?.covers(message.chunk)) this.refetch(message.chunk);
         return;
@@ -447,6 +508,16 @@ export class StreamClient extends ClientBase {
     });
   }
 
+  edit(edit: Edit): Promise<EditDone> {
+    if (this.isClosed) return Promise.reject(this.closedError());
+    return this.edits.edit(edit, this.connected ? this.world : null);
+  }
+
+  editLimits(): Promise<EditLimits> {
+    if (this.isClosed) return Promise.reject(this.closedError());
+    return this.edits.askLimits(this.connected ? this.world : null);
+  }
+
   private ask(request: Parameters<Requests['add']>[0]): void {
     if (this.isClosed) throw this.closedError();
     this.requests.add(request);
@@ -457,13 +528,17 @@ export class StreamClient extends ClientBase {
   /** Asks anew for a chunk of the View. */
   private refetch(key: ChunkKey): void {
     const name = keyName(key);
-    if (this.refetching.has(name)) return;
-    this.refetching.add(name);
+    if (this.refetching.has(name)) return void this.refetching.set(name, true);
+    this.refetching.set(name, false);
     this.getChunk(key).then(
       (chunk) => {
+        const again = this.refetching.get(name) ?? false;
         this.refetching.delete(name);
+        const before = this.tracker.find(key)?.revision ?? -1n;
+        if (this.tracker.shape?.covers(key) && chunk.revision >= before) this.keep(chunk);
         const given = this.deliver(chunk);
         if (!given || !this.options.manualCredit) this.taken(chunk);
+        if (again && this.connected && this.tracker.has(key)) this.refetch(key);
         this.tellCompleteIfWhole();
       },
       (error: TalusError) => {
@@ -500,7 +575,7 @@ export class StreamClient extends ClientBase {
       const wait = this.pace.wait(performance.now());
       const next = this.requests.peek();
       const hasNext = next !== undefined && this.requests.inFlightCount < limits.requestsInFlight;
-      if (!this.viewToSend && !hasNext) break;
+      if (!this.viewToSend && !hasNext && !this.edits.hasNext) break;
       if (wait > 0) {
         this.sendLater(wait);
         break;
@@ -508,6 +583,11 @@ export class StreamClient extends ClientBase {
       this.pace.take();
       if (this.viewToSend) {
         this.sendView();
+        continue;
+      }
+      if (this.edits.hasNext) {
+        const frame = this.edits.next(limits.frameBytes);
+        if (frame !== null) this.send(frame);
         continue;
       }
       const { id, request } = this.requests.next()!;
@@ -549,6 +629,7 @@ function errorOf({ code, text, retryAfterMs }: Message<'error'>): TalusError {
     case 'version':
     case 'unauthorized':
     case 'forbidden':
+    case 'unsupported':
       return new TalusError('refused', said);
     case 'malformed':
     case 'unexpected':
@@ -561,6 +642,9 @@ function errorOf({ code, text, retryAfterMs }: Message<'error'>): TalusError {
       return new TalusError('overloaded', said, retryAfterMs);
     case 'cancelled':
       return new TalusError('cancelled', said);
+    case 'conflict':
+    case 'not_applied':
+      return new TalusError(code, said);
     case 'timeout':
       return new TalusError('timed_out', said);
     default:

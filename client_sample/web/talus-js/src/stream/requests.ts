@@ -33,11 +33,11 @@ export class Requests {
     return this.inFlight.size;
   }
 
-  /** The next to be sent, with its id. */
+  /** The next to be sent, with its id: below 2^31, as ids of edits are not. */
   next(): { id: number; request: Wanted } | null {
     const request = this.waiting.shift();
     if (request === undefined) return null;
-    do this.lastId = (this.lastId % 0xffffffff) + 1;
+    do this.lastId = (this.lastId % 0x7fffffff) + 1;
     while (this.inFlight.has(this.lastId));
     this.inFlight.set(this.lastId, request);
     return { id: this.lastId, request };

@@ -1,15 +1,17 @@
 // What a server says: protocol/schema/talus.fbs, read and checked. Numbers of fields are those of the schema's tables.
+import type { EditLimits } from '../edits/types.js';
 import type { ChunkKey, Limits, Material, Phase, Position, Rates, World } from '../types.js';
 import { broken, Frame, type Table } from './table.js';
 
 export const ERROR_CODES = [
   'none', 'version', 'malformed', 'unexpected', 'too_large', 'too_many_requests', 'out_of_range', 'cancelled',
   'unsupported', 'unauthorized', 'overloaded', 'timeout', 'duplicate_id', 'internal', 'forbidden',
+  'conflict', 'expired', 'not_applied',
 ] as const;
 export type ErrorCode = (typeof ERROR_CODES)[number] | 'unknown';
 
 export const ERROR_ABOUTS = [
-  'unspecified', 'connection', 'request', 'repeated_request', 'view', 'view_chunk', 'ping',
+  'unspecified', 'connection', 'request', 'repeated_request', 'view', 'view_chunk', 'ping', 'attach',
 ] as const;
 export type ErrorAbout = (typeof ERROR_ABOUTS)[number];
 
@@ -22,7 +24,7 @@ export interface UniformRun {
 }
 
 export type ServerMessage =
-  | { readonly kind: 'welcome'; readonly protocol: number; readonly world: World }
+  | { readonly kind: 'welcome'; readonly world: World }
   | {
       readonly kind: 'chunk';
       readonly id: number;
@@ -65,15 +67,31 @@ export type ServerMessage =
       readonly viewNumber: number;
       readonly chunk: ChunkKey | null;
     }
-  | { readonly kind: 'edit_result'; readonly id: number; readonly revision: bigint }
-  | { readonly kind: 'edit_broadcast'; readonly key: ChunkKey; readonly revision: bigint }
+  | { readonly kind: 'edit_result'; readonly id: number; readonly revision: bigint; readonly changed: number }
+  | {
+      readonly kind: 'edit_broadcast';
+      readonly key: ChunkKey;
+      readonly revision: bigint;
+      readonly previousRevision: bigint;
+      /** For readRuns(). */
+      readonly runs: Uint8Array;
+    }
+  | {
+      readonly kind: 'attached';
+      readonly editor: string;
+      readonly epoch: bigint;
+      readonly lastSequence: bigint;
+      readonly known: boolean;
+      readonly revision: bigint;
+      readonly limits: EditLimits;
+    }
   | { readonly kind: 'pong'; readonly nonce: bigint }
   | { readonly kind: 'go_away'; readonly reason: string; readonly retryAfterMs: number }
   | { readonly kind: 'view_complete'; readonly number: number };
 
 type Reader = (body: Table) => ServerMessage;
 
-/** By the number of the member of the union Body; 1 to 8 are a client's. */
+/** By the number of the member of the union Body; 1 to 8 and 20 are a client's. */
 const READERS: Record<number, Reader> = {
   9: readWelcome,
   10: (body) => ({
@@ -105,11 +123,26 @@ const READERS: Record<number, Reader> = {
     viewNumber: body.u32(6),
     chunk: body.struct(7, 16) === 0 ? null : readKey(body, 7),
   }),
-  15: (body) => ({ kind: 'edit_result', id: body.u32(0), revision: body.u64(1) }),
-  16: (body) => ({ kind: 'edit_broadcast', key: readKey(body, 0), revision: body.u64(1) }),
+  15: (body) => ({ kind: 'edit_result', id: body.u32(0), revision: body.u64(1), changed: body.u32(2) }),
+  16: (body) => ({
+    kind: 'edit_broadcast',
+    key: readKey(body, 0),
+    revision: body.u64(1),
+    previousRevision: body.u64(2),
+    runs: body.bytesOf(4),
+  }),
   17: (body) => ({ kind: 'pong', nonce: body.u64(0) }),
   18: (body) => ({ kind: 'go_away', reason: body.text(0), retryAfterMs: body.u32(1) }),
   19: (body) => ({ kind: 'view_complete', number: body.u32(0) }),
+  21: (body) => ({
+    kind: 'attached',
+    editor: readHash(body, 0),
+    epoch: body.u64(1),
+    lastSequence: body.u64(2),
+    known: body.bool(3),
+    revision: body.u64(4),
+    limits: readEditLimits(body.table(5)),
+  }),
 };
 
 /** The message of a frame, its length included. Throws a TalusError where it is none that a server sends. */
@@ -186,6 +219,16 @@ function readLimits(table: Table | null): Limits {
   };
 }
 
+function readEditLimits(table: Table | null): EditLimits {
+  if (table === null) throw broken('an Attached without limits');
+  return {
+    voxels: table.u32(0),
+    chunks: table.u32(1),
+    unanswered: table.u32(2),
+    voxelsPerSecond: Number(table.u64(3)),
+  };
+}
+
 function readMaterial(table: Table): Material {
   return {
     id: table.u16(0),
@@ -199,6 +242,7 @@ function readWelcome(body: Table): ServerMessage {
   const chunkSize = body.u16(4);
   if (chunkSize !== 32) throw broken(`a Welcome with chunks of ${chunkSize} voxels; this client knows 32`);
   const world: World = {
+    protocol: body.u16(0),
     fingerprint: readHash(body, 2),
     storeId: readHash(body, 3),
     codec: body.u8(1),
@@ -211,7 +255,7 @@ function readWelcome(body: Table): ServerMessage {
     looks: body.texts(11),
     fields: body.texts(12),
   };
-  return { kind: 'welcome', protocol: body.u16(0), world };
+  return { kind: 'welcome', world };
 }
 
 function readUniformColumn(body: Table): ServerMessage {

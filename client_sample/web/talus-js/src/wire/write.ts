@@ -20,7 +20,7 @@ export const COLUMN_BYTES = 16;
 export const REST_BYTES = 128;
 
 /** A frame with the member `kind` of the union Body. */
-function frame(kind: number, write: (builder: Builder) => Offset): Uint8Array {
+export function frame(kind: number, write: (builder: Builder) => Offset): Uint8Array {
   const builder = new Builder(256);
   const body = write(builder);
   builder.startObject(2);
@@ -31,7 +31,7 @@ function frame(kind: number, write: (builder: Builder) => Offset): Uint8Array {
 }
 
 /** A vector of structs; `write` puts one, and builders write backwards. */
-function structs<T>(
+export function structs<T>(
   builder: Builder,
   entries: readonly T[],
   bytes: number,
@@ -46,7 +46,7 @@ function structs<T>(
   return builder.endVector();
 }
 
-function writeHash(builder: Builder, hash: string): void {
+export function writeHash(builder: Builder, hash: string): void {
   builder.writeInt64(BigInt(`0x${hash.slice(0, 16)}`));
   builder.writeInt64(BigInt(`0x${hash.slice(16)}`));
 }

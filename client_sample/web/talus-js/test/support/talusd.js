@@ -15,8 +15,8 @@ export const talusd =
     .sort((a, b) => statSync(b).mtimeMs - statSync(a).mtimeMs)[0];
 
 /** Starts one; resolves when it listens. `port` and `httpPort` 0: the system chooses. */
-export async function startTalusd({ port = 0, httpPort = 0, env = {} } = {}) {
-  const child = spawn(talusd, ['--listen', `127.0.0.1:${port}`, '--http', `127.0.0.1:${httpPort}`], {
+export async function startTalusd({ port = 0, httpPort = 0, args = [], env = {} } = {}) {
+  const child = spawn(talusd, ['--listen', `127.0.0.1:${port}`, '--http', `127.0.0.1:${httpPort}`, ...args], {
     env: { ...process.env, ...env },
     stdio: ['ignore', 'pipe', 'pipe'],
   });

@@ -100,7 +100,7 @@ export class Session {
   /** Tries at once what would be tried later. */
   hurry(): void {
     if (this.#retry !== undefined) void this.open();
-    else if (this.engine?.stats().state === 'lost') this.engine.reconnect();
+    else if (this.engine?.stats().state === 'lost') this.engine.hurry();
   }
 
   /** After a refusal, and after a new token. */

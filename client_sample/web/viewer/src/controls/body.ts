@@ -65,6 +65,17 @@ export class Body {
     for (let i = 0; i < steps; ++i) this.#walk(seconds / steps, intent);
   }
 
+  /** Whether it is in a box of voxels, both corners included. */
+  isIn(first: { x: number; y: number; z: number }, last: { x: number; y: number; z: number }): boolean {
+    const { low, high } = this.#box();
+    const meets = (axis: 0 | 1 | 2, from: number, to: number) => from < high[axis] && low[axis] < to + 1;
+    return meets(0, first.x, last.x) && meets(1, first.y, last.y) && meets(2, first.z, last.z);
+  }
+
+  get speed(): number {
+    return Math.hypot(...this.velocity);
+  }
+
   /** To the first free place at or above the feet, at most `reach` up; false where there is none that is known. */
   rise(reach: number): boolean {
     const start = this.position[1];

@@ -1,4 +1,5 @@
-// Looking by mouse: a click locks the pointer, Esc frees it; without the lock, dragging looks too.
+// Looking by mouse: a click locks the pointer, Esc frees it; without the lock, dragging looks too. While the tools of
+// building are there, the click that locks does nothing else, so that nobody digs by coming back to the page.
 import type { Device, Intent } from './intent';
 import type { Settings } from '../place/settings';
 
@@ -13,12 +14,17 @@ export class Mouse implements Device {
   constructor(
     private readonly canvas: HTMLElement,
     private readonly settings: Settings,
-    onPick: (x: number, y: number) => void,
-    onWheel: (notches: number) => void,
+    /** `other`: by the right button. */
+    onPick: (x: number, y: number, other: boolean) => void,
+    onWheel: (notches: number, shift: boolean) => void,
+    hasTools: () => boolean,
   ) {
     canvas.addEventListener('pointerdown', (event) => {
-      if (event.pointerType !== 'mouse' || event.button !== 0) return;
-      if (this.isLocked) onPick(canvas.clientWidth / 2, canvas.clientHeight / 2);
+      if (event.pointerType !== 'mouse') return;
+      const other = event.button === 2 && hasTools();
+      if (event.button !== 0 && !other) return;
+      if (this.isLocked) onPick(canvas.clientWidth / 2, canvas.clientHeight / 2, other);
+      else if (other) onPick(event.clientX, event.clientY, true);
       else this.#pressed = { x: event.clientX, y: event.clientY, moved: false };
     });
     addEventListener('pointermove', (event) => {
@@ -36,14 +42,19 @@ export class Mouse implements Device {
       const wasClick = !this.#pressed.moved;
       this.#pressed = null;
       if (!wasClick) return;
-      onPick(event.clientX, event.clientY);
+      const pick = () => onPick(event.clientX, event.clientY, false);
+      if (hasTools()) return this.#lock(pick);
+      pick();
       this.#lock();
+    });
+    canvas.addEventListener('contextmenu', (event) => {
+      if (hasTools()) event.preventDefault();
     });
     canvas.addEventListener(
       'wheel',
       (event) => {
         event.preventDefault();
-        onWheel(-Math.sign(event.deltaY));
+        onWheel(-Math.sign(event.deltaY || event.deltaX), event.shiftKey);
       },
       { passive: false },
     );
@@ -70,9 +81,9 @@ export class Mouse implements Device {
     this.#pitch -= y * rate * (this.settings.invertLook ? -1 : 1);
   }
 
-  #lock(): void {
-    // Refused in an iframe, or too soon after Esc: dragging goes on to work.
+  #lock(otherwise = () => {}): void {
+    // Refused in an iframe, or too soon after Esc: dragging goes on to work, and clicks where the pointer is.
     const locking = this.canvas.requestPointerLock() as unknown as Promise<void> | undefined;
-    locking?.catch(() => undefined);
+    locking?.catch(otherwise);
   }
 }

@@ -41,6 +41,17 @@ export interface Hit {
   readonly normal: Vector;
 }
 
+/** A box that is drawn around voxels, `first` to `last`, both included. */
+export interface Marker {
+  readonly first: Vector;
+  readonly last: Vector;
+  /** 0xRRGGBB: of the veil over it, and of its edges. */
+  readonly colour: number;
+  readonly edge: number;
+  /** How thick the veil is, 0 to 1. */
+  readonly veil: number;
+}
+
 /** A vertical plane through (x, z) that cuts the land open. What lies on the side of the normal,
  *  (sin yaw, -cos yaw), is not drawn: yaw is where somebody looks who stands behind the cut, looking out of it. */
 export interface Slice {

@@ -1,14 +1,17 @@
 // The engine of the viewer: streams chunks, meshes them in workers and draws them.
-import { connect, type Client, type TalusError, type World } from 'talus';
-import type { EngineEvents, EngineOptions, EngineState, Hit, Slice, Stats, Vector, WorldInfo } from './api.js';
+import { connect, type Client, type Edit, type EditDone, type EditLimits, type TalusError, type World } from 'talus';
+import type { EngineEvents, EngineOptions, EngineState, Hit, Marker, Slice, Stats, Vector, WorldInfo } from './api.js';
 import { Frame, type Eye } from './draw/frame.js';
 import { Ground } from './draw/ground.js';
 import { materialTexture } from './draw/materials.js';
 import type { TerrainMesh } from './draw/terrain.js';
+import { Predictions, type VoxelChange } from './edit/predictions.js';
+import { touchedNeighbours } from './edit/touched.js';
 import { GAS, LIQUID, SOLID } from './mesh/mesher.js';
 import { MATERIALS_MAX } from './mesh/quad.js';
 import { Rate, Sample } from './meter.js';
 import { castRay } from './raycast.js';
+import { decodeChunk } from './stream/decode.js';
 import { Land, type Column, type Kind } from './stream/land.js';
 import { Pool, workersFor } from './stream/pool.js';
 import { chunksOf, shapeOf, viewFor } from './stream/shape.js';
@@ -56,6 +59,9 @@ export class Engine {
   private token: string | undefined;
   private slice: Slice | null = null;
   private selection: Vector | null = null;
+  private marker: Marker | null = null;
+  private readonly predictions: Predictions;
+  private clientEnded = false;
   private lost = false;
   private disposed = false;
   private readonly started = performance.now();
@@ -109,6 +115,13 @@ export class Engine {
         if (column.liquids !== null && this.seaLevel === null) this.seeSea(column.liquids, column.lod);
       },
       arrivedToDrawn: (ms) => this.latency.add(ms),
+    });
+    this.predictions = new Predictions({
+      held: ({ x, y, z }) => {
+        const chunk = this.land.get(0, x, z)?.chunks.get(y);
+        return chunk === undefined || chunk.left ? null : chunk;
+      },
+      show: ({ x, y, z }, { payload, material }) => this.addChunk(0, x, y, z, payload, material),
     });
     options.canvas.addEventListener('webglcontextlost', this.onContextLost);
     options.canvas.addEventListener('webglcontextrestored', this.onContextRestored);
@@ -193,6 +206,37 @@ export class Engine {
     this.selection = voxel;
   }
 
+  /** What an edit would change; null: nothing is marked. */
+  setMarker(marker: Marker | null): void {
+    this.marker = marker;
+  }
+
+  /** Why nobody edits here, in words for people; null: one may try. */
+  get whyNoEdits(): string | null {
+    if (this.options.transport === 'http') return 'By HTTP one only looks. The settings have WebSocket, which takes edits.';
+    if (this.info === null) return 'The world is not here yet.';
+    if (this.info.protocol < 2) return 'This server is too old to dig and build in its world.';
+    return /^0*$/.test(this.info.storeId) ? 'This server keeps no edits: it has no place to store them.' : null;
+  }
+
+  /** Rejects with a TalusError where the server does not let this player edit. */
+  editLimits(): Promise<EditLimits> {
+    return this.client.editLimits();
+  }
+
+  /** Sends an edit, and shows `changes`, which are what it does, at once: they are taken back where it is refused. */
+  async edit(edit: Edit, changes: readonly VoxelChange[]): Promise<EditDone> {
+    const prediction = this.predictions.begin(changes);
+    try {
+      const done = await this.client.edit(edit);
+      this.predictions.settled(prediction, done.revision, done.changed > 0);
+      return done;
+    } catch (error) {
+      this.predictions.refused(prediction);
+      throw error;
+    }
+  }
+
   setRadius(radius: number, horizon: number): void {
     if (radius === this.radius && horizon === this.horizon) return;
     this.radius = radius;
@@ -211,6 +255,12 @@ export class Engine {
   setToken(token: string): void {
     this.token = token;
     this.reconnect();
+  }
+
+  /** Where the connection is lost: tries at once what would be tried later. Edits that wait go on waiting. */
+  hurry(): void {
+    if (this.clientEnded) this.reconnect();
+    else this.client.retry();
   }
 
   /** Begins anew with the server; what is drawn stays until it comes again. */
@@ -275,18 +325,23 @@ export class Engine {
     if (this.options.transport === 'websocket') url.protocol = url.protocol === 'https:' ? 'wss:' : 'ws:';
     const client = connect({ url: url.href, token: this.token, clientName: 'talus-viewer', manualCredit: true });
     this.client = client;
+    this.clientEnded = false;
     const current = () => client === this.client && !this.disposed;
     client.on('connected', (world, sameWorld) => current() && this.onConnected(world, sameWorld));
     client.on('chunk', (chunk) => {
       if (!current()) return;
       const { lod, x, y, z } = chunk.key;
       this.rate.add(performance.now());
-      this.workSoon();
-      this.land.add(lod, x, y, z, chunk.payload, chunk.material);
+      const content = lod === 0 ? this.predictions.arrived(chunk.key, chunk.revision, chunk) : chunk;
+      if (content !== null) this.addChunk(lod, x, y, z, content.payload, content.material);
       if (this.land.waiting < WAITING_MAX) client.taken(chunk);
       else this.untaken.push(chunk);
     });
-    client.on('chunkLeft', ({ lod, x, y, z }) => current() && this.land.leave(lod, x, y, z));
+    client.on('chunkLeft', (key) => {
+      if (!current()) return;
+      if (key.lod === 0) this.predictions.left(key);
+      this.land.leave(key.lod, key.x, key.y, key.z);
+    });
     client.on('viewComplete', () => {
       if (!current()) return;
       this.viewComplete = true;
@@ -297,6 +352,7 @@ export class Engine {
     });
     client.on('error', (error) => current() && this.emit('error', error.message));
     client.on('closed', (error: TalusError | null) => {
+      if (current()) this.clientEnded = true;
       if (current() && error !== null) this.setState(error.kind === 'refused' ? 'refused' : 'lost', error.message);
     });
     this.joined = client.ready();
@@ -308,6 +364,7 @@ export class Engine {
     if (isNew) {
       if (this.info !== null) {
         this.land.clear();
+        this.predictions.clear();
         this.voxels.clear();
       }
       this.info = { ...world, seaLevel: null };
@@ -325,6 +382,22 @@ export class Engine {
       this.sendView(performance.now());
     }
     this.emit('world', this.world, !isNew);
+  }
+
+  /** New, or in place of what is here: then only what shows of the difference is made again. */
+  private addChunk(lod: number, x: number, y: number, z: number, payload: Uint8Array | null, material: number | null): void {
+    const before = this.land.get(lod, x, z)?.chunks.get(y);
+    const isEdited = before !== undefined && !before.left && before.meshedWith >= 0;
+    let touched: number | undefined;
+    if (isEdited) {
+      try {
+        touched = touchedNeighbours(before.material ?? decodeChunk(before.payload!), material ?? decodeChunk(payload!));
+      } catch {
+        // The workers say what does not decode.
+      }
+    }
+    this.land.add(lod, x, y, z, payload, material, touched);
+    this.workSoon();
   }
 
   private prepareMaterials(world: World): void {
@@ -442,6 +515,7 @@ export class Engine {
       now: performance.now(),
       slice: this.land.slice,
       selected: this.selection,
+      marker: this.marker,
       seaLevel: this.seaLevel,
       underWater: here !== undefined && this.isLiquid(here),
       hideBuried: this.land.slice === null && eye.y > roof - 4,

@@ -30,6 +30,8 @@ import { skyFragment, skyVertex } from '../shaders/sky.js';
 import { shadowFragment, shadowVertex, terrainFragment, terrainVertex } from '../shaders/terrain.js';
 import { waterFragment, waterVertex } from '../shaders/water.js';
 import { Ground } from './ground.js';
+import type { Marker } from '../api.js';
+import { MarkerBox } from './marker.js';
 import { lightAt, type Light } from './sun.js';
 import { ANCHOR_STEP, Terrain, type TerrainMesh } from './terrain.js';
 
@@ -63,6 +65,7 @@ export class Frame {
   private shadowStale = true;
   private shadowReach = 0;
   private readonly skyMaterial: RawShaderMaterial;
+  private readonly marker: MarkerBox;
 
   constructor(canvas: HTMLCanvasElement, quality: 'low' | 'high') {
     this.renderer = new WebGLRenderer({ canvas, antialias: quality === 'high', powerPreference: 'high-performance', stencil: false, alpha: false });
@@ -113,6 +116,7 @@ export class Frame {
       starTurn: { value: new Matrix3() },
       sunDisc: { value: 1 },
     };
+    this.marker = new MarkerBox(this.uniforms.viewProjection!);
     this.shadowUniforms = { eye: { value: new Vector3() }, viewProjection: { value: new Matrix4() } };
     this.terrain = new Terrain(this.renderer, (pass) => this.makeMaterial(pass));
     this.skyMaterial = new RawShaderMaterial({
@@ -218,6 +222,7 @@ export class Frame {
     now: number;
     slice: SlicePlane | null;
     selected: { x: number; y: number; z: number } | null;
+    marker: Marker | null;
     seaLevel: number | null;
     underWater: boolean;
     hideBuried: boolean;
@@ -257,6 +262,7 @@ export class Frame {
     renderer.render(terrain.solid, this.camera);
     renderer.render(this.sky, this.camera);
     renderer.render(terrain.liquid, this.camera);
+    if (options.marker !== null) this.marker.draw(renderer, this.camera, options.marker, eye);
     this.triangles = renderer.info.render.triangles;
     this.drawCalls = renderer.info.render.calls;
   }
@@ -265,6 +271,7 @@ export class Frame {
     this.terrain.dispose();
     this.setGround(null);
     this.skyMaterial.dispose();
+    this.marker.dispose();
     (this.uniforms.materials!.value as Texture | null)?.dispose();
     this.shadowTarget?.depthTexture?.dispose();
     this.shadowTarget?.dispose();

@@ -4,6 +4,7 @@
 // comes that the View had not before. Chunks that left stay drawn until what replaces them is there (cover.ts).
 import type { ChunkMesh } from '../mesh/mesher.js';
 import { coverOf, nearestMissing } from './cover.js';
+import { ALL_AROUND } from '../edit/touched.js';
 import { columnKey } from './keys.js';
 import type { Job, SlicePlane } from './messages.js';
 import { hasColumn, type Shape } from './shape.js';
@@ -45,6 +46,8 @@ export class Chunk<D extends Drawable = Drawable> {
   meshedWith = -1;
   meshedSlice: SlicePlane | null = null;
   changed = false;
+  /** Something in it was edited: it goes before all that is not. */
+  hurried = false;
   job: { id: number; known: number; slice: SlicePlane | null; slot: number } | null = null;
   queued = false;
   left = false;
@@ -181,7 +184,8 @@ export class Land<D extends Drawable> {
     this.version++;
   }
 
-  add(lod: number, x: number, y: number, z: number, payload: Uint8Array | null, material: number | null): void {
+  /** `touched`: of a chunk that is here already, which neighbours (as bits of Job.known) show something of what changed. */
+  add(lod: number, x: number, y: number, z: number, payload: Uint8Array | null, material: number | null, touched = ALL_AROUND): void {
     let column = this.get(lod, x, z);
     if (column === undefined) {
       column = new Column<D>(lod, x, z);
@@ -206,12 +210,16 @@ export class Land<D extends Drawable> {
     chunk.material = material;
     chunk.arrived = this.options.now();
     chunk.changed = true;
+    chunk.hurried = !isNew && !returns;
     this.options.meshers.send(chunk);
     this.eachNeighbour(chunk, (other, bit) => {
       if (!other.left) {
         chunk!.known |= 1 << bit;
         other.known |= 1 << (26 - bit);
-        if (!isNew) other.changed = true;
+        if (!isNew && (touched >>> bit) & 1) {
+          other.changed = true;
+          other.hurried = !returns;
+        }
         this.consider(other);
       }
     });
@@ -348,7 +356,7 @@ export class Land<D extends Drawable> {
     if (this.isPlain(chunk)) {
       const first = chunk.meshedWith < 0;
       this.replace(chunk, null, chunk.known, slice);
-      chunk.changed = false;
+      chunk.changed = chunk.hurried = false;
       if (first || chunk.tops !== null) {
         chunk.tops = null;
         chunk.column.stale = true;
@@ -419,6 +427,7 @@ export class Land<D extends Drawable> {
     const dy = (chunk.y + 0.5) * size - this.camera.y;
     const dz = (chunk.z + 0.5) * size - this.camera.z;
     // A chunk that is drawn already can wait; what lies deep too.
+    if (chunk.hurried) return Math.hypot(dx, dz) - 100_000;
     return Math.hypot(dx, dz) + (dy > 0 ? dy * 0.25 : -dy * 0.5) + (chunk.meshedWith >= 0 && chunk.meshedSlice === this.sliceOf(chunk) ? 200 : 0);
   }
 
@@ -445,7 +454,7 @@ export class Land<D extends Drawable> {
       const slot = this.options.drawer.takeSlot(chunk.lod, chunk.x, chunk.y, chunk.z);
       const id = this.nextJob++;
       chunk.job = { id, known: chunk.known, slice, slot };
-      chunk.changed = false;
+      chunk.changed = chunk.hurried = false;
       this.jobs.set(id, chunk);
       this.options.meshers.mesh(chunk, { id, lod: chunk.lod, x: chunk.x, y: chunk.y, z: chunk.z, slot, known: chunk.known, slice });
     }

@@ -1,0 +1,46 @@
+// Which voxels of a chunk changed, and to what: core/edits/FORMAT.md, "Runs".
+import { broken } from '../wire/table.js';
+
+const VOLUME = 32_768;
+
+/** Calls `visit` for runs of voxels, `first` to `end` - 1 of the chunk, by rising index. Throws a TalusError where the
+ *  bytes are none, or not in the one form that a set of voxels has; what was visited until then is to be dropped. */
+export function readRuns(bytes: Uint8Array, visit: (first: number, end: number, material: number) => void): void {
+  let next = 0;
+  const number = (most: number): number => {
+    let value = 0;
+    for (let shift = 0; shift < 35; shift += 7) {
+      const byte = bytes[next++];
+      if (byte === undefined) throw broken('runs of voxels that end too early');
+      value += (byte & 0x7f) * 2 ** shift;
+      if (byte >= 0x80) continue;
+      if ((byte === 0 && shift > 0) || value > most) break;
+      return value;
+    }
+    throw broken('runs of voxels with a number that is past its range, or longer than need be');
+  };
+  const ids: number[] = [];
+  for (let left = number(VOLUME); left > 0; --left) {
+    const id = number(0xffff);
+    if (ids.length > 0 && id <= ids.at(-1)!) throw broken('runs of voxels whose materials do not rise');
+    ids.push(id);
+  }
+  const used = new Set<number>();
+  let end = 0;
+  let before = -1; // place of the material of the run before
+  for (let left = number(VOLUME); left > 0; --left) {
+    const gap = number(VOLUME - 1);
+    if (ids.length === 0) throw broken('runs of voxels without a material');
+    const coded = number(VOLUME * ids.length - 1);
+    const place = coded % ids.length;
+    if (gap === 0 && place === before) throw broken('runs of voxels that are one run');
+    const first = end + gap;
+    end = first + Math.floor(coded / ids.length) + 1;
+    if (end > VOLUME) throw broken("runs of voxels past the chunk's end");
+    used.add(place);
+    before = place;
+    visit(first, end, ids[place]!);
+  }
+  if (used.size !== ids.length) throw broken('runs of voxels with a material of no run');
+  if (next !== bytes.length) throw broken('runs of voxels with bytes after the last');
+}

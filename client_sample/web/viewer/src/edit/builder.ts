@@ -1,0 +1,271 @@
+// Digging and building: tools, what they aim at, what they did, and what is said of it. The page's edit bar shows it.
+import type { EditLimits, Material, TalusError } from 'talus';
+import type { Body } from '../controls/body';
+import type { Engine, Hit, Marker, Vector } from '../engine/engine';
+import { History, pairsThatFit, undoing, type Made } from './history';
+import { aim, AIR, boxOf, eachVoxel, FILL_MAX, sidesOf, voxelOf, volumeOf, type Box, type Tool } from './target';
+
+/** Blocks: one sees there what one does. */
+export const REACH = 40;
+/** Blocks a second: faster, nobody aims. */
+const FASTEST = 12;
+/** Edits that may wait for the server. */
+const WAITING_MAX = 256;
+const DIG_COLOUR = 0xff9d6a;
+const WRONG_COLOUR = 0xff5548;
+
+export interface Listener {
+  /** Mode, tool, palette or material are others. */
+  changed(): void;
+  say(text: string, isBad: boolean): void;
+}
+
+const place = ({ x, y, z }: Vector) => `${x}, ${y}, ${z}`;
+const sentence = (text: string) => text.charAt(0).toUpperCase() + text.slice(1) + (/[.!?]$/.test(text) ? '' : '.');
+
+export class Builder {
+  isOn = false;
+  tool: Tool = 'dig';
+  material = AIR;
+  palette: readonly Material[] = [];
+  /** Edits that are not answered. */
+  waiting = 0;
+  #engine: Engine | null = null;
+  #limits: EditLimits | null = null;
+  #corner: Vector | null = null;
+  #said = '';
+  readonly #history = new History();
+
+  constructor(
+    private readonly body: Body,
+    private readonly listener: Listener,
+  ) {}
+
+  /** Another engine, or none: nothing that was done in the one before can be undone in it. */
+  enter(engine: Engine | null): void {
+    this.#engine = engine;
+    this.#history.clear();
+    this.waiting = 0;
+    if (this.isOn) this.#off();
+    if (engine === null) return;
+    const rank = ({ id, phase }: Material) => (id === AIR ? 0 : phase === 'solid' ? 1 : 2);
+    this.palette = engine.world.materials
+      .filter(({ id, phase }) => id === AIR || phase !== 'gas')
+      .sort((a, b) => rank(a) - rank(b) || a.id - b.id);
+    if (!this.palette.some(({ id }) => id === this.material) || this.material === AIR) {
+      this.material = this.palette[1]?.id ?? AIR;
+    }
+    this.listener.changed();
+  }
+
+  /** Why there are no tools; null: there may be. */
+  get whyNot(): string | null {
+    return this.#engine === null ? 'The world is not here yet.' : this.#engine.whyNoEdits;
+  }
+
+  async toggle(): Promise<void> {
+    if (this.isOn) return this.#off();
+    const engine = this.#engine;
+    const { whyNot } = this;
+    if (engine === null || whyNot !== null) return this.#say(whyNot ?? '', true);
+    try {
+      this.#limits = await engine.editLimits();
+    } catch (error) {
+      if (engine !== this.#engine) return;
+      const { kind, message } = error as TalusError;
+      const words = kind === 'refused' ? `You may look, but not dig and build here: ${message.replace(/^the server says: /, '')}` : message;
+      return this.#say(sentence(words), true);
+    }
+    if (engine !== this.#engine || this.isOn) return;
+    this.isOn = true;
+    this.listener.changed();
+  }
+
+  #off(): void {
+    this.isOn = false;
+    this.#corner = null;
+    this.#engine?.setMarker(null);
+    this.listener.changed();
+  }
+
+  /** False where there was no corner. */
+  cancel(): boolean {
+    const had = this.#corner !== null;
+    this.#corner = null;
+    return had;
+  }
+
+  choose(tool: Tool): void {
+    this.tool = tool;
+    this.#corner = null;
+    this.listener.changed();
+  }
+
+  nextTool(): void {
+    const tools: Tool[] = ['dig', 'build', 'fill'];
+    this.choose(tools[(tools.indexOf(this.tool) + 1) % tools.length]!);
+  }
+
+  chooseMaterial(id: number): void {
+    if (!this.palette.some((material) => material.id === id)) return;
+    this.material = id;
+    if (this.tool === 'dig' && id !== AIR) this.tool = 'build';
+    this.listener.changed();
+  }
+
+  /** By its place in the palette, from 0. */
+  chooseSwatch(index: number): void {
+    const material = this.palette[index];
+    if (material !== undefined) this.chooseMaterial(material.id);
+  }
+
+  turn(swatches: number): void {
+    const { length } = this.palette;
+    const at = this.palette.findIndex(({ id }) => id === this.material);
+    if (length > 0) this.chooseSwatch((((at + swatches) % length) + length) % length);
+  }
+
+  /** Takes the material of what one looks at. */
+  sample(eye: Vector, direction: Vector): void {
+    const hit = this.#engine?.raycast(eye, direction, REACH, true);
+    if (hit) this.chooseMaterial(hit.material);
+  }
+
+  // ---- what one looks at
+
+  /** Marks what an edit would change. */
+  look(eye: Vector, direction: Vector): void {
+    if (!this.isOn || this.#engine === null) return;
+    const hit = this.#engine.raycast(eye, direction, REACH);
+    const voxel = hit && aim(hit, this.tool, this.material);
+    this.#engine.setMarker(voxel === null ? null : this.#markerOf(voxel));
+  }
+
+  #markerOf(voxel: Vector): Marker {
+    const takes = this.tool === 'dig' || this.material === AIR;
+    const box = boxOf(this.tool === 'fill' ? (this.#corner ?? voxel) : voxel, voxel);
+    const fits = volumeOf(box) <= this.#fillMax && (takes || !this.body.isIn(box.first, box.last));
+    const colour = takes ? DIG_COLOUR : (this.palette.find(({ id }) => id === this.material)?.colour ?? 0xffffff);
+    if (!fits) return { ...box, colour: WRONG_COLOUR, edge: WRONG_COLOUR, veil: 0.3 };
+    return { ...box, colour, edge: takes ? DIG_COLOUR : 0xffffff, veil: takes ? 0.14 : 0.55 };
+  }
+
+  get #fillMax(): number {
+    const { voxels = 0 } = this.#limits ?? {};
+    return voxels > 0 ? Math.min(voxels, FILL_MAX) : FILL_MAX;
+  }
+
+  // ---- what one does
+
+  /** The tool's work along a ray; `other`: digs where the tool builds, and builds where it digs. */
+  act(eye: Vector, direction: Vector, other = false): void {
+    const engine = this.#engine;
+    if (!this.isOn || engine === null) return;
+    if (this.body.speed > FASTEST) return this.#say('Slow down to dig and build.', true);
+    if (this.waiting >= WAITING_MAX) return this.#say('Much waits for the server already.', true);
+    const hit = engine.raycast(eye, direction, REACH);
+    if (hit === null) return this.#say('Nothing is near enough there.', false);
+    const tool = !other ? this.tool : this.tool === 'dig' ? 'build' : 'dig';
+    if (tool === 'fill') return this.#corners(engine, hit);
+    const voxel = aim(hit, tool, this.material);
+    if (voxel !== null) this.#change(engine, boxOf(voxel, voxel), tool === 'dig' ? AIR : this.material);
+  }
+
+  #corners(engine: Engine, hit: Hit): void {
+    const voxel = aim(hit, 'fill', this.material);
+    if (voxel === null) return;
+    if (this.#corner === null) {
+      this.#corner = voxelOf(voxel);
+      return this.#say(`From ${place(voxel)}: now the other corner.`, false);
+    }
+    const box = boxOf(this.#corner, voxel);
+    if (volumeOf(box) > this.#fillMax) {
+      return this.#say(`${sidesOf(box).join(' × ')} voxels are too many: at most ${this.#fillMax} at once.`, true);
+    }
+    if (this.#change(engine, box, this.material)) this.#corner = null;
+  }
+
+  #change(engine: Engine, box: Box, material: number): boolean {
+    if (material !== AIR && this.body.isIn(box.first, box.last)) {
+      this.#say('You stand there yourself.', true);
+      return false;
+    }
+    const made: Made[] = [];
+    let isHere = true;
+    eachVoxel(box, (voxel) => {
+      const before = engine.voxelAt(voxel.x, voxel.y, voxel.z);
+      if (before === undefined) isHere = false;
+      else if (before !== material) made.push({ voxel, before, after: material });
+    });
+    if (!isHere) {
+      this.#say('The land there is not here yet.', true);
+      return false;
+    }
+    if (made.length === 0) return true;
+    const step = this.#history.push(made);
+    // One voxel is changed only if it is what one saw.
+    const edit =
+      made.length === 1
+        ? { guards: made.map(({ voxel, before }) => ({ voxel, material: before })), writes: [{ voxel: made[0]!.voxel, material }] }
+        : { fills: [{ ...box, material }] };
+    this.#send(engine, edit, made.map(({ voxel }) => ({ ...voxel, material })), (kind, text) => {
+      this.#history.remove(step);
+      this.listener.changed();
+      this.#say(kind === 'conflict' ? 'Somebody changed that before you: it is as they left it.' : text, true);
+    });
+    this.listener.changed();
+    return true;
+  }
+
+  undo(): void {
+    const engine = this.#engine;
+    if (!this.isOn || engine === null || this.waiting >= WAITING_MAX) return;
+    const step = this.#history.pop();
+    this.listener.changed();
+    if (step === undefined) return this.#say('Nothing of yours is left to undo.', false);
+    // What is seen to be another's now stays; the guards see to what changes on the way.
+    const mine = step.made.filter(({ voxel, after }) => engine.voxelAt(voxel.x, voxel.y, voxel.z) === after);
+    const stayed = step.made.length - mine.length;
+    if (mine.length === 0) return this.#say('Not undone: somebody has changed it since.', true);
+    if (mine.some(({ voxel, before }) => engine.isSolid(before) && this.body.isIn(voxel, voxel))) {
+      this.#history.push(step.made);
+      return this.#say('You stand where it would come back: step aside.', true);
+    }
+    if (stayed > 0) this.#say(`Undone but for ${stayed} ${stayed === 1 ? 'voxel' : 'voxels'} that somebody has changed since.`, true);
+    const most = pairsThatFit(engine.world.limits.frameBytes, this.#limits?.voxels ?? 0);
+    for (const { edit, made } of undoing(mine, most)) {
+      const changes = made.map(({ voxel, before }) => ({ ...voxel, material: before }));
+      this.#send(engine, edit, changes, (kind, text) => {
+        this.#say(kind === 'conflict' ? 'Not undone: somebody has changed it since.' : text, true);
+      });
+    }
+  }
+
+  get canUndo(): boolean {
+    return !this.#history.isEmpty;
+  }
+
+  #send(engine: Engine, edit: Parameters<Engine['edit']>[0], changes: Parameters<Engine['edit']>[1], failed: (kind: TalusError['kind'], text: string) => void): void {
+    ++this.waiting;
+    engine
+      .edit(edit, changes)
+      .catch((error: TalusError) => {
+        if (engine !== this.#engine) return;
+        failed(error.kind, sentence(error.message.replace(/^the server says: /, '')));
+        if (error.kind === 'refused' && this.isOn) this.#off();
+      })
+      .finally(() => {
+        if (engine === this.#engine) --this.waiting;
+      });
+  }
+
+  #say(text: string, isBad: boolean): void {
+    this.#said = text;
+    this.listener.say(text, isBad);
+  }
+
+  /** What was said last. */
+  get said(): string {
+    return this.#said;
+  }
+}

@@ -1,0 +1,66 @@
+// One's own edits, to be undone. An undo is guarded by what the edit made, so that it never overwrites another's.
+import type { Edit } from 'talus';
+import type { Vector } from '../engine/api';
+
+export interface Made {
+  readonly voxel: Vector;
+  readonly before: number;
+  readonly after: number;
+}
+
+export interface Step {
+  readonly made: readonly Made[];
+}
+
+const KEPT = 200;
+/** Of a guard and a write on the wire, and of the rest of a frame. */
+const PAIR_BYTES = 64;
+const REST_BYTES = 256;
+
+export class History {
+  #steps: Step[] = [];
+
+  get isEmpty(): boolean {
+    return this.#steps.length === 0;
+  }
+
+  push(made: readonly Made[]): Step {
+    const step = { made };
+    this.#steps.push(step);
+    if (this.#steps.length > KEPT) this.#steps.shift();
+    return step;
+  }
+
+  /** It did not happen. */
+  remove(step: Step): void {
+    this.#steps = this.#steps.filter((each) => each !== step);
+  }
+
+  pop(): Step | undefined {
+    return this.#steps.pop();
+  }
+
+  clear(): void {
+    this.#steps = [];
+  }
+}
+
+/** How many voxels one edit may take back. */
+export function pairsThatFit(frameBytes: number, voxels: number): number {
+  const byVoxels = voxels > 0 ? Math.floor(voxels / 2) : Infinity;
+  return Math.max(1, Math.min(Math.floor((frameBytes - REST_BYTES) / PAIR_BYTES), byVoxels));
+}
+
+/** Edits that make `made` as it was before, each of at most `most` voxels. */
+export function undoing(made: readonly Made[], most: number): { edit: Edit; made: readonly Made[] }[] {
+  const edits = [];
+  for (let from = 0; from < made.length; from += most) {
+    const part = made.slice(from, from + most);
+    const edit = {
+      guards: part.map(({ voxel, after }) => ({ voxel, material: after })),
+      writes: part.map(({ voxel, before }) => ({ voxel, material: before })),
+    };
+    edits.push({ edit, made: part });
+  }
+  return edits;
+}

@@ -1,0 +1,172 @@
+// Edits that are shown before the server has answered: laid over the chunks that came, and taken off again when a chunk
+// has come that holds them, or when they are refused. No I/O.
+import { encodeChunk } from 'talus';
+import { decodeChunk } from '../stream/decode.js';
+
+/** A chunk of level 0. */
+export interface Place {
+  readonly x: number;
+  readonly y: number;
+  readonly z: number;
+}
+
+/** As the land holds a chunk. */
+export interface Content {
+  readonly payload: Uint8Array | null;
+  readonly material: number | null;
+}
+
+/** A base voxel, and what it is to be of. */
+export interface VoxelChange extends Place {
+  readonly material: number;
+}
+
+export interface Host {
+  /** What is here of a chunk; null: nothing. */
+  held(place: Place): Content | null;
+  show(place: Place, content: Content): void;
+}
+
+type Layer = Map<number, number>; // of a chunk: index of the voxel -> material
+
+/** One edit. */
+export class Prediction {
+  readonly layers = new Map<string, Layer>();
+  /** Of the edit that happened; null: not answered. */
+  revision: bigint | null = null;
+}
+
+interface Covered {
+  readonly place: Place;
+  /** Of the chunk beneath; -1: not known, as it came before. */
+  revision: bigint;
+  base: Content;
+  voxels: Uint16Array; // of `base`
+  shown: Uint16Array;
+  predictions: Prediction[];
+}
+
+const VOLUME = 32_768;
+const nameOf = ({ x, y, z }: Place) => `${x}/${y}/${z}`;
+
+function voxelsOf({ payload, material }: Content): Uint16Array {
+  const decoded = material ?? decodeChunk(payload!);
+  return typeof decoded === 'number' ? new Uint16Array(VOLUME).fill(decoded) : decoded;
+}
+
+const isSame = (a: Uint16Array, b: Uint16Array) => a.every((material, i) => material === b[i]);
+
+export class Predictions {
+  private readonly covered = new Map<string, Covered>();
+
+  constructor(private readonly host: Host) {}
+
+  /** Chunks that show something else than what came. */
+  get size(): number {
+    return this.covered.size;
+  }
+
+  /** Shows the changes. Those of chunks that are not here are left out. */
+  begin(changes: readonly VoxelChange[]): Prediction {
+    const prediction = new Prediction();
+    const places = new Map<string, Place>();
+    for (const { x, y, z, material } of changes) {
+      const place = { x: Math.floor(x / 32), y: Math.floor(y / 32), z: Math.floor(z / 32) };
+      const name = nameOf(place);
+      let layer = prediction.layers.get(name);
+      if (layer === undefined) {
+        prediction.layers.set(name, (layer = new Map()));
+        places.set(name, place);
+      }
+      layer.set(((y - place.y * 32) * 32 + z - place.z * 32) * 32 + x - place.x * 32, material);
+    }
+    for (const [name, place] of places) {
+      const covered = this.cover(name, place);
+      if (covered === null) {
+        prediction.layers.delete(name);
+        continue;
+      }
+      covered.predictions.push(prediction);
+      this.refresh(name, covered);
+    }
+    return prediction;
+  }
+
+  /** The edit happened, and changed something or not; what shows it may have come, or is on its way. */
+  settled(prediction: Prediction, revision: bigint, changed: boolean): void {
+    prediction.revision = changed ? revision : 0n;
+    this.eachOf(prediction, (covered) => {
+      const layer = prediction.layers.get(nameOf(covered.place))!;
+      const agrees = [...layer].every(([index, material]) => covered.voxels[index] === material);
+      return agrees || (changed && covered.revision >= revision);
+    });
+  }
+
+  /** It did not happen, or nobody knows. */
+  refused(prediction: Prediction): void {
+    this.eachOf(prediction, () => true);
+  }
+
+  /** A chunk came; gives what is to be shown, or null where that is shown already. */
+  arrived(place: Place, revision: bigint, content: Content): Content | null {
+    const name = nameOf(place);
+    const covered = this.covered.get(name);
+    if (covered === undefined) return content;
+    covered.revision = revision;
+    covered.base = content;
+    covered.voxels = voxelsOf(content);
+    covered.predictions = covered.predictions.filter((each) => each.revision === null || each.revision > revision);
+    return this.compose(name, covered);
+  }
+
+  /** A chunk is not here any more. */
+  left(place: Place): void {
+    this.covered.delete(nameOf(place));
+  }
+
+  clear(): void {
+    this.covered.clear();
+  }
+
+  private cover(name: string, place: Place): Covered | null {
+    const already = this.covered.get(name);
+    if (already !== undefined) return already;
+    const base = this.host.held(place);
+    if (base === null) return null;
+    const voxels = voxelsOf(base);
+    const covered: Covered = { place, revision: -1n, base, voxels, shown: voxels, predictions: [] };
+    this.covered.set(name, covered);
+    return covered;
+  }
+
+  /** Takes the prediction off those of its chunks where `isOver` says so. */
+  private eachOf(prediction: Prediction, isOver: (covered: Covered) => boolean): void {
+    for (const name of prediction.layers.keys()) {
+      const covered = this.covered.get(name);
+      if (covered === undefined || !covered.predictions.includes(prediction) || !isOver(covered)) continue;
+      covered.predictions = covered.predictions.filter((each) => each !== prediction);
+      this.refresh(name, covered);
+    }
+  }
+
+  private refresh(name: string, covered: Covered): void {
+    const content = this.compose(name, covered);
+    if (content !== null) this.host.show(covered.place, content);
+  }
+
+  /** null: what is shown is right. */
+  private compose(name: string, covered: Covered): Content | null {
+    const { predictions, base, voxels } = covered;
+    if (predictions.length === 0) this.covered.delete(name);
+    let wanted = voxels;
+    if (predictions.length > 0) {
+      wanted = voxels.slice();
+      for (const { layers } of predictions) for (const [index, material] of layers.get(name)!) wanted[index] = material;
+    }
+    const same = isSame(wanted, covered.shown);
+    covered.shown = wanted;
+    if (same) return null;
+    if (predictions.length === 0) return base;
+    return { payload: encodeChunk({ uniform: null, voxels: wanted as Uint16Array<ArrayBuffer> }), material: null };
+  }
+}
