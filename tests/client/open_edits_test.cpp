@@ -82,6 +82,26 @@ TEST_CASE("an edit that was refused for now goes as a new one: those behind it m
   CHECK(send_all(edits) == std::vector<std::uint64_t>{3});
 }
 
+TEST_CASE("of edits that expired together the first alone has the client attach again") {
+  OpenEdits edits;
+  add(edits, 3);
+  edits.attach_sent();
+  (void)edits.attached(kEditor, false, 0, 0, 64);
+  std::vector<std::uint32_t> ids;
+  (void)send_all(edits, &ids);
+  edits.put_back(ids[0]);
+  edits.editor_expired();
+  REQUIRE(edits.must_attach());
+  edits.attach_sent();
+  edits.put_back(ids[1]);
+  edits.editor_expired();
+  CHECK_FALSE(edits.must_attach());
+  // The third is in flight on this very connection: it is answered, whoever the editor is now.
+  CHECK(edits.attached({3, 4}, false, 0, 0, 64).empty());
+  CHECK(edits.in_flight(ids[2]) != nullptr);
+  CHECK(send_all(edits) == std::vector<std::uint64_t>{1, 2});
+}
+
 TEST_CASE("another store knows nothing of this editor") {
   OpenEdits edits;
   add(edits, 1);

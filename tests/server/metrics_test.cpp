@@ -33,7 +33,8 @@ constexpr std::array<std::string_view, 3> kReasons{"", "late", "broken"};
 
 std::string text_of(const Metrics& metrics,
                     const RuntimeGauges& gauges = {.memory_bytes = {1, 2, 3},
-                                                   .certificate_expires = 1'900'000'000}) {
+                                                   .certificate_expires = 1'900'000'000,
+                                                   .edits = RuntimeGauges::Edits{}}) {
   const BuildInfo build{"1.2.3", 2, "abc", "avx2"};
   const MetricLabels labels{kReasons, kReasons, kReasons, kReasons, kReasons, kReasons};
   return metrics_page({metrics, gauges, read_process(), build, labels});

@@ -89,7 +89,7 @@ Result<void> Core::edit_refused(const wire::Error& error, bool comes_back) {
     edits_.put_back(id);
   } else if (error.code() == wire::ErrorCode::expired) {
     edits_.put_back(id);
-    edits_.attach_again();
+    edits_.editor_expired();
   } else {
     const OpenEdit edit = edits_.take(id);
     edit.handler(tl::unexpected{read_error(error)});

@@ -6,7 +6,6 @@
 namespace talus::client {
 
 std::vector<OpenEdit> OpenEdits::take_sent() {
-  connection_ended();
   std::vector<OpenEdit> sent;
   for (auto& [sequence, edit] : std::exchange(again_, {})) sent.push_back(std::move(edit));
   return sent;
@@ -16,7 +15,7 @@ std::vector<OpenEdit> OpenEdits::attached(edits::EditorId editor, bool known, st
                                           std::uint64_t revision, std::uint32_t unanswered) {
   std::vector<OpenEdit> lost;
   if (!known) {
-    lost = take_sent();
+    lost = take_sent();  // by an earlier connection; what this one has in flight is answered
     last_sequence_ = 0;
   }
   attach_ = Attach::done;
@@ -31,6 +30,7 @@ std::vector<OpenEdit> OpenEdits::forget_editor() {
   editor_ = {};
   last_sequence_ = 0;
   seen_revision_ = 0;
+  connection_ended();
   return take_sent();
 }
 
@@ -74,6 +74,7 @@ void OpenEdits::connection_ended() {
 }
 
 std::vector<OpenEdit> OpenEdits::take_all() {
+  connection_ended();
   std::vector<OpenEdit> all = take_sent();
   for (OpenEdit& edit : std::exchange(waiting_, {})) all.push_back(std::move(edit));
   return all;

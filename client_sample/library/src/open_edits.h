@@ -41,8 +41,12 @@ class OpenEdits {
   [[nodiscard]] std::uint64_t seen_revision() const { return seen_revision_; }
   void saw(std::uint64_t revision) { seen_revision_ = std::max(seen_revision_, revision); }
   void attach_sent() { attach_ = Attach::sent; }
-  /// The server asked to come back, or another connection took the editor: Attach once more.
+  /// The server asked to come back: Attach once more.
   void attach_again() { attach_ = Attach::none; }
+  /// Another connection took the editor. Of several edits that are told so the first has an Attach sent.
+  void editor_expired() {
+    if (attach_ == Attach::done) attach_ = Attach::none;
+  }
   /// Returns the edits of which nobody will ever say whether they happened: they were sent as an editor that
   /// the server does not know any more.
   [[nodiscard]] std::vector<OpenEdit> attached(edits::EditorId editor, bool known,
