@@ -26,8 +26,7 @@ struct Words {
   std::vector<std::int64_t> center;
   std::vector<std::int64_t> from;
   std::vector<std::int64_t> columns;
-  std::vector<std::int64_t> box_from;
-  std::vector<std::int64_t> box_to;
+  std::vector<std::int64_t> box;
   bool as_generated = false;
   std::vector<std::int64_t> size{1024, 1024};
 };
@@ -108,13 +107,9 @@ void add_map(CLI::App& app, MapOptions& options, Words& words) {
 void add_edit(CLI::App& app, EditOptions& options, Words& words) {
   auto* command = app.add_subcommand(
       "edit", "Make a box of voxels one material, or as generated; needs a token of the right edit");
-  command->add_option("from", words.box_from, "X,Y,Z of a corner, base voxels")
+  command->add_option("box", words.box, "X,Y,Z of a voxel, or X,Y,Z X,Y,Z of two corners, both included")
       ->delimiter(',')
-      ->expected(3)
       ->required();
-  command->add_option("to", words.box_to, "X,Y,Z of the other corner, included (default: the same voxel)")
-      ->delimiter(',')
-      ->expected(3);
   auto* material =
       command->add_option("--material", options.material, "Name of the material, \"air\" to dig");
   command->add_flag("--as-generated", words.as_generated, "Undo all edits there")->excludes(material);
@@ -182,9 +177,13 @@ Checked check_edit(CommandLine line, EditOptions options, const Words& words) {
   if (options.material.empty() && !words.as_generated) {
     return tl::unexpected{std::string{"edit: give --material NAME, or --as-generated"}};
   }
-  const auto corner = [](const std::vector<std::int64_t>& at) { return VoxelPos{at[0], at[1], at[2]}; };
-  options.from = corner(words.box_from);
-  options.to = words.box_to.empty() ? options.from : corner(words.box_to);
+  const std::vector<std::int64_t>& box = words.box;
+  if (box.size() != 3 && box.size() != 6) {
+    return tl::unexpected{"edit: a box of " + std::to_string(box.size()) +
+                          " numbers; X,Y,Z of a voxel or of two corners is needed"};
+  }
+  options.from = {box[0], box[1], box[2]};
+  options.to = box.size() == 3 ? options.from : VoxelPos{box[3], box[4], box[5]};
   line.options = std::move(options);
   return line;
 }

@@ -363,6 +363,7 @@ void Server::watch_edits() {
   const auto now = clock_.now();
   if (now - last_look_at_edits_ < kLookAtEdits) return;
   last_look_at_edits_ = now;
+  memory_.set(MemoryUse::edits, edits_->state().bytes());
   auto read_only = edits_->status().read_only;
   if (read_only == edits_read_only_) return;
   if (read_only) {

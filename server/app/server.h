@@ -53,7 +53,7 @@ class Server {
   /// `access` and `clock` outlive it. `store_id`: what clients are told; 0 where nothing is kept. `tls`: of
   /// config.tls; none where connections are plain. `site`: files at / of HTTP; null: none. `edits`: those of
   /// the store; null: none are kept, and none are taken. From here on signals wait for run(). No thread is
-  /// started before run().
+  /// started before run(), but those of `edits`.
   Server(const Config& config, std::shared_ptr<const terrain::World> world, ContentHash store_id,
          AccessControl& access, std::optional<TlsIdentity> tls, Listeners listeners, const Clock& clock,
          Logger log, ReadSettings read_settings = {}, std::shared_ptr<const web::Site> site = nullptr,
@@ -88,7 +88,7 @@ class Server {
   void housekeeping();
   void give_memory_back();
   void collect_flows();
-  /// Says when the store cannot be written, and when it can again.
+  /// Says when the store cannot be written, and when it can again, and counts its memory.
   void watch_edits();
   void drain();
   void stop_handling_signals();

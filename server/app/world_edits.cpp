@@ -1,5 +1,7 @@
 #include "app/world_edits.h"
 
+#include <signal.h>
+
 #include <algorithm>
 #include <set>
 #include <utility>
@@ -15,6 +17,22 @@ namespace {
 /// Ids below are those of what worlds generate, at most 255.
 constexpr std::uint16_t kFirstPlaceable = 256;
 
+/// While it lives, threads that are started leave all signals to the main thread, which knows what they mean.
+class SignalsBlocked {
+ public:
+  SignalsBlocked() {
+    sigset_t all;
+    sigfillset(&all);
+    ::pthread_sigmask(SIG_BLOCK, &all, &before_);
+  }
+  ~SignalsBlocked() { ::pthread_sigmask(SIG_SETMASK, &before_, nullptr); }
+  SignalsBlocked(const SignalsBlocked&) = delete;
+  SignalsBlocked& operator=(const SignalsBlocked&) = delete;
+
+ private:
+  sigset_t before_;
+};
+
 /// All that the world names, air and water among them.
 EditIntake::Rules rules_of(const terrain::World& world, const std::vector<terrain::Material>& placeables) {
   EditIntake::Rules rules{terrain::height_range(world), {}};
@@ -29,6 +47,7 @@ EditIntake::Rules rules_of(const terrain::World& world, const std::vector<terrai
 
 tl::expected<std::unique_ptr<WorldEdits>, std::string> WorldEdits::open(
     const std::filesystem::path& directory, const terrain::World& world, ContentHash store_id, Logger log) {
+  const SignalsBlocked blocked;  // for RocksDB's threads
   EditDatabaseSettings settings;
   settings.path = directory;
   settings.fingerprint = world.fingerprint();
@@ -62,10 +81,11 @@ EditDatabase::Done WorldEdits::bind_placeables(const terrain::World& world) {
     if (!uses) return tl::unexpected{uses.error()};
     for (const auto& [name, id] : missing) {
       if (const auto count = uses->find(id); count != uses->end()) {
-        return tl::unexpected{fmt::format(
-            "data {}: the world has no [[placeable]] \"{}\" any more, of which the store has {} voxels; put it "
-            "back into the world's file",
-            database_->path().string(), name, count->second)};
+        return tl::unexpected{
+            fmt::format("data {}: the world has no [[placeable]] \"{}\" any more, of which the store has {} "
+                        "voxels; put it "
+                        "back into the world's file",
+                        database_->path().string(), name, count->second)};
       }
     }
   }
@@ -90,6 +110,7 @@ tl::expected<std::map<MaterialId, std::uint64_t>, std::string> WorldEdits::count
 
 ChunkSource& WorldEdits::join(const terrain::World& world, ChunkSource& base, const Clock& clock,
                               Metrics& metrics) {
+  const SignalsBlocked blocked;  // for the log's
   chunks_ = std::make_unique<EditedChunks>(base, *state_, merged_, feed_, metrics);
   log_ =
       std::make_unique<LocalLog>(*database_, *state_, clock, LocalLogSettings{},
@@ -101,6 +122,7 @@ ChunkSource& WorldEdits::join(const terrain::World& world, ChunkSource& base, co
 }
 
 void WorldEdits::start() {
+  const SignalsBlocked blocked;
   feed_.start();
   intake_->start();
 }

@@ -2,8 +2,8 @@
 // and the intake that prepares edits for it.
 #pragma once
 
-#include <filesystem>
 #include <cstdint>
+#include <filesystem>
 #include <map>
 #include <memory>
 #include <string>

@@ -49,6 +49,8 @@ class EditState final : public AppliedEdits {
   /// Whether the index has no place for further chunks.
   [[nodiscard]] bool is_full() const { return index_.bytes() >= settings_.index_bytes; }
   [[nodiscard]] const ChunkIndex& index() const { return index_; }
+  /// Memory held, roughly, but for what is not written yet.
+  [[nodiscard]] std::size_t bytes() const { return index_.bytes() + cache_.bytes() + settings_.recent_bytes; }
 
   // The log's thread alone, from here on.
   [[nodiscard]] const edits::Head& head() const { return head_; }

@@ -20,7 +20,7 @@ std::uint64_t MemoryBudget::used(MemoryUse use) const {
 
 std::uint64_t MemoryBudget::beside_caches() const {
   return used(MemoryUse::program) + used(MemoryUse::sessions) + used(MemoryUse::jobs) +
-         used(MemoryUse::generators);
+         used(MemoryUse::generators) + used(MemoryUse::edits);
 }
 
 std::uint64_t MemoryBudget::used() const {

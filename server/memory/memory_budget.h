@@ -18,9 +18,9 @@
 
 namespace talus::server {
 
-enum class MemoryUse : std::uint8_t { program, sessions, jobs, generators, chunk_cache, patch_cache };
-inline constexpr std::array<std::string_view, 6> kMemoryUses{"program",    "sessions",    "jobs",
-                                                             "generators", "chunk_cache", "patch_cache"};
+enum class MemoryUse : std::uint8_t { program, sessions, jobs, generators, edits, chunk_cache, patch_cache };
+inline constexpr std::array<std::string_view, 7> kMemoryUses{
+    "program", "sessions", "jobs", "generators", "edits", "chunk_cache", "patch_cache"};
 
 class MemoryBudget {
  public:
