@@ -8,9 +8,10 @@
 namespace talus::protocol {
 namespace {
 
-// A Message, its body and Welcome's list of materials are three deep; a world has at most 255 materials.
+// A Message, its body and Welcome's list of materials are three deep; a world has at most 255 materials, and
+// 1,024 that may be placed.
 constexpr flatbuffers::uoffset_t kMaxDepth = 4;
-constexpr flatbuffers::uoffset_t kMaxTables = 1024;
+constexpr flatbuffers::uoffset_t kMaxTables = 2048;
 
 // The verifier checks a vector's length, but not the alignment of its elements. Reading misaligned 64-bit
 // members would be undefined behaviour.
@@ -28,8 +29,10 @@ bool vectors_aligned(const wire::Message& message) {
       return aligned(message.body_as_View()->known());
     case wire::Body::GetHeights:
       return aligned(message.body_as_GetHeights()->columns());
-    case wire::Body::Edit:
-      return aligned(message.body_as_Edit()->writes());
+    case wire::Body::Edit: {
+      const wire::Edit& edit = *message.body_as_Edit();
+      return aligned(edit.writes()) && aligned(edit.guards()) && aligned(edit.fills());
+    }
     case wire::Body::EditBroadcast:
       return aligned(message.body_as_EditBroadcast()->writes());
     default:

@@ -16,6 +16,7 @@ namespace {
 
 /// Ids below are those of what worlds generate, at most 255.
 constexpr std::uint16_t kFirstPlaceable = 256;
+constexpr std::size_t kMostPlaceables = 65'000;
 
 /// While it lives, threads that are started leave all signals to the main thread, which knows what they mean.
 class SignalsBlocked {
@@ -66,6 +67,11 @@ EditDatabase::Done WorldEdits::bind_placeables(const terrain::World& world) {
   std::map<std::string, MaterialId> missing = known;
   std::map<std::string, MaterialId> added;
   std::uint16_t next = kFirstPlaceable;
+  if (known.size() + world.placeables().size() > kMostPlaceables) {
+    return tl::unexpected{fmt::format("data {}: the store has ids for {} more materials; the world names {}",
+                                      database_->path().string(), kMostPlaceables - known.size(),
+                                      world.placeables().size())};
+  }
   for (const auto& [name, id] : known) {
     next = std::max(next, static_cast<std::uint16_t>(to_integer(id) + 1));
   }

@@ -31,9 +31,14 @@ edits::EditorId random_editor() {
   return {half(), half()};
 }
 
-void tell(const MailboxPtr& mailbox, Mail mail) {
-  mailbox->put(std::move(mail));
-  mailbox->wake();
+/// Where there is no memory for it the session ends, and its client asks again.
+void tell(const MailboxPtr& mailbox, Mail mail) noexcept {
+  try {
+    mailbox->put(std::move(mail));
+    mailbox->wake();
+  } catch (const std::exception&) {
+    mailbox->lose();
+  }
 }
 
 void refuse(const MailboxPtr& mailbox, std::uint32_t id, ErrorCode code, std::string text,
@@ -128,8 +133,11 @@ void EditIntake::work() {
     try {
       do_what_waits();
     } catch (const std::exception& error) {
-      // No memory. What was taken in and is not answered is sent again by clients that connect again.
+      // No memory. Sessions whose edits may be among what was taken in end, and their clients send them
+      // again.
       log_->error("edits: {}", error.what());
+      for (const auto& [client, lane] : lanes_) lane.session->lose();
+      lanes_.clear();
     }
   }
 }
@@ -171,6 +179,7 @@ void EditIntake::do_what_waits() {
     const auto lane = lanes_.find(client);
     if (lane == lanes_.end()) continue;
     take_look_ups(lane->second);
+    if (lane->second.look_ups->has_lost()) lane->second.session->lose();
     moved.insert(client);
   }
   for (const ClientId client : forgotten) {
@@ -251,7 +260,11 @@ void EditIntake::take_look_ups(Lane& lane) {
     Prepared& edit = *lane.first;
     if (edit.asked.erase(ready->key.coord) == 0) continue;
     if (ready->answer) {
-      bases_.put(ready->key.coord, **ready->answer);
+      const DecodedChunkPtr chunk = bases_.put(ready->key.coord, **ready->answer);
+      const auto touched =
+          std::ranges::lower_bound(edit.touched, ready->key.coord, {}, &edits::TouchedChunk::chunk);
+      edit.base.emplace(ready->key.coord, voxels_at(*chunk, touched->voxels));
+      edit.missing.erase(ready->key.coord);
     } else {
       refuse(lane.session, edit.request.id, ErrorCode::internal,
              fmt::format("the ground under the edit failed: {}", ready->answer.error().reason), kBusy);

@@ -14,7 +14,7 @@ namespace talus::server {
 
 using LogEntry = std::variant<edits::AttachEntry, edits::EditEntry>;
 
-/// An entry may or may not come to be in the log: whoever sends it again with the same sequence finds out.
+/// Whether the entry comes to be in the log is open: whoever sends it again with the same sequence finds out.
 struct LogFailure {
   std::string reason;
 };

@@ -94,6 +94,8 @@ void LocalLog::run() {
       publish();
     }
     if (!broken_) flush_some();
+    // Small edits of chunks with many may dirty more than a slice each time.
+    while (!broken_ && state_.dirty_bytes() > 16 * settings_.flush_bytes) flush_some();
     const std::lock_guard lock{mutex_};
     if (stopping_ && queue_.empty()) break;
   }

@@ -21,7 +21,6 @@ class Editing {
   /// `taker` null: nothing is stored, and edits are refused. It and `replies` outlive this.
   Editing(EditTaker* taker, MailboxPtr mailbox, Replies& replies)
       : taker_{taker}, mailbox_{std::move(mailbox)}, replies_{replies} {}
-  ~Editing() { abandon(); }
   Editing(const Editing&) = delete;
   Editing& operator=(const Editing&) = delete;
 
@@ -29,6 +28,8 @@ class Editing {
   /// Whether an Attach is not answered yet.
   [[nodiscard]] bool attaching() const { return attaching_; }
   [[nodiscard]] bool attached() const { return editor_.has_value(); }
+  /// 0: none.
+  [[nodiscard]] edits::EditorId editor() const { return editor_ ? editor_->editor : edits::EditorId{}; }
   [[nodiscard]] bool contains(std::uint32_t id) const { return unanswered_.find(id) != nullptr; }
   [[nodiscard]] std::size_t unanswered() const { return unanswered_.size(); }
   /// Whether nothing is to be answered.

@@ -340,7 +340,7 @@ void Session::on(const wire::Attach& attach) {
   const Subject subject = about_attach();
   if (!within_rates(subject)) return;
   if (greeting_->protocol < protocol::kEditsProtocol) {
-    return fail(ErrorCode::unexpected, "Attach is a message of version 2 of the protocol");
+    return replies_.error(subject, ErrorCode::unsupported, "edits need version 2 of the protocol");
   }
   if (editing_.attaching()) return fail(ErrorCode::unexpected, "an Attach before the last was answered");
   if (!greeting_->grant.rights.has(Right::edit)) {
@@ -362,6 +362,8 @@ void Session::on(const wire::Attach& attach) {
   }
   AttachRequest request{{}, greeting_->grant.subject, attach.seen_revision()};
   if (attach.editor() != nullptr) request.editor = {attach.editor()->low(), attach.editor()->high()};
+  // Who attaches again and again is one editor, and not all that a world may have.
+  if (request.editor == edits::EditorId{}) request.editor = editing_.editor();
   editing_.attach(std::move(request), rates_.limits().session.voxels.per_second);
 }
 

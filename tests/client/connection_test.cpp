@@ -1,7 +1,7 @@
+#include <talus/protocol/limits.h>
 #include <asio/post.hpp>
 #include <asio/use_awaitable.hpp>
 #include <catch2/catch.hpp>
-#include <talus/protocol/limits.h>
 
 #include <talus/voxel/codec.h>
 

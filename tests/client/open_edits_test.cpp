@@ -71,7 +71,41 @@ TEST_CASE("of edits of an editor that is forgotten nobody knows whether they hap
   CHECK(send_all(edits) == std::vector<std::uint64_t>{1});  // the one that was never sent
 }
 
-TEST_CASE("an edit that was refused for now goes as a new one: those behind it may have happened") {
+TEST_CASE("an edit that was refused for now goes again as it is, before others") {
+  OpenEdits edits;
+  add(edits, 2);
+  edits.attach_sent();
+  (void)edits.attached(kEditor, false, 0, 0, 64);
+  std::vector<std::uint32_t> ids;
+  (void)send_all(edits, &ids);
+  add(edits, 1);
+  edits.put_back(ids[1]);
+  edits.put_back(ids[0]);
+  CHECK(send_all(edits) == std::vector<std::uint64_t>{1, 2, 3});
+}
+
+TEST_CASE("edits that certainly did not happen go as new ones, in order, before those never sent") {
+  OpenEdits edits;
+  std::string order;
+  for (const char* const name : {"a", "b", "c"}) {
+    edits.add({{}, [&order, name](const Result<EditDone>&) { order += name; }, 0});
+  }
+  edits.attach_sent();
+  (void)edits.attached(kEditor, false, 0, 0, 2);
+  std::vector<std::uint32_t> ids;
+  CHECK(send_all(edits, &ids) == std::vector<std::uint64_t>{1, 2});
+  edits.send_as_new(ids[1]);
+  edits.send_as_new(ids[0]);
+  ids.clear();
+  CHECK(send_all(edits, &ids) == std::vector<std::uint64_t>{3, 4});
+  for (const std::uint32_t id : ids) edits.take(id).handler(EditDone{});
+  ids.clear();
+  CHECK(send_all(edits, &ids) == std::vector<std::uint64_t>{5});
+  edits.take(ids[0]).handler(EditDone{});
+  CHECK(order == "abc");
+}
+
+TEST_CASE("a client attaches again when the old editor's edits are answered, and not before") {
   OpenEdits edits;
   add(edits, 2);
   edits.attach_sent();
@@ -79,26 +113,13 @@ TEST_CASE("an edit that was refused for now goes as a new one: those behind it m
   std::vector<std::uint32_t> ids;
   (void)send_all(edits, &ids);
   edits.put_back(ids[0]);
-  CHECK(send_all(edits) == std::vector<std::uint64_t>{3});
-}
-
-TEST_CASE("of edits that expired together the first alone has the client attach again") {
-  OpenEdits edits;
-  add(edits, 3);
-  edits.attach_sent();
-  (void)edits.attached(kEditor, false, 0, 0, 64);
-  std::vector<std::uint32_t> ids;
-  (void)send_all(edits, &ids);
-  edits.put_back(ids[0]);
+  edits.editor_expired();
+  CHECK_FALSE(edits.must_attach());
+  edits.put_back(ids[1]);
   edits.editor_expired();
   REQUIRE(edits.must_attach());
   edits.attach_sent();
-  edits.put_back(ids[1]);
-  edits.editor_expired();
-  CHECK_FALSE(edits.must_attach());
-  // The third is in flight on this very connection: it is answered, whoever the editor is now.
-  CHECK(edits.attached({3, 4}, false, 0, 0, 64).empty());
-  CHECK(edits.in_flight(ids[2]) != nullptr);
+  CHECK(edits.attached(kEditor, true, 0, 0, 64).empty());
   CHECK(send_all(edits) == std::vector<std::uint64_t>{1, 2});
 }
 

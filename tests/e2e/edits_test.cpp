@@ -1,5 +1,5 @@
-// Digging and building, through the client library and a real talusd: seen by all, kept over restarts and kills,
-// each edit once.
+// Digging and building, through the client library and a real talusd: seen by all, kept over restarts and
+// kills, each edit once.
 #include <csignal>
 #include <cstdlib>
 #include <random>
@@ -162,9 +162,9 @@ TEST_CASE("a session without the right may not edit") {
   CHECK(refused.error().kind == client::ErrorKind::refused);
 }
 
-// With sync off a kill loses nothing either: that edits outlive a power cut is shown in tests/server, under a file
-// system that drops what was not synced. Here it is the rest of talusd that dies: answers without edits, edits
-// done twice by clients that send them again.
+// With sync off a kill loses nothing either: that edits outlive a power cut is shown in tests/server, under a
+// file system that drops what was not synced. Here it is the rest of talusd that dies: answers without edits,
+// edits done twice by clients that send them again.
 TEST_CASE("a server killed under its editors loses no edit that it has acknowledged, and does none twice") {
   const char* const given = std::getenv("TALUS_KILLS");
   const int kills = given != nullptr ? std::atoi(given) : (kSanitized ? 2 : 6);
@@ -194,8 +194,8 @@ TEST_CASE("a server killed under its editors loses no edit that it has acknowled
     stone = solid(*world);
     origin = {world->spawn.x, world->spawn.y + 100, world->spawn.z};
   }
-  // Each builds a row of its own, one voxel after the other: each edit happens only where the one before did, and
-  // only once, or its guards would not hold.
+  // Each builds a row of its own, one voxel after the other: each edit happens only where the one before did,
+  // and only once, or its guards would not hold.
   const auto build = [&](int index) {
     Editor& editor = *editors[static_cast<std::size_t>(index)];
     while (editor.next - editor.done < 8) {

@@ -51,8 +51,8 @@ struct ChildProcess {
 /// Runs talusd to its end.
 [[nodiscard]] Ended run_talusd(const std::vector<std::string>& flags, const Settings& settings = {});
 
-/// A server on a free port of 127.0.0.1, unless TALUS_LISTEN is among the settings. If it still runs it ends with its object, and the test fails if it
-/// ends with an error: what a sanitizer found does not pass unseen.
+/// A server on a free port of 127.0.0.1, unless TALUS_LISTEN is among the settings. If it still runs it ends
+/// with its object, and the test fails if it ends with an error: what a sanitizer found does not pass unseen.
 class ServerProcess {
  public:
   /// Returns when the server has said where it listens; fails the test if it does not. `meanwhile` is called

@@ -176,6 +176,9 @@ Result<void> Core::accept_world(const WorldInfo& world) {
     tracker_.forget_revisions();
     fail_edits(edits_.forget_editor(), kOutcomeUnknown);
   }
+  if (world.protocol < protocol::kEditsProtocol || world.store_id == ContentHash{}) {
+    fail_edits(edits_.take_all(), {ErrorKind::refused, "this server stores no edits", {}});
+  }
   if (world.fingerprint == world_->fingerprint) {
     if (tracker_.view() && world.heights() != world_->heights()) {  // another release may know them better
       const auto left = tracker_.replace(*tracker_.view(), world.heights());

@@ -99,7 +99,7 @@ class Core : public std::enable_shared_from_this<Core> {
   void tell_complete();
   void deliver(const ReceivedChunk& chunk);
   void pass_by(const ChunkKey& key);
-  [[nodiscard]] Result<void> confirm(ChunkKey key, ContentHash hash);
+  [[nodiscard]] Result<void> confirm(ChunkKey key, ContentHash hash, std::uint64_t revision);
   void tell_left(Generation mine);
   void bring_back(Generation mine);
   void report(const ClientError& error);

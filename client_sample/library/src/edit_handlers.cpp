@@ -90,6 +90,8 @@ Result<void> Core::edit_refused(const wire::Error& error, bool comes_back) {
   } else if (error.code() == wire::ErrorCode::expired) {
     edits_.put_back(id);
     edits_.editor_expired();
+  } else if (error.code() == wire::ErrorCode::not_applied) {
+    edits_.send_as_new(id);
   } else {
     const OpenEdit edit = edits_.take(id);
     edit.handler(tl::unexpected{read_error(error)});

@@ -80,7 +80,7 @@ Result<void> Core::handle_chunk(const wire::Chunk& chunk, std::size_t frame_byte
 Result<void> Core::handle_unchanged(const wire::Unchanged& unchanged) {
   const auto key = read_key(unchanged.key());
   if (!key) return tl::unexpected{key.error()};
-  if (unchanged.id() == 0) return confirm(*key, read_hash(unchanged.hash()));
+  if (unchanged.id() == 0) return confirm(*key, read_hash(unchanged.hash()), unchanged.revision());
   const auto* request = requests_.in_flight(unchanged.id());
   const auto* asked = request == nullptr ? nullptr : std::get_if<ChunkRequest>(request);
   const ContentHash hash = read_hash(unchanged.hash());
@@ -96,18 +96,19 @@ Result<void> Core::handle_unchanged(const wire::Unchanged& unchanged) {
 }
 
 // A chunk of the View that this client said it holds. It may have let go of it since.
-Result<void> Core::confirm(ChunkKey key, ContentHash hash) {
+Result<void> Core::confirm(ChunkKey key, ContentHash hash, std::uint64_t revision) {
   if (!tracker_.shape().covers(key)) {
     pass_by(key);
     return {};
   }
   useful_ = true;
-  const auto held = tracker_.held(key);
+  auto held = tracker_.held(key);
   if (!held || held->hash != hash) {
     refetch(key);
     return {};
   }
   ++stats_.kept_chunks;
+  held->revision = std::max(held->revision, revision);
   deliver(*held);
   return {};
 }

@@ -17,6 +17,7 @@ std::vector<OpenEdit> OpenEdits::attached(edits::EditorId editor, bool known, st
   if (!known) {
     lost = take_sent();  // by an earlier connection; what this one has in flight is answered
     last_sequence_ = 0;
+    for (OpenEdit& edit : waiting_) edit.sequence = 0;
   }
   attach_ = Attach::done;
   editor_ = editor;
@@ -30,6 +31,7 @@ std::vector<OpenEdit> OpenEdits::forget_editor() {
   editor_ = {};
   last_sequence_ = 0;
   seen_revision_ = 0;
+  for (OpenEdit& edit : waiting_) edit.sequence = 0;
   connection_ended();
   return take_sent();
 }
@@ -61,8 +63,15 @@ OpenEdit OpenEdits::take(std::uint32_t id) {
 
 void OpenEdits::put_back(std::uint32_t id) {
   OpenEdit edit = take(id);
-  edit.sequence = 0;
-  waiting_.push_front(std::move(edit));
+  const std::uint64_t sequence = edit.sequence;
+  again_.emplace(sequence, std::move(edit));
+}
+
+void OpenEdits::send_as_new(std::uint32_t id) {
+  OpenEdit edit = take(id);
+  const auto after = std::ranges::find_if(
+      waiting_, [&](const OpenEdit& each) { return each.sequence == 0 || each.sequence > edit.sequence; });
+  waiting_.insert(after, std::move(edit));
 }
 
 void OpenEdits::connection_ended() {

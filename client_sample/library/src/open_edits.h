@@ -1,8 +1,9 @@
 // Edits that have no answer yet, as which editor they are sent, and what is sent again when. No I/O.
 //
-// An edit gets its sequence when it is first sent. After a new connection those that were sent before go
-// first, in their order and with their sequences: the server answers each by what became of it, and does
-// none twice.
+// An edit gets its sequence when it is first sent. What is sent again, after a new connection or as the
+// server refused it for now, goes first, in order and with its sequence: the server answers by what became of
+// it, and does none twice. Where it says that the edit did not happen, and a later one did, it goes as a new
+// one.
 #pragma once
 
 #include <cstddef>
@@ -35,7 +36,8 @@ class OpenEdits {
   [[nodiscard]] bool empty() const { return waiting_.empty() && again_.empty() && in_flight_.empty(); }
 
   // ---- as which editor
-  [[nodiscard]] bool must_attach() const { return attach_ == Attach::none && !empty(); }
+  /// Not while the old editor's edits are in flight: they are answered first.
+  [[nodiscard]] bool must_attach() const { return attach_ == Attach::none && in_flight_.empty() && !empty(); }
   [[nodiscard]] bool attaching() const { return attach_ == Attach::sent; }
   [[nodiscard]] edits::EditorId editor() const { return editor_; }
   [[nodiscard]] std::uint64_t seen_revision() const { return seen_revision_; }
@@ -66,8 +68,10 @@ class OpenEdits {
   [[nodiscard]] const OpenEdit* in_flight(std::uint32_t id) const;
   /// It is answered.
   [[nodiscard]] OpenEdit take(std::uint32_t id);
-  /// It did not happen, and shall: as a new one, as those behind it may have happened.
+  /// It is to be sent again as it is: it may have happened.
   void put_back(std::uint32_t id);
+  /// It did not happen, and shall: before those never sent, and in order among those that were put there.
+  void send_as_new(std::uint32_t id);
 
   /// The connection broke.
   void connection_ended();

@@ -165,10 +165,10 @@ class Client {
 
   /// Changes voxels. Edits happen in the order of the calls, each once, however often the connection breaks
   /// meanwhile; at most as many as the server allows are on their way, the others wait here. One that the
-  /// server refuses for now is sent again, behind those that were sent since: where order matters, use
+  /// server refuses for now is sent again, and may then happen behind later ones: where order matters, use
   /// guards. The answer comes when the edit is stored; chunks of the View change by on_chunk, before or after
-  /// it. Errors: conflict, out_of_range, not_applied, outcome_unknown; refused where the token does not give
-  /// the right, or the server stores no edits.
+  /// it. Errors: conflict, out_of_range, outcome_unknown; refused where the token does not give the right, or
+  /// the server stores no edits.
   [[nodiscard]] asio::awaitable<Result<EditDone>> edit(Edit edit);
   void edit(Edit edit, std::function<void(Result<EditDone>)> handler);
 

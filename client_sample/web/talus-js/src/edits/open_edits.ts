@@ -1,7 +1,8 @@
 // Edits that have no answer yet, as which editor they are sent, and what is sent again when. No I/O.
 //
-// An edit gets its sequence when it is first sent. After a new connection those that were sent before go first, in their
-// order and with their sequences: the server answers each by what became of it, and does none twice.
+// An edit gets its sequence when it is first sent. What is sent again, after a new connection or as the server refused it
+// for now, goes first, in order and with its sequence: the server answers by what became of it, and does none twice. Where
+// it says that the edit did not happen, and a later one did, it goes as a new one.
 import type { TalusError } from '../errors.js';
 import type { WireEdit } from '../wire/write_edit.js';
 import type { EditDone } from './types.js';
@@ -124,9 +125,13 @@ export class OpenEdits {
     return open;
   }
 
-  /** It did not happen, and shall: as a new one, as those behind it may have happened. Before those never sent, and in
-   *  order among those that were put back. */
+  /** It is to be sent again as it is: it may have happened. */
   putBack(id: number): void {
+    this.again = [...this.again, this.take(id)].sort(bySequence);
+  }
+
+  /** It did not happen, and shall: before those never sent, and in order among those that were put there. */
+  sendAsNew(id: number): void {
     const open = this.take(id);
     const after = this.waiting.findIndex(({ sequence }) => sequence === 0n || sequence > open.sequence);
     this.waiting.splice(after < 0 ? this.waiting.length : after, 0, open);

@@ -141,6 +141,8 @@ export class EditSession {
     } else if (message.code === 'expired') {
       this.open.putBack(id);
       this.open.expired();
+    } else if (message.code === 'not_applied') {
+      this.open.sendAsNew(id);
     } else {
       this.open.take(id).reject(error);
     }
