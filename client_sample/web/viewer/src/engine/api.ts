@@ -63,7 +63,7 @@ export interface Slice {
 export type EngineState =
   | 'connecting'
   | 'streaming'
-  | 'complete' // every chunk of the View is on the screen or known to be empty
+  | 'complete' // every chunk of the View is on the GPU or known to be empty
   | 'lost' // the connection broke; it comes back by itself
   | 'refused'; // for good, until setToken() or reconnect()
 
@@ -78,6 +78,8 @@ export interface Stats {
   /** Chunks that are here and wait for a worker, or are with one. */
   readonly pendingMeshes: number;
   readonly meshes: number;
+  /** The last frame shows all that is here: no mesh came or went since. */
+  readonly current: boolean;
   /** Of the last frame, shadow passes included. */
   readonly triangles: number;
   readonly drawCalls: number;

@@ -288,6 +288,7 @@ export class Engine {
       chunksWanted: this.chunksWanted,
       pendingMeshes: this.land.waiting,
       meshes: this.frames.terrain.meshes,
+      current: this.land.version === this.drawnVersion,
       triangles: this.frames.triangles,
       drawCalls: this.frames.drawCalls,
       receivedBytes: this.client.stats.receivedBytes,

@@ -52,7 +52,8 @@ export const SMALL = 'radius=3&horizon=0&quality=low&frameRate=1';
 export async function filled(page) {
   await page.waitForFunction(() => {
     const stats = window.talus?.engine?.stats();
-    return stats !== undefined && stats.state === 'complete' && stats.pendingMeshes === 0 && stats.triangles > 0;
+    // Triangles are counted in a frame, which may have been drawn before the last meshes came.
+    return stats?.state === 'complete' && stats.pendingMeshes === 0 && stats.current && stats.triangles > 0;
   });
 }
 
