@@ -115,6 +115,12 @@ int serve(const Command& command, const ReadSettings& read_settings) {
     if (!opened) return fail(opened.error());
     edits = *std::move(opened);
   }
+  std::unique_ptr<ColumnCache> columns;
+  if (const auto settings = column_cache_settings(config, (*world)->fingerprint())) {
+    auto opened = ColumnCache::open(*settings, log, clock);
+    if (!opened) return fail(opened.error());
+    columns = *std::move(opened);
+  }
   const std::string address = listeners->players_address;
   const std::string web_address = listeners->web_address;
   const std::string operators_address = listeners->operators_address;
@@ -128,7 +134,8 @@ int serve(const Command& command, const ReadSettings& read_settings) {
                 log,
                 command.has_file ? read_settings : ReadSettings{},
                 site,
-                std::move(edits)};
+                std::move(edits),
+                std::move(columns)};
 
   for (const std::string& warning : startup_warnings(command, of_keys, tls)) log->warn("{}", warning);
   if (!*data) log->info("edits are not taken: there is no directory to keep them in; give --data DIRECTORY");

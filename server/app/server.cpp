@@ -59,7 +59,7 @@ WorldInfo describe_world(const terrain::World& world, ContentHash store_id, cons
 Server::Server(const Config& config, std::shared_ptr<const terrain::World> world, ContentHash store_id,
                AccessControl& access, std::optional<TlsIdentity> tls, Listeners listeners, const Clock& clock,
                Logger log, ReadSettings read_settings, std::shared_ptr<const web::Site> site,
-               std::unique_ptr<WorldEdits> edits)
+               std::unique_ptr<WorldEdits> edits, std::unique_ptr<ColumnCache> columns)
     : config_{config},
       read_settings_{std::move(read_settings)},
       clock_{clock},
@@ -104,7 +104,8 @@ Server::Server(const Config& config, std::shared_ptr<const terrain::World> world
               metrics_,
               memory_,
               clock,
-              edits_ == nullptr ? nullptr : &edits_->overlay()},
+              edits_ == nullptr ? nullptr : &edits_->overlay(),
+              std::move(columns)},
       chunks_with_edits_{edits_ == nullptr ? chunks_ : edits_->join(*terrain_, chunks_, clock_, metrics_)},
       context_{make_context(config_)},
       web_context_{make_web_context(config_, context_)},
@@ -150,6 +151,9 @@ std::string Server::metrics_text() {
   RuntimeGauges gauges{
       status.jobs, status.clients, status.chunk_cache_bytes, status.patch_cache_bytes, status.map_cache_bytes,
       draining_};
+  if (const auto& columns = status.columns) {
+    gauges.columns = {columns->found, columns->missing, columns->kept, columns->lost, columns->bytes};
+  }
   for (std::size_t use = 0; use < kMemoryUses.size(); ++use) {
     gauges.memory_bytes.push_back(memory_.used(static_cast<MemoryUse>(use)));
   }

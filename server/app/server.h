@@ -52,12 +52,13 @@ class Server {
  public:
   /// `access` and `clock` outlive it. `store_id`: what clients are told; 0 where nothing is kept. `tls`: of
   /// config.tls; none where connections are plain. `site`: files at / of HTTP; null: none. `edits`: those of
-  /// the store; null: none are kept, and none are taken. From here on signals wait for run(). No thread is
-  /// started before run(), but those of `edits`.
+  /// the store; null: none are kept, and none are taken. `columns`: what was dear to generate; null: it is
+  /// not kept on disk. From here on signals wait for run(). No thread is started before run(), but those of
+  /// `edits`.
   Server(const Config& config, std::shared_ptr<const terrain::World> world, ContentHash store_id,
          AccessControl& access, std::optional<TlsIdentity> tls, Listeners listeners, const Clock& clock,
          Logger log, ReadSettings read_settings = {}, std::shared_ptr<const web::Site> site = nullptr,
-         std::unique_ptr<WorldEdits> edits = nullptr);
+         std::unique_ptr<WorldEdits> edits = nullptr, std::unique_ptr<ColumnCache> columns = nullptr);
 
   /// Serves until SIGTERM or SIGINT, and then until every answer is sent or shutdown.drain is over. SIGHUP
   /// reads settings, certificates, keys and lists again. Once.

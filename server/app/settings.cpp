@@ -117,6 +117,20 @@ tl::expected<void, std::string> check_memory(const Config& config, std::uint64_t
       bytes, least));
 }
 
+std::optional<ColumnCacheSettings> column_cache_settings(const Config& config, ContentHash fingerprint) {
+  if (config.data.empty() || config.cache.disk_bytes == 0) return std::nullopt;
+  constexpr std::size_t kMostMemory = std::size_t{24} << 20U;
+  constexpr std::size_t kLeastMemory = std::size_t{3} << 19U;
+  constexpr std::uint64_t kShare = 64;  // of the budget
+  const std::uint64_t limit = config.limits.memory_bytes;
+  const std::uint64_t memory = limit == 0 ? kMostMemory : limit / kShare;
+  return ColumnCacheSettings{
+      .path = config.data / "columns",
+      .fingerprint = fingerprint,
+      .bytes = config.cache.disk_bytes,
+      .memory_bytes = std::clamp<std::size_t>(static_cast<std::size_t>(memory), kLeastMemory, kMostMemory)};
+}
+
 std::size_t ground_bytes(const Config& config, const terrain::World& world) {
   if (!world.spec().surface.regions) return 0;
   constexpr std::size_t kGroundBytes = std::size_t{8} << 20;  // a View's edge of 16 chunks all around, twice

@@ -10,6 +10,7 @@
 #include <talus/terrain/world.h>
 
 #include "clock/clock.h"
+#include "column_cache/column_cache.h"
 #include "config/config.h"
 #include "generation/base_chunks.h"
 #include "generation/generator_memory.h"
@@ -56,6 +57,10 @@ static_assert(MemoryBudget::kProgramBytes + kMinMemoryBytes / GeneratorMemory::k
 /// `site_bytes`: files that the server keeps in memory to serve them.
 [[nodiscard]] tl::expected<void, std::string> check_memory(const Config& config,
                                                            std::uint64_t site_bytes = 0);
+
+/// Where and how much is kept of columns that were dear to generate; none where nothing is.
+[[nodiscard]] std::optional<ColumnCacheSettings> column_cache_settings(const Config& config,
+                                                                       ContentHash fingerprint);
 
 /// What generators of the world keep of ground that patches share: nothing where that would not pay.
 [[nodiscard]] std::size_t ground_bytes(const Config& config, const terrain::World& world);

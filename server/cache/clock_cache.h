@@ -108,6 +108,12 @@ class ClockCache {
     if (at != kNotFound) remove(buckets_[at].slot);
   }
 
+  /// Calls visit(key, value) for each entry. Not a use; `visit` must not use this cache.
+  template <typename Visit>
+  void for_each(Visit&& visit) const {
+    for (const Slot& slot : slots_) visit(slot.key, slot.value);
+  }
+
   /// Takes no time: call fit() until all fits.
   void set_capacity(std::size_t capacity_bytes) { capacity_bytes_ = capacity_bytes; }
   /// Evicts what is too much and gives its memory back. Looks at no more than `looks` entries, and takes what

@@ -90,6 +90,7 @@ struct Tls {
 struct Cache {
   std::uint64_t chunk_bytes = 256U << 20;
   std::uint64_t patch_bytes = 256U << 20;
+  std::uint64_t disk_bytes = 1U << 30;  // in the data directory; 0: none
   bool operator==(const Cache&) const = default;
 };
 

@@ -186,6 +186,10 @@ const std::array kFields{
     Field{"cache.patch_bytes", "bytes",
           "size of the cache of terrain, from which neighbouring chunks are extracted",
           number<&Config::cache, &Cache::patch_bytes>(kMebibyte, 1024 * 1024 * kMebibyte)},
+    Field{"cache.disk_bytes", "bytes",
+          "size of the cache of chunks in the data directory, which outlives a restart; what is cheap to "
+          "generate is not kept; 0: none",
+          number<&Config::cache, &Cache::disk_bytes>(0, 1024 * 1024 * kMebibyte)},
 
     Field{"generation.patch_tiles", "tiles",
           "edge of the square of terrain that is generated at once, a power of two; a tile is 32 columns; 0: "

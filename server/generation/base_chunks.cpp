@@ -22,23 +22,25 @@ std::size_t bytes_of_chunks(const GenerationSettings& settings) {
 
 BaseChunks::BaseChunks(std::unique_ptr<const Generator> generator, const GenerationSettings& settings,
                        Logger log, Metrics& metrics, MemoryBudget& memory, const Clock& clock,
-                       ChunkOverlay* overlay)
+                       ChunkOverlay* overlay, std::unique_ptr<ColumnCache> columns)
     : generator_{std::move(generator)},
       settings_{settings},
       metrics_{metrics},
       memory_{memory},
       overlay_{overlay},
       fitted_bytes_{settings.chunk_cache_bytes + settings.patch_cache_bytes},
+      columns_{std::move(columns)},
       chunks_{bytes_of_chunks(settings)},
       rows_{*generator_, settings.patch_tiles, bytes_of_rows(settings)},
       maps_{settings.map_cache_bytes},
       maker_{*generator_, chunks_, rows_, metrics, log, &maps_},
       generator_memory_{memory, settings.threads, log, settings.piece_bytes, settings.ground_bytes},
-      patches_{{*generator_, maker_, chunks_, rows_, wanted_, generator_memory_, metrics, clock},
-               log,
-               settings.patch_tiles,
-               settings.patch_cache_bytes,
-               settings.threads},
+      patches_{
+          {*generator_, maker_, chunks_, rows_, wanted_, generator_memory_, metrics, clock, columns_.get()},
+          log,
+          settings.patch_tiles,
+          settings.patch_cache_bytes,
+          settings.threads},
       pool_{{maker_, patches_, generator_memory_, metrics, memory, clock, overlay},
             {settings.threads, settings.patch_tiles, settings.queue_chunks, settings.own_chunks},
             log} {
@@ -136,7 +138,8 @@ bool BaseChunks::fit_caches() {
 
 BaseChunks::Status BaseChunks::status() {
   const GenerationPool::Status pool = pool_.status();
-  return {pool.jobs, pool.clients, chunks_.bytes(), patches_.bytes(), maps_.bytes()};
+  return {pool.jobs,        pool.clients,  chunks_.bytes(),
+          patches_.bytes(), maps_.bytes(), columns_ ? std::optional{columns_->status()} : std::nullopt};
 }
 
 }  // namespace talus::server

@@ -1,4 +1,5 @@
-// The ChunkSource of chunks as generated: caches in memory before a pool of generator threads.
+// The ChunkSource of chunks as generated: caches in memory, and one on disk, before a pool of generator
+// threads.
 //
 // A chunk that is cached, or uniform whatever the surface does, is found with no lock but its shard's.
 // Otherwise a client waits for a job, and the answer comes into its mailbox. Nothing here is ever
@@ -9,6 +10,7 @@
 #include <cstdint>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -16,6 +18,7 @@
 #include "chunks/chunk_overlay.h"
 #include "chunks/chunk_source.h"
 #include "clock/clock.h"
+#include "column_cache/column_cache.h"
 #include "generation/chunk_maker.h"
 #include "generation/column_rows.h"
 #include "generation/generation_pool.h"
@@ -47,9 +50,10 @@ class BaseChunks final : public ChunkSource {
  public:
   /// `metrics`, `memory` and `clock` outlive this. Nothing is generated before start(). Clients that see
   /// edits (Mailbox::sees_edits) are answered through `overlay`, which outlives this too; null: there are no
-  /// edits.
+  /// edits. `columns`: where what was dear to make is kept; null: nowhere.
   BaseChunks(std::unique_ptr<const Generator> generator, const GenerationSettings& settings, Logger log,
-             Metrics& metrics, MemoryBudget& memory, const Clock& clock, ChunkOverlay* overlay = nullptr);
+             Metrics& metrics, MemoryBudget& memory, const Clock& clock, ChunkOverlay* overlay = nullptr,
+             std::unique_ptr<ColumnCache> columns = nullptr);
   /// Starts the threads; once.
   void start();
   /// Waits for the threads; what still waits is not answered.
@@ -88,6 +92,7 @@ class BaseChunks final : public ChunkSource {
     std::size_t chunk_cache_bytes = 0;
     std::size_t patch_cache_bytes = 0;
     std::size_t map_cache_bytes = 0;
+    std::optional<ColumnCache::Status> columns{};  // none: nothing is kept on disk
   };
   [[nodiscard]] Status status();
 
@@ -100,6 +105,7 @@ class BaseChunks final : public ChunkSource {
   std::mutex fitting_;
   std::uint64_t fitted_bytes_;
   // In the order of their use: each is used by those after it.
+  const std::unique_ptr<ColumnCache> columns_;
   ChunkCache chunks_;
   ColumnRows rows_;
   MapCache maps_;

@@ -33,6 +33,9 @@ class ColumnRows {
                     [&](ChunkKey column) { rows_.put(column, generator_.mixed_rows(stacks, column), 0); });
   }
 
+  /// Of one column, from where they are kept. `column` is a column_of().
+  void note(ChunkKey column, const MixedRows& rows) { rows_.put(column, rows, 0); }
+
   /// As those of ShardedCache.
   void set_capacity(std::size_t capacity_bytes) { rows_.set_capacity(capacity_bytes); }
   [[nodiscard]] bool fit(std::size_t& looks) { return rows_.fit(looks); }

@@ -244,18 +244,8 @@ void GenerationPool::run(WorkQueue::Batch& batch, const WorkQueue::Work& work, M
     return !dropped;
   });
   // Those that were made since they were asked for wait for nothing.
-  std::vector<ChunkKey> keys;
-  std::vector<EncodedChunkPtr> known;
-  std::vector<ChunkKey> to_make;
-  for (const ChunkKey key : batch.keys) {
-    if (EncodedChunkPtr chunk = parts_.maker.known(key)) {
-      keys.push_back(key);
-      known.push_back(std::move(chunk));
-    } else {
-      to_make.push_back(key);
-    }
-  }
-  answer(keys, [&](std::size_t index) { return known[index]; });
+  std::vector<ChunkKey> to_make = answer_known(batch.keys);
+  if (begun == nullptr && parts_.patches.read_columns(batch.patch, to_make)) to_make = answer_known(to_make);
   if (to_make.empty()) return;
   PatchStore::Loan loan = parts_.patches.obtain(batch.patch, to_make, std::move(begun), after_step, measured);
   batch.begun = std::move(loan.begun);
@@ -268,6 +258,22 @@ void GenerationPool::run(WorkQueue::Batch& batch, const WorkQueue::Work& work, M
   });
   measured.chunk_time += parts_.clock.thread_cpu() - began;
   parts_.patches.finish(loan, measured, [this] { return stopping_.load(); });
+}
+
+std::vector<ChunkKey> GenerationPool::answer_known(std::span<const ChunkKey> keys) {
+  std::vector<ChunkKey> found;
+  std::vector<EncodedChunkPtr> known;
+  std::vector<ChunkKey> others;
+  for (const ChunkKey key : keys) {
+    if (EncodedChunkPtr chunk = parts_.maker.known(key)) {
+      found.push_back(key);
+      known.push_back(std::move(chunk));
+    } else {
+      others.push_back(key);
+    }
+  }
+  answer(found, [&](std::size_t index) { return known[index]; });
+  return others;
 }
 
 template <typename Chunk>

@@ -87,6 +87,8 @@ class GenerationPool {
   /// Those of a batch's keys that are still waited for, by chunk(their index).
   template <typename Chunk>
   void answer(std::span<const ChunkKey> keys, Chunk&& chunk);
+  /// Those that are in memory; returns the others.
+  [[nodiscard]] std::vector<ChunkKey> answer_known(std::span<const ChunkKey> keys);
   /// Puts those waiters that see edits behind the others, and returns the first of them.
   [[nodiscard]] std::size_t edits_seen_from(std::vector<MailboxPtr>& waiters) const;
   [[nodiscard]] ChunkAnswer with_edits(ChunkKey key, const ChunkAnswer& base) const;

@@ -13,6 +13,14 @@ PatchStore::PatchStore(const Parts& parts, Logger log, int patch_tiles, std::siz
       spare_{max_spare},
       patches_{capacity_bytes} {}
 
+PatchStore::~PatchStore() {
+  try {
+    patches_.for_each([this](const PatchKey& key, const StoredPatch& patch) { keep_columns(key, patch); });
+  } catch (const std::exception& error) {
+    log_->warn("not all that was generated is kept on disk: {}", error.what());
+  }
+}
+
 bool PatchStore::holds(const PatchKey& patch) const {
   const std::lock_guard lock{mutex_};
   return patches_.holds(patch);
@@ -29,7 +37,7 @@ PatchStore::Loan PatchStore::obtain(const PatchKey& patch, std::span<const Chunk
     const std::lock_guard lock{mutex_};
     if (const StoredPatch* const found = patches_.find(patch)) {
       loan.stacks = found->stacks;
-      loan.dear = found->dear;
+      loan.spent = found->spent;
       return loan;
     }
   }
@@ -49,15 +57,67 @@ PatchStore::Loan PatchStore::obtain(const PatchKey& patch, std::span<const Chunk
 
 void PatchStore::finish(const Loan& loan, MeasuredWork& measured, const std::function<bool()>& stops) {
   if (loan.stacks != nullptr && may_go(loan, measured, stops)) {
+    note_chunks(measured);
+    keep_columns(loan.patch, {loan.stacks, false, loan.spent});
     const std::lock_guard lock{mutex_};
     patches_.erase(loan.patch);
   }
-  for (const auto& [key, patch] : loan.evicted) (void)extract_wanted(key, patch, measured, stops);
+  for (const auto& [key, patch] : loan.evicted) {
+    (void)extract_wanted(key, patch, measured, stops);
+    note_chunks(measured);
+    keep_columns(key, patch);
+  }
+}
+
+bool PatchStore::read_columns(const PatchKey& patch, std::span<const ChunkKey> chunks) {
+  if (parts_.columns == nullptr || holds(patch)) return false;
+  std::vector<ChunkKey> columns;
+  for (const ChunkKey chunk : chunks) columns.push_back(column_of(chunk));
+  std::sort(columns.begin(), columns.end());
+  columns.erase(std::unique(columns.begin(), columns.end()), columns.end());
+  bool any = false;
+  for (const ChunkKey column : columns) {
+    const auto kept = parts_.columns->find(column);
+    if (!kept) continue;
+    any = true;
+    parts_.rows.note(column, kept->rows);
+    for (const auto& [y, chunk] : kept->chunks) {
+      parts_.chunks.put({{column.coord.x, y, column.coord.z}, column.lod}, chunk);
+    }
+  }
+  return any;
+}
+
+void PatchStore::note_chunks(const MeasuredWork& measured) {
+  if (measured.chunks == 0) return;
+  const auto chunks = static_cast<std::int64_t>(measured.chunks);
+  chunk_ns_.store(measured.chunk_time.count() / chunks, std::memory_order_relaxed);
+}
+
+void PatchStore::keep_columns(const PatchKey& key, const StoredPatch& patch) {
+  if (parts_.columns == nullptr) return;
+  const std::chrono::nanoseconds terrain = patch.spent / (patch_tiles_ * patch_tiles_);
+  const std::chrono::nanoseconds chunk{chunk_ns_.load(std::memory_order_relaxed)};
+  for_each_column(key, patch_tiles_, [&](ChunkKey column) {
+    ColumnRecord record{rows_of(column, *patch.stacks), {}};
+    const std::int64_t last =
+        std::min<std::int64_t>(record.rows.last, std::int64_t{record.rows.first} + kMaxKeptRows - 1);
+    for (std::int64_t y = record.rows.first; y <= last; ++y) {
+      const auto row = static_cast<std::int32_t>(y);
+      if (EncodedChunkPtr made = parts_.chunks.find({{column.coord.x, row, column.coord.z}, column.lod})) {
+        record.chunks.push_back({row, std::move(made)});
+      }
+    }
+    const bool bare = record.chunks.empty() && record.rows.last >= record.rows.first;
+    if (!bare && parts_.columns->worth(terrain + chunk * record.chunks.size())) {
+      parts_.columns->put(column, record);
+    }
+  });
 }
 
 bool PatchStore::may_go(const Loan& loan, MeasuredWork& measured, const std::function<bool()>& stops) {
-  if (loan.dear || !loan.in_views) return fully_extracted(loan.patch, *loan.stacks);
-  return extract_wanted(loan.patch, {loan.stacks, false, false}, measured, stops);
+  if (loan.spent > kDearPatch || !loan.in_views) return fully_extracted(loan.patch, *loan.stacks);
+  return extract_wanted(loan.patch, {loan.stacks, false, {}}, measured, stops);
 }
 
 bool PatchStore::in_views(std::span<const ChunkKey> keys) const {
@@ -92,12 +152,12 @@ void PatchStore::make(Loan& loan, BegunPatchPtr begun, const AskAfterStep& after
   parts_.metrics.patches_made.add();
   ++measured.patches;
   measured.patch_time += begun->spent;
-  loan.dear = begun->spent > kDearPatch;
+  loan.spent = begun->spent;
   loan.stacks = spare_.share(std::move(begun->stacks));
 }
 
 void PatchStore::put(Loan& loan, bool outside_views) {
-  StoredPatch patch{loan.stacks, outside_views, loan.dear};
+  StoredPatch patch{loan.stacks, outside_views, loan.spent};
   const std::lock_guard lock{mutex_};
   loan.evicted.reserve(patches_.size());  // so that nothing is allocated while patches are evicted
   patches_.put(loan.patch, std::move(patch), loan.stacks->bytes(),

@@ -5,9 +5,10 @@
 // of its mixed chunks that somebody looks at, or comes to look at soon, are extracted into the chunk cache,
 // and the patch is let go: the next is made in its memory, which is still in the processor's cache. A patch
 // stays that was dear to make, that no View has, or that has more rows than are extracted; and what is wanted
-// of it is extracted when it is evicted.
+// of it is extracted when it is evicted. Chunks of a patch that goes are kept on disk where that pays.
 #pragma once
 
+#include <atomic>
 #include <chrono>
 #include <cstddef>
 #include <functional>
@@ -19,6 +20,7 @@
 #include "cache/chunk_cache.h"
 #include "cache/clock_cache.h"
 #include "clock/clock.h"
+#include "column_cache/column_cache.h"
 #include "generation/begun_patch.h"
 #include "generation/chunk_maker.h"
 #include "generation/column_rows.h"
@@ -35,8 +37,8 @@ struct StoredPatch {
   /// It was made for chunks that no View has: who asks for chunks one by one mostly comes to ask for those
   /// beside them, and all are extracted.
   bool outside_views = false;
-  /// It took long enough to make that it is worth its memory.
-  bool dear = false;
+  /// Thread time that it took to make.
+  std::chrono::nanoseconds spent{};
 };
 
 class PatchStore {
@@ -44,6 +46,8 @@ class PatchStore {
   /// Rows of a column that are extracted before its patch is evicted: worlds can be far deeper than what
   /// anybody looks at.
   static constexpr std::int32_t kMaxExtractedRows = 8;
+  /// Rows of a column that are looked at for chunks to be kept on disk.
+  static constexpr std::int32_t kMaxKeptRows = 64;
 
   /// A patch that takes longer to make is kept. About one in twenty that are let go is made again, and memory
   /// out of the processor's cache costs a tenth of a millisecond more.
@@ -59,13 +63,22 @@ class PatchStore {
     GeneratorMemory& memory;
     Metrics& metrics;
     const Clock& clock;
+    ColumnCache* columns = nullptr;  // null: nothing is kept on disk
   };
   /// Keeps the memory of `max_spare` patches that were let go, for the next.
   PatchStore(const Parts& parts, Logger log, int patch_tiles, std::size_t capacity_bytes,
              std::size_t max_spare);
+  /// What of its patches is worth it is kept on disk.
+  ~PatchStore();
+  PatchStore(const PatchStore&) = delete;
+  PatchStore& operator=(const PatchStore&) = delete;
 
   /// Whether the patch is in memory. Not a use.
   [[nodiscard]] bool holds(const PatchKey& patch) const;
+
+  /// Reads the chunks' columns, which are of the patch, from the disk into memory, as far as they are kept
+  /// there; false where none is, or the patch is in memory and cutting is cheaper.
+  [[nodiscard]] bool read_columns(const PatchKey& patch, std::span<const ChunkKey> chunks);
 
   /// One piece of work on one patch: obtain() it, make chunks of it, and let it go by finish().
   struct Loan {
@@ -73,7 +86,7 @@ class PatchStore {
     StacksPtr stacks{};                                     // null where the patch could not be made
     bool given_up = false;                                  // after_step() ended it
     BegunPatchPtr begun{};                                  // after_step() paused it
-    bool dear = false;                                      // as StoredPatch's
+    std::chrono::nanoseconds spent{};                       // as StoredPatch's
     bool in_views = false;                                  // some View has all that was asked of it
     std::vector<std::pair<PatchKey, StoredPatch>> evicted;  // for this one
   };
@@ -99,6 +112,9 @@ class PatchStore {
   /// Returns whether all that is wanted of the patch is in the chunk cache now.
   bool extract_wanted(const PatchKey& key, const StoredPatch& patch, MeasuredWork& measured,
                       const std::function<bool()>& stops);
+  void note_chunks(const MeasuredWork& measured);
+  /// On disk, those of its chunks that are in memory.
+  void keep_columns(const PatchKey& key, const StoredPatch& patch);
   /// Whether the patch is not worth its memory any more.
   [[nodiscard]] bool may_go(const Loan& loan, MeasuredWork& measured, const std::function<bool()>& stops);
   [[nodiscard]] bool in_views(std::span<const ChunkKey> keys) const;
@@ -112,6 +128,7 @@ class PatchStore {
   const Parts parts_;
   const Logger log_;
   const int patch_tiles_;
+  std::atomic<std::int64_t> chunk_ns_{0};  // thread time that one of late took
   StacksPool spare_;
   mutable std::mutex mutex_;
   ClockCache<PatchKey, StoredPatch> patches_;

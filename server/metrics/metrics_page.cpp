@@ -83,7 +83,17 @@ Samples map_tiles(const Source& s) {
 Samples cache_bytes(const Source& s) {
   return {labelled("chunks", static_cast<double>(s.gauges.chunk_cache_bytes)),
           labelled("patches", static_cast<double>(s.gauges.patch_cache_bytes)),
-          labelled("maps", static_cast<double>(s.gauges.map_cache_bytes))};
+          labelled("maps", static_cast<double>(s.gauges.map_cache_bytes)),
+          labelled("disk", s.gauges.columns ? static_cast<double>(s.gauges.columns->bytes) : 0.0)};
+}
+
+Samples disk_columns(const Source& s) {
+  if (!s.gauges.columns) return {};
+  const auto& columns = *s.gauges.columns;
+  return {labelled("found", static_cast<double>(columns.found)),
+          labelled("missing", static_cast<double>(columns.missing)),
+          labelled("kept", static_cast<double>(columns.kept)),
+          labelled("lost", static_cast<double>(columns.lost))};
 }
 
 Samples generation_seconds(const Source& s) {
@@ -157,6 +167,8 @@ const std::array kRows{
     MetricRow{"talus_uniform_answers_total", "Chunks found to be of one material, all rock or all air.",
               counter, {}, &Metrics::uniform_answers},
     MetricRow{"talus_cache_bytes", "Bytes in each cache.", gauge, {"cache"}, cache_bytes},
+    MetricRow{"talus_disk_columns_total", "Columns of chunks that the cache on disk was asked for, and was given; absent without one.",
+              counter, {"outcome"}, disk_columns},
     MetricRow{"talus_patches_generated_total", "Patches of terrain generated.", counter, {}, &Metrics::patches_made},
     MetricRow{"talus_chunks_generated_total", "Chunks extracted and encoded.", counter, {}, &Metrics::chunks_made},
     MetricRow{"talus_generation_seconds_total", "CPU time of generator threads, by stage.", counter, {"stage"},

@@ -33,6 +33,14 @@ struct RuntimeGauges {
     bool read_only = false;     // the log cannot be written
   };
   std::optional<Edits> edits{};  // none: nothing is stored
+  struct Columns {
+    std::uint64_t found = 0;  // on disk
+    std::uint64_t missing = 0;
+    std::uint64_t kept = 0;
+    std::uint64_t lost = 0;
+    std::uint64_t bytes = 0;
+  };
+  std::optional<Columns> columns{};  // none: none are kept on disk
 };
 
 /// Names of the values that modules count by, in the order of their enums. A value with an empty name is left

@@ -14,6 +14,8 @@
 #include <rocksdb/table.h>
 #include <rocksdb/write_batch.h>
 
+#include "store/no_info_log.h"
+
 namespace talus::server {
 namespace {
 
@@ -32,14 +34,6 @@ std::span<const std::byte> bytes_of(const rocksdb::Slice& slice) {
 std::string_view text_of(const rocksdb::Slice& slice) {
   return {slice.data(), slice.size()};
 }
-
-/// What fails comes back as a Status, and talusd tells it. RocksDB's own file of lines must not be: where a
-/// write to it fails, its next line ends the process.
-class NoInfoLog final : public rocksdb::Logger {
- public:
-  using Logger::Logv;
-  void Logv(const char*, va_list) override {}
-};
 
 rocksdb::Options options_of(const EditDatabaseSettings& settings, bool create) {
   rocksdb::Options options;

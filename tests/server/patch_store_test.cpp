@@ -6,6 +6,7 @@
 
 #include "failing_allocations.h"
 #include "fake_generator.h"
+#include "scratch_directory.h"
 
 using namespace talus;
 using namespace talus::server;
@@ -30,10 +31,15 @@ struct Bench {
   ChunkMaker maker{generator, chunks, rows, metrics, log};
   GeneratorMemory memory{budget, 1, log};
   WantedChunks wanted;
-  PatchStore store{{generator, maker, chunks, rows, wanted, memory, metrics, clock}, log, kTiles, 1 << 20, 1};
+  PatchStore store;
   MeasuredWork measured;
 
-  Bench() {
+  explicit Bench(ColumnCache* columns = nullptr)
+      : store{{generator, maker, chunks, rows, wanted, memory, metrics, clock, columns},
+              log,
+              kTiles,
+              1 << 20,
+              1} {
     work->patch_columns = 150'000;
     work->first_mixed = 2;
     work->last_mixed = 3;
@@ -157,6 +163,53 @@ TEST_CASE("a patch that was dear to make stays, and leaves what is wanted when i
   bench.finish(bench.obtain(1));
   CHECK(bench.work->chunks == 2 * kColumns);
   CHECK(bench.store.holds({1, 0, Lod{}}));
+}
+
+TEST_CASE("chunks of a dear patch are kept on disk when it goes, and read instead of being made") {
+  const ScratchDirectory scratch;
+  const ManualClock clock;
+  const auto columns = ColumnCache::open(
+      {.path = scratch.path() / "columns", .fingerprint = {}, .bytes = 1 << 24, .free_bytes = 0},
+      std::make_shared<spdlog::logger>("silent"), clock);
+  REQUIRE(columns.has_value());
+  const ChunkRange any{-100, 100};
+  const std::array asked{ChunkKey{{0, 2, 0}, Lod{}}, ChunkKey{{0, 3, 0}, Lod{}}};
+  const auto use = [&](bool dear) {
+    auto bench = std::make_unique<Bench>(columns->get());
+    bench->wanted.set(ClientId{1}, std::array{LevelBox{Lod{}, any, any, any, {}, {}}});
+    bench->work->payload_bytes = 10;
+    if (dear) bench->work->in_patch = [clock = &bench->clock] { clock->spend_cpu(2ms); };
+    bench->work->in_chunk = [dear, clock = &bench->clock] { clock->spend_cpu(dear ? 20us : 1us); };
+    return bench;
+  };
+  {
+    const auto cheap = use(false);
+    cheap->finish(cheap->obtain(0, asked));
+    CHECK(cheap->work->chunks == 2 * kColumns);
+    CHECK((*columns)->status().kept == 0);
+    const auto dear = use(true);
+    dear->finish(dear->obtain(0, asked));
+    CHECK((*columns)->status().kept == kColumns);
+  }
+  {
+    const auto ends = use(true);
+    ends->work->in_patch = [clock = &ends->clock] { clock->spend_cpu(3ms); };
+    (void)ends->obtain(7, asked);
+    ends->make_chunks(ends->obtain(7), 2, 3);
+    CHECK((*columns)->status().kept == kColumns);
+  }
+  CHECK((*columns)->status().kept == 2 * kColumns);
+  const auto later = use(true);
+  CHECK(later->store.read_columns({0, 0, Lod{}}, asked));
+  CHECK(later->work->patches == 0);
+  CHECK(later->maker.known(asked[0]) != nullptr);
+  CHECK(later->maker.known(asked[1])->hash() == ContentHash{std::hash<ChunkKey>{}(asked[1]), 0});
+  CHECK(later->maker.known({{0, 4, 0}, Lod{}})->uniform());
+  CHECK(later->maker.known({{1, 2, 0}, Lod{}}) == nullptr);  // nobody asked for it
+  const std::array elsewhere{ChunkKey{{100, 2, 0}, Lod{}}};
+  CHECK_FALSE(later->store.read_columns({25, 0, Lod{}}, elsewhere));
+  (void)later->obtain(0);
+  CHECK_FALSE(later->store.read_columns({0, 0, Lod{}}, asked));  // cutting it is cheaper
 }
 
 TEST_CASE("whichever allocation fails while a patch is obtained, the store is whole and used on") {

@@ -33,16 +33,19 @@ test('from the address to the first terrain, and to all of it', async (t) => {
 /** Processor time of the page's own thread in so many frames, in milliseconds, while one turns around: what a trace says. */
 async function frameTimes(page, count) {
   const browser = page.context().browser();
+  const turn = (count) =>
+    page.evaluate(async (count) => {
+      const { settings, player } = window.talus;
+      settings.frameRate = 0;
+      for (let i = 0; i < count; ++i) {
+        player.body.yaw += 9;
+        await new Promise(requestAnimationFrame);
+      }
+      settings.frameRate = 0.02;
+    }, count);
+  await turn(12); // frames before that are drawn by code that was not compiled yet
   await browser.startTracing(page, { categories: ['devtools.timeline'] });
-  await page.evaluate(async (count) => {
-    const { settings, player } = window.talus;
-    settings.frameRate = 0;
-    for (let i = 0; i < count; ++i) {
-      player.body.yaw += 9;
-      await new Promise(requestAnimationFrame);
-    }
-    settings.frameRate = 0.02;
-  }, count);
+  await turn(count);
   const { traceEvents } = JSON.parse((await browser.stopTracing()).toString());
   return traceEvents.filter(({ name, tdur }) => name === 'FireAnimationFrame' && tdur > 0).map(({ tdur }) => tdur / 1000);
 }
@@ -60,7 +63,7 @@ for (const name of ['default', 'classic'])
     assert.ok(triangles <= 3_000_000, `${triangles} triangles`);
     assert.ok(drawCalls <= 400, `${drawCalls} draw calls`);
     assert.ok(gpuBytes + heapBytes <= 1e9, `${gpuBytes + heapBytes} bytes`);
-    const frames = await frameTimes(page, 12);
+    const frames = await frameTimes(page, 24);
     const p95 = frames.sort((a, b) => a - b)[Math.floor(frames.length * 0.95)];
     t.diagnostic(`${name}: p95 of the page's processor time a frame ${p95.toFixed(1)} ms, of ${frames.length} frames`);
     assert.ok(p95 <= 6, `${p95} ms of processor time a frame`);
