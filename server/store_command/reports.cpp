@@ -80,8 +80,10 @@ std::string stat_lines(const OpenedStore& opened, const StoreFigures& figures) {
   }
   line("undone", fmt::format("{} chunks, of any level, that are as generated again", figures.emptied_chunks));
   line("editors", fmt::format("{}", figures.editors));
-  line("history", fmt::format("entries {} to {}, {}", store.first_record(), meta.head.position,
-                              readable_bytes(history_bytes(store))));
+  line("history", store.first_record() > meta.head.position
+                      ? "none"
+                      : fmt::format("entries {} to {}, {}", store.first_record(), meta.head.position,
+                                    readable_bytes(history_bytes(store))));
   line("disk", readable_bytes(bytes_on_disk(opened.path())));
   const MaterialNames names{store.materials()};
   for (const auto& [material, voxels] : figures.materials) {

@@ -23,6 +23,7 @@
 #include "store_command/reports.h"
 #include "store_command/rollback.h"
 #include "store_command/store_figures.h"
+#include "store_command/transfer.h"
 
 namespace talus::server {
 namespace {
@@ -41,6 +42,9 @@ struct Flags {
   std::string since;
   std::string box;
   bool dry_run = false;
+  bool keep = false;
+  std::string world;
+  bool drop_unknown = false;
 };
 
 /// Numbers with commas between them, as many as `into` has.
@@ -63,7 +67,7 @@ std::int64_t now_ms() {
       .count();
 }
 
-Answer show_stat(const Flags& flags) {
+Answer show_stat(const Flags& flags, const LoadWorld&) {
   const auto opened = OpenedStore::open(flags.data);
   if (!opened) return tl::unexpected{opened.error()};
   ProgressBar progress{"stat", "chunks"};
@@ -72,7 +76,7 @@ Answer show_stat(const Flags& flags) {
   return flags.json ? stat_json(*opened, *figures) : stat_lines(*opened, *figures);
 }
 
-Answer verify_all(const Flags& flags) {
+Answer verify_all(const Flags& flags, const LoadWorld&) {
   const auto opened = OpenedStore::open(flags.data);
   if (!opened) return tl::unexpected{opened.error()};
   if (opened->server() == nullptr) {
@@ -85,12 +89,15 @@ Answer verify_all(const Flags& flags) {
   if (!figures) return tl::unexpected{figures.error()};
   if (const auto sound = verify(opened->store(), *figures); !sound) return tl::unexpected{sound.error()};
   const StoreMeta& meta = opened->store().meta();
-  return fmt::format("sound: {} voxels in {} chunks, entries {} to {} of the log, hash {}\n",
-                     figures->levels[0].voxels, figures->levels[0].chunks, opened->store().first_record(),
-                     meta.head.position, edits::to_string(meta.head.hash));
+  const std::uint64_t first = opened->store().first_record();
+  const std::string entries = first > meta.head.position
+                                  ? "no entries of the log"
+                                  : fmt::format("entries {} to {} of the log", first, meta.head.position);
+  return fmt::format("sound: {} voxels in {} chunks, {}, hash {}\n", figures->levels[0].voxels,
+                     figures->levels[0].chunks, entries, edits::to_string(meta.head.hash));
 }
 
-Answer backup(const Flags& flags) {
+Answer backup(const Flags& flags, const LoadWorld&) {
   const auto opened = OpenedStore::open(flags.data);
   if (!opened) return tl::unexpected{opened.error()};
   const auto written = write_backup(opened->store(), opened->path(), flags.path);
@@ -99,7 +106,7 @@ Answer backup(const Flags& flags) {
                      written->head.revision, readable_bytes(written->bytes()));
 }
 
-Answer restore(const Flags& flags) {
+Answer restore(const Flags& flags, const LoadWorld&) {
   if (const auto free = refuse_running_server(flags.data); !free) return tl::unexpected{free.error()};
   // Before a directory is made for it.
   if (const auto manifest = read_manifest(flags.path); !manifest) return tl::unexpected{manifest.error()};
@@ -117,7 +124,7 @@ Answer restore(const Flags& flags) {
   return text;
 }
 
-Answer compact_store(const Flags& flags) {
+Answer compact_store(const Flags& flags, const LoadWorld&) {
   if (const auto free = refuse_running_server(flags.data); !free) return tl::unexpected{free.error()};
   const auto directory = DataDirectory::open_store(flags.data);
   if (!directory) return tl::unexpected{directory.error()};
@@ -125,7 +132,7 @@ Answer compact_store(const Flags& flags) {
   return std::string{"compacted\n"};
 }
 
-Answer show_history(const Flags& flags) {
+Answer show_history(const Flags& flags, const LoadWorld&) {
   std::array<std::int64_t, 3> at{};
   if (!parse_numbers(flags.at, at)) {
     return tl::unexpected{fmt::format("--at: \"{}\" is wrong; give X,Y,Z in voxels", escaped(flags.at))};
@@ -154,7 +161,7 @@ tl::expected<RollbackRequest, std::string> rollback_request(const Flags& flags) 
   return RollbackRequest{flags.subject, *since, {box[0], box[1], box[2]}, {box[3], box[4], box[5]}};
 }
 
-Answer rollback(const Flags& flags) {
+Answer rollback(const Flags& flags, const LoadWorld&) {
   const auto request = rollback_request(flags);
   if (!request) return tl::unexpected{request.error()};
   auto opened = OpenedStore::open(flags.data);
@@ -197,10 +204,59 @@ Answer rollback(const Flags& flags) {
          fmt::format("{} voxels were put back, in {} edits{}\n", *changed, plan->slices.size(), theirs);
 }
 
+/// What import and rebase have made.
+std::string rebuilt_lines(const std::string& data, const Rebuilt& rebuilt) {
+  std::string text = fmt::format("{}: store {} with {} voxels in {} chunks\n", data,
+                                 to_string(rebuilt.store_id), rebuilt.voxels, rebuilt.chunks);
+  if (!rebuilt.replaced.empty()) {
+    text +=
+        fmt::format("{}: the store that was there, with its history; delete it when nobody wants it back\n",
+                    rebuilt.replaced.string());
+  }
+  return text;
+}
+
+Answer export_file(const Flags& flags, const LoadWorld&) {
+  const auto opened = OpenedStore::open(flags.data);
+  if (!opened) return tl::unexpected{opened.error()};
+  const auto exported = export_edits(opened->store(), flags.path);
+  if (!exported) return tl::unexpected{exported.error()};
+  return fmt::format("{}: {} voxels in {} chunks\n", flags.path, exported->voxels, exported->chunks);
+}
+
+Answer import_file(const Flags& flags, const LoadWorld&) {
+  if (const auto free = refuse_running_server(flags.data); !free) return tl::unexpected{free.error()};
+  const auto directory = DataDirectory::open_any(flags.data);
+  if (!directory) return tl::unexpected{directory.error()};
+  const auto imported = import_edits(flags.path, *directory, flags.keep ? Winner::store : Winner::file);
+  if (!imported) return tl::unexpected{imported.error()};
+  std::string text = rebuilt_lines(flags.data, *imported);
+  if (imported->both > 0) {
+    text += fmt::format("{} voxels were in both; they are the {}'s\n", imported->both,
+                        flags.keep ? "store" : "file");
+  }
+  return text;
+}
+
+Answer rebase(const Flags& flags, const LoadWorld& load_world) {
+  if (const auto free = refuse_running_server(flags.data); !free) return tl::unexpected{free.error()};
+  const auto world = load_world(flags.world);
+  if (!world) return tl::unexpected{world.error()};
+  const auto directory = DataDirectory::open_store(flags.data);
+  if (!directory) return tl::unexpected{directory.error()};
+  const auto rebased = rebase_edits(*directory, **world, flags.drop_unknown);
+  if (!rebased) return tl::unexpected{rebased.error()};
+  return rebuilt_lines(flags.data, *rebased) +
+         fmt::format(
+             "{} voxels are as the new world generates and are no edits any more; {} were of unknown "
+             "materials and are dropped\n",
+             rebased->as_base, rebased->unknown);
+}
+
 /// One of the commands.
 struct Subcommand {
   CLI::App* app = nullptr;
-  Answer (*run)(const Flags&) = nullptr;
+  Answer (*run)(const Flags&, const LoadWorld&) = nullptr;
 };
 
 /// The directory that the flags mean: theirs, or as talusd has it.
@@ -229,7 +285,6 @@ int say(std::string_view name, const Answer& answer) {
 
 int store_command(int argc, const char* const* argv, const Environment& environment,
                   const LoadWorld& load_world) {
-  (void)load_world;
   CLI::App app{"Looks at, backs up, restores and mends the store of edits in a data directory.",
                "talusd store"};
   app.require_subcommand(1);
@@ -240,7 +295,7 @@ int store_command(int argc, const char* const* argv, const Environment& environm
       "Exit status: 0 success, 1 failure, 2 wrong flags.");
   Flags flags;
   std::vector<Subcommand> commands;
-  const auto add = [&](const char* name, const char* help, Answer (*run)(const Flags&)) {
+  const auto add = [&](const char* name, const char* help, Answer (*run)(const Flags&, const LoadWorld&)) {
     CLI::App* const command = app.add_subcommand(name, help);
     command
         ->add_option("--data", flags.data, "the data directory; default: \"data\" of --config, or TALUS_DATA")
@@ -272,6 +327,30 @@ int store_command(int argc, const char* const* argv, const Environment& environm
   restoring->add_flag("--replace", flags.replace,
                       "where the data directory holds a store, move that aside, to replaced-N in it");
   add("compact", "writes the files anew, without what was replaced or deleted", compact_store);
+  add("export", "all edits into one file that any talusd reads", export_file)
+      ->add_option("FILE", flags.path, "the file; one that is there is replaced when the new one is whole")
+      ->required();
+  CLI::App* const importing =
+      add("import",
+          "adds the edits of a file that export wrote to the store, or makes one of them, of the file's "
+          "world, where "
+          "the directory holds none. The store gets a new id, and its history stays in replaced-N",
+          import_file);
+  importing->add_option("FILE", flags.path, "the file")->required();
+  importing->add_flag("--keep", flags.keep,
+                      "voxels that both have stay as in the store; without it the file's win");
+  CLI::App* const rebasing = add(
+      "rebase",
+      "carries the edits over to another world, or to this one after its file has changed: what is unlike "
+      "the new ground stays, materials are those of the same names. The store gets a new id, and its history "
+      "stays in replaced-N",
+      rebase);
+  rebasing->add_option("--world", flags.world, "the new world; default: the one built into talusd")
+      ->type_name("FILE");
+  rebasing->add_flag(
+      "--drop-unknown", flags.drop_unknown,
+      "lose voxels of materials that the new world does not name; without it they are counted and "
+      "nothing happens");
   CLI::App* const history = add("history", "who changed a voxel, when, from what to what", show_history);
   history->add_option("--at", flags.at, "the voxel")->required()->type_name("X,Y,Z");
   add_json(history);
@@ -306,7 +385,7 @@ int store_command(int argc, const char* const* argv, const Environment& environm
       return kWrongUse;
     }
     flags.data = *std::move(data);
-    return say(name, command.run(flags));
+    return say(name, command.run(flags, load_world));
   }
   return kWrongUse;
 }

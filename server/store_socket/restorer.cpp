@@ -8,6 +8,8 @@
 
 #include <fmt/format.h>
 
+#include <talus/voxel/coords.h>
+
 namespace talus::server {
 namespace {
 
