@@ -21,6 +21,7 @@
 #include "access/token_command.h"
 #include "admin/top_command.h"
 #include "app/listeners.h"
+#include "app/pregen_command.h"
 #include "app/process_signals.h"
 #include "app/server.h"
 #include "app/settings.h"
@@ -219,6 +220,10 @@ int main(int argc, char** argv) {
     if (argc > 1 && std::string_view{argv[1]} == "store") {
       end_by_default_on_signals();
       return store_command(argc - 1, argv + 1, environment, load_world);
+    }
+    if (argc > 1 && std::string_view{argv[1]} == "pregen") {
+      end_by_default_on_signals();
+      return pregen_command(argc - 1, argv + 1, environment);
     }
     const auto command = read_command_line(argc, argv, environment);
     if (command) {

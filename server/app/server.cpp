@@ -195,7 +195,7 @@ void Server::run() {
       patch_size_.expensive || patch_size_.chunks_expensive() ? spdlog::level::warn : spdlog::level::info,
       "{}", describe(patch_size_));
   chunks_.start();
-  if (edits_ != nullptr) edits_->start();
+  if (edits_ != nullptr) edits_->start(pregen());
   if (operators_) {
     last_housekeeping_ = clock_.now();
     operators_->start({[this] { return metrics_text(); },
@@ -246,6 +246,16 @@ void Server::stop_handling_signals() {
   shutdown_signals_.clear(ignored);
   end_at_once_on_signals();
   ::pthread_sigmask(SIG_SETMASK, &before, nullptr);
+}
+
+RunPregen Server::pregen() {
+  const auto columns = column_cache_settings(config_, world_.fingerprint);
+  if (!columns) return {};
+  Pregen::Parts parts{chunks_, [this] { return chunks_.status().clients > 0; }, clock_,
+                      generator_threads(config_), pregen_file(*columns)};
+  return [run = std::make_shared<Pregen>(std::move(parts))](const PregenPlan& plan, const auto& report) {
+    return run->run(plan, report);
+  };
 }
 
 void Server::on_connection(AcceptedConnection accepted) {

@@ -65,6 +65,8 @@ class Server {
   void run();
 
  private:
+  /// Empty where nothing is kept on disk.
+  [[nodiscard]] RunPregen pregen();
   [[nodiscard]] std::string metrics_text();
   [[nodiscard]] FlowsReport flows_report();
   [[nodiscard]] RunnerContextPtr make_context(const Config& config);

@@ -62,6 +62,11 @@ static_assert(MemoryBudget::kProgramBytes + kMinMemoryBytes / GeneratorMemory::k
 [[nodiscard]] std::optional<ColumnCacheSettings> column_cache_settings(const Config& config,
                                                                        ContentHash fingerprint);
 
+/// Where a pregen notes how far it is: beside the columns, and gone with them.
+[[nodiscard]] inline std::filesystem::path pregen_file(const ColumnCacheSettings& columns) {
+  return columns.path / "pregen";
+}
+
 /// What generators of the world keep of ground that patches share: nothing where that would not pay.
 [[nodiscard]] std::size_t ground_bytes(const Config& config, const terrain::World& world);
 

@@ -129,12 +129,13 @@ ChunkSource& WorldEdits::join(const terrain::World& world, ChunkSource& base, co
   return *chunks_;
 }
 
-void WorldEdits::start() {
+void WorldEdits::start(RunPregen pregen) {
   const SignalsBlocked blocked;
   feed_.start();
   intake_->start();
-  auto socket = StoreSocket::open(database_->path(),
-                                  {*database_, *log_, [this] { return log_->status().read_only; }}, logger_);
+  auto socket = StoreSocket::open(
+      database_->path(), {*database_, *log_, [this] { return log_->status().read_only; }, std::move(pregen)},
+      logger_);
   if (socket) {
     socket_ = *std::move(socket);
   } else {

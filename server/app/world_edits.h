@@ -50,8 +50,8 @@ class WorldEdits {
   [[nodiscard]] ChunkSource& join(const terrain::World& world, ChunkSource& base, const Clock& clock,
                                   Metrics& metrics);
   [[nodiscard]] EditTaker& taker() { return *intake_; }
-  /// Starts the threads; once.
-  void start();
+  /// Starts the threads; once. `pregen`: by which a command has land made; empty: by none.
+  void start(RunPregen pregen = {});
   /// Takes no more edits, and answers those that were taken.
   void stop();
   [[nodiscard]] LocalLog::Status status() const { return log_->status(); }

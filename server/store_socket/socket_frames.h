@@ -4,13 +4,19 @@
 // fields, as store/bytes.h writes them. The command asks, the server answers, one at a time. Both are of one
 // release: another version is refused by its number.
 //
-// | kind | from | fields |
-// | --- | --- | --- |
-// | checkpoint | command | |
-// | restore | command | changes of an edit (store/FORMAT.md): each voxel that is still `before` becomes
-// `after` | | checkpoint_made | server | number, and why no edits are taken (text; empty: they are) | |
-// restored | server | revision, voxels that changed (numbers) | | busy | server | why (text): the same again
-// may succeed | | failed | server | why (text) |
+// clang-format off
+// | kind            | from    | fields |
+// | ---             | ---     | --- |
+// | checkpoint      | command | |
+// | restore         | command | changes of an edit (store/FORMAT.md): each voxel that is still `before` becomes `after` |
+// | pregen          | command | x, z, radius (i32), levels (byte), millionths of the generators' time (u32) |
+// | checkpoint_made | server  | number, and why no edits are taken (text; empty: they are) |
+// | restored        | server  | revision, voxels that changed (numbers) |
+// | pregen_progress | server  | squares done, squares in all, columns made in this run (numbers); some a second |
+// | pregen_done     | server  | the same, once, when it has ended |
+// | busy            | server  | why (text): the same again may succeed |
+// | failed          | server  | why (text) |
+// clang-format on
 #pragma once
 
 #include <chrono>
@@ -33,8 +39,11 @@ inline constexpr std::chrono::seconds kFramePatience{10};
 enum class SocketKind : std::uint8_t {
   checkpoint = 1,
   restore = 2,
+  pregen = 3,
   checkpoint_made = 129,
   restored = 130,
+  pregen_progress = 131,
+  pregen_done = 132,
   busy = 254,
   failed = 255
 };

@@ -11,6 +11,7 @@
 
 #include "store/bytes.h"
 #include "store/store_swap.h"
+#include "store_socket/pregen_fields.h"
 #include "store_socket/store_socket.h"
 #include "store_socket/unix_address.h"
 
@@ -20,6 +21,14 @@ namespace {
 /// For the server to answer; a checkpoint on a slow disk takes some time.
 constexpr std::chrono::minutes kAnswerPatience{5};
 constexpr std::size_t kMaxText = 4'096;
+
+tl::unexpected<Restorer::Failure> failed(const std::string& reason, bool busy = false) {
+  return tl::unexpected{Restorer::Failure{fmt::format("the running server: {}", reason), busy}};
+}
+
+tl::unexpected<Restorer::Failure> not_asked_for(const SocketFrame& frame) {
+  return failed(fmt::format("an answer of kind {} was not asked for", static_cast<int>(frame.kind)));
+}
 
 }  // namespace
 
@@ -48,23 +57,23 @@ StoreConnection::~StoreConnection() {
   if (socket_ >= 0) ::close(socket_);
 }
 
+tl::expected<SocketFrame, Restorer::Failure> StoreConnection::receive() {
+  auto got = receive_frame(socket_, kAnswerPatience);
+  if (!got) return failed(got.error().empty() ? "it has closed the connection" : got.error());
+  if (got->kind != SocketKind::failed && got->kind != SocketKind::busy) return *std::move(got);
+  ByteReader in{got->fields};
+  return failed(in.text(kMaxText), got->kind == SocketKind::busy);
+}
+
 tl::expected<SocketFrame, Restorer::Failure> StoreConnection::ask(SocketKind kind,
                                                                   std::span<const std::byte> fields,
                                                                   SocketKind answer) {
-  const auto failed = [](std::string reason, bool busy = false) {
-    return tl::unexpected{Restorer::Failure{fmt::format("the running server: {}", reason), busy}};
-  };
   // A server that refuses says why, and does not read the request.
   const auto sent = send_frame(socket_, kind, fields);
-  auto got = receive_frame(socket_, kAnswerPatience);
+  auto got = receive();
   if (!got && !sent) return failed(sent.error());
-  if (!got) return failed(got.error().empty() ? "it has closed the connection" : got.error());
-  if (got->kind == answer) return *std::move(got);
-  if (got->kind == SocketKind::failed || got->kind == SocketKind::busy) {
-    ByteReader in{got->fields};
-    return failed(in.text(kMaxText), got->kind == SocketKind::busy);
-  }
-  return failed(fmt::format("an answer of kind {} was not asked for", static_cast<int>(got->kind)));
+  if (!got || got->kind == answer) return got;
+  return not_asked_for(*got);
 }
 
 tl::expected<StoreConnection::Checkpoint, std::string> StoreConnection::checkpoint() {
@@ -88,6 +97,24 @@ tl::expected<Restorer::Restored, Restorer::Failure> StoreConnection::restore(
   const std::uint64_t changed = in.varint();
   if (!in.ended()) return tl::unexpected{Restorer::Failure{"the running server: its answer is damaged"}};
   return Restorer::Restored{revision, changed};
+}
+
+tl::expected<PregenProgress, std::string> StoreConnection::pregen(
+    const PregenPlan& plan, const std::function<void(const PregenProgress&)>& report) {
+  Bytes fields;
+  encode(plan, fields);
+  const auto sent = send_frame(socket_, SocketKind::pregen, fields);
+  for (;;) {
+    const auto got = receive();
+    if (!got) return tl::unexpected{sent ? got.error().reason : sent.error()};
+    if (got->kind != SocketKind::pregen_progress && got->kind != SocketKind::pregen_done) {
+      return tl::unexpected{not_asked_for(*got).value().reason};
+    }
+    const auto progress = decode_pregen_progress(got->fields);
+    if (!progress) return tl::unexpected{std::string{"the running server: its answer is damaged"}};
+    report(*progress);
+    if (got->kind == SocketKind::pregen_done) return *progress;
+  }
 }
 
 }  // namespace talus::server

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -11,6 +12,7 @@
 
 #include <talus/edits/evaluate.h>
 
+#include "pregen/pregen.h"
 #include "store_socket/restorer.h"
 #include "store_socket/socket_frames.h"
 
@@ -33,9 +35,15 @@ class StoreConnection {
   /// As Restorer::restore(), of the server.
   [[nodiscard]] tl::expected<Restorer::Restored, Restorer::Failure> restore(
       const std::vector<edits::ChunkChanges>& changes);
+  /// Has the server make land, and tells how far it is, until it has; ends where the process does. An error
+  /// is one line.
+  [[nodiscard]] tl::expected<PregenProgress, std::string> pregen(
+      const PregenPlan& plan, const std::function<void(const PregenProgress&)>& report);
 
  private:
   StoreConnection(int socket, std::filesystem::path directory);
+  /// What comes next; an error where it is a failure, or nothing comes.
+  [[nodiscard]] tl::expected<SocketFrame, Restorer::Failure> receive();
   [[nodiscard]] tl::expected<SocketFrame, Restorer::Failure> ask(SocketKind kind,
                                                                  std::span<const std::byte> fields,
                                                                  SocketKind answer);

@@ -15,11 +15,15 @@
 
 #include "store/bytes.h"
 #include "store/store_swap.h"
+#include "store_socket/pregen_fields.h"
 #include "store_socket/restorer.h"
 #include "store_socket/unix_address.h"
 
 namespace talus::server {
 namespace {
+
+// Between two reports of a pregen.
+constexpr std::chrono::milliseconds kTellProgress{250};
 
 namespace fs = std::filesystem;
 
@@ -211,7 +215,37 @@ bool StoreSocket::answer(Command& command, const SocketFrame& request, Restorer&
     writer.varint(restored->changed);
     return send_frame(command.socket, SocketKind::restored, fields).has_value();
   }
+  if (request.kind == SocketKind::pregen) return pregenerate(command, request);
   return refuse(fmt::format("there is no request {}", static_cast<int>(request.kind)));
+}
+
+bool StoreSocket::pregenerate(Command& command, const SocketFrame& request) {
+  const auto refuse = [&](std::string_view why) {
+    return send_text(command.socket, SocketKind::failed, why).has_value();
+  };
+  const auto plan = decode_pregen_plan(request.fields);
+  if (!plan) return refuse("the plan of a pregen is damaged");
+  if (const auto good = plan->check(); !good) return refuse(good.error());
+  if (!parts_.pregen) return refuse(kNoColumnCache);
+  const std::unique_lock alone{pregen_, std::try_to_lock};
+  if (!alone) return refuse("another pregen runs on this server; wait until it has ended");
+  Bytes fields;
+  auto told = std::chrono::steady_clock::now();
+  bool reached = true;
+  const auto tell = [&](SocketKind kind, const PregenProgress& progress) {
+    encode(progress, fields);
+    reached = reached && send_frame(command.socket, kind, fields).has_value();
+    return reached;
+  };
+  // Nobody who has gone is worked for: a frame tells.
+  const auto ended = parts_.pregen(*plan, [&](const PregenProgress& progress) {
+    const auto now = std::chrono::steady_clock::now();
+    if (now - told < kTellProgress) return reached;
+    told = now;
+    return tell(SocketKind::pregen_progress, progress);
+  });
+  if (!ended) return refuse(ended.error());
+  return tell(SocketKind::pregen_done, *ended);
 }
 
 }  // namespace talus::server

@@ -1,6 +1,6 @@
 // The Unix socket in a data directory by which `talusd store` reaches the server that uses it: for a
-// checkpoint of the database, and for edits that restore voxels. Of mode 600, and only the server's own user
-// is answered.
+// checkpoint of the database, for edits that restore voxels, and for land to be made before anybody comes. Of
+// mode 600, and only the server's own user is answered.
 //
 // Threads of its own: nothing else waits for a command, whatever that does. What it is given is bounded
 // before it is read.
@@ -21,6 +21,7 @@
 
 #include "edits/edit_log.h"
 #include "log/logger.h"
+#include "pregen/pregen.h"
 #include "store/edit_database.h"
 #include "store_socket/socket_frames.h"
 
@@ -41,6 +42,7 @@ class StoreSocket {
     const EditDatabase& database;
     EditLog& log;
     std::function<std::optional<std::string>()> read_only;  // why no edits are taken; any thread
+    RunPregen pregen;                                       // on a thread of the socket's; may be empty
   };
 
   /// Makes the socket in `directory`, whose lock the process has, and starts its threads. An error is one
@@ -67,6 +69,7 @@ class StoreSocket {
   void serve(Command& command);
   /// Whether the connection goes on.
   [[nodiscard]] bool answer(Command& command, const SocketFrame& request, Restorer& restorer);
+  [[nodiscard]] bool pregenerate(Command& command, const SocketFrame& request);
 
   const std::filesystem::path directory_;
   const Parts parts_;
@@ -74,6 +77,7 @@ class StoreSocket {
   const int listener_;
   const int wake_;  // an eventfd: the acceptor ends
   std::mutex mutex_;
+  std::mutex pregen_;  // one at a time
   std::list<Command> commands_;
   std::uint64_t next_number_ = 1;
   std::thread acceptor_;
