@@ -11,6 +11,7 @@
 #include "edits/edit_state.h"
 #include "edits/local_log.h"
 #include "store/edit_database.h"
+#include "store/store_identity.h"
 #include "store_socket/restorer.h"
 
 namespace talus::server {
