@@ -54,8 +54,12 @@ std::string store_text(ContentHash id, ContentHash fingerprint) {
       to_string(id), to_string(fingerprint));
 }
 
-/// The id of an existing store, which must be of this world.
-tl::expected<ContentHash, std::string> read_store(const fs::path& file, ContentHash fingerprint) {
+struct StoreFile {
+  ContentHash id;
+  ContentHash fingerprint;
+};
+
+tl::expected<StoreFile, std::string> read_store_file(const fs::path& file) {
   std::optional<ContentHash> id;
   std::optional<ContentHash> held;
   const auto read = files::SecretFile::read(file, kMaxTomlBytes);
@@ -76,14 +80,22 @@ tl::expected<ContentHash, std::string> read_store(const fs::path& file, ContentH
         "{}: was not written by talusd; it needs store_id and fingerprint, each of 32 hexadecimal digits",
         file.string()));
   }
-  if (*held != fingerprint) {
+  return StoreFile{*id, *held};
+}
+
+/// The id of an existing store, which must be of this world. `otherwise`: what else than another --world
+/// helps.
+tl::expected<ContentHash, std::string> read_store(const fs::path& file, ContentHash fingerprint,
+                                                  std::string_view otherwise) {
+  const auto store = read_store_file(file);
+  if (!store) return tl::make_unexpected(store.error());
+  if (store->fingerprint != fingerprint) {
     return tl::make_unexpected(
         fmt::format("{}: the store belongs to the world with fingerprint {}; this world has fingerprint {}; "
-                    "give --data another "
-                    "directory, or --world the store's world",
-                    file.string(), to_string(*held), to_string(fingerprint)));
+                    "give {} another directory, or --world the store's world",
+                    file.string(), to_string(store->fingerprint), to_string(fingerprint), otherwise));
   }
-  return *id;
+  return store->id;
 }
 
 tl::expected<ContentHash, std::string> read_or_make_store(const fs::path& path, ContentHash fingerprint,
@@ -93,7 +105,7 @@ tl::expected<ContentHash, std::string> read_or_make_store(const fs::path& path, 
   // store.
   std::error_code error;
   if (fs::symlink_status(file, error).type() != fs::file_type::not_found)
-    return read_store(file, fingerprint);
+    return read_store(file, fingerprint, "--data");
   const ContentHash id = random_id();
   if (const auto written = files::write_file(file, store_text(id, fingerprint), layer); !written) {
     return system_failure(path, "cannot write store.toml", written.error().code.value());
@@ -136,6 +148,34 @@ tl::expected<DataDirectory, std::string> DataDirectory::open(const fs::path& pat
         fmt::format("data {}: another talusd uses it; give --data another directory", path.string()));
   }
   auto id = read_or_make_store(path, fingerprint, layer);
+  if (!id) return tl::make_unexpected(id.error());
+  directory.store_id_ = *id;
+  return directory;
+}
+
+tl::expected<DataDirectory, std::string> DataDirectory::open_to_read(const fs::path& path,
+                                                                     ContentHash fingerprint) {
+  std::error_code error;
+  if (!fs::exists(path / "store.toml", error)) {
+    return tl::make_unexpected(fmt::format(
+        "store {}: there is no store.toml; give --store a directory that talusd was given as --data, "
+        "or a backup of one",
+        path.string()));
+  }
+  const int lock = ::open((path / "lock").c_str(), O_RDONLY | O_CLOEXEC);
+  if (lock < 0 && errno != ENOENT) {
+    return tl::make_unexpected(
+        fmt::format("store {}: cannot open its lock: {}; run this as a user who may read it", path.string(),
+                    std::generic_category().message(errno)));
+  }
+  DataDirectory directory{lock, {}};
+  if (lock >= 0 && ::flock(lock, LOCK_SH | LOCK_NB) != 0) {
+    return tl::make_unexpected(
+        fmt::format("store {}: a talusd uses it; stop that, or let `talusd store backup` make a copy, and "
+                    "give --store the copy",
+                    path.string()));
+  }
+  auto id = read_store(path / "store.toml", fingerprint, "--store");
   if (!id) return tl::make_unexpected(id.error());
   directory.store_id_ = *id;
   return directory;

@@ -26,6 +26,11 @@ class DataDirectory {
       const std::filesystem::path& path, ContentHash fingerprint,
       files::FileLayer& layer = files::system_files());
 
+  /// To read what is there, without a change, and with no server beside while this lives. A backup has no
+  /// lock: nobody writes it. An error is one line, for people who give a program --store.
+  [[nodiscard]] static tl::expected<DataDirectory, std::string> open_to_read(
+      const std::filesystem::path& path, ContentHash fingerprint);
+
   DataDirectory(DataDirectory&& other) noexcept;
   DataDirectory& operator=(DataDirectory&&) = delete;
   ~DataDirectory();

@@ -138,6 +138,28 @@ tl::expected<std::unique_ptr<EditDatabase>, std::string> EditDatabase::open(
   return database;
 }
 
+tl::expected<std::unique_ptr<EditDatabase>, std::string> EditDatabase::open_to_read(
+    const EditDatabaseSettings& settings) {
+  std::unique_ptr<EditDatabase> database{new EditDatabase{settings}};
+  using Step = Done (EditDatabase::*)();
+  for (const Step step : {&EditDatabase::open_database_to_read, &EditDatabase::read_meta,
+                          &EditDatabase::check_acknowledged, &EditDatabase::read_materials}) {
+    if (auto good = (database.get()->*step)(); !good) return tl::unexpected{std::move(good.error())};
+  }
+  return database;
+}
+
+EditDatabase::Done EditDatabase::open_database_to_read() {
+  if (!was_in_use(env(), database_path())) {
+    return failure("there is no database of edits; a store that talusd has opened has one");
+  }
+  rocksdb::DB* db = nullptr;
+  const auto status = rocksdb::DB::OpenForReadOnly(options_of(settings_, false), database_path(), &db);
+  db_.reset(db);
+  if (status.ok()) return {};
+  return failure(fmt::format("the database does not open: {}; {}", status.ToString(), kLost));
+}
+
 EditDatabase::Done EditDatabase::open_database() {
   // RocksDB would make an empty database of one that lost its file CURRENT.
   const bool used = was_in_use(env(), database_path()) || env().FileExists(acknowledged_path()).ok();

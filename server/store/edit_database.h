@@ -56,6 +56,10 @@ class EditDatabase {
   /// one, and one that has less than was acknowledged.
   [[nodiscard]] static tl::expected<std::unique_ptr<EditDatabase>, std::string> open(
       const EditDatabaseSettings& settings);
+  /// To read a store that is there. Nothing on the disk changes, and all calls that write fail. Where a
+  /// server did not end well, its records behind meta().flushed are here too.
+  [[nodiscard]] static tl::expected<std::unique_ptr<EditDatabase>, std::string> open_to_read(
+      const EditDatabaseSettings& settings);
   ~EditDatabase();
 
   [[nodiscard]] const StoreMeta& meta() const { return meta_; }
@@ -117,6 +121,7 @@ class EditDatabase {
   [[nodiscard]] std::string database_path() const { return (settings_.path / "db").string(); }
   [[nodiscard]] tl::unexpected<std::string> failure(std::string_view what) const;
   [[nodiscard]] Done open_database();
+  [[nodiscard]] Done open_database_to_read();
   [[nodiscard]] Done read_meta();
   [[nodiscard]] Done make_store();
   [[nodiscard]] Done check_meta() const;
