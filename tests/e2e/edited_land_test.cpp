@@ -99,7 +99,7 @@ MaterialId solid(const client::WorldInfo& world) {
 
 TEST_CASE("what is built comes by HTTP under its revision, at every level, and the base stays") {
   const ScratchDirectory scratch;
-  const ServerProcess server{editable(scratch / "data"), kWithHttp};
+  ServerProcess server{editable(scratch / "data"), kWithHttp};
   Player player;
   const auto world = player.connect(server.port());
   REQUIRE(world);
@@ -161,7 +161,7 @@ TEST_CASE("what is built comes by HTTP under its revision, at every level, and t
 
 TEST_CASE("while edits come, every body under a revision is always the same") {
   const ScratchDirectory scratch;
-  const ServerProcess server{editable(scratch / "data"), kWithHttp};
+  ServerProcess server{editable(scratch / "data"), kWithHttp};
   Player player;
   const auto world = player.connect(server.port());
   REQUIRE(world);

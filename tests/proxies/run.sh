@@ -84,8 +84,9 @@ revision_through() {
   [[ "$(through "$1" "$(region)" region)" == 200 ]] || return 0
   columns_in region | awk '$1 == 99 { print $2 }'
 }
+# By WebSocket through the proxy of that port.
 edit_column() {
-  "$talus_client" --connect "127.0.0.1:$frames_port" edit "100,200,100" --material "$1" >/dev/null || die "no edit"
+  "$talus_client" --connect "ws://[::1]:$1" edit "100,200,100" --material "$2" >/dev/null || die "no edit"
 }
 
 # edits_seen NAME PORT: what is built is there within seconds, though all was in the cache before; and is kept.
@@ -93,7 +94,7 @@ edits_seen() {
   local name="$1" port="$2" before now column
   through "$port" "/v1/$fingerprint/4/0/3/3" base >/dev/null
   before="$(revision_through "$port")"
-  edit_column "$3"
+  edit_column "$port" "$3"
   until now="$(revision_through "$port")" && [[ -n "$now" && "$now" != "$before" ]]; do
     kill -0 "$talusd_pid" || die "talusd has ended"
   done
@@ -148,7 +149,7 @@ rm -rf "$out"
 mkdir -p "$out"
 has nginx
 has varnishd
-for port in talusd_port admin_port frames_port nginx_port varnish_port; do free_port $port; done
+for port in talusd_port admin_port nginx_port varnish_port; do free_port $port; done
 
 start_talusd "TALUS_DATA=$out/data" TALUS_ACCESS_WITHOUT_TOKEN=read,edit
 curl -sS --fail "http://127.0.0.1:$talusd_port/v1/world" -H 'X-Forwarded-For: 127.0.0.2' >"$out/world"

@@ -40,7 +40,7 @@ start_talusd() {
   env TALUS_WORLD=core/worlds/classic.toml TALUS_LOG_LEVEL=warning TALUS_PROXIES=127.0.0.1 \
     TALUS_RATES_ADDRESS_REQUESTS=0 TALUS_RATES_ADDRESS_CHUNKS=0 TALUS_RATES_ADDRESS_BYTES=0 \
     TALUS_RATES_SESSION_REQUESTS=0 TALUS_RATES_SESSION_CHUNKS=0 TALUS_RATES_SESSION_BYTES=0 "$@" \
-    "$talusd" --listen "127.0.0.1:${frames_port:-0}" --http "127.0.0.1:$talusd_port" --admin "127.0.0.1:$admin_port" >"$out/talusd.log" 2>&1 &
+    "$talusd" --listen 127.0.0.1:0 --http "127.0.0.1:$talusd_port" --admin "127.0.0.1:$admin_port" >"$out/talusd.log" 2>&1 &
   talusd_pid=$!
   pids+=($talusd_pid)
   await "$talusd_port" $talusd_pid talusd
