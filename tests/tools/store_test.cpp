@@ -30,7 +30,7 @@ constexpr MaterialId kGlass{300};
 class FakeEdits final : public LandEdits {
  public:
   void put(VoxelPos at, Lod lod, MaterialId material) {
-    voxels_[*chunk_holding(at, lod)][voxel_index(local_pos(at))] = material;
+    voxels_[*chunk_holding(at, lod)][static_cast<std::uint16_t>(voxel_index(local_pos(at)))] = material;
   }
   ContentHash store_id() const override { return {3, 4}; }
   std::uint64_t revision() const override { return 17; }
