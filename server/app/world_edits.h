@@ -16,6 +16,7 @@
 
 #include "chunks/chunk_overlay.h"
 #include "chunks/chunk_source.h"
+#include "chunks/edited_land.h"
 #include "clock/clock.h"
 #include "edits/change_feed.h"
 #include "edits/edit_intake.h"
@@ -30,12 +31,12 @@
 
 namespace talus::server {
 
-class WorldEdits {
+class WorldEdits final : public EditedLand {
  public:
   /// Opens what is stored in `directory`, which a DataDirectory has locked. An error is one line.
   [[nodiscard]] static tl::expected<std::unique_ptr<WorldEdits>, std::string> open(
       const std::filesystem::path& directory, const terrain::World& world, ContentHash store_id, Logger log);
-  ~WorldEdits() { stop(); }
+  ~WorldEdits() override { stop(); }
   WorldEdits(const WorldEdits&) = delete;
   WorldEdits& operator=(const WorldEdits&) = delete;
 
@@ -55,6 +56,17 @@ class WorldEdits {
   /// Takes no more edits, and answers those that were taken.
   void stop();
   [[nodiscard]] LocalLog::Status status() const { return log_->status(); }
+
+  // Once join() was called.
+  [[nodiscard]] std::uint64_t revision() const override { return state_->revision(); }
+  [[nodiscard]] bool takes_edits() const override { return !log_->status().read_only; }
+  [[nodiscard]] std::uint64_t column_revision(ChunkKey key) const override {
+    return state_->index().column_revision(key);
+  }
+  [[nodiscard]] ChunkRange edited_rows(ChunkKey key) const override { return state_->edited_rows(key); }
+  [[nodiscard]] std::vector<EditedColumn> edited_columns(ChunkKey key) const override {
+    return state_->index().edited_columns(key);
+  }
 
  private:
   WorldEdits(std::unique_ptr<EditDatabase> database, std::unique_ptr<EditState> state, const Logger& log)

@@ -13,23 +13,32 @@
 #include <talus/voxel/coords.h>
 #include <talus/voxel/view_shape.h>
 
+#include "chunks/edited_land.h"
+
 namespace talus::server {
 
 /// Any thread may ask; one thread raises. Land where nobody edited within 32 x 32 chunk columns mostly costs
 /// one load.
 class ChunkIndex {
  public:
-  /// About what it takes: of a column's node with its heap blocks, and of a chunk in it.
-  static constexpr std::size_t kColumnBytes = 128;
+  /// About what it takes: of a region's node, of a column's with its heap blocks and its place in the region,
+  /// and of a chunk in it.
+  static constexpr std::size_t kRegionBytes = 128;
+  static constexpr std::size_t kColumnBytes = 160;
   static constexpr std::size_t kChunkBytes = 24;
 
   /// 0 where the chunk was never edited.
   [[nodiscard]] std::uint64_t revision(ChunkKey key) const;
   /// As AppliedEdits::edited_rows().
   [[nodiscard]] ChunkRange rows(ChunkKey key) const;
+  /// As EditedLand's.
+  [[nodiscard]] std::uint64_t column_revision(ChunkKey key) const;
+  [[nodiscard]] std::vector<EditedColumn> edited_columns(ChunkKey key) const;
 
   /// Makes `revision` the chunk's, unless it has a later one. Returns what it was.
   std::uint64_t raise(ChunkKey key, std::uint64_t revision);
+  /// The same of the chunk's column, which was edited: once all chunks of the edit were raised.
+  void raise_column(ChunkKey key, std::uint64_t revision);
 
   [[nodiscard]] std::size_t chunks() const { return chunks_.load(std::memory_order_relaxed); }
   [[nodiscard]] std::size_t bytes() const { return bytes_.load(std::memory_order_relaxed); }
@@ -44,16 +53,22 @@ class ChunkIndex {
     mutable std::shared_mutex mutex;
     std::unordered_map<ChunkKey, Column> columns;  // by the key of row 0
   };
+  struct Regions {
+    mutable std::shared_mutex mutex;
+    // By the key of the region's first column, at row 0; columns by rising place.
+    std::unordered_map<ChunkKey, std::vector<EditedColumn>> columns;
+  };
   static constexpr std::size_t kShards = 16;
   static constexpr std::size_t kRegionBits = 1U << 16U;
 
   [[nodiscard]] static ChunkKey column_of(ChunkKey key) { return {{key.coord.x, 0, key.coord.z}, key.lod}; }
-  [[nodiscard]] static std::size_t region_of(ChunkKey key);
+  [[nodiscard]] static std::size_t region_bit(ChunkKey key);
   [[nodiscard]] bool is_touched(ChunkKey key) const;
 
   // Regions by the hash of where they lie: two may share a bit, and then only cost a look-up more.
   std::array<std::atomic<std::uint64_t>, kRegionBits / 64> regions_{};
   std::array<Shard, kShards> shards_;
+  std::array<Regions, kShards> columns_by_region_;
   std::atomic<std::size_t> chunks_{0};
   std::atomic<std::size_t> bytes_{0};
 };

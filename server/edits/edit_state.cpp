@@ -51,8 +51,10 @@ EditState::EditState(EditDatabase& database, const EditStateSettings& settings)
 tl::expected<std::unique_ptr<EditState>, std::string> EditState::open(EditDatabase& database,
                                                                       const EditStateSettings& settings) {
   std::unique_ptr<EditState> state{new EditState{database, settings}};
-  auto good = database.for_each_chunk(
-      [&](ChunkKey key, std::uint64_t revision) { state->index_.raise(key, revision); });
+  auto good = database.for_each_chunk([&](ChunkKey key, std::uint64_t revision) {
+    state->index_.raise(key, revision);
+    state->index_.raise_column(key, revision);
+  });
   if (good) good = state->replay();
   if (!good) return tl::unexpected{std::move(good.error())};
   return state;
@@ -66,6 +68,7 @@ EditDatabase::Done EditState::replay() {
   if (!good) return good;
   for (auto& [key, chunk] : replay.take_chunks()) {
     index_.raise(key, chunk.revision);
+    index_.raise_column(key, chunk.revision);
     put_dirty(key, edited_chunk(chunk.revision, std::move(chunk.overrides)));
   }
   editors_ = replay.take_editors();
@@ -146,6 +149,7 @@ std::vector<ChunkChange> EditState::commit(edits::Batch&& batch) {
   }
   recent_.add(std::move(recent));
   for (const ChunkChange& change : changed) index_.raise(change.key, change.revision);
+  for (const ChunkChange& change : changed) index_.raise_column(change.key, change.revision);
   revision_.store(head_.revision, std::memory_order_release);
   return changed;
 }

@@ -15,8 +15,8 @@ enum class StatusClass : std::uint8_t {};
 inline constexpr std::array<std::string_view, 6> kStatusClasses{"", "1xx", "2xx", "3xx", "4xx", "5xx"};
 
 /// What an HTTP request asks for.
-enum class AnswerKind : std::uint8_t { chunk, columns, heights, map, file, other };
-inline constexpr std::array<std::string_view, 6> kAnswerKinds{"chunk", "columns", "heights",
+enum class AnswerKind : std::uint8_t { chunk, columns, edits, heights, map, file, other };
+inline constexpr std::array<std::string_view, 7> kAnswerKinds{"chunk", "columns", "edits", "heights",
                                                               "map",   "file",    "other"};
 
 struct Metrics {

@@ -30,13 +30,14 @@ bool has_name(const fs::path& file) {
   return fs::symlink_status(file, error).type() != fs::file_type::not_found;
 }
 
-tl::expected<void, std::string> check_world(const fs::path& file, ContentHash held, ContentHash fingerprint) {
+/// `otherwise`: what to do, but to give the store's world.
+tl::expected<void, std::string> check_world(const fs::path& file, ContentHash held, ContentHash fingerprint,
+                                            std::string_view otherwise) {
   if (held == fingerprint) return {};
   return tl::make_unexpected(
       fmt::format("{}: the store belongs to the world with fingerprint {}; this world has fingerprint {}; "
-                  "give --data another directory, or --world the store's world, or carry the edits over by "
-                  "talusd store rebase",
-                  file.string(), to_string(held), to_string(fingerprint)));
+                  "give --world the store's world, or {}",
+                  file.string(), to_string(held), to_string(fingerprint), otherwise));
 }
 
 }  // namespace
@@ -90,7 +91,8 @@ tl::expected<DataDirectory, std::string> DataDirectory::open(const fs::path& pat
   if (const auto read = directory->read_identity(); !read) return tl::make_unexpected(read.error());
   const fs::path file = path / "store.toml";
   if (directory->identity_) {
-    const auto same = check_world(file, directory->identity_->fingerprint, fingerprint);
+    const auto same = check_world(file, directory->identity_->fingerprint, fingerprint,
+                                  "--data another directory, or carry the edits over by talusd store rebase");
     if (!same) return tl::make_unexpected(same.error());
     return directory;
   }
@@ -130,6 +132,35 @@ tl::expected<DataDirectory, std::string> DataDirectory::open_store(const fs::pat
 
 bool DataDirectory::has_store() const {
   return has_name(path_ / "store.toml") || has_name(path_ / "db") || has_name(path_ / "acknowledged");
+}
+
+tl::expected<DataDirectory, std::string> DataDirectory::open_to_read(const fs::path& path,
+                                                                     ContentHash fingerprint) {
+  std::error_code error;
+  if (!fs::exists(path / "store.toml", error)) {
+    return tl::make_unexpected(fmt::format(
+        "store {}: there is no store.toml; give --store a directory that talusd was given as --data, "
+        "or a backup of one",
+        path.string()));
+  }
+  const int lock = ::open((path / "lock").c_str(), O_RDONLY | O_CLOEXEC);
+  if (lock < 0 && errno != ENOENT) {
+    return tl::make_unexpected(
+        fmt::format("store {}: cannot open its lock: {}; run this as a user who may read it", path.string(),
+                    std::generic_category().message(errno)));
+  }
+  DataDirectory directory{lock, path};
+  if (lock >= 0 && ::flock(lock, LOCK_SH | LOCK_NB) != 0) {
+    return tl::make_unexpected(
+        fmt::format("store {}: a talusd uses it; stop that, or let `talusd store backup` make a copy, and "
+                    "give --store the copy",
+                    path.string()));
+  }
+  if (const auto read = directory.read_identity(); !read) return tl::make_unexpected(read.error());
+  const auto same = check_world(path / "store.toml", directory.identity_->fingerprint, fingerprint,
+                                "--store another directory");
+  if (!same) return tl::make_unexpected(same.error());
+  return directory;
 }
 
 DataDirectory::DataDirectory(DataDirectory&& other) noexcept

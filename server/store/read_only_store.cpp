@@ -100,6 +100,11 @@ ReadOnlyStore::Done ReadOnlyStore::for_each_base_chunk(
       [&](ChunkKey key, const StoredChunk& chunk) { return key.lod == Lod{} && visit(key.coord, chunk); });
 }
 
+tl::expected<std::optional<StoredChunk>, std::string> ReadOnlyStore::chunk(ChunkKey key) const {
+  const auto newer = unflushed_.find(chunk_key(key));
+  return newer == unflushed_.end() ? reader().chunk(key) : std::optional{newer->second};
+}
+
 std::uint64_t ReadOnlyStore::first_record() const {
   return history_.empty() ? meta_.flushed + 1 : history_.front().first;
 }

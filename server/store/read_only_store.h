@@ -8,6 +8,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include <tl/expected.hpp>
@@ -37,6 +38,9 @@ class ReadOnlyStore {
   /// Those of level 0 alone.
   [[nodiscard]] Done for_each_base_chunk(
       const std::function<bool(ChunkCoord, const StoredChunk&)>& visit) const;
+
+  /// As of the last entry of the log; nothing where the chunk was never edited. Any thread.
+  [[nodiscard]] tl::expected<std::optional<StoredChunk>, std::string> chunk(ChunkKey key) const;
 
   /// The first entry of the log that is kept; one more than the last where none is.
   [[nodiscard]] std::uint64_t first_record() const;

@@ -20,6 +20,10 @@ std::string_view fresh_for(const Audience& audience) {
   return audience.anybody ? http::kNoCache : kPrivate;
 }
 
+std::string_view revalidated_for(const Audience& audience) {
+  return audience.caches ? http::kNoCache : kPrivate;
+}
+
 http::Response tagged(const http::Request& request, http::Response response) {
   std::string tag = entity_tag(response.content());
   return tagged(request, std::move(response), std::move(tag));

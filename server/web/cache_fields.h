@@ -21,6 +21,8 @@ struct Audience {
 [[nodiscard]] std::string_view immutable_for(const Audience& audience);
 /// Of what may be another tomorrow.
 [[nodiscard]] std::string_view fresh_for(const Audience& audience);
+/// Likewise, where those get it who get chunks.
+[[nodiscard]] std::string_view revalidated_for(const Audience& audience);
 
 /// With ETag, and 304 where the client has it.
 [[nodiscard]] http::Response tagged(const http::Request& request, http::Response response);

@@ -1,6 +1,8 @@
 #include "web/chunk_answers.h"
 
+#include <algorithm>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -16,13 +18,50 @@ http::Response chunk_response(const Exchange& exchange, const EncodedChunk& chun
   return exchange.immutable({reinterpret_cast<const char*>(payload.data()), payload.size()});
 }
 
+/// To the newest revision of what the route asks for. No cache keeps it: soon there is a newer one.
+template <typename ChunksRoute>
+http::Response moved_to(const ChunksRoute& route, std::uint64_t newest) {
+  return {307, kBytes, {}, {{"Location", last_part_of(route, newest)}}};
+}
+
+template <typename ChunksRoute>
+Answer check_path(const Exchange& exchange, const ChunksRoute& route) {
+  if (auto wrong = check_world(exchange.context(), route.fingerprint, route.codec)) return wrong;
+  return route.edition ? check_store(exchange.context(), route.edition->store) : std::nullopt;
+}
+
+/// From west to east, then from north to south.
+ChunkKey column_of(const ColumnsRoute& route, std::int32_t number) {
+  ChunkKey column = route.corner;
+  column.coord.x += number % route.edge;
+  column.coord.z += number / route.edge;
+  return column;
+}
+
+/// The greatest of the columns' revisions.
+std::uint64_t newest_of(const Exchange& exchange, const ColumnsRoute& route) {
+  std::uint64_t newest = 0;
+  for (std::int32_t i = 0; i < route.edge * route.edge; ++i) {
+    newest = std::max(newest, exchange.context().edits->column_revision(column_of(route, i)));
+  }
+  return newest;
+}
+
 }  // namespace
 
 Answer answer_now(Exchange& exchange, const ChunkRoute& route) {
-  if (auto wrong = check_world(exchange.context(), route.fingerprint, route.codec)) return wrong;
+  if (auto wrong = check_path(exchange, route)) return wrong;
   const SessionContext& shared = exchange.shared();
-  const EncodedChunkPtr chunk = exchange.chunks().find(route.key);
+  ChunkSource& source = exchange.chunks(route.edition.has_value());
+  if (route.edition) {
+    if (const auto newest = source.revision(route.key); newest != route.edition->revision) {
+      return moved_to(route, newest);
+    }
+  }
+  const EncodedChunkPtr chunk = source.find(route.key);
   if (chunk == nullptr) return std::nullopt;
+  if (route.edition && chunk->revision() != route.edition->revision)
+    return moved_to(route, chunk->revision());
   if (exchange.requester().next_chunk(exchange.began()) > exchange.began()) return std::nullopt;
   shared.metrics.hot_latency.add(shared.clock.now() - exchange.began());
   return exchange.charged(1, chunk_response(exchange, *chunk));
@@ -34,28 +73,33 @@ asio::awaitable<http::Response> answer_later(Exchange& exchange, const ChunkRout
   }
   const SessionContext& shared = exchange.shared();
   const std::vector<ChunkKey> keys(1, route.key);
-  auto chunks = co_await exchange.start_fetch().get(keys, exchange.deadline());
+  auto chunks = co_await exchange.start_fetch(route.edition.has_value()).get(keys, exchange.deadline());
   if (!chunks) co_return fetch_failed(chunks.error(), shared.memory);
   shared.metrics.cold_latency.add(shared.clock.now() - exchange.began());
   const EncodedChunkPtr chunk = chunks->front();
+  if (route.edition && chunk->revision() != route.edition->revision) {
+    exchange.requester().charge(1, 0);  // it was made
+    co_return moved_to(route, chunk->revision());
+  }
   co_return exchange.charged(1, chunk_response(exchange, *chunk));
 }
 
 Answer answer_now(Exchange& exchange, const ColumnsRoute& route) {
-  return check_world(exchange.context(), route.fingerprint, route.codec);
+  if (auto wrong = check_path(exchange, route)) return wrong;
+  if (!route.edition) return std::nullopt;
+  const std::uint64_t newest = newest_of(exchange, route);
+  return newest == route.edition->revision ? std::nullopt : Answer{moved_to(route, newest)};
 }
 
 asio::awaitable<http::Response> answer_later(Exchange& exchange, const ColumnsRoute& route) {
   if (!exchange.shared().memory.takes_work()) co_return no_memory();
   Requester& requester = exchange.requester();
   if (auto wrong = co_await requester.wait_for_rates(exchange.executor())) co_return *std::move(wrong);
-  ColumnFetch columns{exchange};
+  ColumnFetch columns{exchange, route.edition.has_value()};
   std::string body;
   if (route.square) append_square_head(body, route.edge);
   for (std::int32_t i = 0; i < route.edge * route.edge; ++i) {
-    ChunkKey column = route.corner;
-    column.coord.x += i % route.edge;
-    column.coord.z += i / route.edge;
+    const ChunkKey column = column_of(route, i);
     std::string one;
     Answer wrong = co_await columns.append(column, one, 2 * body.size());
     if (!wrong) {
@@ -67,6 +111,14 @@ asio::awaitable<http::Response> answer_later(Exchange& exchange, const ColumnsRo
     if (wrong) {
       requester.charge(columns.chunks(), 0);  // they were made
       co_return *std::move(wrong);
+    }
+  }
+  if (route.edition) {
+    // Edits came while the columns were fetched: some of them may be of one revision, some of another.
+    const std::uint64_t newest = std::max(newest_of(exchange, route), columns.revision());
+    if (newest != route.edition->revision) {
+      requester.charge(columns.chunks(), 0);
+      co_return moved_to(route, newest);
     }
   }
   co_return exchange.charged(columns.chunks(), exchange.immutable(std::move(body)));

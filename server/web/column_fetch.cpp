@@ -1,5 +1,6 @@
 #include "web/column_fetch.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <limits>
 #include <utility>
@@ -24,19 +25,24 @@ asio::awaitable<Answer> ColumnFetch::append(ChunkKey column, std::string& body, 
   const auto known = [&](const MixedRows& rows) {
     return rows.first != std::numeric_limits<std::int32_t>::min();
   };
-  MixedRows rows = exchange_.chunks().column(column);
+  MixedRows rows = source_.column(column);
   if (!known(rows)) {
     column.coord.y = static_cast<std::int32_t>(floor_div(shared.world.spawn.y >> lod.value(), kChunkSize));
     const std::vector<ChunkKey> one(1, column);
     if (const auto made = co_await fetch_.get(one, exchange_.deadline()); !made)
       co_return fetch_failed(made.error(), shared.memory);
-    rows = exchange_.chunks().column(column);
+    rows = source_.column(column);
   }
   // Without them all rows between the world's lowest and highest may hold anything.
   if (!known(rows)) {
     const HeightRange& heights = shared.world.heights;
     rows.first = static_cast<std::int32_t>(floor_div(heights.low >> lod.value(), kChunkSize)) - 1;
     rows.last = static_cast<std::int32_t>(floor_div(heights.high >> lod.value(), kChunkSize)) + 1;
+    if (const ChunkRange edited = edits_ == nullptr ? ChunkRange{} : edits_->edited_rows(column);
+        edited.size() > 0) {
+      rows.first = std::min(rows.first, static_cast<std::int32_t>(edited.first));
+      rows.last = std::max(rows.last, static_cast<std::int32_t>(edited.last));
+    }
   }
   std::vector<ChunkRun> runs;
   std::size_t fetched = 0;
@@ -49,7 +55,10 @@ asio::awaitable<Answer> ColumnFetch::append(ChunkKey column, std::string& body, 
     }
     auto made = co_await fetch_.get(keys, exchange_.deadline());
     if (!made) co_return fetch_failed(made.error(), shared.memory);
-    for (std::size_t i = 0; i < keys.size(); ++i) add_chunk(runs, keys[i].coord.y, (*made)[i]);
+    for (std::size_t i = 0; i < keys.size(); ++i) {
+      revision_ = std::max(revision_, (*made)[i]->revision());
+      add_chunk(runs, keys[i].coord.y, (*made)[i]);
+    }
     chunks_ += keys.size() - (fetched == 0 ? 2 : 0);  // those below and above were known
     fetched += keys.size();
     std::size_t bytes = body.size();

@@ -47,6 +47,16 @@ void append_square_head(std::string& body, std::int32_t edge) {
   append_little(body, std::uint16_t{0});
 }
 
+void append_edited_columns(std::string& body, const std::vector<EditedColumn>& columns) {
+  append_little(body, kVersion);
+  append_little(body, std::uint8_t{0});
+  append_little(body, static_cast<std::uint16_t>(columns.size()));
+  for (const EditedColumn& column : columns) {
+    append_little(body, column.place);
+    append_little(body, column.revision);
+  }
+}
+
 void append_length(std::string& body, std::uint32_t bytes) {
   append_little(body, bytes);
 }

@@ -1,4 +1,5 @@
-// Columns of chunks in one body. Pure. Source: PROTOCOL.md, "Columns of chunks".
+// Columns of chunks in one body, and which were edited. Pure. Source: PROTOCOL.md, "Columns of chunks" and
+// "Edited land".
 #pragma once
 
 #include <cstdint>
@@ -7,9 +8,12 @@
 
 #include <talus/voxel/coords.h>
 
+#include "chunks/edited_land.h"
 #include "chunks/encoded_chunk.h"
 
 namespace talus::server::web {
+
+inline constexpr const char* kBytes = "application/octet-stream";
 
 /// Of one body. A column beyond has to be asked for chunk by chunk.
 inline constexpr std::size_t kMaxBodyBytes = std::size_t{4} << 20;
@@ -31,5 +35,8 @@ void append_column(std::string& body, const std::vector<ChunkRun>& runs);
 /// Before the columns of a square, which go row by row southward, each after its length in bytes.
 void append_square_head(std::string& body, std::int32_t edge);
 void append_length(std::string& body, std::uint32_t bytes);
+
+/// The edited columns of a region.
+void append_edited_columns(std::string& body, const std::vector<EditedColumn>& columns);
 
 }  // namespace talus::server::web

@@ -94,7 +94,13 @@ std::string world_document(const WorldInfo& world, const SessionLimits& limits, 
                               {"looks", world.looks},
                               {"fields", world.fields},
                               {"limits", limits_object(limits, rates)}};
-  return document.dump() + '\n';
+  return document.dump();
+}
+
+std::string with_edits(std::string_view world_document, EditsNow edits) {
+  return fmt::format(R"({},"edits":{{"taken":{},"revision":{}}}}})"
+                     "\n",
+                     world_document.substr(0, world_document.size() - 1), edits.taken, edits.revision);
 }
 
 std::string access_fields(const AccessLine& line) {

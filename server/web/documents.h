@@ -24,9 +24,18 @@ inline constexpr const char* kJson = "application/json";
 [[nodiscard]] http::Response error_response(int status, wire::ErrorCode code, std::string_view text,
                                             std::chrono::milliseconds retry_after = {});
 
-/// Welcome: 128-bit numbers as 32 hexadecimal digits.
+/// Welcome: 128-bit numbers as 32 hexadecimal digits. But for what edits change.
 [[nodiscard]] std::string world_document(const WorldInfo& world, const SessionLimits& limits,
                                          const RateLimits& rates);
+
+/// How edits stand.
+struct EditsNow {
+  bool taken = false;
+  std::uint64_t revision = 0;
+  bool operator==(const EditsNow&) const = default;
+};
+/// The world's document whole.
+[[nodiscard]] std::string with_edits(std::string_view world_document, EditsNow edits);
 
 /// A line of the access log, as a JSON object.
 struct AccessLine {

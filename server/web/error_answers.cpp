@@ -64,4 +64,15 @@ Answer check_world(const WebContext& context, std::string_view fingerprint, std:
                         fmt::format("this server sends chunk codec {}", kCodecVersion));
 }
 
+Answer check_store(const WebContext& context, std::string_view store) {
+  if (context.edits == nullptr) {
+    return error_response(404, ErrorCode::out_of_range,
+                          "this server stores no edits; paths without a store id have its chunks");
+  }
+  if (store == context.store_id) return std::nullopt;
+  return error_response(
+      404, ErrorCode::out_of_range,
+      fmt::format("this server's edits are those of store {}; /v1/world names it", context.store_id));
+}
+
 }  // namespace talus::server::web

@@ -33,5 +33,7 @@ using Answer = std::optional<http::Response>;
 [[nodiscard]] Answer check_world(const WebContext& context, std::string_view fingerprint);
 [[nodiscard]] Answer check_world(const WebContext& context, std::string_view fingerprint,
                                  std::string_view codec);
+/// Where a path is of another store of edits.
+[[nodiscard]] Answer check_store(const WebContext& context, std::string_view store);
 
 }  // namespace talus::server::web

@@ -3,6 +3,8 @@
 #include <chrono>
 #include <utility>
 
+#include "web/columns_body.h"
+
 namespace talus::server::web {
 namespace {
 
@@ -39,8 +41,8 @@ Clock::time_point Exchange::deadline() const {
   return began_ + kMaxWait;
 }
 
-Fetch& Exchange::start_fetch() {
-  fetch_ = std::make_shared<Fetch>(executor_, context_.chunks, shared_.clock,
+Fetch& Exchange::start_fetch(bool edited) {
+  fetch_ = std::make_shared<Fetch>(executor_, chunks(edited), shared_.clock,
                                    ClientId{kFirstFetch + ++context_.fetches}, requester_.flow());
   return *fetch_;
 }
@@ -54,7 +56,7 @@ http::Response Exchange::charged(std::size_t chunks, http::Response response) {
 }
 
 http::Response Exchange::immutable(std::string body) const {
-  http::Response response{200, "application/octet-stream", std::move(body)};
+  http::Response response{200, kBytes, std::move(body)};
   response.cache_control = immutable_for(audience);
   return tagged(*request_, std::move(response));
 }

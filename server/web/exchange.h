@@ -39,8 +39,10 @@ class Exchange {
 
   [[nodiscard]] const WebContext& context() const { return context_; }
   [[nodiscard]] const SessionContext& shared() const { return shared_; }
-  /// As generated, whatever sessions are sent.
-  [[nodiscard]] ChunkSource& chunks() const { return context_.chunks; }
+  /// As generated, or, where `edited`, what sessions are sent.
+  [[nodiscard]] ChunkSource& chunks(bool edited = false) const {
+    return edited ? shared_.chunks : context_.chunks;
+  }
   [[nodiscard]] Requester& requester() const { return requester_; }
   [[nodiscard]] const asio::any_io_executor& executor() const { return executor_; }
   [[nodiscard]] const http::Request& request() const { return *request_; }
@@ -52,8 +54,8 @@ class Exchange {
   void hold(std::size_t bytes) { memory_.hold(kIdleBytes + bytes); }
   /// Keeps what holds the answer's bytes.
   void keep(std::shared_ptr<const void> kept) { kept_ = std::move(kept); }
-  /// In the client's turn. Once for each request.
-  [[nodiscard]] Fetch& start_fetch();
+  /// From chunks(edited), in the client's turn. Once for each request.
+  [[nodiscard]] Fetch& start_fetch(bool edited = false);
 
   /// The response, whose chunks and bytes count now.
   [[nodiscard]] http::Response charged(std::size_t chunks, http::Response response);

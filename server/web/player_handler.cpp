@@ -14,6 +14,7 @@
 #include "log/log_with_fields.h"
 #include "web/chunk_answers.h"
 #include "web/documents.h"
+#include "web/edits_answers.h"
 #include "web/heights_answers.h"
 #include "web/map_answers.h"
 #include "web/site_answer.h"
@@ -105,7 +106,8 @@ asio::awaitable<http::Response> PlayerHandler::respond(const http::Request& requ
   http::Response response = co_await std::visit(
       [this](const auto& route) -> asio::awaitable<http::Response> {
         using R = std::decay_t<decltype(route)>;
-        if constexpr (std::is_same_v<R, WorldRoute> || std::is_same_v<R, StreamRoute>) {
+        if constexpr (std::is_same_v<R, WorldRoute> || std::is_same_v<R, StreamRoute> ||
+                      std::is_same_v<R, EditsRoute>) {
           throw std::logic_error{"this route is answered at once"};
         } else {
           return answer_later(exchange_, route);
@@ -125,9 +127,9 @@ Answer PlayerHandler::decide(const http::Request& request) {
   auto route = find_route(request.path(), request.query(), shared_.limits.heights_per_request);
   if (!route) return error_response(route.error().status, ErrorCode::malformed, route.error().text);
   route_.emplace(*std::move(route));
-  const bool chunks = std::holds_alternative<ChunkRoute>(*route_) ||
-                      std::holds_alternative<ColumnsRoute>(*route_) ||
-                      std::holds_alternative<MapRoute>(*route_);
+  const bool chunks =
+      std::holds_alternative<ChunkRoute>(*route_) || std::holds_alternative<ColumnsRoute>(*route_) ||
+      std::holds_alternative<EditsRoute>(*route_) || std::holds_alternative<MapRoute>(*route_);
   // A stream's token comes in its Hello.
   if (!std::holds_alternative<StreamRoute>(*route_)) {
     if (auto wrong = requester_.check_token(request, chunks, exchange_.audience)) return wrong;
@@ -159,6 +161,7 @@ AnswerKind PlayerHandler::kind(const http::Request& request) const {
   if (!route_) return AnswerKind::other;
   if (std::holds_alternative<ChunkRoute>(*route_)) return AnswerKind::chunk;
   if (std::holds_alternative<ColumnsRoute>(*route_)) return AnswerKind::columns;
+  if (std::holds_alternative<EditsRoute>(*route_)) return AnswerKind::edits;
   if (std::holds_alternative<HeightsRoute>(*route_)) return AnswerKind::heights;
   return std::holds_alternative<MapRoute>(*route_) ? AnswerKind::map : AnswerKind::other;
 }

@@ -1,11 +1,14 @@
 #include "web/routes.h"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <optional>
 #include <span>
 
 #include <fmt/format.h>
+
+#include "chunks/edited_land.h"
 
 namespace talus::server::web {
 namespace {
@@ -47,10 +50,13 @@ std::optional<std::int32_t> edge_of(std::string_view text) {
   return std::nullopt;
 }
 
-tl::expected<Route, RouteError> chunks(std::span<const std::string_view> parts) {
+/// As generated.
+tl::expected<Route, RouteError> base_chunks(std::span<const std::string_view> parts) {
   constexpr std::string_view kForms =
       "/v1/{fingerprint}/{codec}/{lod}/{x}/{y}/{z} is a chunk, .../{lod}/{x}/{z} a column of chunks, "
-      ".../{lod}/{x}/{z}/4x4 a square of them, /v1/{fingerprint}/map/{zoom}/{x}/{z}.png a tile of the map";
+      ".../{lod}/{x}/{z}/4x4 a square of them, "
+      "/v1/{fingerprint}/{store_id}/{codec}/{lod}/{x}/{y}/{z}@{revision} a "
+      "chunk with its edits, /v1/{fingerprint}/map/{zoom}/{x}/{z}.png a tile of the map";
   if (parts.size() != 5 && parts.size() != 6) return wrong(404, std::string{kForms});
   const bool square = parts.size() == 6 && parts[5].find('x') != std::string_view::npos;
   std::array<std::int64_t, 4> numbers{};
@@ -77,6 +83,61 @@ tl::expected<Route, RouteError> chunks(std::span<const std::string_view> parts) 
   }
   route.edge = *edge;
   return route;
+}
+
+/// A path whose last part ends in "@{revision}" has the store's id behind the fingerprint, and is that of
+/// what is generated but for the two.
+tl::expected<Route, RouteError> chunks(std::span<const std::string_view> parts) {
+  const std::size_t mark = parts.back().find('@');
+  if (mark == std::string_view::npos) return base_chunks(parts);
+  const std::string_view text = parts.back().substr(mark + 1);
+  const auto revision = number_of(text);
+  if (!revision || *revision < 0 || parts.size() < 2) {
+    return wrong(
+        404,
+        fmt::format("'{}' is no revision as 0 or 12; "
+                    "/v1/{{fingerprint}}/{{store_id}}/{{codec}}/{{lod}}/{{x}}/{{y}}/{{z}}@{{revision}} is a "
+                    "chunk with its edits",
+                    text.substr(0, 40)));
+  }
+  std::array<std::string_view, kMaxSegments> rest;
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    if (i != 1) rest[count++] = parts[i];
+  }
+  rest[count - 1] = rest[count - 1].substr(0, mark);
+  auto route = base_chunks(std::span{rest}.first(count));
+  if (!route) return route;
+  const Edition edition{parts[1], static_cast<std::uint64_t>(*revision)};
+  if (auto* const chunk = std::get_if<ChunkRoute>(&*route)) {
+    chunk->edition = edition;
+  } else {
+    std::get<ColumnsRoute>(*route).edition = edition;
+  }
+  return route;
+}
+
+tl::expected<Route, RouteError> edited_region(std::span<const std::string_view> parts) {
+  constexpr std::string_view kForm =
+      "/v1/{fingerprint}/{store_id}/edits/{lod}/{x}/{z} says which columns of chunk columns 32 x to 32 x + "
+      "31, "
+      "32 z to 32 z + 31 were edited";
+  constexpr std::int64_t kFar = std::int64_t{1} << 32;
+  if (parts.size() != 6) return wrong(404, std::string{kForm});
+  std::array<std::int64_t, 3> numbers{};
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    const auto number = number_of(parts[i + 3]);
+    if (!number) {
+      return wrong(404,
+                   fmt::format("'{}' is no integer as 0, 7 or -12; {}", parts[i + 3].substr(0, 40), kForm));
+    }
+    numbers[i] = std::clamp(*number, -kFar, kFar);
+  }
+  const auto lod = Lod::checked(numbers[0]);
+  if (!lod) return wrong(404, lod.error().message);
+  const auto key = checked_chunk(numbers[1] * kRegionColumns, 0, numbers[2] * kRegionColumns, *lod);
+  if (!key) return wrong(404, key.error().message);
+  return EditsRoute{parts[0], parts[1], *key};
 }
 
 tl::expected<Route, RouteError> map_tile(std::span<const std::string_view> parts) {
@@ -201,6 +262,15 @@ tl::expected<Route, RouteError> heights(std::string_view text, std::size_t most)
 
 }  // namespace
 
+std::string last_part_of(const ChunkRoute& route, std::uint64_t revision) {
+  return fmt::format("{}@{}", route.key.coord.z, revision);
+}
+
+std::string last_part_of(const ColumnsRoute& route, std::uint64_t revision) {
+  return route.square ? fmt::format("{0}x{0}@{1}", route.edge, revision)
+                      : fmt::format("{}@{}", route.corner.coord.z, revision);
+}
+
 bool is_for_players(std::string_view path) {
   return path.starts_with(kRoot);
 }
@@ -221,6 +291,7 @@ tl::expected<Route, RouteError> find_route(std::string_view path, std::string_vi
   if (parts.size() == 1 && parts[0] == "world") return WorldRoute{};
   if (parts.size() == 1 && parts[0] == "stream") return StreamRoute{};
   if (parts.size() > 1 && parts[1] == "map") return map_tile(parts);
+  if (parts.size() > 2 && parts[2] == "edits") return edited_region(parts);
   return chunks(parts);
 }
 

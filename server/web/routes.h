@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -18,12 +19,19 @@ namespace talus::server::web {
 /// Answers of several columns of chunks: so many a side, aligned.
 inline constexpr std::int32_t kMaxSquareEdge = 4;
 
+/// Of land with its edits: whose edits, and up to which.
+struct Edition {
+  std::string_view store;
+  std::uint64_t revision = 0;
+};
+
 struct WorldRoute {};
 struct StreamRoute {};
 struct ChunkRoute {
   std::string_view fingerprint;
   std::string_view codec;
   ChunkKey key;
+  std::optional<Edition> edition{};  // none: as generated
 };
 struct ColumnsRoute {
   std::string_view fingerprint;
@@ -31,6 +39,13 @@ struct ColumnsRoute {
   ChunkKey corner;  // the column of least x and z; y is 0
   std::int32_t edge = 1;
   bool square = false;  // columns came as a square, also one of a single column
+  std::optional<Edition> edition{};
+};
+/// Which columns of a region were edited.
+struct EditsRoute {
+  std::string_view fingerprint;
+  std::string_view store;
+  ChunkKey region;  // the region's column of least x and z; y is 0
 };
 struct HeightsRoute {
   std::vector<terrain::BaseColumn> columns;
@@ -43,7 +58,8 @@ struct MapRoute {
   std::string_view fingerprint;
   map::Tile tile;
 };
-using Route = std::variant<WorldRoute, StreamRoute, ChunkRoute, ColumnsRoute, HeightsRoute, MapRoute>;
+using Route =
+    std::variant<WorldRoute, StreamRoute, ChunkRoute, ColumnsRoute, EditsRoute, HeightsRoute, MapRoute>;
 
 struct RouteError {
   int status = 404;
@@ -52,6 +68,10 @@ struct RouteError {
 
 /// Whether the path is one of players, whatever it asks for.
 [[nodiscard]] bool is_for_players(std::string_view path);
+
+/// The last part of the path of this revision of the same: what a redirection names.
+[[nodiscard]] std::string last_part_of(const ChunkRoute& route, std::uint64_t revision);
+[[nodiscard]] std::string last_part_of(const ColumnsRoute& route, std::uint64_t revision);
 
 /// Every chunk has one path, so that caches hold it once: numbers as std::to_chars writes them, and no query.
 /// At most `max_columns` columns of heights. Views into `path` and `query`.

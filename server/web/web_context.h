@@ -7,6 +7,7 @@
 #include <string>
 
 #include "chunks/chunk_source.h"
+#include "chunks/edited_land.h"
 #include "config/allowed_origins.h"
 #include "config/networks.h"
 #include "http/service.h"
@@ -27,11 +28,13 @@ struct WebSettings {
 /// `runner`'s context outlives the connections.
 struct WebContext {
   RunnerContextPtr runner;
-  ChunkSource& chunks;  // as generated: what stands under a path never changes
+  ChunkSource& chunks;      // as generated; those of sessions have their edits
+  const EditedLand* edits;  // of those; null: none are stored
   WebSettings settings;
   Admission& admission;
   http::Service service;
   std::string fingerprint;              // as paths have it
+  std::string store_id;                 // likewise
   std::atomic<std::uint64_t>& answers;  // of all connections, for the log
   std::atomic<std::uint64_t>& fetches;  // that ever waited, for their ids
   std::shared_ptr<const Site> site;     // null: none

@@ -1,5 +1,5 @@
-// What /v1/world answers, made once for the rates that apply: asking for it costs no more than a chunk in
-// memory.
+// What /v1/world answers, made once for the rates that apply and for each revision of the edits that is asked
+// for: asking for it costs no more than a chunk in memory.
 #pragma once
 
 #include <memory>
@@ -7,9 +7,11 @@
 #include <optional>
 #include <string>
 
+#include "chunks/edited_land.h"
 #include "rates/rates.h"
 #include "session/session_limits.h"
 #include "session/world_info.h"
+#include "web/documents.h"
 
 namespace talus::server::web {
 
@@ -21,16 +23,20 @@ class WorldDocument {
     std::string tag;
   };
 
-  /// Both outlive it.
-  WorldDocument(const WorldInfo& world, const SessionLimits& limits) : world_{world}, limits_{limits} {}
+  /// All outlive it. `edits` null: none are stored.
+  WorldDocument(const WorldInfo& world, const SessionLimits& limits, const EditedLand* edits)
+      : world_{world}, limits_{limits}, edits_{edits} {}
 
   [[nodiscard]] std::shared_ptr<const Text> get(const RateLimits& rates);
 
  private:
   const WorldInfo& world_;
   const SessionLimits& limits_;
+  const EditedLand* const edits_;
   std::mutex mutex_;
-  std::optional<RateLimits> rates_;  // of text_
+  std::optional<RateLimits> rates_;  // of base_
+  std::string base_;                 // without the edits
+  EditsNow edits_now_;               // of text_
   std::shared_ptr<const Text> text_;
 };
 

@@ -28,8 +28,18 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   }
   if (const auto* const chunk = std::get_if<ChunkRoute>(&*route)) {
     const auto& [coord, lod] = chunk->key;
-    const std::string again = fmt::format("/v1/{}/{}/{}/{}/{}/{}", chunk->fingerprint, chunk->codec,
-                                          lod.value(), coord.x, coord.y, coord.z);
+    const auto& edition = chunk->edition;
+    const std::string again =
+        fmt::format("/v1/{}{}{}/{}/{}/{}/{}/{}{}", chunk->fingerprint, edition ? "/" : "",
+                    edition ? edition->store : std::string_view{}, chunk->codec, lod.value(), coord.x,
+                    coord.y, coord.z, edition ? fmt::format("@{}", edition->revision) : "");
+    if (is_for_players(path) && again != path) std::abort();
+  }
+  if (const auto* const edits = std::get_if<EditsRoute>(&*route)) {
+    const auto& [coord, lod] = edits->region;
+    if (coord.x % 32 != 0 || coord.z % 32 != 0) std::abort();
+    const std::string again = fmt::format("/v1/{}/{}/edits/{}/{}/{}", edits->fingerprint, edits->store,
+                                          lod.value(), coord.x / 32, coord.z / 32);
     if (is_for_players(path) && again != path) std::abort();
   }
   if (const auto* const map = std::get_if<MapRoute>(&*route)) {

@@ -3,6 +3,7 @@
 # docker/varnish/talus.vcl, changed in their addresses and folders alone. Results go to out/proxies.
 #
 #   - a flight over the same land twice: at most 1 % of the second flight's requests reach talusd
+#   - an edit is seen through the caches once they ask again, and what has edits is kept by them for ever
 #   - every answer is talusd's own, byte for byte, also while talusd is away
 #   - a client behind a proxy is held by the rates of its own address, whatever it claims to be, and no other client is
 #   - players by WebSocket get what is right
@@ -12,6 +13,7 @@ cd "$(dirname "$0")/../.."
 out="$PWD/out/proxies"
 . tests/proxies/servers.sh
 talus_load="$build/client_sample/load/talus-load"
+talus_client="$build/client_sample/cli/talus-client"
 
 # The paths of a flight: what a player with Views of 4 columns' radius wants along 48 chunks, in columns of level 0, single
 # chunks where it stands, and squares of level 3 around.
@@ -67,12 +69,54 @@ fly_twice() {
   }' || die "$name: too many requests of the second flight reached talusd"
 }
 
+# through PORT PATH FILE: an answer, and its head in FILE.head. It prints the status.
+through() {
+  curl -sS -o "$out/$3" -D "$out/$3.head" -w '%{http_code}\n' --interface 127.0.0.2 -H 'X-Forwarded-For: 127.0.0.2' \
+    "http://127.0.0.1:$1$2"
+}
+
+# columns_in FILE: the edited columns of a region, a line for each: "place revision".
+columns_in() { od -An -v -tu1 -w10 -j4 "$out/$1" | awk '{ print $1 + 256 * $2, $3 + 256 * $4 + 65536 * $5 }'; }
+
+# The region of the origin, and the revision of its column 3, 3, which is edited by `edit_column`.
+region() { echo "/v1/$fingerprint/$store/edits/0/0/0"; }
+revision_through() {
+  [[ "$(through "$1" "$(region)" region)" == 200 ]] || return 0
+  columns_in region | awk '$1 == 99 { print $2 }'
+}
+# By WebSocket through the proxy of that port.
+edit_column() {
+  "$talus_client" --connect "ws://[::1]:$1" edit "100,200,100" --material "$2" >/dev/null || die "no edit"
+}
+
+# edits_seen NAME PORT: what is built is there within seconds, though all was in the cache before; and is kept.
+edits_seen() {
+  local name="$1" port="$2" before now column
+  through "$port" "/v1/$fingerprint/4/0/3/3" base >/dev/null
+  before="$(revision_through "$port")"
+  edit_column "$port" "$3"
+  until now="$(revision_through "$port")" && [[ -n "$now" && "$now" != "$before" ]]; do
+    kill -0 "$talusd_pid" || die "talusd has ended"
+  done
+  column="/v1/$fingerprint/$store/4/0/3/3@$now"
+  [[ "$(through "$port" "$column" edited)" == 200 ]] || die "$name: no column of revision $now"
+  ! cmp -s "$out/base" "$out/edited" || die "$name: the column of revision $now has no edit"
+  through "$port" "$column" edited >/dev/null
+  grep -qi '^x-cache: *hit' "$out/edited.head" || die "$name does not keep what has edits"
+  [[ "$(through "$port" "/v1/$fingerprint/$store/4/0/3/3@$((now + 7))" moved)" == 307 ]] || die "$name: another revision is no 307"
+  grep -qi "^location: *3@$now" "$out/moved.head" || die "$name: where the newest revision is was not told"
+  printf '%s: an edit is seen, and its column kept\n' "$name"
+}
+
 # without_talusd NAME PORT: the land seen before, and which world it is.
 without_talusd() {
   fetch "$2" "$1-away"
   same "$1-away"
   curl -sS --fail --interface 127.0.0.2 "http://127.0.0.1:$2/v1/world" | cmp -s - "$out/world" ||
     die "$1 has no right /v1/world while talusd is away"
+  [[ -n "$(revision_through "$2")" ]] || die "$1 does not say what was edited while talusd is away"
+  [[ "$(through "$2" "/v1/$fingerprint/$store/4/0/3/3@$(revision_through "$2")" away)" == 200 ]] ||
+    die "$1 has no land with edits while talusd is away"
   printf '%s: all right while talusd is away\n' "$1"
 }
 
@@ -107,9 +151,10 @@ has nginx
 has varnishd
 for port in talusd_port admin_port nginx_port varnish_port; do free_port $port; done
 
-start_talusd
+start_talusd "TALUS_DATA=$out/data" TALUS_ACCESS_WITHOUT_TOKEN=read,edit
 curl -sS --fail "http://127.0.0.1:$talusd_port/v1/world" -H 'X-Forwarded-For: 127.0.0.2' >"$out/world"
 fingerprint="$(sed -n 's/.*"fingerprint": *"\([0-9a-f]*\)".*/\1/p' "$out/world")"
+store="$(sed -n 's/.*"store_id": *"\([0-9a-f]*\)".*/\1/p' "$out/world")"
 flight "/v1/$fingerprint/4" >"$out/paths"
 fetch "$talusd_port" own
 sed -e "s#/var/cache/nginx/talus#$out/nginx/cache#" -e "s#server 127.0.0.1:4782#server 127.0.0.1:$talusd_port#" \
@@ -122,6 +167,19 @@ for proxy in nginx varnish; do
   curl -sS --fail -o /dev/null --interface 127.0.0.2 "http://127.0.0.1:${!port}/v1/world"
   fly_twice $proxy "${!port}"
   players $proxy "${!port}"
+done
+edits_seen nginx "$nginx_port" granite
+edits_seen varnish "$varnish_port" gneiss
+# What a cache tells while talusd is away is the last that it was told: of the world, too.
+newest="$(revision_through "$talusd_port")"
+curl -sS --fail "http://127.0.0.1:$talusd_port/v1/world" -H 'X-Forwarded-For: 127.0.0.2' >"$out/world"
+for proxy in nginx varnish; do
+  port="${proxy}_port"
+  until curl -sS --fail --interface 127.0.0.2 "http://127.0.0.1:${!port}/v1/world" | cmp -s - "$out/world"; do
+    kill -0 "$talusd_pid" || die "talusd has ended"
+  done
+  until [[ "$(revision_through "${!port}")" == "$newest" ]]; do kill -0 "$talusd_pid" || die "talusd has ended"; done
+  through "${!port}" "/v1/$fingerprint/$store/4/0/3/3@$newest" edited >/dev/null
 done
 stop_talusd
 for proxy in nginx varnish; do

@@ -48,6 +48,9 @@ class Scripted(unittest.TestCase):
                 known = answers.get(self.path, [(404, b"")])
                 status, body = known.pop(0) if len(known) > 1 else known[0]
                 self.send_response(status)
+                if status == 307:
+                    self.send_header("Location", body.decode())
+                    body = b""
                 self.send_header("Content-Length", str(len(body)))
                 self.end_headers()
                 self.wfile.write(body)
@@ -88,6 +91,63 @@ class Scripted(unittest.TestCase):
                 world.chunk(0, 0, 0)
             with self.assertRaisesRegex(talus.ServerError, "HTTP status 404"):
                 world.chunk(1, 0, 0)
+
+    STORE = "2" * 32
+    WITH_STORE = {"/v1/world": [(200, json.dumps({**WORLD, "store_id": STORE}).encode())]}
+    EDITED = f"/v1/{WORLD['fingerprint']}/{STORE}"
+
+    def edits(self, *columns):
+        return struct.pack("<BBH", 1, 0, len(columns)) + b"".join(
+            struct.pack("<HQ", z % 32 * 32 + x % 32, revision) for x, z, revision in columns
+        )
+
+    def test_edited_columns_come_by_their_revision_and_others_as_generated(self):
+        answers = {
+            **self.WITH_STORE,
+            f"{self.EDITED}/edits/0/-1/0": [(200, self.edits((-1, 3, 7)))],
+            f"{self.EDITED}/4/0/-1/3@7": [(307, b"3@8")],
+            f"{self.EDITED}/4/0/-1/3@8": [(200, WHOLE)],
+            f"{self.PATH}/0/-2/3": [(200, WHOLE)],
+            f"{self.EDITED}/4/0/-1/5/3@7": [(307, b"3@0")],
+            f"{self.EDITED}/4/0/-1/5/3@0": [(200, UNIFORM)],
+        }
+        with talus.connect(self.serve(answers)) as world:
+            self.assertEqual(world.edited_columns(-1, 0), {(-1, 3): 7})
+            self.assertEqual(world.column(-1, 3).revision, 8)
+            self.assertEqual(world.column(-1, 3).chunk(1).revision, 8)
+            self.assertEqual(world.column(-2, 3).revision, 0)
+            self.assertEqual(world.chunk(-1, 5, 3).revision, 0)
+
+    def test_a_square_comes_by_the_greatest_revision_and_a_call_asks_for_a_region_once(self):
+        square = struct.pack("<BBH", 1, 2, 0) + 4 * (struct.pack("<I", len(WHOLE)) + WHOLE)
+        answers = {
+            **self.WITH_STORE,
+            f"{self.EDITED}/edits/0/0/0": [(200, self.edits((3, 2, 7), (2, 3, 9)))],
+            f"{self.EDITED}/4/0/2/2/2x2@9": [(200, square)],
+        }
+        with talus.connect(self.serve(answers)) as world:
+            self.assertEqual([column.revision for column in world.square(2, 2, 2)], [9] * 4)
+        self.assertEqual(len(self.requests), 3)
+
+    def test_redirections_lead_to_another_revision_and_nowhere_else(self):
+        for location in (b"http://127.0.0.2/v1/3@8", b"4@8", b"3@8x", b"3", b"", b"/3@8", b"3@\xb2"):
+            answers = {
+                **self.WITH_STORE,
+                f"{self.EDITED}/edits/0/0/0": [(200, self.edits((0, 3, 7)))],
+                f"{self.EDITED}/4/0/0/3@7": [(307, location if location.isascii() else b"3@-1")],
+            }
+            with self.subTest(location), talus.connect(self.serve(answers), token="secret") as world:
+                with self.assertRaisesRegex(talus.ProtocolError, "leads to"):
+                    world.column(0, 3)
+                self.assertEqual(len(self.requests), 3)
+
+    def test_edited_columns_that_are_none(self):
+        good = self.edits((1, 1, 5))
+        for wrong in (b"", good[:-1], b"\2" + good[1:], good[:4] + b"\0\4" + good[6:]):
+            answers = {**self.WITH_STORE, f"{self.EDITED}/edits/0/0/0": [(200, wrong)]}
+            with self.subTest(wrong), talus.connect(self.serve(answers)) as world:
+                with self.assertRaises(talus.ProtocolError):
+                    world.column(0, 0)
 
     def test_a_body_without_end_is_not_read(self):
         with talus.connect(self.serve({f"{self.PATH}/0/0/0": [(200, bytes((4 << 20) + 1))]})) as world:

@@ -39,6 +39,27 @@ TEST_CASE("the index knows revisions and rows of edited chunks, and nothing of o
   CHECK(index.bytes() == ChunkIndex::kColumnBytes + 2 * ChunkIndex::kChunkBytes);
 }
 
+TEST_CASE("the index tells which columns of a region were edited") {
+  ChunkIndex index;
+  const auto edit = [&](std::int32_t x, std::int32_t z, std::uint64_t revision) {
+    const ChunkKey key{{x, 4, z}, Lod::of(1)};
+    (void)index.raise(key, revision);
+    index.raise_column(key, revision);
+  };
+  edit(-1, -32, 3);
+  edit(-32, -1, 5);
+  edit(-1, -32, 4);
+  edit(0, -32, 6);  // of the next region
+  CHECK(index.edited_columns({{-7, 99, -9}, Lod::of(1)}) == std::vector<EditedColumn>{{31, 4}, {31 * 32, 5}});
+  CHECK(index.edited_columns({{31, 0, -1}, Lod::of(1)}) == std::vector<EditedColumn>{{0, 6}});
+  CHECK(index.edited_columns({{-7, 0, -9}, Lod{}}).empty());
+  CHECK(index.column_revision({{-1, -5, -32}, Lod::of(1)}) == 4);
+  CHECK(index.column_revision({{-2, 4, -32}, Lod::of(1)}) == 0);
+  // A column is raised by itself: after the chunks of its edit.
+  CHECK(index.raise({{-1, 4, -32}, Lod::of(1)}, 7) == 4);
+  CHECK(index.column_revision({{-1, 4, -32}, Lod::of(1)}) == 4);
+}
+
 TEST_CASE("changes since a revision are each voxel once, as it is now") {
   RecentChanges recent{1 << 20};
   recent.add({{kChunk, 3, 5, {{7, MaterialId{1}}, {9, MaterialId{1}}}}});

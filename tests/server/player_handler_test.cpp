@@ -54,13 +54,36 @@ std::vector<Answer> answers_in(std::string_view text, bool heads_alone = false) 
   return all;
 }
 
+/// Which land was edited, as a test says.
+struct FakeLand final : EditedLand {
+  std::uint64_t newest = 0;
+  bool taken = true;
+  std::map<ChunkKey, std::uint64_t> columns;  // by the key of row 0
+  ChunkRange rows;                            // of all of them
+  std::vector<EditedColumn> region;           // of every region
+
+  std::uint64_t revision() const override { return newest; }
+  bool takes_edits() const override { return taken; }
+  std::uint64_t column_revision(ChunkKey key) const override {
+    const auto found = columns.find({{key.coord.x, 0, key.coord.z}, key.lod});
+    return found == columns.end() ? 0 : found->second;
+  }
+  ChunkRange edited_rows(ChunkKey key) const override {
+    return column_revision(key) == 0 ? ChunkRange{} : rows;
+  }
+  std::vector<EditedColumn> edited_columns(ChunkKey) const override { return region; }
+};
+
 struct Site {
   ManualClock clock{std::chrono::sys_seconds{1'700'000'000s}};
   ScriptedSource source;
   MemoryBudget memory{0};
   Metrics metrics;
   SessionLimits limits = test_limits(1U << 30);
-  WorldInfo world{ContentHash{1, 2}, {}, {}, {0, 256}, {}, "test", {"meadow"}, {"temperature"}};
+  WorldInfo world{ContentHash{1, 2}, ContentHash{3, 4}, {}, {0, 256}, {}, "test",
+                  {"meadow"},        {"temperature"}};
+  FakeLand land;
+  bool has_store = true;
   CurrentRates rates;
   FlowUses flows;
   Access access_settings;
@@ -92,16 +115,19 @@ struct Site {
 
   std::shared_ptr<Loopback> connect() {
     if (!context) {
-      context.emplace(web::WebContext{{RunnerContextPtr{}, &runner},
-                                      source,
-                                      settings,
-                                      admission,
-                                      service,
-                                      to_string(world.fingerprint),
-                                      answers,
-                                      fetches,
-                                      site,
-                                      std::make_shared<web::WorldDocument>(world, limits)});
+      context.emplace(
+          web::WebContext{{RunnerContextPtr{}, &runner},
+                          source,
+                          has_store ? &land : nullptr,
+                          settings,
+                          admission,
+                          service,
+                          to_string(world.fingerprint),
+                          to_string(world.store_id),
+                          answers,
+                          fetches,
+                          site,
+                          std::make_shared<web::WorldDocument>(world, limits, has_store ? &land : nullptr)});
     }
     auto client = std::make_shared<Loopback>(io);
     const auto address = asio::ip::address_v4::loopback();
@@ -133,15 +159,18 @@ struct Site {
     io.poll();
     return answer;
   }
-  void answer_all() {
-    const auto waiting = source.waiting;
-    source.answer_all();
+  void answer_all() { answer_all(source); }
+  void answer_all(ScriptedSource& of) {
+    const auto waiting = of.waiting;
+    of.answer_all();
     for (const auto& [key, mailbox] : waiting) mailbox->wake();
     io.poll();
   }
 };
 
 const std::string kChunks = "/v1/00000000000000020000000000000001/4";
+const std::string kStore = "/v1/00000000000000020000000000000001/00000000000000040000000000000003";
+const std::string kEdited = kStore + "/4";
 
 ChunkKey key_at(std::int32_t x, std::int32_t y, std::int32_t z) {
   return {{x, y, z}, Lod{}};
@@ -319,6 +348,192 @@ TEST_CASE("what is over 4 MiB has to be asked for chunk by chunk, a column as a 
   fill(web::kMaxBodyBytes / 42 - 100);  // a column is under it, two are not
   CHECK_FALSE(is_refused("/0/0/0"));
   CHECK(is_refused("/0/0/0/2x2"));
+}
+
+TEST_CASE("a chunk with edits is kept by every cache, and its path is that of its revision alone") {
+  Site site;
+  const ChunkKey key = key_at(1, -2, 3);
+  site.edited.in_memory[key] = scripted_chunk(key, 7);
+  const Answer answer = site.ask(kEdited + "/0/1/-2/3@7");
+  CHECK(answer.status == 200);
+  CHECK(answer.body.size() == 100);
+  CHECK(answer.field("Cache-Control") == "public, max-age=31536000, immutable");
+  CHECK(site.ask(kEdited + "/0/1/-2/3@7", "If-None-Match: " + answer.field("ETag") + "\r\n").status == 304);
+  CHECK(site.ask(kEdited + "/0/1/-2/3@7", "", "HEAD").field("Content-Length") == "100");
+  for (const char* const other : {"6", "8", "0"}) {
+    const Answer moved = site.ask(kEdited + "/0/1/-2/3@" + other);
+    CHECK(moved.status == 307);
+    CHECK(moved.field("Location") == "3@7");
+    CHECK(moved.field("Cache-Control") == "no-store");
+    CHECK(moved.field("Access-Control-Allow-Origin") == "*");
+    CHECK(moved.body.empty());
+  }
+  // What was never edited is of revision 0.
+  const ChunkKey as_generated = key_at(1, -1, 3);
+  site.edited.in_memory[as_generated] = scripted_chunk(as_generated);
+  CHECK(site.ask(kEdited + "/0/1/-1/3@0").status == 200);
+  CHECK(site.ask(kEdited + "/0/1/-1/3@7").field("Location") == "3@0");
+}
+
+TEST_CASE("a chunk that is edited while it is waited for is sent for again") {
+  Site site;
+  const ChunkKey key = key_at(1, -2, 3);
+  site.edited.revisions[key] = 7;
+  for (const std::uint64_t comes : {7, 8}) {
+    const auto client = site.connect();
+    client->send("GET " + kEdited + "/0/1/-2/3@7 HTTP/1.1\r\nHost: a\r\n\r\n");
+    site.io.poll();
+    REQUIRE(site.edited.waiting.size() == 1);
+    CHECK(site.source.waiting.empty());
+    const MailboxPtr mailbox = site.edited.waiting.at(key);
+    site.edited.mail(key, scripted_chunk(key, comes));
+    mailbox->wake();
+    site.io.poll();
+    const auto all = answers_in(client->text());
+    REQUIRE(all.size() == 1);
+    CHECK(all[0].status == (comes == 7 ? 200 : 307));
+    CHECK(all[0].field("Location") == (comes == 7 ? "" : "3@8"));
+  }
+}
+
+TEST_CASE("a column with edits has the rows that were edited, and the greatest revision of its chunks") {
+  Site site;
+  site.edited.rows = {2, 7, MaterialId{3}};  // of which 7 was edited, far above the land
+  for (std::int32_t y = 1; y <= 8; ++y) {
+    site.edited.in_memory[key_at(8, y, -4)] = scripted_chunk(key_at(8, y, -4), y == 7 ? 9 : y == 3 ? 5 : 0);
+  }
+  site.land.columns[key_at(8, 0, -4)] = 9;
+  const Answer answer = site.ask(kEdited + "/0/8/-4@9");
+  REQUIRE(answer.status == 200);
+  CHECK(answer.body.size() == 4 + 8 * (12 + 100));
+  CHECK(answer.field("Cache-Control") == "public, max-age=31536000, immutable");
+  const Answer moved = site.ask(kEdited + "/0/8/-4@5");
+  CHECK(moved.status == 307);
+  CHECK(moved.field("Location") == "-4@9");
+  CHECK(site.source.submitted == 0);
+}
+
+TEST_CASE("where nothing is known of a column with edits, it has all rows that were edited") {
+  Site site;
+  site.edited.rows = {};
+  for (std::int32_t y = -30; y <= 30; ++y) {
+    site.edited.in_memory[key_at(8, y, -4)] =
+        scripted_chunk(key_at(8, y == 20 ? 20 : 0, -4), y == 20 ? 9 : 0, y == 20 ? 50 : 100);
+  }
+  site.land.columns[key_at(8, 0, -4)] = 9;
+  site.land.rows = {20, 20};
+  const Answer answer = site.ask(kEdited + "/0/8/-4@9");
+  REQUIRE(answer.status == 200);
+  CHECK(answer.body.size() == 4 + 3 * 12 + 100 + 50 + 100);
+}
+
+TEST_CASE("a column that is edited while it is fetched is sent for again") {
+  for (const bool index_knows : {false, true}) {
+    Site site;
+    site.edited.rows = {2, 4, MaterialId{3}};
+    for (std::int32_t y = 1; y <= 5; ++y)
+      site.edited.in_memory[key_at(8, y, -4)] = scripted_chunk(key_at(8, y, -4), y == 3 ? 5 : 0);
+    site.edited.revisions[key_at(8, 3, -4)] = 6;  // not in memory
+    site.land.columns[key_at(8, 0, -4)] = 5;
+    const auto client = site.connect();
+    client->send("GET " + kEdited + "/0/8/-4@5 HTTP/1.1\r\nHost: a\r\n\r\n");
+    site.io.poll();
+    REQUIRE(site.edited.waiting.size() == 1);
+    const MailboxPtr mailbox = site.edited.waiting.begin()->second;
+    // Either the chunk is newer, or another chunk was edited, which came before.
+    site.edited.mail(key_at(8, 3, -4), scripted_chunk(key_at(8, 3, -4), index_knows ? 5 : 6));
+    if (index_knows) site.land.columns[key_at(8, 0, -4)] = 6;
+    mailbox->wake();
+    site.io.poll();
+    const auto all = answers_in(client->text());
+    REQUIRE(all.size() == 1);
+    CHECK(all[0].status == 307);
+    CHECK(all[0].field("Location") == "-4@6");
+  }
+}
+
+TEST_CASE("a square with edits is of the greatest revision of its columns") {
+  Site site;
+  site.edited.rows = {0, 0, MaterialId{3}};
+  for (std::int32_t x = 2; x < 4; ++x) {
+    for (std::int32_t z = -2; z < 0; ++z) {
+      for (std::int32_t y = -1; y <= 1; ++y)
+        site.edited.in_memory[key_at(x, y, z)] = scripted_chunk(key_at(x, y, z), y == 0 && x == 3 ? 3 : 0);
+    }
+  }
+  site.land.columns[key_at(3, 0, -1)] = 3;
+  CHECK(site.ask(kEdited + "/0/2/-2/2x2@3").status == 200);
+  CHECK(site.ask(kEdited + "/0/2/-2/2x2@2").field("Location") == "2x2@3");
+  CHECK(site.ask(kEdited + "/0/2/-2/1x1@3").field("Location") == "1x1@0");
+}
+
+TEST_CASE("the edited columns of a region are told, to be asked for again each time") {
+  Site site;
+  CHECK(site.ask(kStore + "/edits/0/-1/0").body == std::string("\x01\x00\x00\x00", 4));
+  site.land.region = {{5, 7}, {1023, 0x1'0000'0001}};
+  const Answer answer = site.ask(kStore + "/edits/0/-1/0");
+  CHECK(answer.status == 200);
+  CHECK(answer.body == std::string("\x01\x00\x02\x00"
+                                   "\x05\x00\x07\x00\x00\x00\x00\x00\x00\x00"
+                                   "\xff\x03\x01\x00\x00\x00\x01\x00\x00\x00",
+                                   24));
+  CHECK(answer.field("Cache-Control") == "no-cache");
+  CHECK(answer.field("Access-Control-Allow-Origin") == "*");
+  const std::string has = "If-None-Match: " + answer.field("ETag") + "\r\n";
+  CHECK(site.ask(kStore + "/edits/0/-1/0", has).status == 304);
+  CHECK(site.ask(kStore + "/edits/0/-1/0", "", "HEAD").field("Content-Length") == "24");
+  site.land.region[0].revision = 8;
+  CHECK(site.ask(kStore + "/edits/0/-1/0", has).status == 200);
+}
+
+TEST_CASE("paths of another store of edits are none, as all of them where none are stored") {
+  for (const bool stored : {false, true}) {
+    Site site;
+    site.has_store = stored;
+    const std::string other =
+        stored ? "/v1/00000000000000020000000000000001/00000000000000000000000000000000" : kStore;
+    for (const char* const path : {"/4/0/1/2/3@0", "/4/0/1/3@0", "/4/0/4/4/4x4@0", "/edits/0/0/0"}) {
+      const Answer answer = site.ask(other + path);
+      CHECK(answer.status == 404);
+      CHECK(answer.code() == "out_of_range");
+      CHECK_THAT(answer.body,
+                 Catch::Contains(stored ? "00000000000000040000000000000003" : "stores no edits"));
+    }
+  }
+}
+
+TEST_CASE("who gets chunks as generated gets those with edits") {
+  const ScratchDirectory scratch;
+  for (const bool chunks_are_public : {false, true}) {
+    Site site{with_secret(scratch)};
+    site.settings.public_chunks = chunks_are_public;
+    const ChunkKey key = key_at(0, 0, 0);
+    site.edited.in_memory[key] = scripted_chunk(key, 2);
+    for (const auto& path : {kEdited + "/0/0/0/0@2", kEdited + "/0/0/0/0@1", kStore + "/edits/0/0/0"}) {
+      const Answer without = site.ask(path);
+      CHECK((without.status == 401) != chunks_are_public);
+      const Answer with = site.ask(path, kToken);
+      CHECK(with.status < 400);
+      CHECK(with.field("Access-Control-Allow-Origin") == (chunks_are_public ? "*" : ""));
+      if (!chunks_are_public) CHECK_THAT(with.field("Cache-Control"), Catch::Contains("no-store"));
+    }
+    if (chunks_are_public) CHECK(site.ask(kStore + "/edits/0/0/0").field("Cache-Control") == "no-cache");
+  }
+}
+
+TEST_CASE("the world tells of its edits") {
+  Site site;
+  const auto told = [&] { return nlohmann::json::parse(site.ask("/v1/world").body)["edits"]; };
+  CHECK(told() == nlohmann::json{{"taken", true}, {"revision", 0}});
+  const std::string tag = site.ask("/v1/world").field("ETag");
+  site.land.newest = 5;
+  site.land.taken = false;
+  CHECK(told() == nlohmann::json{{"taken", false}, {"revision", 5}});
+  CHECK(site.ask("/v1/world", "If-None-Match: " + tag + "\r\n").status == 200);
+  Site without;
+  without.has_store = false;
+  CHECK(nlohmann::json::parse(without.ask("/v1/world").body)["edits"] ==
+        nlohmann::json{{"taken", false}, {"revision", 0}});
 }
 
 TEST_CASE("another world and another codec are named") {

@@ -57,6 +57,54 @@ TEST_CASE("a column and squares of columns") {
   }
 }
 
+TEST_CASE("what has edits has the store behind the fingerprint, and a revision") {
+  const auto chunk = std::get<ChunkRoute>(*route_of("/v1/abc/def/4/2/-12/4/7@31"));
+  CHECK(chunk.fingerprint == "abc");
+  CHECK(chunk.codec == "4");
+  CHECK(chunk.key == ChunkKey{{-12, 4, 7}, Lod::of(2)});
+  REQUIRE(chunk.edition);
+  CHECK(chunk.edition->store == "def");
+  CHECK(chunk.edition->revision == 31);
+  CHECK(last_part_of(chunk, 32) == "7@32");
+  const auto column = std::get<ColumnsRoute>(*route_of("/v1/abc/def/4/2/-12/7@0"));
+  CHECK(column.edition->revision == 0);
+  CHECK_FALSE(column.square);
+  CHECK(last_part_of(column, 1) == "7@1");
+  const auto square = std::get<ColumnsRoute>(*route_of("/v1/abc/def/4/2/-12/8/4x4@9223372036854775807"));
+  CHECK(square.edge == 4);
+  CHECK(square.edition->revision == 9223372036854775807U);
+  CHECK(last_part_of(square, 1) == "4x4@1");
+  CHECK_FALSE(std::get<ChunkRoute>(*route_of("/v1/abc/4/0/1/2/3")).edition);
+  for (const auto* path :
+       {"/v1/abc/4/2/-12/4/7@31", "/v1/abc/def/4/2/-12/4/7", "/v1/abc/def/4/2/-12/4/7@",
+        "/v1/abc/def/4/2/-12/4/7@-1", "/v1/abc/def/4/2/-12/4/7@07", "/v1/abc/def/4/2/-12/4/7@7@7",
+        "/v1/abc/def/4/2/-12@3/4/7", "/v1/abc/def/4/2/-12/4/7@9223372036854775808",
+        "/v1/abc/def/4/2/-12/8@7/4x4", "/v1/@1", "/v1/abc/@1", "/v1/abc/def/4/2/-12/4/7/4x4@1"}) {
+    INFO(path);
+    const auto wrong = route_of(path);
+    REQUIRE_FALSE(wrong);
+    CHECK(wrong.error().status == 404);
+  }
+  CHECK(route_of("/v1/abc/def/4/0/0/0/0@1", "nocache=1").error().status == 400);
+}
+
+TEST_CASE("a region's edited columns have one path") {
+  const auto route = std::get<EditsRoute>(*route_of("/v1/abc/def/edits/2/-3/4"));
+  CHECK(route.fingerprint == "abc");
+  CHECK(route.store == "def");
+  CHECK(route.region == ChunkKey{{-96, 0, 128}, Lod::of(2)});
+  CHECK(route_of("/v1/abc/def/edits/0/-67108864/67108863"));
+  for (const auto* path : {"/v1/abc/def/edits/2/-3", "/v1/abc/def/edits/2/-3/4/5", "/v1/abc/def/edits/7/0/0",
+                           "/v1/abc/def/edits/0/-0/0", "/v1/abc/def/edits/0/67108864/0",
+                           "/v1/abc/def/edits/0/0/-67108865", "/v1/abc/def/edits/6/1048576/0",
+                           "/v1/abc/def/edits/0/9223372036854775807/0", "/v1/abc/def/edits/0/0/0@1"}) {
+    INFO(path);
+    const auto wrong = route_of(path);
+    REQUIRE_FALSE(wrong);
+    CHECK(wrong.error().status == 404);
+  }
+}
+
 TEST_CASE("heights of a list and of a grid") {
   const auto list = std::get<HeightsRoute>(*route_of("/v1/heights", "columns=1,-2;3,4&looks=1&fields=a,b"));
   CHECK(places(list) == Places{{1, -2}, {3, 4}});

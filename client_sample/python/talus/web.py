@@ -1,4 +1,8 @@
-"""A world by HTTP (PROTOCOL.md, HTTP): the same calls as World, through any cache, without a session."""
+"""A world by HTTP (PROTOCOL.md, HTTP): the same calls as World, through any cache, without a session.
+
+Each call asks which columns of chunks were edited, a region of 32 x 32 at once: those come by their revision, all others as
+generated, which every cache keeps for ever.
+"""
 
 import http.client
 import json
@@ -20,11 +24,12 @@ from .view_shape import CHUNK_SIZE, level_boxes
 
 _MOST_BYTES = 4 << 20
 _SQUARE = 4
+_REGION = 32  # columns along each side
 _TRIES = 5
 
 
 class _NoRedirects(urllib.request.HTTPRedirectHandler):
-    """talusd sends none, and another's would take the token along."""
+    """talusd's are followed by hand; another's would take the token along."""
 
     def redirect_request(self, *_):
         return None
@@ -42,7 +47,8 @@ class WebWorld(Queries):
         handlers = [_NoRedirects()] + ([urllib.request.HTTPSHandler(context=context)] if context else [])
         self._opener = urllib.request.build_opener(*handlers)
         self.info = self._get_json("/v1/world")  # Welcome as JSON
-        self._chunks = f"/v1/{self.info['fingerprint']}/{self.info['codec']}"
+        self._world = f"/v1/{self.info['fingerprint']}"
+        self._store = self.info.get("store_id", "").strip("0") and self.info["store_id"]  # empty: none
 
     def __enter__(self):
         return self
@@ -67,16 +73,23 @@ class WebWorld(Queries):
         return tuple(self.info["spawn"])
 
     def get_chunks(self, keys):
+        edited = _EditedColumns(self)
         for x, y, z, lod in keys:
-            yield Chunk((x, y, z, lod), self._get(f"{self._chunks}/{lod}/{x}/{y}/{z}"))
+            payload, revision = self._get_chunks(f"{lod}/{x}/{y}/{z}", edited.revision(x, z, lod))
+            yield Chunk((x, y, z, lod), payload, revision=revision)
 
     def column(self, x, z, lod=0):
         """A Column: all chunks at (x, z), from the lowest of the world to the highest."""
-        return Column(x, z, lod, self._get(f"{self._chunks}/{lod}/{x}/{z}"))
+        body, revision = self._get_chunks(f"{lod}/{x}/{z}", _EditedColumns(self).revision(x, z, lod))
+        return Column(x, z, lod, body, revision)
 
     def square(self, x, z, n, lod=0):
         """n x n Columns, from west to east, then from north to south. n is 1, 2 or 4; x and z are multiples of it."""
-        body = self._get(f"{self._chunks}/{lod}/{x}/{z}/{n}x{n}")
+        return self._square(x, z, n, lod, _EditedColumns(self))
+
+    def _square(self, x, z, n, lod, edited):
+        newest = max(edited.revision(x + place % n, z + place // n, lod) for place in range(n * n))
+        body, newest = self._get_chunks(f"{lod}/{x}/{z}/{n}x{n}", newest)
         version, size, _ = _unpack("<BBH", body, 0)
         if (version, size) != (1, n):
             raise ProtocolError(f"a square of version {version} and size {size}; asked for were 1 and {n}")
@@ -86,7 +99,7 @@ class WebWorld(Queries):
             column = body[at + 4 : at + 4 + length]
             if len(column) != length:
                 raise ProtocolError("a square ends within a column")
-            columns.append(Column(x + place % n, z + place // n, lod, column))
+            columns.append(Column(x + place % n, z + place // n, lod, column, newest))
             at += 4 + length
         if at != len(body):
             raise ProtocolError("a square has bytes after its last column")
@@ -97,6 +110,7 @@ class WebWorld(Queries):
         if y is None:
             y = self.heights([(x, z)])[0]
         heights = (int(self.info["min_y"]), int(self.info["max_y"])) if horizon else None
+        edited = _EditedColumns(self)
         for box in level_boxes((math.floor(x), math.floor(y), math.floor(z)), radius, vertical_radius, rings, heights):
             squares = {(cx // _SQUARE, cz // _SQUARE) for cx in box.x for cz in box.z if box.has_column(cx, cz)}
             size = _SQUARE * CHUNK_SIZE << box.lod
@@ -105,7 +119,7 @@ class WebWorld(Queries):
                 return ((square[0] + 0.5) * size - x) ** 2 + ((square[1] + 0.5) * size - z) ** 2
 
             for sx, sz in sorted(squares, key=distance):
-                for column in self.square(sx * _SQUARE, sz * _SQUARE, _SQUARE, box.lod):
+                for column in self._square(sx * _SQUARE, sz * _SQUARE, _SQUARE, box.lod, edited):
                     if box.has_column(column.x, column.z):
                         for row in box.y:
                             yield column.chunk(row)
@@ -128,6 +142,44 @@ class WebWorld(Queries):
             raise ProtocolError("/v1/heights is not answered by a value for each column")
         return places
 
+    def _get_chunks(self, name, revision):
+        """A body and its revision: `revision`, or a newer one that the server sent this client to."""
+        if revision == 0:
+            return self._get(f"{self._world}/{self.info['codec']}/{name}"), 0
+        path = f"{self._world}/{self._store}/{self.info['codec']}/{name}"
+        for _ in range(_TRIES):
+            moved = self._follow(f"{path}@{revision}")
+            if isinstance(moved, bytes):
+                return moved, revision
+            revision = moved
+        raise ServerError(ErrorCode.overloaded, f"{path} is edited faster than it is sent", 0)
+
+    def _follow(self, path):
+        """The body, or the revision that is the newest instead."""
+        try:
+            return self._get(path)
+        except _Moved as moved:
+            there = urllib.parse.urljoin(path, moved.location)
+            base, _, revision = there.rpartition("@")
+            if there == path or base != path.rpartition("@")[0] or not (revision.isascii() and revision.isdigit()):
+                raise ProtocolError(f"{path} leads to {moved.location!r}") from None
+            return int(revision)
+
+    def edited_columns(self, x, z, lod=0):
+        """Revisions of the columns of chunks that were ever edited in the region (x, z) of 32 x 32 columns, by (x, z)."""
+        if not self._store:
+            return {}
+        body = self._get(f"{self._world}/{self._store}/edits/{lod}/{x}/{z}")
+        version, _, count = _unpack("<BBH", body, 0)
+        if version != 1 or len(body) != 4 + 10 * count:
+            raise ProtocolError(f"edited columns of version {version}, {count} in {len(body)} bytes")
+        columns = {}
+        for place, revision in struct.iter_unpack("<HQ", body[4:]):
+            if place >= _REGION * _REGION:
+                raise ProtocolError(f"an edited column {place} of {_REGION} x {_REGION}")
+            columns[x * _REGION + place % _REGION, z * _REGION + place // _REGION] = revision
+        return columns
+
     def _get_json(self, path):
         try:
             return json.loads(self._get(path))
@@ -147,11 +199,33 @@ class WebWorld(Queries):
                 raise ProtocolError(f"{path} is not answered by HTTP: {error!r}") from None
             except urllib.error.HTTPError as refusal:
                 with refusal:
+                    if refusal.code == 307:
+                        raise _Moved(refusal.headers.get("Location", "")) from None
                     error = _error(path, refusal)
                 if not again_later(error) or turn == _TRIES - 1:
                     raise error from None
                 time.sleep(min(error.retry_after_ms / 1000, LONGEST_WAIT_S))
         raise AssertionError("not reached")
+
+
+class _Moved(ServerError):
+    def __init__(self, location):
+        super().__init__(ErrorCode.internal, f"HTTP status 307 to {location!r}", 0)
+        self.location = location
+
+
+class _EditedColumns:
+    """Asks for each region once."""
+
+    def __init__(self, world):
+        self._world = world
+        self._regions = {}
+
+    def revision(self, x, z, lod):
+        region = (x // _REGION, z // _REGION, lod)
+        if region not in self._regions:
+            self._regions[region] = self._world.edited_columns(*region)
+        return self._regions[region].get((x, z), 0)
 
 
 def _error(path, refusal):
@@ -165,10 +239,13 @@ def _error(path, refusal):
 
 
 class Column:
-    """All chunks of level `lod` at (x, z). `runs` are (first y, count, payload), from the bottom up."""
+    """All chunks of level `lod` at (x, z). `runs` are (first y, count, payload), from the bottom up.
 
-    def __init__(self, x, z, lod, body):
-        self.x, self.z, self.lod = x, z, lod
+    `revision` is that of the request, so that of the newest of its chunks or of its square's; 0: none was ever edited.
+    """
+
+    def __init__(self, x, z, lod, body, revision=0):
+        self.x, self.z, self.lod, self.revision = x, z, lod, revision
         version, _, count = _unpack("<BBH", body, 0)
         if version != 1:
             raise ProtocolError(f"a column of version {version}; this client knows 1")
@@ -190,7 +267,7 @@ class Column:
     def chunk(self, y):
         for first, rows, payload in self.runs:
             if first <= y < first + rows:
-                return Chunk((self.x, y, self.z, self.lod), payload)
+                return Chunk((self.x, y, self.z, self.lod), payload, revision=self.revision)
         raise IndexError(f"the world has no chunk {y} of level {self.lod}")
 
 

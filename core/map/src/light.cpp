@@ -12,9 +12,14 @@ terrain::Colour to_colour(glm::vec3 light) {
   return {pictures::channel_of(light.x), pictures::channel_of(light.y), pictures::channel_of(light.z)};
 }
 
-std::vector<glm::vec3> material_lights(const terrain::World& world) {
+std::vector<glm::vec3> material_lights(const terrain::World& world, std::span<const terrain::Material> more) {
   std::vector<glm::vec3> lights;
   for (const terrain::Material& material : world.materials()) lights.push_back(to_light(material.colour));
+  for (const terrain::Material& material : more) {
+    const std::size_t id = to_integer(material.id);
+    if (lights.size() <= id) lights.resize(id + 1);
+    lights[id] = to_light(material.colour);
+  }
   return lights;
 }
 

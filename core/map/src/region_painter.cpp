@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <utility>
 
 #include <talus/map/light.h>
@@ -36,7 +37,8 @@ void lift(terrain::Field& field, float factor) {
 struct RegionPainter::Scene {
   terrain::Stacks stacks;
   std::vector<MaterialId> ore;
-  std::vector<MaterialId> objects;  // by column
+  std::vector<MaterialId> objects;  // by column: of what stands on the ground, or of ground that was edited
+  std::vector<MaterialId> water;    // by column, where edits put some; empty: nowhere
   terrain::Field depth_fx;          // of the water; 0 and less where it is dry
   // Heights as light falls on them.
   terrain::Field ground;
@@ -79,11 +81,13 @@ class RegionPainter::Work final : public Painting {
   int next_row_ = 0;
 };
 
-RegionPainter::RegionPainter(const terrain::World& world, Lod lod, float relief)
+RegionPainter::RegionPainter(const terrain::World& world, Lod lod, float relief, const EditedTops* edits)
     : world_{world},
       lod_{lod},
       relief_{relief},
-      lights_{material_lights(world)},
+      edits_{edits},
+      lights_{material_lights(
+          world, edits == nullptr ? std::span<const terrain::Material>{} : std::span{edits->materials()})},
       water_{std::make_unique<const WaterLight>(world)} {
   if (const auto sea_fx = world.sea_fx()) sea_fx_ = *sea_fx >> lod.value();
 }
@@ -113,14 +117,30 @@ RegionPainter::Scene RegionPainter::scene_of(terrain::Stacks stacks) const {
       }
     }
   }
+  scene.stacks = std::move(stacks);
+  if (edits_ != nullptr) apply_edits(scene);
   scene.depth_fx = scene.seen;
   for (std::size_t i = 0; i < scene.depth_fx.values.size(); ++i)
     scene.depth_fx.values[i] -= scene.canopy.values[i];
-  scene.stacks = std::move(stacks);
   if (relief_ != 1) {
     for (terrain::Field* const field : {&scene.ground, &scene.canopy, &scene.seen}) lift(*field, relief_);
   }
   return scene;
+}
+
+void RegionPainter::apply_edits(Scene& scene) const {
+  const terrain::Region& region = scene.stacks.region;
+  for (const EditedTop& top : edits_->find(region)) {
+    const auto x = static_cast<int>(top.x - region.x);
+    const auto z = static_cast<int>(top.z - region.z);
+    const auto i = static_cast<std::size_t>(z * region.width + x);
+    scene.objects[i] = top.material;
+    scene.canopy.values[i] = scene.seen.values[i] = top.row * terrain::kSubvoxels;
+    if (top.water == kAir) continue;
+    scene.seen.values[i] = top.water_row * terrain::kSubvoxels;
+    scene.water.resize(region.columns(), kAir);
+    scene.water[i] = top.water;
+  }
 }
 
 glm::vec3 RegionPainter::pixel(const Scene& scene, int x, int z) const {
@@ -131,8 +151,10 @@ glm::vec3 RegionPainter::pixel(const Scene& scene, int x, int z) const {
   const std::int32_t depth_fx = scene.depth_fx.at(x, z);
   if (depth_fx <= 0) return pixel;
   const std::int64_t depth_base_fx = std::int64_t{depth_fx} << lod_.value();
-  return water_->over(pixel, lights_[to_integer(water_at(stacks, x, z))], depth_base_fx,
-                      light_at(scene.seen, x, z));
+  const auto i = static_cast<std::size_t>(z * stacks.region.width + x);
+  const MaterialId water =
+      scene.water.empty() || scene.water[i] == kAir ? water_at(stacks, x, z) : scene.water[i];
+  return water_->over(pixel, lights_[to_integer(water)], depth_base_fx, light_at(scene.seen, x, z));
 }
 
 // Ice where there is some.

@@ -73,7 +73,7 @@ tl::expected<void, files::FileError> finish(const ExportPlan& plan, std::span<fi
 Expected<void> export_region(const terrain::World& world, const terrain::Region& region,
                              const std::filesystem::path& directory, const ExportOptions& options,
                              ProgressBar& progress) {
-  const ExportPlan plan = plan_export(world, region);
+  const ExportPlan plan = plan_export(world, region, options.edits);
   if (auto fits = check_bytes(plan, options.max_bytes); !fits) return fits;
   std::error_code made;
   std::filesystem::create_directories(directory, made);

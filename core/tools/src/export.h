@@ -9,6 +9,7 @@
 
 #include <talus/progress/progress_bar.h>
 #include "failure.h"
+#include "land_edits.h"
 
 namespace talus::tools {
 
@@ -19,6 +20,7 @@ struct ExportOptions {
   int threads = 0;       // 0: one a core
   int patch_edge = 128;  // columns; decides speed and memory, never a byte
   std::uint64_t max_bytes = kMaxExportBytes;
+  const LandEdits* edits = nullptr;  // which voxels.npy has; null: none
 };
 
 /// Writes into `directory`, which is made where it is missing, over a region of any level. Columns and rows
@@ -41,8 +43,9 @@ struct ExportOptions {
 /// - look.npy     uint8[z][x]: the column's look, in worlds with looks
 /// - objects.json in worlds with objects: those whose foot is in the region, and from level 3 on those that a
 ///                column sees (docs/DESIGN.md, "Objects"): kind, model, variant, foot, quarter turns, hash
-/// - voxels.npy   uint8[y][z][x] (uint16 where the world has ids over 255), material ids, from row y0 up to
-///                the highest voxel that is not air; y0 is 0, and -1 at coarse levels
+/// - voxels.npy   uint8[y][z][x] (uint16 where the world or its edits have ids over 255), material ids, from
+///                row y0 up to the highest voxel that is not air; y0 is 0, and -1 at coarse levels, or that
+///                of the lowest chunk that was edited
 /// - export.json  the world's numbers, names, and of each array shape, dtype, axes, unit and meaning
 ///
 /// All arrays are finished before the first takes its name, and export.json takes its name last. An apron.npy

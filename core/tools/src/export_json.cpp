@@ -105,6 +105,13 @@ std::string export_json(const ExportPlan& plan, std::size_t rows) {
   json["sea_fx"] = world.sea_fx() ? Json(*world.sea_fx() >> level) : Json();
   json["slope_of"] = plan.slope_of;
   json["materials"] = told_materials(world);
+  if (plan.edits != nullptr) {
+    for (const terrain::Material& material : plan.edits->materials()) {
+      json["materials"].push_back(
+          {{"id", to_integer(material.id)}, {"name", material.name}, {"kind", "placeable"}});
+    }
+    json["store"] = {{"id", to_string(plan.edits->store_id())}, {"revision", plan.edits->revision()}};
+  }
   json["layers"] = ids_of(plan.layers);
   json["planes"] = ids_of(plan.planes);
   json["eroded"] = told_eroded(world);

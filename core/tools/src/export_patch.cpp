@@ -102,7 +102,7 @@ Expected<PatchSummary> PatchWriter::write(const terrain::Region& patch) const {
     }
     const auto rows = array.type == files::NpyType::uint8 ? write_voxels<std::uint8_t>(files_[i], patch)
                                                           : write_voxels<std::uint16_t>(files_[i], patch);
-    if (!rows) return tl::unexpected{Failure{rows.error()}};
+    if (!rows) return tl::unexpected{rows.error()};
     summary.rows = *rows;
   }
   const auto inside = [&](std::int64_t place, std::int64_t first, int count) {
@@ -215,9 +215,17 @@ PatchWriter::Done PatchWriter::write_quantities(const files::NpyFile& file,
   return {};
 }
 
+Expected<Chunk> PatchWriter::chunk_at(const terrain::Stacks& stacks, ChunkKey key) const {
+  Chunk chunk = extract_chunk(*plan_.world, stacks, key.coord);
+  if (plan_.edits == nullptr || !plan_.edits->edited_rows(key).contains(key.coord.y)) return chunk;
+  const auto overrides = plan_.edits->overrides(key);
+  if (!overrides) return tl::unexpected{overrides.error()};
+  return overrides->merged_over(chunk);
+}
+
 template <typename Item>
-tl::expected<std::int32_t, files::FileError> PatchWriter::write_voxels(const files::NpyFile& file,
-                                                                       const terrain::Region& patch) const {
+Expected<std::int32_t> PatchWriter::write_voxels(const files::NpyFile& file,
+                                                 const terrain::Region& patch) const {
   const ChunkSpan xs{patch.x, patch.width};
   const ChunkSpan zs{patch.z, patch.depth};
   const terrain::Stacks stacks =
@@ -229,19 +237,24 @@ tl::expected<std::int32_t, files::FileError> PatchWriter::write_voxels(const fil
     std::int32_t last_y = -1;
     for (std::int64_t x = xs.first; x <= xs.last; ++x) {
       last_y = std::max(last_y, mixed_range(*plan_.world, stacks, static_cast<std::int32_t>(x), z).last);
+      if (plan_.edits == nullptr) continue;
+      const ChunkRange edited = plan_.edits->edited_rows({{static_cast<std::int32_t>(x), 0, z}, patch.lod});
+      if (edited.size() > 0) last_y = std::max(last_y, static_cast<std::int32_t>(edited.last));
     }
     VoxelSlab<Item> slab{patch, plan_.y0, chunk_z};
     slab.reserve_rows((std::int64_t{last_y} + 1) * kChunkSize - plan_.y0);
     for (std::int64_t x = xs.first; x <= xs.last; ++x) {
       for (auto y = static_cast<std::int32_t>(floor_div(plan_.y0, kChunkSize)); y <= last_y; ++y) {
         const ChunkCoord coord{static_cast<std::int32_t>(x), y, z};
-        slab.copy(extract_chunk(*plan_.world, stacks, coord), coord);
+        const auto chunk = chunk_at(stacks, {coord, patch.lod});
+        if (!chunk) return tl::unexpected{chunk.error()};
+        slab.copy(*chunk, coord);
       }
     }
     for (int of = slab.first_z(); of < slab.last_z(); ++of) {
       for (std::int32_t y = 0; y < slab.rows(); ++y) {
         if (auto done = file.write(item(patch, static_cast<std::size_t>(y), of), slab.row(y, of)); !done)
-          return tl::unexpected{done.error()};
+          return tl::unexpected{Failure{done.error()}};
       }
     }
     rows = std::max(rows, slab.rows());

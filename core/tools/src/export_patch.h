@@ -9,6 +9,8 @@
 #include <talus/files/npy_file.h>
 #include <talus/terrain/field.h>
 #include <talus/terrain/generator.h>
+#include <talus/terrain/stacks.h>
+#include <talus/voxel/chunk.h>
 
 #include "export_plan.h"
 #include "failure.h"
@@ -45,8 +47,10 @@ class PatchWriter {
   [[nodiscard]] Done write_quantities(const files::NpyFile& file, const terrain::Region& patch) const;
   /// How many rows from y0 up are not all air.
   template <typename Item>
-  [[nodiscard]] tl::expected<std::int32_t, files::FileError> write_voxels(const files::NpyFile& file,
-                                                                          const terrain::Region& patch) const;
+  [[nodiscard]] Expected<std::int32_t> write_voxels(const files::NpyFile& file,
+                                                    const terrain::Region& patch) const;
+  /// With its edits, where there are any.
+  [[nodiscard]] Expected<Chunk> chunk_at(const terrain::Stacks& stacks, ChunkKey key) const;
   /// The item of the patch's column (0, z) in the region's array, on its `slice`th plane.
   [[nodiscard]] std::size_t item(const terrain::Region& patch, std::size_t slice, int z) const;
 

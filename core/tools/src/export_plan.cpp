@@ -1,5 +1,6 @@
 #include "export_plan.h"
 
+#include <algorithm>
 #include <utility>
 
 #include <talus/terrain/extraction.h>
@@ -45,6 +46,24 @@ void plan_loose(const ExportPlan& plan, std::vector<PlannedArray>& arrays) {
                     "surface, each heavier one under it, none below y = 0"});
 }
 
+/// Rows of voxels that edits may have changed in the region; empty: none.
+ChunkRange edited_rows(const LandEdits& edits, const terrain::Region& region) {
+  ChunkRange rows;
+  const auto chunk = [](std::int64_t voxel) { return floor_div(voxel, kChunkSize); };
+  for (std::int64_t z = chunk(region.z); z <= chunk(region.z + region.depth - 1); ++z) {
+    for (std::int64_t x = chunk(region.x); x <= chunk(region.x + region.width - 1); ++x) {
+      const auto key = checked_chunk(x, 0, z, region.lod);
+      const ChunkRange column = key ? edits.edited_rows(*key) : ChunkRange{};
+      if (column.size() == 0) continue;
+      const ChunkRange voxels{column.first * kChunkSize, column.last * kChunkSize + kChunkSize - 1};
+      rows = rows.size() == 0
+                 ? voxels
+                 : ChunkRange{std::min(rows.first, voxels.first), std::max(rows.last, voxels.last)};
+    }
+  }
+  return rows;
+}
+
 }  // namespace
 
 std::size_t ExportPlan::column_bytes() const {
@@ -53,11 +72,18 @@ std::size_t ExportPlan::column_bytes() const {
   return bytes;
 }
 
-ExportPlan plan_export(const terrain::World& world, const terrain::Region& region) {
+ExportPlan plan_export(const terrain::World& world, const terrain::Region& region, const LandEdits* edits) {
   ExportPlan plan;
   plan.world = &world;
   plan.region = region;
+  plan.edits = edits;
   plan.y0 = region.lod.value() == 0 ? 0 : -1;
+  std::int64_t end = terrain::highest_row(world, region.lod);
+  if (const ChunkRange edited = edits == nullptr ? ChunkRange{} : edited_rows(*edits, region);
+      edited.size() > 0) {
+    plan.y0 = static_cast<std::int32_t>(std::min<std::int64_t>(plan.y0, edited.first));
+    end = std::max(end, edited.last + 1);
+  }
   plan.layers = strata_materials(world, region);
   plan.planes = shown_planes(world, plan.layers);
   plan.fields = terrain::place_names(world);
@@ -86,10 +112,14 @@ ExportPlan plan_export(const terrain::World& world, const terrain::Region& regio
     arrays.push_back({ExportArray::look, "look.npy", NpyType::uint8, std::nullopt, "", "index into `looks`",
                       "the column's look; 0: none"});
   }
-  const auto rows = static_cast<std::size_t>(terrain::highest_row(world, region.lod) - plan.y0);
-  arrays.push_back({ExportArray::voxels, "voxels.npy",
-                    world.materials().size() > 256 ? NpyType::uint16 : NpyType::uint8, rows, "y",
-                    "material id", "voxels from row `y0` up to the highest that is not air"});
+  const auto rows = static_cast<std::size_t>(end - plan.y0);
+  const bool wide = world.materials().size() > 256 || (edits != nullptr && !edits->materials().empty());
+  arrays.push_back(
+      {ExportArray::voxels, "voxels.npy", wide ? NpyType::uint16 : NpyType::uint8, rows, "y", "material id",
+       edits == nullptr
+           ? "voxels from row `y0` up to the highest that is not air"
+           : "voxels from row `y0` up to the highest that is not air, with the edits of `store`; all "
+             "other arrays are as generated"});
   for (const auto& [array, file] :
        {std::pair{ExportArray::apron, "apron.npy"}, {ExportArray::look, "look.npy"}}) {
     bool planned = false;

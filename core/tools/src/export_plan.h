@@ -12,6 +12,8 @@
 #include <talus/terrain/world.h>
 #include <talus/voxel/material.h>
 
+#include "land_edits.h"
+
 namespace talus::tools {
 
 enum class ExportArray : std::uint8_t {
@@ -42,12 +44,13 @@ struct PlannedArray {
 /// Of fields.npy: values times this.
 inline constexpr std::int32_t kFieldScale = 65536;
 
-/// The world must outlive it.
+/// World and edits must outlive it.
 struct ExportPlan {
   const terrain::World* world = nullptr;
+  const LandEdits* edits = nullptr;  // which voxels.npy has; null: none
   terrain::Region region;
   /// The lowest row of voxels: below it all is the first layer's material. At coarse levels the topmost solid
-  /// voxel, and what it shows, may lie just below y = 0.
+  /// voxel, and what it shows, may lie just below y = 0; edits may lie anywhere.
   std::int32_t y0 = 0;
   std::vector<MaterialId> layers;   // of strata.npy, bottom up
   std::vector<MaterialId> planes;   // of shown.npy: the layers, loose material bottom up, water
@@ -60,6 +63,7 @@ struct ExportPlan {
   [[nodiscard]] std::size_t column_bytes() const;
 };
 
-[[nodiscard]] ExportPlan plan_export(const terrain::World& world, const terrain::Region& region);
+[[nodiscard]] ExportPlan plan_export(const terrain::World& world, const terrain::Region& region,
+                                     const LandEdits* edits = nullptr);
 
 }  // namespace talus::tools

@@ -12,7 +12,7 @@ Image render_map(const terrain::World& world, const terrain::Region& region, con
                  ProgressBar& progress) {
   Image image{region.width, region.depth};
   const PatchGrid grid{region, options.patch_edge};
-  const map::RegionPainter painter{world, region.lod};
+  const map::RegionPainter painter{world, region.lod, 1, options.edits};
   progress.expect(region.columns());
   const auto paint = [&](std::size_t index) {
     const terrain::Region patch = grid.patch(index);

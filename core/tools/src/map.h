@@ -1,6 +1,7 @@
 // The world from above: materials as light falls on them.
 #pragma once
 
+#include <talus/map/edited_tops.h>
 #include <talus/terrain/field.h>
 #include <talus/terrain/world.h>
 
@@ -10,8 +11,9 @@
 namespace talus::tools {
 
 struct MapOptions {
-  int threads = 0;       // 0: one a core
-  int patch_edge = 256;  // columns; decides speed and memory, never a pixel
+  int threads = 0;                         // 0: one a core
+  int patch_edge = 256;                    // columns; decides speed and memory, never a pixel
+  const map::EditedTops* edits = nullptr;  // over what is generated; null: none
 };
 
 /// One pixel a column of `region`, north (low z) at the top. A pixel's colour is the mean of the topmost

@@ -97,7 +97,7 @@ export interface World {
 /** A chunk as it came: not decoded, so that the application decides where to do that. */
 export interface Chunk {
   readonly key: ChunkKey;
-  /** 0n: as generated; a higher one is newer. */
+  /** 0n: as generated; a higher one is newer. By HTTP it may be that of the chunk's whole column. */
   readonly revision: bigint;
   /** XXH3-128 of the voxels, 32 hexadecimal digits, as decodeChunk() checks it; null where the source has none
    *  (HTTP, and uniform chunks). */
@@ -186,6 +186,9 @@ export interface ConnectOptions {
   readonly connectTimeoutMs?: number;
   /** HTTP: requests at once, at most 6, which is the default. */
   readonly requestsAtOnce?: number;
+  /** HTTP: so often is asked which columns of the View's regions were edited since; default 5,000. Infinity: never
+   *  again. */
+  readonly editsIntervalMs?: number;
   /** An implementation of WebSocket, where there is no global one (Node before 22). */
   readonly WebSocket?: unknown;
   readonly fetch?: typeof fetch;

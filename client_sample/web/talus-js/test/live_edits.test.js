@@ -28,8 +28,8 @@ async function start(t) {
   };
 }
 
-function open(t, url) {
-  const client = connect({ url, WebSocket, reconnect: { firstDelayMs: 20, maxDelayMs: 100 } });
+function open(t, url, more = {}) {
+  const client = connect({ url, WebSocket, reconnect: { firstDelayMs: 20, maxDelayMs: 100 }, ...more });
   t.after(() => client.close());
   return client;
 }
@@ -155,4 +155,33 @@ test('a token without the right, and a server that stores nothing', options, asy
     await assert.rejects(client.editLimits(), { kind: 'refused', message: words });
     await assert.rejects(client.edit({ writes: [] }), { kind: 'refused', message: words });
   }
+});
+
+test('edits come by HTTP too, as the voxels that a stream has', options, async (t) => {
+  const server = await start(t);
+  const [editor, reader] = [open(t, server.urls.tcp), open(t, server.urls.http, { editsIntervalMs: 20 })];
+  const { spawn, materials } = await editor.ready();
+  const voxel = { x: spawn.x, y: spawn.y + 40, z: spawn.z };
+  const key = chunkOf(voxel);
+  const material = materials.at(-1).id;
+  await reader.ready();
+  const seen = watch(reader, voxel);
+  assert.equal((await seen(0n)).revision, 0n);
+  assert.equal((await reader.getChunk(key)).revision, 0n);
+  for (let round = 1n; round <= 5n; ++round) {
+    const writes = [{ voxel: { ...voxel, x: voxel.x - (voxel.x & 31) + Number(round) }, material }];
+    assert.equal((await editor.edit({ writes })).revision, round);
+    const chunk = await seen(round);
+    assert.equal(materialAt(chunk, writes[0].voxel), material);
+    const [served, byStream] = [await reader.getChunk(key), await editor.getChunk(key)];
+    assert.equal(served.revision, round);
+    assert.equal(hashVoxels(decodeChunk(served.payload)), byStream.hash);
+    assert.equal(hashVoxels(decodeChunk(chunk.payload)), byStream.hash);
+  }
+  // Another server on the same directory goes on with the same store.
+  await server.kill();
+  await server.again();
+  const last = { ...voxel, x: voxel.x - (voxel.x & 31) + 20 };
+  assert.equal((await editor.edit({ writes: [{ voxel: last, material }] })).revision, 6n);
+  assert.equal(materialAt(await seen(6n), last), material);
 });

@@ -3,6 +3,7 @@
 #include <cstdio>
 #include <cstring>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -11,11 +12,13 @@
 #include "commands/command.h"
 #include "export.h"
 #include "image.h"
+#include "land_edits.h"
 #include "map.h"
 #include "option_values.h"
 #include "region_hash.h"
 #include "sampled_map.h"
 #include "section.h"
+#include "tops_of_edits.h"
 #include "vox.h"
 #include "vox_file.h"
 #include "world_file.h"
@@ -33,6 +36,7 @@ struct Arguments {
   std::int64_t lod = 0;
   int threads = 0;
   std::string output;
+  std::string store;  // empty: none
 };
 
 struct WorldAndRegion {
@@ -63,15 +67,28 @@ Expected<WorldAndRegion> world_and_region(const Arguments& arguments, const Plac
   return WorldAndRegion{*std::move(world), *region};
 }
 
+/// Null: no --store.
+Expected<std::unique_ptr<const LandEdits>> edits_of(const Arguments& arguments, const terrain::World& world) {
+  if (arguments.store.empty()) return nullptr;
+  return open_store(arguments.store, world);
+}
+
 Expected<void> run_map(const Arguments& arguments) {
   const auto where = world_and_region(arguments, kMiddle, kMaxPictureSide);
   if (!where) return tl::make_unexpected(where.error());
   const terrain::Region& region = where->region;
   if (auto fits = check_picture_size("--size", region.width, region.depth); !fits) return fits;
+  const auto edits = edits_of(arguments, where->world);
+  if (!edits) return tl::make_unexpected(edits.error());
   auto file = PngFile::create(arguments.output);
   if (!file) return tl::make_unexpected(file.error());
   ProgressBar progress{"map", "columns"};
-  return file->write(render_map(where->world, region, {.threads = arguments.threads}, progress));
+  std::optional<TopsOfEdits> tops;
+  if (*edits != nullptr) tops.emplace(where->world, **edits);
+  const Image image = render_map(where->world, region,
+                                 {.threads = arguments.threads, .edits = tops ? &*tops : nullptr}, progress);
+  if (const auto failure = tops ? tops->failure() : std::nullopt) return tl::make_unexpected(*failure);
+  return file->write(image);
 }
 
 struct MapArguments : Arguments {
@@ -132,9 +149,11 @@ Expected<void> run_section(const SectionArguments& arguments) {
 Expected<void> run_export(const Arguments& arguments) {
   const auto where = world_and_region(arguments, kCorner, kMaxExportSide);
   if (!where) return tl::make_unexpected(where.error());
+  const auto edits = edits_of(arguments, where->world);
+  if (!edits) return tl::make_unexpected(edits.error());
   ProgressBar progress{"export", "columns"};
-  return export_region(where->world, where->region, arguments.output, {.threads = arguments.threads},
-                       progress);
+  return export_region(where->world, where->region, arguments.output,
+                       {.threads = arguments.threads, .edits = edits->get()}, progress);
 }
 
 Expected<void> run_hash(const Arguments& arguments) {
@@ -171,6 +190,15 @@ void add_size(CLI::App& command, Arguments& arguments, const char* meaning) {
   command.add_option("--size", arguments.size, meaning)->type_name("W,H")->required();
 }
 
+CLI::Option* add_store(CLI::App& command, Arguments& arguments) {
+  return command
+      .add_option(
+          "--store", arguments.store,
+          "With the edits of this store: a directory that talusd was given as --data and that none uses "
+          "now, or a backup of one. It is only read")
+      ->type_name("DIR");
+}
+
 void add_common(CLI::App& command, Arguments& arguments) {
   add_world(command, arguments.world);
   add_threads(command, arguments.threads);
@@ -190,7 +218,8 @@ Command add_map(CLI::App& app) {
                   "Instead of --lod: one pixel for every N base columns along x and z, 1 to 4096")
       ->check(CLI::Range(std::int64_t{1}, std::int64_t{4096}))
       ->type_name("N")
-      ->excludes("--lod");
+      ->excludes("--lod")
+      ->excludes(add_store(*map, *arguments));
   add_output(*map, arguments->output, "Picture to write", "F.png");
   add_common(*map, *arguments);
   map->footer(
@@ -232,6 +261,7 @@ Command add_export(CLI::App& app) {
   add_lod(*command, arguments->lod);
   add_output(*command, arguments->output, "Directory for the arrays and export.json; created if missing",
              "DIR");
+  add_store(*command, *arguments);
   add_common(*command, *arguments);
   command->footer(
       "Heights and thicknesses are int32 in 1/256 voxel of the level; export.json documents every array.\n"
@@ -243,7 +273,10 @@ Command add_export(CLI::App& app) {
       "  fields.npy [f][z][x], quantities such as temperature, times 65536\n"
       "  look.npy [z][x], uint8, in worlds with looks\n"
       "  voxels.npy [y][z][x], material ids (uint8; uint16 in worlds with ids over 255), from y = 0, or -1\n"
-      "             at coarse levels, up to the highest voxel that is not air");
+      "             at coarse levels, up to the highest voxel that is not air\n"
+      "With --store voxels.npy has the edits, from the lowest chunk that was edited up; all other arrays are "
+      "as\n"
+      "generated.");
   return {command, [arguments] { return run_export(*arguments); }};
 }
 

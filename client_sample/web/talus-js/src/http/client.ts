@@ -1,5 +1,6 @@
 // A client over HTTP, through any cache: PROTOCOL.md, "HTTP". Of each column of the View it gets all chunks at once, of
-// far ones by squares.
+// far ones by squares. Before columns it asks which of their region were edited, and again at an interval: those come by
+// their revision, all others as generated, from where every cache has them for ever.
 import { ClientBase } from '../client/base.js';
 import { TalusError } from '../errors.js';
 import { checkKey, keyName } from '../keys.js';
@@ -8,7 +9,16 @@ import { materialOf } from '../uniform.js';
 import type { Range } from '../view_shape.js';
 import { broken } from '../wire/table.js';
 import { MAX_BODY_BYTES, readColumn, readSquare } from './columns.js';
-import { get, type Getter, HttpError } from './get.js';
+import {
+  EditedColumns,
+  MAX_REGION_BYTES,
+  type Region,
+  regionName,
+  regionOf,
+  revisionOf,
+  revisionOfPath,
+} from './edits.js';
+import { get, type Getter, type Got, HttpError } from './get.js';
 import { readHeights } from './heights.js';
 import { forEachColumn, quarters, type Tile, tileName, tilesOf } from './tiles.js';
 import { readWorld } from './world.js';
@@ -19,8 +29,19 @@ const MAX_REQUESTS_AT_ONCE = 6; // a browser's connections to one server
 const DEFAULT_WINDOW_BYTES = 1 << 20;
 const HEIGHTS_PATH_BYTES = 700; // of columns; servers and caches bound the length of a path
 
+const DEFAULT_EDITS_INTERVAL_MS = 5_000;
+const NO_STORE = '0'.repeat(32);
+
 /** Something to get; nearest first. */
-type Task = { readonly tile: Tile } | { readonly key: ChunkKey };
+type Task = { readonly tile: Tile } | { readonly key: ChunkKey } | { readonly region: Region };
+
+/** A column that the application was given. */
+interface GivenColumn {
+  readonly rows: Range;
+  readonly revision: bigint;
+  /** Of one with edits, by row: of the next revision only what differs is given. */
+  readonly payloads: ReadonlyMap<number, Uint8Array> | null;
+}
 
 function columnName(lod: number, x: number, z: number): string {
   return `${lod}/${x}/${z}`;
@@ -34,7 +55,10 @@ export class HttpClient extends ClientBase {
   private running = new Map<Task, AbortController>();
   private readonly asked: (() => void)[] = []; // requests of the application, before all tasks
   private askedRunning = 0;
-  private readonly columns = new Map<string, Range>(); // which rows of them the application was given
+  private readonly columns = new Map<string, GivenColumn>();
+  private store = NO_STORE; // whose edits the columns have
+  private readonly regions = new Map<string, { readonly region: Region; edited: EditedColumns | null }>(); // of the View
+  private editsTimer: ReturnType<typeof setTimeout> | undefined;
   private completeToTell = false;
   private holdTimer: ReturnType<typeof setTimeout> | undefined;
   private readonly debts = new WeakMap<Chunk, number>();
@@ -47,17 +71,27 @@ export class HttpClient extends ClientBase {
     this.attempt();
   }
 
-  private get chunksUrl(): string {
-    return `${this.base}/v1/${this.world!.fingerprint}/${this.world!.codec}`;
+  private get worldUrl(): string {
+    return `${this.base}/v1/${this.world!.fingerprint}`;
   }
 
-  private async get(url: string, most: number, signal = this.abort.signal, method = 'GET'): Promise<Uint8Array> {
+  /** Of a chunk, a column or a square, by its name, of a revision. */
+  private chunksUrl(name: string, revision: bigint): string {
+    if (revision === 0n) return `${this.worldUrl}/${this.world!.codec}/${name}`;
+    return `${this.worldUrl}/${this.store}/${this.world!.codec}/${name}@${revision}`;
+  }
+
+  private regionUrl(region: Region): string {
+    return `${this.worldUrl}/${this.store}/edits/${regionName(region)}`;
+  }
+
+  private async get(url: string, most: number, signal = this.abort.signal, method = 'GET'): Promise<Got> {
     const began = performance.now();
     ++this.stats.requests;
-    const body = await get(this.getter, url, most, signal, method);
+    const got = await get(this.getter, url, most, signal, method);
     this.stats.latencyMs = performance.now() - began;
-    this.stats.receivedBytes += body.length;
-    return body;
+    this.stats.receivedBytes += got.body.length;
+    return got;
   }
 
   // ---- the connection, as far as HTTP has one: whether the server answered last
@@ -75,7 +109,7 @@ export class HttpClient extends ClientBase {
   }
 
   private async getWorld(): Promise<ReturnType<typeof readWorld>> {
-    const body = await this.get(`${this.base}/v1/world`, MAX_WORLD_BYTES);
+    const { body } = await this.get(`${this.base}/v1/world`, MAX_WORLD_BYTES);
     try {
       return readWorld(JSON.parse(new TextDecoder().decode(body)));
     } catch (error) {
@@ -84,8 +118,79 @@ export class HttpClient extends ClientBase {
   }
 
   protected worldKnown(sameWorld: boolean): void {
-    if (!sameWorld) this.columns.clear();
+    const { storeId } = this.world!;
+    if (!sameWorld || storeId !== this.store) {
+      this.columns.clear();
+      this.regions.clear();
+    }
+    this.store = storeId;
+    this.lookForEdits();
+    this.askForEditsLater();
     this.pump();
+  }
+
+  // ---- edits
+
+  private get hasEdits(): boolean {
+    return this.store !== NO_STORE;
+  }
+
+  private askForEditsLater(): void {
+    const interval = this.options.editsIntervalMs ?? DEFAULT_EDITS_INTERVAL_MS;
+    if (!this.hasEdits || !(interval > 0) || interval === Infinity) return;
+    this.editsTimer ??= setTimeout(() => {
+      this.editsTimer = undefined;
+      this.lookForEdits();
+      this.askForEditsLater();
+      this.pump();
+    }, interval);
+  }
+
+  /** Asks for all regions of the View that are not being asked for, before all else. */
+  private lookForEdits(): void {
+    const asked = new Set<string>();
+    for (const task of [...this.tasks, ...this.running.keys()]) {
+      if ('region' in task) asked.add(regionName(task.region));
+    }
+    const regions = [...this.regions].filter(([name]) => !asked.has(name));
+    this.tasks.unshift(...regions.map(([, { region }]) => ({ region })));
+  }
+
+  private editedOf(lod: number, x: number, z: number): EditedColumns | null {
+    if (!this.hasEdits) return EditedColumns.none;
+    return this.regions.get(regionName(regionOf(lod, x, z)))?.edited ?? null;
+  }
+
+  private isOld({ revision }: GivenColumn, lod: number, x: number, z: number): boolean {
+    return (this.editedOf(lod, x, z)?.revision(x, z) ?? 0n) > revision;
+  }
+
+  private takeRegion(region: Region, edited: EditedColumns): void {
+    const held = this.regions.get(regionName(region));
+    if (held === undefined) return;
+    held.edited = edited;
+    const newer: Task[] = [];
+    for (const [name, given] of this.columns) {
+      const [lod, x, z] = name.split('/').map(Number) as [number, number, number];
+      const its = regionOf(lod, x, z);
+      if (lod !== region.lod || its.x !== region.x || its.z !== region.z) continue;
+      if (this.isOld(given, lod, x, z)) newer.push({ tile: { lod, x, z, n: 1 } });
+    }
+    const coming = new Set([...this.tasks, ...this.running.keys()].map((task) => ('tile' in task ? tileName(task.tile) : '')));
+    this.tasks.unshift(...newer.filter((task) => 'tile' in task && !coming.has(tileName(task.tile))));
+  }
+
+  /** The regions of the View; what is known of others is forgotten. */
+  private followRegions(): void {
+    const { shape } = this.tracker;
+    const before = new Map(this.regions);
+    this.regions.clear();
+    if (!this.hasEdits) return;
+    shape?.forEachColumn((lod, x, z) => {
+      const region = regionOf(lod, x, z);
+      const name = regionName(region);
+      if (!this.regions.has(name)) this.regions.set(name, before.get(name) ?? { region, edited: null });
+    });
   }
 
   private fail(error: TalusError): void {
@@ -100,6 +205,8 @@ export class HttpClient extends ClientBase {
     this.running.clear();
     clearTimeout(this.holdTimer);
     this.holdTimer = undefined;
+    clearTimeout(this.editsTimer);
+    this.editsTimer = undefined;
     this.completeToTell = false;
   }
 
@@ -113,14 +220,26 @@ export class HttpClient extends ClientBase {
   protected viewApplied(): void {
     const { view, shape } = this.tracker;
     this.completeToTell = view !== null;
+    const toAsk = this.tasks.filter((task) => 'region' in task);
     this.tasks = [];
-    for (const [name, rows] of this.columns) {
+    this.followRegions();
+    for (const [name, { rows }] of this.columns) {
       const [lod, x, z] = name.split('/').map(Number) as [number, number, number];
       const now = shape?.rows(lod, x, z);
       if (now?.first !== rows.first || now.last !== rows.last) this.columns.delete(name);
     }
     const coming = new Set<string>();
+    const asked = new Set<string>(); // regions
     for (const [task, controller] of this.running) {
+      if ('region' in task) {
+        const name = regionName(task.region);
+        if (this.regions.has(name)) {
+          asked.add(name);
+        } else {
+          this.running.delete(task);
+          controller.abort();
+        }
+      }
       if (!('tile' in task)) continue;
       let wanted = false;
       forEachColumn(task.tile, (x, z) => {
@@ -135,10 +254,18 @@ export class HttpClient extends ClientBase {
     }
     if (view !== null && shape !== null) {
       this.tasks = tilesOf(view, shape, (lod, x, z) => {
-        const name = columnName(lod, x, z);
-        return !this.columns.has(name) && !coming.has(name);
+        const given = this.columns.get(columnName(lod, x, z));
+        if (given !== undefined && !this.isOld(given, lod, x, z)) return false;
+        return !coming.has(columnName(lod, x, z));
       }).map((tile) => ({ tile }));
     }
+    for (const task of toAsk) {
+      if (!('region' in task) || !this.regions.has(regionName(task.region))) continue;
+      asked.add(regionName(task.region));
+      this.tasks.unshift(task);
+    }
+    const unknown = [...this.regions].filter(([name, { edited }]) => edited === null && !asked.has(name));
+    this.tasks.unshift(...unknown.map(([, { region }]) => ({ region })));
     this.pump();
   }
 
@@ -150,8 +277,9 @@ export class HttpClient extends ClientBase {
     while (!isFull() && this.asked.length > 0) this.asked.shift()!();
     const window = this.options.windowBytes ?? DEFAULT_WINDOW_BYTES;
     while (!isFull() && this.holdTimer === undefined && this.owedBytes < window) {
-      const task = this.tasks.shift();
-      if (task === undefined) break;
+      const next = this.tasks.findIndex((each) => this.mayStart(each));
+      if (next < 0) break;
+      const task = this.tasks.splice(next, 1)[0]!;
       const controller = new AbortController();
       this.running.set(task, controller);
       void this.run(task, controller);
@@ -162,16 +290,37 @@ export class HttpClient extends ClientBase {
     }
   }
 
+  /** Once it is known which columns of its region were edited. */
+  private mayStart(task: Task): boolean {
+    if ('region' in task) return true;
+    const { lod, x, z } = 'tile' in task ? task.tile : task.key;
+    return this.editedOf(lod, x, z) !== null;
+  }
+
   private async run(task: Task, controller: AbortController): Promise<void> {
     try {
-      const name = 'tile' in task ? tileName(task.tile) : keyName(task.key);
-      const most = 'tile' in task ? MAX_BODY_BYTES : MAX_PAYLOAD_BYTES;
-      const body = await this.get(`${this.chunksUrl}/${name}`, most, controller.signal);
-      if (controller.signal.aborted) return;
-      this.backoff.reset();
-      this.stats.chunkBytes += body.length;
-      if ('tile' in task) this.takeTile(task.tile, body);
-      else this.give({ key: task.key, revision: 0n, hash: null, payload: body.slice(), material: materialOf(body) });
+      if ('region' in task) {
+        const { body } = await this.get(this.regionUrl(task.region), MAX_REGION_BYTES, controller.signal);
+        if (controller.signal.aborted) return;
+        this.backoff.reset();
+        this.takeRegion(task.region, EditedColumns.read(body));
+      } else if ('tile' in task) {
+        const { tile } = task;
+        const edited = this.editedOf(tile.lod, tile.x, tile.z)!;
+        const revision = revisionOf(tile, edited);
+        const { body, url } = await this.get(this.chunksUrl(tileName(tile), revision), MAX_BODY_BYTES, controller.signal);
+        if (controller.signal.aborted) return;
+        this.backoff.reset();
+        this.stats.chunkBytes += body.length;
+        this.takeTile(tile, body, edited, revisionOfPath(url, revision));
+      } else {
+        const { key } = task;
+        const { payload, revision } = await this.getPayload(key, controller.signal);
+        if (controller.signal.aborted) return;
+        this.backoff.reset();
+        this.stats.chunkBytes += payload.length;
+        this.give({ key, revision, hash: null, payload, material: materialOf(payload) });
+      }
     } catch (error) {
       if (controller.signal.aborted) return;
       if (!(error instanceof TalusError)) throw error; // of an application's handler
@@ -182,7 +331,17 @@ export class HttpClient extends ClientBase {
     this.pump();
   }
 
-  private takeTile(tile: Tile, body: Uint8Array): void {
+  private async getPayload(
+    key: ChunkKey,
+    signal: AbortSignal,
+    asked = this.editedOf(key.lod, key.x, key.z)?.revision(key.x, key.z) ?? 0n, // its column's
+  ): Promise<{ payload: Uint8Array<ArrayBuffer>; revision: bigint }> {
+    const { body, url } = await this.get(this.chunksUrl(keyName(key), asked), MAX_PAYLOAD_BYTES, signal);
+    return { payload: body.slice(), revision: revisionOfPath(url, asked) };
+  }
+
+  /** `revision`: of the square. That of a column in it is at least what was known of it when it was asked for. */
+  private takeTile(tile: Tile, body: Uint8Array, edited: EditedColumns, revision: bigint): void {
     const bodies = tile.n === 1 ? [body] : readSquare(body, tile.n);
     let i = 0;
     forEachColumn(tile, (x, z) => {
@@ -190,16 +349,26 @@ export class HttpClient extends ClientBase {
       const rows = this.tracker.shape?.rows(tile.lod, x, z);
       if (rows === undefined || rows.last < rows.first || !this.connected) return;
       const runs = readColumn(column, tile.lod);
-      this.columns.set(columnName(tile.lod, x, z), rows);
+      const name = columnName(tile.lod, x, z);
+      const its = tile.n === 1 ? revision : edited.revision(x, z);
+      const before = this.columns.get(name);
+      if (before !== undefined && before.revision > its) return;
+      const payloads = its > 0n ? new Map<number, Uint8Array>() : null;
+      const given = { rows, revision: its, payloads };
+      this.columns.set(name, given);
+      if (this.isOld(given, tile.lod, x, z)) this.tasks.unshift({ tile: { lod: tile.lod, x, z, n: 1 } }); // by now
       for (const run of runs) {
         const last = Math.min(rows.last, run.firstY + run.count - 1);
         const first = Math.max(rows.first, run.firstY);
         if (first > last) continue;
         const material = materialOf(run.payload);
+        const kept = payloads === null ? run.payload : run.payload.slice();
         for (let y = first; y <= last && this.connected; ++y) {
+          payloads?.set(y, kept);
+          if (sameBytes(before?.payloads?.get(y), run.payload)) continue;
           this.give({
             key: { lod: tile.lod, x, y, z },
-            revision: 0n,
+            revision: its,
             hash: null,
             payload: new Uint8Array(run.payload),
             material,
@@ -247,6 +416,7 @@ export class HttpClient extends ClientBase {
       return;
     }
     if (error.kind === 'out_of_range' || error.kind === 'broken_protocol') {
+      if ('region' in task) this.takeRegion(task.region, EditedColumns.none); // until it is asked for again
       this.emit('error', error);
       return;
     }
@@ -267,6 +437,10 @@ export class HttpClient extends ClientBase {
 
   /** In turn with the View's requests, and before them. */
   private ask(path: () => string, most: number): Promise<Uint8Array> {
+    return this.inTurn(async () => (await this.get(path(), most)).body);
+  }
+
+  private inTurn<T>(what: () => Promise<T>): Promise<T> {
     return new Promise((resolve, reject) => {
       if (this.isClosed) throw this.closedError();
       this.asked.push(() => {
@@ -275,7 +449,7 @@ export class HttpClient extends ClientBase {
           return;
         }
         ++this.askedRunning;
-        this.get(path(), most)
+        what()
           .then(resolve, reject)
           .finally(() => {
             --this.askedRunning;
@@ -288,8 +462,15 @@ export class HttpClient extends ClientBase {
 
   async getChunk(key: ChunkKey): Promise<Chunk> {
     checkKey(key);
-    const payload = new Uint8Array(await this.ask(() => `${this.chunksUrl}/${keyName(key)}`, MAX_PAYLOAD_BYTES));
-    return { key: { ...key }, revision: 0n, hash: null, payload, material: materialOf(payload) };
+    const { payload, revision } = await this.inTurn(async () => {
+      if (!this.hasEdits) return this.getPayload(key, this.abort.signal);
+      // Whatever is known of its region may be old.
+      const region = regionOf(key.lod, key.x, key.z);
+      const { body } = await this.get(this.regionUrl(region), MAX_REGION_BYTES);
+      const asked = EditedColumns.read(body).revision(key.x, key.z);
+      return this.getPayload(key, this.abort.signal, asked);
+    });
+    return { key: { ...key }, revision, hash: null, payload, material: materialOf(payload) };
   }
 
   async getPlaces(
@@ -335,4 +516,8 @@ export class HttpClient extends ClientBase {
     await this.get(`${this.base}/v1/world`, 0, this.abort.signal, 'HEAD');
     return (this.stats.latencyMs = performance.now() - began);
   }
+}
+
+function sameBytes(a: Uint8Array | undefined, b: Uint8Array): boolean {
+  return a !== undefined && a.length === b.length && a.every((byte, i) => byte === b[i]);
 }

@@ -22,14 +22,20 @@ export interface Getter {
   readonly token: string | undefined;
 }
 
-/** The body, of at most `most` bytes. */
+/** An answer, and the URL from which it came in the end. */
+export interface Got {
+  readonly body: Uint8Array;
+  readonly url: string;
+}
+
+/** The body has at most `most` bytes. */
 export async function get(
   { fetch, token }: Getter,
   url: string,
   most: number,
   signal: AbortSignal,
   method = 'GET',
-): Promise<Uint8Array> {
+): Promise<Got> {
   const timeout = AbortSignal.timeout(TIMEOUT_MS);
   const abort = new AbortController();
   const pass = () => abort.abort();
@@ -42,7 +48,7 @@ export async function get(
       ...(token === undefined ? {} : { headers: { Authorization: `Bearer ${token}` } }),
     });
     if (!response.ok) throw await failure(response, url);
-    return await readBounded(response, most, url);
+    return { body: await readBounded(response, most, url), url: response.url };
   } catch (error) {
     if (error instanceof TalusError) throw error;
     if (signal.aborted) throw new TalusError('cancelled', `the request for ${url} was given up`);

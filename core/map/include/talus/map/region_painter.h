@@ -1,4 +1,4 @@
-// The world from above, as it is generated: materials as light falls on them.
+// The world from above, as it is generated or with edits: materials as light falls on them.
 #pragma once
 
 #include <cstdint>
@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include <talus/map/edited_tops.h>
 #include <talus/map/image.h>
 #include <talus/map/painting.h>
 #include <talus/terrain/generator.h>
@@ -21,8 +22,9 @@ class WaterLight;
 /// of threads may paint.
 class RegionPainter {
  public:
-  /// `relief`: how much heights count for light. The world outlives this.
-  RegionPainter(const terrain::World& world, Lod lod, float relief = 1);
+  /// `relief`: how much heights count for light. `edits`: null where the land is shown as generated. World
+  /// and edits outlive this.
+  RegionPainter(const terrain::World& world, Lod lod, float relief = 1, const EditedTops* edits = nullptr);
   ~RegionPainter();
 
   /// The patch, into the picture from pixel (x, y) on, north (low z) at the top. `generator` is the world's;
@@ -34,12 +36,14 @@ class RegionPainter {
   class Work;
   struct Scene;
   [[nodiscard]] Scene scene_of(terrain::Stacks stacks) const;
+  void apply_edits(Scene& scene) const;
   [[nodiscard]] glm::vec3 pixel(const Scene& scene, int x, int z) const;
   [[nodiscard]] MaterialId water_at(const terrain::Stacks& stacks, int x, int z) const;
 
   const terrain::World& world_;
   const Lod lod_;
   const float relief_;
+  const EditedTops* const edits_;
   std::vector<glm::vec3> lights_;
   std::unique_ptr<const WaterLight> water_;
   std::optional<std::int32_t> sea_fx_;

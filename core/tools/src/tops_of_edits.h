@@ -1,0 +1,39 @@
+// What edits change of the land as it is seen from above.
+#pragma once
+
+#include <mutex>
+#include <optional>
+#include <vector>
+
+#include <talus/map/edited_tops.h>
+#include <talus/terrain/world.h>
+
+#include "failure.h"
+#include "land_edits.h"
+
+namespace talus::tools {
+
+class TopsOfEdits final : public map::EditedTops {
+ public:
+  /// Both outlive it.
+  TopsOfEdits(const terrain::World& world, const LandEdits& edits) : world_{world}, edits_{edits} {}
+
+  const std::vector<terrain::Material>& materials() const override { return edits_.materials(); }
+  /// Generates the columns of chunks that were edited.
+  std::vector<map::EditedTop> find(const terrain::Region& region) const override;
+
+  /// The first chunk that could not be read, whose columns are as generated.
+  [[nodiscard]] std::optional<Failure> failure() const;
+
+ private:
+  struct Seen;
+  using Column = std::vector<Seen>;  // of 32 x 32 columns, z slowest
+  void look_at(ChunkKey column, const terrain::Region& region, std::vector<map::EditedTop>& tops) const;
+
+  const terrain::World& world_;
+  const LandEdits& edits_;
+  mutable std::mutex mutex_;
+  mutable std::optional<Failure> failure_;
+};
+
+}  // namespace talus::tools

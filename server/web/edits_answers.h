@@ -1,0 +1,14 @@
+// Which columns of a region were edited, by HTTP. Source: PROTOCOL.md, "Edited land".
+#pragma once
+
+#include "http/response.h"
+#include "web/error_answers.h"
+#include "web/exchange.h"
+#include "web/routes.h"
+
+namespace talus::server::web {
+
+/// Always.
+[[nodiscard]] Answer answer_now(Exchange& exchange, const EditsRoute& route);
+
+}  // namespace talus::server::web
