@@ -166,6 +166,7 @@ std::uint64_t encode_record(const edits::Applied& applied, std::span<const edits
     writer.counted(subject);
   }
   if (applied.kind == edits::Applied::Kind::done) {
+    writer.counted(applied.subject);
     writer.varint(changes.size());
     for (const edits::ChunkChanges& each : changes) put_changes(each, writer);
   }
@@ -191,6 +192,7 @@ std::optional<LogRecord> read_record(std::span<const std::byte> body) {
     record.subject = in.text(edits::kMaxSubjectBytes);
   }
   if (record.kind == Kind::done) {
+    record.subject = in.text(edits::kMaxSubjectBytes);
     const std::uint64_t chunks = in.varint(edits::kMaxChunks);
     for (std::uint64_t i = 0; i < chunks && in.ok(); ++i) {
       record.changes.push_back(get_changes(in));
@@ -318,6 +320,7 @@ std::uint64_t encode(const LogRecord& record, std::uint64_t link_before, Bytes& 
   applied.position = record.position;
   applied.revision = record.revision;
   applied.result = record.result;
+  if (record.kind == edits::Applied::Kind::done) applied.subject = record.subject;
   return encode_record(applied, record.changes, record.time_ms, record.epoch, record.subject, link_before,
                        out);
 }
