@@ -114,6 +114,8 @@ void add_edit(CLI::App& app, EditOptions& options, Words& words) {
       command->add_option("--material", options.material, "Name of the material, \"air\" to dig");
   command->add_flag("--as-generated", words.as_generated, "Undo all edits there")->excludes(material);
   command->add_option("--only", options.only, "Change voxels of this material alone");
+  command->add_option("--subject", options.subject,
+                      "For whom the edit is made; needs a token of the right gateway");
   add_timeout(*command, options.timeout_seconds);
 }
 

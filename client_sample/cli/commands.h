@@ -57,6 +57,7 @@ struct EditOptions {
   VoxelPos from, to;            // corners of a box, both included, in any order
   std::string material;         // by name; empty: as generated
   std::string only;             // voxels of other materials stay; empty: of any
+  std::string subject;          // for whom it is edited; empty: for the token's own subject
   double timeout_seconds = 30;  // without an answer
 };
 [[nodiscard]] asio::awaitable<CommandResult> edit(Connecting connecting, EditOptions options);

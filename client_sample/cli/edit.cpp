@@ -41,6 +41,7 @@ tl::expected<client::Edit, std::string> edit_of(const EditOptions& options, cons
   }
   client::Edit edit;
   edit.fills.push_back(fill);
+  edit.subject = options.subject;
   return edit;
 }
 

@@ -8,6 +8,7 @@
 
 #include "command_line/connect_options.h"
 #include "command_line/parse.h"
+#include "edit_site.h"
 #include "figures.h"
 
 namespace talus::load {
@@ -82,6 +83,24 @@ void add_players(CLI::App& app, Options& options) {
                  "reconnects within a second; 0: never")
       ->check(within(0, kDay))
       ->capture_default_str();
+}
+
+void add_builders(CLI::App& app, Options& options) {
+  auto* const rate = app.add_option("--edits", options.edits,
+                                    "Edits per second of each player, who stands, and digs and builds one "
+                                    "voxel after the other; everybody near must "
+                                    "see what was acknowledged, or the exit status is 1");
+  auto* const in_flight =
+      app.add_option("--edit-in-flight", options.edits_in_flight,
+                     "Instead of a rate: edits that each player keeps unanswered (a closed loop)");
+  auto* const group = app.add_option("--edit-group", options.edit_group,
+                                     "Number of players who edit and look on at one place");
+  rate->check(within(0.001, 10'000))->excludes(in_flight);
+  in_flight->check(CLI::Range(1U, 64U));
+  group->check(CLI::Range(1U, EditSite::kMaxBuilders))->capture_default_str();
+  for (CLI::Option* const edits : {rate, in_flight}) {
+    for (const char* other : {"--model", "--groups", "--in-flight"}) edits->excludes(app.get_option(other));
+  }
 }
 
 void add_others(CLI::App& app, Options& options) {
@@ -177,6 +196,7 @@ tl::expected<Options, Exit> read_command_line(int argc, const char* const* argv)
   command_line::add_connect_options(app, connect);
   add_players(app, options);
   add_others(app, options);
+  add_builders(app, options);
   add_results(app, options, words);
   app.footer(
       "Latencies are measured from the scheduled time of a View, not from when it could be sent.\n"
@@ -184,7 +204,8 @@ tl::expected<Options, Exit> read_command_line(int argc, const char* const* argv)
       figure_names() +
       "\nFor many players, use --from-addresses, or raise the server's limits.connections_per_address and "
       "rates.address_*.\n"
-      "Exit status: 0 finished, whatever was found; 1 failure, or a --fail-if holds; 2 wrong arguments.");
+      "Exit status: 0 finished, whatever was found; 1 failure, a --fail-if holds, or with\n"
+      "--edits an acknowledged edit is missing or none was acknowledged; 2 wrong arguments.");
   if (auto exit = command_line::parse(app, argc, argv)) return tl::unexpected{*std::move(exit)};
   auto connecting = command_line::read_connect_options(connect);
   if (!connecting) return wrong(connecting.error());
@@ -201,6 +222,13 @@ tl::expected<Options, Exit> read_command_line(int argc, const char* const* argv)
     auto threshold = parse_threshold(text);
     if (!threshold) return wrong(threshold.error());
     options.fail_if.push_back(*std::move(threshold));
+  }
+  if (options.builds()) {
+    options.groups = (options.players + options.edit_group - 1) / options.edit_group;
+    if (options.horizon != 0 || options.vertical == 0) {
+      return wrong("players who edit have no --horizon, and look up and down: --vertical is at least 1");
+    }
+    if (options.players == 0) return wrong("--players 0: there is nobody to edit");
   }
   if (options.horizon != 0 && options.horizon <= options.radius) {
     return wrong("--horizon " + std::to_string(options.horizon) + " is not beyond --radius " +

@@ -16,8 +16,9 @@ constexpr std::array kPercentiles{Percentile{"p50_ms", 0.5}, Percentile{"p95_ms"
                                   Percentile{"p99_ms", 0.99}, Percentile{"p99_9_ms", 0.999}};
 
 // Prefixes of the percentiles: all chunks, those of joins, those of travel, and so on.
-constexpr std::array kSpreads{"",           "join_",    "travel_", "request_", "first_chunk_",
-                              "full_view_", "horizon_", "near_",   "return_",  "harness_late_"};
+constexpr std::array kSpreads{"",           "join_",        "travel_", "request_", "first_chunk_",
+                              "full_view_", "horizon_",     "near_",   "return_",  "harness_late_",
+                              "edit_ack_",  "edit_arrival_"};
 constexpr std::array kSingles{"bytes",
                               "chunks_per_s",
                               "bytes_per_s",
@@ -38,6 +39,11 @@ constexpr std::array kSingles{"bytes",
                               "held_percent",
                               "generated_per_sent",
                               "patches_per_new",
+                              "edits",
+                              "edits_per_s",
+                              "edit_arrivals",
+                              "edits_unknown",
+                              "edits_missing",
                               "slow_errors",
                               "slow_disconnects",
                               "greedy_errors",
@@ -112,6 +118,8 @@ Figures figures_of(const RunResult& result) {
   put_spread(figures, "near_", players.near);
   put_spread(figures, "return_", players.returns);
   put_spread(figures, "harness_late_", result.lateness);
+  put_spread(figures, "edit_ack_", players.edit_ack);
+  put_spread(figures, "edit_arrival_", players.edit_arrival);
 
   const double seconds = result.end.seconds - result.begin.seconds;
   const auto per_second = [seconds](std::uint64_t from, std::uint64_t to) {
@@ -121,6 +129,8 @@ Figures figures_of(const RunResult& result) {
       per_second(result.begin.chunks + result.begin.uniform, result.end.chunks + result.end.uniform);
   figures["chunk_messages_per_s"] = per_second(result.begin.chunks, result.end.chunks);
   figures["bytes_per_s"] = per_second(result.begin.bytes, result.end.bytes);
+
+  figures["edits_per_s"] = per_second(result.begin.edits, result.end.edits);
 
   std::size_t latest = 0;
   std::uint64_t over_one = 0;
@@ -142,6 +152,10 @@ Figures figures_of(const RunResult& result) {
   put("joins", players.joins);
   put("cuts", players.cuts);
   put("reconnects", players.reconnects);
+  put("edits", players.edits);
+  put("edit_arrivals", players.edit_arrivals);
+  put("edits_unknown", players.edits_unknown);
+  put("edits_missing", players.edits_missing);
   if (players.near.count() > 0) {
     figures["longest_without_ms"] =
         std::chrono::duration<double, std::milli>(players.longest_without).count();

@@ -79,6 +79,8 @@ std::string plot_of(const Plan& plan, const RunResult& result) {
   add("requests", players.requests);
   add("first chunk", players.first_chunk);
   add("full view", players.full_view);
+  add("edits acknowledged", players.edit_ack);
+  add("edits seen elsewhere", players.edit_arrival);
   if (curves.empty()) return "";
   std::ostringstream subtitle;
   subtitle << plan.options.players << " players (" << plan.options.model << "), radius "
@@ -106,6 +108,19 @@ std::vector<std::string> tell(const Plan& plan, const RunResult& result) {
   }
   if (!options.json.empty()) note(files::write_file(options.json, json.dump(2) + "\n"));
   if (!options.plot.empty()) note(files::write_file(options.plot, plot_of(plan, result)));
+  if (options.builds()) {
+    const Tally players = result.players();
+    if (players.edits_missing > 0) {
+      failures.push_back(std::to_string(players.edits_missing) +
+                         " acknowledged edits are missing: " + players.first_missing);
+    }
+    if (players.edits == 0) {
+      failures.push_back(
+          "no edit was acknowledged; the server needs --data, and the token the right edit (or "
+          "access.without_token "
+          "read,edit)");
+    }
+  }
   std::cout.flush();
   if (!std::cout) failures.push_back("standard output: cannot be written");
   return failures;

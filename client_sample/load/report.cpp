@@ -30,7 +30,8 @@ std::string waits_of(const RunResult& result) {
   }
   rows += row("requests", players.requests) + row("first chunk", players.first_chunk) +
           row("full view", players.full_view) + row("full horizon", players.horizon) +
-          row("two nearest rings", players.near) + row("returns after a loss", players.returns);
+          row("two nearest rings", players.near) + row("returns after a loss", players.returns) +
+          row("edits acknowledged", players.edit_ack) + row("edits seen elsewhere", players.edit_arrival);
   if (rows.empty()) return "";
   return fmt::format("  {:<22}{:>11}{:>10}{:>10}{:>10}{:>10}{:>10}\n", "wait in ms", "count", "p50", "p95",
                      "p99", "p99.9", "max") +
@@ -53,6 +54,13 @@ std::string checks_of(const Plan& plan, const RunResult& result) {
   if (!all.first_wrong.empty()) text += fmt::format("  first wrong: {}\n", all.first_wrong);
   text += fmt::format("  never came: {}{}\n", all.unanswered,
                       all.unanswered == 0 ? "" : fmt::format(" (the first: {})", all.first_unanswered));
+  if (all.edits > 0) {
+    text += fmt::format(
+        "  edits: {} acknowledged, which changed {} voxels, seen {} times elsewhere; missing: {}{}{}\n",
+        all.edits, all.edited_voxels, all.edit_arrivals, all.edits_missing,
+        all.edits_missing == 0 ? "" : fmt::format(" (the first: {})", all.first_missing),
+        all.edits_unknown == 0 ? "" : fmt::format("; {} of unknown outcome", all.edits_unknown));
+  }
   if (all.ordered > 0) {
     text += fmt::format("  order: {} of {} chunks came over {} rings before a nearer one, {} at most\n",
                         all.disordered, all.ordered, plan.options.ring_tolerance, all.worst_ring_gap);
@@ -135,6 +143,12 @@ nlohmann::json tally_json(const Tally& tally) {
           {"unconfirmed", tally.unconfirmed},
           {"verified", tally.verified},
           {"unanswered", tally.unanswered},
+          {"edits",
+           {{"acknowledged", tally.edits},
+            {"voxels", tally.edited_voxels},
+            {"arrivals", tally.edit_arrivals},
+            {"unknown", tally.edits_unknown},
+            {"missing", tally.edits_missing}}},
           {"wrong",
            {{"bad_chunks", tally.bad_chunks},
             {"outside", tally.outside},
@@ -160,7 +174,9 @@ nlohmann::json tally_json(const Tally& tally) {
             {"full_view", spread_json(tally.full_view)},
             {"horizon", spread_json(tally.horizon)},
             {"near", spread_json(tally.near)},
-            {"return", spread_json(tally.returns)}}}};
+            {"return", spread_json(tally.returns)},
+            {"edit_ack", spread_json(tally.edit_ack)},
+            {"edit_arrival", spread_json(tally.edit_arrival)}}}};
 }
 
 nlohmann::json settings_json(const Options& options) {
@@ -181,6 +197,9 @@ nlohmann::json settings_json(const Options& options) {
       {"every_tick", options.every_tick},
       {"dwell_s", options.dwell_seconds},
       {"churn_s", options.churn_seconds},
+      {"edits", options.edits},
+      {"edit_group", options.edit_group},
+      {"edit_in_flight", options.edits_in_flight},
       {"idle", options.idle},
       {"greedy", options.greedy},
       {"slow", options.slow},
@@ -200,15 +219,19 @@ nlohmann::json settings_json(const Options& options) {
 std::string report(const Plan& plan, const RunResult& result) {
   const Figures figures = figures_of(result);
   const double seconds = result.end.seconds - result.begin.seconds;
-  std::string text = fmt::format(
-      "{} players ({}) of {}, seed {}, {:.1f} s measured{}, {} cores\n", plan.options.players,
-      plan.options.in_flight != 0 ? "requests" : plan.options.model, plan.world.server, plan.options.seed,
-      seconds, result.interrupted ? " (interrupted)" : "", std::thread::hardware_concurrency());
+  std::string text =
+      fmt::format("{} players ({}) of {}, seed {}, {:.1f} s measured{}, {} cores\n", plan.options.players,
+                  plan.options.builds()         ? "build"
+                  : plan.options.in_flight != 0 ? "requests"
+                                                : plan.options.model,
+                  plan.world.server, plan.options.seed, seconds, result.interrupted ? " (interrupted)" : "",
+                  std::thread::hardware_concurrency());
   text += waits_of(result);
   text += fmt::format("  rate: {:.0f} chunks/s ({:.0f} Chunk messages/s), {:.2f} MB/s\n",
                       figures.at("chunks_per_s"), figures.at("chunk_messages_per_s"),
                       figures.at("bytes_per_s") / 1e6);
   const Tally players = result.players();
+  if (plan.options.builds()) text += fmt::format("  edits: {:.0f}/s\n", figures.at("edits_per_s"));
   if (players.travel.count() + players.join.count() > 0) {
     text += fmt::format(
         "  late: {:.0f} chunks by more than one View step, {}{:.0f} steps at most\n",

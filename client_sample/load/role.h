@@ -8,11 +8,24 @@
 
 namespace talus::load {
 
-/// The first six are ways of moving; `slow` walks and reads slowly; the others send no View.
-enum class Role : std::uint8_t { stand, walk, fly, teleport, swarm, trace, slow, greedy, requests, idle };
+/// The first six are ways of moving; `slow` walks and reads slowly; `build` stands and edits; the others
+/// send no View.
+enum class Role : std::uint8_t {
+  stand,
+  walk,
+  fly,
+  teleport,
+  swarm,
+  trace,
+  slow,
+  greedy,
+  requests,
+  idle,
+  build
+};
 
-inline constexpr std::array<std::string_view, 10> kRoleNames{"stand", "walk", "fly",    "teleport", "swarm",
-                                                             "trace", "slow", "greedy", "requests", "idle"};
+inline constexpr std::array<std::string_view, 11> kRoleNames{
+    "stand", "walk", "fly", "teleport", "swarm", "trace", "slow", "greedy", "requests", "idle", "build"};
 inline constexpr std::size_t kRoles = kRoleNames.size();
 inline constexpr std::size_t kModels = 6;  // roles that --model can name
 

@@ -66,8 +66,8 @@ std::vector<ClientProfile> profiles_of(const Plan& plan) {
   };
   const std::vector<Role> models = deal(options.mix, options.players);
   for (std::uint32_t i = 0; i < options.players; ++i) {
-    add(options.in_flight != 0 ? Role::requests : models[i], group_of(i),
-        seconds(options.ramp_up_seconds * i / options.players));
+    const Role role = options.builds() ? Role::build : options.in_flight != 0 ? Role::requests : models[i];
+    add(role, group_of(i), seconds(options.ramp_up_seconds * i / options.players));
   }
   std::uint32_t client = options.players;
   for (std::uint32_t i = 0; i < options.slow; ++i) add(Role::slow, group_of(client++), {});
@@ -84,7 +84,10 @@ class Run {
       workers_.push_back(std::make_unique<Worker>(plan, number));
     }
     const auto profiles = profiles_of(plan);
-    for (const ClientProfile& profile : profiles) workers_[profile.number % workers_.size()]->add(profile);
+    for (const ClientProfile& profile : profiles) {
+      const std::uint32_t together = profile.role == Role::build ? profile.group : profile.number;
+      workers_[together % workers_.size()]->add(profile);
+    }
     signals_.async_wait(
         [this](std::error_code cancelled, int) { interrupted_ = interrupted_ || !cancelled; });
   }
@@ -208,6 +211,7 @@ class Run {
             sum(&Live::chunks),
             sum(&Live::uniform),
             sum(&Live::bytes),
+            sum(&Live::edits),
             own_cpu_seconds(),
             watch_.sample().value_or(ServerSample{})};
   }

@@ -17,7 +17,7 @@ namespace talus::load {
 /// Totals at one moment.
 struct Moment {
   double seconds = 0;  // since the players began
-  std::uint64_t chunks = 0, uniform = 0, bytes = 0;
+  std::uint64_t chunks = 0, uniform = 0, bytes = 0, edits = 0;
   double harness_cpu_seconds = 0;
   ServerSample server;
 };

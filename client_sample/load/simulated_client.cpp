@@ -143,8 +143,13 @@ void SimulatedClient::received(const wire::Message& message, std::size_t frame_b
       retry_after_ = milliseconds{away.retry_after_ms()};
       return;
     }
-    case wire::Body::Pong:
+    case wire::Body::Attached:
+      return take(*message.body_as_Attached());
+    case wire::Body::EditResult:
+      return take(*message.body_as_EditResult());
     case wire::Body::EditBroadcast:
+      return take(*message.body_as_EditBroadcast());
+    case wire::Body::Pong:
       return;
     default:
       wrong(tally().bad_messages, fmt::format("an unexpected {}", wire::EnumNameBody(message.body_type())));
@@ -278,6 +283,14 @@ void SimulatedClient::take(const wire::Chunk&) {
 
 void SimulatedClient::take(const wire::UniformColumn&) {
   wrong(tally().outside, "a UniformColumn without a View");
+}
+
+void SimulatedClient::take(const wire::Attached&) {
+  wrong(tally().outside, "an Attached for who does not edit");
+}
+
+void SimulatedClient::take(const wire::EditResult&) {
+  wrong(tally().outside, "an EditResult for who does not edit");
 }
 
 void SimulatedClient::take(const wire::Unchanged&) {

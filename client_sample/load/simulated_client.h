@@ -57,6 +57,9 @@ class SimulatedClient : public LinkOwner {
   virtual void take(const wire::UniformColumn& column);
   virtual void take(const wire::Unchanged& unchanged);
   virtual void take(const wire::Error& /*error*/) {}
+  virtual void take(const wire::Attached& attached);
+  virtual void take(const wire::EditResult& result);
+  virtual void take(const wire::EditBroadcast& /*broadcast*/) {}
   virtual void taken_all() {}
   virtual void give_up() {}
 

@@ -24,17 +24,23 @@ void Tally::merge(const Tally& other) {
   horizon.merge(other.horizon);
   near.merge(other.near);
   returns.merge(other.returns);
+  edit_ack.merge(other.edit_ack);
+  edit_arrival.merge(other.edit_arrival);
   longest_without = std::max(longest_without, other.longest_without);
   for (std::size_t i = 0; i < late_steps.size(); ++i) late_steps[i] += other.late_steps[i];
   constexpr std::uint64_t Tally::*kCounts[] = {
-      &Tally::chunks,   &Tally::chunk_bytes, &Tally::uniform,      &Tally::unchanged,  &Tally::stale,
-      &Tally::repeated, &Tally::missed,      &Tally::unconfirmed,  &Tally::verified,   &Tally::bad_chunks,
-      &Tally::outside,  &Tally::duplicates,  &Tally::unanswered,   &Tally::ordered,    &Tally::disordered,
-      &Tally::joins,    &Tally::cuts,        &Tally::bad_messages, &Tally::reconnects, &Tally::new_patches,
+      &Tally::chunks,        &Tally::chunk_bytes,   &Tally::uniform,       &Tally::unchanged,
+      &Tally::stale,         &Tally::repeated,      &Tally::missed,        &Tally::unconfirmed,
+      &Tally::verified,      &Tally::bad_chunks,    &Tally::outside,       &Tally::duplicates,
+      &Tally::unanswered,    &Tally::ordered,       &Tally::disordered,    &Tally::joins,
+      &Tally::cuts,          &Tally::bad_messages,  &Tally::reconnects,    &Tally::new_patches,
+      &Tally::edits,         &Tally::edited_voxels, &Tally::edit_arrivals, &Tally::edits_unknown,
+      &Tally::edits_missing,
   };
   for (const auto count : kCounts) this->*count += other.*count;
   worst_ring_gap = std::max(worst_ring_gap, other.worst_ring_gap);
   if (first_wrong.empty()) first_wrong = other.first_wrong;
+  if (first_missing.empty()) first_missing = other.first_missing;
   if (first_unanswered.empty()) first_unanswered = other.first_unanswered;
   for (const auto& [code, count] : other.errors) errors[code] += count;
   for (const auto& [reason, count] : other.disconnects) disconnects[reason] += count;

@@ -24,6 +24,8 @@ struct Tally {
   measure::Histogram horizon;      // the same, to the last chunk of its rings, too
   measure::Histogram near;         // from the scheduled time of a View until its two nearest rings were there
   measure::Histogram returns;      // from when a connection was lost until then
+  measure::Histogram edit_ack;     // from the scheduled time of an edit to its EditResult
+  measure::Histogram edit_arrival;             // from there until another player of its place saw it
   std::chrono::nanoseconds longest_without{};  // any chunk, of one player that waited for some
 
   /// Chunks that came n View steps after the one that wanted them; the last place counts all beyond.
@@ -39,6 +41,13 @@ struct Tally {
   std::uint64_t verified = 0;     // decoded, and hashed
   std::uint64_t unanswered = 0;   // had not come when the drain was over: late, or lost
   std::string first_unanswered;
+
+  std::uint64_t edits = 0;          // acknowledged
+  std::uint64_t edited_voxels = 0;  // that they changed
+  std::uint64_t edit_arrivals = 0;  // at other players
+  std::uint64_t edits_unknown = 0;  // the server has forgotten who sent them
+  std::uint64_t edits_missing = 0;  // acknowledged, and not seen by a player when the drain was over
+  std::string first_missing;
 
   // Errors of the server, each of them.
   std::uint64_t bad_chunks = 0;  // not decodable, of another hash or codec

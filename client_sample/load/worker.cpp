@@ -4,6 +4,7 @@
 
 #include <asio/post.hpp>
 
+#include "builder.h"
 #include "player.h"
 #include "requester.h"
 
@@ -13,16 +14,13 @@ namespace {
 constexpr std::size_t kScratchBytes = std::size_t{256} * 1024;
 constexpr std::chrono::milliseconds kBetweenLooks{20};
 
-std::unique_ptr<SimulatedClient> make_client(Worker& worker, const ClientProfile& profile) {
-  switch (profile.role) {
-    case Role::idle:
-      return std::make_unique<SimulatedClient>(worker, profile);
-    case Role::greedy:
-    case Role::requests:
-      return std::make_unique<Requester>(worker, profile);
-    default:
-      return std::make_unique<Player>(worker, profile);
+/// What builders build of: solid, and the world's own only where it has no other.
+MaterialId building_material(const client::WorldInfo& world) {
+  MaterialId material{1};
+  for (const client::Material& each : world.materials) {
+    if (each.phase == client::Phase::solid) material = each.id;
   }
+  return material;
 }
 
 }  // namespace
@@ -40,8 +38,28 @@ Worker::~Worker() {
   if (thread_.joinable()) thread_.join();
 }
 
+std::unique_ptr<SimulatedClient> Worker::make_client(const ClientProfile& profile) {
+  switch (profile.role) {
+    case Role::idle:
+      return std::make_unique<SimulatedClient>(*this, profile);
+    case Role::greedy:
+    case Role::requests:
+      return std::make_unique<Requester>(*this, profile);
+    case Role::build: {
+      auto& site = sites_[profile.group];
+      if (site == nullptr) {
+        site = std::make_shared<EditSite>(plan_.origins[profile.group], plan_.options.edit_group,
+                                          building_material(plan_.world));
+      }
+      return std::make_unique<Builder>(*this, profile, site);
+    }
+    default:
+      return std::make_unique<Player>(*this, profile);
+  }
+}
+
 void Worker::add(const ClientProfile& profile) {
-  clients_.push_back(make_client(*this, profile));
+  clients_.push_back(make_client(profile));
 }
 
 void Worker::run() {

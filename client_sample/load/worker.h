@@ -3,6 +3,7 @@
 
 #include <atomic>
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <queue>
 #include <span>
@@ -14,6 +15,7 @@
 #include <asio/io_context.hpp>
 #include <asio/steady_timer.hpp>
 
+#include "edit_site.h"
 #include "plan.h"
 #include "random.h"
 #include "simulated_client.h"
@@ -28,6 +30,7 @@ struct Live {
   std::atomic<std::uint64_t> bytes{0};   // all that was received
   std::atomic<std::uint64_t> joined{0};  // now, of all roles
   std::atomic<std::uint64_t> troubles{0};
+  std::atomic<std::uint64_t> edits{0};  // acknowledged
 
   static void add(std::atomic<std::uint64_t>& counter, std::uint64_t count) {
     counter.store(counter.load(std::memory_order_relaxed) + count, std::memory_order_relaxed);
@@ -42,7 +45,8 @@ class Worker {
   Worker& operator=(const Worker&) = delete;
 
   // ---- for the thread that made it
-  /// Before run(). The client joins with others of its kind: idle ones first.
+  /// Before run(). The client joins with others of its kind: idle ones first. All of a group that builds are
+  /// of one worker.
   void add(const ClientProfile& profile);
   void run();
   /// Clients of role idle, or all others, join: the n-th at `from` and n of its own steps later. Waits of
@@ -79,6 +83,7 @@ class Worker {
     bool operator<(const Entry& other) const { return due > other.due; }
   };
 
+  [[nodiscard]] std::unique_ptr<SimulatedClient> make_client(const ClientProfile& profile);
   void wake_at(Time due);
   void act();
   void end_if_satisfied(Time deadline);
@@ -89,6 +94,7 @@ class Worker {
   asio::steady_timer timer_;
   asio::steady_timer end_timer_;
   std::vector<std::byte> scratch_;
+  std::map<std::uint32_t, std::shared_ptr<EditSite>> sites_;  // of groups that build
   std::vector<std::unique_ptr<SimulatedClient>> clients_;
   std::priority_queue<Entry> entries_;  // those whose due time has changed since count for nothing
   Time timer_due_ = Time::max();

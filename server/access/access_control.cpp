@@ -127,8 +127,13 @@ tl::expected<Grant, AuthError> AccessControl::admit(std::string_view token,
                                              fmt::format("line {} of access.blocked_file", line->number()),
                                              !line->meet()});
       }
-      return Grant{claims->rights, std::move(claims->subject), claims->expires, std::move(claims->id),
-                   claims->issued};
+      return Grant{claims->rights,
+                   std::move(claims->subject),
+                   claims->expires,
+                   std::move(claims->id),
+                   claims->issued,
+                   std::move(claims->edit_in),
+                   std::move(claims->edit_not_in)};
     }
     error = {claims.error().expired ? AuthFailure::expired : AuthFailure::not_accepted,
              std::move(claims.error().reason)};

@@ -45,6 +45,8 @@ struct Grant {
   std::optional<std::chrono::sys_seconds> expires;  // the session ends between then and kClockSkew later
   std::string token_id{};                           // its "jti", as the token has it; empty: none
   std::optional<std::chrono::sys_seconds> issued{};
+  std::optional<Boxes> edit_in{};  // where it may edit; none: everywhere
+  Boxes edit_not_in{};             // where not
 };
 
 struct AuthError {

@@ -12,7 +12,8 @@ namespace {
 
 constexpr std::array kWords{std::pair{Right::read, std::string_view{"read"}},
                             std::pair{Right::edit, std::string_view{"edit"}},
-                            std::pair{Right::admin, std::string_view{"admin"}}};
+                            std::pair{Right::admin, std::string_view{"admin"}},
+                            std::pair{Right::gateway, std::string_view{"gateway"}}};
 
 const Right* find(std::string_view word) {
   for (const auto& [right, name] : kWords) {
@@ -39,7 +40,8 @@ tl::expected<Rights, std::string> Rights::parse(std::string_view text) {
     return rights;
   }
   return tl::make_unexpected(
-      fmt::format("\"{}\" is wrong; give \"read\", \"read,edit\" or \"read,edit,admin\"", escaped(text)));
+      fmt::format("\"{}\" is wrong; give \"read\", \"read,edit\", or that with \",admin\" or \",gateway\"",
+                  escaped(text)));
 }
 
 std::string to_string(Rights rights) {

@@ -11,9 +11,10 @@
 namespace talus::server {
 
 enum class Right : std::uint8_t {
-  read,   // to join and to request chunks
-  edit,   // to change voxels
-  admin,  // reserved: permits nothing yet
+  read,     // to join and to request chunks
+  edit,     // to change voxels
+  admin,    // to change them where the server's settings protect them too
+  gateway,  // to edit for others, and say for whom: a game server's
 };
 
 /// A set of rights. A set that is not empty has `read`.

@@ -99,6 +99,16 @@ tl::unexpected<TokenError> refused(std::string why) {
   return tl::make_unexpected(TokenError{true, false, std::move(why)});
 }
 
+/// Boxes in a claim; none where it is missing. The error says what is wrong.
+tl::expected<std::optional<Boxes>, std::string> boxes_of(const Json& claims, const char* name) {
+  if (!claims.contains(name)) return std::nullopt;
+  const auto* const text = member<std::string>(claims, name);
+  if (text == nullptr) return tl::make_unexpected(fmt::format("its {} is no text", name));
+  auto boxes = Boxes::parse(*text);
+  if (!boxes) return tl::make_unexpected(fmt::format("its {}: {}", name, boxes.error()));
+  return *std::move(boxes);
+}
+
 /// Why the header is refused; empty where it is accepted.
 std::string header_error(std::string_view part) {
   const auto header = parse_object(part);
@@ -148,9 +158,15 @@ tl::expected<Claims, TokenError> read_signed_token(const Secret& key, std::strin
   if (words != nullptr) {
     const auto rights = Rights::parse(*words);
     if (!rights || !rights->has(Right::read))
-      return refused("its rights are not of read, edit, admin, with read among them");
+      return refused("its rights are not of read, edit, admin, gateway, with read among them");
     claims.rights = *rights;
   }
+  auto edit_in = boxes_of(*json, "edit_in");
+  if (!edit_in) return refused(std::move(edit_in.error()));
+  auto edit_not_in = boxes_of(*json, "edit_not_in");
+  if (!edit_not_in) return refused(std::move(edit_not_in.error()));
+  claims.edit_in = *std::move(edit_in);
+  if (*edit_not_in) claims.edit_not_in = **std::move(edit_not_in);
   return claims;
 }
 
@@ -161,6 +177,8 @@ tl::expected<std::string, std::string> make_signed_token(const Secret& key, cons
             {"iat", now.time_since_epoch().count()},
             {"exp", claims.expires.time_since_epoch().count()}};
   if (!claims.id.empty()) json["jti"] = claims.id;
+  if (claims.edit_in) json["edit_in"] = claims.edit_in->text();
+  if (!claims.edit_not_in.empty()) json["edit_not_in"] = claims.edit_not_in.text();
   std::string text;
   try {
     text = json.dump();
@@ -170,9 +188,9 @@ tl::expected<std::string, std::string> make_signed_token(const Secret& key, cons
   std::string token = base64url_encode(R"({"alg":"HS256","typ":"JWT"})") + "." + base64url_encode(text);
   token += "." + signature_of(key, token);
   if (token.size() > protocol::kMaxStringBytes) {
-    return tl::make_unexpected(
-        fmt::format("the token would have {} bytes, over the protocol's {}; shorten the subject",
-                    token.size(), protocol::kMaxStringBytes));
+    return tl::make_unexpected(fmt::format(
+        "the token would have {} bytes, over the protocol's {}; shorten the subject, or give fewer boxes",
+        token.size(), protocol::kMaxStringBytes));
   }
   return token;
 }

@@ -2,8 +2,9 @@
 // algorithm is accepted. The functions are pure: the caller passes the time.
 //
 // Claims: "exp" (required), "nbf" and "iat", whole seconds since 1970; "sub"; "jti"; "rights", as
-// Rights::parse reads them, "read" where it is missing. Other claims are ignored. A header with "crit", or
-// with a "typ" other than "JWT", is refused.
+// Rights::parse reads them, "read" where it is missing; "edit_in" and "edit_not_in", boxes as Boxes::parse
+// reads them: where its holder may edit, everywhere where it is missing, and where not. Other claims are
+// ignored. A header with "crit", or with a "typ" other than "JWT", is refused.
 #pragma once
 
 #include <chrono>
@@ -16,6 +17,7 @@
 
 #include "access/key_file.h"
 #include "access/rights.h"
+#include "config/boxes.h"
 
 namespace talus::server {
 
@@ -32,6 +34,8 @@ struct Claims {
   std::chrono::sys_seconds expires;
   std::string id{};  // "jti", as the token has it; empty: none
   std::optional<std::chrono::sys_seconds> issued{};
+  std::optional<Boxes> edit_in{};  // none: everywhere; empty: nowhere
+  Boxes edit_not_in{};
 };
 
 struct TokenError {

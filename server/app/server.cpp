@@ -134,8 +134,8 @@ RunnerContextPtr Server::make_context(const Config& config) {
                   server.registry_,
                   server.log_of_clients_} {}
   };
-  const auto kept = std::make_shared<const Kept>(session_limits(config, *terrain_, patch_size_.tile_time),
-                                                 runner_limits(config), *this);
+  const auto kept = std::make_shared<const Kept>(
+      session_limits(config, *terrain_, world_.spawn, patch_size_.tile_time), runner_limits(config), *this);
   return {kept, &kept->context};
 }
 

@@ -40,7 +40,16 @@ std::uint64_t height_tiles_per_request(const terrain::World& world, std::chrono:
   return std::clamp<std::uint64_t>(static_cast<std::uint64_t>(tiles), 1, protocol::kMaxHeightsPerRequest);
 }
 
-SessionLimits session_limits(const Config& config, const terrain::World& world,
+EditRules edit_rules(const Config& config, VoxelPos spawn) {
+  EditRules rules{config.edits.protected_boxes, config.edits.gateway == "required"};
+  if (const auto around = static_cast<std::int64_t>(config.edits.protect_spawn); around > 0) {
+    rules.protected_boxes.add(
+        Box::of_columns(spawn.x - around, spawn.z - around, spawn.x + around, spawn.z + around));
+  }
+  return rules;
+}
+
+SessionLimits session_limits(const Config& config, const terrain::World& world, VoxelPos spawn,
                              std::chrono::nanoseconds tile_time) {
   const Limits& limits = config.limits;
   return {.frame_bytes = static_cast<std::uint32_t>(limits.frame_bytes),
@@ -52,7 +61,8 @@ SessionLimits session_limits(const Config& config, const terrain::World& world,
           .view_chunks = static_cast<std::uint32_t>(limits.view_chunks),
           .window_bytes = limits.window_bytes,
           .queued_bytes = limits.queued_bytes_per_session,
-          .idle_timeout = limits.idle_timeout};
+          .idle_timeout = limits.idle_timeout,
+          .edits = edit_rules(config, spawn)};
 }
 
 RateLimits rate_limits(const Rates& config) {
@@ -67,7 +77,9 @@ RateLimits rate_limits(const Rates& config) {
            voxels(config.session_voxels)},
           {rate(config.address_chunks), rate(config.address_bytes), rate(config.address_requests),
            voxels(config.address_voxels)},
-          config.burst};
+          config.burst,
+          rate(config.gateway_requests),
+          voxels(config.gateway_voxels)};
 }
 
 RunnerLimits runner_limits(const Config& config) {

@@ -35,7 +35,8 @@ namespace talus::server {
 [[nodiscard]] std::uint64_t height_tiles_per_request(const terrain::World& world,
                                                      std::chrono::nanoseconds tile_time);
 
-[[nodiscard]] SessionLimits session_limits(const Config& config, const terrain::World& world,
+[[nodiscard]] EditRules edit_rules(const Config& config, VoxelPos spawn);
+[[nodiscard]] SessionLimits session_limits(const Config& config, const terrain::World& world, VoxelPos spawn,
                                            std::chrono::nanoseconds tile_time);
 [[nodiscard]] RateLimits rate_limits(const Rates& config);
 [[nodiscard]] RunnerLimits runner_limits(const Config& config);

@@ -12,6 +12,7 @@
 #include <talus/protocol/limits.h>
 
 #include "config/allowed_origins.h"
+#include "config/boxes.h"
 #include "config/networks.h"
 
 namespace talus::server {
@@ -58,6 +59,8 @@ struct Rates {
   std::uint64_t address_requests = 16'384;
   std::uint64_t session_voxels = 65'536;
   std::uint64_t address_voxels = 524'288;
+  std::uint64_t gateway_requests = 65'536;  // of one session with the right "gateway", in place of the above
+  std::uint64_t gateway_voxels = 4'194'304;
   milliseconds burst{32'000};
   bool operator==(const Rates&) const = default;
 };
@@ -77,6 +80,14 @@ struct Access {
            !revoked_file.empty() || !blocked_file.empty();
   }
   bool operator==(const Access&) const = default;
+};
+
+/// Who may change the world, beyond the rights of tokens.
+struct Edits {
+  Boxes protected_boxes;             // which only who has the right "admin" may edit
+  std::uint64_t protect_spawn = 0;   // columns around the spawn, likewise; 0: none
+  std::string gateway = "optional";  // "required": edits of players are refused
+  bool operator==(const Edits&) const = default;
 };
 
 /// Both are set, or neither; without them connections are plain TCP.
@@ -129,6 +140,7 @@ struct Config {
   std::filesystem::path world;  // empty: the world built into the program
   std::string user;             // empty: do not switch user
   Access access;
+  Edits edits;
   Networks proxies;  // proxies that must send a PROXY header
   Tls tls;
   Http http;

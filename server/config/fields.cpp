@@ -21,7 +21,9 @@ constexpr std::uint64_t kMaxPerSecond = 0xFFFF'FFFF;  // rates/token_bucket.h
 
 constexpr std::array<std::string_view, 2> kLogFormats{"text", "json"};
 constexpr std::array<std::string_view, 6> kLevels{"trace", "debug", "info", "warning", "error", "off"};
-constexpr std::array<std::string_view, 3> kRights{"read", "read,edit", "read,edit,admin"};
+constexpr std::array<std::string_view, 5> kRights{"read", "read,edit", "read,edit,admin", "read,edit,gateway",
+                                                  "read,edit,admin,gateway"};
+constexpr std::array<std::string_view, 2> kGateway{"optional", "required"};
 constexpr std::array<std::string_view, 4> kRightsWithoutToken{"auto", "none", "read", "read,edit"};
 
 template <typename Group, typename Value, Group Config::*group, Value Group::*member>
@@ -80,6 +82,17 @@ const std::array kFields{
     Field{"access.without_token", "rights",
           "rights of clients without a token; auto: none where a secret or a key is configured, else read",
           WordTarget{[](Config& c) -> std::string& { return c.access.without_token; }, kRightsWithoutToken}},
+
+    Field{"edits.protected", "boxes", "boxes that only tokens with the right admin may edit; empty: none",
+          BoxesTarget{[](Config& c) -> Boxes& { return c.edits.protected_boxes; }}},
+    Field{"edits.protect_spawn", "columns",
+          "as far around the world's spawn, from the deepest to the highest, only tokens with the right "
+          "admin may "
+          "edit; 0: not",
+          number<&Config::edits, &Edits::protect_spawn>(0, 65'536)},
+    Field{"edits.gateway", "",
+          "required: players' own edits are refused, as a game server with the right gateway edits for them",
+          WordTarget{[](Config& c) -> std::string& { return c.edits.gateway; }, kGateway}},
 
     Field{"proxies", "networks",
           "proxies in front of the server; their connections must begin with a PROXY header, version 2; "
@@ -178,6 +191,14 @@ const std::array kFields{
     Field{"rates.address_voxels", "voxels per second",
           "voxels that edits of all sessions of one address name; 0: no limit",
           number<&Config::rates, &Rates::address_voxels>(0, kMaxPerSecond)},
+    Field{"rates.gateway_requests", "requests per second",
+          "requests accepted from one session with the right gateway, in place of session_requests and "
+          "address_requests; 0: no limit",
+          number<&Config::rates, &Rates::gateway_requests>(0, kMaxPerSecond)},
+    Field{"rates.gateway_voxels", "voxels per second",
+          "voxels that edits of one session with the right gateway name, in place of session_voxels and "
+          "address_voxels; 0: no limit",
+          number<&Config::rates, &Rates::gateway_voxels>(0, kMaxPerSecond)},
     Field{"rates.burst_ms", "ms", "how much of each rate an idle session or address saves up",
           duration<&Config::rates, &Rates::burst>(milliseconds{1}, milliseconds{600'000})},
 
@@ -307,6 +328,12 @@ struct AssignText {
     target.at(config) = *std::move(networks);
     return {};
   }
+  tl::expected<void, std::string> operator()(const BoxesTarget& target) const {
+    auto boxes = Boxes::parse(text);
+    if (!boxes) return tl::make_unexpected(boxes.error());
+    target.at(config) = *std::move(boxes);
+    return {};
+  }
   tl::expected<void, std::string> operator()(const SwitchTarget& target) const {
     if (text != "true" && text != "false") return refused(field, fmt::format("\"{}\"", escaped(text)));
     target.at(config) = text == "true";
@@ -347,6 +374,7 @@ struct ShowText {
   }
   std::string operator()(const PathTarget& target) const { return target.at(config).string(); }
   std::string operator()(const NetworksTarget& target) const { return target.at(config).text(); }
+  std::string operator()(const BoxesTarget& target) const { return target.at(config).text(); }
   std::string operator()(const SwitchTarget& target) const { return target.at(config) ? "true" : "false"; }
   std::string operator()(const OriginsTarget& target) const { return target.at(config).text(); }
   std::string operator()(const WordTarget& target) const { return target.at(config); }
@@ -373,6 +401,9 @@ struct Describe {
   std::string operator()(const PathTarget&) const { return fmt::format("the path of a {} in quotes", unit); }
   std::string operator()(const NetworksTarget&) const {
     return "addresses and networks in one string, separated by commas, or \"\" for none";
+  }
+  std::string operator()(const BoxesTarget&) const {
+    return "boxes such as -16,-16:16,16 in one string, separated by semicolons, or \"\" for none";
   }
   std::string operator()(const SwitchTarget&) const { return "true or false"; }
   std::string operator()(const OriginsTarget&) const {
@@ -402,7 +433,8 @@ Counts counts(const Field& field) {
       key == "shutdown.drain_ms") {
     return Counts::at_once;
   }
-  if (!key.starts_with("limits.") || key == "limits.memory_bytes") return Counts::after_restart;
+  if (!(key.starts_with("limits.") || key.starts_with("edits.")) || key == "limits.memory_bytes")
+    return Counts::after_restart;
   return Counts::for_new_sessions;
 }
 

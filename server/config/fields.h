@@ -48,6 +48,10 @@ struct PathTarget {
 struct NetworksTarget {
   Networks& (*at)(Config&);
 };
+/// An empty string means none.
+struct BoxesTarget {
+  Boxes& (*at)(Config&);
+};
 /// true or false.
 struct SwitchTarget {
   bool& (*at)(Config&);
@@ -75,7 +79,7 @@ struct Field {
   std::string_view unit;  // "" where the value has none
   std::string_view help;
   std::variant<NumberTarget, PowerOfTwoTarget, DurationTarget, EndpointTarget, OptionalEndpointTarget,
-               PathTarget, NetworksTarget, SwitchTarget, OriginsTarget, WordTarget, TextTarget>
+               PathTarget, NetworksTarget, BoxesTarget, SwitchTarget, OriginsTarget, WordTarget, TextTarget>
       target;
 };
 

@@ -327,8 +327,8 @@ void EditIntake::look_up(const Lane& lane, Prepared& edit) {
 
 void EditIntake::log_edit(const Lane& lane, Prepared edit) {
   const std::uint32_t id = edit.request.id;
-  edits::EditEntry entry{edit.request.editor, edit.request.epoch, edit.request.sequence,
-                         std::move(edit.request.edit), std::move(edit.base)};
+  edits::EditEntry entry{edit.request.editor,          edit.request.epoch,   edit.request.sequence,
+                         std::move(edit.request.edit), std::move(edit.base), std::move(edit.request.subject)};
   const bool taken = parts_.log.append(
       std::move(entry),
       [session = lane.session, id](const tl::expected<const edits::Applied*, LogFailure>& outcome) {

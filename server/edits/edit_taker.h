@@ -23,6 +23,7 @@ struct EditRequest {
   std::uint64_t epoch = 0;
   std::uint64_t sequence = 0;
   edits::Edit edit;
+  std::string subject{};  // whose edit it is; empty: of the subject that attached
 };
 
 /// Callable from any thread. No call looks anything up, writes, or waits for who does; each is answered by

@@ -54,6 +54,16 @@ TokenBucket moved(const std::atomic<TokenBucket>& bucket, const Rate& from, cons
 
 }  // namespace
 
+RateLimits RateLimits::of_gateway() const {
+  RateLimits own = *this;
+  own.session.requests = gateway_requests;
+  own.session.voxels = gateway_voxels;
+  own.address.requests = {};
+  own.address.voxels = {};
+  own.is_gateway = true;
+  return own;
+}
+
 AddressBuckets::AddressBuckets(const AddressBuckets& before, const RateSet& to, Time now)
     : rates{to},
       chunks{moved(before.chunks, before.rates.chunks, to.chunks, now)},
@@ -83,6 +93,11 @@ void SessionRates::change(const RateLimits& limits, AddressBucketsPtr address, T
   address_ = std::move(address);
 }
 
+void SessionRates::become_gateway(Time now) {
+  change(limits().of_gateway(), address_, now);
+  requests_ = voxels_ = {};
+}
+
 std::optional<SessionRates::Refusal> SessionRates::refuse_request(Time now) {
   if (const auto kind = take_request(now)) return refuse(*kind, now);
   if (in_line_ > 0) --in_line_;
@@ -92,7 +107,8 @@ std::optional<SessionRates::Refusal> SessionRates::refuse_request(Time now) {
 std::optional<SessionRates::Refusal> SessionRates::refuse_voxels(Time now, std::uint64_t voxels) {
   const Rate& own = limits_.session.voxels;
   if (own.limited() && voxels_.level(own, now) < static_cast<std::int64_t>(voxels)) {
-    return refuse_for(RateKind::session_voxels, now, voxels_.wait(own, now, voxels));
+    return refuse_for(limits_.is_gateway ? RateKind::gateway_voxels : RateKind::session_voxels, now,
+                      voxels_.wait(own, now, voxels));
   }
   const Rate& shared = limits_.address.voxels;
   if (address_ != nullptr && shared.limited() &&
@@ -120,7 +136,7 @@ SessionRates::Refusal SessionRates::refuse_for(RateKind kind, Time now, nanoseco
 
 nanoseconds SessionRates::wait(RateKind kind, std::uint64_t in_line, Time now) const {
   if (kind == RateKind::session_bytes) return bytes_.wait(limits_.session.bytes, now);
-  if (kind == RateKind::session_requests) {
+  if (kind == RateKind::session_requests || kind == RateKind::gateway_requests) {
     return requests_.wait_in_line(limits_.session.requests, now, in_line);
   }
   return address_->requests.load(std::memory_order_relaxed)
@@ -138,7 +154,7 @@ std::optional<RateKind> SessionRates::take_request(Time now) {
     }
   }
   if (session.requests.limited() && requests_.level(session.requests, now) < 1) {
-    return RateKind::session_requests;
+    return limits_.is_gateway ? RateKind::gateway_requests : RateKind::session_requests;
   }
   const Rate& shared = limits_.address.requests;
   if (address_ != nullptr && shared.limited() &&

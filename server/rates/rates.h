@@ -25,7 +25,12 @@ struct RateSet {
 struct RateLimits {
   RateSet session, address;
   std::chrono::milliseconds burst{};  // what their bursts are earned in
+  /// Of a session that asks for many players, in place of those of the session and of its address.
+  Rate gateway_requests{}, gateway_voxels{};
+  bool is_gateway = false;  // whether they took that place
   bool operator==(const RateLimits&) const = default;
+
+  [[nodiscard]] RateLimits of_gateway() const;
 };
 
 /// Of which sessions begin, and to which those that are there change. Callable from any thread.
@@ -77,12 +82,16 @@ class SessionRates {
 
   /// The rates that apply; those of the address without limit where none does.
   [[nodiscard]] RateLimits limits() const {
-    return {limits_.session, address_ == nullptr ? RateSet{} : limits_.address, limits_.burst};
+    return {limits_.session,        address_ == nullptr ? RateSet{} : limits_.address,
+            limits_.burst,          limits_.gateway_requests,
+            limits_.gateway_voxels, limits_.is_gateway};
   }
 
   /// Other rates apply from now on. What is left of the session's tokens, or owed, stays; a batch that it has
   /// reserved of its address is lost.
   void change(const RateLimits& limits, AddressBucketsPtr address, Time now);
+  /// Those of a gateway apply from now on, and their buckets are full.
+  void become_gateway(Time now);
 
   /// A refused request is told when it has room, behind all that were refused before it. A client that
   /// waits so long, for each request or for the last, is never abusive, whatever was on its way when it was

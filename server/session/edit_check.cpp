@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include <talus/edits/editors.h>
 #include <talus/voxel/codec.h>
 
 namespace talus::server {
@@ -45,6 +46,11 @@ std::uint64_t volume(const edits::Fill& fill, std::uint64_t most) {
 
 tl::expected<CheckedEdit, Rejection> check_edit(const wire::Edit& wire) {
   CheckedEdit checked;
+  if (wire.subject() != nullptr) checked.subject = wire.subject()->str();
+  if (checked.subject.size() > edits::kMaxSubjectBytes) {
+    return rejected(wire::ErrorCode::too_large, fmt::format("Edit.subject has {} bytes, over the limit {}",
+                                                            checked.subject.size(), edits::kMaxSubjectBytes));
+  }
   edits::Edit& edit = checked.edit;
   edit.guards = writes_of(wire.guards());
   edit.writes = writes_of(wire.writes());

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 
 #include <tl/expected.hpp>
 
@@ -16,6 +17,7 @@ namespace talus::server {
 struct CheckedEdit {
   edits::Edit edit;
   std::uint64_t voxels = 0;
+  std::string subject{};  // for whom a game server edits; empty: for the session itself
 };
 
 /// Costs no more than the message is long, and one chunk's decoding: what an edit reaches, and whether its

@@ -8,10 +8,11 @@ void Editing::attach(AttachRequest request, std::uint64_t voxels_per_second) {
   taker_->attach(mailbox_, std::move(request));
 }
 
-void Editing::edit(std::uint32_t id, std::uint64_t sequence, edits::Edit edit, std::size_t bytes) {
+void Editing::edit(std::uint32_t id, std::uint64_t sequence, CheckedEdit edit, std::size_t bytes) {
   unanswered_.insert(id, bytes);
   bytes_ += bytes;
-  taker_->edit(mailbox_, {id, editor_->editor, editor_->epoch, sequence, std::move(edit)});
+  taker_->edit(mailbox_, {id, editor_->editor, editor_->epoch, sequence, std::move(edit.edit),
+                          std::move(edit.subject)});
 }
 
 void Editing::receive(AttachAnswer&& mail) {

@@ -39,7 +39,7 @@ class Editing {
   void attach(AttachRequest request, std::uint64_t voxels_per_second);
   /// REQUIRES: attached(), no edit `id` is unanswered. `bytes`: the memory that it takes until it is
   /// answered.
-  void edit(std::uint32_t id, std::uint64_t sequence, edits::Edit edit, std::size_t bytes);
+  void edit(std::uint32_t id, std::uint64_t sequence, CheckedEdit edit, std::size_t bytes);
 
   void receive(AttachAnswer&& mail);
   void receive(EditAnswer&& mail);

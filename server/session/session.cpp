@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "session/edit_check.h"
+#include "session/edit_rules.h"
 #include "session/heights_check.h"
 #include "session/view_check.h"
 
@@ -128,7 +129,9 @@ void Session::access_changed(bool address_blocked) {
 }
 
 void Session::rates_changed(const AddressBucketsPtr& address) {
-  rates_.change(rates_of(context_, address), address, context_.clock.now());
+  RateLimits limits = rates_of(context_, address);
+  if (greeting_ && greeting_->grant.rights.has(Right::gateway)) limits = limits.of_gateway();
+  rates_.change(limits, address, context_.clock.now());
 }
 
 void Session::take_mail() {
@@ -210,6 +213,7 @@ void Session::on(const wire::Hello& hello) {
   if (!subject.empty()) delivery_.join(context_.flows.of_subject(subject));
   delivery_.speaks(greeting_->protocol);
   credit_ = Credit{greeting_->window_bytes};
+  if (greeting_->grant.rights.has(Right::gateway)) rates_.become_gateway(received_at_);
   replies_.welcome(*greeting_, context_.world, context_.limits, rates_.limits());
   state_ = State::joined;
 }
@@ -300,9 +304,8 @@ void Session::on(const wire::Edit& edit) {
   if (edit.id() == 0) return fail(ErrorCode::malformed, "Edit.id is 0; ids begin at 1");
   if (!admit_id(edit.id())) return;
   const Subject subject = about_request(edit.id());
-  if (!greeting_->grant.rights.has(Right::edit)) {
-    return replies_.error(subject, ErrorCode::forbidden,
-                          "this session has no right to edit; its token gives none");
+  if (const auto why = edits_forbidden(greeting_->grant, context_.limits.edits)) {
+    return replies_.error(subject, ErrorCode::forbidden, *why);
   }
   if (!editing_.stored()) {
     return replies_.error(subject, ErrorCode::unsupported,
@@ -332,8 +335,18 @@ void Session::on(const wire::Edit& edit) {
   if (const auto refusal = rates_.refuse_voxels(received_at_, checked->voxels)) {
     return say_refusal(subject, *refusal);
   }
+  const Grant& grant = greeting_->grant;
+  if (!checked->subject.empty() && !grant.rights.has(Right::gateway)) {
+    return replies_.error(
+        subject, ErrorCode::forbidden,
+        "Edit.subject says for whom a game server edits; this session's token does not give the "
+        "right \"gateway\"");
+  }
+  if (const auto why = edit_forbidden(checked->edit, grant, context_.limits.edits)) {
+    return replies_.error(subject, ErrorCode::forbidden, *why);
+  }
   const std::size_t bytes = memory_of(checked->edit);
-  editing_.edit(edit.id(), edit.sequence(), std::move(checked->edit), bytes);
+  editing_.edit(edit.id(), edit.sequence(), *std::move(checked), bytes);
 }
 
 void Session::on(const wire::Attach& attach) {
@@ -343,9 +356,8 @@ void Session::on(const wire::Attach& attach) {
     return replies_.error(subject, ErrorCode::unsupported, "edits need version 2 of the protocol");
   }
   if (editing_.attaching()) return fail(ErrorCode::unexpected, "an Attach before the last was answered");
-  if (!greeting_->grant.rights.has(Right::edit)) {
-    return replies_.error(subject, ErrorCode::forbidden,
-                          "this session has no right to edit; its token gives none");
+  if (const auto why = edits_forbidden(greeting_->grant, context_.limits.edits)) {
+    return replies_.error(subject, ErrorCode::forbidden, *why);
   }
   if (!editing_.stored()) {
     return replies_.error(subject, ErrorCode::unsupported,

@@ -5,6 +5,8 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "session/edit_rules.h"
+
 namespace talus::server {
 
 /// The types are those of the wire where Welcome says the limit.
@@ -19,6 +21,7 @@ struct SessionLimits {
   std::uint64_t window_bytes = 0;
   std::size_t queued_bytes = 0;  // of chunks that wait for the client; not in Welcome
   std::chrono::milliseconds idle_timeout{};
+  EditRules edits{};  // not in Welcome
 };
 
 }  // namespace talus::server

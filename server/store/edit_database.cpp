@@ -220,7 +220,7 @@ EditDatabase::Done EditDatabase::append(const edits::Batch& applied) {
   for (const edits::Applied& each : applied.applied()) {
     std::uint64_t epoch = 0;
     std::string_view subject;
-    if (has_subject(each.kind)) {
+    if (each.kind == edits::Applied::Kind::attached) {
       const auto& editor = applied.editors().at(each.editor);
       epoch = editor->epoch;
       subject = editor->subject;

@@ -175,9 +175,14 @@ std::uint64_t encode_record(const edits::Applied& applied, std::span<const edits
   writer.fixed64(applied.editor.low);
   writer.fixed64(applied.editor.high);
   if (has_result(applied.kind)) put_result(applied.result, writer);
-  if (applied.kind == edits::Applied::Kind::attached) writer.varint(epoch);
-  if (has_subject(applied.kind)) writer.counted(subject);
-  if (applied.kind == edits::Applied::Kind::done) put_all_changes(changes, writer);
+  if (applied.kind == edits::Applied::Kind::attached) {
+    writer.varint(epoch);
+    writer.counted(subject);
+  }
+  if (applied.kind == edits::Applied::Kind::done) {
+    writer.counted(applied.subject);
+    put_all_changes(changes, writer);
+  }
   seal(link_before, out);
   return ByteReader{std::span{std::as_const(out)}.last(kChecksumBytes)}.fixed64();
 }
@@ -196,17 +201,15 @@ std::optional<LogRecord> read_record(std::span<const std::byte> body) {
   record.editor.high = in.fixed64();
   if (has_result(record.kind)) record.result = get_result(in);
   if (record.kind == Kind::attached) record.epoch = in.varint();
-  if (has_subject(record.kind)) record.subject = in.text(edits::kMaxSubjectBytes);
+  if (record.kind == Kind::attached || record.kind == Kind::done) {
+    record.subject = in.text(edits::kMaxSubjectBytes);
+  }
   if (record.kind == Kind::done) record.changes = get_all_changes(in);
   if (!in.ended()) return std::nullopt;
   return record;
 }
 
 }  // namespace
-
-bool has_subject(edits::Applied::Kind kind) {
-  return kind == edits::Applied::Kind::attached || kind == edits::Applied::Kind::done;
-}
 
 std::string meta_key() {
   return begin_key(KeyKind::meta);
@@ -323,6 +326,7 @@ std::uint64_t encode(const LogRecord& record, std::uint64_t link_before, Bytes& 
   applied.position = record.position;
   applied.revision = record.revision;
   applied.result = record.result;
+  if (record.kind == edits::Applied::Kind::done) applied.subject = record.subject;
   return encode_record(applied, record.changes, record.time_ms, record.epoch, record.subject, link_before,
                        out);
 }

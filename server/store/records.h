@@ -42,13 +42,10 @@ struct LogRecord {
   std::int64_t time_ms = 0;
   edits::EditResult result;                  // of done, conflict and repeat
   std::uint64_t epoch = 0;                   // of attached
-  std::string subject;                       // of the editor's token; of attached and done
+  std::string subject;                       // of attached, and of done: whose edit it is
   std::vector<edits::ChunkChanges> changes;  // of done: level 0, all other levels follow from it
   bool operator==(const LogRecord&) const = default;
 };
-
-/// Whether a record of that kind says whose it is: history outlives editors.
-[[nodiscard]] bool has_subject(edits::Applied::Kind kind);
 
 /// A chunk of any level. Without voxels where its last override went: the revision stays.
 struct StoredChunk {
@@ -103,7 +100,7 @@ void encode(std::string_view key, MaterialId material, Bytes& out);
 void encode(const Acknowledged& acknowledged, Bytes& out);
 /// Returns the record's link: a hash of it and of the link of the record before.
 std::uint64_t encode(const LogRecord& record, std::uint64_t link_before, Bytes& out);
-/// The same of what a batch applied; `epoch` of attached, `subject` where has_subject().
+/// The same of what a batch applied; `epoch` and `subject` of attached, that of done is its own.
 std::uint64_t encode(const edits::Applied& applied, std::int64_t time_ms, std::uint64_t epoch,
                      std::string_view subject, std::uint64_t link_before, Bytes& out);
 

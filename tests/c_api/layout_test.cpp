@@ -26,6 +26,7 @@ TEST_CASE("C++ lays the structs out as C does") {
   CHECK(sizeof(talus_world) == found("sizeof talus_world"));
   CHECK(sizeof(talus_material) == found("sizeof talus_material"));
   CHECK(sizeof(talus_stats) == found("sizeof talus_stats"));
+  CHECK(sizeof(talus_edit) == found("sizeof talus_edit"));
   CHECK(sizeof(talus_event) == found("sizeof talus_event"));
 }
 
@@ -40,6 +41,6 @@ TEST_CASE("every status has its own name") {
     const std::string name = talus_status_name(status);
     if (name != "unknown status") CHECK(names.insert(name).second);
   }
-  CHECK(names.size() == 21);
+  CHECK(names.size() == 24);
   CHECK(std::string{talus_status_name(TALUS_REFUSED)} == "TALUS_REFUSED");
 }

@@ -57,6 +57,22 @@ TEST_CASE("after a new connection edits go again with their sequences, before ot
   CHECK(send_all(edits) == std::vector<std::uint64_t>{2, 3, 4});
 }
 
+TEST_CASE("of edits that were sent nobody knows what became of them, of others that they did not happen") {
+  OpenEdits edits;
+  add(edits, 3);
+  edits.attach_sent();
+  (void)edits.attached(kEditor, false, 0, 0, 2);
+  std::vector<std::uint32_t> ids;
+  (void)send_all(edits, &ids);
+  edits.send_as_new(ids[0]);
+  const auto [sent, unsent] = edits.take_all();
+  REQUIRE(sent.size() == 1);
+  CHECK(sent.front().sequence == 2);
+  CHECK(sent.front().sent_before);
+  CHECK(unsent.size() == 2);
+  CHECK(edits.empty());
+}
+
 TEST_CASE("of edits of an editor that is forgotten nobody knows whether they happened") {
   OpenEdits edits;
   add(edits, 2);

@@ -34,6 +34,26 @@ TEST_CASE("help and version end well") {
   CHECK(read({"--version"}).error().text.find("talus-load") == 0);
 }
 
+TEST_CASE("builders are as many groups as their players make") {
+  const auto options = read({"--players", "10", "--edits", "2.5", "--edit-group", "4"});
+  REQUIRE(options.has_value());
+  CHECK(options->builds());
+  CHECK(options->groups == 3);
+  CHECK(read({"--edit-in-flight", "2"})->groups == 100);
+  CHECK_FALSE(read({"--players", "10"})->builds());
+  for (const std::vector<const char*>& words :
+       std::vector<std::vector<const char*>>{{"--edits", "0"},
+                                             {"--edits", "1", "--edit-in-flight", "1"},
+                                             {"--edits", "1", "--edit-group", "65"},
+                                             {"--edits", "1", "--model", "fly"},
+                                             {"--edits", "1", "--groups", "3"},
+                                             {"--edits", "1", "--vertical", "0"},
+                                             {"--edits", "1", "--horizon", "64"},
+                                             {"--edits", "1", "--players", "0", "--idle", "1"}}) {
+    CHECK(read(words).error().status == 2);
+  }
+}
+
 TEST_CASE("wrong use is one line and 2") {
   const std::vector<std::vector<const char*>> wrongs{
       {"--connect", "nowhere"},  {"--players", "-1"},  {"--duration", "nan"}, {"--model", "run"},

@@ -55,13 +55,13 @@ TEST_CASE("every figure has a name that a threshold takes") {
   Tally& walk = of(result, Role::walk);
   for (talus::measure::Histogram* waits :
        {&walk.join, &walk.travel, &walk.requests, &walk.first_chunk, &walk.full_view, &walk.horizon,
-        &walk.near, &walk.returns, &result.lateness}) {
+        &walk.near, &walk.returns, &walk.edit_ack, &walk.edit_arrival, &result.lateness}) {
     waits->record(milliseconds{3});
   }
   walk.new_patches = 4;
   walk.longest_without = milliseconds{70};
   result.rates.emplace("rates.address_chunks", RateModel{100, milliseconds{1000}});
-  result.end = {1, 10, 5, 1000, 0, {1.5, 1e6, 10, {}}};
+  result.end = {1, 10, 5, 1000, 7, 0, {1.5, 1e6, 10, {}}};
   result.begin.server = {0.5, 1e6, 10, {}};
   result.begin.server.counters = {{"talus_chunks_sent_total", 100},
                                   {"talus_chunks_generated_total", 200},

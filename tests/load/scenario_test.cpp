@@ -179,6 +179,53 @@ TEST_CASE("the results are written, and compared with those before") {
   CHECK(ended.out.find("compared with " + json) != std::string::npos);
 }
 
+TEST_CASE("builders see each other's acknowledged edits, also when connections are cut") {
+  const ScratchDirectory scratch;
+  const ServerProcess server{
+      {{"TALUS_DATA", (scratch.path() / "data").string()}, {"TALUS_ACCESS_WITHOUT_TOKEN", "read,edit"}}};
+  const std::string json = (scratch.path() / "run.json").string();
+  const Ended ended = run_load(server.port(), {"--players",    "6",
+                                               "--edits",      "20",
+                                               "--edit-group", "3",
+                                               "--duration",   "3",
+                                               "--radius",     "2",
+                                               "--vertical",   "1",
+                                               "--churn",      "2",
+                                               "--threads",    "2",
+                                               "--json",       json,
+                                               "--fail-if",    "wrong>0",
+                                               "--fail-if",    "unanswered>0",
+                                               "--fail-if",    "errors>0",
+                                               "--fail-if",    "edit_ack_max_ms==0",
+                                               "--fail-if",    "edit_arrival_max_ms==0",
+                                               "--fail-if",    "cuts==0"});
+  INFO(said(ended));
+  CHECK(ended.status == 0);
+  const auto written = nlohmann::json::parse(std::ifstream{json});
+  CHECK(written["figures"]["edits"].get<double>() >= 100);
+  CHECK(written["figures"]["edits_missing"] == 0);
+  CHECK(written["roles"]["build"]["edits"]["voxels"].get<int>() > 0);
+}
+
+TEST_CASE("builders in a closed loop send the next edit when one is answered") {
+  const ScratchDirectory scratch;
+  const ServerProcess server{
+      {{"TALUS_DATA", (scratch.path() / "data").string()}, {"TALUS_ACCESS_WITHOUT_TOKEN", "read,edit"}}};
+  const Ended ended =
+      run_load(server.port(), {"--players", "2", "--edit-in-flight", "2", "--duration", "0.5", "--radius",
+                               "1", "--vertical", "1", "--fail-if", "wrong>0", "--fail-if", "edits<20"});
+  INFO(said(ended));
+  CHECK(ended.status == 0);
+}
+
+TEST_CASE("a server that takes no edits fails a run of builders") {
+  const ServerProcess server;
+  const Ended ended = run_load(server.port(), {"--players", "1", "--edits", "10", "--duration", "0.3",
+                                               "--radius", "1", "--vertical", "1"});
+  CHECK(ended.status == 1);
+  CHECK(ended.err.find("talus-load: no edit was acknowledged") == 0);
+}
+
 TEST_CASE("flipped bits are found") {
   const ServerProcess server;
   Faults flip;

@@ -71,7 +71,8 @@ Frame edit() {
     const auto fill_vector = b.CreateVectorOfStructs(fills.data(), fills.size());
     const auto payload = b.CreateVector(std::vector<std::uint8_t>{4, 0, 1});
     const auto paste = wire::CreatePaste(b, &kVoxel, payload, true);
-    return wire::CreateEdit(b, 11, writes, 21, guards, fill_vector, paste);
+    const auto subject = b.CreateString("alice");
+    return wire::CreateEdit(b, 11, writes, 21, guards, fill_vector, paste, subject);
   });
 }
 

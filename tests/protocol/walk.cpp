@@ -93,7 +93,8 @@ void walk_from_client(const wire::Message& message, Digest& digest) {
   } else if (const auto* credit = message.body_as_Credit()) {
     digest.add(credit->total_bytes());
   } else if (const auto* edit = message.body_as_Edit()) {
-    digest.add(edit->id(), edit->writes(), edit->sequence(), edit->guards(), edit->fills(), edit->paste());
+    digest.add(edit->id(), edit->writes(), edit->sequence(), edit->guards(), edit->fills(), edit->paste(),
+               edit->subject());
   } else if (const auto* attach = message.body_as_Attach()) {
     digest.add(attach->editor(), attach->seen_revision());
   } else if (const auto* ping = message.body_as_Ping()) {

@@ -21,7 +21,7 @@ class Server:
     def __init__(self, **settings):
         environment = {name: value for name, value in os.environ.items() if not name.startswith("TALUS_")}
         self.process = subprocess.Popen(
-            [TALUSD, "--listen", "127.0.0.1:0", "--http", "127.0.0.1:0"],
+            [TALUSD, "--listen", settings.pop("TALUS_LISTEN", "127.0.0.1:0"), "--http", "127.0.0.1:0"],
             env={**environment, **settings},
             stdout=subprocess.PIPE,
             stderr=subprocess.STDOUT,

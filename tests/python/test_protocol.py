@@ -120,7 +120,7 @@ class Hostile(unittest.TestCase):
 
     def test_a_table_that_a_list_has_many_times_takes_no_memory(self):
         frame = same_everywhere(protocol.Welcome(materials=[protocol.Material(id=1)] * 9_000), "materials")
-        with self.assertRaisesRegex(protocol.ProtocolError, "a frame with over 1024 tables"):
+        with self.assertRaisesRegex(protocol.ProtocolError, "a frame with over 2048 tables"):
             protocol.read(frame)
 
     def test_a_text_that_a_list_has_1_000_times_takes_no_memory(self):

@@ -179,7 +179,8 @@ TEST_CASE("tokens of the current and of the previous signing key are accepted, o
 }
 
 TEST_CASE("rights are read back from their text, and read is among them") {
-  for (const char* text : {"none", "read", "read,edit", "read,admin", "read,edit,admin"}) {
+  for (const char* text : {"none", "read", "read,edit", "read,admin", "read,edit,admin", "read,edit,gateway",
+                           "read,edit,admin,gateway"}) {
     CHECK(to_string(*Rights::parse(text)) == text);
   }
   CHECK(Rights::parse("edit,read") == Rights{Right::read, Right::edit});
@@ -200,6 +201,42 @@ TEST_CASE("talusd token makes tokens that the server accepts") {
   CHECK(claims->subject == "Zo\xc3\xab \"the\" editor\n");
   CHECK(claims->rights == Rights{Right::read, Right::edit});
   CHECK(claims->expires == kNow + 12h);
+}
+
+TEST_CASE("talusd token bounds where its holder edits, and the server reads the bounds") {
+  const Files files;
+  const std::string key = files.settings.signing_key_file.string();
+  const auto made = command({"--key-file", key.c_str(), "--subject", "a", "--rights", "read,edit", "--valid",
+                             "1h", "--edit-in", "31,31:0,0; 100,0,0:131,9,31", "--edit-not-in", "8,8:9,9"});
+  REQUIRE(made.has_value());
+  const auto grant = control_of(files.settings).admit(*made, kNow);
+  REQUIRE(grant.has_value());
+  REQUIRE(grant->edit_in.has_value());
+  CHECK(grant->edit_in->text() == "0,0:31,31; 100,0,0:131,9,31");
+  CHECK(grant->edit_not_in.text() == "8,8:9,9");
+  const auto nowhere = command({"--key-file", key.c_str(), "--subject", "a", "--rights", "read,edit",
+                                "--valid", "1h", "--edit-in", ""});
+  CHECK(read(*nowhere)->edit_in == Boxes{});
+  CHECK_FALSE(read(token({"a", {Right::read, Right::edit}, kNow + 1h}))->edit_in.has_value());
+}
+
+TEST_CASE("talusd token refuses bounds that are wrong or bound nothing") {
+  const Files files;
+  const std::string key = files.settings.signing_key_file.string();
+  const auto wrong = [&](const char* rights, const char* option, const char* boxes) {
+    const auto made = command(
+        {"--key-file", key.c_str(), "--subject", "a", "--rights", rights, "--valid", "1h", option, boxes});
+    REQUIRE_FALSE(made.has_value());
+    CHECK(made.error().status == 2);
+    CHECK(std::count(made.error().text.begin(), made.error().text.end(), '\n') == 1);
+    return made.error().text;
+  };
+  CHECK_THAT(wrong("read,edit", "--edit-in", "1,2"),
+             Catch::StartsWith("talusd token: --edit-in: \"1,2\" is no box"));
+  CHECK_THAT(wrong("read,edit", "--edit-not-in", "x"), Catch::StartsWith("talusd token: --edit-not-in: "));
+  CHECK_THAT(wrong("read", "--edit-in", "1,2:3,4"), Catch::Contains("without the right \"edit\""));
+  CHECK_THAT(wrong("read,gateway", "--edit-in", ""),
+             Catch::Contains("needs \"edit\"") || Catch::Contains("without the right \"edit\""));
 }
 
 TEST_CASE("talusd token says in one line what is wrong") {

@@ -54,6 +54,7 @@ std::string other_than_default(const Field& field) {
     return std::to_string((duration->at(defaults) == duration->max ? duration->min : duration->max).count());
   }
   if (std::holds_alternative<NetworksTarget>(field.target)) return "192.0.2.0/24";
+  if (std::holds_alternative<BoxesTarget>(field.target)) return "-16,-16:16,16";
   if (std::holds_alternative<OriginsTarget>(field.target)) return "https://play.example";
   if (const auto* is_on = std::get_if<SwitchTarget>(&field.target)) {
     Config defaults;

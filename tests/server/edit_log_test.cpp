@@ -83,6 +83,31 @@ TEST_CASE("an edit that is sent again is answered by what became of it, also aft
   CHECK(store.apply(editor.entry(edit))->kind == Kind::expired);
 }
 
+TEST_CASE("the log says whose an edit is: its editor's, or whom a game server names") {
+  const ScratchDirectory scratch;
+  EditStore store{scratch / "edits"};
+  REQUIRE(store.open() == "");
+  TestEditor editor;
+  editor.attach(store);
+  edits::Edit edit;
+  edit.writes.push_back({{1, 2, 3}, MaterialId{77}});
+  REQUIRE(editor.edit(store, edit).has_value());
+  edit.writes.front().voxel.x = 2;
+  edits::EditEntry entry = editor.entry(edit);
+  entry.sequence += 1;
+  entry.subject = "bob";
+  CHECK(store.apply(entry)->kind == Kind::done);
+  const std::string own = store.state().editor(editor.id)->subject;
+  store.close();
+  REQUIRE(store.open_without_log() == "");
+  std::vector<std::string> subjects;
+  REQUIRE(store.database().for_each_record(0, [&](LogRecord record) {
+    if (record.kind == Kind::done) subjects.push_back(record.subject);
+    return true;
+  }));
+  CHECK(subjects == std::vector<std::string>{own, "bob"});
+}
+
 TEST_CASE("each chunk that a batch changed is told once, after the index has its revision") {
   const ScratchDirectory scratch;
   EditStore store{scratch / "edits"};

@@ -18,6 +18,7 @@ LogRecord done_record() {
   record.revision = 200;
   record.time_ms = 1'700'000'000'000;
   record.result = {.sequence = 5, .revision = 200, .changed = 2, .conflict = {}};
+  record.subject = "alice";
   record.changes = {
       {{-3, 0, 70'000},
        {{7, MaterialId{1}, MaterialId{2}, MaterialId{2}}, {9, MaterialId{0}, MaterialId{5}, MaterialId{1}}}}};
@@ -129,6 +130,7 @@ TEST_CASE("records of the log are read back in their chain alone") {
   LogRecord conflict = done_record();
   conflict.kind = Kind::conflict;
   conflict.changes.clear();
+  conflict.subject.clear();
   conflict.result.conflict = 0;
   encode(conflict, 1, value);
   before = 1;

@@ -113,6 +113,7 @@ struct SessionBench {
     HeightRange heights{};  // of the world
     EditTaker* edits = nullptr;
     std::uint16_t protocol = 1;
+    EditRules rules{};
   };
 
   ScriptedSource source;
@@ -138,6 +139,7 @@ struct SessionBench {
         session{{limits, world, source, memory, metrics, access, rates, flows, clock, options.edits},
                 mailbox,
                 options.address} {
+    limits.edits = options.rules;
     if (!options.greet) return;
     hello();
     (void)output();
@@ -203,10 +205,13 @@ struct SessionBench {
     });
   }
   /// One voxel.
-  void write_voxel(std::uint32_t id, std::uint64_t sequence, VoxelPos at = {}, std::uint16_t material = 1) {
+  void write_voxel(std::uint32_t id, std::uint64_t sequence, VoxelPos at = {}, std::uint16_t material = 1,
+                   const std::string& subject = "") {
     receive([&](auto& builder) {
       const std::vector<wire::VoxelWrite> writes{{{at.x, at.y, at.z}, material}};
-      return wire::CreateEdit(builder, id, builder.CreateVectorOfStructs(writes), sequence);
+      const auto list = builder.CreateVectorOfStructs(writes);
+      return wire::CreateEdit(builder, id, list, sequence, 0, 0, 0,
+                              subject.empty() ? 0 : builder.CreateString(subject));
     });
   }
   void credit(std::uint64_t total_bytes) {

@@ -34,12 +34,22 @@ Access editors() {
   return access;
 }
 
+Access gateways() {
+  Access access;
+  access.without_token = "read,edit,gateway";  // no setting gives it; Rights::parse does
+  return access;
+}
+
 struct Bench {
   ScriptedTaker taker;
   SessionBench bench;
 
-  explicit Bench(const RateLimits& rates = {})
-      : bench{{.rates = rates, .access = editors(), .edits = &taker, .protocol = protocol::kEditsProtocol}} {}
+  explicit Bench(const RateLimits& rates = {}, const Access& access = editors(), EditRules rules = {})
+      : bench{{.rates = rates,
+               .access = access,
+               .edits = &taker,
+               .protocol = protocol::kEditsProtocol,
+               .rules = std::move(rules)}} {}
 
   void attached(std::uint64_t last_sequence = 0) {
     bench.attach();
@@ -181,6 +191,78 @@ TEST_CASE("voxels over the rate are refused with a time, and the edit does not h
   shared.bench.clock.advance(100ms);
   shared.bench.write_voxel(22, 22);
   CHECK(shared.taker.edits.size() == 21);
+}
+
+TEST_CASE("an edit in a protected box is forbidden and costs nothing else, and its session stays") {
+  Bench shared{{}, editors(), {*Boxes::parse("-16,-16:16,16"), false}};
+  shared.attached();
+  shared.bench.write_voxel(4, 1, {3, 4, 5});
+  shared.bench.write_voxel(5, 2, {17, 4, 5});
+  const auto said = shared.bench.output();
+  REQUIRE(said.size() == 1);
+  CHECK(said[0].code == ErrorCode::forbidden);
+  CHECK(said[0].id == 4);
+  CHECK_THAT(said[0].text, Catch::Contains("-16,-16:16,16"));
+  REQUIRE(shared.taker.edits.size() == 1);
+  CHECK(shared.taker.edits[0].sequence == 2);
+}
+
+TEST_CASE("where a gateway is required, players are told so at Attach and at Edit") {
+  Bench shared{{}, editors(), {{}, true}};
+  shared.bench.attach();
+  shared.bench.write_voxel(4, 1);
+  const auto said = shared.bench.output();
+  REQUIRE(said.size() == 2);
+  for (const Said& each : said) {
+    CHECK(each.code == ErrorCode::forbidden);
+    CHECK_THAT(each.text, Catch::Contains("edits.gateway"));
+  }
+  CHECK(shared.taker.attaches.empty());
+}
+
+TEST_CASE("only a gateway names for whom it edits, in so many bytes") {
+  Bench player;
+  player.attached();
+  player.bench.write_voxel(4, 1, {}, 1, "alice");
+  const auto said = player.bench.output();
+  REQUIRE(said.size() == 1);
+  CHECK(said[0].code == ErrorCode::forbidden);
+  CHECK_THAT(said[0].text, Catch::Contains("gateway"));
+  CHECK(player.taker.edits.empty());
+
+  Bench gateway{{}, gateways(), {{}, true}};
+  gateway.attached();
+  gateway.bench.write_voxel(4, 1, {}, 1, "alice");
+  gateway.bench.write_voxel(5, 2);
+  gateway.bench.write_voxel(6, 3, {}, 1, std::string(edits::kMaxSubjectBytes + 1, 'x'));
+  REQUIRE(gateway.taker.edits.size() == 2);
+  CHECK(gateway.taker.edits[0].subject == "alice");
+  CHECK(gateway.taker.edits[1].subject.empty());
+  const auto refused = gateway.bench.output();
+  REQUIRE(refused.size() == 1);
+  CHECK(refused[0].code == ErrorCode::too_large);
+  CHECK(gateway.bench.session.state() == State::joined);
+}
+
+TEST_CASE("a gateway has rates of its own, in place of those of a player and of its address") {
+  RateLimits rates = voxels({10, 20}, {10, 20});
+  rates.session.requests = {1, 2};
+  rates.gateway_requests = {100, 40};
+  rates.gateway_voxels = {100, 25};
+  Bench gateway{rates, gateways()};
+  gateway.attached();
+  for (std::uint32_t id = 1; id <= 26; ++id) gateway.bench.write_voxel(id, id);
+  CHECK(gateway.taker.edits.size() == 25);
+  const auto said = gateway.bench.output();
+  REQUIRE(said.size() == 1);
+  CHECK(said[0].code == ErrorCode::overloaded);
+  CHECK_THAT(said[0].text, Catch::Contains("gateway_voxels"));
+  CHECK(gateway.bench.metrics.throttled(RateKind::gateway_voxels).total() == 1);
+  // They stay when rates change for all.
+  gateway.bench.session.rates_changed(nullptr);
+  gateway.bench.clock.advance(100ms);
+  for (std::uint32_t id = 101; id <= 110; ++id) gateway.bench.write_voxel(id, id);
+  CHECK(gateway.taker.edits.size() == 35);
 }
 
 TEST_CASE("Attach needs the right, version 2, a store, and its turn") {

@@ -65,7 +65,7 @@ TEST_CASE("heights of eroded land are limited by what a tile was measured to cos
 }
 
 TEST_CASE("the world's limit of height tiles is the session's") {
-  CHECK(session_limits(Config{}, eroded(32), 100ms).height_tiles_per_request == 10);
+  CHECK(session_limits(Config{}, eroded(32), {}, 100ms).height_tiles_per_request == 10);
 }
 
 TEST_CASE("the configuration's patch_tiles are kept, and chosen where it has none") {

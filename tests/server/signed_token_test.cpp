@@ -59,6 +59,24 @@ TEST_CASE("an expired token of another key is not accepted, and not called expir
   CHECK_FALSE(answer.error().expired);
 }
 
+TEST_CASE("boxes in a token are texts of boxes, or the token is not accepted") {
+  const auto with = [](const std::string& more) {
+    return read(raw_token(kHs256, R"({"exp": 1800009999, )" + more + "}"));
+  };
+  const auto good = with(R"("edit_in": "0,0:1,1", "edit_not_in": "")");
+  REQUIRE(good.has_value());
+  CHECK(good->edit_in->text() == "0,0:1,1");
+  CHECK(good->edit_not_in.empty());
+  for (const char* wrong : {R"("edit_in": 7)", R"("edit_in": ["0,0:1,1"])", R"("edit_in": "0,0")",
+                            R"("edit_not_in": {})", R"("edit_not_in": "all")", R"("edit_in": null)"}) {
+    CAPTURE(wrong);
+    const auto refused = with(wrong);
+    REQUIRE_FALSE(refused.has_value());
+    CHECK(refused.error().signed_by_key);
+    CHECK_THAT(refused.error().reason, Catch::Contains("edit_"));
+  }
+}
+
 TEST_CASE("the example of RFC 7515, appendix A.1, is read") {
   const auto key = base64url_decode(
       "AyM1SysPpbyDfgZld3umj1qzKObwVMkoqQ-EstJQLr_T-1qS0gZH75aKtMN3Yj0iPS4hcgUuTwjAzZr1Z9CAow");

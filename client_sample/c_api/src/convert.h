@@ -6,6 +6,7 @@
 #include <tl/expected.hpp>
 
 #include <talus.h>
+#include <talus/client/edit.h>
 #include <talus/client/error.h>
 #include <talus/client/options.h>
 #include <talus/client/view.h>
@@ -26,6 +27,7 @@ using Checked = tl::expected<T, std::string>;
 
 [[nodiscard]] Checked<client::Options> options_of(const talus_connect_options& options);
 [[nodiscard]] Checked<client::View> view_of(const talus_view& view);
+[[nodiscard]] Checked<client::Edit> edit_of(const talus_edit& edit);
 /// As Client::set_view() compares: then it sends nothing.
 [[nodiscard]] bool is_same_view(const client::View& a, const client::View& b);
 [[nodiscard]] talus_world world_of(const client::WorldInfo& world);

@@ -204,6 +204,22 @@ std::uint32_t Session::get_places(std::vector<client::Column> columns, std::vect
   return number;
 }
 
+std::uint32_t Session::edit(client::Edit edit) {
+  const std::uint32_t number = new_number();
+  client_->edit(std::move(edit), [this, number](const client::Result<client::EditDone>& done) {
+    remember([&] {
+      QueuedEvent event = answer(TALUS_EVENT_EDITED, number);
+      if (done) {
+        event.done = *done;
+      } else {
+        event.error = done.error();
+      }
+      queue_.push_back(std::move(event));
+    });
+  });
+  return number;
+}
+
 std::uint32_t Session::ping() {
   const std::uint32_t number = new_number();
   client_->ping([this, number](const client::Result<std::chrono::nanoseconds>& time) {

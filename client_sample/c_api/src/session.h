@@ -28,6 +28,7 @@ struct QueuedEvent {
   client::ColumnPlaces places;
   std::uint32_t field_count = 0;
   std::chrono::nanoseconds round_trip{0};
+  client::EditDone done;
   std::shared_ptr<const client::WorldInfo> world;  // of those that tell of one
 };
 
@@ -59,6 +60,7 @@ class Session {
   [[nodiscard]] std::uint32_t get_heights(std::vector<client::Column> columns);
   [[nodiscard]] std::uint32_t get_places(std::vector<client::Column> columns,
                                          std::vector<std::string> fields);
+  [[nodiscard]] std::uint32_t edit(client::Edit edit);
   [[nodiscard]] std::uint32_t ping();
   void cancel(std::uint32_t request);
   [[nodiscard]] const client::Stats& stats() const { return client_->stats(); }

@@ -44,6 +44,12 @@ const char* talus_status_name(talus_status status) {
       return "TALUS_SERVER_FAILED";
     case TALUS_NOT_CONNECTED:
       return "TALUS_NOT_CONNECTED";
+    case TALUS_CONFLICT:
+      return "TALUS_CONFLICT";
+    case TALUS_NOT_APPLIED:
+      return "TALUS_NOT_APPLIED";
+    case TALUS_OUTCOME_UNKNOWN:
+      return "TALUS_OUTCOME_UNKNOWN";
     default:
       return "unknown status";
   }

@@ -34,8 +34,10 @@ template <>
 inline constexpr std::size_t kFirstBytes<talus_stats> = offsetof(talus_stats, connections) +
                                                         sizeof(std::uint64_t);
 template <>
-inline constexpr std::size_t kFirstBytes<talus_event> = offsetof(talus_event, round_trip_ns) +
-                                                        sizeof(std::uint64_t);
+inline constexpr std::size_t kFirstBytes<talus_event> = offsetof(talus_event, reserved) +
+                                                        sizeof(std::uint32_t);
+template <>
+inline constexpr std::size_t kFirstBytes<talus_edit> = offsetof(talus_edit, reserved) + sizeof(std::uint32_t);
 
 /// Whether a caller's struct is there and says a size that it can have.
 template <typename T>

@@ -148,6 +148,8 @@ talus_event told(const QueuedEvent& current, const talus_chunk* chunk) {
   event.values = data_or_null(current.places.values);
   event.column_count = static_cast<std::uint32_t>(current.places.heights_fx.size());
   event.field_count = current.field_count;
+  if (current.type == TALUS_EVENT_EDITED) event.revision = current.done.revision;
+  event.changed_voxels = current.done.changed;
   event.round_trip_ns = static_cast<std::uint64_t>(std::max<std::int64_t>(current.round_trip.count(), 0));
   return event;
 }
@@ -354,6 +356,15 @@ talus_status talus_get_places(talus_client* client, const std::int64_t* columns,
     std::vector<std::string> names;
     for (std::size_t i = 0; i < field_count; ++i) names.push_back(text_of(fields[i]));
     tell_number(session.get_places(std::move(*own), std::move(names)), request);
+    return talus_status{TALUS_OK};
+  });
+}
+
+talus_status talus_send_edit(talus_client* client, const talus_edit* edit, std::uint32_t* request) {
+  return guarded_joined("talus_send_edit", client, [&](const Call& call, Session& session) {
+    auto own = read_argument(edit, "edit", edit_of);
+    if (!own) return call.wrong(own.error());
+    tell_number(session.edit(std::move(*own)), request);
     return talus_status{TALUS_OK};
   });
 }

@@ -177,7 +177,7 @@ Result<void> Core::accept_world(const WorldInfo& world) {
     fail_edits(edits_.forget_editor(), kOutcomeUnknown);
   }
   if (world.protocol < protocol::kEditsProtocol || world.store_id == ContentHash{}) {
-    fail_edits(edits_.take_all(), {ErrorKind::refused, "this server stores no edits", {}});
+    fail_all_edits({ErrorKind::refused, "this server stores no edits", {}});
   }
   if (world.fingerprint == world_->fingerprint) {
     if (tracker_.view() && world.heights() != world_->heights()) {  // another release may know them better
@@ -250,10 +250,11 @@ void Core::end_run(const ClientError& why) {
   joined_ = false;
   // The event first: those who wait for answers may close the client, and then no event comes any more.
   const auto unanswered = requests_.take_all();
-  auto edits = edits_.take_all();
+  const auto edits = edits_.take_all();
   if (events_.on_disconnect) events_.on_disconnect(why, false);
   for (const auto& request : unanswered) fail(request, why);
-  fail_edits(std::move(edits), why);
+  for (const auto& edit : edits.sent) edit.handler(tl::unexpected{unknown_outcome(why)});
+  for (const auto& edit : edits.unsent) edit.handler(tl::unexpected{why});
 }
 
 void Core::close() {
@@ -267,14 +268,13 @@ void Core::close() {
   if (retry_timer_) retry_timer_->cancel();
   if (connection_) connection_->close(kClosed);
   // Not from inside close(): the caller may be in the middle of anything.
-  asio::post(executor_, [requests = requests_.take_all(), edits = edits_.take_all(),
-                         pings = std::exchange(open_pings_, {})] {
+  asio::post(executor_, [requests = requests_.take_all(), pings = std::exchange(open_pings_, {})] {
     for (const auto& request : requests) fail(request, kClosed);
-    for (const auto& edit : edits) edit.handler(tl::unexpected{kClosed});
     for (const auto& [nonce, ping] : pings) {
       if (ping.handler) ping.handler(tl::unexpected{kClosed});
     }
   });
+  fail_all_edits(kClosed);
 }
 
 asio::awaitable<ClientError> Core::read_until_broken(ConnectionPtr connection) {

@@ -32,6 +32,11 @@ inline const ClientError kOutcomeUnknown{ErrorKind::outcome_unknown,
                                          "has forgotten who sent it: it may have happened",
                                          {}};
 
+/// Of an edit that was sent, and to which this put an end.
+[[nodiscard]] inline ClientError unknown_outcome(const ClientError& why) {
+  return {ErrorKind::outcome_unknown, why.message + "; the edit was sent before, and may have happened", {}};
+}
+
 using ConnectHandler = std::function<void(Result<WorldInfo>)>;
 using PingHandler = std::function<void(Result<std::chrono::nanoseconds>)>;
 
@@ -91,6 +96,8 @@ class Core : public std::enable_shared_from_this<Core> {
   [[nodiscard]] Result<void> edit_refused(const wire::Error& error, bool comes_back);
   void attach_refused(const ClientError& why, bool comes_back);
   void fail_edits(std::vector<OpenEdit> edits, const ClientError& why);
+  /// Of those that were sent nobody knows what became of them.
+  void fail_all_edits(const ClientError& why);
   void refetch(ChunkKey key);
   [[nodiscard]] Result<void> handle_pong(const wire::Pong& pong);
   void ping_refused(const ClientError& why);

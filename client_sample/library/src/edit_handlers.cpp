@@ -11,7 +11,6 @@
 #include "outgoing.h"
 
 namespace talus::client {
-
 void Core::edit(Edit edit, std::function<void(Result<EditDone>)> handler) {
   std::optional<ClientError> error;
   if (!running_ || !world_) {
@@ -94,7 +93,9 @@ Result<void> Core::edit_refused(const wire::Error& error, bool comes_back) {
     edits_.send_as_new(id);
   } else {
     const OpenEdit edit = edits_.take(id);
-    edit.handler(tl::unexpected{read_error(error)});
+    // Of one that was sent before, only a conflict says that it did not happen.
+    const bool decided = !edit.sent_before || error.code() == wire::ErrorCode::conflict;
+    edit.handler(tl::unexpected{decided ? read_error(error) : unknown_outcome(read_error(error))});
   }
   wake();
   return {};
@@ -104,7 +105,7 @@ Result<void> Core::edit_refused(const wire::Error& error, bool comes_back) {
 void Core::attach_refused(const ClientError& why, bool comes_back) {
   if (!edits_.attaching()) return;
   edits_.attach_again();
-  if (!comes_back) fail_edits(edits_.take_all(), why);
+  if (!comes_back) fail_all_edits(why);
   wake();
 }
 
@@ -115,11 +116,18 @@ void Core::fail_edits(std::vector<OpenEdit> edits, const ClientError& why) {
   });
 }
 
+void Core::fail_all_edits(const ClientError& why) {
+  auto [sent, unsent] = edits_.take_all();
+  fail_edits(std::move(sent), unknown_outcome(why));
+  fail_edits(std::move(unsent), why);
+}
+
 // The revision says whether it is news, and whether it applies to what is here. Where it does not, or nobody
 // holds the chunk any more, the chunk is asked for: that is always right.
 Result<void> Core::handle_broadcast(const wire::EditBroadcast& edit) {
   const auto key = read_key(edit.key());
   if (!key) return tl::unexpected{key.error()};
+  edits_.saw(edit.revision());
   if (!tracker_.was_delivered(*key)) return {};
   const auto held = tracker_.held(*key);
   if (held && edit.revision() <= held->revision) return {};

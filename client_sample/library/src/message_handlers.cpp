@@ -45,6 +45,7 @@ Result<void> Core::handle_chunk(const wire::Chunk& chunk, std::size_t frame_byte
   stats_.chunk_bytes += frame_bytes;
   const auto key = read_key(chunk.key());
   if (!key) return tl::unexpected{key.error()};
+  edits_.saw(chunk.revision());
 
   const auto* request = chunk.id() == 0 ? nullptr : requests_.in_flight(chunk.id());
   if (chunk.id() != 0) {
@@ -80,6 +81,7 @@ Result<void> Core::handle_chunk(const wire::Chunk& chunk, std::size_t frame_byte
 Result<void> Core::handle_unchanged(const wire::Unchanged& unchanged) {
   const auto key = read_key(unchanged.key());
   if (!key) return tl::unexpected{key.error()};
+  edits_.saw(unchanged.revision());
   if (unchanged.id() == 0) return confirm(*key, read_hash(unchanged.hash()), unchanged.revision());
   const auto* request = requests_.in_flight(unchanged.id());
   const auto* asked = request == nullptr ? nullptr : std::get_if<ChunkRequest>(request);

@@ -64,11 +64,13 @@ OpenEdit OpenEdits::take(std::uint32_t id) {
 void OpenEdits::put_back(std::uint32_t id) {
   OpenEdit edit = take(id);
   const std::uint64_t sequence = edit.sequence;
+  edit.sent_before = true;
   again_.emplace(sequence, std::move(edit));
 }
 
 void OpenEdits::send_as_new(std::uint32_t id) {
   OpenEdit edit = take(id);
+  edit.sent_before = false;
   const auto after = std::ranges::find_if(
       waiting_, [&](const OpenEdit& each) { return each.sequence == 0 || each.sequence > edit.sequence; });
   waiting_.insert(after, std::move(edit));
@@ -78,14 +80,15 @@ void OpenEdits::connection_ended() {
   attach_ = Attach::none;
   for (auto& [id, edit] : std::exchange(in_flight_, {})) {
     const std::uint64_t sequence = edit.sequence;
+    edit.sent_before = true;
     again_.emplace(sequence, std::move(edit));
   }
 }
 
-std::vector<OpenEdit> OpenEdits::take_all() {
+OpenEdits::All OpenEdits::take_all() {
   connection_ended();
-  std::vector<OpenEdit> all = take_sent();
-  for (OpenEdit& edit : std::exchange(waiting_, {})) all.push_back(std::move(edit));
+  All all{take_sent(), {}};
+  for (OpenEdit& edit : std::exchange(waiting_, {})) all.unsent.push_back(std::move(edit));
   return all;
 }
 

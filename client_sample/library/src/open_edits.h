@@ -23,6 +23,7 @@ struct OpenEdit {
   Edit edit;
   std::function<void(Result<EditDone>)> handler;
   std::uint64_t sequence = 0;  // 0: never sent
+  bool sent_before = false;    // and not known since not to have happened
 };
 
 class OpenEdits {
@@ -75,7 +76,11 @@ class OpenEdits {
 
   /// The connection broke.
   void connection_ended();
-  [[nodiscard]] std::vector<OpenEdit> take_all();
+  struct All {
+    std::vector<OpenEdit> sent;  // of which nobody knows whether they happened
+    std::vector<OpenEdit> unsent;
+  };
+  [[nodiscard]] All take_all();
 
  private:
   [[nodiscard]] std::vector<OpenEdit> take_sent();

@@ -128,7 +128,8 @@ protocol::Frame edit_frame(std::uint32_t id, const OpenEdit& open) {
       const wire::Voxel origin = wire_voxel(edit.paste->origin);
       paste = wire::CreatePaste(b, &origin, bytes, edit.paste->with_air);
     }
-    return wire::CreateEdit(b, id, writes, open.sequence, guards, fill_list, paste);
+    const auto subject = edit.subject.empty() ? 0 : b.CreateString(edit.subject);
+    return wire::CreateEdit(b, id, writes, open.sequence, guards, fill_list, paste, subject);
   });
 }
 

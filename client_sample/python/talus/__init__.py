@@ -14,14 +14,18 @@
 from .chunk import Chunk
 from .content_hash import content_hash
 from .decoder import DecodeError, decode
-from .errors import ServerError, ServerLeaving
+from .edits import EditDone, Fill
+from .errors import OutcomeUnknown, ServerError, ServerLeaving
 from .protocol import ErrorCode, ProtocolError
 from .queries import Places
 
 __all__ = [
     "Chunk",
     "DecodeError",
+    "EditDone",
     "ErrorCode",
+    "Fill",
+    "OutcomeUnknown",
     "Places",
     "ProtocolError",
     "ServerError",

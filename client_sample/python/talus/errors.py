@@ -12,6 +12,14 @@ class ServerError(Exception):
         self.retry_after_ms = retry_after_ms
 
 
+class WorldChanged(ConnectionError):
+    """The server that was met again has another world."""
+
+
+class OutcomeUnknown(Exception):
+    """The edit was sent, and nobody can say whether it happened."""
+
+
 class ServerLeaving(ConnectionError):
     """The server ends, and asks to wait `retry_after_ms` before connecting again."""
 

@@ -16,7 +16,7 @@ import struct
 LEAST_FRAME_BYTES = 12
 MOST_FRAME_BYTES = 262_144
 
-_MOST_TABLES = 1024
+_MOST_TABLES = 2048
 _MOST_COPIES = 4  # bytes of lists and strings for each byte of a frame, as they may lie over one another
 
 
@@ -226,6 +226,7 @@ class Edit(Message):
         guards=_List(VOXEL_WRITE),
         fills=_List(FILL),
         paste=_Table(Paste),
+        subject=TEXT,
     )
 
 

@@ -10,7 +10,8 @@ import numpy as np
 from . import protocol
 from .chunk import Chunk
 from .connection import Connection
-from .errors import ServerError, ServerLeaving, again_later
+from .edits import Editor, edit_message
+from .errors import ServerError, ServerLeaving, WorldChanged, again_later
 from .pace import Pace
 from .protocol import ChunkKey, ChunkRequest, ErrorAbout
 from .queries import Places, Queries
@@ -29,6 +30,8 @@ class World(Queries):
         self._open_connection = lambda: Connection(host, port, context, _WINDOW_BYTES, timeout)
         self._token = token
         self._next_id = self._view_number = 0
+        self._attached = None
+        self._editor = Editor(self)
         self._join()
 
     def __enter__(self):
@@ -98,7 +101,57 @@ class World(Queries):
         self._send_view(message)
         return self._follow(view)
 
+    def edit(self, writes=(), *, guards=(), fills=(), paste=None, subject=""):
+        """Changes voxels, once, however often the connection breaks meanwhile. Returns an EditDone when it is stored.
+
+        `writes` and `guards`: ((x, y, z), material) each, in base voxels; where a guard's voxel is of another material,
+        nothing happens. `fills`: a Fill each. `paste`: (origin, payload) or (origin, payload, with_air), the payload
+        of a Chunk. Materials are ids or names. `subject`: for whom, where the token has the right "gateway".
+        Raises ServerError where it did not happen (`conflict`: a guard does not hold), and OutcomeUnknown where nobody
+        can say.
+        """
+        message = edit_message(self.welcome.materials, writes, guards, fills, paste, subject)
+        if self.welcome.protocol < 2 or self.store_id == protocol.Hash128(0, 0):
+            raise ServerError(protocol.ErrorCode.unsupported, "this server stores no edits")
+        self._wake()
+        return self._editor.edit(message)
+
     # ---- how it works ----
+
+    @property
+    def connection(self):
+        return self._connection
+
+    @property
+    def store_id(self):
+        return self.welcome.store_id
+
+    def reconnect(self):
+        self._connection.close()
+        fingerprint = self.welcome.fingerprint
+        self._join()
+        if self.welcome.fingerprint != fingerprint:
+            raise WorldChanged("the server has another world now; connect again")
+
+    def attach(self, message):
+        self._pace.wait(1)
+        self._attached = None
+        self._connection.send(message)
+        while self._attached is None:
+            self._receive()
+        return self._attached
+
+    def send_edit(self, message):
+        self._pace.wait(1)
+        message.id = self._new_id()
+        self._unanswered.add(message.id)
+        self._connection.send(message)
+        while message.id not in self._answers:
+            self._receive()
+        answer = self._answers.pop(message.id)
+        if not isinstance(answer, (protocol.EditResult, protocol.Error)):
+            raise protocol.ProtocolError("the answer to an Edit is none")
+        return answer
 
     def _join(self):
         self._connection = self._open_connection()
@@ -107,7 +160,7 @@ class World(Queries):
         self._view, self._viewing, self._ponged = None, False, 0
         hello = protocol.Hello(
             protocol_min=1,
-            protocol_max=1,
+            protocol_max=2,
             codecs=b"\4",
             token=self._token,
             client="talus for Python",
@@ -130,11 +183,7 @@ class World(Queries):
         """Connects again where nobody asked for so long that the server has ended the session."""
         limit_ms = self.welcome.limits.idle_timeout_ms
         if limit_ms and self._connection.idle_s() * 1000 > 0.9 * limit_ms and not self._view:
-            self._connection.close()
-            fingerprint = self.welcome.fingerprint
-            self._join()
-            if self.welcome.fingerprint != fingerprint:
-                raise ConnectionError("the server has another world now; connect again")
+            self.reconnect()
 
     def _new_id(self):
         self._next_id = self._next_id % 0xFFFFFFFF + 1
@@ -270,11 +319,13 @@ class World(Queries):
         """Receives one message and puts it where somebody waits for it."""
         message, size = self._connection.receive()
         kind = type(message)
+        if kind in (protocol.Chunk, protocol.Unchanged, protocol.EditBroadcast):
+            self._editor.saw(message.revision)
         if kind is protocol.Chunk:
             if message.key is None or message.hash is None:
                 raise protocol.ProtocolError("a Chunk without key or hash")
             self._take_credit(size)
-        if kind in (protocol.Chunk, protocol.Unchanged, protocol.Heights) and message.id:
+        if kind in (protocol.Chunk, protocol.Unchanged, protocol.Heights, protocol.EditResult) and message.id:
             self._answer(message.id, message)
         elif kind is protocol.Chunk:
             if self._view:
@@ -289,9 +340,11 @@ class World(Queries):
             self._ponged = message.nonce
         elif kind is protocol.GoAway:
             raise ServerLeaving(message.reason, message.retry_after_ms)
+        elif kind is protocol.Attached:
+            self._attached = message
         elif kind is protocol.Error:
             self._receive_error(message)
-        elif kind not in (protocol.EditBroadcast, protocol.EditResult):
+        elif kind is not protocol.EditBroadcast:
             raise protocol.ProtocolError(f"the server sent a {kind.__name__} that nobody asked for")
 
     def _answer(self, id, message):
@@ -317,6 +370,8 @@ class World(Queries):
             elif view and view.message.number == message.view_number:
                 self._view = None
                 raise error
+        elif message.about == ErrorAbout.attach:
+            self._attached = message
         elif message.about == ErrorAbout.view_chunk:
             if self._view and self._view.message.number == message.view_number and message.chunk:
                 self._view.lose(message.chunk)

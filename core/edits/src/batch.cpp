@@ -71,6 +71,7 @@ const Applied& Batch::apply(const EditEntry& entry) {
     if (kept != nullptr) repeated.result = *kept;
     return repeated;
   }
+  if (entry.subject.size() > kMaxSubjectBytes) return begin(entry.editor, Kind::invalid);
   auto outcome = evaluate(entry.edit, entry.base, staging_);
   if (!outcome) return begin(entry.editor, Kind::invalid);
 
@@ -86,6 +87,7 @@ const Applied& Batch::apply(const EditEntry& entry) {
                     .conflict = std::nullopt};
   if (outcome->conflict) applied.result.conflict = static_cast<std::uint32_t>(*outcome->conflict);
   applied.changes = std::move(outcome->chunks);
+  applied.subject = entry.subject.empty() ? editor->subject : entry.subject;
 
   touch(entry.editor, *editor).keep(applied.result);
   return applied;

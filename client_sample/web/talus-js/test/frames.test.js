@@ -87,7 +87,7 @@ const FIELDS = {
   Credit: (t) => [t.u64(0)],
   Ping: (t) => [t.u64(0)],
   Edit: (t) => [t.u32(0), structsOf(t, 1, 32), t.u64(2), structsOf(t, 3, 32), structsOf(t, 4, 56),
-                structAt(t.table(5), 0, 24), [...t.table(5).bytesOf(1)], t.table(5).bool(2)],
+                structAt(t.table(5), 0, 24), [...t.table(5).bytesOf(1)], t.table(5).bool(2), t.text(6)],
   Attach: (t) => [structAt(t, 0, 16), t.u64(1)],
 };
 const bytesAt = (t, at, count) => [...new Uint8Array(t.data.buffer, t.data.byteOffset + at, count)];

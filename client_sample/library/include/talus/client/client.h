@@ -167,8 +167,9 @@ class Client {
   /// meanwhile; at most as many as the server allows are on their way, the others wait here. One that the
   /// server refuses for now is sent again, and may then happen behind later ones: where order matters, use
   /// guards. The answer comes when the edit is stored; chunks of the View change by on_chunk, before or after
-  /// it. Errors: conflict, out_of_range, outcome_unknown; refused where the token does not give the right, or
-  /// the server stores no edits.
+  /// it. Errors: conflict, out_of_range; outcome_unknown where it was sent, and the client was closed or has
+  /// given up before an answer came, or the server has forgotten who sent it; refused where the token does
+  /// not give the right, or the server stores no edits.
   [[nodiscard]] asio::awaitable<Result<EditDone>> edit(Edit edit);
   void edit(Edit edit, std::function<void(Result<EditDone>)> handler);
 

@@ -50,5 +50,6 @@ export function checkedEdit(edit: Edit): WireEdit {
             payload: encodeChunk(paste.voxels),
             withAir: paste.withAir ?? false,
           },
+    subject: edit.subject ?? '',
   };
 }

@@ -11,6 +11,8 @@ export interface OpenEdit {
   readonly edit: WireEdit;
   /** 0: never sent. Of one that waits to be sent as a new one: that under which it was sent before. */
   sequence: bigint;
+  /** It was, and is not known since not to have happened. */
+  sentBefore: boolean;
   resolve(done: EditDone): void;
   reject(error: TalusError): void;
 }
@@ -127,12 +129,15 @@ export class OpenEdits {
 
   /** It is to be sent again as it is: it may have happened. */
   putBack(id: number): void {
-    this.again = [...this.again, this.take(id)].sort(bySequence);
+    const open = this.take(id);
+    open.sentBefore = true;
+    this.again = [...this.again, open].sort(bySequence);
   }
 
   /** It did not happen, and shall: before those never sent, and in order among those that were put there. */
   sendAsNew(id: number): void {
     const open = this.take(id);
+    open.sentBefore = false;
     const after = this.waiting.findIndex(({ sequence }) => sequence === 0n || sequence > open.sequence);
     this.waiting.splice(after < 0 ? this.waiting.length : after, 0, open);
   }
@@ -140,6 +145,7 @@ export class OpenEdits {
   /** The connection broke. */
   connectionEnded(): void {
     this.state = 'none';
+    for (const open of this.inFlight.values()) open.sentBefore = true;
     this.again = [...this.again, ...this.inFlight.values()].sort(bySequence);
     this.inFlight.clear();
   }

@@ -47,7 +47,7 @@ export class EditSession {
     return new Promise((resolve, reject) => {
       const refusal = world === null ? null : noEditsIn(world);
       if (refusal !== null) throw refusal;
-      this.open.add({ edit: checkedEdit(edit), sequence: 0n, resolve, reject });
+      this.open.add({ edit: checkedEdit(edit), sequence: 0n, sentBefore: false, resolve, reject });
       this.wake();
     });
   }
@@ -144,7 +144,9 @@ export class EditSession {
     } else if (message.code === 'not_applied') {
       this.open.sendAsNew(id);
     } else {
-      this.open.take(id).reject(error);
+      const open = this.open.take(id);
+      // Of one that was sent before, only a conflict says that it did not happen.
+      open.reject(open.sentBefore && message.code !== 'conflict' ? outcomeUnknown() : error);
     }
   }
 

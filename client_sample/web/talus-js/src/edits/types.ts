@@ -35,6 +35,8 @@ export interface Edit {
   readonly writes?: readonly VoxelWrite[];
   readonly fills?: readonly Fill[];
   readonly paste?: Paste;
+  /** Of a game server whose token has the right "gateway": the player for whom it edits, at most 256 bytes. */
+  readonly subject?: string;
 }
 
 /** The edit happened, and is stored. */

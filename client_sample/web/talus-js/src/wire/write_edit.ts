@@ -18,6 +18,8 @@ export interface WireEdit {
   readonly writes: readonly VoxelWrite[];
   readonly fills: readonly WireFill[];
   readonly paste: { readonly origin: Position; readonly payload: Uint8Array; readonly withAir: boolean } | null;
+  /** Empty: the session's own. */
+  readonly subject: string;
 }
 
 const VOXEL_BYTES = 24;
@@ -68,13 +70,15 @@ export function editFrame(id: number, sequence: bigint, edit: WireEdit): Uint8Ar
     const guards = writeWrites(builder, edit.guards);
     const fills = writeFills(builder, edit.fills);
     const paste = writePaste(builder, edit.paste);
-    builder.startObject(6);
+    const subject = edit.subject === '' ? 0 : builder.createString(edit.subject);
+    builder.startObject(7);
     builder.addFieldInt64(2, sequence, 0n);
     builder.addFieldInt32(0, id, 0);
     builder.addFieldOffset(1, writes, 0);
     builder.addFieldOffset(3, guards, 0);
     builder.addFieldOffset(4, fills, 0);
     builder.addFieldOffset(5, paste, 0);
+    builder.addFieldOffset(6, subject, 0);
     return builder.endObject();
   });
 }

@@ -252,7 +252,8 @@ export class Builder {
       .catch((error: TalusError) => {
         if (engine !== this.#engine) return;
         failed(error.kind, sentence(error.message.replace(/^the server says: /, '')));
-        if (error.kind === 'refused' && this.isOn) this.#off();
+        // Not here, or not at all: only then the tools go.
+        if (error.kind === 'refused') engine.editLimits().catch(() => engine === this.#engine && this.isOn && this.#off());
       })
       .finally(() => {
         if (engine === this.#engine) --this.waiting;

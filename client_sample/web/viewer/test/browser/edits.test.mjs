@@ -223,6 +223,21 @@ test('by fingers: a tap digs where it hits', async (t) => {
   noProblems(page);
 });
 
+test('where the server protects the land, who digs is told so, and what was dug is there again', async (t) => {
+  const folder = scratch(t);
+  writeFileSync(`${folder}/talusd.toml`, '[access]\nwithout_token = "read,edit"\n[edits]\nprotect_spawn = 100\n');
+  const site = await startSite(t, ['--config', `${folder}/talusd.toml`, '--data', scratch(t)]);
+  const page = await open(t, site);
+  const { voxel, material } = await hover(page);
+  await beginBuilding(page);
+  await page.keyboard.press('Enter');
+  await said(page, 'which this server protects');
+  await answered(page);
+  assert.equal(await at(page, voxel), material);
+  assert.ok(await page.locator('#edit-bar').isVisible(), 'elsewhere one may dig');
+  noProblems(page);
+});
+
 for (const [name, args, words] of [
   ['a player without the right', (t) => withRights(t, 'read', '--data', scratch(t)), 'not dig and build'],
   ['a server that stores nothing', (t) => withRights(t, 'read,edit'), 'keeps no edits'],

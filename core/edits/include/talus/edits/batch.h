@@ -41,7 +41,8 @@ struct EditEntry {
   std::uint64_t epoch = 0;
   std::uint64_t sequence = 0;  // chosen by the client, rising; gaps are allowed
   Edit edit;
-  BaseVoxels base;  // of all that it touches
+  BaseVoxels base;        // of all that it touches
+  std::string subject{};  // for whom a game server edits; empty: for its editor's own subject
 };
 
 /// What became of an entry.
@@ -64,6 +65,7 @@ struct Applied {
   EditResult result;                  // of done, conflict and repeat
   std::vector<ChunkChanges> changes;  // of done: voxels of level 0
   std::vector<ChunkWrites> writes;    // the same as writes, at all levels
+  std::string subject;                // of done: whose edit it is
 
   /// Whether it made a revision.
   [[nodiscard]] bool changed() const { return !changes.empty(); }

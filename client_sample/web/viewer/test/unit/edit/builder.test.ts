@@ -138,9 +138,14 @@ describe('building', () => {
     await flush();
     expect([said.at(-1), builder.canUndo, builder.waiting, at(4, 4, 4)]).toEqual(['Somebody changed that before you: it is as they left it.', false, 0, 1]);
     builder.act(eye, down);
-    sent[1]!.answer({ kind: 'refused', message: 'the server says: no right here' });
+    sent[1]!.answer({ kind: 'refused', message: 'the server says: not in this box' });
     await flush();
-    expect([said.at(-1), builder.isOn]).toEqual(['No right here.', false]);
+    expect([said.at(-1), builder.isOn, at(4, 4, 4)]).toEqual(['Not in this box.', true, 1]);
+    builder.act(eye, down);
+    limits = () => Promise.reject({ kind: 'refused', message: 'the server says: no right any more' });
+    sent[2]!.answer({ kind: 'refused', message: 'the server says: no right any more' });
+    await flush();
+    expect([said.at(-1), builder.isOn]).toEqual(['No right any more.', false]);
   });
   it('says that an undo was refused', async () => {
     look(4, 4);

@@ -1,0 +1,93 @@
+// A player's own edits, seen at once. What the server has is kept apart, and own edits that it has not
+// answered are made on it anew whenever it changes: where another's edit came before, or the server refuses,
+// the store shows what is true again by itself. When all is answered and nobody edits, it holds what the
+// server holds.
+//
+//   ChunkStore store{256 << 20};
+//   Prediction own{store, [&](ChunkKey key) { remesh_around(key); }};
+//   events.on_chunk = [&](const ReceivedChunk& chunk) { own.put(chunk); };
+//   events.on_left_view = [&](ChunkKey key) { own.erase(key); };
+//   ...
+//   Edit dig;
+//   dig.guards.push_back({voxel, stone});
+//   dig.writes.push_back({voxel, kAir});
+//   own.edit(client, dig, [&](const Result<EditDone>& done) {
+//     if (!done) show(done.error().message);  // the stone is there again
+//   });
+//   // the voxel is air in `store` already
+//
+// What shows at once is level 0 of chunks that are held; coarser levels, and what is made as generated, show
+// when the server has answered. An edit whose guards do not hold here, or look where no chunk is held, shows
+// nothing until then.
+//
+// Not thread-safe: the client's executor. It costs as much as the edits without an answer name voxels, each
+// time that a chunk comes which they touch.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <list>
+#include <map>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include <talus/client/chunk_store.h>
+#include <talus/client/client.h>
+
+namespace talus::client {
+
+class Prediction {
+ public:
+  /// `store` is what is drawn; it outlives this and is changed through this alone. `changed` is told each
+  /// chunk of it that looks otherwise than before, put() included; it may ask the store, and must change
+  /// neither.
+  Prediction(ChunkStore& store, std::function<void(ChunkKey)> changed);
+  ~Prediction();
+  Prediction(const Prediction&) = delete;
+  Prediction& operator=(const Prediction&) = delete;
+
+  // ---- what comes from the server: Events::on_chunk and on_left_view
+  void put(const ReceivedChunk& chunk);
+  void erase(const ChunkKey& key);
+  /// Forgets chunks and edits: revisions of another store (WorldInfo::store_id) mean nothing here. Edits that
+  /// are answered later change nothing.
+  void clear();
+
+  // ---- own edits
+  /// Sends the edit, and makes it here at once. `handler` is called as Client::edit() calls it, after the
+  /// store is right about the edit; it is called also where this is gone.
+  void edit(Client& client, const Edit& edit, std::function<void(Result<EditDone>)> handler);
+
+  /// The two halves of it, for who sends edits otherwise. begin() makes the edit here; done() says what
+  /// became of it: where it happened, the revision of EditDone.
+  enum class Id : std::uint64_t {};
+  Id begin(const Edit& edit);
+  void done(Id id, const Result<EditDone>& result);
+
+  /// Own edits that the store shows otherwise than the server's chunks do, or whose answer has not come.
+  [[nodiscard]] std::size_t open() const;
+
+ private:
+  struct Open;
+  struct Overlay;  // voxels of one chunk
+  using Overlays = std::map<ChunkCoord, Overlay>;
+
+  /// What the server has of it; null where it is not held.
+  [[nodiscard]] const ReceivedChunk* confirmed(ChunkCoord chunk) const;
+  /// Makes all open edits anew on what the server has, and tells what changed; `came` has.
+  void rebuild(std::optional<ChunkKey> came = std::nullopt);
+  /// Makes one on what those before it left. Returns whether it is of no use any more.
+  [[nodiscard]] bool apply(const Open& open, Overlays& overlays) const;
+  /// Returns the chunks that look otherwise now.
+  [[nodiscard]] std::vector<ChunkKey> show(const Overlays& overlays);
+
+  ChunkStore& store_;
+  std::function<void(ChunkKey)> changed_;
+  std::list<Open> edits_;  // in the order in which they were begun
+  std::uint64_t last_id_ = 0;
+  std::map<ChunkCoord, ReceivedChunk> confirmed_;  // of chunks that the store shows otherwise
+  std::shared_ptr<Prediction*> self_;              // for answers that come when this is gone
+};
+
+}  // namespace talus::client

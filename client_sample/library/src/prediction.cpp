@@ -1,0 +1,194 @@
+#include <talus/client/prediction.h>
+
+#include <algorithm>
+#include <utility>
+
+#include <talus/edits/evaluate.h>
+
+namespace talus::client {
+namespace {
+
+/// Nothing is overridden: what is here is the base that edits are evaluated on.
+struct NoOverrides final : edits::OverrideSource {
+  [[nodiscard]] const edits::ChunkOverrides* find(ChunkKey) const override { return nullptr; }
+};
+
+ChunkKey key_of(ChunkCoord chunk) {
+  return {chunk, Lod{}};
+}
+
+LocalPos place_of(std::uint16_t index) {
+  const auto at = [&](int shift) { return static_cast<std::uint8_t>((index >> shift) % kChunkSize); };
+  return {at(0), at(10), at(5)};
+}
+
+}  // namespace
+
+struct Prediction::Open {
+  Id id{};
+  Edit edit;
+  std::vector<edits::TouchedChunk> touched;
+  std::optional<std::uint64_t> revision;  // it happened; of the world after it
+};
+
+struct Prediction::Overlay {
+  std::map<std::uint16_t, MaterialId> voxels;
+};
+
+Prediction::Prediction(ChunkStore& store, std::function<void(ChunkKey)> changed)
+    : store_{store}, changed_{std::move(changed)}, self_{std::make_shared<Prediction*>(this)} {}
+
+Prediction::~Prediction() {
+  *self_ = nullptr;
+}
+
+const ReceivedChunk* Prediction::confirmed(ChunkCoord chunk) const {
+  const auto covered = confirmed_.find(chunk);
+  return covered != confirmed_.end() ? &covered->second : store_.look(key_of(chunk));
+}
+
+// ---- what comes from the server
+
+void Prediction::put(const ReceivedChunk& chunk) {
+  const ReceivedChunk* const held = chunk.key.lod == Lod{} ? confirmed(chunk.key.coord) : nullptr;
+  if (chunk.unchanged() || (held != nullptr && held->revision > chunk.revision)) return;
+  if (chunk.key.lod == Lod{}) confirmed_.erase(chunk.key.coord);
+  store_.put(chunk);
+  rebuild(chunk.key);
+}
+
+void Prediction::erase(const ChunkKey& key) {
+  store_.erase(key);
+  if (key.lod != Lod{}) return;
+  confirmed_.erase(key.coord);
+  rebuild();
+}
+
+std::size_t Prediction::open() const {
+  return edits_.size();
+}
+
+void Prediction::clear() {
+  store_.clear();
+  confirmed_.clear();
+  edits_.clear();
+}
+
+// ---- own edits
+
+void Prediction::edit(Client& client, const Edit& edit, std::function<void(Result<EditDone>)> handler) {
+  const Id id = begin(edit);
+  client.edit(edit, [self = std::weak_ptr{self_}, id, handler = std::move(handler)](Result<EditDone> result) {
+    if (const auto there = self.lock(); there != nullptr && *there != nullptr) (*there)->done(id, result);
+    if (handler) handler(std::move(result));
+  });
+}
+
+Prediction::Id Prediction::begin(const Edit& edit) {
+  const Id id{++last_id_};
+  auto touched = edits::touched_voxels(edit);
+  if (!touched) return id;  // the server will refuse it
+  edits_.push_back({id, edit, *std::move(touched), std::nullopt});
+  rebuild();
+  return id;
+}
+
+void Prediction::done(Id id, const Result<EditDone>& result) {
+  const auto open = std::ranges::find(edits_, id, &Open::id);
+  if (open == edits_.end()) return;
+  if (result) {
+    open->revision = result->revision;
+    open->edit.guards.clear();  // they held
+  } else {
+    edits_.erase(open);
+  }
+  rebuild();
+}
+
+// ---- the store
+
+void Prediction::rebuild(std::optional<ChunkKey> came) {
+  std::vector<ChunkKey> changed;
+  if (!edits_.empty() || !confirmed_.empty()) {
+    Overlays overlays;
+    std::erase_if(edits_, [&](const Open& open) { return apply(open, overlays); });
+    changed = show(overlays);
+  }
+  if (came && std::ranges::find(changed, *came) == changed.end()) changed.push_back(*came);
+  if (!changed_) return;
+  for (const ChunkKey& key : changed) changed_(key);
+}
+
+bool Prediction::apply(const Open& open, Overlays& overlays) const {
+  // A chunk of the edit's revision or a later one has it already. One that the edit did not change never
+  // comes to that revision: there it changes nothing here either, once what the server had before it has
+  // come.
+  const auto waits = [&](ChunkCoord chunk) {
+    const ReceivedChunk* const held = confirmed(chunk);
+    return held != nullptr && !(open.revision && held->revision >= *open.revision);
+  };
+  edits::BaseVoxels base;
+  for (const edits::TouchedChunk& touched : open.touched) {
+    const ReceivedChunk* const held = confirmed(touched.chunk);
+    const auto overlay = overlays.find(touched.chunk);
+    std::vector<Override>& voxels = base[touched.chunk];
+    voxels.reserve(touched.voxels.size());
+    for (const std::uint16_t index : touched.voxels) {
+      MaterialId material = held == nullptr ? kAir : held->chunk->at(place_of(index));
+      if (overlay != overlays.end()) {
+        const auto over = overlay->second.voxels.find(index);
+        if (over != overlay->second.voxels.end()) material = over->second;
+      }
+      voxels.push_back({index, material});
+    }
+  }
+  const bool blind = std::ranges::any_of(open.edit.guards, [&](const VoxelWrite& guard) {
+    return confirmed(chunk_holding(guard.voxel, Lod{})->coord) == nullptr;
+  });
+  const auto outcome = edits::evaluate(open.edit, base, NoOverrides{});
+  bool shows = false;
+  if (outcome && !blind) {
+    for (const edits::ChunkChanges& changes : outcome->chunks) {
+      if (!waits(changes.chunk)) continue;
+      shows = true;
+      Overlay& overlay = overlays[changes.chunk];
+      for (const edits::VoxelChange& voxel : changes.voxels) overlay.voxels[voxel.index] = voxel.after;
+    }
+  }
+  return open.revision.has_value() && !shows;
+}
+
+std::vector<ChunkKey> Prediction::show(const Overlays& overlays) {
+  std::vector<ChunkKey> changed;
+  const auto put = [&](const ReceivedChunk& chunk) {
+    const ReceivedChunk* const before = store_.look(chunk.key);
+    if (before != nullptr && before->revision == chunk.revision && before->hash == chunk.hash) return;
+    store_.put(chunk);
+    changed.push_back(chunk.key);
+  };
+  // What is covered no more, or is not in the store any more.
+  for (auto each = confirmed_.begin(); each != confirmed_.end();) {
+    const bool gone = !store_.contains(each->second.key);
+    if (gone || !overlays.contains(each->first)) {
+      if (!gone) put(each->second);
+      each = confirmed_.erase(each);
+    } else {
+      ++each;
+    }
+  }
+  for (const auto& [chunk, overlay] : overlays) {
+    const ReceivedChunk* const held = confirmed(chunk);
+    if (held == nullptr) continue;
+    const ReceivedChunk& truth = confirmed_.try_emplace(chunk, *held).first->second;
+    std::vector<Override> voxels;
+    for (const auto& [index, material] : overlay.voxels) voxels.push_back({index, material});
+    ReceivedChunk shown = truth;
+    auto edited = std::make_shared<const Chunk>(truth.chunk->with_overrides(voxels));
+    shown.hash = content_hash(*edited);
+    shown.chunk = std::move(edited);
+    put(shown);
+  }
+  return changed;
+}
+
+}  // namespace talus::client

@@ -1,0 +1,145 @@
+"""Edits of a world, each once, however often the connection breaks: PROTOCOL.md, "Edit" and "After a lost connection"."""
+
+import collections
+import time
+
+from . import protocol
+from .errors import OutcomeUnknown, ServerError, WorldChanged, again_later
+from .protocol import ErrorCode
+
+KEEP_TRYING_S = 60  # to connect again, for an edit without an answer
+FIRST_DELAY_S, LONGEST_DELAY_S = 0.1, 5
+
+_NOBODY = protocol.Hash128(0, 0)
+_OF_ANY, _AS_GENERATED = 1, 2  # flags of a Fill
+
+EditDone = collections.namedtuple("EditDone", "revision changed")
+EditDone.__doc__ = "The edit is stored: the world's revision after it, and how many voxels it changed."
+
+Fill = collections.namedtuple("Fill", "first last material only", defaults=(None, None))
+Fill.__doc__ = """Every voxel of the box between two corners, both included and in any order. `material`: id or name; None: as
+generated, which undoes edits. `only`: voxels of other materials stay; None: of any."""
+
+
+def edit_message(materials, writes, guards, fills, paste, subject):
+    """The Edit of what world.edit() is given."""
+    ids = {material.name: material.id for material in materials}
+
+    def id_of(material):
+        if not isinstance(material, str):
+            return material
+        if material not in ids:
+            raise ValueError(f"this world has no material {material!r}; it has {', '.join(ids)}")
+        return ids[material]
+
+    def fill(given):
+        given = Fill(*given)
+        first, last = (tuple(pick(pair) for pair in zip(given.first, given.last)) for pick in (min, max))
+        flags = _OF_ANY * (given.only is None) | _AS_GENERATED * (given.material is None)
+        return protocol.Fill(first, last, id_of(given.material or 0), id_of(given.only or 0), flags)
+
+    origin, payload, with_air = (*paste, False)[:3] if paste else (None, b"", False)
+    return protocol.Edit(
+        guards=[(tuple(voxel), id_of(material)) for voxel, material in guards],
+        writes=[(tuple(voxel), id_of(material)) for voxel, material in writes],
+        fills=[fill(each) for each in fills],
+        paste=protocol.Paste(origin=tuple(origin), payload=payload, with_air=with_air) if paste else None,
+        subject=subject,
+    )
+
+
+class Editor:
+    """As whom a world edits, over all its connections.
+
+    `link` connects and carries: attach(message) and send_edit(message) send one and return its answer, reconnect() begins
+    a new connection, connection is the one there is, and store_id that of its world.
+    """
+
+    def __init__(self, link):
+        self._link = link
+        self._id = _NOBODY
+        self._store_id = None
+        self._last_sequence = 0
+        self._seen_revision = 0
+        self._attached_by = None  # the connection
+
+    def saw(self, revision):
+        self._seen_revision = max(self._seen_revision, revision)
+
+    def edit(self, message):
+        """Sends an edit until its outcome is known. Raises ServerError where it did not happen, and OutcomeUnknown where
+        nobody can say."""
+        message.sequence = 0
+        sent = False  # and so it may have happened
+        give_up = None
+        while True:
+            try:
+                if not self._attach() and sent:
+                    raise OutcomeUnknown("the server has forgotten who sent the edit: it may have happened")
+                if message.sequence == 0:
+                    self._last_sequence += 1
+                    message.sequence = self._last_sequence
+                again, sent = sent, True
+                answer = self._link.send_edit(message)
+            except protocol.ProtocolError:
+                raise
+            except OSError as error:
+                give_up = self._reconnect(error, sent, give_up)
+                continue
+            if isinstance(answer, protocol.EditResult):
+                self.saw(answer.revision)
+                return EditDone(answer.revision, answer.changed)
+            error = ServerError(answer.code, answer.text, answer.retry_after_ms)
+            if again_later(error):
+                continue
+            if error.code == ErrorCode.expired:
+                self._attached_by = None
+            elif error.code == ErrorCode.not_applied:
+                message.sequence, sent = 0, False
+            elif again and error.code != ErrorCode.conflict:
+                raise OutcomeUnknown(f"{error}; the edit was sent before, and may have happened") from error
+            else:
+                raise error
+
+    def _attach(self):
+        """Whether the server knows the editor of the connections before."""
+        if self._attached_by is self._link.connection:
+            return True
+        if self._store_id != self._link.store_id:
+            self._id, self._seen_revision, self._last_sequence = _NOBODY, 0, 0
+            self._store_id = self._link.store_id
+        while True:
+            answer = self._link.attach(protocol.Attach(editor=self._id, seen_revision=self._seen_revision))
+            if isinstance(answer, protocol.Attached):
+                break
+            error = ServerError(answer.code, answer.text, answer.retry_after_ms)
+            if not again_later(error):
+                raise error
+        self._id = answer.editor or _NOBODY
+        self._last_sequence = max(self._last_sequence if answer.known else 0, answer.last_sequence)
+        self._attached_by = self._link.connection
+        self.saw(answer.revision)
+        return answer.known
+
+    def _reconnect(self, error, sent, give_up):
+        """Begins a new connection; when to give up from now on, where this is not the first try."""
+        give_up = give_up or time.monotonic() + KEEP_TRYING_S
+        delay = FIRST_DELAY_S
+        while True:
+            time.sleep(min(max(delay, getattr(error, "retry_after_ms", 0) / 1000), LONGEST_DELAY_S))
+            if time.monotonic() > give_up:
+                if not sent:
+                    raise error
+                raise OutcomeUnknown(f"{error}; the edit was sent, and may have happened") from error
+            delay = min(2 * delay, LONGEST_DELAY_S)
+            try:
+                self._link.reconnect()
+                return give_up
+            except WorldChanged as changed:
+                raise (OutcomeUnknown(f"{changed}; the edit was sent there") if sent else changed)
+            except ServerError as refused:
+                if not again_later(refused):
+                    raise (OutcomeUnknown(f"{refused}; the edit was sent, and may have happened") if sent else refused)
+                error = refused
+            except OSError as failed:
+                error = failed
