@@ -1,0 +1,73 @@
+#!/usr/bin/env bash
+# A world that is dug and built in, flown through, cut off and started again, for as long as is asked: soak.sh [MINUTES] [SEED].
+# Needs `cmake --build --preset release`. Each round is a minute: builders and flyers by talus-load, a kill -9 in the middle, a
+# SIGTERM at the end, and then `talusd store verify`, which holds the hash of all edits against the chunks. It fails where a
+# builder misses an edit that was acknowledged, the store is not sound, or memory or the disk grow without end.
+set -euo pipefail
+cd "$(dirname "$0")/../.."
+minutes="${1:-60}"
+seed="${2:-$RANDOM}"
+build="${BUILD:-build/release}"
+port="${PORT:-4790}"
+talusd="$build/server/talusd"
+load="$build/client_sample/load/talus-load"
+out="$PWD/out/soak"
+rm -rf "$out"
+mkdir -p "$out"
+RANDOM="$seed"
+server=""
+trap '[[ -z "$server" ]] || kill -9 "$server" 2>/dev/null || true' EXIT
+
+start() {
+  "$talusd" --config "$out/talusd.toml" --listen "127.0.0.1:$port" --data "$out/data" >"$out/ready" 2>>"$out/talusd.log" &
+  server=$!
+  until grep -q '^listening' "$out/ready"; do
+    kill -0 "$server" 2>/dev/null || { tail -n 3 "$out/talusd.log" >&2; exit 1; }
+    sleep 0.1
+  done
+}
+# Megabytes at most, since the server started.
+peak() { awk '/^VmHWM/ { printf "%d", $2 / 1024 }' "/proc/$server/status"; }
+
+cat >"$out/talusd.toml" <<'SETTINGS'
+[access]
+without_token = "edit"
+[limits]
+connections_per_address = 1000
+memory_bytes = 1073741824
+[cache]
+disk_bytes = 67108864
+[rates]
+session_requests = 0
+address_requests = 0
+address_chunks = 0
+address_bytes = 0
+address_voxels = 0
+SETTINGS
+
+printf 'seed %s\n\n| minute | edits acknowledged | missing | revision | hash of all edits | peak memory, MB | on disk, MB |\n' "$seed"
+printf '| --- | --- | --- | --- | --- | --- | --- |\n'
+for ((minute = 1; minute <= minutes; ++minute)); do
+  start
+  "$load" --connect "127.0.0.1:$port" --players 24 --edits 10 --edit-group 6 --radius 4 --seconds 50 --seed "$((seed + minute))" \
+    --json "$out/builders.json" >"$out/builders.txt" 2>&1 &
+  builders=$!
+  "$load" --connect "127.0.0.1:$port" --players 12 --radius 6 --seconds 50 --seed "$((seed + minute))" >"$out/flyers.txt" 2>&1 &
+  flyers=$!
+  sleep "$((10 + RANDOM % 25))"
+  most="$(peak)"
+  kill -9 "$server"
+  wait "$server" 2>/dev/null || true
+  start
+  wait "$builders" || { cat "$out/builders.txt" >&2; exit 1; }
+  wait "$flyers" || { cat "$out/flyers.txt" >&2; exit 1; }
+  now="$(peak)"
+  kill "$server"
+  wait "$server" || { printf 'talusd ended with %s\n' "$?" >&2; exit 1; }
+  server=""
+  "$talusd" store verify --data "$out/data" >"$out/verify.txt" || { cat "$out/verify.txt" >&2; exit 1; }
+  "$talusd" store stat --json --data "$out/data" >"$out/stat.json"
+  printf '| %s | %s | %s | %s | %s | %s | %s |\n' "$minute" \
+    "$(jq .edits.acknowledged "$out/builders.json")" "$(jq .edits.missing "$out/builders.json")" \
+    "$(jq .revision "$out/stat.json")" "$(sed -n 's/.*hash //p' "$out/verify.txt")" "$((now > most ? now : most))" "$(du -sm "$out/data" | cut -f1)"
+done
