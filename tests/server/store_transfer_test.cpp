@@ -163,7 +163,7 @@ TEST_CASE("memory does not grow with the chunks of an export, an import, a verif
   const char* const given = std::getenv("TALUS_STORE_CHUNKS");
   const std::int32_t chunks = given == nullptr ? 50'000 : std::atoi(given);
   const ScratchDirectory scratch;
-  const auto measured = [last = std::chrono::steady_clock::now()](const char* what) mutable {
+  auto measured = [last = std::chrono::steady_clock::now()](const char* what) mutable {
     const auto now = std::chrono::steady_clock::now();
     rusage usage{};
     ::getrusage(RUSAGE_SELF, &usage);
