@@ -113,9 +113,11 @@ tl::expected<DataDirectory, std::string> DataDirectory::open_any(const fs::path&
 
 tl::expected<DataDirectory, std::string> DataDirectory::open_store(const fs::path& path) {
   std::error_code error;
-  if (!fs::is_directory(path, error)) {
+  const bool is_directory = fs::is_directory(path, error);
+  if (!is_directory) {
+    const std::string why = error ? error.message() : "it is no directory";
     return tl::make_unexpected(
-        fmt::format("data {}: there is no such directory; give --data that of a talusd", path.string()));
+        fmt::format("data {}: {}; give --data the directory of a talusd", path.string(), why));
   }
   const auto no_store = [&] {
     return tl::make_unexpected(fmt::format(

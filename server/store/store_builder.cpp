@@ -15,7 +15,7 @@ namespace {
 
 /// Of coarse levels that are held before they are written.
 constexpr std::size_t kCoarseVoxels = std::size_t{1} << 20U;
-constexpr std::size_t kBatchBytes = std::size_t{1} << 20U;
+constexpr std::size_t kWriteBytes = std::size_t{1} << 20U;
 
 tl::unexpected<std::string> builder_failure(const std::filesystem::path& path,
                                             const rocksdb::Status& status) {
@@ -64,7 +64,7 @@ tl::expected<std::unique_ptr<StoreBuilder>, std::string> StoreBuilder::create(
 
 StoreBuilder::Done StoreBuilder::put(const std::string& key) {
   batch_->Put(key, as_slice(value_));
-  if (batch_->GetDataSize() < kBatchBytes) return {};
+  if (batch_->GetDataSize() < kWriteBytes) return {};
   return write();
 }
 

@@ -146,12 +146,12 @@ tl::expected<BackupManifest, std::string> decode_manifest(std::string_view text)
 tl::expected<BackupManifest, std::string> write_backup(const ReadOnlyStore& store, const fs::path& path,
                                                        const fs::path& target) {
   std::error_code code;
+  if (fs::exists(target, code) && !fs::is_empty(target, code)) {
+    return no_backup(target,
+                     code ? code.message() : "the directory is not empty; give one that is, or a new name");
+  }
   fs::create_directories(target / "db", code);
   if (code) return no_backup(target, code.message());
-  for (const auto& entry : fs::directory_iterator{target, code}) {
-    if (entry.path().filename() == "db" && fs::is_empty(entry.path(), code)) continue;
-    return no_backup(target, "the directory is not empty; give one that is, or a new name");
-  }
   const StoreMeta& meta = store.meta();
   BackupManifest manifest{{meta.store_id, meta.fingerprint}, meta.head, {}};
   std::uint64_t bytes = 0;

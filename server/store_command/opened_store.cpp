@@ -1,5 +1,8 @@
 #include "store_command/opened_store.h"
 
+#include <sys/stat.h>
+#include <unistd.h>
+
 #include <utility>
 
 #include <fmt/format.h>
@@ -28,11 +31,18 @@ tl::expected<OpenedStore, std::string> OpenedStore::open(const std::filesystem::
   return opened;
 }
 
-tl::expected<void, std::string> refuse_running_server(const std::filesystem::path& data) {
+tl::expected<void, std::string> check_may_write(const std::filesystem::path& data) {
   const auto server = StoreConnection::open(data);
   if (!server) return tl::unexpected{server.error()};
-  if (!*server) return {};
-  return tl::unexpected{fmt::format("data {}: a talusd uses it; stop it first", data.string())};
+  if (*server) {
+    return tl::unexpected{fmt::format("data {}: a talusd uses it; stop it first", data.string())};
+  }
+  struct stat about {};
+  if (::stat(data.c_str(), &about) == 0 && about.st_uid != ::geteuid()) {
+    return tl::unexpected{fmt::format("data {}: it belongs to user {}; run the command as that user",
+                                      data.string(), about.st_uid)};
+  }
+  return {};
 }
 
 }  // namespace talus::server

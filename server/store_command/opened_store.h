@@ -43,7 +43,8 @@ class OpenedStore {
   std::unique_ptr<ReadOnlyStore> store_;
 };
 
-/// For commands that change a store as a whole: refused where a server uses it.
-[[nodiscard]] tl::expected<void, std::string> refuse_running_server(const std::filesystem::path& data);
+/// For commands that write files of a store: refused where a server uses it, and where they would belong to
+/// another user than the directory does.
+[[nodiscard]] tl::expected<void, std::string> check_may_write(const std::filesystem::path& data);
 
 }  // namespace talus::server

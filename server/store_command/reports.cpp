@@ -42,7 +42,7 @@ std::string who(const std::string& subject) {
 }  // namespace
 
 MaterialNames::MaterialNames(const std::map<std::string, MaterialId>& materials) {
-  for (const auto& [name, id] : materials) names_.emplace(id, name);
+  for (const auto& [name, id] : materials) names_.emplace(id, on_one_line(name));
 }
 
 std::string MaterialNames::of(MaterialId material) const {

@@ -107,7 +107,7 @@ Answer backup(const Flags& flags, const LoadWorld&) {
 }
 
 Answer restore(const Flags& flags, const LoadWorld&) {
-  if (const auto free = refuse_running_server(flags.data); !free) return tl::unexpected{free.error()};
+  if (const auto may = check_may_write(flags.data); !may) return tl::unexpected{may.error()};
   // Before a directory is made for it.
   if (const auto manifest = read_manifest(flags.path); !manifest) return tl::unexpected{manifest.error()};
   const auto directory = DataDirectory::open_any(flags.data);
@@ -125,7 +125,7 @@ Answer restore(const Flags& flags, const LoadWorld&) {
 }
 
 Answer compact_store(const Flags& flags, const LoadWorld&) {
-  if (const auto free = refuse_running_server(flags.data); !free) return tl::unexpected{free.error()};
+  if (const auto may = check_may_write(flags.data); !may) return tl::unexpected{may.error()};
   const auto directory = DataDirectory::open_store(flags.data);
   if (!directory) return tl::unexpected{directory.error()};
   if (const auto done = compact(flags.data); !done) return tl::unexpected{done.error()};
@@ -192,6 +192,7 @@ Answer rollback(const Flags& flags, const LoadWorld&) {
   if (opened->server() != nullptr) {
     restore = [&](const auto& slice) { return opened->server()->restore(slice); };
   } else {
+    if (const auto may = check_may_write(flags.data); !may) return tl::unexpected{may.error()};
     auto local = LocalWriter::open(flags.data, identity);
     if (!local) return tl::unexpected{local.error()};
     writer = *std::move(local);
@@ -225,7 +226,7 @@ Answer export_file(const Flags& flags, const LoadWorld&) {
 }
 
 Answer import_file(const Flags& flags, const LoadWorld&) {
-  if (const auto free = refuse_running_server(flags.data); !free) return tl::unexpected{free.error()};
+  if (const auto may = check_may_write(flags.data); !may) return tl::unexpected{may.error()};
   const auto directory = DataDirectory::open_any(flags.data);
   if (!directory) return tl::unexpected{directory.error()};
   const auto imported = import_edits(flags.path, *directory, flags.keep ? Winner::store : Winner::file);
@@ -239,7 +240,7 @@ Answer import_file(const Flags& flags, const LoadWorld&) {
 }
 
 Answer rebase(const Flags& flags, const LoadWorld& load_world) {
-  if (const auto free = refuse_running_server(flags.data); !free) return tl::unexpected{free.error()};
+  if (const auto may = check_may_write(flags.data); !may) return tl::unexpected{may.error()};
   const auto world = load_world(flags.world);
   if (!world) return tl::unexpected{world.error()};
   const auto directory = DataDirectory::open_store(flags.data);
@@ -259,15 +260,17 @@ struct Subcommand {
   Answer (*run)(const Flags&, const LoadWorld&) = nullptr;
 };
 
-/// The directory that the flags mean: theirs, or as talusd has it.
-tl::expected<std::string, std::string> data_of(const Flags& flags, const Environment& environment) {
-  if (!flags.data.empty()) return flags.data;
+/// What the flags do not say is as talusd has it.
+tl::expected<void, std::string> complete(Flags& flags, const Environment& environment) {
+  if (!flags.data.empty() && !flags.world.empty()) return {};
   Settings settings;
   if (!flags.config.empty()) {
-    if (auto done = apply_file(settings, flags.config); !done) return tl::unexpected{done.error()};
+    if (auto done = apply_file(settings, flags.config); !done) return done;
   }
-  if (auto done = apply_environment(settings, environment); !done) return tl::unexpected{done.error()};
-  return settings.config.data.string();
+  if (auto done = apply_environment(settings, environment); !done) return done;
+  if (flags.data.empty()) flags.data = settings.config.data.string();
+  if (flags.world.empty()) flags.world = settings.config.world.string();
+  return {};
 }
 
 int say(std::string_view name, const Answer& answer) {
@@ -345,7 +348,10 @@ int store_command(int argc, const char* const* argv, const Environment& environm
       "the new ground stays, materials are those of the same names. The store gets a new id, and its history "
       "stays in replaced-N",
       rebase);
-  rebasing->add_option("--world", flags.world, "the new world; default: the one built into talusd")
+  rebasing
+      ->add_option(
+          "--world", flags.world,
+          "the new world; default: \"world\" of --config, or TALUS_WORLD, or the one built into talusd")
       ->type_name("FILE");
   rebasing->add_flag(
       "--drop-unknown", flags.drop_unknown,
@@ -378,13 +384,11 @@ int store_command(int argc, const char* const* argv, const Environment& environm
   for (const Subcommand& command : commands) {
     if (!command.app->parsed()) continue;
     const std::string name = "talusd store " + command.app->get_name();
-    auto data = data_of(flags, environment);
-    if (!data) return say(name, tl::unexpected{data.error()});
-    if (data->empty()) {
+    if (auto done = complete(flags, environment); !done) return say(name, tl::unexpected{done.error()});
+    if (flags.data.empty()) {
       fmt::print(stderr, "{}: no data directory; give --data DIR, as talusd has it\n", name);
       return kWrongUse;
     }
-    flags.data = *std::move(data);
     return say(name, command.run(flags, load_world));
   }
   return kWrongUse;

@@ -36,7 +36,13 @@ tl::expected<std::optional<StoreConnection>, std::string> StoreConnection::open(
     const std::filesystem::path& directory) {
   const std::filesystem::path path = socket_path(directory);
   std::error_code code;
-  if (!std::filesystem::is_socket(path, code)) return std::nullopt;
+  if (!std::filesystem::is_socket(path, code)) {
+    const bool absent =
+        !code || code == std::errc::no_such_file_or_directory || code == std::errc::not_a_directory;
+    if (absent) return std::nullopt;
+    return tl::unexpected{
+        fmt::format("{}: {}; run the command as the server's user", path.string(), code.message())};
+  }
   const auto address = UnixAddress::of(path);
   if (!address) return tl::unexpected{address.error()};
   const int socket = ::socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0);

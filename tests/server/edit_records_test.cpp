@@ -137,6 +137,31 @@ TEST_CASE("records of the log are read back in their chain alone") {
   CHECK(decode_record(value, before) == conflict);
 }
 
+TEST_CASE("a record's bytes are those of FORMAT.md") {
+  Bytes value;
+  (void)encode(done_record(), 42, value);
+  std::string hex;
+  for (const std::byte byte : value) {
+    constexpr std::string_view kDigits = "0123456789abcdef";
+    hex += kDigits[std::to_integer<std::size_t>(byte >> 4)];
+    hex += kDigits[std::to_integer<std::size_t>(byte & std::byte{15})];
+  }
+  CHECK(hex ==
+        "0103ac02c80180d095ffbc310100000000000000020000000000000005c801020005616c696365"
+        "010500e0c508080200010207010100080202050207000101080201020207010100516d32cce7e0dafc");
+}
+
+TEST_CASE("changes of an edit are read back, and nothing else") {
+  Bytes value;
+  encode(done_record().changes, value);
+  CHECK(decode_changes(value) == done_record().changes);
+  for (std::size_t size = 0; size < value.size(); ++size) {
+    CHECK_FALSE(decode_changes(std::span{value}.first(size)).has_value());
+  }
+  value.push_back(std::byte{0});
+  CHECK_FALSE(decode_changes(value).has_value());
+}
+
 TEST_CASE("history and materials are read back") {
   const HistorySegment segment{.first = 5, .last = 900, .bytes = 70'000, .last_time_ms = 12};
   Bytes value;

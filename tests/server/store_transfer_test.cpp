@@ -1,6 +1,11 @@
 // Edits to a file and back, and over another world.
+#include <sys/resource.h>
+
+#include <chrono>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <iostream>
 #include <map>
 #include <random>
 
@@ -151,6 +156,49 @@ TEST_CASE("edits that are exported and imported are the same, whichever wins whe
     REQUIRE((*store)->reader().for_each_editor([&](auto, auto&&) { ++editors; }).has_value());
     CHECK(editors == 1);
   }
+}
+
+// TALUS_STORE_CHUNKS=1000000 test_server_store_command "[large]"
+TEST_CASE("memory does not grow with the chunks of an export, an import, a verify", "[.][large]") {
+  const char* const given = std::getenv("TALUS_STORE_CHUNKS");
+  const std::int32_t chunks = given == nullptr ? 50'000 : std::atoi(given);
+  const ScratchDirectory scratch;
+  auto measured = [last = std::chrono::steady_clock::now()](const char* what) mutable {
+    const auto now = std::chrono::steady_clock::now();
+    rusage usage{};
+    ::getrusage(RUSAGE_SELF, &usage);
+    std::cout << what << ": " << std::chrono::duration<double>(now - std::exchange(last, now)).count()
+              << " s, at most " << usage.ru_maxrss / 1'024 << " MiB so far\n";
+    return usage.ru_maxrss / 1'024;
+  };
+  {
+    fs::create_directories(scratch / "a");
+    const auto builder = StoreBuilder::create(scratch / "a", {{3, 4}, kWorld}, 10, 11);
+    std::mt19937_64 random{1};
+    for (std::int32_t i = 0; i < chunks; ++i) {
+      std::vector<Override> voxels;
+      for (std::uint16_t at = 0; at < 20; ++at) {
+        voxels.push_back({static_cast<std::uint16_t>(at * 1'600 + random() % 1'600), MaterialId{256}});
+      }
+      REQUIRE((*builder)->add({i % 1'000, 0, i / 1'000}, 5, voxels).has_value());
+    }
+    for (const auto& [name, id] : kMaterials) REQUIRE((*builder)->add(name, id).has_value());
+    REQUIRE((*builder)->finish(6, 1'700'000'000'000).has_value());
+  }
+  measured("made");
+  REQUIRE(export_to(scratch / "a", scratch / "file") == "");
+  measured("exported");
+  REQUIRE(import_from(scratch / "file", scratch / "b", Winner::file).has_value());
+  measured("imported");
+  REQUIRE(import_from(scratch / "file", scratch / "b", Winner::store).has_value());
+  measured("imported over it");
+  const auto store = ReadOnlyStore::open(scratch / "b");
+  ProgressBar progress{"", ""};
+  const auto figures = read_figures(**store, progress);
+  REQUIRE(verify(**store, *figures).has_value());
+  CHECK(figures->levels[0].chunks == static_cast<std::uint64_t>(chunks));
+  CHECK(measured("verified") < 1'024);
+  std::cout << "file: " << fs::file_size(scratch / "file") << " bytes\n";
 }
 
 TEST_CASE("an imported file's materials are those of the same names") {

@@ -1,0 +1,58 @@
+// The command line of `talusd store`, and its times.
+#include <filesystem>
+#include <vector>
+
+#include <catch2/catch.hpp>
+
+#include "config/parse_flags.h"
+#include "scratch_directory.h"
+#include "store_command/moments.h"
+#include "store_command/store_command.h"
+
+namespace talus::server {
+namespace {
+
+int run(std::vector<const char*> flags, const Environment& environment = {}) {
+  flags.insert(flags.begin(), "store");
+  const LoadWorld none = [](const std::filesystem::path&) {
+    return tl::expected<std::shared_ptr<const terrain::World>, std::string>{tl::unexpect, "no world"};
+  };
+  return store_command(static_cast<int>(flags.size()), flags.data(), environment, none);
+}
+
+}  // namespace
+
+TEST_CASE("times are a while ago, or in UTC") {
+  constexpr std::int64_t kNow = 1'764'000'000'000;
+  CHECK(parse_moment("90s", kNow) == kNow - 90'000);
+  CHECK(parse_moment("2h", kNow) == kNow - 7'200'000);
+  CHECK(parse_moment("7d", kNow) == kNow - 604'800'000);
+  CHECK(parse_moment("1970-01-02", kNow) == 86'400'000);
+  CHECK(parse_moment("2025-11-24T16:00:00Z", kNow) == kNow);
+  CHECK(moment(kNow) == "2025-11-24T16:00:00Z");
+  for (const char* const wrong : {"", "h", "2", "2w", "-2h", "2h ", "99999999999999999999s",
+                                  "2025-11-24T16:00:00", "2025-13-01", "yesterday"}) {
+    CAPTURE(wrong);
+    CHECK_FALSE(parse_moment(wrong, kNow).has_value());
+  }
+}
+
+TEST_CASE("wrong flags and failures have statuses of their own") {
+  const ScratchDirectory scratch;
+  const std::string data = scratch / "none";
+  CHECK(run({}) == kWrongUse);
+  CHECK(run({"--help"}) == 0);
+  CHECK(run({"rollback", "--help"}) == 0);
+  CHECK(run({"melt"}) == kWrongUse);
+  CHECK(run({"stat"}) == kWrongUse);  // of which directory?
+  CHECK(run({"backup", "--data", data.c_str()}) == kWrongUse);
+  CHECK(run({"stat", "--data", data.c_str()}) == kFailed);
+  CHECK(run({"stat"}, {{"TALUS_DATA", data}}) == kFailed);
+  CHECK(run({"history", "--data", data.c_str(), "--at", "1,2"}) == kFailed);
+  CHECK(run({"rollback", "--data", data.c_str(), "--subject", "", "--since", "1h", "--box", "1,2,3,4,5"}) ==
+        kFailed);
+  CHECK(run({"rebase", "--data", data.c_str()}) == kFailed);
+  CHECK_FALSE(std::filesystem::exists(data));
+}
+
+}  // namespace talus::server
