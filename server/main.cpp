@@ -34,6 +34,7 @@
 #include "log/program_line.h"
 #include "net/tls_context.h"
 #include "privileges/privileges.h"
+#include "store_command/store_command.h"
 #include "web/site.h"
 
 #include <talus/vectors/instruction_set.h>
@@ -207,6 +208,10 @@ int main(int argc, char** argv) {
     if (argc > 1 && std::string_view{argv[1]} == "top") {
       end_by_default_on_signals();
       return show_top(argc - 1, argv + 1, environment);
+    }
+    if (argc > 1 && std::string_view{argv[1]} == "store") {
+      end_by_default_on_signals();
+      return store_command(argc - 1, argv + 1, environment, load_world);
     }
     const auto command = read_command_line(argc, argv, environment);
     if (command) {

@@ -14,8 +14,6 @@
 namespace talus::server {
 namespace {
 
-/// Ids below are those of what worlds generate, at most 255.
-constexpr std::uint16_t kFirstPlaceable = 256;
 constexpr std::size_t kMostPlaceables = 65'000;
 
 /// While it lives, threads that are started leave all signals to the main thread, which knows what they mean.
@@ -63,10 +61,14 @@ tl::expected<std::unique_ptr<WorldEdits>, std::string> WorldEdits::open(
 }
 
 EditDatabase::Done WorldEdits::bind_placeables(const terrain::World& world) {
+  std::map<std::string, MaterialId> generated;
+  for (const terrain::Material& material : world.materials()) generated.emplace(material.name, material.id);
+  if (auto named = database_->name_generated(generated); !named) return named;
   const std::map<std::string, MaterialId>& known = database_->materials();
   std::map<std::string, MaterialId> missing = known;
+  for (const auto& [name, id] : generated) missing.erase(name);
   std::map<std::string, MaterialId> added;
-  std::uint16_t next = kFirstPlaceable;
+  std::uint16_t next = kFirstBound;
   if (known.size() + world.placeables().size() > kMostPlaceables) {
     return tl::unexpected{fmt::format("data {}: the store has ids for {} more materials; the world names {}",
                                       database_->path().string(), kMostPlaceables - known.size(),
@@ -131,9 +133,17 @@ void WorldEdits::start() {
   const SignalsBlocked blocked;
   feed_.start();
   intake_->start();
+  auto socket = StoreSocket::open(database_->path(),
+                                  {*database_, *log_, [this] { return log_->status().read_only; }}, logger_);
+  if (socket) {
+    socket_ = *std::move(socket);
+  } else {
+    logger_->warn("{}", socket.error());
+  }
 }
 
 void WorldEdits::stop() {
+  socket_.reset();  // who waits for the log there gets its answer
   if (intake_ != nullptr) intake_->stop();
   if (log_ != nullptr) log_->stop();
 }

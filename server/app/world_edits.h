@@ -27,6 +27,7 @@
 #include "log/logger.h"
 #include "metrics/metrics.h"
 #include "store/edit_database.h"
+#include "store_socket/store_socket.h"
 
 namespace talus::server {
 
@@ -88,6 +89,7 @@ class WorldEdits final : public EditedLand {
   std::unique_ptr<EditedChunks> chunks_;
   std::unique_ptr<LocalLog> log_;
   std::unique_ptr<EditIntake> intake_;
+  std::unique_ptr<StoreSocket> socket_;  // null: it could not be made
 };
 
 }  // namespace talus::server

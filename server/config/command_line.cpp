@@ -37,7 +37,7 @@ tl::expected<Command, Exit> read_command_line(int argc, const char* const* argv,
       "limits.connections.\n"
       "A flag overrides a variable, a variable overrides the file, and the file overrides the default.\n"
       "\"talusd token --help\" explains how to make tokens for clients, \"talusd top --help\" how to see who "
-      "uses most.\n"
+      "uses most, \"talusd store --help\" how to back up what players built.\n"
       "SIGTERM or SIGINT ends the server once pending answers are sent; a second signal ends it at once.\n"
       "Exit status: 0 success, 1 failure, 2 wrong flags.");
 

@@ -70,4 +70,34 @@ void AcknowledgedFile::sync() {
   file_->Sync().PermitUncheckedError();
 }
 
+tl::expected<void, std::string> check_acknowledged(rocksdb::Env& env, const std::filesystem::path& directory,
+                                                   const StoreMeta& meta) {
+  const std::string path = (directory / "acknowledged").string();
+  const auto failure = [&](std::string_view what) {
+    return tl::unexpected{fmt::format("edits {}: {}", directory.string(), what)};
+  };
+  const auto read = AcknowledgedFile::read(env, path);
+  if (!read) return failure(read.error());
+  if (!*read) return {};
+  const Acknowledged& acknowledged = **read;
+  if (acknowledged.position > meta.head.position) {
+    return failure(
+        fmt::format("entries {} to {} of its log were acknowledged and are lost, as the disk lost "
+                    "the end of the log; restore a backup, or delete {} to go on without them",
+                    meta.head.position + 1, acknowledged.position, path));
+  }
+  if (acknowledged.position == meta.head.position && acknowledged.link != meta.link) {
+    return failure(
+        fmt::format("entry {} of its log is not the one that was acknowledged; restore a backup, or "
+                    "delete {} to go on with what is there",
+                    meta.head.position, path));
+  }
+  return {};
+}
+
+tl::expected<void, std::string> check_acknowledged(const std::filesystem::path& directory,
+                                                   const StoreMeta& meta) {
+  return check_acknowledged(*rocksdb::Env::Default(), directory, meta);
+}
+
 }  // namespace talus::server

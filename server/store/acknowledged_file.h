@@ -4,7 +4,9 @@
 // is sound, but never before it.
 #pragma once
 
+#include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include <tl/expected.hpp>
@@ -41,5 +43,13 @@ class AcknowledgedFile {
   std::unique_ptr<rocksdb::RandomRWFile> file_;
   Bytes bytes_;
 };
+
+/// Whether a database that stands where `meta` says has all that the file beside it, in `directory`, says was
+/// acknowledged. An error is one line, and names what is lost.
+[[nodiscard]] tl::expected<void, std::string> check_acknowledged(rocksdb::Env& env,
+                                                                 const std::filesystem::path& directory,
+                                                                 const StoreMeta& meta);
+[[nodiscard]] tl::expected<void, std::string> check_acknowledged(const std::filesystem::path& directory,
+                                                                 const StoreMeta& meta);
 
 }  // namespace talus::server

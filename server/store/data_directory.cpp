@@ -6,17 +6,13 @@
 #include <unistd.h>
 
 #include <cerrno>
-#include <charconv>
-#include <optional>
-#include <random>
 #include <system_error>
 #include <utility>
 
 #include <fmt/format.h>
 #include <talus/files/atomic_file.h>
-#include <talus/files/secret_file.h>
-#include <talus/toml/toml_bounds.h>
-#include <toml++/toml.h>
+
+#include "store/store_swap.h"
 
 namespace talus::server {
 namespace {
@@ -28,89 +24,19 @@ tl::unexpected<std::string> system_failure(const fs::path& path, std::string_vie
                                          path.string(), what, std::generic_category().message(error)));
 }
 
-ContentHash random_id() {
-  std::random_device device;
-  const auto half = [&] { return (std::uint64_t{device()} << 32) | device(); };
-  return {half(), half()};
-}
-
-std::optional<ContentHash> parse_hash(const std::optional<std::string>& text) {
-  constexpr std::size_t kHalfDigits = 16;
-  if (!text || text->size() != 2 * kHalfDigits) return std::nullopt;
-  ContentHash hash;
-  for (const auto& [half, at] : {std::pair{&hash.high, std::size_t{0}}, std::pair{&hash.low, kHalfDigits}}) {
-    const char* const begin = text->data() + at;
-    const auto [stop, error] = std::from_chars(begin, begin + kHalfDigits, *half, 16);
-    if (error != std::errc{} || stop != begin + kHalfDigits) return std::nullopt;
-  }
-  return hash;
-}
-
-std::string store_text(ContentHash id, ContentHash fingerprint) {
-  return fmt::format(
-      "# Written by talusd. Do not edit or delete files here: they belong to this store id and this world.\n"
-      "store_id = \"{}\"\n"
-      "fingerprint = \"{}\"\n",
-      to_string(id), to_string(fingerprint));
-}
-
-struct StoreFile {
-  ContentHash id;
-  ContentHash fingerprint;
-};
-
-tl::expected<StoreFile, std::string> read_store_file(const fs::path& file) {
-  std::optional<ContentHash> id;
-  std::optional<ContentHash> held;
-  const auto read = files::SecretFile::read(file, kMaxTomlBytes);
-  if (!read) {
-    return tl::make_unexpected(fmt::format("{}: {}; give --data a directory that talusd alone uses",
-                                           file.string(), read.error().reason));
-  }
-  try {
-    const bool sound = !find_toml_fault(read->text());
-    const toml::table table = sound ? toml::parse(read->text()) : toml::table{};
-    id = parse_hash(table["store_id"].value<std::string>());
-    held = parse_hash(table["fingerprint"].value<std::string>());
-  } catch (const toml::parse_error&) {
-    // Reported below, as missing keys are: only a file that talusd wrote is right.
-  }
-  if (!id || !held) {
-    return tl::make_unexpected(fmt::format(
-        "{}: was not written by talusd; it needs store_id and fingerprint, each of 32 hexadecimal digits",
-        file.string()));
-  }
-  return StoreFile{*id, *held};
-}
-
-/// The id of an existing store, which must be of this world. `otherwise`: what else than another --world
-/// helps.
-tl::expected<ContentHash, std::string> read_store(const fs::path& file, ContentHash fingerprint,
-                                                  std::string_view otherwise) {
-  const auto store = read_store_file(file);
-  if (!store) return tl::make_unexpected(store.error());
-  if (store->fingerprint != fingerprint) {
-    return tl::make_unexpected(
-        fmt::format("{}: the store belongs to the world with fingerprint {}; this world has fingerprint {}; "
-                    "give {} another directory, or --world the store's world",
-                    file.string(), to_string(store->fingerprint), to_string(fingerprint), otherwise));
-  }
-  return store->id;
-}
-
-tl::expected<ContentHash, std::string> read_or_make_store(const fs::path& path, ContentHash fingerprint,
-                                                          files::FileLayer& layer) {
-  const fs::path file = path / "store.toml";
-  // Create it only where nothing has that name, not even a dangling link: a file that cannot be read may be a
-  // store.
+/// Whether something has the name, if it is a dangling link: a file that cannot be read may be a store.
+bool has_name(const fs::path& file) {
   std::error_code error;
-  if (fs::symlink_status(file, error).type() != fs::file_type::not_found)
-    return read_store(file, fingerprint, "--data");
-  const ContentHash id = random_id();
-  if (const auto written = files::write_file(file, store_text(id, fingerprint), layer); !written) {
-    return system_failure(path, "cannot write store.toml", written.error().code.value());
-  }
-  return id;
+  return fs::symlink_status(file, error).type() != fs::file_type::not_found;
+}
+
+tl::expected<void, std::string> check_world(const fs::path& file, ContentHash held, ContentHash fingerprint) {
+  if (held == fingerprint) return {};
+  return tl::make_unexpected(
+      fmt::format("{}: the store belongs to the world with fingerprint {}; this world has fingerprint {}; "
+                  "give --data another directory, or --world the store's world, or carry the edits over by "
+                  "talusd store rebase",
+                  file.string(), to_string(held), to_string(fingerprint)));
 }
 
 }  // namespace
@@ -134,55 +60,80 @@ tl::expected<void, std::string> DataDirectory::make_for(const fs::path& path, ui
   return {};
 }
 
-tl::expected<DataDirectory, std::string> DataDirectory::open(const fs::path& path, ContentHash fingerprint,
-                                                             files::FileLayer& layer) {
-  std::error_code error;
-  fs::create_directories(path, error);
-  if (error) return system_failure(path, "cannot create the directory", error.value());
-
+tl::expected<DataDirectory, std::string> DataDirectory::lock(const fs::path& path) {
   const int lock = ::open((path / "lock").c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644);
   if (lock < 0) return system_failure(path, "cannot write into it", errno);
-  DataDirectory directory{lock, {}};
+  DataDirectory directory{lock, path};
   if (::flock(lock, LOCK_EX | LOCK_NB) != 0) {
     return tl::make_unexpected(
         fmt::format("data {}: another talusd uses it; give --data another directory", path.string()));
   }
-  auto id = read_or_make_store(path, fingerprint, layer);
-  if (!id) return tl::make_unexpected(id.error());
-  directory.store_id_ = *id;
+  if (const auto tidied = tidy_up(path); !tidied) {
+    return tl::make_unexpected(fmt::format("data {}", tidied.error()));
+  }
   return directory;
 }
 
-tl::expected<DataDirectory, std::string> DataDirectory::open_to_read(const fs::path& path,
-                                                                     ContentHash fingerprint) {
-  std::error_code error;
-  if (!fs::exists(path / "store.toml", error)) {
-    return tl::make_unexpected(fmt::format(
-        "store {}: there is no store.toml; give --store a directory that talusd was given as --data, "
-        "or a backup of one",
-        path.string()));
+tl::expected<void, std::string> DataDirectory::read_identity() {
+  const fs::path file = path_ / "store.toml";
+  if (!has_name(file)) return {};
+  const auto identity = read_store_identity(file);
+  if (!identity) return tl::make_unexpected(identity.error());
+  identity_ = *identity;
+  return {};
+}
+
+tl::expected<DataDirectory, std::string> DataDirectory::open(const fs::path& path, ContentHash fingerprint,
+                                                             files::FileLayer& layer) {
+  auto directory = open_any(path);
+  if (!directory) return directory;
+  if (const auto read = directory->read_identity(); !read) return tl::make_unexpected(read.error());
+  const fs::path file = path / "store.toml";
+  if (directory->identity_) {
+    const auto same = check_world(file, directory->identity_->fingerprint, fingerprint);
+    if (!same) return tl::make_unexpected(same.error());
+    return directory;
   }
-  const int lock = ::open((path / "lock").c_str(), O_RDONLY | O_CLOEXEC);
-  if (lock < 0 && errno != ENOENT) {
-    return tl::make_unexpected(
-        fmt::format("store {}: cannot open its lock: {}; run this as a user who may read it", path.string(),
-                    std::generic_category().message(errno)));
+  const StoreIdentity made{random_store_id(), fingerprint};
+  if (const auto written = files::write_file(file, store_text(made), layer); !written) {
+    return system_failure(path, "cannot write store.toml", written.error().code.value());
   }
-  DataDirectory directory{lock, {}};
-  if (lock >= 0 && ::flock(lock, LOCK_SH | LOCK_NB) != 0) {
-    return tl::make_unexpected(
-        fmt::format("store {}: a talusd uses it; stop that, or let `talusd store backup` make a copy, and "
-                    "give --store the copy",
-                    path.string()));
-  }
-  auto id = read_store(path / "store.toml", fingerprint, "--store");
-  if (!id) return tl::make_unexpected(id.error());
-  directory.store_id_ = *id;
+  directory->identity_ = made;
   return directory;
+}
+
+tl::expected<DataDirectory, std::string> DataDirectory::open_any(const fs::path& path) {
+  std::error_code error;
+  fs::create_directories(path, error);
+  if (error) return system_failure(path, "cannot create the directory", error.value());
+  return lock(path);
+}
+
+tl::expected<DataDirectory, std::string> DataDirectory::open_store(const fs::path& path) {
+  std::error_code error;
+  if (!fs::is_directory(path, error)) {
+    return tl::make_unexpected(
+        fmt::format("data {}: there is no such directory; give --data that of a talusd", path.string()));
+  }
+  const auto no_store = [&] {
+    return tl::make_unexpected(fmt::format(
+        "data {}: there is no store in it; give --data the directory of a talusd", path.string()));
+  };
+  // Nothing is made in a directory that is none of talusd's.
+  if (!has_name(path / "store.toml") && !has_name(path / "talus-next")) return no_store();
+  auto directory = lock(path);
+  if (!directory) return directory;
+  if (const auto read = directory->read_identity(); !read) return tl::make_unexpected(read.error());
+  if (!directory->identity_) return no_store();
+  return directory;
+}
+
+bool DataDirectory::has_store() const {
+  return has_name(path_ / "store.toml") || has_name(path_ / "db") || has_name(path_ / "acknowledged");
 }
 
 DataDirectory::DataDirectory(DataDirectory&& other) noexcept
-    : lock_{std::exchange(other.lock_, -1)}, store_id_{other.store_id_} {}
+    : lock_{std::exchange(other.lock_, -1)}, path_{std::move(other.path_)}, identity_{other.identity_} {}
 
 DataDirectory::~DataDirectory() {
   if (lock_ >= 0) ::close(lock_);

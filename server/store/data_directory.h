@@ -6,12 +6,15 @@
 #include <sys/types.h>
 
 #include <filesystem>
+#include <optional>
 #include <string>
 
 #include <tl/expected.hpp>
 
 #include <talus/files/file_layer.h>
 #include <talus/voxel/content_hash.h>
+
+#include "store/store_identity.h"
 
 namespace talus::server {
 
@@ -26,22 +29,34 @@ class DataDirectory {
       const std::filesystem::path& path, ContentHash fingerprint,
       files::FileLayer& layer = files::system_files());
 
-  /// To read what is there, without a change, and with no server beside while this lives. A backup has no
-  /// lock: nobody writes it. An error is one line, for people who give a program --store.
-  [[nodiscard]] static tl::expected<DataDirectory, std::string> open_to_read(
-      const std::filesystem::path& path, ContentHash fingerprint);
+  /// Creates the directory where it is missing, and locks it; nothing else is made. A store that is there may
+  /// be damaged, and is not looked at: identity() is none.
+  [[nodiscard]] static tl::expected<DataDirectory, std::string> open_any(const std::filesystem::path& path);
+  /// Locks a directory that holds a store, of whichever world.
+  [[nodiscard]] static tl::expected<DataDirectory, std::string> open_store(const std::filesystem::path& path);
 
   DataDirectory(DataDirectory&& other) noexcept;
   DataDirectory& operator=(DataDirectory&&) = delete;
   ~DataDirectory();
 
-  [[nodiscard]] ContentHash store_id() const { return store_id_; }
+  /// Whether it holds anything of a store.
+  [[nodiscard]] bool has_store() const;
+  /// Of a store that was looked at.
+  [[nodiscard]] const std::optional<StoreIdentity>& identity() const { return identity_; }
+  [[nodiscard]] ContentHash store_id() const { return identity_ ? identity_->store_id : ContentHash{}; }
+  [[nodiscard]] const std::filesystem::path& path() const { return path_; }
 
  private:
-  DataDirectory(int lock, ContentHash store_id) : lock_{lock}, store_id_{store_id} {}
+  DataDirectory(int lock, std::filesystem::path path) : lock_{lock}, path_{std::move(path)} {}
+  /// Ends what another process began there, too.
+  [[nodiscard]] static tl::expected<DataDirectory, std::string> lock(const std::filesystem::path& path);
+
+  /// None where there is no store.toml.
+  [[nodiscard]] tl::expected<void, std::string> read_identity();
 
   int lock_;  // a descriptor; closing it, or the end of the process, releases the lock
-  ContentHash store_id_;
+  std::filesystem::path path_;
+  std::optional<StoreIdentity> identity_;
 };
 
 }  // namespace talus::server

@@ -7,12 +7,12 @@
 #include <vector>
 
 #include <fmt/format.h>
-#include <rocksdb/cache.h>
 #include <rocksdb/db.h>
 #include <rocksdb/env.h>
-#include <rocksdb/filter_policy.h>
-#include <rocksdb/table.h>
+#include <rocksdb/utilities/checkpoint.h>
 #include <rocksdb/write_batch.h>
+
+#include "store/rocks.h"
 
 namespace talus::server {
 namespace {
@@ -20,73 +20,6 @@ namespace {
 /// Segments of history: as large as that, or as old.
 constexpr std::uint64_t kSegmentBytes = std::uint64_t{1} << 20U;
 constexpr std::int64_t kSegmentMs = std::int64_t{60} * 60 * 1000;
-
-constexpr std::string_view kLost = "restore a backup, or give --data another directory";
-
-rocksdb::Slice as_slice(const Bytes& bytes) {
-  return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
-}
-std::span<const std::byte> bytes_of(const rocksdb::Slice& slice) {
-  return std::as_bytes(std::span{slice.data(), slice.size()});
-}
-std::string_view text_of(const rocksdb::Slice& slice) {
-  return {slice.data(), slice.size()};
-}
-
-/// What fails comes back as a Status, and talusd tells it. RocksDB's own file of lines must not be: where a
-/// write to it fails, its next line ends the process.
-class NoInfoLog final : public rocksdb::Logger {
- public:
-  using Logger::Logv;
-  void Logv(const char*, va_list) override {}
-};
-
-rocksdb::Options options_of(const EditDatabaseSettings& settings, bool create) {
-  rocksdb::Options options;
-  if (settings.env != nullptr) options.env = settings.env;
-  options.create_if_missing = create;
-  options.paranoid_checks = true;
-  options.wal_recovery_mode = rocksdb::WALRecoveryMode::kTolerateCorruptedTailRecords;
-  options.track_and_verify_wals_in_manifest = true;
-  options.manual_wal_flush = false;
-  options.recycle_log_file_num = 0;
-  options.wal_compression = rocksdb::kNoCompression;
-  options.write_buffer_size = settings.write_buffer_bytes;
-  options.compression = rocksdb::kLZ4Compression;
-  options.allow_concurrent_memtable_write = false;  // one thread writes
-  options.max_background_jobs = 2;
-  options.max_open_files = 256;
-  options.info_log = std::make_shared<NoInfoLog>();
-  options.stats_dump_period_sec = 0;
-  options.stats_persist_period_sec = 0;
-  rocksdb::BlockBasedTableOptions table;
-  table.filter_policy.reset(rocksdb::NewBloomFilterPolicy(10));
-  table.block_cache = rocksdb::NewLRUCache(settings.block_cache_bytes);
-  options.table_factory.reset(rocksdb::NewBlockBasedTableFactory(table));
-  return options;
-}
-
-rocksdb::ReadOptions for_scans() {
-  rocksdb::ReadOptions options;
-  options.fill_cache = false;
-  options.total_order_seek = true;
-  return options;
-}
-
-std::string prefix_of(KeyKind kind) {
-  return std::string(1, static_cast<char>(kind));
-}
-
-/// Calls visit(key, value) for all keys from `first` on that begin as it does, until it returns false.
-template <typename Visit>
-rocksdb::Status scan(rocksdb::DB& db, const std::string& first, Visit&& visit) {
-  const std::unique_ptr<rocksdb::Iterator> at{db.NewIterator(for_scans())};
-  for (at->Seek(first); at->Valid(); at->Next()) {
-    if (at->key().empty() || at->key()[0] != first.front()) break;
-    if (!visit(at->key(), at->value())) break;
-  }
-  return at->status();
-}
 
 /// Whether files are there that only a database has which was in use.
 bool was_in_use(rocksdb::Env& env, const std::string& path) {
@@ -107,6 +40,10 @@ EditDatabase::~EditDatabase() {
 
 rocksdb::Env& EditDatabase::env() const {
   return settings_.env == nullptr ? *rocksdb::Env::Default() : *settings_.env;
+}
+
+StoreReader EditDatabase::reader() const {
+  return {*db_, settings_.path};
 }
 
 tl::unexpected<std::string> EditDatabase::failure(std::string_view what) const {
@@ -138,55 +75,26 @@ tl::expected<std::unique_ptr<EditDatabase>, std::string> EditDatabase::open(
   return database;
 }
 
-tl::expected<std::unique_ptr<EditDatabase>, std::string> EditDatabase::open_to_read(
-    const EditDatabaseSettings& settings) {
-  std::unique_ptr<EditDatabase> database{new EditDatabase{settings}};
-  using Step = Done (EditDatabase::*)();
-  for (const Step step : {&EditDatabase::open_database_to_read, &EditDatabase::read_meta,
-                          &EditDatabase::check_acknowledged, &EditDatabase::read_materials}) {
-    if (auto good = (database.get()->*step)(); !good) return tl::unexpected{std::move(good.error())};
-  }
-  return database;
-}
-
-EditDatabase::Done EditDatabase::open_database_to_read() {
-  if (!was_in_use(env(), database_path())) {
-    return failure("there is no database of edits; a store that talusd has opened has one");
-  }
-  rocksdb::DB* db = nullptr;
-  const auto status = rocksdb::DB::OpenForReadOnly(options_of(settings_, false), database_path(), &db);
-  db_.reset(db);
-  if (status.ok()) return {};
-  return failure(fmt::format("the database does not open: {}; {}", status.ToString(), kLost));
-}
-
 EditDatabase::Done EditDatabase::open_database() {
   // RocksDB would make an empty database of one that lost its file CURRENT.
   const bool used = was_in_use(env(), database_path()) || env().FileExists(acknowledged_path()).ok();
   rocksdb::DB* db = nullptr;
-  const auto status = rocksdb::DB::Open(options_of(settings_, !used), database_path(), &db);
+  const auto status = rocksdb::DB::Open(
+      rocks_options({settings_.env, settings_.write_buffer_bytes, settings_.block_cache_bytes}, !used),
+      database_path(), &db);
   db_.reset(db);
   if (status.ok()) return {};
   if (status.IsCorruption() || used) {
-    return failure(fmt::format("the database does not open: {}; {}", status.ToString(), kLost));
+    return failure(fmt::format("the database does not open: {}; {}", status.ToString(), kStoreLost));
   }
   return failure(fmt::format("{}; give --data a directory that talusd may write", status.ToString()));
 }
 
 EditDatabase::Done EditDatabase::read_meta() {
-  std::string value;
-  const auto status = db_->Get({}, meta_key(), &value);
-  if (status.IsNotFound()) return make_store();
-  if (!status.ok()) return failure(fmt::format("{}; {}", status.ToString(), kLost));
-  if (!value.empty() && static_cast<std::uint8_t>(value.front()) > kStoreFormat) {
-    return failure(
-        fmt::format("the store has format {}; this talusd reads format {}; run a newer talusd, or give "
-                    "--data another directory",
-                    static_cast<std::uint8_t>(value.front()), kStoreFormat));
-  }
-  const auto meta = decode_meta(std::as_bytes(std::span{value}));
-  if (!meta) return failure(fmt::format("its record of the store's state is damaged; {}", kLost));
-  meta_ = *meta;
+  auto meta = reader().meta();
+  if (!meta) return tl::unexpected{std::move(meta.error())};
+  if (!*meta) return make_store();
+  meta_ = **meta;
   return check_meta();
 }
 
@@ -195,7 +103,7 @@ EditDatabase::Done EditDatabase::make_store() {
   any->SeekToFirst();
   const bool acknowledged = !env().FileExists(acknowledged_path()).IsNotFound();
   if (any->Valid() || !any->status().ok() || acknowledged) {
-    return failure(fmt::format("its record of the store's state is missing; {}", kLost));
+    return failure(fmt::format("its record of the store's state is missing; {}", kStoreLost));
   }
   meta_.fingerprint = settings_.fingerprint;
   meta_.store_id = settings_.store_id;
@@ -228,51 +136,22 @@ EditDatabase::Done EditDatabase::check_meta() const {
 }
 
 EditDatabase::Done EditDatabase::check_acknowledged() {
-  const auto read = AcknowledgedFile::read(env(), acknowledged_path());
-  if (!read) return failure(read.error());
-  if (!*read) return {};
-  const Acknowledged& acknowledged = **read;
-  if (acknowledged.position > meta_.head.position) {
-    return failure(
-        fmt::format("entries {} to {} of its log were acknowledged and are lost, as the disk lost "
-                    "the end of the log; restore a backup, or delete {} to go on without them",
-                    meta_.head.position + 1, acknowledged.position, acknowledged_path()));
-  }
-  if (acknowledged.position == meta_.head.position && acknowledged.link != meta_.link) {
-    return failure(
-        fmt::format("entry {} of its log is not the one that was acknowledged; restore a backup, or "
-                    "delete {} to go on with what is there",
-                    meta_.head.position, acknowledged_path()));
-  }
-  return {};
+  return server::check_acknowledged(env(), settings_.path, meta_);
 }
 
 EditDatabase::Done EditDatabase::read_materials() {
-  bool sound = true;
-  const auto status = scan(*db_, prefix_of(KeyKind::material), [&](const auto& key, const auto& value) {
-    const auto name = material_of_key(text_of(key));
-    const auto material = decode_material(text_of(key), bytes_of(value));
-    sound = name && material;
-    if (sound) materials_.emplace(*name, *material);
-    return sound;
-  });
-  if (status.ok() && sound) return {};
-  return failure(fmt::format("its table of materials is damaged: {}; {}", status.ToString(), kLost));
+  auto materials = reader().materials();
+  if (!materials) return tl::unexpected{std::move(materials.error())};
+  materials_ = *std::move(materials);
+  return {};
 }
 
 EditDatabase::Done EditDatabase::read_history() {
-  bool sound = true;
-  const auto status = scan(*db_, prefix_of(KeyKind::history), [&](const auto& key, const auto& value) {
-    const auto segment = decode_history(text_of(key), bytes_of(value));
-    sound = segment && segment->last <= meta_.flushed &&
-            (history_.empty() || history_.back().last + 1 == segment->first);
-    if (!sound) return false;
-    history_.push_back(*segment);
-    history_bytes_ += segment->bytes;
-    return true;
-  });
-  if (status.ok() && sound) return {};
-  return failure(fmt::format("its table of history is damaged: {}; {}", status.ToString(), kLost));
+  auto history = reader().history(meta_.flushed);
+  if (!history) return tl::unexpected{std::move(history.error())};
+  history_ = *std::move(history);
+  for (const HistorySegment& segment : history_) history_bytes_ += segment.bytes;
+  return {};
 }
 
 EditDatabase::Done EditDatabase::drop_records_beyond() {
@@ -281,7 +160,7 @@ EditDatabase::Done EditDatabase::drop_records_beyond() {
     any = true;
     return false;
   });
-  if (!status.ok()) return failure(fmt::format("{}; {}", status.ToString(), kLost));
+  if (!status.ok()) return failure(fmt::format("{}; {}", status.ToString(), kStoreLost));
   if (!any) return {};
   rocksdb::WriteBatch batch;
   batch.DeleteRange(log_key(meta_.head.position + 1), log_key(UINT64_MAX));
@@ -290,97 +169,46 @@ EditDatabase::Done EditDatabase::drop_records_beyond() {
 
 EditDatabase::Done EditDatabase::for_each_chunk(
     const std::function<void(ChunkKey, std::uint64_t)>& visit) const {
-  std::string damaged;
-  const auto status = scan(*db_, prefix_of(KeyKind::chunk), [&](const auto& key, const auto& value) {
-    const auto chunk = chunk_of_key(text_of(key));
-    const auto revision = decode_chunk_revision(text_of(key), bytes_of(value));
-    if (!chunk || !revision) {
-      damaged = chunk ? "chunk " + to_string(*chunk) : "the key of a chunk";
-      return false;
-    }
-    visit(*chunk, *revision);
-    return true;
-  });
-  if (!damaged.empty()) return failure(fmt::format("{} is damaged; {}", damaged, kLost));
-  if (!status.ok()) return failure(fmt::format("{}; {}", status.ToString(), kLost));
-  return {};
+  return reader().for_each_chunk(visit);
 }
 
 EditDatabase::Done EditDatabase::for_each_editor(
     const std::function<void(edits::EditorId, StoredEditor&&)>& visit) const {
-  bool sound = true;
-  const auto status = scan(*db_, prefix_of(KeyKind::editor), [&](const auto& key, const auto& value) {
-    const auto id = editor_of_key(text_of(key));
-    auto editor = decode_editor(text_of(key), bytes_of(value));
-    sound = id && editor;
-    if (sound) visit(*id, std::move(*editor));
-    return sound;
-  });
-  if (!sound) return failure(fmt::format("the record of an editor is damaged; {}", kLost));
-  if (!status.ok()) return failure(fmt::format("{}; {}", status.ToString(), kLost));
-  return {};
+  return reader().for_each_editor(visit);
 }
 
 EditDatabase::Done EditDatabase::replay(const std::function<bool(LogRecord&&)>& visit) {
-  std::uint64_t position = meta_.flushed;
-  std::uint64_t link = meta_.flushed_link;
-  bool sound = true;
-  Unflushed all;
-  const auto status = scan(*db_, log_key(position + 1), [&](const auto& key, const auto& value) {
-    if (position == meta_.head.position) return false;
-    const auto at = position_of_key(text_of(key));
-    auto record = decode_record(bytes_of(value), link);
-    sound = at == position + 1 && record && record->position == *at;
-    if (!sound) return false;
-    all.bytes += value.size();
-    all.time_ms = record->time_ms;
-    position = *at;
-    sound = visit(std::move(*record));
-    return sound;
+  Unflushed all{.position = meta_.head.position, .link = meta_.link};
+  auto good = reader().replay(meta_, [&](LogRecord&& record, std::size_t bytes) {
+    all.bytes += bytes;
+    all.time_ms = record.time_ms;
+    return visit(std::move(record));
   });
-  if (!status.ok()) return failure(fmt::format("{}; {}", status.ToString(), kLost));
-  if (!sound || position != meta_.head.position || link != meta_.link) {
-    return failure(fmt::format("entry {} of its log is damaged or lost, of {} that were acknowledged; {}",
-                               std::min(position + 1, meta_.head.position), meta_.head.position, kLost));
-  }
-  all.position = position;
-  all.link = link;
-  if (position > meta_.flushed) unflushed_.push_back(all);
-  return {};
+  if (good && meta_.head.position > meta_.flushed) unflushed_.push_back(all);
+  return good;
 }
 
 tl::expected<std::optional<StoredChunk>, std::string> EditDatabase::chunk(ChunkKey key) const {
   const std::shared_lock lock{handle_};
   if (!db_) return failure("the store is closed after an error of the disk, and tried again each second");
-  const std::string name = chunk_key(key);
-  rocksdb::PinnableSlice value;
-  const auto status = db_->Get({}, db_->DefaultColumnFamily(), name, &value);
-  if (status.IsNotFound()) return std::nullopt;
-  if (!status.ok()) return failure(fmt::format("chunk {}: {}", to_string(key), status.ToString()));
-  auto chunk = decode_chunk_value(name, bytes_of(value));
-  if (!chunk) return failure(fmt::format("chunk {} is damaged; {}", to_string(key), kLost));
-  return chunk;
+  return reader().chunk(key);
 }
 
 EditDatabase::Done EditDatabase::for_each_record(std::uint64_t first,
                                                  const std::function<bool(LogRecord&&)>& visit) const {
   if (!db_) return failure("the store is closed after an error of the disk, and tried again each second");
-  std::uint64_t position = std::max<std::uint64_t>(first, 1) - 1;
-  bool sound = true;
-  std::uint64_t link = 0;
-  const auto status = scan(*db_, log_key(position + 1), [&](const auto& key, const auto& value) {
-    const auto at = position_of_key(text_of(key));
-    if (!at || *at > meta_.head.position) return false;
-    // The link before the first record of a scan is not at hand but for the very first of the log.
-    auto record = position + 1 == *at && (link != 0 || *at == 1) ? decode_record(bytes_of(value), link)
-                                                                 : decode_record_alone(bytes_of(value), link);
-    sound = record && record->position == *at;
-    if (!sound) return false;
-    position = *at;
-    return visit(std::move(*record));
-  });
-  if (!status.ok()) return failure(fmt::format("{}; {}", status.ToString(), kLost));
-  if (!sound) return failure(fmt::format("entry {} of its log is damaged; {}", position + 1, kLost));
+  return reader().for_each_record(meta_, first, visit);
+}
+
+EditDatabase::Done EditDatabase::checkpoint(const std::filesystem::path& path) const {
+  const std::shared_lock lock{handle_};
+  if (!db_) return failure("the store is closed after an error of the disk, and tried again each second");
+  rocksdb::Checkpoint* made = nullptr;
+  rocksdb::Status status = rocksdb::Checkpoint::Create(db_.get(), &made);
+  const std::unique_ptr<rocksdb::Checkpoint> checkpoint{made};
+  // The log is copied, and not written out as tables first: nobody who edits waits for that.
+  if (status.ok()) status = checkpoint->CreateCheckpoint(path.string(), UINT64_MAX);
+  if (!status.ok()) return failure(fmt::format("checkpoint {}: {}", path.string(), status.ToString()));
   return {};
 }
 
@@ -392,7 +220,7 @@ EditDatabase::Done EditDatabase::append(const edits::Batch& applied) {
   for (const edits::Applied& each : applied.applied()) {
     std::uint64_t epoch = 0;
     std::string_view subject;
-    if (each.kind == edits::Applied::Kind::attached) {
+    if (has_subject(each.kind)) {
       const auto& editor = applied.editors().at(each.editor);
       epoch = editor->epoch;
       subject = editor->subject;
@@ -497,8 +325,8 @@ EditDatabase::Done EditDatabase::recover() {
   // The batch whose write failed may be there, or not.
   if (status.ok() && meta && meta->head.position >= meta_.head.position) return {};
   db_.reset();
-  return failure(
-      fmt::format("after an error of the disk entry {} of its log is lost; {}", meta_.head.position, kLost));
+  return failure(fmt::format("after an error of the disk entry {} of its log is lost; {}",
+                             meta_.head.position, kStoreLost));
 }
 
 std::uint64_t EditDatabase::free_bytes() const {
@@ -530,6 +358,34 @@ EditDatabase::Done EditDatabase::bind(const std::map<std::string, MaterialId>& m
   if (batch.Count() == 0) return {};
   if (auto written = write(batch, true); !written) return written;
   for (const auto& each : materials) materials_.insert(each);
+  return {};
+}
+
+EditDatabase::Done EditDatabase::name_generated(const std::map<std::string, MaterialId>& materials) {
+  std::map<std::string, MaterialId> names = materials;
+  rocksdb::WriteBatch batch;
+  for (const auto& [name, id] : materials_) {
+    const auto named = materials.find(name);
+    if (to_integer(id) >= kFirstBound && named != materials.end()) {
+      return failure(
+          fmt::format("material {} is one that may be placed in the store, with id {}; the world may "
+                      "not generate one of that name",
+                      name, to_integer(id)));
+    }
+    if (to_integer(id) >= kFirstBound) {
+      names.emplace(name, id);
+    } else if (named == materials.end()) {
+      batch.Delete(material_key(name));
+    }
+  }
+  if (names == materials_) return {};
+  for (const auto& [name, id] : materials) {
+    const std::string key = material_key(name);
+    encode(key, id, value_);
+    batch.Put(key, as_slice(value_));
+  }
+  if (auto written = write(batch, true); !written) return written;
+  materials_ = std::move(names);
   return {};
 }
 

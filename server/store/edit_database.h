@@ -23,6 +23,7 @@
 
 #include "store/acknowledged_file.h"
 #include "store/records.h"
+#include "store/store_reader.h"
 
 namespace rocksdb {
 class DB;
@@ -31,6 +32,9 @@ class WriteBatch;
 }  // namespace rocksdb
 
 namespace talus::server {
+
+/// Ids from this one on are bound to names for ever; those below are of materials that worlds generate.
+inline constexpr std::uint16_t kFirstBound = 256;
 
 struct EditDatabaseSettings {
   std::filesystem::path path;  // a directory that a DataDirectory has locked
@@ -56,10 +60,6 @@ class EditDatabase {
   /// one, and one that has less than was acknowledged.
   [[nodiscard]] static tl::expected<std::unique_ptr<EditDatabase>, std::string> open(
       const EditDatabaseSettings& settings);
-  /// To read a store that is there. Nothing on the disk changes, and all calls that write fail. Where a
-  /// server did not end well, its records behind meta().flushed are here too.
-  [[nodiscard]] static tl::expected<std::unique_ptr<EditDatabase>, std::string> open_to_read(
-      const EditDatabaseSettings& settings);
   ~EditDatabase();
 
   [[nodiscard]] const StoreMeta& meta() const { return meta_; }
@@ -79,6 +79,11 @@ class EditDatabase {
   /// Links are verified but for that of the first. On the thread that writes.
   [[nodiscard]] Done for_each_record(std::uint64_t first,
                                      const std::function<bool(LogRecord&&)>& visit) const;
+
+  /// Any thread. The database as of some moment during the call, with all that append() returned for before
+  /// it, as a new directory `path`, whose parent exists: files that never change are linked, where it is of
+  /// the same file system. An error leaves nothing.
+  [[nodiscard]] Done checkpoint(const std::filesystem::path& path) const;
 
   /// Writes all that the batch applied, at once and synced. After an error nobody knows whether it is on the
   /// disk: nothing but this batch may be appended until it succeeds, which does no harm where it was.
@@ -105,6 +110,9 @@ class EditDatabase {
   /// Binds names that are not bound yet, synced. Refuses a name that has another id, and an id that has
   /// another name; then nothing is bound.
   [[nodiscard]] Done bind(const std::map<std::string, MaterialId>& materials);
+  /// What the world calls the materials that it generates, in place of what it called them before: their ids,
+  /// below kFirstBound, follow from its fingerprint, their names do not. Refuses a name that is bound.
+  [[nodiscard]] Done name_generated(const std::map<std::string, MaterialId>& materials);
 
  private:
   /// Of a batch that is not flushed yet.
@@ -117,11 +125,11 @@ class EditDatabase {
 
   explicit EditDatabase(const EditDatabaseSettings& settings);
   [[nodiscard]] rocksdb::Env& env() const;
+  [[nodiscard]] StoreReader reader() const;
   [[nodiscard]] std::string acknowledged_path() const { return (settings_.path / "acknowledged").string(); }
   [[nodiscard]] std::string database_path() const { return (settings_.path / "db").string(); }
   [[nodiscard]] tl::unexpected<std::string> failure(std::string_view what) const;
   [[nodiscard]] Done open_database();
-  [[nodiscard]] Done open_database_to_read();
   [[nodiscard]] Done read_meta();
   [[nodiscard]] Done make_store();
   [[nodiscard]] Done check_meta() const;

@@ -150,6 +150,20 @@ edits::ChunkChanges get_changes(ByteReader& in) {
   return changes;
 }
 
+void put_all_changes(std::span<const edits::ChunkChanges> changes, ByteWriter& out) {
+  out.varint(changes.size());
+  for (const edits::ChunkChanges& each : changes) put_changes(each, out);
+}
+std::vector<edits::ChunkChanges> get_all_changes(ByteReader& in) {
+  std::vector<edits::ChunkChanges> changes;
+  const std::uint64_t chunks = in.varint(edits::kMaxChunks);
+  for (std::uint64_t i = 0; i < chunks && in.ok(); ++i) {
+    changes.push_back(get_changes(in));
+    if (i > 0 && changes[i - 1].chunk >= changes[i].chunk) in.fail();
+  }
+  return changes;
+}
+
 std::uint64_t encode_record(const edits::Applied& applied, std::span<const edits::ChunkChanges> changes,
                             std::int64_t time_ms, std::uint64_t epoch, std::string_view subject,
                             std::uint64_t link_before, Bytes& out) {
@@ -161,14 +175,9 @@ std::uint64_t encode_record(const edits::Applied& applied, std::span<const edits
   writer.fixed64(applied.editor.low);
   writer.fixed64(applied.editor.high);
   if (has_result(applied.kind)) put_result(applied.result, writer);
-  if (applied.kind == edits::Applied::Kind::attached) {
-    writer.varint(epoch);
-    writer.counted(subject);
-  }
-  if (applied.kind == edits::Applied::Kind::done) {
-    writer.varint(changes.size());
-    for (const edits::ChunkChanges& each : changes) put_changes(each, writer);
-  }
+  if (applied.kind == edits::Applied::Kind::attached) writer.varint(epoch);
+  if (has_subject(applied.kind)) writer.counted(subject);
+  if (applied.kind == edits::Applied::Kind::done) put_all_changes(changes, writer);
   seal(link_before, out);
   return ByteReader{std::span{std::as_const(out)}.last(kChecksumBytes)}.fixed64();
 }
@@ -186,22 +195,18 @@ std::optional<LogRecord> read_record(std::span<const std::byte> body) {
   record.editor.low = in.fixed64();
   record.editor.high = in.fixed64();
   if (has_result(record.kind)) record.result = get_result(in);
-  if (record.kind == Kind::attached) {
-    record.epoch = in.varint();
-    record.subject = in.text(edits::kMaxSubjectBytes);
-  }
-  if (record.kind == Kind::done) {
-    const std::uint64_t chunks = in.varint(edits::kMaxChunks);
-    for (std::uint64_t i = 0; i < chunks && in.ok(); ++i) {
-      record.changes.push_back(get_changes(in));
-      if (i > 0 && record.changes[i - 1].chunk >= record.changes[i].chunk) in.fail();
-    }
-  }
+  if (record.kind == Kind::attached) record.epoch = in.varint();
+  if (has_subject(record.kind)) record.subject = in.text(edits::kMaxSubjectBytes);
+  if (record.kind == Kind::done) record.changes = get_all_changes(in);
   if (!in.ended()) return std::nullopt;
   return record;
 }
 
 }  // namespace
+
+bool has_subject(edits::Applied::Kind kind) {
+  return kind == edits::Applied::Kind::attached || kind == edits::Applied::Kind::done;
+}
 
 std::string meta_key() {
   return begin_key(KeyKind::meta);
@@ -325,6 +330,18 @@ std::uint64_t encode(const LogRecord& record, std::uint64_t link_before, Bytes& 
 std::uint64_t encode(const edits::Applied& applied, std::int64_t time_ms, std::uint64_t epoch,
                      std::string_view subject, std::uint64_t link_before, Bytes& out) {
   return encode_record(applied, applied.changes, time_ms, epoch, subject, link_before, out);
+}
+
+void encode(std::span<const edits::ChunkChanges> changes, Bytes& out) {
+  out.clear();
+  ByteWriter writer{out};
+  put_all_changes(changes, writer);
+}
+
+std::optional<std::vector<edits::ChunkChanges>> decode_changes(std::span<const std::byte> bytes) {
+  ByteReader in{bytes};
+  auto changes = get_all_changes(in);
+  return in.ended() ? std::optional{std::move(changes)} : std::nullopt;
 }
 
 std::optional<StoreMeta> decode_meta(std::span<const std::byte> value) {

@@ -42,10 +42,13 @@ struct LogRecord {
   std::int64_t time_ms = 0;
   edits::EditResult result;                  // of done, conflict and repeat
   std::uint64_t epoch = 0;                   // of attached
-  std::string subject;                       // of attached
+  std::string subject;                       // of the editor's token; of attached and done
   std::vector<edits::ChunkChanges> changes;  // of done: level 0, all other levels follow from it
   bool operator==(const LogRecord&) const = default;
 };
+
+/// Whether a record of that kind says whose it is: history outlives editors.
+[[nodiscard]] bool has_subject(edits::Applied::Kind kind);
 
 /// A chunk of any level. Without voxels where its last override went: the revision stays.
 struct StoredChunk {
@@ -100,9 +103,14 @@ void encode(std::string_view key, MaterialId material, Bytes& out);
 void encode(const Acknowledged& acknowledged, Bytes& out);
 /// Returns the record's link: a hash of it and of the link of the record before.
 std::uint64_t encode(const LogRecord& record, std::uint64_t link_before, Bytes& out);
-/// The same of what a batch applied; `epoch` and `subject` of attached.
+/// The same of what a batch applied; `epoch` of attached, `subject` where has_subject().
 std::uint64_t encode(const edits::Applied& applied, std::int64_t time_ms, std::uint64_t epoch,
                      std::string_view subject, std::uint64_t link_before, Bytes& out);
+
+/// What a record of an edit has of them; no checksum.
+void encode(std::span<const edits::ChunkChanges> changes, Bytes& out);
+[[nodiscard]] std::optional<std::vector<edits::ChunkChanges>> decode_changes(
+    std::span<const std::byte> bytes);
 
 // Nothing where the bytes are damaged, or are not what encode() wrote for this key.
 [[nodiscard]] std::optional<StoreMeta> decode_meta(std::span<const std::byte> value);

@@ -57,6 +57,10 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     encode(editor, read->position, read->editor, again);
     require(again == editor_value, "an editor has one encoding");
   }
+  if (const auto changes = decode_changes(raw)) {
+    encode(*changes, again);
+    require(again == raw, "changes have one encoding");
+  }
   (void)decode_meta(sealed(raw, meta_key()));
   (void)decode_history(history_key(1), sealed(raw, history_key(1)));
   const std::string_view text{reinterpret_cast<const char*>(data), size};

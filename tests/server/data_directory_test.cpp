@@ -51,6 +51,21 @@ TEST_CASE("a store in use is refused") {
   CHECK_FALSE(DataDirectory::open(scratch.path(), kWorld).has_value());
 }
 
+TEST_CASE("commands open a store of any world, and make nothing where there is none") {
+  const ScratchDirectory scratch;
+  CHECK_FALSE(DataDirectory::open_store(scratch / "none").has_value());
+  CHECK_FALSE(fs::exists(scratch / "none"));
+  const auto none = DataDirectory::open_store(scratch.path());
+  REQUIRE_FALSE(none.has_value());
+  CHECK_THAT(none.error(), Catch::Contains("there is no store in it"));
+  CHECK_FALSE(fs::exists(scratch / "lock"));
+  const ContentHash id = id_of(scratch.path());
+  const auto opened = DataDirectory::open_store(scratch.path());
+  REQUIRE(opened.has_value());
+  CHECK(opened->identity() == StoreIdentity{id, kWorld});
+  CHECK(opened->has_store());
+}
+
 TEST_CASE("a store.toml that cannot be looked at is refused, not replaced") {
   const ScratchDirectory scratch;
   std::filesystem::create_symlink("nowhere.toml", scratch / "store.toml");

@@ -4,6 +4,7 @@
 
 #include "scratch_directory.h"
 #include "store/edit_database.h"
+#include "store/read_only_store.h"
 
 namespace talus::server {
 namespace {
@@ -73,6 +74,40 @@ TEST_CASE("names of materials are bound to ids for ever") {
   CHECK((*database)->materials() == std::map<std::string, MaterialId>{{"glass", MaterialId{301}},
                                                                       {"planks", MaterialId{300}},
                                                                       {"stone", MaterialId{1}}});
+}
+
+TEST_CASE("names of what the world generates follow the world, and may not be those of what is placed") {
+  Store store;
+  const auto database = EditDatabase::open(store.settings).value().release();
+  const std::unique_ptr<EditDatabase> owner{database};
+  CHECK(database->bind({{"planks", MaterialId{300}}}).has_value());
+  CHECK(database->name_generated({{"stone", MaterialId{2}}, {"mud", MaterialId{3}}}).has_value());
+  CHECK(database->name_generated({{"granite", MaterialId{2}}, {"stone", MaterialId{3}}}).has_value());
+  const std::map<std::string, MaterialId> names{
+      {"granite", MaterialId{2}}, {"planks", MaterialId{300}}, {"stone", MaterialId{3}}};
+  CHECK(database->materials() == names);
+  const auto refused = database->name_generated({{"planks", MaterialId{2}}});
+  REQUIRE_FALSE(refused.has_value());
+  CHECK(refused.error().find("material planks is one that may be placed in the store, with id 300") !=
+        std::string::npos);
+  owner->settle().value();
+}
+
+TEST_CASE("a checkpoint is a store of its own, and the first goes on") {
+  Store store;
+  const auto database = EditDatabase::open(store.settings);
+  REQUIRE(database.has_value());
+  CHECK((*database)->bind({{"planks", MaterialId{300}}}).has_value());
+  std::filesystem::create_directory(store.scratch / "copy");
+  REQUIRE((*database)->checkpoint(store.scratch / "copy" / "db").has_value());
+  CHECK((*database)->bind({{"glass", MaterialId{301}}}).has_value());
+  const auto copy = ReadOnlyStore::open(store.scratch / "copy");
+  REQUIRE(copy.has_value());
+  CHECK((*copy)->materials() == std::map<std::string, MaterialId>{{"planks", MaterialId{300}}});
+  CHECK((*copy)->meta() == (*database)->meta());
+  // A name that is taken is an error, and leaves what is there.
+  CHECK_FALSE((*database)->checkpoint(store.scratch / "copy" / "db").has_value());
+  CHECK(ReadOnlyStore::open(store.scratch / "copy").has_value());
 }
 
 }  // namespace talus::server

@@ -18,6 +18,7 @@ LogRecord done_record() {
   record.revision = 200;
   record.time_ms = 1'700'000'000'000;
   record.result = {.sequence = 5, .revision = 200, .changed = 2, .conflict = {}};
+  record.subject = "alice";
   record.changes = {
       {{-3, 0, 70'000},
        {{7, MaterialId{1}, MaterialId{2}, MaterialId{2}}, {9, MaterialId{0}, MaterialId{5}, MaterialId{1}}}}};
@@ -133,6 +134,29 @@ TEST_CASE("records of the log are read back in their chain alone") {
   encode(conflict, 1, value);
   before = 1;
   CHECK(decode_record(value, before) == conflict);
+}
+
+TEST_CASE("a record's bytes are those of FORMAT.md") {
+  Bytes value;
+  (void)encode(done_record(), 42, value);
+  std::string hex;
+  for (const std::byte byte : value) {
+    constexpr std::string_view kDigits = "0123456789abcdef";
+    hex += kDigits[std::to_integer<std::size_t>(byte >> 4)];
+    hex += kDigits[std::to_integer<std::size_t>(byte & std::byte{15})];
+  }
+  CHECK(hex == "GOLDEN");
+}
+
+TEST_CASE("changes of an edit are read back, and nothing else") {
+  Bytes value;
+  encode(done_record().changes, value);
+  CHECK(decode_changes(value) == done_record().changes);
+  for (std::size_t size = 0; size < value.size(); ++size) {
+    CHECK_FALSE(decode_changes(std::span{value}.first(size)).has_value());
+  }
+  value.push_back(std::byte{0});
+  CHECK_FALSE(decode_changes(value).has_value());
 }
 
 TEST_CASE("history and materials are read back") {

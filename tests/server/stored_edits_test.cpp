@@ -132,7 +132,7 @@ TEST_CASE("what is no store, another world's, damaged or cut short is refused in
   CHECK(fs::is_empty(scratch.path()));
   EditStore store{scratch.path()};
   make_directory(scratch.path(), store);
-  refused("no database of edits");
+  refused("does not open");
   REQUIRE(store.open() == "");
   TestEditor editor;
   editor.attach(store);

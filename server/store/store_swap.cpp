@@ -1,0 +1,132 @@
+#include "store/store_swap.h"
+
+#include <array>
+#include <string_view>
+#include <system_error>
+
+#include <fmt/format.h>
+#include <talus/files/file_layer.h>
+
+namespace talus::server {
+namespace {
+
+namespace fs = std::filesystem;
+using Done = tl::expected<void, std::string>;
+
+constexpr std::array<std::string_view, 3> kParts{"acknowledged", "db", "store.toml"};
+constexpr std::string_view kCheckpoint = "talus-checkpoint-";
+
+fs::path staging_of(const fs::path& directory) {
+  return directory / "talus-staging";
+}
+fs::path next_of(const fs::path& directory) {
+  return directory / "talus-next";
+}
+
+tl::unexpected<std::string> swap_failure(const fs::path& path, const std::error_code& code) {
+  return tl::unexpected{fmt::format("{}: {}", path.string(), code.message())};
+}
+
+/// In one step, and on the disk when it returns.
+Done rename_now(const fs::path& from, const fs::path& to) {
+  std::error_code code;
+  fs::rename(from, to, code);
+  if (code) return swap_failure(from, code);
+  if (auto synced = sync_directory(to.parent_path()); !synced) return synced;
+  return sync_directory(from.parent_path());
+}
+
+/// A name that is free.
+fs::path place_for_old(const fs::path& directory) {
+  for (int number = 1;; ++number) {
+    fs::path path = directory / fmt::format("replaced-{}", number);
+    std::error_code code;
+    if (!fs::exists(fs::symlink_status(path, code))) return path;
+  }
+}
+
+/// Each step is one rename, so that it can be taken up after any.
+tl::expected<fs::path, std::string> finish(const fs::path& directory) {
+  const fs::path next = next_of(directory);
+  const fs::path old = next / "old";
+  std::error_code code;
+  for (const std::string_view part : kParts) {
+    if (!fs::exists(next / part)) continue;
+    if (fs::exists(directory / part)) {
+      fs::create_directory(old, code);
+      if (code) return swap_failure(old, code);
+      if (auto moved = rename_now(directory / part, old / part); !moved) {
+        return tl::unexpected{moved.error()};
+      }
+    }
+    if (auto moved = rename_now(next / part, directory / part); !moved) return tl::unexpected{moved.error()};
+  }
+  fs::path kept;
+  if (fs::exists(old)) {
+    kept = place_for_old(directory);
+    if (auto moved = rename_now(old, kept); !moved) return tl::unexpected{moved.error()};
+  }
+  fs::remove_all(next, code);
+  if (code) return swap_failure(next, code);
+  if (auto synced = sync_directory(directory); !synced) return tl::unexpected{synced.error()};
+  return kept;
+}
+
+}  // namespace
+
+Done sync_directory(const fs::path& directory) {
+  files::FileLayer& layer = files::system_files();
+  const auto opened = layer.open_directory(directory);
+  if (!opened) return swap_failure(directory, opened.error());
+  const auto synced = layer.sync(*opened);
+  layer.close(*opened);
+  if (!synced) return swap_failure(directory, synced.error());
+  return {};
+}
+
+Done check_space(const fs::path& directory, std::uint64_t bytes) {
+  constexpr std::uint64_t kMore = std::uint64_t{64} << 20U;
+  std::error_code code;
+  const auto space = fs::space(directory, code);
+  // Where the file system does not say, nobody stops for it.
+  if (code || space.available >= bytes + kMore) return {};
+  return tl::unexpected{fmt::format("{}: the disk has {} bytes free; {} are needed", directory.string(),
+                                    space.available, bytes + kMore)};
+}
+
+fs::path checkpoint_path(const fs::path& directory, std::uint64_t number) {
+  return directory / fmt::format("{}{}", kCheckpoint, number);
+}
+
+tl::expected<fs::path, std::string> make_staging(const fs::path& directory) {
+  const fs::path staging = staging_of(directory);
+  std::error_code code;
+  fs::remove_all(staging, code);
+  if (!code) fs::create_directory(staging, code);
+  if (code) return swap_failure(staging, code);
+  return staging;
+}
+
+tl::expected<fs::path, std::string> swap_in(const fs::path& directory) {
+  if (auto synced = sync_directory(staging_of(directory)); !synced) return tl::unexpected{synced.error()};
+  if (auto named = rename_now(staging_of(directory), next_of(directory)); !named) {
+    return tl::unexpected{named.error()};
+  }
+  return finish(directory);
+}
+
+Done tidy_up(const fs::path& directory) {
+  std::error_code code;
+  if (fs::exists(next_of(directory), code)) {
+    if (const auto finished = finish(directory); !finished) return tl::unexpected{finished.error()};
+  }
+  fs::remove_all(staging_of(directory), code);
+  if (code) return swap_failure(staging_of(directory), code);
+  for (fs::directory_iterator at{directory, code}, end; !code && at != end; at.increment(code)) {
+    if (at->path().filename().string().starts_with(kCheckpoint)) fs::remove_all(at->path(), code);
+  }
+  if (code) return swap_failure(directory, code);
+  return {};
+}
+
+}  // namespace talus::server

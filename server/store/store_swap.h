@@ -1,0 +1,41 @@
+// A store that takes the place of another in a data directory, whole or not at all, whenever the process or
+// the power ends.
+//
+// The new one is made in the directory `talus-staging`. Renamed to `talus-next` it is the one that counts,
+// and its parts are moved to where a store's parts are; who opens the directory next ends what was
+// interrupted. All calls are for who has the directory's lock.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+
+#include <tl/expected.hpp>
+
+namespace talus::server {
+
+/// Where the new store is made: an empty directory. What another process left there is gone.
+[[nodiscard]] tl::expected<std::filesystem::path, std::string> make_staging(
+    const std::filesystem::path& directory);
+
+/// The store in `staging`, whose files are whole and synced, is the directory's from now on. Returns where
+/// the one before is kept; empty where there was none.
+[[nodiscard]] tl::expected<std::filesystem::path, std::string> swap_in(
+    const std::filesystem::path& directory);
+
+/// Ends a swap that was interrupted, and removes what was not finished: staging, and checkpoints.
+[[nodiscard]] tl::expected<void, std::string> tidy_up(const std::filesystem::path& directory);
+
+/// The name of a checkpoint below a data directory. Whoever made it removes it; tidy_up() does where it was
+/// killed.
+[[nodiscard]] std::filesystem::path checkpoint_path(const std::filesystem::path& directory,
+                                                    std::uint64_t number);
+
+/// Returns when the directory's names are on the disk.
+[[nodiscard]] tl::expected<void, std::string> sync_directory(const std::filesystem::path& directory);
+
+/// Refuses where the disk has less than `bytes` free, and some more for what else is written there.
+[[nodiscard]] tl::expected<void, std::string> check_space(const std::filesystem::path& directory,
+                                                          std::uint64_t bytes);
+
+}  // namespace talus::server

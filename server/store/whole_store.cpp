@@ -1,0 +1,61 @@
+#include "store/whole_store.h"
+
+#include <memory>
+
+#include <fmt/format.h>
+
+#include "store/rocks.h"
+#include "store/store_builder.h"
+#include "store/store_reader.h"
+
+namespace talus::server {
+namespace {
+
+tl::expected<std::unique_ptr<rocksdb::DB>, std::string> open_to_write(const std::filesystem::path& path) {
+  rocksdb::DB* db = nullptr;
+  const auto status = rocksdb::DB::Open(rocks_options({}, false), (path / "db").string(), &db);
+  std::unique_ptr<rocksdb::DB> opened{db};
+  if (status.ok()) return opened;
+  return tl::unexpected{fmt::format("edits {}: the database does not open: {}; {}", path.string(),
+                                    status.ToString(), kStoreLost)};
+}
+
+tl::unexpected<std::string> whole_failure(const std::filesystem::path& path, const rocksdb::Status& status) {
+  return tl::unexpected{fmt::format("edits {}: {}", path.string(), status.ToString())};
+}
+
+}  // namespace
+
+tl::expected<void, std::string> give_identity(const std::filesystem::path& path, ContentHash store_id) {
+  const auto db = open_to_write(path);
+  if (!db) return tl::unexpected{db.error()};
+  const StoreReader reader{**db, path};
+  const auto read = reader.meta();
+  if (!read) return tl::unexpected{read.error()};
+  if (!*read)
+    return reader.failure(fmt::format("its record of the store's state is missing; {}", kStoreLost));
+  StoreMeta meta = **read;
+  meta.store_id = store_id;
+  Bytes value;
+  encode(meta, value);
+  rocksdb::WriteOptions synced;
+  synced.sync = true;
+  if (const auto status = (*db)->Put(synced, meta_key(), as_slice(value)); !status.ok()) {
+    return whole_failure(path, status);
+  }
+  if (const auto status = (*db)->Close(); !status.ok()) return whole_failure(path, status);
+  return write_store_files(path, meta);
+}
+
+tl::expected<void, std::string> compact(const std::filesystem::path& path) {
+  const auto db = open_to_write(path);
+  if (!db) return tl::unexpected{db.error()};
+  rocksdb::CompactRangeOptions all;
+  all.bottommost_level_compaction = rocksdb::BottommostLevelCompaction::kForce;
+  rocksdb::Status status = (*db)->CompactRange(all, nullptr, nullptr);
+  if (status.ok()) status = (*db)->Close();
+  if (!status.ok()) return whole_failure(path, status);
+  return {};
+}
+
+}  // namespace talus::server

@@ -1,0 +1,21 @@
+// What is done to a store of edits as a whole, while nobody else uses it.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include <tl/expected.hpp>
+
+#include <talus/voxel/content_hash.h>
+
+namespace talus::server {
+
+/// The store in `path`, which has the directory db, is another from now on: clients drop what they know of
+/// it. Writes the files beside the database too. An error is one line.
+[[nodiscard]] tl::expected<void, std::string> give_identity(const std::filesystem::path& path,
+                                                            ContentHash store_id);
+
+/// Writes its files anew, without what was deleted or replaced.
+[[nodiscard]] tl::expected<void, std::string> compact(const std::filesystem::path& path);
+
+}  // namespace talus::server

@@ -1,0 +1,28 @@
+// Files that are copied and hashed on the way.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+
+#include <tl/expected.hpp>
+
+#include <talus/progress/progress_bar.h>
+#include <talus/voxel/content_hash.h>
+
+namespace talus::server {
+
+struct CopiedFile {
+  std::uint64_t bytes = 0;
+  ContentHash hash;  // XXH3-128 of them
+};
+
+/// On the disk when it returns; `to` is whole or not there. Advances `progress` by bytes. An error is one
+/// line.
+[[nodiscard]] tl::expected<CopiedFile, std::string> copy_file(const std::filesystem::path& from,
+                                                              const std::filesystem::path& to,
+                                                              ProgressBar& progress);
+[[nodiscard]] tl::expected<CopiedFile, std::string> hash_file(const std::filesystem::path& file,
+                                                              ProgressBar& progress);
+
+}  // namespace talus::server

@@ -1,0 +1,49 @@
+// A data directory's store as a command of `talusd store` reads it: a checkpoint of the server that uses it,
+// or the directory itself, locked, where none does.
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include <tl/expected.hpp>
+
+#include "store/data_directory.h"
+#include "store/read_only_store.h"
+#include "store_socket/store_connection.h"
+
+namespace talus::server {
+
+class OpenedStore {
+ public:
+  [[nodiscard]] static tl::expected<OpenedStore, std::string> open(const std::filesystem::path& data);
+
+  [[nodiscard]] const ReadOnlyStore& store() const { return *store_; }
+  /// Of the files: db is in it.
+  [[nodiscard]] const std::filesystem::path& path() const { return path_; }
+  /// Of the server that uses the directory; null where none does.
+  [[nodiscard]] StoreConnection* server() { return server_ ? &*server_ : nullptr; }
+  [[nodiscard]] const StoreConnection* server() const { return server_ ? &*server_ : nullptr; }
+  /// Why the server takes no edits; empty: it does, or there is none.
+  [[nodiscard]] const std::string& read_only() const { return read_only_; }
+  [[nodiscard]] StoreIdentity identity() const {
+    return {store_->meta().store_id, store_->meta().fingerprint};
+  }
+  /// Lets go of the files; the lock, or the connection, stays.
+  void close_files() { store_.reset(); }
+
+ private:
+  OpenedStore() = default;
+
+  std::optional<StoreConnection> server_;
+  std::optional<DataDirectory> directory_;
+  std::filesystem::path path_;
+  std::string read_only_;
+  std::unique_ptr<ReadOnlyStore> store_;
+};
+
+/// For commands that change a store as a whole: refused where a server uses it.
+[[nodiscard]] tl::expected<void, std::string> refuse_running_server(const std::filesystem::path& data);
+
+}  // namespace talus::server

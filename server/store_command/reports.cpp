@@ -1,0 +1,156 @@
+#include "store_command/reports.h"
+
+#include <filesystem>
+#include <system_error>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "log/escape.h"
+#include "store_command/moments.h"
+
+namespace talus::server {
+namespace {
+
+using ReportJson = nlohmann::ordered_json;
+
+std::uint64_t bytes_on_disk(const std::filesystem::path& path) {
+  std::uint64_t bytes = 0;
+  std::error_code code;
+  for (std::filesystem::directory_iterator at{path / "db", code}, end; !code && at != end;
+       at.increment(code)) {
+    bytes += at->file_size(code);
+  }
+  return bytes;
+}
+
+std::uint64_t history_bytes(const ReadOnlyStore& store) {
+  std::uint64_t bytes = 0;
+  for (const HistorySegment& segment : store.history()) bytes += segment.bytes;
+  return bytes;
+}
+
+/// An editor's id is a secret; a part of it tells editors apart.
+std::string short_id(edits::EditorId id) {
+  return fmt::format("{:08x}", id.high >> 32U);
+}
+
+std::string who(const std::string& subject) {
+  return subject.empty() ? "(no token)" : escaped(subject, edits::kMaxSubjectBytes);
+}
+
+}  // namespace
+
+MaterialNames::MaterialNames(const std::map<std::string, MaterialId>& materials) {
+  for (const auto& [name, id] : materials) names_.emplace(id, name);
+}
+
+std::string MaterialNames::of(MaterialId material) const {
+  const auto name = names_.find(material);
+  return name == names_.end() ? fmt::format("material {}", to_integer(material)) : name->second;
+}
+
+std::string readable_bytes(std::uint64_t bytes) {
+  const auto number = static_cast<double>(bytes);
+  if (number < 1e3) return fmt::format("{} bytes", bytes);
+  if (number < 1e6) return fmt::format("{:.1f} kB", number / 1e3);
+  if (number < 1e9) return fmt::format("{:.1f} MB", number / 1e6);
+  return fmt::format("{:.1f} GB", number / 1e9);
+}
+
+std::string stat_lines(const OpenedStore& opened, const StoreFigures& figures) {
+  const ReadOnlyStore& store = opened.store();
+  const StoreMeta& meta = store.meta();
+  std::string text;
+  const auto line = [&](std::string_view name, std::string_view value) {
+    text += fmt::format("{:<12} {}\n", name, value);
+  };
+  line("store", to_string(meta.store_id));
+  line("world", to_string(meta.fingerprint));
+  line("format", fmt::format("{}, level rule {}", kStoreFormat, meta.level_rule));
+  line("server", opened.server() == nullptr   ? "none uses it"
+                 : opened.read_only().empty() ? "runs"
+                                              : "runs and takes no edits: " + opened.read_only());
+  line("position", fmt::format("{}, revision {}, at {}", meta.head.position, meta.head.revision,
+                               moment(meta.head.time_ms)));
+  line("hash", edits::to_string(meta.head.hash));
+  for (std::size_t level = 0; level < figures.levels.size(); ++level) {
+    const auto& each = figures.levels[level];
+    line(fmt::format("level {}", level), fmt::format("{} voxels in {} chunks", each.voxels, each.chunks));
+  }
+  line("undone", fmt::format("{} chunks, of any level, that are as generated again", figures.emptied_chunks));
+  line("editors", fmt::format("{}", figures.editors));
+  line("history", store.first_record() > meta.head.position
+                      ? "none"
+                      : fmt::format("entries {} to {}, {}", store.first_record(), meta.head.position,
+                                    readable_bytes(history_bytes(store))));
+  line("disk", readable_bytes(bytes_on_disk(opened.path())));
+  const MaterialNames names{store.materials()};
+  for (const auto& [material, voxels] : figures.materials) {
+    line(voxels == 1 ? "1 voxel" : fmt::format("{} voxels", voxels), names.of(material));
+  }
+  return text;
+}
+
+std::string stat_json(const OpenedStore& opened, const StoreFigures& figures) {
+  const ReadOnlyStore& store = opened.store();
+  const StoreMeta& meta = store.meta();
+  ReportJson json;
+  json["store_id"] = to_string(meta.store_id);
+  json["fingerprint"] = to_string(meta.fingerprint);
+  json["format"] = kStoreFormat;
+  json["level_rule"] = meta.level_rule;
+  json["server_runs"] = opened.server() != nullptr;
+  json["read_only"] = opened.read_only().empty() ? ReportJson{} : ReportJson(opened.read_only());
+  json["position"] = meta.head.position;
+  json["revision"] = meta.head.revision;
+  json["time"] = moment(meta.head.time_ms);
+  json["hash"] = edits::to_string(meta.head.hash);
+  json["levels"] = ReportJson::array();
+  for (const auto& level : figures.levels) {
+    json["levels"].push_back({{"chunks", level.chunks}, {"voxels", level.voxels}});
+  }
+  json["undone_chunks"] = figures.emptied_chunks;
+  json["editors"] = figures.editors;
+  json["history"] = {{"first_position", store.first_record()},
+                     {"last_position", meta.head.position},
+                     {"bytes", history_bytes(store)}};
+  json["disk_bytes"] = bytes_on_disk(opened.path());
+  const MaterialNames names{store.materials()};
+  json["materials"] = ReportJson::object();
+  for (const auto& [material, voxels] : figures.materials) json["materials"][names.of(material)] = voxels;
+  return json.dump(2) + "\n";
+}
+
+std::string history_lines(const VoxelHistory& history, const MaterialNames& names) {
+  std::string text = fmt::format("records go back to entry {}, at {}\n", history.first_position,
+                                 moment(history.first_time_ms));
+  if (history.changes.empty()) text += "nobody has changed the voxel since\n";
+  for (const VoxelHistory::Change& change : history.changes) {
+    text += fmt::format("{}  {} -> {}  {}  editor {}, revision {}\n", moment(change.time_ms),
+                        names.of(change.before), names.of(change.after), who(change.subject),
+                        short_id(change.editor), change.revision);
+  }
+  return text;
+}
+
+std::string history_json(const VoxelHistory& history, const MaterialNames& names) {
+  ReportJson json;
+  json["first_position"] = history.first_position;
+  json["first_time"] = moment(history.first_time_ms);
+  json["changes"] = ReportJson::array();
+  for (const VoxelHistory::Change& change : history.changes) {
+    json["changes"].push_back({{"time", moment(change.time_ms)},
+                               {"time_ms", change.time_ms},
+                               {"before", names.of(change.before)},
+                               {"after", names.of(change.after)},
+                               {"subject", change.subject},
+                               {"editor", short_id(change.editor)},
+                               {"position", change.position},
+                               {"revision", change.revision}});
+  }
+  // A subject may be any bytes.
+  return json.dump(2, ' ', false, ReportJson::error_handler_t::replace) + "\n";
+}
+
+}  // namespace talus::server

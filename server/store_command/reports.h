@@ -1,0 +1,32 @@
+// What commands print: lines for people, or JSON for programs.
+#pragma once
+
+#include <map>
+#include <string>
+
+#include "store_command/history.h"
+#include "store_command/opened_store.h"
+#include "store_command/store_figures.h"
+
+namespace talus::server {
+
+/// Names of a store's materials.
+class MaterialNames {
+ public:
+  explicit MaterialNames(const std::map<std::string, MaterialId>& materials);
+  /// "material 7" where the store has none.
+  [[nodiscard]] std::string of(MaterialId material) const;
+
+ private:
+  std::map<MaterialId, std::string> names_;
+};
+
+/// "1,234,567 bytes" would need reading twice: "1.2 MB".
+[[nodiscard]] std::string readable_bytes(std::uint64_t bytes);
+
+[[nodiscard]] std::string stat_lines(const OpenedStore& opened, const StoreFigures& figures);
+[[nodiscard]] std::string stat_json(const OpenedStore& opened, const StoreFigures& figures);
+[[nodiscard]] std::string history_lines(const VoxelHistory& history, const MaterialNames& names);
+[[nodiscard]] std::string history_json(const VoxelHistory& history, const MaterialNames& names);
+
+}  // namespace talus::server

@@ -1,0 +1,393 @@
+#include "store_command/store_command.h"
+
+#include <array>
+#include <charconv>
+#include <chrono>
+#include <cstdio>
+#include <optional>
+#include <span>
+#include <utility>
+
+#include <fmt/format.h>
+#include <CLI/CLI.hpp>
+
+#include "config/parse_flags.h"
+#include "log/escape.h"
+#include "store/acknowledged_file.h"
+#include "store/whole_store.h"
+#include "store_command/backup.h"
+#include "store_command/history.h"
+#include "store_command/local_writer.h"
+#include "store_command/moments.h"
+#include "store_command/opened_store.h"
+#include "store_command/reports.h"
+#include "store_command/rollback.h"
+#include "store_command/store_figures.h"
+#include "store_command/transfer.h"
+
+namespace talus::server {
+namespace {
+
+/// What a command prints, or why it failed, in one line.
+using Answer = tl::expected<std::string, std::string>;
+
+struct Flags {
+  std::string data;
+  std::string config;
+  bool json = false;
+  std::string path;  // of a backup or a file
+  bool replace = false;
+  std::string at;
+  std::string subject;
+  std::string since;
+  std::string box;
+  bool dry_run = false;
+  bool keep = false;
+  std::string world;
+  bool drop_unknown = false;
+};
+
+/// Numbers with commas between them, as many as `into` has.
+bool parse_numbers(std::string_view text, std::span<std::int64_t> into) {
+  for (std::size_t i = 0; i < into.size(); ++i) {
+    const std::string_view part = text.substr(0, text.find(','));
+    const auto [stop, error] = std::from_chars(part.data(), part.data() + part.size(), into[i]);
+    if (error != std::errc{} || stop != part.data() + part.size()) return false;
+    text.remove_prefix(part.size());
+    if (i + 1 == into.size()) return text.empty();
+    if (text.empty()) return false;
+    text.remove_prefix(1);
+  }
+  return false;
+}
+
+std::int64_t now_ms() {
+  return std::chrono::duration_cast<std::chrono::milliseconds>(
+             std::chrono::system_clock::now().time_since_epoch())
+      .count();
+}
+
+Answer show_stat(const Flags& flags, const LoadWorld&) {
+  const auto opened = OpenedStore::open(flags.data);
+  if (!opened) return tl::unexpected{opened.error()};
+  ProgressBar progress{"stat", "chunks"};
+  const auto figures = read_figures(opened->store(), progress);
+  if (!figures) return tl::unexpected{figures.error()};
+  return flags.json ? stat_json(*opened, *figures) : stat_lines(*opened, *figures);
+}
+
+Answer verify_all(const Flags& flags, const LoadWorld&) {
+  const auto opened = OpenedStore::open(flags.data);
+  if (!opened) return tl::unexpected{opened.error()};
+  if (opened->server() == nullptr) {
+    if (const auto same = check_acknowledged(flags.data, opened->store().meta()); !same) {
+      return tl::unexpected{same.error()};
+    }
+  }
+  ProgressBar progress{"verify", "chunks"};
+  const auto figures = read_figures(opened->store(), progress);
+  if (!figures) return tl::unexpected{figures.error()};
+  if (const auto sound = verify(opened->store(), *figures); !sound) return tl::unexpected{sound.error()};
+  const StoreMeta& meta = opened->store().meta();
+  const std::uint64_t first = opened->store().first_record();
+  const std::string entries = first > meta.head.position
+                                  ? "no entries of the log"
+                                  : fmt::format("entries {} to {} of the log", first, meta.head.position);
+  return fmt::format("sound: {} voxels in {} chunks, {}, hash {}\n", figures->levels[0].voxels,
+                     figures->levels[0].chunks, entries, edits::to_string(meta.head.hash));
+}
+
+Answer backup(const Flags& flags, const LoadWorld&) {
+  const auto opened = OpenedStore::open(flags.data);
+  if (!opened) return tl::unexpected{opened.error()};
+  const auto written = write_backup(opened->store(), opened->path(), flags.path);
+  if (!written) return tl::unexpected{written.error()};
+  return fmt::format("{}: position {}, revision {}, {}\n", flags.path, written->head.position,
+                     written->head.revision, readable_bytes(written->bytes()));
+}
+
+Answer restore(const Flags& flags, const LoadWorld&) {
+  if (const auto free = refuse_running_server(flags.data); !free) return tl::unexpected{free.error()};
+  // Before a directory is made for it.
+  if (const auto manifest = read_manifest(flags.path); !manifest) return tl::unexpected{manifest.error()};
+  const auto directory = DataDirectory::open_any(flags.data);
+  if (!directory) return tl::unexpected{directory.error()};
+  const auto restored = restore_backup(flags.path, *directory, flags.replace);
+  if (!restored) return tl::unexpected{restored.error()};
+  std::string text =
+      fmt::format("{}: store {} at position {}, revision {}\n", flags.data, to_string(restored->store_id),
+                  restored->manifest.head.position, restored->manifest.head.revision);
+  if (!restored->replaced.empty()) {
+    text += fmt::format("{}: the store that was there; delete it when nobody wants it back\n",
+                        restored->replaced.string());
+  }
+  return text;
+}
+
+Answer compact_store(const Flags& flags, const LoadWorld&) {
+  if (const auto free = refuse_running_server(flags.data); !free) return tl::unexpected{free.error()};
+  const auto directory = DataDirectory::open_store(flags.data);
+  if (!directory) return tl::unexpected{directory.error()};
+  if (const auto done = compact(flags.data); !done) return tl::unexpected{done.error()};
+  return std::string{"compacted\n"};
+}
+
+Answer show_history(const Flags& flags, const LoadWorld&) {
+  std::array<std::int64_t, 3> at{};
+  if (!parse_numbers(flags.at, at)) {
+    return tl::unexpected{fmt::format("--at: \"{}\" is wrong; give X,Y,Z in voxels", escaped(flags.at))};
+  }
+  const auto opened = OpenedStore::open(flags.data);
+  if (!opened) return tl::unexpected{opened.error()};
+  ProgressBar progress{"history", "entries"};
+  const auto history = history_of(opened->store(), {at[0], at[1], at[2]}, progress);
+  if (!history) return tl::unexpected{history.error()};
+  const MaterialNames names{opened->store().materials()};
+  return flags.json ? history_json(*history, names) : history_lines(*history, names);
+}
+
+tl::expected<RollbackRequest, std::string> rollback_request(const Flags& flags) {
+  std::array<std::int64_t, 6> box{};
+  if (!parse_numbers(flags.box, box)) {
+    return tl::unexpected{fmt::format(
+        "--box: \"{}\" is wrong; give X0,Y0,Z0,X1,Y1,Z1 in voxels, the lowest corner and the highest",
+        escaped(flags.box))};
+  }
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    if (box[axis] > box[axis + 3]) std::swap(box[axis], box[axis + 3]);
+  }
+  const auto since = parse_moment(flags.since, now_ms());
+  if (!since) return tl::unexpected{fmt::format("--since: {}", since.error())};
+  return RollbackRequest{flags.subject, *since, {box[0], box[1], box[2]}, {box[3], box[4], box[5]}};
+}
+
+Answer rollback(const Flags& flags, const LoadWorld&) {
+  const auto request = rollback_request(flags);
+  if (!request) return tl::unexpected{request.error()};
+  auto opened = OpenedStore::open(flags.data);
+  if (!opened) return tl::unexpected{opened.error()};
+  const StoreIdentity identity = opened->identity();
+  const auto plan = [&] {
+    ProgressBar progress{"looking for changes", "entries"};
+    return plan_rollback(opened->store(), *request, progress);
+  }();
+  if (!plan) return tl::unexpected{plan.error()};
+  opened->close_files();
+  std::string text;
+  if (plan->first_position > 1 && plan->first_time_ms > request->since_ms) {
+    text = fmt::format("records go back to {} only; what was changed before stays\n",
+                       moment(plan->first_time_ms));
+  }
+  const std::string theirs =
+      plan->taken_over == 0
+          ? ""
+          : fmt::format("; {} more were changed by others since and stay", plan->taken_over);
+  if (flags.dry_run) {
+    return text + fmt::format("{} voxels would be put back, in {} edits{}\n", plan->voxels,
+                              plan->slices.size(), theirs);
+  }
+  if (plan->slices.empty()) return text + fmt::format("nothing to put back{}\n", theirs);
+  std::unique_ptr<LocalWriter> writer;
+  Restore restore;
+  if (opened->server() != nullptr) {
+    restore = [&](const auto& slice) { return opened->server()->restore(slice); };
+  } else {
+    auto local = LocalWriter::open(flags.data, identity);
+    if (!local) return tl::unexpected{local.error()};
+    writer = *std::move(local);
+    restore = [&](const auto& slice) { return writer->restore(slice); };
+  }
+  ProgressBar progress{"rollback", "voxels"};
+  const auto changed = roll_back(*plan, restore, progress);
+  if (!changed) return tl::unexpected{changed.error()};
+  return text +
+         fmt::format("{} voxels were put back, in {} edits{}\n", *changed, plan->slices.size(), theirs);
+}
+
+/// What import and rebase have made.
+std::string rebuilt_lines(const std::string& data, const Rebuilt& rebuilt) {
+  std::string text = fmt::format("{}: store {} with {} voxels in {} chunks\n", data,
+                                 to_string(rebuilt.store_id), rebuilt.voxels, rebuilt.chunks);
+  if (!rebuilt.replaced.empty()) {
+    text +=
+        fmt::format("{}: the store that was there, with its history; delete it when nobody wants it back\n",
+                    rebuilt.replaced.string());
+  }
+  return text;
+}
+
+Answer export_file(const Flags& flags, const LoadWorld&) {
+  const auto opened = OpenedStore::open(flags.data);
+  if (!opened) return tl::unexpected{opened.error()};
+  const auto exported = export_edits(opened->store(), flags.path);
+  if (!exported) return tl::unexpected{exported.error()};
+  return fmt::format("{}: {} voxels in {} chunks\n", flags.path, exported->voxels, exported->chunks);
+}
+
+Answer import_file(const Flags& flags, const LoadWorld&) {
+  if (const auto free = refuse_running_server(flags.data); !free) return tl::unexpected{free.error()};
+  const auto directory = DataDirectory::open_any(flags.data);
+  if (!directory) return tl::unexpected{directory.error()};
+  const auto imported = import_edits(flags.path, *directory, flags.keep ? Winner::store : Winner::file);
+  if (!imported) return tl::unexpected{imported.error()};
+  std::string text = rebuilt_lines(flags.data, *imported);
+  if (imported->both > 0) {
+    text += fmt::format("{} voxels were in both; they are the {}'s\n", imported->both,
+                        flags.keep ? "store" : "file");
+  }
+  return text;
+}
+
+Answer rebase(const Flags& flags, const LoadWorld& load_world) {
+  if (const auto free = refuse_running_server(flags.data); !free) return tl::unexpected{free.error()};
+  const auto world = load_world(flags.world);
+  if (!world) return tl::unexpected{world.error()};
+  const auto directory = DataDirectory::open_store(flags.data);
+  if (!directory) return tl::unexpected{directory.error()};
+  const auto rebased = rebase_edits(*directory, **world, flags.drop_unknown);
+  if (!rebased) return tl::unexpected{rebased.error()};
+  return rebuilt_lines(flags.data, *rebased) +
+         fmt::format(
+             "{} voxels are as the new world generates and are no edits any more; {} were of unknown "
+             "materials and are dropped\n",
+             rebased->as_base, rebased->unknown);
+}
+
+/// One of the commands.
+struct Subcommand {
+  CLI::App* app = nullptr;
+  Answer (*run)(const Flags&, const LoadWorld&) = nullptr;
+};
+
+/// The directory that the flags mean: theirs, or as talusd has it.
+tl::expected<std::string, std::string> data_of(const Flags& flags, const Environment& environment) {
+  if (!flags.data.empty()) return flags.data;
+  Settings settings;
+  if (!flags.config.empty()) {
+    if (auto done = apply_file(settings, flags.config); !done) return tl::unexpected{done.error()};
+  }
+  if (auto done = apply_environment(settings, environment); !done) return tl::unexpected{done.error()};
+  return settings.config.data.string();
+}
+
+int say(std::string_view name, const Answer& answer) {
+  if (!answer) {
+    fmt::print(stderr, "{}: {}\n", name, on_one_line(answer.error()));
+    return kFailed;
+  }
+  fmt::print("{}", *answer);
+  if (std::fflush(stdout) == 0) return 0;
+  fmt::print(stderr, "{}: standard output: cannot write to it\n", name);
+  return kFailed;
+}
+
+}  // namespace
+
+int store_command(int argc, const char* const* argv, const Environment& environment,
+                  const LoadWorld& load_world) {
+  CLI::App app{"Looks at, backs up, restores and mends the store of edits in a data directory.",
+               "talusd store"};
+  app.require_subcommand(1);
+  app.footer(
+      "stat, verify, backup, export, history and rollback work while a talusd uses the directory, through a\n"
+      "socket in it that the server's own user alone may use. The others need that talusd to be stopped.\n"
+      "Lengths are voxels; times are UTC.\n"
+      "Exit status: 0 success, 1 failure, 2 wrong flags.");
+  Flags flags;
+  std::vector<Subcommand> commands;
+  const auto add = [&](const char* name, const char* help, Answer (*run)(const Flags&, const LoadWorld&)) {
+    CLI::App* const command = app.add_subcommand(name, help);
+    command
+        ->add_option("--data", flags.data, "the data directory; default: \"data\" of --config, or TALUS_DATA")
+        ->type_name("DIR");
+    command->add_option("--config", flags.config, "the server's settings in TOML; default: no file")
+        ->type_name("FILE");
+    commands.push_back({command, run});
+    return command;
+  };
+  const auto add_json = [&](CLI::App* command) {
+    command->add_flag("--json", flags.json, "as JSON, for programs");
+  };
+  add_json(add("stat", "what the store holds, by reading all of it", show_stat));
+  add("verify",
+      "reads everything: checksums, the chain of the log, the hash of all edits, coarse levels against fine "
+      "ones. Changes nothing",
+      verify_all);
+  add("backup",
+      "a backup of one moment into DIR, which must be new or empty: files with a manifest of their checksums",
+      backup)
+      ->add_option("DIR", flags.path, "the backup")
+      ->required();
+  CLI::App* const restoring = add(
+      "restore",
+      "puts the backup DIR into the data directory, once every byte of it is verified, as a store of a new "
+      "id, so that clients forget what they know",
+      restore);
+  restoring->add_option("DIR", flags.path, "the backup")->required();
+  restoring->add_flag("--replace", flags.replace,
+                      "where the data directory holds a store, move that aside, to replaced-N in it");
+  add("compact", "writes the files anew, without what was replaced or deleted", compact_store);
+  add("export", "all edits into one file that any talusd reads", export_file)
+      ->add_option("FILE", flags.path, "the file; one that is there is replaced when the new one is whole")
+      ->required();
+  CLI::App* const importing =
+      add("import",
+          "adds the edits of a file that export wrote to the store, or makes one of them, of the file's "
+          "world, where "
+          "the directory holds none. The store gets a new id, and its history stays in replaced-N",
+          import_file);
+  importing->add_option("FILE", flags.path, "the file")->required();
+  importing->add_flag("--keep", flags.keep,
+                      "voxels that both have stay as in the store; without it the file's win");
+  CLI::App* const rebasing = add(
+      "rebase",
+      "carries the edits over to another world, or to this one after its file has changed: what is unlike "
+      "the new ground stays, materials are those of the same names. The store gets a new id, and its history "
+      "stays in replaced-N",
+      rebase);
+  rebasing->add_option("--world", flags.world, "the new world; default: the one built into talusd")
+      ->type_name("FILE");
+  rebasing->add_flag(
+      "--drop-unknown", flags.drop_unknown,
+      "lose voxels of materials that the new world does not name; without it they are counted and "
+      "nothing happens");
+  CLI::App* const history = add("history", "who changed a voxel, when, from what to what", show_history);
+  history->add_option("--at", flags.at, "the voxel")->required()->type_name("X,Y,Z");
+  add_json(history);
+  CLI::App* const rolling =
+      add("rollback",
+          "gives back what a subject changed: each voxel that still is as the subject left "
+          "it becomes what it was before. What others have changed since stays. Run twice "
+          "it does nothing the second time",
+          rollback);
+  rolling->add_option("--subject", flags.subject, "of the token; \"\" is all who had none")
+      ->required()
+      ->type_name("NAME");
+  rolling->add_option("--since", flags.since, "90s, 30m, 2h, 7d ago, or 2026-11-25T08:30:00Z")
+      ->required()
+      ->type_name("TIME");
+  rolling->add_option("--box", flags.box, "two corners, both in it")
+      ->required()
+      ->type_name("X0,Y0,Z0,X1,Y1,Z1");
+  rolling->add_flag("--dry-run", flags.dry_run, "count, and change nothing");
+
+  if (const auto exit = parse_flags(app, argc, argv)) {
+    fmt::print(exit->status == 0 ? stdout : stderr, "{}", exit->text);
+    return exit->status;
+  }
+  for (const Subcommand& command : commands) {
+    if (!command.app->parsed()) continue;
+    const std::string name = "talusd store " + command.app->get_name();
+    auto data = data_of(flags, environment);
+    if (!data) return say(name, tl::unexpected{data.error()});
+    if (data->empty()) {
+      fmt::print(stderr, "{}: no data directory; give --data DIR, as talusd has it\n", name);
+      return kWrongUse;
+    }
+    flags.data = *std::move(data);
+    return say(name, command.run(flags, load_world));
+  }
+  return kWrongUse;
+}
+
+}  // namespace talus::server

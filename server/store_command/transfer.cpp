@@ -1,0 +1,426 @@
+#include "store_command/transfer.h"
+
+#include <algorithm>
+#include <memory>
+#include <optional>
+#include <set>
+#include <system_error>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+#include <talus/files/atomic_file.h>
+#include <talus/files/file_layer.h>
+#include <talus/progress/progress_bar.h>
+#include <talus/terrain/extraction.h>
+#include <talus/terrain/generator.h>
+
+#include "log/escape.h"
+#include "store/edit_database.h"
+#include "store/store_builder.h"
+#include "store/store_swap.h"
+#include "store_command/portable_file.h"
+
+namespace talus::server {
+namespace {
+
+namespace fs = std::filesystem;
+
+tl::unexpected<std::string> of_file(const fs::path& file, std::string_view what) {
+  return tl::unexpected{fmt::format("{}: {}", file.string(), what)};
+}
+
+std::uint64_t bytes_below(const fs::path& path) {
+  std::uint64_t bytes = 0;
+  std::error_code code;
+  for (fs::directory_iterator at{path, code}, end; !code && at != end; at.increment(code)) {
+    bytes += at->is_regular_file(code) ? at->file_size(code) : 0;
+  }
+  return bytes;
+}
+
+/// The lowest id for a placed material that none has.
+MaterialId free_id(const std::set<MaterialId>& taken) {
+  std::uint16_t id = kFirstBound;
+  while (taken.contains(MaterialId{id})) ++id;
+  return MaterialId{id};
+}
+
+/// A file that is read from the front, in large pieces.
+class InputFile {
+ public:
+  explicit InputFile(const fs::path& path)
+      : file_{files::system_files().open_to_read(path, files::FileLayer::Waiting::never)} {}
+  ~InputFile() {
+    if (file_) files::system_files().close(*file_);
+  }
+  InputFile(const InputFile&) = delete;
+  InputFile& operator=(const InputFile&) = delete;
+
+  tl::expected<std::size_t, std::string> read(std::span<std::byte> into) {
+    if (!file_) return tl::unexpected{"cannot be read: " + file_.error().message()};
+    std::size_t done = 0;
+    while (done < into.size()) {
+      const auto got = files::system_files().read(*file_, into.subspan(done));
+      if (!got) return tl::unexpected{"cannot be read: " + got.error().message()};
+      if (*got == 0) break;
+      done += *got;
+    }
+    bytes_ += done;
+    return done;
+  }
+  [[nodiscard]] std::uint64_t bytes() const { return bytes_; }
+
+ private:
+  files::FileLayer::Result<int> file_;
+  std::uint64_t bytes_ = 0;
+};
+
+/// What the file's materials are in the store, and the store's table with what is new in it.
+struct MaterialMap {
+  std::map<MaterialId, MaterialId> to;
+  std::map<std::string, MaterialId> all;
+};
+
+/// Both are of one world: what that generates has one id in both, whatever its name was then.
+MaterialMap map_materials(const std::map<std::string, MaterialId>& from,
+                          const std::map<std::string, MaterialId>& into) {
+  MaterialMap map{{}, into};
+  std::set<MaterialId> taken;
+  for (const auto& [name, id] : into) taken.insert(id);
+  for (const auto& [name, id] : from) {
+    const auto held = into.find(name);
+    const bool generated = to_integer(id) < kFirstBound;
+    MaterialId mapped = id;
+    if (!generated && held != into.end()) mapped = held->second;
+    if (!generated && held == into.end() && taken.contains(id)) mapped = free_id(taken);
+    map.to.emplace(id, mapped);
+    if (taken.insert(mapped).second) map.all.emplace(name, mapped);
+  }
+  return map;
+}
+
+/// Of both, by rising index; of a voxel that both have that of `winner`.
+std::vector<Override> united(std::span<const Override> of_file, std::span<const Override> of_store,
+                             Winner winner, std::uint64_t& both) {
+  std::vector<Override> all;
+  all.reserve(of_file.size() + of_store.size());
+  auto file = of_file.begin();
+  auto store = of_store.begin();
+  while (file != of_file.end() || store != of_store.end()) {
+    if (store == of_store.end() || (file != of_file.end() && file->index < store->index)) {
+      all.push_back(*file++);
+    } else if (file == of_file.end() || store->index < file->index) {
+      all.push_back(*store++);
+    } else {
+      ++both;
+      all.push_back(winner == Winner::file ? *file : *store);
+      ++file;
+      ++store;
+    }
+  }
+  return all;
+}
+
+/// Copies who edits, so that edits which are sent again still happen once.
+tl::expected<void, std::string> copy_editors(const ReadOnlyStore& store, StoreBuilder& builder) {
+  StoreBuilder::Done added;
+  auto read = store.reader().for_each_editor([&](edits::EditorId id, StoredEditor&& editor) {
+    if (added) added = builder.add(id, editor.position, editor.editor);
+  });
+  return read ? added : read;
+}
+
+}  // namespace
+
+tl::expected<Exported, std::string> export_edits(const ReadOnlyStore& store, const fs::path& file) {
+  auto target = files::AtomicFile::create(file);
+  if (!target) return tl::unexpected{target.error().message()};
+  std::uint64_t offset = 0;
+  PortableWriter writer{[&](std::span<const std::byte> bytes) -> PortableWriter::Done {
+    auto written = target->write_at(offset, bytes);
+    if (!written) return tl::unexpected{written.error().message()};
+    offset += bytes.size();
+    return {};
+  }};
+  const StoreMeta& meta = store.meta();
+  const auto begun = writer.begin({meta.fingerprint, meta.store_id, meta.head, store.materials()});
+  if (!begun) return tl::unexpected{begun.error()};
+  std::set<MaterialId> named;
+  for (const auto& [name, id] : store.materials()) named.insert(id);
+  ProgressBar progress{"export", "chunks"};
+  progress.expect(store.estimated_keys());
+  PortableWriter::Done added;
+  const auto read = store.for_each_base_chunk([&](ChunkCoord chunk, const StoredChunk& stored) {
+    progress.advance(1);
+    for (const Override& voxel : stored.voxels) {
+      if (named.contains(voxel.material)) continue;
+      added = tl::unexpected{fmt::format(
+          "material {} has no name in the store; start talusd once with the store's world, which names it",
+          to_integer(voxel.material))};
+      return false;
+    }
+    added = writer.add(chunk, stored.voxels);
+    return added.has_value();
+  });
+  if (!read) return tl::unexpected{read.error()};
+  if (added) added = writer.end();
+  if (!added) return tl::unexpected{added.error()};
+  if (const auto committed = target->commit(); !committed) return tl::unexpected{committed.error().message()};
+  return Exported{writer.chunks(), writer.voxels()};
+}
+
+tl::expected<Rebuilt, std::string> import_edits(const fs::path& file, const DataDirectory& directory,
+                                                Winner winner) {
+  std::error_code code;
+  const std::uint64_t file_bytes = fs::file_size(file, code);
+  InputFile input{file};
+  auto opened = PortableReader::open([&](std::span<std::byte> into) { return input.read(into); });
+  if (!opened) return of_file(file, opened.error());
+  PortableReader& reader = *opened;
+  const PortableHeader& header = reader.header();
+  std::unique_ptr<ReadOnlyStore> store;
+  if (directory.has_store()) {
+    auto there = ReadOnlyStore::open(directory.path());
+    if (!there) return tl::unexpected{there.error()};
+    store = *std::move(there);
+    if (store->meta().fingerprint != header.fingerprint) {
+      return of_file(
+          file, fmt::format("it is of the world with fingerprint {}, the store of that with {}; import it "
+                            "into an empty directory and rebase that",
+                            to_string(header.fingerprint), to_string(store->meta().fingerprint)));
+    }
+  }
+  const StoreMeta before = store == nullptr ? StoreMeta{} : store->meta();
+  const MaterialMap materials = map_materials(
+      header.materials, store == nullptr ? std::map<std::string, MaterialId>{} : store->materials());
+  if (const auto enough = check_space(directory.path(), file_bytes + bytes_below(directory.path() / "db"));
+      !enough) {
+    return tl::unexpected{enough.error()};
+  }
+  const auto staging = make_staging(directory.path());
+  if (!staging) return tl::unexpected{staging.error()};
+  Rebuilt rebuilt;
+  rebuilt.store_id = random_store_id();
+  auto made = StoreBuilder::create(*staging, {rebuilt.store_id, header.fingerprint}, before.head.position,
+                                   before.link);
+  if (!made) return tl::unexpected{made.error()};
+  StoreBuilder& builder = **made;
+  const std::uint64_t revision = before.head.revision + 1;
+
+  ProgressBar progress{"import", "bytes"};
+  progress.expect(file_bytes);
+  std::optional<PortableChunk> next;  // of the file
+  std::uint64_t shown = 0;
+  const auto take_next = [&]() -> StoreBuilder::Done {
+    auto chunk = reader.next();
+    if (!chunk) return of_file(file, chunk.error());
+    next = *std::move(chunk);
+    progress.advance(input.bytes() - std::exchange(shown, input.bytes()));
+    if (!next) return {};
+    for (Override& voxel : next->voxels) {
+      const auto mapped = materials.to.find(voxel.material);
+      if (mapped == materials.to.end()) {
+        return of_file(file,
+                       fmt::format("chunk {} has material {}, which the file does not name; export it again",
+                                   to_string(next->chunk), to_integer(voxel.material)));
+      }
+      voxel.material = mapped->second;
+    }
+    return {};
+  };
+  StoreBuilder::Done done = take_next();
+  // The file's chunks that come before `key`; all that are left where there is none.
+  const auto add_before = [&](const std::string* key) {
+    while (done && next && (key == nullptr || chunk_key({next->chunk, Lod{}}) < *key)) {
+      done = builder.add(next->chunk, revision, next->voxels);
+      if (done) done = take_next();
+    }
+  };
+  if (store != nullptr && done) {
+    const auto read = store->for_each_base_chunk([&](ChunkCoord chunk, const StoredChunk& stored) {
+      const std::string key = chunk_key({chunk, Lod{}});
+      add_before(&key);
+      if (!done) return false;
+      if (next && next->chunk == chunk) {
+        done = builder.add(chunk, revision, united(next->voxels, stored.voxels, winner, rebuilt.both));
+        if (done) done = take_next();
+      } else {
+        done = builder.add(chunk, stored.revision, stored.voxels);
+      }
+      return done.has_value();
+    });
+    if (!read) return tl::unexpected{read.error()};
+    if (done) done = copy_editors(*store, builder);
+  }
+  add_before(nullptr);
+  for (const auto& [name, id] : materials.all) {
+    if (done) done = builder.add(name, id);
+  }
+  if (done) done = builder.finish(revision, std::max(before.head.time_ms, header.head.time_ms));
+  if (!done) return tl::unexpected{done.error()};
+  store.reset();
+  auto replaced = swap_in(directory.path());
+  if (!replaced) return tl::unexpected{replaced.error()};
+  rebuilt.chunks = builder.chunks();
+  rebuilt.voxels = builder.voxels();
+  rebuilt.replaced = *std::move(replaced);
+  return rebuilt;
+}
+
+std::map<std::string, MaterialId> rebased_materials(const std::map<std::string, MaterialId>& stored,
+                                                    const terrain::World& world) {
+  std::map<std::string, MaterialId> names;
+  std::set<MaterialId> taken;
+  for (const terrain::Material& material : world.materials()) names.emplace(material.name, material.id);
+  for (const auto& [name, id] : stored) taken.insert(id);  // for ever
+  for (const terrain::Placeable& placeable : world.placeables()) {
+    const auto held = stored.find(placeable.name);
+    const bool keeps = held != stored.end() && to_integer(held->second) >= kFirstBound;
+    const MaterialId id = keeps ? held->second : free_id(taken);
+    taken.insert(id);
+    names.emplace(placeable.name, id);
+  }
+  return names;
+}
+
+namespace {
+
+/// What each material of the store is in the world; none where that has none of its name.
+struct Renaming {
+  std::map<MaterialId, std::string> names;             // of the store
+  std::map<MaterialId, std::optional<MaterialId>> to;  // by need
+  const std::map<std::string, MaterialId>* into = nullptr;
+
+  std::optional<MaterialId> operator()(MaterialId material) {
+    const auto [at, added] = to.try_emplace(material);
+    const auto name = added ? names.find(material) : names.end();
+    if (name != names.end()) {
+      if (const auto id = into->find(name->second); id != into->end()) at->second = id->second;
+    }
+    return at->second;
+  }
+};
+
+/// Refuses where the store has materials that the world has not.
+tl::expected<void, std::string> check_names(const ReadOnlyStore& store, Renaming& renaming) {
+  std::map<std::string, std::uint64_t> unknown;
+  ProgressBar progress{"counting materials", "chunks"};
+  progress.expect(store.estimated_keys());
+  const auto read = store.for_each_base_chunk([&](ChunkCoord, const StoredChunk& stored) {
+    progress.advance(1);
+    for (const Override& voxel : stored.voxels) {
+      if (renaming(voxel.material)) continue;
+      const auto name = renaming.names.find(voxel.material);
+      ++unknown[name == renaming.names.end() ? fmt::format("material {}", to_integer(voxel.material))
+                                             : name->second];
+    }
+    return true;
+  });
+  if (!read) return read;
+  if (unknown.empty()) return {};
+  std::string list;
+  std::uint64_t voxels = 0;
+  for (const auto& [name, count] : unknown) {
+    if (list.size() < 200) list += fmt::format("{}{} ({})", list.empty() ? "" : ", ", escaped(name), count);
+    voxels += count;
+  }
+  return tl::unexpected{
+      fmt::format("the world names no {}: {} voxels; add them to the world as [[placeable]], or give "
+                  "--drop-unknown to lose those voxels",
+                  list, voxels)};
+}
+
+/// Chunks as the world generates them, asked for column by column.
+class BaseChunkMaker {
+ public:
+  explicit BaseChunkMaker(const terrain::World& world) : world_{world}, generator_{world} {}
+
+  void make(ChunkCoord chunk, DenseVoxels& voxels) {
+    if (const auto material = terrain::uniform_everywhere(world_, {chunk, Lod{}})) {
+      voxels.fill(*material);
+      return;
+    }
+    const VoxelPos origin = chunk_origin(chunk);
+    const terrain::Region region{origin.x, origin.z, kChunkSize, kChunkSize, Lod{}};
+    if (!(stacks_.region == region)) generator_.generate(region, stacks_);
+    terrain::extract_chunk(world_, stacks_, chunk).copy_to(voxels);
+  }
+
+ private:
+  const terrain::World& world_;
+  terrain::Generator generator_;
+  terrain::Stacks stacks_;
+};
+
+}  // namespace
+
+tl::expected<Rebuilt, std::string> rebase_edits(const DataDirectory& directory, const terrain::World& world,
+                                                bool drop_unknown) {
+  auto opened = ReadOnlyStore::open(directory.path());
+  if (!opened) return tl::unexpected{opened.error()};
+  std::unique_ptr<ReadOnlyStore> store = *std::move(opened);
+  const StoreMeta before = store->meta();
+  if (before.fingerprint == world.fingerprint()) {
+    return tl::unexpected{
+        fmt::format("data {}: the store is of that world already, {}; nothing is to be done",
+                    directory.path().string(), to_string(before.fingerprint))};
+  }
+  const std::map<std::string, MaterialId> materials = rebased_materials(store->materials(), world);
+  Renaming renaming{{}, {}, &materials};
+  for (const auto& [name, id] : store->materials()) renaming.names.emplace(id, name);
+  if (!drop_unknown) {
+    if (const auto known = check_names(*store, renaming); !known) return tl::unexpected{known.error()};
+  }
+  if (const auto enough = check_space(directory.path(), bytes_below(directory.path() / "db")); !enough) {
+    return tl::unexpected{enough.error()};
+  }
+  const auto staging = make_staging(directory.path());
+  if (!staging) return tl::unexpected{staging.error()};
+  Rebuilt rebuilt;
+  rebuilt.store_id = random_store_id();
+  auto made = StoreBuilder::create(*staging, {rebuilt.store_id, world.fingerprint()}, before.head.position,
+                                   before.link);
+  if (!made) return tl::unexpected{made.error()};
+  StoreBuilder& builder = **made;
+  const std::uint64_t revision = before.head.revision + 1;
+  BaseChunkMaker maker{world};
+  const auto base = std::make_unique<DenseVoxels>();
+  ProgressBar progress{"rebase", "chunks"};
+  progress.expect(store->estimated_keys());
+  StoreBuilder::Done done;
+  const auto read = store->for_each_base_chunk([&](ChunkCoord chunk, const StoredChunk& stored) {
+    progress.advance(1);
+    if (stored.voxels.empty()) return true;
+    maker.make(chunk, *base);
+    std::vector<Override> kept;
+    for (const Override& voxel : stored.voxels) {
+      const auto material = renaming(voxel.material);
+      if (!material) {
+        ++rebuilt.unknown;
+      } else if ((*base)[voxel.index] == *material) {
+        ++rebuilt.as_base;
+      } else {
+        kept.push_back({voxel.index, *material});
+      }
+    }
+    done = builder.add(chunk, revision, kept);
+    return done.has_value();
+  });
+  if (!read) return tl::unexpected{read.error()};
+  if (done) done = copy_editors(*store, builder);
+  for (const auto& [name, id] : materials) {
+    if (done) done = builder.add(name, id);
+  }
+  if (done) done = builder.finish(revision, before.head.time_ms);
+  if (!done) return tl::unexpected{done.error()};
+  store.reset();
+  auto replaced = swap_in(directory.path());
+  if (!replaced) return tl::unexpected{replaced.error()};
+  rebuilt.chunks = builder.chunks();
+  rebuilt.voxels = builder.voxels();
+  rebuilt.replaced = *std::move(replaced);
+  return rebuilt;
+}
+
+}  // namespace talus::server

@@ -1,0 +1,93 @@
+#include "store_socket/restorer.h"
+
+#include <chrono>
+#include <future>
+#include <memory>
+#include <random>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include <talus/voxel/coords.h>
+
+namespace talus::server {
+namespace {
+
+constexpr std::chrono::seconds kPatience{30};
+
+edits::EditorId random_editor() {
+  std::random_device device;
+  const auto half = [&] { return (std::uint64_t{device()} << 32) | device(); };
+  return {half(), half()};
+}
+
+VoxelPos voxel_of(ChunkCoord chunk, std::uint16_t index) {
+  const VoxelPos origin = chunk_origin(chunk);
+  return {origin.x + index % kChunkSize, origin.y + index / kChunkArea,
+          origin.z + index / kChunkSize % kChunkSize};
+}
+
+/// Voxels side by side that change alike are one fill.
+void add_fills(const edits::ChunkChanges& changes, std::vector<edits::Fill>& fills) {
+  std::uint16_t last = 0;
+  bool joins = false;
+  for (const edits::VoxelChange& voxel : changes.voxels) {
+    const bool next = joins && voxel.index == last + 1 && voxel.index % kChunkSize != 0 &&
+                      fills.back().only == voxel.before && fills.back().material == voxel.after;
+    if (next) {
+      ++fills.back().last.x;
+    } else {
+      const VoxelPos at = voxel_of(changes.chunk, voxel.index);
+      fills.push_back({at, at, voxel.after, voxel.before});
+    }
+    last = voxel.index;
+    joins = true;
+  }
+}
+
+}  // namespace
+
+tl::expected<edits::Applied, Restorer::Failure> Restorer::append(LogEntry entry) {
+  using Answer = tl::expected<edits::Applied, Failure>;
+  const auto answer = std::make_shared<std::promise<Answer>>();
+  auto answered = answer->get_future();
+  const bool taken = log_.append(std::move(entry), [answer](const tl::expected<const edits::Applied*,
+                                                                               LogFailure>& outcome) {
+    answer->set_value(outcome ? Answer{**outcome} : tl::unexpected{Failure{outcome.error().reason, true}});
+  });
+  if (!taken) return tl::unexpected{Failure{"the server takes no edits now", true}};
+  if (answered.wait_for(kPatience) != std::future_status::ready) {
+    return tl::unexpected{
+        Failure{fmt::format("the log has not answered for {} s", kPatience.count()), false}};
+  }
+  return answered.get();
+}
+
+tl::expected<Restorer::Restored, Restorer::Failure> Restorer::restore(
+    const std::vector<edits::ChunkChanges>& changes) {
+  using Kind = edits::Applied::Kind;
+  if (editor_ == edits::EditorId{}) {
+    const edits::EditorId editor = random_editor();
+    const auto attached = append(edits::AttachEntry{editor, 1, kRestorerSubject});
+    if (!attached) return tl::unexpected{attached.error()};
+    if (attached->kind != Kind::attached) {
+      return tl::unexpected{Failure{"as many edit this world as may; try again when some have gone", false}};
+    }
+    editor_ = editor;
+  }
+  edits::EditEntry entry{editor_, 1, ++sequence_, {}, {}};
+  for (const edits::ChunkChanges& chunk : changes) {
+    add_fills(chunk, entry.edit.fills);
+    std::vector<Override>& base = entry.base[chunk.chunk];
+    for (const edits::VoxelChange& voxel : chunk.voxels) base.push_back({voxel.index, voxel.base});
+  }
+  const auto applied = append(std::move(entry));
+  if (!applied) return tl::unexpected{applied.error()};
+  if (applied->kind != Kind::done) {
+    editor_ = {};  // forgotten, or the entry breaks a bound
+    return tl::unexpected{Failure{"the log did not apply the edit; run the command again", false}};
+  }
+  return Restored{applied->revision, applied->result.changed};
+}
+
+}  // namespace talus::server

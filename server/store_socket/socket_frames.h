@@ -1,0 +1,57 @@
+// What goes over the Unix socket in a data directory, by which `talusd store` asks the server that uses it.
+//
+// A frame: its number of bytes (u32, little endian, at most kMaxSocketFrame), version, kind, and the kind's
+// fields, as store/bytes.h writes them. The command asks, the server answers, one at a time. Both are of one
+// release: another version is refused by its number.
+//
+// | kind | from | fields |
+// | --- | --- | --- |
+// | checkpoint | command | |
+// | restore | command | changes of an edit (store/FORMAT.md): each voxel that is still `before` becomes
+// `after` | | checkpoint_made | server | number, and why no edits are taken (text; empty: they are) | |
+// restored | server | revision, voxels that changed (numbers) | | busy | server | why (text): the same again
+// may succeed | | failed | server | why (text) |
+#pragma once
+
+#include <chrono>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+#include <tl/expected.hpp>
+
+#include "store/records.h"
+
+namespace talus::server {
+
+inline constexpr std::uint8_t kSocketVersion = 1;
+inline constexpr std::size_t kMaxSocketFrame = std::size_t{1} << 20U;
+/// A frame that has begun has come so soon, or never.
+inline constexpr std::chrono::seconds kFramePatience{10};
+
+enum class SocketKind : std::uint8_t {
+  checkpoint = 1,
+  restore = 2,
+  checkpoint_made = 129,
+  restored = 130,
+  busy = 254,
+  failed = 255
+};
+
+struct SocketFrame {
+  SocketKind kind{};
+  Bytes fields;
+};
+
+/// An error is one line. It gives up where the peer takes nothing for kFramePatience.
+[[nodiscard]] tl::expected<void, std::string> send_frame(int socket, SocketKind kind,
+                                                         std::span<const std::byte> fields);
+[[nodiscard]] tl::expected<void, std::string> send_text(int socket, SocketKind kind, std::string_view text);
+
+/// Waits for a frame to begin: for ever where `patience` is 0. An error is one line, empty where the peer has
+/// closed the connection between two frames.
+[[nodiscard]] tl::expected<SocketFrame, std::string> receive_frame(int socket,
+                                                                   std::chrono::milliseconds patience);
+
+}  // namespace talus::server

@@ -1,0 +1,93 @@
+#include "store_socket/store_connection.h"
+
+#include <sys/socket.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <system_error>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "store/bytes.h"
+#include "store/store_swap.h"
+#include "store_socket/store_socket.h"
+#include "store_socket/unix_address.h"
+
+namespace talus::server {
+namespace {
+
+/// For the server to answer; a checkpoint on a slow disk takes some time.
+constexpr std::chrono::minutes kAnswerPatience{5};
+constexpr std::size_t kMaxText = 4'096;
+
+}  // namespace
+
+tl::expected<std::optional<StoreConnection>, std::string> StoreConnection::open(
+    const std::filesystem::path& directory) {
+  const std::filesystem::path path = socket_path(directory);
+  std::error_code code;
+  if (!std::filesystem::is_socket(path, code)) return std::nullopt;
+  const auto address = UnixAddress::of(path);
+  if (!address) return tl::unexpected{address.error()};
+  const int socket = ::socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0);
+  StoreConnection connection{socket, directory};
+  if (socket >= 0 && ::connect(socket, address->address(), address->size()) == 0) {
+    return std::optional<StoreConnection>{std::move(connection)};
+  }
+  if (errno == ECONNREFUSED || errno == ENOENT) return std::nullopt;  // left by a process that was killed
+  return tl::unexpected{fmt::format("{}: {}; run the command as the server's user", path.string(),
+                                    std::generic_category().message(errno))};
+}
+
+StoreConnection::StoreConnection(int socket, std::filesystem::path directory)
+    : socket_{socket}, directory_{std::move(directory)} {}
+StoreConnection::StoreConnection(StoreConnection&& other) noexcept
+    : socket_{std::exchange(other.socket_, -1)}, directory_{std::move(other.directory_)} {}
+StoreConnection::~StoreConnection() {
+  if (socket_ >= 0) ::close(socket_);
+}
+
+tl::expected<SocketFrame, Restorer::Failure> StoreConnection::ask(SocketKind kind,
+                                                                  std::span<const std::byte> fields,
+                                                                  SocketKind answer) {
+  const auto failed = [](std::string reason, bool busy = false) {
+    return tl::unexpected{Restorer::Failure{fmt::format("the running server: {}", reason), busy}};
+  };
+  // A server that refuses says why, and does not read the request.
+  const auto sent = send_frame(socket_, kind, fields);
+  auto got = receive_frame(socket_, kAnswerPatience);
+  if (!got && !sent) return failed(sent.error());
+  if (!got) return failed(got.error().empty() ? "it has closed the connection" : got.error());
+  if (got->kind == answer) return *std::move(got);
+  if (got->kind == SocketKind::failed || got->kind == SocketKind::busy) {
+    ByteReader in{got->fields};
+    return failed(in.text(kMaxText), got->kind == SocketKind::busy);
+  }
+  return failed(fmt::format("an answer of kind {} was not asked for", static_cast<int>(got->kind)));
+}
+
+tl::expected<StoreConnection::Checkpoint, std::string> StoreConnection::checkpoint() {
+  const auto answer = ask(SocketKind::checkpoint, {}, SocketKind::checkpoint_made);
+  if (!answer) return tl::unexpected{answer.error().reason};
+  ByteReader in{answer->fields};
+  const std::uint64_t number = in.varint();
+  std::string read_only = in.text(kMaxText);
+  if (!in.ended()) return tl::unexpected{std::string{"the running server: its answer is damaged"}};
+  return Checkpoint{checkpoint_path(directory_, number), std::move(read_only)};
+}
+
+tl::expected<Restorer::Restored, Restorer::Failure> StoreConnection::restore(
+    const std::vector<edits::ChunkChanges>& changes) {
+  Bytes fields;
+  encode(changes, fields);
+  const auto answer = ask(SocketKind::restore, fields, SocketKind::restored);
+  if (!answer) return tl::unexpected{answer.error()};
+  ByteReader in{answer->fields};
+  const std::uint64_t revision = in.varint();
+  const std::uint64_t changed = in.varint();
+  if (!in.ended()) return tl::unexpected{Restorer::Failure{"the running server: its answer is damaged"}};
+  return Restorer::Restored{revision, changed};
+}
+
+}  // namespace talus::server

@@ -1,0 +1,227 @@
+// Backups: whole or refused; and a restore that is interrupted anywhere.
+#include <filesystem>
+#include <fstream>
+
+#include <catch2/catch.hpp>
+
+#include "edits_of_tests.h"
+#include "scratch_directory.h"
+#include "store/store_swap.h"
+#include "store_command/backup.h"
+#include "store_command/store_figures.h"
+
+namespace talus::server {
+namespace {
+
+using namespace testing;
+namespace fs = std::filesystem;
+
+/// A data directory with a store of some edits.
+struct Data {
+  explicit Data(std::uint64_t seed = 7, int edits = 300) {
+    const auto directory = DataDirectory::open(path, {1, 2});
+    REQUIRE(directory.has_value());
+    EditStore store{path};
+    store.database_settings.store_id = directory->store_id();
+    store.database_settings.write_buffer_bytes = 64 << 10;
+    store.log_settings.flush_interval = std::chrono::milliseconds{1};
+    REQUIRE(store.open() == "");
+    TestEditor editor;
+    editor.attach(store);
+    std::mt19937_64 random{seed};
+    for (int i = 0; i < edits; ++i) REQUIRE(editor.edit(store, random_edit(random)).has_value());
+    head = store.log().status().head;
+  }
+
+  BackupManifest back_up(const fs::path& target) const {
+    const auto store = ReadOnlyStore::open(path);
+    REQUIRE(store.has_value());
+    const auto manifest = write_backup(**store, path, target);
+    REQUIRE(manifest.has_value());
+    return *manifest;
+  }
+
+  ScratchDirectory scratch{ScratchDirectory::memory()};
+  fs::path path = scratch / "data";
+  edits::Head head;
+};
+
+/// The store's state, where it is sound in every respect.
+edits::Head sound_head(const fs::path& path) {
+  const auto store = ReadOnlyStore::open(path);
+  INFO((store ? "" : store.error()));
+  REQUIRE(store.has_value());
+  ProgressBar progress{"", ""};
+  const auto figures = read_figures(**store, progress);
+  REQUIRE(figures.has_value());
+  const auto verified = verify(**store, *figures);
+  INFO((verified ? "" : verified.error()));
+  REQUIRE(verified.has_value());
+  return (*store)->meta().head;
+}
+
+std::string restore_error(const fs::path& backup, const fs::path& data, bool replace = false) {
+  const auto directory = DataDirectory::open_any(data);
+  REQUIRE(directory.has_value());
+  const auto restored = restore_backup(backup, *directory, replace);
+  return restored ? std::string{} : restored.error();
+}
+
+}  // namespace
+
+TEST_CASE("a backup is restored as it was, as another store") {
+  const Data data;
+  const BackupManifest manifest = data.back_up(data.scratch / "backup");
+  CHECK(manifest.head == data.head);
+  CHECK(read_manifest(data.scratch / "backup") == manifest);
+  CHECK(restore_error(data.scratch / "backup", data.scratch / "new") == "");
+  CHECK(sound_head(data.scratch / "new") == data.head);
+  const auto restored = DataDirectory::open_store(data.scratch / "new");
+  REQUIRE(restored.has_value());
+  CHECK(restored->identity()->fingerprint == ContentHash{1, 2});
+  CHECK(restored->store_id() != manifest.identity.store_id);
+  // The server opens it as its own.
+  EditStore store{data.scratch / "new"};
+  store.database_settings.store_id = restored->store_id();
+  CHECK(store.open() == "");
+}
+
+TEST_CASE("a store that is there is refused, or moved aside whole") {
+  const Data old{1};
+  const Data data{2};
+  (void)data.back_up(data.scratch / "backup");
+  CHECK(restore_error(data.scratch / "backup", old.path).find("it holds a store; give --replace") !=
+        std::string::npos);
+  CHECK(sound_head(old.path) == old.head);
+  CHECK(restore_error(data.scratch / "backup", old.path, true) == "");
+  CHECK(sound_head(old.path) == data.head);
+  CHECK(sound_head(old.path / "replaced-1") == old.head);
+  // A damaged identity is no reason not to restore.
+  std::ofstream{old.path / "store.toml"} << "?";
+  CHECK(restore_error(data.scratch / "backup", old.path, true) == "");
+  CHECK(sound_head(old.path) == data.head);
+}
+
+TEST_CASE("a backup goes into an empty directory alone") {
+  const Data data;
+  fs::create_directory(data.scratch / "full");
+  std::ofstream{data.scratch / "full" / "letter"} << "dear";
+  const auto store = ReadOnlyStore::open(data.path);
+  const auto refused = write_backup(**store, data.path, data.scratch / "full");
+  REQUIRE_FALSE(refused.has_value());
+  CHECK(refused.error().find("the directory is not empty") != std::string::npos);
+}
+
+TEST_CASE("a backup that was not finished, or is damaged anywhere, is refused and changes nothing") {
+  const Data data;
+  const fs::path backup = data.scratch / "backup";
+  const BackupManifest manifest = data.back_up(backup);
+  const fs::path target = data.scratch / "target";
+  SECTION("without a manifest") {
+    fs::remove(backup / "manifest");
+    CHECK(restore_error(backup, target).find("was not finished") != std::string::npos);
+  }
+  SECTION("no directory") {
+    CHECK(restore_error(data.scratch / "none", target).find("no such directory") != std::string::npos);
+  }
+  SECTION("a file that changed, is short, or is gone") {
+    for (const BackupManifest::File& file : manifest.files) {
+      const fs::path path = backup / file.name;
+      const std::string whole = read_whole(path);
+      INFO(file.name);
+      if (whole.empty()) continue;
+      std::string changed = whole;
+      changed[changed.size() / 2] = static_cast<char>(changed[changed.size() / 2] ^ 1);
+      std::ofstream{path, std::ios::binary} << changed;
+      CHECK(restore_error(backup, target).find(file.name + " is damaged") != std::string::npos);
+      std::ofstream{path, std::ios::binary} << whole.substr(1);
+      CHECK(restore_error(backup, target).find(file.name + " is damaged") != std::string::npos);
+      fs::remove(path);
+      CHECK(restore_error(backup, target).find(file.name) != std::string::npos);
+      std::ofstream{path, std::ios::binary} << whole;
+      CHECK_FALSE(fs::exists(target / "db"));
+    }
+    CHECK(restore_error(backup, target) == "");
+  }
+}
+
+TEST_CASE("a manifest is read back, and any other text is refused") {
+  BackupManifest manifest{
+      {{1, 2}, {3, 4}}, {5, 6, 7, {8, 9}}, {{"db/000012.sst", 10, {11, 12}}, {"acknowledged", 25, {}}}};
+  const std::string text = encode(manifest);
+  CHECK(decode_manifest(text) == manifest);
+  for (std::size_t bit = 0; bit < text.size() * 8; ++bit) {
+    std::string damaged = text;
+    damaged[bit / 8] = static_cast<char>(damaged[bit / 8] ^ (1 << (bit % 8)));
+    if (decode_manifest(damaged)) FAIL("bit " << bit << " makes no difference");
+  }
+  for (std::size_t size = 0; size < text.size(); ++size) {
+    if (decode_manifest(text.substr(0, size))) FAIL(size << " bytes are enough");
+  }
+  CHECK_FALSE(decode_manifest(text + "\n").has_value());
+  manifest.files[0].name = "db/../../etc/passwd";
+  CHECK_FALSE(decode_manifest(encode(manifest)).has_value());
+  std::string newer = text;
+  newer.replace(newer.find("backup 1"), 8, "backup 2");
+  CHECK(decode_manifest(newer).error().find("use a newer talusd") != std::string::npos);
+}
+
+TEST_CASE("a swap that was interrupted after any step is ended by who opens the directory next") {
+  for (int steps = 0; steps <= 8; ++steps) {
+    CAPTURE(steps);
+    const ScratchDirectory scratch;
+    const fs::path data = scratch / "data";
+    const fs::path next = data / "talus-next";
+    fs::create_directories(next);
+    for (const char* const name : {"acknowledged", "db", "store.toml"}) {
+      std::ofstream{data / name} << "old";
+      std::ofstream{next / name} << "new";
+    }
+    int left = steps;
+    const auto rename = [&](const fs::path& from, const fs::path& to) {
+      if (left-- > 0) fs::rename(from, to);
+    };
+    if (left > 0) fs::create_directory(next / "old");
+    for (const char* const name : {"acknowledged", "db", "store.toml"}) {
+      rename(data / name, next / "old" / name);
+      rename(next / name, data / name);
+    }
+    rename(next / "old", data / "replaced-1");
+    if (left > 0) fs::remove_all(next);
+    REQUIRE(DataDirectory::open_any(data).has_value());
+    for (const char* const name : {"acknowledged", "db", "store.toml"}) {
+      CHECK(read_whole(data / name) == "new");
+      CHECK(read_whole(data / "replaced-1" / name) == "old");
+    }
+    CHECK_FALSE(fs::exists(next));
+  }
+}
+
+TEST_CASE("what was not finished is removed by who opens the directory next, and nothing else is") {
+  const ScratchDirectory scratch;
+  for (const char* const name : {"talus-staging/db", "talus-checkpoint-3/db", "staging", "checkpoint-1"}) {
+    fs::create_directories(scratch.path() / name);
+  }
+  REQUIRE(DataDirectory::open_any(scratch.path()).has_value());
+  CHECK_FALSE(fs::exists(scratch / "talus-staging"));
+  CHECK_FALSE(fs::exists(scratch / "talus-checkpoint-3"));
+  CHECK(fs::exists(scratch / "staging"));
+  CHECK(fs::exists(scratch / "checkpoint-1"));
+}
+
+TEST_CASE(
+    "verify finds a chunk that is not what the hash says, and coarse levels that are not those of level 0") {
+  const Data data;
+  const auto store = ReadOnlyStore::open(data.path);
+  ProgressBar progress{"", ""};
+  auto figures = read_figures(**store, progress);
+  REQUIRE(figures.has_value());
+  CHECK(verify(**store, *figures).has_value());
+  CHECK(figures->levels[1].voxels > 0);
+  figures->levels[1].hash.add({1, 1, 1}, Override{3, MaterialId{2}});
+  CHECK(verify(**store, *figures).error().find("level 1 is not what level 0 says") != std::string::npos);
+  figures->levels[0].hash.add({1, 1, 1}, Override{3, MaterialId{2}});
+  CHECK(verify(**store, *figures).error().find("its overrides hash to") != std::string::npos);
+}
+
+}  // namespace talus::server

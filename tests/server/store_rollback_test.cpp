@@ -1,0 +1,238 @@
+// Rollback against the plainest model: each voxel's own list of changes.
+#include <map>
+#include <random>
+#include <vector>
+
+#include <catch2/catch.hpp>
+
+#include "edits_of_tests.h"
+#include "scratch_directory.h"
+#include "store/read_only_store.h"
+#include "store_command/history.h"
+#include "store_command/local_writer.h"
+#include "store_command/rollback.h"
+
+namespace talus::server {
+namespace {
+
+using namespace testing;
+using edits::testing::base_at;
+using edits::testing::Model;
+
+struct Change {
+  std::string subject;
+  bool counts = false;  // it was since the time that is asked for
+  MaterialId before{};
+  MaterialId after{};
+};
+using Changes = std::map<VoxelPos, std::vector<Change>>;
+
+/// What the voxel shall be: what it was before the subject's last changes in a row.
+MaterialId rolled_back(const std::vector<Change>& changes, const std::string& subject) {
+  MaterialId material = changes.back().after;
+  for (auto change = changes.rbegin(); change != changes.rend(); ++change) {
+    if (change->subject != subject || !change->counts) break;
+    material = change->before;
+  }
+  return material;
+}
+
+VoxelPos at_index(ChunkCoord chunk, std::uint16_t index) {
+  const VoxelPos at = chunk_origin(chunk);
+  return {at.x + index % 32, at.y + index / 1024, at.z + index / 32 % 32};
+}
+
+/// A store under edits of several people.
+struct Griefed {
+  explicit Griefed(std::uint64_t seed) : random{seed}, store{scratch / "edits"} {
+    REQUIRE(store.open() == "");
+    for (std::size_t i = 0; i < subjects.size(); ++i) {
+      editors[i].id = {i + 1, 77};
+      const auto attached = store.apply(edits::AttachEntry{editors[i].id, 1, subjects[i]});
+      REQUIRE(attached->kind == edits::Applied::Kind::attached);
+      editors[i].epoch = 1;
+    }
+  }
+
+  void edit(int count, bool counts) {
+    for (int i = 0; i < count; ++i) {
+      const std::size_t who = random() % subjects.size();
+      edits::Edit edit = random_edit(random);
+      if (random() % 8 == 0) {
+        const VoxelPos first{static_cast<std::int64_t>(random() % 40) - 20, -3, -3};
+        edit.fills.push_back({first, {first.x + 5, 2, 2}, MaterialId{3}, std::nullopt});
+      }
+      const auto applied = editors[who].edit(store, edit);
+      REQUIRE(applied.has_value());
+      for (const edits::ChunkChanges& chunk : applied->changes) {
+        for (const edits::VoxelChange& voxel : chunk.voxels) {
+          changes[at_index(chunk.chunk, voxel.index)].push_back(
+              {subjects[who], counts, voxel.before, voxel.after});
+        }
+      }
+    }
+  }
+  /// The log's time from now on is later than all before.
+  std::int64_t next_moment() {
+    const std::int64_t last = store.log().status().head.time_ms;
+    const SystemClock clock;
+    const auto now = [&] {
+      return std::chrono::duration_cast<std::chrono::milliseconds>(clock.wall().time_since_epoch()).count();
+    };
+    std::int64_t moment = now();
+    while (moment <= last) moment = now();
+    return moment;
+  }
+  [[nodiscard]] std::map<VoxelPos, MaterialId> expected(const RollbackRequest& request) const {
+    std::map<VoxelPos, MaterialId> voxels;
+    for (const auto& [at, list] : changes) {
+      const bool inside = at.x >= request.first.x && at.x <= request.last.x && at.y >= request.first.y &&
+                          at.y <= request.last.y && at.z >= request.first.z && at.z <= request.last.z;
+      const MaterialId material = inside ? rolled_back(list, request.subject) : list.back().after;
+      if (material != base_at(at)) voxels.emplace(at, material);
+    }
+    return voxels;
+  }
+
+  ScratchDirectory scratch{ScratchDirectory::memory()};
+  std::mt19937_64 random;
+  EditStore store;
+  std::array<std::string, 3> subjects{"griefer", "builder", ""};
+  std::array<TestEditor, 3> editors;
+  Changes changes;
+};
+
+RollbackPlan plan_of(const Griefed& griefed, const RollbackRequest& request) {
+  ProgressBar progress{"", ""};
+  const auto opened = ReadOnlyStore::open(griefed.scratch / "edits");
+  REQUIRE(opened.has_value());
+  auto plan = plan_rollback(**opened, request, progress);
+  REQUIRE(plan.has_value());
+  return *std::move(plan);
+}
+
+std::uint64_t roll_back_locally(const Griefed& griefed, const RollbackPlan& plan) {
+  ProgressBar progress{"", ""};
+  auto writer = LocalWriter::open(griefed.scratch / "edits", {{3, 4}, {1, 2}});
+  REQUIRE(writer.has_value());
+  const auto changed = roll_back(
+      plan, [&](const auto& slice) { return (*writer)->restore(slice); }, progress);
+  REQUIRE(changed.has_value());
+  return *changed;
+}
+
+}  // namespace
+
+TEST_CASE("a rollback gives back what one subject changed last, and touches nobody else's work") {
+  const std::uint64_t seed = std::random_device{}();
+  CAPTURE(seed);
+  for (std::uint64_t round = 0; round < 8; ++round) {
+    Griefed griefed{seed + round};
+    griefed.edit(150, false);
+    const std::int64_t since = griefed.next_moment();
+    griefed.edit(250, true);
+    const RollbackRequest request{griefed.subjects[round % 3], since, {-60, -8, -8}, {30, 2, 3}};
+    griefed.store.close();
+    const RollbackPlan plan = plan_of(griefed, request);
+    CHECK(plan.voxels > 0);
+    CHECK(roll_back_locally(griefed, plan) == plan.voxels);
+    REQUIRE(griefed.store.open_without_log() == "");
+    CHECK(overrides_of(griefed.store.state()) == griefed.expected(request));
+    griefed.store.close();
+    // What was put back is not the subject's any more.
+    CHECK(plan_of(griefed, request).voxels == 0);
+  }
+}
+
+TEST_CASE("what changes between a rollback's plan and its edits stays as it is") {
+  Griefed griefed{5};
+  const std::int64_t since = griefed.next_moment();
+  griefed.edit(100, true);
+  griefed.store.close();
+  const RollbackRequest request{"griefer", since, {-200, -20, -20}, {200, 20, 20}};
+  const RollbackPlan plan = plan_of(griefed, request);
+  REQUIRE(plan.voxels > 1);
+  const edits::ChunkChanges& chunk = plan.slices.front().front();
+  const VoxelPos at = at_index(chunk.chunk, chunk.voxels.front().index);
+  REQUIRE(griefed.store.open() == "");
+  edits::Edit edit;
+  edit.writes.push_back({at, MaterialId{9}});
+  ++griefed.editors[1].sequence;
+  REQUIRE(griefed.store.apply(griefed.editors[1].entry(edit))->result.changed == 1);
+  griefed.store.close();
+  CHECK(roll_back_locally(griefed, plan) == plan.voxels - 1);
+  REQUIRE(griefed.store.open_without_log() == "");
+  CHECK(overrides_of(griefed.store.state()).at(at) == MaterialId{9});
+}
+
+TEST_CASE("a voxel's history says who, from what, to what, and how far back it goes") {
+  Griefed griefed{9};
+  griefed.edit(200, false);
+  griefed.store.close();
+  const auto opened = ReadOnlyStore::open(griefed.scratch / "edits");
+  REQUIRE(opened.has_value());
+  ProgressBar progress{"", ""};
+  std::size_t looked = 0;
+  for (const auto& [at, list] : griefed.changes) {
+    if (++looked > 60) break;
+    const auto history = history_of(**opened, at, progress);
+    REQUIRE(history.has_value());
+    CHECK(history->first_position == 1);
+    REQUIRE(history->changes.size() == list.size());
+    for (std::size_t i = 0; i < list.size(); ++i) {
+      CHECK(history->changes[i].subject == list[i].subject);
+      CHECK(history->changes[i].before == list[i].before);
+      CHECK(history->changes[i].after == list[i].after);
+    }
+  }
+  const auto never = history_of(**opened, {5'000, 5, 5}, progress);
+  REQUIRE(never.has_value());
+  CHECK(never->changes.empty());
+}
+
+TEST_CASE("history that was dropped is said to be, and the rest is still whole") {
+  ScratchDirectory scratch;
+  EditStore store{scratch / "edits"};
+  store.database_settings.history_bytes = 0;
+  store.log_settings.flush_interval = std::chrono::milliseconds{1};
+  REQUIRE(store.open() == "");
+  TestEditor editor;
+  editor.attach(store);
+  std::mt19937_64 random{1};
+  for (int i = 0; i < 50; ++i) REQUIRE(editor.edit(store, random_edit(random)).has_value());
+  store.close();
+  const auto opened = ReadOnlyStore::open(scratch / "edits");
+  REQUIRE(opened.has_value());
+  CHECK((*opened)->first_record() > 1);
+  ProgressBar progress{"", ""};
+  const auto history = history_of(**opened, {0, 0, 0}, progress);
+  REQUIRE(history.has_value());
+  CHECK(history->first_position == (*opened)->first_record());
+}
+
+TEST_CASE("slices are within the bounds of an edit") {
+  Rollback rollback{{"a", 0, {-1'000, -1'000, -1'000}, {100'000, 1'000, 1'000}}};
+  LogRecord record;
+  record.kind = edits::Applied::Kind::done;
+  record.subject = "a";
+  for (std::int32_t x = 0; x < 200; ++x) {
+    record.changes = {{{x, 0, 0}, {}}};
+    const std::uint16_t many = x % 50 == 0 ? 32'768 : 3;
+    for (std::uint16_t i = 0; i < many; ++i) {
+      record.changes[0].voxels.push_back({i, MaterialId{1}, MaterialId{2}, MaterialId{1}});
+    }
+    REQUIRE(rollback.add(record));
+  }
+  std::size_t voxels = 0;
+  for (const auto& slice : rollback.slices()) {
+    CHECK(slice.size() <= edits::kMaxChunks);
+    std::size_t of_slice = 0;
+    for (const edits::ChunkChanges& chunk : slice) of_slice += chunk.voxels.size();
+    CHECK(of_slice <= Restorer::kMaxVoxels);
+    voxels += of_slice;
+  }
+  CHECK(voxels == rollback.voxels());
+  CHECK(voxels == 4 * 32'768 + 196 * 3);
+}
+
+}  // namespace talus::server

@@ -1,0 +1,233 @@
+// The socket in a data directory: what it gives, whom it refuses, and that no peer holds it up.
+#include <sys/socket.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <filesystem>
+
+#include <catch2/catch.hpp>
+
+#include "edits_of_tests.h"
+#include "log/logger.h"
+#include "scratch_directory.h"
+#include "store/bytes.h"
+#include "store/read_only_store.h"
+#include "store_socket/store_connection.h"
+#include "store_socket/store_socket.h"
+#include "store_socket/unix_address.h"
+
+namespace talus::server {
+namespace {
+
+using namespace testing;
+namespace fs = std::filesystem;
+
+/// A store with its log and its socket.
+struct Served {
+  explicit Served(const fs::path& path) : directory{path}, store{path} {
+    store.log_settings.flush_interval = std::chrono::milliseconds{1};
+    REQUIRE(store.open() == "");
+    auto opened = StoreSocket::open(path, {store.database(), store.log(), [this] { return read_only; }},
+                                    make_logger("off", "text"));
+    INFO((opened ? "" : opened.error()));
+    REQUIRE(opened.has_value());
+    socket = *std::move(opened);
+  }
+
+  fs::path directory;
+  EditStore store;
+  std::optional<std::string> read_only;
+  std::unique_ptr<StoreSocket> socket;
+};
+
+StoreConnection connected(const fs::path& directory) {
+  auto connection = StoreConnection::open(directory);
+  REQUIRE(connection.has_value());
+  REQUIRE(connection->has_value());
+  return **std::move(connection);
+}
+
+/// A peer that says what it likes.
+class RawPeer {
+ public:
+  explicit RawPeer(const fs::path& directory) : socket_{::socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0)} {
+    const auto address = UnixAddress::of(socket_path(directory));
+    REQUIRE(::connect(socket_, address->address(), address->size()) == 0);
+  }
+  ~RawPeer() { ::close(socket_); }
+  RawPeer(const RawPeer&) = delete;
+  RawPeer& operator=(const RawPeer&) = delete;
+
+  void say(const Bytes& bytes) const {
+    REQUIRE(::send(socket_, bytes.data(), bytes.size(), MSG_NOSIGNAL) == static_cast<ssize_t>(bytes.size()));
+  }
+  /// Why it is refused.
+  std::string refusal() const {
+    const auto frame = receive_frame(socket_, std::chrono::minutes{1});
+    INFO((frame ? "" : frame.error()));
+    REQUIRE(frame.has_value());
+    REQUIRE(frame->kind == SocketKind::failed);
+    ByteReader in{frame->fields};
+    return in.text(1'000);
+  }
+  [[nodiscard]] int descriptor() const { return socket_; }
+
+ private:
+  int socket_;
+};
+
+Bytes frame_of(std::uint32_t length, std::initializer_list<int> bytes) {
+  Bytes frame;
+  ByteWriter writer{frame};
+  writer.fixed32(length);
+  for (const int byte : bytes) writer.byte(static_cast<std::uint8_t>(byte));
+  return frame;
+}
+
+}  // namespace
+
+TEST_CASE("a checkpoint under edits is one moment of the store, and goes with its connection") {
+  const ScratchDirectory scratch{ScratchDirectory::memory()};
+  Served served{scratch / "data"};
+  CHECK((fs::status(socket_path(served.directory)).permissions() & fs::perms::all) ==
+        (fs::perms::owner_read | fs::perms::owner_write));
+  TestEditor editor;
+  editor.attach(served.store);
+  std::mt19937_64 random{1};
+  std::atomic<bool> ends = false;
+  std::thread edits{[&] {
+    while (!ends) (void)editor.edit(served.store, random_edit(random));
+  }};
+  for (int i = 0; i < 20; ++i) {
+    const std::uint64_t before = served.store.log().status().head.position;
+    fs::path path;
+    {
+      StoreConnection connection = connected(served.directory);
+      const auto checkpoint = connection.checkpoint();
+      INFO((checkpoint ? "" : checkpoint.error()));
+      REQUIRE(checkpoint.has_value());
+      path = checkpoint->path;
+      CHECK(checkpoint->read_only.empty());
+      const auto store = ReadOnlyStore::open(path);
+      INFO((store ? "" : store.error()));
+      REQUIRE(store.has_value());
+      CHECK((*store)->meta().head.position >= before);
+      edits::StateHash hash;
+      REQUIRE((*store)->for_each_base_chunk([&](ChunkCoord chunk, const StoredChunk& stored) {
+        hash.add(chunk, stored.voxels);
+        return true;
+      }));
+      CHECK(hash == (*store)->meta().head.hash);
+    }
+    while (fs::exists(path)) std::this_thread::yield();
+  }
+  ends = true;
+  edits.join();
+}
+
+TEST_CASE("the server's reason for taking no edits comes with a checkpoint") {
+  const ScratchDirectory scratch;
+  Served served{scratch / "data"};
+  served.read_only = "the disk is full";
+  CHECK(connected(served.directory).checkpoint()->read_only == "the disk is full");
+}
+
+TEST_CASE("voxels that are restored through the socket are an edit of the log") {
+  const ScratchDirectory scratch;
+  Served served{scratch / "data"};
+  StoreConnection connection = connected(served.directory);
+  const VoxelPos at{40, 5, 3};
+  const MaterialId base = edits::testing::base_at(at);
+  const MaterialId other{static_cast<std::uint16_t>(to_integer(base) + 1)};
+  const auto index = static_cast<std::uint16_t>(voxel_index(local_pos(at)));
+  const auto first = connection.restore({{{1, 0, 0}, {{index, base, other, base}}}});
+  REQUIRE(first.has_value());
+  CHECK(first->changed == 1);
+  CHECK(first->revision == 1);
+  // It is not `base` any more.
+  const auto second = connection.restore({{{1, 0, 0}, {{index, base, MaterialId{77}, base}}}});
+  REQUIRE(second.has_value());
+  CHECK(second->changed == 0);
+  CHECK(overrides_of(served.store.state()) == std::map<VoxelPos, MaterialId>{{at, other}});
+}
+
+TEST_CASE("a socket at the end of a long path, and one that a killed process left, are no trouble") {
+  const ScratchDirectory scratch;
+  const fs::path data = scratch.path() / std::string(120, 'd');
+  {
+    Served served{data};
+    CHECK(connected(data).checkpoint().has_value());
+  }
+  CHECK_FALSE(fs::exists(socket_path(data)));
+  const auto none = StoreConnection::open(data);
+  REQUIRE(none.has_value());
+  CHECK_FALSE(none->has_value());
+  // A name without a listener.
+  const int left = ::socket(AF_UNIX, SOCK_STREAM, 0);
+  const auto address = UnixAddress::of(socket_path(data));
+  REQUIRE(::bind(left, address->address(), address->size()) == 0);
+  ::close(left);
+  const auto stale = StoreConnection::open(data);
+  REQUIRE(stale.has_value());
+  CHECK_FALSE(stale->has_value());
+  Served again{data};
+  CHECK(connected(data).checkpoint().has_value());
+}
+
+TEST_CASE("a peer that says nonsense is told so, and nobody else notices") {
+  const ScratchDirectory scratch;
+  Served served{scratch / "data"};
+  const std::string reason = [&] {
+    const RawPeer peer{served.directory};
+    SECTION("a frame that is too large") {
+      peer.say(frame_of(0xffff'ffff, {}));
+      return peer.refusal() + "|at most 1048576 are taken";
+    }
+    SECTION("a frame that is too small") {
+      peer.say(frame_of(1, {1}));
+      return peer.refusal() + "|a frame of 1 bytes";
+    }
+    SECTION("another version") {
+      peer.say(frame_of(2, {9, 1}));
+      return peer.refusal() + "|speaks version 9";
+    }
+    SECTION("no such request") {
+      peer.say(frame_of(2, {kSocketVersion, 99}));
+      return peer.refusal() + "|there is no request 99";
+    }
+    SECTION("an edit that is none") {
+      peer.say(frame_of(3, {kSocketVersion, 2, 200}));
+      return peer.refusal() + "|has 1 to 4096 voxels";
+    }
+    SECTION("half a frame") {
+      peer.say(frame_of(50, {kSocketVersion}));
+      ::shutdown(peer.descriptor(), SHUT_WR);
+      return peer.refusal() + "|a frame ends early";
+    }
+    return std::string{"|"};
+  }();
+  const std::size_t bar = reason.find('|');
+  CHECK(reason.substr(0, bar).find(reason.substr(bar + 1)) != std::string::npos);
+  CHECK(connected(served.directory).checkpoint().has_value());
+}
+
+TEST_CASE("peers that say nothing hold up neither others nor the end, and are few") {
+  const ScratchDirectory scratch;
+  Served served{scratch / "data"};
+  const std::array<RawPeer, 3> silent{RawPeer{served.directory}, RawPeer{served.directory},
+                                      RawPeer{served.directory}};
+  silent[0].say(frame_of(50, {kSocketVersion}));  // and no more of it
+  StoreConnection fourth = connected(served.directory);
+  CHECK(fourth.checkpoint().has_value());
+  const RawPeer fifth{served.directory};
+  CHECK(fifth.refusal().find("4 commands use this server's store already") != std::string::npos);
+  TestEditor editor;
+  editor.attach(served.store);
+  std::mt19937_64 random{1};
+  CHECK(editor.edit(served.store, random_edit(random)).has_value());
+  served.socket.reset();
+  CHECK_FALSE(fs::exists(served.directory / "talus-checkpoint-4"));
+  CHECK_FALSE(fourth.checkpoint().has_value());
+}
+
+}  // namespace talus::server

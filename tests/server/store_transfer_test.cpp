@@ -1,0 +1,357 @@
+// Edits to a file and back, and over another world.
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <random>
+
+#include <fmt/format.h>
+#include <catch2/catch.hpp>
+
+#include <talus/terrain/extraction.h>
+
+#include "scratch_directory.h"
+#include "store/edit_database.h"
+#include "store/store_builder.h"
+#include "store_command/portable_file.h"
+#include "store_command/store_figures.h"
+#include "store_command/transfer.h"
+
+namespace talus::server {
+namespace {
+
+namespace fs = std::filesystem;
+using Voxels = std::map<std::pair<ChunkCoord, std::uint16_t>, MaterialId>;
+
+constexpr ContentHash kWorld{1, 2};
+const std::map<std::string, MaterialId> kMaterials{{"air", MaterialId{0}},
+                                                   {"glass", MaterialId{257}},
+                                                   {"planks", MaterialId{256}},
+                                                   {"stone", MaterialId{2}}};
+
+/// Makes a store of these overrides in a data directory.
+void make_store(const fs::path& path, const Voxels& voxels, ContentHash fingerprint = kWorld,
+                const std::map<std::string, MaterialId>& materials = kMaterials) {
+  fs::create_directories(path);
+  const auto builder = StoreBuilder::create(path, {{3, 4}, fingerprint}, 10, 11);
+  REQUIRE(builder.has_value());
+  std::map<ChunkCoord, std::vector<Override>> chunks;
+  for (const auto& [at, material] : voxels) chunks[at.first].push_back({at.second, material});
+  for (const auto& [chunk, overrides] : chunks) REQUIRE((*builder)->add(chunk, 5, overrides).has_value());
+  for (const auto& [name, id] : materials) REQUIRE((*builder)->add(name, id).has_value());
+  REQUIRE((*builder)
+              ->add(edits::EditorId{7, 8}, 3,
+                    {.epoch = 2, .last_sequence = 0, .used_ms = 5, .subject = "alice", .results = {}})
+              .has_value());
+  REQUIRE((*builder)->finish(6, 1'700'000'000'000).has_value());
+}
+
+/// What a data directory holds, once it is sound in every respect.
+Voxels voxels_of(const fs::path& path) {
+  const auto store = ReadOnlyStore::open(path);
+  INFO((store ? "" : store.error()));
+  REQUIRE(store.has_value());
+  ProgressBar progress{"", ""};
+  const auto figures = read_figures(**store, progress);
+  REQUIRE(figures.has_value());
+  const auto verified = verify(**store, *figures);
+  INFO((verified ? "" : verified.error()));
+  REQUIRE(verified.has_value());
+  Voxels voxels;
+  REQUIRE((*store)->for_each_base_chunk([&](ChunkCoord chunk, const StoredChunk& stored) {
+    for (const Override& voxel : stored.voxels) voxels.emplace(std::pair{chunk, voxel.index}, voxel.material);
+    return true;
+  }));
+  return voxels;
+}
+
+Voxels random_voxels(std::mt19937_64& random, int count) {
+  const std::array materials{MaterialId{0}, MaterialId{2}, MaterialId{256}, MaterialId{257}};
+  Voxels voxels;
+  for (int i = 0; i < count; ++i) {
+    const auto at = [&] { return static_cast<std::int32_t>(random() % 5) - 2; };
+    // Many on the samples of coarse levels.
+    const auto index =
+        static_cast<std::uint16_t>(random() % 2 == 0 ? random() % 32'768 : (random() % 8) * 4 + 2'048);
+    voxels[{{at(), at(), at()}, index}] = materials[random() % 4];
+  }
+  return voxels;
+}
+
+std::string export_to(const fs::path& data, const fs::path& file) {
+  const auto store = ReadOnlyStore::open(data);
+  REQUIRE(store.has_value());
+  const auto exported = export_edits(**store, file);
+  return exported ? std::string{} : exported.error();
+}
+
+tl::expected<Rebuilt, std::string> import_from(const fs::path& file, const fs::path& data, Winner winner) {
+  const auto directory = DataDirectory::open_any(data);
+  REQUIRE(directory.has_value());
+  return import_edits(file, *directory, winner);
+}
+
+PortableReader::Source from(const std::string& bytes) {
+  return [&bytes, at = std::size_t{0}](std::span<std::byte> into) mutable {
+    const std::size_t count = std::min(into.size(), bytes.size() - at);
+    std::copy_n(reinterpret_cast<const std::byte*>(bytes.data()) + at, count, into.begin());
+    at += count;
+    return tl::expected<std::size_t, std::string>{count};
+  };
+}
+
+/// The error, or nothing.
+std::string read_all(const std::string& bytes) {
+  auto reader = PortableReader::open(from(bytes));
+  if (!reader) return reader.error();
+  for (;;) {
+    const auto chunk = reader->next();
+    if (!chunk) return chunk.error();
+    if (!*chunk) return {};
+  }
+}
+
+std::string hex(const std::string& bytes) {
+  std::string text;
+  for (const char byte : bytes) text += fmt::format("{:02x}", static_cast<unsigned char>(byte));
+  return text;
+}
+
+}  // namespace
+
+TEST_CASE("edits that are exported and imported are the same, whichever wins where both have a voxel") {
+  const std::uint64_t seed = std::random_device{}();
+  CAPTURE(seed);
+  std::mt19937_64 random{seed};
+  for (int round = 0; round < 6; ++round) {
+    const ScratchDirectory scratch{ScratchDirectory::memory()};
+    const Voxels ours = random_voxels(random, 2'000);
+    const Voxels theirs = random_voxels(random, 2'000);
+    make_store(scratch / "a", ours);
+    make_store(scratch / "b", theirs);
+    REQUIRE(export_to(scratch / "a", scratch / "file") == "");
+    // Into an empty directory.
+    REQUIRE(import_from(scratch / "file", scratch / "new", Winner::file).has_value());
+    CHECK(voxels_of(scratch / "new") == ours);
+    // Over another store.
+    const Winner winner = round % 2 == 0 ? Winner::file : Winner::store;
+    Voxels expected = winner == Winner::file ? ours : theirs;
+    expected.insert((winner == Winner::file ? theirs : ours).begin(),
+                    (winner == Winner::file ? theirs : ours).end());
+    const auto imported = import_from(scratch / "file", scratch / "b", winner);
+    REQUIRE(imported.has_value());
+    CHECK(imported->both == ours.size() + theirs.size() - expected.size());
+    CHECK(imported->voxels == expected.size());
+    CHECK(voxels_of(scratch / "b") == expected);
+    CHECK(voxels_of(imported->replaced) == theirs);
+    const auto store = ReadOnlyStore::open(scratch / "b");
+    CHECK((*store)->meta().store_id == imported->store_id);
+    CHECK((*store)->meta().head.position == 10);
+    CHECK((*store)->meta().head.revision == 7);
+    std::size_t editors = 0;
+    REQUIRE((*store)->reader().for_each_editor([&](auto, auto&&) { ++editors; }).has_value());
+    CHECK(editors == 1);
+  }
+}
+
+TEST_CASE("an imported file's materials are those of the same names") {
+  const ScratchDirectory scratch;
+  make_store(scratch / "a", {{{{0, 0, 0}, 1}, MaterialId{256}}, {{{0, 0, 0}, 2}, MaterialId{257}}});
+  REQUIRE(export_to(scratch / "a", scratch / "file") == "");
+  // There glass has the id that planks have here, and planks are not known.
+  make_store(scratch / "b", {}, kWorld, {{"glass", MaterialId{256}}, {"rock", MaterialId{2}}});
+  REQUIRE(import_from(scratch / "file", scratch / "b", Winner::file).has_value());
+  CHECK(voxels_of(scratch / "b") ==
+        Voxels{{{{0, 0, 0}, 1}, MaterialId{257}}, {{{0, 0, 0}, 2}, MaterialId{256}}});
+  const auto store = ReadOnlyStore::open(scratch / "b");
+  CHECK((*store)->materials() == std::map<std::string, MaterialId>{{"air", MaterialId{0}},
+                                                                   {"glass", MaterialId{256}},
+                                                                   {"planks", MaterialId{257}},
+                                                                   {"rock", MaterialId{2}}});
+}
+
+TEST_CASE("a file of another world is refused, and so is a material without a name") {
+  const ScratchDirectory scratch;
+  make_store(scratch / "a", {{{{0, 0, 0}, 1}, MaterialId{2}}}, {5, 6});
+  REQUIRE(export_to(scratch / "a", scratch / "file") == "");
+  make_store(scratch / "b", {});
+  const auto refused = import_from(scratch / "file", scratch / "b", Winner::file);
+  REQUIRE_FALSE(refused.has_value());
+  CHECK(refused.error().find("rebase that") != std::string::npos);
+  make_store(scratch / "c", {{{{0, 0, 0}, 1}, MaterialId{300}}});
+  CHECK(export_to(scratch / "c", scratch / "none").find("material 300 has no name") != std::string::npos);
+  CHECK_FALSE(fs::exists(scratch / "none"));
+}
+
+TEST_CASE("the portable file's bytes are those of FORMAT.md") {
+  std::string bytes;
+  PortableWriter writer{[&](std::span<const std::byte> piece) -> PortableWriter::Done {
+    bytes.append(reinterpret_cast<const char*>(piece.data()), piece.size());
+    return {};
+  }};
+  edits::StateHash hash;
+  hash.add({-1, 2, 300}, Override{5, MaterialId{256}});
+  hash.add({-1, 2, 300}, Override{6, MaterialId{256}});
+  REQUIRE(writer.begin({kWorld, {3, 4}, {10, 6, 1'700'000'000'000, hash}, {{"planks", MaterialId{256}}}})
+              .has_value());
+  REQUIRE(writer.add({-1, 2, 300}, std::vector<Override>{{5, MaterialId{256}}, {6, MaterialId{256}}})
+              .has_value());
+  REQUIRE(writer.end().has_value());
+  CHECK(read_all(bytes) == "");
+  CHECK(hex(bytes) ==
+        "74616c757365647401000000430000000101000000000000000200000000000000030000000000000004000000000000"
+        "000a0680d095ffbc31e908cc9f1043f910cd82f4fd503632d70106706c616e6b738002710446f46a967e3d0c00000002"
+        "01d8040406018002010501b04b6a60b276ee1e13000000030102e908cc9f1043f910cd82f4fd503632d7e1a9969cbd4a"
+        "f737");
+}
+
+TEST_CASE("a portable file that is cut, or changed anywhere, is refused, and nothing is made of it") {
+  const ScratchDirectory scratch;
+  std::mt19937_64 random{3};
+  make_store(scratch / "a", random_voxels(random, 30));
+  REQUIRE(export_to(scratch / "a", scratch / "file") == "");
+  const std::string whole = read_whole(scratch / "file");
+  REQUIRE(read_all(whole) == "");
+  for (std::size_t bit = 0; bit < whole.size() * 8; ++bit) {
+    std::string damaged = whole;
+    damaged[bit / 8] = static_cast<char>(damaged[bit / 8] ^ (1 << (bit % 8)));
+    if (read_all(damaged).empty()) FAIL("bit " << bit << " makes no difference");
+  }
+  for (std::size_t size = 0; size < whole.size(); ++size) {
+    if (read_all(whole.substr(0, size)).empty()) FAIL(size << " bytes are enough");
+  }
+  CHECK(read_all(whole + "x").find("bytes follow its end") != std::string::npos);
+  std::ofstream{scratch / "cut", std::ios::binary} << whole.substr(0, whole.size() - 20);
+  make_store(scratch / "b", {{{{0, 0, 0}, 1}, MaterialId{2}}});
+  CHECK_FALSE(import_from(scratch / "cut", scratch / "b", Winner::file).has_value());
+  CHECK(voxels_of(scratch / "b").size() == 1);
+  CHECK_FALSE(import_from(scratch / "cut", scratch / "new", Winner::file).has_value());
+  CHECK_FALSE(fs::exists(scratch / "new" / "db"));
+}
+
+namespace {
+
+/// The world built into the program, with another seed or not, and what else may be placed.
+terrain::World world_of(int seed, const std::string& placeables) {
+  const std::string text = fmt::format(R"(
+seed = {}
+resolution = 50
+strata_wavelength = 1.2
+[surface]
+wavelength = 3.2
+octaves = 4
+gain = 1.15
+exponent = 2
+amplitude = 0.5
+[[stratified]]
+name = "granite"
+colour = "#767076"
+depth = 1.0
+thickness = 0.5
+roughness = 0.1
+[[stratified]]
+name = "slate"
+colour = "#555b66"
+depth = 0.4
+thickness = 0.4
+roughness = 0.1
+[[eroded]]
+name = "scree"
+colour = "#888888"
+weight = 1
+thickness = 0.02
+angle_of_repose = 34
+max_slope = 40
+{})",
+                                       seed, placeables);
+  auto world = terrain::World::parse(text, "test.toml");
+  INFO((world ? "" : world.error().message));
+  REQUIRE(world.has_value());
+  return *std::move(world);
+}
+
+std::string placeable(const std::string& name) {
+  return fmt::format("[[placeable]]\nname = \"{}\"\ncolour = \"#aabbcc\"\n", name);
+}
+
+MaterialId id_of(const terrain::World& world, std::string_view name) {
+  for (const terrain::Material& material : world.materials()) {
+    if (material.name == name) return material.id;
+  }
+  FAIL("no material " << name);
+  return kAir;
+}
+
+}  // namespace
+
+TEST_CASE("edits that are rebased stay where they are unlike the new ground, with materials by name") {
+  const ScratchDirectory scratch;
+  const terrain::World old = world_of(1, placeable("planks") + placeable("glass"));
+  const terrain::World fresh = world_of(2, placeable("lamp") + placeable("glass") + placeable("planks"));
+  REQUIRE(old.fingerprint() != fresh.fingerprint());
+  std::map<std::string, MaterialId> materials{{"planks", MaterialId{256}}, {"glass", MaterialId{257}}};
+  for (const terrain::Material& material : old.materials()) materials.emplace(material.name, material.id);
+  // In the old world chunks in the ground and the sky were edited in all materials.
+  std::mt19937_64 random{4};
+  const std::array all{kAir, id_of(old, "granite"), id_of(old, "slate"), MaterialId{256}, MaterialId{257}};
+  Voxels voxels;
+  for (int i = 0; i < 4'000; ++i) {
+    const ChunkCoord chunk{static_cast<std::int32_t>(random() % 3),
+                           static_cast<std::int32_t>(random() % 3) - 1,
+                           static_cast<std::int32_t>(random() % 2)};
+    voxels[{chunk, static_cast<std::uint16_t>(random() % 32'768)}] = all[random() % all.size()];
+  }
+  make_store(scratch / "data", voxels, old.fingerprint(), materials);
+  const auto directory = DataDirectory::open_store(scratch / "data");
+  REQUIRE(directory.has_value());
+  const auto rebased = rebase_edits(*directory, fresh, false);
+  INFO((rebased ? "" : rebased.error()));
+  REQUIRE(rebased.has_value());
+  Voxels expected;
+  std::uint64_t as_base = 0;
+  for (const auto& [at, material] : voxels) {
+    const Chunk base = terrain::generate_chunk(fresh, {at.first, Lod{}});
+    const LocalPos local{static_cast<std::uint8_t>(at.second % 32),
+                         static_cast<std::uint8_t>(at.second / 1024),
+                         static_cast<std::uint8_t>(at.second / 32 % 32)};
+    if (base.at(local) == material) {
+      ++as_base;
+    } else {
+      expected.emplace(at, material);
+    }
+  }
+  CHECK(as_base > 0);
+  CHECK(rebased->as_base == as_base);
+  CHECK(voxels_of(scratch / "data") == expected);
+  CHECK(voxels_of(rebased->replaced) == voxels);
+  const auto store = ReadOnlyStore::open(scratch / "data");
+  CHECK((*store)->meta().fingerprint == fresh.fingerprint());
+  CHECK((*store)->materials().at("planks") == MaterialId{256});
+  CHECK((*store)->materials().at("glass") == MaterialId{257});
+  CHECK((*store)->materials().at("lamp") == MaterialId{258});
+}
+
+TEST_CASE("a rebase refuses materials that the new world does not name, with their count, or drops them") {
+  const ScratchDirectory scratch;
+  const terrain::World old = world_of(1, placeable("planks"));
+  const terrain::World fresh = world_of(2, "");
+  std::map<std::string, MaterialId> materials{{"planks", MaterialId{256}}};
+  for (const terrain::Material& material : old.materials()) materials.emplace(material.name, material.id);
+  const std::pair in_the_sky{ChunkCoord{0, 40, 0}, std::uint16_t{7}};
+  const std::pair beside{ChunkCoord{0, 40, 0}, std::uint16_t{8}};
+  make_store(scratch / "data", {{in_the_sky, MaterialId{256}}, {beside, id_of(old, "granite")}},
+             old.fingerprint(), materials);
+  const auto directory = DataDirectory::open_store(scratch / "data");
+  const auto refused = rebase_edits(*directory, fresh, false);
+  REQUIRE_FALSE(refused.has_value());
+  CHECK(refused.error().find("names no planks (1): 1 voxels") != std::string::npos);
+  CHECK(voxels_of(scratch / "data").size() == 2);
+  const auto same = rebase_edits(*directory, old, false);
+  REQUIRE_FALSE(same.has_value());
+  CHECK(same.error().find("of that world already") != std::string::npos);
+  const auto dropped = rebase_edits(*directory, fresh, true);
+  REQUIRE(dropped.has_value());
+  CHECK(dropped->unknown == 1);
+  CHECK(voxels_of(scratch / "data") == Voxels{{beside, id_of(fresh, "granite")}});
+}
+
+}  // namespace talus::server
