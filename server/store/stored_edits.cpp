@@ -33,6 +33,11 @@ std::optional<std::string> check_identity(const fs::path& directory, ContentHash
         "backup of one",
         directory.string());
   }
+  if (!fs::exists(directory / "lock", error) && !fs::exists(directory / "manifest", error)) {
+    return fmt::format(
+        "store {}: it is a backup without its manifest, so one that was not finished; make another",
+        directory.string());
+  }
   if (fs::exists(directory / "talus-next", error)) {
     return fmt::format("store {}: another store was being put in its place; let talusd open it once",
                        directory.string());

@@ -195,6 +195,7 @@ TEST_CASE("--store needs a store of the world, which is not in use") {
   };
 #ifdef TALUS_HAS_STORE
   refused("map --center 0,0 --size 8,8" + store + out, "there is no store.toml");
+  std::ofstream{scratch / "lock"};
   std::ofstream{scratch / "store.toml"} << "store_id = \"" << std::string(32, '1') << "\"\nfingerprint = \""
                                         << std::string(32, '2') << "\"\n";
   std::filesystem::permissions(scratch / "store.toml", std::filesystem::perms{0600});
