@@ -30,14 +30,13 @@ bool has_name(const fs::path& file) {
   return fs::symlink_status(file, error).type() != fs::file_type::not_found;
 }
 
-/// `otherwise`: what to do, but to give the store's world.
-tl::expected<void, std::string> check_world(const fs::path& file, ContentHash held, ContentHash fingerprint,
-                                            std::string_view otherwise) {
+tl::expected<void, std::string> check_world(const fs::path& file, ContentHash held, ContentHash fingerprint) {
   if (held == fingerprint) return {};
   return tl::make_unexpected(
       fmt::format("{}: the store belongs to the world with fingerprint {}; this world has fingerprint {}; "
-                  "give --world the store's world, or {}",
-                  file.string(), to_string(held), to_string(fingerprint), otherwise));
+                  "give --data another directory, or --world the store's world, or carry the edits over by "
+                  "talusd store rebase",
+                  file.string(), to_string(held), to_string(fingerprint)));
 }
 
 }  // namespace
@@ -91,8 +90,7 @@ tl::expected<DataDirectory, std::string> DataDirectory::open(const fs::path& pat
   if (const auto read = directory->read_identity(); !read) return tl::make_unexpected(read.error());
   const fs::path file = path / "store.toml";
   if (directory->identity_) {
-    const auto same = check_world(file, directory->identity_->fingerprint, fingerprint,
-                                  "--data another directory, or carry the edits over by talusd store rebase");
+    const auto same = check_world(file, directory->identity_->fingerprint, fingerprint);
     if (!same) return tl::make_unexpected(same.error());
     return directory;
   }
@@ -113,11 +111,9 @@ tl::expected<DataDirectory, std::string> DataDirectory::open_any(const fs::path&
 
 tl::expected<DataDirectory, std::string> DataDirectory::open_store(const fs::path& path) {
   std::error_code error;
-  const bool is_directory = fs::is_directory(path, error);
-  if (!is_directory) {
-    const std::string why = error ? error.message() : "it is no directory";
+  if (!fs::is_directory(path, error)) {
     return tl::make_unexpected(
-        fmt::format("data {}: {}; give --data the directory of a talusd", path.string(), why));
+        fmt::format("data {}: there is no such directory; give --data that of a talusd", path.string()));
   }
   const auto no_store = [&] {
     return tl::make_unexpected(fmt::format(
@@ -134,35 +130,6 @@ tl::expected<DataDirectory, std::string> DataDirectory::open_store(const fs::pat
 
 bool DataDirectory::has_store() const {
   return has_name(path_ / "store.toml") || has_name(path_ / "db") || has_name(path_ / "acknowledged");
-}
-
-tl::expected<DataDirectory, std::string> DataDirectory::open_to_read(const fs::path& path,
-                                                                     ContentHash fingerprint) {
-  std::error_code error;
-  if (!fs::exists(path / "store.toml", error)) {
-    return tl::make_unexpected(fmt::format(
-        "store {}: there is no store.toml; give --store a directory that talusd was given as --data, "
-        "or a backup of one",
-        path.string()));
-  }
-  const int lock = ::open((path / "lock").c_str(), O_RDONLY | O_CLOEXEC);
-  if (lock < 0 && errno != ENOENT) {
-    return tl::make_unexpected(
-        fmt::format("store {}: cannot open its lock: {}; run this as a user who may read it", path.string(),
-                    std::generic_category().message(errno)));
-  }
-  DataDirectory directory{lock, path};
-  if (lock >= 0 && ::flock(lock, LOCK_SH | LOCK_NB) != 0) {
-    return tl::make_unexpected(
-        fmt::format("store {}: a talusd uses it; stop that, or let `talusd store backup` make a copy, and "
-                    "give --store the copy",
-                    path.string()));
-  }
-  if (const auto read = directory.read_identity(); !read) return tl::make_unexpected(read.error());
-  const auto same = check_world(path / "store.toml", directory.identity_->fingerprint, fingerprint,
-                                "--store another directory");
-  if (!same) return tl::make_unexpected(same.error());
-  return directory;
 }
 
 DataDirectory::DataDirectory(DataDirectory&& other) noexcept

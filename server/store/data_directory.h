@@ -34,10 +34,6 @@ class DataDirectory {
   [[nodiscard]] static tl::expected<DataDirectory, std::string> open_any(const std::filesystem::path& path);
   /// Locks a directory that holds a store, of whichever world.
   [[nodiscard]] static tl::expected<DataDirectory, std::string> open_store(const std::filesystem::path& path);
-  /// To read what is there, without a change, and with no server beside while this lives. A backup has no
-  /// lock: nobody writes it. An error is one line, for people who give a program --store.
-  [[nodiscard]] static tl::expected<DataDirectory, std::string> open_to_read(
-      const std::filesystem::path& path, ContentHash fingerprint);
 
   DataDirectory(DataDirectory&& other) noexcept;
   DataDirectory& operator=(DataDirectory&&) = delete;

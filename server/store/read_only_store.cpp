@@ -70,6 +70,12 @@ ReadOnlyStore::Done ReadOnlyStore::read_unflushed() {
   return replayed;
 }
 
+StoreReader::Result<std::optional<StoredChunk>> ReadOnlyStore::chunk(ChunkKey key) const {
+  const auto newer = unflushed_.find(chunk_key(key));
+  if (newer != unflushed_.end()) return std::optional{newer->second};
+  return reader().chunk(key);
+}
+
 ReadOnlyStore::Done ReadOnlyStore::for_each_chunk(
     const std::function<bool(ChunkKey, const StoredChunk&)>& visit) const {
   auto newer = unflushed_.begin();
@@ -98,11 +104,6 @@ ReadOnlyStore::Done ReadOnlyStore::for_each_base_chunk(
     const std::function<bool(ChunkCoord, const StoredChunk&)>& visit) const {
   return for_each_chunk(
       [&](ChunkKey key, const StoredChunk& chunk) { return key.lod == Lod{} && visit(key.coord, chunk); });
-}
-
-tl::expected<std::optional<StoredChunk>, std::string> ReadOnlyStore::chunk(ChunkKey key) const {
-  const auto newer = unflushed_.find(chunk_key(key));
-  return newer == unflushed_.end() ? reader().chunk(key) : std::optional{newer->second};
 }
 
 std::uint64_t ReadOnlyStore::first_record() const {

@@ -32,15 +32,14 @@ class ReadOnlyStore {
   [[nodiscard]] const std::deque<HistorySegment>& history() const { return history_; }
   [[nodiscard]] StoreReader reader() const;
 
+  /// As of the last entry of the log; nothing where it was never edited. Any thread.
+  [[nodiscard]] StoreReader::Result<std::optional<StoredChunk>> chunk(ChunkKey key) const;
   /// All chunks as of the last entry of the log, in the order of keys, that of level 0 first: by x, then z,
   /// then y. Until `visit` returns false.
   [[nodiscard]] Done for_each_chunk(const std::function<bool(ChunkKey, const StoredChunk&)>& visit) const;
   /// Those of level 0 alone.
   [[nodiscard]] Done for_each_base_chunk(
       const std::function<bool(ChunkCoord, const StoredChunk&)>& visit) const;
-
-  /// As of the last entry of the log; nothing where the chunk was never edited. Any thread.
-  [[nodiscard]] tl::expected<std::optional<StoredChunk>, std::string> chunk(ChunkKey key) const;
 
   /// The first entry of the log that is kept; one more than the last where none is.
   [[nodiscard]] std::uint64_t first_record() const;

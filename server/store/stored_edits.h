@@ -1,4 +1,5 @@
-// The edits of a data directory, or of a backup of one, read while no server has it. Nothing in it changes.
+// The edits of a data directory that no server has, or of a backup of one, by place: for programs that show
+// the land. No file changes.
 #pragma once
 
 #include <cstdint>
@@ -7,7 +8,6 @@
 #include <memory>
 #include <string>
 #include <unordered_map>
-#include <vector>
 
 #include <tl/expected.hpp>
 
@@ -16,7 +16,6 @@
 #include <talus/voxel/coords.h>
 #include <talus/voxel/view_shape.h>
 
-#include "store/data_directory.h"
 #include "store/read_only_store.h"
 
 namespace talus::server {
@@ -24,12 +23,16 @@ namespace talus::server {
 /// Any thread may call any of these.
 class StoredEdits {
  public:
-  /// Looks at every key and checksum, and keeps the place of every edited column in memory. An error is one
-  /// line: there is no store, a talusd uses it, it is of another world, damaged, or of a newer format.
+  /// Reads every chunk once, and keeps the rows of every edited column in memory. No server may use the
+  /// directory, and none can while this lives. An error is one line, for people who give a program --store:
+  /// there is no store, a talusd uses it, it is of another world, damaged, or of a newer format.
   [[nodiscard]] static tl::expected<std::unique_ptr<StoredEdits>, std::string> open(
       const std::filesystem::path& directory, ContentHash fingerprint);
+  ~StoredEdits();
+  StoredEdits(const StoredEdits&) = delete;
+  StoredEdits& operator=(const StoredEdits&) = delete;
 
-  [[nodiscard]] ContentHash store_id() const { return directory_.store_id(); }
+  [[nodiscard]] ContentHash store_id() const { return store_->meta().store_id; }
   [[nodiscard]] std::uint64_t revision() const { return store_->meta().head.revision; }
   /// What the store has given an id, by name.
   [[nodiscard]] const std::map<std::string, MaterialId>& materials() const { return store_->materials(); }
@@ -40,12 +43,10 @@ class StoredEdits {
   [[nodiscard]] tl::expected<edits::ChunkOverrides, std::string> overrides(ChunkKey key) const;
 
  private:
-  StoredEdits(DataDirectory directory, std::unique_ptr<ReadOnlyStore> store)
-      : directory_{std::move(directory)}, store_{std::move(store)} {}
-  void note(ChunkKey key);
+  explicit StoredEdits(int lock) : lock_{lock} {}
 
-  const DataDirectory directory_;  // holds its lock
-  const std::unique_ptr<ReadOnlyStore> store_;
+  const int lock_;  // a descriptor, which holds the directory's lock; -1: it has none
+  std::unique_ptr<ReadOnlyStore> store_;
   std::unordered_map<ChunkKey, ChunkRange> rows_;  // by the key of row 0
 };
 

@@ -1,4 +1,5 @@
 // What players build as those see it who have no session: by HTTP, and by talus-gen once the server is gone.
+#include <algorithm>
 #include <cstring>
 #include <filesystem>
 #include <map>
@@ -268,6 +269,12 @@ TEST_CASE("talus-gen exports the land as players left it, once the server is gon
     const Ended refused = run_program(TALUS_GEN_PATH, exporting);
     CHECK(refused.status == 1);
     CHECK_THAT(refused.err, Catch::Contains("talusd store backup"));
+    const std::string backup = (scratch / "backup").string();
+    REQUIRE(run_program(TALUSD_PATH, {"store", "backup", backup, "--data", store}).status == 0);
+    std::vector<std::string> from_backup = exporting;
+    std::replace(from_backup.begin(), from_backup.end(), store, backup);
+    from_backup.back() = (scratch / "export-of-backup").string();
+    REQUIRE(run_program(TALUS_GEN_PATH, from_backup).status == 0);
   }
   const Ended exported = run_program(TALUS_GEN_PATH, exporting);
   INFO(exported.err);
@@ -275,6 +282,7 @@ TEST_CASE("talus-gen exports the land as players left it, once the server is gon
   const auto json = nlohmann::json::parse(read_whole(scratch / "export" / "export.json"));
   const std::int64_t y0 = json["y0"];
   const std::string bytes = read_whole(scratch / "export" / "voxels.npy");
+  CHECK(read_whole(scratch / "export-of-backup" / "voxels.npy") == bytes);
   const auto rows = json["arrays"]["voxels.npy"]["shape"][0].get<std::int64_t>();
   REQUIRE(json["arrays"]["voxels.npy"]["dtype"] == "uint8");
   const std::size_t head = bytes.size() - static_cast<std::size_t>(rows) * 96 * 96;

@@ -10,6 +10,7 @@
 
 #include "edits_of_tests.h"
 #include "scratch_directory.h"
+#include "store/data_directory.h"
 
 namespace talus::server {
 namespace {
@@ -132,7 +133,7 @@ TEST_CASE("what is no store, another world's, damaged or cut short is refused in
   CHECK(fs::is_empty(scratch.path()));
   EditStore store{scratch.path()};
   make_directory(scratch.path(), store);
-  refused("no database of edits");
+  refused("does not open");
   REQUIRE(store.open() == "");
   TestEditor editor;
   editor.attach(store);
@@ -149,6 +150,14 @@ TEST_CASE("what is no store, another world's, damaged or cut short is refused in
   refused("were acknowledged and are lost");
   std::ofstream{scratch / "acknowledged", std::ios::binary} << acknowledged;
   CHECK(StoredEdits::open(scratch.path(), kWorld));
+  // A backup has no lock, and a manifest where it is whole.
+  fs::remove(scratch / "lock");
+  refused("without its manifest");
+  std::ofstream{scratch / "manifest"};
+  CHECK(StoredEdits::open(scratch.path(), kWorld));
+  fs::create_directory(scratch / "talus-next");
+  refused("being put in its place");
+  fs::remove(scratch / "talus-next");
   fs::remove(scratch / "db" / "CURRENT");
   refused("does not open");
 }

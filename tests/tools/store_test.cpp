@@ -182,7 +182,7 @@ TEST_CASE("water that was put or taken is seen from above") {
   CHECK(found[0].water_row == top + 5);
 }
 
-TEST_CASE("--store needs a store of the world, which is not in use") {
+TEST_CASE("What --store names is a store of the world") {
   const ScratchDirectory scratch;
   const std::string store = " --store '" + scratch.path().string() + "'";
   const std::string out = " -o '" + (scratch / "a.png").string() + "'";
@@ -195,6 +195,7 @@ TEST_CASE("--store needs a store of the world, which is not in use") {
   };
 #ifdef TALUS_HAS_STORE
   refused("map --center 0,0 --size 8,8" + store + out, "there is no store.toml");
+  std::ofstream{scratch / "lock"};
   std::ofstream{scratch / "store.toml"} << "store_id = \"" << std::string(32, '1') << "\"\nfingerprint = \""
                                         << std::string(32, '2') << "\"\n";
   std::filesystem::permissions(scratch / "store.toml", std::filesystem::perms{0600});

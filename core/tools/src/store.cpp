@@ -15,6 +15,7 @@ class StoreOfEdits final : public LandEdits {
   StoreOfEdits(std::unique_ptr<server::StoredEdits> store, const terrain::World& world)
       : store_{std::move(store)} {
     for (const auto& [name, id] : store_->materials()) {
+      if (to_integer(id) < world.materials().size()) continue;  // the world generates it
       const auto& placeables = world.placeables();
       const auto named = std::ranges::find(placeables, name, &terrain::Placeable::name);
       materials_.push_back(named == placeables.end()
