@@ -25,6 +25,8 @@ usage: tests/load/run.sh [--short] [SCENARIO...]
   websocket
            200 players by WebSocket and, by turns, by TCP, over the same cached land: what a message costs the server
   pong     how long a Pong waits behind a View, on links of several speeds
+  edits    who digs and builds: 10,000 edits/s of 64 players; 1,000 edits/s of 1,000 players in 50 groups; 64 players
+           each of whom waits for its answer, beside a bare echo server
   churn    joining, jumping and being cut off, CHURN_SECONDS long (1800 unless told otherwise)
   siege    the same beside 150 attackers of 4 other addresses
 
@@ -43,6 +45,7 @@ export TALUS_WORLD="${TALUS_WORLD:-core/worlds/classic.toml}"
 talus_load="$build/client_sample/load/talus-load"
 talus_pong="$build/tests/load/talus-pong"
 talus_siege="$build/tests/load/talus-siege"
+talus_echo="$build/tests/load/talus-echo"
 out=out/load
 pid=""
 short=""
@@ -128,6 +131,30 @@ join() {
   load join-warm-up --players 1 --model stand --radius 2 --duration 1 --seed 99  # the program itself, not the ground
   load join-cold "${view[@]}"
   load join-hot "${view[@]}"
+}
+
+# An edit of a voxel is 104 bytes on the wire, its answer 64.
+edits() {
+  local near=(--radius 2 --vertical 1 --verify 0) data
+  local rates=("${no_session_rates[@]}" "${no_address_rates[@]}" TALUS_RATES_SESSION_VOXELS=0 TALUS_RATES_ADDRESS_VOXELS=0)
+  # edit NAME ARGUMENT...: on a store of its own.
+  edit() {
+    data="$(mktemp -d "$out/edits.XXXXXX")"
+    start "${rates[@]}" TALUS_DATA="$data" TALUS_ACCESS_WITHOUT_TOKEN=read,edit
+    load "$@" "${near[@]}" "${expected[@]}"
+    stop
+    rm -rf "$data"
+  }
+  expect 'edits_missing>0' 'errors>0' 'edit_ack_p99_ms>10'
+  edit edits-ack --players "$(pick 64 8)" --edits "$(pick 156.25 20)" --warm-up 2 --duration "$(pick 20 2)"
+  expect 'edits_missing>0' 'errors>0' 'edit_arrival_p99_ms>25'
+  edit edits-groups --players "$(pick 1000 40)" --edits 1 --edit-group 20 --ramp-up "$(pick 10 1)" --warm-up 3 \
+    --duration "$(pick 30 3)"
+  expect 'edits_missing>0' 'errors>0'
+  printf '\n'
+  "$talus_echo" 64 104 "$(pick 10 1)"
+  edit edits-closed --players 64 --edit-in-flight 1 --warm-up 2 --duration "$(pick 10 1)"
+  "$talus_echo" 64 104 "$(pick 10 1)"
 }
 
 # Bytes and server CPU from nothing to full, and on a flight, with a horizon and without. Each cold View on a fresh server.
@@ -475,7 +502,7 @@ churn_as() {
   [[ -z "$siege_pid" ]] || { stop_siege; cat "$out/siege.txt"; }
 }
 
-scenarios=(join horizon hot groups alone loners storm idle greedy slow rates websocket pong churn siege)
+scenarios=(join horizon hot groups alone loners storm idle greedy slow rates websocket pong edits churn siege)
 if [[ "${1:-}" == --short ]]; then
   short=yes
   shift

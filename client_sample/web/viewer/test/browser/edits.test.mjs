@@ -233,7 +233,7 @@ test('where the server protects the land, who digs is told so, and what was dug 
   await page.keyboard.press('Enter');
   await said(page, 'which this server protects');
   await answered(page);
-  assert.equal(await at(page, voxel), material);
+  await becomes(page, voxel, material);
   assert.ok(await page.locator('#edit-bar').isVisible(), 'elsewhere one may dig');
   noProblems(page);
 });

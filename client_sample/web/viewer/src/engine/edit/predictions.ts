@@ -131,8 +131,9 @@ export class Predictions {
   private cover(name: string, place: Place): Covered | null {
     const already = this.covered.get(name);
     if (already !== undefined) return already;
-    const base = this.host.held(place);
-    if (base === null) return null;
+    const held = this.host.held(place);
+    if (held === null) return null;
+    const base = { payload: held.payload, material: held.material }; // what is held will show the prediction
     const voxels = voxelsOf(base);
     const covered: Covered = { place, revision: -1n, base, voxels, shown: voxels, predictions: [] };
     this.covered.set(name, covered);

@@ -36,7 +36,7 @@ describe('predictions', () => {
       held: (place) => land.get(name(place)) ?? null,
       show: (place, content) => {
         ++shows;
-        land.set(name(place), content);
+        Object.assign(land.get(name(place))!, { payload: content.payload, material: content.material }); // as the engine has it
       },
     });
   });
