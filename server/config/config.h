@@ -99,6 +99,11 @@ struct Generation {
   bool operator==(const Generation&) const = default;
 };
 
+struct Edits {
+  bool settle = false;
+  bool operator==(const Edits&) const = default;
+};
+
 struct Shutdown {
   milliseconds drain{5'000};
   bool operator==(const Shutdown&) const = default;
@@ -136,6 +141,7 @@ struct Config {
   Rates rates;
   Cache cache;
   Generation generation;
+  Edits edits;
   Shutdown shutdown;
   Log log;
   bool operator==(const Config&) const = default;

@@ -197,6 +197,10 @@ const std::array kFields{
           "nothing",
           number<&Config::generation, &Generation::queue_chunks>(1, 16'777'216)},
 
+    Field{"edits.settle", "switch",
+          "whether loose material slides into what is dug, and down from where it is put",
+          SwitchTarget{[](Config& c) -> bool& { return c.edits.settle; }}},
+
     Field{"shutdown.drain_ms", "ms", "time for sending pending answers before the server ends",
           duration<&Config::shutdown, &Shutdown::drain>(milliseconds{0}, kDay)},
 
