@@ -20,7 +20,7 @@
 #include "app/process_signals.h"
 #include "app/reload.h"
 #include "app/settings.h"
-#include "generation/background_thread.h"
+#include "edits/edit_refusals.h"
 #include "generation/terrain_generator.h"
 #include "log/escape.h"
 #include "metrics/metrics_page.h"
@@ -29,6 +29,7 @@
 #include "net/refusal_reason.h"
 #include "rates/rate_kind.h"
 #include "session/retry_after.h"
+#include "threads/signals.h"
 #include "web/error_answers.h"
 #include "web/web_connection.h"
 
@@ -106,7 +107,9 @@ Server::Server(const Config& config, std::shared_ptr<const terrain::World> world
               clock,
               edits_ == nullptr ? nullptr : &edits_->overlay(),
               std::move(columns)},
-      chunks_with_edits_{edits_ == nullptr ? chunks_ : edits_->join(*terrain_, chunks_, clock_, metrics_)},
+      chunks_with_edits_{edits_ == nullptr
+                             ? chunks_
+                             : edits_->join(*terrain_, chunks_, clock_, metrics_, config.edits.settle)},
       context_{make_context(config_)},
       web_context_{make_web_context(config_, context_)},
       acceptor_{std::move(listeners.players)},
@@ -164,14 +167,15 @@ std::string Server::metrics_text() {
   gauges.certificate_expires = certificate_expires_;
   if (edits_ != nullptr) {
     const LocalLog::Status log = edits_->status();
-    gauges.edits = {log.head.revision, log.waiting, log.read_only.has_value()};
+    gauges.edits = {log.head.revision, edits_->preparing(), log.waiting, edits_->state().editor_count(),
+                    log.read_only.has_value()};
   }
   std::vector<std::string_view> error_codes{""};  // "none" is no error
   for (std::size_t code = 1; code <= static_cast<std::size_t>(wire::ErrorCode::MAX); ++code) {
     error_codes.emplace_back(wire::EnumNameErrorCode(static_cast<wire::ErrorCode>(code)));
   }
-  const MetricLabels labels{kRefusalNames, error_codes, kAuthFailureNames,
-                            kRateNames,    kMemoryUses, kStatusClasses};
+  const MetricLabels labels{kRefusalNames, error_codes,    kAuthFailureNames, kRateNames,
+                            kMemoryUses,   kStatusClasses, kEditRefusedNames};
   const BuildInfo build{TALUS_VERSION, generator_version_, to_string(world_.fingerprint),
                         std::string{to_string(instruction_set())}};
   return metrics_page({metrics_, gauges, read_process(), build, labels});

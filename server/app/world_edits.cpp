@@ -1,7 +1,5 @@
 #include "app/world_edits.h"
 
-#include <signal.h>
-
 #include <algorithm>
 #include <set>
 #include <utility>
@@ -11,30 +9,36 @@
 
 #include <talus/terrain/extraction.h>
 
+#include "threads/signals.h"
+
 namespace talus::server {
 namespace {
 
 constexpr std::size_t kMostPlaceables = 65'000;
 
-/// While it lives, threads that are started leave all signals to the main thread, which knows what they mean.
-class SignalsBlocked {
- public:
-  SignalsBlocked() {
-    sigset_t all;
-    sigfillset(&all);
-    ::pthread_sigmask(SIG_BLOCK, &all, &before_);
+/// The world's loose materials, and what shows in place of them and is loose too.
+edits::SettleRules settle_rules(const terrain::World& world) {
+  static_assert(edits::SettleRule::kUnit == terrain::kSubvoxels);
+  std::map<MaterialId, std::int32_t> rises;
+  for (const terrain::LooseSpec& loose : world.loose()) {
+    rises.emplace(loose.material, loose.c_fx);
+    const auto* const shown = world.shown_by(loose.material);
+    if (shown == nullptr) continue;
+    for (const MaterialId id : shown->by_look) {
+      const bool is_loose = world.materials()[to_integer(id)].kind == terrain::MaterialKind::eroded;
+      if (is_loose) rises.emplace(id, loose.c_fx);
+    }
   }
-  ~SignalsBlocked() { ::pthread_sigmask(SIG_SETMASK, &before_, nullptr); }
-  SignalsBlocked(const SignalsBlocked&) = delete;
-  SignalsBlocked& operator=(const SignalsBlocked&) = delete;
-
- private:
-  sigset_t before_;
-};
+  edits::SettleRules rules;
+  for (const auto& [material, rise] : rises) rules.push_back({material, rise});
+  return rules;
+}
 
 /// All that the world names, air and water among them.
-EditIntake::Rules rules_of(const terrain::World& world, const std::vector<terrain::Material>& placeables) {
-  EditIntake::Rules rules{terrain::height_range(world), {}};
+EditIntake::Rules rules_of(const terrain::World& world, const std::vector<terrain::Material>& placeables,
+                           bool settles) {
+  EditIntake::Rules rules{terrain::height_range(world), {}, nullptr};
+  if (settles) rules.settles = std::make_shared<const edits::SettleRules>(settle_rules(world));
   for (const auto* const materials : {&world.materials(), &placeables}) {
     for (const terrain::Material& material : *materials) rules.materials.push_back(material.id);
   }
@@ -117,15 +121,19 @@ tl::expected<std::map<MaterialId, std::uint64_t>, std::string> WorldEdits::count
 }
 
 ChunkSource& WorldEdits::join(const terrain::World& world, ChunkSource& base, const Clock& clock,
-                              Metrics& metrics) {
+                              Metrics& metrics, bool settles) {
   const SignalsBlocked blocked;  // for the log's
   chunks_ = std::make_unique<EditedChunks>(base, *state_, merged_, feed_, metrics);
   log_ =
       std::make_unique<LocalLog>(*database_, *state_, clock, LocalLogSettings{},
                                  [this](std::span<const ChunkChange> changes) { feed_.on_changed(changes); });
-  EditIntake::Parts parts{base, *log_, [this](edits::EditorId id) { return state_->editor(id); },
-                          [this] { return state_->revision(); }};
-  intake_ = std::make_unique<EditIntake>(std::move(parts), rules_of(world, placeables_), logger_);
+  EditIntake::Parts parts{base,
+                          *log_,
+                          [this](edits::EditorId id) { return state_->editor(id); },
+                          [this] { return state_->revision(); },
+                          clock,
+                          metrics};
+  intake_ = std::make_unique<EditIntake>(std::move(parts), rules_of(world, placeables_, settles), logger_);
   return *chunks_;
 }
 

@@ -47,15 +47,17 @@ class WorldEdits final : public EditedLand {
   [[nodiscard]] ChunkOverlay& overlay() { return merged_; }
 
   /// The source of chunks with their edits, over those as generated; once, before all that follows. What is
-  /// given outlives stop(), and what is returned this.
+  /// given outlives stop(), and what is returned this. `settles`: loose material slides.
   [[nodiscard]] ChunkSource& join(const terrain::World& world, ChunkSource& base, const Clock& clock,
-                                  Metrics& metrics);
+                                  Metrics& metrics, bool settles);
   [[nodiscard]] EditTaker& taker() { return *intake_; }
   /// Starts the threads; once. `pregen`: by which a command has land made; empty: by none.
   void start(RunPregen pregen = {});
   /// Takes no more edits, and answers those that were taken.
   void stop();
   [[nodiscard]] LocalLog::Status status() const { return log_->status(); }
+  /// Edits that are not in the log yet.
+  [[nodiscard]] std::size_t preparing() const { return intake_->waiting(); }
 
   // Once join() was called.
   [[nodiscard]] std::uint64_t revision() const override { return state_->revision(); }

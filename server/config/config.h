@@ -87,6 +87,7 @@ struct Edits {
   Boxes protected_boxes;             // which only who has the right "admin" may edit
   std::uint64_t protect_spawn = 0;   // columns around the spawn, likewise; 0: none
   std::string gateway = "optional";  // "required": edits of players are refused
+  bool settle = false;               // loose material slides after an edit
   bool operator==(const Edits&) const = default;
 };
 

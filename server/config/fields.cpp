@@ -93,6 +93,9 @@ const std::array kFields{
     Field{"edits.gateway", "",
           "required: players' own edits are refused, as a game server with the right gateway edits for them",
           WordTarget{[](Config& c) -> std::string& { return c.edits.gateway; }, kGateway}},
+    Field{"edits.settle", "switch",
+          "whether loose material slides into what is dug, and down from where it is put",
+          SwitchTarget{[](Config& c) -> bool& { return c.edits.settle; }}},
 
     Field{"proxies", "networks",
           "proxies in front of the server; their connections must begin with a PROXY header, version 2; "
@@ -433,8 +436,10 @@ Counts counts(const Field& field) {
       key == "shutdown.drain_ms") {
     return Counts::at_once;
   }
-  if (!(key.starts_with("limits.") || key.starts_with("edits.")) || key == "limits.memory_bytes")
+  if (!(key.starts_with("limits.") || key.starts_with("edits.")) || key == "limits.memory_bytes" ||
+      key == "edits.settle") {
     return Counts::after_restart;
+  }
   return Counts::for_new_sessions;
 }
 

@@ -1,12 +1,12 @@
 #include "edits/change_feed.h"
 
-#include <signal.h>
-
 #include <algorithm>
 #include <exception>
 #include <memory>
 #include <new>
 #include <utility>
+
+#include "threads/signals.h"
 
 namespace talus::server {
 
@@ -24,9 +24,7 @@ void ChangeFeed::start() {
 }
 
 void ChangeFeed::run() {
-  sigset_t all;
-  sigfillset(&all);
-  ::pthread_sigmask(SIG_BLOCK, &all, nullptr);  // the main thread knows what they mean
+  block_signals();
   std::unique_lock lock{gathering_};
   for (;;) {
     changed_.wait(lock, [this] { return stopping_ || has_gathered(); });
@@ -68,23 +66,23 @@ void ChangeFeed::tell() {
     any = std::exchange(any_changed_, false);
   }
   if (gathered.empty() && !any) return;
-  std::vector<MailboxPtr> mailboxes;
-  ChunkChangesPtr changes;  // null: any
+  std::vector<Told> told;
   try {
-    if (!any) {
-      std::vector<ChunkChange> list;
-      list.reserve(gathered.size());
-      for (const auto& [key, change] : gathered) list.push_back(change);
-      changes = std::make_shared<const std::vector<ChunkChange>>(std::move(list));
+    if (any) {
+      told = tell_all();
+    } else {
+      std::vector<ChunkChange> changes;
+      changes.reserve(gathered.size());
+      for (const auto& [key, change] : gathered) changes.push_back(change);
+      told = who_watches(changes);
     }
-    mailboxes = who_watches(changes);
   } catch (const std::bad_alloc&) {
     log_->error("there is no memory to tell who sees {} edited chunks; it is tried again", gathered.size());
     const std::lock_guard lock{gathering_};
     any_changed_ = true;
     return;
   }
-  for (const MailboxPtr& mailbox : mailboxes) {
+  for (const auto& [mailbox, changes] : told) {
     try {
       mailbox->put_changes(changes);
       mailbox->wake();
@@ -95,31 +93,48 @@ void ChangeFeed::tell() {
   }
 }
 
-std::vector<MailboxPtr> ChangeFeed::who_watches(const ChunkChangesPtr& changes) {
-  std::vector<MailboxPtr> mailboxes;
+std::vector<ChangeFeed::Told> ChangeFeed::tell_all() {
+  std::vector<Told> told;
   const std::lock_guard lock{watching_};
-  if (changes == nullptr) {
-    for (const auto& [client, watcher] : watchers_) mailboxes.push_back(watcher.mailbox);
-    return mailboxes;
+  told.reserve(watchers_.size());
+  for (const auto& [client, watcher] : watchers_) told.push_back({watcher.mailbox, nullptr});
+  return told;
+}
+
+std::vector<ChangeFeed::Told> ChangeFeed::who_watches(std::span<const ChunkChange> changes) {
+  std::vector<Told> told;
+  std::vector<Watcher*> watchers;
+  const std::lock_guard lock{watching_};
+  try {
+    for (const ChunkChange& change : changes) find_watchers(change, watchers);
+    told.reserve(watchers.size());
+    for (Watcher* const watcher : watchers) {
+      told.push_back({watcher->mailbox, std::make_shared<const std::vector<ChunkChange>>(watcher->own)});
+    }
+  } catch (const std::bad_alloc&) {
+    for (auto& [client, watcher] : watchers_) watcher.own.clear();
+    throw;
   }
-  ++round_;
-  for (const ChunkChange& change : *changes) {
-    for (int scale = 0; scale < BoxCell::kScales; ++scale) {
-      if (entries_of_scale_[static_cast<std::size_t>(scale)] == 0) continue;
-      const auto cell = cells_.find(BoxCell::of(change.key, scale));
-      if (cell == cells_.end()) continue;
-      for (Watcher* const watcher : cell->second) {
-        const auto has = [&](const LevelBox& box) {
-          return box.lod == change.key.lod && box.contains(change.key.coord);
-        };
-        if (watcher->told == round_ || std::none_of(watcher->boxes.begin(), watcher->boxes.end(), has))
-          continue;
-        watcher->told = round_;
-        mailboxes.push_back(watcher->mailbox);
-      }
+  for (Watcher* const watcher : watchers) watcher->own.clear();
+  return told;
+}
+
+void ChangeFeed::find_watchers(const ChunkChange& change, std::vector<Watcher*>& watchers) {
+  for (int scale = 0; scale < BoxCell::kScales; ++scale) {
+    if (entries_of_scale_[static_cast<std::size_t>(scale)] == 0) continue;
+    const auto cell = cells_.find(BoxCell::of(change.key, scale));
+    if (cell == cells_.end()) continue;
+    for (Watcher* const watcher : cell->second) {
+      const auto has = [&](const LevelBox& box) {
+        return box.lod == change.key.lod && box.contains(change.key.coord);
+      };
+      // Two of its boxes may be in one cell.
+      const bool known = !watcher->own.empty() && watcher->own.back().key == change.key;
+      if (known || std::none_of(watcher->boxes.begin(), watcher->boxes.end(), has)) continue;
+      watcher->own.push_back(change);
+      if (watcher->own.size() == 1) watchers.push_back(watcher);
     }
   }
-  return mailboxes;
 }
 
 void ChangeFeed::watch(const MailboxPtr& mailbox, std::span<const LevelBox> boxes) {

@@ -1,8 +1,9 @@
 // Tells sessions which chunks of their Views were edited.
 //
 // Changes are gathered, and told at most every kInterval by one thread: an edit wakes no session by itself,
-// and of many edits of a chunk one change is told. Bounded: beyond kMaxGathered chunks, and beyond what a
-// Mailbox takes of its own, "any chunk may have changed" is told instead.
+// and of many edits of a chunk one change is told. Each is told those of its own boxes alone. Bounded: beyond
+// kMaxGathered chunks, and beyond what a Mailbox takes of its own, "any chunk may have changed" is told
+// instead.
 #pragma once
 
 #include <array>
@@ -57,14 +58,22 @@ class ChangeFeed {
   struct Watcher {
     MailboxPtr mailbox;
     std::vector<LevelBox> boxes;
-    std::uint64_t told = 0;  // the last round in which it was
+    std::vector<ChunkChange> own;  // of the round
+  };
+  struct Told {
+    MailboxPtr mailbox;
+    ChunkChangesPtr changes;  // null: any
   };
 
   void run();
   [[nodiscard]] bool has_gathered() const { return any_changed_ || !gathered_.empty(); }
   void remove(const Watcher& watcher);
-  /// Those who watch one of the chunks; null: all.
-  [[nodiscard]] std::vector<MailboxPtr> who_watches(const ChunkChangesPtr& changes);
+  /// All who watch anything, that any chunk may have changed.
+  [[nodiscard]] std::vector<Told> tell_all();
+  /// Who watches some of the chunks, and which.
+  [[nodiscard]] std::vector<Told> who_watches(std::span<const ChunkChange> changes);
+  /// Adds a change to those of who watches it, and who had none before to `watchers`.
+  void find_watchers(const ChunkChange& change, std::vector<Watcher*>& watchers);
 
   const Logger log_;
 
@@ -79,7 +88,6 @@ class ChangeFeed {
   std::unordered_map<ClientId, Watcher> watchers_;
   std::unordered_map<BoxCell, std::vector<Watcher*>, BoxCellHash> cells_;
   std::array<std::size_t, BoxCell::kScales> entries_of_scale_{};
-  std::uint64_t round_ = 0;
 };
 
 }  // namespace talus::server

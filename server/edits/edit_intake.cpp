@@ -41,36 +41,73 @@ void tell(const MailboxPtr& mailbox, Mail mail) noexcept {
   }
 }
 
-void refuse(const MailboxPtr& mailbox, std::uint32_t id, ErrorCode code, std::string text,
-            milliseconds retry_after = {}) {
-  tell(mailbox, EditAnswer{id, tl::unexpected{EditRefusal{code, std::move(text), retry_after}}});
+EditRefused why_of(LogFailure::Kind kind) {
+  switch (kind) {
+    case LogFailure::Kind::busy:
+      return EditRefused::busy;
+    case LogFailure::Kind::unwritable:
+      return EditRefused::unwritable;
+    case LogFailure::Kind::index_full:
+      return EditRefused::index_full;
+    case LogFailure::Kind::unreadable:
+      return EditRefused::unreadable;
+  }
+  return EditRefused::invalid;
 }
 
-/// What a session is told of its edit.
-EditAnswer answer_of(std::uint32_t id, const tl::expected<const edits::Applied*, LogFailure>& outcome) {
-  const auto refused = [&](ErrorCode code, std::string text, milliseconds retry_after = {}) {
-    return EditAnswer{id, tl::unexpected{EditRefusal{code, std::move(text), retry_after}}};
-  };
-  if (!outcome) return refused(ErrorCode::overloaded, outcome.error().reason, kBusy);
+/// What a client is told: whether to come again, and when.
+EditRefusal refusal(EditRefused why, std::string text) {
+  switch (why) {
+    case EditRefused::out_of_range:
+    case EditRefused::index_full:
+      return {ErrorCode::out_of_range, std::move(text), {}};
+    case EditRefused::ground:
+    case EditRefused::unreadable:
+      return {ErrorCode::internal, std::move(text), kBusy};
+    case EditRefused::conflict:
+      return {ErrorCode::conflict, std::move(text), {}};
+    case EditRefused::not_applied:
+      return {ErrorCode::not_applied, std::move(text), {}};
+    case EditRefused::expired:
+      return {ErrorCode::expired, std::move(text), {}};
+    case EditRefused::invalid:
+      return {ErrorCode::internal, std::move(text), {}};
+    default:
+      return {ErrorCode::overloaded, std::move(text), kBusy};
+  }
+}
+
+struct Refused {
+  EditRefused why{};
+  std::string text;
+};
+
+/// What became of an edit in the log, as its session is told.
+tl::expected<edits::EditResult, Refused> outcome_of(
+    const tl::expected<const edits::Applied*, LogFailure>& outcome) {
   using Kind = edits::Applied::Kind;
+  const auto refused = [](EditRefused why, std::string text) {
+    return tl::make_unexpected(Refused{why, std::move(text)});
+  };
+  if (!outcome) return refused(why_of(outcome.error().kind), outcome.error().reason);
   const edits::Applied& applied = **outcome;
   switch (applied.kind) {
     case Kind::done:
     case Kind::conflict:
     case Kind::repeat:
-      if (!applied.result.conflict) return {id, applied.result};
-      return refused(ErrorCode::conflict,
+      if (!applied.result.conflict) return applied.result;
+      return refused(EditRefused::conflict,
                      fmt::format("guard {} does not hold; nothing happened", *applied.result.conflict));
     case Kind::not_applied:
-      return refused(ErrorCode::not_applied,
+      return refused(EditRefused::not_applied,
                      "the edit did not happen before later ones of its editor, or its result is not kept "
                      "any more; sequences must rise");
     case Kind::expired:
-      return refused(ErrorCode::expired,
+      return refused(EditRefused::expired,
                      "another connection has attached as this editor, or it was idle for too long; Attach "
                      "again");
     default:
-      return refused(ErrorCode::internal, "the log holds an entry that cannot be applied");
+      return refused(EditRefused::invalid, "the log holds an entry that cannot be applied");
   }
 }
 
@@ -97,16 +134,20 @@ void EditIntake::start() {
 void EditIntake::attach(const MailboxPtr& mailbox, AttachRequest request) {
   {
     const std::lock_guard lock{mutex_};
-    attaching_.push_back({mailbox, std::move(request), {}, false, 0});
+    came_.emplace_back(mailbox, std::move(request));
+    called_ = true;
   }
+  ++waiting_;
   comes_.notify_one();
 }
 
 void EditIntake::edit(const MailboxPtr& mailbox, EditRequest request) {
   {
     const std::lock_guard lock{mutex_};
-    edits_.emplace_back(mailbox, std::move(request));
+    came_.emplace_back(mailbox, Editing{std::move(request), parts_.clock.now()});
+    called_ = true;
   }
+  ++waiting_;
   comes_.notify_one();
 }
 
@@ -114,6 +155,15 @@ void EditIntake::forget(ClientId client) {
   {
     const std::lock_guard lock{mutex_};
     forgotten_.push_back(client);
+    called_ = true;
+  }
+  comes_.notify_one();
+}
+
+void EditIntake::call() {
+  {
+    const std::lock_guard lock{mutex_};
+    called_ = true;
   }
   comes_.notify_one();
 }
@@ -124,10 +174,7 @@ void EditIntake::work() {
   for (;;) {
     {
       std::unique_lock lock{mutex_};
-      comes_.wait(lock, [&] {
-        return stopping_ || !attaching_.empty() || !edits_.empty() || !forgotten_.empty() ||
-               !looked_up_.empty();
-      });
+      comes_.wait(lock, [&] { return stopping_ || called_; });
       if (stopping_) return;
     }
     try {
@@ -138,120 +185,227 @@ void EditIntake::work() {
       log_->error("edits: {}", error.what());
       for (const auto& [client, lane] : lanes_) lane.session->lose();
       lanes_.clear();
+      attaching_as_.clear();
+      turns_ = {};
+      waiting_ = 0;
     }
   }
 }
 
 void EditIntake::do_what_waits() {
-  std::vector<Attaching> attaching;
-  std::vector<std::pair<MailboxPtr, EditRequest>> edits;
-  std::vector<ClientId> forgotten;
-  std::unordered_set<std::uint64_t> looked_up;
+  // What comes is taken in before each turn: the turn may be that of who came.
+  while (take_in() && take_turn()) {
+  }
+}
+
+bool EditIntake::take_in() {
+  decltype(came_) came;
+  decltype(attached_) attached_now;
+  decltype(forgotten_) forgotten;
+  decltype(looked_up_) looked_up;
   {
     const std::lock_guard lock{mutex_};
-    attaching.swap(attaching_);
-    edits.swap(edits_);
+    if (stopping_) return false;
+    if (!std::exchange(called_, false)) return true;
+    came.swap(came_);
+    attached_now.swap(attached_);
     forgotten.swap(forgotten_);
     looked_up.swap(looked_up_);
   }
-  for (Attaching& each : attaching) attach_now(std::move(each));
-  std::unordered_set<std::uint64_t> moved;
-  for (auto& [mailbox, request] : edits) {
-    const std::uint64_t client = number(mailbox->owner());
-    Lane& lane = lanes_[client];
-    if (lane.session == nullptr) {
-      lane.session = mailbox;
-      lane.look_ups = std::make_shared<Mailbox>(
-          ClientId{kLookUps | client},
-          [this, client] {
-            {
-              const std::lock_guard lock{mutex_};
-              looked_up_.insert(client);
-            }
-            comes_.notify_one();
-          },
-          mailbox->flow_use());
+  for (auto& [mailbox, what] : came) {
+    Lane& lane = lane_of(mailbox);
+    if (auto* const edit = std::get_if<Editing>(&what)) {
+      lane.waiting.push_back(std::move(*edit));
+      if (!lane.first) enter(lane);
+    } else {
+      begin_attach(lane, std::get<AttachRequest>(std::move(what)));
     }
-    lane.waiting.push_back(std::move(request));
-    moved.insert(client);
   }
+  for (const Attached& each : attached_now) attached(each);
   for (const std::uint64_t client : looked_up) {
-    const auto lane = lanes_.find(client);
-    if (lane == lanes_.end()) continue;
-    take_look_ups(lane->second);
-    if (lane->second.look_ups->has_lost()) lane->second.session->lose();
-    moved.insert(client);
+    Lane* const lane = find_lane(ClientId{client});
+    if (lane == nullptr) continue;
+    take_look_ups(*lane);
+    if (lane->look_ups->has_lost()) lane->session->lose();
+    enter(*lane);
   }
-  for (const ClientId client : forgotten) {
-    const auto lane = lanes_.find(number(client));
-    if (lane == lanes_.end()) continue;
-    if (const auto& first = lane->second.first) {
-      std::vector<ChunkKey> keys;
-      for (const ChunkCoord chunk : first->asked) keys.push_back({chunk, Lod{}});
-      parts_.base.cancel(lane->second.look_ups->owner(), keys);
-    }
-    lanes_.erase(lane);
-  }
-  for (const std::uint64_t client : moved) {
-    const auto lane = lanes_.find(client);
-    if (lane != lanes_.end()) advance(lane->second);
-  }
+  for (const ClientId client : forgotten) forget_lane(client);
+  return true;
 }
 
-void EditIntake::attach_now(Attaching attaching) {
-  const std::uint64_t revision = parts_.revision();
-  if (attaching.request.seen_revision > revision) {
-    return tell(attaching.mailbox,
-                AttachAnswer{tl::unexpected{
-                    EditRefusal{ErrorCode::overloaded,
-                                fmt::format("this server is at revision {}, and the client has seen {}",
-                                            revision, attaching.request.seen_revision),
-                                kBusy}}});
+bool EditIntake::log_has_room() const {
+  return log_entries_ < kLogEntries && log_bytes_ < kLogBytes;
+}
+
+bool EditIntake::take_turn() {
+  if (turns_.entered() == 0) return false;
+  if (!log_has_room()) {
+    wants_room_ = true;
+    if (!log_has_room()) return false;  // else it came just now, and who made it need not call
   }
-  std::uint64_t epoch = 0;
-  if (attaching.editor == edits::EditorId{}) attaching.editor = attaching.request.editor;
-  const auto before = attaching.editor == edits::EditorId{} ? std::nullopt : parts_.editor(attaching.editor);
-  attaching.known = before && before->subject == attaching.request.subject;
-  if (attaching.known) {
-    epoch = before->epoch;
+  const auto client = turns_.next();
+  if (!client) return false;
+  Lane* const lane = find_lane(*client);
+  if (lane == nullptr) return true;  // the session is gone
+  lane->entered = false;
+  const bool attaches = lane->attach_waits;
+  if (attaches) {
+    log_attach(*lane);
   } else {
-    attaching.editor = random_editor();
+    advance(*lane);
   }
-  const edits::AttachEntry entry{attaching.editor, epoch + 1, attaching.request.subject};
-  const bool taken = parts_.log.append(
-      entry, [this, attaching](const tl::expected<const edits::Applied*, LogFailure>& outcome) {
-        attached(attaching, outcome);
-      });
-  if (taken) return;
-  tell(attaching.mailbox, AttachAnswer{tl::unexpected{
-                              EditRefusal{ErrorCode::overloaded, "this server takes no edits now", kBusy}}});
+  if (lane->first ? attaches : !lane->waiting.empty()) enter(*lane);
+  return true;
 }
 
-void EditIntake::attached(const Attaching& attaching,
-                          const tl::expected<const edits::Applied*, LogFailure>& outcome) {
-  using Kind = edits::Applied::Kind;
-  const auto refused = [&](std::string text) {
-    tell(attaching.mailbox,
-         AttachAnswer{tl::unexpected{EditRefusal{ErrorCode::overloaded, std::move(text), kBusy}}});
-  };
-  if (!outcome) return refused(outcome.error().reason);
-  const edits::Applied& applied = **outcome;
-  if (applied.kind == Kind::editors_full) return refused("as many edit this world as may");
-  if (applied.kind != Kind::attached) {  // another attached as the same editor at the same time
-    Attaching again = attaching;
-    if (++again.tries == kMaxTries) return refused("others attach as this editor all the time");
-    {
+EditIntake::Lane& EditIntake::lane_of(const MailboxPtr& session) {
+  Lane& lane = lanes_[session->owner()];
+  if (lane.session != nullptr) return lane;
+  const std::uint64_t client = number(session->owner());
+  lane.session = session;
+  lane.look_ups = std::make_shared<Mailbox>(
+      ClientId{kLookUps | client},
+      [this, client] {
+        {
+          const std::lock_guard lock{mutex_};
+          looked_up_.insert(client);
+          called_ = true;
+        }
+        comes_.notify_one();
+      },
+      session->flow_use());
+  return lane;
+}
+
+EditIntake::Lane* EditIntake::find_lane(ClientId client) {
+  const auto lane = lanes_.find(client);
+  return lane == lanes_.end() ? nullptr : &lane->second;
+}
+
+void EditIntake::enter(Lane& lane) {
+  if (lane.entered) return;
+  std::size_t voxels = 0;
+  if (!lane.attach_waits && !lane.first && !lane.waiting.empty()) {
+    voxels = named_voxels(lane.waiting.front().request.edit) + (settles() ? edits::kSettleVoxels : 0);
+  }
+  turns_.enter(lane.session->flow(), lane.session->owner(), voxels);
+  lane.entered = true;
+}
+
+void EditIntake::forget_lane(ClientId client) {
+  Lane* const lane = find_lane(client);
+  if (lane == nullptr) return;
+  if (const auto& first = lane->first) {
+    std::vector<ChunkKey> keys;
+    for (const ChunkCoord chunk : first->asked) keys.push_back({chunk, Lod{}});
+    parts_.base.cancel(lane->look_ups->owner(), keys);
+  }
+  waiting_ -= lane->waiting.size() + (lane->first ? 1 : 0) + (lane->attach_waits ? 1 : 0);
+  if (lane->attaching) end_attach(*lane);
+  lanes_.erase(client);
+}
+
+// ---- Attach
+
+void EditIntake::begin_attach(Lane& lane, AttachRequest request) {
+  if (lane.attaching) end_attach(lane);  // never: a session has one at a time
+  lane.attaching = Attaching{std::move(request), {}, false, false, 0};
+  // Of two connections that attach as one editor the later one edits, whose turn ever is first.
+  const auto [first, last] = attaching_as_.equal_range(lane.attaching->request.editor);
+  for (auto other = first; other != last; ++other) lanes_.at(other->second).attaching->overtaken = true;
+  if (lane.attaching->request.editor != edits::EditorId{}) {
+    attaching_as_.emplace(lane.attaching->request.editor, lane.session->owner());
+  }
+  lane.attach_waits = true;
+  enter(lane);
+}
+
+void EditIntake::log_attach(Lane& lane) {
+  lane.attach_waits = false;
+  --waiting_;
+  Attaching& attaching = *lane.attaching;
+  const std::uint64_t revision = parts_.revision();
+  if (attaching.overtaken) {
+    return refuse_attach(lane, EditRefused::overtaken, "another connection attaches as this editor");
+  }
+  if (attaching.request.seen_revision > revision) {
+    return refuse_attach(lane, EditRefused::behind,
+                         fmt::format("this server is at revision {}, and the client has seen {}", revision,
+                                     attaching.request.seen_revision));
+  }
+  const edits::EditorId wanted =
+      attaching.editor == edits::EditorId{} ? attaching.request.editor : attaching.editor;
+  const auto before = wanted == edits::EditorId{} ? std::nullopt : parts_.editor(wanted);
+  attaching.known = before && before->subject == attaching.request.subject;
+  attaching.editor = attaching.known ? wanted : random_editor();
+  const edits::AttachEntry entry{attaching.editor, (attaching.known ? before->epoch : 0) + 1,
+                                 attaching.request.subject};
+  // What the editor is then, before anybody else can change it.
+  auto done = [this, session = lane.session, editor = entry.editor,
+               epoch = entry.epoch](const tl::expected<const edits::Applied*, LogFailure>& outcome) {
+    try {
+      Attached answered{session->owner(), tl::unexpected{LogFailure{}}, {}};
+      if (outcome) {
+        const auto now = parts_.editor(editor);
+        answered.outcome = (*outcome)->kind;
+        answered.as = {editor, epoch, now ? now->last_sequence : 0, false, (*outcome)->revision};
+      } else {
+        answered.outcome = tl::unexpected{outcome.error()};
+      }
       const std::lock_guard lock{mutex_};
-      attaching_.push_back(std::move(again));
+      attached_.push_back(std::move(answered));
+      called_ = true;
+    } catch (const std::exception&) {
+      session->lose();  // no memory
     }
     comes_.notify_one();
-    return;
+  };
+  if (const auto taken = append(entry, std::move(done)); !taken) {
+    refuse_attach(lane, why_of(taken.error().kind), taken.error().reason);
   }
-  const auto editor = parts_.editor(attaching.editor);
-  tell(attaching.mailbox,
-       AttachAnswer{EditorSession{attaching.editor, editor ? editor->epoch : 0,
-                                  editor ? editor->last_sequence : 0, attaching.known, applied.revision}});
 }
+
+void EditIntake::attached(const Attached& answered) {
+  using Kind = edits::Applied::Kind;
+  Lane* const lane = find_lane(answered.client);
+  if (lane == nullptr || !lane->attaching) return;  // the session is gone
+  Attaching& attaching = *lane->attaching;
+  if (!answered.outcome) {
+    const LogFailure& failure = answered.outcome.error();
+    return refuse_attach(*lane, why_of(failure.kind), failure.reason);
+  }
+  if (*answered.outcome == Kind::editors_full) {
+    return refuse_attach(*lane, EditRefused::editors_full, "as many edit this world as may");
+  }
+  if (*answered.outcome != Kind::attached) {  // another attached as the same editor at the same time
+    if (++attaching.tries == kMaxTries) {
+      return refuse_attach(*lane, EditRefused::overtaken, "others attach as this editor all the time");
+    }
+    lane->attach_waits = true;
+    ++waiting_;
+    return enter(*lane);
+  }
+  EditorSession session = answered.as;
+  session.known = attaching.known;
+  end_attach(*lane);
+  tell(lane->session, AttachAnswer{session});
+}
+
+void EditIntake::end_attach(Lane& lane) {
+  const auto [first, last] = attaching_as_.equal_range(lane.attaching->request.editor);
+  const auto own =
+      std::find_if(first, last, [&](const auto& each) { return each.second == lane.session->owner(); });
+  if (own != last) attaching_as_.erase(own);
+  lane.attaching.reset();
+}
+
+void EditIntake::refuse_attach(Lane& lane, EditRefused why, std::string text) {
+  parts_.metrics.edits_refused[why].add();
+  end_attach(lane);
+  tell(lane.session, AttachAnswer{tl::unexpected{refusal(why, std::move(text))}});
+}
+
+// ---- edits
 
 void EditIntake::take_look_ups(Lane& lane) {
   for (Mail& mail : lane.look_ups->take()) {
@@ -266,41 +420,45 @@ void EditIntake::take_look_ups(Lane& lane) {
       edit.base.emplace(ready->key.coord, voxels_at(*chunk, touched->voxels));
       edit.missing.erase(ready->key.coord);
     } else {
-      refuse(lane.session, edit.request.id, ErrorCode::internal,
-             fmt::format("the ground under the edit failed: {}", ready->answer.error().reason), kBusy);
+      --waiting_;
+      refuse(lane.session, edit.edit.request.id, EditRefused::ground,
+             fmt::format("the ground under the edit failed: {}", ready->answer.error().reason));
       lane.first.reset();
     }
   }
 }
 
 void EditIntake::advance(Lane& lane) {
-  for (;;) {
+  if (!lane.first) {
+    if (lane.waiting.empty()) return;
+    Editing next = std::move(lane.waiting.front());
+    lane.waiting.pop_front();
+    lane.first = prepare(lane, std::move(next));
     if (!lane.first) {
-      if (lane.waiting.empty()) return;
-      EditRequest next = std::move(lane.waiting.front());
-      lane.waiting.pop_front();
-      lane.first = prepare(lane, std::move(next));
-      if (!lane.first) continue;
+      --waiting_;
+      return;
     }
-    look_up(lane, *lane.first);
-    if (!lane.first->missing.empty()) return;
-    log_edit(lane, *std::exchange(lane.first, std::nullopt));
   }
+  look_up(lane, *lane.first);
+  if (!lane.first->missing.empty()) return;
+  --waiting_;
+  log_edit(lane, *std::exchange(lane.first, std::nullopt));
 }
 
-std::optional<EditIntake::Prepared> EditIntake::prepare(const Lane& lane, EditRequest request) {
-  auto touched = edits::touched_voxels(request.edit);
+std::optional<EditIntake::Prepared> EditIntake::prepare(const Lane& lane, Editing edit) {
+  const std::uint32_t id = edit.request.id;
+  auto touched = edits::touched_voxels(edit.request.edit, settles());
   if (!touched) {
-    refuse(lane.session, request.id, ErrorCode::out_of_range, touched.error().message);
+    refuse(lane.session, id, EditRefused::out_of_range, touched.error().message);
     return std::nullopt;
   }
-  if (const auto good = edits::check(request.edit, {rules_.rows, rules_.materials}); !good) {
-    refuse(lane.session, request.id, ErrorCode::out_of_range, good.error().message);
+  if (const auto good = edits::check(edit.request.edit, {rules_.rows, rules_.materials}); !good) {
+    refuse(lane.session, id, EditRefused::out_of_range, good.error().message);
     return std::nullopt;
   }
-  Prepared edit{std::move(request), *std::move(touched), {}, {}, {}};
-  for (const edits::TouchedChunk& each : edit.touched) edit.missing.insert(each.chunk);
-  return edit;
+  Prepared prepared{std::move(edit), *std::move(touched), {}, {}, {}};
+  for (const edits::TouchedChunk& each : prepared.touched) prepared.missing.insert(each.chunk);
+  return prepared;
 }
 
 void EditIntake::look_up(const Lane& lane, Prepared& edit) {
@@ -326,17 +484,44 @@ void EditIntake::look_up(const Lane& lane, Prepared& edit) {
 }
 
 void EditIntake::log_edit(const Lane& lane, Prepared edit) {
-  const std::uint32_t id = edit.request.id;
-  edits::EditEntry entry{edit.request.editor,          edit.request.epoch,   edit.request.sequence,
-                         std::move(edit.request.edit), std::move(edit.base), std::move(edit.request.subject)};
-  const bool taken = parts_.log.append(
-      std::move(entry),
-      [session = lane.session, id](const tl::expected<const edits::Applied*, LogFailure>& outcome) {
-        tell(session, answer_of(id, outcome));
-      });
-  if (!taken) {
-    refuse(lane.session, id, ErrorCode::overloaded, "this server takes no edits now", kBusy);
+  EditRequest& request = edit.edit.request;
+  const std::uint32_t id = request.id;
+  edits::EditEntry entry{
+      request.editor,       request.epoch,  request.sequence,          std::move(request.edit),
+      std::move(edit.base), rules_.settles, std::move(request.subject)};
+  auto done = [this, session = lane.session, id,
+               came = edit.edit.came](const tl::expected<const edits::Applied*, LogFailure>& outcome) {
+    auto result = outcome_of(outcome);
+    if (!result) return refuse(session, id, result.error().why, std::move(result.error().text));
+    parts_.metrics.edit_latency.add(parts_.clock.now() - came);
+    tell(session, EditAnswer{id, *result});
+  };
+  if (const auto taken = append(std::move(entry), std::move(done)); !taken) {
+    refuse(lane.session, id, why_of(taken.error().kind), taken.error().reason);
   }
+}
+
+void EditIntake::refuse(const MailboxPtr& session, std::uint32_t id, EditRefused why, std::string text) {
+  parts_.metrics.edits_refused[why].add();
+  tell(session, EditAnswer{id, tl::unexpected{refusal(why, std::move(text))}});
+}
+
+tl::expected<void, LogFailure> EditIntake::append(LogEntry entry, EditLog::Done done) {
+  const std::size_t bytes = bytes_of(entry);
+  const auto leaves = [this, bytes] {
+    --log_entries_;
+    log_bytes_ -= bytes;
+  };
+  ++log_entries_;
+  log_bytes_ += bytes;
+  auto taken =
+      parts_.log.append(std::move(entry), [this, leaves, done = std::move(done)](const auto& outcome) {
+        done(outcome);
+        leaves();
+        if (wants_room_.exchange(false)) call();
+      });
+  if (!taken) leaves();
+  return taken;
 }
 
 }  // namespace talus::server

@@ -2,9 +2,13 @@
 // they touch, so that applying them never generates. Edits of one session go to the log in the order in which
 // they came; those of others do not wait for them.
 //
+// In the log wait few entries, and all that a session has more waits here, for its turn: who has sent much
+// waits for his own, and not others for him.
+//
 // One thread. Chunks that are not in memory are made by the generators, in the turns of the session's flow.
 #pragma once
 
+#include <atomic>
 #include <condition_variable>
 #include <cstddef>
 #include <cstdint>
@@ -18,16 +22,22 @@
 #include <thread>
 #include <unordered_map>
 #include <unordered_set>
+#include <variant>
 #include <vector>
 
 #include <talus/edits/edit.h>
 #include <talus/edits/editors.h>
+#include <talus/edits/settle.h>
 
 #include "chunks/chunk_source.h"
+#include "clock/clock.h"
 #include "edits/decoded_bases.h"
 #include "edits/edit_log.h"
+#include "edits/edit_refusals.h"
 #include "edits/edit_taker.h"
+#include "edits/edit_turns.h"
 #include "log/logger.h"
+#include "metrics/metrics.h"
 
 namespace talus::server {
 
@@ -39,14 +49,21 @@ class EditIntake final : public EditTaker {
     EditLog& log;
     std::function<std::optional<edits::Editor>(edits::EditorId)> editor;
     std::function<std::uint64_t()> revision;
+    const Clock& clock;
+    Metrics& metrics;
   };
   /// What a world lets edits write.
   struct Rules {
     HeightRange rows;
     std::vector<MaterialId> materials;  // by rising id
+    edits::SettleRulesPtr settles{};    // null: nothing slides
   };
   /// Of decoded chunks that are kept.
   static constexpr std::size_t kBaseBytes = std::size_t{16} << 20;
+  /// In the log, waiting and being written: what two batches need to be worth their syncs. Who comes now
+  /// waits for so many of others. An entry alone may have more bytes.
+  static constexpr std::size_t kLogEntries = 512;
+  static constexpr std::size_t kLogBytes = std::size_t{512} << 10U;
 
   EditIntake(Parts parts, Rules rules, Logger log);
   ~EditIntake() override { stop(); }
@@ -58,47 +75,87 @@ class EditIntake final : public EditTaker {
   /// Ends the thread. What is not logged yet is not answered, nor is what comes from now on.
   void stop();
 
-  /// Does what waits now: what the thread does.
+  /// Does what waits now, as far as the log has room: what the thread does.
   void do_what_waits();
 
   void attach(const MailboxPtr& mailbox, AttachRequest request) override;
   void edit(const MailboxPtr& mailbox, EditRequest request) override;
   void forget(ClientId client) override;
+  [[nodiscard]] bool settles() const override { return rules_.settles != nullptr; }
+
+  /// Edits and Attaches that wait here. Any thread.
+  [[nodiscard]] std::size_t waiting() const { return waiting_.load(std::memory_order_relaxed); }
 
  private:
+  /// Until it is answered.
+  struct Attaching {
+    AttachRequest request;
+    edits::EditorId editor;  // as which it goes to the log
+    bool known = false;
+    bool overtaken = false;  // a later one is for the same editor
+    int tries = 0;
+  };
+  struct Editing {
+    EditRequest request;
+    Clock::time_point came;
+  };
   /// An edit whose base is being looked up.
   struct Prepared {
-    EditRequest request;
+    Editing edit;
     std::vector<edits::TouchedChunk> touched;
     edits::BaseVoxels base;
     std::set<ChunkCoord> missing;  // of `touched`, not in `base` yet
     std::set<ChunkCoord> asked;    // of `missing`, for which an answer comes
   };
-  /// The edits of one session.
+  /// What one session has sent.
   struct Lane {
     MailboxPtr session;
     MailboxPtr look_ups;
-    std::deque<EditRequest> waiting;
-    std::optional<Prepared> first;
+    std::deque<Editing> waiting;
+    std::optional<Prepared> first;       // before those
+    std::optional<Attaching> attaching;  // before all edits
+    bool attach_waits = false;           // and is not in the log
+    bool entered = false;                // its turn comes
   };
-  struct Attaching {
-    MailboxPtr mailbox;
-    AttachRequest request;
-    edits::EditorId editor;
-    bool known = false;
-    int tries = 0;
+  /// An Attach that the log has answered.
+  struct Attached {
+    ClientId client{};
+    tl::expected<edits::Applied::Kind, LogFailure> outcome;
+    EditorSession as;  // where it is attached; but for `known`
   };
 
+  /// From any thread: the intake's looks what is there.
+  void call();
+
   void work();
-  void attach_now(Attaching attaching);
-  void attached(const Attaching& attaching, const tl::expected<const edits::Applied*, LogFailure>& outcome);
+  /// False: the intake stops.
+  bool take_in();
+  /// Lets whose turn it is go on. False where it is nobody's, or the log has no room.
+  bool take_turn();
+  [[nodiscard]] bool log_has_room() const;
+
+  Lane& lane_of(const MailboxPtr& session);
+  [[nodiscard]] Lane* find_lane(ClientId client);
+  /// Its turn comes, where it has anything to do.
+  void enter(Lane& lane);
+  void forget_lane(ClientId client);
+
+  void begin_attach(Lane& lane, AttachRequest request);
+  void log_attach(Lane& lane);
+  void attached(const Attached& answered);
+  void end_attach(Lane& lane);
+  void refuse_attach(Lane& lane, EditRefused why, std::string text);
+
   void take_look_ups(Lane& lane);
-  /// Logs what of the lane is ready, in order.
+  /// One edit, as far as it goes.
   void advance(Lane& lane);
-  /// Begins the next edit; none where it was refused.
-  [[nodiscard]] std::optional<Prepared> prepare(const Lane& lane, EditRequest request);
+  /// None where it was refused.
+  [[nodiscard]] std::optional<Prepared> prepare(const Lane& lane, Editing edit);
   void look_up(const Lane& lane, Prepared& edit);
   void log_edit(const Lane& lane, Prepared edit);
+  void refuse(const MailboxPtr& session, std::uint32_t id, EditRefused why, std::string text);
+
+  [[nodiscard]] tl::expected<void, LogFailure> append(LogEntry entry, EditLog::Done done);
 
   const Parts parts_;
   const Rules rules_;
@@ -107,14 +164,22 @@ class EditIntake final : public EditTaker {
   // From other threads.
   std::mutex mutex_;
   std::condition_variable comes_;
-  std::vector<Attaching> attaching_;
-  std::vector<std::pair<MailboxPtr, EditRequest>> edits_;
+  bool called_ = false;
+  bool stopping_ = false;
+  std::vector<std::pair<MailboxPtr, std::variant<AttachRequest, Editing>>> came_;
+  std::vector<Attached> attached_;
   std::vector<ClientId> forgotten_;
   std::unordered_set<std::uint64_t> looked_up_;  // owners of look-ups with mail
-  bool stopping_ = false;
+
+  std::atomic<std::size_t> waiting_{0};
+  std::atomic<std::size_t> log_entries_{0};
+  std::atomic<std::size_t> log_bytes_{0};
+  std::atomic<bool> wants_room_{false};
 
   // Of the thread alone.
-  std::unordered_map<std::uint64_t, Lane> lanes_;  // by the session's client
+  std::unordered_map<ClientId, Lane> lanes_;
+  std::unordered_multimap<edits::EditorId, ClientId> attaching_as_;
+  EditTurns turns_;
   DecodedBases bases_{kBaseBytes};
 
   std::thread thread_;

@@ -1,6 +1,7 @@
 // The log of a world's edits: what it holds is the world's state, whoever wrote it.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <string>
@@ -14,22 +15,32 @@ namespace talus::server {
 
 using LogEntry = std::variant<edits::AttachEntry, edits::EditEntry>;
 
-/// Whether the entry comes to be in the log is open: whoever sends it again with the same sequence finds out.
+/// About the memory that an entry takes.
+[[nodiscard]] std::size_t bytes_of(const LogEntry& entry);
+
 struct LogFailure {
-  std::string reason;
+  enum class Kind : std::uint8_t {
+    busy,        // as many entries wait as may, or the log stops
+    unwritable,  // the store cannot be written now
+    index_full,  // the edit is of a chunk that was never edited, and of such there is place for no more
+    unreadable,  // what people changed in a chunk that the edit is of cannot be read
+  };
+  Kind kind = Kind::busy;
+  std::string reason;  // one line
 };
 
 class EditLog {
  public:
   /// Called once, on the log's thread, after the entry is stored as firmly as the log stores anything, and
-  /// seen by all who look at the applied state. Must not throw, nor wait.
+  /// seen by all who look at the applied state. Must not throw, nor wait. After a failure of kind unwritable
+  /// it is open whether the entry comes to be in the log: whoever sends it again with the same sequence finds
+  /// out. After any other it does not.
   using Done = std::function<void(const tl::expected<const edits::Applied*, LogFailure>&)>;
 
   virtual ~EditLog() = default;
 
-  /// From any thread. False, and `done` is not called: the log takes no entries now, as too many wait or it
-  /// cannot write.
-  [[nodiscard]] virtual bool append(LogEntry entry, Done done) = 0;
+  /// From any thread. After a failure `done` is not called, and the entry is not in the log.
+  [[nodiscard]] virtual tl::expected<void, LogFailure> append(LogEntry entry, Done done) = 0;
 };
 
 }  // namespace talus::server

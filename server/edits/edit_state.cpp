@@ -4,6 +4,8 @@
 #include <mutex>
 #include <utility>
 
+#include <fmt/format.h>
+
 #include "edits/replay.h"
 
 namespace talus::server {
@@ -79,17 +81,25 @@ EditDatabase::Done EditState::replay() {
 }
 
 tl::expected<EditedChunk, std::string> EditState::load(ChunkKey key) const {
-  if (index_.revision(key) == 0) return EditedChunk{};
+  // Of this revision at least. What is not dirty any more was on the disk before, at this one or a later.
+  const std::uint64_t wanted = index_.revision(key);
+  if (wanted == 0) return EditedChunk{};
   {
     const std::shared_lock lock{dirty_mutex_};
     if (const auto found = dirty_.find(key); found != dirty_.end()) return found->second;
   }
-  if (const auto cached = cache_.find(key)) return *cached;
+  if (const auto cached = cache_.find(key); cached && cached->revision >= wanted) return *cached;
   auto stored = database_.chunk(key);
   if (!stored) return tl::unexpected{std::move(stored.error())};
   if (!*stored) {
     return tl::unexpected{"chunk " + to_string(key) +
                           ": its edits are missing in the store; restore a backup"};
+  }
+  if ((*stored)->revision < wanted) {
+    return tl::unexpected{
+        fmt::format("chunk {}: the store has its edits up to revision {}, and {} was "
+                    "acknowledged; restore a backup",
+                    to_string(key), (*stored)->revision, wanted)};
   }
   EditedChunk chunk = edited_chunk((*stored)->revision, edits::ChunkOverrides{std::move((*stored)->voxels)});
   // Under this lock nothing is committed, so that what is older than the newest never stays in the cache.
@@ -109,6 +119,11 @@ std::optional<edits::Editor> EditState::editor(edits::EditorId id) const {
   const std::shared_lock lock{editors_mutex_};
   const edits::Editor* const editor = editors_.find(id);
   return editor == nullptr ? std::nullopt : std::optional{*editor};
+}
+
+std::size_t EditState::editor_count() const {
+  const std::shared_lock lock{editors_mutex_};
+  return editors_.size();
 }
 
 std::vector<ChunkChange> EditState::commit(edits::Batch&& batch) {
@@ -191,16 +206,29 @@ void EditState::mark_clean(ChunkKey key, std::uint64_t revision) {
 const edits::ChunkOverrides* EditState::Reading::find(ChunkKey key) const {
   if (const EditedChunk* const dirty = state_.dirty(key)) return dirty->overrides.get();
   if (state_.revision(key) == 0) return nullptr;
+  const Held& chunk = held(key);
+  if (chunk.fault) error_ = chunk.fault;
+  return chunk.overrides.get();
+}
+
+std::optional<std::string> EditState::Reading::fault_of(std::span<const ChunkKey> chunks) const {
+  for (const ChunkKey key : chunks) {
+    if (state_.dirty(key) != nullptr || state_.revision(key) == 0) continue;
+    if (const auto& fault = held(key).fault) return fault;
+  }
+  return std::nullopt;
+}
+
+const EditState::Reading::Held& EditState::Reading::held(ChunkKey key) const {
   const auto [held, added] = held_.try_emplace(key);
   if (added) {
-    auto loaded = state_.load(key);
-    if (loaded) {
-      held->second = std::move(loaded->overrides);
+    if (auto loaded = state_.load(key)) {
+      held->second.overrides = std::move(loaded->overrides);
     } else {
-      error_ = std::move(loaded.error());
+      held->second.fault = std::move(loaded.error());
     }
   }
-  return held->second.get();
+  return held->second;
 }
 
 }  // namespace talus::server

@@ -8,6 +8,7 @@
 #include <memory>
 #include <optional>
 #include <shared_mutex>
+#include <span>
 #include <string>
 #include <unordered_map>
 #include <unordered_set>
@@ -46,8 +47,10 @@ class EditState final : public AppliedEdits {
   /// Of the whole state.
   [[nodiscard]] std::uint64_t revision() const { return revision_.load(std::memory_order_acquire); }
   [[nodiscard]] std::optional<edits::Editor> editor(edits::EditorId id) const;
+  [[nodiscard]] std::size_t editor_count() const;
   /// Whether the index has no place for further chunks.
   [[nodiscard]] bool is_full() const { return index_.bytes() >= settings_.index_bytes; }
+  [[nodiscard]] std::size_t index_limit() const { return settings_.index_bytes; }
   [[nodiscard]] const ChunkIndex& index() const { return index_; }
   /// Memory held, roughly, but for what is not written yet.
   [[nodiscard]] std::size_t bytes() const { return index_.bytes() + cache_.bytes() + settings_.recent_bytes; }
@@ -56,8 +59,8 @@ class EditState final : public AppliedEdits {
   [[nodiscard]] const edits::Head& head() const { return head_; }
   [[nodiscard]] const edits::Editors& editors() const { return editors_; }
 
-  /// What a batch reads. An override that the disk did not give is missing: then error() says so, and the
-  /// batch must be dropped.
+  /// What a batch reads. The overrides of a chunk that the disk did not give are missing: then error() says
+  /// so, and the batch must be dropped.
   class Reading;
 
   /// Makes a batch of this very state, which is stored, the state. Returns each chunk that it changed once.
@@ -67,9 +70,12 @@ class EditState final : public AppliedEdits {
   [[nodiscard]] std::size_t dirty_bytes() const { return dirty_bytes_; }
   [[nodiscard]] std::vector<ChunkKey> dirty_chunks() const;
   [[nodiscard]] std::vector<edits::EditorId> take_dirty_editors();
+  void put_dirty_editors(std::span<const edits::EditorId> ids) {
+    dirty_editors_.insert(ids.begin(), ids.end());
+  }
   /// Null where the chunk is not dirty.
   [[nodiscard]] const EditedChunk* dirty(ChunkKey key) const;
-  /// The database has the chunk as of `revision`.
+  /// The database has the chunk as of `revision`, whatever happens: from now on it is read there.
   void mark_clean(ChunkKey key, std::uint64_t revision);
 
  private:
@@ -97,10 +103,18 @@ class EditState::Reading final : public edits::OverrideSource {
   explicit Reading(const EditState& state) : state_{state} {}
   [[nodiscard]] const edits::ChunkOverrides* find(ChunkKey chunk) const override;
   [[nodiscard]] const std::optional<std::string>& error() const { return error_; }
+  /// The first of the chunks that cannot be read, in one line, or nothing. error() stays what it was.
+  [[nodiscard]] std::optional<std::string> fault_of(std::span<const ChunkKey> chunks) const;
 
  private:
+  struct Held {
+    std::shared_ptr<const edits::ChunkOverrides> overrides;
+    std::optional<std::string> fault;  // it cannot be read
+  };
+  [[nodiscard]] const Held& held(ChunkKey chunk) const;
+
   const EditState& state_;
-  mutable std::unordered_map<ChunkKey, std::shared_ptr<const edits::ChunkOverrides>> held_;
+  mutable std::unordered_map<ChunkKey, Held> held_;
   mutable std::optional<std::string> error_;
 };
 

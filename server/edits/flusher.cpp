@@ -9,6 +9,8 @@ void Flusher::start() {
   position_ = state_.head().position;
   chunks_ = state_.dirty_chunks();
   editors_ = state_.take_dirty_editors();
+  editors_left_ = editors_.size();
+  written_.clear();
   // Keys in order cost the database less.
   std::ranges::sort(chunks_, std::greater{});
   running_ = true;
@@ -17,7 +19,7 @@ void Flusher::start() {
 EditDatabase::Done Flusher::step() {
   EditDatabase::Slice slice;
   const auto has_place = [&] { return slice.count() < kSliceValues && slice.bytes() < kSliceBytes; };
-  std::vector<std::pair<ChunkKey, std::uint64_t>> written;
+  const std::size_t written_before = written_.size();
   std::size_t chunks_left = chunks_.size();
   for (; chunks_left > 0 && has_place(); --chunks_left) {
     const ChunkKey key = chunks_[chunks_left - 1];
@@ -25,9 +27,9 @@ EditDatabase::Done Flusher::step() {
     if (chunk == nullptr) continue;
     const auto* const overrides = chunk->overrides.get();
     slice.put(key, chunk->revision, overrides == nullptr ? std::span<const Override>{} : overrides->voxels());
-    written.emplace_back(key, chunk->revision);
+    written_.emplace_back(key, chunk->revision);
   }
-  std::size_t editors_left = editors_.size();
+  std::size_t editors_left = editors_left_;
   for (; editors_left > 0 && has_place(); --editors_left) {
     const edits::EditorId id = editors_[editors_left - 1];
     if (const edits::Editor* const editor = state_.editors().find(id)) {
@@ -37,15 +39,24 @@ EditDatabase::Done Flusher::step() {
     }
   }
   if (slice.count() > 0) {
-    if (auto put = database_.put(slice); !put) return put;
+    if (auto put = database_.put(slice); !put) {
+      written_.resize(written_before);
+      return put;
+    }
   }
-  for (const auto& [key, revision] : written) state_.mark_clean(key, revision);
   chunks_.resize(chunks_left);
-  editors_.resize(editors_left);
+  editors_left_ = editors_left;
   if (chunks_left > 0 || editors_left > 0) return {};
   if (auto marked = database_.mark_flushed(position_); !marked) return marked;
+  for (const auto& [key, revision] : written_) state_.mark_clean(key, revision);
+  written_.clear();
   running_ = false;
   return {};
+}
+
+void Flusher::abandon() {
+  state_.put_dirty_editors(editors_);
+  running_ = false;
 }
 
 }  // namespace talus::server

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "edits/edit_state.h"
@@ -23,16 +24,21 @@ class Flusher {
   [[nodiscard]] bool is_running() const { return running_; }
   /// Begins with all that is dirty now. REQUIRES: !is_running().
   void start();
-  /// Writes one slice. An error is one line, and the slice is written again by the next step.
+  /// Writes one slice. An error is one line, and the slice is written again by the next step. Chunks count as
+  /// clean only when all of them are on the disk for sure: until then nobody reads them there.
   [[nodiscard]] EditDatabase::Done step();
+  /// What was written since start() may be lost: all of it stays dirty. REQUIRES: is_running().
+  void abandon();
 
  private:
   EditState& state_;
   EditDatabase& database_;
   bool running_ = false;
-  std::uint64_t position_ = 0;  // all that is dirty up to it is flushed at the end
-  std::vector<ChunkKey> chunks_;
+  std::uint64_t position_ = 0;    // all that is dirty up to it is flushed at the end
+  std::vector<ChunkKey> chunks_;  // those left
   std::vector<edits::EditorId> editors_;
+  std::size_t editors_left_ = 0;                             // of editors_, from the front
+  std::vector<std::pair<ChunkKey, std::uint64_t>> written_;  // at which revision
 };
 
 }  // namespace talus::server

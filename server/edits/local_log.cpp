@@ -8,16 +8,20 @@
 namespace talus::server {
 namespace {
 
-/// About what an entry holds.
-std::size_t bytes_of_entry(const LogEntry& entry) {
-  constexpr std::size_t kEntry = 64;
-  const auto* const edit = std::get_if<edits::EditEntry>(&entry);
-  if (edit == nullptr) return kEntry + std::get<edits::AttachEntry>(entry).subject.size();
-  std::size_t bytes = kEntry +
-                      (edit->edit.guards.size() + edit->edit.writes.size()) * sizeof(edits::VoxelWrite) +
-                      edit->edit.fills.size() * sizeof(edits::Fill);
-  for (const auto& [chunk, voxels] : edit->base) bytes += kEntry + voxels.size() * sizeof(Override);
-  return bytes;
+/// All chunks whose overrides the edit may read, at every level.
+std::vector<ChunkKey> chunks_read_by(const edits::EditEntry& entry) {
+  std::vector<ChunkKey> keys;
+  for (const auto& [chunk, voxels] : entry.base) {
+    keys.push_back({chunk, Lod{}});
+    std::vector<edits::OverrideWrite> writes;
+    for (const Override& voxel : voxels) writes.push_back({voxel.index, voxel.material});
+    for (const edits::ChunkWrites& coarse : edits::coarse_writes(chunk, writes)) keys.push_back(coarse.key);
+  }
+  return keys;
+}
+
+tl::unexpected<LogFailure> failed(LogFailure::Kind kind, std::string reason) {
+  return tl::unexpected{LogFailure{kind, std::move(reason)}};
 }
 
 }  // namespace
@@ -51,24 +55,32 @@ void LocalLog::stop() {
   if (thread_.joinable()) thread_.join();
 }
 
-bool LocalLog::append(LogEntry entry, Done done) {
+tl::expected<void, LogFailure> LocalLog::append(LogEntry entry, Done done) {
   if (const auto* const edit = std::get_if<edits::EditEntry>(&entry); edit != nullptr && state_.is_full()) {
     const auto is_new = [&](const auto& each) { return state_.revision({each.first, Lod{}}) == 0; };
-    if (std::ranges::any_of(edit->base, is_new)) return false;
+    if (const auto chunk = std::ranges::find_if(edit->base, is_new); chunk != edit->base.end()) {
+      return failed(
+          LogFailure::Kind::index_full,
+          fmt::format("chunk {} was never edited, and the index of edited chunks has its limit of {} "
+                      "bytes; edit chunks that were edited before",
+                      to_string(chunk->first), state_.index_limit()));
+    }
   }
-  const std::size_t bytes = bytes_of_entry(entry);
+  const std::size_t bytes = bytes_of(entry);
   bool wakes = false;
   {
     const std::lock_guard lock{mutex_};
-    if (stopping_ || status_.read_only) return false;
-    if (queue_.size() >= settings_.queue_entries || queue_bytes_ + bytes > settings_.queue_bytes)
-      return false;
+    if (stopping_) return failed(LogFailure::Kind::busy, "this server is about to end");
+    if (status_.read_only) return failed(LogFailure::Kind::unwritable, *status_.read_only);
+    if (queue_.size() >= settings_.queue_entries || queue_bytes_ + bytes > settings_.queue_bytes) {
+      return failed(LogFailure::Kind::busy, "as many edits wait to be written as may");
+    }
     wakes = queue_.empty();
     queue_bytes_ += bytes;
     queue_.push_back({std::move(entry), std::move(done), bytes});
   }
   if (wakes) wake_.notify_one();
-  return true;
+  return {};
 }
 
 LocalLog::Status LocalLog::status() const {
@@ -122,28 +134,39 @@ std::vector<LocalLog::Waiting> LocalLog::take(TimePoint until) {
 
 void LocalLog::apply(std::vector<Waiting> entries) {
   if (broken_ || disk_full_) {
-    const auto failure = tl::make_unexpected(LogFailure{*status().read_only});
+    const auto failure = failed(LogFailure::Kind::unwritable, *status().read_only);
     for (const Waiting& each : entries) each.done(failure);
     return;
   }
-  const auto now = std::chrono::duration_cast<std::chrono::milliseconds>(clock_.wall().time_since_epoch());
-  pending_.emplace(state_, now.count());
-  for (Waiting& each : entries) {
-    std::visit([&](const auto& entry) { pending_->batch.apply(entry); }, each.entry);
-    pending_->done.push_back(std::move(each.done));
-  }
-  if (const auto& error = pending_->reading.error()) {
-    // Nothing was written: the batch never was.
-    const auto failure = tl::make_unexpected(LogFailure{*error});
-    const std::vector<Done> done = std::move(pending_->done);
+  if (!stage(entries, false)) (void)stage(entries, true);
+  if (pending_->batch.applied().empty()) {
     pending_.reset();
-    refuse(failure.value().reason);
-    for (const Done& each : done) each(failure);
     return;
   }
   if (store()) return;
-  const auto failure = tl::make_unexpected(LogFailure{*status().read_only});
+  const auto failure = failed(LogFailure::Kind::unwritable, *status().read_only);
   for (const Done& each : std::exchange(pending_->done, {})) each(failure);
+}
+
+bool LocalLog::stage(std::vector<Waiting>& entries, bool careful) {
+  const auto now = std::chrono::duration_cast<std::chrono::milliseconds>(clock_.wall().time_since_epoch());
+  pending_.emplace(state_, now.count());
+  const EditState::Reading& reading = pending_->reading;
+  for (Waiting& each : entries) {
+    const auto* const edit = std::get_if<edits::EditEntry>(&each.entry);
+    if (careful && edit != nullptr) {
+      if (const auto fault = reading.fault_of(chunks_read_by(*edit))) {
+        std::exchange(each.done, nullptr)(failed(LogFailure::Kind::unreadable, *fault));
+        continue;
+      }
+    }
+    std::visit([&](const auto& entry) { pending_->batch.apply(entry); }, each.entry);
+    if (reading.error() && !careful) return false;
+  }
+  for (Waiting& each : entries) {
+    if (each.done != nullptr) pending_->done.push_back(std::move(each.done));
+  }
+  return true;
 }
 
 bool LocalLog::store() {
@@ -203,6 +226,8 @@ void LocalLog::retry() {
     return;
   }
   broken_ = false;
+  // What was put and not synced may have gone with the fault.
+  if (flusher_.is_running()) flusher_.abandon();
   if (pending_ && !store()) return;
   publish();
 }

@@ -46,8 +46,7 @@ class LocalLog final : public EditLog {
   /// Applies and answers what was taken, writes all that is dirty, and stops.
   ~LocalLog() override;
 
-  /// False too where the edit would be of a chunk that was never edited, while EditState::is_full().
-  [[nodiscard]] bool append(LogEntry entry, Done done) override;
+  [[nodiscard]] tl::expected<void, LogFailure> append(LogEntry entry, Done done) override;
 
   struct Status {
     edits::Head head;
@@ -83,6 +82,9 @@ class LocalLog final : public EditLog {
   /// What waits, as much as goes into a batch. Waits for it itself, until `until` at most.
   [[nodiscard]] std::vector<Waiting> take(TimePoint until);
   void apply(std::vector<Waiting> entries);
+  /// Makes the pending batch of those that can be applied. Where some cannot, as what they are of is not
+  /// readable, false; `careful` finds out which before anything is made of them, and answers them.
+  [[nodiscard]] bool stage(std::vector<Waiting>& entries, bool careful);
   /// Whether the pending batch is stored now, and the state.
   bool store();
   void flush_some();

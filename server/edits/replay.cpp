@@ -47,6 +47,14 @@ void Replay::apply_to_editors(const LogRecord& record) {
       dirty_editors_.insert(id);
     }
   }
+  if (record.forgotten) {
+    // One of that id which the database has of later never was this one.
+    const auto has = positions_.find(*record.forgotten);
+    if (has == positions_.end() || has->second < record.position) {
+      editors_.erase(*record.forgotten);
+      dirty_editors_.insert(*record.forgotten);
+    }
+  }
   if (record.kind != Kind::attached && record.kind != Kind::done && record.kind != Kind::conflict) return;
   if (const auto has = positions_.find(record.editor);
       has != positions_.end() && has->second >= record.position) {

@@ -1,6 +1,5 @@
 #include "generation/background_thread.h"
 
-#include <signal.h>
 #include <sys/resource.h>
 #include <unistd.h>
 
@@ -13,12 +12,6 @@ void lower_priority() {
   const auto thread = static_cast<id_t>(::gettid());
   const int niceness = std::max(kBackgroundNiceness, ::getpriority(PRIO_PROCESS, thread));
   ::setpriority(PRIO_PROCESS, thread, niceness);
-}
-
-void block_signals() {
-  sigset_t all;
-  ::sigfillset(&all);
-  ::pthread_sigmask(SIG_BLOCK, &all, nullptr);
 }
 
 }  // namespace talus::server

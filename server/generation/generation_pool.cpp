@@ -8,6 +8,7 @@
 
 #include "generation/answer_batcher.h"
 #include "generation/background_thread.h"
+#include "threads/signals.h"
 
 namespace talus::server {
 namespace {

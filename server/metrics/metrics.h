@@ -52,6 +52,11 @@ struct Metrics {
   /// Of an HTTP request: from when it is whole to when its answer is ready to be sent, by what was asked for.
   std::array<LatencyHistogram, kAnswerKinds.size()> web_latency;
 
+  // ---- edits
+  LabelledCounters edits_refused;  // edits and Attaches, by reason
+  /// Of an edit: from when its session hands it on to when it is stored and the session is told.
+  LatencyHistogram edit_latency;
+
   // ---- where chunks come from
   Counter cache_hits;
   Counter cache_misses;

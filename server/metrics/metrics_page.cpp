@@ -36,7 +36,18 @@ Samples edits_revision(const Source& s) {
 
 Samples edits_waiting(const Source& s) {
   if (!s.gauges.edits) return {};
-  return {{static_cast<double>(s.gauges.edits->waiting)}};
+  return {labelled("intake", static_cast<double>(s.gauges.edits->preparing)),
+          labelled("log", static_cast<double>(s.gauges.edits->logging))};
+}
+
+Samples editors(const Source& s) {
+  if (!s.gauges.edits) return {};
+  return {{static_cast<double>(s.gauges.edits->editors)}};
+}
+
+Samples edit_latency(const Source& s) {
+  if (!s.gauges.edits) return {};
+  return {{0, {}, &s.metrics.edit_latency}};
 }
 
 Samples edits_read_only(const Source& s) {
@@ -118,7 +129,10 @@ const std::array kRows{
     MetricRow{"talus_build_info", "Versions of the program, the generator and the world; always 1.", gauge,
               {"version", "generator", "fingerprint", "instruction_set"}, build_info},
     MetricRow{"talus_edits_revision", "Edits that changed something since the store was made; absent where nothing is stored.", gauge, {}, edits_revision},
-    MetricRow{"talus_edits_waiting", "Edits that wait to be written.", gauge, {}, edits_waiting},
+    MetricRow{"talus_edits_waiting", "Edits and Attaches that wait: in the intake for their ground and their turn, or in the log.", gauge, {"where"}, edits_waiting},
+    MetricRow{"talus_edit_latency_seconds", "From when a session hands an edit on to when it is stored and the session is told.", histogram, {}, edit_latency},
+    MetricRow{"talus_edits_refused_total", "Edits and Attaches that did not happen, by reason.", counter, {"reason"}, LabelledMetric{&Metrics::edits_refused, &MetricLabels::edits_refused}},
+    MetricRow{"talus_editors", "Editors that are known, of 65,536 at most.", gauge, {}, editors},
     MetricRow{"talus_edits_read_only", "1 while the store cannot be written and no edits are taken, else 0.", gauge, {}, edits_read_only},
     MetricRow{"talus_draining", "1 from the signal that ends the server until it ends, else 0.", gauge, {}, draining},
 

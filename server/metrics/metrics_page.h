@@ -29,8 +29,10 @@ struct RuntimeGauges {
   std::uint64_t flow_refusals = 0;            // of all flows
   struct Edits {
     std::uint64_t revision = 0;
-    std::uint64_t waiting = 0;  // entries that wait for the log
-    bool read_only = false;     // the log cannot be written
+    std::uint64_t preparing = 0;  // edits that wait for their ground, or their turn
+    std::uint64_t logging = 0;    // entries that wait to be written
+    std::uint64_t editors = 0;    // that are known
+    bool read_only = false;       // the log cannot be written
   };
   std::optional<Edits> edits{};  // none: nothing is stored
   struct Columns {
@@ -53,6 +55,7 @@ struct MetricLabels {
   Names rates{};           // of Metrics::throttled_by
   Names memory_uses{};     // of RuntimeGauges::memory_bytes
   Names status_classes{};  // of Metrics::web_responses
+  Names edits_refused{};   // of Metrics::edits_refused
 };
 
 struct BuildInfo {

@@ -48,6 +48,12 @@ Rate patience_for(const RateLimits& limits, std::uint32_t requests_in_flight) {
   return {fastest, requests_in_flight + fastest};
 }
 
+Rate voxel_patience_for(const RateLimits& limits) {
+  const std::uint64_t fastest =
+      std::max({limits.session.voxels.per_second, limits.address.voxels.per_second, std::uint64_t{1}});
+  return {fastest, SessionRates::kEditsOnTheirWay + fastest};
+}
+
 TokenBucket moved(const std::atomic<TokenBucket>& bucket, const Rate& from, const Rate& to, Time now) {
   return bucket.load(std::memory_order_relaxed).moved(from, to, now);
 }
@@ -76,7 +82,8 @@ SessionRates::SessionRates(const RateLimits& limits, AddressBucketsPtr address,
     : limits_{limits},
       address_{std::move(address)},
       requests_in_flight_{requests_in_flight},
-      patience_rate_{patience_for(limits, requests_in_flight)} {}
+      patience_rate_{patience_for(limits, requests_in_flight)},
+      voxel_patience_rate_{voxel_patience_for(limits)} {}
 
 void SessionRates::change(const RateLimits& limits, AddressBucketsPtr address, Time now) {
   if (limits == limits_ && address == address_) return;
@@ -88,6 +95,9 @@ void SessionRates::change(const RateLimits& limits, AddressBucketsPtr address, T
   const Rate patience = patience_for(limits, requests_in_flight_);
   patience_ = patience_.moved(patience_rate_, patience, now);
   patience_rate_ = patience;
+  const Rate voxel_patience = voxel_patience_for(limits);
+  voxel_patience_ = voxel_patience_.moved(voxel_patience_rate_, voxel_patience, now);
+  voxel_patience_rate_ = voxel_patience;
   batch_.reset();
   limits_ = limits;
   address_ = std::move(address);
@@ -107,31 +117,50 @@ std::optional<SessionRates::Refusal> SessionRates::refuse_request(Time now) {
 std::optional<SessionRates::Refusal> SessionRates::refuse_voxels(Time now, std::uint64_t voxels) {
   const Rate& own = limits_.session.voxels;
   if (own.limited() && voxels_.level(own, now) < static_cast<std::int64_t>(voxels)) {
-    return refuse_for(limits_.is_gateway ? RateKind::gateway_voxels : RateKind::session_voxels, now,
-                      voxels_.wait(own, now, voxels));
+    return refuse(limits_.is_gateway ? RateKind::gateway_voxels : RateKind::session_voxels, now, voxels);
   }
   const Rate& shared = limits_.address.voxels;
   if (address_ != nullptr && shared.limited() &&
       !update(address_->voxels, [&](TokenBucket& all) { return all.take(shared, now, voxels); })) {
-    return refuse_for(RateKind::address_voxels, now,
-                      address_->voxels.load(std::memory_order_relaxed).wait(shared, now, voxels));
+    return refuse(RateKind::address_voxels, now, voxels);
   }
   voxels_.spend(own, now, voxels);
+  voxels_in_line_ -= std::min(voxels_in_line_, voxels);
   return std::nullopt;
 }
 
-SessionRates::Refusal SessionRates::refuse(RateKind kind, Time now) {
-  return refuse_for(kind, now, wait(kind, now < room_at_ ? in_line_ + 1 : 1, now));
+void SessionRates::spend_voxels(Time now, std::uint64_t voxels) {
+  voxels_.spend(limits_.session.voxels, now, voxels);
+  if (address_ == nullptr || !limits_.address.voxels.limited()) return;
+  update(address_->voxels, [&](TokenBucket& all) {
+    all.spend(limits_.address.voxels, now, voxels);
+    return true;
+  });
 }
 
-SessionRates::Refusal SessionRates::refuse_for(RateKind kind, Time now, nanoseconds wait) {
-  if (now >= room_at_) {
-    in_line_ = 0;
-    patience_ = {};
-  }
-  ++in_line_;
-  room_at_ = std::max(room_at_, now + wait);
+void SessionRates::forget_refused(Time now) {
+  if (now < room_at_) return;
+  in_line_ = 0;
+  voxels_in_line_ = 0;
+  patience_ = {};
+  voxel_patience_ = {};
+}
+
+SessionRates::Refusal SessionRates::refuse(RateKind kind, Time now) {
+  forget_refused(now);
+  room_at_ = std::max(room_at_, now + wait(kind, ++in_line_, now));
   return {kind, room_at_ - now, !patience_.take(patience_rate_, now)};
+}
+
+SessionRates::Refusal SessionRates::refuse(RateKind kind, Time now, std::uint64_t voxels) {
+  forget_refused(now);
+  voxels_in_line_ += voxels;
+  const nanoseconds wait = kind == RateKind::address_voxels
+                               ? address_->voxels.load(std::memory_order_relaxed)
+                                     .wait_in_line(limits_.address.voxels, now, voxels_in_line_)
+                               : voxels_.wait_in_line(limits_.session.voxels, now, voxels_in_line_);
+  room_at_ = std::max(room_at_, now + wait);
+  return {kind, room_at_ - now, !voxel_patience_.take(voxel_patience_rate_, now, voxels)};
 }
 
 nanoseconds SessionRates::wait(RateKind kind, std::uint64_t in_line, Time now) const {

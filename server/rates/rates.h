@@ -76,6 +76,8 @@ struct RateBatch {
 class SessionRates {
  public:
   using Time = TokenBucket::Time;
+  /// Voxels of the edits that a client may send before it hears that the first is refused.
+  static constexpr std::uint64_t kEditsOnTheirWay = std::uint64_t{64} * 65'536;
 
   /// `address` null: no rate of an address applies. A client may have `requests_in_flight` on their way here.
   SessionRates(const RateLimits& limits, AddressBucketsPtr address, std::uint32_t requests_in_flight);
@@ -104,8 +106,12 @@ class SessionRates {
   /// Counts one request. None: it is granted.
   [[nodiscard]] std::optional<Refusal> refuse_request(Time now);
 
-  /// Counts an edit that names so many voxels, no more than a burst. None: it is granted.
+  /// Counts an edit that names so many voxels, no more than a burst. None: it is granted. A client that goes
+  /// on asking is abusive as with requests, but by voxels: what it may have on its way is kEditsOnTheirWay.
   [[nodiscard]] std::optional<Refusal> refuse_voxels(Time now, std::uint64_t voxels);
+
+  /// Counts voxels that an edit changed beyond those that it named. The next ones pay.
+  void spend_voxels(Time now, std::uint64_t voxels);
 
   struct Due {
     Time at;                              // when the next chunk may go; `now`: at once
@@ -131,7 +137,9 @@ class SessionRates {
   /// Takes a token for a request, or says which rate has none.
   [[nodiscard]] std::optional<RateKind> take_request(Time now);
   [[nodiscard]] Refusal refuse(RateKind kind, Time now);
-  [[nodiscard]] Refusal refuse_for(RateKind kind, Time now, std::chrono::nanoseconds wait);
+  [[nodiscard]] Refusal refuse(RateKind kind, Time now, std::uint64_t voxels);
+  /// All that was refused had room, so what comes now begins anew.
+  void forget_refused(Time now);
   /// Until `in_line` requests have room by this rate.
   [[nodiscard]] std::chrono::nanoseconds wait(RateKind kind, std::uint64_t in_line, Time now) const;
 
@@ -145,11 +153,14 @@ class SessionRates {
   std::optional<RateBatch> batch_;
 
   // Since the client was first refused. It ends when it is refused again although it waited.
-  Time room_at_{};             // of all that was refused, as the client was told
-  std::uint64_t in_line_ = 0;  // refused, and not granted since
-  TokenBucket patience_;       // one token goes with each refusal; empty: the client is abusive
+  Time room_at_{};                    // of all that was refused, as the client was told
+  std::uint64_t in_line_ = 0;         // refused, and not granted since
+  std::uint64_t voxels_in_line_ = 0;  // likewise
+  TokenBucket patience_;              // one token goes with each refusal; empty: the client is abusive
+  TokenBucket voxel_patience_;        // the same for voxels, one with each
   const std::uint32_t requests_in_flight_;
   Rate patience_rate_;
+  Rate voxel_patience_rate_;
 
   bool throttled_ = false;
 };

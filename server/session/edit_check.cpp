@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <talus/edits/editors.h>
+#include <talus/edits/settle.h>
 #include <talus/voxel/codec.h>
 
 namespace talus::server {
@@ -28,23 +29,22 @@ std::vector<edits::VoxelWrite> writes_of(const flatbuffers::Vector<const wire::V
   return writes;
 }
 
-/// Of a box; past `most` only that it is more.
-std::uint64_t volume(const edits::Fill& fill, std::uint64_t most) {
-  std::uint64_t product = 1;
-  for (const auto& [first, last] :
-       {std::pair{fill.first.x, fill.last.x}, std::pair{fill.first.y, fill.last.y},
-        std::pair{fill.first.z, fill.last.z}}) {
-    if (first > last) return 0;  // refused where it is prepared
-    const std::uint64_t length = static_cast<std::uint64_t>(last) - static_cast<std::uint64_t>(first);
-    product *= std::min(length, most) + 1;  // at most 2^17 each time
-    product = std::min(product, most + 1);
-  }
-  return product;
+std::size_t memory_of(const edits::Edit& edit, std::uint64_t voxels, bool settles) {
+  if (settles) voxels += edits::kSettleVoxels;
+  constexpr std::size_t kAnyEdit = 512;
+  constexpr std::size_t kChunk = 256;  // its places in the lists of what is touched and looked up
+  // While it waits: which voxels of which chunks it touches, and their materials as generated.
+  constexpr std::size_t kVoxel = sizeof(std::uint16_t) + sizeof(Override);
+  std::size_t bytes = kAnyEdit + edit.fills.size() * sizeof(edits::Fill) +
+                      (edit.guards.size() + edit.writes.size()) * sizeof(edits::VoxelWrite) +
+                      std::min<std::uint64_t>(voxels, edits::kMaxChunks) * kChunk + voxels * kVoxel;
+  if (edit.paste) bytes += sizeof(DenseVoxels);
+  return bytes;
 }
 
 }  // namespace
 
-tl::expected<CheckedEdit, Rejection> check_edit(const wire::Edit& wire) {
+tl::expected<CheckedEdit, Rejection> check_edit(const wire::Edit& wire, bool settles) {
   CheckedEdit checked;
   if (wire.subject() != nullptr) checked.subject = wire.subject()->str();
   if (checked.subject.size() > edits::kMaxSubjectBytes) {
@@ -54,7 +54,6 @@ tl::expected<CheckedEdit, Rejection> check_edit(const wire::Edit& wire) {
   edits::Edit& edit = checked.edit;
   edit.guards = writes_of(wire.guards());
   edit.writes = writes_of(wire.writes());
-  checked.voxels = edit.guards.size() + edit.writes.size();
   if (wire.fills() != nullptr) {
     edit.fills.reserve(wire.fills()->size());
     for (const wire::Fill* each : *wire.fills()) {
@@ -65,7 +64,6 @@ tl::expected<CheckedEdit, Rejection> check_edit(const wire::Edit& wire) {
       edits::Fill fill{voxel_of(each->first()), voxel_of(each->last()), std::nullopt, std::nullopt};
       if ((each->flags() & kFillAsGenerated) == 0) fill.material = MaterialId{each->material()};
       if ((each->flags() & kFillOfAny) == 0) fill.only = MaterialId{each->only()};
-      checked.voxels += volume(fill, edits::kMaxVoxels);
       edit.fills.push_back(fill);
     }
   }
@@ -80,8 +78,8 @@ tl::expected<CheckedEdit, Rejection> check_edit(const wire::Edit& wire) {
                       fmt::format("Edit.paste: its payload is no chunk: {}", describe(chunk.error())));
     }
     edit.paste = edits::Paste{voxel_of(*paste->origin()), *std::move(chunk), paste->with_air()};
-    checked.voxels += kChunkVolume;
   }
+  checked.voxels = named_voxels(edit);
   if (checked.voxels > edits::kMaxVoxels) {
     return rejected(
         wire::ErrorCode::too_large,
@@ -91,6 +89,7 @@ tl::expected<CheckedEdit, Rejection> check_edit(const wire::Edit& wire) {
   if (checked.voxels == 0) {
     return rejected(wire::ErrorCode::out_of_range, "the edit names no voxel; give writes, fills or a paste");
   }
+  checked.bytes = memory_of(edit, checked.voxels, settles);
   return checked;
 }
 

@@ -1,6 +1,7 @@
 // Turns an Edit of the wire into one that can be logged, or says why it can not. Pure.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
 
@@ -13,16 +14,16 @@
 
 namespace talus::server {
 
-/// An edit, and how many voxels it names: what the rates count.
 struct CheckedEdit {
   edits::Edit edit;
-  std::uint64_t voxels = 0;
-  std::string subject{};  // for whom a game server edits; empty: for the session itself
+  std::uint64_t voxels = 0;  // that it names: what the rates count
+  std::size_t bytes = 0;     // of memory until it is answered: as it came, waits for its base, and is logged
+  std::string subject{};     // for whom a game server edits; empty: for the session itself
 };
 
 /// Costs no more than the message is long, and one chunk's decoding: what an edit reaches, and whether its
 /// materials are the world's, is asked where it is prepared. A Rejection of code malformed ends the
-/// connection.
-[[nodiscard]] tl::expected<CheckedEdit, Rejection> check_edit(const wire::Edit& edit);
+/// connection. `settles`: it takes memory for what may slide, too.
+[[nodiscard]] tl::expected<CheckedEdit, Rejection> check_edit(const wire::Edit& edit, bool settles = false);
 
 }  // namespace talus::server

@@ -8,9 +8,9 @@ void Editing::attach(AttachRequest request, std::uint64_t voxels_per_second) {
   taker_->attach(mailbox_, std::move(request));
 }
 
-void Editing::edit(std::uint32_t id, std::uint64_t sequence, CheckedEdit edit, std::size_t bytes) {
-  unanswered_.insert(id, bytes);
-  bytes_ += bytes;
+void Editing::edit(std::uint32_t id, std::uint64_t sequence, CheckedEdit edit) {
+  unanswered_.insert(id, {edit.voxels, edit.bytes});
+  bytes_ += edit.bytes;
   taker_->edit(mailbox_, {id, editor_->editor, editor_->epoch, sequence, std::move(edit.edit),
                           std::move(edit.subject)});
 }
@@ -28,9 +28,10 @@ void Editing::receive(AttachAnswer&& mail) {
 }
 
 void Editing::receive(EditAnswer&& mail) {
-  const std::size_t* const bytes = unanswered_.find(mail.id);
-  if (bytes == nullptr) return;  // abandoned
-  bytes_ -= *bytes;
+  const Unanswered* const edit = unanswered_.find(mail.id);
+  if (edit == nullptr) return;  // abandoned
+  bytes_ -= edit->bytes;
+  if (mail.answer && mail.answer->changed > edit->voxels) slid_voxels_ += mail.answer->changed - edit->voxels;
   unanswered_.erase(mail.id);
   if (mail.answer) {
     replies_.edit_result(mail.id, *mail.answer);

@@ -25,6 +25,7 @@ class Editing {
   Editing& operator=(const Editing&) = delete;
 
   [[nodiscard]] bool stored() const { return taker_ != nullptr; }
+  [[nodiscard]] bool settles() const { return stored() && taker_->settles(); }
   /// Whether an Attach is not answered yet.
   [[nodiscard]] bool attaching() const { return attaching_; }
   [[nodiscard]] bool attached() const { return editor_.has_value(); }
@@ -37,12 +38,14 @@ class Editing {
 
   /// REQUIRES: stored(), not attaching().
   void attach(AttachRequest request, std::uint64_t voxels_per_second);
-  /// REQUIRES: attached(), no edit `id` is unanswered. `bytes`: the memory that it takes until it is
-  /// answered.
-  void edit(std::uint32_t id, std::uint64_t sequence, CheckedEdit edit, std::size_t bytes);
+  /// REQUIRES: attached(), no edit `id` is unanswered.
+  void edit(std::uint32_t id, std::uint64_t sequence, CheckedEdit edit);
 
   void receive(AttachAnswer&& mail);
   void receive(EditAnswer&& mail);
+
+  /// Voxels that edits changed beyond those that they named, since the last call.
+  [[nodiscard]] std::uint64_t take_slid_voxels() { return std::exchange(slid_voxels_, 0); }
 
   /// Forgets everything; what is logged already happens all the same.
   void abandon();
@@ -56,8 +59,13 @@ class Editing {
   bool attaching_ = false;
   std::uint64_t voxels_per_second_ = 0;
   std::optional<EditorSession> editor_;
-  IdMap<std::size_t> unanswered_;  // bytes of each
-  std::size_t bytes_ = 0;
+  struct Unanswered {
+    std::uint64_t voxels = 0;  // that it names
+    std::size_t bytes = 0;
+  };
+  IdMap<Unanswered> unanswered_;
+  std::size_t bytes_ = 0;  // of them
+  std::uint64_t slid_voxels_ = 0;
 };
 
 }  // namespace talus::server

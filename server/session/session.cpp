@@ -24,15 +24,6 @@ RateLimits rates_of(const SessionContext& context, const AddressBucketsPtr& addr
   return limits;
 }
 
-/// Until it is answered: as it came, as it waits for its base, and as an entry of the log.
-std::size_t memory_of(const edits::Edit& edit) {
-  constexpr std::size_t kAnyEdit = 512;
-  std::size_t bytes = kAnyEdit + edit.fills.size() * sizeof(edits::Fill) +
-                      (edit.guards.size() + edit.writes.size()) * 3 * sizeof(edits::VoxelWrite);
-  if (edit.paste) bytes += sizeof(DenseVoxels);
-  return bytes;
-}
-
 }  // namespace
 
 Session::Session(const SessionContext& context, MailboxPtr mailbox, const AddressBucketsPtr& address)
@@ -136,6 +127,10 @@ void Session::rates_changed(const AddressBucketsPtr& address) {
 
 void Session::take_mail() {
   delivery_.take_mail(editing_);
+  // What slid is known only now.
+  if (const std::uint64_t slid = editing_.take_slid_voxels(); slid > 0) {
+    rates_.spend_voxels(context_.clock.now(), slid);
+  }
   close_if_served();
 }
 
@@ -326,7 +321,7 @@ void Session::on(const wire::Edit& edit) {
   if (!context_.memory.takes_work()) {
     return replies_.error(subject, ErrorCode::overloaded, kNoMemory, retry_after::kBusy);
   }
-  auto checked = check_edit(edit);
+  auto checked = check_edit(edit, editing_.settles());
   if (!checked) {
     const Rejection& rejection = checked.error();
     if (rejection.code == ErrorCode::malformed) return fail(rejection.code, rejection.text);
@@ -345,8 +340,7 @@ void Session::on(const wire::Edit& edit) {
   if (const auto why = edit_forbidden(checked->edit, grant, context_.limits.edits)) {
     return replies_.error(subject, ErrorCode::forbidden, *why);
   }
-  const std::size_t bytes = memory_of(checked->edit);
-  editing_.edit(edit.id(), edit.sequence(), *std::move(checked), bytes);
+  editing_.edit(edit.id(), edit.sequence(), *std::move(checked));
 }
 
 void Session::on(const wire::Attach& attach) {

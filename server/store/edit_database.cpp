@@ -218,14 +218,7 @@ EditDatabase::Done EditDatabase::append(const edits::Batch& applied) {
   meta.head = applied.head();
   Unflushed unflushed{.position = meta.head.position, .time_ms = meta.head.time_ms};
   for (const edits::Applied& each : applied.applied()) {
-    std::uint64_t epoch = 0;
-    std::string_view subject;
-    if (each.kind == edits::Applied::Kind::attached) {
-      const auto& editor = applied.editors().at(each.editor);
-      epoch = editor->epoch;
-      subject = editor->subject;
-    }
-    meta.link = encode(each, meta.head.time_ms, epoch, subject, meta.link, value_);
+    meta.link = encode(each, meta.head.time_ms, meta.link, value_);
     unflushed.bytes += value_.size();
     batch.Put(log_key(each.position), as_slice(value_));
   }

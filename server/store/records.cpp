@@ -165,8 +165,7 @@ std::vector<edits::ChunkChanges> get_all_changes(ByteReader& in) {
 }
 
 std::uint64_t encode_record(const edits::Applied& applied, std::span<const edits::ChunkChanges> changes,
-                            std::int64_t time_ms, std::uint64_t epoch, std::string_view subject,
-                            std::uint64_t link_before, Bytes& out) {
+                            std::int64_t time_ms, std::uint64_t link_before, Bytes& out) {
   ByteWriter writer = begin(out);
   writer.byte(static_cast<std::uint8_t>(applied.kind));
   writer.varint(applied.position);
@@ -176,8 +175,13 @@ std::uint64_t encode_record(const edits::Applied& applied, std::span<const edits
   writer.fixed64(applied.editor.high);
   if (has_result(applied.kind)) put_result(applied.result, writer);
   if (applied.kind == edits::Applied::Kind::attached) {
-    writer.varint(epoch);
-    writer.counted(subject);
+    writer.varint(applied.epoch);
+    writer.counted(applied.subject);
+    writer.byte(applied.forgotten ? 1 : 0);
+    if (applied.forgotten) {
+      writer.fixed64(applied.forgotten->low);
+      writer.fixed64(applied.forgotten->high);
+    }
   }
   if (applied.kind == edits::Applied::Kind::done) {
     writer.counted(applied.subject);
@@ -203,6 +207,14 @@ std::optional<LogRecord> read_record(std::span<const std::byte> body) {
   if (record.kind == Kind::attached) record.epoch = in.varint();
   if (record.kind == Kind::attached || record.kind == Kind::done) {
     record.subject = in.text(edits::kMaxSubjectBytes);
+  }
+  if (record.kind == Kind::attached) {
+    const std::uint8_t forgets = in.byte();
+    if (forgets > 1) in.fail();
+    if (forgets == 1) {
+      const std::uint64_t low = in.fixed64();
+      record.forgotten = edits::EditorId{low, in.fixed64()};
+    }
   }
   if (record.kind == Kind::done) record.changes = get_all_changes(in);
   if (!in.ended()) return std::nullopt;
@@ -326,14 +338,15 @@ std::uint64_t encode(const LogRecord& record, std::uint64_t link_before, Bytes& 
   applied.position = record.position;
   applied.revision = record.revision;
   applied.result = record.result;
-  if (record.kind == edits::Applied::Kind::done) applied.subject = record.subject;
-  return encode_record(applied, record.changes, record.time_ms, record.epoch, record.subject, link_before,
-                       out);
+  applied.epoch = record.epoch;
+  applied.subject = record.subject;
+  applied.forgotten = record.forgotten;
+  return encode_record(applied, record.changes, record.time_ms, link_before, out);
 }
 
-std::uint64_t encode(const edits::Applied& applied, std::int64_t time_ms, std::uint64_t epoch,
-                     std::string_view subject, std::uint64_t link_before, Bytes& out) {
-  return encode_record(applied, applied.changes, time_ms, epoch, subject, link_before, out);
+std::uint64_t encode(const edits::Applied& applied, std::int64_t time_ms, std::uint64_t link_before,
+                     Bytes& out) {
+  return encode_record(applied, applied.changes, time_ms, link_before, out);
 }
 
 void encode(std::span<const edits::ChunkChanges> changes, Bytes& out) {

@@ -43,6 +43,7 @@ struct LogRecord {
   edits::EditResult result;                  // of done, conflict and repeat
   std::uint64_t epoch = 0;                   // of attached
   std::string subject;                       // of attached, and of done: whose edit it is
+  std::optional<edits::EditorId> forgotten;  // of attached: who made place for it
   std::vector<edits::ChunkChanges> changes;  // of done: level 0, all other levels follow from it
   bool operator==(const LogRecord&) const = default;
 };
@@ -100,9 +101,9 @@ void encode(std::string_view key, MaterialId material, Bytes& out);
 void encode(const Acknowledged& acknowledged, Bytes& out);
 /// Returns the record's link: a hash of it and of the link of the record before.
 std::uint64_t encode(const LogRecord& record, std::uint64_t link_before, Bytes& out);
-/// The same of what a batch applied; `epoch` and `subject` of attached, that of done is its own.
-std::uint64_t encode(const edits::Applied& applied, std::int64_t time_ms, std::uint64_t epoch,
-                     std::string_view subject, std::uint64_t link_before, Bytes& out);
+/// The same of what a batch applied.
+std::uint64_t encode(const edits::Applied& applied, std::int64_t time_ms, std::uint64_t link_before,
+                     Bytes& out);
 
 /// What a record of an edit has of them; no checksum.
 void encode(std::span<const edits::ChunkChanges> changes, Bytes& out);

@@ -49,13 +49,17 @@ void add_fills(const edits::ChunkChanges& changes, std::vector<edits::Fill>& fil
 
 tl::expected<edits::Applied, Restorer::Failure> Restorer::append(LogEntry entry) {
   using Answer = tl::expected<edits::Applied, Failure>;
+  const auto failure_of = [](const LogFailure& failed) {
+    using enum LogFailure::Kind;
+    return tl::unexpected{Failure{failed.reason, failed.kind == busy || failed.kind == unwritable}};
+  };
   const auto answer = std::make_shared<std::promise<Answer>>();
   auto answered = answer->get_future();
-  const bool taken = log_.append(std::move(entry), [answer](const tl::expected<const edits::Applied*,
-                                                                               LogFailure>& outcome) {
-    answer->set_value(outcome ? Answer{**outcome} : tl::unexpected{Failure{outcome.error().reason, true}});
-  });
-  if (!taken) return tl::unexpected{Failure{"the server takes no edits now", true}};
+  const auto taken = log_.append(
+      std::move(entry), [answer, failure_of](const tl::expected<const edits::Applied*, LogFailure>& outcome) {
+        answer->set_value(outcome ? Answer{**outcome} : failure_of(outcome.error()));
+      });
+  if (!taken) return failure_of(taken.error());
   if (answered.wait_for(kPatience) != std::future_status::ready) {
     return tl::unexpected{
         Failure{fmt::format("the log has not answered for {} s", kPatience.count()), false}};

@@ -120,7 +120,7 @@ class Editors {
     auto& own = entries_[editor];
     edits::EditEntry entry = own[sequences_[editor] % own.size()];
     entry.sequence = ++sequences_[editor];
-    const bool taken = log_.append(std::move(entry), [this, editor](const auto& applied) {
+    const auto taken = log_.append(std::move(entry), [this, editor](const auto& applied) {
       if (!applied) fail(applied.error().reason);
       if ((*applied)->kind != edits::Applied::Kind::done) fail("an edit was not done");
       ++edits_;

@@ -107,6 +107,57 @@ TEST_CASE("what one player builds another sees at once, at every level, and it o
   late.until([&] { return late.sees(at) == kAir; });
 }
 
+TEST_CASE("where loose material settles a hole fills from its edges, for all who look, and nothing is lost") {
+  const ScratchDirectory scratch;
+  Settings settings = editable(scratch / "data");
+  settings["TALUS_EDITS_SETTLE"] = "true";
+  const ServerProcess server{settings};
+  Player digger;
+  Player viewer;
+  const auto world = digger.connect(server.port());
+  REQUIRE(world.has_value());
+  REQUIRE(viewer.connect(server.port()).has_value());
+  const VoxelPos spawn = world->spawn;
+  digger.look_at(spawn);
+  viewer.look_at(spawn);
+  // The loose ground of this world is some 12 voxels deep.
+  const VoxelPos first{spawn.x - 2, spawn.y - 9, spawn.z - 2};
+  const VoxelPos last{spawn.x + 2, spawn.y + 2, spawn.z + 2};
+  const auto in_hole = [&](VoxelPos at) {
+    return at.x >= first.x && at.x <= last.x && at.y >= first.y && at.y <= last.y && at.z >= first.z &&
+           at.z <= last.z;
+  };
+  struct Count {
+    int all = 0;
+    int in_hole = 0;
+  };
+  const auto count_solid = [&] {
+    Count count;
+    for (std::int64_t y = first.y - 4; y <= last.y + 8; ++y) {
+      for (std::int64_t z = first.z - 7; z <= last.z + 7; ++z) {
+        for (std::int64_t x = first.x - 7; x <= last.x + 7; ++x) {
+          const auto seen = viewer.sees({x, y, z});
+          REQUIRE(seen.has_value());
+          if (*seen == kAir) continue;
+          ++count.all;
+          if (in_hole({x, y, z})) ++count.in_hole;
+        }
+      }
+    }
+    return count;
+  };
+  const Count before = count_solid();
+  client::Edit hole;
+  hole.fills.push_back({first, last, kAir, std::nullopt});
+  const auto done = digger.edit(std::move(hole));
+  REQUIRE(done.has_value());
+  viewer.until([&] { return count_solid().all == before.all - before.in_hole; });
+  const Count after = count_solid();
+  CHECK(after.in_hole > 20);
+  CHECK(viewer.sees({spawn.x, first.y, spawn.z}) != kAir);  // its bottom
+  CHECK(done->changed > static_cast<std::uint64_t>(before.in_hole - after.in_hole));
+}
+
 TEST_CASE("a client of version 1 sees edits as chunks that come again") {
   const ScratchDirectory scratch;
   const ServerProcess server{editable(scratch / "data")};

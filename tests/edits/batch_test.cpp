@@ -221,17 +221,85 @@ TEST_CASE("a subject has so many bytes") {
         Kind::attached);
 }
 
-TEST_CASE("of editors there are so many, and another finds a place where one was idle") {
+namespace {
+
+/// All editors that there may be; those whose number is a multiple of `used` have edited.
+Store full_store(std::uint64_t used) {
   Store store;
-  std::vector<Entry> attaches;
-  for (std::uint64_t i = 1; i <= kMaxEditors; ++i) attaches.emplace_back(AttachEntry{{i, 0}, 1, ""});
-  for (const Applied& each : store.apply(attaches, 1'000)) REQUIRE(each.kind == Kind::attached);
+  for (std::uint64_t first = 1; first <= kMaxEditors; first += 4'096) {
+    std::vector<Entry> entries;
+    for (std::uint64_t i = first; i < first + 4'096; ++i) {
+      entries.emplace_back(AttachEntry{{i, 0}, 1, ""});
+      if (i % used == 0) entries.emplace_back(EditEntry{{i, 0}, 1, 1, {}, {}});
+    }
+    for (const Applied& each : store.apply(entries, static_cast<std::int64_t>(first))) {
+      REQUIRE((each.kind == Kind::attached || each.kind == Kind::done));
+    }
+  }
+  return store;
+}
+
+}  // namespace
+
+TEST_CASE("of editors there are so many, and another finds a place where one was idle") {
+  Store store = full_store(1);
   const Entry another = AttachEntry{{1, 9}, 1, ""};
-  CHECK(store.apply({another}, 2'000).front().kind == Kind::editors_full);
-  const Entry again = AttachEntry{{7, 0}, 2, ""};
-  CHECK(store.apply({again}, 2'000).front().kind == Kind::attached);
-  CHECK(store.apply({another}, 1'000 + kEditorIdleMs).front().kind == Kind::attached);
+  CHECK(store.apply({another}, 100'000).front().kind == Kind::editors_full);
+  const Entry again = AttachEntry{{kMaxEditors, 0}, 2, ""};
+  CHECK(store.apply({again}, 100'000).front().kind == Kind::attached);
+  CHECK(store.apply({another}, 70'000 + kEditorIdleMs).front().kind == Kind::attached);
   CHECK(store.editors.size() == 2);
+}
+
+TEST_CASE("where there are too many editors those go that never edited, however a log is cut into batches") {
+  const Store full = full_store(2);
+  std::vector<Entry> entries;
+  for (std::uint64_t i = 1; i <= 40; ++i) {
+    entries.emplace_back(AttachEntry{{i % 23 + 1, 9}, i / 23 + 1, ""});
+    if (i % 5 == 0) entries.emplace_back(EditEntry{{i % 23 + 1, 9}, i / 23 + 1, i, {}, {}});
+    if (i % 7 == 0) entries.emplace_back(AttachEntry{{2 * i + 1, 0}, 2, ""});  // uses that one again
+  }
+  std::vector<Applied> first;
+  std::optional<Store> result;
+  for (const std::size_t size : {entries.size(), std::size_t{1}, std::size_t{3}, std::size_t{7}}) {
+    Store store = full;
+    std::vector<Applied> all;
+    for (std::size_t at = 0; at < entries.size(); at += size) {
+      const auto from = entries.begin() + static_cast<std::ptrdiff_t>(at);
+      const auto count = static_cast<std::ptrdiff_t>(std::min(size, entries.size() - at));
+      for (Applied& each : store.apply({from, from + count}, 100'000)) all.push_back(std::move(each));
+      CHECK(store.editors.size() == kMaxEditors);
+    }
+    if (first.empty()) {
+      first = all;
+      result = store;
+    }
+    REQUIRE(all.size() == first.size());
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      CHECK(all[i].kind == first[i].kind);
+      CHECK(all[i].forgotten == first[i].forgotten);
+    }
+    CHECK(store.editors.all() == result->editors.all());
+  }
+  CHECK(first[0].forgotten == EditorId{1, 0});
+  CHECK(first[1].forgotten == EditorId{3, 0});
+  for (std::uint64_t i = 2; i <= kMaxEditors; i += 2) REQUIRE(result->editors.find({i, 0}) != nullptr);
+}
+
+TEST_CASE("where all never edited, those of the same batch go last") {
+  Store store;
+  for (std::uint64_t first = 1; first <= kMaxEditors; first += 4'096) {
+    std::vector<Entry> entries;
+    for (std::uint64_t i = first; i < first + 4'096; ++i) entries.emplace_back(AttachEntry{{i, 0}, 1, ""});
+    store.apply(entries, 5);
+  }
+  std::vector<Entry> entries;
+  for (std::uint64_t i = 1; i <= kMaxEditors + 2; ++i) entries.emplace_back(AttachEntry{{i, 1}, 1, ""});
+  const auto applied = store.apply(entries, 6);
+  CHECK(applied[kMaxEditors - 1].forgotten == EditorId{kMaxEditors, 0});
+  CHECK(applied[kMaxEditors].forgotten == EditorId{1, 1});
+  CHECK(store.editors.find({2, 1}) == nullptr);
+  CHECK(store.editors.size() == kMaxEditors);
 }
 
 }  // namespace talus::edits

@@ -75,6 +75,29 @@ TEST_CASE("those are told whose boxes have the chunk") {
   CHECK(near.take().size() == 1);
 }
 
+TEST_CASE("each is told of its own chunks alone") {
+  Bench bench;
+  Client west{1};
+  Client east{2};
+  Client both{3};
+  bench.feed.watch(west.mailbox, boxes_around(0, 2));
+  bench.feed.watch(east.mailbox, boxes_around(100, 2));
+  bench.feed.watch(both.mailbox, boxes_around(50, 60));
+  for (const std::int32_t x : {0, 1, 100}) bench.changed(change(at(x), 0, 1));
+  bench.feed.tell();
+  const auto keys = [](Client& client) {
+    const auto told = client.take();
+    REQUIRE(told.size() == 1);
+    std::set<ChunkKey> all;
+    for (const ChunkChange& each : *told[0]) all.insert(each.key);
+    CHECK(all.size() == told[0]->size());
+    return all;
+  };
+  CHECK(keys(west) == std::set{at(0), at(1)});
+  CHECK(keys(east) == std::set{at(100)});
+  CHECK(keys(both) == std::set{at(0), at(1), at(100)});
+}
+
 TEST_CASE("several edits of a chunk are told as one change") {
   Bench bench;
   Client client{1};

@@ -89,6 +89,40 @@ TEST_CASE(
   }
 }
 
+TEST_CASE("a chunk is read from the disk only once it is there for sure") {
+  Trouble trouble{5};
+  trouble.store.state_settings.cache_bytes = 0;
+  REQUIRE(trouble.store.open_without_log() == "");
+  EditState& state = trouble.store.state();
+  const auto stage = [&](edits::Batch& batch) {
+    REQUIRE(trouble.store.database().append(batch));
+    (void)state.commit(std::move(batch));
+  };
+  const EditState::Reading reading{state};
+  edits::Batch batch{reading, state.editors(), state.head(), 1};
+  batch.apply(edits::AttachEntry{trouble.editor.id, 1, ""});
+  trouble.editor.epoch = trouble.editor.sequence = 1;
+  edits::Edit edit;
+  edit.writes.push_back({{1, 1, 1}, MaterialId{9}});
+  batch.apply(trouble.editor.entry(edit));
+  stage(batch);
+  const ChunkKey key{{0, 0, 0}, Lod{}};
+  Flusher flusher{state, trouble.store.database()};
+  flusher.start();
+  trouble.disk->fail_sync_after(0);
+  REQUIRE_FALSE(flusher.step());  // it is put, and not synced
+  REQUIRE(state.dirty(key) != nullptr);
+  CHECK(state.load(key)->revision == 1);
+  trouble.disk->mend();
+  REQUIRE(trouble.store.database().recover());
+  flusher.abandon();
+  flusher.start();
+  while (flusher.is_running()) REQUIRE(flusher.step());
+  CHECK(state.dirty(key) == nullptr);
+  CHECK(state.load(key)->revision == 1);
+  CHECK(state.take_dirty_editors().empty());
+}
+
 TEST_CASE("a disk that stays full, and does not say so, is tried again until it is not") {
   Trouble trouble{3};
   REQUIRE(trouble.store.open() == "");

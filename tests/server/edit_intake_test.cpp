@@ -5,6 +5,7 @@
 
 #include <talus/voxel/codec.h>
 
+#include "clock/manual_clock.h"
 #include "scripted_source.h"
 
 namespace talus::server {
@@ -24,12 +25,18 @@ struct HeldLog final : EditLog {
     Done done;
   };
   std::vector<Entry> entries;
-  bool full = false;
+  std::optional<LogFailure> failure;
+  std::size_t answered = 0;  // entries from the front
 
-  bool append(LogEntry entry, Done done) override {
-    if (full) return false;
+  tl::expected<void, LogFailure> append(LogEntry entry, Done done) override {
+    if (failure) return tl::unexpected{*failure};
     entries.push_back({std::move(entry), std::move(done)});
-    return true;
+    return {};
+  }
+  void answer_one() {
+    edits::Applied applied;
+    applied.kind = edits::Applied::Kind::done;
+    entries.at(answered++).done(&applied);
   }
   [[nodiscard]] const edits::EditEntry& edit(std::size_t index) const {
     return std::get<edits::EditEntry>(entries.at(index).entry);
@@ -41,12 +48,14 @@ struct Bench {
   HeldLog log;
   std::map<edits::EditorId, edits::Editor> editors;
   std::uint64_t revision = 10;
+  ManualClock clock;
+  Metrics metrics;
   EditIntake intake{{source, log,
                      [this](edits::EditorId id) {
                        const auto at = editors.find(id);
                        return at == editors.end() ? std::nullopt : std::optional{at->second};
                      },
-                     [this] { return revision; }},
+                     [this] { return revision; }, clock, metrics},
                     {{0, 100}, {kAir, kStone, kGlass}},
                     make_logger("off", "text")};
   MailboxPtr session = std::make_shared<Mailbox>(ClientId{1}, [] {});
@@ -135,11 +144,21 @@ TEST_CASE("an edit that may not be is refused, and the next goes on") {
   CHECK(bench.only_mail<EditAnswer>().answer.error().code == wire::ErrorCode::out_of_range);
   bench.edit(3, {{0, 0, 0}});
   CHECK(bench.log.entries.size() == 1);
-  bench.log.full = true;
+  bench.log.failure = LogFailure{LogFailure::Kind::unwritable, "the disk is full"};
   bench.edit(4, {{0, 0, 0}});
   const auto full = bench.only_mail<EditAnswer>();
   CHECK(full.answer.error().code == wire::ErrorCode::overloaded);
+  CHECK(full.answer.error().text == "the disk is full");
   CHECK(full.answer.error().retry_after.count() > 0);
+  // No time makes room in a full index.
+  bench.log.failure = LogFailure{LogFailure::Kind::index_full, "its limit of 512 bytes"};
+  bench.edit(5, {{0, 0, 0}});
+  const auto never = bench.only_mail<EditAnswer>();
+  CHECK(never.answer.error().code == wire::ErrorCode::out_of_range);
+  CHECK(never.answer.error().text == "its limit of 512 bytes");
+  CHECK(bench.metrics.edits_refused[EditRefused::out_of_range].total() == 2);
+  CHECK(bench.metrics.edits_refused[EditRefused::unwritable].total() == 1);
+  CHECK(bench.metrics.edits_refused[EditRefused::index_full].total() == 1);
 }
 
 TEST_CASE("a failed look-up fails its edit alone") {
@@ -170,6 +189,7 @@ TEST_CASE("what the log says of an edit is what its session is told") {
   using Kind = edits::Applied::Kind;
   const auto told = [&](edits::Applied applied) {
     bench.edit(1, {{0, 0, 0}});
+    bench.clock.advance(std::chrono::milliseconds{3});
     bench.log.entries.back().done(&applied);
     return bench.only_mail<EditAnswer>().answer;
   };
@@ -177,6 +197,7 @@ TEST_CASE("what the log says of an edit is what its session is told") {
   applied.kind = Kind::done;
   applied.result = {1, 11, 1, {}};
   CHECK(told(applied).value() == applied.result);
+  CHECK(bench.metrics.edit_latency.read().sum_seconds == Approx(0.003));
   applied.kind = Kind::repeat;
   CHECK(told(applied).value() == applied.result);
   applied.result.conflict = 2;
@@ -186,14 +207,16 @@ TEST_CASE("what the log says of an edit is what its session is told") {
   applied.kind = Kind::not_applied;
   CHECK(told(applied).error().code == wire::ErrorCode::not_applied);
   bench.edit(1, {{0, 0, 0}});
-  bench.log.entries.back().done(tl::unexpected{LogFailure{"the disk is full"}});
+  bench.log.entries.back().done(tl::unexpected{LogFailure{LogFailure::Kind::unwritable, "the disk is full"}});
   CHECK(bench.only_mail<EditAnswer>().answer.error().code == wire::ErrorCode::overloaded);
 }
 
 TEST_CASE("Attach goes on as the editor that is known to the same subject, else as a new one") {
   Bench bench;
   bench.editors[kEditor] = {.epoch = 4, .last_sequence = 17, .used_ms = 0, .subject = "ann", .results = {}};
+  std::uint64_t client = 0;
   const auto attach = [&](AttachRequest request) {
+    bench.session = std::make_shared<Mailbox>(ClientId{++client}, [] {});
     bench.intake.attach(bench.session, std::move(request));
     bench.intake.do_what_waits();
     return std::get<edits::AttachEntry>(bench.log.entries.back().entry);
@@ -211,10 +234,14 @@ TEST_CASE("Attach goes on as the editor that is known to the same subject, else 
   applied.kind = edits::Applied::Kind::attached;
   applied.revision = 12;
   bench.editors[kEditor].epoch = 5;
-  bench.log.entries[0].done(&applied);
+  attach({kEditor, "ann", 0});
+  bench.editors[kEditor].epoch = 6;
+  bench.log.entries.back().done(&applied);
+  bench.editors[kEditor].epoch = 7;  // another attaches before this one is told
+  bench.intake.do_what_waits();
   const auto answer = bench.only_mail<AttachAnswer>().answer.value();
   CHECK(answer.editor == kEditor);
-  CHECK(answer.epoch == 5);
+  CHECK(answer.epoch == 6);
   CHECK(answer.last_sequence == 17);
   CHECK(answer.known);
   CHECK(answer.revision == 12);
@@ -234,6 +261,116 @@ TEST_CASE("who has seen more than this server has waits, and of two who attach a
   bench.log.entries[0].done(&applied);
   bench.intake.do_what_waits();
   CHECK(bench.log.entries.size() == 2);
+}
+
+TEST_CASE("in the log wait few edits, and who comes late goes before those who have sent much") {
+  Bench bench;
+  bench.source.in_memory[{{0, 0, 0}, Lod{}}] = of(kStone);
+  const auto send = [&](const MailboxPtr& from, std::uint32_t id) {
+    EditRequest request{id, {static_cast<std::uint64_t>(from->owner()), 1}, 1, id, {}};
+    request.edit.writes = {{{1, 0, 0}, kGlass}};
+    bench.intake.edit(from, std::move(request));
+  };
+  std::vector<MailboxPtr> flood;
+  for (std::uint64_t id = 100; id < 200; ++id) {
+    flood.push_back(std::make_shared<Mailbox>(ClientId{id}, [] {}));
+    for (std::uint32_t edit = 1; edit <= 64; ++edit) send(flood.back(), edit);
+  }
+  bench.intake.do_what_waits();
+  CHECK(bench.log.entries.size() == EditIntake::kLogEntries);
+  CHECK(bench.intake.waiting() == 6'400 - EditIntake::kLogEntries);
+  // One of each of the hundred goes before, and not all that they have sent.
+  for (std::uint32_t id = 1; id <= 3; ++id) {
+    send(bench.session, id);
+    bench.intake.do_what_waits();
+    const std::size_t before = bench.log.entries.size();
+    const auto own = [&] {
+      return bench.log.entries.size() > before &&
+             bench.log.edit(bench.log.entries.size() - 1).editor.low == 1;
+    };
+    while (!own()) {
+      bench.log.answer_one();
+      bench.intake.do_what_waits();
+      REQUIRE(bench.log.entries.size() <= before + 102);
+    }
+  }
+  // Those who flood have equal shares of what is left.
+  while (bench.log.answered < bench.log.entries.size()) {
+    bench.log.answer_one();
+    bench.intake.do_what_waits();
+  }
+  CHECK(bench.log.entries.size() == 6'403);
+  CHECK(bench.intake.waiting() == 0);
+  std::map<std::uint64_t, int> of_session;
+  for (std::size_t i = 0; i < 3'200; ++i) ++of_session[bench.log.edit(i).editor.low];
+  for (const MailboxPtr& each : flood) {
+    CHECK(of_session[static_cast<std::uint64_t>(each->owner())] == Approx(32).margin(3));
+  }
+}
+
+TEST_CASE("in the log wait few bytes, but one edit alone may have more") {
+  Bench bench;
+  bench.source.in_memory[{{0, 0, 0}, Lod{}}] = of(kStone);
+  bench.source.in_memory[{{1, 0, 0}, Lod{}}] = of(kStone);
+  for (std::uint32_t id = 1; id <= 8; ++id) {
+    EditRequest request{id, kEditor, 3, id, {}};
+    request.edit.fills = {{{0, 0, 0}, {63, 31, 31}, kGlass, {}}};  // 256 KiB of base
+    bench.intake.edit(bench.session, std::move(request));
+  }
+  bench.intake.do_what_waits();
+  CHECK(bench.log.entries.size() == 2);
+  bench.log.answer_one();
+  bench.intake.do_what_waits();
+  CHECK(bench.log.entries.size() == 3);
+}
+
+TEST_CASE("the Attach of a session that is gone is not tried again, and so takes nobody's editor") {
+  Bench bench;
+  bench.editors[kEditor] = {.epoch = 4, .last_sequence = 17, .used_ms = 0, .subject = "ann", .results = {}};
+  const MailboxPtr live = std::make_shared<Mailbox>(ClientId{2}, [] {});
+  bench.intake.attach(bench.session, {kEditor, "ann", 0});
+  bench.intake.do_what_waits();
+  bench.intake.attach(live, {kEditor, "ann", 0});
+  bench.intake.do_what_waits();
+  REQUIRE(bench.log.entries.size() == 2);
+  bench.intake.forget(bench.session->owner());
+  edits::Applied superseded;
+  superseded.kind = edits::Applied::Kind::superseded;
+  edits::Applied applied;
+  applied.kind = edits::Applied::Kind::attached;
+  bench.editors[kEditor].epoch = 5;
+  bench.log.entries[1].done(&applied);
+  bench.log.entries[0].done(&superseded);
+  bench.intake.do_what_waits();
+  CHECK(bench.log.entries.size() == 2);
+  CHECK(bench.session->take().empty());
+  REQUIRE(live->take().size() == 1);
+
+  // One that waits here when its session goes is not logged at all.
+  bench.intake.attach(bench.session, {kEditor, "ann", 0});
+  bench.intake.forget(bench.session->owner());
+  bench.intake.do_what_waits();
+  CHECK(bench.log.entries.size() == 2);
+  CHECK(bench.intake.waiting() == 0);
+}
+
+TEST_CASE("of two that attach as one editor the earlier does not try again") {
+  Bench bench;
+  bench.editors[kEditor] = {.epoch = 4, .last_sequence = 17, .used_ms = 0, .subject = "ann", .results = {}};
+  const MailboxPtr later = std::make_shared<Mailbox>(ClientId{2}, [] {});
+  bench.intake.attach(bench.session, {kEditor, "ann", 0});
+  bench.intake.do_what_waits();
+  bench.intake.attach(later, {kEditor, "ann", 0});
+  bench.intake.do_what_waits();
+  edits::Applied superseded;
+  superseded.kind = edits::Applied::Kind::superseded;
+  bench.log.entries[0].done(&superseded);
+  bench.intake.do_what_waits();
+  CHECK(bench.log.entries.size() == 2);
+  CHECK(bench.only_mail<AttachAnswer>().answer.error().code == wire::ErrorCode::overloaded);
+  bench.log.entries[1].done(&superseded);
+  bench.intake.do_what_waits();
+  CHECK(bench.log.entries.size() == 3);
 }
 
 }  // namespace talus::server

@@ -1,4 +1,6 @@
 // The log of one machine: what it applies is stored, answered once, and there again after a stop.
+#include <atomic>
+#include <filesystem>
 #include <future>
 #include <set>
 
@@ -156,11 +158,11 @@ TEST_CASE("the queue is bounded, and whoever was taken is answered before the lo
                                [&](const auto& applied) { answered += applied.has_value() ? 1 : 0; }));
   }
   CHECK(store.log().status().waiting == 4);
-  CHECK_FALSE(store.log().append(attach(6), [](const auto&) {}));
+  CHECK(store.log().append(attach(6), [](const auto&) {}).error().kind == LogFailure::Kind::busy);
   let_go.set_value();
   store.log().stop();
   CHECK(answered == 4);
-  CHECK_FALSE(store.log().append(attach(7), [](const auto&) {}));
+  CHECK_FALSE(store.log().append(attach(7), [](const auto&) {}).has_value());
 }
 
 TEST_CASE("where the index is full, chunks that were edited can be edited, and no others") {
@@ -176,7 +178,14 @@ TEST_CASE("where the index is full, chunks that were edited can be edited, and n
   there.writes.push_back({{100, 1, 1}, MaterialId{9}});
   CHECK(editor.edit(store, here).has_value());
   CHECK(store.state().is_full());
-  CHECK_FALSE(editor.edit(store, there).has_value());
+  ++editor.sequence;
+  const auto refused = store.log().append(editor.entry(there), [](const auto&) {});
+  REQUIRE_FALSE(refused.has_value());
+  CHECK(refused.error().kind == LogFailure::Kind::index_full);
+  CHECK(refused.error().reason ==
+        "chunk (3, 0, 0) was never edited, and the index of edited chunks has its limit of 1 bytes; edit "
+        "chunks "
+        "that were edited before");
   CHECK(editor.edit(store, here).has_value());
 }
 
@@ -212,6 +221,104 @@ TEST_CASE("history is kept up to its bytes, and what is kept follows entry by en
   CHECK(positions.front() > 1);
   CHECK(positions.back() == 41);
   CHECK(positions.size() == positions.back() - positions.front() + 1);
+}
+
+TEST_CASE("edits of a chunk that cannot be read fail by its name, and the log goes on") {
+  const ScratchDirectory scratch;
+  EditStore store{scratch / "edits"};
+  store.state_settings.cache_bytes = 0;
+  REQUIRE(store.open() == "");
+  TestEditor editor;
+  editor.attach(store);
+  const auto write = [](VoxelPos at, std::uint16_t material) {
+    edits::Edit edit;
+    edit.writes.push_back({at, MaterialId{material}});
+    return edit;
+  };
+  const ChunkKey bad{{1, 0, 0}, Lod{}};
+  const ChunkKey coarse{{4, 0, 0}, Lod::of(2)};
+  REQUIRE(editor.edit(store, write({33, 1, 1}, 9)).has_value());
+  REQUIRE(editor.edit(store, write({33, 1, 1}, 8)).has_value());
+  REQUIRE(editor.edit(store, write({512, 2, 0}, 9)).has_value());  // a sample of level 2
+  REQUIRE(editor.edit(store, write({512, 2, 0}, 8)).has_value());
+  store.close();
+  REQUIRE(store.open_without_log() == "");
+  EditDatabase::Slice older;
+  older.put(bad, 1, {});
+  older.put(coarse, 1, {});
+  REQUIRE(store.database().put(older));
+  const auto unreadable = store.state().load(bad);
+  REQUIRE_FALSE(unreadable.has_value());
+  CHECK(unreadable.error() ==
+        "chunk (1, 0, 0) at level of detail 0: the store has its edits up to revision 1, and 2 was "
+        "acknowledged; "
+        "restore a "
+        "backup");
+  store.open_log();
+
+  std::promise<void> holds;
+  std::promise<void> let_go;
+  REQUIRE(store.log().append(edits::AttachEntry{{9, 9}, 1, ""}, [&](const auto&) {
+    holds.set_value();
+    let_go.get_future().wait();
+  }));
+  holds.get_future().wait();
+  editor.epoch = store.state().editor(editor.id)->epoch;
+  std::vector<std::string> answers(4);
+  const std::vector edits{write({0, 0, 0}, 7), write({34, 1, 1}, 7), write({508, 2, 4}, 7),
+                          write({544, 1, 1}, 7)};
+  for (std::size_t i = 0; i < edits.size(); ++i) {
+    ++editor.sequence;
+    REQUIRE(store.log().append(editor.entry(edits[i]), [&, i](const auto& outcome) {
+      answers[i] = outcome ? "done" : outcome.error().reason;
+      if (!outcome) CHECK(outcome.error().kind == LogFailure::Kind::unreadable);
+    }));
+  }
+  let_go.set_value();
+  const auto after = editor.edit(store, write({1, 0, 0}, 7));
+  CHECK(answers[0] == "done");
+  CHECK(answers[1].starts_with("chunk (1, 0, 0) at level of detail 0: "));
+  CHECK(answers[2] == "done");  // another chunk of level 2
+  CHECK(answers[3] == "done");
+  CHECK(after->kind == Kind::done);
+  editor.sequence += 1;
+  const auto sample = store.apply(editor.entry(write({516, 2, 0}, 7)));
+  CHECK_FALSE(sample.has_value());
+  CHECK_FALSE(store.log().status().read_only.has_value());
+  CHECK(store.state().head().revision == 4 + 4);
+}
+
+TEST_CASE("of editors that never edited the first make place, and a store that is opened again agrees") {
+  const ScratchDirectory scratch{ScratchDirectory::memory()};
+  EditStore store{scratch / "live"};
+  store.log_settings.queue_entries = 100'000;
+  store.log_settings.flush_interval = std::chrono::milliseconds{1};
+  REQUIRE(store.open() == "");
+  std::atomic<int> full{0};
+  const auto attach = [&](std::uint64_t id) {
+    REQUIRE(store.log().append(edits::AttachEntry{{id, 1}, 1, "s"}, [&](const auto& applied) {
+      if ((*applied)->kind == Kind::editors_full) ++full;
+    }));
+  };
+  for (std::uint64_t id = 1; id <= edits::kMaxEditors; ++id) attach(id);
+  const auto uses = [&](std::uint64_t id) {
+    return store.apply(edits::EditEntry{{id, 1}, 1, 1, {}, {}})->kind;
+  };
+  CHECK(uses(1) == Kind::done);
+  CHECK(uses(3) == Kind::done);
+  store.close();
+  store.log_settings.flush_interval = std::chrono::hours{1};
+  REQUIRE(store.open() == "");
+  for (std::uint64_t id = 70'000; id < 70'004; ++id) attach(id);
+  CHECK(uses(1) == Kind::repeat);  // it is still there
+  CHECK(full == 0);
+  CHECK(store.state().editor_count() == edits::kMaxEditors);
+  const auto known = store.state().editors().all();
+  std::filesystem::copy(scratch / "live", scratch / "killed", std::filesystem::copy_options::recursive);
+  EditStore again{scratch / "killed"};
+  REQUIRE(again.open_without_log() == "");
+  CHECK(again.state().editors().all() == known);
+  for (const std::uint64_t id : {1, 3, 70'000, 70'003}) CHECK(again.state().editor({id, 1}).has_value());
 }
 
 }  // namespace talus::server

@@ -124,6 +124,7 @@ TEST_CASE("records of the log are read back in their chain alone") {
   attached.position = 1;
   attached.epoch = 9;
   attached.subject = "somebody";
+  attached.forgotten = edits::EditorId{5, 6};
   encode(attached, 0, value);
   before = 0;
   CHECK(decode_record(value, before) == attached);

@@ -37,8 +37,11 @@ class EditStore {
   /// The error, or nothing.
   [[nodiscard]] std::string open() {
     if (auto error = open_without_log(); !error.empty()) return error;
-    log_ = std::make_unique<LocalLog>(*database_, *state_, clock_, log_settings, on_changed);
+    open_log();
     return {};
+  }
+  void open_log() {
+    log_ = std::make_unique<LocalLog>(*database_, *state_, clock_, log_settings, on_changed);
   }
   [[nodiscard]] std::string open_without_log() {
     auto database = EditDatabase::open(database_settings);
@@ -68,7 +71,7 @@ class EditStore {
     std::condition_variable answered;
     bool is_answered = false;
     std::optional<edits::Applied> result;
-    const bool taken = log_->append(std::move(entry), [&](const auto& applied) {
+    const auto taken = log_->append(std::move(entry), [&](const auto& applied) {
       const std::lock_guard lock{mutex};
       if (applied) result = **applied;
       is_answered = true;

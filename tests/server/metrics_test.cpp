@@ -36,7 +36,7 @@ std::string text_of(const Metrics& metrics,
                                                    .certificate_expires = 1'900'000'000,
                                                    .edits = RuntimeGauges::Edits{}}) {
   const BuildInfo build{"1.2.3", 2, "abc", "avx2"};
-  const MetricLabels labels{kReasons, kReasons, kReasons, kReasons, kReasons, kReasons};
+  const MetricLabels labels{kReasons, kReasons, kReasons, kReasons, kReasons, kReasons, kReasons};
   return metrics_page({metrics, gauges, read_process(), build, labels});
 }
 
@@ -207,4 +207,21 @@ TEST_CASE("TLS handshakes are counted by their result") {
 
 TEST_CASE("without a certificate there is no series of its expiry") {
   CHECK(text_of({}, {}).find("certificate") == std::string::npos);
+}
+
+TEST_CASE("edits are shown where they are stored: how many wait where, who edits, and how long it takes") {
+  Metrics metrics;
+  metrics.edit_latency.add(3ms);
+  metrics.edits_refused[Reason::broken].add(4);
+  const std::string text = text_of(metrics, {.edits = RuntimeGauges::Edits{5, 6, 7, 8, true}});
+  CHECK(value_of(text, "talus_edits_revision") == "5");
+  CHECK(value_of(text, "talus_edits_waiting{where=\"intake\"}") == "6");
+  CHECK(value_of(text, "talus_edits_waiting{where=\"log\"}") == "7");
+  CHECK(value_of(text, "talus_editors") == "8");
+  CHECK(value_of(text, "talus_edits_read_only") == "1");
+  CHECK(value_of(text, "talus_edits_refused_total{reason=\"broken\"}") == "4");
+  CHECK(value_of(text, "talus_edit_latency_seconds_count") == "1");
+  const std::string none = text_of(metrics, {});
+  CHECK(none.find("talus_edit_latency") == std::string::npos);
+  CHECK(none.find("talus_editors") == std::string::npos);
 }

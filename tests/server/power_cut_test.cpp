@@ -88,7 +88,7 @@ class PowerCuts {
 
   void send(Player& player) {
     ++waiting_;
-    const bool taken = store_.log().append(player.sent, [this, &player](const auto& applied) {
+    const auto taken = store_.log().append(player.sent, [this, &player](const auto& applied) {
       const std::lock_guard lock{mutex_};
       --waiting_;
       if (applied) {

@@ -26,6 +26,8 @@ struct ScriptedTaker final : EditTaker {
   void attach(const MailboxPtr&, AttachRequest request) override { attaches.push_back(std::move(request)); }
   void edit(const MailboxPtr&, EditRequest request) override { edits.push_back(std::move(request)); }
   void forget(ClientId client) override { forgotten.push_back(client); }
+  [[nodiscard]] bool settles() const override { return slides; }
+  bool slides = false;
 };
 
 Access editors() {
@@ -263,6 +265,63 @@ TEST_CASE("a gateway has rates of its own, in place of those of a player and of 
   gateway.bench.clock.advance(100ms);
   for (std::uint32_t id = 101; id <= 110; ++id) gateway.bench.write_voxel(id, id);
   CHECK(gateway.taker.edits.size() == 35);
+}
+
+TEST_CASE("who ignores that his edits are over the rate is thrown out, and who waits is not") {
+  const bool waits = GENERATE(true, false);
+  Bench shared{voxels({65'536, 65'536})};
+  shared.attached();
+  const auto fill = [&](std::uint32_t id) {
+    shared.bench.receive([&](auto& builder) {
+      const std::vector<wire::Fill> fills{{{0, 0, 0}, {31, 31, 31}, 1, 0, 1}};
+      return wire::CreateEdit(builder, id, 0, id, 0, builder.CreateVectorOfStructs(fills));
+    });
+  };
+  std::uint32_t id = 0;
+  int refusals = 0;
+  for (int round = 0; round < 400 && shared.bench.session.state() == State::joined; ++round) {
+    for (int i = 0; i < 8; ++i) fill(++id);
+    std::uint32_t wait = 0;
+    for (const Said& each : shared.bench.output()) {
+      if (each.code != ErrorCode::overloaded) continue;
+      ++refusals;
+      wait = std::max(wait, each.retry_after_ms);
+    }
+    for (EditRequest& each : std::exchange(shared.taker.edits, {})) {
+      shared.bench.mailbox->put(EditAnswer{each.id, edits::EditResult{each.sequence, 1, 1, {}}});
+    }
+    shared.bench.take_mail();
+    shared.bench.clock.advance(std::chrono::milliseconds{waits ? wait : 20});
+  }
+  CHECK(refusals > 0);
+  CHECK(shared.bench.session.state() == (waits ? State::joined : State::closed));
+}
+
+TEST_CASE("an edit that waits takes memory for every voxel that a fill names") {
+  flatbuffers::FlatBufferBuilder builder;
+  const std::vector<wire::Fill> fills{{{0, 0, 0}, {31, 31, 63}, 1, 0, 1}};
+  builder.Finish(wire::CreateEdit(builder, 1, 0, 1, 0, builder.CreateVectorOfStructs(fills)));
+  const auto checked = check_edit(*flatbuffers::GetRoot<wire::Edit>(builder.GetBufferPointer()));
+  REQUIRE(checked);
+  CHECK(checked->voxels == 65'536);
+  CHECK(checked->bytes >= 65'536 * (sizeof(Override) + sizeof(std::uint16_t)));
+}
+
+TEST_CASE("what slides counts to the rate, and takes memory while the edit waits") {
+  Bench shared{voxels({10, 20})};
+  shared.attached();
+  shared.bench.write_voxel(1, 1);
+  const std::size_t plain = shared.bench.memory.used(MemoryUse::sessions);
+  CHECK(shared.answered({1, edits::EditResult{1, 10, 1, {}}}).kind == Body::EditResult);
+  shared.taker.slides = true;
+  shared.bench.write_voxel(2, 2);
+  CHECK(shared.bench.memory.used(MemoryUse::sessions) > plain + 64 * 256 * 4);
+  CHECK(shared.answered({2, edits::EditResult{2, 11, 31, {}}}).kind == Body::EditResult);
+  shared.bench.write_voxel(3, 3);  // 20 - 2 - 30: it owes 12
+  const auto said = shared.bench.output();
+  REQUIRE(said.size() == 1);
+  CHECK(said[0].code == ErrorCode::overloaded);
+  CHECK(said[0].retry_after_ms == 1'300);
 }
 
 TEST_CASE("Attach needs the right, version 2, a store, and its turn") {

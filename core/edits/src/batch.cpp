@@ -6,7 +6,11 @@
 namespace talus::edits {
 
 Batch::Batch(const OverrideSource& overrides, const Editors& editors, const Head& head, std::int64_t now_ms)
-    : editors_{editors}, head_{head}, staging_{overrides, head.hash}, count_{editors.size()} {
+    : editors_{editors},
+      head_{head},
+      staging_{overrides, head.hash},
+      count_{editors.size()},
+      never_used_{editors.never_used().begin()} {
   head_.time_ms = std::max(head.time_ms, now_ms);
 }
 
@@ -23,6 +27,24 @@ void Batch::forget_idle() {
     // Whom this batch touched is not idle.
     if (touched_.try_emplace(id, std::nullopt).second) --count_;
   }
+}
+
+std::optional<EditorId> Batch::forget_never_used() {
+  // However a log is cut into batches the same one goes: by its last use, in this batch or before, and its
+  // id.
+  const Editors::ByUse& known = editors_.never_used();
+  while (never_used_ != known.end() && touched_.contains(never_used_->second)) ++never_used_;
+  std::optional<EditorId> first;
+  if (never_used_ != known.end() && (new_.empty() || *never_used_ < *new_.begin())) {
+    first = never_used_->second;
+  } else if (!new_.empty()) {
+    first = new_.extract(new_.begin()).value().second;
+  }
+  if (first) {
+    touched_[*first] = std::nullopt;
+    --count_;
+  }
+  return first;
 }
 
 Editor& Batch::touch(EditorId id, const Editor& editor) {
@@ -51,14 +73,23 @@ const Applied& Batch::apply(const AttachEntry& entry) {
       (before != nullptr && before->subject != entry.subject)) {
     return begin(entry.editor, Kind::superseded);
   }
-  if (before == nullptr && count_ >= kMaxEditors) return begin(entry.editor, Kind::editors_full);
+  std::optional<EditorId> forgotten;
+  if (before == nullptr && count_ >= kMaxEditors) {
+    forgotten = forget_never_used();
+    if (!forgotten) return begin(entry.editor, Kind::editors_full);
+  }
   Editor& after = touch(entry.editor, before == nullptr ? Editor{} : *before);
   if (before == nullptr) {
     after.subject = entry.subject;
     ++count_;
   }
   after.epoch = entry.epoch;
-  return begin(entry.editor, Kind::attached);
+  if (!after.is_used()) new_.emplace(head_.time_ms, entry.editor);
+  Applied& applied = begin(entry.editor, Kind::attached);
+  applied.epoch = entry.epoch;
+  applied.subject = entry.subject;
+  applied.forgotten = forgotten;
+  return applied;
 }
 
 const Applied& Batch::apply(const EditEntry& entry) {
@@ -72,7 +103,7 @@ const Applied& Batch::apply(const EditEntry& entry) {
     return repeated;
   }
   if (entry.subject.size() > kMaxSubjectBytes) return begin(entry.editor, Kind::invalid);
-  auto outcome = evaluate(entry.edit, entry.base, staging_);
+  auto outcome = evaluate(entry.edit, entry.base, staging_, entry.settles.get());
   if (!outcome) return begin(entry.editor, Kind::invalid);
 
   Applied& applied = begin(entry.editor, outcome->conflict ? Kind::conflict : Kind::done);
@@ -90,6 +121,7 @@ const Applied& Batch::apply(const EditEntry& entry) {
   applied.subject = entry.subject.empty() ? editor->subject : entry.subject;
 
   touch(entry.editor, *editor).keep(applied.result);
+  new_.erase({head_.time_ms, entry.editor});
   return applied;
 }
 

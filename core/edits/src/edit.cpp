@@ -8,6 +8,8 @@
 #include <tuple>
 #include <utility>
 
+#include <talus/edits/settle.h>
+
 #include "visit.h"
 
 namespace talus::edits {
@@ -29,9 +31,7 @@ tl::expected<void, EditError> check_in_world(const std::string& what, VoxelPos v
   return {};
 }
 
-/// The voxels of a box whose corners lie in the world; beyond kMaxVoxels only that they are more.
-tl::expected<std::size_t, EditError> volume(const std::string& what, const Fill& fill) {
-  std::size_t product = 1;
+tl::expected<void, EditError> check_order(const std::string& what, const Fill& fill) {
   for (const auto& [axis, first, last] :
        {std::tuple{'x', fill.first.x, fill.last.x}, std::tuple{'y', fill.first.y, fill.last.y},
         std::tuple{'z', fill.first.z, fill.last.z}}) {
@@ -39,11 +39,8 @@ tl::expected<std::size_t, EditError> volume(const std::string& what, const Fill&
       return refused(what + ": its first " + axis + " is " + std::to_string(first) + ", its last " +
                      std::to_string(last) + "; the first must not be greater");
     }
-    // Neither factor is above 2^17, so the product cannot wrap.
-    product *= std::min(static_cast<std::size_t>(last - first) + 1, kMaxVoxels + 1);
-    product = std::min(product, kMaxVoxels + 1);
   }
-  return product;
+  return {};
 }
 
 /// Voxels that the edit names, each as often as it does, or an error where one lies outside the world.
@@ -59,9 +56,8 @@ tl::expected<std::size_t, EditError> count_voxels(const Edit& edit) {
     for (const VoxelPos corner : {edit.fills[i].first, edit.fills[i].last}) {
       if (auto in = check_in_world(what, corner); !in) return Refusal{in.error()};
     }
-    const auto voxels = volume(what, edit.fills[i]);
-    if (!voxels) return Refusal{voxels.error()};
-    count += *voxels;
+    if (auto ordered = check_order(what, edit.fills[i]); !ordered) return Refusal{ordered.error()};
+    count += volume(edit.fills[i]);
   }
   if (edit.paste) {
     if (auto in = check_in_world("paste", edit.paste->origin); !in) return Refusal{in.error()};
@@ -133,7 +129,27 @@ tl::expected<void, EditError> check_material(const std::string& what, MaterialId
 
 }  // namespace
 
-tl::expected<std::vector<TouchedChunk>, EditError> touched_voxels(const Edit& edit) {
+std::size_t volume(const Fill& fill) {
+  std::size_t product = 1;
+  for (const auto& [first, last] :
+       {std::pair{fill.first.x, fill.last.x}, std::pair{fill.first.y, fill.last.y},
+        std::pair{fill.first.z, fill.last.z}}) {
+    if (first > last) return 0;
+    const std::uint64_t length = static_cast<std::uint64_t>(last) - static_cast<std::uint64_t>(first);
+    // Neither factor is above 2^17, so the product cannot wrap.
+    product *= std::min<std::uint64_t>(length, kMaxVoxels) + 1;
+    product = std::min(product, kMaxVoxels + 1);
+  }
+  return product;
+}
+
+std::size_t named_voxels(const Edit& edit) {
+  std::size_t voxels = edit.guards.size() + edit.writes.size() + (edit.paste ? kChunkVolume : 0);
+  for (const Fill& fill : edit.fills) voxels += volume(fill);
+  return voxels;
+}
+
+tl::expected<std::vector<TouchedChunk>, EditError> touched_voxels(const Edit& edit, bool settles) {
   const auto count = count_voxels(edit);
   if (!count) return Refusal{count.error()};
   if (*count > kMaxVoxels) {
@@ -154,6 +170,9 @@ tl::expected<std::vector<TouchedChunk>, EditError> touched_voxels(const Edit& ed
   if (!fits) {
     return refused("edit: it reaches more than " + std::to_string(kMaxChunks) +
                    " chunks; it must be divided into edits that keep to that");
+  }
+  if (const auto box = settles ? settle_box(edit) : std::nullopt) {
+    visit_box(box->first, box->last, [&](VoxelPos voxel) { (void)touched.insert(voxel); });
   }
   return touched.take();
 }

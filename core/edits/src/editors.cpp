@@ -29,6 +29,8 @@ void Editors::put(EditorId id, Editor editor) {
     use.value().first = editor.used_ms;
     by_use_.insert(std::move(use));
   }
+  if (!added && !at->second.is_used()) never_used_.erase({at->second.used_ms, id});
+  if (!editor.is_used()) never_used_.emplace(editor.used_ms, id);
   at->second = std::move(editor);
 }
 
@@ -36,6 +38,7 @@ void Editors::erase(EditorId id) {
   const auto at = editors_.find(id);
   if (at == editors_.end()) return;
   by_use_.erase({at->second.used_ms, id});
+  never_used_.erase({at->second.used_ms, id});
   editors_.erase(at);
 }
 

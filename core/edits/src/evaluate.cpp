@@ -97,6 +97,23 @@ void operate(const Edit& edit, StagedVoxels& staged) {
   }
 }
 
+/// Lets slide what the edit set loose.
+void settle_around(const Edit& edit, const SettleRules& rules, StagedVoxels& staged) {
+  const auto box = settle_box(edit);
+  if (!box) return;
+  std::vector<SettlingVoxel> voxels;
+  voxels.reserve(kSettleVoxels);
+  bool any = false;
+  visit_box(box->first, box->last, [&](VoxelPos at) {
+    const VoxelChange& voxel = staged.at(at);
+    voxels.push_back({voxel.after, voxel.base, voxel.before != voxel.after});
+    any = any || voxel.before != voxel.after;
+  });
+  if (!any || settle(*box, rules, voxels) == 0) return;
+  auto settled = voxels.begin();
+  visit_box(box->first, box->last, [&](VoxelPos at) { staged.at(at).after = (settled++)->now; });
+}
+
 }  // namespace
 
 std::vector<OverrideWrite> writes_of(const ChunkChanges& changes) {
@@ -109,8 +126,8 @@ std::vector<OverrideWrite> writes_of(const ChunkChanges& changes) {
 }
 
 tl::expected<Outcome, EditError> evaluate(const Edit& edit, const BaseVoxels& base,
-                                          const OverrideSource& overrides) {
-  const auto touched = touched_voxels(edit);
+                                          const OverrideSource& overrides, const SettleRules* settles) {
+  const auto touched = touched_voxels(edit, settles != nullptr);
   if (!touched) return tl::unexpected{touched.error()};
   std::vector<StagedChunk> chunks;
   chunks.reserve(touched->size());
@@ -128,6 +145,7 @@ tl::expected<Outcome, EditError> evaluate(const Edit& edit, const BaseVoxels& ba
     return outcome;
   }
   operate(edit, voxels);
+  if (settles != nullptr) settle_around(edit, *settles, voxels);
   for (StagedChunk& each : chunks) {
     std::erase_if(each.voxels, [](const VoxelChange& voxel) { return voxel.before == voxel.after; });
     if (each.voxels.empty()) continue;

@@ -41,7 +41,9 @@ struct EditEntry {
   std::uint64_t epoch = 0;
   std::uint64_t sequence = 0;  // chosen by the client, rising; gaps are allowed
   Edit edit;
-  BaseVoxels base;        // of all that it touches
+  BaseVoxels base;  // of all that it touches, and of what may settle
+  /// By which it sets material loose; null: by none. The entry has it, so that no node needs its world.
+  SettleRulesPtr settles{};
   std::string subject{};  // for whom a game server edits; empty: for its editor's own subject
 };
 
@@ -50,7 +52,7 @@ struct Applied {
   enum class Kind : std::uint8_t {
     attached,
     superseded,    // of an attach: its epoch is not the next one
-    editors_full,  // of an attach: as many are not idle as there may be
+    editors_full,  // of an attach: there are as many as there may be, and all of them have edited of late
     done,          // an edit that happened; result says how much it changed
     conflict,      // a guard does not hold; nothing happened
     repeat,        // it happened before; result is that of then
@@ -63,9 +65,11 @@ struct Applied {
   std::uint64_t position = 0;
   std::uint64_t revision = 0;         // of the state after it
   EditResult result;                  // of done, conflict and repeat
+  std::uint64_t epoch = 0;            // of attached
+  std::string subject;                // of attached: the editor's; of done: whose edit it is
+  std::optional<EditorId> forgotten;  // of attached: who made place for it
   std::vector<ChunkChanges> changes;  // of done: voxels of level 0
   std::vector<ChunkWrites> writes;    // the same as writes, at all levels
-  std::string subject;                // of done: whose edit it is
 
   /// Whether it made a revision.
   [[nodiscard]] bool changed() const { return !changes.empty(); }
@@ -100,6 +104,8 @@ class Batch {
   [[nodiscard]] const Editor* find(EditorId id) const;
   /// Forgets who was idle for too long.
   void forget_idle();
+  /// Forgets the editor that attached first of those that never edited, and returns it, if there is one.
+  std::optional<EditorId> forget_never_used();
   /// As it is now, to be changed.
   Editor& touch(EditorId id, const Editor& editor);
   Applied& begin(EditorId editor, Applied::Kind kind);
@@ -110,6 +116,8 @@ class Batch {
   std::map<EditorId, std::optional<Editor>> touched_;
   std::size_t count_ = 0;  // of editors
   bool forgot_idle_ = false;
+  Editors::ByUse::const_iterator never_used_;  // before it the batch has touched all of the state's
+  Editors::ByUse new_;                         // never used, and touched
   std::vector<Applied> applied_;
 };
 

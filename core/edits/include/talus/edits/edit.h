@@ -37,6 +37,10 @@ struct Fill {
   std::optional<MaterialId> only;      // voxels of other materials stay; none: any
 };
 
+/// Voxels of the box, whatever its corners: 0 where a first coordinate is greater than the last, beyond
+/// kMaxVoxels only that they are more.
+[[nodiscard]] std::size_t volume(const Fill& fill);
+
 /// A chunk's voxels, at any place: voxel (0, 0, 0) of `voxels` comes to `origin`.
 struct Paste {
   VoxelPos origin;
@@ -52,6 +56,10 @@ struct Edit {
   std::optional<Paste> paste;
 };
 
+/// Voxels that the edit names, each as often as it does, and of a paste all, whatever its corners: what rates
+/// count. Where a fill has more than kMaxVoxels only that they are more.
+[[nodiscard]] std::size_t named_voxels(const Edit& edit);
+
 /// Why an edit is refused, in one line: the thing, what is wrong, what would be right.
 struct EditError {
   std::string message;
@@ -65,8 +73,10 @@ struct TouchedChunk {
 
 /// The voxels whose base materials evaluate() needs, by chunk, in the order of chunk coordinates; or an error
 /// where the edit leaves the world or breaks kMaxVoxels or kMaxChunks. Cheap for any edit: volumes are
-/// counted before anything is visited, and it stops at the first chunk too many.
-[[nodiscard]] tl::expected<std::vector<TouchedChunk>, EditError> touched_voxels(const Edit& edit);
+/// counted before anything is visited, and it stops at the first chunk too many. `settles`: with those of
+/// settle_box(), which count to no bound.
+[[nodiscard]] tl::expected<std::vector<TouchedChunk>, EditError> touched_voxels(const Edit& edit,
+                                                                                bool settles = false);
 
 /// What a world lets an edit write. The node that takes an edit asks this; applying never does, for lists of
 /// nodes differ.

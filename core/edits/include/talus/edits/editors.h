@@ -46,6 +46,8 @@ struct Editor {
   std::int64_t used_ms = 0;         // by the log's time
   std::string subject;              // of the token; empty: of no token
   std::vector<EditResult> results;  // the newest kKeptResults, by rising sequence
+  /// Whether an edit of it is decided.
+  [[nodiscard]] bool is_used() const { return last_sequence != 0; }
   bool operator==(const Editor&) const = default;
 
   void keep(const EditResult& result);
@@ -62,12 +64,18 @@ class Editors {
   void put(EditorId id, Editor editor);
   void erase(EditorId id);
 
-  /// Those that at `time_ms` were idle for too long, the least recent first, those of one time by their ids.
+  /// By when they were used last, those of one time by their ids.
+  using ByUse = std::set<std::pair<std::int64_t, EditorId>>;
+
+  /// Those that at `time_ms` were idle for too long, the least recent first.
   [[nodiscard]] std::vector<EditorId> idle_at(std::int64_t time_ms) const;
+  /// Those that attached and never edited: where there are too many editors, these go first.
+  [[nodiscard]] const ByUse& never_used() const { return never_used_; }
 
  private:
   std::map<EditorId, Editor> editors_;
-  std::set<std::pair<std::int64_t, EditorId>> by_use_;
+  ByUse by_use_;
+  ByUse never_used_;
 };
 
 }  // namespace talus::edits

@@ -11,11 +11,12 @@
 #include <talus/edits/chunk_overrides.h>
 #include <talus/edits/edit.h>
 #include <talus/edits/levels.h>
+#include <talus/edits/settle.h>
 
 namespace talus::edits {
 
 /// Base materials of voxels of level 0, by chunk, by rising index: what an entry of the log carries as runs.
-/// It holds at least the voxels of touched_voxels(); more do no harm.
+/// It holds at least the voxels of touched_voxels(), with those that settle; more do no harm.
 using BaseVoxels = std::map<ChunkCoord, std::vector<Override>>;
 
 /// Where overrides are looked up. What find() returns lives until the state changes.
@@ -48,14 +49,16 @@ struct ChunkChanges {
 struct Outcome {
   /// The first guard that does not hold. Then nothing changed: an edit is atomic, across chunks.
   std::optional<std::size_t> conflict;
-  std::size_t changed = 0;           // voxels of level 0, over all chunks; 0 takes no revision
+  std::size_t changed = 0;           // voxels of level 0, slid ones too; 0 takes no revision
   std::vector<ChunkChanges> chunks;  // by rising chunk coordinate
   bool operator==(const Outcome&) const = default;
 };
 
-/// `edit` on the state `overrides`. An error where touched_voxels() has one, or where `base` lacks a voxel
-/// that the edit touches, which is then named; the same error at every node, as both came from the log.
+/// `edit` on the state `overrides`, and what it sets loose by `settles`; null: nothing. An error where
+/// touched_voxels() has one, or where `base` lacks a voxel that the edit touches, which is then named; the
+/// same error at every node, as both came from the log.
 [[nodiscard]] tl::expected<Outcome, EditError> evaluate(const Edit& edit, const BaseVoxels& base,
-                                                        const OverrideSource& overrides);
+                                                        const OverrideSource& overrides,
+                                                        const SettleRules* settles = nullptr);
 
 }  // namespace talus::edits

@@ -1,0 +1,17 @@
+#include "edits/edit_log.h"
+
+namespace talus::server {
+
+std::size_t bytes_of(const LogEntry& entry) {
+  constexpr std::size_t kEntry = 64;
+  const auto* const edit = std::get_if<edits::EditEntry>(&entry);
+  if (edit == nullptr) return kEntry + std::get<edits::AttachEntry>(entry).subject.size();
+  std::size_t bytes = kEntry +
+                      (edit->edit.guards.size() + edit->edit.writes.size()) * sizeof(edits::VoxelWrite) +
+                      edit->edit.fills.size() * sizeof(edits::Fill);
+  if (edit->edit.paste) bytes += sizeof(DenseVoxels);
+  for (const auto& [chunk, voxels] : edit->base) bytes += kEntry + voxels.size() * sizeof(Override);
+  return bytes;
+}
+
+}  // namespace talus::server
