@@ -286,7 +286,8 @@ void EditIntake::enter(Lane& lane) {
   if (lane.entered) return;
   std::size_t voxels = 0;
   if (!lane.attach_waits && !lane.first && !lane.waiting.empty()) {
-    voxels = named_voxels(lane.waiting.front().request.edit) + (settles() ? edits::kSettleVoxels : 0);
+    const EditRequest& request = lane.waiting.front().request;
+    voxels = named_voxels(request.edit) + (settles() && request.settles ? edits::kSettleVoxels : 0);
   }
   turns_.enter(lane.session->flow(), lane.session->owner(), voxels);
   lane.entered = true;
@@ -447,7 +448,7 @@ void EditIntake::advance(Lane& lane) {
 
 std::optional<EditIntake::Prepared> EditIntake::prepare(const Lane& lane, Editing edit) {
   const std::uint32_t id = edit.request.id;
-  auto touched = edits::touched_voxels(edit.request.edit, settles());
+  auto touched = edits::touched_voxels(edit.request.edit, settles() && edit.request.settles);
   if (!touched) {
     refuse(lane.session, id, EditRefused::out_of_range, touched.error().message);
     return std::nullopt;
@@ -486,9 +487,13 @@ void EditIntake::look_up(const Lane& lane, Prepared& edit) {
 void EditIntake::log_edit(const Lane& lane, Prepared edit) {
   EditRequest& request = edit.edit.request;
   const std::uint32_t id = request.id;
-  edits::EditEntry entry{
-      request.editor,       request.epoch,  request.sequence,          std::move(request.edit),
-      std::move(edit.base), rules_.settles, std::move(request.subject)};
+  edits::EditEntry entry{request.editor,
+                         request.epoch,
+                         request.sequence,
+                         std::move(request.edit),
+                         std::move(edit.base),
+                         request.settles ? rules_.settles : nullptr,
+                         std::move(request.subject)};
   auto done = [this, session = lane.session, id,
                came = edit.edit.came](const tl::expected<const edits::Applied*, LogFailure>& outcome) {
     auto result = outcome_of(outcome);

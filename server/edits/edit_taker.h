@@ -24,6 +24,7 @@ struct EditRequest {
   std::uint64_t sequence = 0;
   edits::Edit edit;
   std::string subject{};  // whose edit it is; empty: of the subject that attached
+  bool settles = true;    // loose material may slide, where any does
 };
 
 /// Callable from any thread. No call looks anything up, writes, or waits for who does; each is answered by

@@ -1,9 +1,12 @@
 #include "session/edit_rules.h"
 
 #include <algorithm>
+#include <cstdlib>
 #include <memory>
 
 #include <fmt/format.h>
+
+#include <talus/edits/settle.h>
 
 namespace talus::server {
 namespace {
@@ -71,6 +74,43 @@ std::string shown(const Box& box) {
   return box.first == box.last ? fmt::format("voxel {},{},{}", x, y, z) : "the box " + to_string(box);
 }
 
+/// Whether its corners can be counted from without overflow. One that is farther off is refused later.
+bool near_world(const edits::Edit& edit) {
+  constexpr std::int64_t kFar = std::int64_t{1} << 40;
+  const auto near = [](const VoxelPos& at) {
+    return std::max({std::abs(at.x / 2), std::abs(at.y / 2), std::abs(at.z / 2)}) < kFar;
+  };
+  return std::ranges::all_of(edit.writes, near, &edits::VoxelWrite::voxel) &&
+         std::ranges::all_of(edit.fills, near, &edits::Fill::first) &&
+         std::ranges::all_of(edit.fills, near, &edits::Fill::last) &&
+         (!edit.paste || near(edit.paste->origin));
+}
+
+const Boxes& protected_from(const Grant& grant, const EditRules& rules) {
+  static const Boxes kNone;
+  return grant.rights.has(Right::admin) ? kNone : rules.protected_boxes;
+}
+
+bool is_bounded(const Grant& grant, const EditRules& rules) {
+  return !protected_from(grant, rules).empty() || !grant.edit_not_in.empty() || grant.edit_in;
+}
+
+std::optional<std::string> box_forbidden(const Box& box, const Grant& grant, const EditRules& rules) {
+  if (const Box* const met = first_met(protected_from(grant, rules), box)) {
+    return fmt::format("{} reaches into {}, which this server protects", shown(box), to_string(*met));
+  }
+  if (const Box* const met = first_met(grant.edit_not_in, box)) {
+    return fmt::format("{} reaches into {}, in which this session's token does not let edit", shown(box),
+                       to_string(*met));
+  }
+  if (grant.edit_in &&
+      std::ranges::none_of(*grant.edit_in, [&](const Box& each) { return each.holds(box); })) {
+    return fmt::format("{} lies in none of the boxes of this session's token, which lets edit {}", shown(box),
+                       named(*grant.edit_in));
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 std::optional<std::string> edits_forbidden(const Grant& grant, const EditRules& rules) {
@@ -85,24 +125,14 @@ std::optional<std::string> edits_forbidden(const Grant& grant, const EditRules& 
 
 std::optional<std::string> edit_forbidden(const edits::Edit& edit, const Grant& grant,
                                           const EditRules& rules) {
-  static const Boxes kNone;
-  const Boxes& of_server = grant.rights.has(Right::admin) ? kNone : rules.protected_boxes;
-  if (of_server.empty() && grant.edit_not_in.empty() && !grant.edit_in) return std::nullopt;
-  return first_forbidden(edit, [&](const Box& box) -> std::optional<std::string> {
-    if (const Box* const met = first_met(of_server, box)) {
-      return fmt::format("{} reaches into {}, which this server protects", shown(box), to_string(*met));
-    }
-    if (const Box* const met = first_met(grant.edit_not_in, box)) {
-      return fmt::format("{} reaches into {}, in which this session's token does not let edit", shown(box),
-                         to_string(*met));
-    }
-    if (grant.edit_in &&
-        std::ranges::none_of(*grant.edit_in, [&](const Box& each) { return each.holds(box); })) {
-      return fmt::format("{} lies in none of the boxes of this session's token, which lets edit {}",
-                         shown(box), named(*grant.edit_in));
-    }
-    return std::nullopt;
-  });
+  if (!is_bounded(grant, rules)) return std::nullopt;
+  return first_forbidden(edit, [&](const Box& box) { return box_forbidden(box, grant, rules); });
+}
+
+bool may_settle(const edits::Edit& edit, const Grant& grant, const EditRules& rules) {
+  if (!is_bounded(grant, rules) || !near_world(edit)) return true;
+  const auto loose = edits::settle_box(edit);
+  return !loose || !box_forbidden({loose->first, loose->last}, grant, rules);
 }
 
 }  // namespace talus::server

@@ -25,4 +25,8 @@ struct EditRules {
 [[nodiscard]] std::optional<std::string> edit_forbidden(const edits::Edit& edit, const Grant& grant,
                                                         const EditRules& rules);
 
+/// Whether what is loose around the edit may slide: not where that could change a voxel that the session may
+/// not edit.
+[[nodiscard]] bool may_settle(const edits::Edit& edit, const Grant& grant, const EditRules& rules);
+
 }  // namespace talus::server

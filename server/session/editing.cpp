@@ -12,7 +12,7 @@ void Editing::edit(std::uint32_t id, std::uint64_t sequence, CheckedEdit edit) {
   unanswered_.insert(id, {edit.voxels, edit.bytes});
   bytes_ += edit.bytes;
   taker_->edit(mailbox_, {id, editor_->editor, editor_->epoch, sequence, std::move(edit.edit),
-                          std::move(edit.subject)});
+                          std::move(edit.subject), edit.settles});
 }
 
 void Editing::receive(AttachAnswer&& mail) {

@@ -340,6 +340,7 @@ void Session::on(const wire::Edit& edit) {
   if (const auto why = edit_forbidden(checked->edit, grant, context_.limits.edits)) {
     return replies_.error(subject, ErrorCode::forbidden, *why);
   }
+  checked->settles = may_settle(checked->edit, grant, context_.limits.edits);
   editing_.edit(edit.id(), edit.sequence(), *std::move(checked));
 }
 

@@ -3,6 +3,8 @@
 
 #include <catch2/catch.hpp>
 
+#include <talus/edits/settle.h>
+
 namespace talus::server {
 namespace {
 
@@ -76,6 +78,22 @@ TEST_CASE("of a paste what it writes counts") {
   CHECK_FALSE(edit_forbidden(paste_of({0, 0, 0}, place, false), grant, {}));
   CHECK(edit_forbidden(paste_of({1, 0, 0}, place, false), grant, {}));
   CHECK(edit_forbidden(paste_of({0, 0, 0}, place, true), grant, {}));
+}
+
+TEST_CASE("what slides after an edit does not leave a box that the edit must stay out of") {
+  CHECK(may_settle(write_at({16, 0, 0}), editor(), {}));
+  CHECK(may_settle(write_at({17 + edits::kSettleMargin, 0, 0}), editor(), kSpawn));
+  CHECK_FALSE(may_settle(write_at({16 + edits::kSettleMargin, 0, 0}), editor(), kSpawn));
+  CHECK(may_settle(write_at({16, 0, 0}), editor({Right::read, Right::edit, Right::admin}), kSpawn));
+  Grant grant = editor();
+  grant.edit_in = *Boxes::parse("0,0:31,31");
+  CHECK(may_settle(write_at({16, 0, 16}), grant, {}));
+  CHECK_FALSE(may_settle(write_at({2, 0, 16}), grant, {}));
+  // Farther off than can be counted: it is refused where its voxels are looked at.
+  for (const std::int64_t far : {INT64_MIN, INT64_MAX}) {
+    CHECK(may_settle(fill_of({0, 0, 0}, {far, far, far}), grant, {}));
+    CHECK(may_settle(paste_of({far, far, far}, 0, true), grant, {}));
+  }
 }
 
 TEST_CASE("where a gateway is required, its right is") {

@@ -27,7 +27,7 @@ struct Served {
   explicit Served(const fs::path& path) : directory{path}, store{path} {
     store.log_settings.flush_interval = std::chrono::milliseconds{1};
     REQUIRE(store.open() == "");
-    auto opened = StoreSocket::open(path, {store.database(), store.log(), [this] { return read_only; }},
+    auto opened = StoreSocket::open(path, {store.database(), store.log(), [this] { return read_only; }, {}},
                                     make_logger("off", "text"));
     INFO((opened ? "" : opened.error()));
     REQUIRE(opened.has_value());
