@@ -62,8 +62,8 @@ class EditIntake final : public EditTaker {
   static constexpr std::size_t kBaseBytes = std::size_t{16} << 20;
   /// In the log, waiting and being written: what two batches need to be worth their syncs. Who comes now
   /// waits for so many of others. An entry alone may have more bytes.
-  static constexpr std::size_t kLogEntries = 512;
-  static constexpr std::size_t kLogBytes = std::size_t{512} << 10U;
+  static constexpr std::size_t kLogEntries = 256;
+  static constexpr std::size_t kLogBytes = std::size_t{256} << 10U;
 
   EditIntake(Parts parts, Rules rules, Logger log);
   ~EditIntake() override { stop(); }
