@@ -7,6 +7,7 @@
 #include "edits_of_tests.h"
 #include "scratch_directory.h"
 #include "store/store_swap.h"
+#include "store/whole_store.h"
 #include "store_command/backup.h"
 #include "store_command/store_figures.h"
 
