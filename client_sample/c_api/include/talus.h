@@ -89,8 +89,8 @@ enum {
   TALUS_NOT_CONNECTED = -28,   /* asked before JOINED, or after CLOSED or talus_disconnect() */
   TALUS_CONFLICT = -29,        /* a guard of the edit does not hold; nothing happened */
   TALUS_NOT_APPLIED = -30,     /* the edit did not happen, and a later one did */
-  /* The edit was sent and may have happened: the client gave up before an answer came, or the server has forgotten
-   * who sent it. */
+  /* The edit was sent and may have happened: the client gave up before an answer came, or the server has
+   * forgotten who sent it. */
   TALUS_OUTCOME_UNKNOWN = -31
 };
 
@@ -173,19 +173,20 @@ typedef struct talus_material {
 
 enum { TALUS_GAS = 0, TALUS_LIQUID = 1, TALUS_SOLID = 2 };
 
-/* What shall change: where all guards hold, writes, fills and the paste are done in this order, each on what those
- * before it left. It happens whole or not at all. Voxels are base voxels: x, y and z of each, one after another. */
+/* What shall change: where all guards hold, writes, fills and the paste are done in this order, each on what
+ * those before it left. It happens whole or not at all. Voxels are base voxels: x, y and z of each, one after
+ * another. */
 typedef struct talus_edit {
   uint32_t size;
-  uint32_t flags;                   /* TALUS_PASTE_AIR */
-  const int64_t* guard_voxels;      /* of guard_count voxels, which must be of guard_materials */
+  uint32_t flags;              /* TALUS_PASTE_AIR */
+  const int64_t* guard_voxels; /* of guard_count voxels, which must be of guard_materials */
   const uint16_t* guard_materials;
-  const int64_t* write_voxels;      /* of write_count voxels, which become of write_materials */
+  const int64_t* write_voxels; /* of write_count voxels, which become of write_materials */
   const uint16_t* write_materials;
-  const int64_t* fill_corners;      /* of fill_count boxes: the lowest corner, then the highest; both included */
-  const int32_t* fill_materials;    /* TALUS_AS_GENERATED undoes edits */
-  const int32_t* fill_only;         /* voxels of other materials stay; TALUS_ANY: of any; NULL: TALUS_ANY for all */
-  const uint16_t* paste_voxels;     /* TALUS_CHUNK_VOLUME ids, index TALUS_VOXEL_INDEX(x, y, z); NULL: no paste */
+  const int64_t* fill_corners;   /* of fill_count boxes: the lowest corner, then the highest; both included */
+  const int32_t* fill_materials; /* TALUS_AS_GENERATED undoes edits */
+  const int32_t* fill_only; /* voxels of other materials stay; TALUS_ANY: of any; NULL: TALUS_ANY for all */
+  const uint16_t* paste_voxels; /* TALUS_CHUNK_VOLUME ids, index TALUS_VOXEL_INDEX(x, y, z); NULL: no paste */
   int64_t paste_x, paste_y, paste_z; /* voxel (0, 0, 0) of the paste comes there */
   /* For whom a game server edits, whose token has the right "gateway"; empty: for the token's own subject. */
   const char* subject;
@@ -234,8 +235,8 @@ enum {
   TALUS_EVENT_RECONNECTING = 9,
   /* To the same world. CHUNK comes again for all chunks of the View; open requests are asked again. */
   TALUS_EVENT_RECONNECTED = 10,
-  /* To talus_send_edit(), when it is stored or did not happen: request, status; revision of the world after it,
-   * changed_voxels. */
+  /* To talus_send_edit(), when it is stored or did not happen: request, status; revision of the world after
+   * it, changed_voxels. */
   TALUS_EVENT_EDITED = 12,
   /* The last event: why the connection is over, or never began: status, message. */
   TALUS_EVENT_CLOSED = 11
@@ -336,9 +337,9 @@ TALUS_API talus_status talus_get_heights(talus_client* client, const int64_t* co
 /* The same with the look of each column, and its values of the fields of these names: at most 16. */
 TALUS_API talus_status talus_get_places(talus_client* client, const int64_t* columns, size_t count,
                                         const char* const* fields, size_t field_count, uint32_t* request);
-/* Changes voxels. Edits happen in the order of the calls, each once, however often the connection breaks meanwhile;
- * one that the server refuses for now is sent again, and may then happen behind later ones. Chunks of the View change
- * by CHUNK, before or after EDITED. */
+/* Changes voxels. Edits happen in the order of the calls, each once, however often the connection breaks
+ * meanwhile; one that the server refuses for now is sent again, and may then happen behind later ones. Chunks
+ * of the View change by CHUNK, before or after EDITED. */
 TALUS_API talus_status talus_send_edit(talus_client* client, const talus_edit* edit, uint32_t* request);
 TALUS_API talus_status talus_ping(talus_client* client, uint32_t* request);
 /* Gives a talus_get_chunk() up. It is still answered, by TALUS_CANCELLED or by the chunk if that was on its
