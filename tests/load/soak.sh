@@ -1,8 +1,9 @@
 #!/usr/bin/env bash
 # A world that is dug and built in, flown through, cut off and started again, for as long as is asked: soak.sh [MINUTES] [SEED].
-# Needs `cmake --build --preset release`. Each round is a minute: builders and flyers by talus-load, a kill -9 in the middle, a
-# SIGTERM at the end, and then `talusd store verify`, which holds the hash of all edits against the chunks. It fails where a
-# builder misses an edit that was acknowledged, the store is not sound, or memory or the disk grow without end.
+# Needs `cmake --build --preset release`. Each round is a minute: builders and flyers by talus-load, a kill -9 every one to three
+# seconds (KILLS=0: none), a SIGTERM at the end, and then `talusd store verify`, which holds the hash of all edits against the chunks.
+# It fails where a builder misses an edit that was acknowledged, or the store is not sound; the table shows whether memory or the
+# disk grow. Between rounds it waits while a file out/soak/pause is there.
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 minutes="${1:-60}"
@@ -31,7 +32,7 @@ peak() { awk '/^VmHWM/ { printf "%d", $2 / 1024 }' "/proc/$server/status"; }
 
 cat >"$out/talusd.toml" <<'SETTINGS'
 [access]
-without_token = "edit"
+without_token = "read,edit"
 [limits]
 connections_per_address = 1000
 memory_bytes = 1073741824
@@ -45,29 +46,38 @@ address_bytes = 0
 address_voxels = 0
 SETTINGS
 
-printf 'seed %s\n\n| minute | edits acknowledged | missing | revision | hash of all edits | peak memory, MB | on disk, MB |\n' "$seed"
-printf '| --- | --- | --- | --- | --- | --- | --- |\n'
+printf 'seed %s\n\n| minute | kills so far | edits acknowledged | missing | revision | hash of all edits | peak memory, MB | on disk, MB |\n' "$seed"
+printf '| --- | --- | --- | --- | --- | --- | --- | --- |\n'
+kills=0
 for ((minute = 1; minute <= minutes; ++minute)); do
+  while [[ -e "$out/pause" ]]; do sleep 1; done
+  began="$SECONDS"
   start
-  "$load" --connect "127.0.0.1:$port" --players 24 --edits 10 --edit-group 6 --radius 4 --seconds 50 --seed "$((seed + minute))" \
+  "$load" --connect "127.0.0.1:$port" --players 24 --edits 10 --edit-group 6 --radius 4 --duration 50 --seed "$((seed + minute))" \
     --json "$out/builders.json" >"$out/builders.txt" 2>&1 &
   builders=$!
-  "$load" --connect "127.0.0.1:$port" --players 12 --radius 6 --seconds 50 --seed "$((seed + minute))" >"$out/flyers.txt" 2>&1 &
+  "$load" --connect "127.0.0.1:$port" --players 12 --radius 6 --duration 50 --seed "$((seed + minute))" >"$out/flyers.txt" 2>&1 &
   flyers=$!
-  sleep "$((10 + RANDOM % 25))"
-  most="$(peak)"
-  kill -9 "$server"
-  wait "$server" 2>/dev/null || true
-  start
+  most=0
+  while kill -0 "$builders" 2>/dev/null; do
+    sleep "$((1 + RANDOM % 3))"
+    now="$(peak)"
+    most="$((now > most ? now : most))"
+    # At the end it stays up, so that all can be looked at.
+    ((SECONDS - began < 40 && ${KILLS:-1} != 0)) || continue
+    kill -9 "$server"
+    wait "$server" 2>/dev/null || true
+    kills="$((kills + 1))"
+    start
+  done
   wait "$builders" || { cat "$out/builders.txt" >&2; exit 1; }
   wait "$flyers" || { cat "$out/flyers.txt" >&2; exit 1; }
-  now="$(peak)"
   kill "$server"
   wait "$server" || { printf 'talusd ended with %s\n' "$?" >&2; exit 1; }
   server=""
   "$talusd" store verify --data "$out/data" >"$out/verify.txt" || { cat "$out/verify.txt" >&2; exit 1; }
   "$talusd" store stat --json --data "$out/data" >"$out/stat.json"
-  printf '| %s | %s | %s | %s | %s | %s | %s |\n' "$minute" \
-    "$(jq .edits.acknowledged "$out/builders.json")" "$(jq .edits.missing "$out/builders.json")" \
-    "$(jq .revision "$out/stat.json")" "$(sed -n 's/.*hash //p' "$out/verify.txt")" "$((now > most ? now : most))" "$(du -sm "$out/data" | cut -f1)"
+  printf '| %s | %s | %s | %s | %s | %s | %s | %s |\n' "$minute" "$kills" \
+    "$(jq .roles.build.edits.acknowledged "$out/builders.json")" "$(jq .roles.build.edits.missing "$out/builders.json")" \
+    "$(jq .revision "$out/stat.json")" "$(sed -n 's/.*hash //p' "$out/verify.txt")" "$most" "$(du -sm "$out/data" | cut -f1)"
 done

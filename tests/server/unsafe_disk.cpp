@@ -153,7 +153,7 @@ IOStatus UnsafeDisk::NewWritableFile(const std::string& path, const rocksdb::Fil
   std::unique_ptr<rocksdb::FSWritableFile> file;
   if (auto made = FileSystemWrapper::NewWritableFile(path, options, &file, debug); !made.ok()) return made;
   const std::lock_guard lock{mutex_};
-  files_[normal(path)] = {};
+  files_[normal(path)] = {.made = ++names_};
   *result = std::make_unique<AppendedFile>(std::move(file), normal(path), *this);
   return IOStatus::OK();
 }
@@ -195,6 +195,7 @@ IOStatus UnsafeDisk::RenameFile(const std::string& from, const std::string& to, 
     files_[rename.to].named = true;  // as the rename is, or is undone
     files_.erase(file);
   }
+  rename.made = ++names_;
   renames_.push_back(std::move(rename));
   return IOStatus::OK();
 }
@@ -218,16 +219,25 @@ IOStatus UnsafeDisk::GetFreeSpace(const std::string& path, const IOOptions& opti
 
 void UnsafeDisk::restart() {
   const std::lock_guard lock{mutex_};
+  // Half of the time all names are there; else a tail of those that were not synced is lost.
+  std::vector<std::uint64_t> unsynced_names;
+  for (const Rename& each : renames_) unsynced_names.push_back(each.made);
+  for (const auto& [path, file] : files_) {
+    if (!file.named) unsynced_names.push_back(file.made);
+  }
+  std::sort(unsynced_names.begin(), unsynced_names.end());
+  const std::uint64_t kept =
+      unsynced_names.empty() || below(2) == 0 ? names_ : unsynced_names[below(unsynced_names.size())] - 1;
   for (; !renames_.empty(); renames_.pop_back()) {
     const Rename& last = renames_.back();
-    if (below(2) == 0 || !fs::exists(last.to)) continue;
+    if (last.made <= kept || !fs::exists(last.to)) continue;
     fs::rename(last.to, last.from);
     files_.erase(last.to);
     if (last.replaced) std::ofstream{last.to, std::ios::binary} << *last.replaced;
   }
   for (const auto& [path, file] : files_) {
     if (!fs::exists(path)) continue;
-    if (!file.named && below(2) == 0) {
+    if (!file.named && file.made > kept) {
       fs::remove(path);
       continue;
     }

@@ -1,5 +1,7 @@
 // A disk for RocksDB that loses power, fills up and fails. What was not synced when the power went may be
-// lost: ends of files, new files, renames. What is lost is drawn by a seed.
+// lost: ends of files, new files, renames. What is lost is drawn by a seed. Of new names and renames the last
+// are lost, as file systems with a journal keep their order; RocksDB needs that, as it syncs the directory
+// after the rename that makes a new manifest the current one, and not before.
 #pragma once
 
 #include <atomic>
@@ -76,12 +78,14 @@ class UnsafeDisk final : public rocksdb::FileSystemWrapper, public std::enable_s
   struct File {
     std::uint64_t written = 0;
     std::uint64_t synced = 0;
-    bool named = false;  // its directory was synced since it was made
+    bool named = false;      // its directory was synced since it was made
+    std::uint64_t made = 0;  // among all changes of names
   };
   struct Rename {
     std::string from;
     std::string to;
     std::optional<std::string> replaced;  // what `to` held
+    std::uint64_t made = 0;
   };
 
   [[nodiscard]] std::uint64_t below(std::uint64_t bound) { return random_() % bound; }
@@ -95,6 +99,7 @@ class UnsafeDisk final : public rocksdb::FileSystemWrapper, public std::enable_s
   std::mt19937_64 random_;
   std::map<std::string, File> files_;
   std::vector<Rename> renames_;
+  std::uint64_t names_ = 0;  // changes of names so far
 };
 
 /// RocksDB's environment with this disk. Where a flush failed it does not sleep for a second.
