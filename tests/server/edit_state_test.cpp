@@ -1,4 +1,7 @@
 // What those see of edits who serve chunks.
+#include <atomic>
+#include <thread>
+
 #include <catch2/catch.hpp>
 
 #include "edits/chunk_index.h"
@@ -58,6 +61,35 @@ TEST_CASE("the index tells which columns of a region were edited") {
   // A column is raised by itself: after the chunks of its edit.
   CHECK(index.raise({{-1, 4, -32}, Lod::of(1)}, 7) == 4);
   CHECK(index.column_revision({{-1, 4, -32}, Lod::of(1)}) == 4);
+}
+
+TEST_CASE("who finds a column's revision finds all chunks of that edit") {
+  const ScratchDirectory scratch;
+  EditStore store{scratch / "edits"};
+  REQUIRE(store.open() == "");
+  TestEditor editor;
+  editor.attach(store);
+  constexpr std::int32_t kRows = 64;
+  std::atomic<bool> done = false;
+  std::size_t torn = 0;
+  std::thread reader{[&] {
+    while (!done) {
+      const std::uint64_t revision = store.state().index().column_revision(kChunk);
+      for (std::int32_t y = 0; y < kRows; ++y) torn += store.state().revision({{0, y, 0}, Lod{}}) < revision;
+    }
+  }};
+  for (std::uint16_t i = 0; i < 300; ++i) {
+    edits::Edit edit;
+    for (std::int32_t y = 0; y < kRows; ++y) {
+      edit.writes.push_back(
+          {{1, std::int64_t{y} * 32 + 1, 1}, MaterialId{static_cast<std::uint16_t>(7 + i)}});
+    }
+    (void)editor.edit(store, edit);
+  }
+  done = true;
+  reader.join();
+  CHECK(torn == 0);
+  CHECK(store.state().index().column_revision(kChunk) == 300);
 }
 
 TEST_CASE("changes since a revision are each voxel once, as it is now") {
