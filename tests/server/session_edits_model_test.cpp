@@ -467,7 +467,7 @@ TEST_CASE("whatever is edited, a client that is quiet has its View as the source
   const char* const said_seed = std::getenv("TALUS_SEED");
   const char* const said_runs = std::getenv("TALUS_RUNS");
   const std::uint64_t first = said_seed != nullptr ? std::stoull(said_seed) : std::random_device{}();
-  const std::uint64_t runs = said_runs != nullptr ? std::stoull(said_runs) : said_seed != nullptr ? 1 : 2000;
+  const std::uint64_t runs = said_runs != nullptr ? std::stoull(said_runs) : said_seed != nullptr ? 1 : 7000;
   int broadcasts = 0;
   int wrong = 0;
   for (std::uint64_t run = 0; run < runs; ++run) {
