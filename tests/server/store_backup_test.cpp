@@ -225,4 +225,20 @@ TEST_CASE(
   CHECK(verify(**store, *figures).error().find("its overrides hash to") != std::string::npos);
 }
 
+TEST_CASE("a compacted store is the same store") {
+  const Data data;
+  const auto before = ReadOnlyStore::open(data.path).value()->meta();
+  REQUIRE(compact(data.path).has_value());
+  CHECK(sound_head(data.path) == data.head);
+  CHECK(ReadOnlyStore::open(data.path).value()->meta() == before);
+}
+
+TEST_CASE("what does not fit on the disk is not begun") {
+  const ScratchDirectory scratch;
+  CHECK(check_space(scratch.path(), 1'000).has_value());
+  const auto refused = check_space(scratch.path(), std::uint64_t{1} << 60U);
+  REQUIRE_FALSE(refused.has_value());
+  CHECK(refused.error().find("bytes free; 1152921504673955840 are needed") != std::string::npos);
+}
+
 }  // namespace talus::server

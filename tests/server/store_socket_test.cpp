@@ -177,37 +177,28 @@ TEST_CASE("a socket at the end of a long path, and one that a killed process lef
 TEST_CASE("a peer that says nonsense is told so, and nobody else notices") {
   const ScratchDirectory scratch;
   Served served{scratch / "data"};
-  const std::string reason = [&] {
+  struct Case {
+    Bytes said;
+    std::string refusal;
+  };
+  const std::vector<Case> cases{
+      {frame_of(0xffff'ffff, {}), "at most 1048576 are taken"},
+      {frame_of(1, {1}), "a frame of 1 bytes"},
+      {frame_of(2, {9, 1}), "speaks version 9"},
+      {frame_of(2, {kSocketVersion, 99}), "there is no request 99"},
+      {frame_of(3, {kSocketVersion, 2, 200}), "has 1 to 4096 voxels"},
+      {frame_of(3, {kSocketVersion, 2, 0}), "has 1 to 4096 voxels"},
+      {frame_of(50, {kSocketVersion}), "a frame ends early"},
+      {{std::byte{50}}, "a frame ends early"},
+  };
+  for (const Case& each : cases) {
     const RawPeer peer{served.directory};
-    SECTION("a frame that is too large") {
-      peer.say(frame_of(0xffff'ffff, {}));
-      return peer.refusal() + "|at most 1048576 are taken";
-    }
-    SECTION("a frame that is too small") {
-      peer.say(frame_of(1, {1}));
-      return peer.refusal() + "|a frame of 1 bytes";
-    }
-    SECTION("another version") {
-      peer.say(frame_of(2, {9, 1}));
-      return peer.refusal() + "|speaks version 9";
-    }
-    SECTION("no such request") {
-      peer.say(frame_of(2, {kSocketVersion, 99}));
-      return peer.refusal() + "|there is no request 99";
-    }
-    SECTION("an edit that is none") {
-      peer.say(frame_of(3, {kSocketVersion, 2, 200}));
-      return peer.refusal() + "|has 1 to 4096 voxels";
-    }
-    SECTION("half a frame") {
-      peer.say(frame_of(50, {kSocketVersion}));
-      ::shutdown(peer.descriptor(), SHUT_WR);
-      return peer.refusal() + "|a frame ends early";
-    }
-    return std::string{"|"};
-  }();
-  const std::size_t bar = reason.find('|');
-  CHECK(reason.substr(0, bar).find(reason.substr(bar + 1)) != std::string::npos);
+    peer.say(each.said);
+    ::shutdown(peer.descriptor(), SHUT_WR);
+    const std::string refusal = peer.refusal();
+    CAPTURE(refusal, each.refusal);
+    CHECK(refusal.find(each.refusal) != std::string::npos);
+  }
   CHECK(connected(served.directory).checkpoint().has_value());
 }
 
