@@ -58,6 +58,7 @@ for ((minute = 1; minute <= minutes; ++minute)); do
   builders=$!
   "$load" --connect "127.0.0.1:$port" --players 12 --radius 6 --duration 50 --seed "$((seed + minute))" >"$out/flyers.txt" 2>&1 &
   flyers=$!
+  sleep 5  # who finds no server at the very first gives up
   most=0
   while kill -0 "$builders" 2>/dev/null; do
     sleep "$((1 + RANDOM % 3))"
