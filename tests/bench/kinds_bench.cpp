@@ -100,7 +100,7 @@ void rotated(State& state, int k) {
 
 // Among the mesas of a world of regions, where some 7 % of columns are walls.
 struct Mesas {
-  static constexpr ApronNumbers kNumbers{284, 179, 8 * kSubvoxels, 192, 8, 128 * kSubvoxels, 12};
+  static constexpr ApronNumbers kNumbers{284, 179, 8 * kSubvoxels, 192, 8, 128 * kSubvoxels, 12, false, {}};
   const int halo = apron_halo(kNumbers);
   const int side = kPatchSide + 2 * halo;
   const std::vector<std::int64_t> xs = bench::line(-3400, side + 2);

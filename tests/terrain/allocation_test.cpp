@@ -82,7 +82,7 @@ TEST_CASE("Neither does one of a world whose features survey the ground") {
 }
 
 TEST_CASE("Aprons and cliffs of a patch need no allocation once there was one") {
-  const ApronNumbers numbers{284, 179, 2048, 192, 8, 0, 12};
+  const ApronNumbers numbers{284, 179, 2048, 192, 8, 0, 12, false, {}};
   Field height{168, 168};
   for (int i = 0; i < 168; ++i) std::fill(height.row(i).begin(), height.row(i).end(), i / 20 * 5000);
   const Field slope = slope_inside(height);

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <utility>
 #include <vector>
 
 namespace talus::terrain {
@@ -38,6 +39,17 @@ class SlowAprons {
 
   // The nearest wall by all columns in reach.
   [[nodiscard]] std::int32_t cliff(int x, int z) const {
+    if (numbers_.cliff_by_slope) {
+      std::int64_t eighths = -8;
+      for (const auto& [i, j] : {std::pair{-1, 0}, {1, 0}, {0, -1}, {0, 1}}) {
+        if (numbers_.walls_beside.any == 0) continue;
+        if (wall(x + i, z + j)) eighths += numbers_.walls_beside.any;
+        if (slope_.at(x + i, z + j) > 2 * numbers_.wall_fx) eighths += numbers_.walls_beside.sheer;
+      }
+      const std::int64_t near = 16 * std::min(slope_.at(x, z), numbers_.wall_fx) + eighths * numbers_.wall_fx;
+      return static_cast<std::int32_t>(kCliff * std::clamp<std::int64_t>(near, 0, 8 * numbers_.wall_fx) /
+                                       (8 * numbers_.wall_fx));
+    }
     const int d = numbers_.cliff_reach;
     if (d == 0) return 0;
     const std::int32_t straight = (kCliff + d - 1) / d;
@@ -71,16 +83,20 @@ class SlowAprons {
   }
   [[nodiscard]] bool wall(int x, int z) const { return slope_.at(x, z) > numbers_.wall_fx; }
 
+  // Every second step goes along rows and columns alone.
+  [[nodiscard]] static bool looks(int step, int i, int j) { return step % 2 == 1 || i == 0 || j == 0; }
+
   // The lowest ground that is no wall in `steps` steps from wall to wall.
   [[nodiscard]] Field feet() const {
     Field foot{height_.width, height_.depth};
     each([&](int x, int z) { foot.at(x, z) = wall(x, z) ? kNever : height_.at(x, z); });
-    for (int step = 0; step < numbers_.steps; ++step) {
+    for (int step = 1; step <= numbers_.steps; ++step) {
       const Field before = foot;
       each([&](int x, int z) {
         if (!wall(x, z)) return;
         each_of_nine([&](int i, int j) {
-          if (inside(x + i, z + j)) foot.at(x, z) = std::min(foot.at(x, z), before.at(x + i, z + j));
+          if (looks(step, i, j) && inside(x + i, z + j))
+            foot.at(x, z) = std::min(foot.at(x, z), before.at(x + i, z + j));
         });
       });
     }
@@ -133,7 +149,7 @@ class SlowAprons {
         }
         std::int32_t reached = -kNever;
         each_of_nine([&](int i, int j) {
-          if ((i == 0 && j == 0) || !inside(x + i, z + j)) return;
+          if ((i == 0 && j == 0) || !looks(step, i, j) || !inside(x + i, z + j)) return;
           reached = std::max(reached, before.at(x + i, z + j) - (i != 0 && j != 0 ? slant : numbers_.c_fx));
         });
         const std::int32_t h = height_.at(x, z);
@@ -207,6 +223,11 @@ ApronNumbers any_numbers() {
   numbers.bare_fx = *rc::gen::element(-(1 << 29), -(1 << 29), 300, 3000);
   numbers.cliff_reach = *rc::gen::inRange(0, 20);
   numbers.c_fx = std::max(numbers.c_fx, numbers.most_fx / 24);
+  if (*rc::gen::inRange(0, 4) == 0) {
+    numbers.cliff_by_slope = true;
+    numbers.walls_beside = *rc::gen::element(WallsBeside{}, WallsBeside{8, 5}, WallsBeside{5, 2});
+    numbers.cliff_reach = 0;
+  }
   return numbers;
 }
 
@@ -443,7 +464,10 @@ TEST_CASE("At a level aprons lie on the same ground") {
   CHECK(apron_halo(at_level(numbers, Lod::of(1))) == 4 + 5 + 1);
   CHECK(apron_halo(at_level(numbers, Lod::of(2))) == 2 + 2 + 1);
   CHECK(apron_halo(at_level(numbers, Lod::of(3))) == 1 + 1 + 1);
-  CHECK(apron_halo(at_level(numbers, Lod::of(4))) == 0);
+  CHECK(apron_halo(at_level(numbers, Lod::of(4))) == 1);
+  CHECK(at_level(numbers, Lod::of(2)).cliff_reach == 3);
+  CHECK(at_level(numbers, Lod::of(3)).cliff_by_slope);
+  CHECK(apron_halo(at_level(numbers, Lod::of(5))) == 0);
   CHECK(apron_halo(ApronNumbers{}) == 0);
 }
 

@@ -371,6 +371,8 @@ TEST_CASE("Layers are laid by every instruction set as by the definition, where 
     const Fbm fbm{*rc::gen::arbitrary<std::uint64_t>(), *rc::gen::inRange<std::int64_t>(8, 400), 4};
     std::vector<std::uint8_t> open(xs.size() / kSegment + 1);
     for (auto& segment : open) segment = *rc::gen::element<std::uint8_t>(0, 1);
+    const bool between = *rc::gen::arbitrary<bool>();
+    const float share = static_cast<float>(*rc::gen::inRange(1, 8)) / 8;
     for (std::size_t x = 0; x < xs.size(); ++x) {
       const bool is_open = open[x / kSegment] != 0;
       below.values[x] = is_open ? std::min(below.values[x], limit.values[x]) : limit.values[x];
@@ -380,14 +382,26 @@ TEST_CASE("Layers are laid by every instruction set as by the definition, where 
     for (const InstructionSet set : sets) {
       FbmRows rows{set};
       rows.start(fbm, xs);
-      const auto octaves = rows.octaves(z);
       auto left = open;
       std::vector<std::int32_t> tops(xs.size() + 1, -1);  // one more, that nothing may touch
-      const bool any =
-          strata_kernels(set).stack(octaves.data(), octaves.size(), shape, xs.size(), limit.values.data(),
-                                    below.values.data(), left.data(), tops.data());
+      const auto row_at = [&](std::int64_t row_z) {
+        const float* const row = rows.row(row_z);
+        return std::vector<float>(row, row + xs.size());
+      };
+      std::vector<float> noise = row_at(z);
+      bool any = false;
+      if (between) {
+        const std::vector<float> south = row_at(z + 8);
+        any = strata_kernels(set).stack_between(noise.data(), south.data(), share, shape, xs.size(),
+                                                limit.values.data(), below.values.data(), left.data(),
+                                                tops.data());
+        for (std::size_t x = 0; x < xs.size(); ++x) noise[x] += share * (south[x] - noise[x]);
+      } else {
+        const auto octaves = rows.octaves(z);
+        any = strata_kernels(set).stack(octaves.data(), octaves.size(), shape, xs.size(), limit.values.data(),
+                                        below.values.data(), left.data(), tops.data());
+      }
       RC_ASSERT(tops.back() == -1);
-      const float* noise = rows.row(z);
       bool any_expected = false;
       for (std::size_t first = 0; first < xs.size(); first += kSegment) {
         const std::size_t segment = first / kSegment;

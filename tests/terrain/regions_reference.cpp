@@ -165,8 +165,9 @@ std::int32_t region_height_fx(const Regions& regions, float highest_fx, std::int
   const float a1 = 0.45F + 0.55F * ramp(low + 90, low + 30, bs);
   const float a2 = ramp(low + 28, low, bs + 0.3F * A);
   const float wide = 0.8F + 0.8F * ramp(24, 3, B);
-  const float w1 = p.half_width[0] * wide;
-  const float w2 = p.half_width[1] * wide;
+  const float high = p.carve[0];
+  const float w1 = p.half_width[0] * (wide * (0.25F + 0.75F * ramp(high + 12, high - 28, bs)));
+  const float w2 = p.half_width[1] * (wide * (0.25F + 0.75F * ramp(low + 12, low - 16, bs + 0.3F * A)));
   const float shallow = 1 - 0.7F * ramp(0.5F, 6, up);
   const float dp1 = std::min(p.bed + 1.2F, w1 / 2) * shallow;
   const float dp2 = std::min(0.8F * p.bed + 1.2F, w2 / 2) * shallow;
@@ -183,7 +184,7 @@ std::int32_t region_height_fx(const Regions& regions, float highest_fx, std::int
   const float mesa = of(v, Slow::mesa) * p.mesa_height * p.terraces(field) * s_curve(unit(4 * s));
   const float hm = bs + A * hill + G * p.range_relief * R;
   float h = hm > kb ? kb + (hm - kb) * s : hm;
-  h = h + mesa - std::max(b1, b2) * ramp(-9, -1, B);
+  h = h + mesa - std::max(b1, b2) * ramp(-9, -1, hm);
   h = h * (0.3F + 0.7F * s_curve(unit(std::abs(h) * (1.0F / 7))));
   const float fx = std::min(std::max(1.0F, h + p.sea_level) * p.subvoxels_a_unit, highest_fx);
   return static_cast<std::int32_t>(std::lrint(fx));

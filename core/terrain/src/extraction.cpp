@@ -277,7 +277,7 @@ class LayerPicker {
   const TileRows& tile_;
   std::int32_t floor_row_;
   Layers layers_;
-  std::array<Present, 4> present_{};  // the last that were asked for
+  std::array<Present, 8> present_{};  // the last that were asked for
   std::size_t next_present_ = 0;
 };
 

@@ -516,9 +516,9 @@ void Generator::cut_at_bare(Field& top) const {
 void Generator::start_grid(const LooseSpec& loose) {
   Scratch& s = *scratch_;
   const Lod lod = s.region.lod;
-  if (!loose.share) return s.grid.start(*s.loose_slope, loose.thickness_at(lod), loose.S_fx);
+  if (!loose.share) return s.grid.start(*s.loose_slope, loose.thickness_at(lod), loose.steepest_at(lod));
   crop_share(*loose.share, s.ring, s.share);
-  s.grid.start(*s.loose_slope, s.share, loose.t_fx, kWholeShare << lod.value(), loose.S_fx);
+  s.grid.start(*s.loose_slope, s.share, loose.t_fx, kWholeShare << lod.value(), loose.steepest_at(lod));
 }
 
 /// Over the region and `ring` columns around it.

@@ -56,14 +56,14 @@ Json told_materials(const terrain::World& world) {
   return told;
 }
 
-Json told_eroded(const terrain::World& world) {
+Json told_eroded(const terrain::World& world, Lod lod) {
   Json told = Json::array();
   for (const terrain::LooseSpec& loose : world.loose()) {
     told.push_back({{"id", to_integer(loose.material)},
                     {"name", world.materials()[to_integer(loose.material)].name},
                     {"weight", loose.weight},
                     {"t_fx", loose.t_fx},
-                    {"S_fx", loose.S_fx},
+                    {"S_fx", loose.steepest_at(lod)},
                     {"c_fx", loose.c_fx}});
   }
   return told;
@@ -114,7 +114,7 @@ std::string export_json(const ExportPlan& plan, std::size_t rows) {
   }
   json["layers"] = ids_of(plan.layers);
   json["planes"] = ids_of(plan.planes);
-  json["eroded"] = told_eroded(world);
+  json["eroded"] = told_eroded(world, plan.region.lod);
   json["fields"] = {{"names", plan.fields}, {"scale", kFieldScale}};
   if (world.look_names().size() > 1) json["looks"] = world.look_names();
   json["arrays"] = told_arrays(plan, rows);

@@ -1,10 +1,12 @@
 #include "features/object_models.h"
 
 #include <algorithm>
+#include <bitset>
 #include <cstdlib>
 #include <tuple>
 
 #include <talus/terrain/lattice_hash.h>
+#include <talus/voxel/coords.h>
 
 namespace talus::terrain {
 namespace {
@@ -83,7 +85,7 @@ void conifer(Sculptor& tree) {
   const int height = tree.draws.whole(10, 22);
   const int tier = tree.draws.whole(3, 4);
   const int base = 2 + height / 8;
-  tree.pillar(0, 0, -kObjectRoot, height, kTrunk);
+  tree.pillar(0, 0, -kObjectRoot, base, kTrunk);  // above that needles hide it
   for (int y = base; y < height + 2; ++y) {
     const int down = height + 2 - y;
     const int cone = 4 * down * (height / 5 + 2) / (height + 2 - base) + 2;
@@ -126,7 +128,7 @@ void crown(Sculptor& tree, int trunk, Crown form) {
 void broadleaf(Sculptor& tree) {
   const int trunk = tree.draws.whole(4, 8);
   const int radius = tree.draws.whole(3, 5);
-  tree.pillar(0, 0, -kObjectRoot, trunk + radius / 2, kTrunk);
+  tree.pillar(0, 0, -kObjectRoot, trunk, kTrunk);
   crown(tree, trunk, {radius, 3});
 }
 
@@ -147,7 +149,7 @@ void jungle_tree(Sculptor& tree) {
   const int trunk = tree.draws.whole(12, 18);
   const int radius = tree.draws.whole(5, 7);
   for (int x = 0; x < 2; ++x) {
-    for (int z = 0; z < 2; ++z) tree.pillar(x, z, -kObjectRoot, trunk + radius / 2, kTrunk);
+    for (int z = 0; z < 2; ++z) tree.pillar(x, z, -kObjectRoot, trunk, kTrunk);
   }
   // Buttresses, each a step lower outward.
   const int turn = tree.draws.whole(0, 3);
@@ -236,6 +238,51 @@ ObjectModel model_of(const VoxelModel& model, const std::array<std::uint8_t, 256
   }
   tidy(made);
   return made;
+}
+
+namespace {
+
+class Occupied {
+ public:
+  explicit Occupied(const ObjectModel& model) {
+    for (const ModelVoxel& v : model) full_.set(index(v.x, v.y, v.z));
+  }
+  [[nodiscard]] bool at(int x, int y, int z) const {
+    return std::abs(x) <= kObjectReach && std::abs(z) <= kObjectReach && y >= -kObjectRoot &&
+           y < kObjectTop && full_[index(x, y, z)];
+  }
+
+ private:
+  static constexpr std::size_t kWidth = 2 * kObjectReach + 1;
+  static std::size_t index(int x, int y, int z) {
+    const auto row =
+        static_cast<std::size_t>(y + kObjectRoot) * kWidth + static_cast<std::size_t>(z + kObjectReach);
+    return row * kWidth + static_cast<std::size_t>(x + kObjectReach);
+  }
+  std::bitset<(kObjectRoot + kObjectTop) * kWidth * kWidth> full_;
+};
+
+}  // namespace
+
+int levels_shown(const std::vector<ObjectModel>& models) {
+  for (int level = 1; level <= ModelLevels::kCoarsest; ++level) {
+    const int step = 1 << level;
+    std::size_t all = 0;
+    std::size_t together = 0;
+    for (const ObjectModel& model : models) {
+      const Occupied full{model};
+      for (const auto& [x, y, z, part] : model) {
+        if (y < 0) continue;
+        ++all;
+        const bool touches = y < step || full.at(x, y - step, z) || full.at(x, y + step, z) ||
+                             full.at(x - step, y, z) || full.at(x + step, y, z) || full.at(x, y, z - step) ||
+                             full.at(x, y, z + step);
+        if (touches) ++together;
+      }
+    }
+    if (3 * together < 2 * all) return level;
+  }
+  return Lod::kMax + 1;
 }
 
 ModelColumns::ModelColumns(const ObjectModel& model) : voxels_{model} {

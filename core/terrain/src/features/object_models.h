@@ -62,6 +62,10 @@ inline constexpr std::array<ModelForm, kModelKinds> kModelForms{{{"conifer", {"w
 /// by colour.
 [[nodiscard]] ObjectModel model_of(const VoxelModel& model, const std::array<std::uint8_t, 256>& parts);
 
+/// How many levels show these models, level 0 among them: those at which two thirds of their voxels touch
+/// another that the level shows, or the ground. Others would be cubes in the air.
+[[nodiscard]] int levels_shown(const std::vector<ObjectModel>& models);
+
 /// Sorts, and drops what is said twice or out of bounds.
 void tidy(ObjectModel& model);
 

@@ -150,7 +150,10 @@ bool Objects::present(const Candidate& candidate, std::int32_t share) const {
 bool Objects::place(const StandingGround& ground, int columns, Placement& at,
                     std::vector<PlacedObject>& objects) const {
   const Region& region = ground.region;
-  while (at.kind < kinds_.size() && ground.none(kinds_[at.kind].share)) ++at.kind;
+  const auto absent = [&](const ObjectKind& kind) {
+    return ground.none(kind.share) || region.lod.value() >= kind.levels_shown;
+  };
+  while (at.kind < kinds_.size() && absent(kinds_[at.kind])) ++at.kind;
   if (at.kind == kinds_.size()) return false;
   const bool in_cells = region.lod.value() <= kLastEnumerated.value();
   if (!in_cells && at.seen_in.size() != region.columns()) at.seen_in.assign(region.columns(), 0);
@@ -437,6 +440,7 @@ class ObjectReader {
   void read_models(TableReader& table, ObjectKind& kind) {
     kind.model = table.text("model", kMaxModelNameBytes);
     is_file(kind) ? read_file(table, kind) : read_formula(table, kind);
+    kind.levels_shown = levels_shown(kind.models);
     for (const ObjectModel& model : kind.models) {
       kind.columns.emplace_back(model);
       kind.rows.emplace_back(model);

@@ -33,6 +33,7 @@ struct ObjectKind {
   std::vector<ModelLevels> levels;      // of each model
   int reach = 0;                        // of all models: columns from the foot
   int top = 0;                          // rows above the ground
+  int levels_shown = 0;                 // level 0 among them; coarser ones leave the kind out
 };
 
 class Objects final : public Feature {

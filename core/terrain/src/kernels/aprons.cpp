@@ -38,7 +38,7 @@ ColumnRange start_feet(const std::int32_t* height, const std::int32_t* slope, st
 }
 
 void descend(const std::int32_t* feet, std::size_t stride, const std::int32_t* slope, std::size_t width,
-             std::int32_t wall_fx, std::int32_t* foot) {
+             std::int32_t wall_fx, bool diagonals, std::int32_t* foot) {
   over_row(Columns{}, width, [=](auto d, std::size_t x) HWY_ATTR {
     const std::int32_t* own = feet + stride + x;
     const auto before = hn::LoadU(d, own + 1);
@@ -49,8 +49,8 @@ void descend(const std::int32_t* feet, std::size_t stride, const std::int32_t* s
     }
     auto lowest = hn::Min(before, hn::Min(hn::LoadU(d, own), hn::LoadU(d, own + 2)));
     for (const std::int32_t* row : {own - stride, own + stride}) {
-      const auto ends = hn::Min(hn::LoadU(d, row), hn::LoadU(d, row + 2));
-      lowest = hn::Min(lowest, hn::Min(ends, hn::LoadU(d, row + 1)));
+      lowest = hn::Min(lowest, hn::LoadU(d, row + 1));
+      if (diagonals) lowest = hn::Min(lowest, hn::Min(hn::LoadU(d, row), hn::LoadU(d, row + 2)));
     }
     hn::StoreU(hn::IfThenElse(wall, lowest, before), d, foot + x);
   });
@@ -111,10 +111,12 @@ void spread_aprons(const std::int32_t* tops, std::size_t stride, const std::int3
     const std::int32_t* south = own + stride;
     const auto straight = hn::Max(hn::Max(hn::LoadU(d, own), hn::LoadU(d, own + 2)),
                                   hn::Max(hn::LoadU(d, north + 1), hn::LoadU(d, south + 1)));
-    const auto diagonal = hn::Max(hn::Max(hn::LoadU(d, north), hn::LoadU(d, north + 2)),
-                                  hn::Max(hn::LoadU(d, south), hn::LoadU(d, south + 2)));
-    const auto reached =
-        hn::Max(hn::Sub(straight, hn::Set(d, c_fx)), hn::Sub(diagonal, hn::Set(d, diagonal_fx)));
+    auto reached = hn::Sub(straight, hn::Set(d, c_fx));
+    if (diagonal_fx != 0) {
+      const auto diagonal = hn::Max(hn::Max(hn::LoadU(d, north), hn::LoadU(d, north + 2)),
+                                    hn::Max(hn::LoadU(d, south), hn::LoadU(d, south + 2)));
+      reached = hn::Max(reached, hn::Sub(diagonal, hn::Set(d, diagonal_fx)));
+    }
     const auto ground = hn::LoadU(d, floor + x);
     const auto none = hn::Set(d, kNoGround_fx);
     const auto before = hn::IfThenElse(hn::Eq(ground, none), hn::Neg(none), hn::LoadU(d, own + 1));

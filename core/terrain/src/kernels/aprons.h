@@ -38,10 +38,10 @@ struct ApronKernels {
   /// foot = H where the slope is no wall's, else kNoGround_fx. Columns among which all walls are.
   ColumnRange (*start_feet)(const std::int32_t* height, const std::int32_t* slope, std::size_t width,
                             std::int32_t wall_fx, std::int32_t* foot);
-  /// In walls the lowest foot of the nine columns; elsewhere what it was. `feet` is the row before the
-  /// middle one.
+  /// In walls the lowest foot of the nine columns, or without those along diagonals; elsewhere what it was.
+  /// `feet` is the row before the middle one.
   void (*descend)(const std::int32_t* feet, std::size_t stride, const std::int32_t* slope, std::size_t width,
-                  std::int32_t wall_fx, std::int32_t* foot);
+                  std::int32_t wall_fx, bool diagonals, std::int32_t* foot);
   /// sum += other.
   void (*add)(const std::int32_t* other, std::size_t width, std::int32_t* sum);
   void (*halve)(std::size_t width, int times, std::int32_t* sum);
@@ -49,8 +49,9 @@ struct ApronKernels {
   ColumnRange (*begin)(const std::int32_t* height, const std::int32_t* slope, const std::int32_t* foot,
                        const std::int32_t* mean, std::size_t width, const ApronSupply& supply,
                        const ApronRows& out);
-  /// One step outward: at least c lower than a neighbour in a row or column, diagonal_fx than the others, and
-  /// at most thickest_fx above the floor. Tops in walls end with it. `tops` is the row before the middle one.
+  /// One step outward: at least c lower than a neighbour in a row or column, diagonal_fx than the others,
+  /// which are not looked at where that is 0, and at most thickest_fx above the floor. Tops in walls end with
+  /// it. `tops` is the row before the middle one.
   void (*spread)(const std::int32_t* tops, std::size_t stride, const std::int32_t* floor, std::size_t width,
                  std::int32_t c_fx, std::int32_t diagonal_fx, std::int32_t thickest_fx, std::int32_t* top);
   /// surface = max(surface, top).

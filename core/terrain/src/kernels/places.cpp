@@ -24,7 +24,7 @@ void climate(const JitterRow& jitter, float reciprocal_lapse, std::size_t width,
              float* moisture) {
   const PlaceTag f;
   for (std::size_t i = 0; i < width; i += hn::Lanes(f)) {
-    const auto noise = hn::Mul(hn::LoadU(f, jitter.noise + i), hn::Set(f, 0.03F));
+    const auto noise = hn::Mul(hn::LoadU(f, jitter.noise + i), hn::Set(f, 0.047F));
     const auto small = hn::LoadU(f, jitter.small + i);
     const auto over = hn::Max(hn::Sub(hn::LoadU(f, jitter.height + i), hn::Set(f, 15)), hn::Zero(f));
     const auto colder = hn::Mul(over, hn::Set(f, reciprocal_lapse));

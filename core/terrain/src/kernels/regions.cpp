@@ -472,18 +472,23 @@ HWY_INLINE Height<N> height_at(const At& at, const RegionShape& shape, float wid
   const N lifted = quotient(mul(above, above), plus(above, 20));
   const N flood_plain = plus(lifted, 1.2F);
   const N wide = plus(times(ramp(24, 3, base), 0.8F), 0.8F);
+  const N toward_hills = add(plain, times(hills, 0.3F));
   const N shallow = less(1, times(ramp(0.5F, 6, lifted), 0.7F));
   const float low = shape.carve[1];
   const N main_share = plus(times(ramp(low + 90, low + 30, plain), 0.55F), 0.45F);
-  const N side_share = ramp(low + 28, low, add(plain, times(hills, 0.3F)));
+  const N side_share = ramp(low + 28, low, toward_hills);
+  // Toward its spring a river narrows, and is dry where it is no wider than a brook.
+  const float high = shape.carve[0];
+  const N main_wide = mul(wide, plus(times(ramp(high + 12, high - 28, plain), 0.75F), 0.25F));
+  const N side_wide = mul(wide, plus(times(ramp(low + 12, low - 16, toward_hills), 0.75F), 0.25F));
   const N tributary =
       where_above(river, At::number(0), at.load(&RegionRow::tributary_a), at.load(&RegionRow::tributary_b));
   const Cut<N> main =
-      cut_by(size_of(river), times(wide, shape.half_width[0]), plus(times(belt, 150), shape.valley[0]),
+      cut_by(size_of(river), times(main_wide, shape.half_width[0]), plus(times(belt, 150), shape.valley[0]),
              main_share, shallow, shape.bed + 1.2F, widened);
   const Cut<N> side =
-      cut_by(size_of(tributary), times(wide, shape.half_width[1]), plus(times(belt, 120), shape.valley[1]),
-             side_share, shallow, 0.8F * shape.bed + 1.2F, widened);
+      cut_by(size_of(tributary), times(side_wide, shape.half_width[1]),
+             plus(times(belt, 120), shape.valley[1]), side_share, shallow, 0.8F * shape.bed + 1.2F, widened);
   const N left = mul(main.left, side.left);
 
   // A valley lowers the field of the terraces, not the land: so canyons are stepped.
@@ -496,7 +501,8 @@ HWY_INLINE Height<N> height_at(const At& at, const RegionShape& shape, float wid
   const N land = add(add(plain, mul(hills, hill)), mul(times(belt, shape.range_relief), relief));
   const N carved = add(flood_plain, mul(sub(land, flood_plain), left));
   N height = where_above(land, flood_plain, carved, land);
-  height = sub(add(height, mesa), mul(larger(main.bed, side.bed), ramp(-9, -1, base)));
+  // The floor of the sea has none.
+  height = sub(add(height, mesa), mul(larger(main.bed, side.bed), ramp(-9, -1, land)));
   // Beaches: at the shore the land is flatter.
   const N from_shore = unit(times(size_of(height), 1.0F / 7));
   height = mul(height, plus(times(smooth(from_shore), 0.7F), 0.3F));

@@ -20,13 +20,16 @@ namespace {
 namespace hn = hwy::HWY_NAMESPACE;
 using talus::HWY_NAMESPACE::round_to_even;
 
-bool stack(const OctaveRow* octaves, std::size_t count, const LayerShape& shape, std::size_t width,
-           const std::int32_t* limit, const std::int32_t* below, std::uint8_t* open, std::int32_t* top) {
+/// `noise.with<kVectors>(f, at, use)` calls use(v, noise of vector v from column `at` on).
+template <class Noise>
+HWY_INLINE bool stack_by(const Noise& noise_of, const LayerShape& shape, std::size_t width,
+                         const std::int32_t* limit, const std::int32_t* below, std::uint8_t* open,
+                         std::int32_t* top) {
   // Whether kVectors vectors of columns from `at` on have reached the limit.
-  const auto stack_at = [=, &shape]<std::size_t kVectors>(auto f, std::size_t at) HWY_ATTR {
+  const auto stack_at = [=, &noise_of, &shape]<std::size_t kVectors>(auto f, std::size_t at) HWY_ATTR {
     const hn::RebindToSigned<decltype(f)> d;
     auto missing = hn::Zero(d);  // less than 0 where the limit is not reached
-    with_noise<kVectors>(f, octaves, count, at, [&](std::size_t v, auto noise) HWY_ATTR {
+    noise_of.template with<kVectors>(f, at, [&](std::size_t v, auto noise) HWY_ATTR {
       const std::size_t x = at + v * hn::Lanes(d);
       const auto swell = hn::Add(hn::Set(f, 1.0F), hn::Mul(hn::Set(f, shape.swing), noise));
       const auto thickness = hn::Mul(hn::Set(f, shape.mean_fx), hn::Max(hn::Zero(f), swell));
@@ -67,9 +70,45 @@ bool stack(const OctaveRow* octaves, std::size_t count, const LayerShape& shape,
   return any;
 }
 
+struct OctavesNoise {
+  const OctaveRow* octaves;
+  std::size_t count;
+
+  template <std::size_t kVectors, class Tag, class Use>
+  HWY_INLINE void with(Tag f, std::size_t at, const Use& use) const {
+    with_noise<kVectors>(f, octaves, count, at, use);
+  }
+};
+
+bool stack(const OctaveRow* octaves, std::size_t count, const LayerShape& shape, std::size_t width,
+           const std::int32_t* limit, const std::int32_t* below, std::uint8_t* open, std::int32_t* top) {
+  return stack_by(OctavesNoise{octaves, count}, shape, width, limit, below, open, top);
+}
+
+struct NoiseBetween {
+  const float* north;
+  const float* south;
+  float share;
+
+  template <std::size_t kVectors, class Tag, class Use>
+  HWY_INLINE void with(Tag f, std::size_t at, const Use& use) const {
+    for (std::size_t v = 0; v < kVectors; ++v) {
+      const auto from = hn::LoadU(f, north + at + v * hn::Lanes(f));
+      const auto to = hn::LoadU(f, south + at + v * hn::Lanes(f));
+      use(v, hn::Add(from, hn::Mul(hn::Set(f, share), hn::Sub(to, from))));
+    }
+  }
+};
+
+bool stack_between(const float* north, const float* south, float share, const LayerShape& shape,
+                   std::size_t width, const std::int32_t* limit, const std::int32_t* below,
+                   std::uint8_t* open, std::int32_t* top) {
+  return stack_by(NoiseBetween{north, south, share}, shape, width, limit, below, open, top);
+}
+
 }  // namespace
 
-constexpr StrataKernels kStrata{stack};
+constexpr StrataKernels kStrata{stack, stack_between};
 
 }  // namespace talus::terrain::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

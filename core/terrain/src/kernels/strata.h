@@ -26,6 +26,10 @@ struct StrataKernels {
   /// padding; `top` is none of the others, as columns near the row's end are computed twice.
   bool (*stack)(const OctaveRow* octaves, std::size_t count, const LayerShape& shape, std::size_t width,
                 const std::int32_t* limit, const std::int32_t* below, std::uint8_t* open, std::int32_t* top);
+  /// The same of a noise that is so much of the way from row `north` to row `south`.
+  bool (*stack_between)(const float* north, const float* south, float share, const LayerShape& shape,
+                        std::size_t width, const std::int32_t* limit, const std::int32_t* below,
+                        std::uint8_t* open, std::int32_t* top);
 };
 
 [[nodiscard]] const StrataKernels& strata_kernels(InstructionSet set);

@@ -11,10 +11,16 @@ namespace talus::terrain {
 namespace {
 
 constexpr std::int32_t kSteepestRepose_fx = 1 << 20;
+constexpr int kLeastCliffReach = 2;  // columns of a coarse level
 
 // sqrt(2) times as far.
 std::int32_t along_diagonal(std::int32_t straight) {
   return (straight * 362) >> 8;
+}
+
+// Diagonals in every second step alone, from the first: so reach is an octagon, not a square.
+bool along_diagonals(int step) {
+  return step % 2 == 1;
 }
 
 // How many steps an apron spreads from its wall: as many as leave it some thickness.
@@ -30,6 +36,7 @@ int raised_halo(const ApronNumbers& numbers) {
 }
 
 int cliff_halo(const ApronNumbers& numbers) {
+  if (numbers.cliff_by_slope) return numbers.walls_beside.any != 0 ? 1 : 0;
   return std::max(0, numbers.cliff_reach - 1);
 }
 
@@ -83,7 +90,13 @@ ApronNumbers at_level(ApronNumbers numbers, Lod lod) {
   numbers.c_fx = static_cast<std::int32_t>(
       std::min<std::int64_t>(std::int64_t{numbers.c_fx} << level, kSteepestRepose_fx));
   numbers.steps >>= level;
-  numbers.cliff_reach >>= level;
+  const int reach = numbers.cliff_reach >> level;
+  numbers.cliff_by_slope = level > 0 && numbers.cliff_reach > 0 && reach < kLeastCliffReach;
+  if (numbers.cliff_by_slope && reach == 1) numbers.walls_beside = {8, 5};
+  if (numbers.cliff_by_slope && reach == 0 && numbers.cliff_reach >> (level - 1) == 1) {
+    numbers.walls_beside = {5, 2};
+  }
+  numbers.cliff_reach = numbers.cliff_by_slope ? 0 : reach;
   return numbers;
 }
 
@@ -145,14 +158,15 @@ bool Aprons::start_feet(const Field& height, const Field& slope, const ApronNumb
 // Where no walls are, both fields have the ground from the start.
 void Aprons::find_feet(const Field& slope, const ApronNumbers& numbers, int ring) {
   const auto stride = static_cast<std::size_t>(slope.width);
-  for (int step = 0; step < numbers.steps; ++step) {
+  for (int step = 1; step <= numbers.steps; ++step) {
     ++ring;
     for (int z = std::max(ring, first_); z < std::min(slope.depth - ring, last_); ++z) {
       const ColumnRange columns = known_columns(active_[static_cast<std::size_t>(z)], slope.width, ring);
       if (columns.last == 0) continue;
       const auto x = static_cast<int>(columns.first);
       kernels_->descend(&feet_.at(x - 1, z - 1), stride, slope.row(z).data() + x,
-                        columns.last - columns.first, numbers.wall_fx, &next_.at(x, z));
+                        columns.last - columns.first, numbers.wall_fx, along_diagonals(step),
+                        &next_.at(x, z));
     }
     std::swap(feet_, next_);
   }
@@ -230,7 +244,8 @@ void Aprons::spread(const ApronNumbers& numbers, int ring) {
       if (columns.last == 0) continue;
       const auto x = static_cast<int>(columns.first);
       kernels_->spread(&feet_.at(x - 1, z - 1), stride, &floor_.at(x, z), columns.last - columns.first,
-                       numbers.c_fx, diagonal_fx, numbers.most_fx - numbers.c_fx * step, &next_.at(x, z));
+                       numbers.c_fx, along_diagonals(step) ? diagonal_fx : 0,
+                       numbers.most_fx - numbers.c_fx * step, &next_.at(x, z));
     }
     std::swap(active_, spread_);
   }
@@ -238,6 +253,7 @@ void Aprons::spread(const ApronNumbers& numbers, int ring) {
 
 void Aprons::near_walls(const Field& slope, int margin, const ApronNumbers& numbers, Field& cliff) {
   cliff.reshape(slope.width - 2 * margin, slope.depth - 2 * margin);
+  if (numbers.cliff_by_slope) return near_walls_by_slope(slope, margin, numbers, cliff);
   if (numbers.cliff_reach == 0) {
     std::fill(cliff.values.begin(), cliff.values.end(), 0);
     return;
@@ -262,6 +278,26 @@ void Aprons::near_walls(const Field& slope, int margin, const ApronNumbers& numb
       std::transform(row + halo, row + halo + cliff.width, cliff.row(z).begin(),
                      [](auto far) { return kCliff - std::int32_t{far}; });
     });
+  }
+}
+
+// A column on ground nearly as steep as a wall is near one; one of less slope where walls are beside it.
+void Aprons::near_walls_by_slope(const Field& slope, int margin, const ApronNumbers& numbers, Field& cliff) {
+  const std::int32_t wall_fx = numbers.wall_fx;
+  const WallsBeside& beside = numbers.walls_beside;
+  const auto eighths = [&](std::int32_t rise) {
+    return (rise > wall_fx ? beside.any : 0) + (rise > 2 * wall_fx ? beside.sheer : 0);
+  };
+  for (int z = 0; z < cliff.depth; ++z) {
+    for (int x = 0; x < cliff.width; ++x) {
+      const std::int32_t* const own = slope.row(z + margin).data() + margin + x;
+      int walls = 0;
+      if (beside.any != 0) {
+        walls = eighths(own[-1]) + eighths(own[1]) + eighths(own[-slope.width]) + eighths(own[slope.width]);
+      }
+      const std::int32_t near = 16 * std::min(*own, wall_fx) + (walls - 8) * wall_fx;
+      cliff.at(x, z) = kCliff * std::clamp(near, 0, 8 * wall_fx) / (8 * wall_fx);
+    }
   }
 }
 

@@ -16,6 +16,13 @@
 
 namespace talus::terrain {
 
+/// How much nearer a wall a column counts for each that is one of the four beside it, in eighths; and how
+/// much more where that is twice as steep as walls are.
+struct WallsBeside {
+  int any = 0;
+  int sheer = 0;
+};
+
 /// Columns are those of a level, heights (`_fx`) always level 0's subvoxels.
 struct ApronNumbers {
   std::int32_t wall_fx = 0;   // a column is wall where its slope is above that
@@ -25,6 +32,8 @@ struct ApronNumbers {
   int steps = 0;              // columns in which a wall's foot is looked for, and rock: 1, 2, 4, .. 32, or 0
   std::int32_t bare_fx = -(1 << 29);  // no apron is thicker than H - bare_fx, so that beds are free; to 2^23
   int cliff_reach = 0;                // columns from a wall that count as near, up to 4096; 0: none
+  bool cliff_by_slope = false;        // instead, as columns are too far apart
+  WallsBeside walls_beside;           // then
 };
 
 /// What [talus] says of aprons of that loose material, at level 0, but for the sea.
@@ -49,7 +58,8 @@ class Aprons {
 
   /// `height`, 0 to 2^23, and `slope` (eq. 1) cover a region.expanded(margin), margin >= apron_halo(numbers).
   /// What comes out covers the region: `raised`, H with its aprons, and `cliff`, from kCliff at walls to 0 at
-  /// cliff_reach columns from them, by octagonal distance. Neither is an input.
+  /// cliff_reach columns from them, by octagonal distance; or, by slope, clamp(2 slope / wall + walls
+  /// beside - 1, 0, 1) of that. Neither is an input.
   void compute(const Field& height, const Field& slope, int margin, const ApronNumbers& numbers,
                Field& raised, Field& cliff);
 
@@ -61,6 +71,7 @@ class Aprons {
   bool begin(const Field& height, const Field& slope, const ApronNumbers& numbers, int ring);
   void spread(const ApronNumbers& numbers, int ring);
   void near_walls(const Field& slope, int margin, const ApronNumbers& numbers, Field& cliff);
+  static void near_walls_by_slope(const Field& slope, int margin, const ApronNumbers& numbers, Field& cliff);
 
   const ApronKernels* kernels_;
   SettleGrid distances_;

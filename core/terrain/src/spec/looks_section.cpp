@@ -1,11 +1,28 @@
 #include "spec/looks_section.h"
 
 #include <algorithm>
+#include <array>
 #include <string_view>
 #include <utility>
 
 namespace talus::terrain {
 namespace {
+
+// Of a province each rock has one of these borders, so that on a wall they do not lie over each other in a
+// plumb line: how far their limits are moved, as much as noise moves a border. Height has no noise.
+constexpr std::array<double, 3> kRockBorders{0, 0.06, -0.06};
+constexpr double kBorderOfBase = 20;  // terrain units where other quantities have 1
+constexpr double kBorderOfHeight = 40;
+
+std::vector<PlaceCondition> moved(std::vector<PlaceCondition> conditions, double by) {
+  for (PlaceCondition& condition : conditions) {
+    double scale = 1;
+    if (condition.quantity == number_of(Quantity::base)) scale = kBorderOfBase;
+    if (condition.quantity == number_of(Quantity::height)) scale = kBorderOfHeight;
+    condition.limit += by * scale;
+  }
+  return conditions;
+}
 
 class LooksReader {
  public:
@@ -110,7 +127,7 @@ class LooksReader {
   void read_provinces() {
     if (rules_.empty()) rules_.emplace_back();
     const std::size_t rules = rules_.size();
-    rules_.emplace_back();
+    rules_.resize(rules + kRockBorders.size());
     std::vector<TableReader> tables = root_.tables("province");
     for (std::size_t i = 0; i < tables.size(); ++i) {
       if (i == kMaxLooks)
@@ -122,7 +139,10 @@ class LooksReader {
   void read_province(TableReader& table, std::size_t rules, std::uint8_t number) {
     table.only({"name", "below", "above", "colours"});
     const std::string name = table.text("name", kMaxNameBytes);
-    rules_[rules].cases.push_back({places_.conditions(table), number});
+    const std::vector<PlaceCondition> conditions = places_.conditions(table);
+    for (std::size_t i = 0; i < kRockBorders.size(); ++i) {
+      rules_[rules + i].cases.push_back({moved(conditions, kRockBorders[i]), number});
+    }
     auto colours = table.table("colours");
     if (!colours) return;
     for (const std::string& rock : colours->keys()) {
@@ -137,7 +157,7 @@ class LooksReader {
         continue;
       }
       const MaterialId of_id = of->id;
-      World::ShownBy& shown = shown_by(of_id, rules);
+      World::ShownBy& shown = shown_by(of_id, rules + to_integer(of_id) % kRockBorders.size());
       shown.by_look.resize(number + 1U, of_id);
       const MaterialId id{static_cast<std::uint16_t>(materials_.size())};
       const std::string shown_name = name + " " + rock;
@@ -146,7 +166,8 @@ class LooksReader {
       materials_.push_back({id, shown_name, colours->colour(rock), MaterialKind::stratified});
     }
     for (auto& shown : tables_.shown_by) {
-      if (shown && shown->looks == rules) shown->by_look.resize(number + 1U, shown->by_look.front());
+      const bool rock = shown && shown->looks >= rules && shown->looks < rules + kRockBorders.size();
+      if (rock) shown->by_look.resize(number + 1U, shown->by_look.front());
     }
   }
 

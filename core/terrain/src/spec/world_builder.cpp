@@ -1,5 +1,6 @@
 // world.toml -> World, section by section.
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <limits>
 #include <numeric>
@@ -308,7 +309,11 @@ void World::Builder::derive_halo() {
     return;
   }
   for (const LooseSpec& loose : world.loose_) world.halo_ = std::max(world.halo_, loose.halo_at(Lod{}));
-  if (spec.talus) world.halo_ += apron_halo(apron_numbers(world)) + 1;
+  if (!spec.talus) return;
+  const ApronNumbers aprons = apron_numbers(world);
+  world.halo_ += apron_halo(aprons) + 1;
+  if (aprons.most_fx > 0)
+    world.loose_[spec.talus->of].without_aprons_from = std::bit_width(static_cast<unsigned>(aprons.steps));
 }
 
 const World& default_world() {

@@ -5,8 +5,14 @@
 
 #include <talus/terrain/strata.h>
 
+#include "noise/lattice_place.h"
+
 namespace talus::terrain {
 namespace {
+
+// Layers of regions are slow: their noise is drawn at every eighth row, where its shortest wave is this long.
+constexpr std::int64_t kRowStep = 8;
+constexpr std::int64_t kShortestBetweenRows = 64;
 
 LayerShape shape_of(const World& world, const StratumSpec& layer) {
   // No layer reaches past the highest surface over the deepest sunk strata, so a thicker one may stop there
@@ -79,7 +85,6 @@ void StrataBuilder::add_layer() {
   const Field& limit_fx = *limit_fx_;
   Planes& planes = *planes_;
   const std::size_t width = xs_.size();
-  const std::size_t segments = (width + kSegment - 1) / kSegment;
   const StratumSpec& layer = world_.strata()[layer_];
   const bool joins = !planes.empty() && planes.top_material() == layer.material;
   if (joins) std::swap(ground_, planes.top());
@@ -93,7 +98,11 @@ void StrataBuilder::add_layer() {
   }
   // A layer lies on the plane below its own, or on the earlier state of its own.
   const Field& below = joins || planes.count() == 1 ? ground_ : planes.below_top();
-  noise_.start(layer_noise(world_.spec(), layer.roughness, layer_), xs_);
+  const Fbm noise = layer_noise(world_.spec(), layer.roughness, layer_);
+  noise_.start(noise, xs_);
+  between_rows_ =
+      world_.spec().surface.regions && noise.period >> (noise.octaves - 1) >= kShortestBetweenRows;
+  for (SampledRow& row : sampled_rows_) row.drawn = false;
   const LayerShape shape = shape_of(world_, layer);
   full_ = true;
   for (std::size_t z = 0; z < zs_.size(); ++z) {
@@ -102,13 +111,40 @@ void StrataBuilder::add_layer() {
       std::copy_n(limit_fx.values.data() + row, width, top.values.data() + row);
       continue;
     }
-    const auto octaves = noise_.octaves(zs_[z]);
-    const bool open = kernels_.stack(octaves.data(), octaves.size(), shape, width,
-                                     limit_fx.values.data() + row, below.values.data() + row,
-                                     open_segments_.data() + z * segments, top.values.data() + row);
+    const bool open = stack_row(z, shape, below, top);
     open_rows_[z] = open ? 1 : 0;
     full_ = full_ && !open;
   }
+}
+
+bool StrataBuilder::stack_row(std::size_t z, const LayerShape& shape, const Field& below, Field& top) {
+  const std::size_t width = xs_.size();
+  const std::size_t row = z * width;
+  const std::int32_t* const limit = limit_fx_->values.data() + row;
+  const std::int32_t* const under = below.values.data() + row;
+  std::uint8_t* const open = open_segments_.data() + z * ((width + kSegment - 1) / kSegment);
+  std::int32_t* const out = top.values.data() + row;
+  const std::int64_t base_z = zs_[z];
+  const std::int64_t north = floor_div(base_z, kRowStep) * kRowStep;
+  if (!between_rows_ || base_z == north) {
+    const auto octaves = noise_.octaves(base_z);
+    return kernels_.stack(octaves.data(), octaves.size(), shape, width, limit, under, open, out);
+  }
+  const float share = static_cast<float>(base_z - north) / static_cast<float>(kRowStep);
+  return kernels_.stack_between(sampled_row(north), sampled_row(north + kRowStep), share, shape, width, limit,
+                                under, open, out);
+}
+
+/// Of the layer's noise; valid until two others have been asked for.
+const float* StrataBuilder::sampled_row(std::int64_t z) {
+  SampledRow& row = sampled_rows_[static_cast<std::size_t>(floor_mod(z / kRowStep, 2))];
+  if (!row.drawn || row.z != z) {
+    const float* const noise = noise_.row(z);
+    row.noise.assign(noise, noise + xs_.size());
+    row.z = z;
+    row.drawn = true;
+  }
+  return row.noise.data();
 }
 
 }  // namespace talus::terrain

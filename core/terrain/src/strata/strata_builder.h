@@ -2,6 +2,7 @@
 // core/terrain.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -10,6 +11,7 @@
 
 #include <talus/terrain/field.h>
 #include <talus/terrain/world.h>
+#include <talus/vectors/aligned.h>
 
 #include "feature.h"
 #include "kernels/strata.h"
@@ -46,6 +48,9 @@ class StrataBuilder {
  private:
   void start_layers(const Field& limit_fx);
   void add_layer();
+  /// Puts the layer on row z. Whether a column of it has not reached the limit.
+  bool stack_row(std::size_t z, const LayerShape& shape, const Field& below, Field& top);
+  [[nodiscard]] const float* sampled_row(std::int64_t z);
   void lift();
 
   const World& world_;
@@ -62,6 +67,13 @@ class StrataBuilder {
   Field lift_;         // of the strata by all deformations
   Field reach_;        // of the strata above that: the limit less the lift
   FbmRows noise_;
+  bool between_rows_ = false;  // the layer's noise is drawn at some rows, and interpolated
+  struct SampledRow {
+    bool drawn = false;
+    std::int64_t z = 0;
+    AlignedVector<float> noise;
+  };
+  std::array<SampledRow, 2> sampled_rows_;
   const StrataKernels& kernels_;
   std::vector<std::uint8_t> open_rows_;      // 1 where a row has not reached the limit everywhere
   std::vector<std::uint8_t> open_segments_;  // and where kSegment columns of it have not

@@ -190,7 +190,13 @@ struct LooseSpec {
   std::int32_t S_fx = 0;  // rise over a run of one column above which nothing stays
   std::int32_t c_fx = 0;  // largest difference of thickness between neighbours at rest
 
-  std::optional<std::size_t> share;  // of PlacesSpec::shares: what part of t there is at a column
+  std::optional<std::size_t> share;         // of PlacesSpec::shares: what part of t there is at a column
+  int without_aprons_from = Lod::kMax + 1;  // levels too coarse for the aprons that are made of it
+
+  /// S at a level: where columns are too far apart for aprons, it lies on the walls that these would bury.
+  [[nodiscard]] std::int32_t steepest_at(Lod lod) const {
+    return lod.value() < without_aprons_from ? S_fx : static_cast<std::int32_t>(std::int64_t{S_fx} * 75 / 64);
+  }
 
   /// Thickness in subvoxels of a level.
   [[nodiscard]] std::int32_t thickness_at(Lod lod) const { return t_fx >> lod.value(); }

@@ -198,7 +198,7 @@ void RegionRows::quantities(std::int64_t z, std::span<const float*> rows) {
   const PlaceKernels& kernels = *place_kernels_;
   kernels.climate({border, details_[2].data(), details_[0].data()}, places_->reciprocal_lapse, width_,
                   at(Slow::temperature), at(Slow::moisture));
-  constexpr float kJitter = 0.03F;
+  constexpr float kJitter = 0.047F;            // as of climate
   constexpr float kBaseJitter = 20 * kJitter;  // of heights
   kernels.jitter(border, kJitter, width_, at(Slow::mesa));
   kernels.jitter(border, kJitter, width_, at(Slow::belt));

@@ -10,6 +10,7 @@
 
 #include "kernels/places.h"
 #include "kernels/regions.h"
+#include "noise/fbm_rows.h"
 #include "noise/rotated_fbm.h"
 #include "surface/regions/regions.h"
 #include "surface/regions/slow_lines.h"
@@ -46,7 +47,7 @@ class RegionRows final : public SurfaceRows {
   const PlaceKernels* place_kernels_;
   SlowLines lines_;
   RotatedFbm shape_;
-  RotatedFbm border_;
+  FbmRows border_;
   std::size_t width_ = 0;
   std::vector<std::int64_t> samples_;
   std::size_t columns_a_cell_ = 0;  // 0: they are irregular

@@ -20,7 +20,8 @@ struct Waves {
 };
 constexpr std::array<Waves, 2> kWarps{{{520, 3, 0.5}, {150, 1, 0.5}}};
 constexpr double kRiverGain = 0.3;
-constexpr Waves kBorder{24, 2, 0.6};
+constexpr double kBorderWavelength = 24;
+constexpr int kBorderOctaves = 2;
 // Weights of the shape's octaves: of hills the first is 1.7, and each next .54 of it; small land adds to the
 // fields of mesas, four times as much of each as ridges have.
 constexpr double kHillWeight = 1.7;
@@ -120,7 +121,8 @@ Regions regions_of(const RegionsSpec& spec, std::span<const FieldSpec> others, s
   shape.ridge_scale = static_cast<float>(1.5 / all_ridges);
   for (const FieldSpec& other : others) slow.others.push_back(field(other));
   return {std::move(slow), noise(".shape", {spec.shape_wavelength, kShapeOctaves, spec.shape_gain}),
-          std::move(shape), noise(".border", kBorder)};
+          std::move(shape),
+          Fbm{named_seed(world_seed, ".border"), rounded(kBorderWavelength * resolution), kBorderOctaves}};
 }
 
 double highest_land(const RegionsSpec& spec) {

@@ -12,6 +12,7 @@
 #include <string_view>
 #include <vector>
 
+#include <talus/terrain/fbm.h>
 #include <talus/terrain/regions_spec.h>
 
 #include "noise/rotated_fbm.h"
@@ -82,7 +83,7 @@ struct Regions {
   SlowFields slow;
   RotatedNoise shape;
   RegionShape at_columns;
-  RotatedNoise border;  // makes the borders of places ragged
+  Fbm border;  // makes the borders of places ragged
 };
 
 /// `others`: fields that places ask for.

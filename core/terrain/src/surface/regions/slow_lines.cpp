@@ -51,6 +51,7 @@ void SlowLines::start(std::span<const std::int64_t> samples, bool sloped) {
   for (std::size_t i = 0; i < rivers_.size(); ++i) rivers_[i].start(fields_.rivers[i], samples);
   for (std::size_t i = 0; i < others_.size(); ++i) others_[i].start(fields_.others[i].noise, samples);
   if (sloped) {
+    level_.assign(padded(width_), 0);
     for (auto& field : bent_) {
       for (auto& values : field) values.resize(padded(width_));
     }
@@ -153,19 +154,26 @@ void SlowLines::lay_sloped(std::int64_t z, SlopedLine& line) {
     RotatedFbm* noise;
     const SlowFields::Field* field;
     const float* SlowNoises::*row;
+    bool shapes = true;  // or the land hardly rises by it
   };
   const std::array<One, 6> all{{{&continents_, &fields_.continents, &SlowNoises::continents},
                                 {&ranges_, &fields_.ranges, &SlowNoises::ranges},
                                 {&hilliness_, &fields_.hilliness, &SlowNoises::hilliness},
                                 {&mesas_, &fields_.mesas, &SlowNoises::mesas},
-                                {&temperature_, &fields_.temperature, &SlowNoises::temperature},
-                                {&moisture_, &fields_.moisture, &SlowNoises::moisture}}};
+                                {&temperature_, &fields_.temperature, &SlowNoises::temperature, false},
+                                {&moisture_, &fields_.moisture, &SlowNoises::moisture, false}}};
   SlowNoises values;
   SlowNoises east;
   SlowNoises south;
   for (std::size_t i = 0; i < all.size(); ++i) {
     const One& one = all[i];
     const bool bends = one.field->warped;
+    if (!one.shapes) {
+      values.*one.row = one.noise->row(z, bends ? warped : Displacements{});
+      east.*one.row = level_.data();
+      south.*one.row = level_.data();
+      continue;
+    }
     const SlopedRow row = one.noise->sloped_row(z, bends ? warped : Displacements{});
     values.*one.row = row.value;
     east.*one.row = row.east;

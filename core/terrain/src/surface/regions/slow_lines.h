@@ -68,6 +68,7 @@ class SlowLines {
   Warp east_;
   Warp south_;
   std::array<std::array<AlignedVector<float>, 2>, 6> bent_;  // derivatives of the six fields
+  AlignedVector<float> level_;                               // of those that are taken for level
   std::array<Line, 2> lines_;
 };
 
