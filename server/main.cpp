@@ -120,8 +120,12 @@ int serve(const Command& command, const ReadSettings& read_settings) {
   std::unique_ptr<ColumnCache> columns;
   if (const auto settings = column_cache_settings(config, (*world)->fingerprint())) {
     auto opened = ColumnCache::open(*settings, log, clock);
-    if (!opened) return fail(opened.error());
-    columns = *std::move(opened);
+    // Only a cache: without it players are served, too.
+    if (opened) {
+      columns = *std::move(opened);
+    } else {
+      log->warn("{}; going on without it", opened.error());
+    }
   }
   const std::string address = listeners->players_address;
   const std::string web_address = listeners->web_address;

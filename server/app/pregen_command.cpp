@@ -28,6 +28,7 @@
 #include "log/logger.h"
 #include "pregen/pregen.h"
 #include "store/data_directory.h"
+#include "store_command/opened_store.h"
 #include "store_socket/store_connection.h"
 
 namespace talus::server {
@@ -67,6 +68,7 @@ Ended by_itself(const Config& config, const PregenPlan& plan) {
   if (!world) return tl::unexpected{world.error()};
   const auto columns = column_cache_settings(config, (*world)->fingerprint());
   if (!columns) return tl::unexpected{std::string{kNoColumnCache}};
+  if (const auto may = check_may_write(config.data); !may) return tl::unexpected{may.error()};
   const auto directory = DataDirectory::open(config.data, (*world)->fingerprint());
   if (!directory) return tl::unexpected{directory.error()};
   const SystemClock clock;
@@ -88,7 +90,8 @@ Ended by_itself(const Config& config, const PregenPlan& plan) {
       nullptr,
       *std::move(cache)};
   chunks.start();
-  Pregen pregen{{chunks, [] { return false; }, clock, threads, pregen_file(*columns)}};
+  Pregen pregen{{chunks, [] { return false; }, clock, threads, pregen_file(*columns),
+                 [&chunks] { chunks.keep_on_disk(); }}};
   Report report;
   const Ended ended = pregen.run(plan, [&](const PregenProgress& progress) {
     report(progress);

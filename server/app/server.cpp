@@ -256,8 +256,12 @@ void Server::stop_handling_signals() {
 RunPregen Server::pregen() {
   const auto columns = column_cache_settings(config_, world_.fingerprint);
   if (!columns) return {};
-  Pregen::Parts parts{chunks_, [this] { return chunks_.status().clients > 0; }, clock_,
-                      generator_threads(config_), pregen_file(*columns)};
+  Pregen::Parts parts{chunks_,
+                      [this] { return chunks_.status().clients > 0; },
+                      clock_,
+                      generator_threads(config_),
+                      pregen_file(*columns),
+                      [this] { chunks_.keep_on_disk(); }};
   return [run = std::make_shared<Pregen>(std::move(parts))](const PregenPlan& plan, const auto& report) {
     return run->run(plan, report);
   };

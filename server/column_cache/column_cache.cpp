@@ -95,6 +95,12 @@ bool ColumnCache::is_ours() const {
 tl::expected<void, std::string> ColumnCache::begin_anew() {
   std::error_code error;
   if (std::filesystem::exists(settings_.path, error)) {
+    for (const auto& entry : std::filesystem::directory_iterator{settings_.path, error}) {
+      const std::string name = entry.path().filename().string();
+      if (name == "identity" || name == "db" || name == "pregen") continue;
+      return tl::unexpected{
+          fmt::format("it holds \"{}\", which is not of such a cache; move that away", name)};
+    }
     log_->info("the cache of columns {} begins anew: it is of another world or version, or damaged",
                settings_.path.string());
   }
@@ -148,10 +154,21 @@ void ColumnCache::put(ChunkKey column, const ColumnRecord& record) {
   static thread_local std::vector<std::byte> value;
   if (!has_room()) return lost_.add();
   encode(column, record, value);
+  // A patch that is made again for another chunk mostly has what is kept: no room is taken twice.
+  rocksdb::PinnableSlice kept;
+  if (db_->Get({}, db_->DefaultColumnFamily(), column_key(column), &kept).ok() && kept == as_slice(value)) {
+    return;
+  }
   const auto status = db_->Put(without_waiting(), column_key(column), as_slice(value));
   if (status.ok()) return kept_.add();
   lost_.add();
   if (!status.IsIncomplete() && !told_.exchange(true)) {
+    log_->warn("the cache of columns keeps nothing for now: {}", status.ToString());
+  }
+}
+
+void ColumnCache::flush() {
+  if (const auto status = db_->Flush({}); !status.ok() && !told_.exchange(true)) {
     log_->warn("the cache of columns keeps nothing for now: {}", status.ToString());
   }
 }

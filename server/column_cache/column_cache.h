@@ -59,9 +59,12 @@ class ColumnCache {
   /// Reads the disk. `column` is a column_of().
   [[nodiscard]] std::optional<ColumnRecord> find(ChunkKey column);
 
-  /// Replaces what is kept of the column. Never waits for the disk: where that is behind, the column is not
-  /// kept.
+  /// Replaces what is kept of the column. Does not wait for the disk to write: where that is behind, the
+  /// column is not kept.
   void put(ChunkKey column, const ColumnRecord& record);
+
+  /// What was put is on the disk when it returns, but for what a failing disk did not take.
+  void flush();
 
   struct Status {
     std::uint64_t found = 0;  // by find()

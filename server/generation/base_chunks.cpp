@@ -136,6 +136,12 @@ bool BaseChunks::fit_caches() {
   return patches_fit && chunks_fit;
 }
 
+void BaseChunks::keep_on_disk() {
+  if (columns_ == nullptr) return;
+  patches_.keep_all();
+  columns_->flush();
+}
+
 BaseChunks::Status BaseChunks::status() {
   const GenerationPool::Status pool = pool_.status();
   return {pool.jobs,        pool.clients,  chunks_.bytes(),

@@ -86,6 +86,9 @@ class BaseChunks final : public ChunkSource {
   /// refused.
   [[nodiscard]] bool fit_caches();
 
+  /// What was generated and is worth it is on the disk when it returns.
+  void keep_on_disk();
+
   struct Status {
     std::size_t jobs = 0;
     std::size_t clients = 0;  // with something waiting

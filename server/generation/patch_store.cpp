@@ -15,10 +15,21 @@ PatchStore::PatchStore(const Parts& parts, Logger log, int patch_tiles, std::siz
 
 PatchStore::~PatchStore() {
   try {
-    patches_.for_each([this](const PatchKey& key, const StoredPatch& patch) { keep_columns(key, patch); });
+    keep_all();
   } catch (const std::exception& error) {
     log_->warn("not all that was generated is kept on disk: {}", error.what());
   }
+}
+
+void PatchStore::keep_all() {
+  if (parts_.columns == nullptr) return;
+  std::vector<std::pair<PatchKey, StoredPatch>> held;
+  {
+    const std::lock_guard lock{mutex_};
+    held.reserve(patches_.size());
+    patches_.for_each([&](const PatchKey& key, const StoredPatch& patch) { held.emplace_back(key, patch); });
+  }
+  for (const auto& [key, patch] : held) keep_columns(key, patch);
 }
 
 bool PatchStore::holds(const PatchKey& patch) const {

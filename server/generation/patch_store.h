@@ -99,6 +99,9 @@ class PatchStore {
   /// stops() is true, which is asked before each chunk.
   void finish(const Loan& loan, MeasuredWork& measured, const std::function<bool()>& stops);
 
+  /// On disk, what of all patches in memory is worth it.
+  void keep_all();
+
   /// Takes no time: call fit() until all fits.
   void set_capacity(std::size_t capacity_bytes);
   /// ClockCache's: evicts what is too much, without extraction.

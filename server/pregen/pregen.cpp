@@ -20,7 +20,8 @@ using namespace std::chrono_literals;
 
 // Between looks at whether it is to end, and at whether others wait.
 constexpr std::chrono::milliseconds kLook{50};
-constexpr std::chrono::seconds kNote{1};
+// Between notes, each of which has the disk write a file of the cache.
+constexpr std::chrono::seconds kNote{10};
 // Of a column: as many rows as the cache keeps.
 constexpr std::int64_t kMaxRows = 64;
 constexpr std::size_t kMaxFileBytes = 4096;
@@ -202,7 +203,10 @@ tl::expected<PregenProgress, std::string> Pregen::run(
   PregenProgress progress{read_pregen_file(parts_.progress_at, plan, tiles), squares.size()};
   Waiting waiting{parts_.chunks};
   const auto goes_on = [&] { return report(progress); };
-  const auto note = [&] { return write_pregen_file(parts_.progress_at, plan, tiles, progress.squares); };
+  const auto note = [&] {
+    parts_.keep();
+    return write_pregen_file(parts_.progress_at, plan, tiles, progress.squares);
+  };
   auto noted = parts_.clock.now();
   while (progress.squares < progress.of) {
     while (parts_.others_wait()) {

@@ -2,7 +2,7 @@
 // centre, nearest first, every mixed chunk of theirs.
 //
 // It takes its share of the generators' time, and none while others wait for them. Where it ended it goes on:
-// a file beside the cache says how far it came.
+// a file beside the cache says how far it came, and never more than is on the disk.
 #pragma once
 
 #include <cstdint>
@@ -79,6 +79,7 @@ class Pregen {
     const Clock& clock;
     std::size_t at_once = 1;            // squares: as many as there are generator threads
     std::filesystem::path progress_at;  // a file
+    std::function<void()> keep;         // what was made is on the disk when it returns
   };
   explicit Pregen(Parts parts) : parts_{std::move(parts)} {}
 

@@ -125,7 +125,7 @@ std::optional<std::string> edits_forbidden(const Grant& grant, const EditRules& 
 
 std::optional<std::string> edit_forbidden(const edits::Edit& edit, const Grant& grant,
                                           const EditRules& rules) {
-  if (!is_bounded(grant, rules)) return std::nullopt;
+  if (!is_bounded(grant, rules) || !near_world(edit)) return std::nullopt;
   return first_forbidden(edit, [&](const Box& box) { return box_forbidden(box, grant, rules); });
 }
 

@@ -172,6 +172,25 @@ TEST_CASE("a cache of another world, or a damaged one, begins anew and says so")
   CHECK(cache->find(column(5)).has_value());
 }
 
+TEST_CASE("a directory of something else is left alone, and named") {
+  Bench bench;
+  std::filesystem::create_directories(bench.settings.path / "greek");
+  const auto opened = ColumnCache::open(bench.settings, bench.log, bench.clock);
+  REQUIRE_FALSE(opened.has_value());
+  CHECK(opened.error().find("\"greek\"") != std::string::npos);
+  CHECK(std::filesystem::is_directory(bench.settings.path / "greek"));
+}
+
+TEST_CASE("the same column put again takes no room") {
+  Bench bench;
+  const auto cache = bench.open();
+  const ColumnRecord record = record_of(1, 3, {1, 2, 3});
+  for (int i = 0; i < 3; ++i) cache->put(column(5), record);
+  CHECK(cache->status().kept == 1);
+  cache->put(column(5), record_of(1, 3, {1, 2}));
+  CHECK(cache->status().kept == 2);
+}
+
 TEST_CASE("a damaged column is none, and others are found") {
   Bench bench;
   {

@@ -93,6 +93,7 @@ TEST_CASE("what slides after an edit does not leave a box that the edit must sta
   for (const std::int64_t far : {INT64_MIN, INT64_MAX}) {
     CHECK(may_settle(fill_of({0, 0, 0}, {far, far, far}), grant, {}));
     CHECK(may_settle(paste_of({far, far, far}, 0, true), grant, {}));
+    CHECK_FALSE(edit_forbidden(paste_of({far, far, far}, kChunkVolume - 1, false), grant, {}));
   }
 }
 

@@ -144,6 +144,30 @@ TEST_CASE("alerts and dashboard use only metrics that exist") {
   }
 }
 
+TEST_CASE("every alert has a name, and each of its keys once") {
+  std::istringstream lines{file_text("docker/alerts.yml")};
+  std::set<std::string> names;
+  std::set<std::string> keys;
+  const std::set<std::string> all{"expr", "for", "labels", "annotations", "summary", "description"};
+  for (std::string line; std::getline(lines, line);) {
+    const std::size_t begin = line.find_first_not_of(' ');
+    if (begin == std::string::npos || line[begin] == '#') continue;
+    constexpr std::string_view kAlert{"- alert: "};
+    if (line.compare(begin, kAlert.size(), kAlert) == 0) {
+      CAPTURE(line);
+      CHECK((names.empty() || keys == all));
+      CHECK(names.insert(line.substr(begin + kAlert.size())).second);
+      keys.clear();
+      continue;
+    }
+    const std::string key = line.substr(begin, line.find(':') - begin);
+    CAPTURE(line);
+    if (!names.empty() && all.contains(key)) CHECK(keys.insert(key).second);
+  }
+  CHECK(keys == all);
+  CHECK(names.contains("TalusColdChunksSlow"));
+}
+
 TEST_CASE("OPERATIONS.md has every metric of the table, and no other") {
   const std::string document = file_text("docs/OPERATIONS.md");
   const std::set<std::string> documented = names_in(document);

@@ -19,7 +19,14 @@ struct Bench {
   ScratchDirectory scratch;
   FakeService fake{4};
   std::atomic<bool> others{false};
-  Pregen pregen{{fake.service, [this] { return others.load(); }, fake.clock, 2, scratch / "pregen"}};
+  /// What the file says whenever what was made is to be kept, and how far the work is then.
+  std::vector<std::pair<std::uint64_t, int>> kept;
+  PregenPlan plan;
+  Pregen pregen{{fake.service, [this] { return others.load(); }, fake.clock, 2, scratch / "pregen",
+                 [this] {
+                   kept.emplace_back(read_pregen_file(scratch / "pregen", plan, 4),
+                                     fake.work->patches.load());
+                 }}};
 
   Bench() {
     fake.work->first_mixed = 2;
@@ -123,6 +130,22 @@ TEST_CASE("a pregen that ends early goes on where it ended; another plan begins 
   REQUIRE(rest.has_value());
   CHECK(rest->squares == rest->of);
   CHECK(rest->columns == 16 * (rest->of - early->squares));
+}
+
+TEST_CASE("the file never says more than was kept") {
+  Bench bench;
+  bench.plan = around(0, 0, 1'500);
+  const auto done = bench.pregen.run(bench.plan, [&](const PregenProgress&) {
+    bench.fake.clock.advance(3s);
+    return true;
+  });
+  REQUIRE(done.has_value());
+  REQUIRE(bench.kept.size() > 3);
+  std::uint64_t patches_before = 0;
+  for (const auto& [said, patches] : bench.kept) {
+    CHECK(said <= patches_before);
+    patches_before = static_cast<std::uint64_t>(patches);
+  }
 }
 
 TEST_CASE("while others wait for the generators nothing is begun") {
