@@ -17,18 +17,19 @@ namespace {
 /// Milliseconds of "2h".
 std::optional<std::int64_t> parse_duration(std::string_view text) {
   constexpr std::int64_t kSecond = 1'000;
-  constexpr std::int64_t kDay = 86'400 * kSecond;
+  constexpr std::int64_t kOneDay = 86'400 * kSecond;
   const char unit = text.empty() ? ' ' : text.back();
   const std::int64_t each = unit == 's'   ? kSecond
                             : unit == 'm' ? 60 * kSecond
                             : unit == 'h' ? 3'600 * kSecond
-                            : unit == 'd' ? kDay
+                            : unit == 'd' ? kOneDay
                                           : 0;
   if (each == 0) return std::nullopt;
   std::int64_t count = 0;
   const char* const end = text.data() + text.size() - 1;
   const auto [stop, error] = std::from_chars(text.data(), end, count);
-  if (error != std::errc{} || stop != end || count < 0 || count > 36'500 * kDay / each) return std::nullopt;
+  if (error != std::errc{} || stop != end || count < 0 || count > 36'500 * kOneDay / each)
+    return std::nullopt;
   return count * each;
 }
 
