@@ -293,6 +293,20 @@ TEST_CASE("A model's voxels are found by where a level looks") {
   }
 }
 
+TEST_CASE("What would be single cubes from afar is left out there") {
+  for (std::size_t kind = 0; kind < kModelKinds; ++kind) {
+    std::vector<ObjectModel> models;
+    for (std::uint64_t seed = 0; seed < 32; ++seed) {
+      models.push_back(make_model(static_cast<ModelKind>(kind), mix64(seed)));
+    }
+    CAPTURE(kModelForms[kind].name);
+    CHECK(levels_shown(models) == (kModelForms[kind].name == "dead_tree" ? 1 : Lod::kMax + 1));
+  }
+  // Two cubes touch at the level at which they are neighbours alone.
+  const ObjectModel apart{{0, 8, 0, 0}, {2, 8, 0, 0}};
+  CHECK(levels_shown({apart}) == 2);
+}
+
 TEST_CASE("A model's voxels are found by their rows") {
   const ObjectModel model = make_model(ModelKind::jungle_tree, 12345);
   const ModelRows rows{model};
