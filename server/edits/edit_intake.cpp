@@ -187,6 +187,7 @@ void EditIntake::work() {
       lanes_.clear();
       attaching_as_.clear();
       turns_ = {};
+      first_.clear();
       waiting_ = 0;
     }
   }
@@ -237,13 +238,22 @@ bool EditIntake::log_has_room() const {
   return log_entries_ < kLogEntries && log_bytes_ < kLogBytes;
 }
 
-bool EditIntake::take_turn() {
-  if (turns_.entered() == 0) return false;
+std::optional<ClientId> EditIntake::next() {
+  if (!first_.empty()) {
+    const ClientId client = first_.front();
+    first_.pop_front();
+    return client;
+  }
+  if (turns_.entered() == 0) return std::nullopt;
   if (!log_has_room()) {
     wants_room_ = true;
-    if (!log_has_room()) return false;  // else it came just now, and who made it need not call
+    if (!log_has_room()) return std::nullopt;  // else it came just now, and who made it need not call
   }
-  const auto client = turns_.next();
+  return turns_.next();
+}
+
+bool EditIntake::take_turn() {
+  const auto client = next();
   if (!client) return false;
   Lane* const lane = find_lane(*client);
   if (lane == nullptr) return true;  // the session is gone
@@ -289,7 +299,11 @@ void EditIntake::enter(Lane& lane) {
     const EditRequest& request = lane.waiting.front().request;
     voxels = named_voxels(request.edit) + (settles() && request.settles ? edits::kSettleVoxels : 0);
   }
-  turns_.enter(lane.session->flow(), lane.session->owner(), voxels);
+  if (*lane.in_log == 0 && voxels <= kSmallVoxels) {
+    first_.push_back(lane.session->owner());
+  } else {
+    turns_.enter(lane.session->flow(), lane.session->owner(), voxels);
+  }
   lane.entered = true;
 }
 
@@ -494,14 +508,17 @@ void EditIntake::log_edit(const Lane& lane, Prepared edit) {
                          std::move(edit.base),
                          request.settles ? rules_.settles : nullptr,
                          std::move(request.subject)};
-  auto done = [this, session = lane.session, id,
-               came = edit.edit.came](const tl::expected<const edits::Applied*, LogFailure>& outcome) {
+  ++*lane.in_log;
+  auto done = [this, session = lane.session, id, came = edit.edit.came,
+               in_log = lane.in_log](const tl::expected<const edits::Applied*, LogFailure>& outcome) {
+    --*in_log;
     auto result = outcome_of(outcome);
     if (!result) return refuse(session, id, result.error().why, std::move(result.error().text));
     parts_.metrics.edit_latency.add(parts_.clock.now() - came);
     tell(session, EditAnswer{id, *result});
   };
   if (const auto taken = append(std::move(entry), std::move(done)); !taken) {
+    --*lane.in_log;
     refuse(lane.session, id, why_of(taken.error().kind), taken.error().reason);
   }
 }

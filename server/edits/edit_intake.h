@@ -60,9 +60,11 @@ class EditIntake final : public EditTaker {
   };
   /// Of decoded chunks that are kept.
   static constexpr std::size_t kBaseBytes = std::size_t{16} << 20;
-  /// In the log, waiting and being written: what two batches need to be worth their syncs. Who comes now
-  /// waits for so many of others. An entry alone may have more bytes.
+  /// In the log, waiting and being written: what two batches need to be worth their syncs. An entry alone may
+  /// have more bytes. A small edit of a session that has none in the log waits for no room there, and so is
+  /// in the next batch.
   static constexpr std::size_t kLogEntries = 256;
+  static constexpr std::size_t kSmallVoxels = 64;
   static constexpr std::size_t kLogBytes = std::size_t{256} << 10U;
 
   EditIntake(Parts parts, Rules rules, Logger log);
@@ -116,6 +118,8 @@ class EditIntake final : public EditTaker {
     std::optional<Attaching> attaching;  // before all edits
     bool attach_waits = false;           // and is not in the log
     bool entered = false;                // its turn comes
+    /// Edits of it that the log has not answered.
+    std::shared_ptr<std::atomic<std::uint32_t>> in_log = std::make_shared<std::atomic<std::uint32_t>>(0);
   };
   /// An Attach that the log has answered.
   struct Attached {
@@ -132,6 +136,7 @@ class EditIntake final : public EditTaker {
   bool take_in();
   /// Lets whose turn it is go on. False where it is nobody's, or the log has no room.
   bool take_turn();
+  [[nodiscard]] std::optional<ClientId> next();
   [[nodiscard]] bool log_has_room() const;
 
   Lane& lane_of(const MailboxPtr& session);
@@ -180,6 +185,7 @@ class EditIntake final : public EditTaker {
   std::unordered_map<ClientId, Lane> lanes_;
   std::unordered_multimap<edits::EditorId, ClientId> attaching_as_;
   EditTurns turns_;
+  std::deque<ClientId> first_;  // who need wait for no turn
   DecodedBases bases_{kBaseBytes};
 
   std::thread thread_;

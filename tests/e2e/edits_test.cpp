@@ -243,7 +243,7 @@ TEST_CASE("a server killed under its editors loses no edit that it has acknowled
     const auto world = editors.back()->player.connect(port);
     REQUIRE(world.has_value());
     stone = solid(*world);
-    origin = {world->spawn.x, world->spawn.y + 100, world->spawn.z};
+    origin = {world->spawn.x, world->max_y + 8, world->spawn.z};  // above all hills: rows get long
   }
   // Each builds a row of its own, one voxel after the other: each edit happens only where the one before did,
   // and only once, or its guards would not hold.

@@ -279,15 +279,17 @@ TEST_CASE("in the log wait few edits, and who comes late goes before those who h
   bench.intake.do_what_waits();
   CHECK(bench.log.entries.size() == EditIntake::kLogEntries);
   CHECK(bench.intake.waiting() == 6'400 - EditIntake::kLogEntries);
-  // One of each of the hundred goes before, and not all that they have sent.
+  // The first waits for no room. Of the next ones one of each of the hundred goes before, and not all that
+  // they have sent.
   for (std::uint32_t id = 1; id <= 3; ++id) {
+    const std::size_t before = bench.log.entries.size();
     send(bench.session, id);
     bench.intake.do_what_waits();
-    const std::size_t before = bench.log.entries.size();
     const auto own = [&] {
       return bench.log.entries.size() > before &&
              bench.log.edit(bench.log.entries.size() - 1).editor.low == 1;
     };
+    CHECK(own() == (id == 1));
     while (!own()) {
       bench.log.answer_one();
       bench.intake.do_what_waits();

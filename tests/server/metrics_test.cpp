@@ -155,6 +155,7 @@ TEST_CASE("every alert has a name, and each of its keys once") {
     constexpr std::string_view kAlert{"- alert: "};
     if (line.compare(begin, kAlert.size(), kAlert) == 0) {
       CAPTURE(line);
+      keys.insert("for");  // not every alert waits
       CHECK((names.empty() || keys == all));
       CHECK(names.insert(line.substr(begin + kAlert.size())).second);
       keys.clear();
