@@ -20,6 +20,7 @@ server=""
 trap '[[ -z "$server" ]] || kill -9 "$server" 2>/dev/null || true' EXIT
 
 start() {
+  : >"$out/ready"  # what the server before has said
   "$talusd" --config "$out/talusd.toml" --listen "127.0.0.1:$port" --data "$out/data" >"$out/ready" 2>>"$out/talusd.log" &
   server=$!
   until grep -q '^listening' "$out/ready"; do

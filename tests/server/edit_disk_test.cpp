@@ -60,6 +60,7 @@ TEST_CASE(
     "a disk that fills up, or does not sync, stops edits until it is mended; none is lost or done twice") {
   const std::uint64_t seed = std::random_device{}();
   CAPTURE(seed);
+  int all_failures = 0;
   for (std::uint64_t round = 0; round < 12; ++round) {
     Trouble trouble{seed + round};
     REQUIRE(trouble.store.open() == "");
@@ -79,7 +80,7 @@ TEST_CASE(
         trouble.disk->mend();
       });
     }
-    CHECK(failures > 0);
+    all_failures += failures;
     trouble.check();
     trouble.disk->empty();
     trouble.disk->mend();
@@ -87,6 +88,7 @@ TEST_CASE(
     REQUIRE(trouble.store.open_without_log() == "");
     trouble.check();
   }
+  CHECK(all_failures > 0);  // a round may draw none
 }
 
 TEST_CASE("a chunk is read from the disk only once it is there for sure") {
