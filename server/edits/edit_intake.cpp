@@ -9,6 +9,8 @@
 
 #include <talus/protocol/message.h>
 
+#include "chunks/client_ids.h"
+
 namespace talus::server {
 namespace {
 
@@ -17,9 +19,6 @@ using wire::ErrorCode;
 
 constexpr milliseconds kBusy{1000};
 constexpr int kMaxTries = 8;
-/// Look-ups are a client of their own, so that their chunks are not the session's. No session has so high an
-/// id.
-constexpr std::uint64_t kLookUps = std::uint64_t{1} << 63;
 
 std::uint64_t number(ClientId client) {
   return static_cast<std::uint64_t>(client);
@@ -135,9 +134,9 @@ void EditIntake::attach(const MailboxPtr& mailbox, AttachRequest request) {
   {
     const std::lock_guard lock{mutex_};
     came_.emplace_back(mailbox, std::move(request));
+    ++waiting_;  // before the thread can take it and count it off
     called_ = true;
   }
-  ++waiting_;
   comes_.notify_one();
 }
 
@@ -145,9 +144,9 @@ void EditIntake::edit(const MailboxPtr& mailbox, EditRequest request) {
   {
     const std::lock_guard lock{mutex_};
     came_.emplace_back(mailbox, Editing{std::move(request), parts_.clock.now()});
+    ++waiting_;
     called_ = true;
   }
-  ++waiting_;
   comes_.notify_one();
 }
 
@@ -187,7 +186,8 @@ void EditIntake::work() {
       lanes_.clear();
       attaching_as_.clear();
       turns_ = {};
-      waiting_ = 0;
+      const std::lock_guard lock{mutex_};
+      waiting_ = came_.size();
     }
   }
 }
@@ -238,7 +238,10 @@ bool EditIntake::log_has_room() const {
 }
 
 bool EditIntake::take_turn() {
-  if (turns_.entered() == 0) return false;
+  if (turns_.entered() == 0) {
+    turns_.rest();
+    return false;
+  }
   if (!log_has_room()) {
     wants_room_ = true;
     if (!log_has_room()) return false;  // else it came just now, and who made it need not call
@@ -264,7 +267,7 @@ EditIntake::Lane& EditIntake::lane_of(const MailboxPtr& session) {
   const std::uint64_t client = number(session->owner());
   lane.session = session;
   lane.look_ups = std::make_shared<Mailbox>(
-      ClientId{kLookUps | client},
+      client_id(ClientKind::look_ups, client),  // their chunks are not the session's
       [this, client] {
         {
           const std::lock_guard lock{mutex_};
