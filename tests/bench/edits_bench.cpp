@@ -362,8 +362,8 @@ void settle_costs() {
   for (int round = 0; round < 200; ++round) {
     const auto width = static_cast<std::int64_t>(2 + random() % 13);
     const auto height = static_cast<std::int64_t>(8 + random() % 48);
-    const std::uint32_t shelves = random() % 6;
-    const std::uint32_t sand = 1 + random() % 8;
+    const auto shelves = static_cast<std::uint32_t>(random() % 6);
+    const auto sand = static_cast<std::uint32_t>(1 + random() % 8);
     edits::Edit build;
     for (std::int64_t y = 0; y < height; ++y) {
       for (std::int64_t z = 0; z < width; ++z) {

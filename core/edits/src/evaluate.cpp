@@ -145,9 +145,11 @@ bool may_settle(const SettleRules& rules, std::span<const StagedChunk> chunks, c
   for (auto chunk = base.begin(); chunk != base.end() && !loose; ++chunk) {
     const std::vector<Override>& voxels = chunk->second;
     if (voxels.empty()) continue;
-    // Plain loops without an end before the last, for processors that compare many at once.
-    for (const SettleRule& rule : rules) {
-      for (const Override& voxel : voxels) loose |= voxel.material == rule.material;
+    MaterialId seen = kAir;  // neighbours are mostly alike
+    for (auto voxel = voxels.begin(); voxel != voxels.end() && !loose; ++voxel) {
+      if (voxel->material == seen) continue;
+      seen = voxel->material;
+      loose = is_loose(seen);
     }
     const ChunkOverrides* const changed = overrides.find({chunk->first, Lod{}});
     if (changed == nullptr) continue;
