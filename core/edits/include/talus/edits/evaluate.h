@@ -55,7 +55,8 @@ struct Outcome {
 };
 
 /// `edit` on the state `overrides`, and what it sets loose by `settles`; null: nothing. An error where
-/// touched_voxels() has one, or where `base` lacks a voxel that the edit touches, which is then named; the
+/// touched_voxels() has one, or where `base` lacks a voxel that the edit touches, or, where
+/// what `base` has may settle, one of settle_box(), which is then named; the
 /// same error at every node, as both came from the log.
 [[nodiscard]] tl::expected<Outcome, EditError> evaluate(const Edit& edit, const BaseVoxels& base,
                                                         const OverrideSource& overrides,
