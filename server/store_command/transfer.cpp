@@ -16,6 +16,7 @@
 #include <talus/terrain/generator.h>
 
 #include "log/escape.h"
+#include "store/acknowledged_file.h"
 #include "store/edit_database.h"
 #include "store/store_builder.h"
 #include "store/store_swap.h"
@@ -37,6 +38,16 @@ std::uint64_t bytes_below(const fs::path& path) {
     bytes += at->is_regular_file(code) ? at->file_size(code) : 0;
   }
   return bytes;
+}
+
+/// The store in a directory that nobody else uses, with all that was acknowledged.
+tl::expected<std::unique_ptr<ReadOnlyStore>, std::string> open_whole(const DataDirectory& directory) {
+  auto store = ReadOnlyStore::open(directory.path());
+  if (!store) return store;
+  if (const auto whole = check_acknowledged(directory.path(), (*store)->meta()); !whole) {
+    return tl::unexpected{whole.error()};
+  }
+  return store;
 }
 
 /// The lowest id for a placed material that none has.
@@ -181,7 +192,7 @@ tl::expected<Rebuilt, std::string> import_edits(const fs::path& file, const Data
   const PortableHeader& header = reader.header();
   std::unique_ptr<ReadOnlyStore> store;
   if (directory.has_store()) {
-    auto there = ReadOnlyStore::open(directory.path());
+    auto there = open_whole(directory);
     if (!there) return tl::unexpected{there.error()};
     store = *std::move(there);
     if (store->meta().fingerprint != header.fingerprint) {
@@ -357,7 +368,7 @@ class BaseChunkMaker {
 
 tl::expected<Rebuilt, std::string> rebase_edits(const DataDirectory& directory, const terrain::World& world,
                                                 bool drop_unknown) {
-  auto opened = ReadOnlyStore::open(directory.path());
+  auto opened = open_whole(directory);
   if (!opened) return tl::unexpected{opened.error()};
   std::unique_ptr<ReadOnlyStore> store = *std::move(opened);
   const StoreMeta before = store->meta();
