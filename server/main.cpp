@@ -132,7 +132,7 @@ int serve(const Command& command, const ReadSettings& read_settings) {
   const std::string operators_address = listeners->operators_address;
   Server server{config,
                 *world,
-                *data ? (*data)->store_id() : talus::ContentHash{},
+                edits ? edits->store_id() : talus::ContentHash{},
                 access,
                 tls,
                 *std::move(listeners),

@@ -57,6 +57,10 @@ tl::expected<std::unique_ptr<WorldEdits>, std::string> WorldEdits::open(
   settings.store_id = store_id;
   auto database = EditDatabase::open(settings);
   if (!database) return tl::unexpected{std::move(database.error())};
+  if (const ContentHash now = (*database)->meta().store_id; now != store_id) {
+    log->warn("data {}: the file acknowledged is gone, so edits may be lost; the store has a new id, {}",
+              directory.string(), to_string(now));
+  }
   auto state = EditState::open(**database, EditStateSettings{});
   if (!state) return tl::unexpected{std::move(state.error())};
   std::unique_ptr<WorldEdits> edits{new WorldEdits{*std::move(database), *std::move(state), log}};

@@ -36,6 +36,8 @@ class WorldEdits final : public EditedLand {
   /// Opens what is stored in `directory`, which a DataDirectory has locked. An error is one line.
   [[nodiscard]] static tl::expected<std::unique_ptr<WorldEdits>, std::string> open(
       const std::filesystem::path& directory, const terrain::World& world, ContentHash store_id, Logger log);
+  /// Another than open() was given where the store had to become another.
+  [[nodiscard]] ContentHash store_id() const { return database_->meta().store_id; }
   ~WorldEdits() override { stop(); }
   WorldEdits(const WorldEdits&) = delete;
   WorldEdits& operator=(const WorldEdits&) = delete;

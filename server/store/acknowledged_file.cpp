@@ -36,8 +36,7 @@ tl::expected<std::optional<Acknowledged>, std::string> AcknowledgedFile::read(ro
   if (!acknowledged) {
     return tl::unexpected{
         fmt::format("{}: it is damaged, and so the disk may be; restore a backup, or delete this file to go "
-                    "on with what the "
-                    "store holds",
+                    "on with what the store holds, as a store of a new id",
                     path)};
   }
   return acknowledged;
@@ -81,15 +80,16 @@ tl::expected<void, std::string> check_acknowledged(rocksdb::Env& env, const std:
   if (!*read) return {};
   const Acknowledged& acknowledged = **read;
   if (acknowledged.position > meta.head.position) {
-    return failure(
-        fmt::format("entries {} to {} of its log were acknowledged and are lost, as the disk lost "
-                    "the end of the log; restore a backup, or delete {} to go on without them",
-                    meta.head.position + 1, acknowledged.position, path));
+    return failure(fmt::format(
+        "entries {} to {} of its log were acknowledged and are lost, as the disk lost "
+        "the end of the log; restore a backup, or delete {} to go on without them, as a store of a "
+        "new id",
+        meta.head.position + 1, acknowledged.position, path));
   }
   if (acknowledged.position == meta.head.position && acknowledged.link != meta.link) {
     return failure(
         fmt::format("entry {} of its log is not the one that was acknowledged; restore a backup, or "
-                    "delete {} to go on with what is there",
+                    "delete {} to go on with what is there, as a store of a new id",
                     meta.head.position, path));
   }
   return {};

@@ -11,8 +11,10 @@
 #include <rocksdb/env.h>
 #include <rocksdb/utilities/checkpoint.h>
 #include <rocksdb/write_batch.h>
+#include <talus/files/atomic_file.h>
 
 #include "store/rocks.h"
+#include "store/store_identity.h"
 
 namespace talus::server {
 namespace {
@@ -65,7 +67,8 @@ tl::expected<std::unique_ptr<EditDatabase>, std::string> EditDatabase::open(
   using Step = Done (EditDatabase::*)();
   for (const Step step :
        {&EditDatabase::open_database, &EditDatabase::read_meta, &EditDatabase::check_acknowledged,
-        &EditDatabase::read_materials, &EditDatabase::read_history, &EditDatabase::drop_records_beyond}) {
+        &EditDatabase::become_another, &EditDatabase::read_materials, &EditDatabase::read_history,
+        &EditDatabase::drop_records_beyond}) {
     if (auto good = (database.get()->*step)(); !good) return tl::unexpected{std::move(good.error())};
   }
   auto acknowledged = AcknowledgedFile::open(database->env(), database->acknowledged_path(),
@@ -77,7 +80,8 @@ tl::expected<std::unique_ptr<EditDatabase>, std::string> EditDatabase::open(
 
 EditDatabase::Done EditDatabase::open_database() {
   // RocksDB would make an empty database of one that lost its file CURRENT.
-  const bool used = was_in_use(env(), database_path()) || env().FileExists(acknowledged_path()).ok();
+  const bool used = was_in_use(env(), database_path()) || has_acknowledged();
+  was_there_ = used;
   rocksdb::DB* db = nullptr;
   const auto status = rocksdb::DB::Open(
       rocks_options({settings_.env, settings_.write_buffer_bytes, settings_.block_cache_bytes}, !used),
@@ -101,8 +105,7 @@ EditDatabase::Done EditDatabase::read_meta() {
 EditDatabase::Done EditDatabase::make_store() {
   const std::unique_ptr<rocksdb::Iterator> any{db_->NewIterator(for_scans())};
   any->SeekToFirst();
-  const bool acknowledged = !env().FileExists(acknowledged_path()).IsNotFound();
-  if (any->Valid() || !any->status().ok() || acknowledged) {
+  if (any->Valid() || !any->status().ok() || has_acknowledged()) {
     return failure(fmt::format("its record of the store's state is missing; {}", kStoreLost));
   }
   meta_.fingerprint = settings_.fingerprint;
@@ -120,7 +123,8 @@ EditDatabase::Done EditDatabase::check_meta() const {
                     "--data another directory, or --world the edits' world",
                     to_string(meta_.fingerprint), to_string(settings_.fingerprint)));
   }
-  if (meta_.store_id != settings_.store_id) {
+  // Where the file is gone the store gets a new id below, of which store.toml may have one already.
+  if (meta_.store_id != settings_.store_id && has_acknowledged()) {
     return failure(
         fmt::format("the edits belong to store {}; this directory's store.toml has {}; put back the "
                     "directory's own edits, or give --data another directory",
@@ -137,6 +141,22 @@ EditDatabase::Done EditDatabase::check_meta() const {
 
 EditDatabase::Done EditDatabase::check_acknowledged() {
   return server::check_acknowledged(env(), settings_.path, meta_);
+}
+
+// Without the file entries may be lost, and their revisions given once more: who knows the store by its id
+// must not take what they have of it for what it is now. The file comes last, so that who is interrupted does
+// all of this again.
+EditDatabase::Done EditDatabase::become_another() {
+  if (!was_there_ || has_acknowledged()) return {};
+  meta_.store_id = random_store_id();
+  const std::string text = store_text({meta_.store_id, meta_.fingerprint});
+  if (const auto written = files::write_file(settings_.path / "store.toml", text); !written) {
+    return tl::unexpected{written.error().message()};
+  }
+  rocksdb::WriteBatch batch;
+  encode(meta_, value_);
+  batch.Put(meta_key(), as_slice(value_));
+  return write(batch, true);
 }
 
 EditDatabase::Done EditDatabase::read_materials() {
@@ -201,7 +221,7 @@ EditDatabase::Done EditDatabase::for_each_record(std::uint64_t first,
 }
 
 EditDatabase::Done EditDatabase::checkpoint(const std::filesystem::path& path) const {
-  const std::shared_lock lock{handle_};
+  const std::shared_lock lock{copying_};
   if (!db_) return failure("the store is closed after an error of the disk, and tried again each second");
   rocksdb::Checkpoint* made = nullptr;
   rocksdb::Status status = rocksdb::Checkpoint::Create(db_.get(), &made);
@@ -306,6 +326,8 @@ EditDatabase::Done EditDatabase::recover() {
     return failure(
         fmt::format("the disk has {} bytes free; writing needs {}", free, settings_.free_bytes_to_open));
   }
+  const std::unique_lock not_copied{copying_, std::try_to_lock};
+  if (!not_copied) return failure("after an error of the disk it is opened again when a copy of it is made");
   const std::unique_lock lock{handle_};
   db_.reset();
   if (auto opened = open_database(); !opened) {
@@ -320,6 +342,10 @@ EditDatabase::Done EditDatabase::recover() {
   db_.reset();
   return failure(fmt::format("after an error of the disk entry {} of its log is lost; {}",
                              meta_.head.position, kStoreLost));
+}
+
+bool EditDatabase::has_acknowledged() const {
+  return !env().FileExists(acknowledged_path()).IsNotFound();
 }
 
 std::uint64_t EditDatabase::free_bytes() const {

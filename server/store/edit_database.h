@@ -57,7 +57,8 @@ class EditDatabase {
   using Done = tl::expected<void, std::string>;  // an error is one line
 
   /// Makes the store where there is none. Refuses one of another world or store, of a newer format, a damaged
-  /// one, and one that has less than was acknowledged.
+  /// one, and one that has less than was acknowledged. One without the file that says what was acknowledged
+  /// is another store from now on: meta() and store.toml have a new id.
   [[nodiscard]] static tl::expected<std::unique_ptr<EditDatabase>, std::string> open(
       const EditDatabaseSettings& settings);
   ~EditDatabase();
@@ -100,7 +101,8 @@ class EditDatabase {
   /// opening cheap.
   [[nodiscard]] Done settle();
 
-  /// After an error of a write: whether writing may be tried again.
+  /// After an error of a write: whether writing may be tried again. Waits for no checkpoint: while one is
+  /// made that is an error.
   [[nodiscard]] Done recover();
 
   [[nodiscard]] std::uint64_t free_bytes() const;
@@ -133,7 +135,9 @@ class EditDatabase {
   [[nodiscard]] Done read_meta();
   [[nodiscard]] Done make_store();
   [[nodiscard]] Done check_meta() const;
+  [[nodiscard]] bool has_acknowledged() const;
   [[nodiscard]] Done check_acknowledged();
+  [[nodiscard]] Done become_another();
   [[nodiscard]] Done read_materials();
   [[nodiscard]] Done read_history();
   [[nodiscard]] Done drop_records_beyond();
@@ -141,8 +145,11 @@ class EditDatabase {
   void extend_history(const Unflushed& flushed, std::uint64_t first, rocksdb::WriteBatch& batch);
 
   EditDatabaseSettings settings_;
-  mutable std::shared_mutex handle_;  // unique: while the database is opened again
+  // Both unique while the database is opened again: of those that read a chunk, and of those that copy all.
+  mutable std::shared_mutex handle_;
+  mutable std::shared_mutex copying_;
   std::unique_ptr<rocksdb::DB> db_;
+  bool was_there_ = false;  // when it was opened
   std::optional<AcknowledgedFile> acknowledged_;
   StoreMeta meta_;
   std::deque<Unflushed> unflushed_;

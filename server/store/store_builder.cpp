@@ -123,13 +123,6 @@ StoreBuilder::Done StoreBuilder::write_coarse() {
   return {};
 }
 
-StoreBuilder::Done StoreBuilder::add(edits::EditorId id, std::uint64_t position,
-                                     const edits::Editor& editor) {
-  const std::string key = editor_key(id);
-  encode(key, position, editor, value_);
-  return put(key);
-}
-
 StoreBuilder::Done StoreBuilder::add(std::string_view name, MaterialId material) {
   const std::string key = material_key(name);
   encode(key, material, value_);

@@ -36,7 +36,6 @@ class StoreBuilder {
   /// A chunk of level 0, each once, in any order; coarse levels follow from it. Without voxels nothing is
   /// written. `revision` is at least 1.
   [[nodiscard]] Done add(ChunkCoord chunk, std::uint64_t revision, std::span<const Override> voxels);
-  [[nodiscard]] Done add(edits::EditorId id, std::uint64_t position, const edits::Editor& editor);
   [[nodiscard]] Done add(std::string_view name, MaterialId material);
 
   [[nodiscard]] std::uint64_t chunks() const { return chunks_; }  // of level 0

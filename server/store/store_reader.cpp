@@ -144,23 +144,30 @@ StoreReader::Done StoreReader::replay(const StoreMeta& meta,
 StoreReader::Done StoreReader::for_each_record(const StoreMeta& meta, std::uint64_t first,
                                                const std::function<bool(LogRecord&&)>& visit) const {
   std::uint64_t position = std::max<std::uint64_t>(first, 1) - 1;
+  bool any = false;
   bool sound = true;
-  bool linked =
-      position == 0;  // the link before the first record of a scan is not at hand, but for that of 1
+  bool goes_on = true;
   std::uint64_t link = 0;
   const auto status = scan(db_, log_key(position + 1), [&](const auto& key, const auto& value) {
+    if (position == meta.head.position) return false;
     const auto at = position_of_key(text_of(key));
-    if (!at || *at > meta.head.position) return false;
-    auto record = linked && position + 1 == *at ? decode_record(bytes_of(value), link)
-                                                : decode_record_alone(bytes_of(value), link);
-    linked = true;
+    sound = at && (!any || *at == position + 1);
+    if (!sound) return false;
+    if (*at > meta.head.position) return false;  // none is kept
+    // The link before the first record of a scan is not at hand, but for that of 1.
+    auto record =
+        any || *at == 1 ? decode_record(bytes_of(value), link) : decode_record_alone(bytes_of(value), link);
     sound = record && record->position == *at;
     if (!sound) return false;
+    any = true;
     position = *at;
-    return visit(std::move(*record));
+    goes_on = visit(std::move(*record));
+    return goes_on;
   });
   if (!status.ok()) return failure(fmt::format("{}; {}", status.ToString(), kStoreLost));
-  if (!sound) return failure(fmt::format("entry {} of its log is damaged; {}", position + 1, kStoreLost));
+  if (!sound || (any && goes_on && position != meta.head.position)) {
+    return failure(fmt::format("entry {} of its log is damaged or lost; {}", position + 1, kStoreLost));
+  }
   return {};
 }
 

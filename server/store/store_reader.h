@@ -50,8 +50,8 @@ class StoreReader {
   /// `visit` is a record that does not fit.
   [[nodiscard]] Done replay(const StoreMeta& meta,
                             const std::function<bool(LogRecord&&, std::size_t bytes)>& visit) const;
-  /// From `first` on, or from the first that is kept, to meta's position, until `visit` returns false. Links
-  /// are verified but for that of the first.
+  /// From `first` on, or from the first that is kept, to meta's position, until `visit` returns false. From
+  /// there on none is missing. Links are verified but for that of the first.
   [[nodiscard]] Done for_each_record(const StoreMeta& meta, std::uint64_t first,
                                      const std::function<bool(LogRecord&&)>& visit) const;
 

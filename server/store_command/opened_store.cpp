@@ -7,6 +7,8 @@
 
 #include <fmt/format.h>
 
+#include "store/acknowledged_file.h"
+
 namespace talus::server {
 
 tl::expected<OpenedStore, std::string> OpenedStore::open(const std::filesystem::path& data) {
@@ -28,6 +30,10 @@ tl::expected<OpenedStore, std::string> OpenedStore::open(const std::filesystem::
   auto store = ReadOnlyStore::open(opened.path_);
   if (!store) return tl::unexpected{std::move(store.error())};
   opened.store_ = *std::move(store);
+  if (!opened.server_) {
+    const auto whole = check_acknowledged(data, opened.store_->meta());
+    if (!whole) return tl::unexpected{whole.error()};
+  }
   return opened;
 }
 

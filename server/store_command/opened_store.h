@@ -17,6 +17,7 @@ namespace talus::server {
 
 class OpenedStore {
  public:
+  /// Refuses a store that lost what was acknowledged.
   [[nodiscard]] static tl::expected<OpenedStore, std::string> open(const std::filesystem::path& data);
 
   [[nodiscard]] const ReadOnlyStore& store() const { return *store_; }

@@ -71,8 +71,16 @@ Done PortableWriter::begin(const PortableHeader& header) {
   put_128(header.head.hash.low, header.head.hash.high, writer);
   writer.varint(header.materials.size());
   for (const auto& [name, id] : header.materials) {
+    if (name.empty() || name.size() > kMaxMaterialName) {
+      return tl::unexpected{fmt::format("material {} has a name of {} bytes; a file of edits takes 1 to {}",
+                                        to_integer(id), name.size(), kMaxMaterialName)};
+    }
     writer.counted(name);
     writer.varint(to_integer(id));
+  }
+  if (block_.size() > kMaxPortableBlock) {
+    return tl::unexpected{fmt::format("the names of its {} materials take {} bytes; a file of edits takes {}",
+                                      header.materials.size(), block_.size(), kMaxPortableBlock)};
   }
   return write_block();
 }

@@ -45,7 +45,7 @@ class PortableWriter {
   using Sink = std::function<Done(std::span<const std::byte>)>;
 
   explicit PortableWriter(Sink sink) : sink_{std::move(sink)} {}
-  /// First, once.
+  /// First, once. Refuses names that are more or longer than a reader takes.
   [[nodiscard]] Done begin(const PortableHeader& header);
   /// Of level 0, by rising x, then z, then y (asserted); without voxels nothing is written.
   [[nodiscard]] Done add(ChunkCoord chunk, std::span<const Override> voxels);

@@ -13,7 +13,6 @@
 
 #include "config/parse_flags.h"
 #include "log/escape.h"
-#include "store/acknowledged_file.h"
 #include "store/whole_store.h"
 #include "store_command/backup.h"
 #include "store_command/history.h"
@@ -79,11 +78,6 @@ Answer show_stat(const Flags& flags, const LoadWorld&) {
 Answer verify_all(const Flags& flags, const LoadWorld&) {
   const auto opened = OpenedStore::open(flags.data);
   if (!opened) return tl::unexpected{opened.error()};
-  if (opened->server() == nullptr) {
-    if (const auto same = check_acknowledged(flags.data, opened->store().meta()); !same) {
-      return tl::unexpected{same.error()};
-    }
-  }
   ProgressBar progress{"verify", "chunks"};
   const auto figures = read_figures(opened->store(), progress);
   if (!figures) return tl::unexpected{figures.error()};

@@ -16,6 +16,7 @@
 #include <talus/terrain/generator.h>
 
 #include "log/escape.h"
+#include "store/acknowledged_file.h"
 #include "store/edit_database.h"
 #include "store/store_builder.h"
 #include "store/store_swap.h"
@@ -39,12 +40,34 @@ std::uint64_t bytes_below(const fs::path& path) {
   return bytes;
 }
 
-/// The lowest id for a placed material that none has.
-MaterialId free_id(const std::set<MaterialId>& taken) {
-  std::uint16_t id = kFirstBound;
-  while (taken.contains(MaterialId{id})) ++id;
-  return MaterialId{id};
+/// The store in a directory that nobody else uses, with all that was acknowledged.
+tl::expected<std::unique_ptr<ReadOnlyStore>, std::string> open_whole(const DataDirectory& directory) {
+  auto store = ReadOnlyStore::open(directory.path());
+  if (!store) return store;
+  if (const auto whole = check_acknowledged(directory.path(), (*store)->meta()); !whole) {
+    return tl::unexpected{whole.error()};
+  }
+  return store;
 }
+
+/// Ids for placed materials that none has, the lowest first.
+class FreeIds {
+ public:
+  /// `taken` outlives it, and loses none.
+  explicit FreeIds(const std::set<MaterialId>& taken) : taken_{taken} {}
+  [[nodiscard]] tl::expected<MaterialId, std::string> next() {
+    while (next_ <= UINT16_MAX && taken_.contains(MaterialId{static_cast<std::uint16_t>(next_)})) ++next_;
+    if (next_ <= UINT16_MAX) return MaterialId{static_cast<std::uint16_t>(next_)};
+    return tl::unexpected{
+        fmt::format("all ids of materials that may be placed, {} to {}, are taken for ever; "
+                    "begin with a new data directory",
+                    kFirstBound, UINT16_MAX)};
+  }
+
+ private:
+  const std::set<MaterialId>& taken_;
+  std::uint32_t next_ = kFirstBound;
+};
 
 /// A file that is read from the front, in large pieces.
 class InputFile {
@@ -83,17 +106,22 @@ struct MaterialMap {
 };
 
 /// Both are of one world: what that generates has one id in both, whatever its name was then.
-MaterialMap map_materials(const std::map<std::string, MaterialId>& from,
-                          const std::map<std::string, MaterialId>& into) {
+tl::expected<MaterialMap, std::string> map_materials(const std::map<std::string, MaterialId>& from,
+                                                     const std::map<std::string, MaterialId>& into) {
   MaterialMap map{{}, into};
   std::set<MaterialId> taken;
   for (const auto& [name, id] : into) taken.insert(id);
+  FreeIds free{taken};
   for (const auto& [name, id] : from) {
     const auto held = into.find(name);
     const bool generated = to_integer(id) < kFirstBound;
     MaterialId mapped = id;
     if (!generated && held != into.end()) mapped = held->second;
-    if (!generated && held == into.end() && taken.contains(id)) mapped = free_id(taken);
+    if (!generated && held == into.end() && taken.contains(id)) {
+      const auto other = free.next();
+      if (!other) return tl::unexpected{other.error()};
+      mapped = *other;
+    }
     map.to.emplace(id, mapped);
     if (taken.insert(mapped).second) map.all.emplace(name, mapped);
   }
@@ -120,15 +148,6 @@ std::vector<Override> united(std::span<const Override> of_file, std::span<const 
     }
   }
   return all;
-}
-
-/// Copies who edits, so that edits which are sent again still happen once.
-tl::expected<void, std::string> copy_editors(const ReadOnlyStore& store, StoreBuilder& builder) {
-  StoreBuilder::Done added;
-  auto read = store.reader().for_each_editor([&](edits::EditorId id, StoredEditor&& editor) {
-    if (added) added = builder.add(id, editor.position, editor.editor);
-  });
-  return read ? added : read;
 }
 
 }  // namespace
@@ -181,7 +200,7 @@ tl::expected<Rebuilt, std::string> import_edits(const fs::path& file, const Data
   const PortableHeader& header = reader.header();
   std::unique_ptr<ReadOnlyStore> store;
   if (directory.has_store()) {
-    auto there = ReadOnlyStore::open(directory.path());
+    auto there = open_whole(directory);
     if (!there) return tl::unexpected{there.error()};
     store = *std::move(there);
     if (store->meta().fingerprint != header.fingerprint) {
@@ -192,8 +211,10 @@ tl::expected<Rebuilt, std::string> import_edits(const fs::path& file, const Data
     }
   }
   const StoreMeta before = store == nullptr ? StoreMeta{} : store->meta();
-  const MaterialMap materials = map_materials(
+  const auto mapped = map_materials(
       header.materials, store == nullptr ? std::map<std::string, MaterialId>{} : store->materials());
+  if (!mapped) return of_file(file, mapped.error());
+  const MaterialMap& materials = *mapped;
   if (const auto enough = check_space(directory.path(), file_bytes + bytes_below(directory.path() / "db"));
       !enough) {
     return tl::unexpected{enough.error()};
@@ -219,13 +240,13 @@ tl::expected<Rebuilt, std::string> import_edits(const fs::path& file, const Data
     progress.advance(input.bytes() - std::exchange(shown, input.bytes()));
     if (!next) return {};
     for (Override& voxel : next->voxels) {
-      const auto mapped = materials.to.find(voxel.material);
-      if (mapped == materials.to.end()) {
+      const auto at = materials.to.find(voxel.material);
+      if (at == materials.to.end()) {
         return of_file(file,
                        fmt::format("chunk {} has material {}, which the file does not name; export it again",
                                    to_string(next->chunk), to_integer(voxel.material)));
       }
-      voxel.material = mapped->second;
+      voxel.material = at->second;
     }
     return {};
   };
@@ -251,7 +272,6 @@ tl::expected<Rebuilt, std::string> import_edits(const fs::path& file, const Data
       return done.has_value();
     });
     if (!read) return tl::unexpected{read.error()};
-    if (done) done = copy_editors(*store, builder);
   }
   add_before(nullptr);
   for (const auto& [name, id] : materials.all) {
@@ -268,18 +288,20 @@ tl::expected<Rebuilt, std::string> import_edits(const fs::path& file, const Data
   return rebuilt;
 }
 
-std::map<std::string, MaterialId> rebased_materials(const std::map<std::string, MaterialId>& stored,
-                                                    const terrain::World& world) {
+tl::expected<std::map<std::string, MaterialId>, std::string> rebased_materials(
+    const std::map<std::string, MaterialId>& stored, const terrain::World& world) {
   std::map<std::string, MaterialId> names;
   std::set<MaterialId> taken;
   for (const terrain::Material& material : world.materials()) names.emplace(material.name, material.id);
   for (const auto& [name, id] : stored) taken.insert(id);  // for ever
+  FreeIds free{taken};
   for (const terrain::Placeable& placeable : world.placeables()) {
     const auto held = stored.find(placeable.name);
     const bool keeps = held != stored.end() && to_integer(held->second) >= kFirstBound;
-    const MaterialId id = keeps ? held->second : free_id(taken);
-    taken.insert(id);
-    names.emplace(placeable.name, id);
+    const tl::expected<MaterialId, std::string> id = keeps ? held->second : free.next();
+    if (!id) return tl::unexpected{id.error()};
+    taken.insert(*id);
+    names.emplace(placeable.name, *id);
   }
   return names;
 }
@@ -357,7 +379,7 @@ class BaseChunkMaker {
 
 tl::expected<Rebuilt, std::string> rebase_edits(const DataDirectory& directory, const terrain::World& world,
                                                 bool drop_unknown) {
-  auto opened = ReadOnlyStore::open(directory.path());
+  auto opened = open_whole(directory);
   if (!opened) return tl::unexpected{opened.error()};
   std::unique_ptr<ReadOnlyStore> store = *std::move(opened);
   const StoreMeta before = store->meta();
@@ -366,7 +388,9 @@ tl::expected<Rebuilt, std::string> rebase_edits(const DataDirectory& directory, 
         fmt::format("data {}: the store is of that world already, {}; nothing is to be done",
                     directory.path().string(), to_string(before.fingerprint))};
   }
-  const std::map<std::string, MaterialId> materials = rebased_materials(store->materials(), world);
+  const auto named = rebased_materials(store->materials(), world);
+  if (!named) return tl::unexpected{fmt::format("data {}: {}", directory.path().string(), named.error())};
+  const std::map<std::string, MaterialId>& materials = *named;
   Renaming renaming{{}, {}, &materials};
   for (const auto& [name, id] : store->materials()) renaming.names.emplace(id, name);
   if (!drop_unknown) {
@@ -408,7 +432,6 @@ tl::expected<Rebuilt, std::string> rebase_edits(const DataDirectory& directory, 
     return done.has_value();
   });
   if (!read) return tl::unexpected{read.error()};
-  if (done) done = copy_editors(*store, builder);
   for (const auto& [name, id] : materials) {
     if (done) done = builder.add(name, id);
   }

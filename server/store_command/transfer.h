@@ -46,8 +46,9 @@ struct Rebuilt {
                                                               const terrain::World& world, bool drop_unknown);
 
 /// The ids that a rebased store gives to the world's materials, by name: those that the world generates have
-/// theirs, what else may be placed keeps the id that it has in the store, where that was one for it.
-[[nodiscard]] std::map<std::string, MaterialId> rebased_materials(
+/// theirs, what else may be placed keeps the id that it has in the store, where that was one for it. An error
+/// is that no id is left.
+[[nodiscard]] tl::expected<std::map<std::string, MaterialId>, std::string> rebased_materials(
     const std::map<std::string, MaterialId>& stored, const terrain::World& world);
 
 }  // namespace talus::server

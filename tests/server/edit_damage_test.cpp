@@ -6,6 +6,7 @@
 
 #include "edits_of_tests.h"
 #include "scratch_directory.h"
+#include "store/store_identity.h"
 
 namespace talus::server {
 namespace {
@@ -99,16 +100,48 @@ TEST_CASE("a log that lost its end is refused, and the entries that are lost are
   INFO(error);
   CHECK(error.find("to 802 of its log were acknowledged and are lost") != std::string::npos);
   CHECK(error.find("restore a backup, or delete") != std::string::npos);
+  CHECK(error.find("as a store of a new id") != std::string::npos);
 }
 
-TEST_CASE("who deletes the file of what was acknowledged goes on with what is left") {
+TEST_CASE("who deletes the file of what was acknowledged goes on with what is left, as another store") {
   Killed store;
   const fs::path log = store.file(".log");
-  fs::resize_file(log, fs::file_size(log) - 1);
+  const EditDatabaseSettings settings = EditStore{store.path()}.database_settings;
   fs::remove(store.path() / "acknowledged");
-  EditStore again{store.path()};
-  REQUIRE(again.open_without_log() == "");
-  CHECK(again.state().head().position == 801);
+  SECTION("one byte is lost") {
+    fs::resize_file(log, fs::file_size(log) - 1);
+  }
+  SECTION("all of the log is lost") {
+    fs::resize_file(log, 0);
+  }
+  const auto database = EditDatabase::open(settings);
+  REQUIRE(database.has_value());
+  const ContentHash now = (*database)->meta().store_id;
+  CHECK(now != settings.store_id);
+  CHECK(read_store_identity(store.path() / "store.toml") == StoreIdentity{now, {1, 2}});
+}
+
+TEST_CASE("a store that became another stays that") {
+  Killed store;
+  fs::remove(store.path() / "acknowledged");
+  EditDatabaseSettings settings = EditStore{store.path()}.database_settings;
+  {
+    const auto database = EditDatabase::open(settings);
+    REQUIRE(database.has_value());
+    CHECK((*database)->meta().head.position == 802);
+    settings.store_id = (*database)->meta().store_id;
+  }
+  {
+    const auto again = EditDatabase::open(settings);
+    REQUIRE(again.has_value());
+    CHECK((*again)->meta().store_id == settings.store_id);
+  }
+  // The power was cut when store.toml had a new id and nothing else.
+  fs::remove(store.path() / "acknowledged");
+  settings.store_id = {5, 6};
+  const auto interrupted = EditDatabase::open(settings);
+  REQUIRE(interrupted.has_value());
+  CHECK(read_store_identity(store.path() / "store.toml")->store_id == (*interrupted)->meta().store_id);
 }
 
 TEST_CASE("damage in the log is refused") {

@@ -1,6 +1,13 @@
 // Disks that are full, or fail for a while: edits wait, nothing is lost, nothing happens twice.
+#include <chrono>
+#include <condition_variable>
+#include <memory>
+#include <mutex>
+#include <string>
 #include <thread>
 
+#include <rocksdb/env.h>
+#include <rocksdb/file_system.h>
 #include <catch2/catch.hpp>
 
 #include "edits_of_tests.h"
@@ -136,6 +143,65 @@ TEST_CASE("a disk that stays full, and does not say so, is tried again until it 
     if (reason && reason->find("the database does not open") != std::string::npos) trouble.disk->empty();
   });
   trouble.check();
+}
+
+namespace {
+
+/// A disk on which a directory with a name that ends in `stops_at` is made when resume() was called.
+class SlowDisk final : public rocksdb::FileSystemWrapper {
+ public:
+  explicit SlowDisk(std::string stops_at)
+      : FileSystemWrapper{rocksdb::FileSystem::Default()}, stops_at_{std::move(stops_at)} {}
+  const char* Name() const override { return "SlowDisk"; }
+  rocksdb::IOStatus CreateDir(const std::string& path, const rocksdb::IOOptions& options,
+                              rocksdb::IODebugContext* debug) override {
+    if (path.ends_with(stops_at_)) {
+      std::unique_lock lock{mutex_};
+      stopped_ = true;
+      changed_.notify_all();
+      // Longer only where somebody waits for it who must not.
+      changed_.wait_for(lock, std::chrono::seconds{10}, [&] { return resumed_; });
+    }
+    return FileSystemWrapper::CreateDir(path, options, debug);
+  }
+  void wait_until_stopped() {
+    std::unique_lock lock{mutex_};
+    changed_.wait(lock, [&] { return stopped_; });
+  }
+  void resume() {
+    const std::lock_guard lock{mutex_};
+    resumed_ = true;
+    changed_.notify_all();
+  }
+
+ private:
+  const std::string stops_at_;
+  std::mutex mutex_;
+  std::condition_variable changed_;
+  bool stopped_ = false;
+  bool resumed_ = false;
+};
+
+}  // namespace
+
+TEST_CASE("who opens the database again waits for no checkpoint, and chunks are read meanwhile") {
+  const ScratchDirectory scratch{ScratchDirectory::memory()};
+  const auto disk = std::make_shared<SlowDisk>("copy.tmp");
+  const auto environment = rocksdb::NewCompositeEnv(disk);
+  EditStore store{scratch / "edits"};
+  store.database_settings.env = environment.get();
+  REQUIRE(store.open_without_log() == "");
+  EditDatabase& database = store.database();
+  EditDatabase::Done made;
+  std::thread copier{[&] { made = database.checkpoint(scratch / "copy"); }};
+  disk->wait_until_stopped();
+  const auto refused = database.recover();
+  CHECK_FALSE(refused.has_value());
+  CHECK(database.chunk({{0, 0, 0}, Lod{}}).has_value());
+  disk->resume();
+  copier.join();
+  CHECK(made.has_value());
+  CHECK(database.recover().has_value());
 }
 
 TEST_CASE("with little free space edits are refused, and the reason is told") {

@@ -17,6 +17,7 @@
 #include "edits/edit_state.h"
 #include "edits/local_log.h"
 #include "store/edit_database.h"
+#include "store/store_identity.h"
 
 namespace talus::server::testing {
 
@@ -44,6 +45,9 @@ class EditStore {
     log_ = std::make_unique<LocalLog>(*database_, *state_, clock_, log_settings, on_changed);
   }
   [[nodiscard]] std::string open_without_log() {
+    // As a DataDirectory reads it, where the store became another.
+    const auto identity = read_store_identity(database_settings.path / "store.toml");
+    if (identity) database_settings.store_id = identity->store_id;
     auto database = EditDatabase::open(database_settings);
     if (!database) return database.error();
     database_ = std::move(*database);

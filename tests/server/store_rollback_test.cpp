@@ -1,13 +1,18 @@
 // Rollback against the plainest model: each voxel's own list of changes.
+#include <filesystem>
 #include <map>
+#include <memory>
 #include <random>
 #include <vector>
 
+#include <fmt/format.h>
+#include <rocksdb/db.h>
 #include <catch2/catch.hpp>
 
 #include "edits_of_tests.h"
 #include "scratch_directory.h"
 #include "store/read_only_store.h"
+#include "store/rocks.h"
 #include "store_command/history.h"
 #include "store_command/local_writer.h"
 #include "store_command/rollback.h"
@@ -16,6 +21,7 @@ namespace talus::server {
 namespace {
 
 using namespace testing;
+namespace fs = std::filesystem;
 using edits::testing::base_at;
 using edits::testing::Model;
 
@@ -188,6 +194,32 @@ TEST_CASE("a voxel's history says who, from what, to what, and how far back it g
   const auto never = history_of(**opened, {5'000, 5, 5}, progress);
   REQUIRE(never.has_value());
   CHECK(never->changes.empty());
+}
+
+TEST_CASE("a record that is missing in the middle, or at the end, is damage and no shorter history") {
+  Griefed griefed{9};
+  griefed.edit(50, true);
+  griefed.store.close();
+  const std::uint64_t lost = GENERATE(20, 53);
+  const fs::path path = griefed.scratch / "edits";
+  {
+    rocksdb::DB* opened = nullptr;
+    REQUIRE(rocksdb::DB::Open(rocks_options({}, false), (path / "db").string(), &opened).ok());
+    const std::unique_ptr<rocksdb::DB> db{opened};
+    std::string record;
+    REQUIRE(db->Get({}, log_key(lost), &record).ok());
+    REQUIRE(db->Delete({}, log_key(lost)).ok());
+  }
+  const auto store = ReadOnlyStore::open(path);
+  REQUIRE(store.has_value());
+  ProgressBar progress{"", ""};
+  const std::string damage = fmt::format("entry {} of its log is damaged or lost", lost);
+  const auto history = history_of(**store, griefed.changes.begin()->first, progress);
+  REQUIRE_FALSE(history.has_value());
+  CHECK_THAT(history.error(), Catch::Contains(damage));
+  const auto plan = plan_rollback(**store, {"griefer", 0, {-60, -8, -8}, {30, 2, 3}}, progress);
+  REQUIRE_FALSE(plan.has_value());
+  CHECK_THAT(plan.error(), Catch::Contains(damage));
 }
 
 TEST_CASE("history that was dropped is said to be, and the rest is still whole") {

@@ -43,11 +43,20 @@ void make_store(const fs::path& path, const Voxels& voxels, ContentHash fingerpr
   for (const auto& [at, material] : voxels) chunks[at.first].push_back({at.second, material});
   for (const auto& [chunk, overrides] : chunks) REQUIRE((*builder)->add(chunk, 5, overrides).has_value());
   for (const auto& [name, id] : materials) REQUIRE((*builder)->add(name, id).has_value());
-  REQUIRE((*builder)
-              ->add(edits::EditorId{7, 8}, 3,
-                    {.epoch = 2, .last_sequence = 0, .used_ms = 5, .subject = "alice", .results = {}})
-              .has_value());
   REQUIRE((*builder)->finish(6, 1'700'000'000'000).has_value());
+}
+
+/// Lets the store know somebody who edits.
+void add_editor(const fs::path& path) {
+  EditDatabaseSettings settings;
+  settings.path = path;
+  settings.fingerprint = kWorld;
+  settings.store_id = {3, 4};
+  const auto database = EditDatabase::open(settings);
+  REQUIRE(database.has_value());
+  EditDatabase::Slice slice;
+  slice.put({7, 8}, 3, {.epoch = 2, .last_sequence = 0, .used_ms = 5, .subject = "alice", .results = {}});
+  REQUIRE((*database)->put(slice).has_value());
 }
 
 /// What a data directory holds, once it is sound in every respect.
@@ -133,6 +142,7 @@ TEST_CASE("edits that are exported and imported are the same, whichever wins whe
     const Voxels theirs = random_voxels(random, 2'000);
     make_store(scratch / "a", ours);
     make_store(scratch / "b", theirs);
+    add_editor(scratch / "b");
     REQUIRE(export_to(scratch / "a", scratch / "file") == "");
     // Into an empty directory.
     REQUIRE(import_from(scratch / "file", scratch / "new", Winner::file).has_value());
@@ -154,7 +164,7 @@ TEST_CASE("edits that are exported and imported are the same, whichever wins whe
     CHECK((*store)->meta().head.revision == 7);
     std::size_t editors = 0;
     REQUIRE((*store)->reader().for_each_editor([&](auto, auto&&) { ++editors; }).has_value());
-    CHECK(editors == 1);
+    CHECK(editors == 0);  // it is another store, of which they know nothing
   }
 }
 
@@ -228,6 +238,38 @@ TEST_CASE("a file of another world is refused, and so is a material without a na
   make_store(scratch / "c", {{{{0, 0, 0}, 1}, MaterialId{300}}});
   CHECK(export_to(scratch / "c", scratch / "none").find("material 300 has no name") != std::string::npos);
   CHECK_FALSE(fs::exists(scratch / "none"));
+}
+
+TEST_CASE("an import into a store that gave all ids is refused") {
+  const ScratchDirectory scratch;
+  make_store(scratch / "a", {{{{0, 0, 0}, 1}, MaterialId{256}}});
+  REQUIRE(export_to(scratch / "a", scratch / "file") == "");
+  std::map<std::string, MaterialId> all;
+  for (std::uint32_t id = kFirstBound; id <= UINT16_MAX; ++id) {
+    all.emplace(fmt::format("m{}", id), MaterialId{static_cast<std::uint16_t>(id)});
+  }
+  make_store(scratch / "b", {}, kWorld, all);
+  const auto refused = import_from(scratch / "file", scratch / "b", Winner::file);
+  REQUIRE_FALSE(refused.has_value());
+  CHECK_THAT(refused.error(), Catch::Contains("256 to 65535, are taken"));
+  all.erase("m65535");
+  make_store(scratch / "c", {}, kWorld, all);
+  CHECK_THAT(import_from(scratch / "file", scratch / "c", Winner::file).error(),
+             Catch::Contains("are taken"));  // for glass and planks one is left
+}
+
+TEST_CASE("an export whose names no import would read is refused") {
+  const ScratchDirectory scratch;
+  std::map<std::string, MaterialId> many = kMaterials;
+  for (std::uint16_t id = 0; id < 5'000; ++id) {
+    many.emplace(fmt::format("{:0>256}", id), MaterialId{static_cast<std::uint16_t>(300 + id)});
+  }
+  make_store(scratch / "many", {}, kWorld, many);
+  CHECK_THAT(export_to(scratch / "many", scratch / "file"), Catch::Contains("names of its 5004 materials"));
+  make_store(scratch / "long", {}, kWorld, {{std::string(257, 'x'), MaterialId{300}}});
+  CHECK_THAT(export_to(scratch / "long", scratch / "file"),
+             Catch::Contains("material 300 has a name of 257 bytes"));
+  CHECK_FALSE(fs::exists(scratch / "file"));
 }
 
 TEST_CASE("the portable file's bytes are those of FORMAT.md") {
@@ -376,6 +418,17 @@ TEST_CASE("edits that are rebased stay where they are unlike the new ground, wit
   CHECK((*store)->materials().at("planks") == MaterialId{256});
   CHECK((*store)->materials().at("glass") == MaterialId{257});
   CHECK((*store)->materials().at("lamp") == MaterialId{258});
+}
+
+TEST_CASE("a world whose new placeable finds all ids taken is refused") {
+  std::map<std::string, MaterialId> all;
+  for (std::uint32_t id = kFirstBound; id <= UINT16_MAX; ++id) {
+    all.emplace(fmt::format("m{}", id), MaterialId{static_cast<std::uint16_t>(id)});
+  }
+  CHECK(rebased_materials(all, world_of(1, placeable("m300"))).has_value());
+  const auto refused = rebased_materials(all, world_of(1, placeable("planks")));
+  REQUIRE_FALSE(refused.has_value());
+  CHECK_THAT(refused.error(), Catch::Contains("256 to 65535, are taken"));
 }
 
 TEST_CASE("a rebase refuses materials that the new world does not name, with their count, or drops them") {

@@ -169,6 +169,18 @@ TEST_CASE("a map with edits shows what is seen of them from above, and else what
   CHECK(tops.failure()->message == "the store is damaged");
 }
 
+TEST_CASE("a material that neither the world nor the store names is refused where it would be seen") {
+  const terrain::Region one{3, 3, 1, 1, Lod{}};
+  for (const MaterialId unnamed : {MaterialId{299}, MaterialId{65'535}}) {
+    FakeEdits edits;
+    edits.put({3, top_of(3, 3, Lod{}) + 4, 3}, Lod{}, unnamed);
+    const TopsOfEdits tops{world(), edits};
+    CHECK(tops.find(one).empty());
+    REQUIRE(tops.failure());
+    CHECK_THAT(tops.failure()->message, Catch::Contains("has no name in the store"));
+  }
+}
+
 TEST_CASE("water that was put or taken is seen from above") {
   const terrain::Region one{3, 3, 1, 1, Lod{}};
   FakeEdits edits;

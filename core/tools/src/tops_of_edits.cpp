@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include <fmt/format.h>
+
 #include <talus/terrain/extraction.h>
 #include <talus/terrain/generator.h>
 #include <talus/terrain/stacks.h>
@@ -21,12 +23,15 @@ struct TopsOfEdits::Seen {
 
 namespace {
 
-terrain::MaterialKind kind_of(const terrain::World& world, const std::vector<terrain::Material>& more,
-                              MaterialId material) {
+/// Nothing where neither the world nor the store names it.
+std::optional<terrain::MaterialKind> kind_of(const terrain::World& world,
+                                             const std::vector<terrain::Material>& more,
+                                             MaterialId material) {
   const std::size_t id = to_integer(material);
   if (id < world.materials().size()) return world.materials()[id].kind;
   const auto found = std::ranges::find(more, material, &terrain::Material::id);
-  return found == more.end() ? terrain::MaterialKind::stratified : found->kind;
+  if (found == more.end()) return std::nullopt;
+  return found->kind;
 }
 
 }  // namespace
@@ -56,6 +61,7 @@ void TopsOfEdits::look_at(ChunkKey column, const terrain::Region& region,
   const auto bottom = std::min(mixed.first, static_cast<std::int32_t>(edited.first)) - 1;
   Column before(kChunkArea);
   Column after(kChunkArea);
+  std::optional<MaterialId> unnamed;
   const auto look = [&](Column& seen, const Chunk& chunk, std::int64_t y) {
     bool all = true;
     for (int i = 0; i < kChunkArea; ++i) {
@@ -63,7 +69,8 @@ void TopsOfEdits::look_at(ChunkKey column, const terrain::Region& region,
       if (one.ground != kAir) continue;
       const std::vector<Run> runs = chunk.runs(i % kChunkSize, i / kChunkSize);
       for (auto run = runs.rbegin(); run != runs.rend() && one.ground == kAir; ++run) {
-        const terrain::MaterialKind kind = kind_of(world_, edits_.materials(), run->material);
+        const auto kind = kind_of(world_, edits_.materials(), run->material);
+        if (!kind) unnamed = run->material;
         if (kind == terrain::MaterialKind::air) continue;
         if (kind == terrain::MaterialKind::water) {
           if (one.water == kAir) {
@@ -86,13 +93,19 @@ void TopsOfEdits::look_at(ChunkKey column, const terrain::Region& region,
     const Chunk chunk = extract_chunk(world_, stacks, key.coord);
     auto overrides = edits_.overrides(key);
     if (!overrides) {
-      const std::lock_guard lock{mutex_};
-      if (!failure_) failure_ = std::move(overrides.error());
+      fail(std::move(overrides.error()));
       return;
     }
     const std::int64_t y = chunk_origin(key.coord).y;
     if (!before_done) before_done = look(before, chunk, y);
     if (!after_done) after_done = look(after, overrides->merged_over(chunk), y);
+    if (unnamed) {
+      fail({kExitFailed,
+            fmt::format("chunk {}: material {} has no name in the store; start talusd once with the store's "
+                        "world, which names it",
+                        to_string(key), to_integer(*unnamed))});
+      return;
+    }
   }
   for (std::size_t i = 0; i < after.size(); ++i) {
     const std::int64_t x = origin.x + static_cast<std::int64_t>(i) % kChunkSize;
@@ -104,6 +117,11 @@ void TopsOfEdits::look_at(ChunkKey column, const terrain::Region& region,
     tops.push_back({x, z, seen.ground, static_cast<std::int32_t>(seen.row), seen.water,
                     static_cast<std::int32_t>(seen.water_row)});
   }
+}
+
+void TopsOfEdits::fail(Failure failure) const {
+  const std::lock_guard lock{mutex_};
+  if (!failure_) failure_ = std::move(failure);
 }
 
 std::optional<Failure> TopsOfEdits::failure() const {

@@ -22,12 +22,14 @@ class TopsOfEdits final : public map::EditedTops {
   /// Generates the columns of chunks that were edited.
   std::vector<map::EditedTop> find(const terrain::Region& region) const override;
 
-  /// The first chunk that could not be read, whose columns are as generated.
+  /// The first chunk that could not be read, or shows a material without a name; its columns are as
+  /// generated.
   [[nodiscard]] std::optional<Failure> failure() const;
 
  private:
   struct Seen;
   using Column = std::vector<Seen>;  // of 32 x 32 columns, z slowest
+  void fail(Failure failure) const;
   void look_at(ChunkKey column, const terrain::Region& region, std::vector<map::EditedTop>& tops) const;
 
   const terrain::World& world_;
