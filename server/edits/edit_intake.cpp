@@ -9,6 +9,8 @@
 
 #include <talus/protocol/message.h>
 
+#include "chunks/client_ids.h"
+
 namespace talus::server {
 namespace {
 
@@ -17,9 +19,6 @@ using wire::ErrorCode;
 
 constexpr milliseconds kBusy{1000};
 constexpr int kMaxTries = 8;
-/// Look-ups are a client of their own, so that their chunks are not the session's. No session has so high an
-/// id.
-constexpr std::uint64_t kLookUps = std::uint64_t{1} << 63;
 
 std::uint64_t number(ClientId client) {
   return static_cast<std::uint64_t>(client);
@@ -135,9 +134,9 @@ void EditIntake::attach(const MailboxPtr& mailbox, AttachRequest request) {
   {
     const std::lock_guard lock{mutex_};
     came_.emplace_back(mailbox, std::move(request));
+    ++waiting_;  // before the thread can take it and count it off
     called_ = true;
   }
-  ++waiting_;
   comes_.notify_one();
 }
 
@@ -145,9 +144,9 @@ void EditIntake::edit(const MailboxPtr& mailbox, EditRequest request) {
   {
     const std::lock_guard lock{mutex_};
     came_.emplace_back(mailbox, Editing{std::move(request), parts_.clock.now()});
+    ++waiting_;
     called_ = true;
   }
-  ++waiting_;
   comes_.notify_one();
 }
 
@@ -188,7 +187,8 @@ void EditIntake::work() {
       attaching_as_.clear();
       turns_ = {};
       first_.clear();
-      waiting_ = 0;
+      const std::lock_guard lock{mutex_};
+      waiting_ = came_.size();
     }
   }
 }
@@ -244,7 +244,10 @@ std::optional<ClientId> EditIntake::next() {
     first_.pop_front();
     return client;
   }
-  if (turns_.entered() == 0) return std::nullopt;
+  if (turns_.entered() == 0) {
+    turns_.rest();
+    return std::nullopt;
+  }
   if (!log_has_room()) {
     wants_room_ = true;
     if (!log_has_room()) return std::nullopt;  // else it came just now, and who made it need not call
@@ -274,7 +277,7 @@ EditIntake::Lane& EditIntake::lane_of(const MailboxPtr& session) {
   const std::uint64_t client = number(session->owner());
   lane.session = session;
   lane.look_ups = std::make_shared<Mailbox>(
-      ClientId{kLookUps | client},
+      client_id(ClientKind::look_ups, client),  // their chunks are not the session's
       [this, client] {
         {
           const std::lock_guard lock{mutex_};

@@ -21,6 +21,10 @@ class EditTurns {
   /// Whose edit goes now; it is entered no more.
   [[nodiscard]] std::optional<ClientId> next();
 
+  /// Nobody wants anything, so nobody owes anything from here on. Not at once when the last that is entered
+  /// goes: it mostly enters again, and others with debts would come back without. REQUIRES: none is entered.
+  void rest() { flows_ = {}; }
+
   /// Sessions that are entered.
   [[nodiscard]] std::size_t entered() const { return entered_; }
 

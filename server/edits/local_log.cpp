@@ -56,15 +56,8 @@ void LocalLog::stop() {
 }
 
 tl::expected<void, LogFailure> LocalLog::append(LogEntry entry, Done done) {
-  if (const auto* const edit = std::get_if<edits::EditEntry>(&entry); edit != nullptr && state_.is_full()) {
-    const auto is_new = [&](const auto& each) { return state_.revision({each.first, Lod{}}) == 0; };
-    if (const auto chunk = std::ranges::find_if(edit->base, is_new); chunk != edit->base.end()) {
-      return failed(
-          LogFailure::Kind::index_full,
-          fmt::format("chunk {} was never edited, and the index of edited chunks has its limit of {} "
-                      "bytes; edit chunks that were edited before",
-                      to_string(chunk->first), state_.index_limit()));
-    }
+  if (auto* const edit = std::get_if<edits::EditEntry>(&entry); edit != nullptr && state_.is_full()) {
+    if (auto fits = keep_to_index(*edit); !fits) return fits;
   }
   const std::size_t bytes = bytes_of(entry);
   bool wakes = false;
@@ -81,6 +74,23 @@ tl::expected<void, LogFailure> LocalLog::append(LogEntry entry, Done done) {
   }
   if (wakes) wake_.notify_one();
   return {};
+}
+
+tl::expected<void, LogFailure> LocalLog::keep_to_index(edits::EditEntry& edit) const {
+  const auto is_new = [&](ChunkCoord chunk) { return state_.revision({chunk, Lod{}}) == 0; };
+  if (std::ranges::none_of(edit.base, is_new, &edits::BaseVoxels::value_type::first)) return {};
+  // Some of them only so that material may slide into them.
+  const auto touched = edits::touched_voxels(edit.edit);
+  if (!touched) return {};  // applying says so
+  const auto chunk = std::ranges::find_if(*touched, is_new, &edits::TouchedChunk::chunk);
+  if (chunk == touched->end()) {
+    edit.settles = nullptr;
+    return {};
+  }
+  return failed(LogFailure::Kind::index_full,
+                fmt::format("chunk {} was never edited, and the index of edited chunks has its limit of {} "
+                            "bytes; edit chunks that were edited before",
+                            to_string(chunk->chunk), state_.index_limit()));
 }
 
 LocalLog::Status LocalLog::status() const {

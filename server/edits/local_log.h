@@ -78,6 +78,10 @@ class LocalLog final : public EditLog {
     std::vector<Done> done;  // of its entries; empty once they were told that it failed
   };
 
+  /// Where the index is full: that the edit changes no chunk that was never edited. One that only might let
+  /// material slide into such a chunk sets nothing loose.
+  [[nodiscard]] tl::expected<void, LogFailure> keep_to_index(edits::EditEntry& edit) const;
+
   void run();
   /// What waits, as much as goes into a batch. Waits for it itself, until `until` at most.
   [[nodiscard]] std::vector<Waiting> take(TimePoint until);

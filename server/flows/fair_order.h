@@ -33,10 +33,7 @@ class FairOrder {
 
   /// Who goes now, and is entered no more; none where nobody is.
   [[nodiscard]] std::optional<Id> next() {
-    if (waiting_.empty()) {
-      entrants_.clear();  // where nobody waits, nobody owes anything
-      return std::nullopt;
-    }
+    if (waiting_.empty()) return std::nullopt;
     const Id id = std::get<2>(*waiting_.begin());
     waiting_.erase(waiting_.begin());
     Entrant& entrant = entrants_.at(id);

@@ -13,6 +13,8 @@
 #include <talus/files/atomic_file.h>
 #include <talus/files/read_file.h>
 
+#include "chunks/client_ids.h"
+
 namespace talus::server {
 namespace {
 
@@ -25,12 +27,10 @@ constexpr std::chrono::seconds kNote{10};
 // Of a column: as many rows as the cache keeps.
 constexpr std::int64_t kMaxRows = 64;
 constexpr std::size_t kMaxFileBytes = 4096;
-// Not an id of a session, nor of what edits look up.
-constexpr std::uint64_t kOwners = std::uint64_t{3} << 62U;
 
-std::uint64_t next_owner() {
+ClientId next_owner() {
   static std::atomic<std::uint64_t> next{0};
-  return kOwners | ++next;
+  return client_id(ClientKind::pregen, ++next);
 }
 
 /// Which step outwards in rings a number is: 0; then the eight around it; and so on. Along each ring
@@ -64,7 +64,7 @@ std::string text_of(const PregenPlan& plan, int tiles, std::uint64_t done) {
 class Waiting {
  public:
   explicit Waiting(ChunkSource& chunks)
-      : chunks_{chunks}, mailbox_{std::make_shared<Mailbox>(ClientId{next_owner()}, [state = state_] {
+      : chunks_{chunks}, mailbox_{std::make_shared<Mailbox>(next_owner(), [state = state_] {
           const std::lock_guard lock{state->mutex};
           state->woken = true;
           state->changed.notify_all();

@@ -3,14 +3,13 @@
 #include <chrono>
 #include <utility>
 
+#include "chunks/client_ids.h"
 #include "web/columns_body.h"
 
 namespace talus::server::web {
 namespace {
 
 constexpr std::chrono::seconds kMaxWait{20};
-// Chunks' clients are numbered from here, apart from connections.
-constexpr std::uint64_t kFirstFetch = std::uint64_t{1} << 63;
 
 }  // namespace
 
@@ -43,7 +42,7 @@ Clock::time_point Exchange::deadline() const {
 
 Fetch& Exchange::start_fetch(bool edited) {
   fetch_ = std::make_shared<Fetch>(executor_, chunks(edited), shared_.clock,
-                                   ClientId{kFirstFetch + ++context_.fetches}, requester_.flow());
+                                   client_id(ClientKind::fetch, ++context_.fetches), requester_.flow());
   return *fetch_;
 }
 

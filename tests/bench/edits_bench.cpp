@@ -1,6 +1,6 @@
 // How many edits a second the log of one machine takes, beside RocksDB's own synced batches of the same bytes
-// in the same run; how long a store takes to open; what applying costs. bench_edits [DIRECTORY]: where the
-// stores lie, on the disk to be measured.
+// in the same run; how long a store takes to open; what applying costs. bench_edits [DIRECTORY [settle]]:
+// where the stores lie, on the disk to be measured; what settling costs alone.
 #include <time.h>
 
 #include <algorithm>
@@ -318,12 +318,74 @@ void apply_costs(const fs::path& path) {
   std::printf("apply and commit of 65,536 voxels: %.2f ms\n", times[3] * 1e3);
 }
 
+/// What settling adds on the log's thread: where nothing is loose, and at worst, where shelves and sand of
+/// many shapes are set loose all over the box.
+void settle_costs() {
+  constexpr MaterialId kRock{1};
+  constexpr MaterialId kSand{3};
+  constexpr MaterialId kPlanks{300};
+  const auto rules = std::make_shared<const edits::SettleRules>(
+      edits::SettleRules{{kSand, 160}, {MaterialId{4}, 175}, {MaterialId{5}, 190}, {MaterialId{6}, 215}});
+  struct Empty final : edits::OverrideSource {
+    const edits::ChunkOverrides* find(ChunkKey) const override { return nullptr; }
+  } none;
+  /// CPU microseconds of applying it to generated ground of `ground` rows of rock, above it `above`.
+  const auto cost = [&](const edits::Edit& edit, bool settles, std::int64_t ground, MaterialId above) {
+    edits::EditEntry entry{{1, 1}, 1, 1, edit, {}, settles ? rules : nullptr};
+    const auto all = edits::touched_voxels(edit, settles);
+    for (const auto& touched : *all) {
+      const std::int64_t low = chunk_origin(touched.chunk).y;
+      for (const std::uint16_t index : touched.voxels) {
+        entry.base[touched.chunk].push_back({index, low + index / 1024 < ground ? kRock : above});
+      }
+    }
+    const edits::Editors editors;
+    std::vector<double> times;
+    for (int round = 0; round < 9; ++round) {
+      edits::Batch batch{none, editors, {}, 1};
+      batch.apply(edits::AttachEntry{{1, 1}, 1, ""});
+      const double start = cpu_seconds();
+      const bool done = batch.apply(entry).kind == edits::Applied::Kind::done;
+      times.push_back((cpu_seconds() - start) * 1e6);
+      if (!done) fail("an edit was not done");
+    }
+    std::sort(times.begin(), times.end());
+    return times[times.size() / 2];
+  };
+  edits::Edit dig;
+  dig.writes.push_back({{100, 100, 100}, kAir});
+  std::printf(
+      "apply of one voxel dug in rock: %.1f us, with settling %.1f us; in sand with settling %.0f us\n",
+      cost(dig, false, 1'000, kAir), cost(dig, true, 1'000, kAir), cost(dig, true, 50, kSand));
+  std::mt19937 random{7};
+  double worst = 0;
+  for (int round = 0; round < 200; ++round) {
+    const auto width = static_cast<std::int64_t>(2 + random() % 13);
+    const auto height = static_cast<std::int64_t>(8 + random() % 48);
+    const auto shelves = static_cast<std::uint32_t>(random() % 6);
+    const auto sand = static_cast<std::uint32_t>(1 + random() % 8);
+    edits::Edit build;
+    for (std::int64_t y = 0; y < height; ++y) {
+      for (std::int64_t z = 0; z < width; ++z) {
+        for (std::int64_t x = 0; x < width; ++x) {
+          const MaterialId material = random() % 64 < shelves ? kPlanks : random() % 8 < sand ? kSand : kAir;
+          build.writes.push_back({{24 + x, 24 + y, 24 + z}, material});
+        }
+      }
+    }
+    worst = std::max(worst, cost(build, true, 24, kAir));
+  }
+  std::printf("apply of the worst of 200 edits that settle: %.2f ms\n", worst / 1e3);
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
   const fs::path directory = (argc > 1 ? fs::path{argv[1]} : fs::temp_directory_path()) / "talus-bench-edits";
   fs::create_directories(directory);
   std::printf("64 waiting editors, one voxel an edit, each batch synced\n");
+  settle_costs();
+  if (argc > 2 && std::string{argv[2]} == "settle") return 0;
   apply_costs(directory / "apply");
   compare(directory, "8 chunks", 8);
   compare(directory, "100,000 chunks", 100'000);

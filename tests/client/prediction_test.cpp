@@ -41,7 +41,13 @@ struct Server {
     const Kept& kept = chunks.at(chunk);
     return {{chunk, Lod{}}, kept.revision, content_hash(*kept.chunk), kept.chunk};
   }
-  Result<EditDone> apply(const Edit& edit, std::set<ChunkCoord>& changed) {
+  /// What settling may do: what `from` had slides into all that the edit dug in `into`, which is as before.
+  struct Slide {
+    ChunkCoord into;
+    VoxelPos from;
+  };
+  Result<EditDone> apply(const Edit& edit, std::set<ChunkCoord>& changed,
+                         const std::optional<Slide>& slide = std::nullopt) {
     edits::BaseVoxels base;
     const auto touched = edits::touched_voxels(edit).value();
     for (const auto& [chunk, voxels] : touched) {
@@ -51,7 +57,21 @@ struct Server {
         base[chunk].push_back({index, chunks[chunk].chunk->at(at)});
       }
     }
-    const auto outcome = edits::evaluate(edit, base, NoOverrides{}).value();
+    auto outcome = edits::evaluate(edit, base, NoOverrides{}).value();
+    if (slide &&
+        std::erase_if(outcome.chunks, [&](const auto& each) { return each.chunk == slide->into; }) > 0) {
+      const ChunkCoord from = chunk_holding(slide->from, Lod{})->coord;
+      const auto index = static_cast<std::uint16_t>(voxel_index(local_pos(slide->from)));
+      const MaterialId before = chunks[from].chunk->at(local_pos(slide->from));
+      const edits::VoxelChange slid{index, before, before == kAir ? kStone : kAir, before};
+      const auto other = std::ranges::find(outcome.chunks, from, &edits::ChunkChanges::chunk);
+      if (other == outcome.chunks.end()) {
+        outcome.chunks.push_back({from, {slid}});
+      } else if (std::ranges::find(other->voxels, index, &edits::VoxelChange::index) == other->voxels.end()) {
+        other->voxels.push_back(slid);
+        std::ranges::sort(other->voxels, {}, &edits::VoxelChange::index);
+      }
+    }
     if (outcome.conflict) return tl::unexpected{ClientError{ErrorKind::conflict, "a guard", {}}};
     if (outcome.changed > 0) ++revision;
     for (const edits::ChunkChanges& each : outcome.chunks) {
@@ -161,6 +181,28 @@ TEST_CASE("an edit that changed less than was seen here does not leave a trace")
   CHECK(player.own.open() == 0);
 }
 
+TEST_CASE("what was dug and filled from a neighbour chunk does not stay dug here") {
+  Server server;
+  std::set<ChunkCoord> changed;
+  REQUIRE(server.apply(write_of({0, 2, 3}, kStone), changed));
+  REQUIRE(server.apply(write_of({-1, 3, 3}, kStone), changed));
+  Player player{server};
+  const Edit dig = write_of({0, 2, 3}, kAir);
+  const auto id = player.own.begin(dig);
+  CHECK(player.sees({0, 2, 3}) == kAir);
+  CHECK(player.own.behind(id).empty());  // it is not answered
+  const auto done = server.apply(dig, changed, Server::Slide{{0, 0, 0}, {-1, 3, 3}});
+  player.own.done(id, done);
+  player.own.put(server.sent({-1, 0, 0}));
+  REQUIRE(player.own.behind(id) == std::vector<ChunkKey>{{{0, 0, 0}, Lod{}}});
+  player.own.put(server.sent({0, 0, 0}));
+  CHECK(player.own.open() == 1);  // it may be of before the edit
+  player.own.resolve(id, {{0, 0, 0}, Lod{}});
+  CHECK(player.sees({0, 2, 3}) == kStone);
+  CHECK(player.sees({-1, 3, 3}) == kAir);
+  CHECK(player.own.open() == 0);
+}
+
 TEST_CASE("what is answered when the prediction is gone or cleared changes nothing") {
   Server server;
   Player player{server};
@@ -211,6 +253,14 @@ TEST_CASE("when all is answered and sent, the store holds what the server holds"
     std::vector<std::pair<Prediction::Id, Result<EditDone>>> answers;
     std::set<ChunkCoord> updates;  // chunks of which the player has not the newest
     std::set<ChunkCoord> away;     // from the View
+    std::vector<std::pair<Prediction::Id, ChunkKey>> asked;
+    const auto get = [&] {
+      const auto at = asked.begin() + static_cast<std::ptrdiff_t>(below(asked.size()));
+      const auto [id, key] = *at;
+      asked.erase(at);
+      if (!away.contains(key.coord)) player.own.put(server.sent(key.coord));
+      player.own.resolve(id, key);
+    };
     const auto update = [&](ChunkCoord chunk) {
       updates.erase(chunk);
       if (!away.contains(chunk)) player.own.put(server.sent(chunk));
@@ -221,12 +271,16 @@ TEST_CASE("when all is answered and sent, the store holds what the server holds"
       if (below(8) == 0) {
         answers.emplace_back(sent.id, tl::unexpected{ClientError{ErrorKind::refused, "no", {}}});
       } else {
-        answers.emplace_back(sent.id, server.apply(sent.edit, updates));
+        std::optional<Server::Slide> slide;
+        if (below(4) == 0) slide = {kChunks[below(kChunks.size())], some_voxel()};
+        if (slide && chunk_holding(slide->from, Lod{})->coord == slide->into) slide.reset();
+        answers.emplace_back(sent.id, server.apply(sent.edit, updates, slide));
       }
     };
     const auto answer = [&] {
       const auto at = answers.begin() + static_cast<std::ptrdiff_t>(below(answers.size()));
       player.own.done(at->first, at->second);
+      for (const ChunkKey& key : player.own.behind(at->first)) asked.emplace_back(at->first, key);
       answers.erase(at);
     };
     for (int step = 0; step < 60; ++step) {
@@ -245,6 +299,7 @@ TEST_CASE("when all is answered and sent, the store holds what the server holds"
           if (!to_server.empty()) server_step();
           break;
         case 4:
+          if (!asked.empty() && below(2) == 0) get();
           if (!answers.empty()) answer();
           break;
         case 5:
@@ -264,8 +319,12 @@ TEST_CASE("when all is answered and sent, the store holds what the server holds"
       }
     }
     while (!to_server.empty()) server_step();
-    while (!answers.empty() || !updates.empty()) {
-      if (!answers.empty() && (updates.empty() || below(2) == 0)) {
+    while (!answers.empty() || !updates.empty() || !asked.empty()) {
+      if (!asked.empty() && below(2) == 0) {
+        get();
+      } else if (updates.empty() && answers.empty()) {
+        continue;
+      } else if (!answers.empty() && (updates.empty() || below(2) == 0)) {
         answer();
       } else {
         update(*updates.begin());

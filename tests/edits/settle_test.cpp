@@ -2,6 +2,7 @@
 #include <talus/edits/settle.h>
 
 #include <map>
+#include <random>
 
 #include <rapidcheck.h>
 #include <talus/edits/batch.h>
@@ -35,7 +36,7 @@ struct Land {
     at(x, y, z).now = material;
     at(x, y, z).edited = true;
   }
-  int settle() { return edits::settle(box, kRules, voxels); }
+  int settle() { return edits::settle(box, kRules, voxels).moves; }
   [[nodiscard]] std::map<MaterialId, int> counts() const {
     std::map<MaterialId, int> counts;
     for (const SettlingVoxel& each : voxels) ++counts[each.now];
@@ -222,6 +223,74 @@ TEST_CASE("whatever is dug and put: no loose voxel is lost, none lies too steep,
     if (!fault.empty()) RC_FAIL(fault);
     RC_ASSERT(land.settle() == 0);
   }));
+}
+
+TEST_CASE("what an edit costs is bounded, however it is built") {
+  // Towers with gaps and shelves, where much is moved far, and little at a time.
+  std::mt19937 random{5};
+  int most = 0;
+  for (int round = 0; round < 60; ++round) {
+    const VoxelBox box{{0, 0, 0}, {15, 63, 15}};
+    std::vector<SettlingVoxel> voxels;
+    const std::uint32_t shelves = random() % 8;
+    const std::uint32_t sand = 1 + random() % 8;
+    const std::int64_t base = round % 4 == 0 ? 1 : random() % 40;
+    for (std::int64_t y = 0; y < 64; ++y) {
+      for (int i = 0; i < 256; ++i) {
+        const bool on_shelf = random() % 64 < shelves;
+        const bool is_sand = random() % 8 < sand && y < 50;
+        const MaterialId now = y < base ? kRock : on_shelf ? kPlanks : is_sand ? kSand : kAir;
+        voxels.push_back({now, y < base ? kRock : kAir, y >= base});
+      }
+    }
+    const Settled settled = edits::settle(box, kRules, voxels);
+    most = std::max(most, settled.looks);
+    CHECK(settled.moves <= kSettleMoves);
+    CHECK(settled.looks <= kSettleLooks + 1);
+  }
+  CHECK(most > kSettleLooks / 4);  // hard enough to mean something
+}
+
+TEST_CASE("a dig where nothing is loose needs none of the box, and of base what it touches") {
+  testing::State state;
+  Edit edit;
+  edit.writes.push_back({{5, 5, 5}, kAir});
+  BaseVoxels base;
+  const auto all = touched_voxels(edit);
+  for (const TouchedChunk& each : *all) {
+    for (const std::uint16_t index : each.voxels) base[each.chunk].push_back({index, kRock});
+  }
+  const auto outcome = evaluate(edit, base, state, &kRules);
+  REQUIRE(outcome.has_value());
+  CHECK(outcome->changed == 1);
+}
+
+TEST_CASE("sand that somebody put slides where the land has none") {
+  testing::State state;
+  Editors editors;
+  Batch batch{state, editors, {}, 1};
+  batch.apply(AttachEntry{{1, 1}, 1, ""});
+  const auto entry_of = [](std::uint64_t sequence, Edit edit) {
+    EditEntry entry{{1, 1}, 1, sequence, std::move(edit), {}, std::make_shared<const SettleRules>(kRules)};
+    const auto all = touched_voxels(entry.edit, true);
+    for (const TouchedChunk& each : *all) {
+      const VoxelPos origin = chunk_origin(each.chunk);
+      for (const std::uint16_t index : each.voxels) {
+        entry.base[each.chunk].push_back({index, origin.y + index / 1024 < 10 ? kRock : kAir});
+      }
+    }
+    return entry;
+  };
+  Edit put;
+  put.writes.push_back({{5, 10, 5}, kSand});
+  CHECK(batch.apply(entry_of(1, put)).result.changed == 1);
+  Edit dig;
+  dig.writes.push_back({{5, 9, 5}, kAir});
+  const Applied& applied = batch.apply(entry_of(2, dig));
+  REQUIRE(applied.changes.size() == 1);
+  CHECK(applied.changes[0].voxels.size() == 2);  // the rock is sand, and the sand is gone
+  CHECK(applied.changes[0].voxels[0].after == kSand);
+  CHECK(applied.changes[0].voxels[1].after == kAir);
 }
 
 TEST_CASE("an edit settles in a box of 64 rows and 256 columns at most, around all that it writes") {

@@ -1,10 +1,16 @@
 // What the intake makes of sessions' edits, in the test's own thread: bases looked up, order kept, refusals.
 #include "edits/edit_intake.h"
 
+#include <functional>
+#include <future>
+#include <new>
+#include <utility>
+
 #include <catch2/catch.hpp>
 
 #include <talus/voxel/codec.h>
 
+#include "chunks/client_ids.h"
 #include "clock/manual_clock.h"
 #include "scripted_source.h"
 
@@ -90,7 +96,7 @@ TEST_CASE("an edit is logged with the base of what it touches, looked up in the 
   CHECK(bench.log.entries.empty());
   CHECK(bench.source.wanted_soon.size() == 2);
   CHECK(bench.source.last_mailbox->flow() == bench.session->flow());
-  CHECK(bench.source.last_mailbox->owner() != bench.session->owner());
+  CHECK(bench.source.last_mailbox->owner() == client_id(ClientKind::look_ups, 1));
   bench.look_ups_answered(kStone);
   REQUIRE(bench.log.entries.size() == 1);
   const edits::EditEntry& entry = bench.log.edit(0);
@@ -308,6 +314,66 @@ TEST_CASE("in the log wait few edits, and who comes late goes before those who h
   for (const MailboxPtr& each : flood) {
     CHECK(of_session[static_cast<std::uint64_t>(each->owner())] == Approx(32).margin(3));
   }
+}
+
+TEST_CASE("who edited much while nobody waited owes nothing for it") {
+  Bench bench;
+  bench.source.in_memory[{{0, 0, 0}, Lod{}}] = of(kStone);
+  EditRequest large{1, kEditor, 3, 1, {}};
+  large.edit.fills = {{{0, 0, 0}, {31, 31, 31}, kGlass, {}}};
+  bench.intake.edit(bench.session, std::move(large));
+  bench.intake.do_what_waits();
+  REQUIRE(bench.log.entries.size() == 1);
+  const MailboxPtr other = std::make_shared<Mailbox>(ClientId{2}, [] {});
+  const auto send = [&](const MailboxPtr& from, std::uint32_t id) {
+    EditRequest request{id, {static_cast<std::uint64_t>(from->owner()), 2}, 3, id, {}};
+    request.edit.writes = {{{1, 0, 0}, kGlass}};
+    bench.intake.edit(from, std::move(request));
+  };
+  send(bench.session, 2);
+  for (std::uint32_t id = 1; id <= 5; ++id) send(other, id);
+  bench.intake.do_what_waits();
+  REQUIRE(bench.log.entries.size() == 7);
+  CHECK(bench.log.edit(1).editor.low == 1);
+}
+
+TEST_CASE("where memory ends, what comes meanwhile still waits, and is counted off once") {
+  struct Exhausted final : EditLog {
+    std::function<void()> meanwhile;
+    std::promise<void> logged;
+    tl::expected<void, LogFailure> append(LogEntry, Done) override {
+      if (const auto once = std::exchange(meanwhile, nullptr)) {
+        once();
+        throw std::bad_alloc{};
+      }
+      logged.set_value();
+      return {};
+    }
+  };
+  ScriptedSource source;
+  source.in_memory[{{0, 0, 0}, Lod{}}] = of(kStone);
+  Exhausted log;
+  ManualClock clock;
+  Metrics metrics;
+  EditIntake intake{{source, log, [](edits::EditorId) { return std::nullopt; },
+                     [] { return std::uint64_t{1}; }, clock, metrics},
+                    {{0, 100}, {kAir, kStone, kGlass}},
+                    make_logger("off", "text")};
+  const auto send = [&](const MailboxPtr& from) {
+    EditRequest request{1, kEditor, 3, 1, {}};
+    request.edit.writes = {{{1, 0, 0}, kGlass}};
+    intake.edit(from, std::move(request));
+  };
+  const MailboxPtr first = std::make_shared<Mailbox>(ClientId{1}, [] {});
+  const MailboxPtr second = std::make_shared<Mailbox>(ClientId{2}, [] {});
+  log.meanwhile = [&] { send(second); };
+  intake.start();
+  send(first);
+  log.logged.get_future().get();
+  intake.stop();
+  CHECK(first->has_lost());
+  CHECK_FALSE(second->has_lost());
+  CHECK(intake.waiting() == 0);
 }
 
 TEST_CASE("in the log wait few bytes, but one edit alone may have more") {

@@ -187,6 +187,24 @@ TEST_CASE("where the index is full, chunks that were edited can be edited, and n
         "chunks "
         "that were edited before");
   CHECK(editor.edit(store, here).has_value());
+
+  // What only may slide into such a chunk does not hold up an edit, but nothing slides then.
+  ++editor.sequence;
+  edits::EditEntry settles = editor.entry(here);
+  settles.edit.writes[0].material = MaterialId{10};
+  settles.settles = std::make_shared<const edits::SettleRules>(edits::SettleRules{{MaterialId{10}, 160}});
+  const auto all = edits::touched_voxels(settles.edit, true);
+  for (const auto& touched : *all) {
+    settles.base[touched.chunk].clear();
+    for (const std::uint16_t index : touched.voxels) settles.base[touched.chunk].push_back({index, kAir});
+  }
+  std::promise<std::uint32_t> changed;
+  const auto taken = store.log().append(std::move(settles), [&](const auto& applied) {
+    changed.set_value(applied ? (*applied)->result.changed : 0);
+  });
+  REQUIRE(taken.has_value());
+  CHECK(changed.get_future().get() == 1);
+  CHECK(store.state().index().chunks() == 1);
 }
 
 TEST_CASE("history is kept up to its bytes, and what is kept follows entry by entry") {

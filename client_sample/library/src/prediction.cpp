@@ -1,6 +1,7 @@
 #include <talus/client/prediction.h>
 
 #include <algorithm>
+#include <set>
 #include <utility>
 
 #include <talus/edits/evaluate.h>
@@ -29,6 +30,7 @@ struct Prediction::Open {
   Edit edit;
   std::vector<edits::TouchedChunk> touched;
   std::optional<std::uint64_t> revision;  // it happened; of the world after it
+  std::set<ChunkCoord> resolved;          // of `touched`: held as they were after it, or later
 };
 
 struct Prediction::Overlay {
@@ -78,9 +80,31 @@ void Prediction::clear() {
 
 void Prediction::edit(Client& client, const Edit& edit, std::function<void(Result<EditDone>)> handler) {
   const Id id = begin(edit);
-  client.edit(edit, [self = std::weak_ptr{self_}, id, handler = std::move(handler)](Result<EditDone> result) {
-    if (const auto there = self.lock(); there != nullptr && *there != nullptr) (*there)->done(id, result);
+  client.edit(edit, [self = std::weak_ptr{self_}, &client, id,
+                     handler = std::move(handler)](Result<EditDone> result) {
+    if (const auto there = self.lock(); there != nullptr && *there != nullptr) {
+      (*there)->done(id, result);
+      if (!(*there)->behind(id).empty()) ask_later(self, client, id);
+    }
     if (handler) handler(std::move(result));
+  });
+}
+
+void Prediction::ask_later(const std::weak_ptr<Prediction*>& self, Client& client, Id id) {
+  // Mostly the chunks are on their way. What has not come when the server has answered once more is asked
+  // for.
+  client.ping([self, &client, id](Result<std::chrono::nanoseconds> answered) {
+    const auto there = self.lock();
+    if (!answered || there == nullptr || *there == nullptr) return;
+    for (const ChunkKey& key : (*there)->behind(id)) {
+      client.get(key, std::nullopt, [self, id, key](Result<ReceivedChunk> chunk) {
+        const auto still = self.lock();
+        if (still == nullptr || *still == nullptr) return;
+        Prediction& own = **still;
+        if (chunk && own.confirmed(key.coord) != nullptr) own.put(*chunk);
+        own.resolve(id, key);
+      });
+    }
   });
 }
 
@@ -88,7 +112,7 @@ Prediction::Id Prediction::begin(const Edit& edit) {
   const Id id{++last_id_};
   auto touched = edits::touched_voxels(edit);
   if (!touched) return id;  // the server will refuse it
-  edits_.push_back({id, edit, *std::move(touched), std::nullopt});
+  edits_.push_back({id, edit, *std::move(touched), std::nullopt, {}});
   rebuild();
   return id;
 }
@@ -102,6 +126,23 @@ void Prediction::done(Id id, const Result<EditDone>& result) {
   } else {
     edits_.erase(open);
   }
+  rebuild();
+}
+
+std::vector<ChunkKey> Prediction::behind(Id id) const {
+  std::vector<ChunkKey> keys;
+  const auto open = std::ranges::find(edits_, id, &Open::id);
+  if (open == edits_.end() || !open->revision) return keys;
+  for (const edits::TouchedChunk& touched : open->touched) {
+    if (waits(*open, touched.chunk)) keys.push_back(key_of(touched.chunk));
+  }
+  return keys;
+}
+
+void Prediction::resolve(Id id, const ChunkKey& key) {
+  const auto open = std::ranges::find(edits_, id, &Open::id);
+  if (open == edits_.end()) return;
+  open->resolved.insert(key.coord);
   rebuild();
 }
 
@@ -119,14 +160,16 @@ void Prediction::rebuild(std::optional<ChunkKey> came) {
   for (const ChunkKey& key : changed) changed_(key);
 }
 
-bool Prediction::apply(const Open& open, Overlays& overlays) const {
+bool Prediction::waits(const Open& open, ChunkCoord chunk) const {
   // A chunk of the edit's revision or a later one has it already. One that the edit did not change never
-  // comes to that revision: there it changes nothing here either, once what the server had before it has
-  // come.
-  const auto waits = [&](ChunkCoord chunk) {
-    const ReceivedChunk* const held = confirmed(chunk);
-    return held != nullptr && !(open.revision && held->revision >= *open.revision);
-  };
+  // comes to that revision: there it mostly changes nothing here either, once what the server had before it
+  // has come. But material may have slid into what was dug; then what is asked for again says so.
+  const ReceivedChunk* const held = confirmed(chunk);
+  if (held == nullptr) return false;
+  return !open.revision || (held->revision < *open.revision && !open.resolved.contains(chunk));
+}
+
+bool Prediction::apply(const Open& open, Overlays& overlays) const {
   edits::BaseVoxels base;
   for (const edits::TouchedChunk& touched : open.touched) {
     const ReceivedChunk* const held = confirmed(touched.chunk);
@@ -149,7 +192,7 @@ bool Prediction::apply(const Open& open, Overlays& overlays) const {
   bool shows = false;
   if (outcome && !blind) {
     for (const edits::ChunkChanges& changes : outcome->chunks) {
-      if (!waits(changes.chunk)) continue;
+      if (!waits(open, changes.chunk)) continue;
       shows = true;
       Overlay& overlay = overlays[changes.chunk];
       for (const edits::VoxelChange& voxel : changes.voxels) overlay.voxels[voxel.index] = voxel.after;

@@ -65,6 +65,22 @@ tl::expected<StagedChunk, EditError> stage(const TouchedChunk& touched, const Ba
   return staged;
 }
 
+/// All that the edit touches.
+tl::expected<std::vector<StagedChunk>, EditError> stage(const Edit& edit, bool settles,
+                                                        const BaseVoxels& base,
+                                                        const OverrideSource& overrides) {
+  const auto touched = touched_voxels(edit, settles);
+  if (!touched) return tl::unexpected{touched.error()};
+  std::vector<StagedChunk> chunks;
+  chunks.reserve(touched->size());
+  for (const TouchedChunk& each : *touched) {
+    auto staged = stage(each, base, overrides);
+    if (!staged) return tl::unexpected{std::move(staged.error())};
+    chunks.push_back(std::move(*staged));
+  }
+  return chunks;
+}
+
 /// The staged voxels of an edit by position. Neighbours are mostly in one chunk, so the last one is asked
 /// first.
 class StagedVoxels {
@@ -97,21 +113,52 @@ void operate(const Edit& edit, StagedVoxels& staged) {
   }
 }
 
-/// Lets slide what the edit set loose.
-void settle_around(const Edit& edit, const SettleRules& rules, StagedVoxels& staged) {
-  const auto box = settle_box(edit);
-  if (!box) return;
+/// Lets slide what the edit set loose in the box, all of which is staged.
+void settle_in(const VoxelBox& box, const SettleRules& rules, StagedVoxels& staged) {
   std::vector<SettlingVoxel> voxels;
   voxels.reserve(kSettleVoxels);
-  bool any = false;
-  visit_box(box->first, box->last, [&](VoxelPos at) {
+  visit_box(box.first, box.last, [&](VoxelPos at) {
     const VoxelChange& voxel = staged.at(at);
     voxels.push_back({voxel.after, voxel.base, voxel.before != voxel.after});
-    any = any || voxel.before != voxel.after;
   });
-  if (!any || settle(*box, rules, voxels) == 0) return;
+  if (settle(box, rules, voxels).moves == 0) return;
   auto settled = voxels.begin();
-  visit_box(box->first, box->last, [&](VoxelPos at) { staged.at(at).after = (settled++)->now; });
+  visit_box(box.first, box.last, [&](VoxelPos at) { staged.at(at).after = (settled++)->now; });
+}
+
+/// Whether anything may settle: something changed, and in what was looked up for the edit, or lies over that
+/// by edits, there is material of the rules. Mostly there is none, and then the box costs one read.
+bool may_settle(const SettleRules& rules, std::span<const StagedChunk> chunks, const BaseVoxels& base,
+                const OverrideSource& overrides) {
+  const auto is_loose = [&](MaterialId material) {
+    return std::ranges::any_of(rules, [&](const SettleRule& rule) { return rule.material == material; });
+  };
+  bool any = false;
+  bool loose = false;
+  for (const StagedChunk& chunk : chunks) {
+    for (const VoxelChange& voxel : chunk.voxels) {
+      any = any || voxel.before != voxel.after;
+      loose = loose || is_loose(voxel.after);
+    }
+  }
+  if (!any) return false;
+  for (auto chunk = base.begin(); chunk != base.end() && !loose; ++chunk) {
+    const std::vector<Override>& voxels = chunk->second;
+    if (voxels.empty()) continue;
+    MaterialId seen = kAir;  // neighbours are mostly alike
+    for (auto voxel = voxels.begin(); voxel != voxels.end() && !loose; ++voxel) {
+      if (voxel->material == seen) continue;
+      seen = voxel->material;
+      loose = is_loose(seen);
+    }
+    const ChunkOverrides* const changed = overrides.find({chunk->first, Lod{}});
+    if (changed == nullptr) continue;
+    const auto first =
+        std::ranges::lower_bound(changed->voxels(), voxels.front().index, {}, &Override::index);
+    const auto last = std::ranges::upper_bound(changed->voxels(), voxels.back().index, {}, &Override::index);
+    loose = loose || std::any_of(first, last, [&](const Override& each) { return is_loose(each.material); });
+  }
+  return loose;
 }
 
 }  // namespace
@@ -127,17 +174,9 @@ std::vector<OverrideWrite> writes_of(const ChunkChanges& changes) {
 
 tl::expected<Outcome, EditError> evaluate(const Edit& edit, const BaseVoxels& base,
                                           const OverrideSource& overrides, const SettleRules* settles) {
-  const auto touched = touched_voxels(edit, settles != nullptr);
-  if (!touched) return tl::unexpected{touched.error()};
-  std::vector<StagedChunk> chunks;
-  chunks.reserve(touched->size());
-  for (const TouchedChunk& each : *touched) {
-    auto staged = stage(each, base, overrides);
-    if (!staged) return tl::unexpected{std::move(staged.error())};
-    chunks.push_back(std::move(*staged));
-  }
-
-  StagedVoxels voxels{chunks};
+  auto chunks = stage(edit, false, base, overrides);
+  if (!chunks) return tl::unexpected{std::move(chunks.error())};
+  StagedVoxels voxels{*chunks};
   Outcome outcome;
   for (std::size_t i = 0; i < edit.guards.size(); ++i) {
     if (voxels.at(edit.guards[i].voxel).before == edit.guards[i].material) continue;
@@ -145,8 +184,16 @@ tl::expected<Outcome, EditError> evaluate(const Edit& edit, const BaseVoxels& ba
     return outcome;
   }
   operate(edit, voxels);
-  if (settles != nullptr) settle_around(edit, *settles, voxels);
-  for (StagedChunk& each : chunks) {
+  if (settles != nullptr && may_settle(*settles, *chunks, base, overrides)) {
+    if (const auto box = settle_box(edit)) {
+      chunks = stage(edit, true, base, overrides);
+      if (!chunks) return tl::unexpected{std::move(chunks.error())};
+      StagedVoxels all{*chunks};
+      operate(edit, all);
+      settle_in(*box, *settles, all);
+    }
+  }
+  for (StagedChunk& each : *chunks) {
     std::erase_if(each.voxels, [](const VoxelChange& voxel) { return voxel.before == voxel.after; });
     if (each.voxels.empty()) continue;
     outcome.changed += each.voxels.size();

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cassert>
 #include <limits>
 #include <utility>
@@ -11,39 +12,31 @@
 namespace talus::edits {
 namespace {
 
+static_assert(kSettleRows == 64);
+/// Rows of a column, the lowest in the lowest bit.
+using Rows = std::uint64_t;
+
 bool is_open(MaterialId material) {
   return material == kAir || material == kWater;
 }
 
-/// Columns of a box that are to be looked at, in one order whatever set them.
-class Columns {
- public:
-  Columns(int width, int depth)
-      : width_{width}, depth_{depth}, waiting_(static_cast<std::size_t>(width * depth)) {}
+constexpr Rows row(int y) {
+  return Rows{1} << static_cast<unsigned>(y);
+}
+/// Below row y.
+constexpr Rows below(int y) {
+  return row(y) - 1;
+}
 
-  void set_around(int x, int z) {
-    constexpr int kReach = kSettleReach;
-    for (int each_z = std::max(0, z - kReach); each_z <= std::min(depth_ - 1, z + kReach); ++each_z) {
-      for (int each_x = std::max(0, x - kReach); each_x <= std::min(width_ - 1, x + kReach); ++each_x) {
-        waiting_[static_cast<std::size_t>(each_z * width_ + each_x)] = true;
-        any_ = true;
-      }
-    }
-  }
-  [[nodiscard]] bool any() const { return any_; }
-  /// All that are set now, and none from here on.
-  [[nodiscard]] std::vector<bool> take() {
-    any_ = false;
-    return std::exchange(waiting_, std::vector<bool>(waiting_.size()));
-  }
-
- private:
-  int width_;
-  int depth_;
-  std::vector<bool> waiting_;
-  bool any_ = false;
+struct Column {
+  Rows open = 0;
+  Rows loose = 0;
+  Rows was_ground = 0;
+  bool waits = false;  // to be looked at
 };
 
+/// Works on rows as bits, so that what a look costs hangs on what lies loose in the open, and not on how high
+/// or deep anything is.
 class Settling {
  public:
   Settling(const VoxelBox& box, const SettleRules& rules, std::span<SettlingVoxel> voxels)
@@ -52,27 +45,24 @@ class Settling {
         depth_{static_cast<int>(box.last.z - box.first.z) + 1},
         rules_{rules},
         voxels_{voxels},
-        columns_{width_, depth_} {
-    assert(voxels.size() == static_cast<std::size_t>(width_ * rows_ * depth_));
+        columns_(static_cast<std::size_t>(width_ * depth_)) {
+    assert(rows_ <= kSettleRows);
+    assert(voxels.size() == columns_.size() * static_cast<std::size_t>(rows_));
   }
 
-  int run() {
-    for (int y = 0; y < rows_; ++y) {
+  Settled run() {
+    read();
+    // In one order, whatever set them.
+    while (std::exchange(any_wait_, false) && may_go_on()) {
+      std::vector<bool> now(columns_.size());
+      for (std::size_t i = 0; i < now.size(); ++i) now[i] = std::exchange(columns_[i].waits, false);
       for (int z = 0; z < depth_; ++z) {
         for (int x = 0; x < width_; ++x) {
-          if (at(x, y, z).edited) columns_.set_around(x, z);
+          if (now[number(x, z)]) settle_column(x, z);
         }
       }
     }
-    while (columns_.any() && moves_ < kSettleMoves) {
-      const std::vector<bool> now = columns_.take();
-      for (int z = 0; z < depth_; ++z) {
-        for (int x = 0; x < width_; ++x) {
-          if (now[static_cast<std::size_t>(z * width_ + x)]) settle_column(x, z);
-        }
-      }
-    }
-    return moves_;
+    return settled_;
   }
 
  private:
@@ -82,66 +72,112 @@ class Settling {
     int z = 0;
   };
 
+  [[nodiscard]] std::size_t number(int x, int z) const { return static_cast<std::size_t>(z * width_ + x); }
+  Column& column(int x, int z) { return columns_[number(x, z)]; }
   SettlingVoxel& at(int x, int y, int z) {
-    return voxels_[static_cast<std::size_t>((y * depth_ + z) * width_ + x)];
+    return voxels_[static_cast<std::size_t>(y) * columns_.size() + number(x, z)];
   }
-  bool open(int x, int y, int z) { return is_open(at(x, y, z).now); }
-  bool was_ground(int x, int y, int z) { return !is_open(at(x, y, z).base); }
+  [[nodiscard]] bool may_go_on() const {
+    return settled_.moves < kSettleMoves && settled_.looks < kSettleLooks;
+  }
 
   [[nodiscard]] const SettleRule* rule_of(MaterialId material) const {
     const auto rule = std::ranges::lower_bound(rules_, material, {}, &SettleRule::material);
     return rule == rules_.end() || rule->material != material ? nullptr : &*rule;
   }
 
-  /// From the bottom up, so that what is above comes down on what has come to rest.
-  void settle_column(int x, int z) {
-    for (int y = 1; y < rows_; ++y) {
-      const SettleRule* const rule = rule_of(at(x, y, z).now);
-      if (rule == nullptr) continue;
-      if (moves_ == kSettleMoves) return;
-      if (const auto below = fall(x, y, z)) {
-        move({x, y, z}, *below);
-      } else if (const auto down = slide(x, y, z, rule->rise)) {
-        move({x, y, z}, *down);
+  void read() {
+    std::vector<bool> edited(columns_.size());
+    auto voxel = voxels_.begin();
+    for (int y = 0; y < rows_; ++y) {
+      for (std::size_t i = 0; i < columns_.size(); ++i, ++voxel) {
+        if (is_open(voxel->now)) {
+          columns_[i].open |= row(y);
+        } else if (rule_of(voxel->now) != nullptr) {
+          columns_[i].loose |= row(y);
+        }
+        if (!is_open(voxel->base)) columns_[i].was_ground |= row(y);
+        if (voxel->edited) edited[i] = true;
+      }
+    }
+    for (int z = 0; z < depth_; ++z) {
+      for (int x = 0; x < width_; ++x) {
+        if (edited[number(x, z)]) set_around(x, z);
       }
     }
   }
 
-  /// The lowest of the open voxels from (x, y, z) downwards; none where they reach the bottom of the box,
-  /// below which nobody looks.
-  std::optional<int> floor_from(int x, int y, int z) {
-    while (y >= 0 && open(x, y, z)) --y;
-    if (y < 0) return std::nullopt;
-    return y + 1;
+  void set_around(int x, int z) {
+    constexpr int kReach = kSettleReach;
+    for (int each_z = std::max(0, z - kReach); each_z <= std::min(depth_ - 1, z + kReach); ++each_z) {
+      for (int each_x = std::max(0, x - kReach); each_x <= std::min(width_ - 1, x + kReach); ++each_x) {
+        column(each_x, each_z).waits = true;
+      }
+    }
+    any_wait_ = true;
+  }
+
+  /// From the bottom up, so that what is above comes down on what has come to rest.
+  void settle_column(int x, int z) {
+    ++settled_.looks;
+    const Column& column = this->column(x, z);
+    for (int y = 0; y + 1 < rows_ && may_go_on();) {
+      const Rows over_room = column.loose & (column.open << 1U);
+      const Rows in_the_open = column.loose & (column.open >> 1U) & ~(column.open << 1U);
+      const Rows left = (over_room | in_the_open) & ~below(y + 1) & ~row(0);
+      if (left == 0) return;
+      y = std::countr_zero(left);
+      ++settled_.looks;
+      if ((over_room & row(y)) != 0) {
+        if (const auto to = fall(x, y, z)) move({x, y, z}, *to);
+      } else if (const auto to = slide(x, y, z)) {
+        move({x, y, z}, *to);
+      }
+    }
+  }
+
+  /// The lowest of the open voxels from row y downwards; none where they reach the bottom of the box, below
+  /// which nobody looks.
+  static std::optional<int> floor_from(const Column& column, int y) {
+    const Rows ground = ~column.open & (below(y) | row(y));
+    if (ground == 0) return std::nullopt;
+    return static_cast<int>(std::bit_width(ground));
   }
 
   std::optional<Target> fall(int x, int y, int z) {
-    if (!open(x, y - 1, z)) return std::nullopt;
-    if (was_ground(x, y, z) && !was_ground(x, y - 1, z)) return std::nullopt;  // so it was generated
-    const auto floor = floor_from(x, y - 1, z);
+    const Column& here = column(x, z);
+    const Rows pair = here.was_ground >> static_cast<unsigned>(y - 1);
+    if ((pair & 3U) == 2U) return std::nullopt;  // so it was generated
+    const auto floor = floor_from(here, y - 1);
     if (!floor) return std::nullopt;
     return Target{x, *floor, z};
   }
 
   /// Where it is steepest, as measured over one column to kSettleReach. Only what lies open slides.
-  std::optional<Target> slide(int x, int y, int z, std::int32_t rise) {
-    if (y + 1 == rows_ || !open(x, y + 1, z) || open(x, y - 1, z)) return std::nullopt;
+  std::optional<Target> slide(int x, int y, int z) {
     static constexpr std::array<std::array<int, 2>, 8> kDirections{
         {{1, 0}, {-1, 0}, {0, 1}, {0, -1}, {1, 1}, {-1, -1}, {1, -1}, {-1, 1}}};
+    const std::int64_t rise = rule_of(at(x, y, z).now)->rise;
+    const bool was_ground = (column(x, z).was_ground & row(y)) != 0;
+    std::array<bool, kDirections.size()> free{};  // all between is open
+    free.fill(true);
     std::optional<Target> best;
     std::int64_t most = 0;
     for (int distance = 1; distance <= kSettleReach; ++distance) {
-      for (const auto& direction : kDirections) {
-        if (!is_free(x, y, z, direction, distance)) continue;
-        const int to_x = x + direction[0] * distance;
-        const int to_z = z + direction[1] * distance;
-        const auto floor = floor_from(to_x, y, to_z);
+      for (std::size_t i = 0; i < kDirections.size(); ++i) {
+        const int to_x = x + kDirections[i][0] * distance;
+        const int to_z = z + kDirections[i][1] * distance;
+        free[i] = free[i] && to_x >= 0 && to_x < width_ && to_z >= 0 && to_z < depth_ &&
+                  (column(to_x, to_z).open & row(y)) != 0;
+        if (!free[i]) continue;
+        const Column& there = column(to_x, to_z);
+        const auto floor = floor_from(there, y);
         if (!floor) continue;
         // A step of one voxel is no slope: the land is made of steps.
-        const std::int64_t over =
-            std::int64_t{y - *floor} * SettleRule::kUnit - std::int64_t{rise} * distance;
+        const std::int64_t over = std::int64_t{y - *floor} * SettleRule::kUnit - rise * distance;
         if (over <= most) continue;
-        if (was_ground(x, y, z) && !any_was_ground(to_x, *floor, y, to_z)) continue;  // so it was generated
+        const Rows room = (below(y) | row(y)) & ~below(*floor);
+        if (was_ground && (there.was_ground & room) == 0) continue;  // so it was generated
         most = over;
         best = Target{to_x, *floor, to_z};
       }
@@ -149,30 +185,19 @@ class Settling {
     return best;
   }
 
-  /// Whether a voxel at row y can go so far: all between is open there.
-  bool is_free(int x, int y, int z, const std::array<int, 2>& direction, int distance) {
-    for (int i = 1; i <= distance; ++i) {
-      const int to_x = x + direction[0] * i;
-      const int to_z = z + direction[1] * i;
-      if (to_x < 0 || to_x >= width_ || to_z < 0 || to_z >= depth_ || !open(to_x, y, to_z)) return false;
-    }
-    return true;
-  }
-
-  bool any_was_ground(int x, int first, int last, int z) {
-    for (int y = first; y <= last; ++y) {
-      if (was_ground(x, y, z)) return true;
-    }
-    return false;
-  }
-
   void move(const Target& from, const Target& to) {
     // What is above comes after it: water, or air.
     const bool under_water = from.y + 1 < rows_ && at(from.x, from.y + 1, from.z).now == kWater;
     at(to.x, to.y, to.z).now = std::exchange(at(from.x, from.y, from.z).now, under_water ? kWater : kAir);
-    columns_.set_around(from.x, from.z);
-    columns_.set_around(to.x, to.z);
-    ++moves_;
+    Column& left = column(from.x, from.z);
+    left.loose &= ~row(from.y);
+    left.open |= row(from.y);
+    Column& reached = column(to.x, to.z);
+    reached.open &= ~row(to.y);
+    reached.loose |= row(to.y);
+    set_around(from.x, from.z);
+    set_around(to.x, to.z);
+    ++settled_.moves;
   }
 
   int width_;
@@ -180,8 +205,9 @@ class Settling {
   int depth_;
   const SettleRules& rules_;
   std::span<SettlingVoxel> voxels_;
-  Columns columns_;
-  int moves_ = 0;
+  std::vector<Column> columns_;
+  bool any_wait_ = false;
+  Settled settled_;
 };
 
 }  // namespace
@@ -214,7 +240,7 @@ std::optional<VoxelBox> settle_box(const Edit& edit) {
   return box;
 }
 
-int settle(const VoxelBox& box, const SettleRules& rules, std::span<SettlingVoxel> voxels) {
+Settled settle(const VoxelBox& box, const SettleRules& rules, std::span<SettlingVoxel> voxels) {
   return Settling{box, rules, voxels}.run();
 }
 

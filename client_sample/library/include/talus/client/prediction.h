@@ -56,14 +56,21 @@ class Prediction {
 
   // ---- own edits
   /// Sends the edit, and makes it here at once. `handler` is called as Client::edit() calls it, after the
-  /// store is right about the edit; it is called also where this is gone.
+  /// store is right about the edit; it is called also where this is gone. `client` stays where it is until
+  /// then; chunks that the edit did not change after all it asks for again.
   void edit(Client& client, const Edit& edit, std::function<void(Result<EditDone>)> handler);
 
-  /// The two halves of it, for who sends edits otherwise. begin() makes the edit here; done() says what
-  /// became of it: where it happened, the revision of EditDone.
+  /// The parts of it, for who sends edits otherwise. begin() makes the edit here; done() says what became of
+  /// it: where it happened, the revision of EditDone.
   enum class Id : std::uint64_t {};
   Id begin(const Edit& edit);
   void done(Id id, const Result<EditDone>& result);
+  /// Chunks that an edit that happened touches, and that are held as they were before it. Mostly they come
+  /// soon; those that the edit did not change, as material slid into what it dug, never do. Such are to be
+  /// asked for once more after done(), by Client::get(), and what comes is given to put() and then resolve().
+  [[nodiscard]] std::vector<ChunkKey> behind(Id id) const;
+  /// What is held of the chunk has the edit, or never will: it shows as it is.
+  void resolve(Id id, const ChunkKey& key);
 
   /// Own edits that the store shows otherwise than the server's chunks do, or whose answer has not come.
   [[nodiscard]] std::size_t open() const;
@@ -73,6 +80,10 @@ class Prediction {
   struct Overlay;  // voxels of one chunk
   using Overlays = std::map<ChunkCoord, Overlay>;
 
+  /// Asks for what is behind then.
+  static void ask_later(const std::weak_ptr<Prediction*>& self, Client& client, Id id);
+  /// Whether the chunk is held, and without the edit.
+  [[nodiscard]] bool waits(const Open& open, ChunkCoord chunk) const;
   /// What the server has of it; null where it is not held.
   [[nodiscard]] const ReceivedChunk* confirmed(ChunkCoord chunk) const;
   /// Makes all open edits anew on what the server has, and tells what changed; `came` has.

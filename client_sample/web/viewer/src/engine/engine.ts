@@ -5,7 +5,7 @@ import { Frame, type Eye } from './draw/frame.js';
 import { Ground } from './draw/ground.js';
 import { materialTexture } from './draw/materials.js';
 import type { TerrainMesh } from './draw/terrain.js';
-import { Predictions, type VoxelChange } from './edit/predictions.js';
+import { Predictions, type Prediction, type VoxelChange } from './edit/predictions.js';
 import { touchedNeighbours } from './edit/touched.js';
 import { GAS, LIQUID, SOLID } from './mesh/mesher.js';
 import { MATERIALS_MAX } from './mesh/quad.js';
@@ -230,10 +230,27 @@ export class Engine {
     try {
       const done = await this.client.edit(edit);
       this.predictions.settled(prediction, done.revision, done.changed > 0);
+      void this.resolve(prediction);
       return done;
     } catch (error) {
       this.predictions.refused(prediction);
       throw error;
+    }
+  }
+
+  /** Asks for chunks that still show an edit that happened, where they do not come by themselves. */
+  private async resolve(prediction: Prediction): Promise<void> {
+    if (this.predictions.behind(prediction).length === 0) return;
+    const { client } = this;
+    try {
+      await client.ping(); // mostly they were on their way
+      for (const place of this.predictions.behind(prediction)) {
+        const chunk = await client.getChunk({ lod: 0, ...place });
+        if (client !== this.client || this.disposed) return;
+        this.predictions.resolved(prediction, place, chunk.revision, chunk);
+      }
+    } catch {
+      if (client === this.client && !this.disposed) this.predictions.refused(prediction); // what came is all there is
     }
   }
 

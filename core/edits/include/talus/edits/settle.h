@@ -37,6 +37,9 @@ inline constexpr std::int64_t kSettleRows = 64;
 inline constexpr std::size_t kSettleVoxels = static_cast<std::size_t>(kSettleColumns * kSettleRows);
 inline constexpr std::int64_t kSettleMargin = 7;  // columns around the edit, where there are few
 inline constexpr int kSettleMoves = 4'096;        // of single voxels
+/// At columns, and at voxels that may move. So what one edit costs is bounded, however little moves each
+/// time.
+inline constexpr int kSettleLooks = 32'768;
 /// How many columns apart slopes are measured, so that angles of less than 45 degrees differ.
 inline constexpr std::int64_t kSettleReach = 4;
 
@@ -58,9 +61,16 @@ struct SettlingVoxel {
   bool edited = false;  // just now: what leans on it may move
 };
 
-/// Lets all that is loose come to rest. `voxels` are those of the box, x fastest, then z, then y. What lies
-/// beyond it stays and holds; nothing leaves it. Returns how many moves that took: kSettleMoves, where there
-/// would be more. Of each material of the rules there is as much afterwards as before.
-int settle(const VoxelBox& box, const SettleRules& rules, std::span<SettlingVoxel> voxels);
+/// What settling took.
+struct Settled {
+  int moves = 0;
+  int looks = 0;
+};
+
+/// Lets all that is loose come to rest. `voxels` are those of the box, x fastest, then z, then y; it has
+/// kSettleRows rows at most. What lies beyond it stays and holds; nothing leaves it. Ends after kSettleMoves
+/// or kSettleLooks, even where more would move. Of each material of the rules there is as much afterwards as
+/// before.
+Settled settle(const VoxelBox& box, const SettleRules& rules, std::span<SettlingVoxel> voxels);
 
 }  // namespace talus::edits

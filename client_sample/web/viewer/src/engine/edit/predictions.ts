@@ -112,11 +112,27 @@ export class Predictions {
     const name = nameOf(place);
     const covered = this.covered.get(name);
     if (covered === undefined) return content;
-    covered.revision = revision;
-    covered.base = content;
-    covered.voxels = voxelsOf(content);
-    covered.predictions = covered.predictions.filter((each) => each.revision === null || each.revision > revision);
+    this.put(covered, revision, content);
     return this.compose(name, covered);
+  }
+
+  /**
+   * Chunks that still show an edit that happened. Mostly they come soon; those that it did not change after all, as
+   * material slid into what it dug, never do: what is asked for again after the answer goes to resolved().
+   */
+  behind(prediction: Prediction): Place[] {
+    if (prediction.revision === null) return [];
+    return [...this.covered.values()].filter(({ predictions }) => predictions.includes(prediction)).map(({ place }) => place);
+  }
+
+  /** A chunk as the server has it after the edit. */
+  resolved(prediction: Prediction, place: Place, revision: bigint, content: Content): void {
+    const name = nameOf(place);
+    const covered = this.covered.get(name);
+    if (covered === undefined) return;
+    covered.predictions = covered.predictions.filter((each) => each !== prediction);
+    if (revision >= covered.revision) this.put(covered, revision, content);
+    this.refresh(name, covered);
   }
 
   /** A chunk is not here any more. */
@@ -138,6 +154,13 @@ export class Predictions {
     const covered: Covered = { place, revision: -1n, base, voxels, shown: voxels, predictions: [] };
     this.covered.set(name, covered);
     return covered;
+  }
+
+  private put(covered: Covered, revision: bigint, content: Content): void {
+    covered.revision = revision;
+    covered.base = content;
+    covered.voxels = voxelsOf(content);
+    covered.predictions = covered.predictions.filter((each) => each.revision === null || each.revision > revision);
   }
 
   /** Takes the prediction off those of its chunks where `isOver` says so. */

@@ -70,6 +70,23 @@ describe('predictions', () => {
     predictions.settled(edit, 5n, true);
     expect([shown(), predictions.size]).toEqual([7, 0]);
   });
+  it('go where the edit left the chunk as it was, when that is asked for again', () => {
+    const edit = predictions.begin([{ ...VOXEL, material: 0 }]);
+    expect(predictions.behind(edit)).toEqual([]); // it is not answered
+    predictions.settled(edit, 5n, true);
+    expect(predictions.behind(edit)).toEqual([here]);
+    predictions.resolved(edit, here, 3n, chunkWith()); // sand slid into it from the chunk beside
+    expect([shown(), predictions.size]).toEqual([1, 0]);
+    expect(predictions.behind(edit)).toEqual([]);
+  });
+  it('behind that stay, and what came meanwhile is not overwritten', () => {
+    const first = predictions.begin([{ ...VOXEL, material: 0 }]);
+    predictions.settled(first, 5n, true);
+    predictions.begin([{ ...VOXEL, x: VOXEL.x + 1, material: 8 }]);
+    arrive(4n, chunkWith([9, 3]));
+    predictions.resolved(first, here, 3n, chunkWith());
+    expect([shown(), shown(INDEX + 1), shown(9), predictions.size]).toEqual([1, 8, 3, 1]);
+  });
   it('are taken back where the server refuses, and those behind them stay', () => {
     const first = predictions.begin([{ ...VOXEL, material: 7 }]);
     const second = predictions.begin([{ ...VOXEL, x: VOXEL.x + 1, material: 8 }]);
