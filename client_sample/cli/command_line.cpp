@@ -106,7 +106,9 @@ void add_map(CLI::App& app, MapOptions& options, Words& words) {
 
 void add_edit(CLI::App& app, EditOptions& options, Words& words) {
   auto* command = app.add_subcommand(
-      "edit", "Make a box of voxels one material, or as generated; needs a token of the right edit");
+      "edit",
+      "Make a box of voxels one material, or as generated; needs a token of the right edit. At most 65,536 "
+      "voxels (such as 40 x 40 x 40) in 64 chunks; several edits for more");
   command->add_option("box", words.box, "X,Y,Z of a voxel, or X,Y,Z X,Y,Z of two corners, both included")
       ->delimiter(',')
       ->required();

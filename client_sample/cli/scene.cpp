@@ -69,10 +69,9 @@ std::int32_t Scene::Level::at(const glm::ivec3& cell) const {
 
 Scene::Scene(const client::ChunkStore& store, const std::vector<client::Material>& materials,
              VoxelPos centre) {
-  solid_.fill(true);
-  not_gas_.fill(true);
+  solid_.assign(kMaterials, true);
+  not_gas_.assign(kMaterials, true);
   for (const auto& material : materials) {
-    if (to_integer(material.id) >= solid_.size()) continue;
     solid_[to_integer(material.id)] = material.phase == client::Phase::solid;
     not_gas_[to_integer(material.id)] = material.phase != client::Phase::gas;
   }
@@ -106,16 +105,14 @@ void Scene::add_level(const client::ChunkStore& store, Lod lod) {
     const glm::ivec3 local = glm::ivec3{to_vec(chunk.key.coord) - shifted} - level.low;
     auto& cell =
         level.cells[static_cast<std::size_t>((local.y * level.size.z + local.z) * level.size.x + local.x)];
-    const auto byte = [](MaterialId id) {
-      return static_cast<std::uint8_t>(std::min<std::uint16_t>(to_integer(id), 255));
-    };
     if (chunk.chunk->is_uniform()) {
-      cell = -2 - byte(chunk.chunk->at({}));
+      cell = -2 - to_integer(chunk.chunk->at({}));
       return;
     }
     cell = static_cast<std::int32_t>(chunks_.size());
     chunk.chunk->copy_to(std::span<MaterialId, kChunkVolume>{voxels});
-    std::transform(voxels.begin(), voxels.end(), chunks_.emplace_back().begin(), byte);
+    std::transform(voxels.begin(), voxels.end(), chunks_.emplace_back().begin(),
+                   [](MaterialId id) { return to_integer(id); });
   });
   levels_.push_back(std::move(level));
 }
@@ -129,8 +126,8 @@ Scene::Found Scene::find(const glm::ivec3& point) const {
   return {};
 }
 
-std::uint8_t Scene::material_in(const Found& found, const glm::ivec3& point) const {
-  if (found.content < kUnknown) return static_cast<std::uint8_t>(-2 - found.content);
+std::uint16_t Scene::material_in(const Found& found, const glm::ivec3& point) const {
+  if (found.content < kUnknown) return static_cast<std::uint16_t>(-2 - found.content);
   const int voxel_shift = found.level->shift - kChunkShift;
   const auto local = [&](int at) {
     return static_cast<std::uint8_t>((at >> voxel_shift) & (kChunkSize - 1));
@@ -138,7 +135,7 @@ std::uint8_t Scene::material_in(const Found& found, const glm::ivec3& point) con
   return voxel(found, {local(point.x), local(point.y), local(point.z)});
 }
 
-std::uint8_t Scene::voxel(const Found& found, const glm::ivec3& local) const {
+std::uint16_t Scene::voxel(const Found& found, const glm::ivec3& local) const {
   const auto index = (local.y * kChunkSize + local.z) * kChunkSize + local.x;
   return chunks_[static_cast<std::size_t>(found.content)][static_cast<std::size_t>(index)];
 }
@@ -173,7 +170,7 @@ std::optional<Hit> Scene::cast(const glm::dvec3& from, const glm::dvec3& directi
     glm::dvec3 walls = ray.walls(low + local * size, size);
     const glm::dvec3 across = glm::abs(ray.inverse) * static_cast<double>(size);
     while (distance < reach) {
-      const std::uint8_t material = uniform ? material_in(found, point) : voxel(found, local);
+      const std::uint16_t material = uniform ? material_in(found, point) : voxel(found, local);
       if (stopping[material]) {
         return Hit{distance, ray.at(distance), low + local * size, size, face_met(direction, axis), material};
       }

@@ -21,7 +21,7 @@ struct Hit {
   glm::ivec3 voxel{};   // lowest corner of the voxel
   int size = 1;         // its edge: 1, 2, 4, ...
   glm::ivec3 normal{};  // of the face that was met
-  std::uint8_t material = 0;
+  std::uint16_t material = 0;
 };
 
 class Scene {
@@ -40,11 +40,12 @@ class Scene {
 
   /// Whether the voxel that holds the point is solid.
   [[nodiscard]] bool solid_at(const glm::ivec3& point) const;
-  [[nodiscard]] bool liquid(std::uint8_t material) const { return not_gas_[material] && !solid_[material]; }
+  [[nodiscard]] bool liquid(std::uint16_t material) const { return not_gas_[material] && !solid_[material]; }
 
  private:
   static constexpr std::int32_t kUnknown = -1;
-  using Voxels = std::array<std::uint8_t, kChunkVolume>;
+  static constexpr std::size_t kMaterials = std::size_t{1} << 16U;
+  using Voxels = std::array<std::uint16_t, kChunkVolume>;
 
   // The chunks of one level. A cell is kUnknown, an index into chunks_, or for a chunk of one material
   // that one, as -2 - material.
@@ -64,12 +65,12 @@ class Scene {
 
   void add_level(const client::ChunkStore& store, Lod lod);
   [[nodiscard]] Found find(const glm::ivec3& point) const;
-  [[nodiscard]] std::uint8_t material_in(const Found& found, const glm::ivec3& point) const;
-  [[nodiscard]] std::uint8_t voxel(const Found& found, const glm::ivec3& local) const;
+  [[nodiscard]] std::uint16_t material_in(const Found& found, const glm::ivec3& point) const;
+  [[nodiscard]] std::uint16_t voxel(const Found& found, const glm::ivec3& local) const;
 
   VoxelPos origin_;
-  std::array<bool, 256> solid_{};
-  std::array<bool, 256> not_gas_{};
+  std::vector<bool> solid_;  // by material
+  std::vector<bool> not_gas_;
   std::vector<Level> levels_;
   std::vector<Voxels> chunks_;
 };

@@ -48,8 +48,7 @@ class Painter {
         half_width_{std::tan(camera.field_of_view_degrees * 0.5 * 0.017453292519943295)},
         reach_{visible_voxels} {
     for (const auto& material : materials) {
-      if (to_integer(material.id) < colours_.size())
-        colours_[to_integer(material.id)] = to_light(material.colour);
+      colours_[to_integer(material.id)] = to_light(material.colour);
     }
     // From behind the camera's left shoulder, low enough for long shadows.
     const glm::dvec3 level = glm::normalize(glm::dvec3{forward_.x, 0, forward_.z});
@@ -195,7 +194,8 @@ class Painter {
 
   Scene scene_;
   Sky sky_;
-  std::array<glm::vec3, 256> colours_{};
+  // By material; black where Welcome has none.
+  std::vector<glm::vec3> colours_ = std::vector<glm::vec3>(std::size_t{1} << 16U, glm::vec3{0.0F});
   glm::dvec3 eye_, forward_, right_, up_;
   double half_width_;
   double reach_;

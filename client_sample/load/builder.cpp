@@ -20,6 +20,16 @@ Clock::duration period_of(const Options& options) {
   return std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(1 / options.edits));
 }
 
+/// A server's text as one printable line of bounded length.
+std::string said(const wire::Error& error) {
+  std::string text = wire::EnumNameErrorCode(error.code());
+  if (error.text() != nullptr) text += ": " + error.text()->str().substr(0, 200);
+  for (char& each : text) {
+    if (static_cast<unsigned char>(each) < 0x20 || each == 0x7F) each = '?';
+  }
+  return text;
+}
+
 std::uint32_t place_in_group(const Options& options, std::uint32_t client) {
   return client / options.groups;
 }
@@ -161,6 +171,7 @@ void Builder::take(const wire::EditResult& result) {
 void Builder::take(const wire::Error& error) {
   const Time now = Clock::now();
   const std::chrono::milliseconds wait{error.retry_after_ms()};
+  if (tally().first_refused.empty()) tally().first_refused = said(error);
   if (error.about() == wire::ErrorAbout::attach) {
     attach_ = wait.count() > 0 ? Attach::wanted : Attach::refused;
     hold_until_ = now + wait;

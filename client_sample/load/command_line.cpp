@@ -86,10 +86,13 @@ void add_players(CLI::App& app, Options& options) {
 }
 
 void add_builders(CLI::App& app, Options& options) {
-  auto* const rate = app.add_option("--edits", options.edits,
-                                    "Edits per second of each player, who stands, and digs and builds one "
-                                    "voxel after the other; everybody near must "
-                                    "see what was acknowledged, or the exit status is 1");
+  auto* const rate =
+      app.add_option("--edits", options.edits,
+                     "Edits per second of each player, who stands, and digs and builds one "
+                     "voxel after the other; everybody near must "
+                     "see what was acknowledged, or the exit status is 1. They build of the world's "
+                     "last material, at places that the seed chooses, and it stays: give each "
+                     "run on one store another --seed, or the server a new --data directory");
   auto* const in_flight =
       app.add_option("--edit-in-flight", options.edits_in_flight,
                      "Instead of a rate: edits that each player keeps unanswered (a closed loop)");
@@ -205,7 +208,8 @@ tl::expected<Options, Exit> read_command_line(int argc, const char* const* argv)
       "\nFor many players, use --from-addresses, or raise the server's limits.connections_per_address and "
       "rates.address_*.\n"
       "Exit status: 0 finished, whatever was found; 1 failure, a --fail-if holds, or with\n"
-      "--edits an acknowledged edit is missing or none was acknowledged; 2 wrong arguments.");
+      "--edits an acknowledged edit is missing, none was acknowledged or all changed nothing;\n"
+      "2 wrong arguments.");
   if (auto exit = command_line::parse(app, argc, argv)) return tl::unexpected{*std::move(exit)};
   auto connecting = command_line::read_connect_options(connect);
   if (!connecting) return wrong(connecting.error());

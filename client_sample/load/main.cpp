@@ -115,10 +115,18 @@ std::vector<std::string> tell(const Plan& plan, const RunResult& result) {
                          " acknowledged edits are missing: " + players.first_missing);
     }
     if (players.edits == 0) {
+      failures.push_back("no edit was acknowledged; " +
+                         (players.first_refused.empty()
+                              ? "the server needs --data, and the token the right edit (or "
+                                "access.without_token read,edit)"
+                              : "the server said " + players.first_refused));
+    } else if (players.edited_voxels == 0 ||
+               (options.edit_group > 1 && options.players > options.groups && players.edit_arrivals == 0)) {
       failures.push_back(
-          "no edit was acknowledged; the server needs --data, and the token the right edit (or "
-          "access.without_token "
-          "read,edit)");
+          std::string{"the acknowledged edits "} +
+          (players.edited_voxels == 0 ? "changed nothing" : "were seen by nobody else") +
+          ", so nothing was measured; a run before has built the same there: give another --seed, or the "
+          "server a new --data directory");
     }
   }
   std::cout.flush();

@@ -41,6 +41,7 @@ void Tally::merge(const Tally& other) {
   worst_ring_gap = std::max(worst_ring_gap, other.worst_ring_gap);
   if (first_wrong.empty()) first_wrong = other.first_wrong;
   if (first_missing.empty()) first_missing = other.first_missing;
+  if (first_refused.empty()) first_refused = other.first_refused;
   if (first_unanswered.empty()) first_unanswered = other.first_unanswered;
   for (const auto& [code, count] : other.errors) errors[code] += count;
   for (const auto& [reason, count] : other.disconnects) disconnects[reason] += count;

@@ -48,6 +48,7 @@ struct Tally {
   std::uint64_t edits_unknown = 0;  // the server has forgotten who sent them
   std::uint64_t edits_missing = 0;  // acknowledged, and not seen by a player when the drain was over
   std::string first_missing;
+  std::string first_refused;  // what the server said of an edit or an Attach
 
   // Errors of the server, each of them.
   std::uint64_t bad_chunks = 0;  // not decodable, of another hash or codec

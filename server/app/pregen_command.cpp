@@ -28,6 +28,7 @@
 #include "log/logger.h"
 #include "pregen/pregen.h"
 #include "store/data_directory.h"
+#include "store/store_identity.h"
 #include "store_command/opened_store.h"
 #include "store_socket/store_connection.h"
 
@@ -58,7 +59,24 @@ class Report {
   ProgressBar bar_{"pregen", "columns"};
 };
 
-Ended by_server(StoreConnection& server, const PregenPlan& plan) {
+/// The land is the running server's, whatever world is named here.
+tl::expected<void, std::string> check_world(const Config& config) {
+  if (config.world.empty()) return {};
+  const auto file = config.data / "store.toml";
+  const auto store = read_store_identity(file);
+  if (!store) return tl::unexpected{store.error()};
+  const auto world = load_world(config.world);
+  if (!world) return tl::unexpected{world.error()};
+  if ((*world)->fingerprint() == store->fingerprint) return {};
+  return tl::unexpected{
+      fmt::format("{}: the store that a talusd uses belongs to the world with fingerprint {}; {} has "
+                  "fingerprint {}; give --world the store's world, or none",
+                  file.string(), to_string(store->fingerprint), config.world.string(),
+                  to_string((*world)->fingerprint()))};
+}
+
+Ended by_server(StoreConnection& server, const Config& config, const PregenPlan& plan) {
+  if (const auto same = check_world(config); !same) return tl::unexpected{same.error()};
   Report report;
   return server.pregen(plan, [&](const PregenProgress& progress) { report(progress); });
 }
@@ -124,7 +142,7 @@ int pregen_command(int argc, const char* const* argv, const Environment& environ
   CLI::App app{
       "Fills the cache on disk with the land around a place, nearest first, so that players find it there. "
       "Goes "
-      "on where it ended before.",
+      "on where it ended before, for the same centre, radius and levels; what is on disk is not made again.",
       "talusd pregen"};
   app.footer(
       "Where a talusd uses the data directory, that makes the land, in time that no player waits for, until "
@@ -140,7 +158,9 @@ int pregen_command(int argc, const char* const* argv, const Environment& environ
       ->type_name("DIR");
   app.add_option("--config", config_file, "the server's settings in TOML; default: no file")
       ->type_name("FILE");
-  app.add_option("--world", world, "the server's world; default: \"world\" of --config, or TALUS_WORLD")
+  app.add_option("--world", world,
+                 "the server's world; default: \"world\" of --config, or TALUS_WORLD. A talusd "
+                 "that runs makes its own: any other is refused")
       ->type_name("FILE");
   app.add_option("--center", center, "the middle, in voxels")->capture_default_str()->type_name("X,Z");
   app.add_option("--radius", plan.radius, "voxels from the middle to each side")
@@ -172,7 +192,7 @@ int pregen_command(int argc, const char* const* argv, const Environment& environ
 
   auto server = StoreConnection::open(config.data);
   if (!server) return failed(server.error());
-  const Ended ended = *server ? by_server(**server, plan) : by_itself(config, plan);
+  const Ended ended = *server ? by_server(**server, config, plan) : by_itself(config, plan);
   if (!ended) return failed(ended.error());
   fmt::print("{} of {} squares are made, {} columns of chunks in this run\n", ended->squares, ended->of,
              ended->columns);

@@ -50,6 +50,10 @@ std::string MaterialNames::of(MaterialId material) const {
   return name == names_.end() ? fmt::format("material {}", to_integer(material)) : name->second;
 }
 
+std::string counted(std::uint64_t count, std::string_view what) {
+  return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
+}
+
 std::string readable_bytes(std::uint64_t bytes) {
   const auto number = static_cast<double>(bytes);
   if (number < 1e3) return fmt::format("{} bytes", bytes);
@@ -76,9 +80,11 @@ std::string stat_lines(const OpenedStore& opened, const StoreFigures& figures) {
   line("hash", edits::to_string(meta.head.hash));
   for (std::size_t level = 0; level < figures.levels.size(); ++level) {
     const auto& each = figures.levels[level];
-    line(fmt::format("level {}", level), fmt::format("{} voxels in {} chunks", each.voxels, each.chunks));
+    line(fmt::format("level {}", level),
+         fmt::format("{} in {}", counted(each.voxels, "voxel"), counted(each.chunks, "chunk")));
   }
-  line("undone", fmt::format("{} chunks, of any level, that are as generated again", figures.emptied_chunks));
+  line("undone",
+       fmt::format("{}, of any level, as generated again", counted(figures.emptied_chunks, "chunk")));
   line("editors", fmt::format("{}", figures.editors));
   line("history", store.first_record() > meta.head.position
                       ? "none"
@@ -87,7 +93,7 @@ std::string stat_lines(const OpenedStore& opened, const StoreFigures& figures) {
   line("disk", readable_bytes(bytes_on_disk(opened.path())));
   const MaterialNames names{store.materials()};
   for (const auto& [material, voxels] : figures.materials) {
-    line(voxels == 1 ? "1 voxel" : fmt::format("{} voxels", voxels), names.of(material));
+    line(counted(voxels, "voxel"), names.of(material));
   }
   return text;
 }

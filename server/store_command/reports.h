@@ -1,8 +1,10 @@
 // What commands print: lines for people, or JSON for programs.
 #pragma once
 
+#include <cstdint>
 #include <map>
 #include <string>
+#include <string_view>
 
 #include "store_command/history.h"
 #include "store_command/opened_store.h"
@@ -20,6 +22,9 @@ class MaterialNames {
  private:
   std::map<MaterialId, std::string> names_;
 };
+
+/// "1 voxel", "2 voxels".
+[[nodiscard]] std::string counted(std::uint64_t count, std::string_view what);
 
 /// "1,234,567 bytes" would need reading twice: "1.2 MB".
 [[nodiscard]] std::string readable_bytes(std::uint64_t bytes);

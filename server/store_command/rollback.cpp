@@ -42,9 +42,10 @@ bool Rollback::add(const LogRecord& record) {
       const auto touched = chunk.find(voxel.index);
       if (!is_subjects) {
         if (touched == chunk.end()) continue;
+        const bool is_back = record.subject == kRestorerSubject && voxel.after == touched->second.original;
+        ++(is_back ? already_back_ : taken_over_);
         chunk.erase(touched);
         --held_;
-        ++taken_over_;
         continue;
       }
       if (touched != chunk.end()) {
@@ -99,7 +100,7 @@ std::vector<std::vector<edits::ChunkChanges>> Rollback::slices() const {
 tl::expected<RollbackPlan, std::string> plan_rollback(const ReadOnlyStore& store,
                                                       const RollbackRequest& request, ProgressBar& progress) {
   const StoreMeta& meta = store.meta();
-  RollbackPlan plan{{}, 0, 0, store.first_record(), meta.head.time_ms};
+  RollbackPlan plan{{}, 0, 0, 0, store.first_record(), meta.head.time_ms};
   progress.expect(meta.head.position + 1 - plan.first_position);
   Rollback rollback{request};
   bool first = true;
@@ -117,6 +118,7 @@ tl::expected<RollbackPlan, std::string> plan_rollback(const ReadOnlyStore& store
   }
   plan.slices = rollback.slices();
   plan.voxels = rollback.voxels();
+  plan.already_back = rollback.already_back();
   plan.taken_over = rollback.taken_over();
   return plan;
 }

@@ -38,7 +38,9 @@ class Rollback {
   [[nodiscard]] bool add(const LogRecord& record);
 
   [[nodiscard]] std::size_t voxels() const;
-  /// Voxels that the subject changed and others have changed since; not to be put back.
+  /// Voxels that the subject changed and a rollback has put back since.
+  [[nodiscard]] std::size_t already_back() const { return already_back_; }
+  /// Those that others have changed since; not to be put back.
   [[nodiscard]] std::size_t taken_over() const { return taken_over_; }
   /// As edits: in each `before` is what the voxel is now, and `after` what it becomes.
   [[nodiscard]] std::vector<std::vector<edits::ChunkChanges>> slices() const;
@@ -54,12 +56,14 @@ class Rollback {
   const RollbackRequest request_;
   std::map<ChunkCoord, Chunk> chunks_;
   std::size_t held_ = 0;
+  std::size_t already_back_ = 0;
   std::size_t taken_over_ = 0;
 };
 
 struct RollbackPlan {
   std::vector<std::vector<edits::ChunkChanges>> slices;
   std::size_t voxels = 0;
+  std::size_t already_back = 0;
   std::size_t taken_over = 0;
   std::uint64_t first_position = 0;  // how far back the records go
   std::int64_t first_time_ms = 0;

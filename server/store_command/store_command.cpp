@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
+#include "config/boxes.h"
 #include "config/parse_flags.h"
 #include "log/escape.h"
 #include "store/whole_store.h"
@@ -87,8 +88,8 @@ Answer verify_all(const Flags& flags, const LoadWorld&) {
   const std::string entries = first > meta.head.position
                                   ? "no entries of the log"
                                   : fmt::format("entries {} to {} of the log", first, meta.head.position);
-  return fmt::format("sound: {} voxels in {} chunks, {}, hash {}\n", figures->levels[0].voxels,
-                     figures->levels[0].chunks, entries, edits::to_string(meta.head.hash));
+  return fmt::format("sound: {} in {}, {}, hash {}\n", counted(figures->levels[0].voxels, "voxel"),
+                     counted(figures->levels[0].chunks, "chunk"), entries, edits::to_string(meta.head.hash));
 }
 
 Answer backup(const Flags& flags, const LoadWorld&) {
@@ -140,19 +141,34 @@ Answer show_history(const Flags& flags, const LoadWorld&) {
   return flags.json ? history_json(*history, names) : history_lines(*history, names);
 }
 
-tl::expected<RollbackRequest, std::string> rollback_request(const Flags& flags) {
+/// Six numbers, or a box as tokens have it.
+tl::expected<Box, std::string> parse_box(const std::string& text) {
+  if (text.find(':') != std::string::npos) {
+    const auto boxes = Boxes::parse(text);
+    if (!boxes) return tl::unexpected{fmt::format("--box: {}", boxes.error())};
+    if (boxes->size() != 1) {
+      return tl::unexpected{fmt::format("--box: \"{}\" is {} boxes; give one", escaped(text), boxes->size())};
+    }
+    return *boxes->begin();
+  }
   std::array<std::int64_t, 6> box{};
-  if (!parse_numbers(flags.box, box)) {
+  if (!parse_numbers(text, box)) {
     return tl::unexpected{fmt::format(
-        "--box: \"{}\" is wrong; give X0,Y0,Z0,X1,Y1,Z1 in voxels, the lowest corner and the highest",
-        escaped(flags.box))};
+        "--box: \"{}\" is wrong; give two corners in voxels, X0,Y0,Z0,X1,Y1,Z1 or X0,Y0,Z0:X1,Y1,Z1",
+        escaped(text))};
   }
   for (std::size_t axis = 0; axis < 3; ++axis) {
     if (box[axis] > box[axis + 3]) std::swap(box[axis], box[axis + 3]);
   }
+  return Box{{box[0], box[1], box[2]}, {box[3], box[4], box[5]}};
+}
+
+tl::expected<RollbackRequest, std::string> rollback_request(const Flags& flags) {
+  const auto box = parse_box(flags.box);
+  if (!box) return tl::unexpected{box.error()};
   const auto since = parse_moment(flags.since, now_ms());
   if (!since) return tl::unexpected{fmt::format("--since: {}", since.error())};
-  return RollbackRequest{flags.subject, *since, {box[0], box[1], box[2]}, {box[3], box[4], box[5]}};
+  return RollbackRequest{flags.subject, *since, box->first, box->last};
 }
 
 Answer rollback(const Flags& flags, const LoadWorld&) {
@@ -172,15 +188,24 @@ Answer rollback(const Flags& flags, const LoadWorld&) {
     text = fmt::format("records go back to {} only; what was changed before stays\n",
                        moment(plan->first_time_ms));
   }
-  const std::string theirs =
-      plan->taken_over == 0
-          ? ""
-          : fmt::format("; {} more were changed by others since and stay", plan->taken_over);
-  if (flags.dry_run) {
-    return text + fmt::format("{} voxels would be put back, in {} edits{}\n", plan->voxels,
-                              plan->slices.size(), theirs);
+  std::string others;
+  if (plan->already_back > 0) {
+    others += fmt::format("; {} {} put back before", counted(plan->already_back, "voxel"),
+                          plan->already_back == 1 ? "was" : "were");
   }
-  if (plan->slices.empty()) return text + fmt::format("nothing to put back{}\n", theirs);
+  if (plan->taken_over > 0) {
+    others += fmt::format("; {} changed by others since {}", counted(plan->taken_over, "voxel"),
+                          plan->taken_over == 1 ? "stays" : "stay");
+  }
+  if (plan->slices.empty()) {
+    return text +
+           fmt::format("{}{}\n", flags.dry_run ? "nothing would be put back" : "nothing to put back", others);
+  }
+  const std::string edits = counted(plan->slices.size(), "edit");
+  if (flags.dry_run) {
+    return text +
+           fmt::format("{} would be put back, in {}{}\n", counted(plan->voxels, "voxel"), edits, others);
+  }
   std::unique_ptr<LocalWriter> writer;
   Restore restore;
   if (opened->server() != nullptr) {
@@ -195,14 +220,14 @@ Answer rollback(const Flags& flags, const LoadWorld&) {
   ProgressBar progress{"rollback", "voxels"};
   const auto changed = roll_back(*plan, restore, progress);
   if (!changed) return tl::unexpected{changed.error()};
-  return text +
-         fmt::format("{} voxels were put back, in {} edits{}\n", *changed, plan->slices.size(), theirs);
+  return text + fmt::format("{} {} put back, in {}{}\n", counted(*changed, "voxel"),
+                            *changed == 1 ? "was" : "were", edits, others);
 }
 
 /// What import and rebase have made.
 std::string rebuilt_lines(const std::string& data, const Rebuilt& rebuilt) {
-  std::string text = fmt::format("{}: store {} with {} voxels in {} chunks\n", data,
-                                 to_string(rebuilt.store_id), rebuilt.voxels, rebuilt.chunks);
+  std::string text = fmt::format("{}: store {} with {} in {}\n", data, to_string(rebuilt.store_id),
+                                 counted(rebuilt.voxels, "voxel"), counted(rebuilt.chunks, "chunk"));
   if (!rebuilt.replaced.empty()) {
     text +=
         fmt::format("{}: the store that was there, with its history; delete it when nobody wants it back\n",
@@ -216,7 +241,8 @@ Answer export_file(const Flags& flags, const LoadWorld&) {
   if (!opened) return tl::unexpected{opened.error()};
   const auto exported = export_edits(opened->store(), flags.path);
   if (!exported) return tl::unexpected{exported.error()};
-  return fmt::format("{}: {} voxels in {} chunks\n", flags.path, exported->voxels, exported->chunks);
+  return fmt::format("{}: {} in {}\n", flags.path, counted(exported->voxels, "voxel"),
+                     counted(exported->chunks, "chunk"));
 }
 
 Answer import_file(const Flags& flags, const LoadWorld&) {
@@ -366,7 +392,10 @@ int store_command(int argc, const char* const* argv, const Environment& environm
   rolling->add_option("--since", flags.since, "90s, 30m, 2h, 7d ago, or 2026-11-25T08:30:00Z")
       ->required()
       ->type_name("TIME");
-  rolling->add_option("--box", flags.box, "two corners, both in it")
+  rolling
+      ->add_option("--box", flags.box,
+                   "two corners, both in it; also as tokens have boxes, X0,Y0,Z0:X1,Y1,Z1 or, for all rows, "
+                   "X0,Z0:X1,Z1")
       ->required()
       ->type_name("X0,Y0,Z0,X1,Y1,Z1");
   rolling->add_flag("--dry-run", flags.dry_run, "count, and change nothing");

@@ -60,6 +60,13 @@ Answer check_world(const WebContext& context, std::string_view fingerprint, std:
   if (auto wrong = check_world(context, fingerprint)) return wrong;
   static const std::string kCodec = std::to_string(kCodecVersion);
   if (codec == kCodec) return std::nullopt;
+  // A column of edited land has as many parts as a chunk of generated land.
+  if (codec.size() == context.store_id.size()) {
+    return error_response(404, ErrorCode::out_of_range,
+                          fmt::format("'{}' stands where the chunk codec does; paths with a store id end in "
+                                      "@{{revision}}, such as @0, and the answer leads to the newest",
+                                      codec));
+  }
   return error_response(404, ErrorCode::version,
                         fmt::format("this server sends chunk codec {}", kCodecVersion));
 }

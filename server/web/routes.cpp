@@ -89,6 +89,12 @@ tl::expected<Route, RouteError> base_chunks(std::span<const std::string_view> pa
 /// what is generated but for the two.
 tl::expected<Route, RouteError> chunks(std::span<const std::string_view> parts) {
   const std::size_t mark = parts.back().find('@');
+  if (mark == std::string_view::npos && parts.size() == 7) {
+    return wrong(
+        404,
+        "@{revision} is missing; paths with a store id end in it, as in "
+        "/v1/{fingerprint}/{store_id}/{codec}/{lod}/{x}/{y}/{z}@0, and the answer leads to the newest");
+  }
   if (mark == std::string_view::npos) return base_chunks(parts);
   const std::string_view text = parts.back().substr(mark + 1);
   const auto revision = number_of(text);

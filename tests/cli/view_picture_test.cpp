@@ -42,6 +42,14 @@ TEST_CASE("below the horizon lies the ground in its colour, above it the sky") {
   CHECK(sky.b > sky.r);
 }
 
+TEST_CASE("a material beyond the land's own has its colour, too") {
+  int rows = 0;
+  const glm::vec3 ground = plain(kRedWool, rows).at(kWidth / 2, kHeight - 1);
+  CHECK(ground.r > 2 * ground.g);
+  CHECK(ground.r > 2 * ground.b);
+  CHECK(ground.r > 0.1F);
+}
+
 TEST_CASE("a picture is the same each time, on two threads") {
   int rows = 0;
   const Picture first = plain(kStone, rows);

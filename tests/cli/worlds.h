@@ -12,13 +12,15 @@ namespace talus::cli::testing {
 
 inline constexpr MaterialId kStone{2};
 inline constexpr MaterialId kGrass{3};
+inline constexpr MaterialId kRedWool{300};  // as placeables are, beyond a byte
 
 [[nodiscard]] inline std::vector<client::Material> materials() {
   using client::Phase;
   return {{kAir, "air", 0x000000, Phase::gas},
           {kWater, "water", 0x204080, Phase::liquid},
           {kStone, "stone", 0x808080, Phase::solid},
-          {kGrass, "grass", 0x40A040, Phase::solid}};
+          {kGrass, "grass", 0x40A040, Phase::solid},
+          {kRedWool, "red wool", 0xC02020, Phase::solid}};
 }
 
 /// `below` up to row `rows`, then `above`.

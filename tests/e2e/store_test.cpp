@@ -175,7 +175,11 @@ TEST_CASE("what a griefer did is found and given back while players look, and ot
   CHECK(sound(flags).find("256 voxels were put back") != std::string::npos);
   viewer.until([&] { return viewer.sees(at) == kAir; });
   CHECK(viewer.sees({at.x + 4, at.y, at.z}) == MaterialId{2});
-  CHECK(sound(flags).find("nothing to put back") != std::string::npos);
+  CHECK(sound(flags) == "nothing to put back; 256 voxels were put back before\n");
+  CHECK(sound(dry) == "nothing would be put back; 256 voxels were put back before\n");
+  auto as_tokens_have_it = flags;
+  as_tokens_have_it.back() = text(at) + ":" + text({at.x + 3, at.y + 7, at.z + 7});
+  CHECK(sound(as_tokens_have_it) == sound(flags));
   const auto history =
       nlohmann::json::parse(sound({"history", "--json", "--data", data.string(), "--at", text(at)}));
   REQUIRE(history.at("changes").size() == 2);

@@ -73,6 +73,9 @@ class Edits(Scripted):
             done = world.edit(*WRITE, guards=[((4, 5, 6), "air")], fills=fills, paste=((9, 9, 9), b"\1\2"), subject="bob")
             self.assertEqual(done, talus.EditDone(8, 2))
             self.assertEqual(world.edit(*WRITE).changed, 0)
+            for wrong in (b"", (b"\1", (0, 0, 0)), ((0, 0, 0),), ((0, 0), b"\1"), [[[1]]], "abc"):
+                with self.assertRaisesRegex(TypeError, "^paste: "):
+                    world.edit(paste=wrong)
             with self.assertRaisesRegex(ValueError, "no material 'gold'; it has air, stone"):
                 world.edit([((0, 0, 0), "gold")])
 

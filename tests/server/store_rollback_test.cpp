@@ -146,7 +146,10 @@ TEST_CASE("a rollback gives back what one subject changed last, and touches nobo
     CHECK(overrides_of(griefed.store.state()) == griefed.expected(request));
     griefed.store.close();
     // What was put back is not the subject's any more.
-    CHECK(plan_of(griefed, request).voxels == 0);
+    const RollbackPlan again = plan_of(griefed, request);
+    CHECK(again.voxels == 0);
+    CHECK(again.already_back == plan.voxels);
+    CHECK(again.taken_over == plan.taken_over);
   }
 }
 

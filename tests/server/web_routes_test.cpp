@@ -57,6 +57,15 @@ TEST_CASE("a column and squares of columns") {
   }
 }
 
+TEST_CASE("a path of a store without a revision is told that it is missing") {
+  for (const auto* path : {"/v1/abc/def/4/2/-12/4/7", "/v1/abc/def/4/2/-12/8/4x4"}) {
+    const auto wrong = route_of(path);
+    REQUIRE_FALSE(wrong);
+    CHECK(wrong.error().status == 404);
+    CHECK(wrong.error().text.find("@{revision} is missing") == 0);
+  }
+}
+
 TEST_CASE("what has edits has the store behind the fingerprint, and a revision") {
   const auto chunk = std::get<ChunkRoute>(*route_of("/v1/abc/def/4/2/-12/4/7@31"));
   CHECK(chunk.fingerprint == "abc");

@@ -38,12 +38,21 @@ def edit_message(materials, writes, guards, fills, paste, subject):
         flags = _OF_ANY * (given.only is None) | _AS_GENERATED * (given.material is None)
         return protocol.Fill(first, last, id_of(given.material or 0), id_of(given.only or 0), flags)
 
-    origin, payload, with_air = (*paste, False)[:3] if paste else (None, b"", False)
+    def pasted(given):
+        if not isinstance(given, (tuple, list)) or len(given) not in (2, 3):
+            raise TypeError(f"paste: (origin, payload[, with_air]) is needed, not {type(given).__name__}")
+        origin, payload, with_air = (*given, False)[:3]
+        if not isinstance(payload, (bytes, bytearray, memoryview)):
+            raise TypeError(f"paste: the payload is the bytes of a Chunk's, not {type(payload).__name__}")
+        if not isinstance(origin, (tuple, list)) or len(origin) != 3:
+            raise TypeError("paste: the origin is (x, y, z)")
+        return protocol.Paste(origin=tuple(origin), payload=bytes(payload), with_air=bool(with_air))
+
     return protocol.Edit(
         guards=[(tuple(voxel), id_of(material)) for voxel, material in guards],
         writes=[(tuple(voxel), id_of(material)) for voxel, material in writes],
         fills=[fill(each) for each in fills],
-        paste=protocol.Paste(origin=tuple(origin), payload=payload, with_air=with_air) if paste else None,
+        paste=None if paste is None else pasted(paste),
         subject=subject,
     )
 

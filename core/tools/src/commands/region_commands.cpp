@@ -195,7 +195,9 @@ CLI::Option* add_store(CLI::App& command, Arguments& arguments) {
       .add_option(
           "--store", arguments.store,
           "With the edits of this store: a directory that talusd was given as --data and that none uses "
-          "now, or a backup of one. It is only read")
+          "now, or a backup of one. It is only read. Give the server's --world, too: its file has the names "
+          "and "
+          "colours of placeable materials")
       ->type_name("DIR");
 }
 
