@@ -353,10 +353,17 @@ void EditIntake::log_attach(Lane& lane) {
   }
   const edits::EditorId wanted =
       attaching.editor == edits::EditorId{} ? attaching.request.editor : attaching.editor;
-  const auto before = wanted == edits::EditorId{} ? std::nullopt : parts_.editor(wanted);
-  attaching.known = before && before->subject == attaching.request.subject;
-  attaching.editor = attaching.known ? wanted : random_editor();
-  const edits::AttachEntry entry{attaching.editor, (attaching.known ? before->epoch : 0) + 1,
+  const auto of_subject = [&](edits::EditorId id) {
+    auto editor = id == edits::EditorId{} ? std::nullopt : parts_.editor(id);
+    return editor && editor->subject == attaching.request.subject ? editor : std::nullopt;
+  };
+  auto before = of_subject(wanted);
+  attaching.known = before && wanted == attaching.request.editor;
+  attaching.editor = wanted;
+  // A session is one editor, whatever it calls itself: nobody takes the places of all others.
+  if (!before) before = of_subject(attaching.editor = attaching.request.own);
+  if (!before) attaching.editor = random_editor();
+  const edits::AttachEntry entry{attaching.editor, (before ? before->epoch : 0) + 1,
                                  attaching.request.subject};
   // What the editor is then, before anybody else can change it.
   auto done = [this, session = lane.session, editor = entry.editor,

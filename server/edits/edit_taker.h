@@ -15,6 +15,7 @@ struct AttachRequest {
   edits::EditorId editor;           // whose edits the client goes on with; 0: none
   std::string subject;              // of its token; empty: none
   std::uint64_t seen_revision = 0;  // the client was told of this one
+  edits::EditorId own{};            // as which the session edits already; 0: it does not yet
 };
 
 struct EditRequest {

@@ -29,17 +29,19 @@ std::vector<edits::VoxelWrite> writes_of(const flatbuffers::Vector<const wire::V
   return writes;
 }
 
-std::size_t memory_of(const edits::Edit& edit, std::uint64_t voxels, bool settles) {
-  if (settles) voxels += edits::kSettleVoxels;
+std::size_t bytes_as_it_came(const edits::Edit& edit) {
   constexpr std::size_t kAnyEdit = 512;
+  return kAnyEdit + edit.fills.size() * sizeof(edits::Fill) +
+         (edit.guards.size() + edit.writes.size()) * sizeof(edits::VoxelWrite) +
+         (edit.paste ? sizeof(DenseVoxels) : 0);
+}
+
+std::size_t bytes_prepared(std::uint64_t voxels, bool settles) {
+  if (settles) voxels += edits::kSettleVoxels;
   constexpr std::size_t kChunk = 256;  // its places in the lists of what is touched and looked up
-  // While it waits: which voxels of which chunks it touches, and their materials as generated.
+  // Which voxels of which chunks it touches, and their materials as generated.
   constexpr std::size_t kVoxel = sizeof(std::uint16_t) + sizeof(Override);
-  std::size_t bytes = kAnyEdit + edit.fills.size() * sizeof(edits::Fill) +
-                      (edit.guards.size() + edit.writes.size()) * sizeof(edits::VoxelWrite) +
-                      std::min<std::uint64_t>(voxels, edits::kMaxChunks) * kChunk + voxels * kVoxel;
-  if (edit.paste) bytes += sizeof(DenseVoxels);
-  return bytes;
+  return std::min<std::uint64_t>(voxels, edits::kMaxChunks) * kChunk + voxels * kVoxel;
 }
 
 }  // namespace
@@ -89,7 +91,8 @@ tl::expected<CheckedEdit, Rejection> check_edit(const wire::Edit& wire, bool set
   if (checked.voxels == 0) {
     return rejected(wire::ErrorCode::out_of_range, "the edit names no voxel; give writes, fills or a paste");
   }
-  checked.bytes = memory_of(edit, checked.voxels, settles);
+  checked.bytes = bytes_as_it_came(edit);
+  checked.prepared_bytes = bytes_prepared(checked.voxels, settles);
   return checked;
 }
 

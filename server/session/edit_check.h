@@ -16,10 +16,11 @@ namespace talus::server {
 
 struct CheckedEdit {
   edits::Edit edit;
-  std::uint64_t voxels = 0;  // that it names: what the rates count
-  std::size_t bytes = 0;     // of memory until it is answered: as it came, waits for its base, and is logged
-  std::string subject{};     // for whom a game server edits; empty: for the session itself
-  bool settles = true;       // what is loose around it may slide, where anything does
+  std::uint64_t voxels = 0;        // that it names: what the rates count
+  std::size_t bytes = 0;           // of memory until it is answered
+  std::size_t prepared_bytes = 0;  // beside those while it is the session's next: it waits for its base
+  std::string subject{};           // for whom a game server edits; empty: for the session itself
+  bool settles = true;             // what is loose around it may slide, where anything does
 };
 
 /// Costs no more than the message is long, and one chunk's decoding: what an edit reaches, and whether its

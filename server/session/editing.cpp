@@ -9,8 +9,9 @@ void Editing::attach(AttachRequest request, std::uint64_t voxels_per_second) {
 }
 
 void Editing::edit(std::uint32_t id, std::uint64_t sequence, CheckedEdit edit) {
-  unanswered_.insert(id, {edit.voxels, edit.bytes});
+  unanswered_.insert(id, {edit.voxels, edit.bytes, edit.prepared_bytes});
   bytes_ += edit.bytes;
+  prepared_bytes_.insert(edit.prepared_bytes);
   taker_->edit(mailbox_, {id, editor_->editor, editor_->epoch, sequence, std::move(edit.edit),
                           std::move(edit.subject), edit.settles});
 }
@@ -31,6 +32,7 @@ void Editing::receive(EditAnswer&& mail) {
   const Unanswered* const edit = unanswered_.find(mail.id);
   if (edit == nullptr) return;  // abandoned
   bytes_ -= edit->bytes;
+  prepared_bytes_.erase(prepared_bytes_.find(edit->prepared_bytes));
   if (mail.answer && mail.answer->changed > edit->voxels) slid_voxels_ += mail.answer->changed - edit->voxels;
   unanswered_.erase(mail.id);
   if (mail.answer) {
@@ -47,6 +49,7 @@ void Editing::abandon() {
   editor_.reset();
   unanswered_.clear();
   bytes_ = 0;
+  prepared_bytes_.clear();
 }
 
 }  // namespace talus::server

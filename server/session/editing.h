@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <set>
 #include <string>
 #include <utility>
 
@@ -50,7 +51,10 @@ class Editing {
   /// Forgets everything; what is logged already happens all the same.
   void abandon();
 
-  [[nodiscard]] std::size_t bytes() const { return bytes_ + unanswered_.bytes(); }
+  /// One edit at a time is prepared: the dearest counts.
+  [[nodiscard]] std::size_t bytes() const {
+    return bytes_ + (prepared_bytes_.empty() ? 0 : *prepared_bytes_.rbegin()) + unanswered_.bytes();
+  }
 
  private:
   EditTaker* const taker_;
@@ -62,9 +66,11 @@ class Editing {
   struct Unanswered {
     std::uint64_t voxels = 0;  // that it names
     std::size_t bytes = 0;
+    std::size_t prepared_bytes = 0;
   };
   IdMap<Unanswered> unanswered_;
-  std::size_t bytes_ = 0;  // of them
+  std::size_t bytes_ = 0;                      // of them
+  std::multiset<std::size_t> prepared_bytes_;  // likewise
   std::uint64_t slid_voxels_ = 0;
 };
 

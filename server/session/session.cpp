@@ -367,10 +367,9 @@ void Session::on(const wire::Attach& attach) {
                           fmt::format("the token's subject has {} bytes; who edits may have one of {}",
                                       greeting_->grant.subject.size(), edits::kMaxSubjectBytes));
   }
-  AttachRequest request{{}, greeting_->grant.subject, attach.seen_revision()};
+  AttachRequest request{{}, greeting_->grant.subject, attach.seen_revision(), editing_.editor()};
   if (attach.editor() != nullptr) request.editor = {attach.editor()->low(), attach.editor()->high()};
-  // Who attaches again and again is one editor, and not all that a world may have.
-  if (request.editor == edits::EditorId{}) request.editor = editing_.editor();
+  if (request.editor == edits::EditorId{}) request.editor = request.own;
   editing_.attach(std::move(request), rates_.limits().session.voxels.per_second);
 }
 

@@ -72,7 +72,7 @@ tl::expected<Restorer::Restored, Restorer::Failure> Restorer::restore(
   using Kind = edits::Applied::Kind;
   if (editor_ == edits::EditorId{}) {
     const edits::EditorId editor = random_editor();
-    const auto attached = append(edits::AttachEntry{editor, 1, kRestorerSubject});
+    const auto attached = append(edits::AttachEntry{editor, 1, std::string{kRestorerSubject}});
     if (!attached) return tl::unexpected{attached.error()};
     if (attached->kind != Kind::attached) {
       return tl::unexpected{Failure{"as many edit this world as may; try again when some have gone", false}};

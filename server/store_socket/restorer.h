@@ -14,7 +14,7 @@
 namespace talus::server {
 
 /// Whose these edits are, in a store's history.
-inline constexpr const char* kRestorerSubject = "talusd store rollback";
+inline constexpr std::string_view kRestorerSubject = edits::kOperatorSubject;
 
 class Restorer {
  public:

@@ -245,10 +245,17 @@ TEST_CASE("of editors there are so many, and another finds a place where one was
   Store store = full_store(1);
   const Entry another = AttachEntry{{1, 9}, 1, ""};
   CHECK(store.apply({another}, 100'000).front().kind == Kind::editors_full);
+  // Who undoes what others did has places of his own.
+  for (std::uint64_t i = 1; i <= kOperatorEditors; ++i) {
+    const Entry undoes = AttachEntry{{i, 8}, 1, std::string{kOperatorSubject}};
+    CHECK(store.apply({undoes}, 100'000).front().kind == Kind::attached);
+  }
+  const Entry one_more = AttachEntry{{0, 8}, 1, std::string{kOperatorSubject}};
+  CHECK(store.apply({one_more}, 100'000).front().forgotten);  // an operator who never edited
   const Entry again = AttachEntry{{kMaxEditors, 0}, 2, ""};
   CHECK(store.apply({again}, 100'000).front().kind == Kind::attached);
   CHECK(store.apply({another}, 70'000 + kEditorIdleMs).front().kind == Kind::attached);
-  CHECK(store.editors.size() == 2);
+  CHECK(store.editors.size() == 2 + kOperatorEditors);
 }
 
 TEST_CASE("where there are too many editors those go that never edited, however a log is cut into batches") {

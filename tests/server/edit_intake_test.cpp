@@ -235,6 +235,21 @@ TEST_CASE("Attach goes on as the editor that is known to the same subject, else 
   CHECK(stolen.epoch == 1);
   CHECK(stolen.subject == "eve");
   CHECK(attach({{}, "", 0}).editor != edits::EditorId{});
+  // Whatever a session calls itself, it stays the editor that it is, and is told that the other is unknown.
+  const auto named = attach({{77, 77}, "ann", 0, kEditor});
+  CHECK(named.editor == kEditor);
+  CHECK(named.epoch == 5);
+  bench.editors[kEditor].epoch = 5;
+  edits::Applied as_before;
+  as_before.kind = edits::Applied::Kind::attached;
+  bench.log.entries.back().done(&as_before);
+  bench.intake.do_what_waits();
+  const auto told = bench.only_mail<AttachAnswer>().answer.value();
+  CHECK(told.editor == kEditor);
+  CHECK_FALSE(told.known);
+  CHECK(told.last_sequence == 17);
+  CHECK(attach({{77, 77}, "eve", 0, kEditor}).editor != kEditor);
+  bench.editors[kEditor].epoch = 4;
 
   edits::Applied applied;
   applied.kind = edits::Applied::Kind::attached;
@@ -334,7 +349,8 @@ TEST_CASE("who edited much while nobody waited owes nothing for it") {
   for (std::uint32_t id = 1; id <= 5; ++id) send(other, id);
   bench.intake.do_what_waits();
   REQUIRE(bench.log.entries.size() == 7);
-  CHECK(bench.log.edit(1).editor.low == 1);
+  CHECK(bench.log.edit(1).editor.low == 2);  // who has none in the log goes first
+  CHECK(bench.log.edit(2).editor.low == 1);
 }
 
 TEST_CASE("where memory ends, what comes meanwhile still waits, and is counted off once") {

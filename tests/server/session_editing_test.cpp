@@ -304,7 +304,22 @@ TEST_CASE("an edit that waits takes memory for every voxel that a fill names") {
   const auto checked = check_edit(*flatbuffers::GetRoot<wire::Edit>(builder.GetBufferPointer()));
   REQUIRE(checked);
   CHECK(checked->voxels == 65'536);
-  CHECK(checked->bytes >= 65'536 * (sizeof(Override) + sizeof(std::uint16_t)));
+  CHECK(checked->prepared_bytes >= 65'536 * (sizeof(Override) + sizeof(std::uint16_t)));
+  // Of those that wait behind it only what they say: one is prepared at a time.
+  Bench shared;
+  shared.attached();
+  for (std::uint32_t id = 1; id <= 8; ++id) {
+    shared.bench.receive(
+        [&](auto& wire) { return wire::CreateEdit(wire, id, 0, id, 0, wire.CreateVectorOfStructs(fills)); });
+  }
+  REQUIRE(shared.taker.edits.size() == 8);
+  const std::size_t eight = shared.bench.memory.used(MemoryUse::sessions);
+  CHECK(eight > checked->prepared_bytes);
+  CHECK(eight < 2 * checked->prepared_bytes);
+  for (std::uint32_t id = 1; id <= 8; ++id) {
+    CHECK(shared.answered({id, edits::EditResult{id, 10, 1, {}}}).kind == Body::EditResult);
+  }
+  CHECK(shared.bench.memory.used(MemoryUse::sessions) < eight - checked->prepared_bytes / 2);
 }
 
 TEST_CASE("what slides counts to the rate, and takes memory while the edit waits") {

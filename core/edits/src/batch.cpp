@@ -74,7 +74,8 @@ const Applied& Batch::apply(const AttachEntry& entry) {
     return begin(entry.editor, Kind::superseded);
   }
   std::optional<EditorId> forgotten;
-  if (before == nullptr && count_ >= kMaxEditors) {
+  const std::size_t most = kMaxEditors + (entry.subject == kOperatorSubject ? kOperatorEditors : 0);
+  if (before == nullptr && count_ >= most) {
     forgotten = forget_never_used();
     if (!forgotten) return begin(entry.editor, Kind::editors_full);
   }

@@ -9,6 +9,7 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -26,6 +27,9 @@ struct EditorId {
 inline constexpr std::size_t kKeptResults = 64;
 /// Editors of a world.
 inline constexpr std::size_t kMaxEditors = 65'536;
+/// Beyond those, for who undoes what others did: by this subject.
+inline constexpr std::size_t kOperatorEditors = 64;
+inline constexpr std::string_view kOperatorSubject = "talusd store rollback";
 /// An editor that was idle for so long, by the log's time, is forgotten.
 inline constexpr std::int64_t kEditorIdleMs = std::int64_t{24} * 60 * 60 * 1000;
 /// Bytes of a subject.
