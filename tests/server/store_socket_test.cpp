@@ -47,6 +47,15 @@ StoreConnection connected(const fs::path& directory) {
   return **std::move(connection);
 }
 
+/// What `ask` is told once the server has let go of enough of those before.
+template <typename Ask>
+std::string once_let_in(Ask&& ask) {
+  for (;;) {
+    std::string said = ask();
+    if (said.find("commands use this server's store already") == std::string::npos) return said;
+  }
+}
+
 /// A peer that says what it likes.
 class RawPeer {
  public:
@@ -192,14 +201,19 @@ TEST_CASE("a peer that says nonsense is told so, and nobody else notices") {
       {{std::byte{50}}, "a frame ends early"},
   };
   for (const Case& each : cases) {
-    const RawPeer peer{served.directory};
-    peer.say(each.said);
-    ::shutdown(peer.descriptor(), SHUT_WR);
-    const std::string refusal = peer.refusal();
+    const std::string refusal = once_let_in([&] {
+      const RawPeer peer{served.directory};
+      peer.say(each.said);
+      ::shutdown(peer.descriptor(), SHUT_WR);
+      return peer.refusal();
+    });
     CAPTURE(refusal, each.refusal);
     CHECK(refusal.find(each.refusal) != std::string::npos);
   }
-  CHECK(connected(served.directory).checkpoint().has_value());
+  CHECK(once_let_in([&] {
+          const auto checkpoint = connected(served.directory).checkpoint();
+          return checkpoint ? std::string{} : checkpoint.error();
+        }) == "");
 }
 
 TEST_CASE("peers that say nothing hold up neither others nor the end, and are few") {
