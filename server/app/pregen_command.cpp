@@ -131,7 +131,7 @@ bool parse_center(std::string_view text, PregenPlan& plan) {
   return number(text.substr(0, comma), plan.x) && number(text.substr(comma + 1), plan.z);
 }
 
-int failed(std::string_view line, int status = kFailed) {
+int pregen_failed(std::string_view line, int status = kFailed) {
   fmt::print(stderr, "talusd pregen: {}\n", on_one_line(line));
   return status;
 }
@@ -177,26 +177,28 @@ int pregen_command(int argc, const char* const* argv, const Environment& environ
     return exit->status;
   }
   if (!parse_center(center, plan)) {
-    return failed(fmt::format("--center: \"{}\" is wrong; give X,Z in voxels", escaped(center)), kWrongUse);
+    return pregen_failed(fmt::format("--center: \"{}\" is wrong; give X,Z in voxels", escaped(center)),
+                         kWrongUse);
   }
-  if (const auto good = plan.check(); !good) return failed(good.error(), kWrongUse);
+  if (const auto good = plan.check(); !good) return pregen_failed(good.error(), kWrongUse);
   Settings settings;
   if (!config_file.empty()) {
-    if (const auto read = apply_file(settings, config_file); !read) return failed(read.error());
+    if (const auto read = apply_file(settings, config_file); !read) return pregen_failed(read.error());
   }
-  if (const auto read = apply_environment(settings, environment); !read) return failed(read.error());
+  if (const auto read = apply_environment(settings, environment); !read) return pregen_failed(read.error());
   Config& config = settings.config;
   if (!data.empty()) config.data = data;
   if (!world.empty()) config.world = world;
-  if (config.data.empty()) return failed("no data directory; give --data DIR, as talusd has it", kWrongUse);
+  if (config.data.empty())
+    return pregen_failed("no data directory; give --data DIR, as talusd has it", kWrongUse);
 
   auto server = StoreConnection::open(config.data);
-  if (!server) return failed(server.error());
+  if (!server) return pregen_failed(server.error());
   const Ended ended = *server ? by_server(**server, config, plan) : by_itself(config, plan);
-  if (!ended) return failed(ended.error());
+  if (!ended) return pregen_failed(ended.error());
   fmt::print("{} of {} squares are made, {} columns of chunks in this run\n", ended->squares, ended->of,
              ended->columns);
-  if (std::fflush(stdout) != 0) return failed("standard output: cannot write to it");
+  if (std::fflush(stdout) != 0) return pregen_failed("standard output: cannot write to it");
   return ended->squares == ended->of ? 0 : kFailed;
 }
 

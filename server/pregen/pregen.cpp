@@ -26,7 +26,7 @@ constexpr std::chrono::milliseconds kLook{50};
 constexpr std::chrono::seconds kNote{10};
 // Of a column: as many rows as the cache keeps.
 constexpr std::int64_t kMaxRows = 64;
-constexpr std::size_t kMaxFileBytes = 4096;
+constexpr std::size_t kMaxProgressBytes = 4096;
 
 ClientId next_owner() {
   static std::atomic<std::uint64_t> next{0};
@@ -176,7 +176,7 @@ ChunkKey PregenSquares::at(std::uint64_t index) const {
 }
 
 std::uint64_t read_pregen_file(const std::filesystem::path& file, const PregenPlan& plan, int tiles) {
-  const auto text = files::read_regular_file(file, kMaxFileBytes);
+  const auto text = files::read_regular_file(file, kMaxProgressBytes);
   if (!text) return 0;
   const std::string begins = text_of(plan, tiles, 0);
   const std::string_view same{begins.data(), begins.size() - 2};  // without the count and the line's end

@@ -22,12 +22,12 @@ namespace {
 constexpr std::chrono::minutes kAnswerPatience{5};
 constexpr std::size_t kMaxText = 4'096;
 
-tl::unexpected<Restorer::Failure> failed(const std::string& reason, bool busy = false) {
+tl::unexpected<Restorer::Failure> server_failed(const std::string& reason, bool busy = false) {
   return tl::unexpected{Restorer::Failure{fmt::format("the running server: {}", reason), busy}};
 }
 
 tl::unexpected<Restorer::Failure> not_asked_for(const SocketFrame& frame) {
-  return failed(fmt::format("an answer of kind {} was not asked for", static_cast<int>(frame.kind)));
+  return server_failed(fmt::format("an answer of kind {} was not asked for", static_cast<int>(frame.kind)));
 }
 
 }  // namespace
@@ -65,10 +65,10 @@ StoreConnection::~StoreConnection() {
 
 tl::expected<SocketFrame, Restorer::Failure> StoreConnection::receive() {
   auto got = receive_frame(socket_, kAnswerPatience);
-  if (!got) return failed(got.error().empty() ? "it has closed the connection" : got.error());
+  if (!got) return server_failed(got.error().empty() ? "it has closed the connection" : got.error());
   if (got->kind != SocketKind::failed && got->kind != SocketKind::busy) return *std::move(got);
   ByteReader in{got->fields};
-  return failed(in.text(kMaxText), got->kind == SocketKind::busy);
+  return server_failed(in.text(kMaxText), got->kind == SocketKind::busy);
 }
 
 tl::expected<SocketFrame, Restorer::Failure> StoreConnection::ask(SocketKind kind,
@@ -77,7 +77,7 @@ tl::expected<SocketFrame, Restorer::Failure> StoreConnection::ask(SocketKind kin
   // A server that refuses says why, and does not read the request.
   const auto sent = send_frame(socket_, kind, fields);
   auto got = receive();
-  if (!got && !sent) return failed(sent.error());
+  if (!got && !sent) return server_failed(sent.error());
   if (!got || got->kind == answer) return got;
   return not_asked_for(*got);
 }
