@@ -1,0 +1,67 @@
+// The stream that the servers of one world share: messages of opaque bytes, in one order, held by a majority
+// of hosts. A message's sequence is its place: 1 for the first that ever was, then without gaps.
+#pragma once
+
+#include <chrono>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include <tl/expected.hpp>
+
+namespace talus::server {
+
+struct StreamMessage {
+  std::uint64_t sequence = 0;
+  std::vector<std::byte> bytes;
+};
+
+/// What the stream's leader says.
+struct StreamState {
+  std::uint64_t first = 0;      // sequence of the oldest message that is kept; last + 1 where none is
+  std::uint64_t last = 0;       // 0: there was none yet
+  std::int64_t created_ns = 0;  // since 1970: another number is another stream of the same name
+};
+
+struct StreamFailure {
+  enum class Kind : std::uint8_t {
+    unavailable,  // no connection, or no quorum: whoever tries again comes through some time
+    refused,      // the credentials do not allow it, or the stream has other settings: a person has to act
+    gone,         // the message is older than all that is kept
+    other,        // the stream was made anew, or has less than it had: it is not the one that was read before
+  };
+  Kind kind = Kind::unavailable;
+  std::string reason;  // one line
+};
+
+/// Two threads use it: one calls publish(), the other next(); state(), wake() and stop() are for any.
+class LogStream {
+ public:
+  using TimePoint = std::chrono::steady_clock::time_point;
+
+  virtual ~LogStream() = default;
+
+  /// Returns the message's sequence once a majority holds it. After a failure it is open whether the stream
+  /// has the message, or comes to have it. Waits about half a second at most.
+  [[nodiscard]] virtual tl::expected<std::uint64_t, StreamFailure> publish(
+      std::span<const std::byte> message) = 0;
+
+  /// The message of sequence `after` + 1; nothing where there is none until `until`, or once wake() was
+  /// called. `after` is 0 at first, or what the call before returned.
+  [[nodiscard]] virtual tl::expected<std::optional<StreamMessage>, StreamFailure> next(std::uint64_t after,
+                                                                                       TimePoint until) = 0;
+
+  /// Asks the leader. Waits about half a second at most.
+  [[nodiscard]] virtual tl::expected<StreamState, StreamFailure> state() = 0;
+
+  /// next() returns soon, this time or the next.
+  virtual void wake() = 0;
+
+  /// From now on all calls fail at once, those that wait too.
+  virtual void stop() = 0;
+};
+
+}  // namespace talus::server
