@@ -236,6 +236,7 @@ class Taking {
                       "be of one version",
                       meta.level_rule, edits::kLevelRule)};
     }
+    if (auto right = check_place(meta.stream); !right) return tl::unexpected{std::move(right.error())};
     if (auto whole = check_acknowledged(staging_, meta); !whole) return tl::unexpected{whole.error()};
     edits::StateHash hash;
     const auto visited = (*store)->for_each_base_chunk([&](ChunkCoord chunk, const StoredChunk& stored) {
@@ -248,6 +249,18 @@ class Taking {
                                        edits::to_string(meta.head.hash)));
     }
     return meta;
+  }
+
+  [[nodiscard]] Done check_place(const StreamPlace& has) const {
+    if (!wanted_.place) return {};
+    if (has.sequence == 0) return tl::unexpected{std::string{"its store is in no cluster"}};
+    if (wanted_.place->created_ns != 0 && has.created_ns != wanted_.place->created_ns) {
+      return tl::unexpected{std::string{"its store is of another stream, which was lost or made anew"}};
+    }
+    if (has.sequence + 1 >= wanted_.place->first) return {};
+    return tl::unexpected{
+        fmt::format("its store has read the stream up to message {}, and that begins with {} by now",
+                    has.sequence, wanted_.place->first)};
   }
 
   TarReader tar_;

@@ -18,9 +18,16 @@
 
 namespace talus::server {
 
+/// In the stream that the store is to go on with.
+struct WantedPlace {
+  std::int64_t created_ns = 0;  // of the stream; 0: of any
+  std::uint64_t first = 0;      // message that it keeps
+};
+
 struct WantedStore {
   ContentHash fingerprint;  // of the world
   std::optional<ContentHash> store_id;
+  std::optional<WantedPlace> place{};
 };
 
 /// Bytes that have come.

@@ -31,8 +31,9 @@ struct StartPlan {
     refused,      // a person has to act
   };
   Kind kind = Kind::refused;
-  std::string reason;       // for the log
-  bool may_do_without = false;  // from_peer: where no peer has a store, the other two ways lead there too, slower
+  std::string reason;  // for the log
+  bool may_do_without =
+      false;  // from_peer: where no peer has a store, the other two ways lead there too, slower
 };
 
 [[nodiscard]] StartPlan plan_start(const StartFacts& facts);
