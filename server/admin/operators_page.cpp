@@ -14,7 +14,7 @@ http::Response answer_operator(const http::Request& request, const OperatorAnswe
   }
   if (path == "/-/ready") {
     if (answers.ready()) return {200, http::kPlainText, "ready\n"};
-    return {503, http::kPlainText, "draining\n"};
+    return {503, http::kPlainText, answers.not_ready + "\n"};
   }
   if (path == "/flows") return {200, http::kPlainText, flows_text(answers.flows())};
   if (path == "/flows.json") return {200, "application/json", flows_json(answers.flows())};

@@ -22,6 +22,7 @@ struct OperatorAnswers {
   /// Asked for kCheckpointPath, with the client's address; empty: there is no store to take.
   std::function<asio::awaitable<http::Response>(const http::Request&, const std::string& address)>
       checkpoint{};
+  std::string not_ready = "draining";  // what /-/ready says where `ready` is false
 };
 
 inline constexpr std::string_view kCheckpointPath = "/store/checkpoint";

@@ -203,9 +203,11 @@ void Server::run() {
   if (edits_ != nullptr) edits_->start(pregen());
   if (operators_) {
     last_housekeeping_ = clock_.now();
-    operators_->start({[this] { return metrics_text(); },
-                       [this] { return clock_.now() - last_housekeeping_.load() < kMaxSilence; },
-                       [this] { return !draining_; }, [this] { return flows_report(); }, checkpoints()});
+    OperatorAnswers answers{[this] { return metrics_text(); },
+                            [this] { return clock_.now() - last_housekeeping_.load() < kMaxSilence; },
+                            [this] { return !draining_; }, [this] { return flows_report(); }};
+    answers.checkpoint = checkpoints();
+    operators_->start(std::move(answers));
   }
   // Without any of these the server would not be one.
   std::exception_ptr failure;

@@ -90,12 +90,11 @@ TEST_CASE("make a store of chunks full of noise", "[.figures]") {
   REQUIRE(builder.has_value());
   std::mt19937_64 random{1};
   std::vector<Override> voxels(kChunkVolume);
-  constexpr std::uint64_t kBytes = 4 * kChunkVolume;  // a chunk of it, roughly
+  for (std::uint32_t index = 0; index < voxels.size(); ++index)
+    voxels[index].index = static_cast<std::uint16_t>(index);
+  constexpr std::uint64_t kBytes = 80'000;  // a chunk of it, roughly
   for (std::uint64_t i = 0; i < (mebibytes << 20U) / kBytes; ++i) {
-    for (std::uint32_t index = 0; index < voxels.size(); ++index) {
-      voxels[index] = {static_cast<std::uint16_t>(index),
-                       MaterialId{static_cast<std::uint16_t>(random() % 60'000)}};
-    }
+    for (Override& voxel : voxels) voxel.material = MaterialId{static_cast<std::uint16_t>(random() % 4'096)};
     const auto at = static_cast<std::int32_t>(i);
     REQUIRE((*builder)->add({at % 300, 6, at / 300}, 1, voxels).has_value());
   }
