@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include <talus/edits/materials.h>
 #include <talus/terrain/extraction.h>
 
 #include "threads/signals.h"

@@ -18,6 +18,7 @@ using std::chrono::milliseconds;
 using wire::ErrorCode;
 
 constexpr milliseconds kBusy{1000};
+constexpr milliseconds kCutOff{2000};
 constexpr int kMaxTries = 8;
 
 std::uint64_t number(ClientId client) {
@@ -50,6 +51,10 @@ EditRefused why_of(LogFailure::Kind kind) {
       return EditRefused::index_full;
     case LogFailure::Kind::unreadable:
       return EditRefused::unreadable;
+    case LogFailure::Kind::cut_off:
+      return EditRefused::cut_off;
+    case LogFailure::Kind::too_large:
+      return EditRefused::out_of_range;
   }
   return EditRefused::invalid;
 }
@@ -71,6 +76,8 @@ EditRefusal refusal(EditRefused why, std::string text) {
       return {ErrorCode::expired, std::move(text), {}};
     case EditRefused::invalid:
       return {ErrorCode::internal, std::move(text), {}};
+    case EditRefused::cut_off:
+      return {ErrorCode::overloaded, std::move(text), kCutOff};
     default:
       return {ErrorCode::overloaded, std::move(text), kBusy};
   }
@@ -235,7 +242,8 @@ bool EditIntake::take_in() {
 }
 
 bool EditIntake::log_has_room() const {
-  return log_entries_ < kLogEntries && log_bytes_ < kLogBytes;
+  // Where it takes none, those that wait are told now.
+  return (log_entries_ < kLogEntries && log_bytes_ < kLogBytes) || !parts_.log.takes_entries();
 }
 
 std::optional<ClientId> EditIntake::next() {

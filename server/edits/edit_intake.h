@@ -77,6 +77,9 @@ class EditIntake final : public EditTaker {
   /// Ends the thread. What is not logged yet is not answered, nor is what comes from now on.
   void stop();
 
+  /// The log takes entries again, or takes none any more: what waits for room there is looked at. Any thread.
+  void look_at_log() { call(); }
+
   /// Does what waits now, as far as the log has room: what the thread does.
   void do_what_waits();
 
