@@ -143,7 +143,7 @@ class Preparation {
           to_string(genesis->identity.store_id), to_string(genesis->identity.fingerprint), to_string(*id_),
           to_string(parts_.fingerprint)));
     }
-    facts.from_nothing = genesis->head == edits::Head{.time_ms = genesis->head.time_ms};
+    facts.from_nothing = genesis->head.position == 0 && genesis->head.revision == 0;
     return facts;
   }
 
