@@ -1,14 +1,9 @@
 // A checkpoint over the operators' port, and what takes it.
 #include <asio/ip/tcp.hpp>
-#include <asio/read.hpp>
-#include <asio/write.hpp>
 #include <catch2/catch.hpp>
 
-#include "admin/admin_server.h"
-#include "checkpoint/checkpoint_service.h"
 #include "checkpoint/from_peers.h"
-#include "checkpoint_store.h"
-#include "signed_tokens.h"
+#include "checkpoint_peer.h"
 #include "store/store_swap.h"
 
 namespace talus::server {
@@ -17,77 +12,6 @@ namespace {
 using namespace testing;
 using asio::ip::tcp;
 namespace fs = std::filesystem;
-
-const Logger kSilent = std::make_shared<spdlog::logger>("silent");
-
-/// A server of a store: its operators' port alone.
-struct Peer {
-  explicit Peer(std::uint64_t seed = 7, std::uint64_t rate = 1U << 30U, bool with_keys = true)
-      : store{seed},
-        access{settings(store.scratch, with_keys), *load_keys(settings(store.scratch, with_keys))},
-        service{{access, metrics, clock, store.path,
-                 [this](const fs::path& path) { return store.store.database().checkpoint(path); }},
-                rate,
-                kSilent} {
-    const auto listening = server->listen({"127.0.0.1", 0});
-    REQUIRE(listening.has_value());
-    url = "http://" + *listening;
-    address = {asio::ip::address_v4::loopback(),
-               static_cast<std::uint16_t>(std::stoi(listening->substr(listening->rfind(':') + 1)))};
-    server->start({[] { return ""; }, [] { return true; }, [] { return true; }, [] { return FlowsReport{}; },
-                   [this](const http::Request& request, const std::string& from) {
-                     return service.respond(request, from);
-                   }});
-  }
-  ~Peer() { end(); }
-  void end() {
-    if (server == nullptr) return;
-    server->stop();
-    service.stop();
-    server.reset();
-  }
-
-  static Access settings(const ScratchDirectory& scratch, bool with_keys) {
-    Access access;
-    if (with_keys) access.signing_key_file = scratch.write("key", kKeyText);
-    return access;
-  }
-  [[nodiscard]] std::string signed_token(Rights rights) const {
-    return *make_signed_token(Secret{kKeyText}, {"joiner", rights, clock.wall() + std::chrono::hours{1}},
-                              clock.wall());
-  }
-  [[nodiscard]] PeerAccess admin() const { return {signed_token({Right::read, Right::admin}), {}, {}, {}}; }
-  [[nodiscard]] std::string error_with(const std::string& token) const {
-    const auto download = CheckpointDownload::open(url, {token, {}, {}, {}});
-    return download ? "" : download.error();
-  }
-  /// A request of a client that reads nothing.
-  [[nodiscard]] tcp::socket ask() {
-    tcp::socket socket{io};
-    socket.open(tcp::v4());
-    socket.set_option(asio::socket_base::receive_buffer_size{4'096});
-    socket.connect(address);
-    const std::string text = "GET /store/checkpoint HTTP/1.1\r\nHost: a\r\nAuthorization: Bearer " +
-                             signed_token({Right::read, Right::admin}) + "\r\n\r\n";
-    asio::write(socket, asio::buffer(text));
-    return socket;
-  }
-  [[nodiscard]] std::size_t checkpoints() const {
-    return static_cast<std::size_t>(std::ranges::count_if(
-        fs::directory_iterator{store.path},
-        [](const auto& entry) { return entry.path().filename().string().starts_with("talus-checkpoint-"); }));
-  }
-
-  SystemClock clock;
-  Metrics metrics;
-  CheckpointStore store;
-  AccessControl access;
-  CheckpointService service;
-  std::unique_ptr<AdminServer> server = std::make_unique<AdminServer>(clock, kSilent);
-  std::string url;
-  tcp::endpoint address;
-  asio::io_context io;
-};
 
 /// Polls what other threads do: no event tells of it.
 template <typename Condition>
@@ -132,7 +56,7 @@ TEST_CASE("a joiner takes the store of a peer over HTTP, and tries the next wher
   const auto give_up = [](std::chrono::milliseconds) { return false; };
   for (int i = 0; i < 8; ++i) {
     const auto meta = take_from_peers({{foreign.url, "http://127.0.0.1:9", peer.url}, peer.admin()}, data,
-                                      wanted, kSilent, kNobodyAsks, give_up);
+                                      wanted, kSilentLog, kNobodyAsks, give_up);
     REQUIRE(meta.has_value());
     CHECK(meta->head == peer.store.head());
   }
@@ -153,12 +77,12 @@ TEST_CASE("a joiner that finds no store asks again, longer apart, and leaves not
     return pauses.size() < 7;
   };
   const auto meta = take_from_peers({{foreign.url}, foreign.admin()}, scratch.path(),
-                                    {{1, 2}, ContentHash{9, 9}}, kSilent, kNobodyAsks, pause);
+                                    {{1, 2}, ContentHash{9, 9}}, kSilentLog, kNobodyAsks, pause);
   REQUIRE_FALSE(meta.has_value());
   REQUIRE(pauses.size() == 7);
   CHECK(pauses.front() == std::chrono::seconds{1});
   CHECK(pauses.back() == std::chrono::seconds{30});
-  CHECK_THAT(take_from_peers({{}, {}}, scratch.path(), {{1, 2}, {}}, kSilent, kNobodyAsks, pause).error(),
+  CHECK_THAT(take_from_peers({{}, {}}, scratch.path(), {{1, 2}, {}}, kSilentLog, kNobodyAsks, pause).error(),
              Catch::Contains("cluster.peers: nobody is named"));
 }
 

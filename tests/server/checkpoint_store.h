@@ -23,6 +23,14 @@ struct CheckpointStore {
     for (int i = 0; i < edits; ++i) REQUIRE(editor.edit(store, random_edit(random)).has_value());
   }
 
+  /// The store is one of a cluster, and stands there.
+  void enter(const StreamPlace& place) {
+    store.close();
+    REQUIRE(store.open_without_log() == "");
+    REQUIRE(store.database().enter(place).has_value());
+    store.open_log();
+  }
+
   /// To over a megabyte.
   void grow() {
     for (std::int64_t i = 0; i < 400; ++i) {
