@@ -14,6 +14,7 @@
 #include "config/allowed_origins.h"
 #include "config/boxes.h"
 #include "config/networks.h"
+#include "config/server_urls.h"
 
 namespace talus::server {
 
@@ -99,6 +100,24 @@ struct Tls {
   bool operator==(const Tls&) const = default;
 };
 
+/// The log that the servers of one world share (cluster_check.h).
+struct Cluster {
+  ServerUrls nats;    // empty: this server is alone
+  std::string store;  // 32 hexadecimal digits; empty: the id of the data directory's store
+  std::string user;   // empty: no user and password
+  std::filesystem::path password_file{};     // of the user
+  std::filesystem::path token_file{};        // empty: no token
+  std::filesystem::path nkey_file{};         // empty: no NKey
+  std::filesystem::path ca{};                // PEM: who vouches for NATS servers and peers
+  std::filesystem::path certificate{};       // PEM: this server's, as a client of NATS; empty: none
+  std::filesystem::path key{};               // the certificate's
+  ServerUrls peers;                          // operators' ports of which a checkpoint may be taken
+  std::filesystem::path peers_token_file{};  // the token that peers take
+  std::uint64_t replicas = 3;                // of the stream that "talusd cluster init" makes
+  [[nodiscard]] bool wanted() const { return !nats.empty(); }
+  bool operator==(const Cluster&) const = default;
+};
+
 struct Cache {
   std::uint64_t chunk_bytes = 256U << 20;
   std::uint64_t patch_bytes = 256U << 20;
@@ -145,6 +164,7 @@ struct Config {
   Networks proxies;  // proxies that must send a PROXY header
   Tls tls;
   Http http;
+  Cluster cluster;
   Threads threads;
   Limits limits;
   Rates rates;
