@@ -15,7 +15,6 @@ namespace {
 
 enum class MessageKind : std::uint8_t { genesis, batch };
 
-constexpr std::size_t kSealBytes = 8;
 // A fingerprint, an id, publisher, number, time, revision and S, with what is around them.
 constexpr std::size_t kBatchFixedBytes = 128;
 // A number of one, and what is before an entry.

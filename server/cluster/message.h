@@ -24,6 +24,8 @@ inline constexpr std::uint8_t kMessageFormat = 1;
 inline constexpr std::size_t kMaxEntries = 1'024;
 /// Of one message.
 inline constexpr std::size_t kMaxMessageBytes = std::size_t{512} << 10U;
+/// Of the checksum at its end.
+inline constexpr std::size_t kSealBytes = 8;
 
 /// The stream's first message: the state on which all others are applied.
 struct Genesis {
