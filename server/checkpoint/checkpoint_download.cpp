@@ -57,9 +57,14 @@ class CheckpointDownload::Transfer {
     set(CURLOPT_ERRORBUFFER, error_.data());
     set(CURLOPT_WRITEDATA, this);
     set(CURLOPT_WRITEFUNCTION, &Transfer::take);
-    if (!access.ca.empty()) set(CURLOPT_CAINFO, access.ca.c_str());
-    if (!access.certificate.empty()) set(CURLOPT_SSLCERT, access.certificate.c_str());
-    if (!access.key.empty()) set(CURLOPT_SSLKEY, access.key.c_str());
+    const auto set_pem = [&](CURLoption option, const std::string& pem) {
+      if (pem.empty()) return;
+      curl_blob blob{const_cast<char*>(pem.data()), pem.size(), CURL_BLOB_COPY};
+      set(option, &blob);
+    };
+    set_pem(CURLOPT_CAINFO_BLOB, access.ca);
+    set_pem(CURLOPT_SSLCERT_BLOB, access.certificate);
+    set_pem(CURLOPT_SSLKEY_BLOB, access.key);
     if (!access.token.empty()) {
       headers_.reset(
           ::curl_slist_append(nullptr, fmt::format("Authorization: Bearer {}", access.token).c_str()));

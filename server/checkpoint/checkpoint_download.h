@@ -1,7 +1,6 @@
 // A checkpoint as a peer's operators' port sends it, over http:// or https://.
 #pragma once
 
-#include <filesystem>
 #include <memory>
 #include <string>
 
@@ -13,10 +12,10 @@ namespace talus::server {
 
 /// What a peer is shown, and by what it is known.
 struct PeerAccess {
-  std::string token;                  // with the right admin; empty: none
-  std::filesystem::path ca;           // PEM: who vouches for peers; empty: the system's authorities
-  std::filesystem::path certificate;  // PEM: this server's; empty: none
-  std::filesystem::path key;          // the certificate's
+  std::string token;        // with the right admin; empty: none
+  std::string ca;           // PEM: who vouches for peers; empty: the system's authorities
+  std::string certificate;  // PEM: this server's; empty: none
+  std::string key;          // PEM: the certificate's
 };
 
 class CheckpointDownload final : public TarSource {
