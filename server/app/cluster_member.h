@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -14,6 +15,7 @@
 #include "jetstream/credentials.h"
 #include "log/logger.h"
 #include "store/data_directory.h"
+#include "store_command/cluster_moves.h"
 
 namespace talus::server {
 
@@ -30,14 +32,16 @@ struct ClusterKeys {
 /// The log of a store. Whether a NATS server can be reached turns out later.
 [[nodiscard]] tl::expected<std::unique_ptr<LogStream>, std::string> open_shared_log(const Cluster& settings,
                                                                                     const ClusterKeys& keys,
-                                                                                    ContentHash store_id, Logger log);
+                                                                                    ContentHash store_id,
+                                                                                    Logger log);
+
+/// What "talusd store" needs of it.
+[[nodiscard]] ClusterTools cluster_tools();
 
 /// Makes the store in `directory` ready, as join/prepare_store.h says, and returns its log. Waits as long as
 /// neither log nor peers can be reached. An error is one line.
-[[nodiscard]] tl::expected<std::unique_ptr<LogStream>, std::string> prepare_member(const Cluster& settings,
-                                                                                 const ClusterKeys& keys,
-                                                                                 DataDirectory& directory,
-                                                                                 ContentHash fingerprint,
-                                                                                 const OnJoining& on_joining, Logger log);
+[[nodiscard]] tl::expected<std::unique_ptr<LogStream>, std::string> prepare_member(
+    const Cluster& settings, const ClusterKeys& keys, DataDirectory& directory, ContentHash fingerprint,
+    const OnJoining& on_joining, Logger log);
 
 }  // namespace talus::server

@@ -51,8 +51,8 @@ class JoiningServers {
 
   /// A file with a token of these rights.
   std::string token(const std::string& name, const std::string& rights) const {
-    const Ended made = run_talusd({"token", "--key-file", scratch / "key", "--subject", name, "--rights", rights,
-                                   "--valid", "1h"});
+    const Ended made = run_talusd(
+        {"token", "--key-file", scratch / "key", "--subject", name, "--rights", rights, "--valid", "1h"});
     REQUIRE(made.status == 0);
     const std::string file = scratch.write(name, made.out);
     ::chmod(file.c_str(), 0600);
@@ -79,7 +79,8 @@ class JoiningServers {
                                 const std::string& token_file = "admin") const {
     Settings all = settings(data);
     std::string urls;
-    for (const std::uint16_t port : peers) urls += (urls.empty() ? "" : ",") + ("http://127.0.0.1:" + std::to_string(port));
+    for (const std::uint16_t port : peers)
+      urls += (urls.empty() ? "" : ",") + ("http://127.0.0.1:" + std::to_string(port));
     all["TALUS_CLUSTER_PEERS"] = urls;
     all["TALUS_CLUSTER_PEERS_TOKEN_FILE"] = scratch / token_file;
     return all;
@@ -141,7 +142,8 @@ class JoiningServers {
     json settings = json::parse(nats_test::ask(*nats, "$JS.API.STREAM.INFO." + stream))["config"];
     const auto update = [&](int most) {
       settings["max_msgs"] = most;
-      const json said = json::parse(nats_test::ask(*nats, "$JS.API.STREAM.UPDATE." + stream, settings.dump()));
+      const json said =
+          json::parse(nats_test::ask(*nats, "$JS.API.STREAM.UPDATE." + stream, settings.dump()));
       INFO(said.dump());
       REQUIRE_FALSE(said.contains("error"));
     };
@@ -153,7 +155,9 @@ class JoiningServers {
     REQUIRE_FALSE(said.contains("error"));
   }
 
-  static bool is_ready(ServerProcess& server) { return HttpClient{server.admin_port()}.get("/-/ready").status == 200; }
+  static bool is_ready(ServerProcess& server) {
+    return HttpClient{server.admin_port()}.get("/-/ready").status == 200;
+  }
   /// Waits until both have the same, and returns it.
   json await_same(const std::string& one, const std::string& other) const {
     json a;

@@ -13,7 +13,9 @@ TEST_CASE("an empty disk joins while edits flow, and has the same store then") {
   servers.forget(5);
   Settings settings = servers.joiner("b", {a->admin_port()});
   SECTION("of a store that is named") {}
-  SECTION("of whichever store peers have") { settings["TALUS_CLUSTER_STORE"] = ""; }
+  SECTION("of whichever store peers have") {
+    settings["TALUS_CLUSTER_STORE"] = "";
+  }
   const auto b = servers.start(settings);
   await("readiness", [&] { return JoiningServers::is_ready(*b); });
   const int when_joined = builder.done();
@@ -23,7 +25,8 @@ TEST_CASE("an empty disk joins while edits flow, and has the same store then") {
   // Its own edits are the other's.
   servers.build(b->port(), 5);
   servers.await_same("b", "a");
-  CHECK(HttpClient{a->admin_port()}.get("/metrics").body.find("talus_checkpoints_sent_total 1") != std::string::npos);
+  CHECK(HttpClient{a->admin_port()}.get("/metrics").body.find("talus_checkpoints_sent_total 1") !=
+        std::string::npos);
 }
 
 TEST_CASE("an empty disk needs no peer where the stream goes back to an empty store") {
@@ -84,8 +87,9 @@ TEST_CASE("a peer that dies in the middle leaves nothing half taken, and the nex
     for (int i = 0; i < 60; ++i) {
       client::Edit edit;
       for (int j = 0; j < 1'500; ++j) {
-        edit.writes.push_back({{world->spawn.x + j % 40 * 3, world->spawn.y + 100 + i, world->spawn.z + j / 40 * 3},
-                               JoiningServers::solid(*world)});
+        edit.writes.push_back(
+            {{world->spawn.x + j % 40 * 3, world->spawn.y + 100 + i, world->spawn.z + j / 40 * 3},
+             JoiningServers::solid(*world)});
       }
       REQUIRE(player.edit(std::move(edit)).has_value());
     }
@@ -98,7 +102,8 @@ TEST_CASE("a peer that dies in the middle leaves nothing half taken, and the nex
   const auto kill_and_return = [&](const ServerProcess& joiner) {
     // Sent, but not whole: it is paced.
     await("a checkpoint on its way", [&] {
-      return HttpClient{a->admin_port()}.get("/metrics").body.find("talus_checkpoints_open 1") != std::string::npos;
+      return HttpClient{a->admin_port()}.get("/metrics").body.find("talus_checkpoints_open 1") !=
+             std::string::npos;
     });
     const std::uint16_t port = a->admin_port();
     a->signal(SIGKILL);
@@ -106,7 +111,8 @@ TEST_CASE("a peer that dies in the middle leaves nothing half taken, and the nex
     const_cast<ServerProcess&>(joiner).await_line("the connection ended after");
     CHECK_FALSE(fs::exists(fs::path{servers.scratch / "b"} / "store.toml"));
     Settings again = servers.settings("a");
-    a = std::make_unique<ServerProcess>(again, std::vector<std::string>{"--admin", "127.0.0.1:" + std::to_string(port)});
+    a = std::make_unique<ServerProcess>(
+        again, std::vector<std::string>{"--admin", "127.0.0.1:" + std::to_string(port)});
   };
   ServerProcess b{settings, {"--admin", "127.0.0.1:0"}, kill_and_return};
   await("readiness", [&] { return JoiningServers::is_ready(b); });

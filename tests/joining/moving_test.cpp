@@ -17,7 +17,8 @@ TEST_CASE("into a cluster and back a store keeps its revisions, hash and players
   CHECK_THAT(twice.err, Catch::Contains("is in a cluster already"));
   servers.store_id = before["store_id"];
   json during = servers.stat("a");
-  for (const char* const same : {"store_id", "revision", "position", "hash"}) CHECK(during[same] == before[same]);
+  for (const char* const same : {"store_id", "revision", "position", "hash"})
+    CHECK(during[same] == before[same]);
   {
     // Alone it would go on without the others.
     const Ended refused = run_talusd({"--listen", "127.0.0.1:0"}, servers.settings("a", false));
@@ -30,7 +31,8 @@ TEST_CASE("into a cluster and back a store keeps its revisions, hash and players
   CHECK(during["revision"] == before["revision"].get<int>() + 10);
   const Ended asked = servers.store("a", {"leave-cluster"});
   CHECK(asked.status == 1);
-  CHECK_THAT(asked.err, Catch::Contains("nothing is changed yet") && Catch::Contains("it has all that the stream has"));
+  CHECK_THAT(asked.err,
+             Catch::Contains("nothing is changed yet") && Catch::Contains("it has all that the stream has"));
   CHECK(servers.stat("a") == during);
   const bool keeps_id = GENERATE(false, true);
   std::vector<std::string> flags{"leave-cluster", "--yes"};
