@@ -74,9 +74,9 @@ ClusterTools cluster_tools() {
   return tools;
 }
 
-tl::expected<std::unique_ptr<LogStream>, std::string> prepare_member(
-    const Cluster& settings, const ClusterKeys& keys, DataDirectory& directory, ContentHash fingerprint,
-    const OnJoining& on_joining, Logger log) {
+tl::expected<join::Prepared, std::string> prepare_member(const Cluster& settings, const ClusterKeys& keys,
+                                                         DataDirectory& directory, ContentHash fingerprint,
+                                                         const OnJoining& on_joining, Logger log) {
   PeerAccess access;
   if (keys.peers_token) access.token = keys.peers_token->bytes();
   access.ca = keys.nats->ca;

@@ -13,6 +13,7 @@
 #include "cluster/log_stream.h"
 #include "config/config.h"
 #include "jetstream/credentials.h"
+#include "join/prepare_store.h"
 #include "log/logger.h"
 #include "store/data_directory.h"
 #include "store_command/cluster_moves.h"
@@ -40,7 +41,7 @@ struct ClusterKeys {
 
 /// Makes the store in `directory` ready, as join/prepare_store.h says, and returns its log. Waits as long as
 /// neither log nor peers can be reached. An error is one line.
-[[nodiscard]] tl::expected<std::unique_ptr<LogStream>, std::string> prepare_member(
+[[nodiscard]] tl::expected<join::Prepared, std::string> prepare_member(
     const Cluster& settings, const ClusterKeys& keys, DataDirectory& directory, ContentHash fingerprint,
     const OnJoining& on_joining, Logger log);
 

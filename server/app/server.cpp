@@ -165,6 +165,7 @@ std::string Server::metrics_text() {
   gauges.flow_refusals = flows_.refusals();
   gauges.certificate_expires = certificate_expires_;
   if (edits_ != nullptr) {
+    gauges.cluster_joins = edits_->joins();
     if (const cluster::ClusterLog* const shared = edits_->shared()) {
       const cluster::ClusterLog::Status at = shared->status();
       gauges.cluster = {at.connected, at.quorum,      at.differs, at.lag,
@@ -409,6 +410,7 @@ void Server::housekeeping() {
   web_handshaker_.refusal_log().flush();
   collect_flows();
   watch_edits();
+  if (end_wanted_ && !draining_ && end_wanted_()) drain();
   give_memory_back();
   // Sockets that are ready come before the next slice.
   housekeeping_timer_.expires_after(caches_fit ? kHousekeepingInterval : std::chrono::milliseconds{0});

@@ -35,7 +35,7 @@ class Preparation {
  public:
   explicit Preparation(const Parts& parts) : parts_{parts} {}
 
-  [[nodiscard]] tl::expected<std::unique_ptr<LogStream>, std::string> run() {
+  [[nodiscard]] tl::expected<Prepared, std::string> run() {
     if (auto read = read_local(); !read) return tl::unexpected{std::move(read.error())};
     id_ = parts_.store_id;
     if (!id_ && local_) id_ = local_->store_id;
@@ -44,27 +44,27 @@ class Preparation {
       if (auto taken = take(WantedPlace{}); !taken) return tl::unexpected{std::move(taken.error())};
     }
     auto stream = parts_.open_stream(*id_);
-    if (!stream) return stream;
+    if (!stream) return tl::unexpected{std::move(stream.error())};
     for (int joins = 0; joins < kMostJoins; ++joins) {
       auto facts = find_facts(**stream);
       if (!facts) return tl::unexpected{std::move(facts.error())};
-      if (!*facts) return stream;
+      if (!*facts) return Prepared{*std::move(stream), joins_};
       StartPlan plan = plan_start(**facts);
       using Kind = StartPlan::Kind;
       if (plan.kind == Kind::refused) return refused(plan.reason);
       if (plan.kind == Kind::as_it_is) {
         parts_.log->info("cluster: this store is {}", plan.reason);
-        return stream;
+        return Prepared{*std::move(stream), joins_};
       }
       parts_.log->info("joining: {}", plan.reason);
       if (plan.kind == Kind::from_peer) {
         auto taken = take_for(plan, (*facts)->stream);
         if (!taken) return tl::unexpected{std::move(taken.error())};
         if (*taken) continue;
-        if (local_) return stream;
+        if (local_) return Prepared{*std::move(stream), joins_};
       }
       if (auto begun = begin_empty(); !begun) return tl::unexpected{std::move(begun.error())};
-      return stream;
+      return Prepared{*std::move(stream), joins_};
     }
     return refused(
         "the stream forgets faster than a peer's store can be taken; let it keep more (max_age, max_bytes)");
@@ -170,6 +170,7 @@ class Preparation {
     if (!replaced) return tl::unexpected{replaced.error()};
     if (auto tidied = tidy(*replaced, *meta); !tidied) return tidied;
     if (auto known = parts_.directory.learn_identity(); !known) return known;
+    ++joins_;
     local_ = *meta;
     id_ = meta->store_id;
     return {};
@@ -208,11 +209,12 @@ class Preparation {
   std::string rejoin_;
   bool give_up_ = false;  // where no peer has a store
   bool gave_up_ = false;
+  std::uint64_t joins_ = 0;
 };
 
 }  // namespace
 
-tl::expected<std::unique_ptr<LogStream>, std::string> prepare_store(const Parts& parts) {
+tl::expected<Prepared, std::string> prepare_store(const Parts& parts) {
   return Preparation{parts}.run();
 }
 

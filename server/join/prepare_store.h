@@ -33,10 +33,15 @@ struct Parts {
   Pause pause;
 };
 
-/// Returns the stream that belongs to the store which the directory has then. Waits as long as neither stream
+struct Prepared {
+  std::unique_ptr<LogStream> stream;  // of the store that the directory has then
+  std::uint64_t joins = 0;            // checkpoints that were taken
+};
+
+///  Waits as long as neither stream
 /// nor peers can be reached, unless the store on the disk can be served meanwhile. An error is one line: a
 /// person has to act.
-[[nodiscard]] tl::expected<std::unique_ptr<LogStream>, std::string> prepare_store(const Parts& parts);
+[[nodiscard]] tl::expected<Prepared, std::string> prepare_store(const Parts& parts);
 
 /// The store in `directory` must not be used any more: the next prepare_store() takes one from a peer.
 /// `reason` is one line. For who holds the directory's lock.

@@ -82,7 +82,7 @@ struct Joiner {
   std::string start() {
     auto directory = DataDirectory::open_member(path, {1, 2});
     if (!directory) return directory.error();
-    const auto stream =
+    const auto prepared =
         prepare_store({*directory,
                        {1, 2},
                        id,
@@ -94,9 +94,9 @@ struct Joiner {
                        kSilentLog,
                        [](std::uint64_t, std::uint64_t) {},
                        [this](std::chrono::milliseconds) { return ++pauses < patience; }});
-    if (!stream) {
-      CHECK(stream.error().find('\n') == std::string::npos);
-      return stream.error();
+    if (!prepared) {
+      CHECK(prepared.error().find('\n') == std::string::npos);
+      return prepared.error();
     }
     CHECK(directory->store_id() == opened);
     return "";
