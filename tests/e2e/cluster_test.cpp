@@ -221,7 +221,8 @@ TEST_CASE("players whose server is killed get their answers from another, each e
   builders.build_until(20);
   builders.finish();
   builders.check(world.port(0));
-  if (given != nullptr) std::cout << kills << " kills, " << builders.done() << " edits, seed " << seed << '\n';
+  if (given != nullptr)
+    std::cout << kills << " kills, " << builders.done() << " edits, seed " << seed << '\n';
 }
 
 TEST_CASE("the log's leader is killed under players: no edit is lost or done twice, and they go on") {

@@ -71,8 +71,11 @@ TEST_CASE("operators get metrics, health and readiness, and a list of them elsew
   CHECK(answer_operator(request(http::Method::get, "/metrics"), kAnswers).body == "metrics");
   CHECK(status("/-/healthy") == 200);
   CHECK(status("/-/ready") == 200);
-  CHECK(status("/-/ready", {kAnswers.metrics, kAnswers.healthy, [] { return false; }, kAnswers.flows}) ==
-        503);
+  CHECK(status("/-/ready", {kAnswers.metrics, kAnswers.healthy,
+                            [] {
+                              return Readiness{false, "draining"};
+                            },
+                            kAnswers.flows}) == 503);
   CHECK(status("/-/healthy", {kAnswers.metrics, [] { return false; }, kAnswers.ready, kAnswers.flows}) ==
         503);
   CHECK(status("/metrics?from=me") == 200);
