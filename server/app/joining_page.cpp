@@ -19,7 +19,11 @@ OperatorAnswers joining_answers(std::shared_ptr<const JoinProgress> progress) {
             "talus_cluster_join_bytes{{of=\"all\"}} {}\n",
             progress->done.load(), progress->total.load());
       },
-      [] { return true; }, [] { return Readiness{false, "joining: there is no store here yet"}; }, [] { return FlowsReport{}; }};
+      [] { return true; },
+      [] {
+        return Readiness{false, "joining: there is no store here yet"};
+      },
+      [] { return FlowsReport{}; }};
   answers.checkpoint = [](const http::Request&, const std::string&) -> asio::awaitable<http::Response> {
     co_return http::Response{503,
                              http::kPlainText,

@@ -36,7 +36,8 @@ struct Peer {
     url = "http://" + *listening;
     address = {asio::ip::address_v4::loopback(),
                static_cast<std::uint16_t>(std::stoi(listening->substr(listening->rfind(':') + 1)))};
-    server->start({[] { return ""; }, [] { return true; }, [] { return Readiness{}; }, [] { return FlowsReport{}; },
+    server->start({[] { return ""; }, [] { return true; }, [] { return Readiness{}; },
+                   [] { return FlowsReport{}; },
                    [this](const http::Request& request, const std::string& from) {
                      return service.respond(request, from);
                    }});
