@@ -102,6 +102,7 @@ class JetStreamLog::Inbox final : public ConnectionEvents {
   }
 
   void tail(const Arrived& arrived) {
+    if (arrived.bytes().empty()) return;  // of "talusd cluster check"
     if (arrived.header("Nats-Stream") != names_.stream) return count_false();
     if (arrived.bytes().size() > kMaxMessageBytes) return count_false();
     {
@@ -149,6 +150,7 @@ class JetStreamLog::Inbox final : public ConnectionEvents {
   /// Of another question to the leader.
   tl::expected<void, StreamFailure> told(const StreamState& state) {
     const std::lock_guard lock{mutex_};
+    if (fault_) return tl::unexpected{*fault_};
     return judge(state, 0);
   }
 
