@@ -33,6 +33,7 @@
 #include "cluster_command/cluster_command.h"
 #include "config/cluster_check.h"
 #include "config/command_line.h"
+#include "jetstream/credentials.h"
 #include "log/escape.h"
 #include "log/logger.h"
 #include "log/program_line.h"
@@ -76,12 +77,16 @@ int serve(const Command& command, const ReadSettings& read_settings) {
   if (const auto done = set_no_new_privs(); !done) return fail(done.error());
   if (const auto set = talus::forced_instruction_set(); !set) return fail(std::string{set.error()});
   if (const auto enough = check_memory(config); !enough) return fail(enough.error());
+  if (const auto member = check_member(config); !member) return fail(member.error());
   const auto world = load_world(config.world);
   if (!world) return fail(world.error());
   const auto account = configured_account(config);
   if (!account) return fail(account.error());
   auto keys = load_keys(config.access);
   if (!keys) return fail(keys.error());
+  const auto nats = jetstream::load_credentials(config.cluster);
+  if (!nats) return fail(nats.error());
+  keys->warnings.insert(keys->warnings.end(), nats->warnings.begin(), nats->warnings.end());
   std::optional<TlsIdentity> tls;
   if (config.tls.wanted()) {
     auto loaded = load_tls(config.tls.certificate, config.tls.key, clock.wall());
@@ -103,7 +108,7 @@ int serve(const Command& command, const ReadSettings& read_settings) {
     return 0;
   }
 
-  if (keys->any() || tls) {
+  if (keys->any() || nats->any() || tls) {
     if (const auto hidden = hide_memory(); !hidden) return fail(hidden.error());
   }
   const std::vector<std::string> of_keys = keys->warnings;
