@@ -49,7 +49,9 @@ SimulatedClient::SimulatedClient(Worker& worker, const ClientProfile& profile)
       profile_{profile},
       random_{worker.plan().options.seed, profile.number},
       link_{worker.io(), worker.scratch(), *this},
-      server_{worker.plan().options.groups_together ? profile.group : profile.number} {}
+      server_{worker.plan().options.groups_together
+                  ? profile.group
+                  : Random{worker.plan().options.seed ^ 0x5E4, profile.number}.next()} {}
 
 Tally& SimulatedClient::tally() {
   return worker_.tally(profile_.role);

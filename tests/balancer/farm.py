@@ -19,6 +19,7 @@ TALUSD = os.environ.get("TALUSD", str(ROOT / "build/release/server/talusd"))
 TALUS_LOAD = os.environ.get("TALUS_LOAD", str(ROOT / "build/release/client_sample/load/talus-load"))
 HAPROXY = next((path for path in ("/usr/sbin/haproxy", "/usr/local/sbin/haproxy", "/usr/bin/haproxy") if os.path.exists(path)), None)
 PATIENCE_S = 120
+PROXY = "127.0.0.9"  # from where HAProxy connects: another address than players'
 # From one address come as many as are wanted, as fast as they like.
 UNLIMITED = {
     "TALUS_LIMITS_CONNECTIONS": "20000",
@@ -75,7 +76,7 @@ class Server:
         self.name, self.log = name, folder / f"{name}.log"
         self.port, self.http, self.admin = free_port(), free_port(), free_port()
         inherited = {key: value for key, value in os.environ.items() if not key.startswith("TALUS")}
-        self.environment = {**inherited, "TALUS_PROXIES": "127.0.0.1", "TALUS_LOG_LEVEL": "info", **UNLIMITED, **settings}
+        self.environment = {**inherited, "TALUS_PROXIES": PROXY, "TALUS_LOG_LEVEL": "info", **UNLIMITED, **settings}
         self.process = None
 
     def start(self):
@@ -102,7 +103,10 @@ class Server:
         return {match[1]: float(match[2]) for match in re.finditer(r"^(talus_\S+|process_\S+) (\S+)$", text, re.M)}
 
     def players(self):
-        return int(self.metrics()['talus_sessions{state="greeted"}'])
+        try:
+            return int(self.metrics()['talus_sessions{state="greeted"}'])
+        except OSError:  # it is away
+            return 0
 
     def http_answers(self):
         return int(sum(value for name, value in self.metrics().items() if name.startswith("talus_http_responses_total")))
@@ -178,6 +182,7 @@ class Farm:
         for there, here in (
             ("bind :4780\n", f"bind 127.0.0.1:{self.port}\n"),
             ("bind :80\n", f"bind 127.0.0.1:{self.http}\n"),
+            ("tcp-ut 10s\n", f"tcp-ut 10s source {PROXY}\n"),
             ("log stdout format raw local0\n", f"log stdout format raw local0\n    stats socket {self.stats} level admin\n"),
         ):
             if there not in text:
@@ -193,9 +198,14 @@ class Farm:
             raise AssertionError(f"HAProxy takes the configuration not, or with a warning:\n{checked.stderr}")
         with open(self.folder / "haproxy.log", "ab") as log:
             self.haproxy = subprocess.Popen([HAPROXY, "-f", path], stdout=log, stderr=log)
-        until(self.stats.exists, "HAProxy is up")
+        until(self.haproxy_runs, "HAProxy is up")
         for server in self.servers:
             until(lambda server=server: self.state(server) == "UP", f"{server.name} is up for HAProxy")
+
+    def haproxy_runs(self):
+        if self.haproxy.poll() is not None:
+            raise AssertionError(f"HAProxy ended:\n{(self.folder / 'haproxy.log').read_text()}")
+        return self.stats.exists()
 
     def tell(self, command):
         with socket.socket(socket.AF_UNIX) as stats:

@@ -37,6 +37,8 @@ class HaproxyTest(unittest.TestCase):
 
     def setUp(self):
         for server in self.farm.servers:
+            if server.process.poll() is not None:  # after a test that failed
+                server.start()
             until(lambda: self.farm.state(server) == "UP", f"{server.name} is up")
         until(lambda: sum(self.farm.players()) == 0, "nobody is there")
 
@@ -47,7 +49,7 @@ class HaproxyTest(unittest.TestCase):
         def end():
             if process.poll() is None:
                 process.terminate()
-            process.communicate()
+                process.communicate()
 
         self.addCleanup(end)
         return process
