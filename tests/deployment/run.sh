@@ -1,0 +1,17 @@
+#!/usr/bin/env bash
+# What ships for many machines, by the programs that read it: NATS' configuration by three nats-servers, compose files by
+# docker-compose, alerts and dashboard by Prometheus, manifests by Kubernetes' types. No image is built (image.sh).
+set -euo pipefail
+cd "$(dirname "$0")"
+
+PATH="$PATH:/usr/sbin"
+for program in nats-server docker-compose promtool prometheus openssl npm; do
+  command -v "$program" >/dev/null || { printf '%s is not installed; ./dev deps deployment\n' "$program" >&2; exit 1; }
+done
+
+# Debian's python3 has yaml; another one that comes first in PATH often has not.
+/usr/bin/python3 -B -m unittest test_nats test_compose test_monitoring
+
+cd kubernetes
+[[ node_modules/.package-lock.json -nt package-lock.json ]] || npm ci --no-audit --no-fund --loglevel error >&2
+npm test --silent
