@@ -314,32 +314,35 @@ struct Cubics {
   const float* c[4];
 };
 
-/// From the samples of four lines, each times its share. `scratch`: 5 rows as wide as the samples, padded.
-Cubics cubics_of(const SampleLines& lines, std::size_t samples, float* scratch) {
+/// `scratch`: 4 rows as wide as the samples, padded.
+Cubics cubics_of(const float* samples, std::size_t count, float* scratch) {
   const RegionTag f;
-  const std::size_t row = padded(samples);
-  const auto load = [&](const float* values) HWY_ATTR { return hn::LoadU(f, values); };
-  for (std::size_t i = 0; i < samples; i += hn::Lanes(f)) {
-    auto sum = times(load(lines.line[0] + i), lines.share[0]);
-    for (std::size_t k = 1; k < lines.line.size(); ++k) {
-      sum = hn::Add(sum, times(load(lines.line[k] + i), lines.share[k]));
-    }
-    hn::StoreU(sum, f, scratch + i);
-  }
-  float* const c = scratch + row;
-  for (std::size_t i = 0; i + 3 < samples; i += hn::Lanes(f)) {
-    const auto before = load(scratch + i);
-    const auto west = load(scratch + i + 1);
-    const auto east = load(scratch + i + 2);
-    const auto after = load(scratch + i + 3);
+  const std::size_t row = padded(count);
+  for (std::size_t i = 0; i + 3 < count; i += hn::Lanes(f)) {
+    const auto sample = [&](std::size_t k) HWY_ATTR { return hn::LoadU(f, samples + i + k); };
+    const auto before = sample(0);
+    const auto west = sample(1);
+    const auto east = sample(2);
+    const auto after = sample(3);
     const auto first = times(hn::Sub(east, before), 0.5F);
     const auto third = hn::Add(times(hn::Sub(after, before), 0.5F), times(hn::Sub(west, east), 1.5F));
-    hn::StoreU(west, f, c + i);
-    hn::StoreU(first, f, c + row + i);
-    hn::StoreU(hn::Sub(hn::Sub(hn::Sub(east, west), first), third), f, c + 2 * row + i);
-    hn::StoreU(third, f, c + 3 * row + i);
+    hn::StoreU(west, f, scratch + i);
+    hn::StoreU(first, f, scratch + row + i);
+    hn::StoreU(hn::Sub(hn::Sub(hn::Sub(east, west), first), third), f, scratch + 2 * row + i);
+    hn::StoreU(third, f, scratch + 3 * row + i);
   }
-  return {{c, c + row, c + 2 * row, c + 3 * row}};
+  return {{scratch, scratch + row, scratch + 2 * row, scratch + 3 * row}};
+}
+
+void blend_lines(const SampleLines& lines, std::size_t width, float* out) {
+  const RegionTag f;
+  for (std::size_t i = 0; i < width; i += hn::Lanes(f)) {
+    auto sum = times(hn::LoadU(f, lines.line[0] + i), lines.share[0]);
+    for (std::size_t k = 1; k < lines.line.size(); ++k) {
+      sum = hn::Add(sum, times(hn::LoadU(f, lines.line[k] + i), lines.share[k]));
+    }
+    hn::StoreU(sum, f, out + i);
+  }
 }
 
 template <class Tag, class V = hn::Vec<Tag>>
@@ -398,8 +401,8 @@ void spread_cells(const Cubics& cubics, std::size_t cells, const float* fraction
 #endif
 }
 
-void spread(const SampleLines& lines, const Cells& cells, float* out, float* rise) {
-  const Cubics cubics = cubics_of(lines, cells.count + 3, cells.scratch);
+void spread(const float* samples, const Cells& cells, float* out, float* rise) {
+  const Cubics cubics = cubics_of(samples, cells.count + 3, cells.scratch);
   switch (cells.columns) {
     case 16:
       return spread_cells<16>(cubics, cells.count, cells.fractions, out, rise);
@@ -677,8 +680,8 @@ void equalize(const Equalizer& equalizer, const float* noise, std::size_t width,
 
 }  // namespace
 
-constexpr RegionKernels kRegions{displace, distances,      lay,     lay_sloped, bend, spread,
-                                 compose,  compose_sloped, equalize};
+constexpr RegionKernels kRegions{displace,    distances, lay,     lay_sloped,     bend,
+                                 blend_lines, spread,    compose, compose_sloped, equalize};
 
 }  // namespace talus::terrain::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

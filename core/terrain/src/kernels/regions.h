@@ -88,7 +88,7 @@ struct Cells {
   std::size_t count = 0;  // 3 less than there are samples
   std::size_t columns = 1;
   const float* fractions = nullptr;  // where they lie, of the way from sample to sample
-  float* scratch = nullptr;          // 5 padded rows of samples
+  float* scratch = nullptr;          // 4 padded rows of samples
 };
 
 struct RegionKernels {
@@ -108,9 +108,11 @@ struct RegionKernels {
   /// The derivatives of a noise that is displaced by `share` of a warp.
   void (*bend)(const SlopedRow& noise, const Stretch& east, const Stretch& south, float share,
                std::size_t width, float* out_east, float* out_south);
-  /// Cubics between samples, each of the sum of four lines: values at `cells.count * cells.columns` columns from
-  /// the second sample on, and how they rise a column eastward, which may be null. Padded.
-  void (*spread)(const SampleLines& lines, const Cells& cells, float* out, float* rise);
+  /// The sum of four lines.
+  void (*blend)(const SampleLines& lines, std::size_t width, float* out);
+  /// Cubics between samples: values at `cells.count * cells.columns` columns from the second sample on, and
+  /// how they rise a column eastward, which may be null. All padded.
+  void (*spread)(const float* samples, const Cells& cells, float* out, float* rise);
   /// H in subvoxels at `width` columns.
   void (*compose)(const RegionRow& row, const RegionShape& shape, std::size_t width, float highest_fx,
                   std::int32_t* heights_fx, const RegionDetails& details);

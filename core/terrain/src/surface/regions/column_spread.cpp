@@ -27,12 +27,6 @@ std::int64_t step_of(std::span<const std::int64_t> xs) {
   return step;
 }
 
-float sum_at(const SampleLines& lines, std::size_t i) {
-  float sum = lines.line[0][i] * lines.share[0];
-  for (std::size_t k = 1; k < lines.line.size(); ++k) sum += lines.line[k][i] * lines.share[k];
-  return sum;
-}
-
 }  // namespace
 
 std::array<float, 4> line_shares(std::int64_t inside) {
@@ -62,7 +56,7 @@ void ColumnSpread::start(std::span<const std::int64_t> xs, bool at_samples) {
   } else {
     start_uneven(xs);
   }
-  scratch_.resize(5 * padded(samples_.size()));
+  scratch_.resize(4 * padded(samples_.size()));
 }
 
 void ColumnSpread::start_even(std::span<const std::int64_t> xs, std::int64_t step) {
@@ -91,21 +85,21 @@ void ColumnSpread::start_uneven(std::span<const std::int64_t> xs) {
   }
 }
 
-void ColumnSpread::row(const RegionKernels& kernels, const SampleLines& lines, float* out, float* rise) {
-  if (at_samples_) return row_at_samples(lines, out);
-  if (columns_a_cell_ == 0) return uneven_row(lines, out, rise);
-  kernels.spread(lines, {samples_.size() - 3, columns_a_cell_, fractions_.data(), scratch_.data()}, out, rise);
-}
-
-void ColumnSpread::row_at_samples(const SampleLines& lines, float* out) const {
-  for (std::size_t i = 0; i < samples_.size(); ++i) out[i] = sum_at(lines, i);
+void ColumnSpread::row(const RegionKernels& kernels, const float* values, float* out, float* rise) {
+  if (at_samples_) {
+    std::copy_n(values, samples_.size(), out);
+  } else if (columns_a_cell_ == 0) {
+    uneven_row(values, out, rise);
+  } else {
+    const Cells cells{samples_.size() - 3, columns_a_cell_, fractions_.data(), scratch_.data()};
+    kernels.spread(values, cells, out, rise);
+  }
 }
 
 // To the bit what the kernel computes.
-void ColumnSpread::uneven_row(const SampleLines& lines, float* out, float* rise) {
-  for (std::size_t i = 0; i < samples_.size(); ++i) scratch_[i] = sum_at(lines, i);
+void ColumnSpread::uneven_row(const float* values, float* out, float* rise) const {
   for (std::size_t i = 0; i < offsets_.size(); ++i) {
-    const float* const at = &scratch_[offsets_[i].west];
+    const float* const at = values + offsets_[i].west;
     const float t = offsets_[i].fraction;
     const float first = (at[1] - at[-1]) * 0.5F;
     const float third = (at[2] - at[-1]) * 0.5F + (at[0] - at[1]) * 1.5F;

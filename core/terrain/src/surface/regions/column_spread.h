@@ -31,14 +31,14 @@ class ColumnSpread {
   [[nodiscard]] std::size_t first() const { return first_; }
   [[nodiscard]] std::size_t row_size() const { return row_size_; }
 
-  /// Values at the columns, and how they rise a column eastward, which may be null.
-  void row(const RegionKernels& kernels, const SampleLines& lines, float* out, float* rise);
+  /// From values at the samples, padded, those at the columns, and how they rise a column eastward, which may
+  /// be null.
+  void row(const RegionKernels& kernels, const float* values, float* out, float* rise);
 
  private:
   void start_even(std::span<const std::int64_t> xs, std::int64_t step);
   void start_uneven(std::span<const std::int64_t> xs);
-  void row_at_samples(const SampleLines& lines, float* out) const;
-  void uneven_row(const SampleLines& lines, float* out, float* rise);
+  void uneven_row(const float* values, float* out, float* rise) const;
 
   struct Offset {
     std::size_t west = 0;  // the sample

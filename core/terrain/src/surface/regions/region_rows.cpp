@@ -49,6 +49,10 @@ void RegionRows::begin(std::span<const std::int64_t> xs, bool at_samples, bool s
     }
   };
   resize(spread_, at_columns_);
+  for (auto* const rows : {&blended_, &rising_}) {
+    rows->resize(spread_.size());
+    for (auto& values : *rows) values.resize(padded(between_.samples().size()));
+  }
   for (auto& octave : octaves_) octave.resize(padded(width_));
   heights_.resize(padded(width_));
   if (places_) {
@@ -66,6 +70,17 @@ void RegionRows::begin(std::span<const std::int64_t> xs, bool at_samples, bool s
 /// The slow rows at the columns of row z, and where slopes are asked for how they rise.
 void RegionRows::spread_row(std::int64_t z) {
   if (sloped_ && at_samples_) return copy_sloped_line(z);
+  blend_lines(z);
+  const auto rises = [&](std::size_t slow) { return sloped_ && slow < kSlowCount; };
+  for (std::size_t slow = 0; slow < spread_.size(); ++slow) {
+    between_.row(*kernels_, blended_[slow].data(), spread_[slow].data(),
+                 rises(slow) ? rises_[0][slow].data() : nullptr);
+    if (rises(slow)) between_.row(*kernels_, rising_[slow].data(), rises_[1][slow].data(), nullptr);
+  }
+}
+
+/// All slow rows at the samples of row z. Apart from what reads them, whose loads would wait for these stores.
+void RegionRows::blend_lines(std::int64_t z) {
   const std::int64_t inside = floor_mod(z, kSampleStep);
   const bool on_line = inside == 0 && !sloped_;
   std::array<const SlowLine*, 4> lines{};
@@ -73,16 +88,14 @@ void RegionRows::spread_row(std::int64_t z) {
     const std::int64_t away = on_line ? 0 : (static_cast<std::int64_t>(k) - 1) * kSampleStep;
     lines[k] = &lines_.at(z - inside + away).values;
   }
-  const auto row = [&](std::size_t slow, const std::array<float, 4>& shares, float* out, float* rise) {
-    const auto line = [&](std::size_t k) { return (*lines[k])[slow].data(); };
-    between_.row(*kernels_, {{line(0), line(1), line(2), line(3)}, shares}, out, rise);
-  };
   const std::array<float, 4> shares = line_shares(inside);
   const std::array<float, 4> rises = line_rises(inside);
+  const std::size_t samples = between_.samples().size();
   for (std::size_t slow = 0; slow < spread_.size(); ++slow) {
-    const bool rising = sloped_ && slow < kSlowCount;
-    row(slow, shares, spread_[slow].data(), rising ? rises_[0][slow].data() : nullptr);
-    if (rising) row(slow, rises, rises_[1][slow].data(), nullptr);
+    const auto line = [&](std::size_t k) { return (*lines[k])[slow].data(); };
+    const std::array<const float*, 4> four{line(0), line(1), line(2), line(3)};
+    kernels_->blend({four, shares}, samples, blended_[slow].data());
+    if (sloped_ && slow < kSlowCount) kernels_->blend({four, rises}, samples, rising_[slow].data());
   }
 }
 

@@ -36,6 +36,7 @@ class RegionRows final : public SurfaceRows {
  private:
   void begin(std::span<const std::int64_t> xs, bool at_samples, bool sloped);
   void spread_row(std::int64_t z);
+  void blend_lines(std::int64_t z);
   void copy_sloped_line(std::int64_t z);
   [[nodiscard]] RegionRow row_of(const std::vector<float*>& at) const;
 
@@ -49,6 +50,8 @@ class RegionRows final : public SurfaceRows {
   FbmRows border_;
   std::size_t width_ = 0;
   ColumnSpread between_;
+  std::vector<AlignedVector<float>> blended_;  // Slow, and others, at the samples of a row
+  std::vector<AlignedVector<float>> rising_;   // and how they rise southward
   std::vector<AlignedVector<float>> spread_;  // Slow, and others
   std::vector<float*> at_columns_;
   // Of coarse levels: how those rise, and the shape's fast octaves.

@@ -37,10 +37,11 @@ enum class Slow : std::uint8_t {
   shape_1,
   shape_2,
   shape_3,
+  shape_4,
 };
-inline constexpr std::size_t kSlowCount = 14;  // and SlowFields::others
+inline constexpr std::size_t kSlowCount = 15;  // and SlowFields::others
 /// The octaves of the shape that are slow.
-inline constexpr int kSlowOctaves = 4;
+inline constexpr int kSlowOctaves = 5;
 /// Octaves from here on are small hills.
 inline constexpr int kSmallFrom = 3;
 inline constexpr int kRiverOctaves = 2;

@@ -113,7 +113,7 @@ void SlowLines::draw(std::int64_t z, SlopedLine& line) {
   // By half the warp, so that hills and ridges bend with the land, and keep their size.
   const Displacements half{east_.half.data(), south_.half.data()};
   constexpr std::array<Slow, kSlowOctaves> kShapes{Slow::shape_0, Slow::shape_1, Slow::shape_2,
-                                                     Slow::shape_3};
+                                                     Slow::shape_3, Slow::shape_4};
   for (int k = 0; k < kSlowOctaves; ++k) {
     const Slow slow = kShapes[static_cast<std::size_t>(k)];
     float* const value = at(line.values, slow);
