@@ -26,7 +26,8 @@ void RegionRows::start(std::span<const std::int64_t> xs) {
 
 bool RegionRows::starts_level(std::span<const std::int64_t> xs, Lod lod) {
   const std::int64_t step = std::int64_t{1} << lod.value();
-  begin(xs, step % kSampleStep == 0, true);
+  // Cubics between columns that lie further apart than that know nothing of the ground beside one.
+  begin(xs, step > kSampleStep, true);
   // Two columns wide at least, so that no diagonal breaks it.
   widened_ = static_cast<float>(step) * regions_->slow.units_a_column;
   return true;
