@@ -16,7 +16,9 @@ http::Response answer_operator(const http::Request& request, const OperatorAnswe
   }
   if (path == "/-/ready") {
     const std::string* const state = request.field(kBalancerStateField);
-    if (state != nullptr && answers.balancer_says) answers.balancer_says(*state);
+    if (state != nullptr && answers.balancer_says) {
+      answers.balancer_says(*state, std::string{request.query()});
+    }
     if (answers.ready()) return {200, http::kPlainText, "ready\n"};
     return {503, http::kPlainText, "draining\n"};
   }
