@@ -2,6 +2,8 @@
 
 #include <string_view>
 
+#include "net/balancer_state.h"
+
 namespace talus::server {
 
 http::Response answer_operator(const http::Request& request, const OperatorAnswers& answers) {
@@ -15,6 +17,8 @@ http::Response answer_operator(const http::Request& request, const OperatorAnswe
     return {503, http::kPlainText, "the main thread does not respond\n"};
   }
   if (path == "/-/ready") {
+    const std::string* const state = request.field(kBalancerStateField);
+    if (state != nullptr && answers.balancer_says) answers.balancer_says(*state);
     if (answers.ready()) return {200, http::kPlainText, "ready\n"};
     return {503, http::kPlainText, "draining\n"};
   }

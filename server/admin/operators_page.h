@@ -16,6 +16,8 @@ struct OperatorAnswers {
   std::function<bool()> healthy;  // whether the main thread responded lately
   std::function<bool()> ready;    // false: players are not to be sent here
   std::function<FlowsReport()> flows;
+  /// What a balancer said in its check: net/balancer_state.h.
+  std::function<void(const std::string&)> balancer_says = {};
 };
 
 [[nodiscard]] http::Response answer_operator(const http::Request& request, const OperatorAnswers& answers);

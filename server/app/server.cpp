@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include <fmt/format.h>
 #include <asio/co_spawn.hpp>
 #include <asio/post.hpp>
 #include <asio/use_awaitable.hpp>
@@ -117,6 +118,7 @@ Server::Server(const Config& config, std::shared_ptr<const terrain::World> world
       shutdown_signals_{io_->control(), SIGTERM, SIGINT},
       reload_signals_{io_->control(), SIGHUP},
       drain_timer_{io_->control()},
+      departures_{io_->control(), registry_, clock_},
       housekeeping_timer_{io_->control()},
       operators_{std::move(listeners.operators)} {
   if (edits_ != nullptr)
@@ -205,7 +207,10 @@ void Server::run() {
     last_housekeeping_ = clock_.now();
     operators_->start({[this] { return metrics_text(); },
                        [this] { return clock_.now() - last_housekeeping_.load() < kMaxSilence; },
-                       [this] { return !draining_; }, [this] { return flows_report(); }});
+                       [this] { return !draining_; }, [this] { return flows_report(); },
+                       [this](const std::string& state) {
+                         asio::post(io_->control(), [this, state] { balancer_says(state); });
+                       }});
   }
   // Without any of these the server would not be one.
   std::exception_ptr failure;
@@ -433,8 +438,10 @@ void Server::give_memory_back() {
 
 asio::awaitable<void> Server::wait_for_shutdown() {
   const int first = co_await shutdown_signals_.async_wait(asio::use_awaitable);
-  log_->info("{}: no new connections; {} are told to go away", first == SIGINT ? "SIGINT" : "SIGTERM",
-             admission_.connections());
+  log_->info("{}: {} connections{}", first == SIGINT ? "SIGINT" : "SIGTERM", admission_.connections(),
+             config_.shutdown.lead.count() == 0 ? " are told to go away, and no new ones are accepted"
+                                                : fmt::format(", and new ones for {} ms; not ready any more",
+                                                              config_.shutdown.lead.count()));
   drain();
   co_await shutdown_signals_.async_wait(asio::use_awaitable);
   log_->warn("a second signal: ending at once");
@@ -443,9 +450,22 @@ asio::awaitable<void> Server::wait_for_shutdown() {
 
 void Server::drain() {
   draining_ = true;
+  if (config_.shutdown.lead.count() == 0) return end_sessions();
+  drain_timer_.expires_after(config_.shutdown.lead);
+  drain_timer_.async_wait([this](std::error_code cancelled) {
+    if (!cancelled) end_sessions();
+  });
+}
+
+void Server::end_sessions() {
   acceptor_->close();
   if (web_acceptor_ != nullptr) web_acceptor_->close();
-  registry_.tell_all_to_go("the server is ending", retry_after::kShutdown);
+  if (config_.shutdown.lead.count() == 0) {
+    registry_.tell_all_to_go("the server is ending", retry_after::kShutdown);
+  } else {
+    log_->info("no new connections; {} are told to go to other servers", admission_.connections());
+    departures_.send_all(config_.shutdown.drain / 2);
+  }
   registry_.when_empty([this] { asio::post(io_->control(), [this] { io_->stop(); }); });
   drain_timer_.expires_after(config_.shutdown.drain);
   drain_timer_.async_wait([this](std::error_code cancelled) {
@@ -454,6 +474,14 @@ void Server::drain() {
                config_.shutdown.drain.count());
     io_->stop();
   });
+}
+
+void Server::balancer_says(const std::string& state) {
+  if (draining_) return;
+  const std::size_t sent = departures_.balancer_says(state, balance_settings(config_));
+  if (sent == 0) return;
+  metrics_.sent_elsewhere.add(sent);
+  log_->info("balance: {} sessions are sent to other servers: {}", sent, on_one_line(state));
 }
 
 }  // namespace talus::server

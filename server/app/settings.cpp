@@ -101,6 +101,10 @@ HandshakeSettings web_handshake_settings(const Config& config) {
   return settings;
 }
 
+BalanceSettings balance_settings(const Config& config) {
+  return {config.balance.per_second, config.balance.above_percent, config.balance.session};
+}
+
 web::WebSettings web_settings(const Config& config) {
   return {config.http.public_chunks, config.http.origins, config.proxies, config.http.log_every};
 }

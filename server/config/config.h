@@ -113,8 +113,17 @@ struct Generation {
 };
 
 struct Shutdown {
+  milliseconds lead{0};  // from the signal until no connection is accepted; 0: there is no other server
   milliseconds drain{5'000};
   bool operator==(const Shutdown&) const = default;
+};
+
+/// Among the servers behind a balancer that says how many players each has.
+struct Balance {
+  std::uint64_t per_second = 10;     // sessions that are sent elsewhere; 0: none
+  std::uint64_t above_percent = 10;  // of its share, by which this server may have more
+  milliseconds session{60'000};      // that is younger stays
+  bool operator==(const Balance&) const = default;
 };
 
 struct Log {
@@ -151,6 +160,7 @@ struct Config {
   Cache cache;
   Generation generation;
   Shutdown shutdown;
+  Balance balance;
   Log log;
   bool operator==(const Config&) const = default;
 };

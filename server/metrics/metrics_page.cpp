@@ -138,6 +138,8 @@ const std::array kRows{
 
     MetricRow{"talus_sessions", "Open connections, by state.", gauge, {"state"}, sessions},
     MetricRow{"talus_connections_total", "Connections admitted.", counter, {}, &Metrics::accepted},
+    MetricRow{"talus_sessions_sent_elsewhere_total", "Sessions sent to other servers, as this one had more than its share.",
+              counter, {}, &Metrics::sent_elsewhere},
     MetricRow{"talus_connections_refused_total", "Connections refused before they had a session, by reason.", counter,
               {"reason"}, LabelledMetric{&Metrics::refused, &MetricLabels::refusals}},
     MetricRow{"talus_http_connections", "Open HTTP connections of players, without those that became streams.", gauge, {},

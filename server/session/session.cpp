@@ -144,7 +144,8 @@ void Session::input_ended() {
 void Session::go_away(std::string_view reason, std::chrono::milliseconds retry_after) {
   if (state_ == State::leaving || state_ == State::closed) return;
   if (state_ == State::connected) {  // as to a client for whom there is no room
-    replies_.error({}, ErrorCode::overloaded, reason, retry_after);
+    // Of an Error, no time means that it is of no use to come again.
+    replies_.error({}, ErrorCode::overloaded, reason, std::max(retry_after, std::chrono::milliseconds{1}));
     return abandon();
   }
   replies_.go_away(reason, retry_after);
