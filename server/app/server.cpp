@@ -207,7 +207,7 @@ void Server::run() {
     last_housekeeping_ = clock_.now();
     operators_->start({[this] { return metrics_text(); },
                        [this] { return clock_.now() - last_housekeeping_.load() < kMaxSilence; },
-                       [this] { return !draining_; }, [this] { return flows_report(); },
+                       [this] { return !draining_; }, [this] { return flows_report(); }, checkpoints(),
                        [this](const std::string& state) {
                          asio::post(io_->control(), [this, state] { balancer_says(state); });
                        }});
@@ -238,10 +238,17 @@ void Server::run() {
   io_->run();
   stop_handling_signals();
   if (edits_ != nullptr) edits_->stop();  // while there are generators, and mailboxes to answer
-  operators_.reset();
+  end_operators();
   handshaker_.refusal_log().flush({});
   web_handshaker_.refusal_log().flush({});
   if (failure) std::rethrow_exception(failure);
+}
+
+void Server::end_operators() {
+  if (operators_ != nullptr) operators_->stop();
+  if (checkpoints_ != nullptr) checkpoints_->stop();  // its threads answer to the operators' connections
+  operators_.reset();
+  checkpoints_.reset();
 }
 
 // Caches take their time to go: by default a signal would now kill what ends well.
@@ -256,6 +263,18 @@ void Server::stop_handling_signals() {
   shutdown_signals_.clear(ignored);
   end_at_once_on_signals();
   ::pthread_sigmask(SIG_SETMASK, &before, nullptr);
+}
+
+decltype(OperatorAnswers::checkpoint) Server::checkpoints() {
+  if (edits_ == nullptr) return {};
+  const SignalsBlocked blocked;
+  checkpoints_ = std::make_unique<CheckpointService>(
+      CheckpointService::Parts{access_, metrics_, clock_, config_.data,
+                               [this](const auto& path) { return edits_->checkpoint(path); }},
+      config_.rates.checkpoint_bytes, log_);
+  return [this](const http::Request& request, const std::string& address) {
+    return checkpoints_->respond(request, address);
+  };
 }
 
 RunPregen Server::pregen() {
@@ -339,6 +358,7 @@ void Server::change_settings(Config changed) {
   handshaker_.change(handshake_settings(changed));
   web_handshaker_.change(web_handshake_settings(changed));
   rates_.set(rate_limits(changed.rates));
+  if (checkpoints_ != nullptr) checkpoints_->set_rate(changed.rates.checkpoint_bytes);
   admission_.change(admission_limits(changed));
   registry_.rates_changed();
   config_ = std::move(changed);

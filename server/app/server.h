@@ -22,6 +22,7 @@
 #include "admin/admin_server.h"
 #include "app/listeners.h"
 #include "app/world_edits.h"
+#include "checkpoint/checkpoint_service.h"
 #include "clock/clock.h"
 #include "config/config.h"
 #include "flows/flow_uses.h"
@@ -68,6 +69,8 @@ class Server {
  private:
   /// Empty where nothing is kept on disk.
   [[nodiscard]] RunPregen pregen();
+  /// Empty where nothing is kept on disk.
+  [[nodiscard]] decltype(OperatorAnswers::checkpoint) checkpoints();
   [[nodiscard]] std::string metrics_text();
   [[nodiscard]] FlowsReport flows_report();
   [[nodiscard]] RunnerContextPtr make_context(const Config& config);
@@ -100,6 +103,7 @@ class Server {
   void end_sessions();
   void balancer_says(const std::string& state);
   void stop_handling_signals();
+  void end_operators();
 
   // In the order in which they may be destroyed, last first: generator threads post to the contexts, and
   // connections in the contexts hold slots and stand in the registry.
@@ -149,8 +153,9 @@ class Server {
   Clock::time_point last_look_at_edits_{};
   std::optional<std::string> edits_read_only_;  // as the log was told
   ConnectionId last_id_ = 0;
-  std::unique_ptr<AdminServer> operators_;  // its thread reads everything above
-  std::atomic<bool> trims_ = false;         // whether trimming_ is at work
+  std::unique_ptr<CheckpointService> checkpoints_;  // null: there is no store to take
+  std::unique_ptr<AdminServer> operators_;          // its thread reads everything above
+  std::atomic<bool> trims_ = false;                 // whether trimming_ is at work
   std::jthread trimming_;
 };
 

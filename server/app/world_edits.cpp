@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include <talus/edits/materials.h>
 #include <talus/terrain/extraction.h>
 
 #include "threads/signals.h"
@@ -131,11 +132,7 @@ ChunkSource& WorldEdits::join(const terrain::World& world, ChunkSource& base, co
   log_ =
       std::make_unique<LocalLog>(*database_, *state_, clock, LocalLogSettings{},
                                  [this](std::span<const ChunkChange> changes) { feed_.on_changed(changes); });
-  EditIntake::Parts parts{base,
-                          *log_,
-                          [this](edits::EditorId id) { return state_->editor(id); },
-                          [this] { return state_->revision(); },
-                          clock,
+  EditIntake::Parts parts{base, *log_, [this](edits::EditorId id) { return state_->editor(id); }, clock,
                           metrics};
   intake_ = std::make_unique<EditIntake>(std::move(parts), rules_of(world, placeables_, settles), logger_);
   return *chunks_;

@@ -61,6 +61,11 @@ class WorldEdits final : public EditedLand {
   /// Edits that are not in the log yet.
   [[nodiscard]] std::size_t preparing() const { return intake_->waiting(); }
 
+  /// Any thread. EditDatabase::checkpoint().
+  [[nodiscard]] EditDatabase::Done checkpoint(const std::filesystem::path& path) const {
+    return database_->checkpoint(path);
+  }
+
   // Once join() was called.
   [[nodiscard]] std::uint64_t revision() const override { return state_->revision(); }
   [[nodiscard]] bool takes_edits() const override { return !log_->status().read_only; }

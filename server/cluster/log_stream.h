@@ -37,7 +37,14 @@ struct StreamFailure {
   std::string reason;  // one line
 };
 
-/// Two threads use it: one calls publish(), the other next(); state(), wake() and stop() are for any.
+/// Of the stream's life so far.
+struct StreamFigures {
+  bool connected = false;
+  std::uint64_t gaps = 0;            // where messages had to be asked for
+  std::uint64_t false_messages = 0;  // that somebody else sent as if they were the stream's
+};
+
+/// Two threads use it: one calls publish(), the other next(); the others are for any.
 class LogStream {
  public:
   using TimePoint = std::chrono::steady_clock::time_point;
@@ -56,6 +63,8 @@ class LogStream {
 
   /// Asks the leader. Waits about half a second at most.
   [[nodiscard]] virtual tl::expected<StreamState, StreamFailure> state() = 0;
+
+  [[nodiscard]] virtual StreamFigures figures() const { return {}; }
 
   /// next() returns soon, this time or the next.
   virtual void wake() = 0;

@@ -14,6 +14,7 @@
 #include "config/allowed_origins.h"
 #include "config/boxes.h"
 #include "config/networks.h"
+#include "config/server_urls.h"
 
 namespace talus::server {
 
@@ -61,6 +62,7 @@ struct Rates {
   std::uint64_t address_voxels = 524'288;
   std::uint64_t gateway_requests = 65'536;  // of one session with the right "gateway", in place of the above
   std::uint64_t gateway_voxels = 4'194'304;
+  std::uint64_t checkpoint_bytes = 64U << 20;  // to all servers that take the store
   milliseconds burst{32'000};
   bool operator==(const Rates&) const = default;
 };
@@ -97,6 +99,24 @@ struct Tls {
   std::filesystem::path key;
   [[nodiscard]] bool wanted() const { return !certificate.empty() || !key.empty(); }
   bool operator==(const Tls&) const = default;
+};
+
+/// The log that the servers of one world share (cluster_check.h).
+struct Cluster {
+  ServerUrls nats;    // empty: this server is alone
+  std::string store;  // 32 hexadecimal digits; empty: the id of the data directory's store
+  std::string user;   // empty: no user and password
+  std::filesystem::path password_file{};     // of the user
+  std::filesystem::path token_file{};        // empty: no token
+  std::filesystem::path nkey_file{};         // empty: no NKey
+  std::filesystem::path ca{};                // PEM: who vouches for NATS servers and peers
+  std::filesystem::path certificate{};       // PEM: this server's, as a client of NATS; empty: none
+  std::filesystem::path key{};               // the certificate's
+  ServerUrls peers;                          // operators' ports of which a checkpoint may be taken
+  std::filesystem::path peers_token_file{};  // the token that peers take
+  std::uint64_t replicas = 3;                // of the stream that "talusd cluster init" makes
+  [[nodiscard]] bool wanted() const { return !nats.empty(); }
+  bool operator==(const Cluster&) const = default;
 };
 
 struct Cache {
@@ -154,6 +174,7 @@ struct Config {
   Networks proxies;  // proxies that must send a PROXY header
   Tls tls;
   Http http;
+  Cluster cluster;
   Threads threads;
   Limits limits;
   Rates rates;

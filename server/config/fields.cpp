@@ -26,6 +26,9 @@ constexpr std::array<std::string_view, 5> kRights{"read", "read,edit", "read,edi
 constexpr std::array<std::string_view, 2> kGateway{"optional", "required"};
 constexpr std::array<std::string_view, 4> kRightsWithoutToken{"auto", "none", "read", "read,edit"};
 
+constexpr std::array<std::string_view, 2> kNatsSchemes{"nats", "tls"};
+constexpr std::array<std::string_view, 2> kPeerSchemes{"http", "https"};
+
 template <typename Group, typename Value, Group Config::*group, Value Group::*member>
 Value& member_of(Config& config) {
   return config.*group.*member;
@@ -125,6 +128,40 @@ const std::array kFields{
     Field{"http.log_every", "answers", "of so many HTTP answers one is logged; 0: none",
           number<&Config::http, &Http::log_every>(0, 1'000'000'000)},
 
+    Field{"cluster.nats", "addresses",
+          "NATS servers with the log that all servers of this world share; empty: this server is alone",
+          UrlsTarget{[](Config& c) -> ServerUrls& { return c.cluster.nats; }, kNatsSchemes}},
+    Field{"cluster.store", "id of a store",
+          "the world's store, which all servers of the cluster have; empty: that of the data directory",
+          TextTarget{[](Config& c) -> std::string& { return c.cluster.store; }}},
+    Field{"cluster.user", "user's name", "user at the NATS servers, with cluster.password_file; empty: none",
+          TextTarget{[](Config& c) -> std::string& { return c.cluster.user; }}},
+    Field{"cluster.password_file", "file", "file with the password of cluster.user",
+          PathTarget{[](Config& c) -> std::filesystem::path& { return c.cluster.password_file; }}},
+    Field{"cluster.token_file", "file", "file with a token that the NATS servers take; empty: none",
+          PathTarget{[](Config& c) -> std::filesystem::path& { return c.cluster.token_file; }}},
+    Field{"cluster.nkey_file", "file",
+          "file with the seed of an NKey (SU...) that the NATS servers know; empty: none",
+          PathTarget{[](Config& c) -> std::filesystem::path& { return c.cluster.nkey_file; }}},
+    Field{"cluster.ca", "file",
+          "PEM file with the certificates that vouch for NATS servers (tls://) and peers (https://)",
+          PathTarget{[](Config& c) -> std::filesystem::path& { return c.cluster.ca; }}},
+    Field{"cluster.certificate", "file",
+          "PEM file with the certificate that this server shows NATS servers and peers; empty: none",
+          PathTarget{[](Config& c) -> std::filesystem::path& { return c.cluster.certificate; }}},
+    Field{"cluster.key", "file", "PEM file with the key of cluster.certificate, without a passphrase",
+          PathTarget{[](Config& c) -> std::filesystem::path& { return c.cluster.key; }}},
+    Field{"cluster.peers", "addresses",
+          "operators' ports of other servers of the cluster, of which a new one takes what the log no longer "
+          "has; empty: none",
+          UrlsTarget{[](Config& c) -> ServerUrls& { return c.cluster.peers; }, kPeerSchemes}},
+    Field{"cluster.peers_token_file", "file",
+          "file with a token of the right admin, which peers ask for; empty: none",
+          PathTarget{[](Config& c) -> std::filesystem::path& { return c.cluster.peers_token_file; }}},
+    Field{"cluster.replicas", "NATS servers",
+          "NATS servers that hold the log which talusd cluster init makes: 1, 3 or 5",
+          number<&Config::cluster, &Cluster::replicas>(1, 5)},
+
     Field{"threads.io", "threads", "threads that serve sockets; 0: one for each core",
           number<&Config::threads, &Threads::io>(0, 1024)},
     Field{"threads.generator", "threads", "threads that generate chunks; 0: one for each core",
@@ -202,6 +239,9 @@ const std::array kFields{
           "voxels that edits of one session with the right gateway name, in place of session_voxels and "
           "address_voxels; 0: no limit",
           number<&Config::rates, &Rates::gateway_voxels>(0, kMaxPerSecond)},
+    Field{"rates.checkpoint_bytes", "bytes per second",
+          "bytes of the store sent to all servers that take a checkpoint of it",
+          number<&Config::rates, &Rates::checkpoint_bytes>(262'144, kMaxPerSecond)},
     Field{"rates.burst_ms", "ms", "how much of each rate an idle session or address saves up",
           duration<&Config::rates, &Rates::burst>(milliseconds{1}, milliseconds{600'000})},
 
@@ -362,6 +402,12 @@ struct AssignText {
     target.at(config) = *std::move(origins);
     return {};
   }
+  tl::expected<void, std::string> operator()(const UrlsTarget& target) const {
+    auto urls = ServerUrls::parse(text, target.schemes);
+    if (!urls) return tl::make_unexpected(fmt::format("{}; give {}", urls.error(), expectation(field)));
+    target.at(config) = *std::move(urls);
+    return {};
+  }
   tl::expected<void, std::string> operator()(const WordTarget& target) const {
     if (std::find(target.words.begin(), target.words.end(), text) == target.words.end()) {
       return refused(field, fmt::format("\"{}\"", escaped(text)));
@@ -394,6 +440,7 @@ struct ShowText {
   std::string operator()(const BoxesTarget& target) const { return target.at(config).text(); }
   std::string operator()(const SwitchTarget& target) const { return target.at(config) ? "true" : "false"; }
   std::string operator()(const OriginsTarget& target) const { return target.at(config).text(); }
+  std::string operator()(const UrlsTarget& target) const { return target.at(config).text(); }
   std::string operator()(const WordTarget& target) const { return target.at(config); }
   std::string operator()(const TextTarget& target) const { return target.at(config); }
 };
@@ -425,6 +472,11 @@ struct Describe {
   std::string operator()(const SwitchTarget&) const { return "true or false"; }
   std::string operator()(const OriginsTarget&) const {
     return "origins such as https://play.example in one string, separated by commas, or \"*\", or \"\"";
+  }
+  std::string operator()(const UrlsTarget& target) const {
+    return fmt::format(
+        "a list such as [\"{}://HOST:PORT\"], in a variable separated by commas, or [] for none",
+        target.schemes.front());
   }
   std::string operator()(const WordTarget& target) const {
     return fmt::format("one of \"{}\"", fmt::join(target.words, "\", \""));

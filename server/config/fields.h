@@ -60,6 +60,11 @@ struct SwitchTarget {
 struct OriginsTarget {
   AllowedOrigins& (*at)(Config&);
 };
+/// A list. An empty one means none.
+struct UrlsTarget {
+  ServerUrls& (*at)(Config&);
+  std::span<const std::string_view> schemes;
+};
 /// One of `words`.
 struct WordTarget {
   std::string& (*at)(Config&);
@@ -79,7 +84,8 @@ struct Field {
   std::string_view unit;  // "" where the value has none
   std::string_view help;
   std::variant<NumberTarget, PowerOfTwoTarget, DurationTarget, EndpointTarget, OptionalEndpointTarget,
-               PathTarget, NetworksTarget, BoxesTarget, SwitchTarget, OriginsTarget, WordTarget, TextTarget>
+               PathTarget, NetworksTarget, BoxesTarget, SwitchTarget, OriginsTarget, UrlsTarget, WordTarget,
+               TextTarget>
       target;
 };
 

@@ -1,6 +1,7 @@
 #include "config/load.h"
 
 #include <algorithm>
+#include <optional>
 
 #include <fmt/format.h>
 #include <toml++/toml.h>
@@ -37,6 +38,17 @@ bool is_table(std::string_view path) {
                      [&](const RenamedKey& renamed) { return stands_there(renamed.old_key); });
 }
 
+/// A list's texts, separated by commas; none where it holds something else.
+std::optional<std::string> list_text(const toml::array& list) {
+  std::string text;
+  for (const toml::node& each : list) {
+    const auto* const item = each.as_string();
+    if (item == nullptr) return std::nullopt;
+    text += fmt::format("{}{}", text.empty() ? "" : ",", item->get());
+  }
+  return text;
+}
+
 Done set_from_node(const Field& field, Config& config, const toml::node& node) {
   const bool number = std::holds_alternative<NumberTarget>(field.target) ||
                       std::holds_alternative<PowerOfTwoTarget>(field.target) ||
@@ -45,6 +57,9 @@ Done set_from_node(const Field& field, Config& config, const toml::node& node) {
   const bool is_switch = std::holds_alternative<SwitchTarget>(field.target);
   if (is_switch && node.is_boolean()) {
     return set_from_text(field, config, node.as_boolean()->get() ? "true" : "false");
+  }
+  if (std::holds_alternative<UrlsTarget>(field.target) && node.is_array()) {
+    if (const auto text = list_text(*node.as_array())) return set_from_text(field, config, *text);
   }
   if (!number && !is_switch && node.is_string()) return set_from_text(field, config, node.as_string()->get());
   return tl::make_unexpected(fmt::format("the value has the wrong type; give {}", expectation(field)));

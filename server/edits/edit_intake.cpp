@@ -18,6 +18,7 @@ using std::chrono::milliseconds;
 using wire::ErrorCode;
 
 constexpr milliseconds kBusy{1000};
+constexpr milliseconds kCutOff{2000};
 constexpr int kMaxTries = 8;
 
 std::uint64_t number(ClientId client) {
@@ -50,6 +51,10 @@ EditRefused why_of(LogFailure::Kind kind) {
       return EditRefused::index_full;
     case LogFailure::Kind::unreadable:
       return EditRefused::unreadable;
+    case LogFailure::Kind::cut_off:
+      return EditRefused::cut_off;
+    case LogFailure::Kind::too_large:
+      return EditRefused::out_of_range;
   }
   return EditRefused::invalid;
 }
@@ -71,6 +76,8 @@ EditRefusal refusal(EditRefused why, std::string text) {
       return {ErrorCode::expired, std::move(text), {}};
     case EditRefused::invalid:
       return {ErrorCode::internal, std::move(text), {}};
+    case EditRefused::cut_off:
+      return {ErrorCode::overloaded, std::move(text), kCutOff};
     default:
       return {ErrorCode::overloaded, std::move(text), kBusy};
   }
@@ -235,7 +242,8 @@ bool EditIntake::take_in() {
 }
 
 bool EditIntake::log_has_room() const {
-  return log_entries_ < kLogEntries && log_bytes_ < kLogBytes;
+  // Where it takes none, those that wait are told now.
+  return (log_entries_ < kLogEntries && log_bytes_ < kLogBytes) || !parts_.log.takes_entries();
 }
 
 std::optional<ClientId> EditIntake::next() {
@@ -342,21 +350,12 @@ void EditIntake::log_attach(Lane& lane) {
   lane.attach_waits = false;
   --waiting_;
   Attaching& attaching = *lane.attaching;
-  const std::uint64_t revision = parts_.revision();
   if (attaching.overtaken) {
     return refuse_attach(lane, EditRefused::overtaken, "another connection attaches as this editor");
   }
-  if (attaching.request.seen_revision > revision) {
-    return refuse_attach(lane, EditRefused::behind,
-                         fmt::format("this server is at revision {}, and the client has seen {}", revision,
-                                     attaching.request.seen_revision));
-  }
   const edits::EditorId wanted =
       attaching.editor == edits::EditorId{} ? attaching.request.editor : attaching.editor;
-  const auto of_subject = [&](edits::EditorId id) {
-    auto editor = id == edits::EditorId{} ? std::nullopt : parts_.editor(id);
-    return editor && editor->subject == attaching.request.subject ? editor : std::nullopt;
-  };
+  const auto of_subject = [&](edits::EditorId id) { return editor_of(id, attaching.request.subject); };
   auto before = of_subject(wanted);
   attaching.known = before && wanted == attaching.request.editor;
   attaching.editor = wanted;
@@ -390,6 +389,11 @@ void EditIntake::log_attach(Lane& lane) {
   }
 }
 
+std::optional<edits::Editor> EditIntake::editor_of(edits::EditorId id, const std::string& subject) const {
+  auto editor = id == edits::EditorId{} ? std::nullopt : parts_.editor(id);
+  return editor && editor->subject == subject ? editor : std::nullopt;
+}
+
 void EditIntake::attached(const Attached& answered) {
   using Kind = edits::Applied::Kind;
   Lane* const lane = find_lane(answered.client);
@@ -402,13 +406,30 @@ void EditIntake::attached(const Attached& answered) {
   if (*answered.outcome == Kind::editors_full) {
     return refuse_attach(*lane, EditRefused::editors_full, "as many edit this world as may");
   }
+  const auto again = [&] {
+    lane->attach_waits = true;
+    ++waiting_;
+    enter(*lane);
+  };
   if (*answered.outcome != Kind::attached) {  // another attached as the same editor at the same time
     if (++attaching.tries == kMaxTries) {
       return refuse_attach(*lane, EditRefused::overtaken, "others attach as this editor all the time");
     }
-    lane->attach_waits = true;
-    ++waiting_;
-    return enter(*lane);
+    return again();
+  }
+  // Where servers share the log the client comes from one that may have been ahead of this one. What it has
+  // seen there is before its Attach in the log, and so applied here by now.
+  const std::uint64_t seen = attaching.request.seen_revision;
+  if (seen > answered.as.revision) {
+    return refuse_attach(
+        *lane, EditRefused::behind,
+        fmt::format("this server is at revision {}, and the client has seen {}", answered.as.revision, seen));
+  }
+  if (!attaching.known && editor_of(attaching.request.editor, attaching.request.subject)) {
+    // So it is with its editor, which this server did not know yet. The other one goes when place is needed:
+    // it never edited.
+    attaching.editor = attaching.request.editor;
+    if (++attaching.tries < kMaxTries) return again();
   }
   EditorSession session = answered.as;
   session.known = attaching.known;

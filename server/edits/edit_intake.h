@@ -43,12 +43,11 @@ namespace talus::server {
 
 class EditIntake final : public EditTaker {
  public:
-  /// All outlive this. `editor` and `revision` tell of the applied state, on any thread.
+  /// All outlive this. `editor` tells of the applied state, on any thread.
   struct Parts {
     ChunkSource& base;  // chunks as generated
     EditLog& log;
     std::function<std::optional<edits::Editor>(edits::EditorId)> editor;
-    std::function<std::uint64_t()> revision;
     const Clock& clock;
     Metrics& metrics;
   };
@@ -76,6 +75,9 @@ class EditIntake final : public EditTaker {
   void start();
   /// Ends the thread. What is not logged yet is not answered, nor is what comes from now on.
   void stop();
+
+  /// The log takes entries again, or takes none any more: what waits for room there is looked at. Any thread.
+  void look_at_log() { call(); }
 
   /// Does what waits now, as far as the log has room: what the thread does.
   void do_what_waits();
@@ -147,6 +149,8 @@ class EditIntake final : public EditTaker {
 
   void begin_attach(Lane& lane, AttachRequest request);
   void log_attach(Lane& lane);
+  /// None where it is not known, or attached with another subject.
+  [[nodiscard]] std::optional<edits::Editor> editor_of(edits::EditorId id, const std::string& subject) const;
   void attached(const Attached& answered);
   void end_attach(Lane& lane);
   void refuse_attach(Lane& lane, EditRefused why, std::string text);

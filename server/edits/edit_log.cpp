@@ -4,8 +4,15 @@ namespace talus::server {
 
 std::size_t bytes_of(const LogEntry& entry) {
   constexpr std::size_t kEntry = 64;
+  if (const auto* const attach = std::get_if<edits::AttachEntry>(&entry)) {
+    return kEntry + attach->subject.size();
+  }
   const auto* const edit = std::get_if<edits::EditEntry>(&entry);
-  if (edit == nullptr) return kEntry + std::get<edits::AttachEntry>(entry).subject.size();
+  if (edit == nullptr) {
+    std::size_t bytes = kEntry;
+    for (const std::string& name : std::get<edits::BindEntry>(entry).names) bytes += kEntry + name.size();
+    return bytes;
+  }
   std::size_t bytes = kEntry +
                       (edit->edit.guards.size() + edit->edit.writes.size()) * sizeof(edits::VoxelWrite) +
                       edit->edit.fills.size() * sizeof(edits::Fill);

@@ -13,7 +13,7 @@
 
 namespace talus::server {
 
-using LogEntry = std::variant<edits::AttachEntry, edits::EditEntry>;
+using LogEntry = std::variant<edits::AttachEntry, edits::EditEntry, edits::BindEntry>;
 
 /// About the memory that an entry takes.
 [[nodiscard]] std::size_t bytes_of(const LogEntry& entry);
@@ -24,6 +24,8 @@ struct LogFailure {
     unwritable,  // the store cannot be written now
     index_full,  // the edit is of a chunk that was never edited, and of such there is place for no more
     unreadable,  // what people changed in a chunk that the edit is of cannot be read
+    cut_off,     // the log that servers share cannot be reached now, and the entry was not given to it
+    too_large,   // no message of that log has room for the entry
   };
   Kind kind = Kind::busy;
   std::string reason;  // one line
@@ -39,8 +41,12 @@ class EditLog {
 
   virtual ~EditLog() = default;
 
-  /// From any thread. After a failure `done` is not called, and the entry is not in the log.
+  /// From any thread. After a failure `done` is not called, and the entry is not in the log. A log that stops
+  /// calls those whose entries are decided; of the others it is open.
   [[nodiscard]] virtual tl::expected<void, LogFailure> append(LogEntry entry, Done done) = 0;
+
+  /// False: append() refuses at once, however few entries wait.
+  [[nodiscard]] virtual bool takes_entries() const { return true; }
 };
 
 }  // namespace talus::server

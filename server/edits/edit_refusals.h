@@ -22,11 +22,13 @@ enum class EditRefused : std::uint8_t {
   behind,        // the client has seen more than this server has
   editors_full,  // as many edit as may
   overtaken,     // others attach as the same editor
+  // Of both.
+  cut_off,  // the log that servers share cannot be reached
 };
 
 /// Their label in metrics.
-inline constexpr std::array<std::string_view, 13> kEditRefusedNames{
+inline constexpr std::array<std::string_view, 14> kEditRefusedNames{
     "out_of_range", "ground",  "busy",    "unwritable", "index_full",   "unreadable", "conflict",
-    "not_applied",  "expired", "invalid", "behind",     "editors_full", "overtaken"};
+    "not_applied",  "expired", "invalid", "behind",     "editors_full", "overtaken",  "cut_off"};
 
 }  // namespace talus::server

@@ -2,33 +2,22 @@
 // only when that is on the disk makes it the state and answers.
 #pragma once
 
-#include <chrono>
-#include <condition_variable>
 #include <cstddef>
-#include <deque>
-#include <functional>
-#include <mutex>
 #include <optional>
-#include <span>
 #include <string>
 #include <thread>
 #include <vector>
 
 #include "clock/clock.h"
 #include "edits/edit_log.h"
-#include "edits/edit_state.h"
-#include "edits/flusher.h"
-#include "store/edit_database.h"
+#include "edits/entry_queue.h"
+#include "edits/store_writer.h"
 
 namespace talus::server {
 
-struct LocalLogSettings {
+struct LocalLogSettings : StoreWriterSettings {
   std::size_t queue_entries = 8'192;
   std::size_t queue_bytes = std::size_t{32} << 20U;
-  std::size_t flush_bytes = std::size_t{4} << 20U;  // of what is not flushed
-  std::chrono::milliseconds flush_interval{1'000};
-  std::chrono::milliseconds retry_interval{1'000};
-  std::uint64_t free_bytes = std::uint64_t{256} << 20U;  // of the disk: with less no edits are taken
 };
 
 class LocalLog final : public EditLog {
@@ -36,8 +25,8 @@ class LocalLog final : public EditLog {
   static constexpr std::size_t kBatchEntries = 1'024;
   static constexpr std::size_t kBatchBytes = std::size_t{512} << 10U;
 
-  /// Called on the log's thread, after the answers of a batch, with every chunk that it changed.
-  using OnChanged = std::function<void(std::span<const ChunkChange>)>;
+  /// Called on the log's thread.
+  using OnChanged = StoreWriter::OnChanged;
 
   /// `database`, `state`, which is of that database, and `clock` outlive this. From here on nobody else may
   /// change them.
@@ -61,64 +50,20 @@ class LocalLog final : public EditLog {
   void stop();
 
  private:
-  using TimePoint = std::chrono::steady_clock::time_point;
-
-  struct Waiting {
-    LogEntry entry;
-    Done done;
-    std::size_t bytes = 0;
-  };
-  /// A batch that is being written. Where that failed its outcome is open, so that it alone may be written
-  /// next.
-  struct Pending {
-    Pending(const EditState& state, std::int64_t now_ms)
-        : reading{state}, batch{reading, state.editors(), state.head(), now_ms} {}
-    EditState::Reading reading;
-    edits::Batch batch;
-    std::vector<Done> done;  // of its entries; empty once they were told that it failed
-  };
-
-  /// Where the index is full: that the edit changes no chunk that was never edited. One that only might let
-  /// material slide into such a chunk sets nothing loose.
-  [[nodiscard]] tl::expected<void, LogFailure> keep_to_index(edits::EditEntry& edit) const;
+  using Queue = EntryQueue<LogEntry>;
 
   void run();
-  /// What waits, as much as goes into a batch. Waits for it itself, until `until` at most.
-  [[nodiscard]] std::vector<Waiting> take(TimePoint until);
-  void apply(std::vector<Waiting> entries);
-  /// Makes the pending batch of those that can be applied. Where some cannot, as what they are of is not
-  /// readable, false; `careful` finds out which before anything is made of them, and answers them.
-  [[nodiscard]] bool stage(std::vector<Waiting>& entries, bool careful);
-  /// Whether the pending batch is stored now, and the state.
-  bool store();
-  void flush_some();
-  void flush_all();
-  void check_disk();
-  void refuse(std::string reason);
-  void retry();
-  void publish();
+  void apply(std::vector<Queue::Waiting> entries);
+  /// Makes a batch of those that can be applied, and moves their answers to `done`. Where some cannot, as
+  /// what they are of is not readable, false; `careful` finds out which before anything is made of them, and
+  /// answers them.
+  [[nodiscard]] bool stage(std::vector<Queue::Waiting>& entries, bool careful, std::vector<Done>& done);
 
   EditDatabase& database_;
   EditState& state_;
   const Clock& clock_;
-  LocalLogSettings settings_;
-  OnChanged on_changed_;
-
-  mutable std::mutex mutex_;
-  std::condition_variable wake_;
-  std::deque<Waiting> queue_;
-  std::size_t queue_bytes_ = 0;
-  bool stopping_ = false;
-  Status status_;  // but for `waiting`
-
-  // The log's thread alone.
-  Flusher flusher_;
-  std::optional<Pending> pending_;
-  bool broken_ = false;  // a write failed
-  bool disk_full_ = false;
-  TimePoint next_flush_;
-  TimePoint next_check_;
-
+  Queue queue_;
+  StoreWriter writer_;  // of the thread
   std::thread thread_;
 };
 

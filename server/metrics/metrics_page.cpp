@@ -134,6 +134,10 @@ const std::array kRows{
     MetricRow{"talus_edits_refused_total", "Edits and Attaches that did not happen, by reason.", counter, {"reason"}, LabelledMetric{&Metrics::edits_refused, &MetricLabels::edits_refused}},
     MetricRow{"talus_editors", "Editors that are known, of 65,536 at most.", gauge, {}, editors},
     MetricRow{"talus_edits_read_only", "1 while the store cannot be written and no edits are taken, else 0.", gauge, {}, edits_read_only},
+    MetricRow{"talus_checkpoints_sent_total", "Checkpoints of the store that other servers have taken whole.", counter, {}, &Metrics::checkpoints_sent},
+    MetricRow{"talus_checkpoints_refused_total", "Requests for a checkpoint that were refused: a wrong token, or enough are sent already.", counter, {}, &Metrics::checkpoints_refused},
+    MetricRow{"talus_checkpoint_bytes_sent_total", "Bytes of checkpoints sent.", counter, {}, &Metrics::checkpoint_bytes_sent},
+    MetricRow{"talus_checkpoints_open", "Checkpoints that are being made or sent.", gauge, {}, &Metrics::checkpoints_open},
     MetricRow{"talus_draining", "1 from the signal that ends the server until it ends, else 0.", gauge, {}, draining},
 
     MetricRow{"talus_sessions", "Open connections, by state.", gauge, {"state"}, sessions},

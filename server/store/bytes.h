@@ -24,6 +24,10 @@ class ByteWriter {
     for (; value >= 128; value >>= 7) byte(static_cast<std::uint8_t>(128 | (value & 127)));
     byte(static_cast<std::uint8_t>(value));
   }
+  /// Small numbers of either sign as small ones.
+  void zigzag(std::int64_t value) {
+    varint((static_cast<std::uint64_t>(value) << 1) ^ static_cast<std::uint64_t>(value >> 63));
+  }
   void bytes(std::span<const std::byte> all) { out_.insert(out_.end(), all.begin(), all.end()); }
   /// Their count before them.
   void counted(std::span<const std::byte> all) {
@@ -67,6 +71,11 @@ class ByteReader {
     if (value > most) ok_ = false;
     return ok_ ? value : 0;
   }
+  /// `most` is of the number as it is written.
+  std::int64_t zigzag(std::uint64_t most = UINT64_MAX) {
+    const std::uint64_t value = varint(most);
+    return static_cast<std::int64_t>(value >> 1) ^ -static_cast<std::int64_t>(value & 1);
+  }
   /// The count of things that take at least one byte each: no more than bytes are left.
   std::size_t count() { return static_cast<std::size_t>(varint(bytes_.size())); }
   std::span<const std::byte> take(std::size_t size) {
@@ -87,6 +96,7 @@ class ByteReader {
   }
 
   void fail() { ok_ = false; }
+  [[nodiscard]] std::size_t left() const { return bytes_.size(); }
   [[nodiscard]] bool ok() const { return ok_; }
   /// All was taken, without a fault.
   [[nodiscard]] bool ended() const { return ok_ && bytes_.empty(); }

@@ -83,9 +83,10 @@ EditDatabase::Done EditDatabase::open_database() {
   const bool used = was_in_use(env(), database_path()) || has_acknowledged();
   was_there_ = used;
   rocksdb::DB* db = nullptr;
-  const auto status = rocksdb::DB::Open(
-      rocks_options({settings_.env, settings_.write_buffer_bytes, settings_.block_cache_bytes}, !used),
-      database_path(), &db);
+  const auto status = rocksdb::DB::Open(rocks_options({settings_.env, settings_.write_buffer_bytes,
+                                                       settings_.block_cache_bytes, settings_.log_elsewhere},
+                                                      !used),
+                                        database_path(), &db);
   db_.reset(db);
   if (status.ok()) return {};
   if (status.IsCorruption() || used) {
@@ -232,24 +233,58 @@ EditDatabase::Done EditDatabase::checkpoint(const std::filesystem::path& path) c
   return {};
 }
 
-EditDatabase::Done EditDatabase::append(const edits::Batch& applied) {
+EditDatabase::Done EditDatabase::append(const edits::Batch& applied, const StreamPlace& place) {
   rocksdb::WriteBatch batch;
   StoreMeta meta = meta_;
   meta.head = applied.head();
+  meta.stream = place;
   Unflushed unflushed{.position = meta.head.position, .time_ms = meta.head.time_ms};
   for (const edits::Applied& each : applied.applied()) {
     meta.link = encode(each, meta.head.time_ms, meta.link, value_);
     unflushed.bytes += value_.size();
     batch.Put(log_key(each.position), as_slice(value_));
+    for (const auto& [name, id] : each.materials) put_material(name, id, batch);
   }
   unflushed.link = meta.link;
   encode(meta, value_);
   batch.Put(meta_key(), as_slice(value_));
-  if (auto written = write(batch, settings_.sync); !written) return written;
+  if (auto written = write(batch, settings_.sync && !settings_.log_elsewhere); !written) return written;
   meta_ = meta;
-  unflushed_.push_back(unflushed);
-  acknowledged_->write({meta.head.position, meta.link});
+  if (!applied.applied().empty()) unflushed_.push_back(unflushed);
+  for (const edits::Applied& each : applied.applied()) {
+    for (const auto& [name, id] : each.materials) materials_.insert_or_assign(name, id);
+  }
+  if (settings_.log_elsewhere) {
+    unsynced_ = true;
+  } else {
+    acknowledged_->write({meta.head.position, meta.link});
+  }
   return {};
+}
+
+EditDatabase::Done EditDatabase::sync() {
+  if (!db_) return failure("the store is closed after an error of the disk");
+  if (const auto synced = db_->SyncWAL(); !synced.ok()) return failure(synced.ToString());
+  acknowledged_->write({meta_.head.position, meta_.link});
+  unsynced_ = false;
+  return {};
+}
+
+EditDatabase::Done EditDatabase::enter(const StreamPlace& place) {
+  StoreMeta meta = meta_;
+  meta.stream = place;
+  rocksdb::WriteBatch batch;
+  encode(meta, value_);
+  batch.Put(meta_key(), as_slice(value_));
+  if (auto written = write(batch, true); !written) return written;
+  meta_ = meta;
+  return {};
+}
+
+void EditDatabase::put_material(const std::string& name, MaterialId id, rocksdb::WriteBatch& batch) {
+  const std::string key = material_key(name);
+  encode(key, id, value_);
+  batch.Put(key, as_slice(value_));
 }
 
 EditDatabase::Done EditDatabase::put(const Slice& slice) {
@@ -292,8 +327,7 @@ EditDatabase::Done EditDatabase::mark_flushed(std::uint64_t position) {
   if (left == unflushed_.begin()) return {};
   // RocksDB's log is of several files, of which the newest may outlive a power cut that takes the end of the
   // one before. So nothing may say that chunks were put before they are on the disk.
-  if (!db_) return failure("the store is closed after an error of the disk");
-  if (const auto synced = db_->SyncWAL(); !synced.ok()) return failure(synced.ToString());
+  if (auto synced = sync(); !synced) return synced;
   StoreMeta meta = meta_;
   meta.flushed = flushed.position;
   meta.flushed_link = flushed.link;
@@ -354,7 +388,7 @@ std::uint64_t EditDatabase::free_bytes() const {
   return env().GetFreeSpace(settings_.path.string(), &free).ok() ? free : UINT64_MAX;
 }
 
-EditDatabase::Done EditDatabase::bind(const std::map<std::string, MaterialId>& materials) {
+EditDatabase::Done EditDatabase::bind(const edits::MaterialIds& materials) {
   std::map<MaterialId, std::string> names;
   for (const auto& [name, id] : materials_) names.emplace(id, name);
   rocksdb::WriteBatch batch;
@@ -369,10 +403,7 @@ EditDatabase::Done EditDatabase::bind(const std::map<std::string, MaterialId>& m
       return failure(fmt::format("material id {} is {} in the store and {} here; it must stay {}",
                                  to_integer(id), holder->second, name, holder->second));
     }
-    if (bound != materials_.end()) continue;
-    const std::string key = material_key(name);
-    encode(key, id, value_);
-    batch.Put(key, as_slice(value_));
+    if (bound == materials_.end()) put_material(name, id, batch);
   }
   if (batch.Count() == 0) return {};
   if (auto written = write(batch, true); !written) return written;
@@ -380,8 +411,8 @@ EditDatabase::Done EditDatabase::bind(const std::map<std::string, MaterialId>& m
   return {};
 }
 
-EditDatabase::Done EditDatabase::name_generated(const std::map<std::string, MaterialId>& materials) {
-  std::map<std::string, MaterialId> names = materials;
+EditDatabase::Done EditDatabase::name_generated(const edits::MaterialIds& materials) {
+  edits::MaterialIds names = materials;
   rocksdb::WriteBatch batch;
   for (const auto& [name, id] : materials_) {
     const auto named = materials.find(name);
@@ -398,11 +429,7 @@ EditDatabase::Done EditDatabase::name_generated(const std::map<std::string, Mate
     }
   }
   if (names == materials_) return {};
-  for (const auto& [name, id] : materials) {
-    const std::string key = material_key(name);
-    encode(key, id, value_);
-    batch.Put(key, as_slice(value_));
-  }
+  for (const auto& [name, id] : materials) put_material(name, id, batch);
   if (auto written = write(batch, true); !written) return written;
   materials_ = std::move(names);
   return {};

@@ -10,7 +10,6 @@
 #include <deque>
 #include <filesystem>
 #include <functional>
-#include <map>
 #include <memory>
 #include <optional>
 #include <shared_mutex>
@@ -20,6 +19,7 @@
 #include <tl/expected.hpp>
 
 #include <talus/edits/batch.h>
+#include <talus/edits/materials.h>
 
 #include "store/acknowledged_file.h"
 #include "store/records.h"
@@ -33,8 +33,7 @@ class WriteBatch;
 
 namespace talus::server {
 
-/// Ids from this one on are bound to names for ever; those below are of materials that worlds generate.
-inline constexpr std::uint16_t kFirstBound = 256;
+using edits::kFirstBound;
 
 struct EditDatabaseSettings {
   std::filesystem::path path;  // a directory that a DataDirectory has locked
@@ -50,6 +49,9 @@ struct EditDatabaseSettings {
   rocksdb::Env* env = nullptr;  // for tests; null: the system's. Outlives the database
   /// Tests alone set it to false: what is acknowledged then may be lost by a power cut.
   bool sync = true;
+  /// The entries are in a log that others hold too: append() does not sync, sync() does, and what a power cut
+  /// takes of the end is read there again.
+  bool log_elsewhere = false;
 };
 
 class EditDatabase {
@@ -86,9 +88,17 @@ class EditDatabase {
   /// the same file system. An error leaves nothing.
   [[nodiscard]] Done checkpoint(const std::filesystem::path& path) const;
 
-  /// Writes all that the batch applied, at once and synced. After an error nobody knows whether it is on the
-  /// disk: nothing but this batch may be appended until it succeeds, which does no harm where it was.
-  [[nodiscard]] Done append(const edits::Batch& batch);
+  /// Writes all that the batch applied, at once and, but for a log elsewhere, synced; with it where the store
+  /// stands in the stream from then on, and the ids that it has given to materials. After an error nobody
+  /// knows whether it is on the disk: nothing but this batch may be appended until it succeeds, which does no
+  /// harm where it was.
+  [[nodiscard]] Done append(const edits::Batch& batch, const StreamPlace& place);
+  [[nodiscard]] Done append(const edits::Batch& batch) { return append(batch, meta_.stream); }
+  /// Of a log elsewhere: all that was appended is on the disk when it returns, and counts as acknowledged.
+  [[nodiscard]] Done sync();
+  [[nodiscard]] bool has_unsynced() const { return unsynced_; }
+  /// Nothing is applied, and the store stands there now, synced.
+  [[nodiscard]] Done enter(const StreamPlace& place);
 
   /// Chunks and editors as they are now, in one write that is not synced: until mark_flushed() the log's
   /// records have them too.
@@ -107,14 +117,14 @@ class EditDatabase {
 
   [[nodiscard]] std::uint64_t free_bytes() const;
 
-  /// Which name has which id, for ever.
-  [[nodiscard]] const std::map<std::string, MaterialId>& materials() const { return materials_; }
+  /// Which name has which id, for ever. On the thread that writes.
+  [[nodiscard]] const edits::MaterialIds& materials() const { return materials_; }
   /// Binds names that are not bound yet, synced. Refuses a name that has another id, and an id that has
   /// another name; then nothing is bound.
-  [[nodiscard]] Done bind(const std::map<std::string, MaterialId>& materials);
+  [[nodiscard]] Done bind(const edits::MaterialIds& materials);
   /// What the world calls the materials that it generates, in place of what it called them before: their ids,
   /// below kFirstBound, follow from its fingerprint, their names do not. Refuses a name that is bound.
-  [[nodiscard]] Done name_generated(const std::map<std::string, MaterialId>& materials);
+  [[nodiscard]] Done name_generated(const edits::MaterialIds& materials);
 
  private:
   /// Of a batch that is not flushed yet.
@@ -142,6 +152,7 @@ class EditDatabase {
   [[nodiscard]] Done read_history();
   [[nodiscard]] Done drop_records_beyond();
   [[nodiscard]] Done write(rocksdb::WriteBatch& batch, bool sync);
+  void put_material(const std::string& name, MaterialId id, rocksdb::WriteBatch& batch);
   void extend_history(const Unflushed& flushed, std::uint64_t first, rocksdb::WriteBatch& batch);
 
   EditDatabaseSettings settings_;
@@ -150,12 +161,13 @@ class EditDatabase {
   mutable std::shared_mutex copying_;
   std::unique_ptr<rocksdb::DB> db_;
   bool was_there_ = false;  // when it was opened
+  bool unsynced_ = false;   // of a log elsewhere: since the last sync() something was appended
   std::optional<AcknowledgedFile> acknowledged_;
   StoreMeta meta_;
   std::deque<Unflushed> unflushed_;
   std::deque<HistorySegment> history_;
   std::uint64_t history_bytes_ = 0;
-  std::map<std::string, MaterialId> materials_;
+  edits::MaterialIds materials_;
   Bytes value_;  // of the thread that writes
 };
 

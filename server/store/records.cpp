@@ -67,14 +67,6 @@ std::int32_t unordered(std::uint64_t value) {
   return static_cast<std::int32_t>(static_cast<std::uint32_t>(value) ^ kSign);
 }
 
-/// Small numbers of either sign as small ones.
-std::uint64_t zigzag(std::int64_t value) {
-  return (static_cast<std::uint64_t>(value) << 1) ^ static_cast<std::uint64_t>(value >> 63);
-}
-std::int64_t unzigzag(std::uint64_t value) {
-  return static_cast<std::int64_t>(value >> 1) ^ -static_cast<std::int64_t>(value & 1);
-}
-
 void put_hash(ContentHash hash, ByteWriter& out) {
   out.fixed64(hash.low);
   out.fixed64(hash.high);
@@ -118,7 +110,7 @@ std::vector<Override> get_runs(ByteReader& in) {
 
 /// What changed, as three sets of the same voxels: before, after, and as generated.
 void put_changes(const edits::ChunkChanges& changes, ByteWriter& out) {
-  for (const std::int32_t at : {changes.chunk.x, changes.chunk.y, changes.chunk.z}) out.varint(zigzag(at));
+  for (const std::int32_t at : {changes.chunk.x, changes.chunk.y, changes.chunk.z}) out.zigzag(at);
   std::vector<Override> voxels(changes.voxels.size());
   for (const auto material :
        {&edits::VoxelChange::before, &edits::VoxelChange::after, &edits::VoxelChange::base}) {
@@ -131,8 +123,7 @@ void put_changes(const edits::ChunkChanges& changes, ByteWriter& out) {
 edits::ChunkChanges get_changes(ByteReader& in) {
   edits::ChunkChanges changes;
   for (std::int32_t* const at : {&changes.chunk.x, &changes.chunk.y, &changes.chunk.z}) {
-    const std::int64_t value = unzigzag(in.varint(UINT32_MAX));
-    *at = static_cast<std::int32_t>(value);
+    *at = static_cast<std::int32_t>(in.zigzag(UINT32_MAX));
   }
   const auto before = get_runs(in);
   const auto after = get_runs(in);
@@ -164,6 +155,24 @@ std::vector<edits::ChunkChanges> get_all_changes(ByteReader& in) {
   return changes;
 }
 
+void put_named_ids(const edits::NamedIds& materials, ByteWriter& out) {
+  out.varint(materials.size());
+  for (const auto& [name, id] : materials) {
+    out.counted(name);
+    out.varint(to_integer(id));
+  }
+}
+edits::NamedIds get_named_ids(ByteReader& in) {
+  edits::NamedIds materials;
+  for (std::size_t left = in.count(); left > 0 && in.ok(); --left) {
+    std::string name = in.text(edits::kMaxMaterialNameBytes);
+    const auto id = static_cast<std::uint16_t>(in.varint(UINT16_MAX));
+    if (id < edits::kFirstBound) in.fail();
+    materials.emplace_back(std::move(name), MaterialId{id});
+  }
+  return materials;
+}
+
 std::uint64_t encode_record(const edits::Applied& applied, std::span<const edits::ChunkChanges> changes,
                             std::int64_t time_ms, std::uint64_t link_before, Bytes& out) {
   ByteWriter writer = begin(out);
@@ -187,6 +196,7 @@ std::uint64_t encode_record(const edits::Applied& applied, std::span<const edits
     writer.counted(applied.subject);
     put_all_changes(changes, writer);
   }
+  if (applied.kind == edits::Applied::Kind::bound) put_named_ids(applied.materials, writer);
   seal(link_before, out);
   return ByteReader{std::span{std::as_const(out)}.last(kChecksumBytes)}.fixed64();
 }
@@ -196,7 +206,7 @@ std::optional<LogRecord> read_record(std::span<const std::byte> body) {
   ByteReader in{body};
   LogRecord record;
   const std::uint8_t kind = in.byte();
-  if (kind > static_cast<std::uint8_t>(Kind::invalid)) in.fail();
+  if (kind > static_cast<std::uint8_t>(Kind::bound)) in.fail();
   record.kind = static_cast<Kind>(kind);
   record.position = in.varint();
   record.revision = in.varint();
@@ -217,6 +227,7 @@ std::optional<LogRecord> read_record(std::span<const std::byte> body) {
     }
   }
   if (record.kind == Kind::done) record.changes = get_all_changes(in);
+  if (record.kind == Kind::bound) record.materials = get_named_ids(in);
   if (!in.ended()) return std::nullopt;
   return record;
 }
@@ -287,6 +298,8 @@ void encode(const StoreMeta& meta, Bytes& out) {
   writer.fixed64(meta.link);
   writer.fixed64(meta.flushed);
   writer.fixed64(meta.flushed_link);
+  writer.fixed64(meta.stream.sequence);
+  writer.fixed64(static_cast<std::uint64_t>(meta.stream.created_ns));
   seal(hash_of(meta_key()), out);
 }
 
@@ -341,6 +354,7 @@ std::uint64_t encode(const LogRecord& record, std::uint64_t link_before, Bytes& 
   applied.epoch = record.epoch;
   applied.subject = record.subject;
   applied.forgotten = record.forgotten;
+  applied.materials = record.materials;
   return encode_record(applied, record.changes, record.time_ms, link_before, out);
 }
 
@@ -377,6 +391,8 @@ std::optional<StoreMeta> decode_meta(std::span<const std::byte> value) {
   meta.link = in.fixed64();
   meta.flushed = in.fixed64();
   meta.flushed_link = in.fixed64();
+  meta.stream.sequence = in.fixed64();
+  meta.stream.created_ns = static_cast<std::int64_t>(in.fixed64());
   if (!in.ended() || meta.flushed > meta.head.position) return std::nullopt;
   return meta;
 }

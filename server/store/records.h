@@ -21,6 +21,13 @@ using Bytes = std::vector<std::byte>;
 /// then told.
 inline constexpr std::uint8_t kStoreFormat = 1;
 
+/// Where a store stands in the stream that it shares with those of other servers.
+struct StreamPlace {
+  std::uint64_t sequence = 0;   // of the last message that is applied; 0: the store is in no cluster
+  std::int64_t created_ns = 0;  // when the stream was made: another time is another stream
+  bool operator==(const StreamPlace&) const = default;
+};
+
 /// Where the store stands.
 struct StoreMeta {
   ContentHash fingerprint;  // of the world
@@ -30,6 +37,7 @@ struct StoreMeta {
   std::uint64_t link = 0;  // of the log's record of head.position
   std::uint64_t flushed = 0;
   std::uint64_t flushed_link = 0;  // of the record of `flushed`: chunks and editors hold all up to it
+  StreamPlace stream{};
   bool operator==(const StoreMeta&) const = default;
 };
 
@@ -45,6 +53,7 @@ struct LogRecord {
   std::string subject;                       // of attached, and of done: whose edit it is
   std::optional<edits::EditorId> forgotten;  // of attached: who made place for it
   std::vector<edits::ChunkChanges> changes;  // of done: level 0, all other levels follow from it
+  edits::NamedIds materials;                 // of bound
   bool operator==(const LogRecord&) const = default;
 };
 

@@ -14,7 +14,9 @@ rocksdb::Options rocks_options(const RocksSettings& settings, bool create) {
   if (settings.env != nullptr) options.env = settings.env;
   options.create_if_missing = create;
   options.paranoid_checks = true;
-  options.wal_recovery_mode = rocksdb::WALRecoveryMode::kTolerateCorruptedTailRecords;
+  options.wal_recovery_mode = settings.point_in_time
+                                  ? rocksdb::WALRecoveryMode::kPointInTimeRecovery
+                                  : rocksdb::WALRecoveryMode::kTolerateCorruptedTailRecords;
   options.track_and_verify_wals_in_manifest = true;
   options.manual_wal_flush = false;
   options.recycle_log_file_num = 0;

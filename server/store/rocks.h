@@ -18,6 +18,8 @@ struct RocksSettings {
   rocksdb::Env* env = nullptr;  // null: the system's
   std::size_t write_buffer_bytes = std::size_t{32} << 20U;
   std::size_t block_cache_bytes = std::size_t{8} << 20U;
+  /// Writes are not synced one by one: after a power cut what is before the first that is lost counts.
+  bool point_in_time = false;
 };
 
 [[nodiscard]] rocksdb::Options rocks_options(const RocksSettings& settings, bool create);

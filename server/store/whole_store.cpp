@@ -36,6 +36,7 @@ tl::expected<void, std::string> give_identity(const std::filesystem::path& path,
     return reader.failure(fmt::format("its record of the store's state is missing; {}", kStoreLost));
   StoreMeta meta = **read;
   meta.store_id = store_id;
+  meta.stream = {};  // a store of its own
   Bytes value;
   encode(meta, value);
   rocksdb::WriteOptions synced;

@@ -56,6 +56,9 @@ std::string other_than_default(const Field& field) {
   if (std::holds_alternative<NetworksTarget>(field.target)) return "192.0.2.0/24";
   if (std::holds_alternative<BoxesTarget>(field.target)) return "-16,-16:16,16";
   if (std::holds_alternative<OriginsTarget>(field.target)) return "https://play.example";
+  if (const auto* urls = std::get_if<UrlsTarget>(&field.target)) {
+    return std::string{urls->schemes.front()} + "://10.0.0.1:4222";
+  }
   if (const auto* is_on = std::get_if<SwitchTarget>(&field.target)) {
     Config defaults;
     return is_on->at(defaults) ? "false" : "true";

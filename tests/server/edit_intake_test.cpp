@@ -53,7 +53,6 @@ struct Bench {
   ScriptedSource source;
   HeldLog log;
   std::map<edits::EditorId, edits::Editor> editors;
-  std::uint64_t revision = 10;
   ManualClock clock;
   Metrics metrics;
   EditIntake intake{{source, log,
@@ -61,7 +60,7 @@ struct Bench {
                        const auto at = editors.find(id);
                        return at == editors.end() ? std::nullopt : std::optional{at->second};
                      },
-                     [this] { return revision; }, clock, metrics},
+                     clock, metrics},
                     {{0, 100}, {kAir, kStone, kGlass}},
                     make_logger("off", "text")};
   MailboxPtr session = std::make_shared<Mailbox>(ClientId{1}, [] {});
@@ -272,16 +271,55 @@ TEST_CASE("who has seen more than this server has waits, and of two who attach a
   Bench bench;
   bench.intake.attach(bench.session, {{}, "", 11});
   bench.intake.do_what_waits();
+  edits::Applied applied;
+  applied.kind = edits::Applied::Kind::attached;
+  applied.revision = 10;
+  bench.log.entries[0].done(&applied);
+  bench.intake.do_what_waits();
   CHECK(bench.only_mail<AttachAnswer>().answer.error().code == wire::ErrorCode::overloaded);
-  CHECK(bench.log.entries.empty());
+  // What other servers did before is there by the time that the log has the Attach.
+  bench.intake.attach(bench.session, {{}, "", 11});
+  bench.intake.do_what_waits();
+  applied.revision = 11;
+  bench.log.entries[1].done(&applied);
+  bench.intake.do_what_waits();
+  CHECK(bench.only_mail<AttachAnswer>().answer.has_value());
 
   bench.intake.attach(bench.session, {{}, "", 10});
   bench.intake.do_what_waits();
-  edits::Applied applied;
   applied.kind = edits::Applied::Kind::superseded;
-  bench.log.entries[0].done(&applied);
+  bench.log.entries[2].done(&applied);
   bench.intake.do_what_waits();
-  CHECK(bench.log.entries.size() == 2);
+  CHECK(bench.log.entries.size() == 4);
+}
+
+TEST_CASE("an editor whom this server does not know yet, as it comes from another, is waited for") {
+  Bench bench;
+  const edits::EditorId elsewhere{77, 77};
+  bench.intake.attach(bench.session, {elsewhere, "ann", 0});
+  bench.intake.do_what_waits();
+  const auto first = std::get<edits::AttachEntry>(bench.log.entries.back().entry);
+  CHECK(first.editor != elsewhere);
+  // Before that entry the log had the editor.
+  edits::Editor& editor = bench.editors[elsewhere];
+  editor.epoch = 3;
+  editor.last_sequence = 8;
+  editor.subject = "ann";
+  edits::Applied applied;
+  applied.kind = edits::Applied::Kind::attached;
+  bench.log.entries.back().done(&applied);
+  bench.intake.do_what_waits();
+  REQUIRE(bench.log.entries.size() == 2);
+  const auto second = std::get<edits::AttachEntry>(bench.log.entries.back().entry);
+  CHECK(second.editor == elsewhere);
+  CHECK(second.epoch == 4);
+  bench.editors[elsewhere].epoch = 4;
+  bench.log.entries.back().done(&applied);
+  bench.intake.do_what_waits();
+  const auto told = bench.only_mail<AttachAnswer>().answer.value();
+  CHECK(told.editor == elsewhere);
+  CHECK(told.known);
+  CHECK(told.last_sequence == 8);
 }
 
 TEST_CASE("in the log wait few edits, and who comes late goes before those who have sent much") {
@@ -371,8 +409,7 @@ TEST_CASE("where memory ends, what comes meanwhile still waits, and is counted o
   Exhausted log;
   ManualClock clock;
   Metrics metrics;
-  EditIntake intake{{source, log, [](edits::EditorId) { return std::nullopt; },
-                     [] { return std::uint64_t{1}; }, clock, metrics},
+  EditIntake intake{{source, log, [](edits::EditorId) { return std::nullopt; }, clock, metrics},
                     {{0, 100}, {kAir, kStone, kGlass}},
                     make_logger("off", "text")};
   const auto send = [&](const MailboxPtr& from) {

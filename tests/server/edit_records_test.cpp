@@ -25,6 +25,16 @@ LogRecord done_record() {
   return record;
 }
 
+std::string hex_of(const Bytes& bytes) {
+  std::string hex;
+  for (const std::byte byte : bytes) {
+    constexpr std::string_view kDigits = "0123456789abcdef";
+    hex += kDigits[std::to_integer<std::size_t>(byte >> 4)];
+    hex += kDigits[std::to_integer<std::size_t>(byte & std::byte{15})];
+  }
+  return hex;
+}
+
 /// Every bit flipped and every end cut off must be refused.
 template <typename Decode>
 void check_damage(const Bytes& value, const Decode& decode) {
@@ -66,10 +76,15 @@ TEST_CASE("the record of the store's state is read back, and damage is seen") {
   meta.link = 10;
   meta.flushed = 4;
   meta.flushed_link = 11;
+  meta.stream = {12, 1'700'000'000'000'000'013};
   Bytes value;
   encode(meta, value);
   CHECK(decode_meta(value) == meta);
   check_damage(value, [](const Bytes& bytes) { return decode_meta(bytes).has_value(); });
+  CHECK(hex_of(value) ==
+        "0101000000000000000200000000000000030000000000000004000000000000000100000009000000000000"
+        "0008000000000000000700000000000000050000000000000006000000000000000a00000000000000040000"
+        "00000000000b000000000000000c000000000000000d002a36fe9c9717f174286a002c83f0");
 }
 
 TEST_CASE("chunks are read back under their own key alone") {
@@ -128,6 +143,17 @@ TEST_CASE("records of the log are read back in their chain alone") {
   encode(attached, 0, value);
   before = 0;
   CHECK(decode_record(value, before) == attached);
+  LogRecord bound;
+  bound.kind = Kind::bound;
+  bound.position = 2;
+  bound.materials = {{"glass", MaterialId{256}}, {"lamp", MaterialId{300}}};
+  encode(bound, 0, value);
+  before = 0;
+  CHECK(decode_record(value, before) == bound);
+  bound.materials[0].second = MaterialId{255};
+  encode(bound, 0, value);
+  before = 0;
+  CHECK_FALSE(decode_record(value, before));  // of a material that worlds generate
   LogRecord conflict = done_record();
   conflict.kind = Kind::conflict;
   conflict.changes.clear();
@@ -141,13 +167,7 @@ TEST_CASE("records of the log are read back in their chain alone") {
 TEST_CASE("a record's bytes are those of FORMAT.md") {
   Bytes value;
   (void)encode(done_record(), 42, value);
-  std::string hex;
-  for (const std::byte byte : value) {
-    constexpr std::string_view kDigits = "0123456789abcdef";
-    hex += kDigits[std::to_integer<std::size_t>(byte >> 4)];
-    hex += kDigits[std::to_integer<std::size_t>(byte & std::byte{15})];
-  }
-  CHECK(hex ==
+  CHECK(hex_of(value) ==
         "0103ac02c80180d095ffbc310100000000000000020000000000000005c801020005616c696365"
         "010500e0c508080200010207010100080202050207000101080201020207010100516d32cce7e0dafc");
 }

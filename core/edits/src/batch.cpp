@@ -5,8 +5,10 @@
 
 namespace talus::edits {
 
-Batch::Batch(const OverrideSource& overrides, const Editors& editors, const Head& head, std::int64_t now_ms)
+Batch::Batch(const OverrideSource& overrides, const Editors& editors, const Head& head, std::int64_t now_ms,
+             const MaterialIds* materials)
     : editors_{editors},
+      materials_{materials},
       head_{head},
       staging_{overrides, head.hash},
       count_{editors.size()},
@@ -123,6 +125,19 @@ const Applied& Batch::apply(const EditEntry& entry) {
 
   touch(entry.editor, *editor).keep(applied.result);
   new_.erase({head_.time_ms, entry.editor});
+  return applied;
+}
+
+const Applied& Batch::apply(const BindEntry& entry) {
+  using Kind = Applied::Kind;
+  static const MaterialIds kNone;
+  const MaterialIds& known = bound_ ? *bound_ : materials_ != nullptr ? *materials_ : kNone;
+  auto ids = ids_for(entry.names, known);
+  if (!ids) return begin({}, Kind::invalid);
+  if (!bound_) bound_ = known;
+  for (const auto& [name, id] : *ids) bound_->insert_or_assign(name, id);
+  Applied& applied = begin({}, Kind::bound);
+  applied.materials = *std::move(ids);
   return applied;
 }
 

@@ -14,6 +14,7 @@
 #include <talus/edits/editors.h>
 #include <talus/edits/evaluate.h>
 #include <talus/edits/levels.h>
+#include <talus/edits/materials.h>
 #include <talus/edits/staging.h>
 #include <talus/edits/state_hash.h>
 
@@ -47,6 +48,11 @@ struct EditEntry {
   std::string subject{};  // for whom a game server edits; empty: for its editor's own subject
 };
 
+/// Names of materials that may be placed: those that have no id yet get one.
+struct BindEntry {
+  std::vector<std::string> names;
+};
+
 /// What became of an entry.
 struct Applied {
   enum class Kind : std::uint8_t {
@@ -59,6 +65,7 @@ struct Applied {
     not_applied,   // its sequence is behind, and its result is not kept: it did not happen, or long ago
     expired,       // another connection has attached as its editor, or the editor is forgotten
     invalid,       // it breaks a bound or lacks a base; no sound node logs such an entry
+    bound,         // names of materials have ids
   };
   Kind kind = Kind::invalid;
   EditorId editor;
@@ -70,6 +77,7 @@ struct Applied {
   std::optional<EditorId> forgotten;  // of attached: who made place for it
   std::vector<ChunkChanges> changes;  // of done: voxels of level 0
   std::vector<ChunkWrites> writes;    // the same as writes, at all levels
+  NamedIds materials;                 // of bound: all that were asked for, also those bound before
 
   /// Whether it made a revision.
   [[nodiscard]] bool changed() const { return !changes.empty(); }
@@ -78,12 +86,15 @@ struct Applied {
 class Batch {
  public:
   /// Of a state that outlives this and stays as it is meanwhile. `now_ms` is the wall clock of the node that
-  /// logs: where that went back, the head's time counts.
-  Batch(const OverrideSource& overrides, const Editors& editors, const Head& head, std::int64_t now_ms);
+  /// logs: where that went back, the head's time counts. `materials`: those that are bound; null: no entry
+  /// binds any.
+  Batch(const OverrideSource& overrides, const Editors& editors, const Head& head, std::int64_t now_ms,
+        const MaterialIds* materials = nullptr);
 
   /// Each takes the next position, whatever becomes of it. What is returned lives as long as this.
   const Applied& apply(const AttachEntry& entry);
   const Applied& apply(const EditEntry& entry);
+  const Applied& apply(const BindEntry& entry);
 
   /// Of the state after all of it.
   [[nodiscard]] const Head& head() const { return head_; }
@@ -111,6 +122,8 @@ class Batch {
   Applied& begin(EditorId editor, Applied::Kind kind);
 
   const Editors& editors_;
+  const MaterialIds* materials_;
+  std::optional<MaterialIds> bound_;  // after this batch; none: as before it
   Head head_;
   Staging staging_;
   std::map<EditorId, std::optional<Editor>> touched_;

@@ -1,0 +1,471 @@
+#include "cluster/cluster_log.h"
+
+#include <algorithm>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "cluster/entry_codec.h"
+#include "edits/index_room.h"
+
+namespace talus::server::cluster {
+namespace {
+
+using std::chrono::milliseconds;
+using SteadyClock = std::chrono::steady_clock;
+
+constexpr milliseconds kSoon{20};
+constexpr milliseconds kRetryOfFault{1'000};
+constexpr std::chrono::seconds kLastWait{2};
+/// A leader that was deposed may say less than there is, until it knows.
+constexpr std::chrono::seconds kSureOfShorter{15};
+/// Without a word of the leader for so long no edits are taken.
+constexpr std::chrono::seconds kSilent{3};
+
+std::string describe(const MessageFault& fault, std::uint64_t sequence) {
+  return fmt::format("message {} of the log cannot be applied: {}", sequence, fault.reason);
+}
+
+}  // namespace
+
+ClusterLog::ClusterLog(Parts parts, Settings settings)
+    : parts_{std::move(parts)},
+      settings_{std::move(settings)},
+      identity_{parts_.database.meta().store_id, parts_.database.meta().fingerprint},
+      writer_{parts_.database, parts_.state, settings_.store, parts_.on_changed},
+      publisher_{{parts_.stream, parts_.clock, identity_, settings_.settles,
+                  [this] {
+                    const edits::Head head = writer_.status().head;
+                    return Publisher::Stand{head.revision, head.hash};
+                  },
+                  [this] { tell_whether_it_takes(); }}},
+      comparison_{publisher_.id()} {
+  const StreamPlace place = parts_.database.meta().stream;
+  sequence_ = place.sequence;
+  created_ns_ = place.created_ns;
+  end_.applied(place.sequence);
+}
+
+void ClusterLog::start() {
+  publisher_.start();
+  applier_ = std::thread{[this] { apply_all(); }};
+  watcher_ = std::thread{[this] { watch(); }};
+}
+
+void ClusterLog::stop() {
+  {
+    std::unique_lock lock{mutex_};
+    if (std::exchange(stopping_, true)) return;
+    // Answers come from the applier.
+    const auto until = SteadyClock::now() + kLastWait;
+    while (applier_.joinable() && fault_.empty() && publisher_.takes() && publisher_.open() > 0 &&
+           SteadyClock::now() < until) {
+      changed_.wait_for(lock, kSoon);
+    }
+    ending_ = true;
+  }
+  changed_.notify_all();
+  parts_.stream.stop();
+  publisher_.stop();
+  if (applier_.joinable()) applier_.join();
+  if (watcher_.joinable()) watcher_.join();
+}
+
+bool ClusterLog::stopping() const {
+  const std::lock_guard lock{mutex_};
+  return ending_;
+}
+
+bool ClusterLog::pause(milliseconds time) {
+  std::unique_lock lock{mutex_};
+  return !changed_.wait_for(lock, time, [&] { return ending_; });
+}
+
+// ---- what is asked from any thread
+
+bool ClusterLog::takes_entries() const {
+  return !status().read_only;
+}
+
+tl::expected<void, LogFailure> ClusterLog::append(LogEntry entry, Done done) {
+  using Kind = LogFailure::Kind;
+  if (auto fits = keep_to_index(parts_.state, entry); !fits) return fits;
+  if (auto read_only = writer_.status().read_only) {
+    return tl::unexpected{LogFailure{Kind::unwritable, *std::move(read_only)}};
+  }
+  if (auto refuses = status().read_only) {
+    return tl::unexpected{LogFailure{Kind::cut_off, *std::move(refuses)}};
+  }
+  return publisher_.append(std::move(entry), std::move(done));
+}
+
+ClusterLog::Status ClusterLog::status() const {
+  Status status;
+  StoreWriter::Status store = writer_.status();
+  const StreamFigures figures = parts_.stream.figures();
+  const std::string publishing = publisher_.trouble();
+  const bool takes = publisher_.takes();
+  status.head = store.head;
+  status.waiting = publisher_.open();
+  status.republished = publisher_.republished();
+  status.gaps = figures.gaps;
+  const std::lock_guard lock{mutex_};
+  const bool silent = silent_since_ && SteadyClock::now() - *silent_since_ > kSilent;
+  status.connected = figures.connected;
+  status.quorum = heard_ && !silent && takes;
+  status.differs = differs_;
+  status.lag = end_.lag();
+  status.sequence = sequence_;
+  if (stopping_) {
+    status.read_only = "this server is about to end";
+  } else if (!fault_.empty()) {
+    status.read_only = fault_;
+  } else if (!undecided_.empty()) {
+    status.read_only = undecided_;
+  } else if (store.read_only) {
+    status.read_only = std::move(store.read_only);
+  } else if (!places_known_) {
+    status.read_only = trouble_.empty() ? "this server is looking for its place in the log" : trouble_;
+  } else if (!takes || silent) {
+    const std::string& why = publishing.empty() ? trouble_ : publishing;
+    status.read_only =
+        fmt::format("the log that this world's servers share cannot be reached, or has no quorum{}{}",
+                    why.empty() ? "" : ": ", why);
+  }
+  if (!fault_.empty()) {
+    status.not_ready = fault_;
+  } else if (!end_.is_ready()) {
+    const auto behind = std::chrono::duration_cast<std::chrono::seconds>(end_.behind());
+    status.not_ready = !places_known_ || !heard_
+                           ? (trouble_.empty() ? "looking for its place in the log" : trouble_)
+                           : fmt::format("{} messages and {} s behind the log's end{}{}", end_.lag(),
+                                         behind.count(), trouble_.empty() ? "" : ": ", trouble_);
+  }
+  status.ready = status.not_ready.empty();
+  return status;
+}
+
+// ---- the end of the stream
+
+void ClusterLog::watch() {
+  do {
+    look_at_end();
+  } while (pause(settings_.look_interval));
+}
+
+void ClusterLog::look_at_end() {
+  const TimePoint asked = SteadyClock::now();
+  std::uint64_t sequence = 0;
+  std::int64_t created_ns = 0;
+  bool known = false;
+  {
+    const std::lock_guard lock{mutex_};
+    sequence = sequence_;
+    created_ns = created_ns_;
+    known = places_known_;
+  }
+  const auto stream = parts_.stream.state();
+  bool shorter = false;
+  {
+    const std::lock_guard lock{mutex_};
+    if (!stream) {
+      if (!silent_since_) silent_since_ = asked;
+      if (!known || trouble_.empty()) trouble_ = stream.error().reason;
+    } else {
+      silent_since_.reset();
+      if (known) heard_ = true;
+      if (!known || stream->created_ns != created_ns) {
+        shorter_since_.reset();
+      } else if (stream->last < sequence) {
+        if (!shorter_since_) shorter_since_ = asked;
+        shorter = asked - *shorter_since_ > kSureOfShorter;
+      } else {
+        shorter_since_.reset();
+        end_.heard(stream->last, asked);
+      }
+    }
+  }
+  tell_whether_it_takes();
+  if (!stream || !known) return;
+  if (stream->created_ns != created_ns) {
+    lose(Lost::other, "the stream was made anew since this server read it");
+  } else if (shorter) {
+    lose(Lost::other, fmt::format("the stream ends at message {}, and this server has applied {}",
+                                  stream->last, sequence));
+  }
+}
+
+void ClusterLog::tell_whether_it_takes() {
+  const bool takes = takes_entries();
+  {
+    const std::lock_guard lock{mutex_};
+    if (std::exchange(was_taking_, takes) == takes) return;
+  }
+  parts_.on_takes();
+}
+
+void ClusterLog::trouble(std::string reason) {
+  const std::lock_guard lock{mutex_};
+  trouble_ = std::move(reason);
+}
+
+void ClusterLog::stop_applying(std::string reason) {
+  {
+    const std::lock_guard lock{mutex_};
+    if (!fault_.empty() || ending_) return;
+    fault_ = std::move(reason);
+    parts_.log->error("cluster: {}; this server takes no edits and is not ready", fault_);
+  }
+  changed_.notify_all();
+  tell_whether_it_takes();
+}
+
+void ClusterLog::lose(Lost how, const std::string& reason) {
+  {
+    const std::lock_guard lock{mutex_};
+    if (!fault_.empty() || ending_) return;
+  }
+  stop_applying(reason);
+  parts_.on_lost(how, reason);
+}
+
+// ---- applying
+
+void ClusterLog::apply_all() {
+  while (!stopping()) {
+    writer_.look();
+    bool faulty = false;
+    {
+      const std::lock_guard lock{mutex_};
+      faulty = !fault_.empty();
+    }
+    if (faulty || writer_.has_batch()) {
+      // The store is minded all the same.
+      const auto left = std::chrono::ceil<milliseconds>(writer_.next_look() - SteadyClock::now());
+      (void)pause(std::clamp(left, milliseconds{1}, kRetryOfFault));
+      continue;
+    }
+    {
+      // What look() could write at last.
+      const StreamPlace place = writer_.status().stream;
+      if (place.sequence != 0) applied(place.sequence);
+    }
+    if (!placed_ && !find_place()) {
+      (void)pause(kRetryOfFault / 4);
+      continue;
+    }
+    next_message();
+  }
+  writer_.flush_all();
+}
+
+bool ClusterLog::find_place() {
+  const auto stream = parts_.stream.state();
+  if (!stream) {
+    trouble(stream.error().reason);
+    return false;
+  }
+  const StreamPlace place = parts_.database.meta().stream;
+  if (stream->last == 0) {
+    trouble("the stream has no genesis; run talusd cluster init");
+    return false;
+  }
+  if (place.sequence == 0) {
+    if (!begin_at_genesis(*stream)) return false;
+  } else if (place.created_ns != stream->created_ns) {
+    lose(Lost::other, "the stream was made anew since this server read it");
+    return false;
+  } else if (stream->first > place.sequence + 1) {
+    lose(Lost::too_old,
+         fmt::format("the stream keeps messages from {} on, and this server has those up to {}",
+                     stream->first, place.sequence));
+    return false;
+  }
+  const StreamPlace now = parts_.database.meta().stream;
+  placed_ = true;
+  {
+    const std::lock_guard lock{mutex_};
+    places_known_ = true;
+    created_ns_ = now.created_ns;
+    sequence_ = now.sequence;
+    end_.applied(now.sequence);
+    trouble_.clear();
+  }
+  const edits::Head& head = parts_.state.head();
+  comparison_.stands(head.revision, head.hash);
+  parts_.log->info("cluster: goes on behind message {} of {}", now.sequence, stream->last);
+  tell_whether_it_takes();
+  return true;
+}
+
+bool ClusterLog::begin_at_genesis(const StreamState& stream) {
+  const edits::Head& own = parts_.state.head();
+  const bool is_empty = own.position == 0;
+  if (stream.first > 1) {
+    lose(is_empty ? Lost::no_start : Lost::too_old,
+         fmt::format("the stream keeps messages from {} on, and this server has none of it", stream.first));
+    return false;
+  }
+  const auto first = parts_.stream.next(0, SteadyClock::now() + milliseconds{500});
+  if (!first || !*first) {
+    trouble(first ? "the stream's first message does not come" : first.error().reason);
+    return false;
+  }
+  const auto genesis = decode_genesis((*first)->bytes);
+  if (!genesis) {
+    stop_applying(describe(genesis.error(), 1));
+    return false;
+  }
+  if (genesis->identity.store_id != identity_.store_id) {
+    stop_applying(fmt::format("the stream is of store {}; this server has store {}",
+                              to_string(genesis->identity.store_id), to_string(identity_.store_id)));
+  } else if (genesis->identity.fingerprint != identity_.fingerprint) {
+    stop_applying(
+        fmt::format("the stream is of the world with fingerprint {}; this server's world has {}; "
+                    "all servers of a store must have the same world",
+                    to_string(genesis->identity.fingerprint), to_string(identity_.fingerprint)));
+  } else if (genesis->level_rule != edits::kLevelRule) {
+    stop_applying(
+        fmt::format("the stream's coarse levels are made by rule {}; this talusd has rule {}; all "
+                    "servers of a store must have the same",
+                    genesis->level_rule, edits::kLevelRule));
+  } else if (settings_.settles != nullptr && *settings_.settles != genesis->settles) {
+    stop_applying(
+        "loose material slides otherwise in this world than in the stream's; all servers of a "
+        "store must have the same world");
+  } else if (genesis->head != own) {
+    lose(is_empty ? Lost::no_start : Lost::other,
+         fmt::format("the stream begins at revision {}, entry {}; this server's store is at revision {}, "
+                     "entry {}",
+                     genesis->head.revision, genesis->head.position, own.revision, own.position));
+  } else {
+    EditDatabase::Done entered;
+    if (is_empty && !genesis->materials.empty()) entered = parts_.database.bind(genesis->materials);
+    if (entered) entered = parts_.database.enter({1, stream.created_ns});
+    writer_.entered();
+    if (entered) return true;
+    trouble(entered.error());
+  }
+  return false;
+}
+
+void ClusterLog::next_message() {
+  if (held_) {
+    apply(*held_);
+    return;
+  }
+  const std::uint64_t after = parts_.database.meta().stream.sequence;
+  const auto until = std::min(writer_.next_look(), SteadyClock::now() + kRetryOfFault);
+  auto message = parts_.stream.next(after, until);
+  if (message) {
+    if (!*message) return;
+    if ((*message)->sequence != after + 1) {
+      stop_applying(
+          fmt::format("behind message {} of the log comes message {}", after, (*message)->sequence));
+      return;
+    }
+    held_ = **std::move(message);
+    apply(*held_);
+    return;
+  }
+  const StreamFailure& failure = message.error();
+  switch (failure.kind) {
+    case StreamFailure::Kind::unavailable:
+      trouble(failure.reason);
+      (void)pause(kSoon);
+      break;
+    case StreamFailure::Kind::refused:
+      trouble(failure.reason);
+      (void)pause(kRetryOfFault);
+      break;
+    case StreamFailure::Kind::gone:
+      lose(Lost::too_old, failure.reason);
+      break;
+    case StreamFailure::Kind::other:
+      lose(Lost::other, failure.reason);
+      break;
+  }
+}
+
+void ClusterLog::apply(const StreamMessage& message) {
+  const auto decoded = decode_batch(message.bytes, identity_);
+  if (!decoded) return stop_applying(describe(decoded.error(), message.sequence));
+  const BatchHead& head = decoded->head;
+  edits::Batch& batch = writer_.begin(head.time_ms);
+  for (std::size_t i = 0; i < decoded->entries.size(); ++i) {
+    const auto entry = decode_entry(decoded->entries[i], decoded->settles);
+    if (!entry) {
+      writer_.drop();
+      return stop_applying(
+          fmt::format("message {} of the log cannot be applied: its entry {} {}", message.sequence, i + 1,
+                      entry.error() == EntryFault::newer ? "is one that this talusd does not know; upgrade it"
+                                                         : "is damaged"));
+    }
+    std::visit([&](const auto& each) { batch.apply(each); }, *entry);
+    if (const auto& unreadable = writer_.reading().error()) {
+      trouble(*unreadable);
+      parts_.log->error("cluster: message {} of the log cannot be applied: {}; it is tried again each second",
+                        message.sequence, *unreadable);
+      writer_.drop();
+      (void)pause(kRetryOfFault);
+      return;
+    }
+  }
+  std::vector<Done> done = publisher_.seen(head, message.bytes);
+  if (done.size() != decoded->entries.size()) done.clear();
+  const std::uint64_t sequence = message.sequence;
+  const BatchHead said = head;
+  const std::int64_t created_ns = parts_.database.meta().stream.created_ns;
+  const bool stored = writer_.store(std::move(done), {sequence, created_ns});
+  held_.reset();  // else the writer has it
+  compare(said);
+  if (stored) {
+    applied(sequence);
+  } else {
+    const std::string reason = *writer_.read_only();
+    trouble(reason);
+    parts_.log->error("cluster: message {} of the log cannot be written: {}; it is tried again each second",
+                      sequence, reason);
+    tell_whether_it_takes();
+  }
+}
+
+void ClusterLog::applied(std::uint64_t sequence) {
+  const edits::Head& head = parts_.state.head();
+  comparison_.stands(head.revision, head.hash);
+  using Verdict = StateComparison::Verdict;
+  const auto verdict = comparison_.judge(SteadyClock::now());
+  {
+    const std::lock_guard lock{mutex_};
+    if (sequence_ != sequence) trouble_.clear();
+    sequence_ = sequence;
+    end_.applied(sequence);
+    differs_ = verdict != Verdict::same;
+    const bool was_undecided = !undecided_.empty();
+    if (verdict == Verdict::undecided) {
+      undecided_ = comparison_.what() +
+                   ", and as many say this as say that; run talusd store verify on each, and take away the "
+                   "store of one that is not sound";
+    } else {
+      undecided_.clear();
+    }
+    if (!was_undecided && !undecided_.empty()) parts_.log->error("cluster: {}", undecided_);
+    if (was_undecided && undecided_.empty()) {
+      parts_.log->info("cluster: it is decided whose state is right; edits are taken again");
+    }
+  }
+  changed_.notify_all();
+  tell_whether_it_takes();
+  if (verdict == Verdict::wrong) {
+    lose(Lost::wrong_state, comparison_.what() + ", as most have; this server's store is wrong");
+  }
+}
+
+void ClusterLog::compare(const BatchHead& head) {
+  const auto say = comparison_.heard({head.publisher, head.revision, head.hash}, SteadyClock::now());
+  if (!say) return;
+  parts_.log->error("cluster: {}; all servers now say what they had then", comparison_.what());
+  publisher_.say({say->revision, say->hash});
+}
+
+}  // namespace talus::server::cluster

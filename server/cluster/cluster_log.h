@@ -1,0 +1,156 @@
+// The log of a world that several servers share: what it takes it publishes to a stream, and what comes from
+// the stream, of whichever server, it applies in the stream's order. An entry is answered where it was taken,
+// once it is applied there.
+//
+// Three threads: one publishes, one applies and writes the store, one asks the stream's leader where its end
+// is.
+#pragma once
+
+#include <atomic>
+#include <condition_variable>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <thread>
+
+#include "clock/clock.h"
+#include "cluster/log_end.h"
+#include "cluster/log_stream.h"
+#include "cluster/publisher.h"
+#include "cluster/state_comparison.h"
+#include "edits/edit_log.h"
+#include "edits/store_writer.h"
+#include "log/logger.h"
+
+namespace talus::server::cluster {
+
+/// Why this server's store cannot go on with the stream. Another server's store can take its place.
+enum class Lost : std::uint8_t {
+  too_old,      // the stream does not keep what comes next any more
+  no_start,     // the store is empty, and the stream begins with a state that is not
+  other,        // the stream was made anew, or is that of another state than the store's
+  wrong_state,  // most other servers have another state
+};
+
+class ClusterLog final : public EditLog {
+ public:
+  /// Called on the applier's thread.
+  using OnChanged = StoreWriter::OnChanged;
+
+  struct Settings {
+    StoreWriterSettings store{};
+    edits::SettleRulesPtr settles{};  // by which this world's loose material slides; null: none does
+    std::chrono::milliseconds look_interval{500};  // at the stream's end
+  };
+  /// All outlive this; `database` and `state` are changed by nobody else from here on. The database has its
+  /// log elsewhere.
+  struct Parts {
+    LogStream& stream;
+    EditDatabase& database;
+    EditState& state;
+    const Clock& clock;
+    Logger log;
+    OnChanged on_changed;
+    /// takes_entries() has changed. Any thread; must not wait, nor call the log.
+    std::function<void()> on_takes = [] {};
+    /// The store is lost to the cluster, in one line: once, on a thread of the log's, which applies nothing
+    /// any more. Whoever brings another server's store in its place does so after stop(), or in another
+    /// process.
+    std::function<void(Lost, const std::string&)> on_lost = [](Lost, const std::string&) {};
+  };
+
+  ClusterLog(Parts parts, Settings settings);
+  ~ClusterLog() override { stop(); }
+  ClusterLog(const ClusterLog&) = delete;
+  ClusterLog& operator=(const ClusterLog&) = delete;
+
+  /// Starts the threads; once.
+  void start();
+  /// Takes nothing any more, waits up to two seconds until what was taken is answered, writes all that is
+  /// dirty, and ends the threads. Stops the stream. Not on a thread of the log's.
+  void stop();
+
+  [[nodiscard]] tl::expected<void, LogFailure> append(LogEntry entry, Done done) override;
+  [[nodiscard]] bool takes_entries() const override;
+
+  struct Status {
+    edits::Head head;
+    std::size_t waiting = 0;
+    std::optional<std::string> read_only;  // why no entries are taken, in one line
+    bool ready = false;                    // players may come here
+    std::string not_ready;                 // why not, in one line
+    bool connected = false;
+    bool quorum = false;  // the stream has a leader that answers
+    bool differs = false;
+    std::uint64_t lag = 0;  // messages
+    std::uint64_t sequence = 0;
+    std::uint64_t gaps = 0;
+    std::uint64_t republished = 0;
+  };
+  /// Any thread.
+  [[nodiscard]] Status status() const;
+  [[nodiscard]] const LatencyHistogram& publish_latency() const { return publisher_.latency(); }
+
+ private:
+  using TimePoint = std::chrono::steady_clock::time_point;
+
+  // The applier's thread.
+  void apply_all();
+  /// Whether the store's place in the stream is known, and what comes next is to be had; looks once.
+  [[nodiscard]] bool find_place();
+  [[nodiscard]] bool begin_at_genesis(const StreamState& stream);
+  void next_message();
+  void apply(const StreamMessage& message);
+  void compare(const BatchHead& head);
+  void applied(std::uint64_t sequence);
+  /// False: stop() was called.
+  bool pause(std::chrono::milliseconds time);
+
+  // The watching thread.
+  void watch();
+  void look_at_end();
+
+  // Any thread.
+  void stop_applying(std::string reason);
+  void lose(Lost how, const std::string& reason);
+  void trouble(std::string reason);
+  void tell_whether_it_takes();
+  [[nodiscard]] bool stopping() const;
+
+  const Parts parts_;
+  const Settings settings_;
+  const StoreIdentity identity_;
+  StoreWriter writer_;
+  Publisher publisher_;
+
+  // The applier's thread alone.
+  bool placed_ = false;
+  std::optional<StreamMessage> held_;  // came, and could not be applied
+  StateComparison comparison_;
+
+  mutable std::mutex mutex_;
+  std::condition_variable changed_;
+  LogEnd end_;
+  std::uint64_t sequence_ = 0;  // of the last message that is applied
+  std::int64_t created_ns_ = 0;
+  std::optional<TimePoint> shorter_since_;  // the stream seems to have less than was applied
+  std::optional<TimePoint> silent_since_;   // the leader does not answer
+  bool heard_ = false;                      // it ever did
+  bool places_known_ = false;
+  std::string fault_;      // why nothing is applied any more
+  std::string trouble_;    // why nothing is applied just now
+  std::string undecided_;  // as many say this as say that
+  bool differs_ = false;
+  bool stopping_ = false;   // no entries are taken
+  bool ending_ = false;     // the threads end
+  bool was_taking_ = true;  // as on_takes was told
+
+  std::thread applier_;
+  std::thread watcher_;
+};
+
+}  // namespace talus::server::cluster

@@ -1,0 +1,43 @@
+#include "cluster/log_end.h"
+
+#include <algorithm>
+
+namespace talus::server::cluster {
+
+void LogEnd::heard(std::uint64_t last, TimePoint asked) {
+  last_ = std::max(last_, last);
+  heard_ = asked;
+  if (last <= applied_) {
+    reached_ = true;
+  } else {
+    ahead_.push_back({last, asked});
+  }
+  if (ahead_.size() > kMostLooks) {
+    // Far behind: every second look tells as much.
+    std::deque<Look> thinner;
+    for (std::size_t i = 0; i < ahead_.size(); i += 2) thinner.push_back(ahead_[i]);
+    ahead_.swap(thinner);
+  }
+  judge();
+}
+
+void LogEnd::applied(std::uint64_t sequence) {
+  applied_ = std::max(applied_, sequence);
+  for (; !ahead_.empty() && ahead_.front().last <= applied_; ahead_.pop_front()) reached_ = true;
+  judge();
+}
+
+std::chrono::steady_clock::duration LogEnd::behind() const {
+  return ahead_.empty() ? std::chrono::steady_clock::duration{} : heard_ - ahead_.front().asked;
+}
+
+void LogEnd::judge() {
+  if (behind() > kFar) {
+    ready_ = false;
+    reached_ = false;
+  } else if (reached_ && behind() <= kNear) {
+    ready_ = true;
+  }
+}
+
+}  // namespace talus::server::cluster

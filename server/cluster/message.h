@@ -1,0 +1,83 @@
+// What the servers of one world write to each other into their stream: FORMAT.md has every byte. Pure; any
+// bytes are safe to decode.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include <tl/expected.hpp>
+
+#include <talus/edits/batch.h>
+#include <talus/edits/settle.h>
+#include <talus/voxel/content_hash.h>
+
+#include "store/records.h"
+#include "store/store_identity.h"
+
+namespace talus::server::cluster {
+
+/// Of messages. A server that reads a greater one applies nothing from there on.
+inline constexpr std::uint8_t kMessageFormat = 1;
+inline constexpr std::size_t kMaxEntries = 1'024;
+/// Of one message.
+inline constexpr std::size_t kMaxMessageBytes = std::size_t{512} << 10U;
+/// Of the checksum at its end.
+inline constexpr std::size_t kSealBytes = 8;
+
+/// The stream's first message: the state on which all others are applied.
+struct Genesis {
+  StoreIdentity identity;
+  std::uint32_t level_rule = edits::kLevelRule;
+  edits::Head head;
+  edits::SettleRules settles;    // by which loose material slides in this world
+  edits::MaterialIds materials;  // that are bound: from kFirstBound on
+  bool operator==(const Genesis&) const = default;
+};
+
+/// Entries that one server wrote at once, and where it stood when it did.
+struct BatchHead {
+  StoreIdentity identity;
+  std::uint64_t publisher = 0;  // a number that the server took when it started
+  std::uint64_t number = 0;     // of its batches: from 1 on. The same number again is the same batch again
+  std::int64_t time_ms = 0;     // since 1970, by the server's clock
+  std::uint64_t revision = 0;   // of the state at the end of some message before this one
+  edits::StateHash hash;        // of that state, as the server has it
+  bool operator==(const BatchHead&) const = default;
+};
+
+struct BatchMessage {
+  BatchHead head;
+  edits::SettleRulesPtr settles;                    // of those entries that settle; null: none does
+  std::vector<std::span<const std::byte>> entries;  // of the message's bytes, to be decoded one by one
+};
+
+struct MessageFault {
+  enum class Kind : std::uint8_t {
+    damaged,      // its checksum is wrong, or no talusd wrote it
+    newer,        // its format is one that this talusd does not know
+    other_world,  // it is of another fingerprint
+    other_store,
+  };
+  Kind kind = Kind::damaged;
+  std::string reason;  // one line: what is wrong, and what would be right
+};
+
+/// An error, in one line, where it has more materials than a message holds.
+[[nodiscard]] tl::expected<Bytes, std::string> encode(const Genesis& genesis);
+[[nodiscard]] tl::expected<Genesis, MessageFault> decode_genesis(std::span<const std::byte> bytes);
+
+/// Bytes that a batch has beside its entries, at most, where `settles` are its rules.
+[[nodiscard]] std::size_t batch_overhead(const edits::SettleRulesPtr& settles);
+
+/// Of entries as encode() of entry_codec.h writes them. REQUIRES: at most kMaxEntries and kMaxMessageBytes in
+/// all (asserted).
+[[nodiscard]] Bytes encode_batch(const BatchHead& head, const edits::SettleRulesPtr& settles,
+                                 std::span<const Bytes> entries);
+/// A batch of this world and store. What is returned refers to `bytes`.
+[[nodiscard]] tl::expected<BatchMessage, MessageFault> decode_batch(std::span<const std::byte> bytes,
+                                                                    const StoreIdentity& identity);
+
+}  // namespace talus::server::cluster

@@ -1,0 +1,202 @@
+#include "cluster/publisher.h"
+
+#include <algorithm>
+#include <random>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "cluster/entry_codec.h"
+
+namespace talus::server::cluster {
+namespace {
+
+// Before each entry of a batch.
+constexpr std::size_t kLengthBytes = 3;
+
+std::uint64_t drawn() {
+  std::random_device device;
+  return (std::uint64_t{device()} << 32) | device();
+}
+
+std::span<const std::byte> seal_of(std::span<const std::byte> message) {
+  return message.last(std::min(kSealBytes, message.size()));
+}
+
+}  // namespace
+
+Publisher::Publisher(Parts parts) : parts_{std::move(parts)}, id_{drawn()}, queue_{{}} {}
+
+void Publisher::start() {
+  thread_ = std::thread{[this] { run(); }};
+}
+
+void Publisher::stop() {
+  {
+    const std::lock_guard lock{mutex_};
+    stopping_ = true;
+  }
+  changed_.notify_all();
+  queue_.stop();
+  if (thread_.joinable()) thread_.join();
+}
+
+LogFailure Publisher::cut_off() const {
+  const std::string why = trouble();
+  return {LogFailure::Kind::cut_off,
+          fmt::format("the log that this world's servers share takes no edits now{}{}; come back in 2 s",
+                      why.empty() ? "" : ": ", why)};
+}
+
+tl::expected<void, LogFailure> Publisher::append(LogEntry entry, EditLog::Done done) {
+  if (!takes()) return tl::unexpected{cut_off()};
+  Encoded encoded;
+  encode(entry, encoded.bytes);
+  const std::size_t size = encoded.bytes.size() + kLengthBytes;
+  if (size + batch_overhead(parts_.settles) > kMaxMessageBytes) {
+    return tl::unexpected{
+        LogFailure{LogFailure::Kind::too_large,
+                   fmt::format("the edit takes {} bytes in the log, and a message of it "
+                               "has room for {}; divide it",
+                               encoded.bytes.size(), kMaxMessageBytes - batch_overhead(parts_.settles))}};
+  }
+  // What nobody can read would stop all servers.
+  if (!decode_entry(encoded.bytes, parts_.settles)) {
+    return tl::unexpected{
+        LogFailure{LogFailure::Kind::too_large, "the edit breaks a bound of the log's entries; divide it"}};
+  }
+  // What decoding takes is bounded as what is sent is.
+  const std::size_t bytes = std::max(size, bytes_of(entry));
+  return queue_.put({std::move(encoded), std::move(done), bytes});
+}
+
+void Publisher::say(const Stand& stand) {
+  {
+    const std::lock_guard lock{mutex_};
+    to_say_ = stand;
+  }
+  queue_.wake();
+}
+
+std::string Publisher::trouble() const {
+  const std::lock_guard lock{mutex_};
+  return trouble_;
+}
+
+std::size_t Publisher::open() const {
+  std::size_t open = queue_.size();
+  const std::lock_guard lock{mutex_};
+  for (const auto& [number, each] : open_) open += each.done.size();
+  return open;
+}
+
+std::vector<EditLog::Done> Publisher::seen(const BatchHead& head, std::span<const std::byte> message) {
+  if (head.publisher != id_) return {};
+  std::vector<EditLog::Done> done;
+  {
+    const std::lock_guard lock{mutex_};
+    const auto open = open_.find(head.number);
+    if (open == open_.end() || !std::ranges::equal(open->second.seal, seal_of(message))) return {};
+    done = std::exchange(open->second.done, {});
+    open->second.seen = true;
+  }
+  changed_.notify_all();
+  return done;
+}
+
+void Publisher::put_back(const BatchHead& head, std::span<const std::byte> message,
+                         std::vector<EditLog::Done> done) {
+  if (done.empty()) return;
+  const std::lock_guard lock{mutex_};
+  Open& open = open_[head.number];
+  open.done = std::move(done);
+  open.seal.assign(seal_of(message).begin(), seal_of(message).end());
+  open.seen = true;
+}
+
+void Publisher::run() {
+  constexpr std::chrono::hours kLong{1};
+  for (;;) {
+    const std::size_t room = kBatchBytes - batch_overhead(parts_.settles);
+    auto taken = queue_.take(kMaxEntries, room, std::chrono::steady_clock::now() + kLong);
+    std::optional<Stand> stand;
+    {
+      const std::lock_guard lock{mutex_};
+      if (stopping_) return;
+      stand = std::exchange(to_say_, std::nullopt);
+      // Those that were seen and answered.
+      std::erase_if(open_, [](const auto& each) { return each.second.seen && each.second.done.empty(); });
+    }
+    if (taken.empty() && !stand) continue;
+    if (!stand) stand = parts_.stand();
+    const auto now =
+        std::chrono::duration_cast<std::chrono::milliseconds>(parts_.clock.wall().time_since_epoch());
+    const BatchHead head{parts_.identity, id_,        ++number_, std::max<std::int64_t>(now.count(), 0),
+                         stand->revision, stand->hash};
+    std::vector<Bytes> entries;
+    Open open;
+    for (Queue::Waiting& each : taken) {
+      entries.push_back(std::move(each.entry.bytes));
+      open.done.push_back(std::move(each.done));
+    }
+    const Bytes message = encode_batch(head, parts_.settles, entries);
+    open.seal.assign(seal_of(message).begin(), seal_of(message).end());
+    {
+      const std::lock_guard lock{mutex_};
+      open_.emplace(head.number, std::move(open));
+    }
+    publish(head.number, message);
+  }
+}
+
+void Publisher::publish(std::uint64_t number, std::span<const std::byte> message) {
+  const auto began = std::chrono::steady_clock::now();
+  for (bool first = true;; first = false) {
+    if (!first) republished_.add();
+    const auto acked = parts_.stream.publish(message);
+    if (acked) break;
+    {
+      const std::lock_guard lock{mutex_};
+      if (stopping_) return;
+      trouble_ = acked.error().reason;
+    }
+    if (std::chrono::steady_clock::now() - began > kPatience) {
+      set_takes(false);
+      refuse_all();
+    }
+    if (wait_for_retry(number)) break;
+  }
+  latency_.add(std::chrono::steady_clock::now() - began);
+  {
+    const std::lock_guard lock{mutex_};
+    if (stopping_) return;
+    trouble_.clear();
+  }
+  set_takes(true);
+}
+
+bool Publisher::wait_for_retry(std::uint64_t number) {
+  std::unique_lock lock{mutex_};
+  const auto is_seen = [&] {
+    const auto open = open_.find(number);
+    return open == open_.end() || open->second.seen;
+  };
+  changed_.wait_for(lock, kRetry, [&] { return stopping_ || is_seen(); });
+  return stopping_ || is_seen();
+}
+
+void Publisher::set_takes(bool takes) {
+  if (takes_.exchange(takes, std::memory_order_acq_rel) != takes) parts_.on_change();
+}
+
+void Publisher::refuse_all() {
+  // They are in no message: nobody need wonder what became of them.
+  for (;;) {
+    const auto waiting = queue_.take(kMaxEntries, SIZE_MAX, Queue::TimePoint::min());
+    if (waiting.empty()) return;
+    const tl::expected<const edits::Applied*, LogFailure> failure = tl::unexpected{cut_off()};
+    for (const Queue::Waiting& each : waiting) each.done(failure);
+  }
+}
+
+}  // namespace talus::server::cluster

@@ -1,0 +1,135 @@
+#include "edits/store_writer.h"
+
+#include <algorithm>
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace talus::server {
+
+StoreWriter::StoreWriter(EditDatabase& database, EditState& state, const StoreWriterSettings& settings,
+                         OnChanged on_changed)
+    : database_{database},
+      state_{state},
+      settings_{settings},
+      on_changed_{std::move(on_changed)},
+      flusher_{state, database} {
+  const TimePoint now = std::chrono::steady_clock::now();
+  next_flush_ = now + settings_.flush_interval;
+  next_check_ = now + settings_.retry_interval;
+  check_disk();
+  publish();
+}
+
+StoreWriter::Status StoreWriter::status() const {
+  const std::lock_guard lock{mutex_};
+  return status_;
+}
+
+edits::Batch& StoreWriter::begin(std::int64_t now_ms) {
+  return pending_.emplace(state_, now_ms, database_.materials()).batch;
+}
+
+bool StoreWriter::store(std::vector<EditLog::Done> done, const StreamPlace& place) {
+  pending_->done = std::move(done);
+  pending_->place = place;
+  return write();
+}
+
+std::vector<EditLog::Done> StoreWriter::take_done() {
+  return std::exchange(pending_->done, {});
+}
+
+bool StoreWriter::write() {
+  if (auto written = database_.append(pending_->batch, pending_->place); !written) {
+    refuse(std::move(written.error()));
+    return false;
+  }
+  const std::vector<ChunkChange> changed = state_.commit(std::move(pending_->batch));
+  publish();
+  const std::vector<edits::Applied>& applied = pending_->batch.applied();
+  for (std::size_t i = 0; i < pending_->done.size(); ++i) pending_->done[i](&applied[i]);
+  if (!changed.empty() && on_changed_) on_changed_(changed);
+  pending_.reset();
+  return true;
+}
+
+StoreWriter::TimePoint StoreWriter::next_look() const {
+  if (broken_) return next_check_;
+  return flusher_.is_running() ? TimePoint::min() : std::min(next_flush_, next_check_);
+}
+
+void StoreWriter::look() {
+  const TimePoint now = std::chrono::steady_clock::now();
+  if (now >= next_check_) {
+    next_check_ = now + settings_.retry_interval;
+    if (broken_) {
+      retry();
+    } else if (database_.has_unsynced()) {
+      if (auto synced = database_.sync(); !synced) refuse(std::move(synced.error()));
+    }
+    check_disk();
+    publish();
+  }
+  if (!broken_) flush_some();
+  // Small edits of chunks with many may dirty more than a slice each time.
+  while (!broken_ && state_.dirty_bytes() > 16 * settings_.flush_bytes) flush_some();
+}
+
+void StoreWriter::flush_some() {
+  const TimePoint now = std::chrono::steady_clock::now();
+  if (!flusher_.is_running()) {
+    if (now < next_flush_ && state_.dirty_bytes() < settings_.flush_bytes) return;
+    next_flush_ = now + settings_.flush_interval;
+    if (state_.head().position == database_.meta().flushed) return;
+    flusher_.start();
+  }
+  if (auto stepped = flusher_.step(); !stepped) refuse(std::move(stepped.error()));
+}
+
+void StoreWriter::flush_all() {
+  if (broken_) return;
+  while (flusher_.is_running() || state_.head().position != database_.meta().flushed) {
+    if (!flusher_.is_running()) flusher_.start();
+    // What cannot be written is in the log's records, and read by the next start.
+    if (!flusher_.step()) return;
+  }
+  (void)database_.settle();
+}
+
+void StoreWriter::check_disk() {
+  const std::uint64_t free = database_.free_bytes();
+  disk_full_ = free < settings_.free_bytes;
+  if (disk_full_ && !broken_) {
+    const std::lock_guard lock{mutex_};
+    status_.read_only = fmt::format("edits {}: the disk has {} bytes free; edits are taken again from {} on",
+                                    database_.path().string(), free, settings_.free_bytes);
+  }
+}
+
+void StoreWriter::refuse(std::string reason) {
+  broken_ = true;
+  next_check_ = std::chrono::steady_clock::now() + settings_.retry_interval;
+  const std::lock_guard lock{mutex_};
+  status_.read_only = std::move(reason);
+}
+
+void StoreWriter::retry() {
+  if (auto recovered = database_.recover(); !recovered) {
+    refuse(std::move(recovered.error()));
+    return;
+  }
+  broken_ = false;
+  // What was put and not synced may have gone with the fault.
+  if (flusher_.is_running()) flusher_.abandon();
+  if (pending_) (void)write();
+}
+
+void StoreWriter::publish() {
+  const std::lock_guard lock{mutex_};
+  status_.head = state_.head();
+  status_.stream = database_.meta().stream;
+  if (!broken_ && !disk_full_) status_.read_only.reset();
+}
+
+}  // namespace talus::server

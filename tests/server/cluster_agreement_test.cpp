@@ -1,0 +1,129 @@
+// How far a server is behind, and which of several servers has a wrong state.
+#include <catch2/catch.hpp>
+
+#include "cluster/log_end.h"
+#include "cluster/state_comparison.h"
+
+namespace talus::server::cluster {
+namespace {
+
+using namespace std::chrono_literals;
+using Verdict = StateComparison::Verdict;
+
+constexpr edits::StateHash kRight{1, 1};
+constexpr edits::StateHash kWrong{2, 2};
+
+}  // namespace
+
+TEST_CASE("a server is ready when it is within a second of the log's end, until it is ten behind") {
+  LogEnd end;
+  const LogEnd::TimePoint start{};
+  CHECK_FALSE(end.is_ready());
+  end.heard(100, start);
+  CHECK_FALSE(end.is_ready());
+  CHECK(end.lag() == 100);
+  end.applied(50);
+  end.heard(120, start + 5s);
+  CHECK(end.behind() == 5s);
+  end.applied(100);
+  CHECK(end.behind() == 0s);  // since 5 s the leader has said nothing, and then this was the end
+  CHECK(end.is_ready());
+  end.heard(200, start + 6s);
+  CHECK(end.is_ready());
+  CHECK(end.behind() == 1s);
+  end.heard(210, start + 15s);
+  CHECK(end.is_ready());
+  end.heard(220, start + 16s);
+  CHECK_FALSE(end.is_ready());
+  end.applied(210);  // what was the end a second before
+  CHECK(end.is_ready());
+  end.applied(220);
+  CHECK(end.lag() == 0);
+}
+
+TEST_CASE("a server that hears nothing of the leader stays ready, and one that never heard is not") {
+  LogEnd end;
+  end.applied(7);
+  CHECK_FALSE(end.is_ready());
+  end.heard(7, LogEnd::TimePoint{});
+  CHECK(end.is_ready());
+  end.applied(9);
+  CHECK(end.is_ready());
+}
+
+TEST_CASE("a server that is far behind for hours remembers few looks") {
+  LogEnd end;
+  for (int i = 0; i < 10'000; ++i)
+    end.heard(static_cast<std::uint64_t>(i) + 1, LogEnd::TimePoint{} + i * 500ms);
+  CHECK(end.behind() == 9'999 * 500ms);
+  end.applied(9'990);
+  CHECK(end.behind() <= 600s);
+  end.applied(10'000);
+  CHECK(end.is_ready());
+}
+
+TEST_CASE("who says the same is no matter, and what is not remembered is not compared") {
+  StateComparison own{1};
+  const StateComparison::TimePoint now{};
+  own.stands(5, kRight);
+  own.stands(7, kRight);
+  CHECK_FALSE(own.heard({2, 5, kRight}, now).has_value());
+  CHECK_FALSE(own.heard({2, 6, kWrong}, now).has_value());  // in the midst of a message
+  CHECK_FALSE(own.heard({2, 900, kWrong}, now).has_value());
+  CHECK(own.judge(now + 10s) == Verdict::same);
+}
+
+TEST_CASE("of three the one that says otherwise is wrong") {
+  const StateComparison::TimePoint now{};
+  const auto verdict = [&](std::uint64_t self, edits::StateHash hash) {
+    StateComparison own{self};
+    own.stands(5, hash);
+    // What is in the log: 3 is wrong and says so first, then all that hear of it.
+    bool says = false;
+    for (const StateComparison::Claim claim :
+         {StateComparison::Claim{3, 5, kWrong}, {1, 5, kRight}, {2, 5, kRight}, {3, 5, kWrong}}) {
+      const auto say = own.heard(claim, now);
+      if (say) {
+        CHECK(say->publisher == self);
+        CHECK(say->revision == 5);
+        CHECK(say->hash == hash);
+        CHECK_FALSE(says);
+        says = true;
+      }
+    }
+    CHECK(says);
+    CHECK(own.judge(now + 1s) == Verdict::voting);
+    const Verdict after = own.judge(now + 2s);
+    // It stays so, and who is known to be wrong makes no further trouble.
+    CHECK_FALSE(own.heard({3, 5, kWrong}, now + 3s).has_value());
+    CHECK(own.judge(now + 3s) == after);
+    return after;
+  };
+  CHECK(verdict(1, kRight) == Verdict::same);
+  CHECK(verdict(2, kRight) == Verdict::same);
+  CHECK(verdict(3, kWrong) == Verdict::wrong);
+}
+
+TEST_CASE("two that say otherwise wait for a third, whichever revision it speaks of") {
+  const StateComparison::TimePoint now{};
+  StateComparison own{1};
+  own.stands(5, kRight);
+  own.stands(8, {4, 4});
+  REQUIRE(own.heard({2, 5, kWrong}, now).has_value());
+  CHECK(own.judge(now + 5s) == Verdict::undecided);
+  CHECK(own.what().find("revision 5") != std::string::npos);
+  SECTION("that has the same later") {
+    CHECK_FALSE(own.heard({3, 8, {4, 4}}, now + 6s).has_value());
+    CHECK(own.judge(now + 6s) == Verdict::same);
+  }
+  SECTION("that had the other") {
+    CHECK_FALSE(own.heard({3, 5, kWrong}, now + 6s).has_value());
+    CHECK(own.judge(now + 6s) == Verdict::wrong);
+  }
+  SECTION("that has a third state") {
+    CHECK_FALSE(own.heard({3, 5, {9, 9}}, now + 6s).has_value());
+    CHECK(own.judge(now + 6s) == Verdict::undecided);
+  }
+}
+
+}  // namespace talus::server::cluster

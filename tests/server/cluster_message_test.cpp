@@ -1,0 +1,235 @@
+// The bytes that servers of one world write to each other: what is written is read back, and anything else is
+// refused.
+#include <memory>
+#include <random>
+
+#include <talus/voxel/codec.h>
+#include <catch2/catch.hpp>
+
+#include "cluster/entry_codec.h"
+#include "cluster/message.h"
+#include "edits/model.h"
+
+namespace talus::server::cluster {
+namespace {
+
+std::string hex_of(std::span<const std::byte> bytes) {
+  std::string hex;
+  for (const std::byte byte : bytes) {
+    constexpr std::string_view kDigits = "0123456789abcdef";
+    hex += kDigits[std::to_integer<std::size_t>(byte >> 4)];
+    hex += kDigits[std::to_integer<std::size_t>(byte & std::byte{15})];
+  }
+  return hex;
+}
+
+const StoreIdentity kIdentity{{1, 2}, {3, 4}};
+
+edits::SettleRulesPtr sand_slides() {
+  return std::make_shared<const edits::SettleRules>(edits::SettleRules{{MaterialId{3}, 160}});
+}
+
+Genesis small_genesis() {
+  Genesis genesis;
+  genesis.identity = kIdentity;
+  genesis.head = {.position = 9, .revision = 5, .time_ms = 7, .hash = {10, 11}};
+  genesis.settles = *sand_slides();
+  genesis.materials = {{"glass", MaterialId{257}}, {"lamp", MaterialId{256}}};
+  return genesis;
+}
+
+edits::EditEntry small_edit() {
+  edits::EditEntry entry{{5, 6}, 2, 9, {}, {}, sand_slides(), "bob"};
+  entry.edit.guards.push_back({{-1, 2, 3}, kAir});
+  entry.edit.writes.push_back({{-1, 2, 3}, MaterialId{3}});
+  entry.edit.writes.push_back({{0, 2, 3}, MaterialId{300}});
+  entry.edit.fills.push_back({{0, 0, 0}, {1, 1, 1}, std::nullopt, MaterialId{3}});
+  entry.base = {{{-1, 0, 0}, {{2145, kAir}}}, {{0, 0, 0}, {{0, MaterialId{1}}, {2144, kAir}}}};
+  return entry;
+}
+
+BatchHead small_head() {
+  return {kIdentity, 77, 3, 1'700'000'000'000, 5, {10, 11}};
+}
+
+Bytes bytes_of_entry(const LogEntry& entry) {
+  Bytes bytes;
+  encode(entry, bytes);
+  return bytes;
+}
+
+/// Every bit flipped and every end cut off must be refused.
+template <typename Decode>
+void check_damage(const Bytes& value, const Decode& decode) {
+  for (std::size_t bit = 0; bit < value.size() * 8; ++bit) {
+    Bytes damaged = value;
+    damaged[bit / 8] ^= static_cast<std::byte>(1U << (bit % 8));
+    if (decode(damaged)) FAIL("bit " << bit << " makes no difference");
+  }
+  for (std::size_t size = 0; size < value.size(); ++size) {
+    const Bytes cut(value.begin(), value.begin() + static_cast<std::ptrdiff_t>(size));
+    if (decode(cut)) FAIL(size << " bytes are enough");
+  }
+}
+
+/// Edits of every kind: pastes, settling ones, ones that no sound server writes.
+edits::EditEntry any_edit(std::mt19937_64& random) {
+  const auto below = [&](std::uint64_t bound) { return random() % bound; };
+  const auto material = [&] { return MaterialId{static_cast<std::uint16_t>(below(UINT16_MAX + 1))}; };
+  const auto voxel = [&]() -> VoxelPos {
+    const auto at = [&] {
+      return below(10) == 0 ? static_cast<std::int64_t>(random())
+                            : static_cast<std::int64_t>(below(600)) - 300;
+    };
+    return {at(), at(), at()};
+  };
+  const auto maybe = [&] { return below(2) == 0 ? std::nullopt : std::optional{material()}; };
+  edits::EditEntry entry{{random(), random()}, random(), below(1'000), {}, {}, nullptr, {}};
+  if (below(2) == 0) entry.settles = sand_slides();
+  if (below(2) == 0) entry.subject = std::string(below(257), 'x');
+  for (std::uint64_t left = below(5); left > 0; --left) entry.edit.guards.push_back({voxel(), material()});
+  for (std::uint64_t left = below(5); left > 0; --left) entry.edit.writes.push_back({voxel(), material()});
+  for (std::uint64_t left = below(3); left > 0; --left) {
+    entry.edit.fills.push_back({voxel(), voxel(), maybe(), maybe()});
+  }
+  if (below(3) == 0) {
+    edits::Paste paste{voxel(), Chunk::uniform(material()), below(2) == 0};
+    entry.edit.paste = std::move(paste);
+  }
+  for (std::uint64_t left = below(4); left > 0; --left) {
+    std::vector<Override>& voxels = entry.base[{static_cast<std::int32_t>(random()), 0, 1}];
+    for (std::uint16_t index = 0; index < below(200); ++index) voxels.push_back({index, material()});
+  }
+  return entry;
+}
+
+}  // namespace
+
+TEST_CASE("messages of the shared log are those of FORMAT.md, byte by byte") {
+  const auto genesis = encode(small_genesis());
+  REQUIRE(genesis.has_value());
+  CHECK(hex_of(*genesis) ==
+        "0100010000000000000002000000000000000300000000000000040000000000000001000000090000000000"
+        "0000070000000000000005000000000000000a000000000000000b000000000000000103c0020205676c6173"
+        "738102046c616d708002d93c8673f3397950");
+  const std::vector<Bytes> entries{bytes_of_entry(edits::AttachEntry{{5, 6}, 2, "bob"}),
+                                   bytes_of_entry(small_edit()), bytes_of_entry(edits::BindEntry{{"glass"}})};
+  CHECK(hex_of(entries[0]) == "0100050000000000000006000000000000000203626f62");
+  CHECK(hex_of(entries[1]) ==
+        "010105000000000000000600000000000000020903626f620101010406000201040603020000ac0201000000"
+        "02020200040201000006010001e1100000000009020001020001df1000");
+  CHECK(hex_of(entries[2]) == "01020105676c617373");
+  CHECK(hex_of(encode_batch(small_head(), sand_slides(), entries)) ==
+        "010101000000000000000200000000000000030000000000000004000000000000004d000000000000000380"
+        "d095ffbc3105000000000000000a000000000000000b00000000000000010103c00203170100050000000000"
+        "000006000000000000000203626f6249010105000000000000000600000000000000020903626f6201010104"
+        "06000201040603020000ac020100000002020200040201000006010001e1100000000009020001020001df10"
+        "000901020105676c617373b798c4a7590b13ca");
+}
+
+TEST_CASE("a genesis is read back, and damage is seen") {
+  const Bytes bytes = *encode(small_genesis());
+  const auto read = decode_genesis(bytes);
+  REQUIRE(read.has_value());
+  CHECK(*read == small_genesis());
+  check_damage(bytes, [](const Bytes& each) { return decode_genesis(each).has_value(); });
+  Genesis large = small_genesis();
+  for (std::uint16_t id = 256; id < 20'000; ++id) {
+    large.materials.emplace(std::string(40, 'm') + std::to_string(id), MaterialId{id});
+  }
+  const auto refused = encode(large);
+  REQUIRE_FALSE(refused.has_value());
+  CHECK(refused.error().find("message has at most 524288") != std::string::npos);
+}
+
+TEST_CASE("a batch is read back by those whose store and world it is of, and damage is seen") {
+  const std::vector<Bytes> entries{bytes_of_entry(edits::AttachEntry{{5, 6}, 2, "bob"}),
+                                   bytes_of_entry(small_edit())};
+  const Bytes bytes = encode_batch(small_head(), sand_slides(), entries);
+  const auto read = decode_batch(bytes, kIdentity);
+  REQUIRE(read.has_value());
+  CHECK(read->head == small_head());
+  CHECK(*read->settles == *sand_slides());
+  REQUIRE(read->entries.size() == 2);
+  CHECK(std::equal(entries[1].begin(), entries[1].end(), read->entries[1].begin(), read->entries[1].end()));
+  check_damage(bytes, [](const Bytes& each) { return decode_batch(each, kIdentity).has_value(); });
+  // None at all: where a server says where it stands.
+  const Bytes none = encode_batch(small_head(), nullptr, {});
+  REQUIRE(decode_batch(none, kIdentity).has_value());
+  CHECK(decode_batch(none, kIdentity)->settles == nullptr);
+
+  using Kind = MessageFault::Kind;
+  const auto other_store = decode_batch(bytes, {{1, 1}, kIdentity.fingerprint});
+  REQUIRE_FALSE(other_store.has_value());
+  CHECK(other_store.error().kind == Kind::other_store);
+  const auto other_world = decode_batch(bytes, {kIdentity.store_id, {1, 1}});
+  REQUIRE_FALSE(other_world.has_value());
+  CHECK(other_world.error().kind == Kind::other_world);
+  CHECK(other_world.error().reason.find("the same world") != std::string::npos);
+  Bytes newer = bytes;
+  newer.front() = std::byte{kMessageFormat + 1};
+  CHECK(decode_batch(newer, kIdentity).error().kind == Kind::newer);
+  CHECK(decode_batch(*encode(small_genesis()), kIdentity).error().kind == Kind::damaged);
+  CHECK(decode_genesis(bytes).error().kind == Kind::damaged);
+  CHECK(decode_batch(Bytes(kMaxMessageBytes + 1, std::byte{1}), kIdentity).error().kind == Kind::damaged);
+}
+
+TEST_CASE("entries of every kind are read back") {
+  const std::uint64_t seed = std::random_device{}();
+  CAPTURE(seed);
+  std::mt19937_64 random{seed};
+  for (int i = 0; i < 300; ++i) {
+    const edits::EditEntry entry = any_edit(random);
+    const Bytes bytes = bytes_of_entry(entry);
+    const auto read = decode_entry(bytes, sand_slides());
+    REQUIRE(read.has_value());
+    const auto& edit = std::get<edits::EditEntry>(*read);
+    CHECK(edit.editor == entry.editor);
+    CHECK(edit.epoch == entry.epoch);
+    CHECK(edit.sequence == entry.sequence);
+    CHECK(edit.subject == entry.subject);
+    CHECK((edit.settles != nullptr) == (entry.settles != nullptr));
+    CHECK(edit.edit.guards == entry.edit.guards);
+    CHECK(edit.edit.writes == entry.edit.writes);
+    CHECK(edit.edit.fills.size() == entry.edit.fills.size());
+    CHECK(edit.edit.paste.has_value() == entry.edit.paste.has_value());
+    CHECK(edit.base == entry.base);
+    CHECK(bytes_of_entry(*read) == bytes);
+    for (std::size_t size = 0; size < bytes.size(); ++size) {
+      if (decode_entry(std::span{bytes}.first(size), sand_slides())) FAIL(size << " bytes are enough");
+    }
+  }
+  const auto bind = decode_entry(bytes_of_entry(edits::BindEntry{{"glass", "lamp"}}), nullptr);
+  REQUIRE(bind.has_value());
+  CHECK(std::get<edits::BindEntry>(*bind).names == std::vector<std::string>{"glass", "lamp"});
+  const auto attach = decode_entry(bytes_of_entry(edits::AttachEntry{{5, 6}, 2, "bob"}), nullptr);
+  REQUIRE(attach.has_value());
+  CHECK(std::get<edits::AttachEntry>(*attach).epoch == 2);
+}
+
+TEST_CASE("entries that are newer are told from those that are damaged") {
+  Bytes bytes = bytes_of_entry(small_edit());
+  CHECK(decode_entry(bytes, nullptr).error() == EntryFault::damaged);  // it settles, and nothing says how
+  bytes[0] = std::byte{kEntryFormat + 1};
+  CHECK(decode_entry(bytes, sand_slides()).error() == EntryFault::newer);
+  bytes[0] = std::byte{kEntryFormat};
+  bytes[1] = std::byte{9};
+  CHECK(decode_entry(bytes, sand_slides()).error() == EntryFault::newer);
+  CHECK(decode_entry({}, nullptr).error() == EntryFault::damaged);
+}
+
+TEST_CASE("an entry that names more voxels than it has bytes for takes no memory") {
+  // Whole chunks of one material are six bytes each: as many as an edit may touch are taken, no more.
+  edits::EditEntry entry = small_edit();
+  entry.base.clear();
+  std::vector<Override> all;
+  for (std::uint16_t index = 0; index < kChunkVolume; ++index) all.push_back({index, MaterialId{1}});
+  for (std::int32_t x = 0; x < 3; ++x) entry.base.emplace(ChunkCoord{x, 0, 0}, all);
+  const Bytes bytes = bytes_of_entry(entry);
+  CHECK(bytes.size() < 200);
+  CHECK(decode_entry(bytes, sand_slides()).error() == EntryFault::damaged);
+  Bytes many{std::byte{kEntryFormat}, std::byte{2}, std::byte{255}, std::byte{255}, std::byte{3}};
+  CHECK(decode_entry(many, nullptr).error() == EntryFault::damaged);
+}
+
+}  // namespace talus::server::cluster

@@ -1,0 +1,120 @@
+// One server of a cluster, for tests: a store with its end of the shared log, opened, closed and cut off from
+// power any number of times.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <string>
+
+#include <catch2/catch.hpp>
+
+#include "clock/clock.h"
+#include "cluster/cluster_log.h"
+#include "cluster/message.h"
+#include "edits/edit_state.h"
+#include "shared_stream.h"
+#include "store/edit_database.h"
+#include "unsafe_disk.h"
+
+namespace talus::server::testing {
+
+inline const StoreIdentity kClusterIdentity{{3, 4}, {1, 2}};
+
+inline std::vector<std::byte> empty_genesis() {
+  cluster::Genesis genesis;
+  genesis.identity = kClusterIdentity;
+  return *cluster::encode(genesis);
+}
+
+class ClusterNode {
+ public:
+  ClusterNode(std::filesystem::path path, SharedStream& stream, std::uint64_t seed, StreamFaults faults = {})
+      : path_{std::move(path)},
+        stream_{stream},
+        seed_{seed},
+        faults_{faults},
+        disk_{std::make_shared<UnsafeDisk>(seed)},
+        env_{environment_of(disk_)} {
+    settings.store.flush_interval = std::chrono::milliseconds{5};
+    settings.store.retry_interval = std::chrono::milliseconds{20};
+    settings.look_interval = std::chrono::milliseconds{20};
+  }
+  ~ClusterNode() { close(); }
+
+  cluster::ClusterLog::Settings settings;
+  /// On the log's thread, after each batch that changed something.
+  std::function<void(const edits::Head&)> on_changed = [](const edits::Head&) {};
+  std::function<void(cluster::Lost, const std::string&)> on_lost = [](cluster::Lost, const std::string&) {};
+  std::function<void()> on_takes = [] {};
+
+  /// The error, or nothing.
+  [[nodiscard]] std::string open() {
+    if (auto error = open_store(); !error.empty()) return error;
+    end_ = std::make_unique<StreamEnd>(stream_, ++seed_, faults_);
+    cluster::ClusterLog::Parts parts{
+        *end_,
+        *database_,
+        *state_,
+        clock_,
+        make_logger("off", "text"),
+        [this](const auto&) { on_changed(state_->head()); },
+        [this] { on_takes(); },
+        [this](cluster::Lost how, const std::string& why) { on_lost(how, why); }};
+    log_ = std::make_unique<cluster::ClusterLog>(std::move(parts), settings);
+    log_->start();
+    return {};
+  }
+  [[nodiscard]] std::string open_store() {
+    EditDatabaseSettings store;
+    store.path = path_;
+    store.fingerprint = kClusterIdentity.fingerprint;
+    store.store_id = kClusterIdentity.store_id;
+    store.write_buffer_bytes = 64 << 10;
+    store.env = env_.get();
+    store.log_elsewhere = true;
+    auto database = EditDatabase::open(store);
+    if (!database) return database.error();
+    database_ = *std::move(database);
+    auto state = EditState::open(*database_, {});
+    if (!state) return state.error();
+    state_ = *std::move(state);
+    return {};
+  }
+  void close() {
+    log_.reset();
+    state_.reset();
+    database_.reset();
+    end_.reset();
+  }
+  /// The power goes: what was not synced may be lost.
+  void cut_power() {
+    disk_->cut_after(0);
+    close();
+    disk_->restart();
+  }
+  [[nodiscard]] bool is_open() const { return log_ != nullptr; }
+
+  [[nodiscard]] cluster::ClusterLog& log() { return *log_; }
+  [[nodiscard]] EditState& state() { return *state_; }
+  [[nodiscard]] EditDatabase& database() { return *database_; }
+  [[nodiscard]] StreamEnd& end() { return *end_; }
+  [[nodiscard]] UnsafeDisk& disk() { return *disk_; }
+  [[nodiscard]] rocksdb::Env& env() { return *env_; }
+  [[nodiscard]] const std::filesystem::path& path() const { return path_; }
+
+ private:
+  const std::filesystem::path path_;
+  SharedStream& stream_;
+  std::uint64_t seed_;
+  const StreamFaults faults_;
+  const std::shared_ptr<UnsafeDisk> disk_;
+  const std::unique_ptr<rocksdb::Env> env_;
+  SystemClock clock_;
+  std::unique_ptr<EditDatabase> database_;
+  std::unique_ptr<EditState> state_;
+  std::unique_ptr<StreamEnd> end_;
+  std::unique_ptr<cluster::ClusterLog> log_;
+};
+
+}  // namespace talus::server::testing

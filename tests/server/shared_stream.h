@@ -1,0 +1,154 @@
+// The stream of a cluster in memory, with as many ends as there are servers: messages that come late, holes
+// in what an end sees at first, acknowledgements that get lost, no quorum.
+#pragma once
+
+#include <atomic>
+#include <chrono>
+#include <condition_variable>
+#include <cstdint>
+#include <mutex>
+#include <optional>
+#include <random>
+#include <string>
+#include <thread>
+#include <utility>
+#include <vector>
+
+#include "cluster/log_stream.h"
+
+namespace talus::server::testing {
+
+class SharedStream {
+ public:
+  explicit SharedStream(std::vector<std::byte> genesis) { messages_.push_back(std::move(genesis)); }
+
+  std::uint64_t append(std::span<const std::byte> message) {
+    std::uint64_t sequence = 0;
+    {
+      const std::lock_guard lock{mutex_};
+      messages_.emplace_back(message.begin(), message.end());
+      sequence = messages_.size();
+    }
+    changed_.notify_all();
+    return sequence;
+  }
+  void set_quorum(bool quorum) { quorum_ = quorum; }
+  [[nodiscard]] bool has_quorum() const { return quorum_; }
+  /// Messages before this one are not kept any more.
+  void keep_from(std::uint64_t first) {
+    const std::lock_guard lock{mutex_};
+    first_ = first;
+  }
+  void make_anew() { created_ns_ = 2; }
+
+  [[nodiscard]] StreamState state() const {
+    const std::lock_guard lock{mutex_};
+    return {first_, messages_.size(), created_ns_};
+  }
+  [[nodiscard]] std::vector<std::vector<std::byte>> all() const {
+    const std::lock_guard lock{mutex_};
+    return messages_;
+  }
+  /// A copy of some message is stored once more, as one that was sent again and overtaken.
+  void repeat_any(std::mt19937_64& random) {
+    std::vector<std::byte> copy;
+    {
+      const std::lock_guard lock{mutex_};
+      if (messages_.size() < 2) return;
+      copy = messages_[1 + random() % (messages_.size() - 1)];
+    }
+    append(copy);
+  }
+
+  /// The message, or nothing where there is none until then.
+  [[nodiscard]] tl::expected<std::optional<StreamMessage>, StreamFailure> wait_for(
+      std::uint64_t sequence, LogStream::TimePoint until, const std::atomic<bool>& woken) {
+    std::unique_lock lock{mutex_};
+    changed_.wait_until(lock, until, [&] { return woken || messages_.size() >= sequence; });
+    if (sequence < first_) {
+      return tl::unexpected{StreamFailure{StreamFailure::Kind::gone, "the message is not kept any more"}};
+    }
+    if (messages_.size() < sequence) return std::nullopt;
+    return StreamMessage{sequence, messages_[sequence - 1]};
+  }
+  void wake() { changed_.notify_all(); }
+
+ private:
+  mutable std::mutex mutex_;
+  std::condition_variable changed_;
+  std::vector<std::vector<std::byte>> messages_;
+  std::uint64_t first_ = 1;
+  std::atomic<bool> quorum_{true};
+  std::atomic<std::int64_t> created_ns_{1};
+};
+
+/// How often, in 256 calls.
+struct StreamFaults {
+  std::uint64_t lost = 0;     // a message is not stored, and not acknowledged
+  std::uint64_t unacked = 0;  // it is stored, and not acknowledged
+  std::uint64_t holes = 0;    // what is there is not seen yet
+  std::uint64_t late_us = 0;  // that a call takes, at most
+};
+
+class StreamEnd final : public LogStream {
+ public:
+  StreamEnd(SharedStream& stream, std::uint64_t seed, const StreamFaults& faults = {})
+      : stream_{stream}, faults_{faults}, publishing_{seed}, reading_{seed + 1} {}
+
+  [[nodiscard]] tl::expected<std::uint64_t, StreamFailure> publish(
+      std::span<const std::byte> message) override {
+    ++published_;
+    delay(publishing_);
+    if (stopped_ || !stream_.has_quorum() || !connected_) return unavailable();
+    const std::uint64_t fault = publishing_() % 256;
+    if (fault < faults_.lost) return unavailable();
+    const std::uint64_t sequence = stream_.append(message);
+    if (fault < faults_.lost + faults_.unacked) return unavailable();
+    return sequence;
+  }
+  [[nodiscard]] tl::expected<std::optional<StreamMessage>, StreamFailure> next(std::uint64_t after,
+                                                                               TimePoint until) override {
+    delay(reading_);
+    if (stopped_ || !connected_) return unavailable();
+    if (reading_() % 256 < faults_.holes) return std::nullopt;
+    auto message = stream_.wait_for(after + 1, until, woken_);
+    woken_ = stopped_.load();
+    return message;
+  }
+  [[nodiscard]] tl::expected<StreamState, StreamFailure> state() override {
+    if (stopped_ || !stream_.has_quorum() || !connected_) return unavailable();
+    return stream_.state();
+  }
+  [[nodiscard]] StreamFigures figures() const override { return {connected_, 0, 0}; }
+  void wake() override {
+    woken_ = true;
+    stream_.wake();
+  }
+  void stop() override {
+    stopped_ = true;
+    wake();
+  }
+
+  void connect(bool connected) { connected_ = connected; }
+  [[nodiscard]] std::uint64_t published() const { return published_; }
+
+ private:
+  static tl::unexpected<StreamFailure> unavailable() {
+    return tl::unexpected{StreamFailure{StreamFailure::Kind::unavailable, "no answer"}};
+  }
+  void delay(std::mt19937_64& random) const {
+    if (faults_.late_us > 0)
+      std::this_thread::sleep_for(std::chrono::microseconds{random() % faults_.late_us});
+  }
+
+  SharedStream& stream_;
+  const StreamFaults faults_;
+  std::mt19937_64 publishing_;
+  std::mt19937_64 reading_;
+  std::atomic<bool> stopped_{false};
+  std::atomic<bool> woken_{false};
+  std::atomic<bool> connected_{true};
+  std::atomic<std::uint64_t> published_{0};
+};
+
+}  // namespace talus::server::testing
