@@ -11,6 +11,8 @@ done
 
 # Debian's python3 has yaml; another one that comes first in PATH often has not.
 /usr/bin/python3 -B -m unittest test_nats test_compose test_monitoring
+# The tables of docs/MILLION.md are those that its program makes.
+/usr/bin/python3 -B ../load/million.py --check
 
 cd kubernetes
 [[ node_modules/.package-lock.json -nt package-lock.json ]] || npm ci --no-audit --no-fund --loglevel error >&2
