@@ -1,7 +1,5 @@
 #include "admin/operators_page.h"
 
-#include <string_view>
-
 namespace talus::server {
 
 http::Response answer_operator(const http::Request& request, const OperatorAnswers& answers) {
@@ -20,7 +18,9 @@ http::Response answer_operator(const http::Request& request, const OperatorAnswe
   }
   if (path == "/flows") return {200, http::kPlainText, flows_text(answers.flows())};
   if (path == "/flows.json") return {200, "application/json", flows_json(answers.flows())};
-  return {404, http::kPlainText, "here are /metrics, /flows, /flows.json, /-/healthy and /-/ready\n"};
+  if (path == kCheckpointPath) return {404, http::kPlainText, "this server keeps no store; see data\n"};
+  return {404, http::kPlainText,
+          "here are /metrics, /flows, /flows.json, /-/healthy, /-/ready and /store/checkpoint\n"};
 }
 
 }  // namespace talus::server

@@ -165,6 +165,7 @@ std::string Server::metrics_text() {
   gauges.flow_refusals = flows_.refusals();
   gauges.certificate_expires = certificate_expires_;
   if (edits_ != nullptr) {
+    gauges.cluster_joins = edits_->joins();
     if (const cluster::ClusterLog* const shared = edits_->shared()) {
       const cluster::ClusterLog::Status at = shared->status();
       gauges.cluster = {at.connected, at.quorum,      at.differs, at.lag,
@@ -217,9 +218,11 @@ void Server::run() {
   if (edits_ != nullptr) edits_->start(pregen());
   if (operators_) {
     last_housekeeping_ = clock_.now();
-    operators_->start({[this] { return metrics_text(); },
-                       [this] { return clock_.now() - last_housekeeping_.load() < kMaxSilence; },
-                       [this] { return readiness(); }, [this] { return flows_report(); }});
+    OperatorAnswers answers{[this] { return metrics_text(); },
+                            [this] { return clock_.now() - last_housekeeping_.load() < kMaxSilence; },
+                            [this] { return readiness(); }, [this] { return flows_report(); }};
+    answers.checkpoint = checkpoints();
+    operators_->start(std::move(answers));
   }
   // Without any of these the server would not be one.
   std::exception_ptr failure;
@@ -247,10 +250,17 @@ void Server::run() {
   io_->run();
   stop_handling_signals();
   if (edits_ != nullptr) edits_->stop();  // while there are generators, and mailboxes to answer
-  operators_.reset();
+  end_operators();
   handshaker_.refusal_log().flush({});
   web_handshaker_.refusal_log().flush({});
   if (failure) std::rethrow_exception(failure);
+}
+
+void Server::end_operators() {
+  if (operators_ != nullptr) operators_->stop();
+  if (checkpoints_ != nullptr) checkpoints_->stop();  // its threads answer to the operators' connections
+  operators_.reset();
+  checkpoints_.reset();
 }
 
 // Caches take their time to go: by default a signal would now kill what ends well.
@@ -265,6 +275,18 @@ void Server::stop_handling_signals() {
   shutdown_signals_.clear(ignored);
   end_at_once_on_signals();
   ::pthread_sigmask(SIG_SETMASK, &before, nullptr);
+}
+
+decltype(OperatorAnswers::checkpoint) Server::checkpoints() {
+  if (edits_ == nullptr) return {};
+  const SignalsBlocked blocked;
+  checkpoints_ = std::make_unique<CheckpointService>(
+      CheckpointService::Parts{access_, metrics_, clock_, config_.data,
+                               [this](const auto& path) { return edits_->checkpoint(path); }},
+      config_.rates.checkpoint_bytes, log_);
+  return [this](const http::Request& request, const std::string& address) {
+    return checkpoints_->respond(request, address);
+  };
 }
 
 RunPregen Server::pregen() {
@@ -348,6 +370,7 @@ void Server::change_settings(Config changed) {
   handshaker_.change(handshake_settings(changed));
   web_handshaker_.change(web_handshake_settings(changed));
   rates_.set(rate_limits(changed.rates));
+  if (checkpoints_ != nullptr) checkpoints_->set_rate(changed.rates.checkpoint_bytes);
   admission_.change(admission_limits(changed));
   registry_.rates_changed();
   config_ = std::move(changed);
@@ -387,6 +410,7 @@ void Server::housekeeping() {
   web_handshaker_.refusal_log().flush();
   collect_flows();
   watch_edits();
+  if (end_wanted_ && !draining_ && end_wanted_()) drain();
   give_memory_back();
   // Sockets that are ready come before the next slice.
   housekeeping_timer_.expires_after(caches_fit ? kHousekeepingInterval : std::chrono::milliseconds{0});

@@ -239,6 +239,9 @@ const std::array kFields{
           "voxels that edits of one session with the right gateway name, in place of session_voxels and "
           "address_voxels; 0: no limit",
           number<&Config::rates, &Rates::gateway_voxels>(0, kMaxPerSecond)},
+    Field{"rates.checkpoint_bytes", "bytes per second",
+          "bytes of the store sent to all servers that take a checkpoint of it",
+          number<&Config::rates, &Rates::checkpoint_bytes>(262'144, kMaxPerSecond)},
     Field{"rates.burst_ms", "ms", "how much of each rate an idle session or address saves up",
           duration<&Config::rates, &Rates::burst>(milliseconds{1}, milliseconds{600'000})},
 

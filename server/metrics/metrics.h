@@ -57,6 +57,12 @@ struct Metrics {
   /// Of an edit: from when its session hands it on to when it is stored and the session is told.
   LatencyHistogram edit_latency;
 
+  // ---- what peers take
+  Counter checkpoints_sent;     // whole
+  Counter checkpoints_refused;  // for want of a token, or because enough are sent
+  Counter checkpoint_bytes_sent;
+  Gauge checkpoints_open;  // being made or sent
+
   // ---- where chunks come from
   Counter cache_hits;
   Counter cache_misses;

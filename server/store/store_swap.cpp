@@ -94,8 +94,8 @@ Done check_space(const fs::path& directory, std::uint64_t bytes) {
                                     space.available, bytes + kMore)};
 }
 
-fs::path checkpoint_path(const fs::path& directory, std::uint64_t number) {
-  return directory / fmt::format("{}{}", kCheckpoint, number);
+fs::path checkpoint_path(const fs::path& directory, std::string_view name) {
+  return directory / fmt::format("{}{}", kCheckpoint, name);
 }
 
 tl::expected<fs::path, std::string> make_staging(const fs::path& directory) {

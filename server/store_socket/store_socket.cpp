@@ -159,7 +159,7 @@ void StoreSocket::join_ended() {
 }
 
 void StoreSocket::serve(Command& command) {
-  const fs::path checkpoint = checkpoint_path(directory_, command.number);
+  const fs::path checkpoint = checkpoint_path(directory_, std::to_string(command.number));
   try {
     Restorer restorer{parts_.log};
     for (bool goes_on = true; goes_on;) {
@@ -186,7 +186,7 @@ bool StoreSocket::answer(Command& command, const SocketFrame& request, Restorer&
   Bytes fields;
   ByteWriter writer{fields};
   if (request.kind == SocketKind::checkpoint) {
-    const fs::path path = checkpoint_path(directory_, command.number);
+    const fs::path path = checkpoint_path(directory_, std::to_string(command.number));
     std::error_code code;
     fs::remove_all(path, code);
     if (const auto enough = check_space(directory_, kCheckpointBytes); !enough) return refuse(enough.error());

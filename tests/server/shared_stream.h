@@ -22,6 +22,7 @@ namespace talus::server::testing {
 
 class SharedStream {
  public:
+  SharedStream() = default;  // without a message
   explicit SharedStream(std::vector<std::byte> genesis) { messages_.push_back(std::move(genesis)); }
 
   std::uint64_t append(std::span<const std::byte> message) {
