@@ -20,7 +20,10 @@
 #include "access/key_file.h"
 #include "access/token_command.h"
 #include "admin/top_command.h"
+#include "app/cluster_member.h"
+#include "app/joining_page.h"
 #include "app/listeners.h"
+#include "app/lost_store.h"
 #include "app/pregen_command.h"
 #include "app/process_signals.h"
 #include "app/server.h"
@@ -82,6 +85,13 @@ int serve(const Command& command, const ReadSettings& read_settings) {
   if (!account) return fail(account.error());
   auto keys = load_keys(config.access);
   if (!keys) return fail(keys.error());
+  std::optional<ClusterKeys> cluster;
+  if (config.cluster.wanted()) {
+    auto read = load_cluster_keys(config.cluster);
+    if (!read) return fail(read.error());
+    keys->warnings.insert(keys->warnings.end(), read->warnings.begin(), read->warnings.end());
+    cluster.emplace(*std::move(read));
+  }
   std::optional<TlsIdentity> tls;
   if (config.tls.wanted()) {
     auto loaded = load_tls(config.tls.certificate, config.tls.key, clock.wall());
@@ -103,7 +113,7 @@ int serve(const Command& command, const ReadSettings& read_settings) {
     return 0;
   }
 
-  if (keys->any() || tls) {
+  if (keys->any() || tls || (cluster && (cluster->nats->any() || cluster->peers_token))) {
     if (const auto hidden = hide_memory(); !hidden) return fail(hidden.error());
   }
   const std::vector<std::string> of_keys = keys->warnings;
@@ -112,11 +122,28 @@ int serve(const Command& command, const ReadSettings& read_settings) {
   auto listeners = open_listeners(config, clock, log);
   if (!listeners) return fail(listeners.error());
   // Addresses and keys are what root may be needed for. No thread runs yet.
-  const auto data = drop_privileges_and_open_data(config, *account, (*world)->fingerprint());
+  auto data = drop_privileges_and_open_data(config, *account, (*world)->fingerprint());
   if (!data) return fail(data.error());
   std::unique_ptr<WorldEdits> edits;
+  const auto lost = std::make_shared<LostStore>(config.data, !config.cluster.peers.empty(), log);
+  SharedLog shared;
+  if (cluster) {
+    const auto progress = std::make_shared<JoinProgress>();
+    if (listeners->operators != nullptr) listeners->operators->start(joining_answers(progress));
+    auto prepared = prepare_member(
+        config.cluster, *cluster, **data, (*world)->fingerprint(),
+        [&](std::uint64_t done, std::uint64_t total) {
+          progress->done = done;
+          progress->total = total;
+        },
+        log);
+    if (!prepared) return fail(prepared.error());
+    shared = {
+        std::move(prepared->stream), prepared->joins,
+        [lost](talus::server::cluster::Lost how, const std::string& reason) { lost->lose(how, reason); }};
+  }
   if (*data) {
-    auto opened = WorldEdits::open(config.data, **world, (*data)->store_id(), clock, log);
+    auto opened = WorldEdits::open(config.data, **world, (*data)->store_id(), clock, log, std::move(shared));
     if (!opened) return fail(opened.error());
     edits = *std::move(opened);
   }
@@ -160,9 +187,11 @@ int serve(const Command& command, const ReadSettings& read_settings) {
   }
   if (!operators_address.empty()) fmt::print("metrics and health on http://{}\n", operators_address);
   std::fflush(stdout);
+  lost->serving();
+  server.end_where([lost] { return lost->wants_end(); });
   server.run();
   log->info("ended");
-  return 0;
+  return lost->wants_end() ? kStartAgain : 0;
 }
 
 int print_token(int argc, const char* const* argv) {
@@ -237,7 +266,7 @@ int main(int argc, char** argv) {
     }
     if (argc > 1 && std::string_view{argv[1]} == "store") {
       end_by_default_on_signals();
-      return store_command(argc - 1, argv + 1, environment, load_world);
+      return store_command(argc - 1, argv + 1, environment, load_world, cluster_tools());
     }
     if (argc > 1 && std::string_view{argv[1]} == "cluster") {
       end_by_default_on_signals();

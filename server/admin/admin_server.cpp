@@ -53,12 +53,6 @@ void AdminServer::stop() {
   if (thread_.joinable()) thread_.join();
 }
 
-void AdminServer::change(OperatorAnswers answers) {
-  asio::post(io_, [this, changed = std::make_shared<const OperatorAnswers>(std::move(answers))] {
-    answers_ = changed;
-  });
-}
-
 void AdminServer::on_connection(asio::ip::tcp::socket socket) {
   auto handler = std::make_shared<OperatorHandler>(answers_, address_of(socket));
   connections_.add(TcpStream{std::move(socket)}, std::move(handler));
@@ -69,7 +63,12 @@ tl::expected<std::string, std::string> AdminServer::listen(const protocol::Endpo
 }
 
 void AdminServer::start(OperatorAnswers answers) {
-  answers_ = std::make_shared<const OperatorAnswers>(std::move(answers));
+  auto asked = std::make_shared<const OperatorAnswers>(std::move(answers));
+  if (thread_.joinable()) {
+    asio::post(io_, [this, changed = std::move(asked)] { answers_ = changed; });
+    return;
+  }
+  answers_ = std::move(asked);
   acceptor_.start([this]() -> asio::io_context& { return io_; },
                   [this](asio::ip::tcp::socket socket) { on_connection(std::move(socket)); },
                   [this] { return connections_.make_room(); });

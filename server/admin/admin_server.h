@@ -34,10 +34,9 @@ class AdminServer {
 
   /// Opens the listening socket; returns its address with the real port, or why not.
   [[nodiscard]] tl::expected<std::string, std::string> listen(const protocol::Endpoint& wanted);
-  /// Starts the thread, on which `answers` are asked; once, after listen().
+  /// Starts the thread, on which `answers` are asked; after listen(). Called again, others are asked from
+  /// then on.
   void start(OperatorAnswers answers);
-  /// Others are asked from now on.
-  void change(OperatorAnswers answers);
   /// Ends the thread; connections stay as they are until the destructor.
   void stop();
 

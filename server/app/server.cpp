@@ -168,6 +168,7 @@ std::string Server::metrics_text() {
   gauges.flow_refusals = flows_.refusals();
   gauges.certificate_expires = certificate_expires_;
   if (edits_ != nullptr) {
+    gauges.cluster_joins = edits_->joins();
     if (const cluster::ClusterLog* const shared = edits_->shared()) {
       const cluster::ClusterLog::Status at = shared->status();
       gauges.cluster = {at.connected, at.quorum,      at.differs, at.lag,
@@ -220,12 +221,14 @@ void Server::run() {
   if (edits_ != nullptr) edits_->start(pregen());
   if (operators_) {
     last_housekeeping_ = clock_.now();
-    operators_->start({[this] { return metrics_text(); },
-                       [this] { return clock_.now() - last_housekeeping_.load() < kMaxSilence; },
-                       [this] { return readiness(); }, [this] { return flows_report(); }, checkpoints(),
-                       [this](const std::string& state, const std::string& query) {
-                         asio::post(io_->control(), [this, state, query] { balancer_says(state, query); });
-                       }});
+    OperatorAnswers answers{[this] { return metrics_text(); },
+                            [this] { return clock_.now() - last_housekeeping_.load() < kMaxSilence; },
+                            [this] { return readiness(); }, [this] { return flows_report(); }};
+    answers.checkpoint = checkpoints();
+    answers.balancer_says = [this](const std::string& state, const std::string& query) {
+      asio::post(io_->control(), [this, state, query] { balancer_says(state, query); });
+    };
+    operators_->start(std::move(answers));
   }
   // Without any of these the server would not be one.
   std::exception_ptr failure;
@@ -413,6 +416,7 @@ void Server::housekeeping() {
   web_handshaker_.refusal_log().flush();
   collect_flows();
   watch_edits();
+  if (end_wanted_ && !draining_ && end_wanted_()) drain();
   give_memory_back();
   // Sockets that are ready come before the next slice.
   housekeeping_timer_.expires_after(caches_fit ? kHousekeepingInterval : std::chrono::milliseconds{0});

@@ -65,6 +65,8 @@ class Server {
   /// Serves until SIGTERM or SIGINT, and then until every answer is sent or shutdown.drain is over. SIGHUP
   /// reads settings, certificates, keys and lists again. Once.
   void run();
+  /// It ends as by SIGTERM once that is true; before run(). Asked often, on the main thread.
+  void end_where(std::function<bool()> wanted) { end_wanted_ = std::move(wanted); }
 
  private:
   /// Empty where nothing is kept on disk.
@@ -154,6 +156,7 @@ class Server {
   Clock::time_point last_look_at_flows_{};
   Clock::time_point last_look_at_edits_{};
   std::optional<std::string> edits_read_only_;  // as the log was told
+  std::function<bool()> end_wanted_;
   ConnectionId last_id_ = 0;
   std::unique_ptr<CheckpointService> checkpoints_;  // null: there is no store to take
   std::unique_ptr<AdminServer> operators_;          // its thread reads everything above

@@ -53,8 +53,8 @@ class CheckpointTar {
   std::size_t next_file_ = 0;  // of manifest_.files
   bool ended_ = false;
   std::unique_ptr<InputFile> file_;  // null: between two
-  std::unique_ptr<Writer> writer_;
   std::string piece_;
+  std::unique_ptr<Writer> writer_;  // into piece_, also when it is destroyed
 };
 
 /// How long a tar of such files is.

@@ -94,11 +94,28 @@ tl::expected<DataDirectory, std::string> DataDirectory::open(const fs::path& pat
     if (!same) return tl::make_unexpected(same.error());
     return directory;
   }
-  const StoreIdentity made{random_store_id(), fingerprint};
-  if (const auto written = files::write_file(file, store_text(made), layer); !written) {
-    return system_failure(path, "cannot write store.toml", written.error().code.value());
+  if (const auto begun = directory->begin({random_store_id(), fingerprint}, layer); !begun) {
+    return tl::make_unexpected(begun.error());
   }
-  directory->identity_ = made;
+  return directory;
+}
+
+tl::expected<void, std::string> DataDirectory::begin(const StoreIdentity& identity, files::FileLayer& layer) {
+  if (const auto written = files::write_file(path_ / "store.toml", store_text(identity), layer); !written) {
+    return system_failure(path_, "cannot write store.toml", written.error().code.value());
+  }
+  identity_ = identity;
+  return {};
+}
+
+tl::expected<DataDirectory, std::string> DataDirectory::open_member(const fs::path& path,
+                                                                    ContentHash fingerprint) {
+  auto directory = open_any(path);
+  if (!directory) return directory;
+  if (const auto read = directory->read_identity(); !read) return tl::make_unexpected(read.error());
+  if (!directory->identity_) return directory;
+  const auto same = check_world(path / "store.toml", directory->identity_->fingerprint, fingerprint);
+  if (!same) return tl::make_unexpected(same.error());
   return directory;
 }
 

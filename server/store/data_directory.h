@@ -35,6 +35,16 @@ class DataDirectory {
   /// Locks a directory that holds a store, of whichever world.
   [[nodiscard]] static tl::expected<DataDirectory, std::string> open_store(const std::filesystem::path& path);
 
+  /// Of a server of a cluster: creates the directory where it is missing, locks it, and makes no store in it.
+  /// One of another world is refused.
+  [[nodiscard]] static tl::expected<DataDirectory, std::string> open_member(const std::filesystem::path& path,
+                                                                            ContentHash fingerprint);
+  /// Makes the store.toml of a directory that has none.
+  [[nodiscard]] tl::expected<void, std::string> begin(const StoreIdentity& identity,
+                                                      files::FileLayer& layer = files::system_files());
+  /// After another store was put in the place of the one that was there.
+  [[nodiscard]] tl::expected<void, std::string> learn_identity() { return read_identity(); }
+
   DataDirectory(DataDirectory&& other) noexcept;
   DataDirectory& operator=(DataDirectory&&) = delete;
   ~DataDirectory();

@@ -24,19 +24,19 @@ tl::unexpected<std::string> whole_failure(const std::filesystem::path& path, con
   return tl::unexpected{fmt::format("edits {}: {}", path.string(), status.ToString())};
 }
 
-}  // namespace
-
-tl::expected<void, std::string> give_identity(const std::filesystem::path& path, ContentHash store_id) {
+/// Changes where the store stands, and nothing else; on the disk when it returns.
+template <typename Change>
+tl::expected<StoreMeta, std::string> change_meta(const std::filesystem::path& path, const Change& change) {
   const auto db = open_to_write(path);
   if (!db) return tl::unexpected{db.error()};
   const StoreReader reader{**db, path};
   const auto read = reader.meta();
   if (!read) return tl::unexpected{read.error()};
-  if (!*read)
+  if (!*read) {
     return reader.failure(fmt::format("its record of the store's state is missing; {}", kStoreLost));
+  }
   StoreMeta meta = **read;
-  meta.store_id = store_id;
-  meta.stream = {};  // a store of its own
+  change(meta);
   Bytes value;
   encode(meta, value);
   rocksdb::WriteOptions synced;
@@ -45,7 +45,22 @@ tl::expected<void, std::string> give_identity(const std::filesystem::path& path,
     return whole_failure(path, status);
   }
   if (const auto status = (*db)->Close(); !status.ok()) return whole_failure(path, status);
-  return write_store_files(path, meta);
+  return meta;
+}
+
+}  // namespace
+
+tl::expected<void, std::string> give_identity(const std::filesystem::path& path, ContentHash store_id) {
+  const auto meta = change_meta(path, [&](StoreMeta& changed) {
+    changed.store_id = store_id;
+    changed.stream = {};  // a store of its own
+  });
+  return meta ? write_store_files(path, *meta) : tl::unexpected{meta.error()};
+}
+
+tl::expected<void, std::string> enter_stream(const std::filesystem::path& path, const StreamPlace& place) {
+  const auto meta = change_meta(path, [&](StoreMeta& changed) { changed.stream = place; });
+  return meta ? tl::expected<void, std::string>{} : tl::unexpected{meta.error()};
 }
 
 tl::expected<void, std::string> compact(const std::filesystem::path& path) {
