@@ -113,7 +113,7 @@ int serve(const Command& command, const ReadSettings& read_settings) {
   if (!data) return fail(data.error());
   std::unique_ptr<WorldEdits> edits;
   if (*data) {
-    auto opened = WorldEdits::open(config.data, **world, (*data)->store_id(), log);
+    auto opened = WorldEdits::open(config.data, **world, (*data)->store_id(), clock, log);
     if (!opened) return fail(opened.error());
     edits = *std::move(opened);
   }

@@ -19,8 +19,8 @@ http::Response answer_operator(const http::Request& request, const OperatorAnswe
     if (state != nullptr && answers.balancer_says) {
       answers.balancer_says(*state, std::string{request.query()});
     }
-    if (answers.ready()) return {200, http::kPlainText, "ready\n"};
-    return {503, http::kPlainText, "draining\n"};
+    const Readiness readiness = answers.ready();
+    return {readiness.ready ? 200 : 503, http::kPlainText, readiness.text + "\n"};
   }
   if (path == "/flows") return {200, http::kPlainText, flows_text(answers.flows())};
   if (path == "/flows.json") return {200, "application/json", flows_json(answers.flows())};

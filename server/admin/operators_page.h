@@ -13,11 +13,17 @@
 
 namespace talus::server {
 
+/// Whether players are to be sent here, and what is said of it, in one line.
+struct Readiness {
+  bool ready = true;
+  std::string text = "ready";
+};
+
 /// Asked for each request, on the thread that serves it.
 struct OperatorAnswers {
   std::function<std::string()> metrics;
   std::function<bool()> healthy;  // whether the main thread responded lately
-  std::function<bool()> ready;    // false: players are not to be sent here
+  std::function<Readiness()> ready;
   std::function<FlowsReport()> flows;
   /// Asked for kCheckpointPath, with the client's address; empty: there is no store to take.
   std::function<asio::awaitable<http::Response>(const http::Request&, const std::string& address)>

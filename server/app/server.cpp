@@ -109,9 +109,8 @@ Server::Server(const Config& config, std::shared_ptr<const terrain::World> world
               clock,
               edits_ == nullptr ? nullptr : &edits_->overlay(),
               std::move(columns)},
-      chunks_with_edits_{edits_ == nullptr
-                             ? chunks_
-                             : edits_->join(*terrain_, chunks_, clock_, metrics_, config.edits.settle)},
+      chunks_with_edits_{edits_ == nullptr ? chunks_
+                                           : edits_->join(*terrain_, chunks_, metrics_, config.edits.settle)},
       context_{make_context(config_)},
       web_context_{make_web_context(config_, context_)},
       acceptor_{std::move(listeners.players)},
@@ -169,6 +168,11 @@ std::string Server::metrics_text() {
   gauges.flow_refusals = flows_.refusals();
   gauges.certificate_expires = certificate_expires_;
   if (edits_ != nullptr) {
+    if (const cluster::ClusterLog* const shared = edits_->shared()) {
+      const cluster::ClusterLog::Status at = shared->status();
+      gauges.cluster = {at.connected, at.quorum,      at.differs, at.lag,
+                        at.sequence,  at.republished, at.gaps,    &shared->publish_latency()};
+    }
     const LocalLog::Status log = edits_->status();
     gauges.edits = {log.head.revision, edits_->preparing(), log.waiting, edits_->state().editor_count(),
                     log.read_only.has_value()};
@@ -182,6 +186,16 @@ std::string Server::metrics_text() {
   const BuildInfo build{TALUS_VERSION, generator_version_, to_string(world_.fingerprint),
                         std::string{to_string(instruction_set())}};
   return metrics_page({metrics_, gauges, read_process(), build, labels});
+}
+
+Readiness Server::readiness() const {
+  if (draining_) return {false, "draining"};
+  if (edits_ == nullptr || edits_->shared() == nullptr) return {};
+  cluster::ClusterLog::Status log = edits_->shared()->status();
+  if (!log.ready) return {false, std::move(log.not_ready)};
+  // Chunks are served without the log, and a balancer that asks this would drop all servers at once.
+  if (log.read_only) return {true, fmt::format("ready; no edits are taken: {}", *log.read_only)};
+  return {};
 }
 
 FlowsReport Server::flows_report() {
@@ -208,7 +222,7 @@ void Server::run() {
     last_housekeeping_ = clock_.now();
     operators_->start({[this] { return metrics_text(); },
                        [this] { return clock_.now() - last_housekeeping_.load() < kMaxSilence; },
-                       [this] { return !draining_; }, [this] { return flows_report(); }, checkpoints(),
+                       [this] { return readiness(); }, [this] { return flows_report(); }, checkpoints(),
                        [this](const std::string& state, const std::string& query) {
                          asio::post(io_->control(), [this, state, query] { balancer_says(state, query); });
                        }});

@@ -73,6 +73,8 @@ class Server {
   [[nodiscard]] decltype(OperatorAnswers::checkpoint) checkpoints();
   [[nodiscard]] std::string metrics_text();
   [[nodiscard]] FlowsReport flows_report();
+  /// Asked on the operators' thread.
+  [[nodiscard]] Readiness readiness() const;
   [[nodiscard]] RunnerContextPtr make_context(const Config& config);
   [[nodiscard]] web::WebContextPtr make_web_context(const Config& config, const RunnerContextPtr& runner);
   /// Warns where the limit of open files is less than the settings need.

@@ -1,7 +1,6 @@
 #include "app/world_edits.h"
 
 #include <algorithm>
-#include <set>
 #include <utility>
 #include <vector>
 
@@ -10,30 +9,12 @@
 #include <talus/edits/materials.h>
 #include <talus/terrain/extraction.h>
 
+#include "app/bound_materials.h"
+#include "app/settle_rules.h"
 #include "threads/signals.h"
 
 namespace talus::server {
 namespace {
-
-constexpr std::size_t kMostPlaceables = 65'000;
-
-/// The world's loose materials, and what shows in place of them and is loose too.
-edits::SettleRules settle_rules(const terrain::World& world) {
-  static_assert(edits::SettleRule::kUnit == terrain::kSubvoxels);
-  std::map<MaterialId, std::int32_t> rises;
-  for (const terrain::LooseSpec& loose : world.loose()) {
-    rises.emplace(loose.material, loose.c_fx);
-    const auto* const shown = world.shown_by(loose.material);
-    if (shown == nullptr) continue;
-    for (const MaterialId id : shown->by_look) {
-      const bool is_loose = world.materials()[to_integer(id)].kind == terrain::MaterialKind::eroded;
-      if (is_loose) rises.emplace(id, loose.c_fx);
-    }
-  }
-  edits::SettleRules rules;
-  for (const auto& [material, rise] : rises) rules.push_back({material, rise});
-  return rules;
-}
 
 /// All that the world names, air and water among them.
 EditIntake::Rules rules_of(const terrain::World& world, const std::vector<terrain::Material>& placeables,
@@ -50,91 +31,89 @@ EditIntake::Rules rules_of(const terrain::World& world, const std::vector<terrai
 }  // namespace
 
 tl::expected<std::unique_ptr<WorldEdits>, std::string> WorldEdits::open(
-    const std::filesystem::path& directory, const terrain::World& world, ContentHash store_id, Logger log) {
+    const std::filesystem::path& directory, const terrain::World& world, ContentHash store_id,
+    const Clock& clock, Logger log, SharedLog shared) {
   const SignalsBlocked blocked;  // for RocksDB's threads
   EditDatabaseSettings settings;
   settings.path = directory;
   settings.fingerprint = world.fingerprint();
   settings.store_id = store_id;
+  settings.log_elsewhere = shared.stream != nullptr;
   auto database = EditDatabase::open(settings);
   if (!database) return tl::unexpected{std::move(database.error())};
+  if (shared.stream == nullptr && (*database)->meta().stream.sequence != 0) {
+    return tl::unexpected{fmt::format(
+        "data {}: the store is one of a cluster, whose log has what comes next; give cluster.nats "
+        "its NATS servers, or take the store out of the cluster by talusd store leave-cluster",
+        directory.string())};
+  }
   if (const ContentHash now = (*database)->meta().store_id; now != store_id) {
     log->warn("data {}: the file acknowledged is gone, so edits may be lost; the store has a new id, {}",
               directory.string(), to_string(now));
   }
   auto state = EditState::open(**database, EditStateSettings{});
   if (!state) return tl::unexpected{std::move(state.error())};
-  std::unique_ptr<WorldEdits> edits{new WorldEdits{*std::move(database), *std::move(state), log}};
-  if (const auto bound = edits->bind_placeables(world); !bound) return tl::unexpected{bound.error()};
+  std::unique_ptr<WorldEdits> edits{new WorldEdits{*std::move(database), *std::move(state), clock, log}};
+  if (const auto named = edits->name_placeables(world, std::move(shared)); !named) {
+    return tl::unexpected{named.error()};
+  }
   return edits;
 }
 
-EditDatabase::Done WorldEdits::bind_placeables(const terrain::World& world) {
-  std::map<std::string, MaterialId> generated;
-  for (const terrain::Material& material : world.materials()) generated.emplace(material.name, material.id);
-  if (auto named = database_->name_generated(generated); !named) return named;
-  const std::map<std::string, MaterialId>& known = database_->materials();
-  std::map<std::string, MaterialId> missing = known;
-  for (const auto& [name, id] : generated) missing.erase(name);
-  std::map<std::string, MaterialId> added;
-  std::uint16_t next = kFirstBound;
-  if (known.size() + world.placeables().size() > kMostPlaceables) {
-    return tl::unexpected{fmt::format("data {}: the store has ids for {} more materials; the world names {}",
-                                      database_->path().string(), kMostPlaceables - known.size(),
-                                      world.placeables().size())};
-  }
-  for (const auto& [name, id] : known) {
-    next = std::max(next, static_cast<std::uint16_t>(to_integer(id) + 1));
+EditDatabase::Done WorldEdits::name_placeables(const terrain::World& world, SharedLog shared) {
+  const auto names = names_without_ids(world, *database_, *state_);
+  if (!names) return tl::unexpected{names.error()};
+  edits::MaterialIds ids = database_->materials();
+  if (shared.stream != nullptr) {
+    start_shared_log(std::move(shared), world);
+    const auto given = bind_by_log(*names, *log_, logger_);
+    if (!given) return tl::unexpected{given.error()};
+    ids.insert(given->begin(), given->end());
+  } else if (!names->empty()) {
+    const auto given = edits::ids_for(*names, ids);
+    if (!given) return tl::unexpected{fmt::format("data {}: ids end", database_->path().string())};
+    edits::MaterialIds added{given->begin(), given->end()};
+    if (auto bound = database_->bind(added); !bound) return bound;
+    ids.merge(added);
   }
   for (const terrain::Placeable& placeable : world.placeables()) {
-    const auto bound = known.find(placeable.name);
-    const MaterialId id = bound != known.end() ? bound->second : MaterialId{next++};
-    if (bound == known.end()) added.emplace(placeable.name, id);
-    missing.erase(placeable.name);
-    placeables_.push_back({id, placeable.name, placeable.colour, placeable.kind});
+    placeables_.push_back({ids.at(placeable.name), placeable.name, placeable.colour, placeable.kind});
   }
-  if (!missing.empty()) {
-    const auto uses = count_uses();
-    if (!uses) return tl::unexpected{uses.error()};
-    for (const auto& [name, id] : missing) {
-      if (const auto count = uses->find(id); count != uses->end()) {
-        return tl::unexpected{
-            fmt::format("data {}: the world has no [[placeable]] \"{}\" any more, of which the store has {} "
-                        "voxels; put it "
-                        "back into the world's file",
-                        database_->path().string(), name, count->second)};
-      }
-    }
-  }
-  return added.empty() ? EditDatabase::Done{} : database_->bind(added);
+  return {};
 }
 
-tl::expected<std::map<MaterialId, std::uint64_t>, std::string> WorldEdits::count_uses() const {
-  std::set<ChunkKey> chunks;
-  const auto scanned = database_->for_each_chunk([&](ChunkKey key, std::uint64_t) { chunks.insert(key); });
-  if (!scanned) return tl::unexpected{scanned.error()};
-  for (const ChunkKey key : state_->dirty_chunks()) chunks.insert(key);
-  std::map<MaterialId, std::uint64_t> uses;
-  for (const ChunkKey key : chunks) {
-    if (key.lod != Lod{}) continue;
-    const auto chunk = state_->load(key);
-    if (!chunk) return tl::unexpected{chunk.error()};
-    if (chunk->overrides == nullptr) continue;
-    for (const Override& voxel : chunk->overrides->voxels()) ++uses[voxel.material];
-  }
-  return uses;
+void WorldEdits::start_shared_log(SharedLog shared, const terrain::World& world) {
+  stream_ = std::move(shared.stream);
+  cluster::ClusterLog::Settings settings;
+  settings.settles = std::make_shared<const edits::SettleRules>(settle_rules(world));
+  cluster::ClusterLog::Parts parts{*stream_, *database_, *state_, clock_, logger_, tell_feed()};
+  parts.on_takes = [this] {
+    if (EditIntake* const intake = waits_for_log_.load()) intake->look_at_log();
+  };
+  parts.on_lost = std::move(shared.on_lost);
+  shared_ = std::make_unique<cluster::ClusterLog>(std::move(parts), std::move(settings));
+  log_ = shared_.get();
+  shared_->start();
 }
 
-ChunkSource& WorldEdits::join(const terrain::World& world, ChunkSource& base, const Clock& clock,
-                              Metrics& metrics, bool settles) {
+LocalLog::Status WorldEdits::status() const {
+  if (local_ != nullptr) return local_->status();
+  cluster::ClusterLog::Status status = shared_->status();
+  return {status.head, status.waiting, std::move(status.read_only)};
+}
+
+ChunkSource& WorldEdits::join(const terrain::World& world, ChunkSource& base, Metrics& metrics,
+                              bool settles) {
   const SignalsBlocked blocked;  // for the log's
   chunks_ = std::make_unique<EditedChunks>(base, *state_, merged_, feed_, metrics);
-  log_ =
-      std::make_unique<LocalLog>(*database_, *state_, clock, LocalLogSettings{},
-                                 [this](std::span<const ChunkChange> changes) { feed_.on_changed(changes); });
-  EditIntake::Parts parts{base, *log_, [this](edits::EditorId id) { return state_->editor(id); }, clock,
+  if (shared_ == nullptr) {
+    local_ = std::make_unique<LocalLog>(*database_, *state_, clock_, LocalLogSettings{}, tell_feed());
+    log_ = local_.get();
+  }
+  EditIntake::Parts parts{base, *log_, [this](edits::EditorId id) { return state_->editor(id); }, clock_,
                           metrics};
   intake_ = std::make_unique<EditIntake>(std::move(parts), rules_of(world, placeables_, settles), logger_);
+  waits_for_log_ = intake_.get();
   return *chunks_;
 }
 
@@ -143,7 +122,7 @@ void WorldEdits::start(RunPregen pregen) {
   feed_.start();
   intake_->start();
   auto socket = StoreSocket::open(
-      database_->path(), {*database_, *log_, [this] { return log_->status().read_only; }, std::move(pregen)},
+      database_->path(), {*database_, *log_, [this] { return status().read_only; }, std::move(pregen)},
       logger_);
   if (socket) {
     socket_ = *std::move(socket);
@@ -155,7 +134,8 @@ void WorldEdits::start(RunPregen pregen) {
 void WorldEdits::stop() {
   socket_.reset();  // who waits for the log there gets its answer
   if (intake_ != nullptr) intake_->stop();
-  if (log_ != nullptr) log_->stop();
+  if (local_ != nullptr) local_->stop();
+  if (shared_ != nullptr) shared_->stop();
 }
 
 }  // namespace talus::server

@@ -1,11 +1,13 @@
 // A world's edits in one server, from the directory on disk to the sessions: database, applied state, log,
-// and the intake that prepares edits for it.
+// which is this server's own or one that several share, and the intake that prepares edits for it.
 #pragma once
 
+#include <atomic>
 #include <cstdint>
 #include <filesystem>
-#include <map>
+#include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,6 +20,8 @@
 #include "chunks/chunk_source.h"
 #include "chunks/edited_land.h"
 #include "clock/clock.h"
+#include "cluster/cluster_log.h"
+#include "cluster/log_stream.h"
 #include "edits/change_feed.h"
 #include "edits/edit_intake.h"
 #include "edits/edit_state.h"
@@ -31,11 +35,21 @@
 
 namespace talus::server {
 
+/// The log that this server shares with others.
+struct SharedLog {
+  std::unique_ptr<LogStream> stream;  // of the store; null: the log is this server's own
+  /// The store is lost to the cluster: cluster_log.h.
+  std::function<void(cluster::Lost, const std::string&)> on_lost = [](cluster::Lost, const std::string&) {};
+};
+
 class WorldEdits final : public EditedLand {
  public:
-  /// Opens what is stored in `directory`, which a DataDirectory has locked. An error is one line.
+  /// Opens what is stored in `directory`, which a DataDirectory has locked, and starts a log that is shared:
+  /// where the world has new materials it waits until that gives them ids. An error is one line. `clock`
+  /// outlives this.
   [[nodiscard]] static tl::expected<std::unique_ptr<WorldEdits>, std::string> open(
-      const std::filesystem::path& directory, const terrain::World& world, ContentHash store_id, Logger log);
+      const std::filesystem::path& directory, const terrain::World& world, ContentHash store_id,
+      const Clock& clock, Logger log, SharedLog shared = {});
   /// Another than open() was given where the store had to become another.
   [[nodiscard]] ContentHash store_id() const { return database_->meta().store_id; }
   ~WorldEdits() override { stop(); }
@@ -50,14 +64,16 @@ class WorldEdits final : public EditedLand {
 
   /// The source of chunks with their edits, over those as generated; once, before all that follows. What is
   /// given outlives stop(), and what is returned this. `settles`: loose material slides.
-  [[nodiscard]] ChunkSource& join(const terrain::World& world, ChunkSource& base, const Clock& clock,
-                                  Metrics& metrics, bool settles);
+  [[nodiscard]] ChunkSource& join(const terrain::World& world, ChunkSource& base, Metrics& metrics,
+                                  bool settles);
   [[nodiscard]] EditTaker& taker() { return *intake_; }
   /// Starts the threads; once. `pregen`: by which a command has land made; empty: by none.
   void start(RunPregen pregen = {});
   /// Takes no more edits, and answers those that were taken.
   void stop();
-  [[nodiscard]] LocalLog::Status status() const { return log_->status(); }
+  [[nodiscard]] LocalLog::Status status() const;
+  /// Of a log that is shared; null: it is this server's own.
+  [[nodiscard]] const cluster::ClusterLog* shared() const { return shared_.get(); }
   /// Edits that are not in the log yet.
   [[nodiscard]] std::size_t preparing() const { return intake_->waiting(); }
 
@@ -68,7 +84,7 @@ class WorldEdits final : public EditedLand {
 
   // Once join() was called.
   [[nodiscard]] std::uint64_t revision() const override { return state_->revision(); }
-  [[nodiscard]] bool takes_edits() const override { return !log_->status().read_only; }
+  [[nodiscard]] bool takes_edits() const override { return !status().read_only; }
   [[nodiscard]] std::uint64_t column_revision(ChunkKey key) const override {
     return state_->index().column_revision(key);
   }
@@ -78,25 +94,35 @@ class WorldEdits final : public EditedLand {
   }
 
  private:
-  WorldEdits(std::unique_ptr<EditDatabase> database, std::unique_ptr<EditState> state, const Logger& log)
+  WorldEdits(std::unique_ptr<EditDatabase> database, std::unique_ptr<EditState> state, const Clock& clock,
+             const Logger& log)
       : logger_{log},
+        clock_{clock},
         database_{std::move(database)},
         state_{std::move(state)},
         merged_{*state_, log},
         feed_{log} {}
 
-  [[nodiscard]] EditDatabase::Done bind_placeables(const terrain::World& world);
-  /// Voxels of each material that overrides have.
-  [[nodiscard]] tl::expected<std::map<MaterialId, std::uint64_t>, std::string> count_uses() const;
+  void start_shared_log(SharedLog shared, const terrain::World& world);
+  [[nodiscard]] EditDatabase::Done name_placeables(const terrain::World& world, SharedLog shared);
+  /// What either log does after a batch.
+  [[nodiscard]] StoreWriter::OnChanged tell_feed() {
+    return [this](std::span<const ChunkChange> changes) { feed_.on_changed(changes); };
+  }
 
   const Logger logger_;
+  const Clock& clock_;
   std::vector<terrain::Material> placeables_;
   const std::unique_ptr<EditDatabase> database_;
   const std::unique_ptr<EditState> state_;
   MergedChunks merged_;
   ChangeFeed feed_;
   std::unique_ptr<EditedChunks> chunks_;
-  std::unique_ptr<LocalLog> log_;
+  std::unique_ptr<LogStream> stream_;
+  std::atomic<EditIntake*> waits_for_log_{nullptr};  // who is told when a shared log takes edits again
+  std::unique_ptr<cluster::ClusterLog> shared_;      // one of the two
+  std::unique_ptr<LocalLog> local_;
+  EditLog* log_ = nullptr;
   std::unique_ptr<EditIntake> intake_;
   std::unique_ptr<StoreSocket> socket_;  // null: it could not be made
 };

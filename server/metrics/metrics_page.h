@@ -35,6 +35,17 @@ struct RuntimeGauges {
     bool read_only = false;       // the log cannot be written
   };
   std::optional<Edits> edits{};  // none: nothing is stored
+  struct Cluster {
+    bool connected = false;
+    bool quorum = false;
+    bool differs = false;
+    std::uint64_t lag = 0;       // messages
+    std::uint64_t sequence = 0;  // of the last message that is applied
+    std::uint64_t republished = 0;
+    std::uint64_t gaps = 0;
+    const LatencyHistogram* publishing = nullptr;
+  };
+  std::optional<Cluster> cluster{};  // none: this server is alone
   struct Columns {
     std::uint64_t found = 0;  // on disk
     std::uint64_t missing = 0;

@@ -149,6 +149,7 @@ EditDatabase::Done EditDatabase::check_acknowledged() {
 // all of this again.
 EditDatabase::Done EditDatabase::become_another() {
   if (!was_there_ || has_acknowledged()) return {};
+  if (settings_.log_elsewhere) return {};  // what is lost is read there again, and the same
   meta_.store_id = random_store_id();
   const std::string text = store_text({meta_.store_id, meta_.fingerprint});
   if (const auto written = files::write_file(settings_.path / "store.toml", text); !written) {

@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include <fmt/format.h>
+
 namespace talus::server {
 
 tl::expected<std::unique_ptr<LocalWriter>, std::string> LocalWriter::open(
@@ -13,6 +15,12 @@ tl::expected<std::unique_ptr<LocalWriter>, std::string> LocalWriter::open(
   settings.store_id = identity.store_id;
   auto database = EditDatabase::open(settings);
   if (!database) return tl::unexpected{std::move(database.error())};
+  if ((*database)->meta().stream.sequence != 0) {
+    return tl::unexpected{fmt::format(
+        "data {}: the store is one of a cluster, whose log has what comes next; start its talusd, "
+        "and run the command again: it gives the edits to the log",
+        directory.string())};
+  }
   auto state = EditState::open(**database, {});
   if (!state) return tl::unexpected{std::move(state.error())};
   writer->database_ = *std::move(database);

@@ -51,4 +51,14 @@ tl::expected<void, std::string> check_may_write(const std::filesystem::path& dat
   return {};
 }
 
+tl::expected<void, std::string> check_is_alone(const std::filesystem::path& data, std::string_view command) {
+  const auto store = ReadOnlyStore::open(data);
+  if (!store || (*store)->meta().stream.sequence == 0) return {};
+  return tl::unexpected{fmt::format(
+      "data {}: the store is one of a cluster, whose servers all have the same; stop all of them, take it "
+      "out "
+      "by talusd store leave-cluster, {} it, and begin a cluster with it by talusd store join-cluster",
+      data.string(), command)};
+}
+
 }  // namespace talus::server

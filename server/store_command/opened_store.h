@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include <tl/expected.hpp>
 
@@ -47,5 +48,10 @@ class OpenedStore {
 /// For commands that write files of a store: refused where a server uses it, and where they would belong to
 /// another user than the directory does.
 [[nodiscard]] tl::expected<void, std::string> check_may_write(const std::filesystem::path& data);
+
+/// For commands that make another store in the place of the one that is there: refused where that is one of a
+/// cluster, whose servers all have the same. One that cannot be read is no hindrance. `data` is locked.
+[[nodiscard]] tl::expected<void, std::string> check_is_alone(const std::filesystem::path& data,
+                                                             std::string_view command);
 
 }  // namespace talus::server

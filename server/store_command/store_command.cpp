@@ -107,6 +107,7 @@ Answer restore(const Flags& flags, const LoadWorld&) {
   if (const auto manifest = read_manifest(flags.path); !manifest) return tl::unexpected{manifest.error()};
   const auto directory = DataDirectory::open_any(flags.data);
   if (!directory) return tl::unexpected{directory.error()};
+  if (const auto alone = check_is_alone(flags.data, "restore"); !alone) return tl::unexpected{alone.error()};
   const auto restored = restore_backup(flags.path, *directory, flags.replace);
   if (!restored) return tl::unexpected{restored.error()};
   std::string text =
@@ -249,6 +250,9 @@ Answer import_file(const Flags& flags, const LoadWorld&) {
   if (const auto may = check_may_write(flags.data); !may) return tl::unexpected{may.error()};
   const auto directory = DataDirectory::open_any(flags.data);
   if (!directory) return tl::unexpected{directory.error()};
+  if (const auto alone = check_is_alone(flags.data, "import into"); !alone) {
+    return tl::unexpected{alone.error()};
+  }
   const auto imported = import_edits(flags.path, *directory, flags.keep ? Winner::store : Winner::file);
   if (!imported) return tl::unexpected{imported.error()};
   std::string text = rebuilt_lines(flags.data, *imported);
@@ -265,6 +269,7 @@ Answer rebase(const Flags& flags, const LoadWorld& load_world) {
   if (!world) return tl::unexpected{world.error()};
   const auto directory = DataDirectory::open_store(flags.data);
   if (!directory) return tl::unexpected{directory.error()};
+  if (const auto alone = check_is_alone(flags.data, "rebase"); !alone) return tl::unexpected{alone.error()};
   const auto rebased = rebase_edits(*directory, **world, flags.drop_unknown);
   if (!rebased) return tl::unexpected{rebased.error()};
   return rebuilt_lines(flags.data, *rebased) +

@@ -51,7 +51,8 @@ tl::expected<edits::Applied, Restorer::Failure> Restorer::append(LogEntry entry)
   using Answer = tl::expected<edits::Applied, Failure>;
   const auto failure_of = [](const LogFailure& failed) {
     using enum LogFailure::Kind;
-    return tl::unexpected{Failure{failed.reason, failed.kind == busy || failed.kind == unwritable}};
+    const bool passes = failed.kind == busy || failed.kind == unwritable || failed.kind == cut_off;
+    return tl::unexpected{Failure{failed.reason, passes}};
   };
   const auto answer = std::make_shared<std::promise<Answer>>();
   auto answered = answer->get_future();

@@ -2,12 +2,14 @@
 
 import json
 import pathlib
+import shutil
 import socket
 import ssl
 import subprocess
 import tempfile
 import time
 import unittest
+import urllib.request
 
 from nats_client import NatsClient, Refused, status
 from nats_servers import certificates, start_cluster
@@ -152,6 +154,35 @@ class ShippedConfiguration(unittest.TestCase):
             with self.subTest(certificate), self.assertRaises(Refused):
                 self.route(certificate)
         self.route("nats-1")
+
+    def test_z_a_host_with_an_empty_disk_catches_up(self):
+        # Last of all by its name: the others ask all three.
+        with self.connect("talusd") as talusd:
+            for i in range(20):
+                talusd.request(LOG, b"before %d" % i)
+            victim = self.servers[2]
+            victim.kill()
+            shutil.rmtree(victim.folder / "data")
+            talusd.request(LOG, b"without it")
+            victim.start()
+            wanted = talusd.ask(f"$JS.API.STREAM.INFO.{STREAM}")["state"]
+        until = time.monotonic() + 60
+        while (state := self.state_at(victim)) != (wanted["first_seq"], wanted["last_seq"]):
+            self.assertLess(time.monotonic(), until, state)
+            time.sleep(0.05)
+
+    @staticmethod
+    def state_at(server):
+        """First and last of the log, as that host has it on its disk."""
+        try:
+            page = json.load(urllib.request.urlopen(f"http://127.0.0.1:{server.monitor_port}/jsz?accounts=true&streams=true", timeout=5))
+        except OSError:
+            return None
+        for account in page.get("account_details") or []:
+            for stream in account.get("stream_detail") or []:
+                if stream["name"] == STREAM:
+                    return stream["state"]["first_seq"], stream["state"]["last_seq"]
+        return None
 
     def route(self, certificate):
         """Greets as a host does, and is answered by a Pong or raises."""

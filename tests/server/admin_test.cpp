@@ -22,7 +22,7 @@ http::Request request(http::Method method, const std::string& target) {
   return {method, target, {}, true};
 }
 
-const OperatorAnswers kAnswers{[] { return "metrics"; }, [] { return true; }, [] { return true; },
+const OperatorAnswers kAnswers{[] { return "metrics"; }, [] { return true; }, [] { return Readiness{}; },
                                [] { return FlowsReport{}; }};
 
 struct Bench {
@@ -37,7 +37,10 @@ struct Bench {
     REQUIRE(listening.has_value());
     address = {asio::ip::address_v4::loopback(),
                static_cast<std::uint16_t>(std::stoi(listening->substr(listening->rfind(':') + 1)))};
-    server.start({[] { return "talus_up 1\n"; }, [] { return true; }, [this] { return ready.load(); },
+    server.start({[] { return "talus_up 1\n"; }, [] { return true; },
+                  [this] {
+                    return ready.load() ? Readiness{} : Readiness{false, "draining"};
+                  },
                   [] { return FlowsReport{}; }});
   }
   tcp::socket connect() {
@@ -68,8 +71,11 @@ TEST_CASE("operators get metrics, health and readiness, and a list of them elsew
   CHECK(answer_operator(request(http::Method::get, "/metrics"), kAnswers).body == "metrics");
   CHECK(status("/-/healthy") == 200);
   CHECK(status("/-/ready") == 200);
-  CHECK(status("/-/ready", {kAnswers.metrics, kAnswers.healthy, [] { return false; }, kAnswers.flows}) ==
-        503);
+  CHECK(status("/-/ready", {kAnswers.metrics, kAnswers.healthy,
+                            [] {
+                              return Readiness{false, "draining"};
+                            },
+                            kAnswers.flows}) == 503);
   CHECK(status("/-/healthy", {kAnswers.metrics, [] { return false; }, kAnswers.ready, kAnswers.flows}) ==
         503);
   CHECK(status("/metrics?from=me") == 200);

@@ -1,0 +1,307 @@
+#include "jetstream/connection.h"
+
+#include <algorithm>
+#include <charconv>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "log/escape.h"
+#include "threads/signals.h"
+
+namespace talus::server::jetstream {
+namespace {
+
+constexpr std::int64_t kConnectTimeoutMs = 500;
+constexpr std::int64_t kWriteTimeoutMs = 500;
+constexpr std::int64_t kReconnectWaitMs = 50;
+constexpr std::int64_t kReconnectJitterMs = 20;
+constexpr std::int64_t kPingIntervalMs = 1000;
+constexpr int kMaxPingsOut = 2;
+
+using Clock = std::chrono::steady_clock;
+
+/// The first error of several calls that set options.
+class Setting {
+ public:
+  void operator()(natsStatus status) {
+    if (status_ == NATS_OK && status != NATS_OK) {
+      status_ = status;
+      const char* const said = nats_GetLastError(nullptr);
+      text_ = said == nullptr ? natsStatus_GetText(status) : said;
+    }
+  }
+  [[nodiscard]] bool failed() const { return status_ != NATS_OK; }
+  [[nodiscard]] const std::string& text() const { return text_; }
+
+ private:
+  natsStatus status_ = NATS_OK;
+  std::string text_;
+};
+
+StreamFailure unavailable(std::string reason) {
+  return {StreamFailure::Kind::unavailable, std::move(reason)};
+}
+
+bool is_refusal(natsStatus status) {
+  return status == NATS_CONNECTION_AUTH_FAILED || status == NATS_NOT_PERMITTED || status == NATS_SSL_ERROR ||
+         status == NATS_SECURE_CONNECTION_WANTED;
+}
+
+/// What libnats said last on this thread, or what the status means.
+std::string last_words(natsStatus status) {
+  const char* const said = nats_GetLastError(nullptr);
+  const std::string_view text = said == nullptr || *said == '\0' ? natsStatus_GetText(status) : said;
+  return escaped(text, 300);
+}
+
+}  // namespace
+
+std::span<const std::byte> Arrived::bytes() const {
+  return std::as_bytes(
+      std::span{natsMsg_GetData(message_), static_cast<std::size_t>(natsMsg_GetDataLength(message_))});
+}
+
+std::string_view Arrived::text() const {
+  return {natsMsg_GetData(message_), static_cast<std::size_t>(natsMsg_GetDataLength(message_))};
+}
+
+std::string_view Arrived::header(const char* name) const {
+  const char* value = nullptr;
+  return natsMsgHeader_Get(message_, name, &value) == NATS_OK && value != nullptr ? value
+                                                                                  : std::string_view{};
+}
+
+std::uint64_t Arrived::sequence() const {
+  const std::string_view text = header("Nats-Sequence");
+  std::uint64_t sequence = 0;
+  const auto [stop, error] = std::from_chars(text.data(), text.data() + text.size(), sequence);
+  return error == std::errc{} && stop == text.data() + text.size() ? sequence : 0;
+}
+
+int Arrived::status() const {
+  const std::string_view text = header("Status");
+  int status = 0;
+  std::from_chars(text.data(), text.data() + text.size(), status);
+  return status;
+}
+
+/// Called by libnats.
+struct Connection::Callbacks {
+  static Link& link(void* closure) { return **static_cast<std::shared_ptr<Link>*>(closure); }
+
+  static void set_connected(Link& link, bool now) {
+    link.connected.store(now, std::memory_order_relaxed);
+    if (link.events) link.events->connected(now);
+  }
+  static void connected(natsConnection* /*connection*/, void* closure) { set_connected(link(closure), true); }
+  static void disconnected(natsConnection* /*connection*/, void* closure) {
+    set_connected(link(closure), false);
+  }
+  /// The last call of a connection.
+  static void closed(natsConnection* connection, void* closure) {
+    const std::unique_ptr<std::shared_ptr<Link>> owned{static_cast<std::shared_ptr<Link>*>(closure)};
+    Link& link = **owned;
+    const char* text = nullptr;
+    const natsStatus status = natsConnection_GetLastError(connection, &text);
+    link.connected.store(false, std::memory_order_relaxed);
+    if (!link.events) return;
+    link.events->connected(false);
+    // It tries for ever, but for servers that refuse it twice; then it has forgotten why.
+    const bool refused = is_refusal(status) || status == NATS_NO_SERVER;
+    link.events->closed({refused ? StreamFailure::Kind::refused : StreamFailure::Kind::unavailable,
+                         refused ? "NATS refuses the credentials (Authorization Violation)"
+                                 : fmt::format("NATS: {}", escaped(text == nullptr ? "closed" : text, 300))});
+  }
+  static void error(natsConnection* connection, natsSubscription* /*subscription*/, natsStatus status,
+                    void* closure) {
+    if (status != NATS_NOT_PERMITTED) return;
+    const char* text = nullptr;
+    natsConnection_GetLastError(connection, &text);
+    Link& of = link(closure);
+    const std::string what = escaped(text == nullptr ? "" : text, 300);
+    {
+      const std::lock_guard lock{of.mutex};
+      of.denied = what;
+      of.denied_at = Clock::now();
+    }
+    if (of.events) of.events->denied(what);
+  }
+  static natsStatus sign(char** error_text, unsigned char** signature, int* signature_length,
+                         const char* nonce, void* closure) {
+    *error_text = nullptr;
+    const std::string seed{link(closure).credentials->seed->bytes()};
+    return nats_Sign(seed.c_str(), nonce, signature, signature_length);
+  }
+  static void message(natsConnection* /*connection*/, natsSubscription* /*subscription*/, natsMsg* message,
+                      void* closure) {
+    const NatsMessage owned{message};
+    (*static_cast<Handler*>(closure))(Arrived{message});
+  }
+  static void subscription_ended(void* closure) { delete static_cast<Handler*>(closure); }
+};
+
+tl::expected<std::shared_ptr<Connection>, StreamFailure> Connection::open(
+    const ServerUrls& urls, std::shared_ptr<const Credentials> credentials,
+    std::shared_ptr<ConnectionEvents> events, Retry retry) {
+  // Threads that libnats starts leave signals to the main thread.
+  const SignalsBlocked blocked;
+  auto link = std::make_shared<Link>();
+  link->credentials = std::move(credentials);
+  link->events = std::move(events);
+  const Credentials& who = *link->credentials;
+  auto closure = std::make_unique<std::shared_ptr<Link>>(link);
+
+  natsOptions* made = nullptr;
+  Setting set;
+  set(natsOptions_Create(&made));
+  const NatsOptions options{made};
+  std::vector<const char*> servers;
+  const std::vector<std::string> all{urls.begin(), urls.end()};
+  for (const std::string& url : all) servers.push_back(url.c_str());
+  set(natsOptions_SetServers(made, servers.data(), static_cast<int>(servers.size())));
+  // The servers that the settings name, and no others that may be behind something.
+  set(natsOptions_SetIgnoreDiscoveredServers(made, true));
+  set(natsOptions_SetName(made, "talusd"));
+  set(natsOptions_SetTimeout(made, kConnectTimeoutMs));
+  set(natsOptions_SetWriteDeadline(made, kWriteTimeoutMs));
+  set(natsOptions_SetPingInterval(made, kPingIntervalMs));
+  set(natsOptions_SetMaxPingsOut(made, kMaxPingsOut));
+  set(natsOptions_SetSendAsap(made, true));
+  // Nothing is kept for later while there is no connection: whoever sends learns of it.
+  set(natsOptions_SetReconnectBufSize(made, 1));
+  set(natsOptions_SetReconnectWait(made, kReconnectWaitMs));
+  set(natsOptions_SetReconnectJitter(made, kReconnectJitterMs, kReconnectJitterMs));
+  if (retry == Retry::forever) {
+    set(natsOptions_SetMaxReconnect(made, -1));
+    set(natsOptions_SetRetryOnFailedConnect(made, true, &Callbacks::connected, closure.get()));
+  } else {
+    set(natsOptions_SetAllowReconnect(made, false));
+  }
+  set(natsOptions_SetReconnectedCB(made, &Callbacks::connected, closure.get()));
+  set(natsOptions_SetDisconnectedCB(made, &Callbacks::disconnected, closure.get()));
+  set(natsOptions_SetClosedCB(made, &Callbacks::closed, closure.get()));
+  set(natsOptions_SetErrorHandler(made, &Callbacks::error, closure.get()));
+  if (who.password) {
+    const std::string password{who.password->bytes()};
+    set(natsOptions_SetUserInfo(made, who.user.c_str(), password.c_str()));
+  }
+  if (who.token) set(natsOptions_SetToken(made, std::string{who.token->bytes()}.c_str()));
+  if (who.seed) set(natsOptions_SetNKey(made, who.public_key.c_str(), &Callbacks::sign, closure.get()));
+  if (who.tls) {
+    set(natsOptions_SetSecure(made, true));
+    if (!who.ca.empty()) set(natsOptions_SetCATrustedCertificates(made, who.ca.c_str()));
+    if (who.key) {
+      const std::string key{who.key->bytes()};
+      set(natsOptions_SetCertificatesChain(made, who.certificate.c_str(), key.c_str()));
+    }
+  }
+  if (set.failed()) {
+    return tl::unexpected{
+        StreamFailure{StreamFailure::Kind::refused, fmt::format("NATS: {}", escaped(set.text(), 300))}};
+  }
+
+  std::shared_ptr<Connection> connection{new Connection{link}};
+  natsConnection* opened = nullptr;
+  const natsStatus status = natsConnection_Connect(&opened, made);
+  connection->connection_.reset(opened);
+  if (status != NATS_OK && status != NATS_NOT_YET_CONNECTED) {
+    return tl::unexpected{
+        StreamFailure{is_refusal(status) ? StreamFailure::Kind::refused : StreamFailure::Kind::unavailable,
+                      fmt::format("{}: {}", urls.text(), last_words(status))}};
+  }
+  // From now on the callback of the end owns it.
+  (void)closure.release();
+  if (status == NATS_OK) Callbacks::set_connected(*link, true);
+  jsCtx* context = nullptr;
+  if (natsConnection_JetStream(&context, opened, nullptr) != NATS_OK) {
+    return tl::unexpected{unavailable("NATS: no memory")};
+  }
+  connection->context_.reset(context);
+  return connection;
+}
+
+Connection::~Connection() = default;
+
+void Connection::close() {
+  natsConnection_Close(connection_.get());
+}
+
+tl::expected<void, StreamFailure> Connection::subscribe(const std::string& subject, Handler handler,
+                                                        int pending_messages, int pending_bytes) {
+  const SignalsBlocked blocked;
+  auto owned = std::make_unique<Handler>(std::move(handler));
+  natsSubscription* made = nullptr;
+  const natsStatus status =
+      natsConnection_Subscribe(&made, connection_.get(), subject.c_str(), &Callbacks::message, owned.get());
+  if (status != NATS_OK) return tl::unexpected{unavailable(fmt::format("NATS: {}", last_words(status)))};
+  NatsSubscription subscription{made};
+  if (natsSubscription_SetOnCompleteCB(made, &Callbacks::subscription_ended, owned.get()) == NATS_OK) {
+    (void)owned.release();
+  }
+  natsSubscription_SetPendingLimits(made, pending_messages, pending_bytes);
+  const std::lock_guard lock{mutex_};
+  subscriptions_.push_back(std::move(subscription));
+  return {};
+}
+
+StreamFailure Connection::failure_of(natsStatus status, Clock::time_point since,
+                                     std::string_view doing) const {
+  const std::string missing = denied_since(since);
+  if (!missing.empty()) return {StreamFailure::Kind::refused, fmt::format("NATS: {}", missing)};
+  if (status == NATS_TIMEOUT) return unavailable(fmt::format("NATS: no answer to {}", doing));
+  if (status == NATS_NO_RESPONDERS) return unavailable(fmt::format("NATS: nobody listens to {}", doing));
+  return unavailable(fmt::format("NATS: {}", last_words(status)));
+}
+
+tl::expected<void, StreamFailure> Connection::send(const std::string& subject, const std::string& reply,
+                                                   std::string_view text) {
+  if (!connected()) return tl::unexpected{unavailable("no connection to NATS")};
+  const auto began = Clock::now();
+  const natsStatus status = natsConnection_PublishRequest(connection_.get(), subject.c_str(), reply.c_str(),
+                                                          text.data(), static_cast<int>(text.size()));
+  if (status != NATS_OK) return tl::unexpected{failure_of(status, began, subject)};
+  return {};
+}
+
+tl::expected<NatsMessage, StreamFailure> Connection::request(const std::string& subject,
+                                                             std::string_view text,
+                                                             std::chrono::milliseconds patience) {
+  if (!connected()) return tl::unexpected{unavailable("no connection to NATS")};
+  const SignalsBlocked blocked;
+  const auto began = Clock::now();
+  natsMsg* reply = nullptr;
+  const natsStatus status = natsConnection_Request(&reply, connection_.get(), subject.c_str(), text.data(),
+                                                   static_cast<int>(text.size()), patience.count());
+  if (status != NATS_OK) return tl::unexpected{failure_of(status, began, subject)};
+  return NatsMessage{reply};
+}
+
+tl::expected<Connection::Ack, StreamFailure> Connection::publish(const std::string& subject,
+                                                                 std::span<const std::byte> bytes,
+                                                                 std::chrono::milliseconds patience) {
+  if (!connected()) return tl::unexpected{unavailable("no connection to NATS")};
+  const SignalsBlocked blocked;
+  const auto began = Clock::now();
+  jsPubOptions options{};
+  jsPubOptions_Init(&options);
+  options.MaxWait = patience.count();
+  jsPubAck* made = nullptr;
+  jsErrCode code{};
+  const natsStatus status = js_Publish(&made, context_.get(), subject.c_str(), bytes.data(),
+                                       static_cast<int>(bytes.size()), &options, &code);
+  if (status != NATS_OK) return tl::unexpected{failure_of(status, began, subject)};
+  const PublishAck ack{made};
+  return Ack{ack->Stream == nullptr ? "" : ack->Stream, ack->Sequence};
+}
+
+std::int64_t Connection::max_payload() const {
+  return natsConnection_GetMaxPayload(connection_.get());
+}
+
+std::string Connection::denied_since(Clock::time_point since) const {
+  const std::lock_guard lock{link_->mutex};
+  return link_->denied_at >= since ? link_->denied : std::string{};
+}
+
+}  // namespace talus::server::jetstream

@@ -1,0 +1,436 @@
+#include "jetstream/jetstream_log.h"
+
+#include <algorithm>
+#include <charconv>
+#include <random>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "jetstream/reading.h"
+#include "jetstream/stream_info.h"
+#include "jetstream/stream_settings.h"
+#include "log/escape.h"
+
+namespace talus::server::jetstream {
+namespace {
+
+using namespace std::chrono_literals;
+using Clock = std::chrono::steady_clock;
+using TimePoint = LogStream::TimePoint;
+using Kind = StreamFailure::Kind;
+
+constexpr auto kPatience = 500ms;
+constexpr auto kBetweenQuestions = 1s;    // to the leader
+constexpr auto kBetweenUrgent = 100ms;    // where something does not fit
+constexpr auto kBetweenConnections = 1s;  // after NATS refused the credentials
+constexpr auto kSureOfLess = 5s;          // a new leader may not have applied yet what the one before had
+constexpr int kPendingMessages = 4096;
+constexpr int kPendingBytes = 32 << 20;
+
+std::uint64_t random_seed() {
+  std::random_device random;
+  return (std::uint64_t{random()} << 32U) | random();
+}
+
+std::string new_reply_subject() {
+  natsInbox* made = nullptr;
+  if (natsInbox_Create(&made) != NATS_OK) return {};
+  const NatsInbox inbox{made};
+  return inbox.get();
+}
+
+std::string info_subject(const StreamNames& names) {
+  return "$JS.API.STREAM.INFO." + names.stream;
+}
+
+std::string direct_get_subject(const StreamNames& names) {
+  return "$JS.API.DIRECT.GET." + names.stream;
+}
+
+tl::unexpected<StreamFailure> failure(Kind kind, std::string reason) {
+  return tl::unexpected{StreamFailure{kind, std::move(reason)}};
+}
+
+/// The number at the end of a subject; 0 where there is none.
+std::uint64_t number_at_end(std::string_view subject) {
+  const std::size_t dot = subject.rfind('.');
+  const std::string_view digits = subject.substr(dot == std::string_view::npos ? subject.size() : dot + 1);
+  std::uint64_t number = 0;
+  std::from_chars(digits.data(), digits.data() + digits.size(), number);
+  return number;
+}
+
+}  // namespace
+
+/// Everything that libnats' threads, the reader and the others share.
+class JetStreamLog::Inbox final : public ConnectionEvents {
+ public:
+  Inbox(const Settings& settings, Logger log)
+      : names_{settings.names}, log_{std::move(log)}, reading_{Clock::now(), random_seed()} {}
+
+  // Of the connection.
+  void connected(bool now) override {
+    {
+      const std::lock_guard lock{mutex_};
+      if (connected_ == now) return;
+      connected_ = now;
+      question_due_ = Clock::now();
+    }
+    changed_.notify_all();
+    if (now) {
+      log_->info("NATS: connected");
+    } else {
+      log_->warn("NATS: the connection broke; trying all servers of cluster.nats");
+    }
+  }
+  void closed(const StreamFailure& why) override {
+    {
+      const std::lock_guard lock{mutex_};
+      if (stopped_) return;
+      closed_ = why;
+    }
+    changed_.notify_all();
+    log_->error("{}; trying again", why.reason);
+  }
+  void denied(std::string_view what) override {
+    {
+      const std::lock_guard lock{mutex_};
+      trouble_ = StreamFailure{Kind::refused, fmt::format("NATS: {}", what)};
+    }
+    changed_.notify_all();
+  }
+
+  void tail(const Arrived& arrived) {
+    if (arrived.header("Nats-Stream") != names_.stream) return count_false();
+    if (arrived.bytes().size() > kMaxMessageBytes) return count_false();
+    {
+      const std::lock_guard lock{mutex_};
+      reading_.heard(arrived.sequence(), arrived.bytes(), Clock::now());
+    }
+    changed_.notify_all();
+  }
+
+  /// To a Direct Get.
+  void message(const Arrived& arrived) {
+    const std::uint64_t sequence = number_at_end(arrived.subject());
+    {
+      const std::lock_guard lock{mutex_};
+      const auto now = Clock::now();
+      if (arrived.status() != 0 || arrived.sequence() != sequence ||
+          arrived.header("Nats-Stream") != names_.stream) {
+        reading_.not_found(sequence, now);
+        question_due_ = std::min(question_due_, asked_at_ + kBetweenUrgent);
+      } else if (arrived.bytes().size() > kMaxMessageBytes) {
+        fault_ = StreamFailure{
+            Kind::other, fmt::format("{}: message {} has {} bytes, and no batch of edits over {}",
+                                     names_.stream, sequence, arrived.bytes().size(), kMaxMessageBytes)};
+      } else {
+        reading_.answered(sequence, arrived.bytes(), now);
+      }
+    }
+    changed_.notify_all();
+  }
+
+  /// What the leader says; `after`: how far the stream had been read when it was asked.
+  void info(std::uint64_t after, std::string_view text) {
+    const auto parsed = parse_stream_info(text);
+    {
+      const std::lock_guard lock{mutex_};
+      if (parsed) {
+        (void)judge(parsed->state, after);
+      } else {
+        trouble_ = failure_of(parsed.error(), names_.stream);
+      }
+    }
+    changed_.notify_all();
+  }
+
+  /// Of another question to the leader.
+  tl::expected<void, StreamFailure> told(const StreamState& state) {
+    const std::lock_guard lock{mutex_};
+    return judge(state, 0);
+  }
+
+  // Of the reader.
+  tl::expected<std::optional<StreamMessage>, StreamFailure> next(JetStreamLog& log, std::uint64_t after,
+                                                                 TimePoint until) {
+    std::unique_lock lock{mutex_};
+    reading_.move_to(after, Clock::now());
+    for (;;) {
+      if (stopped_) return failure(Kind::unavailable, "stopped");
+      if (const auto sequence = reading_.forged()) {
+        fault_ = StreamFailure{
+            Kind::other, fmt::format("message {} of {} that was applied is not the stream's: somebody else "
+                                     "publishes to {}; forbid it in NATS' permissions",
+                                     *sequence, names_.stream, names_.tail)};
+      }
+      if (fault_) return tl::unexpected{*fault_};
+      if (auto message = reading_.take()) return message;
+      if (const auto gone = check_kept()) return tl::unexpected{*gone};
+      const auto now = Clock::now();
+      if (trouble_ && trouble_->kind == Kind::refused) return tl::unexpected{*std::exchange(trouble_, {})};
+      if (std::exchange(woken_, false)) return std::optional<StreamMessage>{};
+      if (now >= until) {
+        if (connected_) return std::optional<StreamMessage>{};
+        return failure(Kind::unavailable, "no connection to NATS");
+      }
+      if (closed_) {
+        lock.unlock();
+        const auto again = log.connection();
+        lock.lock();
+        if (!again) {
+          if (!stopped_) changed_.wait_until(lock, std::min(until, now + kPatience));
+          if (Clock::now() >= until) return tl::unexpected{again.error()};
+        }
+        continue;
+      }
+      if (connected_ && ask(log, lock, now)) continue;  // something may have come meanwhile
+      TimePoint wake = until;
+      if (connected_) wake = std::min({wake, question_due_, reading_.next_look()});
+      changed_.wait_until(lock, wake);
+    }
+  }
+
+  void learned(std::uint64_t sequence) {
+    {
+      const std::lock_guard lock{mutex_};
+      reading_.learned(sequence);
+    }
+    changed_.notify_all();
+  }
+  [[nodiscard]] std::uint64_t after() const {
+    const std::lock_guard lock{mutex_};
+    return reading_.after();
+  }
+
+  [[nodiscard]] std::optional<StreamFailure> why_closed() const {
+    const std::lock_guard lock{mutex_};
+    return closed_;
+  }
+  void reopened() {
+    const std::lock_guard lock{mutex_};
+    closed_.reset();
+  }
+  void wake() {
+    {
+      const std::lock_guard lock{mutex_};
+      woken_ = true;
+    }
+    changed_.notify_all();
+  }
+  void stop() {
+    {
+      const std::lock_guard lock{mutex_};
+      stopped_ = true;
+    }
+    changed_.notify_all();
+  }
+  [[nodiscard]] bool stopped() const {
+    const std::lock_guard lock{mutex_};
+    return stopped_;
+  }
+  [[nodiscard]] StreamFigures figures() const {
+    const std::lock_guard lock{mutex_};
+    return {connected_, reading_.gaps(), false_messages_ + reading_.false_messages()};
+  }
+
+ private:
+  void count_false() {
+    const std::lock_guard lock{mutex_};
+    ++false_messages_;
+  }
+
+  tl::expected<void, StreamFailure> judge(const StreamState& state, std::uint64_t after) {
+    if (created_ns_ == 0) created_ns_ = state.created_ns;
+    if (state.created_ns != created_ns_) {
+      fault_ = StreamFailure{Kind::other, fmt::format("{} was deleted and made anew", names_.stream)};
+      return tl::unexpected{*fault_};
+    }
+    first_ = state.first;
+    const auto now = Clock::now();
+    if (state.last >= after) {
+      less_since_.reset();
+      reading_.learned(state.last);
+      if (after > 0) reading_.ends_at(state.last);
+    } else if (!less_since_) {
+      less_since_ = now;
+    } else if (now - *less_since_ >= kSureOfLess) {
+      fault_ =
+          StreamFailure{Kind::other, fmt::format("{} ends at message {}, and message {} was read already: it "
+                                                 "has lost its end",
+                                                 names_.stream, state.last, after)};
+      return tl::unexpected{*fault_};
+    }
+    return {};
+  }
+
+  [[nodiscard]] std::optional<StreamFailure> check_kept() const {
+    if (first_ <= reading_.after() + 1) return std::nullopt;
+    return StreamFailure{Kind::gone, fmt::format("{} keeps messages from {} on, and message {} is wanted",
+                                                 names_.stream, first_, reading_.after() + 1)};
+  }
+
+  /// Sends the questions that are due; whether there were any.
+  bool ask(JetStreamLog& log, std::unique_lock<std::mutex>& lock, TimePoint now) {
+    const std::vector<std::uint64_t> messages = reading_.wanted(now);
+    const bool question = now >= question_due_;
+    if (question) {
+      asked_at_ = now;
+      question_due_ = now + kBetweenQuestions;
+    }
+    if (messages.empty() && !question) return false;
+    const std::uint64_t after = reading_.after();
+    lock.unlock();
+    if (const auto connection = log.connection()) {
+      if (question)
+        (void)(*connection)->send(info_subject(names_), fmt::format("{}.i.{}", log.reply_, after), "");
+      for (const std::uint64_t sequence : messages) {
+        (void)(*connection)
+            ->send(direct_get_subject(names_), fmt::format("{}.d.{}", log.reply_, sequence),
+                   fmt::format("{{\"seq\":{}}}", sequence));
+      }
+    }
+    lock.lock();
+    return true;
+  }
+
+  const StreamNames names_;
+  const Logger log_;
+  mutable std::mutex mutex_;
+  std::condition_variable changed_;
+  Reading reading_;
+  bool connected_ = false;
+  bool woken_ = false;
+  bool stopped_ = false;
+  std::optional<StreamFailure> closed_;   // the connection, for good
+  std::optional<StreamFailure> trouble_;  // told once
+  std::optional<StreamFailure> fault_;    // told from now on
+  std::int64_t created_ns_ = 0;           // of the stream that was seen first
+  std::uint64_t first_ = 0;
+  std::optional<TimePoint> less_since_;
+  TimePoint question_due_{};
+  TimePoint asked_at_{};
+  std::uint64_t false_messages_ = 0;
+};
+
+JetStreamLog::JetStreamLog(Settings settings, std::shared_ptr<const Credentials> credentials, Logger log)
+    : settings_{std::move(settings)},
+      credentials_{std::move(credentials)},
+      log_{std::move(log)},
+      reply_{new_reply_subject()},
+      inbox_{std::make_shared<Inbox>(settings_, log_)} {}
+
+JetStreamLog::~JetStreamLog() {
+  stop();
+}
+
+tl::expected<std::unique_ptr<JetStreamLog>, StreamFailure> JetStreamLog::open(
+    Settings settings, std::shared_ptr<const Credentials> credentials, Logger log) {
+  std::unique_ptr<JetStreamLog> made{
+      new JetStreamLog{std::move(settings), std::move(credentials), std::move(log)}};
+  auto connection = made->connect();
+  if (!connection) return tl::unexpected{connection.error()};
+  made->connection_ = *std::move(connection);
+  made->connected_at_ = Clock::now();
+  return made;
+}
+
+tl::expected<std::shared_ptr<Connection>, StreamFailure> JetStreamLog::connect() {
+  auto connection = Connection::open(settings_.urls, credentials_, inbox_, Retry::forever);
+  if (!connection) return connection;
+  const auto inbox = inbox_;
+  const auto tail = (*connection)
+                        ->subscribe(
+                            settings_.names.tail, [inbox](const Arrived& arrived) { inbox->tail(arrived); },
+                            kPendingMessages, kPendingBytes);
+  if (!tail) return tl::unexpected{tail.error()};
+  const auto answers = (*connection)
+                           ->subscribe(
+                               reply_ + ".*.*",
+                               [inbox, kind = reply_.size() + 1](const Arrived& arrived) {
+                                 if (arrived.subject()[kind] == 'i') {
+                                   inbox->info(number_at_end(arrived.subject()), arrived.text());
+                                 } else {
+                                   inbox->message(arrived);
+                                 }
+                               },
+                               kPendingMessages, kPendingBytes);
+  if (!answers) return tl::unexpected{answers.error()};
+  return connection;
+}
+
+tl::expected<std::shared_ptr<Connection>, StreamFailure> JetStreamLog::connection() {
+  if (inbox_->stopped()) return failure(Kind::unavailable, "stopped");
+  const std::lock_guard lock{connection_mutex_};
+  const auto closed = inbox_->why_closed();
+  if (!closed) return connection_;
+  const auto now = Clock::now();
+  if (now - connected_at_ < kBetweenConnections) return tl::unexpected{*closed};
+  connected_at_ = now;
+  inbox_->reopened();
+  auto again = connect();
+  if (!again) {
+    inbox_->closed(again.error());
+    return again;
+  }
+  connection_ = *std::move(again);
+  return connection_;
+}
+
+tl::expected<std::uint64_t, StreamFailure> JetStreamLog::publish(std::span<const std::byte> message) {
+  if (message.size() > kMaxMessageBytes) {
+    return failure(Kind::refused, fmt::format("a message of {} bytes is over the {} that the stream takes",
+                                              message.size(), kMaxMessageBytes));
+  }
+  const auto connection = this->connection();
+  if (!connection) return tl::unexpected{connection.error()};
+  const std::uint64_t read_before = inbox_->after();
+  const auto ack = (*connection)->publish(settings_.names.log, message, kPatience);
+  if (!ack) return tl::unexpected{ack.error()};
+  if (ack->stream != settings_.names.stream) {
+    return failure(Kind::refused,
+                   fmt::format("{} is a subject of the stream {}, not of {}; delete that stream",
+                               settings_.names.log, escaped(ack->stream), settings_.names.stream));
+  }
+  if (ack->sequence <= read_before) {
+    return failure(Kind::other,
+                   fmt::format("{} gave a message the number {}, which was read before: it was made "
+                               "anew, or has lost its end",
+                               settings_.names.stream, ack->sequence));
+  }
+  inbox_->learned(ack->sequence);
+  return ack->sequence;
+}
+
+tl::expected<std::optional<StreamMessage>, StreamFailure> JetStreamLog::next(std::uint64_t after,
+                                                                             TimePoint until) {
+  return inbox_->next(*this, after, until);
+}
+
+tl::expected<StreamState, StreamFailure> JetStreamLog::state() {
+  const auto connection = this->connection();
+  if (!connection) return tl::unexpected{connection.error()};
+  const auto reply = (*connection)->request(info_subject(settings_.names), "", kPatience);
+  if (!reply) return tl::unexpected{reply.error()};
+  const auto info = parse_stream_info(Arrived{reply->get()}.text());
+  if (!info) return tl::unexpected{failure_of(info.error(), settings_.names.stream)};
+  if (const auto same = inbox_->told(info->state); !same) return tl::unexpected{same.error()};
+  return info->state;
+}
+
+StreamFigures JetStreamLog::figures() const {
+  return inbox_->figures();
+}
+
+void JetStreamLog::wake() {
+  inbox_->wake();
+}
+
+void JetStreamLog::stop() {
+  inbox_->stop();
+  const std::lock_guard lock{connection_mutex_};
+  if (connection_) connection_->close();
+}
+
+}  // namespace talus::server::jetstream

@@ -1,0 +1,70 @@
+// The log of a cluster as a stream of NATS JetStream.
+#pragma once
+
+#include <chrono>
+#include <condition_variable>
+#include <cstdint>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+
+#include <tl/expected.hpp>
+
+#include "cluster/log_stream.h"
+#include "config/server_urls.h"
+#include "jetstream/connection.h"
+#include "jetstream/credentials.h"
+#include "jetstream/stream_names.h"
+#include "log/logger.h"
+
+namespace talus::server::jetstream {
+
+/// Reads without a consumer: what NATS republishes to the tail subject, and single messages by number (Direct
+/// Get) where the tail has a gap or is silent. Any replica answers those, also one that lags; what the stream
+/// has in all its leader says, which is asked each second.
+///
+/// Whoever may publish to the tail subject can make a server apply what is no message of the log; NATS'
+/// subject permissions have to forbid it to all. Where it happens nevertheless, the true message follows with
+/// the same number: next() then fails with `other`.
+class JetStreamLog final : public LogStream {
+ public:
+  struct Settings {
+    ServerUrls urls;
+    StreamNames names;
+  };
+
+  /// Succeeds whether or not a NATS server answers; an error is wrong credentials on this side.
+  [[nodiscard]] static tl::expected<std::unique_ptr<JetStreamLog>, StreamFailure> open(
+      Settings settings, std::shared_ptr<const Credentials> credentials, Logger log);
+  ~JetStreamLog() override;
+
+  [[nodiscard]] tl::expected<std::uint64_t, StreamFailure> publish(
+      std::span<const std::byte> message) override;
+  /// Without a connection it fails with `unavailable` at `until`.
+  [[nodiscard]] tl::expected<std::optional<StreamMessage>, StreamFailure> next(std::uint64_t after,
+                                                                               TimePoint until) override;
+  [[nodiscard]] tl::expected<StreamState, StreamFailure> state() override;
+  [[nodiscard]] StreamFigures figures() const override;
+  void wake() override;
+  void stop() override;
+
+ private:
+  class Inbox;  // what comes in, on libnats' threads
+
+  JetStreamLog(Settings settings, std::shared_ptr<const Credentials> credentials, Logger log);
+  [[nodiscard]] tl::expected<std::shared_ptr<Connection>, StreamFailure> connect();
+  /// The connection there is. One that was closed for good is made anew, each second at most.
+  [[nodiscard]] tl::expected<std::shared_ptr<Connection>, StreamFailure> connection();
+
+  Settings settings_;
+  std::shared_ptr<const Credentials> credentials_;
+  Logger log_;
+  std::string reply_;  // subject of answers, without what each is to
+  std::shared_ptr<Inbox> inbox_;
+  std::mutex connection_mutex_;
+  std::shared_ptr<Connection> connection_;
+  TimePoint connected_at_{};  // when it was made
+};
+
+}  // namespace talus::server::jetstream

@@ -1,0 +1,111 @@
+// Which messages of a stream have come, and which are to be asked for. Pure: bytes and times in, requests
+// out.
+#pragma once
+
+#include <chrono>
+#include <cstddef>
+#include <cstdint>
+#include <deque>
+#include <map>
+#include <optional>
+#include <set>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "cluster/log_stream.h"
+
+namespace talus::server::jetstream {
+
+/// Messages come by themselves (the tail), in order but with gaps, and as answers to requests (Direct Get).
+/// Answers are the stream's own; of the tail it is only believed that others may not publish to it, so a
+/// message of it that does not fit another is held against an answer.
+class Reading {
+ public:
+  using TimePoint = LogStream::TimePoint;
+
+  static constexpr std::size_t kMostRequests = 64;
+  static constexpr std::uint64_t kWindow = 1024;              // messages ahead that are kept
+  static constexpr std::size_t kWindowBytes = 16U << 20;      // of them all
+  static constexpr std::chrono::milliseconds kSilence{1000};  // after it the next message is asked for
+  static constexpr std::chrono::milliseconds kAnswerIn{500};  // after it a request is made again
+  static constexpr std::chrono::milliseconds kFirstRetry{5};  // a replica that answers may lag behind
+  static constexpr std::chrono::milliseconds kLastRetry{250};
+  static constexpr std::chrono::milliseconds kSureOfNone{
+      40};  // so long a retry, after some that found nothing
+
+  /// `seed`: unknown to others, who could else make two messages of one digest.
+  Reading(TimePoint now, std::uint64_t seed) : news_{now}, seed_{seed} {}
+
+  /// The next message is that after `after`.
+  void move_to(std::uint64_t after, TimePoint now);
+  [[nodiscard]] std::uint64_t after() const { return after_; }
+
+  /// From the tail. What does not fit into the window is dropped, and asked for later.
+  void heard(std::uint64_t sequence, std::span<const std::byte> bytes, TimePoint now);
+  /// To a request.
+  void answered(std::uint64_t sequence, std::span<const std::byte> bytes, TimePoint now);
+  /// The replica asked has it not, or not yet.
+  void not_found(std::uint64_t sequence, TimePoint now);
+  /// The stream was heard to have all up to `sequence`.
+  void learned(std::uint64_t sequence);
+  /// The leader says that it has none above `last`: of one that was asked for in vain then nobody knows.
+  void ends_at(std::uint64_t last);
+
+  /// The next message, if it came.
+  [[nodiscard]] std::optional<StreamMessage> take();
+
+  /// Sequences to ask for now; they count as asked for.
+  [[nodiscard]] std::vector<std::uint64_t> wanted(TimePoint now);
+  /// When wanted() may have more.
+  [[nodiscard]] TimePoint next_look() const;
+
+  /// Whether a message that take() gave out is not the stream's.
+  [[nodiscard]] std::optional<std::uint64_t> forged() const { return forged_; }
+  /// Messages of the tail that were not the stream's, and did no harm.
+  [[nodiscard]] std::uint64_t false_messages() const { return false_messages_; }
+  /// How often the tail lacked messages that it had been heard to come after.
+  [[nodiscard]] std::uint64_t gaps() const { return gaps_; }
+
+ private:
+  struct Held {
+    std::vector<std::byte> bytes;
+    bool answered = false;
+  };
+  struct Digest {
+    std::uint64_t low = 0;
+    std::uint64_t high = 0;
+    bool operator==(const Digest&) const = default;
+  };
+  static constexpr std::size_t kRemembered = 1024;
+  static constexpr std::size_t kMostDoubts = 64;
+
+  [[nodiscard]] Digest digest(std::span<const std::byte> bytes) const;
+  void hold(std::uint64_t sequence, std::span<const std::byte> bytes, bool answered);
+  void drop(std::map<std::uint64_t, Held>::iterator at);
+  void progressed(TimePoint now);
+  [[nodiscard]] bool asked_or_held(std::uint64_t sequence) const {
+    return asked_.contains(sequence) || held_.contains(sequence);
+  }
+  [[nodiscard]] const Digest* remembered(std::uint64_t sequence) const;
+
+  std::uint64_t after_ = 0;
+  std::uint64_t known_ = 0;  // the stream has this one
+  std::map<std::uint64_t, Held> held_;
+  std::size_t held_bytes_ = 0;
+  std::map<std::uint64_t, TimePoint> asked_;  // when the answer should be there
+  std::set<std::uint64_t> doubted_;           // of which the tail had two
+  TimePoint news_;
+  TimePoint looked_{};
+  TimePoint retry_{};
+  std::chrono::milliseconds pause_ = kFirstRetry;
+  /// What take() gave out last of the tail, by sequence.
+  std::deque<std::pair<std::uint64_t, Digest>> given_;
+  std::uint64_t seed_;
+  std::optional<std::uint64_t> forged_;
+  std::uint64_t false_messages_ = 0;
+  std::uint64_t gaps_ = 0;
+  std::uint64_t gap_up_to_ = 0;
+};
+
+}  // namespace talus::server::jetstream

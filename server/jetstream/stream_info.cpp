@@ -1,0 +1,122 @@
+#include "jetstream/stream_info.h"
+
+#include <cstdio>
+#include <ctime>
+#include <optional>
+
+#include <fmt/format.h>
+
+#include "log/escape.h"
+
+namespace talus::server::jetstream {
+namespace {
+
+using nlohmann::json;
+
+constexpr std::size_t kMaxAnswerBytes = 1U << 20;
+constexpr std::size_t kMaxReplicas = 16;
+
+/// Nanoseconds since 1970 of "2026-11-26T04:18:20.123456789Z".
+std::optional<std::int64_t> nanoseconds_of(const std::string& text) {
+  std::tm time{};
+  int read = 0;
+  if (std::sscanf(text.c_str(), "%4d-%2d-%2dT%2d:%2d:%2d%n", &time.tm_year, &time.tm_mon, &time.tm_mday,
+                  &time.tm_hour, &time.tm_min, &time.tm_sec, &read) != 6) {
+    return std::nullopt;
+  }
+  time.tm_year -= 1900;
+  time.tm_mon -= 1;
+  std::int64_t fraction = 0;
+  auto at = static_cast<std::size_t>(read);
+  if (at < text.size() && text[at] == '.') {
+    ++at;
+    for (std::int64_t unit = 100'000'000; at < text.size() && text[at] >= '0' && text[at] <= '9'; ++at) {
+      fraction += (text[at] - '0') * unit;
+      unit /= 10;
+    }
+  }
+  if (text.substr(at) != "Z") return std::nullopt;
+  return static_cast<std::int64_t>(::timegm(&time)) * 1'000'000'000 + fraction;
+}
+
+/// The member of that name, or a value of the type where it is missing or another type.
+template <typename Value>
+Value member(const json& object, const char* name) {
+  const auto found = object.find(name);
+  if (found == object.end()) return {};
+  if constexpr (std::is_same_v<Value, std::string>) {
+    return found->is_string() ? found->template get<std::string>() : Value{};
+  } else if constexpr (std::is_same_v<Value, bool>) {
+    return found->is_boolean() && found->template get<bool>();
+  } else {
+    return found->is_number_integer() ? found->template get<Value>() : Value{};
+  }
+}
+
+json object_of(const json& object, const char* name) {
+  const auto found = object.find(name);
+  return found != object.end() && found->is_object() ? *found : json::object();
+}
+
+}  // namespace
+
+tl::expected<json, ApiError> parse_answer(std::string_view text) {
+  if (text.size() > kMaxAnswerBytes) return tl::unexpected{ApiError{0, "the answer is over 1 MiB"}};
+  json answer = json::parse(text, nullptr, false);
+  if (!answer.is_object()) return tl::unexpected{ApiError{0, "the answer is no JSON object"}};
+  if (const auto error = answer.find("error"); error != answer.end() && error->is_object()) {
+    return tl::unexpected{
+        ApiError{member<int>(*error, "err_code"), escaped(member<std::string>(*error, "description"), 300)}};
+  }
+  return answer;
+}
+
+tl::expected<StreamInfo, ApiError> parse_stream_info(std::string_view text) {
+  const auto answer = parse_answer(text);
+  if (!answer) return tl::unexpected{answer.error()};
+  const json state = object_of(*answer, "state");
+  const auto created = nanoseconds_of(member<std::string>(*answer, "created"));
+  if (!created || !state.contains("last_seq")) {
+    return tl::unexpected{ApiError{0, "the answer lacks the stream's state"}};
+  }
+  StreamInfo info;
+  info.settings = object_of(*answer, "config");
+  info.messages = member<std::uint64_t>(state, "messages");
+  info.bytes = member<std::uint64_t>(state, "bytes");
+  info.first_time = escaped(member<std::string>(state, "first_ts"));
+  const auto last = member<std::uint64_t>(state, "last_seq");
+  const std::uint64_t first = info.messages == 0 ? last + 1 : member<std::uint64_t>(state, "first_seq");
+  info.state = {first, last, *created};
+  const json cluster = object_of(*answer, "cluster");
+  info.leader = escaped(member<std::string>(cluster, "leader"));
+  if (const auto replicas = cluster.find("replicas"); replicas != cluster.end() && replicas->is_array()) {
+    for (const json& each : *replicas) {
+      if (!each.is_object() || info.replicas.size() == kMaxReplicas) break;
+      info.replicas.push_back({escaped(member<std::string>(each, "name")), member<bool>(each, "current"),
+                               member<bool>(each, "offline"), member<std::uint64_t>(each, "lag"),
+                               std::chrono::nanoseconds{member<std::int64_t>(each, "active")}});
+    }
+  }
+  return info;
+}
+
+StreamFailure failure_of(const ApiError& error, std::string_view stream) {
+  using Kind = StreamFailure::Kind;
+  switch (error.code) {
+    case kStreamNotFound:
+      return {Kind::refused,
+              fmt::format(
+                  "NATS has no stream {}; make it by \"talusd cluster init\", or name the NATS servers that "
+                  "have it",
+                  stream)};
+    case kNotEnabled:
+    case kNotEnabledForAccount:
+      return {Kind::refused,
+              fmt::format("NATS: {}; switch JetStream on at these servers and for this user's account",
+                          error.what)};
+    default:
+      return {Kind::unavailable, fmt::format("NATS: {}: {}", stream, error.what)};
+  }
+}
+
+}  // namespace talus::server::jetstream

@@ -1,0 +1,23 @@
+// What a store's stream and its subjects are called.
+#pragma once
+
+#include <string>
+
+#include <fmt/format.h>
+
+#include <talus/voxel/content_hash.h>
+
+namespace talus::server::jetstream {
+
+struct StreamNames {
+  std::string stream;  // "TALUS_<store id>"
+  std::string log;     // messages are published to it
+  std::string tail;    // NATS publishes them to it, once they are stored; nobody else may
+
+  [[nodiscard]] static StreamNames of(const ContentHash& store_id) {
+    const std::string id = to_string(store_id);
+    return {fmt::format("TALUS_{}", id), fmt::format("talus.{}.log", id), fmt::format("talus.{}.tail", id)};
+  }
+};
+
+}  // namespace talus::server::jetstream

@@ -1,0 +1,243 @@
+// One world on several servers, over real nats-server processes: what is built at one is seen at all, and
+// each edit happens once, whichever server dies, and whichever host of the log.
+#include <csignal>
+#include <cstdlib>
+#include <iostream>
+#include <memory>
+#include <random>
+
+#include <catch2/catch.hpp>
+
+#include "http_client.h"
+#include "nats_server.h"
+#include "player.h"
+#include "scratch_directory.h"
+#include "server_process.h"
+
+using namespace talus;
+using namespace talus::e2e;
+using namespace std::chrono_literals;
+
+namespace {
+
+constexpr std::string_view kStore = "0123456789abcdef0123456789abcdef";
+const std::string kStream = "TALUS_" + std::string{kStore};
+
+std::uint64_t seed_of_run() {
+  const char* const given = std::getenv("TALUS_SEED");
+  return given != nullptr ? std::strtoull(given, nullptr, 10) : std::random_device{}();
+}
+
+client::Options patient() {
+  client::Options options;
+  options.reconnect.first_delay = 20ms;
+  options.reconnect.max_delay = 200ms;
+  options.reconnect.max_attempts = 10'000;
+  return options;
+}
+
+MaterialId solid(const client::WorldInfo& world) {
+  for (const client::Material& material : world.materials) {
+    if (material.phase == client::Phase::solid) return material.id;
+  }
+  FAIL("no solid material");
+  return kAir;
+}
+
+/// Three hosts of the log, with its stream, and as many talusd as are wanted.
+class World {
+ public:
+  explicit World(std::size_t servers) {
+    const Ended made = run_talusd({"cluster", "init"}, settings(0));
+    INFO(made.err);
+    REQUIRE(made.status == 0);
+    for (std::size_t i = 0; i < servers; ++i) servers_.push_back(start_server(settings(i)));
+    for (const auto& server : servers_) ports_.push_back(server->port());
+  }
+
+  [[nodiscard]] Settings settings(std::size_t directory) const {
+    return {kClassicWorld,
+            {"TALUS_DATA", (scratch_ / ("data" + std::to_string(directory))).string()},
+            {"TALUS_ACCESS_WITHOUT_TOKEN", "read,edit"},
+            {"TALUS_CLUSTER_NATS", nats_.url_list()},
+            {"TALUS_CLUSTER_STORE", std::string{kStore}}};
+  }
+  [[nodiscard]] std::uint16_t port(std::size_t server) const { return ports_[server]; }
+  [[nodiscard]] ServerProcess& server(std::size_t server) { return *servers_[server]; }
+  [[nodiscard]] nats_test::NatsServers& nats() { return nats_; }
+
+  void kill(std::size_t server) {
+    servers_[server]->signal(SIGKILL);
+    (void)servers_[server]->wait();
+  }
+  /// At the same address, which a client goes back to; with the store of `directory`.
+  void start(std::size_t server, std::size_t directory) {
+    Settings again = settings(directory);
+    again["TALUS_LISTEN"] = "127.0.0.1:" + std::to_string(ports_[server]);
+    servers_[server] = start_server(std::move(again));
+  }
+
+ private:
+  static std::unique_ptr<ServerProcess> start_server(Settings settings) {
+    return std::make_unique<ServerProcess>(std::move(settings),
+                                           std::vector<std::string>{"--admin", "127.0.0.1:0"});
+  }
+
+  ScratchDirectory scratch_;
+  nats_test::NatsServers nats_;
+  std::vector<std::unique_ptr<ServerProcess>> servers_;
+  std::vector<std::uint16_t> ports_;
+};
+
+/// Players who each build a row of their own, one voxel after the other: each edit happens only where the one
+/// before did, and only once, or its guards would not hold.
+class Builders {
+ public:
+  Builders(World& world, int count, std::size_t servers) {
+    for (int i = 0; i < count; ++i) {
+      builders_.push_back(std::make_unique<Builder>());
+      const auto info = builders_.back()->player.connect(world.port(static_cast<std::size_t>(i) % servers));
+      REQUIRE(info.has_value());
+      stone_ = solid(*info);
+      origin_ = {info->spawn.x, info->max_y + 8, info->spawn.z};  // above all hills
+    }
+  }
+
+  void build_until(std::int64_t more) {
+    const std::int64_t wanted = done() + more;
+    const auto give_up = std::chrono::steady_clock::now() + 2min;
+    while (done() < wanted) {
+      if (std::chrono::steady_clock::now() > give_up) FAIL("edits are not answered");
+      for (std::size_t i = 0; i < builders_.size(); ++i) {
+        Builder& builder = *builders_[i];
+        build(builder, static_cast<int>(i));
+        builder.player.io.run_one_for(1ms);
+        builder.player.io.poll();
+        if (builder.player.io.stopped()) builder.player.io.restart();
+      }
+    }
+  }
+  void finish() {
+    for (auto& builder : builders_) builder->player.until([&] { return builder->done == builder->next; });
+  }
+  [[nodiscard]] std::int64_t done() const {
+    std::int64_t sum = 0;
+    for (const auto& builder : builders_) sum += builder->done;
+    return sum;
+  }
+  /// The rows as a fresh player sees them at that port, and that no edit happened twice.
+  void check(std::uint16_t port) {
+    Player viewer{patient()};
+    REQUIRE(viewer.connect(port).has_value());
+    for (std::size_t i = 0; i < builders_.size(); ++i) {
+      const Builder& builder = *builders_[i];
+      for (std::int64_t x = 0; x <= builder.done; ++x) {
+        const VoxelPos at{origin_.x + x, origin_.y, origin_.z + static_cast<std::int64_t>(i)};
+        if (!viewer.sees(at)) viewer.look_at(at);
+        CAPTURE(i, x);
+        CHECK(viewer.sees(at) == (x < builder.done ? stone_ : kAir));
+      }
+    }
+    // One revision an edit.
+    CHECK(viewer.put({origin_.x, origin_.y + 1, origin_.z}, stone_)->revision ==
+          static_cast<std::uint64_t>(done()) + 1);
+  }
+
+ private:
+  struct Builder {
+    Player player{patient()};
+    std::int64_t next = 0;  // voxels of its row that were asked for
+    std::int64_t done = 0;  // that were acknowledged
+    std::uint64_t last_revision = 0;
+  };
+
+  void build(Builder& builder, int row) {
+    while (builder.next - builder.done < 8) {
+      const VoxelPos at{origin_.x + builder.next, origin_.y, origin_.z + row};
+      client::Edit edit;
+      edit.guards.push_back({at, kAir});
+      if (builder.next > 0) edit.guards.push_back({{at.x - 1, at.y, at.z}, stone_});
+      edit.writes.push_back({at, stone_});
+      ++builder.next;
+      builder.player.client.edit(std::move(edit), [&builder](const client::Result<client::EditDone>& result) {
+        INFO((result ? std::string{} : result.error().message));
+        REQUIRE(result.has_value());
+        CHECK(result->changed == 1);
+        CHECK(result->revision > builder.last_revision);
+        builder.last_revision = result->revision;
+        ++builder.done;
+      });
+    }
+  }
+
+  std::vector<std::unique_ptr<Builder>> builders_;
+  VoxelPos origin_;
+  MaterialId stone_{};
+};
+
+}  // namespace
+
+TEST_CASE("what one player builds at one server another sees at another, and all servers are ready") {
+  World world{3};
+  Player digger;
+  Player viewer;
+  const auto info = digger.connect(world.port(0));
+  REQUIRE(info.has_value());
+  CHECK(to_string(info->store_id) == kStore);
+  REQUIRE(viewer.connect(world.port(1)).has_value());
+  const VoxelPos at{info->spawn.x, info->spawn.y + 40, info->spawn.z};
+  viewer.look_at(at);
+  REQUIRE(digger.put(at, solid(*info))->changed == 1);
+  viewer.until([&] { return viewer.sees(at) == solid(*info); });
+  // And the other way.
+  CHECK(viewer.put(at, kAir)->revision == 2);
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::uint16_t admin = world.server(i).admin_port();
+    viewer.until([&] { return HttpClient{admin}.get("/-/ready").body == "ready\n"; });
+    const std::string metrics = HttpClient{admin}.get("/metrics").body;
+    CHECK(metrics.find("\ntalus_cluster_quorum 1\n") != std::string::npos);
+    CHECK(metrics.find("\ntalus_cluster_state_differs 0\n") != std::string::npos);
+  }
+}
+
+TEST_CASE("players whose server is killed get their answers from another, each edit once") {
+  const char* const given = std::getenv("TALUS_KILLS");
+  const int kills = given != nullptr ? std::atoi(given) : (kSanitized ? 1 : 3);
+  const std::uint64_t seed = seed_of_run();
+  CAPTURE(seed);
+  std::mt19937_64 random{seed};
+  World world{2};
+  Builders builders{world, 4, 2};
+  std::size_t spare = 2;
+  std::size_t directories[] = {0, 1};
+  for (int kill = 0; kill < kills; ++kill) {
+    builders.build_until(20 + static_cast<std::int64_t>(random() % 100));
+    const std::size_t victim = random() % 2;
+    world.kill(victim);
+    // Behind its address comes a server that never saw these players.
+    std::swap(spare, directories[victim]);
+    world.start(victim, directories[victim]);
+  }
+  builders.build_until(20);
+  builders.finish();
+  builders.check(world.port(0));
+  if (given != nullptr)
+    std::cout << kills << " kills, " << builders.done() << " edits, seed " << seed << '\n';
+}
+
+TEST_CASE("the log's leader is killed under players: no edit is lost or done twice, and they go on") {
+  const char* const given = std::getenv("TALUS_KILLS");
+  const int kills = given != nullptr ? std::atoi(given) : 1;
+  World world{2};
+  Builders builders{world, 4, 2};
+  for (int kill = 0; kill < kills; ++kill) {
+    builders.build_until(100);
+    const std::size_t leader = world.nats().leader_of(kStream);
+    world.nats().kill(leader);
+    builders.build_until(100);
+    world.nats().start(leader);
+    world.nats().await_replicas(kStream);
+  }
+  builders.finish();
+  builders.check(world.port(1));
+}

@@ -1,0 +1,211 @@
+// Which messages are given out and asked for, without a network.
+#include <random>
+#include <set>
+#include <string>
+
+#include <rapidcheck.h>
+#include <catch2/catch.hpp>
+
+#include "jetstream/reading.h"
+#include "opened_stream.h"
+
+using talus::nats_test::bytes_of;
+using talus::nats_test::text_of;
+using talus::server::jetstream::Reading;
+using namespace std::chrono_literals;
+
+namespace {
+
+using TimePoint = Reading::TimePoint;
+using Sequences = std::vector<std::uint64_t>;
+
+std::string true_text(std::uint64_t sequence) {
+  return "message " + std::to_string(sequence);
+}
+
+void hear(Reading& reading, std::uint64_t sequence, TimePoint now) {
+  reading.heard(sequence, bytes_of(true_text(sequence)), now);
+}
+void answer(Reading& reading, std::uint64_t sequence, TimePoint now) {
+  reading.answered(sequence, bytes_of(true_text(sequence)), now);
+}
+
+std::uint64_t taken(Reading& reading) {
+  const auto message = reading.take();
+  if (!message) return 0;
+  CHECK(text_of(message->bytes) == true_text(message->sequence));
+  return message->sequence;
+}
+
+const TimePoint kStart{1h};
+
+}  // namespace
+
+TEST_CASE("messages of the tail are given out in order, and nothing is asked for") {
+  Reading reading{kStart, 7};
+  for (std::uint64_t sequence = 1; sequence <= 3; ++sequence) {
+    hear(reading, sequence, kStart);
+    CHECK(reading.wanted(kStart).empty());
+    CHECK(taken(reading) == sequence);
+  }
+  CHECK(taken(reading) == 0);
+  CHECK(reading.gaps() == 0);
+}
+
+TEST_CASE("what a gap of the tail lacks is asked for at once, and once") {
+  Reading reading{kStart, 7};
+  hear(reading, 4, kStart);
+  CHECK(reading.wanted(kStart) == Sequences{1, 2, 3});
+  CHECK(reading.wanted(kStart).empty());
+  CHECK(reading.gaps() == 1);
+  answer(reading, 2, kStart);
+  CHECK(taken(reading) == 0);
+  answer(reading, 1, kStart);
+  answer(reading, 3, kStart);
+  for (std::uint64_t sequence = 1; sequence <= 4; ++sequence) CHECK(taken(reading) == sequence);
+}
+
+TEST_CASE("a request without an answer is made again") {
+  Reading reading{kStart, 7};
+  hear(reading, 2, kStart);
+  CHECK(reading.wanted(kStart) == Sequences{1});
+  CHECK(reading.next_look() == kStart + Reading::kAnswerIn);
+  CHECK(reading.wanted(kStart + Reading::kAnswerIn) == Sequences{1});
+}
+
+TEST_CASE("after a second of silence the next message is asked for, once a second") {
+  Reading reading{kStart, 7};
+  CHECK(reading.next_look() == kStart + 1s);
+  CHECK(reading.wanted(kStart + 999ms).empty());
+  CHECK(reading.wanted(kStart + 1s) == Sequences{1});
+  reading.not_found(1, kStart + 1s);
+  CHECK(reading.wanted(kStart + 1999ms).empty());
+  CHECK(reading.wanted(kStart + 2s) == Sequences{1});
+  answer(reading, 1, kStart + 2s);
+  CHECK(taken(reading) == 1);
+}
+
+TEST_CASE("a lagging replica is asked again soon, then less and less often") {
+  Reading reading{kStart, 7};
+  reading.learned(1);
+  auto now = kStart;
+  auto pause = Reading::kFirstRetry;
+  for (int i = 0; i < 10; ++i) {
+    REQUIRE(reading.wanted(now) == Sequences{1});
+    reading.not_found(1, now);
+    CHECK(reading.wanted(now + pause - 1ms).empty());
+    CHECK(reading.next_look() == now + pause);
+    now += pause;
+    pause = std::min(pause * 2, Reading::kLastRetry);
+  }
+  answer(reading, 1, now);
+  CHECK(taken(reading) == 1);
+}
+
+TEST_CASE("a number that the stream never had is asked for until the leader says so") {
+  Reading reading{kStart, 7};
+  reading.heard(1'000'000'000'000, bytes_of("false"), kStart);
+  auto now = kStart;
+  for (int i = 0; i < 8; ++i) {
+    const auto wanted = reading.wanted(now);
+    CHECK(wanted.size() <= Reading::kMostRequests);
+    for (const auto sequence : wanted) reading.not_found(sequence, now);
+    now += Reading::kLastRetry;
+  }
+  reading.ends_at(0);
+  CHECK(reading.wanted(now) == Sequences{1});  // as after any silence
+  hear(reading, 1, now);
+  CHECK(taken(reading) == 1);
+}
+
+TEST_CASE("two messages of one number are held against the stream") {
+  Reading reading{kStart, 7};
+  SECTION("before one was given out, only the stream's is") {
+    reading.heard(1, bytes_of("false"), kStart);
+    hear(reading, 1, kStart);
+    CHECK(taken(reading) == 0);
+    CHECK(reading.wanted(kStart) == Sequences{1});
+    answer(reading, 1, kStart);
+    CHECK(taken(reading) == 1);
+    CHECK_FALSE(reading.forged());
+    CHECK(reading.false_messages() == 1);
+  }
+  SECTION("the false one after the true one does no harm") {
+    hear(reading, 1, kStart);
+    CHECK(taken(reading) == 1);
+    reading.heard(1, bytes_of("false"), kStart);
+    CHECK(reading.wanted(kStart) == Sequences{1});
+    answer(reading, 1, kStart);
+    CHECK_FALSE(reading.forged());
+    CHECK(reading.false_messages() == 1);
+  }
+  SECTION("the false one given out is found by the true one") {
+    reading.heard(1, bytes_of("false"), kStart);
+    REQUIRE(reading.take());
+    hear(reading, 1, kStart);
+    CHECK(reading.wanted(kStart) == Sequences{1});
+    answer(reading, 1, kStart);
+    REQUIRE(reading.forged());
+    CHECK(*reading.forged() == 1);
+  }
+  SECTION("the same message again is nothing") {
+    hear(reading, 1, kStart);
+    hear(reading, 1, kStart);
+    CHECK(taken(reading) == 1);
+    hear(reading, 1, kStart);
+    CHECK(reading.wanted(kStart).empty());
+    CHECK(reading.false_messages() == 0);
+  }
+}
+
+TEST_CASE("what is kept ahead is bounded, and the next message has room") {
+  Reading reading{kStart, 7};
+  const std::string large(1U << 20U, 'x');
+  for (std::uint64_t sequence = 2; sequence <= 100; ++sequence) {
+    reading.heard(sequence, bytes_of(large), kStart);
+  }
+  reading.heard(1, bytes_of(large), kStart);
+  std::uint64_t kept = 0;
+  while (reading.take()) ++kept;
+  CHECK(kept == Reading::kWindowBytes >> 20U);
+  reading.heard(kept + 2 + Reading::kWindow, bytes_of("far"), kStart);
+  CHECK_FALSE(reading.wanted(kStart).empty());
+}
+
+TEST_CASE("whatever is lost, late or doubled, all messages are given out once, in order") {
+  rc::check([](std::uint32_t seed) {
+    std::mt19937 random{seed};
+    const auto below = [&](std::uint64_t bound) { return std::uint64_t{random()} % bound; };
+    const std::uint64_t last = 1 + below(200);
+    Reading reading{kStart, 7};
+    auto now = kStart;
+    std::uint64_t published = 0;
+    std::uint64_t given = 0;
+    std::set<std::uint64_t> asked;
+    for (int i = 0; i < 20'000 && given < last; ++i) {
+      for (const auto sequence : reading.wanted(now)) asked.insert(sequence);
+      now += std::chrono::milliseconds{below(300)};
+      if (published < last && below(2) == 0) {
+        ++published;
+        const auto luck = below(4);  // lost in 1 of 4
+        if (luck > 0) hear(reading, published, now);
+        if (luck == 3) hear(reading, published, now);
+      }
+      if (published > 0 && below(4) == 0) hear(reading, 1 + below(published), now);
+      if (!asked.empty()) {
+        const auto sequence = *asked.begin();
+        asked.erase(asked.begin());
+        const auto luck = below(4);
+        if (luck > 1 && sequence <= published) answer(reading, sequence, now);
+        if (luck == 1) reading.not_found(sequence, now);
+      }
+      while (const auto message = reading.take()) {
+        RC_ASSERT(message->sequence == given + 1);
+        RC_ASSERT(text_of(message->bytes) == true_text(message->sequence));
+        ++given;
+      }
+    }
+    RC_ASSERT(given == last);
+    RC_ASSERT(!reading.forged());
+  });
+}

@@ -1,0 +1,86 @@
+// What JetStream answers, right and wrong.
+#include <catch2/catch.hpp>
+
+#include "jetstream/stream_info.h"
+#include "jetstream/stream_settings.h"
+
+using namespace talus::server::jetstream;
+using talus::server::StreamFailure;
+
+namespace {
+
+const std::string kAnswer = R"({"type":"io.nats.jetstream.api.v1.stream_info_response",
+  "config":{"name":"TALUS_x","deny_purge":true},"created":"2026-11-26T04:18:20.5Z",
+  "state":{"messages":3,"bytes":99,"first_seq":2,"first_ts":"2026-11-26T04:18:21Z","last_seq":4},
+  "cluster":{"name":"talus","leader":"n1","replicas":[{"name":"n2","current":true,"active":5,"lag":7}]}})";
+
+}  // namespace
+
+TEST_CASE("the leader's answer is read") {
+  const auto info = parse_stream_info(kAnswer);
+  REQUIRE(info);
+  CHECK(info->state.first == 2);
+  CHECK(info->state.last == 4);
+  CHECK(info->state.created_ns == 1'795'666'700'500'000'000);
+  CHECK(info->leader == "n1");
+  REQUIRE(info->replicas.size() == 1);
+  CHECK(info->replicas[0].name == "n2");
+  CHECK(info->replicas[0].current);
+  CHECK(info->replicas[0].lag == 7);
+  CHECK(info->settings["deny_purge"] == true);
+}
+
+TEST_CASE("a stream without messages begins after its last one") {
+  const auto info = parse_stream_info(
+      R"({"created":"2026-11-26T04:18:20Z","state":{"messages":0,"first_seq":0,"last_seq":4}})");
+  REQUIRE(info);
+  CHECK(info->state.first == 5);
+}
+
+TEST_CASE("what is no answer of JetStream is an error") {
+  for (std::size_t length = 0; length < kAnswer.size(); ++length) {
+    CHECK_FALSE(parse_stream_info(kAnswer.substr(0, length)));
+  }
+  for (const auto* text :
+       {"[]", "3", "{}", R"({"created":3,"state":{"last_seq":1}})",
+        R"({"created":"x","state":{"last_seq":1}})", R"({"created":"2026-11-26T04:18:20Z","state":[]})"}) {
+    CHECK_FALSE(parse_stream_info(text));
+  }
+  // Members of other types are as if they were missing.
+  CHECK(parse_stream_info(R"({"created":"2026-11-26T04:18:20Z","cluster":[],"config":3,
+                              "state":{"messages":"x","first_seq":null,"last_seq":1}})"));
+}
+
+TEST_CASE("a stream that is missing, and JetStream switched off, are for a person; the rest goes over") {
+  const auto kind = [](int code) {
+    const auto answer = parse_answer(R"({"error":{"code":400,"err_code":)" + std::to_string(code) +
+                                     R"(,"description":"no"}})");
+    REQUIRE_FALSE(answer);
+    CHECK(answer.error().code == code);
+    return failure_of(answer.error(), "TALUS_x").kind;
+  };
+  CHECK(kind(kStreamNotFound) == StreamFailure::Kind::refused);
+  CHECK(kind(kNotEnabled) == StreamFailure::Kind::refused);
+  CHECK(kind(10008) == StreamFailure::Kind::unavailable);
+}
+
+TEST_CASE("each setting that differs is named with what it is and should be") {
+  const StreamNames names{"TALUS_x", "talus.x.log", "talus.x.tail"};
+  const nlohmann::json wanted = wanted_settings(names, 3);
+  CHECK(differences(wanted, wanted).empty());
+  for (const auto& [name, value] : wanted.items()) {
+    nlohmann::json other = wanted;
+    other[name] = "other";
+    const auto found = differences(other, wanted);
+    REQUIRE(found.size() == 1);
+    CHECK(to_string(found[0]) == name + " is \"other\" and should be " + value.dump());
+    other.erase(name);
+    CHECK(differences(other, wanted).size() == 1);
+  }
+  nlohmann::json more = wanted;
+  more["sealed"] = true;
+  CHECK(differences(more, wanted).size() == 1);
+  more = wanted;
+  more["mirror"] = {{"name", "y"}};
+  CHECK(differences(more, wanted).size() == 1);
+}
