@@ -477,10 +477,13 @@ void Server::give_memory_back() {
 
 asio::awaitable<void> Server::wait_for_shutdown() {
   const int first = co_await shutdown_signals_.async_wait(asio::use_awaitable);
-  log_->info("{}: {} connections{}", first == SIGINT ? "SIGINT" : "SIGTERM", admission_.connections(),
-             config_.shutdown.lead.count() == 0 ? " are told to go away, and no new ones are accepted"
-                                                : fmt::format(", and new ones for {} ms; not ready any more",
-                                                              config_.shutdown.lead.count()));
+  const std::string_view signal = first == SIGINT ? "SIGINT" : "SIGTERM";
+  if (config_.shutdown.lead.count() == 0) {
+    log_->info("{}: no new connections; {} are told to go away", signal, admission_.connections());
+  } else {
+    log_->info("{}: not ready any more; {} connections, and new ones for {} ms", signal,
+               admission_.connections(), config_.shutdown.lead.count());
+  }
   drain();
   co_await shutdown_signals_.async_wait(asio::use_awaitable);
   log_->warn("a second signal: ending at once");

@@ -11,7 +11,7 @@ namespace {
 constexpr std::chrono::milliseconds kBetweenFarewells{20};
 // Others are there: nobody needs to wait before coming to one of them.
 constexpr std::chrono::milliseconds kNoWait{0};
-const std::string kEnding = "the server is ending";
+const std::string kServerEnding = "the server is ending";
 
 }  // namespace
 
@@ -20,18 +20,18 @@ Departures::Departures(asio::io_context& io, Registry& registry, const Clock& cl
 
 void Departures::send_all(std::chrono::milliseconds time) {
   end_ = clock_.now() + time;
-  registry_.tell_others_to_go(kEnding);
+  registry_.tell_others_to_go(kServerEnding);
   send_some();
 }
 
 void Departures::send_some() {
   const auto now = clock_.now();
   const std::size_t staying = registry_.sessions().staying;
-  if (now >= end_ || staying == 0) return registry_.tell_all_to_go(kEnding, kNoWait);
+  if (now >= end_ || staying == 0) return registry_.tell_all_to_go(kServerEnding, kNoWait);
   // One at a time, unless they are too many for that.
   const auto apart = std::max<Clock::duration>((end_ - now) / staying, kBetweenFarewells);
   const auto turns = std::max<std::size_t>(1, static_cast<std::size_t>((end_ - now) / apart));
-  (void)registry_.tell_to_go((staying + turns - 1) / turns, Clock::time_point::max(), kEnding, kNoWait);
+  (void)registry_.tell_to_go((staying + turns - 1) / turns, Clock::time_point::max(), kServerEnding, kNoWait);
   timer_.expires_after(apart);
   timer_.async_wait([this](std::error_code cancelled) {
     if (!cancelled) send_some();

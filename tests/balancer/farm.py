@@ -40,7 +40,7 @@ _taken = set()
 def free_port():
     """One that nobody has now, below those that the system deals out, so that it stays free."""
     while True:
-        port = random.randrange(18000, 19000)
+        port = random.randrange(18000, 32000)
         with socket.socket() as probe:
             if port in _taken or probe.connect_ex(("127.0.0.1", port)) == 0:
                 continue
@@ -51,7 +51,7 @@ def free_port():
 def free_ports(count):
     """The first of so many in a row."""
     for _ in range(100):
-        first = random.randrange(18000, 19000 - count)
+        first = random.randrange(18000, 32000 - count)
         ports = set(range(first, first + count))
         with contextlib.ExitStack() as stack:
             probes = [stack.enter_context(socket.socket()) for _ in ports]

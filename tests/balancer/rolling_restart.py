@@ -5,7 +5,7 @@ Prints what players waited, and ends with 1 where a chunk or an edit was lost, o
 those that ship, but for the limits of one address."""
 
 import argparse
-import os
+import contextlib
 import pathlib
 import sys
 import tempfile
@@ -13,13 +13,14 @@ import time
 
 import farm as farms
 from farm import Farm, figures, load, restart, say, until
+from nats import Nats
 
 arguments = argparse.ArgumentParser(description=__doc__)
 arguments.add_argument("--players", type=int, default=500)
 arguments.add_argument("--servers", type=int, default=3)
 arguments.add_argument("--radius", type=int, default=4)
 arguments.add_argument("--model", default="walk")
-arguments.add_argument("--edits", type=float, default=0, help="a second, of each player, who stand then; needs --setting of a cluster")
+arguments.add_argument("--edits", type=float, default=0, help="a second, of each player, who stand then: the servers share a log by three nats-server")
 arguments.add_argument("--ramp-up", type=float, default=20)
 arguments.add_argument("--pause", type=float, default=10, help="seconds between a restart and the next")
 arguments.add_argument("--lead", type=int, default=5000)
@@ -47,10 +48,17 @@ settings = {
 
 def of_server(number):
     extra = dict(setting.split("=", 1) for setting in options.setting)
+    if nats:
+        data = {"TALUS_DATA": str(folder / f"data-{number}"), "TALUS_ACCESS_WITHOUT_TOKEN": "read,edit"}
+        extra = {**nats.settings, **data, **extra}
     return {**settings, **{name: value.replace("%d", str(number)) for name, value in extra.items()}}
 
 
-with Farm(folder, options.servers, of_server) as farm:
+nats = Nats(folder, 3, settings) if options.edits else None
+with contextlib.ExitStack() as stack:
+    if nats:
+        stack.callback(nats.stop)
+    farm = stack.enter_context(Farm(folder, options.servers, of_server))
     count = options.players
     motion = ["--edits", options.edits, "--edit-group", 5] if options.edits else ["--model", options.model]
     vertical = 1 if options.edits else 2
