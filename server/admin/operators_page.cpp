@@ -16,7 +16,9 @@ http::Response answer_operator(const http::Request& request, const OperatorAnswe
   }
   if (path == "/-/ready") {
     const std::string* const state = request.field(kBalancerStateField);
-    if (state != nullptr && answers.balancer_says) answers.balancer_says(*state);
+    if (state != nullptr && answers.balancer_says) {
+      answers.balancer_says(*state, std::string{request.query()});
+    }
     const Readiness readiness = answers.ready();
     return {readiness.ready ? 200 : 503, http::kPlainText, readiness.text + "\n"};
   }

@@ -26,6 +26,7 @@
 #include "log/escape.h"
 #include "metrics/metrics_page.h"
 #include "metrics/process.h"
+#include "net/balancer_state.h"
 #include "net/descriptors.h"
 #include "net/refusal_reason.h"
 #include "rates/rate_kind.h"
@@ -222,8 +223,8 @@ void Server::run() {
     operators_->start({[this] { return metrics_text(); },
                        [this] { return clock_.now() - last_housekeeping_.load() < kMaxSilence; },
                        [this] { return readiness(); }, [this] { return flows_report(); }, checkpoints(),
-                       [this](const std::string& state) {
-                         asio::post(io_->control(), [this, state] { balancer_says(state); });
+                       [this](const std::string& state, const std::string& query) {
+                         asio::post(io_->control(), [this, state, query] { balancer_says(state, query); });
                        }});
   }
   // Without any of these the server would not be one.
@@ -510,9 +511,11 @@ void Server::end_sessions() {
   });
 }
 
-void Server::balancer_says(const std::string& state) {
+void Server::balancer_says(const std::string& state, const std::string& query) {
   if (draining_) return;
-  const std::size_t sent = departures_.balancer_says(state, balance_settings(config_));
+  BalanceSettings settings = balance_settings(config_);
+  settings.above_percent = read_above_percent(query).value_or(settings.above_percent);
+  const std::size_t sent = departures_.balancer_says(state, settings);
   if (sent == 0) return;
   metrics_.sent_elsewhere.add(sent);
   log_->info("balance: {} sessions are sent to other servers: {}", sent, on_one_line(state));

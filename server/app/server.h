@@ -103,7 +103,7 @@ class Server {
   void drain();
   /// Accepts none any more, and sends everybody away.
   void end_sessions();
-  void balancer_says(const std::string& state);
+  void balancer_says(const std::string& state, const std::string& query);
   void stop_handling_signals();
   void end_operators();
 

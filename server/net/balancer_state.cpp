@@ -50,6 +50,14 @@ std::optional<BalancerState> read_balancer_state(std::string_view text) {
   return BalancerState{weight->own, weight->all, sessions->own, sessions->all};
 }
 
+std::optional<std::uint64_t> read_above_percent(std::string_view query) {
+  constexpr std::string_view kName = "above_percent=";
+  constexpr std::uint64_t kMostPercent = 1000;
+  if (!query.starts_with(kName)) return std::nullopt;
+  const auto percent = read_count(query.substr(kName.size()));
+  return percent && *percent <= kMostPercent ? percent : std::nullopt;
+}
+
 std::uint64_t sessions_above_share(const BalancerState& state, std::uint64_t percent) {
   const std::uint64_t share = (state.all_sessions * state.weight + state.all_weight - 1) / state.all_weight;
   const std::uint64_t most = share + (share * percent + 99) / 100;

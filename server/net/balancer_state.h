@@ -21,6 +21,10 @@ inline constexpr std::string_view kBalancerStateField = "X-Haproxy-Server-State"
 /// None: it is no such text, or this server is not up there.
 [[nodiscard]] std::optional<BalancerState> read_balancer_state(std::string_view text);
 
+/// What the check's address asks for in place of the setting: "above_percent=25", at most 1,000. None: it
+/// does not.
+[[nodiscard]] std::optional<std::uint64_t> read_above_percent(std::string_view query);
+
 /// How many sessions this server has beyond its share and `percent` more of it.
 [[nodiscard]] std::uint64_t sessions_above_share(const BalancerState& state, std::uint64_t percent);
 

@@ -4,7 +4,7 @@ import pathlib
 import tempfile
 
 import farm as farms
-from farm import Server, figures, load, until
+from farm import Farm, Server, figures, load, until
 
 SETTINGS = {
     "TALUS_WORLD": str(farms.ROOT / "core/worlds/classic.toml"),
@@ -15,29 +15,32 @@ SETTINGS = {
 }
 
 
-def cost(servers, *arguments):
-    """Of so many fresh servers under talus-load with these arguments."""
+def cost(servers, *arguments, places=False):
+    """Of so many fresh servers under talus-load with these arguments; `places`: by the ports of HAProxy for places."""
     with tempfile.TemporaryDirectory(prefix="talus-cost-") as scratch:
-        return _cost(pathlib.Path(scratch), servers, arguments)
+        folder = pathlib.Path(scratch)
+        if places:
+            with Farm(folder, servers, {**SETTINGS, "TALUS_PROXIES": farms.PROXY}) as farm:
+                addresses = ",".join(f"127.0.0.1:{farm.places + place}" for place in range(farms.PLACES))
+                return _cost(folder, farm.servers, addresses, arguments)
+        alone = [Server(f"talus-{number}", folder, SETTINGS) for number in range(servers)]
+        try:
+            for server in alone:
+                server.start()
+            return _cost(folder, alone, ",".join(f"127.0.0.1:{server.port}" for server in alone), arguments)
+        finally:
+            for server in alone:
+                server.stop()
 
 
-def _cost(folder, count, arguments):
-    servers = [Server(f"talus-{number}", folder, SETTINGS) for number in range(count)]
-    try:
-        for server in servers:
-            server.start()
-        addresses = ",".join(f"127.0.0.1:{server.port}" for server in servers)
-        before = [server.metrics() for server in servers]
-        process = load(addresses, "--verify", 0, "--drain", 120, "--from-addresses", 16, *arguments,
-                       json_file=folder / "load.json")
-        output, _ = process.communicate()
-        if process.returncode != 0:
-            raise AssertionError(output)
-        until(lambda: sum(server.players() for server in servers) == 0, "all have left")
-        after = [server.metrics() for server in servers]
-    finally:
-        for server in servers:
-            server.stop()
+def _cost(folder, servers, addresses, arguments):
+    before = [server.metrics() for server in servers]
+    process = load(addresses, "--verify", 0, "--drain", 120, "--from-addresses", 16, *arguments, json_file=folder / "load.json")
+    output, _ = process.communicate()
+    if process.returncode != 0:
+        raise AssertionError(output)
+    until(lambda: sum(server.players() for server in servers) == 0, "all have left")
+    after = [server.metrics() for server in servers]
     seen = figures(folder / "load.json")
 
     def grown(name):

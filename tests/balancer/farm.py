@@ -1,5 +1,6 @@
 """Several talusd of one world behind a real HAProxy, which has the configuration that ships, changed in its addresses alone."""
 
+import contextlib
 import json
 import os
 import pathlib
@@ -19,6 +20,7 @@ TALUSD = os.environ.get("TALUSD", str(ROOT / "build/release/server/talusd"))
 TALUS_LOAD = os.environ.get("TALUS_LOAD", str(ROOT / "build/release/client_sample/load/talus-load"))
 HAPROXY = next((path for path in ("/usr/sbin/haproxy", "/usr/local/sbin/haproxy", "/usr/bin/haproxy") if os.path.exists(path)), None)
 PATIENCE_S = 120
+PLACES = 64  # ports of the frontend of that name
 PROXY = "127.0.0.9"  # from where HAProxy connects: another address than players'
 # From one address come as many as are wanted, as fast as they like.
 UNLIMITED = {
@@ -44,6 +46,20 @@ def free_port():
                 continue
         _taken.add(port)
         return port
+
+
+def free_ports(count):
+    """The first of so many in a row."""
+    for _ in range(100):
+        first = random.randrange(18000, 19000 - count)
+        ports = set(range(first, first + count))
+        with contextlib.ExitStack() as stack:
+            probes = [stack.enter_context(socket.socket()) for _ in ports]
+            if ports & _taken or any(probe.connect_ex(("127.0.0.1", port)) == 0 for probe, port in zip(probes, ports)):
+                continue
+        _taken.update(ports)
+        return first
+    raise AssertionError(f"there are no {count} free ports in a row")
 
 
 def until(done, what, patience_s=PATIENCE_S, beat_s=0.05):
@@ -140,6 +156,7 @@ class Farm:
         of = settings if callable(settings) else lambda _: dict(settings or {})
         self.servers = [Server(f"talus-{number}", self.folder, of(number)) for number in range(count)]
         self.port, self.http = free_port(), free_port()
+        self.places = free_ports(PLACES)
         self.stats = self.folder / "haproxy.sock"
         self.haproxy = None
 
@@ -181,6 +198,7 @@ class Farm:
         text = "\n".join(lines) + "\n"
         for there, here in (
             ("bind :4780\n", f"bind 127.0.0.1:{self.port}\n"),
+            ("bind :4800-4863\n", f"bind 127.0.0.1:{self.places}-{self.places + PLACES - 1}\n"),
             ("bind :80\n", f"bind 127.0.0.1:{self.http}\n"),
             ("tcp-ut 10s\n", f"tcp-ut 10s source {PROXY}\n"),
             ("log stdout format raw local0\n", f"log stdout format raw local0\n    stats socket {self.stats} level admin\n"),

@@ -36,6 +36,16 @@ TEST_CASE("what is no state of a server that is up says nothing") {
   }
 }
 
+TEST_CASE("a check may ask for another tolerance") {
+  CHECK(read_above_percent("above_percent=25") == 25U);
+  CHECK(read_above_percent("above_percent=0") == 0U);
+  CHECK(read_above_percent("above_percent=1000") == 1000U);
+  for (const char* none : {"", "above_percent=", "above_percent=1001", "above_percent=-1", "above_percent=5%",
+                           "above_percent=25&x=1", "above=25", "x&above_percent=25"}) {
+    CHECK_FALSE(read_above_percent(none).has_value());
+  }
+}
+
 TEST_CASE("more than its share and some is too many, by weight") {
   CHECK(sessions_above_share({1, 3, 250, 500}, 10) == 250 - 167 - 17);
   CHECK(sessions_above_share({1, 3, 184, 500}, 10) == 0);

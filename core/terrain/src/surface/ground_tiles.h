@@ -18,7 +18,7 @@
 namespace talus::terrain {
 
 /// Columns along an edge: few, so that little is computed that nobody asked for.
-inline constexpr int kGroundTileSide = 16;
+inline constexpr int kGroundTileSide = 32;
 inline constexpr std::size_t kGroundTileColumns = kGroundTileSide * kGroundTileSide;
 
 /// Counted in tiles of a level.
