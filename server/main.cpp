@@ -25,10 +25,13 @@
 #include "app/process_signals.h"
 #include "app/server.h"
 #include "app/settings.h"
+#include "app/settle_rules.h"
 #include "app/startup.h"
 #include "app/world_edits.h"
 #include "app/world_file.h"
 #include "clock/clock.h"
+#include "cluster_command/cluster_command.h"
+#include "config/cluster_check.h"
 #include "config/command_line.h"
 #include "log/escape.h"
 #include "log/logger.h"
@@ -192,6 +195,17 @@ int show_top(int argc, const char* const* argv, const Environment& environment) 
   }
 }
 
+/// The first message of the stream of a new world.
+tl::expected<cluster::Genesis, std::string> first_message(const std::filesystem::path& world_file,
+                                                          const talus::ContentHash& store_id) {
+  const auto world = load_world(world_file);
+  if (!world) return tl::make_unexpected(world.error());
+  cluster::Genesis genesis;
+  genesis.identity = {store_id, (*world)->fingerprint()};
+  genesis.settles = settle_rules(**world);
+  return genesis;
+}
+
 /// Memory that writes and patches gave back serves the next ones. By default glibc hands the top of its heaps
 /// to the system from 128 KiB on, and a page fault for every 4 KiB of it costs more than an answer does.
 void keep_freed_memory() {
@@ -224,6 +238,10 @@ int main(int argc, char** argv) {
     if (argc > 1 && std::string_view{argv[1]} == "store") {
       end_by_default_on_signals();
       return store_command(argc - 1, argv + 1, environment, load_world);
+    }
+    if (argc > 1 && std::string_view{argv[1]} == "cluster") {
+      end_by_default_on_signals();
+      return cluster_command(argc - 1, argv + 1, environment, first_message);
     }
     if (argc > 1 && std::string_view{argv[1]} == "pregen") {
       end_by_default_on_signals();

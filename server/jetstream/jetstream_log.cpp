@@ -102,6 +102,7 @@ class JetStreamLog::Inbox final : public ConnectionEvents {
   }
 
   void tail(const Arrived& arrived) {
+    if (arrived.bytes().empty()) return;  // of "talusd cluster check"
     if (arrived.header("Nats-Stream") != names_.stream) return count_false();
     if (arrived.bytes().size() > kMaxMessageBytes) return count_false();
     {
@@ -149,6 +150,7 @@ class JetStreamLog::Inbox final : public ConnectionEvents {
   /// Of another question to the leader.
   tl::expected<void, StreamFailure> told(const StreamState& state) {
     const std::lock_guard lock{mutex_};
+    if (fault_) return tl::unexpected{*fault_};
     return judge(state, 0);
   }
 
@@ -192,10 +194,20 @@ class JetStreamLog::Inbox final : public ConnectionEvents {
     }
   }
 
+  /// It is not the stream that was read.
+  StreamFailure failed_for_good(std::string reason) {
+    const StreamFailure failure{Kind::other, std::move(reason)};
+    {
+      const std::lock_guard lock{mutex_};
+      fault_ = failure;
+    }
+    changed_.notify_all();
+    return failure;
+  }
   void learned(std::uint64_t sequence) {
     {
       const std::lock_guard lock{mutex_};
-      reading_.learned(sequence);
+      reading_.learned(sequence, Clock::now());
     }
     changed_.notify_all();
   }
@@ -251,7 +263,7 @@ class JetStreamLog::Inbox final : public ConnectionEvents {
     const auto now = Clock::now();
     if (state.last >= after) {
       less_since_.reset();
-      reading_.learned(state.last);
+      reading_.learned(state.last, now);
       if (after > 0) reading_.ends_at(state.last);
     } else if (!less_since_) {
       less_since_ = now;
@@ -394,10 +406,10 @@ tl::expected<std::uint64_t, StreamFailure> JetStreamLog::publish(std::span<const
                                settings_.names.log, escaped(ack->stream), settings_.names.stream));
   }
   if (ack->sequence <= read_before) {
-    return failure(Kind::other,
-                   fmt::format("{} gave a message the number {}, which was read before: it was made "
-                               "anew, or has lost its end",
-                               settings_.names.stream, ack->sequence));
+    return tl::unexpected{inbox_->failed_for_good(fmt::format(
+        "{} gave a message the number {}, which was read before: it was made anew, has lost its end, or "
+        "somebody else publishes to {}",
+        settings_.names.stream, ack->sequence, settings_.names.tail))};
   }
   inbox_->learned(ack->sequence);
   return ack->sequence;

@@ -39,11 +39,11 @@ void Reading::move_to(std::uint64_t after, TimePoint now) {
   progressed(now);
 }
 
-const Reading::Digest* Reading::remembered(std::uint64_t sequence) const {
+const Reading::Given* Reading::remembered(std::uint64_t sequence) const {
   const auto found =
       std::lower_bound(given_.begin(), given_.end(), sequence,
-                       [](const auto& each, std::uint64_t wanted) { return each.first < wanted; });
-  return found != given_.end() && found->first == sequence ? &found->second : nullptr;
+                       [](const auto& each, std::uint64_t wanted) { return each.sequence < wanted; });
+  return found != given_.end() && found->sequence == sequence ? &*found : nullptr;
 }
 
 void Reading::hold(std::uint64_t sequence, std::span<const std::byte> bytes, bool answered) {
@@ -64,8 +64,13 @@ void Reading::heard(std::uint64_t sequence, std::span<const std::byte> bytes, Ti
     if (doubted_.size() < kMostDoubts) doubted_.insert(sequence);
   };
   if (sequence <= after_) {
-    const Digest* const given = remembered(sequence);
-    if (given != nullptr && *given != digest(bytes)) doubt();
+    const Given* const given = remembered(sequence);
+    if (given == nullptr || given->digest == digest(bytes)) return;
+    if (given->answered) {
+      ++false_messages_;
+    } else {
+      doubt();
+    }
     return;
   }
   if (const auto found = held_.find(sequence); found != held_.end()) {
@@ -85,7 +90,11 @@ void Reading::heard(std::uint64_t sequence, std::span<const std::byte> bytes, Ti
   }
   known_ = std::max(known_, sequence);
   hold(sequence, bytes, false);
-  if (sequence == after_ + 1) progressed(now);
+  ask_from_ = now;
+  if (sequence == after_ + 1) {
+    progressed(now);
+    ask_from_ = now + kOnItsWay;
+  }
 }
 
 void Reading::answered(std::uint64_t sequence, std::span<const std::byte> bytes, TimePoint now) {
@@ -93,8 +102,8 @@ void Reading::answered(std::uint64_t sequence, std::span<const std::byte> bytes,
   const bool doubted = doubted_.erase(sequence) > 0;
   if (doubted) ++false_messages_;
   if (sequence <= after_) {
-    const Digest* const given = remembered(sequence);
-    if (doubted && given != nullptr && *given != digest(bytes)) forged_ = sequence;
+    const Given* const given = remembered(sequence);
+    if (doubted && given != nullptr && given->digest != digest(bytes)) forged_ = sequence;
     return;
   }
   known_ = std::max(known_, sequence);
@@ -112,7 +121,8 @@ void Reading::not_found(std::uint64_t sequence, TimePoint now) {
   pause_ = std::min(pause_ * 2, kLastRetry);
 }
 
-void Reading::learned(std::uint64_t sequence) {
+void Reading::learned(std::uint64_t sequence, TimePoint now) {
+  if (known_ <= after_) ask_from_ = now + kOnItsWay;
   known_ = std::max(known_, sequence);
 }
 
@@ -126,10 +136,8 @@ std::optional<StreamMessage> Reading::take() {
   if (next == held_.end()) return std::nullopt;
   StreamMessage message{next->first, std::move(next->second.bytes)};
   held_bytes_ -= message.bytes.size();
-  if (!next->second.answered) {
-    given_.emplace_back(message.sequence, digest(message.bytes));
-    if (given_.size() > kRemembered) given_.pop_front();
-  }
+  given_.push_back({message.sequence, digest(message.bytes), next->second.answered});
+  if (given_.size() > kRemembered) given_.pop_front();
   held_.erase(next);
   after_ = message.sequence;
   known_ = std::max(known_, after_);
@@ -149,6 +157,7 @@ std::vector<std::uint64_t> Reading::wanted(TimePoint now) {
     if (!asked_.contains(sequence)) ask(sequence);
   }
   if (known_ > after_) {
+    if (now < ask_from_) return wanted;
     const std::uint64_t end = std::min(known_, after_ + kWindow);
     for (std::uint64_t sequence = after_ + 1; sequence <= end && asked_.size() < kMostRequests; ++sequence) {
       if (sequence > after_ + 1 && held_bytes_ >= kWindowBytes) break;
@@ -164,6 +173,7 @@ Reading::TimePoint Reading::next_look() const {
   TimePoint look = TimePoint::max();
   for (const auto& [sequence, due] : asked_) look = std::min(look, due);
   if (retry_ > looked_) look = std::min(look, retry_);
+  if (known_ > after_ && ask_from_ > looked_) look = std::min(look, ask_from_);
   if (known_ <= after_ && asked_.empty()) look = std::min(look, std::max(news_ + kSilence, looked_));
   return look;
 }

@@ -10,7 +10,6 @@
 #include <optional>
 #include <set>
 #include <span>
-#include <utility>
 #include <vector>
 
 #include "cluster/log_stream.h"
@@ -29,6 +28,7 @@ class Reading {
   static constexpr std::size_t kWindowBytes = 16U << 20;      // of them all
   static constexpr std::chrono::milliseconds kSilence{1000};  // after it the next message is asked for
   static constexpr std::chrono::milliseconds kAnswerIn{500};  // after it a request is made again
+  static constexpr std::chrono::milliseconds kOnItsWay{10};   // the tail may bring it
   static constexpr std::chrono::milliseconds kFirstRetry{5};  // a replica that answers may lag behind
   static constexpr std::chrono::milliseconds kLastRetry{250};
   static constexpr std::chrono::milliseconds kSureOfNone{
@@ -48,7 +48,7 @@ class Reading {
   /// The replica asked has it not, or not yet.
   void not_found(std::uint64_t sequence, TimePoint now);
   /// The stream was heard to have all up to `sequence`.
-  void learned(std::uint64_t sequence);
+  void learned(std::uint64_t sequence, TimePoint now);
   /// The leader says that it has none above `last`: of one that was asked for in vain then nobody knows.
   void ends_at(std::uint64_t last);
 
@@ -77,6 +77,11 @@ class Reading {
     std::uint64_t high = 0;
     bool operator==(const Digest&) const = default;
   };
+  struct Given {
+    std::uint64_t sequence = 0;
+    Digest digest;
+    bool answered = false;
+  };
   static constexpr std::size_t kRemembered = 1024;
   static constexpr std::size_t kMostDoubts = 64;
 
@@ -87,7 +92,7 @@ class Reading {
   [[nodiscard]] bool asked_or_held(std::uint64_t sequence) const {
     return asked_.contains(sequence) || held_.contains(sequence);
   }
-  [[nodiscard]] const Digest* remembered(std::uint64_t sequence) const;
+  [[nodiscard]] const Given* remembered(std::uint64_t sequence) const;
 
   std::uint64_t after_ = 0;
   std::uint64_t known_ = 0;  // the stream has this one
@@ -99,8 +104,9 @@ class Reading {
   TimePoint looked_{};
   TimePoint retry_{};
   std::chrono::milliseconds pause_ = kFirstRetry;
-  /// What take() gave out last of the tail, by sequence.
-  std::deque<std::pair<std::uint64_t, Digest>> given_;
+  TimePoint ask_from_{};  // what is known to be there and was not heard
+  /// What take() gave out last, by sequence.
+  std::deque<Given> given_;
   std::uint64_t seed_;
   std::optional<std::uint64_t> forged_;
   std::uint64_t false_messages_ = 0;

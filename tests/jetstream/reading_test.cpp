@@ -87,8 +87,10 @@ TEST_CASE("after a second of silence the next message is asked for, once a secon
 
 TEST_CASE("a lagging replica is asked again soon, then less and less often") {
   Reading reading{kStart, 7};
-  reading.learned(1);
-  auto now = kStart;
+  reading.learned(1, kStart);
+  CHECK(reading.wanted(kStart).empty());
+  CHECK(reading.next_look() == kStart + Reading::kOnItsWay);
+  auto now = kStart + Reading::kOnItsWay;
   auto pause = Reading::kFirstRetry;
   for (int i = 0; i < 10; ++i) {
     REQUIRE(reading.wanted(now) == Sequences{1});
@@ -147,6 +149,13 @@ TEST_CASE("two messages of one number are held against the stream") {
     answer(reading, 1, kStart);
     REQUIRE(reading.forged());
     CHECK(*reading.forged() == 1);
+  }
+  SECTION("the false one after the stream's own answer needs no asking") {
+    answer(reading, 1, kStart);
+    CHECK(taken(reading) == 1);
+    reading.heard(1, bytes_of("false"), kStart);
+    CHECK(reading.wanted(kStart).empty());
+    CHECK(reading.false_messages() == 1);
   }
   SECTION("the same message again is nothing") {
     hear(reading, 1, kStart);

@@ -34,7 +34,8 @@ constexpr std::array<std::string_view, 3> kReasons{"", "late", "broken"};
 std::string text_of(const Metrics& metrics,
                     const RuntimeGauges& gauges = {.memory_bytes = {1, 2, 3},
                                                    .certificate_expires = 1'900'000'000,
-                                                   .edits = RuntimeGauges::Edits{}}) {
+                                                   .edits = RuntimeGauges::Edits{},
+                                                   .cluster = RuntimeGauges::Cluster{}}) {
   const BuildInfo build{"1.2.3", 2, "abc", "avx2"};
   const MetricLabels labels{kReasons, kReasons, kReasons, kReasons, kReasons, kReasons, kReasons};
   return metrics_page({metrics, gauges, read_process(), build, labels});
@@ -232,6 +233,24 @@ TEST_CASE("TLS handshakes are counted by their result") {
 
 TEST_CASE("without a certificate there is no series of its expiry") {
   CHECK(text_of({}, {}).find("certificate") == std::string::npos);
+}
+
+TEST_CASE("the log that servers share is shown where it is") {
+  const Metrics metrics;
+  LatencyHistogram publishing;
+  publishing.add(3ms);
+  RuntimeGauges gauges;
+  gauges.cluster = {true, false, true, 5, 6, 7, 8, &publishing};
+  const std::string text = text_of(metrics, gauges);
+  CHECK(value_of(text, "talus_cluster_connected") == "1");
+  CHECK(value_of(text, "talus_cluster_quorum") == "0");
+  CHECK(value_of(text, "talus_cluster_state_differs") == "1");
+  CHECK(value_of(text, "talus_cluster_lag_messages") == "5");
+  CHECK(value_of(text, "talus_cluster_sequence") == "6");
+  CHECK(value_of(text, "talus_cluster_republished_total") == "7");
+  CHECK(value_of(text, "talus_cluster_gaps_total") == "8");
+  CHECK(value_of(text, "talus_cluster_publish_seconds_count") == "1");
+  CHECK(text_of(metrics, {}).find("talus_cluster") == std::string::npos);
 }
 
 TEST_CASE("edits are shown where they are stored: how many wait where, who edits, and how long it takes") {
