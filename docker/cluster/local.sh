@@ -42,8 +42,9 @@ done
 [[ -z "$world" || -f "$world" ]] || wrong_use "--world: $world is no file"
 
 PATH="$PATH:/usr/sbin"
-talusd="$PWD/${BUILD:-build/release}/server/talusd"
-talus_client="$PWD/${BUILD:-build/release}/client_sample/cli/talus-client"
+build="$(realpath -m "${BUILD:-build/release}")"
+talusd="$build/server/talusd"
+talus_client="$build/client_sample/cli/talus-client"
 [[ -x "$talusd" ]] || die "$talusd is not there; ./dev cluster builds it"
 for program in nats-server haproxy varnishd curl openssl; do
   command -v "$program" >/dev/null || die "$program is not installed; ./dev deps cluster"
@@ -169,7 +170,7 @@ settings talus-admin >"$scratch/init.toml"
 say "starting $servers talusd"
 give_up=$((SECONDS + 60))
 processes=()
-site="$PWD/${BUILD:-build/release}/web"
+site="$build/web"
 for ((i = 0; i < servers; ++i)); do
   {
     cat <<TOML

@@ -19,7 +19,7 @@ STREAM = f"TALUS_{STORE}"
 LOG = f"talus.{STORE}.log"
 TAIL = f"talus.{STORE}.tail"
 # As the design has it; `talusd cluster init` asks the same.
-SETTINGS = {"name": STREAM, "subjects": [LOG], "retention": "limits", "max_consumers": -1, "max_msgs": -1, "max_bytes": 1 << 28,
+SETTINGS = {"name": STREAM, "subjects": [LOG], "retention": "limits", "max_consumers": -1, "max_msgs": -1, "max_bytes": 16 << 30,
             "discard": "old", "max_age": 7 * 86400 * 10**9, "storage": "file", "num_replicas": 3, "allow_direct": True,
             "deny_delete": True, "deny_purge": True, "republish": {"src": LOG, "dest": TAIL}}
 
@@ -53,6 +53,12 @@ class ShippedConfiguration(unittest.TestCase):
         for server in self.servers:
             checked = server.check()
             self.assertEqual(checked.returncode, 0, checked.stderr)
+
+    def test_there_is_room_for_a_second_log(self):
+        # As after `talusd store fork`: NATS sets aside what a log may take.
+        settings = {**SETTINGS, "name": "TALUS_f", "subjects": ["talus.f.log"], "republish": {"src": "talus.f.log", "dest": "talus.f.tail"}}
+        with self.connect("talus-admin") as admin:
+            self.assertNotIn("error", admin.ask("$JS.API.STREAM.CREATE.TALUS_f", **settings))
 
     def test_talusd_adds_follows_and_reads(self):
         with self.connect("talusd", 0) as writer, self.connect("talusd", 1) as reader:

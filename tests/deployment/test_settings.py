@@ -39,7 +39,8 @@ class Settings(unittest.TestCase):
                              env={"PATH": "/usr/bin:/bin", "TALUS_DATA": str(self.folder / "data"), **here, "TALUS_LOG_FORMAT": "text"})
         said = run.stdout + run.stderr
         self.assertEqual(run.returncode, 0, said)
-        self.assertNotRegex(said, r"TALUS_\w+", "a variable that talusd does not know")
+        for key in here:  # unknown, or wrong
+            self.assertNotIn(key, said)
 
     def test_compose(self):
         self.check(yaml.safe_load(compose(ROOT / "docker/compose.yaml", "config").stdout)["services"]["talusd"]["environment"])
