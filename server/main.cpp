@@ -36,6 +36,7 @@
 #include "net/tls_context.h"
 #include "privileges/privileges.h"
 #include "store_command/store_command.h"
+#include "threads/signals.h"
 #include "web/site.h"
 
 #include <talus/vectors/instruction_set.h>
@@ -113,13 +114,15 @@ int serve(const Command& command, const ReadSettings& read_settings) {
   if (!data) return fail(data.error());
   std::unique_ptr<WorldEdits> edits;
   if (*data) {
-    auto opened = WorldEdits::open(config.data, **world, (*data)->store_id(), log);
+    // A large store takes its time, and whoever ends the server meanwhile need not wait for it.
+    auto opened =
+        without_signals([&] { return WorldEdits::open(config.data, **world, (*data)->store_id(), log); });
     if (!opened) return fail(opened.error());
     edits = *std::move(opened);
   }
   std::unique_ptr<ColumnCache> columns;
   if (const auto settings = column_cache_settings(config, (*world)->fingerprint())) {
-    auto opened = ColumnCache::open(*settings, log, clock);
+    auto opened = without_signals([&] { return ColumnCache::open(*settings, log, clock); });
     // Only a cache: without it players are served, too.
     if (opened) {
       columns = *std::move(opened);

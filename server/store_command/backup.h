@@ -30,6 +30,7 @@ struct BackupManifest {
   edits::Head head;
   std::vector<File> files;
 
+  /// Where it is more than the type holds: the most that it does.
   [[nodiscard]] std::uint64_t bytes() const;
   bool operator==(const BackupManifest&) const = default;
 };
@@ -38,9 +39,9 @@ struct BackupManifest {
 /// An error is one line. Any text is safe; a name that leads out of the backup is an error.
 [[nodiscard]] tl::expected<BackupManifest, std::string> decode_manifest(std::string_view text);
 
-/// Of a store whose files, in `path`, nobody changes, into `target`, which is new or empty.
-[[nodiscard]] tl::expected<BackupManifest, std::string> write_backup(const ReadOnlyStore& store,
-                                                                     const std::filesystem::path& path,
+/// Of the store whose files are in `path`, of one moment, into `target`, which is new or empty. While a
+/// server writes them none may be removed: EditDatabase::hold_files().
+[[nodiscard]] tl::expected<BackupManifest, std::string> write_backup(const std::filesystem::path& path,
                                                                      const std::filesystem::path& target);
 
 /// That of a backup; says so where `backup` is none, or was not finished.

@@ -89,7 +89,7 @@ tl::expected<StoreConnection::Checkpoint, std::string> StoreConnection::checkpoi
   const std::uint64_t number = in.varint();
   std::string read_only = in.text(kMaxText);
   if (!in.ended()) return tl::unexpected{std::string{"the running server: its answer is damaged"}};
-  return Checkpoint{checkpoint_path(directory_, number), std::move(read_only)};
+  return Checkpoint{number == 0 ? directory_ : checkpoint_path(directory_, number), std::move(read_only)};
 }
 
 tl::expected<Restorer::Restored, Restorer::Failure> StoreConnection::restore(
