@@ -20,7 +20,10 @@
 #include "access/key_file.h"
 #include "access/token_command.h"
 #include "admin/top_command.h"
+#include "app/cluster_member.h"
+#include "app/joining_page.h"
 #include "app/listeners.h"
+#include "app/lost_store.h"
 #include "app/pregen_command.h"
 #include "app/process_signals.h"
 #include "app/server.h"
@@ -33,13 +36,13 @@
 #include "cluster_command/cluster_command.h"
 #include "config/cluster_check.h"
 #include "config/command_line.h"
-#include "jetstream/credentials.h"
 #include "log/escape.h"
 #include "log/logger.h"
 #include "log/program_line.h"
 #include "net/tls_context.h"
 #include "privileges/privileges.h"
 #include "store_command/store_command.h"
+#include "threads/signals.h"
 #include "web/site.h"
 
 #include <talus/vectors/instruction_set.h>
@@ -77,16 +80,19 @@ int serve(const Command& command, const ReadSettings& read_settings) {
   if (const auto done = set_no_new_privs(); !done) return fail(done.error());
   if (const auto set = talus::forced_instruction_set(); !set) return fail(std::string{set.error()});
   if (const auto enough = check_memory(config); !enough) return fail(enough.error());
-  if (const auto member = check_member(config); !member) return fail(member.error());
   const auto world = load_world(config.world);
   if (!world) return fail(world.error());
   const auto account = configured_account(config);
   if (!account) return fail(account.error());
   auto keys = load_keys(config.access);
   if (!keys) return fail(keys.error());
-  const auto nats = jetstream::load_credentials(config.cluster);
-  if (!nats) return fail(nats.error());
-  keys->warnings.insert(keys->warnings.end(), nats->warnings.begin(), nats->warnings.end());
+  std::optional<ClusterKeys> cluster;
+  if (config.cluster.wanted()) {
+    auto read = load_cluster_keys(config.cluster);
+    if (!read) return fail(read.error());
+    keys->warnings.insert(keys->warnings.end(), read->warnings.begin(), read->warnings.end());
+    cluster.emplace(*std::move(read));
+  }
   std::optional<TlsIdentity> tls;
   if (config.tls.wanted()) {
     auto loaded = load_tls(config.tls.certificate, config.tls.key, clock.wall());
@@ -108,7 +114,7 @@ int serve(const Command& command, const ReadSettings& read_settings) {
     return 0;
   }
 
-  if (keys->any() || nats->any() || tls) {
+  if (keys->any() || tls || (cluster && (cluster->nats->any() || cluster->peers_token))) {
     if (const auto hidden = hide_memory(); !hidden) return fail(hidden.error());
   }
   const std::vector<std::string> of_keys = keys->warnings;
@@ -117,17 +123,37 @@ int serve(const Command& command, const ReadSettings& read_settings) {
   auto listeners = open_listeners(config, clock, log);
   if (!listeners) return fail(listeners.error());
   // Addresses and keys are what root may be needed for. No thread runs yet.
-  const auto data = drop_privileges_and_open_data(config, *account, (*world)->fingerprint());
+  auto data = drop_privileges_and_open_data(config, *account, (*world)->fingerprint());
   if (!data) return fail(data.error());
   std::unique_ptr<WorldEdits> edits;
+  const auto lost = std::make_shared<LostStore>(config.data, !config.cluster.peers.empty(), log);
+  SharedLog shared;
+  if (cluster) {
+    const auto progress = std::make_shared<JoinProgress>();
+    if (listeners->operators != nullptr) listeners->operators->start(joining_answers(progress));
+    auto prepared = prepare_member(
+        config.cluster, *cluster, **data, (*world)->fingerprint(),
+        [&](std::uint64_t done, std::uint64_t total) {
+          progress->done = done;
+          progress->total = total;
+        },
+        log);
+    if (!prepared) return fail(prepared.error());
+    shared = {
+        std::move(prepared->stream), prepared->joins,
+        [lost](talus::server::cluster::Lost how, const std::string& reason) { lost->lose(how, reason); }};
+  }
   if (*data) {
-    auto opened = WorldEdits::open(config.data, **world, (*data)->store_id(), clock, log);
+    // A large store takes its time, and whoever ends the server meanwhile need not wait for it.
+    auto opened = without_signals([&] {
+      return WorldEdits::open(config.data, **world, (*data)->store_id(), clock, log, std::move(shared));
+    });
     if (!opened) return fail(opened.error());
     edits = *std::move(opened);
   }
   std::unique_ptr<ColumnCache> columns;
   if (const auto settings = column_cache_settings(config, (*world)->fingerprint())) {
-    auto opened = ColumnCache::open(*settings, log, clock);
+    auto opened = without_signals([&] { return ColumnCache::open(*settings, log, clock); });
     // Only a cache: without it players are served, too.
     if (opened) {
       columns = *std::move(opened);
@@ -165,9 +191,11 @@ int serve(const Command& command, const ReadSettings& read_settings) {
   }
   if (!operators_address.empty()) fmt::print("metrics and health on http://{}\n", operators_address);
   std::fflush(stdout);
+  lost->serving();
+  server.end_where([lost] { return lost->wants_end(); });
   server.run();
   log->info("ended");
-  return 0;
+  return lost->wants_end() ? kStartAgain : 0;
 }
 
 int print_token(int argc, const char* const* argv) {
@@ -242,7 +270,7 @@ int main(int argc, char** argv) {
     }
     if (argc > 1 && std::string_view{argv[1]} == "store") {
       end_by_default_on_signals();
-      return store_command(argc - 1, argv + 1, environment, load_world);
+      return store_command(argc - 1, argv + 1, environment, load_world, cluster_tools());
     }
     if (argc > 1 && std::string_view{argv[1]} == "cluster") {
       end_by_default_on_signals();

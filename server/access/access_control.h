@@ -72,6 +72,9 @@ class AccessControl {
   [[nodiscard]] tl::expected<Grant, AuthError> admit(std::string_view token,
                                                      std::chrono::sys_seconds now) const;
 
+  /// Whether anybody can have a token that is accepted.
+  [[nodiscard]] bool has_keys() const { return keys()->any(); }
+
   /// Why a session that was admitted may not stay: its token was revoked since, or its subject blocked.
   [[nodiscard]] std::optional<AuthFailure> withdrawn(const Grant& grant) const;
 

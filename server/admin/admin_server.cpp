@@ -1,9 +1,42 @@
 #include "admin/admin_server.h"
 
 #include <exception>
+#include <optional>
+#include <system_error>
 #include <utility>
 
+#include <asio/post.hpp>
+
 namespace talus::server {
+namespace {
+
+/// Of one connection.
+class OperatorHandler final : public http::Handler {
+ public:
+  OperatorHandler(const std::shared_ptr<const OperatorAnswers>& answers, std::string address)
+      : answers_{answers}, address_{std::move(address)} {}
+
+  std::optional<http::Response> respond_now(const http::Request& request) override {
+    if (request.path() == kCheckpointPath && answers_->checkpoint) return std::nullopt;
+    return answer_operator(request, *answers_);
+  }
+  asio::awaitable<http::Response> respond(const http::Request& request) override {
+    const auto kept = answers_;
+    co_return co_await kept->checkpoint(request, address_);
+  }
+
+ private:
+  const std::shared_ptr<const OperatorAnswers>& answers_;  // those of now
+  const std::string address_;
+};
+
+std::string address_of(const asio::ip::tcp::socket& socket) {
+  std::error_code gone;
+  const auto peer = socket.remote_endpoint(gone);
+  return gone ? "an address that is gone" : peer.address().to_string();
+}
+
+}  // namespace
 
 AdminServer::AdminServer(const Clock& clock, Logger log)
     : log_{std::move(log)},
@@ -12,8 +45,17 @@ AdminServer::AdminServer(const Clock& clock, Logger log)
       connections_{service_, kMaxConnections} {}
 
 AdminServer::~AdminServer() {
+  stop();
+}
+
+void AdminServer::stop() {
   io_.stop();
   if (thread_.joinable()) thread_.join();
+}
+
+void AdminServer::on_connection(asio::ip::tcp::socket socket) {
+  auto handler = std::make_shared<OperatorHandler>(answers_, address_of(socket));
+  connections_.add(TcpStream{std::move(socket)}, std::move(handler));
 }
 
 tl::expected<std::string, std::string> AdminServer::listen(const protocol::Endpoint& wanted) {
@@ -21,12 +63,14 @@ tl::expected<std::string, std::string> AdminServer::listen(const protocol::Endpo
 }
 
 void AdminServer::start(OperatorAnswers answers) {
-  connections_.set_handler(
-      std::make_shared<http::FunctionHandler>([answers = std::move(answers)](const http::Request& request) {
-        return answer_operator(request, answers);
-      }));
+  auto asked = std::make_shared<const OperatorAnswers>(std::move(answers));
+  if (thread_.joinable()) {
+    asio::post(io_, [this, changed = std::move(asked)] { answers_ = changed; });
+    return;
+  }
+  answers_ = std::move(asked);
   acceptor_.start([this]() -> asio::io_context& { return io_; },
-                  [this](asio::ip::tcp::socket socket) { connections_.add(TcpStream{std::move(socket)}); },
+                  [this](asio::ip::tcp::socket socket) { on_connection(std::move(socket)); },
                   [this] { return connections_.make_room(); });
   thread_ = std::thread{[this] { run(); }};
 }

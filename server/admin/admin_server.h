@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
 #include <string>
 #include <thread>
 
@@ -33,17 +34,22 @@ class AdminServer {
 
   /// Opens the listening socket; returns its address with the real port, or why not.
   [[nodiscard]] tl::expected<std::string, std::string> listen(const protocol::Endpoint& wanted);
-  /// Starts the thread, on which `answers` are asked; once, after listen().
+  /// Starts the thread, on which `answers` are asked; after listen(). Called again, others are asked from
+  /// then on.
   void start(OperatorAnswers answers);
+  /// Ends the thread; connections stay as they are until the destructor.
+  void stop();
 
  private:
   void run();
+  void on_connection(asio::ip::tcp::socket socket);
 
   Logger log_;
   asio::io_context io_{1};
   Acceptor acceptor_;
   http::Service service_;
   http::Connections<TcpStream> connections_;
+  std::shared_ptr<const OperatorAnswers> answers_;
   std::thread thread_;
 };
 

@@ -1,6 +1,6 @@
 #include "admin/operators_page.h"
 
-#include <string_view>
+#include "net/balancer_state.h"
 
 namespace talus::server {
 
@@ -15,12 +15,18 @@ http::Response answer_operator(const http::Request& request, const OperatorAnswe
     return {503, http::kPlainText, "the main thread does not respond\n"};
   }
   if (path == "/-/ready") {
+    const std::string* const state = request.field(kBalancerStateField);
+    if (state != nullptr && answers.balancer_says) {
+      answers.balancer_says(*state, std::string{request.query()});
+    }
     const Readiness readiness = answers.ready();
     return {readiness.ready ? 200 : 503, http::kPlainText, readiness.text + "\n"};
   }
   if (path == "/flows") return {200, http::kPlainText, flows_text(answers.flows())};
   if (path == "/flows.json") return {200, "application/json", flows_json(answers.flows())};
-  return {404, http::kPlainText, "here are /metrics, /flows, /flows.json, /-/healthy and /-/ready\n"};
+  if (path == kCheckpointPath) return {404, http::kPlainText, "this server keeps no store; see data\n"};
+  return {404, http::kPlainText,
+          "here are /metrics, /flows, /flows.json, /-/healthy, /-/ready and /store/checkpoint\n"};
 }
 
 }  // namespace talus::server

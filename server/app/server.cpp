@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include <fmt/format.h>
 #include <asio/co_spawn.hpp>
 #include <asio/post.hpp>
 #include <asio/use_awaitable.hpp>
@@ -25,6 +26,7 @@
 #include "log/escape.h"
 #include "metrics/metrics_page.h"
 #include "metrics/process.h"
+#include "net/balancer_state.h"
 #include "net/descriptors.h"
 #include "net/refusal_reason.h"
 #include "rates/rate_kind.h"
@@ -116,6 +118,7 @@ Server::Server(const Config& config, std::shared_ptr<const terrain::World> world
       shutdown_signals_{io_->control(), SIGTERM, SIGINT},
       reload_signals_{io_->control(), SIGHUP},
       drain_timer_{io_->control()},
+      departures_{io_->control(), registry_, clock_},
       housekeeping_timer_{io_->control()},
       operators_{std::move(listeners.operators)} {
   if (edits_ != nullptr)
@@ -165,6 +168,7 @@ std::string Server::metrics_text() {
   gauges.flow_refusals = flows_.refusals();
   gauges.certificate_expires = certificate_expires_;
   if (edits_ != nullptr) {
+    gauges.cluster_joins = edits_->joins();
     if (const cluster::ClusterLog* const shared = edits_->shared()) {
       const cluster::ClusterLog::Status at = shared->status();
       gauges.cluster = {at.connected, at.quorum,      at.differs, at.lag,
@@ -217,9 +221,14 @@ void Server::run() {
   if (edits_ != nullptr) edits_->start(pregen());
   if (operators_) {
     last_housekeeping_ = clock_.now();
-    operators_->start({[this] { return metrics_text(); },
-                       [this] { return clock_.now() - last_housekeeping_.load() < kMaxSilence; },
-                       [this] { return readiness(); }, [this] { return flows_report(); }});
+    OperatorAnswers answers{[this] { return metrics_text(); },
+                            [this] { return clock_.now() - last_housekeeping_.load() < kMaxSilence; },
+                            [this] { return readiness(); }, [this] { return flows_report(); }};
+    answers.checkpoint = checkpoints();
+    answers.balancer_says = [this](const std::string& state, const std::string& query) {
+      asio::post(io_->control(), [this, state, query] { balancer_says(state, query); });
+    };
+    operators_->start(std::move(answers));
   }
   // Without any of these the server would not be one.
   std::exception_ptr failure;
@@ -247,10 +256,17 @@ void Server::run() {
   io_->run();
   stop_handling_signals();
   if (edits_ != nullptr) edits_->stop();  // while there are generators, and mailboxes to answer
-  operators_.reset();
+  end_operators();
   handshaker_.refusal_log().flush({});
   web_handshaker_.refusal_log().flush({});
   if (failure) std::rethrow_exception(failure);
+}
+
+void Server::end_operators() {
+  if (operators_ != nullptr) operators_->stop();
+  if (checkpoints_ != nullptr) checkpoints_->stop();  // its threads answer to the operators' connections
+  operators_.reset();
+  checkpoints_.reset();
 }
 
 // Caches take their time to go: by default a signal would now kill what ends well.
@@ -265,6 +281,18 @@ void Server::stop_handling_signals() {
   shutdown_signals_.clear(ignored);
   end_at_once_on_signals();
   ::pthread_sigmask(SIG_SETMASK, &before, nullptr);
+}
+
+decltype(OperatorAnswers::checkpoint) Server::checkpoints() {
+  if (edits_ == nullptr) return {};
+  const SignalsBlocked blocked;
+  checkpoints_ = std::make_unique<CheckpointService>(
+      CheckpointService::Parts{access_, metrics_, clock_, config_.data,
+                               [this](const auto& path) { return edits_->checkpoint(path); }},
+      config_.rates.checkpoint_bytes, log_);
+  return [this](const http::Request& request, const std::string& address) {
+    return checkpoints_->respond(request, address);
+  };
 }
 
 RunPregen Server::pregen() {
@@ -348,6 +376,7 @@ void Server::change_settings(Config changed) {
   handshaker_.change(handshake_settings(changed));
   web_handshaker_.change(web_handshake_settings(changed));
   rates_.set(rate_limits(changed.rates));
+  if (checkpoints_ != nullptr) checkpoints_->set_rate(changed.rates.checkpoint_bytes);
   admission_.change(admission_limits(changed));
   registry_.rates_changed();
   config_ = std::move(changed);
@@ -387,6 +416,7 @@ void Server::housekeeping() {
   web_handshaker_.refusal_log().flush();
   collect_flows();
   watch_edits();
+  if (end_wanted_ && !draining_ && end_wanted_()) drain();
   give_memory_back();
   // Sockets that are ready come before the next slice.
   housekeeping_timer_.expires_after(caches_fit ? kHousekeepingInterval : std::chrono::milliseconds{0});
@@ -447,8 +477,13 @@ void Server::give_memory_back() {
 
 asio::awaitable<void> Server::wait_for_shutdown() {
   const int first = co_await shutdown_signals_.async_wait(asio::use_awaitable);
-  log_->info("{}: no new connections; {} are told to go away", first == SIGINT ? "SIGINT" : "SIGTERM",
-             admission_.connections());
+  const std::string_view signal = first == SIGINT ? "SIGINT" : "SIGTERM";
+  if (config_.shutdown.lead.count() == 0) {
+    log_->info("{}: no new connections; {} are told to go away", signal, admission_.connections());
+  } else {
+    log_->info("{}: not ready any more; {} connections, and new ones for {} ms", signal,
+               admission_.connections(), config_.shutdown.lead.count());
+  }
   drain();
   co_await shutdown_signals_.async_wait(asio::use_awaitable);
   log_->warn("a second signal: ending at once");
@@ -457,9 +492,22 @@ asio::awaitable<void> Server::wait_for_shutdown() {
 
 void Server::drain() {
   draining_ = true;
+  if (config_.shutdown.lead.count() == 0) return end_sessions();
+  drain_timer_.expires_after(config_.shutdown.lead);
+  drain_timer_.async_wait([this](std::error_code cancelled) {
+    if (!cancelled) end_sessions();
+  });
+}
+
+void Server::end_sessions() {
   acceptor_->close();
   if (web_acceptor_ != nullptr) web_acceptor_->close();
-  registry_.tell_all_to_go("the server is ending", retry_after::kShutdown);
+  if (config_.shutdown.lead.count() == 0) {
+    registry_.tell_all_to_go("the server is ending", retry_after::kShutdown);
+  } else {
+    log_->info("no new connections; {} are told to go to other servers", admission_.connections());
+    departures_.send_all(config_.shutdown.drain / 2);
+  }
   registry_.when_empty([this] { asio::post(io_->control(), [this] { io_->stop(); }); });
   drain_timer_.expires_after(config_.shutdown.drain);
   drain_timer_.async_wait([this](std::error_code cancelled) {
@@ -468,6 +516,16 @@ void Server::drain() {
                config_.shutdown.drain.count());
     io_->stop();
   });
+}
+
+void Server::balancer_says(const std::string& state, const std::string& query) {
+  if (draining_) return;
+  BalanceSettings settings = balance_settings(config_);
+  settings.above_percent = read_above_percent(query).value_or(settings.above_percent);
+  const std::size_t sent = departures_.balancer_says(state, settings);
+  if (sent == 0) return;
+  metrics_.sent_elsewhere.add(sent);
+  log_->info("balance: {} sessions are sent to other servers: {}", sent, on_one_line(state));
 }
 
 }  // namespace talus::server

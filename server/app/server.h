@@ -22,6 +22,7 @@
 #include "admin/admin_server.h"
 #include "app/listeners.h"
 #include "app/world_edits.h"
+#include "checkpoint/checkpoint_service.h"
 #include "clock/clock.h"
 #include "config/config.h"
 #include "flows/flow_uses.h"
@@ -33,6 +34,7 @@
 #include "metrics/metrics.h"
 #include "net/acceptor.h"
 #include "net/admission.h"
+#include "net/departures.h"
 #include "net/handshaker.h"
 #include "net/io_pool.h"
 #include "net/registry.h"
@@ -63,10 +65,14 @@ class Server {
   /// Serves until SIGTERM or SIGINT, and then until every answer is sent or shutdown.drain is over. SIGHUP
   /// reads settings, certificates, keys and lists again. Once.
   void run();
+  /// It ends as by SIGTERM once that is true; before run(). Asked often, on the main thread.
+  void end_where(std::function<bool()> wanted) { end_wanted_ = std::move(wanted); }
 
  private:
   /// Empty where nothing is kept on disk.
   [[nodiscard]] RunPregen pregen();
+  /// Empty where nothing is kept on disk.
+  [[nodiscard]] decltype(OperatorAnswers::checkpoint) checkpoints();
   [[nodiscard]] std::string metrics_text();
   [[nodiscard]] FlowsReport flows_report();
   /// Asked on the operators' thread.
@@ -95,8 +101,13 @@ class Server {
   void collect_flows();
   /// Says when the store cannot be written, and when it can again, and counts its memory.
   void watch_edits();
+  /// Ready no more; accepts connections for shutdown.lead.
   void drain();
+  /// Accepts none any more, and sends everybody away.
+  void end_sessions();
+  void balancer_says(const std::string& state, const std::string& query);
   void stop_handling_signals();
+  void end_operators();
 
   // In the order in which they may be destroyed, last first: generator threads post to the contexts, and
   // connections in the contexts hold slots and stand in the registry.
@@ -138,15 +149,18 @@ class Server {
   asio::signal_set shutdown_signals_;
   asio::signal_set reload_signals_;
   asio::steady_timer drain_timer_;
+  Departures departures_;
   asio::steady_timer housekeeping_timer_;
   TrimPolicy trim_policy_;
   Clock::time_point last_look_at_memory_{};
   Clock::time_point last_look_at_flows_{};
   Clock::time_point last_look_at_edits_{};
   std::optional<std::string> edits_read_only_;  // as the log was told
+  std::function<bool()> end_wanted_;
   ConnectionId last_id_ = 0;
-  std::unique_ptr<AdminServer> operators_;  // its thread reads everything above
-  std::atomic<bool> trims_ = false;         // whether trimming_ is at work
+  std::unique_ptr<CheckpointService> checkpoints_;  // null: there is no store to take
+  std::unique_ptr<AdminServer> operators_;          // its thread reads everything above
+  std::atomic<bool> trims_ = false;                 // whether trimming_ is at work
   std::jthread trimming_;
 };
 

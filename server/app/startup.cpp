@@ -28,7 +28,8 @@ tl::expected<std::optional<DataDirectory>, std::string> drop_privileges_and_open
     if (const auto done = switch_user(*account); !done) return tl::make_unexpected(done.error());
   }
   if (config.data.empty()) return std::nullopt;
-  auto data = DataDirectory::open(config.data, fingerprint);
+  auto data = config.cluster.wanted() ? DataDirectory::open_member(config.data, fingerprint)
+                                      : DataDirectory::open(config.data, fingerprint);
   if (!data && account) {
     return tl::make_unexpected(fmt::format("{}; talusd runs as user {}", data.error(), account->name));
   }

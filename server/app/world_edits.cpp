@@ -84,6 +84,7 @@ EditDatabase::Done WorldEdits::name_placeables(const terrain::World& world, Shar
 
 void WorldEdits::start_shared_log(SharedLog shared, const terrain::World& world) {
   stream_ = std::move(shared.stream);
+  joins_ = shared.joins;
   cluster::ClusterLog::Settings settings;
   settings.settles = std::make_shared<const edits::SettleRules>(settle_rules(world));
   cluster::ClusterLog::Parts parts{*stream_, *database_, *state_, clock_, logger_, tell_feed()};

@@ -38,6 +38,7 @@ namespace talus::server {
 /// The log that this server shares with others.
 struct SharedLog {
   std::unique_ptr<LogStream> stream;  // of the store; null: the log is this server's own
+  std::uint64_t joins = 0;            // checkpoints of peers that were taken for the store
   /// The store is lost to the cluster: cluster_log.h.
   std::function<void(cluster::Lost, const std::string&)> on_lost = [](cluster::Lost, const std::string&) {};
 };
@@ -74,8 +75,15 @@ class WorldEdits final : public EditedLand {
   [[nodiscard]] LocalLog::Status status() const;
   /// Of a log that is shared; null: it is this server's own.
   [[nodiscard]] const cluster::ClusterLog* shared() const { return shared_.get(); }
+  /// As open() was told.
+  [[nodiscard]] std::uint64_t joins() const { return joins_; }
   /// Edits that are not in the log yet.
   [[nodiscard]] std::size_t preparing() const { return intake_->waiting(); }
+
+  /// Any thread. EditDatabase::checkpoint().
+  [[nodiscard]] EditDatabase::Done checkpoint(const std::filesystem::path& path) const {
+    return database_->checkpoint(path);
+  }
 
   // Once join() was called.
   [[nodiscard]] std::uint64_t revision() const override { return state_->revision(); }
@@ -114,6 +122,7 @@ class WorldEdits final : public EditedLand {
   ChangeFeed feed_;
   std::unique_ptr<EditedChunks> chunks_;
   std::unique_ptr<LogStream> stream_;
+  std::uint64_t joins_ = 0;
   std::atomic<EditIntake*> waits_for_log_{nullptr};  // who is told when a shared log takes edits again
   std::unique_ptr<cluster::ClusterLog> shared_;      // one of the two
   std::unique_ptr<LocalLog> local_;

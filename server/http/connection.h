@@ -120,7 +120,7 @@ class Connection : public std::enable_shared_from_this<Connection<S>> {
       // A proxy passes on whatever follows a request for an upgrade, which may have other clients' names in
       // it.
       more = request.keep_alive && !request.upgrade && !response->last && !finishing_;
-      if (!add(*response, request.method == Method::head, more)) co_await write(response->content());
+      if (!add(*response, request.method == Method::head, more)) co_await write_body(*response);
       if (open_ && upgraded_) co_return co_await hand_over();
       parser_.pop();
       if (++in_turn_ < kTurn) continue;
@@ -193,7 +193,7 @@ class Connection : public std::enable_shared_from_this<Connection<S>> {
     append_head(output_, response, keep_alive, service_.clock.wall());
     answered_ = true;
     if (head_only) return true;
-    if (output_.size() + response.content().size() > kBatchBytes) return false;
+    if (response.source != nullptr || output_.size() + response.content().size() > kBatchBytes) return false;
     output_ += response.content();
     return true;
   }
@@ -235,6 +235,31 @@ class Connection : public std::enable_shared_from_this<Connection<S>> {
     if (failed) co_return close();
     handler_->sent();
     deadline_ = last_active_ + service_.request_timeout;
+  }
+
+  [[nodiscard]] asio::awaitable<void> write_body(const Response& response) {
+    if (response.source == nullptr) co_return co_await write(response.content());
+    while (open_) {
+      deadline_ = Clock::time_point::max();  // the source keeps to times of its own
+      waiting_ = true;
+      watch_waits_.notify();
+      const std::string_view piece = co_await next_piece(*response.source);
+      waiting_ = false;
+      if (piece.empty() || !open_) co_return;
+      co_await write(piece);
+    }
+  }
+
+  /// Where the source fails, who reads sees a body that is cut.
+  [[nodiscard]] asio::awaitable<std::string_view> next_piece(BodySource& source) {
+    std::string_view piece;
+    try {
+      piece = co_await source.next();
+    } catch (const std::exception& error) {
+      service_.log->warn("a response was cut: {}", error.what());
+      close();
+    }
+    co_return piece;
   }
 
   /// Closing over unread bytes would reset the connection, and could take the response with it.

@@ -23,10 +23,12 @@ class Connections {
   void set_handler(std::shared_ptr<Handler> handler) { handler_ = std::move(handler); }
 
   /// On the stream's executor.
-  void add(S stream) {
+  void add(S stream) { add(std::move(stream), handler_); }
+  /// With a handler of its own.
+  void add(S stream, std::shared_ptr<Handler> handler) {
     forget_closed();
     if (open_.size() >= max_) close_quietest();
-    open_.push_back(std::make_shared<Connection<S>>(std::move(stream), service_, handler_));
+    open_.push_back(std::make_shared<Connection<S>>(std::move(stream), service_, std::move(handler)));
     open_.back()->start();
   }
 

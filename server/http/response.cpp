@@ -62,8 +62,7 @@ void append_head(std::string& output, const Response& response, bool keep_alive,
   output += same_lines(response, keep_alive, date);
   if (has_body(response.status)) {
     std::array<char, 20> digits{};
-    const char* const end =
-        std::to_chars(digits.data(), digits.data() + digits.size(), response.content().size()).ptr;
+    const char* const end = std::to_chars(digits.data(), digits.data() + digits.size(), response.size()).ptr;
     output += "Content-Length: ";
     output += std::string_view{digits.data(), static_cast<std::size_t>(end - digits.data())};
     output += "\r\n";

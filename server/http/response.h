@@ -2,10 +2,13 @@
 #pragma once
 
 #include <chrono>
+#include <cstdint>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "http/body_source.h"
 #include "http/request.h"
 
 namespace talus::server::http {
@@ -25,7 +28,10 @@ struct Response {
 
   bool last = false;  // the connection closes after it
 
+  std::shared_ptr<BodySource> source{};  // null: the body is content()
+
   [[nodiscard]] std::string_view content() const { return kept.empty() ? std::string_view{body} : kept; }
+  [[nodiscard]] std::uint64_t size() const { return source == nullptr ? content().size() : source->size(); }
 };
 
 /// What a request that is no request gets.

@@ -29,6 +29,7 @@ struct Metrics {
   Counter tls_late;
   Gauge open;
   Gauge greeted;                   // of those open
+  Counter sent_elsewhere;          // sessions, as this server had more than its share
   Gauge web_open;                  // of HTTP; those that became streams are among `open`
   LabelledCounters web_responses;  // by the first digit of their status
   Counter received_bytes;
@@ -56,6 +57,12 @@ struct Metrics {
   LabelledCounters edits_refused;  // edits and Attaches, by reason
   /// Of an edit: from when its session hands it on to when it is stored and the session is told.
   LatencyHistogram edit_latency;
+
+  // ---- what peers take
+  Counter checkpoints_sent;     // whole
+  Counter checkpoints_refused;  // for want of a token, or because enough are sent
+  Counter checkpoint_bytes_sent;
+  Gauge checkpoints_open;  // being made or sent
 
   // ---- where chunks come from
   Counter cache_hits;

@@ -54,6 +54,7 @@ struct RuntimeGauges {
     std::uint64_t bytes = 0;
   };
   std::optional<Columns> columns{};  // none: none are kept on disk
+  std::uint64_t cluster_joins = 0;   // checkpoints of peers that were taken for the store
 };
 
 /// Names of the values that modules count by, in the order of their enums. A value with an empty name is left

@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <string>
+#include <string_view>
 
 #include <tl/expected.hpp>
 
@@ -29,7 +30,7 @@ namespace talus::server {
 /// The name of a checkpoint below a data directory. Whoever made it removes it; tidy_up() does where it was
 /// killed.
 [[nodiscard]] std::filesystem::path checkpoint_path(const std::filesystem::path& directory,
-                                                    std::uint64_t number);
+                                                    std::string_view name);
 
 /// Returns when the directory's names are on the disk.
 [[nodiscard]] tl::expected<void, std::string> sync_directory(const std::filesystem::path& directory);

@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include "store/acknowledged_file.h"
+#include "store/regular_files.h"
 #include "store/rocks.h"
 #include "store/store_builder.h"
 #include "store/store_reader.h"
@@ -12,6 +14,9 @@ namespace talus::server {
 namespace {
 
 tl::expected<std::unique_ptr<rocksdb::DB>, std::string> open_to_write(const std::filesystem::path& path) {
+  if (const auto regular = check_regular_files(path / "db"); !regular) {
+    return tl::unexpected{fmt::format("edits {}: {}", path.string(), regular.error())};
+  }
   rocksdb::DB* db = nullptr;
   const auto status = rocksdb::DB::Open(rocks_options({}, false), (path / "db").string(), &db);
   std::unique_ptr<rocksdb::DB> opened{db};
@@ -24,19 +29,19 @@ tl::unexpected<std::string> whole_failure(const std::filesystem::path& path, con
   return tl::unexpected{fmt::format("edits {}: {}", path.string(), status.ToString())};
 }
 
-}  // namespace
-
-tl::expected<void, std::string> give_identity(const std::filesystem::path& path, ContentHash store_id) {
+/// Changes where the store stands, and nothing else; on the disk when it returns.
+template <typename Change>
+tl::expected<StoreMeta, std::string> change_meta(const std::filesystem::path& path, const Change& change) {
   const auto db = open_to_write(path);
   if (!db) return tl::unexpected{db.error()};
   const StoreReader reader{**db, path};
   const auto read = reader.meta();
   if (!read) return tl::unexpected{read.error()};
-  if (!*read)
+  if (!*read) {
     return reader.failure(fmt::format("its record of the store's state is missing; {}", kStoreLost));
+  }
   StoreMeta meta = **read;
-  meta.store_id = store_id;
-  meta.stream = {};  // a store of its own
+  change(meta);
   Bytes value;
   encode(meta, value);
   rocksdb::WriteOptions synced;
@@ -45,12 +50,34 @@ tl::expected<void, std::string> give_identity(const std::filesystem::path& path,
     return whole_failure(path, status);
   }
   if (const auto status = (*db)->Close(); !status.ok()) return whole_failure(path, status);
-  return write_store_files(path, meta);
+  return meta;
+}
+
+}  // namespace
+
+tl::expected<void, std::string> give_identity(const std::filesystem::path& path, ContentHash store_id) {
+  const auto meta = change_meta(path, [&](StoreMeta& changed) {
+    changed.store_id = store_id;
+    changed.stream = {};  // a store of its own
+  });
+  return meta ? write_store_files(path, *meta) : tl::unexpected{meta.error()};
+}
+
+tl::expected<void, std::string> enter_stream(const std::filesystem::path& path, const StreamPlace& place) {
+  const auto meta = change_meta(path, [&](StoreMeta& changed) { changed.stream = place; });
+  return meta ? tl::expected<void, std::string>{} : tl::unexpected{meta.error()};
 }
 
 tl::expected<void, std::string> compact(const std::filesystem::path& path) {
   const auto db = open_to_write(path);
   if (!db) return tl::unexpected{db.error()};
+  // What is lost would not be found out any more: the end of the log goes with its records.
+  const StoreReader reader{**db, path};
+  const auto meta = reader.meta();
+  if (!meta) return tl::unexpected{meta.error()};
+  if (!*meta)
+    return reader.failure(fmt::format("its record of the store's state is missing; {}", kStoreLost));
+  if (const auto whole = check_acknowledged(path, **meta); !whole) return whole;
   rocksdb::CompactRangeOptions all;
   all.bottommost_level_compaction = rocksdb::BottommostLevelCompaction::kForce;
   rocksdb::Status status = (*db)->CompactRange(all, nullptr, nullptr);

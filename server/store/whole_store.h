@@ -8,12 +8,18 @@
 
 #include <talus/voxel/content_hash.h>
 
+#include "store/records.h"
+
 namespace talus::server {
 
 /// The store in `path`, which has the directory db, is another from now on: clients drop what they know of
 /// it. Writes the files beside the database too. An error is one line.
 [[nodiscard]] tl::expected<void, std::string> give_identity(const std::filesystem::path& path,
                                                             ContentHash store_id);
+
+/// The store stands there in a stream from now on, or, at 0, in none. Its id stays.
+[[nodiscard]] tl::expected<void, std::string> enter_stream(const std::filesystem::path& path,
+                                                           const StreamPlace& place);
 
 /// Writes its files anew, without what was deleted or replaced.
 [[nodiscard]] tl::expected<void, std::string> compact(const std::filesystem::path& path);

@@ -78,6 +78,9 @@ std::string stat_lines(const OpenedStore& opened, const StoreFigures& figures) {
   line("position", fmt::format("{}, revision {}, at {}", meta.head.position, meta.head.revision,
                                moment(meta.head.time_ms)));
   line("hash", edits::to_string(meta.head.hash));
+  if (meta.stream.sequence != 0) {
+    line("cluster", fmt::format("has read its stream up to message {}", meta.stream.sequence));
+  }
   for (std::size_t level = 0; level < figures.levels.size(); ++level) {
     const auto& each = figures.levels[level];
     line(fmt::format("level {}", level),
@@ -107,6 +110,7 @@ std::string stat_json(const OpenedStore& opened, const StoreFigures& figures) {
   json["format"] = kStoreFormat;
   json["level_rule"] = meta.level_rule;
   json["server_runs"] = opened.server() != nullptr;
+  if (meta.stream.sequence != 0) json["cluster_message"] = meta.stream.sequence;
   json["read_only"] = opened.read_only().empty() ? ReportJson{} : ReportJson(opened.read_only());
   json["position"] = meta.head.position;
   json["revision"] = meta.head.revision;

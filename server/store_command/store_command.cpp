@@ -16,6 +16,7 @@
 #include "log/escape.h"
 #include "store/whole_store.h"
 #include "store_command/backup.h"
+#include "store_command/cluster_moves.h"
 #include "store_command/history.h"
 #include "store_command/local_writer.h"
 #include "store_command/moments.h"
@@ -45,6 +46,15 @@ struct Flags {
   bool keep = false;
   std::string world;
   bool drop_unknown = false;
+  bool keep_id = false;
+  bool yes = false;
+  Cluster cluster;  // as talusd has it
+};
+
+/// What the program brings along.
+struct Outside {
+  const LoadWorld& load_world;
+  const ClusterTools& cluster;
 };
 
 /// Numbers with commas between them, as many as `into` has.
@@ -67,7 +77,7 @@ std::int64_t now_ms() {
       .count();
 }
 
-Answer show_stat(const Flags& flags, const LoadWorld&) {
+Answer show_stat(const Flags& flags, const Outside&) {
   const auto opened = OpenedStore::open(flags.data);
   if (!opened) return tl::unexpected{opened.error()};
   ProgressBar progress{"stat", "chunks"};
@@ -76,7 +86,7 @@ Answer show_stat(const Flags& flags, const LoadWorld&) {
   return flags.json ? stat_json(*opened, *figures) : stat_lines(*opened, *figures);
 }
 
-Answer verify_all(const Flags& flags, const LoadWorld&) {
+Answer verify_all(const Flags& flags, const Outside&) {
   const auto opened = OpenedStore::open(flags.data);
   if (!opened) return tl::unexpected{opened.error()};
   ProgressBar progress{"verify", "chunks"};
@@ -92,16 +102,16 @@ Answer verify_all(const Flags& flags, const LoadWorld&) {
                      counted(figures->levels[0].chunks, "chunk"), entries, edits::to_string(meta.head.hash));
 }
 
-Answer backup(const Flags& flags, const LoadWorld&) {
+Answer backup(const Flags& flags, const Outside&) {
   const auto opened = OpenedStore::open(flags.data);
   if (!opened) return tl::unexpected{opened.error()};
-  const auto written = write_backup(opened->store(), opened->path(), flags.path);
+  const auto written = write_backup(opened->path(), flags.path);
   if (!written) return tl::unexpected{written.error()};
   return fmt::format("{}: position {}, revision {}, {}\n", flags.path, written->head.position,
                      written->head.revision, readable_bytes(written->bytes()));
 }
 
-Answer restore(const Flags& flags, const LoadWorld&) {
+Answer restore(const Flags& flags, const Outside&) {
   if (const auto may = check_may_write(flags.data); !may) return tl::unexpected{may.error()};
   // Before a directory is made for it.
   if (const auto manifest = read_manifest(flags.path); !manifest) return tl::unexpected{manifest.error()};
@@ -120,7 +130,7 @@ Answer restore(const Flags& flags, const LoadWorld&) {
   return text;
 }
 
-Answer compact_store(const Flags& flags, const LoadWorld&) {
+Answer compact_store(const Flags& flags, const Outside&) {
   if (const auto may = check_may_write(flags.data); !may) return tl::unexpected{may.error()};
   const auto directory = DataDirectory::open_store(flags.data);
   if (!directory) return tl::unexpected{directory.error()};
@@ -128,7 +138,7 @@ Answer compact_store(const Flags& flags, const LoadWorld&) {
   return std::string{"compacted\n"};
 }
 
-Answer show_history(const Flags& flags, const LoadWorld&) {
+Answer show_history(const Flags& flags, const Outside&) {
   std::array<std::int64_t, 3> at{};
   if (!parse_numbers(flags.at, at)) {
     return tl::unexpected{fmt::format("--at: \"{}\" is wrong; give X,Y,Z in voxels", escaped(flags.at))};
@@ -172,7 +182,7 @@ tl::expected<RollbackRequest, std::string> rollback_request(const Flags& flags) 
   return RollbackRequest{flags.subject, *since, box->first, box->last};
 }
 
-Answer rollback(const Flags& flags, const LoadWorld&) {
+Answer rollback(const Flags& flags, const Outside&) {
   const auto request = rollback_request(flags);
   if (!request) return tl::unexpected{request.error()};
   auto opened = OpenedStore::open(flags.data);
@@ -237,7 +247,7 @@ std::string rebuilt_lines(const std::string& data, const Rebuilt& rebuilt) {
   return text;
 }
 
-Answer export_file(const Flags& flags, const LoadWorld&) {
+Answer export_file(const Flags& flags, const Outside&) {
   const auto opened = OpenedStore::open(flags.data);
   if (!opened) return tl::unexpected{opened.error()};
   const auto exported = export_edits(opened->store(), flags.path);
@@ -246,7 +256,7 @@ Answer export_file(const Flags& flags, const LoadWorld&) {
                      counted(exported->chunks, "chunk"));
 }
 
-Answer import_file(const Flags& flags, const LoadWorld&) {
+Answer import_file(const Flags& flags, const Outside&) {
   if (const auto may = check_may_write(flags.data); !may) return tl::unexpected{may.error()};
   const auto directory = DataDirectory::open_any(flags.data);
   if (!directory) return tl::unexpected{directory.error()};
@@ -263,9 +273,9 @@ Answer import_file(const Flags& flags, const LoadWorld&) {
   return text;
 }
 
-Answer rebase(const Flags& flags, const LoadWorld& load_world) {
+Answer rebase(const Flags& flags, const Outside& outside) {
   if (const auto may = check_may_write(flags.data); !may) return tl::unexpected{may.error()};
-  const auto world = load_world(flags.world);
+  const auto world = outside.load_world(flags.world);
   if (!world) return tl::unexpected{world.error()};
   const auto directory = DataDirectory::open_store(flags.data);
   if (!directory) return tl::unexpected{directory.error()};
@@ -279,15 +289,42 @@ Answer rebase(const Flags& flags, const LoadWorld& load_world) {
              rebased->as_base, rebased->unknown);
 }
 
+/// Of a store that nobody uses.
+tl::expected<DataDirectory, std::string> lock_store(const Flags& flags) {
+  if (const auto may = check_may_write(flags.data); !may) return tl::unexpected{may.error()};
+  return DataDirectory::open_store(flags.data);
+}
+
+Answer join_stopped_store(const Flags& flags, const Outside& outside) {
+  const auto directory = lock_store(flags);
+  if (!directory) return tl::unexpected{directory.error()};
+  const auto world = outside.load_world(flags.world);
+  if (!world) return tl::unexpected{world.error()};
+  return join_cluster(*directory, flags.cluster, **world, outside.cluster);
+}
+
+Answer leave_with_stopped_store(const Flags& flags, const Outside& outside) {
+  const auto directory = lock_store(flags);
+  if (!directory) return tl::unexpected{directory.error()};
+  return leave_cluster(*directory, flags.cluster, outside.cluster, flags.keep_id, flags.yes);
+}
+
+Answer fork_stopped_store(const Flags& flags, const Outside& outside) {
+  const auto directory = lock_store(flags);
+  if (!directory) return tl::unexpected{directory.error()};
+  const auto world = outside.load_world(flags.world);
+  if (!world) return tl::unexpected{world.error()};
+  return fork_cluster(*directory, flags.cluster, **world, outside.cluster, flags.yes);
+}
+
 /// One of the commands.
 struct Subcommand {
   CLI::App* app = nullptr;
-  Answer (*run)(const Flags&, const LoadWorld&) = nullptr;
+  Answer (*run)(const Flags&, const Outside&) = nullptr;
 };
 
 /// What the flags do not say is as talusd has it.
 tl::expected<void, std::string> complete(Flags& flags, const Environment& environment) {
-  if (!flags.data.empty() && !flags.world.empty()) return {};
   Settings settings;
   if (!flags.config.empty()) {
     if (auto done = apply_file(settings, flags.config); !done) return done;
@@ -295,6 +332,7 @@ tl::expected<void, std::string> complete(Flags& flags, const Environment& enviro
   if (auto done = apply_environment(settings, environment); !done) return done;
   if (flags.data.empty()) flags.data = settings.config.data.string();
   if (flags.world.empty()) flags.world = settings.config.world.string();
+  flags.cluster = settings.config.cluster;
   return {};
 }
 
@@ -312,7 +350,7 @@ int say(std::string_view name, const Answer& answer) {
 }  // namespace
 
 int store_command(int argc, const char* const* argv, const Environment& environment,
-                  const LoadWorld& load_world) {
+                  const LoadWorld& load_world, const ClusterTools& cluster) {
   CLI::App app{"Looks at, backs up, restores and mends the store of edits in a data directory.",
                "talusd store"};
   app.require_subcommand(1);
@@ -323,7 +361,7 @@ int store_command(int argc, const char* const* argv, const Environment& environm
       "Exit status: 0 success, 1 failure, 2 wrong flags.");
   Flags flags;
   std::vector<Subcommand> commands;
-  const auto add = [&](const char* name, const char* help, Answer (*run)(const Flags&, const LoadWorld&)) {
+  const auto add = [&](const char* name, const char* help, Answer (*run)(const Flags&, const Outside&)) {
     CLI::App* const command = app.add_subcommand(name, help);
     command
         ->add_option("--data", flags.data, "the data directory; default: \"data\" of --config, or TALUS_DATA")
@@ -382,6 +420,37 @@ int store_command(int argc, const char* const* argv, const Environment& environm
       "--drop-unknown", flags.drop_unknown,
       "lose voxels of materials that the new world does not name; without it they are counted and "
       "nothing happens");
+  const auto add_world = [&](CLI::App* command) {
+    command
+        ->add_option(
+            "--world", flags.world,
+            "the store's world; default: \"world\" of --config, or TALUS_WORLD, or the one built into talusd")
+        ->type_name("FILE");
+  };
+  const auto add_yes = [&](CLI::App* command) {
+    command->add_flag("--yes", flags.yes, "do it; without it the command says what it would do, and fails");
+  };
+  add_world(
+      add("join-cluster",
+          "the store of one machine becomes that of a cluster: begins its stream in NATS, as [cluster] of "
+          "--config or the environment reaches it. Id, revisions and editors stay",
+          join_stopped_store));
+  CLI::App* const leaving = add("leave-cluster",
+                                "the store becomes this machine's alone, at the place that it has reached; "
+                                "says what the cluster's stream "
+                                "has beyond it. Revisions and editors stay; the store gets a new id, as the "
+                                "cluster may go on under the old",
+                                leave_with_stopped_store);
+  leaving->add_flag("--keep-id", flags.keep_id,
+                    "keep the id: only where no server of the cluster is ever started again");
+  add_yes(leaving);
+  CLI::App* const forking = add("fork",
+                                "where the cluster's stream is lost for good: the store gets a new id and "
+                                "begins a new stream, from the "
+                                "place that it has reached. All other servers have to take it from here",
+                                fork_stopped_store);
+  add_world(forking);
+  add_yes(forking);
   CLI::App* const history = add("history", "who changed a voxel, when, from what to what", show_history);
   history->add_option("--at", flags.at, "the voxel")->required()->type_name("X,Y,Z");
   add_json(history);
@@ -417,7 +486,7 @@ int store_command(int argc, const char* const* argv, const Environment& environm
       fmt::print(stderr, "{}: no data directory; give --data DIR, as talusd has it\n", name);
       return kWrongUse;
     }
-    return say(name, command.run(flags, load_world));
+    return say(name, command.run(flags, {load_world, cluster}));
   }
   return kWrongUse;
 }

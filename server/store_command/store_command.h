@@ -12,6 +12,7 @@
 #include <talus/terrain/world.h>
 
 #include "config/load.h"
+#include "store_command/cluster_moves.h"
 
 namespace talus::server {
 
@@ -21,6 +22,6 @@ using LoadWorld = std::function<tl::expected<std::shared_ptr<const terrain::Worl
 
 /// Does what the flags say, and prints; `argv[0]` is "store". Returns the exit status.
 [[nodiscard]] int store_command(int argc, const char* const* argv, const Environment& environment,
-                                const LoadWorld& load_world);
+                                const LoadWorld& load_world, const ClusterTools& cluster);
 
 }  // namespace talus::server

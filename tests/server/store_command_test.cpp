@@ -17,7 +17,7 @@ int run(std::vector<const char*> flags, const Environment& environment = {}) {
   const LoadWorld none = [](const std::filesystem::path&) {
     return tl::expected<std::shared_ptr<const terrain::World>, std::string>{tl::unexpect, "no world"};
   };
-  return store_command(static_cast<int>(flags.size()), flags.data(), environment, none);
+  return store_command(static_cast<int>(flags.size()), flags.data(), environment, none, {});
 }
 
 }  // namespace

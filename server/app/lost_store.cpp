@@ -1,0 +1,34 @@
+#include "app/lost_store.h"
+
+#include <cstdlib>
+
+#include "join/prepare_store.h"
+
+namespace talus::server {
+
+void LostStore::lose(cluster::Lost how, const std::string& reason) {
+  using cluster::Lost;
+  if (how == Lost::other) {
+    log_->error("cluster: {}; no edits are taken; see \"talusd store fork --help\"", reason);
+    return;
+  }
+  if (!has_peers_) {
+    log_->error(
+        "cluster: {}; no edits are taken; name other servers in cluster.peers, and start this one again",
+        reason);
+    return;
+  }
+  if (how == Lost::wrong_state) {
+    if (const auto noted = join::want_rejoin(directory_, reason); !noted)
+      log_->error("cluster: {}", noted.error());
+  }
+  log_->error("cluster: {}; this server ends, and takes another server's store when it is started again",
+              reason);
+  wants_end_ = true;
+  if (!serving_) {
+    log_->flush();
+    std::_Exit(kStartAgain);
+  }
+}
+
+}  // namespace talus::server

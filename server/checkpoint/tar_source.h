@@ -1,0 +1,22 @@
+// Where the bytes of a checkpoint's tar come from, as they are wanted.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+#include <tl/expected.hpp>
+
+namespace talus::server {
+
+class TarSource {
+ public:
+  virtual ~TarSource() = default;
+
+  /// As its sender says, before anything is read.
+  [[nodiscard]] virtual std::uint64_t size() const = 0;
+  /// Waits for the next bytes, valid until the next call; empty after size() bytes. An error is one line.
+  [[nodiscard]] virtual tl::expected<std::string_view, std::string> read() = 0;
+};
+
+}  // namespace talus::server

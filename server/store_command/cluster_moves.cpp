@@ -1,0 +1,147 @@
+#include "store_command/cluster_moves.h"
+
+#include <fmt/format.h>
+
+#include "config/cluster_check.h"
+#include "join/enter_cluster.h"
+#include "store/whole_store.h"
+
+namespace talus::server {
+namespace {
+
+using Text = tl::expected<std::string, std::string>;
+
+tl::expected<void, std::string> check_nats(const Cluster& settings) {
+  if (settings.wanted()) return check_cluster(settings);
+  return tl::unexpected{std::string{
+      "cluster.nats: no NATS server is named; give --config the file that the cluster's servers have"}};
+}
+
+/// How far a store is behind its stream, as far as that can be said.
+struct Behind {
+  bool known = false;
+  std::uint64_t messages = 0;
+  std::string text;  // part of a sentence
+};
+
+Behind measure(const StoreMeta& meta, const Cluster& settings, const ClusterTools& tools) {
+  const auto unknown = [](const std::string& why) {
+    return Behind{false, 0, fmt::format("how far it is behind the stream cannot be said: {}", why)};
+  };
+  if (!settings.wanted()) return unknown("cluster.nats names no NATS server");
+  const auto stream = tools.open(settings, meta.store_id, false);
+  if (!stream) return unknown(stream.error());
+  const auto state = (*stream)->state();
+  if (!state) return unknown(state.error().reason);
+  if (state->created_ns != meta.stream.created_ns) {
+    return unknown("the stream there is now was made anew; it is not the one that this store has read");
+  }
+  if (state->last < meta.stream.sequence) {
+    return {true, 0,
+            fmt::format("the stream has lost its end: it goes up to message {}, this store to {}",
+                        state->last, meta.stream.sequence)};
+  }
+  const std::uint64_t behind = state->last - meta.stream.sequence;
+  if (behind == 0) return {true, 0, "it has all that the stream has"};
+  return {
+      true, behind,
+      fmt::format(
+          "the stream has {} message{} of edits more, which would be missing here; start talusd until it has "
+          "read them, if they are wanted",
+          behind, behind == 1 ? "" : "s")};
+}
+
+tl::expected<StoreMeta, std::string> place_of_member(const DataDirectory& directory) {
+  auto meta = join::read_place(directory.path());
+  if (!meta || meta->stream.sequence != 0) return meta;
+  return tl::unexpected{fmt::format("data {}: its store is in no cluster", directory.path().string())};
+}
+
+std::string place_of(const StoreMeta& meta) {
+  return fmt::format("position {}, revision {}, hash {}", meta.head.position, meta.head.revision,
+                     edits::to_string(meta.head.hash));
+}
+
+tl::expected<void, std::string> check_world(const DataDirectory& directory, const terrain::World& world) {
+  if (!directory.identity() || directory.identity()->fingerprint == world.fingerprint()) return {};
+  return tl::unexpected{fmt::format(
+      "data {}: the store is of the world with fingerprint {}; --world has {}; give the store's world",
+      directory.path().string(), to_string(directory.identity()->fingerprint),
+      to_string(world.fingerprint()))};
+}
+
+Text enter(const DataDirectory& directory, ContentHash id, const Cluster& settings,
+           const terrain::World& world, const ClusterTools& tools) {
+  const auto stream = tools.open(settings, id, true);
+  if (!stream) return tl::unexpected{stream.error()};
+  const auto entered = join::enter_cluster(directory.path(), tools.settle_rules(world), **stream);
+  if (!entered) return tl::unexpected{entered.error()};
+  return fmt::format(
+      "{}: store {} begins its cluster's stream at {}\n"
+      "set cluster.store = \"{}\" on all servers, start this one first, and let the others, with empty data "
+      "directories, name it in cluster.peers\n",
+      directory.path().string(), to_string(id), place_of(*entered), to_string(id));
+}
+
+}  // namespace
+
+Text join_cluster(const DataDirectory& directory, const Cluster& settings, const terrain::World& world,
+                  const ClusterTools& tools) {
+  if (auto known = check_nats(settings); !known) return tl::unexpected{known.error()};
+  if (auto right = check_world(directory, world); !right) return tl::unexpected{right.error()};
+  const std::string id = to_string(directory.store_id());
+  if (!settings.store.empty() && settings.store != id) {
+    return tl::unexpected{
+        fmt::format("cluster.store: it names store {}, and {} has store {}; name that, or \"\"",
+                    settings.store, directory.path().string(), id)};
+  }
+  return enter(directory, directory.store_id(), settings, world, tools);
+}
+
+Text leave_cluster(const DataDirectory& directory, const Cluster& settings, const ClusterTools& tools,
+                   bool keeps_id, bool confirmed) {
+  const auto meta = place_of_member(directory);
+  if (!meta) return tl::unexpected{meta.error()};
+  const Behind behind = measure(*meta, settings, tools);
+  if (!confirmed) {
+    return tl::unexpected{fmt::format(
+        "nothing is changed yet: the store would be this machine's alone from {} on; {}; give --yes to do it",
+        place_of(*meta), behind.text)};
+  }
+  const ContentHash id = keeps_id ? meta->store_id : random_store_id();
+  const auto left = keeps_id ? enter_stream(directory.path(), {}) : give_identity(directory.path(), id);
+  if (!left) return tl::unexpected{left.error()};
+  return fmt::format(
+      "{}: store {} is this machine's alone, at {}; {}\nset cluster.nats = \"\" before talusd is started\n",
+      directory.path().string(), to_string(id), place_of(*meta), behind.text);
+}
+
+Text fork_cluster(const DataDirectory& directory, const Cluster& settings, const terrain::World& world,
+                  const ClusterTools& tools, bool confirmed) {
+  if (auto known = check_nats(settings); !known) return tl::unexpected{known.error()};
+  if (auto right = check_world(directory, world); !right) return tl::unexpected{right.error()};
+  const auto meta = place_of_member(directory);
+  if (!meta) return tl::unexpected{meta.error()};
+  const Behind behind = measure(*meta, settings, tools);
+  if (!confirmed) {
+    return tl::unexpected{
+        fmt::format("nothing is changed yet: this store, at {}, would become another one with a stream of "
+                    "its own; {}; every other "
+                    "server of the cluster has to take it from here with an empty data directory, and what "
+                    "players were told is "
+                    "done beyond this place is gone; do it where the old stream is lost for good, on the "
+                    "server whose \"talusd "
+                    "store stat\" has the greatest position, and give --yes",
+                    place_of(*meta), behind.text)};
+  }
+  const ContentHash id = random_store_id();
+  if (const auto given = give_identity(directory.path(), id); !given) return tl::unexpected{given.error()};
+  auto entered = enter(directory, id, settings, world, tools);
+  if (entered) return entered;
+  return tl::unexpected{
+      fmt::format("the store is {} and in no cluster now, but its stream was not begun: {}; run \"talusd "
+                  "store join-cluster\"",
+                  to_string(id), entered.error())};
+}
+
+}  // namespace talus::server

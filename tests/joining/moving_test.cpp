@@ -1,0 +1,119 @@
+// Stores that move into a cluster, out of it, and into another.
+#include "joining_servers.h"
+
+using namespace talus;
+using namespace talus::e2e;
+
+TEST_CASE("into a cluster and back a store keeps its revisions, hash and players") {
+  JoiningServers servers;
+  {
+    const auto alone = servers.start(servers.settings("a", false));
+    servers.build(alone->port(), 20);
+  }
+  const json before = servers.stat("a");
+  CHECK(servers.store("a", {"join-cluster"}).status == 0);
+  const Ended twice = servers.store("a", {"join-cluster"});
+  CHECK(twice.status == 1);
+  CHECK_THAT(twice.err, Catch::Contains("is in a cluster already"));
+  servers.store_id = before["store_id"];
+  json during = servers.stat("a");
+  for (const char* const same : {"store_id", "revision", "position", "hash"})
+    CHECK(during[same] == before[same]);
+  {
+    // Alone it would go on without the others.
+    const Ended refused = run_talusd({"--listen", "127.0.0.1:0"}, servers.settings("a", false));
+    CHECK(refused.status == 1);
+    CHECK_THAT(refused.err, Catch::Contains("talusd store leave-cluster"));
+    const auto member = servers.start(servers.settings("a"));
+    servers.build(member->port(), 10);
+  }
+  during = servers.stat("a");
+  CHECK(during["revision"] == before["revision"].get<int>() + 10);
+  const Ended asked = servers.store("a", {"leave-cluster"});
+  CHECK(asked.status == 1);
+  CHECK_THAT(asked.err,
+             Catch::Contains("nothing is changed yet") && Catch::Contains("it has all that the stream has"));
+  CHECK(servers.stat("a") == during);
+  const bool keeps_id = GENERATE(false, true);
+  std::vector<std::string> flags{"leave-cluster", "--yes"};
+  if (keeps_id) flags.emplace_back("--keep-id");
+  const Ended left = servers.store("a", flags);
+  INFO(left.err);
+  CHECK(left.status == 0);
+  const json after = servers.stat("a");
+  for (const char* const same : {"revision", "position", "hash"}) CHECK(after[same] == during[same]);
+  CHECK((after["store_id"] == before["store_id"]) == keeps_id);
+  const auto alone = servers.start(servers.settings("a", false));
+  servers.build(alone->port(), 3);
+  CHECK(servers.stat("a")["revision"] == during["revision"].get<int>() + 3);
+}
+
+TEST_CASE("who leaves a cluster is told how far it is behind") {
+  JoiningServers servers;
+  servers.begin("a");
+  const auto a = servers.start(servers.settings("a"));
+  {
+    const auto b = servers.start(servers.joiner("b", {a->admin_port()}));
+    await("readiness", [&] { return JoiningServers::is_ready(*b); });
+  }
+  servers.build(a->port(), 3);
+  const Ended asked = servers.store("b", {"leave-cluster"});
+  CHECK(asked.status == 1);
+  CHECK_THAT(asked.err, Catch::Contains("of edits more, which would be missing here"));
+  CHECK_THAT(servers.store("a", {"leave-cluster", "--yes"}).err, Catch::Contains("a talusd uses it"));
+}
+
+TEST_CASE("where the stream is lost a server refuses to go on, and a fork begins anew from its store") {
+  JoiningServers servers;
+  servers.begin("a");
+  {
+    const auto a = servers.start(servers.settings("a"));
+    servers.build(a->port(), 10);
+  }
+  const json before = servers.stat("a");
+  servers.lose_stream();
+  SECTION("and there is none") {}
+  SECTION("and another has its name") {
+    JoiningServers other;
+    const Ended made = run_talusd({"cluster", "init", "--store", servers.store_id}, servers.settings("a"));
+    INFO(made.err);
+    CHECK(made.status == 0);
+    const Ended refused = run_talusd({"--listen", "127.0.0.1:0"}, servers.settings("a"));
+    CHECK(refused.status == 1);
+    CHECK_THAT(refused.err, Catch::Contains("talusd store fork"));
+    CHECK_THAT(servers.store("a", {"join-cluster"}).err, Catch::Contains("is in a cluster already"));
+  }
+  const Ended asked = servers.store("a", {"fork"});
+  CHECK(asked.status == 1);
+  CHECK_THAT(asked.err, Catch::Contains("nothing is changed yet"));
+  const Ended forked = servers.store("a", {"fork", "--yes"});
+  INFO(forked.err);
+  REQUIRE(forked.status == 0);
+  const json after = servers.stat("a");
+  for (const char* const same : {"revision", "position", "hash"}) CHECK(after[same] == before[same]);
+  CHECK(after["store_id"] != before["store_id"]);
+  servers.store_id = after["store_id"];
+  const auto a = servers.start(servers.settings("a"));
+  servers.build(a->port(), 5);
+  const auto b = servers.start(servers.joiner("b", {a->admin_port()}));
+  await("readiness", [&] { return JoiningServers::is_ready(*b); });
+  servers.await_same("a", "b");
+}
+
+TEST_CASE("without NATS a store does not move, and stays as it is") {
+  JoiningServers servers;
+  {
+    const auto alone = servers.start(servers.settings("a", false));
+    servers.build(alone->port(), 3);
+  }
+  const json before = servers.stat("a");
+  Settings none = servers.settings("a", false);
+  const Ended unnamed = run_talusd({"store", "join-cluster"}, none);
+  CHECK(unnamed.status == 1);
+  CHECK_THAT(unnamed.err, Catch::Contains("cluster.nats: no NATS server is named"));
+  servers.nats->kill(0);
+  const Ended away = servers.store("a", {"join-cluster"});
+  CHECK(away.status == 1);
+  CHECK(away.err.find('\n') == away.err.size() - 1);
+  CHECK(servers.stat("a") == before);
+}

@@ -1,0 +1,155 @@
+// A checkpoint over the operators' port, and what takes it.
+#include <asio/ip/tcp.hpp>
+#include <catch2/catch.hpp>
+
+#include "checkpoint/from_peers.h"
+#include "checkpoint_peer.h"
+#include "store/store_swap.h"
+
+namespace talus::server {
+namespace {
+
+using namespace testing;
+using asio::ip::tcp;
+namespace fs = std::filesystem;
+
+/// Polls what other threads do: no event tells of it.
+template <typename Condition>
+bool comes_true(const Condition& condition, std::chrono::seconds patience = std::chrono::seconds{20}) {
+  const auto end = std::chrono::steady_clock::now() + patience;
+  while (!condition()) {
+    if (std::chrono::steady_clock::now() > end) return false;
+    std::this_thread::yield();
+  }
+  return true;
+}
+
+const OnJoining kNobodyAsks = [](std::uint64_t, std::uint64_t) {};
+
+}  // namespace
+
+TEST_CASE("a server without keys gives its store to nobody, and says which key to set") {
+  Peer peer{7, 1U << 30U, false};
+  CHECK_THAT(peer.error_with(""),
+             Catch::Contains("answers 403") && Catch::Contains("access.signing_key_file"));
+  CHECK_THAT(peer.error_with("any"), Catch::Contains("answers 403"));
+}
+
+TEST_CASE("a store is given for a token with the right admin alone") {
+  Peer peer;
+  CHECK_THAT(peer.error_with(""), Catch::Contains("answers 401"));
+  CHECK_THAT(peer.error_with("wrong"), Catch::Contains("answers 401"));
+  CHECK_THAT(peer.error_with(peer.signed_token({Right::read, Right::edit, Right::gateway})),
+             Catch::Contains("answers 403: the token has not the right admin"));
+  CHECK(peer.error_with(peer.admin().token) == "");
+  CHECK(peer.metrics.checkpoints_refused.total() == 3);
+}
+
+TEST_CASE("a joiner takes the store of a peer over HTTP, and tries the next where one fails") {
+  Peer peer;
+  Peer foreign{8};
+  ScratchDirectory scratch{ScratchDirectory::memory()};
+  const fs::path data = scratch / "data";
+  auto directory = DataDirectory::open_any(data);
+  REQUIRE(directory.has_value());
+  const WantedStore wanted{{1, 2}, peer.store.id()};
+  const auto give_up = [](std::chrono::milliseconds) { return false; };
+  for (int i = 0; i < 8; ++i) {
+    const auto meta = take_from_peers({{foreign.url, "http://127.0.0.1:9", peer.url}, peer.admin()}, data,
+                                      wanted, kSilentLog, kNobodyAsks, give_up);
+    REQUIRE(meta.has_value());
+    CHECK(meta->head == peer.store.head());
+  }
+  REQUIRE(swap_in(data).has_value());
+  EditStore joined{data};
+  joined.database_settings.store_id = peer.store.id();
+  CHECK(joined.open() == "");
+  CHECK(overrides_of(joined.state()) == overrides_of(peer.store.store.state()));
+}
+
+TEST_CASE("a joiner that finds no store asks again, longer apart, and leaves nothing half taken") {
+  Peer foreign{8};
+  ScratchDirectory scratch{ScratchDirectory::memory()};
+  std::vector<std::chrono::milliseconds> pauses;
+  const auto pause = [&](std::chrono::milliseconds wait) {
+    pauses.push_back(wait);
+    CHECK(fs::is_empty(scratch / "talus-staging"));
+    return pauses.size() < 7;
+  };
+  const auto meta = take_from_peers({{foreign.url}, foreign.admin()}, scratch.path(),
+                                    {{1, 2}, ContentHash{9, 9}}, kSilentLog, kNobodyAsks, pause);
+  REQUIRE_FALSE(meta.has_value());
+  REQUIRE(pauses.size() == 7);
+  CHECK(pauses.front() == std::chrono::seconds{1});
+  CHECK(pauses.back() == std::chrono::seconds{30});
+  CHECK_THAT(take_from_peers({{}, {}}, scratch.path(), {{1, 2}, {}}, kSilentLog, kNobodyAsks, pause).error(),
+             Catch::Contains("cluster.peers: nobody is named"));
+}
+
+TEST_CASE("the third at once is told to come back") {
+  Peer peer;
+  peer.store.grow();
+  peer.service.set_rate(262'144);
+  auto first = CheckpointDownload::open(peer.url, peer.admin());
+  auto second = CheckpointDownload::open(peer.url, peer.admin());
+  REQUIRE(first.has_value());
+  REQUIRE(second.has_value());
+  CHECK_THAT(peer.error_with(peer.admin().token), Catch::Contains("answers 503: 2 servers take this store"));
+  peer.service.set_rate(0);
+  const auto all = [](CheckpointDownload& download) {
+    std::uint64_t bytes = 0;
+    for (auto piece = download.read(); piece && !piece->empty(); piece = download.read())
+      bytes += piece->size();
+    return bytes;
+  };
+  CHECK(all(**first) == (*first)->size());
+  CHECK(all(**second) == (*second)->size());
+  CHECK(comes_true([&] { return peer.metrics.checkpoints_open.now() == 0; }));
+  CHECK(peer.error_with(peer.admin().token) == "");
+}
+
+TEST_CASE("who hangs up pins no checkpoint") {
+  Peer peer;
+  peer.service.set_rate(262'144);
+  peer.store.grow();
+  {
+    tcp::socket gone = peer.ask();
+    CHECK(comes_true([&] {
+      return peer.metrics.checkpoints_open.now() == 1 || peer.metrics.checkpoints_sent.total() == 1;
+    }));
+    gone.close();
+  }
+  CHECK(comes_true([&] { return peer.metrics.checkpoints_open.now() == 0; }));
+  CHECK(comes_true([&] { return peer.checkpoints() == 0; }));
+}
+
+TEST_CASE("a server that ends in the middle leaves no checkpoint and hangs nowhere") {
+  for (int i = 0; i < 10; ++i) {
+    Peer peer;
+    peer.service.set_rate(262'144);
+    tcp::socket one = peer.ask();
+    tcp::socket other = peer.ask();
+    if (i % 2 == 0) CHECK(comes_true([&] { return peer.metrics.checkpoints_open.now() > 0; }));
+    peer.end();
+    CHECK(peer.checkpoints() == 0);
+  }
+}
+
+TEST_CASE("a peer that goes away in the middle is an error of one line") {
+  auto peer = std::make_unique<Peer>();
+  peer->service.set_rate(262'144);
+  peer->store.grow();
+  auto download = CheckpointDownload::open(peer->url, peer->admin());
+  REQUIRE(download.has_value());
+  REQUIRE((*download)->read().has_value());
+  peer->end();
+  std::string error;
+  for (;;) {
+    const auto piece = (*download)->read();
+    if (!piece) error = piece.error();
+    if (!piece || piece->empty()) break;
+  }
+  CHECK_THAT(error, Catch::StartsWith(peer->url) && Catch::Contains("the connection ended after"));
+}
+
+}  // namespace talus::server

@@ -1,0 +1,306 @@
+// What a server of a cluster does with the store that it finds, and where it gets one that it has not.
+#include <deque>
+#include <fstream>
+
+#include <catch2/catch.hpp>
+
+#include "checkpoint_peer.h"
+#include "cluster/message.h"
+#include "join/prepare_store.h"
+#include "join/start_plan.h"
+#include "store/read_only_store.h"
+
+namespace talus::server::join {
+namespace {
+
+using namespace testing;
+using Kind = StartPlan::Kind;
+
+constexpr std::int64_t kMade = 77;  // when the stream was
+
+StoreMeta store_at(std::uint64_t sequence, std::int64_t created_ns = kMade) {
+  StoreMeta meta;
+  meta.store_id = {3, 4};
+  meta.head.position = 100;
+  meta.stream = {sequence, created_ns};
+  return meta;
+}
+
+StartPlan plan(std::optional<StoreMeta> local, StreamState stream, bool from_nothing = true,
+               bool has_peers = true) {
+  return plan_start({local, stream, from_nothing, has_peers, {}});
+}
+
+/// A stream of one process.
+class ScriptedStream final : public LogStream {
+ public:
+  struct Script {
+    StreamState state{1, 1, kMade};
+    std::optional<Bytes> first;
+    std::deque<StreamFailure> failures;  // of state(), one after the other
+  };
+  explicit ScriptedStream(Script& script) : script_{script} {}
+
+  tl::expected<std::uint64_t, StreamFailure> publish(std::span<const std::byte>) override { return {}; }
+  tl::expected<std::optional<StreamMessage>, StreamFailure> next(std::uint64_t after, TimePoint) override {
+    REQUIRE(after == 0);
+    if (!script_.first) return tl::unexpected{StreamFailure{StreamFailure::Kind::gone, "gone"}};
+    return StreamMessage{1, *script_.first};
+  }
+  tl::expected<StreamState, StreamFailure> state() override {
+    if (script_.failures.empty()) return script_.state;
+    const StreamFailure failure = script_.failures.front();
+    script_.failures.pop_front();
+    return tl::unexpected{failure};
+  }
+  void wake() override {}
+  void stop() override {}
+
+ private:
+  Script& script_;
+};
+
+Bytes genesis(ContentHash id, ContentHash world = {1, 2}, std::uint64_t position = 0) {
+  cluster::Genesis genesis;
+  genesis.identity = {id, world};
+  genesis.head.position = position;
+  genesis.head.revision = position;
+  return *cluster::encode(genesis);
+}
+
+/// A server that starts.
+struct Joiner {
+  ScratchDirectory scratch{ScratchDirectory::memory()};
+  fs::path path = scratch / "data";
+  ScriptedStream::Script script;
+  std::optional<ContentHash> id;
+  Peers peers;
+  int pauses = 0;
+  int patience = 3;
+
+  /// The error; empty: the store is ready.
+  std::string start() {
+    auto directory = DataDirectory::open_member(path, {1, 2});
+    if (!directory) return directory.error();
+    const auto prepared =
+        prepare_store({*directory,
+                       {1, 2},
+                       id,
+                       peers,
+                       [this](ContentHash wanted) -> tl::expected<std::unique_ptr<LogStream>, std::string> {
+                         opened = wanted;
+                         return std::make_unique<ScriptedStream>(script);
+                       },
+                       kSilentLog,
+                       [](std::uint64_t, std::uint64_t) {},
+                       [this](std::chrono::milliseconds) { return ++pauses < patience; }});
+    if (!prepared) {
+      CHECK(prepared.error().find('\n') == std::string::npos);
+      return prepared.error();
+    }
+    CHECK(directory->store_id() == opened);
+    return "";
+  }
+  [[nodiscard]] std::optional<StoreMeta> meta() const {
+    const auto store = ReadOnlyStore::open(path);
+    return store ? std::optional{(*store)->meta()} : std::nullopt;
+  }
+  [[nodiscard]] bool kept_the_old_one() const { return fs::exists(path / "replaced-1"); }
+
+  ContentHash opened;
+};
+
+/// The same store as the peer's, as it was earlier.
+void copy_store(CheckpointStore& from, const fs::path& to) {
+  fs::create_directories(to);
+  REQUIRE(from.store.database().checkpoint(to / "db").has_value());
+  fs::copy_file(from.path / "store.toml", to / "store.toml");
+  fs::copy_file(from.path / "acknowledged", to / "acknowledged");
+}
+
+}  // namespace
+
+TEST_CASE("a server starts with what it has, from the stream alone, from a peer, or not") {
+  CHECK(plan(store_at(5), {1, 5, kMade}).kind == Kind::as_it_is);
+  CHECK(plan(store_at(5), {6, 5, kMade}).kind ==
+        Kind::as_it_is);  // the stream has forgotten all that it read
+  CHECK(plan(store_at(5), {6, 9, kMade}).kind == Kind::as_it_is);
+  CHECK(plan(store_at(5), {7, 9, kMade}).kind == Kind::from_peer);
+  CHECK(plan(store_at(5), {1, 5 + kFarMessages, kMade}).kind == Kind::as_it_is);
+  CHECK(plan(store_at(5), {1, 6 + kFarMessages, kMade}).kind == Kind::from_peer);
+  CHECK(plan(store_at(5), {1, 6 + kFarMessages, kMade}).may_do_without);
+  CHECK(plan(store_at(5), {1, 6 + kFarMessages, kMade}, true, false).kind == Kind::as_it_is);
+  CHECK(plan(std::nullopt, {1, 9, kMade}).kind == Kind::from_stream);
+  CHECK(plan(std::nullopt, {1, 9, kMade}, false).kind == Kind::from_peer);
+  CHECK_FALSE(plan(std::nullopt, {1, 9, kMade}, false).may_do_without);
+  CHECK(plan(std::nullopt, {1, kFarMessages + 1, kMade}).kind == Kind::from_peer);
+  CHECK(plan(std::nullopt, {1, kFarMessages + 1, kMade}, true, false).kind == Kind::from_stream);
+}
+
+TEST_CASE("a start that a person has to decide on is refused by name") {
+  CHECK_THAT(plan(std::nullopt, {1, 0, kMade}).reason, Catch::Contains("talusd cluster init"));
+  CHECK_THAT(plan(store_at(0), {1, 5, kMade}).reason, Catch::Contains("talusd store join-cluster"));
+  for (const auto& refused : {plan(store_at(5), {1, 9, kMade + 1}), plan(store_at(5), {1, 4, kMade})}) {
+    CHECK(refused.kind == Kind::refused);
+    CHECK_THAT(refused.reason, Catch::Contains("talusd store fork"));
+  }
+  // Not even a store that is wrong is given up for a stream that is another.
+  CHECK(plan_start({store_at(5), {1, 9, kMade + 1}, true, true, "S differs"}).kind == Kind::refused);
+  CHECK(plan_start({store_at(5), {1, 9, kMade}, true, true, "S differs"}).kind == Kind::from_peer);
+}
+
+TEST_CASE("an empty disk begins from a stream that goes back to nothing, and only of this store and world") {
+  Joiner joiner;
+  CHECK_THAT(joiner.start(), Catch::Contains("cluster.peers: nobody is named"));  // of which store?
+  joiner.id = ContentHash{8, 8};
+  joiner.script.first = genesis({8, 8}, {1, 3});
+  CHECK_THAT(joiner.start(), Catch::Contains("give all servers of a cluster the same --world"));
+  joiner.script.first = genesis({8, 9});
+  CHECK_THAT(joiner.start(), Catch::Contains("the stream is of store"));
+  CHECK_FALSE(fs::exists(joiner.path / "store.toml"));
+  joiner.script.first = genesis({8, 8});
+  CHECK(joiner.start() == "");
+  CHECK(joiner.opened == ContentHash{8, 8});
+  CHECK(read_store_identity(joiner.path / "store.toml")->store_id == ContentHash{8, 8});
+}
+
+TEST_CASE("an empty disk never begins empty where the cluster's store is not") {
+  Joiner joiner;
+  joiner.id = ContentHash{8, 8};
+  joiner.script.first = genesis({8, 8}, {1, 2}, 5);
+  CHECK_THAT(joiner.start(), Catch::Contains("cluster.peers"));
+  joiner.script.first.reset();
+  joiner.script.state = {40, 90, kMade};
+  CHECK_THAT(joiner.start(), Catch::Contains("cluster.peers"));
+  joiner.peers.urls = {"http://127.0.0.1:9"};
+  CHECK(joiner.start() == "joining was given up");
+  CHECK(joiner.pauses == 3);
+  CHECK_FALSE(fs::exists(joiner.path / "store.toml"));
+}
+
+TEST_CASE("an empty disk takes a peer's store, also where nobody said which") {
+  Peer peer;
+  peer.store.enter({60, kMade});
+  Joiner joiner;
+  joiner.script.state = {40, 90, kMade};
+  joiner.peers = {{peer.url}, peer.admin()};
+  SECTION("by its id") {
+    joiner.id = peer.store.id();
+  }
+  SECTION("whichever it is") {}
+  SECTION("in place of one without entries") {
+    REQUIRE(DataDirectory::open(joiner.path, {1, 2}).has_value());
+  }
+  CHECK(joiner.start() == "");
+  CHECK(joiner.meta()->head == peer.store.head());
+  CHECK(joiner.meta()->stream == StreamPlace{60, kMade});
+  CHECK_FALSE(joiner.kept_the_old_one());
+  CHECK(joiner.start() == "");  // and again, as it is
+}
+
+TEST_CASE("a peer's store is not taken where it is in no cluster, of another stream, or too old itself") {
+  Peer peer;
+  Joiner joiner;
+  joiner.id = peer.store.id();
+  joiner.script.state = {40, 90, kMade};
+  joiner.peers = {{peer.url}, peer.admin()};
+  SECTION("in none") {}
+  SECTION("another") {
+    peer.store.enter({60, kMade + 1});
+  }
+  SECTION("too old") {
+    peer.store.enter({38, kMade});
+  }
+  CHECK(joiner.start() == "joining was given up");
+  CHECK_FALSE(fs::exists(joiner.path / "store.toml"));
+}
+
+TEST_CASE("a store that was away for too long is replaced, and one that is wrong is kept aside") {
+  Peer peer;
+  peer.store.enter({20, kMade});
+  Joiner joiner;
+  joiner.id = peer.store.id();
+  joiner.peers = {{peer.url}, peer.admin()};
+  copy_store(peer.store, joiner.path);
+  std::mt19937_64 random{11};
+  (void)peer.store.editor.edit(peer.store.store, random_edit(random));
+  peer.store.enter({60, kMade});
+  SECTION("away") {
+    joiner.script.state = {40, 90, kMade};
+    CHECK(joiner.start() == "");
+    CHECK_FALSE(joiner.kept_the_old_one());
+  }
+  SECTION("wrong") {
+    joiner.script.state = {1, 90, kMade};
+    REQUIRE(want_rejoin(joiner.path, "S differs").has_value());
+    CHECK(joiner.start() == "");
+    CHECK(joiner.kept_the_old_one());
+    CHECK_FALSE(fs::exists(joiner.path / "rejoin"));
+  }
+  CHECK(joiner.meta()->head == peer.store.head());
+  CHECK(joiner.meta()->stream.sequence == 60);
+}
+
+TEST_CASE("a store that must not be used is not used where no peer has another") {
+  Peer peer;
+  peer.store.enter({20, kMade});
+  Joiner joiner;
+  joiner.id = peer.store.id();
+  copy_store(peer.store, joiner.path);
+  joiner.script.state = {1, 90, kMade};
+  joiner.peers = {{"http://127.0.0.1:9"}, {}};
+  REQUIRE(want_rejoin(joiner.path, "S differs").has_value());
+  CHECK(joiner.start() == "joining was given up");
+  CHECK(joiner.start() == "joining was given up");
+  CHECK(joiner.meta()->head == peer.store.head());
+}
+
+TEST_CASE("a store that is far behind reads the stream where no peer answers") {
+  Peer peer;
+  peer.store.enter({20, kMade});
+  Joiner joiner;
+  joiner.id = peer.store.id();
+  copy_store(peer.store, joiner.path);
+  joiner.script.state = {1, 2 * kFarMessages, kMade};
+  joiner.peers = {{"http://127.0.0.1:9"}, {}};
+  CHECK(joiner.start() == "");
+  CHECK(joiner.pauses == 0);
+  CHECK(joiner.meta()->stream.sequence == 20);
+}
+
+TEST_CASE("without the stream a store that is there is served, and one that is not is waited for") {
+  Peer peer;
+  peer.store.enter({60, kMade});
+  Joiner joiner;
+  joiner.id = peer.store.id();
+  joiner.peers = {{peer.url}, peer.admin()};
+  const StreamFailure away{StreamFailure::Kind::unavailable, "no NATS server answers"};
+  joiner.script.state = {40, 90, kMade};
+  joiner.script.failures = {away, away};
+  CHECK(joiner.start() == "");
+  CHECK(joiner.pauses == 2);
+  joiner.script.failures = {away};
+  CHECK(joiner.start() == "");
+  CHECK(joiner.pauses == 2);
+  CHECK(joiner.script.failures.empty());
+  joiner.script.failures = {{StreamFailure::Kind::refused, "the credentials are wrong"}};
+  CHECK_THAT(joiner.start(), Catch::Contains("the credentials are wrong"));
+}
+
+TEST_CASE("a store of another id or world, or of no cluster, is refused and stays") {
+  CheckpointStore mine;
+  mine.store.close();
+  const ContentHash id = mine.id();
+  { const DataDirectory unlocked = *std::move(mine.directory); }
+  Joiner joiner;
+  joiner.path = mine.path;
+  joiner.script.state = {1, 90, kMade};
+  CHECK_THAT(joiner.start(), Catch::Contains("talusd store join-cluster"));
+  joiner.id = ContentHash{9, 9};
+  CHECK_THAT(joiner.start(), Catch::Contains("cluster.store names 00000000000000090000000000000009"));
+  CHECK(joiner.meta()->store_id == id);
+  std::ofstream{mine.path / "store.toml"} << store_text({id, {1, 3}});
+  CHECK_THAT(joiner.start(), Catch::Contains("belongs to the world with fingerprint"));
+}
+
+}  // namespace talus::server::join
