@@ -105,8 +105,8 @@ int cluster_command(int argc, const char* const* argv, const Environment& enviro
   app.footer(
       "The settings are those of talusd: --config, or TALUS_CLUSTER_NATS and so on.\n"
       "Exit status: 0 success, 1 failure, or check found a fault, 2 wrong flags.");
-  Flags flags;
-  std::vector<Subcommand> commands;
+  cluster_tool::Flags flags;
+  std::vector<cluster_tool::Subcommand> commands;
   const auto add = [&](const char* name, const char* help, auto run) {
     CLI::App* const command = app.add_subcommand(name, help);
     command->add_option("--config", flags.config, "the server's settings in TOML; default: no file")
@@ -140,7 +140,7 @@ int cluster_command(int argc, const char* const* argv, const Environment& enviro
     fmt::print(exit->status == 0 ? stdout : stderr, "{}", exit->text);
     return exit->status;
   }
-  for (const Subcommand& command : commands) {
+  for (const cluster_tool::Subcommand& command : commands) {
     if (!command.app->parsed()) continue;
     const std::string name = "talusd cluster " + command.app->get_name();
     const auto config = settings_of(flags, environment);
