@@ -42,6 +42,7 @@
 #include "net/tls_context.h"
 #include "privileges/privileges.h"
 #include "store_command/store_command.h"
+#include "threads/signals.h"
 #include "web/site.h"
 
 #include <talus/vectors/instruction_set.h>
@@ -143,13 +144,16 @@ int serve(const Command& command, const ReadSettings& read_settings) {
         [lost](talus::server::cluster::Lost how, const std::string& reason) { lost->lose(how, reason); }};
   }
   if (*data) {
-    auto opened = WorldEdits::open(config.data, **world, (*data)->store_id(), clock, log, std::move(shared));
+    // A large store takes its time, and whoever ends the server meanwhile need not wait for it.
+    auto opened = without_signals([&] {
+      return WorldEdits::open(config.data, **world, (*data)->store_id(), clock, log, std::move(shared));
+    });
     if (!opened) return fail(opened.error());
     edits = *std::move(opened);
   }
   std::unique_ptr<ColumnCache> columns;
   if (const auto settings = column_cache_settings(config, (*world)->fingerprint())) {
-    auto opened = ColumnCache::open(*settings, log, clock);
+    auto opened = without_signals([&] { return ColumnCache::open(*settings, log, clock); });
     // Only a cache: without it players are served, too.
     if (opened) {
       columns = *std::move(opened);

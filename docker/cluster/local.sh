@@ -13,7 +13,8 @@ on Ctrl-C. Whoever connects may edit.
 
   --servers N    talusd, 1 to 9 (3 unless told otherwise)
   --nats N       nats-servers: 1, 3 or 5 (3)
-  --port P       players connect to port P (4780); all others are above it, up to P + 69
+  --port P       players connect to port P (4780); all others are above it, up to P + 69, and those of places
+                 from P + 100 to P + 163
   --world FILE   the world's spec (the world built into talusd)
   --keep         leaves the scratch directory, with its logs, behind
 USAGE
@@ -38,7 +39,7 @@ while (($#)); do
 done
 [[ "$servers" =~ ^[1-9]$ ]] || wrong_use "--servers: '$servers' is not 1 to 9"
 [[ "$nats" =~ ^[135]$ ]] || wrong_use "--nats: '$nats' is not 1, 3 or 5"
-[[ "$port" =~ ^[1-9][0-9]{0,4}$ ]] && ((port <= 65466)) || wrong_use "--port: '$port' is not 1 to 65466"
+[[ "$port" =~ ^[1-9][0-9]{0,4}$ ]] && ((port <= 65372)) || wrong_use "--port: '$port' is not 1 to 65372"
 [[ -z "$world" || -f "$world" ]] || wrong_use "--world: $world is no file"
 
 PATH="$PATH:/usr/sbin"
@@ -209,6 +210,7 @@ awk -v servers="$servers" -v port="$port" '
   }
   { print }' docker/haproxy/haproxy.cfg |
   sed -e "s#bind :4780#bind 127.0.0.1:$port#; s#bind :80\$#bind 127.0.0.1:$balancer#" \
+    -e "s#bind :4800-4863#bind 127.0.0.1:$((port + 100))-$((port + 163))#" \
     -e "0,/default-server check/s#default-server check#default-server source $proxy check#" >"$scratch/haproxy.cfg"
 sed -e "s#bind :8404#bind 127.0.0.1:$stats#" docker/haproxy/stats.cfg >"$scratch/stats.cfg"
 start haproxy haproxy -W -db -f "$scratch/haproxy.cfg" -f "$scratch/stats.cfg"

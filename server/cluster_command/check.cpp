@@ -5,6 +5,7 @@
 #include <chrono>
 #include <optional>
 #include <string_view>
+#include <thread>
 
 #include <fmt/format.h>
 
@@ -20,6 +21,7 @@ using namespace std::chrono_literals;
 using Kind = Finding::Kind;
 
 constexpr auto kPatience = 500ms;
+constexpr auto kDenialIn = 300ms;
 constexpr std::array<std::string_view, 2> kSchemes{"nats", "tls"};
 
 class Checker {
@@ -115,6 +117,7 @@ class Checker {
         add(Kind::fault, std::move(text));
         return std::nullopt;
       }
+      std::this_thread::sleep_for(kBetweenTries);
     }
   }
 
@@ -174,7 +177,7 @@ class Checker {
     if (!listens || !flushed) {
       add(Kind::fault, fmt::format("cannot subscribe to {}: {}", target_.names.tail,
                                    (listens ? flushed : listens).error().reason));
-    } else if (const std::string denied = denied_soon(began); !denied.empty()) {
+    } else if (const std::string denied = connection_->await_denial(began, kDenialIn); !denied.empty()) {
       add(Kind::fault, fmt::format("cannot subscribe to {}: {}", target_.names.tail, denied));
     } else {
       add(Kind::ok, fmt::format("may subscribe to {}", target_.names.tail));
@@ -183,18 +186,12 @@ class Checker {
     const auto tried = std::chrono::steady_clock::now();
     (void)connection_->send(target_.names.tail, target_.names.tail + ".check", "");
     (void)connection_->flush(kPatience * 2);
-    if (denied_soon(tried).empty()) {
+    if (connection_->await_denial(tried, kDenialIn).empty()) {
       add(Kind::note,
           fmt::format("may publish to {}, by which servers could be told false edits; forbid it to this "
                       "user and all others in NATS' permissions",
                       target_.names.tail));
     }
-  }
-
-  /// NATS' refusals come on another thread.
-  std::string denied_soon(std::chrono::steady_clock::time_point since) {
-    (void)connection_->request(target_.names.log + ".nobody", "", kPatience);  // answered after them
-    return connection_->denied_since(since);
   }
 
   void check_contents() {

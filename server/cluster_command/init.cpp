@@ -1,6 +1,7 @@
 #include "cluster_command/init.h"
 
 #include <chrono>
+#include <thread>
 
 #include <fmt/format.h>
 
@@ -53,6 +54,7 @@ tl::expected<std::pair<StreamInfo, bool>, std::string> ensure_stream(jetstream::
     if (for_a_person || std::chrono::steady_clock::now() > until) {
       return tl::unexpected{reason_of(found.error(), target)};
     }
+    std::this_thread::sleep_for(kBetweenTries);
   }
 }
 

@@ -2,6 +2,7 @@
 
 #include <chrono>
 #include <cstdlib>
+#include <thread>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -46,7 +47,10 @@ tl::expected<ClusterStatus, std::string> read_status(const Target& target) {
     auto info = ask_stream_info(**connection, target.names);
     if (!info) {
       const StreamFailure failure = failure_of(info.error(), target.names);
-      if (failure.kind != StreamFailure::Kind::refused && std::chrono::steady_clock::now() < until) continue;
+      if (failure.kind != StreamFailure::Kind::refused && std::chrono::steady_clock::now() < until) {
+        std::this_thread::sleep_for(kBetweenTries);
+        continue;
+      }
       return tl::unexpected{failure.reason};
     }
     ClusterStatus status{target.names.stream, to_string(target.store_id), *std::move(info), {}, {}};

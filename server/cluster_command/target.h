@@ -1,6 +1,8 @@
 // Which stream, at which NATS servers, and who asks.
 #pragma once
 
+#include <chrono>
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
@@ -16,6 +18,9 @@
 #include "jetstream/stream_names.h"
 
 namespace talus::server::cluster_tool {
+
+/// Between questions to servers that may still be starting.
+inline constexpr std::chrono::milliseconds kBetweenTries{100};
 
 /// An error is one line that begins with a key.
 [[nodiscard]] tl::expected<void, std::string> check_target(const Config& config);

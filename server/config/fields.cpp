@@ -231,6 +231,10 @@ const std::array kFields{
     Field{"rates.address_voxels", "voxels per second",
           "voxels that edits of all sessions of one address name; 0: no limit",
           number<&Config::rates, &Rates::address_voxels>(0, kMaxPerSecond)},
+    Field{"rates.address_editors", "editors per hour",
+          "editors that sessions of one address make, each of which is known for a day; an address saves up "
+          "eight hours of them; 0: no limit",
+          number<&Config::rates, &Rates::address_editors>(0, 65'536)},
     Field{"rates.gateway_requests", "requests per second",
           "requests accepted from one session with the right gateway, in place of session_requests and "
           "address_requests; 0: no limit",

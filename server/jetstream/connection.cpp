@@ -125,6 +125,7 @@ struct Connection::Callbacks {
       of.denied = what;
       of.denied_at = Clock::now();
     }
+    of.was_denied.notify_all();
     if (of.events) of.events->denied(what);
   }
   static natsStatus sign(char** error_text, unsigned char** signature, int* signature_length,
@@ -327,6 +328,12 @@ std::int64_t Connection::max_payload() const {
 std::string Connection::denied_since(Clock::time_point since) const {
   const std::lock_guard lock{link_->mutex};
   return link_->denied_at >= since ? link_->denied : std::string{};
+}
+
+std::string Connection::await_denial(Clock::time_point since, std::chrono::milliseconds patience) const {
+  std::unique_lock lock{link_->mutex};
+  const bool denied = link_->was_denied.wait_for(lock, patience, [&] { return link_->denied_at >= since; });
+  return denied ? link_->denied : std::string{};
 }
 
 }  // namespace talus::server::jetstream

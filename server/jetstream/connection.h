@@ -3,6 +3,7 @@
 
 #include <atomic>
 #include <chrono>
+#include <condition_variable>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -105,6 +106,9 @@ class Connection {
   [[nodiscard]] std::int64_t max_payload() const;
   /// The last permission that was missing, where that was after `since`; else empty.
   [[nodiscard]] std::string denied_since(std::chrono::steady_clock::time_point since) const;
+  /// The same; waits for it so long, as refusals come late.
+  [[nodiscard]] std::string await_denial(std::chrono::steady_clock::time_point since,
+                                         std::chrono::milliseconds patience) const;
 
  private:
   /// What libnats' threads know of it. It lives until they are done with it.
@@ -113,6 +117,7 @@ class Connection {
     std::shared_ptr<ConnectionEvents> events;
     std::atomic<bool> connected{false};
     mutable std::mutex mutex;
+    mutable std::condition_variable was_denied;
     std::string denied;
     std::chrono::steady_clock::time_point denied_at{};
   };

@@ -55,11 +55,11 @@ class HaproxyTest(unittest.TestCase):
         self.addCleanup(end)
         return process
 
-    def crowd(self, count, *arguments):
-        """`count` idle connections that stay until the test ends."""
+    def crowd(self, count, *arguments, there=0):
+        """`count` idle connections that stay until the test ends, beside those that are `there`."""
         process = self.load(self.address, "--players", 1, "--model", "stand", "--radius", 1, "--vertical", 0, "--idle", count - 1,
                             "--duration", 600, *arguments)
-        until(lambda: process.poll() is None and sum(self.farm.players()) == count, f"{count} players are there")
+        until(lambda: process.poll() is None and sum(self.farm.players()) == count + there, f"{count} players are there")
         return process
 
     def test_players_go_to_the_server_with_the_fewest_under_their_own_address(self):
@@ -81,13 +81,14 @@ class HaproxyTest(unittest.TestCase):
         self.assertEqual(status, 200)
         self.assertNotIn("192.0.2.7", "".join(server.flows() for server in self.farm.servers))
 
-    def test_a_server_that_is_killed_costs_nobody_his_way_in(self):
+    def test_a_server_that_is_killed_costs_nobody_more_than_his_connection(self):
         victim = self.farm.servers[1]
+        self.crowd(30)
         victim.signal(signal.SIGKILL)
         victim.wait()
-        # HAProxy has not looked yet: who is sent there is sent on.
-        self.crowd(20)
-        self.assertEqual(sum(server.players() for server in self.farm.servers if server is not victim), 20)
+        # HAProxy has not looked yet: who is sent there, those who were there among them, is sent on.
+        self.crowd(20, there=30)
+        self.assertEqual(victim.players(), 0)
         victim.start()
 
     def test_a_restart_loses_nobody_and_afterwards_players_are_balanced(self):

@@ -46,7 +46,7 @@ class WrongUse(unittest.TestCase):
 
     def test_options(self):
         for arguments, said in [(["--servers", "12"], "'12' is not 1 to 9"), (["--nats", "2"], "'2' is not 1, 3 or 5"),
-                                (["--port", "x"], "'x' is not 1 to 65466"), (["--port"], "wants a value"), (["--foo"], "'--foo' is not one of"),
+                                (["--port", "x"], "'x' is not 1 to 65372"), (["--port"], "wants a value"), (["--foo"], "'--foo' is not one of"),
                                 (["--world", "/nowhere"], "/nowhere is no file")]:
             status, text = self.refused(*arguments)
             self.assertEqual(status, 2)

@@ -260,19 +260,20 @@ TEST_CASE("false messages on the tail subject do no harm after the true ones, an
   SECTION("of another stream, without a number, too large, of a far number, or of one that was read") {
     REQUIRE(attacker->send(one.names.tail, "nowhere", "no header"));
     forge("OTHER", 2, "false");
-    forge(one.names.stream, 2, std::string(60U << 20U, 'x'));
     forge(one.names.stream, 0, "false");
     forge(one.names.stream, 1'000'000'000'000, "false");
     forge(one.names.stream, 1, "false");
+    const auto until = from_now(kPatience);
+    while (log->figures().false_messages < 3) {
+      REQUIRE(std::chrono::steady_clock::now() < until);
+      REQUIRE(log->next(1, from_now(10ms)));
+    }
+    // NATS may end the connection of who cannot take it at once.
+    forge(one.names.stream, 2, std::string(60U << 20U, 'x'));
     publish(*log, "b");
     CHECK(read(*log, 1) == "b");
     publish(*log, "c");
     CHECK(read(*log, 2) == "c");
-    const auto until = from_now(kPatience);
-    while (log->figures().false_messages < 3) {
-      REQUIRE(std::chrono::steady_clock::now() < until);
-      REQUIRE(log->next(3, from_now(10ms)));
-    }
   }
   SECTION("in place of the next one") {
     forge(one.names.stream, 2, "false");
