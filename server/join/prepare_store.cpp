@@ -71,6 +71,15 @@ class Preparation {
   }
 
  private:
+  /// A person has to act: what is named there would begin an empty store.
+  [[nodiscard]] std::string without_stream(std::string reason) const {
+    if (local_ && local_->stream.sequence > 0) {
+      reason +=
+          "; this store has read a stream already: where that is lost for good, see \"talusd store fork "
+          "--help\"";
+    }
+    return reason;
+  }
   [[nodiscard]] tl::unexpected<std::string> refused(std::string_view why) const {
     return tl::unexpected{fmt::format("data {}: {}", parts_.directory.path().string(), why)};
   }
@@ -109,7 +118,7 @@ class Preparation {
       const auto state = stream.state();
       auto facts = state ? facts_of(*state, stream) : tl::unexpected{state.error()};
       if (facts) return *std::move(facts);
-      if (facts.error().kind != Kind::unavailable) return refused(facts.error().reason);
+      if (facts.error().kind != Kind::unavailable) return refused(without_stream(facts.error().reason));
       if (local_ && local_->stream.sequence > 0 && rejoin_.empty()) {
         parts_.log->warn(
             "cluster: {}; until it can be reached this server has what is on its disk, and takes no edits",

@@ -107,6 +107,7 @@ class JoiningServers {
       const auto alone = start(settings(data, false));
       build(alone->port(), edits);
     }
+    store_id.clear();
     const Ended joined = store(data, {"join-cluster"});
     INFO(joined.err);
     REQUIRE(joined.status == 0);

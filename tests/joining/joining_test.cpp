@@ -1,4 +1,6 @@
 // Servers that have no store, or one that is too old or wrong, and get one.
+#include <random>
+
 #include "joining_servers.h"
 
 using namespace talus;
@@ -52,7 +54,7 @@ TEST_CASE("a server that was away for longer than the stream keeps takes a peer'
   const auto b = servers.start(servers.joiner("b", {a->admin_port()}));
   await("readiness", [&] { return JoiningServers::is_ready(*b); });
   servers.await_same("a", "b");
-  CHECK_FALSE(fs::exists(servers.scratch / "b" + "/replaced-1"));
+  CHECK_FALSE(fs::exists((servers.scratch / "b") / "replaced-1"));
 }
 
 TEST_CASE("a running server that the stream has left behind ends with a status of its own, and joins anew") {
@@ -62,12 +64,16 @@ TEST_CASE("a running server that the stream has left behind ends with a status o
   auto b = servers.start(servers.joiner("b", {a->admin_port()}));
   await("readiness", [&] { return JoiningServers::is_ready(*b); });
   b->signal(SIGSTOP);
+  // What came meanwhile would wait in its socket.
+  servers.nats->end(0);
+  servers.nats->start(0);
+  servers.nats->await_ready();
   servers.build(a->port(), 30);
   servers.forget();
   b->signal(SIGCONT);
   const Ended ended = b->wait();
   CHECK(ended.status == 75);
-  CHECK_THAT(ended.err, Catch::Contains("takes another server's store when it is started again"));
+  CHECK_THAT(ended.out, Catch::Contains("takes another server's store when it is started again"));
   b = servers.start(servers.joiner("b", {a->admin_port()}));
   await("readiness", [&] { return JoiningServers::is_ready(*b); });
   servers.await_same("a", "b");
@@ -84,11 +90,13 @@ TEST_CASE("a peer that dies in the middle leaves nothing half taken, and the nex
     Player player;
     const auto world = player.connect(a->port());
     REQUIRE(world.has_value());
-    for (int i = 0; i < 60; ++i) {
+    std::mt19937_64 random{1};
+    const auto place = [&] { return static_cast<std::int64_t>(random() % 64); };
+    for (int i = 0; i < 100; ++i) {
       client::Edit edit;
       for (int j = 0; j < 1'500; ++j) {
         edit.writes.push_back(
-            {{world->spawn.x + j % 40 * 3, world->spawn.y + 100 + i, world->spawn.z + j / 40 * 3},
+            {{world->spawn.x + place(), world->spawn.y + 100 + i / 2, world->spawn.z + place()},
              JoiningServers::solid(*world)});
       }
       REQUIRE(player.edit(std::move(edit)).has_value());
@@ -98,17 +106,14 @@ TEST_CASE("a peer that dies in the middle leaves nothing half taken, and the nex
   servers.build(a->port(), 1);
   servers.forget();
   const Settings settings = servers.joiner("b", {a->admin_port()});
-  std::thread later;
   const auto kill_and_return = [&](const ServerProcess& joiner) {
-    // Sent, but not whole: it is paced.
-    await("a checkpoint on its way", [&] {
-      return HttpClient{a->admin_port()}.get("/metrics").body.find("talus_checkpoints_open 1") !=
-             std::string::npos;
-    });
+    // It comes, but not whole: it is paced.
+    auto& b = const_cast<ServerProcess&>(joiner);
+    (void)b.await_line("sends its store");
     const std::uint16_t port = a->admin_port();
     a->signal(SIGKILL);
     (void)a->wait();
-    const_cast<ServerProcess&>(joiner).await_line("the connection ended after");
+    (void)b.await_line("the connection ended after");
     CHECK_FALSE(fs::exists(fs::path{servers.scratch / "b"} / "store.toml"));
     Settings again = servers.settings("a");
     a = std::make_unique<ServerProcess>(
@@ -119,29 +124,74 @@ TEST_CASE("a peer that dies in the middle leaves nothing half taken, and the nex
   servers.await_same("a", "b");
 }
 
-TEST_CASE("who has no right to the store, or asks for another, says so and waits; the peers lose nothing") {
+TEST_CASE("who has no right to the store, or wants another, says so and goes on asking, without a store") {
   JoiningServers servers;
   servers.begin("a");
   const auto a = servers.start(servers.settings("a"));
   servers.build(a->port(), 10);
   servers.forget();
-  const auto says = [&](Settings settings, const std::string& line) {
-    const ServerProcess b{settings, {"--admin", "127.0.0.1:0"}, [&](const ServerProcess& joiner) {
-                            auto& server = const_cast<ServerProcess&>(joiner);
-                            CHECK_THAT(server.await_line(line), Catch::Contains("joining"));
-                            // Meanwhile it lives, and nobody is sent to it.
-                            server.signal(SIGTERM);
-                          }};
+  const std::vector<std::uint16_t> peers{a->admin_port()};
+  Settings settings = servers.joiner("b", peers);
+  std::string line;
+  SECTION("no right") {
+    settings = servers.joiner("b", peers, "player");
+    line = "answers 403: the token has not the right admin";
+  }
+  SECTION("no token of the peer's key") {
+    servers.scratch.write("foreign", "eyJhbGciOiJIUzI1NiJ9.e30.c2lnbmF0dXJl");
+    settings = servers.joiner("b", peers, "foreign");
+    line = "answers 401: the token is not accepted";
+  }
+  SECTION("another world") {
+    settings["TALUS_WORLD"] = "";
+    line = "its store is of the world with fingerprint";
+  }
+  SECTION("another store") {
+    servers.begin("c");
+    {
+      const auto c = servers.start(servers.settings("c"));
+      servers.build(c->port(), 5);
+    }
+    servers.forget();
+    settings["TALUS_CLUSTER_STORE"] = servers.store_id;
+    line = "this server wants " + servers.store_id;
+  }
+  SECTION("nobody there") {
+    settings = servers.joiner("b", {9});
+    line = "no peer's store could be taken; all are asked again in 1000 ms";
+  }
+  settings["TALUS_LISTEN"] = "127.0.0.1:0";
+  const Ended ended = run_program("/usr/bin/timeout", {"4", TALUSD_PATH}, settings);
+  CHECK_THAT(ended.out, Catch::Contains(line));
+  CHECK_FALSE(fs::exists(fs::path{servers.scratch / "b"} / "store.toml"));
+  CHECK(JoiningServers::is_ready(*a));
+}
+
+TEST_CASE("while a server joins its operators' port says so") {
+  JoiningServers servers;
+  servers.begin("a");
+  const auto a = servers.start(servers.settings("a"));
+  servers.build(a->port(), 10);
+  servers.forget();
+  const std::uint16_t port = a->admin_port();
+  a->signal(SIGKILL);
+  (void)a->wait();
+  std::unique_ptr<ServerProcess> again;
+  const auto look = [&](const ServerProcess& joiner) {
+    auto& b = const_cast<ServerProcess&>(joiner);
+    (void)b.await_line("all are asked again");
+    HttpClient operators{17'431};
+    CHECK(operators.get("/-/healthy").status == 200);
+    const Answer ready = operators.get("/-/ready");
+    CHECK(ready.status == 503);
+    CHECK(ready.body == "joining: there is no store here yet\n");
+    CHECK_THAT(operators.get("/metrics").body, Catch::Contains("talus_cluster_joining 1"));
+    CHECK(operators.get("/store/checkpoint").status == 503);
+    again = std::make_unique<ServerProcess>(
+        servers.settings("a"), std::vector<std::string>{"--admin", "127.0.0.1:" + std::to_string(port)});
   };
-  (void)says;
-  const auto refused = [&](const Settings& settings, const std::string& line) {
-    ChildProcess none;
-    (void)none;
-    Settings all = settings;
-    all["TALUS_ADMIN"] = "127.0.0.1:0";
-    const Ended ended = run_talusd({}, all);
-    CHECK_THAT(ended.err, Catch::Contains(line));
-  };
-  (void)refused;
-  SUCCEED();
+  ServerProcess b{servers.joiner("b", {port}), {"--admin", "127.0.0.1:17431"}, look};
+  await("readiness", [&] { return JoiningServers::is_ready(b); });
+  CHECK_THAT(HttpClient{b.admin_port()}.get("/metrics").body, Catch::Contains("talus_cluster_joins_total 1"));
+  servers.await_same("a", "b");
 }

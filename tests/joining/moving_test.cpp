@@ -74,15 +74,14 @@ TEST_CASE("where the stream is lost a server refuses to go on, and a fork begins
   servers.lose_stream();
   SECTION("and there is none") {}
   SECTION("and another has its name") {
-    JoiningServers other;
-    const Ended made = run_talusd({"cluster", "init", "--store", servers.store_id}, servers.settings("a"));
-    INFO(made.err);
-    CHECK(made.status == 0);
-    const Ended refused = run_talusd({"--listen", "127.0.0.1:0"}, servers.settings("a"));
-    CHECK(refused.status == 1);
-    CHECK_THAT(refused.err, Catch::Contains("talusd store fork"));
+    const std::string& id = servers.store_id;
+    nats_test::make_stream(*servers.nats, {"TALUS_" + id, "talus." + id + ".log", "talus." + id + ".tail"},
+                           1);
     CHECK_THAT(servers.store("a", {"join-cluster"}).err, Catch::Contains("is in a cluster already"));
   }
+  const Ended refused = run_talusd({"--listen", "127.0.0.1:0"}, servers.settings("a"));
+  CHECK(refused.status == 1);
+  CHECK_THAT(refused.err, Catch::Contains("talusd store fork"));
   const Ended asked = servers.store("a", {"fork"});
   CHECK(asked.status == 1);
   CHECK_THAT(asked.err, Catch::Contains("nothing is changed yet"));
