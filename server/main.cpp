@@ -80,6 +80,7 @@ int serve(const Command& command, const ReadSettings& read_settings) {
   if (const auto done = set_no_new_privs(); !done) return fail(done.error());
   if (const auto set = talus::forced_instruction_set(); !set) return fail(std::string{set.error()});
   if (const auto enough = check_memory(config); !enough) return fail(enough.error());
+  if (const auto member = check_member(config); !member) return fail(member.error());
   const auto world = load_world(config.world);
   if (!world) return fail(world.error());
   const auto account = configured_account(config);

@@ -24,7 +24,7 @@ constexpr auto kPatience = 500ms;
 constexpr auto kBetweenQuestions = 1s;    // to the leader
 constexpr auto kBetweenUrgent = 100ms;    // where something does not fit
 constexpr auto kBetweenConnections = 1s;  // after NATS refused the credentials
-constexpr auto kSureOfLess = 5s;          // a new leader may not have applied yet what the one before had
+constexpr auto kSureOfLess = 15s;         // a leader that was deposed says for a while what it knew
 constexpr int kPendingMessages = 4096;
 constexpr int kPendingBytes = 32 << 20;
 
