@@ -225,8 +225,8 @@ bool NatsServers::all_started() {
       std::this_thread::sleep_for(kBetweenLooks);
     }
     // Another program's server could answer at that port.
-    if (parsed(page(server, "/varz")).value("server_name", "") != fmt::format("n{}", server + 1))
-      return false;
+    const nlohmann::json said = parsed(page(server, "/varz"));
+    if (!said.is_object() || said.value("server_name", "") != fmt::format("n{}", server + 1)) return false;
   }
   return true;
 }
