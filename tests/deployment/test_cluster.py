@@ -19,15 +19,15 @@ CLIENT = BUILD / "client_sample/cli/talus-client"
 
 
 def free_base():
-    """A port with 69 free ones above it, below those that the system deals out."""
-    base = 20000 + os.getpid() % 100 * 100
+    """A port with 163 free ones above it, below those that the system deals out."""
+    base = 20000 + os.getpid() % 50 * 200
     while True:
         try:
-            for port in range(base, base + 70):
+            for port in range(base, base + 164):
                 socket.create_server(("127.0.0.1", port)).close()
             return base
         except OSError:
-            base += 100
+            base += 200
 
 
 def wait(what, seconds=30):
