@@ -19,7 +19,7 @@ constexpr auto kLeaderPatience = 5s;  // while one is being chosen
 constexpr auto kPagePatience = 2000ms;
 constexpr std::string_view kPrefix = "talus_cluster_";
 
-double seconds(std::chrono::nanoseconds time) {
+double in_seconds(std::chrono::nanoseconds time) {
   return std::chrono::duration<double>{time}.count();
 }
 
@@ -79,7 +79,7 @@ std::string status_lines(const ClusterStatus& status) {
                         replica.offline   ? "offline"
                         : replica.current ? "current"
                                           : "not current",
-                        replica.lag, seconds(replica.active));
+                        replica.lag, in_seconds(replica.active));
   }
   if (!status.here) return text + fmt::format("this server: {}\n", status.not_here);
   const auto value = [&](const char* name) {
@@ -110,7 +110,7 @@ std::string status_json(const ClusterStatus& status) {
                                 {"current", replica.current},
                                 {"offline", replica.offline},
                                 {"lag", replica.lag},
-                                {"heard_s", seconds(replica.active)}});
+                                {"heard_s", in_seconds(replica.active)}});
   }
   json["server"] = nullptr;
   if (status.here) json["server"] = *status.here;
