@@ -168,11 +168,11 @@ std::string Server::metrics_text() {
   gauges.flow_refusals = flows_.refusals();
   gauges.certificate_expires = certificate_expires_;
   if (edits_ != nullptr) {
-    gauges.cluster_joins = edits_->joins();
     if (const cluster::ClusterLog* const shared = edits_->shared()) {
       const cluster::ClusterLog::Status at = shared->status();
-      gauges.cluster = {at.connected, at.quorum,      at.differs, at.lag,
-                        at.sequence,  at.republished, at.gaps,    &shared->publish_latency()};
+      gauges.cluster = {at.connected,   at.quorum,      at.differs, at.lag,
+                        at.sequence,    at.republished, at.gaps,    &shared->publish_latency(),
+                        edits_->joins()};
     }
     const LocalLog::Status log = edits_->status();
     gauges.edits = {log.head.revision, edits_->preparing(), log.waiting, edits_->state().editor_count(),

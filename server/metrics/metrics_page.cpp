@@ -159,7 +159,7 @@ const std::array kRows{
     MetricRow{"talus_cluster_republished_total", "Times a message was published again, as it was not acknowledged.", counter, {}, of_cluster<&ClusterGauges::republished>},
     MetricRow{"talus_cluster_gaps_total", "Times messages were missing in what came by itself, and were asked for.", counter, {}, of_cluster<&ClusterGauges::gaps>},
     MetricRow{"talus_cluster_state_differs", "1 while this server's state and another's differ at one revision, else 0.", gauge, {}, of_cluster<&ClusterGauges::differs>},
-    MetricRow{"talus_cluster_joins_total", "Checkpoints of other servers' stores that were taken at this start.", counter, {}, &RuntimeGauges::cluster_joins},
+    MetricRow{"talus_cluster_joins_total", "Checkpoints of other servers' stores that were taken at this start.", counter, {}, of_cluster<&ClusterGauges::joins>},
     MetricRow{"talus_draining", "1 from the signal that ends the server until it ends, else 0.", gauge, {}, draining},
 
     MetricRow{"talus_sessions", "Open connections, by state.", gauge, {"state"}, sessions},
