@@ -278,7 +278,11 @@ TEST_CASE("false messages on the tail subject do no harm after the true ones, an
     publish(*log, "b");
     CHECK(read(*log, 1) == "b");
     publish(*log, "c");
-    CHECK(read(*log, 2) == "c");
+    std::uint64_t after = 1;
+    std::string text;
+    do text = read(*log, after++);
+    while (text == "b");  // twice, where its first acknowledgement did not come
+    CHECK(text == "c");
   }
   SECTION("in place of the next one") {
     forge(one.names.stream, 2, "false");
