@@ -13,6 +13,7 @@
 #include "cluster_command/stream_world.h"
 #include "jetstream/stream_admin.h"
 #include "jetstream/stream_settings.h"
+#include "log/utc_time.h"
 
 namespace talus::server::cluster_tool {
 namespace {
@@ -101,8 +102,9 @@ class Checker {
     for (;;) {
       auto info = ask_stream_info(*connection_, target_.names);
       if (info) {
-        add(Kind::ok, fmt::format("stream {}: messages {} to {}, made {} ms after 1970", target_.names.stream,
-                                  info->state.first, info->state.last, info->state.created_ns / 1'000'000));
+        const std::chrono::sys_seconds made{std::chrono::seconds{info->state.created_ns / 1'000'000'000}};
+        add(Kind::ok, fmt::format("stream {}: messages {} to {}, made {}", target_.names.stream,
+                                  info->state.first, info->state.last, utc_time(made, "%Y-%m-%dT%H:%M:%SZ")));
         return *std::move(info);
       }
       const StreamFailure failure = failure_of(info.error(), target_.names);

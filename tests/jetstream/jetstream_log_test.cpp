@@ -264,16 +264,25 @@ TEST_CASE("false messages on the tail subject do no harm after the true ones, an
     forge(one.names.stream, 1'000'000'000'000, "false");
     forge(one.names.stream, 1, "false");
     const auto until = from_now(kPatience);
-    while (log->figures().false_messages < 3) {
+    forge(one.names.stream, 2, std::string(16U << 20U, 'x'));
+    while (log->figures().false_messages < 4) {
       REQUIRE(std::chrono::steady_clock::now() < until);
       REQUIRE(log->next(1, from_now(10ms)));
     }
-    // NATS may end the connection of who cannot take it at once.
-    forge(one.names.stream, 2, std::string(60U << 20U, 'x'));
+    // NATS may end the connection of who does not send or take it at once.
+    try {
+      forge(one.names.stream, 2, std::string(60U << 20U, 'x'));
+    } catch (const std::runtime_error& ended) {
+      WARN(ended.what());
+    }
     publish(*log, "b");
     CHECK(read(*log, 1) == "b");
     publish(*log, "c");
-    CHECK(read(*log, 2) == "c");
+    std::uint64_t after = 1;
+    std::string text;
+    do text = read(*log, after++);
+    while (text == "b");  // twice, where its first acknowledgement did not come
+    CHECK(text == "c");
   }
   SECTION("in place of the next one") {
     forge(one.names.stream, 2, "false");
