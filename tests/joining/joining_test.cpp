@@ -90,14 +90,16 @@ TEST_CASE("a peer that dies in the middle leaves nothing half taken, and the nex
     Player player;
     const auto world = player.connect(a->port());
     REQUIRE(world.has_value());
+    std::vector<MaterialId> materials;
+    for (const client::Material& material : world->materials) materials.push_back(material.id);
     std::mt19937_64 random{1};
     const auto place = [&] { return static_cast<std::int64_t>(random() % 64); };
-    for (int i = 0; i < 100; ++i) {
+    for (int i = 0; i < 600; ++i) {
       client::Edit edit;
       for (int j = 0; j < 1'500; ++j) {
         edit.writes.push_back(
-            {{world->spawn.x + place(), world->spawn.y + 100 + i / 2, world->spawn.z + place()},
-             JoiningServers::solid(*world)});
+            {{world->spawn.x + place(), world->spawn.y + 100 + i / 12, world->spawn.z + place()},
+             materials[random() % materials.size()]});
       }
       REQUIRE(player.edit(std::move(edit)).has_value());
     }
