@@ -95,7 +95,8 @@ class Cluster(unittest.TestCase):
         for name, service in self.services.items():
             for port in service.get("ports", []):
                 if not str(port).startswith("127.0.0.1:"):
-                    self.assertIn((name, port["published"]), [("haproxy", 4780), ("varnish", 4782)])
+                    published = port["published"] if isinstance(port, dict) else int(port.split(":")[0])
+                    self.assertIn((name, published), [("haproxy", 4780), *(("haproxy", place) for place in range(4800, 4864)), ("varnish", 4782)])
 
     def test_addresses_of_proxies_are_those_of_haproxy_and_varnish(self):
         addresses = {self.services[name]["networks"]["players"]["ipv4_address"] for name in ["haproxy", "varnish"]}
