@@ -200,7 +200,8 @@ std::int32_t region_height_fx(const Regions& regions, float highest_fx, std::int
   const float b1 = a1 * dp1 * s_curve(unit(1 - D1 / w1));
   const float b2 = a2 * dp2 * s_curve(unit(1 - D2 / w2));
   const float field = of(v, Slow::terrace) + p.mesa_roughness * small - 0.6F * (1 - unit(1.15F * s)) + 0.1F;
-  const float mesa = std::max(0.0F, of(v, Slow::mesa)) * p.mesa_height * p.terraces(field) * s_curve(unit(4 * s));
+  const float mesa =
+      std::max(0.0F, of(v, Slow::mesa)) * p.mesa_height * p.terraces(field) * s_curve(unit(4 * s));
   const float hm = bs + A * hill + G * p.range_relief * R;
   float h = hm > kb ? kb + (hm - kb) * s : hm;
   h = h + mesa - std::max(b1, b2) * ramp(-9, -1, hm);

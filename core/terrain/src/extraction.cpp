@@ -267,7 +267,7 @@ class LayerPicker {
     for (int z = 0; z < kChunkSize; ++z) {
       const std::uint8_t* const row = tile_.looks(rules, z);
       unsigned others = 0;  // most rows have one look
-      for (int x = 1; x < kChunkSize; ++x) others |= row[x] ^ unsigned{row[0]};
+      for (int x = 1; x < kChunkSize; ++x) others |= row[x] ^ unsigned { row[0] };
       looks |= std::uint64_t{1} << row[0];
       if (others == 0) continue;
       for (int x = 1; x < kChunkSize; ++x) looks |= std::uint64_t{1} << row[x];

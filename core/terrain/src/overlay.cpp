@@ -59,9 +59,10 @@ std::size_t host_of(const Layers& layers, const Overlay& overlay) {
     for (std::size_t row = 0; row < kChunkArea; row += kChunkSize) {
       std::uint8_t in_row = 0;  // a byte, as what it counts, so that a vector counts many
       for (std::size_t i = row; i < row + kChunkSize; ++i) {
-        const bool any = overlay.from[i] < overlay.to[i];
-        const bool inside = (bottom[i] <= overlay.from[i]) & (overlay.to[i] <= top[i]);
-        in_row = static_cast<std::uint8_t>(in_row + (any & inside));
+        const int any = overlay.from[i] < overlay.to[i] ? 1 : 0;
+        const int above = bottom[i] <= overlay.from[i] ? 1 : 0;
+        const int below = overlay.to[i] <= top[i] ? 1 : 0;
+        in_row = static_cast<std::uint8_t>(in_row + (any & above & below));
       }
       hosted += in_row;
     }

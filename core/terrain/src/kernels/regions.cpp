@@ -608,8 +608,7 @@ HWY_INLINE Height<N> cut(const Uncut<N>& u, const RegionShape& shape, float wide
     // A valley lowers the field of the terraces, not the land: so canyons are stepped.
     const N field = plus(sub(u.terrace_field, times(less(1, unit(times(left, 1.15F))), 0.6F)), 0.1F);
     terraces = on_spline(shape.terraces, field);
-    height =
-        add(height, mul(mul(times(u.mesa, shape.mesa_height), terraces), smooth(unit(times(left, 4)))));
+    height = add(height, mul(mul(times(u.mesa, shape.mesa_height), terraces), smooth(unit(times(left, 4)))));
   }
   // The floor of the sea has none.
   height = sub(height, mul(larger(main.bed, side.bed), ramp(-9, -1, u.land)));

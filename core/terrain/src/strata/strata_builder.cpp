@@ -10,8 +10,8 @@
 namespace talus::terrain {
 namespace {
 
-// Layers of regions are slow: their noise is drawn at every so many rows, where its shortest wave is eight times
-// as long.
+// Layers of regions are slow: their noise is drawn at every so many rows, where its shortest wave is eight
+// times as long.
 constexpr std::int64_t kRowStep = 16;
 constexpr std::int64_t kShortestBetweenRows = 8 * kRowStep;
 

@@ -113,10 +113,10 @@ void Ground::take_tile(int tile_x, int tile_z, const GroundTile& tile) {
   const int z = tile_z * kGroundTileSide;
   for (int row = 0; row < kGroundTileSide; ++row) {
     copy_tile_row(&tile.heights_fx[static_cast<std::size_t>(row * kGroundTileSide)], kGroundTileSide,
-                &known_height_.at(x, z + row));
+                  &known_height_.at(x, z + row));
     if (!knows_slopes_) continue;
     copy_tile_row(&tile.slopes_fx.front()[static_cast<std::size_t>(row * kGroundTileSide)], kGroundTileSide,
-                &known_slope_.at(x, z + row));
+                  &known_slope_.at(x, z + row));
   }
   if (places_) {
     places_->take(x + static_cast<int>(known_.x - asked_.x), z + static_cast<int>(known_.z - asked_.z), tile);

@@ -80,7 +80,8 @@ void RegionRows::spread_row(std::int64_t z) {
   }
 }
 
-/// All slow rows at the samples of row z. Apart from what reads them, whose loads would wait for these stores.
+/// All slow rows at the samples of row z. Apart from what reads them, whose loads would wait for these
+/// stores.
 void RegionRows::blend_lines(std::int64_t z) {
   const std::int64_t inside = floor_mod(z, kSampleStep);
   const bool on_line = inside == 0 && !sloped_;

@@ -52,12 +52,12 @@ class RegionRows final : public SurfaceRows {
   ColumnSpread between_;
   std::vector<AlignedVector<float>> blended_;  // Slow, and others, at the samples of a row
   std::vector<AlignedVector<float>> rising_;   // and how they rise southward
-  std::vector<AlignedVector<float>> spread_;  // Slow, and others
+  std::vector<AlignedVector<float>> spread_;   // Slow, and others
   std::vector<float*> at_columns_;
   // Of coarse levels: how those rise, and the shape's fast octaves.
   bool sloped_ = false;
   bool at_samples_ = false;  // the columns of such a level are
-  float widened_ = 0;  // terrain units: no half of a river is narrower
+  float widened_ = 0;        // terrain units: no half of a river is narrower
   std::array<std::vector<AlignedVector<float>>, 2> rises_;
   std::array<std::vector<float*>, 2> rises_at_columns_;
   std::array<std::array<AlignedVector<float>, kShapeOctaves>, 2> octave_rises_;

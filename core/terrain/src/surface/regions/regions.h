@@ -1,8 +1,8 @@
 // Surface "regions": continents with plains, hills, mountain ranges, mesas in terraces, and rivers that meet
 // in a Y and run to the sea.
 //
-// Slow fields, drawn at every sixteenth column and interpolated, say how the land is at a place: how high, how
-// hilly, how dry. The shape, noise at every column, says what hill or ridge is there. All of it is a pure
+// Slow fields, drawn at every sixteenth column and interpolated, say how the land is at a place: how high,
+// how hilly, how dry. The shape, noise at every column, says what hill or ridge is there. All of it is a pure
 // function of the column.
 #pragma once
 
