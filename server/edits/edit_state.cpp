@@ -144,7 +144,8 @@ std::vector<ChunkChange> EditState::commit(edits::Batch&& batch) {
       const ChunkKey key = applied.writes[i].key;
       const auto [place, added] = places.try_emplace(key, changed.size());
       if (added) {
-        const std::uint64_t before = index_.revision(key);
+        const EditedChunk* const held = dirty(key);
+        const std::uint64_t before = held != nullptr ? held->revision : index_.revision(key);
         changed.push_back({key, before, before});
       }
       ChunkChange& change = changed[place->second];

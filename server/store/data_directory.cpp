@@ -180,6 +180,17 @@ tl::expected<DataDirectory, std::string> DataDirectory::open_to_read(const fs::p
   return directory;
 }
 
+tl::expected<void, std::string> DataDirectory::lock_to_write() {
+  const auto lock = open_lock(path_, O_RDWR | O_CREAT);
+  if (!lock) return tl::unexpected{lock.error()};
+  // In place of the one before, which is let go of: between them somebody may come.
+  if (lock_ >= 0) ::close(lock_);
+  lock_ = *lock;
+  if (::flock(lock_, LOCK_EX | LOCK_NB) == 0) return {};
+  return tl::make_unexpected(fmt::format(
+      "data {}: a talusd uses it, or another command reads it; wait until that has ended", path_.string()));
+}
+
 bool DataDirectory::has_store() const {
   return has_name(path_ / "store.toml") || has_name(path_ / "db") || has_name(path_ / "acknowledged");
 }

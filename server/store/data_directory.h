@@ -53,6 +53,10 @@ class DataDirectory {
   DataDirectory& operator=(DataDirectory&&) = delete;
   ~DataDirectory();
 
+  /// Of one that was opened to read: nobody else may read from now on, and the caller may write. An error is
+  /// one line: another command reads, or the directory cannot be written.
+  [[nodiscard]] tl::expected<void, std::string> lock_to_write();
+
   /// Whether it holds anything of a store.
   [[nodiscard]] bool has_store() const;
   /// Of a store that was looked at.

@@ -223,6 +223,7 @@ Answer rollback(const Flags& flags, const Outside&) {
     restore = [&](const auto& slice) { return opened->server()->restore(slice); };
   } else {
     if (const auto may = check_may_write(flags.data); !may) return tl::unexpected{may.error()};
+    if (const auto may = opened->lock_to_write(); !may) return tl::unexpected{may.error()};
     auto local = LocalWriter::open(flags.data, identity);
     if (!local) return tl::unexpected{local.error()};
     writer = *std::move(local);

@@ -92,6 +92,20 @@ TEST_CASE("who only reads writes nothing, and keeps writers out alone") {
   CHECK_FALSE(fs::exists(scratch / "lock"));
 }
 
+TEST_CASE("a reader may write once nobody else reads") {
+  const ScratchDirectory scratch;
+  (void)id_of(scratch.path());
+  auto reader = DataDirectory::open_to_read(scratch.path());
+  REQUIRE(reader.has_value());
+  {
+    const auto other = DataDirectory::open_to_read(scratch.path());
+    REQUIRE(other.has_value());
+    CHECK_THAT(reader->lock_to_write().error(), Catch::Contains("another command reads it"));
+  }
+  CHECK(reader->lock_to_write().has_value());
+  CHECK_FALSE(DataDirectory::open_to_read(scratch.path()).has_value());
+}
+
 TEST_CASE("a lock that is a link or a pipe is refused or harmless, and nothing waits") {
   const ScratchDirectory scratch;
   (void)id_of(scratch.path());

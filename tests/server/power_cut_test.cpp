@@ -286,7 +286,7 @@ TEST_CASE("after power cuts what slid lies where it slid to") {
   PowerCuts store{seed, true,
                   std::make_shared<const edits::SettleRules>(
                       edits::SettleRules{{MaterialId{3}, 160}, {MaterialId{4}, 215}})};
-  REQUIRE(store.run(std::min(12, cuts_from_environment(80))) == "");
+  REQUIRE(store.run(std::min(5, cuts_from_environment(80))) == "");
   CHECK(store.slid() > 0);
 }
 
