@@ -28,10 +28,13 @@
 #include "app/process_signals.h"
 #include "app/server.h"
 #include "app/settings.h"
+#include "app/settle_rules.h"
 #include "app/startup.h"
 #include "app/world_edits.h"
 #include "app/world_file.h"
 #include "clock/clock.h"
+#include "cluster_command/cluster_command.h"
+#include "config/cluster_check.h"
 #include "config/command_line.h"
 #include "log/escape.h"
 #include "log/logger.h"
@@ -39,6 +42,7 @@
 #include "net/tls_context.h"
 #include "privileges/privileges.h"
 #include "store_command/store_command.h"
+#include "threads/signals.h"
 #include "web/site.h"
 
 #include <talus/vectors/instruction_set.h>
@@ -76,6 +80,7 @@ int serve(const Command& command, const ReadSettings& read_settings) {
   if (const auto done = set_no_new_privs(); !done) return fail(done.error());
   if (const auto set = talus::forced_instruction_set(); !set) return fail(std::string{set.error()});
   if (const auto enough = check_memory(config); !enough) return fail(enough.error());
+  if (const auto member = check_member(config); !member) return fail(member.error());
   const auto world = load_world(config.world);
   if (!world) return fail(world.error());
   const auto account = configured_account(config);
@@ -140,13 +145,16 @@ int serve(const Command& command, const ReadSettings& read_settings) {
         [lost](talus::server::cluster::Lost how, const std::string& reason) { lost->lose(how, reason); }};
   }
   if (*data) {
-    auto opened = WorldEdits::open(config.data, **world, (*data)->store_id(), clock, log, std::move(shared));
+    // A large store takes its time, and whoever ends the server meanwhile need not wait for it.
+    auto opened = without_signals([&] {
+      return WorldEdits::open(config.data, **world, (*data)->store_id(), clock, log, std::move(shared));
+    });
     if (!opened) return fail(opened.error());
     edits = *std::move(opened);
   }
   std::unique_ptr<ColumnCache> columns;
   if (const auto settings = column_cache_settings(config, (*world)->fingerprint())) {
-    auto opened = ColumnCache::open(*settings, log, clock);
+    auto opened = without_signals([&] { return ColumnCache::open(*settings, log, clock); });
     // Only a cache: without it players are served, too.
     if (opened) {
       columns = *std::move(opened);
@@ -221,6 +229,17 @@ int show_top(int argc, const char* const* argv, const Environment& environment) 
   }
 }
 
+/// The first message of the stream of a new world.
+tl::expected<cluster::Genesis, std::string> first_message(const std::filesystem::path& world_file,
+                                                          const talus::ContentHash& store_id) {
+  const auto world = load_world(world_file);
+  if (!world) return tl::make_unexpected(world.error());
+  cluster::Genesis genesis;
+  genesis.identity = {store_id, (*world)->fingerprint()};
+  genesis.settles = settle_rules(**world);
+  return genesis;
+}
+
 /// Memory that writes and patches gave back serves the next ones. By default glibc hands the top of its heaps
 /// to the system from 128 KiB on, and a page fault for every 4 KiB of it costs more than an answer does.
 void keep_freed_memory() {
@@ -253,6 +272,10 @@ int main(int argc, char** argv) {
     if (argc > 1 && std::string_view{argv[1]} == "store") {
       end_by_default_on_signals();
       return store_command(argc - 1, argv + 1, environment, load_world, cluster_tools());
+    }
+    if (argc > 1 && std::string_view{argv[1]} == "cluster") {
+      end_by_default_on_signals();
+      return cluster_command(argc - 1, argv + 1, environment, first_message);
     }
     if (argc > 1 && std::string_view{argv[1]} == "pregen") {
       end_by_default_on_signals();

@@ -222,6 +222,7 @@ tl::expected<CommandLine, Exit> read_command_line(int argc, const char* const* a
   line.connecting.server = std::move(connecting->server);
   line.connecting.options.token = std::move(connecting->token);
   line.connecting.options.tls = std::move(connecting->tls);
+  line.connecting.options.more_servers = command_line::more_servers(*connecting);
   line.connecting.options.websocket = std::move(connecting->websocket);
 
   auto checked = app.got_subcommand("get")    ? check_get(std::move(line), get_options, words)

@@ -35,7 +35,8 @@ tl::expected<std::string, std::string> read_token(const ConnectWords& words) {
 
 void add_connect_options(CLI::App& app, ConnectWords& words) {
   app.add_option("--connect", words.connect,
-                 "HOST:PORT of the server, or ws://HOST:PORT[/PATH] (wss:// by TLS) for its HTTP address")
+                 "HOST:PORT of the server, or ws://HOST:PORT[/PATH] (wss:// by TLS) for its HTTP address; "
+                 "HOST:PORT,HOST:PORT,... where several have the same world")
       ->capture_default_str();
   // A flag takes the place of both variables, so they are looked at where no flag was.
   auto* file = app.add_option("--token-file", words.token_file,
@@ -61,7 +62,8 @@ void add_connect_options(CLI::App& app, ConnectWords& words) {
 }
 
 tl::expected<ConnectOptions, std::string> read_connect_options(const ConnectWords& words) {
-  ConnectOptions options{{}, {}, words.tls, {}};
+  ConnectOptions options;
+  options.tls = words.tls;
   options.websocket.on = words.websocket;
   std::string_view address = words.connect;
   const bool secure = address.starts_with(kSecureWebSocket);
@@ -72,14 +74,30 @@ tl::expected<ConnectOptions, std::string> read_connect_options(const ConnectWord
     if (slash + 1 < address.size()) options.websocket.path = address.substr(slash);
     address = address.substr(0, slash);
   }
-  auto server = read_server_address("--connect", address);
-  if (!server) return tl::unexpected{server.error()};
-  options.server = *std::move(server);
+  std::vector<protocol::Endpoint> servers;
+  for (;;) {
+    const std::size_t comma = std::min(address.find(','), address.size());
+    auto server = read_server_address("--connect", address.substr(0, comma));
+    if (!server) return tl::unexpected{server.error()};
+    servers.push_back(*std::move(server));
+    if (comma == address.size()) break;
+    address.remove_prefix(comma + 1);
+  }
+  options.server = servers.front();
+  options.more_servers.assign(servers.begin() + 1, servers.end());
   auto token = read_token(words);
   if (!token) return tl::unexpected{token.error()};
   options.token = *std::move(token);
   options.tls.on = secure || words.tls.on || !words.tls.ca_file.empty() || !words.tls.server_name.empty();
   return options;
+}
+
+std::vector<client::ServerAddress> more_servers(const ConnectOptions& options) {
+  std::vector<client::ServerAddress> servers;
+  for (const protocol::Endpoint& server : options.more_servers) {
+    servers.push_back({server.host, std::to_string(server.port)});
+  }
+  return servers;
 }
 
 tl::expected<protocol::Endpoint, std::string> read_server_address(std::string_view option,

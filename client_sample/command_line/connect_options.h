@@ -3,6 +3,7 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include <tl/expected.hpp>
 
@@ -32,13 +33,17 @@ void add_connect_options(CLI::App& app, ConnectWords& words);
 
 struct ConnectOptions {
   protocol::Endpoint server;
-  std::string token;  // empty: none
+  std::vector<protocol::Endpoint> more_servers;  // of the same world
+  std::string token;                             // empty: none
   client::TlsOptions tls;
   client::WebSocketOptions websocket;
 };
 
 /// The error is one line that names the option.
 [[nodiscard]] tl::expected<ConnectOptions, std::string> read_connect_options(const ConnectWords& words);
+
+/// As the client library takes them.
+[[nodiscard]] std::vector<client::ServerAddress> more_servers(const ConnectOptions& options);
 
 /// HOST:PORT of a server that listens, so not port 0. The error names `option`.
 [[nodiscard]] tl::expected<protocol::Endpoint, std::string> read_server_address(std::string_view option,

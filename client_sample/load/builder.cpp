@@ -59,7 +59,8 @@ void Builder::joined(Time now) {
   send_due(now);
 }
 
-void Builder::disconnected(bool /*lost*/) {
+void Builder::disconnected(bool lost) {
+  if (lost && !lost_) lost_ = lost_since().value_or(Clock::now());
   open_.put_all_back();
 }
 
@@ -140,6 +141,7 @@ void Builder::take(const wire::Attached& attached) {
     return wrong(tally().bad_messages, "an Attached that no Attach asked for, or without its fields");
   }
   attach_ = Attach::done;
+  if (lost_) is_back(*std::exchange(lost_, std::nullopt));
   editor_ = {attached.editor()->low(), attached.editor()->high()};
   seen_revision_ = std::max(seen_revision_, attached.revision());
   // No more than its floor has voxels: none is written again before it is answered.

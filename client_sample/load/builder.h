@@ -61,6 +61,7 @@ class Builder final : public SimulatedClient {
   Time next_due_ = Time::max();
   Time hold_until_{};  // as the server asked
 
+  std::optional<Time> lost_;  // when its connection was, where it is not attached again
   Attach attach_ = Attach::wanted;
   edits::EditorId editor_;
   std::uint64_t seen_revision_ = 0;

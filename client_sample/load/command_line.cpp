@@ -144,6 +144,9 @@ void add_others(CLI::App& app, Options& options) {
   app.add_option("--threads", options.threads, "Number of threads of this program")
       ->check(CLI::Range(1U, 64U))
       ->capture_default_str();
+  app.add_flag("--groups-together", options.groups_together,
+               "Where --connect names several servers: all players of a group go to the same one; else each "
+               "goes to any");
   app.add_option("--from-addresses", options.from_addresses,
                  "Number of source addresses to connect from: 127.0.0.1 and the following")
       ->check(CLI::Range(1U, 65534U))

@@ -16,9 +16,9 @@ constexpr std::array kPercentiles{Percentile{"p50_ms", 0.5}, Percentile{"p95_ms"
                                   Percentile{"p99_ms", 0.99}, Percentile{"p99_9_ms", 0.999}};
 
 // Prefixes of the percentiles: all chunks, those of joins, those of travel, and so on.
-constexpr std::array kSpreads{"",           "join_",        "travel_", "request_", "first_chunk_",
-                              "full_view_", "horizon_",     "near_",   "return_",  "harness_late_",
-                              "edit_ack_",  "edit_arrival_"};
+constexpr std::array kSpreads{
+    "",      "join_",   "travel_", "request_",    "first_chunk_",  "full_view_", "horizon_",
+    "near_", "return_", "back_",   "full_again_", "harness_late_", "edit_ack_",  "edit_arrival_"};
 constexpr std::array kSingles{"bytes",
                               "chunks_per_s",
                               "bytes_per_s",
@@ -117,6 +117,8 @@ Figures figures_of(const RunResult& result) {
   put_spread(figures, "horizon_", players.horizon);
   put_spread(figures, "near_", players.near);
   put_spread(figures, "return_", players.returns);
+  put_spread(figures, "back_", players.back);
+  put_spread(figures, "full_again_", players.full_again);
   put_spread(figures, "harness_late_", result.lateness);
   put_spread(figures, "edit_ack_", players.edit_ack);
   put_spread(figures, "edit_arrival_", players.edit_arrival);

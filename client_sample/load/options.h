@@ -23,6 +23,7 @@ struct Options {
   std::uint64_t seed = 1;
   std::uint32_t threads = 1;
   std::uint32_t from_addresses = 1;
+  bool groups_together = false;  // all of a group go to one of several servers
 
   std::string model = "walk";
   PlayerMix mix;  // of `model`

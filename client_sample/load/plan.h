@@ -19,8 +19,9 @@ namespace talus::load {
 
 struct Plan {
   Options options;
-  asio::ip::tcp::endpoint server;
-  tls::Context tls;  // null: plain
+  asio::ip::tcp::endpoint server;                  // the first of them
+  std::vector<asio::ip::tcp::endpoint> servers{};  // of one world
+  tls::Context tls;                                // null: plain
   client::WorldInfo world;
   std::shared_ptr<const Trace> trace;  // where the mix has one
   std::vector<glm::dvec3> origins;     // where each group begins, on its ground

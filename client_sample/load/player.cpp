@@ -80,6 +80,7 @@ void Player::disconnected(bool lost) {
   near_.stop(now);
   record_near();
   if (lost && !lost_) lost_ = now;
+  if (lost && !lost_all_) lost_all_ = lost_since().value_or(now);
   for (const PendingChunks::Missed& missed : pending_.give_up()) {
     if (lost) record_missed(missed, now);
   }
@@ -262,6 +263,7 @@ void Player::arrive_near(ChunkCoord chunk, Time now, bool alone) {
 void Player::look_whether_full(Time now) {
   if (pending_.waiting() > 0) return;
   if (std::exchange(full_to_come_, false)) tally().full_view.record(now - full_since_);
+  if (lost_all_) tally().full_again.record(now - *std::exchange(lost_all_, std::nullopt));
   if (rings_.waiting() > 0) return;
   if (std::exchange(horizon_to_come_, false)) tally().horizon.record(now - full_since_);
 }

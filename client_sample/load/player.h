@@ -48,7 +48,8 @@ class Player final : public SimulatedClient {
   PendingChunks pending_;  // of level 0
   PendingRings rings_;
   NearWaits near_;
-  std::optional<Time> lost_;  // when its connection was, where its nearest rings have not come since
+  std::optional<Time> lost_;      // when its connection was, where its nearest rings have not come since
+  std::optional<Time> lost_all_;  // the same of its View
   bool first_to_come_ = false;
   bool full_to_come_ = false;
   bool horizon_to_come_ = false;

@@ -31,6 +31,7 @@ std::string waits_of(const RunResult& result) {
   rows += row("requests", players.requests) + row("first chunk", players.first_chunk) +
           row("full view", players.full_view) + row("full horizon", players.horizon) +
           row("two nearest rings", players.near) + row("returns after a loss", players.returns) +
+          row("  Pong, Attached", players.back) + row("  full view again", players.full_again) +
           row("edits acknowledged", players.edit_ack) + row("edits seen elsewhere", players.edit_arrival);
   if (rows.empty()) return "";
   return fmt::format("  {:<22}{:>11}{:>10}{:>10}{:>10}{:>10}{:>10}\n", "wait in ms", "count", "p50", "p95",
@@ -175,6 +176,8 @@ nlohmann::json tally_json(const Tally& tally) {
             {"horizon", spread_json(tally.horizon)},
             {"near", spread_json(tally.near)},
             {"return", spread_json(tally.returns)},
+            {"back", spread_json(tally.back)},
+            {"full_again", spread_json(tally.full_again)},
             {"edit_ack", spread_json(tally.edit_ack)},
             {"edit_arrival", spread_json(tally.edit_arrival)}}}};
 }

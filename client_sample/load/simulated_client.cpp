@@ -48,7 +48,10 @@ SimulatedClient::SimulatedClient(Worker& worker, const ClientProfile& profile)
     : worker_{worker},
       profile_{profile},
       random_{worker.plan().options.seed, profile.number},
-      link_{worker.io(), worker.scratch(), *this} {}
+      link_{worker.io(), worker.scratch(), *this},
+      server_{worker.plan().options.groups_together
+                  ? profile.group
+                  : Random{worker.plan().options.seed ^ 0x5E4, profile.number}.next()} {}
 
 Tally& SimulatedClient::tally() {
   return worker_.tally(profile_.role);
@@ -109,8 +112,8 @@ void SimulatedClient::connect(Time now) {
   const bool slow = profile_.role == Role::slow;
   read_due_ = slow ? now + kBetweenReads : Time::max();
   const Plan& plan = worker_.plan();
-  link_.open(
-      {plan.server, profile_.from, slow, plan.tls, plan.options.connect.tls, plan.options.connect.websocket});
+  link_.open({plan.servers[server_ % plan.servers.size()], profile_.from, slow, plan.tls,
+              plan.options.connect.tls, plan.options.connect.websocket});
 }
 
 void SimulatedClient::opened() {
@@ -140,6 +143,7 @@ void SimulatedClient::received(const wire::Message& message, std::size_t frame_b
     case wire::Body::GoAway: {
       const auto& away = *message.body_as_GoAway();
       close_reason_ = "GoAway";
+      if (!lost_) lost_ = Clock::now();  // from here on it gets nothing new
       retry_after_ = milliseconds{away.retry_after_ms()};
       return;
     }
@@ -150,6 +154,7 @@ void SimulatedClient::received(const wire::Message& message, std::size_t frame_b
     case wire::Body::EditBroadcast:
       return take(*message.body_as_EditBroadcast());
     case wire::Body::Pong:
+      if (awaits_pong_) is_back(*std::exchange(awaits_pong_, std::nullopt));
       return;
     default:
       wrong(tally().bad_messages, fmt::format("an unexpected {}", wire::EnumNameBody(message.body_type())));
@@ -174,7 +179,11 @@ void SimulatedClient::welcome(const wire::Welcome& welcome) {
   const bool churns = stay > 0 && is_player(profile_.role) && profile_.role != Role::idle && !finished_;
   cut_due_ = churns ? now + seconds(-stay * std::log(1 - random_.part())) : Time::max();
   ++tally().joins;
-  if (std::exchange(lost_, false)) ++tally().reconnects;
+  if (lost_) {
+    ++tally().reconnects;
+    ping_due_ = now;
+    awaits_pong_ = std::exchange(lost_, std::nullopt);
+  }
   if (backoff_) backoff_->reset();
   Live::add(worker_.live().joined, 1);
   joined(now);
@@ -186,6 +195,10 @@ void SimulatedClient::note_error(const wire::Error& error) {
   if (error.request_id() == 0) close_reason_ = std::string{"Error "} + wire::EnumNameErrorCode(error.code());
   if (error.request_id() == 0) retry_after_ = milliseconds{error.retry_after_ms()};
   take(error);
+}
+
+void SimulatedClient::is_back(Time lost) {
+  tally().back.record(Clock::now() - lost);
 }
 
 void SimulatedClient::read_done() {
@@ -208,9 +221,13 @@ void SimulatedClient::ended(const std::string& reason, bool broken) {
   if (is_player(profile_.role)) Live::add(worker_.live().troubles, 1);
   read_due_ = Time::max();
   if (was_joined) {
-    lost_ = true;
+    if (!lost_) lost_ = Clock::now();
     disconnected(true);
   }
+  awaits_pong_.reset();
+  // A wait that a server asks for is before one comes back to it, not to the next.
+  ++server_;
+  if (worker_.plan().servers.size() > 1) retry_after_ = {};
   reconnect_at(Clock::now() + back_off());
 }
 

@@ -66,9 +66,13 @@ class SimulatedClient : public LinkOwner {
   [[nodiscard]] Worker& worker() { return worker_; }
   [[nodiscard]] const Worker& worker() const { return worker_; }
   [[nodiscard]] Tally& tally();
+  /// Since when it has lost its connection, and not seen a Pong of the next one.
+  [[nodiscard]] std::optional<Time> lost_since() const { return lost_ ? lost_ : awaits_pong_; }
   [[nodiscard]] const ClientProfile& profile() const { return profile_; }
   [[nodiscard]] Random& random() { return random_; }
   [[nodiscard]] bool is_joined() const { return state_ == State::joined; }
+  /// Something that it had before its connection was lost is there again: its session, or its editor.
+  void is_back(Time lost);
   /// When it should have begun to connect.
   [[nodiscard]] Time join_due() const { return join_due_; }
   [[nodiscard]] std::uint32_t server_frame_bytes() const { return frame_bytes_; }
@@ -108,7 +112,9 @@ class SimulatedClient : public LinkOwner {
   Clock::duration ping_interval_{};
   std::chrono::milliseconds retry_after_{};
   std::optional<client::Backoff> backoff_;  // from the first failure on
-  bool lost_ = false;                       // and not joined since
+  std::size_t server_ = 0;                  // of the plan's
+  std::optional<Time> lost_;                // when its connection was, where it has not joined since
+  std::optional<Time> awaits_pong_;         // from when it was lost, the first since
   std::string close_reason_;
   std::uint32_t frame_bytes_ = 0;
   std::uint8_t codec_ = 0;

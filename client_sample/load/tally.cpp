@@ -24,6 +24,8 @@ void Tally::merge(const Tally& other) {
   horizon.merge(other.horizon);
   near.merge(other.near);
   returns.merge(other.returns);
+  back.merge(other.back);
+  full_again.merge(other.full_again);
   edit_ack.merge(other.edit_ack);
   edit_arrival.merge(other.edit_arrival);
   longest_without = std::max(longest_without, other.longest_without);

@@ -24,6 +24,8 @@ struct Tally {
   measure::Histogram horizon;      // the same, to the last chunk of its rings, too
   measure::Histogram near;         // from the scheduled time of a View until its two nearest rings were there
   measure::Histogram returns;      // from when a connection was lost until then
+  measure::Histogram back;         // from then, or GoAway, until Welcome and Pong, and until Attached
+  measure::Histogram full_again;   // from when it was lost to the last chunk of the View
   measure::Histogram edit_ack;     // from the scheduled time of an edit to its EditResult
   measure::Histogram edit_arrival;             // from there until another player of its place saw it
   std::chrono::nanoseconds longest_without{};  // any chunk, of one player that waited for some

@@ -141,8 +141,12 @@ asio::awaitable<void> look(asio::io_context& io, Plan& plan) {
       continue;
     }
     plan.server = endpoint;
+    plan.servers = {endpoint};
     plan.world = *world;
     break;
+  }
+  for (const protocol::Endpoint& more : options.connect.more_servers) {
+    plan.servers.push_back(resolver.resolve(more.host, std::to_string(more.port))->endpoint());
   }
   if (client.world() == nullptr || !client.connected()) {
     throw Failed{why.empty() ? "the server ended the connection right after Welcome" : why};

@@ -1,5 +1,7 @@
 #include "admin/operators_page.h"
 
+#include "net/balancer_state.h"
+
 namespace talus::server {
 
 http::Response answer_operator(const http::Request& request, const OperatorAnswers& answers) {
@@ -13,6 +15,10 @@ http::Response answer_operator(const http::Request& request, const OperatorAnswe
     return {503, http::kPlainText, "the main thread does not respond\n"};
   }
   if (path == "/-/ready") {
+    const std::string* const state = request.field(kBalancerStateField);
+    if (state != nullptr && answers.balancer_says) {
+      answers.balancer_says(*state, std::string{request.query()});
+    }
     const Readiness readiness = answers.ready();
     return {readiness.ready ? 200 : 503, http::kPlainText, readiness.text + "\n"};
   }

@@ -28,6 +28,8 @@ struct OperatorAnswers {
   /// Asked for kCheckpointPath, with the client's address; empty: there is no store to take.
   std::function<asio::awaitable<http::Response>(const http::Request&, const std::string& address)>
       checkpoint{};
+  /// What a balancer said in its check, and what the check's query is: net/balancer_state.h.
+  std::function<void(const std::string& state, const std::string& query)> balancer_says = {};
 };
 
 inline constexpr std::string_view kCheckpointPath = "/store/checkpoint";

@@ -137,9 +137,9 @@ tl::expected<TopCommand, Exit> read_top_command(int argc, const char* const* arg
   return command;
 }
 
-tl::expected<std::string, std::string> fetch_flows(const protocol::Endpoint& admin,
-                                                   std::chrono::milliseconds patience, Resolve resolve) {
-  const std::string where = fmt::format("http://{}/flows", to_string(admin));
+tl::expected<std::string, std::string> fetch_page(const protocol::Endpoint& admin, std::string_view path,
+                                                  std::chrono::milliseconds patience, Resolve resolve) {
+  const std::string where = fmt::format("http://{}{}", to_string(admin), path);
   const auto failed = [&](std::string_view why) {
     return tl::make_unexpected(fmt::format("{}: {}", where, why));
   };
@@ -154,7 +154,7 @@ tl::expected<std::string, std::string> fetch_flows(const protocol::Endpoint& adm
     stream.connect(address);
     if (stream) break;
   }
-  stream << "GET /flows HTTP/1.1\r\nHost: " << to_string(admin) << "\r\nConnection: close\r\n\r\n"
+  stream << "GET " << path << " HTTP/1.1\r\nHost: " << to_string(admin) << "\r\nConnection: close\r\n\r\n"
          << std::flush;
   std::string answer;
   for (std::array<char, 4096> part{}; stream && answer.size() <= kMaxAnswerBytes;) {

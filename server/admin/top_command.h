@@ -4,7 +4,9 @@
 #include <chrono>
 #include <functional>
 #include <string>
+#include <string_view>
 #include <system_error>
+#include <utility>
 #include <vector>
 
 #include <asio/ip/tcp.hpp>
@@ -32,10 +34,17 @@ using Resolve =
 [[nodiscard]] std::vector<asio::ip::tcp::endpoint> resolve_by_system(const protocol::Endpoint& host,
                                                                      std::error_code& failed);
 
-/// The page /flows of the server there, of printable text whoever answers. Waits for `patience` at most, also
-/// for names, and takes at most 1 MiB. An error is one line.
-[[nodiscard]] tl::expected<std::string, std::string> fetch_flows(
+/// A page of the server there, such as "/metrics", of printable text whoever answers. Waits for `patience` at
+/// most, also for names, and takes at most 1 MiB. An error is one line.
+[[nodiscard]] tl::expected<std::string, std::string> fetch_page(
+    const protocol::Endpoint& admin, std::string_view path,
+    std::chrono::milliseconds patience = std::chrono::seconds{5}, Resolve resolve = resolve_by_system);
+
+/// The page /flows.
+[[nodiscard]] inline tl::expected<std::string, std::string> fetch_flows(
     const protocol::Endpoint& admin, std::chrono::milliseconds patience = std::chrono::seconds{5},
-    Resolve resolve = resolve_by_system);
+    Resolve resolve = resolve_by_system) {
+  return fetch_page(admin, "/flows", patience, std::move(resolve));
+}
 
 }  // namespace talus::server

@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include <fmt/format.h>
 #include <asio/co_spawn.hpp>
 #include <asio/post.hpp>
 #include <asio/use_awaitable.hpp>
@@ -25,6 +26,7 @@
 #include "log/escape.h"
 #include "metrics/metrics_page.h"
 #include "metrics/process.h"
+#include "net/balancer_state.h"
 #include "net/descriptors.h"
 #include "net/refusal_reason.h"
 #include "rates/rate_kind.h"
@@ -116,6 +118,7 @@ Server::Server(const Config& config, std::shared_ptr<const terrain::World> world
       shutdown_signals_{io_->control(), SIGTERM, SIGINT},
       reload_signals_{io_->control(), SIGHUP},
       drain_timer_{io_->control()},
+      departures_{io_->control(), registry_, clock_},
       housekeeping_timer_{io_->control()},
       operators_{std::move(listeners.operators)} {
   if (edits_ != nullptr)
@@ -165,11 +168,11 @@ std::string Server::metrics_text() {
   gauges.flow_refusals = flows_.refusals();
   gauges.certificate_expires = certificate_expires_;
   if (edits_ != nullptr) {
-    gauges.cluster_joins = edits_->joins();
     if (const cluster::ClusterLog* const shared = edits_->shared()) {
       const cluster::ClusterLog::Status at = shared->status();
-      gauges.cluster = {at.connected, at.quorum,      at.differs, at.lag,
-                        at.sequence,  at.republished, at.gaps,    &shared->publish_latency()};
+      gauges.cluster = {at.connected,   at.quorum,      at.differs, at.lag,
+                        at.sequence,    at.republished, at.gaps,    &shared->publish_latency(),
+                        edits_->joins()};
     }
     const LocalLog::Status log = edits_->status();
     gauges.edits = {log.head.revision, edits_->preparing(), log.waiting, edits_->state().editor_count(),
@@ -222,6 +225,9 @@ void Server::run() {
                             [this] { return clock_.now() - last_housekeeping_.load() < kMaxSilence; },
                             [this] { return readiness(); }, [this] { return flows_report(); }};
     answers.checkpoint = checkpoints();
+    answers.balancer_says = [this](const std::string& state, const std::string& query) {
+      asio::post(io_->control(), [this, state, query] { balancer_says(state, query); });
+    };
     operators_->start(std::move(answers));
   }
   // Without any of these the server would not be one.
@@ -471,8 +477,13 @@ void Server::give_memory_back() {
 
 asio::awaitable<void> Server::wait_for_shutdown() {
   const int first = co_await shutdown_signals_.async_wait(asio::use_awaitable);
-  log_->info("{}: no new connections; {} are told to go away", first == SIGINT ? "SIGINT" : "SIGTERM",
-             admission_.connections());
+  const std::string_view signal = first == SIGINT ? "SIGINT" : "SIGTERM";
+  if (config_.shutdown.lead.count() == 0) {
+    log_->info("{}: no new connections; {} are told to go away", signal, admission_.connections());
+  } else {
+    log_->info("{}: not ready any more; {} connections, and new ones for {} ms", signal,
+               admission_.connections(), config_.shutdown.lead.count());
+  }
   drain();
   co_await shutdown_signals_.async_wait(asio::use_awaitable);
   log_->warn("a second signal: ending at once");
@@ -481,9 +492,22 @@ asio::awaitable<void> Server::wait_for_shutdown() {
 
 void Server::drain() {
   draining_ = true;
+  if (config_.shutdown.lead.count() == 0) return end_sessions();
+  drain_timer_.expires_after(config_.shutdown.lead);
+  drain_timer_.async_wait([this](std::error_code cancelled) {
+    if (!cancelled) end_sessions();
+  });
+}
+
+void Server::end_sessions() {
   acceptor_->close();
   if (web_acceptor_ != nullptr) web_acceptor_->close();
-  registry_.tell_all_to_go("the server is ending", retry_after::kShutdown);
+  if (config_.shutdown.lead.count() == 0) {
+    registry_.tell_all_to_go("the server is ending", retry_after::kShutdown);
+  } else {
+    log_->info("no new connections; {} are told to go to other servers", admission_.connections());
+    departures_.send_all(config_.shutdown.drain / 2);
+  }
   registry_.when_empty([this] { asio::post(io_->control(), [this] { io_->stop(); }); });
   drain_timer_.expires_after(config_.shutdown.drain);
   drain_timer_.async_wait([this](std::error_code cancelled) {
@@ -492,6 +516,16 @@ void Server::drain() {
                config_.shutdown.drain.count());
     io_->stop();
   });
+}
+
+void Server::balancer_says(const std::string& state, const std::string& query) {
+  if (draining_) return;
+  BalanceSettings settings = balance_settings(config_);
+  settings.above_percent = read_above_percent(query).value_or(settings.above_percent);
+  const std::size_t sent = departures_.balancer_says(state, settings);
+  if (sent == 0) return;
+  metrics_.sent_elsewhere.add(sent);
+  log_->info("balance: {} sessions are sent to other servers: {}", sent, on_one_line(state));
 }
 
 }  // namespace talus::server

@@ -34,6 +34,7 @@
 #include "metrics/metrics.h"
 #include "net/acceptor.h"
 #include "net/admission.h"
+#include "net/departures.h"
 #include "net/handshaker.h"
 #include "net/io_pool.h"
 #include "net/registry.h"
@@ -100,7 +101,11 @@ class Server {
   void collect_flows();
   /// Says when the store cannot be written, and when it can again, and counts its memory.
   void watch_edits();
+  /// Ready no more; accepts connections for shutdown.lead.
   void drain();
+  /// Accepts none any more, and sends everybody away.
+  void end_sessions();
+  void balancer_says(const std::string& state, const std::string& query);
   void stop_handling_signals();
   void end_operators();
 
@@ -144,6 +149,7 @@ class Server {
   asio::signal_set shutdown_signals_;
   asio::signal_set reload_signals_;
   asio::steady_timer drain_timer_;
+  Departures departures_;
   asio::steady_timer housekeeping_timer_;
   TrimPolicy trim_policy_;
   Clock::time_point last_look_at_memory_{};

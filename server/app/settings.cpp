@@ -73,10 +73,12 @@ RateLimits rate_limits(const Rates& config) {
     if (of_voxels.limited()) of_voxels.burst = std::max<std::uint64_t>(of_voxels.burst, edits::kMaxVoxels);
     return of_voxels;
   };
+  constexpr std::uint64_t kSavedUp = std::uint64_t{8} * 3'600;
+  const Rate editors{config.address_editors, config.address_editors * kSavedUp};
   return {{rate(config.session_chunks), rate(config.session_bytes), rate(config.session_requests),
            voxels(config.session_voxels)},
           {rate(config.address_chunks), rate(config.address_bytes), rate(config.address_requests),
-           voxels(config.address_voxels)},
+           voxels(config.address_voxels), editors},
           config.burst,
           rate(config.gateway_requests),
           voxels(config.gateway_voxels)};
@@ -99,6 +101,10 @@ HandshakeSettings web_handshake_settings(const Config& config) {
   HandshakeSettings settings = handshake_settings(config);
   settings.header_optional = true;
   return settings;
+}
+
+BalanceSettings balance_settings(const Config& config) {
+  return {config.balance.per_second, config.balance.above_percent, config.balance.session};
 }
 
 web::WebSettings web_settings(const Config& config) {

@@ -17,6 +17,7 @@
 #include "generation/patch_size.h"
 #include "memory/memory_budget.h"
 #include "net/admission.h"
+#include "net/departures.h"
 #include "net/handshaker.h"
 #include "net/session_runner.h"
 #include "rates/rates.h"
@@ -43,6 +44,7 @@ namespace talus::server {
 [[nodiscard]] HandshakeSettings handshake_settings(const Config& config);
 /// The same for the HTTP port.
 [[nodiscard]] HandshakeSettings web_handshake_settings(const Config& config);
+[[nodiscard]] BalanceSettings balance_settings(const Config& config);
 [[nodiscard]] web::WebSettings web_settings(const Config& config);
 /// Times of HTTP connections.
 [[nodiscard]] http::Service web_service(const Config& config, const Clock& clock, Logger log);

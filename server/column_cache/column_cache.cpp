@@ -15,6 +15,7 @@
 #include <talus/voxel/codec.h>
 
 #include "store/no_info_log.h"
+#include "store/regular_files.h"
 
 namespace talus::server {
 namespace {
@@ -113,6 +114,7 @@ tl::expected<void, std::string> ColumnCache::begin_anew() {
 }
 
 tl::expected<void, std::string> ColumnCache::open_database() {
+  if (auto regular = check_regular_files(settings_.path / "db"); !regular) return regular;
   rocksdb::DB* db = nullptr;
   const auto status = rocksdb::DB::Open(options_of(settings_), (settings_.path / "db").string(), &db);
   db_.reset(db);

@@ -38,7 +38,8 @@ tl::expected<Command, Exit> read_command_line(int argc, const char* const* argv,
       "A flag overrides a variable, a variable overrides the file, and the file overrides the default.\n"
       "\"talusd token --help\" explains how to make tokens for clients, \"talusd top --help\" how to see who "
       "uses most, \"talusd store --help\" how to back up what players built, \"talusd pregen\n"
-      "--help\" how to make land before they come.\n"
+      "--help\" how to make land before they come, \"talusd cluster --help\" how several servers share a "
+      "world.\n"
       "SIGTERM or SIGINT ends the server once pending answers are sent; a second signal ends it at once.\n"
       "Exit status: 0 success, 1 failure, 2 wrong flags, 75 start it again: its store was lost to the cluster.");
 

@@ -60,6 +60,7 @@ struct Rates {
   std::uint64_t address_requests = 16'384;
   std::uint64_t session_voxels = 65'536;
   std::uint64_t address_voxels = 524'288;
+  std::uint64_t address_editors = 512;      // an hour
   std::uint64_t gateway_requests = 65'536;  // of one session with the right "gateway", in place of the above
   std::uint64_t gateway_voxels = 4'194'304;
   std::uint64_t checkpoint_bytes = 64U << 20;  // to all servers that take the store
@@ -133,8 +134,17 @@ struct Generation {
 };
 
 struct Shutdown {
+  milliseconds lead{0};  // from the signal until no connection is accepted; 0: there is no other server
   milliseconds drain{5'000};
   bool operator==(const Shutdown&) const = default;
+};
+
+/// Among the servers behind a balancer that says how many players each has.
+struct Balance {
+  std::uint64_t per_second = 10;     // sessions that are sent elsewhere; 0: none
+  std::uint64_t above_percent = 10;  // of its share, by which this server may have more
+  milliseconds session{60'000};      // that is younger stays
+  bool operator==(const Balance&) const = default;
 };
 
 struct Log {
@@ -172,6 +182,7 @@ struct Config {
   Cache cache;
   Generation generation;
   Shutdown shutdown;
+  Balance balance;
   Log log;
   bool operator==(const Config&) const = default;
 };

@@ -231,6 +231,10 @@ const std::array kFields{
     Field{"rates.address_voxels", "voxels per second",
           "voxels that edits of all sessions of one address name; 0: no limit",
           number<&Config::rates, &Rates::address_voxels>(0, kMaxPerSecond)},
+    Field{"rates.address_editors", "editors per hour",
+          "editors that sessions of one address make, each of which is known for a day; an address saves up "
+          "eight hours of them; 0: no limit",
+          number<&Config::rates, &Rates::address_editors>(0, 65'536)},
     Field{"rates.gateway_requests", "requests per second",
           "requests accepted from one session with the right gateway, in place of session_requests and "
           "address_requests; 0: no limit",
@@ -265,8 +269,22 @@ const std::array kFields{
           "nothing",
           number<&Config::generation, &Generation::queue_chunks>(1, 16'777'216)},
 
+    Field{"shutdown.lead_ms", "ms",
+          "time from the signal that ends the server until it accepts no connection, so that the balancer "
+          "before several servers sends nobody here any more; 0: this server is alone",
+          duration<&Config::shutdown, &Shutdown::lead>(milliseconds{0}, kDay)},
     Field{"shutdown.drain_ms", "ms", "time for sending pending answers before the server ends",
           duration<&Config::shutdown, &Shutdown::drain>(milliseconds{0}, kDay)},
+
+    Field{
+        "balance.per_second", "sessions per second",
+        "sessions that are sent to other servers while the balancer says that this one has too many; 0: none",
+        number<&Config::balance, &Balance::per_second>(0, 100'000)},
+    Field{"balance.above_percent", "percent",
+          "by how much more than its share this server may have before it sends sessions away",
+          number<&Config::balance, &Balance::above_percent>(0, 1000)},
+    Field{"balance.session_ms", "ms", "a session that began less long ago is not sent away",
+          duration<&Config::balance, &Balance::session>(milliseconds{0}, kDay)},
 
     Field{"log.level", "", "lowest level that is logged",
           WordTarget{[](Config& c) -> std::string& { return c.log.level; }, kLevels}},
@@ -485,7 +503,7 @@ const Field* find_field(std::string_view key) {
 Counts counts(const Field& field) {
   const std::string_view key = field.key;
   if (key.starts_with("rates.") || key == "access.blocked_file" || key == "access.revoked_file" ||
-      key == "shutdown.drain_ms") {
+      key.starts_with("shutdown.") || key.starts_with("balance.")) {
     return Counts::at_once;
   }
   if (!(key.starts_with("limits.") || key.starts_with("edits.")) || key == "limits.memory_bytes" ||

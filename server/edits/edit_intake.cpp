@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <exception>
-#include <random>
 #include <utility>
 
 #include <fmt/format.h>
@@ -10,6 +9,7 @@
 #include <talus/protocol/message.h>
 
 #include "chunks/client_ids.h"
+#include "edits/random_editor.h"
 
 namespace talus::server {
 namespace {
@@ -23,12 +23,6 @@ constexpr int kMaxTries = 8;
 
 std::uint64_t number(ClientId client) {
   return static_cast<std::uint64_t>(client);
-}
-
-edits::EditorId random_editor() {
-  std::random_device device;
-  const auto half = [&] { return (std::uint64_t{device()} << 32) | device(); };
-  return {half(), half()};
 }
 
 /// Where there is no memory for it the session ends, and its client asks again.
@@ -155,6 +149,11 @@ void EditIntake::edit(const MailboxPtr& mailbox, EditRequest request) {
     called_ = true;
   }
   comes_.notify_one();
+}
+
+bool EditIntake::knows(edits::EditorId id, const std::string& subject) const {
+  const auto editor = id == edits::EditorId{} ? std::nullopt : parts_.editor(id);
+  return editor && editor->subject == subject;
 }
 
 void EditIntake::forget(ClientId client) {

@@ -85,6 +85,7 @@ class EditIntake final : public EditTaker {
   void attach(const MailboxPtr& mailbox, AttachRequest request) override;
   void edit(const MailboxPtr& mailbox, EditRequest request) override;
   void forget(ClientId client) override;
+  [[nodiscard]] bool knows(edits::EditorId id, const std::string& subject) const override;
   [[nodiscard]] bool settles() const override { return rules_.settles != nullptr; }
 
   /// Edits and Attaches that wait here. Any thread.

@@ -11,6 +11,9 @@
 namespace talus::server {
 namespace {
 
+/// Of a batch to a chunk: so many are made while readers wait for them.
+constexpr std::size_t kFewWrites = 256;
+
 std::size_t bytes_of_edited(const EditedChunk& chunk) {
   constexpr std::size_t kBytes = sizeof(edits::ChunkOverrides) + 32;
   return chunk.overrides == nullptr ? 0 : kBytes + chunk.overrides->size() * sizeof(Override);
@@ -21,7 +24,7 @@ std::size_t dirty_bytes_of(const EditedChunk& chunk) {
 
 EditedChunk edited_chunk(std::uint64_t revision, edits::ChunkOverrides overrides) {
   if (overrides.empty()) return {revision, nullptr};
-  return {revision, std::make_shared<const edits::ChunkOverrides>(std::move(overrides))};
+  return {revision, std::make_shared<edits::ChunkOverrides>(std::move(overrides))};
 }
 
 /// The voxels of a chunk that an edit wrote, as they are now; none where one of a coarser level is as
@@ -71,7 +74,7 @@ EditDatabase::Done EditState::replay() {
   for (auto& [key, chunk] : replay.take_chunks()) {
     index_.raise(key, chunk.revision);
     index_.raise_column(key, chunk.revision);
-    put_dirty(key, edited_chunk(chunk.revision, std::move(chunk.overrides)));
+    put_dirty(dirty_[key], edited_chunk(chunk.revision, std::move(chunk.overrides)));
   }
   editors_ = replay.take_editors();
   dirty_editors_ = replay.take_dirty_editors();
@@ -86,7 +89,10 @@ tl::expected<EditedChunk, std::string> EditState::load(ChunkKey key) const {
   if (wanted == 0) return EditedChunk{};
   {
     const std::shared_lock lock{dirty_mutex_};
-    if (const auto found = dirty_.find(key); found != dirty_.end()) return found->second;
+    if (const auto found = dirty_.find(key); found != dirty_.end()) {
+      found->second.is_shared.store(true, std::memory_order_relaxed);  // the lock orders it
+      return found->second.chunk;
+    }
   }
   if (const auto cached = cache_.find(key); cached && cached->revision >= wanted) return *cached;
   auto stored = database_.chunk(key);
@@ -129,13 +135,17 @@ std::size_t EditState::editor_count() const {
 std::vector<ChunkChange> EditState::commit(edits::Batch&& batch) {
   std::vector<ChunkChange> changed;
   std::unordered_map<ChunkKey, std::size_t> places;  // in `changed`
+  changed.reserve(batch.chunks().size());
+  places.reserve(batch.chunks().size());
   std::vector<RecentChanges::Change> recent;
+  recent.reserve(batch.applied().size());
   for (const edits::Applied& applied : batch.applied()) {
     for (std::size_t i = 0; i < applied.writes.size(); ++i) {
       const ChunkKey key = applied.writes[i].key;
       const auto [place, added] = places.try_emplace(key, changed.size());
       if (added) {
-        const std::uint64_t before = index_.revision(key);
+        const EditedChunk* const held = dirty(key);
+        const std::uint64_t before = held != nullptr ? held->revision : index_.revision(key);
         changed.push_back({key, before, before});
       }
       ChunkChange& change = changed[place->second];
@@ -156,12 +166,7 @@ std::vector<ChunkChange> EditState::commit(edits::Batch&& batch) {
     }
   }
   // Overrides first, then the index: who sees a revision there gets it.
-  {
-    const std::lock_guard lock{dirty_mutex_};
-    for (auto& [key, overrides] : std::move(batch).take_chunks()) {
-      put_dirty(key, edited_chunk(changed[places.at(key)].revision, std::move(overrides)));
-    }
-  }
+  write_overrides(batch.chunks(), changed);
   recent_.add(std::move(recent));
   for (const ChunkChange& change : changed) index_.raise(change.key, change.revision);
   for (const ChunkChange& change : changed) index_.raise_column(change.key, change.revision);
@@ -169,11 +174,49 @@ std::vector<ChunkChange> EditState::commit(edits::Batch&& batch) {
   return changed;
 }
 
-void EditState::put_dirty(ChunkKey key, EditedChunk chunk) {
-  EditedChunk& held = dirty_[key];
-  if (held.revision != 0) dirty_bytes_ -= dirty_bytes_of(held);
+void EditState::write_overrides(const std::unordered_map<ChunkKey, edits::StagedChunk>& staged,
+                                std::span<const ChunkChange> changed) {
+  // What is copied, or takes its time, is done before anybody waits for the lock.
+  std::vector<EditedChunk> made(changed.size());
+  for (std::size_t i = 0; i < changed.size(); ++i) {
+    const edits::StagedChunk& chunk = staged.at(changed[i].key);
+    const auto held = dirty_.find(changed[i].key);
+    const bool in_place = held != dirty_.end() && is_own(held->second) && chunk.writes.size() <= kFewWrites;
+    if (!in_place) made[i] = edited_chunk(changed[i].revision, chunk.after());
+  }
+  const std::lock_guard lock{dirty_mutex_};
+  for (std::size_t i = 0; i < changed.size(); ++i) {
+    Dirty& held = dirty_[changed[i].key];
+    const edits::StagedChunk& chunk = staged.at(changed[i].key);
+    if (made[i].revision != 0) {
+      put_dirty(held, std::move(made[i]));
+    } else if (is_own(held)) {
+      write_in_place(held, chunk, changed[i].revision);
+    } else {  // somebody read it meanwhile
+      put_dirty(held, edited_chunk(changed[i].revision, chunk.after()));
+    }
+  }
+}
+
+bool EditState::is_own(const Dirty& held) {
+  return held.chunk.overrides != nullptr && !held.is_shared.load(std::memory_order_relaxed);
+}
+
+void EditState::write_in_place(Dirty& held, const edits::StagedChunk& staged, std::uint64_t revision) {
+  dirty_bytes_ -= dirty_bytes_of(held.chunk);
+  // Made by edited_chunk(), and nobody else has it.
+  const auto overrides = std::const_pointer_cast<edits::ChunkOverrides>(held.chunk.overrides);
+  overrides->apply(staged.writes);
+  held.chunk.revision = revision;
+  if (overrides->empty()) held.chunk.overrides = nullptr;
+  dirty_bytes_ += dirty_bytes_of(held.chunk);
+}
+
+void EditState::put_dirty(Dirty& held, EditedChunk chunk) {
+  if (held.chunk.revision != 0) dirty_bytes_ -= dirty_bytes_of(held.chunk);
   dirty_bytes_ += dirty_bytes_of(chunk);
-  held = std::move(chunk);
+  held.chunk = std::move(chunk);
+  held.is_shared.store(false, std::memory_order_relaxed);
 }
 
 std::vector<ChunkKey> EditState::dirty_chunks() const {
@@ -191,15 +234,16 @@ std::vector<edits::EditorId> EditState::take_dirty_editors() {
 
 const EditedChunk* EditState::dirty(ChunkKey key) const {
   const auto found = dirty_.find(key);
-  return found == dirty_.end() ? nullptr : &found->second;
+  return found == dirty_.end() ? nullptr : &found->second.chunk;
 }
 
 void EditState::mark_clean(ChunkKey key, std::uint64_t revision) {
   const std::lock_guard lock{dirty_mutex_};
   const auto found = dirty_.find(key);
-  if (found == dirty_.end() || found->second.revision != revision) return;
-  dirty_bytes_ -= dirty_bytes_of(found->second);
-  cache_.put(key, found->second, bytes_of_edited(found->second));
+  if (found == dirty_.end() || found->second.chunk.revision != revision) return;
+  const EditedChunk& chunk = found->second.chunk;
+  dirty_bytes_ -= dirty_bytes_of(chunk);
+  cache_.put(key, chunk, bytes_of_edited(chunk));
   dirty_.erase(found);
 }
 

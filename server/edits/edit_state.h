@@ -81,7 +81,19 @@ class EditState final : public AppliedEdits {
  private:
   EditState(EditDatabase& database, const EditStateSettings& settings);
   [[nodiscard]] EditDatabase::Done replay();
-  void put_dirty(ChunkKey key, EditedChunk chunk);
+
+  struct Dirty {
+    EditedChunk chunk;
+    mutable std::atomic<bool> is_shared{false};  // others may read these overrides
+  };
+  void put_dirty(Dirty& held, EditedChunk chunk);
+  /// Makes the overrides those of the batch; `changed` has each of its chunks.
+  void write_overrides(const std::unordered_map<ChunkKey, edits::StagedChunk>& staged,
+                       std::span<const ChunkChange> changed);
+  /// Whether the chunk's overrides may be written where they are.
+  [[nodiscard]] static bool is_own(const Dirty& held);
+  /// Writes there; under the lock.
+  void write_in_place(Dirty& held, const edits::StagedChunk& staged, std::uint64_t revision);
 
   EditDatabase& database_;
   EditStateSettings settings_;
@@ -89,7 +101,7 @@ class EditState final : public AppliedEdits {
   RecentChanges recent_;
   mutable ShardedCache<ChunkKey, EditedChunk> cache_;
   mutable std::shared_mutex dirty_mutex_;
-  std::unordered_map<ChunkKey, EditedChunk> dirty_;  // the log's thread reads it without the lock
+  std::unordered_map<ChunkKey, Dirty> dirty_;  // the log's thread reads it without the lock
   std::size_t dirty_bytes_ = 0;
   edits::Head head_;
   std::atomic<std::uint64_t> revision_{0};  // the head's

@@ -37,6 +37,8 @@ class EditTaker {
   virtual void edit(const MailboxPtr& mailbox, EditRequest request) = 0;
   /// The session is gone: what of its edits is not logged yet will not be.
   virtual void forget(ClientId client) = 0;
+  /// Whether who attaches as `editor` with a token of that subject goes on as it, or is another from then on.
+  [[nodiscard]] virtual bool knows(edits::EditorId editor, const std::string& subject) const = 0;
   /// Whether edits may change more voxels than they name, as loose material slides.
   [[nodiscard]] virtual bool settles() const = 0;
 };

@@ -1,25 +1,21 @@
 #include "edits/replay.h"
 
-#include <algorithm>
+#include <string>
 #include <utility>
 
-#include <talus/edits/staging.h>
-
 namespace talus::server {
+
+Replay::Replay(const EditDatabase& database, const ChunkIndex& index)
+    : chunks_{[&](ChunkKey key) -> tl::expected<std::optional<StoredChunk>, std::string> {
+        if (index.revision(key) == 0) return std::nullopt;
+        auto stored = database.chunk(key);
+        if (stored && !*stored) return tl::unexpected{"chunk " + to_string(key) + " is missing"};
+        return stored;
+      }} {}
 
 void Replay::start(edits::EditorId id, StoredEditor&& stored) {
   positions_.emplace(id, stored.position);
   editors_.put(id, std::move(stored.editor));
-}
-
-Replay::Chunk* Replay::chunk_for(ChunkKey key) {
-  const auto [at, added] = chunks_.try_emplace(key);
-  if (!added) return &at->second;
-  if (index_.revision(key) == 0) return &at->second;
-  auto stored = database_.chunk(key);
-  if (!stored || !*stored) return nullptr;
-  at->second = {(*stored)->revision, edits::ChunkOverrides{std::move((*stored)->voxels)}};
-  return &at->second;
 }
 
 bool Replay::apply(const LogRecord& record) {
@@ -27,14 +23,7 @@ bool Replay::apply(const LogRecord& record) {
   if (revision_ && record.revision != *revision_ + (changed ? 1 : 0)) return false;
   revision_ = record.revision;
   apply_to_editors(record);
-  for (const edits::ChunkWrites& writes : edits::writes_at_all_levels(record.changes)) {
-    Chunk* const chunk = chunk_for(writes.key);
-    if (chunk == nullptr) return false;
-    if (chunk->revision >= record.revision) continue;  // it was written after this record
-    chunk->overrides.apply(writes.writes);
-    chunk->revision = record.revision;
-  }
-  return true;
+  return chunks_.apply(record).has_value();
 }
 
 void Replay::apply_to_editors(const LogRecord& record) {

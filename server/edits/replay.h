@@ -11,35 +11,29 @@
 
 #include "edits/chunk_index.h"
 #include "store/edit_database.h"
+#include "store/replayed_chunks.h"
 
 namespace talus::server {
 
 class Replay {
  public:
   /// `index` has the revisions of the database's chunks. Both outlive this.
-  Replay(const EditDatabase& database, const ChunkIndex& index) : database_{database}, index_{index} {}
+  Replay(const EditDatabase& database, const ChunkIndex& index);
 
   /// An editor of the database. All of them before the first record.
   void start(edits::EditorId id, StoredEditor&& stored);
   /// False where the record does not fit to those before it, or a chunk cannot be read.
   [[nodiscard]] bool apply(const LogRecord& record);
 
-  struct Chunk {
-    std::uint64_t revision = 0;
-    edits::ChunkOverrides overrides;
-  };
-  [[nodiscard]] std::unordered_map<ChunkKey, Chunk> take_chunks() { return std::move(chunks_); }
+  [[nodiscard]] std::unordered_map<ChunkKey, ReplayedChunks::Chunk> take_chunks() { return chunks_.take(); }
   [[nodiscard]] edits::Editors take_editors() { return std::move(editors_); }
   /// Those that the database has otherwise, or has and should not.
   [[nodiscard]] std::unordered_set<edits::EditorId> take_dirty_editors() { return std::move(dirty_editors_); }
 
  private:
   void apply_to_editors(const LogRecord& record);
-  [[nodiscard]] Chunk* chunk_for(ChunkKey key);
 
-  const EditDatabase& database_;
-  const ChunkIndex& index_;
-  std::unordered_map<ChunkKey, Chunk> chunks_;
+  ReplayedChunks chunks_;
   edits::Editors editors_;
   std::unordered_map<edits::EditorId, std::uint64_t>
       positions_;  // up to which entry the database has an editor

@@ -19,8 +19,8 @@
 namespace talus::server {
 
 struct StoreWriterSettings {
-  std::size_t flush_bytes = std::size_t{4} << 20U;  // of what is not flushed
-  std::chrono::milliseconds flush_interval{1'000};
+  std::size_t flush_bytes = std::size_t{8} << 20U;  // of what is not flushed
+  std::chrono::milliseconds flush_interval{4'000};
   std::chrono::milliseconds retry_interval{1'000};       // between syncs, too, where batches are not
   std::uint64_t free_bytes = std::uint64_t{256} << 20U;  // of the disk: with less no edits are taken
 };

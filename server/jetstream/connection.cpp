@@ -125,6 +125,7 @@ struct Connection::Callbacks {
       of.denied = what;
       of.denied_at = Clock::now();
     }
+    of.was_denied.notify_all();
     if (of.events) of.events->denied(what);
   }
   static natsStatus sign(char** error_text, unsigned char** signature, int* signature_length,
@@ -279,13 +280,15 @@ tl::expected<NatsMessage, StreamFailure> Connection::request(const std::string& 
 
 tl::expected<Connection::Ack, StreamFailure> Connection::publish(const std::string& subject,
                                                                  std::span<const std::byte> bytes,
-                                                                 std::chrono::milliseconds patience) {
+                                                                 std::chrono::milliseconds patience,
+                                                                 Only only) {
   if (!connected()) return tl::unexpected{unavailable("no connection to NATS")};
   const SignalsBlocked blocked;
   const auto began = Clock::now();
   jsPubOptions options{};
   jsPubOptions_Init(&options);
   options.MaxWait = patience.count();
+  options.ExpectNoMessage = only == Only::as_first;
   jsPubAck* made = nullptr;
   jsErrCode code{};
   const natsStatus status = js_Publish(&made, context_.get(), subject.c_str(), bytes.data(),
@@ -295,6 +298,29 @@ tl::expected<Connection::Ack, StreamFailure> Connection::publish(const std::stri
   return Ack{ack->Stream == nullptr ? "" : ack->Stream, ack->Sequence};
 }
 
+tl::expected<void, StreamFailure> Connection::try_publish(const std::string& subject,
+                                                          std::chrono::milliseconds patience) {
+  if (!connected()) return tl::unexpected{unavailable("no connection to NATS")};
+  const SignalsBlocked blocked;
+  const auto began = Clock::now();
+  jsPubOptions options{};
+  jsPubOptions_Init(&options);
+  options.MaxWait = patience.count();
+  options.ExpectLastSeq = std::uint64_t{1} << 62U;  // which no stream reaches: its leader refuses the message
+  jsErrCode code{};
+  const natsStatus status = js_Publish(nullptr, context_.get(), subject.c_str(), nullptr, 0, &options, &code);
+  if (status == NATS_ERR && code == JSStreamWrongLastSequenceErr) return {};
+  if (status == NATS_OK)
+    return tl::unexpected{StreamFailure{StreamFailure::Kind::refused, "it was stored nevertheless"}};
+  return tl::unexpected{failure_of(status, began, subject)};
+}
+
+tl::expected<void, StreamFailure> Connection::flush(std::chrono::milliseconds patience) {
+  const natsStatus status = natsConnection_FlushTimeout(connection_.get(), patience.count());
+  if (status != NATS_OK) return tl::unexpected{unavailable(fmt::format("NATS: {}", last_words(status)))};
+  return {};
+}
+
 std::int64_t Connection::max_payload() const {
   return natsConnection_GetMaxPayload(connection_.get());
 }
@@ -302,6 +328,12 @@ std::int64_t Connection::max_payload() const {
 std::string Connection::denied_since(Clock::time_point since) const {
   const std::lock_guard lock{link_->mutex};
   return link_->denied_at >= since ? link_->denied : std::string{};
+}
+
+std::string Connection::await_denial(Clock::time_point since, std::chrono::milliseconds patience) const {
+  std::unique_lock lock{link_->mutex};
+  const bool denied = link_->was_denied.wait_for(lock, patience, [&] { return link_->denied_at >= since; });
+  return denied ? link_->denied : std::string{};
 }
 
 }  // namespace talus::server::jetstream

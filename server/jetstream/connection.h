@@ -3,6 +3,7 @@
 
 #include <atomic>
 #include <chrono>
+#include <condition_variable>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -91,13 +92,23 @@ class Connection {
     std::string stream;
     std::uint64_t sequence = 0;
   };
+  enum class Only : std::uint8_t { always, as_first };  // as_first: refused where the stream has a message
   [[nodiscard]] tl::expected<Ack, StreamFailure> publish(const std::string& subject,
                                                          std::span<const std::byte> bytes,
-                                                         std::chrono::milliseconds patience);
-  /// What the connected server calls itself: "n1", and its version and largest message.
+                                                         std::chrono::milliseconds patience,
+                                                         Only only = Only::always);
+  /// Whether publish() to the subject would come through; the stream stays as it is.
+  [[nodiscard]] tl::expected<void, StreamFailure> try_publish(const std::string& subject,
+                                                              std::chrono::milliseconds patience);
+  /// Returns when the server has done all that was sent before.
+  [[nodiscard]] tl::expected<void, StreamFailure> flush(std::chrono::milliseconds patience);
+  /// Of the connected server.
   [[nodiscard]] std::int64_t max_payload() const;
   /// The last permission that was missing, where that was after `since`; else empty.
   [[nodiscard]] std::string denied_since(std::chrono::steady_clock::time_point since) const;
+  /// The same; waits for it so long, as refusals come late.
+  [[nodiscard]] std::string await_denial(std::chrono::steady_clock::time_point since,
+                                         std::chrono::milliseconds patience) const;
 
  private:
   /// What libnats' threads know of it. It lives until they are done with it.
@@ -106,6 +117,7 @@ class Connection {
     std::shared_ptr<ConnectionEvents> events;
     std::atomic<bool> connected{false};
     mutable std::mutex mutex;
+    mutable std::condition_variable was_denied;
     std::string denied;
     std::chrono::steady_clock::time_point denied_at{};
   };

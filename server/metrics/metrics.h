@@ -29,6 +29,7 @@ struct Metrics {
   Counter tls_late;
   Gauge open;
   Gauge greeted;                   // of those open
+  Counter sent_elsewhere;          // sessions, as this server had more than its share
   Gauge web_open;                  // of HTTP; those that became streams are among `open`
   LabelledCounters web_responses;  // by the first digit of their status
   Counter received_bytes;

@@ -11,7 +11,7 @@ namespace {
 
 using Source = MetricSources;
 using Samples = std::vector<Sample>;
-using Cluster = RuntimeGauges::Cluster;
+using ClusterGauges = RuntimeGauges::Cluster;
 using enum MetricType;
 
 Sample labelled(const char* label, double value) {
@@ -151,19 +151,21 @@ const std::array kRows{
     MetricRow{"talus_checkpoints_refused_total", "Requests for a checkpoint that were refused: a wrong token, or enough are sent already.", counter, {}, &Metrics::checkpoints_refused},
     MetricRow{"talus_checkpoint_bytes_sent_total", "Bytes of checkpoints sent.", counter, {}, &Metrics::checkpoint_bytes_sent},
     MetricRow{"talus_checkpoints_open", "Checkpoints that are being made or sent.", gauge, {}, &Metrics::checkpoints_open},
-    MetricRow{"talus_cluster_connected", "1 while a NATS server is connected, else 0. This and what follows of the cluster is absent where the server is alone.", gauge, {}, of_cluster<&Cluster::connected>},
-    MetricRow{"talus_cluster_quorum", "1 while the shared log has a leader that answers and takes edits, else 0.", gauge, {}, of_cluster<&Cluster::quorum>},
-    MetricRow{"talus_cluster_lag_messages", "Messages of the shared log that are not applied here yet, by what its leader said last.", gauge, {}, of_cluster<&Cluster::lag>},
-    MetricRow{"talus_cluster_sequence", "The last message of the shared log that is applied here.", gauge, {}, of_cluster<&Cluster::sequence>},
+    MetricRow{"talus_cluster_connected", "1 while a NATS server is connected, else 0. This and what follows of the cluster is absent where the server is alone.", gauge, {}, of_cluster<&ClusterGauges::connected>},
+    MetricRow{"talus_cluster_quorum", "1 while the shared log has a leader that answers and takes edits, else 0.", gauge, {}, of_cluster<&ClusterGauges::quorum>},
+    MetricRow{"talus_cluster_lag_messages", "Messages of the shared log that are not applied here yet, by what its leader said last.", gauge, {}, of_cluster<&ClusterGauges::lag>},
+    MetricRow{"talus_cluster_sequence", "The last message of the shared log that is applied here.", gauge, {}, of_cluster<&ClusterGauges::sequence>},
     MetricRow{"talus_cluster_publish_seconds", "Of a message: from when it is first published to when a majority has it.", histogram, {}, cluster_publishing},
-    MetricRow{"talus_cluster_republished_total", "Times a message was published again, as it was not acknowledged.", counter, {}, of_cluster<&Cluster::republished>},
-    MetricRow{"talus_cluster_gaps_total", "Times messages were missing in what came by itself, and were asked for.", counter, {}, of_cluster<&Cluster::gaps>},
-    MetricRow{"talus_cluster_state_differs", "1 while this server's state and another's differ at one revision, else 0.", gauge, {}, of_cluster<&Cluster::differs>},
-    MetricRow{"talus_cluster_joins_total", "Checkpoints of other servers' stores that were taken at this start.", counter, {}, &RuntimeGauges::cluster_joins},
+    MetricRow{"talus_cluster_republished_total", "Times a message was published again, as it was not acknowledged.", counter, {}, of_cluster<&ClusterGauges::republished>},
+    MetricRow{"talus_cluster_gaps_total", "Times messages were missing in what came by itself, and were asked for.", counter, {}, of_cluster<&ClusterGauges::gaps>},
+    MetricRow{"talus_cluster_state_differs", "1 while this server's state and another's differ at one revision, else 0.", gauge, {}, of_cluster<&ClusterGauges::differs>},
+    MetricRow{"talus_cluster_joins_total", "Checkpoints of other servers' stores that were taken at this start.", counter, {}, of_cluster<&ClusterGauges::joins>},
     MetricRow{"talus_draining", "1 from the signal that ends the server until it ends, else 0.", gauge, {}, draining},
 
     MetricRow{"talus_sessions", "Open connections, by state.", gauge, {"state"}, sessions},
     MetricRow{"talus_connections_total", "Connections admitted.", counter, {}, &Metrics::accepted},
+    MetricRow{"talus_sessions_sent_elsewhere_total", "Sessions sent to other servers, as this one had more than its share.",
+              counter, {}, &Metrics::sent_elsewhere},
     MetricRow{"talus_connections_refused_total", "Connections refused before they had a session, by reason.", counter,
               {"reason"}, LabelledMetric{&Metrics::refused, &MetricLabels::refusals}},
     MetricRow{"talus_http_connections", "Open HTTP connections of players, without those that became streams.", gauge, {},

@@ -44,6 +44,7 @@ struct RuntimeGauges {
     std::uint64_t republished = 0;
     std::uint64_t gaps = 0;
     const LatencyHistogram* publishing = nullptr;
+    std::uint64_t joins = 0;  // checkpoints of other servers' stores that were taken at this start
   };
   std::optional<Cluster> cluster{};  // none: this server is alone
   struct Columns {
@@ -54,7 +55,6 @@ struct RuntimeGauges {
     std::uint64_t bytes = 0;
   };
   std::optional<Columns> columns{};  // none: none are kept on disk
-  std::uint64_t cluster_joins = 0;   // checkpoints of peers that were taken for the store
 };
 
 /// Names of the values that modules count by, in the order of their enums. A value with an empty name is left

@@ -79,7 +79,8 @@ void Admission::leave(const asio::ip::address& counted) {
   --connections_;
   Address& here = by_address_.at(counted);
   if (--here.connections == 0) {
-    here.forget_at = clock_.now() + limits_.memory;
+    const auto now = clock_.now();
+    here.forget_at = now + std::max<Clock::duration>(limits_.memory, here.rates->editors_full_in(now));
     if (!std::exchange(here.listed, true)) left_.push_back(counted);
   }
   forget();

@@ -1,15 +1,35 @@
 #include "net/registry.h"
 
+#include <limits>
 #include <utility>
 
 namespace talus::server {
+namespace {
+
+constexpr std::size_t kEverybody = std::numeric_limits<std::size_t>::max();
+
+}  // namespace
+
+template <typename Which>
+std::vector<std::shared_ptr<Peer>> Registry::leave(std::size_t most, Which which) {
+  std::vector<std::shared_ptr<Peer>> leaving;
+  for (auto& [id, entry] : peers_) {
+    if (leaving.size() >= most) break;
+    if (entry.told || !which(entry.session_since)) continue;
+    auto peer = entry.peer.lock();
+    if (peer == nullptr) continue;
+    entry.told = true;
+    leaving.push_back(std::move(peer));
+  }
+  return leaving;
+}
 
 void Registry::add(ConnectionId id, const std::shared_ptr<Peer>& peer) {
   std::optional<Farewell> farewell;
   {
     const std::lock_guard lock{mutex_};
-    peers_.insert_or_assign(id, peer);
     farewell = farewell_;
+    peers_.insert_or_assign(id, Entry{peer, peer->session_since(), farewell.has_value()});
   }
   if (farewell) peer->go_away(farewell->reason, farewell->retry_after);
 }
@@ -34,9 +54,38 @@ void Registry::tell_all_to_go(const std::string& reason, std::chrono::millisecon
   {
     const std::lock_guard lock{mutex_};
     farewell_ = Farewell{reason, retry_after};
-    peers = open();
+    peers = leave(kEverybody, [](const auto&) { return true; });
   }
   for (const auto& peer : peers) peer->go_away(reason, retry_after);
+}
+
+void Registry::tell_others_to_go(const std::string& reason) {
+  std::vector<std::shared_ptr<Peer>> peers;
+  {
+    const std::lock_guard lock{mutex_};
+    peers = leave(kEverybody, [](const auto& since) { return !since; });
+  }
+  for (const auto& peer : peers) peer->go_away(reason, {});
+}
+
+std::size_t Registry::tell_to_go(std::size_t most, Clock::time_point began_before, const std::string& reason,
+                                 std::chrono::milliseconds retry_after) {
+  std::vector<std::shared_ptr<Peer>> peers;
+  {
+    const std::lock_guard lock{mutex_};
+    peers = leave(most, [&](const auto& since) { return since && *since < began_before; });
+  }
+  for (const auto& peer : peers) peer->go_away(reason, retry_after);
+  return peers.size();
+}
+
+Registry::Sessions Registry::sessions() const {
+  Sessions sessions;
+  const std::lock_guard lock{mutex_};
+  for (const auto& [id, entry] : peers_) {
+    if (entry.session_since) ++(entry.told ? sessions.leaving : sessions.staying);
+  }
+  return sessions;
 }
 
 void Registry::access_changed() {
@@ -51,17 +100,11 @@ void Registry::tell_all(void (Peer::*what)()) {
   std::vector<std::shared_ptr<Peer>> peers;
   {
     const std::lock_guard lock{mutex_};
-    peers = open();
+    for (const auto& [id, entry] : peers_) {
+      if (auto alive = entry.peer.lock()) peers.push_back(std::move(alive));
+    }
   }
   for (const auto& peer : peers) ((*peer).*what)();
-}
-
-std::vector<std::shared_ptr<Peer>> Registry::open() const {
-  std::vector<std::shared_ptr<Peer>> peers;
-  for (const auto& [id, peer] : peers_) {
-    if (auto alive = peer.lock()) peers.push_back(std::move(alive));
-  }
-  return peers;
 }
 
 void Registry::when_empty(std::function<void()> empty) {

@@ -2,24 +2,29 @@
 #pragma once
 
 #include <chrono>
+#include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <memory>
 #include <mutex>
 #include <optional>
 #include <string>
-#include <unordered_map>
 #include <vector>
+
+#include "clock/clock.h"
 
 namespace talus::server {
 
-/// Never used twice in one process.
+/// Never used twice in one process: later connections have greater ones.
 using ConnectionId = std::uint64_t;
 
 /// What the server says to a connection, whatever its stream and protocol are.
 class Peer {
  public:
   virtual ~Peer() = default;
+  /// Since when a player is on it; none: it has no session.
+  [[nodiscard]] virtual std::optional<Clock::time_point> session_since() const = 0;
   /// From any thread: says so and closes when what was asked is answered.
   virtual void go_away(const std::string& reason, std::chrono::milliseconds retry_after) = 0;
   /// From any thread: the lists of revoked tokens and of blocked flows have changed, and it may be on one.
@@ -36,8 +41,19 @@ class Registry {
   void remove(ConnectionId id);
   [[nodiscard]] bool empty() const;
 
-  /// Tells all peers to go away, and those that are added from now on.
+  /// Tells all peers to go away that were not told yet, and those that are added from now on.
   void tell_all_to_go(const std::string& reason, std::chrono::milliseconds retry_after);
+  /// Tells those without a session.
+  void tell_others_to_go(const std::string& reason);
+  /// Tells at most so many sessions that began before then and were not told yet, the longest connected
+  /// first: who came last, perhaps sent here by another server, is the last to be sent on. Returns how many.
+  std::size_t tell_to_go(std::size_t most, Clock::time_point began_before, const std::string& reason,
+                         std::chrono::milliseconds retry_after);
+  struct Sessions {
+    std::size_t staying = 0;
+    std::size_t leaving = 0;  // told to go, and still here
+  };
+  [[nodiscard]] Sessions sessions() const;
 
   /// Tells all peers.
   void access_changed();
@@ -52,12 +68,19 @@ class Registry {
     std::chrono::milliseconds retry_after;
   };
 
+  struct Entry {
+    std::weak_ptr<Peer> peer;
+    std::optional<Clock::time_point> session_since;
+    bool told = false;  // to go
+  };
+
   void tell_all(void (Peer::*what)());
-  /// Under the mutex.
-  [[nodiscard]] std::vector<std::shared_ptr<Peer>> open() const;
+  /// Those that are not told to go yet, and are now: `most` of those whom `which` takes. Under the mutex.
+  template <typename Which>
+  [[nodiscard]] std::vector<std::shared_ptr<Peer>> leave(std::size_t most, Which which);
 
   mutable std::mutex mutex_;
-  std::unordered_map<ConnectionId, std::weak_ptr<Peer>> peers_;
+  std::map<ConnectionId, Entry> peers_;  // the longest connected first
   std::optional<Farewell> farewell_;
   std::function<void()> empty_;
 };

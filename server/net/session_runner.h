@@ -58,6 +58,9 @@ class SessionRunner final : public Peer, public std::enable_shared_from_this<Ses
 
   /// Once, from any thread.
   void start();
+  [[nodiscard]] std::optional<Clock::time_point> session_since() const override {
+    return connection_.accepted;
+  }
   void go_away(const std::string& reason, std::chrono::milliseconds retry_after) override;
   void access_changed() override;
   void rates_changed() override;

@@ -66,6 +66,7 @@ RateLimits RateLimits::of_gateway() const {
   own.session.voxels = gateway_voxels;
   own.address.requests = {};
   own.address.voxels = {};
+  own.address.editors = {};
   own.is_gateway = true;
   return own;
 }
@@ -75,7 +76,13 @@ AddressBuckets::AddressBuckets(const AddressBuckets& before, const RateSet& to, 
       chunks{moved(before.chunks, before.rates.chunks, to.chunks, now)},
       bytes{moved(before.bytes, before.rates.bytes, to.bytes, now)},
       requests{moved(before.requests, before.rates.requests, to.requests, now)},
-      voxels{moved(before.voxels, before.rates.voxels, to.voxels, now)} {}
+      voxels{moved(before.voxels, before.rates.voxels, to.voxels, now)},
+      editors{moved(before.editors, before.rates.editors, to.editors, now)} {}
+
+nanoseconds AddressBuckets::editors_full_in(Time now) const {
+  if (!rates.editors.limited()) return {};
+  return editors.load(std::memory_order_relaxed).wait(rates.editors, now, rates.editors.burst);
+}
 
 SessionRates::SessionRates(const RateLimits& limits, AddressBucketsPtr address,
                            std::uint32_t requests_in_flight)
@@ -127,6 +134,16 @@ std::optional<SessionRates::Refusal> SessionRates::refuse_voxels(Time now, std::
   voxels_.spend(own, now, voxels);
   voxels_in_line_ -= std::min(voxels_in_line_, voxels);
   return std::nullopt;
+}
+
+std::optional<SessionRates::Refusal> SessionRates::refuse_editor(Time now) {
+  const Rate& shared = limits_.address.editors;
+  if (address_ == nullptr || !shared.limited()) return std::nullopt;
+  if (update(address_->editors, [&](TokenBucket& all) { return all.take(shared, now, kEditorTokens); })) {
+    return std::nullopt;
+  }
+  const auto wait = address_->editors.load(std::memory_order_relaxed).wait(shared, now, kEditorTokens);
+  return Refusal{RateKind::address_editors, wait, false};
 }
 
 void SessionRates::spend_voxels(Time now, std::uint64_t voxels) {

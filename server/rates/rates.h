@@ -15,11 +15,15 @@
 
 namespace talus::server {
 
+/// What an editor that is made costs: so many a second are one an hour.
+inline constexpr std::uint64_t kEditorTokens = 3'600;
+
 /// Requests, and voxels that edits name, count when they arrive, chunks and bytes (of all frames) when they
 /// are written.
 struct RateSet {
   Rate chunks, bytes, requests;
   Rate voxels{};
+  Rate editors{};  // of an address: kEditorTokens for each that is made
   bool operator==(const RateSet&) const = default;
 };
 struct RateLimits {
@@ -60,8 +64,11 @@ struct AddressBuckets {
   /// For new rates: with what is left in `before`. Who still uses that takes nothing from these.
   AddressBuckets(const AddressBuckets& before, const RateSet& to, TokenBucket::Time now);
 
+  /// How long until its editors are all saved up.
+  [[nodiscard]] std::chrono::nanoseconds editors_full_in(TokenBucket::Time now) const;
+
   const RateSet rates{};  // by which the buckets are used
-  std::atomic<TokenBucket> chunks{}, bytes{}, requests{}, voxels{};
+  std::atomic<TokenBucket> chunks{}, bytes{}, requests{}, voxels{}, editors{};
 };
 using AddressBucketsPtr = std::shared_ptr<AddressBuckets>;
 
@@ -109,6 +116,9 @@ class SessionRates {
   /// Counts an edit that names so many voxels, no more than a burst. None: it is granted. A client that goes
   /// on asking is abusive as with requests, but by voxels: what it may have on its way is kEditsOnTheirWay.
   [[nodiscard]] std::optional<Refusal> refuse_voxels(Time now, std::uint64_t voxels);
+
+  /// Counts an editor that is made for the session. None: it is granted.
+  [[nodiscard]] std::optional<Refusal> refuse_editor(Time now);
 
   /// Counts voxels that an edit changed beyond those that it named. The next ones pay.
   void spend_voxels(Time now, std::uint64_t voxels);

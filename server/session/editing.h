@@ -37,6 +37,10 @@ class Editing {
   /// Whether nothing is to be answered.
   [[nodiscard]] bool served() const { return !attaching_ && unanswered_.empty(); }
 
+  /// Whether an editor is made for who attaches so. REQUIRES: stored().
+  [[nodiscard]] bool makes_editor(const AttachRequest& request) const {
+    return !editor_ && !taker_->knows(request.editor, request.subject);
+  }
   /// REQUIRES: stored(), not attaching().
   void attach(AttachRequest request, std::uint64_t voxels_per_second);
   /// REQUIRES: attached(), no edit `id` is unanswered.

@@ -18,6 +18,9 @@ using wire::ErrorCode;
 namespace {
 
 /// The rates that apply to a session of the address.
+constexpr std::string_view kOperatorsOwn =
+    "the subject \"talusd store rollback\" is that of this server's operators; give another";
+
 RateLimits rates_of(const SessionContext& context, const AddressBucketsPtr& address) {
   RateLimits limits = context.rates.get();
   limits.address = address == nullptr ? RateSet{} : address->rates;
@@ -144,7 +147,8 @@ void Session::input_ended() {
 void Session::go_away(std::string_view reason, std::chrono::milliseconds retry_after) {
   if (state_ == State::leaving || state_ == State::closed) return;
   if (state_ == State::connected) {  // as to a client for whom there is no room
-    replies_.error({}, ErrorCode::overloaded, reason, retry_after);
+    // Of an Error, no time means that it is of no use to come again.
+    replies_.error({}, ErrorCode::overloaded, reason, std::max(retry_after, std::chrono::milliseconds{1}));
     return abandon();
   }
   replies_.go_away(reason, retry_after);
@@ -337,6 +341,9 @@ void Session::on(const wire::Edit& edit) {
         "Edit.subject says for whom a game server edits; this session's token does not give the "
         "right \"gateway\"");
   }
+  if (checked->subject == edits::kOperatorSubject) {
+    return replies_.error(subject, ErrorCode::forbidden, kOperatorsOwn);
+  }
   if (const auto why = edit_forbidden(checked->edit, grant, context_.limits.edits)) {
     return replies_.error(subject, ErrorCode::forbidden, *why);
   }
@@ -367,9 +374,15 @@ void Session::on(const wire::Attach& attach) {
                           fmt::format("the token's subject has {} bytes; who edits may have one of {}",
                                       greeting_->grant.subject.size(), edits::kMaxSubjectBytes));
   }
+  if (greeting_->grant.subject == edits::kOperatorSubject) {
+    return replies_.error(subject, ErrorCode::forbidden, kOperatorsOwn);
+  }
   AttachRequest request{{}, greeting_->grant.subject, attach.seen_revision(), editing_.editor()};
   if (attach.editor() != nullptr) request.editor = {attach.editor()->low(), attach.editor()->high()};
   if (request.editor == edits::EditorId{}) request.editor = request.own;
+  if (editing_.makes_editor(request)) {
+    if (const auto refusal = rates_.refuse_editor(received_at_)) return say_refusal(subject, *refusal);
+  }
   editing_.attach(std::move(request), rates_.limits().session.voxels.per_second);
 }
 

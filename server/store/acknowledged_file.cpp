@@ -6,6 +6,8 @@
 #include <fmt/format.h>
 #include <rocksdb/env.h>
 
+#include "store/regular_files.h"
+
 namespace talus::server {
 namespace {
 
@@ -15,6 +17,7 @@ rocksdb::Slice slice_of_bytes(const Bytes& bytes) {
 
 rocksdb::Status make_whole(rocksdb::Env& env, const std::string& path, const Bytes& bytes) {
   const std::string temporary = path + ".new";
+  env.DeleteFile(temporary).PermitUncheckedError();  // where it is a pipe, writing to it would wait
   rocksdb::Status status = rocksdb::WriteStringToFile(&env, slice_of_bytes(bytes), temporary, true);
   if (status.ok()) status = env.RenameFile(temporary, path);
   std::unique_ptr<rocksdb::Directory> directory;
@@ -27,6 +30,7 @@ rocksdb::Status make_whole(rocksdb::Env& env, const std::string& path, const Byt
 
 tl::expected<std::optional<Acknowledged>, std::string> AcknowledgedFile::read(rocksdb::Env& env,
                                                                               const std::string& path) {
+  if (auto regular = check_regular_file(path); !regular) return tl::unexpected{std::move(regular.error())};
   if (env.FileExists(path).IsNotFound()) return std::nullopt;
   std::string text;
   if (const auto status = rocksdb::ReadFileToString(&env, path, &text); !status.ok()) {

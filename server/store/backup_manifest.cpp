@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cstdint>
 #include <optional>
+#include <set>
 #include <system_error>
 
 #include <fmt/format.h>
@@ -79,7 +81,7 @@ bool is_store_file(std::string_view name) {
 
 std::uint64_t BackupManifest::bytes() const {
   std::uint64_t all = 0;
-  for (const File& file : files) all += file.bytes;
+  for (const File& file : files) all = file.bytes > UINT64_MAX - all ? UINT64_MAX : all + file.bytes;
   return all;
 }
 
@@ -123,6 +125,10 @@ tl::expected<BackupManifest, std::string> decode_manifest(std::string_view text)
   }
   // There is one way to write each.
   if (encode(manifest) != whole) return damaged();
+  std::set<std::string_view> names;
+  for (const BackupManifest::File& file : manifest.files) {
+    if (!names.insert(file.name).second) return damaged();
+  }
   return manifest;
 }
 

@@ -29,6 +29,7 @@ struct BackupManifest {
   edits::Head head;
   std::vector<File> files;
 
+  /// Where it is more than the type holds: the most that it does.
   [[nodiscard]] std::uint64_t bytes() const;
   bool operator==(const BackupManifest&) const = default;
 };

@@ -12,6 +12,7 @@
 #include <fmt/format.h>
 #include <talus/files/atomic_file.h>
 
+#include "store/regular_files.h"
 #include "store/store_swap.h"
 
 namespace talus::server {
@@ -28,6 +29,28 @@ tl::unexpected<std::string> system_failure(const fs::path& path, std::string_vie
 bool has_name(const fs::path& file) {
   std::error_code error;
   return fs::symlink_status(file, error).type() != fs::file_type::not_found;
+}
+
+/// Whose file, where there is none, may not be what it is a name of.
+tl::expected<int, std::string> open_lock(const fs::path& path, int how) {
+  const fs::path file = path / "lock";
+  const int lock = ::open(file.c_str(), how | O_CLOEXEC | O_NONBLOCK | O_NOFOLLOW, 0644);
+  if (lock >= 0) return lock;
+  const int error = errno;
+  if (auto regular = check_regular_file(file); !regular) return tl::unexpected{std::move(regular.error())};
+  return system_failure(path, "cannot write into it", error);
+}
+
+tl::unexpected<std::string> no_store(const fs::path& path) {
+  return tl::make_unexpected(
+      fmt::format("data {}: there is no store in it; give --data the directory of a talusd", path.string()));
+}
+
+tl::expected<void, std::string> check_directory(const fs::path& path) {
+  std::error_code error;
+  if (fs::is_directory(path, error)) return {};
+  return tl::make_unexpected(
+      fmt::format("data {}: there is no such directory; give --data that of a talusd", path.string()));
 }
 
 tl::expected<void, std::string> check_world(const fs::path& file, ContentHash held, ContentHash fingerprint) {
@@ -61,10 +84,10 @@ tl::expected<void, std::string> DataDirectory::make_for(const fs::path& path, ui
 }
 
 tl::expected<DataDirectory, std::string> DataDirectory::lock(const fs::path& path) {
-  const int lock = ::open((path / "lock").c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644);
-  if (lock < 0) return system_failure(path, "cannot write into it", errno);
-  DataDirectory directory{lock, path};
-  if (::flock(lock, LOCK_EX | LOCK_NB) != 0) {
+  const auto lock = open_lock(path, O_RDWR | O_CREAT);
+  if (!lock) return tl::unexpected{lock.error()};
+  DataDirectory directory{*lock, path};
+  if (::flock(*lock, LOCK_EX | LOCK_NB) != 0) {
     return tl::make_unexpected(
         fmt::format("data {}: another talusd uses it; give --data another directory", path.string()));
   }
@@ -127,22 +150,45 @@ tl::expected<DataDirectory, std::string> DataDirectory::open_any(const fs::path&
 }
 
 tl::expected<DataDirectory, std::string> DataDirectory::open_store(const fs::path& path) {
-  std::error_code error;
-  if (!fs::is_directory(path, error)) {
-    return tl::make_unexpected(
-        fmt::format("data {}: there is no such directory; give --data that of a talusd", path.string()));
-  }
-  const auto no_store = [&] {
-    return tl::make_unexpected(fmt::format(
-        "data {}: there is no store in it; give --data the directory of a talusd", path.string()));
-  };
+  if (const auto there = check_directory(path); !there) return tl::unexpected{there.error()};
   // Nothing is made in a directory that is none of talusd's.
-  if (!has_name(path / "store.toml") && !has_name(path / "talus-next")) return no_store();
+  if (!has_name(path / "store.toml") && !has_name(path / "talus-next")) return no_store(path);
   auto directory = lock(path);
   if (!directory) return directory;
   if (const auto read = directory->read_identity(); !read) return tl::make_unexpected(read.error());
-  if (!directory->identity_) return no_store();
+  if (!directory->identity_) return no_store(path);
   return directory;
+}
+
+tl::expected<DataDirectory, std::string> DataDirectory::open_to_read(const fs::path& path) {
+  if (const auto there = check_directory(path); !there) return tl::unexpected{there.error()};
+  if (has_name(path / "talus-next")) return open_store(path);  // a swap that was interrupted ends first
+  if (!has_name(path / "store.toml")) return no_store(path);
+  // Where there is no lock no talusd ever was, nor can come unseen but in this moment.
+  DataDirectory directory{-1, path};
+  if (has_name(path / "lock")) {
+    const auto lock = open_lock(path, O_RDONLY);
+    if (!lock) return tl::unexpected{lock.error()};
+    directory.lock_ = *lock;
+    if (::flock(*lock, LOCK_SH | LOCK_NB) != 0) {
+      return tl::make_unexpected(
+          fmt::format("data {}: a talusd uses it, or another command changes it; wait until that has ended",
+                      path.string()));
+    }
+  }
+  if (const auto read = directory.read_identity(); !read) return tl::make_unexpected(read.error());
+  return directory;
+}
+
+tl::expected<void, std::string> DataDirectory::lock_to_write() {
+  const auto lock = open_lock(path_, O_RDWR | O_CREAT);
+  if (!lock) return tl::unexpected{lock.error()};
+  // In place of the one before, which is let go of: between them somebody may come.
+  if (lock_ >= 0) ::close(lock_);
+  lock_ = *lock;
+  if (::flock(lock_, LOCK_EX | LOCK_NB) == 0) return {};
+  return tl::make_unexpected(fmt::format(
+      "data {}: a talusd uses it, or another command reads it; wait until that has ended", path_.string()));
 }
 
 bool DataDirectory::has_store() const {

@@ -44,10 +44,18 @@ class DataDirectory {
                                                       files::FileLayer& layer = files::system_files());
   /// After another store was put in the place of the one that was there.
   [[nodiscard]] tl::expected<void, std::string> learn_identity() { return read_identity(); }
+  /// The same for who only reads: others may read at the same time, nothing is written, and the disk may be
+  /// full or read-only.
+  [[nodiscard]] static tl::expected<DataDirectory, std::string> open_to_read(
+      const std::filesystem::path& path);
 
   DataDirectory(DataDirectory&& other) noexcept;
   DataDirectory& operator=(DataDirectory&&) = delete;
   ~DataDirectory();
+
+  /// Of one that was opened to read: nobody else may read from now on, and the caller may write. An error is
+  /// one line: another command reads, or the directory cannot be written.
+  [[nodiscard]] tl::expected<void, std::string> lock_to_write();
 
   /// Whether it holds anything of a store.
   [[nodiscard]] bool has_store() const;
@@ -64,7 +72,7 @@ class DataDirectory {
   /// None where there is no store.toml.
   [[nodiscard]] tl::expected<void, std::string> read_identity();
 
-  int lock_;  // a descriptor; closing it, or the end of the process, releases the lock
+  int lock_;  // a descriptor; closing it, or the end of the process, releases the lock; -1: none is needed
   std::filesystem::path path_;
   std::optional<StoreIdentity> identity_;
 };

@@ -13,6 +13,7 @@
 #include <rocksdb/write_batch.h>
 #include <talus/files/atomic_file.h>
 
+#include "store/regular_files.h"
 #include "store/rocks.h"
 #include "store/store_identity.h"
 
@@ -79,6 +80,7 @@ tl::expected<std::unique_ptr<EditDatabase>, std::string> EditDatabase::open(
 }
 
 EditDatabase::Done EditDatabase::open_database() {
+  if (const auto regular = check_regular_files(database_path()); !regular) return failure(regular.error());
   // RocksDB would make an empty database of one that lost its file CURRENT.
   const bool used = was_in_use(env(), database_path()) || has_acknowledged();
   was_there_ = used;
@@ -232,6 +234,20 @@ EditDatabase::Done EditDatabase::checkpoint(const std::filesystem::path& path) c
   if (status.ok()) status = checkpoint->CreateCheckpoint(path.string(), UINT64_MAX);
   if (!status.ok()) return failure(fmt::format("checkpoint {}: {}", path.string(), status.ToString()));
   return {};
+}
+
+std::unique_ptr<EditDatabase::HeldFiles> EditDatabase::hold_files() const {
+  return std::make_unique<HeldFiles>(*this);
+}
+
+EditDatabase::HeldFiles::HeldFiles(const EditDatabase& database)
+    : database_{database}, stays_open_{database.copying_} {
+  // Where it is closed nobody removes anything.
+  held_ = database_.db_ && database_.db_->DisableFileDeletions().ok();
+}
+
+EditDatabase::HeldFiles::~HeldFiles() {
+  if (held_) database_.db_->EnableFileDeletions(false).PermitUncheckedError();
 }
 
 EditDatabase::Done EditDatabase::append(const edits::Batch& applied, const StreamPlace& place) {

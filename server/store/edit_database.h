@@ -88,6 +88,12 @@ class EditDatabase {
   /// the same file system. An error leaves nothing.
   [[nodiscard]] Done checkpoint(const std::filesystem::path& path) const;
 
+  /// While it lives the database's files stay where they are, so that another process may read and copy them
+  /// as they lie there, and nothing is written for it: for where no checkpoint can be made. After an error of
+  /// the disk the database is opened again when it has gone. Any thread, the one on which it ends as well.
+  class HeldFiles;
+  [[nodiscard]] std::unique_ptr<HeldFiles> hold_files() const;
+
   /// Writes all that the batch applied, at once and, but for a log elsewhere, synced; with it where the store
   /// stands in the stream from then on, and the ids that it has given to materials. After an error nobody
   /// knows whether it is on the disk: nothing but this batch may be appended until it succeeds, which does no
@@ -169,6 +175,19 @@ class EditDatabase {
   std::uint64_t history_bytes_ = 0;
   edits::MaterialIds materials_;
   Bytes value_;  // of the thread that writes
+};
+
+class EditDatabase::HeldFiles {
+ public:
+  explicit HeldFiles(const EditDatabase& database);
+  ~HeldFiles();
+  HeldFiles(const HeldFiles&) = delete;
+  HeldFiles& operator=(const HeldFiles&) = delete;
+
+ private:
+  const EditDatabase& database_;
+  const std::shared_lock<std::shared_mutex> stays_open_;
+  bool held_ = false;
 };
 
 /// Values to be written at once.

@@ -5,9 +5,8 @@
 
 #include <fmt/format.h>
 
-#include <talus/edits/chunk_overrides.h>
-#include <talus/edits/staging.h>
-
+#include "store/regular_files.h"
+#include "store/replayed_chunks.h"
 #include "store/rocks.h"
 
 namespace talus::server {
@@ -21,6 +20,9 @@ StoreReader ReadOnlyStore::reader() const {
 
 tl::expected<std::unique_ptr<ReadOnlyStore>, std::string> ReadOnlyStore::open(
     const std::filesystem::path& path) {
+  if (const auto regular = check_regular_files(path / "db"); !regular) {
+    return tl::unexpected{fmt::format("edits {}: {}", path.string(), regular.error())};
+  }
   std::unique_ptr<ReadOnlyStore> store{new ReadOnlyStore{path}};
   rocksdb::DB* db = nullptr;
   const auto status = rocksdb::DB::OpenForReadOnly(rocks_options({}, false), (path / "db").string(), &db);
@@ -47,26 +49,17 @@ tl::expected<std::unique_ptr<ReadOnlyStore>, std::string> ReadOnlyStore::open(
 
 ReadOnlyStore::Done ReadOnlyStore::read_unflushed() {
   const StoreReader reader = this->reader();
-  std::string unread;
+  ReplayedChunks chunks{[&](ChunkKey key) { return reader.chunk(key); }};
+  Done read;
   auto replayed = reader.replay(meta_, [&](LogRecord&& record, std::size_t) {
-    for (const edits::ChunkWrites& writes : edits::writes_at_all_levels(record.changes)) {
-      const auto [at, added] = unflushed_.try_emplace(chunk_key(writes.key));
-      StoredChunk& chunk = at->second;
-      if (added) {
-        auto stored = reader.chunk(writes.key);
-        if (!stored) unread = std::move(stored.error());
-        if (!unread.empty()) return false;
-        if (*stored) chunk = **std::move(stored);
-      }
-      if (chunk.revision >= record.revision) continue;  // it was written after this record
-      edits::ChunkOverrides overrides{std::move(chunk.voxels)};
-      overrides.apply(writes.writes);
-      chunk.voxels.assign(overrides.voxels().begin(), overrides.voxels().end());
-      chunk.revision = record.revision;
-    }
-    return true;
+    read = chunks.apply(record);
+    return read.has_value();
   });
-  if (!unread.empty()) return tl::unexpected{std::move(unread)};
+  if (!read) return read;
+  for (const auto& [key, chunk] : chunks.take()) {
+    const auto voxels = chunk.overrides.voxels();
+    unflushed_.emplace(chunk_key(key), StoredChunk{chunk.revision, {voxels.begin(), voxels.end()}});
+  }
   return replayed;
 }
 

@@ -97,8 +97,9 @@ bool has_result(edits::Applied::Kind kind) {
   return kind == Kind::done || kind == Kind::conflict || kind == Kind::repeat;
 }
 
-void put_runs(std::span<const Override> voxels, ByteWriter& out) {
-  Bytes runs;
+/// `runs` is memory for them.
+void put_runs(std::span<const Override> voxels, Bytes& runs, ByteWriter& out) {
+  runs.clear();
   edits::encode_runs(voxels, runs);
   out.counted(runs);
 }
@@ -112,12 +113,13 @@ std::vector<Override> get_runs(ByteReader& in) {
 void put_changes(const edits::ChunkChanges& changes, ByteWriter& out) {
   for (const std::int32_t at : {changes.chunk.x, changes.chunk.y, changes.chunk.z}) out.zigzag(at);
   std::vector<Override> voxels(changes.voxels.size());
+  Bytes runs;
   for (const auto material :
        {&edits::VoxelChange::before, &edits::VoxelChange::after, &edits::VoxelChange::base}) {
     std::ranges::transform(changes.voxels, voxels.begin(), [material](const edits::VoxelChange& voxel) {
       return Override{voxel.index, voxel.*material};
     });
-    put_runs(voxels, out);
+    put_runs(voxels, runs, out);
   }
 }
 edits::ChunkChanges get_changes(ByteReader& in) {

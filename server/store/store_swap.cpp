@@ -89,9 +89,10 @@ Done check_space(const fs::path& directory, std::uint64_t bytes) {
   std::error_code code;
   const auto space = fs::space(directory, code);
   // Where the file system does not say, nobody stops for it.
-  if (code || space.available >= bytes + kMore) return {};
+  const std::uint64_t needed = bytes <= UINT64_MAX - kMore ? bytes + kMore : UINT64_MAX;
+  if (code || space.available >= needed) return {};
   return tl::unexpected{fmt::format("{}: the disk has {} bytes free; {} are needed", directory.string(),
-                                    space.available, bytes + kMore)};
+                                    space.available, needed)};
 }
 
 fs::path checkpoint_path(const fs::path& directory, std::string_view name) {
@@ -117,7 +118,11 @@ tl::expected<fs::path, std::string> swap_in(const fs::path& directory) {
 
 Done tidy_up(const fs::path& directory) {
   std::error_code code;
-  if (fs::exists(next_of(directory), code)) {
+  if (const auto next = fs::symlink_status(next_of(directory), code); fs::exists(next)) {
+    if (!fs::is_directory(next)) {
+      return tl::unexpected{
+          fmt::format("{}: it is no directory of talusd's own; remove it", next_of(directory).string())};
+    }
     if (const auto finished = finish(directory); !finished) return tl::unexpected{finished.error()};
   }
   fs::remove_all(staging_of(directory), code);

@@ -56,7 +56,7 @@ std::optional<std::string> check_identity(const fs::path& directory, ContentHash
 
 tl::expected<std::unique_ptr<StoredEdits>, std::string> StoredEdits::open(const fs::path& directory,
                                                                           ContentHash fingerprint) {
-  const int lock = ::open((directory / "lock").c_str(), O_RDONLY | O_CLOEXEC);
+  const int lock = ::open((directory / "lock").c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
   if (lock < 0 && errno != ENOENT && errno != ENOTDIR) {
     return tl::unexpected{
         fmt::format("store {}: cannot open its lock: {}; run this as a user who may read it",

@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include "store/acknowledged_file.h"
+#include "store/regular_files.h"
 #include "store/rocks.h"
 #include "store/store_builder.h"
 #include "store/store_reader.h"
@@ -12,6 +14,9 @@ namespace talus::server {
 namespace {
 
 tl::expected<std::unique_ptr<rocksdb::DB>, std::string> open_to_write(const std::filesystem::path& path) {
+  if (const auto regular = check_regular_files(path / "db"); !regular) {
+    return tl::unexpected{fmt::format("edits {}: {}", path.string(), regular.error())};
+  }
   rocksdb::DB* db = nullptr;
   const auto status = rocksdb::DB::Open(rocks_options({}, false), (path / "db").string(), &db);
   std::unique_ptr<rocksdb::DB> opened{db};
@@ -66,6 +71,13 @@ tl::expected<void, std::string> enter_stream(const std::filesystem::path& path, 
 tl::expected<void, std::string> compact(const std::filesystem::path& path) {
   const auto db = open_to_write(path);
   if (!db) return tl::unexpected{db.error()};
+  // What is lost would not be found out any more: the end of the log goes with its records.
+  const StoreReader reader{**db, path};
+  const auto meta = reader.meta();
+  if (!meta) return tl::unexpected{meta.error()};
+  if (!*meta)
+    return reader.failure(fmt::format("its record of the store's state is missing; {}", kStoreLost));
+  if (const auto whole = check_acknowledged(path, **meta); !whole) return whole;
   rocksdb::CompactRangeOptions all;
   all.bottommost_level_compaction = rocksdb::BottommostLevelCompaction::kForce;
   rocksdb::Status status = (*db)->CompactRange(all, nullptr, nullptr);

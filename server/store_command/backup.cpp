@@ -1,6 +1,7 @@
 #include "store_command/backup.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <system_error>
 #include <utility>
 
@@ -22,10 +23,31 @@ tl::unexpected<std::string> no_backup(const fs::path& path, std::string_view why
   return tl::unexpected{fmt::format("backup {}: {}", path.string(), why)};
 }
 
+/// Files of a database that say which others it has.
+bool lists_files(std::string_view name) {
+  return name == "db/CURRENT" || name.starts_with("db/MANIFEST-");
+}
+
+/// Those of the store in `path`, the newest of its log last. No hashes yet.
+tl::expected<std::vector<BackupManifest::File>, std::string> database_files(const fs::path& path) {
+  std::vector<BackupManifest::File> files;
+  std::error_code code;
+  for (fs::directory_iterator at{path / "db", code}, end; !code && at != end; at.increment(code)) {
+    const std::string name = "db/" + at->path().filename().string();
+    // Others come and go.
+    if (at->path().filename() == "LOCK" || name.ends_with(".dbtmp") || !is_store_file(name)) continue;
+    files.push_back({name, at->file_size(code), {}});
+  }
+  if (code) return no_backup(path, code.message());
+  std::ranges::sort(files, {}, [](const BackupManifest::File& file) {
+    return std::pair{file.name.ends_with(".log"), std::string_view{file.name}};
+  });
+  return files;
+}
+
 }  // namespace
 
-tl::expected<BackupManifest, std::string> write_backup(const ReadOnlyStore& store, const fs::path& path,
-                                                       const fs::path& target) {
+tl::expected<BackupManifest, std::string> write_backup(const fs::path& path, const fs::path& target) {
   std::error_code code;
   if (fs::exists(target, code) && !fs::is_empty(target, code)) {
     return no_backup(target,
@@ -33,27 +55,43 @@ tl::expected<BackupManifest, std::string> write_backup(const ReadOnlyStore& stor
   }
   fs::create_directories(target / "db", code);
   if (code) return no_backup(target, code.message());
-  const StoreMeta& meta = store.meta();
-  BackupManifest manifest{{meta.store_id, meta.fingerprint}, meta.head, {}};
+  const auto found = database_files(path);
+  if (!found) return tl::unexpected{found.error()};
   std::uint64_t bytes = 0;
-  for (const auto& entry : fs::directory_iterator{path / "db", code}) {
-    const std::string name = "db/" + entry.path().filename().string();
-    if (entry.path().filename() == "LOCK" || !is_store_file(name)) continue;
-    manifest.files.push_back({name, entry.file_size(code), {}});
-    bytes += manifest.files.back().bytes;
-  }
-  if (code) return no_backup(path, code.message());
+  for (const BackupManifest::File& file : *found) bytes += file.bytes;
   if (const auto enough = check_space(target, bytes); !enough) return tl::unexpected{enough.error()};
-  std::ranges::sort(manifest.files, {}, &BackupManifest::File::name);
-  if (const auto written = write_store_files(target, meta); !written) return tl::unexpected{written.error()};
   ProgressBar progress{"backup", "bytes"};
   progress.expect(bytes);
-  for (BackupManifest::File& file : manifest.files) {
-    const auto copied = copy_file(path / file.name, target / file.name, progress);
-    if (!copied) return tl::unexpected{copied.error()};
-    file.bytes = copied->bytes;
-    file.hash = copied->hash;
+  BackupManifest manifest;
+  const auto copy = [&](std::vector<BackupManifest::File> files,
+                        bool lists) -> tl::expected<void, std::string> {
+    for (BackupManifest::File& file : files) {
+      if (lists_files(file.name) != lists) continue;
+      const auto copied = copy_file(path / file.name, target / file.name, UINT64_MAX, progress);
+      if (!copied) return tl::unexpected{copied.error()};
+      file.bytes = copied->bytes;
+      file.hash = copied->hash;
+      manifest.files.push_back(std::move(file));
+    }
+    return {};
+  };
+  // A server may write meanwhile: what says which files there are comes first, so that they are among those
+  // that are copied then.
+  if (const auto copied = copy(*found, true); !copied) return tl::unexpected{copied.error()};
+  const auto rest = database_files(path);
+  if (!rest) return tl::unexpected{rest.error()};
+  if (const auto copied = copy(*rest, false); !copied) return tl::unexpected{copied.error()};
+  {
+    const auto store = ReadOnlyStore::open(target);
+    if (!store) return tl::unexpected{store.error()};
+    const StoreMeta& meta = (*store)->meta();
+    manifest.identity = {meta.store_id, meta.fingerprint};
+    manifest.head = meta.head;
+    if (const auto written = write_store_files(target, meta); !written) {
+      return tl::unexpected{written.error()};
+    }
   }
+  std::ranges::sort(manifest.files, {}, &BackupManifest::File::name);
   for (const char* const name : {"acknowledged", "store.toml"}) {
     const auto read = hash_file(target / name, progress);
     if (!read) return tl::unexpected{read.error()};
@@ -71,6 +109,7 @@ tl::expected<BackupManifest, std::string> write_backup(const ReadOnlyStore& stor
 tl::expected<BackupManifest, std::string> read_manifest(const fs::path& backup) {
   std::error_code code;
   if (!fs::is_directory(backup, code)) return no_backup(backup, "there is no such directory");
+  if (fs::is_symlink(backup / "db", code)) return no_backup(backup, "db is a link; give another one");
   if (!fs::exists(backup / kManifestName, code)) {
     return no_backup(backup, "it has no manifest: it is no backup, or was not finished; give another one");
   }
@@ -101,9 +140,9 @@ tl::expected<Restored, std::string> restore_backup(const fs::path& backup, const
   ProgressBar progress{"restore", "bytes"};
   progress.expect(manifest->bytes());
   for (const BackupManifest::File& file : manifest->files) {
-    const auto copied = copy_file(backup / file.name, *staging / file.name, progress);
+    const auto copied = copy_file(backup / file.name, *staging / file.name, file.bytes, progress);
     if (!copied) return tl::unexpected{copied.error()};
-    if (copied->bytes != file.bytes || copied->hash != file.hash) {
+    if (!copied->all || copied->bytes != file.bytes || copied->hash != file.hash) {
       return no_backup(
           backup,
           fmt::format("{} is damaged: it is not what its manifest says; give another one", file.name));

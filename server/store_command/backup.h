@@ -15,9 +15,9 @@
 
 namespace talus::server {
 
-/// Of a store whose files, in `path`, nobody changes, into `target`, which is new or empty.
-[[nodiscard]] tl::expected<BackupManifest, std::string> write_backup(const ReadOnlyStore& store,
-                                                                     const std::filesystem::path& path,
+/// Of the store whose files are in `path`, of one moment, into `target`, which is new or empty. While a
+/// server writes them none may be removed: EditDatabase::hold_files().
+[[nodiscard]] tl::expected<BackupManifest, std::string> write_backup(const std::filesystem::path& path,
                                                                      const std::filesystem::path& target);
 
 /// That of a backup; says so where `backup` is none, or was not finished.

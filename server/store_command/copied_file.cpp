@@ -1,14 +1,16 @@
 #include "store_command/copied_file.h"
 
+#include <algorithm>
+#include <cstdint>
 #include <memory>
-#include <optional>
+#include <span>
 #include <utility>
 #include <vector>
 
-#include <fmt/format.h>
 #include <talus/files/atomic_file.h>
-#include <talus/files/file_layer.h>
 #include <xxhash.h>
+
+#include "store/regular_files.h"
 
 namespace talus::server {
 namespace {
@@ -17,24 +19,22 @@ constexpr std::size_t kPieceBytes = std::size_t{1} << 20U;
 
 /// `piece` is called with each piece and its offset.
 template <typename Piece>
-tl::expected<CopiedFile, std::string> read_pieces(const std::filesystem::path& file, ProgressBar& progress,
-                                                  const Piece& piece) {
-  const auto failed = [&](std::error_code code) {
-    return tl::unexpected{fmt::format("{}: cannot be read: {}", file.string(), code.message())};
-  };
-  files::FileLayer& layer = files::system_files();
-  const auto opened = layer.open_to_read(file, files::FileLayer::Waiting::never);
-  if (!opened) return failed(opened.error());
-  const std::unique_ptr<const int, void (*)(const int*)> closes{
-      &*opened, [](const int* number) { files::system_files().close(*number); }};
+tl::expected<CopiedFile, std::string> read_pieces(const std::filesystem::path& path, std::uint64_t most,
+                                                  ProgressBar& progress, const Piece& piece) {
+  const auto file = RegularFile::open(path);
+  if (!file) return tl::unexpected{file.error()};
   const std::unique_ptr<XXH3_state_t, XXH_errorcode (*)(XXH3_state_t*)> state{XXH3_createState(),
                                                                               XXH3_freeState};
   XXH3_128bits_reset(state.get());
   std::vector<std::byte> bytes(kPieceBytes);
   CopiedFile copied;
-  for (;;) {
-    const auto got = layer.read(*opened, bytes);
-    if (!got) return failed(got.error());
+  // What is written to it meanwhile is not copied.
+  const std::uint64_t wanted = std::min(most, file->bytes());
+  copied.all = wanted == file->bytes();
+  while (copied.bytes < wanted) {
+    const std::size_t next = std::min<std::uint64_t>(bytes.size(), wanted - copied.bytes);
+    const auto got = file->read(std::span{bytes}.first(next));
+    if (!got) return tl::unexpected{got.error()};
     if (*got == 0) break;
     const auto all = std::span{std::as_const(bytes)}.first(*got);
     XXH3_128bits_update(state.get(), all.data(), all.size());
@@ -50,19 +50,21 @@ tl::expected<CopiedFile, std::string> read_pieces(const std::filesystem::path& f
 }  // namespace
 
 tl::expected<CopiedFile, std::string> copy_file(const std::filesystem::path& from,
-                                                const std::filesystem::path& to, ProgressBar& progress) {
+                                                const std::filesystem::path& to, std::uint64_t most,
+                                                ProgressBar& progress) {
   auto target = files::AtomicFile::create(to);
   if (!target) return tl::unexpected{target.error().message()};
-  auto copied = read_pieces(from, progress, [&](std::uint64_t offset, std::span<const std::byte> bytes) {
-    return target->write_at(offset, bytes).map_error([](const auto& error) { return error.message(); });
-  });
+  auto copied =
+      read_pieces(from, most, progress, [&](std::uint64_t offset, std::span<const std::byte> bytes) {
+        return target->write_at(offset, bytes).map_error([](const auto& error) { return error.message(); });
+      });
   if (!copied) return copied;
   if (auto committed = target->commit(); !committed) return tl::unexpected{committed.error().message()};
   return copied;
 }
 
 tl::expected<CopiedFile, std::string> hash_file(const std::filesystem::path& file, ProgressBar& progress) {
-  return read_pieces(file, progress, [](std::uint64_t, std::span<const std::byte>) {
+  return read_pieces(file, UINT64_MAX, progress, [](std::uint64_t, std::span<const std::byte>) {
     return tl::expected<void, std::string>{};
   });
 }

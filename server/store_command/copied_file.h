@@ -15,13 +15,14 @@ namespace talus::server {
 struct CopiedFile {
   std::uint64_t bytes = 0;
   ContentHash hash;  // XXH3-128 of them
+  bool all = false;  // whether the file had no more
 };
 
-/// On the disk when it returns; `to` is whole or not there. Advances `progress` by bytes. An error is one
-/// line.
+/// The first `most` bytes of a regular file, as far as it has them: no more is ever read. On the disk when it
+/// returns; `to` is whole or not there. Advances `progress` by bytes. An error is one line.
 [[nodiscard]] tl::expected<CopiedFile, std::string> copy_file(const std::filesystem::path& from,
                                                               const std::filesystem::path& to,
-                                                              ProgressBar& progress);
+                                                              std::uint64_t most, ProgressBar& progress);
 [[nodiscard]] tl::expected<CopiedFile, std::string> hash_file(const std::filesystem::path& file,
                                                               ProgressBar& progress);
 

@@ -22,7 +22,9 @@ class LocalWriter {
   [[nodiscard]] static tl::expected<std::unique_ptr<LocalWriter>, std::string> open(
       const std::filesystem::path& directory, const StoreIdentity& identity);
   /// Writes all that is dirty.
-  ~LocalWriter() { log_->stop(); }
+  ~LocalWriter() {
+    if (log_ != nullptr) log_->stop();
+  }
 
   [[nodiscard]] tl::expected<Restorer::Restored, Restorer::Failure> restore(
       const std::vector<edits::ChunkChanges>& changes) {

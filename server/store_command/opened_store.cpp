@@ -22,7 +22,7 @@ tl::expected<OpenedStore, std::string> OpenedStore::open(const std::filesystem::
     opened.path_ = std::move(checkpoint->path);
     opened.read_only_ = std::move(checkpoint->read_only);
   } else {
-    auto directory = DataDirectory::open_store(data);
+    auto directory = DataDirectory::open_to_read(data);
     if (!directory) return tl::unexpected{std::move(directory.error())};
     opened.directory_.emplace(*std::move(directory));
     opened.path_ = data;

@@ -32,6 +32,8 @@ class OpenedStore {
   [[nodiscard]] StoreIdentity identity() const {
     return {store_->meta().store_id, store_->meta().fingerprint};
   }
+  /// Where no server uses the directory: as DataDirectory's. The files were let go of.
+  [[nodiscard]] tl::expected<void, std::string> lock_to_write() { return directory_->lock_to_write(); }
   /// Lets go of the files; the lock, or the connection, stays.
   void close_files() { store_.reset(); }
 

@@ -105,7 +105,7 @@ Answer verify_all(const Flags& flags, const Outside&) {
 Answer backup(const Flags& flags, const Outside&) {
   const auto opened = OpenedStore::open(flags.data);
   if (!opened) return tl::unexpected{opened.error()};
-  const auto written = write_backup(opened->store(), opened->path(), flags.path);
+  const auto written = write_backup(opened->path(), flags.path);
   if (!written) return tl::unexpected{written.error()};
   return fmt::format("{}: position {}, revision {}, {}\n", flags.path, written->head.position,
                      written->head.revision, readable_bytes(written->bytes()));
@@ -223,6 +223,7 @@ Answer rollback(const Flags& flags, const Outside&) {
     restore = [&](const auto& slice) { return opened->server()->restore(slice); };
   } else {
     if (const auto may = check_may_write(flags.data); !may) return tl::unexpected{may.error()};
+    if (const auto may = opened->lock_to_write(); !may) return tl::unexpected{may.error()};
     auto local = LocalWriter::open(flags.data, identity);
     if (!local) return tl::unexpected{local.error()};
     writer = *std::move(local);

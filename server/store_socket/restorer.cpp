@@ -3,23 +3,18 @@
 #include <chrono>
 #include <future>
 #include <memory>
-#include <random>
 #include <utility>
 
 #include <fmt/format.h>
 
 #include <talus/voxel/coords.h>
 
+#include "edits/random_editor.h"
+
 namespace talus::server {
 namespace {
 
 constexpr std::chrono::seconds kPatience{30};
-
-edits::EditorId random_editor() {
-  std::random_device device;
-  const auto half = [&] { return (std::uint64_t{device()} << 32) | device(); };
-  return {half(), half()};
-}
 
 VoxelPos voxel_of(ChunkCoord chunk, std::uint16_t index) {
   const VoxelPos origin = chunk_origin(chunk);

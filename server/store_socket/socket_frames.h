@@ -10,7 +10,7 @@
 // | checkpoint      | command | |
 // | restore         | command | changes of an edit (store/FORMAT.md): each voxel that is still `before` becomes `after` |
 // | pregen          | command | x, z, radius (i32), levels (byte), millionths of the generators' time (u32) |
-// | checkpoint_made | server  | number, and why no edits are taken (text; empty: they are) |
+// | checkpoint_made | server  | number (0: none could be made, and the files are held where they are), and why no edits are taken (text; empty: they are) |
 // | restored        | server  | revision, voxels that changed (numbers) |
 // | pregen_progress | server  | squares done, squares in all, columns made in this run (numbers); some a second |
 // | pregen_done     | server  | the same, once, when it has ended |

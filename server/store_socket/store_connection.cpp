@@ -89,7 +89,9 @@ tl::expected<StoreConnection::Checkpoint, std::string> StoreConnection::checkpoi
   const std::uint64_t number = in.varint();
   std::string read_only = in.text(kMaxText);
   if (!in.ended()) return tl::unexpected{std::string{"the running server: its answer is damaged"}};
-  return Checkpoint{checkpoint_path(directory_, std::to_string(number)), std::move(read_only)};
+  const bool in_place = number == 0;
+  return Checkpoint{in_place ? directory_ : checkpoint_path(directory_, std::to_string(number)),
+                    std::move(read_only)};
 }
 
 tl::expected<Restorer::Restored, Restorer::Failure> StoreConnection::restore(

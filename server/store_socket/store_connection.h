@@ -28,8 +28,10 @@ class StoreConnection {
   ~StoreConnection();
 
   struct Checkpoint {
-    std::filesystem::path path;  // with the directory db; goes with the connection
-    std::string read_only;       // why the server takes no edits; empty: it does
+    /// With the directory db; goes with the connection. The data directory itself where the disk has no place
+    /// for a checkpoint: then files may be written there, but none is removed.
+    std::filesystem::path path;
+    std::string read_only;  // why the server takes no edits; empty: it does
   };
   [[nodiscard]] tl::expected<Checkpoint, std::string> checkpoint();
   /// As Restorer::restore(), of the server.

@@ -27,9 +27,6 @@ constexpr std::chrono::milliseconds kTellProgress{250};
 
 namespace fs = std::filesystem;
 
-/// What a checkpoint copies is RocksDB's log: two write buffers at most. With less free none is made.
-constexpr std::uint64_t kCheckpointBytes = std::uint64_t{128} << 20U;
-
 tl::unexpected<std::string> socket_failure(const fs::path& path, int error) {
   return tl::unexpected{fmt::format("{}: {}; talusd store cannot reach this server", path.string(),
                                     std::generic_category().message(error))};
@@ -162,8 +159,9 @@ void StoreSocket::serve(Command& command) {
   const fs::path checkpoint = checkpoint_path(directory_, std::to_string(command.number));
   try {
     Restorer restorer{parts_.log};
-    for (bool goes_on = true; goes_on;) {
-      const auto request = receive_frame(command.socket, {});
+    auto patience = parts_.patience.first;
+    for (bool goes_on = true; goes_on; patience = parts_.patience.next) {
+      const auto request = receive_frame(command.socket, patience);
       if (!request) {
         if (!request.error().empty()) (void)send_text(command.socket, SocketKind::failed, request.error());
         break;
@@ -173,10 +171,22 @@ void StoreSocket::serve(Command& command) {
   } catch (const std::exception& error) {  // no memory
     log_->warn("the store's socket: {}", error.what());
   }
+  command.held.reset();
   std::error_code ignored;
   fs::remove_all(checkpoint, ignored);
   ::shutdown(command.socket, SHUT_RDWR);
   command.ended = true;
+}
+
+tl::expected<void, std::string> StoreSocket::make_checkpoint(const fs::path& path) const {
+  std::error_code code;
+  fs::remove_all(path, code);
+  if (auto enough = check_space(directory_, parts_.checkpoint_bytes); !enough) return enough;
+  fs::create_directory(path, code);
+  if (code) return tl::unexpected{fmt::format("{}: {}", path.string(), code.message())};
+  auto made = parts_.database.checkpoint(path / "db");
+  if (!made) fs::remove_all(path, code);
+  return made;
 }
 
 bool StoreSocket::answer(Command& command, const SocketFrame& request, Restorer& restorer) {
@@ -186,14 +196,15 @@ bool StoreSocket::answer(Command& command, const SocketFrame& request, Restorer&
   Bytes fields;
   ByteWriter writer{fields};
   if (request.kind == SocketKind::checkpoint) {
-    const fs::path path = checkpoint_path(directory_, std::to_string(command.number));
-    std::error_code code;
-    fs::remove_all(path, code);
-    if (const auto enough = check_space(directory_, kCheckpointBytes); !enough) return refuse(enough.error());
-    fs::create_directory(path, code);
-    if (code) return refuse(fmt::format("{}: {}", path.string(), code.message()));
-    if (const auto made = parts_.database.checkpoint(path / "db"); !made) return refuse(made.error());
-    writer.varint(command.number);
+    command.held.reset();
+    if (const auto made = make_checkpoint(checkpoint_path(directory_, std::to_string(command.number)));
+        made) {
+      writer.varint(command.number);
+    } else {
+      log_->warn("talusd store reads the files where they are: {}", made.error());
+      command.held = parts_.database.hold_files();
+      writer.varint(0);
+    }
     writer.counted(parts_.read_only().value_or(""));
     return send_frame(command.socket, SocketKind::checkpoint_made, fields).has_value();
   }

@@ -37,12 +37,22 @@ class StoreSocket {
   /// Commands at once; each may hold a checkpoint.
   static constexpr std::size_t kMaxCommands = 4;
 
+  /// How long a command may say nothing: before it has asked for anything, and then, while it reads what it
+  /// was given.
+  struct Patience {
+    std::chrono::milliseconds first{std::chrono::seconds{10}};
+    std::chrono::milliseconds next{std::chrono::hours{24}};
+  };
+
   /// All outlive this.
   struct Parts {
     const EditDatabase& database;
     EditLog& log;
     std::function<std::optional<std::string>()> read_only;  // why no edits are taken; any thread
     RunPregen pregen;                                       // on a thread of the socket's; may be empty
+    Patience patience{};
+    /// What a checkpoint copies is RocksDB's log: two write buffers at most. With less free none is made.
+    std::uint64_t checkpoint_bytes = std::uint64_t{128} << 20U;
   };
 
   /// Makes the socket in `directory`, whose lock the process has, and starts its threads. An error is one
@@ -60,6 +70,7 @@ class StoreSocket {
     std::uint64_t number = 0;
     std::atomic<bool> ended{false};
     std::thread thread;
+    std::unique_ptr<EditDatabase::HeldFiles> held;  // of the thread
   };
 
   StoreSocket(std::filesystem::path directory, Parts parts, Logger log, int listener, int wake);
@@ -68,6 +79,7 @@ class StoreSocket {
   void join_ended();
   void serve(Command& command);
   /// Whether the connection goes on.
+  [[nodiscard]] tl::expected<void, std::string> make_checkpoint(const std::filesystem::path& path) const;
   [[nodiscard]] bool answer(Command& command, const SocketFrame& request, Restorer& restorer);
   [[nodiscard]] bool pregenerate(Command& command, const SocketFrame& request);
 

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <csignal>
+#include <future>
+#include <utility>
 
 namespace talus::server {
 
@@ -19,5 +21,17 @@ class SignalsBlocked {
  private:
   sigset_t before_{};
 };
+
+/// Does `work` on a thread of its own, which gets no signal, nor do those that it starts, and returns what
+/// that returns: a signal that comes meanwhile is the calling thread's, which only waits.
+template <typename Work>
+auto without_signals(Work&& work) {
+  return std::async(std::launch::async,
+                    [&] {
+                      block_signals();
+                      return std::forward<Work>(work)();
+                    })
+      .get();
+}
 
 }  // namespace talus::server

@@ -31,6 +31,7 @@ class WebPeer final : public Peer, public std::enable_shared_from_this<WebPeer<S
   /// Before any other call.
   void set_connection(const std::shared_ptr<http::Connection<S>>& connection) { connection_ = connection; }
 
+  [[nodiscard]] std::optional<Clock::time_point> session_since() const override { return std::nullopt; }
   void go_away(const std::string&, std::chrono::milliseconds) override {
     with_connection([](http::Connection<S>& connection, PlayerHandler&) { connection.finish(); });
   }

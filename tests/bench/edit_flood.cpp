@@ -138,8 +138,7 @@ void measure(const fs::path& path, const char* name, int sessions, bool one_flow
   Stone stone;
   LocalLog log{**database, **state, clock, {}, {}};
   EditIntake intake{
-      {stone, log, [&](edits::EditorId id) { return (*state)->editor(id); },
-       [&] { return (*state)->revision(); }, clock, metrics},
+      {stone, log, [&](edits::EditorId id) { return (*state)->editor(id); }, clock, metrics},
       {{0, 100}, {kAir, kStone, MaterialId{3}, MaterialId{4}, MaterialId{5}, MaterialId{6}, MaterialId{7}}},
       make_logger("off", "text")};
   intake.start();

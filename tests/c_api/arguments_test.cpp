@@ -93,6 +93,11 @@ TEST_CASE("talus_connect checks its options") {
   options.port = 1;
   options.flags = 8;
   check_wrong(connect(options), client, "talus_connect", "options.flags is 8");
+  options.flags = 0;
+  for (const char* wrong : {"here", "a:1,", ",a:1", "a:1 b:2", "a:65536"}) {
+    options.more_servers = wrong;
+    check_wrong(connect(options), client, "talus_connect", "options.more_servers is");
+  }
 }
 
 TEST_CASE("a program of a newer header runs where it sets none of the newer fields") {

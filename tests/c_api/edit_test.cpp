@@ -162,6 +162,22 @@ TEST_CASE("edits happen once each, though the server is killed under them") {
   CHECK(asked.empty());
 }
 
+TEST_CASE("of several servers the next is gone to where the first is killed") {
+  auto first = std::make_unique<ServerProcess>();
+  const ServerProcess second;
+  const std::string more = "127.0.0.1:" + std::to_string(second.port());
+  TestClient client;
+  auto options = sized<talus_connect_options>();
+  options.reconnect_attempts = 1000;
+  options.reconnect_first_delay_ms = 20;
+  options.more_servers = more.c_str();
+  client.join(first->port(), options);
+  first->signal(SIGKILL);
+  (void)first->wait();
+  (void)client.await(TALUS_EVENT_RECONNECTED);
+  CHECK(client.world().fingerprint_low != 0);
+}
+
 TEST_CASE("an edit that was sent when its connection ends for good is of unknown outcome") {
   const ScratchDirectory scratch;
   auto server = std::make_unique<ServerProcess>(editable(scratch));

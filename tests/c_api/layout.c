@@ -12,7 +12,7 @@
   { #name, (long)(name), promised }
 
 const struct layout_entry layout[] = {
-    SIZE(talus_connect_options, 96),
+    SIZE(talus_connect_options, 104),
     FIELD(talus_connect_options, size, 0),
     FIELD(talus_connect_options, flags, 4),
     FIELD(talus_connect_options, host, 8),
@@ -30,6 +30,7 @@ const struct layout_entry layout[] = {
     FIELD(talus_connect_options, reconnect_attempts, 84),
     FIELD(talus_connect_options, reconnect_first_delay_ms, 88),
     FIELD(talus_connect_options, reconnect_max_delay_ms, 92),
+    FIELD(talus_connect_options, more_servers, 96),
     SIZE(talus_view, 64),
     FIELD(talus_view, size, 0),
     FIELD(talus_view, flags, 4),

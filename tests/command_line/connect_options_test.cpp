@@ -51,6 +51,23 @@ std::string token(std::vector<const char*> words) {
 
 }  // namespace
 
+TEST_CASE("several servers are separated by commas") {
+  ConnectWords words;
+  words.connect = "ws://a:1,[::1]:2,c:3/talus/v1/stream";
+  const auto options = read_connect_options(words);
+  REQUIRE(options.has_value());
+  CHECK(options->server == protocol::Endpoint{"a", 1});
+  CHECK(options->more_servers == std::vector<protocol::Endpoint>{{"::1", 2}, {"c", 3}});
+  CHECK(options->websocket.path == "/talus/v1/stream");
+  CHECK(more_servers(*options).back().port == "3");
+  for (const char* wrong : {"a:1,", ",a:1", "a:1,b", "a:1;b:2", "a:1,b:0"}) {
+    words.connect = wrong;
+    const auto refused = read_connect_options(words);
+    REQUIRE_FALSE(refused.has_value());
+    CHECK_THAT(refused.error(), Catch::StartsWith("--connect "));
+  }
+}
+
 TEST_CASE("a token comes from a file, a word or a variable, and flags win") {
   const ScratchDirectory scratch;
   const std::string file = scratch.write("token", "from a file\r\n");

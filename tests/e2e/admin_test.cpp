@@ -79,6 +79,26 @@ TEST_CASE("a server is healthy and ready until it drains") {
   CHECK(get(admin, "/-/ready").starts_with("HTTP/1.1 503 "));
 }
 
+TEST_CASE("a server that has more than its share sends sessions elsewhere, as its balancer's checks say") {
+  ServerProcess server{
+      {{"TALUS_BALANCE_SESSION_MS", "0"}, {"TALUS_BALANCE_ABOVE_PERCENT", "0"}, kClassicWorld},
+      {"--admin", "127.0.0.1:0"}};
+  const std::uint16_t admin = server.admin_port();
+  RawClient first = greeted(server.port());
+  RawClient second = greeted(server.port());
+  const std::string check = "GET /-/ready HTTP/1.1\r\nHost: talus\r\nConnection: close\r\n";
+  const std::string state = "X-Haproxy-Server-State: UP; name=talus/a; weight=1/2; scur=2/2; qcur=0\r\n\r\n";
+  CHECK(ask(admin, check + state).starts_with("HTTP/1.1 200 "));
+  const Received away = first.expect_kind<wire::GoAway>();
+  CHECK(away.as<wire::GoAway>().retry_after_ms() == 0);
+  CHECK(first.closed());
+  first.close();
+  CHECK(ask(admin, check + "\r\n").starts_with("HTTP/1.1 200 "));
+  REQUIRE(second.send(get_chunks({chunk_request(1, at(0, 0, 0))})));
+  (void)second.expect_kind<wire::Chunk>();
+  CHECK(value_of(get(admin, "/metrics"), "talus_sessions_sent_elsewhere_total") == 1);
+}
+
 TEST_CASE("whatever is no good request gets a 4xx, and harms nothing") {
   ServerProcess server{{}, {"--admin", "127.0.0.1:0"}};
   const std::uint16_t admin = server.admin_port();

@@ -20,9 +20,6 @@ using namespace std::chrono_literals;
 
 namespace {
 
-constexpr std::string_view kStore = "0123456789abcdef0123456789abcdef";
-const std::string kStream = "TALUS_" + std::string{kStore};
-
 std::uint64_t seed_of_run() {
   const char* const given = std::getenv("TALUS_SEED");
   return given != nullptr ? std::strtoull(given, nullptr, 10) : std::random_device{}();
@@ -48,7 +45,16 @@ MaterialId solid(const client::WorldInfo& world) {
 class World {
  public:
   explicit World(std::size_t servers) {
-    const Ended made = run_talusd({"cluster", "init"}, settings(0));
+    // A store of one machine, which becomes that of the cluster.
+    Settings alone = settings(0);
+    alone.erase("TALUS_CLUSTER_NATS");
+    alone.erase("TALUS_CLUSTER_STORE");
+    {
+      const ServerProcess first{alone};
+      Player player;
+      store_ = to_string(player.connect(first.port())->store_id);
+    }
+    const Ended made = run_talusd({"store", "join-cluster"}, settings(0));
     INFO(made.err);
     REQUIRE(made.status == 0);
     for (std::size_t i = 0; i < servers; ++i) servers_.push_back(start_server(settings(i)));
@@ -60,11 +66,13 @@ class World {
             {"TALUS_DATA", (scratch_ / ("data" + std::to_string(directory))).string()},
             {"TALUS_ACCESS_WITHOUT_TOKEN", "read,edit"},
             {"TALUS_CLUSTER_NATS", nats_.url_list()},
-            {"TALUS_CLUSTER_STORE", std::string{kStore}}};
+            {"TALUS_CLUSTER_STORE", store_}};
   }
   [[nodiscard]] std::uint16_t port(std::size_t server) const { return ports_[server]; }
   [[nodiscard]] ServerProcess& server(std::size_t server) { return *servers_[server]; }
   [[nodiscard]] nats_test::NatsServers& nats() { return nats_; }
+  [[nodiscard]] const std::string& store() const { return store_; }
+  [[nodiscard]] std::string stream() const { return "TALUS_" + store_; }
 
   void kill(std::size_t server) {
     servers_[server]->signal(SIGKILL);
@@ -84,6 +92,7 @@ class World {
   }
 
   ScratchDirectory scratch_;
+  std::string store_;
   nats_test::NatsServers nats_;
   std::vector<std::unique_ptr<ServerProcess>> servers_;
   std::vector<std::uint16_t> ports_;
@@ -183,7 +192,7 @@ TEST_CASE("what one player builds at one server another sees at another, and all
   Player viewer;
   const auto info = digger.connect(world.port(0));
   REQUIRE(info.has_value());
-  CHECK(to_string(info->store_id) == kStore);
+  CHECK(to_string(info->store_id) == world.store());
   REQUIRE(viewer.connect(world.port(1)).has_value());
   const VoxelPos at{info->spawn.x, info->spawn.y + 40, info->spawn.z};
   viewer.look_at(at);
@@ -198,6 +207,57 @@ TEST_CASE("what one player builds at one server another sees at another, and all
     CHECK(metrics.find("\ntalus_cluster_quorum 1\n") != std::string::npos);
     CHECK(metrics.find("\ntalus_cluster_state_differs 0\n") != std::string::npos);
   }
+}
+
+TEST_CASE("what an operator rolls back at one server is undone at all") {
+  World world{2};
+  Player digger;
+  Player viewer;
+  const auto info = digger.connect(world.port(0));
+  REQUIRE(info.has_value());
+  REQUIRE(viewer.connect(world.port(1)).has_value());
+  const VoxelPos at{info->spawn.x, info->max_y + 8, info->spawn.z};
+  viewer.look_at(at);
+  REQUIRE(digger.put(at, solid(*info)).has_value());
+  viewer.until([&] { return viewer.sees(at) == solid(*info); });
+  const Ended rolled = run_talusd({"store", "rollback", "--subject", "", "--since", "1h", "--box",
+                                   "-10000,-10000,-10000,10000,10000,10000"},
+                                  world.settings(1));
+  INFO(rolled.err);
+  CHECK(rolled.status == 0);
+  viewer.until([&] { return viewer.sees(at) == kAir; });
+  digger.look_at(at);
+  CHECK(digger.sees(at) == kAir);
+  const Ended history =
+      run_talusd({"store", "history", "--at",
+                  std::to_string(at.x) + "," + std::to_string(at.y) + "," + std::to_string(at.z)},
+                 world.settings(0));
+  CHECK(history.out.find("talusd store rollback") != std::string::npos);
+}
+
+TEST_CASE("cut off from the log a server serves chunks, refuses edits, says so, and recovers by itself") {
+  World world{1};
+  Player player{patient()};
+  const auto info = player.connect(world.port(0));
+  REQUIRE(info.has_value());
+  const VoxelPos at{info->spawn.x, info->max_y + 8, info->spawn.z};
+  REQUIRE(player.put(at, solid(*info)).has_value());
+  const std::uint16_t admin = world.server(0).admin_port();
+  player.until([&] { return HttpClient{admin}.get("/-/ready").body == "ready\n"; });
+  for (std::size_t i = 0; i < world.nats().count(); ++i) world.nats().freeze(i);
+  std::optional<client::Result<client::EditDone>> doubtful;
+  client::Edit edit;
+  edit.writes.push_back({{at.x + 1, at.y, at.z}, solid(*info)});
+  player.client.edit(std::move(edit), [&](auto result) { doubtful = std::move(result); });
+  player.until(
+      [&] { return HttpClient{admin}.get("/-/ready").body.find("no edits are taken") != std::string::npos; });
+  CHECK(HttpClient{admin}.get("/-/ready").status == 200);
+  player.look_at({at.x + 400, at.y, at.z});  // land that nobody has seen
+  for (std::size_t i = 0; i < world.nats().count(); ++i) world.nats().go_on(i);
+  player.until([&] { return doubtful.has_value(); });
+  CHECK(doubtful->has_value());
+  CHECK(player.put({at.x + 2, at.y, at.z}, solid(*info))->revision == 3);
+  player.until([&] { return HttpClient{admin}.get("/-/ready").body == "ready\n"; });
 }
 
 TEST_CASE("players whose server is killed get their answers from another, each edit once") {
@@ -232,11 +292,11 @@ TEST_CASE("the log's leader is killed under players: no edit is lost or done twi
   Builders builders{world, 4, 2};
   for (int kill = 0; kill < kills; ++kill) {
     builders.build_until(100);
-    const std::size_t leader = world.nats().leader_of(kStream);
+    const std::size_t leader = world.nats().leader_of(world.stream());
     world.nats().kill(leader);
     builders.build_until(100);
     world.nats().start(leader);
-    world.nats().await_replicas(kStream);
+    world.nats().await_replicas(world.stream());
   }
   builders.finish();
   builders.check(world.port(1));

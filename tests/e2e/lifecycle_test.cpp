@@ -105,6 +105,35 @@ TEST_CASE("a second signal ends the server at once") {
   CHECK(server.wait().status == 0);
 }
 
+TEST_CASE("with a lead the server goes on for it, and sends players elsewhere one after the other") {
+  ServerProcess server{
+      {{"TALUS_SHUTDOWN_LEAD_MS", "100"}, {"TALUS_SHUTDOWN_DRAIN_MS", "2000"}, kClassicWorld}};
+  std::vector<RawClient> clients;
+  for (int i = 0; i < 10; ++i) clients.push_back(greeted(server.port()));
+  server.signal(SIGTERM);
+  server.await_line("new ones for 100 ms");
+  clients.push_back(greeted(server.port()));
+  std::vector<std::chrono::steady_clock::time_point> told;
+  for (RawClient& client : clients) {
+    const Received away = client.expect_kind<wire::GoAway>();
+    CHECK(away.as<wire::GoAway>().retry_after_ms() == 0);
+    told.push_back(std::chrono::steady_clock::now());
+    CHECK(client.closed());
+  }
+  CHECK(std::is_sorted(told.begin(), told.end()));
+  CHECK(told.back() - told.front() > std::chrono::milliseconds{500});
+  CHECK(server.wait().status == 0);
+}
+
+TEST_CASE("a second signal ends the server at once in its lead, too") {
+  ServerProcess server{{{"TALUS_SHUTDOWN_LEAD_MS", "3600000"}, kClassicWorld}};
+  server.signal(SIGTERM);
+  server.await_line("not ready any more");
+  const RawClient client = greeted(server.port());
+  server.signal(SIGTERM);
+  CHECK(server.wait().status == 0);
+}
+
 TEST_CASE("SIGHUP before the server is up does not end it") {
   const ServerProcess server{{}, {}, [&](const ServerProcess& starting) {
                                // From main's first lines on talusd ignores it, long before it listens.

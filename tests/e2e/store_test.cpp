@@ -6,6 +6,8 @@
 #include <spawn.h>
 #include <sys/wait.h>
 
+#include <algorithm>
+#include <array>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -56,9 +58,9 @@ nlohmann::json figures(const fs::path& data) {
   return nlohmann::json::parse(sound({"stat", "--json", "--data", data.string()}));
 }
 
-/// Runs talusd store, and kills it after so long where it has not ended. Whether it had.
-bool run_and_kill(std::vector<std::string> flags, std::chrono::microseconds after) {
-  flags.insert(flags.begin(), {TALUSD_PATH, "store"});
+/// Runs a command of talusd, and kills it when `wait` returns where it has not ended. Whether it had.
+bool run_and_kill(std::vector<std::string> flags, const std::function<void()>& wait) {
+  flags.insert(flags.begin(), TALUSD_PATH);
   std::vector<char*> arguments;
   for (std::string& flag : flags) arguments.push_back(flag.data());
   arguments.push_back(nullptr);
@@ -69,11 +71,18 @@ bool run_and_kill(std::vector<std::string> flags, std::chrono::microseconds afte
   pid_t pid = -1;
   REQUIRE(::posix_spawn(&pid, TALUSD_PATH, &actions, nullptr, arguments.data(), environ) == 0);
   posix_spawn_file_actions_destroy(&actions);
-  std::this_thread::sleep_for(after);  // a kill comes at any time
+  wait();
   ::kill(pid, SIGKILL);
   int status = 0;
   REQUIRE(::waitpid(pid, &status, 0) == pid);
   return WIFEXITED(status) && WEXITSTATUS(status) == 0;
+}
+
+/// The same of talusd store, which is killed after so long.
+bool run_and_kill(std::vector<std::string> flags, std::chrono::microseconds after) {
+  flags.insert(flags.begin(), "store");
+  return run_and_kill(std::move(flags),
+                      [&] { std::this_thread::sleep_for(after); });  // a kill comes at any time
 }
 
 /// A plane of 64 chunks.
@@ -270,4 +279,52 @@ TEST_CASE("backup, import, rebase and restore that are killed leave a sound stor
   Settings settings = editable(data);
   settings["TALUS_WORLD"] = worlds[next];
   const ServerProcess server{settings};
+}
+
+TEST_CASE(
+    "a pregen that is killed is taken up again, and the land that it leaves is that of a server without it") {
+  const ScratchDirectory scratch;
+  const Settings settings{{"TALUS_WORLD", TALUS_SOURCE_DIR "/core/worlds/alpine.toml"},
+                          {"TALUS_GENERATION_PATCH_TILES", "2"}};
+  const std::string data = (scratch / "data").string();
+  const std::vector<std::string> pregen{"pregen", "--radius", "300", "--data", data};
+  const auto finished = [&] {
+    const Ended ended = run_talusd(pregen, settings);
+    INFO(ended.err);
+    CHECK(ended.status == 0);
+    return ended.out;
+  };
+  std::vector<std::string> killed = pregen;
+  for (const char* const flag : {"--world", settings.at("TALUS_WORLD").c_str(), "--share", "0.1"}) {
+    killed.emplace_back(flag);
+  }
+  std::mt19937_64 random{std::random_device{}()};
+  for (int kill = 0; kill < 5; ++kill) {
+    CHECK_FALSE(run_and_kill(
+        killed, [&] { std::this_thread::sleep_for(std::chrono::milliseconds{50 + random() % 500}); }));
+  }
+  CHECK_THAT(finished(), Catch::StartsWith("121 of 121 squares are made, 484 columns"));
+  CHECK_THAT(finished(), Catch::StartsWith("121 of 121 squares are made, 0 columns"));
+
+  Settings cached = settings;
+  cached.emplace("TALUS_DATA", data);
+  std::array<std::vector<ContentHash>, 2> seen;
+  for (const bool with : {false, true}) {
+    const ServerProcess server{with ? cached : settings};
+    Player player;
+    const auto world = player.connect(server.port());
+    REQUIRE(world.has_value());
+    for (const std::int32_t x : {-256, 0, 200}) {
+      player.look_at({x, world->spawn.y, x / 2}, 2);
+      for (std::int32_t cx = -2; cx <= 2; ++cx) {
+        for (std::int32_t cz = -2; cz <= 2; ++cz) {
+          const auto chunk = player.store.find(
+              {{x / 32 + cx, static_cast<std::int32_t>(world->spawn.y / 32), x / 64 + cz}, Lod{}});
+          seen[with ? 1 : 0].push_back(chunk == nullptr ? ContentHash{} : content_hash(*chunk));
+        }
+      }
+    }
+  }
+  CHECK(seen[0] == seen[1]);
+  CHECK(std::ranges::count(seen[0], ContentHash{}) < 30);
 }

@@ -39,13 +39,7 @@ struct Store {
         editors.erase(id);
       }
     }
-    for (auto& [key, overrides] : std::move(batch).take_chunks()) {
-      if (overrides.empty()) {
-        state.chunks.erase(key);
-      } else {
-        state.chunks.insert_or_assign(key, std::move(overrides));
-      }
-    }
+    state.write(batch.chunks());
     return applied;
   }
 

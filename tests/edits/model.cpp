@@ -121,9 +121,14 @@ const ChunkOverrides* State::find(ChunkKey chunk) const {
   return found == chunks.end() ? nullptr : &found->second;
 }
 
-void State::commit(Staging&& staging) {
+void State::commit(const Staging& staging) {
   hash = staging.hash();
-  for (auto& [key, overrides] : std::move(staging).take()) {
+  write(staging.chunks());
+}
+
+void State::write(const std::unordered_map<ChunkKey, StagedChunk>& staged) {
+  for (const auto& [key, chunk] : staged) {
+    ChunkOverrides overrides = chunk.after();
     if (overrides.empty()) {
       chunks.erase(key);
     } else {

@@ -64,6 +64,16 @@ StreamFailure read_failure(LogStream& log, std::uint64_t after) {
   }
 }
 
+/// Why publish() fails for good.
+StreamFailure publish_failure(LogStream& log) {
+  const auto until = from_now(kPatience);
+  for (;;) {
+    const auto published = log.publish(bytes_of("a"));
+    if (!published && published.error().kind != Kind::unavailable) return published.error();
+    REQUIRE(std::chrono::steady_clock::now() < until);
+  }
+}
+
 /// One server and a stream.
 struct OneServer {
   explicit OneServer(const std::string& more = {}) : servers{{.servers = 1, .more = more}} {}
@@ -186,6 +196,7 @@ TEST_CASE("a stream that was deleted and made anew is another one") {
   OneServer one;
   make_stream(one.servers, one.names, 1);
   const auto log = open_log(one.servers.url_list(), one.names);
+  REQUIRE(log->state());
   publish(*log, "a");
   publish(*log, "b");
   CHECK(read(*log, 0) == "a");
@@ -193,9 +204,7 @@ TEST_CASE("a stream that was deleted and made anew is another one") {
   ask(one.servers, "$JS.API.STREAM.DELETE." + one.names.stream);
   make_stream(one.servers, one.names, 1);
 
-  const auto published = log->publish(bytes_of("c"));
-  REQUIRE_FALSE(published);
-  CHECK(published.error().kind == Kind::other);
+  CHECK(publish_failure(*log).kind == Kind::other);
   CHECK(read_failure(*log, 2).kind == Kind::other);
   const auto state = log->state();
   REQUIRE_FALSE(state);
@@ -232,10 +241,9 @@ TEST_CASE("another stream that took the subject is refused by name") {
   ask(one.servers, "$JS.API.STREAM.CREATE.FOREIGN",
       R"({"name":"FOREIGN","subjects":["talus.>"],"storage":"file"})");
   const auto log = open_log(one.servers.url_list(), one.names);
-  const auto published = log->publish(bytes_of("a"));
-  REQUIRE_FALSE(published);
-  CHECK(published.error().kind == Kind::refused);
-  CHECK_THAT(published.error().reason, Catch::Contains("FOREIGN"));
+  const auto failure = publish_failure(*log);
+  CHECK(failure.kind == Kind::refused);
+  CHECK_THAT(failure.reason, Catch::Contains("FOREIGN"));
 }
 
 TEST_CASE("false messages on the tail subject do no harm after the true ones, and are found before them") {
@@ -252,19 +260,29 @@ TEST_CASE("false messages on the tail subject do no harm after the true ones, an
   SECTION("of another stream, without a number, too large, of a far number, or of one that was read") {
     REQUIRE(attacker->send(one.names.tail, "nowhere", "no header"));
     forge("OTHER", 2, "false");
-    forge(one.names.stream, 2, std::string(60U << 20U, 'x'));
     forge(one.names.stream, 0, "false");
     forge(one.names.stream, 1'000'000'000'000, "false");
     forge(one.names.stream, 1, "false");
+    const auto until = from_now(kPatience);
+    forge(one.names.stream, 2, std::string(16U << 20U, 'x'));
+    while (log->figures().false_messages < 4) {
+      REQUIRE(std::chrono::steady_clock::now() < until);
+      REQUIRE(log->next(1, from_now(10ms)));
+    }
+    // NATS may end the connection of who does not send or take it at once.
+    try {
+      forge(one.names.stream, 2, std::string(60U << 20U, 'x'));
+    } catch (const std::runtime_error& ended) {
+      WARN(ended.what());
+    }
     publish(*log, "b");
     CHECK(read(*log, 1) == "b");
     publish(*log, "c");
-    CHECK(read(*log, 2) == "c");
-    const auto until = from_now(kPatience);
-    while (log->figures().false_messages < 3) {
-      REQUIRE(std::chrono::steady_clock::now() < until);
-      REQUIRE(log->next(3, from_now(10ms)));
-    }
+    std::uint64_t after = 1;
+    std::string text;
+    do text = read(*log, after++);
+    while (text == "b");  // twice, where its first acknowledgement did not come
+    CHECK(text == "c");
   }
   SECTION("in place of the next one") {
     forge(one.names.stream, 2, "false");

@@ -89,6 +89,7 @@ TEST_CASE("every figure has a name that a threshold takes") {
 TEST_CASE("one line says which of the server's own rates held the players, and what to change") {
   Plan plan;
   plan.server = {asio::ip::make_address("127.0.0.1"), 4780};
+  plan.servers = {plan.server};
   RunResult result;
   RateModel held{8'192, milliseconds{1'000}};
   for (int second = 0; second < 10; ++second) held.add(1, 8'192, true);

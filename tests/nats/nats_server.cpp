@@ -98,6 +98,18 @@ std::string http_get(std::uint16_t port, std::string_view path) {
   return body == std::string::npos ? std::string{} : answer.substr(body + 4);
 }
 
+/// Whether a NATS server greets whoever connects.
+bool greets(std::uint16_t port) {
+  const Socket socket{SOCK_NONBLOCK};
+  const sockaddr_in address = loopback(port);
+  if (::connect(socket.fd(), reinterpret_cast<const sockaddr*>(&address), sizeof address) != 0 &&
+      (errno != EINPROGRESS || !wait_for(socket.fd(), POLLOUT))) {
+    return false;
+  }
+  char first = 0;
+  return wait_for(socket.fd(), POLLIN) && ::recv(socket.fd(), &first, 1, 0) == 1 && first == 'I';
+}
+
 nlohmann::json parsed(const std::string& text) {
   return nlohmann::json::parse(text, nullptr, false);
 }
@@ -213,8 +225,8 @@ bool NatsServers::all_started() {
       std::this_thread::sleep_for(kBetweenLooks);
     }
     // Another program's server could answer at that port.
-    if (parsed(page(server, "/varz")).value("server_name", "") != fmt::format("n{}", server + 1))
-      return false;
+    const nlohmann::json said = parsed(page(server, "/varz"));
+    if (!said.is_object() || said.value("server_name", "") != fmt::format("n{}", server + 1)) return false;
   }
   return true;
 }
@@ -289,7 +301,7 @@ bool NatsServers::know_each_other() const {
   for (std::size_t server = 0; server < count(); ++server) {
     if (!runs(server) || servers_[server].frozen) continue;
     const nlohmann::json said = parsed(page(server, settings_.jetstream ? "/jsz" : "/varz"));
-    if (!said.is_object()) return false;
+    if (!said.is_object() || !greets(servers_[server].port)) return false;
     if (!settings_.jetstream || count() == 1) continue;
     const nlohmann::json meta = said.value("meta_cluster", nlohmann::json::object());
     if (meta.value("leader", "").empty()) return false;

@@ -109,6 +109,7 @@ beside 16
 judge 'pipelined: us a request' 1 0 3
 
 printf '\n== misses of Varnish: it and who is behind it\n'
+cp docker/varnish/rules.vcl "$out/"
 for backend in talusd nginx; do
   port="${backend}_port" before="before_$backend"
   { sed "s#\"4782\"#\"${!port}\"#" docker/varnish/talus.vcl; echo 'sub vcl_hash { hash_data(req.http.X-Turn); }'; } >"$out/$backend.vcl"

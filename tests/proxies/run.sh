@@ -160,6 +160,7 @@ fetch "$talusd_port" own
 sed -e "s#/var/cache/nginx/talus#$out/nginx/cache#" -e "s#server 127.0.0.1:4782#server 127.0.0.1:$talusd_port#" \
   -e "s#listen 80;#listen 127.0.0.1:$nginx_port; listen [::1]:$nginx_port;#" docker/nginx/talus.conf >"$out/talus.conf"
 start_nginx nginx "$nginx_port" "$out/talus.conf"
+cp docker/varnish/rules.vcl "$out/"
 sed -e "s#\"4782\"#\"$talusd_port\"#" docker/varnish/talus.vcl >"$out/talus.vcl"
 start_varnish varnish "$varnish_port" "$out/talus.vcl"
 for proxy in nginx varnish; do

@@ -9,7 +9,7 @@ from unittest import mock
 import paths  # noqa: F401
 
 import talus
-from talus import pace, protocol
+from talus import edits, pace, protocol
 from talus.protocol import ErrorAbout, ErrorCode
 
 UNIFORM = bytes.fromhex("030001ac02")  # of the vectors
@@ -302,7 +302,8 @@ class Silence(Scripted):
             while peer.receive():
                 pass
 
-        with mock.patch("talus.connection.PING_AFTER_S", 0.01), mock.patch("talus.connection.DEAD_AFTER_S", 0.05):
+        quick = mock.patch.multiple("talus.connection", PING_AFTER_S=0.01, DEAD_AFTER_S=0.05)
+        with quick, mock.patch.object(edits, "KEEP_TRYING_S", 0):
             with talus.connect(self.serve(script)) as world, self.assertRaisesRegex(TimeoutError, "said nothing"):
                 world.chunk(0, 0, 0)
 
@@ -323,8 +324,9 @@ class Broken(Scripted):
             peer.receive()
             peer.send(sent)
 
-        with talus.connect(self.serve(script)) as world, self.assertRaisesRegex(error, text):
-            world.chunk(0, 0, 0)
+        with mock.patch.object(edits, "KEEP_TRYING_S", 0), talus.connect(self.serve(script)) as world:
+            with self.assertRaisesRegex(error, text):
+                world.chunk(0, 0, 0)
 
     def test_bytes_that_are_no_frames(self):
         self.fails(b"HTTP/1.1 400 Bad Request\r\n\r\n", talus.ProtocolError, "a frame of 1347703884 bytes")
@@ -337,6 +339,52 @@ class Broken(Scripted):
 
     def test_a_server_that_leaves(self):
         self.fails(protocol.GoAway(reason="restart", retry_after_ms=5), talus.ServerLeaving, "restart")
+
+    def test_a_server_that_leaves_is_followed_by_the_next(self):
+        def leave(peer):
+            peer.greet()
+            keys = [request.key for request in peer.receive().requests]
+            ids = range(1, 1 + len(keys))
+            peer.send(self.chunk(ids[0], tuple(keys[0])))
+            peer.send(protocol.GoAway(reason="an update", retry_after_ms=3_600_000))
+
+        def stay(peer):
+            peer.greet()
+            for request in peer.receive().requests:
+                peer.send(self.chunk(request.id, tuple(request.key)))
+            peer.send(protocol.Pong(nonce=peer.receive().nonce))
+
+        addresses = f"{self.serve(leave)},{self.serve(stay)}"
+        keys = [(x, 0, 0, 0) for x in range(5)]
+        with talus.connect(addresses) as world:
+            self.assertEqual([tuple(chunk.key) for chunk in world.chunks(keys)], keys)
+            world.ping()
+
+    def test_a_view_goes_on_at_the_next_server(self):
+        def leave(peer):
+            peer.greet()
+            peer.receive()
+            peer.send(self.chunk(0, (0, 0, 0, 0)))
+
+        def stay(peer):
+            peer.greet()
+            view = peer.receive()
+            for x in (-1, 0, 1):
+                for z in (-1, 0, 1):
+                    peer.send(self.chunk(0, (x, 0, z, 0)))
+            peer.send(protocol.ViewComplete(number=view.number))
+
+        with talus.connect(f"{self.serve(leave)},{self.serve(stay)}") as world:
+            seen = [tuple(chunk.key) for chunk in world.view(0, 0, 1, y=0, vertical_radius=0)]
+        self.assertEqual((len(seen), len(set(seen)), seen[0]), (9, 9, (0, 0, 0, 0)))
+
+    def test_where_the_first_server_is_away_the_next_is_asked(self):
+        with socket.create_server(("127.0.0.1", 0)) as gone:
+            port = gone.getsockname()[1]
+        with talus.connect(f"127.0.0.1:{port},{self.serve(lambda peer: peer.greet())}"):
+            pass
+        with self.assertRaises(OSError):
+            talus.connect(f"127.0.0.1:{port},127.0.0.1:{port}")
 
     def test_a_server_that_refuses_hello(self):
         address = self.serve(lambda peer: peer.greet(protocol.Error(code=ErrorCode.unauthorized, text="no token")))

@@ -87,6 +87,26 @@ TEST_CASE("addresses that left are forgotten when their time is over") {
   CHECK(admission.addresses() == 1);
 }
 
+TEST_CASE("an address that made editors is remembered until it has saved them up again") {
+  ManualClock clock;
+  RateSet rates;
+  rates.editors = {1, 2 * kEditorTokens};  // one an hour
+  Admission admission{{10, 10, std::chrono::seconds{32}, rates}, clock};
+  const auto address = asio::ip::make_address("192.0.2.1");
+  const auto made = [&] {
+    const auto slot = admission.enter(address);
+    SessionRates session{{{}, rates, {}}, slot->rates(), 1};
+    int editors = 0;
+    while (!session.refuse_editor(clock.now())) ++editors;
+    return editors;
+  };
+  CHECK(made() == 2);
+  clock.advance(std::chrono::minutes{61});
+  CHECK(made() == 1);
+  clock.advance(std::chrono::hours{3});
+  CHECK(made() == 2);
+}
+
 TEST_CASE("however many addresses come and go, few are remembered") {
   ManualClock clock;
   Admission admission{{10, 10, std::chrono::hours{1}}, clock};

@@ -12,6 +12,7 @@
 #include "cluster_node.h"
 #include "edits/model.h"
 #include "scratch_directory.h"
+#include "shared_stream.h"
 #include "store/rocks.h"
 
 namespace talus::server {
@@ -108,7 +109,8 @@ struct Cluster {
 
   explicit Cluster(std::size_t count) : lost(count), why(count) {
     for (std::size_t i = 0; i < count; ++i) {
-      nodes.push_back(std::make_unique<ClusterNode>(scratch / std::to_string(i), stream, i * 100));
+      nodes.push_back(
+          std::make_unique<ClusterNode>(scratch / std::to_string(i), ends_of(stream, i * 100), i * 100));
       nodes[i]->on_lost = [this, i](Lost how, const std::string& reason) {
         const std::lock_guard lock{mutex};
         lost[i] = how;
@@ -197,7 +199,8 @@ TEST_CASE("without a quorum edits in doubt stay open, further ones are refused, 
   cluster.stream.set_quorum(false);
   const auto doubtful = answers.send(cluster.log(0), write_at(1, 5));
   REQUIRE(doubtful.has_value());
-  until([&] { return cluster.nodes[0]->end().published() > 3; });
+  const std::uint64_t before = cluster.stream.attempts;
+  until([&] { return cluster.stream.attempts > before + 3; });
   const auto queued = answers.send(cluster.log(0), write_at(2, 6));  // waits for the next message
   REQUIRE(queued.has_value());
   const auto refused = answers.await(*queued);
@@ -305,7 +308,7 @@ TEST_CASE("a server whose place the stream does not keep, or whose stream is ano
     genesis.identity = kClusterIdentity;
     genesis.head.position = 5;
     SharedStream other{*cluster::encode(genesis)};
-    ClusterNode node{cluster.scratch / "other", other, 5};
+    ClusterNode node{cluster.scratch / "other", ends_of(other, 5), 5};
     std::optional<Lost> lost;
     std::mutex mutex;
     node.on_lost = [&](Lost how, const std::string&) {

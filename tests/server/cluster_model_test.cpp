@@ -13,6 +13,7 @@
 #include "cluster_node.h"
 #include "edits/model.h"
 #include "scratch_directory.h"
+#include "shared_stream.h"
 
 namespace talus::server {
 namespace {
@@ -48,8 +49,8 @@ class ClusterModel {
       : random_{seed}, stream_{empty_genesis()}, players_(players) {
     const StreamFaults faults{.lost = 20, .unacked = 20, .holes = 30, .late_us = 500};
     for (std::size_t i = 0; i < nodes; ++i) {
-      nodes_.push_back(std::make_unique<ClusterNode>(scratch_ / ("node" + std::to_string(i)), stream_,
-                                                     seed + i * 100, faults));
+      nodes_.push_back(std::make_unique<ClusterNode>(
+          scratch_ / ("node" + std::to_string(i)), ends_of(stream_, seed + i * 100, faults), seed + i * 100));
       nodes_.back()->on_changed = [this](const edits::Head& head) {
         const std::lock_guard lock{mutex_};
         states_.emplace(head.revision, head.hash);

@@ -11,9 +11,9 @@
 
 #include "clock/clock.h"
 #include "cluster/cluster_log.h"
+#include "cluster/log_stream.h"
 #include "cluster/message.h"
 #include "edits/edit_state.h"
-#include "shared_stream.h"
 #include "store/edit_database.h"
 #include "unsafe_disk.h"
 
@@ -29,11 +29,12 @@ inline std::vector<std::byte> empty_genesis() {
 
 class ClusterNode {
  public:
-  ClusterNode(std::filesystem::path path, SharedStream& stream, std::uint64_t seed, StreamFaults faults = {})
+  /// An end of the shared stream, for each time that the node is opened.
+  using OpenStream = std::function<std::unique_ptr<LogStream>()>;
+
+  ClusterNode(std::filesystem::path path, OpenStream open_stream, std::uint64_t seed)
       : path_{std::move(path)},
-        stream_{stream},
-        seed_{seed},
-        faults_{faults},
+        open_stream_{std::move(open_stream)},
         disk_{std::make_shared<UnsafeDisk>(seed)},
         env_{environment_of(disk_)} {
     settings.store.flush_interval = std::chrono::milliseconds{5};
@@ -51,7 +52,7 @@ class ClusterNode {
   /// The error, or nothing.
   [[nodiscard]] std::string open() {
     if (auto error = open_store(); !error.empty()) return error;
-    end_ = std::make_unique<StreamEnd>(stream_, ++seed_, faults_);
+    end_ = open_stream_();
     cluster::ClusterLog::Parts parts{
         *end_,
         *database_,
@@ -98,22 +99,19 @@ class ClusterNode {
   [[nodiscard]] cluster::ClusterLog& log() { return *log_; }
   [[nodiscard]] EditState& state() { return *state_; }
   [[nodiscard]] EditDatabase& database() { return *database_; }
-  [[nodiscard]] StreamEnd& end() { return *end_; }
   [[nodiscard]] UnsafeDisk& disk() { return *disk_; }
   [[nodiscard]] rocksdb::Env& env() { return *env_; }
   [[nodiscard]] const std::filesystem::path& path() const { return path_; }
 
  private:
   const std::filesystem::path path_;
-  SharedStream& stream_;
-  std::uint64_t seed_;
-  const StreamFaults faults_;
+  const OpenStream open_stream_;
   const std::shared_ptr<UnsafeDisk> disk_;
   const std::unique_ptr<rocksdb::Env> env_;
   SystemClock clock_;
   std::unique_ptr<EditDatabase> database_;
   std::unique_ptr<EditState> state_;
-  std::unique_ptr<StreamEnd> end_;
+  std::unique_ptr<LogStream> end_;
   std::unique_ptr<cluster::ClusterLog> log_;
 };
 

@@ -66,6 +66,62 @@ TEST_CASE("commands open a store of any world, and make nothing where there is n
   CHECK(opened->has_store());
 }
 
+TEST_CASE("who only reads writes nothing, and keeps writers out alone") {
+  const ScratchDirectory scratch;
+  CHECK_FALSE(DataDirectory::open_to_read(scratch.path()).has_value());
+  const ContentHash id = id_of(scratch.path());
+  fs::create_directory(scratch / "talus-checkpoint-1");  // what a writer would remove
+  {
+    const auto first = DataDirectory::open_to_read(scratch.path());
+    const auto second = DataDirectory::open_to_read(scratch.path());
+    REQUIRE(first.has_value());
+    REQUIRE(second.has_value());
+    CHECK(second->store_id() == id);
+    CHECK_FALSE(DataDirectory::open_store(scratch.path()).has_value());
+    CHECK(fs::exists(scratch / "talus-checkpoint-1"));
+  }
+  {
+    const auto writer = DataDirectory::open_store(scratch.path());
+    REQUIRE(writer.has_value());
+    const auto refused = DataDirectory::open_to_read(scratch.path());
+    REQUIRE_FALSE(refused.has_value());
+    CHECK_THAT(refused.error(), Catch::Contains("a talusd uses it"));
+  }
+  fs::remove(scratch / "lock");
+  CHECK(DataDirectory::open_to_read(scratch.path()).has_value());
+  CHECK_FALSE(fs::exists(scratch / "lock"));
+}
+
+TEST_CASE("a reader may write once nobody else reads") {
+  const ScratchDirectory scratch;
+  (void)id_of(scratch.path());
+  auto reader = DataDirectory::open_to_read(scratch.path());
+  REQUIRE(reader.has_value());
+  {
+    const auto other = DataDirectory::open_to_read(scratch.path());
+    REQUIRE(other.has_value());
+    CHECK_THAT(reader->lock_to_write().error(), Catch::Contains("another command reads it"));
+  }
+  CHECK(reader->lock_to_write().has_value());
+  CHECK_FALSE(DataDirectory::open_to_read(scratch.path()).has_value());
+}
+
+TEST_CASE("a lock that is a link or a pipe is refused or harmless, and nothing waits") {
+  const ScratchDirectory scratch;
+  (void)id_of(scratch.path());
+  fs::remove(scratch / "lock");
+  fs::create_symlink("elsewhere", scratch / "lock");
+  for (const auto open : {&DataDirectory::open_store, &DataDirectory::open_to_read}) {
+    const auto refused = open(scratch.path());
+    REQUIRE_FALSE(refused.has_value());
+    CHECK_THAT(refused.error(), Catch::Contains("lock: it is a link"));
+  }
+  CHECK_FALSE(fs::exists(scratch / "elsewhere"));
+  fs::remove(scratch / "lock");
+  REQUIRE(::mkfifo((scratch / "lock").c_str(), 0600) == 0);
+  CHECK(DataDirectory::open_to_read(scratch.path()).has_value());
+}
+
 TEST_CASE("a store.toml that cannot be looked at is refused, not replaced") {
   const ScratchDirectory scratch;
   std::filesystem::create_symlink("nowhere.toml", scratch / "store.toml");

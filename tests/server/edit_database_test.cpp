@@ -1,10 +1,13 @@
 // Which stores are opened, and the table of materials.
+#include <sys/stat.h>
+
 #include <rocksdb/db.h>
 #include <catch2/catch.hpp>
 
 #include "scratch_directory.h"
 #include "store/edit_database.h"
 #include "store/read_only_store.h"
+#include "store/whole_store.h"
 
 namespace talus::server {
 namespace {
@@ -53,6 +56,53 @@ TEST_CASE("a database without the store's state is refused") {
   REQUIRE(db->Delete({}, meta_key()).ok());
   delete db;
   CHECK(store.open().find("its record of the store's state is missing") != std::string::npos);
+}
+
+TEST_CASE("pipes, devices and links among a store's files are refused by name, and nobody waits for them") {
+  Store store;
+  REQUIRE(store.open() == "");
+  const auto path = store.settings.path;
+  const auto put = [&](const std::filesystem::path& file, const std::string& what) {
+    std::filesystem::remove(file);
+    if (what == "a pipe") {
+      REQUIRE(::mkfifo(file.c_str(), 0600) == 0);
+    } else if (what == "a directory") {
+      std::filesystem::create_directory(file);
+    } else {
+      std::filesystem::create_symlink("/dev/zero", file);
+    }
+  };
+  for (const std::string what : {"a pipe", "a link", "a directory"}) {
+    for (const char* const name : {"db/CURRENT", "db/000099.log", "db/000099.sst"}) {
+      CAPTURE(what, name);
+      const auto file = path / name;
+      const auto kept = path / "kept";
+      if (std::filesystem::exists(file)) std::filesystem::rename(file, kept);
+      put(file, what);
+      const std::string refusal = file.string() + ": it is " + what + ", and must be a regular file";
+      CHECK_THAT(store.open(), Catch::Contains(refusal));
+      const auto read = ReadOnlyStore::open(path);
+      REQUIRE_FALSE(read.has_value());
+      CHECK_THAT(read.error(), Catch::Contains(refusal));
+      const auto compacted = compact(path);
+      REQUIRE_FALSE(compacted.has_value());
+      CHECK_THAT(compacted.error(), Catch::Contains(refusal));
+      std::filesystem::remove(file);
+      if (std::filesystem::exists(kept)) std::filesystem::rename(kept, file);
+    }
+    put(path / "acknowledged.new", what);
+    if (what != "a directory") CHECK(store.open() == "");
+    std::filesystem::remove(path / "acknowledged.new");
+    const auto acknowledged = path / "acknowledged";
+    std::filesystem::rename(acknowledged, path / "kept");
+    put(acknowledged, what);
+    CHECK_THAT(store.open(), Catch::Contains(acknowledged.string() + ": it is " + what));
+    std::filesystem::remove(acknowledged);
+    std::filesystem::rename(path / "kept", acknowledged);
+  }
+  std::filesystem::rename(path / "db", path / "elsewhere");
+  std::filesystem::create_directory_symlink("elsewhere", path / "db");
+  CHECK_THAT(store.open(), Catch::Contains("db: it is a link, and must be a directory"));
 }
 
 TEST_CASE("names of materials are bound to ids for ever") {

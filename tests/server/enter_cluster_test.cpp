@@ -6,6 +6,7 @@
 #include "checkpoint_store.h"
 #include "cluster_node.h"
 #include "join/enter_cluster.h"
+#include "shared_stream.h"
 #include "store/whole_store.h"
 
 namespace talus::server::join {
@@ -135,7 +136,7 @@ TEST_CASE("into a cluster and back a store keeps revisions, editors and edits") 
   Single single;
   REQUIRE(single.enter() == "");
   {
-    ClusterNode node{single.path, single.stream, 9};
+    ClusterNode node{single.path, [&] { return std::make_unique<StreamEnd>(single.stream, 9); }, 9};
     REQUIRE(node.open() == "");
     // The editor's sequences go on.
     const auto repeat = apply(node, single.editor.entry(one_write(1, 2, 3)));

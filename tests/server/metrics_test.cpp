@@ -133,7 +133,11 @@ TEST_CASE("every series has a help line and a type") {
 }
 
 TEST_CASE("alerts and dashboard use only metrics that exist") {
-  const std::string text = text_of({});
+  const LatencyHistogram publishing;
+  const std::string text = text_of({}, {.memory_bytes = {1, 2, 3},
+                                        .certificate_expires = 1'900'000'000,
+                                        .edits = RuntimeGauges::Edits{},
+                                        .cluster = RuntimeGauges::Cluster{.publishing = &publishing}});
   const std::string file = GENERATE(as<std::string>{}, "docker/alerts.yml", "docker/grafana/talus.json");
   const std::set<std::string> used = names_in(file_text(file));
   CHECK(used.size() > 5);
@@ -240,7 +244,7 @@ TEST_CASE("the log that servers share is shown where it is") {
   LatencyHistogram publishing;
   publishing.add(3ms);
   RuntimeGauges gauges;
-  gauges.cluster = {true, false, true, 5, 6, 7, 8, &publishing};
+  gauges.cluster = {true, false, true, 5, 6, 7, 8, &publishing, 9};
   const std::string text = text_of(metrics, gauges);
   CHECK(value_of(text, "talus_cluster_connected") == "1");
   CHECK(value_of(text, "talus_cluster_quorum") == "0");
@@ -250,6 +254,7 @@ TEST_CASE("the log that servers share is shown where it is") {
   CHECK(value_of(text, "talus_cluster_republished_total") == "7");
   CHECK(value_of(text, "talus_cluster_gaps_total") == "8");
   CHECK(value_of(text, "talus_cluster_publish_seconds_count") == "1");
+  CHECK(value_of(text, "talus_cluster_joins_total") == "9");
   CHECK(text_of(metrics, {}).find("talus_cluster") == std::string::npos);
 }
 

@@ -6,6 +6,8 @@
 
 #include <catch2/catch.hpp>
 
+#include "threads/signals.h"
+
 using namespace talus::server;
 
 namespace {
@@ -40,4 +42,16 @@ TEST_CASE("commands that serve nobody end by a signal as any other does") {
   };
   CHECK(ended_by(SIGTERM, both) == 128 + SIGTERM);
   CHECK(ended_by(SIGINT, both) == 128 + SIGINT);
+}
+
+TEST_CASE("a signal ends the process while work is done that no signal reaches") {
+  const auto works = [] {
+    end_at_once_on_signals();
+    without_signals([] {
+      ::kill(::getpid(), SIGTERM);
+      for (;;) ::pause();
+    });
+  };
+  CHECK(ended_by(SIGTERM, works) == 0);
+  CHECK(without_signals([] { return 7; }) == 7);
 }

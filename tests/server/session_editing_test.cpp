@@ -28,6 +28,10 @@ struct ScriptedTaker final : EditTaker {
   void forget(ClientId client) override { forgotten.push_back(client); }
   [[nodiscard]] bool settles() const override { return slides; }
   bool slides = false;
+  [[nodiscard]] bool knows(edits::EditorId editor, const std::string& subject) const override {
+    return editor == known && subject.empty();
+  }
+  edits::EditorId known{7, 7};
 };
 
 Access editors() {
@@ -46,8 +50,10 @@ struct Bench {
   ScriptedTaker taker;
   SessionBench bench;
 
-  explicit Bench(const RateLimits& rates = {}, const Access& access = editors(), EditRules rules = {})
+  explicit Bench(const RateLimits& rates = {}, const Access& access = editors(), EditRules rules = {},
+                 AddressBucketsPtr address = {})
       : bench{{.rates = rates,
+               .address = std::move(address),
                .access = access,
                .edits = &taker,
                .protocol = protocol::kEditsProtocol,
@@ -207,6 +213,30 @@ TEST_CASE("an edit in a protected box is forbidden and costs nothing else, and i
   CHECK_THAT(said[0].text, Catch::Contains("-16,-16:16,16"));
   REQUIRE(shared.taker.edits.size() == 1);
   CHECK(shared.taker.edits[0].sequence == 2);
+}
+
+TEST_CASE("an address makes so many editors an hour, and whoever is one already goes on") {
+  RateLimits limits;
+  limits.address.editors = {1, 2 * kEditorTokens};  // two saved up, and one an hour
+  Bench shared{limits, editors(), {}, std::make_shared<AddressBuckets>(limits.address)};
+  const auto attach = [&](edits::EditorId editor) {
+    shared.taker.attaches.clear();
+    shared.bench.attach(editor);
+    const auto said = shared.bench.output();
+    if (shared.taker.attaches.empty()) return said.at(0).text;
+    // Another session comes; this one is as it was.
+    shared.bench.mailbox->put(
+        AttachAnswer{tl::unexpected{EditRefusal{ErrorCode::overloaded, "not now", 1ms}}});
+    shared.bench.take_mail();
+    (void)shared.bench.output();
+    return std::string{"made"};
+  };
+  CHECK(attach({}) == "made");
+  CHECK(attach({1, 2}) == "made");  // unknown, so another is made
+  CHECK(attach({}) == "over rates.address_editors");
+  CHECK(attach({1, 2}) == "over rates.address_editors");
+  CHECK(attach({7, 7}) == "made");  // known, so none is
+  CHECK(shared.bench.metrics.throttled(RateKind::address_editors).total() == 2);
 }
 
 TEST_CASE("where a gateway is required, players are told so at Attach and at Edit") {

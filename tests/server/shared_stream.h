@@ -6,6 +6,8 @@
 #include <chrono>
 #include <condition_variable>
 #include <cstdint>
+#include <functional>
+#include <memory>
 #include <mutex>
 #include <optional>
 #include <random>
@@ -41,6 +43,8 @@ class SharedStream {
     first_ = first;
   }
   void make_anew() { created_ns_ = 2; }
+  /// How often any end published, or tried to.
+  std::atomic<std::uint64_t> attempts{0};
 
   [[nodiscard]] StreamState state() const {
     const std::lock_guard lock{mutex_};
@@ -98,7 +102,7 @@ class StreamEnd final : public LogStream {
 
   [[nodiscard]] tl::expected<std::uint64_t, StreamFailure> publish(
       std::span<const std::byte> message) override {
-    ++published_;
+    ++stream_.attempts;
     delay(publishing_);
     if (stopped_ || !stream_.has_quorum() || !connected_) return unavailable();
     const std::uint64_t fault = publishing_() % 256;
@@ -131,7 +135,6 @@ class StreamEnd final : public LogStream {
   }
 
   void connect(bool connected) { connected_ = connected; }
-  [[nodiscard]] std::uint64_t published() const { return published_; }
 
  private:
   static tl::unexpected<StreamFailure> unavailable() {
@@ -149,7 +152,12 @@ class StreamEnd final : public LogStream {
   std::atomic<bool> stopped_{false};
   std::atomic<bool> woken_{false};
   std::atomic<bool> connected_{true};
-  std::atomic<std::uint64_t> published_{0};
 };
+
+/// Opens one end after another.
+inline std::function<std::unique_ptr<LogStream>()> ends_of(SharedStream& stream, std::uint64_t seed,
+                                                           const StreamFaults& faults = {}) {
+  return [&stream, seed, faults]() mutable { return std::make_unique<StreamEnd>(stream, ++seed, faults); };
+}
 
 }  // namespace talus::server::testing

@@ -1,12 +1,18 @@
 // The command line of `talusd store`, and its times.
 #include <filesystem>
+#include <string>
+#include <string_view>
 #include <vector>
 
 #include <catch2/catch.hpp>
 
 #include "config/parse_flags.h"
 #include "scratch_directory.h"
+#include "store/data_directory.h"
+#include "store/edit_database.h"
+#include "store_command/local_writer.h"
 #include "store_command/moments.h"
+#include "store_command/opened_store.h"
 #include "store_command/store_command.h"
 
 namespace talus::server {
@@ -53,6 +59,32 @@ TEST_CASE("wrong flags and failures have statuses of their own") {
         kFailed);
   CHECK(run({"rebase", "--data", data.c_str()}) == kFailed);
   CHECK_FALSE(std::filesystem::exists(data));
+}
+
+TEST_CASE("a store of a cluster is replaced or changed by no command, and each says what to do instead") {
+  const ScratchDirectory scratch;
+  const std::filesystem::path data = scratch / "data";
+  {
+    const auto directory = DataDirectory::open(data, {1, 2});
+    REQUIRE(directory.has_value());
+    EditDatabaseSettings settings;
+    settings.path = data;
+    settings.fingerprint = {1, 2};
+    settings.store_id = directory->store_id();
+    const auto database = EditDatabase::open(settings);
+    REQUIRE(database.has_value());
+    REQUIRE((*database)->enter({5, 1}).has_value());
+  }
+  for (const std::string_view command : {"restore", "rebase", "import into"}) {
+    const auto refused = check_is_alone(data, command);
+    REQUIRE_FALSE(refused.has_value());
+    CHECK(refused.error().find("talusd store leave-cluster, " + std::string{command}) != std::string::npos);
+  }
+  CHECK(check_is_alone(scratch / "empty", "restore").has_value());
+  const auto identity = read_store_identity(data / "store.toml");
+  const auto writer = LocalWriter::open(data, *identity);
+  REQUIRE_FALSE(writer.has_value());
+  CHECK(writer.error().find("start its talusd") != std::string::npos);
 }
 
 }  // namespace talus::server

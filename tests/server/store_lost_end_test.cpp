@@ -8,6 +8,7 @@
 #include "edits_of_tests.h"
 #include "scratch_directory.h"
 #include "store/acknowledged_file.h"
+#include "store/whole_store.h"
 #include "store_command/backup.h"
 #include "store_command/opened_store.h"
 #include "store_command/transfer.h"
@@ -61,7 +62,7 @@ class Killed {
   [[nodiscard]] std::string backup() const {
     const auto opened = OpenedStore::open(path());
     if (!opened) return opened.error();
-    const auto done = write_backup(opened->store(), opened->path(), scratch_ / "backup");
+    const auto done = write_backup(opened->path(), scratch_ / "backup");
     return done ? "" : done.error();
   }
   [[nodiscard]] std::string export_again() const {
@@ -83,12 +84,20 @@ class Killed {
     return done ? "" : done.error();
   }
 
+  [[nodiscard]] std::string compact_it() const {
+    const auto directory = DataDirectory::open_store(path());
+    REQUIRE(directory.has_value());
+    const auto done = compact(path());
+    return done ? "" : done.error();
+  }
+
  private:
   ScratchDirectory scratch_{ScratchDirectory::memory()};
   edits::Head head_;
 };
 
-constexpr std::array kCommands{&Killed::backup, &Killed::export_again, &Killed::import, &Killed::rebase};
+constexpr std::array kCommands{&Killed::backup, &Killed::export_again, &Killed::import, &Killed::rebase,
+                               &Killed::compact_it};
 
 }  // namespace
 
@@ -105,7 +114,8 @@ TEST_CASE("of a store whose log lost its end nothing is made") {
             .position == store.head().position);
 }
 
-TEST_CASE("a store whose talusd was killed is backed up, exported, imported into and rebased whole") {
+TEST_CASE(
+    "a store whose talusd was killed is backed up, exported, imported into, rebased and compacted whole") {
   for (const auto command : kCommands) {
     const Killed store;
     CHECK((store.*command)() == "");

@@ -12,6 +12,7 @@
 #include "scratch_directory.h"
 #include "store/bytes.h"
 #include "store/read_only_store.h"
+#include "store_command/backup.h"
 #include "store_socket/store_connection.h"
 #include "store_socket/store_socket.h"
 #include "store_socket/unix_address.h"
@@ -24,11 +25,14 @@ namespace fs = std::filesystem;
 
 /// A store with its log and its socket.
 struct Served {
-  explicit Served(const fs::path& path) : directory{path}, store{path} {
+  explicit Served(const fs::path& path, StoreSocket::Patience patience = {},
+                  std::uint64_t checkpoint_bytes = 0)
+      : directory{path}, store{path} {
     store.log_settings.flush_interval = std::chrono::milliseconds{1};
     REQUIRE(store.open() == "");
-    auto opened = StoreSocket::open(path, {store.database(), store.log(), [this] { return read_only; }, {}},
-                                    make_logger("off", "text"));
+    auto opened = StoreSocket::open(
+        path, {store.database(), store.log(), [this] { return read_only; }, {}, patience, checkpoint_bytes},
+        make_logger("off", "text"));
     INFO((opened ? "" : opened.error()));
     REQUIRE(opened.has_value());
     socket = *std::move(opened);
@@ -132,6 +136,61 @@ TEST_CASE("a checkpoint under edits is one moment of the store, and goes with it
   }
   ends = true;
   edits.join();
+}
+
+TEST_CASE("where the disk has no place for a checkpoint the files are read and backed up as they lie") {
+  const ScratchDirectory scratch{ScratchDirectory::memory()};
+  Served served{scratch / "data", {}, UINT64_MAX};
+  TestEditor editor;
+  editor.attach(served.store);
+  std::mt19937_64 random{1};
+  for (int i = 0; i < 100; ++i) (void)editor.edit(served.store, random_edit(random));
+  std::atomic<bool> ends = false;
+  std::thread edits{[&] {
+    while (!ends) (void)editor.edit(served.store, random_edit(random));
+  }};
+  const auto sound = [](const fs::path& path, std::uint64_t least) {
+    const auto store = ReadOnlyStore::open(path);
+    INFO((store ? "" : store.error()));
+    REQUIRE(store.has_value());
+    CHECK((*store)->meta().head.position >= least);
+    edits::StateHash hash;
+    REQUIRE((*store)->for_each_base_chunk([&](ChunkCoord chunk, const StoredChunk& stored) {
+      hash.add(chunk, stored.voxels);
+      return true;
+    }));
+    CHECK(hash == (*store)->meta().head.hash);
+  };
+  for (int i = 0; i < 10; ++i) {
+    CAPTURE(i);
+    const std::uint64_t before = served.store.log().status().head.position;
+    StoreConnection connection = connected(served.directory);
+    const auto given = connection.checkpoint();
+    INFO((given ? "" : given.error()));
+    REQUIRE(given.has_value());
+    CHECK(given->path == served.directory);
+    sound(given->path, before);
+    const fs::path backup = scratch / ("backup" + std::to_string(i));
+    const auto manifest = write_backup(given->path, backup);
+    INFO((manifest ? "" : manifest.error()));
+    REQUIRE(manifest.has_value());
+    sound(backup, before);
+    CHECK(ReadOnlyStore::open(backup).value()->meta().head == manifest->head);
+    // RocksDB removes files at other times.
+    if (i % 2 == 0) REQUIRE(served.store.database().settle().has_value());
+  }
+  ends = true;
+  edits.join();
+}
+
+TEST_CASE("a peer that asks for nothing is let go of, and one that reads is waited for") {
+  const ScratchDirectory scratch;
+  Served served{scratch / "data", {.first = std::chrono::milliseconds{50}, .next = std::chrono::hours{1}}};
+  StoreConnection reads = connected(served.directory);
+  REQUIRE(reads.checkpoint().has_value());
+  const RawPeer silent{served.directory};
+  CHECK(silent.refusal().find("says nothing") != std::string::npos);
+  CHECK(reads.checkpoint().has_value());
 }
 
 TEST_CASE("the server's reason for taking no edits comes with a checkpoint") {

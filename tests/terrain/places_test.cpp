@@ -249,7 +249,8 @@ TEST_CASE("Talus that comes to the same numbers has one fingerprint, and other n
     return world->fingerprint();
   };
   // 513.0 and 512.5 subvoxels, or nearly, which are rounded apart; floats of both are one.
-  const std::string thickness = "thickness = 10                # at most";
+  const std::string thickness =
+      "thickness = 9                 # at most; no ground further than 32 columns away is looked at so";
   CHECK(fingerprint(thickness, "thickness = 1.001953125") !=
         fingerprint(thickness, "thickness = 1.001953124999"));
   CHECK(fingerprint("reach = 4 ", "reach = 3 ") == default_world().fingerprint());

@@ -99,20 +99,37 @@ Values sample(const Regions& regions, std::int64_t x, std::int64_t z) {
   return values;
 }
 
+using Four = std::array<float, 4>;
+
+/// How much of each of four samples in a row lies at t, of the way from the second to the third.
+Four catmull_rom(float t) {
+  return {((2 - t) * t - 1) * t * 0.5F, ((3 * t - 5) * t * t + 2) * 0.5F, ((4 - 3 * t) * t + 1) * t * 0.5F,
+          (t - 1) * t * t * 0.5F};
+}
+
 Values between(const Regions& regions, std::int64_t x, std::int64_t z) {
-  const std::int64_t west = floor_div(x, 8) * 8;
-  const std::int64_t north = floor_div(z, 8) * 8;
-  const auto along_x = static_cast<float>(x - west) / 8;
-  const auto along_z = static_cast<float>(z - north) / 8;
-  const Values nw = sample(regions, west, north);
-  const Values ne = sample(regions, west + 8, north);
-  const Values sw = sample(regions, west, north + 8);
-  const Values se = sample(regions, west + 8, north + 8);
+  const std::int64_t west = floor_div(x, 16) * 16;
+  const std::int64_t north = floor_div(z, 16) * 16;
+  const float t = static_cast<float>(x - west) / 16;
+  const Four shares = catmull_rom(static_cast<float>(z - north) / 16);
+  std::array<std::array<Values, 4>, 4> samples;
+  for (std::size_t j = 0; j < 4; ++j) {
+    for (std::size_t i = 0; i < 4; ++i) {
+      samples[j][i] = sample(regions, west + (static_cast<std::int64_t>(i) - 1) * 16,
+                             north + (static_cast<std::int64_t>(j) - 1) * 16);
+    }
+  }
   Values values{};
-  for (std::size_t i = 0; i < kSlowCount; ++i) {
-    const float l = nw[i] + (sw[i] - nw[i]) * along_z;
-    const float r = ne[i] + (se[i] - ne[i]) * along_z;
-    values[i] = l + (r - l) * along_x;
+  for (std::size_t k = 0; k < kSlowCount; ++k) {
+    Four p{};
+    for (std::size_t i = 0; i < 4; ++i) {
+      p[i] = samples[0][i][k] * shares[0] + samples[1][i][k] * shares[1] + samples[2][i][k] * shares[2] +
+             samples[3][i][k] * shares[3];
+    }
+    const float c1 = 0.5F * (p[2] - p[0]);
+    const float c3 = 0.5F * (p[3] - p[0]) + 1.5F * (p[1] - p[2]);
+    const float c2 = p[2] - p[1] - c1 - c3;
+    values[k] = p[1] + t * (c1 + t * (c2 + t * c3));
   }
   return values;
 }
@@ -128,7 +145,7 @@ std::int32_t region_height_fx(const Regions& regions, float highest_fx, std::int
   Values v = between(regions, x, z);
   const RegionShape& p = regions.at_columns;
   const float B = of(v, Slow::base);
-  const float G = of(v, Slow::belt);
+  const float G = unit(of(v, Slow::belt));
   const float A = of(v, Slow::hills);
   float ridge = 0;
   float fbm = 0;
@@ -144,7 +161,9 @@ std::int32_t region_height_fx(const Regions& regions, float highest_fx, std::int
       const RotatedLattice lattice = rotated_lattice(seed, regions.shape.period, k, regions.shape.turn);
       n = rotated_sample(lattice, lattice.u(x, z), lattice.v(x, z)).value;
     }
-    const float s = std::max(0.0F, 1 - 1.8F * std::sqrt(n * n + 0.0005F));
+    const float inside = std::max(0.0F, 0.045F - std::abs(n));
+    const float distance = std::abs(n) + inside * inside * (0.5F / 0.045F);
+    const float s = std::max(0.0F, 1 - 1.8F * distance);
     const float signal = s * s * shown;
     ridge += p.ridge_weights[i] * signal;
     shown = std::min(1.0F, 0.3F + 1.1F * signal);
@@ -157,7 +176,7 @@ std::int32_t region_height_fx(const Regions& regions, float highest_fx, std::int
   const float over = std::max(0.0F, r0 - 0.9F);
   const float R = std::min(r0, 0.9F) + over / (1 + 3 * over);
 
-  const float bs = B + p.range_base * s_curve(unit(G));
+  const float bs = B + p.range_base * s_curve(G);
   const float above = std::max(0.0F, bs - p.carve[0]);
   const float up = above * above / (above + 20);
   const float kb = 1.2F + up;
@@ -181,7 +200,8 @@ std::int32_t region_height_fx(const Regions& regions, float highest_fx, std::int
   const float b1 = a1 * dp1 * s_curve(unit(1 - D1 / w1));
   const float b2 = a2 * dp2 * s_curve(unit(1 - D2 / w2));
   const float field = of(v, Slow::terrace) + p.mesa_roughness * small - 0.6F * (1 - unit(1.15F * s)) + 0.1F;
-  const float mesa = of(v, Slow::mesa) * p.mesa_height * p.terraces(field) * s_curve(unit(4 * s));
+  const float mesa =
+      std::max(0.0F, of(v, Slow::mesa)) * p.mesa_height * p.terraces(field) * s_curve(unit(4 * s));
   const float hm = bs + A * hill + G * p.range_relief * R;
   float h = hm > kb ? kb + (hm - kb) * s : hm;
   h = h + mesa - std::max(b1, b2) * ramp(-9, -1, hm);

@@ -6,8 +6,12 @@
 #include <limits>
 #include <memory>
 #include <optional>
+#include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
+
+#include <talus/protocol/endpoint.h>
 
 namespace talus::c_api {
 namespace {
@@ -88,6 +92,17 @@ Checked<client::Options> options_of(const talus_connect_options& options) {
       static_cast<int>(std::min<std::uint32_t>(options.reconnect_attempts, std::numeric_limits<int>::max()));
   set_unless_zero(own.reconnect.first_delay, options.reconnect_first_delay_ms);
   set_unless_zero(own.reconnect.max_delay, options.reconnect_max_delay_ms);
+  std::string_view more = options.more_servers == nullptr ? std::string_view{} : options.more_servers;
+  while (!more.empty()) {
+    const std::size_t comma = std::min(more.find(','), more.size());
+    const auto server = protocol::parse_endpoint(more.substr(0, comma));
+    if (!server || comma + 1 == more.size()) {
+      return tl::unexpected{"options.more_servers is \"" + std::string{options.more_servers} +
+                            "\"; give HOST:PORT, or several with commas between"};
+    }
+    own.more_servers.push_back({server->host, std::to_string(server->port)});
+    more.remove_prefix(std::min(comma + 1, more.size()));
+  }
   return own;
 }
 

@@ -33,18 +33,21 @@ ClientError Connection::reason_or(ErrorKind kind, std::string message) const {
 }
 
 asio::awaitable<Result<void>> Connection::open(const std::string& host, const std::string& port,
-                                               const TlsOptions& tls, const WebSocketOptions& websocket) {
+                                               const TlsOptions& tls, const WebSocketOptions& websocket,
+                                               Servers& servers) {
   where_ = host + ":" + port;
   const auto [resolve_error, endpoints] = co_await resolver_.async_resolve(host, port, kAsTuple);
   if (resolve_error || is_closed()) {
     co_return tl::unexpected{
         reason_or(ErrorKind::unreachable, where_ + ": no such host or port: " + resolve_error.message())};
   }
-  const auto [connect_error, endpoint] = co_await asio::async_connect(socket_, endpoints, kAsTuple);
+  const auto addresses = servers.in_order(endpoints);
+  const auto [connect_error, endpoint] = co_await asio::async_connect(socket_, addresses, kAsTuple);
   if (connect_error || is_closed()) {
     co_return tl::unexpected{
         reason_or(ErrorKind::unreachable, where_ + ": no server answers there: " + connect_error.message())};
   }
+  servers.reached(endpoint);
   std::error_code ignored;  // a connection without it is slower, not wrong
   socket_.set_option(asio::ip::tcp::no_delay{true}, ignored);
   last_received_ = clock_.now();

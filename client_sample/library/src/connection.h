@@ -23,6 +23,7 @@
 #include <talus/protocol/frame.h>
 #include <talus/websocket/client_side.h>
 
+#include "servers.h"
 #include "tls_stream.h"
 
 namespace talus::client {
@@ -34,7 +35,8 @@ class Connection {
   Connection(const asio::any_io_executor& executor, Clock& clock, std::uint32_t frame_limit_bytes);
 
   [[nodiscard]] asio::awaitable<Result<void>> open(const std::string& host, const std::string& port,
-                                                   const TlsOptions& tls, const WebSocketOptions& websocket);
+                                                   const TlsOptions& tls, const WebSocketOptions& websocket,
+                                                   Servers& servers);
 
   /// The next whole frame, valid until the next call.
   [[nodiscard]] asio::awaitable<Result<std::span<const std::byte>>> next_frame(Stats& stats);

@@ -13,6 +13,7 @@
 
 #include "incoming.h"
 #include "outgoing.h"
+#include "servers.h"
 #include "wait_until.h"
 
 namespace talus::client {
@@ -80,11 +81,14 @@ void Core::connect(std::string host, std::string port, ConnectHandler handler) {
 
 asio::awaitable<void> Core::run(Generation mine, std::string host, std::string port, ConnectHandler handler) {
   Backoff backoff{options_.reconnect};
+  const auto servers = std::make_shared<Servers>(ServerAddress{std::move(host), std::move(port)},
+                                                 options_.more_servers, options_.reconnect.seed);
   bool was_joined = false;
+  std::size_t not_tried = servers->count();  // before the first Welcome
   while (mine == generation_) {
     auto connection = std::make_shared<Connection>(executor_, *options_.clock, protocol::kServerFrameBytes);
     connection_ = connection;
-    Result<WorldInfo> world = co_await join(connection, host, port);
+    Result<WorldInfo> world = co_await join(connection, servers);
     if (mine != generation_) break;
     if (world && was_joined) {
       if (const auto accepted = accept_world(*world); !accepted) world = tl::unexpected{accepted.error()};
@@ -112,12 +116,15 @@ asio::awaitable<void> Core::run(Generation mine, std::string host, std::string p
       why = world.error();
     }
     connection->close(*why);
-    if (!was_joined) {
+    if (!was_joined && (--not_tried == 0 || !worth_retrying(*why))) {
       running_ = false;
       std::exchange(handler, nullptr)(tl::unexpected{*why});
       co_return;
     }
-    const auto delay = worth_retrying(*why) ? backoff.next(why->retry_after) : std::nullopt;
+    const auto asked_wait = servers->leave(options_.clock->now(), why->retry_after);
+    if (!was_joined) continue;
+    const bool elsewhere = why->kind == ErrorKind::world_changed && servers->count() > 1;
+    const auto delay = worth_retrying(*why) || elsewhere ? backoff.next(asked_wait) : std::nullopt;
     if (!delay) {
       end_run(*why);
       co_return;
@@ -131,11 +138,13 @@ asio::awaitable<void> Core::run(Generation mine, std::string host, std::string p
   if (handler) handler(tl::unexpected{kClosed});
 }
 
-asio::awaitable<Result<WorldInfo>> Core::join(ConnectionPtr connection, std::string host, std::string port) {
-  const std::string where = host + ":" + port;
+asio::awaitable<Result<WorldInfo>> Core::join(ConnectionPtr connection, std::shared_ptr<Servers> servers) {
+  const ServerAddress server = servers->current();
+  const std::string where = server.host + ":" + server.port;
   connection->set_deadline(connection, options_.connect_timeout,
                            {ErrorKind::timed_out, where + ": no connection in time", {}});
-  const auto opened = co_await connection->open(host, port, options_.tls, options_.websocket);
+  const auto opened =
+      co_await connection->open(server.host, server.port, options_.tls, options_.websocket, *servers);
   if (!opened) co_return tl::unexpected{opened.error()};
 
   connection->set_deadline(connection, options_.handshake_timeout,
@@ -172,6 +181,12 @@ asio::awaitable<Result<WorldInfo>> Core::join(ConnectionPtr connection, std::str
 }
 
 Result<void> Core::accept_world(const WorldInfo& world) {
+  if (world.fingerprint != world_->fingerprint) {
+    return tl::unexpected{ClientError{ErrorKind::world_changed,
+                                      "the server now has world " + to_string(world.fingerprint) +
+                                          "; this client was in world " + to_string(world_->fingerprint),
+                                      {}}};
+  }
   if (world.store_id != world_->store_id) {
     tracker_.forget_revisions();
     fail_edits(edits_.forget_editor(), kOutcomeUnknown);
@@ -179,17 +194,11 @@ Result<void> Core::accept_world(const WorldInfo& world) {
   if (world.protocol < protocol::kEditsProtocol || world.store_id == ContentHash{}) {
     fail_all_edits({ErrorKind::refused, "this server stores no edits", {}});
   }
-  if (world.fingerprint == world_->fingerprint) {
-    if (tracker_.view() && world.heights() != world_->heights()) {  // another release may know them better
-      const auto left = tracker_.replace(*tracker_.view(), world.heights());
-      if (events_.on_left_view) left_to_tell_.insert(left.begin(), left.end());
-    }
-    return {};
+  if (tracker_.view() && world.heights() != world_->heights()) {  // another release may know them better
+    const auto left = tracker_.replace(*tracker_.view(), world.heights());
+    if (events_.on_left_view) left_to_tell_.insert(left.begin(), left.end());
   }
-  return tl::unexpected{ClientError{ErrorKind::world_changed,
-                                    "the server now has world " + to_string(world.fingerprint) +
-                                        "; this client was in world " + to_string(world_->fingerprint),
-                                    {}}};
+  return {};
 }
 
 bool Core::server_knows_view() const {

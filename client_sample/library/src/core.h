@@ -69,8 +69,8 @@ class Core : public std::enable_shared_from_this<Core> {
 
   [[nodiscard]] asio::awaitable<void> run(Generation mine, std::string host, std::string port,
                                           ConnectHandler handler);
-  [[nodiscard]] asio::awaitable<Result<WorldInfo>> join(ConnectionPtr connection, std::string host,
-                                                        std::string port);
+  [[nodiscard]] asio::awaitable<Result<WorldInfo>> join(ConnectionPtr connection,
+                                                        std::shared_ptr<Servers> servers);
   [[nodiscard]] asio::awaitable<ClientError> read_until_broken(ConnectionPtr connection);
   [[nodiscard]] asio::awaitable<void> write_loop(ConnectionPtr connection);
   [[nodiscard]] asio::awaitable<void> ping_loop(ConnectionPtr connection, std::chrono::milliseconds interval);

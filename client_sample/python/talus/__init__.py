@@ -39,6 +39,9 @@ __all__ = [
 def connect(address, *, token="", tls=False, ca=None, timeout=10):
     """A World at "HOST:PORT", or a world by HTTP at "http://HOST:PORT" or "https://HOST:PORT".
 
+    "HOST:PORT,HOST:PORT": servers of one world. Where one cannot be reached, goes away or breaks off, the next is tried,
+    and around again. One is enough where a balancer stands for all.
+
     `token`: the secret or JSON Web Token that the server asks for. `tls`: by TLS, trusting the system's certificates;
     `ca`: by TLS, trusting those in this PEM file. `timeout`: seconds to connect in.
     Raises OSError where nobody answers, and ServerError where the server refuses.
@@ -53,7 +56,10 @@ def connect(address, *, token="", tls=False, ca=None, timeout=10):
         return WebWorld(address, token, context, timeout)
     from .world import World
 
-    host, separator, port = address.rpartition(":")
-    if not separator or not host or not port.isdigit() or int(port) > 65535:
-        raise ValueError(f"address {address!r} is not HOST:PORT, such as 127.0.0.1:4780 or [::1]:4780")
-    return World(host.strip("[]"), int(port), token, context, timeout)
+    servers = []
+    for each in address.split(","):
+        host, separator, port = each.rpartition(":")
+        if not separator or not host or not port.isdigit() or int(port) > 65535:
+            raise ValueError(f"address {each!r} is not HOST:PORT, such as 127.0.0.1:4780 or [::1]:4780")
+        servers.append((host.strip("[]"), int(port)))
+    return World(servers, token, context, timeout)

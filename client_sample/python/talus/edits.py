@@ -1,6 +1,7 @@
 """Edits of a world, each once, however often the connection breaks: PROTOCOL.md, "Edit" and "After a lost connection"."""
 
 import collections
+import random
 import time
 
 from . import protocol
@@ -61,7 +62,8 @@ class Editor:
     """As whom a world edits, over all its connections.
 
     `link` connects and carries: attach(message) and send_edit(message) send one and return its answer, reconnect() begins
-    a new connection, connection is the one there is, and store_id that of its world.
+    a new connection, connection is the one there is, store_id that of its world, and has_others is whether the next one is to
+    another server.
     """
 
     def __init__(self, link):
@@ -133,22 +135,35 @@ class Editor:
     def _reconnect(self, error, sent, give_up):
         """Begins a new connection; when to give up from now on, where this is not the first try."""
         give_up = give_up or time.monotonic() + KEEP_TRYING_S
-        delay = FIRST_DELAY_S
-        while True:
-            time.sleep(min(max(delay, getattr(error, "retry_after_ms", 0) / 1000), LONGEST_DELAY_S))
-            if time.monotonic() > give_up:
-                if not sent:
-                    raise error
-                raise OutcomeUnknown(f"{error}; the edit was sent, and may have happened") from error
-            delay = min(2 * delay, LONGEST_DELAY_S)
-            try:
-                self._link.reconnect()
-                return give_up
-            except WorldChanged as changed:
-                raise (OutcomeUnknown(f"{changed}; the edit was sent there") if sent else changed)
-            except ServerError as refused:
-                if not again_later(refused):
-                    raise (OutcomeUnknown(f"{refused}; the edit was sent, and may have happened") if sent else refused)
-                error = refused
-            except OSError as failed:
-                error = failed
+        try:
+            come_back(self._link, error, give_up)
+        except (OSError, ServerError) as failed:
+            if not sent:
+                raise
+            raise OutcomeUnknown(f"{failed}; the edit was sent, and may have happened") from failed
+        return give_up
+
+
+def come_back(link, error, give_up=None):
+    """Begins a new connection after `error`; raises the last error when it is time to give up, or where no try is of use."""
+    give_up = give_up or time.monotonic() + KEEP_TRYING_S
+    delay = FIRST_DELAY_S
+    while True:
+        # What a server asks for is before one comes back to it, not to the next.
+        asked = 0 if link.has_others else getattr(error, "retry_after_ms", 0) / 1000
+        # Clients of one server do not all return at once.
+        time.sleep(min(max(random.uniform(0, delay), asked), LONGEST_DELAY_S))
+        if time.monotonic() > give_up:
+            raise error
+        delay = min(2 * delay, LONGEST_DELAY_S)
+        try:
+            link.reconnect()
+            return
+        except WorldChanged:
+            raise
+        except ServerError as refused:
+            if not again_later(refused):
+                raise
+            error = refused
+        except OSError as failed:
+            error = failed

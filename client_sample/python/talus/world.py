@@ -10,7 +10,7 @@ import numpy as np
 from . import protocol
 from .chunk import Chunk
 from .connection import Connection
-from .edits import Editor, edit_message
+from .edits import Editor, come_back, edit_message
 from .errors import ServerError, ServerLeaving, WorldChanged, again_later
 from .pace import Pace
 from .protocol import ChunkKey, ChunkRequest, ErrorAbout
@@ -26,13 +26,23 @@ _NOWHERE = protocol.View(centre=(1 << 40, 0, 0))
 class World(Queries):
     """Made by talus.connect(). Use it by one thread at a time, and close it, or use it in `with`."""
 
-    def __init__(self, host, port, token="", context=None, timeout=10):
-        self._open_connection = lambda: Connection(host, port, context, _WINDOW_BYTES, timeout)
+    def __init__(self, servers, token="", context=None, timeout=10):
+        """`servers`: (host, port) each, of one world."""
+        self._servers = itertools.cycle(servers)
+        self.has_others = len(servers) > 1
+        self._open_connection = lambda: Connection(*next(self._servers), context, _WINDOW_BYTES, timeout)
         self._token = token
+        self._view = None
         self._next_id = self._view_number = 0
         self._attached = None
         self._editor = Editor(self)
-        self._join()
+        for last in range(len(servers) - 1, -1, -1):
+            try:
+                self._join()
+                break
+            except OSError:
+                if last == 0:
+                    raise
 
     def __enter__(self):
         return self
@@ -63,12 +73,16 @@ class World(Queries):
         nonce = self._new_id()
         self._ponged = None
         while self._ponged != nonce:
-            if self._ponged is None:
-                self._ponged = 0
-                self._pace.wait(1)
-                began = time.monotonic()
-                self._connection.send(protocol.Ping(nonce=nonce))
-            self._receive()
+            try:
+                if self._ponged is None:
+                    self._ponged = 0
+                    self._pace.wait(1)
+                    began = time.monotonic()
+                    self._connection.send(protocol.Ping(nonce=nonce))
+                self._receive()
+            except OSError as error:
+                self._come_back(error)
+                self._ponged = None
         return time.monotonic() - began
 
     def view(self, x, z, radius, *, y=None, vertical_radius=4, rings=(), horizon=False, direction=(0, 0, 0)):
@@ -128,10 +142,21 @@ class World(Queries):
 
     def reconnect(self):
         self._connection.close()
-        fingerprint = self.welcome.fingerprint
+        fingerprint, view = self.welcome.fingerprint, self._view
         self._join()
         if self.welcome.fingerprint != fingerprint:
             raise WorldChanged("the server has another world now; connect again")
+        if view:
+            self._view = view  # of which what has come stays
+            if not view.complete:
+                view.message.number = self._new_view_number()
+                self._send_view(view.message)
+
+    def _come_back(self, error):
+        """What the server has not answered is to be asked again then."""
+        if isinstance(error, protocol.ProtocolError):
+            raise error
+        come_back(self, error)
 
     def attach(self, message):
         self._pace.wait(1)
@@ -157,7 +182,7 @@ class World(Queries):
         self._connection = self._open_connection()
         self._credit = self._credited = 0
         self._unanswered, self._answers = set(), {}
-        self._view, self._viewing, self._ponged = None, False, 0
+        self._viewing, self._ponged = False, 0
         hello = protocol.Hello(
             protocol_min=1,
             protocol_max=2,
@@ -197,27 +222,37 @@ class World(Queries):
         self._wake()
         keys = iter(keys)
         asked = collections.deque()  # (id, key), in order
+        to_ask = collections.deque()
         most = min(_REQUESTS_AT_ONCE, self.welcome.limits.requests_in_flight)
         try:
             while True:
-                # Half of them at once: messages of many requests are cheaper.
-                if len(asked) <= most // 2:
-                    asked += self._ask_for(list(itertools.islice(keys, most - len(asked))))
-                    if not asked:
-                        return
-                id, key = asked.popleft()
-                while id not in self._answers:
-                    self._receive()
-                answer = self._answers.pop(id)
-                if isinstance(answer, protocol.Error):
-                    error = ServerError(answer.code, f"chunk {key}: {answer.text}", answer.retry_after_ms)
-                    if not again_later(error):
-                        raise error
-                    asked.extendleft(self._ask_for([key]))
-                elif isinstance(answer, protocol.Chunk) and answer.key == key:
-                    yield _chunk(answer)
-                else:
+                try:
+                    # Half of them at once: messages of many requests are cheaper.
+                    if len(asked) <= most // 2:
+                        to_ask.extend(itertools.islice(keys, most - len(asked) - len(to_ask)))
+                        asked += self._ask_for(list(to_ask))
+                        to_ask.clear()
+                        if not asked:
+                            return
+                    id, key = asked[0]
+                    while id not in self._answers:
+                        self._receive()
+                    answer = self._answers.pop(id)
+                    if isinstance(answer, protocol.Error):
+                        error = ServerError(answer.code, f"chunk {key}: {answer.text}", answer.retry_after_ms)
+                        if not again_later(error):
+                            raise error
+                        asked[0] = self._ask_for([key])[0]
+                        continue
+                except OSError as error:
+                    to_ask.extendleft(key for _, key in reversed(asked))
+                    asked.clear()
+                    self._come_back(error)
+                    continue
+                asked.popleft()
+                if not isinstance(answer, protocol.Chunk) or answer.key != key:
                     raise protocol.ProtocolError(f"the answer to a request for chunk {key} is none")
+                yield _chunk(answer)
         finally:
             self._forget(id for id, _ in asked)
 
@@ -257,9 +292,13 @@ class World(Queries):
             self._pace.wait(1)
             message.id = self._new_id()
             self._unanswered.add(message.id)
-            self._connection.send(message)
-            while message.id not in self._answers:
-                self._receive()
+            try:
+                self._connection.send(message)
+                while message.id not in self._answers:
+                    self._receive()
+            except OSError as error:
+                self._come_back(error)
+                continue
             answer = self._answers.pop(message.id)
             if isinstance(answer, protocol.Error):
                 error = ServerError(answer.code, answer.text, answer.retry_after_ms)
@@ -295,17 +334,17 @@ class World(Queries):
                 if self._view is not view:
                     raise RuntimeError("a newer view has ended this one")
                 while view.ready:
-                    self._connection.keep_alive()
                     yield view.ready.popleft()
                     if self._view is not view:
                         break
+                    self._carry_on(self._connection.keep_alive)
                 else:
                     if view.lost:  # the server could not make them for the view
                         yield from self.chunks([view.lost.popleft()])
                     elif view.complete:
                         return
                     else:
-                        self._receive()
+                        self._carry_on(self._receive)
         finally:
             if self._view is view:
                 self._view = None
@@ -314,6 +353,12 @@ class World(Queries):
                         self._send_view(_NOWHERE)
                     except OSError:
                         pass
+
+    def _carry_on(self, work):
+        try:
+            work()
+        except OSError as error:
+            self._come_back(error)
 
     def _receive(self):
         """Receives one message and puts it where somebody waits for it."""

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <bitset>
 #include <functional>
-#include <map>
+#include <optional>
 #include <string_view>
 #include <tuple>
 #include <utility>
@@ -25,19 +25,20 @@ std::string numbered(std::string_view what, std::size_t index) {
   return std::string{what} + " " + std::to_string(index);
 }
 
-tl::expected<void, EditError> check_in_world(const std::string& what, VoxelPos voxel) {
+tl::expected<void, EditError> check_in_world(std::string_view what, std::optional<std::size_t> index,
+                                             VoxelPos voxel) {
   const auto held = chunk_holding(voxel, Lod{});
-  if (!held) return refused(what + ": " + held.error().message);
-  return {};
+  if (held) return {};
+  return refused((index ? numbered(what, *index) : std::string{what}) + ": " + held.error().message);
 }
 
-tl::expected<void, EditError> check_order(const std::string& what, const Fill& fill) {
+tl::expected<void, EditError> check_order(std::size_t index, const Fill& fill) {
   for (const auto& [axis, first, last] :
        {std::tuple{'x', fill.first.x, fill.last.x}, std::tuple{'y', fill.first.y, fill.last.y},
         std::tuple{'z', fill.first.z, fill.last.z}}) {
     if (first > last) {
-      return refused(what + ": its first " + axis + " is " + std::to_string(first) + ", its last " +
-                     std::to_string(last) + "; the first must not be greater");
+      return refused(numbered("fill", index) + ": its first " + axis + " is " + std::to_string(first) +
+                     ", its last " + std::to_string(last) + "; the first must not be greater");
     }
   }
   return {};
@@ -48,20 +49,19 @@ tl::expected<std::size_t, EditError> count_voxels(const Edit& edit) {
   std::size_t count = edit.guards.size() + edit.writes.size();
   for (const auto& [name, list] : {std::pair{"guard", &edit.guards}, std::pair{"write", &edit.writes}}) {
     for (std::size_t i = 0; i < list->size(); ++i) {
-      if (auto in = check_in_world(numbered(name, i), (*list)[i].voxel); !in) return Refusal{in.error()};
+      if (auto in = check_in_world(name, i, (*list)[i].voxel); !in) return Refusal{in.error()};
     }
   }
   for (std::size_t i = 0; i < edit.fills.size(); ++i) {
-    const std::string what = numbered("fill", i);
     for (const VoxelPos corner : {edit.fills[i].first, edit.fills[i].last}) {
-      if (auto in = check_in_world(what, corner); !in) return Refusal{in.error()};
+      if (auto in = check_in_world("fill", i, corner); !in) return Refusal{in.error()};
     }
-    if (auto ordered = check_order(what, edit.fills[i]); !ordered) return Refusal{ordered.error()};
+    if (auto ordered = check_order(i, edit.fills[i]); !ordered) return Refusal{ordered.error()};
     count += volume(edit.fills[i]);
   }
   if (edit.paste) {
-    if (auto in = check_in_world("paste", edit.paste->origin); !in) return Refusal{in.error()};
-    if (auto in = check_in_world("paste", last_of(*edit.paste)); !in) return Refusal{in.error()};
+    if (auto in = check_in_world("paste", {}, edit.paste->origin); !in) return Refusal{in.error()};
+    if (auto in = check_in_world("paste", {}, last_of(*edit.paste)); !in) return Refusal{in.error()};
     visit_paste(*edit.paste, [&](VoxelPos, MaterialId) { ++count; });
   }
   return count;
@@ -90,24 +90,23 @@ class Touched {
   /// False once there are more than kMaxChunks.
   bool insert(VoxelPos voxel) {
     const ChunkCoord chunk = chunk_of(voxel);
-    if (last_ == nullptr || last_->first != chunk) last_ = &*chunks_.try_emplace(chunk).first;
-    last_->second.push_back(index_of(voxel));
+    if (last_ == chunks_.size() || chunks_[last_].chunk != chunk) {
+      const auto at = std::ranges::lower_bound(chunks_, chunk, {}, &TouchedChunk::chunk);
+      last_ = static_cast<std::size_t>(at - chunks_.begin());
+      if (at == chunks_.end() || at->chunk != chunk) chunks_.insert(at, TouchedChunk{chunk, {}});
+    }
+    chunks_[last_].voxels.push_back(index_of(voxel));
     return chunks_.size() <= kMaxChunks;
   }
 
   std::vector<TouchedChunk> take() {
-    std::vector<TouchedChunk> all;
-    all.reserve(chunks_.size());
-    for (auto& [chunk, indices] : chunks_) {
-      put_in_order(indices);
-      all.push_back({chunk, std::move(indices)});
-    }
-    return all;
+    for (TouchedChunk& each : chunks_) put_in_order(each.voxels);
+    return std::move(chunks_);
   }
 
  private:
-  std::map<ChunkCoord, std::vector<std::uint16_t>> chunks_;
-  std::pair<const ChunkCoord, std::vector<std::uint16_t>>* last_ = nullptr;
+  std::vector<TouchedChunk> chunks_;  // in order
+  std::size_t last_ = 0;
 };
 
 tl::expected<void, EditError> check_rows(const std::string& what, std::int64_t first, std::int64_t last,

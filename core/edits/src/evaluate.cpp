@@ -10,27 +10,27 @@ namespace talus::edits {
 namespace {
 
 /// Finds voxels by rising index, by steps that double: cheap for neighbours, and for few voxels among many.
-class OverrideCursor {
+template <typename Voxel>
+class VoxelCursor {
  public:
-  explicit OverrideCursor(std::span<const Override> voxels) : left_{voxels} {}
+  explicit VoxelCursor(std::span<const Voxel> voxels) : left_{voxels} {}
 
-  /// REQUIRES: `index` is not below that of the call before.
-  std::optional<MaterialId> find(std::uint16_t index) {
+  /// Null where there is none. REQUIRES: `index` is not below that of the call before.
+  const Voxel* find(std::uint16_t index) {
     std::size_t step = 1;
     while (step < left_.size() && left_[step].index < index) step *= 2;
     const auto near = left_.first(std::min(step, left_.size()));
-    const auto at = std::ranges::lower_bound(near, index, {}, &Override::index);
+    const auto at = std::ranges::lower_bound(near, index, {}, &Voxel::index);
     left_ = left_.subspan(static_cast<std::size_t>(at - near.begin()));
-    if (left_.empty() || left_.front().index != index) return std::nullopt;
-    return left_.front().material;
+    return left_.empty() || left_.front().index != index ? nullptr : &left_.front();
   }
 
  private:
-  std::span<const Override> left_;
+  std::span<const Voxel> left_;
 };
 
 /// The voxels of an edit in one chunk, as they were and as they become, by rising index.
-struct StagedChunk {
+struct EvaluatedChunk {
   ChunkCoord chunk;
   std::vector<VoxelChange> voxels;
   std::size_t next = 0;  // behind the voxel that was asked for last: operations mostly ask for it
@@ -44,34 +44,41 @@ struct StagedChunk {
   }
 };
 
-tl::expected<StagedChunk, EditError> stage(const TouchedChunk& touched, const BaseVoxels& base,
-                                           const OverrideSource& overrides) {
-  StagedChunk staged{touched.chunk, {}};
+tl::expected<EvaluatedChunk, EditError> stage(const TouchedChunk& touched, const BaseVoxels& base,
+                                              const OverrideSource& overrides) {
+  EvaluatedChunk staged{touched.chunk, {}};
   staged.voxels.reserve(touched.voxels.size());
   const auto generated = base.find(touched.chunk);
-  const ChunkOverrides* const changed = overrides.find({touched.chunk, Lod{}});
-  OverrideCursor of_base{generated == base.end() ? std::span<const Override>{} : generated->second};
-  OverrideCursor of_edits{changed == nullptr ? std::span<const Override>{} : changed->voxels()};
+  const ChunkKey key{touched.chunk, Lod{}};
+  const ChunkOverrides* const changed = overrides.find(key);
+  VoxelCursor of_base{generated == base.end() ? std::span<const Override>{} : std::span{generated->second}};
+  VoxelCursor of_edits{changed == nullptr ? std::span<const Override>{} : changed->voxels()};
+  VoxelCursor of_batch{overrides.staged(key)};
   for (const std::uint16_t index : touched.voxels) {
-    const auto material = of_base.find(index);
+    const Override* const material = of_base.find(index);
     if (!material) {
       return tl::unexpected{EditError{"chunk " + to_string(touched.chunk) + ": the base of voxel " +
                                       std::to_string(index) +
                                       " is missing; an entry must hold the base of every voxel it touches"}};
     }
-    const MaterialId now = of_edits.find(index).value_or(*material);
-    staged.voxels.push_back({index, now, now, *material});
+    MaterialId now = material->material;
+    if (const OverrideWrite* const write = of_batch.find(index)) {
+      now = write->material.value_or(now);
+    } else if (const Override* const edited = of_edits.find(index)) {
+      now = edited->material;
+    }
+    staged.voxels.push_back({index, now, now, material->material});
   }
   return staged;
 }
 
 /// All that the edit touches.
-tl::expected<std::vector<StagedChunk>, EditError> stage(const Edit& edit, bool settles,
-                                                        const BaseVoxels& base,
-                                                        const OverrideSource& overrides) {
+tl::expected<std::vector<EvaluatedChunk>, EditError> stage(const Edit& edit, bool settles,
+                                                           const BaseVoxels& base,
+                                                           const OverrideSource& overrides) {
   const auto touched = touched_voxels(edit, settles);
   if (!touched) return tl::unexpected{touched.error()};
-  std::vector<StagedChunk> chunks;
+  std::vector<EvaluatedChunk> chunks;
   chunks.reserve(touched->size());
   for (const TouchedChunk& each : *touched) {
     auto staged = stage(each, base, overrides);
@@ -85,19 +92,19 @@ tl::expected<std::vector<StagedChunk>, EditError> stage(const Edit& edit, bool s
 /// first.
 class StagedVoxels {
  public:
-  explicit StagedVoxels(std::vector<StagedChunk>& chunks) : chunks_{chunks} {}
+  explicit StagedVoxels(std::vector<EvaluatedChunk>& chunks) : chunks_{chunks} {}
 
   VoxelChange& at(VoxelPos voxel) {
     const ChunkCoord chunk = chunk_of(voxel);
     if (last_ == nullptr || last_->chunk != chunk) {
-      last_ = &*std::ranges::lower_bound(chunks_, chunk, {}, &StagedChunk::chunk);
+      last_ = &*std::ranges::lower_bound(chunks_, chunk, {}, &EvaluatedChunk::chunk);
     }
     return last_->at(index_of(voxel));
   }
 
  private:
-  std::vector<StagedChunk>& chunks_;
-  StagedChunk* last_ = nullptr;
+  std::vector<EvaluatedChunk>& chunks_;
+  EvaluatedChunk* last_ = nullptr;
 };
 
 void operate(const Edit& edit, StagedVoxels& staged) {
@@ -126,16 +133,39 @@ void settle_in(const VoxelBox& box, const SettleRules& rules, StagedVoxels& stag
   visit_box(box.first, box.last, [&](VoxelPos at) { staged.at(at).after = (settled++)->now; });
 }
 
+/// Whether one of the materials that edits left in voxels `first` to `last` of the chunk `is` so.
+template <typename Is>
+bool any_edited(ChunkKey key, std::uint16_t first, std::uint16_t last, const OverrideSource& overrides,
+                const Is& is) {
+  const auto between = [&](auto voxels) {
+    using Voxel = typename decltype(voxels)::value_type;
+    const auto begin = std::ranges::lower_bound(voxels, first, {}, &Voxel::index);
+    return voxels.subspan(
+        static_cast<std::size_t>(begin - voxels.begin()),
+        static_cast<std::size_t>(std::ranges::upper_bound(begin, voxels.end(), last, {}, &Voxel::index) -
+                                 begin));
+  };
+  const auto staged = between(overrides.staged(key));
+  const auto is_staged = [&](const OverrideWrite& write) { return write.material && is(*write.material); };
+  if (std::ranges::any_of(staged, is_staged)) return true;
+  const ChunkOverrides* const applied = overrides.find(key);
+  if (applied == nullptr) return false;
+  VoxelCursor rewritten{staged};
+  return std::ranges::any_of(between(applied->voxels()), [&](const Override& each) {
+    return is(each.material) && rewritten.find(each.index) == nullptr;
+  });
+}
+
 /// Whether anything may settle: something changed, and in what was looked up for the edit, or lies over that
 /// by edits, there is material of the rules. Mostly there is none, and then the box costs one read.
-bool may_settle(const SettleRules& rules, std::span<const StagedChunk> chunks, const BaseVoxels& base,
+bool may_settle(const SettleRules& rules, std::span<const EvaluatedChunk> chunks, const BaseVoxels& base,
                 const OverrideSource& overrides) {
   const auto is_loose = [&](MaterialId material) {
     return std::ranges::any_of(rules, [&](const SettleRule& rule) { return rule.material == material; });
   };
   bool any = false;
   bool loose = false;
-  for (const StagedChunk& chunk : chunks) {
+  for (const EvaluatedChunk& chunk : chunks) {
     for (const VoxelChange& voxel : chunk.voxels) {
       any = any || voxel.before != voxel.after;
       loose = loose || is_loose(voxel.after);
@@ -151,12 +181,8 @@ bool may_settle(const SettleRules& rules, std::span<const StagedChunk> chunks, c
       seen = voxel->material;
       loose = is_loose(seen);
     }
-    const ChunkOverrides* const changed = overrides.find({chunk->first, Lod{}});
-    if (changed == nullptr) continue;
-    const auto first =
-        std::ranges::lower_bound(changed->voxels(), voxels.front().index, {}, &Override::index);
-    const auto last = std::ranges::upper_bound(changed->voxels(), voxels.back().index, {}, &Override::index);
-    loose = loose || std::any_of(first, last, [&](const Override& each) { return is_loose(each.material); });
+    loose = loose ||
+            any_edited({chunk->first, Lod{}}, voxels.front().index, voxels.back().index, overrides, is_loose);
   }
   return loose;
 }
@@ -193,7 +219,7 @@ tl::expected<Outcome, EditError> evaluate(const Edit& edit, const BaseVoxels& ba
       settle_in(*box, *settles, all);
     }
   }
-  for (StagedChunk& each : *chunks) {
+  for (EvaluatedChunk& each : *chunks) {
     std::erase_if(each.voxels, [](const VoxelChange& voxel) { return voxel.before == voxel.after; });
     if (each.voxels.empty()) continue;
     outcome.changed += each.voxels.size();

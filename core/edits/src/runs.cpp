@@ -121,6 +121,13 @@ void encode_runs(std::span<const Override> voxels, std::vector<std::byte>& out) 
   assert(std::ranges::adjacent_find(voxels, [](Override a, Override b) { return a.index >= b.index; }) ==
          voxels.end());
   assert(voxels.empty() || voxels.back().index < kChunkVolume);
+  if (voxels.size() == 1) {  // as most edits are
+    for (const std::uint32_t number :
+         {1U, std::uint32_t{to_integer(voxels[0].material)}, 1U, std::uint32_t{voxels[0].index}, 0U}) {
+      put_varint(number, out);
+    }
+    return;
+  }
   const std::vector<MaterialId> materials = materials_of(voxels);
   const std::vector<VoxelRun> runs = runs_of(voxels, materials);
   const auto material_count = static_cast<std::uint32_t>(materials.size());

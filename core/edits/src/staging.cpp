@@ -5,6 +5,34 @@
 #include <utility>
 
 namespace talus::edits {
+namespace {
+
+/// Puts `later` over `writes`; both are by rising index. Few cost a move each, many a merge.
+void overwrite(std::vector<OverrideWrite>& writes, std::span<const OverrideWrite> later) {
+  if (later.size() * 16 < writes.size() || later.size() == 1) {
+    for (const OverrideWrite& write : later) {
+      const auto at = std::ranges::lower_bound(writes, write.index, {}, &OverrideWrite::index);
+      if (at != writes.end() && at->index == write.index) {
+        *at = write;
+      } else {
+        writes.insert(at, write);
+      }
+    }
+    return;
+  }
+  std::vector<OverrideWrite> merged;
+  merged.reserve(writes.size() + later.size());
+  auto kept = writes.begin();
+  for (const OverrideWrite& write : later) {
+    for (; kept != writes.end() && kept->index < write.index; ++kept) merged.push_back(*kept);
+    if (kept != writes.end() && kept->index == write.index) ++kept;
+    merged.push_back(write);
+  }
+  merged.insert(merged.end(), kept, writes.end());
+  writes = std::move(merged);
+}
+
+}  // namespace
 
 std::vector<ChunkWrites> writes_at_all_levels(std::span<const ChunkChanges> changes) {
   std::vector<ChunkWrites> all;
@@ -25,18 +53,32 @@ std::vector<ChunkWrites> writes_at_all_levels(std::span<const ChunkChanges> chan
   return all;
 }
 
+ChunkOverrides StagedChunk::after() const {
+  ChunkOverrides overrides;
+  if (before != nullptr) overrides = *before;
+  overrides.apply(writes);
+  return overrides;
+}
+
 const ChunkOverrides* Staging::find(ChunkKey chunk) const {
   const auto staged = chunks_.find(chunk);
-  if (staged == chunks_.end()) return applied_.find(chunk);
-  return staged->second.empty() ? nullptr : &staged->second;
+  return staged == chunks_.end() ? applied_.find(chunk) : staged->second.before;
+}
+
+std::span<const OverrideWrite> Staging::staged(ChunkKey chunk) const {
+  const auto staged = chunks_.find(chunk);
+  return staged == chunks_.end() ? std::span<const OverrideWrite>{} : staged->second.writes;
 }
 
 void Staging::apply(const ChunkWrites& writes) {
   const auto [at, added] = chunks_.try_emplace(writes.key);
+  StagedChunk& chunk = at->second;
   if (added) {
-    if (const ChunkOverrides* const before = applied_.find(writes.key)) at->second = *before;
+    chunk.before = applied_.find(writes.key);
+    chunk.writes = writes.writes;
+  } else {
+    overwrite(chunk.writes, writes.writes);
   }
-  at->second.apply(writes.writes);
 }
 
 std::vector<ChunkWrites> Staging::stage(const Outcome& outcome) {

@@ -239,19 +239,23 @@ class LayerPicker {
     for (std::size_t m = 0; m + 1 < materials.size(); ++m) {
       ChunkPlane rows;
       std::copy_n(below(), kChunkArea, rows.begin());
-      bool any = false;
-      for (int z = 0; z < kChunkSize; ++z) {
-        const std::uint8_t* const looks = tile_.looks(shown.looks, z);
-        for (int x = 0; x < kChunkSize; ++x) {
-          const std::size_t i = column_index(x, z);
-          if (shown.by_look[looks[x]] != materials[m] || rows[i] == plane[i]) continue;
-          rows[i] = plane[i];
-          any = true;
-        }
+      for (std::size_t look = 0; look < shown.by_look.size(); ++look) {
+        if (((present >> look) & 1) == 0 || shown.by_look[look] != materials[m]) continue;
+        raise_where(shown.looks, static_cast<std::uint8_t>(look), plane, rows);
       }
-      if (any) push(materials[m], rows);
+      if (!std::equal(rows.begin(), rows.end(), below())) push(materials[m], rows);
     }
     if (!std::equal(plane.begin(), plane.end(), below())) push(materials.back(), plane);
+  }
+
+  /// Rows become those of `plane` at the columns that have a look.
+  void raise_where(std::size_t rules, std::uint8_t look, const ChunkPlane& plane, ChunkPlane& rows) const {
+    for (int z = 0; z < kChunkSize; ++z) {
+      const std::uint8_t* const looks = tile_.looks(rules, z);
+      const std::uint8_t* const from = &plane[column_index(0, z)];
+      std::uint8_t* const to = &rows[column_index(0, z)];
+      for (std::size_t x = 0; x < kChunkSize; ++x) to[x] = looks[x] == look ? from[x] : to[x];
+    }
   }
 
   /// Bit k: some column of the tile has look k.
@@ -262,7 +266,11 @@ class LayerPicker {
     std::uint64_t looks = 0;
     for (int z = 0; z < kChunkSize; ++z) {
       const std::uint8_t* const row = tile_.looks(rules, z);
-      for (int x = 0; x < kChunkSize; ++x) looks |= std::uint64_t{1} << row[x];
+      unsigned others = 0;  // most rows have one look
+      for (int x = 1; x < kChunkSize; ++x) others |= row[x] ^ unsigned { row[0] };
+      looks |= std::uint64_t{1} << row[0];
+      if (others == 0) continue;
+      for (int x = 1; x < kChunkSize; ++x) looks |= std::uint64_t{1} << row[x];
     }
     present_[next_present_++ % present_.size()] = {rules, looks};
     return looks;

@@ -56,9 +56,15 @@ std::size_t host_of(const Layers& layers, const Overlay& overlay) {
   for (std::size_t layer = 0; layer < layers.materials.size(); ++layer) {
     const ChunkPlane top = top_of(layers, layer);
     std::ptrdiff_t hosted = 0;
-    for (std::size_t i = 0; i < kChunkArea; ++i) {
-      hosted +=
-          overlay.from[i] < overlay.to[i] && bottom[i] <= overlay.from[i] && overlay.to[i] <= top[i] ? 1 : 0;
+    for (std::size_t row = 0; row < kChunkArea; row += kChunkSize) {
+      std::uint8_t in_row = 0;  // a byte, as what it counts, so that a vector counts many
+      for (std::size_t i = row; i < row + kChunkSize; ++i) {
+        const int any = overlay.from[i] < overlay.to[i] ? 1 : 0;
+        const int above = bottom[i] <= overlay.from[i] ? 1 : 0;
+        const int below = overlay.to[i] <= top[i] ? 1 : 0;
+        in_row = static_cast<std::uint8_t>(in_row + (any & above & below));
+      }
+      hosted += in_row;
     }
     if (hosted > most_hosted) {
       most_hosted = hosted;
@@ -93,14 +99,14 @@ void apply(const Overlay& overlay, Layers& layers) {
   // above the host are whole above the cut and the host is whole below it.
   ChunkPlane from = top_of(layers, host_of(layers, overlay));
   ChunkPlane to = from;
-  bool any = false;
+  std::uint8_t any = 0;
   for (std::size_t i = 0; i < kChunkArea; ++i) {
-    if (overlay.from[i] >= overlay.to[i]) continue;
-    any = true;
-    from[i] = overlay.from[i];
-    to[i] = overlay.to[i];
+    const bool here = overlay.from[i] < overlay.to[i];
+    any |= static_cast<std::uint8_t>(here);
+    from[i] = here ? overlay.from[i] : from[i];
+    to[i] = here ? overlay.to[i] : to[i];
   }
-  if (!any) return;
+  if (any == 0) return;
   LayerList list{layers.plane_count() + 3};
   ChunkPlane plane;
   for (std::size_t layer = 0; layer < layers.materials.size(); ++layer) {

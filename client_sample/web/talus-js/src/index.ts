@@ -2,6 +2,7 @@
 import { TalusError } from './errors.js';
 import { HttpClient } from './http/client.js';
 import { StreamClient } from './stream/client.js';
+import { type OpenTransport, takeTurns, urlsOf } from './stream/transport.js';
 import { openWebSocket } from './stream/websocket.js';
 import type { Client, ConnectOptions } from './types.js';
 
@@ -16,15 +17,24 @@ export { MAX_LOD, type Range, ringsBetween, ViewShape } from './view_shape.js';
 /** Connects, and joins; see ConnectOptions.url for which way. Nothing is to be awaited: what the client is told before
  *  it has joined, it keeps. */
 export function connect(options: ConnectOptions): Client {
-  const url = new URL(options.url, globalThis.location?.href);
-  url.search = url.hash = '';
-  if (url.protocol === 'ws:' || url.protocol === 'wss:') {
-    if (!url.pathname.endsWith('/v1/stream')) url.pathname = `${url.pathname.replace(/\/$/, '')}/v1/stream`;
-    return new StreamClient(options, openWebSocket(url.href, options.WebSocket));
+  const urls = urlsOf(options.url);
+  const [first] = urls.map((url) => new URL(url, globalThis.location?.href));
+  if (urls.length === 1 && (first!.protocol === 'http:' || first!.protocol === 'https:')) {
+    first!.search = first!.hash = '';
+    return new HttpClient(options, first!);
   }
-  if (url.protocol === 'http:' || url.protocol === 'https:') return new HttpClient(options, url);
-  throw new TalusError(
-    'unreachable',
-    `url ${options.url}: ws:, wss:, http: and https: are known here; tcp: and tls: in talus-client/node`,
-  );
+  return new StreamClient(options, takeTurns(urls.map((url) => openStream(url, options))));
+}
+
+function openStream(text: string, options: ConnectOptions): OpenTransport {
+  const url = new URL(text, globalThis.location?.href);
+  url.search = url.hash = '';
+  if (url.protocol !== 'ws:' && url.protocol !== 'wss:') {
+    throw new TalusError(
+      'unreachable',
+      `url ${text}: ws:, wss:, and of one server http: and https: are known here; tcp: and tls: in talus-client/node`,
+    );
+  }
+  if (!url.pathname.endsWith('/v1/stream')) url.pathname = `${url.pathname.replace(/\/$/, '')}/v1/stream`;
+  return openWebSocket(url.href, options.WebSocket);
 }

@@ -1,9 +1,11 @@
 // For Node: everything of talus-client, and plain TCP and TLS.
 import net from 'node:net';
 import tls from 'node:tls';
+import { TalusError } from './errors.js';
 import { connect as connectAnywhere } from './index.js';
 import { StreamClient } from './stream/client.js';
 import { openSocket } from './stream/tcp.js';
+import { type OpenTransport, takeTurns, urlsOf } from './stream/transport.js';
 import type { Client, ConnectOptions } from './types.js';
 
 export * from './index.js';
@@ -15,16 +17,23 @@ export interface NodeConnectOptions extends ConnectOptions {
   readonly tls?: tls.ConnectionOptions;
 }
 
-/** As connect() of talus-client; the url may also be tcp://HOST:PORT or tls://HOST:PORT, of port 4780 unless told. */
+/** As connect() of talus-client; a url may also be tcp://HOST:PORT or tls://HOST:PORT, of port 4780 unless told. Of several
+ *  all are, or none. */
 export function connect(options: NodeConnectOptions): Client {
-  const url = new URL(options.url);
-  if (url.protocol !== 'tcp:' && url.protocol !== 'tls:') return connectAnywhere(options);
+  const urls = urlsOf(options.url);
+  if (!urls.some(isSocket)) return connectAnywhere(options);
+  return new StreamClient(options, takeTurns(urls.map((url) => openAny(url, options))));
+}
+
+const isSocket = (url: string) => /^(tcp|tls):/.test(url);
+
+function openAny(text: string, options: NodeConnectOptions): OpenTransport {
+  if (!isSocket(text)) throw new TalusError('unreachable', `url ${text}: others are tcp: or tls:, so this must be, too`);
+  const url = new URL(text);
   const host = url.hostname.replace(/^\[|\]$/g, ''); // of IPv6
   const port = url.port === '' ? DEFAULT_PORT : Number(url.port);
-  if (url.protocol === 'tcp:') {
-    return new StreamClient(options, openSocket(options.url, () => net.connect({ host, port }), 'connect'));
-  }
+  if (url.protocol === 'tcp:') return openSocket(text, () => net.connect({ host, port }), 'connect');
   const secure = { host, port, minVersion: 'TLSv1.3', ...(net.isIP(host) ? {} : { servername: host }) } as const;
   const open = () => tls.connect({ ...secure, ...options.tls });
-  return new StreamClient(options, openSocket(options.url, open, 'secureConnect'));
+  return openSocket(text, open, 'secureConnect');
 }

@@ -169,8 +169,10 @@ export interface ReconnectPolicy {
 
 export interface ConnectOptions {
   /** ws:, wss:, http: or https: of the server's HTTP port. By http(s) chunks come by HTTP, through any cache; by
-   *  ws(s) through the socket /v1/stream. `talus-client/node` also takes tcp://HOST:PORT and tls://HOST:PORT. */
-  readonly url: string;
+   *  ws(s) through the socket /v1/stream. `talus-client/node` also takes tcp://HOST:PORT and tls://HOST:PORT.
+   *  Several, but for http(s): servers of one world. Where one cannot be reached, goes away or breaks off, the next is
+   *  tried, and around again. One is enough where a balancer stands for all. */
+  readonly url: string | readonly string[];
   readonly token?: string;
   /** For the server's log. */
   readonly clientName?: string;

@@ -208,6 +208,32 @@ test('a server that goes away says so, and is waited for', options, async () => 
   client.close();
 });
 
+test('of several servers the next is gone to with the View, and each chunk comes again', options, async () => {
+  const mortal = await startTalusd();
+  const client = open([mortal.urls.tcp, server.urls.tcp]);
+  const held = hold(client);
+  const world = await client.ready();
+  client.setView(view(world));
+  await next(client, 'viewComplete');
+  const back = next(client, 'connected');
+  const whole = next(client, 'viewComplete');
+  const gone = next(client, 'disconnected');
+  await mortal.stop('SIGTERM');
+  const [error, retryInMs] = await gone;
+  assert.match(error.message, /goes away/);
+  assert(error.retryAfterMs >= 1_000);
+  assert(retryInMs <= 20, 'the next server asked for no wait');
+  const [, sameWorld] = await back;
+  assert(sameWorld);
+  await whole;
+  assertWhole(held, view(world), world);
+  assert((await client.ping()) > 0);
+  assert.throws(() => open([]), { kind: 'unreachable' });
+  assert.throws(() => open([server.urls.tcp, server.urls.websocket]), { kind: 'unreachable' });
+  assert.throws(() => open([server.urls.http, server.urls.http]), { kind: 'unreachable' });
+  client.close();
+});
+
 test('a wrong token is told at once, and not tried again', options, async () => {
   const folder = mkdtempSync(join(tmpdir(), 'talus-js-'));
   after(() => rmSync(folder, { recursive: true }));

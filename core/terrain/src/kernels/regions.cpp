@@ -308,29 +308,77 @@ void bend(const SlopedRow& noise, const Stretch& east, const Stretch& south, flo
   }
 }
 
+/// The polynomials between samples, cell by cell: c[0] + t (c[1] + t (c[2] + t c[3])), t from 0 at the cell's
+/// west to 1 at its east. Each has the samples' own slopes, those of the lines through their neighbours.
+struct Cubics {
+  const float* c[4];
+};
+
+/// `scratch`: 4 rows as wide as the samples, padded.
+Cubics cubics_of(const float* samples, std::size_t count, float* scratch) {
+  const RegionTag f;
+  const std::size_t row = padded(count);
+  for (std::size_t i = 0; i + 3 < count; i += hn::Lanes(f)) {
+    const auto sample = [&](std::size_t k) HWY_ATTR { return hn::LoadU(f, samples + i + k); };
+    const auto before = sample(0);
+    const auto west = sample(1);
+    const auto east = sample(2);
+    const auto after = sample(3);
+    const auto first = times(hn::Sub(east, before), 0.5F);
+    const auto third = hn::Add(times(hn::Sub(after, before), 0.5F), times(hn::Sub(west, east), 1.5F));
+    hn::StoreU(west, f, scratch + i);
+    hn::StoreU(first, f, scratch + row + i);
+    hn::StoreU(hn::Sub(hn::Sub(hn::Sub(east, west), first), third), f, scratch + 2 * row + i);
+    hn::StoreU(third, f, scratch + 3 * row + i);
+  }
+  return {{scratch, scratch + row, scratch + 2 * row, scratch + 3 * row}};
+}
+
+void blend_lines(const SampleLines& lines, std::size_t width, float* out) {
+  const RegionTag f;
+  for (std::size_t i = 0; i < width; i += hn::Lanes(f)) {
+    auto sum = times(hn::LoadU(f, lines.line[0] + i), lines.share[0]);
+    for (std::size_t k = 1; k < lines.line.size(); ++k) {
+      sum = hn::Add(sum, times(hn::LoadU(f, lines.line[k] + i), lines.share[k]));
+    }
+    hn::StoreU(sum, f, out + i);
+  }
+}
+
+template <class Tag, class V = hn::Vec<Tag>>
+HWY_INLINE void store_cubic(Tag f, const V (&c)[4], V t, float* out, float* rise) {
+  hn::StoreU(hn::Add(c[0], hn::Mul(t, hn::Add(c[1], hn::Mul(t, hn::Add(c[2], hn::Mul(t, c[3])))))), f, out);
+  if (rise == nullptr) return;
+  const auto twice = hn::Add(c[2], c[2]);
+  const auto thrice = hn::Mul(hn::Set(f, 3.0F), c[3]);
+  const auto a_cell = hn::Add(c[1], hn::Mul(t, hn::Add(twice, hn::Mul(t, thrice))));
+  hn::StoreU(hn::Mul(a_cell, hn::Set(f, 1.0F / static_cast<float>(kSampleStep))), f, rise);
+}
+
 template <std::size_t kColumns>
-void spread_over(const float* samples, std::size_t cells, const float* fractions, float* out) {
+void spread_over(const Cubics& cubics, std::size_t cells, const float* fractions, float* out, float* rise) {
   const hn::CappedTag<float, kColumns> f;
   for (std::size_t cell = 0; cell < cells; ++cell) {
-    const auto west = hn::Set(f, samples[cell]);
-    const auto rise = hn::Set(f, samples[cell + 1] - samples[cell]);
+    const hn::Vec<decltype(f)> c[4] = {hn::Set(f, cubics.c[0][cell]), hn::Set(f, cubics.c[1][cell]),
+                                       hn::Set(f, cubics.c[2][cell]), hn::Set(f, cubics.c[3][cell])};
     for (std::size_t k = 0; k < kColumns; k += hn::Lanes(f)) {
-      hn::StoreU(hn::Add(west, hn::Mul(rise, hn::LoadU(f, fractions + k))), f, out + cell * kColumns + k);
+      const std::size_t at = cell * kColumns + k;
+      store_cubic(f, c, hn::LoadU(f, fractions + k), out + at, rise == nullptr ? nullptr : rise + at);
     }
   }
 }
 
 /// The same where a vector has more columns than a cell.
 template <std::size_t kColumns>
-void spread_cells(const float* samples, std::size_t cells, const float* fractions, float* out) {
+void spread_cells(const Cubics& cubics, std::size_t cells, const float* fractions, float* out, float* rise) {
 #if HWY_TARGET == HWY_SCALAR
-  spread_over<kColumns>(samples, cells, fractions, out);
+  spread_over<kColumns>(cubics, cells, fractions, out, rise);
 #else
   const RegionTag f;
   const hn::RebindToSigned<RegionTag> ints;
   constexpr std::size_t kLanes = hn::MaxLanes(RegionTag{});
   if constexpr (kLanes <= kColumns) {
-    spread_over<kColumns>(samples, cells, fractions, out);
+    spread_over<kColumns>(cubics, cells, fractions, out, rise);
   } else {
     HWY_ALIGN std::int32_t cell_of[kLanes];
     HWY_ALIGN float fraction_of[kLanes];
@@ -338,40 +386,44 @@ void spread_cells(const float* samples, std::size_t cells, const float* fraction
       cell_of[i] = static_cast<std::int32_t>(i / kColumns);
       fraction_of[i] = fractions[i % kColumns];
     }
-    const auto cell = hn::Load(ints, cell_of);
-    const auto west_lanes = hn::IndicesFromVec(f, cell);
-    const auto east_lanes = hn::IndicesFromVec(f, hn::Add(cell, hn::Set(ints, 1)));
+    const auto lanes = hn::IndicesFromVec(f, hn::Load(ints, cell_of));
     const auto fraction = hn::Load(f, fraction_of);
     for (std::size_t first = 0; first < cells; first += kLanes / kColumns) {
-      const auto here = hn::LoadU(f, samples + first);
-      const auto west = hn::TableLookupLanes(here, west_lanes);
-      const auto rise = hn::Sub(hn::TableLookupLanes(here, east_lanes), west);
-      hn::StoreU(hn::Add(west, hn::Mul(rise, fraction)), f, out + first * kColumns);
+      const auto of_cells = [&](const float* values) HWY_ATTR {
+        return hn::TableLookupLanes(hn::LoadU(f, values + first), lanes);
+      };
+      const RegionVector c[4] = {of_cells(cubics.c[0]), of_cells(cubics.c[1]), of_cells(cubics.c[2]),
+                                 of_cells(cubics.c[3])};
+      const std::size_t at = first * kColumns;
+      store_cubic(f, c, fraction, out + at, rise == nullptr ? nullptr : rise + at);
     }
   }
 #endif
 }
 
-void spread(const float* samples, std::size_t cells, std::size_t columns, const float* fractions,
-            float* out) {
-  switch (columns) {
+void spread(const float* samples, const Cells& cells, float* out, float* rise) {
+  const Cubics cubics = cubics_of(samples, cells.count + 3, cells.scratch);
+  switch (cells.columns) {
+    case 16:
+      return spread_cells<16>(cubics, cells.count, cells.fractions, out, rise);
     case 8:
-      return spread_cells<8>(samples, cells, fractions, out);
+      return spread_cells<8>(cubics, cells.count, cells.fractions, out, rise);
     case 4:
-      return spread_cells<4>(samples, cells, fractions, out);
+      return spread_cells<4>(cubics, cells.count, cells.fractions, out, rise);
     case 2:
-      return spread_cells<2>(samples, cells, fractions, out);
+      return spread_cells<2>(cubics, cells.count, cells.fractions, out, rise);
     default:
-      return spread_over<1>(samples, cells, fractions, out);
+      return spread_over<1>(cubics, cells.count, cells.fractions, out, rise);
   }
 }
 
-template <class N>
-struct ShapeSums {
-  N ridge;
-  N hill;
-  N small;
-};
+/// Whether all lanes are 0, derivatives too.
+HWY_INLINE bool none(RegionVector v) {
+  return hn::AllTrue(RegionTag{}, hn::Eq(v, constant(0)));
+}
+HWY_INLINE bool none(Sloped a) {
+  return none(hn::Or(hn::Or(hn::Abs(a.v), hn::Abs(a.x)), hn::Abs(a.z)));
+}
 
 /// What is read of a row at some columns.
 struct PlainAt {
@@ -405,24 +457,102 @@ struct SlopedAt {
   [[nodiscard]] static HWY_INLINE Sloped number(float value) { return level(value); }
 };
 
-// Ridges where an octave is near 0; each shows the more of the next the higher it is.
+template <class N>
+struct ShapeSums {
+  N ridge;
+  N hill;
+  N small;
+};
+
+// Ridges where an octave is near 0, rounded off there; each shows the more of the next the higher it is.
 template <class At, class N = typename At::Number>
-HWY_INLINE ShapeSums<N> summed(const At& at, const RegionShape& shape) {
-  ShapeSums<N> sums{At::number(0), At::number(0), At::number(0)};
-  N shown = At::number(1);
+HWY_INLINE N ridges(const At& at, const RegionShape& shape) {
+  constexpr float kRound = 0.045F;
+  N sum = at.number(0);
+  N shown = at.number(1);
   for (std::size_t k = 0; k < static_cast<std::size_t>(kShapeOctaves); ++k) {
-    const N n = at.octave(k);
-    const N distance = root(plus(mul(n, n), 0.0005F));
+    const N size = size_of(at.octave(k));
+    const N inside = at_least(less(kRound, size), 0);
+    const N distance = add(size, times(mul(inside, inside), 0.5F / kRound));
     const N crest = at_least(less(1, times(distance, 1.8F)), 0);
     const N signal = mul(mul(crest, crest), shown);
-    sums.ridge = add(sums.ridge, times(signal, shape.ridge_weights[k]));
+    sum = add(sum, times(signal, shape.ridge_weights[k]));
     shown = at_most(plus(times(signal, 1.1F), 0.3F), 1);
-    if (k > 0) sums.hill = add(sums.hill, times(n, shape.hill_weights[k]));
-    if (k >= static_cast<std::size_t>(kSlowOctaves)) {
+  }
+  return sum;
+}
+
+/// `ridged`: whether any ridge stands here; where none does they cost nothing.
+template <class At, class N = typename At::Number>
+HWY_INLINE ShapeSums<N> summed(const At& at, const RegionShape& shape, bool ridged) {
+  ShapeSums<N> sums{at.number(0), at.number(0), at.number(0)};
+  if (ridged) sums.ridge = ridges(at, shape);
+  for (std::size_t k = 1; k < static_cast<std::size_t>(kShapeOctaves); ++k) {
+    const N n = at.octave(k);
+    sums.hill = add(sums.hill, times(n, shape.hill_weights[k]));
+    if (k >= static_cast<std::size_t>(kSmallFrom)) {
       sums.small = add(sums.small, times(n, shape.small_weights[k]));
     }
   }
   return sums;
+}
+
+/// The land before rivers cut it, and how they would.
+template <class N>
+struct Uncut {
+  N base, belt, land, flood_plain, mesa, terrace_field, small;
+  N river, tributary;
+  N main_share, side_share, main_width, side_width, shallow;
+};
+
+template <class At, class N = typename At::Number>
+HWY_INLINE Uncut<N> uncut_at(const At& at, const RegionShape& shape) {
+  const N base = at.load(&RegionRow::base);
+  // Between samples a curve may pass a little beyond them.
+  const N belt = unit(at.load(&RegionRow::belt));
+  const N hills = at.load(&RegionRow::hills);
+  const N mesa = at_least(at.load(&RegionRow::mesa), 0);
+  const N river = at.load(&RegionRow::river);
+  const ShapeSums<N> sums = summed(at, shape, !none(belt));
+
+  const N filled = unit(plus(times(sums.hill, 0.45F), 0.5F));
+  const N hill = mul(filled, root(filled));
+  const N ridge = at_least(plus(times(sums.ridge, shape.ridge_scale), -0.1F), 0);
+  const N over = at_least(plus(ridge, -0.9F), 0);
+  const N relief = add(at_most(ridge, 0.9F), quotient(over, plus(times(over, 3), 1)));
+
+  const N plain = add(base, times(smooth(belt), shape.range_base));
+  const N above = at_least(plus(plain, -shape.carve[0]), 0);
+  const N lifted = quotient(mul(above, above), plus(above, 20));
+  const N wide = plus(times(ramp(24, 3, base), 0.8F), 0.8F);
+  const N toward_hills = add(plain, times(hills, 0.3F));
+  const float low = shape.carve[1];
+  // Toward its spring a river narrows, and is dry where it is no wider than a brook.
+  const float high = shape.carve[0];
+  const N main_wide = mul(wide, plus(times(ramp(high + 12, high - 28, plain), 0.75F), 0.25F));
+  const N side_wide = mul(wide, plus(times(ramp(low + 12, low - 16, toward_hills), 0.75F), 0.25F));
+  const N tributary =
+      where_above(river, at.number(0), at.load(&RegionRow::tributary_a), at.load(&RegionRow::tributary_b));
+  return {base,
+          belt,
+          add(add(plain, mul(hills, hill)), mul(times(belt, shape.range_relief), relief)),
+          plus(lifted, 1.2F),
+          mesa,
+          add(at.load(&RegionRow::terrace), times(sums.small, shape.mesa_roughness)),
+          sums.small,
+          size_of(river),
+          size_of(tributary),
+          plus(times(ramp(low + 90, low + 30, plain), 0.55F), 0.45F),
+          ramp(low + 28, low, toward_hills),
+          times(main_wide, shape.half_width[0]),
+          times(side_wide, shape.half_width[1]),
+          less(1, times(ramp(0.5F, 6, lifted), 0.7F))};
+}
+
+HWY_INLINE Uncut<RegionVector> value_of(const Uncut<Sloped>& u) {
+  return {u.base.v,          u.belt.v,       u.land.v,       u.flood_plain.v, u.mesa.v,
+          u.terrace_field.v, u.small.v,      u.river.v,      u.tributary.v,   u.main_share.v,
+          u.side_share.v,    u.main_width.v, u.side_width.v, u.shallow.v};
 }
 
 /// How a river or its tributaries cut the land at a column.
@@ -432,18 +562,29 @@ struct Cut {
   N bed;   // how deep under the flood plain
 };
 
+template <class N>
+HWY_INLINE bool all_above(N a, N b) {
+  return hn::AllTrue(RegionTag{}, hn::Gt(value_of(a), value_of(b)));
+}
+
 /// `share`: 0 to 1, how much of a river there is; `depth`: of its bed, where the river is wide enough;
-/// `widened`: how wide it is at least.
+/// `widened`: how wide it is at least. What is far from it costs nothing.
 template <class N>
 HWY_INLINE Cut<N> cut_by(N distance, N own_width, N own_valley, N share, N shallow, float depth,
                          float widened) {
+  const N none_of_it = times(share, 0);
+  Cut<N> cut{plus(none_of_it, 1), none_of_it};
   const N half_width = at_least(own_width, widened);
   const N valley = widened == 0 ? own_valley : larger(own_valley, plus(half_width, 2 * widened));
+  if (all_above(distance, valley)) return cut;
   const N t = unit(quotient(sub(distance, half_width), sub(valley, half_width)));
   const N flank = add(times(smooth(t), 0.72F), times(mul(t, t), 0.28F));
+  cut.left = less(1, mul(share, less(1, flank)));
+  if (all_above(distance, half_width)) return cut;
   const N deepest = mul(at_most(times(own_width, 0.5F), depth), shallow);
   const N across = smooth(unit(less(1, quotient(distance, half_width))));
-  return {less(1, mul(share, less(1, flank))), mul(mul(share, deepest), across)};
+  cut.bed = mul(mul(share, deepest), across);
+  return cut;
 }
 
 template <class N>
@@ -453,68 +594,38 @@ struct Height {
   N small;
 };
 
-template <class At, class N = typename At::Number>
-HWY_INLINE Height<N> height_at(const At& at, const RegionShape& shape, float widened) {
-  const N base = at.load(&RegionRow::base);
-  const N belt = at.load(&RegionRow::belt);
-  const N hills = at.load(&RegionRow::hills);
-  const N river = at.load(&RegionRow::river);
-  const ShapeSums<N> sums = summed(at, shape);
-
-  const N filled = unit(plus(times(sums.hill, 0.45F), 0.5F));
-  const N hill = mul(filled, root(filled));
-  const N ridge = at_least(plus(times(sums.ridge, shape.ridge_scale), -0.1F), 0);
-  const N over = at_least(plus(ridge, -0.9F), 0);
-  const N relief = add(at_most(ridge, 0.9F), quotient(over, plus(times(over, 3), 1)));
-
-  const N plain = add(base, times(smooth(unit(belt)), shape.range_base));
-  const N above = at_least(plus(plain, -shape.carve[0]), 0);
-  const N lifted = quotient(mul(above, above), plus(above, 20));
-  const N flood_plain = plus(lifted, 1.2F);
-  const N wide = plus(times(ramp(24, 3, base), 0.8F), 0.8F);
-  const N toward_hills = add(plain, times(hills, 0.3F));
-  const N shallow = less(1, times(ramp(0.5F, 6, lifted), 0.7F));
-  const float low = shape.carve[1];
-  const N main_share = plus(times(ramp(low + 90, low + 30, plain), 0.55F), 0.45F);
-  const N side_share = ramp(low + 28, low, toward_hills);
-  // Toward its spring a river narrows, and is dry where it is no wider than a brook.
-  const float high = shape.carve[0];
-  const N main_wide = mul(wide, plus(times(ramp(high + 12, high - 28, plain), 0.75F), 0.25F));
-  const N side_wide = mul(wide, plus(times(ramp(low + 12, low - 16, toward_hills), 0.75F), 0.25F));
-  const N tributary =
-      where_above(river, At::number(0), at.load(&RegionRow::tributary_a), at.load(&RegionRow::tributary_b));
-  const Cut<N> main =
-      cut_by(size_of(river), times(main_wide, shape.half_width[0]), plus(times(belt, 150), shape.valley[0]),
-             main_share, shallow, shape.bed + 1.2F, widened);
-  const Cut<N> side =
-      cut_by(size_of(tributary), times(side_wide, shape.half_width[1]),
-             plus(times(belt, 120), shape.valley[1]), side_share, shallow, 0.8F * shape.bed + 1.2F, widened);
+template <class N>
+HWY_INLINE Height<N> cut(const Uncut<N>& u, const RegionShape& shape, float widened) {
+  const Cut<N> main = cut_by(u.river, u.main_width, plus(times(u.belt, 150), shape.valley[0]), u.main_share,
+                             u.shallow, shape.bed + 1.2F, widened);
+  const Cut<N> side = cut_by(u.tributary, u.side_width, plus(times(u.belt, 120), shape.valley[1]),
+                             u.side_share, u.shallow, 0.8F * shape.bed + 1.2F, widened);
   const N left = mul(main.left, side.left);
-
-  // A valley lowers the field of the terraces, not the land: so canyons are stepped.
-  const N rough = add(at.load(&RegionRow::terrace), times(sums.small, shape.mesa_roughness));
-  const N cut_field = plus(sub(rough, times(less(1, unit(times(left, 1.15F))), 0.6F)), 0.1F);
-  const N terraces = on_spline(shape.terraces, cut_field);
-  const N mesa =
-      mul(mul(times(at.load(&RegionRow::mesa), shape.mesa_height), terraces), smooth(unit(times(left, 4))));
-
-  const N land = add(add(plain, mul(hills, hill)), mul(times(belt, shape.range_relief), relief));
-  const N carved = add(flood_plain, mul(sub(land, flood_plain), left));
-  N height = where_above(land, flood_plain, carved, land);
+  const N carved = add(u.flood_plain, mul(sub(u.land, u.flood_plain), left));
+  N height = where_above(u.land, u.flood_plain, carved, u.land);
+  N terraces = times(left, 0);
+  if (!none(u.mesa)) {
+    // A valley lowers the field of the terraces, not the land: so canyons are stepped.
+    const N field = plus(sub(u.terrace_field, times(less(1, unit(times(left, 1.15F))), 0.6F)), 0.1F);
+    terraces = on_spline(shape.terraces, field);
+    height = add(height, mul(mul(times(u.mesa, shape.mesa_height), terraces), smooth(unit(times(left, 4)))));
+  }
   // The floor of the sea has none.
-  height = sub(add(height, mesa), mul(larger(main.bed, side.bed), ramp(-9, -1, land)));
+  height = sub(height, mul(larger(main.bed, side.bed), ramp(-9, -1, u.land)));
   // Beaches: at the shore the land is flatter.
   const N from_shore = unit(times(size_of(height), 1.0F / 7));
   height = mul(height, plus(times(smooth(from_shore), 0.7F), 0.3F));
-  return {height, terraces, sums.small};
+  return {height, terraces, u.small};
 }
 
+/// Without `mesa` country there are no terraces.
 template <class N>
-HWY_INLINE void store_details(const Height<N>& at, const RegionDetails& details, std::size_t i) {
+HWY_INLINE void store_details(const Height<N>& at, RegionVector mesa, const RegionDetails& details,
+                              std::size_t i) {
   if (details.height == nullptr) return;
   const RegionTag f;
   hn::StoreU(value_of(at.height), f, details.height + i);
-  hn::StoreU(value_of(at.terraces), f, details.terraces + i);
+  hn::StoreU(hn::IfThenElseZero(hn::Gt(mesa, constant(0)), value_of(at.terraces)), f, details.terraces + i);
   hn::StoreU(value_of(at.small), f, details.small + i);
 }
 
@@ -530,8 +641,9 @@ HWY_INLINE void store_height(RegionVector over_sea, const RegionShape& shape, fl
 void compose(const RegionRow& row, const RegionShape& shape, std::size_t width, float highest_fx,
              std::int32_t* heights_fx, const RegionDetails& details) {
   for (std::size_t i = 0; i < width; i += hn::Lanes(RegionTag{})) {
-    const auto at = height_at(PlainAt{row, i}, shape, 0);
-    store_details(at, details, i);
+    const auto uncut = uncut_at(PlainAt{row, i}, shape);
+    const auto at = cut(uncut, shape, 0);
+    store_details(at, uncut.mesa, details, i);
     store_height(at.height, shape, highest_fx, heights_fx + i);
   }
 }
@@ -545,14 +657,15 @@ void compose_sloped(const SlopedRegionRow& row, const RegionShape& shape, float 
   const hn::RebindToSigned<RegionTag> ints;
   const auto steepest = constant(4194304);  // 2^22
   for (std::size_t i = 0; i < width; i += hn::Lanes(f)) {
-    const auto at = height_at(SlopedAt{row, i}, shape, 0);
-    store_details(at, details, i);
+    const auto uncut = uncut_at(SlopedAt{row, i}, shape);
+    const auto at = cut(uncut, shape, 0);
+    store_details(at, uncut.mesa.v, details, i);
     // A plane rises most toward a diagonal neighbour: by both of its slopes. Ground is rounder than that, and
     // eq. 1 takes the steepest of its eight directions: kRounder was measured.
     const auto slope =
         times(hn::Add(hn::Abs(at.height.x), hn::Abs(at.height.z)), kRounder * shape.subvoxels_a_unit);
     hn::StoreU(talus::HWY_NAMESPACE::round_to_even(f, hn::Min(slope, steepest)), ints, slopes_fx + i);
-    const auto seen = height_at(PlainAt{row.value, i}, shape, widened);
+    const auto seen = cut(value_of(uncut), shape, widened);
     store_height(seen.height, shape, highest_fx, heights_fx + i);
   }
 }
@@ -566,8 +679,8 @@ void equalize(const Equalizer& equalizer, const float* noise, std::size_t width,
 
 }  // namespace
 
-constexpr RegionKernels kRegions{displace, distances,      lay,     lay_sloped, bend, spread,
-                                 compose,  compose_sloped, equalize};
+constexpr RegionKernels kRegions{displace,    distances, lay,     lay_sloped,     bend,
+                                 blend_lines, spread,    compose, compose_sloped, equalize};
 
 }  // namespace talus::terrain::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

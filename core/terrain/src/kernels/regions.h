@@ -77,6 +77,20 @@ struct SlopedOut {
   float* south = nullptr;
 };
 
+/// Four lines of samples, padded, and how much of each is summed.
+struct SampleLines {
+  std::array<const float*, 4> line{};
+  std::array<float, 4> share{};
+};
+
+/// What lies between four samples in a row, each time: `columns` (1, 2, 4, 8 or 16) between the middle two.
+struct Cells {
+  std::size_t count = 0;  // 3 less than there are samples
+  std::size_t columns = 1;
+  const float* fractions = nullptr;  // where they lie, of the way from sample to sample
+  float* scratch = nullptr;          // 4 padded rows of samples
+};
+
 struct RegionKernels {
   /// A displacement by two noises, each times its reach, in 2^-8 columns, rounded to even and at most 2^22;
   /// and its stretch. Writes up to kPadding further; so do the others.
@@ -94,11 +108,11 @@ struct RegionKernels {
   /// The derivatives of a noise that is displaced by `share` of a warp.
   void (*bend)(const SlopedRow& noise, const Stretch& east, const Stretch& south, float share,
                std::size_t width, float* out_east, float* out_south);
-  /// Straight lines between samples: out[c * columns + k] is so much of the way from samples[c] to
-  /// samples[c + 1] as fractions[k] says, for c < cells and k < columns. `columns` of a cell: 1, 2, 4 or 8.
-  /// Both padded.
-  void (*spread)(const float* samples, std::size_t cells, std::size_t columns, const float* fractions,
-                 float* out);
+  /// The sum of four lines.
+  void (*blend)(const SampleLines& lines, std::size_t width, float* out);
+  /// Cubics between samples: values at `cells.count * cells.columns` columns from the second sample on, and
+  /// how they rise a column eastward, which may be null. All padded.
+  void (*spread)(const float* samples, const Cells& cells, float* out, float* rise);
   /// H in subvoxels at `width` columns.
   void (*compose)(const RegionRow& row, const RegionShape& shape, std::size_t width, float highest_fx,
                   std::int32_t* heights_fx, const RegionDetails& details);

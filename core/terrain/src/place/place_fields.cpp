@@ -1,7 +1,8 @@
 #include "place/place_fields.h"
 
 #include <algorithm>
-
+#include <array>
+#include <memory>
 #include <utility>
 
 #include <talus/vectors/tables.h>
@@ -36,7 +37,10 @@ void PlaceFields::start(int width, int depth) {
   looks_.resize(places_->looks.size());
   for (LookField& looks : looks_) looks.reshape(width, depth);
   shares_.resize(places_->shares.size());
-  for (Field& share : shares_) share.reshape(0, 0);
+  spare_.resize(shares_.size());
+  for (std::size_t i = 0; i < shares_.size(); ++i) {
+    if (!shares_[i].values.empty()) std::swap(shares_[i], spare_[i]);
+  }
   any_.resize(shares_.size());
   for (auto& rows : any_) rows.assign(static_cast<std::size_t>(depth), 0);
   gathered_.resize(places_->quantities);
@@ -108,59 +112,91 @@ void PlaceFields::set_share(std::size_t i, int z, std::size_t width, std::uint64
   }
 }
 
+/// Its values are unspecified in rows that have none.
 Field& PlaceFields::share_to_set(std::size_t i) {
   Field& share = shares_[i];
-  if (share.values.empty()) share.reshape(width_, depth_);  // of zeros
+  if (!share.values.empty()) return share;
+  std::swap(share, spare_[i]);
+  share.reshape(width_, depth_);
   return share;
 }
 
+namespace {
+
+// Those of a tile, from the columns that `row` tells the beginning of each row of.
+template <class Value, class Row>
+GroundTile::Values<Value> tile_values(const Row& row) {
+  constexpr auto kSide = static_cast<std::size_t>(kGroundTileSide);
+  const auto first = row(0)[0];
+  GroundTile::Values<Value> values{static_cast<Value>(first), nullptr};
+  auto differs = static_cast<decltype(first + 0)>(0);
+  for (int z = 0; z < kGroundTileSide; ++z) {
+    const auto* const from = row(z);
+    for (std::size_t k = 0; k < kSide; ++k) differs |= from[k] ^ first;
+  }
+  if (differs == 0) return values;
+  values.each = std::make_unique<GroundTile::Columns<Value>>();
+  for (int z = 0; z < kGroundTileSide; ++z) {
+    const auto* const from = row(z);
+    Value* const to = &(*values.each)[kSide * static_cast<std::size_t>(z)];
+    for (std::size_t k = 0; k < kSide; ++k) to[k] = static_cast<Value>(from[k]);
+  }
+  return values;
+}
+
+// Part of row z of a tile.
+template <class Value, class To>
+void take_tile_row(const GroundTile::Values<Value>& values, int z, int first, int count, To* to) {
+  if (!values.each) {
+    std::fill_n(to, count, static_cast<To>(values.all));
+    return;
+  }
+  const Value* const from = &(*values.each)[static_cast<std::size_t>(kGroundTileSide * z + first)];
+  std::copy_n(from, count, to);
+}
+
+}  // namespace
+
 void PlaceFields::fill(int x, int z, GroundTile& tile) const {
-  constexpr int kSide = kGroundTileSide;
+  const auto column = static_cast<std::size_t>(x);
   tile.looks.resize(looks_.size());
   tile.shares.resize(shares_.size());
   for (std::size_t i = 0; i < looks_.size(); ++i) {
-    for (int row = 0; row < kSide; ++row) {
-      std::copy_n(&looks_[i].row(z + row)[static_cast<std::size_t>(x)], kSide,
-                  &tile.looks[i][static_cast<std::size_t>(kSide * row)]);
-    }
+    tile.looks[i] =
+        tile_values<std::uint8_t>([&](int row) { return looks_[i].row(z + row).data() + column; });
   }
+  static constexpr std::array<std::int32_t, kGroundTileSide> kNone{};
   for (std::size_t i = 0; i < shares_.size(); ++i) {
     if (shares_[i].values.empty()) continue;
-    GroundTile::Columns<std::uint16_t> share{};
-    std::int32_t any = 0;
-    for (int row = 0; row < kSide; ++row) {
-      if (any_[i][static_cast<std::size_t>(z + row)] == 0) continue;
-      const std::int32_t* const from = &shares_[i].row(z + row)[static_cast<std::size_t>(x)];
-      for (int k = 0; k < kSide; ++k) {
-        share[static_cast<std::size_t>(kSide * row + k)] = static_cast<std::uint16_t>(from[k]);
-        any |= from[k];
-      }
-    }
-    if (any != 0) tile.shares[i] = std::make_unique<GroundTile::Columns<std::uint16_t>>(share);
+    tile.shares[i] = tile_values<std::uint16_t>([&](int row) {
+      const bool any = any_[i][static_cast<std::size_t>(z + row)] != 0;
+      return any ? shares_[i].row(z + row).data() + column : kNone.data();
+    });
   }
 }
 
 void PlaceFields::take(int x, int z, const GroundTile& tile) {
-  constexpr int kSide = kGroundTileSide;
   const int first = std::max(-x, 0);  // of the tile's columns
-  const int count = std::min(width_ - x, kSide) - first;
+  const int count = std::min(width_ - x, kGroundTileSide) - first;
   const int first_row = std::max(-z, 0);
-  const int last_row = std::min(depth_ - z, kSide);
-  if (count <= 0) return;
+  const int last_row = std::min(depth_ - z, kGroundTileSide);
+  if (count <= 0 || first_row >= last_row) return;
   const auto to = static_cast<std::size_t>(x + first);
   for (std::size_t i = 0; i < looks_.size(); ++i) {
     for (int row = first_row; row < last_row; ++row) {
-      std::copy_n(&tile.looks[i][static_cast<std::size_t>(kSide * row + first)], count,
-                  &looks_[i].row(z + row)[to]);
+      take_tile_row(tile.looks[i], row, first, count, looks_[i].row(z + row).data() + to);
     }
   }
   for (std::size_t i = 0; i < shares_.size(); ++i) {
-    if (!tile.shares[i] || first_row >= last_row) continue;
+    const GroundTile::Values<std::uint16_t>& values = tile.shares[i];
+    if (!values.each && values.all == 0) continue;
     Field& share = share_to_set(i);
     for (int row = first_row; row < last_row; ++row) {
-      std::copy_n(&(*tile.shares[i])[static_cast<std::size_t>(kSide * row + first)], count,
-                  &share.row(z + row)[to]);
-      any_[i][static_cast<std::size_t>(z + row)] = 1;
+      std::uint8_t& any = any_[i][static_cast<std::size_t>(z + row)];
+      const auto columns = share.row(z + row);
+      if (any == 0) std::fill(columns.begin(), columns.end(), 0);
+      any = 1;
+      take_tile_row(values, row, first, count, columns.data() + to);
     }
   }
 }
@@ -170,6 +206,9 @@ void PlaceFields::thin_late(const Field& slope, const Field* cliff) {
     Field& share = shares_[i];
     if (share.values.empty()) continue;
     const auto width = static_cast<std::size_t>(share.width);
+    for (int z = 0; z < share.depth; ++z) {
+      if (any_[i][static_cast<std::size_t>(z)] == 0) std::fill(share.row(z).begin(), share.row(z).end(), 0);
+    }
     for (const Places::Ramp& ramp : places_->shares[i].late) {
       const bool by_slope = ramp.quantity == number_of(Quantity::slope);
       if (!by_slope && cliff == nullptr) continue;

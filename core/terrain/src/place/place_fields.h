@@ -56,6 +56,7 @@ class PlaceFields {
   NarrowedCases narrowed_;
   std::vector<LookField> looks_;
   std::vector<Field> shares_;
+  std::vector<Field> spare_;                    // the memory of those that are empty
   std::vector<std::vector<std::uint8_t>> any_;  // of a share: 0 where a row is 0 all along
   std::vector<AlignedVector<float>> gathered_;
   std::vector<const float*> rows_;

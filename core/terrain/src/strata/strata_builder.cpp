@@ -10,9 +10,10 @@
 namespace talus::terrain {
 namespace {
 
-// Layers of regions are slow: their noise is drawn at every eighth row, where its shortest wave is this long.
-constexpr std::int64_t kRowStep = 8;
-constexpr std::int64_t kShortestBetweenRows = 64;
+// Layers of regions are slow: their noise is drawn at every so many rows, where its shortest wave is eight
+// times as long.
+constexpr std::int64_t kRowStep = 16;
+constexpr std::int64_t kShortestBetweenRows = 8 * kRowStep;
 
 LayerShape shape_of(const World& world, const StratumSpec& layer) {
   // No layer reaches past the highest surface over the deepest sunk strata, so a thicker one may stop there

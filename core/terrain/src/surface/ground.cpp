@@ -112,11 +112,11 @@ void Ground::take_tile(int tile_x, int tile_z, const GroundTile& tile) {
   const int x = tile_x * kGroundTileSide;
   const int z = tile_z * kGroundTileSide;
   for (int row = 0; row < kGroundTileSide; ++row) {
-    std::copy_n(&tile.heights_fx[static_cast<std::size_t>(row * kGroundTileSide)], kGroundTileSide,
-                &known_height_.at(x, z + row));
+    copy_tile_row(&tile.heights_fx[static_cast<std::size_t>(row * kGroundTileSide)], kGroundTileSide,
+                  &known_height_.at(x, z + row));
     if (!knows_slopes_) continue;
-    std::copy_n(&tile.slopes_fx.front()[static_cast<std::size_t>(row * kGroundTileSide)], kGroundTileSide,
-                &known_slope_.at(x, z + row));
+    copy_tile_row(&tile.slopes_fx.front()[static_cast<std::size_t>(row * kGroundTileSide)], kGroundTileSide,
+                  &known_slope_.at(x, z + row));
   }
   if (places_) {
     places_->take(x + static_cast<int>(known_.x - asked_.x), z + static_cast<int>(known_.z - asked_.z), tile);
@@ -131,9 +131,9 @@ void Ground::keep_tiles(const Block& block, int first) {
     if (knows_slopes_) tile->slopes_fx.resize(1);
     for (int row = 0; row < kGroundTileSide; ++row) {
       const auto to = static_cast<std::size_t>(row * kGroundTileSide);
-      std::copy_n(&known_height_.at(x, z + row), kGroundTileSide, &tile->heights_fx[to]);
+      copy_tile_row(&known_height_.at(x, z + row), kGroundTileSide, &tile->heights_fx[to]);
       if (!knows_slopes_) continue;
-      std::copy_n(&known_slope_.at(x, z + row), kGroundTileSide, &tile->slopes_fx.front()[to]);
+      copy_tile_row(&known_slope_.at(x, z + row), kGroundTileSide, &tile->slopes_fx.front()[to]);
     }
     if (places_) {
       places_of_block_->fill(x - block.x, 0, *tile);

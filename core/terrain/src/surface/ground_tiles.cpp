@@ -8,9 +8,12 @@ namespace talus::terrain {
 
 std::size_t GroundTile::bytes() const {
   constexpr std::size_t kOverhead = 192;  // of its places in list and table
-  std::size_t bytes = sizeof(GroundTile) + kOverhead + slopes_fx.size() * sizeof(Columns<std::int32_t>) +
-                      looks.size() * sizeof(Columns<std::uint8_t>) + shares.size() * sizeof(void*);
-  for (const auto& share : shares) bytes += share ? sizeof(*share) : 0;
+  std::size_t bytes = sizeof(GroundTile) + kOverhead + slopes_fx.size() * sizeof(Columns<std::int32_t>);
+  const auto add = [&](const auto& all) {
+    for (const auto& values : all) bytes += sizeof(values) + (values.each ? sizeof(*values.each) : 0);
+  };
+  add(looks);
+  add(shares);
   return bytes;
 }
 

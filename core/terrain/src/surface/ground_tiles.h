@@ -1,9 +1,11 @@
 // What a GroundCache holds. Private to core/terrain.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <list>
 #include <memory>
 #include <span>
@@ -16,7 +18,7 @@
 namespace talus::terrain {
 
 /// Columns along an edge: few, so that little is computed that nobody asked for.
-inline constexpr int kGroundTileSide = 16;
+inline constexpr int kGroundTileSide = 32;
 inline constexpr std::size_t kGroundTileColumns = kGroundTileSide * kGroundTileSide;
 
 /// Counted in tiles of a level.
@@ -32,15 +34,31 @@ struct GroundTile {
   template <class Value>
   using Columns = std::array<Value, kGroundTileColumns>;
 
+  /// Most tiles have one value all over.
+  template <class Value>
+  struct Values {
+    Value all{};
+    std::unique_ptr<Columns<Value>> each;  // null: `all` everywhere
+  };
+
   Columns<std::int32_t> heights_fx;
   std::vector<Columns<std::int32_t>> slopes_fx;  // one, of levels whose slope the surface knows by itself
-  std::vector<Columns<std::uint8_t>> looks;      // by LookRules
-  /// By ShareRule: before slope and cliff take their part. 0 to kWholeShare; null where it is 0 all over.
-  std::vector<std::unique_ptr<Columns<std::uint16_t>>> shares;
+  std::vector<Values<std::uint8_t>> looks;       // by LookRules
+  std::vector<Values<std::uint16_t>> shares;     // by ShareRule: before slope and cliff take their part
 
   [[nodiscard]] std::size_t bytes() const;
 };
 using GroundTilePtr = std::shared_ptr<const GroundTile>;
+
+/// `count` values, most often a whole row of a tile, whose length the compiler knows.
+template <class Value>
+void copy_tile_row(const Value* from, int count, Value* to) {
+  if (count == kGroundTileSide) {
+    std::memcpy(to, from, sizeof(Value) * kGroundTileSide);
+  } else {
+    std::copy_n(from, count, to);
+  }
+}
 
 struct GroundTiles {
  public:

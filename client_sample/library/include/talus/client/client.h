@@ -41,8 +41,9 @@
 // Requests, Views and pings beyond the rate that the server told wait inside the client. Where the server
 // refuses one all the same and says when to come back, the client asks again then by itself.
 //
-// When the connection breaks and Options::reconnect allows it, the client connects again; where the server
-// asks for a wait first, up to kLongestRetryAfter, after that. If the world has the same fingerprint, the
+// When the connection breaks, or the server goes away, and Options::reconnect allows it, the client connects
+// again: to the next of Options::more_servers where there are some; where the server that is next asked for a
+// wait first, up to kLongestRetryAfter, after that. If the world has the same fingerprint, the
 // current View and every unanswered request are sent again, and on_chunk comes again for all chunks of the
 // View; the caller sees only on_disconnect and on_reconnect. Otherwise, and when attempts run out, every
 // unanswered request fails.

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include <talus/client/clock.h>
 
@@ -41,6 +42,12 @@ struct WebSocketOptions {
   std::string host;  // that the server is asked for; empty: HOST:PORT as given to connect()
 };
 
+/// Where a server is. `port` is a number or a service name.
+struct ServerAddress {
+  std::string host;
+  std::string port;
+};
+
 struct Options {
   std::string token;                          // what the server's operator gave out; empty: none
   std::string client_name = "talus::client";  // for the server's log
@@ -55,6 +62,10 @@ struct Options {
   std::chrono::milliseconds ping_interval{20'000};  // at most; a third of the server's idle time-out if less
   std::chrono::milliseconds silence_timeout{60'000};  // no byte from the server for this long: it is gone
   ReconnectPolicy reconnect;
+  /// Other servers of the same world. Where one cannot be reached, goes away or breaks off, the next is
+  /// tried: first the one given to connect(), then these, and around again. None are needed where a balancer,
+  /// or a name with several addresses, stands for all.
+  std::vector<ServerAddress> more_servers;
   Clock* clock = &system_clock();  // outlives the client; tests give one that they move
 };
 

@@ -194,7 +194,9 @@ export abstract class ClientBase implements Client {
     this.connected = false;
     clearTimeout(this.viewTimer);
     this.viewTimer = undefined;
-    const wait = error.kind === 'refused' ? null : this.backoff.next(error.retryAfterMs);
+    // What a server asks for is before one comes back to it, not to the next.
+    const asked = typeof this.options.url !== 'string' && this.options.url.length > 1 ? 0 : error.retryAfterMs;
+    const wait = error.kind === 'refused' ? null : this.backoff.next(asked);
     this.emit('disconnected', error, wait);
     if (this.isClosed) return;
     if (wait === null) {

@@ -103,13 +103,8 @@ class Batch {
   [[nodiscard]] std::map<EditorId, std::optional<Editor>> take_editors() && { return std::move(touched_); }
   /// One for each entry, in order.
   [[nodiscard]] const std::vector<Applied>& applied() const { return applied_; }
-  /// Every chunk that it changed, of any level, as it is now; empty where its last override went.
-  [[nodiscard]] const std::unordered_map<ChunkKey, ChunkOverrides>& chunks() const {
-    return staging_.chunks();
-  }
-  [[nodiscard]] std::unordered_map<ChunkKey, ChunkOverrides> take_chunks() && {
-    return std::move(staging_).take();
-  }
+  /// Every chunk that it changed, of any level, and how.
+  [[nodiscard]] const std::unordered_map<ChunkKey, StagedChunk>& chunks() const { return staging_.chunks(); }
 
  private:
   [[nodiscard]] const Editor* find(EditorId id) const;

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <map>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include <talus/edits/chunk_overrides.h>
@@ -19,12 +20,14 @@ namespace talus::edits {
 /// It holds at least the voxels of touched_voxels(), with those that settle; more do no harm.
 using BaseVoxels = std::map<ChunkCoord, std::vector<Override>>;
 
-/// Where overrides are looked up. What find() returns lives until the state changes.
+/// Where overrides are looked up. What is returned lives until the state changes.
 class OverrideSource {
  public:
   virtual ~OverrideSource() = default;
-  /// The overrides of a chunk of any level, or null where it has none.
+  /// The overrides of a chunk of any level, or null where it has none, before what staged() writes.
   [[nodiscard]] virtual const ChunkOverrides* find(ChunkKey chunk) const = 0;
+  /// What is written over those that find() returns, by rising index.
+  [[nodiscard]] virtual std::span<const OverrideWrite> staged(ChunkKey /*chunk*/) const { return {}; }
 };
 
 /// A voxel that an edit changed; `before` and `after` differ.

@@ -17,31 +17,39 @@ namespace talus::edits {
 /// level 0, in the order of `changes`, then the others. Each chunk of each level at most once.
 [[nodiscard]] std::vector<ChunkWrites> writes_at_all_levels(std::span<const ChunkChanges> changes);
 
-/// Of one thread. Holds a copy of each chunk that the batch changes.
+/// What a batch writes to a chunk.
+struct StagedChunk {
+  const ChunkOverrides* before = nullptr;  // of the state under the batch; null: none
+  std::vector<OverrideWrite> writes;       // by rising index, of each voxel the last
+
+  /// The chunk after them.
+  [[nodiscard]] ChunkOverrides after() const;
+};
+
+/// Of one thread. Holds what is written, not the chunks that it is written to.
 class Staging final : public OverrideSource {
  public:
   /// `applied` is the state under the batch, which must outlive this and stay as it is meanwhile; `hash` is
   /// its S.
   Staging(const OverrideSource& applied, StateHash hash) : applied_{applied}, hash_{hash} {}
 
-  /// The chunk after what was staged; null where it has no overrides (any more).
   [[nodiscard]] const ChunkOverrides* find(ChunkKey chunk) const override;
+  [[nodiscard]] std::span<const OverrideWrite> staged(ChunkKey chunk) const override;
 
   /// Makes the changes of an outcome of evaluate() on this very staging, at all levels. Returns the writes,
   /// which a store keeps and views are told of.
   std::vector<ChunkWrites> stage(const Outcome& outcome);
 
   [[nodiscard]] StateHash hash() const { return hash_; }
-  /// Every chunk that was staged, as it is now; empty where its last override went.
-  [[nodiscard]] const std::unordered_map<ChunkKey, ChunkOverrides>& chunks() const { return chunks_; }
-  [[nodiscard]] std::unordered_map<ChunkKey, ChunkOverrides> take() && { return std::move(chunks_); }
+  /// Every chunk that was staged.
+  [[nodiscard]] const std::unordered_map<ChunkKey, StagedChunk>& chunks() const { return chunks_; }
 
  private:
   void apply(const ChunkWrites& writes);
 
   const OverrideSource& applied_;
   StateHash hash_;
-  std::unordered_map<ChunkKey, ChunkOverrides> chunks_;
+  std::unordered_map<ChunkKey, StagedChunk> chunks_;
 };
 
 }  // namespace talus::edits

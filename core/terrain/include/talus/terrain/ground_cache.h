@@ -16,7 +16,7 @@ class GroundLock {
   virtual void unlock() = 0;
 };
 
-/// Heights, looks and shares of tiles of 16 x 16 columns, for generators of one world. A patch of the default
+/// Heights, looks and shares of tiles of 32 x 32 columns, for generators of one world. A patch of the default
 /// world looks at more columns around it than it has, which are the ground of the patches beside it: with a
 /// cache each column is computed once. Results do not depend on it. Threads may share it where it has a lock.
 class GroundCache {

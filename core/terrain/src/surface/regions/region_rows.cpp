@@ -7,26 +7,6 @@
 #include "noise/lattice_place.h"
 
 namespace talus::terrain {
-namespace {
-
-std::int64_t cell_of(std::int64_t column) {
-  return floor_div(column, kSampleStep) * kSampleStep;
-}
-
-/// The distance between neighbours, where it is the same everywhere and a sample's cell has a whole number of
-/// them; else 0.
-std::int64_t step_of(std::span<const std::int64_t> xs) {
-  if (xs.size() < 2) return 0;
-  const std::int64_t step = xs[1] - xs[0];
-  if (step < 1 || kSampleStep % step != 0 || floor_mod(xs[0], step) != 0) return 0;
-  for (std::size_t i = 1; i < xs.size(); ++i) {
-    if (xs[i] - xs[i - 1] != step) return 0;
-  }
-  return step;
-}
-
-}  // namespace
-
 RegionRows::RegionRows(const Surface& surface, InstructionSet set)
     : regions_{surface.regions},
       places_{surface.places},
@@ -40,34 +20,41 @@ RegionRows::RegionRows(const Surface& surface, InstructionSet set)
       at_columns_(spread_.size()) {}
 
 void RegionRows::start(std::span<const std::int64_t> xs) {
-  begin(xs, false);
+  const auto is_sample = [](std::int64_t x) { return floor_mod(x, kSampleStep) == 0; };
+  begin(xs, std::all_of(xs.begin(), xs.end(), is_sample), false);
 }
 
 bool RegionRows::starts_level(std::span<const std::int64_t> xs, Lod lod) {
-  begin(xs, true);
+  const std::int64_t step = std::int64_t{1} << lod.value();
+  // Cubics between columns that lie further apart than that know nothing of the ground beside one.
+  begin(xs, step > kSampleStep, true);
   // Two columns wide at least, so that no diagonal breaks it.
-  widened_ = static_cast<float>(std::int64_t{1} << lod.value()) * regions_->slow.units_a_column;
+  widened_ = static_cast<float>(step) * regions_->slow.units_a_column;
   return true;
 }
 
-void RegionRows::begin(std::span<const std::int64_t> xs, bool sloped) {
+void RegionRows::begin(std::span<const std::int64_t> xs, bool at_samples, bool sloped) {
   width_ = xs.size();
   sloped_ = sloped;
-  lay_out(xs);
-  lines_.start(samples_, sloped);
+  at_samples_ = at_samples;
+  between_.start(xs, at_samples);
+  // Between samples their curves know how they rise.
+  lines_.start(between_.samples(), sloped && at_samples);
   shape_.start(regions_->shape, xs);
   if (places_) border_.start(regions_->border, xs);
-  const std::size_t spread_width = padded(columns_a_cell_ == 0 ? width_ : samples_.size() * columns_a_cell_);
   const auto resize = [&](std::vector<AlignedVector<float>>& rows, std::vector<float*>& at) {
     at.resize(rows.size());
     for (std::size_t i = 0; i < rows.size(); ++i) {
-      rows[i].resize(spread_width);
-      at[i] = rows[i].data() + skipped_;
+      rows[i].resize(between_.row_size());
+      at[i] = rows[i].data() + between_.first();
     }
   };
   resize(spread_, at_columns_);
+  for (auto* const rows : {&blended_, &rising_}) {
+    rows->resize(spread_.size());
+    for (auto& values : *rows) values.resize(padded(between_.samples().size()));
+  }
   for (auto& octave : octaves_) octave.resize(padded(width_));
-  blended_.resize(padded(samples_.size()));
   heights_.resize(padded(width_));
   if (places_) {
     for (auto& detail : details_) detail.resize(padded(width_));
@@ -81,70 +68,47 @@ void RegionRows::begin(std::span<const std::int64_t> xs, bool sloped) {
   slopes_.resize(padded(width_));
 }
 
-void RegionRows::lay_out(std::span<const std::int64_t> xs) {
-  samples_.clear();
-  offsets_.clear();
-  skipped_ = 0;
-  const std::int64_t step = step_of(xs);
-  columns_a_cell_ = step == 0 ? 0 : static_cast<std::size_t>(kSampleStep / step);
-  at_samples_ =
-      std::all_of(xs.begin(), xs.end(), [](std::int64_t x) { return floor_mod(x, kSampleStep) == 0; });
-  if (step != 0) {
-    for (std::int64_t x = cell_of(xs.front()); x <= cell_of(xs.back()) + kSampleStep; x += kSampleStep) {
-      samples_.push_back(x);
-    }
-    skipped_ = static_cast<std::size_t>((xs.front() - samples_.front()) / step);
-    for (std::size_t k = 0; k < columns_a_cell_; ++k) {
-      fractions_[k] =
-          static_cast<float>(static_cast<std::int64_t>(k) * step) / static_cast<float>(kSampleStep);
-    }
-    return;
-  }
-  for (const std::int64_t x : xs) {
-    samples_.push_back(cell_of(x));
-    if (floor_mod(x, kSampleStep) != 0) samples_.push_back(cell_of(x) + kSampleStep);
-  }
-  std::sort(samples_.begin(), samples_.end());
-  samples_.erase(std::unique(samples_.begin(), samples_.end()), samples_.end());
-  for (const std::int64_t x : xs) {
-    const auto west = static_cast<std::size_t>(
-        std::lower_bound(samples_.begin(), samples_.end(), cell_of(x)) - samples_.begin());
-    const std::int64_t inside = floor_mod(x, kSampleStep);
-    offsets_.push_back(
-        {west, inside == 0 ? west : west + 1, static_cast<float>(inside) / static_cast<float>(kSampleStep)});
+/// The slow rows at the columns of row z, and where slopes are asked for how they rise.
+void RegionRows::spread_row(std::int64_t z) {
+  if (sloped_ && at_samples_) return copy_sloped_line(z);
+  blend_lines(z);
+  const auto rises = [&](std::size_t slow) { return sloped_ && slow < kSlowCount; };
+  for (std::size_t slow = 0; slow < spread_.size(); ++slow) {
+    between_.row(*kernels_, blended_[slow].data(), spread_[slow].data(),
+                 rises(slow) ? rises_[0][slow].data() : nullptr);
+    if (rises(slow)) between_.row(*kernels_, rising_[slow].data(), rises_[1][slow].data(), nullptr);
   }
 }
 
-void RegionRows::spread(const float* samples, float* out) {
-  if (at_samples_) {
-    std::copy_n(samples, width_, out);
-    return;
+/// All slow rows at the samples of row z. Apart from what reads them, whose loads would wait for these
+/// stores.
+void RegionRows::blend_lines(std::int64_t z) {
+  const std::int64_t inside = floor_mod(z, kSampleStep);
+  const bool on_line = inside == 0 && !sloped_;
+  std::array<const SlowLine*, 4> lines{};
+  for (std::size_t k = 0; k < lines.size(); ++k) {
+    const std::int64_t away = on_line ? 0 : (static_cast<std::int64_t>(k) - 1) * kSampleStep;
+    lines[k] = &lines_.at(z - inside + away).values;
   }
-  if (columns_a_cell_ != 0) {
-    return kernels_->spread(samples, samples_.size() - 1, columns_a_cell_, fractions_.data(), out);
-  }
-  for (std::size_t i = 0; i < offsets_.size(); ++i) {
-    const Offset& at = offsets_[i];
-    out[i] = samples[at.west] + (samples[at.east] - samples[at.west]) * at.fraction;
+  const std::array<float, 4> shares = line_shares(inside);
+  const std::array<float, 4> rises = line_rises(inside);
+  const std::size_t samples = between_.samples().size();
+  for (std::size_t slow = 0; slow < spread_.size(); ++slow) {
+    const auto line = [&](std::size_t k) { return (*lines[k])[slow].data(); };
+    const std::array<const float*, 4> four{line(0), line(1), line(2), line(3)};
+    kernels_->blend({four, shares}, samples, blended_[slow].data());
+    if (sloped_ && slow < kSlowCount) kernels_->blend({four, rises}, samples, rising_[slow].data());
   }
 }
 
-/// The first `count` of the slow rows, at the columns of row z.
-void RegionRows::spread_row(std::int64_t z, const SlowLine SlopedLine::*rows, std::size_t count,
-                            std::vector<AlignedVector<float>>& out) {
-  const std::int64_t north_z = cell_of(z);
-  const auto fraction = static_cast<float>(z - north_z) / static_cast<float>(kSampleStep);
-  const SlowLine& north = lines_.at(north_z).*rows;
-  if (z == north_z) {
-    for (std::size_t slow = 0; slow < count; ++slow) spread(north[slow].data(), out[slow].data());
-    return;
-  }
-  const SlowLine& south = lines_.at(north_z + kSampleStep).*rows;
-  for (std::size_t slow = 0; slow < count; ++slow) {
-    for (std::size_t i = 0; i < samples_.size(); ++i) {
-      blended_[i] = north[slow][i] + (south[slow][i] - north[slow][i]) * fraction;
-    }
-    spread(blended_.data(), out[slow].data());
+/// REQUIRES that z is a multiple of kSampleStep.
+void RegionRows::copy_sloped_line(std::int64_t z) {
+  const SlopedLine& line = lines_.at(z);
+  for (std::size_t slow = 0; slow < spread_.size(); ++slow) {
+    std::copy_n(line.values[slow].data(), width_, spread_[slow].data());
+    if (slow >= kSlowCount) continue;
+    std::copy_n(line.east[slow].data(), width_, rises_[0][slow].data());
+    std::copy_n(line.south[slow].data(), width_, rises_[1][slow].data());
   }
 }
 
@@ -160,7 +124,7 @@ RegionRow RegionRows::row_of(const std::vector<float*>& at) const {
 }
 
 void RegionRows::row(std::int64_t z, std::int32_t* heights_fx) {
-  spread_row(z, &SlopedLine::values, spread_.size(), spread_);
+  spread_row(z);
   RegionRow at = row_of(at_columns_);
   for (std::size_t k = kSlowOctaves; k < kShapeOctaves; ++k) {
     shape_.octave(static_cast<int>(k), z, {octaves_[k].data()});
@@ -173,9 +137,7 @@ void RegionRows::row(std::int64_t z, std::int32_t* heights_fx) {
 }
 
 void RegionRows::sloped_row(std::int64_t z, std::int32_t* heights_fx, std::int32_t* slopes_fx) {
-  spread_row(z, &SlopedLine::values, spread_.size(), spread_);
-  spread_row(z, &SlopedLine::east, kSlowCount, rises_[0]);
-  spread_row(z, &SlopedLine::south, kSlowCount, rises_[1]);
+  spread_row(z);
   SlopedRegionRow at{row_of(at_columns_), row_of(rises_at_columns_[0]), row_of(rises_at_columns_[1])};
   for (std::size_t k = kSlowOctaves; k < kShapeOctaves; ++k) {
     shape_.octave(static_cast<int>(k), z,

@@ -12,6 +12,7 @@
 #include "kernels/regions.h"
 #include "noise/fbm_rows.h"
 #include "noise/rotated_fbm.h"
+#include "surface/regions/column_spread.h"
 #include "surface/regions/regions.h"
 #include "surface/regions/slow_lines.h"
 #include "surface/surface_rows.h"
@@ -33,11 +34,10 @@ class RegionRows final : public SurfaceRows {
   [[nodiscard]] const float* slow(Slow slow) const { return at_columns_[static_cast<std::size_t>(slow)]; }
 
  private:
-  void lay_out(std::span<const std::int64_t> xs);
-  void begin(std::span<const std::int64_t> xs, bool sloped);
-  void spread(const float* samples, float* out);
-  void spread_row(std::int64_t z, const SlowLine SlopedLine::*rows, std::size_t count,
-                  std::vector<AlignedVector<float>>& out);
+  void begin(std::span<const std::int64_t> xs, bool at_samples, bool sloped);
+  void spread_row(std::int64_t z);
+  void blend_lines(std::int64_t z);
+  void copy_sloped_line(std::int64_t z);
   [[nodiscard]] RegionRow row_of(const std::vector<float*>& at) const;
 
   const std::shared_ptr<const Regions> regions_;
@@ -49,23 +49,15 @@ class RegionRows final : public SurfaceRows {
   RotatedFbm shape_;
   FbmRows border_;
   std::size_t width_ = 0;
-  std::vector<std::int64_t> samples_;
-  std::size_t columns_a_cell_ = 0;  // 0: they are irregular
-  bool at_samples_ = false;         // each column is one
-  std::size_t skipped_ = 0;         // columns of the first cell that are not asked for
-  std::array<float, kSampleStep> fractions_{};
-  struct Offset {
-    std::size_t west = 0;  // the sample
-    std::size_t east = 0;
-    float fraction = 0;
-  };
-  std::vector<Offset> offsets_;  // a column, where they are irregular
-  std::vector<float> blended_;
-  std::vector<AlignedVector<float>> spread_;  // Slow, and others
+  ColumnSpread between_;
+  std::vector<AlignedVector<float>> blended_;  // Slow, and others, at the samples of a row
+  std::vector<AlignedVector<float>> rising_;   // and how they rise southward
+  std::vector<AlignedVector<float>> spread_;   // Slow, and others
   std::vector<float*> at_columns_;
   // Of coarse levels: how those rise, and the shape's fast octaves.
   bool sloped_ = false;
-  float widened_ = 0;  // terrain units: no half of a river is narrower
+  bool at_samples_ = false;  // the columns of such a level are
+  float widened_ = 0;        // terrain units: no half of a river is narrower
   std::array<std::vector<AlignedVector<float>>, 2> rises_;
   std::array<std::vector<float*>, 2> rises_at_columns_;
   std::array<std::array<AlignedVector<float>, kShapeOctaves>, 2> octave_rises_;

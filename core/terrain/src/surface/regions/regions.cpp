@@ -113,7 +113,7 @@ Regions regions_of(const RegionsSpec& spec, std::span<const FieldSpec> others, s
   for (std::size_t k = 0; k < kShapeOctaves; ++k) {
     shape.ridge_weights[k] = static_cast<float>(ridge);
     shape.hill_weights[k] = k == 0 ? 0.0F : static_cast<float>(hill);
-    shape.small_weights[k] = k < kSlowOctaves ? 0.0F : static_cast<float>(kSmallWeight * ridge);
+    shape.small_weights[k] = k < kSmallFrom ? 0.0F : static_cast<float>(kSmallWeight * ridge);
     if (k > 0) hill *= kHillGain;
     all_ridges += ridge;
     ridge *= spec.shape_gain;

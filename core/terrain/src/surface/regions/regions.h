@@ -1,8 +1,8 @@
 // Surface "regions": continents with plains, hills, mountain ranges, mesas in terraces, and rivers that meet
 // in a Y and run to the sea.
 //
-// Slow fields, drawn at every eighth column and interpolated, say how the land is at a place: how high, how
-// hilly, how dry. The shape, noise at every column, says what hill or ridge is there. All of it is a pure
+// Slow fields, drawn at every sixteenth column and interpolated, say how the land is at a place: how high,
+// how hilly, how dry. The shape, noise at every column, says what hill or ridge is there. All of it is a pure
 // function of the column.
 #pragma once
 
@@ -36,13 +36,17 @@ enum class Slow : std::uint8_t {
   shape_0,      // the shape's first octaves
   shape_1,
   shape_2,
+  shape_3,
+  shape_4,
 };
-inline constexpr std::size_t kSlowCount = 13;  // and SlowFields::others
+inline constexpr std::size_t kSlowCount = 15;  // and SlowFields::others
 /// The octaves of the shape that are slow.
-inline constexpr int kSlowOctaves = 3;
+inline constexpr int kSlowOctaves = 5;
+/// Octaves from here on are small hills.
+inline constexpr int kSmallFrom = 3;
 inline constexpr int kRiverOctaves = 2;
 /// Base columns from one sample to the next.
-inline constexpr std::int64_t kSampleStep = 8;
+inline constexpr std::int64_t kSampleStep = 16;
 
 /// The seed of what bears this name: so whatever a world has beside it changes nothing.
 [[nodiscard]] std::uint64_t named_seed(std::uint64_t world_seed, std::string_view name);

@@ -73,7 +73,8 @@ void SlowLines::start(std::span<const std::int64_t> samples, bool sloped) {
 }
 
 const SlopedLine& SlowLines::at(std::int64_t z) {
-  Line& line = lines_[static_cast<std::size_t>(floor_mod(z / kSampleStep, 2))];
+  Line& line =
+      lines_[static_cast<std::size_t>(floor_mod(z / kSampleStep, static_cast<std::int64_t>(lines_.size())))];
   if (!line.drawn || line.z != z) {
     draw(z, line.line);
     line.z = z;
@@ -112,7 +113,8 @@ void SlowLines::draw(std::int64_t z, SlopedLine& line) {
   }
   // By half the warp, so that hills and ridges bend with the land, and keep their size.
   const Displacements half{east_.half.data(), south_.half.data()};
-  constexpr std::array<Slow, kSlowOctaves> kShapes{Slow::shape_0, Slow::shape_1, Slow::shape_2};
+  constexpr std::array<Slow, kSlowOctaves> kShapes{Slow::shape_0, Slow::shape_1, Slow::shape_2, Slow::shape_3,
+                                                   Slow::shape_4};
   for (int k = 0; k < kSlowOctaves; ++k) {
     const Slow slow = kShapes[static_cast<std::size_t>(k)];
     float* const value = at(line.values, slow);

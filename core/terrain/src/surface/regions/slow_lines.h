@@ -1,4 +1,4 @@
-// What the slow fields of regions say at samples, every eighth column, line after line.
+// What the slow fields of regions say at samples, every sixteenth column, line after line.
 #pragma once
 
 #include <array>
@@ -25,7 +25,7 @@ struct SlopedLine {
   SlowLine south;
 };
 
-/// Keeps the last two lines. For one thread at a time.
+/// Keeps the last lines. For one thread at a time.
 class SlowLines {
  public:
   SlowLines(const SlowFields& fields, const RotatedNoise& shape, InstructionSet set);
@@ -33,7 +33,8 @@ class SlowLines {
   /// From here on lines are of these samples: ascending base columns, multiples of kSampleStep.
   void start(std::span<const std::int64_t> samples, bool sloped);
 
-  /// The line at z, a multiple of kSampleStep, valid until a third line is asked for.
+  /// The line at z, a multiple of kSampleStep, valid while lines at most 3 kSampleStep away are
+  /// asked for.
   [[nodiscard]] const SlopedLine& at(std::int64_t z);
 
  private:
@@ -69,7 +70,7 @@ class SlowLines {
   Warp south_;
   std::array<std::array<AlignedVector<float>, 2>, 6> bent_;  // derivatives of the six fields
   AlignedVector<float> level_;                               // of those that are taken for level
-  std::array<Line, 2> lines_;
+  std::array<Line, 4> lines_;
 };
 
 }  // namespace talus::terrain

@@ -1,0 +1,57 @@
+# What Varnish keeps of talusd's answers, and for how long: talus.vcl and cluster.vcl, which say where talusd is, include it.
+
+sub vcl_recv {
+    # Varnish itself would pipe methods that it does not know, and looks no more at what follows.
+    if (req.method != "GET" && req.method != "HEAD" && req.method != "OPTIONS") {
+        return (synth(405));
+    }
+    # Which land was edited is told as it is now; while talusd is away, as it was (vcl_deliver comes back here).
+    if (req.url ~ "^/v1/[^/]+/[^/]+/edits/") {
+        set req.grace = 0s;
+        if (req.restarts > 0) {
+            set req.grace = 7d;
+        }
+    }
+    # Varnish has added the client to X-Forwarded-For. What is piped is not looked at any more.
+    if (req.url == "/v1/stream" && req.http.Upgrade ~ "(?i)^websocket$") {
+        return (pipe);
+    }
+}
+
+sub vcl_pipe {
+    set bereq.http.Upgrade = req.http.Upgrade;
+    set bereq.http.Connection = "Upgrade";
+}
+
+sub vcl_backend_response {
+    if (beresp.status >= 500 && bereq.is_bgfetch) {
+        return (abandon);  # what is held is better
+    }
+    if (beresp.status == 200 && bereq.url == "/v1/world" && !bereq.http.Authorization) {
+        # What a client asks for first: one answer does for a second, and for as long as talusd is away.
+        set beresp.ttl = 1s;
+        set beresp.grace = 7d;
+        return (deliver);
+    }
+    if (beresp.status == 200 && bereq.url ~ "^/v1/[^/]+/[^/]+/edits/" && !bereq.http.Authorization &&
+        beresp.http.Cache-Control == "no-cache") {
+        # Which columns were edited: all who look there within a second get one answer, which is then asked for again.
+        set beresp.ttl = 1s;
+        set beresp.grace = 7d;
+        return (deliver);
+    }
+    if (beresp.status == 200 && beresp.ttl > 0s) {
+        set beresp.grace = 30d;  # chunks, which never change under their path
+    }
+}
+
+sub vcl_deliver {
+    if (resp.status >= 500 && req.restarts == 0 && req.url ~ "^/v1/[^/]+/[^/]+/edits/") {
+        return (restart);
+    }
+    if (obj.hits > 0) {
+        set resp.http.X-Cache = "HIT";
+    } else {
+        set resp.http.X-Cache = "MISS";
+    }
+}

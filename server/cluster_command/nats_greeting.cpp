@@ -1,0 +1,65 @@
+#include "cluster_command/nats_greeting.h"
+
+#include <cstdio>
+#include <system_error>
+
+#include <fmt/format.h>
+#include <asio/ip/tcp.hpp>
+#include <nlohmann/json.hpp>
+
+#include <talus/protocol/endpoint.h>
+
+#include "log/escape.h"
+
+namespace talus::server::cluster_tool {
+namespace {
+
+constexpr std::size_t kMaxGreetingBytes = 64U << 10U;
+
+template <typename Value>
+Value greeting_member(const nlohmann::json& object, const char* name) {
+  const auto found = object.find(name);
+  if (found == object.end()) return {};
+  if constexpr (std::is_same_v<Value, std::string>) {
+    return found->is_string() ? escaped(found->get<std::string>(), 100) : Value{};
+  } else if constexpr (std::is_same_v<Value, bool>) {
+    return found->is_boolean() && found->get<bool>();
+  } else {
+    return found->is_number_integer() ? found->get<Value>() : Value{};
+  }
+}
+
+}  // namespace
+
+tl::expected<Greeting, std::string> parse_greeting(std::string_view line) {
+  constexpr std::string_view kInfo = "INFO ";
+  if (!line.starts_with(kInfo)) return tl::unexpected{std::string{"answers, but is no NATS server"}};
+  const nlohmann::json info = nlohmann::json::parse(line.substr(kInfo.size()), nullptr, false);
+  if (!info.is_object()) return tl::unexpected{std::string{"answers, but is no NATS server"}};
+  return Greeting{greeting_member<std::string>(info, "server_name"),
+                  greeting_member<std::string>(info, "version"), greeting_member<bool>(info, "jetstream"),
+                  greeting_member<bool>(info, "tls_required"),
+                  greeting_member<std::int64_t>(info, "max_payload")};
+}
+
+tl::expected<Greeting, std::string> greeting_of(std::string_view url, std::chrono::milliseconds patience) {
+  const auto endpoint = protocol::parse_endpoint(url.substr(url.find("://") + 3));
+  if (!endpoint) return tl::unexpected{endpoint.error()};
+  asio::ip::tcp::iostream stream;
+  stream.expires_after(patience);
+  stream.connect(endpoint->host, std::to_string(endpoint->port));
+  if (!stream) return tl::unexpected{fmt::format("cannot connect: {}", stream.error().message())};
+  std::string line;
+  for (char c = 0; line.size() < kMaxGreetingBytes && stream.get(c) && c != '\n';) line += c;
+  if (line.empty()) return tl::unexpected{std::string{"does not answer, though it takes connections"}};
+  return parse_greeting(line);
+}
+
+bool at_least(std::string_view version, int major, int minor) {
+  int is_major = 0;
+  int is_minor = 0;
+  if (std::sscanf(std::string{version}.c_str(), "%d.%d", &is_major, &is_minor) != 2) return false;
+  return is_major > major || (is_major == major && is_minor >= minor);
+}
+
+}  // namespace talus::server::cluster_tool

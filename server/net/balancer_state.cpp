@@ -1,0 +1,67 @@
+#include "net/balancer_state.h"
+
+#include <algorithm>
+#include <charconv>
+
+namespace talus::server {
+namespace {
+
+// Nobody has more; so that products of two fit.
+constexpr std::uint64_t kMaxOfBalancer = 1U << 24;
+
+struct BalancerShare {
+  std::uint64_t own = 0;
+  std::uint64_t all = 0;
+};
+
+std::optional<std::uint64_t> read_balancer_count(std::string_view text) {
+  std::uint64_t count = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), count);
+  if (error != std::errc{} || end != text.data() + text.size() || count > kMaxOfBalancer) return std::nullopt;
+  return count;
+}
+
+/// "NAME=OWN/ALL" among the parts that "; " separates.
+std::optional<BalancerShare> read_balancer_share(std::string_view text, std::string_view name) {
+  while (!text.empty()) {
+    const std::size_t end = std::min(text.find(';'), text.size());
+    std::string_view part = text.substr(0, end);
+    text.remove_prefix(std::min(end + 1, text.size()));
+    part.remove_prefix(std::min(part.find_first_not_of(' '), part.size()));
+    if (!part.starts_with(name)) continue;
+    part.remove_prefix(name.size());
+    const std::size_t slash = std::min(part.find('/'), part.size());
+    const auto own = read_balancer_count(part.substr(0, slash));
+    const auto all = read_balancer_count(part.substr(std::min(slash + 1, part.size())));
+    if (!own || !all || *own > *all) return std::nullopt;
+    return BalancerShare{*own, *all};
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<BalancerState> read_balancer_state(std::string_view text) {
+  // "UP", or "UP 1/2" where a check has failed of late.
+  if (!text.starts_with("UP")) return std::nullopt;
+  const auto weight = read_balancer_share(text, "weight=");
+  const auto sessions = read_balancer_share(text, "scur=");
+  if (!weight || !sessions || weight->own == 0) return std::nullopt;
+  return BalancerState{weight->own, weight->all, sessions->own, sessions->all};
+}
+
+std::optional<std::uint64_t> read_above_percent(std::string_view query) {
+  constexpr std::string_view kName = "above_percent=";
+  constexpr std::uint64_t kMostPercent = 1000;
+  if (!query.starts_with(kName)) return std::nullopt;
+  const auto percent = read_balancer_count(query.substr(kName.size()));
+  return percent && *percent <= kMostPercent ? percent : std::nullopt;
+}
+
+std::uint64_t sessions_above_share(const BalancerState& state, std::uint64_t percent) {
+  const std::uint64_t share = (state.all_sessions * state.weight + state.all_weight - 1) / state.all_weight;
+  const std::uint64_t most = share + (share * percent + 99) / 100;
+  return state.sessions > most ? state.sessions - most : 0;
+}
+
+}  // namespace talus::server

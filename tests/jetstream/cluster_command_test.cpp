@@ -1,0 +1,250 @@
+// What "talusd cluster" makes and finds, at real nats-servers.
+#include <algorithm>
+#include <chrono>
+#include <string>
+
+#include <catch2/catch.hpp>
+
+#include "cluster_command/check.h"
+#include "cluster_command/init.h"
+#include "cluster_command/nats_greeting.h"
+#include "cluster_command/status.h"
+#include "jetstream/stream_settings.h"
+#include "opened_stream.h"
+#include "scratch_directory.h"
+
+using namespace talus::nats_test;
+using namespace talus::server;
+using namespace talus::server::cluster_tool;
+using talus::ContentHash;
+
+namespace {
+
+Target target_at(const std::string& urls, std::uint64_t replicas, jetstream::Credentials who = {}) {
+  return {urls_of(urls),     std::make_shared<const jetstream::Credentials>(std::move(who)),
+          ContentHash{1, 0}, test_names(),
+          replicas,          {}};
+}
+
+jetstream::Credentials user(const std::string& name, const std::string& password) {
+  jetstream::Credentials who;
+  who.user = name;
+  who.password.emplace(password);
+  return who;
+}
+
+cluster::Genesis genesis_of(std::uint64_t world = 7) {
+  cluster::Genesis genesis;
+  genesis.identity = {ContentHash{1, 0}, ContentHash{world, 0}};
+  return genesis;
+}
+
+std::string lines_of(const Target& target, const cluster::Genesis& genesis) {
+  return finding_lines(check(target, genesis));
+}
+
+/// Lines that begin with "fault".
+std::string faults_of(const Target& target, const cluster::Genesis& genesis = genesis_of()) {
+  std::vector<Finding> findings = check(target, genesis);
+  std::erase_if(findings, [](const Finding& finding) { return finding.kind != Finding::Kind::fault; });
+  return finding_lines(findings);
+}
+
+}  // namespace
+
+TEST_CASE("init makes the stream and its first message once, and finds them again") {
+  NatsServers servers{{.servers = 1}};
+  const Target target = target_at(servers.url_list(), 1);
+  const auto made = init(target, genesis_of());
+  INFO((made ? "" : made.error()));
+  REQUIRE(made);
+  CHECK(made->stream);
+  CHECK(made->genesis);
+  CHECK_THAT(made_lines(target, genesis_of(), *made), Catch::Contains(to_string(target.store_id)));
+
+  const auto again = init(target, genesis_of());
+  REQUIRE(again);
+  CHECK_FALSE(again->stream);
+  CHECK_FALSE(again->genesis);
+
+  const auto log = open_log(servers.url_list(), target.names);
+  const auto until = std::chrono::steady_clock::now() + std::chrono::seconds{30};
+  const auto first = log->next(0, until);
+  REQUIRE(first);
+  REQUIRE(*first);
+  const auto read = cluster::decode_genesis((*first)->bytes);
+  REQUIRE(read);
+  CHECK(*read == genesis_of());
+  CHECK(log->state()->last == 1);
+
+  CHECK(faults_of(target).empty());
+  const auto other_world = init(target, genesis_of(8));
+  REQUIRE_FALSE(other_world);
+  CHECK_THAT(other_world.error(), Catch::Contains("world"));
+  CHECK_THAT(faults_of(target, genesis_of(8)), Catch::Contains(to_string(ContentHash{8, 0})));
+}
+
+TEST_CASE("init goes on where it was cut off between the stream and its first message") {
+  NatsServers servers{{.servers = 1}};
+  const Target target = target_at(servers.url_list(), 1);
+  make_stream(servers, target.names, 1);
+  const auto made = init(target, genesis_of());
+  REQUIRE(made);
+  CHECK_FALSE(made->stream);
+  CHECK(made->genesis);
+}
+
+TEST_CASE("init refuses a stream of other settings by their names, and changes nothing") {
+  NatsServers servers{{.servers = 1}};
+  const Target target = target_at(servers.url_list(), 1);
+  auto settings = jetstream::wanted_settings(target.names, 1);
+  settings["max_age"] = 3'600'000'000'000;
+  settings["deny_purge"] = false;
+  ask(servers, "$JS.API.STREAM.CREATE." + target.names.stream, settings.dump());
+  const auto made = init(target, genesis_of());
+  REQUIRE_FALSE(made);
+  CHECK_THAT(made.error(), Catch::Contains("deny_purge is false and should be true"));
+  const std::string faults = faults_of(target);
+  CHECK_THAT(faults, Catch::Contains("deny_purge is false and should be true"));
+  CHECK_THAT(faults, Catch::Contains("max_age is 3600000000000 and should be 604800000000000") &&
+                         Catch::Contains("peer"));
+}
+
+TEST_CASE("three replicas where there is one server are refused with what is missing") {
+  NatsServers servers{{.servers = 1}};
+  const auto made = init(target_at(servers.url_list(), 3), genesis_of());
+  REQUIRE_FALSE(made);
+  CHECK_THAT(made.error(), Catch::Contains("replicas"));
+}
+
+TEST_CASE("check names servers that cannot be reached, want other credentials, or have no JetStream") {
+  NatsServers servers{{.servers = 1, .more = "authorization { user: talus, password: right }"}};
+  CHECK_THAT(faults_of(target_at(servers.url_list(), 1, user("talus", "wrong"))),
+             Catch::Contains(servers.url(0)) && Catch::Contains("uthorization"));
+  servers.kill(0);
+  CHECK_THAT(faults_of(target_at(servers.url_list(), 1)),
+             Catch::Contains(servers.url(0)) && Catch::Contains("refused"));
+  NatsServers plain{{.servers = 1, .jetstream = false}};
+  const std::string faults = faults_of(target_at(plain.url_list(), 1));
+  CHECK_THAT(faults, Catch::Contains(plain.url(0)) && Catch::Contains("JetStream is off"));
+}
+
+TEST_CASE("check says that the stream is missing, and how to make it") {
+  NatsServers servers{{.servers = 1}};
+  CHECK_THAT(faults_of(target_at(servers.url_list(), 1)), Catch::Contains("talusd cluster init"));
+}
+
+TEST_CASE("check names a small max_payload") {
+  NatsServers servers{{.servers = 1, .more = "max_payload: 64KB"}};
+  CHECK_THAT(faults_of(target_at(servers.url_list(), 1)), Catch::Contains("max_payload is 65536"));
+}
+
+TEST_CASE("check names each missing permission, and one too many") {
+  const std::string id = test_names().log.substr(0, test_names().log.rfind('.'));
+  const auto with = [&](const std::string& publish, const std::string& subscribe) {
+    return "authorization { users = [ { user: all, password: p }, { user: talus, password: p, permissions: { "
+           "publish: " +
+           publish + ", subscribe: " + subscribe + " } } ] }";
+  };
+  const std::string info = "\"$JS.API.STREAM.INFO.>\"";
+  const std::string get = "\"$JS.API.DIRECT.GET.>\"";
+  const std::string log = "\"" + id + ".log\"";
+  const auto faults = [&](const std::string& publish, const std::string& subscribe) {
+    NatsServers servers{{.servers = 1, .more = with(publish, subscribe)}};
+    const auto made = init(target_at(servers.url_list(), 1, user("all", "p")), genesis_of());
+    REQUIRE(made);
+    return lines_of(target_at(servers.url_list(), 1, user("talus", "p")), genesis_of());
+  };
+  const std::string tail = "[\"_INBOX.>\", \"" + id + ".tail\"]";
+  SECTION("all that is wanted and no more") {
+    const std::string lines = faults("[" + info + "," + get + "," + log + "]", tail);
+    CHECK_THAT(lines, !Catch::Contains("fault: ") && !Catch::Contains("may publish to " + id + ".tail"));
+  }
+  SECTION("no stream info") {
+    CHECK_THAT(faults("[" + get + "," + log + "]", tail),
+               Catch::Contains("fault: ") && Catch::Contains("$JS.API.STREAM.INFO"));
+  }
+  SECTION("no publishing") {
+    CHECK_THAT(faults("[" + info + "," + get + "]", tail),
+               Catch::Contains("fault: cannot publish to " + id + ".log"));
+  }
+  SECTION("no Direct Get") {
+    CHECK_THAT(faults("[" + info + "," + log + "]", tail),
+               Catch::Contains("fault: ") && Catch::Contains("$JS.API.DIRECT.GET"));
+  }
+  SECTION("no tail") {
+    CHECK_THAT(faults("[" + info + "," + get + "," + log + "]", "\"_INBOX.>\""),
+               Catch::Contains("fault: cannot subscribe to " + id + ".tail"));
+  }
+  SECTION("publishing to the tail") {
+    CHECK_THAT(faults("\">\"", tail), Catch::Contains("note: may publish to " + id + ".tail"));
+  }
+}
+
+TEST_CASE("of three servers, one lost is a note and two are a fault") {
+  NatsServers servers;
+  const Target target = target_at(servers.url_list(), 3);
+  REQUIRE(init(target, genesis_of()));
+  servers.await_replicas(target.names.stream);
+  std::string lines = lines_of(target, genesis_of());
+  CHECK_THAT(lines, !Catch::Contains("fault: ") && Catch::Contains("all 3 replicas current") &&
+                        Catch::Contains("note: nats-server 2.9"));
+  auto status = read_status(target);
+  REQUIRE(status);
+  CHECK(status->info.replicas.size() == 2);
+  CHECK_THAT(status_lines(*status), Catch::Contains("leader n") && Catch::Contains("messages 1 to 1"));
+  CHECK_THAT(status_json(*status), Catch::Contains("\"last\": 1"));
+
+  servers.kill((servers.leader_of(target.names.stream) + 1) % 3);
+  const auto until = std::chrono::steady_clock::now() + std::chrono::seconds{30};
+  do {
+    lines = lines_of(target, genesis_of());
+    REQUIRE(std::chrono::steady_clock::now() < until);
+  } while (lines.find("2 of 3 replicas are current") == std::string::npos);
+  servers.kill(servers.leader_of(target.names.stream));
+  lines = lines_of(target, genesis_of());
+  CHECK_THAT(lines, Catch::Contains("fault: ") && Catch::Contains("refused"));
+}
+
+TEST_CASE("a NATS server's greeting is read, and nothing else is taken for one") {
+  const auto greeting = parse_greeting(
+      R"(INFO {"server_name":"n1","version":"2.9.10","jetstream":true,"max_payload":1048576,"tls_required":true} )");
+  REQUIRE(greeting);
+  CHECK(greeting->name == "n1");
+  CHECK(greeting->jetstream);
+  CHECK(greeting->tls);
+  CHECK(at_least(greeting->version, 2, 9));
+  CHECK_FALSE(at_least(greeting->version, 2, 10));
+  CHECK(at_least("2.10.1", 2, 10));
+  CHECK(at_least("3.0", 2, 10));
+  CHECK_FALSE(at_least("x", 2, 9));
+  for (const auto* line : {"", "HTTP/1.1 200 OK", "INFO", "INFO []", "INFO {"})
+    CHECK_FALSE(parse_greeting(line));
+}
+
+TEST_CASE("metrics of the cluster are found in a page") {
+  const auto found = cluster_metrics(
+      "# HELP talus_cluster_sequence x\ntalus_cluster_sequence 12\ntalus_x 1\n"
+      "talus_cluster_publish_seconds_bucket{le=\"1\"} 3\ntalus_cluster_connected 1");
+  CHECK(found == std::map<std::string, double>{{"sequence", 12}, {"connected", 1}});
+}
+
+TEST_CASE("which store is meant: the one that is named, or that of the data directory") {
+  const ScratchDirectory scratch;
+  Config config;
+  config.cluster.nats = urls_of("nats://127.0.0.1:1");
+  CHECK_THAT(Target::of(config).error(), Catch::StartsWith("cluster.store: "));
+  REQUIRE(Target::for_init(config));
+  CHECK(Target::for_init(config)->store_id != Target::for_init(config)->store_id);
+
+  const ContentHash id{5, 6};
+  scratch.write("store.toml", store_text({id, ContentHash{7, 0}}));
+  config.data = scratch.path();
+  REQUIRE(Target::of(config));
+  CHECK(Target::of(config)->store_id == id);
+  CHECK_THAT(Target::for_init(config).error(), Catch::Contains("join-cluster"));
+  config.cluster.store = to_string(id);
+  CHECK(Target::for_init(config));
+  config.cluster.store = to_string(ContentHash{1, 1});
+  CHECK_THAT(Target::of(config).error(), Catch::StartsWith("cluster.store: "));
+}

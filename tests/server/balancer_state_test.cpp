@@ -1,0 +1,56 @@
+#include "net/balancer_state.h"
+
+#include <catch2/catch.hpp>
+#include <string>
+
+using namespace talus::server;
+
+namespace {
+
+// As HAProxy 2.6 sends it.
+const std::string kSaid =
+    "UP 1/2; address=10.0.0.7; port=4781; name=talus/a; node=lb; weight=1/3; scur=250/500; qcur=0";
+
+std::string with(const std::string& part, const std::string& other) {
+  std::string text = kSaid;
+  return text.replace(text.find(part), part.size(), other);
+}
+
+}  // namespace
+
+TEST_CASE("a balancer says how many sessions it has, here and in all") {
+  CHECK(read_balancer_state(kSaid) == BalancerState{1, 3, 250, 500});
+  CHECK(read_balancer_state("UP; weight=2/3; scur=0/0") == BalancerState{2, 3, 0, 0});
+}
+
+TEST_CASE("what is no state of a server that is up says nothing") {
+  for (const std::string& text :
+       {std::string{}, std::string{"UP"}, with("UP 1/2", "DOWN"), with("UP 1/2", "NOLB 1/2"),
+        with("weight=1/3", "weight=0/3"), with("weight=1/3", "weight=4/3"), with("weight=1/3", "weight=1"),
+        with("weight=1/3", "weight=/"), with("scur=250/500", "scur=501/500"),
+        with("scur=250/500", "scur=-1/500"), with("scur=250/500", "scur=1/99999999999999999999"),
+        with("scur=250/500", "scur=1/16777217"), with("scur=250/500", "sour=250/500"),
+        std::string(9000, ';')}) {
+    CAPTURE(text.substr(0, 120));
+    CHECK_FALSE(read_balancer_state(text).has_value());
+  }
+}
+
+TEST_CASE("a check may ask for another tolerance") {
+  CHECK(read_above_percent("above_percent=25") == 25U);
+  CHECK(read_above_percent("above_percent=0") == 0U);
+  CHECK(read_above_percent("above_percent=1000") == 1000U);
+  for (const char* none : {"", "above_percent=", "above_percent=1001", "above_percent=-1", "above_percent=5%",
+                           "above_percent=25&x=1", "above=25", "x&above_percent=25"}) {
+    CHECK_FALSE(read_above_percent(none).has_value());
+  }
+}
+
+TEST_CASE("more than its share and some is too many, by weight") {
+  CHECK(sessions_above_share({1, 3, 250, 500}, 10) == 250 - 167 - 17);
+  CHECK(sessions_above_share({1, 3, 184, 500}, 10) == 0);
+  CHECK(sessions_above_share({1, 3, 185, 500}, 10) == 1);
+  CHECK(sessions_above_share({2, 3, 340, 500}, 0) == 6);
+  CHECK(sessions_above_share({1, 1, 500, 500}, 0) == 0);
+  CHECK(sessions_above_share({1, 3, 1, 1}, 0) == 0);  // a player alone stays
+}
