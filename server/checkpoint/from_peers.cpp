@@ -47,9 +47,9 @@ tl::expected<StoreMeta, std::string> take_from_peer(const std::string& peer, con
     const bool named = meta.error().starts_with(peer);
     return tl::unexpected{named ? std::move(meta.error()) : fmt::format("{}: {}", peer, meta.error())};
   }
-  const double seconds = std::chrono::duration<double>(SteadyClock::now() - begun).count();
+  const double took = std::chrono::duration<double>(SteadyClock::now() - begun).count();
   log->info("joining: the store of {} is here and verified, {:.1f} MiB in {:.1f} s, position {}, revision {}",
-            peer, static_cast<double>(total) / kMebibytes, seconds, meta->head.position, meta->head.revision);
+            peer, static_cast<double>(total) / kMebibytes, took, meta->head.position, meta->head.revision);
   return meta;
 }
 
