@@ -35,6 +35,7 @@ TEST_CASE("into a cluster and back a store keeps its revisions, hash and players
              Catch::Contains("nothing is changed yet") && Catch::Contains("it has all that the stream has"));
   CHECK(servers.stat("a") == during);
   const bool keeps_id = GENERATE(false, true);
+  servers.scratch.write("a/rejoin", "its store was found to be wrong");  // which it says of the cluster's
   std::vector<std::string> flags{"leave-cluster", "--yes"};
   if (keeps_id) flags.emplace_back("--keep-id");
   const Ended left = servers.store("a", flags);
@@ -43,6 +44,7 @@ TEST_CASE("into a cluster and back a store keeps its revisions, hash and players
   const json after = servers.stat("a");
   for (const char* const same : {"revision", "position", "hash"}) CHECK(after[same] == during[same]);
   CHECK((after["store_id"] == before["store_id"]) == keeps_id);
+  CHECK_FALSE(fs::exists(servers.scratch / "a/rejoin"));
   const auto alone = servers.start(servers.settings("a", false));
   servers.build(alone->port(), 3);
   CHECK(servers.stat("a")["revision"] == during["revision"].get<int>() + 3);
@@ -85,12 +87,14 @@ TEST_CASE("where the stream is lost a server refuses to go on, and a fork begins
   const Ended asked = servers.store("a", {"fork"});
   CHECK(asked.status == 1);
   CHECK_THAT(asked.err, Catch::Contains("nothing is changed yet"));
+  servers.scratch.write("a/rejoin", "its store was found to be wrong");
   const Ended forked = servers.store("a", {"fork", "--yes"});
   INFO(forked.err);
   REQUIRE(forked.status == 0);
   const json after = servers.stat("a");
   for (const char* const same : {"revision", "position", "hash"}) CHECK(after[same] == before[same]);
   CHECK(after["store_id"] != before["store_id"]);
+  CHECK_FALSE(fs::exists(servers.scratch / "a/rejoin"));
   servers.store_id = after["store_id"];
   const auto a = servers.start(servers.settings("a"));
   servers.build(a->port(), 5);
