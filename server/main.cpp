@@ -142,7 +142,8 @@ int serve(const Command& command, const ReadSettings& read_settings) {
     if (!prepared) return fail(prepared.error());
     shared = {
         std::move(prepared->stream), prepared->joins,
-        [lost](talus::server::cluster::Lost how, const std::string& reason) { lost->lose(how, reason); }};
+        [lost](talus::server::cluster::Lost how, const std::string& reason) { lost->lose(how, reason); },
+        [lost](const std::string& reason) { lost->start_again(reason); }};
   }
   if (*data) {
     // A large store takes its time, and whoever ends the server meanwhile need not wait for it.

@@ -37,7 +37,8 @@ tl::expected<std::map<MaterialId, std::uint64_t>, std::string> count_uses(const 
   return uses;
 }
 
-tl::expected<edits::Applied, LogFailure> apply_now(EditLog& edits, LogEntry entry) {
+tl::expected<edits::Applied, LogFailure> apply_now(EditLog& edits, LogEntry entry,
+                                                   const std::function<bool()>& waits) {
   using Outcome = tl::expected<edits::Applied, LogFailure>;
   const auto answer = std::make_shared<std::promise<Outcome>>();
   auto answered = answer->get_future();
@@ -45,6 +46,9 @@ tl::expected<edits::Applied, LogFailure> apply_now(EditLog& edits, LogEntry entr
     answer->set_value(outcome ? Outcome{**outcome} : tl::unexpected{outcome.error()});
   });
   if (!taken) return tl::unexpected{taken.error()};
+  while (answered.wait_for(kRetryToBind) != std::future_status::ready) {
+    if (!waits()) return tl::unexpected{LogFailure{LogFailure::Kind::cut_off, "the log does not answer"}};
+  }
   return answered.get();
 }
 
@@ -84,14 +88,22 @@ tl::expected<std::vector<std::string>, std::string> names_without_ids(const terr
 }
 
 tl::expected<edits::NamedIds, std::string> bind_by_log(std::vector<std::string> names, EditLog& edits,
-                                                       const Logger& log) {
+                                                       const Logger& log,
+                                                       const std::function<bool()>& waits) {
   edits::NamedIds all;
   auto says = std::chrono::steady_clock::now();
   for (auto next = names.begin(); next != names.end();) {
     const auto last =
         next + std::min<std::ptrdiff_t>(names.end() - next, static_cast<std::ptrdiff_t>(cluster::kMaxNames));
-    const auto applied = apply_now(edits, edits::BindEntry{{next, last}});
+    const auto applied = apply_now(edits, edits::BindEntry{{next, last}}, waits);
     if (!applied) {
+      if (!waits()) {
+        log->error(
+            "no ids by the log for the world's new materials: {}; nobody can place them until this server "
+            "is started again and the log is there",
+            applied.error().reason);
+        break;
+      }
       if (const auto now = std::chrono::steady_clock::now(); now >= says) {
         log->warn("the world's {} new materials wait for ids by the log: {}", names.size(),
                   applied.error().reason);

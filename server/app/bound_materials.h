@@ -2,6 +2,7 @@
 #pragma once
 
 #include <chrono>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -24,8 +25,10 @@ namespace talus::server {
     const terrain::World& world, EditDatabase& database, const EditState& state);
 
 /// What the log answers to them, which may take as long as it cannot be reached: then `log` says so now and
-/// then.
+/// then. Once `waits` is false, which is asked a few times a second, those are left out that it has not
+/// answered.
 [[nodiscard]] tl::expected<edits::NamedIds, std::string> bind_by_log(std::vector<std::string> names,
-                                                                     EditLog& edits, const Logger& log);
+                                                                     EditLog& edits, const Logger& log,
+                                                                     const std::function<bool()>& waits);
 
 }  // namespace talus::server

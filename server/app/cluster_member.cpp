@@ -2,7 +2,6 @@
 
 #include <thread>
 #include <utility>
-#include <variant>
 
 #include "app/settle_rules.h"
 #include "jetstream/jetstream_log.h"
@@ -18,18 +17,12 @@ constexpr KeyBounds kPeersTokenBounds{1, 4096};
 /// Makes the stream where there is none.
 tl::expected<void, std::string> ensure_stream(const Cluster& settings, const ClusterKeys& keys,
                                               ContentHash store_id) {
-  const auto names = jetstream::StreamNames::of(store_id);
   const auto connection =
       jetstream::Connection::open(settings.nats, keys.nats, nullptr, jetstream::Retry::never);
   if (!connection) return tl::unexpected{connection.error().reason};
-  const auto info = jetstream::ask_stream_info(**connection, names);
-  if (info) return {};
-  const auto* const said = std::get_if<jetstream::ApiError>(&info.error());
-  if (said == nullptr || said->code != jetstream::kStreamNotFound) {
-    return tl::unexpected{jetstream::failure_of(info.error(), names).reason};
-  }
-  const auto made = jetstream::make_stream(**connection, names, settings.replicas);
-  if (!made) return tl::unexpected{jetstream::failure_of(made.error(), names).reason};
+  const auto present =
+      jetstream::ensure_stream(**connection, jetstream::StreamNames::of(store_id), settings.replicas);
+  if (!present) return tl::unexpected{present.error()};
   return {};
 }
 
@@ -53,8 +46,8 @@ tl::expected<ClusterKeys, std::string> load_cluster_keys(const Cluster& settings
 tl::expected<std::unique_ptr<LogStream>, std::string> open_shared_log(const Cluster& settings,
                                                                       const ClusterKeys& keys,
                                                                       ContentHash store_id, Logger log) {
-  auto opened = jetstream::JetStreamLog::open({settings.nats, jetstream::StreamNames::of(store_id)},
-                                              keys.nats, std::move(log));
+  auto opened = jetstream::JetStreamLog::open(
+      {settings.nats, jetstream::StreamNames::of(store_id), settings.replicas}, keys.nats, std::move(log));
   if (!opened) return tl::unexpected{std::move(opened.error().reason)};
   return std::unique_ptr<LogStream>{*std::move(opened)};
 }

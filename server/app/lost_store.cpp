@@ -24,6 +24,15 @@ void LostStore::lose(cluster::Lost how, const std::string& reason) {
   }
   log_->error("cluster: {}; this server ends, and takes another server's store when it is started again",
               reason);
+  end();
+}
+
+void LostStore::start_again(const std::string& reason) {
+  if (!wants_end_) log_->error("{}; this server ends, to be started again", reason);
+  end();
+}
+
+void LostStore::end() {
   wants_end_ = true;
   if (!serving_) {
     log_->flush();

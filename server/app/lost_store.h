@@ -23,11 +23,15 @@ class LostStore {
 
   /// Any thread, once. Where the server does not serve yet it ends the process.
   void lose(cluster::Lost how, const std::string& reason);
+  /// The store is good for a start alone. Any thread, any number of times.
+  void start_again(const std::string& reason);
   /// From now on somebody asks wants_end().
   void serving() { serving_ = true; }
   [[nodiscard]] bool wants_end() const { return wants_end_; }
 
  private:
+  void end();
+
   const std::filesystem::path directory_;
   const bool has_peers_;
   const Logger log_;

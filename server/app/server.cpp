@@ -478,13 +478,15 @@ void Server::give_memory_back() {
 asio::awaitable<void> Server::wait_for_shutdown() {
   const int first = co_await shutdown_signals_.async_wait(asio::use_awaitable);
   const std::string_view signal = first == SIGINT ? "SIGINT" : "SIGTERM";
-  if (config_.shutdown.lead.count() == 0) {
+  if (draining_) {
+    log_->info("{}: the server is ending already; {} connections", signal, admission_.connections());
+  } else if (config_.shutdown.lead.count() == 0) {
     log_->info("{}: no new connections; {} are told to go away", signal, admission_.connections());
   } else {
     log_->info("{}: not ready any more; {} connections, and new ones for {} ms", signal,
                admission_.connections(), config_.shutdown.lead.count());
   }
-  drain();
+  if (!draining_) drain();
   co_await shutdown_signals_.async_wait(asio::use_awaitable);
   log_->warn("a second signal: ending at once");
   io_->stop();

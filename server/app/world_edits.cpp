@@ -1,6 +1,8 @@
 #include "app/world_edits.h"
 
 #include <algorithm>
+#include <chrono>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -15,6 +17,9 @@
 
 namespace talus::server {
 namespace {
+
+/// A start that has a store does not wait longer for a log that cannot be reached.
+constexpr std::chrono::seconds kLogAway{10};
 
 /// All that the world names, air and water among them.
 EditIntake::Rules rules_of(const terrain::World& world, const std::vector<terrain::Material>& placeables,
@@ -39,6 +44,7 @@ tl::expected<std::unique_ptr<WorldEdits>, std::string> WorldEdits::open(
   settings.fingerprint = world.fingerprint();
   settings.store_id = store_id;
   settings.log_elsewhere = shared.stream != nullptr;
+  settings.on_lost_end = shared.on_lost_end;
   auto database = EditDatabase::open(settings);
   if (!database) return tl::unexpected{std::move(database.error())};
   if (shared.stream == nullptr && (*database)->meta().stream.sequence != 0) {
@@ -66,7 +72,19 @@ EditDatabase::Done WorldEdits::name_placeables(const terrain::World& world, Shar
   edits::MaterialIds ids = database_->materials();
   if (shared.stream != nullptr) {
     start_shared_log(std::move(shared), world);
-    const auto given = bind_by_log(*names, *log_, logger_);
+    // As long as the server would not be ready anyway, and some time for a new leader.
+    std::optional<std::chrono::steady_clock::time_point> away;
+    const auto waits = [&] {
+      const cluster::ClusterLog::Status status = shared_->status();
+      const auto now = std::chrono::steady_clock::now();
+      if (!status.ready || status.quorum) {
+        away.reset();
+      } else if (!away) {
+        away = now;
+      }
+      return !away || now - *away < kLogAway;
+    };
+    const auto given = bind_by_log(*names, *log_, logger_, waits);
     if (!given) return tl::unexpected{given.error()};
     ids.insert(given->begin(), given->end());
   } else if (!names->empty()) {
@@ -77,7 +95,9 @@ EditDatabase::Done WorldEdits::name_placeables(const terrain::World& world, Shar
     ids.merge(added);
   }
   for (const terrain::Placeable& placeable : world.placeables()) {
-    placeables_.push_back({ids.at(placeable.name), placeable.name, placeable.colour, placeable.kind});
+    const auto id = ids.find(placeable.name);
+    if (id == ids.end()) continue;  // the log was away
+    placeables_.push_back({id->second, placeable.name, placeable.colour, placeable.kind});
   }
   return {};
 }

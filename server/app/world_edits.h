@@ -41,6 +41,8 @@ struct SharedLog {
   std::uint64_t joins = 0;            // checkpoints of peers that were taken for the store
   /// The store is lost to the cluster: cluster_log.h.
   std::function<void(cluster::Lost, const std::string&)> on_lost = [](cluster::Lost, const std::string&) {};
+  /// The disk has lost what the log can give again: edit_database.h.
+  std::function<void(const std::string&)> on_lost_end = [](const std::string&) {};
 };
 
 class WorldEdits final : public EditedLand {

@@ -124,9 +124,9 @@ ClusterLog::Status ClusterLog::status() const {
     status.read_only = undecided_;
   } else if (store.read_only) {
     status.read_only = std::move(store.read_only);
-  } else if (!places_known_) {
+  } else if (!places_known_ && !begins_without_log()) {
     status.read_only = trouble_.empty() ? "this server is looking for its place in the log" : trouble_;
-  } else if (!takes || silent) {
+  } else if (!takes || silent || !places_known_) {
     const std::string& why = publishing.empty() ? trouble_ : publishing;
     status.read_only =
         fmt::format("the log that this world's servers share cannot be reached, or has no quorum{}{}",
@@ -134,7 +134,7 @@ ClusterLog::Status ClusterLog::status() const {
   }
   if (!fault_.empty()) {
     status.not_ready = fault_;
-  } else if (!end_.is_ready()) {
+  } else if (!end_.is_ready() && !begins_without_log()) {
     const auto behind = std::chrono::duration_cast<std::chrono::seconds>(end_.behind());
     status.not_ready = !places_known_ || !heard_
                            ? (trouble_.empty() ? "looking for its place in the log" : trouble_)
@@ -143,6 +143,10 @@ ClusterLog::Status ClusterLog::status() const {
   }
   status.ready = status.not_ready.empty();
   return status;
+}
+
+bool ClusterLog::begins_without_log() const {
+  return sequence_ > 0 && !heard_ && silent_since_.has_value();
 }
 
 // ---- the end of the stream

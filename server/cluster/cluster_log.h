@@ -120,6 +120,9 @@ class ClusterLog final : public EditLog {
   void trouble(std::string reason);
   void tell_whether_it_takes();
   [[nodiscard]] bool stopping() const;
+  /// The leader has not answered since the start, and the store has its place: chunks are served as they are
+  /// on the disk, as they would be if the leader had gone later. Under the mutex.
+  [[nodiscard]] bool begins_without_log() const;
 
   const Parts parts_;
   const Settings settings_;

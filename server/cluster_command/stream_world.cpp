@@ -14,9 +14,8 @@ tl::expected<void, std::string> check_world(jetstream::Connection& connection, c
   if (!info) return tl::unexpected{failure_of(info.error(), target.names).reason};
   const StreamState state = info->state;
   if (state.first > state.last) return {};
-  const auto reply =
-      connection.request("$JS.API.DIRECT.GET." + target.names.stream,
-                         fmt::format("{{\"seq\":{}}}", state.first), std::chrono::milliseconds{500});
+  const auto reply = connection.request(target.names.direct_get(), fmt::format("{{\"seq\":{}}}", state.first),
+                                        std::chrono::milliseconds{500});
   if (!reply) return tl::unexpected{reply.error().reason};
   const jetstream::Arrived message{reply->get()};
   if (message.status() != 0) {

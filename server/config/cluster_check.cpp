@@ -80,7 +80,7 @@ tl::expected<void, std::string> check_member(const Config& config) {
                     "is set and data is not; a server of a cluster keeps edits on its own disk too: "
                     "set data to a directory");
   }
-  if (!cluster.peers.empty() && cluster.peers_token_file.empty() && cluster.certificate.empty()) {
+  if (!cluster.peers.empty() && cluster.peers_token_file.empty()) {
     return conflict(
         "peers_token_file",
         "is not set, and peers is; give a file with a token of the right admin, which peers take");

@@ -40,14 +40,6 @@ std::string new_reply_subject() {
   return inbox.get();
 }
 
-std::string info_subject(const StreamNames& names) {
-  return "$JS.API.STREAM.INFO." + names.stream;
-}
-
-std::string direct_get_subject(const StreamNames& names) {
-  return "$JS.API.DIRECT.GET." + names.stream;
-}
-
 tl::unexpected<StreamFailure> failure(Kind kind, std::string reason) {
   return tl::unexpected{StreamFailure{kind, std::move(reason)}};
 }
@@ -295,11 +287,10 @@ class JetStreamLog::Inbox final : public ConnectionEvents {
     const std::uint64_t after = reading_.after();
     lock.unlock();
     if (const auto connection = log.connection()) {
-      if (question)
-        (void)(*connection)->send(info_subject(names_), fmt::format("{}.i.{}", log.reply_, after), "");
+      if (question) (void)(*connection)->send(names_.info(), fmt::format("{}.i.{}", log.reply_, after), "");
       for (const std::uint64_t sequence : messages) {
         (void)(*connection)
-            ->send(direct_get_subject(names_), fmt::format("{}.d.{}", log.reply_, sequence),
+            ->send(names_.direct_get(), fmt::format("{}.d.{}", log.reply_, sequence),
                    fmt::format("{{\"seq\":{}}}", sequence));
       }
     }
@@ -415,6 +406,16 @@ tl::expected<std::uint64_t, StreamFailure> JetStreamLog::publish(std::span<const
   return ack->sequence;
 }
 
+tl::expected<std::uint64_t, StreamFailure> JetStreamLog::publish_first(std::span<const std::byte> message) {
+  const auto connection = this->connection();
+  if (!connection) return tl::unexpected{connection.error()};
+  const auto ack =
+      (*connection)->publish(settings_.names.log, message, kPatience, Connection::Only::as_first);
+  if (!ack) return tl::unexpected{ack.error()};
+  inbox_->learned(ack->sequence);
+  return ack->sequence;
+}
+
 tl::expected<std::optional<StreamMessage>, StreamFailure> JetStreamLog::next(std::uint64_t after,
                                                                              TimePoint until) {
   return inbox_->next(*this, after, until);
@@ -423,10 +424,16 @@ tl::expected<std::optional<StreamMessage>, StreamFailure> JetStreamLog::next(std
 tl::expected<StreamState, StreamFailure> JetStreamLog::state() {
   const auto connection = this->connection();
   if (!connection) return tl::unexpected{connection.error()};
-  const auto reply = (*connection)->request(info_subject(settings_.names), "", kPatience);
+  const auto reply = (*connection)->request(settings_.names.info(), "", kPatience);
   if (!reply) return tl::unexpected{reply.error()};
   const auto info = parse_stream_info(Arrived{reply->get()}.text());
   if (!info) return tl::unexpected{failure_of(info.error(), settings_.names.stream)};
+  if (settings_.replicas != 0 && !has_settings_) {
+    if (const auto other = other_settings(info->settings, settings_.names, settings_.replicas)) {
+      return failure(Kind::refused, *other);
+    }
+    has_settings_ = true;
+  }
   if (const auto same = inbox_->told(info->state); !same) return tl::unexpected{same.error()};
   return info->state;
 }

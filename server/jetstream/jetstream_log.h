@@ -1,6 +1,7 @@
 // The log of a cluster as a stream of NATS JetStream.
 #pragma once
 
+#include <atomic>
 #include <chrono>
 #include <condition_variable>
 #include <cstdint>
@@ -32,6 +33,9 @@ class JetStreamLog final : public LogStream {
   struct Settings {
     ServerUrls urls;
     StreamNames names;
+    /// That the stream is to have. state() then fails with `refused` where it has other settings when it is
+    /// seen first: a person may change them later. 0: whatever it has is right.
+    std::uint64_t replicas = 0;
   };
 
   /// Succeeds whether or not a NATS server answers; an error is wrong credentials on this side.
@@ -40,6 +44,8 @@ class JetStreamLog final : public LogStream {
   ~JetStreamLog() override;
 
   [[nodiscard]] tl::expected<std::uint64_t, StreamFailure> publish(
+      std::span<const std::byte> message) override;
+  [[nodiscard]] tl::expected<std::uint64_t, StreamFailure> publish_first(
       std::span<const std::byte> message) override;
   /// Without a connection it fails with `unavailable` at `until`.
   [[nodiscard]] tl::expected<std::optional<StreamMessage>, StreamFailure> next(std::uint64_t after,
@@ -62,6 +68,7 @@ class JetStreamLog final : public LogStream {
   Logger log_;
   std::string reply_;  // subject of answers, without what each is to
   std::shared_ptr<Inbox> inbox_;
+  std::atomic<bool> has_settings_{false};  // as it should
   std::mutex connection_mutex_;
   std::shared_ptr<Connection> connection_;
   TimePoint connected_at_{};  // when it was made

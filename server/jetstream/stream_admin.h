@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 #include <variant>
 
 #include <tl/expected.hpp>
@@ -25,5 +26,15 @@ using StreamError = std::variant<StreamFailure, ApiError>;
 [[nodiscard]] tl::expected<StreamInfo, StreamError> make_stream(Connection& connection,
                                                                 const StreamNames& names,
                                                                 std::uint64_t replicas);
+
+struct PresentStream {
+  StreamInfo info;
+  bool made = false;  // now
+};
+/// Makes the stream where there is none; one that is there must have the settings. Waits up to 15 s for
+/// servers that have just started. An error is one line.
+[[nodiscard]] tl::expected<PresentStream, std::string> ensure_stream(Connection& connection,
+                                                                     const StreamNames& names,
+                                                                     std::uint64_t replicas);
 
 }  // namespace talus::server::jetstream

@@ -58,6 +58,15 @@ std::vector<SettingDifference> differences(const nlohmann::json& present, const 
   return found;
 }
 
+std::optional<std::string> other_settings(const nlohmann::json& present, const StreamNames& names,
+                                          std::uint64_t replicas) {
+  const auto others = differences(present, wanted_settings(names, replicas));
+  if (others.empty()) return std::nullopt;
+  return fmt::format("{} is there with other settings: {}; change {} by the program nats", names.stream,
+                     to_string(others.front()),
+                     others.front().name == "num_replicas" ? "cluster.replicas, or it" : "it");
+}
+
 std::string to_string(const SettingDifference& difference) {
   return fmt::format("{} is {} and should be {}", difference.name, difference.is, difference.should);
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -26,6 +27,9 @@ struct SettingDifference {
 /// Settings of `wanted` that `present` has otherwise.
 [[nodiscard]] std::vector<SettingDifference> differences(const nlohmann::json& present,
                                                          const nlohmann::json& wanted);
+/// Where a stream that is there has other settings than a store's: one line that names the first of them.
+[[nodiscard]] std::optional<std::string> other_settings(const nlohmann::json& present,
+                                                        const StreamNames& names, std::uint64_t replicas);
 /// "max_age is 3600000000000 and should be 604800000000000"
 [[nodiscard]] std::string to_string(const SettingDifference& difference);
 

@@ -99,13 +99,14 @@ tl::expected<StoreMeta, std::string> enter_cluster(const fs::path& directory,
   auto state = insist([&] { return stream.state(); });
   if (!state) return tl::unexpected{state.error().reason};
   for (int tries = 0; state->last == 0; ++tries) {
-    const auto published = stream.publish(*bytes);
-    if (!published && (published.error().kind != StreamFailure::Kind::unavailable || tries == kMostTries)) {
-      return tl::unexpected{published.error().reason};
-    }
-    // Without an answer it may be there nevertheless.
+    const auto published = stream.publish_first(*bytes);
+    // Without an answer it may be there nevertheless, or come there later.
     state = insist([&] { return stream.state(); });
     if (!state) return tl::unexpected{state.error().reason};
+    if (published || state->last > 0) continue;
+    if (published.error().kind != StreamFailure::Kind::unavailable || tries == kMostTries) {
+      return tl::unexpected{published.error().reason};
+    }
   }
   if (const auto right = check_first(stream, *state, *genesis); !right) return tl::unexpected{right.error()};
   meta->stream = {1, state->created_ns};

@@ -195,8 +195,7 @@ class Preparation {
     } else if (!replaced.empty()) {
       fs::remove_all(replaced, code);
     }
-    fs::remove(parts_.directory.path() / kRejoinName, code);
-    if (code) return tl::unexpected{fmt::format("{}: {}", parts_.directory.path().string(), code.message())};
+    if (auto forgotten = forget_rejoin(parts_.directory.path()); !forgotten) return forgotten;
     rejoin_.clear();
     return {};
   }
@@ -232,6 +231,13 @@ Done want_rejoin(const fs::path& directory, const std::string& reason) {
   if (const auto written = files::write_file(directory / kRejoinName, std::string_view{text}); !written) {
     return tl::unexpected{written.error().message()};
   }
+  return {};
+}
+
+Done forget_rejoin(const fs::path& directory) {
+  std::error_code code;
+  fs::remove(directory / kRejoinName, code);
+  if (code) return tl::unexpected{fmt::format("{}: {}", (directory / kRejoinName).string(), code.message())};
   return {};
 }
 

@@ -38,7 +38,7 @@ struct Prepared {
   std::uint64_t joins = 0;            // checkpoints that were taken
 };
 
-///  Waits as long as neither stream
+/// Makes the store in the directory ready to be opened, and opens its stream. Waits as long as neither stream
 /// nor peers can be reached, unless the store on the disk can be served meanwhile. An error is one line: a
 /// person has to act.
 [[nodiscard]] tl::expected<Prepared, std::string> prepare_store(const Parts& parts);
@@ -47,5 +47,8 @@ struct Prepared {
 /// `reason` is one line. For who holds the directory's lock.
 [[nodiscard]] tl::expected<void, std::string> want_rejoin(const std::filesystem::path& directory,
                                                           const std::string& reason);
+
+/// What want_rejoin() said is no more: the store in `directory` is another now, or begins another stream.
+[[nodiscard]] tl::expected<void, std::string> forget_rejoin(const std::filesystem::path& directory);
 
 }  // namespace talus::server::join

@@ -17,10 +17,10 @@ using wire::ErrorCode;
 
 namespace {
 
-/// The rates that apply to a session of the address.
 constexpr std::string_view kOperatorsOwn =
     "the subject \"talusd store rollback\" is that of this server's operators; give another";
 
+/// The rates that apply to a session of the address.
 RateLimits rates_of(const SessionContext& context, const AddressBucketsPtr& address) {
   RateLimits limits = context.rates.get();
   limits.address = address == nullptr ? RateSet{} : address->rates;

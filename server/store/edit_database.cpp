@@ -391,8 +391,13 @@ EditDatabase::Done EditDatabase::recover() {
   // The batch whose write failed may be there, or not.
   if (status.ok() && meta && meta->head.position >= meta_.head.position) return {};
   db_.reset();
-  return failure(fmt::format("after an error of the disk entry {} of its log is lost; {}",
-                             meta_.head.position, kStoreLost));
+  const std::string what =
+      fmt::format("after an error of the disk entry {} of its log is lost", meta_.head.position);
+  if (!settings_.log_elsewhere || !status.ok() || !meta)
+    return failure(fmt::format("{}; {}", what, kStoreLost));
+  auto lost = failure(what + "; a start of the server reads it again from the log that all share");
+  if (settings_.on_lost_end) settings_.on_lost_end(lost.value());
+  return lost;
 }
 
 bool EditDatabase::has_acknowledged() const {

@@ -52,6 +52,9 @@ struct EditDatabaseSettings {
   /// The entries are in a log that others hold too: append() does not sync, sync() does, and what a power cut
   /// takes of the end is read there again.
   bool log_elsewhere = false;
+  /// The disk has lost such an end while the database was open, in one line: what the process has of it is
+  /// more than the store has, and the next open() reads it again. On recover()'s thread, each time.
+  std::function<void(const std::string&)> on_lost_end{};
 };
 
 class EditDatabase {

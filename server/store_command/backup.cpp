@@ -9,6 +9,7 @@
 #include <talus/files/atomic_file.h>
 #include <talus/files/read_file.h>
 
+#include "join/prepare_store.h"
 #include "store/store_builder.h"
 #include "store/store_swap.h"
 #include "store/whole_store.h"
@@ -161,6 +162,8 @@ tl::expected<Restored, std::string> restore_backup(const fs::path& backup, const
   if (const auto synced = sync_directory(*staging / "db"); !synced) return tl::unexpected{synced.error()};
   auto replaced = swap_in(directory.path());
   if (!replaced) return tl::unexpected{replaced.error()};
+  if (const auto forgotten = join::forget_rejoin(directory.path()); !forgotten)
+    return tl::unexpected{forgotten.error()};
   return Restored{*std::move(manifest), id, *std::move(replaced)};
 }
 

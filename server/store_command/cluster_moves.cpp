@@ -4,6 +4,7 @@
 
 #include "config/cluster_check.h"
 #include "join/enter_cluster.h"
+#include "join/prepare_store.h"
 #include "store/whole_store.h"
 
 namespace talus::server {
@@ -76,6 +77,8 @@ Text enter(const DataDirectory& directory, ContentHash id, const Cluster& settin
   if (!stream) return tl::unexpected{stream.error()};
   const auto entered = join::enter_cluster(directory.path(), tools.settle_rules(world), **stream);
   if (!entered) return tl::unexpected{entered.error()};
+  if (const auto forgotten = join::forget_rejoin(directory.path()); !forgotten)
+    return tl::unexpected{forgotten.error()};
   return fmt::format(
       "{}: store {} begins its cluster's stream at {}\n"
       "set cluster.store = \"{}\" on all servers, start this one first, and let the others, with empty data "
@@ -111,6 +114,8 @@ Text leave_cluster(const DataDirectory& directory, const Cluster& settings, cons
   const ContentHash id = keeps_id ? meta->store_id : random_store_id();
   const auto left = keeps_id ? enter_stream(directory.path(), {}) : give_identity(directory.path(), id);
   if (!left) return tl::unexpected{left.error()};
+  if (const auto forgotten = join::forget_rejoin(directory.path()); !forgotten)
+    return tl::unexpected{forgotten.error()};
   return fmt::format(
       "{}: store {} is this machine's alone, at {}; {}\nset cluster.nats = \"\" before talusd is started\n",
       directory.path().string(), to_string(id), place_of(*meta), behind.text);

@@ -1,8 +1,10 @@
 #include "store_socket/restorer.h"
 
 #include <chrono>
-#include <future>
+#include <condition_variable>
 #include <memory>
+#include <mutex>
+#include <optional>
 #include <utility>
 
 #include <fmt/format.h>
@@ -49,18 +51,30 @@ tl::expected<edits::Applied, Restorer::Failure> Restorer::append(LogEntry entry)
     const bool passes = failed.kind == busy || failed.kind == unwritable || failed.kind == cut_off;
     return tl::unexpected{Failure{failed.reason, passes}};
   };
-  const auto answer = std::make_shared<std::promise<Answer>>();
-  auto answered = answer->get_future();
+  struct Waits {
+    std::mutex mutex;
+    std::condition_variable_any comes;
+    std::optional<Answer> answer;
+  };
+  const auto waits = std::make_shared<Waits>();  // the answer may come when nobody waits any more
   const auto taken = log_.append(
-      std::move(entry), [answer, failure_of](const tl::expected<const edits::Applied*, LogFailure>& outcome) {
-        answer->set_value(outcome ? Answer{**outcome} : failure_of(outcome.error()));
+      std::move(entry), [waits, failure_of](const tl::expected<const edits::Applied*, LogFailure>& outcome) {
+        {
+          const std::lock_guard lock{waits->mutex};
+          waits->answer = outcome ? Answer{**outcome} : failure_of(outcome.error());
+        }
+        waits->comes.notify_all();
       });
   if (!taken) return failure_of(taken.error());
-  if (answered.wait_for(kPatience) != std::future_status::ready) {
-    return tl::unexpected{
-        Failure{fmt::format("the log has not answered for {} s", kPatience.count()), false}};
+  std::unique_lock lock{waits->mutex};
+  if (waits->comes.wait_for(lock, ends_, kPatience, [&] { return waits->answer.has_value(); })) {
+    return *std::move(waits->answer);
   }
-  return answered.get();
+  if (ends_.stop_requested()) {
+    return tl::unexpected{
+        Failure{"the server ends, and whether the log has the edit is open; run the command again", false}};
+  }
+  return tl::unexpected{Failure{fmt::format("the log has not answered for {} s", kPatience.count()), false}};
 }
 
 tl::expected<Restorer::Restored, Restorer::Failure> Restorer::restore(

@@ -2,7 +2,9 @@
 // of its own, that lives as long as the object.
 #pragma once
 
+#include <stop_token>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <tl/expected.hpp>
@@ -30,8 +32,8 @@ class Restorer {
     bool busy = false;   // the same again may succeed, and does no harm where it did already
   };
 
-  /// `log` outlives this.
-  explicit Restorer(EditLog& log) : log_{log} {}
+  /// `log` outlives this. Once `ends` is requested nothing waits for it any more.
+  explicit Restorer(EditLog& log, std::stop_token ends = {}) : log_{log}, ends_{std::move(ends)} {}
 
   /// One edit: each voxel of material `before` becomes `after`, the others stay. Waits for the log. Not on
   /// the log's thread.
@@ -41,6 +43,7 @@ class Restorer {
   [[nodiscard]] tl::expected<edits::Applied, Failure> append(LogEntry entry);
 
   EditLog& log_;
+  const std::stop_token ends_;
   edits::EditorId editor_;  // 0: not attached yet
   std::uint64_t sequence_ = 0;
 };

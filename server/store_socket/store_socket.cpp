@@ -80,6 +80,7 @@ StoreSocket::StoreSocket(fs::path directory, Parts parts, Logger log, int listen
 StoreSocket::~StoreSocket() {
   ::eventfd_write(wake_, 1);
   acceptor_.join();
+  ends_.request_stop();
   {
     const std::lock_guard lock{mutex_};
     for (const Command& command : commands_) {
@@ -158,7 +159,7 @@ void StoreSocket::join_ended() {
 void StoreSocket::serve(Command& command) {
   const fs::path checkpoint = checkpoint_path(directory_, std::to_string(command.number));
   try {
-    Restorer restorer{parts_.log};
+    Restorer restorer{parts_.log, ends_.get_token()};
     auto patience = parts_.patience.first;
     for (bool goes_on = true; goes_on; patience = parts_.patience.next) {
       const auto request = receive_frame(command.socket, patience);

@@ -14,6 +14,7 @@
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <stop_token>
 #include <string>
 #include <thread>
 
@@ -78,8 +79,8 @@ class StoreSocket {
   void accept_one();
   void join_ended();
   void serve(Command& command);
-  /// Whether the connection goes on.
   [[nodiscard]] tl::expected<void, std::string> make_checkpoint(const std::filesystem::path& path) const;
+  /// Whether the connection goes on.
   [[nodiscard]] bool answer(Command& command, const SocketFrame& request, Restorer& restorer);
   [[nodiscard]] bool pregenerate(Command& command, const SocketFrame& request);
 
@@ -87,7 +88,8 @@ class StoreSocket {
   const Parts parts_;
   const Logger log_;
   const int listener_;
-  const int wake_;  // an eventfd: the acceptor ends
+  const int wake_;         // an eventfd: the acceptor ends
+  std::stop_source ends_;  // nobody waits for the log any more
   std::mutex mutex_;
   std::mutex pregen_;  // one at a time
   std::list<Command> commands_;

@@ -137,19 +137,19 @@ class JoiningServers {
     return kAir;
   }
 
-  /// The stream forgets all but its last `left` messages.
-  void forget(int left = 1) const {
+  /// Sets one of the stream's settings, as a person may.
+  void change_stream(const std::string& name, const json& value) const {
     const std::string stream = "TALUS_" + store_id;
     json settings = json::parse(nats_test::ask(*nats, "$JS.API.STREAM.INFO." + stream))["config"];
-    const auto update = [&](int most) {
-      settings["max_msgs"] = most;
-      const json said =
-          json::parse(nats_test::ask(*nats, "$JS.API.STREAM.UPDATE." + stream, settings.dump()));
-      INFO(said.dump());
-      REQUIRE_FALSE(said.contains("error"));
-    };
-    update(left);
-    update(-1);
+    settings[name] = value;
+    const json said = json::parse(nats_test::ask(*nats, "$JS.API.STREAM.UPDATE." + stream, settings.dump()));
+    INFO(said.dump());
+    REQUIRE_FALSE(said.contains("error"));
+  }
+  /// The stream forgets all but its last `left` messages.
+  void forget(int left = 1) const {
+    change_stream("max_msgs", left);
+    change_stream("max_msgs", -1);
   }
   void lose_stream() const {
     const json said = json::parse(nats_test::ask(*nats, "$JS.API.STREAM.DELETE.TALUS_" + store_id));

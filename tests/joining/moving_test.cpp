@@ -35,6 +35,7 @@ TEST_CASE("into a cluster and back a store keeps its revisions, hash and players
              Catch::Contains("nothing is changed yet") && Catch::Contains("it has all that the stream has"));
   CHECK(servers.stat("a") == during);
   const bool keeps_id = GENERATE(false, true);
+  servers.scratch.write("a/rejoin", "its store was found to be wrong");  // which it says of the cluster's
   std::vector<std::string> flags{"leave-cluster", "--yes"};
   if (keeps_id) flags.emplace_back("--keep-id");
   const Ended left = servers.store("a", flags);
@@ -43,6 +44,7 @@ TEST_CASE("into a cluster and back a store keeps its revisions, hash and players
   const json after = servers.stat("a");
   for (const char* const same : {"revision", "position", "hash"}) CHECK(after[same] == during[same]);
   CHECK((after["store_id"] == before["store_id"]) == keeps_id);
+  CHECK_FALSE(fs::exists(servers.scratch / "a/rejoin"));
   const auto alone = servers.start(servers.settings("a", false));
   servers.build(alone->port(), 3);
   CHECK(servers.stat("a")["revision"] == during["revision"].get<int>() + 3);
@@ -85,18 +87,60 @@ TEST_CASE("where the stream is lost a server refuses to go on, and a fork begins
   const Ended asked = servers.store("a", {"fork"});
   CHECK(asked.status == 1);
   CHECK_THAT(asked.err, Catch::Contains("nothing is changed yet"));
+  servers.scratch.write("a/rejoin", "its store was found to be wrong");
   const Ended forked = servers.store("a", {"fork", "--yes"});
   INFO(forked.err);
   REQUIRE(forked.status == 0);
   const json after = servers.stat("a");
   for (const char* const same : {"revision", "position", "hash"}) CHECK(after[same] == before[same]);
   CHECK(after["store_id"] != before["store_id"]);
+  CHECK_FALSE(fs::exists(servers.scratch / "a/rejoin"));
   servers.store_id = after["store_id"];
   const auto a = servers.start(servers.settings("a"));
   servers.build(a->port(), 5);
   const auto b = servers.start(servers.joiner("b", {a->admin_port()}));
   await("readiness", [&] { return JoiningServers::is_ready(*b); });
   servers.await_same("a", "b");
+}
+
+TEST_CASE("a stream with other settings is refused by name, by who starts and who enters") {
+  JoiningServers servers;
+  servers.begin("a");
+  servers.change_stream("max_msgs", 1'000'000);
+  const Ended refused = run_talusd({"--listen", "127.0.0.1:0"}, servers.settings("a"));
+  CHECK(refused.status == 1);
+  CHECK_THAT(refused.err, Catch::Contains("max_msgs is 1000000 and should be -1"));
+  REQUIRE(servers.store("a", {"leave-cluster", "--yes", "--keep-id"}).status == 0);
+  const Ended outside = servers.store("a", {"join-cluster"});
+  CHECK(outside.status == 1);
+  CHECK_THAT(outside.err, Catch::Contains("max_msgs is 1000000 and should be -1"));
+  servers.change_stream("max_msgs", -1);
+  CHECK(servers.store("a", {"join-cluster"}).status == 0);
+  // A person who changes one while servers run stops none of them.
+  const auto a = servers.start(servers.settings("a"));
+  await("readiness", [&] { return JoiningServers::is_ready(*a); });
+  servers.change_stream("max_msgs", 1'000'000);
+  servers.build(a->port(), 3);
+  CHECK(JoiningServers::is_ready(*a));
+}
+
+TEST_CASE("a server that starts while NATS is away serves what it has, and takes edits once it is back") {
+  JoiningServers servers;
+  servers.begin("a");
+  servers.nats->kill(0);
+  Settings settings = servers.settings("a");
+  SECTION("with the world as it was") {}
+  SECTION("with a world that names a new material, which waits for the log") {
+    const std::string world = read_whole(settings["TALUS_WORLD"]);
+    settings["TALUS_WORLD"] = servers.scratch.write(
+        "world.toml", world + "\n[[placeable]]\nname = \"planks\"\ncolour = \"#a07848\"\n");
+  }
+  const auto a = servers.start(settings);
+  await("readiness", [&] { return JoiningServers::is_ready(*a); });
+  CHECK_THAT(HttpClient{a->admin_port()}.get("/-/ready").body, Catch::Contains("no edits are taken"));
+  servers.nats->start(0);
+  servers.build(a->port(), 3);
+  CHECK(JoiningServers::is_ready(*a));
 }
 
 TEST_CASE("without NATS a store does not move, and stays as it is") {

@@ -93,4 +93,6 @@ TEST_CASE("settings of the cluster that do not fit each other name one of them a
   CHECK_THAT(conflict(kTls + "key = \"k\"\n"), Catch::Contains("cluster.key: "));
   CHECK_THAT(conflict(kNats + "certificate = \"c\"\nkey = \"k\"\n"), Catch::Contains("tls://"));
   CHECK_THAT(conflict(kNats + "peers = [\"http://a:1\"]\n"), Catch::StartsWith("cluster.peers_token_file: "));
+  CHECK_THAT(conflict(kTls + "certificate = \"c\"\nkey = \"k\"\npeers = [\"https://a:1\"]\n"),
+             Catch::StartsWith("cluster.peers_token_file: "));
 }

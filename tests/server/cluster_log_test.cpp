@@ -219,6 +219,38 @@ TEST_CASE("without a quorum edits in doubt stay open, further ones are refused, 
   CHECK(answers.apply(cluster.log(0), write_at(3, 7))->kind == Kind::done);
 }
 
+TEST_CASE("a server that starts while the log is away is ready with what it has, unless that is nothing") {
+  Cluster cluster{2};
+  cluster.nodes[0]->settings.look_interval = 1ms;
+  REQUIRE(cluster.nodes[0]->open() == "");
+  Answers answers;
+  REQUIRE(answers.apply(cluster.log(0), attach()).has_value());
+  cluster.nodes[0]->close();
+  cluster.stream.set_quorum(false);
+  cluster.open();
+  until([&] { return cluster.log(0).status().ready; });
+  const auto status = cluster.log(0).status();
+  REQUIRE(status.read_only.has_value());
+  CHECK_THAT(*status.read_only, Catch::Contains("cannot be reached, or has no quorum: no answer"));
+  CHECK_FALSE(status.quorum);
+  const auto refused = answers.send(cluster.log(0), write_at(1, 5));
+  REQUIRE_FALSE(refused.has_value());
+  CHECK(refused.error().kind == LogFailure::Kind::cut_off);
+  until([&] { return cluster.log(1).status().not_ready == "no answer"; });
+  cluster.stream.set_quorum(true);
+  CHECK(answers.apply(cluster.log(0), write_at(1, 5))->kind == Kind::done);
+  until([&] { return cluster.log(1).status().ready && cluster.log(0).status().ready; });
+  SECTION("but not where the stream is found to be another") {
+    cluster.nodes[0]->close();
+    cluster.stream.set_quorum(false);
+    REQUIRE(cluster.nodes[0]->open() == "");
+    until([&] { return cluster.log(0).status().ready; });
+    cluster.stream.make_anew();
+    cluster.stream.set_quorum(true);
+    until([&] { return !cluster.log(0).status().ready && cluster.lost_of(0) == Lost::other; });
+  }
+}
+
 TEST_CASE("a message that cannot be read stops a server there, and it says why") {
   Cluster cluster{1};
   std::string why;

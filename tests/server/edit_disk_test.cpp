@@ -183,6 +183,46 @@ class SlowDisk final : public rocksdb::FileSystemWrapper {
 
 }  // namespace
 
+TEST_CASE(
+    "an end that the disk lost, and another log has, is read there by the next start, and that is told") {
+  bool lost = false;
+  for (std::uint64_t seed = 1; seed <= 50 && !lost; ++seed) {
+    Trouble trouble{seed};
+    EditDatabaseSettings& settings = trouble.store.database_settings;
+    settings.log_elsewhere = true;
+    std::string told;
+    settings.on_lost_end = [&](const std::string& what) { told = what; };
+    REQUIRE(trouble.store.open_without_log() == "");
+    EditDatabase& database = trouble.store.database();
+    EditState& state = trouble.store.state();
+    const EditState::Reading reading{state};
+    const auto append = [&](std::uint64_t editor) {
+      edits::Batch batch{reading, state.editors(), state.head(), 1};
+      batch.apply(edits::AttachEntry{{editor, 1}, 1, ""});
+      REQUIRE(database.append(batch, {editor, 1}));
+      (void)state.commit(std::move(batch));
+    };
+    append(1);
+    REQUIRE(database.sync());
+    for (std::uint64_t editor = 2; editor < 20; ++editor) append(editor);
+    trouble.disk->cut_after(0);
+    REQUIRE_FALSE(database.sync());
+    REQUIRE_FALSE(database.recover());
+    CHECK(told.empty());
+    trouble.disk->restart();
+    const auto recovered = database.recover();
+    if (recovered) continue;  // the disk had it all
+    lost = true;
+    CHECK(told == recovered.error());
+    CHECK(told.find("a start of the server reads it again") != std::string::npos);
+    trouble.store.close();
+    REQUIRE(trouble.store.open_without_log() == "");
+    CHECK(trouble.store.database().meta().stream.sequence < 19);
+    CHECK(trouble.store.database().meta().stream.sequence > 0);
+  }
+  CHECK(lost);
+}
+
 TEST_CASE("who opens the database again waits for no checkpoint, and chunks are read meanwhile") {
   const ScratchDirectory scratch{ScratchDirectory::memory()};
   const auto disk = std::make_shared<SlowDisk>("copy.tmp");

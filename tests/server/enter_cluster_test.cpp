@@ -105,6 +105,9 @@ TEST_CASE("a store that was interrupted when it entered, enters") {
   SECTION("without an answer") {
     single.faults.unacked = 256;
   }
+  SECTION("where its message comes later than anybody waits") {
+    single.faults.delayed = 256;
+  }
   SECTION("with few answers") {
     single.faults.lost = 200;
   }

@@ -93,6 +93,7 @@ struct StreamFaults {
   std::uint64_t unacked = 0;  // it is stored, and not acknowledged
   std::uint64_t holes = 0;    // what is there is not seen yet
   std::uint64_t late_us = 0;  // that a call takes, at most
+  std::uint64_t delayed = 0;  // a message is not acknowledged, and stored when the next is published
 };
 
 class StreamEnd final : public LogStream {
@@ -105,11 +106,22 @@ class StreamEnd final : public LogStream {
     ++stream_.attempts;
     delay(publishing_);
     if (stopped_ || !stream_.has_quorum() || !connected_) return unavailable();
+    if (const auto late = std::exchange(delayed_, {})) stream_.append(*late);
     const std::uint64_t fault = publishing_() % 256;
+    if (fault < faults_.delayed) {
+      delayed_.emplace(message.begin(), message.end());
+      return unavailable();
+    }
     if (fault < faults_.lost) return unavailable();
     const std::uint64_t sequence = stream_.append(message);
     if (fault < faults_.lost + faults_.unacked) return unavailable();
     return sequence;
+  }
+  [[nodiscard]] tl::expected<std::uint64_t, StreamFailure> publish_first(
+      std::span<const std::byte> message) override {
+    if (const auto late = std::exchange(delayed_, {})) stream_.append(*late);
+    if (stream_.state().last > 0) return unavailable();
+    return publish(message);
   }
   [[nodiscard]] tl::expected<std::optional<StreamMessage>, StreamFailure> next(std::uint64_t after,
                                                                                TimePoint until) override {
@@ -149,6 +161,7 @@ class StreamEnd final : public LogStream {
   const StreamFaults faults_;
   std::mt19937_64 publishing_;
   std::mt19937_64 reading_;
+  std::optional<std::vector<std::byte>> delayed_;
   std::atomic<bool> stopped_{false};
   std::atomic<bool> woken_{false};
   std::atomic<bool> connected_{true};

@@ -76,7 +76,10 @@ TEST_CASE("a backup is restored as it was, as another store") {
   const BackupManifest manifest = data.back_up(data.scratch / "backup");
   CHECK(manifest.head == data.head);
   CHECK(read_manifest(data.scratch / "backup") == manifest);
+  fs::create_directory(data.scratch / "new");
+  data.scratch.write("new/rejoin", "the store that was here was found to be wrong");
   CHECK(restore_error(data.scratch / "backup", data.scratch / "new") == "");
+  CHECK_FALSE(fs::exists(data.scratch / "new/rejoin"));
   CHECK(sound_head(data.scratch / "new") == data.head);
   const auto restored = DataDirectory::open_store(data.scratch / "new");
   REQUIRE(restored.has_value());

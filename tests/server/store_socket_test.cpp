@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <filesystem>
+#include <latch>
 
 #include <catch2/catch.hpp>
 
@@ -217,6 +218,41 @@ TEST_CASE("voxels that are restored through the socket are an edit of the log") 
   REQUIRE(second.has_value());
   CHECK(second->changed == 0);
   CHECK(overrides_of(served.store.state()) == std::map<VoxelPos, MaterialId>{{at, other}});
+}
+
+TEST_CASE("a server that ends does not wait for a log that does not answer") {
+  /// As without a quorum: the entry is in doubt.
+  class SilentLog final : public EditLog {
+   public:
+    tl::expected<void, LogFailure> append(LogEntry, Done done) override {
+      done_ = std::move(done);
+      taken.count_down();
+      return {};
+    }
+    std::latch taken{1};
+
+   private:
+    Done done_;
+  };
+  const ScratchDirectory scratch{ScratchDirectory::memory()};
+  EditStore store{scratch / "data"};
+  REQUIRE(store.open_without_log() == "");
+  SilentLog log;
+  auto socket =
+      StoreSocket::open(scratch / "data", {store.database(), log, [] { return std::nullopt; }, {}, {}, 0},
+                        make_logger("off", "text"));
+  REQUIRE(socket.has_value());
+  std::string said;
+  std::thread command{[&] {
+    const auto restored = connected(scratch / "data").restore({});
+    said = restored ? "restored" : restored.error().reason;
+  }};
+  log.taken.wait();
+  const auto begun = std::chrono::steady_clock::now();
+  socket->reset();
+  CHECK(std::chrono::steady_clock::now() - begun < std::chrono::seconds{20});
+  command.join();
+  CHECK(said.starts_with("the running server: "));
 }
 
 TEST_CASE("a socket at the end of a long path, and one that a killed process left, are no trouble") {
