@@ -69,7 +69,7 @@ Answer run_status(const Config& config, const Flags& flags, const MakeGenesis& /
   if (!target) return tl::unexpected{target.error()};
   const auto status = read_status(*target);
   if (!status) return tl::unexpected{status.error()};
-  return Said{flags.json ? status_json(*status) : status_lines(*status)};
+  return Said{flags.json ? status_json(*status) : status_lines(*status), has_majority(status->info)};
 }
 
 int say(std::string_view name, const Answer& answer) {

@@ -74,6 +74,7 @@ std::string status_lines(const ClusterStatus& status) {
   text += fmt::format("messages {} to {}, {} bytes", info.state.first, info.state.last, info.bytes);
   text += info.messages == 0 ? "\n" : fmt::format(", the oldest of {}\n", info.first_time);
   if (!info.leader.empty()) text += fmt::format("leader {}\n", info.leader);
+  if (!has_majority(info)) text += "NO majority of its servers: the log takes no edits\n";
   for (const jetstream::ReplicaState& replica : info.replicas) {
     text += fmt::format("replica {}: {}, {} messages behind, heard of {:.1f} s ago\n", replica.name,
                         replica.offline   ? "offline"
@@ -104,6 +105,7 @@ std::string status_json(const ClusterStatus& status) {
                               {"messages", info.messages},
                               {"bytes", info.bytes},
                               {"leader", info.leader},
+                              {"majority", has_majority(info)},
                               {"replicas", nlohmann::ordered_json::array()}};
   for (const jetstream::ReplicaState& replica : info.replicas) {
     json["replicas"].push_back({{"name", replica.name},

@@ -434,6 +434,11 @@ tl::expected<StreamState, StreamFailure> JetStreamLog::state() {
     }
     has_settings_ = true;
   }
+  if (!has_majority(*info)) {
+    return tl::unexpected{StreamFailure{
+        StreamFailure::Kind::unavailable,
+        fmt::format("NATS: the leader of {} hears no majority of its servers", settings_.names.stream)}};
+  }
   if (const auto same = inbox_->told(info->state); !same) return tl::unexpected{same.error()};
   return info->state;
 }

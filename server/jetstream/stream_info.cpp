@@ -1,5 +1,6 @@
 #include "jetstream/stream_info.h"
 
+#include <algorithm>
 #include <cstdio>
 #include <ctime>
 #include <optional>
@@ -98,6 +99,14 @@ tl::expected<StreamInfo, ApiError> parse_stream_info(std::string_view text) {
     }
   }
   return info;
+}
+
+bool has_majority(const StreamInfo& info) {
+  constexpr std::chrono::seconds kSilent{5};  // five heartbeats
+  if (info.leader.empty() && !info.replicas.empty()) return false;
+  const auto heard = std::ranges::count_if(
+      info.replicas, [&](const ReplicaState& each) { return !each.offline && each.active < kSilent; });
+  return 2 * (1 + static_cast<std::size_t>(heard)) > 1 + info.replicas.size();
 }
 
 StreamFailure failure_of(const ApiError& error, std::string_view stream) {

@@ -32,6 +32,10 @@ struct StreamInfo {
   std::vector<ReplicaState> replicas;  // without the leader
 };
 
+/// Whether the leader has heard of a majority, itself among it, in the last seconds: one that has lost the
+/// others answers on for a while, and takes nothing.
+[[nodiscard]] bool has_majority(const StreamInfo& info);
+
 /// JetStream's error codes (server/errors.json of nats-server).
 inline constexpr int kStreamNotFound = 10059;
 inline constexpr int kNotEnabledForAccount = 10039;

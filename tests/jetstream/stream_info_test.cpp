@@ -9,6 +9,8 @@ using talus::server::StreamFailure;
 
 namespace {
 
+using namespace std::chrono_literals;
+
 const std::string kAnswer = R"({"type":"io.nats.jetstream.api.v1.stream_info_response",
   "config":{"name":"TALUS_x","deny_purge":true},"created":"2026-11-26T04:18:20.5Z",
   "state":{"messages":3,"bytes":99,"first_seq":2,"first_ts":"2026-11-26T04:18:21Z","last_seq":4},
@@ -28,6 +30,22 @@ TEST_CASE("the leader's answer is read") {
   CHECK(info->replicas[0].current);
   CHECK(info->replicas[0].lag == 7);
   CHECK(info->settings["deny_purge"] == true);
+}
+
+TEST_CASE("a leader that hears too few of the others has no majority, and without one there is none") {
+  StreamInfo info;
+  CHECK(has_majority(info));  // one server alone
+  info.leader = "n1";
+  info.replicas = {{"n2", true, false, 0, 1s}, {"n3", true, false, 0, 9s}};
+  CHECK(has_majority(info));
+  info.replicas[0].active = 5s;
+  CHECK_FALSE(has_majority(info));
+  info.replicas[1] = {"n3", true, true, 0, 0s};
+  CHECK_FALSE(has_majority(info));
+  info.replicas[0].active = 0s;
+  CHECK(has_majority(info));
+  info.leader.clear();
+  CHECK_FALSE(has_majority(info));
 }
 
 TEST_CASE("a stream without messages begins after its last one") {
