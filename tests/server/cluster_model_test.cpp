@@ -115,7 +115,7 @@ class ClusterModel {
         } else {
           node.cut_power();
         }
-        if (std::string fault = play(random_() % 40, true); !fault.empty()) return fault;
+        if (std::string fault = play(1 + random_() % 40, true); !fault.empty()) return fault;
         return node.open();
       }
     }
