@@ -15,8 +15,8 @@ tl::expected<void, std::string> check_world(jetstream::Connection& connection, c
   const StreamState state = info->state;
   if (state.first > state.last) return {};
   const auto reply =
-      connection.request("$JS.API.DIRECT.GET." + target.names.stream,
-                         fmt::format("{{\"seq\":{}}}", state.first), std::chrono::milliseconds{500});
+      connection.request(target.names.direct_get_subject(), fmt::format("{{\"seq\":{}}}", state.first),
+                         std::chrono::milliseconds{500});
   if (!reply) return tl::unexpected{reply.error().reason};
   const jetstream::Arrived message{reply->get()};
   if (message.status() != 0) {

@@ -24,7 +24,6 @@ constexpr auto kPatience = 500ms;
 constexpr auto kBetweenQuestions = 1s;    // to the leader
 constexpr auto kBetweenUrgent = 100ms;    // where something does not fit
 constexpr auto kBetweenConnections = 1s;  // after NATS refused the credentials
-constexpr auto kSureOfLess = 15s;         // a leader that was deposed says for a while what it knew
 constexpr int kPendingMessages = 4096;
 constexpr int kPendingBytes = 32 << 20;
 
@@ -38,14 +37,6 @@ std::string new_reply_subject() {
   if (natsInbox_Create(&made) != NATS_OK) return {};
   const NatsInbox inbox{made};
   return inbox.get();
-}
-
-std::string info_subject(const StreamNames& names) {
-  return "$JS.API.STREAM.INFO." + names.stream;
-}
-
-std::string direct_get_subject(const StreamNames& names) {
-  return "$JS.API.DIRECT.GET." + names.stream;
 }
 
 tl::unexpected<StreamFailure> failure(Kind kind, std::string reason) {
@@ -104,7 +95,7 @@ class JetStreamLog::Inbox final : public ConnectionEvents {
   void tail(const Arrived& arrived) {
     if (arrived.bytes().empty()) return;  // of "talusd cluster check"
     if (arrived.header("Nats-Stream") != names_.stream) return count_false();
-    if (arrived.bytes().size() > kMaxMessageBytes) return count_false();
+    if (arrived.bytes().size() > kStreamMessageBytes) return count_false();
     {
       const std::lock_guard lock{mutex_};
       reading_.heard(arrived.sequence(), arrived.bytes(), Clock::now());
@@ -122,10 +113,10 @@ class JetStreamLog::Inbox final : public ConnectionEvents {
           arrived.header("Nats-Stream") != names_.stream) {
         reading_.not_found(sequence, now);
         question_due_ = std::min(question_due_, asked_at_ + kBetweenUrgent);
-      } else if (arrived.bytes().size() > kMaxMessageBytes) {
+      } else if (arrived.bytes().size() > kStreamMessageBytes) {
         fault_ = StreamFailure{
             Kind::other, fmt::format("{}: message {} has {} bytes, and no batch of edits over {}",
-                                     names_.stream, sequence, arrived.bytes().size(), kMaxMessageBytes)};
+                                     names_.stream, sequence, arrived.bytes().size(), kStreamMessageBytes)};
       } else {
         reading_.answered(sequence, arrived.bytes(), now);
       }
@@ -148,10 +139,15 @@ class JetStreamLog::Inbox final : public ConnectionEvents {
   }
 
   /// Of another question to the leader.
-  tl::expected<void, StreamFailure> told(const StreamState& state) {
+  tl::expected<void, StreamFailure> told(std::uint64_t after, const StreamState& state) {
     const std::lock_guard lock{mutex_};
     if (fault_) return tl::unexpected{*fault_};
-    return judge(state, 0);
+    return judge(state, after);
+  }
+  /// Why nothing may be read or published any more.
+  [[nodiscard]] std::optional<StreamFailure> fault() const {
+    const std::lock_guard lock{mutex_};
+    return fault_;
   }
 
   // Of the reader.
@@ -162,10 +158,11 @@ class JetStreamLog::Inbox final : public ConnectionEvents {
     for (;;) {
       if (stopped_) return failure(Kind::unavailable, "stopped");
       if (const auto sequence = reading_.forged()) {
-        fault_ = StreamFailure{
-            Kind::other, fmt::format("message {} of {} that was applied is not the stream's: somebody else "
-                                     "publishes to {}; forbid it in NATS' permissions",
-                                     *sequence, names_.stream, names_.tail)};
+        fault_ =
+            StreamFailure{Kind::false_message,
+                          fmt::format("message {} of {} that was applied is not the stream's: somebody else "
+                                      "publishes to {}; forbid it in NATS' permissions",
+                                      *sequence, names_.stream, names_.tail)};
       }
       if (fault_) return tl::unexpected{*fault_};
       if (auto message = reading_.take()) return message;
@@ -196,10 +193,11 @@ class JetStreamLog::Inbox final : public ConnectionEvents {
 
   /// It is not the stream that was read.
   StreamFailure failed_for_good(std::string reason) {
-    const StreamFailure failure{Kind::other, std::move(reason)};
+    StreamFailure failure{Kind::other, std::move(reason)};
     {
       const std::lock_guard lock{mutex_};
-      fault_ = failure;
+      if (!fault_) fault_ = failure;
+      failure = *fault_;
     }
     changed_.notify_all();
     return failure;
@@ -260,20 +258,11 @@ class JetStreamLog::Inbox final : public ConnectionEvents {
       return tl::unexpected{*fault_};
     }
     first_ = state.first;
-    const auto now = Clock::now();
-    if (state.last >= after) {
-      less_since_.reset();
-      reading_.learned(state.last, now);
-      if (after > 0) reading_.ends_at(state.last);
-    } else if (!less_since_) {
-      less_since_ = now;
-    } else if (now - *less_since_ >= kSureOfLess) {
-      fault_ =
-          StreamFailure{Kind::other, fmt::format("{} ends at message {}, and message {} was read already: it "
-                                                 "has lost its end",
-                                                 names_.stream, state.last, after)};
-      return tl::unexpected{*fault_};
-    }
+    reading_.starts_at(state.first);
+    // Who says less was deposed; or the stream has lost its end, which whoever applies it finds out in time.
+    if (state.last < after) return {};
+    reading_.learned(state.last, Clock::now());
+    if (after > 0) reading_.ends_at(state.last);
     return {};
   }
 
@@ -296,10 +285,10 @@ class JetStreamLog::Inbox final : public ConnectionEvents {
     lock.unlock();
     if (const auto connection = log.connection()) {
       if (question)
-        (void)(*connection)->send(info_subject(names_), fmt::format("{}.i.{}", log.reply_, after), "");
+        (void)(*connection)->send(names_.info_subject(), fmt::format("{}.i.{}", log.reply_, after), "");
       for (const std::uint64_t sequence : messages) {
         (void)(*connection)
-            ->send(direct_get_subject(names_), fmt::format("{}.d.{}", log.reply_, sequence),
+            ->send(names_.direct_get_subject(), fmt::format("{}.d.{}", log.reply_, sequence),
                    fmt::format("{{\"seq\":{}}}", sequence));
       }
     }
@@ -320,7 +309,6 @@ class JetStreamLog::Inbox final : public ConnectionEvents {
   std::optional<StreamFailure> fault_;    // told from now on
   std::int64_t created_ns_ = 0;           // of the stream that was seen first
   std::uint64_t first_ = 0;
-  std::optional<TimePoint> less_since_;
   TimePoint question_due_{};
   TimePoint asked_at_{};
   std::uint64_t false_messages_ = 0;
@@ -391,9 +379,10 @@ tl::expected<std::shared_ptr<Connection>, StreamFailure> JetStreamLog::connectio
 }
 
 tl::expected<std::uint64_t, StreamFailure> JetStreamLog::publish(std::span<const std::byte> message) {
-  if (message.size() > kMaxMessageBytes) {
+  if (auto fault = inbox_->fault()) return tl::unexpected{*std::move(fault)};
+  if (message.size() > kStreamMessageBytes) {
     return failure(Kind::refused, fmt::format("a message of {} bytes is over the {} that the stream takes",
-                                              message.size(), kMaxMessageBytes));
+                                              message.size(), kStreamMessageBytes));
   }
   const auto connection = this->connection();
   if (!connection) return tl::unexpected{connection.error()};
@@ -423,11 +412,12 @@ tl::expected<std::optional<StreamMessage>, StreamFailure> JetStreamLog::next(std
 tl::expected<StreamState, StreamFailure> JetStreamLog::state() {
   const auto connection = this->connection();
   if (!connection) return tl::unexpected{connection.error()};
-  const auto reply = (*connection)->request(info_subject(settings_.names), "", kPatience);
+  const std::uint64_t read_before = inbox_->after();
+  const auto reply = (*connection)->request(settings_.names.info_subject(), "", kPatience);
   if (!reply) return tl::unexpected{reply.error()};
   const auto info = parse_stream_info(Arrived{reply->get()}.text());
   if (!info) return tl::unexpected{failure_of(info.error(), settings_.names.stream)};
-  if (const auto same = inbox_->told(info->state); !same) return tl::unexpected{same.error()};
+  if (const auto same = inbox_->told(read_before, info->state); !same) return tl::unexpected{same.error()};
   return info->state;
 }
 

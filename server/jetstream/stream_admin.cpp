@@ -21,7 +21,7 @@ StreamFailure failure_of(const StreamError& error, const StreamNames& names) {
 }
 
 tl::expected<StreamInfo, StreamError> ask_stream_info(Connection& connection, const StreamNames& names) {
-  const auto reply = connection.request("$JS.API.STREAM.INFO." + names.stream, "", kAnswerIn);
+  const auto reply = connection.request(names.info_subject(), "", kAnswerIn);
   if (!reply) return tl::unexpected{StreamError{reply.error()}};
   auto info = parse_stream_info(Arrived{reply->get()}.text());
   if (!info) return tl::unexpected{StreamError{info.error()}};

@@ -14,6 +14,10 @@ struct StreamNames {
   std::string log;     // messages are published to it
   std::string tail;    // NATS publishes them to it, once they are stored; nobody else may
 
+  /// Where its leader says what it is, and any replica gives a message by its number.
+  [[nodiscard]] std::string info_subject() const { return "$JS.API.STREAM.INFO." + stream; }
+  [[nodiscard]] std::string direct_get_subject() const { return "$JS.API.DIRECT.GET." + stream; }
+
   [[nodiscard]] static StreamNames of(const ContentHash& store_id) {
     const std::string id = to_string(store_id);
     return {fmt::format("TALUS_{}", id), fmt::format("talus.{}.log", id), fmt::format("talus.{}.tail", id)};
