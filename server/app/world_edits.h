@@ -54,7 +54,7 @@ class WorldEdits final : public EditedLand {
       const std::filesystem::path& directory, const terrain::World& world, ContentHash store_id,
       const Clock& clock, Logger log, SharedLog shared = {});
   /// Another than open() was given where the store had to become another.
-  [[nodiscard]] ContentHash store_id() const { return database_->meta().store_id; }
+  [[nodiscard]] ContentHash store_id() const { return store_id_; }
   ~WorldEdits() override { stop(); }
   WorldEdits(const WorldEdits&) = delete;
   WorldEdits& operator=(const WorldEdits&) = delete;
@@ -104,6 +104,7 @@ class WorldEdits final : public EditedLand {
       : logger_{log},
         clock_{clock},
         database_{std::move(database)},
+        store_id_{database_->meta().store_id},
         state_{std::move(state)},
         merged_{*state_, log},
         feed_{log} {}
@@ -119,6 +120,7 @@ class WorldEdits final : public EditedLand {
   const Clock& clock_;
   std::vector<terrain::Material> placeables_;
   const std::unique_ptr<EditDatabase> database_;
+  const ContentHash store_id_;  // a log that is shared changes what else the database says of itself
   const std::unique_ptr<EditState> state_;
   MergedChunks merged_;
   ChangeFeed feed_;

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "cluster/entry_codec.h"
+#include "cluster/server_number.h"
 #include "edits/index_room.h"
 
 namespace talus::server::cluster {
@@ -16,6 +17,9 @@ using SteadyClock = std::chrono::steady_clock;
 
 constexpr milliseconds kSoon{20};
 constexpr milliseconds kRetryOfFault{1'000};
+/// A chunk that the disk did not give so often it does not have.
+constexpr int kTriesToRead = 10;
+constexpr std::string_view kShorter = "the log that this world's servers share seems to have lost its end";
 constexpr std::chrono::seconds kLastWait{2};
 /// A leader that was deposed may say less than there is, until it knows.
 constexpr std::chrono::seconds kSureOfShorter{15};
@@ -33,7 +37,8 @@ ClusterLog::ClusterLog(Parts parts, Settings settings)
       settings_{std::move(settings)},
       identity_{parts_.database.meta().store_id, parts_.database.meta().fingerprint},
       writer_{parts_.database, parts_.state, settings_.store, parts_.on_changed},
-      publisher_{{parts_.stream, parts_.clock, identity_, settings_.settles,
+      publisher_{{parts_.stream, parts_.clock, identity_, server_number(parts_.database.path()),
+                  settings_.settles,
                   [this] {
                     const edits::Head head = writer_.status().head;
                     return Publisher::Stand{head.revision, head.hash};
@@ -126,6 +131,10 @@ ClusterLog::Status ClusterLog::status() const {
     status.read_only = std::move(store.read_only);
   } else if (!places_known_ && !begins_without_log()) {
     status.read_only = trouble_.empty() ? "this server is looking for its place in the log" : trouble_;
+  } else if (!unreadable_.empty()) {
+    status.read_only = unreadable_;
+  } else if (shorter_) {
+    status.read_only = kShorter;
   } else if (!takes || silent || !places_known_) {
     const std::string& why = publishing.empty() ? trouble_ : publishing;
     status.read_only =
@@ -134,6 +143,8 @@ ClusterLog::Status ClusterLog::status() const {
   }
   if (!fault_.empty()) {
     status.not_ready = fault_;
+  } else if (shorter_) {
+    status.not_ready = kShorter;
   } else if (!end_.is_ready() && !begins_without_log()) {
     const auto behind = std::chrono::duration_cast<std::chrono::seconds>(end_.behind());
     status.not_ready = !places_known_ || !heard_
@@ -174,6 +185,7 @@ void ClusterLog::look_at_end() {
     const std::lock_guard lock{mutex_};
     if (!stream) {
       if (!silent_since_) silent_since_ = asked;
+      shorter_since_.reset();  // it may be another leader that speaks next
       if (!known || trouble_.empty()) trouble_ = stream.error().reason;
     } else {
       silent_since_.reset();
@@ -181,9 +193,11 @@ void ClusterLog::look_at_end() {
       if (!known || stream->created_ns != created_ns) {
         shorter_since_.reset();
       } else if (stream->last < sequence) {
+        shorter_ = true;
         if (!shorter_since_) shorter_since_ = asked;
         shorter = asked - *shorter_since_ > kSureOfShorter;
       } else {
+        shorter_ = false;
         shorter_since_.reset();
         end_.heard(stream->last, asked);
       }
@@ -213,24 +227,21 @@ void ClusterLog::trouble(std::string reason) {
   trouble_ = std::move(reason);
 }
 
-void ClusterLog::stop_applying(std::string reason) {
+bool ClusterLog::stop_applying(std::string reason) {
   {
     const std::lock_guard lock{mutex_};
-    if (!fault_.empty() || ending_) return;
-    fault_ = std::move(reason);
+    if (!fault_.empty() || ending_) return false;
+    fault_ = reason;
     parts_.log->error("cluster: {}; this server takes no edits and is not ready", fault_);
   }
   changed_.notify_all();
+  publisher_.give_up(reason);
   tell_whether_it_takes();
+  return true;
 }
 
 void ClusterLog::lose(Lost how, const std::string& reason) {
-  {
-    const std::lock_guard lock{mutex_};
-    if (!fault_.empty() || ending_) return;
-  }
-  stop_applying(reason);
-  parts_.on_lost(how, reason);
+  if (stop_applying(reason)) parts_.on_lost(how, reason);
 }
 
 // ---- applying
@@ -388,33 +399,39 @@ void ClusterLog::next_message() {
     case StreamFailure::Kind::other:
       lose(Lost::other, failure.reason);
       break;
+    case StreamFailure::Kind::false_message:
+      lose(Lost::wrong_state, failure.reason);
+      break;
   }
 }
 
 void ClusterLog::apply(const StreamMessage& message) {
   const auto decoded = decode_batch(message.bytes, identity_);
-  if (!decoded) return stop_applying(describe(decoded.error(), message.sequence));
+  if (!decoded) {
+    stop_applying(describe(decoded.error(), message.sequence));
+    return;
+  }
   const BatchHead& head = decoded->head;
   edits::Batch& batch = writer_.begin(head.time_ms);
   for (std::size_t i = 0; i < decoded->entries.size(); ++i) {
     const auto entry = decode_entry(decoded->entries[i], decoded->settles);
     if (!entry) {
       writer_.drop();
-      return stop_applying(
+      stop_applying(
           fmt::format("message {} of the log cannot be applied: its entry {} {}", message.sequence, i + 1,
                       entry.error() == EntryFault::newer ? "is one that this talusd does not know; upgrade it"
                                                          : "is damaged"));
+      return;
     }
     std::visit([&](const auto& each) { batch.apply(each); }, *entry);
     if (const auto& unreadable = writer_.reading().error()) {
-      trouble(*unreadable);
-      parts_.log->error("cluster: message {} of the log cannot be applied: {}; it is tried again each second",
-                        message.sequence, *unreadable);
+      const std::string reason =
+          fmt::format("message {} of the log cannot be applied: {}", message.sequence, *unreadable);
       writer_.drop();
-      (void)pause(kRetryOfFault);
-      return;
+      return cannot_read(reason);
     }
   }
+  can_read();
   std::vector<Done> done = publisher_.seen(head, message.bytes);
   if (done.size() != decoded->entries.size()) done.clear();
   const std::uint64_t sequence = message.sequence;
@@ -432,6 +449,23 @@ void ClusterLog::apply(const StreamMessage& message) {
                       sequence, reason);
     tell_whether_it_takes();
   }
+}
+
+void ClusterLog::cannot_read(const std::string& reason) {
+  if (++unread_ >= kTriesToRead) return lose(Lost::wrong_state, reason);
+  {
+    const std::lock_guard lock{mutex_};
+    unreadable_ = reason;
+  }
+  parts_.log->error("cluster: {}; it is tried again each second", reason);
+  tell_whether_it_takes();
+  (void)pause(settings_.store.retry_interval);
+}
+
+void ClusterLog::can_read() {
+  if (std::exchange(unread_, 0) == 0) return;
+  const std::lock_guard lock{mutex_};
+  unreadable_.clear();  // applied() tells
 }
 
 void ClusterLog::applied(std::uint64_t sequence) {

@@ -33,7 +33,7 @@ enum class Lost : std::uint8_t {
   too_old,      // the stream does not keep what comes next any more
   no_start,     // the store is empty, and the stream begins with a state that is not
   other,        // the stream was made anew, or is that of another state than the store's
-  wrong_state,  // most other servers have another state
+  wrong_state,  // most other servers have another state, or this one cannot read its own
 };
 
 class ClusterLog final : public EditLog {
@@ -105,6 +105,9 @@ class ClusterLog final : public EditLog {
   [[nodiscard]] bool begin_at_genesis(const StreamState& stream);
   void next_message();
   void apply(const StreamMessage& message);
+  /// What the message changes is not to be had from the disk.
+  void cannot_read(const std::string& reason);
+  void can_read();
   void compare(const BatchHead& head);
   void applied(std::uint64_t sequence);
   /// False: stop() was called.
@@ -115,7 +118,8 @@ class ClusterLog final : public EditLog {
   void look_at_end();
 
   // Any thread.
-  void stop_applying(std::string reason);
+  /// Whether nothing had stopped it before.
+  bool stop_applying(std::string reason);
   void lose(Lost how, const std::string& reason);
   void trouble(std::string reason);
   void tell_whether_it_takes();
@@ -133,6 +137,7 @@ class ClusterLog final : public EditLog {
   // The applier's thread alone.
   bool placed_ = false;
   std::optional<StreamMessage> held_;  // came, and could not be applied
+  int unread_ = 0;                     // how often what it changes could not be read
   StateComparison comparison_;
 
   mutable std::mutex mutex_;
@@ -140,13 +145,15 @@ class ClusterLog final : public EditLog {
   LogEnd end_;
   std::uint64_t sequence_ = 0;  // of the last message that is applied
   std::int64_t created_ns_ = 0;
-  std::optional<TimePoint> shorter_since_;  // the stream seems to have less than was applied
+  bool shorter_ = false;                    // the stream seems to have less than was applied
+  std::optional<TimePoint> shorter_since_;  // since when the leader has said so, without a silence
   std::optional<TimePoint> silent_since_;   // the leader does not answer
   bool heard_ = false;                      // it ever did
   bool places_known_ = false;
-  std::string fault_;      // why nothing is applied any more
-  std::string trouble_;    // why nothing is applied just now
-  std::string undecided_;  // as many say this as say that
+  std::string fault_;       // why nothing is applied any more
+  std::string trouble_;     // why nothing is applied just now
+  std::string undecided_;   // as many say this as say that
+  std::string unreadable_;  // what the next message changes, and the disk does not give
   bool differs_ = false;
   bool stopping_ = false;   // no entries are taken
   bool ending_ = false;     // the threads end

@@ -32,6 +32,7 @@ struct StreamFailure {
     refused,      // the credentials do not allow it, or the stream has other settings: a person has to act
     gone,         // the message is older than all that is kept
     other,        // the stream was made anew, or has less than it had: it is not the one that was read before
+    false_message,  // one that next() gave is not the stream's: what was applied is not what others have
   };
   Kind kind = Kind::unavailable;
   std::string reason;  // one line
@@ -44,7 +45,8 @@ struct StreamFigures {
   std::uint64_t false_messages = 0;  // that somebody else sent as if they were the stream's
 };
 
-/// Two threads use it: one calls publish(), the other next(); the others are for any.
+/// Two threads use it: one calls publish(), the other next(); the others are for any. After `other` or
+/// `false_message` nothing is published any more.
 class LogStream {
  public:
   using TimePoint = std::chrono::steady_clock::time_point;

@@ -40,13 +40,21 @@ struct Genesis {
 /// Entries that one server wrote at once, and where it stood when it did.
 struct BatchHead {
   StoreIdentity identity;
-  std::uint64_t publisher = 0;  // a number that the server took when it started
+  std::uint64_t publisher = 0;  // of one start of one server: publisher_of()
   std::uint64_t number = 0;     // of its batches: from 1 on. The same number again is the same batch again
   std::int64_t time_ms = 0;     // since 1970, by the server's clock
   std::uint64_t revision = 0;   // of the state at the end of some message before this one
   edits::StateHash hash;        // of that state, as the server has it
   bool operator==(const BatchHead&) const = default;
 };
+
+/// `start`: drawn when the server started.
+[[nodiscard]] constexpr std::uint64_t publisher_of(std::uint32_t server_number, std::uint32_t start) {
+  return std::uint64_t{server_number} << 32U | start;
+}
+[[nodiscard]] constexpr std::uint32_t server_of(std::uint64_t publisher) {
+  return static_cast<std::uint32_t>(publisher >> 32U);
+}
 
 struct BatchMessage {
   BatchHead head;

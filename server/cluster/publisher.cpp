@@ -14,18 +14,14 @@ namespace {
 // Before each entry of a batch.
 constexpr std::size_t kLengthBytes = 3;
 
-std::uint64_t drawn() {
-  std::random_device device;
-  return (std::uint64_t{device()} << 32) | device();
-}
-
 std::span<const std::byte> seal_of(std::span<const std::byte> message) {
   return message.last(std::min(kSealBytes, message.size()));
 }
 
 }  // namespace
 
-Publisher::Publisher(Parts parts) : parts_{std::move(parts)}, id_{drawn()}, queue_{{}} {}
+Publisher::Publisher(Parts parts)
+    : parts_{std::move(parts)}, id_{publisher_of(parts_.server_number, std::random_device{}())}, queue_{{}} {}
 
 void Publisher::start() {
   thread_ = std::thread{[this] { run(); }};
@@ -39,6 +35,17 @@ void Publisher::stop() {
   changed_.notify_all();
   queue_.stop();
   if (thread_.joinable()) thread_.join();
+}
+
+void Publisher::give_up(const std::string& why) {
+  {
+    const std::lock_guard lock{mutex_};
+    if (std::exchange(gave_up_, true)) return;
+    trouble_ = why;
+  }
+  set_takes(false);
+  changed_.notify_all();
+  queue_.wake();
 }
 
 LogFailure Publisher::cut_off() const {
@@ -104,28 +111,26 @@ std::vector<EditLog::Done> Publisher::seen(const BatchHead& head, std::span<cons
   return done;
 }
 
-void Publisher::put_back(const BatchHead& head, std::span<const std::byte> message,
-                         std::vector<EditLog::Done> done) {
-  if (done.empty()) return;
-  const std::lock_guard lock{mutex_};
-  Open& open = open_[head.number];
-  open.done = std::move(done);
-  open.seal.assign(seal_of(message).begin(), seal_of(message).end());
-  open.seen = true;
-}
-
 void Publisher::run() {
   constexpr std::chrono::hours kLong{1};
   for (;;) {
     const std::size_t room = kBatchBytes - batch_overhead(parts_.settles);
     auto taken = queue_.take(kMaxEntries, room, std::chrono::steady_clock::now() + kLong);
     std::optional<Stand> stand;
+    bool gave_up = false;
     {
       const std::lock_guard lock{mutex_};
       if (stopping_) return;
+      gave_up = gave_up_;
       stand = std::exchange(to_say_, std::nullopt);
       // Those that were seen and answered.
       std::erase_if(open_, [](const auto& each) { return each.second.seen && each.second.done.empty(); });
+    }
+    if (gave_up) {
+      refuse(taken);
+      refuse_all();
+      answer_open();
+      continue;
     }
     if (taken.empty() && !stand) continue;
     if (!stand) stand = parts_.stand();
@@ -155,9 +160,13 @@ void Publisher::publish(std::uint64_t number, std::span<const std::byte> message
     if (!first) republished_.add();
     const auto acked = parts_.stream.publish(message);
     if (acked) break;
+    using Kind = StreamFailure::Kind;
+    if (acked.error().kind == Kind::other || acked.error().kind == Kind::false_message) {
+      return give_up(acked.error().reason);
+    }
     {
       const std::lock_guard lock{mutex_};
-      if (stopping_) return;
+      if (stopping_ || gave_up_) return;
       trouble_ = acked.error().reason;
     }
     if (std::chrono::steady_clock::now() - began > kPatience) {
@@ -169,7 +178,7 @@ void Publisher::publish(std::uint64_t number, std::span<const std::byte> message
   latency_.add(std::chrono::steady_clock::now() - began);
   {
     const std::lock_guard lock{mutex_};
-    if (stopping_) return;
+    if (stopping_ || gave_up_) return;
     trouble_.clear();
   }
   set_takes(true);
@@ -181,21 +190,47 @@ bool Publisher::wait_for_retry(std::uint64_t number) {
     const auto open = open_.find(number);
     return open == open_.end() || open->second.seen;
   };
-  changed_.wait_for(lock, kRetry, [&] { return stopping_ || is_seen(); });
-  return stopping_ || is_seen();
+  changed_.wait_for(lock, kRetry, [&] { return stopping_ || gave_up_ || is_seen(); });
+  return stopping_ || gave_up_ || is_seen();
 }
 
 void Publisher::set_takes(bool takes) {
-  if (takes_.exchange(takes, std::memory_order_acq_rel) != takes) parts_.on_change();
+  bool changes = false;
+  {
+    const std::lock_guard lock{mutex_};
+    takes = takes && !gave_up_;
+    changes = takes_.exchange(takes, std::memory_order_acq_rel) != takes;
+  }
+  if (changes) parts_.on_change();
+}
+
+void Publisher::refuse(const std::vector<Queue::Waiting>& waiting) const {
+  if (waiting.empty()) return;
+  // They are in no message: nobody need wonder what became of them.
+  const tl::expected<const edits::Applied*, LogFailure> failure = tl::unexpected{cut_off()};
+  for (const Queue::Waiting& each : waiting) each.done(failure);
 }
 
 void Publisher::refuse_all() {
-  // They are in no message: nobody need wonder what became of them.
   for (;;) {
     const auto waiting = queue_.take(kMaxEntries, SIZE_MAX, Queue::TimePoint::min());
     if (waiting.empty()) return;
-    const tl::expected<const edits::Applied*, LogFailure> failure = tl::unexpected{cut_off()};
-    for (const Queue::Waiting& each : waiting) each.done(failure);
+    refuse(waiting);
+  }
+}
+
+void Publisher::answer_open() {
+  std::map<std::uint64_t, Open> open;
+  {
+    const std::lock_guard lock{mutex_};
+    open.swap(open_);
+  }
+  const tl::expected<const edits::Applied*, LogFailure> failure = tl::unexpected{
+      LogFailure{LogFailure::Kind::unwritable,
+                 fmt::format("it is open whether the edit is in the log that this world's servers share: {}",
+                             trouble())}};
+  for (const auto& [number, each] : open) {
+    for (const EditLog::Done& done : each.done) done(failure);
   }
 }
 

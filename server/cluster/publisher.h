@@ -44,6 +44,7 @@ class Publisher {
     LogStream& stream;
     const Clock& clock;
     StoreIdentity identity;
+    std::uint32_t server_number = 0;
     edits::SettleRulesPtr settles;    // of all entries that settle; null: none does
     std::function<Stand()> stand;     // now; any thread
     std::function<void()> on_change;  // takes() has changed; any thread. Must not wait
@@ -57,6 +58,9 @@ class Publisher {
   void start();
   /// Ends the thread. What is queued or in flight is not answered. The stream must have been stopped.
   void stop();
+  /// Publishes nothing any more, for good. What is in no message is refused as cut_off; of what is in one it
+  /// is open whether the stream has it, and it is answered as unwritable. Any thread.
+  void give_up(const std::string& why);
 
   [[nodiscard]] std::uint64_t id() const { return id_; }
 
@@ -71,15 +75,12 @@ class Publisher {
   /// Why the stream took nothing last; empty: it takes what comes. Any thread.
   [[nodiscard]] std::string trouble() const;
 
-  /// A batch is in the stream: whom to answer, one for each of its entries, the first time; else nobody.
-  /// `seal`: its last eight bytes. Any thread.
+  /// A batch is in the stream: whom to answer, one for each of its entries, the first time; else nobody. Any
+  /// thread.
   [[nodiscard]] std::vector<EditLog::Done> seen(const BatchHead& head, std::span<const std::byte> message);
-  /// They were not answered after all, and will be when it is seen again.
-  void put_back(const BatchHead& head, std::span<const std::byte> message, std::vector<EditLog::Done> done);
 
   /// Entries that are not answered.
   [[nodiscard]] std::size_t open() const;
-  [[nodiscard]] std::size_t waiting() const { return queue_.size(); }
   [[nodiscard]] const LatencyHistogram& latency() const { return latency_; }
   [[nodiscard]] std::uint64_t republished() const { return republished_.total(); }
 
@@ -91,7 +92,7 @@ class Publisher {
   /// A message that was not seen in the stream yet.
   struct Open {
     std::vector<EditLog::Done> done;
-    std::vector<std::byte> seal;
+    std::vector<std::byte> seal;  // its last bytes
     bool seen = false;
   };
 
@@ -100,7 +101,9 @@ class Publisher {
   /// Whether the message need not be published any more.
   [[nodiscard]] bool wait_for_retry(std::uint64_t number);
   void set_takes(bool takes);
+  void refuse(const std::vector<Queue::Waiting>& waiting) const;
   void refuse_all();
+  void answer_open();
   [[nodiscard]] LogFailure cut_off() const;
 
   const Parts parts_;
@@ -116,6 +119,7 @@ class Publisher {
   std::optional<Stand> to_say_;
   std::string trouble_;
   bool stopping_ = false;
+  bool gave_up_ = false;
 
   std::uint64_t number_ = 0;  // of the last batch; of the thread
   std::thread thread_;

@@ -4,7 +4,17 @@
 
 #include <fmt/format.h>
 
+#include "cluster/message.h"
+
 namespace talus::server::cluster {
+namespace {
+
+/// Modulo 2^128.
+edits::StateHash difference_of(const edits::StateHash& a, const edits::StateHash& b) {
+  return {a.low - b.low, a.high - b.high - (a.low < b.low ? 1U : 0U)};
+}
+
+}  // namespace
 
 void StateComparison::stands(std::uint64_t revision, edits::StateHash hash) {
   if (!states_.empty() && states_.back().revision >= revision) return;
@@ -20,22 +30,23 @@ const edits::StateHash* StateComparison::own_at(std::uint64_t revision) const {
 std::optional<StateComparison::Claim> StateComparison::heard(const Claim& claim, TimePoint now) {
   const edits::StateHash* const own = own_at(claim.revision);
   if (own == nullptr || is_wrong_ || wrong_.contains(claim.publisher)) return std::nullopt;
-  const bool same = *own == claim.hash;
+  const edits::StateHash difference = difference_of(claim.hash, *own);
+  const Vote vote{difference, claim.publisher, claim.revision};
+  const std::uint32_t server = server_of(claim.publisher);
   if (!dispute_) {
-    if (same) return std::nullopt;
+    if (difference == edits::StateHash{}) return std::nullopt;
     what_ = fmt::format("at revision {} this server has state {}, and another has {}", claim.revision,
                         edits::to_string(*own), edits::to_string(claim.hash));
-    dispute_ = Dispute{claim.revision, *own, now, {{self_, *own}, {claim.publisher, claim.hash}}};
+    dispute_ = Dispute{claim.revision, now, {{server, vote}}};
+    dispute_->votes.insert_or_assign(server_of(self_), Vote{{}, self_, claim.revision});
     return Claim{self_, claim.revision, *own};
   }
-  if (dispute_->votes.size() >= kMostVoters && !dispute_->votes.contains(claim.publisher)) {
-    return std::nullopt;
-  }
-  if (claim.revision == dispute_->revision) {
-    dispute_->votes.insert_or_assign(claim.publisher, claim.hash);
-  } else if (same && claim.revision > dispute_->revision) {
-    // Who has the same later had the same then.
-    dispute_->votes.insert_or_assign(claim.publisher, dispute_->own);
+  if (server == server_of(self_) || claim.revision < dispute_->revision) return std::nullopt;
+  const auto before = dispute_->votes.find(server);
+  if (before == dispute_->votes.end()) {
+    if (dispute_->votes.size() < kMostVoters) dispute_->votes.emplace(server, vote);
+  } else if (before->second.publisher != vote.publisher || before->second.revision <= vote.revision) {
+    before->second = vote;
   }
   return std::nullopt;
 }
@@ -45,19 +56,20 @@ StateComparison::Verdict StateComparison::judge(TimePoint now) {
   if (!dispute_) return Verdict::same;
   if (now - dispute_->since < kVoting) return Verdict::voting;
   std::map<edits::StateHash, std::size_t> groups;
-  for (const auto& [publisher, hash] : dispute_->votes) ++groups[hash];
-  const std::size_t own = groups[dispute_->own];
+  for (const auto& [server, vote] : dispute_->votes) ++groups[vote.difference];
+  constexpr edits::StateHash kNone{};
+  const std::size_t own = groups[kNone];
   std::size_t others = 0;
-  for (const auto& [hash, size] : groups) {
-    if (hash != dispute_->own) others = std::max(others, size);
+  for (const auto& [difference, size] : groups) {
+    if (difference != kNone) others = std::max(others, size);
   }
   if (own == others) return Verdict::undecided;
   if (own < others) {
     is_wrong_ = true;
     return Verdict::wrong;
   }
-  for (const auto& [publisher, hash] : dispute_->votes) {
-    if (hash != dispute_->own && wrong_.size() < kMostVoters) wrong_.insert(publisher);
+  for (const auto& [server, vote] : dispute_->votes) {
+    if (vote.difference != kNone && wrong_.size() < kMostVoters) wrong_.insert(vote.publisher);
   }
   dispute_.reset();
   return Verdict::same;

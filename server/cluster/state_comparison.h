@@ -7,6 +7,10 @@
 // nobody knows, and all of both take no edits until somebody else says what it had, or a person acts: what
 // one of them would answer is wrong.
 //
+// S is a sum, so a wrong state stays wrong by the same difference while edits elsewhere go on: what counts is
+// a server's difference from this one, at whichever revision it spoke last. Servers count, however often they
+// are started.
+//
 // Pure; of one thread.
 #pragma once
 
@@ -58,11 +62,15 @@ class StateComparison {
   [[nodiscard]] const std::string& what() const { return what_; }
 
  private:
+  struct Vote {
+    edits::StateHash difference;  // from this server's
+    std::uint64_t publisher = 0;
+    std::uint64_t revision = 0;
+  };
   struct Dispute {
     std::uint64_t revision = 0;
-    edits::StateHash own;
     TimePoint since;
-    std::map<std::uint64_t, edits::StateHash> votes;  // by publisher
+    std::map<std::uint32_t, Vote> votes;  // by server
   };
 
   [[nodiscard]] const edits::StateHash* own_at(std::uint64_t revision) const;
@@ -74,7 +82,7 @@ class StateComparison {
   };
   std::deque<State> states_;  // by rising revision
   std::optional<Dispute> dispute_;
-  std::set<std::uint64_t> wrong_;  // publishers
+  std::set<std::uint64_t> wrong_;  // publishers: a server that starts again may have taken another's store
   bool is_wrong_ = false;
   std::string what_;
 };

@@ -24,7 +24,6 @@ constexpr auto kPatience = 500ms;
 constexpr auto kBetweenQuestions = 1s;    // to the leader
 constexpr auto kBetweenUrgent = 100ms;    // where something does not fit
 constexpr auto kBetweenConnections = 1s;  // after NATS refused the credentials
-constexpr auto kSureOfLess = 15s;         // a leader that was deposed says for a while what it knew
 constexpr int kPendingMessages = 4096;
 constexpr int kPendingBytes = 32 << 20;
 
@@ -96,7 +95,7 @@ class JetStreamLog::Inbox final : public ConnectionEvents {
   void tail(const Arrived& arrived) {
     if (arrived.bytes().empty()) return;  // of "talusd cluster check"
     if (arrived.header("Nats-Stream") != names_.stream) return count_false();
-    if (arrived.bytes().size() > kMaxMessageBytes) return count_false();
+    if (arrived.bytes().size() > kStreamMessageBytes) return count_false();
     {
       const std::lock_guard lock{mutex_};
       reading_.heard(arrived.sequence(), arrived.bytes(), Clock::now());
@@ -114,10 +113,10 @@ class JetStreamLog::Inbox final : public ConnectionEvents {
           arrived.header("Nats-Stream") != names_.stream) {
         reading_.not_found(sequence, now);
         question_due_ = std::min(question_due_, asked_at_ + kBetweenUrgent);
-      } else if (arrived.bytes().size() > kMaxMessageBytes) {
+      } else if (arrived.bytes().size() > kStreamMessageBytes) {
         fault_ = StreamFailure{
             Kind::other, fmt::format("{}: message {} has {} bytes, and no batch of edits over {}",
-                                     names_.stream, sequence, arrived.bytes().size(), kMaxMessageBytes)};
+                                     names_.stream, sequence, arrived.bytes().size(), kStreamMessageBytes)};
       } else {
         reading_.answered(sequence, arrived.bytes(), now);
       }
@@ -140,10 +139,15 @@ class JetStreamLog::Inbox final : public ConnectionEvents {
   }
 
   /// Of another question to the leader.
-  tl::expected<void, StreamFailure> told(const StreamState& state) {
+  tl::expected<void, StreamFailure> told(std::uint64_t after, const StreamState& state) {
     const std::lock_guard lock{mutex_};
     if (fault_) return tl::unexpected{*fault_};
-    return judge(state, 0);
+    return judge(state, after);
+  }
+  /// Why nothing may be read or published any more.
+  [[nodiscard]] std::optional<StreamFailure> fault() const {
+    const std::lock_guard lock{mutex_};
+    return fault_;
   }
 
   // Of the reader.
@@ -154,10 +158,11 @@ class JetStreamLog::Inbox final : public ConnectionEvents {
     for (;;) {
       if (stopped_) return failure(Kind::unavailable, "stopped");
       if (const auto sequence = reading_.forged()) {
-        fault_ = StreamFailure{
-            Kind::other, fmt::format("message {} of {} that was applied is not the stream's: somebody else "
-                                     "publishes to {}; forbid it in NATS' permissions",
-                                     *sequence, names_.stream, names_.tail)};
+        fault_ =
+            StreamFailure{Kind::false_message,
+                          fmt::format("message {} of {} that was applied is not the stream's: somebody else "
+                                      "publishes to {}; forbid it in NATS' permissions",
+                                      *sequence, names_.stream, names_.tail)};
       }
       if (fault_) return tl::unexpected{*fault_};
       if (auto message = reading_.take()) return message;
@@ -188,10 +193,11 @@ class JetStreamLog::Inbox final : public ConnectionEvents {
 
   /// It is not the stream that was read.
   StreamFailure failed_for_good(std::string reason) {
-    const StreamFailure failure{Kind::other, std::move(reason)};
+    StreamFailure failure{Kind::other, std::move(reason)};
     {
       const std::lock_guard lock{mutex_};
-      fault_ = failure;
+      if (!fault_) fault_ = failure;
+      failure = *fault_;
     }
     changed_.notify_all();
     return failure;
@@ -252,20 +258,11 @@ class JetStreamLog::Inbox final : public ConnectionEvents {
       return tl::unexpected{*fault_};
     }
     first_ = state.first;
-    const auto now = Clock::now();
-    if (state.last >= after) {
-      less_since_.reset();
-      reading_.learned(state.last, now);
-      if (after > 0) reading_.ends_at(state.last);
-    } else if (!less_since_) {
-      less_since_ = now;
-    } else if (now - *less_since_ >= kSureOfLess) {
-      fault_ =
-          StreamFailure{Kind::other, fmt::format("{} ends at message {}, and message {} was read already: it "
-                                                 "has lost its end",
-                                                 names_.stream, state.last, after)};
-      return tl::unexpected{*fault_};
-    }
+    reading_.starts_at(state.first);
+    // Who says less was deposed; or the stream has lost its end, which whoever applies it finds out in time.
+    if (state.last < after) return {};
+    reading_.learned(state.last, Clock::now());
+    if (after > 0) reading_.ends_at(state.last);
     return {};
   }
 
@@ -311,7 +308,6 @@ class JetStreamLog::Inbox final : public ConnectionEvents {
   std::optional<StreamFailure> fault_;    // told from now on
   std::int64_t created_ns_ = 0;           // of the stream that was seen first
   std::uint64_t first_ = 0;
-  std::optional<TimePoint> less_since_;
   TimePoint question_due_{};
   TimePoint asked_at_{};
   std::uint64_t false_messages_ = 0;
@@ -382,9 +378,10 @@ tl::expected<std::shared_ptr<Connection>, StreamFailure> JetStreamLog::connectio
 }
 
 tl::expected<std::uint64_t, StreamFailure> JetStreamLog::publish(std::span<const std::byte> message) {
-  if (message.size() > kMaxMessageBytes) {
+  if (auto fault = inbox_->fault()) return tl::unexpected{*std::move(fault)};
+  if (message.size() > kStreamMessageBytes) {
     return failure(Kind::refused, fmt::format("a message of {} bytes is over the {} that the stream takes",
-                                              message.size(), kMaxMessageBytes));
+                                              message.size(), kStreamMessageBytes));
   }
   const auto connection = this->connection();
   if (!connection) return tl::unexpected{connection.error()};
@@ -424,6 +421,7 @@ tl::expected<std::optional<StreamMessage>, StreamFailure> JetStreamLog::next(std
 tl::expected<StreamState, StreamFailure> JetStreamLog::state() {
   const auto connection = this->connection();
   if (!connection) return tl::unexpected{connection.error()};
+  const std::uint64_t read_before = inbox_->after();
   const auto reply = (*connection)->request(settings_.names.info(), "", kPatience);
   if (!reply) return tl::unexpected{reply.error()};
   const auto info = parse_stream_info(Arrived{reply->get()}.text());
@@ -439,7 +437,7 @@ tl::expected<StreamState, StreamFailure> JetStreamLog::state() {
         StreamFailure::Kind::unavailable,
         fmt::format("NATS: the leader of {} hears no majority of its servers", settings_.names.stream)}};
   }
-  if (const auto same = inbox_->told(info->state); !same) return tl::unexpected{same.error()};
+  if (const auto same = inbox_->told(read_before, info->state); !same) return tl::unexpected{same.error()};
   return info->state;
 }
 

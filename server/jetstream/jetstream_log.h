@@ -27,7 +27,7 @@ namespace talus::server::jetstream {
 ///
 /// Whoever may publish to the tail subject can make a server apply what is no message of the log; NATS'
 /// subject permissions have to forbid it to all. Where it happens nevertheless, the true message follows with
-/// the same number: next() then fails with `other`.
+/// the same number: next() then fails with `false_message`.
 class JetStreamLog final : public LogStream {
  public:
   struct Settings {

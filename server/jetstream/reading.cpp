@@ -131,6 +131,10 @@ void Reading::ends_at(std::uint64_t last) {
   if (known_ > last && pause_ >= kSureOfNone) known_ = std::max(last, after_);
 }
 
+void Reading::starts_at(std::uint64_t first) {
+  doubted_.erase(doubted_.begin(), doubted_.lower_bound(first));
+}
+
 std::optional<StreamMessage> Reading::take() {
   const auto next = held_.find(after_ + 1);
   if (next == held_.end()) return std::nullopt;

@@ -51,6 +51,9 @@ class Reading {
   void learned(std::uint64_t sequence, TimePoint now);
   /// The leader says that it has none above `last`: of one that was asked for in vain then nobody knows.
   void ends_at(std::uint64_t last);
+  /// It says that it keeps none before `first`: nobody can tell any more which of two of those is the
+  /// stream's.
+  void starts_at(std::uint64_t first);
 
   /// The next message, if it came.
   [[nodiscard]] std::optional<StreamMessage> take();

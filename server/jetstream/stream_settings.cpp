@@ -30,7 +30,7 @@ nlohmann::json wanted_settings(const StreamNames& names, std::uint64_t replicas)
       {"max_bytes", kMaxBytes},
       {"max_msgs", -1},
       {"max_msgs_per_subject", -1},
-      {"max_msg_size", kMaxMessageBytes},
+      {"max_msg_size", kStreamMessageBytes},
       {"allow_direct", true},
       {"deny_delete", true},
       {"deny_purge", true},

@@ -13,7 +13,7 @@
 namespace talus::server::jetstream {
 
 /// Of one message: a batch has half of it.
-inline constexpr std::int64_t kMaxMessageBytes = 1 << 20;
+inline constexpr std::int64_t kStreamMessageBytes = 1 << 20;
 
 /// As NATS takes them ($JS.API.STREAM.CREATE).
 [[nodiscard]] nlohmann::json wanted_settings(const StreamNames& names, std::uint64_t replicas);

@@ -167,6 +167,20 @@ TEST_CASE("two messages of one number are held against the stream") {
   }
 }
 
+TEST_CASE("which of two messages was the stream's is not asked once it keeps neither") {
+  Reading reading{kStart, 7};
+  hear(reading, 1, kStart);
+  CHECK(taken(reading) == 1);
+  reading.heard(1, bytes_of("false"), kStart);
+  CHECK(reading.wanted(kStart) == Sequences{1});
+  reading.not_found(1, kStart);
+  reading.starts_at(1);
+  CHECK(reading.wanted(kStart + 400ms) == Sequences{1});
+  reading.not_found(1, kStart + 400ms);
+  reading.starts_at(2);
+  CHECK(reading.wanted(kStart + 900ms).empty());
+}
+
 TEST_CASE("what is kept ahead is bounded, and the next message has room") {
   Reading reading{kStart, 7};
   const std::string large(1U << 20U, 'x');

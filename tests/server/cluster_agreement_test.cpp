@@ -2,6 +2,7 @@
 #include <catch2/catch.hpp>
 
 #include "cluster/log_end.h"
+#include "cluster/message.h"
 #include "cluster/state_comparison.h"
 
 namespace talus::server::cluster {
@@ -9,6 +10,11 @@ namespace {
 
 using namespace std::chrono_literals;
 using Verdict = StateComparison::Verdict;
+
+/// Of the first start of a server.
+constexpr std::uint64_t of(std::uint32_t server, std::uint32_t start = 1) {
+  return publisher_of(server, start);
+}
 
 constexpr edits::StateHash kRight{1, 1};
 constexpr edits::StateHash kWrong{2, 2};
@@ -63,28 +69,30 @@ TEST_CASE("a server that is far behind for hours remembers few looks") {
 }
 
 TEST_CASE("who says the same is no matter, and what is not remembered is not compared") {
-  StateComparison own{1};
+  StateComparison own{of(1)};
   const StateComparison::TimePoint now{};
   own.stands(5, kRight);
   own.stands(7, kRight);
-  CHECK_FALSE(own.heard({2, 5, kRight}, now).has_value());
-  CHECK_FALSE(own.heard({2, 6, kWrong}, now).has_value());  // in the midst of a message
-  CHECK_FALSE(own.heard({2, 900, kWrong}, now).has_value());
+  CHECK_FALSE(own.heard({of(2), 5, kRight}, now).has_value());
+  CHECK_FALSE(own.heard({of(2), 6, kWrong}, now).has_value());  // in the midst of a message
+  CHECK_FALSE(own.heard({of(2), 900, kWrong}, now).has_value());
   CHECK(own.judge(now + 10s) == Verdict::same);
 }
 
 TEST_CASE("of three the one that says otherwise is wrong") {
   const StateComparison::TimePoint now{};
-  const auto verdict = [&](std::uint64_t self, edits::StateHash hash) {
-    StateComparison own{self};
+  const auto verdict = [&](std::uint32_t self, edits::StateHash hash) {
+    StateComparison own{of(self)};
     own.stands(5, hash);
     // What is in the log: 3 is wrong and says so first, then all that hear of it.
     bool says = false;
-    for (const StateComparison::Claim claim :
-         {StateComparison::Claim{3, 5, kWrong}, {1, 5, kRight}, {2, 5, kRight}, {3, 5, kWrong}}) {
+    for (const StateComparison::Claim claim : {StateComparison::Claim{of(3), 5, kWrong},
+                                               {of(1), 5, kRight},
+                                               {of(2), 5, kRight},
+                                               {of(3), 5, kWrong}}) {
       const auto say = own.heard(claim, now);
       if (say) {
-        CHECK(say->publisher == self);
+        CHECK(say->publisher == of(self));
         CHECK(say->revision == 5);
         CHECK(say->hash == hash);
         CHECK_FALSE(says);
@@ -95,7 +103,7 @@ TEST_CASE("of three the one that says otherwise is wrong") {
     CHECK(own.judge(now + 1s) == Verdict::voting);
     const Verdict after = own.judge(now + 2s);
     // It stays so, and who is known to be wrong makes no further trouble.
-    CHECK_FALSE(own.heard({3, 5, kWrong}, now + 3s).has_value());
+    CHECK_FALSE(own.heard({of(3), 5, kWrong}, now + 3s).has_value());
     CHECK(own.judge(now + 3s) == after);
     return after;
   };
@@ -106,24 +114,55 @@ TEST_CASE("of three the one that says otherwise is wrong") {
 
 TEST_CASE("two that say otherwise wait for a third, whichever revision it speaks of") {
   const StateComparison::TimePoint now{};
-  StateComparison own{1};
+  StateComparison own{of(1)};
   own.stands(5, kRight);
   own.stands(8, {4, 4});
-  REQUIRE(own.heard({2, 5, kWrong}, now).has_value());
+  REQUIRE(own.heard({of(2), 5, kWrong}, now).has_value());
   CHECK(own.judge(now + 5s) == Verdict::undecided);
   CHECK(own.what().find("revision 5") != std::string::npos);
   SECTION("that has the same later") {
-    CHECK_FALSE(own.heard({3, 8, {4, 4}}, now + 6s).has_value());
+    CHECK_FALSE(own.heard({of(3), 8, {4, 4}}, now + 6s).has_value());
     CHECK(own.judge(now + 6s) == Verdict::same);
   }
   SECTION("that had the other") {
-    CHECK_FALSE(own.heard({3, 5, kWrong}, now + 6s).has_value());
+    CHECK_FALSE(own.heard({of(3), 5, kWrong}, now + 6s).has_value());
     CHECK(own.judge(now + 6s) == Verdict::wrong);
   }
   SECTION("that has a third state") {
-    CHECK_FALSE(own.heard({3, 5, {9, 9}}, now + 6s).has_value());
+    CHECK_FALSE(own.heard({of(3), 5, {9, 9}}, now + 6s).has_value());
     CHECK(own.judge(now + 6s) == Verdict::undecided);
   }
+}
+
+TEST_CASE("a server that is wrong and starts again has no second vote") {
+  const StateComparison::TimePoint now{};
+  StateComparison own{of(1)};
+  own.stands(5, kRight);
+  REQUIRE(own.heard({of(3, 1), 5, kWrong}, now).has_value());
+  CHECK_FALSE(own.heard({of(3, 2), 5, kWrong}, now).has_value());
+  CHECK_FALSE(own.heard({of(3, 3), 5, kWrong}, now).has_value());
+  SECTION("against another that is right") {
+    CHECK_FALSE(own.heard({of(2), 5, kRight}, now).has_value());
+    CHECK(own.judge(now + 2s) == Verdict::same);
+  }
+  SECTION("and of two none is out") {
+    CHECK(own.judge(now + 2s) == Verdict::undecided);
+  }
+  SECTION("and one that has taken another store since is right again") {
+    CHECK_FALSE(own.heard({of(3, 4), 5, kRight}, now + 3s).has_value());
+    CHECK(own.judge(now + 3s) == Verdict::same);
+  }
+}
+
+TEST_CASE("a server that is wrong and undecided finds it out by what others say later") {
+  const StateComparison::TimePoint now{};
+  StateComparison own{of(1)};
+  own.stands(5, kWrong);
+  own.stands(8, {kWrong.low + 10, kWrong.high + 20});
+  REQUIRE(own.heard({of(2), 5, kRight}, now).has_value());
+  CHECK(own.judge(now + 2s) == Verdict::undecided);
+  CHECK_FALSE(own.heard({of(3), 8, {kRight.low + 10, kRight.high + 20}}, now + 3s).has_value());
+  CHECK(own.judge(now + 3s) == Verdict::wrong);
 }
 
 }  // namespace talus::server::cluster

@@ -48,10 +48,13 @@ class ClusterNode {
   std::function<void(const edits::Head&)> on_changed = [](const edits::Head&) {};
   std::function<void(cluster::Lost, const std::string&)> on_lost = [](cluster::Lost, const std::string&) {};
   std::function<void()> on_takes = [] {};
+  /// When the store is open, and nothing has begun.
+  std::function<void()> before_log = [] {};
 
   /// The error, or nothing.
   [[nodiscard]] std::string open() {
     if (auto error = open_store(); !error.empty()) return error;
+    before_log();
     end_ = open_stream_();
     cluster::ClusterLog::Parts parts{
         *end_,

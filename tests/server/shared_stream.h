@@ -43,12 +43,19 @@ class SharedStream {
     first_ = first;
   }
   void make_anew() { created_ns_ = 2; }
+  /// What every publish() and next() says from now on.
+  void fail_publish_as(StreamFailure::Kind kind) { fails_publish_ = kind; }
+  void fail_next_as(StreamFailure::Kind kind) { fails_next_ = kind; }
+  [[nodiscard]] std::optional<StreamFailure::Kind> fails_publish() const { return fails_publish_; }
+  [[nodiscard]] std::optional<StreamFailure::Kind> fails_next() const { return fails_next_; }
+  /// The leader says that so many messages at its end are not there.
+  void say_fewer(std::uint64_t fewer) { fewer_ = fewer; }
   /// How often any end published, or tried to.
   std::atomic<std::uint64_t> attempts{0};
 
   [[nodiscard]] StreamState state() const {
     const std::lock_guard lock{mutex_};
-    return {first_, messages_.size(), created_ns_};
+    return {first_, messages_.size() - fewer_, created_ns_};
   }
   [[nodiscard]] std::vector<std::vector<std::byte>> all() const {
     const std::lock_guard lock{mutex_};
@@ -85,6 +92,9 @@ class SharedStream {
   std::uint64_t first_ = 1;
   std::atomic<bool> quorum_{true};
   std::atomic<std::int64_t> created_ns_{1};
+  std::atomic<std::uint64_t> fewer_{0};
+  std::atomic<std::optional<StreamFailure::Kind>> fails_publish_{};
+  std::atomic<std::optional<StreamFailure::Kind>> fails_next_{};
 };
 
 /// How often, in 256 calls.
@@ -105,6 +115,8 @@ class StreamEnd final : public LogStream {
       std::span<const std::byte> message) override {
     ++stream_.attempts;
     delay(publishing_);
+    if (const auto kind = stream_.fails_publish())
+      return tl::unexpected{StreamFailure{*kind, "it is another"}};
     if (stopped_ || !stream_.has_quorum() || !connected_) return unavailable();
     if (const auto late = std::exchange(delayed_, {})) stream_.append(*late);
     const std::uint64_t fault = publishing_() % 256;
@@ -126,6 +138,7 @@ class StreamEnd final : public LogStream {
   [[nodiscard]] tl::expected<std::optional<StreamMessage>, StreamFailure> next(std::uint64_t after,
                                                                                TimePoint until) override {
     delay(reading_);
+    if (const auto kind = stream_.fails_next()) return tl::unexpected{StreamFailure{*kind, "it is another"}};
     if (stopped_ || !connected_) return unavailable();
     if (reading_() % 256 < faults_.holes) return std::nullopt;
     auto message = stream_.wait_for(after + 1, until, woken_);
