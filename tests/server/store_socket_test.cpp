@@ -244,7 +244,8 @@ TEST_CASE("a server that ends does not wait for a log that does not answer") {
   REQUIRE(socket.has_value());
   std::string said;
   std::thread command{[&] {
-    const auto restored = connected(scratch / "data").restore({});
+    const auto restored = connected(scratch / "data")
+                              .restore({{{1, 0, 0}, {{0, MaterialId{1}, MaterialId{2}, MaterialId{1}}}}});
     said = restored ? "restored" : restored.error().reason;
   }};
   log.taken.wait();
