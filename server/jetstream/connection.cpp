@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cstdlib>
 #include <utility>
 
 #include <fmt/format.h>
@@ -67,9 +68,13 @@ std::string_view Arrived::text() const {
 }
 
 std::string_view Arrived::header(const char* name) const {
-  const char* value = nullptr;
-  return natsMsgHeader_Get(message_, name, &value) == NATS_OK && value != nullptr ? value
-                                                                                  : std::string_view{};
+  // NATS' own stands behind those of the same name that a publisher has set.
+  const char** values = nullptr;
+  int count = 0;
+  if (natsMsgHeader_Values(message_, name, &values, &count) != NATS_OK || count < 1) return {};
+  const std::string_view last = values[count - 1];
+  std::free(static_cast<void*>(values));  // the array; its texts are the message's
+  return last;
 }
 
 std::uint64_t Arrived::sequence() const {
@@ -80,6 +85,8 @@ std::uint64_t Arrived::sequence() const {
 }
 
 int Arrived::status() const {
+  // A message of a stream is no answer of NATS, whatever its publisher says.
+  if (!header("Nats-Stream").empty()) return 0;
   const std::string_view text = header("Status");
   int status = 0;
   std::from_chars(text.data(), text.data() + text.size(), status);

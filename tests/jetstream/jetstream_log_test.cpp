@@ -252,6 +252,23 @@ TEST_CASE("another stream that took the subject is refused by name") {
   CHECK_THAT(failure.reason, Catch::Contains("FOREIGN"));
 }
 
+TEST_CASE("a publisher's headers do not stand for those of NATS") {
+  OneServer one;
+  make_stream(one.servers, one.names, 1);
+  const auto log = open_log(one.servers.url_list(), one.names);
+  publish(*log, "a");
+  CHECK(read(*log, 0) == "a");
+  send_as_stream(one.servers, one.names.log, "OTHER", 999, "b");
+  publish(*log, "c");
+  CHECK(read(*log, 1) == "b");
+  CHECK(read(*log, 2) == "c");
+  // By number, as it is no more to be had by the tail.
+  const auto late = open_log(one.servers.url_list(), one.names);
+  CHECK(read(*late, 0) == "a");
+  CHECK(read(*late, 1) == "b");
+  CHECK(read(*late, 2) == "c");
+}
+
 TEST_CASE("false messages on the tail subject do no harm after the true ones, and are found before them") {
   OneServer one("max_payload: 64MB");
   make_stream(one.servers, one.names, 1);

@@ -37,7 +37,8 @@ std::string ask(const NatsServers& servers, const std::string& subject, const st
     const std::string& urls, const server::jetstream::StreamNames& names,
     server::jetstream::Credentials credentials = {});
 
-/// A message as NATS would republish it from a stream, by somebody who is no NATS server.
+/// A message with the headers that NATS gives those of a stream, and its refusals, by somebody who is no NATS
+/// server.
 void send_as_stream(const NatsServers& servers, const std::string& subject, const std::string& stream,
                     std::uint64_t sequence, std::string_view text);
 
