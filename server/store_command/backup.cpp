@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <optional>
 #include <system_error>
 #include <utility>
 
@@ -46,6 +47,32 @@ tl::expected<std::vector<BackupManifest::File>, std::string> database_files(cons
   return files;
 }
 
+/// Copies the database of `path` into `target`; its files with their checksums. Nothing where a file went
+/// between being listed and being copied.
+tl::expected<std::optional<std::vector<BackupManifest::File>>, std::string> copy_database(
+    const fs::path& path, const fs::path& target, ProgressBar& progress) {
+  std::vector<BackupManifest::File> all;
+  // A server may write meanwhile: what says which files there are comes first, so that they are among those
+  // that are copied then.
+  for (const bool lists : {true, false}) {
+    auto found = database_files(path);
+    if (!found) return tl::unexpected{found.error()};
+    for (BackupManifest::File& file : *found) {
+      if (lists_files(file.name) != lists) continue;
+      const auto copied = copy_file(path / file.name, target / file.name, UINT64_MAX, progress);
+      if (!copied) {
+        std::error_code code;
+        if (!fs::exists(path / file.name, code) && !code) return std::nullopt;
+        return tl::unexpected{copied.error()};
+      }
+      file.bytes = copied->bytes;
+      file.hash = copied->hash;
+      all.push_back(std::move(file));
+    }
+  }
+  return all;
+}
+
 }  // namespace
 
 tl::expected<BackupManifest, std::string> write_backup(const fs::path& path, const fs::path& target) {
@@ -64,24 +91,20 @@ tl::expected<BackupManifest, std::string> write_backup(const fs::path& path, con
   ProgressBar progress{"backup", "bytes"};
   progress.expect(bytes);
   BackupManifest manifest;
-  const auto copy = [&](std::vector<BackupManifest::File> files,
-                        bool lists) -> tl::expected<void, std::string> {
-    for (BackupManifest::File& file : files) {
-      if (lists_files(file.name) != lists) continue;
-      const auto copied = copy_file(path / file.name, target / file.name, UINT64_MAX, progress);
-      if (!copied) return tl::unexpected{copied.error()};
-      file.bytes = copied->bytes;
-      file.hash = copied->hash;
-      manifest.files.push_back(std::move(file));
+  // A file that the server had given up before its files were held may still go.
+  constexpr int kTries = 10;
+  for (int tries = 1;; ++tries) {
+    auto copied = copy_database(path, target, progress);
+    if (!copied) return tl::unexpected{std::move(copied.error())};
+    if (*copied) {
+      manifest.files = **std::move(copied);
+      break;
     }
-    return {};
-  };
-  // A server may write meanwhile: what says which files there are comes first, so that they are among those
-  // that are copied then.
-  if (const auto copied = copy(*found, true); !copied) return tl::unexpected{copied.error()};
-  const auto rest = database_files(path);
-  if (!rest) return tl::unexpected{rest.error()};
-  if (const auto copied = copy(*rest, false); !copied) return tl::unexpected{copied.error()};
+    if (tries == kTries) return no_backup(path, "its files go while they are copied; try again");
+    fs::remove_all(target / "db", code);
+    fs::create_directories(target / "db", code);
+    if (code) return no_backup(target, code.message());
+  }
   {
     const auto store = ReadOnlyStore::open(target);
     if (!store) return tl::unexpected{store.error()};
