@@ -41,7 +41,8 @@ tl::expected<Command, Exit> read_command_line(int argc, const char* const* argv,
       "--help\" how to make land before they come, \"talusd cluster --help\" how several servers share a "
       "world.\n"
       "SIGTERM or SIGINT ends the server once pending answers are sent; a second signal ends it at once.\n"
-      "Exit status: 0 success, 1 failure, 2 wrong flags, 75 start it again: its store was lost to the cluster.");
+      "Exit status: 0 success, 1 failure, 2 wrong flags, 75 start it again: its store was lost to the "
+      "cluster.");
 
   Command command;
   std::string config_file;

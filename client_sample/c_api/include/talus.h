@@ -121,8 +121,8 @@ typedef struct talus_connect_options {
   uint32_t reconnect_attempts;       /* failures in a row before it gives up; 0: never reconnects */
   uint32_t reconnect_first_delay_ms; /* doubles from failure to failure, each cut at random; default 500 */
   uint32_t reconnect_max_delay_ms;   /* default 10,000 */
-  /* "HOST:PORT,HOST:PORT": other servers of the same world; empty: none. Where one cannot be reached, goes away or
-   * breaks off, the next is tried, and around again. */
+  /* "HOST:PORT,HOST:PORT": other servers of the same world; empty: none. Where one cannot be reached, goes
+   * away or breaks off, the next is tried, and around again. */
   const char* more_servers;
 } talus_connect_options;
 
