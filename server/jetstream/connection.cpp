@@ -242,6 +242,7 @@ tl::expected<void, StreamFailure> Connection::subscribe(const std::string& subje
   natsSubscription* made = nullptr;
   const natsStatus status =
       natsConnection_Subscribe(&made, connection_.get(), subject.c_str(), &Callbacks::message, owned.get());
+  if (status == NATS_CONNECTION_CLOSED) return {};  // refused meanwhile, which its events say
   if (status != NATS_OK) return tl::unexpected{unavailable(fmt::format("NATS: {}", last_words(status)))};
   NatsSubscription subscription{made};
   if (natsSubscription_SetOnCompleteCB(made, &Callbacks::subscription_ended, owned.get()) == NATS_OK) {

@@ -77,7 +77,7 @@ class Connection {
 
   using Handler = std::function<void(const Arrived&)>;
   /// `handler` is called on a thread of its own. What it leaves behind beyond so many messages and bytes is
-  /// dropped. Holds over broken connections.
+  /// dropped. Holds over broken connections. On one that NATS has refused nothing comes: its events say why.
   [[nodiscard]] tl::expected<void, StreamFailure> subscribe(const std::string& subject, Handler handler,
                                                             int pending_messages, int pending_bytes);
   /// Sends, and forgets it: the answer comes to `reply`, if it comes.
