@@ -1,5 +1,7 @@
 #include "regions.h"
 
+#include <algorithm>
+
 #include <talus/vectors/tables.h>
 
 #include "noise/rotated_fbm.h"
@@ -497,14 +499,15 @@ HWY_INLINE ShapeSums<N> summed(const At& at, const RegionShape& shape, bool ridg
   return sums;
 }
 
-/// The land before rivers cut it, and how they would.
+/// The land before rivers cut it, and what decides how they would.
 template <class N>
 struct Uncut {
-  N base, belt, land, flood_plain, mesa, terrace_field, small;
+  N base, belt, plain, toward_hills, land, lifted, mesa, terrace_field, small;
   N river, tributary;
-  N main_share, side_share, main_width, side_width, shallow;
 };
 
+// What adds or takes away nothing at all of a vector's columns is not computed: each `if` here leaves the
+// numbers that the formula under it would give, to the bit.
 template <class At, class N = typename At::Number>
 HWY_INLINE Uncut<N> uncut_at(const At& at, const RegionShape& shape) {
   const N base = at.load(&RegionRow::base);
@@ -513,77 +516,126 @@ HWY_INLINE Uncut<N> uncut_at(const At& at, const RegionShape& shape) {
   const N hills = at.load(&RegionRow::hills);
   const N mesa = at_least(at.load(&RegionRow::mesa), 0);
   const N river = at.load(&RegionRow::river);
-  const ShapeSums<N> sums = summed(at, shape, !none(belt));
+  const bool ridged = !none(belt);
+  const ShapeSums<N> sums = summed(at, shape, ridged);
 
   const N filled = unit(plus(times(sums.hill, 0.45F), 0.5F));
   const N hill = mul(filled, root(filled));
-  const N ridge = at_least(plus(times(sums.ridge, shape.ridge_scale), -0.1F), 0);
-  const N over = at_least(plus(ridge, -0.9F), 0);
-  const N relief = add(at_most(ridge, 0.9F), quotient(over, plus(times(over, 3), 1)));
+  N plain = base;
+  N relief = at.number(0);
+  if (ridged) {
+    const N ridge = at_least(plus(times(sums.ridge, shape.ridge_scale), -0.1F), 0);
+    const N over = at_least(plus(ridge, -0.9F), 0);
+    relief = at_most(ridge, 0.9F);
+    if (!none(over)) relief = add(relief, quotient(over, plus(times(over, 3), 1)));
+    relief = mul(times(belt, shape.range_relief), relief);
+    plain = add(base, times(smooth(belt), shape.range_base));
+  }
 
-  const N plain = add(base, times(smooth(belt), shape.range_base));
   const N above = at_least(plus(plain, -shape.carve[0]), 0);
-  const N lifted = quotient(mul(above, above), plus(above, 20));
-  const N wide = plus(times(ramp(24, 3, base), 0.8F), 0.8F);
-  const N toward_hills = add(plain, times(hills, 0.3F));
-  const float low = shape.carve[1];
-  // Toward its spring a river narrows, and is dry where it is no wider than a brook.
-  const float high = shape.carve[0];
-  const N main_wide = mul(wide, plus(times(ramp(high + 12, high - 28, plain), 0.75F), 0.25F));
-  const N side_wide = mul(wide, plus(times(ramp(low + 12, low - 16, toward_hills), 0.75F), 0.25F));
+  N lifted = at.number(0);
+  if (!none(above)) lifted = quotient(mul(above, above), plus(above, 20));
   const N tributary =
       where_above(river, at.number(0), at.load(&RegionRow::tributary_a), at.load(&RegionRow::tributary_b));
   return {base,
           belt,
-          add(add(plain, mul(hills, hill)), mul(times(belt, shape.range_relief), relief)),
-          plus(lifted, 1.2F),
+          plain,
+          add(plain, times(hills, 0.3F)),
+          add(add(plain, mul(hills, hill)), relief),
+          lifted,
           mesa,
           add(at.load(&RegionRow::terrace), times(sums.small, shape.mesa_roughness)),
           sums.small,
           size_of(river),
-          size_of(tributary),
-          plus(times(ramp(low + 90, low + 30, plain), 0.55F), 0.45F),
-          ramp(low + 28, low, toward_hills),
-          times(main_wide, shape.half_width[0]),
-          times(side_wide, shape.half_width[1]),
-          less(1, times(ramp(0.5F, 6, lifted), 0.7F))};
+          size_of(tributary)};
 }
 
 HWY_INLINE Uncut<RegionVector> value_of(const Uncut<Sloped>& u) {
-  return {u.base.v,          u.belt.v,       u.land.v,       u.flood_plain.v, u.mesa.v,
-          u.terrace_field.v, u.small.v,      u.river.v,      u.tributary.v,   u.main_share.v,
-          u.side_share.v,    u.main_width.v, u.side_width.v, u.shallow.v};
+  return {u.base.v, u.belt.v,          u.plain.v, u.toward_hills.v, u.land.v,     u.lifted.v,
+          u.mesa.v, u.terrace_field.v, u.small.v, u.river.v,        u.tributary.v};
+}
+
+/// A river, or its tributaries, at a column.
+template <class N>
+struct Stream {
+  N share;  // 0 to 1, how much of it there is
+  N width;  // half of it
+};
+constexpr float kWidest = 0.8F + 0.8F;  // of its half width in the spec
+
+// Toward its spring a river narrows, and is dry where it is no wider than a brook.
+template <class N>
+HWY_INLINE N wide_at(const Uncut<N>& u) {
+  return plus(times(ramp(24, 3, u.base), 0.8F), 0.8F);
+}
+template <class N>
+HWY_INLINE Stream<N> main_stream(const Uncut<N>& u, const RegionShape& shape) {
+  const float high = shape.carve[0];
+  const float low = shape.carve[1];
+  const N wide = mul(wide_at(u), plus(times(ramp(high + 12, high - 28, u.plain), 0.75F), 0.25F));
+  return {plus(times(ramp(low + 90, low + 30, u.plain), 0.55F), 0.45F), times(wide, shape.half_width[0])};
+}
+template <class N>
+HWY_INLINE Stream<N> side_stream(const Uncut<N>& u, const RegionShape& shape) {
+  const float low = shape.carve[1];
+  const N wide = mul(wide_at(u), plus(times(ramp(low + 12, low - 16, u.toward_hills), 0.75F), 0.25F));
+  return {ramp(low + 28, low, u.toward_hills), times(wide, shape.half_width[1])};
 }
 
 /// How a river or its tributaries cut the land at a column.
 template <class N>
 struct Cut {
-  N left;  // of what stands over the flood plain: 0 in the bed, 1 outside the valley
-  N bed;   // how deep under the flood plain
+  N left;               // of what stands over the flood plain: 0 in the bed, 1 outside the valley
+  N bed;                // how deep under the flood plain
+  bool near = false;    // of all columns of a vector: else `left` is 1
+  bool in_bed = false;  // else `bed` is 0
 };
 
 template <class N>
 HWY_INLINE bool all_above(N a, N b) {
   return hn::AllTrue(RegionTag{}, hn::Gt(value_of(a), value_of(b)));
 }
-
-/// `share`: 0 to 1, how much of a river there is; `depth`: of its bed, where the river is wide enough;
-/// `widened`: how wide it is at least. What is far from it costs nothing.
 template <class N>
-HWY_INLINE Cut<N> cut_by(N distance, N own_width, N own_valley, N share, N shallow, float depth,
+HWY_INLINE bool all_at_least(N a, float least) {
+  return hn::AllTrue(RegionTag{}, hn::Ge(value_of(a), constant(least)));
+}
+
+/// How far from their middles rivers and tributaries are felt, or further: no column beyond is cut.
+template <class N>
+struct Valleys {
+  N main, side;  // as they are
+  N main_reach, side_reach;
+};
+template <class N>
+HWY_INLINE Valleys<N> valleys_of(const Uncut<N>& u, const RegionShape& shape, float widened) {
+  const N main = plus(times(u.belt, 150), shape.valley[0]);
+  const N side = plus(times(u.belt, 120), shape.valley[1]);
+  if (widened == 0) return {main, side, main, side};
+  const auto at_most = [&](std::size_t i) { return std::max(kWidest * shape.half_width[i], widened); };
+  return {main, side, at_least(main, at_most(0) + 2 * widened), at_least(side, at_most(1) + 2 * widened)};
+}
+
+/// `valley`, `reach`: of Valleys; `depth`: of its bed, where the river is wide enough; `widened`: how wide it
+/// is at least. At the rim of a valley and beyond the flank is 1 without rounding.
+template <class N, class StreamAt>
+HWY_INLINE Cut<N> cut_by(N distance, N own_valley, N reach, const StreamAt& stream_at, N lifted, float depth,
                          float widened) {
-  const N none_of_it = times(share, 0);
+  const N none_of_it = times(distance, 0);
   Cut<N> cut{plus(none_of_it, 1), none_of_it};
-  const N half_width = at_least(own_width, widened);
+  if (all_above(distance, reach)) return cut;
+  const Stream<N> stream = stream_at();
+  const N half_width = at_least(stream.width, widened);
   const N valley = widened == 0 ? own_valley : larger(own_valley, plus(half_width, 2 * widened));
-  if (all_above(distance, valley)) return cut;
   const N t = unit(quotient(sub(distance, half_width), sub(valley, half_width)));
   const N flank = add(times(smooth(t), 0.72F), times(mul(t, t), 0.28F));
-  cut.left = less(1, mul(share, less(1, flank)));
+  cut.near = true;
+  cut.left = less(1, mul(stream.share, less(1, flank)));
   if (all_above(distance, half_width)) return cut;
-  const N deepest = mul(at_most(times(own_width, 0.5F), depth), shallow);
+  const N shallow = less(1, times(ramp(0.5F, 6, lifted), 0.7F));
+  const N deepest = mul(at_most(times(stream.width, 0.5F), depth), shallow);
   const N across = smooth(unit(less(1, quotient(distance, half_width))));
-  cut.bed = mul(mul(share, deepest), across);
+  cut.in_bed = true;
+  cut.bed = mul(mul(stream.share, deepest), across);
   return cut;
 }
 
@@ -596,25 +648,41 @@ struct Height {
 
 template <class N>
 HWY_INLINE Height<N> cut(const Uncut<N>& u, const RegionShape& shape, float widened) {
-  const Cut<N> main = cut_by(u.river, u.main_width, plus(times(u.belt, 150), shape.valley[0]), u.main_share,
-                             u.shallow, shape.bed + 1.2F, widened);
-  const Cut<N> side = cut_by(u.tributary, u.side_width, plus(times(u.belt, 120), shape.valley[1]),
-                             u.side_share, u.shallow, 0.8F * shape.bed + 1.2F, widened);
-  const N left = mul(main.left, side.left);
-  const N carved = add(u.flood_plain, mul(sub(u.land, u.flood_plain), left));
-  N height = where_above(u.land, u.flood_plain, carved, u.land);
-  N terraces = times(left, 0);
+  const Valleys<N> valleys = valleys_of(u, shape, widened);
+  const Cut<N> main = cut_by(
+      u.river, valleys.main, valleys.main_reach, [&]() HWY_ATTR { return main_stream(u, shape); }, u.lifted,
+      shape.bed + 1.2F, widened);
+  const Cut<N> side = cut_by(
+      u.tributary, valleys.side, valleys.side_reach, [&]() HWY_ATTR { return side_stream(u, shape); },
+      u.lifted, 0.8F * shape.bed + 1.2F, widened);
+  const bool near = main.near || side.near;
+  const N flood_plain = plus(u.lifted, 1.2F);
+  N over = sub(u.land, flood_plain);
+  N left = main.left;
+  if (near) {
+    left = mul(main.left, side.left);
+    over = mul(over, left);
+  }
+  N height = where_above(u.land, flood_plain, add(flood_plain, over), u.land);
+  N terraces = times(u.land, 0);
   if (!none(u.mesa)) {
     // A valley lowers the field of the terraces, not the land: so canyons are stepped.
-    const N field = plus(sub(u.terrace_field, times(less(1, unit(times(left, 1.15F))), 0.6F)), 0.1F);
+    N field = plus(u.terrace_field, 0.1F);
+    if (near) field = plus(sub(u.terrace_field, times(less(1, unit(times(left, 1.15F))), 0.6F)), 0.1F);
     terraces = on_spline(shape.terraces, field);
-    height = add(height, mul(mul(times(u.mesa, shape.mesa_height), terraces), smooth(unit(times(left, 4)))));
+    N stepped = mul(times(u.mesa, shape.mesa_height), terraces);
+    if (near) stepped = mul(stepped, smooth(unit(times(left, 4))));
+    height = add(height, stepped);
   }
   // The floor of the sea has none.
-  height = sub(height, mul(larger(main.bed, side.bed), ramp(-9, -1, u.land)));
+  if (main.in_bed || side.in_bed) {
+    height = sub(height, mul(larger(main.bed, side.bed), ramp(-9, -1, u.land)));
+  }
   // Beaches: at the shore the land is flatter.
-  const N from_shore = unit(times(size_of(height), 1.0F / 7));
-  height = mul(height, plus(times(smooth(from_shore), 0.7F), 0.3F));
+  const N from_shore = times(size_of(height), 1.0F / 7);
+  if (!all_at_least(from_shore, 1)) {
+    height = mul(height, plus(times(smooth(unit(from_shore)), 0.7F), 0.3F));
+  }
   return {height, terraces, u.small};
 }
 
@@ -665,8 +733,11 @@ void compose_sloped(const SlopedRegionRow& row, const RegionShape& shape, float 
     const auto slope =
         times(hn::Add(hn::Abs(at.height.x), hn::Abs(at.height.z)), kRounder * shape.subvoxels_a_unit);
     hn::StoreU(talus::HWY_NAMESPACE::round_to_even(f, hn::Min(slope, steepest)), ints, slopes_fx + i);
-    const auto seen = cut(value_of(uncut), shape, widened);
-    store_height(seen.height, shape, highest_fx, heights_fx + i);
+    const auto plain = value_of(uncut);
+    const auto valleys = valleys_of(plain, shape, widened);
+    const bool far =
+        all_above(plain.river, valleys.main_reach) && all_above(plain.tributary, valleys.side_reach);
+    store_height(far ? at.height.v : cut(plain, shape, widened).height, shape, highest_fx, heights_fx + i);
   }
 }
 

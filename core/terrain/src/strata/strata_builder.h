@@ -2,7 +2,6 @@
 // core/terrain.
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -37,8 +36,8 @@ class StrataBuilder {
     start(xs, zs, limit_fx, extent, planes);
     while (pending()) step();
   }
-  /// The same in pieces, a layer or a deformation each; all that is passed must live until pending() is
-  /// false.
+  /// The same in pieces, a layer of a band of rows, all layers of a narrow one, or a deformation each; all
+  /// that is passed must live until pending() is false.
   void start(std::span<const std::int64_t> xs, std::span<const std::int64_t> zs, const Field& limit_fx,
              Extent extent, Planes& planes);
   [[nodiscard]] bool pending() const { return pending_; }
@@ -46,11 +45,32 @@ class StrataBuilder {
   void step();
 
  private:
+  struct Layer {
+    std::size_t plane = 0;  // layers of one material that follow each other are one
+    Fbm noise;
+    LayerShape shape;
+    bool slow = false;  // its noise is drawn at some rows, and interpolated
+  };
+  /// A row's place among the lines at which slow noise is drawn.
+  struct BetweenLines {
+    std::size_t north = 0;
+    float share = 0;  // of the way to the next; 0: on the line
+  };
+  /// A slow layer's noise at all lines.
+  struct LinesOfLayer {
+    bool drawn = false;
+    AlignedVector<float> noise;
+  };
+
+  void find_lines();
   void start_layers(const Field& limit_fx);
+  void start_band(std::size_t first);
+  void step_band();
   void add_layer();
+  void draw_lines(LinesOfLayer& lines);
   /// Puts the layer on row z. Whether a column of it has not reached the limit.
-  bool stack_row(std::size_t z, const LayerShape& shape, const Field& below, Field& top);
-  [[nodiscard]] const float* sampled_row(std::int64_t z);
+  bool stack_row(std::size_t z, const LinesOfLayer* lines);
+  void fill_plane(std::size_t plane);
   void lift();
 
   const World& world_;
@@ -62,22 +82,26 @@ class StrataBuilder {
   Extent extent_ = Extent::all;
   Planes* planes_ = nullptr;
   std::size_t deformation_ = 0;  // whose turn it is
+  std::size_t band_ = 0;         // its first row: all its layers are stacked before the next rows
+  std::size_t band_end_ = 0;
+  std::size_t band_depth_ = 0;
   std::size_t layer_ = 0;
-  bool full_ = false;  // every column has reached the limit
-  Field lift_;         // of the strata by all deformations
-  Field reach_;        // of the strata above that: the limit less the lift
+  bool full_ = false;                         // every column of the band has reached the limit
+  std::vector<std::size_t> planes_of_bands_;  // how many each has filled
+  std::size_t filled_ = 0;                    // planes that have all their rows
+  Field lift_;                                // of the strata by all deformations
+  Field reach_;                               // of the strata above that: the limit less the lift
   FbmRows noise_;
-  bool between_rows_ = false;  // the layer's noise is drawn at some rows, and interpolated
-  struct SampledRow {
-    bool drawn = false;
-    std::int64_t z = 0;
-    AlignedVector<float> noise;
-  };
-  std::array<SampledRow, 2> sampled_rows_;
+  std::vector<Layer> layers_;  // of the world
+  std::vector<std::int64_t> lines_;
+  std::vector<BetweenLines> rows_;
+  bool keeps_lines_ = false;
+  std::vector<LinesOfLayer> kept_;  // of all layers, or of the one whose turn it is
   const StrataKernels& kernels_;
   std::vector<std::uint8_t> open_rows_;      // 1 where a row has not reached the limit everywhere
   std::vector<std::uint8_t> open_segments_;  // and where kSegment columns of it have not
-  Field ground_;                             // what the current layer lies on, where no plane holds it
+  std::vector<std::int32_t> level_;          // a row of zeros, on which the first layer lies
+  std::vector<std::int32_t> under_;          // a row of what a layer lies on where that is its own plane
 };
 
 }  // namespace talus::terrain
