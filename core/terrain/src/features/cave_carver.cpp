@@ -117,9 +117,11 @@ void CaveCarver::judge_row(int z, const Field& height) {
   const auto surface = surface_.row(z);
   const auto rock_row = rock_row_.row(z);
   const auto from = height.row(z + shore_).subspan(static_cast<std::size_t>(shore_), surface.size());
+  const int level = region_.lod.value();
+  const std::int32_t loose_fx = loose_fx_;
   for (std::size_t x = 0; x < surface.size(); ++x) {
-    surface[x] = from[x] >> region_.lod.value();
-    rock_row[x] = boundary_row(surface[x] - loose_fx_);
+    surface[x] = from[x] >> level;
+    rock_row[x] = boundary_row(surface[x] - loose_fx);
   }
   std::fill(roof_row_.row(z).begin(), roof_row_.row(z).end(), kFarBelow);
   const auto roof = roof_.row(z);

@@ -66,23 +66,32 @@ void look(std::span<const Places::Case> cases, std::span<const float* const> qua
   });
 }
 
-ValueRange range(const float* values, std::size_t width) {
-  const PlaceTag f;
-  const std::size_t lanes = hn::Lanes(f);
-  auto low = hn::Set(f, values[0]);
+template <class Value>
+HWY_INLINE ValueRange range_of(const Value* values, std::size_t width) {
+  const hn::ScalableTag<Value> d;
+  const std::size_t lanes = hn::Lanes(d);
+  auto low = hn::Set(d, values[0]);
   auto high = low;
   std::size_t i = 0;
   for (; i + lanes <= width; i += lanes) {
-    const auto value = hn::LoadU(f, values + i);
+    const auto value = hn::LoadU(d, values + i);
     low = hn::Min(low, value);
     high = hn::Max(high, value);
   }
-  ValueRange range{hn::GetLane(hn::MinOfLanes(f, low)), hn::GetLane(hn::MaxOfLanes(f, high))};
+  Value least = hn::GetLane(hn::MinOfLanes(d, low));
+  Value most = hn::GetLane(hn::MaxOfLanes(d, high));
   for (; i < width; ++i) {
-    range.low = std::min(range.low, values[i]);
-    range.high = std::max(range.high, values[i]);
+    least = std::min(least, values[i]);
+    most = std::max(most, values[i]);
   }
-  return range;
+  return {static_cast<float>(least), static_cast<float>(most)};
+}
+
+ValueRange range(const float* values, std::size_t width) {
+  return range_of(values, width);
+}
+ValueRange range_of_int32(const std::int32_t* values, std::size_t width) {
+  return range_of(values, width);
 }
 
 void keep(std::uint64_t wanted, const std::uint8_t* looks, const std::int32_t* share, std::size_t width,
@@ -129,7 +138,7 @@ void thin_by_int32(const Places::Ramp& ramp, const std::int32_t* values, const s
 
 }  // namespace
 
-constexpr PlaceKernels kPlaces{climate, jitter, look, range, keep, thin, thin_by_int32};
+constexpr PlaceKernels kPlaces{climate, jitter, look, range, range_of_int32, keep, thin, thin_by_int32};
 
 }  // namespace talus::terrain::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

@@ -36,6 +36,8 @@ struct PlaceKernels {
                std::size_t width, std::uint8_t* looks);
   /// REQUIRES width > 0.
   ValueRange (*range)(const float* values, std::size_t width);
+  /// The same of integers less than 2^24 either way.
+  ValueRange (*range_of_int32)(const std::int32_t* values, std::size_t width);
   /// kept = share where bit looks[i] of `wanted` is set, else 0.
   void (*keep)(std::uint64_t wanted, const std::uint8_t* looks, const std::int32_t* share, std::size_t width,
                std::int32_t* kept);

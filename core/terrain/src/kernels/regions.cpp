@@ -223,7 +223,7 @@ void distances(const SlopedRow& noise, const Stretch& east, const Stretch& south
 
 template <class N>
 struct Land {
-  N base, belt, hills, mesa, terrace, temperature, moisture;
+  N base, belt, hills, mesa, temperature, moisture;
 };
 
 /// `field(of)` is what a field says, made uniform.
@@ -247,18 +247,17 @@ HWY_INLINE Land<N> laid(const SlowFields& fields, const Field& field) {
           belt,
           mul(mul(hills, less(1, times(mesa, 0.55F))), less(1, times(belt, 0.5F))),
           mesa,
-          field(fields.mesas, &SlowNoises::mesas),
           temperature,
           moisture};
 }
 
 using LandRow = float* SlowLand::*;
-constexpr std::array<LandRow, 5> kShapingRows{&SlowLand::base, &SlowLand::belt, &SlowLand::hills,
-                                              &SlowLand::mesa, &SlowLand::terrace};
+constexpr std::array<LandRow, 4> kShapingRows{&SlowLand::base, &SlowLand::belt, &SlowLand::hills,
+                                              &SlowLand::mesa};
 
 template <class N>
-HWY_INLINE std::array<N, 5> shaping(const Land<N>& land) {
-  return {land.base, land.belt, land.hills, land.mesa, land.terrace};
+HWY_INLINE std::array<N, 4> shaping(const Land<N>& land) {
+  return {land.base, land.belt, land.hills, land.mesa};
 }
 
 void lay(const SlowNoises& noises, const SlowFields& fields, std::size_t width, const SlowLand& out) {
@@ -748,10 +747,24 @@ void equalize(const Equalizer& equalizer, const float* noise, std::size_t width,
   }
 }
 
+void equalize_sloped(const Equalizer& equalizer, const SlopedRow& noise, std::size_t width,
+                     const SlopedOut& out) {
+  const RegionTag f;
+  for (std::size_t i = 0; i < width; i += hn::Lanes(f)) {
+    const Sloped uniform = equalized(
+        equalizer,
+        Sloped{hn::LoadU(f, noise.value + i), hn::LoadU(f, noise.east + i), hn::LoadU(f, noise.south + i)});
+    hn::StoreU(uniform.v, f, out.value + i);
+    hn::StoreU(uniform.x, f, out.east + i);
+    hn::StoreU(uniform.z, f, out.south + i);
+  }
+}
+
 }  // namespace
 
-constexpr RegionKernels kRegions{displace,    distances, lay,     lay_sloped,     bend,
-                                 blend_lines, spread,    compose, compose_sloped, equalize};
+constexpr RegionKernels kRegions{displace,       distances, lay,     lay_sloped,     bend,
+                                 blend_lines,    spread,    compose, compose_sloped, equalize,
+                                 equalize_sloped};
 
 }  // namespace talus::terrain::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

@@ -48,7 +48,6 @@ struct SlowNoises {
   const float* continents = nullptr;
   const float* ranges = nullptr;
   const float* hilliness = nullptr;
-  const float* mesas = nullptr;
   const float* temperature = nullptr;
   const float* moisture = nullptr;
 };
@@ -59,7 +58,6 @@ struct SlowLand {
   float* belt = nullptr;
   float* hills = nullptr;
   float* mesa = nullptr;
-  float* terrace = nullptr;
   float* temperature = nullptr;
   float* moisture = nullptr;
 };
@@ -123,6 +121,8 @@ struct RegionKernels {
                          std::int32_t* slopes_fx, const RegionDetails& details);
   /// A noise made uniform.
   void (*equalize)(const Equalizer& equalizer, const float* noise, std::size_t width, float* out);
+  void (*equalize_sloped)(const Equalizer& equalizer, const SlopedRow& noise, std::size_t width,
+                          const SlopedOut& out);
 };
 
 [[nodiscard]] const RegionKernels& region_kernels(InstructionSet set);

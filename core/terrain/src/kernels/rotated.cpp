@@ -58,16 +58,21 @@ HWY_INLINE Place place_of(const At& at, std::size_t i) {
 }
 
 template <int kBits>
-HWY_INLINE hn::Vec<Floats> odd_number(hn::Vec<Words> bits) {
+HWY_INLINE hn::Vec<Integers> odd_integer(hn::Vec<Words> bits) {
   const auto number = hn::ShiftRight<32 - kBits>(hn::BitCast(Integers{}, bits));
-  return hn::ConvertTo(Floats{}, hn::Or(number, hn::Set(Integers{}, 1)));
+  return hn::Or(number, hn::Set(Integers{}, 1));
+}
+template <int kBits>
+HWY_INLINE hn::Vec<Floats> odd_number(hn::Vec<Words> bits) {
+  return hn::ConvertTo(Floats{}, odd_integer<kBits>(bits));
 }
 
 HWY_INLINE Corner corner_of(hn::Vec<Words> u_hash, hn::Vec<Words> turned_v_hash) {
   const Floats f;
   const auto hash = mixed(hn::Xor(u_hash, turned_v_hash));
   const auto unit = hn::Set(f, kGradientUnit);
-  const auto value = hn::Add(odd_number<5>(hn::ShiftLeft<22>(hash)), odd_number<5>(hn::ShiftLeft<27>(hash)));
+  const auto value = hn::ConvertTo(
+      f, hn::Add(odd_integer<5>(hn::ShiftLeft<22>(hash)), odd_integer<5>(hn::ShiftLeft<27>(hash))));
   return {hn::Mul(odd_number<11>(hash), unit), hn::Mul(odd_number<11>(hn::ShiftLeft<11>(hash)), unit),
           hn::Mul(value, hn::Set(f, kValueUnit))};
 }
@@ -280,19 +285,26 @@ void add_displaced(const RotatedOctave& octave, const Displacements& displaced, 
   const hn::Rebind<std::int32_t, Positions> half;
   const auto du = hn::Set(p, octave.lattice->du);
   const auto dv = hn::Set(p, octave.lattice->dv);
-  const auto far = [&](const std::int32_t* distances, std::size_t i)
-                       HWY_ATTR { return hn::BitCast(p, hn::PromoteTo(s, hn::LoadU(half, distances + i))); };
+  // Both have 31 bits and a sign: P >= 2^(k+1) bounds du and dv.
+  const auto product = [&](auto step, const std::int32_t* distances, std::size_t i) HWY_ATTR {
+    const auto far = hn::PromoteTo(s, hn::LoadU(half, distances + i));
+#if HWY_TARGET == HWY_SCALAR
+    return hn::Mul(step, hn::BitCast(p, far));
+#else
+    return hn::BitCast(p, hn::MulEven(hn::BitCast(Integers{}, step), hn::BitCast(Integers{}, far)));
+#endif
+  };
   // To columns from 2^-8 of them, rounded down.
   const auto moved = [&](auto sum)
                          HWY_ATTR { return hn::BitCast(p, hn::ShiftRight<8>(hn::BitCast(s, sum))); };
   add_octave<kSlopes>(
       octave,
       [&](std::size_t i) HWY_ATTR {
-        const auto by = hn::Add(hn::Mul(du, far(displaced.east, i)), hn::Mul(dv, far(displaced.south, i)));
+        const auto by = hn::Add(product(du, displaced.east, i), product(dv, displaced.south, i));
         return hn::Add(hn::Add(hn::LoadU(p, octave.u + i), hn::Set(p, octave.row_u)), moved(by));
       },
       [&](std::size_t i) HWY_ATTR {
-        const auto by = hn::Sub(hn::Mul(du, far(displaced.south, i)), hn::Mul(dv, far(displaced.east, i)));
+        const auto by = hn::Sub(product(du, displaced.south, i), product(dv, displaced.east, i));
         return hn::Add(hn::Add(hn::LoadU(p, octave.v + i), hn::Set(p, octave.row_v)), moved(by));
       },
       width, out);

@@ -260,17 +260,10 @@ void Aprons::near_walls(const Field& slope, int margin, const ApronNumbers& numb
   }
   const int halo = cliff_halo(numbers);
   const int ring = margin - halo;
-  walls_.reshape(slope.width - 2 * ring, slope.depth - 2 * ring);
-  for (int z = 0; z < walls_.depth; ++z) {
-    const std::int32_t* const from = slope.row(z + ring).data() + ring;
-    std::transform(from, from + walls_.width, walls_.row(z).begin(),
-                   [&](std::int32_t rise) { return rise > numbers.wall_fx ? 0 : kCliff; });
-  }
-  if (std::find(walls_.values.begin(), walls_.values.end(), 0) == walls_.values.end()) {
+  if (!distances_.start_at_walls(slope, ring, numbers.wall_fx, kCliff)) {
     std::fill(cliff.values.begin(), cliff.values.end(), 0);
     return;
   }
-  distances_.start(walls_);
   const std::int32_t straight = (kCliff + numbers.cliff_reach - 1) / numbers.cliff_reach;
   distances_.settle(Rise{straight, along_diagonal(straight)});
   for (int z = 0; z < cliff.depth; ++z) {

@@ -80,7 +80,6 @@ class Aprons {
   Field means_;
   Field floor_;
   Field surface_;
-  Field walls_;
   std::vector<ColumnRange> active_;  // of each row: where walls are, then where aprons may have come
   std::vector<ColumnRange> spread_;
   int first_ = 0;  // rows among which all walls are, to before the last

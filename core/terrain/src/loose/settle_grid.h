@@ -25,6 +25,9 @@ class SettleGrid {
              std::int32_t max_slope_fx);
   /// Any field of 0 to 2^20 instead.
   void start(const Field& thickness);
+  /// 0 in walls, columns of `slope` less its outermost `ring` that are steeper than `wall_fx`; `elsewhere` in
+  /// others. Whether there are any.
+  bool start_at_walls(const Field& slope, int ring, std::int32_t wall_fx, std::int32_t elsewhere);
   /// May change the type of the cells, as a steep repose needs wide ones.
   void settle(std::int32_t repose_fx) { settle(Rise{repose_fx, repose_fx}); }
   void settle(Rise rise);
@@ -40,6 +43,9 @@ class SettleGrid {
   }
 
  private:
+  template <class Cell>
+  static bool set_walls(const Field& slope, int ring, std::int32_t wall_fx, std::int32_t elsewhere,
+                        const PaddedRows<Cell>& rows);
   void reshape(int width, int depth, std::int32_t max_fx);
   void widen();
 

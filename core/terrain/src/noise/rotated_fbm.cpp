@@ -102,10 +102,22 @@ void RotatedFbm::place(std::int64_t z) {
 }
 
 SlopedRow RotatedFbm::sloped_row(std::int64_t z, const Displacements& displaced) {
+  return sloped_part(z, displaced, 0, width_);
+}
+
+SlopedRow RotatedFbm::sloped_part(std::int64_t z, const Displacements& displaced, std::size_t first,
+                                  std::size_t last) {
   east_.resize(padded(width_));
   south_.resize(padded(width_));
   place(z);
-  kernels_->sum(placed_.data(), count_, displaced, width_, {noise_.data(), east_.data(), south_.data()});
+  for (RotatedOctave& octave : placed_) {
+    octave.u += first;
+    octave.v += first;
+  }
+  Displacements here = displaced;
+  if (here.east != nullptr) here = {displaced.east + first, displaced.south + first};
+  kernels_->sum(placed_.data(), count_, here, last - first,
+                {noise_.data() + first, east_.data() + first, south_.data() + first});
   return {noise_.data(), east_.data(), south_.data()};
 }
 

@@ -51,6 +51,10 @@ class RotatedFbm {
   /// The sum of all octaves at (xs[i], z), or displaced from there, valid until the next call.
   [[nodiscard]] const float* row(std::int64_t z, const Displacements& displaced = {});
   [[nodiscard]] SlopedRow sloped_row(std::int64_t z, const Displacements& displaced = {});
+  /// The same of columns `first` <= i < `last` alone, at those indices; `first` a multiple of kMaxLanes, and
+  /// of others what it was.
+  [[nodiscard]] SlopedRow sloped_part(std::int64_t z, const Displacements& displaced, std::size_t first,
+                                      std::size_t last);
   /// Octave k alone, by weight 1, into rows of the caller's.
   void octave(int k, std::int64_t z, const RotatedSums& out, const Displacements& displaced = {});
 

@@ -25,6 +25,7 @@ PlaceFields::PlaceFields(std::shared_ptr<const Places> places, std::int32_t sea_
   }
   for (const Places::Share& share : places_->shares) {
     for (const Places::Ramp& ramp : share.early) asked_.push_back(ramp.quantity);
+    late_ = late_ || !share.late.empty();
   }
   std::sort(asked_.begin(), asked_.end());
   asked_.erase(std::unique(asked_.begin(), asked_.end()), asked_.end());
@@ -135,7 +136,7 @@ GroundTile::Values<Value> tile_values(const Row& row) {
     for (std::size_t k = 0; k < kSide; ++k) differs |= from[k] ^ first;
   }
   if (differs == 0) return values;
-  values.each = std::make_unique<GroundTile::Columns<Value>>();
+  values.each = std::make_unique_for_overwrite<GroundTile::Columns<Value>>();
   for (int z = 0; z < kGroundTileSide; ++z) {
     const auto* const from = row(z);
     Value* const to = &(*values.each)[kSide * static_cast<std::size_t>(z)];
@@ -201,23 +202,34 @@ void PlaceFields::take(int x, int z, const GroundTile& tile) {
   }
 }
 
+// Most rows are nowhere as steep as a ramp begins, or near no cliff; what a ramp leaves whole is not touched.
 void PlaceFields::thin_late(const Field& slope, const Field* cliff) {
-  for (std::size_t i = 0; i < shares_.size(); ++i) {
-    Field& share = shares_[i];
-    if (share.values.empty()) continue;
-    const auto width = static_cast<std::size_t>(share.width);
-    for (int z = 0; z < share.depth; ++z) {
-      if (any_[i][static_cast<std::size_t>(z)] == 0) std::fill(share.row(z).begin(), share.row(z).end(), 0);
-    }
-    for (const Places::Ramp& ramp : places_->shares[i].late) {
-      const bool by_slope = ramp.quantity == number_of(Quantity::slope);
-      if (!by_slope && cliff == nullptr) continue;
-      for (int z = 0; z < share.depth; ++z) {
-        if (any_[i][static_cast<std::size_t>(z)] == 0) continue;
-        std::copy_n(share.row(z).begin(), width, share_.begin());
+  for (int z = 0; z < depth_; ++z) {
+    const auto row = static_cast<std::size_t>(z);
+    const auto width = static_cast<std::size_t>(width_);
+    ValueRange slopes;
+    ValueRange cliffs;
+    if (late_) slopes = kernels_.range_of_int32(slope.row(z).data(), width);
+    if (late_ && cliff != nullptr) cliffs = kernels_.range_of_int32(cliff->row(z).data(), width);
+    for (std::size_t i = 0; i < shares_.size(); ++i) {
+      if (shares_[i].values.empty()) continue;
+      const auto share = shares_[i].row(z);
+      bool any = any_[i][row] != 0;
+      for (const Places::Ramp& ramp : places_->shares[i].late) {
+        const bool by_slope = ramp.quantity == number_of(Quantity::slope);
+        if (!any || (!by_slope && cliff == nullptr)) continue;
+        const ValueRange& range = by_slope ? slopes : cliffs;
+        // A ramp is monotone, and so is its rounding: its ends bound what it leaves.
+        const float at_low = ramp.at(range.low);
+        const float at_high = ramp.at(range.high);
+        if (at_low >= 1 && at_high >= 1) continue;
+        any = at_low > 0 || at_high > 0;
+        if (!any) continue;
+        std::copy_n(share.begin(), width, share_.begin());
         kernels_.thin_by_int32(ramp, (by_slope ? slope : *cliff).row(z).data(), share_.data(), width,
-                               share.row(z).data());
+                               share.data());
       }
+      if (!any) std::fill(share.begin(), share.end(), 0);
     }
   }
 }

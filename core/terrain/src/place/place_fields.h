@@ -53,6 +53,7 @@ class PlaceFields {
   int depth_ = 0;
   std::vector<QuantityNumber> asked_;  // that looks and early ramps ask for
   std::vector<ValueRange> ranges_;     // of a row
+  bool late_ = false;                  // whether any share has ramps of slope or cliff
   NarrowedCases narrowed_;
   std::vector<LookField> looks_;
   std::vector<Field> shares_;

@@ -127,7 +127,7 @@ void Ground::take_tile(int tile_x, int tile_z, const GroundTile& tile) {
 void Ground::keep_tiles(const Block& block, int first) {
   const int z = block.z + first;
   for (int x = block.x; x < block.x + block.width; x += kGroundTileSide) {
-    auto tile = std::make_shared<GroundTile>();
+    auto tile = std::make_shared_for_overwrite<GroundTile>();
     if (knows_slopes_) tile->slopes_fx.resize(1);
     for (int row = 0; row < kGroundTileSide; ++row) {
       const auto to = static_cast<std::size_t>(row * kGroundTileSide);

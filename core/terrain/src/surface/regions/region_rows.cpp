@@ -7,13 +7,23 @@
 #include "noise/lattice_place.h"
 
 namespace talus::terrain {
+namespace {
+
+/// Or the land hardly rises by it: nobody asks how it rises itself.
+bool shapes_land(std::size_t slow) {
+  return slow < kSlowCount && slow != static_cast<std::size_t>(Slow::temperature) &&
+         slow != static_cast<std::size_t>(Slow::moisture);
+}
+
+}  // namespace
+
 RegionRows::RegionRows(const Surface& surface, InstructionSet set)
     : regions_{surface.regions},
       places_{surface.places},
       highest_fx_{surface.highest_fx},
       kernels_{&region_kernels(set)},
       place_kernels_{&place_kernels(set)},
-      lines_{regions_->slow, regions_->shape, set},
+      lines_{regions_->slow, regions_->shape, regions_->at_columns, set},
       shape_{set},
       border_{set},
       spread_(kSlowCount + regions_->slow.others.size()),
@@ -72,7 +82,7 @@ void RegionRows::begin(std::span<const std::int64_t> xs, bool at_samples, bool s
 void RegionRows::spread_row(std::int64_t z) {
   if (sloped_ && at_samples_) return copy_sloped_line(z);
   blend_lines(z);
-  const auto rises = [&](std::size_t slow) { return sloped_ && slow < kSlowCount; };
+  const auto rises = [&](std::size_t slow) { return sloped_ && shapes_land(slow); };
   for (std::size_t slow = 0; slow < spread_.size(); ++slow) {
     between_.row(*kernels_, blended_[slow].data(), spread_[slow].data(),
                  rises(slow) ? rises_[0][slow].data() : nullptr);
@@ -97,7 +107,7 @@ void RegionRows::blend_lines(std::int64_t z) {
     const auto line = [&](std::size_t k) { return (*lines[k])[slow].data(); };
     const std::array<const float*, 4> four{line(0), line(1), line(2), line(3)};
     kernels_->blend({four, shares}, samples, blended_[slow].data());
-    if (sloped_ && slow < kSlowCount) kernels_->blend({four, rises}, samples, rising_[slow].data());
+    if (sloped_ && shapes_land(slow)) kernels_->blend({four, rises}, samples, rising_[slow].data());
   }
 }
 
@@ -106,7 +116,7 @@ void RegionRows::copy_sloped_line(std::int64_t z) {
   const SlopedLine& line = lines_.at(z);
   for (std::size_t slow = 0; slow < spread_.size(); ++slow) {
     std::copy_n(line.values[slow].data(), width_, spread_[slow].data());
-    if (slow >= kSlowCount) continue;
+    if (!shapes_land(slow)) continue;
     std::copy_n(line.east[slow].data(), width_, rises_[0][slow].data());
     std::copy_n(line.south[slow].data(), width_, rises_[1][slow].data());
   }

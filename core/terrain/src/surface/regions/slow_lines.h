@@ -28,7 +28,7 @@ struct SlopedLine {
 /// Keeps the last lines. For one thread at a time.
 class SlowLines {
  public:
-  SlowLines(const SlowFields& fields, const RotatedNoise& shape, InstructionSet set);
+  SlowLines(const SlowFields& fields, const RotatedNoise& shape, const RegionShape& land, InstructionSet set);
 
   /// From here on lines are of these samples: ascending base columns, multiples of kSampleStep.
   void start(std::span<const std::int64_t> samples, bool sloped);
@@ -56,9 +56,14 @@ class SlowLines {
   void draw(std::int64_t z, SlopedLine& line);
   void lay(std::int64_t z, SlopedLine& line);
   void lay_sloped(std::int64_t z, SlopedLine& line);
+  void draw_rivers(std::int64_t z, SlopedLine& line);
+  void draw_rivers_in_parts(std::int64_t z, SlopedLine& line);
+  void draw_terraces_in_parts(std::int64_t z, SlopedLine& line);
+  void draw_shape(std::int64_t z, SlopedLine& line);
 
   const SlowFields& fields_;
   const RotatedNoise& shape_noise_;
+  const RegionShape& land_;
   const RegionKernels* kernels_;
   std::size_t width_ = 0;
   bool sloped_ = false;
@@ -68,7 +73,7 @@ class SlowLines {
   std::vector<RotatedFbm> others_;
   Warp east_;
   Warp south_;
-  std::array<std::array<AlignedVector<float>, 2>, 6> bent_;  // derivatives of the six fields
+  std::array<std::array<AlignedVector<float>, 2>, 5> bent_;  // derivatives of a field
   AlignedVector<float> level_;                               // of those that are taken for level
   std::array<Line, 4> lines_;
 };
