@@ -66,6 +66,30 @@ void look(std::span<const Places::Case> cases, std::span<const float* const> qua
   });
 }
 
+std::uint64_t present(const std::uint8_t* looks, std::size_t width) {
+  const hn::ScalableTag<std::uint32_t> words;
+  const hn::Rebind<std::uint8_t, decltype(words)> bytes;
+  const std::size_t lanes = hn::Lanes(words);
+  auto low = hn::Zero(words);
+  auto high = low;
+  std::size_t i = 0;
+  for (; i + lanes <= width; i += lanes) {
+    const auto look = hn::PromoteTo(words, hn::LoadU(bytes, looks + i));
+    const auto bit = hn::Shl(hn::Set(words, 1), hn::And(look, hn::Set(words, 31)));
+    const auto past = hn::Gt(look, hn::Set(words, 31));
+    low = hn::Or(low, hn::IfThenZeroElse(past, bit));
+    high = hn::Or(high, hn::IfThenElseZero(past, bit));
+  }
+  std::uint32_t lows[hn::MaxLanes(hn::ScalableTag<std::uint32_t>{})];
+  std::uint32_t highs[hn::MaxLanes(hn::ScalableTag<std::uint32_t>{})];
+  hn::StoreU(low, words, lows);
+  hn::StoreU(high, words, highs);
+  std::uint64_t all = 0;
+  for (std::size_t k = 0; k < lanes; ++k) all |= std::uint64_t{highs[k]} << 32 | lows[k];
+  for (; i < width; ++i) all |= std::uint64_t{1} << looks[i];
+  return all;
+}
+
 template <class Value>
 HWY_INLINE ValueRange range_of(const Value* values, std::size_t width) {
   const hn::ScalableTag<Value> d;
@@ -138,7 +162,8 @@ void thin_by_int32(const Places::Ramp& ramp, const std::int32_t* values, const s
 
 }  // namespace
 
-constexpr PlaceKernels kPlaces{climate, jitter, look, range, range_of_int32, keep, thin, thin_by_int32};
+constexpr PlaceKernels kPlaces{climate,        jitter, look, present,      range,
+                               range_of_int32, keep,   thin, thin_by_int32};
 
 }  // namespace talus::terrain::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

@@ -34,6 +34,8 @@ struct PlaceKernels {
   /// The look of the first case that holds, or 0. `quantities[q]` is a row of quantity q.
   void (*look)(std::span<const Places::Case> cases, std::span<const float* const> quantities,
                std::size_t width, std::uint8_t* looks);
+  /// Which of 64 looks a row has: bit k where look k.
+  std::uint64_t (*present)(const std::uint8_t* looks, std::size_t width);
   /// REQUIRES width > 0.
   ValueRange (*range)(const float* values, std::size_t width);
   /// The same of integers less than 2^24 either way.

@@ -22,18 +22,19 @@ using talus::HWY_NAMESPACE::round_to_even;
 
 /// `noise.with<kVectors>(f, at, use)` calls use(v, noise of vector v from column `at` on).
 template <class Noise>
-HWY_INLINE bool stack_by(const Noise& noise_of, const LayerShape& shape, std::size_t width,
+HWY_INLINE bool stack_by(const Noise noise_of, const LayerShape& shape, std::size_t width,
                          const std::int32_t* limit, const std::int32_t* below, std::uint8_t* open,
                          std::int32_t* top) {
   // Whether kVectors vectors of columns from `at` on have reached the limit.
-  const auto stack_at = [=, &noise_of, &shape]<std::size_t kVectors>(auto f, std::size_t at) HWY_ATTR {
+  // By value, as the compiler cannot tell that what is stored is not of the shape.
+  const auto stack_at = [=, own = shape]<std::size_t kVectors>(auto f, std::size_t at) HWY_ATTR {
     const hn::RebindToSigned<decltype(f)> d;
     auto missing = hn::Zero(d);  // less than 0 where the limit is not reached
     noise_of.template with<kVectors>(f, at, [&](std::size_t v, auto noise) HWY_ATTR {
       const std::size_t x = at + v * hn::Lanes(d);
-      const auto swell = hn::Add(hn::Set(f, 1.0F), hn::Mul(hn::Set(f, shape.swing), noise));
-      const auto thickness = hn::Mul(hn::Set(f, shape.mean_fx), hn::Max(hn::Zero(f), swell));
-      const auto rise = round_to_even(f, hn::Min(thickness, hn::Set(f, shape.max_fx)));
+      const auto swell = hn::Add(hn::Set(f, 1.0F), hn::Mul(hn::Set(f, own.swing), noise));
+      const auto thickness = hn::Mul(hn::Set(f, own.mean_fx), hn::Max(hn::Zero(f), swell));
+      const auto rise = round_to_even(f, hn::Min(thickness, hn::Set(f, own.max_fx)));
       const auto most = hn::LoadU(d, limit + x);
       const auto reached = hn::Min(hn::Add(hn::LoadU(d, below + x), rise), most);
       missing = hn::Min(missing, hn::Sub(reached, most));

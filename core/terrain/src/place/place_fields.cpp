@@ -71,9 +71,7 @@ void PlaceFields::set_row(int z, std::span<const float* const> quantities, std::
   for (const QuantityNumber quantity : asked_) ranges_[quantity] = kernels_.range(rows_[quantity], width);
   set_looks(z, width);
   std::uint64_t present = 0;  // bit k: some column of the row has look k
-  if (!looks_.empty()) {
-    for (const std::uint8_t look : looks_.front().row(z)) present |= std::uint64_t{1} << look;
-  }
+  if (!looks_.empty()) present = kernels_.present(looks_.front().row(z).data(), width);
   for (std::size_t i = 0; i < shares_.size(); ++i) set_share(i, z, width, present);
 }
 

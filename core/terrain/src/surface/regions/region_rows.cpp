@@ -82,11 +82,26 @@ void RegionRows::begin(std::span<const std::int64_t> xs, bool at_samples, bool s
 void RegionRows::spread_row(std::int64_t z) {
   if (sloped_ && at_samples_) return copy_sloped_line(z);
   blend_lines(z);
-  const auto rises = [&](std::size_t slow) { return sloped_ && shapes_land(slow); };
-  for (std::size_t slow = 0; slow < spread_.size(); ++slow) {
+  const auto spread = [&](std::size_t slow) {
+    const bool rises = sloped_ && shapes_land(slow);
     between_.row(*kernels_, blended_[slow].data(), spread_[slow].data(),
-                 rises(slow) ? rises_[0][slow].data() : nullptr);
-    if (rises(slow)) between_.row(*kernels_, rising_[slow].data(), rises_[1][slow].data(), nullptr);
+                 rises ? rises_[0][slow].data() : nullptr);
+    if (rises) between_.row(*kernels_, rising_[slow].data(), rises_[1][slow].data(), nullptr);
+  };
+  const auto range = [&](Slow of) { return place_kernels_->range(slow(of), width_); };
+  const auto is = [](std::size_t slow, Slow one) { return slow == static_cast<std::size_t>(one); };
+  spread(static_cast<std::size_t>(Slow::mesa));
+  spread(static_cast<std::size_t>(Slow::river));
+  // No column reads the field of terraces where there is no mesa country, nor tributaries on the other side
+  // of the river: these rows stay what they were.
+  const bool no_mesas = range(Slow::mesa).high <= 0;
+  const ValueRange river = range(Slow::river);
+  for (std::size_t slow = 0; slow < spread_.size(); ++slow) {
+    if (is(slow, Slow::mesa) || is(slow, Slow::river)) continue;
+    if (is(slow, Slow::terrace) && no_mesas) continue;
+    if (is(slow, Slow::tributary_a) && river.high <= 0) continue;
+    if (is(slow, Slow::tributary_b) && river.low > 0) continue;
+    spread(slow);
   }
 }
 
