@@ -111,8 +111,8 @@ http::Response Requester::over_rate(std::chrono::nanoseconds wait) const {
                         std::chrono::ceil<std::chrono::milliseconds>(wait));
 }
 
-void Requester::charge(std::size_t chunks, std::size_t bytes) {
-  if (caller_) caller_->rates.sent(shared_.clock.now(), chunks, bytes);
+void Requester::charge(Clock::time_point now, std::size_t chunks, std::size_t bytes) {
+  if (caller_) caller_->rates.sent(now, chunks, bytes);
 }
 
 void Requester::sent(std::size_t bytes) {
