@@ -97,7 +97,9 @@ class Connection : public std::enable_shared_from_this<Connection<S>> {
 
   void go_on(Next next) {
     if constexpr (kWritesNow) {
-      if (next == Next::input) return read();
+      // After those whose requests wait: a client that answers soon has sent its next by then. At once the
+      // read would mostly find nothing, and cost a system call.
+      if (next == Next::input) return asio::post(stream_.get_executor(), keeping(&Connection::read));
       if (next == Next::turn) return asio::post(stream_.get_executor(), keeping(&Connection::take_turn));
     }
     asio::co_spawn(
@@ -105,6 +107,8 @@ class Connection : public std::enable_shared_from_this<Connection<S>> {
         keeping(&Connection::ended));
   }
   void read() {
+    if (!open_) return;
+    if (finishing_ && !parser_.mid_request()) return go_on(Next::end);
     begin_reading();
     between_requests_ = !parser_.mid_request();
     stream_.async_read_some(asio::buffer(input_), keeping(&Connection::take_input));
