@@ -103,7 +103,8 @@ std::string_view describe(AuthFailure failure) {
 AccessControl::AccessControl(const Access& settings, Keys keys)
     : settings_{settings},
       secret_rights_{rights_of(settings.secret_rights)},
-      keys_{std::make_shared<const Keys>(std::move(keys))} {}
+      keys_{std::make_shared<const Keys>(std::move(keys))},
+      anybody_reads_{without_token(settings, *keys_).has(Right::read)} {}
 
 tl::expected<Grant, AuthError> AccessControl::admit(std::string_view token,
                                                     std::chrono::sys_seconds now) const {
@@ -160,6 +161,7 @@ tl::expected<std::string, std::string> AccessControl::reload(const Access& setti
   auto shared = std::make_shared<const Keys>(*std::move(fresh));
   const std::lock_guard lock{mutex_};
   keys_ = std::move(shared);
+  anybody_reads_ = without_token(settings_, *keys_).has(Right::read);
   return line;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <atomic>
 #include <chrono>
 #include <memory>
 #include <mutex>
@@ -72,6 +73,8 @@ class AccessControl {
   [[nodiscard]] tl::expected<Grant, AuthError> admit(std::string_view token,
                                                      std::chrono::sys_seconds now) const;
 
+  /// Whether who has no token may read. Cheap: every answer by HTTP asks.
+  [[nodiscard]] bool lets_anybody_read() const { return anybody_reads_.load(std::memory_order_relaxed); }
   /// Whether anybody can have a token that is accepted.
   [[nodiscard]] bool has_keys() const { return keys()->any(); }
 
@@ -94,6 +97,7 @@ class AccessControl {
   const Rights secret_rights_;
   mutable std::mutex mutex_;
   std::shared_ptr<const Keys> keys_;
+  std::atomic<bool> anybody_reads_;
 };
 
 }  // namespace talus::server

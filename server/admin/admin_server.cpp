@@ -16,7 +16,8 @@ class OperatorHandler final : public http::Handler {
   OperatorHandler(const std::shared_ptr<const OperatorAnswers>& answers, std::string address)
       : answers_{answers}, address_{std::move(address)} {}
 
-  std::optional<http::Response> respond_now(const http::Request& request) override {
+  std::optional<http::Response> respond_now(const http::Request& request,
+                                            Clock::time_point /*came*/) override {
     if (request.path() == kCheckpointPath && answers_->checkpoint) return std::nullopt;
     return answer_operator(request, *answers_);
   }

@@ -9,7 +9,10 @@ Clock::time_point SystemClock::now() const {
 }
 
 std::chrono::sys_seconds SystemClock::wall() const {
-  return std::chrono::floor<std::chrono::seconds>(std::chrono::system_clock::now());
+  // A few ms late at most, at a quarter of the price: every HTTP answer has the date.
+  timespec now{};
+  ::clock_gettime(CLOCK_REALTIME_COARSE, &now);
+  return std::chrono::sys_seconds{std::chrono::seconds{now.tv_sec}};
 }
 
 std::chrono::nanoseconds SystemClock::thread_cpu() const {

@@ -1,6 +1,6 @@
 // An HTTP connection over a stream: reads requests, has them answered one after the other, and closes in
-// time. Answers to requests that came together leave together. Two coroutines on the stream's executor;
-// nothing is locked. It lives as long as the last of them.
+// time. Answers to requests that came together leave together. All on the stream's executor; nothing is
+// locked. It lives as long as something is in flight.
 #pragma once
 
 #include <algorithm>
@@ -49,16 +49,16 @@ class Connection : public std::enable_shared_from_this<Connection<S>> {
         take_over_{std::move(take_over)},
         parser_{service.bounds},
         watch_waits_{stream_.get_executor(), service.clock},
-        last_active_{service.clock.now()} {}
+        now_{service.clock.now()},
+        last_active_{now_} {}
 
   /// Once, on the stream's executor.
   void start() {
     deadline_ = last_active_ + service_.request_timeout;
-    for (const auto loop : {&Connection::serve, &Connection::watch}) {
-      asio::co_spawn(
-          stream_.get_executor(), [self = this->shared_from_this(), loop] { return ((*self).*loop)(); },
-          [self = this->shared_from_this()](const std::exception_ptr&) { self->close(); });
-    }
+    go_on(Next::input);
+    asio::co_spawn(
+        stream_.get_executor(), [self = this->shared_from_this()] { return self->watch(); },
+        keeping(&Connection::ended));
   }
 
   /// At once, whatever is in flight. On the stream's executor, as all that follows.
@@ -88,49 +88,134 @@ class Connection : public std::enable_shared_from_this<Connection<S>> {
   // answer.
   static constexpr std::chrono::milliseconds kHangUpCheck{250};
 
-  // Few coroutines call each other here: of a chunk in memory each costs as much as finding it.
-  [[nodiscard]] asio::awaitable<void> serve() {
-    bool more = true;
-    while (open_ && more) {
+  // Whether the stream takes what it can at once, without a coroutine's turn. Then what is in memory is
+  // answered without any: each would cost as much as finding the chunk.
+  static constexpr bool kWritesNow = requires(S & stream) { stream.write_now(asio::const_buffer{}); };
+
+  /// What has to come before the connection goes on.
+  enum class Next : std::uint8_t { input, room, response, body, turn, hand_over, end };
+
+  void go_on(Next next) {
+    if constexpr (kWritesNow) {
+      // After those whose requests wait: a client that answers soon has sent its next by then. At once the
+      // read would mostly find nothing, and cost a system call.
+      if (next == Next::input) return asio::post(stream_.get_executor(), keeping(&Connection::read));
+      if (next == Next::turn) return asio::post(stream_.get_executor(), keeping(&Connection::take_turn));
+    }
+    asio::co_spawn(
+        stream_.get_executor(), [self = this->shared_from_this(), next] { return self->serve(next); },
+        keeping(&Connection::ended));
+  }
+  void read() {
+    if (!open_) return;
+    if (finishing_ && !parser_.mid_request()) return go_on(Next::end);
+    begin_reading();
+    between_requests_ = !parser_.mid_request();
+    stream_.async_read_some(asio::buffer(input_), keeping(&Connection::take_input));
+  }
+  void take_input(std::error_code failed, std::size_t bytes) {
+    read_error_ = failed;
+    end_reading(bytes);
+    between_requests_ = false;
+    take_turn();
+  }
+  void take_turn() {
+    if (!open_) return;
+    try {
+      go_on(read_error_ ? Next::end : answer());
+    } catch (const std::exception& error) {
+      service_.log->error("a connection failed: {}", error.what());
+      close();
+    }
+  }
+
+  /// As serve() and watch() have it.
+  void ended(const std::exception_ptr& failed) {
+    if (failed) close();
+  }
+  /// A completion handler that keeps the connection.
+  template <typename Result, typename... Arguments>
+  [[nodiscard]] auto keeping(Result (Connection::*call)(Arguments...)) {
+    return [self = this->shared_from_this(), call](auto&&... arguments) { ((*self).*call)(arguments...); };
+  }
+
+  /// All that the stream does not do at once.
+  [[nodiscard]] asio::awaitable<void> serve(Next next) {
+    while (open_) {
+      switch (next) {
+        case Next::input:
+          if (kWritesNow) co_return go_on(next);
+          begin_reading();
+          between_requests_ = !parser_.mid_request();
+          end_reading(co_await stream_.async_read_some(
+              asio::buffer(input_), asio::redirect_error(asio::use_awaitable, read_error_)));
+          between_requests_ = false;
+          next = read_error_ ? Next::end : answer();
+          break;
+        case Next::room:
+          co_await write({});
+          next = answer();
+          break;
+        case Next::response:
+          response_ = co_await wait_for_response(parser_.request());
+          next = take_response();
+          break;
+        case Next::body:
+          co_await write_body(*response_);
+          next = after_response();
+          break;
+        case Next::turn:
+          co_await asio::post(stream_.get_executor(), asio::use_awaitable);
+          next = answer();
+          break;
+        case Next::hand_over:
+          co_return co_await hand_over();
+        case Next::end:
+          if (!output_.empty()) co_await write({});
+          if (open_) co_await end();
+          co_return close();
+      }
+    }
+  }
+
+  /// Answers what has been read, as far as nobody has to be waited for.
+  [[nodiscard]] Next answer() {
+    while (open_) {
       const auto taken = parser_.feed(std::span{input_}.subspan(read_, filled_ - read_));
       if (!taken) {
-        more = false;
-        const Response response = handler_->refuse(taken.error());
-        if (!add(response, false, false)) co_await write(response.content());
-        continue;
+        response_ = handler_->refuse(taken.error());
+        more_ = false;
+        return add(*response_, false, false) ? Next::end : Next::body;
       }
       read_ += *taken;
       if (!parser_.has_request()) {
-        if (!output_.empty() && !write_now()) co_await write({});
-        if (!open_) co_return;
-        if (finishing_ && !parser_.mid_request()) break;
-        begin_reading();
-        between_requests_ = !parser_.mid_request();
-        end_reading(co_await stream_.async_read_some(asio::buffer(input_),
-                                                     asio::redirect_error(asio::use_awaitable, read_error_)));
-        between_requests_ = false;
-        more = !read_error_;
-        continue;
+        if (!output_.empty() && !write_now()) return Next::room;
+        return finishing_ && !parser_.mid_request() ? Next::end : Next::input;
       }
-      const Request& request = parser_.request();
-      std::optional<Response> response = respond_now(request);
-      if (!response) response = co_await wait_for_response(request);
-      if (!open_) co_return;
-      upgraded_ = response->status == 101;
-      // A proxy passes on whatever follows a request for an upgrade, which may have other clients' names in
-      // it.
-      more = request.keep_alive && !request.upgrade && !response->last && !finishing_;
-      if (!add(*response, request.method == Method::head, more)) co_await write_body(*response);
-      if (open_ && upgraded_) co_return co_await hand_over();
-      parser_.pop();
-      if (++in_turn_ < kTurn) continue;
-      in_turn_ = 0;
-      co_await asio::post(stream_.get_executor(), asio::use_awaitable);
+      response_ = respond_now(parser_.request());
+      if (!response_) return Next::response;
+      if (const Next next = take_response(); next != Next::input) return next;
     }
-    if (!open_) co_return;
-    if (!output_.empty()) co_await write({});
-    if (open_) co_await end();
-    close();
+    return Next::end;
+  }
+
+  /// Next::input: what has been read may have another request.
+  [[nodiscard]] Next take_response() {
+    if (!open_) return Next::end;
+    const Request& request = parser_.request();
+    upgraded_ = response_->status == 101;
+    // A proxy passes on whatever follows a request for an upgrade, which may have other clients' names in
+    // it.
+    more_ = request.keep_alive && !request.upgrade && !response_->last && !finishing_;
+    return add(*response_, request.method == Method::head, more_) ? after_response() : Next::body;
+  }
+  [[nodiscard]] Next after_response() {
+    if (open_ && upgraded_) return Next::hand_over;
+    if (!open_ || !more_) return Next::end;
+    parser_.pop();
+    if (++in_turn_ < kTurn) return Next::input;
+    in_turn_ = 0;
+    return Next::turn;
   }
 
   /// Where the connection is closed then, it is no response.
@@ -142,7 +227,8 @@ class Connection : public std::enable_shared_from_this<Connection<S>> {
     watch_waits_.notify();
     Response response = co_await respond(request);
     waiting_ = false;
-    deadline_ = service_.clock.now() + service_.response_timeout;
+    now_ = service_.clock.now();
+    deadline_ = now_ + service_.response_timeout;
     co_return response;
   }
 
@@ -156,7 +242,7 @@ class Connection : public std::enable_shared_from_this<Connection<S>> {
 
   [[nodiscard]] std::optional<Response> respond_now(const Request& request) {
     try {
-      return handler_->respond_now(request);
+      return handler_->respond_now(request, now_);
     } catch (const std::exception& error) {
       return failed(request, error);
     }
@@ -184,7 +270,7 @@ class Connection : public std::enable_shared_from_this<Connection<S>> {
   }
   void end_reading(std::size_t bytes) {
     filled_ = bytes;
-    last_active_ = service_.clock.now();
+    last_active_ = now_ = service_.clock.now();
     if (reads_next_) deadline_ = last_active_ + service_.request_timeout;
   }
 
@@ -198,12 +284,12 @@ class Connection : public std::enable_shared_from_this<Connection<S>> {
     return true;
   }
 
-  /// Where the stream takes all that waits at once, without a coroutine's turn.
+  /// Whether the stream took all that waits.
   [[nodiscard]] bool write_now() {
-    if constexpr (requires { stream_.write_now(asio::const_buffer{}); }) {
+    if constexpr (kWritesNow) {
       output_.erase(0, stream_.write_now(asio::buffer(output_)));
       if (!output_.empty()) return false;
-      last_active_ = service_.clock.now();
+      last_active_ = now_;
       deadline_ = last_active_ + service_.request_timeout;
       handler_->sent();
       return true;
@@ -227,7 +313,7 @@ class Connection : public std::enable_shared_from_this<Connection<S>> {
       const std::size_t of_first = std::min(sent, pieces[0].size());
       pieces[0] += of_first;
       pieces[1] += sent - of_first;
-      last_active_ = service_.clock.now();
+      last_active_ = now_ = service_.clock.now();
       deadline_ = last_active_ + service_.response_timeout;
     }
     output_.clear();
@@ -299,13 +385,16 @@ class Connection : public std::enable_shared_from_this<Connection<S>> {
   const TakeOver take_over_;
   RequestParser parser_;
   TimedEvent watch_waits_;
+  Clock::time_point now_;  // when it last waited for something
   Clock::time_point last_active_;
   Clock::time_point deadline_;
   bool open_ = true;
   bool finishing_ = false;
-  bool waiting_ = false;           // for the handler
-  bool between_requests_ = false;  // and reading
-  bool answered_ = false;          // some request
+  bool waiting_ = false;              // for the handler
+  bool between_requests_ = false;     // and reading
+  bool answered_ = false;             // some request
+  std::optional<Response> response_;  // to the parser's request
+  bool more_ = true;                  // requests are answered after it
   bool upgraded_ = false;
   int in_turn_ = 0;
   bool reads_next_ = false;  // between two requests

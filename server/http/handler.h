@@ -7,6 +7,7 @@
 
 #include <asio/awaitable.hpp>
 
+#include "clock/clock.h"
 #include "http/request.h"
 #include "http/response.h"
 
@@ -17,8 +18,10 @@ class Handler {
  public:
   virtual ~Handler() = default;
 
-  /// The response, where nothing has to be waited for. None: respond() gives it.
-  [[nodiscard]] virtual std::optional<Response> respond_now(const Request& request) = 0;
+  /// The response, where nothing has to be waited for. None: respond() gives it. `came`: when the connection
+  /// last waited, which is a moment ago: who asks the clock again for every request pays for that.
+  [[nodiscard]] virtual std::optional<Response> respond_now(const Request& request,
+                                                            Clock::time_point came) = 0;
   /// `request` stays until the response is there. The connection waits as long as the handler does.
   [[nodiscard]] virtual asio::awaitable<Response> respond(const Request& request) = 0;
 
@@ -38,7 +41,9 @@ class FunctionHandler final : public Handler {
 
   explicit FunctionHandler(Function function) : function_{std::move(function)} {}
 
-  std::optional<Response> respond_now(const Request& request) override { return function_(request); }
+  std::optional<Response> respond_now(const Request& request, Clock::time_point /*came*/) override {
+    return function_(request);
+  }
   asio::awaitable<Response> respond(const Request& request) override { co_return function_(request); }
 
  private:

@@ -51,6 +51,7 @@ bool is_value(std::string_view value) {
 }
 
 constexpr std::string_view kGet = "GET ";
+constexpr std::string_view kGetPath = "GET /";
 // Of a request that is kept to compare the next one with.
 constexpr std::size_t kMaxKept = 1024;
 
@@ -63,10 +64,6 @@ constexpr std::array<bool, 256> kPlain = [] {
   }
   return plain;
 }();
-bool is_plain(std::string_view target) {
-  return target.starts_with('/') && std::all_of(target.begin(), target.end(),
-                                                [](char c) { return kPlain[static_cast<unsigned char>(c)]; });
-}
 
 Method method_of(unsigned method) {
   if (method == HTTP_GET) return Method::get;
@@ -78,6 +75,7 @@ Method method_of(unsigned method) {
 
 std::string_view Request::path() const {
   std::string_view path{target};
+  if (path.starts_with('/')) return path.substr(0, path.find('?'));
   const std::size_t scheme = path.find("://");
   const bool absolute = scheme != std::string_view::npos && (same_name(path.substr(0, scheme), "http") ||
                                                              same_name(path.substr(0, scheme), "https"));
@@ -115,8 +113,6 @@ struct RequestParser::State {
   explicit State(const RequestBounds& wanted) : bounds{wanted} { begin(); }
 
   void begin() {
-    http_parser_init(&parser, HTTP_REQUEST);
-    parser.data = this;
     head_bytes = 0;
     last = 0;
     in_value = true;
@@ -127,12 +123,13 @@ struct RequestParser::State {
   /// request before, and is not parsed again, which would cost as much as finding a chunk. How many bytes are
   /// a request then; 0: they may be one, but another.
   std::size_t take_similar(std::string_view text) {
-    if (after_target.empty() || !text.starts_with(kGet)) return 0;
-    const std::size_t end = text.find(' ', kGet.size());
-    if (end == std::string_view::npos || text.substr(end, after_target.size()) != after_target) return 0;
+    if (after_target.empty() || !text.starts_with(kGetPath)) return 0;
+    std::size_t end = kGetPath.size();
+    while (end < text.size() && kPlain[static_cast<unsigned char>(text[end])]) ++end;
+    if (text.substr(end, after_target.size()) != after_target) return 0;
     const std::string_view target = text.substr(kGet.size(), end - kGet.size());
     const std::size_t bytes = end + after_target.size();
-    if (target.size() > bounds.target_bytes || bytes > bounds.head_bytes || !is_plain(target)) return 0;
+    if (target.size() > bounds.target_bytes || bytes > bounds.head_bytes) return 0;
     request.target = target;
     head_bytes = bytes;
     whole = true;
@@ -145,8 +142,10 @@ struct RequestParser::State {
     if (end != std::string_view::npos && text.size() <= kMaxKept) after_target = text.substr(end);
   }
 
-  /// What one long request took goes back.
+  /// Before a request is parsed. What one long request took goes back.
   void forget() {
+    http_parser_init(&parser, HTTP_REQUEST);
+    parser.data = this;
     after_target.clear();
     if (request.target.size() + kept_fields > kMaxKept) request = {};
     kept_fields = 0;

@@ -1,9 +1,11 @@
 // An HTTP/1.1 response as bytes. No I/O.
 #pragma once
 
+#include <array>
 #include <chrono>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -18,13 +20,22 @@ inline constexpr const char* kPlainText = "text/plain; charset=utf-8";
 inline constexpr std::string_view kNoStore = "no-store";
 inline constexpr std::string_view kNoCache = "no-cache";
 
+/// The value of an ETag field, its quotes included: 128 bits in hex.
+using EntityTag = std::array<char, 34>;
+[[nodiscard]] inline std::string_view text_of(const EntityTag& tag) {
+  return {tag.data(), tag.size()};
+}
+
 struct Response {
   int status = 200;
   std::string_view content_type = kPlainText;  // lives as long as the program
   std::string body{};
-  std::vector<Field> fields{};  // beside Date, Content-Type, Content-Length, Cache-Control and Connection
+  std::vector<Field> fields{};  // beside those of which this knows
   std::string_view cache_control = kNoStore;
   std::string_view kept{};  // a body that the handler keeps as long as it lives; `body` is empty then
+
+  std::optional<EntityTag> etag{};
+  bool any_origin = false;  // pages of every origin may read it
 
   bool last = false;  // the connection closes after it
 

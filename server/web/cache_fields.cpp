@@ -1,7 +1,5 @@
 #include "web/cache_fields.h"
 
-#include <utility>
-
 #include "web/entity_tag.h"
 
 namespace talus::server::web {
@@ -24,20 +22,16 @@ std::string_view revalidated_for(const Audience& audience) {
   return audience.caches ? http::kNoCache : kPrivate;
 }
 
-http::Response tagged(const http::Request& request, http::Response response) {
-  std::string tag = entity_tag(response.content());
-  return tagged(request, std::move(response), std::move(tag));
+void tag(const http::Request& request, http::Response& response) {
+  tag(request, response, entity_tag(response.content()));
 }
 
-http::Response tagged(const http::Request& request, http::Response response, std::string tag) {
-  if (lists_tag(request.field("If-None-Match"), tag)) {
-    response.status = 304;
-    response.body.clear();
-    response.kept = {};
-  }
-  response.fields.reserve(3);  // with those of the origin
-  response.fields.push_back({"ETag", std::move(tag)});
-  return response;
+void tag(const http::Request& request, http::Response& response, const http::EntityTag& etag) {
+  response.etag = etag;
+  if (!lists_tag(request.field("If-None-Match"), etag)) return;
+  response.status = 304;
+  response.body.clear();
+  response.kept = {};
 }
 
 bool is_strange_page(const http::Request& request, const AllowedOrigins& origins) {
@@ -51,7 +45,7 @@ void add_origin_fields(const http::Request& request, const Audience& audience, c
   if (response.status == 101) return;
   // What every cache may keep is the same for all: one copy, which any page may read.
   if (audience.caches || origins.all()) {
-    response.fields.push_back({"Access-Control-Allow-Origin", "*"});
+    response.any_origin = true;
     return;
   }
   const std::string* const origin = request.field("Origin");

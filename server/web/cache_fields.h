@@ -2,7 +2,6 @@
 // Fetch standard, "CORS protocol".
 #pragma once
 
-#include <string>
 #include <string_view>
 
 #include "config/allowed_origins.h"
@@ -24,9 +23,9 @@ struct Audience {
 /// Likewise, where those get it who get chunks.
 [[nodiscard]] std::string_view revalidated_for(const Audience& audience);
 
-/// With ETag, and 304 where the client has it.
-[[nodiscard]] http::Response tagged(const http::Request& request, http::Response response);
-[[nodiscard]] http::Response tagged(const http::Request& request, http::Response response, std::string tag);
+/// Gives it an ETag, of its body unless told, and makes it a 304 where the client has it.
+void tag(const http::Request& request, http::Response& response);
+void tag(const http::Request& request, http::Response& response, const http::EntityTag& etag);
 
 /// Whether a page asks whose origin is none of these.
 [[nodiscard]] bool is_strange_page(const http::Request& request, const AllowedOrigins& origins);

@@ -13,11 +13,6 @@
 namespace talus::server::web {
 namespace {
 
-http::Response chunk_response(const Exchange& exchange, const EncodedChunk& chunk) {
-  const auto payload = chunk.payload();
-  return exchange.immutable({reinterpret_cast<const char*>(payload.data()), payload.size()});
-}
-
 /// To the newest revision of what the route asks for. No cache keeps it: soon there is a newer one.
 template <typename ChunksRoute>
 http::Response moved_to(const ChunksRoute& route, std::uint64_t newest) {
@@ -51,7 +46,6 @@ std::uint64_t newest_of(const Exchange& exchange, const ColumnsRoute& route) {
 
 Answer answer_now(Exchange& exchange, const ChunkRoute& route) {
   if (auto wrong = check_path(exchange, route)) return wrong;
-  const SessionContext& shared = exchange.shared();
   ChunkSource& source = exchange.chunks(route.edition.has_value());
   if (route.edition) {
     if (const auto newest = source.revision(route.key); newest != route.edition->revision) {
@@ -63,8 +57,10 @@ Answer answer_now(Exchange& exchange, const ChunkRoute& route) {
   if (route.edition && chunk->revision() != route.edition->revision)
     return moved_to(route, chunk->revision());
   if (exchange.requester().next_chunk(exchange.began()) > exchange.began()) return std::nullopt;
-  shared.metrics.hot_latency.add(shared.clock.now() - exchange.began());
-  return exchange.charged(1, chunk_response(exchange, *chunk));
+  exchange.found_in_memory();
+  http::Response response = exchange.immutable(chunk);
+  exchange.charge(1, response);
+  return response;
 }
 
 asio::awaitable<http::Response> answer_later(Exchange& exchange, const ChunkRoute& route) {
@@ -81,7 +77,9 @@ asio::awaitable<http::Response> answer_later(Exchange& exchange, const ChunkRout
     exchange.requester().charge(1, 0);  // it was made
     co_return moved_to(route, chunk->revision());
   }
-  co_return exchange.charged(1, chunk_response(exchange, *chunk));
+  http::Response response = exchange.immutable(chunk);
+  exchange.charge(1, response);
+  co_return response;
 }
 
 Answer answer_now(Exchange& exchange, const ColumnsRoute& route) {
@@ -121,7 +119,9 @@ asio::awaitable<http::Response> answer_later(Exchange& exchange, const ColumnsRo
       co_return moved_to(route, newest);
     }
   }
-  co_return exchange.charged(columns.chunks(), exchange.immutable(std::move(body)));
+  http::Response response = exchange.immutable(std::move(body));
+  exchange.charge(columns.chunks(), response);
+  co_return response;
 }
 
 }  // namespace talus::server::web

@@ -1,7 +1,5 @@
 #include "web/edits_answers.h"
 
-#include <utility>
-
 #include "web/columns_body.h"
 
 namespace talus::server::web {
@@ -12,7 +10,8 @@ Answer answer_now(Exchange& exchange, const EditsRoute& route) {
   http::Response response{200, kBytes};
   append_edited_columns(response.body, exchange.context().edits->edited_columns(route.region));
   response.cache_control = revalidated_for(exchange.audience);
-  return tagged(exchange.request(), std::move(response));
+  tag(exchange.request(), response);
+  return response;
 }
 
 }  // namespace talus::server::web

@@ -4,12 +4,13 @@
 #include <string>
 #include <string_view>
 
+#include "http/response.h"
+
 namespace talus::server::web {
 
-/// Of these bytes, in quotes.
-[[nodiscard]] std::string entity_tag(std::string_view bytes);
+[[nodiscard]] http::EntityTag entity_tag(std::string_view bytes);
 
 /// Whether an If-None-Match field lists the tag; null: there is no such field.
-[[nodiscard]] bool lists_tag(const std::string* if_none_match, std::string_view tag);
+[[nodiscard]] bool lists_tag(const std::string* if_none_match, const http::EntityTag& tag);
 
 }  // namespace talus::server::web

@@ -5,6 +5,7 @@
 
 #include "chunks/client_ids.h"
 #include "web/columns_body.h"
+#include "web/routes.h"
 
 namespace talus::server::web {
 namespace {
@@ -22,14 +23,17 @@ Exchange::Exchange(const WebContext& context, Requester& requester, asio::any_io
   hold(0);
 }
 
-void Exchange::begin(const http::Request& request) {
+void Exchange::begin(const http::Request& request, Clock::time_point came) {
   request_ = &request;
-  began_ = shared_.clock.now();
+  path_ = request.path();
+  for_players_ = web::is_for_players(path_);
+  began_ = came;
   abandon();  // of a request that threw
   fetch_.reset();
   kept_.reset();
   audience = {};
   counted_ = false;
+  hot_ = false;
 }
 
 void Exchange::abandon() {
@@ -46,18 +50,31 @@ Fetch& Exchange::start_fetch(bool edited) {
   return *fetch_;
 }
 
-http::Response Exchange::charged(std::size_t chunks, http::Response response) {
-  requester_.charge(chunks, request_->method == http::Method::head ? 0 : response.content().size());
+void Exchange::charge(std::size_t chunks, const http::Response& response) {
+  const std::size_t bytes = response.content().size();
+  const std::size_t sent = request_->method == http::Method::head ? 0 : bytes;
+  // The moment at which a chunk in memory was asked for is near enough, and known.
+  requester_.charge(hot_ ? began_ : shared_.clock.now(), chunks, sent);
   counted_ = true;
   shared_.metrics.chunks_sent.add(chunks);
-  shared_.metrics.chunk_bytes_sent.add(response.content().size());
-  return response;
+  shared_.metrics.chunk_bytes_sent.add(bytes);
 }
 
 http::Response Exchange::immutable(std::string body) const {
   http::Response response{200, kBytes, std::move(body)};
   response.cache_control = immutable_for(audience);
-  return tagged(*request_, std::move(response));
+  tag(*request_, response);
+  return response;
+}
+
+http::Response Exchange::immutable(const EncodedChunkPtr& chunk) {
+  keep(chunk);
+  http::Response response{200, kBytes};
+  const auto payload = chunk->payload();
+  response.kept = {reinterpret_cast<const char*>(payload.data()), payload.size()};
+  response.cache_control = immutable_for(audience);
+  tag(*request_, response);
+  return response;
 }
 
 }  // namespace talus::server::web

@@ -5,10 +5,12 @@
 #include <cstdint>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <utility>
 
 #include <asio/any_io_executor.hpp>
 
+#include "chunks/encoded_chunk.h"
 #include "clock/clock.h"
 #include "http/request.h"
 #include "http/response.h"
@@ -30,8 +32,8 @@ class Exchange {
   /// One after the other, of a connection. `context` and `requester` outlive it.
   Exchange(const WebContext& context, Requester& requester, asio::any_io_executor executor);
 
-  /// `request` stays until its answer is there.
-  void begin(const http::Request& request);
+  /// `request` stays until its answer is there; it came at `came`.
+  void begin(const http::Request& request, Clock::time_point came);
   /// No answer is wanted any more: who waits for chunks gets FetchError::gone.
   void abandon();
   /// Its chunks are let go.
@@ -46,6 +48,9 @@ class Exchange {
   [[nodiscard]] Requester& requester() const { return requester_; }
   [[nodiscard]] const asio::any_io_executor& executor() const { return executor_; }
   [[nodiscard]] const http::Request& request() const { return *request_; }
+  [[nodiscard]] std::string_view path() const { return path_; }
+  /// Whether it asks for something of the world, and not for a file.
+  [[nodiscard]] bool is_for_players() const { return for_players_; }
   [[nodiscard]] Clock::time_point began() const { return began_; }
   /// What has to be generated comes until then, or the client is told to ask again.
   [[nodiscard]] Clock::time_point deadline() const;
@@ -57,12 +62,16 @@ class Exchange {
   /// From chunks(edited), in the client's turn. Once for each request.
   [[nodiscard]] Fetch& start_fetch(bool edited = false);
 
-  /// The response, whose chunks and bytes count now.
-  [[nodiscard]] http::Response charged(std::size_t chunks, http::Response response);
+  /// The response's chunks and bytes count now.
+  void charge(std::size_t chunks, const http::Response& response);
   /// Its bytes count in the rates already.
   [[nodiscard]] bool counted() const { return counted_; }
   /// Bytes that never change.
   [[nodiscard]] http::Response immutable(std::string body) const;
+  [[nodiscard]] http::Response immutable(const EncodedChunkPtr& chunk);
+  /// The answer is a chunk that was in memory.
+  void found_in_memory() { hot_ = true; }
+  [[nodiscard]] bool hot() const { return hot_; }
 
   Audience audience;  // of the answer
 
@@ -75,9 +84,12 @@ class Exchange {
   std::shared_ptr<Fetch> fetch_;
 
   const http::Request* request_ = nullptr;
+  std::string_view path_;
+  bool for_players_ = false;
   Clock::time_point began_{};
   std::shared_ptr<const void> kept_;
   bool counted_ = false;
+  bool hot_ = false;
 };
 
 }  // namespace talus::server::web

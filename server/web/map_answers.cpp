@@ -11,7 +11,8 @@ http::Response picture_response(Exchange& exchange, const PicturePtr& picture) {
   http::Response response{200, "image/png"};
   response.cache_control = immutable_for(exchange.audience);
   response.kept = picture->png;
-  return tagged(exchange.request(), std::move(response));
+  tag(exchange.request(), response);
+  return response;
 }
 
 }  // namespace

@@ -49,7 +49,8 @@ Answer answer_now(Exchange& exchange, const WorldRoute&) {
   http::Response response{200, kJson};
   response.kept = text->body;
   response.cache_control = fresh_for(exchange.audience);
-  return tagged(exchange.request(), std::move(response), text->tag);
+  tag(exchange.request(), response, text->tag);
+  return response;
 }
 
 Answer answer_now(Exchange& exchange, const StreamRoute&) {
@@ -94,8 +95,9 @@ void PlayerHandler::closed() {
   if (told_) std::exchange(told_, nullptr)();
 }
 
-std::optional<http::Response> PlayerHandler::respond_now(const http::Request& request) {
-  exchange_.begin(request);
+std::optional<http::Response> PlayerHandler::respond_now(const http::Request& request,
+                                                         Clock::time_point came) {
+  exchange_.begin(request, came);
   route_.reset();
   Answer answer = decide(request);
   if (answer) finish(request, *answer);
@@ -123,8 +125,8 @@ Answer PlayerHandler::decide(const http::Request& request) {
   if (auto wrong = requester_.check_rates(exchange_.began())) return wrong;
   if (request.method == http::Method::options) return kinds_of_requests();
   if (request.method == http::Method::other) return other_method();
-  if (!is_for_players(request.path())) return site_answer(context_->site.get(), request);
-  auto route = find_route(request.path(), request.query(), shared_.limits.heights_per_request);
+  if (!exchange_.is_for_players()) return site_answer(context_->site.get(), request);
+  auto route = find_route(exchange_.path(), request.query(), shared_.limits.heights_per_request);
   if (!route) return error_response(route.error().status, ErrorCode::malformed, route.error().text);
   route_.emplace(*std::move(route));
   const bool chunks =
@@ -139,15 +141,16 @@ Answer PlayerHandler::decide(const http::Request& request) {
 
 void PlayerHandler::finish(const http::Request& request, http::Response& response) {
   exchange_.end();
-  exchange_.hold(response.body.size());  // until it is sent
-  if (is_for_players(request.path())) {
+  exchange_.hold(response.content().size());  // until it is sent
+  if (exchange_.is_for_players()) {
     add_origin_fields(request, exchange_.audience, context_->settings.origins, response);
   }
   const bool head = request.method == http::Method::head;
   const std::size_t bytes = head ? 0 : response.content().size();
   const auto took = shared_.clock.now() - exchange_.began();
   shared_.metrics.http_responses_of(response.status).add();
-  if (response.status != 101) shared_.metrics.web_latency_of(kind(request)).add(took);
+  if (response.status != 101) shared_.metrics.web_latency_of(kind()).add(took);
+  if (exchange_.hot()) shared_.metrics.hot_latency.add(took);
   shared_.metrics.sent_bytes.add(bytes);
   requester_.sent(bytes);
   if (!exchange_.counted()) requester_.charge(0, bytes);
@@ -156,8 +159,8 @@ void PlayerHandler::finish(const http::Request& request, http::Response& respons
   requester_.answered(response.status);
 }
 
-AnswerKind PlayerHandler::kind(const http::Request& request) const {
-  if (!is_for_players(request.path())) return AnswerKind::file;
+AnswerKind PlayerHandler::kind() const {
+  if (!exchange_.is_for_players()) return AnswerKind::file;
   if (!route_) return AnswerKind::other;
   if (std::holds_alternative<ChunkRoute>(*route_)) return AnswerKind::chunk;
   if (std::holds_alternative<ColumnsRoute>(*route_)) return AnswerKind::columns;

@@ -9,6 +9,7 @@
 #include <asio/any_io_executor.hpp>
 #include <asio/awaitable.hpp>
 
+#include "clock/clock.h"
 #include "http/handler.h"
 #include "http/request.h"
 #include "http/response.h"
@@ -28,7 +29,7 @@ class PlayerHandler final : public http::Handler {
                 asio::any_io_executor executor);
   ~PlayerHandler() override = default;
 
-  std::optional<http::Response> respond_now(const http::Request& request) override;
+  std::optional<http::Response> respond_now(const http::Request& request, Clock::time_point came) override;
   asio::awaitable<http::Response> respond(const http::Request& request) override;
   http::Response refuse(const http::RequestError& error) override;
   void sent() override;
@@ -41,7 +42,7 @@ class PlayerHandler final : public http::Handler {
  private:
   [[nodiscard]] Answer decide(const http::Request& request);
   void finish(const http::Request& request, http::Response& response);
-  [[nodiscard]] AnswerKind kind(const http::Request& request) const;
+  [[nodiscard]] AnswerKind kind() const;
   void log_answer(const http::Request& request, int status, std::size_t bytes) const;
 
   const WebContextPtr context_;

@@ -73,8 +73,7 @@ Answer Requester::check_token(const http::Request& request, bool for_caches, Aud
     audience.caches = true;
     return std::nullopt;
   }
-  const auto open = shared_.access.admit({}, shared_.clock.wall());
-  audience.anybody = open && open->rights.has(Right::read);
+  audience.anybody = shared_.access.lets_anybody_read();
   audience.caches = for_caches && audience.anybody;
   const std::string_view token = bearer_token(request);
   if (audience.caches && token.empty()) return std::nullopt;
@@ -111,8 +110,8 @@ http::Response Requester::over_rate(std::chrono::nanoseconds wait) const {
                         std::chrono::ceil<std::chrono::milliseconds>(wait));
 }
 
-void Requester::charge(std::size_t chunks, std::size_t bytes) {
-  if (caller_) caller_->rates.sent(shared_.clock.now(), chunks, bytes);
+void Requester::charge(Clock::time_point now, std::size_t chunks, std::size_t bytes) {
+  if (caller_) caller_->rates.sent(now, chunks, bytes);
 }
 
 void Requester::sent(std::size_t bytes) {

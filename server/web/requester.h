@@ -47,7 +47,8 @@ class Requester {
   /// generators nothing.
   [[nodiscard]] asio::awaitable<Answer> wait_for_rates(asio::any_io_executor executor);
   /// Counts in the rates.
-  void charge(std::size_t chunks, std::size_t bytes);
+  void charge(std::size_t chunks, std::size_t bytes) { charge(shared_.clock.now(), chunks, bytes); }
+  void charge(Clock::time_point now, std::size_t chunks, std::size_t bytes);
   /// Counts in the flow.
   void sent(std::size_t bytes);
 

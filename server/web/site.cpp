@@ -153,8 +153,8 @@ tl::expected<std::shared_ptr<const Site>, std::string> Site::read(const std::fil
   auto site = std::make_shared<Site>();
   site->bytes_ = reader.bytes;
   const auto form = [](std::string_view encoding, std::string text) {
-    std::string etag = entity_tag(text);
-    return Form{encoding, std::move(text), std::move(etag)};
+    const http::EntityTag etag = entity_tag(text);
+    return Form{encoding, std::move(text), etag};
   };
   std::map<std::string, std::string>& texts = reader.texts;
   // A compressed form follows its file, in the order of names, and is taken from there.

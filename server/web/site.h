@@ -16,6 +16,8 @@
 
 #include <talus/files/file_layer.h>
 
+#include "http/response.h"
+
 namespace talus::server::web {
 
 class Site {
@@ -28,7 +30,7 @@ class Site {
   struct Form {
     std::string_view encoding;  // Content-Encoding; empty: as it is
     std::string bytes;
-    std::string etag;
+    http::EntityTag etag;
   };
   struct File {
     std::string_view content_type;

@@ -59,7 +59,7 @@ http::Response site_answer(const Site* site, const http::Request& request) {
   const Site::Form& form = file->form_for(request.field("Accept-Encoding"));
   http::Response response{200, file->content_type};
   response.cache_control = file->hashed ? kForever : http::kNoCache;
-  response.fields.push_back({"ETag", form.etag});
+  response.etag = form.etag;
   if (file->forms.size() > 1) response.fields.push_back({"Vary", "Accept-Encoding"});
   if (lists_tag(request.field("If-None-Match"), form.etag)) {
     response.status = 304;

@@ -12,8 +12,8 @@ std::shared_ptr<const WorldDocument::Text> WorldDocument::get(const RateLimits& 
   if (rates_ != rates || edits_now_ != now) {
     if (rates_ != rates) base_ = world_document(world_, limits_, rates);
     std::string body = with_edits(base_, now);
-    std::string tag = entity_tag(body);
-    text_ = std::make_shared<const Text>(Text{std::move(body), std::move(tag)});
+    const http::EntityTag tag = entity_tag(body);
+    text_ = std::make_shared<const Text>(Text{std::move(body), tag});
     rates_ = rates;
     edits_now_ = now;
   }

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "chunks/edited_land.h"
+#include "http/response.h"
 #include "rates/rates.h"
 #include "session/session_limits.h"
 #include "session/world_info.h"
@@ -20,7 +21,7 @@ class WorldDocument {
  public:
   struct Text {
     std::string body;
-    std::string tag;
+    http::EntityTag tag;
   };
 
   /// All outlive it. `edits` null: none are stored.
