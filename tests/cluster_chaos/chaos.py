@@ -23,7 +23,7 @@ arguments.add_argument("--seconds", type=float, default=3600)
 arguments.add_argument("--rate", type=float, default=400, help="edits a second")
 arguments.add_argument("--viewers", type=int, default=12)
 arguments.add_argument("--compare", type=float, default=240, help="seconds between looks at all voxels and S")
-arguments.add_argument("--patience", type=float, default=120, help="seconds in which all servers must be well again")
+arguments.add_argument("--patience", type=float, default=300, help="seconds in which all servers must be well again")
 arguments.add_argument("--only", action="append", help="this happens, and what else is named so; else all kinds do")
 arguments.add_argument("--seed", type=int, default=random.randrange(1 << 32))
 arguments.add_argument("--out", type=pathlib.Path)
@@ -159,15 +159,26 @@ class Chaos:
 
     def _cut(self, *hosts):
         self.cluster.network.cut([host.name for host in hosts])
-        self.wait(5, 30)
+        self.wait(5, 20)
         self.cluster.network.heal()
         return " ".join(host.name for host in hosts)
 
 
-def asked(editors):
-    """Edits that were answered so far, and the longest time since this was asked last in which none of one program's was."""
-    figures = [each.figures() for each in editors]
-    return sum(each["done"] for each in figures), max(each["longest_pause_ms"] for each in figures) / 1000
+class Asked:
+    """Of editors: how many of their edits were answered, and how long none was, at most, since this was forgotten."""
+
+    def __init__(self, editors):
+        self.editors, self.longest_s = editors, 0.0
+
+    def done(self):
+        """By each program."""
+        figures = [each.figures() for each in self.editors]
+        self.longest_s = max(self.longest_s, *(each["longest_pause_ms"] / 1000 for each in figures))
+        return [each["done"] for each in figures]
+
+    def forget(self):
+        self.done()
+        self.longest_s = 0.0
 
 
 with Cluster(folder) as cluster:
@@ -177,7 +188,7 @@ with Cluster(folder) as cluster:
                cluster.editors("--editors", 4, "--lanes", 8, "--rate", 0.2 * options.rate, "--seed", options.seed, "--place", 1,
                                servers=[cluster.farm])]
     viewers = cluster.viewers("all", cluster.address_of(cluster.farm), "--players", options.viewers, "--radius", 4, "--vertical", 2)
-    chaos = Chaos(cluster)
+    chaos, answers = Chaos(cluster), Asked(editors)
     pauses, recoveries = collections.defaultdict(list), collections.defaultdict(list)
     began = looked = time.monotonic()
     comparisons = 0
@@ -187,16 +198,16 @@ with Cluster(folder) as cluster:
     try:
         while not failures and time.monotonic() - began < options.seconds:
             time.sleep(chance.uniform(2, 6))
-            before, _ = asked(editors)
+            answers.forget()
+            before = answers.done()
             name, what = chaos.happens()
-            over = time.monotonic()
-            until(chaos.is_well, f"all servers are well after '{name}' ({what})", options.patience)
-            recovery = time.monotonic() - over
-            time.sleep(1)  # so that edits flow again
-            done, pause = asked(editors)
+            over, meanwhile = time.monotonic(), answers.done()
+            until(lambda: chaos.is_well() and all(now_ > then for now_, then in zip(answers.done(), meanwhile)),
+                  f"all servers are well and edits flow after '{name}' ({what})", options.patience)
+            recovery, pause, done = time.monotonic() - over, answers.longest_s, sum(answers.done()) - sum(before)
             pauses[name].append(pause)
             recoveries[name].append(recovery)
-            say(f"{now()} {name} ({what}): {done - before} edits, longest pause {pause:.1f} s, all well {recovery:.1f} s after")
+            say(f"{now()} {name} ({what}): {done} edits, longest pause {pause:.1f} s, all well {recovery:.1f} s after")
             failures = [mistake["what"] for each in editors for mistake in each.mistakes if "what" in mistake]
             if tail.unlike:
                 failures.append("servers say that S differs")
@@ -209,7 +220,7 @@ with Cluster(folder) as cluster:
                 for each in editors:
                     each.go()
     except AssertionError as failure:
-        failures.append(str(failure))
+        failures.append(f"{failure}; /-/ready: {', '.join(f'{server.name} {server.ready_text()}' for server in cluster.servers if server.process.poll() is None)}")
     if not failures:
         wrong, revision = cluster.agreed(editors)
         failures += wrong

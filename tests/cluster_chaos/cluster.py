@@ -64,6 +64,7 @@ class Cluster:
         return self
 
     def __exit__(self, *_):
+        signal.signal(signal.SIGTERM, signal.SIG_IGN)
         for process in self.frozen:
             process.signal(signal.SIGCONT)
         for each in self._to_end:

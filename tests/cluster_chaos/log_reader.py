@@ -108,6 +108,11 @@ class Tail(threading.Thread):
         self._ends = True
         self.join()
 
+    def said(self, revision):
+        """The S that some server said for it, in 32 hexadecimal digits."""
+        hash, _ = self._said.get(revision, (None, None))
+        return None if hash is None else f"{hash:032x}"
+
     def _take(self, batch):
         if batch is None:
             return
