@@ -120,6 +120,7 @@ void Builder::begin_write(Time due) {
   cell.written = site_->next(index);
   cell.is_written = cell.open = cell.certain = true;
   cell.due = due;
+  cell.server = server();
   (void)open_.add({index, cell.written, due});
   send_write(*open_.send_next());
 }
@@ -212,7 +213,9 @@ void Builder::sees(std::uint32_t cell, MaterialId material, Time now, bool updat
   if (!update || !news || !written.is_written || material != written.written) return;
   if (EditSite::builder_of(cell) == place_) return;
   ++tally().edit_arrivals;
-  if (worker().counts(written.due)) tally().edit_arrival.record(now - written.due);
+  if (!worker().counts(written.due)) return;
+  tally().edit_arrival.record(now - written.due);
+  if (written.server != server()) tally().edit_other_server.record(now - written.due);
 }
 
 void Builder::take(const wire::Chunk& chunk) {

@@ -28,6 +28,7 @@ class EditSite {
   struct Cell {
     MaterialId written{};  // by the last edit
     Time due{};            // when that was to be sent
+    std::size_t server{};  // which of them it was first sent to
     bool is_written = false;
     bool open = false;    // it is not answered yet
     bool certain = true;  // nobody knows where not: the server has forgotten who sent it

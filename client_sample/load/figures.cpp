@@ -17,8 +17,9 @@ constexpr std::array kPercentiles{Percentile{"p50_ms", 0.5}, Percentile{"p95_ms"
 
 // Prefixes of the percentiles: all chunks, those of joins, those of travel, and so on.
 constexpr std::array kSpreads{
-    "",      "join_",   "travel_", "request_",    "first_chunk_",  "full_view_", "horizon_",
-    "near_", "return_", "back_",   "full_again_", "harness_late_", "edit_ack_",  "edit_arrival_"};
+    "",          "join_",         "travel_",           "request_", "first_chunk_", "full_view_",
+    "horizon_",  "near_",         "return_",           "back_",    "full_again_",  "harness_late_",
+    "edit_ack_", "edit_arrival_", "edit_other_server_"};
 constexpr std::array kSingles{"bytes",
                               "chunks_per_s",
                               "bytes_per_s",
@@ -122,6 +123,7 @@ Figures figures_of(const RunResult& result) {
   put_spread(figures, "harness_late_", result.lateness);
   put_spread(figures, "edit_ack_", players.edit_ack);
   put_spread(figures, "edit_arrival_", players.edit_arrival);
+  put_spread(figures, "edit_other_server_", players.edit_other_server);
 
   const double seconds = result.end.seconds - result.begin.seconds;
   const auto per_second = [seconds](std::uint64_t from, std::uint64_t to) {

@@ -32,7 +32,8 @@ std::string waits_of(const RunResult& result) {
           row("full view", players.full_view) + row("full horizon", players.horizon) +
           row("two nearest rings", players.near) + row("returns after a loss", players.returns) +
           row("  Pong, Attached", players.back) + row("  full view again", players.full_again) +
-          row("edits acknowledged", players.edit_ack) + row("edits seen elsewhere", players.edit_arrival);
+          row("edits acknowledged", players.edit_ack) + row("edits seen elsewhere", players.edit_arrival) +
+          row("  at another server", players.edit_other_server);
   if (rows.empty()) return "";
   return fmt::format("  {:<22}{:>11}{:>10}{:>10}{:>10}{:>10}{:>10}\n", "wait in ms", "count", "p50", "p95",
                      "p99", "p99.9", "max") +
@@ -179,7 +180,8 @@ nlohmann::json tally_json(const Tally& tally) {
             {"back", spread_json(tally.back)},
             {"full_again", spread_json(tally.full_again)},
             {"edit_ack", spread_json(tally.edit_ack)},
-            {"edit_arrival", spread_json(tally.edit_arrival)}}}};
+            {"edit_arrival", spread_json(tally.edit_arrival)},
+            {"edit_other_server", spread_json(tally.edit_other_server)}}}};
 }
 
 nlohmann::json settings_json(const Options& options) {

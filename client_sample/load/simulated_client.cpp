@@ -112,7 +112,7 @@ void SimulatedClient::connect(Time now) {
   const bool slow = profile_.role == Role::slow;
   read_due_ = slow ? now + kBetweenReads : Time::max();
   const Plan& plan = worker_.plan();
-  link_.open({plan.servers[server_ % plan.servers.size()], profile_.from, slow, plan.tls,
+  link_.open({plan.servers[server()], profile_.from, slow, plan.tls,
               plan.options.connect.tls, plan.options.connect.websocket});
 }
 
@@ -229,6 +229,10 @@ void SimulatedClient::ended(const std::string& reason, bool broken) {
   ++server_;
   if (worker_.plan().servers.size() > 1) retry_after_ = {};
   reconnect_at(Clock::now() + back_off());
+}
+
+std::size_t SimulatedClient::server() const {
+  return server_ % worker_.plan().servers.size();
 }
 
 // As the client library does, but for ever.

@@ -76,6 +76,8 @@ class SimulatedClient : public LinkOwner {
   /// When it should have begun to connect.
   [[nodiscard]] Time join_due() const { return join_due_; }
   [[nodiscard]] std::uint32_t server_frame_bytes() const { return frame_bytes_; }
+  /// Which of the plan's it goes to.
+  [[nodiscard]] std::size_t server() const;
   void send(std::span<const std::byte> frame) { link_.send(frame); }
   /// Whether the chunk is what its hash and codec say, where it is one of those that are looked at; what is
   /// not is counted.

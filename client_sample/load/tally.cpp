@@ -28,6 +28,7 @@ void Tally::merge(const Tally& other) {
   full_again.merge(other.full_again);
   edit_ack.merge(other.edit_ack);
   edit_arrival.merge(other.edit_arrival);
+  edit_other_server.merge(other.edit_other_server);
   longest_without = std::max(longest_without, other.longest_without);
   for (std::size_t i = 0; i < late_steps.size(); ++i) late_steps[i] += other.late_steps[i];
   constexpr std::uint64_t Tally::*kCounts[] = {

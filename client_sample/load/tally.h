@@ -28,6 +28,7 @@ struct Tally {
   measure::Histogram full_again;   // from when it was lost to the last chunk of the View
   measure::Histogram edit_ack;     // from the scheduled time of an edit to its EditResult
   measure::Histogram edit_arrival;             // from there until another player of its place saw it
+  measure::Histogram edit_other_server;        // the same, of players at another server
   std::chrono::nanoseconds longest_without{};  // any chunk, of one player that waited for some
 
   /// Chunks that came n View steps after the one that wanted them; the last place counts all beyond.

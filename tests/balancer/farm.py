@@ -74,11 +74,11 @@ def until(done, what, patience_s=PATIENCE_S, beat_s=0.05):
         time.sleep(beat_s)
 
 
-def fetch(url, **headers):
+def fetch(url, timeout_s=30, **headers):
     """Status and body."""
     request = urllib.request.Request(url, headers=headers)
     try:
-        with urllib.request.urlopen(request, timeout=30) as answer:
+        with urllib.request.urlopen(request, timeout=timeout_s) as answer:
             return answer.status, answer.read()
     except urllib.error.HTTPError as error:
         with error:
@@ -86,21 +86,26 @@ def fetch(url, **headers):
 
 
 class Server:
-    """A talusd that may be ended and started again, on the same ports."""
+    """A talusd that may be ended and started again, on the same ports. It is reached at `address`; `command` goes before
+    talusd's own, to start it elsewhere."""
 
-    def __init__(self, name, folder, settings):
+    def __init__(self, name, folder, settings, address="127.0.0.1", command=()):
         self.name, self.log = name, folder / f"{name}.log"
+        self.address, self.command = address, list(command)
         self.port, self.http, self.admin = free_port(), free_port(), free_port()
         inherited = {key: value for key, value in os.environ.items() if not key.startswith("TALUS")}
         self.environment = {**inherited, "TALUS_PROXIES": PROXY, "TALUS_LOG_LEVEL": "info", **UNLIMITED, **settings}
         self.process = None
 
     def start(self):
-        addresses = [f"--{flag}=127.0.0.1:{port}" for flag, port in
+        self.launch()
+        until(self.is_ready, f"{self.name} is ready; it said:\n{self.log.read_text()}")
+
+    def launch(self, listen=None):
+        addresses = [f"--{flag}={listen or self.address}:{port}" for flag, port in
                      (("listen", self.port), ("http", self.http), ("admin", self.admin))]
         with open(self.log, "ab") as log:
-            self.process = subprocess.Popen([TALUSD, *addresses], env=self.environment, stdout=log, stderr=log)
-        until(self.is_ready, f"{self.name} is ready; it said:\n{self.log.read_text()}")
+            self.process = subprocess.Popen([*self.command, TALUSD, *addresses], env=self.environment, stdout=log, stderr=log)
 
     def is_ready(self):
         if self.process.poll() is not None:
@@ -111,11 +116,14 @@ class Server:
             return False
 
     def ready(self):
-        return fetch(f"http://127.0.0.1:{self.admin}/-/ready")[0]
+        return fetch(f"http://{self.address}:{self.admin}/-/ready")[0]
+
+    def ready_text(self):
+        return fetch(f"http://{self.address}:{self.admin}/-/ready")[1].decode().strip()
 
     def metrics(self):
         """Of each name, with its labels, the value."""
-        text = fetch(f"http://127.0.0.1:{self.admin}/metrics")[1].decode()
+        text = fetch(f"http://{self.address}:{self.admin}/metrics")[1].decode()
         return {match[1]: float(match[2]) for match in re.finditer(r"^(talus_\S+|process_\S+) (\S+)$", text, re.M)}
 
     def players(self):
@@ -128,7 +136,7 @@ class Server:
         return int(sum(value for name, value in self.metrics().items() if name.startswith("talus_http_responses_total")))
 
     def flows(self):
-        return fetch(f"http://127.0.0.1:{self.admin}/flows.json")[1].decode()
+        return fetch(f"http://{self.address}:{self.admin}/flows.json")[1].decode()
 
     def signal(self, number):
         self.process.send_signal(number)
@@ -149,12 +157,12 @@ class Server:
 
 class Farm:
     """`count` servers, each with `settings` (environment variables; a function of the server's number where each has its
-    own), and HAProxy in front."""
+    own), and HAProxy in front. `make`: makes a server of its name, folder and settings."""
 
-    def __init__(self, folder, count=3, settings=None):
-        self.folder = pathlib.Path(folder)
+    def __init__(self, folder, count=3, settings=None, make=Server, proxy=PROXY):
+        self.folder, self.proxy, self.address = pathlib.Path(folder), proxy, "127.0.0.1"
         of = settings if callable(settings) else lambda _: dict(settings or {})
-        self.servers = [Server(f"talus-{number}", self.folder, of(number)) for number in range(count)]
+        self.servers = [make(f"talus-{number}", self.folder, of(number)) for number in range(count)]
         self.port, self.http = free_port(), free_port()
         self.places = free_ports(PLACES)
         self.stats = self.folder / "haproxy.sock"
@@ -192,7 +200,7 @@ class Farm:
             if match and match[2] == "0":  # a line for each of ours in place of those that ship
                 for number, server in enumerate(self.servers):
                     port = {"4780": server.port, "4782": server.http}[match[3]]
-                    lines.append(f"{match[1]}{number} 127.0.0.1:{port} port {server.admin}{match[4]}")
+                    lines.append(f"{match[1]}{number} {server.address}:{port} port {server.admin}{match[4]}")
             elif not match:
                 lines.append(line)
         text = "\n".join(lines) + "\n"
@@ -200,7 +208,7 @@ class Farm:
             ("bind :4780\n", f"bind 127.0.0.1:{self.port}\n"),
             ("bind :4800-4863\n", f"bind 127.0.0.1:{self.places}-{self.places + PLACES - 1}\n"),
             ("bind :80\n", f"bind 127.0.0.1:{self.http}\n"),
-            ("tcp-ut 10s\n", f"tcp-ut 10s source {PROXY}\n"),
+            ("tcp-ut 10s\n", f"tcp-ut 10s source {self.proxy}\n"),
             ("log stdout format raw local0\n", f"log stdout format raw local0\n    stats socket {self.stats} level admin\n"),
         ):
             if there not in text:

@@ -1,6 +1,6 @@
 """nats-server processes with JetStream, as the hosts of a cluster of talusd have them."""
 
-import re
+import json
 import shutil
 import subprocess
 
@@ -9,48 +9,94 @@ from farm import PATIENCE_S, TALUSD, fetch, free_port, until
 STORE = "0123456789abcdef0123456789abcdef"
 
 
-class Nats:
-    """`count` servers that know each other, and in them the log of the world of these settings."""
+class NatsServer:
+    """A nats-server that may be ended and started again, on the same ports. It is reached at `address`, by the others and by
+    talusd at `inner`; `command` goes before its own, to start it elsewhere."""
 
-    def __init__(self, folder, count, settings):
+    def __init__(self, name, folder, address="127.0.0.1", inner=None, command=()):
         if shutil.which("nats-server") is None:
             raise AssertionError("nats-server is not installed; ./dev deps test")
-        self.processes = []
-        ports = [(free_port(), free_port(), free_port()) for _ in range(count)]
-        routes = ", ".join(f'"nats://127.0.0.1:{route}"' for _, route, _ in ports)
+        self.name, self.folder, self.log = name, folder, folder / f"{name}.log"
+        self.address, self.inner, self.command = address, inner or address, list(command)
+        self.port, self.route, self.monitor = free_port(), free_port(), free_port()
+        self.url = f"nats://{self.inner}:{self.port}"
+        self.process = None
+
+    def configure(self, servers):
+        """As one of these. What is not an address is as in docker/nats/nats-server.conf."""
+        routes = ", ".join(f'"nats://{server.inner}:{server.route}"' for server in servers)
+        listen = self.inner if self.inner == self.address else "0.0.0.0"
+        (self.folder / f"{self.name}.conf").write_text(
+            f'server_name: "{self.name}"\nlisten: "{listen}:{self.port}"\nhttp: "{self.address}:{self.monitor}"\n'
+            f'jetstream {{ store_dir: "{self.folder}/{self.name}", max_memory_store: 0, max_file_store: 40GB }}\n'
+            f'cluster {{ name: "talus", listen: "{self.inner}:{self.route}", routes: [{routes}], no_advertise: true }}\n'
+            'max_payload: 1MB\nping_interval: "5s"\nping_max: 2\n'
+        )
+
+    def start(self):
+        with open(self.log, "ab") as log:
+            self.process = subprocess.Popen([*self.command, "nats-server", "-c", self.folder / f"{self.name}.conf"], stdout=log,
+                                            stderr=log)
+
+    def is_healthy(self):
         try:
-            for number, (port, route, monitor) in enumerate(ports):
-                configuration = folder / f"nats-{number}.conf"
-                configuration.write_text(
-                    f'server_name: "nats-{number}"\nlisten: "127.0.0.1:{port}"\nhttp: "127.0.0.1:{monitor}"\n'
-                    f'jetstream {{ store_dir: "{folder}/nats-{number}" }}\n'
-                    f'cluster {{ name: "talus", listen: "127.0.0.1:{route}", routes: [{routes}] }}\n'
-                )
-                with open(folder / f"nats-{number}.log", "ab") as log:
-                    self.processes.append(subprocess.Popen(["nats-server", "-c", configuration], stdout=log, stderr=log))
-            for _, _, monitor in ports:
-                until(lambda monitor=monitor: _healthy(monitor), "nats-server is healthy")
-            urls = ",".join(f"nats://127.0.0.1:{port}" for port, _, _ in ports)
-            self.settings = {"TALUS_CLUSTER_NATS": urls, "TALUS_CLUSTER_STORE": STORE}
+            return fetch(f"http://{self.address}:{self.monitor}/healthz", timeout_s=2)[0] == 200 and self.page("/jsz")["meta_cluster"]["leader"]
+        except (OSError, ValueError, KeyError):
+            return False
+
+    def page(self, path):
+        return json.loads(fetch(f"http://{self.address}:{self.monitor}{path}", timeout_s=2)[1])
+
+    def leads(self, stream):
+        """Whether it says that it leads it: only the leader's word counts."""
+        try:
+            streams = [each for account in self.page("/jsz?streams=true").get("account_details", [])
+                       for each in account.get("stream_detail", [])]
+        except (OSError, ValueError):
+            return False
+        return any(each["name"] == stream and each.get("cluster", {}).get("leader") == self.name for each in streams)
+
+    def signal(self, number):
+        self.process.send_signal(number)
+
+    def wait(self):
+        return self.process.wait(PATIENCE_S)
+
+    def stop(self):
+        if self.process is not None and self.process.poll() is None:
+            self.process.terminate()
+            self.process.wait(PATIENCE_S)
+
+
+class Nats:
+    """`count` servers that know each other, and in them the log of the world of these settings. `make`: makes a server of its
+    name and folder."""
+
+    def __init__(self, folder, count, settings, make=NatsServer, store=STORE, command=()):
+        self.servers = [make(f"nats-{number}", folder) for number in range(count)]
+        self.stream = f"TALUS_{store}"
+        try:
+            for server in self.servers:
+                server.configure(self.servers)
+                server.start()
+            for server in self.servers:
+                until(server.is_healthy, "nats-server is healthy")
+            urls = ",".join(server.url for server in self.servers)
+            self.settings = {"TALUS_CLUSTER_NATS": urls, "TALUS_CLUSTER_STORE": store}
             environment = {**settings, **self.settings}
-            until(lambda: subprocess.run([TALUSD, "cluster", "init"], env=environment, capture_output=True, check=False).returncode == 0,
-                  "the log is made")
+            init = [*command, TALUSD, "cluster", "init"]
+            until(lambda: subprocess.run(init, env=environment, capture_output=True, check=False).returncode == 0, "the log is made")
         except BaseException:
             self.stop()
             raise
 
+    def leader(self):
+        """The server that leads the log; None: there is none just now."""
+        return next((server for server in self.servers if server.process.poll() is None and server.leads(self.stream)), None)
+
     def stop(self):
-        for process in self.processes:
-            process.terminate()
-        for process in self.processes:
-            process.wait(PATIENCE_S)
-        self.processes = []
-
-
-def _healthy(monitor):
-    try:
-        status, _ = fetch(f"http://127.0.0.1:{monitor}/healthz")
-        leader = re.search(rb'"leader": *"[^"]', fetch(f"http://127.0.0.1:{monitor}/jsz")[1])
-        return status == 200 and leader
-    except OSError:
-        return False
+        for server in self.servers:
+            if server.process is not None and server.process.poll() is None:
+                server.process.terminate()
+        for server in self.servers:
+            server.stop()

@@ -1,6 +1,8 @@
 // The log of a cluster beside bare JetStream, in one run: three nats-servers on this machine, three replicas.
 // bench_stream [acks|absence|kills|all] [SECONDS or KILLS]: acknowledgements at rates of edits; an absence
 // read again; leaders killed under load.
+// bench_stream bare SECONDS URLS STORE RATE: acknowledgements by libnats alone, of nats-servers that run
+// already, in the stream of that store, which "talusd cluster init" has made and no talusd uses.
 #include <algorithm>
 #include <atomic>
 #include <chrono>
@@ -83,11 +85,10 @@ void at_rate(const char* name, std::uint64_t edits_a_second, std::chrono::second
 /// libnats by itself.
 class Bare {
  public:
-  explicit Bare(const NatsServers& servers, std::string subject) : subject_{std::move(subject)} {
+  Bare(const std::vector<std::string>& urls, std::string subject) : subject_{std::move(subject)} {
     natsOptions* made = nullptr;
     natsOptions_Create(&made);
     const NatsOptions options{made};
-    const std::vector<std::string> urls = servers.urls();
     std::vector<const char*> list;
     for (const auto& url : urls) list.push_back(url.c_str());
     natsOptions_SetServers(made, list.data(), static_cast<int>(list.size()));
@@ -149,7 +150,7 @@ void acknowledgements(std::chrono::seconds length) {
   make_stream(servers, test_names(1), 3);
   make_stream(servers, test_names(2), 3);
   const auto log = open_log(servers.url_list(), test_names(1));
-  Bare bare{servers, test_names(2).log};
+  Bare bare{servers.urls(), test_names(2).log};
   for (int turn = 0; turn < 2; ++turn) {
     for (const std::uint64_t rate : {1'000U, 10'000U}) {
       at_rate("bare libnats", rate, length, [&](auto bytes) { return bare.publish(bytes); });
@@ -249,11 +250,27 @@ void dead_leaders(int kills) {
       pauses[pauses.size() / 2], pauses.back());
 }
 
+void bare_acknowledgements(std::chrono::seconds length, const std::string& urls, const std::string& store,
+                           std::uint64_t rate) {
+  std::vector<std::string> list;
+  for (const auto& url : urls_of(urls)) list.push_back(url);
+  Bare bare{list, "talus." + store + ".log"};
+  at_rate("bare libnats", rate, length, [&](auto bytes) { return bare.publish(bytes); });
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
   const std::string what = argc > 1 ? argv[1] : "all";
   const int count = argc > 2 ? std::atoi(argv[2]) : 0;
+  if (what == "bare") {
+    if (argc != 6) {
+      fmt::print(stderr, "bench_stream bare: SECONDS, URLS, STORE and RATE are wanted\n");
+      return 2;
+    }
+    bare_acknowledgements(std::chrono::seconds{count}, argv[3], argv[4], std::stoull(argv[5]));
+    return 0;
+  }
   if (what == "acks" || what == "all") acknowledgements(std::chrono::seconds{count > 0 ? count : 5});
   if (what == "absence" || what == "all") absence();
   if (what == "kills" || what == "all") dead_leaders(count > 0 ? count : 20);

@@ -13,9 +13,10 @@ class Refused(Exception):
 
 
 class NatsClient:
-    """A connection to HOST:PORT by a certificate of `folder`: "talusd" is talusd.pem and talusd-key.pem. None: without one."""
+    """A connection to HOST:PORT by a certificate of `folder`: "talusd" is talusd.pem and talusd-key.pem. None: without one. Without
+    a folder: without TLS."""
 
-    def __init__(self, port, folder, certificate, *, authority="ca", host="127.0.0.1", hello=None, timeout=10):
+    def __init__(self, port, folder=None, certificate=None, *, authority="ca", host="127.0.0.1", hello=None, timeout=10):
         self.inbox = "_INBOX." + secrets.token_hex(8)
         self.buffer = b""
         self.timeout = timeout
@@ -23,11 +24,12 @@ class NatsClient:
         try:
             if not self._line().startswith(b"INFO "):
                 raise Refused("no INFO")
-            context = ssl.create_default_context(cafile=f"{folder}/{authority}.pem")
-            context.check_hostname = host != "127.0.0.1"
-            if certificate:
-                context.load_cert_chain(f"{folder}/{certificate}.pem", f"{folder}/{certificate}-key.pem")
-            self.socket = context.wrap_socket(self.socket, server_hostname=host)
+            if folder:
+                context = ssl.create_default_context(cafile=f"{folder}/{authority}.pem")
+                context.check_hostname = host != "127.0.0.1"
+                if certificate:
+                    context.load_cert_chain(f"{folder}/{certificate}.pem", f"{folder}/{certificate}-key.pem")
+                self.socket = context.wrap_socket(self.socket, server_hostname=host)
             self._send(b"CONNECT " + json.dumps({"verbose": False, "pedantic": False, "headers": True, "protocol": 1,
                                                  "no_responders": True, **(hello or {})}).encode() + b"\r\n")
             self.flush()

@@ -55,7 +55,8 @@ TEST_CASE("every figure has a name that a threshold takes") {
   Tally& walk = of(result, Role::walk);
   for (talus::measure::Histogram* waits :
        {&walk.join, &walk.travel, &walk.requests, &walk.first_chunk, &walk.full_view, &walk.horizon,
-        &walk.near, &walk.returns, &walk.edit_ack, &walk.edit_arrival, &result.lateness}) {
+        &walk.near, &walk.returns, &walk.edit_ack, &walk.edit_arrival, &walk.edit_other_server,
+        &result.lateness}) {
     waits->record(milliseconds{3});
   }
   walk.new_patches = 4;

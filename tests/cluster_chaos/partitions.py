@@ -1,0 +1,121 @@
+#!/usr/bin/env python3
+"""Hosts of a cluster are cut from the others for a time, under editors and flying viewers on both sides: a talusd with its
+nats-server, a talusd alone, a nats-server alone; the nats-server is the one that leads the log. Wants root.
+
+Prints what went on meanwhile and how soon all was well after. Ends with 1 where an edit was answered otherwise than it had to be, is
+lost or happened twice, chunks stopped, or S was not equal on all in time."""
+
+import argparse
+import pathlib
+import sys
+import tempfile
+import time
+
+from cluster import Cluster, until
+from farm import say
+
+arguments = argparse.ArgumentParser(description=__doc__)
+arguments.add_argument("--seconds", type=float, default=60)
+arguments.add_argument("--rate", type=float, default=200, help="edits a second on each side")
+arguments.add_argument("--viewers", type=int, default=4, help="at each talusd")
+arguments.add_argument("--well-s", type=float, default=5, help="until S is equal on all, after the cut")
+arguments.add_argument("--chunks-s", type=float, default=2, help="in which viewers at each server must get chunks")
+arguments.add_argument("--seed", type=int, default=1)
+arguments.add_argument("--out", type=pathlib.Path)
+options = arguments.parse_args()
+folder = options.out or pathlib.Path(tempfile.mkdtemp(prefix="talus-partitions-"))
+folder.mkdir(parents=True, exist_ok=True)
+failures = []
+
+
+class Chunks:
+    """Whether each server goes on sending them."""
+
+    def __init__(self, cluster):
+        self.cluster = cluster
+        self.sent, self.since = cluster.chunks_sent(), [time.monotonic()] * cluster.count
+        self.longest = [0.0] * cluster.count
+
+    def look(self):
+        for number, sent in enumerate(self.cluster.chunks_sent()):
+            if sent != self.sent[number]:
+                self.sent[number], self.since[number] = sent, time.monotonic()
+            self.longest[number] = max(self.longest[number], time.monotonic() - self.since[number])
+
+
+def cut(cluster, name, talusd, nats, sides, tail):
+    cut_off = [each.name for each in (talusd, nats) if each is not None]
+    chunks = Chunks(cluster)
+    before = [side.figures() for side in sides]
+    cluster.network.cut(cut_off)
+    began = time.monotonic()
+    while time.monotonic() - began < options.seconds:
+        time.sleep(0.25)
+        chunks.look()
+    texts = {server.name: server.ready_text() for server in cluster.servers}
+    during = [side.figures() for side in sides]
+    metrics = [server.metrics() for server in cluster.servers]
+    sequence = max(each["talus_cluster_sequence"] for each in metrics)
+    revision = max(each["talus_edits_revision"] for each in metrics)
+    cluster.network.heal()
+    healed = time.monotonic()
+
+    def after():
+        return time.monotonic() - healed
+
+    def equal():
+        """Each has an S that another has too, or has said, at a revision not before the end of the cut."""
+        states = cluster.states()
+        return all(mine[0] >= revision and (states.count(mine) == cluster.count or tail.said(mine[0]) == mine[1]) for mine in states)
+
+    until(lambda: all(server.metrics()["talus_cluster_sequence"] >= sequence for server in cluster.servers), "all have what there was", beat_s=0.02)
+    caught_up = after()
+    until(equal, "S is equal on all", beat_s=0.02)
+    equal_after = after()
+    until(cluster.is_well, "all are ready and have the quorum", beat_s=0.02)
+    well = after()
+    chunks.look()
+    differs = sum(server.metrics()["talus_cluster_state_differs"] for server in cluster.servers)
+    wrong, revision = cluster.agreed(sides)
+    say(f"{name}: {' and '.join(cut_off)} cut off for {options.seconds:.0f} s")
+    for side, then, now_ in zip(("their side" if talusd else "all", "the other side"), before, during):
+        say(f"  {side}: {now_['done'] - then['done']} edits answered meanwhile, longest pause {now_['longest_pause_ms'] / 1000:.1f} s")
+    say(f"  longest without chunks: {', '.join(f'{server.name} {longest:.1f} s' for server, longest in zip(cluster.servers, chunks.longest))}")
+    for server, text in texts.items():
+        say(f"  {server} /-/ready at the end: {text}")
+    say(f"  after it: all have what was in the log after {caught_up:.2f} s, an equal S after {equal_after:.2f} s, take edits after {well:.2f} s")
+    say(f"  then every server has all voxels as acknowledged, one revision an edit ({revision}), and one S: {'no' if wrong else 'yes'}")
+    if differs or tail.unlike:
+        wrong.append("servers have said that S differs")
+    if equal_after > options.well_s:
+        wrong.append(f"S was equal on all {equal_after:.1f} s after the cut, over {options.well_s} s")
+    if max(chunks.longest) > options.chunks_s:
+        wrong.append(f"no chunk for {max(chunks.longest):.1f} s, over {options.chunks_s} s")
+    failures.extend(f"{name}: {line}" for line in wrong)
+    for side in sides:
+        side.go()
+
+
+with Cluster(folder) as cluster:
+    tail = cluster.tail()
+    common = ["--editors", 4, "--lanes", 8, "--rate", options.rate, "--alone", "--seed", options.seed]
+    sides = [cluster.editors(*common, "--place", 0, servers=cluster.servers[:1]), cluster.editors(*common, "--place", 1, servers=cluster.servers[1:])]
+    viewers = [cluster.viewers(server.name, cluster.address_of(server), "--players", options.viewers, "--radius", 4, "--vertical", 2, "--seed", number)
+               for number, server in enumerate(cluster.servers)] if options.viewers else []
+    until(lambda: all(players > options.viewers for players in cluster.farm.players()), "viewers are there")
+    for side in sides:
+        side.go()
+    time.sleep(3)
+    cut(cluster, "a talusd with its nats-server", cluster.servers[0], cluster.nats.leader(), sides, tail)
+    time.sleep(3)
+    cut(cluster, "a talusd alone", cluster.servers[0], None, sides, tail)
+    time.sleep(3)
+    cut(cluster, "a nats-server alone", None, cluster.nats.leader(), sides, tail)
+    for each in viewers:
+        seen = each.stop()
+        if seen["wrong"] or seen["unanswered"] or seen["disconnects"]:
+            failures.append(f"viewers: {seen['wrong']:.0f} wrong, {seen['unanswered']:.0f} unanswered, {seen['disconnects']:.0f} disconnected:\n{each.output}")
+    say(f"S of one server held against another's {tail.compared} times: {tail.unlike} unlike")
+for line in failures:
+    print(f"partitions: {line}", file=sys.stderr)
+sys.exit(1 if failures else 0)
