@@ -54,6 +54,7 @@ class ScriptedStream final : public LogStream {
     script_.failures.pop_front();
     return tl::unexpected{failure};
   }
+  tl::expected<std::int64_t, StreamFailure> time_of(std::uint64_t) override { return 0; }
   void wake() override {}
   void stop() override {}
 
